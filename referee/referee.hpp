@@ -1,0 +1,65 @@
+// AutoRef: the referee of the paper, from vision frames to referee commands.
+//
+// It owns the state of the game: score, stage, clock, the next restart, the last touch. It sees
+// nothing but vision frames and the teams' requests ("operates based solely on vision
+// information", paper, section 4.1), keeps time by the frames, and draws no random numbers. The
+// game loop calls it once per frame.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "referee/decision.hpp"
+#include "soccer/field.hpp"
+#include "soccer/frame.hpp"
+#include "soccer/referee_signal.hpp"
+#include "soccer/rule_book.hpp"
+#include "soccer/side.hpp"
+#include "soccer/team_requests.hpp"
+
+namespace autoref::referee {
+
+// "At the end of the second half, AutoRef can either signal for a new game to begin or simply
+// leave the robots halted" (paper, section 4.2).
+enum class AfterGame : std::uint8_t { kHalt, kNewGame };
+
+struct Configuration {
+  Field field;
+  RuleBook rules;
+  double half_s = 600;   // paper, section 4.2: ten minutes
+  int halves = 2;
+  double break_s = 0;    // half-time break; the Laws have 300 s
+  Side first_kickoff = Side::kWest;
+  AfterGame after_game = AfterGame::kHalt;
+};
+
+class Referee {
+ public:
+  // Throws std::invalid_argument for lengths, times or counts that are not positive.
+  explicit Referee(const Configuration& configuration);
+  ~Referee();
+  Referee(Referee&&) noexcept;
+  Referee& operator=(Referee&&) noexcept;
+
+  // Judges one frame and says what is in force from now on. Frames come in order.
+  const RefereeSignal& update(const Frame& frame, const PerSide<TeamRequests>& requests);
+
+  // The decisions taken at the last update, in order; empty for most frames.
+  std::span<const Decision> decisions() const;
+
+  State state() const;
+  bool is_ball_in_play() const;
+  // Whether the last half is over and `after_game` is kHalt: no further command will come.
+  bool is_over() const;
+  // Goals of each half so far, the running one included.
+  std::span<const PerSide<int>> goals_by_half() const;
+  // Games finished so far, for AfterGame::kNewGame.
+  int games_finished() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace autoref::referee

@@ -1,0 +1,18 @@
+#include "runner/game.hpp"
+
+#include <array>
+
+namespace autoref::runner {
+
+std::string_view name_of(EndReason reason) {
+  static constexpr std::array<std::string_view, 5> kNames = {"time", "goals", "forfeit_a",
+                                                             "forfeit_b", "void"};
+  return kNames[static_cast<std::size_t>(reason)];
+}
+
+std::string_view name_of(Status status) {
+  static constexpr std::array<std::string_view, 3> kNames = {"ok", "forfeit", "void"};
+  return kNames[static_cast<std::size_t>(status)];
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,53 @@
+// The game loop: one refereed game from values to a record. Knows no files and no command line.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "referee/decision.hpp"
+#include "runner/configuration.hpp"
+#include "sim/world.hpp"
+#include "soccer/frame.hpp"
+#include "soccer/referee_signal.hpp"
+
+namespace autoref::runner {
+
+enum class EndReason : std::uint8_t { kTime, kGoals, kForfeitA, kForfeitB, kVoid };
+std::string_view name_of(EndReason reason);
+
+enum class Status : std::uint8_t { kOk, kForfeit, kVoid };
+std::string_view name_of(Status status);
+
+struct GameRecord {
+  int goals_a = 0;
+  int goals_b = 0;
+  std::vector<std::array<int, 2>> goals_by_half;  // [a, b] of each half
+  EndReason end_reason = EndReason::kTime;
+  Status status = Status::kOk;
+  std::string void_reason;                             // empty unless void
+  std::array<int, referee::kEventCount> events{};      // how often each event occurred
+  std::vector<std::string_view> arrows;                // labels of the arrows taken, each once
+  double ball_in_play_s = 0;
+  double sim_s = 0;
+  std::int64_t frames = 0;
+  std::uint64_t state_hash = 0;  // over every frame's state and every decision
+};
+
+// Watches a game. All calls come from the game loop, in order, once per frame.
+class Observer {
+ public:
+  virtual ~Observer() = default;
+  virtual void on_frame(const Frame& /*frame*/, const RefereeSignal& /*signal*/,
+                        const sim::World& /*world*/) {}
+  virtual void on_decision(const referee::Decision& /*decision*/) {}
+};
+
+// Plays one game to its end. Throws std::invalid_argument for a configuration that no game can be
+// made of (unknown strategy, rules or preset, numbers out of range). A strategy that throws or
+// sends a number that is not finite makes the game void, not the call fail.
+GameRecord play(const GameConfiguration& configuration, Observer* observer = nullptr);
+
+}  // namespace autoref::runner

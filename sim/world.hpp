@@ -1,0 +1,95 @@
+// The simulated world: robots, ball, goals and walls as rigid bodies in the plane.
+//
+// It owns the truth: exact positions, speeds and contacts. It knows no rules and takes no
+// decisions; the game loop feeds it orders and a placement once per camera frame. Everything is in
+// SI and in the field's frame (soccer/field.hpp).
+#pragma once
+
+#include <boost/container/static_vector.hpp>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "sim/configuration.hpp"
+#include "soccer/field.hpp"
+#include "soccer/referee_signal.hpp"
+#include "soccer/robot_command.hpp"
+#include "soccer/side.hpp"
+
+namespace autoref::sim {
+
+struct RobotState {
+  int number = 0;
+  Vec2 position_m{0, 0};
+  Vec2 heading{1, 0};
+  Vec2 velocity_mps{0, 0};
+  double angular_velocity_radps = 0;
+};
+
+struct BallState {
+  Vec2 position_m{0, 0};
+  Vec2 velocity_mps{0, 0};
+  double height_m = 0;  // of the lowest point
+  double vertical_mps = 0;
+  bool is_rolling = true;
+};
+
+struct WorldState {
+  std::int64_t frame = 0;  // frames stepped so far; time is frame / frame rate
+  PerSide<boost::container::static_vector<RobotState, kMaxRobots>> robots;  // ordered by number
+  BallState ball;
+};
+
+// A robot's hull met the ball, or its kicker fired at it: the ground truth of "who touched it".
+struct Touch {
+  std::int64_t frame = 0;  // the frame being stepped
+  int substep = 0;
+  RobotId robot;
+  Vec2 ball_m{0, 0};
+  bool is_kick = false;
+};
+
+class World {
+ public:
+  // Robots start lined up in their own halves, the ball at the centre. `seed` names the streams
+  // of motors and kickers. Throws std::invalid_argument for a configuration out of range.
+  World(const Field& field, const Configuration& configuration, const PerSide<TeamSheet>& sheets,
+        std::uint64_t seed);
+  ~World();
+  World(World&&) noexcept;
+  World& operator=(World&&) noexcept;
+
+  // One camera frame of physics. The new orders take effect `order_delay_substeps` into it, the
+  // former ones until then. Orders for robots that do not exist are ignored. Orders must be finite
+  // (asserted); they are limited to what the robots can do. With `placement` the ball is dragged
+  // to its target; without, it is free.
+  void step(const PerSide<TeamOrders>& orders, const std::optional<Placement>& placement);
+
+  // The state after the last step.
+  const WorldState& state() const;
+
+  // What touched the ball during the last step, in order; at most 256.
+  std::span<const Touch> touches() const;
+
+  // Whether every position and speed is finite.
+  bool is_finite() const;
+
+  // Sets up a situation by hand, for tests and scenes. Robots must exist.
+  void put_ball(const BallState& ball);
+  void put_robot(RobotId id, const RobotState& state);
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+// How the delay from picture to motion is shared: whole frames that the picture ages before a team
+// sees it, and the sub-steps after which the orders decided on it take effect.
+struct LatencySplit {
+  int frames = 0;
+  int substeps = 0;
+};
+LatencySplit split_latency(const Configuration& configuration);
+
+}  // namespace autoref::sim

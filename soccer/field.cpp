@@ -1,0 +1,28 @@
+#include "soccer/field.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace autoref {
+
+double distance_to_defence_area(const Field& field, Side side, const Vec2& point_m) {
+  const DefenceArea& area = field.defence_area;
+  // Depth into the field from the goal line, and distance from the goal's axis.
+  const double x = std::max(0.0, field.half_length_m() - goal_sign(side) * point_m.x());
+  const double y = std::abs(point_m.y());
+  if (area.shape == DefenceArea::Shape::kQuarterCircles) {
+    const double beyond = std::max(0.0, y - area.straight_m / 2);
+    return std::sqrt(x * x + beyond * beyond) - area.depth_m;
+  }
+  const double dx = x - area.depth_m;
+  const double dy = y - area.straight_m / 2;
+  if (dx <= 0.0 || dy <= 0.0) return std::max(dx, dy);
+  return std::sqrt(dx * dx + dy * dy);
+}
+
+bool is_on_field(const Field& field, const Vec2& point_m) {
+  return std::abs(point_m.x()) <= field.half_length_m() &&
+         std::abs(point_m.y()) <= field.half_width_m();
+}
+
+}  // namespace autoref

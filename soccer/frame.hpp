@@ -1,0 +1,38 @@
+// What vision reports once per camera frame: the referee's and the teams' only source.
+#pragma once
+
+#include <boost/container/static_vector.hpp>
+#include <cstdint>
+#include <optional>
+
+#include "soccer/geometry.hpp"
+#include "soccer/side.hpp"
+
+namespace autoref {
+
+struct RobotObservation {
+  int number = 0;
+  Vec2 position_m{0, 0};
+  Vec2 heading{1, 0};  // unit vector; a robot's front points along it
+};
+
+struct BallObservation {
+  Vec2 position_m{0, 0};
+  std::optional<double> height_m;  // of the ball's lowest point; none where vision cannot tell
+};
+
+// Seen robots of a side, ordered by number.
+using SeenRobots = boost::container::static_vector<RobotObservation, kMaxRobots>;
+
+// One picture of the field. Positions are in metres, in the field's frame (field.hpp).
+struct Frame {
+  std::int64_t number = 0;  // counts from 0 at the camera's rate
+  double time_s = 0;        // number / rate, never accumulated
+  PerSide<SeenRobots> robots;
+  std::optional<BallObservation> ball;  // none where no camera sees it
+};
+
+// The same frame seen from the other end: turned by 180 degrees, the sides swapped.
+Frame mirrored(const Frame& frame);
+
+}  // namespace autoref

@@ -1,0 +1,90 @@
+// What the referee tells everybody: the league's referee commands and stages.
+//
+// Numbers are those of the league's SSL_Referee message (2013), so that logs need no second table.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "soccer/geometry.hpp"
+#include "soccer/side.hpp"
+
+namespace autoref {
+
+enum class CommandKind : std::uint8_t {
+  kHalt,
+  kStop,
+  kNormalStart,
+  kForceStart,
+  kPrepareKickoff,
+  kPreparePenalty,
+  kDirectFree,
+  kIndirectFree,
+  kTimeout,
+  kGoal,
+  kBallPlacement,
+};
+
+// A command; `side` means nothing for the first four kinds and is west there.
+struct Command {
+  CommandKind kind = CommandKind::kHalt;
+  Side side = Side::kWest;
+  bool operator==(const Command&) const = default;
+};
+
+// Whether commands of this kind name a side.
+constexpr bool is_for_one_side(CommandKind kind) { return kind >= CommandKind::kPrepareKickoff; }
+
+// The command as seen from the other end of the field.
+constexpr Command mirrored(Command command) {
+  return {command.kind,
+          is_for_one_side(command.kind) ? opponent_of(command.side) : command.side};
+}
+
+// The league's number: HALT 0 ... BALL_PLACEMENT_BLUE 17, where west is yellow.
+int league_number(Command command);
+
+// The league's name, such as "PREPARE_KICKOFF_YELLOW".
+std::string name_of(Command command);
+
+enum class Stage : std::uint8_t {
+  kFirstHalfPre = 0,
+  kFirstHalf = 1,
+  kHalfTime = 2,
+  kSecondHalfPre = 3,
+  kSecondHalf = 4,
+  kExtraTimeBreak = 5,
+  kExtraFirstHalfPre = 6,
+  kExtraFirstHalf = 7,
+  kExtraHalfTime = 8,
+  kExtraSecondHalfPre = 9,
+  kExtraSecondHalf = 10,
+  kShootoutBreak = 11,
+  kShootout = 12,
+  kPostGame = 13,
+};
+
+// The league's name, such as "FIRST_HALF_PRE".
+std::string_view name_of(Stage stage);
+
+// Where the ball is to be put while play is stopped. `at_once` where there is no time left for
+// bringing it there smoothly.
+struct Placement {
+  Vec2 target_m{0, 0};
+  bool at_once = false;
+};
+
+struct RefereeSignal {
+  Command command;
+  std::uint32_t command_counter = 0;  // grows by one with each command sent
+  double command_time_s = 0;          // when `command` was sent
+  Stage stage = Stage::kFirstHalfPre;
+  double stage_time_left_s = 0;  // of a running half; 0 in other stages
+  PerSide<int> goals;
+  std::optional<Placement> placement;  // none while play is on
+  std::optional<Command> next_command;  // what follows when play can go on
+};
+
+}  // namespace autoref

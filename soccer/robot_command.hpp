@@ -1,0 +1,29 @@
+// What a team sends to its robots once per frame.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "soccer/geometry.hpp"
+#include "soccer/side.hpp"
+
+namespace autoref {
+
+// One robot's orders. Velocities are in the robot's own frame: x forward, y to its left.
+struct RobotCommand {
+  Vec2 velocity_mps{0, 0};
+  double angular_velocity_radps = 0;
+  double kick_mps = 0;  // speed over ground of a kick as soon as the ball is in the mouth; 0: none
+  bool chip = false;    // kick at 45 degrees upwards
+  bool dribble = false;
+};
+
+inline bool is_finite(const RobotCommand& c) {
+  return is_finite(c.velocity_mps) && std::isfinite(c.angular_velocity_radps) &&
+         std::isfinite(c.kick_mps);
+}
+
+// Orders of a side, by robot number. A robot without a new order stands still.
+using TeamOrders = std::array<RobotCommand, kMaxRobots>;
+
+}  // namespace autoref

@@ -1,0 +1,44 @@
+// Who is who: the two sides of a game and the robots on them.
+//
+// A side owns the goal at its end of the field, a colour, bodies and random streams. Which team
+// plays on which side is decided outside (`match.a_plays`).
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <string_view>
+
+namespace autoref {
+
+// West defends the goal at -x and wears yellow, east the one at +x and wears blue.
+enum class Side : std::uint8_t { kWest, kEast };
+
+inline constexpr std::array<Side, 2> kSides = {Side::kWest, Side::kEast};
+
+constexpr Side opponent_of(Side side) { return side == Side::kWest ? Side::kEast : Side::kWest; }
+
+// -1 for west, +1 for east: the sign of x at the side's own goal.
+constexpr double goal_sign(Side side) { return side == Side::kWest ? -1.0 : 1.0; }
+
+constexpr std::string_view name_of(Side side) { return side == Side::kWest ? "west" : "east"; }
+
+// One value for each side.
+template <typename T>
+struct PerSide {
+  std::array<T, 2> values{};
+  constexpr T& operator[](Side side) { return values[static_cast<std::size_t>(side)]; }
+  constexpr const T& operator[](Side side) const { return values[static_cast<std::size_t>(side)]; }
+  bool operator==(const PerSide&) const = default;
+};
+
+// The league's patterns tell 16 robots of a side apart, numbers 0 to 15.
+inline constexpr int kMaxRobots = 16;
+
+struct RobotId {
+  Side side = Side::kWest;
+  int number = 0;
+  auto operator<=>(const RobotId&) const = default;
+};
+
+}  // namespace autoref

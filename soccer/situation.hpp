@@ -1,0 +1,53 @@
+// What the referee's commands mean for play: who may do what right now.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "soccer/geometry.hpp"
+#include "soccer/referee_signal.hpp"
+#include "soccer/rule_book.hpp"
+#include "soccer/side.hpp"
+
+namespace autoref {
+
+// The first two allow no play; prepared restarts wait for their start; a restart lasts until the
+// ball is in play.
+enum class Play : std::uint8_t {
+  kHalt,
+  kStop,
+  kPrepareKickoff,
+  kPreparePenalty,
+  kKickoff,
+  kPenalty,
+  kDirectFree,
+  kIndirectFree,
+  kRunning,
+};
+
+// `side` takes the restart; it means nothing in halt, stop and running play.
+struct Situation {
+  Play play = Play::kHalt;
+  Side side = Side::kWest;
+};
+
+constexpr bool is_restart(Play play) { return play >= Play::kKickoff && play < Play::kRunning; }
+
+// Follows commands and ball to the situation. Called once per frame with the signal and the ball
+// (none while it was never seen).
+class SituationTracker {
+ public:
+  explicit SituationTracker(const RuleBook& rules) : in_play_m_(rules.in_play_m) {}
+
+  Situation update(const RefereeSignal& signal, const std::optional<Vec2>& ball_m);
+
+ private:
+  void obey(const Command& command);
+
+  double in_play_m_;
+  Situation situation_;
+  std::uint32_t obeyed_counter_ = 0;
+  std::optional<Vec2> restart_from_m_;  // the ball's place when a restart was allowed
+};
+
+}  // namespace autoref

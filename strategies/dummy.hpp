@@ -1,0 +1,13 @@
+// A team that does nothing: the other end of every comparison.
+#pragma once
+
+#include "strategies/strategy.hpp"
+
+namespace autoref::strategies {
+
+class Dummy final : public Strategy {
+ public:
+  void decide(const TeamView& view, TeamOrders& orders) override;
+};
+
+}  // namespace autoref::strategies

@@ -1,0 +1,26 @@
+// The teams by name.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "strategies/strategy.hpp"
+
+namespace autoref::strategies {
+
+struct Entry {
+  std::string_view name;   // as in a scenario's `strategy:`
+  std::string_view about;  // one sentence
+  std::unique_ptr<Strategy> (*make)(const Setup& setup);
+  std::vector<std::string_view> params;  // names that `params:` may hold
+};
+
+// All teams, ordered by name.
+const std::vector<Entry>& all_strategies();
+
+// The team of that name; nullptr where there is none.
+const Entry* find_strategy(std::string_view name);
+
+}  // namespace autoref::strategies
