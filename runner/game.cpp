@@ -1,8 +1,258 @@
 #include "runner/game.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include "runner/state_hash.hpp"
+#include "sim/camera.hpp"
+#include "soccer/random.hpp"
+#include "soccer/situation.hpp"
+#include "soccer/team_view.hpp"
+#include "soccer/tracker.hpp"
+#include "strategies/registry.hpp"
 
 namespace autoref::runner {
+namespace {
+
+// Beyond its halves and breaks a game may take this long: waiting for clients and restarts.
+constexpr double kSlack_s = 300;
+
+const TeamConfiguration& team_on(const GameConfiguration& c, Side side) {
+  return side == c.match.a_plays ? c.a : c.b;
+}
+
+sim::TeamSheet sheet_of(const TeamConfiguration& team) {
+  return {team.robots, team.speed_factor, team.acceleration_factor};
+}
+
+PerSide<sim::TeamSheet> sheets_of(const GameConfiguration& c) {
+  return {{sheet_of(team_on(c, Side::kWest)), sheet_of(team_on(c, Side::kEast))}};
+}
+
+RuleBook rules_of(const MatchConfiguration& match) {
+  const std::optional<RuleBook> rules = find_rule_book(match.rules);
+  if (!rules) throw std::invalid_argument(fmt::format("unknown rule book '{}'", match.rules));
+  return *rules;
+}
+
+referee::Configuration referee_configuration(const GameConfiguration& c) {
+  referee::Configuration configuration;
+  configuration.field = c.field;
+  configuration.rules = rules_of(c.match);
+  configuration.half_s = c.match.half_s;
+  configuration.halves = c.match.halves;
+  configuration.break_s = c.match.break_s;
+  configuration.first_kickoff = c.match.first_kickoff;
+  return configuration;
+}
+
+std::unique_ptr<strategies::Strategy> make_team(const GameConfiguration& c, Side side) {
+  const TeamConfiguration& team = team_on(c, side);
+  const strategies::Entry* entry = strategies::find_strategy(team.strategy);
+  if (entry == nullptr) {
+    throw std::invalid_argument(fmt::format("unknown strategy '{}'", team.strategy));
+  }
+  return entry->make({c.field, rules_of(c.match), c.sim.frame_rate_hz,
+                      RandomStream::of(c.seed, RandomPurpose::kStrategy, side), team.params});
+}
+
+// A team on the field: it sees delayed pictures, and its mistakes end the game as void.
+class Player {
+ public:
+  Player(const GameConfiguration& c, Side side, double latency_s)
+      : side_(side), robots_(team_on(c, side).robots), strategy_(make_team(c, side)) {
+    view_.latency_s = latency_s;
+  }
+
+  // Fills `orders`; returns what went wrong, empty where nothing did. Then all orders are zero.
+  std::string decide(const Tracks& tracks, std::int64_t frame, const RefereeSignal& signal,
+                     const Situation& situation, TeamOrders& orders) {
+    orders.fill(RobotCommand{});
+    view_.frame = frame;
+    fill_view(tracks, signal, situation, side_, view_);
+    std::string fault;
+    try {
+      strategy_->decide(view_, orders);
+      fault = fault_in(orders);
+    } catch (const std::exception& error) {
+      fault = fmt::format("threw: {}", error.what());
+    } catch (...) {
+      fault = "threw something that is no std::exception";
+    }
+    if (!fault.empty()) orders.fill(RobotCommand{});
+    return fault;
+  }
+
+  TeamRequests requests() const { return strategy_->requests(); }
+
+ private:
+  std::string fault_in(const TeamOrders& orders) const {
+    for (int number = 0; number < robots_; ++number) {
+      if (!is_finite(orders[static_cast<std::size_t>(number)])) {
+        return fmt::format("ordered a number that is not finite for robot {}", number);
+      }
+    }
+    return {};
+  }
+
+  Side side_;
+  int robots_;
+  std::unique_ptr<strategies::Strategy> strategy_;
+  TeamView view_;
+};
+
+// The last few pictures, so that teams see the field as it was.
+class DelayLine {
+ public:
+  explicit DelayLine(int frames) : frames_(static_cast<std::size_t>(frames) + 1) {}
+
+  Frame& next() {
+    ++taken_;
+    return frames_[(taken_ - 1) % frames_.size()];
+  }
+  // As many pictures back as the line is long; the first one until there are that many.
+  const Frame& oldest() const {
+    return taken_ < frames_.size() ? frames_.front() : frames_[taken_ % frames_.size()];
+  }
+
+ private:
+  std::vector<Frame> frames_;
+  std::size_t taken_ = 0;
+};
+
+// From a picture until the orders decided on it move a robot.
+double latency_s(const sim::LatencySplit& latency, const sim::Configuration& c) {
+  return (latency.frames + static_cast<double>(latency.substeps) / c.substeps) / c.frame_rate_hz;
+}
+
+class Game {
+ public:
+  Game(const GameConfiguration& c, Observer* observer)
+      : configuration_(c),
+        observer_(observer),
+        latency_(sim::split_latency(c.sim)),
+        world_(c.field, c.sim, sheets_of(c), c.seed),
+        camera_(sim::camera_preset(c.sim.camera), c.sim.frame_rate_hz),
+        referee_(referee_configuration(c)),
+        situation_(rules_of(c.match)),
+        pictures_(latency_.frames),
+        players_{{Player(c, Side::kWest, latency_s(latency_, c.sim)),
+                  Player(c, Side::kEast, latency_s(latency_, c.sim))}} {}
+
+  GameRecord play() {
+    const MatchConfiguration& match = configuration_.match;
+    const double longest_s = match.halves * (match.half_s + match.break_s) + kSlack_s;
+    const auto most_frames =
+        static_cast<std::int64_t>(longest_s * configuration_.sim.frame_rate_hz);
+    while (!referee_.is_over() && record_.status == Status::kOk) {
+      if (record_.frames >= most_frames) {
+        void_game("the game did not come to its end");
+      } else {
+        play_frame();
+      }
+    }
+    finish();
+    return record_;
+  }
+
+ private:
+  void play_frame() {
+    const RefereeSignal& signal = judge();
+    if (referee_.is_over()) return;
+    const Frame& seen = pictures_.oldest();
+    const Tracks& tracks = tracker_.update(seen);
+    const Situation situation = situation_.update(
+        signal, tracks.ball ? std::optional(tracks.ball->position_m) : std::nullopt);
+    for (Side side : kSides) {
+      const std::string fault =
+          players_[side].decide(tracks, seen.number, signal, situation, orders_[side]);
+      if (!fault.empty()) void_game(fmt::format("team {} {}", letter_of(side), fault));
+      ended(side == Side::kWest ? Phase::kTeamWest : Phase::kTeamEast);
+    }
+    world_.step(orders_, signal.placement);
+    if (!world_.is_finite()) void_game("a position in the world is not finite");
+    ++record_.frames;
+    ended(Phase::kPhysics);
+    hash_.add(world_.state());
+    ended(Phase::kRecord);
+  }
+
+  // Camera and referee; decisions go into the record.
+  const RefereeSignal& judge() {
+    Frame& frame = pictures_.next();
+    camera_.look(world_.state(), frame);
+    ended(Phase::kCamera);
+    const RefereeSignal& signal = referee_.update(
+        frame, {{players_[Side::kWest].requests(), players_[Side::kEast].requests()}});
+    for (const referee::Decision& decision : referee_.decisions()) note(decision);
+    frames_in_play_ += referee_.is_ball_in_play() ? 1 : 0;
+    ended(Phase::kReferee);
+    if (observer_ != nullptr) observer_->on_frame(frame, signal, world_);
+    return signal;
+  }
+
+  void note(const referee::Decision& decision) {
+    hash_.add(decision);
+    ++record_.events[static_cast<std::size_t>(decision.event)];
+    if (std::find(record_.arrows.begin(), record_.arrows.end(), decision.arrow) ==
+        record_.arrows.end()) {
+      record_.arrows.push_back(decision.arrow);
+    }
+    if (observer_ != nullptr) observer_->on_decision(decision);
+  }
+
+  void void_game(const std::string& reason) {
+    if (record_.status == Status::kVoid) return;
+    record_.status = Status::kVoid;
+    record_.end_reason = EndReason::kVoid;
+    record_.void_reason = fmt::format("{} (at {:.3f} s)", reason, time_s());
+  }
+
+  void finish() {
+    const Side a = configuration_.match.a_plays;
+    for (const PerSide<int>& goals : referee_.goals_by_half()) {
+      record_.goals_by_half.push_back({goals[a], goals[opponent_of(a)]});
+      record_.goals_a += goals[a];
+      record_.goals_b += goals[opponent_of(a)];
+    }
+    record_.sim_s = time_s();
+    record_.ball_in_play_s =
+        static_cast<double>(frames_in_play_) / configuration_.sim.frame_rate_hz;
+    record_.state_hash = hash_.value();
+  }
+
+  double time_s() const {
+    return static_cast<double>(record_.frames) / configuration_.sim.frame_rate_hz;
+  }
+
+  char letter_of(Side side) const { return side == configuration_.match.a_plays ? 'a' : 'b'; }
+
+  void ended(Phase phase) {
+    if (observer_ != nullptr) observer_->on_phase(phase);
+  }
+
+  const GameConfiguration& configuration_;
+  Observer* observer_;
+  sim::LatencySplit latency_;
+  sim::World world_;
+  sim::Camera camera_;
+  referee::Referee referee_;
+  SituationTracker situation_;
+  DelayLine pictures_;
+  Tracker tracker_;
+  PerSide<Player> players_;
+  PerSide<TeamOrders> orders_;
+  StateHash hash_;
+  std::int64_t frames_in_play_ = 0;
+  GameRecord record_;
+};
+
+}  // namespace
 
 std::string_view name_of(EndReason reason) {
   static constexpr std::array<std::string_view, 5> kNames = {"time", "goals", "forfeit_a",
@@ -13,6 +263,10 @@ std::string_view name_of(EndReason reason) {
 std::string_view name_of(Status status) {
   static constexpr std::array<std::string_view, 3> kNames = {"ok", "forfeit", "void"};
   return kNames[static_cast<std::size_t>(status)];
+}
+
+GameRecord play(const GameConfiguration& configuration, Observer* observer) {
+  return Game(configuration, observer).play();
 }
 
 }  // namespace autoref::runner

@@ -27,19 +27,26 @@ struct GameRecord {
   std::vector<std::array<int, 2>> goals_by_half;  // [a, b] of each half
   EndReason end_reason = EndReason::kTime;
   Status status = Status::kOk;
-  std::string void_reason;                             // empty unless void
-  std::array<int, referee::kEventCount> events{};      // how often each event occurred
-  std::vector<std::string_view> arrows;                // labels of the arrows taken, each once
+  std::string void_reason;                         // empty unless void
+  std::array<int, referee::kEventCount> events{};  // how often each event occurred
+  std::vector<std::string_view> arrows;            // labels of the arrows taken, each once
   double ball_in_play_s = 0;
   double sim_s = 0;
   std::int64_t frames = 0;
   std::uint64_t state_hash = 0;  // over every frame's state and every decision
 };
 
-// Watches a game. All calls come from the game loop, in order, once per frame.
+// The parts of one frame, in the order in which they come.
+enum class Phase : std::uint8_t { kCamera, kReferee, kTeamWest, kTeamEast, kPhysics, kRecord };
+inline constexpr int kPhaseCount = 6;
+
+// Watches a game. All calls come from the game loop, in order.
 class Observer {
  public:
   virtual ~Observer() = default;
+  // A part of the frame has ended.
+  virtual void on_phase(Phase /*ended*/) {}
+  // Once per frame, after the referee and before the teams.
   virtual void on_frame(const Frame& /*frame*/, const RefereeSignal& /*signal*/,
                         const sim::World& /*world*/) {}
   virtual void on_decision(const referee::Decision& /*decision*/) {}

@@ -14,7 +14,7 @@ namespace autoref {
 struct DefenceArea {
   enum class Shape { kQuarterCircles, kBox };
   Shape shape = Shape::kQuarterCircles;
-  double depth_m = 0.8_m;     // radius of the quarter circles, or the box's size along x
+  double depth_m = 0.8_m;      // radius of the quarter circles, or the box's size along x
   double straight_m = 0.35_m;  // line between the quarter circles, or the box's size along y
 };
 

@@ -21,7 +21,14 @@ constexpr std::uint64_t mix_bits(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-enum class RandomPurpose : std::uint8_t { kCamera, kPlacement, kRadio, kMotors, kKicker, kStrategy };
+enum class RandomPurpose : std::uint8_t {
+  kCamera,
+  kPlacement,
+  kRadio,
+  kMotors,
+  kKicker,
+  kStrategy
+};
 
 class RandomStream {
  public:

@@ -39,8 +39,7 @@ constexpr bool is_for_one_side(CommandKind kind) { return kind >= CommandKind::k
 
 // The command as seen from the other end of the field.
 constexpr Command mirrored(Command command) {
-  return {command.kind,
-          is_for_one_side(command.kind) ? opponent_of(command.side) : command.side};
+  return {command.kind, is_for_one_side(command.kind) ? opponent_of(command.side) : command.side};
 }
 
 // The league's number: HALT 0 ... BALL_PLACEMENT_BLUE 17, where west is yellow.
@@ -83,7 +82,7 @@ struct RefereeSignal {
   Stage stage = Stage::kFirstHalfPre;
   double stage_time_left_s = 0;  // of a running half; 0 in other stages
   PerSide<int> goals;
-  std::optional<Placement> placement;  // none while play is on
+  std::optional<Placement> placement;   // none while play is on
   std::optional<Command> next_command;  // what follows when play can go on
 };
 

@@ -17,10 +17,10 @@ struct RuleBook {
   std::string name = "paper";
 
   // Readiness before a restart (paper, section 4.4).
-  double stillness_m = 15_mm;       // the paper's epsilon
-  double look_period_s = 1_s;       // ours; the paper says "periodically"
-  double ready_timeout_s = 15_s;    // 2016; the paper says "a fixed timeout"
-  double start_timeout_s = 10_s;    // ours: clients that never move must not hang a game
+  double stillness_m = 15_mm;          // the paper's epsilon
+  double look_period_s = 1_s;          // ours; the paper says "periodically"
+  double ready_timeout_s = 15_s;       // 2016; the paper says "a fixed timeout"
+  double start_timeout_s = 10_s;       // ours: clients that never move must not hang a game
   double ball_at_rest_mps = 0.05_mps;  // ours: "rests at its place"
   double ball_in_place_m = 10_mm;      // ours: "rests at its place"
 
@@ -33,9 +33,9 @@ struct RuleBook {
   // Ball in play and distances at restarts (Laws 8, 9, 13).
   double in_play_m = 50_mm;
   double restart_timeout_s = 10_s;
-  double opponents_to_ball_m = 500_mm;   // kept by the teams at every restart
-  double attacker_to_area_m = 200_mm;    // paper, section 4.2, robot-related rules
-  double kick_limit_mps = 8_mps;         // paper, section 3; kept by the teams
+  double opponents_to_ball_m = 500_mm;  // kept by the teams at every restart
+  double attacker_to_area_m = 200_mm;   // paper, section 4.2, robot-related rules
+  double kick_limit_mps = 8_mps;        // paper, section 3; kept by the teams
 
   // Where a free kick is taken when it happened too near to an area (Laws 13).
   double own_area_kick_goal_inset_m = 600_mm;   // out of one's own area: from the goal line

@@ -35,8 +35,7 @@ void SituationTracker::obey(const Command& command) {
   }
 }
 
-Situation SituationTracker::update(const RefereeSignal& signal,
-                                   const std::optional<Vec2>& ball_m) {
+Situation SituationTracker::update(const RefereeSignal& signal, const std::optional<Vec2>& ball_m) {
   if (signal.command_counter != obeyed_counter_) {
     obeyed_counter_ = signal.command_counter;
     restart_from_m_.reset();

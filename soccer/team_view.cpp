@@ -22,8 +22,8 @@ void fill_view(const Tracks& tracks, const RefereeSignal& signal, const Situatio
   const TrackedBall ball = tracks.ball.value_or(TrackedBall{});
   view.ball = as_is ? ball : mirrored(ball);
   view.play = situation.play;
-  view.ours = situation.side == side && situation.play > Play::kStop &&
-              situation.play != Play::kRunning;
+  view.ours =
+      situation.side == side && situation.play > Play::kStop && situation.play != Play::kRunning;
   view.placement_m.reset();
   if (signal.placement) {
     view.placement_m = as_is ? signal.placement->target_m : Vec2(-signal.placement->target_m);

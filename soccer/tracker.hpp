@@ -31,7 +31,7 @@ using TrackedRobots = boost::container::static_vector<TrackedRobot, kMaxRobots>;
 // The field as last known, in the frame of the pictures it came from.
 struct Tracks {
   double time_s = 0;
-  PerSide<TrackedRobots> robots;      // ordered by number
+  PerSide<TrackedRobots> robots;    // ordered by number
   std::optional<TrackedBall> ball;  // none before the ball was first seen
 };
 

@@ -17,7 +17,9 @@ constexpr double operator""_ms(unsigned long long x) { return static_cast<double
 constexpr double operator""_mps(long double x) { return static_cast<double>(x); }
 constexpr double operator""_mps(unsigned long long x) { return static_cast<double>(x); }
 constexpr double operator""_deg(long double x) { return static_cast<double>(x) * kPi / 180.0; }
-constexpr double operator""_deg(unsigned long long x) { return static_cast<double>(x) * kPi / 180.0; }
+constexpr double operator""_deg(unsigned long long x) {
+  return static_cast<double>(x) * kPi / 180.0;
+}
 }  // namespace literals
 
 }  // namespace autoref

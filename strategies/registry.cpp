@@ -1,20 +1,26 @@
 #include "strategies/registry.hpp"
 
+#include "strategies/basic/basic.hpp"
 #include "strategies/dummy.hpp"
 
 namespace autoref::strategies {
 namespace {
 
-template <typename Team>
-std::unique_ptr<Strategy> make_plain(const Setup& /*setup*/) {
-  return std::make_unique<Team>();
+std::unique_ptr<Strategy> make_basic(const Setup& setup) {
+  return std::make_unique<basic::Basic>(setup);
 }
+
+std::unique_ptr<Strategy> make_dummy(const Setup& /*setup*/) { return std::make_unique<Dummy>(); }
 
 }  // namespace
 
 const std::vector<Entry>& all_strategies() {
   static const std::vector<Entry> kEntries = {
-      {"dummy", "Does nothing: its robots stand where they are.", make_plain<Dummy>, {}},
+      {"basic",
+       "Keeper, wall, markers, a supporter and an attacker who shoots at the open side.",
+       make_basic,
+       {"shot_mps", "pass_mps"}},
+      {"dummy", "Does nothing: its robots stand where they are.", make_dummy, {}},
   };
   return kEntries;
 }

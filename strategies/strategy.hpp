@@ -19,8 +19,8 @@ struct Setup {
   Field field;
   RuleBook rules;
   double frame_rate_hz = 60;
-  RandomStream random;                    // the side's own; the only source of chance allowed
-  std::map<std::string, double> params;   // the team's tunables by name
+  RandomStream random;                   // the side's own; the only source of chance allowed
+  std::map<std::string, double> params;  // the team's tunables by name
 };
 
 class Strategy {

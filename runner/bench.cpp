@@ -1,0 +1,131 @@
+#include "runner/bench.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+#include <vector>
+
+#include "runner/state_hash.hpp"
+#include "sim/yardstick.hpp"
+
+namespace autoref::runner {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kRounds = 5;
+constexpr std::uint64_t kFirstSeed = 1;
+constexpr std::array<std::string_view, kPhaseCount> kPhaseNames = {
+    "camera", "referee", "team_west", "team_east", "physics", "record"};
+
+double ns_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+GameConfiguration fixed_game(std::uint64_t seed) {
+  GameConfiguration game;
+  game.seed = seed;
+  return game;
+}
+
+// Adds up the time between the ends of a frame's parts.
+class Shares final : public Observer {
+ public:
+  void on_phase(Phase ended) override {
+    const Clock::time_point now = Clock::now();
+    ns_[static_cast<std::size_t>(ended)] +=
+        std::chrono::duration<double, std::nano>(now - last_).count();
+    last_ = now;
+  }
+
+  std::array<double, kPhaseCount> shares() const {
+    double sum = 0;
+    for (const double ns : ns_) sum += ns;
+    std::array<double, kPhaseCount> shares{};
+    for (int i = 0; i < kPhaseCount; ++i) shares[i] = ns_[i] / sum;
+    return shares;
+  }
+
+ private:
+  Clock::time_point last_ = Clock::now();
+  std::array<double, kPhaseCount> ns_{};
+};
+
+double bare_ns(std::uint64_t seed, std::int64_t frames) {
+  sim::Yardstick yardstick(seed);
+  const Clock::time_point start = Clock::now();
+  for (std::int64_t i = 0; i < frames; ++i) yardstick.step_frame();
+  const double ns = ns_since(start);
+  if (!(yardstick.checksum_m() < 1e9)) throw std::logic_error("the yardstick has blown up");
+  return ns;
+}
+
+void print_json(const BenchResult& r) {
+  std::string shares;
+  for (int i = 0; i < kPhaseCount; ++i) {
+    shares += fmt::format("{}\"{}\": {:.4f}", i == 0 ? "" : ", ", kPhaseNames[i], r.shares[i]);
+  }
+  fmt::print(
+      "{{\"ns_per_frame\": {:.1f}, \"bare_ns_per_frame\": {:.1f}, \"ratio\": {:.4f}, "
+      "\"x_real_time\": {:.1f}, \"signature\": \"{:016x}\", \"shares\": {{{}}}}}\n",
+      r.ns_per_frame, r.bare_ns_per_frame, r.ratio, r.x_real_time, r.signature, shares);
+}
+
+void print_table(const BenchResult& r) {
+  fmt::print("a whole game          {:9.0f} ns a frame, {:.0f} x real time on one core\n",
+             r.ns_per_frame, r.x_real_time);
+  fmt::print("the bare Box2D scene  {:9.0f} ns a frame\n", r.bare_ns_per_frame);
+  fmt::print("ratio                 {:9.3f}   (median of {} rounds)\n", r.ratio, kRounds);
+  fmt::print("signature             {:016x}\n", r.signature);
+  for (int i = 0; i < kPhaseCount; ++i) {
+    fmt::print("  {:10} {:5.1f} %\n", kPhaseNames[i], 100 * r.shares[i]);
+  }
+}
+
+}  // namespace
+
+BenchResult bench(int rounds) {
+  std::vector<double> game_ns, bare_frame_ns, ratios;
+  StateHash signature;
+  for (int i = 0; i < rounds; ++i) {
+    const std::uint64_t seed = kFirstSeed + static_cast<std::uint64_t>(i);
+    const Clock::time_point start = Clock::now();
+    const GameRecord record = play(fixed_game(seed));
+    const auto frames = static_cast<double>(record.frames);
+    game_ns.push_back(ns_since(start) / frames);
+    bare_frame_ns.push_back(bare_ns(seed, record.frames) / frames);
+    ratios.push_back(game_ns.back() / bare_frame_ns.back());
+    signature.add(record.state_hash);
+  }
+  Shares shares;
+  play(fixed_game(kFirstSeed), &shares);
+
+  BenchResult result;
+  result.ns_per_frame = median(game_ns);
+  result.bare_ns_per_frame = median(bare_frame_ns);
+  result.ratio = median(ratios);
+  result.x_real_time = 1e9 / GameConfiguration{}.sim.frame_rate_hz / result.ns_per_frame;
+  result.signature = signature.value();
+  result.shares = shares.shares();
+  return result;
+}
+
+int run_bench(bool json) {
+  const BenchResult result = bench(kRounds);
+  if (json) {
+    print_json(result);
+  } else {
+    print_table(result);
+  }
+  return 0;
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,39 @@
+// An honest simple team: a keeper, a wall, markers, an attacker who gets behind the ball and shoots
+// at the open side of the goal, a supporter. It takes every restart and keeps the rules' distances.
+#pragma once
+
+#include "strategies/basic/positions.hpp"
+#include "strategies/basic/roles.hpp"
+#include "strategies/skills/play_ball.hpp"
+#include "strategies/strategy.hpp"
+
+namespace autoref::strategies::basic {
+
+class Basic final : public Strategy {
+ public:
+  explicit Basic(const Setup& setup);
+
+  void decide(const TeamView& view, TeamOrders& orders) override;
+
+ private:
+  Waypoint waypoint_of(int index, const Cast& cast) const;
+  Waypoint formation_of(int index) const;
+  Limits limits_for(bool is_keeper) const;
+  Obstacles obstacles_for(int index, bool avoid_ball) const;
+  Intent attack_intent(const TrackedRobot& attacker) const;
+  RobotCommand attack(const Cast& cast) const;
+  RobotCommand keep(int index, const Cast& cast) const;
+  bool may_play_ball() const;
+  void play(TeamOrders& orders);
+  void line_up(TeamOrders& orders);
+
+  Setup setup_;
+  DrivingStyle style_;
+  double shot_mps_;
+  double pass_mps_;
+  TeamView now_;             // the view looked ahead to when orders take effect
+  Vec2 ball_place_m_{0, 0};  // the ball, or where the referee is about to put it
+  int former_attacker_ = -1;
+};
+
+}  // namespace autoref::strategies::basic

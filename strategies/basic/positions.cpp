@@ -1,0 +1,94 @@
+#include "strategies/basic/positions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace autoref::strategies::basic {
+namespace {
+
+constexpr double kMargin_m = 30_mm;  // more than a rule asks for, for the robots' own errors
+
+Waypoint facing_ball(const Vec2& position_m, const Vec2& ball_m) {
+  return {position_m, direction_of(ball_m - position_m, Vec2(1, 0))};
+}
+
+Vec2 own_goal_m(const Field& field) { return field.goal_centre_m(Side::kWest); }
+
+// Moves `p` straight away from the area's middle until it is `distance_m` off the area of `side`.
+Vec2 pushed_out_of_area(const Field& field, Side side, const Vec2& p, double distance_m) {
+  const double missing_m = distance_m - distance_to_defence_area(field, side, p);
+  if (missing_m <= 0) return p;
+  const Vec2 inwards(-goal_sign(side), 0);
+  const Vec2 corner_m =
+      field.goal_centre_m(side) + Vec2(0, std::clamp(p.y(), -field.defence_area.straight_m / 2,
+                                                     field.defence_area.straight_m / 2));
+  return p + direction_of(p - corner_m, inwards) * missing_m;
+}
+
+}  // namespace
+
+Waypoint keeper_position(const Field& field, const TrackedBall& ball) {
+  const double line_x = -field.half_length_m() + kRobotRadius_m + kMargin_m;
+  const double reach_m = field.half_goal_m() - kRobotRadius_m / 2;
+  double y = 0;
+  if (ball.velocity_mps.x() < -0.3 && ball.position_m.x() > line_x) {
+    y = ball.position_m.y() +
+        ball.velocity_mps.y() * (line_x - ball.position_m.x()) / ball.velocity_mps.x();
+  } else {
+    const Vec2 goal_m = own_goal_m(field);
+    const Vec2 way = direction_of(ball.position_m - goal_m, Vec2(1, 0));
+    y = way.y() * field.half_goal_m();
+  }
+  return facing_ball({line_x, std::clamp(y, -reach_m, reach_m)}, ball.position_m);
+}
+
+Waypoint wall_position(const Field& field, const Vec2& ball_m) {
+  const Vec2 goal_m = own_goal_m(field);
+  const Vec2 way = direction_of(ball_m - goal_m, Vec2(1, 0));
+  const double off_m = field.defence_area.depth_m +
+                       field.defence_area.straight_m / 2 * std::abs(way.y()) + kRobotRadius_m +
+                       2 * kMargin_m;
+  return facing_ball(goal_m + way * off_m, ball_m);
+}
+
+Waypoint marker_position(const Field& field, const TrackedRobot& opponent, const Vec2& ball_m) {
+  const Vec2 to_goal = direction_of(own_goal_m(field) - opponent.position_m, Vec2(-1, 0));
+  return facing_ball(opponent.position_m + to_goal * (3.2 * kRobotRadius_m), ball_m);
+}
+
+Waypoint supporter_position(const Field& field, const Vec2& ball_m) {
+  const double x = std::clamp(ball_m.x() + 0.25 * field.half_length_m(),
+                              -0.2 * field.half_length_m(), 0.6 * field.half_length_m());
+  const double y = (ball_m.y() > 0 ? -0.45 : 0.45) * field.half_width_m();
+  return facing_ball({x, y}, ball_m);
+}
+
+Waypoint reserve_position(const Field& field, const Vec2& ball_m, int index) {
+  const double side = index % 2 == 0 ? 1.0 : -1.0;
+  const double row = index / 2;
+  const double x = -0.35 * field.half_length_m() + 0.12 * field.half_length_m() * row;
+  return facing_ball({x, side * (0.35 + 0.1 * row) * field.half_width_m()}, ball_m);
+}
+
+Vec2 permitted(const Field& field, const Vec2& wanted_m, const Vec2& ball_m, const Limits& limits) {
+  Vec2 p = wanted_m;
+  if (limits.keep_from_ball_m > 0 && (p - ball_m).norm() < limits.keep_from_ball_m) {
+    // Towards the own goal, where a robot that must give way is of most use.
+    const Vec2 back = direction_of(own_goal_m(field) - ball_m, Vec2(-1, 0));
+    const Vec2 away = direction_of(p - ball_m, back);
+    const Vec2 bent = away.dot(back) < 0 ? direction_of(away + 1.5 * back, back) : away;
+    p = ball_m + bent * (limits.keep_from_ball_m + kMargin_m);
+  }
+  if (limits.own_half_only) p.x() = std::min(p.x(), -kRobotRadius_m - kMargin_m);
+  if (!limits.may_enter_own_area) {
+    p = pushed_out_of_area(field, Side::kWest, p, kRobotRadius_m + kMargin_m);
+  }
+  if (limits.keep_from_area_m > 0) {
+    p = pushed_out_of_area(field, Side::kEast, p, limits.keep_from_area_m + kMargin_m);
+  }
+  const double x_m = field.half_length_m() + kRobotRadius_m;
+  const double y_m = field.half_width_m() + kRobotRadius_m;
+  return {std::clamp(p.x(), -x_m, x_m), std::clamp(p.y(), -y_m, y_m)};
+}
+
+}  // namespace autoref::strategies::basic

@@ -1,0 +1,37 @@
+// Where the robots of `basic` stand when they do not play the ball.
+#pragma once
+
+#include "soccer/field.hpp"
+#include "soccer/rule_book.hpp"
+#include "soccer/team_view.hpp"
+#include "strategies/skills/motion.hpp"
+
+namespace autoref::strategies::basic {
+
+// The keeper: on the ball's way into the goal, else between the ball and the goal's middle.
+Waypoint keeper_position(const Field& field, const TrackedBall& ball);
+
+// In front of the own area, on the line from the ball to the goal's middle.
+Waypoint wall_position(const Field& field, const Vec2& ball_m);
+
+// Beside an opponent, on its way to the own goal, facing the ball.
+Waypoint marker_position(const Field& field, const TrackedRobot& opponent, const Vec2& ball_m);
+
+// Up the field, on the side away from the ball, ready for a pass or a rebound.
+Waypoint supporter_position(const Field& field, const Vec2& ball_m);
+
+// A place of its own for each further robot, `index` counting from 0, across the own half.
+Waypoint reserve_position(const Field& field, const Vec2& ball_m, int index);
+
+// What a place must respect right now.
+struct Limits {
+  bool own_half_only = false;       // before a kick-off
+  double keep_from_ball_m = 0;      // from a robot's centre to the ball
+  double keep_from_area_m = 0;      // from a robot's centre to the opponents' defence area
+  bool may_enter_own_area = false;  // the keeper
+};
+
+// The permitted place nearest to `wanted_m`, or close to it.
+Vec2 permitted(const Field& field, const Vec2& wanted_m, const Vec2& ball_m, const Limits& limits);
+
+}  // namespace autoref::strategies::basic

@@ -1,0 +1,87 @@
+#include "strategies/basic/roles.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace autoref::strategies::basic {
+namespace {
+
+constexpr double kLoyalty_s = 0.3;  // a new attacker must be faster than the former one by this
+
+using Taken = std::array<bool, kMaxRobots>;
+
+void choose_attacker(const TeamView& view, const Taken& taken, int former_attacker, Cast& cast) {
+  double best_s = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < static_cast<int>(view.own.size()); ++i) {
+    if (taken[i]) continue;
+    const Interception meeting = intercept(view.own[i], view.ball);
+    const double bonus_s = view.own[i].number == former_attacker ? kLoyalty_s : 0.0;
+    if (meeting.time_s - bonus_s >= best_s) continue;
+    best_s = meeting.time_s - bonus_s;
+    cast.attacker = i;
+    cast.meeting = meeting;
+  }
+}
+
+// The free robot nearest to `point_m`, or -1.
+int nearest_free(const TeamView& view, const Taken& taken, const Vec2& point_m) {
+  int best = -1;
+  double best2 = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < static_cast<int>(view.own.size()); ++i) {
+    const double d2 = (view.own[i].position_m - point_m).squaredNorm();
+    if (taken[i] || d2 >= best2) continue;
+    best2 = d2;
+    best = i;
+  }
+  return best;
+}
+
+// The opponent nearest to the own goal that nobody marks yet, the one at the ball left out; or -1.
+int most_dangerous(const TeamView& view, const Taken& marked, const Vec2& goal_m) {
+  int best = -1;
+  double best2 = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < static_cast<int>(view.opponents.size()); ++i) {
+    const Vec2& position_m = view.opponents[i].position_m;
+    const bool at_ball = (position_m - view.ball.position_m).squaredNorm() < 0.3 * 0.3;
+    const double d2 = (position_m - goal_m).squaredNorm();
+    if (marked[i] || at_ball || d2 >= best2) continue;
+    best2 = d2;
+    best = i;
+  }
+  return best;
+}
+
+void give(Cast& cast, Taken& taken, int index, const Part& part) {
+  if (index < 0) return;
+  cast.parts[index] = part;
+  taken[index] = true;
+}
+
+}  // namespace
+
+Cast cast_parts(const TeamView& view, const Field& field, int former_attacker) {
+  Cast cast;
+  Taken taken{};
+  const Vec2 goal_m = field.goal_centre_m(Side::kWest);
+  if (view.own.size() > 1) give(cast, taken, 0, {Role::kKeeper, -1, 0});
+  choose_attacker(view, taken, former_attacker, cast);
+  give(cast, taken, cast.attacker, {Role::kAttacker, -1, 0});
+  give(cast, taken, nearest_free(view, taken, goal_m), {Role::kWall, -1, 0});
+  const Vec2 front_m(0.4 * field.half_length_m(), 0);
+  give(cast, taken, nearest_free(view, taken, front_m), {Role::kSupporter, -1, 0});
+  Taken marked{};
+  int reserves = 0;
+  for (std::size_t left = view.own.size(); left > 0; --left) {
+    const int target = most_dangerous(view, marked, goal_m);
+    const Vec2 near_m = target < 0 ? goal_m : view.opponents[target].position_m;
+    const int robot = nearest_free(view, taken, near_m);
+    if (robot < 0) break;
+    if (target >= 0) marked[target] = true;
+    const Part part =
+        target < 0 ? Part{Role::kReserve, -1, reserves++} : Part{Role::kMarker, target, 0};
+    give(cast, taken, robot, part);
+  }
+  return cast;
+}
+
+}  // namespace autoref::strategies::basic

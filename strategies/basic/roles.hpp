@@ -1,0 +1,34 @@
+// Who does what in `basic`.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "soccer/team_view.hpp"
+#include "strategies/skills/outlook.hpp"
+
+namespace autoref::strategies::basic {
+
+enum class Role : std::uint8_t { kKeeper, kAttacker, kWall, kSupporter, kMarker, kReserve };
+
+// One robot's part: for markers the opponent (index in the view) they mark.
+struct Part {
+  Role role = Role::kReserve;
+  int marks = -1;
+  int order = 0;  // counts the robots of that role
+};
+
+// Parts by index in the view's own robots.
+struct Cast {
+  std::array<Part, kMaxRobots> parts;
+  int attacker = -1;     // index in the view; -1 where there is none
+  Interception meeting;  // the attacker's with the ball
+};
+
+// Gives out the parts. The lowest number keeps the goal, except alone. The robot that meets the
+// ball first attacks; `former_attacker`, a robot's number, goes on unless another is clearly
+// faster. The next nearest to the own goal is the wall, one supports, the rest mark the opponents
+// nearest to the own goal.
+Cast cast_parts(const TeamView& view, const Field& field, int former_attacker);
+
+}  // namespace autoref::strategies::basic

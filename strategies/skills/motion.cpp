@@ -1,0 +1,62 @@
+#include "strategies/skills/motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace autoref::strategies {
+namespace {
+
+constexpr double kLookAhead_m = 1.5;  // obstacles farther along the way do not matter yet
+
+// The first obstacle on the way from `from_m` along the unit vector `way`, or nullptr.
+const Obstacle* first_on_way(const Vec2& from_m, const Vec2& way, double length_m,
+                             const Obstacles& obstacles) {
+  const Obstacle* first = nullptr;
+  double first_along_m = std::min(length_m, kLookAhead_m);
+  for (const Obstacle& obstacle : obstacles) {
+    const Vec2 offset = obstacle.position_m - from_m;
+    const double along_m = offset.dot(way);
+    if (along_m <= 0 || along_m >= first_along_m) continue;
+    if (std::abs(cross(way, offset)) >= obstacle.clearance_m) continue;
+    first = &obstacle;
+    first_along_m = along_m;
+  }
+  return first;
+}
+
+}  // namespace
+
+Vec2 way_around(const Vec2& from_m, const Vec2& target_m, const Obstacles& obstacles) {
+  const Vec2 offset = target_m - from_m;
+  const double length_m = offset.norm();
+  if (length_m < 1e-6) return target_m;
+  const Vec2 way = offset / length_m;
+  const Obstacle* obstacle = first_on_way(from_m, way, length_m, obstacles);
+  if (obstacle == nullptr) return target_m;
+  // Pass on the side on which the straight way already runs by.
+  const double side = cross(way, obstacle->position_m - from_m) > 0 ? -1.0 : 1.0;
+  return obstacle->position_m + left_of(way) * (side * obstacle->clearance_m * 1.1);
+}
+
+RobotCommand drive_with(const TrackedRobot& robot, const Vec2& velocity_mps, const Vec2& heading,
+                        const DrivingStyle& style) {
+  RobotCommand command;
+  command.velocity_mps = to_local(velocity_mps, robot.heading);
+  const double turn = style.turn_per_s * angle_between(robot.heading, heading);
+  command.angular_velocity_radps =
+      std::clamp(turn, -style.turn_limit_radps, style.turn_limit_radps);
+  return command;
+}
+
+RobotCommand drive_to(const TrackedRobot& robot, const Waypoint& goal, const Obstacles& obstacles,
+                      const DrivingStyle& style) {
+  const double left_m = (goal.position_m - robot.position_m).norm();
+  if (left_m < style.arrived_m) return drive_with(robot, Vec2(0, 0), goal.heading, style);
+  const Vec2 steer_m = way_around(robot.position_m, goal.position_m, obstacles);
+  const Vec2 way = direction_of(steer_m - robot.position_m, goal.heading);
+  const double speed_mps = std::min(
+      {style.speed_mps, style.approach_per_s * left_m, std::sqrt(2 * style.braking_mps2 * left_m)});
+  return drive_with(robot, way * speed_mps, goal.heading, style);
+}
+
+}  // namespace autoref::strategies

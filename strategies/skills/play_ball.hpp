@@ -1,0 +1,22 @@
+// Getting at the ball: behind it first, then through it, and a kick once it goes where it should.
+#pragma once
+
+#include "soccer/field.hpp"
+#include "soccer/team_view.hpp"
+#include "strategies/skills/motion.hpp"
+
+namespace autoref::strategies {
+
+// Where the ball is to go, and how.
+struct Intent {
+  Vec2 target_m{0, 0};
+  double kick_mps = 6.5;
+  double tolerance_rad = 0.12;  // kick once the heading is this near to the target
+};
+
+// Orders for `robot` to meet the ball and send it to the intent's target. `meeting_m` is where it
+// can meet the ball. `obstacles` are robots only; the ball is kept clear of here.
+RobotCommand play_ball(const TrackedRobot& robot, const TrackedBall& ball, const Vec2& meeting_m,
+                       const Intent& intent, const Obstacles& obstacles, const DrivingStyle& style);
+
+}  // namespace autoref::strategies

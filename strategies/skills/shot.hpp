@@ -1,0 +1,25 @@
+// Aiming: which part of a goal, or which team-mate, a kick from the ball's place can reach.
+#pragma once
+
+#include "soccer/field.hpp"
+#include "soccer/tracker.hpp"
+
+namespace autoref::strategies {
+
+struct Aim {
+  Vec2 target_m{0, 0};
+  double clearance_m = 0;  // from the kick's line to the nearest opponent's centre
+};
+
+// Distance in metres between the way from `from_m` to `to_m` and the nearest of the robots'
+// centres.
+double lane_clearance_m(const Vec2& from_m, const Vec2& to_m, const TrackedRobots& robots);
+
+// The point of the opponents' goal that is clearest of opponents, seen from `ball_m`.
+Aim best_shot(const Field& field, const Vec2& ball_m, const TrackedRobots& opponents);
+
+// Whether a kick from `ball_m` along the unit vector `heading` ends in the opponents' goal, at
+// least `margin_m` inside its posts.
+bool hits_goal(const Field& field, const Vec2& ball_m, const Vec2& heading, double margin_m);
+
+}  // namespace autoref::strategies
