@@ -51,22 +51,26 @@ referee::Configuration referee_configuration(const GameConfiguration& c) {
   return configuration;
 }
 
-std::unique_ptr<strategies::Strategy> make_team(const GameConfiguration& c, Side side) {
+std::unique_ptr<strategies::Strategy> make_team_on(const GameConfiguration& c, Side side,
+                                                   const TeamMaker& make_team) {
   const TeamConfiguration& team = team_on(c, side);
-  const strategies::Entry* entry = strategies::find_strategy(team.strategy);
-  if (entry == nullptr) {
-    throw std::invalid_argument(fmt::format("unknown strategy '{}'", team.strategy));
-  }
-  return entry->make({c.field, rules_of(c.match), c.sim.frame_rate_hz,
-                      RandomStream::of(c.seed, RandomPurpose::kStrategy, side), team.params});
+  return make_team(team.strategy,
+                   {c.field, rules_of(c.match), c.sim.frame_rate_hz,
+                    RandomStream::of(c.seed, RandomPurpose::kStrategy, side), team.params});
+}
+
+// From a picture until the orders decided on it move a robot.
+double latency_s(const sim::Configuration& c) {
+  const sim::LatencySplit split = sim::split_latency(c);
+  return (split.frames + static_cast<double>(split.substeps) / c.substeps) / c.frame_rate_hz;
 }
 
 // A team on the field: it sees delayed pictures, and its mistakes end the game as void.
 class Player {
  public:
-  Player(const GameConfiguration& c, Side side, double latency_s)
-      : side_(side), robots_(team_on(c, side).robots), strategy_(make_team(c, side)) {
-    view_.latency_s = latency_s;
+  Player(const GameConfiguration& c, Side side, const TeamMaker& make_team)
+      : side_(side), robots_(team_on(c, side).robots), strategy_(make_team_on(c, side, make_team)) {
+    view_.latency_s = latency_s(c.sim);
   }
 
   // Fills `orders`; returns what went wrong, empty where nothing did. Then all orders are zero.
@@ -125,24 +129,17 @@ class DelayLine {
   std::size_t taken_ = 0;
 };
 
-// From a picture until the orders decided on it move a robot.
-double latency_s(const sim::LatencySplit& latency, const sim::Configuration& c) {
-  return (latency.frames + static_cast<double>(latency.substeps) / c.substeps) / c.frame_rate_hz;
-}
-
 class Game {
  public:
-  Game(const GameConfiguration& c, Observer* observer)
+  Game(const GameConfiguration& c, Observer* observer, const TeamMaker& make_team)
       : configuration_(c),
         observer_(observer),
-        latency_(sim::split_latency(c.sim)),
         world_(c.field, c.sim, sheets_of(c), c.seed),
         camera_(sim::camera_preset(c.sim.camera), c.sim.frame_rate_hz),
         referee_(referee_configuration(c)),
         situation_(rules_of(c.match)),
-        pictures_(latency_.frames),
-        players_{{Player(c, Side::kWest, latency_s(latency_, c.sim)),
-                  Player(c, Side::kEast, latency_s(latency_, c.sim))}} {}
+        pictures_(sim::split_latency(c.sim).frames),
+        players_{{Player(c, Side::kWest, make_team), Player(c, Side::kEast, make_team)}} {}
 
   GameRecord play() {
     const MatchConfiguration& match = configuration_.match;
@@ -238,7 +235,6 @@ class Game {
 
   const GameConfiguration& configuration_;
   Observer* observer_;
-  sim::LatencySplit latency_;
   sim::World world_;
   sim::Camera camera_;
   referee::Referee referee_;
@@ -265,8 +261,16 @@ std::string_view name_of(Status status) {
   return kNames[static_cast<std::size_t>(status)];
 }
 
-GameRecord play(const GameConfiguration& configuration, Observer* observer) {
-  return Game(configuration, observer).play();
+std::unique_ptr<strategies::Strategy> make_registered_team(const std::string& name,
+                                                           const strategies::Briefing& briefing) {
+  const strategies::Entry* entry = strategies::find_strategy(name);
+  if (entry == nullptr) throw std::invalid_argument(fmt::format("unknown strategy '{}'", name));
+  return entry->make(briefing);
+}
+
+GameRecord play(const GameConfiguration& configuration, Observer* observer,
+                const TeamMaker& make_team) {
+  return Game(configuration, observer, make_team).play();
 }
 
 }  // namespace autoref::runner

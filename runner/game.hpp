@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,6 +14,7 @@
 #include "sim/world.hpp"
 #include "soccer/frame.hpp"
 #include "soccer/referee_signal.hpp"
+#include "strategies/strategy.hpp"
 
 namespace autoref::runner {
 
@@ -52,9 +55,18 @@ class Observer {
   virtual void on_decision(const referee::Decision& /*decision*/) {}
 };
 
+// Makes the team of that name. Throws std::invalid_argument where there is none.
+using TeamMaker = std::function<std::unique_ptr<strategies::Strategy>(
+    const std::string& name, const strategies::Briefing& briefing)>;
+
+// The teams of strategies/registry.hpp.
+std::unique_ptr<strategies::Strategy> make_registered_team(const std::string& name,
+                                                           const strategies::Briefing& briefing);
+
 // Plays one game to its end. Throws std::invalid_argument for a configuration that no game can be
 // made of (unknown strategy, rules or preset, numbers out of range). A strategy that throws or
 // sends a number that is not finite makes the game void, not the call fail.
-GameRecord play(const GameConfiguration& configuration, Observer* observer = nullptr);
+GameRecord play(const GameConfiguration& configuration, Observer* observer = nullptr,
+                const TeamMaker& make_team = make_registered_team);
 
 }  // namespace autoref::runner

@@ -6,11 +6,13 @@
 namespace autoref::strategies {
 namespace {
 
-std::unique_ptr<Strategy> make_basic(const Setup& setup) {
-  return std::make_unique<basic::Basic>(setup);
+std::unique_ptr<Strategy> make_basic(const Briefing& briefing) {
+  return std::make_unique<basic::Basic>(briefing);
 }
 
-std::unique_ptr<Strategy> make_dummy(const Setup& /*setup*/) { return std::make_unique<Dummy>(); }
+std::unique_ptr<Strategy> make_dummy(const Briefing& /*briefing*/) {
+  return std::make_unique<Dummy>();
+}
 
 }  // namespace
 

@@ -13,7 +13,7 @@ namespace autoref::strategies {
 struct Entry {
   std::string_view name;   // as in a scenario's `strategy:`
   std::string_view about;  // one sentence
-  std::unique_ptr<Strategy> (*make)(const Setup& setup);
+  std::unique_ptr<Strategy> (*make)(const Briefing& briefing);
   std::vector<std::string_view> params;  // names that `params:` may hold
 };
 

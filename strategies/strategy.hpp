@@ -15,11 +15,11 @@
 namespace autoref::strategies {
 
 // What a team knows before the game.
-struct Setup {
+struct Briefing {
   Field field;
   RuleBook rules;
   double frame_rate_hz = 60;
-  RandomStream random;                   // the side's own; the only source of chance allowed
+  RandomStream random{0};                // the side's own; the only source of chance allowed
   std::map<std::string, double> params;  // the team's tunables by name
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "strategies/skills/outlook.hpp"
 #include "strategies/skills/shot.hpp"
@@ -14,20 +15,25 @@ constexpr double kDuel_m = 250_mm;          // an opponent this near to the ball
 constexpr double kDuelTolerance_rad = 0.7;  // and one kicks with less care
 constexpr double kPassLane_m = 200_mm;      // a pass wants this much room
 constexpr double kShotLane_m = 110_mm;      // a shot wants a robot's and a ball's radius
-constexpr double kClearance_mps = 5.0;      // the keeper's kick away from the goal
-constexpr double kSlowBall_mps = 1.5;       // the keeper comes out for balls slower than this
+constexpr double kFreeLane_m = 300_mm;      // more room than this does not help
+constexpr double kSlowestPass_mps = 1.3;
+constexpr double kPassPerMetre_per_s = 0.7;  // further passes are kicked harder
+constexpr double kBackPass_m = 200_mm;       // passes go no farther back than this
+constexpr double kPush_mps = 1.6;            // a kick ahead where nothing better is open
+constexpr double kClearance_mps = 3.0;       // the keeper's kick away from the goal
+constexpr double kSlowBall_mps = 1.5;        // the keeper comes out for balls slower than this
 
-double param(const Setup& setup, const char* name, double otherwise) {
-  const auto found = setup.params.find(name);
-  return found == setup.params.end() ? otherwise : found->second;
+double param(const Briefing& briefing, const char* name, double otherwise) {
+  const auto found = briefing.params.find(name);
+  return found == briefing.params.end() ? otherwise : found->second;
 }
 
 }  // namespace
 
-Basic::Basic(const Setup& setup)
-    : setup_(setup),
-      shot_mps_(std::min(param(setup, "shot_mps", 6.5), setup.rules.kick_limit_mps)),
-      pass_mps_(std::min(param(setup, "pass_mps", 4.0), setup.rules.kick_limit_mps)) {}
+Basic::Basic(const Briefing& briefing)
+    : briefing_(briefing),
+      shot_mps_(std::min(param(briefing, "shot_mps", 6.5), briefing.rules.kick_limit_mps)),
+      pass_mps_(std::min(param(briefing, "pass_mps", 4.0), briefing.rules.kick_limit_mps)) {}
 
 Limits Basic::limits_for(bool is_keeper) const {
   Limits limits;
@@ -35,8 +41,9 @@ Limits Basic::limits_for(bool is_keeper) const {
   if (now_.play == Play::kRunning) return limits;
   limits.own_half_only = now_.play == Play::kPrepareKickoff || now_.play == Play::kKickoff;
   const bool may_come_near = now_.ours && is_restart(now_.play);
-  limits.keep_from_ball_m = may_come_near ? 0 : setup_.rules.opponents_to_ball_m + kRobotRadius_m;
-  limits.keep_from_area_m = setup_.rules.attacker_to_area_m + kRobotRadius_m;
+  limits.keep_from_ball_m =
+      may_come_near ? 0 : briefing_.rules.opponents_to_ball_m + kRobotRadius_m;
+  limits.keep_from_area_m = briefing_.rules.attacker_to_area_m + kRobotRadius_m;
   return limits;
 }
 
@@ -49,7 +56,7 @@ Obstacles Basic::obstacles_for(int index, bool avoid_ball) const {
     obstacles.push_back({opponent.position_m, kRobotClearance_m});
   }
   if (avoid_ball) {
-    const double room_m = now_.play == Play::kRunning ? 20_mm : setup_.rules.opponents_to_ball_m;
+    const double room_m = now_.play == Play::kRunning ? 20_mm : briefing_.rules.opponents_to_ball_m;
     obstacles.push_back({now_.ball.position_m, kRobotRadius_m + room_m});
   }
   return obstacles;
@@ -59,42 +66,59 @@ Waypoint Basic::waypoint_of(int index, const Cast& cast) const {
   const Part& part = cast.parts[index];
   switch (part.role) {
     case Role::kKeeper:
-      return keeper_position(setup_.field, now_.ball);
+      return keeper_position(briefing_.field, now_.ball);
     case Role::kAttacker:
     case Role::kWall:
-      return wall_position(setup_.field, ball_place_m_);
+      return wall_position(briefing_.field, ball_place_m_);
     case Role::kSupporter:
-      return supporter_position(setup_.field, ball_place_m_);
+      return supporter_position(briefing_.field, ball_place_m_);
     case Role::kMarker:
-      return marker_position(setup_.field, now_.opponents[part.marks], ball_place_m_);
+      return marker_position(briefing_.field, now_.opponents[part.marks], ball_place_m_);
     case Role::kReserve:
-      return reserve_position(setup_.field, ball_place_m_, part.order);
+      return reserve_position(briefing_.field, ball_place_m_, part.order);
   }
   return {};
 }
 
+bool Basic::is_pressed() const {
+  return std::any_of(now_.opponents.begin(), now_.opponents.end(), [&](const TrackedRobot& o) {
+    return (o.position_m - now_.ball.position_m).norm() < kDuel_m;
+  });
+}
+
+// A pass that arrives at a speed that a robot can take.
+double Basic::pass_speed_mps(double distance_m) const {
+  return std::min(pass_mps_, kSlowestPass_mps + kPassPerMetre_per_s * distance_m);
+}
+
+// The team-mate whom a pass reaches most safely, not behind the ball; or none.
+std::optional<Aim> Basic::best_pass(int passer) const {
+  std::optional<Aim> best;
+  for (const TrackedRobot& mate : now_.own) {
+    if (mate.number == passer || mate.position_m.x() < now_.ball.position_m.x() - kBackPass_m) {
+      continue;
+    }
+    const double lane_m = lane_clearance_m(now_.ball.position_m, mate.position_m, now_.opponents);
+    if (lane_m > (best ? best->clearance_m : kPassLane_m)) best = Aim{mate.position_m, lane_m};
+  }
+  return best;
+}
+
+// A shot where the goal is open, else a pass, else a push towards the goal that stays in play.
 Intent Basic::attack_intent(const TrackedRobot& attacker) const {
   const Vec2& ball_m = now_.ball.position_m;
-  const Aim shot = best_shot(setup_.field, ball_m, now_.opponents);
-  Intent intent{shot.target_m, shot_mps_, 0};
-  double room_m = std::max(shot.clearance_m, kShotLane_m);
-  if (shot.clearance_m < kShotLane_m) {
-    for (const TrackedRobot& mate : now_.own) {
-      const double lane_m = lane_clearance_m(ball_m, mate.position_m, now_.opponents);
-      const bool ahead = mate.position_m.x() > ball_m.x() - 0.2;
-      if (mate.number == attacker.number || !ahead || lane_m < std::max(room_m, kPassLane_m)) {
-        continue;
-      }
-      room_m = lane_m;
-      intent = {mate.position_m, pass_mps_, 0};
-    }
+  Aim aim = best_shot(briefing_.field, ball_m, now_.opponents);
+  double kick_mps = shot_mps_;
+  if (aim.clearance_m < kShotLane_m) {
+    const std::optional<Aim> pass = best_pass(attacker.number);
+    kick_mps = pass ? pass_speed_mps((pass->target_m - ball_m).norm()) : kPush_mps;
+    aim = pass ? *pass : best_push(briefing_.field, ball_m, now_.opponents);
   }
-  const double distance_m = std::max(0.1, (intent.target_m - ball_m).norm());
-  intent.tolerance_rad = std::clamp(0.5 * std::min(room_m, 0.3) / distance_m, 0.04, 0.2);
-  const bool pressed =
-      std::any_of(now_.opponents.begin(), now_.opponents.end(),
-                  [&](const TrackedRobot& o) { return (o.position_m - ball_m).norm() < kDuel_m; });
-  if (pressed && !is_restart(now_.play)) intent.tolerance_rad = kDuelTolerance_rad;
+  Intent intent{aim.target_m, kick_mps};
+  const double distance_m = std::max(0.1, (aim.target_m - ball_m).norm());
+  intent.tolerance_rad =
+      std::clamp(0.5 * std::min(aim.clearance_m, kFreeLane_m) / distance_m, 0.04, 0.2);
+  if (is_pressed() && now_.play == Play::kRunning) intent.hasty_mps = kPush_mps;
   return intent;
 }
 
@@ -107,12 +131,12 @@ RobotCommand Basic::attack(const Cast& cast) const {
 RobotCommand Basic::keep(int index, const Cast& cast) const {
   const TrackedRobot& robot = now_.own[index];
   const Vec2& ball_m = now_.ball.position_m;
-  const bool ball_in_area = distance_to_defence_area(setup_.field, Side::kWest, ball_m) < 0.05 &&
-                            ball_m.x() > -setup_.field.half_length_m();
+  const bool ball_in_area = distance_to_defence_area(briefing_.field, Side::kWest, ball_m) < 0.05 &&
+                            ball_m.x() > -briefing_.field.half_length_m();
   if (ball_in_area && now_.play == Play::kRunning &&
       now_.ball.velocity_mps.norm() < kSlowBall_mps) {
     const Vec2 away_m =
-        ball_m + direction_of(ball_m - setup_.field.goal_centre_m(Side::kWest), Vec2(1, 0));
+        ball_m + direction_of(ball_m - briefing_.field.goal_centre_m(Side::kWest), Vec2(1, 0));
     return play_ball(robot, now_.ball, intercept(robot, now_.ball).point_m,
                      {away_m, kClearance_mps, 0.5}, obstacles_for(index, false), style_);
   }
@@ -123,12 +147,12 @@ RobotCommand Basic::keep(int index, const Cast& cast) const {
 bool Basic::may_play_ball() const {
   if (now_.play != Play::kRunning) return now_.ours && is_restart(now_.play);
   const double to_area_m =
-      distance_to_defence_area(setup_.field, Side::kWest, now_.ball.position_m);
+      distance_to_defence_area(briefing_.field, Side::kWest, now_.ball.position_m);
   return now_.own.size() == 1 || to_area_m > kFrontDistance_m;
 }
 
 void Basic::play(TeamOrders& orders) {
-  const Cast cast = cast_parts(now_, setup_.field, former_attacker_);
+  const Cast cast = cast_parts(now_, briefing_.field, former_attacker_);
   former_attacker_ = cast.attacker < 0 ? -1 : now_.own[cast.attacker].number;
   for (int i = 0; i < static_cast<int>(now_.own.size()); ++i) {
     const TrackedRobot& robot = now_.own[i];
@@ -141,7 +165,7 @@ void Basic::play(TeamOrders& orders) {
     } else {
       Waypoint place = waypoint_of(i, cast);
       place.position_m =
-          permitted(setup_.field, place.position_m, now_.ball.position_m, limits_for(false));
+          permitted(briefing_.field, place.position_m, now_.ball.position_m, limits_for(false));
       order = drive_to(robot, place, obstacles_for(i, true), style_);
     }
   }
@@ -150,14 +174,14 @@ void Basic::play(TeamOrders& orders) {
 // A place for each robot that depends on nothing but the ball's place, so that everybody comes to
 // rest and play can go on.
 Waypoint Basic::formation_of(int index) const {
-  const Field& field = setup_.field;
+  const Field& field = briefing_.field;
   const bool alone = now_.own.size() == 1;
   const int part = alone ? 1 : index;
   if (part == 0) return keeper_position(field, {ball_place_m_, Vec2(0, 0), 0});
   if (part == 1) {
     const Vec2 back = direction_of(field.goal_centre_m(Side::kWest) - ball_place_m_, Vec2(-1, 0));
     const Vec2 place_m =
-        ball_place_m_ + back * (setup_.rules.opponents_to_ball_m + 2 * kRobotRadius_m);
+        ball_place_m_ + back * (briefing_.rules.opponents_to_ball_m + 2 * kRobotRadius_m);
     return {place_m, direction_of(ball_place_m_ - place_m, Vec2(1, 0))};
   }
   if (part == 2) return wall_position(field, ball_place_m_);
@@ -170,7 +194,7 @@ void Basic::line_up(TeamOrders& orders) {
     Waypoint place = formation_of(i);
     const bool is_keeper = i == 0 && now_.own.size() > 1;
     place.position_m =
-        permitted(setup_.field, place.position_m, ball_place_m_, limits_for(is_keeper));
+        permitted(briefing_.field, place.position_m, ball_place_m_, limits_for(is_keeper));
     const TrackedRobot& robot = now_.own[i];
     orders[robot.number] = drive_to(robot, place, obstacles_for(i, !is_keeper), style_);
   }

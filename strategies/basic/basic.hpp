@@ -2,16 +2,19 @@
 // at the open side of the goal, a supporter. It takes every restart and keeps the rules' distances.
 #pragma once
 
+#include <optional>
+
 #include "strategies/basic/positions.hpp"
 #include "strategies/basic/roles.hpp"
 #include "strategies/skills/play_ball.hpp"
+#include "strategies/skills/shot.hpp"
 #include "strategies/strategy.hpp"
 
 namespace autoref::strategies::basic {
 
 class Basic final : public Strategy {
  public:
-  explicit Basic(const Setup& setup);
+  explicit Basic(const Briefing& briefing);
 
   void decide(const TeamView& view, TeamOrders& orders) override;
 
@@ -20,6 +23,9 @@ class Basic final : public Strategy {
   Waypoint formation_of(int index) const;
   Limits limits_for(bool is_keeper) const;
   Obstacles obstacles_for(int index, bool avoid_ball) const;
+  bool is_pressed() const;
+  double pass_speed_mps(double distance_m) const;
+  std::optional<Aim> best_pass(int passer) const;
   Intent attack_intent(const TrackedRobot& attacker) const;
   RobotCommand attack(const Cast& cast) const;
   RobotCommand keep(int index, const Cast& cast) const;
@@ -27,7 +33,7 @@ class Basic final : public Strategy {
   void play(TeamOrders& orders);
   void line_up(TeamOrders& orders);
 
-  Setup setup_;
+  Briefing briefing_;
   DrivingStyle style_;
   double shot_mps_;
   double pass_mps_;

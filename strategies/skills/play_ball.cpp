@@ -38,8 +38,11 @@ RobotCommand play_ball(const TrackedRobot& robot, const TrackedBall& ball, const
                             left_of(aim) * (style.approach_per_s * beside_m);
   RobotCommand command = drive_with(robot, clamp_norm(velocity_mps, style.speed_mps), aim, style);
   command.dribble = true;
-  if (std::abs(angle_between(robot.heading, aim)) < intent.tolerance_rad) {
+  const double error_rad = std::abs(angle_between(robot.heading, aim));
+  if (error_rad < intent.tolerance_rad) {
     command.kick_mps = intent.kick_mps;
+  } else if (error_rad < intent.hasty_tolerance_rad) {
+    command.kick_mps = intent.hasty_mps;
   }
   return command;
 }

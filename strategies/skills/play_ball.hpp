@@ -12,6 +12,8 @@ struct Intent {
   Vec2 target_m{0, 0};
   double kick_mps = 6.5;
   double tolerance_rad = 0.12;  // kick once the heading is this near to the target
+  double hasty_mps = 0;         // a softer kick, in a duel, within the wider tolerance; 0: none
+  double hasty_tolerance_rad = 0.7;
 };
 
 // Orders for `robot` to meet the ball and send it to the intent's target. `meeting_m` is where it

@@ -1,0 +1,100 @@
+// What must hold in every frame of every game: always, never, eventually.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "runner/game.hpp"
+
+namespace autoref::runner {
+namespace {
+
+GameConfiguration short_game(double half_s, std::uint64_t seed) {
+  GameConfiguration game;
+  game.match.half_s = half_s;
+  game.seed = seed;
+  return game;
+}
+
+class Watch final : public Observer {
+ public:
+  void on_frame(const Frame& frame, const RefereeSignal& signal, const sim::World& world) override {
+    const Field field;
+    const Vec2 ball_m = world.state().ball.position_m;
+    farthest_x_m = std::max(farthest_x_m, std::abs(ball_m.x()) - field.wall_x_m());
+    farthest_y_m = std::max(farthest_y_m, std::abs(ball_m.y()) - field.wall_y_m());
+    all_finite = all_finite && world.is_finite();
+    const bool waits = signal.placement.has_value();
+    if (!waits) waiting_since_s_ = frame.time_s;
+    longest_wait_s = std::max(longest_wait_s, frame.time_s - waiting_since_s_);
+  }
+  void on_decision(const referee::Decision& decision) override {
+    // A kick-off waits twice: for the preparation and for the start.
+    if (decision.event == referee::Event::kReady ||
+        decision.event == referee::Event::kReadyTimeout) {
+      waiting_since_s_ = decision.time_s;
+    }
+  }
+
+  double farthest_x_m = -1;
+  double farthest_y_m = -1;
+  double longest_wait_s = 0;
+  bool all_finite = true;
+
+ private:
+  double waiting_since_s_ = 0;
+};
+
+TEST(GameTrace, AHundredGamesEndWithAResultAndKeepTheirBounds) {
+  Watch watch;
+  int goals = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    const GameRecord record = play(short_game(20, seed), &watch);
+    ASSERT_EQ(record.status, Status::kOk) << "seed " << seed << ": " << record.void_reason;
+    goals += record.goals_a + record.goals_b;
+  }
+  EXPECT_GT(goals, 0);
+  EXPECT_LT(watch.farthest_x_m, 0) << "the ball left the walls";
+  EXPECT_LT(watch.farthest_y_m, 0) << "the ball left the walls";
+  EXPECT_TRUE(watch.all_finite);
+  // Goal and stop last a frame each beyond the 15 s of the ready timeout.
+  EXPECT_LE(watch.longest_wait_s, RuleBook().ready_timeout_s + 0.1);
+}
+
+// Keeps the frames of a game for a second referee.
+class Tape final : public Observer {
+ public:
+  void on_frame(const Frame& frame, const RefereeSignal& signal, const sim::World&) override {
+    frames.push_back(frame);
+    signals.push_back(signal);
+  }
+  std::vector<Frame> frames;
+  std::vector<RefereeSignal> signals;
+};
+
+TEST(GameTrace, TurnedAndSwappedFramesGiveTheTurnedAndSwappedCalls) {
+  for (std::uint64_t seed = 11; seed <= 14; ++seed) {
+    Tape tape;
+    const GameConfiguration game = short_game(120, seed);
+    play(game, &tape);
+    referee::Configuration configuration;
+    configuration.half_s = game.match.half_s;
+    configuration.first_kickoff = opponent_of(game.match.first_kickoff);
+    referee::Referee referee(configuration);
+    for (std::size_t i = 0; i < tape.frames.size(); ++i) {
+      const RefereeSignal& live = tape.signals[i];
+      const RefereeSignal& turned = referee.update(mirrored(tape.frames[i]), {});
+      ASSERT_EQ(turned.command, mirrored(live.command)) << "seed " << seed << " frame " << i;
+      ASSERT_EQ(turned.command_counter, live.command_counter);
+      ASSERT_EQ(turned.goals[Side::kWest], live.goals[Side::kEast]);
+      ASSERT_EQ(turned.placement.has_value(), live.placement.has_value());
+      if (live.placement) {
+        ASSERT_LT((turned.placement->target_m + live.placement->target_m).norm(), 1e-6);
+      }
+    }
+    EXPECT_GT(tape.signals.back().command_counter, 10U) << "hardly anything was compared";
+  }
+}
+
+}  // namespace
+}  // namespace autoref::runner

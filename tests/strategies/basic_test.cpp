@@ -1,0 +1,129 @@
+#include "strategies/basic/basic.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "tests/strategies/staged_world.hpp"
+
+namespace autoref::strategies::basic {
+namespace {
+
+constexpr double kBallGap_m = 0.5 + kRobotRadius_m;  // Laws: 500 mm from hull to ball
+
+TEST(Basic, StaysHalfAMetreOffTheBallWhilePlayIsStopped) {
+  Basic team{Briefing{}};
+  for (const Vec2& ball_m : {Vec2(0, 0), Vec2(-2.925, 1.925), Vec2(2.925, -1.925), Vec2(-1, 1)}) {
+    StagedWorld world(Play::kStop);
+    world.six_against_six().view.ball.position_m = ball_m;
+    world.run(team, 5);
+    for (const TrackedRobot& robot : world.view.own) {
+      if (robot.number == 0) continue;  // the keeper may stay in its goal
+      EXPECT_GE((robot.position_m - ball_m).norm(), kBallGap_m) << "robot " << robot.number;
+    }
+  }
+}
+
+TEST(Basic, ComesToRestWhilePlayIsStopped) {
+  Basic team{Briefing{}};
+  StagedWorld world(Play::kStop);
+  world.six_against_six().view.ball.position_m = {1, 1};
+  world.run(team, 6);
+  const TeamView before = world.view;
+  world.run(team, 1);
+  for (std::size_t i = 0; i < before.own.size(); ++i) {
+    EXPECT_LT((world.view.own[i].position_m - before.own[i].position_m).norm(), 15_mm) << i;
+  }
+}
+
+TEST(Basic, LinesUpInItsOwnHalfForAKickoff) {
+  Basic team{Briefing{}};
+  for (const bool ours : {true, false}) {
+    StagedWorld world(Play::kPrepareKickoff, ours);
+    world.six_against_six();
+    world.view.own[5].position_m = {1.5, 0.5};
+    world.run(team, 6);
+    for (const TrackedRobot& robot : world.view.own) {
+      EXPECT_LE(robot.position_m.x(), -kRobotRadius_m) << robot.number;
+    }
+  }
+}
+
+TEST(Basic, KeepsItsHullClearOfTheOpponentsAreaBeforeARestart) {
+  Basic team{Briefing{}};
+  const Field field;
+  StagedWorld world(Play::kDirectFree, false);
+  world.six_against_six().view.ball.position_m = {2.525, 1.925};  // their goal kick
+  world.view.own[3].position_m = {2.2, 0.3};
+  world.run(team, 4);
+  for (const TrackedRobot& robot : world.view.own) {
+    EXPECT_GE(distance_to_defence_area(field, Side::kEast, robot.position_m),
+              200_mm + kRobotRadius_m)
+        << robot.number;
+  }
+}
+
+TEST(Basic, GetsBehindTheBallAndKicksItAtTheGoal) {
+  Basic team{Briefing{}};
+  StagedWorld world(Play::kRunning);
+  world.own(0, {-2.9, 0}).own(1, {1.0, 0.6});
+  world.view.ball.position_m = {0.5, 0.2};
+  const RobotCommand* kick = nullptr;
+  for (int i = 0; i < 600 && kick == nullptr; ++i) {
+    const RobotCommand& order = world.step(team)[1];
+    const double gap_m = (world.robot(1).position_m - world.view.ball.position_m).norm();
+    if (order.kick_mps > 0 && gap_m < 0.11) kick = &order;
+  }
+  ASSERT_NE(kick, nullptr);
+  const Vec2 ray = world.robot(1).heading;
+  const double y_at_goal = 0.2 + ray.y() / ray.x() * (3.025 - 0.5);
+  EXPECT_LT(std::abs(y_at_goal), 0.35);
+}
+
+TEST(Basic, KeeperStandsWhereTheBallWillCrossItsLine) {
+  Basic team{Briefing{}};
+  StagedWorld world(Play::kRunning);
+  world.own(0, {-2.9, 0}).own(1, {2, 0});
+  world.view.ball = {{-1, 0}, {-2, 0.25}, 0};  // crosses the line at y = 0.24
+  world.run(team, 2);
+  EXPECT_NEAR(world.robot(0).position_m.y(), 0.24, 0.03);
+}
+
+TEST(Basic, TakesItsRestartAloneToo) {
+  Basic team{Briefing{}};
+  StagedWorld world(Play::kIndirectFree, true);
+  world.own(4, {-2, -1});
+  world.view.ball.position_m = {1, 1.925};
+  double nearest_m = 10;
+  for (int i = 0; i < 400; ++i) {
+    world.step(team);
+    nearest_m = std::min(nearest_m, (world.robot(4).position_m - Vec2(1, 1.925)).norm());
+  }
+  EXPECT_LT(nearest_m, 0.1);
+}
+
+TEST(Basic, StandsStillInHalt) {
+  Basic team{Briefing{}};
+  StagedWorld world(Play::kHalt);
+  world.six_against_six();
+  for (const RobotCommand& order : world.step(team)) {
+    EXPECT_EQ(order.velocity_mps, Vec2(0, 0));
+    EXPECT_EQ(order.kick_mps, 0);
+  }
+}
+
+TEST(Basic, CopesWithNoRobotsAndWithSixteen) {
+  Basic team{Briefing{}};
+  StagedWorld empty(Play::kRunning);
+  empty.step(team);
+  StagedWorld full(Play::kRunning);
+  for (int i = 0; i < 16; ++i) {
+    full.own(i, {-2.5 + 0.3 * i, 1.0});
+    full.opponent(i, {-2.5 + 0.3 * i, -1.0});
+  }
+  full.run(team, 3);
+  for (const TrackedRobot& robot : full.view.own) EXPECT_TRUE(is_finite(robot.position_m));
+}
+
+}  // namespace
+}  // namespace autoref::strategies::basic

@@ -1,0 +1,73 @@
+#include <gtest/gtest.h>
+
+#include "strategies/registry.hpp"
+#include "strategies/skills/motion.hpp"
+#include "strategies/skills/outlook.hpp"
+#include "strategies/skills/shot.hpp"
+#include "tests/strategies/staged_world.hpp"
+
+namespace autoref::strategies {
+namespace {
+
+TEST(DriveTo, StopsAtItsGoalFacingAsAsked) {
+  StagedWorld world(Play::kRunning);
+  world.own(0, {0, 0});
+  TrackedRobot& robot = world.view.own[0];
+  for (int i = 0; i < 180; ++i) {
+    const RobotCommand order = drive_to(robot, {{1, -0.5}, {0, 1}}, {}, {});
+    robot.position_m += to_world(order.velocity_mps, robot.heading) / 60;
+    robot.heading = heading_of(angle_of(robot.heading) + order.angular_velocity_radps / 60);
+  }
+  EXPECT_NEAR((robot.position_m - Vec2(1, -0.5)).norm(), 0, 10_mm);
+  EXPECT_GT(robot.heading.y(), 0.999);
+}
+
+TEST(WayAround, GoesStraightWhereNothingIsInTheWay) {
+  const Obstacles beside = {{{0.5, 0.4}, 0.2}, {{-0.3, 0}, 0.2}, {{3, 0}, 0.2}};
+  EXPECT_EQ(way_around({0, 0}, {1, 0}, beside), Vec2(1, 0));
+}
+
+TEST(WayAround, PassesAnObstacleOnTheFreeSideWithItsClearance) {
+  const Obstacles obstacle = {{{0.5, 0.05}, 0.2}};
+  const Vec2 steer_m = way_around({0, 0}, {1, 0}, obstacle);
+  EXPECT_LT(steer_m.y(), 0);
+  EXPECT_GE((steer_m - Vec2(0.5, 0.05)).norm(), 0.2);
+}
+
+TEST(BallAfter, SlowsDownAndStops) {
+  const TrackedBall ball{{0, 0}, {1, 0}, 0};
+  EXPECT_NEAR(ball_after(ball, 1).x(), 0.75, 1e-12);  // v t - a t^2 / 2 with a = 0.5
+  EXPECT_NEAR(ball_after(ball, 10).x(), 1.0, 1e-12);  // v^2 / (2 a)
+}
+
+TEST(Intercept, MeetsARollingBallAheadOfIt) {
+  const TrackedRobot robot{0, {2, 1}, {1, 0}, {0, 0}, 0};
+  const Interception meeting = intercept(robot, {{0, 0}, {2, 0}, 0});
+  EXPECT_GT(meeting.point_m.x(), 0.5);
+  EXPECT_LT(meeting.point_m.x(), 2.5);
+}
+
+TEST(BestShot, AimsAtTheSideThatTheKeeperLeavesOpen) {
+  TrackedRobots opponents;
+  opponents.push_back({0, {2.9, 0.2}, {-1, 0}, {0, 0}, 0});
+  const Aim aim = best_shot(Field{}, {1, 0}, opponents);
+  EXPECT_LT(aim.target_m.y(), 0);
+  EXPECT_GT(aim.clearance_m, kRobotRadius_m + kBallRadius_m);
+}
+
+TEST(HitsGoal, IsTrueInsideThePostsOnly) {
+  const Field field;
+  EXPECT_TRUE(hits_goal(field, {2.025, 0.3}, {1, 0}, 0));
+  EXPECT_FALSE(hits_goal(field, {2.025, 0.3}, {1, 0}, 0.1));
+  EXPECT_FALSE(hits_goal(field, {2.025, 0}, {-1, 0}, 0));
+}
+
+TEST(Registry, FindsTeamsByNameAndSaysWhenThereIsNone) {
+  ASSERT_NE(find_strategy("basic"), nullptr);
+  ASSERT_NE(find_strategy("dummy"), nullptr);
+  EXPECT_EQ(find_strategy("nobody"), nullptr);
+  EXPECT_NE(find_strategy("basic")->make(Briefing{}), nullptr);
+}
+
+}  // namespace
+}  // namespace autoref::strategies
