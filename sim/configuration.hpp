@@ -3,33 +3,36 @@
 
 #include <string>
 
+#include "soccer/field.hpp"
 #include "soccer/units.hpp"
 
 namespace autoref::sim {
 
 // Two-phase ball on carpet: it slides after a kick, then rolls.
 struct BallParameters {
-  double slide_mps2 = 3.4;      // deceleration while sliding
-  double roll_mps2 = 0.30;      // deceleration while rolling
-  double switch_ratio = 0.67;   // rolls once slower than this share of the kick's speed
-  double hop_first_xy = 0.75;   // share of the horizontal speed kept at a chip's first landing
-  double hop_later_xy = 0.95;   // and at later ones
-  double hop_z = 0.5;           // share of the vertical speed kept at each landing
-  double rest_mps = 0.010;      // at rest below
+  double slide_mps2 = 3.4;           // deceleration while sliding
+  double roll_mps2 = 0.30;           // deceleration while rolling
+  double switch_ratio = 0.67;        // rolls once slower than this share of the kick's speed
+  double hop_first_xy = 0.75;        // share of the horizontal speed kept at a chip's first landing
+  double hop_later_xy = 0.95;        // and at later ones
+  double hop_z = 0.5;                // share of the vertical speed kept at each landing
+  double rest_mps = 0.010;           // at rest below
   double rolls_below_hop_m = 0.010;  // a hop lower than this ends the flight
+  double net_mps2 = 10.0;  // what a ball loses inside a goal on its way out: the net holds it
 };
 
 // One robot's body and drive. Four omni wheels; limits are per wheel and overall.
 struct RobotParameters {
   double mass_kg = 2.5;
-  double speed_mps = 3.0;           // top speed (paper, section 3: up to 3 m/s)
-  double acceleration_mps2 = 3.0;   // overall limit when speeding up
-  double braking_mps2 = 5.0;        // overall limit when slowing down
+  double speed_mps = 3.0;                // top speed (paper, section 3: up to 3 m/s)
+  double acceleration_mps2 = 3.0;        // overall limit when speeding up
+  double braking_mps2 = 5.0;             // overall limit when slowing down
   double wheel_acceleration_mps2 = 4.5;  // tangential limit of each wheel
   double angular_speed_radps = 15.0;
   double angular_acceleration_radps2 = 40.0;
-  double front_wheels_deg = 35.0;   // wheels at plus and minus this angle from the front
+  double front_wheels_deg = 35.0;  // wheels at plus and minus this angle from the front
   double back_wheels_deg = 135.0;
+  double speed_noise = 0.01;  // standard deviation of each speed a robot aims at, share of it
 };
 
 struct KickerParameters {
@@ -37,27 +40,28 @@ struct KickerParameters {
   double speed_limit_mps = 8.0;  // paper, section 3
   double chip_limit_mps = 5.5;
   double chip_angle_deg = 45.0;
-  double dead_time_s = 100_ms;   // between two kicks
-  double speed_noise = 0.025;    // standard deviation, share of the speed
+  double dead_time_s = 100_ms;       // between two kicks
+  double speed_noise = 0.025;        // standard deviation, share of the speed
   double direction_noise_deg = 1.5;  // standard deviation
 };
 
 struct DribblerParameters {
-  double force_n = 0.45;          // the most it pulls the ball with
-  double reach_m = 10_mm;         // the ball's surface within this distance of the plate
+  double force_n = 0.45;   // the most it pulls the ball with
+  double reach_m = 10_mm;  // the ball's surface within this distance of the plate
 };
 
+// The referee's hand: it first stops the ball, then carries it over the robots and pushes none.
 struct PlacementParameters {
-  double speed_mps = 3.0;          // of the ball while it is dragged
+  double speed_mps = 3.0;  // of the ball while it is dragged
   double acceleration_mps2 = 4.0;
+  double catch_mps2 = 20.0;  // what a ball still moving loses before it is dragged
 };
 
-// Where the ball is while the referee places it: it is carried over the robots and pushes none.
 struct Configuration {
-  int substeps = 4;               // physics steps per camera frame, 1 to 16
+  int substeps = 4;  // physics steps per camera frame, 1 to 16
   double frame_rate_hz = 60.0;
-  std::string camera = "paper";   // preset, see camera.hpp
-  double latency_s = 40_ms;       // from a picture until the orders decided on it move the robots
+  std::string camera = "paper";  // preset, see camera.hpp
+  double latency_s = 40_ms;      // from a picture until the orders decided on it move the robots
   BallParameters ball;
   RobotParameters robot;
   KickerParameters kicker;
@@ -69,7 +73,12 @@ struct Configuration {
 struct TeamSheet {
   int robots = 6;                    // numbers 0 to robots - 1
   double speed_factor = 1.0;         // scales the top speed
-  double acceleration_factor = 1.0;  // scales acceleration and braking
+  double acceleration_factor = 1.0;  // scales acceleration and braking, the wheels' limit too
 };
+
+// Throw std::invalid_argument that names the field, its value and the allowed range.
+void validate(const Configuration& configuration);
+void validate(const TeamSheet& sheet);
+void validate(const Field& field);
 
 }  // namespace autoref::sim

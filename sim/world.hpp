@@ -43,7 +43,7 @@ struct WorldState {
 
 // A robot's hull met the ball, or its kicker fired at it: the ground truth of "who touched it".
 struct Touch {
-  std::int64_t frame = 0;  // the frame being stepped
+  std::int64_t frame = 0;  // state().frame once the frame in which it happened is stepped
   int substep = 0;
   RobotId robot;
   Vec2 ball_m{0, 0};
@@ -62,8 +62,9 @@ class World {
 
   // One camera frame of physics. The new orders take effect `order_delay_substeps` into it, the
   // former ones until then. Orders for robots that do not exist are ignored. Orders must be finite
-  // (asserted); they are limited to what the robots can do. With `placement` the ball is dragged
-  // to its target; without, it is free.
+  // (asserted); they are limited to what the robots can do. With `placement` the ball is held by
+  // the referee's hand, which brings it to the target and keeps it there: it meets no robot, no
+  // kicker and no dribbler. Without, it is free, and a robot that stands on it pushes it out.
   void step(const PerSide<TeamOrders>& orders, const std::optional<Placement>& placement);
 
   // The state after the last step.

@@ -1,0 +1,110 @@
+#include "sim/ball.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "soccer/units.hpp"
+
+namespace autoref::sim {
+namespace {
+
+// Between the ball and what it hits; the league's simulators use 0.2 to 0.35.
+constexpr double kContactFriction = 0.22;
+
+}  // namespace
+
+// With friction a, a ball without spin slides as v - a t, its surface as inertia * a t; they meet
+// at v * inertia / (1 + inertia), which is to be switch_ratio * v. (A solid ball: 2.5, or 5/7.)
+Ball::Ball(const BallParameters& parameters)
+    : parameters_(parameters),
+      inertia_(parameters.switch_ratio / (1.0 - parameters.switch_ratio)) {}
+
+void Ball::set(const BallState& state) {
+  height_m_ = state.height_m;
+  vertical_mps_ = state.vertical_mps;
+  is_rolling_ = state.is_rolling && !is_in_air();
+  spin_mps_ = is_rolling_ ? state.velocity_mps : Vec2(0.0, 0.0);
+  has_landed_ = false;
+}
+
+void Ball::kick(double vertical_mps) {
+  vertical_mps_ = vertical_mps;
+  spin_mps_.setZero();
+  is_rolling_ = false;
+  has_landed_ = false;
+}
+
+void Ball::hold(double duration_s) {
+  spin_mps_.setZero();
+  is_rolling_ = true;
+  has_landed_ = false;
+  if (!is_in_air()) return;
+  vertical_mps_ = std::min(vertical_mps_, 0.0) - kGravity_mps2 * duration_s;
+  height_m_ = std::max(0.0, height_m_ + vertical_mps_ * duration_s);
+  if (height_m_ == 0.0) vertical_mps_ = 0.0;
+}
+
+Vec2 Ball::slowed(const Vec2& velocity_mps, double duration_s) {
+  if (is_in_air()) return velocity_mps;
+  const double lost_mps = parameters_.slide_mps2 * duration_s;
+  const Vec2 slip_mps = velocity_mps - spin_mps_;
+  const double slip = slip_mps.norm();
+  is_rolling_ = slip <= (1.0 + inertia_) * lost_mps;
+  if (!is_rolling_) {
+    const Vec2 change_mps = slip_mps * (lost_mps / slip);
+    spin_mps_ += inertia_ * change_mps;
+    return velocity_mps - change_mps;
+  }
+  // What sliding keeps: inertia * velocity + spin.
+  const Vec2 rolling_mps = (inertia_ * velocity_mps + spin_mps_) / (1.0 + inertia_);
+  const double speed = rolling_mps.norm();
+  const double left = speed - parameters_.roll_mps2 * duration_s;
+  spin_mps_ = left < parameters_.rest_mps ? Vec2(0.0, 0.0) : Vec2(rolling_mps * (left / speed));
+  return spin_mps_;
+}
+
+Vec2 Ball::flown(const Vec2& velocity_mps, double duration_s) {
+  if (!is_in_air()) return velocity_mps;
+  Vec2 flying_mps = velocity_mps;
+  double rest_s = duration_s;
+  const double end_m = height_m_ + vertical_mps_ * rest_s - kGravity_mps2 * rest_s * rest_s / 2.0;
+  if (end_m <= 0.0) {
+    const double falls_mps =
+        std::sqrt(vertical_mps_ * vertical_mps_ + 2.0 * kGravity_mps2 * height_m_);
+    rest_s = std::max(0.0, rest_s - (vertical_mps_ + falls_mps) / kGravity_mps2);
+    height_m_ = 0.0;
+    vertical_mps_ = -falls_mps;
+    flying_mps = land(flying_mps);
+    if (!is_in_air()) return flying_mps;
+  }
+  height_m_ =
+      std::max(0.0, height_m_ + vertical_mps_ * rest_s - kGravity_mps2 * rest_s * rest_s / 2.0);
+  vertical_mps_ -= kGravity_mps2 * rest_s;
+  return flying_mps;
+}
+
+Vec2 Ball::land(const Vec2& velocity_mps) {
+  const double kept = has_landed_ ? parameters_.hop_later_xy : parameters_.hop_first_xy;
+  has_landed_ = true;
+  vertical_mps_ *= -parameters_.hop_z;
+  const double hop_m = vertical_mps_ * vertical_mps_ / (2.0 * kGravity_mps2);
+  spin_mps_ = kept * velocity_mps;
+  if (hop_m < parameters_.rolls_below_hop_m) vertical_mps_ = 0.0;
+  return spin_mps_;
+}
+
+void Ball::collide(const Vec2& change_mps) {
+  const double change = change_mps.norm();
+  if (change < 1e-9) return;
+  const Vec2 along = change_mps / change;
+  const double spin = spin_mps_.dot(along);
+  const double lost = std::min(std::abs(spin), inertia_ * kContactFriction * change);
+  spin_mps_ -= std::copysign(lost, spin) * along;
+}
+
+void Ball::bounce_off_lid(double lid_m, double vertical_mps) {
+  height_m_ = lid_m;
+  vertical_mps_ = vertical_mps;
+}
+
+}  // namespace autoref::sim

@@ -1,0 +1,204 @@
+#include "sim/box2d_bridge.hpp"
+
+#include <algorithm>
+#include <boost/container/static_vector.hpp>
+#include <cmath>
+#include <cstdint>
+
+#include "sim/box2d_shapes.hpp"
+#include "soccer/robot_shape.hpp"
+#include "soccer/trigonometry.hpp"
+
+// Box2D reads the clock many times a step to profile itself, which costs some 40 % of the step
+// (measured). The shared library finds these definitions first, and its clock stands still.
+b2Timer::b2Timer() { Reset(); }
+void b2Timer::Reset() {
+  m_start_sec = 0;
+  m_start_usec = 0;
+}
+float b2Timer::GetMilliseconds() const { return 0.0F; }
+
+namespace autoref::sim {
+namespace {
+
+using namespace box2d;
+
+// Of the ball against a robot, from ER-Force's and grSim's models and measurements of the league.
+constexpr float kRobotBody = 0.55F;
+constexpr float kPlate = 0.4F;
+constexpr float kDribblingPlate = 0.2F;
+
+// Box2D's usual figures.
+constexpr int kVelocityIterations = 8;
+constexpr int kPositionIterations = 3;
+
+// Only the ball meets plates, and plates all over the field cost a quarter of a step. So a robot
+// has one while the ball is near: nearer than the two can come together in a step of 1/60 s.
+constexpr double kPlateOn_m = 350_mm;
+constexpr double kPlateOff_m = 500_mm;
+
+// Decides what a contact between ball and robot does, and remembers it.
+class BallContacts final : public b2ContactListener {
+ public:
+  void PreSolve(b2Contact* contact, const b2Manifold* /*old*/) override {
+    b2Fixture* a = contact->GetFixtureA();
+    b2Fixture* b = contact->GetFixtureB();
+    if (b->GetFilterData().categoryBits != kBall) std::swap(a, b);
+    if (b->GetFilterData().categoryBits != kBall) return;
+    b2Body& robot = *a->GetBody();
+    if (robot.GetType() != b2_dynamicBody) return;
+    meet(*contact, a->GetFilterData().categoryBits == kPlates, robot, *b->GetBody());
+  }
+
+  boost::container::static_vector<int, 2 * kMaxRobots> touching;
+  std::uint32_t dribbling = 0;  // a bit per robot
+
+ private:
+  // Before the plate, the round hull is cut off: there only the plate counts.
+  static bool is_before_plate(const b2Body& robot, const b2Body& ball) {
+    const b2Vec2 p = robot.GetLocalPoint(ball.GetPosition());
+    return p.x > 0.0F && std::abs(p.y) * to_units(kFrontDistance_m) < p.x * to_units(kHalfPlate_m);
+  }
+
+  void meet(b2Contact& contact, bool is_plate, b2Body& robot, const b2Body& ball) {
+    if (!is_plate && is_before_plate(robot, ball)) {
+      contact.SetEnabled(false);
+      return;
+    }
+    const int index = static_cast<int>(robot.GetUserData().pointer) - 1;
+    const bool dribbles = ((dribbling >> index) & 1U) != 0;
+    contact.SetRestitution(!is_plate ? kRobotBody : dribbles ? kDribblingPlate : kPlate);
+    if (std::find(touching.begin(), touching.end(), index) == touching.end()) {
+      touching.push_back(index);
+    }
+  }
+};
+
+}  // namespace
+
+double robot_inertia_kgm2(const RobotParameters& robot) {
+  return robot.mass_kg * kRobotRadius_m * kRobotRadius_m / 2.0;
+}
+
+struct Box2dBridge::Bodies {
+  b2World world{b2Vec2_zero};
+  BallContacts contacts;
+  std::array<b2Body*, 2 * kMaxRobots> robots{};
+  std::array<b2Fixture*, 2 * kMaxRobots> plates{};  // of the robots near the ball
+  b2Body* ball = nullptr;
+};
+
+Box2dBridge::Box2dBridge(const Field& field, const RobotParameters& robot, int robots)
+    : bodies_(std::make_unique<Bodies>()), parameters_(robot), count_(robots) {
+  b2World& world = bodies_->world;
+  world.SetContactListener(&bodies_->contacts);
+  const b2BodyDef still;
+  b2Body* ground = world.CreateBody(&still);
+  for (const Side side : kSides) add_end(*ground, field, goal_sign(side));
+  for (int i = 0; i < count_; ++i) {
+    bodies_->robots[static_cast<std::size_t>(i)] = add_robot(world, robot, i);
+  }
+  bodies_->ball = add_ball(world);
+}
+
+Box2dBridge::~Box2dBridge() = default;
+
+void Box2dBridge::place_robot(int index, const BodyState& state) {
+  b2Body* body = bodies_->robots[static_cast<std::size_t>(index)];
+  body->SetTransform(to_units(state.position_m), static_cast<float>(angle_of(state.heading)));
+  body->SetLinearVelocity(to_units(state.velocity_mps));
+  body->SetAngularVelocity(static_cast<float>(state.angular_velocity_radps));
+  read_robot(index);
+}
+
+void Box2dBridge::place_ball(const Vec2& position_m, const Vec2& velocity_mps) {
+  bodies_->ball->SetTransform(to_units(position_m), 0.0F);
+  set_ball_velocity(velocity_mps);
+}
+
+void Box2dBridge::push_robot(int index, const Vec2& force_n, double torque_nm) {
+  if (force_n.isZero(0.0) && torque_nm == 0.0) return;  // a robot at rest may sleep
+  b2Body* body = bodies_->robots[static_cast<std::size_t>(index)];
+  body->ApplyForceToCenter(to_units(force_n), true);
+  body->ApplyTorque(static_cast<float>(torque_nm * kUnitsPerMetre * kUnitsPerMetre), true);
+}
+
+void Box2dBridge::push_robot_at(int index, const Vec2& force_n, const Vec2& point_m) {
+  bodies_->robots[static_cast<std::size_t>(index)]->ApplyForce(to_units(force_n), to_units(point_m),
+                                                               true);
+}
+
+void Box2dBridge::strike_robot(int index, const Vec2& impulse_ns) {
+  bodies_->robots[static_cast<std::size_t>(index)]->ApplyLinearImpulseToCenter(to_units(impulse_ns),
+                                                                               true);
+  read_robot(index);
+}
+
+void Box2dBridge::set_ball_velocity(const Vec2& velocity_mps) {
+  bodies_->ball->SetLinearVelocity(to_units(velocity_mps));
+  read_ball();
+}
+
+void Box2dBridge::let_ball_meet(bool robots, bool goals) {
+  b2Fixture* ball = bodies_->ball->GetFixtureList();
+  b2Filter filter = ball->GetFilterData();
+  const int mask = kWalls | (robots ? kRobots | kPlates : 0) | (goals ? kGoals : 0);
+  if (filter.maskBits == mask) return;
+  filter.maskBits = static_cast<std::uint16_t>(mask);
+  ball->SetFilterData(filter);
+}
+
+void Box2dBridge::set_dribbling(int index, bool dribbles) {
+  const std::uint32_t bit = 1U << index;
+  std::uint32_t& all = bodies_->contacts.dribbling;
+  all = dribbles ? all | bit : all & ~bit;
+}
+
+void Box2dBridge::fit_plates() {
+  for (int i = 0; i < count_; ++i) {
+    b2Fixture*& plate = bodies_->plates[static_cast<std::size_t>(i)];
+    const double apart2_m2 = (robot(i).position_m - ball_.position_m).squaredNorm();
+    b2Body& body = *bodies_->robots[static_cast<std::size_t>(i)];
+    if (plate == nullptr && apart2_m2 < kPlateOn_m * kPlateOn_m) {
+      plate = add_plate(body);
+    } else if (plate != nullptr && apart2_m2 > kPlateOff_m * kPlateOff_m) {
+      body.DestroyFixture(plate);
+      plate = nullptr;
+      set_robot_mass(body, parameters_);  // Box2D has just worked it out anew, from nothing
+    }
+  }
+}
+
+void Box2dBridge::step(double duration_s) {
+  fit_plates();
+  bodies_->contacts.touching.clear();
+  bodies_->world.Step(static_cast<float>(duration_s), kVelocityIterations, kPositionIterations);
+  for (int i = 0; i < count_; ++i) read_robot(i);
+  read_ball();
+}
+
+std::span<const int> Box2dBridge::touching() const {
+  return {bodies_->contacts.touching.data(), bodies_->contacts.touching.size()};
+}
+
+void Box2dBridge::read_robot(int index) {
+  b2Body* body = bodies_->robots[static_cast<std::size_t>(index)];
+  // A float angle loses precision as a robot turns on and on.
+  if (std::abs(body->GetAngle()) > 16.0F) {
+    const double angle_rad = wrap_angle(static_cast<double>(body->GetAngle()));
+    body->SetTransform(body->GetPosition(), static_cast<float>(angle_rad));
+  }
+  BodyState& state = robots_[static_cast<std::size_t>(index)];
+  const b2Transform& pose = body->GetTransform();
+  state.position_m = from_units(pose.p);
+  state.heading = {static_cast<double>(pose.q.c), static_cast<double>(pose.q.s)};
+  state.velocity_mps = from_units(body->GetLinearVelocity());
+  state.angular_velocity_radps = static_cast<double>(body->GetAngularVelocity());
+}
+
+void Box2dBridge::read_ball() {
+  ball_.position_m = from_units(bodies_->ball->GetPosition());
+  ball_.velocity_mps = from_units(bodies_->ball->GetLinearVelocity());
+}
+
+}  // namespace autoref::sim

@@ -1,0 +1,74 @@
+// The bodies of the world. This and box2d_shapes.hpp are the only places that know Box2D.
+//
+// Box2D's tolerances fit objects of 0.1 to 10 units, so that one unit is 0.1 m here. Its numbers
+// are floats; they meet this project's doubles in box2d_bridge.cpp and nowhere else. The bridge
+// knows shapes, masses and what a contact does; forces and decisions come from its caller.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+
+#include "sim/configuration.hpp"
+#include "soccer/field.hpp"
+#include "soccer/geometry.hpp"
+#include "soccer/side.hpp"
+
+namespace autoref::sim {
+
+// Pose and motion of a body. The ball's heading and angular velocity mean nothing.
+struct BodyState {
+  Vec2 position_m{0, 0};
+  Vec2 heading{1, 0};
+  Vec2 velocity_mps{0, 0};
+  double angular_velocity_radps = 0;
+};
+
+// Of a homogeneous disc as heavy and as wide as a robot.
+double robot_inertia_kgm2(const RobotParameters& robot);
+
+class Box2dBridge {
+ public:
+  // `robots` counts both sides; robots are named by an index from 0. All bodies are at the origin
+  // until they are placed.
+  Box2dBridge(const Field& field, const RobotParameters& robot, int robots);
+  ~Box2dBridge();
+
+  // States after the last step or placing.
+  const BodyState& robot(int index) const { return robots_[static_cast<std::size_t>(index)]; }
+  const BodyState& ball() const { return ball_; }
+
+  void place_robot(int index, const BodyState& state);
+  void place_ball(const Vec2& position_m, const Vec2& velocity_mps);
+
+  // Act on a robot during the next step only.
+  void push_robot(int index, const Vec2& force_n, double torque_nm);
+  void push_robot_at(int index, const Vec2& force_n, const Vec2& point_m);
+  // Changes a robot's velocity at once.
+  void strike_robot(int index, const Vec2& impulse_ns);
+  void set_ball_velocity(const Vec2& velocity_mps);
+
+  // What the ball collides with besides the walls around the field, which always hold it.
+  void let_ball_meet(bool robots, bool goals);
+  // A running dribbler takes more of an arriving ball's speed.
+  void set_dribbling(int index, bool dribbles);
+
+  void step(double duration_s);
+
+  // The robots whose hull met the ball during the last step, each once, in order of contact.
+  std::span<const int> touching() const;
+
+ private:
+  struct Bodies;
+  void fit_plates();
+  void read_robot(int index);
+  void read_ball();
+
+  std::unique_ptr<Bodies> bodies_;
+  RobotParameters parameters_;
+  int count_;
+  std::array<BodyState, 2 * kMaxRobots> robots_;
+  BodyState ball_;
+};
+
+}  // namespace autoref::sim

@@ -1,0 +1,114 @@
+#include "sim/box2d_shapes.hpp"
+
+#include "sim/box2d_bridge.hpp"
+#include "soccer/robot_shape.hpp"
+
+namespace autoref::sim::box2d {
+namespace {
+
+constexpr double kSkin_m = b2_polygonRadius / kUnitsPerMetre;  // Box2D's hull around polygons
+constexpr double kWallThickness_m = 1_m;  // of the walls around: too thick to be pushed through
+
+// From ER-Force's and grSim's models. Box2D takes a pair's greater restitution; that of a ball and
+// a robot is decided at the contact.
+constexpr float kRobotToRobot = 0.2F;
+constexpr float kWall = 0.3F;
+constexpr float kNet = 0.1F;
+constexpr float kFriction = 0.22F;
+// Slower hits do not bounce: a ball that lies at a plate must come to rest there.
+constexpr double kBouncesFrom_mps = 0.03;
+
+b2FixtureDef fixture(const b2Shape& shape, std::uint16_t category, int mask, float restitution) {
+  b2FixtureDef definition;
+  definition.shape = &shape;
+  definition.friction = kFriction;
+  definition.restitution = restitution;
+  definition.restitutionThreshold = to_units(kBouncesFrom_mps);
+  definition.filter.categoryBits = category;
+  definition.filter.maskBits = static_cast<std::uint16_t>(mask);
+  return definition;
+}
+
+// A box from corner to corner, its skin included.
+b2PolygonShape box(const Vec2& low_m, const Vec2& high_m) {
+  b2PolygonShape shape;
+  const Vec2 half = (high_m - low_m) / 2.0 - Vec2(kSkin_m, kSkin_m);
+  shape.SetAsBox(to_units(half.x()), to_units(half.y()), to_units(Vec2((low_m + high_m) / 2.0)),
+                 0.0F);
+  return shape;
+}
+
+void add_box(b2Body& ground, const Vec2& a_m, const Vec2& b_m, Category category,
+             float restitution) {
+  const b2PolygonShape shape = box(a_m.cwiseMin(b_m), a_m.cwiseMax(b_m));
+  const b2FixtureDef definition = fixture(shape, category, kRobots | kBall, restitution);
+  ground.CreateFixture(&definition);
+}
+
+void set_mass(b2Body& body, double mass_kg, double inertia_kgm2) {
+  b2MassData mass;
+  mass.mass = static_cast<float>(mass_kg);
+  mass.center.SetZero();
+  mass.I = static_cast<float>(inertia_kgm2 * kUnitsPerMetre * kUnitsPerMetre);
+  body.SetMassData(&mass);
+}
+
+}  // namespace
+
+void add_end(b2Body& ground, const Field& field, double sign) {
+  const double line = field.half_length_m();
+  const double back = line + field.goal_depth_m;
+  const double outside = back + field.goal_wall_thickness_m;
+  const double inner = field.half_goal_m();
+  const double outer = inner + field.goal_wall_thickness_m;
+  const auto at = [sign](double x, double y) { return Vec2(sign * x, sign * y); };
+  add_box(ground, at(line, inner), at(back, outer), kGoals, kWall);
+  add_box(ground, at(line, -inner), at(back, -outer), kGoals, kWall);
+  add_box(ground, at(back, -outer), at(outside, outer), kGoals, kNet);
+
+  const double x = field.wall_x_m();
+  const double y = field.wall_y_m();
+  const double t = kWallThickness_m;
+  add_box(ground, at(x, -y - t), at(x + t, y + t), kWalls, kWall);
+  add_box(ground, at(-x - t, y), at(x + t, y + t), kWalls, kWall);
+}
+
+void set_robot_mass(b2Body& body, const RobotParameters& robot) {
+  set_mass(body, robot.mass_kg, robot_inertia_kgm2(robot));
+}
+
+b2Body* add_robot(b2World& world, const RobotParameters& robot, int index) {
+  b2BodyDef definition;
+  definition.type = b2_dynamicBody;
+  definition.userData.pointer = static_cast<std::uintptr_t>(index + 1);
+  b2Body* body = world.CreateBody(&definition);
+  b2CircleShape hull;
+  hull.m_radius = to_units(kRobotRadius_m);
+  const b2FixtureDef round =
+      fixture(hull, kRobots, kRobots | kBall | kWalls | kGoals, kRobotToRobot);
+  body->CreateFixture(&round);
+  set_robot_mass(*body, robot);
+  return body;
+}
+
+b2Fixture* add_plate(b2Body& robot) {
+  const b2PolygonShape front = box({0.0, -kHalfPlate_m}, {kFrontDistance_m, kHalfPlate_m});
+  const b2FixtureDef plate = fixture(front, kPlates, kBall, 0.0F);
+  return robot.CreateFixture(&plate);
+}
+
+b2Body* add_ball(b2World& world) {
+  b2BodyDef definition;
+  definition.type = b2_dynamicBody;
+  definition.bullet = true;
+  definition.fixedRotation = true;
+  b2Body* body = world.CreateBody(&definition);
+  b2CircleShape shape;
+  shape.m_radius = to_units(kBallRadius_m);
+  const b2FixtureDef round = fixture(shape, kBall, kWalls | kGoals | kRobots | kPlates, 0.0F);
+  body->CreateFixture(&round);
+  set_mass(*body, kBallMass_kg, 0.0);
+  return body;
+}
+
+}  // namespace autoref::sim::box2d

@@ -1,0 +1,115 @@
+#include "sim/configuration.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "soccer/side.hpp"
+
+namespace autoref::sim {
+namespace {
+
+std::string text_of(double value) {
+  std::string text = std::to_string(value);
+  while (text.find('.') != std::string::npos && (text.back() == '0' || text.back() == '.')) {
+    const bool is_point = text.back() == '.';
+    text.pop_back();
+    if (is_point) break;
+  }
+  return text;
+}
+
+[[noreturn]] void refuse(const char* name, double value, const std::string& allowed) {
+  throw std::invalid_argument(std::string(name) + " is " + text_of(value) + "; it must be " +
+                              allowed);
+}
+
+void check_range(const char* name, double value, double low, double high) {
+  if (value >= low && value <= high) return;
+  refuse(name, value, "from " + text_of(low) + " to " + text_of(high));
+}
+
+void check_share(const char* name, double value) { check_range(name, value, 0.0, 1.0); }
+
+void check_positive(const char* name, double value) {
+  if (!std::isfinite(value) || value <= 0.0) refuse(name, value, "positive and finite");
+}
+
+void check_not_negative(const char* name, double value) {
+  if (!std::isfinite(value) || value < 0.0) refuse(name, value, "0 or more, and finite");
+}
+
+void check_factor(const char* name, double value) {
+  if (!(value > 0.0 && value <= 2.0)) refuse(name, value, "above 0 and at most 2");
+}
+
+void validate(const BallParameters& ball) {
+  check_positive("ball.slide_mps2", ball.slide_mps2);
+  check_positive("ball.roll_mps2", ball.roll_mps2);
+  check_range("ball.switch_ratio", ball.switch_ratio, 0.05, 0.95);
+  check_share("ball.hop_first_xy", ball.hop_first_xy);
+  check_share("ball.hop_later_xy", ball.hop_later_xy);
+  check_range("ball.hop_z", ball.hop_z, 0.0, 0.95);
+  check_not_negative("ball.rest_mps", ball.rest_mps);
+  check_positive("ball.rolls_below_hop_m", ball.rolls_below_hop_m);
+  check_not_negative("ball.net_mps2", ball.net_mps2);
+}
+
+void validate(const RobotParameters& robot) {
+  check_positive("robot.mass_kg", robot.mass_kg);
+  check_range("robot.speed_mps", robot.speed_mps, 0.01, 20.0);
+  check_positive("robot.acceleration_mps2", robot.acceleration_mps2);
+  check_positive("robot.braking_mps2", robot.braking_mps2);
+  check_positive("robot.wheel_acceleration_mps2", robot.wheel_acceleration_mps2);
+  check_range("robot.angular_speed_radps", robot.angular_speed_radps, 0.01, 100.0);
+  check_positive("robot.angular_acceleration_radps2", robot.angular_acceleration_radps2);
+  check_range("robot.front_wheels_deg", robot.front_wheels_deg, 5.0, 85.0);
+  check_range("robot.back_wheels_deg", robot.back_wheels_deg, 95.0, 175.0);
+  check_range("robot.speed_noise", robot.speed_noise, 0.0, 0.5);
+}
+
+void validate(const KickerParameters& kicker) {
+  check_range("kicker.reach_m", kicker.reach_m, 0.0, 0.1);
+  check_range("kicker.speed_limit_mps", kicker.speed_limit_mps, 0.1, 20.0);
+  check_range("kicker.chip_limit_mps", kicker.chip_limit_mps, 0.1, 20.0);
+  check_range("kicker.chip_angle_deg", kicker.chip_angle_deg, 5.0, 85.0);
+  check_range("kicker.dead_time_s", kicker.dead_time_s, 0.0, 60.0);
+  check_range("kicker.speed_noise", kicker.speed_noise, 0.0, 0.5);
+  check_range("kicker.direction_noise_deg", kicker.direction_noise_deg, 0.0, 45.0);
+}
+
+}  // namespace
+
+void validate(const Configuration& configuration) {
+  check_range("substeps", configuration.substeps, 1, 16);
+  check_range("frame_rate_hz", configuration.frame_rate_hz, 30.0, 240.0);
+  check_range("latency_s", configuration.latency_s, 0.0, 0.5);
+  validate(configuration.ball);
+  validate(configuration.robot);
+  validate(configuration.kicker);
+  check_not_negative("dribbler.force_n", configuration.dribbler.force_n);
+  check_range("dribbler.reach_m", configuration.dribbler.reach_m, 0.0, 0.1);
+  check_positive("placement.speed_mps", configuration.placement.speed_mps);
+  check_positive("placement.acceleration_mps2", configuration.placement.acceleration_mps2);
+  check_positive("placement.catch_mps2", configuration.placement.catch_mps2);
+}
+
+void validate(const TeamSheet& sheet) {
+  check_range("robots", sheet.robots, 1, kMaxRobots);
+  check_factor("speed_factor", sheet.speed_factor);
+  check_factor("acceleration_factor", sheet.acceleration_factor);
+}
+
+void validate(const Field& field) {
+  // Smaller fields have no room for 16 robots a side, larger ones do not fit Box2D's scale.
+  check_range("field.length_m", field.length_m, 4.0, 30.0);
+  check_range("field.width_m", field.width_m, 2.0, 20.0);
+  // Balls and robots go around a goal behind the goal line.
+  check_range("field.run_off_m", field.run_off_m,
+              field.goal_depth_m + field.goal_wall_thickness_m + 0.2, 5.0);
+  check_range("field.goal_width_m", field.goal_width_m, 0.2, field.width_m - 0.4);
+  check_range("field.goal_depth_m", field.goal_depth_m, 0.05, 1.0);
+  check_range("field.goal_wall_thickness_m", field.goal_wall_thickness_m, 0.01, 0.1);
+  check_positive("field.goal_opening_height_m", field.goal_opening_height_m);
+}
+
+}  // namespace autoref::sim

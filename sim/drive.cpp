@@ -1,0 +1,70 @@
+#include "sim/drive.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "soccer/robot_shape.hpp"
+#include "soccer/units.hpp"
+
+namespace autoref::sim {
+namespace {
+
+constexpr double kWheelDistance_m = 80_mm;  // from the centre: inside the hull of 90 mm
+
+Vec2 tangent_at(double angle_deg) { return left_of(heading_of(angle_deg * kPi / 180.0)); }
+
+}  // namespace
+
+Drive::Drive(const RobotParameters& robot, const TeamSheet& sheet)
+    : wheels_{tangent_at(robot.front_wheels_deg), tangent_at(-robot.front_wheels_deg),
+              tangent_at(robot.back_wheels_deg), tangent_at(-robot.back_wheels_deg)},
+      mass_kg_(robot.mass_kg),
+      inertia_kgm2_(robot_inertia_kgm2(robot)),
+      speed_mps_(robot.speed_mps * sheet.speed_factor),
+      angular_speed_radps_(robot.angular_speed_radps),
+      acceleration_mps2_(robot.acceleration_mps2 * sheet.acceleration_factor),
+      braking_mps2_(robot.braking_mps2 * sheet.acceleration_factor),
+      wheel_mps2_(robot.wheel_acceleration_mps2 * sheet.acceleration_factor),
+      angular_radps2_(robot.angular_acceleration_radps2),
+      noise_(robot.speed_noise) {}
+
+RobotCommand Drive::accept(const RobotCommand& order, RandomStream& noise) const {
+  RobotCommand aim = order;
+  if (noise_ > 0.0) {
+    aim.velocity_mps.x() *= 1.0 + noise_ * noise.normal();
+    aim.velocity_mps.y() *= 1.0 + noise_ * noise.normal();
+    aim.angular_velocity_radps *= 1.0 + noise_ * noise.normal();
+  }
+  aim.velocity_mps = clamp_norm(aim.velocity_mps, speed_mps_);
+  aim.angular_velocity_radps =
+      std::clamp(aim.angular_velocity_radps, -angular_speed_radps_, angular_speed_radps_);
+  return aim;
+}
+
+DriveForce Drive::force(const RobotCommand& aim, const BodyState& robot, double duration_s) const {
+  const Vec2 now_mps = to_local(robot.velocity_mps, robot.heading);
+  const Vec2 change_mps = aim.velocity_mps - now_mps;
+  const bool slows_down = now_mps.dot(change_mps) < 0.0;
+  const Vec2 acceleration_mps2 =
+      clamp_norm(change_mps / duration_s, slows_down ? braking_mps2_ : acceleration_mps2_);
+  const double angular_radps2 =
+      std::clamp((aim.angular_velocity_radps - robot.angular_velocity_radps) / duration_s,
+                 -angular_radps2_, angular_radps2_);
+  const double share = share_within_wheels(acceleration_mps2, angular_radps2);
+  return {to_world(acceleration_mps2 * (mass_kg_ * share), robot.heading),
+          angular_radps2 * (inertia_kgm2_ * share)};
+}
+
+// A row of the wheel matrix times the motion is a wheel's rim acceleration. Four equally scaled
+// wheels give the equally scaled motion, so that the way back through the pseudo-inverse of the
+// matrix is the scaling itself.
+double Drive::share_within_wheels(const Vec2& acceleration_mps2, double angular_radps2) const {
+  double most_mps2 = 0.0;
+  for (const Vec2& wheel : wheels_) {
+    most_mps2 = std::max(
+        most_mps2, std::abs(wheel.dot(acceleration_mps2) + kWheelDistance_m * angular_radps2));
+  }
+  return most_mps2 > wheel_mps2_ ? wheel_mps2_ / most_mps2 : 1.0;
+}
+
+}  // namespace autoref::sim

@@ -1,0 +1,87 @@
+#include "sim/placement.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/lids.hpp"
+#include "soccer/robot_shape.hpp"
+
+namespace autoref::sim {
+namespace {
+
+constexpr double kClearance_m = 50_mm;  // of the ball's centre from goals: its radius and a margin
+
+// The corners that lead from a place behind a goal line to the field before it; none from a place
+// on the field.
+Route way_to_field(const Field& field, const Vec2& place_m) {
+  Route way;
+  const double before_line_m = field.half_length_m() - kClearance_m;
+  if (std::abs(place_m.x()) <= before_line_m) return way;
+  const double end = std::copysign(1.0, place_m.x());
+  if (is_in_goal(field, place_m)) {
+    const double inside_m = field.half_goal_m() - kClearance_m;
+    const double y = std::clamp(place_m.y(), -inside_m, inside_m);
+    way.push_back({place_m.x(), y});
+    way.push_back({end * before_line_m, y});
+    return way;
+  }
+  const double beside_m = field.half_goal_m() + field.goal_wall_thickness_m + kClearance_m;
+  const double behind_m = field.half_length_m();
+  // From exactly behind the middle it goes to the left of who looks at the goal from the field.
+  const double flank = place_m.y() == 0.0 ? end : std::copysign(1.0, place_m.y());
+  const double y = flank * std::max(beside_m, std::abs(place_m.y()));
+  if (y != place_m.y() && std::abs(place_m.x()) > behind_m) way.push_back({place_m.x(), y});
+  way.push_back({end * before_line_m, std::abs(place_m.x()) > behind_m ? y : place_m.y()});
+  return way;
+}
+
+}  // namespace
+
+Route route_between(const Field& field, const Vec2& start_m, const Vec2& target_m) {
+  Route route = way_to_field(field, start_m);
+  const Route back = way_to_field(field, target_m);
+  route.insert(route.end(), back.rbegin(), back.rend());
+  route.push_back(target_m);
+  return route;
+}
+
+void Carrier::start(const Vec2& from_m, const Vec2& target_m) {
+  route_ = route_between(field_, from_m, target_m);
+  next_ = 0;
+  from_m_ = from_m;
+  time_s_ = 0.0;
+}
+
+Vec2 Carrier::carry(double duration_s) {
+  time_s_ += duration_s;
+  while (time_s_ >= leg_duration_s()) {
+    if (next_ + 1 == route_.size()) return route_.back();
+    time_s_ -= leg_duration_s();
+    from_m_ = route_[next_++];
+  }
+  return from_m_ + (route_[next_] - from_m_) * (way_m(time_s_) / leg_length_m());
+}
+
+double Carrier::leg_length_m() const { return (route_[next_] - from_m_).norm(); }
+
+// Speeding up and slowing down take as long as each other, in the middle the speed is the limit,
+// which a short leg does not reach.
+double Carrier::leg_duration_s() const {
+  const double ramp_s = parameters_.speed_mps / parameters_.acceleration_mps2;
+  const double length_m = leg_length_m();
+  const double ramps_m = parameters_.speed_mps * ramp_s;
+  if (length_m <= ramps_m) return 2.0 * std::sqrt(length_m / parameters_.acceleration_mps2);
+  return 2.0 * ramp_s + (length_m - ramps_m) / parameters_.speed_mps;
+}
+
+double Carrier::way_m(double time_s) const {
+  const double a = parameters_.acceleration_mps2;
+  const double total_s = leg_duration_s();
+  const double ramp_s = std::min(parameters_.speed_mps / a, total_s / 2.0);
+  const double left_s = total_s - time_s;
+  if (time_s < ramp_s) return a * time_s * time_s / 2.0;
+  if (left_s < ramp_s) return leg_length_m() - a * left_s * left_s / 2.0;
+  return a * ramp_s * (time_s - ramp_s / 2.0);
+}
+
+}  // namespace autoref::sim

@@ -1,0 +1,51 @@
+#include "sim/world.hpp"
+
+#include <cmath>
+
+#include "sim/world_impl.hpp"
+
+namespace autoref::sim {
+
+World::World(const Field& field, const Configuration& configuration,
+             const PerSide<TeamSheet>& sheets, std::uint64_t seed) {
+  validate(field);
+  validate(configuration);
+  for (const TeamSheet& sheet : sheets.values) validate(sheet);
+  impl_ = std::make_unique<Impl>(field, configuration, sheets, seed);
+}
+
+World::~World() = default;
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+
+void World::step(const PerSide<TeamOrders>& orders, const std::optional<Placement>& placement) {
+  impl_->step(orders, placement);
+}
+
+const WorldState& World::state() const { return impl_->state(); }
+std::span<const Touch> World::touches() const { return impl_->touches(); }
+void World::put_ball(const BallState& ball) { impl_->put_ball(ball); }
+void World::put_robot(RobotId id, const RobotState& state) { impl_->put_robot(id, state); }
+
+bool World::is_finite() const {
+  const WorldState& now = state();
+  for (const auto& robots : now.robots.values) {
+    for (const RobotState& robot : robots) {
+      if (!autoref::is_finite(robot.position_m) || !autoref::is_finite(robot.heading) ||
+          !autoref::is_finite(robot.velocity_mps) || !std::isfinite(robot.angular_velocity_radps)) {
+        return false;
+      }
+    }
+  }
+  return autoref::is_finite(now.ball.position_m) && autoref::is_finite(now.ball.velocity_mps) &&
+         std::isfinite(now.ball.height_m) && std::isfinite(now.ball.vertical_mps);
+}
+
+LatencySplit split_latency(const Configuration& configuration) {
+  const double substeps =
+      configuration.latency_s * configuration.frame_rate_hz * configuration.substeps;
+  const int whole = static_cast<int>(std::lround(substeps));
+  return {whole / configuration.substeps, whole % configuration.substeps};
+}
+
+}  // namespace autoref::sim

@@ -1,0 +1,241 @@
+#include "sim/world_impl.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "sim/dribbler.hpp"
+#include "sim/lids.hpp"
+#include "sim/line_up.hpp"
+#include "soccer/robot_shape.hpp"
+
+namespace autoref::sim {
+namespace {
+
+// Less change of the ball's velocity is rounding, not a collision.
+constexpr double kCollision_mps = 0.01;
+
+}  // namespace
+
+World::Impl::Team World::Impl::make_team(Side side, const TeamSheet& sheet,
+                                         std::uint64_t seed) const {
+  const double substeps_per_s = configuration_.frame_rate_hz * configuration_.substeps;
+  return {0, sheet.robots, Drive(configuration_.robot, sheet),
+          Kickers(configuration_.kicker, substeps_per_s,
+                  RandomStream::of(seed, RandomPurpose::kKicker, side)),
+          RandomStream::of(seed, RandomPurpose::kMotors, side)};
+}
+
+World::Impl::Impl(const Field& field, const Configuration& configuration,
+                  const PerSide<TeamSheet>& sheets, std::uint64_t seed)
+    : field_(field),
+      configuration_(configuration),
+      substep_s_(1.0 / (configuration.frame_rate_hz * configuration.substeps)),
+      order_delay_substeps_(split_latency(configuration).substeps),
+      teams_{make_team(Side::kWest, sheets[Side::kWest], seed),
+             make_team(Side::kEast, sheets[Side::kEast], seed)},
+      robots_(sheets[Side::kWest].robots + sheets[Side::kEast].robots),
+      bodies_(field, configuration.robot, robots_),
+      ball_(configuration.ball),
+      carrier_(field, configuration.placement) {
+  team(Side::kEast).first = team(Side::kWest).robots;
+  for_each_robot([&](Side side, Team&, int number, int index) {
+    bodies_.place_robot(index, place_in_line_up(field_, {side, number}));
+  });
+  put_ball({});
+}
+
+void World::Impl::step(const PerSide<TeamOrders>& orders,
+                       const std::optional<Placement>& placement) {
+  touches_.clear();
+  touched_in_frame_ = 0;
+  obey(placement);
+  for (int k = 0; k < configuration_.substeps; ++k) {
+    if (k == order_delay_substeps_) accept(orders);
+    advance(k);
+  }
+  ++state_.frame;
+  publish();
+}
+
+void World::Impl::accept(const PerSide<TeamOrders>& orders) {
+  for_each_robot([&](Side side, Team& its_team, int number, int index) {
+    const auto n = static_cast<std::size_t>(number);
+    const RobotCommand& order = orders[side][n];
+    assert(autoref::is_finite(order));
+    its_team.aims[n] = its_team.drive.accept(order, its_team.motors);
+    bodies_.set_dribbling(index, order.dribble);
+  });
+}
+
+void World::Impl::obey(const std::optional<Placement>& placement) {
+  if (!placement) {
+    if (hold_ != Hold::kFree) bodies_.let_ball_meet(true, true);
+    hold_ = Hold::kFree;
+    return;
+  }
+  const bool is_known = hold_ != Hold::kFree && placement->target_m == placement_.target_m &&
+                        placement->at_once == placement_.at_once;
+  if (is_known) return;
+  assert(autoref::is_finite(placement->target_m));
+  placement_ = *placement;
+  hold_ = Hold::kCatching;
+  if (!placement_.at_once) return;
+  bodies_.place_ball(placement_.target_m, {0.0, 0.0});
+  ball_.set({});
+}
+
+void World::Impl::advance(int substep) {
+  drive();
+  if (hold_ == Hold::kFree) {
+    move_ball(substep);
+  } else {
+    hold_ball();
+  }
+  const Vec2 former_mps = bodies_.ball().velocity_mps;
+  bodies_.step(substep_s_);
+  if (hold_ == Hold::kFree) follow_ball(former_mps);
+  note_contacts(substep);
+  ++substeps_;
+}
+
+void World::Impl::drive() {
+  for_each_robot([this](Side, Team& its_team, int number, int index) {
+    const RobotCommand& aim = its_team.aims[static_cast<std::size_t>(number)];
+    const DriveForce drive = its_team.drive.force(aim, bodies_.robot(index), substep_s_);
+    bodies_.push_robot(index, drive.force_n, drive.torque_nm);
+  });
+}
+
+// The carried ball moves at the speed that brings it along its way, rather than by jumps.
+void World::Impl::hold_ball() {
+  ball_.hold(substep_s_);
+  const BodyState& ball = bodies_.ball();
+  if (hold_ == Hold::kCatching) {
+    bodies_.let_ball_meet(false, ball_.height_m() < field_.goal_opening_height_m);
+    const double speed_mps = ball.velocity_mps.norm();
+    const double left_mps = speed_mps - configuration_.placement.catch_mps2 * substep_s_;
+    if (left_mps > 0.0) {
+      bodies_.set_ball_velocity(ball.velocity_mps * (left_mps / speed_mps));
+      return;
+    }
+    hold_ = Hold::kCarrying;
+    carrier_.start(ball.position_m, placement_.target_m);
+    bodies_.let_ball_meet(false, false);
+  }
+  const Vec2 way_m = carrier_.carry(substep_s_) - ball.position_m;
+  const bool is_there = way_m.norm() < 1e-6;
+  bodies_.set_ball_velocity(is_there ? Vec2(0.0, 0.0) : Vec2(way_m / substep_s_));
+}
+
+void World::Impl::move_ball(int substep) {
+  const Vec2 ball_mps = dribbled(kicked(substep));
+  bodies_.set_ball_velocity(held_by_net(ball_.slowed(ball_mps, substep_s_)));
+}
+
+// Several kickers that fire at once push the ball together, whoever is asked first.
+Vec2 World::Impl::kicked(int substep) {
+  const BodyState ball = bodies_.ball();
+  Vec2 sum_mps{0.0, 0.0};
+  double vertical_mps = 0.0;
+  bool is_kicked = false;
+  for_each_robot([&](Side side, Team& its_team, int number, int index) {
+    const RobotCommand& aim = its_team.aims[static_cast<std::size_t>(number)];
+    const auto kick = its_team.kickers.fire(number, aim, bodies_.robot(index), ball.position_m,
+                                            ball_.height_m(), substeps_);
+    if (!kick) return;
+    is_kicked = true;
+    sum_mps += kick->velocity_mps;
+    vertical_mps = std::max(vertical_mps, kick->vertical_mps);
+    bodies_.strike_robot(index, kBallMass_kg * (ball.velocity_mps - kick->velocity_mps));
+    note({state_.frame + 1, substep, {side, number}, ball.position_m, true});
+  });
+  if (!is_kicked) return ball.velocity_mps;
+  ball_.kick(vertical_mps);
+  return clamp_norm(sum_mps, configuration_.kicker.speed_limit_mps);
+}
+
+Vec2 World::Impl::dribbled(Vec2 ball_mps) {
+  for_each_robot([&](Side, Team& its_team, int number, int index) {
+    if (!its_team.aims[static_cast<std::size_t>(number)].dribble) return;
+    const BodyState& ball = bodies_.ball();
+    const Vec2 force_n =
+        dribbler_force_n(configuration_.dribbler, bodies_.robot(index), ball, ball_.height_m());
+    ball_mps += force_n * (substep_s_ / kBallMass_kg);
+    bodies_.push_robot_at(index, -force_n, ball.position_m);
+  });
+  return ball_mps;
+}
+
+Vec2 World::Impl::held_by_net(Vec2 ball_mps) const {
+  const Vec2& at_m = bodies_.ball().position_m;
+  const double outwards = -std::copysign(1.0, at_m.x());
+  const double leaves_mps = ball_mps.x() * outwards;
+  if (leaves_mps <= 0.0 || !is_in_goal(field_, at_m)) return ball_mps;
+  if (std::abs(at_m.x()) < field_.half_length_m() + kBallRadius_m) return ball_mps;
+  ball_mps.x() = outwards * std::max(0.0, leaves_mps - configuration_.ball.net_mps2 * substep_s_);
+  return ball_mps;
+}
+
+// What the plane's physics does not know: spin lost in collisions, and the third dimension.
+void World::Impl::follow_ball(const Vec2& former_mps) {
+  const Vec2 change_mps = bodies_.ball().velocity_mps - former_mps;
+  if (change_mps.squaredNorm() > kCollision_mps * kCollision_mps) ball_.collide(change_mps);
+  if (!ball_.is_in_air()) return;
+  const double former_height_m = ball_.height_m();
+  bodies_.set_ball_velocity(ball_.flown(bodies_.ball().velocity_mps, substep_s_));
+  const auto bounced_mps = bounced_off_lid(field_, bodies_, robots_, former_height_m, ball_);
+  if (bounced_mps) bodies_.set_ball_velocity(*bounced_mps);
+  bodies_.let_ball_meet(ball_.height_m() < kRobotHeight_m,
+                        ball_.height_m() < field_.goal_opening_height_m);
+}
+
+void World::Impl::note_contacts(int substep) {
+  std::uint32_t now = 0;
+  for (const int index : bodies_.touching()) {
+    const std::uint32_t bit = 1U << index;
+    now |= bit;
+    if ((touching_ & touched_in_frame_ & bit) != 0) continue;
+    touched_in_frame_ |= bit;
+    const bool is_west = index < team(Side::kWest).robots;
+    const RobotId id = is_west ? RobotId{Side::kWest, index}
+                               : RobotId{Side::kEast, index - team(Side::kEast).first};
+    note({state_.frame + 1, substep, id, bodies_.ball().position_m, false});
+  }
+  touching_ = now;
+}
+
+void World::Impl::note(const Touch& touch) {
+  if (touches_.size() < touches_.capacity()) touches_.push_back(touch);
+}
+
+void World::Impl::put_ball(const BallState& ball) {
+  bodies_.place_ball(ball.position_m, ball.velocity_mps);
+  ball_.set(ball);
+  hold_ = Hold::kFree;
+  bodies_.let_ball_meet(ball.height_m < kRobotHeight_m,
+                        ball.height_m < field_.goal_opening_height_m);
+  publish();
+}
+
+void World::Impl::put_robot(RobotId id, const RobotState& state) {
+  assert(id.number >= 0 && id.number < team(id.side).robots);
+  bodies_.place_robot(
+      team(id.side).first + id.number,
+      {state.position_m, state.heading, state.velocity_mps, state.angular_velocity_radps});
+  publish();
+}
+
+void World::Impl::publish() {
+  for (const Side side : kSides) state_.robots[side].clear();
+  for_each_robot([this](Side side, Team&, int number, int index) {
+    const BodyState& robot = bodies_.robot(index);
+    state_.robots[side].push_back({number, robot.position_m, robot.heading.normalized(),
+                                   robot.velocity_mps, robot.angular_velocity_radps});
+  });
+  const BodyState& ball = bodies_.ball();
+  state_.ball = {ball.position_m, ball.velocity_mps, ball_.height_m(), ball_.vertical_mps(),
+                 ball_.is_rolling()};
+}
+
+}  // namespace autoref::sim

@@ -1,0 +1,84 @@
+// World's inside: what happens in a frame, and in which order. For world.cpp alone.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "sim/ball.hpp"
+#include "sim/box2d_bridge.hpp"
+#include "sim/drive.hpp"
+#include "sim/kicker.hpp"
+#include "sim/placement.hpp"
+#include "sim/world.hpp"
+#include "soccer/random.hpp"
+
+namespace autoref::sim {
+
+class World::Impl {
+ public:
+  Impl(const Field& field, const Configuration& configuration, const PerSide<TeamSheet>& sheets,
+       std::uint64_t seed);
+
+  void step(const PerSide<TeamOrders>& orders, const std::optional<Placement>& placement);
+  const WorldState& state() const { return state_; }
+  std::span<const Touch> touches() const { return {touches_.data(), touches_.size()}; }
+  void put_ball(const BallState& ball);
+  void put_robot(RobotId id, const RobotState& state);
+
+ private:
+  // A side's robots and what chance does to them.
+  struct Team {
+    int first = 0;  // index of number 0 in the bridge
+    int robots = 0;
+    Drive drive;
+    Kickers kickers;
+    RandomStream motors;
+    TeamOrders aims{};  // orders in force, limited to what the robots can do
+  };
+  // Free, or in the referee's hand: being stopped, then on its way or at the target.
+  enum class Hold { kFree, kCatching, kCarrying };
+
+  Team make_team(Side side, const TeamSheet& sheet, std::uint64_t seed) const;
+  Team& team(Side side) { return teams_[static_cast<std::size_t>(side)]; }
+
+  void accept(const PerSide<TeamOrders>& orders);
+  void obey(const std::optional<Placement>& placement);
+  void advance(int substep);
+  void drive();
+  void hold_ball();
+  void move_ball(int substep);
+  Vec2 kicked(int substep);
+  Vec2 dribbled(Vec2 ball_mps);
+  Vec2 held_by_net(Vec2 ball_mps) const;
+  void follow_ball(const Vec2& former_mps);
+  void note_contacts(int substep);
+  void note(const Touch& touch);
+  void publish();
+
+  template <typename Act>  // act(side, team, number, index in the bridge)
+  void for_each_robot(Act act) {
+    for (const Side side : kSides) {
+      Team& its_team = team(side);
+      for (int n = 0; n < its_team.robots; ++n) act(side, its_team, n, its_team.first + n);
+    }
+  }
+
+  Field field_;
+  Configuration configuration_;
+  double substep_s_;
+  int order_delay_substeps_;
+  std::array<Team, 2> teams_;
+  int robots_;
+  Box2dBridge bodies_;
+  Ball ball_;
+  Carrier carrier_;
+  Hold hold_ = Hold::kFree;
+  Placement placement_;                 // what the hand is doing
+  std::int64_t substeps_ = 0;           // since the beginning
+  std::uint32_t touching_ = 0;          // a bit per robot: met the ball in the last sub-step
+  std::uint32_t touched_in_frame_ = 0;  // and in this frame
+  boost::container::static_vector<Touch, 256> touches_;
+  WorldState state_;
+};
+
+}  // namespace autoref::sim

@@ -1,0 +1,170 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/sim/scene.hpp"
+
+namespace autoref::sim {
+namespace {
+
+// A field on which no ball meets a wall.
+struct WideScene {
+  WideScene() : world(wide(), quiet(), sheets(1, 1), 1) {}
+  static Field wide() {
+    Field field;
+    field.length_m = 30.0;
+    return field;
+  }
+  World world;
+};
+
+BallState kicked(double speed_mps, double vertical_mps = 0.0) {
+  BallState ball;
+  ball.position_m = {-14.0, 1.0};
+  ball.velocity_mps = {speed_mps, 0.0};
+  ball.vertical_mps = vertical_mps;
+  ball.is_rolling = false;
+  return ball;
+}
+
+class KickedBall : public testing::TestWithParam<double> {};
+
+TEST_P(KickedBall, SlidesThenRollsAsFarAsTheClosedFormsSay) {
+  WideScene scene;
+  const double v = GetParam();
+  const double rolls_at = 0.67 * v;
+  const double slide_m = (v * v - rolls_at * rolls_at) / (2 * 3.4);
+  const double roll_m = rolls_at * rolls_at / (2 * 0.30);
+  scene.world.put_ball(kicked(v));
+  double slid_m = 0.0;
+  for (int f = 0; f < 60 * 30; ++f) {
+    scene.world.step({}, {});
+    if (slid_m == 0.0 && scene.world.state().ball.is_rolling) {
+      slid_m = scene.world.state().ball.position_m.x() + 14.0;
+    }
+  }
+  const double way_m = scene.world.state().ball.position_m.x() + 14.0;
+  EXPECT_NEAR(slid_m, slide_m, 0.02 * slide_m + v / 60);  // seen once per frame
+  EXPECT_NEAR(way_m, slide_m + roll_m, 0.01 * way_m);
+  EXPECT_EQ(scene.world.state().ball.velocity_mps, Vec2(0, 0));
+}
+
+INSTANTIATE_TEST_SUITE_P(AtSeveralSpeeds, KickedBall, testing::Values(1.0, 2.0, 4.0, 5.0));
+
+TEST(RollingBall, LosesThirtyCentimetresPerSecondEachSecond) {
+  Scene scene;
+  scene.put_ball({-2, 1}, {1.0, 0.0}, true);
+  scene.frames(60);
+  EXPECT_NEAR(scene.ball().velocity_mps.x(), 0.7, 0.003);
+  EXPECT_TRUE(scene.ball().is_rolling);
+}
+
+TEST(SlowBall, ComesToRestBelowTenMillimetresPerSecond) {
+  Scene scene;
+  scene.put_ball({0, 0}, {0.0099, 0.0}, true);
+  scene.frame();
+  EXPECT_EQ(scene.ball().velocity_mps, Vec2(0, 0));
+}
+
+TEST(ChippedBall, FirstLandsAfterTheSquareOfItsSpeedOverGravity) {
+  WideScene scene;
+  const double v = 5.0;
+  scene.world.put_ball(kicked(v / std::sqrt(2.0), v / std::sqrt(2.0)));
+  double last_m = 0.0;
+  while (scene.world.state().ball.velocity_mps.x() > 3.5) {  // until the landing slows it
+    last_m = scene.world.state().ball.position_m.x() + 14.0;
+    scene.world.step({}, {});
+  }
+  EXPECT_NEAR(last_m, v * v / 9.81, 3.5 / 60 + 0.02);
+  EXPECT_NEAR(scene.world.state().ball.velocity_mps.x(), 0.75 * v / std::sqrt(2.0), 1e-3);
+}
+
+TEST(ChippedBall, RisesToTheHeightOfAThrowAndHopsHalfAsFast) {
+  WideScene scene;
+  scene.world.put_ball(kicked(2.0, 3.0));
+  double peak_m = 0.0;
+  double second_peak_m = 0.0;
+  for (int f = 0; f < 60; ++f) {
+    scene.world.step({}, {});
+    const bool has_landed = scene.world.state().ball.velocity_mps.x() < 1.9;
+    double& highest = has_landed ? second_peak_m : peak_m;
+    highest = std::max(highest, scene.world.state().ball.height_m);
+  }
+  EXPECT_NEAR(peak_m, 3.0 * 3.0 / (2 * 9.81), 0.005);
+  EXPECT_NEAR(second_peak_m, 1.5 * 1.5 / (2 * 9.81), 0.005);
+}
+
+TEST(ChippedBall, RollsOnceAHopWouldStayBelowTenMillimetres) {
+  WideScene scene;
+  // Lands at 0.88 m/s and would hop at 0.44 m/s, 9.9 mm high.
+  scene.world.put_ball(kicked(1.0, 0.88));
+  for (int f = 0; f < 13; ++f) scene.world.step({}, {});
+  EXPECT_EQ(scene.world.state().ball.height_m, 0.0);
+  EXPECT_TRUE(scene.world.state().ball.is_rolling);
+}
+
+TEST(ChippedBall, FliesOverARobotWithoutTouchingIt) {
+  Scene scene;
+  scene.put_robot(kWest0, {0, 0});
+  BallState ball;
+  ball.position_m = {-1.0, 0.0};
+  ball.velocity_mps = {3.5, 0.0};
+  ball.vertical_mps = 3.5;
+  scene.world.put_ball(ball);
+  scene.frames(25);
+  EXPECT_GT(scene.ball().position_m.x(), 0.3);
+  EXPECT_NEAR(scene.ball().position_m.y(), 0.0, 1e-6);
+  EXPECT_TRUE(scene.world.touches().empty());
+}
+
+TEST(ChippedBall, IsStoppedByARobotItDoesNotClear) {
+  Scene scene;
+  scene.put_robot(kWest0, {0, 0}, {-1, 0});
+  BallState ball;
+  ball.position_m = {-0.2, 0.0};
+  ball.velocity_mps = {2.0, 0.0};
+  ball.vertical_mps = 1.0;  // rises to 51 mm only
+  scene.world.put_ball(ball);
+  scene.frames(30);
+  EXPECT_LT(scene.ball().position_m.x(), -0.09);
+}
+
+TEST(FallingBall, DoesNotStayOnARobot) {
+  for (const double off_m : {0.0, 0.03, -0.06, 0.08}) {
+    Scene scene;
+    scene.put_robot(kWest0, {0, 0});
+    BallState ball;
+    ball.position_m = {0.0, off_m};
+    ball.height_m = 0.5;
+    scene.world.put_ball(ball);
+    scene.frames(120);
+    EXPECT_EQ(scene.ball().height_m, 0.0) << off_m;
+    EXPECT_GT(distance_to_hull(scene.ball().position_m, scene.robot(kWest0).position_m,
+                               scene.robot(kWest0).heading),
+              kBallRadius_m - 0.002)
+        << off_m;
+  }
+}
+
+TEST(FallingBall, LeavesTheRoofOfAGoalBehindTheGoal) {
+  Scene scene;
+  BallState ball;
+  ball.position_m = {scene.field.half_length_m() + 0.1, 0.1};
+  ball.height_m = 0.5;
+  scene.world.put_ball(ball);
+  scene.frames(180);
+  EXPECT_EQ(scene.ball().height_m, 0.0);
+  EXPECT_GT(scene.ball().position_m.x(), scene.field.half_length_m() + 0.2);
+}
+
+TEST(BallAgainstAWall, KeepsLessThanAThirdOfItsSpeed) {
+  Scene scene;
+  scene.put_ball({0, scene.field.wall_y_m() - 0.1}, {0.0, 2.0});
+  scene.frames(6);
+  EXPECT_LT(scene.ball().velocity_mps.y(), 0.0);
+  EXPECT_GT(scene.ball().velocity_mps.y(), -0.3 * 2.0);
+}
+
+}  // namespace
+}  // namespace autoref::sim

@@ -1,0 +1,298 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "soccer/random.hpp"
+#include "soccer/trigonometry.hpp"
+#include "tests/sim/scene.hpp"
+
+namespace autoref::sim {
+namespace {
+
+double gap_to_hull_m(const Scene& scene, RobotId id) {
+  const RobotState& robot = scene.robot(id);
+  return distance_to_hull(scene.ball().position_m, robot.position_m, robot.heading) - kBallRadius_m;
+}
+
+TEST(FrontPlate, IsFlatWithinOneMillimetre) {
+  for (const double aside_m : {-0.045, -0.02, 0.0, 0.03, 0.048}) {
+    Scene scene;
+    scene.put_robot(kWest0, {0, 0});
+    scene.put_ball({0.0975, aside_m}, {-0.04, 0.0}, true);
+    double nearest_m = 1.0;
+    for (int f = 0; f < 60; ++f) {
+      scene.frame();
+      nearest_m = std::min(nearest_m, scene.ball().position_m.x());
+    }
+    EXPECT_NEAR(nearest_m, kFrontDistance_m + kBallRadius_m, 0.0009) << aside_m;
+  }
+}
+
+TEST(PushedBall, LiesAtThePlateWithinOneMillimetre) {
+  Scene scene;
+  scene.put_robot(kWest0, {-1, 0});
+  scene.put_ball_at_plate(kWest0);
+  scene.order(kWest0).velocity_mps = {0.5, 0};
+  scene.frames(90);
+  EXPECT_NEAR(gap_to_hull_m(scene, kWest0), 0.0, 0.001);
+}
+
+TEST(RobotsBack, IsRound) {
+  for (const double angle_deg : {40.0, 90.0, 135.0, 180.0, -60.0}) {
+    Scene scene;
+    scene.put_robot(kWest0, {0, 0});
+    const Vec2 from = heading_of(angle_deg * kPi / 180.0);
+    scene.put_ball(from * 0.1125, from * -0.04, true);
+    double nearest_m = 1.0;
+    for (int f = 0; f < 60; ++f) {
+      scene.frame();
+      nearest_m = std::min(nearest_m, scene.ball().position_m.norm());
+    }
+    EXPECT_NEAR(nearest_m, kRobotRadius_m + kBallRadius_m, 0.0009) << angle_deg;
+  }
+}
+
+TEST(RobotsBody, ReflectsAboutHalfOfTheSpeed) {
+  Scene scene;
+  scene.put_robot(kWest0, {0, 0}, {-1, 0});
+  scene.put_ball({0.2, 0.0}, {-4.0, 0.0});
+  scene.frames(2);
+  EXPECT_GT(scene.ball().velocity_mps.x(), 0.4 * 4.0);
+  EXPECT_LT(scene.ball().velocity_mps.x(), 0.6 * 4.0);
+}
+
+TEST(SlowBallAgainstABody, StillBounces) {
+  Scene scene;
+  scene.put_robot(kWest0, {0, 0}, {-1, 0});
+  scene.put_ball({0.1125, 0.0}, {-0.09, 0.0});  // below Box2D's own threshold of 0.1 m/s
+  double fastest_mps = 0.0;
+  for (int f = 0; f < 6; ++f) {
+    scene.frame();
+    fastest_mps = std::max(fastest_mps, scene.ball().velocity_mps.x());
+  }
+  EXPECT_GT(fastest_mps, 0.01);
+}
+
+class HardKicks : public testing::TestWithParam<int> {};  // sub-steps
+
+TEST_P(HardKicks, NeverPassThroughARobot) {
+  RandomStream random(5);
+  Configuration configuration = quiet();
+  configuration.substeps = GetParam();
+  for (int i = 0; i < 600; ++i) {
+    Scene scene(configuration);
+    const double angle_rad = random.uniform() * 2 * kPi;
+    const double robot_rad = random.uniform() * 2 * kPi;
+    const double off_m = (random.uniform() - 0.5) * 0.16;
+    const Vec2 direction = heading_of(angle_rad);
+    const Vec2 robot_heading = heading_of(robot_rad);
+    scene.put_robot(kWest0, {0, 0}, robot_heading);
+    scene.put_ball(-0.5 * direction + off_m * left_of(direction), 8.0 * direction);
+    double deepest_m = 1.0;
+    for (int f = 0; f < 6; ++f) {
+      scene.frame();
+      deepest_m = std::min(deepest_m, gap_to_hull_m(scene, kWest0));
+    }
+    ASSERT_GT(deepest_m, -0.01) << i;
+    // The robot's own disc blocks the way: what came through would be far behind it.
+    const double hits_m = distance_to_hull(off_m * left_of(direction), {0, 0}, robot_heading);
+    if (hits_m < -0.01) {
+      ASSERT_LT(scene.ball().position_m.dot(direction), 0.25) << i;
+    }
+  }
+}
+
+TEST_P(HardKicks, NeverLeaveTheWalls) {
+  RandomStream random(6);
+  Configuration configuration = quiet();
+  configuration.substeps = GetParam();
+  Scene scene(configuration);
+  for (int i = 0; i < 500; ++i) {
+    const Vec2 direction = heading_of(random.uniform() * 2 * kPi);
+    const double x = (random.uniform() - 0.5) * 6;
+    const double y = (random.uniform() - 0.5) * 4;
+    scene.put_ball({x, y}, 8.0 * direction);
+    for (int f = 0; f < 90; ++f) {
+      scene.frame();
+      const Vec2& at = scene.ball().position_m;
+      ASSERT_LT(std::abs(at.x()), scene.field.wall_x_m() - kBallRadius_m + 0.002) << i;
+      ASSERT_LT(std::abs(at.y()), scene.field.wall_y_m() - kBallRadius_m + 0.002) << i;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Substeps, HardKicks, testing::Values(1, 2, 4));
+
+TEST(HighBalls, NeverLeaveTheWalls) {
+  Scene scene;
+  BallState ball;
+  ball.position_m = {0, 1.5};
+  ball.velocity_mps = {2.0, 4.0};
+  ball.vertical_mps = 4.0;
+  scene.world.put_ball(ball);
+  for (int f = 0; f < 240; ++f) {
+    scene.frame();
+    ASSERT_LT(scene.ball().position_m.y(), scene.field.wall_y_m() - kBallRadius_m + 0.002);
+  }
+}
+
+TEST(BallInTheGoal, StaysThere) {
+  RandomStream random(7);
+  for (int i = 0; i < 200; ++i) {
+    Scene scene;
+    scene.put_robot(kEast0, {0, 1.5});
+    const double speed_mps = 2.0 + 6.0 * random.uniform();
+    const double y = (random.uniform() - 0.5) * 0.5;
+    const double to_y = (random.uniform() - 0.5) * 0.5;
+    const Vec2 from(2.0, y);
+    const Vec2 to(scene.field.half_length_m() + 0.18, to_y);
+    scene.put_ball(from, speed_mps * (to - from).normalized());
+    scene.frames(240);
+    EXPECT_GT(scene.ball().position_m.x(), scene.field.half_length_m()) << i;
+    EXPECT_LT(scene.ball().position_m.x(), scene.field.half_length_m() + scene.field.goal_depth_m);
+  }
+}
+
+TEST(BallUnderTheBar, IsKeptInTheGoalByTheNet) {
+  Scene scene;
+  BallState ball;
+  ball.position_m = {scene.field.half_length_m() - 0.1, 0.0};
+  ball.velocity_mps = {3.0, 0.0};
+  ball.height_m = 0.08;
+  ball.vertical_mps = 2.0;  // under the bar at the line, above it at the back wall
+  scene.world.put_ball(ball);
+  scene.frames(180);
+  EXPECT_GT(scene.ball().position_m.x(), scene.field.half_length_m());
+  EXPECT_LT(scene.ball().position_m.x(), scene.field.half_length_m() + 0.18);
+  EXPECT_EQ(scene.ball().height_m, 0.0);
+}
+
+TEST(BallOverTheBar, FliesOverTheGoal) {
+  Scene scene;
+  BallState ball;
+  ball.position_m = {scene.field.half_length_m() - 0.1, 0.0};
+  ball.velocity_mps = {3.0, 0.0};
+  ball.height_m = 0.16;
+  ball.vertical_mps = 1.5;
+  scene.world.put_ball(ball);
+  scene.frames(180);
+  EXPECT_GT(scene.ball().position_m.x(), scene.field.half_length_m() + 0.2);
+}
+
+TEST(GoalPost, StopsABall) {
+  for (const double side : {-1.0, 1.0}) {
+    Scene scene;
+    const double post_y = side * (scene.field.half_goal_m() + 0.01);
+    scene.put_ball({2.5, post_y}, {8.0, 0.0});
+    scene.frames(30);
+    EXPECT_LT(scene.ball().position_m.x(), scene.field.half_length_m());
+  }
+}
+
+// The places that a robot can press a ball against, and the direction it presses to.
+TEST(RobotThatSqueezesTheBall, CannotPressItThroughAWall) {
+  const Field field;
+  struct Place {
+    Vec2 ball_m;
+    Vec2 to;
+  };
+  const double line = field.half_length_m();
+  const std::vector<Place> places = {
+      {{line + 0.09, field.half_goal_m() - 0.03}, {0, 1}},   // goal's side wall from inside
+      {{line + 0.09, field.half_goal_m() + 0.05}, {0, -1}},  // and from outside
+      {{line + 0.15, 0.1}, {1, 0}},                          // goal's back wall
+      {{line + 0.24, 0.1}, {-1, 0}},                         // and from behind
+      {{0.5, field.wall_y_m() - 0.03}, {0, 1}},
+      {{field.wall_x_m() - 0.03, 1.2}, {1, 0}},
+  };
+  for (const Place& place : places) {
+    Scene scene;
+    scene.put_robot(kWest0, place.ball_m - 0.3 * place.to, place.to);
+    scene.put_robot(kEast0, {0, -1});
+    scene.put_ball(place.ball_m);
+    scene.order(kWest0).velocity_mps = {3.0, 0.0};
+    double furthest_m = 0.0;
+    for (int f = 0; f < 240; ++f) {
+      scene.frame();
+      furthest_m = std::max(furthest_m, (scene.ball().position_m - place.ball_m).dot(place.to));
+    }
+    EXPECT_LT(furthest_m, 0.035) << place.ball_m.transpose();
+    EXPECT_TRUE(scene.world.is_finite());
+  }
+}
+
+TEST(TwoRobotsAtOneBall, KeepItBetweenThem) {
+  Scene scene;
+  scene.put_robot(kWest0, {-0.3, 0}, {1, 0});
+  scene.put_robot(kEast0, {0.3, 0}, {-1, 0});
+  scene.put_ball({0, 0});
+  scene.order(kWest0).velocity_mps = {3, 0};
+  scene.order(kEast0).velocity_mps = {3, 0};
+  for (int f = 0; f < 120; ++f) {
+    scene.frame();
+    ASSERT_GT(gap_to_hull_m(scene, kWest0), -0.01) << f;
+    ASSERT_GT(gap_to_hull_m(scene, kEast0), -0.01) << f;
+  }
+}
+
+TEST(Touches, NameTheRobotAndThePlaceWhenTheBallArrives) {
+  Scene scene;
+  scene.put_robot(kWest0, {0, 1});
+  scene.put_robot(kEast0, {0, 0}, {-1, 0});
+  scene.put_ball({-0.2, 0.0}, {3.0, 0.0});
+  std::vector<Touch> touches;
+  for (int f = 0; f < 10; ++f) {
+    scene.frame();
+    for (const Touch& touch : scene.world.touches()) {
+      EXPECT_EQ(touch.frame, scene.world.state().frame);
+      touches.push_back(touch);
+    }
+  }
+  ASSERT_EQ(touches.size(), 1U);
+  EXPECT_EQ(touches[0].robot, kEast0);
+  EXPECT_FALSE(touches[0].is_kick);
+  EXPECT_NEAR(touches[0].ball_m.x(), -0.0965, 0.03);
+}
+
+TEST(Touches, CountAKickOnce) {
+  Scene scene;
+  scene.put_robot(kWest0, {0, 0});
+  scene.put_ball_at_plate(kWest0, 0.005);
+  scene.order(kWest0).kick_mps = 3.0;
+  scene.frame();
+  ASSERT_EQ(scene.world.touches().size(), 1U);
+  EXPECT_TRUE(scene.world.touches()[0].is_kick);
+  EXPECT_EQ(scene.world.touches()[0].robot, kWest0);
+  scene.frame();
+  EXPECT_TRUE(scene.world.touches().empty());
+}
+
+TEST(Touches, CountABallThatStaysOncePerFrame) {
+  Scene scene;
+  scene.put_robot(kWest0, {-1, 0});
+  scene.put_ball_at_plate(kWest0);
+  scene.order(kWest0).velocity_mps = {1, 0};
+  scene.order(kWest0).dribble = true;
+  scene.frames(5);
+  for (int f = 0; f < 10; ++f) {
+    scene.frame();
+    EXPECT_GE(scene.world.touches().size(), 1U);
+    EXPECT_LE(scene.world.touches().size(), 2U);  // a second one only after it came off
+  }
+}
+
+TEST(Touches, AreNoneWhereTheBallOnlyEntersTheCutOffPartOfTheDisc) {
+  Scene scene;
+  scene.put_robot(kWest0, {0, 0});
+  scene.put_ball({0.075 + 0.0215 + 0.005, -0.3}, {0, 2.0});
+  for (int f = 0; f < 20; ++f) {
+    scene.frame();
+    EXPECT_TRUE(scene.world.touches().empty()) << f;
+  }
+  EXPECT_NEAR(scene.ball().position_m.x(), 0.1015, 1e-4);
+}
+
+}  // namespace
+}  // namespace autoref::sim

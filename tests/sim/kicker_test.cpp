@@ -1,0 +1,194 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/sim/scene.hpp"
+
+namespace autoref::sim {
+namespace {
+
+// A robot at the origin that looks east and wants to kick.
+struct Shot : Scene {
+  explicit Shot(const Configuration& configuration = quiet(), std::uint64_t seed = 1)
+      : Scene(configuration, sheets(1, 1), seed) {
+    put_robot(kWest0, {0, 0});
+    order(kWest0).kick_mps = 4.0;
+  }
+  void put_ball_before(double gap_m, double aside_m) {
+    put_ball({kFrontDistance_m + kBallRadius_m + gap_m, aside_m}, {0, 0}, true);
+  }
+};
+
+TEST(Kicker, GivesTheBallTheOrderedSpeedOverGroundAlongTheHeading) {
+  Shot shot;
+  shot.put_ball_before(0.0, 0.0);
+  shot.frame();
+  EXPECT_NEAR(shot.ball().velocity_mps.x(), 4.0 - 3.4 * 4 / 240, 0.001);
+  EXPECT_NEAR(shot.ball().velocity_mps.y(), 0.0, 1e-3);
+  EXPECT_FALSE(shot.ball().is_rolling);
+}
+
+TEST(Kicker, FiresWithinItsReachAndMouthOnly) {
+  struct Case {
+    double gap_m;
+    double aside_m;
+    bool fires;
+  };
+  for (const Case& c : {Case{0.014, 0.0, true}, Case{0.016, 0.0, false}, Case{0.0, 0.039, true},
+                        Case{0.0, -0.039, true}, Case{0.0, 0.041, false}}) {
+    Shot shot;
+    shot.put_ball_before(c.gap_m, c.aside_m);
+    shot.frame();
+    EXPECT_EQ(shot.ball().velocity_mps.x() > 3.0, c.fires) << c.gap_m << " " << c.aside_m;
+  }
+}
+
+TEST(Kicker, DoesNotFireWithoutAnOrder) {
+  Shot shot;
+  shot.order(kWest0).kick_mps = 0.0;
+  shot.put_ball_before(0.0, 0.0);
+  shot.frames(10);
+  EXPECT_LT(shot.ball().velocity_mps.norm(), 0.05);
+  EXPECT_TRUE(shot.world.touches().empty() || !shot.world.touches()[0].is_kick);
+}
+
+TEST(Kicker, NeedsATenthOfASecondBetweenKicks) {
+  Shot shot;
+  int first_frames = 0;
+  for (int f = 0; f < 12; ++f) {
+    shot.put_ball_before(0.0, 0.0);
+    shot.frame();
+    if (shot.ball().velocity_mps.x() > 3.0) first_frames = first_frames * 100 + f;
+  }
+  EXPECT_EQ(first_frames, 6);  // frames 0 and 6: 24 sub-steps
+}
+
+TEST(Kicker, CannotExceedEightMetresPerSecond) {
+  Shot shot;
+  shot.order(kWest0).kick_mps = 20.0;
+  shot.put_ball_before(0.0, 0.0);
+  shot.frame();
+  EXPECT_GT(shot.ball().velocity_mps.norm(), 7.9);
+  EXPECT_LE(shot.ball().velocity_mps.norm(), 8.0);
+}
+
+TEST(Kicker, ChipsAtFortyFiveDegrees) {
+  Shot shot;
+  shot.order(kWest0).chip = true;
+  shot.put_ball_before(0.0, 0.0);
+  shot.frame();
+  EXPECT_NEAR(shot.ball().velocity_mps.x(), 4.0 * std::sqrt(0.5), 0.001);
+  EXPECT_NEAR(shot.ball().vertical_mps, 4.0 * std::sqrt(0.5) - 9.81 / 60, 0.001);
+}
+
+TEST(Kicker, ChipsAtMostFiveAndAHalfMetresPerSecond) {
+  Shot shot;
+  shot.order(kWest0).chip = true;
+  shot.order(kWest0).kick_mps = 8.0;
+  shot.put_ball_before(0.0, 0.0);
+  shot.frame();
+  EXPECT_NEAR(shot.ball().velocity_mps.x(), 5.5 * std::sqrt(0.5), 0.001);
+}
+
+TEST(Kicker, DoesNotReachABallInTheAir) {
+  Shot shot;
+  BallState ball;
+  ball.position_m = {kFrontDistance_m + kBallRadius_m, 0.0};
+  ball.height_m = 0.1;
+  shot.world.put_ball(ball);
+  shot.frame();
+  EXPECT_LT(shot.ball().velocity_mps.norm(), 0.5);
+}
+
+// 46 g at 4 m/s against 2.5 kg.
+TEST(Kicker, PushesTheRobotBackByTheBallsMomentum) {
+  Configuration one = quiet();
+  one.substeps = 1;
+  one.robot.acceleration_mps2 = 1e-6;
+  one.robot.braking_mps2 = 1e-6;
+  Shot shot(one);
+  shot.put_ball_before(0.005, 0.0);
+  shot.frame();
+  EXPECT_NEAR(shot.robot(kWest0).velocity_mps.x(), -0.046 * 4.0 / 2.5, 1e-4);
+}
+
+TEST(Kicker, ScattersByTwoAndAHalfPercentAndOneAndAHalfDegrees) {
+  Configuration noisy = quiet();
+  noisy.kicker = KickerParameters{};
+  Shot shot(noisy);
+  double speed2 = 0.0;
+  double angle2 = 0.0;
+  constexpr int kKicks = 400;
+  for (int i = 0; i < kKicks; ++i) {
+    shot.put_ball_before(0.005, 0.0);
+    shot.put_robot(kWest0, {0, 0});
+    shot.frame();
+    const Vec2& v = shot.ball().velocity_mps;
+    speed2 += std::pow((v.norm() + 3.4 * 4 / 240) / 4.0 - 1.0, 2);
+    angle2 += std::pow(std::atan2(v.y(), v.x()) * 180.0 / kPi, 2);
+    shot.frames(6);
+  }
+  EXPECT_NEAR(std::sqrt(speed2 / kKicks), 0.025, 0.004);
+  EXPECT_NEAR(std::sqrt(angle2 / kKicks), 1.5, 0.2);
+}
+
+TEST(TwoKickersAtOnce, PushTheBallTogetherWhoeverIsAskedFirst) {
+  Shot shot;
+  shot.put_ball({0, 0}, {0, 0}, true);
+  shot.put_robot(kWest0, {-0.1, 0}, {1, 0});
+  shot.put_robot(kEast0, {0.1, 0}, {-1, 0});
+  shot.order(kEast0).kick_mps = 4.0;
+  shot.frame();
+  EXPECT_NEAR(shot.ball().velocity_mps.norm(), 0.0, 0.01);
+}
+
+TEST(Dribbler, HoldsTheBallInGentleMotion) {
+  Shot shot;
+  shot.order(kWest0).kick_mps = 0.0;
+  shot.order(kWest0).dribble = true;
+  shot.put_ball_before(0.0, 0.0);
+  for (int f = 0; f < 240; ++f) {  // forward, back, and turning
+    shot.order(kWest0).velocity_mps = {f < 60 ? 0.8 : f < 120 ? -0.8 : 0.3, 0.0};
+    shot.order(kWest0).angular_velocity_radps = f < 120 ? 0.0 : 1.5;
+    shot.frame();
+    const RobotState& robot = shot.robot(kWest0);
+    ASSERT_LT(distance_to_hull(shot.ball().position_m, robot.position_m, robot.heading), 0.032)
+        << f;
+  }
+}
+
+// Turning on the spot at w takes 46 g * 96.5 mm * w^2 to keep the ball on its circle: 0.16 N at 6
+// rad/s, 0.28 N at 8, and the carpet's friction of up to 0.16 N comes on top.
+TEST(Dribbler, LosesTheBallInAHardTurnOnly) {
+  for (const double turn_radps : {6.0, 8.0}) {
+    Shot shot;
+    shot.order(kWest0).kick_mps = 0.0;
+    shot.order(kWest0).dribble = true;
+    shot.put_ball_before(0.0, 0.0);
+    shot.order(kWest0).angular_velocity_radps = turn_radps;
+    shot.frames(60);
+    const RobotState& robot = shot.robot(kWest0);
+    const double gap_m =
+        distance_to_hull(shot.ball().position_m, robot.position_m, robot.heading) - kBallRadius_m;
+    EXPECT_EQ(gap_m > 0.05, turn_radps > 7.0) << turn_radps;
+  }
+}
+
+TEST(Dribbler, TakesMoreOfAnArrivingBallsSpeed) {
+  double rebound_mps[2];
+  for (const bool dribbles : {false, true}) {
+    Configuration weak = quiet();
+    weak.dribbler.force_n = 0.0;
+    Shot shot(weak);
+    shot.order(kWest0).kick_mps = 0.0;
+    shot.order(kWest0).dribble = dribbles;
+    shot.put_ball({0.15, 0}, {-3.0, 0}, false);
+    shot.frames(2);
+    rebound_mps[dribbles ? 1 : 0] = shot.ball().velocity_mps.x();
+  }
+  EXPECT_NEAR(rebound_mps[0], 0.4 * 3.0, 0.15);
+  EXPECT_NEAR(rebound_mps[1], 0.2 * 3.0, 0.15);
+}
+
+}  // namespace
+}  // namespace autoref::sim

@@ -1,0 +1,69 @@
+// Small worlds for tests: quiet motors and kickers, robots out of the way.
+#pragma once
+
+#include <optional>
+
+#include "sim/world.hpp"
+#include "soccer/robot_shape.hpp"
+
+namespace autoref::sim {
+
+inline Configuration quiet() {
+  Configuration configuration;
+  configuration.latency_s = 0.0;
+  configuration.robot.speed_noise = 0.0;
+  configuration.kicker.speed_noise = 0.0;
+  configuration.kicker.direction_noise_deg = 0.0;
+  return configuration;
+}
+
+inline PerSide<TeamSheet> sheets(int west, int east) {
+  PerSide<TeamSheet> both;
+  both[Side::kWest].robots = west;
+  both[Side::kEast].robots = east;
+  return both;
+}
+
+inline constexpr RobotId kWest0{Side::kWest, 0};
+inline constexpr RobotId kEast0{Side::kEast, 0};
+
+// One robot a side unless told otherwise.
+struct Scene {
+  explicit Scene(const Configuration& configuration = quiet(),
+                 const PerSide<TeamSheet>& teams = sheets(1, 1), std::uint64_t seed = 1)
+      : world(field, configuration, teams, seed) {}
+
+  void put_robot(RobotId id, const Vec2& position_m, const Vec2& heading = {1, 0},
+                 const Vec2& velocity_mps = {0, 0}) {
+    world.put_robot(id, {id.number, position_m, heading, velocity_mps, 0.0});
+  }
+  void put_ball(const Vec2& position_m, const Vec2& velocity_mps = {0, 0}, bool rolls = false) {
+    BallState ball;
+    ball.position_m = position_m;
+    ball.velocity_mps = velocity_mps;
+    ball.is_rolling = rolls;
+    world.put_ball(ball);
+  }
+  // A ball against the middle of a resting robot's plate.
+  void put_ball_at_plate(RobotId id, double gap_m = 0.0) {
+    const RobotState& at = robot(id);
+    put_ball(at.position_m + at.heading * (kFrontDistance_m + kBallRadius_m + gap_m), {0, 0}, true);
+  }
+  RobotCommand& order(RobotId id) { return orders[id.side][static_cast<std::size_t>(id.number)]; }
+
+  const BallState& ball() const { return world.state().ball; }
+  const RobotState& robot(RobotId id) const {
+    return world.state().robots[id.side][static_cast<std::size_t>(id.number)];
+  }
+  void frame() { world.step(orders, placement); }
+  void frames(int count) {
+    for (int i = 0; i < count; ++i) frame();
+  }
+
+  Field field;
+  World world;
+  PerSide<TeamOrders> orders{};
+  std::optional<Placement> placement;
+};
+
+}  // namespace autoref::sim

@@ -1,0 +1,227 @@
+#include "sim/world.hpp"
+
+#include <box2d/box2d.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "soccer/random.hpp"
+#include "tests/sim/scene.hpp"
+
+namespace autoref::sim {
+namespace {
+
+std::uint64_t hash_of(const WorldState& state) {
+  std::uint64_t hash = 0;
+  const auto add = [&hash](double value) {
+    hash = mix_bits(hash ^ std::bit_cast<std::uint64_t>(value));
+  };
+  for (const auto& robots : state.robots.values) {
+    for (const RobotState& robot : robots) {
+      add(robot.position_m.x());
+      add(robot.position_m.y());
+      add(robot.heading.x());
+      add(robot.velocity_mps.y());
+    }
+  }
+  add(state.ball.position_m.x());
+  add(state.ball.position_m.y());
+  add(state.ball.height_m);
+  return hash;
+}
+
+// Everybody runs for the ball and kicks it, one robot of each side chips. `side` looks at its own
+// half and its own robots only, so that turned worlds get turned orders.
+void chase(const WorldState& state, PerSide<TeamOrders>& orders) {
+  for (const Side side : kSides) {
+    for (const RobotState& robot : state.robots[side]) {
+      const Vec2 to_ball = to_local(state.ball.position_m - robot.position_m, robot.heading);
+      RobotCommand& order = orders[side][static_cast<std::size_t>(robot.number)];
+      order.velocity_mps = clamp_norm(3.0 * to_ball, 2.0);
+      order.angular_velocity_radps = 5.0 * angle_of(to_ball);
+      order.kick_mps = robot.number < 4 ? 5.0 : 0.0;
+      order.chip = robot.number == 1;
+      order.dribble = robot.number == 5;
+    }
+  }
+}
+
+std::uint64_t play_hash(std::uint64_t seed, const Configuration& configuration, int frames) {
+  World world(Field{}, configuration, {}, seed);
+  PerSide<TeamOrders> orders{};
+  std::uint64_t hash = 0;
+  for (int f = 0; f < frames; ++f) {
+    chase(world.state(), orders);
+    const bool is_stopped = f % 300 > 240;
+    world.step(orders, is_stopped ? std::optional(Placement{{0, 0}, false}) : std::nullopt);
+    hash = mix_bits(hash ^ hash_of(world.state()));
+  }
+  return hash;
+}
+
+TEST(World, GoesTheSameWayWithTheSameSeedAndOrders) {
+  EXPECT_EQ(play_hash(1, Configuration{}, 1200), play_hash(1, Configuration{}, 1200));
+}
+
+TEST(World, GoesAnotherWayWithAnotherSeed) {
+  EXPECT_NE(play_hash(1, Configuration{}, 300), play_hash(2, Configuration{}, 300));
+}
+
+TEST(World, DoesNotDependOnTheSeedWithoutNoise) {
+  EXPECT_EQ(play_hash(1, quiet(), 300), play_hash(2, quiet(), 300));
+}
+
+TEST(World, TurnedBy180DegreesStaysTurned) {
+  World world(Field{}, quiet(), {}, 1);
+  World turned(Field{}, quiet(), {}, 1);
+  BallState ball;
+  ball.position_m = {0.4, -0.3};
+  ball.velocity_mps = {-1.0, 0.5};
+  world.put_ball(ball);
+  ball.position_m = -ball.position_m;
+  ball.velocity_mps = -ball.velocity_mps;
+  turned.put_ball(ball);
+  PerSide<TeamOrders> orders{};
+  PerSide<TeamOrders> turned_orders{};
+  for (int f = 0; f < 45; ++f) {
+    chase(world.state(), orders);
+    chase(turned.state(), turned_orders);
+    world.step(orders, {});
+    turned.step(turned_orders, {});
+    const auto& now = world.state();
+    const auto& then = turned.state();
+    ASSERT_LT((now.ball.position_m + then.ball.position_m).norm(), 1e-6) << f;
+    for (const Side side : kSides) {
+      for (std::size_t n = 0; n < 6; ++n) {
+        const Vec2& there = then.robots[opponent_of(side)][n].position_m;
+        ASSERT_LT((now.robots[side][n].position_m + there).norm(), 1e-6) << f;
+      }
+    }
+  }
+}
+
+TEST(World, StaysFiniteAndInsideItsWallsInACrowd) {
+  World world(Field{}, Configuration{}, sheets(16, 16), 3);
+  PerSide<TeamOrders> orders{};
+  const Field field;
+  for (int f = 0; f < 1800; ++f) {
+    chase(world.state(), orders);
+    world.step(orders, {});
+    ASSERT_TRUE(world.is_finite());
+    ASSERT_LT(std::abs(world.state().ball.position_m.x()), field.wall_x_m());
+    ASSERT_LT(std::abs(world.state().ball.position_m.y()), field.wall_y_m());
+    ASSERT_LE(world.touches().size(), 256U);
+  }
+}
+
+TEST(World, NoticesANumberThatIsNotFinite) {
+  Scene scene;
+  EXPECT_TRUE(scene.world.is_finite());
+  scene.put_ball({0, 0}, {std::numeric_limits<double>::quiet_NaN(), 0});
+  EXPECT_FALSE(scene.world.is_finite());
+}
+
+TEST(LineUp, IsInTheOwnHalfAndTurnedForTheOtherSide) {
+  World world(Field{}, Configuration{}, sheets(16, 16), 1);
+  const WorldState& state = world.state();
+  for (std::size_t n = 0; n < 16; ++n) {
+    const RobotState& west = state.robots[Side::kWest][n];
+    EXPECT_LT(west.position_m.x(), -kRobotRadius_m);
+    EXPECT_TRUE(is_on_field(Field{}, west.position_m));
+    EXPECT_NEAR(west.heading.x(), 1.0, 1e-6);
+    EXPECT_LT((west.position_m + state.robots[Side::kEast][n].position_m).norm(), 1e-6);
+    for (std::size_t m = 0; m < n; ++m) {
+      EXPECT_GT((west.position_m - state.robots[Side::kWest][m].position_m).norm(), 0.19);
+    }
+  }
+}
+
+TEST(LineUp, HasTheBallAtTheCentre) {
+  Scene scene;
+  EXPECT_EQ(scene.ball().position_m, Vec2(0, 0));
+  EXPECT_EQ(scene.world.state().frame, 0);
+}
+
+TEST(Latency, OfFortyMillisecondsIsTwoFramesAndTwoSubsteps) {
+  const LatencySplit split = split_latency(Configuration{});
+  EXPECT_EQ(split.frames, 2);
+  EXPECT_EQ(split.substeps, 2);
+}
+
+TEST(Latency, HoldsTheFormerOrdersForTheSubstepsThatAreLeft) {
+  Configuration late = quiet();
+  late.latency_s = 40_ms;
+  Scene scene(late);
+  scene.put_robot(kWest0, {-2, 0});
+  scene.order(kWest0).velocity_mps = {3, 0};
+  scene.frame();  // the last two of four sub-steps at 3 m/s^2
+  EXPECT_NEAR(scene.robot(kWest0).velocity_mps.x(), 3.0 * 2 / 240, 1e-4);
+}
+
+TEST(Box2dClock, StandsStill) {
+  // Box2D profiles each step; with its own clock some part of 100 steps takes time.
+  b2World world(b2Vec2(0.0F, -10.0F));
+  b2BodyDef definition;
+  definition.type = b2_dynamicBody;
+  world.CreateBody(&definition);
+  Scene scene;  // links the bridge, and with it the replaced clock
+  for (int i = 0; i < 100; ++i) {
+    world.Step(1.0F / 60.0F, 8, 3);
+    ASSERT_EQ(world.GetProfile().step, 0.0F);
+  }
+}
+
+struct Refused {
+  const char* name;
+  void (*spoil)(Configuration& configuration, PerSide<TeamSheet>& teams);
+};
+
+class WrongConfiguration : public testing::TestWithParam<Refused> {};
+
+TEST_P(WrongConfiguration, IsRefusedByName) {
+  Configuration configuration;
+  PerSide<TeamSheet> teams;
+  GetParam().spoil(configuration, teams);
+  try {
+    const World world(Field{}, configuration, teams, 1);
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find(GetParam().name), std::string::npos) << error.what();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Fields, WrongConfiguration,
+    testing::Values(
+        Refused{"substeps", [](Configuration& c, PerSide<TeamSheet>&) { c.substeps = 0; }},
+        Refused{"substeps", [](Configuration& c, PerSide<TeamSheet>&) { c.substeps = 17; }},
+        Refused{"robots", [](Configuration&, PerSide<TeamSheet>& s) { s[Side::kEast].robots = 0; }},
+        Refused{"robots",
+                [](Configuration&, PerSide<TeamSheet>& s) { s[Side::kWest].robots = 17; }},
+        Refused{"speed_factor",
+                [](Configuration&, PerSide<TeamSheet>& s) { s[Side::kWest].speed_factor = -1; }},
+        Refused{"acceleration_factor",
+                [](Configuration&, PerSide<TeamSheet>& s) {
+                  s[Side::kEast].acceleration_factor = 2.1;
+                }},
+        Refused{"latency_s", [](Configuration& c, PerSide<TeamSheet>&) { c.latency_s = 0.6; }},
+        Refused{"robot.mass_kg",
+                [](Configuration& c, PerSide<TeamSheet>&) { c.robot.mass_kg = NAN; }},
+        Refused{"ball.slide_mps2",
+                [](Configuration& c, PerSide<TeamSheet>&) { c.ball.slide_mps2 = 0; }}));
+
+TEST(ConfigurationError, SaysTheValueAndTheRange) {
+  try {
+    validate(TeamSheet{17, 1.0, 1.0});
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "robots is 17; it must be from 1 to 16");
+  }
+}
+
+}  // namespace
+}  // namespace autoref::sim
