@@ -80,7 +80,7 @@ void set_robot_mass(b2Body& body, const RobotParameters& robot) {
 b2Body* add_robot(b2World& world, const RobotParameters& robot, int index) {
   b2BodyDef definition;
   definition.type = b2_dynamicBody;
-  definition.userData.pointer = static_cast<std::uintptr_t>(index + 1);
+  definition.userData.pointer = static_cast<std::uintptr_t>(index) + 1;
   b2Body* body = world.CreateBody(&definition);
   b2CircleShape hull;
   hull.m_radius = to_units(kRobotRadius_m);

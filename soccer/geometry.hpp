@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 
 namespace autoref {
 
@@ -24,10 +26,16 @@ inline Vec2 to_local(const Vec2& v, const Vec2& heading) {
 }
 
 // Unit vector along `v`, or `otherwise` where `v` is shorter than 1e-9.
-Vec2 direction_of(const Vec2& v, const Vec2& otherwise);
+inline Vec2 direction_of(const Vec2& v, const Vec2& otherwise) {
+  const double length = v.norm();
+  return length < 1e-9 ? otherwise : Vec2(v / length);
+}
 
 // `v`, shortened to `limit` where it is longer.
-Vec2 clamp_norm(const Vec2& v, double limit);
+inline Vec2 clamp_norm(const Vec2& v, double limit) {
+  const double length2 = v.squaredNorm();
+  return length2 <= limit * limit ? v : Vec2(v * (limit / std::sqrt(length2)));
+}
 
 // Unit vector at `angle_rad`, and back.
 Vec2 heading_of(double angle_rad);
@@ -37,8 +45,16 @@ double angle_of(const Vec2& v);
 double angle_between(const Vec2& from, const Vec2& to);
 
 // The point of the segment a-b nearest to `p`; `a` where the segment is a point.
-Vec2 nearest_on_segment(const Vec2& p, const Vec2& a, const Vec2& b);
-double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b);
+inline Vec2 nearest_on_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
+  const Vec2 ab = b - a;
+  const double length2 = ab.squaredNorm();
+  if (length2 == 0.0) return a;
+  return a + ab * std::clamp((p - a).dot(ab) / length2, 0.0, 1.0);
+}
+
+inline double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
+  return (p - nearest_on_segment(p, a, b)).norm();
+}
 
 inline bool is_finite(const Vec2& v) { return v.allFinite(); }
 
