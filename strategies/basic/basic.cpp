@@ -71,11 +71,9 @@ Waypoint Basic::waypoint_of(int index, const Cast& cast) const {
     case Role::kWall:
       return wall_position(briefing_.field, ball_place_m_);
     case Role::kSupporter:
-      return supporter_position(briefing_.field, ball_place_m_);
+      return supporter_position(briefing_.field, ball_place_m_, part.order);
     case Role::kMarker:
       return marker_position(briefing_.field, now_.opponents[part.marks], ball_place_m_);
-    case Role::kReserve:
-      return reserve_position(briefing_.field, ball_place_m_, part.order);
   }
   return {};
 }
@@ -107,7 +105,11 @@ std::optional<Aim> Basic::best_pass(int passer) const {
 // A shot where the goal is open, else a pass, else a push towards the goal that stays in play.
 Intent Basic::attack_intent(const TrackedRobot& attacker) const {
   const Vec2& ball_m = now_.ball.position_m;
-  Aim aim = best_shot(briefing_.field, ball_m, now_.opponents);
+  TrackedRobots others = now_.opponents;  // mates in the way stop a shot as well
+  for (const TrackedRobot& mate : now_.own) {
+    if (mate.number != attacker.number && others.size() < others.capacity()) others.push_back(mate);
+  }
+  Aim aim = best_shot(briefing_.field, ball_m, others);
   double kick_mps = shot_mps_;
   if (aim.clearance_m < kShotLane_m) {
     const std::optional<Aim> pass = best_pass(attacker.number);
@@ -124,8 +126,11 @@ Intent Basic::attack_intent(const TrackedRobot& attacker) const {
 
 RobotCommand Basic::attack(const Cast& cast) const {
   const TrackedRobot& robot = now_.own[cast.attacker];
-  return play_ball(robot, now_.ball, cast.meeting.point_m, attack_intent(robot),
-                   obstacles_for(cast.attacker, false), style_);
+  const Obstacles obstacles = obstacles_for(cast.attacker, false);
+  if (now_.play == Play::kRunning && comes_at(robot, now_.ball)) {
+    return receive_ball(robot, now_.ball, cast.meeting.point_m, obstacles, style_);
+  }
+  return play_ball(robot, now_.ball, cast.meeting.point_m, attack_intent(robot), obstacles, style_);
 }
 
 RobotCommand Basic::keep(int index, const Cast& cast) const {
@@ -185,7 +190,7 @@ Waypoint Basic::formation_of(int index) const {
     return {place_m, direction_of(ball_place_m_ - place_m, Vec2(1, 0))};
   }
   if (part == 2) return wall_position(field, ball_place_m_);
-  if (part == 3) return supporter_position(field, ball_place_m_);
+  if (part == 3) return supporter_position(field, ball_place_m_, 0);
   return reserve_position(field, ball_place_m_, part - 4);
 }
 

@@ -56,16 +56,20 @@ Waypoint marker_position(const Field& field, const TrackedRobot& opponent, const
   return facing_ball(opponent.position_m + to_goal * (3.2 * kRobotRadius_m), ball_m);
 }
 
-Waypoint supporter_position(const Field& field, const Vec2& ball_m) {
-  const double x = std::clamp(ball_m.x() + 0.25 * field.half_length_m(),
-                              -0.2 * field.half_length_m(), 0.6 * field.half_length_m());
-  const double y = (ball_m.y() > 0 ? -0.45 : 0.45) * field.half_width_m();
+Waypoint supporter_position(const Field& field, const Vec2& ball_m, int order) {
+  const double away = ball_m.y() > 0 ? -1.0 : 1.0;
+  const double ahead = std::clamp(ball_m.x() / field.half_length_m() + 0.25, -0.2, 0.6);
+  // Pairs of places on both wings, each pair a row nearer to the own goal than the last.
+  const int row = order / 2;
+  const double wing = order % 2 == 0 ? away : -away;
+  const double x = std::max(ahead - 0.3 * row, -0.5) * field.half_length_m();
+  const double y = wing * (0.45 - 0.1 * row) * field.half_width_m();
   return facing_ball({x, y}, ball_m);
 }
 
 Waypoint reserve_position(const Field& field, const Vec2& ball_m, int index) {
   const double side = index % 2 == 0 ? 1.0 : -1.0;
-  const double row = index / 2;
+  const int row = index / 2;
   const double x = -0.35 * field.half_length_m() + 0.12 * field.half_length_m() * row;
   return facing_ball({x, side * (0.35 + 0.1 * row) * field.half_width_m()}, ball_m);
 }

@@ -17,10 +17,12 @@ Waypoint wall_position(const Field& field, const Vec2& ball_m);
 // Beside an opponent, on its way to the own goal, facing the ball.
 Waypoint marker_position(const Field& field, const TrackedRobot& opponent, const Vec2& ball_m);
 
-// Up the field, on the side away from the ball, ready for a pass or a rebound.
-Waypoint supporter_position(const Field& field, const Vec2& ball_m);
+// Ready for a pass or a rebound: the first on the side away from the ball, the others spread up and
+// across the field. `order` counts from 0.
+Waypoint supporter_position(const Field& field, const Vec2& ball_m, int order);
 
-// A place of its own for each further robot, `index` counting from 0, across the own half.
+// A place of its own for each robot beyond the first four while play is stopped, `index` counting
+// from 0, across the own half.
 Waypoint reserve_position(const Field& field, const Vec2& ball_m, int index);
 
 // What a place must respect right now.

@@ -9,13 +9,13 @@
 
 namespace autoref::strategies::basic {
 
-enum class Role : std::uint8_t { kKeeper, kAttacker, kWall, kSupporter, kMarker, kReserve };
+enum class Role : std::uint8_t { kKeeper, kAttacker, kWall, kSupporter, kMarker };
 
 // One robot's part: for markers the opponent (index in the view) they mark.
 struct Part {
-  Role role = Role::kReserve;
+  Role role = Role::kSupporter;
   int marks = -1;
-  int order = 0;  // counts the robots of that role
+  int order = 0;  // counts the supporters
 };
 
 // Parts by index in the view's own robots.
@@ -27,8 +27,8 @@ struct Cast {
 
 // Gives out the parts. The lowest number keeps the goal, except alone. The robot that meets the
 // ball first attacks; `former_attacker`, a robot's number, goes on unless another is clearly
-// faster. The next nearest to the own goal is the wall, one supports, the rest mark the opponents
-// nearest to the own goal.
+// faster. The next nearest to the own goal is the wall. One robot supports; of the others each
+// marks an opponent in the own half while there are such, and supports else.
 Cast cast_parts(const TeamView& view, const Field& field, int former_attacker);
 
 }  // namespace autoref::strategies::basic

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kBallSlowing_mps2 = 0.5;
 constexpr double kLongestWait_s = 2.0;
-constexpr double kTimeStep_s = 0.1;
+constexpr int kTimeSteps = 20;  // up to then
 constexpr double kCruise_mps = 2.2;
 constexpr double kStartUp_s = 0.25;
 
@@ -46,7 +46,8 @@ double travel_time_s(const TrackedRobot& robot, const Vec2& point_m) {
 }
 
 Interception intercept(const TrackedRobot& robot, const TrackedBall& ball) {
-  for (double t = 0; t < kLongestWait_s; t += kTimeStep_s) {
+  for (int i = 0; i < kTimeSteps; ++i) {
+    const double t = kLongestWait_s * i / kTimeSteps;
     const Vec2 point_m = ball_after(ball, t);
     if (travel_time_s(robot, point_m) <= t + kStartUp_s) return {point_m, t};
     if (ball.velocity_mps.squaredNorm() < 0.01) return {point_m, travel_time_s(robot, point_m)};

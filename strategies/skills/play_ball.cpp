@@ -8,10 +8,12 @@ namespace {
 
 // From the robot's centre to the ball's centre when the ball touches the plate.
 constexpr double kTouch_m = kFrontDistance_m + kBallRadius_m;
-constexpr double kRunUp_m = 60_mm;        // free way in front of the plate before the run through
-constexpr double kBeside_m = 170_mm;      // distance from the ball while going round it
-constexpr double kLane_m = 35_mm;         // run through the ball when this well behind it
-constexpr double kThrough_mps = 1.0_mps;  // faster than the ball by this on the run
+constexpr double kRunUp_m = 60_mm;         // free way in front of the plate before the run through
+constexpr double kBeside_m = 170_mm;       // distance from the ball while going round it
+constexpr double kLane_m = 35_mm;          // run through the ball when this well behind it
+constexpr double kFastBall_mps = 1.2_mps;  // a slower ball is played as it rolls
+constexpr double kReachAside_m = 600_mm;   // from its way to a robot that can still step in
+constexpr double kThrough_mps = 1.0_mps;   // faster than the ball by this on the run
 
 }  // namespace
 
@@ -44,6 +46,26 @@ RobotCommand play_ball(const TrackedRobot& robot, const TrackedBall& ball, const
   } else if (error_rad < intent.hasty_tolerance_rad) {
     command.kick_mps = intent.hasty_mps;
   }
+  return command;
+}
+
+bool comes_at(const TrackedRobot& robot, const TrackedBall& ball) {
+  const double speed_mps = ball.velocity_mps.norm();
+  if (speed_mps < kFastBall_mps) return false;
+  const Vec2 way = ball.velocity_mps / speed_mps;
+  const Vec2 to_robot = robot.position_m - ball.position_m;
+  return to_robot.dot(way) > kFrontDistance_m && std::abs(cross(way, to_robot)) < kReachAside_m;
+}
+
+RobotCommand receive_ball(const TrackedRobot& robot, const TrackedBall& ball, const Vec2& meeting_m,
+                          const Obstacles& obstacles, const DrivingStyle& style) {
+  const Vec2 way = direction_of(ball.velocity_mps, -robot.heading);
+  // Not beyond where the robot is: it would run away from the ball.
+  const double along_m = std::min((meeting_m - ball.position_m).dot(way),
+                                  (robot.position_m - ball.position_m).dot(way));
+  const Vec2 stand_m = ball.position_m + way * std::max(along_m, kTouch_m);
+  RobotCommand command = drive_to(robot, {stand_m, -way}, obstacles, style);
+  command.dribble = true;
   return command;
 }
 

@@ -21,4 +21,11 @@ struct Intent {
 RobotCommand play_ball(const TrackedRobot& robot, const TrackedBall& ball, const Vec2& meeting_m,
                        const Intent& intent, const Obstacles& obstacles, const DrivingStyle& style);
 
+// Whether the ball comes at `robot` so fast that it should be stopped before it is played.
+bool comes_at(const TrackedRobot& robot, const TrackedBall& ball);
+
+// Orders for `robot` to stand on the ball's way, at `meeting_m`, and take it with the dribbler.
+RobotCommand receive_ball(const TrackedRobot& robot, const TrackedBall& ball, const Vec2& meeting_m,
+                          const Obstacles& obstacles, const DrivingStyle& style);
+
 }  // namespace autoref::strategies
