@@ -21,20 +21,20 @@ std::string_view name_of(State state);
 
 // What happened on the field or on the clock that made the referee act.
 enum class Event : std::uint8_t {
-  kBegin,              // the first frame
-  kRobotsMoved,        // the clients are there
-  kStartTimeout,       // they are not, and the wait is over
-  kReady,              // robots and ball have come to rest
-  kReadyTimeout,       // or the wait for that is over
+  kBegin,         // the first frame
+  kRobotsMoved,   // the clients are there
+  kStartTimeout,  // they are not, and the wait is over
+  kReady,         // robots and ball have come to rest
+  kReadyTimeout,  // or the wait for that is over
   kGoal,
   kThrowIn,
   kCornerKick,
   kGoalKick,
-  kTouchLineUnknown,   // out over a touch line, and nobody knows by whom
+  kTouchLineUnknown,  // out over a touch line, and nobody knows by whom
   kAttackerNearArea,
   kRestartNotTaken,
   kStuckBall,
-  kSignalled,          // a briefly transmitted command has been sent
+  kSignalled,  // a briefly transmitted command has been sent
   kHalfOver,
   kGameOver,
 };
@@ -48,13 +48,15 @@ bool is_stop(Event event);
 
 // Who touched the ball last, as far as vision tells.
 struct LastTouch {
-  std::optional<Side> side;       // none: unknown
-  std::optional<RobotId> robot;   // none: unknown, or one of several of that side
-  double time_s = 0;              // of the touch
-  double gap_m = 0;               // from the ball's surface to that robot's hull at that time
-  double speed_change_mps = 0;    // of the ball, beyond what the carpet explains
+  std::optional<Side> side;          // none: unknown
+  std::optional<RobotId> robot;      // none: unknown, or one of several of that side
+  double time_s = 0;                 // of the touch
+  double gap_m = 0;                  // from the ball's surface to that robot's hull at that time
+  double speed_change_mps = 0;       // of the ball, beyond what the carpet explains
   std::optional<RobotId> runner_up;  // the next best candidate
 };
+
+using ConcernedRobots = boost::container::static_vector<RobotId, 4>;
 
 struct Decision {
   std::int64_t frame = 0;
@@ -64,11 +66,11 @@ struct Decision {
   State to = State::kInit;
   std::optional<Command> command;  // sent with this decision; none where nothing was sent
   Event event = Event::kBegin;
-  std::string_view rule;     // what it rests on, such as "paper 4.2"
-  double value = 0;          // measured, in the threshold's unit
+  std::string_view rule;  // what it rests on, such as "paper 4.2"
+  double value = 0;       // measured, in the threshold's unit
   double threshold = 0;
-  std::string_view unit;     // of value and threshold; empty where nothing was measured
-  boost::container::static_vector<RobotId, 4> robots;  // concerned
+  std::string_view unit;  // of value and threshold; empty where nothing was measured
+  ConcernedRobots robots;
   std::optional<Vec2> position_m;  // where it happened
   LastTouch last_touch;
   std::string evidence;  // one sentence for people

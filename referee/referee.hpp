@@ -11,6 +11,7 @@
 #include <span>
 
 #include "referee/decision.hpp"
+#include "referee/touch_parameters.hpp"
 #include "soccer/field.hpp"
 #include "soccer/frame.hpp"
 #include "soccer/referee_signal.hpp"
@@ -27,22 +28,25 @@ enum class AfterGame : std::uint8_t { kHalt, kNewGame };
 struct Configuration {
   Field field;
   RuleBook rules;
-  double half_s = 600;   // paper, section 4.2: ten minutes
-  int halves = 2;
-  double break_s = 0;    // half-time break; the Laws have 300 s
+  double half_s = 600;  // paper, section 4.2: ten minutes
+  int halves = 2;       // 1 to 4; the third and fourth are those of extra time
+  double break_s = 0;   // half-time break; the Laws have 300 s
   Side first_kickoff = Side::kWest;
   AfterGame after_game = AfterGame::kHalt;
+  TouchParameters touch;  // how sure a touch must be
 };
 
 class Referee {
  public:
-  // Throws std::invalid_argument for lengths, times or counts that are not positive.
+  // Throws std::invalid_argument for lengths or times that are not positive (a break may be 0 s)
+  // and for counts out of range.
   explicit Referee(const Configuration& configuration);
   ~Referee();
   Referee(Referee&&) noexcept;
   Referee& operator=(Referee&&) noexcept;
 
-  // Judges one frame and says what is in force from now on. Frames come in order.
+  // Judges one frame and says what is in force from now on. Frames come in order. Robots and ball
+  // may be missing from a frame, or always. Numbers that are not finite count as not seen.
   const RefereeSignal& update(const Frame& frame, const PerSide<TeamRequests>& requests);
 
   // The decisions taken at the last update, in order; empty for most frames.

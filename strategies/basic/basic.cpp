@@ -12,7 +12,6 @@ namespace {
 
 constexpr double kRobotClearance_m = 2 * kRobotRadius_m + 30_mm;
 constexpr double kDuel_m = 250_mm;          // an opponent this near to the ball presses
-constexpr double kDuelTolerance_rad = 0.7;  // and one kicks with less care
 constexpr double kPassLane_m = 200_mm;      // a pass wants this much room
 constexpr double kShotLane_m = 110_mm;      // a shot wants a robot's and a ball's radius
 constexpr double kFreeLane_m = 300_mm;      // more room than this does not help

@@ -1,0 +1,26 @@
+# Writes the source that defines autoref::runner::build_id(), run at build time:
+#   cmake -DSOURCE_DIR=... -DVERSION=... -DOUTPUT=... -P build_id.cmake
+# The file is left alone where its content would not change.
+set(sources CMakeLists.txt)
+foreach(room IN ITEMS soccer sim referee strategies runner)
+  file(GLOB_RECURSE found RELATIVE ${SOURCE_DIR}
+       ${SOURCE_DIR}/${room}/*.hpp ${SOURCE_DIR}/${room}/*.cpp ${SOURCE_DIR}/${room}/CMakeLists.txt)
+  list(APPEND sources ${found})
+endforeach()
+list(SORT sources)
+set(all "")
+foreach(source IN LISTS sources)
+  file(SHA256 ${SOURCE_DIR}/${source} hash)
+  string(APPEND all "${source} ${hash}\n")
+endforeach()
+string(SHA256 hash "${all}")
+string(SUBSTRING ${hash} 0 12 hash)
+file(CONFIGURE OUTPUT ${OUTPUT} CONTENT [=[
+#include "runner/build_id.hpp"
+
+namespace autoref::runner {
+
+std::string_view build_id() { return "@VERSION@-@hash@"; }
+
+}  // namespace autoref::runner
+]=] @ONLY)

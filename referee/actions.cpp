@@ -1,0 +1,146 @@
+#include "referee/actions.hpp"
+
+#include "referee/ball_in_play.hpp"
+#include "referee/readiness.hpp"
+#include "referee/timekeeping.hpp"
+
+namespace autoref::referee {
+namespace {
+
+constexpr Command kStop{CommandKind::kStop, Side::kWest};
+constexpr Command kHalt{CommandKind::kHalt, Side::kWest};
+constexpr Command kNormalStart{CommandKind::kNormalStart, Side::kWest};
+
+Command kickoff_of(Side side) { return {CommandKind::kPrepareKickoff, side}; }
+
+void send(Memory& memory, const Moment& moment, const Command& command) {
+  memory.signal.command = command;
+  memory.signal.command_time_s = moment.time_s();
+  ++memory.signal.command_counter;
+}
+
+// "When entering the WAIT_STOP state, AutoRef saves the current positions" (paper, section 4.4).
+void wait_anew(Memory& memory, const Moment& moment) {
+  memory.wait_began_s = moment.time_s();
+  memory.looked_s = moment.time_s();
+  memory.saved = positions_in(moment.frame);
+}
+
+void place_ball(Memory& memory, const Vec2& target_m) {
+  memory.signal.placement = Placement{target_m, false};
+  memory.ball_in_place_since_s.reset();
+}
+
+void end_play(Memory& memory) {
+  memory.play = PlayMemory{};
+  memory.signal.placement.reset();
+}
+
+void start_clock(Memory& memory, const Moment& moment) {
+  memory.signal.stage = stage_of(memory.half);
+  memory.half_began_s = moment.time_s();
+}
+
+std::optional<Side> kicker_of(const Memory& memory, const Command& command) {
+  if (command.kind == CommandKind::kNormalStart) return memory.prepared_kicker;
+  if (is_for_one_side(command.kind)) return command.side;
+  return std::nullopt;
+}
+
+}  // namespace
+
+// Deviation D1: STOP tells the clients that they may move.
+void begin(Memory& memory, const Moment& moment, const Finding& /*finding*/) {
+  send(memory, moment, kStop);
+  memory.signal.next_command = kickoff_of(kickoff_side(moment.configuration, memory.half));
+  wait_anew(memory, moment);
+}
+
+void prepare_first_kickoff(Memory& memory, const Moment& moment, const Finding& finding) {
+  place_ball(memory, Vec2(0, 0));
+  send_preparation(memory, moment, finding);
+}
+
+// Deviation D3: a preparation is followed by a wait of its own, and then by the ready command.
+void send_preparation(Memory& memory, const Moment& moment, const Finding& /*finding*/) {
+  const Command preparation = *memory.signal.next_command;
+  send(memory, moment, preparation);
+  memory.prepared_kicker = preparation.side;
+  memory.signal.next_command = kNormalStart;
+  memory.signal.placement->at_once = false;
+  wait_anew(memory, moment);
+}
+
+void start_play(Memory& memory, const Moment& moment, const Finding& /*finding*/) {
+  const Command command = *memory.signal.next_command;
+  send(memory, moment, command);
+  memory.signal.placement.reset();
+  memory.signal.next_command.reset();
+  memory.play = play_begun(command, kicker_of(memory, command), moment);
+  if (command.kind == CommandKind::kNormalStart && is_before_half(memory.signal.stage)) {
+    start_clock(memory, moment);
+  }
+}
+
+void award_goal(Memory& memory, const Moment& moment, const Finding& finding) {
+  const Side scorer = opponent_of(finding.restart.side);
+  ++memory.signal.goals[scorer];
+  ++memory.goals_by_half.back()[scorer];
+  end_play(memory);
+  place_ball(memory, finding.ball_to_m);
+  memory.signal.next_command = finding.restart;
+  send(memory, moment, {CommandKind::kGoal, scorer});
+  memory.delay_ends_s = moment.time_s();
+}
+
+void stop_play(Memory& memory, const Moment& moment, const Finding& finding) {
+  end_play(memory);
+  place_ball(memory, finding.ball_to_m);
+  memory.signal.next_command = finding.restart;
+  send(memory, moment, kStop);
+  wait_anew(memory, moment);
+}
+
+// Deviation D4: the briefly transmitted command is followed by STOP.
+void stop_after_signal(Memory& memory, const Moment& moment, const Finding& /*finding*/) {
+  send(memory, moment, kStop);
+  wait_anew(memory, moment);
+}
+
+// Deviation D12: the briefly transmitted command at half-time is HALT.
+void end_half(Memory& memory, const Moment& moment, const Finding& /*finding*/) {
+  end_play(memory);
+  memory.signal.stage = break_after(memory.half);
+  memory.signal.next_command = kickoff_of(kickoff_side(moment.configuration, memory.half + 1));
+  send(memory, moment, kHalt);
+  memory.delay_ends_s = moment.time_s() + moment.configuration.break_s;
+}
+
+void begin_next_half(Memory& memory, const Moment& moment, const Finding& finding) {
+  ++memory.half;
+  memory.goals_by_half.push_back({});
+  memory.signal.stage = stage_before(memory.half);
+  place_ball(memory, Vec2(0, 0));
+  stop_after_signal(memory, moment, finding);
+}
+
+void end_game(Memory& memory, const Moment& moment, const Finding& /*finding*/) {
+  end_play(memory);
+  memory.signal.stage = Stage::kPostGame;
+  memory.signal.next_command.reset();
+  send(memory, moment, kHalt);
+  memory.delay_ends_s = moment.time_s();
+  ++memory.games_finished;
+}
+
+void begin_new_game(Memory& memory, const Moment& moment, const Finding& finding) {
+  memory.half = 0;
+  memory.goals_by_half.assign(1, {});
+  memory.signal.goals = {};
+  memory.signal.stage = stage_before(0);
+  memory.signal.next_command = kickoff_of(kickoff_side(moment.configuration, 0));
+  place_ball(memory, Vec2(0, 0));
+  stop_after_signal(memory, moment, finding);
+}
+
+}  // namespace autoref::referee

@@ -1,0 +1,45 @@
+#include "referee/ball_in_play.hpp"
+
+namespace autoref::referee {
+namespace {
+
+void mark_place(PlayMemory& play, const Moment& moment) {
+  play.stuck_at_m = moment.ball->position_m;
+  play.stuck_since_s = moment.time_s();
+}
+
+}  // namespace
+
+PlayMemory play_begun(Command command, std::optional<Side> kicker, const Moment& moment) {
+  PlayMemory play;
+  play.began_with = command;
+  play.kicker = kicker;
+  play.began_s = moment.time_s();
+  play.in_play = command.kind == CommandKind::kForceStart;
+  play.stuck_since_s = moment.time_s();
+  if (moment.ball) {
+    play.ball_from_m = moment.ball->position_m;
+    play.stuck_at_m = moment.ball->position_m;
+  }
+  return play;
+}
+
+void watch_play(PlayMemory& play, const Moment& moment) {
+  play.entered_now = false;
+  if (!moment.ball) return;
+  const RuleBook& rules = moment.configuration.rules;
+  if (!play.ball_from_m) {
+    play.ball_from_m = moment.ball->position_m;
+    mark_place(play, moment);
+  }
+  if (!play.in_play && (moment.ball->position_m - *play.ball_from_m).norm() > rules.in_play_m) {
+    play.in_play = true;
+    play.entered_now = true;
+    mark_place(play, moment);
+  }
+  if ((moment.ball->position_m - play.stuck_at_m).norm() >= rules.stuck_distance_m) {
+    mark_place(play, moment);
+  }
+}
+
+}  // namespace autoref::referee

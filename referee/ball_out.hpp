@@ -1,0 +1,39 @@
+// Where the ball leaves the field: the calculations of the paper's section 4.4, "Ball Position".
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "soccer/field.hpp"
+#include "soccer/geometry.hpp"
+
+namespace autoref::referee {
+
+// Whether a ball centred at `ball_m` is out of the field: |b_x| > b_r + F_x or |b_y| > b_r + F_y.
+// Deviation D7: the paper prints the test without absolute values.
+bool is_out_of_field(const Field& field, const Vec2& ball_m);
+
+enum class Boundary : std::uint8_t { kTouch, kGoal };
+
+struct Exit {
+  Boundary boundary = Boundary::kTouch;
+  Vec2 point_m{0, 0};  // of the ball's centre, on the boundary expanded by the ball's radius
+};
+
+// Which boundary the ball crossed on its way from `before_m` to `ball_m`, which is out of the
+// field, and where. A way through the expanded corner itself crosses the goal boundary, as in the
+// paper, where only |c_x| < |l_x| makes a touch boundary. Where the ball was out at `before_m`
+// already, the boundary it is farther beyond counts, at the ball's own place along it.
+Exit find_exit(const Field& field, const Vec2& before_m, const Vec2& ball_m);
+
+// The coordinate across, where the line through (along0, across0) and (along1, across1) meets
+// `along = at`: the paper's formula for c_y (and, with x and y exchanged, c_x). None where the line
+// is parallel to the boundary.
+std::optional<double> intersection(double along0, double across0, double along1, double across1,
+                                   double at);
+
+// Whether the ball is in a goal: |b_x| > F_x + b_r, |b_y| < G_w and b_z < G_h, where b_z is the
+// height of the ball's centre; `height_m` is that of its lowest point.
+bool is_in_goal(const Field& field, const Vec2& ball_m, double height_m);
+
+}  // namespace autoref::referee

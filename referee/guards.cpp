@@ -1,0 +1,39 @@
+#include "referee/guards.hpp"
+
+#include "referee/timekeeping.hpp"
+
+namespace autoref::referee {
+
+bool holds_always(const Memory& /*memory*/, const Configuration& /*configuration*/) { return true; }
+
+bool next_is_preparation(const Memory& memory, const Configuration& /*configuration*/) {
+  const std::optional<Command>& next = memory.signal.next_command;
+  return next &&
+         (next->kind == CommandKind::kPrepareKickoff || next->kind == CommandKind::kPreparePenalty);
+}
+
+bool next_starts_play(const Memory& memory, const Configuration& configuration) {
+  return memory.signal.next_command && !next_is_preparation(memory, configuration);
+}
+
+bool is_during_game(const Memory& memory, const Configuration& configuration) {
+  return !is_between_halves(memory, configuration) && !is_after_game(memory, configuration);
+}
+
+bool is_between_halves(const Memory& memory, const Configuration& /*configuration*/) {
+  return is_break(memory.signal.stage);
+}
+
+bool is_after_game(const Memory& memory, const Configuration& /*configuration*/) {
+  return memory.signal.stage == Stage::kPostGame;
+}
+
+bool game_was_last(const Memory& /*memory*/, const Configuration& configuration) {
+  return configuration.after_game == AfterGame::kHalt;
+}
+
+bool new_game_follows(const Memory& /*memory*/, const Configuration& configuration) {
+  return configuration.after_game == AfterGame::kNewGame;
+}
+
+}  // namespace autoref::referee

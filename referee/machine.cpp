@@ -1,0 +1,88 @@
+#include "referee/machine.hpp"
+
+#include <array>
+
+namespace autoref::referee {
+namespace {
+
+// clang-format off
+constexpr std::array kInFigure = {
+  Arrow{"begin", State::kInit, Event::kBegin, kAlways, kBeginGames,
+        State::kWaitStart, "paper 4.3; STOP: 2016", 1},
+  Arrow{"clients_moved", State::kWaitStart, Event::kRobotsMoved, kAlways, kPrepareFirstKickoff,
+        State::kWaitStop, "paper 4.3, 4.4", 5},
+  Arrow{"start_timeout", State::kWaitStart, Event::kStartTimeout, kAlways, kPrepareFirstKickoff,
+        State::kWaitStop, "ours", 2},
+  Arrow{"prepare", State::kWaitStop, Event::kReady, kNextIsPreparation, kSendPreparation,
+        State::kWaitStop, "2016", 3},
+  Arrow{"prepare_late", State::kWaitStop, Event::kReadyTimeout, kNextIsPreparation, kSendPreparation,
+        State::kWaitStop, "2016", 3},
+  Arrow{"start", State::kWaitStop, Event::kReady, kNextStartsPlay, kStartPlay,
+        State::kRun, "paper 4.2, 4.4", 0},
+  Arrow{"start_late", State::kWaitStop, Event::kReadyTimeout, kNextStartsPlay, kStartPlay,
+        State::kRun, "paper 4.2", 0},
+  Arrow{"goal", State::kRun, Event::kGoal, kAlways, kAwardGoal,
+        State::kDelayWait, "paper 4.2, 4.3", 0},
+  Arrow{"throw_in", State::kRun, Event::kThrowIn, kAlways, kStopPlay,
+        State::kWaitStop, "paper 4.2", 0},
+  Arrow{"corner_kick", State::kRun, Event::kCornerKick, kAlways, kStopPlay,
+        State::kWaitStop, "paper 4.2", 0},
+  Arrow{"goal_kick", State::kRun, Event::kGoalKick, kAlways, kStopPlay,
+        State::kWaitStop, "paper 4.2", 0},
+  Arrow{"touch_line_unknown", State::kRun, Event::kTouchLineUnknown, kAlways, kStopPlay,
+        State::kWaitStop, "ours", 14},
+  Arrow{"attacker_near_area", State::kRun, Event::kAttackerNearArea, kAlways, kStopPlay,
+        State::kWaitStop, "paper 4.2; Laws", 9},
+  Arrow{"restart_not_taken", State::kRun, Event::kRestartNotTaken, kAlways, kStopPlay,
+        State::kWaitStop, "2016, Laws", 10},
+  Arrow{"stuck_ball", State::kRun, Event::kStuckBall, kAlways, kStopPlay,
+        State::kWaitStop, "2016, Laws", 11},
+  Arrow{"signalled", State::kDelayWait, Event::kSignalled, kDuringGame, kStopAfterSignal,
+        State::kWaitStop, "paper 4.3; STOP: 2016", 4},
+};
+
+constexpr std::array kOutsideFigure = {
+  Arrow{"half_over", std::nullopt, Event::kHalfOver, kAlways, kEndHalf,
+        State::kDelayWait, "paper 4.2, 4.3; HALT: ours", 12},
+  Arrow{"next_half", State::kDelayWait, Event::kSignalled, kBetweenHalves, kBeginNextHalf,
+        State::kWaitStop, "paper 4.2, 4.3; Laws", 12},
+  Arrow{"game_over", std::nullopt, Event::kGameOver, kGameWasLast, kEndGame,
+        State::kOver, "paper 4.2", 0},
+  Arrow{"game_over_next", std::nullopt, Event::kGameOver, kNewGameFollows, kEndGame,
+        State::kDelayWait, "paper 4.2", 0},
+  Arrow{"new_game", State::kDelayWait, Event::kSignalled, kAfterGame, kBeginNewGame,
+        State::kWaitStop, "paper 4.2", 0},
+};
+// clang-format on
+
+bool leads_on(const Arrow& arrow, const Memory& memory, const Moment& moment, Event event) {
+  return arrow.event == event && (!arrow.from || *arrow.from == memory.state) &&
+         arrow.guard.holds(memory, moment.configuration);
+}
+
+const Arrow* find_arrow(const Memory& memory, const Moment& moment, Event event) {
+  for (const std::span<const Arrow> arrows : {arrows_in_figure(), arrows_outside_figure()}) {
+    for (const Arrow& arrow : arrows) {
+      if (leads_on(arrow, memory, moment, event)) return &arrow;
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::span<const Arrow> arrows_in_figure() { return kInFigure; }
+std::span<const Arrow> arrows_outside_figure() { return kOutsideFigure; }
+
+Step step(const Memory& memory, const Moment& moment, const Finding& finding) {
+  Step taken{memory, find_arrow(memory, moment, finding.event), std::nullopt};
+  if (taken.arrow == nullptr) return taken;
+  taken.arrow->action.take(taken.memory, moment, finding);
+  taken.memory.state = taken.arrow->to;
+  if (taken.memory.signal.command_counter != memory.signal.command_counter) {
+    taken.sent = taken.memory.signal.command;
+  }
+  return taken;
+}
+
+}  // namespace autoref::referee

@@ -1,0 +1,171 @@
+#include "referee/referee.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "referee/ball_in_play.hpp"
+#include "referee/last_touch.hpp"
+#include "referee/machine.hpp"
+#include "referee/memory.hpp"
+#include "referee/moment.hpp"
+#include "referee/readiness.hpp"
+#include "referee/rules/rule.hpp"
+#include "referee/timekeeping.hpp"
+
+namespace autoref::referee {
+namespace {
+
+void require(bool is_right, const char* what, double value) {
+  if (!is_right) throw std::invalid_argument(std::string(what) + ", not " + std::to_string(value));
+}
+
+void validate(const Configuration& c) {
+  require(c.field.length_m > 0, "field length must be positive", c.field.length_m);
+  require(c.field.width_m > 0, "field width must be positive", c.field.width_m);
+  require(c.field.goal_width_m > 0, "goal width must be positive", c.field.goal_width_m);
+  require(c.half_s > 0, "half_s must be positive", c.half_s);
+  require(c.break_s >= 0, "break_s must be 0 or more", c.break_s);
+  require(c.halves >= 1 && c.halves <= kMaxHalves, "halves must be from 1 to 4", c.halves);
+  const RuleBook& rules = c.rules;
+  require(rules.stillness_m > 0, "stillness_m must be positive", rules.stillness_m);
+  require(rules.look_period_s > 0, "look_period_s must be positive", rules.look_period_s);
+  require(rules.ready_timeout_s > 0, "ready_timeout_s must be positive", rules.ready_timeout_s);
+  require(rules.start_timeout_s > 0, "start_timeout_s must be positive", rules.start_timeout_s);
+  require(rules.ball_at_rest_mps > 0, "ball_at_rest_mps must be positive", rules.ball_at_rest_mps);
+  require(rules.ball_in_place_m > 0, "ball_in_place_m must be positive", rules.ball_in_place_m);
+}
+
+// What happened by itself at the machine's beginning, or once a briefly sent command is out.
+Finding passed_by_itself(Event event) {
+  Finding finding;
+  finding.event = event;
+  finding.rule = "paper 4.3";
+  return finding;
+}
+
+}  // namespace
+
+class Referee::Impl {
+ public:
+  explicit Impl(const Configuration& configuration)
+      : configuration_(configuration), touch_(configuration.field, configuration.touch) {
+    validate(configuration);
+    memory_.signal.next_command =
+        Command{CommandKind::kPrepareKickoff, kickoff_side(configuration, 0)};
+    decisions_.reserve(4);
+  }
+
+  const RefereeSignal& update(const Frame& frame) {
+    decisions_.clear();
+    see(frame);
+    if (memory_.state == State::kRun) touch_.update(frame);
+    const Moment moment{configuration_, frame, ball_, touch_.last()};
+    if (const std::optional<Finding> found = find(moment)) decide(moment, *found);
+    if (const std::optional<Finding> over = find_time_over(memory_, moment)) decide(moment, *over);
+    memory_.signal.stage_time_left_s = time_left_s(memory_, configuration_, frame.time_s);
+    return memory_.signal;
+  }
+
+  std::span<const Decision> decisions() const { return decisions_; }
+  const Memory& memory() const { return memory_; }
+
+ private:
+  // A frame without a ball leaves it where it was.
+  void see(const Frame& frame) {
+    if (!frame.ball || !is_finite(frame.ball->position_m)) return;
+    const Vec2& now_m = frame.ball->position_m;
+    const double height_m = frame.ball->height_m.value_or(0.0);
+    ball_ = BallSight{now_m, ball_ ? ball_->position_m : now_m, height_m};
+  }
+
+  std::optional<Finding> find(const Moment& moment) {
+    switch (memory_.state) {
+      case State::kInit:
+        return passed_by_itself(Event::kBegin);
+      case State::kWaitStart:
+        return find_start(memory_, moment);
+      case State::kWaitStop:
+        return find_ready(memory_, moment);
+      case State::kRun:
+        watch_play(memory_.play, moment);
+        return find_breach(moment);
+      case State::kDelayWait:
+        if (!has_passed(memory_.delay_ends_s, 0, moment.time_s())) return std::nullopt;
+        return passed_by_itself(Event::kSignalled);
+      case State::kOver:
+        break;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Finding> find_breach(const Moment& moment) const {
+    for (const Rule& rule : rules()) {
+      if (rule.active_in != memory_.state) continue;
+      if (std::optional<Finding> found = rule.find(memory_, moment)) return found;
+    }
+    return std::nullopt;
+  }
+
+  void decide(const Moment& moment, const Finding& finding) {
+    Step taken = step(memory_, moment, finding);
+    if (taken.arrow == nullptr) return;
+    log(moment, finding, taken);
+    const bool play_starts = taken.memory.state == State::kRun;
+    memory_ = std::move(taken.memory);
+    if (play_starts) touch_.restart(moment.frame, memory_.play.ball_from_m);
+  }
+
+  void log(const Moment& moment, const Finding& finding, const Step& taken) {
+    Decision decision;
+    decision.frame = moment.frame.number;
+    decision.time_s = moment.time_s();
+    decision.arrow = taken.arrow->label;
+    decision.from = memory_.state;
+    decision.to = taken.memory.state;
+    decision.command = taken.sent;
+    decision.event = finding.event;
+    decision.rule = finding.rule;
+    decision.value = finding.value;
+    decision.threshold = finding.threshold;
+    decision.unit = finding.unit;
+    decision.robots = finding.robots;
+    decision.position_m = finding.position_m;
+    decision.last_touch = moment.last_touch;
+    decision.evidence = finding.evidence;
+    decisions_.push_back(std::move(decision));
+  }
+
+  Configuration configuration_;
+  Memory memory_;
+  LastTouchDetector touch_;
+  std::optional<BallSight> ball_;
+  std::vector<Decision> decisions_;
+};
+
+Referee::Referee(const Configuration& configuration)
+    : impl_(std::make_unique<Impl>(configuration)) {}
+Referee::~Referee() = default;
+Referee::Referee(Referee&&) noexcept = default;
+Referee& Referee::operator=(Referee&&) noexcept = default;
+
+// The rules of this book do not ask who the keeper is.
+const RefereeSignal& Referee::update(const Frame& frame,
+                                     const PerSide<TeamRequests>& /*requests*/) {
+  return impl_->update(frame);
+}
+
+std::span<const Decision> Referee::decisions() const { return impl_->decisions(); }
+State Referee::state() const { return impl_->memory().state; }
+bool Referee::is_ball_in_play() const {
+  return impl_->memory().state == State::kRun && impl_->memory().play.in_play;
+}
+bool Referee::is_over() const { return impl_->memory().state == State::kOver; }
+std::span<const PerSide<int>> Referee::goals_by_half() const {
+  const auto& goals = impl_->memory().goals_by_half;
+  return {goals.data(), goals.size()};
+}
+int Referee::games_finished() const { return impl_->memory().games_finished; }
+
+}  // namespace autoref::referee

@@ -1,0 +1,77 @@
+#include "referee/rules/ball_leaves_field.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "referee/ball_out.hpp"
+#include "referee/restarts.hpp"
+#include "soccer/robot_shape.hpp"
+
+namespace autoref::referee {
+namespace {
+
+struct Award {
+  Event event = Event::kThrowIn;
+  Command restart;
+  Vec2 place_m{0, 0};
+};
+
+Award over_touch_line(const Moment& moment, const Vec2& exit_m) {
+  const Configuration& c = moment.configuration;
+  const Vec2 place_m = throw_in_place(c.field, c.rules, exit_m);
+  if (!moment.last_touch.side) {
+    return {Event::kTouchLineUnknown, {CommandKind::kForceStart, Side::kWest}, place_m};
+  }
+  const Side kicker = opponent_of(*moment.last_touch.side);
+  return {Event::kThrowIn, {CommandKind::kIndirectFree, kicker}, place_m};
+}
+
+Award over_goal_line(const Moment& moment, const Vec2& exit_m) {
+  const Configuration& c = moment.configuration;
+  const Side defender = exit_m.x() < 0 ? Side::kWest : Side::kEast;
+  const Side attacker = opponent_of(defender);
+  if (moment.last_touch.side == defender) {
+    return {Event::kCornerKick,
+            {CommandKind::kDirectFree, attacker},
+            corner_kick_place(c.field, c.rules, attacker, exit_m)};
+  }
+  return {Event::kGoalKick,
+          {CommandKind::kDirectFree, defender},
+          goal_kick_place(c.field, c.rules, defender, exit_m)};
+}
+
+std::string touched_by(const LastTouch& touch) {
+  if (!touch.side) return "nobody knows who touched it last";
+  if (!touch.robot) return fmt::format("{} touched it last", name_of(*touch.side));
+  return fmt::format("{} {} touched it last, at {:.3f} s", name_of(*touch.side),
+                     touch.robot->number, touch.time_s);
+}
+
+}  // namespace
+
+std::optional<Finding> find_ball_leaves_field(const Memory& /*memory*/, const Moment& moment) {
+  const Field& field = moment.configuration.field;
+  if (!moment.ball || !is_out_of_field(field, moment.ball->position_m)) return std::nullopt;
+  const Vec2& ball_m = moment.ball->position_m;
+  const Exit exit = find_exit(field, moment.ball->before_m, ball_m);
+  const bool touch_line = exit.boundary == Boundary::kTouch;
+  const Award award =
+      touch_line ? over_touch_line(moment, exit.point_m) : over_goal_line(moment, exit.point_m);
+  Finding finding;
+  finding.event = award.event;
+  finding.rule = "paper 4.2, ball-related rules";
+  finding.value = std::abs(touch_line ? ball_m.y() : ball_m.x());
+  finding.threshold = (touch_line ? field.half_width_m() : field.half_length_m()) + kBallRadius_m;
+  finding.unit = "m";
+  if (moment.last_touch.robot) finding.robots.push_back(*moment.last_touch.robot);
+  finding.position_m = exit.point_m;
+  finding.restart = award.restart;
+  finding.ball_to_m = award.place_m;
+  finding.evidence = fmt::format("The ball crossed a {} boundary at ({:.3f}, {:.3f}) m; {}.",
+                                 touch_line ? "touch" : "goal", exit.point_m.x(), exit.point_m.y(),
+                                 touched_by(moment.last_touch));
+  return finding;
+}
+
+}  // namespace autoref::referee

@@ -1,0 +1,17 @@
+// "When the ball leaves the field without entering a goal, a free kick is awarded to the team which
+// touched the ball less recently" (paper, section 4.2): throw-in, corner kick or goal kick.
+//
+// Deviation D14: where the last touch is unknown, it is a goal kick behind a goal line, which is
+// the paper's "otherwise", and over a touch line a force start from the place of the throw-in.
+#pragma once
+
+#include "referee/rules/rule.hpp"
+
+namespace autoref::referee {
+
+std::optional<Finding> find_ball_leaves_field(const Memory& memory, const Moment& moment);
+
+inline constexpr Rule kBallLeavesFieldRule{"ball_leaves_field", State::kRun,
+                                           find_ball_leaves_field};
+
+}  // namespace autoref::referee

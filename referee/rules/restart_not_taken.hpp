@@ -1,0 +1,14 @@
+// Deviation D10: a restart whose ball is not in play 10 s after its signal is not taken any more:
+// play goes on with a force start (Laws 2014, laws 8 and 9; 2016).
+#pragma once
+
+#include "referee/rules/rule.hpp"
+
+namespace autoref::referee {
+
+std::optional<Finding> find_restart_not_taken(const Memory& memory, const Moment& moment);
+
+inline constexpr Rule kRestartNotTakenRule{"restart_not_taken", State::kRun,
+                                           find_restart_not_taken};
+
+}  // namespace autoref::referee

@@ -1,0 +1,19 @@
+#include "referee/rules/rule.hpp"
+
+#include <array>
+
+#include "referee/rules/attacker_near_area.hpp"
+#include "referee/rules/ball_leaves_field.hpp"
+#include "referee/rules/goal.hpp"
+#include "referee/rules/restart_not_taken.hpp"
+#include "referee/rules/stuck_ball.hpp"
+
+namespace autoref::referee {
+
+std::span<const Rule> rules() {
+  static constexpr std::array<Rule, 5> kRules = {
+      kAttackerNearAreaRule, kGoalRule, kBallLeavesFieldRule, kRestartNotTakenRule, kStuckBallRule};
+  return kRules;
+}
+
+}  // namespace autoref::referee

@@ -1,0 +1,106 @@
+// Writing scenarios with every setting spelt out.
+#include <fmt/format.h>
+
+#include "runner/fields.hpp"
+#include "runner/json.hpp"
+#include "runner/scenario.hpp"
+#include "runner/words.hpp"
+
+namespace autoref::runner {
+namespace {
+
+std::string comment_on(const Setting& setting) {
+  return fmt::format("  # {}; {}", setting.about, expected_of(setting));
+}
+
+std::string params_text(const std::map<std::string, double>& params) {
+  std::string text;
+  for (const auto& [name, value] : params) {
+    text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", json_text(name), text_of(value));
+  }
+  return "{" + text + "}";
+}
+
+// Opens the branches that lead from one setting's path to the next one's.
+class Tree {
+ public:
+  explicit Tree(int depth) : depth_(depth) {}
+
+  void add(const Setting& setting) {
+    const std::size_t dot = setting.path.rfind('.');
+    enter(dot == std::string::npos ? "" : setting.path.substr(0, dot));
+    const std::string name = setting.path.substr(dot == std::string::npos ? 0 : dot + 1);
+    if (const auto* params = std::get_if<std::map<std::string, double>*>(&setting.target)) {
+      line(branches_.size(), fmt::format("{}: {}", name, params_text(**params)));
+    } else {
+      line(branches_.size(), fmt::format("{}: {}{}", name, value_of(setting), comment_on(setting)));
+    }
+  }
+
+  const std::string& text() const { return text_; }
+
+ private:
+  void enter(std::string_view path) {
+    std::vector<std::string> wanted;
+    while (!path.empty()) {
+      const std::size_t dot = path.find('.');
+      wanted.emplace_back(path.substr(0, dot));
+      path = dot == std::string_view::npos ? "" : path.substr(dot + 1);
+    }
+    std::size_t same = 0;
+    while (same < wanted.size() && same < branches_.size() && wanted[same] == branches_[same]) {
+      ++same;
+    }
+    for (std::size_t i = same; i < wanted.size(); ++i) line(i, wanted[i] + ":");
+    branches_ = std::move(wanted);
+  }
+
+  void line(std::size_t depth, const std::string& content) {
+    text_ += fmt::format("{:{}}{}\n", "", 2 * (static_cast<std::size_t>(depth_) + depth), content);
+  }
+
+  int depth_;
+  std::vector<std::string> branches_;
+  std::string text_;
+};
+
+bool is_alias(const Setting& setting) {
+  return std::holds_alternative<BothFactors>(setting.target);
+}
+
+bool is_given_by_plan(const Setting& setting) {
+  return setting.path == "match.a_plays" || setting.path == "match.first_kickoff" ||
+         setting.path == "seed";
+}
+
+std::string body_of(const GameConfiguration& game) {
+  GameConfiguration copy = game;
+  Tree tree(0);
+  for (const Setting& setting : settings_of(copy)) {
+    if (!is_alias(setting)) tree.add(setting);
+  }
+  return tree.text();
+}
+
+std::string body_of(const Sweep& sweep) {
+  GameConfiguration copy = sweep.base;
+  Tree tree(1);
+  for (const Setting& setting : settings_of(copy)) {
+    if (!is_alias(setting) && !is_given_by_plan(setting)) tree.add(setting);
+  }
+  std::string text = "base:\n" + tree.text() + "factors:\n";
+  for (const Factor& factor : sweep.factors) {
+    text += fmt::format("  {}: [{}]\n", factor.path, listed(factor.values));
+  }
+  return text + fmt::format("pairs: {}\nseed: {}\n", sweep.pairs, sweep.seed);
+}
+
+}  // namespace
+
+std::string effective_text(const Scenario& scenario) {
+  return fmt::format("schema: 1\nkind: {}\nabout: {}\n", kind_of(scenario),
+                     json_text(scenario.about)) +
+         std::visit([](const auto& content) { return body_of(content); }, scenario.content);
+}
+
+}  // namespace autoref::runner

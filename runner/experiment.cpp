@@ -1,0 +1,181 @@
+#include "runner/experiment.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <numeric>
+
+#include "runner/csv.hpp"
+#include "runner/errors.hpp"
+#include "runner/files.hpp"
+#include "runner/plan.hpp"
+#include "runner/progress.hpp"
+#include "runner/shard.hpp"
+#include "runner/stock.hpp"
+#include "runner/workers.hpp"
+
+namespace autoref::runner {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kShardFile = "shard-0-of-1.csv";
+constexpr const char* kEffectiveFile = "effective.yaml";
+
+std::vector<std::string> paths_of(const std::vector<Factor>& factors) {
+  std::vector<std::string> paths;
+  paths.reserve(factors.size());
+  for (const Factor& factor : factors) paths.push_back(factor.path);
+  return paths;
+}
+
+std::vector<PlannedGame> planned(const Sweep& sweep, const fs::path& folder) {
+  try {
+    return plan(sweep);
+  } catch (const std::invalid_argument& error) {
+    throw InputError({folder.string()}, "factors", error.what());
+  }
+}
+
+GameRecord void_record(const std::string& reason) {
+  GameRecord record;
+  record.status = Status::kVoid;
+  record.end_reason = EndReason::kVoid;
+  record.void_reason = reason;
+  return record;
+}
+
+// A game that throws goes the same way each time: it is void at once.
+std::string played(const ExperimentOptions& options, const GameConfiguration& configuration) {
+  try {
+    return csv_line(outcome_of(options.play(configuration)));
+  } catch (const std::exception& error) {
+    return csv_line(outcome_of(void_record(fmt::format("the game threw: {}", error.what()))));
+  }
+}
+
+class Experiment {
+ public:
+  Experiment(const Scenario& scenario, const ExperimentOptions& options)
+      : scenario_(scenario),
+        options_(options),
+        sweep_(std::get<Sweep>(scenario.content)),
+        format_(paths_of(sweep_.factors)),
+        games_(planned(sweep_, options.folder)) {}
+
+  ExperimentReport run() {
+    create_folder(options_.folder / "games");
+    Shard shard(options_.folder / "games" / kShardFile, csv_line(format_.columns()),
+                options_.patience_s);
+    take();
+    replace_file(options_.folder / kEffectiveFile, effective_text(scenario_));
+    ExperimentReport report;
+    report.games = static_cast<int>(games_.size());
+    report.is_complete = play_missing(shard, report.played) == Ending::kDone;
+    report.done = static_cast<int>(rows_.size());
+    for (const auto& [id, cells] : rows_) {
+      report.void_games += cells[format_.column("status")] == name_of(Status::kVoid) ? 1 : 0;
+    }
+    if (report.is_complete) conclude(report);
+    return report;
+  }
+
+ private:
+  void take() {
+    const StoredRows stored = read_rows(options_.folder / "games", format_);
+    Stock stock = take_stock(stored.rows, games_, format_, options_.build,
+                             options_.allow_mixed_build, options_.folder, changes());
+    rows_ = std::move(stock.done);
+    if (stored.damaged > 0) {
+      say(fmt::format("{} rows are damaged and do not count; their games are played again",
+                      stored.damaged));
+    }
+    if (stock.other_games > 0) {
+      say(fmt::format("{} rows belong to games that the scenario does not have; they do not count",
+                      stock.other_games));
+    }
+    for (const auto& [build, count] : stock.other_builds) {
+      say(fmt::format("{} rows are of build {}; they do not count", count, build));
+    }
+  }
+
+  // What differs from the scenario that the folder was made with, as far as it can be told.
+  std::string changes() const {
+    const fs::path file = options_.folder / kEffectiveFile;
+    try {
+      const std::optional<std::string> text = read_file(file);
+      if (!text) return {};
+      const Scenario there = read_scenario_text(*text, file.string());
+      const auto* sweep = std::get_if<Sweep>(&there.content);
+      return sweep == nullptr ? std::string() : changes_between(sweep_, *sweep);
+    } catch (const InputError&) {
+      return {};
+    }
+  }
+
+  Ending play_missing(Shard& shard, int& played_games) {
+    std::vector<std::size_t> missing;
+    for (std::size_t i = 0; i < games_.size(); ++i) {
+      if (!rows_.contains(games_[i].id)) missing.push_back(i);
+    }
+    if (missing.empty()) return Ending::kDone;
+    Progress progress(options_.progress, static_cast<int>(games_.size()),
+                      static_cast<int>(rows_.size()));
+    const WorkerOptions workers{options_.workers, options_.attempts, options_.longest_game_s};
+    return do_jobs(missing, workers,
+                   {[this](std::size_t i) { return played(options_, games_[i].configuration); },
+                    [&](const JobResult& result) {
+                      keep(shard, result, progress);
+                      ++played_games;
+                    },
+                    [&progress] { progress.tick(); }});
+  }
+
+  void keep(Shard& shard, const JobResult& result, Progress& progress) {
+    const PlannedGame& game = games_[result.job];
+    const Cells outcome = result.failure.empty() ? csv_cells(result.payload).value()
+                                                 : outcome_of(void_record(result.failure));
+    const std::string line = format_.line(
+        game, outcome, {options_.build, host_, cpu_, result.wall_s, result.attempt, "0/1"});
+    shard.append(line);
+    const Cells cells = format_.read(line).value();
+    const std::string& reason = cells[format_.column("void_reason")];
+    if (!reason.empty()) progress.say(fmt::format("{} is void: {}", game.id, reason));
+    progress.game_done(fmt::format("{} {}:{}", game.id, cells[format_.column("goals_a")],
+                                   cells[format_.column("goals_b")]));
+    rows_[game.id] = cells;
+  }
+
+  void conclude(ExperimentReport& report) const {
+    std::vector<Cells> rows;
+    std::string results = csv_line(format_.reproducible(format_.columns())) + "\n";
+    for (const auto& [id, cells] : rows_) {
+      results += csv_line(format_.reproducible(cells)) + "\n";
+      rows.push_back(cells);
+    }
+    report.groups = grouped(sweep_, format_, rows);
+    replace_file(options_.folder / "results.csv", results);
+    replace_file(options_.folder / "summary.csv", summary_csv(sweep_, report.groups));
+  }
+
+  void say(const std::string& message) const {
+    if (options_.progress != nullptr) fmt::print(options_.progress, "{}\n", message);
+  }
+
+  const Scenario& scenario_;
+  const ExperimentOptions& options_;
+  const Sweep& sweep_;
+  const RowFormat format_;
+  const std::vector<PlannedGame> games_;
+  const std::string host_ = host_name();
+  const std::string cpu_ = cpu_name();
+  std::map<std::string, Cells> rows_;  // complete rows of the sweep's games, by id
+};
+
+}  // namespace
+
+ExperimentReport run_experiment(const Scenario& scenario, const ExperimentOptions& options) {
+  return Experiment(scenario, options).run();
+}
+
+}  // namespace autoref::runner

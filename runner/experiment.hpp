@@ -1,0 +1,47 @@
+// Experiments: all games of a sweep, played in worker processes and kept in a folder.
+//
+// The folder holds the truth, a row per game in games/*.csv, and what follows from it when all
+// games are there: results.csv (sorted by game id, without what may differ from run to run),
+// summary.csv (per value). effective.yaml has the scenario with every setting spelt out.
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "runner/game.hpp"
+#include "runner/scenario.hpp"
+#include "runner/summary.hpp"
+
+namespace autoref::runner {
+
+struct ExperimentOptions {
+  std::filesystem::path folder;
+  std::string build;  // of the rows to be written; rows of others do not count
+  int workers = 1;
+  bool allow_mixed_build = false;  // rows of other builds may stand in the folder; they stay apart
+  std::function<GameRecord(const GameConfiguration&)> play;  // called in workers
+  std::FILE* progress = nullptr;                             // where to write progress, if anywhere
+  double longest_game_s = 600;                               // wall time, then its worker is killed
+  int attempts = 3;       // for a game whose worker dies, until it is void
+  double patience_s = 2;  // for another run to let go of the folder
+};
+
+struct ExperimentReport {
+  bool is_complete = false;  // else the user interrupted it
+  int games = 0;             // of the sweep
+  int done = 0;              // so far, by this run and former ones
+  int played = 0;            // by this run
+  int void_games = 0;
+  std::vector<Group> groups;  // of a complete run
+};
+
+// Plays the games that have no row yet: none with the same id, configuration and build. Throws
+// InputError where the folder's rows do not belong to this sweep or this build, InputOutputError
+// where it cannot be written, and std::logic_error where two rows of one game and build differ in
+// what must be reproducible.
+ExperimentReport run_experiment(const Scenario& scenario, const ExperimentOptions& options);
+
+}  // namespace autoref::runner

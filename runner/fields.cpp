@@ -1,0 +1,163 @@
+#include "runner/fields.hpp"
+
+#include <fmt/format.h>
+
+#include "sim/camera.hpp"
+#include "soccer/rule_book.hpp"
+#include "strategies/registry.hpp"
+
+namespace autoref::runner {
+namespace {
+
+// Collects the settings of one branch.
+class Branch {
+ public:
+  Branch(std::vector<Setting>& list, std::string path) : list_(list), path_(std::move(path)) {}
+
+  template <typename T>
+  void number(std::string_view name, T& value, Range range, std::string_view unit,
+              std::string_view about) {
+    list_.push_back({path_ + std::string(name), &value, range, {}, unit, about});
+  }
+
+  template <typename T>
+  void word(std::string_view name, T& value, std::vector<std::string> words,
+            std::string_view about) {
+    list_.push_back({path_ + std::string(name), &value, {}, std::move(words), "", about});
+  }
+
+  void add(std::string_view name, Target target, Range range, std::string_view about) {
+    list_.push_back({path_ + std::string(name), target, range, {}, "", about});
+  }
+
+ private:
+  std::vector<Setting>& list_;
+  std::string path_;
+};
+
+constexpr Range positive(double high) { return {0, high, true}; }
+
+std::vector<std::string> strategy_names() {
+  std::vector<std::string> names;
+  for (const strategies::Entry& entry : strategies::all_strategies()) {
+    names.emplace_back(entry.name);
+  }
+  return names;
+}
+
+void list_team(TeamConfiguration& team, Branch to) {
+  to.word("strategy", team.strategy, strategy_names(), "who plays");
+  to.number("robots", team.robots, {1, kMaxRobots}, "", "robots on the field");
+  to.number("speed_factor", team.speed_factor, positive(2), "", "scales the robots' top speed");
+  to.number("acceleration_factor", team.acceleration_factor, positive(2), "",
+            "scales their acceleration and braking");
+  to.add("handicap", BothFactors{&team.speed_factor, &team.acceleration_factor}, positive(2),
+         "sets speed_factor and acceleration_factor");
+  to.add("params", &team.params, {-1e9, 1e9}, "the strategy's own numbers, by name");
+}
+
+void list_match(MatchConfiguration& match, Branch to) {
+  const std::vector<std::string> sides = {"west", "east"};
+  to.word("rules", match.rules, rule_book_names(), "rule book");
+  to.number("half_s", match.half_s, positive(36000), "s", "length of a half");
+  to.number("halves", match.halves, {1, 2}, "", "halves of a game");
+  to.number("break_s", match.break_s, {0, 3600}, "s", "break between halves");
+  to.word("a_plays", match.a_plays, sides, "side of team a; b has the other");
+  to.word("first_kickoff", match.first_kickoff, sides, "side that kicks off first");
+}
+
+void list_field(Field& field, Branch to) {
+  const std::vector<std::string> shapes = {"quarter_circles", "box"};
+  to.number("length_m", field.length_m, {4, 30}, "m", "between the goal lines' outer edges");
+  to.number("width_m", field.width_m, {2, 20}, "m", "between the touch lines' outer edges");
+  to.number("run_off_m", field.run_off_m, {0.1, 5}, "m", "from the lines to the wall");
+  to.number("line_width_m", field.line_width_m, positive(0.1), "m", "of every line");
+  to.number("centre_circle_radius_m", field.centre_circle_radius_m, positive(5), "m",
+            "of the centre circle");
+  to.number("penalty_mark_m", field.penalty_mark_m, positive(15), "m", "from the goal line");
+  to.word("defence_area.shape", field.defence_area.shape, shapes, "of the area before a goal");
+  to.number("defence_area.depth_m", field.defence_area.depth_m, positive(5), "m",
+            "radius of the quarter circles, or the box's size along x");
+  to.number("defence_area.straight_m", field.defence_area.straight_m, {0, 10}, "m",
+            "line between the quarter circles, or the box's size along y");
+  to.number("goal_width_m", field.goal_width_m, {0.2, 5}, "m", "between the posts");
+  to.number("goal_depth_m", field.goal_depth_m, {0.05, 1}, "m", "from goal line to back wall");
+  to.number("goal_opening_height_m", field.goal_opening_height_m, positive(2), "m",
+            "under the bar");
+  to.number("goal_wall_height_m", field.goal_wall_height_m, positive(2), "m", "of the goal walls");
+  to.number("goal_wall_thickness_m", field.goal_wall_thickness_m, {0.01, 0.1}, "m",
+            "of the goal walls");
+}
+
+void list_robot(sim::RobotParameters& robot, Branch to) {
+  to.number("mass_kg", robot.mass_kg, positive(100), "kg", "of a robot");
+  to.number("speed_mps", robot.speed_mps, {0.01, 20}, "m/s", "top speed");
+  to.number("acceleration_mps2", robot.acceleration_mps2, positive(100), "m/s^2", "speeding up");
+  to.number("braking_mps2", robot.braking_mps2, positive(100), "m/s^2", "slowing down");
+  to.number("wheel_acceleration_mps2", robot.wheel_acceleration_mps2, positive(100), "m/s^2",
+            "each wheel's tangential limit");
+  to.number("angular_speed_radps", robot.angular_speed_radps, {0.01, 100}, "rad/s", "turning");
+  to.number("angular_acceleration_radps2", robot.angular_acceleration_radps2, positive(1000),
+            "rad/s^2", "of turning");
+  to.number("front_wheels_deg", robot.front_wheels_deg, {5, 85}, "deg", "from the front");
+  to.number("back_wheels_deg", robot.back_wheels_deg, {95, 175}, "deg", "from the front");
+  to.number("speed_noise", robot.speed_noise, {0, 0.5}, "", "share of a speed, one deviation");
+}
+
+void list_ball(sim::BallParameters& ball, Branch to) {
+  to.number("slide_mps2", ball.slide_mps2, positive(100), "m/s^2", "deceleration when sliding");
+  to.number("roll_mps2", ball.roll_mps2, positive(100), "m/s^2", "deceleration when rolling");
+  to.number("switch_ratio", ball.switch_ratio, {0.05, 0.95}, "", "rolls below this share");
+  to.number("hop_first_xy", ball.hop_first_xy, {0, 1}, "", "speed kept at the first landing");
+  to.number("hop_later_xy", ball.hop_later_xy, {0, 1}, "", "speed kept at later landings");
+  to.number("hop_z", ball.hop_z, {0, 0.95}, "", "upward speed kept at a landing");
+  to.number("rest_mps", ball.rest_mps, {0, 1}, "m/s", "at rest below");
+  to.number("rolls_below_hop_m", ball.rolls_below_hop_m, positive(1), "m", "no lower hops");
+  to.number("net_mps2", ball.net_mps2, {0, 1000}, "m/s^2", "what the goal's net takes");
+}
+
+void list_kicker(sim::KickerParameters& kicker, Branch to) {
+  to.number("reach_m", kicker.reach_m, {0, 0.1}, "m", "from the plate to the ball's surface");
+  to.number("speed_limit_mps", kicker.speed_limit_mps, {0.1, 20}, "m/s", "of straight kicks");
+  to.number("chip_limit_mps", kicker.chip_limit_mps, {0.1, 20}, "m/s", "of chip kicks");
+  to.number("chip_angle_deg", kicker.chip_angle_deg, {5, 85}, "deg", "of chip kicks");
+  to.number("dead_time_s", kicker.dead_time_s, {0, 60}, "s", "between two kicks");
+  to.number("speed_noise", kicker.speed_noise, {0, 0.5}, "", "share of the speed, one deviation");
+  to.number("direction_noise_deg", kicker.direction_noise_deg, {0, 45}, "deg", "one deviation");
+}
+
+void list_sim(sim::Configuration& sim, std::vector<Setting>& list) {
+  Branch to(list, "sim.");
+  to.number("substeps", sim.substeps, {1, 16}, "", "physics steps per picture");
+  to.number("frame_rate_hz", sim.frame_rate_hz, {30, 240}, "1/s", "pictures per second");
+  to.word("camera", sim.camera, sim::camera_preset_names(), "how well vision sees");
+  to.number("latency_s", sim.latency_s, {0, 0.5}, "s", "from a picture to the robots' motion");
+  list_ball(sim.ball, Branch(list, "sim.ball."));
+  list_robot(sim.robot, Branch(list, "sim.robot."));
+  list_kicker(sim.kicker, Branch(list, "sim.kicker."));
+  Branch dribbler(list, "sim.dribbler.");
+  dribbler.number("force_n", sim.dribbler.force_n, {0, 100}, "N", "the most it pulls with");
+  dribbler.number("reach_m", sim.dribbler.reach_m, {0, 0.1}, "m", "from the plate to the ball");
+  Branch placement(list, "sim.placement.");
+  placement.number("speed_mps", sim.placement.speed_mps, positive(100), "m/s", "of the hand");
+  placement.number("acceleration_mps2", sim.placement.acceleration_mps2, positive(1000), "m/s^2",
+                   "of the hand");
+  placement.number("catch_mps2", sim.placement.catch_mps2, positive(1000), "m/s^2",
+                   "what a moving ball loses first");
+}
+
+}  // namespace
+
+std::vector<Setting> settings_of(GameConfiguration& game) {
+  std::vector<Setting> list;
+  list_team(game.a, Branch(list, "teams.a."));
+  list_team(game.b, Branch(list, "teams.b."));
+  list_match(game.match, Branch(list, "match."));
+  list_field(game.field, Branch(list, "field."));
+  list_sim(game.sim, list);
+  Branch(list, "").number("seed", game.seed, {0, 18446744073709551615.0}, "",
+                          "names the game's chances");
+  return list;
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,80 @@
+// The list of everything a user can set: the one source of the scenario reader, of the writer of
+// effective configurations and of `--set`.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "runner/configuration.hpp"
+
+namespace autoref::runner {
+
+// `handicap`: one number for a team's speed_factor and acceleration_factor.
+struct BothFactors {
+  double* speed = nullptr;
+  double* acceleration = nullptr;
+};
+
+// Where a setting lives in a GameConfiguration.
+using Target = std::variant<double*, int*, std::uint64_t*, std::string*, Side*, DefenceArea::Shape*,
+                            BothFactors, std::map<std::string, double>*>;
+
+struct Range {
+  double low = 0;
+  double high = 0;
+  bool above_low = false;  // `low` itself is not allowed
+};
+
+struct Setting {
+  std::string path;  // such as "teams.a.robots"
+  Target target;
+  Range range;                     // of numbers
+  std::vector<std::string> words;  // allowed, where the target is no number
+  std::string_view unit;
+  std::string_view about;  // one sentence
+};
+
+// Every setting of `game`, ordered so that settings of one branch stand together.
+std::vector<Setting> settings_of(GameConfiguration& game);
+
+// The full path: "b.robots" is "teams.b.robots", others stay. And the short one, the reverse.
+std::string full_path(std::string_view path);
+std::string short_path(std::string_view path);
+
+// What a value must look like, such as "a whole number from 1 to 16".
+std::string expected_of(const Setting& setting);
+
+// Reads `text` into the setting. Throws std::invalid_argument that says what was expected.
+void assign(const Setting& setting, std::string_view text);
+
+// The value as assign() reads it, always spelt the same. Not for maps of parameters.
+std::string value_of(const Setting& setting);
+
+// Whether the values are numbers.
+bool is_number(const Setting& setting);
+
+// The settings or branches one step below `branch` ("" is the root).
+std::vector<std::string> names_below(const std::vector<Setting>& settings, std::string_view branch);
+
+// "unknown key 'robot'; did you mean 'robots'? Known here: ..."
+std::string unknown_key_message(std::string_view key, const std::vector<std::string>& known);
+
+// Sets the value at a full or short path; `a.params.NAME` names one of the team's parameters.
+// Throws std::invalid_argument for an unknown path (naming the nearest known) or a wrong value.
+void set_by_path(GameConfiguration& game, std::string_view path, std::string_view text);
+
+// The value at a path that set_by_path() takes; 0 for a parameter that is not given.
+std::string value_at(const GameConfiguration& game, std::string_view path);
+
+// Checks what no setting can tell alone: that a team's parameters belong to its strategy, that
+// goals fit the field. Throws std::invalid_argument.
+void check_game(const GameConfiguration& game);
+
+// One number over every setting; two games of one build with equal hashes are the same game.
+std::uint64_t configuration_hash(const GameConfiguration& game);
+
+}  // namespace autoref::runner

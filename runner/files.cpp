@@ -1,0 +1,109 @@
+#include "runner/files.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <system_error>
+
+#include "runner/errors.hpp"
+
+namespace autoref::runner {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLongestUserFile = 10'000'000;
+constexpr std::size_t kLongestFile = 4'000'000'000;
+
+// The content, or the error's number; EFBIG for more than `most` bytes, as from /dev/zero.
+std::string read_through(const fs::path& path, std::size_t most, int& error_number) {
+  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  error_number = descriptor < 0 ? errno : 0;
+  if (descriptor < 0) return {};
+  std::string text;
+  std::array<char, 65536> buffer{};
+  ssize_t count = 0;
+  while ((count = read(descriptor, buffer.data(), buffer.size())) > 0 ||
+         (count < 0 && errno == EINTR)) {
+    if (count > 0) text.append(buffer.data(), static_cast<std::size_t>(count));
+    if (text.size() > most) break;
+  }
+  if (count != 0) error_number = count < 0 ? errno : EFBIG;
+  close(descriptor);
+  return text;
+}
+
+}  // namespace
+
+std::string read_user_file(const fs::path& path) {
+  int error_number = 0;
+  std::string text = read_through(path, kLongestUserFile, error_number);
+  if (error_number == 0) return text;
+  throw InputError(
+      {path.string()}, "",
+      fmt::format("the file cannot be read: {}", std::generic_category().message(error_number)));
+}
+
+std::optional<std::string> read_file(const fs::path& path) {
+  int error_number = 0;
+  std::string text = read_through(path, kLongestFile, error_number);
+  if (error_number == 0) return text;
+  if (error_number == ENOENT) return std::nullopt;
+  throw io_error(fmt::format("{} cannot be read", path.string()), error_number);
+}
+
+void write_all(int descriptor, std::string_view text, const fs::path& path) {
+  while (!text.empty()) {
+    const ssize_t count = write(descriptor, text.data(), text.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) throw io_error(fmt::format("{} cannot be written", path.string()), errno);
+    text.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
+PendingFile::PendingFile(fs::path path) : path_(std::move(path)), part_(path_) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path_, error);
+  if (!fs::exists(status) || fs::is_regular_file(status)) part_ += ".part";
+  const int flags = O_WRONLY | O_CLOEXEC | (is_direct() ? 0 : O_CREAT | O_TRUNC);
+  descriptor_ = open(part_.c_str(), flags, 0666);
+  if (descriptor_ < 0) throw io_error(fmt::format("{} cannot be written", path_.string()), errno);
+}
+
+PendingFile::~PendingFile() {
+  if (descriptor_ < 0) return;
+  close(descriptor_);
+  if (!is_direct()) unlink(part_.c_str());
+}
+
+void PendingFile::commit(std::string_view text) {
+  write_all(descriptor_, text, path_);
+  if (is_direct()) return;
+  if (fsync(descriptor_) != 0 || rename(part_.c_str(), path_.c_str()) != 0) {
+    throw io_error(fmt::format("{} cannot be written", path_.string()), errno);
+  }
+  close(descriptor_);
+  descriptor_ = -1;
+}
+
+void replace_file(const fs::path& path, std::string_view text) {
+  if (read_file(path) == text) return;
+  PendingFile(path).commit(text);
+}
+
+void create_folder(const fs::path& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (!error && !fs::is_directory(path, error) && !error) {
+    error = std::make_error_code(std::errc::not_a_directory);
+  }
+  if (error) {
+    throw InputOutputError(
+        fmt::format("the folder {} cannot be created: {}", path.string(), error.message()));
+  }
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,79 @@
+#include "runner/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "runner/fields.hpp"
+#include "soccer/random.hpp"
+
+namespace autoref::runner {
+namespace {
+
+std::string id_of(const Sweep& sweep, const std::vector<std::string>& values, int pair, int leg) {
+  std::string id;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    id += fmt::format("{}{}={}", i == 0 ? "" : "+", sweep.factors[i].path, values[i]);
+  }
+  return id + fmt::format("-p{:04}-{}", pair, leg);
+}
+
+GameConfiguration configured(const Sweep& sweep, const std::vector<std::string>& values) {
+  GameConfiguration game = sweep.base;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    set_by_path(game, sweep.factors[i].path, values[i]);
+  }
+  check_game(game);
+  return game;
+}
+
+PlannedGame planned(const Sweep& sweep, const std::vector<std::string>& values,
+                    const GameConfiguration& configuration, int pair, int leg) {
+  PlannedGame game{id_of(sweep, values, pair, leg), values, pair, leg, configuration};
+  game.configuration.match.a_plays = leg == 1 ? Side::kWest : Side::kEast;
+  game.configuration.match.first_kickoff = pair % 2 == 1 ? Side::kWest : Side::kEast;
+  game.configuration.seed = seed_of(sweep.seed, pair, leg);
+  return game;
+}
+
+}  // namespace
+
+std::uint64_t seed_of(std::uint64_t master_seed, int pair, int leg) {
+  const std::uint64_t of_pair = mix_bits(mix_bits(master_seed) + static_cast<std::uint64_t>(pair));
+  return mix_bits(of_pair + static_cast<std::uint64_t>(leg)) >> 11;
+}
+
+std::vector<std::vector<std::string>> combinations(const std::vector<Factor>& factors) {
+  std::vector<std::vector<std::string>> all = {{}};
+  for (const Factor& factor : factors) {
+    std::vector<std::vector<std::string>> longer;
+    for (const std::vector<std::string>& start : all) {
+      for (const std::string& value : factor.values) {
+        longer.push_back(start);
+        longer.back().push_back(value);
+      }
+    }
+    all = std::move(longer);
+  }
+  return all;
+}
+
+std::vector<PlannedGame> plan(const Sweep& sweep) {
+  const std::vector<std::vector<std::string>> all = combinations(sweep.factors);
+  std::vector<GameConfiguration> configurations;
+  configurations.reserve(all.size());
+  for (const std::vector<std::string>& values : all) {
+    configurations.push_back(configured(sweep, values));
+  }
+  std::vector<PlannedGame> games;
+  for (int pair = 1; pair <= sweep.pairs; ++pair) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      for (const int leg : {1, 2}) {
+        games.push_back(planned(sweep, all[i], configurations[i], pair, leg));
+      }
+    }
+  }
+  return games;
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,127 @@
+#include "runner/rows.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/crc.hpp>
+#include <cassert>
+#include <fstream>
+
+#include "runner/csv.hpp"
+#include "runner/fields.hpp"
+
+namespace autoref::runner {
+namespace {
+
+constexpr std::size_t kLongestReason = 300;  // characters
+
+void append(Cells& cells, const Cells& more) {
+  cells.insert(cells.end(), more.begin(), more.end());
+}
+
+std::string crc_of(std::string_view text) {
+  boost::crc_32_type crc;
+  crc.process_bytes(text.data(), text.size());
+  return fmt::format("{:08x}", crc.checksum());
+}
+
+std::string first_half_goals(const GameRecord& record, std::size_t team) {
+  return std::to_string(record.goals_by_half.empty() ? 0 : record.goals_by_half.front()[team]);
+}
+
+}  // namespace
+
+RowFormat::RowFormat(const std::vector<std::string>& factors)
+    : columns_({"game_id", "pair", "leg"}) {
+  append(columns_, factors);
+  append(columns_, {"team_a", "team_b", "side_a", "seed"});
+  append(columns_, outcome_columns());
+  columns_.emplace_back("config_hash");
+  reproducible_ = columns_.size();
+  append(columns_, {"build", "host", "cpu", "wall_s", "attempt", "shard", "row_crc"});
+}
+
+std::size_t RowFormat::column(std::string_view name) const {
+  const auto found = std::find(columns_.begin(), columns_.end(), name);
+  assert(found != columns_.end());
+  return static_cast<std::size_t>(found - columns_.begin());
+}
+
+std::string RowFormat::line(const PlannedGame& game, const Cells& outcome,
+                            const Circumstances& circumstances) const {
+  const GameConfiguration& c = game.configuration;
+  Cells cells = {game.id, std::to_string(game.pair), std::to_string(game.leg)};
+  append(cells, game.values);
+  append(cells, {c.a.strategy, c.b.strategy, std::string(name_of(c.match.a_plays)),
+                 std::to_string(c.seed)});
+  append(cells, outcome);
+  cells.push_back(hash_text(configuration_hash(c)));
+  append(cells, {circumstances.build, circumstances.host, circumstances.cpu,
+                 fmt::format("{:.3f}", circumstances.wall_s), std::to_string(circumstances.attempt),
+                 circumstances.shard});
+  assert(cells.size() + 1 == columns_.size());
+  std::string line = csv_line(cells);
+  return line + "," + crc_of(line);
+}
+
+std::optional<Cells> RowFormat::read(std::string_view line) const {
+  const std::size_t comma = line.rfind(',');
+  if (comma == std::string_view::npos) return std::nullopt;
+  if (line.substr(comma + 1) != crc_of(line.substr(0, comma))) return std::nullopt;
+  std::optional<Cells> cells = csv_cells(line);
+  return cells && cells->size() == columns_.size() ? cells : std::nullopt;
+}
+
+Cells RowFormat::reproducible(const Cells& cells) const {
+  return {cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(reproducible_)};
+}
+
+Cells outcome_columns() {
+  Cells columns = {
+      "goals_a",    "goals_b", "goal_diff",  "first_half_goals_a", "first_half_goals_b",
+      "end_reason", "status",  "void_reason"};
+  for (int i = 0; i < referee::kEventCount; ++i) {
+    const auto event = static_cast<referee::Event>(i);
+    if (is_stop(event)) columns.push_back(fmt::format("stops_{}", name_of(event)));
+  }
+  append(columns, {"ball_in_play_s", "sim_s", "frames", "state_hash"});
+  return columns;
+}
+
+Cells outcome_of(const GameRecord& record) {
+  Cells cells = {std::to_string(record.goals_a),
+                 std::to_string(record.goals_b),
+                 std::to_string(record.goals_a - record.goals_b),
+                 first_half_goals(record, 0),
+                 first_half_goals(record, 1),
+                 std::string(name_of(record.end_reason)),
+                 std::string(name_of(record.status)),
+                 record.void_reason.substr(0, kLongestReason)};
+  for (int i = 0; i < referee::kEventCount; ++i) {
+    if (!is_stop(static_cast<referee::Event>(i))) continue;
+    cells.push_back(std::to_string(record.events[static_cast<std::size_t>(i)]));
+  }
+  append(cells, {fmt::format("{:.3f}", record.ball_in_play_s), fmt::format("{:.3f}", record.sim_s),
+                 std::to_string(record.frames), hash_text(record.state_hash)});
+  return cells;
+}
+
+std::string hash_text(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "unknown";
+}
+
+std::string cpu_name() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+  }
+  return "unknown";
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,64 @@
+#include "runner/statistics.hpp"
+
+#include <boost/math/distributions/students_t.hpp>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+
+namespace autoref::runner {
+namespace {
+
+// The sum of (x - mean(x)) (y - mean(y)).
+double sum_of_products(std::span<const double> x, std::span<const double> y) {
+  const double mean_x = mean(x);
+  const double mean_y = mean(y);
+  double sum = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) sum += (x[i] - mean_x) * (y[i] - mean_y);
+  return sum;
+}
+
+Interval around(double centre, double standard_error, std::size_t degrees_of_freedom) {
+  const boost::math::students_t distribution(static_cast<double>(degrees_of_freedom));
+  const double half = boost::math::quantile(distribution, 0.975) * standard_error;
+  return {centre - half, centre + half};
+}
+
+}  // namespace
+
+double mean(std::span<const double> sample) {
+  assert(!sample.empty());
+  return std::accumulate(sample.begin(), sample.end(), 0.0) / static_cast<double>(sample.size());
+}
+
+std::optional<double> standard_deviation(std::span<const double> sample) {
+  if (sample.size() < 2) return std::nullopt;
+  return std::sqrt(sum_of_products(sample, sample) / static_cast<double>(sample.size() - 1));
+}
+
+std::optional<Interval> mean_interval(std::span<const double> sample) {
+  const std::optional<double> deviation = standard_deviation(sample);
+  if (!deviation) return std::nullopt;
+  const double standard_error = *deviation / std::sqrt(static_cast<double>(sample.size()));
+  return around(mean(sample), standard_error, sample.size() - 1);
+}
+
+std::optional<Line> fit_line(std::span<const double> x, std::span<const double> y) {
+  assert(x.size() == y.size());
+  if (x.empty()) return std::nullopt;
+  const double spread = sum_of_products(x, x);
+  if (!(spread > 0)) return std::nullopt;
+  Line line;
+  line.slope = sum_of_products(x, y) / spread;
+  line.intercept = mean(y) - line.slope * mean(x);
+  if (x.size() < 3) return line;
+  double residual = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double error = y[i] - line.intercept - line.slope * x[i];
+    residual += error * error;
+  }
+  const double standard_error = std::sqrt(residual / static_cast<double>(x.size() - 2) / spread);
+  line.slope_interval = around(line.slope, standard_error, x.size() - 2);
+  return line;
+}
+
+}  // namespace autoref::runner

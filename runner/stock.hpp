@@ -1,0 +1,32 @@
+// Which games of a plan are done, by the rows that a folder holds.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "runner/plan.hpp"
+#include "runner/shard.hpp"
+
+namespace autoref::runner {
+
+struct Stock {
+  std::map<std::string, Cells> done;        // the games of the plan by id
+  std::map<std::string, int> other_builds;  // how many rows of which
+  int other_games = 0;                      // rows of this build whose games are not in the plan
+};
+
+// Sorts rows into a stock. Throws InputError for rows of other builds unless those are allowed,
+// and for a game of the plan that was played with another configuration; std::logic_error
+// where two rows of a game differ in what must be reproducible. `folder` and `changes` (what
+// differs between the folder's scenario and this one) are for messages.
+Stock take_stock(const std::vector<StoredRow>& rows, const std::vector<PlannedGame>& games,
+                 const RowFormat& format, const std::string& build, bool allow_mixed_build,
+                 const std::filesystem::path& folder, const std::string& changes);
+
+// The settings in which two sweeps differ: "match.half_s is 60.0 here and 600.0 there; ...".
+// Empty where there are none.
+std::string changes_between(const Sweep& here, const Sweep& there);
+
+}  // namespace autoref::runner

@@ -1,0 +1,40 @@
+// What an experiment's rows say, value by value.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runner/rows.hpp"
+#include "runner/scenario.hpp"
+#include "runner/statistics.hpp"
+
+namespace autoref::runner {
+
+// The games of one combination of the factors' values. Void games count only in `void_games`.
+struct Group {
+  std::vector<std::string> values;
+  std::vector<double> goals_a;  // of each game
+  std::vector<double> goals_b;
+  std::vector<double> differences;       // a minus b
+  std::vector<double> pair_differences;  // mean over the two legs, of pairs without a void leg
+  int void_games = 0;
+};
+
+// The groups in the sweep's order. `rows` are complete rows, each game once, in any order.
+std::vector<Group> grouped(const Sweep& sweep, const RowFormat& format,
+                           const std::vector<Cells>& rows);
+
+// Least squares of the score difference over the factor's value, one point per pair of legs: the
+// legs of a pair share the chances of their pair, and only together they are fair. None where the
+// sweep has not exactly one factor with at least two values, all numbers.
+std::optional<Line> slope_over_factor(const Sweep& sweep, const std::vector<Group>& groups);
+
+// summary.csv: per combination its games, means and standard deviations (over games), and the 95 %
+// interval of the mean difference (over pairs). Cells without a value are empty.
+std::string summary_csv(const Sweep& sweep, const std::vector<Group>& groups);
+
+// The table for people, several lines.
+std::string summary_table(const Sweep& sweep, const std::vector<Group>& groups);
+
+}  // namespace autoref::runner

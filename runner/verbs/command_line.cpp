@@ -1,0 +1,63 @@
+#include "runner/verbs/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstdio>
+#include <exception>
+
+#include "runner/build_id.hpp"
+#include "runner/errors.hpp"
+
+namespace autoref::runner {
+namespace {
+
+int fail(ExitCode code, std::string_view message) {
+  fmt::print(stderr, "autoref: {}\n", message);
+  return code;
+}
+
+}  // namespace
+
+int exit_code_of(const Chosen& work) {
+  try {
+    const int code = work();
+    // A full disk shows only now.
+    if (std::fflush(stdout) != 0) throw io_error("the output cannot be written", errno);
+    return code;
+  } catch (const InputError& error) {
+    return fail(kBadInput, error.what());
+  } catch (const InputOutputError& error) {
+    return fail(kInputOutput, error.what());
+  } catch (const Interrupted& error) {
+    return fail(kInterrupted, error.what());
+  } catch (const std::exception& error) {
+    return fail(kInternal, fmt::format("a mistake of this program: {}", error.what()));
+  }
+}
+
+int run_command_line(int argc, const char* const* argv) {
+  CLI::App app(
+      "Plays robot soccer without people: simulates the RoboCup Small Size League, referees\n"
+      "every game, and tells from hundreds of them which team, or which handicap, wins.",
+      "autoref");
+  app.set_version_flag("--version", fmt::format("autoref {}", build_id()));
+  app.require_subcommand(1);
+  app.footer(
+      "Example:\n  autoref run scenarios/first-look.yaml\n\n"
+      "Exit codes: 0 done; 2 bad input; 3 too many void games; 70 internal; 74 input/output;\n"
+      "75 interrupted, the same command continues.");
+  Chosen chosen;
+  add_play_verb(app, chosen);
+  add_run_verb(app, chosen);
+  add_bench_verb(app, chosen);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kDone : kBadInput;
+  }
+  return exit_code_of(chosen);
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,44 @@
+// The verbs of `autoref`: what each can be told on the command line, and what it does.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace autoref::runner {
+
+// What `autoref play` is told.
+struct PlayArguments {
+  std::string file;
+  std::string seed;               // empty: the scenario's
+  std::vector<std::string> sets;  // "key=value"
+  std::string events;             // file for the referee's decisions; empty: none
+  bool json = false;
+};
+
+// What `autoref run` is told.
+struct RunArguments {
+  std::string file;
+  std::string folder;  // empty: results/runs/<scenario>
+  int workers = 0;     // 0: one per processor
+  bool allow_mixed_build = false;
+};
+
+// Each does its verb's work and returns the exit code. Mistakes come as exceptions (errors.hpp).
+int play_verb(const PlayArguments& arguments);
+int run_verb(const RunArguments& arguments);
+
+// Adds a verb to the command line; parsing sets `chosen` to its work.
+using Chosen = std::function<int()>;
+void add_play_verb(CLI::App& app, Chosen& chosen);
+void add_run_verb(CLI::App& app, Chosen& chosen);
+void add_bench_verb(CLI::App& app, Chosen& chosen);
+
+// Does `work` and turns what it throws into a message on stderr and an exit code (errors.hpp).
+int exit_code_of(const Chosen& work);
+
+// The whole program.
+int run_command_line(int argc, const char* const* argv);
+
+}  // namespace autoref::runner

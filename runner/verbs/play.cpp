@@ -1,0 +1,124 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <csignal>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "runner/build_id.hpp"
+#include "runner/errors.hpp"
+#include "runner/event_log.hpp"
+#include "runner/fields.hpp"
+#include "runner/files.hpp"
+#include "runner/game_report.hpp"
+#include "runner/scenario.hpp"
+#include "runner/verbs/command_line.hpp"
+
+namespace autoref::runner {
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+// Ends the game at its next frame once the user has asked for it.
+class Watch final : public Observer {
+ public:
+  explicit Watch(EventLog& log) : log_(log) {
+    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { interrupted = 1; });
+  }
+  void on_frame(const Frame& /*frame*/, const RefereeSignal& /*signal*/,
+                const sim::World& /*world*/) override {
+    if (interrupted != 0) throw Interrupted();
+  }
+  void on_decision(const referee::Decision& decision) override { log_.on_decision(decision); }
+
+ private:
+  EventLog& log_;
+};
+
+// Does `change` to the game; what it throws names `place`, a flag or a file.
+template <typename Change>
+void blame(const std::string& place, const Change& change) {
+  try {
+    change();
+  } catch (const std::invalid_argument& error) {
+    throw InputError({place}, "", error.what());
+  }
+}
+
+void set(GameConfiguration& game, const std::string& assignment) {
+  const std::string flag = "--set " + assignment;
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    throw InputError({flag}, "", "expected KEY=VALUE, such as match.half_s=60");
+  }
+  blame(flag, [&] {
+    set_by_path(game, assignment.substr(0, equals), assignment.substr(equals + 1));
+    check_game(game);
+  });
+}
+
+GameConfiguration configured(const PlayArguments& arguments) {
+  Scenario scenario = read_scenario(arguments.file);
+  auto* game = std::get_if<GameConfiguration>(&scenario.content);
+  if (game == nullptr) {
+    throw InputError({arguments.file}, "kind",
+                     fmt::format("this is a {}, not a game; run it with: autoref run {}",
+                                 kind_of(scenario), arguments.file));
+  }
+  for (const std::string& assignment : arguments.sets) set(*game, assignment);
+  if (!arguments.seed.empty()) {
+    blame("--seed", [&] { set_by_path(*game, "seed", arguments.seed); });
+  }
+  return *game;
+}
+
+// The file for the decisions, opened before the game so that a wrong name is noticed at once.
+std::optional<PendingFile>& open_events(std::optional<PendingFile>& file, const std::string& path) {
+  if (path.empty()) return file;
+  try {
+    return file.emplace(path), file;
+  } catch (const InputOutputError& error) {
+    throw InputError({"--events"}, "", error.what());
+  }
+}
+
+}  // namespace
+
+int play_verb(const PlayArguments& arguments) {
+  const GameConfiguration game = configured(arguments);
+  std::optional<PendingFile> events;
+  open_events(events, arguments.events);
+  EventLog log;
+  Watch watch(log);
+  const auto start = std::chrono::steady_clock::now();
+  GameRecord record;
+  blame(arguments.file, [&] { record = play(game, &watch); });
+  const double wall_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (events) events->commit(log.text());
+  const GameReport report{game, record, wall_s, build_id()};
+  fmt::print("{}\n", arguments.json ? json_of(report) : text_of(report));
+  return record.status == Status::kVoid ? kTooManyVoid : kDone;
+}
+
+void add_play_verb(CLI::App& app, Chosen& chosen) {
+  CLI::App* verb = app.add_subcommand("play", "Play one refereed game.");
+  auto arguments = std::make_shared<PlayArguments>();
+  verb->add_option("FILE", arguments->file, "Scenario of kind game.")->required();
+  verb->add_option("--seed", arguments->seed, "Seed instead of the scenario's.")->type_name("N");
+  verb->add_option("--set", arguments->sets, "Change a setting; may be given several times.")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  verb->add_option("--events", arguments->events,
+                   "Write the referee's decisions to FILE, one JSON object a line.")
+      ->type_name("FILE");
+  verb->add_flag("--json", arguments->json, "Print one JSON object.");
+  verb->footer(
+      "Example:\n  autoref play scenarios/paper-game.yaml --seed 7 --set b.robots=5 "
+      "--set match.half_s=60");
+  verb->callback([arguments, &chosen] { chosen = [arguments] { return play_verb(*arguments); }; });
+}
+
+}  // namespace autoref::runner

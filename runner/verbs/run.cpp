@@ -1,0 +1,95 @@
+#include <fmt/format.h>
+#include <sched.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "runner/build_id.hpp"
+#include "runner/errors.hpp"
+#include "runner/experiment.hpp"
+#include "runner/verbs/command_line.hpp"
+
+namespace autoref::runner {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The processors that this process may use.
+int processors() {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  return sched_getaffinity(0, sizeof set, &set) == 0 ? std::max(1, CPU_COUNT(&set)) : 1;
+}
+
+fs::path folder_of(const RunArguments& arguments) {
+  if (!arguments.folder.empty()) return arguments.folder;
+  return fs::path("results/runs") / fs::path(arguments.file).stem();
+}
+
+ExperimentOptions options_of(const RunArguments& arguments) {
+  ExperimentOptions options;
+  options.folder = folder_of(arguments);
+  options.build = build_id();
+  options.workers = arguments.workers > 0 ? arguments.workers : processors();
+  options.allow_mixed_build = arguments.allow_mixed_build;
+  options.play = [](const GameConfiguration& game) { return play(game); };
+  options.progress = stderr;
+  return options;
+}
+
+void print_results(const Scenario& scenario, const ExperimentReport& report,
+                   const fs::path& folder) {
+  if (!scenario.about.empty()) fmt::print("{}\n\n", scenario.about);
+  fmt::print("{}\n", summary_table(std::get<Sweep>(scenario.content), report.groups));
+  fmt::print("{}   a row per game\n", (folder / "results.csv").string());
+  fmt::print("{}   a row per value\n", (folder / "summary.csv").string());
+  fmt::print("{}   every setting\n", (folder / "effective.yaml").string());
+}
+
+}  // namespace
+
+int run_verb(const RunArguments& arguments) {
+  const Scenario scenario = read_scenario(arguments.file);
+  if (!std::holds_alternative<Sweep>(scenario.content)) {
+    throw InputError({arguments.file}, "kind",
+                     fmt::format("this is a {}, not an experiment; play it with: autoref play {}",
+                                 kind_of(scenario), arguments.file));
+  }
+  const ExperimentOptions options = options_of(arguments);
+  const ExperimentReport report = run_experiment(scenario, options);
+  if (!report.is_complete) {
+    fmt::print(stderr,
+               "autoref: interrupted with {} of {} games done; the same command continues\n",
+               report.done, report.games);
+    return kInterrupted;
+  }
+  print_results(scenario, report, options.folder);
+  if (report.void_games <= kMostVoid * report.games) return kDone;
+  fmt::print(stderr, "autoref: {} of {} games are void; {}'s void_reason says why\n",
+             report.void_games, report.games, (options.folder / "results.csv").string());
+  return kTooManyVoid;
+}
+
+void add_run_verb(CLI::App& app, Chosen& chosen) {
+  CLI::App* verb = app.add_subcommand("run", "Run an experiment: all games of a sweep.");
+  auto arguments = std::make_shared<RunArguments>();
+  verb->add_option("FILE", arguments->file, "Scenario of kind sweep.")->required();
+  verb->add_option("-o,--output", arguments->folder,
+                   "Folder for the results. Default: results/runs/<scenario>.")
+      ->type_name("DIR");
+  verb->add_option("-j,--workers", arguments->workers,
+                   "Games played at a time. Default: one per processor.")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  verb->add_flag("--allow-mixed-build", arguments->allow_mixed_build,
+                 "Go on in a folder that holds games of another build; those do not count.");
+  verb->footer(
+      "Ctrl-C lets the running games end; a second one stops at once. The same command goes on\n"
+      "where the last one stopped.\n\n"
+      "Example:\n  autoref run scenarios/handicap-speed.yaml -o results/runs/speed -j 2");
+  verb->callback([arguments, &chosen] { chosen = [arguments] { return run_verb(*arguments); }; });
+}
+
+}  // namespace autoref::runner

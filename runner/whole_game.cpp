@@ -1,0 +1,65 @@
+// What concerns all settings of a game at once.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "runner/fields.hpp"
+#include "runner/words.hpp"
+#include "soccer/random.hpp"
+#include "strategies/registry.hpp"
+
+namespace autoref::runner {
+namespace {
+
+void check_params(const TeamConfiguration& team, std::string_view name) {
+  const strategies::Entry* entry = strategies::find_strategy(team.strategy);
+  if (entry == nullptr) {
+    throw std::invalid_argument(fmt::format("unknown strategy '{}'", team.strategy));
+  }
+  const std::vector<std::string> known(entry->params.begin(), entry->params.end());
+  for (const auto& [param, value] : team.params) {
+    if (std::find(known.begin(), known.end(), param) != known.end()) continue;
+    const std::string what = fmt::format("{}.params.{}: strategy '{}' has no parameter '{}'", name,
+                                         param, team.strategy, param);
+    if (known.empty()) throw std::invalid_argument(what + "; it has none");
+    throw std::invalid_argument(fmt::format("{}; did you mean '{}'? Known here: {}", what,
+                                            nearest_word(param, known), listed(known)));
+  }
+}
+
+}  // namespace
+
+void check_game(const GameConfiguration& game) {
+  check_params(game.a, "teams.a");
+  check_params(game.b, "teams.b");
+  sim::validate(game.field);
+  try {
+    sim::validate(game.sim);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("sim.{}", error.what()));
+  }
+}
+
+std::uint64_t configuration_hash(const GameConfiguration& game) {
+  GameConfiguration copy = game;
+  std::string text;
+  for (const Setting& setting : settings_of(copy)) {
+    if (std::holds_alternative<BothFactors>(setting.target)) continue;
+    text += fmt::format("{}={}\n", setting.path, value_of(setting));
+  }
+  for (const TeamConfiguration* team : {&game.a, &game.b}) {
+    for (const auto& [name, value] : team->params) {
+      text += fmt::format("{}={}\n", name, text_of(value));
+    }
+    text += "\n";
+  }
+  // FNV-1a over the letters, spread over the word.
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  for (const char letter : text) {
+    hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3ULL;
+  }
+  return mix_bits(hash);
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,43 @@
+// Work in processes of their own: jobs go out and results come back over sockets.
+//
+// Each worker is a fork of this process and does one job after the other; a worker that dies takes
+// one job along, which is done again. Workers never outlive this process. The parent stays
+// single-threaded and is the only one to see results.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace autoref::runner {
+
+struct WorkerOptions {
+  int workers = 1;
+  int attempts = 3;            // until a job is given up
+  double longest_job_s = 600;  // after which a worker is taken to hang
+};
+
+struct JobResult {
+  std::size_t job = 0;
+  std::string payload;  // what the work returned; never empty, at most 100 kB
+  std::string failure;  // why the job was given up; empty where it was done
+  int attempt = 1;      // counted from 1
+  double wall_s = 0;    // of this attempt
+};
+
+struct WorkerCalls {
+  std::function<std::string(std::size_t job)> work;   // in a worker
+  std::function<void(const JobResult& result)> done;  // here, as results come in; may throw
+  std::function<void()> tick;                         // here, about four times a second
+};
+
+enum class Ending { kDone, kInterrupted };
+
+// Does `jobs`, in their order as far as workers are free. On SIGINT, SIGTERM or SIGHUP no further
+// job is begun; on a second one the workers are killed at once. Returns kInterrupted where jobs
+// are left. Throws what `done` throws, and InputOutputError where no process can be started.
+Ending do_jobs(const std::vector<std::size_t>& jobs, const WorkerOptions& options,
+               const WorkerCalls& calls);
+
+}  // namespace autoref::runner

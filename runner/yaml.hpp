@@ -1,0 +1,59 @@
+// YAML with places: a thin layer over yaml-cpp that refuses what a strict reader must not pass.
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace autoref::runner {
+
+// Line and column in a file, counted from 1; 0 where there is none.
+struct YamlPlace {
+  int line = 0;
+  int column = 0;
+};
+
+struct YamlEntry {
+  std::string key;
+  YamlPlace place;  // of the key
+  YAML::Node value;
+};
+
+YamlPlace place_of(const YAML::Node& node);
+
+// The value's place, the key's where there is no value.
+YamlPlace value_place(const YamlEntry& entry);
+
+// The entry of that key, nullptr where there is none.
+const YamlEntry* find_entry(const std::vector<YamlEntry>& entries, std::string_view key);
+
+// One document of one file. All refusals are InputErrors with file, place and key.
+class YamlFile {
+ public:
+  // Throws InputError for text that is no YAML, or not exactly one document.
+  YamlFile(const std::string& text, std::string name);
+
+  // The entries of the document itself.
+  std::vector<YamlEntry> top() const;
+
+  // The entries of a value that is a mapping, in the file's order; `path` and `known` are for
+  // messages. Refuses what is no mapping, a key given twice, and a key that is no plain word.
+  std::vector<YamlEntry> entries(const YamlEntry& entry, std::string_view path,
+                                 const std::vector<std::string>& known) const;
+
+  // The text of a plain value. Refuses lists, mappings and nothing at all; with `is_number` also
+  // numbers in quotes.
+  std::string scalar(const YamlEntry& entry, std::string_view path, const std::string& expected,
+                     bool is_number) const;
+
+  [[noreturn]] void refuse(const YamlPlace& place, std::string_view key,
+                           const std::string& message) const;
+
+ private:
+  std::string name_;
+  YAML::Node document_;
+};
+
+}  // namespace autoref::runner

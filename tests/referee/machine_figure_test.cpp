@@ -1,0 +1,79 @@
+#include "referee/machine_figure.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "referee/machine.hpp"
+
+namespace autoref::referee {
+namespace {
+
+std::string readme() {
+  std::ifstream file(AUTOREF_SOURCE_DIR "/referee/README.md");
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+TEST(MachineFigure, InTheReadmeIsPrintedFromTheTable) {
+  const std::string figure = machine_figure();
+  EXPECT_NE(readme().find(figure), std::string::npos)
+      << "referee/README.md should show this figure:\n\n"
+      << figure;
+}
+
+TEST(MachineFigure, EveryDeviationOfAnArrowIsListed) {
+  const std::string text = readme();
+  for (const auto& arrows : {arrows_in_figure(), arrows_outside_figure()}) {
+    for (const Arrow& arrow : arrows) {
+      const std::string heading = "**D" + std::to_string(arrow.deviation) + "**";
+      if (arrow.deviation == 0) continue;
+      EXPECT_NE(text.find(heading), std::string::npos) << heading << " of " << arrow.label;
+    }
+  }
+}
+
+TEST(Machine, LabelsItsArrowsUniquely) {
+  std::set<std::string_view> labels;
+  for (const auto& arrows : {arrows_in_figure(), arrows_outside_figure()}) {
+    for (const Arrow& arrow : arrows) EXPECT_TRUE(labels.insert(arrow.label).second);
+  }
+}
+
+TEST(Machine, StepLeavesItsInputUntouched) {
+  const Configuration configuration;
+  const Frame frame;
+  const std::optional<BallSight> ball;
+  const LastTouch touch;
+  const Memory memory;
+  Finding finding;
+  finding.event = Event::kBegin;
+  const Step first = step(memory, {configuration, frame, ball, touch}, finding);
+  const Step again = step(memory, {configuration, frame, ball, touch}, finding);
+  EXPECT_EQ(memory.state, State::kInit);
+  EXPECT_EQ(first.memory.state, State::kWaitStart);
+  EXPECT_EQ(first.arrow, again.arrow);
+  EXPECT_EQ(first.sent, again.sent);
+}
+
+TEST(Machine, StaysWhereNoArrowLeadsOn) {
+  const Configuration configuration;
+  const Frame frame;
+  const std::optional<BallSight> ball;
+  const LastTouch touch;
+  Memory memory;
+  memory.state = State::kWaitStop;
+  Finding goal;
+  goal.event = Event::kGoal;
+  const Step taken = step(memory, {configuration, frame, ball, touch}, goal);
+  EXPECT_EQ(taken.arrow, nullptr);
+  EXPECT_EQ(taken.memory.signal.goals[Side::kWest], 0);
+  EXPECT_FALSE(taken.sent.has_value());
+}
+
+}  // namespace
+}  // namespace autoref::referee

@@ -1,0 +1,189 @@
+// The referee has no favourite side: frames turned by 180 degrees with the sides swapped give the
+// turned calls in the same frames.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "soccer/random.hpp"
+#include "tests/referee/scripted_game.hpp"
+
+namespace autoref::referee {
+namespace {
+
+constexpr double kFrame_s = 1.0 / 60;
+
+// A rough game without strategy: robots chase the ball or wander, whoever is at it kicks it
+// anywhere, and the referee's hand obeys one of the two referees.
+class RoughGame {
+ public:
+  explicit RoughGame(std::uint64_t seed) : random_(seed) {
+    frame_.ball = BallObservation{Vec2(0, 0), 0.0};
+    for (Side side : kSides) {
+      for (int i = 0; i < 6; ++i) {
+        const Vec2 place(goal_sign(side) * (0.5 + 0.3 * i), -1.5 + 0.5 * i);
+        frame_.robots[side].push_back({i, place, Vec2(-goal_sign(side), 0)});
+      }
+    }
+  }
+
+  const Frame& next(const RefereeSignal& signal) {
+    ++frame_.number;
+    frame_.time_s = static_cast<double>(frame_.number) * kFrame_s;
+    const bool rests = signal.placement && frame_.number % 1800 > 300;
+    if (!rests) move_robots();
+    move_ball(signal);
+    look();
+    return seen_;
+  }
+
+ private:
+  void move_robots() {
+    for (Side side : kSides) {
+      for (RobotObservation& robot : frame_.robots[side]) {
+        const Vec2 wander(random_.uniform() - 0.5, random_.uniform() - 0.5);
+        const Vec2 goal = robot.number < 3 ? frame_.ball->position_m : wander * 6;
+        const Vec2 way = direction_of(goal - robot.position_m, robot.heading);
+        robot.heading = direction_of(robot.heading + way * 0.2, way);
+        robot.position_m += way * (1.5 + 0.5 * robot.number / 6) * kFrame_s;
+      }
+    }
+  }
+
+  void move_ball(const RefereeSignal& signal) {
+    Vec2& ball_m = frame_.ball->position_m;
+    if (signal.placement) {
+      ball_mps_ = Vec2(0, 0);
+      const Vec2 way = signal.placement->target_m - ball_m;
+      ball_m += signal.placement->at_once ? way : clamp_norm(way, 0.05);
+      return;
+    }
+    for (Side side : kSides) {
+      for (const RobotObservation& robot : frame_.robots[side]) bounce(robot);
+    }
+    ball_mps_ *= 0.995;
+    ball_m += ball_mps_ * kFrame_s;
+    const bool at_wall = std::abs(ball_m.x()) > 3.7 || std::abs(ball_m.y()) > 2.7;
+    if (at_wall) ball_mps_ = -ball_mps_;
+  }
+
+  void bounce(const RobotObservation& robot) {
+    Vec2& ball_m = frame_.ball->position_m;
+    const double gap = distance_to_hull(ball_m, robot.position_m, robot.heading) - kBallRadius_m;
+    if (gap > 0.004) return;
+    const Vec2 away = direction_of(ball_m - robot.position_m, robot.heading);
+    ball_m += away * std::max(0.0, -gap);
+    ball_mps_ = away * (1 + 5 * random_.uniform());
+  }
+
+  // Now and then the camera misses the ball or a robot, and some balls fly.
+  void look() {
+    seen_ = frame_;
+    if (random_.uniform() < 0.02) seen_.ball.reset();
+    if (random_.uniform() < 0.1) seen_.robots[Side::kWest].pop_back();
+    if (random_.uniform() < 0.1) seen_.robots[Side::kEast].pop_back();
+    if (seen_.ball && frame_.number % 1000 > 900) seen_.ball->height_m = 0.2;
+    if (seen_.ball && frame_.number % 1000 > 950) seen_.ball->height_m.reset();
+  }
+
+  RandomStream random_;
+  Frame frame_;
+  Frame seen_;
+  Vec2 ball_mps_{0, 0};
+};
+
+std::optional<Side> turned(const std::optional<Side>& side) {
+  return side ? std::optional(opponent_of(*side)) : std::nullopt;
+}
+
+RobotId turned(RobotId robot) { return {opponent_of(robot.side), robot.number}; }
+
+std::optional<Command> turned(const std::optional<Command>& command) {
+  return command ? std::optional(mirrored(*command)) : std::nullopt;
+}
+
+void expect_turned(const std::optional<Vec2>& a, const std::optional<Vec2>& b) {
+  ASSERT_EQ(a.has_value(), b.has_value());
+  if (a) {
+    EXPECT_LE((*a + *b).norm(), 1e-6);
+  }
+}
+
+void expect_turned(const LastTouch& a, const LastTouch& b) {
+  EXPECT_EQ(turned(a.side), b.side);
+  ASSERT_EQ(a.robot.has_value(), b.robot.has_value());
+  if (a.robot) {
+    EXPECT_EQ(turned(*a.robot), *b.robot);
+  }
+  ASSERT_EQ(a.runner_up.has_value(), b.runner_up.has_value());
+  if (a.runner_up) {
+    EXPECT_EQ(turned(*a.runner_up), *b.runner_up);
+  }
+  EXPECT_NEAR(a.gap_m, b.gap_m, 1e-6);
+  EXPECT_NEAR(a.time_s, b.time_s, 1e-6);
+}
+
+void expect_turned(const Decision& a, const Decision& b) {
+  EXPECT_EQ(a.arrow, b.arrow);
+  EXPECT_EQ(a.frame, b.frame);
+  EXPECT_EQ(turned(a.command), b.command);
+  EXPECT_NEAR(a.value, b.value, 1e-6);
+  expect_turned(a.position_m, b.position_m);
+  expect_turned(a.last_touch, b.last_touch);
+  std::vector<RobotId> robots;
+  for (const RobotId robot : a.robots) robots.push_back(turned(robot));
+  std::sort(robots.begin(), robots.end());
+  std::vector<RobotId> others(b.robots.begin(), b.robots.end());
+  std::sort(others.begin(), others.end());
+  EXPECT_EQ(robots, others);
+}
+
+void expect_turned(const RefereeSignal& a, const RefereeSignal& b) {
+  EXPECT_EQ(mirrored(a.command), b.command);
+  EXPECT_EQ(a.command_counter, b.command_counter);
+  EXPECT_EQ(a.stage, b.stage);
+  EXPECT_EQ(a.stage_time_left_s, b.stage_time_left_s);
+  EXPECT_EQ(a.goals[Side::kWest], b.goals[Side::kEast]);
+  EXPECT_EQ(a.goals[Side::kEast], b.goals[Side::kWest]);
+  EXPECT_EQ(turned(a.next_command), b.next_command);
+  ASSERT_EQ(a.placement.has_value(), b.placement.has_value());
+  if (a.placement) {
+    EXPECT_LE((a.placement->target_m + b.placement->target_m).norm(), 1e-6);
+  }
+}
+
+Configuration rough_configuration(Side first_kickoff) {
+  Configuration configuration;
+  configuration.half_s = 60;
+  configuration.after_game = AfterGame::kNewGame;
+  configuration.first_kickoff = first_kickoff;
+  return configuration;
+}
+
+class Mirrored : public testing::TestWithParam<int> {};
+
+TEST_P(Mirrored, FramesGiveMirroredCallsInTheSameFrames) {
+  RoughGame game(static_cast<std::uint64_t>(GetParam()));
+  Referee referee(rough_configuration(Side::kWest));
+  Referee other(rough_configuration(Side::kEast));
+  RefereeSignal signal;
+  std::size_t stops = 0;
+  for (int i = 0; i < 12000 && !HasFailure(); ++i) {
+    const Frame& frame = game.next(signal);
+    signal = referee.update(frame, {});
+    const RefereeSignal turned_signal = other.update(mirrored(frame), {});
+    expect_turned(signal, turned_signal);
+    EXPECT_EQ(referee.is_ball_in_play(), other.is_ball_in_play());
+    ASSERT_EQ(referee.decisions().size(), other.decisions().size()) << "frame " << i;
+    for (std::size_t k = 0; k < referee.decisions().size(); ++k) {
+      expect_turned(referee.decisions()[k], other.decisions()[k]);
+      stops += is_stop(referee.decisions()[k].event) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(stops, 8U);  // or nothing was tested
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, Mirrored, testing::Range(1, 9));
+
+}  // namespace
+}  // namespace autoref::referee

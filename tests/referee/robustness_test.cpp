@@ -1,0 +1,180 @@
+// What the referee does with frames in which something is missing or wrong.
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <stdexcept>
+
+#include "tests/referee/scripted_game.hpp"
+
+namespace autoref::referee {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+TEST(Robustness, AGameWithoutRobotsAndBallComesToItsEnd) {
+  Configuration configuration;
+  configuration.half_s = 30;
+  ScriptedGame game(configuration);
+  game.frame.ball.reset();
+  game.run_until("game_over", 200);
+  EXPECT_TRUE(game.referee.is_over());
+  EXPECT_EQ(game.signal.goals, (PerSide<int>{}));
+}
+
+TEST(Robustness, AFrameWithoutABallHoldsTheLastOne) {
+  ScriptedGame game;
+  game.line_up().kick_off();
+  game.put_ball({1, 0});
+  game.step();
+  game.frame.ball.reset();
+  game.run(3);
+  EXPECT_EQ(game.referee.state(), State::kRun);
+  EXPECT_TRUE(game.referee.is_ball_in_play());
+}
+
+TEST(Robustness, ABallThatComesBackOutsideIsOut) {
+  ScriptedGame game;
+  game.line_up().kick_off();
+  game.put_ball({1, 2.0});
+  game.step();
+  game.frame.ball.reset();
+  game.run(0.5);
+  game.frame.ball = BallObservation{Vec2(1.1, 2.2), 0.0};
+  game.step();
+  EXPECT_EQ(game.decisions.back().arrow, "touch_line_unknown");
+}
+
+TEST(Robustness, NumbersThatAreNotFiniteCountAsNotSeen) {
+  ScriptedGame game;
+  game.line_up().kick_off();
+  game.put_ball({kNan, kNan});
+  game.robot(Side::kWest, 1).position_m = {kNan, 0};
+  game.run(3);
+  EXPECT_EQ(game.referee.state(), State::kRun);
+  game.put_ball({1, 2.2});
+  game.step();
+  EXPECT_EQ(game.referee.state(), State::kWaitStop);
+}
+
+TEST(Robustness, ARobotThatDisappearsDoesNotHoldUpPlay) {
+  ScriptedGame game;
+  game.line_up().kick_off();
+  game.put_ball({1, 2.2});
+  const double stopped_s = game.run_until("touch_line_unknown").time_s;
+  game.frame.robots[Side::kEast].pop_back();
+  EXPECT_NEAR(game.run_until("start").time_s, stopped_s + 1, 1e-9);
+}
+
+TEST(Robustness, AGoalInTheLastFrameOfAHalfCounts) {
+  Configuration configuration;
+  configuration.half_s = 4;
+  ScriptedGame game(configuration);
+  game.line_up().kick_off();
+  const double over_s = game.now_s() + 4;
+  game.put_ball({2.5, 0});
+  while (game.now_s() < over_s - 1.5 / 60) game.step();
+  game.put_ball({3.1, 0});
+  game.step();
+  EXPECT_EQ(game.signal.goals[Side::kWest], 1);
+  EXPECT_EQ(game.signal.command.kind, CommandKind::kHalt);
+  EXPECT_EQ(game.signal.stage, Stage::kHalfTime);
+}
+
+TEST(Robustness, EveryCommandIsCountedAndTimed) {
+  ScriptedGame game;
+  game.line_up().kick_off();
+  game.kick_from(Side::kWest, 1, {2.5, 0}, {6, 0});
+  game.run_until("start");
+  std::uint32_t sent = 0;
+  for (const Decision& decision : game.decisions) sent += decision.command ? 1 : 0;
+  EXPECT_EQ(game.signal.command_counter, sent);
+  EXPECT_EQ(game.signal.command_time_s, game.now_s());
+}
+
+TEST(Robustness, OneEventIsCalledOnce) {
+  ScriptedGame game;
+  game.line_up().kick_off();
+  game.kick_from(Side::kWest, 1, {1, 1.8}, {0, 4});
+  game.hand_works = false;
+  game.run(3);
+  EXPECT_EQ(game.count("throw_in"), 1);
+}
+
+TEST(Robustness, ABallStillOutsideWhenPlayGoesOnIsOutAgain) {
+  ScriptedGame game;
+  game.line_up().kick_off();
+  game.kick_from(Side::kWest, 1, {1, 1.8}, {0, 4});
+  game.hand_works = false;
+  game.run_until("start_late");
+  game.step();
+  EXPECT_EQ(game.referee.state(), State::kWaitStop);
+}
+
+TEST(Configured, RefusesWhatNoGameCanBeMadeOf) {
+  for (const double half_s : {0.0, -1.0, kNan}) {
+    Configuration configuration;
+    configuration.half_s = half_s;
+    EXPECT_THROW(Referee{configuration}, std::invalid_argument);
+  }
+  for (const int halves : {0, -1, 5}) {
+    Configuration configuration;
+    configuration.halves = halves;
+    EXPECT_THROW(Referee{configuration}, std::invalid_argument);
+  }
+  Configuration configuration;
+  configuration.break_s = -1;
+  EXPECT_THROW(Referee{configuration}, std::invalid_argument);
+}
+
+TEST(Configured, HalvesAlternateTheirKickOffs) {
+  Configuration configuration;
+  configuration.half_s = 2;
+  configuration.halves = 4;
+  configuration.first_kickoff = Side::kEast;
+  ScriptedGame game(configuration);
+  game.line_up().run_until("game_over", 100);
+  std::vector<Side> kickers;
+  for (const Decision& decision : game.decisions) {
+    if (decision.command && decision.command->kind == CommandKind::kPrepareKickoff) {
+      kickers.push_back(decision.command->side);
+    }
+  }
+  EXPECT_EQ(kickers, (std::vector<Side>{Side::kEast, Side::kWest, Side::kEast, Side::kWest}));
+}
+
+TEST(Configured, NumbersOfTheRuleBookAreTheOnesOfThePaperAndTheLaws) {
+  const RuleBook rules;
+  EXPECT_EQ(rules.stillness_m, 0.015);
+  EXPECT_EQ(rules.attacker_to_area_m, 0.2);
+  EXPECT_EQ(rules.in_play_m, 0.05);
+  EXPECT_EQ(rules.stuck_distance_m, 0.25);
+  EXPECT_EQ(rules.stuck_time_s, 10);
+  EXPECT_EQ(rules.restart_timeout_s, 10);
+  EXPECT_EQ(rules.ready_timeout_s, 15);
+}
+
+TEST(BallInPlay, IsOnlyAfter50Millimetres) {
+  ScriptedGame game;
+  game.line_up().kick_off();
+  game.put_ball({0.049, 0});
+  game.step();
+  EXPECT_FALSE(game.referee.is_ball_in_play());
+  game.put_ball({0.051, 0});
+  game.step();
+  EXPECT_TRUE(game.referee.is_ball_in_play());
+}
+
+TEST(StuckBall, IsNotCalledForABallThatMoves250MillimetresInTenSeconds) {
+  ScriptedGame game;
+  game.line_up().kick_off();
+  game.put_ball({0.3, 0.3});
+  game.ball_mps = {0.026, 0};
+  game.run(25);
+  EXPECT_EQ(game.count("stuck_ball"), 0);
+  game.ball_mps = {0.024, 0};
+  game.run(25);
+  EXPECT_EQ(game.count("stuck_ball"), 1);
+}
+
+}  // namespace
+}  // namespace autoref::referee

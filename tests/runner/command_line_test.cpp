@@ -1,0 +1,107 @@
+// The program as scripts see it: exit codes and messages.
+#include "runner/verbs/command_line.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "runner/errors.hpp"
+#include "tests/runner/temporary_folder.hpp"
+
+namespace autoref::runner {
+namespace {
+
+struct Answer {
+  int code = 0;
+  std::string out;
+  std::string err;
+};
+
+Answer answer_to(std::vector<const char*> arguments) {
+  arguments.insert(arguments.begin(), "autoref");
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  Answer answer;
+  answer.code = run_command_line(static_cast<int>(arguments.size()), arguments.data());
+  answer.out = testing::internal::GetCapturedStdout();
+  answer.err = testing::internal::GetCapturedStderr();
+  return answer;
+}
+
+const std::string kScenarios = std::string(AUTOREF_SOURCE_DIR) + "/scenarios/";
+const std::string kGame = kScenarios + "paper-game.yaml";
+const std::string kSweep = kScenarios + "handicap-speed.yaml";
+
+TEST(CommandLine, ShowsAnExampleForEachVerb) {
+  for (const char* verb : {"play", "run", "bench"}) {
+    const Answer answer = answer_to({verb, "--help"});
+    EXPECT_EQ(answer.code, kDone);
+    EXPECT_NE(answer.out.find(std::string("Example:\n  autoref ") + verb), std::string::npos);
+  }
+}
+
+TEST(CommandLine, TellsItsVersion) {
+  const Answer answer = answer_to({"--version"});
+  EXPECT_EQ(answer.code, kDone);
+  EXPECT_TRUE(answer.out.starts_with("autoref 0.1.0-"));
+}
+
+TEST(CommandLine, CallsItsOwnMistakesBadInput) {
+  for (const auto& arguments :
+       std::vector<std::vector<const char*>>{{},
+                                             {"playy"},
+                                             {"play"},
+                                             {"play", kGame.c_str(), "--sed", "1"},
+                                             {"play", kGame.c_str(), "--seed"},
+                                             {"run", kSweep.c_str(), "-j", "0"},
+                                             {"run", kSweep.c_str(), "-j", "two"}}) {
+    const Answer answer = answer_to(arguments);
+    EXPECT_EQ(answer.code, kBadInput);
+    EXPECT_NE(answer.err, "");
+    EXPECT_EQ(answer.out, "");
+  }
+}
+
+struct WrongInput {
+  std::vector<const char*> arguments;
+  const char* fragment;
+};
+
+TEST(CommandLine, NamesTheFlagOrFileThatIsWrong) {
+  for (const WrongInput& wrong : std::vector<WrongInput>{
+           {{"play", "none.yaml"}, "none.yaml: the file cannot be read"},
+           {{"run", "none.yaml"}, "none.yaml: the file cannot be read"},
+           {{"play", kSweep.c_str()}, "autoref run"},
+           {{"run", kGame.c_str()}, "autoref play"},
+           {{"play", kGame.c_str(), "--seed", "x"}, "--seed: "},
+           {{"play", kGame.c_str(), "--seed", "-1"}, "-1"},
+           {{"play", kGame.c_str(), "--set", "b.robots"}, "--set b.robots: expected KEY=VALUE"},
+           {{"play", kGame.c_str(), "--set", "b.robots=17"}, "--set b.robots=17: expected a whole"},
+           {{"play", kGame.c_str(), "--set", "b.robot=5"}, "did you mean 'b.robots'"},
+           {{"play", kGame.c_str(), "--set", "a.strategy=none"}, "basic"},
+           {{"play", kGame.c_str(), "--set", "a.params.x=1"}, "no parameter 'x'"},
+           {{"play", kGame.c_str(), "--events", "/nonexistent/e"}, "/nonexistent/e cannot be"}}) {
+    const Answer answer = answer_to(wrong.arguments);
+    EXPECT_EQ(answer.code, kBadInput);
+    EXPECT_NE(answer.err.find(wrong.fragment), std::string::npos) << answer.err;
+    EXPECT_EQ(answer.out, "");
+  }
+}
+
+TEST(CommandLine, CallsAFolderThatCannotBeWrittenInputOutput) {
+  const Answer answer = answer_to({"run", kSweep.c_str(), "-o", "/proc/none"});
+  EXPECT_EQ(answer.code, kInputOutput);
+  EXPECT_NE(answer.err.find("/proc/none"), std::string::npos);
+}
+
+TEST(ExitCode, FollowsFromWhatIsThrown) {
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(exit_code_of([]() -> int { throw InputError({"f"}, "k", "m"); }), 2);
+  EXPECT_EQ(exit_code_of([]() -> int { throw std::logic_error("m"); }), 70);
+  EXPECT_EQ(exit_code_of([]() -> int { throw InputOutputError("m"); }), 74);
+  EXPECT_EQ(exit_code_of([]() -> int { throw Interrupted(); }), 75);
+  testing::internal::GetCapturedStderr();
+}
+
+}  // namespace
+}  // namespace autoref::runner

@@ -1,0 +1,56 @@
+// Experiments with made-up games, so that tests of the machinery take milliseconds.
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include "runner/experiment.hpp"
+#include "tests/runner/temporary_folder.hpp"
+
+namespace autoref::runner {
+
+// A result that depends on the whole configuration, as a real game's does.
+inline GameRecord fake_game(const GameConfiguration& game) {
+  GameRecord record;
+  record.goals_a = static_cast<int>(game.seed % 7);
+  record.goals_b = static_cast<int>(game.seed / 7 % 5) + game.b.robots;
+  record.goals_by_half = {{record.goals_a, 0}, {0, record.goals_b}};
+  record.frames = 72000;
+  record.sim_s = 1200;
+  record.state_hash = game.seed * 31 + static_cast<std::uint64_t>(game.b.robots);
+  return record;
+}
+
+inline GameRecord slow_fake_game(const GameConfiguration& game) {
+  std::this_thread::sleep_for(std::chrono::milliseconds(3));
+  return fake_game(game);
+}
+
+// b.robots over 6 and 5, `pairs` pairs each.
+inline Scenario small_sweep(int pairs = 3) {
+  Sweep sweep;
+  sweep.factors = {{"b.robots", {"6", "5"}}};
+  sweep.pairs = pairs;
+  sweep.seed = 2014;
+  return {"A test.", sweep};
+}
+
+inline ExperimentOptions fake_options(const std::filesystem::path& folder) {
+  ExperimentOptions options;
+  options.folder = folder;
+  options.build = "0.1.0-test";
+  options.play = fake_game;
+  options.patience_s = 0.05;
+  return options;
+}
+
+inline std::filesystem::path shard_of(const std::filesystem::path& folder) {
+  return folder / "games" / "shard-0-of-1.csv";
+}
+
+inline int line_count(const std::string& text) {
+  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+}
+
+}  // namespace autoref::runner

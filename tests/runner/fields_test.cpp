@@ -1,0 +1,129 @@
+#include "runner/fields.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <stdexcept>
+
+namespace autoref::runner {
+namespace {
+
+std::string refusal_of(std::string_view path, std::string_view text) {
+  GameConfiguration game;
+  try {
+    set_by_path(game, path, text);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(SetByPath, ReachesEachPartOfAGame) {
+  GameConfiguration game;
+  set_by_path(game, "match.half_s", "60");
+  set_by_path(game, "teams.a.robots", "5");
+  set_by_path(game, "sim.camera", "paper");
+  set_by_path(game, "field.defence_area.shape", "box");
+  set_by_path(game, "seed", "7");
+  EXPECT_EQ(game.match.half_s, 60);
+  EXPECT_EQ(game.a.robots, 5);
+  EXPECT_EQ(game.field.defence_area.shape, DefenceArea::Shape::kBox);
+  EXPECT_EQ(game.seed, 7U);
+}
+
+TEST(SetByPath, TakesAAndBForTheTeams) {
+  GameConfiguration game;
+  set_by_path(game, "a.robots", "4");
+  set_by_path(game, "b.strategy", "dummy");
+  EXPECT_EQ(game.a.robots, 4);
+  EXPECT_EQ(game.b.strategy, "dummy");
+}
+
+TEST(SetByPath, SetsBothFactorsByAHandicap) {
+  GameConfiguration game;
+  set_by_path(game, "b.handicap", "0.8");
+  EXPECT_EQ(game.b.speed_factor, 0.8);
+  EXPECT_EQ(game.b.acceleration_factor, 0.8);
+  EXPECT_EQ(game.a.speed_factor, 1.0);
+}
+
+TEST(SetByPath, SetsAStrategysOwnParameters) {
+  GameConfiguration game;
+  set_by_path(game, "a.params.shot_mps", "6.5");
+  EXPECT_EQ(game.a.params.at("shot_mps"), 6.5);
+}
+
+TEST(SetByPath, NamesTheNearestKeyForAnUnknownOne) {
+  EXPECT_NE(refusal_of("match.half", "60").find("'match.half_s'"), std::string::npos);
+  EXPECT_NE(refusal_of("b.robot", "5").find("'b.robots'"), std::string::npos);
+  EXPECT_NE(refusal_of("params.x", "5").find("unknown key"), std::string::npos);
+  EXPECT_NE(refusal_of("a.params", "5").find("unknown key"), std::string::npos);
+}
+
+TEST(SetByPath, SaysWhatWasExpected) {
+  EXPECT_EQ(refusal_of("a.robots", "17"), "expected a whole number from 1 to 16, found '17'");
+  EXPECT_EQ(refusal_of("a.robots", "0"), "expected a whole number from 1 to 16, found '0'");
+  EXPECT_EQ(refusal_of("b.speed_factor", "-1"),
+            "expected a number above 0 and at most 2, found '-1'");
+  EXPECT_EQ(refusal_of("match.a_plays", "north"), "expected one of west, east, found 'north'");
+}
+
+TEST(SetByPath, LeavesTheGameAloneWhenItRefuses) {
+  GameConfiguration game;
+  EXPECT_THROW(set_by_path(game, "b.handicap", "3"), std::invalid_argument);
+  EXPECT_EQ(game.b.speed_factor, 1.0);
+}
+
+TEST(Settings, HaveAPathOfTheirOwnAndDefaultsWithinTheirRanges) {
+  GameConfiguration game;
+  std::set<std::string> paths;
+  for (const Setting& setting : settings_of(game)) {
+    EXPECT_TRUE(paths.insert(setting.path).second) << setting.path;
+    EXPECT_FALSE(setting.about.empty()) << setting.path;
+    if (setting.path.ends_with(".params")) continue;
+    EXPECT_NO_THROW(assign(setting, value_of(setting))) << setting.path;
+  }
+}
+
+TEST(Settings, AcceptTheirDefaultsAsAWhole) { EXPECT_NO_THROW(check_game(GameConfiguration{})); }
+
+TEST(CheckGame, RefusesParametersThatTheStrategyDoesNotHave) {
+  GameConfiguration game;
+  game.a.params["shot_mpss"] = 1;
+  try {
+    check_game(game);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("'shot_mps'"), std::string::npos);
+  }
+}
+
+TEST(ConfigurationHash, ChangesWithEverySetting) {
+  const std::uint64_t plain = configuration_hash(GameConfiguration{});
+  for (const auto& [path, text] :
+       std::map<std::string, std::string>{{"a.robots", "5"},
+                                          {"b.robots", "5"},
+                                          {"match.half_s", "599"},
+                                          {"match.a_plays", "east"},
+                                          {"match.first_kickoff", "east"},
+                                          {"field.goal_width_m", "0.71"},
+                                          {"sim.robot.mass_kg", "2.6"},
+                                          {"a.params.shot_mps", "0"},
+                                          {"b.params.shot_mps", "0"},
+                                          {"seed", "43"}}) {
+    GameConfiguration game;
+    set_by_path(game, path, text);
+    EXPECT_NE(configuration_hash(game), plain) << path;
+  }
+}
+
+TEST(ConfigurationHash, TellsTheTeamsApart) {
+  GameConfiguration left;
+  left.a.params["shot_mps"] = 5;
+  GameConfiguration right;
+  right.b.params["shot_mps"] = 5;
+  EXPECT_NE(configuration_hash(left), configuration_hash(right));
+}
+
+}  // namespace
+}  // namespace autoref::runner

@@ -1,0 +1,69 @@
+#include "runner/rows.hpp"
+
+#include <gtest/gtest.h>
+
+#include "runner/csv.hpp"
+#include "tests/runner/fake_games.hpp"
+
+namespace autoref::runner {
+namespace {
+
+std::string sample_line(const RowFormat& format, const std::string& void_reason = "") {
+  const PlannedGame game = plan(std::get<Sweep>(small_sweep().content)).front();
+  GameRecord record = fake_game(game.configuration);
+  record.void_reason = void_reason;
+  return format.line(game, outcome_of(record), {"build", "host", "A, \"fast\" CPU", 1.5, 2, "0/1"});
+}
+
+TEST(Csv, QuotesWhatNeedsQuotes) {
+  const std::vector<std::string> cells = {"plain", "a,b", "say \"hi\"", ""};
+  EXPECT_EQ(csv_line(cells), "plain,\"a,b\",\"say \"\"hi\"\"\",");
+  EXPECT_EQ(csv_cells(csv_line(cells)), cells);
+}
+
+TEST(Csv, KeepsARowOnOneLine) { EXPECT_EQ(csv_line({"a\nb"}), "\"a b\""); }
+
+TEST(Csv, RefusesQuotesThatDoNotMatch) {
+  for (const char* line : {"\"a", "a\"b", "\"a\"b"}) EXPECT_FALSE(csv_cells(line)) << line;
+}
+
+TEST(RowFormat, HasTheColumnsOfAGameWithTheCheckLast) {
+  const RowFormat format({"b.robots"});
+  EXPECT_TRUE(
+      csv_line(format.columns())
+          .starts_with("game_id,pair,leg,b.robots,team_a,team_b,side_a,seed,goals_a,goals_b,"
+                       "goal_diff,first_half_goals_a,first_half_goals_b,end_reason,status,"
+                       "void_reason,stops_goal,"));
+  EXPECT_TRUE(csv_line(format.columns())
+                  .ends_with(",ball_in_play_s,sim_s,frames,state_hash,config_hash,build,host,cpu,"
+                             "wall_s,attempt,shard,row_crc"));
+}
+
+TEST(RowFormat, ReadsBackWhatItWrote) {
+  const RowFormat format({"b.robots"});
+  const auto cells = format.read(sample_line(format, "team a threw: \"x\", then\nmore"));
+  ASSERT_TRUE(cells);
+  EXPECT_EQ((*cells)[format.column("b.robots")], "6");
+  EXPECT_EQ((*cells)[format.column("side_a")], "west");
+  EXPECT_EQ((*cells)[format.column("void_reason")], "team a threw: \"x\", then more");
+  EXPECT_EQ((*cells)[format.column("cpu")], "A, \"fast\" CPU");
+  EXPECT_EQ((*cells)[format.column("attempt")], "2");
+}
+
+TEST(RowFormat, NoticesEveryChangedLetter) {
+  const RowFormat format({"b.robots"});
+  const std::string line = sample_line(format);
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    std::string changed = line;
+    changed[i] = changed[i] == '1' ? '2' : '1';
+    EXPECT_FALSE(format.read(changed)) << i;
+  }
+}
+
+TEST(RowFormat, LeavesOutOfTheResultsWhatMayDiffer) {
+  const RowFormat format({"b.robots"});
+  EXPECT_EQ(format.reproducible(format.columns()).back(), "config_hash");
+}
+
+}  // namespace
+}  // namespace autoref::runner

@@ -1,0 +1,57 @@
+// Expected values are published ones: R's documentation of its data sets `sleep` (Student 1908)
+// and `anscombe`, as its t.test() and lm() print them.
+#include "runner/statistics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace autoref::runner {
+namespace {
+
+// Extra hours of sleep, drug 2 minus drug 1, ten patients.
+const std::vector<double> kSleep = {1.2, 2.4, 1.3, 1.3, 0.0, 1.0, 1.8, 0.8, 4.6, 1.4};
+
+const std::vector<double> kAnscombeX = {10, 8, 13, 9, 11, 14, 6, 4, 12, 7, 5};
+const std::vector<double> kAnscombeY = {8.04, 6.95, 7.58,  8.81, 8.33, 9.96,
+                                        7.24, 4.26, 10.84, 4.82, 5.68};
+
+TEST(Mean, OfStudentsSleepData) { EXPECT_NEAR(mean(kSleep), 1.58, 1e-12); }
+
+TEST(StandardDeviation, OfStudentsSleepData) {
+  EXPECT_NEAR(standard_deviation(kSleep).value(), 1.229995, 5e-7);
+}
+
+TEST(StandardDeviation, NeedsTwoValues) {
+  EXPECT_FALSE(standard_deviation(std::vector<double>{1.0}));
+  EXPECT_FALSE(mean_interval(std::vector<double>{1.0}));
+}
+
+TEST(MeanInterval, OfStudentsSleepData) {
+  const Interval interval = mean_interval(kSleep).value();
+  EXPECT_NEAR(interval.low, 0.7001142, 5e-8);
+  EXPECT_NEAR(interval.high, 2.4598858, 5e-8);
+}
+
+TEST(FitLine, OfAnscombesFirstSet) {
+  const Line line = fit_line(kAnscombeX, kAnscombeY).value();
+  EXPECT_NEAR(line.slope, 0.5000909, 5e-8);
+  EXPECT_NEAR(line.intercept, 3.0000909, 5e-8);
+}
+
+TEST(FitLine, GivesTheSlopesIntervalOfAnscombesFirstSet) {
+  const Line line = fit_line(kAnscombeX, kAnscombeY).value();
+  const double half = 2.2621572 * 0.1179055;  // t(0.975, 9) from tables, standard error from lm()
+  EXPECT_NEAR(line.slope_interval.value().low, 0.5000909 - half, 1e-6);
+  EXPECT_NEAR(line.slope_interval.value().high, 0.5000909 + half, 1e-6);
+}
+
+TEST(FitLine, NeedsTwoDifferentPlacesAndThreePointsForAnInterval) {
+  EXPECT_FALSE(fit_line(std::vector<double>{1, 1}, std::vector<double>{1, 2}));
+  const Line line = fit_line(std::vector<double>{0, 2}, std::vector<double>{1, 5}).value();
+  EXPECT_EQ(line.slope, 2.0);
+  EXPECT_FALSE(line.slope_interval);
+}
+
+}  // namespace
+}  // namespace autoref::runner

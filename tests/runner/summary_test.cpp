@@ -1,0 +1,88 @@
+#include "runner/summary.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/runner/fake_games.hpp"
+
+namespace autoref::runner {
+namespace {
+
+struct Score {
+  int pair;
+  int leg;
+  const char* robots;
+  int a;
+  int b;
+  bool is_void = false;
+};
+
+std::vector<Group> groups_of(const std::vector<Score>& scores) {
+  const RowFormat format({"b.robots"});
+  std::vector<Cells> rows;
+  for (const Score& score : scores) {
+    GameRecord record;
+    record.goals_a = score.a;
+    record.goals_b = score.b;
+    record.status = score.is_void ? Status::kVoid : Status::kOk;
+    const PlannedGame game{"id", {score.robots}, score.pair, score.leg, {}};
+    rows.push_back(format.read(format.line(game, outcome_of(record), {})).value());
+  }
+  return grouped(std::get<Sweep>(small_sweep().content), format, rows);
+}
+
+const Sweep kSweep = std::get<Sweep>(small_sweep().content);
+
+TEST(Summary, TakesThePairOfLegsAsTheUnit) {
+  const std::vector<Group> groups =
+      groups_of({{1, 1, "6", 3, 1}, {1, 2, "6", 1, 1}, {2, 1, "6", 0, 2}, {2, 2, "6", 0, 4}});
+  EXPECT_EQ(groups[0].differences, (std::vector<double>{2, 0, -2, -4}));
+  EXPECT_EQ(groups[0].pair_differences, (std::vector<double>{1, -3}));
+  EXPECT_TRUE(groups[1].differences.empty());
+}
+
+TEST(Summary, LeavesVoidGamesAndTheirPairsOut) {
+  const std::vector<Group> groups =
+      groups_of({{1, 1, "6", 3, 1}, {1, 2, "6", 9, 9, true}, {2, 1, "6", 2, 0}, {2, 2, "6", 1, 1}});
+  EXPECT_EQ(groups[0].void_games, 1);
+  EXPECT_EQ(groups[0].differences.size(), 3U);
+  EXPECT_EQ(groups[0].pair_differences, std::vector<double>{1});
+}
+
+TEST(Summary, HasARowPerValueWithMeansAndDeviations) {
+  const std::vector<Group> groups =
+      groups_of({{1, 1, "6", 1, 1}, {1, 2, "6", 3, 1}, {1, 1, "5", 4, 0}, {1, 2, "5", 4, 0}});
+  // The deviation of 1 and 3 is sqrt(2).
+  EXPECT_EQ(summary_csv(kSweep, groups),
+            "b.robots,games,void_games,mean_a,sd_a,mean_b,sd_b,mean_diff,sd_diff,pairs,diff_low95,"
+            "diff_high95\n"
+            "6,2,0,2.0000,1.4142,1.0000,0.0000,1.0000,1.4142,1,,\n"
+            "5,2,0,4.0000,0.0000,0.0000,0.0000,4.0000,0.0000,1,,\n");
+}
+
+TEST(Summary, FitsTheSlopeOverThePairs) {
+  const std::vector<Group> groups =
+      groups_of({{1, 1, "6", 1, 1}, {1, 2, "6", 3, 1}, {1, 1, "5", 4, 0}, {1, 2, "5", 4, 0}});
+  EXPECT_NEAR(slope_over_factor(kSweep, groups).value().slope, -3.0, 1e-12);
+}
+
+TEST(Summary, FitsNoSlopeOverNamesOrSeveralFactors) {
+  Sweep sweep;
+  sweep.factors = {{"a.strategy", {"basic", "dummy"}}};
+  EXPECT_FALSE(slope_over_factor(sweep, {{{"basic"}, {}, {}, {}, {1}, 0}}));
+  sweep.factors = {{"a.robots", {"6"}}, {"b.robots", {"6"}}};
+  EXPECT_FALSE(slope_over_factor(sweep, {}));
+}
+
+TEST(SummaryTable, ShowsScoresDifferencesAndVoidGames) {
+  const std::string table = summary_table(kSweep, groups_of({{1, 1, "6", 1, 1},
+                                                             {1, 2, "6", 3, 1},
+                                                             {2, 1, "6", 1, 1},
+                                                             {2, 2, "6", 1, 1},
+                                                             {1, 1, "5", 4, 0, true}}));
+  // Pairs 1 and 0: mean 0.5, t(0.975, 1) = 12.706, standard error 0.5.
+  EXPECT_NE(table.find("+0.50 [-5.85, +6.85]"), std::string::npos) << table;
+  EXPECT_NE(table.find("1.50 ± 1.00"), std::string::npos) << table;
+}
+
+}  // namespace
+}  // namespace autoref::runner
