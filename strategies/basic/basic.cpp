@@ -11,10 +11,10 @@ namespace autoref::strategies::basic {
 namespace {
 
 constexpr double kRobotClearance_m = 2 * kRobotRadius_m + 30_mm;
-constexpr double kDuel_m = 250_mm;          // an opponent this near to the ball presses
-constexpr double kPassLane_m = 200_mm;      // a pass wants this much room
-constexpr double kShotLane_m = 110_mm;      // a shot wants a robot's and a ball's radius
-constexpr double kFreeLane_m = 300_mm;      // more room than this does not help
+constexpr double kDuel_m = 250_mm;      // an opponent this near to the ball presses
+constexpr double kPassLane_m = 200_mm;  // a pass wants this much room
+constexpr double kShotLane_m = 110_mm;  // a shot wants a robot's and a ball's radius
+constexpr double kFreeLane_m = 300_mm;  // more room than this does not help
 constexpr double kSlowestPass_mps = 1.3;
 constexpr double kPassPerMetre_per_s = 0.7;  // further passes are kicked harder
 constexpr double kBackPass_m = 200_mm;       // passes go no farther back than this
