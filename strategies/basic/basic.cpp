@@ -68,7 +68,7 @@ Waypoint Basic::waypoint_of(int index, const Cast& cast) const {
       return keeper_position(briefing_.field, now_.ball);
     case Role::kAttacker:
     case Role::kWall:
-      return wall_position(briefing_.field, ball_place_m_);
+      return wall_position(briefing_.field, ball_place_m_, part.order);
     case Role::kSupporter:
       return supporter_position(briefing_.field, ball_place_m_, part.order);
     case Role::kMarker:
@@ -188,7 +188,7 @@ Waypoint Basic::formation_of(int index) const {
         ball_place_m_ + back * (briefing_.rules.opponents_to_ball_m + 2 * kRobotRadius_m);
     return {place_m, direction_of(ball_place_m_ - place_m, Vec2(1, 0))};
   }
-  if (part == 2) return wall_position(field, ball_place_m_);
+  if (part == 2) return wall_position(field, ball_place_m_, 0);
   if (part == 3) return supporter_position(field, ball_place_m_, 0);
   return reserve_position(field, ball_place_m_, part - 4);
 }

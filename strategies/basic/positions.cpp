@@ -6,7 +6,8 @@
 namespace autoref::strategies::basic {
 namespace {
 
-constexpr double kMargin_m = 30_mm;  // more than a rule asks for, for the robots' own errors
+constexpr double kWallGap_m = 220_mm;  // between the centres of two robots in the wall
+constexpr double kMargin_m = 30_mm;    // more than a rule asks for, for the robots' own errors
 
 Waypoint facing_ball(const Vec2& position_m, const Vec2& ball_m) {
   return {position_m, direction_of(ball_m - position_m, Vec2(1, 0))};
@@ -42,13 +43,15 @@ Waypoint keeper_position(const Field& field, const TrackedBall& ball) {
   return facing_ball({line_x, std::clamp(y, -reach_m, reach_m)}, ball.position_m);
 }
 
-Waypoint wall_position(const Field& field, const Vec2& ball_m) {
+Waypoint wall_position(const Field& field, const Vec2& ball_m, int order) {
   const Vec2 goal_m = own_goal_m(field);
   const Vec2 way = direction_of(ball_m - goal_m, Vec2(1, 0));
   const double off_m = field.defence_area.depth_m +
                        field.defence_area.straight_m / 2 * std::abs(way.y()) + kRobotRadius_m +
                        2 * kMargin_m;
-  return facing_ball(goal_m + way * off_m, ball_m);
+  // Two stand as near to each other as their ways around each other let them, towards the middle.
+  const double aside = ball_m.y() > 0 ? -1.0 : 1.0;
+  return facing_ball(goal_m + way * off_m + left_of(way) * (aside * kWallGap_m * order), ball_m);
 }
 
 Waypoint marker_position(const Field& field, const TrackedRobot& opponent, const Vec2& ball_m) {

@@ -11,8 +11,9 @@ namespace autoref::strategies::basic {
 // The keeper: on the ball's way into the goal, else between the ball and the goal's middle.
 Waypoint keeper_position(const Field& field, const TrackedBall& ball);
 
-// In front of the own area, on the line from the ball to the goal's middle.
-Waypoint wall_position(const Field& field, const Vec2& ball_m);
+// In front of the own area, on the line from the ball to the goal's middle; the second robot
+// (`order` 1) beside the first.
+Waypoint wall_position(const Field& field, const Vec2& ball_m, int order);
 
 // Beside an opponent, on its way to the own goal, facing the ball.
 Waypoint marker_position(const Field& field, const TrackedRobot& opponent, const Vec2& ball_m);

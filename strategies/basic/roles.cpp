@@ -80,6 +80,8 @@ Cast cast_parts(const TeamView& view, const Field& field, int former_attacker) {
   choose_attacker(view, field, taken, former_attacker, cast);
   give(cast, taken, cast.attacker, {Role::kAttacker, -1, 0});
   give(cast, taken, nearest_free(view, taken, goal_m), {Role::kWall, -1, 0});
+  if (view.own.size() > 4)
+    give(cast, taken, nearest_free(view, taken, goal_m), {Role::kWall, -1, 1});
   const Vec2 front_m(0.4 * field.half_length_m(), 0);
   give(cast, taken, nearest_free(view, taken, front_m), {Role::kSupporter, -1, 0});
   Taken marked{};
