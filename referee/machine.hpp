@@ -25,8 +25,8 @@ struct Arrow {
   Guard guard;
   Action action;
   State to;
-  std::string_view evidence;  // what the row rests on: the paper's section, or another source
-  int deviation;              // its number in README.md; 0 where the row is the paper's
+  std::string_view evidence;    // what the row rests on: the paper's section, or another source
+  std::string_view deviations;  // "D3, D13" in README.md; empty where the row is the paper's
 };
 
 // The arrows of the figure, and after them those of the game's time, which "operates outside this

@@ -17,8 +17,8 @@ std::string from_of(const Arrow& arrow) {
 }
 
 std::string evidence_of(const Arrow& arrow) {
-  if (arrow.deviation == 0) return std::string(arrow.evidence);
-  return fmt::format("{} (D{})", arrow.evidence, arrow.deviation);
+  if (arrow.deviations.empty()) return std::string(arrow.evidence);
+  return fmt::format("{} ({})", arrow.evidence, arrow.deviations);
 }
 
 std::string diagram() {

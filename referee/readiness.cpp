@@ -12,7 +12,7 @@ namespace {
 
 // The ball is set to its place this long before the wait is over, so that it lies there when play
 // goes on: three frames of a 60 Hz camera.
-constexpr double kSetBallBefore_s = 50_ms;
+constexpr double kSetBallBefore_s = 500_ms;
 
 bool is_look_due(const Memory& memory, const Moment& moment) {
   return has_passed(memory.looked_s, moment.configuration.rules.look_period_s, moment.time_s());

@@ -35,6 +35,11 @@ void validate(const Configuration& c) {
   require(rules.start_timeout_s > 0, "start_timeout_s must be positive", rules.start_timeout_s);
   require(rules.ball_at_rest_mps > 0, "ball_at_rest_mps must be positive", rules.ball_at_rest_mps);
   require(rules.ball_in_place_m > 0, "ball_in_place_m must be positive", rules.ball_in_place_m);
+  require(rules.in_play_m > 0, "in_play_m must be positive", rules.in_play_m);
+  require(rules.restart_timeout_s > 0, "restart_timeout_s must be positive",
+          rules.restart_timeout_s);
+  require(rules.stuck_time_s > 0, "stuck_time_s must be positive", rules.stuck_time_s);
+  require(rules.stuck_distance_m > 0, "stuck_distance_m must be positive", rules.stuck_distance_m);
 }
 
 // What happened by itself at the machine's beginning, or once a briefly sent command is out.
@@ -58,6 +63,14 @@ class Referee::Impl {
   }
 
   const RefereeSignal& update(const Frame& frame) {
+    return is_finite(frame) ? judge(frame) : judge(finite_part(frame));
+  }
+
+  std::span<const Decision> decisions() const { return decisions_; }
+  const Memory& memory() const { return memory_; }
+
+ private:
+  const RefereeSignal& judge(const Frame& frame) {
     decisions_.clear();
     see(frame);
     if (memory_.state == State::kRun) touch_.update(frame);
@@ -68,13 +81,9 @@ class Referee::Impl {
     return memory_.signal;
   }
 
-  std::span<const Decision> decisions() const { return decisions_; }
-  const Memory& memory() const { return memory_; }
-
- private:
   // A frame without a ball leaves it where it was.
   void see(const Frame& frame) {
-    if (!frame.ball || !is_finite(frame.ball->position_m)) return;
+    if (!frame.ball) return;
     const Vec2& now_m = frame.ball->position_m;
     const double height_m = frame.ball->height_m.value_or(0.0);
     ball_ = BallSight{now_m, ball_ ? ball_->position_m : now_m, height_m};

@@ -82,6 +82,7 @@ class Player {
     std::string fault;
     try {
       strategy_->decide(view_, orders);
+      requests_ = strategy_->requests();
       fault = fault_in(orders);
     } catch (const std::exception& error) {
       fault = fmt::format("threw: {}", error.what());
@@ -92,7 +93,8 @@ class Player {
     return fault;
   }
 
-  TeamRequests requests() const { return strategy_->requests(); }
+  // What the team asked for with its last decision.
+  const TeamRequests& requests() const { return requests_; }
 
  private:
   std::string fault_in(const TeamOrders& orders) const {
@@ -107,6 +109,7 @@ class Player {
   Side side_;
   int robots_;
   std::unique_ptr<strategies::Strategy> strategy_;
+  TeamRequests requests_;
   TeamView view_;
 };
 

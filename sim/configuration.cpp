@@ -110,6 +110,11 @@ void validate(const Field& field) {
   check_range("field.goal_depth_m", field.goal_depth_m, 0.05, 1.0);
   check_range("field.goal_wall_thickness_m", field.goal_wall_thickness_m, 0.01, 0.1);
   check_positive("field.goal_opening_height_m", field.goal_opening_height_m);
+  // Between the two areas there must be room for a neutral place (Laws: 700 mm from both).
+  check_range("field.defence_area.depth_m", field.defence_area.depth_m, 0.1,
+              field.half_length_m() - 0.8);
+  check_range("field.defence_area.straight_m", field.defence_area.straight_m, 0.0,
+              field.width_m - 0.4);
 }
 
 }  // namespace autoref::sim

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kWheelDistance_m = 80_mm;  // from the centre: inside the hull of 90 mm
 
-Vec2 tangent_at(double angle_deg) { return left_of(heading_of(angle_deg * kPi / 180.0)); }
+Vec2 tangent_at(double angle_deg) { return left_of(heading_of(to_radians(angle_deg))); }
 
 }  // namespace
 

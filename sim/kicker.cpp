@@ -8,18 +8,13 @@
 #include "soccer/units.hpp"
 
 namespace autoref::sim {
-namespace {
-
-double radians(double degrees) { return degrees * kPi / 180.0; }
-
-}  // namespace
 
 Kickers::Kickers(const KickerParameters& parameters, double substeps_per_s, RandomStream noise)
     : parameters_(parameters),
       dead_substeps_(
           static_cast<std::int64_t>(std::ceil(parameters.dead_time_s * substeps_per_s - 1e-9))),
-      chip_sin_(sin_cos(radians(parameters.chip_angle_deg)).sin),
-      chip_cos_(sin_cos(radians(parameters.chip_angle_deg)).cos),
+      chip_sin_(sin_cos(to_radians(parameters.chip_angle_deg)).sin),
+      chip_cos_(sin_cos(to_radians(parameters.chip_angle_deg)).cos),
       noise_(noise) {}
 
 std::optional<Kick> Kickers::fire(int number, const RobotCommand& order, const BodyState& robot,
@@ -34,7 +29,7 @@ std::optional<Kick> Kickers::fire(int number, const RobotCommand& order, const B
 Kick Kickers::make(const RobotCommand& order, const Vec2& heading) {
   const double limit_mps = order.chip ? parameters_.chip_limit_mps : parameters_.speed_limit_mps;
   const double speed_factor = 1.0 + parameters_.speed_noise * noise_.normal();
-  const double off_rad = radians(parameters_.direction_noise_deg) * noise_.normal();
+  const double off_rad = to_radians(parameters_.direction_noise_deg) * noise_.normal();
   const double speed_mps = std::clamp(order.kick_mps * speed_factor, 0.0, limit_mps);
   const Vec2 direction = to_world(heading_of(off_rad), heading);
   if (!order.chip) return {direction * speed_mps, 0.0};

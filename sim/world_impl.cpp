@@ -70,7 +70,7 @@ void World::Impl::accept(const PerSide<TeamOrders>& orders) {
 
 void World::Impl::obey(const std::optional<Placement>& placement) {
   if (!placement) {
-    if (hold_ != Hold::kFree) bodies_.let_ball_meet(true, true);
+    if (hold_ != Hold::kFree) let_ball_meet_what_is_as_high();
     hold_ = Hold::kFree;
     return;
   }
@@ -129,12 +129,14 @@ void World::Impl::hold_ball() {
 }
 
 void World::Impl::move_ball(int substep) {
-  const Vec2 ball_mps = dribbled(kicked(substep));
+  const std::optional<Vec2> kick_mps = kicked(substep);
+  const Vec2 ball_mps = kick_mps ? *kick_mps : dribbled(bodies_.ball().velocity_mps);
   bodies_.set_ball_velocity(held_by_net(ball_.slowed(ball_mps, substep_s_)));
 }
 
-// Several kickers that fire at once push the ball together, whoever is asked first.
-Vec2 World::Impl::kicked(int substep) {
+// The ball's velocity after a kick, if there was one. Several kickers that fire at once push the
+// ball together, whoever is asked first.
+std::optional<Vec2> World::Impl::kicked(int substep) {
   const BodyState ball = bodies_.ball();
   Vec2 sum_mps{0.0, 0.0};
   double vertical_mps = 0.0;
@@ -150,7 +152,7 @@ Vec2 World::Impl::kicked(int substep) {
     bodies_.strike_robot(index, kBallMass_kg * (ball.velocity_mps - kick->velocity_mps));
     note({state_.frame + 1, substep, {side, number}, ball.position_m, true});
   });
-  if (!is_kicked) return ball.velocity_mps;
+  if (!is_kicked) return std::nullopt;
   ball_.kick(vertical_mps);
   return clamp_norm(sum_mps, configuration_.kicker.speed_limit_mps);
 }
@@ -186,6 +188,11 @@ void World::Impl::follow_ball(const Vec2& former_mps) {
   bodies_.set_ball_velocity(ball_.flown(bodies_.ball().velocity_mps, substep_s_));
   const auto bounced_mps = bounced_off_lid(field_, bodies_, robots_, former_height_m, ball_);
   if (bounced_mps) bodies_.set_ball_velocity(*bounced_mps);
+  let_ball_meet_what_is_as_high();
+}
+
+// The ball flies over robots and goals that are lower than it.
+void World::Impl::let_ball_meet_what_is_as_high() {
   bodies_.let_ball_meet(ball_.height_m() < kRobotHeight_m,
                         ball_.height_m() < field_.goal_opening_height_m);
 }
@@ -213,8 +220,7 @@ void World::Impl::put_ball(const BallState& ball) {
   bodies_.place_ball(ball.position_m, ball.velocity_mps);
   ball_.set(ball);
   hold_ = Hold::kFree;
-  bodies_.let_ball_meet(ball.height_m < kRobotHeight_m,
-                        ball.height_m < field_.goal_opening_height_m);
+  let_ball_meet_what_is_as_high();
   publish();
 }
 

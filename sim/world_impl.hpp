@@ -47,10 +47,11 @@ class World::Impl {
   void drive();
   void hold_ball();
   void move_ball(int substep);
-  Vec2 kicked(int substep);
+  std::optional<Vec2> kicked(int substep);
   Vec2 dribbled(Vec2 ball_mps);
   Vec2 held_by_net(Vec2 ball_mps) const;
   void follow_ball(const Vec2& former_mps);
+  void let_ball_meet_what_is_as_high();
   void note_contacts(int substep);
   void note(const Touch& touch);
   void publish();

@@ -1,8 +1,6 @@
 // The field as data: lines, goals, areas. Origin at the centre, x towards the east goal.
 #pragma once
 
-#include <string_view>
-
 #include "soccer/geometry.hpp"
 #include "soccer/side.hpp"
 #include "soccer/units.hpp"

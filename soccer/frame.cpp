@@ -1,6 +1,40 @@
 #include "soccer/frame.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace autoref {
+namespace {
+
+bool makes_sense(const RobotObservation& robot) {
+  return is_finite(robot.position_m) && is_finite(robot.heading);
+}
+
+bool has_finite_height(const BallObservation& ball) {
+  return !ball.height_m || std::isfinite(*ball.height_m);
+}
+
+}  // namespace
+
+bool is_finite(const Frame& frame) {
+  for (const SeenRobots& robots : frame.robots.values) {
+    for (const RobotObservation& robot : robots) {
+      if (!makes_sense(robot)) return false;
+    }
+  }
+  return !frame.ball || (is_finite(frame.ball->position_m) && has_finite_height(*frame.ball));
+}
+
+Frame finite_part(const Frame& frame) {
+  Frame part = frame;
+  for (SeenRobots& robots : part.robots.values) {
+    const auto is_nonsense = [](const RobotObservation& robot) { return !makes_sense(robot); };
+    robots.erase(std::remove_if(robots.begin(), robots.end(), is_nonsense), robots.end());
+  }
+  if (part.ball && !is_finite(part.ball->position_m)) part.ball.reset();
+  if (part.ball && !has_finite_height(*part.ball)) part.ball->height_m.reset();
+  return part;
+}
 
 Frame mirrored(const Frame& frame) {
   Frame turned = frame;

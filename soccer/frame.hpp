@@ -32,6 +32,13 @@ struct Frame {
   std::optional<BallObservation> ball;  // none where no camera sees it
 };
 
+// Whether every number in the frame is finite.
+bool is_finite(const Frame& frame);
+
+// The frame without what is not finite: such a robot or ball was not seen, such a height is
+// unknown.
+Frame finite_part(const Frame& frame);
+
 // The same frame seen from the other end: turned by 180 degrees, the sides swapped.
 Frame mirrored(const Frame& frame);
 

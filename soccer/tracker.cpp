@@ -1,11 +1,14 @@
 #include "soccer/tracker.hpp"
 
+#include <cassert>
+
 namespace autoref {
 namespace {
 
-// The angle between two unit vectors less than about 30 degrees apart, from the sine's series.
-double small_angle(const Vec2& from, const Vec2& to) {
+// The angle between two unit vectors; from frame to frame it is small, and the sine's series does.
+double turned_angle(const Vec2& from, const Vec2& to) {
   const double sine = cross(from, to);
+  if (from.dot(to) < 0.95) return angle_between(from, to);
   return sine * (1.0 + sine * sine / 6.0);
 }
 
@@ -19,7 +22,7 @@ void Tracker::see(Memory& memory, const RobotObservation& seen, double time_s) c
     robot = {seen.number, seen.position_m, seen.heading, Vec2(0, 0), 0};
   } else if (gap_s > 0) {
     robot.velocity_mps = (seen.position_m - robot.position_m) / gap_s;
-    robot.angular_velocity_radps = small_angle(robot.heading, seen.heading) / gap_s;
+    robot.angular_velocity_radps = turned_angle(robot.heading, seen.heading) / gap_s;
     robot.position_m = seen.position_m;
     robot.heading = seen.heading;
   }
@@ -44,6 +47,7 @@ const Tracks& Tracker::update(const Frame& frame) {
   for (Side side : kSides) {
     auto& memory = memory_[side];
     for (const RobotObservation& seen : frame.robots[side]) {
+      assert(seen.number >= 0 && seen.number < kMaxRobots);
       see(memory[static_cast<std::size_t>(seen.number)], seen, frame.time_s);
     }
     tracks_.robots[side].clear();

@@ -35,9 +35,10 @@ struct Tracks {
   std::optional<TrackedBall> ball;  // none before the ball was first seen
 };
 
-// Turns a sequence of frames into tracks. One tracker per consumer, fed with each frame once and
-// in order. Velocities are differences between the last two sightings. What is not seen keeps its
-// last place: a robot for 0.5 s, after which it counts as gone, the ball without limit.
+// Turns a sequence of frames into tracks. One tracker per consumer, fed with frames in
+// order; a frame fed again changes nothing. Velocities are differences between the last two
+// sightings. What is not seen keeps its last place: a robot for 0.5 s, after which it counts as
+// gone, the ball without limit.
 class Tracker {
  public:
   static constexpr double kForgetRobotAfter_s = 500_ms;

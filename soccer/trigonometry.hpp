@@ -13,10 +13,10 @@ struct SinCos {
   double cos;
 };
 
-// Sine and cosine of `angle_rad`, within 2e-16 of the truth for |angle_rad| <= 1e5.
+// Sine and cosine of `angle_rad`, within 4e-16 of the truth for |angle_rad| <= 1e5.
 SinCos sin_cos(double angle_rad);
 
-// The angle of the vector (x, y) in [-pi, pi], within 5e-16; 0 for the zero vector.
+// The angle of the vector (x, y) in [-pi, pi], within 1e-15; 0 for the zero vector.
 double atan2_exact(double y, double x);
 
 // `angle_rad` plus the multiple of 2 pi that brings it into [-pi, pi].

@@ -10,6 +10,7 @@ constexpr double kBallSlowing_mps2 = 0.5;
 constexpr double kLongestWait_s = 2.0;
 constexpr int kTimeSteps = 20;  // up to then
 constexpr double kCruise_mps = 2.2;
+constexpr double kStill_mps = 0.1;
 constexpr double kStartUp_s = 0.25;
 
 void move_on(TrackedRobots& robots, double ahead_s) {
@@ -49,8 +50,9 @@ Interception intercept(const TrackedRobot& robot, const TrackedBall& ball) {
   for (int i = 0; i < kTimeSteps; ++i) {
     const double t = kLongestWait_s * i / kTimeSteps;
     const Vec2 point_m = ball_after(ball, t);
-    if (travel_time_s(robot, point_m) <= t + kStartUp_s) return {point_m, t};
-    if (ball.velocity_mps.squaredNorm() < 0.01) return {point_m, travel_time_s(robot, point_m)};
+    const double travel_s = travel_time_s(robot, point_m);
+    const bool lies_still = ball.velocity_mps.squaredNorm() < kStill_mps * kStill_mps;
+    if (lies_still || travel_s <= t + kStartUp_s) return {point_m, std::max(t, travel_s)};
   }
   const Vec2 point_m = ball_after(ball, kLongestWait_s);
   return {point_m, std::max(kLongestWait_s, travel_time_s(robot, point_m))};

@@ -61,10 +61,4 @@ Aim best_push(const Field& field, const Vec2& ball_m, const TrackedRobots& oppon
   return best;
 }
 
-bool hits_goal(const Field& field, const Vec2& ball_m, const Vec2& heading, double margin_m) {
-  if (heading.x() <= 0.05) return false;
-  const double y = ball_m.y() + heading.y() * (field.half_length_m() - ball_m.x()) / heading.x();
-  return std::abs(y) < field.half_goal_m() - margin_m;
-}
-
 }  // namespace autoref::strategies

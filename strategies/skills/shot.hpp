@@ -21,8 +21,4 @@ Aim best_shot(const Field& field, const Vec2& ball_m, const TrackedRobots& oppon
 // A point 1 m from the ball, ahead or to a side but not back, with the most room on the way there.
 Aim best_push(const Field& field, const Vec2& ball_m, const TrackedRobots& opponents);
 
-// Whether a kick from `ball_m` along the unit vector `heading` ends in the opponents' goal, at
-// least `margin_m` inside its posts.
-bool hits_goal(const Field& field, const Vec2& ball_m, const Vec2& heading, double margin_m);
-
 }  // namespace autoref::strategies

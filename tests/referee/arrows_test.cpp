@@ -118,6 +118,7 @@ TEST(ArrowStartLate, LeadsToRunAfterTheTimeoutWithTheBallSetToItsPlace) {
   game.run_until("throw_in");
   bool was_set_at_once = false;
   while (game.count("start_late") == 0 && game.now_s() < 60) {
+    game.robot(Side::kEast, 2).position_m.y() += 0.001;  // never comes to rest
     game.step();
     const bool at_once = game.signal.placement && game.signal.placement->at_once;
     if (at_once) game.put_ball(game.signal.placement->target_m);

@@ -56,6 +56,32 @@ TEST(Robustness, NumbersThatAreNotFiniteCountAsNotSeen) {
   EXPECT_EQ(game.referee.state(), State::kWaitStop);
 }
 
+TEST(Robustness, ARobotWithoutAPlaceHidesNoOtherOfItsSide) {
+  for (const Side side : kSides) {
+    ScriptedGame game;
+    game.line_up().kick_off();
+    game.frame.robots[side].front().position_m = {kNan, 0};
+    game.put_ball({1, 2.2});
+    game.run_until("touch_line_unknown");
+    Vec2& moving_m = game.frame.robots[side].back().position_m;
+    for (int i = 0; i < 180; ++i) {
+      moving_m.x() += 0.001;
+      game.step();
+    }
+    EXPECT_EQ(game.referee.state(), State::kWaitStop) << name_of(side);
+  }
+}
+
+TEST(Robustness, AGoalOfABallOfUnknownHeightCounts) {
+  ScriptedGame game;
+  game.line_up().kick_off();
+  game.put_ball({3.0, 0});
+  game.step();
+  game.frame.ball = BallObservation{Vec2(3.1, 0), kNan};
+  game.step();
+  EXPECT_EQ(game.decisions.back().event, Event::kGoal);
+}
+
 TEST(Robustness, ARobotThatDisappearsDoesNotHoldUpPlay) {
   ScriptedGame game;
   game.line_up().kick_off();

@@ -55,13 +55,6 @@ TEST(BestShot, AimsAtTheSideThatTheKeeperLeavesOpen) {
   EXPECT_GT(aim.clearance_m, kRobotRadius_m + kBallRadius_m);
 }
 
-TEST(HitsGoal, IsTrueInsideThePostsOnly) {
-  const Field field;
-  EXPECT_TRUE(hits_goal(field, {2.025, 0.3}, {1, 0}, 0));
-  EXPECT_FALSE(hits_goal(field, {2.025, 0.3}, {1, 0}, 0.1));
-  EXPECT_FALSE(hits_goal(field, {2.025, 0}, {-1, 0}, 0));
-}
-
 TEST(Registry, FindsTeamsByNameAndSaysWhenThereIsNone) {
   ASSERT_NE(find_strategy("basic"), nullptr);
   ASSERT_NE(find_strategy("dummy"), nullptr);
