@@ -4,11 +4,15 @@
 
 #include <stdexcept>
 
+#include "runner/errors.hpp"
 #include "runner/fields.hpp"
 #include "soccer/random.hpp"
 
 namespace autoref::runner {
 namespace {
+
+// As many rows are held in memory and written as one results.csv.
+constexpr int kMostGames = 100000;
 
 std::string id_of(const Sweep& sweep, const std::vector<std::string>& values, int pair, int leg) {
   std::string id;
@@ -36,6 +40,17 @@ PlannedGame planned(const Sweep& sweep, const std::vector<std::string>& values,
   return game;
 }
 
+// Counted in floating point: a product of many factors must not overflow.
+void refuse_too_many(const Sweep& sweep) {
+  double games = 2.0 * sweep.pairs;
+  for (const Factor& factor : sweep.factors) games *= static_cast<double>(factor.values.size());
+  if (games <= kMostGames) return;
+  throw InputError({}, "factors",
+                   fmt::format("the values and pairs make {:.0f} games; at most {} fit one "
+                               "experiment",
+                               games, kMostGames));
+}
+
 }  // namespace
 
 std::uint64_t seed_of(std::uint64_t master_seed, int pair, int leg) {
@@ -59,6 +74,7 @@ std::vector<std::vector<std::string>> combinations(const std::vector<Factor>& fa
 }
 
 std::vector<PlannedGame> plan(const Sweep& sweep) {
+  refuse_too_many(sweep);
   const std::vector<std::vector<std::string>> all = combinations(sweep.factors);
   std::vector<GameConfiguration> configurations;
   configurations.reserve(all.size());

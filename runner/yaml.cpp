@@ -13,6 +13,19 @@ YamlPlace place_of(const YAML::Mark& mark) {
   return {mark.line + 1, mark.column + 1};
 }
 
+// A scenario is a page of text; much more is some other file, and reading it would take for ever.
+constexpr std::size_t kMostBytes = 64 * 1024;
+
+// What a message quotes of a file: not too much of it, and nothing that drives a terminal.
+std::string for_message(std::string text) {
+  constexpr std::size_t kMostQuoted = 60;
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  }
+  if (text.size() > kMostQuoted) text = text.substr(0, kMostQuoted) + "...";
+  return text;
+}
+
 std::string found(const YAML::Node& node) {
   switch (node.Type()) {
     case YAML::NodeType::Map:
@@ -20,7 +33,7 @@ std::string found(const YAML::Node& node) {
     case YAML::NodeType::Sequence:
       return "a list";
     case YAML::NodeType::Scalar:
-      return fmt::format("'{}'", node.Scalar());
+      return fmt::format("'{}'", for_message(node.Scalar()));
     default:
       return "nothing";
   }
@@ -42,6 +55,11 @@ const YamlEntry* find_entry(const std::vector<YamlEntry>& entries, std::string_v
 }
 
 YamlFile::YamlFile(const std::string& text, std::string name) : name_(std::move(name)) {
+  if (text.size() > kMostBytes) {
+    refuse(
+        {}, "",
+        fmt::format("the file has {} bytes; a scenario has at most {}", text.size(), kMostBytes));
+  }
   std::vector<YAML::Node> documents;
   try {
     documents = YAML::LoadAll(text);
