@@ -25,4 +25,10 @@ InputOutputError io_error(std::string_view what, int error_number) {
       fmt::format("{}: {}", what, std::generic_category().message(error_number)));
 }
 
+void tell(std::FILE* stream, std::string_view text) {
+  // Whether it arrived does not matter to anybody who could still be told.
+  std::fwrite(text.data(), 1, text.size(), stream);
+  std::fflush(stream);
+}
+
 }  // namespace autoref::runner

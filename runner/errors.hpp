@@ -1,6 +1,7 @@
 // What can go wrong outside a game, and the exit codes that scripts can trust.
 #pragma once
 
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -47,6 +48,10 @@ class InputOutputError : public std::runtime_error {
 
 // "cannot write results.csv: No space left on device": `what` with the reason from `errno`.
 InputOutputError io_error(std::string_view what, int error_number);
+
+// Says something to people on `stream`, usually stderr. Where nobody can hear it any more, because
+// the terminal is gone or the disk is full, nothing happens: results and exit code still count.
+void tell(std::FILE* stream, std::string_view text);
 
 // The user pressed Ctrl-C: exit code 75.
 class Interrupted : public std::runtime_error {

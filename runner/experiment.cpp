@@ -159,7 +159,7 @@ class Experiment {
   }
 
   void say(const std::string& message) const {
-    if (options_.progress != nullptr) fmt::print(options_.progress, "{}\n", message);
+    if (options_.progress != nullptr) tell(options_.progress, message + "\n");
   }
 
   const Scenario& scenario_;

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "runner/errors.hpp"
+
 namespace autoref::runner {
 
 std::string duration_text(double seconds) {
@@ -47,16 +49,14 @@ void Progress::tick() {
   constexpr int kWidth = 24;
   const int filled = total_ == 0 ? kWidth : kWidth * done_ / total_;
   clear_line();
-  fmt::print(stream_, "[{:#<{}}{:.<{}}] {}", "", filled, "", kWidth - filled,
-             progress_text(done_, total_, played_, elapsed_s()));
-  std::fflush(stream_);
+  tell(stream_, fmt::format("[{:#<{}}{:.<{}}] {}", "", filled, "", kWidth - filled,
+                            progress_text(done_, total_, played_, elapsed_s())));
 }
 
 void Progress::say(const std::string& message) {
   if (stream_ == nullptr) return;
   clear_line();
-  fmt::print(stream_, "{}\n", message);
-  std::fflush(stream_);
+  tell(stream_, message + "\n");
 }
 
 double Progress::elapsed_s() const {
@@ -64,7 +64,7 @@ double Progress::elapsed_s() const {
 }
 
 void Progress::clear_line() {
-  if (is_terminal_) fmt::print(stream_, "\r\033[K");
+  if (is_terminal_) tell(stream_, "\r\033[K");
 }
 
 }  // namespace autoref::runner

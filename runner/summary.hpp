@@ -26,7 +26,9 @@ std::vector<Group> grouped(const Sweep& sweep, const RowFormat& format,
                            const std::vector<Cells>& rows);
 
 // Least squares of the score difference over the factor's value, one point per pair of legs: the
-// legs of a pair share the chances of their pair, and only together they are fair. None where the
+// legs of a pair share the chances of their pair, and only together they are fair. The points count
+// as independent: pairs of one number have the same seeds at every value, but a changed factor
+// sends their games different ways from the first seconds on. None where the
 // sweep has not exactly one factor with at least two values, all numbers.
 std::optional<Line> slope_over_factor(const Sweep& sweep, const std::vector<Group>& groups);
 

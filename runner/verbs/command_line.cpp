@@ -14,7 +14,7 @@ namespace autoref::runner {
 namespace {
 
 int fail(ExitCode code, std::string_view message) {
-  fmt::print(stderr, "autoref: {}\n", message);
+  tell(stderr, fmt::format("autoref: {}\n", message));
   return code;
 }
 

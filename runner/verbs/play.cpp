@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <csignal>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -21,11 +22,17 @@ namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
 
+// The second time ends the program at once: the game may hang.
+void end_soon(int signal) {
+  interrupted = 1;
+  std::signal(signal, SIG_DFL);
+}
+
 // Ends the game at its next frame once the user has asked for it.
 class Watch final : public Observer {
  public:
   explicit Watch(EventLog& log) : log_(log) {
-    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { interrupted = 1; });
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, end_soon);
   }
   void on_frame(const Frame& /*frame*/, const RefereeSignal& /*signal*/,
                 const sim::World& /*world*/) override {
@@ -53,10 +60,8 @@ void set(GameConfiguration& game, const std::string& assignment) {
   if (equals == std::string::npos || equals == 0) {
     throw InputError({flag}, "", "expected KEY=VALUE, such as match.half_s=60");
   }
-  blame(flag, [&] {
-    set_by_path(game, assignment.substr(0, equals), assignment.substr(equals + 1));
-    check_game(game);
-  });
+  blame(flag,
+        [&] { set_by_path(game, assignment.substr(0, equals), assignment.substr(equals + 1)); });
 }
 
 GameConfiguration configured(const PlayArguments& arguments) {
@@ -68,6 +73,8 @@ GameConfiguration configured(const PlayArguments& arguments) {
                                  kind_of(scenario), arguments.file));
   }
   for (const std::string& assignment : arguments.sets) set(*game, assignment);
+  // Only all of them together need to make a game.
+  blame(fmt::format("--set {}", fmt::join(arguments.sets, " --set ")), [&] { check_game(*game); });
   if (!arguments.seed.empty()) {
     blame("--seed", [&] { set_by_path(*game, "seed", arguments.seed); });
   }
@@ -75,8 +82,13 @@ GameConfiguration configured(const PlayArguments& arguments) {
 }
 
 // The file for the decisions, opened before the game so that a wrong name is noticed at once.
-std::optional<PendingFile>& open_events(std::optional<PendingFile>& file, const std::string& path) {
+std::optional<PendingFile>& open_events(std::optional<PendingFile>& file, const std::string& path,
+                                        const std::string& scenario) {
   if (path.empty()) return file;
+  std::error_code none;
+  if (std::filesystem::equivalent(path, scenario, none)) {
+    throw InputError({"--events"}, "", "this is the scenario itself, which would be lost");
+  }
   try {
     return file.emplace(path), file;
   } catch (const InputOutputError& error) {
@@ -89,7 +101,7 @@ std::optional<PendingFile>& open_events(std::optional<PendingFile>& file, const 
 int play_verb(const PlayArguments& arguments) {
   const GameConfiguration game = configured(arguments);
   std::optional<PendingFile> events;
-  open_events(events, arguments.events);
+  open_events(events, arguments.events, arguments.file);
   EventLog log;
   Watch watch(log);
   const auto start = std::chrono::steady_clock::now();

@@ -60,15 +60,16 @@ int run_verb(const RunArguments& arguments) {
   const ExperimentOptions options = options_of(arguments);
   const ExperimentReport report = run_experiment(scenario, options);
   if (!report.is_complete) {
-    fmt::print(stderr,
-               "autoref: interrupted with {} of {} games done; the same command continues\n",
-               report.done, report.games);
+    tell(stderr,
+         fmt::format("autoref: interrupted with {} of {} games done; the same command continues\n",
+                     report.done, report.games));
     return kInterrupted;
   }
   print_results(scenario, report, options.folder);
   if (report.void_games <= kMostVoid * report.games) return kDone;
-  fmt::print(stderr, "autoref: {} of {} games are void; {}'s void_reason says why\n",
-             report.void_games, report.games, (options.folder / "results.csv").string());
+  tell(stderr,
+       fmt::format("autoref: {} of {} games are void; {}'s void_reason says why\n",
+                   report.void_games, report.games, (options.folder / "results.csv").string()));
   return kTooManyVoid;
 }
 
