@@ -180,6 +180,7 @@ class ScenarioReader {
   // Two factors that set the same number would make the later one win unnoticed.
   void refuse_overlap(const YamlEntry& entry, const std::vector<Factor>& factors) const {
     const auto is_parts = [](const std::string& part, const std::string& whole) {
+      if (whole == "sim.ball.preset") return part.starts_with("sim.ball.");
       return whole.ends_with(".handicap") && part.ends_with("_factor") && part[0] == whole[0];
     };
     const std::string& last = factors.back().path;
