@@ -27,7 +27,9 @@ class ScenarioReader {
 
   Scenario read() {
     read_schema();
-    const std::string kind = word(required("kind"), "kind", kKinds);
+    const YamlEntry& kind_entry = required("kind");
+    refuse_lab(kind_entry);
+    const std::string kind = word(kind_entry, "kind", kKinds);
     Scenario scenario;
     if (const YamlEntry* about = find_entry(top_, "about")) {
       scenario.about = file_.scalar(*about, "about", "a sentence", false);
@@ -47,6 +49,11 @@ class ScenarioReader {
       file_.refuse({1, 1}, "", fmt::format("the key '{}' is missing", key));
     }
     return *entry;
+  }
+
+  void refuse_lab(const YamlEntry& kind) const {
+    if (!kind.value.IsScalar() || kind.value.Scalar() != "lab") return;
+    file_.refuse(value_place(kind), "kind", "this is a scene; play it with: autoref lab FILE");
   }
 
   std::string word(const YamlEntry& entry, std::string_view key,
