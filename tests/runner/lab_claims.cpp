@@ -1,5 +1,7 @@
 #include "tests/runner/lab_claims.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -294,6 +296,19 @@ std::string lab_file(const std::string& scene) {
 
 double measured(const Claim& claim) {
   return claim.measure(play_lab_scene(read_lab_scene(lab_file(claim.scene))));
+}
+
+std::string lab_table() {
+  std::string text =
+      "| what | claimed | measured | whose number | scene | test `Lab/LabClaim.*/` |\n"
+      "|---|---|---|---|---|---|\n";
+  for (const Claim& claim : lab_claims()) {
+    const std::string unit = claim.unit.empty() ? "" : " " + claim.unit;
+    text += fmt::format("| {} | {:.4g} ± {:.2g}{} | {:.4g} | {} | {} | `{}` |\n", claim.what,
+                        claim.claimed, claim.tolerance, unit, measured(claim), claim.source,
+                        claim.scene, claim.name);
+  }
+  return text;
 }
 
 }  // namespace autoref::runner

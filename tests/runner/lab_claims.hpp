@@ -24,4 +24,7 @@ const std::vector<Claim>& lab_claims();
 std::string lab_file(const std::string& scene);
 double measured(const Claim& claim);
 
+// The table in sim/README.md: what is claimed, what the scenes show, whose number it is.
+std::string lab_table();
+
 }  // namespace autoref::runner

@@ -9,6 +9,7 @@
 
 #include "runner/csv.hpp"
 #include "runner/errors.hpp"
+#include "runner/files.hpp"
 #include "tests/runner/lab_claims.hpp"
 
 namespace autoref::runner {
@@ -31,6 +32,22 @@ TEST_P(LabClaim, IsWhatItsSceneShows) {
 
 INSTANTIATE_TEST_SUITE_P(Lab, LabClaim, testing::ValuesIn(lab_claims()),
                          [](const auto& test) { return test.param.name; });
+
+TEST(LabTable, InTheReadmeIsWhatTheScenesShow) {
+  const std::string table = lab_table();
+  const std::string readme = read_file(AUTOREF_SOURCE_DIR "/sim/README.md").value_or("");
+  EXPECT_NE(readme.find(table), std::string::npos) << "sim/README.md should show this table:\n\n"
+                                                   << table;
+}
+
+TEST(LabPlots, InTheReadmeShowEveryScene) {
+  const std::string readme = read_file(AUTOREF_SOURCE_DIR "/sim/README.md").value_or("");
+  for (const std::string& name : scenes()) {
+    const std::string file = "lab/" + name + ".svg";
+    EXPECT_NE(readme.find(file), std::string::npos) << name;
+    EXPECT_TRUE(std::filesystem::exists(AUTOREF_SOURCE_DIR "/sim/" + file)) << name;
+  }
+}
 
 TEST(LabClaims, AreMadeOfEveryScene) {
   std::set<std::string> claimed;
