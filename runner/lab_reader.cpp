@@ -80,9 +80,9 @@ class LabReader {
   explicit LabReader(const YamlFile& file) : file_(file), top_(file.top()) {}
 
   LabScene read() {
-    refuse_unknown();
     expect("schema", "1");
     expect("kind", "lab");
+    refuse_unknown();
     read_settings();
     if (const YamlEntry* about = find_entry(top_, "about")) {
       scene_.about = file_.scalar(*about, "about", "a sentence", false);

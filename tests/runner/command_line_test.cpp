@@ -76,7 +76,7 @@ TEST(CommandLine, NamesTheFlagOrFileThatIsWrong) {
            {{"run", kGame.c_str()}, "autoref play"},
            {{"play", kScene.c_str()}, "autoref lab"},
            {{"lab", "none.yaml"}, "none.yaml: the file cannot be read"},
-           {{"lab", kGame.c_str()}, "paper-game.yaml:"},
+           {{"lab", kGame.c_str()}, "kind: expected lab, found 'game'"},
            {{"lab", kScene.c_str(), "--csv", "/nonexistent/x"}, "/nonexistent/x cannot be"},
            {{"play", kGame.c_str(), "--seed", "x"}, "--seed: "},
            {{"play", kGame.c_str(), "--seed", "-1"}, "-1"},
