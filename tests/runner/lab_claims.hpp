@@ -22,7 +22,7 @@ struct Claim {
 const std::vector<Claim>& lab_claims();
 
 std::string lab_file(const std::string& scene);
-double measured(const Claim& claim);
+double measured(const Claim& claim, int substeps = 4);
 
 // The table in sim/README.md: what is claimed, what the scenes show, whose number it is.
 std::string lab_table();
