@@ -64,10 +64,6 @@ class Tree {
   std::string text_;
 };
 
-bool is_alias(const Setting& setting) {
-  return std::holds_alternative<BothFactors>(setting.target);
-}
-
 bool is_given_by_plan(const Setting& setting) {
   return setting.path == "match.a_plays" || setting.path == "match.first_kickoff" ||
          setting.path == "seed";

@@ -6,6 +6,7 @@
 
 #include "runner/fields.hpp"
 #include "runner/words.hpp"
+#include "sim/ball_presets.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -102,6 +103,11 @@ bool is_number(const Setting& setting) {
   return setting.words.empty() && !std::holds_alternative<Params*>(setting.target);
 }
 
+bool is_alias(const Setting& setting) {
+  return std::holds_alternative<BothFactors>(setting.target) ||
+         std::holds_alternative<BallPreset>(setting.target);
+}
+
 std::string expected_of(const Setting& setting) {
   return std::visit(
       Overloaded{
@@ -110,7 +116,7 @@ std::string expected_of(const Setting& setting) {
           [&](std::uint64_t*) { return std::string("a whole number from 0 to 2^64 - 1"); },
           [&](BothFactors) { return "a number " + range_text(setting); },
           [&](Params*) { return std::string("numbers by name"); },
-          [&](auto*) {
+          [&](auto) {
             return (setting.words.size() == 1 ? "" : "one of ") + listed(setting.words);
           },
       },
@@ -125,6 +131,10 @@ void assign(const Setting& setting, std::string_view text) {
                  [&](std::uint64_t* value) { *value = checked(setting, text, seed_in(text)); },
                  [&](BothFactors both) { *both.speed = *both.acceleration = number(); },
                  [&](Params*) { refuse(setting, text); },
+                 [&](BallPreset preset) {
+                   sim::apply_ball_preset(setting.words[index_of_word(setting, text)],
+                                          *preset.ball);
+                 },
                  [&](std::string* value) { *value = setting.words[index_of_word(setting, text)]; },
                  [&](auto* value) {
                    using Enumeration = std::remove_pointer_t<decltype(value)>;
@@ -142,6 +152,7 @@ std::string value_of(const Setting& setting) {
           [](std::uint64_t* value) { return std::to_string(*value); },
           [](std::string* value) { return *value; },
           [](BothFactors both) { return text_of(*both.speed); },
+          [](BallPreset preset) { return sim::ball_preset_of(*preset.ball).value_or("none"); },
           [](Params*) { return std::string(); },
           [&](auto* value) { return setting.words[static_cast<std::size_t>(*value)]; },
       },

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/ball_presets.hpp"
 #include "sim/camera.hpp"
 #include "soccer/rule_book.hpp"
 #include "strategies/registry.hpp"
@@ -28,6 +29,10 @@ class Branch {
 
   void add(std::string_view name, Target target, Range range, std::string_view about) {
     list_.push_back({path_ + std::string(name), target, range, {}, "", about});
+  }
+
+  void preset(BallPreset target, std::vector<std::string> words, std::string_view about) {
+    list_.push_back({path_ + "preset", target, {}, std::move(words), "", about});
   }
 
  private:
@@ -105,6 +110,7 @@ void list_robot(sim::RobotParameters& robot, Branch to) {
 }
 
 void list_ball(sim::BallParameters& ball, Branch to) {
+  to.preset({&ball}, sim::ball_preset_names(), "sets how it slides, rolls and hops");
   to.number("slide_mps2", ball.slide_mps2, positive(100), "m/s^2", "deceleration when sliding");
   to.number("roll_mps2", ball.roll_mps2, positive(100), "m/s^2", "deceleration when rolling");
   to.number("switch_ratio", ball.switch_ratio, {0.05, 0.95}, "", "rolls below this share");

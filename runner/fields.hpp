@@ -19,9 +19,14 @@ struct BothFactors {
   double* acceleration = nullptr;
 };
 
+// `preset`: one word for the numbers of a known ball (sim/ball_presets.hpp).
+struct BallPreset {
+  sim::BallParameters* ball = nullptr;
+};
+
 // Where a setting lives in a GameConfiguration.
 using Target = std::variant<double*, int*, std::uint64_t*, std::string*, Side*, DefenceArea::Shape*,
-                            BothFactors, std::map<std::string, double>*>;
+                            BothFactors, BallPreset, std::map<std::string, double>*>;
 
 struct Range {
   double low = 0;
@@ -56,6 +61,9 @@ std::string value_of(const Setting& setting);
 
 // Whether the values are numbers.
 bool is_number(const Setting& setting);
+
+// Whether it only sets other settings, which speak for themselves.
+bool is_alias(const Setting& setting);
 
 // The settings or branches one step below `branch` ("" is the root).
 std::vector<std::string> names_below(const std::vector<Setting>& settings, std::string_view branch);

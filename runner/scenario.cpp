@@ -27,7 +27,9 @@ class ScenarioReader {
 
   Scenario read() {
     read_schema();
-    const std::string kind = word(required("kind"), "kind", kKinds);
+    const YamlEntry& kind_entry = required("kind");
+    refuse_lab(kind_entry);
+    const std::string kind = word(kind_entry, "kind", kKinds);
     Scenario scenario;
     if (const YamlEntry* about = find_entry(top_, "about")) {
       scenario.about = file_.scalar(*about, "about", "a sentence", false);
@@ -47,6 +49,11 @@ class ScenarioReader {
       file_.refuse({1, 1}, "", fmt::format("the key '{}' is missing", key));
     }
     return *entry;
+  }
+
+  void refuse_lab(const YamlEntry& kind) const {
+    if (!kind.value.IsScalar() || kind.value.Scalar() != "lab") return;
+    file_.refuse(value_place(kind), "kind", "this is a scene; play it with: autoref lab FILE");
   }
 
   std::string word(const YamlEntry& entry, std::string_view key,
@@ -180,6 +187,7 @@ class ScenarioReader {
   // Two factors that set the same number would make the later one win unnoticed.
   void refuse_overlap(const YamlEntry& entry, const std::vector<Factor>& factors) const {
     const auto is_parts = [](const std::string& part, const std::string& whole) {
+      if (whole == "sim.ball.preset") return part.starts_with("sim.ball.");
       return whole.ends_with(".handicap") && part.ends_with("_factor") && part[0] == whole[0];
     };
     const std::string& last = factors.back().path;

@@ -32,11 +32,14 @@ void SettingsReader::read_branch(const YamlEntry& branch, const std::string& pat
   const std::vector<std::string> known = names_below(settings_, path);
   const std::vector<YamlEntry> entries = file_.entries(branch, path, known);
   refuse_handicap_beside_its_factors(entries, path);
+  // Single numbers change a preset's, wherever they stand beside it.
+  const YamlEntry* preset = find_entry(entries, "preset");
+  if (preset != nullptr && find(path + ".preset") != nullptr) read(*preset, path + ".preset");
   for (const YamlEntry& entry : entries) {
     if (std::find(known.begin(), known.end(), entry.key) == known.end()) {
       file_.refuse(entry.place, path, unknown_key_message(entry.key, known));
     }
-    read(entry, path + "." + entry.key);
+    if (&entry != preset) read(entry, path + "." + entry.key);
   }
 }
 

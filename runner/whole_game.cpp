@@ -45,7 +45,7 @@ std::uint64_t configuration_hash(const GameConfiguration& game) {
   GameConfiguration copy = game;
   std::string text;
   for (const Setting& setting : settings_of(copy)) {
-    if (std::holds_alternative<BothFactors>(setting.target)) continue;
+    if (is_alias(setting)) continue;
     text += fmt::format("{}={}\n", setting.path, value_of(setting));
   }
   for (const TeamConfiguration* team : {&game.a, &game.b}) {

@@ -94,7 +94,7 @@ void validate(const Configuration& configuration) {
 }
 
 void validate(const TeamSheet& sheet) {
-  check_range("robots", sheet.robots, 1, kMaxRobots);
+  check_range("robots", sheet.robots, 0, kMaxRobots);
   check_factor("speed_factor", sheet.speed_factor);
   check_factor("acceleration_factor", sheet.acceleration_factor);
 }

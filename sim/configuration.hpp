@@ -71,7 +71,7 @@ struct Configuration {
 
 // The robots of one side and their handicap.
 struct TeamSheet {
-  int robots = 6;                    // numbers 0 to robots - 1
+  int robots = 6;                    // 0 to 16, numbered from 0
   double speed_factor = 1.0;         // scales the top speed
   double acceleration_factor = 1.0;  // scales acceleration and braking, the wheels' limit too
 };

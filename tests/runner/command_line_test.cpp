@@ -30,10 +30,11 @@ Answer answer_to(std::vector<const char*> arguments) {
 
 const std::string kScenarios = std::string(AUTOREF_SOURCE_DIR) + "/scenarios/";
 const std::string kGame = kScenarios + "paper-game.yaml";
+const std::string kScene = kScenarios + "lab/chip.yaml";
 const std::string kSweep = kScenarios + "handicap-speed.yaml";
 
 TEST(CommandLine, ShowsAnExampleForEachVerb) {
-  for (const char* verb : {"play", "run", "bench"}) {
+  for (const char* verb : {"play", "run", "lab", "bench"}) {
     const Answer answer = answer_to({verb, "--help"});
     EXPECT_EQ(answer.code, kDone);
     EXPECT_NE(answer.out.find(std::string("Example:\n  autoref ") + verb), std::string::npos);
@@ -73,6 +74,10 @@ TEST(CommandLine, NamesTheFlagOrFileThatIsWrong) {
            {{"run", "none.yaml"}, "none.yaml: the file cannot be read"},
            {{"play", kSweep.c_str()}, "autoref run"},
            {{"run", kGame.c_str()}, "autoref play"},
+           {{"play", kScene.c_str()}, "autoref lab"},
+           {{"lab", "none.yaml"}, "none.yaml: the file cannot be read"},
+           {{"lab", kGame.c_str()}, "kind: expected lab, found 'game'"},
+           {{"lab", kScene.c_str(), "--csv", "/nonexistent/x"}, "/nonexistent/x cannot be"},
            {{"play", kGame.c_str(), "--seed", "x"}, "--seed: "},
            {{"play", kGame.c_str(), "--seed", "-1"}, "-1"},
            {{"play", kGame.c_str(), "--set", "b.robots"}, "--set b.robots: expected KEY=VALUE"},

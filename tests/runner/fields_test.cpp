@@ -47,6 +47,25 @@ TEST(SetByPath, SetsBothFactorsByAHandicap) {
   EXPECT_EQ(game.a.speed_factor, 1.0);
 }
 
+TEST(SetByPath, SetsTheBallsNumbersByAPreset) {
+  GameConfiguration game;
+  set_by_path(game, "sim.ball.preset", "tigers");
+  EXPECT_EQ(game.sim.ball.slide_mps2, 3.0);
+  EXPECT_EQ(game.sim.ball.hop_later_xy, 0.85);
+  EXPECT_EQ(value_at(game, "sim.ball.preset"), "tigers");
+  EXPECT_EQ(refusal_of("sim.ball.preset", "tiger"),
+            "expected one of default, erforce, tigers, grsim, found 'tiger'");
+}
+
+TEST(SetByPath, LetsSingleNumbersChangeAPreset) {
+  GameConfiguration game;
+  set_by_path(game, "sim.ball.preset", "grsim");
+  set_by_path(game, "sim.ball.roll_mps2", "0.5");
+  EXPECT_EQ(game.sim.ball.slide_mps2, 10.3);
+  EXPECT_EQ(game.sim.ball.roll_mps2, 0.5);
+  EXPECT_EQ(value_at(game, "sim.ball.preset"), "none");
+}
+
 TEST(SetByPath, SetsAStrategysOwnParameters) {
   GameConfiguration game;
   set_by_path(game, "a.params.shot_mps", "6.5");

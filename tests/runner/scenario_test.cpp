@@ -27,6 +27,27 @@ TEST(ReadScenario, GivesDefaultsToWhatIsLeftOut) {
   EXPECT_EQ(game.match.half_s, 600);  // the paper's ten minutes
 }
 
+TEST(ReadScenario, LetsSingleNumbersChangeAPresetWhereverTheyStand) {
+  const GameConfiguration game =
+      game_of(kGame + "sim: { ball: { roll_mps2: 0.5, preset: erforce } }\n");
+  EXPECT_EQ(game.sim.ball.slide_mps2, 3.92);
+  EXPECT_EQ(game.sim.ball.roll_mps2, 0.5);
+}
+
+TEST(ReadScenario, WritesTheNumbersOfAPresetIntoTheEffectiveText) {
+  const Scenario scenario =
+      read_scenario_text(kGame + "sim: { ball: { preset: tigers } }\n", "x.yaml");
+  const std::string text = effective_text(scenario);
+  EXPECT_NE(text.find("switch_ratio: 0.667"), std::string::npos);
+  EXPECT_EQ(text.find("preset"), std::string::npos);
+}
+
+TEST(ReadScenario, RefusesAPresetAndItsNumbersAsFactors) {
+  EXPECT_THROW(
+      sweep_of(kSweep + "factors: { sim.ball.roll_mps2: [0.3], sim.ball.preset: [tigers] }\n"),
+      InputError);
+}
+
 TEST(ReadScenario, ReadsAGame) {
   const GameConfiguration game =
       game_of(kGame +

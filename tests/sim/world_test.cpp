@@ -198,7 +198,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Refused{"substeps", [](Configuration& c, PerSide<TeamSheet>&) { c.substeps = 0; }},
         Refused{"substeps", [](Configuration& c, PerSide<TeamSheet>&) { c.substeps = 17; }},
-        Refused{"robots", [](Configuration&, PerSide<TeamSheet>& s) { s[Side::kEast].robots = 0; }},
+        Refused{"robots",
+                [](Configuration&, PerSide<TeamSheet>& s) { s[Side::kEast].robots = -1; }},
         Refused{"robots",
                 [](Configuration&, PerSide<TeamSheet>& s) { s[Side::kWest].robots = 17; }},
         Refused{"speed_factor",
@@ -218,7 +219,7 @@ TEST(ConfigurationError, SaysTheValueAndTheRange) {
     validate(TeamSheet{17, 1.0, 1.0});
     FAIL() << "accepted";
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "robots is 17; it must be from 1 to 16");
+    EXPECT_STREQ(error.what(), "robots is 17; it must be from 0 to 16");
   }
 }
 

@@ -1,0 +1,56 @@
+// The laboratory: small experiments with robots and ball, without teams and without a referee.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sim/world.hpp"
+#include "soccer/field.hpp"
+
+namespace autoref::runner {
+
+// Replaces a robot's former order from that time on.
+struct TimedOrder {
+  double at_s = 0;
+  RobotCommand command;
+};
+
+struct LabRobot {
+  RobotId id;  // numbered from 0 on each side, in the file's order
+  sim::RobotState start;
+  std::vector<TimedOrder> orders;  // by rising time
+};
+
+// Motors, kickers, camera and radio are exact and without delay unless the scene says otherwise.
+struct LabScene {
+  LabScene();
+
+  std::string about;
+  double duration_s = 1;
+  Field field;
+  sim::Configuration sim;
+  std::uint64_t seed = 1;
+  sim::BallState ball;
+  std::vector<LabRobot> robots;
+};
+
+// What happened: the world's state at the start and after each camera frame.
+struct LabRecord {
+  double frame_rate_hz = 60;
+  std::vector<sim::WorldState> states;
+};
+
+// Reads a scene as strictly as a scenario. Throws InputError with file, line and key.
+LabScene read_lab_scene(const std::filesystem::path& file);
+LabScene read_lab_scene_text(const std::string& text, const std::string& file_name);
+
+// Plays the scene. An order moves its robot `sim.latency_s` after its time.
+LabRecord play_lab_scene(const LabScene& scene);
+
+// A row per frame: time, then position, heading and speed of everything, in SI units, headings in
+// degrees. Robots are called by side and number, such as west0.
+std::string csv_of(const LabScene& scene, const LabRecord& record);
+
+}  // namespace autoref::runner

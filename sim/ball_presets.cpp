@@ -1,0 +1,69 @@
+#include "sim/ball_presets.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+namespace autoref::sim {
+namespace {
+
+struct Preset {
+  std::string_view name;
+  double slide_mps2;
+  double roll_mps2;
+  double switch_ratio;
+  double hop_first_xy;
+  double hop_later_xy;
+  double hop_z;
+};
+
+constexpr BallParameters kOwn{};
+
+// Measured in ER-Force's simulator and in grSim; Sumatra's (TIGERs Mannheim) was fitted to balls
+// seen on RoboCup fields.
+constexpr std::array kPresets = {
+    Preset{"default", kOwn.slide_mps2, kOwn.roll_mps2, kOwn.switch_ratio, kOwn.hop_first_xy,
+           kOwn.hop_later_xy, kOwn.hop_z},
+    Preset{"erforce", 3.92, 0.35, 0.69, 0.715, 1.0, 0.566},
+    Preset{"tigers", 3.0, 0.26, 0.667, 0.8, 0.85, 0.47},
+    Preset{"grsim", 10.3, 0.70, 0.70, 0.59, 0.95, 0.49},
+};
+
+bool has_numbers_of(const Preset& preset, const BallParameters& ball) {
+  return ball.slide_mps2 == preset.slide_mps2 && ball.roll_mps2 == preset.roll_mps2 &&
+         ball.switch_ratio == preset.switch_ratio && ball.hop_first_xy == preset.hop_first_xy &&
+         ball.hop_later_xy == preset.hop_later_xy && ball.hop_z == preset.hop_z;
+}
+
+}  // namespace
+
+void apply_ball_preset(std::string_view name, BallParameters& ball) {
+  const auto preset = std::find_if(kPresets.begin(), kPresets.end(),
+                                   [name](const Preset& p) { return p.name == name; });
+  if (preset == kPresets.end()) {
+    std::string known;
+    for (const Preset& p : kPresets) known += (known.empty() ? "" : ", ") + std::string(p.name);
+    throw std::invalid_argument("unknown ball preset '" + std::string(name) + "'; known: " + known);
+  }
+  ball.slide_mps2 = preset->slide_mps2;
+  ball.roll_mps2 = preset->roll_mps2;
+  ball.switch_ratio = preset->switch_ratio;
+  ball.hop_first_xy = preset->hop_first_xy;
+  ball.hop_later_xy = preset->hop_later_xy;
+  ball.hop_z = preset->hop_z;
+}
+
+std::optional<std::string> ball_preset_of(const BallParameters& ball) {
+  for (const Preset& preset : kPresets) {
+    if (has_numbers_of(preset, ball)) return std::string(preset.name);
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> ball_preset_names() {
+  std::vector<std::string> names;
+  for (const Preset& preset : kPresets) names.emplace_back(preset.name);
+  return names;
+}
+
+}  // namespace autoref::sim

@@ -1,0 +1,110 @@
+#include "sim/ball_presets.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "tests/sim/scene.hpp"
+
+namespace autoref::sim {
+namespace {
+
+// The numbers as measured or published for each simulator.
+struct Model {
+  const char* name;
+  double slide_mps2;
+  double roll_mps2;
+  double switch_ratio;
+  double first_xy;
+  double later_xy;
+  double z;
+};
+
+constexpr double kStart_m = -14.0;
+
+class BallPreset : public testing::TestWithParam<Model> {
+ protected:
+  World world_with_ball(double speed_mps, double vertical_mps) const {
+    Field field;
+    field.length_m = 30.0;
+    Configuration configuration = quiet();
+    apply_ball_preset(GetParam().name, configuration.ball);
+    World world(field, configuration, sheets(1, 1), 1);
+    BallState ball;
+    ball.position_m = {kStart_m, 1.0};
+    ball.velocity_mps = {speed_mps, 0.0};
+    ball.vertical_mps = vertical_mps;
+    ball.is_rolling = false;
+    world.put_ball(ball);
+    return world;
+  }
+};
+
+TEST_P(BallPreset, SlidesAndRollsAsFarAsItsNumbersSay) {
+  const Model& model = GetParam();
+  const double v = 4.0;
+  const double rolls_at_mps = model.switch_ratio * v;
+  const double slide_m = (v * v - rolls_at_mps * rolls_at_mps) / (2 * model.slide_mps2);
+  const double roll_m = rolls_at_mps * rolls_at_mps / (2 * model.roll_mps2);
+  World world = world_with_ball(v, 0.0);
+  double slid_m = 0.0;
+  for (int f = 0; f < 60 * 20; ++f) {
+    world.step({}, {});
+    const BallState& ball = world.state().ball;
+    if (slid_m == 0.0 && ball.is_rolling) slid_m = ball.position_m.x() - kStart_m;
+  }
+  EXPECT_NEAR(slid_m, slide_m, 0.01 * slide_m + v / 60);  // seen once per frame
+  EXPECT_NEAR(world.state().ball.position_m.x() - kStart_m, slide_m + roll_m, 0.01 * roll_m);
+}
+
+TEST_P(BallPreset, HopsByItsOwnFactors) {
+  const Model& model = GetParam();
+  World world = world_with_ball(2.0, 3.0);
+  double peak_m[3] = {0, 0, 0};
+  double speed_mps[3] = {2.0, 0, 0};
+  int hop = 0;
+  double former_mps = 3.0;
+  while (hop < 3) {
+    world.step({}, {});
+    const BallState& ball = world.state().ball;
+    if (ball.vertical_mps > former_mps) ++hop;
+    former_mps = ball.vertical_mps;
+    if (hop == 3) break;
+    peak_m[hop] = std::max(peak_m[hop], ball.height_m);
+    speed_mps[hop] = ball.velocity_mps.x();
+  }
+  EXPECT_NEAR(speed_mps[1], 2.0 * model.first_xy, 1e-3);
+  EXPECT_NEAR(speed_mps[2], speed_mps[1] * model.later_xy, 1e-3);
+  // Between two frames the ball falls at most g / 2 (1/120 s)^2 from its peak: 0.3 mm.
+  EXPECT_NEAR(std::sqrt(peak_m[1] / peak_m[0]), model.z, 0.01);
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, BallPreset,
+                         testing::Values(Model{"default", 3.4, 0.30, 0.67, 0.75, 0.95, 0.5},
+                                         Model{"erforce", 3.92, 0.35, 0.69, 0.715, 1.0, 0.566},
+                                         Model{"tigers", 3.0, 0.26, 0.667, 0.8, 0.85, 0.47},
+                                         Model{"grsim", 10.3, 0.70, 0.70, 0.59, 0.95, 0.49}),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+TEST(BallPresets, LeaveTheNetAlone) {
+  BallParameters ball;
+  ball.net_mps2 = 7.0;
+  apply_ball_preset("grsim", ball);
+  EXPECT_EQ(ball.net_mps2, 7.0);
+}
+
+TEST(BallPresets, NameTheKnownOnesForAnUnknownOne) {
+  BallParameters ball;
+  try {
+    apply_ball_preset("tiger", ball);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("default, erforce, tigers, grsim"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace autoref::sim
