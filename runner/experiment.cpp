@@ -154,6 +154,7 @@ class Experiment {
       rows.push_back(cells);
     }
     report.groups = grouped(sweep_, format_, rows);
+    report.arrows_never_taken = arrows_never_taken(format_, rows);
     replace_file(options_.folder / "results.csv", results);
     replace_file(options_.folder / "summary.csv", summary_csv(sweep_, report.groups));
   }

@@ -24,7 +24,7 @@ struct ExperimentOptions {
   bool allow_mixed_build = false;  // rows of other builds may stand in the folder; they stay apart
   std::function<GameRecord(const GameConfiguration&)> play;  // called in workers
   std::FILE* progress = nullptr;                             // where to write progress, if anywhere
-  double longest_game_s = 600;                               // wall time, then its worker is killed
+  double longest_game_s = 600;                               // wall time, then it is void
   int attempts = 3;       // for a game whose worker dies, until it is void
   double patience_s = 2;  // for another run to let go of the folder
 };
@@ -35,7 +35,8 @@ struct ExperimentReport {
   int done = 0;              // so far, by this run and former ones
   int played = 0;            // by this run
   int void_games = 0;
-  std::vector<Group> groups;  // of a complete run
+  std::vector<Group> groups;                    // of a complete run
+  std::vector<std::string> arrows_never_taken;  // of the referee's machine, by a complete run
 };
 
 // Plays the games that have no row yet: none with the same id, configuration and build. Throws

@@ -58,7 +58,8 @@ void list_team(TeamConfiguration& team, Branch to) {
             "scales their acceleration and braking");
   to.add("handicap", BothFactors{&team.speed_factor, &team.acceleration_factor}, positive(2),
          "sets speed_factor and acceleration_factor");
-  to.add("params", &team.params, {-1e9, 1e9}, "the strategy's own numbers, by name");
+  // Lengths, speeds, times and shares: none of a strategy's numbers makes sense below 0.
+  to.add("params", &team.params, {0, 1e9}, "the strategy's own numbers, by name");
 }
 
 void list_match(MatchConfiguration& match, Branch to) {
@@ -76,10 +77,6 @@ void list_field(Field& field, Branch to) {
   to.number("length_m", field.length_m, {4, 30}, "m", "between the goal lines' outer edges");
   to.number("width_m", field.width_m, {2, 20}, "m", "between the touch lines' outer edges");
   to.number("run_off_m", field.run_off_m, {0.1, 5}, "m", "from the lines to the wall");
-  to.number("line_width_m", field.line_width_m, positive(0.1), "m", "of every line");
-  to.number("centre_circle_radius_m", field.centre_circle_radius_m, positive(5), "m",
-            "of the centre circle");
-  to.number("penalty_mark_m", field.penalty_mark_m, positive(15), "m", "from the goal line");
   to.word("defence_area.shape", field.defence_area.shape, shapes, "of the area before a goal");
   to.number("defence_area.depth_m", field.defence_area.depth_m, positive(5), "m",
             "radius of the quarter circles, or the box's size along x");
@@ -89,7 +86,6 @@ void list_field(Field& field, Branch to) {
   to.number("goal_depth_m", field.goal_depth_m, {0.05, 1}, "m", "from goal line to back wall");
   to.number("goal_opening_height_m", field.goal_opening_height_m, positive(2), "m",
             "under the bar");
-  to.number("goal_wall_height_m", field.goal_wall_height_m, positive(2), "m", "of the goal walls");
   to.number("goal_wall_thickness_m", field.goal_wall_thickness_m, {0.01, 0.1}, "m",
             "of the goal walls");
 }

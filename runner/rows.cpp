@@ -9,6 +9,7 @@
 #include <cassert>
 #include <fstream>
 
+#include "referee/machine.hpp"
 #include "runner/csv.hpp"
 #include "runner/fields.hpp"
 
@@ -29,6 +30,13 @@ std::string crc_of(std::string_view text) {
 
 std::string first_half_goals(const GameRecord& record, std::size_t team) {
   return std::to_string(record.goals_by_half.empty() ? 0 : record.goals_by_half.front()[team]);
+}
+
+// Sorted, so that the order in which the arrows came does not matter.
+std::string arrows_cell(const GameRecord& record) {
+  std::vector<std::string_view> labels = record.arrows;
+  std::sort(labels.begin(), labels.end());
+  return fmt::format("{}", fmt::join(labels, "+"));
 }
 
 }  // namespace
@@ -86,7 +94,7 @@ Cells outcome_columns() {
     const auto event = static_cast<referee::Event>(i);
     if (is_stop(event)) columns.push_back(fmt::format("stops_{}", name_of(event)));
   }
-  append(columns, {"ball_in_play_s", "sim_s", "frames", "state_hash"});
+  append(columns, {"arrows", "ball_in_play_s", "sim_s", "frames", "state_hash"});
   return columns;
 }
 
@@ -103,9 +111,29 @@ Cells outcome_of(const GameRecord& record) {
     if (!is_stop(static_cast<referee::Event>(i))) continue;
     cells.push_back(std::to_string(record.events[static_cast<std::size_t>(i)]));
   }
-  append(cells, {fmt::format("{:.3f}", record.ball_in_play_s), fmt::format("{:.3f}", record.sim_s),
-                 std::to_string(record.frames), hash_text(record.state_hash)});
+  append(cells, {arrows_cell(record), fmt::format("{:.3f}", record.ball_in_play_s),
+                 fmt::format("{:.3f}", record.sim_s), std::to_string(record.frames),
+                 hash_text(record.state_hash)});
   return cells;
+}
+
+std::vector<std::string> arrows_never_taken(const RowFormat& format,
+                                            const std::vector<Cells>& rows) {
+  const std::size_t arrows = format.column("arrows");
+  const auto takes = [arrows](std::string_view label) {
+    return [=](const Cells& row) {
+      return fmt::format("+{}+", row[arrows]).find(fmt::format("+{}+", label)) != std::string::npos;
+    };
+  };
+  std::vector<std::string> never;
+  for (const auto& part : {referee::arrows_in_figure(), referee::arrows_outside_figure()}) {
+    for (const referee::Arrow& arrow : part) {
+      if (std::none_of(rows.begin(), rows.end(), takes(arrow.label))) {
+        never.emplace_back(arrow.label);
+      }
+    }
+  }
+  return never;
 }
 
 std::string hash_text(std::uint64_t hash) { return fmt::format("{:016x}", hash); }

@@ -49,9 +49,15 @@ class RowFormat {
   std::size_t reproducible_ = 0;
 };
 
-// The columns that follow from the record, goals_a to state_hash.
+// The columns that follow from the record, goals_a to state_hash. `arrows` holds the labels of the
+// arrows of the referee's machine that the game took, sorted and joined by '+'.
 Cells outcome_columns();
 Cells outcome_of(const GameRecord& record);
+
+// The labels of the referee's arrows (referee/machine.hpp) that none of the rows' games took, in
+// the machine's order.
+std::vector<std::string> arrows_never_taken(const RowFormat& format,
+                                            const std::vector<Cells>& rows);
 
 // 16 hexadecimal digits.
 std::string hash_text(std::uint64_t hash);

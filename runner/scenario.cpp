@@ -8,6 +8,7 @@
 
 #include "runner/errors.hpp"
 #include "runner/files.hpp"
+#include "runner/plan.hpp"
 #include "runner/settings_reader.hpp"
 #include "runner/words.hpp"
 #include "runner/yaml.hpp"
@@ -115,6 +116,7 @@ class ScenarioReader {
                               whole_number_in, 1, kMostPairs);
     sweep.seed = number<std::uint64_t>(required("seed"), "seed",
                                        "a whole number from 0 to 2^64 - 1", seed_in, 0, UINT64_MAX);
+    check_together(sweep);
     return sweep;
   }
 
@@ -156,8 +158,9 @@ class ScenarioReader {
     }
   }
 
-  Factor read_factor(const YamlEntry& entry, const GameConfiguration& base) const {
+  Factor read_factor(const YamlEntry& entry, const GameConfiguration& base) {
     Factor factor{short_path(entry.key), {}};
+    places_[full_path(entry.key)] = entry.place;
     if (!entry.value.IsSequence() || entry.value.size() == 0) {
       file_.refuse(value_place(entry), entry.key, "expected a list of values, such as [1.0, 0.9]");
     }
@@ -177,7 +180,6 @@ class ScenarioReader {
                                 const std::string& text, GameConfiguration game) const {
     try {
       set_by_path(game, entry.key, text);
-      check_game(game);
     } catch (const std::invalid_argument& error) {
       file_.refuse(place, entry.key, error.what());
     }
@@ -202,6 +204,15 @@ class ScenarioReader {
   void check(const GameConfiguration& game) const {
     try {
       check_game(game);
+    } catch (const std::invalid_argument& error) {
+      file_.refuse(place_of_first_path_in(error.what()), "", error.what());
+    }
+  }
+
+  // One factor's value may only make a game together with another's.
+  void check_together(const Sweep& sweep) const {
+    try {
+      plan(sweep);
     } catch (const std::invalid_argument& error) {
       file_.refuse(place_of_first_path_in(error.what()), "", error.what());
     }

@@ -42,23 +42,12 @@ std::optional<Interval> mean_interval(std::span<const double> sample) {
   return around(mean(sample), standard_error, sample.size() - 1);
 }
 
-std::optional<Line> fit_line(std::span<const double> x, std::span<const double> y) {
+std::optional<double> slope_of(std::span<const double> x, std::span<const double> y) {
   assert(x.size() == y.size());
   if (x.empty()) return std::nullopt;
   const double spread = sum_of_products(x, x);
   if (!(spread > 0)) return std::nullopt;
-  Line line;
-  line.slope = sum_of_products(x, y) / spread;
-  line.intercept = mean(y) - line.slope * mean(x);
-  if (x.size() < 3) return line;
-  double residual = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const double error = y[i] - line.intercept - line.slope * x[i];
-    residual += error * error;
-  }
-  const double standard_error = std::sqrt(residual / static_cast<double>(x.size() - 2) / spread);
-  line.slope_interval = around(line.slope, standard_error, x.size() - 2);
-  return line;
+  return sum_of_products(x, y) / spread;
 }
 
 }  // namespace autoref::runner

@@ -22,14 +22,8 @@ std::optional<double> standard_deviation(std::span<const double> sample);
 // Of the mean: mean -+ t(0.975, n - 1) s / sqrt(n). None for fewer than two values.
 std::optional<Interval> mean_interval(std::span<const double> sample);
 
-// The straight line of least squares.
-struct Line {
-  double slope = 0;
-  double intercept = 0;
-  std::optional<Interval> slope_interval;  // t with n - 2; none for fewer than three points
-};
-
-// The line through the points (x[i], y[i]). None where all x are equal. The sizes must agree.
-std::optional<Line> fit_line(std::span<const double> x, std::span<const double> y);
+// Of the straight line of least squares through the points (x[i], y[i]). None where all x are
+// equal. The sizes must agree.
+std::optional<double> slope_of(std::span<const double> x, std::span<const double> y);
 
 }  // namespace autoref::runner

@@ -1,6 +1,7 @@
 // What an experiment's rows say, value by value.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,8 +17,9 @@ struct Group {
   std::vector<std::string> values;
   std::vector<double> goals_a;  // of each game
   std::vector<double> goals_b;
-  std::vector<double> differences;       // a minus b
-  std::vector<double> pair_differences;  // mean over the two legs, of pairs without a void leg
+  std::vector<double> differences;  // a minus b
+  // By pair number: mean over the two legs, of pairs without a void leg.
+  std::map<std::string, double> pair_differences;
   int void_games = 0;
 };
 
@@ -25,12 +27,17 @@ struct Group {
 std::vector<Group> grouped(const Sweep& sweep, const RowFormat& format,
                            const std::vector<Cells>& rows);
 
-// Least squares of the score difference over the factor's value, one point per pair of legs: the
-// legs of a pair share the chances of their pair, and only together they are fair. The points count
-// as independent: pairs of one number have the same seeds at every value, but a changed factor
-// sends their games different ways from the first seconds on. None where the
-// sweep has not exactly one factor with at least two values, all numbers.
-std::optional<Line> slope_over_factor(const Sweep& sweep, const std::vector<Group>& groups);
+struct Slope {
+  double mean = 0;
+  std::optional<Interval> interval;  // none for a single pair
+};
+
+// How much the score difference changes per unit of the factor. Pairs of one number have the same
+// seeds at every value, so their games are not independent: each pair number gives one slope, by
+// least squares over the values, and those slopes are the independent sample whose mean and
+// Student interval these are. Pair numbers without two good legs at every value are left out. None
+// where the sweep has not exactly one factor with at least two values, all numbers.
+std::optional<Slope> slope_over_factor(const Sweep& sweep, const std::vector<Group>& groups);
 
 // summary.csv: per combination its games, means and standard deviations (over games), and the 95 %
 // interval of the mean difference (over pairs). Cells without a value are empty.

@@ -78,16 +78,21 @@ class Pool {
     const Job job = worker.job();
     const double wall_s = worker.busy_s();
     worker.end();
-    lose(job, fmt::format("it took longer than {} s", options_.longest_job_s), wall_s);
+    // What hangs once hangs again: another attempt would only cost as much time again.
+    give_up(job, fmt::format("it took longer than {} s", options_.longest_job_s), wall_s);
   }
 
   void lose(const Job& job, const std::string& reason, double wall_s) {
     if (job.attempt < options_.attempts) {
       queue_.push_front({job.number, job.attempt + 1});
     } else {
-      const std::string failure = fmt::format("{}, in attempt {}", reason, job.attempt);
-      calls_.done({job.number, "", failure, job.attempt, wall_s});
+      give_up(job, reason, wall_s);
     }
+  }
+
+  void give_up(const Job& job, const std::string& reason, double wall_s) {
+    const std::string failure = fmt::format("{}, in attempt {}", reason, job.attempt);
+    calls_.done({job.number, "", failure, job.attempt, wall_s});
   }
 
   const WorkerOptions& options_;

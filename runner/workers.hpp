@@ -1,8 +1,8 @@
 // Work in processes of their own: jobs go out and results come back over sockets.
 //
 // Each worker is a fork of this process and does one job after the other; a worker that dies takes
-// one job along, which is done again. Workers never outlive this process. The parent stays
-// single-threaded and is the only one to see results.
+// one job along, which is done again; a job that takes too long is given up. Workers never outlive
+// this process. The parent stays single-threaded and is the only one to see results.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,8 @@ namespace autoref::runner {
 
 struct WorkerOptions {
   int workers = 1;
-  int attempts = 3;            // until a job is given up
-  double longest_job_s = 600;  // after which a worker is taken to hang
+  int attempts = 3;            // until a job whose workers die is given up
+  double longest_job_s = 600;  // after which a job is taken to hang and given up at once
 };
 
 struct JobResult {

@@ -6,12 +6,15 @@
 #include <cerrno>
 #include <cstdio>
 #include <exception>
+#include <system_error>
 
 #include "runner/build_id.hpp"
 #include "runner/errors.hpp"
 
 namespace autoref::runner {
 namespace {
+
+constexpr const char* kNoOutput = "the output cannot be written";
 
 int fail(ExitCode code, std::string_view message) {
   tell(stderr, fmt::format("autoref: {}\n", message));
@@ -23,8 +26,9 @@ int fail(ExitCode code, std::string_view message) {
 int exit_code_of(const Chosen& work) {
   try {
     const int code = work();
-    // A full disk shows only now.
-    if (std::fflush(stdout) != 0) throw io_error("the output cannot be written", errno);
+    // A full disk may show only now, or have shown before, where nobody looked.
+    if (std::fflush(stdout) != 0) throw io_error(kNoOutput, errno);
+    if (std::ferror(stdout) != 0) throw InputOutputError(kNoOutput);
     return code;
   } catch (const InputError& error) {
     return fail(kBadInput, error.what());
@@ -32,6 +36,8 @@ int exit_code_of(const Chosen& work) {
     return fail(kInputOutput, error.what());
   } catch (const Interrupted& error) {
     return fail(kInterrupted, error.what());
+  } catch (const std::system_error& error) {  // of printing, or of the file system
+    return fail(kInputOutput, error.what());
   } catch (const std::exception& error) {
     return fail(kInternal, fmt::format("a mistake of this program: {}", error.what()));
   }
@@ -45,7 +51,7 @@ int run_command_line(int argc, const char* const* argv) {
   app.set_version_flag("--version", fmt::format("autoref {}", build_id()));
   app.require_subcommand(1);
   app.footer(
-      "Example:\n  autoref run scenarios/first-look.yaml\n\n"
+      "Example, an experiment of 72 games:\n  autoref run scenarios/first-look.yaml\n\n"
       "Exit codes: 0 done; 2 bad input; 3 too many void games; 70 internal; 74 input/output;\n"
       "75 interrupted, the same command continues.");
   Chosen chosen;
@@ -56,7 +62,7 @@ int run_command_line(int argc, const char* const* argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kDone : kBadInput;
+    return exit_code_of([&] { return app.exit(error) == 0 ? kDone : kBadInput; });
   }
   return exit_code_of(chosen);
 }

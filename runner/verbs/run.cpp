@@ -43,6 +43,9 @@ void print_results(const Scenario& scenario, const ExperimentReport& report,
                    const fs::path& folder) {
   if (!scenario.about.empty()) fmt::print("{}\n\n", scenario.about);
   fmt::print("{}\n", summary_table(std::get<Sweep>(scenario.content), report.groups));
+  const std::vector<std::string>& never = report.arrows_never_taken;
+  fmt::print("arrows never taken in {} games: {}\n\n", report.games,
+             never.empty() ? "none" : fmt::format("{}", fmt::join(never, ", ")));
   fmt::print("{}   a row per game\n", (folder / "results.csv").string());
   fmt::print("{}   a row per value\n", (folder / "summary.csv").string());
   fmt::print("{}   every setting\n", (folder / "effective.yaml").string());

@@ -1,8 +1,14 @@
 // The program as scripts see it: exit codes and messages.
 #include "runner/verbs/command_line.hpp"
 
+#include <fcntl.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <stdio_ext.h>
+#include <unistd.h>
 
+#include <csignal>
+#include <cstdio>
 #include <stdexcept>
 
 #include "runner/errors.hpp"
@@ -106,6 +112,56 @@ TEST(ExitCode, FollowsFromWhatIsThrown) {
   EXPECT_EQ(exit_code_of([]() -> int { throw InputOutputError("m"); }), 74);
   EXPECT_EQ(exit_code_of([]() -> int { throw Interrupted(); }), 75);
   testing::internal::GetCapturedStderr();
+}
+
+// The code of `work` where the standard output is a full disk.
+int code_on_a_full_disk(const Chosen& work) {
+  std::fflush(stdout);
+  const int former = dup(STDOUT_FILENO);
+  const int full = open("/dev/full", O_WRONLY);
+  dup2(full, STDOUT_FILENO);
+  testing::internal::CaptureStderr();
+  const int code = exit_code_of(work);
+  testing::internal::GetCapturedStderr();
+  __fpurge(stdout);
+  std::clearerr(stdout);
+  dup2(former, STDOUT_FILENO);
+  close(former);
+  close(full);
+  return code;
+}
+
+TEST(ExitCode, IsInputOutputWhenTheOutputDoesNotFit) {
+  for (const std::size_t length : {10UL, 1000000UL}) {
+    EXPECT_EQ(code_on_a_full_disk([length] {
+                fmt::print("{}\n", std::string(length, 'x'));
+                return 0;
+              }),
+              74);
+  }
+  const char* const help[] = {"autoref", "--help"};
+  EXPECT_EQ(code_on_a_full_disk([&] { return run_command_line(2, help); }), 74);
+}
+
+TEST(CommandLine, TakesSettingsInAnyOrder) {
+  const char* goal = "field.goal_width_m=3.8";
+  const char* field = "field.width_m=9";
+  for (const auto& [first, second] : {std::pair(goal, field), std::pair(field, goal)}) {
+    const Answer answer = answer_to(
+        {"play", kGame.c_str(), "--set", "match.half_s=0.1", "--set", first, "--set", second});
+    EXPECT_EQ(answer.code, kDone) << answer.err;
+  }
+}
+
+TEST(CommandLine, EndsAHangingGameAtTheSecondInterrupt) {
+  const auto interrupt_twice = [] {
+    const char* const play[] = {"autoref", "play", kGame.c_str(), "--set", "match.half_s=0.1"};
+    run_command_line(5, play);
+    std::raise(SIGINT);
+    std::fputs("still here", stderr);
+    std::raise(SIGINT);
+  };
+  EXPECT_EXIT(interrupt_twice(), testing::KilledBySignal(SIGINT), "still here");
 }
 
 }  // namespace

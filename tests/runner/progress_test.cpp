@@ -1,6 +1,11 @@
 #include "runner/progress.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
 
 namespace autoref::runner {
 namespace {
@@ -18,6 +23,30 @@ TEST(ProgressText, TellsSpeedAndTimeLeft) {
 
 TEST(ProgressText, TellsNoSpeedBeforeTheFirstGame) {
   EXPECT_EQ(progress_text(60, 120, 0, 20), "60/120 games");
+}
+
+TEST(Progress, IgnoresATerminalThatIsGone) {
+  const int master = posix_openpt(O_RDWR | O_NOCTTY);
+  ASSERT_GE(master, 0);
+  ASSERT_EQ(grantpt(master) + unlockpt(master), 0);
+  std::FILE* terminal = fdopen(open(ptsname(master), O_RDWR | O_NOCTTY), "w");
+  ASSERT_NE(terminal, nullptr);
+  {
+    Progress progress(terminal, 2, 0);
+    close(master);
+    progress.game_done("1:0");
+    progress.say("a message");
+    EXPECT_NE(std::ferror(terminal), 0);  // else nothing was tried
+  }
+  std::fclose(terminal);
+}
+
+TEST(Progress, IgnoresAFullDisk) {
+  std::FILE* full = std::fopen("/dev/full", "w");
+  ASSERT_NE(full, nullptr);
+  Progress(full, 2, 0).game_done("1:0");
+  EXPECT_NE(std::ferror(full), 0);
+  std::fclose(full);
 }
 
 }  // namespace

@@ -50,6 +50,29 @@ TEST(RowFormat, ReadsBackWhatItWrote) {
   EXPECT_EQ((*cells)[format.column("attempt")], "2");
 }
 
+TEST(RowFormat, HoldsTheArrowsTakenInAnOrderOfTheirOwn) {
+  const RowFormat format({"b.robots"});
+  const PlannedGame game = plan(std::get<Sweep>(small_sweep().content)).front();
+  GameRecord record;
+  record.arrows = {"start", "begin", "goal"};
+  const Cells cells = format.read(format.line(game, outcome_of(record), {})).value();
+  EXPECT_EQ(cells[format.column("arrows")], "begin+goal+start");
+  EXPECT_LT(format.column("arrows"), format.reproducible(format.columns()).size());
+}
+
+TEST(ArrowsNeverTaken, AreThoseThatStandInNoRow) {
+  const RowFormat format({});
+  Cells row(format.columns().size());
+  row[format.column("arrows")] = "begin+start_late+goal_kick";
+  const std::vector<std::string> never = arrows_never_taken(format, {row});
+  const auto has = [&](const char* label) {
+    return std::find(never.begin(), never.end(), label) != never.end();
+  };
+  for (const char* taken : {"begin", "start_late", "goal_kick"}) EXPECT_FALSE(has(taken)) << taken;
+  // Parts of a label that was taken, and one outside the figure.
+  for (const char* other : {"start", "goal", "half_over"}) EXPECT_TRUE(has(other)) << other;
+}
+
 TEST(RowFormat, NoticesEveryChangedLetter) {
   const RowFormat format({"b.robots"});
   const std::string line = sample_line(format);

@@ -73,6 +73,12 @@ TEST(ReadScenario, ReadsASweep) {
   EXPECT_EQ(sweep.factors, expected);
 }
 
+TEST(ReadScenario, AcceptsFactorsThatOnlyTogetherMakeAGame) {
+  const Sweep sweep =
+      sweep_of(kSweep + "factors: { field.goal_width_m: [3.8], field.width_m: [9] }\n");
+  EXPECT_EQ(sweep.factors.size(), 2U);
+}
+
 struct Mistake {
   const char* name;
   std::string text;
@@ -182,6 +188,18 @@ INSTANTIATE_TEST_SUITE_P(
     Sweeps, WrongScenario,
     testing::Values(
         Mistake{"NoFactors", kSweep, "x.yaml:1:1: ", {"'factors' is missing"}},
+        Mistake{"FactorsThatMakeNoGame",
+                kSweep + "factors:\n  b.robots: [6]\n  a.params.shot: [1]\n",
+                "x.yaml:7:3: teams.a.params.shot: strategy",
+                {"did you mean"}},
+        Mistake{"NegativeParameter",
+                kGame + "teams:\n  a: { params: { shot_mps: -5 } }\n",
+                "x.yaml:4:28: teams.a.params.shot_mps: expected a number from 0 to",
+                {"found '-5'"}},
+        Mistake{"LineWidth",
+                kGame + "field: { line_width_m: 0.02 }\n",
+                "x.yaml:3:10: ",
+                {"unknown key 'line_width_m'"}},
         Mistake{"EmptyFactors", kSweep + "factors: {}\n", "x.yaml:5:1: ", {"at least one factor"}},
         Mistake{"NoValues",
                 kSweep + "factors: { b.robots: [] }\n",

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/runner/fake_games.hpp"
 
 namespace autoref::runner {
@@ -36,7 +38,7 @@ TEST(Summary, TakesThePairOfLegsAsTheUnit) {
   const std::vector<Group> groups =
       groups_of({{1, 1, "6", 3, 1}, {1, 2, "6", 1, 1}, {2, 1, "6", 0, 2}, {2, 2, "6", 0, 4}});
   EXPECT_EQ(groups[0].differences, (std::vector<double>{2, 0, -2, -4}));
-  EXPECT_EQ(groups[0].pair_differences, (std::vector<double>{1, -3}));
+  EXPECT_EQ(groups[0].pair_differences, (std::map<std::string, double>{{"1", 1}, {"2", -3}}));
   EXPECT_TRUE(groups[1].differences.empty());
 }
 
@@ -45,7 +47,7 @@ TEST(Summary, LeavesVoidGamesAndTheirPairsOut) {
       groups_of({{1, 1, "6", 3, 1}, {1, 2, "6", 9, 9, true}, {2, 1, "6", 2, 0}, {2, 2, "6", 1, 1}});
   EXPECT_EQ(groups[0].void_games, 1);
   EXPECT_EQ(groups[0].differences.size(), 3U);
-  EXPECT_EQ(groups[0].pair_differences, std::vector<double>{1});
+  EXPECT_EQ(groups[0].pair_differences, (std::map<std::string, double>{{"2", 1}}));
 }
 
 TEST(Summary, HasARowPerValueWithMeansAndDeviations) {
@@ -62,13 +64,47 @@ TEST(Summary, HasARowPerValueWithMeansAndDeviations) {
 TEST(Summary, FitsTheSlopeOverThePairs) {
   const std::vector<Group> groups =
       groups_of({{1, 1, "6", 1, 1}, {1, 2, "6", 3, 1}, {1, 1, "5", 4, 0}, {1, 2, "5", 4, 0}});
-  EXPECT_NEAR(slope_over_factor(kSweep, groups).value().slope, -3.0, 1e-12);
+  EXPECT_NEAR(slope_over_factor(kSweep, groups).value().mean, -3.0, 1e-12);
+}
+
+TEST(Summary, TakesTheSlopesOfPairNumbersAsTheSampleOfTheInterval) {
+  const std::vector<Group> groups = groups_of({{1, 1, "6", 1, 0},
+                                               {1, 2, "6", 1, 0},
+                                               {2, 1, "6", 9, 0},
+                                               {2, 2, "6", 9, 0},
+                                               {3, 1, "6", 5, 0},
+                                               {3, 2, "6", 5, 0},
+                                               {1, 1, "5", 4, 0},
+                                               {1, 2, "5", 4, 0},
+                                               {2, 1, "5", 10, 0},
+                                               {2, 2, "5", 10, 0},
+                                               {3, 1, "5", 7, 0},
+                                               {3, 2, "5", 7, 0}});
+  const Slope slope = slope_over_factor(kSweep, groups).value();
+  EXPECT_NEAR(slope.mean, -2.0, 1e-12);
+  // Slopes -3, -1, -2: deviation 1, t(0.975, 2) = 4.302653 from tables.
+  EXPECT_NEAR(slope.interval.value().low, -2 - 4.302653 / std::sqrt(3.0), 1e-6);
+  EXPECT_NEAR(slope.interval.value().high, -2 + 4.302653 / std::sqrt(3.0), 1e-6);
+}
+
+TEST(Summary, LeavesAPairNumberWithAVoidLegOutOfTheSlope) {
+  const std::vector<Group> groups = groups_of({{1, 1, "6", 1, 0},
+                                               {1, 2, "6", 1, 0},
+                                               {2, 1, "6", 9, 0},
+                                               {2, 2, "6", 9, 0, true},
+                                               {1, 1, "5", 4, 0},
+                                               {1, 2, "5", 4, 0},
+                                               {2, 1, "5", 10, 0},
+                                               {2, 2, "5", 10, 0}});
+  const Slope slope = slope_over_factor(kSweep, groups).value();
+  EXPECT_NEAR(slope.mean, -3.0, 1e-12);
+  EXPECT_FALSE(slope.interval);
 }
 
 TEST(Summary, FitsNoSlopeOverNamesOrSeveralFactors) {
   Sweep sweep;
   sweep.factors = {{"a.strategy", {"basic", "dummy"}}};
-  EXPECT_FALSE(slope_over_factor(sweep, {{{"basic"}, {}, {}, {}, {1}, 0}}));
+  EXPECT_FALSE(slope_over_factor(sweep, {{{"basic"}, {}, {}, {}, {{"1", 1}}, 0}}));
   sweep.factors = {{"a.robots", {"6"}}, {"b.robots", {"6"}}};
   EXPECT_FALSE(slope_over_factor(sweep, {}));
 }
