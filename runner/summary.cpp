@@ -27,6 +27,7 @@ std::optional<double> mean_of(const std::vector<double>& sample) {
 
 std::vector<double> values_of(const std::map<std::string, double>& by_name) {
   std::vector<double> values;
+  values.reserve(by_name.size());
   for (const auto& [name, value] : by_name) values.push_back(value);
   return values;
 }

@@ -62,6 +62,7 @@ std::optional<std::string> ball_preset_of(const BallParameters& ball) {
 
 std::vector<std::string> ball_preset_names() {
   std::vector<std::string> names;
+  names.reserve(std::size(kPresets));
   for (const Preset& preset : kPresets) names.emplace_back(preset.name);
   return names;
 }
