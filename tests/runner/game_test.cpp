@@ -7,17 +7,10 @@
 #include <stdexcept>
 #include <vector>
 
-#include "strategies/dummy.hpp"
+#include "tests/runner/short_game.hpp"
 
 namespace autoref::runner {
 namespace {
-
-GameConfiguration short_game(double half_s, std::uint64_t seed) {
-  GameConfiguration game;
-  game.match.half_s = half_s;
-  game.seed = seed;
-  return game;
-}
 
 TEST(Game, OfBasicAgainstItselfEndsByTimeWithBothHalvesPlayed) {
   const GameRecord record = play(short_game(60, 1));

@@ -5,16 +5,10 @@
 #include <cmath>
 
 #include "runner/game.hpp"
+#include "tests/runner/short_game.hpp"
 
 namespace autoref::runner {
 namespace {
-
-GameConfiguration short_game(double half_s, std::uint64_t seed) {
-  GameConfiguration game;
-  game.match.half_s = half_s;
-  game.seed = seed;
-  return game;
-}
 
 class Watch final : public Observer {
  public:
