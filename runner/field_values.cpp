@@ -7,6 +7,7 @@
 #include "runner/fields.hpp"
 #include "runner/words.hpp"
 #include "sim/ball_presets.hpp"
+#include "sim/camera_presets.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -105,7 +106,8 @@ bool is_number(const Setting& setting) {
 
 bool is_alias(const Setting& setting) {
   return std::holds_alternative<BothFactors>(setting.target) ||
-         std::holds_alternative<BallPreset>(setting.target);
+         std::holds_alternative<BallPreset>(setting.target) ||
+         std::holds_alternative<CameraPreset>(setting.target);
 }
 
 std::string expected_of(const Setting& setting) {
@@ -125,23 +127,26 @@ std::string expected_of(const Setting& setting) {
 
 void assign(const Setting& setting, std::string_view text) {
   const auto number = [&] { return checked(setting, text, number_in(text)); };
-  std::visit(Overloaded{
-                 [&](double* value) { *value = number(); },
-                 [&](int* value) { *value = checked(setting, text, whole_number_in(text)); },
-                 [&](std::uint64_t* value) { *value = checked(setting, text, seed_in(text)); },
-                 [&](BothFactors both) { *both.speed = *both.acceleration = number(); },
-                 [&](Params*) { refuse(setting, text); },
-                 [&](BallPreset preset) {
-                   sim::apply_ball_preset(setting.words[index_of_word(setting, text)],
-                                          *preset.ball);
-                 },
-                 [&](std::string* value) { *value = setting.words[index_of_word(setting, text)]; },
-                 [&](auto* value) {
-                   using Enumeration = std::remove_pointer_t<decltype(value)>;
-                   *value = static_cast<Enumeration>(index_of_word(setting, text));
-                 },
-             },
-             setting.target);
+  std::visit(
+      Overloaded{
+          [&](double* value) { *value = number(); },
+          [&](int* value) { *value = checked(setting, text, whole_number_in(text)); },
+          [&](std::uint64_t* value) { *value = checked(setting, text, seed_in(text)); },
+          [&](BothFactors both) { *both.speed = *both.acceleration = number(); },
+          [&](Params*) { refuse(setting, text); },
+          [&](BallPreset preset) {
+            sim::apply_ball_preset(setting.words[index_of_word(setting, text)], *preset.ball);
+          },
+          [&](CameraPreset preset) {
+            sim::apply_camera_preset(setting.words[index_of_word(setting, text)], *preset.sim);
+          },
+          [&](std::string* value) { *value = setting.words[index_of_word(setting, text)]; },
+          [&](auto* value) {
+            using Enumeration = std::remove_pointer_t<decltype(value)>;
+            *value = static_cast<Enumeration>(index_of_word(setting, text));
+          },
+      },
+      setting.target);
 }
 
 std::string value_of(const Setting& setting) {
@@ -152,7 +157,8 @@ std::string value_of(const Setting& setting) {
           [](std::uint64_t* value) { return std::to_string(*value); },
           [](std::string* value) { return *value; },
           [](BothFactors both) { return text_of(*both.speed); },
-          [](BallPreset preset) { return sim::ball_preset_of(*preset.ball).value_or("none"); },
+          [](BallPreset preset) { return sim::ball_preset_of(*preset.ball).value_or("other"); },
+          [](CameraPreset preset) { return sim::camera_preset_of(*preset.sim).value_or("other"); },
           [](Params*) { return std::string(); },
           [&](auto* value) { return setting.words[static_cast<std::size_t>(*value)]; },
       },

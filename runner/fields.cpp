@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "sim/ball_presets.hpp"
-#include "sim/camera.hpp"
+#include "sim/camera_presets.hpp"
 #include "soccer/rule_book.hpp"
 #include "strategies/registry.hpp"
 
@@ -27,12 +27,17 @@ class Branch {
     list_.push_back({path_ + std::string(name), &value, {}, std::move(words), "", about});
   }
 
+  void yes_or_no(std::string_view name, bool& value, std::string_view about) {
+    list_.push_back({path_ + std::string(name), &value, {}, {"false", "true"}, "", about});
+  }
+
   void add(std::string_view name, Target target, Range range, std::string_view about) {
     list_.push_back({path_ + std::string(name), target, range, {}, "", about});
   }
 
-  void preset(BallPreset target, std::vector<std::string> words, std::string_view about) {
-    list_.push_back({path_ + "preset", target, {}, std::move(words), "", about});
+  void preset(std::string_view name, Target target, std::vector<std::string> words,
+              std::string_view about) {
+    list_.push_back({path_ + std::string(name), target, {}, std::move(words), "", about});
   }
 
  private:
@@ -106,7 +111,8 @@ void list_robot(sim::RobotParameters& robot, Branch to) {
 }
 
 void list_ball(sim::BallParameters& ball, Branch to) {
-  to.preset({&ball}, sim::ball_preset_names(), "sets how it slides, rolls and hops");
+  to.preset("preset", BallPreset{&ball}, sim::ball_preset_names(),
+            "sets how it slides, rolls and hops");
   to.number("slide_mps2", ball.slide_mps2, positive(100), "m/s^2", "deceleration when sliding");
   to.number("roll_mps2", ball.roll_mps2, positive(100), "m/s^2", "deceleration when rolling");
   to.number("switch_ratio", ball.switch_ratio, {0.05, 0.95}, "", "rolls below this share");
@@ -128,12 +134,28 @@ void list_kicker(sim::KickerParameters& kicker, Branch to) {
   to.number("direction_noise_deg", kicker.direction_noise_deg, {0, 45}, "deg", "one deviation");
 }
 
+void list_vision(sim::VisionParameters& vision, Branch to) {
+  to.number("ball_noise_m", vision.ball_noise_m, {0, 0.1}, "m", "one deviation, along x and y");
+  to.number("robot_noise_m", vision.robot_noise_m, {0, 0.1}, "m", "one deviation, along x and y");
+  to.number("robot_noise_rad", vision.robot_noise_rad, {0, 0.5}, "rad", "one deviation, heading");
+  to.number("ball_misses", vision.ball_misses, {0, 0.9}, "", "share of pictures without the ball");
+  to.number("robot_misses", vision.robot_misses, {0, 0.9}, "", "share of pictures without a robot");
+  to.yes_or_no("reports_height", vision.reports_height,
+               "of the ball; else it is seen on the ground");
+  to.yes_or_no("robots_hide_ball", vision.robots_hide_ball, "from the cameras");
+}
+
 void list_sim(sim::Configuration& sim, std::vector<Setting>& list) {
   Branch to(list, "sim.");
   to.number("substeps", sim.substeps, {1, 16}, "", "physics steps per picture");
   to.number("frame_rate_hz", sim.frame_rate_hz, {30, 240}, "1/s", "pictures per second");
-  to.word("camera", sim.camera, sim::camera_preset_names(), "how well vision sees");
+  to.preset("camera", CameraPreset{&sim}, sim::camera_preset_names(),
+            "sets vision, command_loss and latency_s");
   to.number("latency_s", sim.latency_s, {0, 0.5}, "s", "from a picture to the robots' motion");
+  list_vision(sim.vision, Branch(list, "sim.vision."));
+  Branch radio(list, "sim.radio.");
+  radio.number("command_loss", sim.radio.command_loss, {0, 0.9}, "", "share of orders lost");
+  radio.number("hold_s", sim.radio.hold_s, {0, 10}, "s", "stops without an order for so long");
   list_ball(sim.ball, Branch(list, "sim.ball."));
   list_robot(sim.robot, Branch(list, "sim.robot."));
   list_kicker(sim.kicker, Branch(list, "sim.kicker."));

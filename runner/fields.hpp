@@ -24,9 +24,15 @@ struct BallPreset {
   sim::BallParameters* ball = nullptr;
 };
 
+// `camera`: one word for how a known league's vision and radio are (sim/camera_presets.hpp).
+struct CameraPreset {
+  sim::Configuration* sim = nullptr;
+};
+
 // Where a setting lives in a GameConfiguration.
-using Target = std::variant<double*, int*, std::uint64_t*, std::string*, Side*, DefenceArea::Shape*,
-                            BothFactors, BallPreset, std::map<std::string, double>*>;
+using Target =
+    std::variant<double*, int*, std::uint64_t*, bool*, std::string*, Side*, DefenceArea::Shape*,
+                 BothFactors, BallPreset, CameraPreset, std::map<std::string, double>*>;
 
 struct Range {
   double low = 0;

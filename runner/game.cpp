@@ -138,7 +138,7 @@ class Game {
       : configuration_(c),
         observer_(observer),
         world_(c.field, c.sim, sheets_of(c), c.seed),
-        camera_(sim::camera_preset(c.sim.camera), c.sim.frame_rate_hz),
+        camera_(c.sim.vision, c.field, c.sim.frame_rate_hz, c.seed),
         referee_(referee_configuration(c)),
         situation_(rules_of(c.match)),
         pictures_(sim::split_latency(c.sim).frames),

@@ -190,6 +190,10 @@ class ScenarioReader {
   void refuse_overlap(const YamlEntry& entry, const std::vector<Factor>& factors) const {
     const auto is_parts = [](const std::string& part, const std::string& whole) {
       if (whole == "sim.ball.preset") return part.starts_with("sim.ball.");
+      if (whole == "sim.camera") {
+        return part.starts_with("sim.vision.") || part == "sim.radio.command_loss" ||
+               part == "sim.latency_s";
+      }
       return whole.ends_with(".handicap") && part.ends_with("_factor") && part[0] == whole[0];
     };
     const std::string& last = factors.back().path;

@@ -33,8 +33,10 @@ void SettingsReader::read_branch(const YamlEntry& branch, const std::string& pat
   const std::vector<YamlEntry> entries = file_.entries(branch, path, known);
   refuse_handicap_beside_its_factors(entries, path);
   // Single numbers change a preset's, wherever they stand beside it.
-  const YamlEntry* preset = find_entry(entries, "preset");
-  if (preset != nullptr && find(path + ".preset") != nullptr) read(*preset, path + ".preset");
+  const YamlEntry* preset = find_entry(entries, path == "sim" ? "camera" : "preset");
+  if (preset != nullptr && find(path + "." + preset->key) != nullptr) {
+    read(*preset, path + "." + preset->key);
+  }
   for (const YamlEntry& entry : entries) {
     if (std::find(known.begin(), known.end(), entry.key) == known.end()) {
       file_.refuse(entry.place, path, unknown_key_message(entry.key, known));

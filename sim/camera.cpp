@@ -1,11 +1,14 @@
 #include "sim/camera.hpp"
 
-#include <stdexcept>
+#include <algorithm>
 
+#include "soccer/robot_shape.hpp"
 #include "soccer/trigonometry.hpp"
 
 namespace autoref::sim {
 namespace {
+
+constexpr double kOverlap_m = 0.5;  // of neighbouring cameras, from the middle lines
 
 double as_float_mm(double metres) {
   return static_cast<double>(static_cast<float>(metres * 1000.0)) / 1000.0;
@@ -15,34 +18,116 @@ Vec2 rounded(const Vec2& position_m) {
   return {as_float_mm(position_m.x()), as_float_mm(position_m.y())};
 }
 
-Vec2 rounded_heading(const Vec2& heading) {
-  return heading_of(static_cast<double>(static_cast<float>(angle_of(heading))));
+Vec2 rounded_heading(const Vec2& heading, double noise_rad) {
+  return heading_of(static_cast<double>(static_cast<float>(angle_of(heading) + noise_rad)));
+}
+
+// Where the camera's ray through the ball's middle meets the height of a lying ball's.
+Vec2 seen_before_carpet(const BallState& ball, const CameraPlace& camera) {
+  const double below_m = camera.height_m - kBallRadius_m;
+  return camera.position_m +
+         (ball.position_m - camera.position_m) * (below_m / (below_m - ball.height_m));
 }
 
 }  // namespace
 
-CameraParameters camera_preset(std::string_view name) {
-  if (name == "paper") return {};
-  throw std::invalid_argument("unknown camera preset '" + std::string(name) + "'; known: paper");
+std::array<CameraPlace, 4> camera_places(const Field& field) {
+  const double x = field.half_length_m() / 2.0;
+  const double y = field.half_width_m() / 2.0;
+  return {CameraPlace{{-x, -y}}, CameraPlace{{-x, y}}, CameraPlace{{x, -y}}, CameraPlace{{x, y}}};
 }
 
-std::vector<std::string> camera_preset_names() { return {"paper"}; }
+bool hides_ball(const RobotState& robot, const Vec2& ball_m, double height_m,
+                const CameraPlace& camera) {
+  const double middle_m = height_m + kBallRadius_m;
+  if (middle_m >= kRobotHeight_m) return false;
+  // From there on the ray to the camera is above the robots.
+  const double over_robots = (kRobotHeight_m - middle_m) / (camera.height_m - middle_m);
+  return meets_hull(ball_m, ball_m + (camera.position_m - ball_m) * over_robots, robot.position_m,
+                    robot.heading);
+}
 
-Camera::Camera(const CameraParameters& parameters, double frame_rate_hz)
-    : parameters_(parameters), frame_rate_hz_(frame_rate_hz) {}
+Camera::Camera(const VisionParameters& parameters, const Field& field, double frame_rate_hz,
+               std::uint64_t seed)
+    : parameters_(parameters),
+      cameras_(camera_places(field)),
+      sees_beside_m_(field.half_length_m() / 2.0 + kOverlap_m,
+                     field.half_width_m() / 2.0 + kOverlap_m),
+      frame_rate_hz_(frame_rate_hz),
+      chance_(RandomStream::of(seed, RandomPurpose::kCamera)) {}
 
-void Camera::look(const WorldState& world, Frame& frame) const {
+void Camera::look(const WorldState& world, Frame& frame) {
   frame.number = world.frame;
   frame.time_s = static_cast<double>(world.frame) / frame_rate_hz_;
-  for (Side side : kSides) {
+  look_at_robots(world, frame);
+  look_at_ball(world, frame);
+}
+
+void Camera::look_at_robots(const WorldState& world, Frame& frame) {
+  for (const Side side : kSides) {
     frame.robots[side].clear();
     for (const RobotState& robot : world.robots[side]) {
+      if (misses(parameters_.robot_misses)) continue;
+      const Vec2 position_m = with_noise(robot.position_m, parameters_.robot_noise_m);
+      const double noise_rad =
+          parameters_.robot_noise_rad > 0.0 ? parameters_.robot_noise_rad * chance_.normal() : 0.0;
       frame.robots[side].push_back(
-          {robot.number, rounded(robot.position_m), rounded_heading(robot.heading)});
+          {robot.number, rounded(position_m), rounded_heading(robot.heading, noise_rad)});
     }
   }
-  frame.ball = BallObservation{rounded(world.ball.position_m), std::nullopt};
-  if (parameters_.reports_height) frame.ball->height_m = as_float_mm(world.ball.height_m);
+}
+
+void Camera::look_at_ball(const WorldState& world, Frame& frame) {
+  frame.ball.reset();
+  if (misses(parameters_.ball_misses)) return;
+  const CameraPlace* camera = find_view(world);
+  if (camera == nullptr) return;
+  const BallState& ball = world.ball;
+  frame.ball.emplace();
+  frame.ball->seen_from = *camera;
+  Vec2 position_m = ball.position_m;
+  if (parameters_.reports_height) {
+    frame.ball->height_m = as_float_mm(ball.height_m);
+  } else {
+    position_m = seen_before_carpet(ball, *camera);
+  }
+  frame.ball->position_m = rounded(with_noise(position_m, parameters_.ball_noise_m));
+}
+
+// The nearest of the cameras that have the ball in sight; null where none has.
+const CameraPlace* Camera::find_view(const WorldState& world) const {
+  const BallState& ball = world.ball;
+  const CameraPlace* nearest = nullptr;
+  double nearest_m2 = 0.0;
+  for (const CameraPlace& camera : cameras_) {
+    // What is beyond the lines is on the outer side of the camera, and in its sight.
+    const Vec2 inwards_m =
+        ball.position_m.cwiseProduct(-camera.position_m.cwiseSign()) + camera.position_m.cwiseAbs();
+    if (inwards_m.x() > sees_beside_m_.x() || inwards_m.y() > sees_beside_m_.y()) continue;
+    if (!parameters_.reports_height && ball.height_m > 0.9 * camera.height_m) continue;
+    const double away_m2 = (ball.position_m - camera.position_m).squaredNorm();
+    if (nearest != nullptr && away_m2 >= nearest_m2) continue;
+    const auto hides = [&](const RobotState& robot) {
+      return hides_ball(robot, ball.position_m, ball.height_m, camera);
+    };
+    const bool is_hidden =
+        parameters_.robots_hide_ball && std::any_of(kSides.begin(), kSides.end(), [&](Side side) {
+          return std::any_of(world.robots[side].begin(), world.robots[side].end(), hides);
+        });
+    if (is_hidden) continue;
+    nearest = &camera;
+    nearest_m2 = away_m2;
+  }
+  return nearest;
+}
+
+bool Camera::misses(double share) { return share > 0.0 && chance_.uniform() < share; }
+
+Vec2 Camera::with_noise(const Vec2& position_m, double noise_m) {
+  if (noise_m <= 0.0) return position_m;
+  const double x_m = noise_m * chance_.normal();
+  const double y_m = noise_m * chance_.normal();
+  return position_m + Vec2(x_m, y_m);
 }
 
 }  // namespace autoref::sim

@@ -1,37 +1,49 @@
 // From the world's truth to what vision reports.
 #pragma once
 
-#include <string>
-#include <string_view>
-#include <vector>
+#include <array>
+#include <cstdint>
 
+#include "sim/configuration.hpp"
 #include "sim/world.hpp"
+#include "soccer/field.hpp"
 #include "soccer/frame.hpp"
+#include "soccer/random.hpp"
 
 namespace autoref::sim {
 
-// How well vision sees. Defaults are the preset `paper`: true positions and the ball's height, as
-// the paper's simulator reported them (section 3, "Simulator").
-struct CameraParameters {
-  bool reports_height = true;
-};
+// The league's four cameras, 4 m above the middles of the field's quarters.
+std::array<CameraPlace, 4> camera_places(const Field& field);
 
-// The preset of that name. Throws std::invalid_argument that names the known ones.
-CameraParameters camera_preset(std::string_view name);
-std::vector<std::string> camera_preset_names();
+// Whether the robot stands between the camera and the middle of a ball whose lowest point is at
+// `height_m`. Robots are as high all over their outline as their cover.
+bool hides_ball(const RobotState& robot, const Vec2& ball_m, double height_m,
+                const CameraPlace& camera);
 
-// Takes one picture per frame. Values are rounded to what a league vision packet holds (float
-// millimetres and radians), so that a recorded game shows the same as the live one.
+// Takes one picture per frame, put together from four cameras: each sees its quarter and half a
+// metre beyond. Values are rounded to what a league vision packet holds (float millimetres and
+// radians), so that a recorded game shows the same as the live one.
 class Camera {
  public:
-  Camera(const CameraParameters& parameters, double frame_rate_hz);
+  // `seed` names the stream of noise and misses.
+  Camera(const VisionParameters& parameters, const Field& field, double frame_rate_hz,
+         std::uint64_t seed);
 
   // Fills `frame` in place: nothing is allocated.
-  void look(const WorldState& world, Frame& frame) const;
+  void look(const WorldState& world, Frame& frame);
 
  private:
-  CameraParameters parameters_;
+  void look_at_robots(const WorldState& world, Frame& frame);
+  void look_at_ball(const WorldState& world, Frame& frame);
+  const CameraPlace* find_view(const WorldState& world) const;
+  bool misses(double share);
+  Vec2 with_noise(const Vec2& position_m, double noise_m);
+
+  VisionParameters parameters_;
+  std::array<CameraPlace, 4> cameras_;
+  Vec2 sees_beside_m_;  // how far each sees along x and y from its own place
   double frame_rate_hz_;
+  RandomStream chance_;
 };
 
 }  // namespace autoref::sim

@@ -77,12 +77,23 @@ void validate(const KickerParameters& kicker) {
   check_range("kicker.direction_noise_deg", kicker.direction_noise_deg, 0.0, 45.0);
 }
 
+void validate(const VisionParameters& vision) {
+  check_range("vision.ball_noise_m", vision.ball_noise_m, 0.0, 0.1);
+  check_range("vision.robot_noise_m", vision.robot_noise_m, 0.0, 0.1);
+  check_range("vision.robot_noise_rad", vision.robot_noise_rad, 0.0, 0.5);
+  check_range("vision.ball_misses", vision.ball_misses, 0.0, 0.9);
+  check_range("vision.robot_misses", vision.robot_misses, 0.0, 0.9);
+}
+
 }  // namespace
 
 void validate(const Configuration& configuration) {
   check_range("substeps", configuration.substeps, 1, 16);
   check_range("frame_rate_hz", configuration.frame_rate_hz, 30.0, 240.0);
   check_range("latency_s", configuration.latency_s, 0.0, 0.5);
+  validate(configuration.vision);
+  check_range("radio.command_loss", configuration.radio.command_loss, 0.0, 0.9);
+  check_range("radio.hold_s", configuration.radio.hold_s, 0.0, 10.0);
   validate(configuration.ball);
   validate(configuration.robot);
   validate(configuration.kicker);

@@ -1,8 +1,6 @@
 // What a simulated world is made of, as plain numbers.
 #pragma once
 
-#include <string>
-
 #include "soccer/field.hpp"
 #include "soccer/units.hpp"
 
@@ -57,11 +55,29 @@ struct PlacementParameters {
   double catch_mps2 = 20.0;  // what a ball still moving loses before it is dragged
 };
 
+// How well vision sees. Defaults are the preset `paper`: true positions and the ball's height, as
+// the paper's simulator reported them (section 3, "Simulator"). camera_presets.hpp has others.
+struct VisionParameters {
+  double ball_noise_m = 0.0;  // standard deviation of each coordinate
+  double robot_noise_m = 0.0;
+  double robot_noise_rad = 0.0;
+  double ball_misses = 0.0;    // share of the pictures in which a ball in sight is missed
+  double robot_misses = 0.0;   // and a robot
+  bool reports_height = true;  // else a flying ball is seen before the carpet
+  bool robots_hide_ball = false;
+};
+
+struct RadioParameters {
+  double command_loss = 0.0;  // share of the orders that do not arrive, by robot and frame
+  double hold_s = 100_ms;     // a robot without an order for so long stops
+};
+
 struct Configuration {
   int substeps = 4;  // physics steps per camera frame, 1 to 16
   double frame_rate_hz = 60.0;
-  std::string camera = "paper";  // preset, see camera.hpp
-  double latency_s = 40_ms;      // from a picture until the orders decided on it move the robots
+  VisionParameters vision;
+  RadioParameters radio;
+  double latency_s = 40_ms;  // from a picture until the orders decided on it move the robots
   BallParameters ball;
   RobotParameters robot;
   KickerParameters kicker;

@@ -20,10 +20,13 @@ constexpr double kCollision_mps = 0.01;
 World::Impl::Team World::Impl::make_team(Side side, const TeamSheet& sheet,
                                          std::uint64_t seed) const {
   const double substeps_per_s = configuration_.frame_rate_hz * configuration_.substeps;
-  return {0, sheet.robots, Drive(configuration_.robot, sheet),
+  return {0,
+          sheet.robots,
+          Drive(configuration_.robot, sheet),
           Kickers(configuration_.kicker, substeps_per_s,
                   RandomStream::of(seed, RandomPurpose::kKicker, side)),
-          RandomStream::of(seed, RandomPurpose::kMotors, side)};
+          RandomStream::of(seed, RandomPurpose::kMotors, side),
+          RandomStream::of(seed, RandomPurpose::kRadio, side)};
 }
 
 World::Impl::Impl(const Field& field, const Configuration& configuration,
@@ -32,6 +35,8 @@ World::Impl::Impl(const Field& field, const Configuration& configuration,
       configuration_(configuration),
       substep_s_(1.0 / (configuration.frame_rate_hz * configuration.substeps)),
       order_delay_substeps_(split_latency(configuration).substeps),
+      hold_frames_(static_cast<int>(
+          std::ceil(configuration.radio.hold_s * configuration.frame_rate_hz - 1e-9))),
       teams_{make_team(Side::kWest, sheets[Side::kWest], seed),
              make_team(Side::kEast, sheets[Side::kEast], seed)},
       robots_(sheets[Side::kWest].robots + sheets[Side::kEast].robots),
@@ -63,9 +68,21 @@ void World::Impl::accept(const PerSide<TeamOrders>& orders) {
     const auto n = static_cast<std::size_t>(number);
     const RobotCommand& order = orders[side][n];
     assert(autoref::is_finite(order));
-    its_team.aims[n] = its_team.drive.accept(order, its_team.motors);
-    bodies_.set_dribbling(index, order.dribble);
+    if (hears(its_team, n)) {
+      its_team.aims[n] = its_team.drive.accept(order, its_team.motors);
+    } else if (its_team.unheard_frames[n] >= hold_frames_) {
+      its_team.aims[n] = RobotCommand{};
+    }
+    bodies_.set_dribbling(index, its_team.aims[n].dribble);
   });
+}
+
+// A robot goes on as last ordered until it has heard nothing for a while.
+bool World::Impl::hears(Team& its_team, std::size_t number) const {
+  const double loss = configuration_.radio.command_loss;
+  const bool is_lost = loss > 0.0 && its_team.radio.uniform() < loss;
+  its_team.unheard_frames[number] = is_lost ? its_team.unheard_frames[number] + 1 : 0;
+  return !is_lost;
 }
 
 void World::Impl::obey(const std::optional<Placement>& placement) {

@@ -33,7 +33,9 @@ class World::Impl {
     Drive drive;
     Kickers kickers;
     RandomStream motors;
+    RandomStream radio;
     TeamOrders aims{};  // orders in force, limited to what the robots can do
+    std::array<int, kMaxRobots> unheard_frames{};  // since the last order that arrived
   };
   // Free, or in the referee's hand: being stopped, then on its way or at the target.
   enum class Hold { kFree, kCatching, kCarrying };
@@ -42,6 +44,7 @@ class World::Impl {
   Team& team(Side side) { return teams_[static_cast<std::size_t>(side)]; }
 
   void accept(const PerSide<TeamOrders>& orders);
+  bool hears(Team& its_team, std::size_t number) const;
   void obey(const std::optional<Placement>& placement);
   void advance(int substep);
   void drive();
@@ -68,6 +71,7 @@ class World::Impl {
   Configuration configuration_;
   double substep_s_;
   int order_delay_substeps_;
+  int hold_frames_;  // a robot stops after so many frames without an order
   std::array<Team, 2> teams_;
   int robots_;
   Box2dBridge bodies_;

@@ -14,6 +14,10 @@ bool has_finite_height(const BallObservation& ball) {
   return !ball.height_m || std::isfinite(*ball.height_m);
 }
 
+bool is_finite(const CameraPlace& camera) {
+  return autoref::is_finite(camera.position_m) && std::isfinite(camera.height_m);
+}
+
 }  // namespace
 
 bool is_finite(const Frame& frame) {
@@ -22,7 +26,8 @@ bool is_finite(const Frame& frame) {
       if (!makes_sense(robot)) return false;
     }
   }
-  return !frame.ball || (is_finite(frame.ball->position_m) && has_finite_height(*frame.ball));
+  return !frame.ball || (is_finite(frame.ball->position_m) && has_finite_height(*frame.ball) &&
+                         is_finite(frame.ball->seen_from));
 }
 
 Frame finite_part(const Frame& frame) {
@@ -33,6 +38,7 @@ Frame finite_part(const Frame& frame) {
   }
   if (part.ball && !is_finite(part.ball->position_m)) part.ball.reset();
   if (part.ball && !has_finite_height(*part.ball)) part.ball->height_m.reset();
+  if (part.ball && !is_finite(part.ball->seen_from)) part.ball->seen_from = {part.ball->position_m};
   return part;
 }
 
@@ -45,7 +51,10 @@ Frame mirrored(const Frame& frame) {
       robot.heading = -robot.heading;
     }
   }
-  if (turned.ball) turned.ball->position_m = -turned.ball->position_m;
+  if (turned.ball) {
+    turned.ball->position_m = -turned.ball->position_m;
+    turned.ball->seen_from.position_m = -turned.ball->seen_from.position_m;
+  }
   return turned;
 }
 

@@ -16,9 +16,18 @@ struct RobotObservation {
   Vec2 heading{1, 0};  // unit vector; a robot's front points along it
 };
 
+// Where a camera hangs.
+struct CameraPlace {
+  Vec2 position_m{0, 0};
+  double height_m = 4;  // above the carpet (Laws 2014, section on vision: 4 m)
+};
+
+// Where vision reports no height, `position_m` is the place on the carpet that the camera sees the
+// ball before: a flying ball appears farther from the camera than it is.
 struct BallObservation {
   Vec2 position_m{0, 0};
   std::optional<double> height_m;  // of the ball's lowest point; none where vision cannot tell
+  CameraPlace seen_from{};         // means nothing where the height is reported
 };
 
 // Seen robots of a side, ordered by number.
@@ -36,7 +45,7 @@ struct Frame {
 bool is_finite(const Frame& frame);
 
 // The frame without what is not finite: such a robot or ball was not seen, such a height is
-// unknown.
+// unknown, such a camera hangs above the ball.
 Frame finite_part(const Frame& frame);
 
 // The same frame seen from the other end: turned by 180 degrees, the sides swapped.

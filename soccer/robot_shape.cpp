@@ -17,4 +17,17 @@ double distance_to_hull(const Vec2& point_m, const Vec2& centre_m, const Vec2& h
   return std::sqrt(to_plate * to_plate + (y - kHalfPlate_m) * (y - kHalfPlate_m));
 }
 
+bool meets_hull(const Vec2& a_m, const Vec2& b_m, const Vec2& centre_m, const Vec2& heading) {
+  Vec2 near_m = to_local(a_m - centre_m, heading);
+  Vec2 far_m = to_local(b_m - centre_m, heading);
+  if (near_m.x() > far_m.x()) std::swap(near_m, far_m);
+  if (near_m.x() > kFrontDistance_m) return false;
+  // What is left of the way once the plate has cut it off.
+  if (far_m.x() > kFrontDistance_m) {
+    const double kept = (kFrontDistance_m - near_m.x()) / (far_m.x() - near_m.x());
+    far_m = near_m + (far_m - near_m) * kept;
+  }
+  return distance_to_segment({0.0, 0.0}, near_m, far_m) <= kRobotRadius_m;
+}
+
 }  // namespace autoref

@@ -18,4 +18,7 @@ inline constexpr double kMouthWidth_m = 80_mm;  // the plate's part that kicks a
 // `heading`: a disc of 90 mm cut off flat 75 mm in front of its centre. Negative inside.
 double distance_to_hull(const Vec2& point_m, const Vec2& centre_m, const Vec2& heading);
 
+// Whether the straight way from `a_m` to `b_m` meets the same robot.
+bool meets_hull(const Vec2& a_m, const Vec2& b_m, const Vec2& centre_m, const Vec2& heading);
+
 }  // namespace autoref

@@ -22,13 +22,19 @@ TEST(SetByPath, ReachesEachPartOfAGame) {
   GameConfiguration game;
   set_by_path(game, "match.half_s", "60");
   set_by_path(game, "teams.a.robots", "5");
-  set_by_path(game, "sim.camera", "paper");
+  set_by_path(game, "sim.camera", "realistic");
   set_by_path(game, "field.defence_area.shape", "box");
   set_by_path(game, "seed", "7");
   EXPECT_EQ(game.match.half_s, 60);
   EXPECT_EQ(game.a.robots, 5);
   EXPECT_EQ(game.field.defence_area.shape, DefenceArea::Shape::kBox);
   EXPECT_EQ(game.seed, 7U);
+  EXPECT_EQ(game.sim.vision.ball_noise_m, 0.0014);
+  EXPECT_FALSE(game.sim.vision.reports_height);
+  EXPECT_EQ(game.sim.radio.command_loss, 0.03);
+  EXPECT_EQ(value_at(game, "sim.camera"), "realistic");
+  set_by_path(game, "sim.vision.reports_height", "true");
+  EXPECT_EQ(value_at(game, "sim.camera"), "other");
 }
 
 TEST(SetByPath, TakesAAndBForTheTeams) {
@@ -63,7 +69,7 @@ TEST(SetByPath, LetsSingleNumbersChangeAPreset) {
   set_by_path(game, "sim.ball.roll_mps2", "0.5");
   EXPECT_EQ(game.sim.ball.slide_mps2, 10.3);
   EXPECT_EQ(game.sim.ball.roll_mps2, 0.5);
-  EXPECT_EQ(value_at(game, "sim.ball.preset"), "none");
+  EXPECT_EQ(value_at(game, "sim.ball.preset"), "other");
 }
 
 TEST(SetByPath, SetsAStrategysOwnParameters) {

@@ -104,7 +104,7 @@ TEST(Game, IsVoidAndNamesTheRobotWhenAnOrderIsNotFinite) {
       << record.void_reason;
 }
 
-TEST(Game, RefusesUnknownNames) {
+TEST(Game, RefusesUnknownNamesAndNumbersOutOfRange) {
   GameConfiguration game;
   game.a.strategy = "nobody";
   EXPECT_THROW(play(game), std::invalid_argument);
@@ -112,7 +112,7 @@ TEST(Game, RefusesUnknownNames) {
   game.match.rules = "none";
   EXPECT_THROW(play(game), std::invalid_argument);
   game = GameConfiguration();
-  game.sim.camera = "none at all";
+  game.sim.vision.ball_misses = 2;
   EXPECT_THROW(play(game), std::invalid_argument);
 }
 

@@ -2,10 +2,28 @@
 
 #include <gtest/gtest.h>
 
-#include "soccer/random.hpp"
+#include <cmath>
+
+#include "sim/camera_presets.hpp"
+#include "soccer/robot_shape.hpp"
+#include "soccer/trigonometry.hpp"
 
 namespace autoref::sim {
 namespace {
+
+Camera camera_of(const char* preset, std::uint64_t seed = 1) {
+  Configuration configuration;
+  apply_camera_preset(preset, configuration);
+  return {configuration.vision, Field{}, 60, seed};
+}
+
+WorldState world_with_robot_at(const Vec2& robot_m, const Vec2& ball_m) {
+  WorldState world;
+  world.robots[Side::kEast].push_back({});
+  world.robots[Side::kEast][0].position_m = robot_m;
+  world.ball.position_m = ball_m;
+  return world;
+}
 
 bool is_float_mm(double metres) {
   // volatile: the rounding must happen, whatever the compiler thinks of it.
@@ -14,10 +32,9 @@ bool is_float_mm(double metres) {
 }
 
 TEST(Camera, ReportsPositionsRoundedToFloatMillimetres) {
-  const Camera camera(camera_preset("paper"), 60);
+  Camera camera = camera_of("paper");
   RandomStream random(1);
-  WorldState world;
-  world.robots[Side::kEast].push_back({});
+  WorldState world = world_with_robot_at({0, 0}, {0, 0});
   Frame frame;
   for (int i = 0; i < 1000; ++i) {
     RobotState& robot = world.robots[Side::kEast][0];
@@ -36,7 +53,7 @@ TEST(Camera, ReportsPositionsRoundedToFloatMillimetres) {
 }
 
 TEST(Camera, StampsFramesWithTheirNumberOverTheRate) {
-  const Camera camera(camera_preset("paper"), 60);
+  Camera camera = camera_of("paper");
   WorldState world;
   world.frame = 90;
   Frame frame;
@@ -45,13 +62,229 @@ TEST(Camera, StampsFramesWithTheirNumberOverTheRate) {
   EXPECT_EQ(frame.time_s, 1.5);
 }
 
-TEST(Camera, RefusesAnUnknownPresetAndNamesTheKnown) {
+TEST(CameraPreset, IsRefusedWhereUnknownAndTheKnownAreNamed) {
+  Configuration configuration;
   try {
-    camera_preset("sharp");
+    apply_camera_preset("sharp", configuration);
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find("known: paper"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("known: paper, none, friendly, rc2021, realistic"),
+              std::string::npos)
+        << error.what();
   }
+}
+
+// What a preset's pictures of a standing robot and a standing ball are like.
+struct Observed {
+  double ball_m2 = 0;  // mean square of an error's coordinate
+  double robot_m2 = 0;
+  double robot_rad2 = 0;
+  double ball_misses = 0;
+  double robot_misses = 0;
+};
+
+Observed observe(const char* preset, int pictures) {
+  Camera camera = camera_of(preset);
+  const WorldState world = world_with_robot_at({1, 1}, {-1, 0.5});
+  Frame frame;
+  Observed sum;
+  int balls = 0;
+  int robots = 0;
+  for (int i = 0; i < pictures; ++i) {
+    camera.look(world, frame);
+    if (frame.ball) {
+      ++balls;
+      sum.ball_m2 += (frame.ball->position_m - world.ball.position_m).squaredNorm() / 2;
+    }
+    for (const RobotObservation& robot : frame.robots[Side::kEast]) {
+      ++robots;
+      sum.robot_m2 += (robot.position_m - Vec2(1, 1)).squaredNorm() / 2;
+      sum.robot_rad2 += std::pow(angle_of(robot.heading), 2);
+    }
+  }
+  return {sum.ball_m2 / balls, sum.robot_m2 / robots, sum.robot_rad2 / robots,
+          1.0 - static_cast<double>(balls) / pictures,
+          1.0 - static_cast<double>(robots) / pictures};
+}
+
+struct Kind {
+  const char* name;
+  double ball_m;
+  double robot_m;
+  double robot_rad;
+  double ball_misses;
+  double robot_misses;
+  double command_loss;
+  double latency_s;
+};
+
+class CameraKind : public testing::TestWithParam<Kind> {};
+
+TEST_P(CameraKind, HasTheNoiseAndTheMissesOfItsTable) {
+  constexpr int kPictures = 40000;
+  const Kind& kind = GetParam();
+  const Observed seen = observe(kind.name, kPictures);
+  // Five standard deviations of a variance from 40000 pictures, two coordinates each; of a share.
+  EXPECT_NEAR(std::sqrt(seen.ball_m2), kind.ball_m, 0.013 * kind.ball_m + 1e-7);
+  EXPECT_NEAR(std::sqrt(seen.robot_m2), kind.robot_m, 0.013 * kind.robot_m + 1e-7);
+  EXPECT_NEAR(std::sqrt(seen.robot_rad2), kind.robot_rad, 0.018 * kind.robot_rad + 1e-7);
+  const auto tolerance = [](double share) {
+    return 5 * std::sqrt(share * (1 - share) / kPictures);
+  };
+  EXPECT_NEAR(seen.ball_misses, kind.ball_misses, tolerance(kind.ball_misses));
+  EXPECT_NEAR(seen.robot_misses, kind.robot_misses, tolerance(kind.robot_misses));
+}
+
+TEST_P(CameraKind, SetsRadioAndLatencyAndIsKnownByItsNumbers) {
+  const Kind& kind = GetParam();
+  Configuration configuration;
+  apply_camera_preset(kind.name, configuration);
+  EXPECT_EQ(configuration.radio.command_loss, kind.command_loss);
+  EXPECT_DOUBLE_EQ(configuration.latency_s, kind.latency_s);
+  EXPECT_EQ(camera_preset_of(configuration), kind.name);
+  configuration.vision.ball_misses += 0.01;
+  EXPECT_EQ(camera_preset_of(configuration), std::nullopt);
+}
+
+// ER-Force's kinds of realism.
+INSTANTIATE_TEST_SUITE_P(
+    Presets, CameraKind,
+    testing::Values(Kind{"paper", 0, 0, 0, 0, 0, 0, 0.040}, Kind{"none", 0, 0, 0, 0, 0, 0, 0.040},
+                    Kind{"friendly", 0.0004, 0.0003, 0.003, 0.05, 0.02, 0.01, 0.045},
+                    Kind{"rc2021", 0.001, 0.0013, 0.01, 0.05, 0, 0.03, 0.045},
+                    Kind{"realistic", 0.0014, 0.0013, 0.01, 0.05, 0.02, 0.03, 0.048}),
+    [](const auto& kind) { return std::string(kind.param.name); });
+
+TEST(Camera, SeesAFlyingBallOnTheRayThatMeetsIt) {
+  Camera camera = camera_of("none");
+  WorldState world;
+  world.ball.position_m = {1, 0.5};
+  world.ball.height_m = 0.6;
+  Frame frame;
+  camera.look(world, frame);
+  ASSERT_TRUE(frame.ball);
+  EXPECT_EQ(frame.ball->height_m, std::nullopt);
+  const CameraPlace& from = frame.ball->seen_from;
+  EXPECT_EQ(from.position_m, Vec2(Field{}.half_length_m() / 2, Field{}.half_width_m() / 2));
+  // Three points on one ray: the camera, the ball's middle, and what is reported, as high as the
+  // middle of a ball on the carpet.
+  const double share = 0.6 / (from.height_m - kBallRadius_m);
+  const Vec2 ball_m = frame.ball->position_m + share * (from.position_m - frame.ball->position_m);
+  EXPECT_LT((ball_m - world.ball.position_m).norm(), 1e-6);
+}
+
+TEST(Camera, HidesABallInARobotsShadowOnly) {
+  const CameraPlace camera{{0, 0}, 4};
+  RobotState robot;
+  robot.position_m = {2, 0};
+  robot.heading = {0, 1};
+  // Over the hull the ray of a lying ball rises by 125.5 mm; the hull begins 90 mm behind the
+  // robot's middle, and the shadow ends where the ray meets the far edge at robot's height.
+  const double end_m = 2.09 + 2.09 * (kRobotHeight_m - kBallRadius_m) / (4 - kRobotHeight_m);
+  EXPECT_TRUE(hides_ball(robot, {end_m - 0.001, 0}, 0, camera));
+  EXPECT_FALSE(hides_ball(robot, {end_m + 0.001, 0}, 0, camera));
+  EXPECT_FALSE(hides_ball(robot, {1.85, 0}, 0, camera)) << "before the robot";
+  EXPECT_FALSE(hides_ball(robot, {2.1, 0.12}, 0, camera)) << "beside it";
+  EXPECT_FALSE(hides_ball(robot, {end_m - 0.001, 0}, 0.02, camera)) << "too high for the shadow";
+  robot.heading = {1, 0};  // the flat front is 15 mm nearer to the camera than the round back
+  EXPECT_FALSE(hides_ball(robot, {end_m - 0.001, 0}, 0, camera));
+  EXPECT_TRUE(hides_ball(robot, {end_m - 0.017, 0}, 0, camera));
+}
+
+// A ray is followed in small steps, by other geometry than the camera's.
+bool is_hidden_step_by_step(const RobotState& robot, const Vec2& ball_m, double height_m,
+                            const CameraPlace& camera) {
+  constexpr int kSteps = 4000;
+  const double middle_m = height_m + kBallRadius_m;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double share = 0.2 * i / kSteps;
+    const double z_m = middle_m + (camera.height_m - middle_m) * share;
+    const Vec2 at_m = ball_m + (camera.position_m - ball_m) * share;
+    if (z_m < kRobotHeight_m && distance_to_hull(at_m, robot.position_m, robot.heading) <= 0.0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+TEST(Camera, HidesTheBallAsLongAsTheRayPassesThroughARobot) {
+  RandomStream random(3);
+  int hidden = 0;
+  int doubtful = 0;
+  for (int i = 0; i < 3000; ++i) {
+    RobotState robot;
+    robot.heading = heading_of(2 * kPi * random.uniform());
+    const double camera_angle_rad = 2 * kPi * random.uniform();
+    const CameraPlace camera{heading_of(camera_angle_rad) * (3 * random.uniform()), 4};
+    const double ball_angle_rad = camera_angle_rad + kPi + 2 * (random.uniform() - 0.5);
+    const Vec2 ball_m = heading_of(ball_angle_rad) * (0.1 + 0.12 * random.uniform());
+    const double height_m = random.uniform() < 0.5 ? 0.0 : 0.1 * random.uniform();
+    const bool is_hidden = hides_ball(robot, ball_m, height_m, camera);
+    hidden += is_hidden ? 1 : 0;
+    // The steps may just miss a corner of the hull.
+    if (is_hidden != is_hidden_step_by_step(robot, ball_m, height_m, camera)) ++doubtful;
+  }
+  EXPECT_GT(hidden, 300);
+  EXPECT_LT(hidden, 2700);
+  EXPECT_LE(doubtful, 3);
+}
+
+TEST(Camera, DoesNotSeeAHiddenBallUntilTheRobotLeaves) {
+  Camera camera = camera_of("none");
+  Configuration configuration;
+  apply_camera_preset("none", configuration);
+  configuration.vision.robots_hide_ball = true;
+  Camera hiding(configuration.vision, Field{}, 60, 1);
+  const CameraPlace place = camera_places(Field{})[3];
+  // Seen from the camera of its quarter only, behind a robot.
+  const Vec2 outwards = place.position_m.normalized();
+  const Vec2 robot_m = place.position_m + outwards * 1.5;
+  WorldState world = world_with_robot_at(robot_m, robot_m + outwards * 0.115);
+  world.robots[Side::kEast][0].heading = outwards.x() > 0 ? Vec2(0, 1) : Vec2(0, -1);
+  Frame frame;
+  camera.look(world, frame);
+  EXPECT_TRUE(frame.ball) << "robots are transparent under 'none'";
+  for (int i = 0; i < 20; ++i) {
+    hiding.look(world, frame);
+    ASSERT_FALSE(frame.ball) << i;
+  }
+  world.robots[Side::kEast][0].position_m += left_of(outwards) * 0.2;
+  hiding.look(world, frame);
+  EXPECT_TRUE(frame.ball);
+}
+
+TEST(Camera, SeesEveryPlaceInsideTheWallsWithSomeCamera) {
+  Camera camera = camera_of("none");
+  const Field field;
+  WorldState world;
+  Frame frame;
+  for (int i = 0; i <= 40; ++i) {
+    for (int j = 0; j <= 40; ++j) {
+      world.ball.position_m = {field.wall_x_m() * (i - 20) / 20.0,
+                               field.wall_y_m() * (j - 20) / 20.0};
+      camera.look(world, frame);
+      ASSERT_TRUE(frame.ball) << world.ball.position_m.transpose();
+    }
+  }
+}
+
+TEST(Camera, ShowsOtherNoiseForAnotherSeedAndTheSameForTheSame) {
+  Camera first = camera_of("realistic", 1);
+  Camera again = camera_of("realistic", 1);
+  Camera other = camera_of("realistic", 2);
+  const WorldState world = world_with_robot_at({1, 1}, {-1, 0.5});
+  Frame a, b, c;
+  bool differs = false;
+  for (int i = 0; i < 50; ++i) {
+    first.look(world, a);
+    again.look(world, b);
+    other.look(world, c);
+    ASSERT_EQ(a.ball.has_value(), b.ball.has_value());
+    if (!a.ball) continue;
+    ASSERT_EQ(a.ball->position_m, b.ball->position_m);
+    differs = differs || !c.ball || a.ball->position_m != c.ball->position_m;
+  }
+  EXPECT_TRUE(differs);
 }
 
 }  // namespace
