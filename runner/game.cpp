@@ -65,6 +65,10 @@ double latency_s(const sim::Configuration& c) {
   return (split.frames + static_cast<double>(split.substeps) / c.substeps) / c.frame_rate_hz;
 }
 
+VisionNoise noise_of(const sim::VisionParameters& vision) {
+  return {vision.ball_noise_m, vision.robot_noise_m, vision.robot_noise_rad};
+}
+
 // A team on the field: it sees delayed pictures, and its mistakes end the game as void.
 class Player {
  public:
@@ -142,6 +146,7 @@ class Game {
         referee_(referee_configuration(c)),
         situation_(rules_of(c.match)),
         pictures_(sim::split_latency(c.sim).frames),
+        tracker_(noise_of(c.sim.vision)),
         players_{{Player(c, Side::kWest, make_team), Player(c, Side::kEast, make_team)}} {}
 
   GameRecord play() {

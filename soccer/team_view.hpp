@@ -7,7 +7,7 @@
 #include "soccer/field.hpp"
 #include "soccer/rule_book.hpp"
 #include "soccer/situation.hpp"
-#include "soccer/tracker.hpp"
+#include "soccer/tracks.hpp"
 
 namespace autoref {
 

@@ -2,66 +2,68 @@
 #pragma once
 
 #include <array>
-#include <boost/container/static_vector.hpp>
-#include <optional>
 
+#include "soccer/ball_tracker.hpp"
 #include "soccer/frame.hpp"
-#include "soccer/geometry.hpp"
+#include "soccer/motion_filter.hpp"
 #include "soccer/side.hpp"
+#include "soccer/tracks.hpp"
 #include "soccer/units.hpp"
 
 namespace autoref {
 
-struct TrackedRobot {
-  int number = 0;
-  Vec2 position_m{0, 0};
-  Vec2 heading{1, 0};
-  Vec2 velocity_mps{0, 0};
-  double angular_velocity_radps = 0;
+// How well vision sees, as measured on things that stand still: standard deviations.
+struct VisionNoise {
+  double ball_m = 0;
+  double robot_m = 0;
+  double robot_rad = 0;
 };
 
-struct TrackedBall {
-  Vec2 position_m{0, 0};
-  Vec2 velocity_mps{0, 0};
-  double height_m = 0;  // of the lowest point; 0 where vision does not report it
+// One robot's motion through a sequence of sightings.
+class RobotTracker {
+ public:
+  RobotTracker() : RobotTracker(VisionNoise{}) {}
+  explicit RobotTracker(const VisionNoise& noise);
+
+  void start(const RobotObservation& seen);
+  void predict(double duration_s);
+  void correct(const RobotObservation& seen, double duration_s);
+
+  const TrackedRobot& robot() const { return robot_; }
+
+ private:
+  void publish();
+
+  MotionFilter<2> place_;
+  MotionFilter<1> turn_;  // its position is the angle from robot_.heading
+  TrackedRobot robot_;
 };
 
-using TrackedRobots = boost::container::static_vector<TrackedRobot, kMaxRobots>;
-
-// The field as last known, in the frame of the pictures it came from.
-struct Tracks {
-  double time_s = 0;
-  PerSide<TrackedRobots> robots;    // ordered by number
-  std::optional<TrackedBall> ball;  // none before the ball was first seen
-};
-
-// Turns a sequence of frames into tracks. One tracker per consumer, fed with frames in
-// order; a frame fed again changes nothing. Velocities are differences between the last two
-// sightings. What is not seen keeps its last place: a robot for 0.5 s, after which it counts as
-// gone, the ball without limit.
+// Turns a sequence of frames into tracks. One tracker per consumer, fed with frames in order; a
+// frame fed again changes nothing. Velocities come from a Kalman filter. What is not seen goes on
+// as it moved: a robot for 0.5 s, after which it counts as gone; the ball see ball_tracker.hpp.
 class Tracker {
  public:
   static constexpr double kForgetRobotAfter_s = 500_ms;
+
+  explicit Tracker(const VisionNoise& noise = {});
 
   const Tracks& update(const Frame& frame);
   const Tracks& tracks() const { return tracks_; }
 
  private:
-  struct Memory {
-    TrackedRobot robot;
+  struct Known {
+    RobotTracker robot;
     double seen_s = -1;  // time of the last sighting; negative: never
   };
 
-  void see(Memory& memory, const RobotObservation& seen, double time_s) const;
-  void see_ball(const BallObservation& seen, double time_s);
+  bool is_known(const Known& known) const;
+  void see_robots(const SeenRobots& seen, std::array<Known, kMaxRobots>& all, double duration_s);
 
-  PerSide<std::array<Memory, kMaxRobots>> memory_;
-  double ball_seen_s_ = 0;
+  PerSide<std::array<Known, kMaxRobots>> known_;
+  BallTracker ball_;
   Tracks tracks_;
+  bool has_seen_frame_ = false;
 };
-
-// The tracks seen from the other end: turned by 180 degrees, the sides swapped.
-TrackedRobot mirrored(const TrackedRobot& robot);
-TrackedBall mirrored(const TrackedBall& ball);
 
 }  // namespace autoref

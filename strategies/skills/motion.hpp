@@ -5,7 +5,7 @@
 
 #include "soccer/robot_command.hpp"
 #include "soccer/robot_shape.hpp"
-#include "soccer/tracker.hpp"
+#include "soccer/tracks.hpp"
 
 namespace autoref::strategies {
 

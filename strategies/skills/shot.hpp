@@ -2,7 +2,7 @@
 #pragma once
 
 #include "soccer/field.hpp"
-#include "soccer/tracker.hpp"
+#include "soccer/tracks.hpp"
 
 namespace autoref::strategies {
 

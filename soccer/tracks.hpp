@@ -1,0 +1,40 @@
+// Robots and ball in motion: what a tracker makes of pictures.
+#pragma once
+
+#include <boost/container/static_vector.hpp>
+#include <optional>
+
+#include "soccer/geometry.hpp"
+#include "soccer/side.hpp"
+
+namespace autoref {
+
+struct TrackedRobot {
+  int number = 0;
+  Vec2 position_m{0, 0};
+  Vec2 heading{1, 0};
+  Vec2 velocity_mps{0, 0};
+  double angular_velocity_radps = 0;
+};
+
+struct TrackedBall {
+  Vec2 position_m{0, 0};
+  Vec2 velocity_mps{0, 0};
+  double height_m = 0;            // of the lowest point, as reported or estimated
+  double height_deviation_m = 0;  // standard deviation; 0 where the height is reported
+};
+
+using TrackedRobots = boost::container::static_vector<TrackedRobot, kMaxRobots>;
+
+// The field as last known, in the frame of the pictures it came from.
+struct Tracks {
+  double time_s = 0;
+  PerSide<TrackedRobots> robots;    // ordered by number
+  std::optional<TrackedBall> ball;  // none before the ball was first seen
+};
+
+// The tracks seen from the other end: turned by 180 degrees, the sides swapped.
+TrackedRobot mirrored(const TrackedRobot& robot);
+TrackedBall mirrored(const TrackedBall& ball);
+
+}  // namespace autoref
