@@ -10,6 +10,8 @@ namespace autoref::referee {
 void LastTouchDetector::restart(const Frame& frame, const std::optional<Vec2>& ball_m) {
   last_ = settled_ = LastTouch{};
   known_ = 0;
+  gentle_.restart();
+  kinked_s_ = frame.time_s;
   is_open_ = false;
   if (!ball_m) return;
   newest_ = 0;
@@ -28,6 +30,7 @@ void LastTouchDetector::update(const Frame& frame) {
   }
   judge_kink();
   judge_contacts();
+  judge_gentle_kink();
   if (!is_open_) settled_ = last_;
 }
 
@@ -64,6 +67,7 @@ void LastTouchDetector::judge_after_gap() {
   settled_ = last_;
   is_open_ = false;
   known_ = 1;
+  gentle_.restart();
 }
 
 bool LastTouchDetector::is_kink() const {
@@ -100,6 +104,7 @@ void LastTouchDetector::judge_kink() {
     judge_onwards();
     is_open_ = true;
   }
+  kinked_s_ = sighting(0).time_s;
 }
 
 // Two kinks in a row come from one touch between them where the mean velocity in between is made
@@ -159,6 +164,8 @@ void LastTouchDetector::conclude(const Verdict& verdict, int interval, const Vec
 // long as sightings are kept.
 bool LastTouchDetector::carries_ball(RobotId id) const {
   if (sighting(0).velocity_mps.norm() < parameters_.carried_mps) return false;
+  const double moved_m = (sighting(0).ball_m - sighting(kKept - 1).ball_m).norm();
+  if (moved_m < 5 * 1.41 * parameters_.position_noise_m) return false;
   for (int back = 0; back < kKept; ++back) {
     const RobotObservation* robot = find_robot(sighting(back).robots[id.side], id.number);
     if (robot == nullptr) return false;
@@ -183,6 +190,35 @@ bool LastTouchDetector::pushed_softly(const RobotObservation& robot) const {
 
 double LastTouchDetector::touching_m() const {
   return parameters_.touching_m + 3 * parameters_.position_noise_m;
+}
+
+// Where the noise hides soft touches from frame to frame, they show a little later.
+void LastTouchDetector::judge_gentle_kink() {
+  if (parameters_.position_noise_m <= 0) return;
+  const std::optional<GentleKink> kink = gentle_.update(sighting(0));
+  if (!kink || kink->since_s <= kinked_s_) return;
+  const Candidates candidates =
+      candidates_on(kink->way, *kink->before, *kink->after, kink->impulse, parameters_);
+  const Verdict verdict =
+      judge(candidates, gap_to_goals_m(field_, kink->way), last_.side, parameters_);
+  if (!verdict.is_touch) return;
+  last_.side = verdict.side;
+  last_.robot = verdict.robot;
+  last_.runner_up = verdict.runner_up;
+  last_.gap_m = verdict.gap_m;
+  last_.time_s = kink->before->time_s;
+  last_.speed_change_mps = kink->impulse.change_mps.norm();
+  settled_ = last_;
+}
+
+TouchParameters LastTouchDetector::with_noise(TouchParameters parameters,
+                                              const VisionNoise& noise) {
+  parameters.position_noise_m = noise.ball_m;
+  const double noise_m = 3 * noise.ball_m;
+  parameters.contact_m += noise_m;
+  parameters.reach_m += noise_m;
+  parameters.pinned_m += noise_m;
+  return parameters;
 }
 
 void LastTouchDetector::judge_contacts() {

@@ -15,18 +15,21 @@
 #include <optional>
 
 #include "referee/decision.hpp"
+#include "referee/gentle_kinks.hpp"
 #include "referee/touch_candidates.hpp"
 #include "referee/touch_parameters.hpp"
 #include "referee/verdict.hpp"
 #include "soccer/field.hpp"
 #include "soccer/frame.hpp"
+#include "soccer/tracker.hpp"
 
 namespace autoref::referee {
 
 class LastTouchDetector {
  public:
-  LastTouchDetector(const Field& field, const TouchParameters& parameters)
-      : field_(field), parameters_(parameters) {}
+  LastTouchDetector(const Field& field, const TouchParameters& parameters,
+                    const VisionNoise& noise = {})
+      : field_(field), parameters_(with_noise(parameters, noise)), gentle_(parameters_) {}
 
   // Play starts: nobody has touched the ball, which lies still at `ball_m`, if it was ever seen.
   void restart(const Frame& frame, const std::optional<Vec2>& ball_m);
@@ -37,10 +40,12 @@ class LastTouchDetector {
   const LastTouch& last() const { return last_; }
 
  private:
+  static TouchParameters with_noise(TouchParameters parameters, const VisionNoise& noise);
   void push(const Frame& frame);
   void judge_after_gap();
   void judge_kink();
   void judge_contacts();
+  void judge_gentle_kink();
   bool carries_ball(RobotId id) const;
   bool pushed_softly(const RobotObservation& robot) const;
   double touching_m() const;
@@ -69,6 +74,8 @@ class LastTouchDetector {
   int known_ = 0;         // sightings, up to kKept
   bool is_open_ = false;  // whether the newest kink waits for what the next frame says of it
   LastTouch settled_;     // before that kink
+  GentleKinks gentle_;
+  double kinked_s_ = 0;  // time of the last kink told from frame to frame
   LastTouch last_;
 };
 

@@ -1,5 +1,6 @@
 #include "referee/referee.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -13,6 +14,7 @@
 #include "referee/readiness.hpp"
 #include "referee/rules/rule.hpp"
 #include "referee/timekeeping.hpp"
+#include "referee/touch_candidates.hpp"
 
 namespace autoref::referee {
 namespace {
@@ -55,7 +57,9 @@ Finding passed_by_itself(Event event) {
 class Referee::Impl {
  public:
   explicit Impl(const Configuration& configuration)
-      : configuration_(configuration), touch_(configuration.field, configuration.touch) {
+      : configuration_(configuration),
+        tracker_(configuration.noise),
+        touch_(configuration.field, configuration.touch, configuration.noise) {
     validate(configuration);
     memory_.signal.next_command =
         Command{CommandKind::kPrepareKickoff, kickoff_side(configuration, 0)};
@@ -63,8 +67,12 @@ class Referee::Impl {
   }
 
   const RefereeSignal& update(const Frame& frame) {
-    return is_finite(frame) ? judge(frame) : judge(finite_part(frame));
+    seen_ = is_finite(frame) ? frame : finite_part(frame);
+    add_unseen_robots(tracker_.update(seen_));
+    return judge(seen_);
   }
+
+  const Tracks& tracks() const { return tracker_.tracks(); }
 
   std::span<const Decision> decisions() const { return decisions_; }
   const Memory& memory() const { return memory_; }
@@ -79,6 +87,21 @@ class Referee::Impl {
     if (const std::optional<Finding> over = find_time_over(memory_, moment)) decide(moment, *over);
     memory_.signal.stage_time_left_s = time_left_s(memory_, configuration_, frame.time_s);
     return memory_.signal;
+  }
+
+  // What vision missed is where the tracker takes it to be. Both lists are ordered by number.
+  void add_unseen_robots(const Tracks& tracks) {
+    for (const Side side : kSides) {
+      SeenRobots& robots = seen_.robots[side];
+      if (robots.size() == tracks.robots[side].size()) continue;
+      for (const TrackedRobot& known : tracks.robots[side]) {
+        if (find_robot(robots, known.number) != nullptr) continue;
+        const auto next = std::find_if(
+            robots.begin(), robots.end(),
+            [&known](const RobotObservation& robot) { return robot.number > known.number; });
+        robots.insert(next, {known.number, known.position_m, known.heading});
+      }
+    }
   }
 
   // A frame without a ball leaves it where it was.
@@ -148,6 +171,8 @@ class Referee::Impl {
 
   Configuration configuration_;
   Memory memory_;
+  Frame seen_;
+  Tracker tracker_;
   LastTouchDetector touch_;
   std::optional<BallSight> ball_;
   std::vector<Decision> decisions_;
@@ -165,6 +190,7 @@ const RefereeSignal& Referee::update(const Frame& frame,
   return impl_->update(frame);
 }
 
+const Tracks& Referee::tracks() const { return impl_->tracks(); }
 std::span<const Decision> Referee::decisions() const { return impl_->decisions(); }
 State Referee::state() const { return impl_->memory().state; }
 bool Referee::is_ball_in_play() const {

@@ -18,6 +18,7 @@
 #include "soccer/rule_book.hpp"
 #include "soccer/side.hpp"
 #include "soccer/team_requests.hpp"
+#include "soccer/tracker.hpp"
 
 namespace autoref::referee {
 
@@ -33,6 +34,7 @@ struct Configuration {
   double break_s = 0;   // half-time break; the Laws have 300 s
   Side first_kickoff = Side::kWest;
   AfterGame after_game = AfterGame::kHalt;
+  VisionNoise noise;      // of the frames
   TouchParameters touch;  // how sure a touch must be
 };
 
@@ -46,8 +48,13 @@ class Referee {
   Referee& operator=(Referee&&) noexcept;
 
   // Judges one frame and says what is in force from now on. Frames come in order. Robots and ball
-  // may be missing from a frame, or always. Numbers that are not finite count as not seen.
+  // may be missing from a frame, or always; a robot not seen for less than half a second counts as
+  // where it was going. Numbers that are not finite count as not seen.
   const RefereeSignal& update(const Frame& frame, const PerSide<TeamRequests>& requests);
+
+  // The field as of the last update: what the referee makes of the frames. The league's referees
+  // send their tracks to the teams, too.
+  const Tracks& tracks() const;
 
   // The decisions taken at the last update, in order; empty for most frames.
   std::span<const Decision> decisions() const;

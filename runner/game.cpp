@@ -13,7 +13,7 @@
 #include "soccer/random.hpp"
 #include "soccer/situation.hpp"
 #include "soccer/team_view.hpp"
-#include "soccer/tracker.hpp"
+#include "soccer/tracks.hpp"
 #include "strategies/registry.hpp"
 
 namespace autoref::runner {
@@ -48,6 +48,8 @@ referee::Configuration referee_configuration(const GameConfiguration& c) {
   configuration.halves = c.match.halves;
   configuration.break_s = c.match.break_s;
   configuration.first_kickoff = c.match.first_kickoff;
+  configuration.noise = {c.sim.vision.ball_noise_m, c.sim.vision.robot_noise_m,
+                         c.sim.vision.robot_noise_rad};
   return configuration;
 }
 
@@ -65,10 +67,6 @@ double latency_s(const sim::Configuration& c) {
   return (split.frames + static_cast<double>(split.substeps) / c.substeps) / c.frame_rate_hz;
 }
 
-VisionNoise noise_of(const sim::VisionParameters& vision) {
-  return {vision.ball_noise_m, vision.robot_noise_m, vision.robot_noise_rad};
-}
-
 // A team on the field: it sees delayed pictures, and its mistakes end the game as void.
 class Player {
  public:
@@ -78,10 +76,9 @@ class Player {
   }
 
   // Fills `orders`; returns what went wrong, empty where nothing did. Then all orders are zero.
-  std::string decide(const Tracks& tracks, std::int64_t frame, const RefereeSignal& signal,
-                     const Situation& situation, TeamOrders& orders) {
+  std::string decide(const Tracks& tracks, const RefereeSignal& signal, const Situation& situation,
+                     TeamOrders& orders) {
     orders.fill(RobotCommand{});
-    view_.frame = frame;
     fill_view(tracks, signal, situation, side_, view_);
     std::string fault;
     try {
@@ -117,22 +114,22 @@ class Player {
   TeamView view_;
 };
 
-// The last few pictures, so that teams see the field as it was.
+// The tracks of the last few pictures, so that teams see the field as it was.
 class DelayLine {
  public:
-  explicit DelayLine(int frames) : frames_(static_cast<std::size_t>(frames) + 1) {}
+  explicit DelayLine(int frames) : tracks_(static_cast<std::size_t>(frames) + 1) {}
 
-  Frame& next() {
+  void push(const Tracks& tracks) {
+    tracks_[taken_ % tracks_.size()] = tracks;
     ++taken_;
-    return frames_[(taken_ - 1) % frames_.size()];
   }
   // As many pictures back as the line is long; the first one until there are that many.
-  const Frame& oldest() const {
-    return taken_ < frames_.size() ? frames_.front() : frames_[taken_ % frames_.size()];
+  const Tracks& oldest() const {
+    return taken_ < tracks_.size() ? tracks_.front() : tracks_[taken_ % tracks_.size()];
   }
 
  private:
-  std::vector<Frame> frames_;
+  std::vector<Tracks> tracks_;
   std::size_t taken_ = 0;
 };
 
@@ -145,8 +142,7 @@ class Game {
         camera_(c.sim.vision, c.field, c.sim.frame_rate_hz, c.seed),
         referee_(referee_configuration(c)),
         situation_(rules_of(c.match)),
-        pictures_(sim::split_latency(c.sim).frames),
-        tracker_(noise_of(c.sim.vision)),
+        tracks_(sim::split_latency(c.sim).frames),
         players_{{Player(c, Side::kWest, make_team), Player(c, Side::kEast, make_team)}} {}
 
   GameRecord play() {
@@ -169,13 +165,11 @@ class Game {
   void play_frame() {
     const RefereeSignal& signal = judge();
     if (referee_.is_over()) return;
-    const Frame& seen = pictures_.oldest();
-    const Tracks& tracks = tracker_.update(seen);
+    const Tracks& tracks = tracks_.oldest();
     const Situation situation = situation_.update(
         signal, tracks.ball ? std::optional(tracks.ball->position_m) : std::nullopt);
     for (Side side : kSides) {
-      const std::string fault =
-          players_[side].decide(tracks, seen.number, signal, situation, orders_[side]);
+      const std::string fault = players_[side].decide(tracks, signal, situation, orders_[side]);
       if (!fault.empty()) void_game(fmt::format("team {} {}", letter_of(side), fault));
       ended(side == Side::kWest ? Phase::kTeamWest : Phase::kTeamEast);
     }
@@ -189,15 +183,15 @@ class Game {
 
   // Camera and referee; decisions go into the record.
   const RefereeSignal& judge() {
-    Frame& frame = pictures_.next();
-    camera_.look(world_.state(), frame);
+    camera_.look(world_.state(), frame_);
     ended(Phase::kCamera);
     const RefereeSignal& signal = referee_.update(
-        frame, {{players_[Side::kWest].requests(), players_[Side::kEast].requests()}});
+        frame_, {{players_[Side::kWest].requests(), players_[Side::kEast].requests()}});
+    tracks_.push(referee_.tracks());
     for (const referee::Decision& decision : referee_.decisions()) note(decision);
     frames_in_play_ += referee_.is_ball_in_play() ? 1 : 0;
     ended(Phase::kReferee);
-    if (observer_ != nullptr) observer_->on_frame(frame, signal, world_);
+    if (observer_ != nullptr) observer_->on_frame(frame_, signal, world_);
     return signal;
   }
 
@@ -247,8 +241,8 @@ class Game {
   sim::Camera camera_;
   referee::Referee referee_;
   SituationTracker situation_;
-  DelayLine pictures_;
-  Tracker tracker_;
+  Frame frame_;
+  DelayLine tracks_;
   PerSide<Player> players_;
   PerSide<TeamOrders> orders_;
   StateHash hash_;

@@ -16,6 +16,7 @@ void fill_robots(const TrackedRobots& robots, Side viewer, TrackedRobots& seen) 
 void fill_view(const Tracks& tracks, const RefereeSignal& signal, const Situation& situation,
                Side side, TeamView& view) {
   const bool as_is = side == Side::kWest;
+  view.frame = tracks.frame;
   view.time_s = tracks.time_s;
   fill_robots(tracks.robots[side], side, view.own);
   fill_robots(tracks.robots[opponent_of(side)], side, view.opponents);

@@ -13,6 +13,7 @@ constexpr double kLeastNoise_rad = 0.5e-3;
 constexpr double kUnsteady_m2ps3 = 0.2;
 constexpr double kUnsteady_rad2ps3 = 6.0;
 constexpr double kAnySpeed_mps = 3.0;
+constexpr double kFasterThanAnyRobot_mps = 15.0;  // it was put elsewhere
 constexpr double kAnyTurning_radps = 15.0;
 // A right filter is surprised by more once in 3000 sightings (two axes).
 constexpr double kSurprise = 16.0;
@@ -54,6 +55,10 @@ void RobotTracker::predict(double duration_s) {
 
 void RobotTracker::correct(const RobotObservation& seen, double duration_s) {
   const Vec2 miss_m = seen.position_m - robot_.position_m;
+  if (miss_m.norm() > kFasterThanAnyRobot_mps * duration_s) {
+    start(seen);
+    return;
+  }
   if (place_.surprise(miss_m) > kSurprise) place_.doubt_velocity(duration_s);
   place_.correct(miss_m);
   const Angle miss_rad(turned_angle(robot_.heading, seen.heading));
@@ -78,6 +83,7 @@ const Tracks& Tracker::update(const Frame& frame) {
   const double duration_s = has_seen_frame_ ? frame.time_s - tracks_.time_s : 0;
   if (has_seen_frame_ && duration_s <= 0) return tracks_;
   has_seen_frame_ = true;
+  tracks_.frame = frame.number;
   tracks_.time_s = frame.time_s;
   for (const Side side : kSides) {
     see_robots(frame.robots[side], known_[side], duration_s);

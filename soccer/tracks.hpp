@@ -2,6 +2,7 @@
 #pragma once
 
 #include <boost/container/static_vector.hpp>
+#include <cstdint>
 #include <optional>
 
 #include "soccer/geometry.hpp"
@@ -28,7 +29,8 @@ using TrackedRobots = boost::container::static_vector<TrackedRobot, kMaxRobots>;
 
 // The field as last known, in the frame of the pictures it came from.
 struct Tracks {
-  double time_s = 0;
+  std::int64_t frame = 0;           // number of the last picture
+  double time_s = 0;                // when it was taken
   PerSide<TrackedRobots> robots;    // ordered by number
   std::optional<TrackedBall> ball;  // none before the ball was first seen
 };
