@@ -131,6 +131,7 @@ void list_kicker(sim::KickerParameters& kicker, Branch to) {
 void list_sim(sim::Configuration& sim, std::vector<Setting>& list) {
   Branch to(list, "sim.");
   to.number("substeps", sim.substeps, {1, 16}, "", "physics steps per picture");
+  to.number("calm_substeps", sim.calm_substeps, {1, 16}, "", "and while nothing can meet anything");
   to.number("frame_rate_hz", sim.frame_rate_hz, {30, 240}, "1/s", "pictures per second");
   to.word("camera", sim.camera, sim::camera_preset_names(), "how well vision sees");
   to.number("latency_s", sim.latency_s, {0, 0.5}, "s", "from a picture to the robots' motion");

@@ -58,7 +58,8 @@ struct PlacementParameters {
 };
 
 struct Configuration {
-  int substeps = 4;  // physics steps per camera frame, 1 to 16
+  int substeps = 4;       // physics steps per camera frame, 1 to 16
+  int calm_substeps = 2;  // and while nothing can meet anything; as many or more: no difference
   double frame_rate_hz = 60.0;
   std::string camera = "paper";  // preset, see camera.hpp
   double latency_s = 40_ms;      // from a picture until the orders decided on it move the robots

@@ -6,6 +6,7 @@
 
 #include "sim/ball.hpp"
 #include "sim/box2d_bridge.hpp"
+#include "sim/calm.hpp"
 #include "sim/drive.hpp"
 #include "sim/kicker.hpp"
 #include "sim/placement.hpp"
@@ -43,7 +44,8 @@ class World::Impl {
 
   void accept(const PerSide<TeamOrders>& orders);
   void obey(const std::optional<Placement>& placement);
-  void advance(int substep);
+  bool may_step_long(int substep) const;
+  void advance(int substep, int substeps);
   void drive();
   void hold_ball();
   void move_ball(int substep);
@@ -67,12 +69,15 @@ class World::Impl {
   Field field_;
   Configuration configuration_;
   double substep_s_;
+  int long_step_;      // sub-steps that one physics step takes where nothing can meet anything
+  double step_s_ = 0;  // of the physics step under way
   int order_delay_substeps_;
   std::array<Team, 2> teams_;
   int robots_;
   Box2dBridge bodies_;
   Ball ball_;
   Carrier carrier_;
+  Calm calm_;
   Hold hold_ = Hold::kFree;
   Placement placement_;                 // what the hand is doing
   std::int64_t substeps_ = 0;           // since the beginning
