@@ -62,8 +62,10 @@ void add_end(b2Body& ground, const Field& field, double sign) {
   const double inner = field.half_goal_m();
   const double outer = inner + field.goal_wall_thickness_m;
   const auto at = [sign](double x, double y) { return Vec2(sign * x, sign * y); };
-  add_box(ground, at(line, inner), at(back, outer), kGoals, kWall);
-  add_box(ground, at(line, -inner), at(back, -outer), kGoals, kWall);
+  // The walls overlap at the corners: boxes side by side have a groove between their rounded edges,
+  // in which a ball along a wall would catch.
+  add_box(ground, at(line, inner), at(outside, outer), kGoals, kWall);
+  add_box(ground, at(line, -inner), at(outside, -outer), kGoals, kWall);
   add_box(ground, at(back, -outer), at(outside, outer), kGoals, kNet);
 
   const double x = field.wall_x_m();
