@@ -148,6 +148,7 @@ void list_vision(sim::VisionParameters& vision, Branch to) {
 void list_sim(sim::Configuration& sim, std::vector<Setting>& list) {
   Branch to(list, "sim.");
   to.number("substeps", sim.substeps, {1, 16}, "", "physics steps per picture");
+  to.number("calm_substeps", sim.calm_substeps, {1, 16}, "", "and while nothing can meet anything");
   to.number("frame_rate_hz", sim.frame_rate_hz, {30, 240}, "1/s", "pictures per second");
   to.preset("camera", CameraPreset{&sim}, sim::camera_preset_names(),
             "sets vision, command_loss and latency_s");

@@ -89,6 +89,7 @@ void validate(const VisionParameters& vision) {
 
 void validate(const Configuration& configuration) {
   check_range("substeps", configuration.substeps, 1, 16);
+  check_range("calm_substeps", configuration.calm_substeps, 1, 16);
   check_range("frame_rate_hz", configuration.frame_rate_hz, 30.0, 240.0);
   check_range("latency_s", configuration.latency_s, 0.0, 0.5);
   validate(configuration.vision);

@@ -73,7 +73,8 @@ struct RadioParameters {
 };
 
 struct Configuration {
-  int substeps = 4;  // physics steps per camera frame, 1 to 16
+  int substeps = 4;       // physics steps per camera frame, 1 to 16
+  int calm_substeps = 2;  // and while nothing can meet anything; as many or more: no difference
   double frame_rate_hz = 60.0;
   VisionParameters vision;
   RadioParameters radio;

@@ -34,6 +34,7 @@ World::Impl::Impl(const Field& field, const Configuration& configuration,
     : field_(field),
       configuration_(configuration),
       substep_s_(1.0 / (configuration.frame_rate_hz * configuration.substeps)),
+      long_step_(std::max(1, configuration.substeps / configuration.calm_substeps)),
       order_delay_substeps_(split_latency(configuration).substeps),
       hold_frames_(static_cast<int>(
           std::ceil(configuration.radio.hold_s * configuration.frame_rate_hz - 1e-9))),
@@ -42,7 +43,8 @@ World::Impl::Impl(const Field& field, const Configuration& configuration,
       robots_(sheets[Side::kWest].robots + sheets[Side::kEast].robots),
       bodies_(field, configuration.robot, robots_),
       ball_(configuration.ball),
-      carrier_(field, configuration.placement) {
+      carrier_(field, configuration.placement),
+      calm_(field, configuration, long_step_ * substep_s_) {
   team(Side::kEast).first = team(Side::kWest).robots;
   for_each_robot([&](Side side, Team&, int number, int index) {
     bodies_.place_robot(index, place_in_line_up(field_, {side, number}));
@@ -55,9 +57,11 @@ void World::Impl::step(const PerSide<TeamOrders>& orders,
   touches_.clear();
   touched_in_frame_ = 0;
   obey(placement);
-  for (int k = 0; k < configuration_.substeps; ++k) {
+  for (int k = 0; k < configuration_.substeps;) {
     if (k == order_delay_substeps_) accept(orders);
-    advance(k);
+    const int length = may_step_long(k) ? long_step_ : 1;
+    advance(k, length);
+    k += length;
   }
   ++state_.frame;
   publish();
@@ -102,7 +106,16 @@ void World::Impl::obey(const std::optional<Placement>& placement) {
   ball_.set({});
 }
 
-void World::Impl::advance(int substep) {
+// Orders take effect at their sub-step, which no longer step may pass over.
+bool World::Impl::may_step_long(int substep) const {
+  const int end = substep + long_step_;
+  if (long_step_ == 1 || end > configuration_.substeps) return false;
+  if (substep < order_delay_substeps_ && order_delay_substeps_ < end) return false;
+  return !ball_.is_in_air() && calm_.lasts(bodies_, robots_, hold_ != Hold::kFree);
+}
+
+void World::Impl::advance(int substep, int substeps) {
+  step_s_ = substeps * substep_s_;
   drive();
   if (hold_ == Hold::kFree) {
     move_ball(substep);
@@ -110,28 +123,28 @@ void World::Impl::advance(int substep) {
     hold_ball();
   }
   const Vec2 former_mps = bodies_.ball().velocity_mps;
-  bodies_.step(substep_s_);
+  bodies_.step(step_s_);
   if (hold_ == Hold::kFree) follow_ball(former_mps);
   note_contacts(substep);
-  ++substeps_;
+  substeps_ += substeps;
 }
 
 void World::Impl::drive() {
   for_each_robot([this](Side, Team& its_team, int number, int index) {
     const RobotCommand& aim = its_team.aims[static_cast<std::size_t>(number)];
-    const DriveForce drive = its_team.drive.force(aim, bodies_.robot(index), substep_s_);
+    const DriveForce drive = its_team.drive.force(aim, bodies_.robot(index), step_s_);
     bodies_.push_robot(index, drive.force_n, drive.torque_nm);
   });
 }
 
 // The carried ball moves at the speed that brings it along its way, rather than by jumps.
 void World::Impl::hold_ball() {
-  ball_.hold(substep_s_);
+  ball_.hold(step_s_);
   const BodyState& ball = bodies_.ball();
   if (hold_ == Hold::kCatching) {
     bodies_.let_ball_meet(false, ball_.height_m() < field_.goal_opening_height_m);
     const double speed_mps = ball.velocity_mps.norm();
-    const double left_mps = speed_mps - configuration_.placement.catch_mps2 * substep_s_;
+    const double left_mps = speed_mps - configuration_.placement.catch_mps2 * step_s_;
     if (left_mps > 0.0) {
       bodies_.set_ball_velocity(ball.velocity_mps * (left_mps / speed_mps));
       return;
@@ -140,15 +153,15 @@ void World::Impl::hold_ball() {
     carrier_.start(ball.position_m, placement_.target_m);
     bodies_.let_ball_meet(false, false);
   }
-  const Vec2 way_m = carrier_.carry(substep_s_) - ball.position_m;
+  const Vec2 way_m = carrier_.carry(step_s_) - ball.position_m;
   const bool is_there = way_m.norm() < 1e-6;
-  bodies_.set_ball_velocity(is_there ? Vec2(0.0, 0.0) : Vec2(way_m / substep_s_));
+  bodies_.set_ball_velocity(is_there ? Vec2(0.0, 0.0) : Vec2(way_m / step_s_));
 }
 
 void World::Impl::move_ball(int substep) {
   const std::optional<Vec2> kick_mps = kicked(substep);
   const Vec2 ball_mps = kick_mps ? *kick_mps : dribbled(bodies_.ball().velocity_mps);
-  bodies_.set_ball_velocity(held_by_net(ball_.slowed(ball_mps, substep_s_)));
+  bodies_.set_ball_velocity(held_by_net(ball_.slowed(ball_mps, step_s_)));
 }
 
 // The ball's velocity after a kick, if there was one. Several kickers that fire at once push the
@@ -180,7 +193,7 @@ Vec2 World::Impl::dribbled(Vec2 ball_mps) {
     const BodyState& ball = bodies_.ball();
     const Vec2 force_n =
         dribbler_force_n(configuration_.dribbler, bodies_.robot(index), ball, ball_.height_m());
-    ball_mps += force_n * (substep_s_ / kBallMass_kg);
+    ball_mps += force_n * (step_s_ / kBallMass_kg);
     bodies_.push_robot_at(index, -force_n, ball.position_m);
   });
   return ball_mps;
@@ -192,7 +205,7 @@ Vec2 World::Impl::held_by_net(Vec2 ball_mps) const {
   const double leaves_mps = ball_mps.x() * outwards;
   if (leaves_mps <= 0.0 || !is_in_goal(field_, at_m)) return ball_mps;
   if (std::abs(at_m.x()) < field_.half_length_m() + kBallRadius_m) return ball_mps;
-  ball_mps.x() = outwards * std::max(0.0, leaves_mps - configuration_.ball.net_mps2 * substep_s_);
+  ball_mps.x() = outwards * std::max(0.0, leaves_mps - configuration_.ball.net_mps2 * step_s_);
   return ball_mps;
 }
 
@@ -202,7 +215,7 @@ void World::Impl::follow_ball(const Vec2& former_mps) {
   if (change_mps.squaredNorm() > kCollision_mps * kCollision_mps) ball_.collide(change_mps);
   if (!ball_.is_in_air()) return;
   const double former_height_m = ball_.height_m();
-  bodies_.set_ball_velocity(ball_.flown(bodies_.ball().velocity_mps, substep_s_));
+  bodies_.set_ball_velocity(ball_.flown(bodies_.ball().velocity_mps, step_s_));
   const auto bounced_mps = bounced_off_lid(field_, bodies_, robots_, former_height_m, ball_);
   if (bounced_mps) bodies_.set_ball_velocity(*bounced_mps);
   let_ball_meet_what_is_as_high();

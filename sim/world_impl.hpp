@@ -6,6 +6,7 @@
 
 #include "sim/ball.hpp"
 #include "sim/box2d_bridge.hpp"
+#include "sim/calm.hpp"
 #include "sim/drive.hpp"
 #include "sim/kicker.hpp"
 #include "sim/placement.hpp"
@@ -46,7 +47,8 @@ class World::Impl {
   void accept(const PerSide<TeamOrders>& orders);
   bool hears(Team& its_team, std::size_t number) const;
   void obey(const std::optional<Placement>& placement);
-  void advance(int substep);
+  bool may_step_long(int substep) const;
+  void advance(int substep, int substeps);
   void drive();
   void hold_ball();
   void move_ball(int substep);
@@ -70,6 +72,8 @@ class World::Impl {
   Field field_;
   Configuration configuration_;
   double substep_s_;
+  int long_step_;      // sub-steps that one physics step takes where nothing can meet anything
+  double step_s_ = 0;  // of the physics step under way
   int order_delay_substeps_;
   int hold_frames_;  // a robot stops after so many frames without an order
   std::array<Team, 2> teams_;
@@ -77,6 +81,7 @@ class World::Impl {
   Box2dBridge bodies_;
   Ball ball_;
   Carrier carrier_;
+  Calm calm_;
   Hold hold_ = Hold::kFree;
   Placement placement_;                 // what the hand is doing
   std::int64_t substeps_ = 0;           // since the beginning

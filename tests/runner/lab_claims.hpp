@@ -22,7 +22,9 @@ struct Claim {
 const std::vector<Claim>& lab_claims();
 
 std::string lab_file(const std::string& scene);
-double measured(const Claim& claim, int substeps = 4);
+// In the default world, and in one that takes as many sub-steps in every frame.
+double measured(const Claim& claim);
+double measured_with(const Claim& claim, int substeps);
 
 // The table in sim/README.md: what is claimed, what the scenes show, whose number it is.
 std::string lab_table();

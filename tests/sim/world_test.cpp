@@ -198,6 +198,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Refused{"substeps", [](Configuration& c, PerSide<TeamSheet>&) { c.substeps = 0; }},
         Refused{"substeps", [](Configuration& c, PerSide<TeamSheet>&) { c.substeps = 17; }},
+        Refused{"calm_substeps",
+                [](Configuration& c, PerSide<TeamSheet>&) { c.calm_substeps = 0; }},
         Refused{"robots",
                 [](Configuration&, PerSide<TeamSheet>& s) { s[Side::kEast].robots = -1; }},
         Refused{"robots",

@@ -1,0 +1,145 @@
+// What must hold wherever the ball meets a robot or a wall, told from the states around a sub-step.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "sim/world.hpp"
+#include "soccer/robot_shape.hpp"
+#include "soccer/trigonometry.hpp"
+
+namespace autoref::sim {
+
+inline constexpr double kSubstep_s = 1.0 / 240;
+
+// The default world's sub-steps as frames of their own, so that each can be looked at.
+inline Configuration every_substep(Configuration configuration) {
+  configuration.substeps = 1;
+  configuration.frame_rate_hz = 240.0;
+  return configuration;
+}
+
+// Of a box with sides along the axes; negative inside.
+inline double distance_to_box(const Vec2& point_m, const Vec2& low_m, const Vec2& high_m) {
+  const Vec2 off_m = (low_m - point_m).cwiseMax(point_m - high_m);
+  const double inside_m = std::min(0.0, off_m.maxCoeff());
+  return off_m.cwiseMax(0.0).norm() + inside_m;
+}
+
+// To the nearest wall around the field, goal wall or goal back; negative inside it.
+inline double distance_to_walls(const Field& field, const Vec2& point_m) {
+  const Vec2 p_m(std::abs(point_m.x()), std::abs(point_m.y()));  // all four quarters are alike
+  const double line = field.half_length_m();
+  const double back = line + field.goal_depth_m;
+  const double inner = field.half_goal_m();
+  const double outer = inner + field.goal_wall_thickness_m;
+  const double side_m = distance_to_box(p_m, {line, inner}, {back, outer});
+  const double back_m =
+      distance_to_box(p_m, {back, -outer}, {back + field.goal_wall_thickness_m, outer});
+  return std::min({field.wall_x_m() - p_m.x(), field.wall_y_m() - p_m.y(), side_m, back_m});
+}
+
+inline double distance_to_robot(const RobotState& robot, const Vec2& point_m) {
+  return distance_to_hull(point_m, robot.position_m, robot.heading);
+}
+
+// The robot after `time_s` at its present speeds.
+inline RobotState moved_on(RobotState robot, double time_s) {
+  robot.position_m += robot.velocity_mps * time_s;
+  robot.heading = to_world(heading_of(robot.angular_velocity_radps * time_s), robot.heading);
+  return robot;
+}
+
+// How fast the ball moves along `outwards`, as seen from the robot's surface at `arm_m` from its
+// centre.
+inline double leaving_mps(const BallState& ball, const RobotState& robot, const Vec2& arm_m,
+                          const Vec2& outwards) {
+  const Vec2 surface_mps = robot.velocity_mps + robot.angular_velocity_radps * left_of(arm_m);
+  return (ball.velocity_mps - surface_mps).dot(outwards);
+}
+
+// The direction in which `distance_m`, a function of a point, grows.
+template <typename Distance>
+Vec2 outwards_at(const Vec2& point_m, Distance distance_m) {
+  constexpr double kNear_m = 1e-6;
+  const Vec2 x_m(kNear_m, 0);
+  const Vec2 y_m(0, kNear_m);
+  return direction_of({distance_m(point_m + x_m) - distance_m(point_m - x_m),
+                       distance_m(point_m + y_m) - distance_m(point_m - y_m)},
+                      {1, 0});
+}
+
+// The moment within the sub-step at which `gap_m`, a function of time, is first closed; where it
+// stays open, that of the least gap.
+template <typename Gap>
+double closing_time_s(Gap gap_m) {
+  constexpr int kSamples = 16;
+  double nearest_s = 0.0;
+  for (int k = 0; k <= kSamples; ++k) {
+    double late_s = kSubstep_s * k / kSamples;
+    if (gap_m(late_s) < gap_m(nearest_s)) nearest_s = late_s;
+    if (gap_m(late_s) > 0.0) continue;
+    double early_s = std::max(0.0, late_s - kSubstep_s / kSamples);
+    for (int i = 0; i < 20; ++i) {
+      const double middle_s = (early_s + late_s) / 2;
+      (gap_m(middle_s) > 0.0 ? early_s : late_s) = middle_s;
+    }
+    return late_s;
+  }
+  return nearest_s;
+}
+
+// The ball's speed along the outward normal before and after a sub-step in which it met something.
+struct Bounce {
+  double before_mps = 0;  // negative while it closes in
+  double after_mps = 0;
+};
+
+inline Bounce bounce_off_robot(const BallState& former, const BallState& ball,
+                               const RobotState& former_robot, const RobotState& robot) {
+  const auto at_m = [&](double t_s) { return Vec2(former.position_m + former.velocity_mps * t_s); };
+  const double meets_s = closing_time_s([&](double t_s) {
+    return distance_to_robot(moved_on(former_robot, t_s), at_m(t_s)) - kBallRadius_m;
+  });
+  const RobotState met = moved_on(former_robot, meets_s);
+  const Vec2 outwards = outwards_at(
+      at_m(meets_s), [&met](const Vec2& point_m) { return distance_to_robot(met, point_m); });
+  const Vec2 arm_m = at_m(meets_s) - kBallRadius_m * outwards - met.position_m;
+  return {leaving_mps(former, former_robot, arm_m, outwards),
+          leaving_mps(ball, robot, arm_m, outwards)};
+}
+
+inline Bounce bounce_off_walls(const Field& field, const BallState& former, const BallState& ball) {
+  const auto at_m = [&](double t_s) { return Vec2(former.position_m + former.velocity_mps * t_s); };
+  const double meets_s = closing_time_s(
+      [&](double t_s) { return distance_to_walls(field, at_m(t_s)) - kBallRadius_m; });
+  const Vec2 outwards = outwards_at(
+      at_m(meets_s), [&field](const Vec2& point_m) { return distance_to_walls(field, point_m); });
+  return {former.velocity_mps.dot(outwards), ball.velocity_mps.dot(outwards)};
+}
+
+// What the forces of a sub-step may add to the speed at which the ball leaves a robot: its drive,
+// its turning at the plate's corner, the carpet, and the pull of a running dribbler.
+inline double forced_mps(const Configuration& configuration, bool dribbles) {
+  const RobotParameters& robot = configuration.robot;
+  const double pull_mps2 = dribbles ? configuration.dribbler.force_n / kBallMass_kg : 0.0;
+  return kSubstep_s * (robot.braking_mps2 + robot.angular_acceleration_radps2 * kRobotRadius_m +
+                       configuration.ball.slide_mps2 + pull_mps2);
+}
+
+// The least of `distance_m`, a function of a point and of the share of the way to it, on the
+// straight way between two places of the ball's centre. A ball that bounced off something convex
+// meanwhile kept to one side of it; so does the straight way.
+template <typename Distance>
+double least_on_way_m(const Vec2& from_m, const Vec2& to_m, Distance distance_m) {
+  constexpr int kSamples = 8;
+  double least_m = distance_m(from_m, 0.0);
+  for (int k = 1; k <= kSamples; ++k) {
+    const double share = static_cast<double>(k) / kSamples;
+    least_m = std::min(least_m, distance_m(from_m + share * (to_m - from_m), share));
+  }
+  return least_m;
+}
+
+}  // namespace autoref::sim
