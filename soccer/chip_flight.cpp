@@ -11,7 +11,6 @@ namespace {
 constexpr double kUsualSpeed_mps = 4_mps;
 constexpr double kUsualRise_mps = 2.5_mps;
 constexpr double kUsualRiseDeviation_mps = 1.25_mps;
-constexpr double kLeastRise_mps = 0.7_mps;  // goes up to 25 mm
 constexpr double kFastestRise_mps = 3.9_mps;
 
 // All hops together, in the first flight's time: the springiest of the league's models keeps 0.57.
@@ -37,7 +36,7 @@ bool is_usual(double chi_square, int freedom) {
 }
 
 bool is_up_at(double t_s, const FlightFit& fit) {
-  return fit.rise_mps() > kLeastRise_mps && fit.height_at(t_s) > 0;
+  return fit.rise_mps() > 0 && fit.height_at(t_s) > 0;
 }
 
 double worst_deviation_of(const Eigen::Matrix<double, 6, 2>& spread) {
@@ -175,15 +174,14 @@ void ChipFlight::follow(const BallSighting& sighting) {
   misfit_ += surprise;
   const bool lost =
       surprise > kSurprise || !is_usual(misfit_, 2 * sightings_ - 3) || !is_up_at(t_s, fit);
-  const double late_s = sighting.time_s - estimate_.landing_s;
   const double deviation_s = estimate_.landing_deviation_s;
-  if (late_s > 2 * deviation_s || (lost && late_s > -3 * deviation_s)) {
-    const double flight_s = estimate_.landing_s + 2 * deviation_s - kick_.time_s;
-    settle(kick_.time_s + flight_s * (1 + kHopsPerFlight));
-  } else if (lost) {
+  if (!lost) {
+    estimate_ = estimate_from(fit, noise_m_, kick_, t_s);
+  } else if (sighting.time_s < estimate_.landing_s - 3 * deviation_s) {  // something in the way
     settle(sighting.time_s + kLongestChip_s);
   } else {
-    estimate_ = estimate_from(fit, noise_m_, kick_, t_s);
+    const double flight_s = estimate_.landing_s + 2 * deviation_s - kick_.time_s;
+    settle(kick_.time_s + flight_s * (1 + kHopsPerFlight));
   }
 }
 

@@ -358,6 +358,22 @@ TEST(ChipFlight, GivesUpWhereTheBallIsHitInTheAir) {
     flight.add(seen({hit.place_m + Vec2(0, (n - 15) / 60.0), hit.height_m}, n / 60.0));
   }
   EXPECT_EQ(flight.estimate().flight, BallFlight::kUnknown);
+  const BallSighting later = seen({hit.place_m, 0}, 2.0);  // when the hops would be over
+  EXPECT_EQ(flight.add(later).flight, BallFlight::kUnknown);
+}
+
+// After three sightings of a kick, a robot turns the ball aside, and the next one stops it.
+TEST(ChipFlight, BelievesNeitherOfTwoBadFitsUntilNothingCanFly) {
+  ChipFlight flight(1.4_mm);
+  flight.begin({0, 5_ms, {0.5, 0.5}, 1.4_mm});
+  for (int n = 1; n <= 110; ++n) {
+    const Vec2 way_m(0.08 * std::min(n, 3), 0.04 * std::clamp(n - 3, 0, 10));
+    flight.add(seen({Vec2(0.5, 0.5) + way_m, 0}, n / 60.0));
+    EXPECT_NE(flight.estimate().flight, BallFlight::kFlying) << n;
+    EXPECT_NE(flight.estimate().flight, BallFlight::kOnGround) << n;
+  }
+  for (int n = 111; n <= 130; ++n) flight.add(seen({{0.74, 0.9}, 0}, n / 60.0));
+  EXPECT_EQ(flight.estimate().flight, BallFlight::kOnGround);
 }
 
 TEST(ChipFlight, SeesTheTurnedFlightTurned) {
