@@ -7,7 +7,7 @@
 
 namespace autoref {
 
-// A sudden change of the ball's velocity between two sightings (of chip_fit.hpp).
+// A sudden change of the ball's velocity between two sightings.
 struct KickGuess {
   double time_s = 0;            // the middle between them
   double time_deviation_s = 0;  // their distance / sqrt(12)
@@ -57,7 +57,6 @@ class ChipFlight {
 
  private:
   enum class Stage { kIdle, kUndecided, kFlying, kSettling };
-
   double weight_of(double deviation) const;
   FlightSums from_place() const;
   void decide(const BallSighting& sighting);
