@@ -35,6 +35,7 @@ struct GameConfiguration {
   MatchConfiguration match;
   Field field;
   sim::Configuration sim;
+  sim::RobotSheet robot;  // every robot's body, kicker and dribbler
   std::uint64_t seed = 42;
 };
 

@@ -128,18 +128,18 @@ void list_kicker(sim::KickerParameters& kicker, Branch to) {
   to.number("direction_noise_deg", kicker.direction_noise_deg, {0, 45}, "deg", "one deviation");
 }
 
-void list_sim(sim::Configuration& sim, std::vector<Setting>& list) {
+void list_sim(sim::Configuration& sim, sim::RobotSheet& robot, std::vector<Setting>& list) {
   Branch to(list, "sim.");
   to.number("substeps", sim.substeps, {1, 16}, "", "physics steps per picture");
   to.number("frame_rate_hz", sim.frame_rate_hz, {30, 240}, "1/s", "pictures per second");
   to.word("camera", sim.camera, sim::camera_preset_names(), "how well vision sees");
   to.number("latency_s", sim.latency_s, {0, 0.5}, "s", "from a picture to the robots' motion");
   list_ball(sim.ball, Branch(list, "sim.ball."));
-  list_robot(sim.robot, Branch(list, "sim.robot."));
-  list_kicker(sim.kicker, Branch(list, "sim.kicker."));
+  list_robot(robot.body, Branch(list, "sim.robot."));
+  list_kicker(robot.kicker, Branch(list, "sim.kicker."));
   Branch dribbler(list, "sim.dribbler.");
-  dribbler.number("force_n", sim.dribbler.force_n, {0, 100}, "N", "the most it pulls with");
-  dribbler.number("reach_m", sim.dribbler.reach_m, {0, 0.1}, "m", "from the plate to the ball");
+  dribbler.number("force_n", robot.dribbler.force_n, {0, 100}, "N", "the most it pulls with");
+  dribbler.number("reach_m", robot.dribbler.reach_m, {0, 0.1}, "m", "from the plate to the ball");
   Branch placement(list, "sim.placement.");
   placement.number("speed_mps", sim.placement.speed_mps, positive(100), "m/s", "of the hand");
   placement.number("acceleration_mps2", sim.placement.acceleration_mps2, positive(1000), "m/s^2",
@@ -156,7 +156,7 @@ std::vector<Setting> settings_of(GameConfiguration& game) {
   list_team(game.b, Branch(list, "teams.b."));
   list_match(game.match, Branch(list, "match."));
   list_field(game.field, Branch(list, "field."));
-  list_sim(game.sim, list);
+  list_sim(game.sim, game.robot, list);
   Branch(list, "").number("seed", game.seed, {0, 18446744073709551615.0}, "",
                           "names the game's chances");
   return list;

@@ -26,12 +26,16 @@ const TeamConfiguration& team_on(const GameConfiguration& c, Side side) {
   return side == c.match.a_plays ? c.a : c.b;
 }
 
-sim::TeamSheet sheet_of(const TeamConfiguration& team) {
-  return {team.robots, team.speed_factor, team.acceleration_factor};
+sim::TeamSheet sheet_of(const GameConfiguration& c, Side side) {
+  const TeamConfiguration& team = team_on(c, side);
+  sim::RobotSheet robot = c.robot;
+  robot.speed_factor = team.speed_factor;
+  robot.acceleration_factor = team.acceleration_factor;
+  return {sim::TeamSheet::Robots(static_cast<std::size_t>(team.robots), robot)};
 }
 
 PerSide<sim::TeamSheet> sheets_of(const GameConfiguration& c) {
-  return {{sheet_of(team_on(c, Side::kWest)), sheet_of(team_on(c, Side::kEast))}};
+  return {{sheet_of(c, Side::kWest), sheet_of(c, Side::kEast)}};
 }
 
 RuleBook rules_of(const MatchConfiguration& match) {

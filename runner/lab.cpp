@@ -32,11 +32,7 @@ PerSide<TeamOrders> orders_at(const LabScene& scene, double time_s) {
 
 sim::World world_of(const LabScene& scene) {
   PerSide<sim::TeamSheet> sheets;
-  for (const Side side : kSides) {
-    sheets[side].robots = static_cast<int>(
-        std::count_if(scene.robots.begin(), scene.robots.end(),
-                      [side](const LabRobot& robot) { return robot.id.side == side; }));
-  }
+  for (const LabRobot& robot : scene.robots) sheets[robot.id.side].robots.push_back(scene.robot);
   sim::World world(scene.field, scene.sim, sheets, scene.seed);
   for (const LabRobot& robot : scene.robots) world.put_robot(robot.id, robot.start);
   world.put_ball(scene.ball);
@@ -91,9 +87,9 @@ std::string row_of(const LabScene& scene, double time_s, const sim::WorldState& 
 
 LabScene::LabScene() {
   sim.latency_s = 0;
-  sim.robot.speed_noise = 0;
-  sim.kicker.speed_noise = 0;
-  sim.kicker.direction_noise_deg = 0;
+  robot.body.speed_noise = 0;
+  robot.kicker.speed_noise = 0;
+  robot.kicker.direction_noise_deg = 0;
 }
 
 LabRecord play_lab_scene(const LabScene& scene) {

@@ -31,6 +31,7 @@ struct LabScene {
   double duration_s = 1;
   Field field;
   sim::Configuration sim;
+  sim::RobotSheet robot;  // every robot's body, kicker and dribbler
   std::uint64_t seed = 1;
   sim::BallState ball;
   std::vector<LabRobot> robots;

@@ -118,6 +118,7 @@ class LabReader {
   void read_settings() {
     GameConfiguration game;
     game.sim = scene_.sim;
+    game.robot = scene_.robot;
     game.seed = scene_.seed;
     Places places;
     SettingsReader settings(file_, game, places);
@@ -133,6 +134,7 @@ class LabReader {
     }
     scene_.field = game.field;
     scene_.sim = game.sim;
+    scene_.robot = game.robot;
     scene_.seed = game.seed;
   }
 

@@ -36,6 +36,7 @@ void check_game(const GameConfiguration& game) {
   sim::validate(game.field);
   try {
     sim::validate(game.sim);
+    sim::validate(game.robot);
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("sim.{}", error.what()));
   }

@@ -73,11 +73,11 @@ void add_end(b2Body& ground, const Field& field, double sign) {
   add_box(ground, at(-x - t, y), at(x + t, y + t), kWalls, kWall);
 }
 
-void set_robot_mass(b2Body& body, const RobotParameters& robot) {
-  set_mass(body, robot.mass_kg, robot_inertia_kgm2(robot));
+void set_robot_mass(b2Body& body, double mass_kg) {
+  set_mass(body, mass_kg, robot_inertia_kgm2(mass_kg));
 }
 
-b2Body* add_robot(b2World& world, const RobotParameters& robot, int index) {
+b2Body* add_robot(b2World& world, double mass_kg, int index) {
   b2BodyDef definition;
   definition.type = b2_dynamicBody;
   definition.userData.pointer = static_cast<std::uintptr_t>(index) + 1;
@@ -87,7 +87,7 @@ b2Body* add_robot(b2World& world, const RobotParameters& robot, int index) {
   const b2FixtureDef round =
       fixture(hull, kRobots, kRobots | kBall | kWalls | kGoals, kRobotToRobot);
   body->CreateFixture(&round);
-  set_robot_mass(*body, robot);
+  set_robot_mass(*body, mass_kg);
   return body;
 }
 

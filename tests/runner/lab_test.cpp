@@ -74,8 +74,8 @@ const std::string kLab = "schema: 1\nkind: lab\nduration_s: 1\n";
 TEST(LabScene, IsExactAndWithoutDelayUnlessItSaysOtherwise) {
   const LabScene scene = read_lab_scene_text(kLab, "x.yaml");
   EXPECT_EQ(scene.sim.latency_s, 0.0);
-  EXPECT_EQ(scene.sim.robot.speed_noise, 0.0);
-  EXPECT_EQ(scene.sim.kicker.direction_noise_deg, 0.0);
+  EXPECT_EQ(scene.robot.body.speed_noise, 0.0);
+  EXPECT_EQ(scene.robot.kicker.direction_noise_deg, 0.0);
   EXPECT_EQ(read_lab_scene_text(kLab + "sim: { latency_s: 0.04 }\n", "x").sim.latency_s, 0.04);
 }
 
