@@ -50,6 +50,8 @@ struct KickerParameters {
 struct DribblerParameters {
   double force_n = 0.45;   // the most it pulls the ball with
   double reach_m = 10_mm;  // the ball's surface within this distance of the plate
+  bool holds = false;      // takes all of the ball's motion relative to the plate
+  bool operator==(const DribblerParameters&) const = default;
 };
 
 // The referee's hand: it first stops the ball, then carries it over the robots and pushes none.

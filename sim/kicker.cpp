@@ -19,7 +19,7 @@ Kicker::Kicker(const KickerParameters& parameters, double substeps_per_s)
 std::optional<Kick> Kicker::fire(const RobotCommand& order, const BodyState& robot,
                                  const Vec2& ball_m, double ball_height_m, std::int64_t substep,
                                  RandomStream& noise) {
-  if (order.kick_mps <= 0.0 || substep < ready_at_) return std::nullopt;
+  if (order.kick_mps <= 0.0 || is_recharging(substep)) return std::nullopt;
   if (!is_in_mouth(robot, ball_m, ball_height_m, parameters_.reach_m)) return std::nullopt;
   ready_at_ = substep + dead_substeps_;
   return make(order, robot.heading, noise);

@@ -28,6 +28,9 @@ class Kicker {
   std::optional<Kick> fire(const RobotCommand& order, const BodyState& robot, const Vec2& ball_m,
                            double ball_height_m, std::int64_t substep, RandomStream& noise);
 
+  // Whether it fired less than its dead time ago.
+  bool is_recharging(std::int64_t substep) const { return substep < ready_at_; }
+
   // The most it gives a ball straight.
   double speed_limit_mps() const { return parameters_.speed_limit_mps; }
 

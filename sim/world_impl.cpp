@@ -173,15 +173,31 @@ std::optional<Vec2> World::Impl::kicked(int substep) {
   return clamp_norm(sum_mps, limit_mps);
 }
 
+// The ball's velocity after the pull of all dribblers. Those that hold it share it, or two of them
+// would throw it to and fro; a robot that has just kicked lets go.
 Vec2 World::Impl::dribbled(Vec2 ball_mps) {
-  for_each_robot([&](RobotId, Robot& robot, int index) {
-    if (!robot.aim.dribble) return;
-    const BodyState& ball = bodies_.ball();
+  struct Pull {
+    int index;
+    bool holds;
+    Vec2 force_n;
+  };
+  boost::container::static_vector<Pull, 2 * kMaxRobots> pulls;
+  const BodyState& ball = bodies_.ball();
+  int holders = 0;
+  for_each_robot([&](RobotId, const Robot& robot, int index) {
+    const bool holds = robot.dribbler.holds;
+    if (!robot.aim.dribble || (holds && robot.kicker.is_recharging(substeps_))) return;
     const Vec2 force_n =
-        dribbler_force_n(robot.dribbler, bodies_.robot(index), ball, ball_.height_m());
-    ball_mps += force_n * (substep_s_ / kBallMass_kg);
-    bodies_.push_robot_at(index, -force_n, ball.position_m);
+        dribbler_force_n(robot.dribbler, bodies_.robot(index), ball, ball_.height_m(), substep_s_);
+    if (force_n.isZero(0.0)) return;
+    pulls.push_back({index, holds, force_n});
+    holders += holds ? 1 : 0;
   });
+  for (const Pull& pull : pulls) {
+    const Vec2 force_n = pull.holds ? Vec2(pull.force_n / holders) : pull.force_n;
+    ball_mps += force_n * (substep_s_ / kBallMass_kg);
+    bodies_.push_robot_at(pull.index, -force_n, ball.position_m);
+  }
   return ball_mps;
 }
 
