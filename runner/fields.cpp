@@ -4,6 +4,7 @@
 
 #include "sim/ball_presets.hpp"
 #include "sim/camera.hpp"
+#include "sim/dribbler_presets.hpp"
 #include "soccer/rule_book.hpp"
 #include "strategies/registry.hpp"
 
@@ -31,9 +32,11 @@ class Branch {
     list_.push_back({path_ + std::string(name), target, range, {}, "", about});
   }
 
-  void preset(BallPreset target, std::vector<std::string> words, std::string_view about) {
+  void preset(Target target, std::vector<std::string> words, std::string_view about) {
     list_.push_back({path_ + "preset", target, {}, std::move(words), "", about});
   }
+
+  Branch below(const std::string& name) const { return {list_, path_ + name + "."}; }
 
  private:
   std::vector<Setting>& list_;
@@ -50,14 +53,37 @@ std::vector<std::string> strategy_names() {
   return names;
 }
 
-void list_team(TeamConfiguration& team, Branch to) {
+void list_changes(RobotChanges& changes, Branch to) {
+  to.add("robot", ChangesOf{&changes, "robot"}, {}, "what differs from sim.robot");
+  to.add("kicker", ChangesOf{&changes, "kicker"}, {}, "what differs from sim.kicker");
+  to.add("dribbler", ChangesOf{&changes, "dribbler"}, {}, "what differs from sim.dribbler");
+}
+
+// What robots of a team are like, or one of them.
+template <typename Of>
+void list_robots(Of& of, const RobotTypes& types, Branch to) {
+  to.add("type", TypeName{&of.type, &types}, {}, "type of robots");
+  to.number("speed_factor", of.speed_factor, positive(2), "", "scales the robots' top speed");
+  to.number("acceleration_factor", of.acceleration_factor, positive(2), "",
+            "scales their acceleration and braking");
+  to.add("handicap", BothFactors{&of.speed_factor, &of.acceleration_factor}, positive(2),
+         "sets speed_factor and acceleration_factor");
+  list_changes(of.changes, to);
+}
+
+void list_types(RobotTypes& types, Branch to) {
+  to.add("types", &types, {}, "types of robots by name");
+  for (auto& [name, changes] : types) list_changes(changes, to.below("types").below(name));
+}
+
+void list_team(TeamConfiguration& team, const RobotTypes& types, Branch to) {
   to.word("strategy", team.strategy, strategy_names(), "who plays");
   to.number("robots", team.robots, {1, kMaxRobots}, "", "robots on the field");
-  to.number("speed_factor", team.speed_factor, positive(2), "", "scales the robots' top speed");
-  to.number("acceleration_factor", team.acceleration_factor, positive(2), "",
-            "scales their acceleration and braking");
-  to.add("handicap", BothFactors{&team.speed_factor, &team.acceleration_factor}, positive(2),
-         "sets speed_factor and acceleration_factor");
+  list_robots(team, types, to);
+  to.add("players", &team.players, {}, "robots that differ from the team's, by number");
+  for (auto& [number, player] : team.players) {
+    list_robots(player, types, to.below("players").below(std::to_string(number)));
+  }
   // Lengths, speeds, times and shares: none of a strategy's numbers makes sense below 0.
   to.add("params", &team.params, {0, 1e9}, "the strategy's own numbers, by name");
 }
@@ -106,7 +132,7 @@ void list_robot(sim::RobotParameters& robot, Branch to) {
 }
 
 void list_ball(sim::BallParameters& ball, Branch to) {
-  to.preset({&ball}, sim::ball_preset_names(), "sets how it slides, rolls and hops");
+  to.preset(BallPreset{&ball}, sim::ball_preset_names(), "sets how it slides, rolls and hops");
   to.number("slide_mps2", ball.slide_mps2, positive(100), "m/s^2", "deceleration when sliding");
   to.number("roll_mps2", ball.roll_mps2, positive(100), "m/s^2", "deceleration when rolling");
   to.number("switch_ratio", ball.switch_ratio, {0.05, 0.95}, "", "rolls below this share");
@@ -128,6 +154,13 @@ void list_kicker(sim::KickerParameters& kicker, Branch to) {
   to.number("direction_noise_deg", kicker.direction_noise_deg, {0, 45}, "deg", "one deviation");
 }
 
+void list_dribbler(sim::DribblerParameters& dribbler, Branch to) {
+  to.preset(DribblerPreset{&dribbler}, sim::dribbler_preset_names(), "sets how it has the ball");
+  to.number("force_n", dribbler.force_n, {0, 100}, "N", "the most it pulls with");
+  to.number("reach_m", dribbler.reach_m, {0, 0.1}, "m", "from the plate to the ball");
+  to.word("holds", dribbler.holds, {"false", "true"}, "keeps the ball in every motion");
+}
+
 void list_sim(sim::Configuration& sim, sim::RobotSheet& robot, std::vector<Setting>& list) {
   Branch to(list, "sim.");
   to.number("substeps", sim.substeps, {1, 16}, "", "physics steps per picture");
@@ -135,11 +168,7 @@ void list_sim(sim::Configuration& sim, sim::RobotSheet& robot, std::vector<Setti
   to.word("camera", sim.camera, sim::camera_preset_names(), "how well vision sees");
   to.number("latency_s", sim.latency_s, {0, 0.5}, "s", "from a picture to the robots' motion");
   list_ball(sim.ball, Branch(list, "sim.ball."));
-  list_robot(robot.body, Branch(list, "sim.robot."));
-  list_kicker(robot.kicker, Branch(list, "sim.kicker."));
-  Branch dribbler(list, "sim.dribbler.");
-  dribbler.number("force_n", robot.dribbler.force_n, {0, 100}, "N", "the most it pulls with");
-  dribbler.number("reach_m", robot.dribbler.reach_m, {0, 0.1}, "m", "from the plate to the ball");
+  for (Setting& setting : settings_of(robot, "sim.")) list.push_back(std::move(setting));
   Branch placement(list, "sim.placement.");
   placement.number("speed_mps", sim.placement.speed_mps, positive(100), "m/s", "of the hand");
   placement.number("acceleration_mps2", sim.placement.acceleration_mps2, positive(1000), "m/s^2",
@@ -152,13 +181,28 @@ void list_sim(sim::Configuration& sim, sim::RobotSheet& robot, std::vector<Setti
 
 std::vector<Setting> settings_of(GameConfiguration& game) {
   std::vector<Setting> list;
-  list_team(game.a, Branch(list, "teams.a."));
-  list_team(game.b, Branch(list, "teams.b."));
+  list_types(game.types, Branch(list, ""));
+  list_team(game.a, game.types, Branch(list, "teams.a."));
+  list_team(game.b, game.types, Branch(list, "teams.b."));
   list_match(game.match, Branch(list, "match."));
   list_field(game.field, Branch(list, "field."));
   list_sim(game.sim, game.robot, list);
   Branch(list, "").number("seed", game.seed, {0, 18446744073709551615.0}, "",
                           "names the game's chances");
+  return list;
+}
+
+std::vector<Setting> settings_of(sim::RobotSheet& robot, const std::string& prefix) {
+  std::vector<Setting> list;
+  list_robot(robot.body, Branch(list, prefix + "robot."));
+  list_kicker(robot.kicker, Branch(list, prefix + "kicker."));
+  list_dribbler(robot.dribbler, Branch(list, prefix + "dribbler."));
+  return list;
+}
+
+std::vector<Setting> settings_of(RobotChanges& changes) {
+  std::vector<Setting> list;
+  list_changes(changes, Branch(list, ""));
   return list;
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "runner/robot_changes.hpp"
 #include "runner/state_hash.hpp"
 #include "sim/camera.hpp"
 #include "soccer/random.hpp"
@@ -26,16 +27,8 @@ const TeamConfiguration& team_on(const GameConfiguration& c, Side side) {
   return side == c.match.a_plays ? c.a : c.b;
 }
 
-sim::TeamSheet sheet_of(const GameConfiguration& c, Side side) {
-  const TeamConfiguration& team = team_on(c, side);
-  sim::RobotSheet robot = c.robot;
-  robot.speed_factor = team.speed_factor;
-  robot.acceleration_factor = team.acceleration_factor;
-  return {sim::TeamSheet::Robots(static_cast<std::size_t>(team.robots), robot)};
-}
-
 PerSide<sim::TeamSheet> sheets_of(const GameConfiguration& c) {
-  return {{sheet_of(c, Side::kWest), sheet_of(c, Side::kEast)}};
+  return {{sheet_of(c, team_on(c, Side::kWest)), sheet_of(c, team_on(c, Side::kEast))}};
 }
 
 RuleBook rules_of(const MatchConfiguration& match) {

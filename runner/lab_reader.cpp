@@ -80,40 +80,20 @@ class LabReader {
   explicit LabReader(const YamlFile& file) : file_(file), top_(file.top()) {}
 
   LabScene read() {
-    expect("schema", "1");
-    expect("kind", "lab");
-    refuse_unknown();
+    expect_value(file_, top_, "schema", "1");
+    expect_value(file_, top_, "kind", "lab");
+    refuse_unknown(file_, top_, kTop);
     read_settings();
     if (const YamlEntry* about = find_entry(top_, "about")) {
       scene_.about = file_.scalar(*about, "about", "a sentence", false);
     }
-    read_duration(required("duration_s"));
+    read_duration(required_entry(file_, top_, "duration_s"));
     if (const YamlEntry* ball = find_entry(top_, "ball")) read_ball(*ball);
     if (const YamlEntry* robots = find_entry(top_, "robots")) read_robots(*robots);
     return scene_;
   }
 
  private:
-  const YamlEntry& required(std::string_view key) const {
-    const YamlEntry* entry = find_entry(top_, key);
-    if (entry == nullptr) file_.refuse({1, 1}, "", fmt::format("the key '{}' is missing", key));
-    return *entry;
-  }
-
-  void refuse_unknown() const {
-    for (const YamlEntry& entry : top_) {
-      if (std::find(kTop.begin(), kTop.end(), entry.key) != kTop.end()) continue;
-      file_.refuse(entry.place, "", unknown_key_message(entry.key, kTop));
-    }
-  }
-
-  void expect(std::string_view key, const std::string& value) const {
-    const YamlEntry& entry = required(key);
-    const std::string text = file_.scalar(entry, key, value, false);
-    if (text == value) return;
-    file_.refuse(value_place(entry), key, fmt::format("expected {}, found '{}'", value, text));
-  }
-
   // The branches that a game has too.
   void read_settings() {
     GameConfiguration game;
