@@ -7,6 +7,8 @@
 
 #include "runner/files.hpp"
 #include "runner/lab.hpp"
+#include "runner/robot_changes.hpp"
+#include "runner/robot_types.hpp"
 #include "runner/settings_reader.hpp"
 #include "runner/words.hpp"
 #include "runner/yaml.hpp"
@@ -22,10 +24,10 @@ const std::vector<std::string> kTop = {"schema", "kind", "about", "duration_s", 
                                        "sim",    "seed", "ball",  "robots"};
 const std::vector<std::string> kBall = {"x_m",    "y_m",    "height_m", "vx_mps",
                                         "vy_mps", "vz_mps", "rolls"};
-const std::vector<std::string> kRobot = {"side",   "x_m",    "y_m",        "heading_deg",
+const std::vector<std::string> kRobot = {"side",   "type",   "x_m",        "y_m",   "heading_deg",
                                          "vx_mps", "vy_mps", "turn_radps", "orders"};
-const std::vector<std::string> kOrder = {"at_s",     "forward_mps", "left_mps", "turn_radps",
-                                         "kick_mps", "chip",        "dribble"};
+const std::vector<std::string> kOrder = {"at_s",       "over_s",   "forward_mps", "left_mps",
+                                         "turn_radps", "kick_mps", "chip",        "dribble"};
 
 constexpr Range kSpeed_mps{-20, 20};
 constexpr Range kTurn_radps{-100, 100};
@@ -159,6 +161,8 @@ class LabReader {
       from.word("side", side, {"west", "east"});
       if (side.empty()) file_.refuse(entry.place, entry.key, "the key 'side' is missing");
       LabRobot robot;
+      robot.sheet = scene_.robot;
+      if (const YamlEntry* type = from.find("type")) read_type(*type, from.path_to("type"), robot);
       robot.id.side = side == "west" ? Side::kWest : Side::kEast;
       robot.id.number = count[robot.id.side]++;
       if (robot.id.number == kMaxRobots) {
@@ -168,6 +172,22 @@ class LabReader {
       read_robot(from, robot);
       scene_.robots.push_back(robot);
     }
+  }
+
+  void read_type(const YamlEntry& entry, const std::string& path, LabRobot& robot) const {
+    static const std::string kExpected = "a file such as ../robots/slow.yaml";
+    const std::string text = file_.scalar(entry, path, kExpected, false);
+    RobotTypes types;
+    try {
+      take_type(text, file_.folder(), types);
+    } catch (const std::invalid_argument& error) {
+      file_.refuse(value_place(entry), path, error.what());
+    }
+    if (types.empty()) {
+      file_.refuse(value_place(entry), path,
+                   fmt::format("expected {}, found '{}'", kExpected, text));
+    }
+    apply_changes(types.begin()->second, robot.sheet);
   }
 
   void read_robot(const Mapping& from, LabRobot& robot) const {
@@ -196,6 +216,7 @@ class LabReader {
     TimedOrder order;
     RobotCommand& command = order.command;
     from.number("at_s", order.at_s, {0, 600}, "s");
+    from.number("over_s", order.over_s, {0, 600}, "s");
     from.number("forward_mps", command.velocity_mps.x(), kSpeed_mps, "m/s");
     from.number("left_mps", command.velocity_mps.y(), kSpeed_mps, "m/s");
     from.number("turn_radps", command.angular_velocity_radps, kTurn_radps, "rad/s");
