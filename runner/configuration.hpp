@@ -12,12 +12,31 @@
 
 namespace autoref::runner {
 
+// What some robots have other than the game's: values by path below `sim.`, such as
+// "robot.speed_mps", spelt as value_of() spells them (fields.hpp).
+using RobotChanges = std::map<std::string, std::string>;
+
+using RobotTypes = std::map<std::string, RobotChanges>;  // by name
+
+inline constexpr const char* kNoType = "none";
+
+// A robot that differs from its team's.
+struct PlayerConfiguration {
+  std::string type = kNoType;
+  RobotChanges changes;              // beside the type's
+  double speed_factor = 1.0;         // times the team's, (0, 2]
+  double acceleration_factor = 1.0;  // times the team's, (0, 2]
+};
+
 struct TeamConfiguration {
   std::string strategy = "basic";
   int robots = 6;                    // 1 to 16
+  std::string type = kNoType;        // of its robots
+  RobotChanges changes;              // beside the type's
   double speed_factor = 1.0;         // of the robots' top speed, (0, 2]
   double acceleration_factor = 1.0;  // of their acceleration and braking, (0, 2]
   std::map<std::string, double> params;
+  std::map<int, PlayerConfiguration> players;  // by number
 };
 
 struct MatchConfiguration {
@@ -35,6 +54,8 @@ struct GameConfiguration {
   MatchConfiguration match;
   Field field;
   sim::Configuration sim;
+  sim::RobotSheet robot;  // every robot's body, kicker and dribbler unless its type says otherwise
+  RobotTypes types;       // that teams and players may name
   std::uint64_t seed = 42;
 };
 

@@ -13,12 +13,11 @@ std::string comment_on(const Setting& setting) {
   return fmt::format("  # {}; {}", setting.about, expected_of(setting));
 }
 
-std::string params_text(const std::map<std::string, double>& params) {
-  std::string text;
-  for (const auto& [name, value] : params) {
-    text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", json_text(name), text_of(value));
-  }
-  return "{" + text + "}";
+// What the game has of it follows by itself.
+bool is_full(const Setting& setting) {
+  if (const auto* players = std::get_if<Players*>(&setting.target)) return !(**players).empty();
+  if (const auto* types = std::get_if<RobotTypes*>(&setting.target)) return !(**types).empty();
+  return false;
 }
 
 // Opens the branches that lead from one setting's path to the next one's.
@@ -30,8 +29,8 @@ class Tree {
     const std::size_t dot = setting.path.rfind('.');
     enter(dot == std::string::npos ? "" : setting.path.substr(0, dot));
     const std::string name = setting.path.substr(dot == std::string::npos ? 0 : dot + 1);
-    if (const auto* params = std::get_if<std::map<std::string, double>*>(&setting.target)) {
-      line(branches_.size(), fmt::format("{}: {}", name, params_text(**params)));
+    if (holds_others(setting)) {
+      line(branches_.size(), fmt::format("{}: {}", name, value_of(setting)));
     } else {
       line(branches_.size(), fmt::format("{}: {}{}", name, value_of(setting), comment_on(setting)));
     }
@@ -73,7 +72,7 @@ std::string body_of(const GameConfiguration& game) {
   GameConfiguration copy = game;
   Tree tree(0);
   for (const Setting& setting : settings_of(copy)) {
-    if (!is_alias(setting)) tree.add(setting);
+    if (!is_alias(setting) && !is_full(setting)) tree.add(setting);
   }
   return tree.text();
 }
@@ -82,7 +81,8 @@ std::string body_of(const Sweep& sweep) {
   GameConfiguration copy = sweep.base;
   Tree tree(1);
   for (const Setting& setting : settings_of(copy)) {
-    if (!is_alias(setting) && !is_given_by_plan(setting)) tree.add(setting);
+    if (is_alias(setting) || is_full(setting) || is_given_by_plan(setting)) continue;
+    tree.add(setting);
   }
   std::string text = "base:\n" + tree.text() + "factors:\n";
   for (const Factor& factor : sweep.factors) {

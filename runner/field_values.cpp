@@ -5,9 +5,12 @@
 #include <stdexcept>
 
 #include "runner/fields.hpp"
+#include "runner/json.hpp"
+#include "runner/robot_changes.hpp"
 #include "runner/words.hpp"
 #include "sim/ball_presets.hpp"
 #include "sim/camera_presets.hpp"
+#include "sim/dribbler_presets.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -18,8 +21,6 @@ struct Overloaded : Cases... {
 };
 template <typename... Cases>
 Overloaded(Cases...) -> Overloaded<Cases...>;
-
-using Params = std::map<std::string, double>;
 
 [[noreturn]] void refuse(const Setting& setting, std::string_view text) {
   throw std::invalid_argument(fmt::format("expected {}, found '{}'", expected_of(setting), text));
@@ -49,13 +50,7 @@ std::string range_text(const Setting& setting) {
   return fmt::format("from {} to {}{}", range.low, range.high, unit);
 }
 
-// Splits "teams.a.params.line_m" into the setting's path and the parameter's name.
-std::pair<std::string, std::string> split_parameter(const std::string& path) {
-  static constexpr std::string_view kPart = ".params.";
-  const std::size_t at = path.find(kPart);
-  if (at == std::string::npos) return {path, ""};
-  return {path.substr(0, at + kPart.size() - 1), path.substr(at + kPart.size())};
-}
+std::string_view last_name_in(std::string_view path) { return path.substr(path.rfind('.') + 1); }
 
 const Setting* find_setting(const std::vector<Setting>& settings, std::string_view path) {
   const auto found = std::find_if(settings.begin(), settings.end(),
@@ -63,29 +58,65 @@ const Setting* find_setting(const std::vector<Setting>& settings, std::string_vi
   return found == settings.end() ? nullptr : &*found;
 }
 
-Setting setting_of_parameter(const Setting& params, const std::string& name) {
-  Params& values = *std::get<Params*>(params.target);
-  return {params.path + "." + name, &values[name], params.range, {}, "", params.about};
-}
-
 std::string unknown_path_message(const std::vector<Setting>& settings, std::string_view path) {
   std::vector<std::string> known;
   known.reserve(settings.size());
+  const auto add = [&](const std::string& full) {
+    known.push_back(path.starts_with("teams.") ? full : short_path(full));
+  };
   for (const Setting& setting : settings) {
-    known.push_back(path.starts_with("teams.") ? setting.path : short_path(setting.path));
+    if (!holds_others(setting)) add(setting.path);
+    for (const std::string& name : names_in(setting)) add(setting.path + "." + name);
   }
   return fmt::format("unknown key '{}'; did you mean '{}'?", path, nearest_word(path, known));
 }
 
-// The setting at a full or short path, a team's parameter included.
+// The setting at a full or short path, also one that another holds.
 Setting setting_at(const std::vector<Setting>& settings, std::string_view path) {
-  const auto [of, parameter] = split_parameter(full_path(path));
-  const Setting* setting = find_setting(settings, of);
-  const bool is_map = setting != nullptr && std::holds_alternative<Params*>(setting->target);
-  if (setting == nullptr || is_map == parameter.empty()) {
-    throw std::invalid_argument(unknown_path_message(settings, path));
+  const std::string full = full_path(path);
+  const Setting* setting = find_setting(settings, full);
+  if (setting != nullptr && !holds_others(*setting)) return *setting;
+  const std::size_t dot = full.rfind('.');
+  const Setting* holder = find_setting(settings, full.substr(0, dot));
+  if (setting == nullptr && holder != nullptr && dot != std::string::npos) {
+    if (const auto held = setting_in(*holder, full.substr(dot + 1))) return *held;
   }
-  return is_map ? setting_of_parameter(*setting, parameter) : *setting;
+  throw std::invalid_argument(unknown_path_message(settings, path));
+}
+
+// Makes the player that a path such as "b.players.3.handicap" speaks of, if it does.
+void make_player_in(GameConfiguration& game, std::string_view path) {
+  static constexpr std::string_view kPlayers = "teams.x.players.";
+  const std::string full = full_path(path);
+  for (TeamConfiguration* team : {&game.a, &game.b}) {
+    const char letter = team == &game.a ? 'a' : 'b';
+    if (!full.starts_with(fmt::format("teams.{}.players.", letter))) continue;
+    const std::string rest = full.substr(kPlayers.size());
+    player_of(team->players, rest.substr(0, rest.find('.')));
+  }
+}
+
+std::string changes_text(const ChangesOf& of) {
+  std::string text;
+  for (const auto& [path, value] : *of.changes) {
+    if (!path.starts_with(of.branch + ".")) continue;
+    text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", last_name_in(path), value);
+  }
+  return "{" + text + "}";
+}
+
+std::string params_text(const Params& params) {
+  std::string text;
+  for (const auto& [name, value] : params) {
+    text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", json_text(name), text_of(value));
+  }
+  return "{" + text + "}";
+}
+
+std::vector<std::string> names_of(const RobotTypes& types) {
+  std::vector<std::string> names = {kNoType};
+  for (const auto& [name, changes] : types) names.push_back(name);
+  return names;
 }
 
 }  // namespace
@@ -101,13 +132,46 @@ std::string short_path(std::string_view path) {
 }
 
 bool is_number(const Setting& setting) {
-  return setting.words.empty() && !std::holds_alternative<Params*>(setting.target);
+  return setting.words.empty() && !holds_others(setting) &&
+         !std::holds_alternative<TypeName>(setting.target);
 }
 
 bool is_alias(const Setting& setting) {
   return std::holds_alternative<BothFactors>(setting.target) ||
          std::holds_alternative<BallPreset>(setting.target) ||
-         std::holds_alternative<CameraPreset>(setting.target);
+         std::holds_alternative<CameraPreset>(setting.target) ||
+         std::holds_alternative<DribblerPreset>(setting.target);
+}
+
+bool holds_others(const Setting& setting) {
+  return std::holds_alternative<Params*>(setting.target) ||
+         std::holds_alternative<ChangesOf>(setting.target) ||
+         std::holds_alternative<Players*>(setting.target) ||
+         std::holds_alternative<RobotTypes*>(setting.target);
+}
+
+std::vector<std::string> names_in(const Setting& setting) {
+  const auto* of = std::get_if<ChangesOf>(&setting.target);
+  if (of == nullptr) return {};
+  sim::RobotSheet robot;
+  return names_below(settings_of(robot, ""), of->branch);
+}
+
+std::optional<Setting> setting_in(const Setting& setting, const std::string& name) {
+  const std::string path = setting.path + "." + name;
+  if (const auto* params = std::get_if<Params*>(&setting.target)) {
+    return Setting{path, &(**params)[name], setting.range, {}, "", setting.about};
+  }
+  const auto* of = std::get_if<ChangesOf>(&setting.target);
+  if (of == nullptr) return std::nullopt;
+  sim::RobotSheet robot;
+  const std::vector<Setting> settings = settings_of(robot, "");
+  const Setting* changed = find_setting(settings, of->branch + "." + name);
+  if (changed == nullptr) return std::nullopt;
+  Setting change = *changed;
+  change.path = path;
+  change.target = Change{of->changes, changed->path};
+  return change;
 }
 
 std::string expected_of(const Setting& setting) {
@@ -117,7 +181,17 @@ std::string expected_of(const Setting& setting) {
           [&](int*) { return "a whole number " + range_text(setting); },
           [&](std::uint64_t*) { return std::string("a whole number from 0 to 2^64 - 1"); },
           [&](BothFactors) { return "a number " + range_text(setting); },
+          [&](TypeName type) {
+            return "a file such as robots/slow.yaml, or one of " + listed(names_of(*type.types));
+          },
+          [&](const Change&) {
+            return setting.words.empty() ? "a number " + range_text(setting)
+                                         : "one of " + listed(setting.words);
+          },
+          [&](const ChangesOf&) { return std::string("numbers by name"); },
           [&](Params*) { return std::string("numbers by name"); },
+          [&](Players*) { return std::string("robots by number"); },
+          [&](RobotTypes*) { return std::string("types by name"); },
           [&](auto) {
             return (setting.words.size() == 1 ? "" : "one of ") + listed(setting.words);
           },
@@ -133,7 +207,21 @@ void assign(const Setting& setting, std::string_view text) {
           [&](int* value) { *value = checked(setting, text, whole_number_in(text)); },
           [&](std::uint64_t* value) { *value = checked(setting, text, seed_in(text)); },
           [&](BothFactors both) { *both.speed = *both.acceleration = number(); },
+          [&](TypeName type) {
+            if (text != kNoType && !type.types->contains(std::string(text))) {
+              refuse(setting, text);
+            }
+            *type.name = text;
+          },
+          [&](const Change& change) { assign_change(change, text); },
+          [&](const ChangesOf&) { refuse(setting, text); },
           [&](Params*) { refuse(setting, text); },
+          [&](Players*) { refuse(setting, text); },
+          [&](RobotTypes*) { refuse(setting, text); },
+          [&](DribblerPreset preset) {
+            sim::apply_dribbler_preset(setting.words[index_of_word(setting, text)],
+                                       *preset.dribbler);
+          },
           [&](BallPreset preset) {
             sim::apply_ball_preset(setting.words[index_of_word(setting, text)], *preset.ball);
           },
@@ -159,7 +247,15 @@ std::string value_of(const Setting& setting) {
           [](BothFactors both) { return text_of(*both.speed); },
           [](BallPreset preset) { return sim::ball_preset_of(*preset.ball).value_or("other"); },
           [](CameraPreset preset) { return sim::camera_preset_of(*preset.sim).value_or("other"); },
-          [](Params*) { return std::string(); },
+          [](DribblerPreset preset) {
+            return sim::dribbler_preset_of(*preset.dribbler).value_or("other");
+          },
+          [](TypeName type) { return *type.name; },
+          [](const Change& change) { return changed_value(change); },
+          [](const ChangesOf& of) { return changes_text(of); },
+          [](Params* params) { return params_text(*params); },
+          [](Players*) { return std::string("{}"); },
+          [](RobotTypes*) { return std::string("{}"); },
           [&](auto* value) { return setting.words[static_cast<std::size_t>(*value)]; },
       },
       setting.target);
@@ -187,12 +283,23 @@ std::string unknown_key_message(std::string_view key, const std::vector<std::str
                      nearest_word(key, known), listed(known));
 }
 
+PlayerConfiguration& player_of(Players& players, std::string_view number) {
+  const std::optional<int> n = whole_number_in(number);
+  if (!n || *n < 0 || *n >= kMaxRobots || std::to_string(*n) != number) {
+    throw std::invalid_argument(
+        fmt::format("expected a robot's number from 0 to {}, found '{}'", kMaxRobots - 1, number));
+  }
+  return players[*n];
+}
+
 void set_by_path(GameConfiguration& game, std::string_view path, std::string_view text) {
+  make_player_in(game, path);
   assign(setting_at(settings_of(game), path), text);
 }
 
 std::string value_at(const GameConfiguration& game, std::string_view path) {
   GameConfiguration copy = game;
+  make_player_in(copy, path);
   return value_of(setting_at(settings_of(copy), path));
 }
 

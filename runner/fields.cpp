@@ -4,6 +4,7 @@
 
 #include "sim/ball_presets.hpp"
 #include "sim/camera_presets.hpp"
+#include "sim/dribbler_presets.hpp"
 #include "soccer/rule_book.hpp"
 #include "strategies/registry.hpp"
 
@@ -40,6 +41,8 @@ class Branch {
     list_.push_back({path_ + std::string(name), target, {}, std::move(words), "", about});
   }
 
+  Branch below(const std::string& name) const { return {list_, path_ + name + "."}; }
+
  private:
   std::vector<Setting>& list_;
   std::string path_;
@@ -55,14 +58,37 @@ std::vector<std::string> strategy_names() {
   return names;
 }
 
-void list_team(TeamConfiguration& team, Branch to) {
+void list_changes(RobotChanges& changes, Branch to) {
+  to.add("robot", ChangesOf{&changes, "robot"}, {}, "what differs from sim.robot");
+  to.add("kicker", ChangesOf{&changes, "kicker"}, {}, "what differs from sim.kicker");
+  to.add("dribbler", ChangesOf{&changes, "dribbler"}, {}, "what differs from sim.dribbler");
+}
+
+// What robots of a team are like, or one of them.
+template <typename Of>
+void list_robots(Of& of, const RobotTypes& types, Branch to) {
+  to.add("type", TypeName{&of.type, &types}, {}, "type of robots");
+  to.number("speed_factor", of.speed_factor, positive(2), "", "scales the robots' top speed");
+  to.number("acceleration_factor", of.acceleration_factor, positive(2), "",
+            "scales their acceleration and braking");
+  to.add("handicap", BothFactors{&of.speed_factor, &of.acceleration_factor}, positive(2),
+         "sets speed_factor and acceleration_factor");
+  list_changes(of.changes, to);
+}
+
+void list_types(RobotTypes& types, Branch to) {
+  to.add("types", &types, {}, "types of robots by name");
+  for (auto& [name, changes] : types) list_changes(changes, to.below("types").below(name));
+}
+
+void list_team(TeamConfiguration& team, const RobotTypes& types, Branch to) {
   to.word("strategy", team.strategy, strategy_names(), "who plays");
   to.number("robots", team.robots, {1, kMaxRobots}, "", "robots on the field");
-  to.number("speed_factor", team.speed_factor, positive(2), "", "scales the robots' top speed");
-  to.number("acceleration_factor", team.acceleration_factor, positive(2), "",
-            "scales their acceleration and braking");
-  to.add("handicap", BothFactors{&team.speed_factor, &team.acceleration_factor}, positive(2),
-         "sets speed_factor and acceleration_factor");
+  list_robots(team, types, to);
+  to.add("players", &team.players, {}, "robots that differ from the team's, by number");
+  for (auto& [number, player] : team.players) {
+    list_robots(player, types, to.below("players").below(std::to_string(number)));
+  }
   // Lengths, speeds, times and shares: none of a strategy's numbers makes sense below 0.
   to.add("params", &team.params, {0, 1e9}, "the strategy's own numbers, by name");
 }
@@ -145,7 +171,15 @@ void list_vision(sim::VisionParameters& vision, Branch to) {
   to.yes_or_no("robots_hide_ball", vision.robots_hide_ball, "from the cameras");
 }
 
-void list_sim(sim::Configuration& sim, std::vector<Setting>& list) {
+void list_dribbler(sim::DribblerParameters& dribbler, Branch to) {
+  to.preset("preset", DribblerPreset{&dribbler}, sim::dribbler_preset_names(),
+            "sets how it has the ball");
+  to.number("force_n", dribbler.force_n, {0, 100}, "N", "the most it pulls with");
+  to.number("reach_m", dribbler.reach_m, {0, 0.1}, "m", "from the plate to the ball");
+  to.yes_or_no("holds", dribbler.holds, "keeps the ball in every motion");
+}
+
+void list_sim(sim::Configuration& sim, sim::RobotSheet& robot, std::vector<Setting>& list) {
   Branch to(list, "sim.");
   to.number("substeps", sim.substeps, {1, 16}, "", "physics steps per picture");
   to.number("calm_substeps", sim.calm_substeps, {1, 16}, "", "and while nothing can meet anything");
@@ -158,11 +192,7 @@ void list_sim(sim::Configuration& sim, std::vector<Setting>& list) {
   radio.number("command_loss", sim.radio.command_loss, {0, 0.9}, "", "share of orders lost");
   radio.number("hold_s", sim.radio.hold_s, {0, 10}, "s", "stops without an order for so long");
   list_ball(sim.ball, Branch(list, "sim.ball."));
-  list_robot(sim.robot, Branch(list, "sim.robot."));
-  list_kicker(sim.kicker, Branch(list, "sim.kicker."));
-  Branch dribbler(list, "sim.dribbler.");
-  dribbler.number("force_n", sim.dribbler.force_n, {0, 100}, "N", "the most it pulls with");
-  dribbler.number("reach_m", sim.dribbler.reach_m, {0, 0.1}, "m", "from the plate to the ball");
+  for (Setting& setting : settings_of(robot, "sim.")) list.push_back(std::move(setting));
   Branch placement(list, "sim.placement.");
   placement.number("speed_mps", sim.placement.speed_mps, positive(100), "m/s", "of the hand");
   placement.number("acceleration_mps2", sim.placement.acceleration_mps2, positive(1000), "m/s^2",
@@ -175,13 +205,28 @@ void list_sim(sim::Configuration& sim, std::vector<Setting>& list) {
 
 std::vector<Setting> settings_of(GameConfiguration& game) {
   std::vector<Setting> list;
-  list_team(game.a, Branch(list, "teams.a."));
-  list_team(game.b, Branch(list, "teams.b."));
+  list_types(game.types, Branch(list, ""));
+  list_team(game.a, game.types, Branch(list, "teams.a."));
+  list_team(game.b, game.types, Branch(list, "teams.b."));
   list_match(game.match, Branch(list, "match."));
   list_field(game.field, Branch(list, "field."));
-  list_sim(game.sim, list);
+  list_sim(game.sim, game.robot, list);
   Branch(list, "").number("seed", game.seed, {0, 18446744073709551615.0}, "",
                           "names the game's chances");
+  return list;
+}
+
+std::vector<Setting> settings_of(sim::RobotSheet& robot, const std::string& prefix) {
+  std::vector<Setting> list;
+  list_robot(robot.body, Branch(list, prefix + "robot."));
+  list_kicker(robot.kicker, Branch(list, prefix + "kicker."));
+  list_dribbler(robot.dribbler, Branch(list, prefix + "dribbler."));
+  return list;
+}
+
+std::vector<Setting> settings_of(RobotChanges& changes) {
+  std::vector<Setting> list;
+  list_changes(changes, Branch(list, ""));
   return list;
 }
 

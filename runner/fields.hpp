@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -29,10 +30,37 @@ struct CameraPreset {
   sim::Configuration* sim = nullptr;
 };
 
+// `preset`: one word for the numbers of a known dribbler (sim/dribbler_presets.hpp).
+struct DribblerPreset {
+  sim::DribblerParameters* dribbler = nullptr;
+};
+
+// `type`: the name of one of the game's types of robots, or none.
+struct TypeName {
+  std::string* name = nullptr;
+  const RobotTypes* types = nullptr;
+};
+
+// `robot`, `kicker` or `dribbler` of some robots: what differs from the game's, by name.
+struct ChangesOf {
+  RobotChanges* changes = nullptr;
+  std::string branch;
+};
+
+// One of these.
+struct Change {
+  RobotChanges* changes = nullptr;
+  std::string path;  // such as "robot.speed_mps"
+};
+
+using Params = std::map<std::string, double>;
+using Players = std::map<int, PlayerConfiguration>;
+
 // Where a setting lives in a GameConfiguration.
 using Target =
-    std::variant<double*, int*, std::uint64_t*, bool*, std::string*, Side*, DefenceArea::Shape*,
-                 BothFactors, BallPreset, CameraPreset, std::map<std::string, double>*>;
+    std::variant<double*, int*, bool*, std::uint64_t*, std::string*, Side*, DefenceArea::Shape*,
+                 BothFactors, BallPreset, CameraPreset, DribblerPreset, TypeName, Change, ChangesOf,
+                 Params*, Players*, RobotTypes*>;
 
 struct Range {
   double low = 0;
@@ -49,8 +77,13 @@ struct Setting {
   std::string_view about;  // one sentence
 };
 
-// Every setting of `game`, ordered so that settings of one branch stand together.
+// Every setting of `game`, ordered so that settings of one branch stand together. Of players and
+// types it has those that the game has.
 std::vector<Setting> settings_of(GameConfiguration& game);
+
+// The settings of one robot below `prefix` ("" or "sim."), and those of what differs in some.
+std::vector<Setting> settings_of(sim::RobotSheet& robot, const std::string& prefix);
+std::vector<Setting> settings_of(RobotChanges& changes);
 
 // The full path: "b.robots" is "teams.b.robots", others stay. And the short one, the reverse.
 std::string full_path(std::string_view path);
@@ -62,8 +95,17 @@ std::string expected_of(const Setting& setting);
 // Reads `text` into the setting. Throws std::invalid_argument that says what was expected.
 void assign(const Setting& setting, std::string_view text);
 
-// The value as assign() reads it, always spelt the same. Not for maps of parameters.
+// The value as assign() reads it, always spelt the same; of what holds others, a mapping.
 std::string value_of(const Setting& setting);
+
+// Whether it has no value of its own but others by name, such as a strategy's parameters.
+bool holds_others(const Setting& setting);
+
+// The names that such a setting may hold; none where every name will do.
+std::vector<std::string> names_in(const Setting& setting);
+
+// One of those it holds, none where it may hold no such name.
+std::optional<Setting> setting_in(const Setting& setting, const std::string& name);
 
 // Whether the values are numbers.
 bool is_number(const Setting& setting);
@@ -77,8 +119,13 @@ std::vector<std::string> names_below(const std::vector<Setting>& settings, std::
 // "unknown key 'robot'; did you mean 'robots'? Known here: ..."
 std::string unknown_key_message(std::string_view key, const std::vector<std::string>& known);
 
-// Sets the value at a full or short path; `a.params.NAME` names one of the team's parameters.
-// Throws std::invalid_argument for an unknown path (naming the nearest known) or a wrong value.
+// Makes sure that a team has a player with a number. Throws std::invalid_argument where `number` is
+// none from 0 to 15.
+PlayerConfiguration& player_of(Players& players, std::string_view number);
+
+// Sets the value at a full or short path; `a.params.NAME` names one of the team's parameters,
+// `a.robot.NAME` a number of its robots, `a.players.3.` what differs in one of them. Throws
+// std::invalid_argument for an unknown path (naming the nearest known) or a wrong value.
 void set_by_path(GameConfiguration& game, std::string_view path, std::string_view text);
 
 // The value at a path that set_by_path() takes; 0 for a parameter that is not given.

@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "runner/robot_changes.hpp"
 #include "runner/state_hash.hpp"
 #include "sim/camera.hpp"
 #include "soccer/random.hpp"
@@ -26,12 +27,8 @@ const TeamConfiguration& team_on(const GameConfiguration& c, Side side) {
   return side == c.match.a_plays ? c.a : c.b;
 }
 
-sim::TeamSheet sheet_of(const TeamConfiguration& team) {
-  return {team.robots, team.speed_factor, team.acceleration_factor};
-}
-
 PerSide<sim::TeamSheet> sheets_of(const GameConfiguration& c) {
-  return {{sheet_of(team_on(c, Side::kWest)), sheet_of(team_on(c, Side::kEast))}};
+  return {{sheet_of(c, team_on(c, Side::kWest)), sheet_of(c, team_on(c, Side::kEast))}};
 }
 
 RuleBook rules_of(const MatchConfiguration& match) {

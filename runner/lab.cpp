@@ -12,12 +12,27 @@
 namespace autoref::runner {
 namespace {
 
+constexpr double kSameTime_s = 1e-9;
+
+// `order` at `time_s`, on its way from the speeds of the `former` one.
+RobotCommand eased(const TimedOrder& order, const RobotCommand& former, double time_s) {
+  RobotCommand command = order.command;
+  if (time_s + kSameTime_s >= order.at_s + order.over_s) return command;
+  const double left = 1.0 - (time_s - order.at_s) / order.over_s;
+  command.velocity_mps += left * (former.velocity_mps - command.velocity_mps);
+  command.angular_velocity_radps +=
+      left * (former.angular_velocity_radps - command.angular_velocity_radps);
+  return command;
+}
+
 // The order in force for pictures taken at `time_s`.
 RobotCommand order_at(const LabRobot& robot, double time_s) {
-  constexpr double kSameTime_s = 1e-9;
   RobotCommand command;
+  RobotCommand former;
   for (const TimedOrder& order : robot.orders) {
-    if (order.at_s <= time_s + kSameTime_s) command = order.command;
+    if (order.at_s > time_s + kSameTime_s) break;
+    command = eased(order, former, time_s);
+    former = order.command;
   }
   return command;
 }
@@ -32,11 +47,7 @@ PerSide<TeamOrders> orders_at(const LabScene& scene, double time_s) {
 
 sim::World world_of(const LabScene& scene) {
   PerSide<sim::TeamSheet> sheets;
-  for (const Side side : kSides) {
-    sheets[side].robots = static_cast<int>(
-        std::count_if(scene.robots.begin(), scene.robots.end(),
-                      [side](const LabRobot& robot) { return robot.id.side == side; }));
-  }
+  for (const LabRobot& robot : scene.robots) sheets[robot.id.side].robots.push_back(robot.sheet);
   sim::World world(scene.field, scene.sim, sheets, scene.seed);
   for (const LabRobot& robot : scene.robots) world.put_robot(robot.id, robot.start);
   world.put_ball(scene.ball);
@@ -91,9 +102,9 @@ std::string row_of(const LabScene& scene, double time_s, const sim::WorldState& 
 
 LabScene::LabScene() {
   sim.latency_s = 0;
-  sim.robot.speed_noise = 0;
-  sim.kicker.speed_noise = 0;
-  sim.kicker.direction_noise_deg = 0;
+  robot.body.speed_noise = 0;
+  robot.kicker.speed_noise = 0;
+  robot.kicker.direction_noise_deg = 0;
 }
 
 LabRecord play_lab_scene(const LabScene& scene) {

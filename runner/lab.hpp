@@ -11,14 +11,17 @@
 
 namespace autoref::runner {
 
-// Replaces a robot's former order from that time on.
+// Replaces a robot's former order from that time on. The speeds change evenly from the former
+// order's to its own within `over_s`.
 struct TimedOrder {
   double at_s = 0;
+  double over_s = 0;
   RobotCommand command;
 };
 
 struct LabRobot {
   RobotId id;  // numbered from 0 on each side, in the file's order
+  sim::RobotSheet sheet;
   sim::RobotState start;
   std::vector<TimedOrder> orders;  // by rising time
 };
@@ -31,6 +34,7 @@ struct LabScene {
   double duration_s = 1;
   Field field;
   sim::Configuration sim;
+  sim::RobotSheet robot;  // what a robot has unless its type says otherwise
   std::uint64_t seed = 1;
   sim::BallState ball;
   std::vector<LabRobot> robots;

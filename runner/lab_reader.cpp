@@ -7,6 +7,8 @@
 
 #include "runner/files.hpp"
 #include "runner/lab.hpp"
+#include "runner/robot_changes.hpp"
+#include "runner/robot_types.hpp"
 #include "runner/settings_reader.hpp"
 #include "runner/words.hpp"
 #include "runner/yaml.hpp"
@@ -22,10 +24,10 @@ const std::vector<std::string> kTop = {"schema", "kind", "about", "duration_s", 
                                        "sim",    "seed", "ball",  "robots"};
 const std::vector<std::string> kBall = {"x_m",    "y_m",    "height_m", "vx_mps",
                                         "vy_mps", "vz_mps", "rolls"};
-const std::vector<std::string> kRobot = {"side",   "x_m",    "y_m",        "heading_deg",
+const std::vector<std::string> kRobot = {"side",   "type",   "x_m",        "y_m",   "heading_deg",
                                          "vx_mps", "vy_mps", "turn_radps", "orders"};
-const std::vector<std::string> kOrder = {"at_s",     "forward_mps", "left_mps", "turn_radps",
-                                         "kick_mps", "chip",        "dribble"};
+const std::vector<std::string> kOrder = {"at_s",       "over_s",   "forward_mps", "left_mps",
+                                         "turn_radps", "kick_mps", "chip",        "dribble"};
 
 constexpr Range kSpeed_mps{-20, 20};
 constexpr Range kTurn_radps{-100, 100};
@@ -80,44 +82,25 @@ class LabReader {
   explicit LabReader(const YamlFile& file) : file_(file), top_(file.top()) {}
 
   LabScene read() {
-    expect("schema", "1");
-    expect("kind", "lab");
-    refuse_unknown();
+    expect_value(file_, top_, "schema", "1");
+    expect_value(file_, top_, "kind", "lab");
+    refuse_unknown(file_, top_, kTop);
     read_settings();
     if (const YamlEntry* about = find_entry(top_, "about")) {
       scene_.about = file_.scalar(*about, "about", "a sentence", false);
     }
-    read_duration(required("duration_s"));
+    read_duration(required_entry(file_, top_, "duration_s"));
     if (const YamlEntry* ball = find_entry(top_, "ball")) read_ball(*ball);
     if (const YamlEntry* robots = find_entry(top_, "robots")) read_robots(*robots);
     return scene_;
   }
 
  private:
-  const YamlEntry& required(std::string_view key) const {
-    const YamlEntry* entry = find_entry(top_, key);
-    if (entry == nullptr) file_.refuse({1, 1}, "", fmt::format("the key '{}' is missing", key));
-    return *entry;
-  }
-
-  void refuse_unknown() const {
-    for (const YamlEntry& entry : top_) {
-      if (std::find(kTop.begin(), kTop.end(), entry.key) != kTop.end()) continue;
-      file_.refuse(entry.place, "", unknown_key_message(entry.key, kTop));
-    }
-  }
-
-  void expect(std::string_view key, const std::string& value) const {
-    const YamlEntry& entry = required(key);
-    const std::string text = file_.scalar(entry, key, value, false);
-    if (text == value) return;
-    file_.refuse(value_place(entry), key, fmt::format("expected {}, found '{}'", value, text));
-  }
-
   // The branches that a game has too.
   void read_settings() {
     GameConfiguration game;
     game.sim = scene_.sim;
+    game.robot = scene_.robot;
     game.seed = scene_.seed;
     Places places;
     SettingsReader settings(file_, game, places);
@@ -133,6 +116,7 @@ class LabReader {
     }
     scene_.field = game.field;
     scene_.sim = game.sim;
+    scene_.robot = game.robot;
     scene_.seed = game.seed;
   }
 
@@ -177,6 +161,8 @@ class LabReader {
       from.word("side", side, {"west", "east"});
       if (side.empty()) file_.refuse(entry.place, entry.key, "the key 'side' is missing");
       LabRobot robot;
+      robot.sheet = scene_.robot;
+      if (const YamlEntry* type = from.find("type")) read_type(*type, from.path_to("type"), robot);
       robot.id.side = side == "west" ? Side::kWest : Side::kEast;
       robot.id.number = count[robot.id.side]++;
       if (robot.id.number == kMaxRobots) {
@@ -186,6 +172,22 @@ class LabReader {
       read_robot(from, robot);
       scene_.robots.push_back(robot);
     }
+  }
+
+  void read_type(const YamlEntry& entry, const std::string& path, LabRobot& robot) const {
+    static const std::string kExpected = "a file such as ../robots/slow.yaml";
+    const std::string text = file_.scalar(entry, path, kExpected, false);
+    RobotTypes types;
+    try {
+      take_type(text, file_.folder(), types);
+    } catch (const std::invalid_argument& error) {
+      file_.refuse(value_place(entry), path, error.what());
+    }
+    if (types.empty()) {
+      file_.refuse(value_place(entry), path,
+                   fmt::format("expected {}, found '{}'", kExpected, text));
+    }
+    apply_changes(types.begin()->second, robot.sheet);
   }
 
   void read_robot(const Mapping& from, LabRobot& robot) const {
@@ -214,6 +216,7 @@ class LabReader {
     TimedOrder order;
     RobotCommand& command = order.command;
     from.number("at_s", order.at_s, {0, 600}, "s");
+    from.number("over_s", order.over_s, {0, 600}, "s");
     from.number("forward_mps", command.velocity_mps.x(), kSpeed_mps, "m/s");
     from.number("left_mps", command.velocity_mps.y(), kSpeed_mps, "m/s");
     from.number("turn_radps", command.angular_velocity_radps, kTurn_radps, "rad/s");

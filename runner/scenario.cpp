@@ -9,6 +9,7 @@
 #include "runner/errors.hpp"
 #include "runner/files.hpp"
 #include "runner/plan.hpp"
+#include "runner/robot_types.hpp"
 #include "runner/settings_reader.hpp"
 #include "runner/words.hpp"
 #include "runner/yaml.hpp"
@@ -28,8 +29,8 @@ class ScenarioReader {
 
   Scenario read() {
     read_schema();
-    const YamlEntry& kind_entry = required("kind");
-    refuse_lab(kind_entry);
+    const YamlEntry& kind_entry = required_entry(file_, top_, "kind");
+    refuse_other_files(kind_entry);
     const std::string kind = word(kind_entry, "kind", kKinds);
     Scenario scenario;
     if (const YamlEntry* about = find_entry(top_, "about")) {
@@ -44,17 +45,15 @@ class ScenarioReader {
   }
 
  private:
-  const YamlEntry& required(std::string_view key) const {
-    const YamlEntry* entry = find_entry(top_, key);
-    if (entry == nullptr) {
-      file_.refuse({1, 1}, "", fmt::format("the key '{}' is missing", key));
+  void refuse_other_files(const YamlEntry& kind) const {
+    const std::string text = kind.value.IsScalar() ? kind.value.Scalar() : "";
+    if (text == "lab") {
+      file_.refuse(value_place(kind), "kind", "this is a scene; play it with: autoref lab FILE");
     }
-    return *entry;
-  }
-
-  void refuse_lab(const YamlEntry& kind) const {
-    if (!kind.value.IsScalar() || kind.value.Scalar() != "lab") return;
-    file_.refuse(value_place(kind), "kind", "this is a scene; play it with: autoref lab FILE");
+    if (text == "robot") {
+      file_.refuse(value_place(kind), "kind",
+                   "this is a type of robots; name it in a scenario as a team's type");
+    }
   }
 
   std::string word(const YamlEntry& entry, std::string_view key,
@@ -79,14 +78,8 @@ class ScenarioReader {
   }
 
   void read_schema() const {
-    number<int>(required("schema"), "schema", "1, the only schema so far", whole_number_in, 1, 1);
-  }
-
-  void refuse_unknown(const std::vector<std::string>& known) const {
-    for (const YamlEntry& entry : top_) {
-      if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
-      file_.refuse(entry.place, "", unknown_key_message(entry.key, known));
-    }
+    number<int>(required_entry(file_, top_, "schema"), "schema", "1, the only schema so far",
+                whole_number_in, 1, 1);
   }
 
   GameConfiguration read_game() {
@@ -95,26 +88,27 @@ class ScenarioReader {
     std::vector<std::string> known = {"schema", "kind", "about"};
     const std::vector<std::string> names = settings.names();
     known.insert(known.end(), names.begin(), names.end());
-    refuse_unknown(known);
+    refuse_unknown(file_, top_, known);
+    // Teams name types, wherever these stand beside them.
+    if (const YamlEntry* types = find_entry(top_, "types")) settings.read(*types, "types");
     for (const YamlEntry& entry : top_) {
-      if (entry.key != "schema" && entry.key != "kind" && entry.key != "about") {
-        settings.read(entry, entry.key);
-      }
+      if (std::find(names.begin(), names.end(), entry.key) == names.end()) continue;
+      if (entry.key != "types") settings.read(entry, entry.key);
     }
     check(game);
     return game;
   }
 
   Sweep read_sweep() {
-    refuse_unknown({"schema", "kind", "about", "base", "factors", "pairs", "seed"});
+    refuse_unknown(file_, top_, {"schema", "kind", "about", "base", "factors", "pairs", "seed"});
     Sweep sweep;
     if (const YamlEntry* base = find_entry(top_, "base")) read_base(*base, sweep.base);
     check(sweep.base);
-    read_factors(required("factors"), sweep);
-    sweep.pairs = number<int>(required("pairs"), "pairs",
+    read_factors(required_entry(file_, top_, "factors"), sweep);
+    sweep.pairs = number<int>(required_entry(file_, top_, "pairs"), "pairs",
                               fmt::format("a whole number from 1 to {}", kMostPairs),
                               whole_number_in, 1, kMostPairs);
-    sweep.seed = number<std::uint64_t>(required("seed"), "seed",
+    sweep.seed = number<std::uint64_t>(required_entry(file_, top_, "seed"), "seed",
                                        "a whole number from 0 to 2^64 - 1", seed_in, 0, UINT64_MAX);
     check_together(sweep);
     return sweep;
@@ -124,12 +118,14 @@ class ScenarioReader {
     SettingsReader settings(file_, game, places_);
     settings.hide("seed");
     const std::vector<std::string> known = settings.names();
-    for (const YamlEntry& entry : file_.entries(base, "base", known)) {
+    const Entries entries = file_.entries(base, "base", known);
+    if (const YamlEntry* types = find_entry(entries, "types")) settings.read(*types, "types");
+    for (const YamlEntry& entry : entries) {
       if (std::find(known.begin(), known.end(), entry.key) == known.end()) {
         file_.refuse(entry.place, "base", unknown_key_message(entry.key, known));
       }
       refuse_what_legs_decide(entry);
-      settings.read(entry, entry.key);
+      if (entry.key != "types") settings.read(entry, entry.key);
     }
   }
 
@@ -158,7 +154,7 @@ class ScenarioReader {
     }
   }
 
-  Factor read_factor(const YamlEntry& entry, const GameConfiguration& base) {
+  Factor read_factor(const YamlEntry& entry, GameConfiguration& base) {
     Factor factor{short_path(entry.key), {}};
     places_[full_path(entry.key)] = entry.place;
     if (!entry.value.IsSequence() || entry.value.size() == 0) {
@@ -177,24 +173,28 @@ class ScenarioReader {
   }
 
   std::string read_factor_value(const YamlEntry& entry, const YamlPlace& place,
-                                const std::string& text, GameConfiguration game) const {
+                                const std::string& text, GameConfiguration& base) const {
+    GameConfiguration game = base;
     try {
-      set_by_path(game, entry.key, text);
+      set_by_path(game, entry.key, text, file_.folder());
     } catch (const std::invalid_argument& error) {
       file_.refuse(place, entry.key, error.what());
     }
+    base.types.insert(game.types.begin(), game.types.end());
     return value_at(game, entry.key);
   }
 
   // Two factors that set the same number would make the later one win unnoticed.
   void refuse_overlap(const YamlEntry& entry, const std::vector<Factor>& factors) const {
-    const auto is_parts = [](const std::string& part, const std::string& whole) {
-      if (whole == "sim.ball.preset") return part.starts_with("sim.ball.");
+    const auto branch_of = [](const std::string& path) { return path.substr(0, path.rfind('.')); };
+    const auto is_parts = [&](const std::string& part, const std::string& whole) {
       if (whole == "sim.camera") {
         return part.starts_with("sim.vision.") || part == "sim.radio.command_loss" ||
                part == "sim.latency_s";
       }
-      return whole.ends_with(".handicap") && part.ends_with("_factor") && part[0] == whole[0];
+      if (branch_of(part) != branch_of(whole)) return false;
+      return whole.ends_with(".preset") ||
+             (whole.ends_with(".handicap") && part.ends_with("_factor"));
     };
     const std::string& last = factors.back().path;
     for (std::size_t i = 0; i + 1 < factors.size(); ++i) {
@@ -222,10 +222,13 @@ class ScenarioReader {
     }
   }
 
-  // Messages about several settings begin with the path of the one to mend.
+  // Messages about several settings begin with the path of the one to mend, or of its branch.
   YamlPlace place_of_first_path_in(std::string_view message) const {
-    const auto found = places_.find(std::string(message.substr(0, message.find_first_of(": "))));
-    return found == places_.end() ? YamlPlace{} : found->second;
+    const std::string path(message.substr(0, message.find_first_of(": ")));
+    const auto found = places_.lower_bound(path);
+    const bool is_path =
+        found != places_.end() && (found->first == path || found->first.starts_with(path + "."));
+    return is_path ? found->second : YamlPlace{};
   }
 
   const YamlFile& file_;

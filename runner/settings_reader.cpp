@@ -5,20 +5,60 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "runner/robot_types.hpp"
+
 namespace autoref::runner {
 
+const YamlEntry& required_entry(const YamlFile& file, const std::vector<YamlEntry>& top,
+                                std::string_view key) {
+  const YamlEntry* entry = find_entry(top, key);
+  if (entry == nullptr) file.refuse({1, 1}, "", fmt::format("the key '{}' is missing", key));
+  return *entry;
+}
+
+void expect_value(const YamlFile& file, const std::vector<YamlEntry>& top, std::string_view key,
+                  const std::string& value) {
+  const YamlEntry& entry = required_entry(file, top, key);
+  const std::string text = file.scalar(entry, key, value, false);
+  if (text == value) return;
+  file.refuse(value_place(entry), key, fmt::format("expected {}, found '{}'", value, text));
+}
+
+void refuse_unknown(const YamlFile& file, const std::vector<YamlEntry>& top,
+                    const std::vector<std::string>& known) {
+  for (const YamlEntry& entry : top) {
+    if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
+    file.refuse(entry.place, "", unknown_key_message(entry.key, known));
+  }
+}
+
 void SettingsReader::hide(std::string_view path) {
+  hidden_.emplace_back(path);
   std::erase_if(settings_, [path](const Setting& s) { return s.path == path; });
 }
 
+// The game has a new player or type.
+void SettingsReader::list_anew() {
+  settings_ = settings_of(*game_);
+  std::erase_if(settings_, [this](const Setting& s) {
+    return std::find(hidden_.begin(), hidden_.end(), s.path) != hidden_.end();
+  });
+}
+
 void SettingsReader::read(const YamlEntry& entry, const std::string& path) {
-  const Setting* setting = find(path);
-  if (setting == nullptr) {
-    read_branch(entry, path);
-  } else if (auto* params = std::get_if<std::map<std::string, double>*>(&setting->target)) {
-    read_params(entry, *setting, **params);
+  const Setting* found = find(path);
+  if (found == nullptr) return read_branch(entry, path);
+  const Setting setting = *found;
+  if (const auto* players = std::get_if<Players*>(&setting.target)) {
+    read_players(entry, path, **players);
+  } else if (const auto* types = std::get_if<RobotTypes*>(&setting.target)) {
+    read_types(entry, path, **types);
+  } else if (holds_others(setting)) {
+    read_held(entry, setting);
+  } else if (std::holds_alternative<TypeName>(setting.target)) {
+    read_type(entry, setting);
   } else {
-    read_value(entry, *setting);
+    read_value(entry, setting);
   }
 }
 
@@ -56,11 +96,59 @@ void SettingsReader::refuse_handicap_beside_its_factors(const std::vector<YamlEn
   }
 }
 
-void SettingsReader::read_params(const YamlEntry& entry, const Setting& setting,
-                                 std::map<std::string, double>& params) {
-  for (const YamlEntry& param : file_.entries(entry, setting.path, {})) {
-    const std::string path = setting.path + "." + param.key;
-    read_value(param, {path, &params[param.key], setting.range, {}, "", setting.about});
+void SettingsReader::read_held(const YamlEntry& entry, const Setting& setting) {
+  const std::vector<std::string> known = names_in(setting);
+  const std::vector<YamlEntry> entries = file_.entries(entry, setting.path, known);
+  const auto read_one = [&](const YamlEntry& held) {
+    const std::optional<Setting> its_setting = setting_in(setting, held.key);
+    if (!its_setting) {
+      file_.refuse(held.place, setting.path, unknown_key_message(held.key, known));
+    }
+    read_value(held, *its_setting);
+  };
+  // Single numbers change a preset's, wherever they stand beside it.
+  const YamlEntry* preset = known.empty() ? nullptr : find_entry(entries, "preset");
+  if (preset != nullptr) read_one(*preset);
+  for (const YamlEntry& held : entries) {
+    if (&held != preset) read_one(held);
+  }
+}
+
+void SettingsReader::read_players(const YamlEntry& entry, const std::string& path,
+                                  Players& players) {
+  for (const YamlEntry& player : file_.entries(entry, path, {})) {
+    try {
+      player_of(players, player.key);
+    } catch (const std::invalid_argument& error) {
+      file_.refuse(player.place, path, error.what());
+    }
+    list_anew();
+    const std::string its_path = path + "." + player.key;
+    places_[its_path] = player.place;
+    read_branch(player, its_path);
+  }
+}
+
+void SettingsReader::read_types(const YamlEntry& entry, const std::string& path,
+                                RobotTypes& types) {
+  for (const YamlEntry& type : file_.entries(entry, path, {})) {
+    try {
+      check_type_name(type.key);
+    } catch (const std::invalid_argument& error) {
+      file_.refuse(type.place, path, error.what());
+    }
+    types[type.key];
+    list_anew();
+    read_branch(type, path + "." + type.key);
+  }
+}
+
+void SettingsReader::read_type(const YamlEntry& entry, const Setting& setting) {
+  const std::string text = file_.scalar(entry, setting.path, expected_of(setting), false);
+  try {
+    assign(setting, take_type(text, file_.folder(), game_->types));
+  } catch (const std::invalid_argument& error) {
+    file_.refuse(value_place(entry), setting.path, error.what());
   }
 }
 

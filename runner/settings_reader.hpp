@@ -14,11 +14,27 @@ namespace autoref::runner {
 // Where settings stand in the file, by path.
 using Places = std::map<std::string, YamlPlace>;
 
+// The entry of a key that must be there. Throws InputError.
+const YamlEntry& required_entry(const YamlFile& file, const std::vector<YamlEntry>& top,
+                                std::string_view key);
+
+// Throws InputError unless the key is there and has this value.
+void expect_value(const YamlFile& file, const std::vector<YamlEntry>& top, std::string_view key,
+                  const std::string& value);
+
+// Throws InputError for an entry with another key.
+void refuse_unknown(const YamlFile& file, const std::vector<YamlEntry>& top,
+                    const std::vector<std::string>& known);
+
 class SettingsReader {
  public:
   // All three must outlive the reader; settings go into `game`, their places into `places`.
   SettingsReader(const YamlFile& file, GameConfiguration& game, Places& places)
-      : file_(file), settings_(settings_of(game)), places_(places) {}
+      : file_(file), game_(&game), settings_(settings_of(game)), places_(places) {}
+
+  // Reads just these settings, none of which may name a type, players or types.
+  SettingsReader(const YamlFile& file, std::vector<Setting> settings, Places& places)
+      : file_(file), settings_(std::move(settings)), places_(places) {}
 
   // Makes a setting unknown.
   void hide(std::string_view path);
@@ -31,14 +47,19 @@ class SettingsReader {
 
  private:
   const Setting* find(const std::string& path) const;
+  void list_anew();
   void read_branch(const YamlEntry& branch, const std::string& path);
   void refuse_handicap_beside_its_factors(const std::vector<YamlEntry>& entries,
                                           const std::string& path) const;
-  void read_params(const YamlEntry& entry, const Setting& setting,
-                   std::map<std::string, double>& params);
+  void read_held(const YamlEntry& entry, const Setting& setting);
+  void read_players(const YamlEntry& entry, const std::string& path, Players& players);
+  void read_types(const YamlEntry& entry, const std::string& path, RobotTypes& types);
+  void read_type(const YamlEntry& entry, const Setting& setting);
   void read_value(const YamlEntry& entry, const Setting& setting);
 
   const YamlFile& file_;
+  GameConfiguration* game_ = nullptr;
+  std::vector<std::string> hidden_;
   std::vector<Setting> settings_;
   Places& places_;
 };

@@ -40,6 +40,16 @@ void refuse_difference(const StoredRow& row, const Cells& first, const RowFormat
   }
 }
 
+// By path, without those that only set others.
+std::map<std::string, std::string> values_of(GameConfiguration game) {
+  std::map<std::string, std::string> values;
+  for (const Setting& setting : settings_of(game)) {
+    if (!is_alias(setting)) values[setting.path] = value_of(setting);
+  }
+  values.erase("seed");  // of the base, which has none
+  return values;
+}
+
 }  // namespace
 
 Stock take_stock(const std::vector<StoredRow>& rows, const std::vector<PlannedGame>& games,
@@ -65,10 +75,8 @@ Stock take_stock(const std::vector<StoredRow>& rows, const std::vector<PlannedGa
 }
 
 std::string changes_between(const Sweep& here, const Sweep& there) {
-  GameConfiguration ours = here.base;
-  GameConfiguration theirs = there.base;
-  const std::vector<Setting> our_settings = settings_of(ours);
-  const std::vector<Setting> their_settings = settings_of(theirs);
+  const std::map<std::string, std::string> ours = values_of(here.base);
+  const std::map<std::string, std::string> theirs = values_of(there.base);
   std::string changes;
   const auto note = [&changes](const std::string& path, const std::string& x,
                                const std::string& y) {
@@ -77,11 +85,12 @@ std::string changes_between(const Sweep& here, const Sweep& there) {
           fmt::format("{}{} is {} here and {} there", changes.empty() ? "" : "; ", path, x, y);
     }
   };
-  for (std::size_t i = 0; i < our_settings.size(); ++i) {
-    const Setting& setting = our_settings[i];
-    if (!setting.path.ends_with(".handicap")) {
-      note(setting.path, value_of(setting), value_of(their_settings[i]));
-    }
+  const std::string missing = "not given";
+  for (const auto& [path, value] : ours) {
+    note(path, value, theirs.contains(path) ? theirs.at(path) : missing);
+  }
+  for (const auto& [path, value] : theirs) {
+    if (!ours.contains(path)) note(path, missing, value);
   }
   note("seed", std::to_string(here.seed), std::to_string(there.seed));
   return changes;

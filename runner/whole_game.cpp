@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "runner/fields.hpp"
+#include "runner/robot_changes.hpp"
 #include "runner/words.hpp"
 #include "soccer/random.hpp"
 #include "strategies/registry.hpp"
@@ -28,14 +29,60 @@ void check_params(const TeamConfiguration& team, std::string_view name) {
   }
 }
 
+void check_robots(const GameConfiguration& game, const TeamConfiguration& team,
+                  std::string_view name) {
+  sim::TeamSheet sheet;
+  try {
+    sheet = sheet_of(game, team);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("{}.{}", name, error.what()));
+  }
+  for (const auto& [number, player] : team.players) {
+    try {
+      sim::validate(sheet.robots[static_cast<std::size_t>(number)]);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(
+          fmt::format("{}.players.{}: with the team's, {}", name, number, error.what()));
+    }
+  }
+}
+
+// Names of types do not matter, only what they change.
+bool is_told_by_changes(const Setting& setting) {
+  return std::holds_alternative<TypeName>(setting.target) ||
+         std::holds_alternative<ChangesOf>(setting.target) ||
+         std::holds_alternative<RobotTypes*>(setting.target);
+}
+
+template <typename Of>
+std::string changes_text(const GameConfiguration& game, std::string_view path, const Of& of) {
+  std::string text;
+  for (const auto& [name, value] : merged(game.types, of.type, of.changes)) {
+    text += fmt::format("{}.{}={}\n", path, name, value);
+  }
+  return text;
+}
+
+std::string changes_text(const GameConfiguration& game, std::string_view path,
+                         const TeamConfiguration& team) {
+  std::string text = changes_text<TeamConfiguration>(game, path, team);
+  for (const auto& [number, player] : team.players) {
+    text += changes_text(game, fmt::format("{}.players.{}", path, number), player);
+  }
+  return text;
+}
+
 }  // namespace
 
 void check_game(const GameConfiguration& game) {
   check_params(game.a, "teams.a");
   check_params(game.b, "teams.b");
+  check_robots(game, game.a, "teams.a");
+  check_robots(game, game.b, "teams.b");
   sim::validate(game.field);
   try {
     sim::validate(game.sim);
+    sim::validate(game.robot);
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("sim.{}", error.what()));
   }
@@ -45,15 +92,10 @@ std::uint64_t configuration_hash(const GameConfiguration& game) {
   GameConfiguration copy = game;
   std::string text;
   for (const Setting& setting : settings_of(copy)) {
-    if (is_alias(setting)) continue;
+    if (is_alias(setting) || is_told_by_changes(setting)) continue;
     text += fmt::format("{}={}\n", setting.path, value_of(setting));
   }
-  for (const TeamConfiguration* team : {&game.a, &game.b}) {
-    for (const auto& [name, value] : team->params) {
-      text += fmt::format("{}={}\n", name, text_of(value));
-    }
-    text += "\n";
-  }
+  text += changes_text(game, "teams.a", game.a) + changes_text(game, "teams.b", game.b);
   // FNV-1a over the letters, spread over the word.
   std::uint64_t hash = 0xcbf29ce484222325ULL;
   for (const char letter : text) {

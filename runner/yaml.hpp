@@ -3,6 +3,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,6 +48,9 @@ class YamlFile {
   // numbers in quotes.
   std::string scalar(const YamlEntry& entry, std::string_view path, const std::string& expected,
                      bool is_number) const;
+
+  // Where files that it names are looked for.
+  std::filesystem::path folder() const { return std::filesystem::path(name_).parent_path(); }
 
   [[noreturn]] void refuse(const YamlPlace& place, std::string_view key,
                            const std::string& message) const;

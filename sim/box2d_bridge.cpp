@@ -76,8 +76,8 @@ class BallContacts final : public b2ContactListener {
 
 }  // namespace
 
-double robot_inertia_kgm2(const RobotParameters& robot) {
-  return robot.mass_kg * kRobotRadius_m * kRobotRadius_m / 2.0;
+double robot_inertia_kgm2(double mass_kg) {
+  return mass_kg * kRobotRadius_m * kRobotRadius_m / 2.0;
 }
 
 struct Box2dBridge::Bodies {
@@ -88,15 +88,18 @@ struct Box2dBridge::Bodies {
   b2Body* ball = nullptr;
 };
 
-Box2dBridge::Box2dBridge(const Field& field, const RobotParameters& robot, int robots)
-    : bodies_(std::make_unique<Bodies>()), parameters_(robot), count_(robots) {
+Box2dBridge::Box2dBridge(const Field& field, std::span<const double> masses_kg)
+    : bodies_(std::make_unique<Bodies>()),
+      masses_kg_(masses_kg.begin(), masses_kg.end()),
+      count_(static_cast<int>(masses_kg.size())) {
   b2World& world = bodies_->world;
   world.SetContactListener(&bodies_->contacts);
   const b2BodyDef still;
   b2Body* ground = world.CreateBody(&still);
   for (const Side side : kSides) add_end(*ground, field, goal_sign(side));
   for (int i = 0; i < count_; ++i) {
-    bodies_->robots[static_cast<std::size_t>(i)] = add_robot(world, robot, i);
+    const auto index = static_cast<std::size_t>(i);
+    bodies_->robots[index] = add_robot(world, masses_kg_[index], i);
   }
   bodies_->ball = add_ball(world);
 }
@@ -156,15 +159,16 @@ void Box2dBridge::set_dribbling(int index, bool dribbles) {
 
 void Box2dBridge::fit_plates() {
   for (int i = 0; i < count_; ++i) {
-    b2Fixture*& plate = bodies_->plates[static_cast<std::size_t>(i)];
+    const auto index = static_cast<std::size_t>(i);
+    b2Fixture*& plate = bodies_->plates[index];
     const double apart2_m2 = (robot(i).position_m - ball_.position_m).squaredNorm();
-    b2Body& body = *bodies_->robots[static_cast<std::size_t>(i)];
+    b2Body& body = *bodies_->robots[index];
     if (plate == nullptr && apart2_m2 < kPlateOn_m * kPlateOn_m) {
       plate = add_plate(body);
     } else if (plate != nullptr && apart2_m2 > kPlateOff_m * kPlateOff_m) {
       body.DestroyFixture(plate);
       plate = nullptr;
-      set_robot_mass(body, parameters_);  // Box2D has just worked it out anew, from nothing
+      set_robot_mass(body, masses_kg_[index]);  // Box2D has just worked it out anew, from nothing
     }
   }
 }

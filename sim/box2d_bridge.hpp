@@ -8,8 +8,8 @@
 #include <array>
 #include <memory>
 #include <span>
+#include <vector>
 
-#include "sim/configuration.hpp"
 #include "soccer/field.hpp"
 #include "soccer/geometry.hpp"
 #include "soccer/side.hpp"
@@ -25,13 +25,13 @@ struct BodyState {
 };
 
 // Of a homogeneous disc as heavy and as wide as a robot.
-double robot_inertia_kgm2(const RobotParameters& robot);
+double robot_inertia_kgm2(double mass_kg);
 
 class Box2dBridge {
  public:
-  // `robots` counts both sides; robots are named by an index from 0. All bodies are at the origin
-  // until they are placed.
-  Box2dBridge(const Field& field, const RobotParameters& robot, int robots);
+  // A robot for each of `masses_kg`, both sides' together; robots are named by their index there.
+  // All bodies are at the origin until they are placed.
+  Box2dBridge(const Field& field, std::span<const double> masses_kg);
   ~Box2dBridge();
 
   // States after the last step or placing.
@@ -65,7 +65,7 @@ class Box2dBridge {
   void read_ball();
 
   std::unique_ptr<Bodies> bodies_;
-  RobotParameters parameters_;
+  std::vector<double> masses_kg_;
   int count_;
   std::array<BodyState, 2 * kMaxRobots> robots_;
   BodyState ball_;

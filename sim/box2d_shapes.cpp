@@ -62,8 +62,8 @@ void add_end(b2Body& ground, const Field& field, double sign) {
   const double inner = field.half_goal_m();
   const double outer = inner + field.goal_wall_thickness_m;
   const auto at = [sign](double x, double y) { return Vec2(sign * x, sign * y); };
-  // The walls overlap at the corners, and none ends flush with the other's face: a ball along a wall
-  // would catch in the groove between two rounded edges there.
+  // The walls overlap at the corners, and none ends flush with the other's face: a ball along a
+  // wall would catch in the groove between two rounded edges there.
   const double end = outside - kSkin_m;
   const double back_half = outer - kSkin_m;
   add_box(ground, at(line, inner), at(end, outer), kGoals, kWall);
@@ -77,11 +77,11 @@ void add_end(b2Body& ground, const Field& field, double sign) {
   add_box(ground, at(-x - t, y), at(x + t, y + t), kWalls, kWall);
 }
 
-void set_robot_mass(b2Body& body, const RobotParameters& robot) {
-  set_mass(body, robot.mass_kg, robot_inertia_kgm2(robot));
+void set_robot_mass(b2Body& body, double mass_kg) {
+  set_mass(body, mass_kg, robot_inertia_kgm2(mass_kg));
 }
 
-b2Body* add_robot(b2World& world, const RobotParameters& robot, int index) {
+b2Body* add_robot(b2World& world, double mass_kg, int index) {
   b2BodyDef definition;
   definition.type = b2_dynamicBody;
   definition.userData.pointer = static_cast<std::uintptr_t>(index) + 1;
@@ -91,7 +91,7 @@ b2Body* add_robot(b2World& world, const RobotParameters& robot, int index) {
   const b2FixtureDef round =
       fixture(hull, kRobots, kRobots | kBall | kWalls | kGoals, kRobotToRobot);
   body->CreateFixture(&round);
-  set_robot_mass(*body, robot);
+  set_robot_mass(*body, mass_kg);
   return body;
 }
 

@@ -5,7 +5,6 @@
 
 #include <cstdint>
 
-#include "sim/configuration.hpp"
 #include "soccer/field.hpp"
 #include "soccer/geometry.hpp"
 
@@ -27,8 +26,8 @@ enum Category : std::uint16_t { kRobots = 1, kPlates = 2, kBall = 4, kWalls = 8,
 void add_end(b2Body& ground, const Field& field, double sign);
 
 // A robot without its plate. Its user data is `index` + 1.
-b2Body* add_robot(b2World& world, const RobotParameters& robot, int index);
-void set_robot_mass(b2Body& body, const RobotParameters& robot);
+b2Body* add_robot(b2World& world, double mass_kg, int index);
+void set_robot_mass(b2Body& body, double mass_kg);
 b2Fixture* add_plate(b2Body& robot);
 
 b2Body* add_ball(b2World& world);

@@ -8,19 +8,22 @@
 namespace autoref::sim {
 namespace {
 
-constexpr double kSpare_m = 5_mm;      // well above Box2D's slop of half a millimetre
-constexpr double kGentle_mps = 0.5;    // robots that meet at less may do so in longer steps
-constexpr double kMostHandicap = 2.0;  // the largest factor of a team sheet
+constexpr double kSpare_m = 5_mm;    // well above Box2D's slop of half a millimetre
+constexpr double kGentle_mps = 0.5;  // robots that meet at less may do so in longer steps
 
 }  // namespace
 
-Calm::Calm(const Field& field, const Configuration& configuration, double duration_s)
-    : field_(field),
-      duration_s_(duration_s),
-      margin_m_(kSpare_m + kMostHandicap * duration_s * duration_s *
-                               std::max(configuration.robot.acceleration_mps2,
-                                        configuration.robot.braking_mps2)),
-      mouth_m_(std::max(configuration.kicker.reach_m, configuration.dribbler.reach_m)) {}
+Calm::Calm(const Field& field, const PerSide<TeamSheet>& sheets, double duration_s)
+    : field_(field), duration_s_(duration_s), margin_m_(kSpare_m) {
+  for (const TeamSheet& sheet : sheets.values) {
+    for (const RobotSheet& robot : sheet.robots) {
+      const double most_mps2 = robot.acceleration_factor *
+                               std::max(robot.body.acceleration_mps2, robot.body.braking_mps2);
+      margin_m_ = std::max(margin_m_, kSpare_m + most_mps2 * duration_s * duration_s);
+      mouth_m_ = std::max({mouth_m_, robot.kicker.reach_m, robot.dribbler.reach_m});
+    }
+  }
+}
 
 bool Calm::lasts(const Box2dBridge& bodies, int robots, bool is_ball_held) const {
   const BodyState& ball = bodies.ball();

@@ -12,7 +12,7 @@ namespace autoref::sim {
 // the limits of acceleration let a robot stray from that is allowed for.
 class Calm {
  public:
-  Calm(const Field& field, const Configuration& configuration, double duration_s);
+  Calm(const Field& field, const PerSide<TeamSheet>& sheets, double duration_s);
 
   // Whether the ball on the carpet stays away from every robot's hull and mouth, from walls and
   // goals, and the robots from walls, goals and each other. Robots that touch or meet gently do no
@@ -27,8 +27,8 @@ class Calm {
 
   Field field_;
   double duration_s_;
-  double margin_m_;  // around each body
-  double mouth_m_;   // how far before a plate kicker and dribbler reach
+  double margin_m_;     // around each body
+  double mouth_m_ = 0;  // how far before a plate kicker and dribbler reach
 };
 
 }  // namespace autoref::sim

@@ -3,8 +3,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "soccer/side.hpp"
-
 namespace autoref::sim {
 namespace {
 
@@ -96,19 +94,32 @@ void validate(const Configuration& configuration) {
   check_range("radio.command_loss", configuration.radio.command_loss, 0.0, 0.9);
   check_range("radio.hold_s", configuration.radio.hold_s, 0.0, 10.0);
   validate(configuration.ball);
-  validate(configuration.robot);
-  validate(configuration.kicker);
-  check_not_negative("dribbler.force_n", configuration.dribbler.force_n);
-  check_range("dribbler.reach_m", configuration.dribbler.reach_m, 0.0, 0.1);
   check_positive("placement.speed_mps", configuration.placement.speed_mps);
   check_positive("placement.acceleration_mps2", configuration.placement.acceleration_mps2);
   check_positive("placement.catch_mps2", configuration.placement.catch_mps2);
 }
 
-void validate(const TeamSheet& sheet) {
-  check_range("robots", sheet.robots, 0, kMaxRobots);
-  check_factor("speed_factor", sheet.speed_factor);
-  check_factor("acceleration_factor", sheet.acceleration_factor);
+void validate(const RobotSheet& robot) {
+  validate(robot.body);
+  validate(robot.kicker);
+  check_not_negative("dribbler.force_n", robot.dribbler.force_n);
+  check_range("dribbler.reach_m", robot.dribbler.reach_m, 0.0, 0.1);
+  check_factor("speed_factor", robot.speed_factor);
+  check_factor("acceleration_factor", robot.acceleration_factor);
+}
+
+void validate(const PerSide<TeamSheet>& sheets) {
+  for (const Side side : kSides) {
+    const auto& robots = sheets[side].robots;
+    for (std::size_t number = 0; number < robots.size(); ++number) {
+      try {
+        validate(robots[number]);
+      } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(std::string(name_of(side)) + " robot " +
+                                    std::to_string(number) + ": " + error.what());
+      }
+    }
+  }
 }
 
 void validate(const Field& field) {

@@ -1,7 +1,10 @@
 // What a simulated world is made of, as plain numbers.
 #pragma once
 
+#include <boost/container/static_vector.hpp>
+
 #include "soccer/field.hpp"
+#include "soccer/side.hpp"
 #include "soccer/units.hpp"
 
 namespace autoref::sim {
@@ -46,6 +49,8 @@ struct KickerParameters {
 struct DribblerParameters {
   double force_n = 0.45;   // the most it pulls the ball with
   double reach_m = 10_mm;  // the ball's surface within this distance of the plate
+  bool holds = false;      // takes all of the ball's motion relative to the plate
+  bool operator==(const DribblerParameters&) const = default;
 };
 
 // The referee's hand: it first stops the ball, then carries it over the robots and pushes none.
@@ -80,22 +85,29 @@ struct Configuration {
   RadioParameters radio;
   double latency_s = 40_ms;  // from a picture until the orders decided on it move the robots
   BallParameters ball;
-  RobotParameters robot;
-  KickerParameters kicker;
-  DribblerParameters dribbler;
   PlacementParameters placement;
 };
 
-// The robots of one side and their handicap.
-struct TeamSheet {
-  int robots = 6;                    // 0 to 16, numbered from 0
+// One robot and its handicap.
+struct RobotSheet {
+  RobotParameters body;
+  KickerParameters kicker;
+  DribblerParameters dribbler;
   double speed_factor = 1.0;         // scales the top speed
   double acceleration_factor = 1.0;  // scales acceleration and braking, the wheels' limit too
 };
 
-// Throw std::invalid_argument that names the field, its value and the allowed range.
+// The robots of one side, by number.
+struct TeamSheet {
+  using Robots = boost::container::static_vector<RobotSheet, kMaxRobots>;
+  Robots robots;
+};
+
+// Throw std::invalid_argument that names the field, its value and the allowed range; for a robot
+// also its side and number, such as "east robot 3: robot.mass_kg is 0; ...".
 void validate(const Configuration& configuration);
-void validate(const TeamSheet& sheet);
+void validate(const RobotSheet& robot);
+void validate(const PerSide<TeamSheet>& sheets);
 void validate(const Field& field);
 
 }  // namespace autoref::sim

@@ -15,18 +15,18 @@ Vec2 tangent_at(double angle_deg) { return left_of(heading_of(to_radians(angle_d
 
 }  // namespace
 
-Drive::Drive(const RobotParameters& robot, const TeamSheet& sheet)
-    : wheels_{tangent_at(robot.front_wheels_deg), tangent_at(-robot.front_wheels_deg),
-              tangent_at(robot.back_wheels_deg), tangent_at(-robot.back_wheels_deg)},
-      mass_kg_(robot.mass_kg),
-      inertia_kgm2_(robot_inertia_kgm2(robot)),
-      speed_mps_(robot.speed_mps * sheet.speed_factor),
-      angular_speed_radps_(robot.angular_speed_radps),
-      acceleration_mps2_(robot.acceleration_mps2 * sheet.acceleration_factor),
-      braking_mps2_(robot.braking_mps2 * sheet.acceleration_factor),
-      wheel_mps2_(robot.wheel_acceleration_mps2 * sheet.acceleration_factor),
-      angular_radps2_(robot.angular_acceleration_radps2),
-      noise_(robot.speed_noise) {}
+Drive::Drive(const RobotSheet& sheet)
+    : wheels_{tangent_at(sheet.body.front_wheels_deg), tangent_at(-sheet.body.front_wheels_deg),
+              tangent_at(sheet.body.back_wheels_deg), tangent_at(-sheet.body.back_wheels_deg)},
+      mass_kg_(sheet.body.mass_kg),
+      inertia_kgm2_(robot_inertia_kgm2(sheet.body.mass_kg)),
+      speed_mps_(sheet.body.speed_mps * sheet.speed_factor),
+      angular_speed_radps_(sheet.body.angular_speed_radps),
+      acceleration_mps2_(sheet.body.acceleration_mps2 * sheet.acceleration_factor),
+      braking_mps2_(sheet.body.braking_mps2 * sheet.acceleration_factor),
+      wheel_mps2_(sheet.body.wheel_acceleration_mps2 * sheet.acceleration_factor),
+      angular_radps2_(sheet.body.angular_acceleration_radps2),
+      noise_(sheet.body.speed_noise) {}
 
 RobotCommand Drive::accept(const RobotCommand& order, RandomStream& noise) const {
   RobotCommand aim = order;

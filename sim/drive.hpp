@@ -17,11 +17,11 @@ struct DriveForce {
   double torque_nm = 0;
 };
 
-// The drive of one side's robots. It never writes a velocity: robots that push each other are
-// weighed by their forces.
+// The drive of one robot. It never writes a velocity: robots that push each other are weighed by
+// their forces.
 class Drive {
  public:
-  Drive(const RobotParameters& robot, const TeamSheet& sheet);
+  explicit Drive(const RobotSheet& sheet);
 
   // The speeds that `order` makes the robot aim at: limited, and off by the motors' noise.
   RobotCommand accept(const RobotCommand& order, RandomStream& noise) const;

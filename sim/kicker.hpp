@@ -1,7 +1,6 @@
-// The kickers of one side's robots, flat and chip.
+// A robot's kicker, flat and chip.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -19,25 +18,30 @@ struct Kick {
   double vertical_mps = 0;
 };
 
-class Kickers {
+class Kicker {
  public:
   // `substeps_per_s` is the rate of the calls to fire().
-  Kickers(const KickerParameters& parameters, double substeps_per_s, RandomStream noise);
+  Kicker(const KickerParameters& parameters, double substeps_per_s);
 
-  // Fires robot `number`'s kicker if it is ordered to, has the ball in its mouth, and is charged.
-  // A chip's speed is the total one, at the chip angle.
-  std::optional<Kick> fire(int number, const RobotCommand& order, const BodyState& robot,
-                           const Vec2& ball_m, double ball_height_m, std::int64_t substep);
+  // Fires if it is ordered to, has the ball in its mouth, and is charged. A chip's speed is the
+  // total one, at the chip angle.
+  std::optional<Kick> fire(const RobotCommand& order, const BodyState& robot, const Vec2& ball_m,
+                           double ball_height_m, std::int64_t substep, RandomStream& noise);
+
+  // Whether it fired less than its dead time ago.
+  bool is_recharging(std::int64_t substep) const { return substep < ready_at_; }
+
+  // The most it gives a ball straight.
+  double speed_limit_mps() const { return parameters_.speed_limit_mps; }
 
  private:
-  Kick make(const RobotCommand& order, const Vec2& heading);
+  Kick make(const RobotCommand& order, const Vec2& heading, RandomStream& noise) const;
 
   KickerParameters parameters_;
   std::int64_t dead_substeps_;
   double chip_sin_;
   double chip_cos_;
-  RandomStream noise_;
-  std::array<std::int64_t, kMaxRobots> ready_at_{};  // sub-step, by robot number
+  std::int64_t ready_at_ = 0;  // sub-step
 };
 
 }  // namespace autoref::sim

@@ -10,7 +10,7 @@ World::World(const Field& field, const Configuration& configuration,
              const PerSide<TeamSheet>& sheets, std::uint64_t seed) {
   validate(field);
   validate(configuration);
-  for (const TeamSheet& sheet : sheets.values) validate(sheet);
+  validate(sheets);
   impl_ = std::make_unique<Impl>(field, configuration, sheets, seed);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <vector>
 
 #include "sim/dribbler.hpp"
 #include "sim/lids.hpp"
@@ -15,18 +16,31 @@ namespace {
 // Less change of the ball's velocity is rounding, not a collision.
 constexpr double kCollision_mps = 0.01;
 
+// The west's robots, then the east's.
+std::vector<double> masses_kg(const PerSide<TeamSheet>& sheets) {
+  std::vector<double> masses;
+  masses.reserve(2 * kMaxRobots);
+  for (const TeamSheet& sheet : sheets.values) {
+    for (const RobotSheet& robot : sheet.robots) masses.push_back(robot.body.mass_kg);
+  }
+  return masses;
+}
+
 }  // namespace
 
 World::Impl::Team World::Impl::make_team(Side side, const TeamSheet& sheet,
                                          std::uint64_t seed) const {
+  Team made{0,
+            {},
+            RandomStream::of(seed, RandomPurpose::kMotors, side),
+            RandomStream::of(seed, RandomPurpose::kKicker, side),
+            RandomStream::of(seed, RandomPurpose::kRadio, side)};
   const double substeps_per_s = configuration_.frame_rate_hz * configuration_.substeps;
-  return {0,
-          sheet.robots,
-          Drive(configuration_.robot, sheet),
-          Kickers(configuration_.kicker, substeps_per_s,
-                  RandomStream::of(seed, RandomPurpose::kKicker, side)),
-          RandomStream::of(seed, RandomPurpose::kMotors, side),
-          RandomStream::of(seed, RandomPurpose::kRadio, side)};
+  for (const RobotSheet& robot : sheet.robots) {
+    made.robots.push_back(
+        {Drive(robot), Kicker(robot.kicker, substeps_per_s), robot.dribbler, RobotCommand{}, 0});
+  }
+  return made;
 }
 
 World::Impl::Impl(const Field& field, const Configuration& configuration,
@@ -40,14 +54,15 @@ World::Impl::Impl(const Field& field, const Configuration& configuration,
           std::ceil(configuration.radio.hold_s * configuration.frame_rate_hz - 1e-9))),
       teams_{make_team(Side::kWest, sheets[Side::kWest], seed),
              make_team(Side::kEast, sheets[Side::kEast], seed)},
-      robots_(sheets[Side::kWest].robots + sheets[Side::kEast].robots),
-      bodies_(field, configuration.robot, robots_),
+      robots_(
+          static_cast<int>(sheets[Side::kWest].robots.size() + sheets[Side::kEast].robots.size())),
+      bodies_(field, masses_kg(sheets)),
       ball_(configuration.ball),
       carrier_(field, configuration.placement),
-      calm_(field, configuration, long_step_ * substep_s_) {
-  team(Side::kEast).first = team(Side::kWest).robots;
-  for_each_robot([&](Side side, Team&, int number, int index) {
-    bodies_.place_robot(index, place_in_line_up(field_, {side, number}));
+      calm_(field, sheets, long_step_ * substep_s_) {
+  team(Side::kEast).first = static_cast<int>(team(Side::kWest).robots.size());
+  for_each_robot([&](RobotId id, Robot&, int index) {
+    bodies_.place_robot(index, place_in_line_up(field_, id));
   });
   put_ball({});
 }
@@ -68,24 +83,23 @@ void World::Impl::step(const PerSide<TeamOrders>& orders,
 }
 
 void World::Impl::accept(const PerSide<TeamOrders>& orders) {
-  for_each_robot([&](Side side, Team& its_team, int number, int index) {
-    const auto n = static_cast<std::size_t>(number);
-    const RobotCommand& order = orders[side][n];
+  for_each_robot([&](RobotId id, Robot& robot, int index) {
+    const RobotCommand& order = orders[id.side][static_cast<std::size_t>(id.number)];
     assert(autoref::is_finite(order));
-    if (hears(its_team, n)) {
-      its_team.aims[n] = its_team.drive.accept(order, its_team.motors);
-    } else if (its_team.unheard_frames[n] >= hold_frames_) {
-      its_team.aims[n] = RobotCommand{};
+    if (hears(robot, team(id.side).radio)) {
+      robot.aim = robot.drive.accept(order, team(id.side).motors);
+    } else if (robot.unheard_frames >= hold_frames_) {
+      robot.aim = RobotCommand{};
     }
-    bodies_.set_dribbling(index, its_team.aims[n].dribble);
+    bodies_.set_dribbling(index, robot.aim.dribble);
   });
 }
 
 // A robot goes on as last ordered until it has heard nothing for a while.
-bool World::Impl::hears(Team& its_team, std::size_t number) const {
+bool World::Impl::hears(Robot& robot, RandomStream& radio) const {
   const double loss = configuration_.radio.command_loss;
-  const bool is_lost = loss > 0.0 && its_team.radio.uniform() < loss;
-  its_team.unheard_frames[number] = is_lost ? its_team.unheard_frames[number] + 1 : 0;
+  const bool is_lost = loss > 0.0 && radio.uniform() < loss;
+  robot.unheard_frames = is_lost ? robot.unheard_frames + 1 : 0;
   return !is_lost;
 }
 
@@ -130,9 +144,8 @@ void World::Impl::advance(int substep, int substeps) {
 }
 
 void World::Impl::drive() {
-  for_each_robot([this](Side, Team& its_team, int number, int index) {
-    const RobotCommand& aim = its_team.aims[static_cast<std::size_t>(number)];
-    const DriveForce drive = its_team.drive.force(aim, bodies_.robot(index), step_s_);
+  for_each_robot([this](RobotId, Robot& robot, int index) {
+    const DriveForce drive = robot.drive.force(robot.aim, bodies_.robot(index), step_s_);
     bodies_.push_robot(index, drive.force_n, drive.torque_nm);
   });
 }
@@ -171,31 +184,48 @@ std::optional<Vec2> World::Impl::kicked(int substep) {
   Vec2 sum_mps{0.0, 0.0};
   double vertical_mps = 0.0;
   bool is_kicked = false;
-  for_each_robot([&](Side side, Team& its_team, int number, int index) {
-    const RobotCommand& aim = its_team.aims[static_cast<std::size_t>(number)];
-    const auto kick = its_team.kickers.fire(number, aim, bodies_.robot(index), ball.position_m,
-                                            ball_.height_m(), substeps_);
+  double limit_mps = 0.0;
+  for_each_robot([&](RobotId id, Robot& robot, int index) {
+    const auto kick = robot.kicker.fire(robot.aim, bodies_.robot(index), ball.position_m,
+                                        ball_.height_m(), substeps_, team(id.side).kicks);
     if (!kick) return;
     is_kicked = true;
+    limit_mps = std::max(limit_mps, robot.kicker.speed_limit_mps());
     sum_mps += kick->velocity_mps;
     vertical_mps = std::max(vertical_mps, kick->vertical_mps);
     bodies_.strike_robot(index, kBallMass_kg * (ball.velocity_mps - kick->velocity_mps));
-    note({state_.frame + 1, substep, {side, number}, ball.position_m, true});
+    note({state_.frame + 1, substep, id, ball.position_m, true});
   });
   if (!is_kicked) return std::nullopt;
   ball_.kick(vertical_mps);
-  return clamp_norm(sum_mps, configuration_.kicker.speed_limit_mps);
+  return clamp_norm(sum_mps, limit_mps);
 }
 
+// The ball's velocity after the pull of all dribblers. Those that hold it share it, or two of them
+// would throw it to and fro; a robot that has just kicked lets go.
 Vec2 World::Impl::dribbled(Vec2 ball_mps) {
-  for_each_robot([&](Side, Team& its_team, int number, int index) {
-    if (!its_team.aims[static_cast<std::size_t>(number)].dribble) return;
-    const BodyState& ball = bodies_.ball();
+  struct Pull {
+    int index;
+    bool holds;
+    Vec2 force_n;
+  };
+  boost::container::static_vector<Pull, 2 * kMaxRobots> pulls;
+  const BodyState& ball = bodies_.ball();
+  int holders = 0;
+  for_each_robot([&](RobotId, const Robot& robot, int index) {
+    const bool holds = robot.dribbler.holds;
+    if (!robot.aim.dribble || (holds && robot.kicker.is_recharging(substeps_))) return;
     const Vec2 force_n =
-        dribbler_force_n(configuration_.dribbler, bodies_.robot(index), ball, ball_.height_m());
-    ball_mps += force_n * (step_s_ / kBallMass_kg);
-    bodies_.push_robot_at(index, -force_n, ball.position_m);
+        dribbler_force_n(robot.dribbler, bodies_.robot(index), ball, ball_.height_m(), step_s_);
+    if (force_n.isZero(0.0)) return;
+    pulls.push_back({index, holds, force_n});
+    holders += holds ? 1 : 0;
   });
+  for (const Pull& pull : pulls) {
+    const Vec2 force_n = pull.holds ? Vec2(pull.force_n / holders) : pull.force_n;
+    ball_mps += force_n * (step_s_ / kBallMass_kg);
+    bodies_.push_robot_at(pull.index, -force_n, ball.position_m);
+  }
   return ball_mps;
 }
 
@@ -234,7 +264,7 @@ void World::Impl::note_contacts(int substep) {
     now |= bit;
     if ((touching_ & touched_in_frame_ & bit) != 0) continue;
     touched_in_frame_ |= bit;
-    const bool is_west = index < team(Side::kWest).robots;
+    const bool is_west = index < team(Side::kEast).first;
     const RobotId id = is_west ? RobotId{Side::kWest, index}
                                : RobotId{Side::kEast, index - team(Side::kEast).first};
     note({state_.frame + 1, substep, id, bodies_.ball().position_m, false});
@@ -255,7 +285,7 @@ void World::Impl::put_ball(const BallState& ball) {
 }
 
 void World::Impl::put_robot(RobotId id, const RobotState& state) {
-  assert(id.number >= 0 && id.number < team(id.side).robots);
+  assert(id.number >= 0 && id.number < static_cast<int>(team(id.side).robots.size()));
   bodies_.place_robot(
       team(id.side).first + id.number,
       {state.position_m, state.heading, state.velocity_mps, state.angular_velocity_radps});
@@ -264,10 +294,10 @@ void World::Impl::put_robot(RobotId id, const RobotState& state) {
 
 void World::Impl::publish() {
   for (const Side side : kSides) state_.robots[side].clear();
-  for_each_robot([this](Side side, Team&, int number, int index) {
-    const BodyState& robot = bodies_.robot(index);
-    state_.robots[side].push_back({number, robot.position_m, robot.heading.normalized(),
-                                   robot.velocity_mps, robot.angular_velocity_radps});
+  for_each_robot([this](RobotId id, Robot&, int index) {
+    const BodyState& body = bodies_.robot(index);
+    state_.robots[id.side].push_back({id.number, body.position_m, body.heading.normalized(),
+                                      body.velocity_mps, body.angular_velocity_radps});
   });
   const BodyState& ball = bodies_.ball();
   state_.ball = {ball.position_m, ball.velocity_mps, ball_.height_m(), ball_.vertical_mps(),

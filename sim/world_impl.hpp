@@ -27,16 +27,20 @@ class World::Impl {
   void put_robot(RobotId id, const RobotState& state);
 
  private:
+  struct Robot {
+    Drive drive;
+    Kicker kicker;
+    DribblerParameters dribbler;
+    RobotCommand aim;        // order in force, limited to what the robot can do
+    int unheard_frames = 0;  // since the last order that arrived
+  };
   // A side's robots and what chance does to them.
   struct Team {
     int first = 0;  // index of number 0 in the bridge
-    int robots = 0;
-    Drive drive;
-    Kickers kickers;
+    boost::container::static_vector<Robot, kMaxRobots> robots;
     RandomStream motors;
+    RandomStream kicks;
     RandomStream radio;
-    TeamOrders aims{};  // orders in force, limited to what the robots can do
-    std::array<int, kMaxRobots> unheard_frames{};  // since the last order that arrived
   };
   // Free, or in the referee's hand: being stopped, then on its way or at the target.
   enum class Hold { kFree, kCatching, kCarrying };
@@ -45,7 +49,7 @@ class World::Impl {
   Team& team(Side side) { return teams_[static_cast<std::size_t>(side)]; }
 
   void accept(const PerSide<TeamOrders>& orders);
-  bool hears(Team& its_team, std::size_t number) const;
+  bool hears(Robot& robot, RandomStream& radio) const;
   void obey(const std::optional<Placement>& placement);
   bool may_step_long(int substep) const;
   void advance(int substep, int substeps);
@@ -61,11 +65,15 @@ class World::Impl {
   void note(const Touch& touch);
   void publish();
 
-  template <typename Act>  // act(side, team, number, index in the bridge)
+  template <typename Act>  // act(id, robot, index in the bridge)
   void for_each_robot(Act act) {
     for (const Side side : kSides) {
       Team& its_team = team(side);
-      for (int n = 0; n < its_team.robots; ++n) act(side, its_team, n, its_team.first + n);
+      int number = 0;
+      for (Robot& robot : its_team.robots) {
+        act(RobotId{side, number}, robot, its_team.first + number);
+        ++number;
+      }
     }
   }
 

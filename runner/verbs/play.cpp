@@ -14,6 +14,7 @@
 #include "runner/fields.hpp"
 #include "runner/files.hpp"
 #include "runner/game_report.hpp"
+#include "runner/robot_types.hpp"
 #include "runner/scenario.hpp"
 #include "runner/verbs/command_line.hpp"
 
@@ -60,8 +61,9 @@ void set(GameConfiguration& game, const std::string& assignment) {
   if (equals == std::string::npos || equals == 0) {
     throw InputError({flag}, "", "expected KEY=VALUE, such as match.half_s=60");
   }
-  blame(flag,
-        [&] { set_by_path(game, assignment.substr(0, equals), assignment.substr(equals + 1)); });
+  blame(flag, [&] {
+    set_by_path(game, assignment.substr(0, equals), assignment.substr(equals + 1), {});
+  });
 }
 
 GameConfiguration configured(const PlayArguments& arguments) {

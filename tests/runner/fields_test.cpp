@@ -85,6 +85,29 @@ TEST(SetByPath, NamesTheNearestKeyForAnUnknownOne) {
   EXPECT_NE(refusal_of("a.params", "5").find("unknown key"), std::string::npos);
 }
 
+TEST(SetByPath, SetsWhatDiffersInATeamsRobotsOrInOneOfThem) {
+  GameConfiguration game;
+  set_by_path(game, "b.robot.speed_mps", "2");
+  set_by_path(game, "b.players.3.dribbler.preset", "perfect");
+  EXPECT_EQ(value_at(game, "b.robot.speed_mps"), "2.0");
+  EXPECT_EQ(value_at(game, "b.players.3.dribbler.preset"), "perfect");
+  EXPECT_EQ(value_at(game, "b.players.3.dribbler.holds"), "true");
+  EXPECT_TRUE(game.b.players.contains(3));
+  EXPECT_TRUE(game.a.changes.empty());
+}
+
+TEST(SetByPath, NamesTheNearestOfAPlayersKeys) {
+  EXPECT_NE(refusal_of("b.players.3.handicup", "1").find("'b.players.3.handicap'"),
+            std::string::npos);
+  EXPECT_NE(refusal_of("b.robot.speed", "1").find("'b.robot.speed_mps'"), std::string::npos);
+  EXPECT_NE(refusal_of("b.players.3", "1").find("unknown key"), std::string::npos);
+  EXPECT_NE(refusal_of("b.players", "1").find("unknown key"), std::string::npos);
+  EXPECT_EQ(refusal_of("b.players.16.handicap", "1"),
+            "expected a robot's number from 0 to 15, found '16'");
+  EXPECT_EQ(refusal_of("b.robot.mass_kg", "0"),
+            "expected a number above 0 and at most 100 kg, found '0'");
+}
+
 TEST(SetByPath, SaysWhatWasExpected) {
   EXPECT_EQ(refusal_of("a.robots", "17"), "expected a whole number from 1 to 16, found '17'");
   EXPECT_EQ(refusal_of("a.robots", "0"), "expected a whole number from 1 to 16, found '0'");
@@ -105,7 +128,7 @@ TEST(Settings, HaveAPathOfTheirOwnAndDefaultsWithinTheirRanges) {
   for (const Setting& setting : settings_of(game)) {
     EXPECT_TRUE(paths.insert(setting.path).second) << setting.path;
     EXPECT_FALSE(setting.about.empty()) << setting.path;
-    if (setting.path.ends_with(".params")) continue;
+    if (holds_others(setting)) continue;
     EXPECT_NO_THROW(assign(setting, value_of(setting))) << setting.path;
   }
 }
@@ -133,6 +156,11 @@ TEST(ConfigurationHash, ChangesWithEverySetting) {
                                           {"match.first_kickoff", "east"},
                                           {"field.goal_width_m", "0.71"},
                                           {"sim.robot.mass_kg", "2.6"},
+                                          {"sim.dribbler.preset", "perfect"},
+                                          {"b.robot.mass_kg", "2.6"},
+                                          {"b.players.3.robot.mass_kg", "2.6"},
+                                          {"b.players.3.handicap", "0.9"},
+                                          {"a.players.0.dribbler.preset", "perfect"},
                                           {"a.params.shot_mps", "0"},
                                           {"b.params.shot_mps", "0"},
                                           {"seed", "43"}}) {
@@ -140,6 +168,16 @@ TEST(ConfigurationHash, ChangesWithEverySetting) {
     set_by_path(game, path, text);
     EXPECT_NE(configuration_hash(game), plain) << path;
   }
+}
+
+TEST(ConfigurationHash, TellsTeamsAndPlayersApart) {
+  std::set<std::uint64_t> hashes;
+  for (const char* branch : {"a.", "b.", "a.players.1.", "a.players.2.", "b.players.1."}) {
+    GameConfiguration game;
+    set_by_path(game, std::string(branch) + "kicker.reach_m", "0.02");
+    hashes.insert(configuration_hash(game));
+  }
+  EXPECT_EQ(hashes.size(), 5U);
 }
 
 TEST(ConfigurationHash, TellsTheTeamsApart) {

@@ -214,6 +214,65 @@ double loses_at_radps(const LabRecord& record) {
   return west(record.states[f]).angular_velocity_radps;
 }
 
+constexpr std::size_t kEvenPull = 36;   // frame in the midst of the gentle pull, at 0.6 s
+constexpr std::size_t kHardPull = 108;  // frame of the order to pull hard, at 1.8 s
+
+double off_in_gentle_pull_mm(const LabRecord& record) {
+  return off_plate_mm(record.states[kEvenPull], 0);
+}
+
+// Of the ball, where the dribbler pulls as hard as it can: from 5 mm off to the end of its reach.
+double most_pull_mps2(const LabRecord& record) {
+  std::size_t f = kHardPull;
+  while (off_plate_mm(record.states.at(f), 0) < 5.0) ++f;
+  std::size_t last = f;
+  while (off_plate_mm(record.states.at(last + 1), 0) < 10.0) ++last;
+  return (record.states[f].ball.velocity_mps.x() - record.states[last].ball.velocity_mps.x()) /
+         (static_cast<double>(last - f) * kFrame_s);
+}
+
+double is_lost_in_hard_pull(const LabRecord& record) {
+  return off_plate_mm(record.states.back(), 0) > 100.0 ? 1.0 : 0.0;
+}
+
+constexpr std::size_t kKickOrder = 348;  // frame of the order to kick, at 5.8 s
+
+double most_off_when_held_mm(const LabRecord& record) {
+  double most = 0.0;
+  for (std::size_t f = 0; f <= kKickOrder; ++f) {
+    most = std::max(most, off_plate_mm(record.states[f], 0));
+  }
+  return most;
+}
+
+double plate_mps(const WorldState& state) {
+  const RobotState& its = west(state);
+  const Vec2 arm_m = state.ball.position_m - its.position_m;
+  return (its.velocity_mps + its.angular_velocity_radps * left_of(arm_m)).norm();
+}
+
+// How much faster than the plate the ball gets, now or a frame ago.
+double most_faster_when_held_mps(const LabRecord& record) {
+  double most = 0.0;
+  for (std::size_t f = 1; f <= kKickOrder; ++f) {
+    const double plates_mps =
+        std::max(plate_mps(record.states[f - 1]), plate_mps(record.states[f]));
+    most = std::max(most, record.states[f].ball.velocity_mps.norm() - plates_mps);
+  }
+  return most;
+}
+
+double kicked_mps(const LabRecord& record) {
+  return record.states[kKickOrder + 1].ball.velocity_mps.norm() + kSlide_mps2 * kFrame_s;
+}
+
+double way_m(const LabRecord& record, std::size_t robot) {
+  return (west(record.states.back(), robot).position_m - west(record.states[0], robot).position_m)
+      .norm();
+}
+double fast_way_m(const LabRecord& record) { return way_m(record, 0); }
+double slow_way_m(const LabRecord& record) { return way_m(record, 1); }
+
 double arrival_mps(const LabRecord& record) {
   const std::size_t f = first_frame(record, [](const WorldState& former, const WorldState& now) {
     return former.ball.is_rolling && former.ball.velocity_mps.x() > 1.0 &&
@@ -233,7 +292,9 @@ const std::string kModels = "ER-Force's and grSim's models";
 
 // Closed forms, from 4 m/s: slides (4² - 2.68²) / (2 * 3.4), rolls 2.68² / (2 * 0.30); a chip of
 // 5 m/s lands after 5² / 9.81. A pass of 3 m/s switches at 2.01 m/s after 0.729 m and rolls 1.578 m
-// more. A robot pushed at 3 m/s² that holds its place with 5 m/s² slows the pair down at 1 m/s².
+// more. Pulled by a force, a rolling ball speeds up as if it weighed 46 g / 0.67. A robot that
+// speeds up at a to v goes v t - v² / (2 a) in a time t. A robot pushed at 3 m/s² that holds its
+// place with 5 m/s² slows the pair down at 1 m/s².
 const std::vector<Claim>& lab_claims() {
   static const std::vector<Claim> claims = {
       {"sliding_distance", "sliding distance of a kick at 4 m/s", "straight-kick", 1.297, 0.02, "m",
@@ -285,6 +346,24 @@ const std::vector<Claim>& lab_claims() {
        0, 10, "mm", "within the reach of the dribbler", most_off_in_gentle_turn_mm},
       {"hard_turn", "turning that loses the ball", "dribble-circle", 10.07, 0.7, "rad/s",
        "closed form: 0.45 N carry 46 g at 96.5 mm", loses_at_radps},
+      {"gentle_pull", "ball off the plate's middle when pulled back at 3 m/s²", "dribble-back",
+       2.52, 0.2, "mm", "closed form (3 + 0.30) m/s² * 46 g / 0.67 / 90 N/m",
+       off_in_gentle_pull_mm},
+      {"most_pull", "the most the dribbler speeds up a ball it pulls back", "dribble-back", 6.254,
+       0.05, "m/s²", "closed form 0.67 * 0.45 N / 46 g - 0.30 m/s²: carry limit on the carpet",
+       most_pull_mps2},
+      {"hard_pull", "whether the ball is lost when pulled back at 7.5 m/s² (1: yes)",
+       "dribble-back", 1, 0, "", "more than the carry limit", is_lost_in_hard_pull},
+      {"perfect_hold", "perfect dribbler: ball off the plate's middle in hard motion",
+       "dribble-perfect", 0, 1.5, "mm", "what the preset promises", most_off_when_held_mm},
+      {"perfect_energy", "how much faster than the plate it makes the ball", "dribble-perfect", 0,
+       0.03, "m/s", "what the preset promises: 6 m/s² for a sub-step", most_faster_when_held_mps},
+      {"perfect_kick", "speed of a 4 m/s kick out of it", "dribble-perfect", 4, 0.01, "m/s",
+       "the order", kicked_mps},
+      {"fast_way", "way of a fast robot in 2 s", "types", 5.25, 0.02, "m",
+       "scenarios/robots/fast.yaml (3.5 m/s, 3.5 m/s²); closed form", fast_way_m},
+      {"slow_way", "way of a slow robot in 2 s", "types", 2.787, 0.02, "m",
+       "scenarios/robots/slow.yaml (2.2 m/s, 1.5 m/s²); closed form", slow_way_m},
       {"pass_arrival", "speed of a 3 m/s pass at its receiver", "pass", 1.759, 0.02, "m/s",
        kBallSource, arrival_mps},
       {"pass_received", "received pass: ball off the plate's middle", "pass", 0, 2, "mm",

@@ -74,8 +74,8 @@ const std::string kLab = "schema: 1\nkind: lab\nduration_s: 1\n";
 TEST(LabScene, IsExactAndWithoutDelayUnlessItSaysOtherwise) {
   const LabScene scene = read_lab_scene_text(kLab, "x.yaml");
   EXPECT_EQ(scene.sim.latency_s, 0.0);
-  EXPECT_EQ(scene.sim.robot.speed_noise, 0.0);
-  EXPECT_EQ(scene.sim.kicker.direction_noise_deg, 0.0);
+  EXPECT_EQ(scene.robot.body.speed_noise, 0.0);
+  EXPECT_EQ(scene.robot.kicker.direction_noise_deg, 0.0);
   EXPECT_EQ(read_lab_scene_text(kLab + "sim: { latency_s: 0.04 }\n", "x").sim.latency_s, 0.04);
 }
 
@@ -92,6 +92,40 @@ TEST(LabScene, ReadsRobotsWithTheirOrders) {
   EXPECT_NEAR(scene.robots[0].start.heading.y(), 1.0, 1e-12);
   EXPECT_EQ(scene.robots[0].orders.at(0).command.kick_mps, 3.0);
   EXPECT_EQ(scene.robots[2].id, (RobotId{Side::kEast, 1}));
+}
+
+TEST(LabScene, ChangesSpeedsEvenlyOverTheTimeOfAnOrder) {
+  const LabScene scene = read_lab_scene_text(
+      kLab +
+          "sim: { robot: { acceleration_mps2: 20, wheel_acceleration_mps2: 20 } }\n"
+          "robots:\n"
+          "  - side: west\n"
+          "    x_m: -2\n"
+          "    orders:\n"
+          "      - { at_s: 0, forward_mps: 1 }\n"
+          "      - { at_s: 0.2, over_s: 0.5, forward_mps: 2 }\n"
+          "  - { side: east, x_m: 2, y_m: 1, orders: [{ at_s: 0.2, over_s: 0.5, turn_radps: 4 }] "
+          "}\n",
+      "x.yaml");
+  const LabRecord record = play_lab_scene(scene);
+  const auto speed_mps = [&](std::size_t frame) {
+    return record.states.at(frame).robots[Side::kWest][0].velocity_mps.norm();
+  };
+  EXPECT_NEAR(speed_mps(12), 1.0, 0.01);
+  EXPECT_NEAR(speed_mps(28), 1.5, 0.01);  // ordered half of the way in frame 27
+  EXPECT_NEAR(speed_mps(60), 2.0, 0.01);
+  EXPECT_NEAR(record.states[28].robots[Side::kEast][0].angular_velocity_radps, 2.0, 0.02);
+}
+
+TEST(LabScene, GivesRobotsTheTypesItNamesBesideItself) {
+  const LabScene scene = read_lab_scene_text(
+      kLab +
+          "sim: { robot: { mass_kg: 3 } }\n"
+          "robots: [{ side: east, type: ../robots/slow.yaml }, { side: east }]\n",
+      AUTOREF_SOURCE_DIR "/scenarios/lab/x.yaml");
+  EXPECT_EQ(scene.robots[0].sheet.body.speed_mps, 2.2);
+  EXPECT_EQ(scene.robots[0].sheet.body.mass_kg, 3.0);
+  EXPECT_EQ(scene.robots[1].sheet.body.speed_mps, 3.0);
 }
 
 struct Mistake {
@@ -135,6 +169,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"OrdersBackwards",
                 kLab + "robots: [{ side: west, orders: [{ at_s: 1 }, { at_s: 1 }] }]\n",
                 "x.yaml:4:46: robots[0].orders[1]: ", "after"},
+        Mistake{"NoSuchType", kLab + "robots: [{ side: west, type: slow }]\n",
+                "x.yaml:4:30: robots[0].type: ", "a file such as"},
+        Mistake{"NoSuchFile", kLab + "robots: [{ side: west, type: lost/slow.yaml }]\n",
+                "x.yaml:4:30: robots[0].type: ", "lost/slow.yaml: the file cannot be read"},
         Mistake{"NoTruth", kLab + "ball: { rolls: 1 }\n",
                 "x.yaml:4:16: ball.rolls: ", "true, false"}),
     [](const auto& test) { return test.param.name; });

@@ -88,5 +88,17 @@ TEST(ChangesBetween, ListsEachSettingThatDiffers) {
   EXPECT_EQ(changes_between(there, there), "");
 }
 
+TEST(ChangesBetween, ListsPlayersThatOnlyOneOfThemHas) {
+  Sweep here;
+  Sweep there;
+  here.base.b.players[3].speed_factor = 0.5;
+  EXPECT_NE(changes_between(here, there)
+                .find("teams.b.players.3.speed_factor is 0.5 here and not given there"),
+            std::string::npos);
+  EXPECT_NE(changes_between(there, here)
+                .find("teams.b.players.3.speed_factor is not given here and 0.5 there"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace autoref::runner

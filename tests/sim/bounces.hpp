@@ -121,11 +121,11 @@ inline Bounce bounce_off_walls(const Field& field, const BallState& former, cons
 
 // What the forces of a sub-step may add to the speed at which the ball leaves a robot: its drive,
 // its turning at the plate's corner, the carpet, and the pull of a running dribbler.
-inline double forced_mps(const Configuration& configuration, bool dribbles) {
-  const RobotParameters& robot = configuration.robot;
-  const double pull_mps2 = dribbles ? configuration.dribbler.force_n / kBallMass_kg : 0.0;
-  return kSubstep_s * (robot.braking_mps2 + robot.angular_acceleration_radps2 * kRobotRadius_m +
-                       configuration.ball.slide_mps2 + pull_mps2);
+inline double forced_mps(const BallParameters& ball, const RobotSheet& robot, bool dribbles) {
+  const RobotParameters& body = robot.body;
+  const double pull_mps2 = dribbles ? robot.dribbler.force_n / kBallMass_kg : 0.0;
+  return kSubstep_s * (body.braking_mps2 + body.angular_acceleration_radps2 * kRobotRadius_m +
+                       ball.slide_mps2 + pull_mps2);
 }
 
 // The least of `distance_m`, a function of a point and of the share of the way to it, on the

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "soccer/random.hpp"
 #include "soccer/trigonometry.hpp"
@@ -26,7 +27,8 @@ Vec2 any_velocity(RandomStream& random, double most_mps) {
 // Two robots and a ball close together, somewhere on the field or at its walls.
 class Crowd {
  public:
-  explicit Crowd(RandomStream& random) : bodies(field, RobotParameters{}, 2) {
+  explicit Crowd(RandomStream& random)
+      : bodies(field, std::vector<double>(2, RobotParameters{}.mass_kg)) {
     const double x = between(random, -field.wall_x_m(), field.wall_x_m());
     const double y = between(random, -field.wall_y_m(), field.wall_y_m());
     for (int i = 0; i < 2; ++i) bodies.place_robot(i, any_robot(random, {x, y}));
@@ -93,8 +95,7 @@ TEST(Calm, HoldsNoCollisionButGentleOnesOfRobots) {
   for (int i = 0; i < 40000; ++i) {
     Crowd crowd(random);
     if (!crowd.is_possible()) continue;
-    const bool lasts =
-        Calm(crowd.field, Configuration{}, kLongStep_s).lasts(crowd.bodies, 2, false);
+    const bool lasts = Calm(crowd.field, sheets(1, 1), kLongStep_s).lasts(crowd.bodies, 2, false);
     const Changes changes = changes_within_a_long_step(crowd);
     calm += lasts ? 1 : 0;
     collisions += changes.ball_mps > 0.01 || changes.robot_mps > 0.5 ? 1 : 0;
@@ -192,10 +193,10 @@ TEST(KickersDeadTime, IsTheSameWithLongerSteps) {
 
 // The speed that two robots have left of `closing_mps` once they have met.
 double parting_mps(double closing_mps, int calm_substeps) {
-  Configuration weak = with(4, calm_substeps);
-  weak.robot.acceleration_mps2 = 1e-6;
-  weak.robot.braking_mps2 = 1e-6;
-  Scene scene(weak);
+  RobotSheet weak = quiet_robot();
+  weak.body.acceleration_mps2 = 1e-6;
+  weak.body.braking_mps2 = 1e-6;
+  Scene scene(with(4, calm_substeps), sheets(1, 1, weak));
   scene.put_robot(kWest0, {-0.1, 0}, {1, 0}, {closing_mps / 2, 0});
   scene.put_robot(kEast0, {0.1, 0}, {-1, 0}, {-closing_mps / 2, 0});
   scene.put_ball({0, -1.5});

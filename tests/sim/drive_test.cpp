@@ -17,8 +17,8 @@ struct Lane : Scene {
   }
   static PerSide<TeamSheet> handicapped(double speed_factor, double acceleration_factor) {
     PerSide<TeamSheet> both = sheets(1, 1);
-    both[Side::kWest].speed_factor = speed_factor;
-    both[Side::kWest].acceleration_factor = acceleration_factor;
+    both[Side::kWest].robots[0].speed_factor = speed_factor;
+    both[Side::kWest].robots[0].acceleration_factor = acceleration_factor;
     return both;
   }
   double speed_mps() const { return robot(kWest0).velocity_mps.norm(); }
@@ -141,9 +141,9 @@ TEST(RobotsThatCollide, DoNotPassThroughEachOther) {
 }
 
 TEST(Motors, MakeSpeedsDifferByAboutOnePercent) {
-  Configuration noisy = quiet();
-  noisy.robot.speed_noise = 0.01;
-  Scene scene(noisy);
+  RobotSheet noisy = quiet_robot();
+  noisy.body.speed_noise = 0.01;
+  Scene scene(quiet(), sheets(1, 1, noisy));
   scene.put_robot(kWest0, {-2.5, 0});
   scene.order(kWest0).velocity_mps = {1, 0};
   scene.frames(30);

@@ -9,8 +9,9 @@ namespace {
 
 // A robot at the origin that looks east and wants to kick.
 struct Shot : Scene {
-  explicit Shot(const Configuration& configuration = quiet(), std::uint64_t seed = 1)
-      : Scene(configuration, sheets(1, 1), seed) {
+  explicit Shot(const RobotSheet& robot = quiet_robot(),
+                const Configuration& configuration = quiet())
+      : Scene(configuration, sheets(1, 1, robot)) {
     put_robot(kWest0, {0, 0});
     order(kWest0).kick_mps = 4.0;
   }
@@ -104,16 +105,17 @@ TEST(Kicker, DoesNotReachABallInTheAir) {
 TEST(Kicker, PushesTheRobotBackByTheBallsMomentum) {
   Configuration one = quiet();
   one.substeps = 1;
-  one.robot.acceleration_mps2 = 1e-6;
-  one.robot.braking_mps2 = 1e-6;
-  Shot shot(one);
+  RobotSheet still = quiet_robot();
+  still.body.acceleration_mps2 = 1e-6;
+  still.body.braking_mps2 = 1e-6;
+  Shot shot(still, one);
   shot.put_ball_before(0.005, 0.0);
   shot.frame();
   EXPECT_NEAR(shot.robot(kWest0).velocity_mps.x(), -0.046 * 4.0 / 2.5, 1e-4);
 }
 
 TEST(Kicker, ScattersByTwoAndAHalfPercentAndOneAndAHalfDegrees) {
-  Configuration noisy = quiet();
+  RobotSheet noisy = quiet_robot();
   noisy.kicker = KickerParameters{};
   Shot shot(noisy);
   double speed2 = 0.0;
@@ -177,7 +179,7 @@ TEST(Dribbler, LosesTheBallInAHardTurnOnly) {
 TEST(Dribbler, TakesMoreOfAnArrivingBallsSpeed) {
   double rebound_mps[2];
   for (const bool dribbles : {false, true}) {
-    Configuration weak = quiet();
+    RobotSheet weak = quiet_robot();
     weak.dribbler.force_n = 0.0;
     Shot shot(weak);
     shot.order(kWest0).kick_mps = 0.0;

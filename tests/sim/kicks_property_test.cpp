@@ -155,7 +155,7 @@ void note_bounces(const HardShot& scene, const BallState& former, const RobotSta
   if (!scene.world.touches().empty()) {
     const bool dribbles = scene.orders[Side::kWest][0].dribble;
     note_bounce(bounce_off_robot(former, ball, former_robot, scene.robot(kWest0)),
-                forced_mps(configuration, dribbles), seen);
+                forced_mps(configuration.ball, quiet_robot(), dribbles), seen);
     return;
   }
   const double carpet_mps = configuration.ball.slide_mps2 * kSubstep_s;

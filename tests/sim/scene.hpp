@@ -11,17 +11,21 @@ namespace autoref::sim {
 inline Configuration quiet() {
   Configuration configuration;
   configuration.latency_s = 0.0;
-  configuration.robot.speed_noise = 0.0;
-  configuration.kicker.speed_noise = 0.0;
-  configuration.kicker.direction_noise_deg = 0.0;
   return configuration;
 }
 
-inline PerSide<TeamSheet> sheets(int west, int east) {
-  PerSide<TeamSheet> both;
-  both[Side::kWest].robots = west;
-  both[Side::kEast].robots = east;
-  return both;
+inline RobotSheet quiet_robot() {
+  RobotSheet robot;
+  robot.body.speed_noise = 0.0;
+  robot.kicker.speed_noise = 0.0;
+  robot.kicker.direction_noise_deg = 0.0;
+  return robot;
+}
+
+// So many robots a side, all like `robot`.
+inline PerSide<TeamSheet> sheets(std::size_t west, std::size_t east,
+                                 const RobotSheet& robot = quiet_robot()) {
+  return {{TeamSheet{TeamSheet::Robots(west, robot)}, TeamSheet{TeamSheet::Robots(east, robot)}}};
 }
 
 inline constexpr RobotId kWest0{Side::kWest, 0};

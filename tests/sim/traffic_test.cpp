@@ -164,7 +164,7 @@ double pulled_mps(const WorldState& former, const Traffic& traffic) {
     for (const RobotState& robot : former.robots[side]) {
       const bool dribbles = traffic.orders[side][static_cast<std::size_t>(robot.number)].dribble;
       const bool is_near = (robot.position_m - former.ball.position_m).norm() < 0.2;
-      if (dribbles && is_near) force_n += configuration.dribbler.force_n;
+      if (dribbles && is_near) force_n += quiet_robot().dribbler.force_n;
     }
   }
   return kSubstep_s * (configuration.ball.slide_mps2 + force_n / kBallMass_kg);

@@ -50,8 +50,10 @@ void chase(const WorldState& state, PerSide<TeamOrders>& orders) {
   }
 }
 
-std::uint64_t play_hash(std::uint64_t seed, const Configuration& configuration, int frames) {
-  World world(Field{}, configuration, {}, seed);
+PerSide<TeamSheet> noisy_six() { return sheets(6, 6, RobotSheet{}); }
+
+std::uint64_t play_hash(std::uint64_t seed, const PerSide<TeamSheet>& teams, int frames) {
+  World world(Field{}, quiet(), teams, seed);
   PerSide<TeamOrders> orders{};
   std::uint64_t hash = 0;
   for (int f = 0; f < frames; ++f) {
@@ -64,20 +66,20 @@ std::uint64_t play_hash(std::uint64_t seed, const Configuration& configuration, 
 }
 
 TEST(World, GoesTheSameWayWithTheSameSeedAndOrders) {
-  EXPECT_EQ(play_hash(1, Configuration{}, 1200), play_hash(1, Configuration{}, 1200));
+  EXPECT_EQ(play_hash(1, noisy_six(), 1200), play_hash(1, noisy_six(), 1200));
 }
 
 TEST(World, GoesAnotherWayWithAnotherSeed) {
-  EXPECT_NE(play_hash(1, Configuration{}, 300), play_hash(2, Configuration{}, 300));
+  EXPECT_NE(play_hash(1, noisy_six(), 300), play_hash(2, noisy_six(), 300));
 }
 
 TEST(World, DoesNotDependOnTheSeedWithoutNoise) {
-  EXPECT_EQ(play_hash(1, quiet(), 300), play_hash(2, quiet(), 300));
+  EXPECT_EQ(play_hash(1, sheets(6, 6), 300), play_hash(2, sheets(6, 6), 300));
 }
 
 TEST(World, TurnedBy180DegreesStaysTurned) {
-  World world(Field{}, quiet(), {}, 1);
-  World turned(Field{}, quiet(), {}, 1);
+  World world(Field{}, quiet(), sheets(6, 6), 1);
+  World turned(Field{}, quiet(), sheets(6, 6), 1);
   BallState ball;
   ball.position_m = {0.4, -0.3};
   ball.velocity_mps = {-1.0, 0.5};
@@ -105,7 +107,7 @@ TEST(World, TurnedBy180DegreesStaysTurned) {
 }
 
 TEST(World, StaysFiniteAndInsideItsWallsInACrowd) {
-  World world(Field{}, Configuration{}, sheets(16, 16), 3);
+  World world(Field{}, Configuration{}, sheets(16, 16, RobotSheet{}), 3);
   PerSide<TeamOrders> orders{};
   const Field field;
   for (int f = 0; f < 1800; ++f) {
@@ -183,7 +185,7 @@ class WrongConfiguration : public testing::TestWithParam<Refused> {};
 
 TEST_P(WrongConfiguration, IsRefusedByName) {
   Configuration configuration;
-  PerSide<TeamSheet> teams;
+  PerSide<TeamSheet> teams = noisy_six();
   GetParam().spoil(configuration, teams);
   try {
     const World world(Field{}, configuration, teams, 1);
@@ -200,28 +202,38 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"substeps", [](Configuration& c, PerSide<TeamSheet>&) { c.substeps = 17; }},
         Refused{"calm_substeps",
                 [](Configuration& c, PerSide<TeamSheet>&) { c.calm_substeps = 0; }},
-        Refused{"robots",
-                [](Configuration&, PerSide<TeamSheet>& s) { s[Side::kEast].robots = -1; }},
-        Refused{"robots",
-                [](Configuration&, PerSide<TeamSheet>& s) { s[Side::kWest].robots = 17; }},
-        Refused{"speed_factor",
-                [](Configuration&, PerSide<TeamSheet>& s) { s[Side::kWest].speed_factor = -1; }},
-        Refused{"acceleration_factor",
+        Refused{"west robot 0: speed_factor",
                 [](Configuration&, PerSide<TeamSheet>& s) {
-                  s[Side::kEast].acceleration_factor = 2.1;
+                  s[Side::kWest].robots[0].speed_factor = -1;
+                }},
+        Refused{"east robot 5: acceleration_factor",
+                [](Configuration&, PerSide<TeamSheet>& s) {
+                  s[Side::kEast].robots[5].acceleration_factor = 2.1;
+                }},
+        Refused{"west robot 3: kicker.reach_m",
+                [](Configuration&, PerSide<TeamSheet>& s) {
+                  s[Side::kWest].robots[3].kicker.reach_m = -1;
+                }},
+        Refused{"east robot 1: dribbler.force_n",
+                [](Configuration&, PerSide<TeamSheet>& s) {
+                  s[Side::kEast].robots[1].dribbler.force_n = -1;
                 }},
         Refused{"latency_s", [](Configuration& c, PerSide<TeamSheet>&) { c.latency_s = 0.6; }},
-        Refused{"robot.mass_kg",
-                [](Configuration& c, PerSide<TeamSheet>&) { c.robot.mass_kg = NAN; }},
+        Refused{"east robot 2: robot.mass_kg",
+                [](Configuration&, PerSide<TeamSheet>& s) {
+                  s[Side::kEast].robots[2].body.mass_kg = NAN;
+                }},
         Refused{"ball.slide_mps2",
                 [](Configuration& c, PerSide<TeamSheet>&) { c.ball.slide_mps2 = 0; }}));
 
 TEST(ConfigurationError, SaysTheValueAndTheRange) {
   try {
-    validate(TeamSheet{17, 1.0, 1.0});
+    Configuration configuration;
+    configuration.substeps = 17;
+    validate(configuration);
     FAIL() << "accepted";
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "robots is 17; it must be from 0 to 16");
+    EXPECT_STREQ(error.what(), "substeps is 17; it must be from 1 to 16");
   }
 }
 

@@ -1,0 +1,227 @@
+// The dribbler that holds the ball in every motion of its robot.
+#include "sim/dribbler.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "sim/dribbler_presets.hpp"
+#include "soccer/random.hpp"
+#include "tests/sim/scene.hpp"
+
+namespace autoref::sim {
+namespace {
+
+// As quick as the league's robots get (3.5 m/s, braking at 6 m/s^2), wheels that never limit.
+RobotSheet quick_holder() {
+  RobotSheet robot = quiet_robot();
+  robot.body.speed_mps = 3.5;
+  robot.body.acceleration_mps2 = 3.5;
+  robot.body.braking_mps2 = 6.0;
+  robot.body.wheel_acceleration_mps2 = 20.0;
+  apply_dribbler_preset("perfect", robot.dribbler);
+  return robot;
+}
+
+Configuration stepped(int substeps) {
+  Configuration configuration = quiet();
+  configuration.substeps = substeps;
+  return configuration;
+}
+
+// A robot at the origin that holds the ball.
+struct Holder : Scene {
+  explicit Holder(int substeps = 4) : Scene(stepped(substeps), sheets(1, 1, quick_holder())) {
+    put_robot(kEast0, {2.5, 1.8}, {-1, 0});
+    put_robot(kWest0, {0, 0});
+    put_ball_at_plate(kWest0);
+    order(kWest0).dribble = true;
+  }
+  // The ball as seen from the plate's middle.
+  Vec2 off_m() const {
+    const RobotState& at = robot(kWest0);
+    return to_local(ball().position_m - at.position_m, at.heading) -
+           Vec2(kFrontDistance_m + kBallRadius_m, 0);
+  }
+  Vec2 plate_mps() const {
+    const RobotState& at = robot(kWest0);
+    return at.velocity_mps + at.angular_velocity_radps * left_of(ball().position_m - at.position_m);
+  }
+  double slip_mps() const { return (ball().velocity_mps - plate_mps()).norm(); }
+  void keep_off_walls() {
+    RobotState at = robot(kWest0);
+    const Vec2 back_m = -at.position_m;
+    at.position_m = {0, 0};
+    BallState its_ball = ball();
+    its_ball.position_m += back_m;
+    world.put_robot(kWest0, at);
+    world.put_ball(its_ball);
+  }
+};
+
+class PerfectDribbler : public testing::TestWithParam<int> {};  // sub-steps
+
+// Changes of mind at any time, in all directions and both ways around, as hard as the robot can.
+TEST_P(PerfectDribbler, HoldsTheBallInEveryMotion) {
+  Holder holder(GetParam());
+  RandomStream random(7);
+  double farthest_m = 0;
+  for (int f = 0; f < 3600; ++f) {
+    if (f % 12 == 0) {
+      const double angle_rad = 2 * kPi * random.uniform();
+      holder.order(kWest0).velocity_mps = 10 * heading_of(angle_rad);
+      const double turn = random.uniform();
+      holder.order(kWest0).angular_velocity_radps = turn < 0.4 ? 15 : turn < 0.8 ? -15 : 0;
+      holder.keep_off_walls();
+    }
+    holder.frame();
+    farthest_m = std::max(farthest_m, holder.off_m().norm());
+  }
+  EXPECT_LT(farthest_m, 0.004);
+}
+
+TEST_P(PerfectDribbler, HoldsTheBallInAFullSpinAndWhenBraking) {
+  Holder holder(GetParam());
+  for (int f = 0; f < 240; ++f) {
+    holder.order(kWest0).velocity_mps = {f % 120 < 60 ? 10.0 : 0.0, 0};
+    holder.order(kWest0).angular_velocity_radps = f >= 120 ? 15 : 0;
+    holder.frame();
+    ASSERT_LT(holder.off_m().norm(), 0.004) << f;
+  }
+}
+
+// But for what the robot has just lost by braking at 6 m/s^2, which the ball notices a sub-step
+// later.
+TEST_P(PerfectDribbler, NeverMakesTheBallFasterThanThePlate) {
+  Holder holder(GetParam());
+  RandomStream random(8);
+  double excess_mps = 0;
+  for (int f = 0; f < 3600; ++f) {
+    if (f % 12 == 0) {
+      const double angle_rad = 2 * kPi * random.uniform();
+      holder.order(kWest0).velocity_mps = 10 * heading_of(angle_rad);
+      holder.order(kWest0).angular_velocity_radps = random.uniform() < 0.5 ? 15 : -15;
+      holder.keep_off_walls();
+    }
+    const double before_mps = holder.plate_mps().norm();
+    holder.frame();
+    const double fastest_mps = std::max(before_mps, holder.plate_mps().norm());
+    excess_mps = std::max(excess_mps, holder.ball().velocity_mps.norm() - fastest_mps);
+  }
+  EXPECT_LT(excess_mps, 7.0 / (60.0 * GetParam()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Substeps, PerfectDribbler, testing::Values(2, 4, 8));
+
+TEST(PerfectDribblerAtRest, LeavesTheBallAtRest) {
+  Holder holder;
+  holder.frames(60);
+  EXPECT_LT(holder.ball().velocity_mps.norm(), 1e-3);
+  EXPECT_LT(holder.robot(kWest0).velocity_mps.norm(), 1e-3);
+}
+
+TEST(PerfectDribblerAtRest, BringsABallFromTheMouthsEdgeToTheMiddleSlowly) {
+  Holder holder;
+  holder.put_ball({kFrontDistance_m + kBallRadius_m + 0.005, 0.035});
+  double fastest_mps = 0;
+  for (int f = 0; f < 60; ++f) {
+    holder.frame();
+    fastest_mps = std::max(fastest_mps, holder.ball().velocity_mps.norm());
+  }
+  EXPECT_LT(fastest_mps, 0.21);
+  EXPECT_LT(holder.off_m().norm(), 0.002);
+}
+
+TEST(PerfectDribblerAtRest, TakesOnlyABallInItsMouth) {
+  for (const Vec2& off_m : {Vec2(0.012, 0), Vec2(0.001, 0.042), Vec2(-0.21, 0)}) {
+    Holder holder;
+    holder.put_ball(Vec2(kFrontDistance_m + kBallRadius_m, 0) + off_m, {0, 0}, true);
+    holder.frames(30);
+    EXPECT_LT(holder.ball().velocity_mps.norm(), 1e-3) << off_m.transpose();
+    EXPECT_NEAR((holder.off_m() - off_m).norm(), 0.0, 1e-3) << off_m.transpose();
+  }
+}
+
+TEST(PerfectDribblerAtRest, LetsTheBallGoWhenItIsSwitchedOff) {
+  Holder holder;
+  holder.order(kWest0).velocity_mps = {-1, 0};
+  holder.frames(60);
+  EXPECT_LT(holder.off_m().norm(), 0.002);
+  holder.order(kWest0).dribble = false;
+  holder.order(kWest0).velocity_mps = {-3, 0};
+  holder.frames(30);
+  EXPECT_GT(holder.off_m().x(), 0.1);
+}
+
+// With 16 sub-steps the ball is still in the mouth in the sub-step after a slow kick.
+TEST(PerfectDribblerThatKicks, LetsTheBallGo) {
+  for (const double kick_mps : {1.0, 4.0, 8.0}) {
+    for (const int substeps : {2, 16}) {
+      Holder holder(substeps);
+      holder.frames(10);
+      holder.order(kWest0).kick_mps = kick_mps;
+      holder.frames(6);
+      EXPECT_NEAR(holder.ball().velocity_mps.x(), kick_mps - std::min(0.1 * 3.4, 0.33 * kick_mps),
+                  0.06)
+          << kick_mps << " with " << substeps;
+      EXPECT_NEAR(holder.ball().velocity_mps.y(), 0.0, 0.01);
+    }
+  }
+}
+
+TEST(PerfectDribblerThatKicks, LetsAChipGo) {
+  Holder holder;
+  holder.order(kWest0).kick_mps = 2;
+  holder.order(kWest0).chip = true;
+  holder.frames(6);
+  EXPECT_NEAR(holder.ball().velocity_mps.x(), 1.41, 0.05);
+  EXPECT_GT(holder.ball().height_m, 0.08);
+}
+
+TEST(TwoPerfectDribblers, ShareABallAtRest) {
+  Holder holder;
+  holder.put_robot(kEast0, {2 * (kFrontDistance_m + kBallRadius_m), 0}, {-1, 0});
+  holder.order(kEast0).dribble = true;
+  for (int f = 0; f < 120; ++f) {
+    holder.frame();
+    ASSERT_LT(holder.ball().velocity_mps.norm(), 0.01) << f;
+  }
+}
+
+TEST(TwoPerfectDribblers, ThatPullApartGiveTheBallNoSpeedOfItsOwn) {
+  Holder holder;
+  holder.put_robot(kEast0, {2 * (kFrontDistance_m + kBallRadius_m), 0}, {-1, 0});
+  holder.order(kEast0).dribble = true;
+  holder.order(kWest0).velocity_mps = holder.order(kEast0).velocity_mps = {-2, 0};
+  for (int f = 0; f < 120; ++f) {
+    holder.frame();
+    const double robots_mps = std::max(holder.robot(kWest0).velocity_mps.norm(),
+                                       holder.robot(kEast0).velocity_mps.norm());
+    ASSERT_LT(holder.ball().velocity_mps.norm(), robots_mps + 0.05) << f;
+  }
+}
+
+TEST(DribblerPresets, HaveTheirNumbers) {
+  DribblerParameters dribbler;
+  EXPECT_EQ(dribbler_preset_of(dribbler), "default");
+  apply_dribbler_preset("perfect", dribbler);
+  EXPECT_TRUE(dribbler.holds);
+  EXPECT_GE(dribbler.force_n, 0.046 * 8.0 * 240);
+  EXPECT_EQ(dribbler_preset_of(dribbler), "perfect");
+  dribbler.reach_m = 0.02;
+  EXPECT_EQ(dribbler_preset_of(dribbler), std::nullopt);
+}
+
+TEST(DribblerPresets, AreNamedWhereThereIsNoSuchPreset) {
+  DribblerParameters dribbler;
+  try {
+    apply_dribbler_preset("sticky", dribbler);
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "unknown dribbler preset 'sticky'; known: default, perfect");
+  }
+}
+
+}  // namespace
+}  // namespace autoref::sim

@@ -1,0 +1,134 @@
+// Robots of one world that differ from each other.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/sim/scene.hpp"
+
+namespace autoref::sim {
+namespace {
+
+constexpr RobotId kWest1{Side::kWest, 1};
+
+// Two robots in the west, the first one changed by `change`.
+template <typename Change>
+PerSide<TeamSheet> first_changed(Change change) {
+  PerSide<TeamSheet> both = sheets(2, 0);
+  change(both[Side::kWest].robots[0]);
+  return both;
+}
+
+// Both in the west, side by side, facing east; the ball out of the way.
+struct Pair : Scene {
+  template <typename Change>
+  explicit Pair(Change change) : Scene(quiet(), first_changed(change)) {
+    put_robot(kWest0, {-2, 1});
+    put_robot(kWest1, {-2, -1});
+    put_ball({2, 1.5});
+  }
+  void order_both(const RobotCommand& command) { order(kWest0) = order(kWest1) = command; }
+  void put_ball_before(RobotId id) { put_ball_at_plate(id, 0.005); }
+};
+
+RobotCommand forward(double speed_mps) {
+  RobotCommand command;
+  command.velocity_mps = {speed_mps, 0};
+  return command;
+}
+
+TEST(MixedRobots, HaveTheirOwnTopSpeedAndAcceleration) {
+  Pair pair([](RobotSheet& slow) {
+    slow.body.speed_mps = 2.2;
+    slow.body.acceleration_mps2 = 1.5;
+  });
+  pair.order_both(forward(10));
+  pair.frames(60);
+  EXPECT_NEAR(pair.robot(kWest0).velocity_mps.x(), 1.5, 0.02);
+  EXPECT_NEAR(pair.robot(kWest1).velocity_mps.x(), 3.0, 0.02);
+  pair.frames(30);
+  EXPECT_NEAR(pair.robot(kWest0).velocity_mps.x(), 2.2, 0.01);
+}
+
+TEST(MixedRobots, HaveTheirOwnHandicap) {
+  Pair pair([](RobotSheet& lame) { lame.speed_factor = 0.5; });
+  pair.order_both(forward(10));
+  pair.frames(70);
+  EXPECT_NEAR(pair.robot(kWest0).velocity_mps.x(), 1.5, 0.01);
+  EXPECT_NEAR(pair.robot(kWest1).velocity_mps.x(), 3.0, 0.01);
+}
+
+TEST(MixedRobots, HaveTheirOwnKicker) {
+  Pair pair([](RobotSheet& weak) { weak.kicker.speed_limit_mps = 2; });
+  RobotCommand kick;
+  kick.kick_mps = 5;
+  pair.order_both(kick);
+  double speed_mps[2];
+  for (const RobotId id : {kWest0, kWest1}) {
+    pair.put_ball_before(id);
+    pair.frame();
+    speed_mps[id.number] = pair.ball().velocity_mps.x() + 3.4 * 4 / 240;
+  }
+  EXPECT_NEAR(speed_mps[0], 2.0, 0.01);
+  EXPECT_NEAR(speed_mps[1], 5.0, 0.01);
+}
+
+TEST(MixedRobots, ChargeTheirKickersApart) {
+  Pair pair([](RobotSheet& slow) { slow.kicker.dead_time_s = 10; });
+  RobotCommand kick;
+  kick.kick_mps = 5;
+  pair.order_both(kick);
+  for (const RobotId id : {kWest0, kWest1, kWest0, kWest1}) {
+    pair.put_ball_before(id);
+    pair.frames(12);
+  }
+  EXPECT_GT(pair.ball().velocity_mps.x(), 3.0);
+  pair.put_ball_before(kWest0);
+  pair.frames(12);
+  EXPECT_LT(pair.ball().velocity_mps.x(), 0.5);
+}
+
+TEST(MixedRobots, HaveTheirOwnDribbler) {
+  RobotCommand back = forward(-0.5);
+  back.dribble = true;
+  double moved_m[2];
+  for (const RobotId id : {kWest0, kWest1}) {
+    Pair pair([](RobotSheet& broken) { broken.dribbler.force_n = 0; });
+    pair.order_both(back);
+    pair.put_ball_at_plate(id);
+    const double start_m = pair.ball().position_m.x();
+    pair.frames(60);
+    moved_m[id.number] = pair.ball().position_m.x() - start_m;
+  }
+  EXPECT_NEAR(moved_m[0], 0.0, 0.01);
+  EXPECT_LT(moved_m[1], -0.3);
+}
+
+// 2.5 kg at 2 m/s meet 5 kg at rest; 0.2 of the speed between them is kept.
+TEST(MixedRobots, HaveTheirOwnMass) {
+  Pair pair([](RobotSheet& heavy) { heavy.body.mass_kg = 5; });
+  pair.put_robot(kWest0, {0.3, 0});
+  pair.put_robot(kWest1, {0, 0}, {1, 0}, {2, 0});
+  pair.order(kWest1).velocity_mps = {2, 0};
+  double fastest_mps = 0;
+  for (int f = 0; f < 6; ++f) {
+    pair.frame();
+    fastest_mps = std::max(fastest_mps, pair.robot(kWest0).velocity_mps.x());
+  }
+  const double after_mps = 2.0 * 2.5 * (1.0 + 0.2) / (2.5 + 5.0);
+  EXPECT_NEAR(fastest_mps, after_mps, 0.07);
+}
+
+// A robot gets its plate when the ball comes near and loses it later; Box2D then forgets the mass.
+TEST(MixedRobots, KeepTheirMassWhenTheBallHasComeAndGone) {
+  Pair pair([](RobotSheet& heavy) { heavy.body.mass_kg = 5; });
+  pair.put_ball({-1.7, 1});
+  pair.frame();
+  pair.put_ball({2, 1.5});
+  pair.frame();
+  pair.order_both(forward(3));
+  pair.frames(30);
+  EXPECT_NEAR(pair.robot(kWest0).velocity_mps.x(), 1.5, 0.02);
+}
+
+}  // namespace
+}  // namespace autoref::sim
