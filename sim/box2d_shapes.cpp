@@ -62,11 +62,13 @@ void add_end(b2Body& ground, const Field& field, double sign) {
   const double inner = field.half_goal_m();
   const double outer = inner + field.goal_wall_thickness_m;
   const auto at = [sign](double x, double y) { return Vec2(sign * x, sign * y); };
-  // The walls overlap at the corners: boxes side by side have a groove between their rounded edges,
-  // in which a ball along a wall would catch.
-  add_box(ground, at(line, inner), at(outside, outer), kGoals, kWall);
-  add_box(ground, at(line, -inner), at(outside, -outer), kGoals, kWall);
-  add_box(ground, at(back, -outer), at(outside, outer), kGoals, kNet);
+  // The walls overlap at the corners, and none ends flush with the other's face: a ball along a
+  // wall would catch in the groove between two rounded edges there.
+  const double end = outside - kSkin_m;
+  const double back_half = outer - kSkin_m;
+  add_box(ground, at(line, inner), at(end, outer), kGoals, kWall);
+  add_box(ground, at(line, -inner), at(end, -outer), kGoals, kWall);
+  add_box(ground, at(back, -back_half), at(outside, back_half), kGoals, kNet);
 
   const double x = field.wall_x_m();
   const double y = field.wall_y_m();

@@ -51,11 +51,11 @@ inline RobotState moved_on(RobotState robot, double time_s) {
   return robot;
 }
 
-// How fast the ball moves along `outwards`, as seen from the robot's surface at `point_m`.
-inline double leaving_mps(const BallState& ball, const RobotState& robot, const Vec2& point_m,
+// How fast the ball moves along `outwards`, as seen from the robot's surface at `arm_m` from its
+// centre.
+inline double leaving_mps(const BallState& ball, const RobotState& robot, const Vec2& arm_m,
                           const Vec2& outwards) {
-  const Vec2 surface_mps =
-      robot.velocity_mps + robot.angular_velocity_radps * left_of(point_m - robot.position_m);
+  const Vec2 surface_mps = robot.velocity_mps + robot.angular_velocity_radps * left_of(arm_m);
   return (ball.velocity_mps - surface_mps).dot(outwards);
 }
 
@@ -105,9 +105,9 @@ inline Bounce bounce_off_robot(const BallState& former, const BallState& ball,
   const RobotState met = moved_on(former_robot, meets_s);
   const Vec2 outwards = outwards_at(
       at_m(meets_s), [&met](const Vec2& point_m) { return distance_to_robot(met, point_m); });
-  const Vec2 point_m = at_m(meets_s) - kBallRadius_m * outwards;
-  return {leaving_mps(former, former_robot, point_m, outwards),
-          leaving_mps(ball, robot, point_m, outwards)};
+  const Vec2 arm_m = at_m(meets_s) - kBallRadius_m * outwards - met.position_m;
+  return {leaving_mps(former, former_robot, arm_m, outwards),
+          leaving_mps(ball, robot, arm_m, outwards)};
 }
 
 inline Bounce bounce_off_walls(const Field& field, const BallState& former, const BallState& ball) {
