@@ -102,8 +102,8 @@ void Ball::collide(const Vec2& change_mps) {
   spin_mps_ -= std::copysign(lost, spin) * along;
 }
 
-void Ball::bounce_off_lid(double lid_m, double vertical_mps) {
-  height_m_ = lid_m;
+void Ball::bounce_in_air(double height_m, double vertical_mps) {
+  height_m_ = height_m;
   vertical_mps_ = vertical_mps;
 }
 

@@ -35,8 +35,8 @@ class Ball {
   Vec2 flown(const Vec2& velocity_mps, double duration_s);
   // A collision changed the velocity by `change_mps`; friction there takes spin along it.
   void collide(const Vec2& change_mps);
-  // The ball hit a lid from above or below at height `lid_m`, and leaves it at `vertical_mps`.
-  void bounce_off_lid(double lid_m, double vertical_mps);
+  // The flying ball hit something at height `height_m`, and leaves it at `vertical_mps`.
+  void bounce_in_air(double height_m, double vertical_mps);
 
  private:
   Vec2 land(const Vec2& velocity_mps);

@@ -41,18 +41,18 @@ std::optional<Vec2> bounced_off_lid(const Field& field, const Box2dBridge& bodie
   const BodyState& body = bodies.ball();
   const double net_m = field.goal_opening_height_m;
   if (former_height_m < net_m && height_m >= net_m && is_in_goal(field, body.position_m)) {
-    ball.bounce_off_lid(former_height_m, 0.0);
+    ball.bounce_in_air(former_height_m, 0.0);
     return body.velocity_mps;
   }
   if (former_height_m >= net_m && height_m < net_m && is_over_goal(field, body.position_m)) {
-    ball.bounce_off_lid(net_m, bounced_vertical(ball));
+    ball.bounce_in_air(net_m, bounced_vertical(ball));
     return leaving(body.velocity_mps, {0.0, 0.0}, {std::copysign(1.0, body.position_m.x()), 0.0});
   }
   if (former_height_m < kRobotHeight_m || height_m >= kRobotHeight_m) return std::nullopt;
   for (int i = 0; i < robots; ++i) {
     const BodyState& robot = bodies.robot(i);
     if (distance_to_hull(body.position_m, robot.position_m, robot.heading) >= 0.0) continue;
-    ball.bounce_off_lid(kRobotHeight_m, bounced_vertical(ball));
+    ball.bounce_in_air(kRobotHeight_m, bounced_vertical(ball));
     return leaving(body.velocity_mps, robot.velocity_mps,
                    direction_of(body.position_m - robot.position_m, robot.heading));
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "sim/bar.hpp"
 #include "sim/dribbler.hpp"
 #include "sim/lids.hpp"
 #include "sim/line_up.hpp"
@@ -136,9 +137,9 @@ void World::Impl::advance(int substep, int substeps) {
   } else {
     hold_ball();
   }
-  const Vec2 former_mps = bodies_.ball().velocity_mps;
+  const BodyState former = bodies_.ball();
   bodies_.step(step_s_);
-  if (hold_ == Hold::kFree) follow_ball(former_mps);
+  if (hold_ == Hold::kFree) follow_ball(former);
   note_contacts(substep);
   substeps_ += substeps;
 }
@@ -240,15 +241,25 @@ Vec2 World::Impl::held_by_net(Vec2 ball_mps) const {
 }
 
 // What the plane's physics does not know: spin lost in collisions, and the third dimension.
-void World::Impl::follow_ball(const Vec2& former_mps) {
-  const Vec2 change_mps = bodies_.ball().velocity_mps - former_mps;
+void World::Impl::follow_ball(const BodyState& former) {
+  const Vec2 change_mps = bodies_.ball().velocity_mps - former.velocity_mps;
   if (change_mps.squaredNorm() > kCollision_mps * kCollision_mps) ball_.collide(change_mps);
   if (!ball_.is_in_air()) return;
   const double former_height_m = ball_.height_m();
   bodies_.set_ball_velocity(ball_.flown(bodies_.ball().velocity_mps, step_s_));
+  meet_bar_and_lids(former, former_height_m);
+  let_ball_meet_what_is_as_high();
+}
+
+void World::Impl::meet_bar_and_lids(const BodyState& former, double former_height_m) {
+  const BallState before{former.position_m, former.velocity_mps, former_height_m};
+  if (const auto met = bounced_off_bar(field_, before, ball_state())) {
+    bodies_.place_ball(met->position_m, met->velocity_mps);
+    ball_.bounce_in_air(met->height_m, met->vertical_mps);
+    return;
+  }
   const auto bounced_mps = bounced_off_lid(field_, bodies_, robots_, former_height_m, ball_);
   if (bounced_mps) bodies_.set_ball_velocity(*bounced_mps);
-  let_ball_meet_what_is_as_high();
 }
 
 // The ball flies over robots and goals that are lower than it.
@@ -299,9 +310,13 @@ void World::Impl::publish() {
     state_.robots[id.side].push_back({id.number, body.position_m, body.heading.normalized(),
                                       body.velocity_mps, body.angular_velocity_radps});
   });
+  state_.ball = ball_state();
+}
+
+BallState World::Impl::ball_state() const {
   const BodyState& ball = bodies_.ball();
-  state_.ball = {ball.position_m, ball.velocity_mps, ball_.height_m(), ball_.vertical_mps(),
-                 ball_.is_rolling()};
+  return {ball.position_m, ball.velocity_mps, ball_.height_m(), ball_.vertical_mps(),
+          ball_.is_rolling()};
 }
 
 }  // namespace autoref::sim

@@ -59,7 +59,9 @@ class World::Impl {
   std::optional<Vec2> kicked(int substep);
   Vec2 dribbled(Vec2 ball_mps);
   Vec2 held_by_net(Vec2 ball_mps) const;
-  void follow_ball(const Vec2& former_mps);
+  void follow_ball(const BodyState& former);
+  void meet_bar_and_lids(const BodyState& former, double former_height_m);
+  BallState ball_state() const;
   void let_ball_meet_what_is_as_high();
   void note_contacts(int substep);
   void note(const Touch& touch);

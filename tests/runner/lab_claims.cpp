@@ -115,6 +115,18 @@ double rebound_x(const LabRecord& record) { return rebound(record, 0); }
 double rebound_net(const LabRecord& record) { return rebound(record, 0, kSlide_mps2 + kNet_mps2); }
 double rebound_y(const LabRecord& record) { return rebound(record, 1); }
 
+// The same in the air, where nothing else slows the ball.
+double rebound_flying(const LabRecord& record) {
+  const std::size_t f = first_frame(record, [](const WorldState& former, const WorldState& now) {
+    return former.ball.velocity_mps.x() > 0.0 && now.ball.velocity_mps.x() < 0.0;
+  });
+  return -record.states[f].ball.velocity_mps.x() / record.states[f - 1].ball.velocity_mps.x();
+}
+
+double behind_line_mm(const LabRecord& record) {
+  return 1000 * (record.states.back().ball.position_m.x() - Field{}.half_length_m());
+}
+
 // From the first motion to the first frame at the speed, by the speed in the frame before.
 double to_three_s(const LabRecord& record) {
   const std::size_t f = first_frame(record, [](const WorldState&, const WorldState& now) {
@@ -323,6 +335,16 @@ const std::vector<Claim>& lab_claims() {
        rebound_x},
       {"rebound_goal_back", "speed kept at a goal's back", "bounce-goal-back", 0.1, 0.02, "",
        kModels, rebound_net},
+      {"over_bar", "landing of a chip of 5 m/s whose lowest point is 175 mm high at the goal line",
+       "bar-over", 2.548, 0.03, "m", "closed form v²/g; the bar ends at 165 mm", chip_m},
+      {"under_bar", "rest behind the line of one whose top is 130 mm high there", "bar-under", 90,
+       68.5, "mm", "within the goal of 180 mm; the bar begins at 155 mm", behind_line_mm},
+      {"rebound_bar", "speed along kept at the bar, met with the ball's middle", "bar-hit", 0.3,
+       0.03, "", kModels, rebound_flying},
+      {"over_robot", "landing of a chip whose lowest point is 166 mm high at a robot's hull",
+       "chip-over-robot", 2.548, 0.03, "m", "closed form v²/g; a robot ends at 147 mm", chip_m},
+      {"into_robot", "speed along kept by one 104 mm high there", "chip-into-robot", 0.55, 0.05, "",
+       kModels, rebound_flying},
       {"time_to_3_mps", "time from rest to 3 m/s", "sprint", 1.0, 0.01, "s", kDriveSource,
        to_three_s},
       {"top_speed_along", "top speed along", "sprint", 3.0, 0.005, "m/s", kDriveSource, top_mps},

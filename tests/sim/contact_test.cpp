@@ -160,7 +160,7 @@ TEST(BallUnderTheBar, IsKeptInTheGoalByTheNet) {
   BallState ball;
   ball.position_m = {scene.field.half_length_m() - 0.1, 0.0};
   ball.velocity_mps = {3.0, 0.0};
-  ball.height_m = 0.08;
+  ball.height_m = 0.03;
   ball.vertical_mps = 2.0;  // under the bar at the line, above it at the back wall
   scene.world.put_ball(ball);
   scene.frames(180);

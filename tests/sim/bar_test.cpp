@@ -1,0 +1,106 @@
+#include "sim/bar.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "soccer/random.hpp"
+#include "tests/sim/scene.hpp"
+
+namespace autoref::sim {
+namespace {
+
+constexpr double kLine_m = 3.025;  // half of the field's 6.05 m
+
+// A ball just before the east goal's middle that flies towards it, its lowest point at a height.
+BallState flying(double height_m, double vertical_mps = 0.0) {
+  BallState ball;
+  ball.position_m = {kLine_m - 0.1, 0.0};
+  ball.velocity_mps = {6.0, 0.0};
+  ball.height_m = height_m;
+  ball.vertical_mps = vertical_mps;
+  ball.is_rolling = false;
+  return ball;
+}
+
+BallState after_frames(const BallState& ball, int frames) {
+  Scene scene;
+  scene.put_robot(kEast0, {0, 1.5});
+  scene.world.put_ball(ball);
+  scene.frames(frames);
+  return scene.ball();
+}
+
+// 6 m/s pass the line after 17 ms, in which the ball falls by 1.4 mm. The bar is 155 to 165 mm
+// high, the ball 43 mm.
+TEST(Bar, IsMetByABallWhoseMiddleIsAsHigh) {
+  const BallState ball = after_frames(flying(0.140), 3);
+  EXPECT_NEAR(ball.velocity_mps.x(), -0.3 * 6.0, 0.05);
+  EXPECT_LT(ball.position_m.x(), kLine_m);
+}
+
+TEST(Bar, IsMetByTheUpperPartOfABall) {
+  const BallState ball = after_frames(flying(0.125), 1);
+  EXPECT_LT(ball.velocity_mps.x(), 2.0);
+  EXPECT_LT(ball.vertical_mps, -1.0);  // deflected downwards
+}
+
+TEST(Bar, IsMetByTheLowerPartOfABall) {
+  const BallState ball = after_frames(flying(0.160), 1);
+  EXPECT_LT(ball.velocity_mps.x(), 4.0);
+  EXPECT_GT(ball.vertical_mps, 1.0);  // deflected upwards
+}
+
+TEST(Bar, IsPassedBelowAndAbove) {
+  EXPECT_EQ(after_frames(flying(0.111), 1).velocity_mps.x(), 6.0);
+  EXPECT_EQ(after_frames(flying(0.169), 1).velocity_mps.x(), 6.0);
+  EXPECT_GT(after_frames(flying(0.111), 2).position_m.x(), kLine_m + 0.05);
+}
+
+TEST(Bar, IsThereAtBothGoalsFromPostToPost) {
+  const Field field;
+  for (const double side : {-1.0, 1.0}) {
+    for (const double y : {-0.36, -0.34, 0.0, 0.34, 0.36}) {
+      BallState former = flying(0.140);
+      former.position_m = {side * 2.99, y};
+      BallState now = former;
+      now.position_m.x() = side * 3.02;
+      now.velocity_mps.x() = side * 6.0;
+      EXPECT_EQ(bounced_off_bar(field, former, now).has_value(), std::abs(y) < 0.35) << y;
+    }
+  }
+}
+
+TEST(Bar, DoesNotHoldABallThatLeavesIt) {
+  BallState former = flying(0.140);
+  former.position_m.x() = kLine_m - 0.02;
+  former.velocity_mps.x() = -1.0;
+  BallState now = former;
+  now.position_m.x() -= 0.004;
+  EXPECT_FALSE(bounced_off_bar(Field{}, former, now));
+}
+
+double distance_from_bar_m(const BallState& ball) {
+  return Vec2(ball.position_m.x() - kLine_m - 0.005, ball.height_m + kBallRadius_m - 0.160).norm();
+}
+
+TEST(Bar, IsNeverPassedThrough) {
+  RandomStream random(41);
+  int hits = 0;
+  for (int i = 0; i < 2000; ++i) {
+    Scene scene;
+    scene.put_robot(kEast0, {0, 1.5});
+    BallState ball = flying(0.1 + 0.09 * random.uniform(), 6 * random.uniform() - 3);
+    ball.velocity_mps.x() = 1 + 7 * random.uniform();
+    scene.world.put_ball(ball);
+    for (int f = 0; f < 6; ++f) {
+      scene.frame();
+      ASSERT_GT(distance_from_bar_m(scene.ball()), kBallRadius_m + 0.005 - 0.002) << i;
+    }
+    hits += scene.ball().velocity_mps.x() < 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(hits, 200);
+}
+
+}  // namespace
+}  // namespace autoref::sim
