@@ -48,10 +48,10 @@ World::Impl::Impl(const Field& field, const Configuration& configuration,
       configuration_(configuration),
       substep_s_(1.0 / (configuration.frame_rate_hz * configuration.substeps)),
       order_delay_substeps_(split_latency(configuration).substeps),
-      teams_{make_team(Side::kWest, sheets[Side::kWest], seed),
-             make_team(Side::kEast, sheets[Side::kEast], seed)},
       robots_(
           static_cast<int>(sheets[Side::kWest].robots.size() + sheets[Side::kEast].robots.size())),
+      teams_{make_team(Side::kWest, sheets[Side::kWest], seed),
+             make_team(Side::kEast, sheets[Side::kEast], seed)},
       bodies_(field, masses_kg(sheets)),
       ball_(configuration.ball),
       carrier_(field, configuration.placement) {

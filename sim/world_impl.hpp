@@ -76,8 +76,8 @@ class World::Impl {
   Configuration configuration_;
   double substep_s_;
   int order_delay_substeps_;
-  std::array<Team, 2> teams_;
   int robots_;
+  std::array<Team, 2> teams_;
   Box2dBridge bodies_;
   Ball ball_;
   Carrier carrier_;
