@@ -33,12 +33,13 @@ class Branch {
   }
 
   void add(std::string_view name, Target target, Range range, std::string_view about) {
-    list_.push_back({path_ + std::string(name), target, range, {}, "", about});
+    list_.push_back({path_ + std::string(name), std::move(target), range, {}, "", about});
   }
 
   void preset(std::string_view name, Target target, std::vector<std::string> words,
               std::string_view about) {
-    list_.push_back({path_ + std::string(name), target, {}, std::move(words), "", about});
+    list_.push_back(
+        {path_ + std::string(name), std::move(target), {}, std::move(words), "", about});
   }
 
   Branch below(const std::string& name) const { return {list_, path_ + name + "."}; }

@@ -21,7 +21,12 @@ std::string_view branch_of(std::string_view path) { return path.substr(0, path.r
 
 RobotChanges merged(const RobotTypes& types, const std::string& type, const RobotChanges& changes) {
   RobotChanges all = changes;
-  if (type != kNoType) all.insert(types.at(type).begin(), types.at(type).end());
+  if (type == kNoType) return all;
+  const auto found = types.find(type);
+  if (found == types.end()) {
+    throw std::invalid_argument(fmt::format("type: there is no type of robots '{}'", type));
+  }
+  all.insert(found->second.begin(), found->second.end());
   return all;
 }
 

@@ -8,7 +8,8 @@
 
 namespace autoref::runner {
 
-// What the type of that name changes and, over it, `changes`.
+// What the type of that name changes and, over it, `changes`. Throws std::invalid_argument where
+// there is no such type.
 RobotChanges merged(const RobotTypes& types, const std::string& type, const RobotChanges& changes);
 
 // Makes the changes to a robot.
@@ -24,7 +25,7 @@ std::string changed_value(const Change& change);
 // The robots of a team of `game`. What they have comes from the game's robot, the team's type, the
 // team's changes, the player's type, the player's changes, the later over the former; a player's
 // factors are multiplied with the team's. Throws std::invalid_argument for a player with a number
-// that the team does not have.
+// that the team does not have, and for an unknown type.
 sim::TeamSheet sheet_of(const GameConfiguration& game, const TeamConfiguration& team);
 
 }  // namespace autoref::runner

@@ -58,7 +58,7 @@ RobotChanges read_robot_type(const fs::path& file) {
 std::string take_type(const std::string& text, const fs::path& folder, RobotTypes& types) {
   if (!is_path(text)) return text;
   const fs::path file = folder / text;
-  const std::string name = file.stem();
+  std::string name = file.stem();
   check_type_name(name);
   const RobotChanges changes = read_robot_type_text(text_of_type(file), file.string());
   const auto [there, is_new] = types.try_emplace(name, changes);

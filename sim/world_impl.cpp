@@ -53,10 +53,10 @@ World::Impl::Impl(const Field& field, const Configuration& configuration,
       order_delay_substeps_(split_latency(configuration).substeps),
       hold_frames_(static_cast<int>(
           std::ceil(configuration.radio.hold_s * configuration.frame_rate_hz - 1e-9))),
-      teams_{make_team(Side::kWest, sheets[Side::kWest], seed),
-             make_team(Side::kEast, sheets[Side::kEast], seed)},
       robots_(
           static_cast<int>(sheets[Side::kWest].robots.size() + sheets[Side::kEast].robots.size())),
+      teams_{make_team(Side::kWest, sheets[Side::kWest], seed),
+             make_team(Side::kEast, sheets[Side::kEast], seed)},
       bodies_(field, masses_kg(sheets)),
       ball_(configuration.ball),
       carrier_(field, configuration.placement),

@@ -86,8 +86,8 @@ class World::Impl {
   double step_s_ = 0;  // of the physics step under way
   int order_delay_substeps_;
   int hold_frames_;  // a robot stops after so many frames without an order
-  std::array<Team, 2> teams_;
   int robots_;
+  std::array<Team, 2> teams_;
   Box2dBridge bodies_;
   Ball ball_;
   Carrier carrier_;

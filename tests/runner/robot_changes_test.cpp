@@ -98,6 +98,12 @@ TEST(SheetOf, RefusesAPlayerThatTheTeamDoesNotHave) {
   EXPECT_THROW(sheet_of(game, game.b), std::invalid_argument);
 }
 
+TEST(SheetOf, RefusesATypeThatTheGameDoesNotHave) {
+  GameConfiguration game;
+  game.a.type = "slow";
+  EXPECT_THROW(sheet_of(game, game.a), std::invalid_argument);
+}
+
 TEST(AssignChange, KeepsNothingOfAWrongValue) {
   RobotChanges changes;
   EXPECT_THROW(assign_change({&changes, "robot.mass_kg"}, "-1"), std::invalid_argument);
