@@ -19,6 +19,12 @@ void LastTouchDetector::restart(const Frame& frame, const std::optional<Vec2>& b
   sightings_[0] = Sighting{frame.time_s, *ball_m, 0, 0, Vec2(0, 0), frame.robots};
 }
 
+void LastTouchDetector::lose_sight() {
+  known_ = 0;
+  is_open_ = false;
+  gentle_.restart();
+}
+
 void LastTouchDetector::update(const Frame& frame) {
   if (!frame.ball || !is_finite(frame.ball->position_m)) return;
   if (known_ > 0 && !(frame.time_s > sighting(0).time_s)) return;

@@ -34,6 +34,9 @@ class LastTouchDetector {
   // Play starts: nobody has touched the ball, which lies still at `ball_m`, if it was ever seen.
   void restart(const Frame& frame, const std::optional<Vec2>& ball_m);
 
+  // The ball's sightings before tell nothing of those to come; the last touch stays.
+  void lose_sight();
+
   // Judges one frame of play. Frames without a ball, or not later than the one before, are skipped.
   void update(const Frame& frame);
 

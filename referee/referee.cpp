@@ -68,7 +68,9 @@ class Referee::Impl {
 
   const RefereeSignal& update(const Frame& frame) {
     seen_ = is_finite(frame) ? frame : finite_part(frame);
-    add_unseen_robots(tracker_.update(seen_));
+    const Tracks& tracks = tracker_.update(seen_);
+    add_unseen_robots(tracks);
+    lift_ball(tracks);
     return judge(seen_);
   }
 
@@ -102,6 +104,18 @@ class Referee::Impl {
         robots.insert(next, {known.number, known.position_m, known.heading});
       }
     }
+  }
+
+  // Where vision reports no height, a ball that flies is not where it is seen.
+  void lift_ball(const Tracks& tracks) {
+    if (!seen_.ball || seen_.ball->height_m) return;
+    const bool flies = tracks.ball->height_m > 0;
+    if (flies) {
+      seen_.ball->position_m = tracks.ball->position_m;
+      seen_.ball->height_m = tracks.ball->height_m;
+    }
+    if (flies != was_lifted_) touch_.lose_sight();
+    was_lifted_ = flies;
   }
 
   // A frame without a ball leaves it where it was.
@@ -173,6 +187,7 @@ class Referee::Impl {
   Memory memory_;
   Frame seen_;
   Tracker tracker_;
+  bool was_lifted_ = false;  // the ball, in the frame before
   LastTouchDetector touch_;
   std::optional<BallSight> ball_;
   std::vector<Decision> decisions_;

@@ -21,10 +21,20 @@ constexpr double kSurprise = 16.0;
 constexpr double kFasterThanAnyBall_mps = 25.0;  // the ball was set elsewhere
 constexpr double kAtFront_m = 15_mm;             // between the ball's surface and the plate
 
+constexpr double kSlowestChip_mps = 1.0;
+constexpr double kNewKick_mps = 1.0;  // what a new kick changes at least
+constexpr double kKickTime =
+    0.6;  // how well its time is, in gaps; a late kick shows a picture later
+constexpr double kKickPlace_m = 5_mm;    // how well a kick's place is known
+constexpr double kLeastFlight_m = 1e-3;  // of a ball that flies, whatever the estimate's errors
+constexpr double kLongestKick_s = 4.0;   // a chip of 5.5 m/s has stopped hopping long before
+
 }  // namespace
 
 BallTracker::BallTracker(double noise_m)
-    : motion_({std::max(noise_m, kLeastNoise_m), kUnsteady_m2ps3, kAnySpeed_mps}) {}
+    : noise_m_(std::max(noise_m, kLeastNoise_m)),
+      motion_({noise_m_, kUnsteady_m2ps3, kAnySpeed_mps}),
+      chip_(noise_m_) {}
 
 const std::optional<TrackedBall>& BallTracker::update(double time_s,
                                                       const std::optional<BallObservation>& seen,
@@ -37,11 +47,18 @@ const std::optional<TrackedBall>& BallTracker::update(double time_s,
     start(*seen);
   } else {
     predict(duration_s);
-    if (seen) correct(*seen, duration_s);
+    if (seen) correct(*seen, time_s - seen_s_);
   }
   if (seen) {
     seen_s_ = time_s;
-    ball_->height_m = seen->height_m.value_or(0.0);
+    camera_m_ = seen->seen_from.position_m;
+    if (seen->height_m) {
+      ball_->height_m = *seen->height_m;
+    } else {
+      follow_kick(*seen, time_s);
+    }
+  } else if (ball_->height_m > 0) {
+    fly_on(duration_s);
   } else if (holder_) {
     move_with_holder(robots);
   } else if (time_s - seen_s_ > kGoesOnUnseen_s) {
@@ -55,7 +72,7 @@ const std::optional<TrackedBall>& BallTracker::update(double time_s,
 
 void BallTracker::start(const BallObservation& seen) {
   motion_.start(seen.position_m);
-  ball_.emplace();
+  if (!ball_) ball_.emplace();
   kicked_mps_ = 0;
 }
 
@@ -73,16 +90,68 @@ void BallTracker::predict(double duration_s) {
   motion_.predict(duration_s, velocity_mps * (-lost_mps / (speed_mps * duration_s)));
 }
 
-void BallTracker::correct(const BallObservation& seen, double duration_s) {
+void BallTracker::fly_on(double duration_s) {
+  ball_->height_m += duration_s * (rise_mps_ - kGravity_mps2 * duration_s / 2);
+  rise_mps_ -= kGravity_mps2 * duration_s;
+  ball_->height_m = std::max(0.0, ball_->height_m);
+}
+
+void BallTracker::correct(const BallObservation& seen, double gap_s) {
+  if (!seen.height_m && ball_->height_m > 0) return;  // it is not where it is seen
+  if (!seen.height_m && follows_kick_ && seen.seen_from.position_m != camera_m_) {
+    // Another camera sees a ball that flies before another place.
+    motion_.set_position(seen.position_m);
+    return;
+  }
   const Vec2 miss_m = seen.position_m - Vec2(motion_.position());
-  if (miss_m.norm() > kFasterThanAnyBall_mps * duration_s) {
+  if (miss_m.norm() > kFasterThanAnyBall_mps * gap_s) {
     start(seen);
+    follows_kick_ = false;
+    ball_->is_height_known = true;
     return;
   }
   const bool is_surprise = motion_.surprise(miss_m) > kSurprise;
-  if (is_surprise) motion_.doubt_velocity(duration_s);
+  const Vec2 from_m = ball_->position_m;
+  if (is_surprise) motion_.doubt_velocity(gap_s);
   motion_.correct(miss_m);
-  if (is_surprise) kicked_mps_ = motion_.velocity().norm();
+  if (!is_surprise) return;
+  kicked_mps_ = motion_.velocity().norm();
+  if (seen.height_m || kicked_mps_ < kSlowestChip_mps) return;
+  // A ball that may fly seems to bend a little on its way; a kick is more than that, and shows in
+  // the picture after it, too.
+  const bool is_known = miss_m.norm() < kNewKick_mps * gap_s || updated_s_ - kick_s_ < 2 * gap_s;
+  if (follows_kick_ && is_known) return;
+  kick_s_ = updated_s_ - gap_s / 2;
+  chip_.begin({kick_s_, kKickTime * gap_s, from_m, std::max(noise_m_, kKickPlace_m)});
+  follows_kick_ = true;
+}
+
+void BallTracker::follow_kick(const BallObservation& seen, double time_s) {
+  if (!follows_kick_) return;
+  const CameraPlace& camera = seen.seen_from;
+  const ChipEstimate& flight = chip_.add(
+      {time_s, seen.position_m, camera.position_m, std::max(camera.height_m - kBallRadius_m, 1.0)});
+  const bool was_flying = ball_->height_m > 0;
+  ball_->height_m = 0;
+  ball_->height_deviation_m = 0;
+  ball_->is_height_known = flight.flight != BallFlight::kUnknown;
+  if (flight.flight == BallFlight::kFlying) {
+    take_over(flight);
+  } else if (was_flying) {
+    start(seen);  // it has landed, or met something
+  }
+  if (flight.flight == BallFlight::kOnGround || time_s - kick_s_ > kLongestKick_s) {
+    follows_kick_ = false;
+    ball_->is_height_known = true;
+  }
+}
+
+void BallTracker::take_over(const ChipEstimate& flight) {
+  motion_.set_position(flight.position_m);
+  motion_.set_velocity(flight.velocity_mps);
+  rise_mps_ = flight.vertical_speed_mps;
+  ball_->height_m = std::max(flight.height_m, kLeastFlight_m);
+  ball_->height_deviation_m = flight.height_deviation_m;
 }
 
 void BallTracker::move_with_holder(const PerSide<TrackedRobots>& robots) {

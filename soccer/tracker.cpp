@@ -123,7 +123,8 @@ TrackedRobot mirrored(const TrackedRobot& robot) {
 }
 
 TrackedBall mirrored(const TrackedBall& ball) {
-  return {-ball.position_m, -ball.velocity_mps, ball.height_m, ball.height_deviation_m};
+  return {-ball.position_m, -ball.velocity_mps, ball.height_m, ball.height_deviation_m,
+          ball.is_height_known};
 }
 
 }  // namespace autoref

