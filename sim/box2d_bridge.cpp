@@ -85,6 +85,9 @@ struct Box2dBridge::Bodies {
   BallContacts contacts;
   std::array<b2Body*, 2 * kMaxRobots> robots{};
   std::array<b2Fixture*, 2 * kMaxRobots> plates{};  // of the robots near the ball
+  // What push_robot leaves for after the step: Box2D moves a body at the speed it has at the end.
+  std::array<b2Vec2, 2 * kMaxRobots> half_forces;
+  std::array<float, 2 * kMaxRobots> half_torques{};
   b2Body* ball = nullptr;
 };
 
@@ -92,6 +95,7 @@ Box2dBridge::Box2dBridge(const Field& field, std::span<const double> masses_kg)
     : bodies_(std::make_unique<Bodies>()),
       masses_kg_(masses_kg.begin(), masses_kg.end()),
       count_(static_cast<int>(masses_kg.size())) {
+  bodies_->half_forces.fill(b2Vec2_zero);
   b2World& world = bodies_->world;
   world.SetContactListener(&bodies_->contacts);
   const b2BodyDef still;
@@ -121,9 +125,11 @@ void Box2dBridge::place_ball(const Vec2& position_m, const Vec2& velocity_mps) {
 
 void Box2dBridge::push_robot(int index, const Vec2& force_n, double torque_nm) {
   if (force_n.isZero(0.0) && torque_nm == 0.0) return;  // a robot at rest may sleep
-  b2Body* body = bodies_->robots[static_cast<std::size_t>(index)];
-  body->ApplyForceToCenter(to_units(force_n), true);
-  body->ApplyTorque(static_cast<float>(torque_nm * kUnitsPerMetre * kUnitsPerMetre), true);
+  const auto i = static_cast<std::size_t>(index);
+  bodies_->half_forces[i] = 0.5F * to_units(force_n);
+  bodies_->half_torques[i] = static_cast<float>(torque_nm * kUnitsPerMetre * kUnitsPerMetre / 2);
+  bodies_->robots[i]->ApplyForceToCenter(bodies_->half_forces[i], true);
+  bodies_->robots[i]->ApplyTorque(bodies_->half_torques[i], true);
 }
 
 void Box2dBridge::push_robot_at(int index, const Vec2& force_n, const Vec2& point_m) {
@@ -177,8 +183,23 @@ void Box2dBridge::step(double duration_s) {
   fit_plates();
   bodies_->contacts.touching.clear();
   bodies_->world.Step(static_cast<float>(duration_s), kVelocityIterations, kPositionIterations);
-  for (int i = 0; i < count_; ++i) read_robot(i);
+  for (int i = 0; i < count_; ++i) {
+    push_on(i, static_cast<float>(duration_s));
+    read_robot(i);
+  }
   read_ball();
+}
+
+// The other half of a push, when the step has moved the robot.
+void Box2dBridge::push_on(int index, float duration_s) {
+  const auto i = static_cast<std::size_t>(index);
+  b2Vec2& force = bodies_->half_forces[i];
+  float& torque = bodies_->half_torques[i];
+  if (force == b2Vec2_zero && torque == 0.0F) return;
+  bodies_->robots[i]->ApplyLinearImpulseToCenter(duration_s * force, true);
+  bodies_->robots[i]->ApplyAngularImpulse(duration_s * torque, true);
+  force.SetZero();
+  torque = 0.0F;
 }
 
 std::span<const int> Box2dBridge::touching() const {

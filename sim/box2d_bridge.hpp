@@ -41,7 +41,8 @@ class Box2dBridge {
   void place_robot(int index, const BodyState& state);
   void place_ball(const Vec2& position_m, const Vec2& velocity_mps);
 
-  // Act on a robot during the next step only.
+  // Act on a robot during the next step only. A step moves a pushed robot at the mean of its speeds
+  // before and after, so that its way does not depend on the steps' length.
   void push_robot(int index, const Vec2& force_n, double torque_nm);
   void push_robot_at(int index, const Vec2& force_n, const Vec2& point_m);
   // Changes a robot's velocity at once.
@@ -61,6 +62,7 @@ class Box2dBridge {
  private:
   struct Bodies;
   void fit_plates();
+  void push_on(int index, float duration_s);
   void read_robot(int index);
   void read_ball();
 

@@ -33,13 +33,11 @@ TEST(Robot, ReachesThreeMetresPerSecondInOneSecond) {
   EXPECT_NEAR(lane.speed_mps(), 3.0, 0.001);
 }
 
-// A step's position follows the speed at its end, so that the way to a stop is short of half a
-// step's way at the first speed: 12.5 mm with steps of 1/120 s.
 TEST(Robot, BrakesAtFiveMetresPerSecondSquared) {
   Lane lane;
   lane.put_robot(kWest0, {-2.5, 0}, {1, 0}, {3, 0});
   lane.frames(60);
-  EXPECT_NEAR(lane.robot(kWest0).position_m.x() + 2.5 + 3.0 / 240, 3.0 * 3.0 / (2 * 5.0), 0.001);
+  EXPECT_NEAR(lane.robot(kWest0).position_m.x() + 2.5, 3.0 * 3.0 / (2 * 5.0), 0.001);
   EXPECT_EQ(lane.speed_mps(), 0.0);
 }
 

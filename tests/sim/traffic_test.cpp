@@ -231,14 +231,18 @@ class Gains {
   }
 
   // A surface that moves at s adds at most (1 + 0.55) s to the speed of a ball that it hits. Within
-  // a sub-step such a ball may be hit twice.
+  // a sub-step such a ball may be hit twice, by a robot that is itself hit as well.
   void note_squeeze(const WorldState& former, const Traffic& traffic) {
+    constexpr double kNear_m = 3 * kRobotRadius_m + kBallRadius_m + 30_mm;
     ++squeezes;
     const WorldState& now = traffic.world.state();
     double surfaces_mps = 0.0;
-    for (const Touch& touch : traffic.world.touches()) {
-      surfaces_mps += std::max(fastest_mps(robot_of(former, touch.robot)),
-                               fastest_mps(robot_of(now, touch.robot)));
+    for (const Side side : kSides) {
+      for (const RobotState& robot : now.robots[side]) {
+        if ((robot.position_m - now.ball.position_m).norm() > kNear_m) continue;
+        const RobotState& before = robot_of(former, {side, robot.number});
+        surfaces_mps += std::max(fastest_mps(before), fastest_mps(robot));
+      }
     }
     const double gained_mps = now.ball.velocity_mps.norm() - former.ball.velocity_mps.norm();
     squeezed_mps =
