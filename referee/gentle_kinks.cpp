@@ -40,26 +40,30 @@ std::optional<GentleKink> GentleKinks::update(const Sighting& now) {
   }
   const Line after = line_through(0, kHalf);
   const Line before = line_through(kHalf, 2 * kHalf);
-  Vec2 change_mps = after.velocity_mps - before.velocity_mps;
-  // What friction may have taken, against the ball's way.
-  const double carpet_mps = parameters_.carpet_mps2 * (after.middle_s - before.middle_s);
-  const Vec2 forwards = direction_of(before.velocity_mps, Vec2(0, 0));
-  const double lost_mps = std::clamp(-change_mps.dot(forwards), 0.0, carpet_mps);
-  change_mps += lost_mps * forwards;
+  const Vec2 change_mps = unexplained_change_mps(before, after);
   const double noise_mps = std::sqrt(after.variance_m2ps2 + before.variance_m2ps2);
   const double excess = change_mps.norm() / (kDeviations * noise_mps);
   const bool is_past_peak = former_excess_ > 1 && excess < former_excess_;
   std::optional<GentleKink> found;
-  if (is_past_peak) found = former_;
-  const Sighting& first = sighting(kHalf + 1);
-  const Sighting& last = sighting(kHalf - 1);
-  former_ = {&first,
-             &last,
-             sighting(2 * kHalf).time_s,
-             {before.at(first.time_s), after.at(last.time_s)},
-             {change_mps, after.velocity_mps}};
+  if (is_past_peak) {
+    found = former_;
+    found->before = &sighting(kHalf + 2);
+    found->after = &sighting(kHalf);
+  }
+  former_.since_s = sighting(2 * kHalf).time_s;
+  former_.way = {before.at(sighting(kHalf + 1).time_s), after.at(sighting(kHalf - 1).time_s)};
+  former_.impulse = {change_mps, after.velocity_mps};
   former_excess_ = is_past_peak ? 0 : excess;
   return found;
+}
+
+// Beyond what friction may have taken, against the ball's way.
+Vec2 GentleKinks::unexplained_change_mps(const Line& before, const Line& after) const {
+  const Vec2 change_mps = after.velocity_mps - before.velocity_mps;
+  const double carpet_mps = parameters_.carpet_mps2 * (after.middle_s - before.middle_s);
+  const Vec2 forwards = direction_of(before.velocity_mps, Vec2(0, 0));
+  const double lost_mps = std::clamp(-change_mps.dot(forwards), 0.0, carpet_mps);
+  return change_mps + lost_mps * forwards;
 }
 
 }  // namespace autoref::referee

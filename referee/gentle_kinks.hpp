@@ -48,13 +48,14 @@ class GentleKinks {
     return sightings_[static_cast<std::size_t>((newest_ + kKept - back) % kKept)];
   }
   Line line_through(int newest_back, int oldest_back) const;
+  Vec2 unexplained_change_mps(const Line& before, const Line& after) const;
 
   TouchParameters parameters_;
   std::array<Sighting, kKept> sightings_;
   int newest_ = 0;
   int known_ = 0;
   double former_excess_ = 0;  // of the change, in what is explained, at the middle before
-  GentleKink former_;
+  GentleKink former_;         // there, but for the sightings
 };
 
 }  // namespace autoref::referee

@@ -1,6 +1,7 @@
 // Writing scenarios with every setting spelt out.
 #include <fmt/format.h>
 
+#include "runner/factor_reader.hpp"
 #include "runner/fields.hpp"
 #include "runner/json.hpp"
 #include "runner/scenario.hpp"
@@ -13,8 +14,8 @@ std::string comment_on(const Setting& setting) {
   return fmt::format("  # {}; {}", setting.about, expected_of(setting));
 }
 
-// What the game has of it follows by itself.
-bool is_full(const Setting& setting) {
+// Players and types, where there are any: their own settings are in the list too.
+bool is_spelt_out(const Setting& setting) {
   if (const auto* players = std::get_if<Players*>(&setting.target)) return !(**players).empty();
   if (const auto* types = std::get_if<RobotTypes*>(&setting.target)) return !(**types).empty();
   return false;
@@ -63,16 +64,11 @@ class Tree {
   std::string text_;
 };
 
-bool is_given_by_plan(const Setting& setting) {
-  return setting.path == "match.a_plays" || setting.path == "match.first_kickoff" ||
-         setting.path == "seed";
-}
-
 std::string body_of(const GameConfiguration& game) {
   GameConfiguration copy = game;
   Tree tree(0);
   for (const Setting& setting : settings_of(copy)) {
-    if (!is_alias(setting) && !is_full(setting)) tree.add(setting);
+    if (!is_alias(setting) && !is_spelt_out(setting)) tree.add(setting);
   }
   return tree.text();
 }
@@ -81,7 +77,7 @@ std::string body_of(const Sweep& sweep) {
   GameConfiguration copy = sweep.base;
   Tree tree(1);
   for (const Setting& setting : settings_of(copy)) {
-    if (is_alias(setting) || is_full(setting) || is_given_by_plan(setting)) continue;
+    if (is_alias(setting) || is_spelt_out(setting) || is_decided_by_plan(setting.path)) continue;
     tree.add(setting);
   }
   std::string text = "base:\n" + tree.text() + "factors:\n";

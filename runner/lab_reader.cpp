@@ -1,16 +1,14 @@
 // Reading scenes of the laboratory.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <stdexcept>
 
 #include "runner/files.hpp"
 #include "runner/lab.hpp"
+#include "runner/mapping.hpp"
 #include "runner/robot_changes.hpp"
 #include "runner/robot_types.hpp"
 #include "runner/settings_reader.hpp"
-#include "runner/words.hpp"
 #include "runner/yaml.hpp"
 #include "soccer/trigonometry.hpp"
 #include "soccer/units.hpp"
@@ -31,51 +29,6 @@ const std::vector<std::string> kOrder = {"at_s",       "over_s",   "forward_mps"
 
 constexpr Range kSpeed_mps{-20, 20};
 constexpr Range kTurn_radps{-100, 100};
-
-// One mapping of a scene, each of its keys known and given once.
-class Mapping {
- public:
-  Mapping(const YamlFile& file, const YamlEntry& entry, std::string path,
-          const std::vector<std::string>& known)
-      : file_(file), path_(std::move(path)), entries_(file.entries(entry, path_, known)) {
-    for (const YamlEntry& key : entries_) {
-      if (std::find(known.begin(), known.end(), key.key) != known.end()) continue;
-      file_.refuse(key.place, path_, unknown_key_message(key.key, known));
-    }
-  }
-
-  const YamlEntry* find(std::string_view key) const { return find_entry(entries_, key); }
-
-  // Each leaves the value alone where the key is not given.
-  void number(std::string_view key, double& value, Range range, std::string_view unit) const {
-    read(key, {path_to(key), &value, range, {}, unit, ""});
-  }
-  void word(std::string_view key, std::string& value, std::vector<std::string> words) const {
-    read(key, {path_to(key), &value, {}, std::move(words), "", ""});
-  }
-  void yes_or_no(std::string_view key, bool& value) const {
-    std::string text = value ? "true" : "false";
-    word(key, text, {"true", "false"});
-    value = text == "true";
-  }
-
-  std::string path_to(std::string_view key) const { return fmt::format("{}.{}", path_, key); }
-
- private:
-  void read(std::string_view key, const Setting& setting) const {
-    const YamlEntry* entry = find(key);
-    if (entry == nullptr) return;
-    try {
-      assign(setting, file_.scalar(*entry, setting.path, expected_of(setting), is_number(setting)));
-    } catch (const std::invalid_argument& error) {
-      file_.refuse(value_place(*entry), setting.path, error.what());
-    }
-  }
-
-  const YamlFile& file_;
-  std::string path_;
-  Entries entries_;
-};
 
 class LabReader {
  public:
@@ -121,12 +74,7 @@ class LabReader {
   }
 
   void read_duration(const YamlEntry& entry) {
-    const Setting setting{"duration_s", &scene_.duration_s, {0, 600, true}, {}, "s", ""};
-    try {
-      assign(setting, file_.scalar(entry, "duration_s", expected_of(setting), true));
-    } catch (const std::invalid_argument& error) {
-      file_.refuse(value_place(entry), "duration_s", error.what());
-    }
+    assign_entry(file_, entry, {"duration_s", &scene_.duration_s, {0, 600, true}, {}, "s", ""});
   }
 
   // Inside the walls around the field.

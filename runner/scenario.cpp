@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "runner/errors.hpp"
+#include "runner/factor_reader.hpp"
 #include "runner/files.hpp"
 #include "runner/plan.hpp"
 #include "runner/robot_types.hpp"
@@ -104,7 +105,7 @@ class ScenarioReader {
     Sweep sweep;
     if (const YamlEntry* base = find_entry(top_, "base")) read_base(*base, sweep.base);
     check(sweep.base);
-    read_factors(required_entry(file_, top_, "factors"), sweep);
+    FactorReader(file_, places_).read(required_entry(file_, top_, "factors"), sweep);
     sweep.pairs = number<int>(required_entry(file_, top_, "pairs"), "pairs",
                               fmt::format("a whole number from 1 to {}", kMostPairs),
                               whole_number_in, 1, kMostPairs);
@@ -132,76 +133,8 @@ class ScenarioReader {
   void refuse_what_legs_decide(const YamlEntry& entry) const {
     if (entry.key != "match" || !entry.value.IsMap()) return;
     for (const YamlEntry& key : file_.entries(entry, "match", {})) {
-      if (is_decided_by_plan("match." + key.key)) refuse_decided(key.place, "match." + key.key);
-    }
-  }
-
-  static bool is_decided_by_plan(std::string_view path) {
-    return path == "match.a_plays" || path == "match.first_kickoff" || path == "seed";
-  }
-
-  [[noreturn]] void refuse_decided(const YamlPlace& place, std::string_view path) const {
-    file_.refuse(place, path, "a sweep gives every game its own; leave it out here");
-  }
-
-  void read_factors(const YamlEntry& factors, Sweep& sweep) {
-    const Entries entries = file_.entries(factors, "factors", {});
-    if (entries.empty()) file_.refuse(factors.place, "factors", "expected at least one factor");
-    for (const YamlEntry& entry : entries) {
-      if (is_decided_by_plan(entry.key)) refuse_decided(entry.place, entry.key);
-      sweep.factors.push_back(read_factor(entry, sweep.base));
-      refuse_overlap(entry, sweep.factors);
-    }
-  }
-
-  Factor read_factor(const YamlEntry& entry, GameConfiguration& base) {
-    Factor factor{short_path(entry.key), {}};
-    places_[full_path(entry.key)] = entry.place;
-    if (!entry.value.IsSequence() || entry.value.size() == 0) {
-      file_.refuse(value_place(entry), entry.key, "expected a list of values, such as [1.0, 0.9]");
-    }
-    for (const YAML::Node& value : entry.value) {
-      const YamlPlace place = place_of(value);
-      if (!value.IsScalar()) file_.refuse(place, entry.key, "expected a list of plain values");
-      const std::string text = read_factor_value(entry, place, value.Scalar(), base);
-      if (std::find(factor.values.begin(), factor.values.end(), text) != factor.values.end()) {
-        file_.refuse(place, entry.key, fmt::format("the value {} is given twice", text));
-      }
-      factor.values.push_back(text);
-    }
-    return factor;
-  }
-
-  std::string read_factor_value(const YamlEntry& entry, const YamlPlace& place,
-                                const std::string& text, GameConfiguration& base) const {
-    GameConfiguration game = base;
-    try {
-      set_by_path(game, entry.key, text, file_.folder());
-    } catch (const std::invalid_argument& error) {
-      file_.refuse(place, entry.key, error.what());
-    }
-    base.types.insert(game.types.begin(), game.types.end());
-    return value_at(game, entry.key);
-  }
-
-  // Two factors that set the same number would make the later one win unnoticed.
-  void refuse_overlap(const YamlEntry& entry, const std::vector<Factor>& factors) const {
-    const auto branch_of = [](const std::string& path) { return path.substr(0, path.rfind('.')); };
-    const auto is_parts = [&](const std::string& part, const std::string& whole) {
-      if (whole == "sim.camera") {
-        return part.starts_with("sim.vision.") || part == "sim.radio.command_loss" ||
-               part == "sim.latency_s";
-      }
-      if (branch_of(part) != branch_of(whole)) return false;
-      return whole.ends_with(".preset") ||
-             (whole.ends_with(".handicap") && part.ends_with("_factor"));
-    };
-    const std::string& last = factors.back().path;
-    for (std::size_t i = 0; i + 1 < factors.size(); ++i) {
-      const std::string& other = factors[i].path;
-      if (other == last || is_parts(other, last) || is_parts(last, other)) {
-        file_.refuse(entry.place, entry.key, fmt::format("'{}' sets the same number", other));
-      }
+      const std::string path = "match." + key.key;
+      if (is_decided_by_plan(path)) refuse_decided(file_, key.place, path);
     }
   }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <stdexcept>
 
 #include "runner/robot_types.hpp"
@@ -32,6 +33,14 @@ void refuse_unknown(const YamlFile& file, const std::vector<YamlEntry>& top,
   }
 }
 
+void assign_entry(const YamlFile& file, const YamlEntry& entry, const Setting& setting) {
+  try {
+    assign(setting, file.scalar(entry, setting.path, expected_of(setting), is_number(setting)));
+  } catch (const std::invalid_argument& error) {
+    file.refuse(value_place(entry), setting.path, error.what());
+  }
+}
+
 void SettingsReader::hide(std::string_view path) {
   hidden_.emplace_back(path);
   std::erase_if(settings_, [path](const Setting& s) { return s.path == path; });
@@ -39,6 +48,7 @@ void SettingsReader::hide(std::string_view path) {
 
 // The game has a new player or type.
 void SettingsReader::list_anew() {
+  assert(game_ != nullptr);
   settings_ = settings_of(*game_);
   std::erase_if(settings_, [this](const Setting& s) {
     return std::find(hidden_.begin(), hidden_.end(), s.path) != hidden_.end();
@@ -48,7 +58,7 @@ void SettingsReader::list_anew() {
 void SettingsReader::read(const YamlEntry& entry, const std::string& path) {
   const Setting* found = find(path);
   if (found == nullptr) return read_branch(entry, path);
-  const Setting setting = *found;
+  const Setting setting = *found;  // a copy: players and types make a new list
   if (const auto* players = std::get_if<Players*>(&setting.target)) {
     read_players(entry, path, **players);
   } else if (const auto* types = std::get_if<RobotTypes*>(&setting.target)) {
@@ -144,6 +154,7 @@ void SettingsReader::read_types(const YamlEntry& entry, const std::string& path,
 }
 
 void SettingsReader::read_type(const YamlEntry& entry, const Setting& setting) {
+  assert(game_ != nullptr);
   const std::string text = file_.scalar(entry, setting.path, expected_of(setting), false);
   try {
     assign(setting, take_type(text, file_.folder(), game_->types));
@@ -154,11 +165,7 @@ void SettingsReader::read_type(const YamlEntry& entry, const Setting& setting) {
 
 void SettingsReader::read_value(const YamlEntry& entry, const Setting& setting) {
   places_[setting.path] = entry.place;
-  try {
-    assign(setting, file_.scalar(entry, setting.path, expected_of(setting), is_number(setting)));
-  } catch (const std::invalid_argument& error) {
-    file_.refuse(value_place(entry), setting.path, error.what());
-  }
+  assign_entry(file_, entry, setting);
 }
 
 }  // namespace autoref::runner

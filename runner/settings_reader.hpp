@@ -1,4 +1,4 @@
-// Reads the branches of a scenario that hold settings. For scenario.cpp.
+// Reads the parts of a file that hold settings: of scenarios, scenes and types of robots.
 #pragma once
 
 #include <map>
@@ -26,6 +26,11 @@ void expect_value(const YamlFile& file, const std::vector<YamlEntry>& top, std::
 void refuse_unknown(const YamlFile& file, const std::vector<YamlEntry>& top,
                     const std::vector<std::string>& known);
 
+// Reads the entry's value into the setting. Throws InputError that says what was expected.
+void assign_entry(const YamlFile& file, const YamlEntry& entry, const Setting& setting);
+
+// Puts branches of a file into a game as strictly as `--set` would, and remembers their places.
+// What settings mean together is not checked here.
 class SettingsReader {
  public:
   // All three must outlive the reader; settings go into `game`, their places into `places`.

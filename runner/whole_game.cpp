@@ -54,8 +54,9 @@ bool is_told_by_changes(const Setting& setting) {
          std::holds_alternative<RobotTypes*>(setting.target);
 }
 
+// Of a team or a player: what its robots have other than the game's.
 template <typename Of>
-std::string changes_text(const GameConfiguration& game, std::string_view path, const Of& of) {
+std::string robots_text(const GameConfiguration& game, std::string_view path, const Of& of) {
   std::string text;
   for (const auto& [name, value] : merged(game.types, of.type, of.changes)) {
     text += fmt::format("{}.{}={}\n", path, name, value);
@@ -63,11 +64,11 @@ std::string changes_text(const GameConfiguration& game, std::string_view path, c
   return text;
 }
 
-std::string changes_text(const GameConfiguration& game, std::string_view path,
-                         const TeamConfiguration& team) {
-  std::string text = changes_text<TeamConfiguration>(game, path, team);
+std::string team_text(const GameConfiguration& game, std::string_view path,
+                      const TeamConfiguration& team) {
+  std::string text = robots_text(game, path, team);
   for (const auto& [number, player] : team.players) {
-    text += changes_text(game, fmt::format("{}.players.{}", path, number), player);
+    text += robots_text(game, fmt::format("{}.players.{}", path, number), player);
   }
   return text;
 }
@@ -95,7 +96,7 @@ std::uint64_t configuration_hash(const GameConfiguration& game) {
     if (is_alias(setting) || is_told_by_changes(setting)) continue;
     text += fmt::format("{}={}\n", setting.path, value_of(setting));
   }
-  text += changes_text(game, "teams.a", game.a) + changes_text(game, "teams.b", game.b);
+  text += team_text(game, "teams.a", game.a) + team_text(game, "teams.b", game.b);
   // FNV-1a over the letters, spread over the word.
   std::uint64_t hash = 0xcbf29ce484222325ULL;
   for (const char letter : text) {

@@ -1,8 +1,8 @@
 #include "sim/ball_presets.hpp"
 
-#include <algorithm>
 #include <array>
-#include <stdexcept>
+
+#include "sim/presets.hpp"
 
 namespace autoref::sim {
 namespace {
@@ -38,33 +38,19 @@ bool has_numbers_of(const Preset& preset, const BallParameters& ball) {
 }  // namespace
 
 void apply_ball_preset(std::string_view name, BallParameters& ball) {
-  const auto preset = std::find_if(kPresets.begin(), kPresets.end(),
-                                   [name](const Preset& p) { return p.name == name; });
-  if (preset == kPresets.end()) {
-    std::string known;
-    for (const Preset& p : kPresets) known += (known.empty() ? "" : ", ") + std::string(p.name);
-    throw std::invalid_argument("unknown ball preset '" + std::string(name) + "'; known: " + known);
-  }
-  ball.slide_mps2 = preset->slide_mps2;
-  ball.roll_mps2 = preset->roll_mps2;
-  ball.switch_ratio = preset->switch_ratio;
-  ball.hop_first_xy = preset->hop_first_xy;
-  ball.hop_later_xy = preset->hop_later_xy;
-  ball.hop_z = preset->hop_z;
+  const Preset& preset = preset_called(name, kPresets, "ball");
+  ball.slide_mps2 = preset.slide_mps2;
+  ball.roll_mps2 = preset.roll_mps2;
+  ball.switch_ratio = preset.switch_ratio;
+  ball.hop_first_xy = preset.hop_first_xy;
+  ball.hop_later_xy = preset.hop_later_xy;
+  ball.hop_z = preset.hop_z;
 }
 
 std::optional<std::string> ball_preset_of(const BallParameters& ball) {
-  for (const Preset& preset : kPresets) {
-    if (has_numbers_of(preset, ball)) return std::string(preset.name);
-  }
-  return std::nullopt;
+  return name_of_preset(kPresets, [&](const Preset& p) { return has_numbers_of(p, ball); });
 }
 
-std::vector<std::string> ball_preset_names() {
-  std::vector<std::string> names;
-  names.reserve(std::size(kPresets));
-  for (const Preset& preset : kPresets) names.emplace_back(preset.name);
-  return names;
-}
+std::vector<std::string> ball_preset_names() { return names_of(kPresets); }
 
 }  // namespace autoref::sim

@@ -29,6 +29,16 @@ Vec2 seen_before_carpet(const BallState& ball, const CameraPlace& camera) {
          (ball.position_m - camera.position_m) * (below_m / (below_m - ball.height_m));
 }
 
+bool is_hidden(const WorldState& world, const CameraPlace& camera) {
+  const BallState& ball = world.ball;
+  const auto hides = [&](const RobotState& robot) {
+    return hides_ball(robot, ball.position_m, ball.height_m, camera);
+  };
+  return std::any_of(kSides.begin(), kSides.end(), [&](Side side) {
+    return std::any_of(world.robots[side].begin(), world.robots[side].end(), hides);
+  });
+}
+
 }  // namespace
 
 std::array<CameraPlace, 4> camera_places(const Field& field) {
@@ -96,29 +106,25 @@ void Camera::look_at_ball(const WorldState& world, Frame& frame) {
 
 // The nearest of the cameras that have the ball in sight; null where none has.
 const CameraPlace* Camera::find_view(const WorldState& world) const {
-  const BallState& ball = world.ball;
   const CameraPlace* nearest = nullptr;
   double nearest_m2 = 0.0;
   for (const CameraPlace& camera : cameras_) {
-    // What is beyond the lines is on the outer side of the camera, and in its sight.
-    const Vec2 inwards_m =
-        ball.position_m.cwiseProduct(-camera.position_m.cwiseSign()) + camera.position_m.cwiseAbs();
-    if (inwards_m.x() > sees_beside_m_.x() || inwards_m.y() > sees_beside_m_.y()) continue;
-    if (!parameters_.reports_height && ball.height_m > 0.9 * camera.height_m) continue;
-    const double away_m2 = (ball.position_m - camera.position_m).squaredNorm();
+    if (!covers(camera, world.ball)) continue;
+    const double away_m2 = (world.ball.position_m - camera.position_m).squaredNorm();
     if (nearest != nullptr && away_m2 >= nearest_m2) continue;
-    const auto hides = [&](const RobotState& robot) {
-      return hides_ball(robot, ball.position_m, ball.height_m, camera);
-    };
-    const bool is_hidden =
-        parameters_.robots_hide_ball && std::any_of(kSides.begin(), kSides.end(), [&](Side side) {
-          return std::any_of(world.robots[side].begin(), world.robots[side].end(), hides);
-        });
-    if (is_hidden) continue;
+    if (parameters_.robots_hide_ball && is_hidden(world, camera)) continue;
     nearest = &camera;
     nearest_m2 = away_m2;
   }
   return nearest;
+}
+
+bool Camera::covers(const CameraPlace& camera, const BallState& ball) const {
+  // What is beyond the lines is on the outer side of the camera, and in its sight.
+  const Vec2 inwards_m =
+      ball.position_m.cwiseProduct(-camera.position_m.cwiseSign()) + camera.position_m.cwiseAbs();
+  if (inwards_m.x() > sees_beside_m_.x() || inwards_m.y() > sees_beside_m_.y()) return false;
+  return parameters_.reports_height || ball.height_m <= 0.9 * camera.height_m;
 }
 
 bool Camera::misses(double share) { return share > 0.0 && chance_.uniform() < share; }

@@ -36,6 +36,7 @@ class Camera {
   void look_at_robots(const WorldState& world, Frame& frame);
   void look_at_ball(const WorldState& world, Frame& frame);
   const CameraPlace* find_view(const WorldState& world) const;
+  bool covers(const CameraPlace& camera, const BallState& ball) const;
   bool misses(double share);
   Vec2 with_noise(const Vec2& position_m, double noise_m);
 

@@ -1,8 +1,8 @@
 #include "sim/camera_presets.hpp"
 
-#include <algorithm>
 #include <array>
-#include <stdexcept>
+
+#include "sim/presets.hpp"
 
 namespace autoref::sim {
 namespace {
@@ -26,45 +26,23 @@ constexpr std::array kPresets = {
         "realistic", {0.0014, 0.0013, 0.01, 0.05, 0.02, false, true}, 0.03, 35_ms + 10_ms + 3_ms},
 };
 
-bool is_same(const VisionParameters& a, const VisionParameters& b) {
-  return a.ball_noise_m == b.ball_noise_m && a.robot_noise_m == b.robot_noise_m &&
-         a.robot_noise_rad == b.robot_noise_rad && a.ball_misses == b.ball_misses &&
-         a.robot_misses == b.robot_misses && a.reports_height == b.reports_height &&
-         a.robots_hide_ball == b.robots_hide_ball;
-}
-
 }  // namespace
 
 void apply_camera_preset(std::string_view name, Configuration& configuration) {
-  const auto preset = std::find_if(kPresets.begin(), kPresets.end(),
-                                   [name](const Preset& p) { return p.name == name; });
-  if (preset == kPresets.end()) {
-    std::string known;
-    for (const Preset& p : kPresets) known += (known.empty() ? "" : ", ") + std::string(p.name);
-    throw std::invalid_argument("unknown camera preset '" + std::string(name) +
-                                "'; known: " + known);
-  }
-  configuration.vision = preset->vision;
-  configuration.radio.command_loss = preset->command_loss;
-  configuration.latency_s = preset->latency_s;
+  const Preset& preset = preset_called(name, kPresets, "camera");
+  configuration.vision = preset.vision;
+  configuration.radio.command_loss = preset.command_loss;
+  configuration.latency_s = preset.latency_s;
 }
 
 std::optional<std::string> camera_preset_of(const Configuration& configuration) {
-  for (const Preset& preset : kPresets) {
-    if (is_same(configuration.vision, preset.vision) &&
-        configuration.radio.command_loss == preset.command_loss &&
-        configuration.latency_s == preset.latency_s) {
-      return std::string(preset.name);
-    }
-  }
-  return std::nullopt;
+  return name_of_preset(kPresets, [&](const Preset& preset) {
+    return configuration.vision == preset.vision &&
+           configuration.radio.command_loss == preset.command_loss &&
+           configuration.latency_s == preset.latency_s;
+  });
 }
 
-std::vector<std::string> camera_preset_names() {
-  std::vector<std::string> names;
-  names.reserve(std::size(kPresets));
-  for (const Preset& preset : kPresets) names.emplace_back(preset.name);
-  return names;
-}
+std::vector<std::string> camera_preset_names() { return names_of(kPresets); }
 
 }  // namespace autoref::sim

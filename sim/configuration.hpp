@@ -70,6 +70,7 @@ struct VisionParameters {
   double robot_misses = 0.0;   // and a robot
   bool reports_height = true;  // else a flying ball is seen before the carpet
   bool robots_hide_ball = false;
+  bool operator==(const VisionParameters&) const = default;
 };
 
 struct RadioParameters {

@@ -1,7 +1,8 @@
 #include "sim/dribbler_presets.hpp"
 
 #include <array>
-#include <stdexcept>
+
+#include "sim/presets.hpp"
 
 namespace autoref::sim {
 namespace {
@@ -17,30 +18,13 @@ constexpr std::array kPresets = {Preset{"default", {}}, Preset{"perfect", {100.0
 }  // namespace
 
 void apply_dribbler_preset(std::string_view name, DribblerParameters& dribbler) {
-  std::string known;
-  for (const Preset& preset : kPresets) {
-    if (preset.name == name) {
-      dribbler = preset.numbers;
-      return;
-    }
-    known += (known.empty() ? "" : ", ") + std::string(preset.name);
-  }
-  throw std::invalid_argument("unknown dribbler preset '" + std::string(name) +
-                              "'; known: " + known);
+  dribbler = preset_called(name, kPresets, "dribbler").numbers;
 }
 
 std::optional<std::string> dribbler_preset_of(const DribblerParameters& dribbler) {
-  for (const Preset& preset : kPresets) {
-    if (preset.numbers == dribbler) return std::string(preset.name);
-  }
-  return std::nullopt;
+  return name_of_preset(kPresets, [&](const Preset& preset) { return preset.numbers == dribbler; });
 }
 
-std::vector<std::string> dribbler_preset_names() {
-  std::vector<std::string> names;
-  names.reserve(kPresets.size());
-  for (const Preset& preset : kPresets) names.emplace_back(preset.name);
-  return names;
-}
+std::vector<std::string> dribbler_preset_names() { return names_of(kPresets); }
 
 }  // namespace autoref::sim

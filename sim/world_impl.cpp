@@ -5,17 +5,10 @@
 #include <cmath>
 #include <vector>
 
-#include "sim/bar.hpp"
-#include "sim/dribbler.hpp"
-#include "sim/lids.hpp"
 #include "sim/line_up.hpp"
-#include "soccer/robot_shape.hpp"
 
 namespace autoref::sim {
 namespace {
-
-// Less change of the ball's velocity is rounding, not a collision.
-constexpr double kCollision_mps = 0.01;
 
 // The west's robots, then the east's.
 std::vector<double> masses_kg(const PerSide<TeamSheet>& sheets) {
@@ -151,123 +144,6 @@ void World::Impl::drive() {
   });
 }
 
-// The carried ball moves at the speed that brings it along its way, rather than by jumps.
-void World::Impl::hold_ball() {
-  ball_.hold(step_s_);
-  const BodyState& ball = bodies_.ball();
-  if (hold_ == Hold::kCatching) {
-    bodies_.let_ball_meet(false, ball_.height_m() < field_.goal_opening_height_m);
-    const double speed_mps = ball.velocity_mps.norm();
-    const double left_mps = speed_mps - configuration_.placement.catch_mps2 * step_s_;
-    if (left_mps > 0.0) {
-      bodies_.set_ball_velocity(ball.velocity_mps * (left_mps / speed_mps));
-      return;
-    }
-    hold_ = Hold::kCarrying;
-    carrier_.start(ball.position_m, placement_.target_m);
-    bodies_.let_ball_meet(false, false);
-  }
-  const Vec2 way_m = carrier_.carry(step_s_) - ball.position_m;
-  const bool is_there = way_m.norm() < 1e-6;
-  bodies_.set_ball_velocity(is_there ? Vec2(0.0, 0.0) : Vec2(way_m / step_s_));
-}
-
-void World::Impl::move_ball(int substep) {
-  const std::optional<Vec2> kick_mps = kicked(substep);
-  const Vec2 ball_mps = kick_mps ? *kick_mps : dribbled(bodies_.ball().velocity_mps);
-  bodies_.set_ball_velocity(held_by_net(ball_.slowed(ball_mps, step_s_)));
-}
-
-// The ball's velocity after a kick, if there was one. Several kickers that fire at once push the
-// ball together, whoever is asked first.
-std::optional<Vec2> World::Impl::kicked(int substep) {
-  const BodyState ball = bodies_.ball();
-  Vec2 sum_mps{0.0, 0.0};
-  double vertical_mps = 0.0;
-  bool is_kicked = false;
-  double limit_mps = 0.0;
-  for_each_robot([&](RobotId id, Robot& robot, int index) {
-    const auto kick = robot.kicker.fire(robot.aim, bodies_.robot(index), ball.position_m,
-                                        ball_.height_m(), substeps_, team(id.side).kicks);
-    if (!kick) return;
-    is_kicked = true;
-    limit_mps = std::max(limit_mps, robot.kicker.speed_limit_mps());
-    sum_mps += kick->velocity_mps;
-    vertical_mps = std::max(vertical_mps, kick->vertical_mps);
-    bodies_.strike_robot(index, kBallMass_kg * (ball.velocity_mps - kick->velocity_mps));
-    note({state_.frame + 1, substep, id, ball.position_m, true});
-  });
-  if (!is_kicked) return std::nullopt;
-  ball_.kick(vertical_mps);
-  return clamp_norm(sum_mps, limit_mps);
-}
-
-// The ball's velocity after the pull of all dribblers. Those that hold it share it, or two of them
-// would throw it to and fro; a robot that has just kicked lets go.
-Vec2 World::Impl::dribbled(Vec2 ball_mps) {
-  struct Pull {
-    int index;
-    bool holds;
-    Vec2 force_n;
-  };
-  boost::container::static_vector<Pull, 2 * kMaxRobots> pulls;
-  const BodyState& ball = bodies_.ball();
-  int holders = 0;
-  for_each_robot([&](RobotId, const Robot& robot, int index) {
-    const bool holds = robot.dribbler.holds;
-    if (!robot.aim.dribble || (holds && robot.kicker.is_recharging(substeps_))) return;
-    const Vec2 force_n =
-        dribbler_force_n(robot.dribbler, bodies_.robot(index), ball, ball_.height_m(), step_s_);
-    if (force_n.isZero(0.0)) return;
-    pulls.push_back({index, holds, force_n});
-    holders += holds ? 1 : 0;
-  });
-  for (const Pull& pull : pulls) {
-    const Vec2 force_n = pull.holds ? Vec2(pull.force_n / holders) : pull.force_n;
-    ball_mps += force_n * (step_s_ / kBallMass_kg);
-    bodies_.push_robot_at(pull.index, -force_n, ball.position_m);
-  }
-  return ball_mps;
-}
-
-Vec2 World::Impl::held_by_net(Vec2 ball_mps) const {
-  const Vec2& at_m = bodies_.ball().position_m;
-  const double outwards = -std::copysign(1.0, at_m.x());
-  const double leaves_mps = ball_mps.x() * outwards;
-  if (leaves_mps <= 0.0 || !is_in_goal(field_, at_m)) return ball_mps;
-  if (std::abs(at_m.x()) < field_.half_length_m() + kBallRadius_m) return ball_mps;
-  ball_mps.x() = outwards * std::max(0.0, leaves_mps - configuration_.ball.net_mps2 * step_s_);
-  return ball_mps;
-}
-
-// What the plane's physics does not know: spin lost in collisions, and the third dimension.
-void World::Impl::follow_ball(const BodyState& former) {
-  const Vec2 change_mps = bodies_.ball().velocity_mps - former.velocity_mps;
-  if (change_mps.squaredNorm() > kCollision_mps * kCollision_mps) ball_.collide(change_mps);
-  if (!ball_.is_in_air()) return;
-  const double former_height_m = ball_.height_m();
-  bodies_.set_ball_velocity(ball_.flown(bodies_.ball().velocity_mps, step_s_));
-  meet_bar_and_lids(former, former_height_m);
-  let_ball_meet_what_is_as_high();
-}
-
-void World::Impl::meet_bar_and_lids(const BodyState& former, double former_height_m) {
-  const BallState before{former.position_m, former.velocity_mps, former_height_m};
-  if (const auto met = bounced_off_bar(field_, before, ball_state())) {
-    bodies_.place_ball(met->position_m, met->velocity_mps);
-    ball_.bounce_in_air(met->height_m, met->vertical_mps);
-    return;
-  }
-  const auto bounced_mps = bounced_off_lid(field_, bodies_, robots_, former_height_m, ball_);
-  if (bounced_mps) bodies_.set_ball_velocity(*bounced_mps);
-}
-
-// The ball flies over robots and goals that are lower than it.
-void World::Impl::let_ball_meet_what_is_as_high() {
-  bodies_.let_ball_meet(ball_.height_m() < kRobotHeight_m,
-                        ball_.height_m() < field_.goal_opening_height_m);
-}
-
 void World::Impl::note_contacts(int substep) {
   std::uint32_t now = 0;
   for (const int index : bodies_.touching()) {
@@ -311,12 +187,6 @@ void World::Impl::publish() {
                                       body.velocity_mps, body.angular_velocity_radps});
   });
   state_.ball = ball_state();
-}
-
-BallState World::Impl::ball_state() const {
-  const BodyState& ball = bodies_.ball();
-  return {ball.position_m, ball.velocity_mps, ball_.height_m(), ball_.vertical_mps(),
-          ball_.is_rolling()};
 }
 
 }  // namespace autoref::sim

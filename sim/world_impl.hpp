@@ -42,6 +42,13 @@ class World::Impl {
     RandomStream kicks;
     RandomStream radio;
   };
+  // What a robot's dribbler does to the ball.
+  struct Pull {
+    int index;  // in the bridge
+    bool holds;
+    Vec2 force_n;
+  };
+  using Pulls = boost::container::static_vector<Pull, 2 * kMaxRobots>;
   // Free, or in the referee's hand: being stopped, then on its way or at the target.
   enum class Hold { kFree, kCatching, kCarrying };
 
@@ -57,6 +64,7 @@ class World::Impl {
   void hold_ball();
   void move_ball(int substep);
   std::optional<Vec2> kicked(int substep);
+  Pulls pulls();
   Vec2 dribbled(Vec2 ball_mps);
   Vec2 held_by_net(Vec2 ball_mps) const;
   void follow_ball(const BodyState& former);

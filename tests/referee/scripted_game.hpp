@@ -117,4 +117,13 @@ class ScriptedGame {
   std::int64_t next_number_ = 0;
 };
 
+// A game after its kick-off, the ball in play near the centre.
+inline ScriptedGame in_play(const Configuration& configuration = {}) {
+  ScriptedGame game(configuration);
+  game.line_up().kick_off();
+  game.put_ball({0.4, 0.2});
+  game.run(0.1);
+  return game;
+}
+
 }  // namespace autoref::referee

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "soccer/random.hpp"
+#include "tests/sim/chance.hpp"
 #include "tests/sim/scene.hpp"
 
 namespace autoref::sim {
@@ -90,8 +90,10 @@ TEST(Bar, IsNeverPassedThrough) {
   for (int i = 0; i < 2000; ++i) {
     Scene scene;
     scene.put_robot(kEast0, {0, 1.5});
-    BallState ball = flying(0.1 + 0.09 * random.uniform(), 6 * random.uniform() - 3);
-    ball.velocity_mps.x() = 1 + 7 * random.uniform();
+    const double height_m = between(random, 0.1, 0.19);
+    const double vertical_mps = between(random, -3, 3);
+    BallState ball = flying(height_m, vertical_mps);
+    ball.velocity_mps.x() = between(random, 1, 8);
     scene.world.put_ball(ball);
     for (int f = 0; f < 6; ++f) {
       scene.frame();

@@ -3,21 +3,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "soccer/random.hpp"
 #include "soccer/trigonometry.hpp"
+#include "tests/sim/chance.hpp"
 #include "tests/sim/scene.hpp"
 
 namespace autoref::sim {
 namespace {
 
 constexpr double kLongStep_s = 1.0 / 120;
-
-double between(RandomStream& random, double low, double high) {
-  return low + (high - low) * random.uniform();
-}
 
 Vec2 any_velocity(RandomStream& random, double most_mps) {
   const double angle_rad = between(random, 0, 2 * kPi);

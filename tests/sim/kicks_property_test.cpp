@@ -5,8 +5,8 @@
 #include <limits>
 #include <string>
 
-#include "soccer/random.hpp"
 #include "tests/sim/bounces.hpp"
+#include "tests/sim/chance.hpp"
 #include "tests/sim/scene.hpp"
 
 namespace autoref::sim {
@@ -14,10 +14,6 @@ namespace {
 
 constexpr double kKick_mps = 8.0;
 constexpr double kWatched_s = 0.5;  // after a kick
-
-double between(RandomStream& random, double low, double high) {
-  return low + (high - low) * random.uniform();
-}
 
 // A ball on its way at something, and a robot that may be in the way.
 struct Shot {
@@ -68,7 +64,9 @@ Shot at_spinning_robot(RandomStream& random) {
 // positive, then in any quarter. The robot waits elsewhere.
 Shot from_box_to_box(RandomStream& random, const Vec2& from_low_m, const Vec2& from_high_m,
                      const Vec2& to_low_m, const Vec2& to_high_m) {
-  const Vec2 turned(random.uniform() < 0.5 ? -1 : 1, random.uniform() < 0.5 ? -1 : 1);
+  const double turned_x = random.uniform() < 0.5 ? -1 : 1;
+  const double turned_y = random.uniform() < 0.5 ? -1 : 1;
+  const Vec2 turned(turned_x, turned_y);
   const auto place_in = [&random](const Vec2& low_m, const Vec2& high_m) {
     const double x = between(random, low_m.x(), high_m.x());
     const double y = between(random, low_m.y(), high_m.y());

@@ -8,8 +8,8 @@
 #include <iostream>
 #include <limits>
 
-#include "soccer/random.hpp"
 #include "tests/sim/bounces.hpp"
+#include "tests/sim/chance.hpp"
 #include "tests/sim/scene.hpp"
 
 namespace autoref::sim {
@@ -18,10 +18,6 @@ namespace {
 constexpr int kRobots = 6;  // a side
 constexpr int kPlayed_s =
     AUTOREF_TRAFFIC_S;  // an hour, or 1/30 of it where sanitizers slow it down
-
-double between(RandomStream& random, double low, double high) {
-  return low + (high - low) * random.uniform();
-}
 
 // Robots without a plan: each chases the ball, drives to a place or spins, its dribbler on or off,
 // until it thinks of something else. A ball that lies at a wall or that nobody gets at is thrown in

@@ -1,0 +1,109 @@
+#include "sim/camera_presets.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "soccer/trigonometry.hpp"
+#include "tests/sim/camera_scene.hpp"
+
+namespace autoref::sim {
+namespace {
+
+TEST(CameraPreset, IsRefusedWhereUnknownAndTheKnownAreNamed) {
+  Configuration configuration;
+  try {
+    apply_camera_preset("sharp", configuration);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("known: paper, none, friendly, rc2021, realistic"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+// What a preset's pictures of a standing robot and a standing ball are like.
+struct Observed {
+  double ball_m2 = 0;  // mean square of an error's coordinate
+  double robot_m2 = 0;
+  double robot_rad2 = 0;
+  double ball_misses = 0;
+  double robot_misses = 0;
+};
+
+Observed observe(const char* preset, int pictures) {
+  Camera camera = camera_of(preset);
+  const WorldState world = world_with_robot_at({1, 1}, {-1, 0.5});
+  Frame frame;
+  Observed sum;
+  int balls = 0;
+  int robots = 0;
+  for (int i = 0; i < pictures; ++i) {
+    camera.look(world, frame);
+    if (frame.ball) {
+      ++balls;
+      sum.ball_m2 += (frame.ball->position_m - world.ball.position_m).squaredNorm() / 2;
+    }
+    for (const RobotObservation& robot : frame.robots[Side::kEast]) {
+      ++robots;
+      sum.robot_m2 += (robot.position_m - Vec2(1, 1)).squaredNorm() / 2;
+      sum.robot_rad2 += std::pow(angle_of(robot.heading), 2);
+    }
+  }
+  return {sum.ball_m2 / balls, sum.robot_m2 / robots, sum.robot_rad2 / robots,
+          1.0 - static_cast<double>(balls) / pictures,
+          1.0 - static_cast<double>(robots) / pictures};
+}
+
+struct Kind {
+  const char* name;
+  double ball_m;
+  double robot_m;
+  double robot_rad;
+  double ball_misses;
+  double robot_misses;
+  double command_loss;
+  double latency_s;
+};
+
+class CameraKind : public testing::TestWithParam<Kind> {};
+
+TEST_P(CameraKind, HasTheNoiseAndTheMissesOfItsTable) {
+  constexpr int kPictures = 40000;
+  const Kind& kind = GetParam();
+  const Observed seen = observe(kind.name, kPictures);
+  // Five standard deviations of a variance from 40000 pictures, two coordinates each; of a share.
+  EXPECT_NEAR(std::sqrt(seen.ball_m2), kind.ball_m, 0.013 * kind.ball_m + 1e-7);
+  EXPECT_NEAR(std::sqrt(seen.robot_m2), kind.robot_m, 0.013 * kind.robot_m + 1e-7);
+  EXPECT_NEAR(std::sqrt(seen.robot_rad2), kind.robot_rad, 0.018 * kind.robot_rad + 1e-7);
+  const auto tolerance = [](double share) {
+    return 5 * std::sqrt(share * (1 - share) / kPictures);
+  };
+  EXPECT_NEAR(seen.ball_misses, kind.ball_misses, tolerance(kind.ball_misses));
+  EXPECT_NEAR(seen.robot_misses, kind.robot_misses, tolerance(kind.robot_misses));
+}
+
+TEST_P(CameraKind, SetsRadioAndLatencyAndIsKnownByItsNumbers) {
+  const Kind& kind = GetParam();
+  Configuration configuration;
+  apply_camera_preset(kind.name, configuration);
+  EXPECT_EQ(configuration.radio.command_loss, kind.command_loss);
+  EXPECT_DOUBLE_EQ(configuration.latency_s, kind.latency_s);
+  EXPECT_EQ(camera_preset_of(configuration), kind.name);
+  configuration.vision.ball_misses += 0.01;
+  EXPECT_EQ(camera_preset_of(configuration), std::nullopt);
+}
+
+// ER-Force's kinds of realism.
+INSTANTIATE_TEST_SUITE_P(
+    Presets, CameraKind,
+    testing::Values(Kind{"paper", 0, 0, 0, 0, 0, 0, 0.040}, Kind{"none", 0, 0, 0, 0, 0, 0, 0.040},
+                    Kind{"friendly", 0.0004, 0.0003, 0.003, 0.05, 0.02, 0.01, 0.045},
+                    Kind{"rc2021", 0.001, 0.0013, 0.01, 0.05, 0, 0.03, 0.045},
+                    Kind{"realistic", 0.0014, 0.0013, 0.01, 0.05, 0.02, 0.03, 0.048}),
+    [](const auto& kind) { return std::string(kind.param.name); });
+
+}  // namespace
+}  // namespace autoref::sim
