@@ -10,7 +10,6 @@
 #include "runner/factor_reader.hpp"
 #include "runner/files.hpp"
 #include "runner/plan.hpp"
-#include "runner/robot_types.hpp"
 #include "runner/settings_reader.hpp"
 #include "runner/words.hpp"
 #include "runner/yaml.hpp"
