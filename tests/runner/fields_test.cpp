@@ -146,6 +146,21 @@ TEST(CheckGame, RefusesParametersThatTheStrategyDoesNotHave) {
   }
 }
 
+// One step of Box2D is 0.2 m long at most, so that 30 a second carry nothing at 8 m/s.
+TEST(CheckGame, RefusesSubstepsTooFewForAKick) {
+  GameConfiguration game;
+  game.sim.frame_rate_hz = 30;
+  game.sim.substeps = 2;
+  EXPECT_NO_THROW(check_game(game));
+  game.sim.substeps = 1;
+  try {
+    check_game(game);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_TRUE(std::string_view(error.what()).starts_with("sim.substeps: ")) << error.what();
+  }
+}
+
 TEST(ConfigurationHash, ChangesWithEverySetting) {
   const std::uint64_t plain = configuration_hash(GameConfiguration{});
   for (const auto& [path, text] :
