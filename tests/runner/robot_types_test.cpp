@@ -142,6 +142,12 @@ TEST_F(ScenarioWithTypes, RefusesTwoTypesOfOneName) {
   EXPECT_NE(message.find("another type is called 'slow'"), std::string::npos) << message;
 }
 
+TEST_F(ScenarioWithTypes, SaysThatAFilesNameIsTheTypesName) {
+  const std::string message = refusal(kGame + "teams: { b: { type: robots/very slow.yaml } }\n");
+  EXPECT_TRUE(message.starts_with(file("x.yaml") + ":3:21: teams.b.type: ")) << message;
+  EXPECT_TRUE(message.ends_with("found 'very slow'; rename the file")) << message;
+}
+
 TEST_F(ScenarioWithTypes, TakesAFlagsPathFromTheFolderNamed) {
   GameConfiguration it;
   set_by_path(it, "b.type", "robots/slow.yaml", folder_.path());
