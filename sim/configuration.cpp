@@ -56,7 +56,7 @@ void validate(const BallParameters& ball) {
 }
 
 void validate(const RobotParameters& robot) {
-  check_positive("robot.mass_kg", robot.mass_kg);
+  check_range("robot.mass_kg", robot.mass_kg, 0.001, 100.0);  // Box2D takes none for 1 kg
   check_range("robot.speed_mps", robot.speed_mps, 0.01, 20.0);
   check_positive("robot.acceleration_mps2", robot.acceleration_mps2);
   check_positive("robot.braking_mps2", robot.braking_mps2);

@@ -105,7 +105,7 @@ TEST(SetByPath, NamesTheNearestOfAPlayersKeys) {
   EXPECT_EQ(refusal_of("b.players.16.handicap", "1"),
             "expected a robot's number from 0 to 15, found '16'");
   EXPECT_EQ(refusal_of("b.robot.mass_kg", "0"),
-            "expected a number above 0 and at most 100 kg, found '0'");
+            "expected a number from 0.001 to 100 kg, found '0'");
 }
 
 TEST(SetByPath, SaysWhatWasExpected) {
