@@ -123,7 +123,7 @@ void list_field(Field& field, Branch to) {
 }
 
 void list_robot(sim::RobotParameters& robot, Branch to) {
-  to.number("mass_kg", robot.mass_kg, positive(100), "kg", "of a robot");
+  to.number("mass_kg", robot.mass_kg, {0.001, 100}, "kg", "of a robot");
   to.number("speed_mps", robot.speed_mps, {0.01, 20}, "m/s", "top speed");
   to.number("acceleration_mps2", robot.acceleration_mps2, positive(100), "m/s^2", "speeding up");
   to.number("braking_mps2", robot.braking_mps2, positive(100), "m/s^2", "slowing down");

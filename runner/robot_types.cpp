@@ -59,7 +59,12 @@ std::string take_type(const std::string& text, const fs::path& folder, RobotType
   if (!is_path(text)) return text;
   const fs::path file = folder / text;
   std::string name = file.stem();
-  check_type_name(name);
+  try {
+    check_type_name(name);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(
+        fmt::format("the file gives the type its name: {}; rename the file", error.what()));
+  }
   const RobotChanges changes = read_robot_type_text(text_of_type(file), file.string());
   const auto [there, is_new] = types.try_emplace(name, changes);
   if (!is_new && there->second != changes) {

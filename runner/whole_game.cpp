@@ -29,6 +29,19 @@ void check_params(const TeamConfiguration& team, std::string_view name) {
   }
 }
 
+void check_speeds(const GameConfiguration& game, const sim::TeamSheet& sheet,
+                  std::string_view name) {
+  const double most_mps = sim::fastest_mps(game.sim);
+  for (const sim::RobotSheet& robot : sheet.robots) {
+    const double robot_mps = sim::fastest_mps(robot);
+    if (robot_mps <= most_mps) continue;
+    throw std::invalid_argument(
+        fmt::format("sim.substeps: with {} at {} frames a second nothing gets faster than {:.4g} "
+                    "m/s, but robots of {} drive or kick at up to {:.4g}; give more",
+                    game.sim.substeps, game.sim.frame_rate_hz, most_mps, name, robot_mps));
+  }
+}
+
 void check_robots(const GameConfiguration& game, const TeamConfiguration& team,
                   std::string_view name) {
   sim::TeamSheet sheet;
@@ -45,6 +58,7 @@ void check_robots(const GameConfiguration& game, const TeamConfiguration& team,
           fmt::format("{}.players.{}: with the team's, {}", name, number, error.what()));
     }
   }
+  check_speeds(game, sheet, name);
 }
 
 // Names of types do not matter, only what they change.

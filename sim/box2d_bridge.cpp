@@ -23,6 +23,8 @@ namespace {
 
 using namespace box2d;
 
+static_assert(b2_maxTranslation == to_units(kLongestWay_m));
+
 // Of the ball against a robot, from ER-Force's and grSim's models and measurements of the league.
 constexpr float kRobotBody = 0.55F;
 constexpr float kPlate = 0.4F;

@@ -24,6 +24,9 @@ struct BodyState {
   double angular_velocity_radps = 0;
 };
 
+// The longest way of a body in one step: Box2D slows down what is faster.
+inline constexpr double kLongestWay_m = 0.2;
+
 // Of a homogeneous disc as heavy and as wide as a robot.
 double robot_inertia_kgm2(double mass_kg);
 

@@ -13,7 +13,7 @@ namespace autoref::sim::box2d {
 // Box2D's tolerances fit objects of 0.1 to 10 units.
 inline constexpr double kUnitsPerMetre = 10.0;
 
-inline float to_units(double metres) { return static_cast<float>(metres * kUnitsPerMetre); }
+constexpr float to_units(double metres) { return static_cast<float>(metres * kUnitsPerMetre); }
 inline b2Vec2 to_units(const Vec2& v) { return {to_units(v.x()), to_units(v.y())}; }
 inline Vec2 from_units(const b2Vec2& v) {
   return {static_cast<double>(v.x) / kUnitsPerMetre, static_cast<double>(v.y) / kUnitsPerMetre};

@@ -28,6 +28,7 @@ Calm::Calm(const Field& field, const PerSide<TeamSheet>& sheets, double duration
 bool Calm::lasts(const Box2dBridge& bodies, int robots, bool is_ball_held) const {
   const BodyState& ball = bodies.ball();
   const double ball_reach_m = reach_m(ball, kBallRadius_m);
+  if (ball_reach_m - kBallRadius_m > kLongestWay_m) return false;
   if (!keeps_off_walls(ball.position_m, ball_reach_m)) return false;
   for (int i = 0; i < robots && !is_ball_held; ++i) {
     const BodyState& robot = bodies.robot(i);
@@ -54,6 +55,7 @@ bool Calm::robots_keep_apart(const Box2dBridge& bodies, int robots) const {
   for (int i = 0; i < robots; ++i) {
     const BodyState& robot = bodies.robot(i);
     const double its_reach_m = reach_m(robot, kRobotRadius_m);
+    if (its_reach_m - kRobotRadius_m > kLongestWay_m) return false;
     if (!keeps_off_walls(robot.position_m, its_reach_m)) return false;
     reaches_m[static_cast<std::size_t>(i)] = its_reach_m;
     for (int k = 0; k < i; ++k) {

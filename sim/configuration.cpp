@@ -1,7 +1,10 @@
 #include "sim/configuration.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+
+#include "sim/box2d_bridge.hpp"
 
 namespace autoref::sim {
 namespace {
@@ -53,7 +56,7 @@ void validate(const BallParameters& ball) {
 }
 
 void validate(const RobotParameters& robot) {
-  check_positive("robot.mass_kg", robot.mass_kg);
+  check_range("robot.mass_kg", robot.mass_kg, 0.001, 100.0);  // Box2D takes none for 1 kg
   check_range("robot.speed_mps", robot.speed_mps, 0.01, 20.0);
   check_positive("robot.acceleration_mps2", robot.acceleration_mps2);
   check_positive("robot.braking_mps2", robot.braking_mps2);
@@ -138,6 +141,15 @@ void validate(const Field& field) {
               field.half_length_m() - 0.8);
   check_range("field.defence_area.straight_m", field.defence_area.straight_m, 0.0,
               field.width_m - 0.4);
+}
+
+double fastest_mps(const Configuration& configuration) {
+  return kLongestWay_m * configuration.substeps * configuration.frame_rate_hz;
+}
+
+double fastest_mps(const RobotSheet& robot) {
+  return std::max({robot.body.speed_mps * robot.speed_factor, robot.kicker.speed_limit_mps,
+                   robot.kicker.chip_limit_mps});
 }
 
 }  // namespace autoref::sim

@@ -111,4 +111,10 @@ void validate(const RobotSheet& robot);
 void validate(const PerSide<TeamSheet>& sheets);
 void validate(const Field& field);
 
+// The fastest that a body can be with as many sub-steps: Box2D slows down what is faster.
+double fastest_mps(const Configuration& configuration);
+
+// The fastest that a robot may drive or kick.
+double fastest_mps(const RobotSheet& robot);
+
 }  // namespace autoref::sim

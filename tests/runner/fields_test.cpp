@@ -105,7 +105,7 @@ TEST(SetByPath, NamesTheNearestOfAPlayersKeys) {
   EXPECT_EQ(refusal_of("b.players.16.handicap", "1"),
             "expected a robot's number from 0 to 15, found '16'");
   EXPECT_EQ(refusal_of("b.robot.mass_kg", "0"),
-            "expected a number above 0 and at most 100 kg, found '0'");
+            "expected a number from 0.001 to 100 kg, found '0'");
 }
 
 TEST(SetByPath, SaysWhatWasExpected) {
@@ -143,6 +143,21 @@ TEST(CheckGame, RefusesParametersThatTheStrategyDoesNotHave) {
     FAIL();
   } catch (const std::invalid_argument& error) {
     EXPECT_NE(std::string(error.what()).find("'shot_mps'"), std::string::npos);
+  }
+}
+
+// One step of Box2D is 0.2 m long at most, so that 30 a second carry nothing at 8 m/s.
+TEST(CheckGame, RefusesSubstepsTooFewForAKick) {
+  GameConfiguration game;
+  game.sim.frame_rate_hz = 30;
+  game.sim.substeps = 2;
+  EXPECT_NO_THROW(check_game(game));
+  game.sim.substeps = 1;
+  try {
+    check_game(game);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_TRUE(std::string_view(error.what()).starts_with("sim.substeps: ")) << error.what();
   }
 }
 

@@ -142,6 +142,12 @@ TEST_F(ScenarioWithTypes, RefusesTwoTypesOfOneName) {
   EXPECT_NE(message.find("another type is called 'slow'"), std::string::npos) << message;
 }
 
+TEST_F(ScenarioWithTypes, SaysThatAFilesNameIsTheTypesName) {
+  const std::string message = refusal(kGame + "teams: { b: { type: robots/very slow.yaml } }\n");
+  EXPECT_TRUE(message.starts_with(file("x.yaml") + ":3:21: teams.b.type: ")) << message;
+  EXPECT_TRUE(message.ends_with("found 'very slow'; rename the file")) << message;
+}
+
 TEST_F(ScenarioWithTypes, TakesAFlagsPathFromTheFolderNamed) {
   GameConfiguration it;
   set_by_path(it, "b.type", "robots/slow.yaml", folder_.path());
@@ -179,7 +185,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"Factor", kType + "handicap: 0.5\n", "t.yaml:3:1: unknown key 'handicap'"},
         Mistake{"Number", kType + "robot: 5\n", "t.yaml:3:8: robot: expected a mapping"},
         Mistake{"Range", kType + "robot: { mass_kg: 0 }\n",
-                "t.yaml:3:19: robot.mass_kg: expected a number above 0 and at most 100 kg"},
+                "t.yaml:3:19: robot.mass_kg: expected a number from 0.001 to 100 kg"},
         Mistake{"Quoted", kType + "robot: { mass_kg: \"2\" }\n",
                 "t.yaml:3:19: robot.mass_kg: expected a number"},
         Mistake{"Twice", kType + "robot: { mass_kg: 2, mass_kg: 2 }\n", "t.yaml:3:22: robot: "},

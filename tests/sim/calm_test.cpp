@@ -148,6 +148,16 @@ TEST(NearAContact, TheWorldTakesTheShortSteps) {
   EXPECT_EQ(adaptive.ball().velocity_mps, fine.ball().velocity_mps);
 }
 
+// One step of Box2D is 0.2 m long at most: 12 m/s with steps of 1/60 s.
+TEST(AFastBall, IsNotSlowedDownByLongerSteps) {
+  Scene scene(with(4, 1));
+  scene.put_robot(kWest0, {-2, 1});
+  scene.put_robot(kEast0, {2, 1});
+  scene.put_ball({-2, -1}, {20, 0});
+  scene.frame();
+  EXPECT_NEAR(scene.ball().velocity_mps.x(), 20 - 3.4 / 60, 1e-3);
+}
+
 class OrderDelay : public testing::TestWithParam<int> {};  // sub-steps
 
 TEST_P(OrderDelay, IsTheSameWithLongerSteps) {

@@ -223,6 +223,10 @@ INSTANTIATE_TEST_SUITE_P(
                 [](Configuration&, PerSide<TeamSheet>& s) {
                   s[Side::kEast].robots[2].body.mass_kg = NAN;
                 }},
+        Refused{"east robot 2: robot.mass_kg",
+                [](Configuration&, PerSide<TeamSheet>& s) {
+                  s[Side::kEast].robots[2].body.mass_kg = 1e-50;  // 0 as a float
+                }},
         Refused{"ball.slide_mps2",
                 [](Configuration& c, PerSide<TeamSheet>&) { c.ball.slide_mps2 = 0; }}));
 
