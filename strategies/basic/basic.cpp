@@ -162,7 +162,9 @@ void Basic::play(TeamOrders& orders) {
     const TrackedRobot& robot = now_.own[i];
     RobotCommand& order = orders[robot.number];
     const Role role = cast.parts[i].role;
-    if (role == Role::kKeeper) {
+    if (const auto way_m = way_from_behind_goal(briefing_.field, robot.position_m)) {
+      order = drive_to(robot, {*way_m, robot.heading}, obstacles_for(i, false), style_);
+    } else if (role == Role::kKeeper) {
       order = keep(i, cast);
     } else if (role == Role::kAttacker && may_play_ball()) {
       order = attack(cast);
@@ -200,6 +202,9 @@ void Basic::line_up(TeamOrders& orders) {
     place.position_m =
         permitted(briefing_.field, place.position_m, ball_place_m_, limits_for(is_keeper));
     const TrackedRobot& robot = now_.own[i];
+    if (const auto way_m = way_from_behind_goal(briefing_.field, robot.position_m)) {
+      place.position_m = *way_m;
+    }
     orders[robot.number] = drive_to(robot, place, obstacles_for(i, !is_keeper), style_);
   }
 }

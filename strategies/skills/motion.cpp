@@ -6,7 +6,8 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kLookAhead_m = 1.5;  // obstacles farther along the way do not matter yet
+constexpr double kLookAhead_m = 1.5;        // obstacles farther along the way do not matter yet
+constexpr double kGoalClearance_m = 30_mm;  // from a goal's wall to a robot that passes it
 
 // The first obstacle on the way from `from_m` along the unit vector `way`, or nullptr.
 const Obstacle* first_on_way(const Vec2& from_m, const Vec2& way, double length_m,
@@ -36,6 +37,19 @@ Vec2 way_around(const Vec2& from_m, const Vec2& target_m, const Obstacles& obsta
   // Pass on the side on which the straight way already runs by.
   const double side = cross(way, obstacle->position_m - from_m) > 0 ? -1.0 : 1.0;
   return obstacle->position_m + left_of(way) * (side * obstacle->clearance_m * 1.1);
+}
+
+std::optional<Vec2> way_from_behind_goal(const Field& field, const Vec2& from_m) {
+  const double beyond_m = std::abs(from_m.x()) - field.half_length_m();
+  const double flank_m = field.half_goal_m() + field.goal_wall_thickness_m + kRobotRadius_m;
+  const double aside_m = std::abs(from_m.y());
+  if (beyond_m <= 0 || aside_m > flank_m + kGoalClearance_m) return std::nullopt;
+  if (aside_m >= flank_m) {
+    const double before_line_m = field.half_length_m() - kRobotRadius_m;
+    return Vec2(std::copysign(before_line_m, from_m.x()), from_m.y());
+  }
+  if (beyond_m < field.goal_depth_m + kRobotRadius_m) return std::nullopt;  // in the goal
+  return Vec2(from_m.x(), std::copysign(flank_m + kGoalClearance_m, from_m.y()));
 }
 
 RobotCommand drive_with(const TrackedRobot& robot, const Vec2& velocity_mps, const Vec2& heading,

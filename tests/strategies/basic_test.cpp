@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <stdexcept>
 
 #include "tests/strategies/staged_world.hpp"
@@ -33,6 +34,33 @@ TEST(Basic, ComesToRestWhilePlayIsStopped) {
   world.run(team, 1);
   for (std::size_t i = 0; i < before.own.size(); ++i) {
     EXPECT_LT((world.view.own[i].position_m - before.own[i].position_m).norm(), 15_mm) << i;
+  }
+}
+
+// Whether a robot there would stand in the goal's walls or its net.
+bool is_in_goal_walls(const Field& field, const Vec2& robot_m) {
+  const double x = std::abs(robot_m.x());
+  const double back_m = field.half_length_m() + field.goal_depth_m + field.goal_wall_thickness_m;
+  const double outer_m = field.half_goal_m() + field.goal_wall_thickness_m;
+  return x > field.half_length_m() && x < back_m + kRobotRadius_m - 1_mm &&
+         std::abs(robot_m.y()) < outer_m + kRobotRadius_m - 1_mm;
+}
+
+TEST(Basic, DrivesAroundAGoalFromBehindIt) {
+  const Field field;
+  Basic team{Briefing{}};
+  for (const Play play : {Play::kRunning, Play::kStop}) {
+    for (const Vec2& start_m : {Vec2(3.315, 0.05), Vec2(-3.315, -0.2), Vec2(3.32, -0.47)}) {
+      StagedWorld world(play);
+      world.six_against_six().view.ball.position_m = {0.5, -0.5};
+      world.view.own[2].position_m = start_m;
+      for (int f = 0; f < 300; ++f) {
+        world.step(team);
+        ASSERT_FALSE(is_in_goal_walls(field, world.robot(2).position_m))
+            << start_m.transpose() << ", frame " << f;
+      }
+      EXPECT_LT(std::abs(world.robot(2).position_m.x()), field.half_length_m());
+    }
   }
 }
 
