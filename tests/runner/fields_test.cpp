@@ -203,5 +203,27 @@ TEST(ConfigurationHash, TellsTheTeamsApart) {
   EXPECT_NE(configuration_hash(left), configuration_hash(right));
 }
 
+// The ranges that a user is told are within those that the world checks, and begin where they do.
+TEST(Settings, OfTheWorldAreTakenByTheWorldAtBothEndsOfTheirRanges) {
+  GameConfiguration game;
+  int checked = 0;
+  for (const Setting& setting : settings_of(game)) {
+    auto* const* number = std::get_if<double*>(&setting.target);
+    if (number == nullptr || !setting.path.starts_with("sim.")) continue;
+    const double usual = **number;
+    **number = setting.range.high;
+    EXPECT_NO_THROW(check_game(game)) << setting.path << " at " << **number;
+    **number = setting.range.above_low ? setting.range.low : setting.range.low - 1e-6;
+    EXPECT_THROW(check_game(game), std::invalid_argument) << setting.path << " at " << **number;
+    if (!setting.range.above_low) {
+      **number = setting.range.low;
+      EXPECT_NO_THROW(check_game(game)) << setting.path << " at " << **number;
+    }
+    **number = usual;
+    ++checked;
+  }
+  EXPECT_GT(checked, 30);
+}
+
 }  // namespace
 }  // namespace autoref::runner
