@@ -7,6 +7,14 @@
 #include "soccer/robot_shape.hpp"
 
 namespace autoref::referee {
+namespace {
+
+// Standard deviations: where a place may still be, and beyond which a change is not by chance.
+constexpr double kMaybe = 3;
+constexpr double kSurely = 5;
+
+}  // namespace
+
 void LastTouchDetector::restart(const Frame& frame, const std::optional<Vec2>& ball_m) {
   last_ = settled_ = LastTouch{};
   known_ = 0;
@@ -81,7 +89,7 @@ bool LastTouchDetector::is_kink() const {
   const Sighting& before = sighting(1);
   const double between_s = (now.duration_s + before.duration_s) / 2;
   // Three positions enter the change with weights 1, -2, 1: their deviations add up to sqrt(6).
-  const double noise_mps = 5 * 2.45 * parameters_.position_noise_m / now.duration_s;
+  const double noise_mps = kSurely * 2.45 * parameters_.position_noise_m / now.duration_s;
   const double explained_mps = parameters_.carpet_mps2 * between_s + parameters_.jump_mps;
   return change_mps(1, 0).norm() > explained_mps + noise_mps && !is_landing();
 }
@@ -124,7 +132,8 @@ std::optional<double> LastTouchDetector::share_of_single_touch() const {
   const double duration_s = sighting(1).duration_s;
   const double miss_m = (first_mps - jump_mps * after).norm() * duration_s;
   const double explained_m = parameters_.carpet_mps2 * duration_s * duration_s +
-                             parameters_.meeting_tolerance_m + 3 * parameters_.position_noise_m;
+                             parameters_.meeting_tolerance_m +
+                             kMaybe * parameters_.position_noise_m;
   if (miss_m > explained_m) return std::nullopt;
   return 1.0 - after;
 }
@@ -158,20 +167,21 @@ void LastTouchDetector::conclude(const Verdict& verdict, int interval, const Vec
   if (!verdict.is_touch) return;
   const Sighting& end = sighting(interval);
   const double carpet_mps = parameters_.carpet_mps2 * end.duration_s;
-  last_.side = verdict.side;
-  last_.robot = verdict.robot;
-  last_.runner_up = verdict.runner_up;
-  last_.gap_m = verdict.gap_m;
-  last_.time_s = end.time_s - (1 - verdict.share) * end.duration_s;
-  last_.speed_change_mps = std::max(0.0, change.norm() - carpet_mps);
+  take(verdict, end.time_s - (1 - verdict.share) * end.duration_s,
+       std::max(0.0, change.norm() - carpet_mps));
+}
+
+void LastTouchDetector::take(const Verdict& verdict, double time_s, double speed_change_mps) {
+  last_ = {verdict.side, verdict.robot, time_s, verdict.gap_m, speed_change_mps, verdict.runner_up};
 }
 
 // A hull that merely passes the ball is at it for a moment, one that pushes or carries it for as
 // long as sightings are kept.
 bool LastTouchDetector::carries_ball(RobotId id) const {
   if (sighting(0).velocity_mps.norm() < parameters_.carried_mps) return false;
+  // Both places are off: their deviations add up to sqrt(2).
   const double moved_m = (sighting(0).ball_m - sighting(kKept - 1).ball_m).norm();
-  if (moved_m < 5 * 1.41 * parameters_.position_noise_m) return false;
+  if (moved_m < kSurely * 1.41 * parameters_.position_noise_m) return false;
   for (int back = 0; back < kKept; ++back) {
     const RobotObservation* robot = find_robot(sighting(back).robots[id.side], id.number);
     if (robot == nullptr) return false;
@@ -189,13 +199,13 @@ bool LastTouchDetector::pushed_softly(const RobotObservation& robot) const {
   const Vec2 push = push_direction(robot, sighting(1).ball_m);
   const double push_mps = change_mps(2, 0).dot(push);
   // Positions enter with weights up to 5: their deviations add up to about eight.
-  const double noise_mps = 5 * 8 * parameters_.position_noise_m / duration_s;
+  const double noise_mps = kSurely * 8 * parameters_.position_noise_m / duration_s;
   return std::min(push_mps, push_mps - carpet_mps.dot(push)) >=
          parameters_.soft_push_mps + noise_mps;
 }
 
 double LastTouchDetector::touching_m() const {
-  return parameters_.touching_m + 3 * parameters_.position_noise_m;
+  return parameters_.touching_m + kMaybe * parameters_.position_noise_m;
 }
 
 // Where the noise hides soft touches from frame to frame, they show a little later.
@@ -208,19 +218,14 @@ void LastTouchDetector::judge_gentle_kink() {
   const Verdict verdict =
       judge(candidates, gap_to_goals_m(field_, kink->way), last_.side, parameters_);
   if (!verdict.is_touch) return;
-  last_.side = verdict.side;
-  last_.robot = verdict.robot;
-  last_.runner_up = verdict.runner_up;
-  last_.gap_m = verdict.gap_m;
-  last_.time_s = kink->before->time_s;
-  last_.speed_change_mps = kink->impulse.change_mps.norm();
+  take(verdict, kink->before->time_s, kink->impulse.change_mps.norm());
   settled_ = last_;
 }
 
 TouchParameters LastTouchDetector::with_noise(TouchParameters parameters,
                                               const VisionNoise& noise) {
   parameters.position_noise_m = noise.ball_m;
-  const double noise_m = 3 * noise.ball_m;
+  const double noise_m = kMaybe * noise.ball_m;
   parameters.contact_m += noise_m;
   parameters.reach_m += noise_m;
   parameters.pinned_m += noise_m;

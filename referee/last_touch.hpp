@@ -59,6 +59,7 @@ class LastTouchDetector {
   void judge_onwards();
   Verdict verdict_on(const BallWay& way, int interval, const Impulse& impulse) const;
   void conclude(const Verdict& verdict, int interval, const Vec2& change_mps);
+  void take(const Verdict& verdict, double time_s, double speed_change_mps);
 
   // The i-th sighting back from the newest.
   const Sighting& sighting(int back) const {

@@ -14,8 +14,8 @@ struct TouchParameters {
   // A change of velocity from frame to frame beyond the carpet's and up to this is nothing: camera
   // rounding makes 0.001 m/s at 60 Hz.
   double jump_mps = 0.02;
-  // Standard deviation of the camera's ball positions. Velocities are differences of three of
-  // them; changes within five standard deviations of such a difference are nothing.
+  // Standard deviation of the camera's ball positions; the detector sets it to the noise it is told
+  // of, and widens the distances below by three of them.
   double position_noise_m = 0.0;
   // A ball between two free ways is where both meet, up to this distance a frame: carpet friction
   // and the physics' own steps.
