@@ -14,8 +14,8 @@ GameConfiguration realistic_game(double half_s, std::uint64_t seed) {
   return game;
 }
 
-// Over 100 games of 20 minutes 0.6 goals a side and game fell, in none more than 6; the ball was in
-// play for half of the time.
+// Over 100 games of 20 minutes 3.1 goals fell a game, 8 at most, and the ball was in play for 53 %
+// of the time.
 TEST(RealisticGame, EndsWithAPlausibleScore) {
   int goals = 0;
   double in_play_s = 0;
