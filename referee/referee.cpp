@@ -108,7 +108,8 @@ class Referee::Impl {
 
   // Where vision reports no height, a ball that flies is not where it is seen.
   void lift_ball(const Tracks& tracks) {
-    if (!seen_.ball || seen_.ball->height_m) return;
+    // A picture no later than the one before brings the tracker no ball.
+    if (!seen_.ball || seen_.ball->height_m || !tracks.ball) return;
     const bool flies = tracks.ball->height_m > 0;
     if (flies) {
       seen_.ball->position_m = tracks.ball->position_m;

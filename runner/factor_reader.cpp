@@ -11,8 +11,6 @@
 namespace autoref::runner {
 namespace {
 
-std::string_view branch_of(std::string_view path) { return path.substr(0, path.rfind('.')); }
-
 // Whether setting `whole` sets `part` too.
 bool is_part(std::string_view part, std::string_view whole) {
   if (whole == "sim.camera") {

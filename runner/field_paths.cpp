@@ -10,12 +10,6 @@
 namespace autoref::runner {
 namespace {
 
-const Setting* find_setting(const std::vector<Setting>& settings, std::string_view path) {
-  const auto found = std::find_if(settings.begin(), settings.end(),
-                                  [path](const Setting& s) { return s.path == path; });
-  return found == settings.end() ? nullptr : &*found;
-}
-
 std::string unknown_path_message(const std::vector<Setting>& settings, std::string_view path) {
   std::vector<std::string> known;
   known.reserve(settings.size());
@@ -55,6 +49,14 @@ void make_player_in(GameConfiguration& game, std::string_view path) {
 }
 
 }  // namespace
+
+std::string_view branch_of(std::string_view path) { return path.substr(0, path.rfind('.')); }
+
+const Setting* find_setting(const std::vector<Setting>& settings, std::string_view path) {
+  const auto found = std::find_if(settings.begin(), settings.end(),
+                                  [path](const Setting& s) { return s.path == path; });
+  return found == settings.end() ? nullptr : &*found;
+}
 
 std::string full_path(std::string_view path) {
   const bool is_short = path.starts_with("a.") || path.starts_with("b.");

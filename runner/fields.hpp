@@ -89,6 +89,12 @@ std::vector<Setting> settings_of(RobotChanges& changes);
 std::string full_path(std::string_view path);
 std::string short_path(std::string_view path);
 
+// The path without its last name.
+std::string_view branch_of(std::string_view path);
+
+// The setting at exactly that path; null where there is none.
+const Setting* find_setting(const std::vector<Setting>& settings, std::string_view path);
+
 // What a value must look like, such as "a whole number from 1 to 16".
 std::string expected_of(const Setting& setting);
 

@@ -2,20 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <stdexcept>
 
 namespace autoref::runner {
 namespace {
 
 const Setting& setting_at(const std::vector<Setting>& settings, const std::string& path) {
-  const auto found = std::find_if(settings.begin(), settings.end(),
-                                  [&](const Setting& setting) { return setting.path == path; });
-  if (found == settings.end()) throw std::logic_error("a robot has no setting " + path);
+  const Setting* found = find_setting(settings, path);
+  if (found == nullptr) throw std::logic_error("a robot has no setting " + path);
   return *found;
 }
-
-std::string_view branch_of(std::string_view path) { return path.substr(0, path.rfind('.')); }
 
 }  // namespace
 

@@ -56,7 +56,7 @@ void SettingsReader::list_anew() {
 }
 
 void SettingsReader::read(const YamlEntry& entry, const std::string& path) {
-  const Setting* found = find(path);
+  const Setting* found = find_setting(settings_, path);
   if (found == nullptr) return read_branch(entry, path);
   const Setting setting = *found;  // a copy: players and types make a new list
   if (const auto* players = std::get_if<Players*>(&setting.target)) {
@@ -72,19 +72,13 @@ void SettingsReader::read(const YamlEntry& entry, const std::string& path) {
   }
 }
 
-const Setting* SettingsReader::find(const std::string& path) const {
-  const auto found = std::find_if(settings_.begin(), settings_.end(),
-                                  [&](const Setting& s) { return s.path == path; });
-  return found == settings_.end() ? nullptr : &*found;
-}
-
 void SettingsReader::read_branch(const YamlEntry& branch, const std::string& path) {
   const std::vector<std::string> known = names_below(settings_, path);
   const std::vector<YamlEntry> entries = file_.entries(branch, path, known);
   refuse_handicap_beside_its_factors(entries, path);
   // Single numbers change a preset's, wherever they stand beside it.
   const YamlEntry* preset = find_entry(entries, path == "sim" ? "camera" : "preset");
-  if (preset != nullptr && find(path + "." + preset->key) != nullptr) {
+  if (preset != nullptr && find_setting(settings_, path + "." + preset->key) != nullptr) {
     read(*preset, path + "." + preset->key);
   }
   for (const YamlEntry& entry : entries) {

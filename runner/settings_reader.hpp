@@ -51,7 +51,6 @@ class SettingsReader {
   void read(const YamlEntry& entry, const std::string& path);
 
  private:
-  const Setting* find(const std::string& path) const;
   void list_anew();
   void read_branch(const YamlEntry& branch, const std::string& path);
   void refuse_handicap_beside_its_factors(const std::vector<YamlEntry>& entries,

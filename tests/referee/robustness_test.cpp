@@ -32,6 +32,20 @@ TEST(Robustness, AFrameWithoutABallHoldsTheLastOne) {
   EXPECT_TRUE(game.referee.is_ball_in_play());
 }
 
+TEST(Robustness, ABallInAPictureOfTheSameTimeAsTheOneBeforeDoesNoHarm) {
+  Referee referee{Configuration{}};
+  Frame frame;
+  referee.update(frame, {});
+  frame.ball = BallObservation{Vec2(0, 0), std::nullopt};
+  referee.update(frame, {});
+  EXPECT_FALSE(referee.tracks().ball);
+  frame.number = 1;
+  frame.time_s = 1.0 / 60;
+  referee.update(frame, {});
+  ASSERT_TRUE(referee.tracks().ball);
+  EXPECT_EQ(referee.tracks().ball->position_m, Vec2(0, 0));
+}
+
 TEST(Robustness, ABallThatComesBackOutsideIsOut) {
   ScriptedGame game;
   game.line_up().kick_off();
