@@ -1,6 +1,7 @@
 #include "referee/actions.hpp"
 
 #include "referee/ball_in_play.hpp"
+#include "referee/cards.hpp"
 #include "referee/readiness.hpp"
 #include "referee/timekeeping.hpp"
 
@@ -33,6 +34,7 @@ void place_ball(Memory& memory, const Vec2& target_m) {
 
 void end_play(Memory& memory) {
   memory.play = PlayMemory{};
+  memory.watch = RuleWatch{};
   memory.signal.placement.reset();
 }
 
@@ -53,6 +55,7 @@ std::optional<Side> kicker_of(const Memory& memory, const Command& command) {
 void begin(Memory& memory, const Moment& moment, const Finding& /*finding*/) {
   send(memory, moment, kStop);
   memory.signal.next_command = kickoff_of(kickoff_side(moment.configuration, memory.half));
+  allow_robots(memory, moment.configuration);
   wait_anew(memory, moment);
 }
 
@@ -77,6 +80,7 @@ void start_play(Memory& memory, const Moment& moment, const Finding& /*finding*/
   memory.signal.placement.reset();
   memory.signal.next_command.reset();
   memory.play = play_begun(command, kicker_of(memory, command), moment);
+  memory.watch = RuleWatch{};
   if (command.kind == CommandKind::kNormalStart && is_before_half(memory.signal.stage)) {
     start_clock(memory, moment);
   }
@@ -94,11 +98,16 @@ void award_goal(Memory& memory, const Moment& moment, const Finding& finding) {
 }
 
 void stop_play(Memory& memory, const Moment& moment, const Finding& finding) {
+  book(memory, moment.configuration, finding);
   end_play(memory);
   place_ball(memory, finding.ball_to_m);
   memory.signal.next_command = finding.restart;
   send(memory, moment, kStop);
   wait_anew(memory, moment);
+}
+
+void note_foul(Memory& memory, const Moment& moment, const Finding& finding) {
+  book(memory, moment.configuration, finding);
 }
 
 // Deviation D4: the briefly transmitted command is followed by STOP.
@@ -137,6 +146,9 @@ void begin_new_game(Memory& memory, const Moment& moment, const Finding& finding
   memory.half = 0;
   memory.goals_by_half.assign(1, {});
   memory.signal.goals = {};
+  memory.cards = {};
+  memory.signal.yellow_cards = memory.signal.red_cards = {};
+  allow_robots(memory, moment.configuration);
   memory.signal.stage = stage_before(0);
   memory.signal.next_command = kickoff_of(kickoff_side(moment.configuration, 0));
   place_ball(memory, Vec2(0, 0));

@@ -22,6 +22,7 @@ void send_preparation(Memory& memory, const Moment& moment, const Finding& findi
 void start_play(Memory& memory, const Moment& moment, const Finding& finding);
 void award_goal(Memory& memory, const Moment& moment, const Finding& finding);
 void stop_play(Memory& memory, const Moment& moment, const Finding& finding);
+void note_foul(Memory& memory, const Moment& moment, const Finding& finding);
 void stop_after_signal(Memory& memory, const Moment& moment, const Finding& finding);
 void end_half(Memory& memory, const Moment& moment, const Finding& finding);
 void begin_next_half(Memory& memory, const Moment& moment, const Finding& finding);
@@ -39,6 +40,7 @@ inline constexpr Action kAwardGoal{
     "score; send GOAL; ball to the centre; next = PREPARE_KICKOFF of who conceded", award_goal};
 inline constexpr Action kStopPlay{"send STOP; place the ball; next = what the rule gives",
                                   stop_play};
+inline constexpr Action kNoteFoul{"the foul is counted", note_foul};
 inline constexpr Action kStopAfterSignal{"send STOP", stop_after_signal};
 inline constexpr Action kEndHalf{"send HALT; next = PREPARE_KICKOFF of the other team", end_half};
 inline constexpr Action kBeginNextHalf{"send STOP; ball to the centre", begin_next_half};

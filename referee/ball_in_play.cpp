@@ -27,6 +27,7 @@ PlayMemory play_begun(Command command, std::optional<Side> kicker, const Moment&
 void watch_play(PlayMemory& play, const Moment& moment) {
   play.entered_now = false;
   if (!moment.ball) return;
+  play.touches.update(moment, play.began_s);
   const RuleBook& rules = moment.configuration.rules;
   if (!play.ball_from_m) {
     play.ball_from_m = moment.ball->position_m;

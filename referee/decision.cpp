@@ -5,8 +5,8 @@
 namespace autoref::referee {
 
 std::string_view name_of(State state) {
-  static constexpr std::array<std::string_view, 6> kNames = {"INIT", "WAIT_START", "WAIT_STOP",
-                                                             "RUN",  "DELAY_WAIT", "OVER"};
+  static constexpr std::array<std::string_view, 7> kNames = {
+      "INIT", "WAIT_START", "WAIT_STOP", "RUN", "DELAY_WAIT", "OVER", "TIMEOUT"};
   return kNames[static_cast<std::size_t>(state)];
 }
 
@@ -26,10 +26,53 @@ std::string_view name_of(Event event) {
                                                                        "stuck_ball",
                                                                        "signalled",
                                                                        "half_over",
-                                                                       "game_over"};
+                                                                       "game_over",
+                                                                       "no_progress",
+                                                                       "kick_speed",
+                                                                       "chip_goal",
+                                                                       "goal_invalid",
+                                                                       "indirect_goal",
+                                                                       "free_kick_own_goal",
+                                                                       "defender_in_area",
+                                                                       "defender_partly_in_area",
+                                                                       "attacker_in_area",
+                                                                       "double_touch",
+                                                                       "restart_distance",
+                                                                       "dribbling",
+                                                                       "keeper_holding",
+                                                                       "crash",
+                                                                       "pushing",
+                                                                       "too_many_robots",
+                                                                       "kickoff_positions",
+                                                                       "penalty_positions",
+                                                                       "penalty_failed",
+                                                                       "aimless_kick",
+                                                                       "offside",
+                                                                       "crash_drawn",
+                                                                       "attacker_stays_near_area",
+                                                                       "stop_speed",
+                                                                       "stop_distance",
+                                                                       "placement_interference",
+                                                                       "yellow_card",
+                                                                       "red_card",
+                                                                       "card_over",
+                                                                       "timeout",
+                                                                       "timeout_over",
+                                                                       "goal_lead",
+                                                                       "extra_time",
+                                                                       "shootout",
+                                                                       "shootout_over"};
   return kNames[static_cast<std::size_t>(event)];
 }
 
-bool is_stop(Event event) { return event >= Event::kGoal && event <= Event::kStuckBall; }
+bool is_call(Event event) {
+  const bool is_papers = event >= Event::kGoal && event <= Event::kStuckBall;
+  return is_papers || (event >= Event::kNoProgress && event <= Event::kPlacementInterference);
+}
+
+std::string_view name_of(Card card) {
+  static constexpr std::array<std::string_view, 3> kNames = {"none", "yellow", "red"};
+  return kNames[static_cast<std::size_t>(card)];
+}
 
 }  // namespace autoref::referee

@@ -13,8 +13,8 @@
 
 namespace autoref::referee {
 
-// States of the paper's machine (section 4.3, figure 3), and the end.
-enum class State : std::uint8_t { kInit, kWaitStart, kWaitStop, kRun, kDelayWait, kOver };
+// States of the paper's machine (section 4.3, figure 3), the end, and a team's timeout.
+enum class State : std::uint8_t { kInit, kWaitStart, kWaitStop, kRun, kDelayWait, kOver, kTimeout };
 
 // The paper's name, such as "WAIT_STOP".
 std::string_view name_of(State state);
@@ -37,14 +37,56 @@ enum class Event : std::uint8_t {
   kSignalled,  // a briefly transmitted command has been sent
   kHalfOver,
   kGameOver,
+  // Beyond the paper's rules. These stop play:
+  kNoProgress,
+  kKickSpeed,
+  kChipGoal,
+  kGoalInvalid,
+  kIndirectGoal,
+  kFreeKickOwnGoal,
+  kDefenderInArea,
+  kDefenderPartlyInArea,
+  kAttackerInArea,
+  kDoubleTouch,
+  kRestartDistance,
+  kDribbling,
+  kKeeperHolding,
+  kCrash,
+  kPushing,
+  kTooManyRobots,
+  kKickoffPositions,
+  kPenaltyPositions,
+  kPenaltyFailed,
+  kAimlessKick,
+  kOffside,
+  // Noted while play goes on or is stopped already; where a book lets fouls go on, also
+  // kRestartDistance, kCrash and kTooManyRobots:
+  kCrashDrawn,
+  kAttackerStaysNearArea,
+  kStopSpeed,
+  kStopDistance,
+  kPlacementInterference,
+  // Cards, timeouts and ends of games:
+  kYellowCard,
+  kRedCard,
+  kCardOver,
+  kTimeout,
+  kTimeoutOver,
+  kGoalLead,
+  kExtraTime,
+  kShootout,
+  kShootoutOver,
 };
-inline constexpr int kEventCount = static_cast<int>(Event::kGameOver) + 1;
+inline constexpr int kEventCount = static_cast<int>(Event::kShootoutOver) + 1;
 
 // A short name in snake_case, as in event logs and column heads: "throw_in".
 std::string_view name_of(Event event);
 
-// Whether play was on and the event stopped it; these are the kinds that a game's row counts.
-bool is_stop(Event event);
+// Whether the event is a call on play or on robots; these are the kinds that a game's row counts.
+bool is_call(Event event);
+
+enum class Card : std::uint8_t { kNone, kYellow, kRed };
+std::string_view name_of(Card card);
 
 // Who touched the ball last, as far as vision tells.
 struct LastTouch {
@@ -71,7 +113,10 @@ struct Decision {
   double threshold = 0;
   std::string_view unit;  // of value and threshold; empty where nothing was measured
   ConcernedRobots robots;
+  std::optional<Side> offender;    // the side at fault; none where nobody or both are
+  Card card = Card::kNone;         // shown to the offender
   std::optional<Vec2> position_m;  // where it happened
+  std::optional<Command> restart;  // what play goes on with
   LastTouch last_touch;
   std::string evidence;  // one sentence for people
 };

@@ -6,8 +6,10 @@
 #include <string_view>
 
 #include "referee/decision.hpp"
+#include "referee/referee.hpp"
 #include "soccer/geometry.hpp"
 #include "soccer/referee_signal.hpp"
+#include "soccer/rule_book.hpp"
 
 namespace autoref::referee {
 
@@ -19,10 +21,27 @@ struct Finding {
   double threshold = 0;
   std::string_view unit;
   ConcernedRobots robots;
+  std::optional<Side> offender;    // the side at fault; none where nobody or both are
+  bool is_foul = false;            // counts towards a card of the offender; of both where none is
+  Card card = Card::kNone;         // shown to the offender at once
   std::optional<Vec2> position_m;  // where it happened
   Command restart;                 // what play goes on with; of stops only
   Vec2 ball_to_m{0, 0};            // and from where
   std::string evidence;            // one sentence for people
 };
+
+// The event, with what the rule table says of the rule: section, threshold and unit.
+Finding finding_of(Event event, RuleId rule, const RuleBook& rules);
+
+// An offence of `robot` at `where_m`, with a free kick from there for its opponents: an indirect
+// one, or where all kicks may score (`RuleBook::kicks_may_score`) a direct one.
+Finding offence_of(Event event, RuleId rule, const Configuration& configuration, RobotId robot,
+                   const Vec2& where_m);
+
+// DIRECT_FREE or, where the book has them, INDIRECT_FREE for `kicker`.
+Command indirect_free_kick(const RuleBook& rules, Side kicker);
+
+// "west 3".
+std::string text_of(RobotId robot);
 
 }  // namespace autoref::referee

@@ -36,4 +36,12 @@ bool new_game_follows(const Memory& /*memory*/, const Configuration& configurati
   return configuration.after_game == AfterGame::kNewGame;
 }
 
+bool fouls_stop_play(const Memory& /*memory*/, const Configuration& configuration) {
+  return configuration.rules.fouls_stop_play;
+}
+
+bool fouls_are_noted(const Memory& memory, const Configuration& configuration) {
+  return !fouls_stop_play(memory, configuration);
+}
+
 }  // namespace autoref::referee

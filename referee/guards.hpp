@@ -22,6 +22,8 @@ bool is_between_halves(const Memory& memory, const Configuration& configuration)
 bool is_after_game(const Memory& memory, const Configuration& configuration);
 bool game_was_last(const Memory& memory, const Configuration& configuration);
 bool new_game_follows(const Memory& memory, const Configuration& configuration);
+bool fouls_stop_play(const Memory& memory, const Configuration& configuration);
+bool fouls_are_noted(const Memory& memory, const Configuration& configuration);
 
 inline constexpr Guard kAlways{"", holds_always};
 inline constexpr Guard kNextIsPreparation{"next is a preparation", next_is_preparation};
@@ -31,5 +33,7 @@ inline constexpr Guard kBetweenHalves{"half-time", is_between_halves};
 inline constexpr Guard kAfterGame{"after the game", is_after_game};
 inline constexpr Guard kGameWasLast{"no new game follows", game_was_last};
 inline constexpr Guard kNewGameFollows{"a new game follows", new_game_follows};
+inline constexpr Guard kFoulsStopPlay{"fouls stop play", fouls_stop_play};
+inline constexpr Guard kFoulsAreNoted{"fouls are noted", fouls_are_noted};
 
 }  // namespace autoref::referee

@@ -53,6 +53,68 @@ constexpr std::array kOutsideFigure = {
   Arrow{"new_game", State::kDelayWait, Event::kSignalled, kAfterGame, kBeginNewGame,
         State::kWaitStop, "paper 4.2", ""},
 };
+constexpr std::array kBeyondPaper = {
+  Arrow{"no_progress", State::kRun, Event::kNoProgress, kAlways, kStopPlay,
+        State::kWaitStop, "rule book", ""},
+  Arrow{"kick_speed", State::kRun, Event::kKickSpeed, kAlways, kStopPlay,
+        State::kWaitStop, "rule book", ""},
+  Arrow{"chip_goal", State::kRun, Event::kChipGoal, kAlways, kStopPlay,
+        State::kWaitStop, "rule book", ""},
+  Arrow{"goal_invalid", State::kRun, Event::kGoalInvalid, kAlways, kStopPlay,
+        State::kWaitStop, "rule book", ""},
+  Arrow{"indirect_goal", State::kRun, Event::kIndirectGoal, kAlways, kStopPlay,
+        State::kWaitStop, "rule book", ""},
+  Arrow{"free_kick_own_goal", State::kRun, Event::kFreeKickOwnGoal, kAlways, kStopPlay,
+        State::kWaitStop, "rule book", ""},
+  Arrow{"defender_in_area", State::kRun, Event::kDefenderInArea, kAlways, kStopPlay,
+        State::kWaitStop, "rule book", ""},
+  Arrow{"defender_partly_in_area", State::kRun, Event::kDefenderPartlyInArea, kAlways, kStopPlay,
+        State::kWaitStop, "rule book", ""},
+  Arrow{"attacker_in_area", State::kRun, Event::kAttackerInArea, kAlways, kStopPlay,
+        State::kWaitStop, "rule book", ""},
+  Arrow{"double_touch", State::kRun, Event::kDoubleTouch, kAlways, kStopPlay,
+        State::kWaitStop, "rule book", ""},
+  Arrow{"dribbling", State::kRun, Event::kDribbling, kAlways, kStopPlay,
+        State::kWaitStop, "rule book", ""},
+  Arrow{"keeper_holding", State::kRun, Event::kKeeperHolding, kAlways, kStopPlay,
+        State::kWaitStop, "rule book", ""},
+  Arrow{"pushing", State::kRun, Event::kPushing, kAlways, kStopPlay,
+        State::kWaitStop, "rule book", ""},
+  Arrow{"kickoff_positions", State::kRun, Event::kKickoffPositions, kAlways, kStopPlay,
+        State::kWaitStop, "rule book", ""},
+  Arrow{"penalty_positions", State::kRun, Event::kPenaltyPositions, kAlways, kStopPlay,
+        State::kWaitStop, "rule book", ""},
+  Arrow{"penalty_failed", State::kRun, Event::kPenaltyFailed, kAlways, kStopPlay,
+        State::kWaitStop, "rule book", ""},
+  Arrow{"aimless_kick", State::kRun, Event::kAimlessKick, kAlways, kStopPlay,
+        State::kWaitStop, "rule book", ""},
+  Arrow{"offside", State::kRun, Event::kOffside, kAlways, kStopPlay,
+        State::kWaitStop, "rule book", ""},
+  Arrow{"restart_distance", State::kRun, Event::kRestartDistance, kFoulsStopPlay, kStopPlay,
+        State::kWaitStop, "rule book", ""},
+  Arrow{"restart_distance_noted", State::kRun, Event::kRestartDistance, kFoulsAreNoted, kNoteFoul,
+        State::kRun, "rule book", ""},
+  Arrow{"crash", State::kRun, Event::kCrash, kFoulsStopPlay, kStopPlay,
+        State::kWaitStop, "rule book", ""},
+  Arrow{"crash_noted", State::kRun, Event::kCrash, kFoulsAreNoted, kNoteFoul,
+        State::kRun, "rule book", ""},
+  Arrow{"crash_drawn", State::kRun, Event::kCrashDrawn, kAlways, kNoteFoul,
+        State::kRun, "rule book", ""},
+  Arrow{"attacker_stays_near_area", State::kRun, Event::kAttackerStaysNearArea, kAlways, kNoteFoul,
+        State::kRun, "rule book", ""},
+  Arrow{"attacker_stays_near_area_stopped", State::kWaitStop, Event::kAttackerStaysNearArea, kAlways, kNoteFoul,
+        State::kWaitStop, "rule book", ""},
+  Arrow{"stop_speed", State::kWaitStop, Event::kStopSpeed, kAlways, kNoteFoul,
+        State::kWaitStop, "rule book", ""},
+  Arrow{"stop_distance", State::kWaitStop, Event::kStopDistance, kAlways, kNoteFoul,
+        State::kWaitStop, "rule book", ""},
+  Arrow{"placement_interference", State::kWaitStop, Event::kPlacementInterference, kAlways, kNoteFoul,
+        State::kWaitStop, "rule book", ""},
+  Arrow{"too_many_robots", State::kRun, Event::kTooManyRobots, kAlways, kStopPlay,
+        State::kWaitStop, "rule book", ""},
+  Arrow{"too_many_robots_stopped", State::kWaitStop, Event::kTooManyRobots, kAlways, kNoteFoul,
+        State::kWaitStop, "rule book", ""},
+};
 // clang-format on
 
 bool leads_on(const Arrow& arrow, const Memory& memory, const Moment& moment, Event event) {
@@ -61,7 +123,7 @@ bool leads_on(const Arrow& arrow, const Memory& memory, const Moment& moment, Ev
 }
 
 const Arrow* find_arrow(const Memory& memory, const Moment& moment, Event event) {
-  for (const std::span<const Arrow> arrows : {arrows_in_figure(), arrows_outside_figure()}) {
+  for (const std::span<const Arrow> arrows : all_arrows()) {
     for (const Arrow& arrow : arrows) {
       if (leads_on(arrow, memory, moment, event)) return &arrow;
     }
@@ -73,6 +135,11 @@ const Arrow* find_arrow(const Memory& memory, const Moment& moment, Event event)
 
 std::span<const Arrow> arrows_in_figure() { return kInFigure; }
 std::span<const Arrow> arrows_outside_figure() { return kOutsideFigure; }
+std::span<const Arrow> arrows_beyond_paper() { return kBeyondPaper; }
+
+std::array<std::span<const Arrow>, 3> all_arrows() {
+  return {arrows_in_figure(), arrows_outside_figure(), arrows_beyond_paper()};
+}
 
 Step step(const Memory& memory, const Moment& moment, const Finding& finding) {
   Step taken{memory, find_arrow(memory, moment, finding.event), std::nullopt};

@@ -4,6 +4,7 @@
 // alone, and the memory is returned, not changed. The referee calls it once per finding.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -33,6 +34,12 @@ struct Arrow {
 // diagram".
 std::span<const Arrow> arrows_in_figure();
 std::span<const Arrow> arrows_outside_figure();
+
+// Those of rules that the paper's referee does not have.
+std::span<const Arrow> arrows_beyond_paper();
+
+// All of them, in the order in which they are tried.
+std::array<std::span<const Arrow>, 3> all_arrows();
 
 struct Step {
   Memory memory;                 // unchanged where no arrow leads from here

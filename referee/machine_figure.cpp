@@ -43,8 +43,11 @@ std::string table_of(std::span<const Arrow> arrows) {
 }  // namespace
 
 std::string machine_figure() {
-  return fmt::format("{}\n{}\nOutside the figure, the game's time:\n\n{}", diagram(),
-                     table_of(arrows_in_figure()), table_of(arrows_outside_figure()));
+  return fmt::format(
+      "{}\n{}\nOutside the figure, the game's time:\n\n{}\nBeyond the paper, under other rule "
+      "books:\n\n{}",
+      diagram(), table_of(arrows_in_figure()), table_of(arrows_outside_figure()),
+      table_of(arrows_beyond_paper()));
 }
 
 }  // namespace autoref::referee

@@ -5,6 +5,8 @@
 #include <optional>
 
 #include "referee/decision.hpp"
+#include "referee/rule_watch.hpp"
+#include "referee/touch_history.hpp"
 #include "soccer/frame.hpp"
 #include "soccer/referee_signal.hpp"
 #include "soccer/side.hpp"
@@ -27,8 +29,16 @@ struct PlayMemory {
   std::optional<Vec2> ball_from_m;  // where the ball lay then; none while it was never seen
   bool in_play = false;             // the ball has moved, or needs not
   bool entered_now = false;         // in this frame, by the kicker's restart
+  TouchHistory touches;             // since it began
   Vec2 stuck_at_m{0, 0};            // the ball has been about here
   double stuck_since_s = 0;         // since then
+};
+
+// A side's fouls and cards.
+struct CardBook {
+  int fouls = 0;                                                      // that count towards a card
+  int yellows_for_fouls = 0;                                          // shown for them
+  boost::container::static_vector<double, kMaxRobots> yellow_left_s;  // of play, of active ones
 };
 
 struct Memory {
@@ -41,6 +51,8 @@ struct Memory {
   std::optional<double> ball_in_place_since_s;
   double delay_ends_s = 0;  // in DELAY_WAIT
   PlayMemory play;
+  RuleWatch watch;  // of the rules, since play last started or stopped
+  PerSide<CardBook> cards;
   std::optional<Side> prepared_kicker;  // of the kick-off or penalty that NORMAL_START starts
 
   int half = 0;             // running or next, counted from 0

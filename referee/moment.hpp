@@ -7,6 +7,9 @@
 #include "referee/referee.hpp"
 #include "soccer/frame.hpp"
 #include "soccer/geometry.hpp"
+#include "soccer/side.hpp"
+#include "soccer/team_requests.hpp"
+#include "soccer/tracks.hpp"
 
 namespace autoref::referee {
 
@@ -15,6 +18,7 @@ struct BallSight {
   Vec2 position_m{0, 0};
   Vec2 before_m{0, 0};  // at the sighting before: the paper's b'
   double height_m = 0;  // of the lowest point; Deviation D15: unknown counts as 0
+  bool height_known = true;
 };
 
 struct Moment {
@@ -22,6 +26,8 @@ struct Moment {
   const Frame& frame;
   const std::optional<BallSight>& ball;  // none before the ball was first seen
   const LastTouch& last_touch;           // the paper's c
+  const Tracks& tracks;                  // with velocities, and robots that this frame missed
+  const PerSide<TeamRequests>& requests;
 
   double time_s() const { return frame.time_s; }
 };

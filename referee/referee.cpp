@@ -66,7 +66,8 @@ class Referee::Impl {
     decisions_.reserve(4);
   }
 
-  const RefereeSignal& update(const Frame& frame) {
+  const RefereeSignal& update(const Frame& frame, const PerSide<TeamRequests>& requests) {
+    requests_ = requests;
     seen_ = is_finite(frame) ? frame : finite_part(frame);
     const Tracks& tracks = tracker_.update(seen_);
     add_unseen_robots(tracks);
@@ -84,8 +85,13 @@ class Referee::Impl {
     decisions_.clear();
     see(frame);
     if (memory_.state == State::kRun) touch_.update(frame);
-    const Moment moment{configuration_, frame, ball_, touch_.last()};
-    if (const std::optional<Finding> found = find(moment)) decide(moment, *found);
+    const Moment moment{configuration_, frame, ball_, touch_.last(), tracker_.tracks(), requests_};
+    if (memory_.state == State::kRun) watch_play(memory_.play, moment);
+    const State state = memory_.state;
+    apply_rules(moment);
+    if (memory_.state == state) {
+      if (const std::optional<Finding> found = find(moment)) decide(moment, *found);
+    }
     if (const std::optional<Finding> over = find_time_over(memory_, moment)) decide(moment, *over);
     memory_.signal.stage_time_left_s = time_left_s(memory_, configuration_, frame.time_s);
     return memory_.signal;
@@ -124,7 +130,9 @@ class Referee::Impl {
     if (!frame.ball) return;
     const Vec2& now_m = frame.ball->position_m;
     const double height_m = frame.ball->height_m.value_or(0.0);
-    ball_ = BallSight{now_m, ball_ ? ball_->position_m : now_m, height_m};
+    ball_ = BallSight{
+        now_m, ball_ ? ball_->position_m : now_m, height_m,
+        frame.ball->height_m || !tracker_.tracks().ball || tracker_.tracks().ball->is_height_known};
   }
 
   std::optional<Finding> find(const Moment& moment) {
@@ -135,31 +143,32 @@ class Referee::Impl {
         return find_start(memory_, moment);
       case State::kWaitStop:
         return find_ready(memory_, moment);
-      case State::kRun:
-        watch_play(memory_.play, moment);
-        return find_breach(moment);
       case State::kDelayWait:
         if (!has_passed(memory_.delay_ends_s, 0, moment.time_s())) return std::nullopt;
         return passed_by_itself(Event::kSignalled);
+      case State::kRun:
+      case State::kTimeout:
       case State::kOver:
         break;
     }
     return std::nullopt;
   }
 
-  std::optional<Finding> find_breach(const Moment& moment) const {
+  // Fouls that are only counted leave the state as it is, and the rules after them are asked, too.
+  void apply_rules(const Moment& moment) {
+    const State state = memory_.state;
     for (const Rule& rule : rules()) {
-      if (rule.active_in != memory_.state) continue;
-      if (std::optional<Finding> found = rule.find(memory_, moment)) return found;
+      if (!configuration_.rules.has(rule.id) || !rule.active_in.has(state)) continue;
+      if (const std::optional<Finding> found = rule.find(memory_, moment)) decide(moment, *found);
+      if (memory_.state != state) return;
     }
-    return std::nullopt;
   }
 
   void decide(const Moment& moment, const Finding& finding) {
     Step taken = step(memory_, moment, finding);
     if (taken.arrow == nullptr) return;
     log(moment, finding, taken);
-    const bool play_starts = taken.memory.state == State::kRun;
+    const bool play_starts = memory_.state != State::kRun && taken.memory.state == State::kRun;
     memory_ = std::move(taken.memory);
     if (play_starts) touch_.restart(moment.frame, memory_.play.ball_from_m);
   }
@@ -178,13 +187,19 @@ class Referee::Impl {
     decision.threshold = finding.threshold;
     decision.unit = finding.unit;
     decision.robots = finding.robots;
+    decision.offender = finding.offender;
+    decision.card = finding.card;
     decision.position_m = finding.position_m;
+    if (is_call(finding.event) && memory_.state != taken.memory.state) {
+      decision.restart = finding.restart;
+    }
     decision.last_touch = moment.last_touch;
     decision.evidence = finding.evidence;
     decisions_.push_back(std::move(decision));
   }
 
   Configuration configuration_;
+  PerSide<TeamRequests> requests_;
   Memory memory_;
   Frame seen_;
   Tracker tracker_;
@@ -200,10 +215,8 @@ Referee::~Referee() = default;
 Referee::Referee(Referee&&) noexcept = default;
 Referee& Referee::operator=(Referee&&) noexcept = default;
 
-// The rules of this book do not ask who the keeper is.
-const RefereeSignal& Referee::update(const Frame& frame,
-                                     const PerSide<TeamRequests>& /*requests*/) {
-  return impl_->update(frame);
+const RefereeSignal& Referee::update(const Frame& frame, const PerSide<TeamRequests>& requests) {
+  return impl_->update(frame, requests);
 }
 
 const Tracks& Referee::tracks() const { return impl_->tracks(); }

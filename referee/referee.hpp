@@ -29,9 +29,10 @@ enum class AfterGame : std::uint8_t { kHalt, kNewGame };
 struct Configuration {
   Field field;
   RuleBook rules;
-  double half_s = 600;  // paper, section 4.2: ten minutes
-  int halves = 2;       // 1 to 4; the third and fourth are those of extra time
-  double break_s = 0;   // half-time break; the Laws have 300 s
+  PerSide<int> robots{{kMaxRobots, kMaxRobots}};  // of each team at the beginning
+  double half_s = 600;                            // paper, section 4.2: ten minutes
+  int halves = 2;      // 1 to 4; the third and fourth are those of extra time
+  double break_s = 0;  // half-time break; the Laws have 300 s
   Side first_kickoff = Side::kWest;
   AfterGame after_game = AfterGame::kHalt;
   VisionNoise noise;      // of the frames

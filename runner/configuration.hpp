@@ -8,6 +8,7 @@
 #include "referee/referee.hpp"
 #include "sim/configuration.hpp"
 #include "soccer/field.hpp"
+#include "soccer/rule_book.hpp"
 #include "soccer/side.hpp"
 
 namespace autoref::runner {
@@ -40,7 +41,8 @@ struct TeamConfiguration {
 };
 
 struct MatchConfiguration {
-  std::string rules = "paper";
+  std::string rules = "paper";             // name of a rule book
+  RuleSet in_force = RuleBook{}.in_force;  // of its rules
   double half_s = 600;
   int halves = 2;
   double break_s = 0;

@@ -11,6 +11,7 @@
 #include "sim/ball_presets.hpp"
 #include "sim/camera_presets.hpp"
 #include "sim/dribbler_presets.hpp"
+#include "soccer/rule_book.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -51,6 +52,15 @@ std::string range_text(const Setting& setting) {
 }
 
 std::string_view last_name_in(std::string_view path) { return path.substr(path.rfind('.') + 1); }
+
+void choose_rules(const std::string& name, GameConfiguration& game) {
+  const GameSetup setup = *find_game_setup(name);
+  game.match.rules = name;
+  game.match.in_force = find_rule_book(name)->in_force;
+  game.match.half_s = setup.half_s;
+  game.field = setup.field;
+  game.a.robots = game.b.robots = setup.robots;
+}
 
 std::string changes_text(const ChangesOf& of) {
   std::string text;
@@ -150,6 +160,9 @@ void assign(const Setting& setting, std::string_view text) {
           [&](CameraPreset preset) {
             sim::apply_camera_preset(setting.words[index_of_word(setting, text)], *preset.sim);
           },
+          [&](RulesChoice choice) {
+            choose_rules(setting.words[index_of_word(setting, text)], *choice.game);
+          },
           [&](std::string* value) { *value = setting.words[index_of_word(setting, text)]; },
           [&](auto* value) {
             using Enumeration = std::remove_pointer_t<decltype(value)>;
@@ -172,6 +185,7 @@ std::string value_of(const Setting& setting) {
           [](DribblerPreset preset) {
             return sim::dribbler_preset_of(*preset.dribbler).value_or("other");
           },
+          [](RulesChoice choice) { return choice.game->match.rules; },
           [](TypeName type) { return *type.name; },
           [](const Change& change) { return changed_value(change); },
           [](const ChangesOf& of) { return changes_text(of); },

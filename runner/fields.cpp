@@ -5,7 +5,7 @@
 #include "sim/ball_presets.hpp"
 #include "sim/camera_presets.hpp"
 #include "sim/dribbler_presets.hpp"
-#include "soccer/rule_book.hpp"
+#include "soccer/rule_table.hpp"
 #include "strategies/registry.hpp"
 
 namespace autoref::runner {
@@ -94,14 +94,20 @@ void list_team(TeamConfiguration& team, const RobotTypes& types, Branch to) {
   to.add("params", &team.params, {0, 1e9}, "the strategy's own numbers, by name");
 }
 
-void list_match(MatchConfiguration& match, Branch to) {
+void list_match(GameConfiguration& game, Branch to) {
+  MatchConfiguration& match = game.match;
   const std::vector<std::string> sides = {"west", "east"};
-  to.word("rules", match.rules, rule_book_names(), "rule book");
+  to.preset("rules", RulesChoice{&game}, rule_book_names(),
+            "rule book; sets switch, half_s, field and both teams' robots");
   to.number("half_s", match.half_s, positive(36000), "s", "length of a half");
   to.number("halves", match.halves, {1, 2}, "", "halves of a game");
   to.number("break_s", match.break_s, {0, 3600}, "s", "break between halves");
   to.word("a_plays", match.a_plays, sides, "side of team a; b has the other");
   to.word("first_kickoff", match.first_kickoff, sides, "side that kicks off first");
+  Branch switches = to.below("switch");
+  for (const RuleEntry& entry : rule_table()) {
+    switches.yes_or_no(std::string(name_of(entry.rule)), match.in_force[entry.rule], entry.about);
+  }
 }
 
 void list_field(Field& field, Branch to) {
@@ -109,6 +115,7 @@ void list_field(Field& field, Branch to) {
   to.number("length_m", field.length_m, {4, 30}, "m", "between the goal lines' outer edges");
   to.number("width_m", field.width_m, {2, 20}, "m", "between the touch lines' outer edges");
   to.number("run_off_m", field.run_off_m, {0.1, 5}, "m", "from the lines to the wall");
+  to.number("penalty_mark_m", field.penalty_mark_m, positive(20), "m", "from the goal shot at");
   to.word("defence_area.shape", field.defence_area.shape, shapes, "of the area before a goal");
   to.number("defence_area.depth_m", field.defence_area.depth_m, positive(5), "m",
             "radius of the quarter circles, or the box's size along x");
@@ -209,7 +216,7 @@ std::vector<Setting> settings_of(GameConfiguration& game) {
   list_types(game.types, Branch(list, ""));
   list_team(game.a, game.types, Branch(list, "teams.a."));
   list_team(game.b, game.types, Branch(list, "teams.b."));
-  list_match(game.match, Branch(list, "match."));
+  list_match(game, Branch(list, "match."));
   list_field(game.field, Branch(list, "field."));
   list_sim(game.sim, game.robot, list);
   Branch(list, "").number("seed", game.seed, {0, 18446744073709551615.0}, "",

@@ -35,6 +35,11 @@ struct DribblerPreset {
   sim::DribblerParameters* dribbler = nullptr;
 };
 
+// `match.rules`: the name of a rule book, and with it its rules, field, robots and length.
+struct RulesChoice {
+  GameConfiguration* game = nullptr;
+};
+
 // `type`: the name of one of the game's types of robots, or none.
 struct TypeName {
   std::string* name = nullptr;
@@ -59,8 +64,8 @@ using Players = std::map<int, PlayerConfiguration>;
 // Where a setting lives in a GameConfiguration.
 using Target =
     std::variant<double*, int*, bool*, std::uint64_t*, std::string*, Side*, DefenceArea::Shape*,
-                 BothFactors, BallPreset, CameraPreset, DribblerPreset, TypeName, Change, ChangesOf,
-                 Params*, Players*, RobotTypes*>;
+                 BothFactors, BallPreset, CameraPreset, DribblerPreset, RulesChoice, TypeName,
+                 Change, ChangesOf, Params*, Players*, RobotTypes*>;
 
 struct Range {
   double low = 0;

@@ -32,8 +32,9 @@ PerSide<sim::TeamSheet> sheets_of(const GameConfiguration& c) {
 }
 
 RuleBook rules_of(const MatchConfiguration& match) {
-  const std::optional<RuleBook> rules = find_rule_book(match.rules);
+  std::optional<RuleBook> rules = find_rule_book(match.rules);
   if (!rules) throw std::invalid_argument(fmt::format("unknown rule book '{}'", match.rules));
+  rules->in_force = match.in_force;
   return *rules;
 }
 
@@ -41,6 +42,7 @@ referee::Configuration referee_configuration(const GameConfiguration& c) {
   referee::Configuration configuration;
   configuration.field = c.field;
   configuration.rules = rules_of(c.match);
+  for (const Side side : kSides) configuration.robots[side] = team_on(c, side).robots;
   configuration.half_s = c.match.half_s;
   configuration.halves = c.match.halves;
   configuration.break_s = c.match.break_s;

@@ -18,7 +18,7 @@ std::string stops_json(const GameRecord& record) {
   JsonObject stops;
   for (int i = 0; i < referee::kEventCount; ++i) {
     const auto event = static_cast<referee::Event>(i);
-    if (!is_stop(event)) continue;
+    if (!is_call(event)) continue;
     stops.add(name_of(event), std::to_string(record.events[static_cast<std::size_t>(i)]));
   }
   return stops.text();
@@ -30,7 +30,7 @@ std::string stops_text(const GameRecord& record) {
   for (int i = 0; i < referee::kEventCount; ++i) {
     const auto event = static_cast<referee::Event>(i);
     const int count = record.events[static_cast<std::size_t>(i)];
-    if (!is_stop(event) || count == 0) continue;
+    if (!is_call(event) || count == 0) continue;
     std::string name(name_of(event));
     std::replace(name.begin(), name.end(), '_', ' ');
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name);

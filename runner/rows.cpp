@@ -92,7 +92,7 @@ Cells outcome_columns() {
       "end_reason", "status",  "void_reason"};
   for (int i = 0; i < referee::kEventCount; ++i) {
     const auto event = static_cast<referee::Event>(i);
-    if (is_stop(event)) columns.push_back(fmt::format("stops_{}", name_of(event)));
+    if (is_call(event)) columns.push_back(fmt::format("stops_{}", name_of(event)));
   }
   append(columns, {"arrows", "ball_in_play_s", "sim_s", "frames", "state_hash"});
   return columns;
@@ -108,7 +108,7 @@ Cells outcome_of(const GameRecord& record) {
                  std::string(name_of(record.status)),
                  record.void_reason.substr(0, kLongestReason)};
   for (int i = 0; i < referee::kEventCount; ++i) {
-    if (!is_stop(static_cast<referee::Event>(i))) continue;
+    if (!is_call(static_cast<referee::Event>(i))) continue;
     cells.push_back(std::to_string(record.events[static_cast<std::size_t>(i)]));
   }
   append(cells, {arrows_cell(record), fmt::format("{:.3f}", record.ball_in_play_s),

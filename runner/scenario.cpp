@@ -89,11 +89,10 @@ class ScenarioReader {
     const std::vector<std::string> names = settings.names();
     known.insert(known.end(), names.begin(), names.end());
     refuse_unknown(file_, top_, known);
-    // Teams name types, wherever these stand beside them.
-    if (const YamlEntry* types = find_entry(top_, "types")) settings.read(*types, "types");
+    read_first(top_, settings);
     for (const YamlEntry& entry : top_) {
       if (std::find(names.begin(), names.end(), entry.key) == names.end()) continue;
-      if (entry.key != "types") settings.read(entry, entry.key);
+      if (!is_read_first(entry.key)) settings.read(entry, entry.key);
     }
     check(game);
     return game;
@@ -114,18 +113,27 @@ class ScenarioReader {
     return sweep;
   }
 
+  // Teams name types, and rules set other branches, wherever these stand beside them.
+  static bool is_read_first(std::string_view key) { return key == "types" || key == "match"; }
+
+  void read_first(const Entries& entries, SettingsReader& settings) const {
+    for (const char* key : {"types", "match"}) {
+      if (const YamlEntry* entry = find_entry(entries, key)) settings.read(*entry, key);
+    }
+  }
+
   void read_base(const YamlEntry& base, GameConfiguration& game) {
     SettingsReader settings(file_, game, places_);
     settings.hide("seed");
     const std::vector<std::string> known = settings.names();
     const Entries entries = file_.entries(base, "base", known);
-    if (const YamlEntry* types = find_entry(entries, "types")) settings.read(*types, "types");
+    for (const YamlEntry& entry : entries) refuse_what_legs_decide(entry);
+    read_first(entries, settings);
     for (const YamlEntry& entry : entries) {
       if (std::find(known.begin(), known.end(), entry.key) == known.end()) {
         file_.refuse(entry.place, "base", unknown_key_message(entry.key, known));
       }
-      refuse_what_legs_decide(entry);
-      if (entry.key != "types") settings.read(entry, entry.key);
+      if (!is_read_first(entry.key)) settings.read(entry, entry.key);
     }
   }
 

@@ -10,6 +10,16 @@
 
 namespace autoref::runner {
 
+namespace {
+
+// The setting that sets others of its branch.
+std::string_view name_of_preset_in(std::string_view branch) {
+  if (branch == "sim") return "camera";
+  return branch == "match" ? "rules" : "preset";
+}
+
+}  // namespace
+
 const YamlEntry& required_entry(const YamlFile& file, const std::vector<YamlEntry>& top,
                                 std::string_view key) {
   const YamlEntry* entry = find_entry(top, key);
@@ -77,7 +87,7 @@ void SettingsReader::read_branch(const YamlEntry& branch, const std::string& pat
   const std::vector<YamlEntry> entries = file_.entries(branch, path, known);
   refuse_handicap_beside_its_factors(entries, path);
   // Single numbers change a preset's, wherever they stand beside it.
-  const YamlEntry* preset = find_entry(entries, path == "sim" ? "camera" : "preset");
+  const YamlEntry* preset = find_entry(entries, name_of_preset_in(path));
   if (preset != nullptr && find_setting(settings_, path + "." + preset->key) != nullptr) {
     read(*preset, path + "." + preset->key);
   }

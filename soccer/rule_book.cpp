@@ -1,12 +1,153 @@
 #include "soccer/rule_book.hpp"
 
-namespace autoref {
+#include <utility>
 
-std::optional<RuleBook> find_rule_book(std::string_view name) {
-  if (name == "paper") return RuleBook{};
+namespace autoref {
+namespace {
+
+struct Book {
+  RuleBook rules;
+  GameSetup setup;
+};
+
+Book laws_2014() {
+  Book book;
+  book.rules.name = "2014";
+  book.rules.edition = Edition::kLaws2014;
+  book.rules.in_force.add({RuleId::kKickSpeed, RuleId::kChipGoal, RuleId::kIndirectGoal,
+                           RuleId::kFreeKickOwnGoal, RuleId::kDefenderInArea, RuleId::kDoubleTouch,
+                           RuleId::kRestartDistance, RuleId::kStopSpeed, RuleId::kStopDistance,
+                           RuleId::kDribbling, RuleId::kKeeperHolding, RuleId::kCrash,
+                           RuleId::kPushing, RuleId::kTooManyRobots, RuleId::kKickoffPositions,
+                           RuleId::kPenaltyPositions, RuleId::kCards, RuleId::kTimeouts});
+  return book;
+}
+
+Book laws_2014_double() {
+  Book book = laws_2014();
+  book.rules.name = "2014-double";
+  book.rules.stop_speed_mps = 1.5_mps;
+  book.rules.timeouts = 6;
+  book.rules.timeouts_s = 450_s;
+  Field& field = book.setup.field;
+  field.length_m = 8.09_m;
+  field.width_m = 6.05_m;
+  field.penalty_mark_m = 1.0_m;
+  field.defence_area = {DefenceArea::Shape::kQuarterCircles, 1.0_m, 0.5_m};
+  field.goal_width_m = 1.0_m;
+  return book;
+}
+
+void set_rules_2026(RuleBook& rules) {
+  rules.edition = Edition::kRules2026;
+  rules.in_force = RuleSet({RuleId::kGoal,
+                            RuleId::kBallLeavesField,
+                            RuleId::kAttackerNearArea,
+                            RuleId::kRestartNotTaken,
+                            RuleId::kNoProgress,
+                            RuleId::kKickSpeed,
+                            RuleId::kGoalValid,
+                            RuleId::kFreeKickOwnGoal,
+                            RuleId::kDefenderInArea,
+                            RuleId::kAttackerInArea,
+                            RuleId::kDoubleTouch,
+                            RuleId::kRestartDistance,
+                            RuleId::kStopSpeed,
+                            RuleId::kDribbling,
+                            RuleId::kKeeperHolding,
+                            RuleId::kCrash,
+                            RuleId::kPushing,
+                            RuleId::kPlacementInterference,
+                            RuleId::kTooManyRobots,
+                            RuleId::kKickoffPositions,
+                            RuleId::kPenaltyPositions,
+                            RuleId::kPenaltyFailed,
+                            RuleId::kCards,
+                            RuleId::kTimeouts,
+                            RuleId::kGoalLead});
+  rules.throw_in_inset_m = 200_mm;
+  rules.corner_inset_m = 200_mm;
+  rules.goal_kick_touch_inset_m = 200_mm;
+  rules.goal_kick_goal_inset_m = 1_m;
+  rules.own_area_kick_goal_inset_m = 1_m;
+  rules.own_area_kick_touch_inset_m = 200_mm;
+  rules.free_kick_to_area_m = 1_m;
+  rules.neutral_to_area_m = 1_m;
+  rules.kicks_may_score = true;
+  rules.untaken_goes_to_opponents = true;
+  rules.kick_limit_mps = 6.5_mps;
+  rules.dribbling_m = 1_m;
+  rules.stop_speed_mps = 1.5_mps;
+  rules.fouls_stop_play = false;
+  rules.penalty_clearance_m = 1_m;
+  rules.fouls_per_card = 3;
+  rules.yellows_per_red = 3;
+  rules.goals_to_win = 10;
+  rules.clock_stops = true;
+  rules.extra_half_s = 150_s;
+}
+
+Book rules_2026_b() {
+  Book book;
+  book.rules.name = "2026-b";
+  set_rules_2026(book.rules);
+  book.rules.in_force[RuleId::kAimlessKick] = true;
+  book.rules.keeper_holding_s = 10_s;
+  book.setup.half_s = 300_s;
+  Field& field = book.setup.field;
+  field.length_m = 9_m;
+  field.width_m = 6_m;
+  field.run_off_m = 0.7_m;
+  field.penalty_mark_m = 6_m;
+  field.defence_area = {DefenceArea::Shape::kBox, 1.0_m, 2.0_m};
+  field.goal_width_m = 1.0_m;
+  return book;
+}
+
+Book rules_2026_a() {
+  Book book = rules_2026_b();
+  book.rules.name = "2026-a";
+  book.rules.in_force[RuleId::kAimlessKick] = false;
+  book.rules.keeper_holding_s = 5_s;
+  book.rules.free_kick_timeout_s = 5_s;
+  book.rules.stuck_time_s = 5_s;
+  book.setup.robots = 11;
+  Field& field = book.setup.field;
+  field.length_m = 12_m;
+  field.width_m = 9_m;
+  field.penalty_mark_m = 8_m;
+  field.defence_area = {DefenceArea::Shape::kBox, 1.8_m, 3.6_m};
+  field.goal_width_m = 1.8_m;
+  return book;
+}
+
+std::vector<Book> all_books() {
+  return {Book{}, laws_2014(), laws_2014_double(), rules_2026_b(), rules_2026_a()};
+}
+
+std::optional<Book> find_book(std::string_view name) {
+  for (Book& book : all_books()) {
+    if (book.rules.name == name) return std::move(book);
+  }
   return std::nullopt;
 }
 
-std::vector<std::string> rule_book_names() { return {"paper"}; }
+}  // namespace
+
+std::optional<RuleBook> find_rule_book(std::string_view name) {
+  const std::optional<Book> book = find_book(name);
+  return book ? std::optional(book->rules) : std::nullopt;
+}
+
+std::optional<GameSetup> find_game_setup(std::string_view name) {
+  const std::optional<Book> book = find_book(name);
+  return book ? std::optional(book->setup) : std::nullopt;
+}
+
+std::vector<std::string> rule_book_names() {
+  std::vector<std::string> names;
+  for (const Book& book : all_books()) names.push_back(book.rules.name);
+  return names;
+}
 
 }  // namespace autoref

@@ -1,20 +1,31 @@
-// The numbers of the rules in force, each with its source.
+// The rules in force and their numbers, each with its source.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "soccer/field.hpp"
+#include "soccer/rule_id.hpp"
 #include "soccer/units.hpp"
 
 namespace autoref {
 
-// Defaults are `rules: paper`. "Paper" is Zhu, Biswas and Veloso, "AutoRef: Towards Real-Robot
-// Soccer Complete Automated Refereeing"; "Laws" are the SSL's laws of 2014; "2016" is the authors'
-// later public referee.
+// Which rules a book follows; its divisions differ in numbers.
+enum class Edition : std::uint8_t { kPaper, kLaws2014, kRules2026 };
+
+// Defaults are `rules: paper`, and where the paper has no such rule, the Laws' single size. "Paper"
+// is Zhu, Biswas and Veloso, "AutoRef: Towards Real-Robot Soccer Complete Automated Refereeing";
+// "Laws" are the SSL's laws of 2014; "2016" is the authors' later public referee; "2026" are the
+// SSL's rules of that year, Division A and B.
 struct RuleBook {
   std::string name = "paper";
+  Edition edition = Edition::kPaper;
+  // What the paper handles (section 4.2), and what games need to come to an end.
+  RuleSet in_force{RuleId::kGoal, RuleId::kBallLeavesField, RuleId::kAttackerNearArea,
+                   RuleId::kRestartNotTaken, RuleId::kStuckBall};
 
   // Readiness before a restart (paper, section 4.4).
   double stillness_m = 15_mm;          // the paper's epsilon
@@ -30,28 +41,82 @@ struct RuleBook {
   double goal_kick_touch_inset_m = 100_mm;  // from the nearest touch line
   double goal_kick_goal_inset_m = 500_mm;   // from the goal line
 
-  // Ball in play and distances at restarts (Laws 8, 9, 13).
-  double in_play_m = 50_mm;
-  double restart_timeout_s = 10_s;
-  double opponents_to_ball_m = 500_mm;  // kept by the teams at every restart
-  double attacker_to_area_m = 200_mm;   // paper, section 4.2, robot-related rules
-  double kick_limit_mps = 8_mps;        // paper, section 3; kept by the teams
+  // Restarts (Laws 8, 9, 13).
+  bool kicks_may_score = false;            // straight from every free kick (2026), else from direct
+  double in_play_m = 50_mm;                // also how far a kicker may have moved the ball
+  double restart_timeout_s = 10_s;         // kick-off and penalty
+  double free_kick_timeout_s = 10_s;       // 2026 Division A: 5 s
+  bool untaken_goes_to_opponents = false;  // 2026; else force start
+  double opponents_to_ball_m = 500_mm;     // kept by the opponents at every restart
+  double restart_distance_grace_s = 2_s;   // 2026
+  double attacker_to_area_m = 200_mm;      // paper, section 4.2, robot-related rules
+  double attacker_grace_s = 2_s;           // 2026
 
   // Where a free kick is taken when it happened too near to an area (Laws 13).
   double own_area_kick_goal_inset_m = 600_mm;   // out of one's own area: from the goal line
   double own_area_kick_touch_inset_m = 100_mm;  // and from the touch line
   double free_kick_to_area_m = 700_mm;          // attackers: from the opponents' area
 
-  // Stuck ball (2016).
+  // A ball that gets nowhere (2016; 2026: no progress).
   double stuck_time_s = 10_s;
   double stuck_distance_m = 250_mm;
   double neutral_to_area_m = 700_mm;  // from a neutral place to both areas
 
+  // The ball in play (Laws 12).
+  double kick_limit_mps = 8_mps;     // paper, section 3; kept by the teams; 2026: 6.5 in space
+  double chip_height_m = 150_mm;     // of the ball's top, from which a chip must not score
+  double dribbling_m = 500_mm;       // Laws 2014; 1000 mm from 2015
+  double keeper_holding_s = 15_s;    // 2026: 10 s, Division A 5 s
+  double goal_after_foul_s = 2_s;    // 2026: no goal by who fouled so shortly before
+  double pushing_m = 200_mm;         // 2026
+  double crash_mps = 1.5_mps;        // along the line between the robots
+  double crash_drawn_mps = 0.3_mps;  // speeds that differ by less: both are at fault
+
+  // While play is stopped (Laws 12).
+  double stop_speed_mps = 1.0_mps;        // single size; double size and later 1.5
+  double stop_grace_s = 2_s;              // 2026
+  double placement_clearance_m = 500_mm;  // 2026: from the line between ball and target
+  double placement_grace_s = 2_s;         // 2026
+  bool fouls_stop_play = true;            // robots' fouls; 2026: they are counted, play goes on
+
+  // Penalty kicks (Laws 14).
+  double penalty_clearance_m = 400_mm;  // of the others, behind the mark; 2026: 1 m
+  double penalty_time_s = 10_s;         // 2026: to score; in shoot-outs of all books
+  double penalty_turn_deg = 90;         // 2026: failed once the keeper turns the ball by so much
+
+  // Cards (Laws 12).
+  double card_s = 120_s;     // of play
+  int fouls_per_card = 0;    // 2026: every third foul; 0: none
+  int yellows_per_red = 0;   // 2026: the third active one; 0: none
+  double too_many_s = 10_s;  // 2026: to take robots off
+
+  // Timeouts of each team (Laws 7).
+  int timeouts = 4;
+  double timeouts_s = 300_s;  // together
+
+  // The end (2026): so many goals with a lead of more than `goal_lead`; 0: none.
+  int goals_to_win = 0;
+  int goal_lead = 1;
+  bool clock_stops = false;     // 2026: it stands in halt, stop, preparation and placement
+  double extra_half_s = 300_s;  // of knockout games (Laws, appendix A)
+  int shootout_kicks = 5;       // of each team, before one more each
+
+  bool has(RuleId rule) const { return in_force.has(rule); }
   bool operator==(const RuleBook&) const = default;
+};
+
+// What a game by a book is played on and with, unless it says otherwise.
+struct GameSetup {
+  Field field;
+  int robots = 6;  // of each team
+  double half_s = 600;
 };
 
 // The rule book of that name, or none.
 std::optional<RuleBook> find_rule_book(std::string_view name);
 std::vector<std::string> rule_book_names();
+
+// The setup that belongs to the book of that name, or none.
+std::optional<GameSetup> find_game_setup(std::string_view name);
 
 }  // namespace autoref

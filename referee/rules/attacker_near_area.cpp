@@ -60,7 +60,7 @@ std::optional<Offence> offence_of(Side side, const Moment& moment) {
 
 }  // namespace
 
-std::optional<Finding> find_attacker_near_area(const Memory& memory, const Moment& moment) {
+std::optional<Finding> find_attacker_near_area(Memory& memory, const Moment& moment) {
   if (!memory.play.entered_now || !memory.play.kicker) return std::nullopt;
   std::optional<Offence> offence = offence_of(*memory.play.kicker, moment);
   if (!offence) offence = offence_of(opponent_of(*memory.play.kicker), moment);

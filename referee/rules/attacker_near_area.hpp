@@ -10,9 +10,9 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_attacker_near_area(const Memory& memory, const Moment& moment);
+std::optional<Finding> find_attacker_near_area(Memory& memory, const Moment& moment);
 
-inline constexpr Rule kAttackerNearAreaRule{"attacker_near_area", State::kRun,
-                                            find_attacker_near_area};
+inline constexpr Rule kAttackerNearAreaRule{
+    RuleId::kAttackerNearArea, {State::kRun}, find_attacker_near_area};
 
 }  // namespace autoref::referee

@@ -50,7 +50,7 @@ std::string touched_by(const LastTouch& touch) {
 
 }  // namespace
 
-std::optional<Finding> find_ball_leaves_field(const Memory& /*memory*/, const Moment& moment) {
+std::optional<Finding> find_ball_leaves_field(Memory& /*memory*/, const Moment& moment) {
   const Field& field = moment.configuration.field;
   if (!moment.ball || !is_out_of_field(field, moment.ball->position_m)) return std::nullopt;
   const Vec2& ball_m = moment.ball->position_m;

@@ -9,9 +9,9 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_ball_leaves_field(const Memory& memory, const Moment& moment);
+std::optional<Finding> find_ball_leaves_field(Memory& memory, const Moment& moment);
 
-inline constexpr Rule kBallLeavesFieldRule{"ball_leaves_field", State::kRun,
-                                           find_ball_leaves_field};
+inline constexpr Rule kBallLeavesFieldRule{
+    RuleId::kBallLeavesField, {State::kRun}, find_ball_leaves_field};
 
 }  // namespace autoref::referee

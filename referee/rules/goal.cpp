@@ -9,7 +9,7 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_goal(const Memory& /*memory*/, const Moment& moment) {
+std::optional<Finding> find_goal(Memory& /*memory*/, const Moment& moment) {
   const Field& field = moment.configuration.field;
   if (!moment.ball || !is_in_goal(field, moment.ball->position_m, moment.ball->height_m)) {
     return std::nullopt;

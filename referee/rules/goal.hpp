@@ -7,8 +7,8 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_goal(const Memory& memory, const Moment& moment);
+std::optional<Finding> find_goal(Memory& memory, const Moment& moment);
 
-inline constexpr Rule kGoalRule{"goal", State::kRun, find_goal};
+inline constexpr Rule kGoalRule{RuleId::kGoal, {State::kRun}, find_goal};
 
 }  // namespace autoref::referee

@@ -4,7 +4,7 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_restart_not_taken(const Memory& memory, const Moment& moment) {
+std::optional<Finding> find_restart_not_taken(Memory& memory, const Moment& moment) {
   const PlayMemory& play = memory.play;
   const RuleBook& rules = moment.configuration.rules;
   if (play.in_play || !has_passed(play.began_s, rules.restart_timeout_s, moment.time_s())) {

@@ -6,9 +6,9 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_restart_not_taken(const Memory& memory, const Moment& moment);
+std::optional<Finding> find_restart_not_taken(Memory& memory, const Moment& moment);
 
-inline constexpr Rule kRestartNotTakenRule{"restart_not_taken", State::kRun,
-                                           find_restart_not_taken};
+inline constexpr Rule kRestartNotTakenRule{
+    RuleId::kRestartNotTaken, {State::kRun}, find_restart_not_taken};
 
 }  // namespace autoref::referee

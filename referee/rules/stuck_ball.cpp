@@ -6,7 +6,7 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_stuck_ball(const Memory& memory, const Moment& moment) {
+std::optional<Finding> find_stuck_ball(Memory& memory, const Moment& moment) {
   const PlayMemory& play = memory.play;
   const Configuration& c = moment.configuration;
   if (!play.in_play || !moment.ball ||

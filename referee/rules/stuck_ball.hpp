@@ -6,8 +6,8 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_stuck_ball(const Memory& memory, const Moment& moment);
+std::optional<Finding> find_stuck_ball(Memory& memory, const Moment& moment);
 
-inline constexpr Rule kStuckBallRule{"stuck_ball", State::kRun, find_stuck_ball};
+inline constexpr Rule kStuckBallRule{RuleId::kStuckBall, {State::kRun}, find_stuck_ball};
 
 }  // namespace autoref::referee

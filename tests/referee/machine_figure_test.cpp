@@ -28,7 +28,7 @@ TEST(MachineFigure, InTheReadmeIsPrintedFromTheTable) {
 
 TEST(MachineFigure, EveryDeviationOfAnArrowIsListed) {
   const std::string text = readme();
-  for (const auto& arrows : {arrows_in_figure(), arrows_outside_figure()}) {
+  for (const auto& arrows : all_arrows()) {
     for (const Arrow& arrow : arrows) {
       std::istringstream numbers{std::string(arrow.deviations)};
       for (std::string number; std::getline(numbers >> std::ws, number, ',');) {
@@ -41,7 +41,7 @@ TEST(MachineFigure, EveryDeviationOfAnArrowIsListed) {
 
 TEST(Machine, LabelsItsArrowsUniquely) {
   std::set<std::string_view> labels;
-  for (const auto& arrows : {arrows_in_figure(), arrows_outside_figure()}) {
+  for (const auto& arrows : all_arrows()) {
     for (const Arrow& arrow : arrows) EXPECT_TRUE(labels.insert(arrow.label).second);
   }
 }
@@ -51,11 +51,13 @@ TEST(Machine, StepLeavesItsInputUntouched) {
   const Frame frame;
   const std::optional<BallSight> ball;
   const LastTouch touch;
+  const Tracks tracks;
+  const PerSide<TeamRequests> requests;
   const Memory memory;
   Finding finding;
   finding.event = Event::kBegin;
-  const Step first = step(memory, {configuration, frame, ball, touch}, finding);
-  const Step again = step(memory, {configuration, frame, ball, touch}, finding);
+  const Step first = step(memory, {configuration, frame, ball, touch, tracks, requests}, finding);
+  const Step again = step(memory, {configuration, frame, ball, touch, tracks, requests}, finding);
   EXPECT_EQ(first.memory.state, State::kWaitStart);
   EXPECT_EQ(first.arrow, again.arrow);
   EXPECT_EQ(first.sent, again.sent);
@@ -66,11 +68,13 @@ TEST(Machine, StaysWhereNoArrowLeadsOn) {
   const Frame frame;
   const std::optional<BallSight> ball;
   const LastTouch touch;
+  const Tracks tracks;
+  const PerSide<TeamRequests> requests;
   Memory memory;
   memory.state = State::kWaitStop;
   Finding goal;
   goal.event = Event::kGoal;
-  const Step taken = step(memory, {configuration, frame, ball, touch}, goal);
+  const Step taken = step(memory, {configuration, frame, ball, touch, tracks, requests}, goal);
   EXPECT_EQ(taken.arrow, nullptr);
   EXPECT_EQ(taken.memory.signal.goals[Side::kWest], 0);
   EXPECT_FALSE(taken.sent.has_value());

@@ -177,7 +177,7 @@ TEST_P(Mirrored, FramesGiveMirroredCallsInTheSameFrames) {
     ASSERT_EQ(referee.decisions().size(), other.decisions().size()) << "frame " << i;
     for (std::size_t k = 0; k < referee.decisions().size(); ++k) {
       expect_turned(referee.decisions()[k], other.decisions()[k]);
-      stops += is_stop(referee.decisions()[k].event) ? 1 : 0;
+      stops += is_call(referee.decisions()[k].event) ? 1 : 0;
     }
   }
   EXPECT_GT(stops, 8U);  // or nothing was tested

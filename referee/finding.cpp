@@ -1,0 +1,41 @@
+#include "referee/finding.hpp"
+
+#include <fmt/format.h>
+
+#include "referee/restarts.hpp"
+#include "soccer/rule_table.hpp"
+
+namespace autoref::referee {
+
+Finding finding_of(Event event, RuleId rule, const RuleBook& rules) {
+  const RuleEntry& entry = entry_of(rule);
+  Finding finding;
+  finding.event = event;
+  finding.rule = section_of(rules, rule);
+  if (entry.threshold != nullptr) finding.threshold = rules.*entry.threshold;
+  finding.unit = entry.unit;
+  return finding;
+}
+
+Finding offence_of(Event event, RuleId rule, const Configuration& configuration, RobotId robot,
+                   const Vec2& where_m) {
+  const RuleBook& rules = configuration.rules;
+  const Side kicker = opponent_of(robot.side);
+  Finding finding = finding_of(event, rule, rules);
+  finding.robots.push_back(robot);
+  finding.offender = robot.side;
+  finding.position_m = where_m;
+  finding.restart = indirect_free_kick(rules, kicker);
+  finding.ball_to_m = free_kick_place(configuration.field, rules, kicker, where_m);
+  return finding;
+}
+
+Command indirect_free_kick(const RuleBook& rules, Side kicker) {
+  return {rules.kicks_may_score ? CommandKind::kDirectFree : CommandKind::kIndirectFree, kicker};
+}
+
+std::string text_of(RobotId robot) {
+  return fmt::format("{} {}", name_of(robot.side), robot.number);
+}
+
+}  // namespace autoref::referee

@@ -1,0 +1,23 @@
+// What rules have seen that takes more than one frame, since play last started or stopped.
+#pragma once
+
+#include <cstdint>
+
+#include "soccer/side.hpp"
+
+namespace autoref::referee {
+
+// Some of the robots on the field.
+class RobotSet {
+ public:
+  bool has(RobotId robot) const { return (bits_[robot.side] >> robot.number & 1U) != 0; }
+  void add(RobotId robot) { bits_[robot.side] |= 1U << robot.number; }
+
+ private:
+  PerSide<std::uint32_t> bits_;
+};
+
+// One member for each rule that watches, named like it.
+struct RuleWatch {};
+
+}  // namespace autoref::referee
