@@ -212,6 +212,7 @@ void Basic::line_up(TeamOrders& orders) {
 void Basic::decide(const TeamView& view, TeamOrders& orders) {
   if (view.play == Play::kHalt) return;
   look_ahead(view, now_);
+  if (!now_.own.empty()) requests_.keeper = now_.own.front().number;
   ball_place_m_ = now_.placement_m.value_or(now_.ball.position_m);
   const bool waiting = view.play == Play::kStop || view.play == Play::kPrepareKickoff ||
                        view.play == Play::kPreparePenalty;
