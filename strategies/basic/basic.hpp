@@ -33,6 +33,7 @@ class Basic final : public Strategy {
   bool may_play_ball() const;
   void play(TeamOrders& orders);
   void line_up(TeamOrders& orders);
+  void stand_at_penalty(TeamOrders& orders);
 
   Briefing briefing_;
   DrivingStyle style_;
