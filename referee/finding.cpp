@@ -30,6 +30,20 @@ Finding offence_of(Event event, RuleId rule, const Configuration& configuration,
   return finding;
 }
 
+Finding contact_foul_of(Event event, RuleId rule, const Configuration& configuration, RobotId robot,
+                        const Vec2& robot_m, const Vec2& where_m) {
+  const Field& field = configuration.field;
+  Finding finding = offence_of(event, rule, configuration, robot, where_m);
+  finding.is_foul = configuration.rules.fouls_per_card > 0;
+  finding.restart.kind = CommandKind::kDirectFree;
+  if (configuration.rules.edition == Edition::kLaws2014 &&
+      distance_to_defence_area(field, robot.side, robot_m) <= 0) {
+    finding.restart.kind = CommandKind::kPreparePenalty;
+    finding.ball_to_m = field.penalty_mark_at(robot.side);
+  }
+  return finding;
+}
+
 Command indirect_free_kick(const RuleBook& rules, Side kicker) {
   return {rules.kicks_may_score ? CommandKind::kDirectFree : CommandKind::kIndirectFree, kicker};
 }

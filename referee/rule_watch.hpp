@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "referee/robot_watch.hpp"
 #include "soccer/side.hpp"
 
 namespace autoref::referee {
@@ -18,6 +19,8 @@ class RobotSet {
 };
 
 // One member for each rule that watches, named like it.
-struct RuleWatch {};
+struct RuleWatch {
+  CrashWatch crash;
+};
 
 }  // namespace autoref::referee

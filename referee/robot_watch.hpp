@@ -1,0 +1,41 @@
+// What the rules about robots have seen of them in earlier frames.
+#pragma once
+
+#include <array>
+#include <boost/container/static_vector.hpp>
+#include <limits>
+
+#include "soccer/geometry.hpp"
+#include "soccer/side.hpp"
+#include "soccer/tracks.hpp"
+
+namespace autoref::referee {
+
+inline constexpr double kNever_s = -std::numeric_limits<double>::infinity();
+
+// Two robots of different sides that met.
+struct Collision {
+  RobotId faster;
+  RobotId slower;
+  double closing_mps = 0;  // along the line of their centres, just before
+  double lead_mps = 0;     // by how much the one was faster than the other
+  Vec2 position_m{0, 0};   // half-way between their centres
+  Vec2 faster_m{0, 0};     // the faster one's centre
+};
+
+struct CrashWatch {
+  PerSide<TrackedRobots> before;  // in the frame before
+  double before_s = kNever_s;
+  // When west robot [i] and east robot [j] were in contact last.
+  std::array<std::array<double, kMaxRobots>, kMaxRobots> met_s = never_met();
+  boost::container::static_vector<Collision, 8> untold;
+
+ private:
+  static constexpr std::array<std::array<double, kMaxRobots>, kMaxRobots> never_met() {
+    std::array<std::array<double, kMaxRobots>, kMaxRobots> all{};
+    for (auto& row : all) row.fill(kNever_s);
+    return all;
+  }
+};
+
+}  // namespace autoref::referee
