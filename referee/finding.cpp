@@ -36,7 +36,7 @@ Finding contact_foul_of(Event event, RuleId rule, const Configuration& configura
   Finding finding = offence_of(event, rule, configuration, robot, where_m);
   finding.is_foul = configuration.rules.fouls_per_card > 0;
   finding.restart.kind = CommandKind::kDirectFree;
-  if (configuration.rules.edition == Edition::kLaws2014 &&
+  if (configuration.rules.edition != Edition::kRules2026 &&
       distance_to_defence_area(field, robot.side, robot_m) <= 0) {
     finding.restart.kind = CommandKind::kPreparePenalty;
     finding.ball_to_m = field.penalty_mark_at(robot.side);

@@ -38,4 +38,21 @@ struct CrashWatch {
   }
 };
 
+// Two opponents that are near each other, by their numbers.
+struct Clinch {
+  int west = 0;
+  int east = 0;
+  bool is_near = true;
+  bool is_followed = false;  // for a frame or more
+  bool are_in_contact = false;
+  PerSide<Vec2> from_m{{Vec2(0, 0), Vec2(0, 0)}};      // where they were when that began
+  PerSide<Vec2> before_mps{{Vec2(0, 0), Vec2(0, 0)}};  // their velocities before it
+};
+
+// Round robots of two sides that touch make a planar graph without triangles: among 32 robots there
+// are at most 60 pairs in contact, and a few more that are near.
+struct PushingWatch {
+  boost::container::static_vector<Clinch, 3 * 2 * kMaxRobots> clinches;
+};
+
 }  // namespace autoref::referee

@@ -21,6 +21,7 @@ class RobotSet {
 // One member for each rule that watches, named like it.
 struct RuleWatch {
   CrashWatch crash;
+  PushingWatch pushing;
 };
 
 }  // namespace autoref::referee

@@ -6,6 +6,7 @@
 #include "referee/rules/ball_leaves_field.hpp"
 #include "referee/rules/crash.hpp"
 #include "referee/rules/goal.hpp"
+#include "referee/rules/pushing.hpp"
 #include "referee/rules/restart_not_taken.hpp"
 #include "referee/rules/stuck_ball.hpp"
 
@@ -13,8 +14,9 @@ namespace autoref::referee {
 
 std::span<const Rule> rules() {
   static constexpr std::array kRules = {
-      kAttackerNearAreaRule, kCrashRule,            kGoalRule,
-      kBallLeavesFieldRule,  kRestartNotTakenRule, kStuckBallRule};
+      kAttackerNearAreaRule, kCrashRule,           kPushingRule,   kGoalRule,
+      kBallLeavesFieldRule,  kRestartNotTakenRule, kStuckBallRule,
+  };
   return kRules;
 }
 
