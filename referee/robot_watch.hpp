@@ -4,6 +4,7 @@
 #include <array>
 #include <boost/container/static_vector.hpp>
 #include <limits>
+#include <optional>
 
 #include "soccer/geometry.hpp"
 #include "soccer/side.hpp"
@@ -53,6 +54,11 @@ struct Clinch {
 // are at most 60 pairs in contact, and a few more that are near.
 struct PushingWatch {
   boost::container::static_vector<Clinch, 3 * 2 * kMaxRobots> clinches;
+};
+
+struct DribblingWatch {
+  // Where the ball was when each robot that has it got it; none for the others.
+  PerSide<std::array<std::optional<Vec2>, kMaxRobots>> ball_from_m;
 };
 
 }  // namespace autoref::referee

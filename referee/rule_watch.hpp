@@ -22,6 +22,7 @@ class RobotSet {
 struct RuleWatch {
   CrashWatch crash;
   PushingWatch pushing;
+  DribblingWatch dribbling;
 };
 
 }  // namespace autoref::referee

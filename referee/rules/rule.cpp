@@ -5,6 +5,7 @@
 #include "referee/rules/attacker_near_area.hpp"
 #include "referee/rules/ball_leaves_field.hpp"
 #include "referee/rules/crash.hpp"
+#include "referee/rules/dribbling.hpp"
 #include "referee/rules/goal.hpp"
 #include "referee/rules/pushing.hpp"
 #include "referee/rules/restart_not_taken.hpp"
@@ -14,7 +15,7 @@ namespace autoref::referee {
 
 std::span<const Rule> rules() {
   static constexpr std::array kRules = {
-      kAttackerNearAreaRule, kCrashRule,           kPushingRule,   kGoalRule,
+      kAttackerNearAreaRule, kCrashRule,           kPushingRule,   kDribblingRule, kGoalRule,
       kBallLeavesFieldRule,  kRestartNotTakenRule, kStuckBallRule,
   };
   return kRules;

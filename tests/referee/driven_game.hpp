@@ -40,15 +40,23 @@ class DrivenGame {
     }
   }
 
+  // The ball stays at the front of that robot, `gap_m` away; without a robot it lies where it is.
+  void carry(std::optional<RobotId> id, double gap_m = 0) {
+    carrier_ = id;
+    gap_m_ = gap_m;
+  }
+
   // Pictures of `seconds`, each coordinate wrong by a normal error.
   void run(double seconds, double noise_m = 0) {
     const int frames = static_cast<int>(seconds * ScriptedGame::kRate_hz + 0.5);
     for (int i = 0; i < frames; ++i) {
       for (Driven& driven : driven_) {
         driven.place_m += driven.velocity_mps / ScriptedGame::kRate_hz;
-        const Vec2 error_m(random_.normal(), random_.normal());
-        game.robot(driven.id.side, driven.id.number).position_m =
-            driven.place_m + noise_m * error_m;
+        RobotObservation& robot = game.robot(driven.id.side, driven.id.number);
+        robot.position_m = driven.place_m + error_m(noise_m);
+        if (driven.id != carrier_) continue;
+        const double ahead_m = kFrontDistance_m + kBallRadius_m + gap_m_;
+        game.put_ball(driven.place_m + ahead_m * robot.heading + error_m(noise_m));
       }
       game.step();
     }
@@ -71,7 +79,16 @@ class DrivenGame {
     Vec2 place_m{0, 0};
     Vec2 velocity_mps{0, 0};
   };
+
+  Vec2 error_m(double noise_m) {
+    const double along = random_.normal();
+    const double across = random_.normal();
+    return noise_m * Vec2(along, across);
+  }
+
   std::vector<Driven> driven_;
+  std::optional<RobotId> carrier_;
+  double gap_m_ = 0;
   RandomStream random_{7};
 };
 
