@@ -61,4 +61,8 @@ struct DribblingWatch {
   PerSide<std::array<std::optional<Vec2>, kMaxRobots>> ball_from_m;
 };
 
+struct KeeperHoldingWatch {
+  PerSide<std::optional<double>> since_s;
+};
+
 }  // namespace autoref::referee

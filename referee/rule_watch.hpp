@@ -23,6 +23,7 @@ struct RuleWatch {
   CrashWatch crash;
   PushingWatch pushing;
   DribblingWatch dribbling;
+  KeeperHoldingWatch keeper_holding;
 };
 
 }  // namespace autoref::referee

@@ -7,6 +7,7 @@
 #include "referee/rules/crash.hpp"
 #include "referee/rules/dribbling.hpp"
 #include "referee/rules/goal.hpp"
+#include "referee/rules/keeper_holding.hpp"
 #include "referee/rules/pushing.hpp"
 #include "referee/rules/restart_not_taken.hpp"
 #include "referee/rules/stuck_ball.hpp"
@@ -15,7 +16,8 @@ namespace autoref::referee {
 
 std::span<const Rule> rules() {
   static constexpr std::array kRules = {
-      kAttackerNearAreaRule, kCrashRule,           kPushingRule,   kDribblingRule, kGoalRule,
+      kAttackerNearAreaRule, kCrashRule,           kPushingRule,
+      kDribblingRule,        kKeeperHoldingRule,   kGoalRule,
       kBallLeavesFieldRule,  kRestartNotTakenRule, kStuckBallRule,
   };
   return kRules;
