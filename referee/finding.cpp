@@ -30,6 +30,16 @@ Finding offence_of(Event event, RuleId rule, const Configuration& configuration,
   return finding;
 }
 
+Finding note_of(Event event, RuleId rule, const RuleBook& rules, RobotId robot,
+                const Vec2& where_m) {
+  Finding finding = finding_of(event, rule, rules);
+  finding.robots.push_back(robot);
+  finding.offender = robot.side;
+  finding.is_foul = rules.fouls_per_card > 0;
+  finding.position_m = where_m;
+  return finding;
+}
+
 Finding contact_foul_of(Event event, RuleId rule, const Configuration& configuration, RobotId robot,
                         const Vec2& robot_m, const Vec2& where_m) {
   const Field& field = configuration.field;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "referee/lingering.hpp"
 #include "referee/robot_watch.hpp"
 #include "soccer/side.hpp"
 
@@ -24,6 +25,9 @@ struct RuleWatch {
   PushingWatch pushing;
   DribblingWatch dribbling;
   KeeperHoldingWatch keeper_holding;
+  Lingering stop_speed;
+  Lingering stop_distance;
+  Lingering placement_interference;
 };
 
 }  // namespace autoref::referee
