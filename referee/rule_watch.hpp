@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "referee/lingering.hpp"
+#include "referee/robot_watch.hpp"
 #include "soccer/side.hpp"
 
 namespace autoref::referee {
@@ -18,6 +20,14 @@ class RobotSet {
 };
 
 // One member for each rule that watches, named like it.
-struct RuleWatch {};
+struct RuleWatch {
+  CrashWatch crash;
+  PushingWatch pushing;
+  DribblingWatch dribbling;
+  KeeperHoldingWatch keeper_holding;
+  Lingering stop_speed;
+  Lingering stop_distance;
+  Lingering placement_interference;
+};
 
 }  // namespace autoref::referee

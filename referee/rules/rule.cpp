@@ -4,15 +4,24 @@
 
 #include "referee/rules/attacker_near_area.hpp"
 #include "referee/rules/ball_leaves_field.hpp"
+#include "referee/rules/crash.hpp"
+#include "referee/rules/dribbling.hpp"
 #include "referee/rules/goal.hpp"
+#include "referee/rules/keeper_holding.hpp"
+#include "referee/rules/placement_interference.hpp"
+#include "referee/rules/pushing.hpp"
 #include "referee/rules/restart_not_taken.hpp"
+#include "referee/rules/stop_distance.hpp"
+#include "referee/rules/stop_speed.hpp"
 #include "referee/rules/stuck_ball.hpp"
 
 namespace autoref::referee {
 
 std::span<const Rule> rules() {
-  static constexpr std::array<Rule, 5> kRules = {
-      kAttackerNearAreaRule, kGoalRule, kBallLeavesFieldRule, kRestartNotTakenRule, kStuckBallRule};
+  static constexpr std::array kRules = {
+      kAttackerNearAreaRule, kCrashRule,     kPushingRule,         kDribblingRule,
+      kKeeperHoldingRule,    kGoalRule,      kBallLeavesFieldRule, kRestartNotTakenRule,
+      kStuckBallRule,        kStopSpeedRule, kStopDistanceRule,    kPlacementInterferenceRule};
   return kRules;
 }
 

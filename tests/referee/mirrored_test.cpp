@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 #include "soccer/random.hpp"
@@ -127,6 +128,7 @@ void expect_turned(const Decision& a, const Decision& b) {
   EXPECT_EQ(a.arrow, b.arrow);
   EXPECT_EQ(a.frame, b.frame);
   EXPECT_EQ(turned(a.command), b.command);
+  EXPECT_EQ(turned(a.offender), b.offender);
   EXPECT_NEAR(a.value, b.value, 1e-6);
   expect_turned(a.position_m, b.position_m);
   expect_turned(a.last_touch, b.last_touch);
@@ -152,20 +154,26 @@ void expect_turned(const RefereeSignal& a, const RefereeSignal& b) {
   }
 }
 
-Configuration rough_configuration(Side first_kickoff) {
+struct RoughSetup {
+  int seed;
+  const char* book;
+};
+
+Configuration rough_configuration(const RoughSetup& setup, Side first_kickoff) {
   Configuration configuration;
+  configuration.rules = *find_rule_book(setup.book);
   configuration.half_s = 60;
   configuration.after_game = AfterGame::kNewGame;
   configuration.first_kickoff = first_kickoff;
   return configuration;
 }
 
-class Mirrored : public testing::TestWithParam<int> {};
+class Mirrored : public testing::TestWithParam<RoughSetup> {};
 
 TEST_P(Mirrored, FramesGiveMirroredCallsInTheSameFrames) {
-  RoughGame game(static_cast<std::uint64_t>(GetParam()));
-  Referee referee(rough_configuration(Side::kWest));
-  Referee other(rough_configuration(Side::kEast));
+  RoughGame game(static_cast<std::uint64_t>(GetParam().seed));
+  Referee referee(rough_configuration(GetParam(), Side::kWest));
+  Referee other(rough_configuration(GetParam(), Side::kEast));
   RefereeSignal signal;
   std::size_t stops = 0;
   for (int i = 0; i < 12000 && !HasFailure(); ++i) {
@@ -183,7 +191,21 @@ TEST_P(Mirrored, FramesGiveMirroredCallsInTheSameFrames) {
   EXPECT_GT(stops, 8U);  // or nothing was tested
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, Mirrored, testing::Range(1, 9));
+std::string name_of_setup(const testing::TestParamInfo<RoughSetup>& info) {
+  std::string name = std::string(info.param.book) + "_" + std::to_string(info.param.seed);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+std::vector<RoughSetup> setups() {
+  std::vector<RoughSetup> all;
+  for (int seed = 1; seed <= 8; ++seed) all.push_back({seed, "paper"});
+  for (int seed = 9; seed <= 12; ++seed) all.push_back({seed, "2014"});
+  for (int seed = 13; seed <= 16; ++seed) all.push_back({seed, "2026-b"});
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Games, Mirrored, testing::ValuesIn(setups()), name_of_setup);
 
 }  // namespace
 }  // namespace autoref::referee
