@@ -6,6 +6,7 @@
 #include "referee/rules/attacker_stays_near_area.hpp"
 #include "referee/rules/ball_leaves_field.hpp"
 #include "referee/rules/goal.hpp"
+#include "referee/rules/kickoff_positions.hpp"
 #include "referee/rules/no_progress.hpp"
 #include "referee/rules/restart_distance.hpp"
 #include "referee/rules/restart_not_taken.hpp"
@@ -15,6 +16,7 @@ namespace autoref::referee {
 
 std::span<const Rule> rules() {
   static constexpr std::array kRules = {
+      kKickoffPositionsRule,
       kRestartDistanceRule,
       kAttackerNearAreaRule,
       kAttackerStaysNearAreaRule,
