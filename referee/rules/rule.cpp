@@ -8,6 +8,8 @@
 #include "referee/rules/goal.hpp"
 #include "referee/rules/kickoff_positions.hpp"
 #include "referee/rules/no_progress.hpp"
+#include "referee/rules/penalty_failed.hpp"
+#include "referee/rules/penalty_positions.hpp"
 #include "referee/rules/restart_distance.hpp"
 #include "referee/rules/restart_not_taken.hpp"
 #include "referee/rules/stuck_ball.hpp"
@@ -20,6 +22,8 @@ std::span<const Rule> rules() {
       kRestartDistanceRule,
       kAttackerNearAreaRule,
       kAttackerStaysNearAreaRule,
+      kPenaltyPositionsRule,
+      kPenaltyFailedRule,
       kGoalRule,
       kBallLeavesFieldRule,
       kRestartNotTakenRule,
