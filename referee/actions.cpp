@@ -98,7 +98,7 @@ void award_goal(Memory& memory, const Moment& moment, const Finding& finding) {
 }
 
 void stop_play(Memory& memory, const Moment& moment, const Finding& finding) {
-  book(memory, moment.configuration, finding);
+  book(memory, moment, finding);
   end_play(memory);
   place_ball(memory, finding.ball_to_m);
   memory.signal.next_command = finding.restart;
@@ -107,7 +107,18 @@ void stop_play(Memory& memory, const Moment& moment, const Finding& finding) {
 }
 
 void note_foul(Memory& memory, const Moment& moment, const Finding& finding) {
-  book(memory, moment.configuration, finding);
+  book(memory, moment, finding);
+}
+
+void show_card(Memory& memory, const Moment& moment, const Finding& finding) {
+  for (const Side side : kSides) {
+    if (!finding.offender || *finding.offender == side) ++memory.cards[side].cards_for_fouls;
+  }
+  book(memory, moment, finding);
+}
+
+void end_card(Memory& memory, const Moment& moment, const Finding& finding) {
+  take_card_off(memory, moment.configuration, finding);
 }
 
 // Deviation D4: the briefly transmitted command is followed by STOP.

@@ -22,6 +22,8 @@ void send_preparation(Memory& memory, const Moment& moment, const Finding& findi
 void start_play(Memory& memory, const Moment& moment, const Finding& finding);
 void award_goal(Memory& memory, const Moment& moment, const Finding& finding);
 void stop_play(Memory& memory, const Moment& moment, const Finding& finding);
+void show_card(Memory& memory, const Moment& moment, const Finding& finding);
+void end_card(Memory& memory, const Moment& moment, const Finding& finding);
 void note_foul(Memory& memory, const Moment& moment, const Finding& finding);
 void stop_after_signal(Memory& memory, const Moment& moment, const Finding& finding);
 void end_half(Memory& memory, const Moment& moment, const Finding& finding);
@@ -41,6 +43,8 @@ inline constexpr Action kAwardGoal{
 inline constexpr Action kStopPlay{"send STOP; place the ball; next = what the rule gives",
                                   stop_play};
 inline constexpr Action kNoteFoul{"the foul is counted", note_foul};
+inline constexpr Action kShowCard{"one robot fewer is allowed", show_card};
+inline constexpr Action kEndCard{"one robot more is allowed", end_card};
 inline constexpr Action kStopAfterSignal{"send STOP", stop_after_signal};
 inline constexpr Action kEndHalf{"send HALT; next = PREPARE_KICKOFF of the other team", end_half};
 inline constexpr Action kBeginNextHalf{"send STOP; ball to the centre", begin_next_half};

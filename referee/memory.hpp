@@ -34,11 +34,25 @@ struct PlayMemory {
   double stuck_since_s = 0;         // since then
 };
 
+// The time spent in RUN, all halves together.
+struct PlayClock {
+  double before_s = 0;            // in plays that are over
+  std::optional<double> since_s;  // when the play that is on began
+
+  double at_s(double now_s) const { return before_s + (since_s ? now_s - *since_s : 0); }
+  void start(double now_s) { since_s = now_s; }
+  void stop(double now_s) {
+    before_s = at_s(now_s);
+    since_s.reset();
+  }
+};
+
 // A side's fouls and cards.
 struct CardBook {
-  int fouls = 0;                                                      // that count towards a card
-  int yellows_for_fouls = 0;                                          // shown for them
-  boost::container::static_vector<double, kMaxRobots> yellow_left_s;  // of play, of active ones
+  int fouls = 0;            // that count towards a card
+  int cards_for_fouls = 0;  // shown for them
+  // When the active yellow cards are over, by the play clock; the oldest first.
+  boost::container::static_vector<double, kMaxRobots> yellow_ends_s;
 };
 
 struct Memory {
@@ -52,6 +66,7 @@ struct Memory {
   double delay_ends_s = 0;  // in DELAY_WAIT
   PlayMemory play;
   RuleWatch watch;  // of the rules, since play last started or stopped
+  PlayClock play_clock;
   PerSide<CardBook> cards;
   std::optional<Side> prepared_kicker;  // of the kick-off or penalty that NORMAL_START starts
 

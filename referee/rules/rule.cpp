@@ -4,6 +4,7 @@
 
 #include "referee/rules/attacker_near_area.hpp"
 #include "referee/rules/ball_leaves_field.hpp"
+#include "referee/rules/card_due.hpp"
 #include "referee/rules/goal.hpp"
 #include "referee/rules/restart_not_taken.hpp"
 #include "referee/rules/stuck_ball.hpp"
@@ -11,8 +12,9 @@
 namespace autoref::referee {
 
 std::span<const Rule> rules() {
-  static constexpr std::array<Rule, 5> kRules = {
-      kAttackerNearAreaRule, kGoalRule, kBallLeavesFieldRule, kRestartNotTakenRule, kStuckBallRule};
+  static constexpr std::array<Rule, 8> kRules = {
+      kAttackerNearAreaRule, kGoalRule,    kBallLeavesFieldRule, kRestartNotTakenRule,
+      kStuckBallRule,        kRedCardRule, kYellowCardRule,      kCardOverRule};
   return kRules;
 }
 
