@@ -31,14 +31,21 @@ Card next_card(const CardBook& cards, const RuleBook& rules) {
 }
 
 void book(Memory& memory, const Moment& moment, const Finding& finding) {
+  const PerSide<int> before = memory.signal.robots_allowed;
   const bool gives_card =
       finding.card != Card::kNone && moment.configuration.rules.has(RuleId::kCards);
   for (const Side side : kSides) {
     if (!concerns(finding, side)) continue;
     if (finding.is_foul) ++memory.cards[side].fouls;
+    if (finding.event == Event::kTooManyRobots) memory.cards[side].too_many_called = true;
     if (gives_card) show(memory, moment, side, finding.card);
   }
   allow_robots(memory, moment.configuration);
+  for (const Side side : kSides) {
+    if (memory.signal.robots_allowed[side] == before[side]) continue;
+    memory.cards[side].fewer_since_s = moment.time_s();
+    memory.cards[side].too_many_called = false;
+  }
 }
 
 void take_card_off(Memory& memory, const Configuration& configuration, const Finding& finding) {

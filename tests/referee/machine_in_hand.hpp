@@ -40,10 +40,17 @@ class MachineInHand {
   std::string_view look_for_cards() {
     std::string_view taken;
     for (const Rule& rule : {kRedCardRule, kYellowCardRule, kCardOverRule}) {
-      if (!rule.active_in.has(memory.state)) continue;
-      if (const auto found = rule.find(memory, moment())) taken = put(*found);
+      const std::string_view label = look_for(rule);
+      if (!label.empty()) taken = label;
     }
     return taken;
+  }
+
+  // The label of the arrow taken for what the rule finds; empty where there is none.
+  std::string_view look_for(const Rule& rule) {
+    if (!rule.active_in.has(memory.state)) return {};
+    const std::optional<Finding> found = rule.find(memory, moment());
+    return found ? put(*found) : std::string_view{};
   }
 
   // Fouls until `count` cards have been shown for them.
@@ -52,6 +59,20 @@ class MachineInHand {
       foul(side);
       look_for_cards();
     }
+  }
+
+  // Robots 0 to `count` - 1 of each side, in its own half.
+  void line_up(int count) {
+    for (const Side side : kSides) {
+      for (int i = 0; i < count; ++i) {
+        const Vec2 place_m(goal_sign(side) * 1.5, 0.3 * i);
+        frame_.robots[side].push_back({i, place_m, Vec2(-goal_sign(side), 0)});
+      }
+    }
+  }
+
+  RobotObservation& robot(Side side, int number) {
+    return frame_.robots[side][static_cast<std::size_t>(number)];
   }
 
   void wait(double seconds) { frame_.time_s += seconds; }
