@@ -4,6 +4,7 @@
 #include "referee/cards.hpp"
 #include "referee/readiness.hpp"
 #include "referee/retakes.hpp"
+#include "referee/shootout.hpp"
 #include "referee/timekeeping.hpp"
 
 namespace autoref::referee {
@@ -42,7 +43,20 @@ void end_play(Memory& memory) {
 
 void start_clock(Memory& memory, const Moment& moment) {
   memory.signal.stage = stage_of(memory.half);
-  memory.half_began_s = moment.time_s();
+  memory.half_began_s = clock_s(memory, moment.configuration.rules, moment.time_s());
+}
+
+void begin_break(Memory& memory, const Moment& moment) {
+  send(memory, moment, kHalt);
+  memory.delay_ends_s = moment.time_s() + moment.configuration.break_s;
+}
+
+void signal_goal(Memory& memory, const Moment& moment, const Finding& finding, Side scorer) {
+  end_play(memory);
+  place_ball(memory, finding.ball_to_m);
+  memory.signal.next_command = finding.restart;
+  send(memory, moment, {CommandKind::kGoal, scorer});
+  memory.delay_ends_s = moment.time_s();
 }
 
 std::optional<Side> kicker_of(const Memory& memory, const Command& command) {
@@ -96,15 +110,11 @@ void award_goal(Memory& memory, const Moment& moment, const Finding& finding) {
   const Side scorer = opponent_of(finding.restart.side);
   ++memory.signal.goals[scorer];
   ++memory.goals_by_half.back()[scorer];
-  end_play(memory);
-  place_ball(memory, finding.ball_to_m);
-  memory.signal.next_command = finding.restart;
-  send(memory, moment, {CommandKind::kGoal, scorer});
-  memory.delay_ends_s = moment.time_s();
+  signal_goal(memory, moment, finding, scorer);
 }
 
 void stop_play(Memory& memory, const Moment& moment, const Finding& finding) {
-  book(memory, moment.configuration, finding);
+  book(memory, moment, finding);
   const Retakes retakes = retakes_after(memory.retakes, finding);
   end_play(memory);
   memory.retakes = retakes;
@@ -115,7 +125,18 @@ void stop_play(Memory& memory, const Moment& moment, const Finding& finding) {
 }
 
 void note_foul(Memory& memory, const Moment& moment, const Finding& finding) {
-  book(memory, moment.configuration, finding);
+  book(memory, moment, finding);
+}
+
+void show_card(Memory& memory, const Moment& moment, const Finding& finding) {
+  for (const Side side : kSides) {
+    if (!finding.offender || *finding.offender == side) ++memory.cards[side].cards_for_fouls;
+  }
+  book(memory, moment, finding);
+}
+
+void end_card(Memory& memory, const Moment& moment, const Finding& finding) {
+  take_card_off(memory, moment.configuration, finding);
 }
 
 // Deviation D4: the briefly transmitted command is followed by STOP.
@@ -127,18 +148,69 @@ void stop_after_signal(Memory& memory, const Moment& moment, const Finding& /*fi
 // Deviation D12: the briefly transmitted command at half-time is HALT.
 void end_half(Memory& memory, const Moment& moment, const Finding& /*finding*/) {
   end_play(memory);
-  memory.signal.stage = break_after(memory.half);
-  memory.signal.next_command = kickoff_of(kickoff_side(moment.configuration, memory.half + 1));
-  send(memory, moment, kHalt);
-  memory.delay_ends_s = moment.time_s() + moment.configuration.break_s;
+  const int next = half_after(moment.configuration, memory.half);
+  memory.signal.stage = break_before(next);
+  memory.signal.next_command = kickoff_of(kickoff_side(moment.configuration, next));
+  begin_break(memory, moment);
+}
+
+void begin_extra_time(Memory& memory, const Moment& moment, const Finding& finding) {
+  memory.timeouts = {};
+  end_half(memory, moment, finding);
 }
 
 void begin_next_half(Memory& memory, const Moment& moment, const Finding& finding) {
-  ++memory.half;
+  memory.half = half_after(moment.configuration, memory.half);
   memory.goals_by_half.push_back({});
   memory.signal.stage = stage_before(memory.half);
   place_ball(memory, Vec2(0, 0));
   stop_after_signal(memory, moment, finding);
+}
+
+void begin_timeout(Memory& memory, const Moment& moment, const Finding& finding) {
+  memory.timeout_side = finding.restart.side;
+  ++memory.timeouts[memory.timeout_side].taken;
+  memory.timeout_clock.start(moment.time_s());
+  // What was prepared is prepared again: STOP comes in between.
+  if (memory.signal.next_command == kNormalStart) {
+    memory.signal.next_command = memory.signal.command;
+  }
+  send(memory, moment, finding.restart);
+}
+
+void end_timeout(Memory& memory, const Moment& moment, const Finding& finding) {
+  memory.timeouts[memory.timeout_side].used_s += finding.value;
+  memory.timeout_clock.stop(moment.time_s());
+  memory.watch = RuleWatch{};
+  memory.signal.placement->at_once = false;
+  stop_after_signal(memory, moment, finding);
+}
+
+void end_for_shootout(Memory& memory, const Moment& moment, const Finding& /*finding*/) {
+  end_play(memory);
+  memory.signal.stage = Stage::kShootoutBreak;
+  const Side kicker = next_kicker(memory.shootout, moment.configuration);
+  memory.signal.next_command = {CommandKind::kPreparePenalty, kicker};
+  begin_break(memory, moment);
+}
+
+void begin_shootout(Memory& memory, const Moment& moment, const Finding& finding) {
+  memory.signal.stage = Stage::kShootout;
+  const Side kicker = next_kicker(memory.shootout, moment.configuration);
+  place_ball(memory, moment.configuration.field.penalty_mark_at(opponent_of(kicker)));
+  stop_after_signal(memory, moment, finding);
+}
+
+void count_shootout_goal(Memory& memory, const Moment& moment, const Finding& finding) {
+  const Side kicker = next_kicker(memory.shootout, moment.configuration);
+  ++memory.shootout.kicks[kicker];
+  memory.signal.shootout_goals[kicker] = ++memory.shootout.goals[kicker];
+  signal_goal(memory, moment, finding, kicker);
+}
+
+void count_shootout_miss(Memory& memory, const Moment& moment, const Finding& finding) {
+  ++memory.shootout.kicks[next_kicker(memory.shootout, moment.configuration)];
+  stop_play(memory, moment, finding);
 }
 
 void end_game(Memory& memory, const Moment& moment, const Finding& /*finding*/) {
@@ -155,6 +227,9 @@ void begin_new_game(Memory& memory, const Moment& moment, const Finding& finding
   memory.goals_by_half.assign(1, {});
   memory.signal.goals = {};
   memory.cards = {};
+  memory.timeouts = {};
+  memory.shootout = {};
+  memory.signal.shootout_goals = {};
   memory.signal.yellow_cards = memory.signal.red_cards = {};
   allow_robots(memory, moment.configuration);
   memory.signal.stage = stage_before(0);

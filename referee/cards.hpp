@@ -7,11 +7,19 @@
 
 namespace autoref::referee {
 
-// Counts the finding's foul against the offender, or against both sides where there is none, and
-// shows the card that it gives.
-void book(Memory& memory, const Configuration& configuration, const Finding& finding);
+// What a side with these cards is shown next: where the book says so, the third active yellow card
+// is a red one instead (2026).
+Card next_card(const CardBook& cards, const RuleBook& rules);
 
-// Sets how many robots each side may have on the field: one fewer for each card in force.
+// Counts the finding's foul against the offender, or against both sides where there is none, and
+// shows the card that it gives, if cards are in force.
+void book(Memory& memory, const Moment& moment, const Finding& finding);
+
+// Takes the oldest yellow card off the finding's offender, or off both sides where there is none.
+void take_card_off(Memory& memory, const Configuration& configuration, const Finding& finding);
+
+// Sets how many robots each side may have on the field: one fewer for each card in force, and
+// never fewer than one.
 void allow_robots(Memory& memory, const Configuration& configuration);
 
 }  // namespace autoref::referee

@@ -23,7 +23,7 @@ struct Finding {
   ConcernedRobots robots;
   std::optional<Side> offender;    // the side at fault; none where nobody or both are
   bool is_foul = false;            // counts towards a card of the offender; of both where none is
-  Card card = Card::kNone;         // shown to the offender at once
+  Card card = Card::kNone;         // shown to the offender at once, or to both
   std::optional<Vec2> position_m;  // where it happened
   Command restart;                 // what play goes on with; of stops only
   Vec2 ball_to_m{0, 0};            // and from where

@@ -28,6 +28,14 @@ bool is_after_game(const Memory& memory, const Configuration& /*configuration*/)
   return memory.signal.stage == Stage::kPostGame;
 }
 
+bool is_before_shootout(const Memory& memory, const Configuration& /*configuration*/) {
+  return memory.signal.stage == Stage::kShootoutBreak;
+}
+
+bool is_in_shootout(const Memory& memory, const Configuration& /*configuration*/) {
+  return memory.signal.stage == Stage::kShootout;
+}
+
 bool game_was_last(const Memory& /*memory*/, const Configuration& configuration) {
   return configuration.after_game == AfterGame::kHalt;
 }

@@ -20,6 +20,8 @@ bool next_starts_play(const Memory& memory, const Configuration& configuration);
 bool is_during_game(const Memory& memory, const Configuration& configuration);
 bool is_between_halves(const Memory& memory, const Configuration& configuration);
 bool is_after_game(const Memory& memory, const Configuration& configuration);
+bool is_before_shootout(const Memory& memory, const Configuration& configuration);
+bool is_in_shootout(const Memory& memory, const Configuration& configuration);
 bool game_was_last(const Memory& memory, const Configuration& configuration);
 bool new_game_follows(const Memory& memory, const Configuration& configuration);
 bool fouls_stop_play(const Memory& memory, const Configuration& configuration);
@@ -31,6 +33,8 @@ inline constexpr Guard kNextStartsPlay{"next is no preparation", next_starts_pla
 inline constexpr Guard kDuringGame{"a half is on", is_during_game};
 inline constexpr Guard kBetweenHalves{"half-time", is_between_halves};
 inline constexpr Guard kAfterGame{"after the game", is_after_game};
+inline constexpr Guard kBeforeShootout{"the break before the shoot-out", is_before_shootout};
+inline constexpr Guard kInShootout{"in the shoot-out", is_in_shootout};
 inline constexpr Guard kGameWasLast{"no new game follows", game_was_last};
 inline constexpr Guard kNewGameFollows{"a new game follows", new_game_follows};
 inline constexpr Guard kFoulsStopPlay{"fouls stop play", fouls_stop_play};

@@ -124,6 +124,12 @@ bool leads_on(const Arrow& arrow, const Memory& memory, const Moment& moment, Ev
          arrow.guard.holds(memory, moment.configuration);
 }
 
+void follow_play(Memory& memory, State before, double now_s) {
+  if (before == memory.state) return;
+  if (before == State::kRun) memory.play_clock.stop(now_s);
+  if (memory.state == State::kRun) memory.play_clock.start(now_s);
+}
+
 const Arrow* find_arrow(const Memory& memory, const Moment& moment, Event event) {
   for (const std::span<const Arrow> arrows : all_arrows()) {
     for (const Arrow& arrow : arrows) {
@@ -139,8 +145,9 @@ std::span<const Arrow> arrows_in_figure() { return kInFigure; }
 std::span<const Arrow> arrows_outside_figure() { return kOutsideFigure; }
 std::span<const Arrow> arrows_beyond_paper() { return kBeyondPaper; }
 
-std::array<std::span<const Arrow>, 3> all_arrows() {
-  return {arrows_in_figure(), arrows_outside_figure(), arrows_beyond_paper()};
+std::array<std::span<const Arrow>, 4> all_arrows() {
+  return {arrows_of_administration(), arrows_in_figure(), arrows_outside_figure(),
+          arrows_beyond_paper()};
 }
 
 Step step(const Memory& memory, const Moment& moment, const Finding& finding) {
@@ -148,6 +155,7 @@ Step step(const Memory& memory, const Moment& moment, const Finding& finding) {
   if (taken.arrow == nullptr) return taken;
   taken.arrow->action.take(taken.memory, moment, finding);
   taken.memory.state = taken.arrow->to;
+  follow_play(taken.memory, memory.state, moment.time_s());
   if (taken.memory.signal.command_counter != memory.signal.command_counter) {
     taken.sent = taken.memory.signal.command;
   }

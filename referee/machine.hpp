@@ -38,8 +38,12 @@ std::span<const Arrow> arrows_outside_figure();
 // Those of rules that the paper's referee does not have.
 std::span<const Arrow> arrows_beyond_paper();
 
+// Those of cards, timeouts and knockout games (administration.cpp). They are tried first: what a
+// goal leads to in a shoot-out comes before what it leads to elsewhere.
+std::span<const Arrow> arrows_of_administration();
+
 // All of them, in the order in which they are tried.
-std::array<std::span<const Arrow>, 3> all_arrows();
+std::array<std::span<const Arrow>, 4> all_arrows();
 
 struct Step {
   Memory memory;                 // unchanged where no arrow leads from here

@@ -45,9 +45,9 @@ std::string table_of(std::span<const Arrow> arrows) {
 std::string machine_figure() {
   return fmt::format(
       "{}\n{}\nOutside the figure, the game's time:\n\n{}\nBeyond the paper, under other rule "
-      "books:\n\n{}",
+      "books:\n\n{}\nCards, timeouts and knockout games, tried before all others:\n\n{}",
       diagram(), table_of(arrows_in_figure()), table_of(arrows_outside_figure()),
-      table_of(arrows_beyond_paper()));
+      table_of(arrows_beyond_paper()), table_of(arrows_of_administration()));
 }
 
 }  // namespace autoref::referee

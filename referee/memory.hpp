@@ -45,11 +45,39 @@ struct Retakes {
   RobotSet too_near;  // opponents who were too near to the ball then
 };
 
+// Adds up spells of time.
+struct Stopwatch {
+  double before_s = 0;            // of the spells that are over
+  std::optional<double> since_s;  // when the spell that is on began
+
+  double at_s(double now_s) const { return before_s + (since_s ? now_s - *since_s : 0); }
+  void start(double now_s) { since_s = now_s; }
+  void stop(double now_s) {
+    before_s = at_s(now_s);
+    since_s.reset();
+  }
+};
+
 // A side's fouls and cards.
 struct CardBook {
-  int fouls = 0;                                                      // that count towards a card
-  int yellows_for_fouls = 0;                                          // shown for them
-  boost::container::static_vector<double, kMaxRobots> yellow_left_s;  // of play, of active ones
+  int fouls = 0;            // that count towards a card
+  int cards_for_fouls = 0;  // shown for them
+  // When the active yellow cards are over, by the play clock; the oldest first.
+  boost::container::static_vector<double, kMaxRobots> yellow_ends_s;
+  std::optional<double> fewer_since_s;  // when fewer robots were allowed, the last time
+  bool too_many_called = false;         // since then
+};
+
+// The timeouts that a side has had: since the game's beginning, or extra time's.
+struct TimeoutBook {
+  int taken = 0;
+  double used_s = 0;  // in those that are over
+};
+
+// The kicks of a shoot-out.
+struct ShootoutBook {
+  PerSide<int> kicks;
+  PerSide<int> goals;
 };
 
 struct Memory {
@@ -62,13 +90,18 @@ struct Memory {
   std::optional<double> ball_in_place_since_s;
   double delay_ends_s = 0;  // in DELAY_WAIT
   PlayMemory play;
-  RuleWatch watch;  // of the rules, since play last started or stopped
+  RuleWatch watch;          // of the rules, since play last started or stopped
+  Stopwatch play_clock;     // the time spent in RUN, all halves together
+  Stopwatch timeout_clock;  // and in timeouts
   PerSide<CardBook> cards;
   std::optional<Command> prepared;  // the kick-off or penalty that NORMAL_START starts
   Retakes retakes;                  // of the restart that is on, or comes next
+  PerSide<TimeoutBook> timeouts;
+  Side timeout_side = Side::kWest;  // whose timeout is on; means nothing outside TIMEOUT
+  ShootoutBook shootout;
 
   int half = 0;             // running or next, counted from 0
-  double half_began_s = 0;  // when its clock started
+  double half_began_s = 0;  // when its clock started, by clock_s() of timekeeping.hpp
   int games_finished = 0;
   boost::container::static_vector<PerSide<int>, kMaxHalves> goals_by_half{PerSide<int>{}};
 };

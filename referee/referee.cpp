@@ -13,6 +13,7 @@
 #include "referee/moment.hpp"
 #include "referee/readiness.hpp"
 #include "referee/rules/rule.hpp"
+#include "referee/rules/shootout_kick.hpp"
 #include "referee/timekeeping.hpp"
 #include "referee/touch_candidates.hpp"
 
@@ -30,7 +31,10 @@ void validate(const Configuration& c) {
   require(c.half_s > 0, "half_s must be positive", c.half_s);
   require(c.break_s >= 0, "break_s must be 0 or more", c.break_s);
   require(c.halves >= 1 && c.halves <= kMaxHalves, "halves must be from 1 to 4", c.halves);
+  require(!c.knockout || c.halves <= kFirstExtraHalf, "a knockout game has one half or two",
+          c.halves);
   const RuleBook& rules = c.rules;
+  require(rules.extra_half_s > 0, "extra_half_s must be positive", rules.extra_half_s);
   require(rules.stillness_m > 0, "stillness_m must be positive", rules.stillness_m);
   require(rules.look_period_s > 0, "look_period_s must be positive", rules.look_period_s);
   require(rules.ready_timeout_s > 0, "ready_timeout_s must be positive", rules.ready_timeout_s);
@@ -88,8 +92,9 @@ class Referee::Impl {
     const Moment moment{configuration_, frame, ball_, touch_.last(), tracker_.tracks(), requests_};
     if (memory_.state == State::kRun) watch_play(memory_.play, moment);
     const State state = memory_.state;
+    const std::uint32_t sent = memory_.signal.command_counter;
     apply_rules(moment);
-    if (memory_.state == state) {
+    if (memory_.state == state && memory_.signal.command_counter == sent) {
       if (const std::optional<Finding> found = find(moment)) decide(moment, *found);
     }
     if (const std::optional<Finding> over = find_time_over(memory_, moment)) decide(moment, *over);
@@ -157,8 +162,10 @@ class Referee::Impl {
   // Fouls that are only counted leave the state as it is, and the rules after them are asked, too.
   void apply_rules(const Moment& moment) {
     const State state = memory_.state;
-    for (const Rule& rule : rules()) {
-      if (!configuration_.rules.has(rule.id) || !rule.active_in.has(state)) continue;
+    const bool is_shootout = memory_.signal.stage == Stage::kShootout;
+    for (const Rule& rule : is_shootout ? shootout_rules() : rules()) {
+      const bool is_in_force = is_shootout || configuration_.rules.has(rule.id);
+      if (!is_in_force || !rule.active_in.has(state)) continue;
       if (const std::optional<Finding> found = rule.find(memory_, moment)) decide(moment, *found);
       if (memory_.state != state) return;
     }
@@ -229,6 +236,10 @@ bool Referee::is_over() const { return impl_->memory().state == State::kOver; }
 std::span<const PerSide<int>> Referee::goals_by_half() const {
   const auto& goals = impl_->memory().goals_by_half;
   return {goals.data(), goals.size()};
+}
+std::optional<PerSide<int>> Referee::shootout_goals() const {
+  const ShootoutBook& book = impl_->memory().shootout;
+  return book.kicks == PerSide<int>{} ? std::nullopt : std::optional(book.goals);
 }
 int Referee::games_finished() const { return impl_->memory().games_finished; }
 

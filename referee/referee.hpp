@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "referee/decision.hpp"
@@ -32,8 +33,9 @@ struct Configuration {
   PerSide<int> robots{{kMaxRobots, kMaxRobots}};  // of each team at the beginning
   double half_s = 600;                            // paper, section 4.2: ten minutes
   int halves = 2;      // 1 to 4; the third and fourth are those of extra time
-  double break_s = 0;  // half-time break; the Laws have 300 s
+  double break_s = 0;  // each break; the Laws have 300 s at half-time
   Side first_kickoff = Side::kWest;
+  bool knockout = false;  // a draw after at most two halves leads to extra time and a shoot-out
   AfterGame after_game = AfterGame::kHalt;
   VisionNoise noise;      // of the frames
   TouchParameters touch;  // how sure a touch must be
@@ -66,6 +68,8 @@ class Referee {
   bool is_over() const;
   // Goals of each half so far, the running one included.
   std::span<const PerSide<int>> goals_by_half() const;
+  // Goals of the shoot-out's kicks so far; none where there has been none.
+  std::optional<PerSide<int>> shootout_goals() const;
   // Games finished so far, for AfterGame::kNewGame.
   int games_finished() const;
 

@@ -82,6 +82,7 @@ struct RefereeSignal {
   Stage stage = Stage::kFirstHalfPre;
   double stage_time_left_s = 0;  // of a running half; 0 in other stages
   PerSide<int> goals;
+  PerSide<int> shootout_goals;  // after extra time; they are no goals of the game
   PerSide<int> robots_allowed{{kMaxRobots, kMaxRobots}};  // on the field; cards lower it
   PerSide<int> yellow_cards;                              // shown so far
   PerSide<int> red_cards;

@@ -83,6 +83,7 @@ void set_rules_2026(RuleBook& rules) {
   rules.goals_to_win = 10;
   rules.clock_stops = true;
   rules.extra_half_s = 150_s;
+  rules.extra_timeouts_s = 150_s;
 }
 
 Book rules_2026_b() {

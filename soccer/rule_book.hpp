@@ -93,6 +93,8 @@ struct RuleBook {
   // Timeouts of each team (Laws 7).
   int timeouts = 4;
   double timeouts_s = 300_s;  // together
+  int extra_timeouts = 2;     // in extra time, instead of what is left (Laws, appendix A)
+  double extra_timeouts_s = 300_s;
 
   // The end (2026): so many goals with a lead of more than `goal_lead`; 0: none.
   int goals_to_win = 0;

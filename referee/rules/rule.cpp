@@ -5,9 +5,11 @@
 #include "referee/rules/attacker_near_area.hpp"
 #include "referee/rules/attacker_stays_near_area.hpp"
 #include "referee/rules/ball_leaves_field.hpp"
+#include "referee/rules/card_due.hpp"
 #include "referee/rules/crash.hpp"
 #include "referee/rules/dribbling.hpp"
 #include "referee/rules/goal.hpp"
+#include "referee/rules/goal_lead.hpp"
 #include "referee/rules/keeper_holding.hpp"
 #include "referee/rules/kickoff_positions.hpp"
 #include "referee/rules/no_progress.hpp"
@@ -20,6 +22,8 @@
 #include "referee/rules/stop_distance.hpp"
 #include "referee/rules/stop_speed.hpp"
 #include "referee/rules/stuck_ball.hpp"
+#include "referee/rules/team_timeout.hpp"
+#include "referee/rules/too_many_robots.hpp"
 
 namespace autoref::referee {
 
@@ -40,6 +44,13 @@ std::span<const Rule> rules() {
       kRestartNotTakenRule,
       kStuckBallRule,
       kNoProgressRule,
+      kTooManyRobotsRule,
+      kRedCardRule,
+      kYellowCardRule,
+      kCardOverRule,
+      kGoalLeadRule,
+      kTimeoutRule,
+      kTimeoutOverRule,
       kStopSpeedRule,
       kStopDistanceRule,
       kPlacementInterferenceRule,

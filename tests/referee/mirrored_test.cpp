@@ -125,6 +125,7 @@ void expect_turned(const LastTouch& a, const LastTouch& b) {
 }
 
 void expect_turned(const Decision& a, const Decision& b) {
+  SCOPED_TRACE(a.arrow);
   EXPECT_EQ(a.arrow, b.arrow);
   EXPECT_EQ(a.frame, b.frame);
   EXPECT_EQ(turned(a.command), b.command);

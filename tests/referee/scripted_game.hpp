@@ -45,7 +45,7 @@ class ScriptedGame {
   const RefereeSignal& step() {
     frame.number = next_number_++;
     frame.time_s = static_cast<double>(frame.number) / kRate_hz;
-    signal = referee.update(frame, {});
+    signal = referee.update(frame, requests);
     decisions.insert(decisions.end(), referee.decisions().begin(), referee.decisions().end());
     if (frame.ball) {
       frame.ball->position_m += ball_mps / kRate_hz;
@@ -109,6 +109,7 @@ class ScriptedGame {
   Frame frame;
   Vec2 ball_mps{0, 0};
   bool hand_works = true;
+  PerSide<TeamRequests> requests;
   Referee referee;
   RefereeSignal signal;
   std::vector<Decision> decisions;

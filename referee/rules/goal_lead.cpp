@@ -1,0 +1,25 @@
+#include "referee/rules/goal_lead.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace autoref::referee {
+
+std::optional<Finding> find_goal_lead(Memory& memory, const Moment& moment) {
+  const RuleBook& rules = moment.configuration.rules;
+  const PerSide<int>& goals = memory.signal.goals;
+  const auto [less, more] = std::minmax(goals[Side::kWest], goals[Side::kEast]);
+  const bool has_won = more >= rules.goals_to_win && more - less > rules.goal_lead;
+  if (rules.goals_to_win == 0 || !has_won || memory.signal.stage == Stage::kPostGame) {
+    return std::nullopt;
+  }
+  Finding finding = finding_of(Event::kGoalLead, RuleId::kGoalLead, rules);
+  finding.value = more;
+  finding.threshold = rules.goals_to_win;
+  finding.unit = "goals";
+  finding.evidence = fmt::format("{} goals against {}.", more, less);
+  return finding;
+}
+
+}  // namespace autoref::referee

@@ -1,0 +1,84 @@
+#include "referee/rules/shootout_kick.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "referee/ball_out.hpp"
+#include "referee/rules/goal.hpp"
+#include "referee/shootout.hpp"
+#include "soccer/units.hpp"
+
+namespace autoref::referee {
+namespace {
+
+// A ball that is hardly faster moves nowhere, however noisy vision is.
+constexpr double kMoves_mps = 0.2_mps;
+
+bool is_saved(const Moment& moment, Side kicker) {
+  if (moment.last_touch.side != opponent_of(kicker) || !moment.tracks.ball) return false;
+  const double goalwards = goal_sign(opponent_of(kicker));
+  return goalwards * moment.tracks.ball->velocity_mps.x() < -kMoves_mps;
+}
+
+// Why the kick has failed; empty while it goes on.
+std::string failure_of(const Memory& memory, const Moment& moment, Side kicker) {
+  const Configuration& c = moment.configuration;
+  if (moment.ball && is_out_of_field(c.field, moment.ball->position_m)) return "the ball is out";
+  if (is_saved(moment, kicker)) return "it is saved";
+  const bool is_late = has_passed(memory.play.began_s, c.rules.penalty_time_s, moment.time_s());
+  return is_late ? "its time is up" : "";
+}
+
+// The other side's turn.
+void prepare_next_kick(Finding& finding, const Moment& moment, Side kicker) {
+  finding.restart = {CommandKind::kPreparePenalty, opponent_of(kicker)};
+  finding.ball_to_m = moment.configuration.field.penalty_mark_at(kicker);
+}
+
+}  // namespace
+
+std::optional<Finding> find_shootout_kick_over(Memory& memory, const Moment& moment) {
+  const RuleBook& rules = moment.configuration.rules;
+  const Side kicker = next_kicker(memory.shootout, moment.configuration);
+  const int number = memory.shootout.kicks[kicker] + 1;
+  std::optional<Finding> goal = find_goal(memory, moment);
+  if (goal && goal->restart.side == opponent_of(kicker)) {
+    prepare_next_kick(*goal, moment, kicker);
+    goal->evidence = fmt::format("Kick {} of {}: {}", number, name_of(kicker), goal->evidence);
+    return goal;
+  }
+  const std::string failure = failure_of(memory, moment, kicker);
+  if (failure.empty()) return std::nullopt;
+  Finding finding = finding_of(Event::kPenaltyFailed, RuleId::kPenaltyFailed, rules);
+  finding.rule = "Laws, appendix A; 2026, Shoot-Out";
+  finding.value = moment.time_s() - memory.play.began_s;
+  if (moment.ball) finding.position_m = moment.ball->position_m;
+  prepare_next_kick(finding, moment, kicker);
+  finding.evidence = fmt::format("Kick {} of {} is over after {:.2f} s: {}.", number,
+                                 name_of(kicker), finding.value, failure);
+  return finding;
+}
+
+std::optional<Finding> find_shootout_over(Memory& memory, const Moment& moment) {
+  const ShootoutBook& book = memory.shootout;
+  const int kicks = moment.configuration.rules.shootout_kicks;
+  if (!is_over(book, kicks)) return std::nullopt;
+  Finding finding;
+  finding.event = Event::kShootoutOver;
+  finding.rule = "Laws, appendix A; 2026, Shoot-Out";
+  finding.evidence =
+      fmt::format("{} of {} kicks of west and {} of {} of east have scored{}.",
+                  book.goals[Side::kWest], book.kicks[Side::kWest], book.goals[Side::kEast],
+                  book.kicks[Side::kEast], is_decided(book, kicks) ? "" : ": a draw after so many");
+  return finding;
+}
+
+std::span<const Rule> shootout_rules() {
+  static constexpr std::array<Rule, 2> kRules = {
+      Rule{RuleId::kPenaltyFailed, {State::kRun}, find_shootout_kick_over},
+      Rule{RuleId::kPenaltyFailed, {State::kDelayWait, State::kWaitStop}, find_shootout_over}};
+  return kRules;
+}
+
+}  // namespace autoref::referee
