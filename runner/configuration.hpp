@@ -46,6 +46,8 @@ struct MatchConfiguration {
   double half_s = 600;
   int halves = 2;
   double break_s = 0;
+  bool knockout = false;
+  double extra_half_s = 300;  // of knockout games
   Side a_plays = Side::kWest;
   Side first_kickoff = Side::kWest;
 };

@@ -56,7 +56,9 @@ std::string_view last_name_in(std::string_view path) { return path.substr(path.r
 void choose_rules(const std::string& name, GameConfiguration& game) {
   const GameSetup setup = *find_game_setup(name);
   game.match.rules = name;
-  game.match.in_force = find_rule_book(name)->in_force;
+  const RuleBook rules = *find_rule_book(name);
+  game.match.in_force = rules.in_force;
+  game.match.extra_half_s = rules.extra_half_s;
   game.match.half_s = setup.half_s;
   game.field = setup.field;
   game.a.robots = game.b.robots = setup.robots;

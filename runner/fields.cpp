@@ -98,10 +98,12 @@ void list_match(GameConfiguration& game, Branch to) {
   MatchConfiguration& match = game.match;
   const std::vector<std::string> sides = {"west", "east"};
   to.preset("rules", RulesChoice{&game}, rule_book_names(),
-            "rule book; sets switch, half_s, field and both teams' robots");
+            "rule book; sets switch, half_s, extra_half_s, field and both teams' robots");
   to.number("half_s", match.half_s, positive(36000), "s", "length of a half");
   to.number("halves", match.halves, {1, 2}, "", "halves of a game");
   to.number("break_s", match.break_s, {0, 3600}, "s", "break between halves");
+  to.yes_or_no("knockout", match.knockout, "extra time and a shoot-out after a draw");
+  to.number("extra_half_s", match.extra_half_s, positive(36000), "s", "each of extra time's two");
   to.word("a_plays", match.a_plays, sides, "side of team a; b has the other");
   to.word("first_kickoff", match.first_kickoff, sides, "side that kicks off first");
   Branch switches = to.below("switch");

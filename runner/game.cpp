@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "referee/shootout.hpp"
 #include "runner/robot_changes.hpp"
 #include "runner/state_hash.hpp"
 #include "runner/substitution.hpp"
@@ -24,6 +25,10 @@ namespace {
 // Beyond its halves and breaks a game may take this long: waiting for clients and restarts.
 constexpr double kSlack_s = 300;
 
+// Where the clock stands while play is stopped, a game may take this many times its halves. A stop
+// has two waits of 15 s at most, so that games whose plays last 3.3 s on average come to their end.
+constexpr double kStandstill = 10;
+
 const TeamConfiguration& team_on(const GameConfiguration& c, Side side) {
   return side == c.match.a_plays ? c.a : c.b;
 }
@@ -36,6 +41,7 @@ RuleBook rules_of(const MatchConfiguration& match) {
   std::optional<RuleBook> rules = find_rule_book(match.rules);
   if (!rules) throw std::invalid_argument(fmt::format("unknown rule book '{}'", match.rules));
   rules->in_force = match.in_force;
+  rules->extra_half_s = match.extra_half_s;
   return *rules;
 }
 
@@ -47,10 +53,32 @@ referee::Configuration referee_configuration(const GameConfiguration& c) {
   configuration.half_s = c.match.half_s;
   configuration.halves = c.match.halves;
   configuration.break_s = c.match.break_s;
+  configuration.knockout = c.match.knockout;
   configuration.first_kickoff = c.match.first_kickoff;
   configuration.noise = {c.sim.vision.ball_noise_m, c.sim.vision.robot_noise_m,
                          c.sim.vision.robot_noise_rad};
   return configuration;
+}
+
+double longest_shootout_s(const RuleBook& rules) {
+  const double kick_s = 2 * rules.ready_timeout_s + rules.penalty_time_s;
+  return 2 * referee::kMostShootoutKicks * kick_s;
+}
+
+// A game that takes longer will not come to its end.
+double longest_s(const MatchConfiguration& match) {
+  const RuleBook rules = rules_of(match);
+  const double stretch = rules.clock_stops ? kStandstill : 1;
+  double longest_s = match.halves * (match.half_s * stretch + match.break_s) + kSlack_s;
+  if (rules.has(RuleId::kTimeouts)) longest_s += 2 * (rules.timeouts_s + rules.extra_timeouts_s);
+  if (!match.knockout) return longest_s;
+  return longest_s + 2 * match.extra_half_s * stretch + 3 * match.break_s +
+         longest_shootout_s(rules);
+}
+
+EndReason reason_of(referee::Event end) {
+  if (end == referee::Event::kGoalLead) return EndReason::kGoals;
+  return end == referee::Event::kShootoutOver ? EndReason::kShootout : EndReason::kTime;
 }
 
 std::unique_ptr<strategies::Strategy> make_team_on(const GameConfiguration& c, Side side,
@@ -147,10 +175,8 @@ class Game {
         players_{{Player(c, Side::kWest, make_team), Player(c, Side::kEast, make_team)}} {}
 
   GameRecord play() {
-    const MatchConfiguration& match = configuration_.match;
-    const double longest_s = match.halves * (match.half_s + match.break_s) + kSlack_s;
-    const auto most_frames =
-        static_cast<std::int64_t>(longest_s * configuration_.sim.frame_rate_hz);
+    const auto most_frames = static_cast<std::int64_t>(longest_s(configuration_.match) *
+                                                       configuration_.sim.frame_rate_hz);
     while (!referee_.is_over() && record_.status == Status::kOk) {
       if (record_.frames >= most_frames) {
         void_game("the game did not come to its end");
@@ -202,6 +228,7 @@ class Game {
 
   void note(const referee::Decision& decision) {
     hash_.add(decision);
+    if (decision.to == referee::State::kOver) record_.end_reason = reason_of(decision.event);
     ++record_.events[static_cast<std::size_t>(decision.event)];
     if (std::find(record_.arrows.begin(), record_.arrows.end(), decision.arrow) ==
         record_.arrows.end()) {
@@ -223,6 +250,9 @@ class Game {
       record_.goals_by_half.push_back({goals[a], goals[opponent_of(a)]});
       record_.goals_a += goals[a];
       record_.goals_b += goals[opponent_of(a)];
+    }
+    if (const std::optional<PerSide<int>> goals = referee_.shootout_goals()) {
+      record_.shootout = {(*goals)[a], (*goals)[opponent_of(a)]};
     }
     record_.sim_s = time_s();
     record_.ball_in_play_s =
@@ -259,8 +289,8 @@ class Game {
 }  // namespace
 
 std::string_view name_of(EndReason reason) {
-  static constexpr std::array<std::string_view, 5> kNames = {"time", "goals", "forfeit_a",
-                                                             "forfeit_b", "void"};
+  static constexpr std::array<std::string_view, 6> kNames = {"time",      "goals",     "shootout",
+                                                             "forfeit_a", "forfeit_b", "void"};
   return kNames[static_cast<std::size_t>(reason)];
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,7 +19,7 @@
 
 namespace autoref::runner {
 
-enum class EndReason : std::uint8_t { kTime, kGoals, kForfeitA, kForfeitB, kVoid };
+enum class EndReason : std::uint8_t { kTime, kGoals, kShootout, kForfeitA, kForfeitB, kVoid };
 std::string_view name_of(EndReason reason);
 
 enum class Status : std::uint8_t { kOk, kForfeit, kVoid };
@@ -28,6 +29,7 @@ struct GameRecord {
   int goals_a = 0;
   int goals_b = 0;
   std::vector<std::array<int, 2>> goals_by_half;  // [a, b] of each half
+  std::optional<std::array<int, 2>> shootout;     // [a, b] goals of its kicks; none without one
   EndReason end_reason = EndReason::kTime;
   Status status = Status::kOk;
   std::string void_reason;                         // empty unless void

@@ -46,6 +46,12 @@ std::string halves_text(const GameRecord& record) {
   return text;
 }
 
+std::string shootout_json(const GameRecord& record) {
+  if (!record.shootout) return "null";
+  const auto& [a, b] = *record.shootout;
+  return json_list({std::to_string(a), std::to_string(b)});
+}
+
 }  // namespace
 
 std::string json_of(const GameReport& report) {
@@ -59,6 +65,7 @@ std::string json_of(const GameReport& report) {
       .add("goals_b", std::to_string(record.goals_b))
       .add("goals_by_half", json_list(halves))
       .add("end_reason", json_text(name_of(record.end_reason)))
+      .add("shootout", shootout_json(record))
       .add("status", json_text(name_of(record.status)))
       .add("void_reason", record.void_reason.empty() ? "null" : json_text(record.void_reason))
       .add("stops", stops_json(record))
@@ -79,6 +86,9 @@ std::string text_of(const GameReport& report) {
       fmt::format("a ({}, {})  {} : {}  b ({}, {})", game.a.strategy, name_of(a), record.goals_a,
                   record.goals_b, game.b.strategy, name_of(opponent_of(a)));
   if (!record.goals_by_half.empty()) text += fmt::format("   halves {}", halves_text(record));
+  if (record.shootout) {
+    text += fmt::format("   shoot-out {}:{}", (*record.shootout)[0], (*record.shootout)[1]);
+  }
   if (record.status == Status::kVoid) text += fmt::format("\nvoid: {}", record.void_reason);
   text += fmt::format("\nstops: {}", stops_text(record));
   text += fmt::format("\n{:.0f} s played, ball in play {:.0f} s; took {:.2f} s, {:.0f} x real time",

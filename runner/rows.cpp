@@ -32,6 +32,11 @@ std::string first_half_goals(const GameRecord& record, std::size_t team) {
   return std::to_string(record.goals_by_half.empty() ? 0 : record.goals_by_half.front()[team]);
 }
 
+// Empty where there was no shoot-out.
+std::string shootout_goals(const GameRecord& record, std::size_t team) {
+  return record.shootout ? std::to_string((*record.shootout)[team]) : "";
+}
+
 // Sorted, so that the order in which the arrows came does not matter.
 std::string arrows_cell(const GameRecord& record) {
   std::vector<std::string_view> labels = record.arrows;
@@ -94,7 +99,8 @@ Cells outcome_columns() {
     const auto event = static_cast<referee::Event>(i);
     if (is_call(event)) columns.push_back(fmt::format("stops_{}", name_of(event)));
   }
-  append(columns, {"arrows", "ball_in_play_s", "sim_s", "frames", "state_hash"});
+  append(columns,
+         {"shootout_a", "shootout_b", "arrows", "ball_in_play_s", "sim_s", "frames", "state_hash"});
   return columns;
 }
 
@@ -111,9 +117,9 @@ Cells outcome_of(const GameRecord& record) {
     if (!is_call(static_cast<referee::Event>(i))) continue;
     cells.push_back(std::to_string(record.events[static_cast<std::size_t>(i)]));
   }
-  append(cells, {arrows_cell(record), fmt::format("{:.3f}", record.ball_in_play_s),
-                 fmt::format("{:.3f}", record.sim_s), std::to_string(record.frames),
-                 hash_text(record.state_hash)});
+  append(cells, {shootout_goals(record, 0), shootout_goals(record, 1), arrows_cell(record),
+                 fmt::format("{:.3f}", record.ball_in_play_s), fmt::format("{:.3f}", record.sim_s),
+                 std::to_string(record.frames), hash_text(record.state_hash)});
   return cells;
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -146,6 +147,10 @@ void expect_turned(const RefereeSignal& a, const RefereeSignal& b) {
   EXPECT_EQ(a.command_counter, b.command_counter);
   EXPECT_EQ(a.stage, b.stage);
   EXPECT_EQ(a.stage_time_left_s, b.stage_time_left_s);
+  EXPECT_EQ(a.shootout_goals[Side::kWest], b.shootout_goals[Side::kEast]);
+  EXPECT_EQ(a.shootout_goals[Side::kEast], b.shootout_goals[Side::kWest]);
+  EXPECT_EQ(a.robots_allowed[Side::kWest], b.robots_allowed[Side::kEast]);
+  EXPECT_EQ(a.robots_allowed[Side::kEast], b.robots_allowed[Side::kWest]);
   EXPECT_EQ(a.goals[Side::kWest], b.goals[Side::kEast]);
   EXPECT_EQ(a.goals[Side::kEast], b.goals[Side::kWest]);
   EXPECT_EQ(turned(a.next_command), b.next_command);
@@ -169,27 +174,76 @@ Configuration rough_configuration(const RoughSetup& setup, Side first_kickoff) {
   return configuration;
 }
 
+// Cards, timeouts and knockout games by the clock of 2026; teams ask for timeouts by chance.
+Configuration rough_knockout(const RoughSetup& setup, Side first_kickoff) {
+  Configuration configuration = rough_configuration(setup, first_kickoff);
+  configuration.rules.in_force.add({RuleId::kCards, RuleId::kTimeouts, RuleId::kTooManyRobots});
+  configuration.rules.clock_stops = true;
+  configuration.rules.timeouts_s = 5;
+  configuration.rules.extra_half_s = 4;
+  configuration.half_s = 6;
+  configuration.knockout = true;
+  return configuration;
+}
+
+// Two referees see the same game, one of them turned.
+class Pair {
+ public:
+  // `turned_configuration` has the sides of `configuration` swapped.
+  Pair(const Configuration& configuration, const Configuration& turned_configuration)
+      : referee_(configuration), other_(turned_configuration) {}
+
+  void judge(RoughGame& game, const PerSide<TeamRequests>& requests) {
+    const Frame& frame = game.next(signal_);
+    signal_ = referee_.update(frame, requests);
+    const PerSide<TeamRequests> turned_requests{{requests[Side::kEast], requests[Side::kWest]}};
+    const RefereeSignal turned_signal = other_.update(mirrored(frame), turned_requests);
+    expect_turned(signal_, turned_signal);
+    EXPECT_EQ(referee_.is_ball_in_play(), other_.is_ball_in_play());
+    ASSERT_EQ(referee_.decisions().size(), other_.decisions().size()) << "frame " << frame.number;
+    for (std::size_t k = 0; k < referee_.decisions().size(); ++k) {
+      const Decision& decision = referee_.decisions()[k];
+      expect_turned(decision, other_.decisions()[k]);
+      ++events_[static_cast<std::size_t>(decision.event)];
+      calls_ += is_call(decision.event) ? 1 : 0;
+    }
+  }
+
+  int calls() const { return calls_; }
+  int count(Event event) const { return events_[static_cast<std::size_t>(event)]; }
+
+ private:
+  Referee referee_;
+  Referee other_;
+  RefereeSignal signal_;
+  int calls_ = 0;
+  std::array<int, kEventCount> events_{};
+};
+
 class Mirrored : public testing::TestWithParam<RoughSetup> {};
 
 TEST_P(Mirrored, FramesGiveMirroredCallsInTheSameFrames) {
   RoughGame game(static_cast<std::uint64_t>(GetParam().seed));
-  Referee referee(rough_configuration(GetParam(), Side::kWest));
-  Referee other(rough_configuration(GetParam(), Side::kEast));
-  RefereeSignal signal;
-  std::size_t stops = 0;
+  Pair referees(rough_configuration(GetParam(), Side::kWest),
+                rough_configuration(GetParam(), Side::kEast));
+  for (int i = 0; i < 12000 && !HasFailure(); ++i) referees.judge(game, {});
+  EXPECT_GT(referees.calls(), 8);  // or nothing was tested
+}
+
+TEST_P(Mirrored, FramesAndRequestsGiveMirroredTimeoutsAndShootouts) {
+  RoughGame game(static_cast<std::uint64_t>(GetParam().seed));
+  RandomStream random(static_cast<std::uint64_t>(GetParam().seed) + 100);
+  Pair referees(rough_knockout(GetParam(), Side::kWest), rough_knockout(GetParam(), Side::kEast));
+  PerSide<TeamRequests> requests;
   for (int i = 0; i < 12000 && !HasFailure(); ++i) {
-    const Frame& frame = game.next(signal);
-    signal = referee.update(frame, {});
-    const RefereeSignal turned_signal = other.update(mirrored(frame), {});
-    expect_turned(signal, turned_signal);
-    EXPECT_EQ(referee.is_ball_in_play(), other.is_ball_in_play());
-    ASSERT_EQ(referee.decisions().size(), other.decisions().size()) << "frame " << i;
-    for (std::size_t k = 0; k < referee.decisions().size(); ++k) {
-      expect_turned(referee.decisions()[k], other.decisions()[k]);
-      stops += is_call(referee.decisions()[k].event) ? 1 : 0;
+    for (const Side side : kSides) {
+      const double chance = random.uniform();
+      if (chance < 0.01) requests[side].timeout = chance < 0.005;
     }
+    referees.judge(game, requests);
   }
-  EXPECT_GT(stops, 8U);  // or nothing was tested
+  EXPECT_GT(referees.count(Event::kTimeout), 0);
+  EXPECT_GT(referees.count(Event::kHalfOver), 0);
 }
 
 std::string name_of_setup(const testing::TestParamInfo<RoughSetup>& info) {
