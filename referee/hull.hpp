@@ -1,11 +1,11 @@
 // How far a robot's hull reaches, and what may stand between what is seen and what is.
 #pragma once
 
-#include "referee/referee.hpp"
 #include "soccer/field.hpp"
 #include "soccer/frame.hpp"
 #include "soccer/geometry.hpp"
 #include "soccer/side.hpp"
+#include "soccer/tracker.hpp"
 
 namespace autoref::referee {
 

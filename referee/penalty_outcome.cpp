@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -27,7 +28,8 @@ std::optional<double> turn_by_keeper_deg(const Memory& memory, const Moment& mom
   const PlayMemory& play = memory.play;
   const BallTouch* touch = play.touches.newest();
   const Side defender = opponent_of(*play.kicker);
-  if (touch == nullptr || !is_by_keeper(*touch, defender, moment)) return std::nullopt;
+  if (touch == nullptr || !moment.ball || !is_by_keeper(*touch, defender, moment))
+    return std::nullopt;
   const Vec2 from_m = play.touches.has(1) ? play.touches.at(1).began_m : play.place_m;
   const Vec2 before = touch->began_m - from_m;
   const Vec2 after = moment.ball->position_m - touch->began_m;
@@ -50,6 +52,7 @@ PenaltyFailure gone_out(const Field& field, const Vec2& ball_m) {
 }  // namespace
 
 bool is_penalty_goal(const Memory& memory, const Moment& moment) {
+  if (!moment.ball) return false;
   const Vec2& ball_m = moment.ball->position_m;
   const double goal_end = goal_sign(opponent_of(*memory.play.kicker));
   return ball_m.x() * goal_end > 0 &&
@@ -57,14 +60,14 @@ bool is_penalty_goal(const Memory& memory, const Moment& moment) {
 }
 
 std::optional<PenaltyFailure> penalty_failure(const Memory& memory, const Moment& moment) {
-  const Configuration& c = moment.configuration;
-  const double lasted_s = moment.time_s() - memory.play.began_s;
   if (is_penalty_goal(memory, moment)) return std::nullopt;
-  if (is_out_of_field(c.field, moment.ball->position_m)) {
+  const Configuration& c = moment.configuration;
+  if (moment.ball && is_out_of_field(c.field, moment.ball->position_m)) {
     return gone_out(c.field, moment.ball->position_m);
   }
   const std::optional<double> turn_deg = turn_by_keeper_deg(memory, moment);
   if (turn_deg && *turn_deg >= c.rules.penalty_turn_deg) return turned(*turn_deg, c.rules);
+  const double lasted_s = moment.time_s() - memory.play.began_s;
   if (!has_passed(memory.play.began_s, c.rules.penalty_time_s, moment.time_s())) {
     return std::nullopt;
   }

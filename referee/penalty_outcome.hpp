@@ -22,11 +22,11 @@ struct PenaltyFailure {
 };
 
 // Whether the ball is in the goal that the penalty kick is aimed at. The play must be a penalty
-// kick, and the ball must have been seen.
+// kick.
 bool is_penalty_goal(const Memory& memory, const Moment& moment);
 
-// Why the penalty kick has failed, or none where it has not yet; never where it is a goal. On the
-// same conditions.
+// Why the penalty kick has failed, or none where it has not yet; never where it is a goal. The play
+// must be a penalty kick.
 std::optional<PenaltyFailure> penalty_failure(const Memory& memory, const Moment& moment);
 
 }  // namespace autoref::referee

@@ -7,12 +7,12 @@ namespace autoref::referee {
 
 std::optional<Finding> find_penalty_failed(Memory& memory, const Moment& moment) {
   const PlayMemory& play = memory.play;
-  if (!play.is_penalty() || !play.kicker || !moment.ball) return std::nullopt;
+  if (!play.is_penalty() || !play.kicker) return std::nullopt;
   const std::optional<PenaltyFailure> failure = penalty_failure(memory, moment);
   if (!failure) return std::nullopt;
   const Configuration& c = moment.configuration;
   const Side defender = opponent_of(*play.kicker);
-  const Vec2& ball_m = moment.ball->position_m;
+  const Vec2 ball_m = moment.ball ? moment.ball->position_m : play.place_m;
   Finding finding = finding_of(Event::kPenaltyFailed, RuleId::kPenaltyFailed, c.rules);
   finding.value = failure->value;
   finding.threshold = failure->threshold;

@@ -44,6 +44,12 @@ class PenaltyGame {
     return *this;
   }
 
+  // The referee has never seen the ball, and does not from now on.
+  void hide_ball() {
+    is_ball_hidden_ = true;
+    ball_.reset();
+  }
+
   void put(Side side, int number, const Vec2& place_m) {
     for (RobotObservation& robot : frame_.robots[side]) {
       if (robot.number == number) robot.position_m = at(place_m);
@@ -129,6 +135,7 @@ class PenaltyGame {
   }
 
   void see() {
+    if (is_ball_hidden_) return;
     const Vec2 now_m = frame_.ball->position_m;
     ball_ = BallSight{now_m, ball_ ? ball_->position_m : now_m};
   }
@@ -162,6 +169,7 @@ class PenaltyGame {
   PerSide<TeamRequests> requests_;  // keepers have number 0
   std::optional<BallSight> ball_;
   Vec2 ball_mps_{0, 0};
+  bool is_ball_hidden_ = false;
   std::int64_t number_ = 0;
 
  public:

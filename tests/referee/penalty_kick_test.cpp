@@ -63,6 +63,15 @@ TEST_P(PenaltyKick, HasFailedAfterTenSecondsIn2026) {
   EXPECT_NEAR(std::abs(failed.ball_to_m.y()), 3 - 0.2, 1e-12);
 }
 
+TEST_P(PenaltyKick, HasFailedAfterTenSecondsIn2026WithABallThatIsNeverSeen) {
+  PenaltyGame game("2026-b", kicker());
+  game.hide_ball();
+  game.run_until("start_late", 40);
+  const double since_s = game.now_s();
+  game.run_until("penalty_failed");
+  EXPECT_NEAR(game.now_s() - since_s, 10, 1e-6);
+}
+
 TEST_P(PenaltyKick, HasFailedIn2026WhenTheBallGoesOut) {
   PenaltyGame game("2026-b", kicker());
   game.whistle().kick({6, 2});

@@ -43,6 +43,18 @@ TEST(RestartDistance, At510MillimetresPlayGoesOn) {
   EXPECT_EQ(game.count("restart_distance"), 0);
 }
 
+// What is judged by a single picture must be beyond three deviations of the noise: here 15 mm.
+TEST(RestartDistance, WithinTheNoiseOfVisionPlayGoesOn) {
+  for (const double gap_m : {0.48, 0.49}) {
+    Configuration configuration = by_book("2014");
+    configuration.noise = {0.004, 0.003, 0.01};
+    ScriptedGame game = throw_in_game(configuration);
+    come_near(game, gap_m);
+    take_kick(game);
+    EXPECT_EQ(game.count("restart_distance"), gap_m < 0.485 ? 1 : 0);
+  }
+}
+
 TEST(RestartDistance, ARobotThatComesNearOnceTheBallIsInPlayIsRight) {
   ScriptedGame game = throw_in_game(by_book("2014"));
   take_kick(game);
