@@ -104,12 +104,14 @@ TEST(Rowdy, PlaysTheBallWithAFieldPlayerInItsOwnArea) {
 }
 
 TEST(Rowdy, TouchesTheBallWithAFieldPlayerPartlyInItsOwnArea) {
-  Mischief game("play_at_own_area");
-  game.put_ball({-3.025 + 0.75, 0.1});
-  game.start();
-  ASSERT_TRUE(game.happens(6, [&] { return game.touches_ball(kFirst); }));
-  EXPECT_LT(game.to_area_m(Side::kWest, kFirst), kRobotRadius_m);
-  EXPECT_GT(game.to_area_m(Side::kWest, kFirst), -kRobotRadius_m);
+  for (const double inside_m : {0.10, 0.05, -0.04, -0.07}) {
+    Mischief game("play_at_own_area");
+    game.put_ball({-game.field.half_length_m() + game.field.defence_area.depth_m - inside_m, 0.1});
+    game.start();
+    ASSERT_TRUE(game.happens(6, [&] { return game.touches_ball(kFirst); })) << inside_m;
+    EXPECT_LT(game.to_area_m(Side::kWest, kFirst), kRobotRadius_m) << inside_m;
+    EXPECT_GT(game.to_area_m(Side::kWest, kFirst), -kRobotRadius_m) << inside_m;
+  }
 }
 
 TEST(Rowdy, PlaysTheBallInTheOpponentsArea) {
