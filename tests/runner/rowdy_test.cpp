@@ -299,6 +299,18 @@ TEST(Rowdy, WaitsNearTheOpponentsAreaAtARestart) {
   EXPECT_GT(to_hull_m, 0);
 }
 
+// A free kick that its own robot caused is taken from where that stands.
+TEST(Rowdy, GivesWayToABallThatIsPlacedWhereItWaits) {
+  Mischief game("near_area");
+  game.put_robot(kFirst, {1.2, 0.4});
+  game.put_ball({1, 1.9});
+  game.run(5);
+  const Vec2 place_m = game.robot(kFirst).position_m;
+  game.signal.placement = Placement{place_m, false};
+  game.run(5);
+  EXPECT_GT((game.robot(kFirst).position_m - place_m).norm(), 0.5);
+}
+
 TEST(Rowdy, LetsItsRestartRunOut) {
   Mischief game("delay");
   game.put_ball({0.5, 1});
