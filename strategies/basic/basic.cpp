@@ -21,6 +21,8 @@ constexpr double kPassPerMetre_per_s = 0.7;  // further passes are kicked harder
 constexpr double kBackPass_m = 200_mm;       // passes go no farther back than this
 constexpr double kPush_mps = 1.6;            // a kick ahead where nothing better is open
 constexpr double kClearance_mps = 3.0;       // the keeper's kick away from the goal
+constexpr double kFromTheirArea_m = 100_mm;  // a nearer ball is left alone where a rule asks for it
+constexpr double kStopSpeedShare = 0.8;      // of the speed allowed while play is stopped
 constexpr double kSlowBall_mps = 1.5;        // the keeper comes out for balls slower than this
 
 double param(const Briefing& briefing, const char* name, double otherwise) {
@@ -153,7 +155,10 @@ bool Basic::may_play_ball() const {
   if (now_.play != Play::kRunning) return now_.ours && is_restart(now_.play);
   const double to_area_m =
       distance_to_defence_area(briefing_.field, Side::kWest, now_.ball.position_m);
-  return now_.own.size() == 1 || to_area_m > kFrontDistance_m;
+  const bool is_theirs = briefing_.rules.has(RuleId::kAttackerInArea) &&
+                         distance_to_defence_area(briefing_.field, Side::kEast,
+                                                  now_.ball.position_m) < kFromTheirArea_m;
+  return !is_theirs && (now_.own.size() == 1 || to_area_m > kFrontDistance_m);
 }
 
 void Basic::play(TeamOrders& orders) {
@@ -196,6 +201,14 @@ Waypoint Basic::formation_of(int index) const {
   return reserve_position(field, ball_place_m_, part - 4);
 }
 
+DrivingStyle Basic::waiting_style() const {
+  DrivingStyle style = style_;
+  if (now_.play == Play::kStop && briefing_.rules.has(RuleId::kStopSpeed)) {
+    style.speed_mps = kStopSpeedShare * briefing_.rules.stop_speed_mps;
+  }
+  return style;
+}
+
 void Basic::line_up(TeamOrders& orders) {
   for (int i = 0; i < static_cast<int>(now_.own.size()); ++i) {
     Waypoint place = formation_of(i);
@@ -206,7 +219,7 @@ void Basic::line_up(TeamOrders& orders) {
     if (const auto way_m = way_from_behind_goal(briefing_.field, robot.position_m)) {
       place.position_m = *way_m;
     }
-    orders[robot.number] = drive_to(robot, place, obstacles_for(i, !is_keeper), style_);
+    orders[robot.number] = drive_to(robot, place, obstacles_for(i, !is_keeper), waiting_style());
   }
 }
 
@@ -223,7 +236,8 @@ void Basic::stand_at_penalty(TeamOrders& orders) {
     const Waypoint place =
         i == kicker ? penalty_run_up(ball_place_m_)
         : i == 0    ? penalty_keeper(briefing_.field, ball_place_m_)
-                    : penalty_spectator(briefing_.field, ball_place_m_, now_.ours, i - 1);
+                    : penalty_spectator(briefing_.field, ball_place_m_,
+                                        briefing_.rules.penalty_clearance_m, now_.ours, i - 1);
     orders[robot.number] = drive_to(robot, place, obstacles_for(i, i != 0), style_);
   }
 }

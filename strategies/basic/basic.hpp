@@ -32,6 +32,7 @@ class Basic final : public Strategy {
   RobotCommand keep(int index, const Cast& cast) const;
   bool may_play_ball() const;
   void play(TeamOrders& orders);
+  DrivingStyle waiting_style() const;
   void line_up(TeamOrders& orders);
   void stand_at_penalty(TeamOrders& orders);
 

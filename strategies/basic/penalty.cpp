@@ -6,9 +6,8 @@
 namespace autoref::strategies::basic {
 namespace {
 
-constexpr double kRunUp_m = 250_mm;    // from the ball to the waiting kicker's centre
-constexpr double kOnLine_m = 30_mm;    // of the keeper's centre before its line: its hull is on it
-constexpr double kBehind_m = 1000_mm;  // 2026: 1 m behind the ball; Laws 14: 400 mm
+constexpr double kRunUp_m = 250_mm;  // from the ball to the waiting kicker's centre
+constexpr double kOnLine_m = 30_mm;  // of the keeper's centre before its line: its hull is on it
 constexpr double kMargin_m = 50_mm;
 constexpr double kRows_m = 300_mm;  // from the attackers' row to the defenders'
 constexpr double kGap_m = 300_mm;   // between neighbours in a row
@@ -32,8 +31,9 @@ Waypoint penalty_keeper(const Field& field, const Vec2& mark_m) {
   return {place_m, direction_of(mark_m - place_m, Vec2(1, 0))};
 }
 
-Waypoint penalty_spectator(const Field& field, const Vec2& mark_m, bool ours, int order) {
-  const double behind_m = kBehind_m + kRobotRadius_m + kMargin_m + (ours ? 0.0 : kRows_m);
+Waypoint penalty_spectator(const Field& field, const Vec2& mark_m, double clearance_m, bool ours,
+                           int order) {
+  const double behind_m = clearance_m + kRobotRadius_m + kMargin_m + (ours ? 0.0 : kRows_m);
   // One after the other to both sides of the middle.
   const double aside = order % 2 == 0 ? 1.0 : -1.0;
   const double y = aside * kGap_m * ((order + 1) / 2 + 0.5);

@@ -17,8 +17,9 @@ Waypoint penalty_run_up(const Vec2& mark_m);
 // On the own goal line between the posts, facing the ball.
 Waypoint penalty_keeper(const Field& field, const Vec2& mark_m);
 
-// Behind the line through the mark, on the side away from the goal shot at, farther than any rule
-// book asks for; defenders in a row behind the attackers'. `order` counts from 0.
-Waypoint penalty_spectator(const Field& field, const Vec2& mark_m, bool ours, int order);
+// Behind the line through the mark, on the side away from the goal shot at, a little farther than
+// `clearance_m` from hull to line; defenders in a row behind the attackers'. `order` counts from 0.
+Waypoint penalty_spectator(const Field& field, const Vec2& mark_m, double clearance_m, bool ours,
+                           int order);
 
 }  // namespace autoref::strategies::basic

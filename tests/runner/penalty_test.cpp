@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "tests/runner/staged_game.hpp"
 
@@ -12,12 +13,13 @@ constexpr RobotId kEastKeeper{Side::kEast, 0};
 
 // basic against basic, the ball on the mark before the east's goal, the west's kick prepared.
 struct Penalty : StagedGame {
-  explicit Penalty(std::size_t robots = 6)
-      : StagedGame({"basic", robots, {}}, {"basic", robots, {}}) {
+  explicit Penalty(std::size_t robots = 6, const std::string& rules = "2014")
+      : StagedGame({"basic", robots, {}}, {"basic", robots, {}}, find_rule_book(rules).value(), 1,
+                   find_game_setup(rules)->field) {
     signal.placement = Placement{mark_m(), false};
-    run(3);
+    run(4);
     command(CommandKind::kPreparePenalty, Side::kWest);
-    run(6);
+    run(8);
   }
   Vec2 mark_m() const { return field.penalty_mark_at(Side::kEast); }
   void start() {
@@ -37,11 +39,15 @@ struct Penalty : StagedGame {
 };
 
 TEST(BasicAtAPenalty, LeavesNobodyNearTheMarkButKickerAndKeeper) {
-  Penalty penalty;
-  EXPECT_EQ(penalty.too_near(1.0), 2);
-  penalty.start();
-  penalty.happens(10, [&] { return (penalty.ball().position_m - penalty.mark_m()).norm() > 0.05; });
-  EXPECT_EQ(penalty.too_near(1.0), 2);
+  for (const auto& [rules, room_m] : {std::pair("2014", 0.4), std::pair("2026-b", 1.0)}) {
+    Penalty penalty(6, rules);
+    EXPECT_EQ(penalty.too_near(room_m), 2) << rules;
+    penalty.start();
+    const Vec2 mark_m = penalty.mark_m();
+    EXPECT_TRUE(
+        penalty.happens(10, [&] { return (penalty.ball().position_m - mark_m).norm() > 0.05; }));
+    EXPECT_EQ(penalty.too_near(room_m), 2) << rules;
+  }
 }
 
 TEST(BasicAtAPenalty, KeepsItsKeeperOnTheLineUntilTheKick) {

@@ -104,12 +104,14 @@ TEST(Rowdy, PlaysTheBallWithAFieldPlayerInItsOwnArea) {
 }
 
 TEST(Rowdy, TouchesTheBallWithAFieldPlayerPartlyInItsOwnArea) {
-  Mischief game("play_at_own_area");
-  game.put_ball({-3.025 + 0.75, 0.1});
-  game.start();
-  ASSERT_TRUE(game.happens(6, [&] { return game.touches_ball(kFirst); }));
-  EXPECT_LT(game.to_area_m(Side::kWest, kFirst), kRobotRadius_m);
-  EXPECT_GT(game.to_area_m(Side::kWest, kFirst), -kRobotRadius_m);
+  for (const double inside_m : {0.10, 0.05, -0.04, -0.07}) {
+    Mischief game("play_at_own_area");
+    game.put_ball({-game.field.half_length_m() + game.field.defence_area.depth_m - inside_m, 0.1});
+    game.start();
+    ASSERT_TRUE(game.happens(6, [&] { return game.touches_ball(kFirst); })) << inside_m;
+    EXPECT_LT(game.to_area_m(Side::kWest, kFirst), kRobotRadius_m) << inside_m;
+    EXPECT_GT(game.to_area_m(Side::kWest, kFirst), -kRobotRadius_m) << inside_m;
+  }
 }
 
 TEST(Rowdy, PlaysTheBallInTheOpponentsArea) {
@@ -295,6 +297,18 @@ TEST(Rowdy, WaitsNearTheOpponentsAreaAtARestart) {
       kRobotRadius_m;
   EXPECT_LT(to_hull_m, 0.15);
   EXPECT_GT(to_hull_m, 0);
+}
+
+// A free kick that its own robot caused is taken from where that stands.
+TEST(Rowdy, GivesWayToABallThatIsPlacedWhereItWaits) {
+  Mischief game("near_area");
+  game.put_robot(kFirst, {1.2, 0.4});
+  game.put_ball({1, 1.9});
+  game.run(5);
+  const Vec2 place_m = game.robot(kFirst).position_m;
+  game.signal.placement = Placement{place_m, false};
+  game.run(5);
+  EXPECT_GT((game.robot(kFirst).position_m - place_m).norm(), 0.5);
 }
 
 TEST(Rowdy, LetsItsRestartRunOut) {

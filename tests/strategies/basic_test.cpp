@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -128,6 +129,51 @@ TEST(Basic, TakesItsRestartAloneToo) {
     nearest_m = std::min(nearest_m, (world.robot(4).position_m - Vec2(1, 1.925)).norm());
   }
   EXPECT_LT(nearest_m, 0.1);
+}
+
+// By that book; the fastest a robot of it is ordered to be in a stop of 5 s.
+double fastest_in_stop_mps(const char* rules) {
+  Briefing briefing;
+  briefing.rules = find_rule_book(rules).value();
+  Basic team{briefing};
+  StagedWorld world(Play::kStop);
+  world.six_against_six().view.ball.position_m = {-2.9, -1.9};
+  double fastest_mps = 0;
+  for (int f = 0; f < 300; ++f) {
+    world.step(team);
+    for (const TrackedRobot& robot : world.view.own) {
+      fastest_mps = std::max(fastest_mps, robot.velocity_mps.norm());
+    }
+  }
+  return fastest_mps;
+}
+
+TEST(Basic, KeepsTheSpeedLimitOfAStopWhereThereIsOne) {
+  EXPECT_LT(fastest_in_stop_mps("2014"), 1.0);
+  EXPECT_LT(fastest_in_stop_mps("2026-b"), 1.5);
+  EXPECT_GT(fastest_in_stop_mps("paper"), 1.5);
+}
+
+// How near its robots come to a ball at rest in the opponents' area.
+double nearest_to_ball_in_their_area_m(const char* rules) {
+  Briefing briefing;
+  briefing.rules = find_rule_book(rules).value();
+  Basic team{briefing};
+  StagedWorld world(Play::kRunning);
+  world.six_against_six().view.ball.position_m = {2.6, 0.1};
+  double nearest_m = 9;
+  for (int f = 0; f < 300; ++f) {
+    world.step(team);
+    for (const TrackedRobot& robot : world.view.own) {
+      nearest_m = std::min(nearest_m, (robot.position_m - world.view.ball.position_m).norm());
+    }
+  }
+  return nearest_m;
+}
+
+TEST(Basic, LeavesABallInTheOpponentsAreaAloneWhereARuleAsksForIt) {
+  EXPECT_GT(nearest_to_ball_in_their_area_m("2026-b"), 0.2);
+  EXPECT_LT(nearest_to_ball_in_their_area_m("2014"), 0.12);
 }
 
 TEST(Basic, StandsStillInHalt) {

@@ -3,8 +3,8 @@
 namespace autoref::strategies::rowdy {
 namespace {
 
-constexpr double kInside_m = 250_mm;  // ball in the area, and off the goal line
-constexpr double kSlow_mps = 0.6;
+constexpr double kInside_m = 200_mm;  // ball in the area, and off the goal line
+constexpr double kSlow_mps = 1.5;
 constexpr double kReach_m = 1.2;
 constexpr double kBehind_m = kFrontDistance_m + kBallRadius_m + 20_mm;
 constexpr double kThere_m = 30_mm;
@@ -59,7 +59,7 @@ bool go_on(const Scene& scene, Deed& deed, Will& will) {
 }  // namespace
 
 const Mischief kKeeperHold = {"keeper_hold", "The keeper keeps the ball in its area for 4 to 18 s.",
-                              0.2,           22,
+                              0.6,           22,
                               find_chance,   go_on};
 
 }  // namespace autoref::strategies::rowdy

@@ -27,7 +27,7 @@ bool go_on(const Scene& scene, Deed& deed, Will& will) {
 
 const Mischief kKickoffIntruder = {"kickoff_intruder",
                                    "Has a robot in the opponents' half at a kick-off.",
-                                   0.15,
+                                   0.3,
                                    25,
                                    find_chance,
                                    go_on};

@@ -44,6 +44,6 @@ bool go_on(const Scene& scene, Deed& deed, Will& will) {
 }  // namespace
 
 const Mischief kLongDribble = {
-    "long_dribble", "Dribbles the ball 0.3 to 1.5 m.", 0.3, 6, find_chance, go_on};
+    "long_dribble", "Dribbles the ball 0.3 to 1.5 m.", 0.15, 6, find_chance, go_on};
 
 }  // namespace autoref::strategies::rowdy

@@ -5,15 +5,19 @@ namespace {
 
 constexpr double kReach_m = 3.0;  // from the goal's middle
 constexpr double kFromArea_m = 80_mm + kRobotRadius_m;
+constexpr double kFromBall_m = 700_mm;  // nearer it would push a ball that is placed there
 constexpr int kSteps = 6;
 
 bool is_waiting(const Scene& scene) {
   return scene.now.play == Play::kStop || is_own_restart(scene) || is_opponents_restart(scene);
 }
 
+Vec2 ball_place_m(const Scene& scene) {
+  return scene.now.placement_m.value_or(scene.now.ball.position_m);
+}
+
 std::optional<Deed> find_chance(const Scene& scene) {
-  const Vec2 ball_m = scene.now.placement_m.value_or(scene.now.ball.position_m);
-  if (!is_waiting(scene) || ball_m.x() < 0) return std::nullopt;
+  if (!is_waiting(scene) || ball_place_m(scene).x() < 0) return std::nullopt;
   const Vec2 goal_m = scene.field.goal_centre_m(Side::kEast);
   const TrackedRobot* mate = nearest_mate(scene, goal_m, kReach_m);
   return deed_of(mate, mate != nullptr ? mate->position_m : goal_m);
@@ -31,9 +35,9 @@ Vec2 place_at_rim(const Scene& scene, const Vec2& from_m) {
 }
 
 bool go_on(const Scene& scene, Deed& deed, Will& will) {
-  will.order(deed.robot) =
-      go_to(scene, *find(scene.now.own, deed.robot), place_at_rim(scene, deed.from_m));
-  return is_waiting(scene);
+  const Vec2 place_m = place_at_rim(scene, deed.from_m);
+  will.order(deed.robot) = go_to(scene, *find(scene.now.own, deed.robot), place_m);
+  return is_waiting(scene) && (place_m - ball_place_m(scene)).norm() > kFromBall_m;
 }
 
 }  // namespace

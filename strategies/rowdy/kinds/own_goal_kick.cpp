@@ -29,7 +29,7 @@ bool go_on(const Scene& scene, Deed& deed, Will& will) {
 
 const Mischief kOwnGoalKick = {"own_goal_kick",
                                "Plays a free kick in its own half back into its own goal.",
-                               0.1,
+                               0.2,
                                10,
                                find_chance,
                                go_on};

@@ -4,11 +4,11 @@ namespace autoref::strategies::rowdy {
 namespace {
 
 constexpr double kDeep_m = 150_mm;  // a robot behind a ball this deep in the area is in it entirely
-constexpr double kReach_m = 1.5;
-constexpr double kSlow_mps = 0.8;
+constexpr double kReach_m = 2.0;
+constexpr double kSlow_mps = 1.2;
 constexpr double kOffGoal_m = 250_mm;  // from the goal line to the ball: room for a robot
 constexpr double kKick_mps = 2.0;
-constexpr double kKicked_mps = 1.2;
+constexpr double kKicked_mps = 1.5;
 
 std::optional<Deed> find_chance(const Scene& scene) {
   const TrackedBall& ball = scene.now.ball;
@@ -31,7 +31,7 @@ bool go_on(const Scene& scene, Deed& deed, Will& will) {
 
 const Mischief kPlayInOwnArea = {"play_in_own_area",
                                  "A field player entirely inside its own area plays the ball.",
-                                 0.3,
+                                 0.6,
                                  5,
                                  find_chance,
                                  go_on};

@@ -35,6 +35,6 @@ bool go_on(const Scene& scene, Deed& deed, Will& will) {
 
 }  // namespace
 
-const Mischief kRam = {"ram", "Runs into an opponent at full speed.", 0.02, 2, find_chance, go_on};
+const Mischief kRam = {"ram", "Runs into an opponent at full speed.", 0.05, 2, find_chance, go_on};
 
 }  // namespace autoref::strategies::rowdy

@@ -49,6 +49,6 @@ bool go_on(const Scene& scene, Deed& deed, Will& will) {
 }  // namespace
 
 const Mischief kRamEvenly = {
-    "ram_evenly", "Meets an opponent head-on, as fast as that comes.", 0.1, 2, find_chance, go_on};
+    "ram_evenly", "Meets an opponent head-on, as fast as that comes.", 0.05, 2, find_chance, go_on};
 
 }  // namespace autoref::strategies::rowdy

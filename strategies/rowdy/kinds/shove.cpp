@@ -36,6 +36,6 @@ bool go_on(const Scene& scene, Deed& deed, Will& will) {
 
 }  // namespace
 
-const Mischief kShove = {"shove", "Pushes an opponent back.", 0.05, 3, find_chance, go_on};
+const Mischief kShove = {"shove", "Pushes an opponent back.", 0.08, 3, find_chance, go_on};
 
 }  // namespace autoref::strategies::rowdy
