@@ -108,6 +108,10 @@ void stop_play(Memory& memory, const Moment& moment, const Finding& finding) {
 
 void note_foul(Memory& memory, const Moment& moment, const Finding& finding) {
   book(memory, moment.configuration, finding);
+  for (const Side side : kSides) {
+    const bool is_at_fault = !finding.offender || *finding.offender == side;
+    if (finding.is_foul && is_at_fault) memory.cards[side].fouled_s = moment.time_s();
+  }
 }
 
 // Deviation D4: the briefly transmitted command is followed by STOP.

@@ -38,6 +38,10 @@ Finding finding_of(Event event, RuleId rule, const RuleBook& rules);
 Finding offence_of(Event event, RuleId rule, const Configuration& configuration, RobotId robot,
                    const Vec2& where_m);
 
+// The same where it is not known which robot of the `offender` it was.
+Finding offence_of(Event event, RuleId rule, const Configuration& configuration, Side offender,
+                   const Vec2& where_m);
+
 // DIRECT_FREE or, where the book has them, INDIRECT_FREE for `kicker`.
 Command indirect_free_kick(const RuleBook& rules, Side kicker);
 

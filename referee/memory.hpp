@@ -29,6 +29,7 @@ struct PlayMemory {
   std::optional<Vec2> ball_from_m;  // where the ball lay then; none while it was never seen
   bool in_play = false;             // the ball has moved, or needs not
   bool entered_now = false;         // in this frame, by the kicker's restart
+  double in_play_since_s = 0;       // means nothing before the ball is in play
   TouchHistory touches;             // since it began
   Vec2 stuck_at_m{0, 0};            // the ball has been about here
   double stuck_since_s = 0;         // since then
@@ -38,6 +39,7 @@ struct PlayMemory {
 struct CardBook {
   int fouls = 0;                                                      // that count towards a card
   int yellows_for_fouls = 0;                                          // shown for them
+  std::optional<double> fouled_s;                                     // when one was noted last
   boost::container::static_vector<double, kMaxRobots> yellow_left_s;  // of play, of active ones
 };
 
