@@ -20,6 +20,7 @@ constexpr double kSettles_s = 30_ms;
 // A ball on the carpet for so long rolls; landings of a hopping ball are shorter.
 constexpr double kRolls_s = 100_ms;
 constexpr double kOnCarpet_m = 5_mm;
+constexpr double kNoTime_s = 1e-6;  // less than any camera's frame
 
 bool is_by(const BallTouch& touch, const LastTouch& told) {
   return touch.side == told.side && touch.robot == told.robot;
@@ -129,7 +130,14 @@ void TouchHistory::place_end(BallTouch& touch) {
   if (!touch.robot) return;
   const PerSide<SeenRobots> robots = recent_.robots_at(touch.ended_s);
   const RobotObservation* robot = find_robot(robots[touch.robot->side], touch.robot->number);
-  if (robot != nullptr) touch.toucher = *robot;
+  if (robot == nullptr) return;
+  touch.toucher = *robot;
+  if (ball == nullptr) return;
+  // A touch is told up to a picture late, when the ball may be off already.
+  const Vec2& before_m = recent_.ball_before(ball->time_s - kNoTime_s)->position_m;
+  if (gap_to_robot_m(*robot, before_m) < gap_to_robot_m(*robot, touch.ended_m)) {
+    touch.ended_m = before_m;
+  }
 }
 
 void TouchHistory::follow_ball(BallTouch& touch, const Moment& moment) {

@@ -21,8 +21,8 @@ struct BallTouch {
   double began_s = 0;
   double ended_s = 0;                       // so far, of the newest
   double told_s = 0;                        // time of the picture that first told of it
-  Vec2 began_m{0, 0};                       // the ball at the last sighting before it
-  Vec2 ended_m{0, 0};                       // and before it ended
+  Vec2 began_m{0, 0};                       // the ball as seen nearest to it
+  Vec2 ended_m{0, 0};                       // and to its end
   std::optional<RobotObservation> toucher;  // where the robot was when it ended; none: not seen
   std::optional<double> apart_s;            // since when the ball has been away from that robot
   double highest_m = 0;                     // the ball's lowest point, from the touch to the next

@@ -11,8 +11,9 @@
 namespace autoref::referee {
 
 std::span<const Rule> rules() {
-  static constexpr std::array<Rule, 5> kRules = {
-      kAttackerNearAreaRule, kGoalRule, kBallLeavesFieldRule, kRestartNotTakenRule, kStuckBallRule};
+  static constexpr std::array kRules = {
+      kAttackerNearAreaRule, kGoalRule, kBallLeavesFieldRule, kRestartNotTakenRule, kStuckBallRule,
+  };
   return kRules;
 }
 

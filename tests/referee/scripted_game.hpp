@@ -1,6 +1,7 @@
 // A game without physics: frames are written by hand, and the referee judges them at 60 Hz.
 #pragma once
 
+#include <algorithm>
 #include <stdexcept>
 #include <string_view>
 #include <vector>
@@ -45,10 +46,11 @@ class ScriptedGame {
   const RefereeSignal& step() {
     frame.number = next_number_++;
     frame.time_s = static_cast<double>(frame.number) / kRate_hz;
-    signal = referee.update(frame, {});
+    signal = referee.update(frame, requests);
     decisions.insert(decisions.end(), referee.decisions().begin(), referee.decisions().end());
     if (frame.ball) {
       frame.ball->position_m += ball_mps / kRate_hz;
+      ball_mps = clamp_norm(ball_mps, std::max(0.0, ball_mps.norm() - carpet_mps2 / kRate_hz));
       if (signal.placement && hand_works) put_ball(signal.placement->target_m);
     }
     return signal;
@@ -107,7 +109,9 @@ class ScriptedGame {
   double now_s() const { return frame.time_s; }
 
   Frame frame;
+  PerSide<TeamRequests> requests;
   Vec2 ball_mps{0, 0};
+  double carpet_mps2 = 0;  // what the ball loses
   bool hand_works = true;
   Referee referee;
   RefereeSignal signal;
