@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "soccer/side.hpp"
 
@@ -17,7 +18,16 @@ class RobotSet {
   PerSide<std::uint32_t> bits_;
 };
 
+// The fastest that a kick has been whose height was not known.
+struct KickSpeedWatch {
+  std::optional<double> kicked_s;  // when the touch ended; none: nothing to remember
+  double speed_mps = 0;
+  bool is_in_air = false;
+};
+
 // One member for each rule that watches, named like it.
-struct RuleWatch {};
+struct RuleWatch {
+  KickSpeedWatch kick_speed;
+};
 
 }  // namespace autoref::referee

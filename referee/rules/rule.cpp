@@ -5,6 +5,7 @@
 #include "referee/rules/attacker_near_area.hpp"
 #include "referee/rules/ball_leaves_field.hpp"
 #include "referee/rules/goal.hpp"
+#include "referee/rules/kick_speed.hpp"
 #include "referee/rules/restart_not_taken.hpp"
 #include "referee/rules/stuck_ball.hpp"
 
@@ -12,7 +13,8 @@ namespace autoref::referee {
 
 std::span<const Rule> rules() {
   static constexpr std::array kRules = {
-      kAttackerNearAreaRule, kGoalRule, kBallLeavesFieldRule, kRestartNotTakenRule, kStuckBallRule,
+      kAttackerNearAreaRule, kKickSpeedRule,       kGoalRule,
+      kBallLeavesFieldRule,  kRestartNotTakenRule, kStuckBallRule,
   };
   return kRules;
 }
