@@ -4,6 +4,7 @@
 
 #include "referee/rules/attacker_near_area.hpp"
 #include "referee/rules/ball_leaves_field.hpp"
+#include "referee/rules/double_touch.hpp"
 #include "referee/rules/goal.hpp"
 #include "referee/rules/kick_speed.hpp"
 #include "referee/rules/restart_not_taken.hpp"
@@ -13,7 +14,7 @@ namespace autoref::referee {
 
 std::span<const Rule> rules() {
   static constexpr std::array kRules = {
-      kAttackerNearAreaRule, kKickSpeedRule,       kGoalRule,
+      kAttackerNearAreaRule, kKickSpeedRule,       kDoubleTouchRule, kGoalRule,
       kBallLeavesFieldRule,  kRestartNotTakenRule, kStuckBallRule,
   };
   return kRules;
