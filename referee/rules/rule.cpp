@@ -2,8 +2,10 @@
 
 #include <array>
 
+#include "referee/rules/attacker_in_area.hpp"
 #include "referee/rules/attacker_near_area.hpp"
 #include "referee/rules/ball_leaves_field.hpp"
+#include "referee/rules/defender_in_area.hpp"
 #include "referee/rules/double_touch.hpp"
 #include "referee/rules/goal.hpp"
 #include "referee/rules/kick_speed.hpp"
@@ -14,7 +16,8 @@ namespace autoref::referee {
 
 std::span<const Rule> rules() {
   static constexpr std::array kRules = {
-      kAttackerNearAreaRule, kKickSpeedRule,       kDoubleTouchRule, kGoalRule,
+      kAttackerNearAreaRule, kKickSpeedRule,       kDoubleTouchRule,
+      kDefenderInAreaRule,   kAttackerInAreaRule,  kGoalRule,
       kBallLeavesFieldRule,  kRestartNotTakenRule, kStuckBallRule,
   };
   return kRules;
