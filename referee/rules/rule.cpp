@@ -5,9 +5,13 @@
 #include "referee/rules/attacker_in_area.hpp"
 #include "referee/rules/attacker_near_area.hpp"
 #include "referee/rules/ball_leaves_field.hpp"
+#include "referee/rules/chip_goal.hpp"
 #include "referee/rules/defender_in_area.hpp"
 #include "referee/rules/double_touch.hpp"
+#include "referee/rules/free_kick_own_goal.hpp"
 #include "referee/rules/goal.hpp"
+#include "referee/rules/goal_valid.hpp"
+#include "referee/rules/indirect_goal.hpp"
 #include "referee/rules/kick_speed.hpp"
 #include "referee/rules/restart_not_taken.hpp"
 #include "referee/rules/stuck_ball.hpp"
@@ -16,9 +20,13 @@ namespace autoref::referee {
 
 std::span<const Rule> rules() {
   static constexpr std::array kRules = {
-      kAttackerNearAreaRule, kKickSpeedRule,       kDoubleTouchRule,
-      kDefenderInAreaRule,   kAttackerInAreaRule,  kGoalRule,
-      kBallLeavesFieldRule,  kRestartNotTakenRule, kStuckBallRule,
+      kAttackerNearAreaRule, kKickSpeedRule,
+      kDoubleTouchRule,      kDefenderInAreaRule,
+      kAttackerInAreaRule,   kFreeKickOwnGoalRule,
+      kIndirectGoalRule,     kChipGoalRule,
+      kGoalValidRule,        kGoalRule,
+      kBallLeavesFieldRule,  kRestartNotTakenRule,
+      kStuckBallRule,
   };
   return kRules;
 }
