@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "referee/rules/aimless_kick.hpp"
 #include "referee/rules/attacker_in_area.hpp"
 #include "referee/rules/attacker_near_area.hpp"
 #include "referee/rules/ball_leaves_field.hpp"
@@ -25,8 +26,8 @@ std::span<const Rule> rules() {
       kAttackerInAreaRule,   kFreeKickOwnGoalRule,
       kIndirectGoalRule,     kChipGoalRule,
       kGoalValidRule,        kGoalRule,
-      kBallLeavesFieldRule,  kRestartNotTakenRule,
-      kStuckBallRule,
+      kAimlessKickRule,      kBallLeavesFieldRule,
+      kRestartNotTakenRule,  kStuckBallRule,
   };
   return kRules;
 }
