@@ -25,9 +25,22 @@ struct KickSpeedWatch {
   bool is_in_air = false;
 };
 
+// Where the robots of a side were at its newest touch, and at the one before.
+struct OffsideWatch {
+  struct Pass {
+    int touch = 0;       // its number since play began, from 1; 0: none
+    double ended_s = 0;  // of that touch
+    Side side = Side::kWest;
+    RobotSet offside;  // its robots in an offside position
+  };
+  Pass newest;
+  Pass before;
+};
+
 // One member for each rule that watches, named like it.
 struct RuleWatch {
   KickSpeedWatch kick_speed;
+  OffsideWatch offside;
 };
 
 }  // namespace autoref::referee

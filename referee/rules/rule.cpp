@@ -14,6 +14,7 @@
 #include "referee/rules/goal_valid.hpp"
 #include "referee/rules/indirect_goal.hpp"
 #include "referee/rules/kick_speed.hpp"
+#include "referee/rules/offside.hpp"
 #include "referee/rules/restart_not_taken.hpp"
 #include "referee/rules/stuck_ball.hpp"
 
@@ -21,13 +22,21 @@ namespace autoref::referee {
 
 std::span<const Rule> rules() {
   static constexpr std::array kRules = {
-      kAttackerNearAreaRule, kKickSpeedRule,
-      kDoubleTouchRule,      kDefenderInAreaRule,
-      kAttackerInAreaRule,   kFreeKickOwnGoalRule,
-      kIndirectGoalRule,     kChipGoalRule,
-      kGoalValidRule,        kGoalRule,
-      kAimlessKickRule,      kBallLeavesFieldRule,
-      kRestartNotTakenRule,  kStuckBallRule,
+      kAttackerNearAreaRule,
+      kKickSpeedRule,
+      kDoubleTouchRule,
+      kDefenderInAreaRule,
+      kAttackerInAreaRule,
+      kOffsideRule,
+      kFreeKickOwnGoalRule,
+      kIndirectGoalRule,
+      kChipGoalRule,
+      kGoalValidRule,
+      kGoalRule,
+      kAimlessKickRule,
+      kBallLeavesFieldRule,
+      kRestartNotTakenRule,
+      kStuckBallRule,
   };
   return kRules;
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <tuple>
 #include <vector>
 
 #include "soccer/random.hpp"
@@ -127,6 +128,7 @@ void expect_turned(const Decision& a, const Decision& b) {
   EXPECT_EQ(a.arrow, b.arrow);
   EXPECT_EQ(a.frame, b.frame);
   EXPECT_EQ(turned(a.command), b.command);
+  EXPECT_EQ(turned(a.offender), b.offender);
   EXPECT_NEAR(a.value, b.value, 1e-6);
   expect_turned(a.position_m, b.position_m);
   expect_turned(a.last_touch, b.last_touch);
@@ -152,20 +154,24 @@ void expect_turned(const RefereeSignal& a, const RefereeSignal& b) {
   }
 }
 
-Configuration rough_configuration(Side first_kickoff) {
+// By a book's rules on the paper's field.
+Configuration rough_configuration(Side first_kickoff, const char* book) {
   Configuration configuration;
+  configuration.rules = find_rule_book(book).value();
+  configuration.rules.in_force[RuleId::kOffside] = configuration.rules.name != "paper";
   configuration.half_s = 60;
   configuration.after_game = AfterGame::kNewGame;
   configuration.first_kickoff = first_kickoff;
   return configuration;
 }
 
-class Mirrored : public testing::TestWithParam<int> {};
+class Mirrored : public testing::TestWithParam<std::tuple<const char*, int>> {};
 
 TEST_P(Mirrored, FramesGiveMirroredCallsInTheSameFrames) {
-  RoughGame game(static_cast<std::uint64_t>(GetParam()));
-  Referee referee(rough_configuration(Side::kWest));
-  Referee other(rough_configuration(Side::kEast));
+  const auto& [book, seed] = GetParam();
+  RoughGame game(static_cast<std::uint64_t>(seed));
+  Referee referee(rough_configuration(Side::kWest, book));
+  Referee other(rough_configuration(Side::kEast, book));
   RefereeSignal signal;
   std::size_t stops = 0;
   for (int i = 0; i < 12000 && !HasFailure(); ++i) {
@@ -183,7 +189,10 @@ TEST_P(Mirrored, FramesGiveMirroredCallsInTheSameFrames) {
   EXPECT_GT(stops, 8U);  // or nothing was tested
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, Mirrored, testing::Range(1, 9));
+INSTANTIATE_TEST_SUITE_P(Paper, Mirrored,
+                         testing::Combine(testing::Values("paper"), testing::Range(1, 9)));
+INSTANTIATE_TEST_SUITE_P(OtherBooks, Mirrored,
+                         testing::Combine(testing::Values("2014", "2026-b"), testing::Range(1, 5)));
 
 }  // namespace
 }  // namespace autoref::referee
