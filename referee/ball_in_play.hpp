@@ -13,4 +13,13 @@ PlayMemory play_begun(Command command, std::optional<Side> kicker, const Moment&
 // Follows the ball through one frame of RUN.
 void watch_play(PlayMemory& play, const Moment& moment);
 
+// Whether the restart was a kick-off, or a penalty kick: NORMAL_START starts both, the one from the
+// centre.
+bool began_with_kickoff(const PlayMemory& play, const Field& field);
+bool began_with_penalty(const PlayMemory& play, const Field& field);
+
+// Whether the ball comes straight from the restart: no robot but its kicker has touched it. A
+// touch by somebody unknown may be a second robot's.
+bool is_straight_from_restart(const PlayMemory& play);
+
 }  // namespace autoref::referee

@@ -36,7 +36,10 @@ void book(Memory& memory, const Moment& moment, const Finding& finding) {
       finding.card != Card::kNone && moment.configuration.rules.has(RuleId::kCards);
   for (const Side side : kSides) {
     if (!concerns(finding, side)) continue;
-    if (finding.is_foul) ++memory.cards[side].fouls;
+    if (finding.is_foul) {
+      ++memory.cards[side].fouls;
+      memory.cards[side].fouled_s = moment.time_s();
+    }
     if (finding.event == Event::kTooManyRobots) memory.cards[side].too_many_called = true;
     if (gives_card) show(memory, moment, side, finding.card);
   }

@@ -19,11 +19,17 @@ Finding finding_of(Event event, RuleId rule, const RuleBook& rules) {
 
 Finding offence_of(Event event, RuleId rule, const Configuration& configuration, RobotId robot,
                    const Vec2& where_m) {
-  const RuleBook& rules = configuration.rules;
-  const Side kicker = opponent_of(robot.side);
-  Finding finding = finding_of(event, rule, rules);
+  Finding finding = offence_of(event, rule, configuration, robot.side, where_m);
   finding.robots.push_back(robot);
-  finding.offender = robot.side;
+  return finding;
+}
+
+Finding offence_of(Event event, RuleId rule, const Configuration& configuration, Side offender,
+                   const Vec2& where_m) {
+  const RuleBook& rules = configuration.rules;
+  const Side kicker = opponent_of(offender);
+  Finding finding = finding_of(event, rule, rules);
+  finding.offender = offender;
   finding.position_m = where_m;
   finding.restart = indirect_free_kick(rules, kicker);
   finding.ball_to_m = free_kick_place(configuration.field, rules, kicker, where_m);

@@ -38,6 +38,10 @@ Finding finding_of(Event event, RuleId rule, const RuleBook& rules);
 Finding offence_of(Event event, RuleId rule, const Configuration& configuration, RobotId robot,
                    const Vec2& where_m);
 
+// The same where it is not known which robot of the `offender` it was.
+Finding offence_of(Event event, RuleId rule, const Configuration& configuration, Side offender,
+                   const Vec2& where_m);
+
 // An offence of `robot` at `where_m` that is noted only; where the book counts fouls, it counts.
 Finding note_of(Event event, RuleId rule, const RuleBook& rules, RobotId robot,
                 const Vec2& where_m);

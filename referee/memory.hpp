@@ -31,6 +31,7 @@ struct PlayMemory {
   std::optional<Vec2> ball_from_m;  // where the ball lay then; none while it was never seen
   bool in_play = false;             // the ball has moved, or needs not
   bool entered_now = false;         // in this frame, by the kicker's restart
+  double in_play_since_s = 0;       // means nothing before the ball is in play
   TouchHistory touches;             // since it began
   Vec2 stuck_at_m{0, 0};            // the ball has been about here
   double stuck_since_s = 0;         // since then
@@ -62,6 +63,7 @@ struct Stopwatch {
 struct CardBook {
   int fouls = 0;            // that count towards a card
   int cards_for_fouls = 0;  // shown for them
+  std::optional<double> fouled_s;  // when the last of them was
   // When the active yellow cards are over, by the play clock; the oldest first.
   boost::container::static_vector<double, kMaxRobots> yellow_ends_s;
   std::optional<double> fewer_since_s;  // when fewer robots were allowed, the last time

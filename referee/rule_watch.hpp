@@ -74,6 +74,25 @@ struct PenaltyPositionsWatch {
   bool is_over = false;  // the outcome is known
 };
 
+// The fastest that a kick has been whose height was not known.
+struct KickSpeedWatch {
+  std::optional<double> kicked_s;  // when the touch ended; none: nothing to remember
+  double speed_mps = 0;
+  bool is_in_air = false;
+};
+
+// Where the robots of a side were at its newest touch, and at the one before.
+struct OffsideWatch {
+  struct Pass {
+    int touch = 0;       // its number since play began, from 1; 0: none
+    double ended_s = 0;  // of that touch
+    Side side = Side::kWest;
+    RobotSet offside;  // its robots in an offside position
+  };
+  Pass newest;
+  Pass before;
+};
+
 // One member for each rule that watches, named like it.
 struct RuleWatch {
   CrashWatch crash;
@@ -87,6 +106,8 @@ struct RuleWatch {
   RestartDistanceWatch restart_distance;
   KickoffPositionsWatch kickoff_positions;
   PenaltyPositionsWatch penalty_positions;
+  KickSpeedWatch kick_speed;
+  OffsideWatch offside;
 };
 
 // What is still of use when play starts: robots that have been near an area since play was stopped

@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "referee/hull.hpp"
+#include "referee/area.hpp"
+#include "referee/restarts.hpp"
 
 namespace autoref::referee {
 namespace {

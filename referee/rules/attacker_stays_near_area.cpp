@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "referee/area.hpp"
 #include "referee/hull.hpp"
 #include "referee/touch_candidates.hpp"
 

@@ -4,29 +4,27 @@
 
 #include <cmath>
 
-#include "referee/ball_out.hpp"
+#include "referee/in_goal.hpp"
 #include "soccer/robot_shape.hpp"
 
 namespace autoref::referee {
 
 std::optional<Finding> find_goal(Memory& /*memory*/, const Moment& moment) {
   const Field& field = moment.configuration.field;
-  if (!moment.ball || !is_in_goal(field, moment.ball->position_m, moment.ball->height_m)) {
-    return std::nullopt;
-  }
+  const std::optional<Side> conceded = conceding_side(moment);
+  if (!conceded) return std::nullopt;
   const Vec2& ball_m = moment.ball->position_m;
-  const Side conceded = ball_m.x() < 0 ? Side::kWest : Side::kEast;
   Finding finding = finding_of(Event::kGoal, RuleId::kGoal, moment.configuration.rules);
   finding.value = std::abs(ball_m.x());
   finding.threshold = field.half_length_m() + kBallRadius_m;
   finding.unit = "m";
   if (moment.last_touch.robot) finding.robots.push_back(*moment.last_touch.robot);
   finding.position_m = ball_m;
-  finding.restart = {CommandKind::kPrepareKickoff, conceded};
+  finding.restart = {CommandKind::kPrepareKickoff, *conceded};
   finding.ball_to_m = Vec2(0, 0);
   finding.evidence = fmt::format(
       "The ball is in the {} goal, {:.0f} mm from its middle and {:.0f} mm above the ground.",
-      name_of(conceded), 1e3 * std::abs(ball_m.y()), 1e3 * moment.ball->height_m);
+      name_of(*conceded), 1e3 * std::abs(ball_m.y()), 1e3 * moment.ball->height_m);
   return finding;
 }
 

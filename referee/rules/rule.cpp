@@ -2,17 +2,27 @@
 
 #include <array>
 
+#include "referee/rules/aimless_kick.hpp"
+#include "referee/rules/attacker_in_area.hpp"
 #include "referee/rules/attacker_near_area.hpp"
 #include "referee/rules/attacker_stays_near_area.hpp"
 #include "referee/rules/ball_leaves_field.hpp"
 #include "referee/rules/card_due.hpp"
+#include "referee/rules/chip_goal.hpp"
 #include "referee/rules/crash.hpp"
+#include "referee/rules/defender_in_area.hpp"
+#include "referee/rules/double_touch.hpp"
 #include "referee/rules/dribbling.hpp"
+#include "referee/rules/free_kick_own_goal.hpp"
 #include "referee/rules/goal.hpp"
 #include "referee/rules/goal_lead.hpp"
+#include "referee/rules/goal_valid.hpp"
+#include "referee/rules/indirect_goal.hpp"
 #include "referee/rules/keeper_holding.hpp"
+#include "referee/rules/kick_speed.hpp"
 #include "referee/rules/kickoff_positions.hpp"
 #include "referee/rules/no_progress.hpp"
+#include "referee/rules/offside.hpp"
 #include "referee/rules/penalty_failed.hpp"
 #include "referee/rules/penalty_positions.hpp"
 #include "referee/rules/placement_interference.hpp"
@@ -38,8 +48,18 @@ std::span<const Rule> rules() {
       kPushingRule,
       kDribblingRule,
       kKeeperHoldingRule,
+      kDefenderInAreaRule,
+      kAttackerInAreaRule,
+      kDoubleTouchRule,
+      kKickSpeedRule,
+      kOffsideRule,
+      kChipGoalRule,
+      kGoalValidRule,
+      kIndirectGoalRule,
+      kFreeKickOwnGoalRule,
       kPenaltyFailedRule,
       kGoalRule,
+      kAimlessKickRule,
       kBallLeavesFieldRule,
       kRestartNotTakenRule,
       kStuckBallRule,

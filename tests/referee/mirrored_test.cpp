@@ -167,7 +167,8 @@ struct RoughSetup {
 
 Configuration rough_configuration(const RoughSetup& setup, Side first_kickoff) {
   Configuration configuration;
-  configuration.rules = *find_rule_book(setup.book);
+  configuration.rules = find_rule_book(setup.book).value();
+  configuration.rules.in_force[RuleId::kOffside] = configuration.rules.name != "paper";
   configuration.half_s = 60;
   configuration.after_game = AfterGame::kNewGame;
   configuration.first_kickoff = first_kickoff;

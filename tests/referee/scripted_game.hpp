@@ -1,6 +1,7 @@
 // A game without physics: frames are written by hand, and the referee judges them at 60 Hz.
 #pragma once
 
+#include <algorithm>
 #include <stdexcept>
 #include <string_view>
 #include <vector>
@@ -49,6 +50,7 @@ class ScriptedGame {
     decisions.insert(decisions.end(), referee.decisions().begin(), referee.decisions().end());
     if (frame.ball) {
       frame.ball->position_m += ball_mps / kRate_hz;
+      ball_mps = clamp_norm(ball_mps, std::max(0.0, ball_mps.norm() - carpet_mps2 / kRate_hz));
       if (signal.placement && hand_works) put_ball(signal.placement->target_m);
     }
     return signal;
@@ -107,9 +109,10 @@ class ScriptedGame {
   double now_s() const { return frame.time_s; }
 
   Frame frame;
-  Vec2 ball_mps{0, 0};
-  bool hand_works = true;
   PerSide<TeamRequests> requests;
+  Vec2 ball_mps{0, 0};
+  double carpet_mps2 = 0;  // what the ball loses
+  bool hand_works = true;
   Referee referee;
   RefereeSignal signal;
   std::vector<Decision> decisions;

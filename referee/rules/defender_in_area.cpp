@@ -1,0 +1,75 @@
+#include "referee/rules/defender_in_area.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "referee/area.hpp"
+#include "referee/area_touches.hpp"
+#include "soccer/robot_shape.hpp"
+
+namespace autoref::referee {
+namespace {
+
+// Bodies in contact are this near to each other, with three standard deviations of both places.
+constexpr double kContact_m = 5_mm;
+constexpr double kSurely = 3;
+
+bool is_in_contact_with_opponent(RobotId id, const RobotObservation& robot, const Moment& moment) {
+  const double noise_m = kSurely * std::sqrt(2.0) * moment.configuration.noise.robot_m;
+  const double near_m = 2 * kRobotRadius_m + kContact_m + noise_m;
+  const auto& others = moment.frame.robots[opponent_of(id.side)];
+  return std::any_of(others.begin(), others.end(), [&](const RobotObservation& other) {
+    return (other.position_m - robot.position_m).norm() <= near_m;
+  });
+}
+
+Finding entirely(const BallTouch& touch, const Moment& moment, double out_m) {
+  const Configuration& c = moment.configuration;
+  Finding finding =
+      offence_of(Event::kDefenderInArea, RuleId::kDefenderInArea, c, *touch.robot, touch.ended_m);
+  finding.value = out_m;
+  finding.restart = {CommandKind::kPreparePenalty, opponent_of(*touch.side)};
+  finding.ball_to_m = c.field.penalty_mark_at(*touch.side);
+  finding.evidence = fmt::format(
+      "{} touched the ball at {:.3f} s, its hull entirely inside its own area by {:.0f} mm.",
+      text_of(*touch.robot), touch.ended_s, -1e3 * out_m);
+  return finding;
+}
+
+Finding partly(const BallTouch& touch, const Moment& moment, double distance_m) {
+  Finding finding = offence_of(Event::kDefenderPartlyInArea, RuleId::kDefenderInArea,
+                               moment.configuration, *touch.robot, touch.ended_m);
+  finding.value = distance_m;
+  finding.card = Card::kYellow;
+  finding.evidence =
+      fmt::format("{} touched the ball at {:.3f} s, its hull reaching {:.0f} mm into its own area.",
+                  text_of(*touch.robot), touch.ended_s, -1e3 * distance_m);
+  return finding;
+}
+
+std::optional<Finding> judge(const BallTouch& touch, const Moment& moment) {
+  const Configuration& c = moment.configuration;
+  if (touch.robot->number == moment.requests[*touch.side].keeper) return std::nullopt;
+  const double distance_m = hull_to_area_m(c.field, *touch.side, *touch.toucher);
+  if (!(distance_m < 0) || is_in_contact_with_opponent(*touch.robot, *touch.toucher, moment)) {
+    return std::nullopt;
+  }
+  const double out_m = hull_out_of_area_m(c.field, *touch.side, *touch.toucher);
+  const bool is_entirely = out_m < 0;
+  if (!is_entirely && c.rules.edition == Edition::kRules2026) return std::nullopt;
+  Finding finding =
+      is_entirely ? entirely(touch, moment, out_m) : partly(touch, moment, distance_m);
+  finding.threshold = 0;
+  finding.unit = "m";
+  return finding;
+}
+
+}  // namespace
+
+std::optional<Finding> find_defender_in_area(Memory& memory, const Moment& moment) {
+  return find_in_touches(memory.play, moment, judge);
+}
+
+}  // namespace autoref::referee

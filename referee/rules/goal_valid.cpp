@@ -1,0 +1,63 @@
+#include "referee/rules/goal_valid.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "referee/ball_in_play.hpp"
+#include "referee/in_goal.hpp"
+#include "soccer/robot_shape.hpp"
+
+namespace autoref::referee {
+namespace {
+
+// The highest of the ball's top since the scorers' last touch; none where that is not known.
+std::optional<double> top_since_touch_m(const TouchHistory& touches, Side scorer) {
+  double highest_m = 0;
+  for (int back = 0; touches.has(back) && touches.at(back).side; ++back) {
+    highest_m = std::max(highest_m, touches.at(back).highest_m);
+    if (touches.at(back).side == scorer) return highest_m + 2 * kBallRadius_m;
+  }
+  return std::nullopt;
+}
+
+Finding invalid(const Moment& moment, Side conceded) {
+  Finding finding = finding_of(Event::kGoalInvalid, RuleId::kGoalValid, moment.configuration.rules);
+  if (moment.last_touch.robot) finding.robots.push_back(*moment.last_touch.robot);
+  finding.offender = opponent_of(conceded);
+  finding.position_m = moment.ball->position_m;
+  if (moment.last_touch.side == conceded) {
+    restart_with_corner_kick(finding, moment, conceded);
+  } else {
+    restart_with_goal_kick(finding, moment, conceded);
+  }
+  return finding;
+}
+
+}  // namespace
+
+std::optional<Finding> find_goal_valid(Memory& memory, const Moment& moment) {
+  const Configuration& c = moment.configuration;
+  const std::optional<Side> conceded = conceding_side(moment);
+  if (!conceded || began_with_penalty(memory.play, c.field)) return std::nullopt;
+  const Side scorer = opponent_of(*conceded);
+  const std::optional<double> top_m = top_since_touch_m(memory.play.touches, scorer);
+  if (top_m && *top_m > c.rules.chip_height_m) {
+    Finding finding = invalid(moment, *conceded);
+    finding.value = *top_m;
+    finding.evidence = fmt::format("The ball was up to {:.0f} mm high since {} touched it.",
+                                   1e3 * *top_m, name_of(scorer));
+    return finding;
+  }
+  const std::optional<double>& fouled_s = memory.cards[scorer].fouled_s;
+  if (!fouled_s || moment.time_s() - *fouled_s > c.rules.goal_after_foul_s) return std::nullopt;
+  Finding finding = invalid(moment, *conceded);
+  finding.value = moment.time_s() - *fouled_s;
+  finding.threshold = c.rules.goal_after_foul_s;
+  finding.unit = "s";
+  finding.evidence =
+      fmt::format("{} had fouled {:.3f} s before the goal.", name_of(scorer), finding.value);
+  return finding;
+}
+
+}  // namespace autoref::referee

@@ -1,0 +1,79 @@
+#include "referee/rules/offside.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace autoref::referee {
+namespace {
+
+// Standard deviations of both places by which a robot must be nearer to the goal line.
+constexpr double kBeyondNoise = 3;
+
+// The second-largest distance of a side's robots from the halfway line towards their own goal; none
+// where fewer than two are seen.
+std::optional<double> second_last_m(const SeenRobots& robots, double end) {
+  if (robots.size() < 2) return std::nullopt;
+  boost::container::static_vector<double, kMaxRobots> depths_m;
+  for (const RobotObservation& robot : robots) depths_m.push_back(end * robot.position_m.x());
+  std::nth_element(depths_m.begin(), depths_m.begin() + 1, depths_m.end(), std::greater<>());
+  return depths_m[1];
+}
+
+// The robots of `side` in an offside position while the ball is at `ball_m`.
+RobotSet offside_robots(Side side, const PerSide<SeenRobots>& robots, const Vec2& ball_m,
+                        const VisionNoise& noise) {
+  const Side opponents = opponent_of(side);
+  const double end = goal_sign(opponents);
+  RobotSet offside;
+  const std::optional<double> last_m = second_last_m(robots[opponents], end);
+  if (!last_m) return offside;
+  const double noise_m = kBeyondNoise * std::sqrt(2.0) * std::max(noise.robot_m, noise.ball_m);
+  const double line_m = std::max({0.0, *last_m, end * ball_m.x()}) + noise_m;
+  for (const RobotObservation& robot : robots[side]) {
+    if (end * robot.position_m.x() > line_m) offside.add({side, robot.number});
+  }
+  return offside;
+}
+
+// Remembers who is in an offside position at the newest touch, as long as it lasts.
+void watch(OffsideWatch& watch, const TouchHistory& touches, const Moment& moment) {
+  const BallTouch& touch = *touches.newest();
+  OffsideWatch::Pass& newest = watch.newest;
+  if (newest.touch == touches.count() && newest.ended_s == touch.ended_s) return;
+  if (newest.touch < touches.count()) watch.before = newest;
+  newest = {touches.count(), touch.ended_s, Side::kWest, {}};
+  if (!touch.side) return;
+  newest.side = *touch.side;
+  newest.offside = offside_robots(*touch.side, touches.recent().robots_at(touch.ended_s),
+                                  touch.ended_m, moment.configuration.noise);
+}
+
+}  // namespace
+
+std::optional<Finding> find_offside(Memory& memory, const Moment& moment) {
+  const TouchHistory& touches = memory.play.touches;
+  if (touches.newest() == nullptr) return std::nullopt;
+  watch(memory.watch.offside, touches, moment);
+  const OffsideWatch::Pass& pass = memory.watch.offside.before;
+  // A pass straight from a restart is never offside.
+  const bool is_pass = touches.has(1) && pass.touch == touches.count() - 1 && pass.touch > 1;
+  if (!is_pass || pass.ended_s != touches.at(1).ended_s) return std::nullopt;
+  const BallTouch& received = *touches.newest();
+  if (!received.robot || !touches.at(1).robot || received.side != touches.at(1).side ||
+      received.robot == touches.at(1).robot || !is_settled(received, moment.time_s()) ||
+      !pass.offside.has(*received.robot)) {
+    return std::nullopt;
+  }
+  Finding finding = offence_of(Event::kOffside, RuleId::kOffside, moment.configuration,
+                               *received.robot, received.began_m);
+  finding.robots.push_back(*touches.at(1).robot);
+  finding.evidence = fmt::format(
+      "{} got the ball from {} and was in an offside position at that touch, at {:.3f} s.",
+      text_of(*received.robot), text_of(*touches.at(1).robot), pass.ended_s);
+  return finding;
+}
+
+}  // namespace autoref::referee

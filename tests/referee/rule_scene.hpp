@@ -1,0 +1,27 @@
+// Scripted games under other rule books than the paper's.
+#pragma once
+
+#include "tests/referee/scripted_game.hpp"
+
+namespace autoref::referee {
+
+// By the book of that name, on its own field.
+inline Configuration by_book(std::string_view name) {
+  Configuration configuration;
+  configuration.rules = find_rule_book(name).value();
+  configuration.field = find_game_setup(name)->field;
+  return configuration;
+}
+
+inline Configuration without(Configuration configuration, RuleId rule) {
+  configuration.rules.in_force[rule] = false;
+  return configuration;
+}
+
+// Whether a call of that event is made within the next seconds of play.
+inline bool is_called(ScriptedGame& game, std::string_view arrow, double seconds = 1.0) {
+  game.run(seconds);
+  return game.count(arrow) > 0;
+}
+
+}  // namespace autoref::referee
