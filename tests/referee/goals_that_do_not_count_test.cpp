@@ -12,6 +12,8 @@ namespace {
 ScriptedGame throw_in_shot(const Configuration& configuration, Side end) {
   ScriptedGame game = in_play(configuration);
   game.kick_from(Side::kEast, 1, {0.5, 1.8}, {0, 4});
+  game.run_until("throw_in");
+  game.robot(Side::kEast, 1).position_m = Vec2(1.5, 0);
   game.run_until("start");
   const Vec2 way_m = configuration.field.goal_centre_m(end) - game.frame.ball->position_m;
   game.kick(Side::kWest, 1, 5 * way_m.normalized());

@@ -74,7 +74,7 @@ TEST_P(PenaltyKick, HasFailedAfterTenSecondsIn2026WithABallThatIsNeverSeen) {
 
 TEST_P(PenaltyKick, HasFailedIn2026WhenTheBallGoesOut) {
   PenaltyGame game("2026-b", kicker());
-  game.whistle().kick({6, 2});
+  game.whistle().kick({5.5, 2});
   EXPECT_EQ(game.run_until("penalty_failed", 4).restart,
             (Command{CommandKind::kDirectFree, defender()}));
 }
@@ -176,7 +176,7 @@ TEST_P(PenaltyKick, In2026OthersKeepOneMetreBehindTheBall) {
   for (const double gap_m : {0.99, 1.01}) {
     PenaltyGame game("2026-b", kicker());
     game.put(defender(), 2, behind_mark(game, gap_m));
-    game.whistle().kick({6, 2});
+    game.whistle().kick({5.5, 2});
     game.run(1.5);
     EXPECT_EQ(game.count("penalty_positions"), gap_m < 1 ? 1 : 0);
     EXPECT_EQ(game.count("penalty_failed"), gap_m < 1 ? 0 : 1);

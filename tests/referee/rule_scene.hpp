@@ -1,17 +1,10 @@
 // Scripted games under other rule books than the paper's.
 #pragma once
 
+#include "tests/referee/booked_game.hpp"
 #include "tests/referee/scripted_game.hpp"
 
 namespace autoref::referee {
-
-// By the book of that name, on its own field.
-inline Configuration by_book(std::string_view name) {
-  Configuration configuration;
-  configuration.rules = find_rule_book(name).value();
-  configuration.field = find_game_setup(name)->field;
-  return configuration;
-}
 
 inline Configuration without(Configuration configuration, RuleId rule) {
   configuration.rules.in_force[rule] = false;
