@@ -22,8 +22,10 @@ constexpr double kBackPass_m = 200_mm;       // passes go no farther back than t
 constexpr double kPush_mps = 1.6;            // a kick ahead where nothing better is open
 constexpr double kClearance_mps = 3.0;       // the keeper's kick away from the goal
 constexpr double kFromTheirArea_m = 100_mm;  // a nearer ball is left alone where a rule asks for it
-constexpr double kStopSpeedShare = 0.8;      // of the speed allowed while play is stopped
-constexpr double kSlowBall_mps = 1.5;        // the keeper comes out for balls slower than this
+constexpr int kSidesteps = 12;               // at most, from the ball's way to the goal
+constexpr double kSidestep_m = 60_mm;
+constexpr double kStopSpeedShare = 0.8;  // of the speed allowed while play is stopped
+constexpr double kSlowBall_mps = 1.5;    // the keeper comes out for balls slower than this
 
 double param(const Briefing& briefing, const char* name, double otherwise) {
   const auto found = briefing.params.find(name);
@@ -37,14 +39,20 @@ Basic::Basic(const Briefing& briefing)
       shot_mps_(std::min(param(briefing, "shot_mps", 6.5), briefing.rules.kick_limit_mps)),
       pass_mps_(std::min(param(briefing, "pass_mps", 4.0), briefing.rules.kick_limit_mps)) {}
 
+// From a hull to the ball's centre at restarts. Referees who judge it measure to the ball's
+// surface.
+double Basic::room_at_ball_m() const {
+  const bool is_judged = briefing_.rules.has(RuleId::kRestartDistance);
+  return briefing_.rules.opponents_to_ball_m + (is_judged ? kBallRadius_m : 0.0);
+}
+
 Limits Basic::limits_for(bool is_keeper) const {
   Limits limits;
   limits.may_enter_own_area = is_keeper;
   if (now_.play == Play::kRunning) return limits;
   limits.own_half_only = now_.play == Play::kPrepareKickoff || now_.play == Play::kKickoff;
   const bool may_come_near = now_.ours && is_restart(now_.play);
-  limits.keep_from_ball_m =
-      may_come_near ? 0 : briefing_.rules.opponents_to_ball_m + kRobotRadius_m;
+  limits.keep_from_ball_m = may_come_near ? 0 : room_at_ball_m() + kRobotRadius_m;
   limits.keep_from_area_m = briefing_.rules.attacker_to_area_m + kRobotRadius_m;
   return limits;
 }
@@ -58,7 +66,7 @@ Obstacles Basic::obstacles_for(int index, bool avoid_ball) const {
     obstacles.push_back({opponent.position_m, kRobotClearance_m});
   }
   if (avoid_ball) {
-    const double room_m = now_.play == Play::kRunning ? 20_mm : briefing_.rules.opponents_to_ball_m;
+    const double room_m = now_.play == Play::kRunning ? 20_mm : room_at_ball_m();
     obstacles.push_back({now_.ball.position_m, kRobotRadius_m + room_m});
   }
   return obstacles;
@@ -176,8 +184,7 @@ void Basic::play(TeamOrders& orders) {
       order = attack(cast);
     } else {
       Waypoint place = waypoint_of(i, cast);
-      place.position_m =
-          permitted(briefing_.field, place.position_m, now_.ball.position_m, limits_for(false));
+      place.position_m = allowed(place.position_m, now_.ball.position_m, limits_for(false));
       order = drive_to(robot, place, obstacles_for(i, true), style_);
     }
   }
@@ -201,6 +208,31 @@ Waypoint Basic::formation_of(int index) const {
   return reserve_position(field, ball_place_m_, part - 4);
 }
 
+// The permitted place. Where the ball lies so near to the own area that nobody fits between, the
+// books that ask for the distance at restarts get it beside the straight way to the goal.
+Vec2 Basic::allowed(const Vec2& wanted_m, const Vec2& ball_m, const Limits& limits) const {
+  const Field& field = briefing_.field;
+  Vec2 place_m = permitted(field, wanted_m, ball_m, limits);
+  if (!briefing_.rules.has(RuleId::kRestartDistance)) return place_m;
+  const Vec2 to_goal = field.goal_centre_m(Side::kWest) - ball_m;
+  for (int i = 0; i < kSidesteps && (place_m - ball_m).norm() < limits.keep_from_ball_m; ++i) {
+    const double side = cross(to_goal, place_m - ball_m) < 0 ? -1.0 : 1.0;
+    const Vec2 aside = left_of(direction_of(to_goal, Vec2(-1, 0))) * side;
+    place_m = permitted(field, place_m + aside * kSidestep_m, ball_m, limits);
+  }
+  return place_m;
+}
+
+// Where a robot goes first that is too near to the ball in a stop, by books that forbid it.
+std::optional<Vec2> Basic::way_off_ball(const Vec2& from_m) const {
+  const double keep_m = room_at_ball_m() + kRobotRadius_m + 10_mm;
+  const Vec2 off_m = from_m - ball_place_m_;
+  if (!briefing_.rules.has(RuleId::kStopDistance) || off_m.norm() > keep_m) return std::nullopt;
+  const Vec2 back =
+      direction_of(briefing_.field.goal_centre_m(Side::kWest) - ball_place_m_, Vec2(-1, 0));
+  return ball_place_m_ + direction_of(off_m, back) * (keep_m + kRobotRadius_m);
+}
+
 DrivingStyle Basic::waiting_style() const {
   DrivingStyle style = style_;
   if (now_.play == Play::kStop && briefing_.rules.has(RuleId::kStopSpeed)) {
@@ -213,11 +245,12 @@ void Basic::line_up(TeamOrders& orders) {
   for (int i = 0; i < static_cast<int>(now_.own.size()); ++i) {
     Waypoint place = formation_of(i);
     const bool is_keeper = i == 0 && now_.own.size() > 1;
-    place.position_m =
-        permitted(briefing_.field, place.position_m, ball_place_m_, limits_for(is_keeper));
+    place.position_m = allowed(place.position_m, ball_place_m_, limits_for(is_keeper));
     const TrackedRobot& robot = now_.own[i];
     if (const auto way_m = way_from_behind_goal(briefing_.field, robot.position_m)) {
       place.position_m = *way_m;
+    } else if (const auto off_m = way_off_ball(robot.position_m); off_m && !is_keeper) {
+      place.position_m = *off_m;
     }
     orders[robot.number] = drive_to(robot, place, obstacles_for(i, !is_keeper), waiting_style());
   }

@@ -22,6 +22,7 @@ class Basic final : public Strategy {
  private:
   Waypoint waypoint_of(int index, const Cast& cast) const;
   Waypoint formation_of(int index) const;
+  double room_at_ball_m() const;
   Limits limits_for(bool is_keeper) const;
   Obstacles obstacles_for(int index, bool avoid_ball) const;
   bool is_pressed() const;
@@ -32,6 +33,8 @@ class Basic final : public Strategy {
   RobotCommand keep(int index, const Cast& cast) const;
   bool may_play_ball() const;
   void play(TeamOrders& orders);
+  Vec2 allowed(const Vec2& wanted_m, const Vec2& ball_m, const Limits& limits) const;
+  std::optional<Vec2> way_off_ball(const Vec2& from_m) const;
   DrivingStyle waiting_style() const;
   void line_up(TeamOrders& orders);
   void stand_at_penalty(TeamOrders& orders);

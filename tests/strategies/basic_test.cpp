@@ -154,6 +154,33 @@ TEST(Basic, KeepsTheSpeedLimitOfAStopWhereThereIsOne) {
   EXPECT_GT(fastest_in_stop_mps("paper"), 1.5);
 }
 
+// The ball lies 700 mm before the own area: a hull and 500 mm do not fit between.
+TEST(Basic, KeepsItsDistanceAtAFreeKickBeforeItsArea) {
+  Briefing briefing;
+  briefing.rules = find_rule_book("2014").value();
+  Basic team{briefing};
+  StagedWorld world(Play::kDirectFree, false);
+  world.six_against_six().view.ball.position_m = {-3.025 + 0.8 + 0.7, 0.1};
+  world.run(team, 8);
+  for (const TrackedRobot& robot : world.view.own) {
+    EXPECT_GE((robot.position_m - world.view.ball.position_m).norm(), kBallGap_m) << robot.number;
+  }
+}
+
+TEST(Basic, ClearsAStoppedBallWithinTwoSeconds) {
+  Briefing briefing;
+  briefing.rules = find_rule_book("2014").value();
+  Basic team{briefing};
+  StagedWorld world(Play::kStop);
+  world.six_against_six().view.ball.position_m = {1, 1};
+  world.view.own[2].position_m = {0.9, 0.95};
+  world.view.own[3].position_m = {1.1, 1.15};
+  world.run(team, 2);
+  for (const TrackedRobot& robot : world.view.own) {
+    EXPECT_GE((robot.position_m - Vec2(1, 1)).norm(), kBallGap_m) << robot.number;
+  }
+}
+
 // How near its robots come to a ball at rest in the opponents' area.
 double nearest_to_ball_in_their_area_m(const char* rules) {
   Briefing briefing;
