@@ -65,6 +65,7 @@ struct Expected {
   std::optional<std::vector<RobotId>> robots;  // all that are concerned, in any order
   std::optional<Command> next;                 // what play goes on with
   std::optional<Vec2> ball_m;                  // and from where
+  double within_m = 1e-3;                      // of that place
 };
 
 struct Case {

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include "soccer/rule_book.hpp"
 #include "tests/referee/yaml_keys.hpp"
 
 namespace autoref::referee {
@@ -159,6 +160,7 @@ Expected read_expected(YamlKeys& keys) {
   expected.to_s = keys.number("to_s");
   if (keys.has("next")) expected.next = command_of(keys, "next");
   if (keys.has("ball_m")) expected.ball_m = keys.vector("ball_m");
+  if (expected.ball_m) expected.within_m = keys.number_or("within_m", expected.within_m);
   if (keys.has("robots")) {
     expected.robots.emplace();
     for (const YAML::Node& robot : keys.child("robots")) {
@@ -225,14 +227,21 @@ void read_outcome(YamlKeys& keys, const FileHead& head, Case& it) {
   });
 }
 
+void read_switches(YamlKeys& keys, Case& it) {
+  if (!keys.has("switch")) return;
+  YamlKeys switches(keys.child("switch"), keys.file());
+  for (const auto& entry : switches.node()) {
+    const std::string rule = entry.first.as<std::string>();
+    if (!find_rule(rule)) switches.refuse(rule, "no such rule");
+    it.switches[rule] = switches.yes_or_no(rule);
+  }
+}
+
 void read_case(YamlKeys& keys, const FileHead& head, Case& it) {
   it.source = keys.text("source");
   it.book = keys.text_or("rules", head.book);
-  if (keys.has("switch")) {
-    for (const auto& entry : keys.child("switch")) {
-      it.switches[entry.first.as<std::string>()] = entry.second.as<bool>();
-    }
-  }
+  if (!find_rule_book(it.book)) keys.refuse("rules", "no rule book " + it.book);
+  read_switches(keys, it);
   it.keepers = read_numbers(keys, "keepers");
   it.score = read_numbers(keys, "score");
   read_opening(keys, it);
@@ -253,6 +262,7 @@ FileHead read_head(YamlKeys& keys) {
   head.file = keys.file();
   head.rule = keys.text("rule");
   head.book = keys.text("rules");
+  if (!find_rule(head.rule)) keys.refuse("rule", "no such rule");
   head.events = events_of(keys, "events");
   return head;
 }

@@ -11,14 +11,17 @@ constexpr double kRate_hz = 60;
 Side seen_side(Side side, bool turned) { return turned ? opponent_of(side) : side; }
 
 RuleBook book_of(const Case& it) {
-  const std::optional<RuleBook> book = find_rule_book(it.book);
-  if (!book) throw std::runtime_error("no rule book " + it.book);
-  return *book;
+  RuleBook book = *find_rule_book(it.book);
+  for (const auto& [name, on] : it.switches) book.in_force[*find_rule(name)] = on;
+  return book;
 }
 
 Configuration configuration_of(const Case& it, bool turned) {
   Configuration configuration;
+  const GameSetup setup = *find_game_setup(it.book);
   configuration.rules = book_of(it);
+  configuration.field = setup.field;
+  configuration.half_s = setup.half_s;
   const bool is_kickoff = it.opening == Opening::kKickoff;
   const Side first = is_kickoff ? it.taken_by : Side::kWest;
   configuration.first_kickoff = seen_side(first, turned);

@@ -55,11 +55,11 @@ void StagedGame::open() {
     return;
   }
   play_to_the_stop();
+  check_beginning();
   stage_.clear_robots();
-  stage_.put_ball(case_.ball_m);
+  if (!case_.from_the_stop) stage_.put_ball(case_.ball_m);
   show_robots();
   if (!case_.from_the_stop) run_until(State::kRun, kLongest_s);
-  check_beginning();
 }
 
 void StagedGame::line_up_cast() {
