@@ -63,9 +63,11 @@ struct Expected {
   double from_s = 0;
   double to_s = 0;
   std::optional<std::vector<RobotId>> robots;  // all that are concerned, in any order
-  std::optional<Command> next;                 // what play goes on with
-  std::optional<Vec2> ball_m;                  // and from where
-  double within_m = 1e-3;                      // of that place
+  std::optional<Side> offender;
+  std::optional<Card> card;
+  std::optional<Command> next;  // what play goes on with
+  std::optional<Vec2> ball_m;   // and from where
+  double within_m = 1e-3;       // of that place
 };
 
 struct Case {

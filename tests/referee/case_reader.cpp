@@ -83,6 +83,11 @@ Command command_of(YamlKeys& keys, const std::string& key) {
   return {command, side_of(keys, key, side)};
 }
 
+Card card_of(YamlKeys& keys) {
+  return word_in<Card>(keys, "card", keys.text("card"),
+                       {{"none", Card::kNone}, {"yellow", Card::kYellow}, {"red", Card::kRed}});
+}
+
 void read_side(YamlKeys& keys, Side side, std::vector<StagedRobot>& robots) {
   const std::string name(name_of(side));
   if (!keys.has(name)) return;
@@ -158,6 +163,8 @@ Expected read_expected(YamlKeys& keys) {
   expected.event = event_of(keys, "event", keys.text("event"));
   expected.from_s = keys.number("from_s");
   expected.to_s = keys.number("to_s");
+  if (keys.has("offender")) expected.offender = side_of(keys, "offender", keys.text("offender"));
+  if (keys.has("card")) expected.card = card_of(keys);
   if (keys.has("next")) expected.next = command_of(keys, "next");
   if (keys.has("ball_m")) expected.ball_m = keys.vector("ball_m");
   if (expected.ball_m) expected.within_m = keys.number_or("within_m", expected.within_m);

@@ -44,6 +44,8 @@ std::string described(const std::vector<Call>& calls) {
     for (const RobotId& robot : call.decision.robots) {
       text << " " << name_of(robot.side) << " " << robot.number;
     }
+    if (call.decision.offender) text << ", offender " << name_of(*call.decision.offender);
+    if (call.decision.card != Card::kNone) text << ", card " << name_of(call.decision.card);
     if (call.next) text << ", next " << name_of(*call.next);
     if (call.ball_m) text << " from " << call.ball_m->transpose();
     text << " (" << call.decision.evidence << ")";
@@ -61,6 +63,8 @@ bool has_robots(const Call& call, std::vector<RobotId> wanted) {
 bool is_as_expected(const Call& call, const Expected& expected) {
   return call.decision.event == expected.event && call.at_s >= expected.from_s &&
          call.at_s <= expected.to_s && (!expected.robots || has_robots(call, *expected.robots)) &&
+         (!expected.offender || call.decision.offender == expected.offender) &&
+         (!expected.card || call.decision.card == expected.card) &&
          (!expected.next || call.next == expected.next) &&
          (!expected.ball_m ||
           (call.ball_m && (*call.ball_m - *expected.ball_m).norm() <= expected.within_m));

@@ -65,11 +65,19 @@ void StagedGame::play() {
   const int frames = static_cast<int>(case_.until_s * kRate_hz + 0.5);
   for (int i = 0; i <= frames; ++i) {
     while (next_cue < case_.script.size() && case_.script[next_cue].at_s <= i / kRate_hz) {
-      stage_.obey(case_.script[next_cue++]);
+      obey(case_.script[next_cue++]);
     }
     step();
   }
   calls_ = all_;
+}
+
+void StagedGame::obey(const Cue& cue) {
+  if (cue.kind == Cue::Kind::kRequest) {
+    requests_[seen_side(cue.robot.side, turned_)].timeout = cue.on;
+  } else {
+    stage_.obey(cue);
+  }
 }
 
 void StagedGame::step() {
@@ -112,6 +120,8 @@ void StagedGame::hear() {
     if (call.next) call.next = turned(*call.next);
     if (signal_.placement) call.ball_m = signal_.placement->target_m * (turned_ ? -1 : 1);
     for (RobotId& robot : call.decision.robots) robot.side = seen_side(robot.side, turned_);
+    Decision& said = call.decision;
+    if (said.offender) said.offender = seen_side(*said.offender, turned_);
     all_.push_back(call);
   }
 }

@@ -35,6 +35,7 @@ class StagedGame {
   PerSide<int> goals() const;
 
  private:
+  void obey(const Cue& cue);
   void step();
   void look(Frame& frame);
   void place_ball();

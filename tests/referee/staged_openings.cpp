@@ -100,7 +100,11 @@ void StagedGame::score_goals() {
   }
 }
 
+// The ball enters play in the middle first, while nobody is near an area.
 void StagedGame::score_goal(Side scorer) {
+  curtain(kUnseen_s);
+  stage_.put_ball({0.6, 0.6});
+  run(0.2);
   const double sign = goal_sign(opponent_of(scorer));
   kick_out({sign * (field_.half_length_m() - 0.5), 0}, {scorer, kCastNumber}, {sign, 0});
   run_until(State::kDelayWait, 5);
