@@ -4,15 +4,14 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
-#include <utility>
 
 #include "soccer/rule_book.hpp"
+#include "tests/referee/case_words.hpp"
+#include "tests/referee/script_reader.hpp"
 #include "tests/referee/yaml_keys.hpp"
 
 namespace autoref::referee {
 namespace {
-
-using Kind = Cue::Kind;
 
 // What all cases of a file have in common.
 struct FileHead {
@@ -21,72 +20,6 @@ struct FileHead {
   std::string book;
   std::vector<Event> events;  // the rule's
 };
-
-template <typename T>
-T word_in(YamlKeys& keys, const std::string& key, const std::string& word,
-          const std::vector<std::pair<std::string, T>>& words) {
-  std::string known;
-  for (const auto& [name, value] : words) {
-    if (name == word) return value;
-    known += (known.empty() ? "" : ", ") + name;
-  }
-  keys.refuse(key, "'" + word + "' is none of " + known);
-}
-
-Event event_of(YamlKeys& keys, const std::string& key, const std::string& word) {
-  for (int i = 0; i < kEventCount; ++i) {
-    if (name_of(static_cast<Event>(i)) == word) return static_cast<Event>(i);
-  }
-  keys.refuse(key, "'" + word + "' is no event");
-}
-
-std::vector<Event> events_of(YamlKeys& keys, const std::string& key) {
-  std::vector<Event> events;
-  for (const YAML::Node& word : keys.child(key)) {
-    events.push_back(event_of(keys, key, word.as<std::string>()));
-  }
-  if (events.empty()) keys.refuse(key, "expected a list of events");
-  return events;
-}
-
-Side side_of(YamlKeys& keys, const std::string& key, const std::string& word) {
-  return word_in<Side>(keys, key, word, {{"west", Side::kWest}, {"east", Side::kEast}});
-}
-
-// "west 3".
-RobotId robot_of(YamlKeys& keys, const std::string& key, const std::string& words) {
-  std::istringstream in(words);
-  std::string side;
-  int number = -1;
-  in >> side >> number;
-  if (in.fail() || !in.eof()) keys.refuse(key, "expected a side and a number such as 'west 3'");
-  if (number < 0 || number >= kMaxRobots) keys.refuse(key, "numbers are 0 to 15");
-  return {side_of(keys, key, side), number};
-}
-
-// "direct_free west", "force_start".
-Command command_of(YamlKeys& keys, const std::string& key) {
-  std::istringstream in(keys.text(key));
-  std::string kind;
-  std::string side = "west";
-  in >> kind;
-  const CommandKind command =
-      word_in<CommandKind>(keys, key, kind,
-                           {{"halt", CommandKind::kHalt},
-                            {"stop", CommandKind::kStop},
-                            {"force_start", CommandKind::kForceStart},
-                            {"prepare_kickoff", CommandKind::kPrepareKickoff},
-                            {"prepare_penalty", CommandKind::kPreparePenalty},
-                            {"direct_free", CommandKind::kDirectFree},
-                            {"indirect_free", CommandKind::kIndirectFree}});
-  if (is_for_one_side(command) && !(in >> side)) keys.refuse(key, "for which side?");
-  return {command, side_of(keys, key, side)};
-}
-
-Card card_of(YamlKeys& keys) {
-  return word_in<Card>(keys, "card", keys.text("card"),
-                       {{"none", Card::kNone}, {"yellow", Card::kYellow}, {"red", Card::kRed}});
-}
 
 void read_side(YamlKeys& keys, Side side, std::vector<StagedRobot>& robots) {
   const std::string name(name_of(side));
@@ -104,67 +37,13 @@ void read_side(YamlKeys& keys, Side side, std::vector<StagedRobot>& robots) {
   }
 }
 
-// One key says what kind of cue it is; the others belong to it.
-Cue read_cue(YamlKeys& keys) {
-  Cue cue;
-  cue.at_s = keys.number("at_s");
-  if (keys.has("drive")) {
-    cue.kind = Kind::kDrive;
-    cue.robot = robot_of(keys, "drive", keys.text("drive"));
-    cue.target = keys.vector("to_m");
-    cue.speed = keys.number("speed_mps");
-  } else if (keys.has("turn")) {
-    cue.kind = Kind::kTurn;
-    cue.robot = robot_of(keys, "turn", keys.text("turn"));
-    cue.angle_deg = keys.number("facing_deg");
-    cue.speed = keys.number("speed_degps");
-  } else if (keys.has("kick")) {
-    cue.kind = Kind::kKick;
-    cue.robot = robot_of(keys, "kick", keys.text("kick"));
-    cue.speed = keys.number("speed_mps");
-    cue.angle_deg = keys.number_or("upwards_deg", 0);
-  } else if (keys.has("carry")) {
-    cue.kind = Kind::kCarry;
-    cue.robot = robot_of(keys, "carry", keys.text("carry"));
-  } else if (keys.has("ball_mps")) {
-    cue.kind = Kind::kRoll;
-    cue.target = keys.vector("ball_mps");
-  } else if (keys.has("robot")) {
-    cue.kind = Kind::kRobotSeen;
-    cue.robot = robot_of(keys, "robot", keys.text("robot"));
-    cue.on = keys.yes_or_no("seen");
-  } else if (keys.has("ball_seen")) {
-    cue.kind = Kind::kBallSeen;
-    cue.on = keys.yes_or_no("ball_seen");
-  } else {
-    cue.kind = Kind::kRequest;
-    cue.robot.side = side_of(keys, "timeout", keys.text("timeout"));
-    cue.on = keys.yes_or_no("asked");
-  }
-  keys.finish();
-  return cue;
-}
-
-std::vector<Cue> read_script(YamlKeys& keys) {
-  std::vector<Cue> script;
-  if (!keys.has("script")) return script;
-  for (const YAML::Node& node : keys.child("script")) {
-    YamlKeys cue(node, keys.file());
-    script.push_back(read_cue(cue));
-    if (script.size() > 1 && script.back().at_s < script[script.size() - 2].at_s) {
-      cue.refuse("at_s", "earlier than the cue before");
-    }
-  }
-  return script;
-}
-
 Expected read_expected(YamlKeys& keys) {
   Expected expected;
   expected.event = event_of(keys, "event", keys.text("event"));
   expected.from_s = keys.number("from_s");
   expected.to_s = keys.number("to_s");
-  if (keys.has("offender")) expected.offender = side_of(keys, "offender", keys.text("offender"));
-  if (keys.has("card")) expected.card = card_of(keys);
+  if (keys.has("offender")) expected.offender = side_of(keys, "offender");
+  if (keys.has("card")) expected.card = card_of(keys, "card");
   if (keys.has("next")) expected.next = command_of(keys, "next");
   if (keys.has("ball_m")) expected.ball_m = keys.vector("ball_m");
   if (expected.ball_m) expected.within_m = keys.number_or("within_m", expected.within_m);
@@ -199,7 +78,7 @@ void read_opening(YamlKeys& keys, Case& it) {
                                  {"corner_kick", Opening::kCornerKick},
                                  {"penalty", Opening::kPenalty}});
   if (it.opening != Opening::kRunning) {
-    it.taken_by = side_of(keys, "taken_by", keys.text("taken_by"));
+    it.taken_by = side_of(keys, "taken_by");
     it.from_the_stop = word_in<bool>(keys, "begins_with", keys.text_or("begins_with", "start"),
                                      {{"stop", true}, {"start", false}});
   }
