@@ -117,6 +117,7 @@ void StagedGame::kick_out(const Vec2& from_m, RobotId kicker, const Vec2& way) {
   curtain(kUnseen_s);
   stage_.put_ball(from_m);
   stage_.put_behind_ball(kicker, way);
+  if (case_.from_the_stop) show_robots();  // readiness compares with where they were
   run(0.2);
   Cue kick;
   kick.kind = Cue::Kind::kKick;
