@@ -106,7 +106,8 @@ void StagedGame::score_goal(Side scorer) {
   stage_.put_ball({0.6, 0.6});
   run(0.2);
   const double sign = goal_sign(opponent_of(scorer));
-  kick_out({sign * (field_.half_length_m() - 0.5), 0}, {scorer, kCastNumber}, {sign, 0});
+  const double from_goal_m = field_.defence_area.depth_m + 0.5;
+  kick_out({sign * (field_.half_length_m() - from_goal_m), 0}, {scorer, kCastNumber}, {sign, 0});
   run_until(State::kDelayWait, 5);
   stage_.clear_robots();
   line_up_cast();
