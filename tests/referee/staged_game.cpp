@@ -22,6 +22,7 @@ Configuration configuration_of(const Case& it, bool turned) {
   configuration.rules = book_of(it);
   configuration.field = setup.field;
   configuration.half_s = setup.half_s;
+  configuration.robots = {{setup.robots, setup.robots}};
   const bool is_kickoff = it.opening == Opening::kKickoff;
   const Side first = is_kickoff ? it.taken_by : Side::kWest;
   configuration.first_kickoff = seen_side(first, turned);
