@@ -18,6 +18,8 @@ constexpr double kReach_m = 5_mm;        // a kicker farther from the ball is a 
 constexpr double kRestitution = 0.5;     // of ball and robot
 constexpr double kGroundBounce = 0.5;    // of the upwards speed
 constexpr double kRollsBelow_mps = 0.3;  // upwards speed at which the ball stops bouncing
+constexpr double kSliding_mps2 = 3.5;    // balls on the league's carpets lose 3.0 to 3.9
+constexpr double kRollingShare = 5.0 / 7;  // of its speed, at which a sliding ball begins to roll
 constexpr int kSubsteps = 8;
 
 Vec2 rotated(const Vec2& v, double angle_rad) { return to_world(v, heading_of(angle_rad)); }
@@ -38,7 +40,7 @@ void Stage::put_behind_ball(const RobotId& id, const Vec2& heading) {
   put(id, ball_.at_m - heading * (kFrontDistance_m + kBallRadius_m + kGap_m), heading);
 }
 
-void Stage::put_ball(const Vec2& at_m) { ball_ = {at_m, Vec2(0, 0), 0, 0, ball_.is_seen}; }
+void Stage::put_ball(const Vec2& at_m) { ball_ = {at_m, Vec2(0, 0), 0, 0, ball_.is_seen, 0}; }
 
 void Stage::hand_ball(const Vec2& to_m, double at_most_m) {
   carriers_.clear();
@@ -65,6 +67,7 @@ void Stage::kick(const Cue& cue) {
   const Vec2 elevation = heading_of(to_radians(cue.angle_deg));
   ball_.velocity_mps = kicker.heading * (cue.speed * elevation.x());
   ball_.upwards_mps = cue.speed * elevation.y();
+  ball_.rolls_below_mps = cue.angle_deg == 0 ? cue.speed * kRollingShare : cue.speed;
 }
 
 void Stage::obey(const Cue& cue) {
@@ -116,10 +119,14 @@ void Stage::drive(Robot& robot, double duration_s) const {
   robot.heading = rotated(robot.heading, std::clamp(left_rad, -most_rad, most_rad));
 }
 
+double Stage::carpet_mps2(double speed_mps) const {
+  return speed_mps > ball_.rolls_below_mps + 1e-9 ? kSliding_mps2 : deceleration_mps2_;
+}
+
 void Stage::fly(double duration_s) {
   const bool flies = ball_.height_m > 0 || ball_.upwards_mps > 0;
-  const double loss_mps = flies ? 0 : deceleration_mps2_ * duration_s;
   const double speed_mps = ball_.velocity_mps.norm();
+  const double loss_mps = flies ? 0 : carpet_mps2(speed_mps) * duration_s;
   ball_.velocity_mps = clamp_norm(ball_.velocity_mps, std::max(0.0, speed_mps - loss_mps));
   ball_.at_m += ball_.velocity_mps * duration_s;
   if (!flies) return;
@@ -138,13 +145,16 @@ void Stage::meet(const RobotId& id, const Robot& robot) {
     if (gap_m > kReach_m) return;
     ball_.at_m = plate_m(robot, kCarriedGap_m);
     ball_.velocity_mps = robot.velocity_mps;
+    ball_.rolls_below_mps = ball_.velocity_mps.norm();
     return;
   }
   if (gap_m > 0) return;
   const Vec2 normal = normal_at(ball_.at_m, robot.at_m, robot.heading);
   ball_.at_m -= normal * gap_m;
   const double approach_mps = (robot.velocity_mps - ball_.velocity_mps).dot(normal);
-  if (approach_mps > 0) ball_.velocity_mps += normal * (approach_mps * (1 + kRestitution));
+  if (approach_mps <= 0) return;
+  ball_.velocity_mps += normal * (approach_mps * (1 + kRestitution));
+  ball_.rolls_below_mps = ball_.velocity_mps.norm();
 }
 
 Frame Stage::look() const {

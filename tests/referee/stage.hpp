@@ -51,6 +51,7 @@ class Stage {
     double height_m = 0;  // of the lowest point
     double upwards_mps = 0;
     bool is_seen = true;
+    double rolls_below_mps = 0;  // a kicked ball slides until it is as slow as that
   };
 
   Robot& robot(const RobotId& id);
@@ -58,6 +59,7 @@ class Stage {
   void kick(const Cue& cue);
   void step(double duration_s);
   void drive(Robot& robot, double duration_s) const;
+  double carpet_mps2(double speed_mps) const;  // what it takes from a ball on the ground
   void fly(double duration_s);
   void meet(const RobotId& id, const Robot& robot);
 
