@@ -98,8 +98,8 @@ bool LastTouchDetector::is_kink() const {
 bool LastTouchDetector::is_landing() const {
   const bool in_air = sighting(0).height_m > 0 || sighting(1).height_m > 0 ||
                       (known_ > 2 && sighting(2).height_m > 0);
-  if (!in_air) return false;
   const Vec2& before = sighting(1).velocity_mps;
+  if (!in_air || before.isZero(0)) return false;
   const Vec2& after = sighting(0).velocity_mps;
   const double along = after.dot(before);
   return along <= before.squaredNorm() && along >= 0.4 * before.squaredNorm() &&

@@ -164,6 +164,16 @@ TEST(LastTouch, ALandingIsNoTouch) {
   EXPECT_FALSE(scene.side().has_value());
 }
 
+// It was taken for a landing: of a resting ball every direction is the former one.
+TEST(LastTouch, AChipKickOfARestingBallIsATouch) {
+  TouchScene scene({0, 0});
+  scene.robot(Side::kWest, 3, {-kTouch_m - 0.001, 0}, {1, 0}).start();
+  scene.height_m = 0.05;
+  scene.turn({3, 0}, 0);
+  scene.roll(4);
+  EXPECT_EQ(scene.side(), Side::kWest);
+}
+
 TEST(LastTouch, IsUnknownWhenBothSidesAreEquallyNear) {
   TouchScene scene({0, 0});
   scene.robot(Side::kWest, 1, {-kTouch_m - 0.004, 0.0}, {1, 0});
