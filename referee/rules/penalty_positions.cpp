@@ -73,19 +73,18 @@ void watch(PenaltyPositionsWatch& watch, const Memory& memory, const Moment& mom
   watch.keeper = keeper_off_line(defender, moment);
 }
 
-std::string evidence_of(const PenaltyPositionsWatch& watch, bool is_goal) {
+std::string evidence_of(const PenaltyPositionsWatch& watch, bool is_goal, const RuleBook& rules) {
   std::string text;
   for (Side side : kSides) {
     if (!watch.others[side].any()) continue;
-    text +=
-        fmt::format("{} was only {:.0f} mm behind the ball; ",
-                    text_of(watch.others[side].robots.front()), 1e3 * watch.others[side].worst_m);
+    text += fmt::format("a robot of {} was {:.0f} mm too far forward, ", name_of(side),
+                        1e3 * (rules.penalty_clearance_m - watch.others[side].worst_m));
   }
   if (watch.keeper.any()) {
-    text += fmt::format("the keeper {} was {:.0f} mm off its line; ",
+    text += fmt::format("the keeper {} was {:.0f} mm off its line, ",
                         text_of(watch.keeper.robots.front()), 1e3 * watch.keeper.worst_m);
   }
-  return fmt::format("Just before the penalty kick {}the outcome is {}.", text,
+  return fmt::format("Just before the penalty kick {}and the outcome is {}.", text,
                      is_goal ? "a goal" : "no goal");
 }
 
@@ -103,7 +102,7 @@ Finding taken_again(const Memory& memory, const Moment& moment, bool is_goal, bo
   if (!both) finding.offender = side;
   finding.position_m = memory.play.ball_from_m;
   take_again(finding, memory.play);
-  finding.evidence = evidence_of(watch, is_goal);
+  finding.evidence = evidence_of(watch, is_goal, moment.configuration.rules);
   return finding;
 }
 
