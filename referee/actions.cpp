@@ -3,6 +3,7 @@
 #include "referee/ball_in_play.hpp"
 #include "referee/cards.hpp"
 #include "referee/readiness.hpp"
+#include "referee/retakes.hpp"
 #include "referee/shootout.hpp"
 #include "referee/timekeeping.hpp"
 
@@ -36,6 +37,7 @@ void place_ball(Memory& memory, const Vec2& target_m) {
 void end_play(Memory& memory) {
   memory.play = PlayMemory{};
   memory.watch = RuleWatch{};
+  memory.retakes = Retakes{};
   memory.signal.placement.reset();
 }
 
@@ -58,7 +60,7 @@ void signal_goal(Memory& memory, const Moment& moment, const Finding& finding, S
 }
 
 std::optional<Side> kicker_of(const Memory& memory, const Command& command) {
-  if (command.kind == CommandKind::kNormalStart) return memory.prepared_kicker;
+  if (command.kind == CommandKind::kNormalStart && memory.prepared) return memory.prepared->side;
   if (is_for_one_side(command.kind)) return command.side;
   return std::nullopt;
 }
@@ -82,7 +84,7 @@ void prepare_first_kickoff(Memory& memory, const Moment& moment, const Finding& 
 void send_preparation(Memory& memory, const Moment& moment, const Finding& /*finding*/) {
   const Command preparation = *memory.signal.next_command;
   send(memory, moment, preparation);
-  memory.prepared_kicker = preparation.side;
+  memory.prepared = preparation;
   memory.signal.next_command = kNormalStart;
   memory.signal.placement->at_once = false;
   wait_anew(memory, moment);
@@ -91,10 +93,14 @@ void send_preparation(Memory& memory, const Moment& moment, const Finding& /*fin
 void start_play(Memory& memory, const Moment& moment, const Finding& /*finding*/) {
   const Command command = *memory.signal.next_command;
   send(memory, moment, command);
+  memory.play = play_begun(command, kicker_of(memory, command), moment);
+  if (command.kind == CommandKind::kNormalStart && memory.prepared) {
+    memory.play.restart = *memory.prepared;
+  }
+  if (memory.signal.placement) memory.play.place_m = memory.signal.placement->target_m;
   memory.signal.placement.reset();
   memory.signal.next_command.reset();
-  memory.play = play_begun(command, kicker_of(memory, command), moment);
-  memory.watch = RuleWatch{};
+  memory.watch = kept_at_start(memory.watch);
   if (command.kind == CommandKind::kNormalStart && is_before_half(memory.signal.stage)) {
     start_clock(memory, moment);
   }
@@ -109,7 +115,9 @@ void award_goal(Memory& memory, const Moment& moment, const Finding& finding) {
 
 void stop_play(Memory& memory, const Moment& moment, const Finding& finding) {
   book(memory, moment, finding);
+  const Retakes retakes = retakes_after(memory.retakes, finding);
   end_play(memory);
+  memory.retakes = retakes;
   place_ball(memory, finding.ball_to_m);
   memory.signal.next_command = finding.restart;
   send(memory, moment, kStop);
@@ -165,7 +173,7 @@ void begin_timeout(Memory& memory, const Moment& moment, const Finding& finding)
   memory.timeout_clock.start(moment.time_s());
   // What was prepared is prepared again: STOP comes in between.
   if (memory.signal.next_command == kNormalStart) {
-    memory.signal.next_command = memory.signal.command;
+    memory.signal.next_command = memory.prepared;
   }
   send(memory, moment, finding.restart);
 }

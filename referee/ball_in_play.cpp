@@ -12,13 +12,13 @@ void mark_place(PlayMemory& play, const Moment& moment) {
 
 PlayMemory play_begun(Command command, std::optional<Side> kicker, const Moment& moment) {
   PlayMemory play;
-  play.began_with = command;
+  play.began_with = play.restart = command;
   play.kicker = kicker;
   play.began_s = moment.time_s();
   play.in_play = command.kind == CommandKind::kForceStart;
   play.stuck_since_s = moment.time_s();
   if (moment.ball) {
-    play.ball_from_m = moment.ball->position_m;
+    play.ball_from_m = play.place_m = moment.ball->position_m;
     play.stuck_at_m = moment.ball->position_m;
   }
   return play;

@@ -48,6 +48,7 @@ std::string_view name_of(Event event) {
                                                                        "penalty_failed",
                                                                        "aimless_kick",
                                                                        "offside",
+                                                                       "goal_line_unknown",
                                                                        "crash_drawn",
                                                                        "attacker_stays_near_area",
                                                                        "stop_speed",

@@ -59,6 +59,7 @@ enum class Event : std::uint8_t {
   kPenaltyFailed,
   kAimlessKick,
   kOffside,
+  kGoalLineUnknown,  // out over a goal line, and nobody knows by whom; under the paper a goal kick
   // Noted while play goes on or is stopped already; where a book lets fouls go on, also
   // kRestartDistance, kCrash and kTooManyRobots:
   kCrashDrawn,

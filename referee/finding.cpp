@@ -30,6 +30,30 @@ Finding offence_of(Event event, RuleId rule, const Configuration& configuration,
   return finding;
 }
 
+Finding note_of(Event event, RuleId rule, const RuleBook& rules, RobotId robot,
+                const Vec2& where_m) {
+  Finding finding = finding_of(event, rule, rules);
+  finding.robots.push_back(robot);
+  finding.offender = robot.side;
+  finding.is_foul = rules.fouls_per_card > 0;
+  finding.position_m = where_m;
+  return finding;
+}
+
+Finding contact_foul_of(Event event, RuleId rule, const Configuration& configuration, RobotId robot,
+                        const Vec2& robot_m, const Vec2& where_m) {
+  const Field& field = configuration.field;
+  Finding finding = offence_of(event, rule, configuration, robot, where_m);
+  finding.is_foul = configuration.rules.fouls_per_card > 0;
+  finding.restart.kind = CommandKind::kDirectFree;
+  if (configuration.rules.edition != Edition::kRules2026 &&
+      distance_to_defence_area(field, robot.side, robot_m) <= 0) {
+    finding.restart.kind = CommandKind::kPreparePenalty;
+    finding.ball_to_m = field.penalty_mark_at(robot.side);
+  }
+  return finding;
+}
+
 Command indirect_free_kick(const RuleBook& rules, Side kicker) {
   return {rules.kicks_may_score ? CommandKind::kDirectFree : CommandKind::kIndirectFree, kicker};
 }

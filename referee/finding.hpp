@@ -38,6 +38,16 @@ Finding finding_of(Event event, RuleId rule, const RuleBook& rules);
 Finding offence_of(Event event, RuleId rule, const Configuration& configuration, RobotId robot,
                    const Vec2& where_m);
 
+// An offence of `robot` at `where_m` that is noted only; where the book counts fouls, it counts.
+Finding note_of(Event event, RuleId rule, const RuleBook& rules, RobotId robot,
+                const Vec2& where_m);
+
+// A foul of `robot`, which is at `robot_m`, against an opponent at `where_m`, with a direct free
+// kick from there; by the Laws of 2014, inside the offender's own defence area, with a penalty
+// kick.
+Finding contact_foul_of(Event event, RuleId rule, const Configuration& configuration, RobotId robot,
+                        const Vec2& robot_m, const Vec2& where_m);
+
 // DIRECT_FREE or, where the book has them, INDIRECT_FREE for `kicker`.
 Command indirect_free_kick(const RuleBook& rules, Side kicker);
 

@@ -90,6 +90,8 @@ constexpr std::array kBeyondPaper = {
         State::kWaitStop, "rule book", ""},
   Arrow{"offside", State::kRun, Event::kOffside, kAlways, kStopPlay,
         State::kWaitStop, "rule book", ""},
+  Arrow{"goal_line_unknown", State::kRun, Event::kGoalLineUnknown, kAlways, kStopPlay,
+        State::kWaitStop, "ours", "D14"},
   Arrow{"restart_distance", State::kRun, Event::kRestartDistance, kFoulsStopPlay, kStopPlay,
         State::kWaitStop, "rule book", ""},
   Arrow{"restart_distance_noted", State::kRun, Event::kRestartDistance, kFoulsAreNoted, kNoteFoul,

@@ -24,6 +24,8 @@ struct SavedPositions {
 // How the play that is on began. Means nothing outside RUN.
 struct PlayMemory {
   Command began_with;               // NORMAL_START after a preparation, a free kick, FORCE_START
+  Command restart;                  // the same, or that preparation: what takes it again
+  Vec2 place_m{0, 0};               // where the ball was to be put for it
   std::optional<Side> kicker;       // who takes the restart; none after a force start
   double began_s = 0;               // when it was signalled
   std::optional<Vec2> ball_from_m;  // where the ball lay then; none while it was never seen
@@ -32,6 +34,15 @@ struct PlayMemory {
   TouchHistory touches;             // since it began
   Vec2 stuck_at_m{0, 0};            // the ball has been about here
   double stuck_since_s = 0;         // since then
+
+  bool is_kickoff() const { return restart.kind == CommandKind::kPrepareKickoff; }
+  bool is_penalty() const { return restart.kind == CommandKind::kPreparePenalty; }
+};
+
+// Of one restart, as long as it is taken again for breaches of its own rules.
+struct Retakes {
+  int count = 0;      // how often it has been
+  RobotSet too_near;  // opponents who were too near to the ball then
 };
 
 // Adds up spells of time.
@@ -86,7 +97,8 @@ struct Memory {
   PerSide<TimeoutBook> timeouts;
   Side timeout_side = Side::kWest;  // whose timeout is on; means nothing outside TIMEOUT
   ShootoutBook shootout;
-  std::optional<Side> prepared_kicker;  // of the kick-off or penalty that NORMAL_START starts
+  std::optional<Command> prepared;  // the kick-off or penalty that NORMAL_START starts
+  Retakes retakes;                  // of the restart that is on, or comes next
 
   int half = 0;             // running or next, counted from 0
   double half_began_s = 0;  // when its clock started, by clock_s() of timekeeping.hpp

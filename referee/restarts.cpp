@@ -44,6 +44,29 @@ Vec2 moved_clear(const Field& field, Side side, const Vec2& where_m, double clea
   return end * where_m.x() <= x_m ? where_m : Vec2(end * x_m, where_m.y());
 }
 
+// The point nearest to `where_m` that is `clearance_m` from the box of `side`, before it or beside
+// it, for rules that ask for "the closest valid position". Straight before the goal it stays there.
+Vec2 nearest_clear_of_box(const Field& field, Side side, const Vec2& where_m, double clearance_m) {
+  if (distance_to_defence_area(field, side, where_m) >= clearance_m) return where_m;
+  const DefenceArea& area = field.defence_area;
+  if (area.shape != DefenceArea::Shape::kBox) {
+    return moved_clear(field, side, where_m, clearance_m);
+  }
+  const double half_m = area.straight_m / 2;
+  const double from_line_m = field.half_length_m() - goal_sign(side) * where_m.x();
+  const Vec2 rim_m(area.depth_m, std::copysign(half_m, where_m.y()));
+  const Vec2 beyond_m = Vec2(from_line_m, where_m.y()) - rim_m;
+  const double beside_m = std::abs(where_m.y()) - half_m;
+  if (beyond_m.x() > 0 && beside_m > 0) {
+    const Vec2 place_m = rim_m + beyond_m.normalized() * clearance_m;
+    return {goal_sign(side) * (field.half_length_m() - place_m.x()), place_m.y()};
+  }
+  if (beside_m > beyond_m.x() && where_m.y() != 0) {
+    return {where_m.x(), std::copysign(half_m + clearance_m, where_m.y())};
+  }
+  return {goal_sign(side) * (field.half_length_m() - area.depth_m - clearance_m), where_m.y()};
+}
+
 }  // namespace
 
 Vec2 throw_in_place(const Field& field, const RuleBook& rules, const Vec2& exit_m) {
@@ -61,6 +84,13 @@ Vec2 goal_kick_place(const Field& field, const RuleBook& rules, Side kicker, con
 }
 
 Vec2 free_kick_place(const Field& field, const RuleBook& rules, Side kicker, const Vec2& where_m) {
+  if (rules.edition == Edition::kRules2026) {
+    Vec2 place_m = inside_lines(field, where_m, rules.throw_in_inset_m);
+    for (Side side : kSides) {
+      place_m = nearest_clear_of_box(field, side, place_m, rules.free_kick_to_area_m);
+    }
+    return place_m;
+  }
   if (distance_to_defence_area(field, kicker, where_m) < 0) {
     const Vec2 own_end_m(field.goal_centre_m(kicker).x(), where_m.y());
     return place_before_goal_line(field, kicker, own_end_m, rules.own_area_kick_goal_inset_m,

@@ -1,4 +1,5 @@
-// Where the ball is put for each restart (paper, section 4.2; Laws 2014, laws 9 and 13).
+// Where the ball is put for each restart (paper, section 4.2; Laws 2014, laws 9 and 13;
+// 2026, Free Kick).
 //
 // Every place turns with the field: with the sides swapped and the point turned by 180 degrees, it
 // is the turned place. Points exactly on the axis between the touch lines count as left of it, as
@@ -25,6 +26,7 @@ Vec2 goal_kick_place(const Field& field, const RuleBook& rules, Side kicker, con
 // the lines. Out of the kicker's own defence area it is moved to 600 mm from the goal line and
 // 100 mm from the touch line; within 700 mm of the opponents' area it is moved away from their
 // goal line until it is 700 mm from the area.
+// 2026: at least 0.2 m inside the lines and 1 m from both areas, at the closest such place.
 Vec2 free_kick_place(const Field& field, const RuleBook& rules, Side kicker, const Vec2& where_m);
 
 // The place nearest to `where_m` along the field at least 100 mm inside the lines and 700 mm from

@@ -15,6 +15,7 @@ struct BenchResult {
   double x_real_time = 0;        // simulated seconds per wall second
   std::uint64_t signature = 0;   // of the fixed games; changes with any change of behaviour
   std::array<double, kPhaseCount> shares{};  // of a game's time, by Phase
+  double referee_ns_per_frame = 0;  // with every rule in force, filters included; of one game
 };
 
 // Plays `rounds` full games, each with the yardstick for as many frames right behind it, so that a

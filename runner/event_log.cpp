@@ -50,7 +50,10 @@ std::string decision_json(const referee::Decision& d) {
       .add("threshold", is_measured ? json_number(d.threshold) : kNull)
       .add("unit", is_measured ? json_text(d.unit) : kNull)
       .add("robots", json_list(robots))
+      .add("offender", d.offender ? json_text(name_of(*d.offender)) : kNull)
+      .add("card", d.card == referee::Card::kNone ? kNull : json_text(name_of(d.card)))
       .add("position_m", json_of(d.position_m))
+      .add("restart", d.restart ? json_text(name_of(*d.restart)) : kNull)
       .add("last_touch", json_of(d.last_touch))
       .add("evidence", d.evidence.empty() ? kNull : json_text(d.evidence))
       .text();

@@ -11,6 +11,7 @@
 #include "referee/shootout.hpp"
 #include "runner/robot_changes.hpp"
 #include "runner/state_hash.hpp"
+#include "runner/substitution.hpp"
 #include "sim/camera.hpp"
 #include "soccer/random.hpp"
 #include "soccer/situation.hpp"
@@ -169,6 +170,7 @@ class Game {
         camera_(c.sim.vision, c.field, c.sim.frame_rate_hz, c.seed),
         referee_(referee_configuration(c)),
         situation_(rules_of(c.match)),
+        assistant_(c.field, {{team_on(c, Side::kWest).robots, team_on(c, Side::kEast).robots}}),
         tracks_(sim::split_latency(c.sim).frames),
         players_{{Player(c, Side::kWest, make_team), Player(c, Side::kEast, make_team)}} {}
 
@@ -198,6 +200,7 @@ class Game {
       if (!fault.empty()) void_game(fmt::format("team {} {}", letter_of(side), fault));
       ended(side == Side::kWest ? Phase::kTeamWest : Phase::kTeamEast);
     }
+    assistant_.act(signal, requests(), frame_.time_s, world_);
     world_.step(orders_, signal.placement);
     if (!world_.is_finite()) void_game("a position in the world is not finite");
     ++record_.frames;
@@ -210,14 +213,17 @@ class Game {
   const RefereeSignal& judge() {
     camera_.look(world_.state(), frame_);
     ended(Phase::kCamera);
-    const RefereeSignal& signal = referee_.update(
-        frame_, {{players_[Side::kWest].requests(), players_[Side::kEast].requests()}});
+    const RefereeSignal& signal = referee_.update(frame_, requests());
     tracks_.push(referee_.tracks());
     for (const referee::Decision& decision : referee_.decisions()) note(decision);
     frames_in_play_ += referee_.is_ball_in_play() ? 1 : 0;
     ended(Phase::kReferee);
     if (observer_ != nullptr) observer_->on_frame(frame_, signal, world_);
     return signal;
+  }
+
+  PerSide<TeamRequests> requests() const {
+    return {{players_[Side::kWest].requests(), players_[Side::kEast].requests()}};
   }
 
   void note(const referee::Decision& decision) {
@@ -270,6 +276,7 @@ class Game {
   sim::Camera camera_;
   referee::Referee referee_;
   SituationTracker situation_;
+  Assistant assistant_;
   Frame frame_;
   DelayLine tracks_;
   PerSide<Player> players_;

@@ -125,6 +125,16 @@ void Box2dBridge::place_ball(const Vec2& position_m, const Vec2& velocity_mps) {
   set_ball_velocity(velocity_mps);
 }
 
+void Box2dBridge::set_on(int index, bool is_on) {
+  const std::uint32_t bit = 1U << index;
+  off_ = is_on ? off_ & ~bit : off_ | bit;
+  b2Body* body = bodies_->robots[static_cast<std::size_t>(index)];
+  body->SetLinearVelocity(b2Vec2_zero);
+  body->SetAngularVelocity(0.0F);
+  body->SetEnabled(is_on);
+  read_robot(index);
+}
+
 void Box2dBridge::push_robot(int index, const Vec2& force_n, double torque_nm) {
   if (force_n.isZero(0.0) && torque_nm == 0.0) return;  // a robot at rest may sleep
   const auto i = static_cast<std::size_t>(index);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -44,6 +45,10 @@ class Box2dBridge {
   void place_robot(int index, const BodyState& state);
   void place_ball(const Vec2& position_m, const Vec2& velocity_mps);
 
+  // A robot that is off meets nothing and stays where it was, at rest. All are on at first.
+  void set_on(int index, bool is_on);
+  bool is_on(int index) const { return ((off_ >> index) & 1U) == 0; }
+
   // Act on a robot during the next step only. A step moves a pushed robot at the mean of its speeds
   // before and after, so that its way does not depend on the steps' length.
   void push_robot(int index, const Vec2& force_n, double torque_nm);
@@ -72,6 +77,7 @@ class Box2dBridge {
   std::unique_ptr<Bodies> bodies_;
   std::vector<double> masses_kg_;
   int count_;
+  std::uint32_t off_ = 0;  // a bit per robot
   std::array<BodyState, 2 * kMaxRobots> robots_;
   BodyState ball_;
 };

@@ -31,6 +31,7 @@ bool Calm::lasts(const Box2dBridge& bodies, int robots, bool is_ball_held) const
   if (ball_reach_m - kBallRadius_m > kLongestWay_m) return false;
   if (!keeps_off_walls(ball.position_m, ball_reach_m)) return false;
   for (int i = 0; i < robots && !is_ball_held; ++i) {
+    if (!bodies.is_on(i)) continue;
     const BodyState& robot = bodies.robot(i);
     const double near_m = reach_m(robot, kRobotRadius_m) + mouth_m_ + ball_reach_m;
     if ((robot.position_m - ball.position_m).squaredNorm() < near_m * near_m) return false;
@@ -53,12 +54,14 @@ bool Calm::keeps_off_walls(const Vec2& at_m, double reach_m) const {
 bool Calm::robots_keep_apart(const Box2dBridge& bodies, int robots) const {
   std::array<double, 2 * kMaxRobots> reaches_m;
   for (int i = 0; i < robots; ++i) {
+    if (!bodies.is_on(i)) continue;
     const BodyState& robot = bodies.robot(i);
     const double its_reach_m = reach_m(robot, kRobotRadius_m);
     if (its_reach_m - kRobotRadius_m > kLongestWay_m) return false;
     if (!keeps_off_walls(robot.position_m, its_reach_m)) return false;
     reaches_m[static_cast<std::size_t>(i)] = its_reach_m;
     for (int k = 0; k < i; ++k) {
+      if (!bodies.is_on(k)) continue;
       const double near_m = its_reach_m + reaches_m[static_cast<std::size_t>(k)];
       const BodyState& other = bodies.robot(k);
       const Vec2 apart_m = other.position_m - robot.position_m;

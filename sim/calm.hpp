@@ -17,8 +17,8 @@ class Calm {
   // Whether the ball on the carpet stays away from every robot's hull and mouth, from walls and
   // goals, and the robots from walls, goals and each other. Robots that touch or meet gently do no
   // harm: longer steps show the same (tests/sim/calm_test.cpp). A ball in the referee's hand meets
-  // no robot. What is too fast for one step of Box2D is not calm. `robots` counts those of the
-  // bridge.
+  // no robot, and a robot that is off meets nothing. What is too fast for one step of Box2D is not
+  // calm. `robots` counts those of the bridge.
   bool lasts(const Box2dBridge& bodies, int robots, bool is_ball_held) const;
 
  private:

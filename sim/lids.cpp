@@ -50,6 +50,7 @@ std::optional<Vec2> bounced_off_lid(const Field& field, const Box2dBridge& bodie
   }
   if (former_height_m < kRobotHeight_m || height_m >= kRobotHeight_m) return std::nullopt;
   for (int i = 0; i < robots; ++i) {
+    if (!bodies.is_on(i)) continue;
     const BodyState& robot = bodies.robot(i);
     if (distance_to_hull(body.position_m, robot.position_m, robot.heading) >= 0.0) continue;
     ball.bounce_in_air(kRobotHeight_m, bounced_vertical(ball));

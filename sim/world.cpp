@@ -27,6 +27,13 @@ std::span<const Touch> World::touches() const { return impl_->touches(); }
 void World::put_ball(const BallState& ball) { impl_->put_ball(ball); }
 void World::put_robot(RobotId id, const RobotState& state) { impl_->put_robot(id, state); }
 
+void World::take_off(RobotId id) { impl_->take_off(id); }
+void World::put_on(RobotId id, const Vec2& position_m, const Vec2& heading) {
+  impl_->put_on(id, {position_m, heading, Vec2(0, 0), 0.0});
+}
+bool World::is_on(RobotId id) const { return impl_->is_on(id); }
+bool World::is_free(const Vec2& position_m) const { return impl_->is_free(position_m); }
+
 bool World::is_finite() const {
   const WorldState& now = state();
   for (const auto& robots : now.robots.values) {

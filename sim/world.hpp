@@ -37,7 +37,8 @@ struct BallState {
 
 struct WorldState {
   std::int64_t frame = 0;  // frames stepped so far; time is frame / frame rate
-  PerSide<boost::container::static_vector<RobotState, kMaxRobots>> robots;  // ordered by number
+  // Those on the field, ordered by number.
+  PerSide<boost::container::static_vector<RobotState, kMaxRobots>> robots;
   BallState ball;
 };
 
@@ -61,7 +62,8 @@ class World {
   World& operator=(World&&) noexcept;
 
   // One camera frame of physics. The new orders take effect `order_delay_substeps` into it, the
-  // former ones until then. Orders for robots that do not exist are ignored. Orders must be finite
+  // former ones until then. Orders for robots that do not exist or are off the
+  // field are ignored. Orders must be finite
   // (asserted); they are limited to what the robots can do. With `placement` the ball is held by
   // the referee's hand, which brings it to the target and keeps it there: it meets no robot, no
   // kicker and no dribbler. Without, it is free, and a robot that stands on it pushes it out.
@@ -76,7 +78,16 @@ class World {
   // Whether every position and speed is finite.
   bool is_finite() const;
 
-  // Sets up a situation by hand, for tests and scenes. Robots must exist.
+  // Takes a robot off the field: it is in no state, no camera sees it, nothing meets it, and its
+  // orders are ignored. Taking off what is off changes nothing.
+  void take_off(RobotId id);
+  // Puts a robot that is off (asserted) back, at rest. The place must be free (asserted).
+  void put_on(RobotId id, const Vec2& position_m, const Vec2& heading);
+  bool is_on(RobotId id) const;
+  // Whether a robot may be put there: no robot's hull and no ball is in its way.
+  bool is_free(const Vec2& position_m) const;
+
+  // Sets up a situation by hand, for tests and scenes. Robots must be on the field.
   void put_ball(const BallState& ball);
   void put_robot(RobotId id, const RobotState& state);
 

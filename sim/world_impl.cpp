@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/line_up.hpp"
+#include "soccer/robot_shape.hpp"
 
 namespace autoref::sim {
 namespace {
@@ -80,11 +81,13 @@ void World::Impl::accept(const PerSide<TeamOrders>& orders) {
   for_each_robot([&](RobotId id, Robot& robot, int index) {
     const RobotCommand& order = orders[id.side][static_cast<std::size_t>(id.number)];
     assert(autoref::is_finite(order));
+    // One that is off the field draws its numbers too, so that its mates' do not shift.
     if (hears(robot, team(id.side).radio)) {
       robot.aim = robot.drive.accept(order, team(id.side).motors);
     } else if (robot.unheard_frames >= hold_frames_) {
       robot.aim = RobotCommand{};
     }
+    if (!bodies_.is_on(index)) robot.aim = RobotCommand{};
     bodies_.set_dribbling(index, robot.aim.dribble);
   });
 }
@@ -138,7 +141,7 @@ void World::Impl::advance(int substep, int substeps) {
 }
 
 void World::Impl::drive() {
-  for_each_robot([this](RobotId, Robot& robot, int index) {
+  for_each_on_field([this](RobotId, Robot& robot, int index) {
     const DriveForce drive = robot.drive.force(robot.aim, bodies_.robot(index), step_s_);
     bodies_.push_robot(index, drive.force_n, drive.torque_nm);
   });
@@ -172,16 +175,46 @@ void World::Impl::put_ball(const BallState& ball) {
 }
 
 void World::Impl::put_robot(RobotId id, const RobotState& state) {
-  assert(id.number >= 0 && id.number < static_cast<int>(team(id.side).robots.size()));
-  bodies_.place_robot(
-      team(id.side).first + id.number,
-      {state.position_m, state.heading, state.velocity_mps, state.angular_velocity_radps});
+  assert(is_on(id));
+  bodies_.place_robot(index_of(id), {state.position_m, state.heading, state.velocity_mps,
+                                     state.angular_velocity_radps});
   publish();
+}
+
+void World::Impl::take_off(RobotId id) {
+  const int index = index_of(id);
+  team(id.side).robots[static_cast<std::size_t>(id.number)].aim = RobotCommand{};
+  bodies_.set_dribbling(index, false);
+  bodies_.set_on(index, false);
+  publish();
+}
+
+void World::Impl::put_on(RobotId id, const BodyState& place) {
+  assert(!is_on(id) && is_free(place.position_m));
+  bodies_.set_on(index_of(id), true);
+  bodies_.place_robot(index_of(id), place);
+  publish();
+}
+
+bool World::Impl::is_free(const Vec2& position_m) const {
+  const auto is_clear_of = [&](const Vec2& other_m, double reach_m) {
+    return (position_m - other_m).norm() >= kRobotRadius_m + reach_m;
+  };
+  for (int i = 0; i < robots_; ++i) {
+    if (bodies_.is_on(i) && !is_clear_of(bodies_.robot(i).position_m, kRobotRadius_m)) return false;
+  }
+  return is_clear_of(bodies_.ball().position_m, kBallRadius_m);
+}
+
+int World::Impl::index_of(RobotId id) const {
+  const Team& its_team = teams_[static_cast<std::size_t>(id.side)];
+  assert(id.number >= 0 && id.number < static_cast<int>(its_team.robots.size()));
+  return its_team.first + id.number;
 }
 
 void World::Impl::publish() {
   for (const Side side : kSides) state_.robots[side].clear();
-  for_each_robot([this](RobotId id, Robot&, int index) {
+  for_each_on_field([this](RobotId id, Robot&, int index) {
     const BodyState& body = bodies_.robot(index);
     state_.robots[id.side].push_back({id.number, body.position_m, body.heading.normalized(),
                                       body.velocity_mps, body.angular_velocity_radps});

@@ -25,6 +25,10 @@ class World::Impl {
   std::span<const Touch> touches() const { return {touches_.data(), touches_.size()}; }
   void put_ball(const BallState& ball);
   void put_robot(RobotId id, const RobotState& state);
+  void take_off(RobotId id);
+  void put_on(RobotId id, const BodyState& place);
+  bool is_on(RobotId id) const { return bodies_.is_on(index_of(id)); }
+  bool is_free(const Vec2& position_m) const;
 
  private:
   struct Robot {
@@ -73,6 +77,7 @@ class World::Impl {
   void let_ball_meet_what_is_as_high();
   void note_contacts(int substep);
   void note(const Touch& touch);
+  int index_of(RobotId id) const;  // in the bridge
   void publish();
 
   template <typename Act>  // act(id, robot, index in the bridge)
@@ -85,6 +90,13 @@ class World::Impl {
         ++number;
       }
     }
+  }
+
+  template <typename Act>
+  void for_each_on_field(Act act) {
+    for_each_robot([&](RobotId id, Robot& robot, int index) {
+      if (bodies_.is_on(index)) act(id, robot, index);
+    });
   }
 
   Field field_;

@@ -69,8 +69,6 @@ void set_rules_2026(RuleBook& rules) {
   rules.corner_inset_m = 200_mm;
   rules.goal_kick_touch_inset_m = 200_mm;
   rules.goal_kick_goal_inset_m = 1_m;
-  rules.own_area_kick_goal_inset_m = 1_m;
-  rules.own_area_kick_touch_inset_m = 200_mm;
   rules.free_kick_to_area_m = 1_m;
   rules.neutral_to_area_m = 1_m;
   rules.kicks_may_score = true;

@@ -55,7 +55,7 @@ struct RuleBook {
   // Where a free kick is taken when it happened too near to an area (Laws 13).
   double own_area_kick_goal_inset_m = 600_mm;   // out of one's own area: from the goal line
   double own_area_kick_touch_inset_m = 100_mm;  // and from the touch line
-  double free_kick_to_area_m = 700_mm;          // attackers: from the opponents' area
+  double free_kick_to_area_m = 700_mm;          // attackers: from the opponents' area; 2026: both
 
   // A ball that gets nowhere (2016; 2026: no progress).
   double stuck_time_s = 10_s;

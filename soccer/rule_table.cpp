@@ -19,7 +19,7 @@ constexpr std::array<RuleEntry, kRuleCount> kTable = {{
   {R::kRestartNotTaken, "a restart is taken in time",
    "Laws 2014, 8 and 9; 2016", "Laws 8, 9; 2016", "2026, Lack Of Progress", &B::restart_timeout_s, "s"},
   {R::kStuckBall, "a ball that does not get away is put to a neutral place",
-   "2016; Laws 2014, 9", "Laws 9; 2016", "", &B::stuck_time_s, "s"},
+   "2016; Laws 2014, 9", "Laws 9; 2016", "", &B::stuck_distance_m, "m"},
   {R::kNoProgress, "a ball that does not get away is started anew",
    "", "", "2026, Lack Of Progress", &B::stuck_time_s, "s"},
   {R::kKickSpeed, "no kick is faster",

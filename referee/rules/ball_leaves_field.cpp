@@ -24,7 +24,7 @@ Award over_touch_line(const Moment& moment, const Vec2& exit_m) {
     return {Event::kTouchLineUnknown, {CommandKind::kForceStart, Side::kWest}, place_m};
   }
   const Side kicker = opponent_of(*moment.last_touch.side);
-  return {Event::kThrowIn, {CommandKind::kIndirectFree, kicker}, place_m};
+  return {Event::kThrowIn, indirect_free_kick(c.rules, kicker), place_m};
 }
 
 Award over_goal_line(const Moment& moment, const Vec2& exit_m) {
@@ -35,6 +35,11 @@ Award over_goal_line(const Moment& moment, const Vec2& exit_m) {
     return {Event::kCornerKick,
             {CommandKind::kDirectFree, attacker},
             corner_kick_place(c.field, c.rules, attacker, exit_m)};
+  }
+  if (!moment.last_touch.side && c.rules.edition != Edition::kPaper) {
+    return {Event::kGoalLineUnknown,
+            {CommandKind::kForceStart, Side::kWest},
+            neutral_place(c.field, c.rules, exit_m)};
   }
   return {Event::kGoalKick,
           {CommandKind::kDirectFree, defender},
@@ -58,9 +63,7 @@ std::optional<Finding> find_ball_leaves_field(Memory& /*memory*/, const Moment& 
   const bool touch_line = exit.boundary == Boundary::kTouch;
   const Award award =
       touch_line ? over_touch_line(moment, exit.point_m) : over_goal_line(moment, exit.point_m);
-  Finding finding;
-  finding.event = award.event;
-  finding.rule = "paper 4.2, ball-related rules";
+  Finding finding = finding_of(award.event, RuleId::kBallLeavesField, moment.configuration.rules);
   finding.value = std::abs(touch_line ? ball_m.y() : ball_m.x());
   finding.threshold = (touch_line ? field.half_width_m() : field.half_length_m()) + kBallRadius_m;
   finding.unit = "m";

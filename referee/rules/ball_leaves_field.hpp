@@ -3,6 +3,8 @@
 //
 // Deviation D14: where the last touch is unknown, it is a goal kick behind a goal line, which is
 // the paper's "otherwise", and over a touch line a force start from the place of the throw-in.
+// Other books do not say "otherwise": there it is a force start from a neutral place behind a goal
+// line, too, so that a touch that nobody saw is no one's gain.
 #pragma once
 
 #include "referee/rules/rule.hpp"

@@ -16,9 +16,7 @@ std::optional<Finding> find_goal(Memory& /*memory*/, const Moment& moment) {
   }
   const Vec2& ball_m = moment.ball->position_m;
   const Side conceded = ball_m.x() < 0 ? Side::kWest : Side::kEast;
-  Finding finding;
-  finding.event = Event::kGoal;
-  finding.rule = "paper 4.4, ball in a goal";
+  Finding finding = finding_of(Event::kGoal, RuleId::kGoal, moment.configuration.rules);
   finding.value = std::abs(ball_m.x());
   finding.threshold = field.half_length_m() + kBallRadius_m;
   finding.unit = "m";

@@ -13,12 +13,8 @@ std::optional<Finding> find_stuck_ball(Memory& memory, const Moment& moment) {
       !has_passed(play.stuck_since_s, c.rules.stuck_time_s, moment.time_s())) {
     return std::nullopt;
   }
-  Finding finding;
-  finding.event = Event::kStuckBall;
-  finding.rule = "2016; Laws 2014, 9";
+  Finding finding = finding_of(Event::kStuckBall, RuleId::kStuckBall, c.rules);
   finding.value = (moment.ball->position_m - play.stuck_at_m).norm();
-  finding.threshold = c.rules.stuck_distance_m;
-  finding.unit = "m";
   finding.position_m = moment.ball->position_m;
   finding.restart = {CommandKind::kForceStart, Side::kWest};
   finding.ball_to_m = neutral_place(c.field, c.rules, moment.ball->position_m);

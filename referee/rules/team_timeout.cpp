@@ -29,7 +29,7 @@ bool may_have_one(const Memory& memory, const Moment& moment, Side side) {
 std::optional<Side> restarts(const Memory& memory) {
   const std::optional<Command>& next = memory.signal.next_command;
   if (!next) return std::nullopt;
-  if (next->kind == CommandKind::kNormalStart) return memory.prepared_kicker;
+  if (next->kind == CommandKind::kNormalStart) return memory.prepared->side;
   return is_for_one_side(next->kind) ? std::optional(next->side) : std::nullopt;
 }
 

@@ -31,16 +31,24 @@ struct LabArguments {
   std::string csv;  // empty: standard output
 };
 
+// What `autoref rules` is told.
+struct RulesArguments {
+  std::string book;  // empty: list the books
+  bool json = false;
+};
+
 // Each does its verb's work and returns the exit code. Mistakes come as exceptions (errors.hpp).
 int play_verb(const PlayArguments& arguments);
 int run_verb(const RunArguments& arguments);
 int lab_verb(const LabArguments& arguments);
+int rules_verb(const RulesArguments& arguments);
 
 // Adds a verb to the command line; parsing sets `chosen` to its work.
 using Chosen = std::function<int()>;
 void add_play_verb(CLI::App& app, Chosen& chosen);
 void add_run_verb(CLI::App& app, Chosen& chosen);
 void add_lab_verb(CLI::App& app, Chosen& chosen);
+void add_rules_verb(CLI::App& app, Chosen& chosen);
 void add_bench_verb(CLI::App& app, Chosen& chosen);
 
 // Does `work` and turns what it throws into a message on stderr and an exit code (errors.hpp).

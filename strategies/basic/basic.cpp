@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "strategies/basic/penalty.hpp"
 #include "strategies/skills/outlook.hpp"
 #include "strategies/skills/shot.hpp"
 
@@ -209,13 +210,33 @@ void Basic::line_up(TeamOrders& orders) {
   }
 }
 
+// Until the ball is in play only kicker and keeper count; the others wait behind it.
+void Basic::stand_at_penalty(TeamOrders& orders) {
+  const int kicker = now_.ours ? penalty_kicker(now_, ball_place_m_) : -1;
+  for (int i = 0; i < static_cast<int>(now_.own.size()); ++i) {
+    const TrackedRobot& robot = now_.own[i];
+    if (i == kicker && now_.play == Play::kPenalty) {
+      orders[robot.number] = play_ball(robot, now_.ball, now_.ball.position_m, attack_intent(robot),
+                                       obstacles_for(i, false), style_);
+      continue;
+    }
+    const Waypoint place =
+        i == kicker ? penalty_run_up(ball_place_m_)
+        : i == 0    ? penalty_keeper(briefing_.field, ball_place_m_)
+                    : penalty_spectator(briefing_.field, ball_place_m_, now_.ours, i - 1);
+    orders[robot.number] = drive_to(robot, place, obstacles_for(i, i != 0), style_);
+  }
+}
+
 void Basic::decide(const TeamView& view, TeamOrders& orders) {
   if (view.play == Play::kHalt) return;
   look_ahead(view, now_);
+  if (!now_.own.empty()) requests_.keeper = now_.own.front().number;
   ball_place_m_ = now_.placement_m.value_or(now_.ball.position_m);
-  const bool waiting = view.play == Play::kStop || view.play == Play::kPrepareKickoff ||
-                       view.play == Play::kPreparePenalty;
-  if (waiting) {
+  const bool waiting = view.play == Play::kStop || view.play == Play::kPrepareKickoff;
+  if (view.play == Play::kPreparePenalty || view.play == Play::kPenalty) {
+    stand_at_penalty(orders);
+  } else if (waiting) {
     line_up(orders);
   } else {
     play(orders);

@@ -17,6 +17,7 @@ class Basic final : public Strategy {
   explicit Basic(const Briefing& briefing);
 
   void decide(const TeamView& view, TeamOrders& orders) override;
+  TeamRequests requests() const override { return requests_; }
 
  private:
   Waypoint waypoint_of(int index, const Cast& cast) const;
@@ -32,6 +33,7 @@ class Basic final : public Strategy {
   bool may_play_ball() const;
   void play(TeamOrders& orders);
   void line_up(TeamOrders& orders);
+  void stand_at_penalty(TeamOrders& orders);
 
   Briefing briefing_;
   DrivingStyle style_;
@@ -40,6 +42,7 @@ class Basic final : public Strategy {
   TeamView now_;             // the view looked ahead to when orders take effect
   Vec2 ball_place_m_{0, 0};  // the ball, or where the referee is about to put it
   int former_attacker_ = -1;
+  TeamRequests requests_;
 };
 
 }  // namespace autoref::strategies::basic

@@ -75,5 +75,42 @@ TEST(NeutralPlace, OnABoxFieldKeepsClearOfTheBoxes) {
   EXPECT_NEAR(distance_to_defence_area(field, Side::kEast, place_m), 0.7, 1e-12);
 }
 
+// 2026: "at least 0.2 meters distance to all field lines and 1 meter distance to either defense
+// area", or "the closest valid position"; Division B: areas 1 m deep and 2 m wide.
+class FreeKick2026 : public testing::TestWithParam<Side> {
+ protected:
+  // The place for a kick by either side, turned so that the east area is the one nearby.
+  Vec2 place(const Vec2& where_m) const {
+    const double turn = GetParam() == Side::kEast ? 1 : -1;
+    return turn * free_kick_place(field, rules, Side::kEast, turn * where_m);
+  }
+  const RuleBook rules = find_rule_book("2026-b").value();
+  const Field field = find_game_setup("2026-b")->field;
+};
+
+// East's own area, and the opponents'.
+INSTANTIATE_TEST_SUITE_P(Areas, FreeKick2026, testing::ValuesIn(kSides));
+
+TEST_P(FreeKick2026, IsOneMetreBeforeTheArea) { expect_at(place({3.0, 0.4}), {2.5, 0.4}); }
+TEST_P(FreeKick2026, OrBesideIt) { expect_at(place({4.2, -1.9}), {4.2, -2.0}); }
+TEST_P(FreeKick2026, OrOffItsCorner) { expect_at(place({3.2, 1.4}), {2.9, 1.8}); }
+TEST_P(FreeKick2026, OutOfTheAreaGoesTheShortestWay) {
+  expect_at(place({3.7, 0.5}), {2.5, 0.5});
+  expect_at(place({4.3, -0.9}), {4.3, -2.0});
+}
+TEST_P(FreeKick2026, Is200MillimetresInsideTheLines) {
+  expect_at(place({4.45, 2.9}), {4.3, 2.8});
+  expect_at(place({0.5, -3.1}), {0.5, -2.8});
+}
+TEST_P(FreeKick2026, IsWhereItHappenedIfThatIsValid) { expect_at(place({2.4, 0.4}), {2.4, 0.4}); }
+
+TEST(Restarts2026, HaveTheirOwnInsets) {
+  const RuleBook rules = find_rule_book("2026-b").value();
+  const Field field = find_game_setup("2026-b")->field;
+  expect_at(throw_in_place(field, rules, {1.2, 3.02}), {1.2, 2.8});
+  expect_at(corner_kick_place(field, rules, Side::kWest, {4.52, 0.9}), {4.3, 2.8});
+  expect_at(goal_kick_place(field, rules, Side::kEast, {4.52, -0.9}), {3.5, -2.8});
+}
+
 }  // namespace
 }  // namespace autoref::referee

@@ -24,8 +24,8 @@ TEST(DecisionJson, SaysNullForWhatIsNotKnown) {
   EXPECT_EQ(decision_json(decision),
             R"({"time_s": 0, "arrow": "T1", "from": "INIT", "to": "INIT", "command": null, )"
             R"("event": "begin", "rule": "paper 4.2", "value": null, "threshold": null, )"
-            R"("unit": null, "robots": [], "position_m": null, "last_touch": null, )"
-            R"("evidence": null})");
+            R"("unit": null, "robots": [], "offender": null, "card": null, )"
+            R"("position_m": null, "restart": null, "last_touch": null, "evidence": null})");
 }
 
 TEST(DecisionJson, NamesRobotsBySideAndNumber) {

@@ -1,0 +1,55 @@
+// Robots that do what they may do only for a while, each told once in a stop.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "referee/moment.hpp"
+#include "soccer/side.hpp"
+#include "soccer/tracks.hpp"
+
+namespace autoref::referee {
+
+class Lingering {
+ public:
+  // Takes in whether the robot offends now. Answers whether it has done so for `grace_s` and has
+  // not been told.
+  bool lingers(RobotId robot, bool offends, double grace_s, double now_s);
+  void tell(RobotId robot) { of(robot).is_told = true; }
+
+ private:
+  struct Watch {
+    std::optional<double> since_s;
+    bool is_told = false;
+  };
+  Watch& of(RobotId robot) { return all_[robot.side][static_cast<std::size_t>(robot.number)]; }
+
+  PerSide<std::array<Watch, kMaxRobots>> all_;
+};
+
+struct Lingerer {
+  RobotId id;
+  Vec2 position_m{0, 0};
+  double excess = 0;
+};
+
+// The robot that has offended for `grace_s` and is beyond the limit most, of those not told yet; it
+// is told. `excess_of(side, robot)` says how far a robot is beyond the limit, in any unit; robots
+// up to it do not offend.
+template <typename ExcessOf>
+std::optional<Lingerer> take_worst(Lingering& lingering, const Moment& moment, double grace_s,
+                                   const ExcessOf& excess_of) {
+  std::optional<Lingerer> worst;
+  for (const Side side : kSides) {
+    for (const TrackedRobot& robot : moment.tracks.robots[side]) {
+      const RobotId id{side, robot.number};
+      const double excess = excess_of(side, robot);
+      if (!lingering.lingers(id, excess > 0, grace_s, moment.time_s())) continue;
+      if (!worst || excess > worst->excess) worst = Lingerer{id, robot.position_m, excess};
+    }
+  }
+  if (worst) lingering.tell(worst->id);
+  return worst;
+}
+
+}  // namespace autoref::referee

@@ -1,0 +1,83 @@
+#include "referee/rules/attacker_stays_near_area.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "referee/hull.hpp"
+#include "referee/touch_candidates.hpp"
+
+namespace autoref::referee {
+namespace {
+
+struct Offence {
+  RobotId robot;
+  Vec2 position_m{0, 0};
+  double distance_m = 0;
+  double lasted_s = 0;
+};
+
+// Kick-offs and penalty kicks have places of their own for everybody.
+bool is_in_force(const Memory& memory) {
+  if (memory.state == State::kWaitStop) return memory.signal.command.kind == CommandKind::kStop;
+  const PlayMemory& play = memory.play;
+  return !play.in_play && play.kicker && !play.is_kickoff() && !play.is_penalty();
+}
+
+// The robot of `side` that has been near for longest, of those that have been for too long.
+std::optional<Offence> worst_of(Side side, AttackerNearAreaWatch& watch, const Moment& moment) {
+  const Configuration& c = moment.configuration;
+  std::optional<Offence> worst;
+  for (int number = 0; number < kMaxRobots; ++number) {
+    const RobotId id{side, number};
+    const RobotObservation* robot = find_robot(moment.frame.robots[side], number);
+    const double distance_m =
+        robot == nullptr ? 0 : hull_to_area_m(c.field, opponent_of(side), *robot);
+    const bool is_near = robot != nullptr && distance_m < c.rules.attacker_to_area_m;
+    const double lasted_s = watch.near.update(id, is_near, moment.time_s());
+    if (!is_near || watch.called.has(id) || !(lasted_s > c.rules.attacker_grace_s)) continue;
+    if (!worst || lasted_s > worst->lasted_s) {
+      worst = Offence{id, robot->position_m, distance_m, lasted_s};
+    }
+  }
+  return worst;
+}
+
+void add(Finding& finding, const Offence& offence) {
+  finding.robots.push_back(offence.robot);
+  finding.evidence += fmt::format(
+      "{}For {:.2f} s the hull of {} has been near the opponents' area, now {:.0f} mm from it.",
+      finding.evidence.empty() ? "" : " ", offence.lasted_s, text_of(offence.robot),
+      1e3 * offence.distance_m);
+}
+
+// Nobody is the offender where both sides are.
+Finding found(const std::optional<Offence>& a, const std::optional<Offence>& b,
+              const RuleBook& rules) {
+  const Offence& worst = a && (!b || a->distance_m <= b->distance_m) ? *a : *b;
+  const bool both = a && b;
+  Finding finding = finding_of(Event::kAttackerStaysNearArea, RuleId::kAttackerNearArea, rules);
+  finding.value = worst.distance_m;
+  finding.is_foul = rules.fouls_per_card > 0;
+  if (!both) finding.offender = worst.robot.side;
+  if (!both) finding.position_m = worst.position_m;
+  if (a) add(finding, *a);
+  if (b) add(finding, *b);
+  return finding;
+}
+
+}  // namespace
+
+std::optional<Finding> find_attacker_stays_near_area(Memory& memory, const Moment& moment) {
+  const RuleBook& rules = moment.configuration.rules;
+  if (rules.fouls_stop_play || !is_in_force(memory)) return std::nullopt;
+  AttackerNearAreaWatch& watch = memory.watch.attacker_near_area;
+  const std::optional<Offence> west = worst_of(Side::kWest, watch, moment);
+  const std::optional<Offence> east = worst_of(Side::kEast, watch, moment);
+  if (!west && !east) return std::nullopt;
+  if (west) watch.called.add(west->robot);
+  if (east) watch.called.add(east->robot);
+  return found(west, east, rules);
+}
+
+}  // namespace autoref::referee

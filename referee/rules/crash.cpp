@@ -1,0 +1,162 @@
+#include "referee/rules/crash.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "soccer/robot_shape.hpp"
+
+namespace autoref::referee {
+namespace {
+
+constexpr double kTouching_m = 2 * kRobotRadius_m;  // between the centres
+// As near as this counts as touching. Robots that would crash cannot turn away any more.
+constexpr double kMeets_m = kTouching_m + 5_mm;
+// Robots that met are apart again once they have been farther apart than this for so long. Bodies
+// bounce off each other a few times.
+constexpr double kApart_m = kTouching_m + 20_mm;
+constexpr double kApart_s = 200_ms;
+// Speeds that differ by no more are equal but for rounding.
+constexpr double kSame_mps = 1e-6;
+
+const TrackedRobot* find_track(const TrackedRobots& robots, int number) {
+  const auto found =
+      std::find_if(robots.begin(), robots.end(),
+                   [number](const TrackedRobot& robot) { return robot.number == number; });
+  return found == robots.end() ? nullptr : &*found;
+}
+
+// When, from now on, two robots that go on evenly touch; at most `duration_s`, and none where they
+// do not within that time. `way_m` leads from one centre to the other.
+std::optional<double> time_to_touch_s(const Vec2& way_m, const Vec2& velocity_mps,
+                                      double duration_s) {
+  const double closing = -way_m.dot(velocity_mps);
+  const double left_m2 = way_m.squaredNorm() - kTouching_m * kTouching_m;
+  if (left_m2 <= 0) return 0.0;
+  const double speed2 = velocity_mps.squaredNorm();
+  const double root2 = closing * closing - speed2 * left_m2;
+  if (closing <= 0 || root2 < 0) return std::nullopt;
+  const double time_s = left_m2 / (closing + std::sqrt(root2));
+  return time_s <= duration_s ? std::optional(time_s) : std::nullopt;
+}
+
+// How the two met, from their motion in the frame before, `at_s` after it.
+Collision collision_of(const TrackedRobot& west, const TrackedRobot& east, double at_s) {
+  const Vec2 west_m = west.position_m + at_s * west.velocity_mps;
+  const Vec2 east_m = east.position_m + at_s * east.velocity_mps;
+  const Vec2 line = direction_of(east_m - west_m, Vec2(1, 0));
+  const double lead_mps = west.velocity_mps.norm() - east.velocity_mps.norm();
+  Collision collision;
+  collision.faster = {Side::kWest, west.number};
+  collision.slower = {Side::kEast, east.number};
+  collision.faster_m = lead_mps < 0 ? east_m : west_m;
+  if (lead_mps < 0) std::swap(collision.faster, collision.slower);
+  collision.closing_mps = (west.velocity_mps - east.velocity_mps).dot(line);
+  collision.lead_mps = std::abs(lead_mps);
+  collision.position_m = (west_m + east_m) / 2;
+  return collision;
+}
+
+// The collision of two robots that meet in this frame; none where they do not, or did before.
+std::optional<Collision> meeting(CrashWatch& watch, const Moment& moment, const TrackedRobot& west,
+                                 const TrackedRobot& east) {
+  double& met_s =
+      watch.met_s[static_cast<std::size_t>(west.number)][static_cast<std::size_t>(east.number)];
+  const double distance_m = (east.position_m - west.position_m).norm();
+  if (!has_passed(met_s, kApart_s, moment.time_s())) {
+    if (distance_m <= kApart_m) met_s = moment.time_s();
+    return std::nullopt;
+  }
+  const TrackedRobot* west_before = find_track(watch.before[Side::kWest], west.number);
+  const TrackedRobot* east_before = find_track(watch.before[Side::kEast], east.number);
+  const bool is_new = west_before == nullptr || east_before == nullptr;
+  const double duration_s = moment.time_s() - watch.before_s;
+  std::optional<double> at_s;
+  if (!is_new) {
+    at_s = time_to_touch_s(east_before->position_m - west_before->position_m,
+                           east_before->velocity_mps - west_before->velocity_mps, duration_s);
+  }
+  if (!at_s && distance_m > kMeets_m) return std::nullopt;
+  met_s = moment.time_s();
+  if (is_new) return std::nullopt;
+  return collision_of(*west_before, *east_before, at_s.value_or(duration_s));
+}
+
+bool is_drawn(const Collision& collision, const RuleBook& rules) {
+  return collision.lead_mps < rules.crash_drawn_mps;
+}
+
+bool is_foul(const Collision& collision, const RuleBook& rules) {
+  const bool is_called = rules.edition == Edition::kRules2026 || !is_drawn(collision, rules);
+  return is_called && collision.closing_mps > rules.crash_mps;
+}
+
+void watch_robots(CrashWatch& watch, const Moment& moment) {
+  constexpr double kNear_m = 2 * kTouching_m;
+  for (const TrackedRobot& west : moment.tracks.robots[Side::kWest]) {
+    for (const TrackedRobot& east : moment.tracks.robots[Side::kEast]) {
+      if ((east.position_m - west.position_m).squaredNorm() > kNear_m * kNear_m) continue;
+      const std::optional<Collision> met = meeting(watch, moment, west, east);
+      if (!met || !is_foul(*met, moment.configuration.rules)) continue;
+      if (watch.untold.size() < watch.untold.capacity()) watch.untold.push_back(*met);
+    }
+  }
+  watch.before = moment.tracks.robots;
+  watch.before_s = moment.time_s();
+}
+
+Finding drawn_finding(const Collision& crash, const RuleBook& rules) {
+  Finding finding = finding_of(Event::kCrashDrawn, RuleId::kCrash, rules);
+  finding.is_foul = rules.fouls_per_card > 0;
+  finding.robots.push_back(crash.faster);
+  finding.robots.push_back(crash.slower);
+  finding.position_m = crash.position_m;
+  return finding;
+}
+
+Finding crash_finding(const Collision& crash, const Configuration& configuration) {
+  Finding finding = contact_foul_of(Event::kCrash, RuleId::kCrash, configuration, crash.faster,
+                                    crash.faster_m, crash.position_m);
+  finding.robots.push_back(crash.slower);
+  return finding;
+}
+
+// Takes the fastest of those not told yet. Where each side has one that is as fast, and only one
+// can stop play, nobody is favoured: none.
+std::optional<Collision> take_worst(CrashWatch& watch, const RuleBook& rules) {
+  auto& untold = watch.untold;
+  const auto worst = std::max_element(
+      untold.begin(), untold.end(),
+      [](const Collision& a, const Collision& b) { return a.closing_mps < b.closing_mps; });
+  if (worst == untold.end()) return std::nullopt;
+  const Collision crash = *worst;
+  const bool is_tied = std::any_of(untold.begin(), untold.end(), [&crash](const Collision& other) {
+    return other.faster.side != crash.faster.side &&
+           crash.closing_mps - other.closing_mps <= kSame_mps;
+  });
+  untold.erase(worst);
+  if (!is_tied || !rules.fouls_stop_play) return crash;
+  untold.clear();
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Finding> find_crash(Memory& memory, const Moment& moment) {
+  watch_robots(memory.watch.crash, moment);
+  const RuleBook& rules = moment.configuration.rules;
+  const std::optional<Collision> worst = take_worst(memory.watch.crash, rules);
+  if (!worst) return std::nullopt;
+  const Collision& crash = *worst;
+  Finding finding = is_drawn(crash, rules) ? drawn_finding(crash, rules)
+                                           : crash_finding(crash, moment.configuration);
+  finding.value = crash.closing_mps;
+  finding.evidence = fmt::format(
+      "{} and {} met at {:.2f} m/s along the line of their centres; {} was faster by {:.2f} m/s.",
+      text_of(crash.faster), text_of(crash.slower), crash.closing_mps, text_of(crash.faster),
+      crash.lead_mps);
+  return finding;
+}
+
+}  // namespace autoref::referee

@@ -1,0 +1,58 @@
+#include "referee/rules/keeper_holding.hpp"
+
+#include <fmt/format.h>
+
+#include "referee/ball_contact.hpp"
+#include "soccer/field.hpp"
+
+namespace autoref::referee {
+namespace {
+
+bool keeper_has_ball(const Moment& moment, Side side, bool had) {
+  for (const TrackedRobot& robot : moment.tracks.robots[side]) {
+    if (robot.number != moment.requests[side].keeper) continue;
+    return has_ball(robot, *moment.tracks.ball, had, moment.configuration.noise);
+  }
+  return false;
+}
+
+bool is_held(const Moment& moment, Side side, bool was_held) {
+  const Configuration& c = moment.configuration;
+  const Vec2& ball_m = moment.tracks.ball->position_m;
+  if (distance_to_defence_area(c.field, side, ball_m) > 0) return false;
+  return c.rules.edition == Edition::kRules2026 || keeper_has_ball(moment, side, was_held);
+}
+
+Finding holding_finding(const Moment& moment, Side side, double held_s) {
+  const Configuration& c = moment.configuration;
+  const RobotId keeper{side, moment.requests[side].keeper};
+  Finding finding = offence_of(Event::kKeeperHolding, RuleId::kKeeperHolding, c, keeper,
+                               moment.tracks.ball->position_m);
+  finding.value = held_s;
+  finding.evidence = c.rules.edition == Edition::kRules2026
+                         ? fmt::format("The ball has been inside the area of {} for {:.2f} s.",
+                                       name_of(side), held_s)
+                         : fmt::format("{} has held the ball inside its own area for {:.2f} s.",
+                                       text_of(keeper), held_s);
+  return finding;
+}
+
+}  // namespace
+
+std::optional<Finding> find_keeper_holding(Memory& memory, const Moment& moment) {
+  if (!moment.tracks.ball) return std::nullopt;
+  const double limit_s = moment.configuration.rules.keeper_holding_s;
+  for (const Side side : kSides) {
+    std::optional<double>& since_s = memory.watch.keeper_holding.since_s[side];
+    if (!memory.play.in_play || !is_held(moment, side, since_s.has_value())) {
+      since_s.reset();
+    } else if (!since_s) {
+      since_s = moment.time_s();
+    } else if (has_passed(*since_s, limit_s, moment.time_s())) {
+      return holding_finding(moment, side, moment.time_s() - *since_s);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace autoref::referee

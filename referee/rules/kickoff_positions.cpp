@@ -1,0 +1,81 @@
+#include "referee/rules/kickoff_positions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "referee/hull.hpp"
+#include "referee/retakes.hpp"
+
+namespace autoref::referee {
+namespace {
+
+// How far beyond the middle the hull's part nearest to its own goal is.
+double beyond_middle_m(Side side, const RobotObservation& robot) {
+  const Vec2 home(goal_sign(side), 0);
+  return -(robot.position_m.dot(home) + reach_of_hull_m(robot.heading, home));
+}
+
+// The number of the kicker, which may be beyond the middle.
+std::optional<int> kicker_in_circle(const SeenRobots& robots, const Field& field) {
+  std::optional<int> kicker;
+  double nearest_m = field.centre_circle_radius_m;
+  for (const RobotObservation& robot : robots) {
+    if (robot.position_m.norm() > nearest_m) continue;
+    nearest_m = robot.position_m.norm();
+    kicker = robot.number;
+  }
+  return kicker;
+}
+
+Misplaced misplaced(Side side, const Memory& memory, const Moment& moment) {
+  const Configuration& c = moment.configuration;
+  const SeenRobots& robots = moment.frame.robots[side];
+  const std::optional<int> kicker =
+      side == memory.play.kicker ? kicker_in_circle(robots, c.field) : std::nullopt;
+  Misplaced found;
+  for (const RobotObservation& robot : robots) {
+    const double beyond_m = beyond_middle_m(side, robot);
+    if (robot.number == kicker || !is_on_field(c.field, robot.position_m)) continue;
+    if (beyond_m > robot_doubt_m(c.noise)) {
+      found.add({side, robot.number}, beyond_m, beyond_m > found.worst_m);
+    }
+  }
+  return found;
+}
+
+Finding taken_again(const PerSide<Misplaced>& before, const Memory& memory, const Moment& moment) {
+  Finding finding =
+      finding_of(Event::kKickoffPositions, RuleId::kKickoffPositions, moment.configuration.rules);
+  finding.unit = "m";
+  for (Side side : kSides) {
+    finding.value = std::max(finding.value, before[side].worst_m);
+    if (!before[side].any()) continue;
+    finding.robots.push_back(before[side].robots.front());
+    if (!before[opponent_of(side)].any()) finding.offender = side;
+  }
+  finding.position_m = memory.play.ball_from_m;
+  take_again(finding, memory.play);
+  finding.evidence = fmt::format(
+      "Just before the kick-off {} was wholly in the opponents' half, up to {:.0f} mm beyond the "
+      "middle.",
+      text_of(finding.robots.front()), 1e3 * finding.value);
+  return finding;
+}
+
+}  // namespace
+
+std::optional<Finding> find_kickoff_positions(Memory& memory, const Moment& moment) {
+  const PlayMemory& play = memory.play;
+  if (!play.is_kickoff() || !play.kicker) return std::nullopt;
+  PerSide<Misplaced>& before = memory.watch.kickoff_positions.before;
+  if (!play.in_play) {
+    for (Side side : kSides) before[side] = misplaced(side, memory, moment);
+    return std::nullopt;
+  }
+  const bool any = before[Side::kWest].any() || before[Side::kEast].any();
+  if (!play.entered_now || !any || !may_be_taken_again(memory)) return std::nullopt;
+  return taken_again(before, memory, moment);
+}
+
+}  // namespace autoref::referee

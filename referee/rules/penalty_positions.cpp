@@ -1,0 +1,135 @@
+#include "referee/rules/penalty_positions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "referee/hull.hpp"
+#include "referee/penalty_outcome.hpp"
+#include "referee/retakes.hpp"
+
+namespace autoref::referee {
+namespace {
+
+// The robot of the kicker's side that is nearest to the ball.
+std::optional<int> kicker_of(const SeenRobots& robots, const Vec2& ball_m) {
+  const auto nearest = std::min_element(robots.begin(), robots.end(), [&](auto& a, auto& b) {
+    return (a.position_m - ball_m).squaredNorm() < (b.position_m - ball_m).squaredNorm();
+  });
+  return nearest == robots.end() ? std::nullopt : std::optional(nearest->number);
+}
+
+// How far the whole hull is behind the ball, as seen from the goal of `goal`.
+double behind_ball_m(Side goal, const RobotObservation& robot, const Vec2& ball_m) {
+  const Vec2 towards_goal(goal_sign(goal), 0);
+  return (ball_m - robot.position_m).dot(towards_goal) -
+         reach_of_hull_m(robot.heading, towards_goal);
+}
+
+// The robots of `side` that are too near, but for one that may be.
+Misplaced too_near(Side side, std::optional<int> may_be, const Memory& memory,
+                   const Moment& moment) {
+  const Configuration& c = moment.configuration;
+  const Side goal = opponent_of(*memory.play.kicker);
+  const double least_m = c.rules.penalty_clearance_m - robot_to_ball_doubt_m(c.noise);
+  Misplaced found;
+  for (const RobotObservation& robot : moment.frame.robots[side]) {
+    if (robot.number == may_be || !is_on_field(c.field, robot.position_m)) continue;
+    const double behind_m = behind_ball_m(goal, robot, memory.play.place_m);
+    if (behind_m < least_m) found.add({side, robot.number}, behind_m, behind_m < found.worst_m);
+  }
+  return found;
+}
+
+// How far the keeper is off the line between the posts; 0 or less where its hull touches it.
+double off_line_m(Side side, const RobotObservation& keeper, const Field& field) {
+  const double depth_m = field.half_length_m() - goal_sign(side) * keeper.position_m.x();
+  const bool in_front = depth_m > 0;
+  const double reach_m =
+      reach_of_hull_m(keeper.heading, Vec2(goal_sign(side) * (in_front ? 1 : -1), 0));
+  const double line_m = in_front ? depth_m - field.line_width_m : -depth_m;
+  const double beside_m = std::abs(keeper.position_m.y()) - field.half_goal_m();
+  return std::max(line_m - reach_m, beside_m);
+}
+
+Misplaced keeper_off_line(Side side, const Moment& moment) {
+  const Configuration& c = moment.configuration;
+  Misplaced found;
+  for (const RobotObservation& robot : moment.frame.robots[side]) {
+    if (robot.number != moment.requests[side].keeper) continue;
+    const double off_m = off_line_m(side, robot, c.field);
+    if (off_m > robot_doubt_m(c.noise)) found.add({side, robot.number}, off_m, true);
+  }
+  return found;
+}
+
+void watch(PenaltyPositionsWatch& watch, const Memory& memory, const Moment& moment) {
+  const Side attacker = *memory.play.kicker;
+  const Side defender = opponent_of(attacker);
+  watch.others[attacker] = too_near(
+      attacker, kicker_of(moment.frame.robots[attacker], moment.ball->position_m), memory, moment);
+  watch.others[defender] = too_near(defender, moment.requests[defender].keeper, memory, moment);
+  watch.keeper = keeper_off_line(defender, moment);
+}
+
+std::string evidence_of(const PenaltyPositionsWatch& watch, bool is_goal) {
+  std::string text;
+  for (Side side : kSides) {
+    if (!watch.others[side].any()) continue;
+    text +=
+        fmt::format("{} was only {:.0f} mm behind the ball; ",
+                    text_of(watch.others[side].robots.front()), 1e3 * watch.others[side].worst_m);
+  }
+  if (watch.keeper.any()) {
+    text += fmt::format("the keeper {} was {:.0f} mm off its line; ",
+                        text_of(watch.keeper.robots.front()), 1e3 * watch.keeper.worst_m);
+  }
+  return fmt::format("Just before the penalty kick {}the outcome is {}.", text,
+                     is_goal ? "a goal" : "no goal");
+}
+
+Finding taken_again(const Memory& memory, const Moment& moment, bool is_goal, bool both) {
+  const PenaltyPositionsWatch& watch = memory.watch.penalty_positions;
+  Finding finding =
+      finding_of(Event::kPenaltyPositions, RuleId::kPenaltyPositions, moment.configuration.rules);
+  const Side attacker = *memory.play.kicker;
+  const Side side = is_goal ? attacker : opponent_of(attacker);
+  const bool is_keepers = !watch.others[side].any();
+  const Misplaced& worst = is_keepers ? watch.keeper : watch.others[side];
+  finding.value = worst.worst_m;
+  if (is_keepers) finding.threshold = 0;  // off its line
+  finding.robots.push_back(worst.robots.front());
+  if (!both) finding.offender = side;
+  finding.position_m = memory.play.ball_from_m;
+  take_again(finding, memory.play);
+  finding.evidence = evidence_of(watch, is_goal);
+  return finding;
+}
+
+// What is measured is kept until the outcome.
+std::optional<Finding> judge(Memory& memory, const Moment& moment) {
+  PenaltyPositionsWatch& watch = memory.watch.penalty_positions;
+  const bool is_goal = is_penalty_goal(memory, moment);
+  if (watch.is_over || (!is_goal && !penalty_failure(memory, moment))) return std::nullopt;
+  watch.is_over = true;
+  const Side attacker = *memory.play.kicker;
+  const bool attackers = watch.others[attacker].any();
+  const bool defenders = watch.others[opponent_of(attacker)].any() || watch.keeper.any();
+  const bool again = is_goal ? attackers : defenders;
+  const bool both = attackers && defenders;
+  if (!(again || both) || !may_be_taken_again(memory)) return std::nullopt;
+  return taken_again(memory, moment, is_goal, both);
+}
+
+}  // namespace
+
+std::optional<Finding> find_penalty_positions(Memory& memory, const Moment& moment) {
+  const PlayMemory& play = memory.play;
+  if (!play.is_penalty() || !play.kicker || !moment.ball) return std::nullopt;
+  if (play.in_play) return judge(memory, moment);
+  watch(memory.watch.penalty_positions, memory, moment);
+  return std::nullopt;
+}
+
+}  // namespace autoref::referee

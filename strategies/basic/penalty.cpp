@@ -1,0 +1,45 @@
+#include "strategies/basic/penalty.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace autoref::strategies::basic {
+namespace {
+
+constexpr double kRunUp_m = 250_mm;    // from the ball to the waiting kicker's centre
+constexpr double kOnLine_m = 30_mm;    // of the keeper's centre before its line: its hull is on it
+constexpr double kBehind_m = 1000_mm;  // 2026: 1 m behind the ball; Laws 14: 400 mm
+constexpr double kMargin_m = 50_mm;
+constexpr double kRows_m = 300_mm;  // from the attackers' row to the defenders'
+constexpr double kGap_m = 300_mm;   // between neighbours in a row
+
+}  // namespace
+
+int penalty_kicker(const TeamView& view, const Vec2& mark_m) {
+  const int count = static_cast<int>(view.own.size());
+  int kicker = count - 1;
+  for (int i = 1; i < count; ++i) {
+    const auto distance_m = [&](int k) { return (view.own[k].position_m - mark_m).norm(); };
+    if (distance_m(i) < distance_m(kicker)) kicker = i;
+  }
+  return kicker;
+}
+
+Waypoint penalty_run_up(const Vec2& mark_m) { return {mark_m - Vec2(kRunUp_m, 0), Vec2(1, 0)}; }
+
+Waypoint penalty_keeper(const Field& field, const Vec2& mark_m) {
+  const Vec2 place_m(-field.half_length_m() + kOnLine_m, 0);
+  return {place_m, direction_of(mark_m - place_m, Vec2(1, 0))};
+}
+
+Waypoint penalty_spectator(const Field& field, const Vec2& mark_m, bool ours, int order) {
+  const double behind_m = kBehind_m + kRobotRadius_m + kMargin_m + (ours ? 0.0 : kRows_m);
+  // One after the other to both sides of the middle.
+  const double aside = order % 2 == 0 ? 1.0 : -1.0;
+  const double y = aside * kGap_m * ((order + 1) / 2 + 0.5);
+  const Vec2 place_m(mark_m.x() + (ours ? -behind_m : behind_m),
+                     std::clamp(y, -field.half_width_m(), field.half_width_m()));
+  return {place_m, direction_of(mark_m - place_m, Vec2(1, 0))};
+}
+
+}  // namespace autoref::strategies::basic

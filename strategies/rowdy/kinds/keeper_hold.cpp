@@ -1,0 +1,65 @@
+#include "strategies/rowdy/kinds.hpp"
+
+namespace autoref::strategies::rowdy {
+namespace {
+
+constexpr double kInside_m = 250_mm;  // ball in the area, and off the goal line
+constexpr double kSlow_mps = 0.6;
+constexpr double kReach_m = 1.2;
+constexpr double kBehind_m = kFrontDistance_m + kBallRadius_m + 20_mm;
+constexpr double kThere_m = 30_mm;
+constexpr double kApproach_mps = 0.2;
+constexpr double kSway_mps = 0.1;  // to and fro, or the ball would count as stuck
+constexpr double kSway_s = 3.0;    // each way
+constexpr double kShortest_s = 4;
+constexpr double kLongest_s = 18;
+
+bool is_in_hand(const Scene& scene) {
+  const Vec2& ball_m = scene.now.ball.position_m;
+  return distance_to_defence_area(scene.field, Side::kWest, ball_m) < 0 &&
+         ball_m.x() > -scene.field.half_length_m();
+}
+
+std::optional<Deed> find_chance(const Scene& scene) {
+  const TrackedBall& ball = scene.now.ball;
+  const bool is_inside =
+      distance_to_defence_area(scene.field, Side::kWest, ball.position_m) < -kInside_m &&
+      ball.position_m.x() > -scene.field.half_length_m() + kInside_m;
+  const TrackedRobot* keeper = find(scene.now.own, scene.keeper);
+  if (!is_running(scene) || !is_inside || ball.velocity_mps.norm() > kSlow_mps ||
+      keeper == nullptr || (keeper->position_m - ball.position_m).norm() > kReach_m) {
+    return std::nullopt;
+  }
+  return deed_of(keeper, ball.position_m);
+}
+
+RobotCommand take(const Scene& scene, const TrackedRobot& keeper) {
+  const Vec2 behind_m = scene.now.ball.position_m - Vec2(kBehind_m, 0);
+  if ((keeper.position_m - behind_m).norm() < kThere_m) {
+    return drive_with(keeper, Vec2(kApproach_mps, 0), Vec2(1, 0), {});
+  }
+  return drive_to(keeper, {behind_m, Vec2(1, 0)}, {}, {});
+}
+
+bool go_on(const Scene& scene, Deed& deed, Will& will) {
+  const TrackedRobot& keeper = *find(scene.now.own, deed.robot);
+  const double lasts_s = scene.now.time_s - deed.begun_s;
+  RobotCommand& order = will.order(deed.robot);
+  if (has_ball(keeper, scene.now.ball)) {
+    const bool is_forth = static_cast<int>(lasts_s / kSway_s) % 2 == 0;
+    order = drive_with(keeper, Vec2(is_forth ? kSway_mps : -kSway_mps, 0), Vec2(1, 0), {});
+  } else {
+    order = take(scene, keeper);
+  }
+  order.dribble = true;
+  return is_running(scene) && is_in_hand(scene) &&
+         lasts_s < kShortest_s + (kLongest_s - kShortest_s) * deed.amount;
+}
+
+}  // namespace
+
+const Mischief kKeeperHold = {"keeper_hold", "The keeper keeps the ball in its area for 4 to 18 s.",
+                              0.2,           22,
+                              find_chance,   go_on};
+
+}  // namespace autoref::strategies::rowdy

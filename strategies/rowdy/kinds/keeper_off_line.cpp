@@ -1,0 +1,33 @@
+#include "strategies/rowdy/kinds.hpp"
+
+namespace autoref::strategies::rowdy {
+namespace {
+
+constexpr double kBeforeLine_m = 350_mm;
+
+bool is_their_penalty(const Scene& scene) {
+  return !scene.now.ours &&
+         (scene.now.play == Play::kPreparePenalty || scene.now.play == Play::kPenalty);
+}
+
+std::optional<Deed> find_chance(const Scene& scene) {
+  if (!is_their_penalty(scene)) return std::nullopt;
+  return deed_of(find(scene.now.own, scene.keeper), scene.now.ball.position_m);
+}
+
+bool go_on(const Scene& scene, Deed& deed, Will& will) {
+  const Vec2 place_m = scene.field.goal_centre_m(Side::kWest) + Vec2(kBeforeLine_m, 0);
+  will.order(deed.robot) = go_to(scene, *find(scene.now.own, deed.robot), place_m);
+  return is_their_penalty(scene);
+}
+
+}  // namespace
+
+const Mischief kKeeperOffLine = {"keeper_off_line",
+                                 "The keeper leaves its line before a penalty is kicked.",
+                                 0.4,
+                                 25,
+                                 find_chance,
+                                 go_on};
+
+}  // namespace autoref::strategies::rowdy

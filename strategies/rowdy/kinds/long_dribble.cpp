@@ -1,0 +1,49 @@
+#include "strategies/rowdy/kinds.hpp"
+
+#include <algorithm>
+
+namespace autoref::strategies::rowdy {
+namespace {
+
+constexpr double kShortest_m = 300_mm;
+constexpr double kLongest_m = 1500_mm;
+constexpr double kSpeed_mps = 0.8;
+constexpr double kFaster_mps = 0.1;  // than it drives now: gently, so that the ball stays
+constexpr double kFromLines_m = 200_mm;
+constexpr double kLost_m = 160_mm;  // from the robot's centre to a ball that has got away
+constexpr double kMates_m = 600_mm;
+
+bool has_room(const Scene& scene, const TrackedRobot& robot) {
+  const Vec2 end_m = robot.position_m + robot.heading * (kLongest_m + kFromLines_m);
+  return is_on_field(scene.field, end_m);
+}
+
+std::optional<Deed> find_chance(const Scene& scene) {
+  if (!is_running(scene)) return std::nullopt;
+  const Vec2& ball_m = scene.now.ball.position_m;
+  const TrackedRobot* mate = nearest_mate(scene, ball_m, kLost_m);
+  if (mate == nullptr || !has_ball(*mate, scene.now.ball) || !has_room(scene, *mate)) {
+    return std::nullopt;
+  }
+  return deed_of(mate, ball_m);
+}
+
+bool go_on(const Scene& scene, Deed& deed, Will& will) {
+  const TrackedRobot& robot = *find(scene.now.own, deed.robot);
+  const Vec2& ball_m = scene.now.ball.position_m;
+  const double now_mps = std::max(0.0, robot.velocity_mps.dot(robot.heading));
+  RobotCommand& order = will.order(deed.robot);
+  order = charge(robot, robot.heading * std::min(kSpeed_mps, now_mps + kFaster_mps));
+  order.dribble = true;
+  hold_back(scene, deed.robot, ball_m, kMates_m, will.orders);
+  const double far_m = kShortest_m + (kLongest_m - kShortest_m) * deed.amount;
+  return is_running(scene) && (ball_m - robot.position_m).norm() < kLost_m &&
+         (ball_m - deed.from_m).norm() < far_m;
+}
+
+}  // namespace
+
+const Mischief kLongDribble = {
+    "long_dribble", "Dribbles the ball 0.3 to 1.5 m.", 0.3, 6, find_chance, go_on};
+
+}  // namespace autoref::strategies::rowdy

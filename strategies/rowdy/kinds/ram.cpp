@@ -1,0 +1,40 @@
+#include "strategies/rowdy/kinds.hpp"
+
+namespace autoref::strategies::rowdy {
+namespace {
+
+constexpr double kNearest_m = 600_mm;  // of the two centres: room to get fast
+constexpr double kFarthest_m = 1400_mm;
+constexpr double kOffBall_m = 500_mm;  // who is nearer to the ball has better to do
+constexpr double kSpeed_mps = 3.0;
+constexpr double kMet_m = 2 * kRobotRadius_m + 5_mm;
+
+std::optional<Deed> find_chance(const Scene& scene) {
+  if (!is_running(scene)) return std::nullopt;
+  for (const TrackedRobot& mate : scene.now.own) {
+    const bool is_free = mate.number != scene.keeper &&
+                         (mate.position_m - scene.now.ball.position_m).norm() > kOffBall_m;
+    if (!is_free) continue;
+    const TrackedRobot* victim = nearest_opponent(scene, mate.position_m, kFarthest_m);
+    if (victim == nullptr || (victim->position_m - mate.position_m).norm() < kNearest_m) continue;
+    std::optional<Deed> deed = deed_of(&mate, victim->position_m);
+    deed->other = victim->number;
+    return deed;
+  }
+  return std::nullopt;
+}
+
+bool go_on(const Scene& scene, Deed& deed, Will& will) {
+  const TrackedRobot& robot = *find(scene.now.own, deed.robot);
+  const TrackedRobot* victim = find(scene.now.opponents, deed.other);
+  if (victim == nullptr || !is_running(scene)) return false;
+  const Vec2 way_m = victim->position_m - robot.position_m;
+  will.order(deed.robot) = charge(robot, direction_of(way_m, robot.heading) * kSpeed_mps);
+  return way_m.norm() > kMet_m;
+}
+
+}  // namespace
+
+const Mischief kRam = {"ram", "Runs into an opponent at full speed.", 0.02, 2, find_chance, go_on};
+
+}  // namespace autoref::strategies::rowdy

@@ -1,0 +1,54 @@
+#include "strategies/rowdy/kinds.hpp"
+
+#include <algorithm>
+
+namespace autoref::strategies::rowdy {
+namespace {
+
+constexpr double kNearest_m = 600_mm;  // of the two centres
+constexpr double kFarthest_m = 1600_mm;
+constexpr double kComes_mps = 0.8;  // the opponent, towards the robot
+constexpr double kStraight = 0.95;  // so much of its speed is towards the robot
+constexpr double kMet_m = 2 * kRobotRadius_m + 5_mm;
+
+double closing_mps(const TrackedRobot& mover, const Vec2& point_m) {
+  return mover.velocity_mps.dot(direction_of(point_m - mover.position_m, Vec2(0, 0)));
+}
+
+bool comes(const TrackedRobot& opponent, const TrackedRobot& mate) {
+  const double distance_m = (opponent.position_m - mate.position_m).norm();
+  const double towards_mps = closing_mps(opponent, mate.position_m);
+  return distance_m > kNearest_m && distance_m < kFarthest_m && towards_mps > kComes_mps &&
+         towards_mps > kStraight * opponent.velocity_mps.norm();
+}
+
+std::optional<Deed> find_chance(const Scene& scene) {
+  if (!is_running(scene)) return std::nullopt;
+  for (const TrackedRobot& mate : scene.now.own) {
+    if (mate.number == scene.keeper) continue;
+    for (const TrackedRobot& opponent : scene.now.opponents) {
+      if (!comes(opponent, mate)) continue;
+      std::optional<Deed> deed = deed_of(&mate, opponent.position_m);
+      deed->other = opponent.number;
+      return deed;
+    }
+  }
+  return std::nullopt;
+}
+
+bool go_on(const Scene& scene, Deed& deed, Will& will) {
+  const TrackedRobot& robot = *find(scene.now.own, deed.robot);
+  const TrackedRobot* opponent = find(scene.now.opponents, deed.other);
+  if (opponent == nullptr || !is_running(scene)) return false;
+  const Vec2 way_m = opponent->position_m - robot.position_m;
+  const double speed_mps = std::max(0.0, closing_mps(*opponent, robot.position_m));
+  will.order(deed.robot) = charge(robot, direction_of(way_m, robot.heading) * speed_mps);
+  return way_m.norm() > kMet_m;
+}
+
+}  // namespace
+
+const Mischief kRamEvenly = {
+    "ram_evenly", "Meets an opponent head-on, as fast as that comes.", 0.1, 2, find_chance, go_on};
+
+}  // namespace autoref::strategies::rowdy

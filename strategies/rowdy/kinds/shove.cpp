@@ -1,0 +1,41 @@
+#include "strategies/rowdy/kinds.hpp"
+
+namespace autoref::strategies::rowdy {
+namespace {
+
+constexpr double kNearest_m = 450_mm;  // of the two centres: room to get as fast
+constexpr double kReach_m = 800_mm;
+constexpr double kStill_mps = 0.3;  // the opponent
+// Robots that are pushed brake harder than others drive, so that speed must do it; less than a
+// crash.
+constexpr double kSpeed_mps = 1.45;
+constexpr double kFar_m = 350_mm;  // then it is enough
+
+std::optional<Deed> find_chance(const Scene& scene) {
+  if (!is_running(scene)) return std::nullopt;
+  for (const TrackedRobot& mate : scene.now.own) {
+    const TrackedRobot* victim = nearest_opponent(scene, mate.position_m, kReach_m);
+    if (mate.number == scene.keeper || victim == nullptr) continue;
+    if (victim->velocity_mps.norm() > kStill_mps) continue;
+    if ((victim->position_m - mate.position_m).norm() < kNearest_m) continue;
+    std::optional<Deed> deed = deed_of(&mate, victim->position_m);
+    deed->other = victim->number;
+    return deed;
+  }
+  return std::nullopt;
+}
+
+bool go_on(const Scene& scene, Deed& deed, Will& will) {
+  const TrackedRobot& robot = *find(scene.now.own, deed.robot);
+  const TrackedRobot* victim = find(scene.now.opponents, deed.other);
+  if (victim == nullptr || !is_running(scene)) return false;
+  const Vec2 way_m = victim->position_m - robot.position_m;
+  will.order(deed.robot) = charge(robot, direction_of(way_m, robot.heading) * kSpeed_mps);
+  return (victim->position_m - deed.from_m).norm() < kFar_m;
+}
+
+}  // namespace
+
+const Mischief kShove = {"shove", "Pushes an opponent back.", 0.05, 3, find_chance, go_on};
+
+}  // namespace autoref::strategies::rowdy

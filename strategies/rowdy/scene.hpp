@@ -1,0 +1,58 @@
+// What the mischief of `rowdy` sees, and how it moves robots.
+#pragma once
+
+#include <optional>
+
+#include "soccer/field.hpp"
+#include "soccer/robot_command.hpp"
+#include "soccer/rule_book.hpp"
+#include "soccer/team_view.hpp"
+#include "strategies/skills/motion.hpp"
+
+namespace autoref::strategies::rowdy {
+
+// The game in the team's frame, looked ahead to when orders take effect.
+struct Scene {
+  const Field& field;
+  const RuleBook& rules;
+  const TeamView& now;
+  int keeper = 0;  // number of the own keeper
+};
+
+// The robot of that number, or nullptr.
+const TrackedRobot* find(const TrackedRobots& robots, int number);
+
+// The own robot nearest to a point, the keeper left out; nullptr where none is within `reach_m`.
+const TrackedRobot* nearest_mate(const Scene& scene, const Vec2& point_m, double reach_m);
+
+// The nearest opponent, likewise.
+const TrackedRobot* nearest_opponent(const Scene& scene, const Vec2& point_m, double reach_m);
+
+// Whether the robot has the ball before its plate, at most some 15 mm away.
+bool has_ball(const TrackedRobot& robot, const TrackedBall& ball);
+
+bool is_running(const Scene& scene);
+// Whether the team is to take, or the opponents are about to take, a restart other than a penalty.
+bool is_own_restart(const Scene& scene);
+bool is_opponents_restart(const Scene& scene);
+bool is_free_kick(Play play);
+
+// Orders that bring the robot to a place around everybody else, facing the ball.
+RobotCommand go_to(const Scene& scene, const TrackedRobot& robot, const Vec2& place_m);
+
+// Orders that move the robot straight on at that velocity, facing where it goes.
+RobotCommand charge(const TrackedRobot& robot, const Vec2& velocity_mps);
+
+// Orders that take the robot behind the ball and kick it straight at the target.
+RobotCommand kick_at(const Scene& scene, const TrackedRobot& robot, const Vec2& target_m,
+                     double kick_mps);
+
+// Lets the mates of robot `number` stand where they are within `reach_m` of a point.
+void hold_back(const Scene& scene, int number, const Vec2& point_m, double reach_m,
+               TeamOrders& orders);
+
+// Sends mates of robot `number` out of the way from `from_m` to `to_m`, the keeper too.
+void clear_way(const Scene& scene, int number, const Vec2& from_m, const Vec2& to_m,
+               TeamOrders& orders);
+
+}  // namespace autoref::strategies::rowdy

@@ -1,0 +1,148 @@
+// Robots that leave the field and come back.
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "sim/camera.hpp"
+#include "tests/sim/scene.hpp"
+
+namespace autoref::sim {
+namespace {
+
+constexpr RobotId kWest1{Side::kWest, 1};
+
+// A ball rolls along y = 0 at the east's robot, the west's is out of the way.
+Scene ball_at_a_robot() {
+  Scene scene;
+  scene.put_robot(kWest0, {-2, 1});
+  scene.put_robot(kEast0, {1, 0}, {-1, 0});
+  scene.put_ball({0.5, 0}, {3, 0});
+  return scene;
+}
+
+TEST(ARobotOffTheField, LetsTheBallPassWhereItStood) {
+  Scene scene = ball_at_a_robot();
+  scene.world.take_off(kEast0);
+  scene.frames(30);
+  EXPECT_GT(scene.ball().position_m.x(), 1.3);
+  Scene still_there = ball_at_a_robot();
+  still_there.frames(30);
+  EXPECT_LT(still_there.ball().position_m.x(), 1.0);
+}
+
+TEST(ARobotOffTheField, CatchesNoBallThatComesDownOnIt) {
+  Scene scene = ball_at_a_robot();
+  scene.world.take_off(kEast0);
+  BallState falling;
+  falling.position_m = {1, 0};
+  falling.height_m = 0.3;
+  scene.world.put_ball(falling);
+  double lowest_m = 1;
+  for (int f = 0; f < 20; ++f) {
+    scene.frame();
+    lowest_m = std::min(lowest_m, scene.ball().height_m);
+  }
+  EXPECT_LT(lowest_m, 0.05);
+}
+
+TEST(ARobotOffTheField, IsInNoStateAndOnNoPicture) {
+  Scene scene(quiet(), sheets(3, 1));
+  scene.world.take_off(kWest1);
+  scene.frame();
+  Frame frame;
+  Camera({}, scene.field, 60, 1).look(scene.world.state(), frame);
+  ASSERT_EQ(scene.world.state().robots[Side::kWest].size(), 2U);
+  ASSERT_EQ(frame.robots[Side::kWest].size(), 2U);
+  EXPECT_EQ(frame.robots[Side::kWest][1].number, 2);
+  EXPECT_FALSE(scene.world.is_on(kWest1));
+}
+
+TEST(ARobotOffTheField, NeitherDrivesNorKicks) {
+  Scene scene;
+  scene.put_robot(kWest0, {0, 0});
+  scene.put_ball_at_plate(kWest0, 0.005);
+  scene.world.take_off(kWest0);
+  scene.order(kWest0).velocity_mps = {2, 0};
+  scene.order(kWest0).kick_mps = 5;
+  scene.order(kWest0).dribble = true;
+  scene.frames(30);
+  EXPECT_LT(scene.ball().velocity_mps.norm(), 0.01);
+  EXPECT_TRUE(scene.world.touches().empty());
+  scene.put_ball({1, 1});
+  scene.world.put_on(kWest0, {0, 0}, {1, 0});
+  EXPECT_EQ(scene.robot(kWest0).velocity_mps, Vec2(0, 0));
+}
+
+// A robot at the ball would have the world take its short steps.
+TEST(ARobotOffTheField, DisturbsNoCalm) {
+  Configuration coarse = quiet();
+  coarse.substeps = 2;
+  Scene adaptive = ball_at_a_robot();
+  Scene always_long(coarse);
+  always_long.put_robot(kWest0, {-2, 1});
+  always_long.put_robot(kEast0, {1, 0}, {-1, 0});
+  for (Scene* scene : {&adaptive, &always_long}) {
+    scene->put_ball({0.7, 0}, {0.5, 0}, true);
+    scene->world.take_off(kEast0);
+    scene->frames(60);
+  }
+  EXPECT_EQ(adaptive.ball().position_m, always_long.ball().position_m);
+}
+
+TEST(ARobotOffTheField, ComesBackAndPlays) {
+  Scene scene = ball_at_a_robot();
+  scene.world.take_off(kEast0);
+  scene.frames(60);
+  scene.put_ball({0.7, 1.0}, {0, 0}, true);
+  EXPECT_FALSE(scene.world.is_free({0.75, 1.0}));
+  ASSERT_TRUE(scene.world.is_free({0.9, 1.0}));
+  scene.world.put_on(kEast0, {0.9, 1.0}, {-1, 0});
+  EXPECT_FALSE(scene.world.is_free({0.9, 1.15}));
+  scene.order(kEast0).velocity_mps = {1, 0};
+  scene.order(kEast0).kick_mps = 4;
+  scene.frames(30);
+  EXPECT_LT(scene.robot(kEast0).position_m.x(), 0.85);
+  EXPECT_LT(scene.ball().velocity_mps.x(), -1.0);
+}
+
+TEST(ARobotOffTheField, ShiftsNoChanceOfItsMates) {
+  const auto way_of_second = [](bool first_leaves) {
+    Scene scene(quiet(), sheets(2, 0, RobotSheet{}), 7);
+    scene.put_robot(kWest0, {-2, 1.5});
+    scene.put_robot(kWest1, {-2, -1.5});
+    scene.put_ball({2, 0});
+    if (first_leaves) scene.world.take_off(kWest0);
+    scene.order(kWest0).velocity_mps = scene.order(kWest1).velocity_mps = {1, 0};
+    scene.frames(60);
+    return scene.world.state().robots[Side::kWest].back().position_m;
+  };
+  EXPECT_EQ(way_of_second(true), way_of_second(false));
+}
+
+// A crowd at the ball in which a robot comes and goes.
+std::vector<Vec2> ways_with_changes() {
+  Scene scene(quiet(), sheets(3, 3, RobotSheet{}), 5);
+  std::vector<Vec2> ways;
+  for (int f = 0; f < 600; ++f) {
+    for (const Side side : kSides) {
+      for (const RobotState& robot : scene.world.state().robots[side]) {
+        RobotCommand& order = scene.order({side, robot.number});
+        order.velocity_mps = to_local(scene.ball().position_m - robot.position_m, robot.heading);
+        order.kick_mps = 2;
+      }
+    }
+    if (f == 100) scene.world.take_off(kWest1);
+    if (f == 300 && scene.world.is_free({-1, 2.2})) scene.world.put_on(kWest1, {-1, 2.2}, {1, 0});
+    scene.frame();
+    ways.push_back(scene.ball().position_m);
+  }
+  EXPECT_TRUE(scene.world.is_on(kWest1));
+  return ways;
+}
+
+TEST(RobotsThatComeAndGo, MakeTheSameGameTwice) {
+  EXPECT_EQ(ways_with_changes(), ways_with_changes());
+}
+
+}  // namespace
+}  // namespace autoref::sim

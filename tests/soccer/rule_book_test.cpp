@@ -1,0 +1,112 @@
+// Numbers of the rule books, each against what the league has written.
+#include "soccer/rule_book.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "soccer/rule_table.hpp"
+
+namespace autoref {
+namespace {
+
+RuleBook book(const char* name) { return find_rule_book(name).value(); }
+
+TEST(RuleBooks, AreFoundByNameOnly) {
+  EXPECT_EQ(rule_book_names(),
+            (std::vector<std::string>{"paper", "2014", "2014-double", "2026-b", "2026-a"}));
+  EXPECT_FALSE(find_rule_book("2013").has_value());
+  EXPECT_FALSE(find_game_setup("2013").has_value());
+}
+
+TEST(RuleBooks, LimitKicksTo8MetresPerSecondUntil2014AndTo6point5In2026) {
+  EXPECT_DOUBLE_EQ(book("2014").kick_limit_mps, 8.0);
+  EXPECT_DOUBLE_EQ(book("2026-b").kick_limit_mps, 6.5);
+  EXPECT_DOUBLE_EQ(book("2026-a").kick_limit_mps, 6.5);
+}
+
+TEST(RuleBooks, AllowDribblingFor500MillimetresIn2014AndAMetreLater) {
+  EXPECT_DOUBLE_EQ(book("2014").dribbling_m, 0.5);
+  EXPECT_DOUBLE_EQ(book("2026-b").dribbling_m, 1.0);
+}
+
+TEST(RuleBooks, LimitTheSpeedDuringStopByTheSizeOfTheField) {
+  EXPECT_DOUBLE_EQ(book("2014").stop_speed_mps, 1.0);
+  EXPECT_DOUBLE_EQ(book("2014-double").stop_speed_mps, 1.5);
+  EXPECT_DOUBLE_EQ(book("2026-a").stop_speed_mps, 1.5);
+}
+
+TEST(RuleBooks, LetKeepersHoldTheBallFor15And10And5Seconds) {
+  EXPECT_DOUBLE_EQ(book("2014").keeper_holding_s, 15);
+  EXPECT_DOUBLE_EQ(book("2026-b").keeper_holding_s, 10);
+  EXPECT_DOUBLE_EQ(book("2026-a").keeper_holding_s, 5);
+}
+
+TEST(RuleBooks, GiveTimeoutsByTheSizeOfTheField) {
+  EXPECT_EQ(book("2014").timeouts, 4);
+  EXPECT_DOUBLE_EQ(book("2014").timeouts_s, 300);
+  EXPECT_EQ(book("2014-double").timeouts, 6);
+  EXPECT_DOUBLE_EQ(book("2014-double").timeouts_s, 450);
+}
+
+TEST(RuleBooks, ForbidAimlessKicksInDivisionBOnly) {
+  EXPECT_TRUE(book("2026-b").has(RuleId::kAimlessKick));
+  EXPECT_FALSE(book("2026-a").has(RuleId::kAimlessKick));
+  EXPECT_FALSE(book("2014").has(RuleId::kAimlessKick));
+}
+
+TEST(RuleBooks, HaveNoOffsideUnlessItIsSwitchedOn) {
+  for (const std::string& name : rule_book_names()) {
+    EXPECT_FALSE(book(name.c_str()).has(RuleId::kOffside)) << name;
+  }
+}
+
+TEST(RuleBooks, OfThePaperHoldWhatItHandles) {
+  const RuleSet expected{RuleId::kGoal, RuleId::kBallLeavesField, RuleId::kAttackerNearArea,
+                         RuleId::kRestartNotTaken, RuleId::kStuckBall};
+  EXPECT_EQ(book("paper").in_force, expected);
+  EXPECT_EQ(book("paper"), RuleBook{});
+}
+
+TEST(GameSetups, AreThoseOfTheDivisions) {
+  const GameSetup a = find_game_setup("2026-a").value();
+  EXPECT_DOUBLE_EQ(a.field.length_m, 12);
+  EXPECT_DOUBLE_EQ(a.field.width_m, 9);
+  EXPECT_DOUBLE_EQ(a.field.goal_width_m, 1.8);
+  EXPECT_DOUBLE_EQ(a.field.defence_area.depth_m, 1.8);
+  EXPECT_DOUBLE_EQ(a.field.defence_area.straight_m, 3.6);
+  EXPECT_EQ(a.robots, 11);
+  EXPECT_DOUBLE_EQ(a.half_s, 300);
+  EXPECT_DOUBLE_EQ(find_game_setup("2014-double").value().field.length_m, 8.09);
+  EXPECT_DOUBLE_EQ(find_game_setup("paper").value().half_s, 600);
+}
+
+TEST(RuleTable, HasEveryRuleOnceInOrder) {
+  int next = 0;
+  for (const RuleEntry& entry : rule_table()) EXPECT_EQ(static_cast<int>(entry.rule), next++);
+  EXPECT_EQ(next, kRuleCount);
+}
+
+TEST(RuleTable, NamesASectionForEveryRuleThatABookHolds) {
+  for (const std::string& name : rule_book_names()) {
+    const RuleBook rules = book(name.c_str());
+    for (const RuleEntry& entry : rule_table()) {
+      if (rules.has(entry.rule)) {
+        EXPECT_NE(section_of(rules, entry.rule), "ours") << name << " " << name_of(entry.rule);
+      }
+    }
+  }
+}
+
+TEST(RuleIds, AreFoundByTheirNames) {
+  std::set<std::string_view> names;
+  for (const RuleEntry& entry : rule_table()) {
+    names.insert(name_of(entry.rule));
+    EXPECT_EQ(find_rule(name_of(entry.rule)), entry.rule);
+  }
+  EXPECT_EQ(names.size(), static_cast<std::size_t>(kRuleCount));
+  EXPECT_FALSE(find_rule("handball").has_value());
+}
+
+}  // namespace
+}  // namespace autoref
