@@ -173,7 +173,7 @@ void begin_timeout(Memory& memory, const Moment& moment, const Finding& finding)
   memory.timeout_clock.start(moment.time_s());
   // What was prepared is prepared again: STOP comes in between.
   if (memory.signal.next_command == kNormalStart) {
-    memory.signal.next_command = memory.signal.command;
+    memory.signal.next_command = memory.prepared;
   }
   send(memory, moment, finding.restart);
 }

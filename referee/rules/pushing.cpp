@@ -71,7 +71,7 @@ class LongestPush {
   void take_in(const std::optional<Push>& push) {
     if (!push || (found_ && push->way_m < found_->way_m - kSame_m)) return;
     const bool is_longer = !found_ || push->way_m > found_->way_m + kSame_m;
-    is_tied_ = !is_longer && push->pusher.side != found_->pusher.side;
+    is_tied_ = !is_longer && (is_tied_ || push->pusher.side != found_->pusher.side);
     found_ = push;
   }
   std::optional<Push> found() const { return is_tied_ ? std::nullopt : found_; }
