@@ -8,7 +8,7 @@
 namespace autoref::referee {
 namespace {
 
-constexpr double kTouches_m = 5_mm;
+constexpr double kTouches_m = 1_mm;
 constexpr double kSeparate_m = 20_mm;
 
 }  // namespace

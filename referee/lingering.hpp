@@ -33,6 +33,10 @@ struct Lingerer {
   double excess = 0;
 };
 
+// Whether `a` is told before `b`: the one farther beyond the limit; of two that are equal but for
+// rounding the one nearer to the centre, so that no side comes first.
+bool goes_before(const Lingerer& a, const Lingerer& b);
+
 // The robot that has offended for `grace_s` and is beyond the limit most, of those not told yet; it
 // is told. `excess_of(side, robot)` says how far a robot is beyond the limit, in any unit; robots
 // up to it do not offend.
@@ -45,7 +49,8 @@ std::optional<Lingerer> take_worst(Lingering& lingering, const Moment& moment, d
       const RobotId id{side, robot.number};
       const double excess = excess_of(side, robot);
       if (!lingering.lingers(id, excess > 0, grace_s, moment.time_s())) continue;
-      if (!worst || excess > worst->excess) worst = Lingerer{id, robot.position_m, excess};
+      const Lingerer found{id, robot.position_m, excess};
+      if (!worst || goes_before(found, *worst)) worst = found;
     }
   }
   if (worst) lingering.tell(worst->id);

@@ -46,7 +46,9 @@ class RoughGame {
         const Vec2 goal = robot.number < 3 ? frame_.ball->position_m : wander * 6;
         const Vec2 way = direction_of(goal - robot.position_m, robot.heading);
         robot.heading = direction_of(robot.heading + way * 0.2, way);
-        robot.position_m += way * (1.5 + 0.5 * robot.number / 6) * kFrame_s;
+        // Bodies in one place at one speed would be a tie in all respects.
+        const double own_mps = side == Side::kWest ? 0 : 0.03;
+        robot.position_m += way * (1.5 + 0.5 * robot.number / 6 + own_mps) * kFrame_s;
       }
     }
   }
@@ -168,6 +170,12 @@ Configuration rough_configuration(const RoughSetup& setup, Side first_kickoff) {
   return configuration;
 }
 
+std::vector<std::string_view> arrows_of(const Referee& referee) {
+  std::vector<std::string_view> arrows;
+  for (const Decision& decision : referee.decisions()) arrows.push_back(decision.arrow);
+  return arrows;
+}
+
 class Mirrored : public testing::TestWithParam<RoughSetup> {};
 
 TEST_P(Mirrored, FramesGiveMirroredCallsInTheSameFrames) {
@@ -182,7 +190,7 @@ TEST_P(Mirrored, FramesGiveMirroredCallsInTheSameFrames) {
     const RefereeSignal turned_signal = other.update(mirrored(frame), {});
     expect_turned(signal, turned_signal);
     EXPECT_EQ(referee.is_ball_in_play(), other.is_ball_in_play());
-    ASSERT_EQ(referee.decisions().size(), other.decisions().size()) << "frame " << i;
+    ASSERT_EQ(arrows_of(referee), arrows_of(other)) << "frame " << i;
     for (std::size_t k = 0; k < referee.decisions().size(); ++k) {
       expect_turned(referee.decisions()[k], other.decisions()[k]);
       stops += is_call(referee.decisions()[k].event) ? 1 : 0;
