@@ -8,7 +8,7 @@
 namespace autoref::referee {
 namespace {
 
-constexpr double kTouches_m = 5_mm;
+constexpr double kTouches_m = 1_mm;
 constexpr double kSeparate_m = 20_mm;
 
 }  // namespace
@@ -18,7 +18,8 @@ bool has_ball(const TrackedRobot& robot, const TrackedBall& ball, bool had,
   if (ball.height_m > kRobotHeight_m) return false;
   const double gap_m =
       distance_to_hull(ball.position_m, robot.position_m, robot.heading) - kBallRadius_m;
-  return gap_m < (had ? kSeparate_m : kTouches_m) + 3 * std::hypot(noise.ball_m, noise.robot_m);
+  const double noise_m = std::hypot(noise.ball_m, noise.robot_m);
+  return gap_m < (had ? kSeparate_m : kTouches_m + noise_m);
 }
 
 }  // namespace autoref::referee

@@ -6,10 +6,10 @@
 
 namespace autoref::referee {
 
-// Whether the robot has the ball: contact begins where hull and ball touch, to within 5 mm, and
-// ends with "an observable separation between the ball and the robot" (Laws 12; 2026, Dribbling),
-// which is 20 mm; `had` tells whether it had the ball in the frame before. Both distances are
-// beyond what `noise` explains. A ball above the robot is none that it has.
+// Whether the robot has the ball: contact begins where hull and ball touch, to within 1 mm and what
+// `noise` explains, and ends with "an observable separation between the ball and the robot" (Laws
+// 12; 2026, Dribbling), which is 20 mm; `had` tells whether it had the ball in the frame before. A
+// ball above the robot is none that it has.
 bool has_ball(const TrackedRobot& robot, const TrackedBall& ball, bool had,
               const VisionNoise& noise);
 

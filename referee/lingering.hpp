@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <optional>
 
 #include "referee/moment.hpp"
@@ -34,30 +33,28 @@ struct Lingerer {
   double excess = 0;
 };
 
+// Whether `a` is told before `b`: the one farther beyond the limit; of two that are equal but for
+// rounding the one nearer to the centre, so that no side comes first.
+bool goes_before(const Lingerer& a, const Lingerer& b);
+
 // The robot that has offended for `grace_s` and is beyond the limit most, of those not told yet; it
-// is told. Where robots of both sides are as far beyond it, none: a later picture parts them.
-// `excess_of(side, robot)` says how far a robot is beyond the limit, in any unit; robots up to it
-// do not offend.
+// is told. `excess_of(side, robot)` says how far a robot is beyond the limit, in any unit; robots
+// up to it do not offend.
 template <typename ExcessOf>
 std::optional<Lingerer> take_worst(Lingering& lingering, const Moment& moment, double grace_s,
                                    const ExcessOf& excess_of) {
-  constexpr double kAsFar = 1e-6;
-  PerSide<std::optional<Lingerer>> worst;
+  std::optional<Lingerer> worst;
   for (const Side side : kSides) {
     for (const TrackedRobot& robot : moment.tracks.robots[side]) {
       const RobotId id{side, robot.number};
       const double excess = excess_of(side, robot);
       if (!lingering.lingers(id, excess > 0, grace_s, moment.time_s())) continue;
-      if (worst[side] && !(excess > worst[side]->excess)) continue;
-      worst[side] = Lingerer{id, robot.position_m, excess};
+      const Lingerer found{id, robot.position_m, excess};
+      if (!worst || goes_before(found, *worst)) worst = found;
     }
   }
-  const auto& [west, east] = worst.values;
-  if (west && east && std::abs(west->excess - east->excess) <= kAsFar) return std::nullopt;
-  const bool is_west = west && !(east && east->excess > west->excess);
-  const std::optional<Lingerer>& told = is_west ? west : east;
-  if (told) lingering.tell(told->id);
-  return told;
+  if (worst) lingering.tell(worst->id);
+  return worst;
 }
 
 }  // namespace autoref::referee

@@ -11,8 +11,6 @@ namespace autoref::referee {
 namespace {
 
 constexpr double kTouching_m = 2 * kRobotRadius_m;  // between the centres
-// As near as this counts as touching. Robots that would crash cannot turn away any more.
-constexpr double kMeets_m = kTouching_m + 5_mm;
 // Robots that met are apart again once they have been farther apart than this for so long. Bodies
 // bounce off each other a few times.
 constexpr double kApart_m = kTouching_m + 20_mm;
@@ -77,7 +75,7 @@ std::optional<Collision> meeting(CrashWatch& watch, const Moment& moment, const 
     at_s = time_to_touch_s(east_before->position_m - west_before->position_m,
                            east_before->velocity_mps - west_before->velocity_mps, duration_s);
   }
-  if (!at_s && distance_m > kMeets_m) return std::nullopt;
+  if (!at_s && distance_m > kTouching_m) return std::nullopt;
   met_s = moment.time_s();
   if (is_new) return std::nullopt;
   return collision_of(*west_before, *east_before, at_s.value_or(duration_s));
@@ -122,13 +120,18 @@ Finding crash_finding(const Collision& crash, const Configuration& configuration
   return finding;
 }
 
+// Of two that are as fast as each other, the one nearer to the centre comes first, not one side's.
+bool comes_after(const Collision& a, const Collision& b) {
+  const double by_mps = b.closing_mps - a.closing_mps;
+  if (std::abs(by_mps) > kSame_mps) return by_mps > 0;
+  return a.position_m.squaredNorm() > b.position_m.squaredNorm();
+}
+
 // Takes the fastest of those not told yet. Where each side has one that is as fast, and only one
 // can stop play, nobody is favoured: none.
 std::optional<Collision> take_worst(CrashWatch& watch, const RuleBook& rules) {
   auto& untold = watch.untold;
-  const auto worst = std::max_element(
-      untold.begin(), untold.end(),
-      [](const Collision& a, const Collision& b) { return a.closing_mps < b.closing_mps; });
+  const auto worst = std::max_element(untold.begin(), untold.end(), comes_after);
   if (worst == untold.end()) return std::nullopt;
   const Collision crash = *worst;
   const bool is_tied = std::any_of(untold.begin(), untold.end(), [&crash](const Collision& other) {
@@ -143,10 +146,11 @@ std::optional<Collision> take_worst(CrashWatch& watch, const RuleBook& rules) {
 
 }  // namespace
 
+// Told in the frame after: only then is it sure that they met.
 std::optional<Finding> find_crash(Memory& memory, const Moment& moment) {
-  watch_robots(memory.watch.crash, moment);
   const RuleBook& rules = moment.configuration.rules;
   const std::optional<Collision> worst = take_worst(memory.watch.crash, rules);
+  watch_robots(memory.watch.crash, moment);
   if (!worst) return std::nullopt;
   const Collision& crash = *worst;
   Finding finding = is_drawn(crash, rules) ? drawn_finding(crash, rules)

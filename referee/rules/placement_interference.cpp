@@ -34,6 +34,7 @@ double gap_to_way_m(const TrackedRobot& robot, const BallsWay& way) {
 }  // namespace
 
 std::optional<Finding> find_placement_interference(Memory& memory, const Moment& moment) {
+  if (!moment.frame.ball) return std::nullopt;  // nobody knows where it is
   const Configuration& c = moment.configuration;
   const std::optional<BallsWay> way = balls_way(memory, moment);
   const double limit_m = c.rules.placement_clearance_m;

@@ -10,7 +10,8 @@
 namespace autoref::referee {
 namespace {
 
-// Between the centres: robots in contact, and robots that may soon be.
+// Between the centres: robots in contact, and robots that may soon be. Robots do not overlap, but
+// pictures may tell so.
 constexpr double kInContact_m = 2 * kRobotRadius_m + 5_mm;
 constexpr double kNear_m = 2 * kRobotRadius_m + 60_mm;
 // Who drove away from the pusher faster than this before was not pushed.
@@ -83,7 +84,6 @@ class LongestPush {
 
 std::optional<Push> watch_robots(PushingWatch& watch, const Moment& moment) {
   LongestPush longest;
-  const double contact_m = kInContact_m + 3 * moment.configuration.noise.robot_m;
   for (Clinch& clinch : watch.clinches) clinch.is_near = false;
   for (const TrackedRobot& west : moment.tracks.robots[Side::kWest]) {
     for (const TrackedRobot& east : moment.tracks.robots[Side::kEast]) {
@@ -91,7 +91,7 @@ std::optional<Push> watch_robots(PushingWatch& watch, const Moment& moment) {
       if (distance_m > kNear_m) continue;
       Clinch* clinch = clinch_of(watch, west.number, east.number);
       if (clinch == nullptr) continue;
-      follow(*clinch, west, east, distance_m < contact_m);
+      follow(*clinch, west, east, distance_m < kInContact_m && distance_m > kRobotRadius_m);
       if (!clinch->are_in_contact) continue;
       longest.take_in(push_by(Side::kWest, *clinch, west, east));
       longest.take_in(push_by(Side::kEast, *clinch, east, west));

@@ -25,6 +25,7 @@ double gap_to_ball_m(const TrackedRobot& robot, const Vec2& ball_m) {
 }  // namespace
 
 std::optional<Finding> find_stop_distance(Memory& memory, const Moment& moment) {
+  if (!moment.frame.ball) return std::nullopt;  // nobody knows where it is
   const Configuration& c = moment.configuration;
   const bool holds = is_judged(memory, moment);
   const double limit_m =

@@ -5,7 +5,8 @@
 namespace autoref::referee {
 namespace {
 
-constexpr double kTooFastFor_s = 100_ms;
+// More than 0.1 s: tracked velocities lag behind robots that brake by a frame.
+constexpr double kTooFastFor_s = 120_ms;
 // Tracked velocities are wrong by so many deviations of a picture's place a second: by about
 // 0.05 m/s where a picture is by 1.3 mm.
 constexpr double kSpeedNoise_hz = 40;
