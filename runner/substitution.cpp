@@ -57,9 +57,10 @@ std::optional<Vec2> place_of_return(const Field& field, Side side, const Referee
   const double off_line_m =
       std::min(field.run_off_m / 2, field.run_off_m - kRobotRadius_m - kFromWall_m);
   const double beside_m = field.half_width_m() + off_line_m;
+  const int places = static_cast<int>(field.half_length_m() / kNextPlace_m);
   for (const double y_m : {-beside_m, beside_m}) {
-    for (double x_m = -kFromHalfwayLine_m; x_m > -field.half_length_m(); x_m -= kNextPlace_m) {
-      const Vec2 place_m = turn * Vec2(x_m, y_m);
+    for (int i = 0; i < places; ++i) {
+      const Vec2 place_m = turn * Vec2(-kFromHalfwayLine_m - kNextPlace_m * i, y_m);
       if (world.is_free(place_m) && is_off_ball(place_m, signal, world)) return place_m;
     }
   }
