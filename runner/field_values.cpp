@@ -6,12 +6,12 @@
 
 #include "runner/fields.hpp"
 #include "runner/json.hpp"
+#include "runner/match_rules.hpp"
 #include "runner/robot_changes.hpp"
 #include "runner/words.hpp"
 #include "sim/ball_presets.hpp"
 #include "sim/camera_presets.hpp"
 #include "sim/dribbler_presets.hpp"
-#include "soccer/rule_book.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -52,17 +52,6 @@ std::string range_text(const Setting& setting) {
 }
 
 std::string_view last_name_in(std::string_view path) { return path.substr(path.rfind('.') + 1); }
-
-void choose_rules(const std::string& name, GameConfiguration& game) {
-  const GameSetup setup = *find_game_setup(name);
-  game.match.rules = name;
-  const RuleBook rules = *find_rule_book(name);
-  game.match.in_force = rules.in_force;
-  game.match.extra_half_s = rules.extra_half_s;
-  game.match.half_s = setup.half_s;
-  game.field = setup.field;
-  game.a.robots = game.b.robots = setup.robots;
-}
 
 std::string changes_text(const ChangesOf& of) {
   std::string text;

@@ -8,7 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "referee/shootout.hpp"
+#include "runner/match_rules.hpp"
 #include "runner/robot_changes.hpp"
 #include "runner/state_hash.hpp"
 #include "runner/substitution.hpp"
@@ -22,58 +22,8 @@
 namespace autoref::runner {
 namespace {
 
-// Beyond its halves and breaks a game may take this long: waiting for clients and restarts.
-constexpr double kSlack_s = 300;
-
-// Where the clock stands while play is stopped, a game may take this many times its halves. A stop
-// has two waits of 15 s at most, so that games whose plays last 3.3 s on average come to their end.
-constexpr double kStandstill = 10;
-
-const TeamConfiguration& team_on(const GameConfiguration& c, Side side) {
-  return side == c.match.a_plays ? c.a : c.b;
-}
-
 PerSide<sim::TeamSheet> sheets_of(const GameConfiguration& c) {
   return {{sheet_of(c, team_on(c, Side::kWest)), sheet_of(c, team_on(c, Side::kEast))}};
-}
-
-RuleBook rules_of(const MatchConfiguration& match) {
-  std::optional<RuleBook> rules = find_rule_book(match.rules);
-  if (!rules) throw std::invalid_argument(fmt::format("unknown rule book '{}'", match.rules));
-  rules->in_force = match.in_force;
-  rules->extra_half_s = match.extra_half_s;
-  return *rules;
-}
-
-referee::Configuration referee_configuration(const GameConfiguration& c) {
-  referee::Configuration configuration;
-  configuration.field = c.field;
-  configuration.rules = rules_of(c.match);
-  for (const Side side : kSides) configuration.robots[side] = team_on(c, side).robots;
-  configuration.half_s = c.match.half_s;
-  configuration.halves = c.match.halves;
-  configuration.break_s = c.match.break_s;
-  configuration.knockout = c.match.knockout;
-  configuration.first_kickoff = c.match.first_kickoff;
-  configuration.noise = {c.sim.vision.ball_noise_m, c.sim.vision.robot_noise_m,
-                         c.sim.vision.robot_noise_rad};
-  return configuration;
-}
-
-double longest_shootout_s(const RuleBook& rules) {
-  const double kick_s = 2 * rules.ready_timeout_s + rules.penalty_time_s;
-  return 2 * referee::kMostShootoutKicks * kick_s;
-}
-
-// A game that takes longer will not come to its end.
-double longest_s(const MatchConfiguration& match) {
-  const RuleBook rules = rules_of(match);
-  const double stretch = rules.clock_stops ? kStandstill : 1;
-  double longest_s = match.halves * (match.half_s * stretch + match.break_s) + kSlack_s;
-  if (rules.has(RuleId::kTimeouts)) longest_s += 2 * (rules.timeouts_s + rules.extra_timeouts_s);
-  if (!match.knockout) return longest_s;
-  return longest_s + 2 * match.extra_half_s * stretch + 3 * match.break_s +
-         longest_shootout_s(rules);
 }
 
 EndReason reason_of(referee::Event end) {
@@ -213,7 +163,9 @@ class Game {
   const RefereeSignal& judge() {
     camera_.look(world_.state(), frame_);
     ended(Phase::kCamera);
-    const RefereeSignal& signal = referee_.update(frame_, requests());
+    const PerSide<TeamRequests> asked = requests();
+    if (observer_ != nullptr) observer_->on_requests(asked);
+    const RefereeSignal& signal = referee_.update(frame_, asked);
     tracks_.push(referee_.tracks());
     for (const referee::Decision& decision : referee_.decisions()) note(decision);
     frames_in_play_ += referee_.is_ball_in_play() ? 1 : 0;

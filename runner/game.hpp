@@ -15,6 +15,7 @@
 #include "sim/world.hpp"
 #include "soccer/frame.hpp"
 #include "soccer/referee_signal.hpp"
+#include "soccer/team_requests.hpp"
 #include "strategies/strategy.hpp"
 
 namespace autoref::runner {
@@ -51,6 +52,8 @@ class Observer {
   virtual ~Observer() = default;
   // A part of the frame has ended.
   virtual void on_phase(Phase /*ended*/) {}
+  // Once per frame, before the referee: what it is asked for.
+  virtual void on_requests(const PerSide<TeamRequests>& /*requests*/) {}
   // Once per frame, after the referee and before the teams.
   virtual void on_frame(const Frame& /*frame*/, const RefereeSignal& /*signal*/,
                         const sim::World& /*world*/) {}

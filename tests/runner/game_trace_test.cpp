@@ -55,40 +55,5 @@ TEST(GameTrace, AHundredGamesEndWithAResultAndKeepTheirBounds) {
   EXPECT_LE(watch.longest_wait_s, RuleBook().ready_timeout_s + 0.1);
 }
 
-// Keeps the frames of a game for a second referee.
-class Tape final : public Observer {
- public:
-  void on_frame(const Frame& frame, const RefereeSignal& signal, const sim::World&) override {
-    frames.push_back(frame);
-    signals.push_back(signal);
-  }
-  std::vector<Frame> frames;
-  std::vector<RefereeSignal> signals;
-};
-
-TEST(GameTrace, TurnedAndSwappedFramesGiveTheTurnedAndSwappedCalls) {
-  for (std::uint64_t seed = 11; seed <= 14; ++seed) {
-    Tape tape;
-    const GameConfiguration game = short_game(120, seed);
-    play(game, &tape);
-    referee::Configuration configuration;
-    configuration.half_s = game.match.half_s;
-    configuration.first_kickoff = opponent_of(game.match.first_kickoff);
-    referee::Referee referee(configuration);
-    for (std::size_t i = 0; i < tape.frames.size(); ++i) {
-      const RefereeSignal& live = tape.signals[i];
-      const RefereeSignal& turned = referee.update(mirrored(tape.frames[i]), {});
-      ASSERT_EQ(turned.command, mirrored(live.command)) << "seed " << seed << " frame " << i;
-      ASSERT_EQ(turned.command_counter, live.command_counter);
-      ASSERT_EQ(turned.goals[Side::kWest], live.goals[Side::kEast]);
-      ASSERT_EQ(turned.placement.has_value(), live.placement.has_value());
-      if (live.placement) {
-        ASSERT_LT((turned.placement->target_m + live.placement->target_m).norm(), 1e-6);
-      }
-    }
-    EXPECT_GT(tape.signals.back().command_counter, 10U) << "hardly anything was compared";
-  }
-}
-
 }  // namespace
 }  // namespace autoref::runner
