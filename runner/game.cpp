@@ -37,14 +37,6 @@ PerSide<sim::TeamSheet> sheets_of(const GameConfiguration& c) {
   return {{sheet_of(c, team_on(c, Side::kWest)), sheet_of(c, team_on(c, Side::kEast))}};
 }
 
-RuleBook rules_of(const MatchConfiguration& match) {
-  std::optional<RuleBook> rules = find_rule_book(match.rules);
-  if (!rules) throw std::invalid_argument(fmt::format("unknown rule book '{}'", match.rules));
-  rules->in_force = match.in_force;
-  rules->extra_half_s = match.extra_half_s;
-  return *rules;
-}
-
 referee::Configuration referee_configuration(const GameConfiguration& c) {
   referee::Configuration configuration;
   configuration.field = c.field;
@@ -218,7 +210,9 @@ class Game {
     for (const referee::Decision& decision : referee_.decisions()) note(decision);
     frames_in_play_ += referee_.is_ball_in_play() ? 1 : 0;
     ended(Phase::kReferee);
-    if (observer_ != nullptr) observer_->on_frame(frame_, signal, world_);
+    if (observer_ == nullptr) return signal;
+    observer_->on_requests(requests());
+    observer_->on_frame(frame_, signal, world_);
     return signal;
   }
 
@@ -287,6 +281,14 @@ class Game {
 };
 
 }  // namespace
+
+RuleBook rules_of(const MatchConfiguration& match) {
+  std::optional<RuleBook> rules = find_rule_book(match.rules);
+  if (!rules) throw std::invalid_argument(fmt::format("unknown rule book '{}'", match.rules));
+  rules->in_force = match.in_force;
+  rules->extra_half_s = match.extra_half_s;
+  return *rules;
+}
 
 std::string_view name_of(EndReason reason) {
   static constexpr std::array<std::string_view, 6> kNames = {"time",      "goals",     "shootout",

@@ -15,6 +15,8 @@
 #include "sim/world.hpp"
 #include "soccer/frame.hpp"
 #include "soccer/referee_signal.hpp"
+#include "soccer/rule_book.hpp"
+#include "soccer/team_requests.hpp"
 #include "strategies/strategy.hpp"
 
 namespace autoref::runner {
@@ -51,6 +53,8 @@ class Observer {
   virtual ~Observer() = default;
   // A part of the frame has ended.
   virtual void on_phase(Phase /*ended*/) {}
+  // Once per frame, what the teams asked for before the referee judged.
+  virtual void on_requests(const PerSide<TeamRequests>& /*requests*/) {}
   // Once per frame, after the referee and before the teams.
   virtual void on_frame(const Frame& /*frame*/, const RefereeSignal& /*signal*/,
                         const sim::World& /*world*/) {}
@@ -64,6 +68,10 @@ using TeamMaker = std::function<std::unique_ptr<strategies::Strategy>(
 // The teams of strategies/registry.hpp.
 std::unique_ptr<strategies::Strategy> make_registered_team(const std::string& name,
                                                            const strategies::Briefing& briefing);
+
+// The rule book of a game, with the rules that it has in force. Throws std::invalid_argument for an
+// unknown name.
+RuleBook rules_of(const MatchConfiguration& match);
 
 // Plays one game to its end. Throws std::invalid_argument for a configuration that no game can be
 // made of (unknown strategy, rules or preset, numbers out of range). A strategy that throws or
