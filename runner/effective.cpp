@@ -73,18 +73,32 @@ std::string body_of(const GameConfiguration& game) {
   return tree.text();
 }
 
-std::string body_of(const Sweep& sweep) {
-  GameConfiguration copy = sweep.base;
+// Without what the plan decides.
+std::string base_of(const GameConfiguration& base) {
+  GameConfiguration copy = base;
   Tree tree(1);
   for (const Setting& setting : settings_of(copy)) {
     if (is_alias(setting) || is_spelt_out(setting) || is_decided_by_plan(setting.path)) continue;
     tree.add(setting);
   }
-  std::string text = "base:\n" + tree.text() + "factors:\n";
+  return "base:\n" + tree.text();
+}
+
+std::string body_of(const Sweep& sweep) {
+  std::string text = base_of(sweep.base) + "factors:\n";
   for (const Factor& factor : sweep.factors) {
     text += fmt::format("  {}: [{}]\n", factor.path, listed(factor.values));
   }
   return text + fmt::format("pairs: {}\nseed: {}\n", sweep.pairs, sweep.seed);
+}
+
+std::string body_of(const JudgePlan& plan) {
+  std::string text = base_of(plan.base) + fmt::format("rules: [{}]\ncameras: [{}]\n",
+                                                      listed(plan.rules), listed(plan.cameras));
+  std::vector<std::string> matchups;
+  for (const auto& matchup : plan.matchups) matchups.push_back(name_of(matchup));
+  if (!matchups.empty()) text += fmt::format("matchups: [{}]\n", listed(matchups));
+  return text + fmt::format("games: {}\nseed: {}\n", plan.games, plan.seed);
 }
 
 }  // namespace

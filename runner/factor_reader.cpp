@@ -42,33 +42,38 @@ void FactorReader::read(const YamlEntry& factors, Sweep& sweep) {
 }
 
 Factor FactorReader::read_factor(const YamlEntry& entry, GameConfiguration& base) {
-  Factor factor{short_path(entry.key), {}};
   places_[full_path(entry.key)] = entry.place;
-  if (!entry.value.IsSequence() || entry.value.size() == 0) {
-    file_.refuse(value_place(entry), entry.key, "expected a list of values, such as [1.0, 0.9]");
-  }
-  for (const YAML::Node& value : entry.value) {
-    const YamlPlace place = place_of(value);
-    if (!value.IsScalar()) file_.refuse(place, entry.key, "expected a list of plain values");
-    const std::string text = read_value(entry, place, value.Scalar(), base);
-    if (std::find(factor.values.begin(), factor.values.end(), text) != factor.values.end()) {
-      file_.refuse(place, entry.key, fmt::format("the value {} is given twice", text));
-    }
-    factor.values.push_back(text);
-  }
-  return factor;
+  return {short_path(entry.key), values(entry, entry.key, base)};
 }
 
-std::string FactorReader::read_value(const YamlEntry& entry, const YamlPlace& place,
+std::vector<std::string> FactorReader::values(const YamlEntry& list, const std::string& path,
+                                              GameConfiguration& base) const {
+  std::vector<std::string> values;
+  if (!list.value.IsSequence() || list.value.size() == 0) {
+    file_.refuse(value_place(list), list.key, "expected a list of values, such as [1.0, 0.9]");
+  }
+  for (const YAML::Node& value : list.value) {
+    const YamlPlace place = place_of(value);
+    if (!value.IsScalar()) file_.refuse(place, list.key, "expected a list of plain values");
+    const std::string text = read_value(place, path, value.Scalar(), base);
+    if (std::find(values.begin(), values.end(), text) != values.end()) {
+      file_.refuse(place, list.key, fmt::format("the value {} is given twice", text));
+    }
+    values.push_back(text);
+  }
+  return values;
+}
+
+std::string FactorReader::read_value(const YamlPlace& place, const std::string& path,
                                      const std::string& text, GameConfiguration& base) const {
   GameConfiguration game = base;
   try {
-    set_by_path(game, entry.key, text, file_.folder());
+    set_by_path(game, path, text, file_.folder());
   } catch (const std::invalid_argument& error) {
-    file_.refuse(place, entry.key, error.what());
+    file_.refuse(place, path, error.what());
   }
   base.types.insert(game.types.begin(), game.types.end());
-  return value_at(game, entry.key);
+  return value_at(game, path);
 }
 
 void FactorReader::refuse_overlap(const YamlEntry& entry,

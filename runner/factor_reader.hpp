@@ -25,9 +25,14 @@ class FactorReader {
   // Adds the factors to `sweep`, and the types they name to its base. Throws InputError.
   void read(const YamlEntry& factors, Sweep& sweep);
 
+  // A list of different values of the setting at `path`, as value_at() spells them; types that they
+  // name go into `base`. Throws InputError.
+  std::vector<std::string> values(const YamlEntry& list, const std::string& path,
+                                  GameConfiguration& base) const;
+
  private:
   Factor read_factor(const YamlEntry& entry, GameConfiguration& base);
-  std::string read_value(const YamlEntry& entry, const YamlPlace& place, const std::string& text,
+  std::string read_value(const YamlPlace& place, const std::string& path, const std::string& text,
                          GameConfiguration& base) const;
   // Two factors that set the same number would make the later one win unnoticed.
   void refuse_overlap(const YamlEntry& entry, const std::vector<Factor>& factors) const;

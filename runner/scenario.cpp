@@ -9,6 +9,7 @@
 #include "runner/errors.hpp"
 #include "runner/factor_reader.hpp"
 #include "runner/files.hpp"
+#include "runner/judge_reader.hpp"
 #include "runner/plan.hpp"
 #include "runner/settings_reader.hpp"
 #include "runner/words.hpp"
@@ -20,7 +21,9 @@ namespace {
 using Entries = std::vector<YamlEntry>;
 
 constexpr int kMostPairs = 9999;
-const std::vector<std::string> kKinds = {"game", "sweep"};
+constexpr int kMostJudged = 9999;
+const std::vector<std::string> kKinds = {"game", "sweep", "judge"};
+const std::vector<std::string> kVerbs = {"play", "run", "judge"};
 
 // Reads one document, top level first.
 class ScenarioReader {
@@ -38,8 +41,10 @@ class ScenarioReader {
     }
     if (kind == "game") {
       scenario.content = read_game();
-    } else {
+    } else if (kind == "sweep") {
       scenario.content = read_sweep();
+    } else {
+      scenario.content = read_judge();
     }
     return scenario;
   }
@@ -107,10 +112,30 @@ class ScenarioReader {
     sweep.pairs = number<int>(required_entry(file_, top_, "pairs"), "pairs",
                               fmt::format("a whole number from 1 to {}", kMostPairs),
                               whole_number_in, 1, kMostPairs);
-    sweep.seed = number<std::uint64_t>(required_entry(file_, top_, "seed"), "seed",
-                                       "a whole number from 0 to 2^64 - 1", seed_in, 0, UINT64_MAX);
+    sweep.seed = seed();
     check_together(sweep);
     return sweep;
+  }
+
+  JudgePlan read_judge() {
+    refuse_unknown(
+        file_, top_,
+        {"schema", "kind", "about", "base", "rules", "cameras", "matchups", "games", "seed"});
+    JudgePlan plan;
+    if (const YamlEntry* base = find_entry(top_, "base")) read_base(*base, plan.base);
+    check(plan.base);
+    JudgeReader(file_, places_).read(top_, plan);
+    plan.games = number<int>(required_entry(file_, top_, "games"), "games",
+                             fmt::format("a whole number from 1 to {}", kMostJudged),
+                             whole_number_in, 1, kMostJudged);
+    plan.seed = seed();
+    check_together(plan);
+    return plan;
+  }
+
+  std::uint64_t seed() const {
+    return number<std::uint64_t>(required_entry(file_, top_, "seed"), "seed",
+                                 "a whole number from 0 to 2^64 - 1", seed_in, 0, UINT64_MAX);
   }
 
   // Teams name types, and rules set other branches, wherever these stand beside them.
@@ -162,6 +187,14 @@ class ScenarioReader {
     }
   }
 
+  void check_together(const JudgePlan& plan) const {
+    try {
+      games_of(plan);
+    } catch (const std::invalid_argument& error) {
+      file_.refuse(place_of_first_path_in(error.what()), "", error.what());
+    }
+  }
+
   // Messages about several settings begin with the path of the one to mend, or of its branch.
   YamlPlace place_of_first_path_in(std::string_view message) const {
     const std::string path(message.substr(0, message.find_first_of(": ")));
@@ -179,6 +212,7 @@ class ScenarioReader {
 }  // namespace
 
 std::string_view kind_of(const Scenario& scenario) { return kKinds[scenario.content.index()]; }
+std::string_view verb_of(const Scenario& scenario) { return kVerbs[scenario.content.index()]; }
 
 Scenario read_scenario_text(const std::string& text, const std::string& file_name) {
   const YamlFile file(text, file_name);

@@ -1,4 +1,4 @@
-// Scenario files: one game, or a sweep of games over values of factors.
+// Scenario files: one game, a sweep of games over values of factors, or games to judge the referee.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "runner/configuration.hpp"
+#include "runner/judge_plan.hpp"
 
 namespace autoref::runner {
 
@@ -30,11 +31,14 @@ struct Sweep {
 
 struct Scenario {
   std::string about;
-  std::variant<GameConfiguration, Sweep> content;
+  std::variant<GameConfiguration, Sweep, JudgePlan> content;
 };
 
 // The kind as `kind:` spells it.
 std::string_view kind_of(const Scenario& scenario);
+
+// The verb of `autoref` that plays it.
+std::string_view verb_of(const Scenario& scenario);
 
 // Reads a scenario strictly: every key must be known and given once, every value in its range.
 // What is not given has its default. Throws InputError with file, line and key.

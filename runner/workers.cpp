@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <poll.h>
+#include <sched.h>
 
 #include <algorithm>
 #include <deque>
@@ -103,6 +104,12 @@ class Pool {
 };
 
 }  // namespace
+
+int processors() {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  return sched_getaffinity(0, sizeof set, &set) == 0 ? std::max(1, CPU_COUNT(&set)) : 1;
+}
 
 Ending do_jobs(const std::vector<std::size_t>& jobs, const WorkerOptions& options,
                const WorkerCalls& calls) {

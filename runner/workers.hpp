@@ -34,6 +34,9 @@ struct WorkerCalls {
 
 enum class Ending { kDone, kInterrupted };
 
+// The processors that this process may use.
+int processors();
+
 // Does `jobs`, in their order as far as workers are free. On SIGINT, SIGTERM or SIGHUP no further
 // job is begun; on a second one the workers are killed at once. Returns kInterrupted where jobs
 // are left. Throws what `done` throws, and InputOutputError where no process can be started.

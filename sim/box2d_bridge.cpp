@@ -52,10 +52,33 @@ class BallContacts final : public b2ContactListener {
     meet(*contact, a->GetFilterData().categoryBits == kPlates, robot, *b->GetBody());
   }
 
+  // Called before the step moves anything or solves any contact.
+  void BeginContact(b2Contact* contact) override {
+    b2Fixture& a = *contact->GetFixtureA();
+    b2Fixture& b = *contact->GetFixtureB();
+    if (a.GetFilterData().categoryBits != kRobots || b.GetFilterData().categoryBits != kRobots) {
+      return;
+    }
+    if (meetings.size() == meetings.capacity()) return;
+    meetings.push_back(meeting(*a.GetBody(), *b.GetBody()));
+  }
+
   boost::container::static_vector<int, 2 * kMaxRobots> touching;
+  boost::container::static_vector<RobotMeeting, 64> meetings;
   std::uint32_t dribbling = 0;  // a bit per robot
 
  private:
+  static int index_of(b2Body& robot) { return static_cast<int>(robot.GetUserData().pointer) - 1; }
+
+  static RobotMeeting meeting(b2Body& a, b2Body& b) {
+    const bool in_order = index_of(a) < index_of(b);
+    b2Body& one = in_order ? a : b;
+    b2Body& other = in_order ? b : a;
+    return {{index_of(one), index_of(other)},
+            {from_units(one.GetLinearVelocity()), from_units(other.GetLinearVelocity())},
+            {from_units(one.GetPosition()), from_units(other.GetPosition())}};
+  }
+
   // Before the plate, the round hull is cut off: there only the plate counts.
   static bool is_before_plate(const b2Body& robot, const b2Body& ball) {
     const b2Vec2 p = robot.GetLocalPoint(ball.GetPosition());
@@ -67,7 +90,7 @@ class BallContacts final : public b2ContactListener {
       contact.SetEnabled(false);
       return;
     }
-    const int index = static_cast<int>(robot.GetUserData().pointer) - 1;
+    const int index = index_of(robot);
     const bool dribbles = ((dribbling >> index) & 1U) != 0;
     contact.SetRestitution(!is_plate ? kRobotBody : dribbles ? kDribblingPlate : kPlate);
     if (std::find(touching.begin(), touching.end(), index) == touching.end()) {
@@ -194,6 +217,7 @@ void Box2dBridge::fit_plates() {
 void Box2dBridge::step(double duration_s) {
   fit_plates();
   bodies_->contacts.touching.clear();
+  bodies_->contacts.meetings.clear();
   bodies_->world.Step(static_cast<float>(duration_s), kVelocityIterations, kPositionIterations);
   for (int i = 0; i < count_; ++i) {
     push_on(i, static_cast<float>(duration_s));
@@ -216,6 +240,10 @@ void Box2dBridge::push_on(int index, float duration_s) {
 
 std::span<const int> Box2dBridge::touching() const {
   return {bodies_->contacts.touching.data(), bodies_->contacts.touching.size()};
+}
+
+std::span<const RobotMeeting> Box2dBridge::meetings() const {
+  return {bodies_->contacts.meetings.data(), bodies_->contacts.meetings.size()};
 }
 
 void Box2dBridge::read_robot(int index) {

@@ -25,6 +25,13 @@ struct BodyState {
   double angular_velocity_radps = 0;
 };
 
+// Two robots that were apart met: their motion just before.
+struct RobotMeeting {
+  std::array<int, 2> robots;  // by index, the lower one first
+  std::array<Vec2, 2> velocities_mps;
+  std::array<Vec2, 2> centres_m;
+};
+
 // The longest way of a body in one step: Box2D slows down what is faster.
 inline constexpr double kLongestWay_m = 0.2;
 
@@ -66,6 +73,9 @@ class Box2dBridge {
 
   // The robots whose hull met the ball during the last step, each once, in order of contact.
   std::span<const int> touching() const;
+
+  // The robots that met during the last step, at most 64 pairs, in order of contact.
+  std::span<const RobotMeeting> meetings() const;
 
  private:
   struct Bodies;

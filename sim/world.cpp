@@ -24,6 +24,7 @@ void World::step(const PerSide<TeamOrders>& orders, const std::optional<Placemen
 
 const WorldState& World::state() const { return impl_->state(); }
 std::span<const Touch> World::touches() const { return impl_->touches(); }
+std::span<const Meeting> World::meetings() const { return impl_->meetings(); }
 void World::put_ball(const BallState& ball) { impl_->put_ball(ball); }
 void World::put_robot(RobotId id, const RobotState& state) { impl_->put_robot(id, state); }
 

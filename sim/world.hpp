@@ -5,6 +5,7 @@
 // SI and in the field's frame (soccer/field.hpp).
 #pragma once
 
+#include <array>
 #include <boost/container/static_vector.hpp>
 #include <cstdint>
 #include <memory>
@@ -49,6 +50,18 @@ struct Touch {
   RobotId robot;
   Vec2 ball_m{0, 0};
   bool is_kick = false;
+  Vec2 ball_mps{0, 0};      // of the ball right after it, in the plane
+  double vertical_mps = 0;  // and upwards
+};
+
+// The hulls of two robots met that had been apart. In the plane's physics a robot is a round disc
+// to other robots: its flat front does not count.
+struct Meeting {
+  std::int64_t frame = 0;  // as in Touch
+  int substep = 0;
+  std::array<RobotId, 2> robots;
+  std::array<Vec2, 2> velocities_mps;  // just before
+  std::array<Vec2, 2> centres_m;       // just before
 };
 
 class World {
@@ -74,6 +87,9 @@ class World {
 
   // What touched the ball during the last step, in order; at most 256.
   std::span<const Touch> touches() const;
+
+  // Which robots met during the last step, in order; at most 64.
+  std::span<const Meeting> meetings() const;
 
   // Whether every position and speed is finite.
   bool is_finite() const;

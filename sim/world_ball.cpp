@@ -52,6 +52,7 @@ std::optional<Vec2> World::Impl::kicked(int substep) {
   double vertical_mps = 0.0;
   bool is_kicked = false;
   double limit_mps = 0.0;
+  const std::size_t first = touches_.size();
   for_each_on_field([&](RobotId id, Robot& robot, int index) {
     const auto kick = robot.kicker.fire(robot.aim, bodies_.robot(index), ball.position_m,
                                         ball_.height_m(), substeps_, team(id.side).kicks);
@@ -61,11 +62,16 @@ std::optional<Vec2> World::Impl::kicked(int substep) {
     sum_mps += kick->velocity_mps;
     vertical_mps = std::max(vertical_mps, kick->vertical_mps);
     bodies_.strike_robot(index, kBallMass_kg * (ball.velocity_mps - kick->velocity_mps));
-    note({state_.frame + 1, substep, id, ball.position_m, true});
+    note({state_.frame + 1, substep, id, ball.position_m, true, {0.0, 0.0}, 0.0});
   });
   if (!is_kicked) return std::nullopt;
   ball_.kick(vertical_mps);
-  return clamp_norm(sum_mps, limit_mps);
+  const Vec2 ball_mps = clamp_norm(sum_mps, limit_mps);
+  for (std::size_t i = first; i < touches_.size(); ++i) {
+    touches_[i].ball_mps = ball_mps;
+    touches_[i].vertical_mps = vertical_mps;
+  }
+  return ball_mps;
 }
 
 // What all dribblers do to the ball. A robot that has just kicked lets go of a ball it held.

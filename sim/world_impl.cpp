@@ -65,6 +65,7 @@ World::Impl::Impl(const Field& field, const Configuration& configuration,
 void World::Impl::step(const PerSide<TeamOrders>& orders,
                        const std::optional<Placement>& placement) {
   touches_.clear();
+  meetings_.clear();
   touched_in_frame_ = 0;
   obey(placement);
   for (int k = 0; k < configuration_.substeps;) {
@@ -137,6 +138,7 @@ void World::Impl::advance(int substep, int substeps) {
   bodies_.step(step_s_);
   if (hold_ == Hold::kFree) follow_ball(former);
   note_contacts(substep);
+  note_meetings(substep);
   substeps_ += substeps;
 }
 
@@ -154,16 +156,30 @@ void World::Impl::note_contacts(int substep) {
     now |= bit;
     if ((touching_ & touched_in_frame_ & bit) != 0) continue;
     touched_in_frame_ |= bit;
-    const bool is_west = index < team(Side::kEast).first;
-    const RobotId id = is_west ? RobotId{Side::kWest, index}
-                               : RobotId{Side::kEast, index - team(Side::kEast).first};
-    note({state_.frame + 1, substep, id, bodies_.ball().position_m, false});
+    note({state_.frame + 1, substep, id_of(index), bodies_.ball().position_m, false,
+          bodies_.ball().velocity_mps, ball_.vertical_mps()});
   }
   touching_ = now;
 }
 
 void World::Impl::note(const Touch& touch) {
   if (touches_.size() < touches_.capacity()) touches_.push_back(touch);
+}
+
+void World::Impl::note_meetings(int substep) {
+  for (const RobotMeeting& met : bodies_.meetings()) {
+    if (meetings_.size() == meetings_.capacity()) return;
+    meetings_.push_back({state_.frame + 1,
+                         substep,
+                         {id_of(met.robots[0]), id_of(met.robots[1])},
+                         met.velocities_mps,
+                         met.centres_m});
+  }
+}
+
+RobotId World::Impl::id_of(int index) const {
+  const int east = team(Side::kEast).first;
+  return index < east ? RobotId{Side::kWest, index} : RobotId{Side::kEast, index - east};
 }
 
 void World::Impl::put_ball(const BallState& ball) {

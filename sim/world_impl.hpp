@@ -23,6 +23,7 @@ class World::Impl {
   void step(const PerSide<TeamOrders>& orders, const std::optional<Placement>& placement);
   const WorldState& state() const { return state_; }
   std::span<const Touch> touches() const { return {touches_.data(), touches_.size()}; }
+  std::span<const Meeting> meetings() const { return {meetings_.data(), meetings_.size()}; }
   void put_ball(const BallState& ball);
   void put_robot(RobotId id, const RobotState& state);
   void take_off(RobotId id);
@@ -58,6 +59,7 @@ class World::Impl {
 
   Team make_team(Side side, const TeamSheet& sheet, std::uint64_t seed) const;
   Team& team(Side side) { return teams_[static_cast<std::size_t>(side)]; }
+  const Team& team(Side side) const { return teams_[static_cast<std::size_t>(side)]; }
 
   void accept(const PerSide<TeamOrders>& orders);
   bool hears(Robot& robot, RandomStream& radio) const;
@@ -78,6 +80,8 @@ class World::Impl {
   void note_contacts(int substep);
   void note(const Touch& touch);
   int index_of(RobotId id) const;  // in the bridge
+  void note_meetings(int substep);
+  RobotId id_of(int index) const;
   void publish();
 
   template <typename Act>  // act(id, robot, index in the bridge)
@@ -118,6 +122,7 @@ class World::Impl {
   std::uint32_t touching_ = 0;          // a bit per robot: met the ball in the last sub-step
   std::uint32_t touched_in_frame_ = 0;  // and in this frame
   boost::container::static_vector<Touch, 256> touches_;
+  boost::container::static_vector<Meeting, 64> meetings_;
   WorldState state_;
 };
 

@@ -57,6 +57,7 @@ int run_command_line(int argc, const char* const* argv) {
   Chosen chosen;
   add_play_verb(app, chosen);
   add_run_verb(app, chosen);
+  add_judge_verb(app, chosen);
   add_lab_verb(app, chosen);
   add_rules_verb(app, chosen);
   add_bench_verb(app, chosen);

@@ -25,6 +25,14 @@ struct RunArguments {
   bool allow_mixed_build = false;
 };
 
+// What `autoref judge` is told.
+struct JudgeArguments {
+  std::string file;
+  std::string folder;  // empty: results/runs/<scenario>
+  int workers = 0;     // 0: one per processor
+  bool json = false;
+};
+
 // What `autoref lab` is told.
 struct LabArguments {
   std::string file;
@@ -40,6 +48,7 @@ struct RulesArguments {
 // Each does its verb's work and returns the exit code. Mistakes come as exceptions (errors.hpp).
 int play_verb(const PlayArguments& arguments);
 int run_verb(const RunArguments& arguments);
+int judge_verb(const JudgeArguments& arguments);
 int lab_verb(const LabArguments& arguments);
 int rules_verb(const RulesArguments& arguments);
 
@@ -47,6 +56,7 @@ int rules_verb(const RulesArguments& arguments);
 using Chosen = std::function<int()>;
 void add_play_verb(CLI::App& app, Chosen& chosen);
 void add_run_verb(CLI::App& app, Chosen& chosen);
+void add_judge_verb(CLI::App& app, Chosen& chosen);
 void add_lab_verb(CLI::App& app, Chosen& chosen);
 void add_rules_verb(CLI::App& app, Chosen& chosen);
 void add_bench_verb(CLI::App& app, Chosen& chosen);

@@ -71,8 +71,8 @@ GameConfiguration configured(const PlayArguments& arguments) {
   auto* game = std::get_if<GameConfiguration>(&scenario.content);
   if (game == nullptr) {
     throw InputError({arguments.file}, "kind",
-                     fmt::format("this is a {}, not a game; run it with: autoref run {}",
-                                 kind_of(scenario), arguments.file));
+                     fmt::format("this is a {}, not a game; run it with: autoref {} {}",
+                                 kind_of(scenario), verb_of(scenario), arguments.file));
   }
   for (const std::string& assignment : arguments.sets) set(*game, assignment);
   // Only all of them together need to make a game.

@@ -1,8 +1,6 @@
 #include <fmt/format.h>
-#include <sched.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -10,18 +8,12 @@
 #include "runner/errors.hpp"
 #include "runner/experiment.hpp"
 #include "runner/verbs/command_line.hpp"
+#include "runner/workers.hpp"
 
 namespace autoref::runner {
 namespace {
 
 namespace fs = std::filesystem;
-
-// The processors that this process may use.
-int processors() {
-  cpu_set_t set;
-  CPU_ZERO(&set);
-  return sched_getaffinity(0, sizeof set, &set) == 0 ? std::max(1, CPU_COUNT(&set)) : 1;
-}
 
 fs::path folder_of(const RunArguments& arguments) {
   if (!arguments.folder.empty()) return arguments.folder;
@@ -57,8 +49,8 @@ int run_verb(const RunArguments& arguments) {
   const Scenario scenario = read_scenario(arguments.file);
   if (!std::holds_alternative<Sweep>(scenario.content)) {
     throw InputError({arguments.file}, "kind",
-                     fmt::format("this is a {}, not an experiment; play it with: autoref play {}",
-                                 kind_of(scenario), arguments.file));
+                     fmt::format("this is a {}, not an experiment; play it with: autoref {} {}",
+                                 kind_of(scenario), verb_of(scenario), arguments.file));
   }
   const ExperimentOptions options = options_of(arguments);
   const ExperimentReport report = run_experiment(scenario, options);

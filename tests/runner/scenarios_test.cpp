@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "runner/experiment.hpp"
+#include "runner/judge_games.hpp"
 #include "runner/plan.hpp"
 #include "runner/scenario.hpp"
 #include "tests/runner/temporary_folder.hpp"
@@ -35,6 +36,14 @@ TEST_P(EveryScenario, CanBePlayedShortened) {
   if (auto* game = std::get_if<GameConfiguration>(&scenario.content)) {
     game->match.half_s = kShortHalf_s;
     EXPECT_EQ(play(*game).status, Status::kOk);
+    return;
+  }
+  if (auto* plan = std::get_if<JudgePlan>(&scenario.content)) {
+    plan->base.match.half_s = kShortHalf_s;
+    plan->games = 2;
+    for (const Judgement& judgement : judge_games(games_of(*plan), 2, nullptr)) {
+      EXPECT_EQ(judgement.void_reason, "");
+    }
     return;
   }
   auto& sweep = std::get<Sweep>(scenario.content);

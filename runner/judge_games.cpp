@@ -1,0 +1,34 @@
+#include "runner/judge_games.hpp"
+
+#include <numeric>
+
+#include "runner/errors.hpp"
+#include "runner/progress.hpp"
+#include "runner/workers.hpp"
+
+namespace autoref::runner {
+
+std::vector<Judgement> judge_games(const std::vector<JudgeGame>& games, int workers,
+                                   std::FILE* stream) {
+  std::vector<Judgement> judgements(games.size());
+  std::vector<std::size_t> jobs(games.size());
+  std::iota(jobs.begin(), jobs.end(), std::size_t{0});
+  Progress progress(stream, static_cast<int>(games.size()), 0);
+  WorkerOptions options;
+  options.workers = workers;
+  const auto done = [&](const JobResult& result) {
+    if (result.failure.empty()) {
+      judgements[result.job] = judgement_in(result.payload);
+    } else {
+      judgements[result.job].void_reason = result.failure;
+    }
+    progress.game_done(games[result.job].id);
+  };
+  const WorkerCalls calls{
+      [&games](std::size_t i) { return text_of(judge(games[i].configuration)); }, done,
+      [&progress] { progress.tick(); }};
+  if (do_jobs(jobs, options, calls) == Ending::kInterrupted) throw Interrupted();
+  return judgements;
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,43 @@
+// How long robots have been doing what they may do only for a while.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "runner/truth/scene.hpp"
+
+namespace autoref::runner::truth {
+
+// Watches one kind of offence of each robot, once per robot and restart or stop.
+class Lingering {
+ public:
+  Lingering(std::string_view name, double margin) : name_(name), margin_(margin) {}
+
+  // To be called for every robot in every frame in which the rule holds. `excess` is how far the
+  // robot is beyond the threshold, in the margin's unit; it offends once it has been for longer
+  // than `grace_s`.
+  void watch(const Scene& scene, RobotId id, const sim::RobotState& robot, double excess,
+             double grace_s, Happenings& all);
+
+ private:
+  // Since when the robot has been so far beyond the threshold, and in which restart it was told.
+  struct Watch {
+    std::optional<double> since_s;
+    int told = -1;
+    bool is_over(double time_s, bool offends, double grace_s, int count);
+  };
+  struct Watches {
+    int count = -1;  // the restart or stop that they belong to
+    Watch nearly;
+    Watch truly;
+    Watch clearly;
+  };
+
+  std::string_view name_;
+  double margin_;
+  std::map<RobotId, Watches> watches_;
+};
+
+}  // namespace autoref::runner::truth
