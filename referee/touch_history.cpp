@@ -106,7 +106,15 @@ void TouchHistory::follow(const Picture& now, double duration_s) {
     if (is_new) story.way.touch(duration_s, story.is_soft, p);
     story.way_cost += story.way.correct(now.ball_m, p);
     ++story.sightings;
-    explain(story);
+    // Who sent the ball on its way is the same whether it then slid or rolled.
+    const auto twin = std::find_if(stories_.begin(), stories_.end(), [&story](const Story& other) {
+      return other.start == story.start;
+    });
+    if (&*twin == &story) {
+      explain(story);
+    } else {
+      story.explained = twin->explained;
+    }
   }
 }
 
