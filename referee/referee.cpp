@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "referee/ball_in_play.hpp"
+#include "referee/ball_out.hpp"
 #include "referee/last_touch.hpp"
 #include "referee/machine.hpp"
 #include "referee/memory.hpp"
@@ -16,6 +17,7 @@
 #include "referee/rules/shootout_kick.hpp"
 #include "referee/timekeeping.hpp"
 #include "referee/touch_candidates.hpp"
+#include "referee/touch_stories.hpp"
 
 namespace autoref::referee {
 namespace {
@@ -63,7 +65,8 @@ class Referee::Impl {
   explicit Impl(const Configuration& configuration)
       : configuration_(configuration),
         tracker_(configuration.noise),
-        touch_(configuration.field, configuration.touch, configuration.noise) {
+        touch_(configuration.field, configuration.touch, configuration.noise),
+        stories_(configuration.field, StoryParameters{}, configuration.noise) {
     validate(configuration);
     memory_.signal.next_command =
         Command{CommandKind::kPrepareKickoff, kickoff_side(configuration, 0)};
@@ -88,8 +91,12 @@ class Referee::Impl {
   const RefereeSignal& judge(const Frame& frame) {
     decisions_.clear();
     see(frame);
-    if (memory_.state == State::kRun) touch_.update(frame);
-    const Moment moment{configuration_, frame, ball_, touch_.last(), tracker_.tracks(), requests_};
+    if (memory_.state == State::kRun) {
+      touch_.update(frame);
+      stories_.update(frame);
+    }
+    const LastTouch last_touch = judge_last_touch();
+    const Moment moment{configuration_, frame, ball_, last_touch, tracker_.tracks(), requests_};
     if (memory_.state == State::kRun) watch_play(memory_.play, moment);
     const State state = memory_.state;
     const std::uint32_t sent = memory_.signal.command_counter;
@@ -100,6 +107,13 @@ class Referee::Impl {
     if (const std::optional<Finding> over = find_time_over(memory_, moment)) decide(moment, *over);
     memory_.signal.stage_time_left_s = time_left_s(memory_, configuration_, frame.time_s);
     return memory_.signal;
+  }
+
+  // Once the ball is out, all that it did since the touch is known.
+  LastTouch judge_last_touch() const {
+    const bool is_out = memory_.state == State::kRun && ball_ &&
+                        is_out_of_field(configuration_.field, ball_->position_m);
+    return is_out ? stories_.judge().value_or(touch_.last()) : touch_.last();
   }
 
   // What vision missed is where the tracker takes it to be. Both lists are ordered by number.
@@ -126,7 +140,10 @@ class Referee::Impl {
       seen_.ball->position_m = tracks.ball->position_m;
       seen_.ball->height_m = tracks.ball->height_m;
     }
-    if (flies != was_lifted_) touch_.lose_sight();
+    if (flies != was_lifted_) {
+      touch_.lose_sight();
+      stories_.lose_sight();
+    }
     was_lifted_ = flies;
   }
 
@@ -177,7 +194,9 @@ class Referee::Impl {
     log(moment, finding, taken);
     const bool play_starts = memory_.state != State::kRun && taken.memory.state == State::kRun;
     memory_ = std::move(taken.memory);
-    if (play_starts) touch_.restart(moment.frame, memory_.play.ball_from_m);
+    if (!play_starts) return;
+    touch_.restart(moment.frame, memory_.play.ball_from_m);
+    stories_.restart(moment.frame, memory_.play.ball_from_m);
   }
 
   void log(const Moment& moment, const Finding& finding, const Step& taken) {
@@ -212,6 +231,7 @@ class Referee::Impl {
   Tracker tracker_;
   bool was_lifted_ = false;  // the ball, in the frame before
   LastTouchDetector touch_;
+  TouchStories stories_;
   std::optional<BallSight> ball_;
   std::vector<Decision> decisions_;
 };
