@@ -88,6 +88,7 @@ void Stage::obey(const Cue& cue) {
       break;
     case Cue::Kind::kRoll:
       ball_.velocity_mps = cue.target;
+      ball_.rolls_below_mps = cue.target.norm();
       break;
     case Cue::Kind::kRobotSeen:
       robot(cue.robot).is_seen = cue.on;
