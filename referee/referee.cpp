@@ -95,9 +95,10 @@ class Referee::Impl {
       touch_.update(frame);
       stories_.update(frame);
     }
+    // The order of touches is told while play is on, not anew by what is known once it is over.
+    if (memory_.state == State::kRun) watch_play(memory_.play, moment_with(touch_.last(), frame));
     const LastTouch last_touch = judge_last_touch();
-    const Moment moment{configuration_, frame, ball_, last_touch, tracker_.tracks(), requests_};
-    if (memory_.state == State::kRun) watch_play(memory_.play, moment);
+    const Moment moment = moment_with(last_touch, frame);
     const State state = memory_.state;
     const std::uint32_t sent = memory_.signal.command_counter;
     apply_rules(moment);
@@ -107,6 +108,10 @@ class Referee::Impl {
     if (const std::optional<Finding> over = find_time_over(memory_, moment)) decide(moment, *over);
     memory_.signal.stage_time_left_s = time_left_s(memory_, configuration_, frame.time_s);
     return memory_.signal;
+  }
+
+  Moment moment_with(const LastTouch& last_touch, const Frame& frame) const {
+    return {configuration_, frame, ball_, last_touch, tracker_.tracks(), requests_};
   }
 
   // Once the ball is out, all that it did since the touch is known.
