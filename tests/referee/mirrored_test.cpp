@@ -47,7 +47,9 @@ class RoughGame {
         const Vec2 goal = robot.number < 3 ? frame_.ball->position_m : wander * 6;
         const Vec2 way = direction_of(goal - robot.position_m, robot.heading);
         robot.heading = direction_of(robot.heading + way * 0.2, way);
-        robot.position_m += way * (1.5 + 0.5 * robot.number / 6) * kFrame_s;
+        // Bodies in one place at one speed would be a tie in all respects.
+        const double own_mps = side == Side::kWest ? 0 : 0.03;
+        robot.position_m += way * (1.5 + 0.5 * robot.number / 6 + own_mps) * kFrame_s;
       }
     }
   }
