@@ -61,13 +61,14 @@ struct Stopwatch {
 
 // A side's fouls and cards.
 struct CardBook {
-  int fouls = 0;            // that count towards a card
-  int cards_for_fouls = 0;  // shown for them
+  int fouls = 0;                   // that count towards a card
+  int cards_for_fouls = 0;         // shown for them
   std::optional<double> fouled_s;  // when the last of them was
   // When the active yellow cards are over, by the play clock; the oldest first.
   boost::container::static_vector<double, kMaxRobots> yellow_ends_s;
-  std::optional<double> fewer_since_s;  // when fewer robots were allowed, the last time
-  bool too_many_called = false;         // since then
+  std::optional<double> fewer_since_s;     // when fewer robots were allowed, the last time
+  std::optional<double> too_many_since_s;  // seen on the field
+  bool too_many_called = false;            // since then
 };
 
 // The timeouts that a side has had: since the game's beginning, or extra time's.

@@ -89,7 +89,9 @@ const Tracks& Tracker::update(const Frame& frame) {
     see_robots(frame.robots[side], known_[side], duration_s);
     tracks_.robots[side].clear();
     for (const Known& known : known_[side]) {
-      if (is_known(known)) tracks_.robots[side].push_back(known.robot.robot());
+      if (!is_known(known)) continue;
+      tracks_.robots[side].push_back(known.robot.robot());
+      tracks_.robots[side].back().is_seen = known.seen_s == tracks_.time_s;
     }
   }
   tracks_.ball = ball_.update(frame.time_s, frame.ball, tracks_.robots);
@@ -119,7 +121,7 @@ void Tracker::see_robots(const SeenRobots& seen, std::array<Known, kMaxRobots>& 
 
 TrackedRobot mirrored(const TrackedRobot& robot) {
   return {robot.number, -robot.position_m, -robot.heading, -robot.velocity_mps,
-          robot.angular_velocity_radps};
+          robot.angular_velocity_radps, robot.is_seen};
 }
 
 TrackedBall mirrored(const TrackedBall& ball) {

@@ -16,6 +16,7 @@ struct TrackedRobot {
   Vec2 heading{1, 0};
   Vec2 velocity_mps{0, 0};
   double angular_velocity_radps = 0;
+  bool is_seen = true;  // in the last picture; else where it was going
 };
 
 struct TrackedBall {

@@ -18,10 +18,11 @@ constexpr double kApart_s = 200_ms;
 // Speeds that differ by no more are equal but for rounding.
 constexpr double kSame_mps = 1e-6;
 
+// The robot as it was seen; null where it was not.
 const TrackedRobot* find_track(const TrackedRobots& robots, int number) {
-  const auto found =
-      std::find_if(robots.begin(), robots.end(),
-                   [number](const TrackedRobot& robot) { return robot.number == number; });
+  const auto found = std::find_if(
+      robots.begin(), robots.end(),
+      [number](const TrackedRobot& robot) { return robot.number == number && robot.is_seen; });
   return found == robots.end() ? nullptr : &*found;
 }
 
@@ -94,6 +95,8 @@ void watch_robots(CrashWatch& watch, const Moment& moment) {
   constexpr double kNear_m = 2 * kTouching_m;
   for (const TrackedRobot& west : moment.tracks.robots[Side::kWest]) {
     for (const TrackedRobot& east : moment.tracks.robots[Side::kEast]) {
+      // Where a robot that vision missed was going is no evidence that it met anybody.
+      if (!west.is_seen || !east.is_seen) continue;
       if ((east.position_m - west.position_m).squaredNorm() > kNear_m * kNear_m) continue;
       const std::optional<Collision> met = meeting(watch, moment, west, east);
       if (!met || !is_foul(*met, moment.configuration.rules)) continue;

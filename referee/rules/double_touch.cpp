@@ -3,23 +3,45 @@
 #include <fmt/format.h>
 
 #include "referee/ball_in_play.hpp"
+#include "soccer/units.hpp"
 
 namespace autoref::referee {
 
+namespace {
+
+// Beyond the noise of pictures, and of when a kick ends.
+constexpr double kSurely_m = 20_mm;
+
+// "Remaining in contact with the ball for more than 0.05 meters also counts" (2026).
+bool stays_in_contact(const PlayMemory& play, const Moment& moment) {
+  if (moment.configuration.rules.edition != Edition::kRules2026) return false;
+  const BallTouch* touch = play.touches.newest();
+  if (play.touches.count() != 1 || !touch->robot) return false;
+  const double carried_m = (touch->ended_m - *play.ball_from_m).norm();
+  return touch->began_s <= play.in_play_since_s && touch->ended_s > play.in_play_since_s &&
+         carried_m > moment.configuration.rules.in_play_m + kSurely_m +
+                         3 * moment.configuration.noise.ball_m;
+}
+
+bool touches_again(const PlayMemory& play, const Moment& moment) {
+  if (play.touches.count() < 2) return false;
+  const BallTouch& again = *play.touches.newest();
+  return again.began_s > play.in_play_since_s && is_settled(again, moment.time_s());
+}
+
+}  // namespace
+
 std::optional<Finding> find_double_touch(Memory& memory, const Moment& moment) {
   const PlayMemory& play = memory.play;
-  const TouchHistory& touches = play.touches;
-  if (!play.in_play || touches.count() < 2 || !is_straight_from_restart(play)) return std::nullopt;
-  const BallTouch& again = *touches.newest();
-  if (!(again.began_s > play.in_play_since_s) || !is_settled(again, moment.time_s())) {
-    return std::nullopt;
-  }
+  if (!play.in_play || !is_straight_from_restart(play)) return std::nullopt;
+  if (!touches_again(play, moment) && !stays_in_contact(play, moment)) return std::nullopt;
+  const BallTouch& again = *play.touches.newest();
   Finding finding = offence_of(Event::kDoubleTouch, RuleId::kDoubleTouch, moment.configuration,
-                               *again.robot, again.began_m);
-  finding.value = (again.began_m - *play.ball_from_m).norm();
+                               *again.robot, again.ended_m);
+  finding.value = (again.ended_m - *play.ball_from_m).norm();
   finding.evidence = fmt::format(
-      "{} took the restart and touched the ball again at {:.3f} s, {:.0f} mm away from there.",
-      text_of(*again.robot), again.began_s, 1e3 * finding.value);
+      "{} took the restart and still touched the ball at {:.3f} s, {:.0f} mm away from there.",
+      text_of(*again.robot), again.ended_s, 1e3 * finding.value);
   return finding;
 }
 

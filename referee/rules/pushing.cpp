@@ -14,6 +14,8 @@ namespace {
 // pictures may tell so.
 constexpr double kInContact_m = 2 * kRobotRadius_m + 5_mm;
 constexpr double kNear_m = 2 * kRobotRadius_m + 60_mm;
+// And of the ball's surface from both hulls, where it is between them.
+constexpr double kAtBall_m = 5_mm;
 // Who drove away from the pusher faster than this before was not pushed.
 constexpr double kOwnWay_mps = 0.1_mps;
 // Ways that differ by no more are equal but for rounding.
@@ -82,6 +84,18 @@ class LongestPush {
   bool is_tied_ = false;
 };
 
+// Two robots push each other with their hulls, or with the ball between them (2026: "if both robots
+// keep contact to the ball").
+bool are_in_contact(const TrackedRobot& west, const TrackedRobot& east, const Moment& moment) {
+  if ((east.position_m - west.position_m).norm() < kInContact_m) return true;
+  if (!moment.ball) return false;
+  const Vec2& ball_m = moment.ball->position_m;
+  const auto has_ball = [&](const TrackedRobot& robot) {
+    return distance_to_hull(ball_m, robot.position_m, robot.heading) - kBallRadius_m < kAtBall_m;
+  };
+  return has_ball(west) && has_ball(east);
+}
+
 std::optional<Push> watch_robots(PushingWatch& watch, const Moment& moment) {
   LongestPush longest;
   for (Clinch& clinch : watch.clinches) clinch.is_near = false;
@@ -91,7 +105,8 @@ std::optional<Push> watch_robots(PushingWatch& watch, const Moment& moment) {
       if (distance_m > kNear_m) continue;
       Clinch* clinch = clinch_of(watch, west.number, east.number);
       if (clinch == nullptr) continue;
-      follow(*clinch, west, east, distance_m < kInContact_m && distance_m > kRobotRadius_m);
+      follow(*clinch, west, east,
+             distance_m > kRobotRadius_m && are_in_contact(west, east, moment));
       if (!clinch->are_in_contact) continue;
       longest.take_in(push_by(Side::kWest, *clinch, west, east));
       longest.take_in(push_by(Side::kEast, *clinch, east, west));

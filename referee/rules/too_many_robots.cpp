@@ -7,9 +7,14 @@
 
 #include "referee/restarts.hpp"
 #include "soccer/robot_shape.hpp"
+#include "soccer/units.hpp"
 
 namespace autoref::referee {
 namespace {
+
+// Vision takes other things for a robot's pattern at times, but not for so long; a robot that it no
+// longer sees is tracked for half a second.
+constexpr double kPatternLasts_s = 1_s;
 
 // Whether any of the circle around the robot is within the lines.
 bool reaches_field(const Field& field, const Vec2& position_m) {
@@ -25,12 +30,18 @@ int robots_on_field(const Moment& moment, Side side) {
       }));
 }
 
-bool is_at_fault(const Memory& memory, const Moment& moment, Side side) {
-  const CardBook& cards = memory.cards[side];
+bool is_at_fault(Memory& memory, const Moment& moment, Side side) {
+  CardBook& cards = memory.cards[side];
+  std::optional<double>& since_s = cards.too_many_since_s;
+  if (robots_on_field(moment, side) <= memory.signal.robots_allowed[side]) {
+    since_s.reset();
+    return false;
+  }
+  if (!since_s) since_s = moment.time_s();
   if (!cards.fewer_since_s || cards.too_many_called) return false;
   const double grace_s = moment.configuration.rules.too_many_s;
   return has_passed(*cards.fewer_since_s, grace_s, moment.time_s()) &&
-         robots_on_field(moment, side) > memory.signal.robots_allowed[side];
+         has_passed(*since_s, kPatternLasts_s, moment.time_s());
 }
 
 Finding fault_of(const PerSide<bool>& sides, const Moment& moment) {

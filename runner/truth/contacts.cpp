@@ -19,8 +19,11 @@ class DoubleTouch final : public Truth {
     if (!play.is_on || !play.taker || !play.in_play || play.count == told_) return;
     if (!scene.ball.first() || scene.ball.has_second_robot_touched()) return;
     for (const Contact& contact : scene.ball.contacts()) {
-      if (!contact.is_new || contact.since_s <= scene.ball.first()->time_s) continue;
       if (play.entered_now) continue;  // it may be the touch that moved the ball far enough
+      const bool is_again = contact.is_new && contact.since_s > scene.ball.first()->time_s;
+      // 2026: "remaining in contact" after that counts, too.
+      const bool goes_on = scene.rules.edition == Edition::kRules2026 && contact.is_touching;
+      if (!is_again && !goes_on) continue;
       told_ = play.count;
       all.push_back(
           {"double_touch", scene.time_s, contact.robot.side, contact.robot, contact.ball_from_m});

@@ -76,6 +76,7 @@ class MachineInHand {
   }
 
   void wait(double seconds) { frame_.time_s += seconds; }
+  double now_s() const { return frame_.time_s; }
 
   Memory memory;
 
