@@ -18,7 +18,7 @@ void Lingering::watch(const Scene& scene, RobotId id, const sim::RobotState& rob
                       double grace_s, Happenings& all) {
   grace_s -= scene.frame_s / 2;  // pictures are whole frames apart
   Watches& watches = watches_[id];
-  const int count = scene.play.count;
+  const int count = scene.play.stops;
   if (watches.count != count) watches = {count, {}, {}, {}};
   Happening lingers{name_, scene.time_s, id.side, id, robot.position_m};
   watches.clearly.is_over(scene.time_s, excess > margin_, grace_s, count);

@@ -10,7 +10,8 @@
 
 namespace autoref::runner::truth {
 
-// Watches one kind of offence of each robot, once per robot and restart or stop.
+// Watches one kind of offence of each robot, once per robot and stop, the restart after it
+// included.
 class Lingering {
  public:
   Lingering(std::string_view name, double margin) : name_(name), margin_(margin) {}

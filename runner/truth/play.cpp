@@ -34,8 +34,10 @@ void PlayFollower::obey(const sim::WorldState& now, double time_s, const Referee
   const Command& command = signal.command;
   if (prepares(command.kind)) prepared_ = command;
   const int count = play_.count + 1;
+  const int stops = play_.stops + (command.kind == CommandKind::kStop ? 1 : 0);
   play_ = Play{};
   play_.count = count;
+  play_.stops = stops;
   play_.is_on = starts_play(command.kind);
   play_.is_stop = command.kind == CommandKind::kStop;
   play_.stopped_s = time_s;
@@ -43,6 +45,7 @@ void PlayFollower::obey(const sim::WorldState& now, double time_s, const Referee
   play_.restart = command.kind == CommandKind::kNormalStart ? prepared_ : command;
   if (is_for_one_side(play_.restart.kind)) play_.taker = play_.restart.side;
   play_.began_s = time_s;
+  play_.waits_since_s = time_s;
   play_.ball_from_m = now.ball.position_m;
   play_.in_play = command.kind == CommandKind::kForceStart;
   play_.entered_s = time_s;

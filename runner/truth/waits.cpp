@@ -30,7 +30,8 @@ class UntakenRestart final : public Truth {
                                                                   : scene.rules.free_kick_timeout_s;
     const Happening untaken{"restart_not_taken", scene.time_s, play.taker, std::nullopt,
                             play.ball_from_m};
-    if (add_timed(scene, untaken, scene.time_s - play.began_s - limit_s, all)) told_ = play.count;
+    if (add_timed(scene, untaken, scene.time_s - play.waits_since_s - limit_s, all))
+      told_ = play.count;
   }
 
  private:

@@ -65,10 +65,10 @@ TEST(TrueGoal, IsScoredByTheAttackers) {
 TEST(TrueGoal, DoesNotCountAfterAChipThatHasNotRolled) {
   for (const char* rules : {"paper", "2014"}) {
     StagedGame game(book(rules));
-    stage_kick(game, {0.9, 0}, {1, 0});  // flies 1.8 m, then hops low
+    stage_kick(game, {0.25, 0}, {1, 0});  // flies 2.1 m, then hops low
     game.command(CommandKind::kForceStart);
-    kick(game, 3.0, true);
-    game.seconds(1.0);
+    kick(game, 4.5, true);
+    game.seconds(1.5);
     EXPECT_TRUE(game.has(book(rules).has(RuleId::kChipGoal) ? "chip_goal" : "goal")) << rules;
   }
 }
@@ -110,7 +110,7 @@ TEST(TrueKick, IsMeasuredInSpaceByTheRulesOf2026) {
   StagedGame game(rules);
   stage_kick(game, {0, 0}, {1, 0});
   game.command(CommandKind::kForceStart);
-  kick(game, 3.0, true);  // 3 m/s over ground and as much upwards
+  kick(game, 5.0, true);  // 3.5 m/s over ground and as much upwards
   EXPECT_TRUE(game.has("kick_speed"));
 }
 
