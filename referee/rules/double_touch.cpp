@@ -3,14 +3,10 @@
 #include <fmt/format.h>
 
 #include "referee/ball_in_play.hpp"
-#include "soccer/units.hpp"
 
 namespace autoref::referee {
 
 namespace {
-
-// Beyond the noise of pictures, and of when a kick ends.
-constexpr double kSurely_m = 20_mm;
 
 // "Remaining in contact with the ball for more than 0.05 meters also counts" (2026).
 bool stays_in_contact(const PlayMemory& play, const Moment& moment) {
@@ -19,8 +15,7 @@ bool stays_in_contact(const PlayMemory& play, const Moment& moment) {
   if (play.touches.count() != 1 || !touch->robot) return false;
   const double carried_m = (touch->ended_m - *play.ball_from_m).norm();
   return touch->began_s <= play.in_play_since_s && touch->ended_s > play.in_play_since_s &&
-         carried_m > moment.configuration.rules.in_play_m + kSurely_m +
-                         3 * moment.configuration.noise.ball_m;
+         carried_m > moment.configuration.rules.in_play_m + 3 * moment.configuration.noise.ball_m;
 }
 
 bool touches_again(const PlayMemory& play, const Moment& moment) {
