@@ -23,7 +23,8 @@ struct JudgeReport {
 // `judgements` are those of games_of(plan), in its order.
 JudgeReport report_of(const JudgePlan& plan, const std::vector<Judgement>& judgements);
 
-// Markdown: a table per rule book, one of last touches, and the checks.
+// Markdown: F1 of everything at a glance, last touches, the checks, and a table of all figures for
+// each rule book.
 std::string markdown_of(const JudgeReport& report);
 
 // judge.csv: rules, camera, event, and figures; cells without a value are empty.

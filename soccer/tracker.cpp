@@ -120,8 +120,12 @@ void Tracker::see_robots(const SeenRobots& seen, std::array<Known, kMaxRobots>& 
 }
 
 TrackedRobot mirrored(const TrackedRobot& robot) {
-  return {robot.number, -robot.position_m, -robot.heading, -robot.velocity_mps,
-          robot.angular_velocity_radps, robot.is_seen};
+  return {robot.number,
+          -robot.position_m,
+          -robot.heading,
+          -robot.velocity_mps,
+          robot.angular_velocity_radps,
+          robot.is_seen};
 }
 
 TrackedBall mirrored(const TrackedBall& ball) {
