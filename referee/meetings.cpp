@@ -9,7 +9,6 @@
 namespace autoref::referee {
 namespace {
 
-constexpr double kKeptAround_m = 1.0;
 constexpr double kNear_m = 0.3;  // robots farther from the ball need no look
 constexpr int kSamples = 16;     // of the time between pictures
 constexpr int kSamplesUnseen = 6;
@@ -128,22 +127,6 @@ class Walker {
 };
 
 }  // namespace
-
-void Pictures::push(const Frame& frame, const Vec2& ball_m) {
-  ++newest_;
-  Picture& now = kept_[static_cast<std::size_t>(newest_ % kKept)];
-  now.time_s = frame.time_s;
-  now.has_ball = frame.ball.has_value();
-  now.ball_m = ball_m;
-  now.height_m = frame.ball ? frame.ball->height_m.value_or(0.0) : 0.0;
-  now.robots.clear();
-  for (const Side side : kSides) {
-    for (const RobotObservation& robot : frame.robots[side]) {
-      if ((robot.position_m - ball_m).squaredNorm() > square(kKeptAround_m)) continue;
-      now.robots.push_back({{side, robot.number}, robot.position_m, robot.heading});
-    }
-  }
-}
 
 Walk walk(const FreeWay& way, const Pictures& pictures, std::int64_t from, std::int64_t to,
           const MeetingParameters& parameters) {

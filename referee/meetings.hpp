@@ -1,47 +1,15 @@
 // Where a way of the ball meets the hulls of robots.
 #pragma once
 
-#include <array>
 #include <boost/container/static_vector.hpp>
 #include <cstdint>
 
 #include "referee/free_way.hpp"
-#include "soccer/frame.hpp"
+#include "referee/pictures.hpp"
 #include "soccer/side.hpp"
 #include "soccer/units.hpp"
 
 namespace autoref::referee {
-
-// What is kept of a picture.
-struct Picture {
-  struct Robot {
-    RobotId id;
-    Vec2 position_m{0, 0};
-    Vec2 heading{1, 0};
-  };
-  double time_s = 0;
-  bool has_ball = false;
-  Vec2 ball_m{0, 0};    // where it was last seen, without one
-  double height_m = 0;  // of the lowest point
-  boost::container::static_vector<Robot, 2 * kMaxRobots> robots;  // within a metre of the ball
-};
-
-// The last pictures, by number; numbers count from 0.
-class Pictures {
- public:
-  static constexpr int kKept = 128;
-
-  void clear() { newest_ = -1; }
-  void push(const Frame& frame, const Vec2& ball_m);
-  std::int64_t newest() const { return newest_; }
-  const Picture& operator[](std::int64_t number) const {
-    return kept_[static_cast<std::size_t>(number % kKept)];
-  }
-
- private:
-  std::array<Picture, kKept> kept_;
-  std::int64_t newest_ = -1;
-};
 
 // Costs are squares of deviations, as of minus twice the logarithm of a likelihood.
 struct MeetingParameters {

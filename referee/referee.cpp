@@ -118,7 +118,7 @@ class Referee::Impl {
   LastTouch judge_last_touch() const {
     const bool is_out = memory_.state == State::kRun && ball_ &&
                         is_out_of_field(configuration_.field, ball_->position_m);
-    return is_out ? stories_.judge().value_or(touch_.last()) : touch_.last();
+    return is_out ? stories_.judge(touch_.last()) : touch_.last();
   }
 
   // What vision missed is where the tracker takes it to be. Both lists are ordered by number.

@@ -10,8 +10,13 @@ namespace autoref::referee {
 // Costs are minus twice the logarithms of likelihoods, and squares of deviations. They were tuned
 // on games of basic against basic, seeds 5001 to 5020.
 struct StoryParameters {
+  // What is looked at: the last seconds before the ball was out, and from before the touch that was
+  // told while play was on.
+  double window_s = 2.0;
+  double before_told_s = 0.5;
   WayParameters way;
   MeetingParameters meeting;
+  double surely = 4;      // deviations beyond which a change is not by chance
   double near_m = 30_mm;  // a robot farther from the ball's ways did not touch it
   double touch_cost = 5;  // a ball near a robot is touched in one of ten pictures
   double kick_cost = 2;
