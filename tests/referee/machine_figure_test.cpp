@@ -8,6 +8,7 @@
 #include <string>
 
 #include "referee/machine.hpp"
+#include "soccer/rule_table.hpp"
 
 namespace autoref::referee {
 namespace {
@@ -36,6 +37,14 @@ TEST(MachineFigure, EveryDeviationOfAnArrowIsListed) {
         EXPECT_NE(text.find(heading), std::string::npos) << heading << " of " << arrow.label;
       }
     }
+  }
+}
+
+TEST(Readme, SaysOfEveryRuleWhatItGives) {
+  const std::string text = readme();
+  for (const RuleEntry& entry : rule_table()) {
+    const std::string row = "\n| " + std::string(name_of(entry.rule)) + " | ";
+    EXPECT_NE(text.find(row), std::string::npos) << name_of(entry.rule);
   }
 }
 
