@@ -54,7 +54,7 @@ CameraTally& tally_of(JudgeReport& report, const JudgeGame& game) {
 
 std::vector<std::string> never_taken(const std::set<std::string, std::less<>>& taken) {
   std::vector<std::string> never;
-  for (const auto& part : {referee::arrows_in_figure(), referee::arrows_outside_figure()}) {
+  for (const auto& part : referee::all_arrows()) {
     for (const referee::Arrow& arrow : part) {
       if (!taken.contains(arrow.label)) never.emplace_back(arrow.label);
     }
