@@ -33,11 +33,12 @@ void PlayFollower::obey(const sim::WorldState& now, double time_s, const Referee
   counter_ = signal.command_counter;
   const Command& command = signal.command;
   if (prepares(command.kind)) prepared_ = command;
-  const int count = play_.count + 1;
+  const Play before = play_;
   play_ = Play{};
-  play_.count = count;
   play_.is_on = starts_play(command.kind);
   play_.is_stop = command.kind == CommandKind::kStop;
+  play_.count = before.count + 1;
+  play_.stops = before.stops + (play_.is_stop ? 1 : 0);
   play_.stopped_s = time_s;
   if (!play_.is_on) return;
   play_.restart = command.kind == CommandKind::kNormalStart ? prepared_ : command;

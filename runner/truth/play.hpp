@@ -23,6 +23,7 @@ struct Play {
   double stopped_s = 0;   // when STOP was sent
   bool ends_now = false;  // the referee has just ended play
   int count = 0;          // commands obeyed: tells one restart or stop from the next
+  int stops = 0;          // STOPs among them: tells a stop and the restart after it from the next
 
   bool is_kickoff() const { return restart.kind == CommandKind::kPrepareKickoff; }
   bool is_penalty() const { return restart.kind == CommandKind::kPreparePenalty; }
