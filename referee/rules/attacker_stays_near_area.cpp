@@ -36,7 +36,8 @@ std::optional<Offence> worst_of(Side side, AttackerNearAreaWatch& watch, const M
         robot == nullptr ? 0 : hull_to_area_m(c.field, opponent_of(side), *robot);
     const bool is_near = robot != nullptr && distance_m < c.rules.attacker_to_area_m;
     const double lasted_s = watch.near.update(id, is_near, moment.time_s());
-    if (!is_near || watch.called.has(id) || !(lasted_s > c.rules.attacker_grace_s)) continue;
+    const bool is_too_long = has_passed(0, c.rules.attacker_grace_s, lasted_s);
+    if (!is_near || watch.called.has(id) || !is_too_long) continue;
     if (!worst || lasted_s > worst->lasted_s) {
       worst = Offence{id, robot->position_m, distance_m, lasted_s};
     }

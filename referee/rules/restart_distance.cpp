@@ -89,7 +89,7 @@ std::optional<Finding> find_while_waiting(Memory& memory, const Moment& moment) 
     const bool is_near =
         robot != nullptr && distance_to_ball_m(*robot, memory.play) < rules.opponents_to_ball_m;
     const double lasted_s = watch.near.update(id, is_near, moment.time_s());
-    const bool is_too_long = lasted_s > rules.restart_distance_grace_s;
+    const bool is_too_long = is_near && has_passed(0, rules.restart_distance_grace_s, lasted_s);
     if (found || !is_too_long || watch.called.has(id)) continue;
     watch.called.add(id);
     watch.anew_s = moment.time_s();

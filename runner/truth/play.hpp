@@ -23,9 +23,7 @@ struct Play {
   double stopped_s = 0;   // when STOP was sent
   bool ends_now = false;  // the referee has just ended play
   int count = 0;          // commands obeyed: tells one restart or stop from the next
-  int stops = 0;          // STOPs obeyed: a stop and the restart after it share it
-  double waits_since_s =
-      0;  // for the restart to be taken: `began_s`, or when it was disturbed last
+  int stops = 0;          // STOPs among them: tells a stop and the restart after it from the next
 
   bool is_kickoff() const { return restart.kind == CommandKind::kPrepareKickoff; }
   bool is_penalty() const { return restart.kind == CommandKind::kPreparePenalty; }
@@ -40,8 +38,6 @@ class PlayFollower {
   // To be called before the frame's truths are told, and `obey` after them.
   const Play& update(const sim::WorldState& now, double time_s, const RefereeSignal& signal);
   void obey(const sim::WorldState& now, double time_s, const RefereeSignal& signal);
-  // The kick's time begins anew.
-  void disturb_restart(double time_s) { play_.waits_since_s = time_s; }
   const Play& play() const { return play_; }
 
  private:

@@ -42,8 +42,11 @@ class StopDistance final : public Truth {
  public:
   void watch(const Scene& scene, Happenings& all) override {
     if (!is_ball_at_its_place(scene)) {
-      since_s_ = scene.time_s;
-    } else if (scene.time_s - since_s_ >= kBallAtItsPlaceFor_s) {
+      since_s_.reset();
+      return;
+    }
+    if (!since_s_) since_s_ = scene.time_s;
+    if (scene.time_s - *since_s_ >= kBallAtItsPlaceFor_s - scene.frame_s / 2) {
       for_each_robot(scene.now, [&](RobotId id, const sim::RobotState& robot) {
         const double gap_m = to_ball_m(scene, robot);
         near_.watch(scene, id, robot, scene.rules.opponents_to_ball_m - gap_m, 0.0, all);
@@ -58,11 +61,13 @@ class StopDistance final : public Truth {
     return left_m.norm() <= scene.rules.ball_in_place_m;
   }
 
-  double since_s_ = 0;
+  std::optional<double> since_s_;
   Lingering near_{"stop_distance", kMargin_m};
 };
 
-// Rules of 2026. Kick-offs and penalty kicks have places of their own for everybody.
+// Rules of 2026: during stop and free kicks. A stop and the free kick after it are one spell, in
+// which a robot has its grace and its foul once. Kick-offs and penalty kicks have places of their
+// own for everybody.
 class AttackerStays final : public Truth {
  public:
   void watch(const Scene& scene, Happenings& all) override {
@@ -72,7 +77,7 @@ class AttackerStays final : public Truth {
     if (!play.is_stop && !is_free_kick) return;
     for_each_robot(scene.now, [&](RobotId id, const sim::RobotState& robot) {
       const Reach reach = reach_to_area(scene.field, opponent_of(id.side), robot);
-      near_.watch(scene, id, robot, scene.rules.attacker_to_area_m - reach.nearest_m,
+      near_.watch(scene, play.stops, id, robot, scene.rules.attacker_to_area_m - reach.nearest_m,
                   scene.rules.attacker_grace_s, all);
     });
   }

@@ -30,11 +30,19 @@ class UntakenRestart final : public Truth {
                                                                   : scene.rules.free_kick_timeout_s;
     const Happening untaken{"restart_not_taken", scene.time_s, play.taker, std::nullopt,
                             play.ball_from_m};
-    if (add_timed(scene, untaken, scene.time_s - play.waits_since_s - limit_s, all))
-      told_ = play.count;
+    const double waited_s = scene.time_s - waits_since_s(play, all);
+    if (add_timed(scene, untaken, waited_s - limit_s, all)) told_ = play.count;
   }
 
  private:
+  // Rules of 2026: an opponent who stands too near for too long gives the kicker its time anew.
+  static double waits_since_s(const Play& play, const Happenings& all) {
+    for (auto it = all.rbegin(); it != all.rend() && it->time_s > play.began_s; ++it) {
+      if (it->name == "restart_distance" && it->standing == Standing::kTrue) return it->time_s;
+    }
+    return play.began_s;
+  }
+
   int told_ = -1;
 };
 

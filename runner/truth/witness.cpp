@@ -57,9 +57,6 @@ void Witness::note_fouls(std::size_t from) {
     const bool is_foul = happening.standing == Standing::kTrue &&
                          std::find(kFouls.begin(), kFouls.end(), happening.name) != kFouls.end();
     if (!is_foul) continue;
-    // Rules of 2026: the kick's time begins anew.
-    const bool is_2026 = rules_.edition == Edition::kRules2026;
-    if (is_2026 && happening.name == "restart_distance") play_.disturb_restart(happening.time_s);
     for (const Side side : kSides) {
       if (happening.offender.value_or(side) == side) fouled_s_[side] = happening.time_s;
     }

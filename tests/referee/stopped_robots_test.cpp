@@ -78,11 +78,12 @@ TEST(StopSpeed, IsNotMeasuredByThePaper) {
   EXPECT_TRUE(fast("paper", 2.0, 0.5).calls(Event::kStopSpeed).empty());
 }
 
-// A robot stands with its hull at that distance from the ball, which lies at its place.
+// A robot stands with its hull at that distance from the centre of the ball, which lies at its
+// place.
 DrivenGame near(const char* book, double gap_m, double seconds, double noise_m = 0) {
   DrivenGame game = stopped(by_book(book), noise_m);
   const Vec2 ball_m = game.game.frame.ball->position_m;
-  game.put(kWest, ball_m - Vec2(gap_m + kBallRadius_m + kRobotRadius_m, 0), {0, 0}, {-1, 0});
+  game.put(kWest, ball_m - Vec2(gap_m + kRobotRadius_m, 0), {0, 0}, {-1, 0});
   game.run(seconds, noise_m);
   return game;
 }

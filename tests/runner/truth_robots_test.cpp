@@ -104,6 +104,17 @@ TEST(TrueStopDistance, IsMeasuredOnceTheBallLiesAtItsPlace) {
   EXPECT_TRUE(game.has("stop_distance"));
 }
 
+TEST(TrueStopDistance, IsFromTheHullToTheBallsCentre) {
+  for (const double gap_m : {0.49, 0.51}) {
+    StagedGame game;
+    game.signal.placement = Placement{{0, 0}, false};
+    game.world.put_ball({0, 0});
+    game.world.put_robot(kEast1, {gap_m + kRobotRadius_m, 0}, {1, 0});
+    game.seconds(2.5);
+    EXPECT_EQ(game.has("stop_distance"), gap_m < 0.5) << gap_m;
+  }
+}
+
 // West kicks the ball away as a restart.
 void take_restart(StagedGame& game, CommandKind kind) {
   game.command(kind, Side::kWest);
@@ -152,6 +163,17 @@ TEST(TrueRestart, IsNotTakenAfterTenSeconds) {
   EXPECT_EQ(game.first("restart_not_taken").offender, Side::kEast);
 }
 
+TEST(TrueRestart, HasItsTimeAnewWhereAnOpponentStoodTooNear) {
+  StagedGame game(book("2026-b"));
+  game.world.put_ball({0, 1});
+  game.world.put_robot(kEast1, {0.3, 1}, {-1, 0});
+  game.command(CommandKind::kDirectFree, Side::kWest);
+  game.seconds(11.8);
+  EXPECT_EQ(game.names(), std::vector<std::string>{"restart_distance"});
+  game.seconds(0.4);
+  EXPECT_TRUE(game.has("restart_not_taken"));
+}
+
 TEST(TrueLingering, IsAnAttackersNearTheAreaForTwoSeconds) {
   StagedGame game(book("2026-b"));
   game.world.put_robot(kWest1, {3.025 - 0.8 - 0.15 - 0.09, 0}, {-1, 0});
@@ -161,6 +183,20 @@ TEST(TrueLingering, IsAnAttackersNearTheAreaForTwoSeconds) {
   EXPECT_TRUE(game.has("attacker_stays_near_area"));
   game.seconds(5.0);
   EXPECT_EQ(game.names().size(), 1U);  // once per stop
+}
+
+TEST(TrueLingering, GoesOnIntoTheFreeKickAfterTheStop) {
+  StagedGame game(book("2026-b"));
+  game.world.put_robot(kWest1, {3.025 - 0.8 - 0.15 - 0.09, 0}, {-1, 0});
+  game.seconds(1.5);
+  game.command(CommandKind::kDirectFree, Side::kEast);
+  game.seconds(0.3);
+  EXPECT_FALSE(game.has("attacker_stays_near_area"));
+  game.seconds(5.0);
+  EXPECT_EQ(game.names().size(), 1U);
+  game.command(CommandKind::kStop);
+  game.seconds(2.3);
+  EXPECT_EQ(game.names().size(), 2U);  // another stop
 }
 
 TEST(TrueLingering, IsInterferenceNearTheBallsWay) {
