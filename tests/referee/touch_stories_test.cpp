@@ -97,6 +97,53 @@ TEST(TouchStories, KnowsTheKicker) {
   EXPECT_NEAR(scene.last().speed_change_mps, 4, 0.2);
 }
 
+LastTouch touch_by(RobotId robot, double time_s) {
+  LastTouch touch;
+  touch.side = robot.side;
+  touch.robot = robot;
+  touch.time_s = time_s;
+  return touch;
+}
+
+// A ball that rolls along x at 0.5 m/s, long after a kick that was told while play was on.
+StoryScene long_rolling(const Vec2& robot_m) {
+  StoryScene scene;
+  scene.robot(Side::kEast, 2, robot_m, {-1, 0}).start({-2, 0});
+  scene.go({0.5, 0}, 400);
+  return scene;
+}
+
+TEST(TouchStories, AreOfWhatWasToldWhereNobodyTouchedTheBallSince) {
+  const StoryScene scene = long_rolling({3, 2});
+  const RobotId kicker{Side::kWest, 5};
+  const LastTouch last = scene.last(touch_by(kicker, 11 * kFrame_s));
+  EXPECT_EQ(last.robot, kicker);
+  EXPECT_EQ(last.time_s, 11 * kFrame_s);
+  EXPECT_FALSE(last.runner_up.has_value());
+}
+
+TEST(TouchStories, KnowWhoTouchedTheBallAfterWhatWasTold) {
+  const RobotId kicker{Side::kWest, 5};
+  StoryScene scene = long_rolling({-2 + 400 * 0.5 * kFrame_s + kTouch_m + 0.002, 0});
+  scene.go({-0.3, 0.4}, 10);
+  const LastTouch last = scene.last(touch_by(kicker, 11 * kFrame_s));
+  EXPECT_EQ(last.robot, (RobotId{Side::kEast, 2}));
+  EXPECT_EQ(last.runner_up, kicker);
+  EXPECT_NEAR(last.time_s, scene.time_s() - 10 * kFrame_s, kFrame_s);
+  EXPECT_NEAR(last.speed_change_mps, 0.9, 0.1);
+}
+
+TEST(TouchStories, NameTheOtherSidesBestRobot) {
+  StoryScene scene;
+  scene.robot(Side::kWest, 3, {-kTouch_m - 0.008, 0}, {1, 0});
+  scene.robot(Side::kEast, 6, {0, kRobotRadius_m + kBallRadius_m + 0.004}, {0, 1});
+  scene.start({0, 0});
+  scene.turn({0, 0}, {4, 0}, 0.5);
+  scene.go({4, 0}, 10);
+  EXPECT_EQ(scene.last().robot, (RobotId{Side::kWest, 3}));
+  EXPECT_EQ(scene.last().runner_up, (RobotId{Side::kEast, 6}));
+}
+
 // Nobody saw the ball for 150 ms, but only one robot was there.
 TEST(TouchStories, KnowsWhoTurnedAHiddenBall) {
   StoryScene scene;
