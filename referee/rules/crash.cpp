@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "referee/even_motion.hpp"
+#include "referee/touch_candidates.hpp"
 #include "soccer/robot_shape.hpp"
 
 namespace autoref::referee {
@@ -17,6 +19,13 @@ constexpr double kApart_m = kTouching_m + 20_mm;
 constexpr double kApart_s = 200_ms;
 // Speeds that differ by no more are equal but for rounding.
 constexpr double kSame_mps = 1e-6;
+// Standard deviations of how robots speed up or brake, and of how fast they change that: at full
+// power in three pictures.
+constexpr double kAcceleration_mps2 = 4;
+constexpr double kJerk_mps3 = 100;
+constexpr double kBumped_mps2 = 10;      // no robot brakes like this by itself
+constexpr int kSightings = 4;            // tell a motion
+constexpr double kRounding_m = 0.01e-3;  // of a camera without noise
 
 // The robot as it was seen; null where it was not.
 const TrackedRobot* find_track(const TrackedRobots& robots, int number) {
@@ -40,25 +49,54 @@ std::optional<double> time_to_touch_s(const Vec2& way_m, const Vec2& velocity_mp
   return time_s <= duration_s ? std::optional(time_s) : std::nullopt;
 }
 
+// A robot's motion at `now_s`, by its sightings until then. Robots brake before they meet, and
+// begin to at any time: what was seen long ago tells little. The track, where it was hardly seen or
+// has just been bumped.
+EvenMotion motion_of(const RecentFrames& recent, Side side, const TrackedRobot& track, double now_s,
+                     const VisionNoise& noise) {
+  EvenMotionFit fit(Vec2(0, 0), kAcceleration_mps2);
+  int sightings = 0;
+  for (std::size_t back = 0; recent.ball(back) != nullptr; ++back) {
+    const double time_s = recent.ball(back)->time_s;  // of a picture
+    if (time_s > now_s) continue;
+    const PerSide<SeenRobots> robots = recent.robots_at(time_s);
+    const RobotObservation* seen = find_robot(robots[side], track.number);
+    if (seen == nullptr) continue;
+    const double ago_s = now_s - time_s;
+    const double strayed_m = kJerk_mps3 * ago_s * ago_s * ago_s / 6;
+    const double deviation_m = std::sqrt(strayed_m * strayed_m + noise.robot_m * noise.robot_m +
+                                         kRounding_m * kRounding_m);
+    fit.add(-ago_s, seen->position_m, deviation_m);
+    ++sightings;
+  }
+  const EvenMotion motion = sightings < kSightings ? EvenMotion{} : fit.motion();
+  const bool is_steady = motion.acceleration_mps2.norm() < kBumped_mps2;
+  if (sightings >= kSightings && is_steady) return motion;
+  return {track.position_m, track.velocity_mps, Vec2(0, 0), 0};
+}
+
 // How the two met, from their motion in the frame before, `at_s` after it.
-Collision collision_of(const TrackedRobot& west, const TrackedRobot& east, double at_s) {
-  const Vec2 west_m = west.position_m + at_s * west.velocity_mps;
-  const Vec2 east_m = east.position_m + at_s * east.velocity_mps;
+Collision collision_of(const PerSide<EvenMotion>& motions, int west, int east, double at_s) {
+  const Vec2 west_m = motions[Side::kWest].place_after(at_s);
+  const Vec2 east_m = motions[Side::kEast].place_after(at_s);
+  const Vec2 west_mps = motions[Side::kWest].velocity_after(at_s);
+  const Vec2 east_mps = motions[Side::kEast].velocity_after(at_s);
   const Vec2 line = direction_of(east_m - west_m, Vec2(1, 0));
-  const double lead_mps = west.velocity_mps.norm() - east.velocity_mps.norm();
+  const double lead_mps = west_mps.norm() - east_mps.norm();
   Collision collision;
-  collision.faster = {Side::kWest, west.number};
-  collision.slower = {Side::kEast, east.number};
+  collision.faster = {Side::kWest, west};
+  collision.slower = {Side::kEast, east};
   collision.faster_m = lead_mps < 0 ? east_m : west_m;
   if (lead_mps < 0) std::swap(collision.faster, collision.slower);
-  collision.closing_mps = (west.velocity_mps - east.velocity_mps).dot(line);
+  collision.closing_mps = (west_mps - east_mps).dot(line);
   collision.lead_mps = std::abs(lead_mps);
   collision.position_m = (west_m + east_m) / 2;
   return collision;
 }
 
 // The collision of two robots that meet in this frame; none where they do not, or did before.
-std::optional<Collision> meeting(CrashWatch& watch, const Moment& moment, const TrackedRobot& west,
+std::optional<Collision> meeting(CrashWatch& watch, const RecentFrames& recent,
+                                 const Moment& moment, const TrackedRobot& west,
                                  const TrackedRobot& east) {
   double& met_s =
       watch.met_s[static_cast<std::size_t>(west.number)][static_cast<std::size_t>(east.number)];
@@ -79,7 +117,11 @@ std::optional<Collision> meeting(CrashWatch& watch, const Moment& moment, const 
   if (!at_s && distance_m > kTouching_m) return std::nullopt;
   met_s = moment.time_s();
   if (is_new) return std::nullopt;
-  return collision_of(*west_before, *east_before, at_s.value_or(duration_s));
+  const VisionNoise& noise = moment.configuration.noise;
+  const PerSide<EvenMotion> motions{
+      {motion_of(recent, Side::kWest, *west_before, watch.before_s, noise),
+       motion_of(recent, Side::kEast, *east_before, watch.before_s, noise)}};
+  return collision_of(motions, west.number, east.number, at_s.value_or(duration_s));
 }
 
 bool is_drawn(const Collision& collision, const RuleBook& rules) {
@@ -91,14 +133,14 @@ bool is_foul(const Collision& collision, const RuleBook& rules) {
   return is_called && collision.closing_mps > rules.crash_mps;
 }
 
-void watch_robots(CrashWatch& watch, const Moment& moment) {
+void watch_robots(CrashWatch& watch, const RecentFrames& recent, const Moment& moment) {
   constexpr double kNear_m = 2 * kTouching_m;
   for (const TrackedRobot& west : moment.tracks.robots[Side::kWest]) {
     for (const TrackedRobot& east : moment.tracks.robots[Side::kEast]) {
       // Where a robot that vision missed was going is no evidence that it met anybody.
       if (!west.is_seen || !east.is_seen) continue;
       if ((east.position_m - west.position_m).squaredNorm() > kNear_m * kNear_m) continue;
-      const std::optional<Collision> met = meeting(watch, moment, west, east);
+      const std::optional<Collision> met = meeting(watch, recent, moment, west, east);
       if (!met || !is_foul(*met, moment.configuration.rules)) continue;
       if (watch.untold.size() < watch.untold.capacity()) watch.untold.push_back(*met);
     }
@@ -153,7 +195,7 @@ std::optional<Collision> take_worst(CrashWatch& watch, const RuleBook& rules) {
 std::optional<Finding> find_crash(Memory& memory, const Moment& moment) {
   const RuleBook& rules = moment.configuration.rules;
   const std::optional<Collision> worst = take_worst(memory.watch.crash, rules);
-  watch_robots(memory.watch.crash, moment);
+  watch_robots(memory.watch.crash, memory.play.touches.recent(), moment);
   if (!worst) return std::nullopt;
   const Collision& crash = *worst;
   Finding finding = is_drawn(crash, rules) ? drawn_finding(crash, rules)

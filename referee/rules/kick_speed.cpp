@@ -3,19 +3,27 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/container/static_vector.hpp>
 #include <cmath>
 
 #include "referee/ball_out.hpp"
+#include "referee/even_motion.hpp"
 #include "soccer/units.hpp"
 
 namespace autoref::referee {
 namespace {
 
 constexpr std::size_t kIntervals = 3;
-// Standard deviations that a speed must be beyond the limit.
+// After so many sightings of the ball's free way its speed is told, however well it is known; and
+// before, once it is beyond the limit by so many standard deviations.
+constexpr std::size_t kSightings = 7;
+constexpr double kSure = 3;
+// Standard deviations that the height's uncertainty must not explain.
 constexpr double kBeyondNoise = 2;
-// What every carpet of the league takes from a kicked ball, at least: it slides at first.
-constexpr double kCarpet_mps2 = 3.0;
+// What the league's carpets take from a kicked ball, which slides at first: 3.0 to 3.9 m/s2.
+constexpr double kCarpet_mps2 = 3.4;
+constexpr double kCarpetDeviation_mps2 = 0.4;
+constexpr double kRounding_m = 0.01e-3;  // of a camera without noise
 
 struct Speed {
   double mps = 0;
@@ -36,28 +44,43 @@ Speed mean_speed(const RecentBall& from, const RecentBall& to, const Configurati
   return speed;
 }
 
-// The speed that a ball kicked at `kicked_s` had then, by its mean speed between two sightings.
-Speed kicked_speed(const RecentBall& from, const RecentBall& to, double kicked_s,
-                   const Configuration& c) {
-  Speed speed = mean_speed(from, to, c);
-  const bool is_on_carpet = !(from.height_m + to.height_m > 0);
-  if (is_on_carpet) speed.mps += kCarpet_mps2 * ((from.time_s + to.time_s) / 2 - kicked_s);
-  return speed;
+// The sightings of the ball from `from_s` to `to_s`, the newest first, at most the oldest seven.
+using Sightings = boost::container::static_vector<const RecentBall*, RecentFrames::kKept>;
+
+Sightings sightings_of(const RecentFrames& recent, double from_s, double to_s) {
+  Sightings seen;
+  for (std::size_t back = 0; recent.ball(back) != nullptr; ++back) {
+    const RecentBall* ball = recent.ball(back);
+    if (ball->time_s >= from_s && ball->time_s <= to_s) seen.push_back(ball);
+  }
+  while (seen.size() > kSightings) seen.erase(seen.begin());
+  return seen;
 }
 
-// The mean of the last three speeds, if all of them are above the limit, the mean beyond the noise.
-std::optional<double> speeding_mps(const RecentFrames& recent, double kicked_s,
-                                   const Configuration& c) {
-  const RecentBall* newest = recent.ball(0);
+// The speed that a ball had when it was kicked, by its way along the carpet.
+Speed speed_on_carpet(const Sightings& seen, double kicked_s, const Configuration& c) {
+  const Vec2 way = direction_of(seen.front()->position_m - seen.back()->position_m, Vec2(1, 0));
+  EvenMotionFit fit(-kCarpet_mps2 * way, kCarpetDeviation_mps2);
+  for (const RecentBall* ball : seen) {
+    fit.add(ball->time_s - kicked_s, ball->position_m, std::max(c.noise.ball_m, kRounding_m));
+  }
+  const EvenMotion motion = fit.motion();
+  return {motion.velocity_mps.dot(way), motion.velocity_deviation_mps};
+}
+
+// The mean speed of a ball in the air over the last three pictures, if all of them are above the
+// limit, the mean beyond the noise.
+std::optional<double> speeding_in_air_mps(const RecentFrames& recent, double kicked_s,
+                                          const Configuration& c) {
   const RecentBall* oldest = recent.ball(kIntervals);
   if (oldest == nullptr || oldest->time_s < kicked_s) return std::nullopt;
   for (std::size_t back = 0; back < kIntervals; ++back) {
-    const Speed speed = kicked_speed(*recent.ball(back + 1), *recent.ball(back), kicked_s, c);
+    const Speed speed = mean_speed(*recent.ball(back + 1), *recent.ball(back), c);
     if (!(speed.mps + kBeyondNoise * speed.deviation_mps > c.rules.kick_limit_mps)) {
       return std::nullopt;
     }
   }
-  const Speed mean = kicked_speed(*oldest, *newest, kicked_s, c);
+  const Speed mean = mean_speed(*oldest, *recent.ball(0), c);
   if (!(mean.mps - kBeyondNoise * mean.deviation_mps > c.rules.kick_limit_mps)) return std::nullopt;
   return mean.mps;
 }
@@ -75,40 +98,85 @@ bool was_as_fast(const RecentFrames& recent, double kicked_s, double speed_mps,
   return true;
 }
 
+// The speed of a kick whose ball nobody has touched until `until_s`, once it is sure; `is_over`:
+// there will be no more sightings of it. None where the ball was as fast before.
+std::optional<double> told_speed_mps(const BallTouch& kick, const RecentFrames& recent,
+                                     double until_s, bool is_over, const Configuration& c) {
+  const Sightings seen = sightings_of(recent, kick.ended_s, until_s);
+  if (seen.size() <= kIntervals) return std::nullopt;
+  const Speed speed = speed_on_carpet(seen, kick.ended_s, c);
+  const bool is_sure = is_over || seen.size() == kSightings ||
+                       speed.mps - c.rules.kick_limit_mps > kSure * speed.deviation_mps;
+  if (!is_sure || was_as_fast(recent, kick.ended_s, speed.mps, c)) return std::nullopt;
+  return speed.mps;
+}
+
 // Measures the newest kick, and remembers its speed while its height is unknown.
 void watch(KickSpeedWatch& kick, const BallTouch& touch, const RecentFrames& recent,
            const Moment& moment) {
   if (kick.kicked_s && *kick.kicked_s != touch.ended_s) kick = {};
   const RecentBall& newest = *recent.ball(0);
   // What seemed fast while it might have been a chip counts anew once it is one.
-  if (newest.height_known && newest.height_m > 0 && !kick.is_in_air) kick = {};
-  kick.is_in_air = newest.height_m > 0;
-  const std::optional<double> speed_mps = speeding_mps(recent, touch.ended_s, moment.configuration);
-  if (!speed_mps || was_as_fast(recent, touch.ended_s, *speed_mps, moment.configuration)) return;
+  if (newest.height_known && newest.height_m > 0 && !kick.is_in_air) {
+    kick = {};
+    kick.is_in_air = true;
+  }
+  const Configuration& c = moment.configuration;
+  std::optional<double> speed_mps;
+  if (kick.is_in_air) {
+    speed_mps = speeding_in_air_mps(recent, touch.ended_s, c);
+    if (speed_mps && was_as_fast(recent, touch.ended_s, *speed_mps, c)) speed_mps.reset();
+  } else if (!kick.kicked_s) {
+    speed_mps = told_speed_mps(touch, recent, moment.time_s(), false, c);
+  }
+  if (!speed_mps) return;
   kick.kicked_s = touch.ended_s;
   kick.speed_mps = std::max(kick.speed_mps, *speed_mps);
+}
+
+// A kick, and its speed once that is sure.
+struct ToldKick {
+  const BallTouch* touch = nullptr;
+  double speed_mps = 0;
+};
+
+// The newest one, once it is known whether it flies, or the one before it.
+ToldKick told_kick(KickSpeedWatch& kick, const TouchHistory& touches, const Moment& moment) {
+  const Configuration& c = moment.configuration;
+  const RecentFrames& recent = touches.recent();
+  if (touches.has(1) && !kick.is_in_air && !(touches.at(1).highest_m > 0)) {
+    const BallTouch& before = touches.at(1);
+    const bool is_measured = kick.kicked_s && *kick.kicked_s == before.ended_s;
+    const std::optional<double> speed_mps =
+        is_measured ? std::optional(kick.speed_mps)
+                    : told_speed_mps(before, recent, touches.newest()->began_s, true, c);
+    if (speed_mps && *speed_mps > c.rules.kick_limit_mps) return {&before, *speed_mps};
+  }
+  watch(kick, *touches.newest(), recent, moment);
+  const BallSight& ball = *moment.ball;
+  const bool is_known = ball.height_known || is_out_of_field(c.field, ball.position_m);
+  if (!kick.kicked_s || !is_known) return {};
+  return {touches.newest(), kick.speed_mps};
 }
 
 }  // namespace
 
 std::optional<Finding> find_kick_speed(Memory& memory, const Moment& moment) {
   const TouchHistory& touches = memory.play.touches;
-  const BallTouch* touch = touches.newest();
-  if (touch == nullptr || !touch->robot || !moment.frame.ball || !touches.recent().ball(0)) {
+  if (touches.newest() == nullptr || !moment.frame.ball || !touches.recent().ball(0)) {
     return std::nullopt;
   }
-  KickSpeedWatch& kick = memory.watch.kick_speed;
-  watch(kick, *touch, touches.recent(), moment);
-  if (!kick.kicked_s) return std::nullopt;
   const Configuration& c = moment.configuration;
-  const BallSight& ball = *moment.ball;
-  if (!ball.height_known && !is_out_of_field(c.field, ball.position_m)) return std::nullopt;
+  const ToldKick kick = told_kick(memory.watch.kick_speed, touches, moment);
+  if (kick.touch == nullptr || !kick.touch->robot || !(kick.speed_mps > c.rules.kick_limit_mps)) {
+    return std::nullopt;
+  }
+  const RobotId kicker = *kick.touch->robot;
   Finding finding =
-      offence_of(Event::kKickSpeed, RuleId::kKickSpeed, c, *touch->robot, touch->ended_m);
+      offence_of(Event::kKickSpeed, RuleId::kKickSpeed, c, kicker, kick.touch->ended_m);
   finding.value = kick.speed_mps;
-  finding.evidence =
-      fmt::format("{} touched the ball at {:.3f} s, and it was {:.2f} m/s fast in three pictures.",
-                  text_of(*touch->robot), touch->ended_s, kick.speed_mps);
+  finding.evidence = fmt::format("{} kicked the ball at {:.3f} s, to {:.2f} m/s.", text_of(kicker),
+                                 kick.touch->ended_s, kick.speed_mps);
   return finding;
 }
 

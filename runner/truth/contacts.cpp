@@ -10,6 +10,8 @@ namespace {
 
 constexpr double kDribblingMargin_m = 50_mm;  // where a contact began is as open as that
 constexpr double kHoldingMargin_s = 0.2;
+// A ball that gets too far so soon after play has ended was called early.
+constexpr double kLead_s = 0.05;
 
 // "Touches again": the ball has been away from the hull since.
 class DoubleTouch final : public Truth {
@@ -43,17 +45,27 @@ class Dribbling final : public Truth {
       const double way_m = (scene.now.ball.position_m - contact.ball_from_m).norm();
       const double excess_m = way_m - scene.rules.dribbling_m;
       if (excess_m <= -kDribblingMargin_m) continue;
+      Happening dribble{"dribbling", scene.time_s, contact.robot.side, contact.robot,
+                        scene.now.ball.position_m};
+      if (excess_m <= 0 && is_prevented(scene, contact, excess_m)) {
+        dribble.standing = Standing::kPrevented;
+        all.push_back(dribble);
+      }
       int& told = excess_m > 0 ? told_ : nearly_told_;
       if (told == contact.count) continue;
       told = contact.count;
-      add_measured(
-          all,
-          {"dribbling", scene.time_s, contact.robot.side, contact.robot, scene.now.ball.position_m},
-          excess_m, kDribblingMargin_m);
+      add_measured(all, dribble, excess_m, kDribblingMargin_m);
     }
   }
 
  private:
+  // The referee has just ended play while the ball was about to get so far.
+  static bool is_prevented(const Scene& scene, const Contact& contact, double excess_m) {
+    const Vec2 way_m = scene.now.ball.position_m - contact.ball_from_m;
+    const double away_mps = scene.now.ball.velocity_mps.dot(direction_of(way_m, Vec2(1.0, 0.0)));
+    return scene.play.ends_now && excess_m + kLead_s * away_mps > 0;
+  }
+
   int told_ = 0;
   int nearly_told_ = 0;
 };

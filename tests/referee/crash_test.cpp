@@ -48,6 +48,26 @@ TEST(Crash, IsTheFastersFaultAboveOnePointFiveMetresPerSecond) {
 
 TEST(Crash, IsNoneBelowIt) { EXPECT_TRUE(crash("2014", {1.45, 0}).calls(Event::kCrash).empty()); }
 
+// It has been faster than 1.5 m/s until the frame before.
+TEST(Crash, CountsTheSpeedAtTheMeetingOfARobotThatBrakes) {
+  for (const double last_mps : {1.46, 1.56}) {
+    DrivenGame game(by_book("2014"));
+    constexpr double kFrame_s = 1 / ScriptedGame::kRate_hz;
+    constexpr int kFrames = 20;
+    constexpr double kSlower_mps = 3 * kFrame_s;  // in each frame
+    const double way_m = kFrame_s * kFrames * (last_mps + kSlower_mps * (kFrames - 1) / 2);
+    game.put(kEast, {-0.4, -0.8}, {0, 0});
+    game.put(kWest, {-0.4 - 2 * kRobotRadius_m - way_m + 0.01, -0.8}, {0, 0});
+    for (int i = kFrames - 1; i >= 0; --i) {
+      game.drive(kWest, {last_mps + i * kSlower_mps, 0});
+      game.run(kFrame_s);
+    }
+    game.drive(kWest, {0, 0});
+    game.run(0.2);
+    EXPECT_EQ(game.calls(Event::kCrash).size(), last_mps > 1.5 ? 1U : 0U) << last_mps;
+  }
+}
+
 TEST(Crash, CountsTheSpeedsOfBothTogether) {
   const DrivenGame game = crash("2014", {0.5, 1.1});
   ASSERT_EQ(game.calls(Event::kCrash).size(), 1U);

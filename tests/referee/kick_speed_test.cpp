@@ -30,6 +30,31 @@ TEST(KickSpeed, OfALittleLessIsAllowed) {
   EXPECT_FALSE(is_called(game, "kick_speed"));
 }
 
+// The carpet takes 0.06 m/s from picture to picture.
+TEST(KickSpeed, IsTheSpeedAtTheKickItself) {
+  for (const double carpet_mps2 : {3.0, 3.9}) {
+    for (const double speed_mps : {7.95, 8.05}) {
+      ScriptedGame game = in_play(by_book("2014"));
+      game.carpet_mps2 = carpet_mps2;
+      game.kick_from(Side::kWest, 1, {-1, 1.2}, {speed_mps, 0});
+      EXPECT_EQ(is_called(game, "kick_speed", 0.3), speed_mps > 8) << speed_mps;
+    }
+  }
+}
+
+TEST(KickSpeed, IsTheSpeedAtAKickThatIsSoonTouchedAgain) {
+  for (const double speed_mps : {7.9, 8.1}) {
+    ScriptedGame game = shot(by_book("2014"), {speed_mps, 0});
+    game.run(0.1);
+    RobotObservation& east = game.robot(Side::kEast, 1);
+    east.heading = Vec2(-1, 0);
+    east.position_m =
+        game.frame.ball->position_m + Vec2(kFrontDistance_m + kBallRadius_m + 0.001, 0);
+    game.ball_mps = {-2, 0};
+    EXPECT_EQ(is_called(game, "kick_speed", 0.3), speed_mps > 8) << speed_mps;
+  }
+}
+
 TEST(KickSpeed, IsLimitedTo6AndAHalfFrom2026) {
   ScriptedGame slow = shot(by_book("2026-b"), {6.4, 0});
   EXPECT_FALSE(is_called(slow, "kick_speed"));

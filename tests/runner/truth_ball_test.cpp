@@ -1,6 +1,8 @@
 // What truly happens to the ball, told from staged worlds.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/runner/truth_stage.hpp"
 
 namespace autoref::runner::truth {
@@ -137,6 +139,25 @@ TEST(TrueDribbling, IsTooLongAfterFiftyCentimetres) {
   game.seconds(1.0);
   ASSERT_TRUE(game.has("dribbling"));
   EXPECT_EQ(game.first("dribbling").robot, kWest1);
+}
+
+TEST(TrueDribbling, IsForeseenWhereTheRefereeEndsPlayJustBefore) {
+  for (const double short_of_m : {0.03, 0.2}) {
+    StagedGame game;
+    stage_kick(game, {-1, 0}, {1, 0});
+    game.command(CommandKind::kForceStart);
+    game.world.order(kWest1) = {{1.0, 0}, 0, 0, false, true};
+    const double from_m = game.world.world.state().ball.position_m.x();
+    while (game.world.world.state().ball.position_m.x() - from_m < 0.5 - short_of_m) game.frames(1);
+    game.command(CommandKind::kStop);
+    const auto& all = game.witness.happenings();
+    EXPECT_EQ(std::any_of(all.begin(), all.end(),
+                          [](const Happening& happening) {
+                            return happening.name == "dribbling" &&
+                                   happening.standing == Standing::kPrevented;
+                          }),
+              short_of_m < 0.1);
+  }
 }
 
 TEST(TrueHolding, IsTheKeepersForFifteenSecondsInItsArea) {
