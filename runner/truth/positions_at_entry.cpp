@@ -1,4 +1,5 @@
 // Robots that stand where they must not when the ball enters play from a restart.
+#include <algorithm>
 #include <cmath>
 
 #include "runner/truth/outline.hpp"
@@ -26,18 +27,58 @@ struct Worst {
   }
 };
 
+// How often the restart that is on has been taken again, in a row. Games here take it again three
+// times at most; then play goes on, wherever robots stood.
+class Retakes {
+ public:
+  void enter(const Play& play) {
+    const bool is_again = was_wrong_ && play.stops == stops_ + 1 && play.restart == restart_;
+    count_ = is_again ? count_ + 1 : 0;
+    stops_ = play.stops;
+    restart_ = play.restart;
+    was_wrong_ = false;
+  }
+  void be_wrong() { was_wrong_ = true; }
+  bool may_be_taken_again() const { return count_ < kMost; }
+
+ private:
+  static constexpr int kMost = 3;
+  int count_ = 0;
+  int stops_ = 0;  // when it was taken
+  Command restart_;
+  bool was_wrong_ = false;
+};
+
 class PositionsAtEntry final : public Truth {
  public:
   void watch(const Scene& scene, Happenings& all) override {
     if (!scene.play.entered_now || !scene.play.taker || scene.play.is_penalty()) return;
     const Side taker = *scene.play.taker;
+    const std::size_t told = all.size();
+    retakes_.enter(scene.play);
     const bool is_2026 = scene.rules.edition == Edition::kRules2026;
     if (scene.rules.has(RuleId::kAttackerNearArea) && !is_2026) near_area(scene, taker, all);
     if (scene.rules.has(RuleId::kRestartDistance) && !is_2026) near_ball(scene, taker, all);
     if (scene.rules.has(RuleId::kKickoffPositions) && scene.play.is_kickoff()) half(scene, all);
+    note_breaches(told, all);
   }
 
  private:
+  // From `told` on, what has this restart taken again; nothing where it may not be.
+  void note_breaches(std::size_t told, Happenings& all) {
+    const auto is_breach = [](const Happening& happening) {
+      return happening.standing == Standing::kTrue &&
+             (happening.name == "restart_distance" || happening.name == "kickoff_positions");
+    };
+    const auto from = all.begin() + static_cast<std::ptrdiff_t>(told);
+    if (!std::any_of(from, all.end(), is_breach)) return;
+    if (retakes_.may_be_taken_again()) {
+      retakes_.be_wrong();
+    } else {
+      all.erase(std::remove_if(from, all.end(), is_breach), all.end());
+    }
+  }
+
   static void add(const Scene& scene, std::string_view name, const Worst& worst, Happenings& all) {
     if (!worst.robot) return;
     add_measured(all, {name, scene.time_s, worst.robot->side, worst.robot, worst.position_m},
@@ -86,6 +127,8 @@ class PositionsAtEntry final : public Truth {
     all.back().position_m = scene.play.ball_from_m;
     if (is_wrong[Side::kWest] && is_wrong[Side::kEast]) all.back().offender.reset();
   }
+
+  Retakes retakes_;
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 // What robots must not do while play is stopped, or until a restart is taken.
 #include <algorithm>
+#include <optional>
 
 #include "runner/truth/lingering.hpp"
 #include "runner/truth/outline.hpp"

@@ -152,6 +152,18 @@ TEST(TrueRestart, IsWrongWithARobotInTheOtherHalfAtKickOff) {
   EXPECT_TRUE(game.has("kickoff_positions"));
 }
 
+TEST(TrueRestart, IsTakenAgainThreeTimesAtMost) {
+  StagedGame game;
+  game.world.put_robot(kEast1, {-0.5, 1}, {-1, 0});
+  for (int kickoff = 0; kickoff < 5; ++kickoff) {
+    game.command(CommandKind::kStop);
+    game.world.put_ball({0, 0});
+    game.frames(1);
+    take_restart(game, CommandKind::kPrepareKickoff);
+    EXPECT_EQ(game.names().size(), kickoff < 3 ? kickoff + 1U : kickoff == 3 ? 3U : 4U) << kickoff;
+  }
+}
+
 TEST(TrueRestart, IsNotTakenAfterTenSeconds) {
   StagedGame game;
   game.world.put_ball({0, 1});
