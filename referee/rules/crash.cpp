@@ -51,7 +51,7 @@ std::optional<double> time_to_touch_s(const Vec2& way_m, const Vec2& velocity_mp
 
 // A robot's motion at `now_s`, by its sightings until then. Robots brake before they meet, and
 // begin to at any time: what was seen long ago tells little. The track, where it was hardly seen or
-// has just been bumped.
+// has just been bumped, and where vision is noisy: then a few sightings tell less than the filter.
 EvenMotion motion_of(const RecentFrames& recent, Side side, const TrackedRobot& track, double now_s,
                      const VisionNoise& noise) {
   EvenMotionFit fit(Vec2(0, 0), kAcceleration_mps2);
@@ -71,7 +71,7 @@ EvenMotion motion_of(const RecentFrames& recent, Side side, const TrackedRobot& 
   }
   const EvenMotion motion = sightings < kSightings ? EvenMotion{} : fit.motion();
   const bool is_steady = motion.acceleration_mps2.norm() < kBumped_mps2;
-  if (sightings >= kSightings && is_steady) return motion;
+  if (sightings >= kSightings && is_steady && noise.robot_m == 0) return motion;
   return {track.position_m, track.velocity_mps, Vec2(0, 0), 0};
 }
 
