@@ -20,10 +20,11 @@ std::string json_of(const std::optional<Vec2>& v) {
   return v ? json_list({json_number(v->x()), json_number(v->y())}) : kNull;
 }
 
+// Null before anybody has touched the ball; a touch by nobody knows whom is by "unknown".
 std::string json_of(const referee::LastTouch& touch) {
-  if (!touch.side) return kNull;
+  if (!touch.side && touch.time_s == 0) return kNull;
   return JsonObject()
-      .add("side", json_text(name_of(*touch.side)))
+      .add("side", json_text(touch.side ? name_of(*touch.side) : "unknown"))
       .add("robot", touch.robot ? std::to_string(touch.robot->number) : kNull)
       .add("time_s", json_number(touch.time_s))
       .add("gap_m", json_number(touch.gap_m))

@@ -44,6 +44,15 @@ TEST(DecisionJson, NamesRobotsBySideAndNumber) {
   EXPECT_NE(json.find(R"("value": 0.25)"), std::string::npos);
 }
 
+TEST(DecisionJson, SaysUnknownOfATouchByNobodyKnowsWhom) {
+  referee::Decision decision;
+  decision.last_touch.time_s = 12.5;
+  const std::string json = decision_json(decision);
+  EXPECT_NE(json.find(R"("last_touch": {"side": "unknown", "robot": null, "time_s": 12.5)"),
+            std::string::npos)
+      << json;
+}
+
 TEST(GameReport, HasTheKeysOfAGame) {
   GameConfiguration game;
   GameRecord record;
