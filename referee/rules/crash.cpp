@@ -69,7 +69,7 @@ EvenMotion motion_of(const RecentFrames& recent, Side side, const TrackedRobot& 
     fit.add(-ago_s, seen->position_m, deviation_m);
     ++sightings;
   }
-  const EvenMotion motion = sightings < kSightings ? EvenMotion{} : fit.motion();
+  EvenMotion motion = sightings < kSightings ? EvenMotion{} : fit.motion();
   const bool is_steady = motion.acceleration_mps2.norm() < kBumped_mps2;
   if (sightings >= kSightings && is_steady && noise.robot_m == 0) return motion;
   return {track.position_m, track.velocity_mps, Vec2(0, 0), 0};
