@@ -34,7 +34,7 @@ std::array<std::string, 2> JudgeReader::matchup_in(const YAML::Node& value) cons
   if (tilde == std::string::npos) {
     file_.refuse(place_of(value), "matchups", "expected two strategies, such as basic~dummy");
   }
-  const std::array<std::string, 2> matchup = {text.substr(0, tilde), text.substr(tilde + 1)};
+  std::array<std::string, 2> matchup = {text.substr(0, tilde), text.substr(tilde + 1)};
   try {
     GameConfiguration any;
     set_by_path(any, "a.strategy", matchup[0]);

@@ -36,7 +36,8 @@ Waypoint penalty_spectator(const Field& field, const Vec2& mark_m, double cleara
   const double behind_m = clearance_m + kRobotRadius_m + kMargin_m + (ours ? 0.0 : kRows_m);
   // One after the other to both sides of the middle.
   const double aside = order % 2 == 0 ? 1.0 : -1.0;
-  const double y = aside * kGap_m * ((order + 1) / 2 + 0.5);
+  const int places_aside = (order + 1) / 2;
+  const double y = aside * kGap_m * (places_aside + 0.5);
   const Vec2 place_m(mark_m.x() + (ours ? -behind_m : behind_m),
                      std::clamp(y, -field.half_width_m(), field.half_width_m()));
   return {place_m, direction_of(mark_m - place_m, Vec2(1, 0))};
