@@ -99,6 +99,7 @@ std::string last_touch_json(const CameraTally& tally, std::size_t team) {
 
 std::string texts_json(const std::vector<std::string>& lines) {
   std::vector<std::string> texts;
+  texts.reserve(lines.size());
   for (const std::string& line : lines) texts.push_back(json_text(line));
   return json_list(texts);
 }

@@ -17,7 +17,7 @@ bool Lingering::Watch::is_over(double time_s, bool offends, double grace_s, int 
 void Lingering::watch(const Scene& scene, int spell, RobotId id, const sim::RobotState& robot,
                       double excess, double grace_s, Happenings& all) {
   grace_s -= scene.frame_s / 2;  // pictures are whole frames apart
-  Watches& watches = watches_[id];
+  Watches& watches = watches_[id.side][id.number];
   if (watches.spell != spell) watches = {spell, {}, {}, {}};
   Happening lingers{name_, scene.time_s, id.side, id, robot.position_m};
   watches.clearly.is_over(scene.time_s, excess > margin_, grace_s, spell);

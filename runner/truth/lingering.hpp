@@ -42,7 +42,7 @@ class Lingering {
 
   std::string_view name_;
   double margin_;
-  std::map<RobotId, Watches> watches_;
+  PerSide<std::map<int, Watches>> watches_;  // by number
 };
 
 }  // namespace autoref::runner::truth
