@@ -7,9 +7,11 @@
 #include <stdexcept>
 #include <vector>
 
+#include "runner/json.hpp"
 #include "runner/state_hash.hpp"
 #include "sim/yardstick.hpp"
 #include "soccer/rule_table.hpp"
+#include "strategies/registry.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -80,16 +82,24 @@ double bare_ns(std::uint64_t seed, std::int64_t frames) {
 }
 
 void print_json(const BenchResult& r) {
-  std::string shares;
+  JsonObject shares;
   for (int i = 0; i < kPhaseCount; ++i) {
-    shares += fmt::format("{}\"{}\": {:.4f}", i == 0 ? "" : ", ", kPhaseNames[i], r.shares[i]);
+    shares.add(kPhaseNames[i], fmt::format("{:.4f}", r.shares[i]));
   }
-  fmt::print(
-      "{{\"ns_per_frame\": {:.1f}, \"referee_ns_per_frame\": {:.1f}, \"bare_ns_per_frame\": "
-      "{:.1f}, \"ratio\": {:.4f}, "
-      "\"x_real_time\": {:.1f}, \"signature\": \"{:016x}\", \"shares\": {{{}}}}}\n",
-      r.ns_per_frame, r.referee_ns_per_frame, r.bare_ns_per_frame, r.ratio, r.x_real_time,
-      r.signature, shares);
+  JsonObject teams;
+  for (const TeamCost& team : r.teams) {
+    teams.add(team.name, fmt::format("{:.1f}", team.ns_per_decision));
+  }
+  fmt::print("{}\n", JsonObject()
+                         .add("ns_per_frame", fmt::format("{:.1f}", r.ns_per_frame))
+                         .add("referee_ns_per_frame", fmt::format("{:.1f}", r.referee_ns_per_frame))
+                         .add("bare_ns_per_frame", fmt::format("{:.1f}", r.bare_ns_per_frame))
+                         .add("ratio", fmt::format("{:.4f}", r.ratio))
+                         .add("x_real_time", fmt::format("{:.1f}", r.x_real_time))
+                         .add("signature", json_text(fmt::format("{:016x}", r.signature)))
+                         .add("shares", shares.text())
+                         .add("team_ns_per_decision", teams.text())
+                         .text());
 }
 
 void print_table(const BenchResult& r) {
@@ -102,6 +112,9 @@ void print_table(const BenchResult& r) {
   fmt::print("signature             {:016x}\n", r.signature);
   for (int i = 0; i < kPhaseCount; ++i) {
     fmt::print("  {:10} {:5.1f} %\n", kPhaseNames[i], 100 * r.shares[i]);
+  }
+  for (const TeamCost& team : r.teams) {
+    fmt::print("team {:16} {:9.2f} us a decision\n", team.name, team.ns_per_decision / 1000);
   }
 }
 
@@ -134,6 +147,9 @@ BenchResult bench(int rounds) {
   result.shares = shares.shares();
   result.referee_ns_per_frame =
       with_all_rules.ns_of(Phase::kReferee) / static_cast<double>(judged.frames);
+  for (const strategies::Entry& team : strategies::all_strategies()) {
+    result.teams.push_back(cost_of_team(team.name));
+  }
   return result;
 }
 

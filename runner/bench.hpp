@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "runner/game.hpp"
+#include "runner/team_cost.hpp"
 
 namespace autoref::runner {
 
@@ -16,6 +18,7 @@ struct BenchResult {
   std::uint64_t signature = 0;   // of the fixed games; changes with any change of behaviour
   std::array<double, kPhaseCount> shares{};  // of a game's time, by Phase
   double referee_ns_per_frame = 0;  // with every rule in force, filters included; of one game
+  std::vector<TeamCost> teams;      // every registered one, by name
 };
 
 // Plays `rounds` full games, each with the yardstick for as many frames right behind it, so that a

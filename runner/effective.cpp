@@ -73,12 +73,13 @@ std::string body_of(const GameConfiguration& game) {
   return tree.text();
 }
 
-// Without what the plan decides.
-std::string base_of(const GameConfiguration& base) {
+// Without what the plan decides, and without a branch that stands elsewhere.
+std::string base_of(const GameConfiguration& base, std::string_view elsewhere = "") {
   GameConfiguration copy = base;
   Tree tree(1);
   for (const Setting& setting : settings_of(copy)) {
     if (is_alias(setting) || is_spelt_out(setting) || is_decided_by_plan(setting.path)) continue;
+    if (!elsewhere.empty() && setting.path.starts_with(elsewhere)) continue;
     tree.add(setting);
   }
   return "base:\n" + tree.text();
@@ -99,6 +100,17 @@ std::string body_of(const JudgePlan& plan) {
   for (const auto& matchup : plan.matchups) matchups.push_back(name_of(matchup));
   if (!matchups.empty()) text += fmt::format("matchups: [{}]\n", listed(matchups));
   return text + fmt::format("games: {}\nseed: {}\n", plan.games, plan.seed);
+}
+
+std::string body_of(const RoundRobin& robin) {
+  Tree teams(0);
+  for (auto [name, team] : robin.teams) {
+    for (const Setting& setting : settings_of(team, robin.base.types, "teams." + name + ".")) {
+      if (!is_alias(setting) && !is_spelt_out(setting)) teams.add(setting);
+    }
+  }
+  return base_of(robin.base, "teams.") + teams.text() +
+         fmt::format("pairs: {}\nseed: {}\n", robin.pairs, robin.seed);
 }
 
 }  // namespace

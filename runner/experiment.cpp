@@ -22,18 +22,11 @@ namespace fs = std::filesystem;
 constexpr const char* kShardFile = "shard-0-of-1.csv";
 constexpr const char* kEffectiveFile = "effective.yaml";
 
-std::vector<std::string> paths_of(const std::vector<Factor>& factors) {
-  std::vector<std::string> paths;
-  paths.reserve(factors.size());
-  for (const Factor& factor : factors) paths.push_back(factor.path);
-  return paths;
-}
-
-std::vector<PlannedGame> planned(const Sweep& sweep, const fs::path& folder) {
+std::vector<PlannedGame> planned(const Scenario& scenario, const fs::path& folder) {
   try {
-    return plan(sweep);
+    return plan(scenario);
   } catch (const std::invalid_argument& error) {
-    throw InputError({folder.string()}, "factors", error.what());
+    throw InputError({folder.string()}, "", error.what());
   }
 }
 
@@ -59,9 +52,8 @@ class Experiment {
   Experiment(const Scenario& scenario, const ExperimentOptions& options)
       : scenario_(scenario),
         options_(options),
-        sweep_(std::get<Sweep>(scenario.content)),
-        format_(paths_of(sweep_.factors)),
-        games_(planned(sweep_, options.folder)) {}
+        format_(value_columns(scenario)),
+        games_(planned(scenario, options.folder)) {}
 
   ExperimentReport run() {
     create_folder(options_.folder / "games");
@@ -105,9 +97,7 @@ class Experiment {
     try {
       const std::optional<std::string> text = read_file(file);
       if (!text) return {};
-      const Scenario there = read_scenario_text(*text, file.string());
-      const auto* sweep = std::get_if<Sweep>(&there.content);
-      return sweep == nullptr ? std::string() : changes_between(sweep_, *sweep);
+      return changes_between(scenario_, read_scenario_text(*text, file.string()));
     } catch (const InputError&) {
       return {};
     }
@@ -153,10 +143,12 @@ class Experiment {
       results += csv_line(format_.reproducible(cells)) + "\n";
       rows.push_back(cells);
     }
-    report.groups = grouped(sweep_, format_, rows);
+    report.results = results_of(scenario_, format_, rows);
     report.arrows_never_taken = arrows_never_taken(format_, rows);
     replace_file(options_.folder / "results.csv", results);
-    replace_file(options_.folder / "summary.csv", summary_csv(sweep_, report.groups));
+    for (const ResultFile& file : report.results.files) {
+      replace_file(options_.folder / file.name, file.content);
+    }
   }
 
   void say(const std::string& message) const {
@@ -165,12 +157,11 @@ class Experiment {
 
   const Scenario& scenario_;
   const ExperimentOptions& options_;
-  const Sweep& sweep_;
   const RowFormat format_;
   const std::vector<PlannedGame> games_;
   const std::string host_ = host_name();
   const std::string cpu_ = cpu_name();
-  std::map<std::string, Cells> rows_;  // complete rows of the sweep's games, by id
+  std::map<std::string, Cells> rows_;  // complete rows of the games, by id
 };
 
 }  // namespace

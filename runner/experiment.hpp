@@ -1,8 +1,10 @@
-// Experiments: all games of a sweep, played in worker processes and kept in a folder.
+// Experiments: all games of a sweep or a round robin, played in worker processes and kept in a
+// folder.
 //
 // The folder holds the truth, a row per game in games/*.csv, and what follows from it when all
 // games are there: results.csv (sorted by game id, without what may differ from run to run),
-// summary.csv (per value). effective.yaml has the scenario with every setting spelt out.
+// summary.csv (per value or matchup), standings.csv of a round robin. effective.yaml has the
+// scenario with every setting spelt out.
 #pragma once
 
 #include <cstdio>
@@ -11,9 +13,9 @@
 #include <string>
 #include <vector>
 
+#include "runner/experiment_kinds.hpp"
 #include "runner/game.hpp"
 #include "runner/scenario.hpp"
-#include "runner/summary.hpp"
 
 namespace autoref::runner {
 
@@ -31,16 +33,16 @@ struct ExperimentOptions {
 
 struct ExperimentReport {
   bool is_complete = false;  // else the user interrupted it
-  int games = 0;             // of the sweep
+  int games = 0;             // of the scenario
   int done = 0;              // so far, by this run and former ones
   int played = 0;            // by this run
   int void_games = 0;
-  std::vector<Group> groups;                    // of a complete run
+  ExperimentResults results;                    // of a complete run
   std::vector<std::string> arrows_never_taken;  // of the referee's machine, by a complete run
 };
 
 // Plays the games that have no row yet: none with the same id, configuration and build. Throws
-// InputError where the folder's rows do not belong to this sweep or this build, InputOutputError
+// InputError where the folder's rows do not belong to this scenario or this build, InputOutputError
 // where it cannot be written, and std::logic_error where two rows of one game and build differ in
 // what must be reproducible.
 ExperimentReport run_experiment(const Scenario& scenario, const ExperimentOptions& options);

@@ -28,7 +28,7 @@ bool is_decided_by_plan(std::string_view path) {
 }
 
 void refuse_decided(const YamlFile& file, const YamlPlace& place, std::string_view path) {
-  file.refuse(place, path, "a sweep gives every game its own; leave it out here");
+  file.refuse(place, path, "every game is given its own; leave it out here");
 }
 
 void FactorReader::read(const YamlEntry& factors, Sweep& sweep) {

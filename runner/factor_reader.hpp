@@ -12,7 +12,7 @@
 
 namespace autoref::runner {
 
-// Whether a sweep gives every game its own value, so that neither base nor factors may.
+// Whether the plan gives every game its own value, so that neither base nor factors may.
 bool is_decided_by_plan(std::string_view path);
 [[noreturn]] void refuse_decided(const YamlFile& file, const YamlPlace& place,
                                  std::string_view path);

@@ -90,8 +90,8 @@ void list_team(TeamConfiguration& team, const RobotTypes& types, Branch to) {
   for (auto& [number, player] : team.players) {
     list_robots(player, types, to.below("players").below(std::to_string(number)));
   }
-  // Lengths, speeds, times and shares: none of a strategy's numbers makes sense below 0.
-  to.add("params", &team.params, {0, 1e9}, "the strategy's own numbers, by name");
+  // check_team() knows the strategy, and with it each number's own range.
+  to.add("params", &team.params, {-1e9, 1e9}, "the strategy's own numbers, by name");
 }
 
 void list_match(GameConfiguration& game, Branch to) {
@@ -223,6 +223,13 @@ std::vector<Setting> settings_of(GameConfiguration& game) {
   list_sim(game.sim, game.robot, list);
   Branch(list, "").number("seed", game.seed, {0, 18446744073709551615.0}, "",
                           "names the game's chances");
+  return list;
+}
+
+std::vector<Setting> settings_of(TeamConfiguration& team, const RobotTypes& types,
+                                 const std::string& prefix) {
+  std::vector<Setting> list;
+  list_team(team, types, Branch(list, prefix));
   return list;
 }
 

@@ -86,6 +86,10 @@ struct Setting {
 // types it has those that the game has.
 std::vector<Setting> settings_of(GameConfiguration& game);
 
+// Those of one team below `prefix`, such as "teams.a.".
+std::vector<Setting> settings_of(TeamConfiguration& team, const RobotTypes& types,
+                                 const std::string& prefix);
+
 // The settings of one robot below `prefix` ("" or "sim."), and those of what differs in some.
 std::vector<Setting> settings_of(sim::RobotSheet& robot, const std::string& prefix);
 std::vector<Setting> settings_of(RobotChanges& changes);
@@ -142,9 +146,14 @@ void set_by_path(GameConfiguration& game, std::string_view path, std::string_vie
 // The value at a path that set_by_path() takes; 0 for a parameter that is not given.
 std::string value_at(const GameConfiguration& game, std::string_view path);
 
-// Checks what no setting can tell alone: that a team's parameters belong to its strategy, that
-// goals fit the field. Throws std::invalid_argument.
+// Checks what no setting can tell alone: that a team's parameters belong to its strategy and are
+// in their ranges, that goals fit the field. Throws std::invalid_argument.
 void check_game(const GameConfiguration& game);
+
+// The part of it that concerns one team, which plays in such a game; `path` is where the team's
+// settings are, such as "teams.a", and the message begins with that of the wrong one.
+void check_team(const GameConfiguration& game, const TeamConfiguration& team,
+                std::string_view path);
 
 // One number over every setting; two games of one build with equal hashes are the same game.
 std::uint64_t configuration_hash(const GameConfiguration& game);

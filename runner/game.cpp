@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "runner/figures/play_statistics.hpp"
 #include "runner/match_rules.hpp"
 #include "runner/robot_changes.hpp"
 #include "runner/state_hash.hpp"
@@ -31,12 +32,26 @@ EndReason reason_of(referee::Event end) {
   return end == referee::Event::kShootoutOver ? EndReason::kShootout : EndReason::kTime;
 }
 
+// What the side's robots can do.
+std::array<strategies::Abilities, kMaxRobots> abilities_of(const GameConfiguration& c, Side side) {
+  std::array<strategies::Abilities, kMaxRobots> all;
+  const sim::TeamSheet sheet = sheet_of(c, team_on(c, side));
+  for (std::size_t i = 0; i < sheet.robots.size(); ++i) {
+    const sim::RobotSheet& robot = sheet.robots[i];
+    all[i] = {robot.body.speed_mps * robot.speed_factor,
+              robot.body.acceleration_mps2 * robot.acceleration_factor,
+              robot.body.braking_mps2 * robot.acceleration_factor, robot.kicker.speed_limit_mps,
+              robot.kicker.chip_limit_mps};
+  }
+  return all;
+}
+
 std::unique_ptr<strategies::Strategy> make_team_on(const GameConfiguration& c, Side side,
                                                    const TeamMaker& make_team) {
   const TeamConfiguration& team = team_on(c, side);
-  return make_team(team.strategy,
-                   {c.field, rules_of(c.match), c.sim.frame_rate_hz,
-                    RandomStream::of(c.seed, RandomPurpose::kStrategy, side), team.params});
+  return make_team(team.strategy, {c.field, rules_of(c.match), c.sim.frame_rate_hz,
+                                   RandomStream::of(c.seed, RandomPurpose::kStrategy, side),
+                                   team.params, abilities_of(c, side)});
 }
 
 // From a picture until the orders decided on it move a robot.
@@ -122,6 +137,7 @@ class Game {
         situation_(rules_of(c.match)),
         assistant_(c.field, {{team_on(c, Side::kWest).robots, team_on(c, Side::kEast).robots}}),
         tracks_(sim::split_latency(c.sim).frames),
+        statistics_(c.field, c.sim.ball, c.sim.frame_rate_hz),
         players_{{Player(c, Side::kWest, make_team), Player(c, Side::kEast, make_team)}} {}
 
   GameRecord play() {
@@ -170,8 +186,15 @@ class Game {
     for (const referee::Decision& decision : referee_.decisions()) note(decision);
     frames_in_play_ += referee_.is_ball_in_play() ? 1 : 0;
     ended(Phase::kReferee);
+    if (signal.stage != Stage::kShootout) count_figures();
+    ended(Phase::kRecord);
     if (observer_ != nullptr) observer_->on_frame(frame_, signal, world_);
     return signal;
+  }
+
+  void count_figures() {
+    statistics_.update({world_.state(), world_.touches(), referee_.decisions(),
+                        referee_.state() == referee::State::kRun, referee_.is_ball_in_play()});
   }
 
   PerSide<TeamRequests> requests() const {
@@ -206,6 +229,8 @@ class Game {
     if (const std::optional<PerSide<int>> goals = referee_.shootout_goals()) {
       record_.shootout = {(*goals)[a], (*goals)[opponent_of(a)]};
     }
+    const PerSide<PlayFigures> figures = statistics_.figures();
+    record_.figures = {figures[a], figures[opponent_of(a)]};
     record_.sim_s = time_s();
     record_.ball_in_play_s =
         static_cast<double>(frames_in_play_) / configuration_.sim.frame_rate_hz;
@@ -231,6 +256,7 @@ class Game {
   Assistant assistant_;
   Frame frame_;
   DelayLine tracks_;
+  PlayStatistics statistics_;
   PerSide<Player> players_;
   PerSide<TeamOrders> orders_;
   StateHash hash_;

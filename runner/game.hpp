@@ -12,6 +12,7 @@
 
 #include "referee/decision.hpp"
 #include "runner/configuration.hpp"
+#include "runner/figures/play_figures.hpp"
 #include "sim/world.hpp"
 #include "soccer/frame.hpp"
 #include "soccer/referee_signal.hpp"
@@ -36,13 +37,15 @@ struct GameRecord {
   std::string void_reason;                         // empty unless void
   std::array<int, referee::kEventCount> events{};  // how often each event occurred
   std::vector<std::string_view> arrows;            // labels of the arrows taken, each once
+  std::array<PlayFigures, 2> figures{};            // [a, b]
   double ball_in_play_s = 0;
   double sim_s = 0;
   std::int64_t frames = 0;
   std::uint64_t state_hash = 0;  // over every frame's state and every decision
 };
 
-// The parts of one frame, in the order in which they come.
+// The parts of one frame, in the order in which they come; the record is kept after the referee,
+// too.
 enum class Phase : std::uint8_t { kCamera, kReferee, kTeamWest, kTeamEast, kPhysics, kRecord };
 inline constexpr int kPhaseCount = 6;
 

@@ -28,9 +28,7 @@ JudgeGame game_of(const JudgePlan& plan, const std::string& rules, const std::st
     game.configuration.a.strategy = matchup[0];
     game.configuration.b.strategy = matchup[1];
   }
-  game.configuration.match.a_plays = leg == 1 ? Side::kWest : Side::kEast;
-  game.configuration.match.first_kickoff = pair % 2 == 1 ? Side::kWest : Side::kEast;
-  game.configuration.seed = seed_of(plan.seed, pair, leg);
+  set_leg(game.configuration, plan.seed, pair, leg);
   game.id =
       fmt::format("{} {} {} {}", rules, camera,
                   name_of({game.configuration.a.strategy, game.configuration.b.strategy}), number);

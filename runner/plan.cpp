@@ -4,7 +4,6 @@
 
 #include <stdexcept>
 
-#include "runner/errors.hpp"
 #include "runner/fields.hpp"
 #include "soccer/random.hpp"
 
@@ -14,12 +13,12 @@ namespace {
 // As many rows are held in memory and written as one results.csv.
 constexpr int kMostGames = 100000;
 
-std::string id_of(const Sweep& sweep, const std::vector<std::string>& values, int pair, int leg) {
+std::string name_of(const Sweep& sweep, const std::vector<std::string>& values) {
   std::string id;
   for (std::size_t i = 0; i < values.size(); ++i) {
     id += fmt::format("{}{}={}", i == 0 ? "" : "+", sweep.factors[i].path, values[i]);
   }
-  return id + fmt::format("-p{:04}-{}", pair, leg);
+  return id;
 }
 
 GameConfiguration configured(const Sweep& sweep, const std::vector<std::string>& values) {
@@ -33,25 +32,42 @@ GameConfiguration configured(const Sweep& sweep, const std::vector<std::string>&
 
 PlannedGame planned(const Sweep& sweep, const std::vector<std::string>& values,
                     const GameConfiguration& configuration, int pair, int leg) {
-  PlannedGame game{id_of(sweep, values, pair, leg), values, pair, leg, configuration};
-  game.configuration.match.a_plays = leg == 1 ? Side::kWest : Side::kEast;
-  game.configuration.match.first_kickoff = pair % 2 == 1 ? Side::kWest : Side::kEast;
-  game.configuration.seed = seed_of(sweep.seed, pair, leg);
+  PlannedGame game{game_id(name_of(sweep, values), pair, leg),
+                   values,
+                   pair,
+                   leg,
+                   configuration,
+                   configuration.a.strategy,
+                   configuration.b.strategy};
+  set_leg(game.configuration, sweep.seed, pair, leg);
   return game;
 }
 
 // Counted in floating point: a product of many factors must not overflow.
-void refuse_too_many(const Sweep& sweep) {
+double games_in(const Sweep& sweep) {
   double games = 2.0 * sweep.pairs;
   for (const Factor& factor : sweep.factors) games *= static_cast<double>(factor.values.size());
-  if (games <= kMostGames) return;
-  throw InputError({}, "factors",
-                   fmt::format("the values and pairs make {:.0f} games; at most {} fit one "
-                               "experiment",
-                               games, kMostGames));
+  return games;
 }
 
 }  // namespace
+
+std::string game_id(std::string_view played, int pair, int leg) {
+  return fmt::format("{}-p{:04}-{}", played, pair, leg);
+}
+
+void set_leg(GameConfiguration& game, std::uint64_t master_seed, int pair, int leg) {
+  game.match.a_plays = leg == 1 ? Side::kWest : Side::kEast;
+  game.match.first_kickoff = pair % 2 == 1 ? Side::kWest : Side::kEast;
+  game.seed = seed_of(master_seed, pair, leg);
+}
+
+void refuse_too_many(double games) {
+  if (games <= kMostGames) return;
+  throw std::invalid_argument(
+      fmt::format("pairs: with these there are {:.0f} games; at most {} fit one experiment", games,
+                  kMostGames));
+}
 
 std::uint64_t seed_of(std::uint64_t master_seed, int pair, int leg) {
   const std::uint64_t of_pair = mix_bits(mix_bits(master_seed) + static_cast<std::uint64_t>(pair));
@@ -74,7 +90,7 @@ std::vector<std::vector<std::string>> combinations(const std::vector<Factor>& fa
 }
 
 std::vector<PlannedGame> plan(const Sweep& sweep) {
-  refuse_too_many(sweep);
+  refuse_too_many(games_in(sweep));
   const std::vector<std::vector<std::string>> all = combinations(sweep.factors);
   std::vector<GameConfiguration> configurations;
   configurations.reserve(all.size());

@@ -18,10 +18,6 @@ namespace {
 
 constexpr std::size_t kLongestReason = 300;  // characters
 
-void append(Cells& cells, const Cells& more) {
-  cells.insert(cells.end(), more.begin(), more.end());
-}
-
 std::string crc_of(std::string_view text) {
   boost::crc_32_type crc;
   crc.process_bytes(text.data(), text.size());
@@ -46,6 +42,10 @@ std::string arrows_cell(const GameRecord& record) {
 
 }  // namespace
 
+void append(Cells& cells, const Cells& more) {
+  cells.insert(cells.end(), more.begin(), more.end());
+}
+
 RowFormat::RowFormat(const std::vector<std::string>& factors)
     : columns_({"game_id", "pair", "leg"}) {
   append(columns_, factors);
@@ -67,8 +67,8 @@ std::string RowFormat::line(const PlannedGame& game, const Cells& outcome,
   const GameConfiguration& c = game.configuration;
   Cells cells = {game.id, std::to_string(game.pair), std::to_string(game.leg)};
   append(cells, game.values);
-  append(cells, {c.a.strategy, c.b.strategy, std::string(name_of(c.match.a_plays)),
-                 std::to_string(c.seed)});
+  append(cells,
+         {game.team_a, game.team_b, std::string(name_of(c.match.a_plays)), std::to_string(c.seed)});
   append(cells, outcome);
   cells.push_back(hash_text(configuration_hash(c)));
   append(cells, {circumstances.build, circumstances.host, circumstances.cpu,
@@ -99,6 +99,7 @@ Cells outcome_columns() {
     const auto event = static_cast<referee::Event>(i);
     if (is_call(event)) columns.push_back(fmt::format("stops_{}", name_of(event)));
   }
+  for (const NamedFigure& figure : named(GameRecord{}.figures)) columns.push_back(figure.name);
   append(columns,
          {"shootout_a", "shootout_b", "arrows", "ball_in_play_s", "sim_s", "frames", "state_hash"});
   return columns;
@@ -117,6 +118,7 @@ Cells outcome_of(const GameRecord& record) {
     if (!is_call(static_cast<referee::Event>(i))) continue;
     cells.push_back(std::to_string(record.events[static_cast<std::size_t>(i)]));
   }
+  for (const NamedFigure& figure : named(record.figures)) cells.push_back(figure.value);
   append(cells, {shootout_goals(record, 0), shootout_goals(record, 1), arrows_cell(record),
                  fmt::format("{:.3f}", record.ball_in_play_s), fmt::format("{:.3f}", record.sim_s),
                  std::to_string(record.frames), hash_text(record.state_hash)});

@@ -13,6 +13,7 @@
 namespace autoref::runner {
 
 using Cells = std::vector<std::string>;
+void append(Cells& cells, const Cells& more);
 
 // What may differ from run to run.
 struct Circumstances {

@@ -6,11 +6,14 @@
 #include <optional>
 #include <stdexcept>
 
+#include "runner/base_reader.hpp"
 #include "runner/errors.hpp"
 #include "runner/factor_reader.hpp"
 #include "runner/files.hpp"
 #include "runner/judge_reader.hpp"
 #include "runner/plan.hpp"
+#include "runner/roundrobin_plan.hpp"
+#include "runner/roundrobin_reader.hpp"
 #include "runner/settings_reader.hpp"
 #include "runner/words.hpp"
 #include "runner/yaml.hpp"
@@ -22,8 +25,8 @@ using Entries = std::vector<YamlEntry>;
 
 constexpr int kMostPairs = 9999;
 constexpr int kMostJudged = 9999;
-const std::vector<std::string> kKinds = {"game", "sweep", "judge"};
-const std::vector<std::string> kVerbs = {"play", "run", "judge"};
+const std::vector<std::string> kKinds = {"game", "sweep", "judge", "roundrobin"};
+const std::vector<std::string> kVerbs = {"play", "run", "judge", "run"};
 
 // Reads one document, top level first.
 class ScenarioReader {
@@ -43,6 +46,8 @@ class ScenarioReader {
       scenario.content = read_game();
     } else if (kind == "sweep") {
       scenario.content = read_sweep();
+    } else if (kind == "roundrobin") {
+      scenario.content = read_roundrobin();
     } else {
       scenario.content = read_judge();
     }
@@ -94,26 +99,19 @@ class ScenarioReader {
     const std::vector<std::string> names = settings.names();
     known.insert(known.end(), names.begin(), names.end());
     refuse_unknown(file_, top_, known);
-    read_first(top_, settings);
-    for (const YamlEntry& entry : top_) {
-      if (std::find(names.begin(), names.end(), entry.key) == names.end()) continue;
-      if (!is_read_first(entry.key)) settings.read(entry, entry.key);
-    }
-    check(game);
+    read_settings(top_, settings);
+    check([&game] { check_game(game); });
     return game;
   }
 
   Sweep read_sweep() {
     refuse_unknown(file_, top_, {"schema", "kind", "about", "base", "factors", "pairs", "seed"});
     Sweep sweep;
-    if (const YamlEntry* base = find_entry(top_, "base")) read_base(*base, sweep.base);
-    check(sweep.base);
+    read_base(BaseReader(file_, places_), sweep.base);
     FactorReader(file_, places_).read(required_entry(file_, top_, "factors"), sweep);
-    sweep.pairs = number<int>(required_entry(file_, top_, "pairs"), "pairs",
-                              fmt::format("a whole number from 1 to {}", kMostPairs),
-                              whole_number_in, 1, kMostPairs);
+    sweep.pairs = pairs();
     sweep.seed = seed();
-    check_together(sweep);
+    check([&sweep] { plan(sweep); });  // factors may only make a game together
     return sweep;
   }
 
@@ -122,15 +120,33 @@ class ScenarioReader {
         file_, top_,
         {"schema", "kind", "about", "base", "rules", "cameras", "matchups", "games", "seed"});
     JudgePlan plan;
-    if (const YamlEntry* base = find_entry(top_, "base")) read_base(*base, plan.base);
-    check(plan.base);
+    read_base(BaseReader(file_, places_), plan.base);
     JudgeReader(file_, places_).read(top_, plan);
     plan.games = number<int>(required_entry(file_, top_, "games"), "games",
                              fmt::format("a whole number from 1 to {}", kMostJudged),
                              whole_number_in, 1, kMostJudged);
     plan.seed = seed();
-    check_together(plan);
+    check([&plan] { games_of(plan); });
     return plan;
+  }
+
+  RoundRobin read_roundrobin() {
+    refuse_unknown(file_, top_, {"schema", "kind", "about", "teams", "base", "pairs", "seed"});
+    RoundRobin robin;
+    const Elsewhere teams{"teams", "a round robin's teams stand beside its base, by their names"};
+    read_base(BaseReader(file_, places_, teams), robin.base);
+    RoundRobinReader(file_, places_).read(required_entry(file_, top_, "teams"), robin);
+    robin.pairs = pairs();
+    robin.seed = seed();
+    check([&robin] { plan(robin); });
+    return robin;
+  }
+
+  int pairs() {
+    const YamlEntry& entry = required_entry(file_, top_, "pairs");
+    places_["pairs"] = entry.place;
+    return number<int>(entry, "pairs", fmt::format("a whole number from 1 to {}", kMostPairs),
+                       whole_number_in, 1, kMostPairs);
   }
 
   std::uint64_t seed() const {
@@ -138,58 +154,16 @@ class ScenarioReader {
                                  "a whole number from 0 to 2^64 - 1", seed_in, 0, UINT64_MAX);
   }
 
-  // Teams name types, and rules set other branches, wherever these stand beside them.
-  static bool is_read_first(std::string_view key) { return key == "types" || key == "match"; }
-
-  void read_first(const Entries& entries, SettingsReader& settings) const {
-    for (const char* key : {"types", "match"}) {
-      if (const YamlEntry* entry = find_entry(entries, key)) settings.read(*entry, key);
-    }
+  void read_base(const BaseReader& reader, GameConfiguration& game) const {
+    if (const YamlEntry* base = find_entry(top_, "base")) reader.read(*base, game);
+    check([&game] { check_game(game); });
   }
 
-  void read_base(const YamlEntry& base, GameConfiguration& game) {
-    SettingsReader settings(file_, game, places_);
-    settings.hide("seed");
-    const std::vector<std::string> known = settings.names();
-    const Entries entries = file_.entries(base, "base", known);
-    for (const YamlEntry& entry : entries) refuse_what_legs_decide(entry);
-    read_first(entries, settings);
-    for (const YamlEntry& entry : entries) {
-      if (std::find(known.begin(), known.end(), entry.key) == known.end()) {
-        file_.refuse(entry.place, "base", unknown_key_message(entry.key, known));
-      }
-      if (!is_read_first(entry.key)) settings.read(entry, entry.key);
-    }
-  }
-
-  void refuse_what_legs_decide(const YamlEntry& entry) const {
-    if (entry.key != "match" || !entry.value.IsMap()) return;
-    for (const YamlEntry& key : file_.entries(entry, "match", {})) {
-      const std::string path = "match." + key.key;
-      if (is_decided_by_plan(path)) refuse_decided(file_, key.place, path);
-    }
-  }
-
-  void check(const GameConfiguration& game) const {
+  // `work` throws where settings that are right alone make no game together.
+  template <typename Work>
+  void check(const Work& work) const {
     try {
-      check_game(game);
-    } catch (const std::invalid_argument& error) {
-      file_.refuse(place_of_first_path_in(error.what()), "", error.what());
-    }
-  }
-
-  // One factor's value may only make a game together with another's.
-  void check_together(const Sweep& sweep) const {
-    try {
-      plan(sweep);
-    } catch (const std::invalid_argument& error) {
-      file_.refuse(place_of_first_path_in(error.what()), "", error.what());
-    }
-  }
-
-  void check_together(const JudgePlan& plan) const {
-    try {
-      games_of(plan);
+      work();
     } catch (const std::invalid_argument& error) {
       file_.refuse(place_of_first_path_in(error.what()), "", error.what());
     }

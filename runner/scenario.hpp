@@ -1,4 +1,5 @@
-// Scenario files: one game, a sweep of games over values of factors, or games to judge the referee.
+// Scenario files: one game, a sweep of games over values of factors, a
+// round robin of teams, or games to judge the referee.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +11,7 @@
 
 #include "runner/configuration.hpp"
 #include "runner/judge_plan.hpp"
+#include "runner/roundrobin.hpp"
 
 namespace autoref::runner {
 
@@ -31,7 +33,7 @@ struct Sweep {
 
 struct Scenario {
   std::string about;
-  std::variant<GameConfiguration, Sweep, JudgePlan> content;
+  std::variant<GameConfiguration, Sweep, JudgePlan, RoundRobin> content;
 };
 
 // The kind as `kind:` spells it.

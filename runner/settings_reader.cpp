@@ -53,16 +53,20 @@ void assign_entry(const YamlFile& file, const YamlEntry& entry, const Setting& s
 
 void SettingsReader::hide(std::string_view path) {
   hidden_.emplace_back(path);
-  std::erase_if(settings_, [path](const Setting& s) { return s.path == path; });
+  std::erase_if(settings_, [this](const Setting& s) { return is_hidden(s); });
 }
 
-// The game has a new player or type.
-void SettingsReader::list_anew() {
-  assert(game_ != nullptr);
-  settings_ = settings_of(*game_);
-  std::erase_if(settings_, [this](const Setting& s) {
-    return std::find(hidden_.begin(), hidden_.end(), s.path) != hidden_.end();
+bool SettingsReader::is_hidden(const Setting& setting) const {
+  return std::any_of(hidden_.begin(), hidden_.end(), [&setting](const std::string& path) {
+    return setting.path == path || setting.path.starts_with(path + ".");
   });
+}
+
+// There is a new player or type.
+void SettingsReader::list_anew() {
+  assert(list_ != nullptr);
+  settings_ = list_();
+  std::erase_if(settings_, [this](const Setting& s) { return is_hidden(s); });
 }
 
 void SettingsReader::read(const YamlEntry& entry, const std::string& path) {
@@ -158,10 +162,10 @@ void SettingsReader::read_types(const YamlEntry& entry, const std::string& path,
 }
 
 void SettingsReader::read_type(const YamlEntry& entry, const Setting& setting) {
-  assert(game_ != nullptr);
+  assert(types_ != nullptr);
   const std::string text = file_.scalar(entry, setting.path, expected_of(setting), false);
   try {
-    assign(setting, take_type(text, file_.folder(), game_->types));
+    assign(setting, take_type(text, file_.folder(), *types_));
   } catch (const std::invalid_argument& error) {
     file_.refuse(value_place(entry), setting.path, error.what());
   }

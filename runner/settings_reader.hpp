@@ -1,6 +1,7 @@
 // Reads the parts of a file that hold settings: of scenarios, scenes and types of robots.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -33,15 +34,23 @@ void assign_entry(const YamlFile& file, const YamlEntry& entry, const Setting& s
 // What settings mean together is not checked here.
 class SettingsReader {
  public:
+  using List = std::function<std::vector<Setting>()>;
+
   // All three must outlive the reader; settings go into `game`, their places into `places`.
   SettingsReader(const YamlFile& file, GameConfiguration& game, Places& places)
-      : file_(file), game_(&game), settings_(settings_of(game)), places_(places) {}
+      : SettingsReader(
+            file, [&game] { return settings_of(game); }, game.types, places) {}
+
+  // Reads the settings that `list` tells, which is asked again whenever there are new players or
+  // types; files of types that they name go into `types`.
+  SettingsReader(const YamlFile& file, List list, RobotTypes& types, Places& places)
+      : file_(file), list_(std::move(list)), types_(&types), settings_(list_()), places_(places) {}
 
   // Reads just these settings, none of which may name a type, players or types.
   SettingsReader(const YamlFile& file, std::vector<Setting> settings, Places& places)
       : file_(file), settings_(std::move(settings)), places_(places) {}
 
-  // Makes a setting unknown.
+  // Makes a setting, or a branch of settings, unknown.
   void hide(std::string_view path);
 
   // The names at the top of the tree of settings.
@@ -51,6 +60,7 @@ class SettingsReader {
   void read(const YamlEntry& entry, const std::string& path);
 
  private:
+  bool is_hidden(const Setting& setting) const;
   void list_anew();
   void read_branch(const YamlEntry& branch, const std::string& path);
   void refuse_handicap_beside_its_factors(const std::vector<YamlEntry>& entries,
@@ -62,7 +72,8 @@ class SettingsReader {
   void read_value(const YamlEntry& entry, const Setting& setting);
 
   const YamlFile& file_;
-  GameConfiguration* game_ = nullptr;
+  List list_;
+  RobotTypes* types_ = nullptr;
   std::vector<std::string> hidden_;
   std::vector<Setting> settings_;
   Places& places_;

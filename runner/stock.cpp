@@ -40,16 +40,6 @@ void refuse_difference(const StoredRow& row, const Cells& first, const RowFormat
   }
 }
 
-// By path, without those that only set others.
-std::map<std::string, std::string> values_of(GameConfiguration game) {
-  std::map<std::string, std::string> values;
-  for (const Setting& setting : settings_of(game)) {
-    if (!is_alias(setting)) values[setting.path] = value_of(setting);
-  }
-  values.erase("seed");  // of the base, which has none
-  return values;
-}
-
 }  // namespace
 
 Stock take_stock(const std::vector<StoredRow>& rows, const std::vector<PlannedGame>& games,
@@ -72,28 +62,6 @@ Stock take_stock(const std::vector<StoredRow>& rows, const std::vector<PlannedGa
     }
   }
   return stock;
-}
-
-std::string changes_between(const Sweep& here, const Sweep& there) {
-  const std::map<std::string, std::string> ours = values_of(here.base);
-  const std::map<std::string, std::string> theirs = values_of(there.base);
-  std::string changes;
-  const auto note = [&changes](const std::string& path, const std::string& x,
-                               const std::string& y) {
-    if (x != y) {
-      changes +=
-          fmt::format("{}{} is {} here and {} there", changes.empty() ? "" : "; ", path, x, y);
-    }
-  };
-  const std::string missing = "not given";
-  for (const auto& [path, value] : ours) {
-    note(path, value, theirs.contains(path) ? theirs.at(path) : missing);
-  }
-  for (const auto& [path, value] : theirs) {
-    if (!ours.contains(path)) note(path, missing, value);
-  }
-  note("seed", std::to_string(here.seed), std::to_string(there.seed));
-  return changes;
 }
 
 }  // namespace autoref::runner

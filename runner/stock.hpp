@@ -25,8 +25,4 @@ Stock take_stock(const std::vector<StoredRow>& rows, const std::vector<PlannedGa
                  const RowFormat& format, const std::string& build, bool allow_mixed_build,
                  const std::filesystem::path& folder, const std::string& changes);
 
-// The settings in which two sweeps differ: "match.half_s is 60.0 here and 600.0 there; ...".
-// Empty where there are none.
-std::string changes_between(const Sweep& here, const Sweep& there);
-
 }  // namespace autoref::runner

@@ -13,19 +13,38 @@
 namespace autoref::runner {
 namespace {
 
+using strategies::Parameter;
+
+[[noreturn]] void refuse_unknown_param(const strategies::Entry& strategy, const std::string& path,
+                                       const std::string& param) {
+  const std::string what =
+      fmt::format("{}: strategy '{}' has no parameter '{}'", path, strategy.name, param);
+  if (strategy.params.empty()) throw std::invalid_argument(what + "; it has none");
+  std::vector<std::string> known;
+  for (const Parameter& parameter : strategy.params) known.emplace_back(parameter.name);
+  throw std::invalid_argument(fmt::format("{}; did you mean '{}'? Known here: {}", what,
+                                          nearest_word(param, known), listed(known)));
+}
+
+void check_range(const Parameter& parameter, const std::string& path, double value) {
+  if (value >= parameter.least && value <= parameter.most) return;
+  const std::string unit = parameter.unit == "1" ? "" : fmt::format(" {}", parameter.unit);
+  throw std::invalid_argument(fmt::format("{}: expected a number from {} to {}{}, found '{}'", path,
+                                          parameter.least, parameter.most, unit, value));
+}
+
 void check_params(const TeamConfiguration& team, std::string_view name) {
-  const strategies::Entry* entry = strategies::find_strategy(team.strategy);
-  if (entry == nullptr) {
+  const strategies::Entry* strategy = strategies::find_strategy(team.strategy);
+  if (strategy == nullptr) {
     throw std::invalid_argument(fmt::format("unknown strategy '{}'", team.strategy));
   }
-  const std::vector<std::string> known(entry->params.begin(), entry->params.end());
   for (const auto& [param, value] : team.params) {
-    if (std::find(known.begin(), known.end(), param) != known.end()) continue;
-    const std::string what = fmt::format("{}.params.{}: strategy '{}' has no parameter '{}'", name,
-                                         param, team.strategy, param);
-    if (known.empty()) throw std::invalid_argument(what + "; it has none");
-    throw std::invalid_argument(fmt::format("{}; did you mean '{}'? Known here: {}", what,
-                                            nearest_word(param, known), listed(known)));
+    const std::string path = fmt::format("{}.params.{}", name, param);
+    const auto parameter =
+        std::find_if(strategy->params.begin(), strategy->params.end(),
+                     [&param = param](const Parameter& p) { return p.name == param; });
+    if (parameter == strategy->params.end()) refuse_unknown_param(*strategy, path, param);
+    check_range(*parameter, path, value);
   }
 }
 
@@ -89,11 +108,15 @@ std::string team_text(const GameConfiguration& game, std::string_view path,
 
 }  // namespace
 
+void check_team(const GameConfiguration& game, const TeamConfiguration& team,
+                std::string_view path) {
+  check_params(team, path);
+  check_robots(game, team, path);
+}
+
 void check_game(const GameConfiguration& game) {
-  check_params(game.a, "teams.a");
-  check_params(game.b, "teams.b");
-  check_robots(game, game.a, "teams.a");
-  check_robots(game, game.b, "teams.b");
+  check_team(game, game.a, "teams.a");
+  check_team(game, game.b, "teams.b");
   sim::validate(game.field);
   try {
     sim::validate(game.sim);

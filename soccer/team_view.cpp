@@ -29,6 +29,12 @@ void fill_view(const Tracks& tracks, const RefereeSignal& signal, const Situatio
   if (signal.placement) {
     view.placement_m = as_is ? signal.placement->target_m : Vec2(-signal.placement->target_m);
   }
+  view.next.reset();
+  view.next_is_ours = false;
+  if (situation.play == Play::kStop && signal.next_command) {
+    view.next = signal.next_command->kind;
+    view.next_is_ours = is_for_one_side(*view.next) && signal.next_command->side == side;
+  }
   view.goals_own = signal.goals[side];
   view.goals_opponent = signal.goals[opponent_of(side)];
   view.stage_time_left_s = signal.stage_time_left_s;

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "soccer/field.hpp"
+#include "soccer/referee_signal.hpp"
 #include "soccer/rule_book.hpp"
 #include "soccer/situation.hpp"
 #include "soccer/tracks.hpp"
@@ -22,6 +23,9 @@ struct TeamView {
   bool ours = false;  // whether the restart at hand is this team's
   // Where the referee puts the ball for the next restart, while play is stopped.
   std::optional<Vec2> placement_m;
+  // What play goes on with after this stop, as far as it is known, and whether it is this team's.
+  std::optional<CommandKind> next;
+  bool next_is_ours = false;
   int goals_own = 0;
   int goals_opponent = 0;
   double stage_time_left_s = 0;

@@ -1,14 +1,31 @@
 #include "strategies/registry.hpp"
 
 #include "strategies/basic/basic.hpp"
+#include "strategies/chaser.hpp"
 #include "strategies/dummy.hpp"
 #include "strategies/rowdy/rowdy.hpp"
+#include "strategies/teams/plans.hpp"
 
 namespace autoref::strategies {
 namespace {
 
+const std::vector<Parameter>& basic_params() {
+  static const std::vector<Parameter> kParams(basic::parameters().begin(),
+                                              basic::parameters().end());
+  return kParams;
+}
+
 std::unique_ptr<Strategy> make_basic(const Briefing& briefing) {
   return std::make_unique<basic::Basic>(briefing);
+}
+
+template <Plan (*plan)()>
+std::unique_ptr<Strategy> make_squad(const Briefing& briefing) {
+  return std::make_unique<Squad>(briefing, plan());
+}
+
+std::unique_ptr<Strategy> make_chaser(const Briefing& briefing) {
+  return std::make_unique<Chaser>(briefing);
 }
 
 std::unique_ptr<Strategy> make_dummy(const Briefing& /*briefing*/) {
@@ -20,23 +37,41 @@ std::unique_ptr<Strategy> make_rowdy(const Briefing& briefing) {
 }
 
 // basic's, and the share of each kind of mischief.
-std::vector<std::string_view> rowdy_params() {
-  std::vector<std::string_view> names = {"shot_mps", "pass_mps", "otherwise"};
-  for (const rowdy::Mischief* kind : rowdy::all_kinds()) names.push_back(kind->name);
-  return names;
+std::vector<Parameter> rowdy_params() {
+  std::vector<Parameter> params = basic_params();
+  params.push_back({"otherwise", "1", -1, -1, 1,
+                    "Share of the chances that every other mischief takes; below 0 its own."});
+  for (const rowdy::Mischief* kind : rowdy::all_kinds()) {
+    params.push_back({kind->name, "1", kind->share, 0, 1, "Share of its chances taken."});
+  }
+  return params;
 }
 
 }  // namespace
 
 const std::vector<Entry>& all_strategies() {
   static const std::vector<Entry> kEntries = {
-      {"basic",
-       "Keeper, wall, markers, a supporter and an attacker who shoots at the open side.",
-       make_basic,
-       {"shot_mps", "pass_mps"}},
+      {"basic", "Keeper, wall, markers, a supporter and an attacker who shoots at the open side.",
+       make_basic, basic_params()},
+      {"chaser",
+       "The simple baseline: one robot chases the ball and kicks at the goal, the rest stand.",
+       make_chaser,
+       {}},
+      {"cobalt", "Passes to where a first-time shot is open, and covers its goal's open angles.",
+       make_squad<cobalt_plan>, parameters_of(cobalt_plan().style)},
+      {"counter", "Waits behind the ball in a deep block and sends it long to one or two ahead.",
+       make_squad<counter_plan>, parameters_of(counter_plan().style)},
       {"dummy", "Does nothing: its robots stand where they are.", make_dummy, {}},
+      {"possession",
+       "Keeps the ball with short safe passes around it and waits for a clear chance.",
+       make_squad<possession_plan>, parameters_of(possession_plan().style)},
       {"rowdy", "Plays like basic and breaks rules on purpose now and then, to measure a referee.",
        make_rowdy, rowdy_params()},
+      {"shadow", "Marks man to man all over the field; each follows its own opponent.",
+       make_squad<shadow_plan>, parameters_of(shadow_plan().style)},
+      {"zone",
+       "A fixed formation that shifts with the ball; who is fastest leaves it for the ball.",
+       make_squad<zone_plan>, parameters_of(zone_plan().style)},
   };
   return kEntries;
 }

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "strategies/parameter.hpp"
 #include "strategies/strategy.hpp"
 
 namespace autoref::strategies {
@@ -14,7 +15,7 @@ struct Entry {
   std::string_view name;   // as in a scenario's `strategy:`
   std::string_view about;  // one sentence
   std::unique_ptr<Strategy> (*make)(const Briefing& briefing);
-  std::vector<std::string_view> params;  // names that `params:` may hold
+  std::vector<Parameter> params;  // what `params:` may hold
 };
 
 // All teams, ordered by name.

@@ -1,6 +1,7 @@
 // What a team is: from its view of the game to its robots' orders, once per frame.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -14,13 +15,23 @@
 
 namespace autoref::strategies {
 
+// What one of a team's robots can do, with its handicap. Defaults are the paper's robots.
+struct Abilities {
+  double speed_mps = 3.0;
+  double acceleration_mps2 = 3.0;
+  double braking_mps2 = 5.0;
+  double kick_mps = 8.0;
+  double chip_mps = 5.5;
+};
+
 // What a team knows before the game.
 struct Briefing {
   Field field;
   RuleBook rules;
   double frame_rate_hz = 60;
-  RandomStream random{0};                // the side's own; the only source of chance allowed
-  std::map<std::string, double> params;  // the team's tunables by name
+  RandomStream random{0};                    // the side's own; the only source of chance allowed
+  std::map<std::string, double> params;      // the team's tunables by name
+  std::array<Abilities, kMaxRobots> robots;  // the team's own, by number
 };
 
 class Strategy {

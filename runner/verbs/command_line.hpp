@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -17,19 +18,23 @@ struct PlayArguments {
   bool json = false;
 };
 
-// What `autoref run` is told.
-struct RunArguments {
+// What verbs that play many games are told.
+struct BatchArguments {
   std::string file;
   std::string folder;  // empty: results/runs/<scenario>
   int workers = 0;     // 0: one per processor
+
+  std::filesystem::path results_folder() const;
+  int worker_count() const;
+};
+
+// What `autoref run` is told.
+struct RunArguments : BatchArguments {
   bool allow_mixed_build = false;
 };
 
 // What `autoref judge` is told.
-struct JudgeArguments {
-  std::string file;
-  std::string folder;  // empty: results/runs/<scenario>
-  int workers = 0;     // 0: one per processor
+struct JudgeArguments : BatchArguments {
   bool json = false;
 };
 
@@ -45,20 +50,30 @@ struct RulesArguments {
   bool json = false;
 };
 
+// What `autoref teams` is told.
+struct TeamsArguments {
+  std::string name;  // empty: list the teams
+  bool json = false;
+};
+
 // Each does its verb's work and returns the exit code. Mistakes come as exceptions (errors.hpp).
 int play_verb(const PlayArguments& arguments);
 int run_verb(const RunArguments& arguments);
 int judge_verb(const JudgeArguments& arguments);
 int lab_verb(const LabArguments& arguments);
 int rules_verb(const RulesArguments& arguments);
+int teams_verb(const TeamsArguments& arguments);
 
 // Adds a verb to the command line; parsing sets `chosen` to its work.
 using Chosen = std::function<int()>;
+// Adds the file and the options that all verbs of many games have.
+void add_batch_options(CLI::App& verb, BatchArguments& arguments, const std::string& about_file);
 void add_play_verb(CLI::App& app, Chosen& chosen);
 void add_run_verb(CLI::App& app, Chosen& chosen);
 void add_judge_verb(CLI::App& app, Chosen& chosen);
 void add_lab_verb(CLI::App& app, Chosen& chosen);
 void add_rules_verb(CLI::App& app, Chosen& chosen);
+void add_teams_verb(CLI::App& app, Chosen& chosen);
 void add_bench_verb(CLI::App& app, Chosen& chosen);
 
 // Does `work` and turns what it throws into a message on stderr and an exit code (errors.hpp).

@@ -10,17 +10,11 @@
 #include "runner/judge_report.hpp"
 #include "runner/scenario.hpp"
 #include "runner/verbs/command_line.hpp"
-#include "runner/workers.hpp"
 
 namespace autoref::runner {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path folder_of(const JudgeArguments& arguments) {
-  if (!arguments.folder.empty()) return arguments.folder;
-  return fs::path("results/runs") / fs::path(arguments.file).stem();
-}
 
 void write(const fs::path& folder, const JudgeReport& report, const Scenario& scenario) {
   replace_file(folder / "judge.csv", csv_of(report));
@@ -38,10 +32,10 @@ int judge_verb(const JudgeArguments& arguments) {
                      fmt::format("this is a {}, not a judge; play it with: autoref {} {}",
                                  kind_of(scenario), verb_of(scenario), arguments.file));
   }
-  const fs::path folder = folder_of(arguments);
+  const fs::path folder = arguments.results_folder();
   create_folder(folder);
   const std::vector<JudgeGame> games = games_of(*plan);
-  const int workers = arguments.workers > 0 ? arguments.workers : processors();
+  const int workers = arguments.worker_count();
   const JudgeReport report = report_of(*plan, judge_games(games, workers, stderr));
   write(folder, report, scenario);
   if (arguments.json) {
@@ -57,14 +51,7 @@ int judge_verb(const JudgeArguments& arguments) {
 void add_judge_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb = app.add_subcommand("judge", "Hold the referee's calls against the truth.");
   auto arguments = std::make_shared<JudgeArguments>();
-  verb->add_option("FILE", arguments->file, "Scenario of kind judge.")->required();
-  verb->add_option("-o,--output", arguments->folder,
-                   "Folder for the results. Default: results/runs/<scenario>.")
-      ->type_name("DIR");
-  verb->add_option("-j,--workers", arguments->workers,
-                   "Games played at a time. Default: one per processor.")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024));
+  add_batch_options(*verb, *arguments, "Scenario of kind judge.");
   verb->add_flag("--json", arguments->json, "Print one JSON object.");
   verb->footer(
       "A call is right where the same event truly happened by the same side's fault, at most 0.25 "

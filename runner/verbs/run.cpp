@@ -8,23 +8,17 @@
 #include "runner/errors.hpp"
 #include "runner/experiment.hpp"
 #include "runner/verbs/command_line.hpp"
-#include "runner/workers.hpp"
 
 namespace autoref::runner {
 namespace {
 
 namespace fs = std::filesystem;
 
-fs::path folder_of(const RunArguments& arguments) {
-  if (!arguments.folder.empty()) return arguments.folder;
-  return fs::path("results/runs") / fs::path(arguments.file).stem();
-}
-
 ExperimentOptions options_of(const RunArguments& arguments) {
   ExperimentOptions options;
-  options.folder = folder_of(arguments);
+  options.folder = arguments.results_folder();
   options.build = build_id();
-  options.workers = arguments.workers > 0 ? arguments.workers : processors();
+  options.workers = arguments.worker_count();
   options.allow_mixed_build = arguments.allow_mixed_build;
   options.play = [](const GameConfiguration& game) { return play(game); };
   options.progress = stderr;
@@ -34,12 +28,14 @@ ExperimentOptions options_of(const RunArguments& arguments) {
 void print_results(const Scenario& scenario, const ExperimentReport& report,
                    const fs::path& folder) {
   if (!scenario.about.empty()) fmt::print("{}\n\n", scenario.about);
-  fmt::print("{}\n", summary_table(std::get<Sweep>(scenario.content), report.groups));
+  fmt::print("{}\n", report.results.table);
   const std::vector<std::string>& never = report.arrows_never_taken;
   fmt::print("arrows never taken in {} games: {}\n\n", report.games,
              never.empty() ? "none" : fmt::format("{}", fmt::join(never, ", ")));
   fmt::print("{}   a row per game\n", (folder / "results.csv").string());
-  fmt::print("{}   a row per value\n", (folder / "summary.csv").string());
+  for (const ResultFile& file : report.results.files) {
+    fmt::print("{}   {}\n", (folder / file.name).string(), file.about);
+  }
   fmt::print("{}   every setting\n", (folder / "effective.yaml").string());
 }
 
@@ -47,7 +43,7 @@ void print_results(const Scenario& scenario, const ExperimentReport& report,
 
 int run_verb(const RunArguments& arguments) {
   const Scenario scenario = read_scenario(arguments.file);
-  if (!std::holds_alternative<Sweep>(scenario.content)) {
+  if (!is_experiment(scenario)) {
     throw InputError({arguments.file}, "kind",
                      fmt::format("this is a {}, not an experiment; play it with: autoref {} {}",
                                  kind_of(scenario), verb_of(scenario), arguments.file));
@@ -69,16 +65,10 @@ int run_verb(const RunArguments& arguments) {
 }
 
 void add_run_verb(CLI::App& app, Chosen& chosen) {
-  CLI::App* verb = app.add_subcommand("run", "Run an experiment: all games of a sweep.");
+  CLI::App* verb =
+      app.add_subcommand("run", "Run an experiment: all games of a sweep or a round robin.");
   auto arguments = std::make_shared<RunArguments>();
-  verb->add_option("FILE", arguments->file, "Scenario of kind sweep.")->required();
-  verb->add_option("-o,--output", arguments->folder,
-                   "Folder for the results. Default: results/runs/<scenario>.")
-      ->type_name("DIR");
-  verb->add_option("-j,--workers", arguments->workers,
-                   "Games played at a time. Default: one per processor.")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024));
+  add_batch_options(*verb, *arguments, "Scenario of kind sweep or roundrobin.");
   verb->add_flag("--allow-mixed-build", arguments->allow_mixed_build,
                  "Go on in a folder that holds games of another build; those do not count.");
   verb->footer(

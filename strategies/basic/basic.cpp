@@ -1,12 +1,13 @@
 #include "strategies/basic/basic.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
-#include "strategies/basic/penalty.hpp"
 #include "strategies/skills/outlook.hpp"
 #include "strategies/skills/shot.hpp"
+#include "strategies/tactics/penalty.hpp"
 
 namespace autoref::strategies::basic {
 namespace {
@@ -27,10 +28,10 @@ constexpr double kSidestep_m = 60_mm;
 constexpr double kStopSpeedShare = 0.8;  // of the speed allowed while play is stopped
 constexpr double kSlowBall_mps = 1.5;    // the keeper comes out for balls slower than this
 
-double param(const Briefing& briefing, const char* name, double otherwise) {
-  const auto found = briefing.params.find(name);
-  return found == briefing.params.end() ? otherwise : found->second;
-}
+constexpr std::array<Parameter, 2> kParameters = {{
+    {"shot_mps", "m/s", 6.5, 0, 8, "Speed of shots at the goal."},
+    {"pass_mps", "m/s", 4.0, 0, 8, "Speed of passes, at most."},
+}};
 
 // Where faster kicks are fouls, kicks stay below the limit although kickers are off by a few
 // hundredths.
@@ -41,10 +42,14 @@ double fastest_kick_mps(const RuleBook& rules) {
 
 }  // namespace
 
+std::span<const Parameter> parameters() { return kParameters; }
+
 Basic::Basic(const Briefing& briefing)
     : briefing_(briefing),
-      shot_mps_(std::min(param(briefing, "shot_mps", 6.5), fastest_kick_mps(briefing.rules))),
-      pass_mps_(std::min(param(briefing, "pass_mps", 4.0), fastest_kick_mps(briefing.rules))) {}
+      shot_mps_(
+          std::min(value_of(kParameters[0], briefing.params), fastest_kick_mps(briefing.rules))),
+      pass_mps_(
+          std::min(value_of(kParameters[1], briefing.params), fastest_kick_mps(briefing.rules))) {}
 
 // From a hull to the ball's centre at restarts. Referees who judge it measure to the ball's
 // surface.

@@ -3,14 +3,20 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "strategies/basic/positions.hpp"
 #include "strategies/basic/roles.hpp"
+#include "strategies/parameter.hpp"
+#include "strategies/skills/limits.hpp"
 #include "strategies/skills/play_ball.hpp"
 #include "strategies/skills/shot.hpp"
 #include "strategies/strategy.hpp"
 
 namespace autoref::strategies::basic {
+
+// What the team can be tuned with.
+std::span<const Parameter> parameters();
 
 class Basic final : public Strategy {
  public:

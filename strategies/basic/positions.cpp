@@ -15,17 +15,6 @@ Waypoint facing_ball(const Vec2& position_m, const Vec2& ball_m) {
 
 Vec2 own_goal_m(const Field& field) { return field.goal_centre_m(Side::kWest); }
 
-// Moves `p` straight away from the area's middle until it is `distance_m` off the area of `side`.
-Vec2 pushed_out_of_area(const Field& field, Side side, const Vec2& p, double distance_m) {
-  const double missing_m = distance_m - distance_to_defence_area(field, side, p);
-  if (missing_m <= 0) return p;
-  const Vec2 inwards(-goal_sign(side), 0);
-  const Vec2 corner_m =
-      field.goal_centre_m(side) + Vec2(0, std::clamp(p.y(), -field.defence_area.straight_m / 2,
-                                                     field.defence_area.straight_m / 2));
-  return p + direction_of(p - corner_m, inwards) * missing_m;
-}
-
 }  // namespace
 
 Waypoint keeper_position(const Field& field, const TrackedBall& ball) {
@@ -75,27 +64,6 @@ Waypoint reserve_position(const Field& field, const Vec2& ball_m, int index) {
   const int row = index / 2;
   const double x = -0.35 * field.half_length_m() + 0.12 * field.half_length_m() * row;
   return facing_ball({x, side * (0.35 + 0.1 * row) * field.half_width_m()}, ball_m);
-}
-
-Vec2 permitted(const Field& field, const Vec2& wanted_m, const Vec2& ball_m, const Limits& limits) {
-  Vec2 p = wanted_m;
-  if (limits.keep_from_ball_m > 0 && (p - ball_m).norm() < limits.keep_from_ball_m) {
-    // Towards the own goal, where a robot that must give way is of most use.
-    const Vec2 back = direction_of(own_goal_m(field) - ball_m, Vec2(-1, 0));
-    const Vec2 away = direction_of(p - ball_m, back);
-    const Vec2 bent = away.dot(back) < 0 ? direction_of(away + 1.5 * back, back) : away;
-    p = ball_m + bent * (limits.keep_from_ball_m + kMargin_m);
-  }
-  if (limits.own_half_only) p.x() = std::min(p.x(), -kRobotRadius_m - kMargin_m);
-  if (!limits.may_enter_own_area) {
-    p = pushed_out_of_area(field, Side::kWest, p, kRobotRadius_m + kMargin_m);
-  }
-  if (limits.keep_from_area_m > 0) {
-    p = pushed_out_of_area(field, Side::kEast, p, limits.keep_from_area_m + kMargin_m);
-  }
-  const double x_m = field.half_length_m() + kRobotRadius_m;
-  const double y_m = field.half_width_m() + kRobotRadius_m;
-  return {std::clamp(p.x(), -x_m, x_m), std::clamp(p.y(), -y_m, y_m)};
 }
 
 }  // namespace autoref::strategies::basic

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "soccer/field.hpp"
-#include "soccer/rule_book.hpp"
 #include "soccer/team_view.hpp"
 #include "strategies/skills/motion.hpp"
 
@@ -25,16 +24,5 @@ Waypoint supporter_position(const Field& field, const Vec2& ball_m, int order);
 // A place of its own for each robot beyond the first four while play is stopped, `index` counting
 // from 0, across the own half.
 Waypoint reserve_position(const Field& field, const Vec2& ball_m, int index);
-
-// What a place must respect right now.
-struct Limits {
-  bool own_half_only = false;       // before a kick-off
-  double keep_from_ball_m = 0;      // from a robot's centre to the ball
-  double keep_from_area_m = 0;      // from a robot's centre to the opponents' defence area
-  bool may_enter_own_area = false;  // the keeper
-};
-
-// The permitted place nearest to `wanted_m`, or close to it.
-Vec2 permitted(const Field& field, const Vec2& wanted_m, const Vec2& ball_m, const Limits& limits);
 
 }  // namespace autoref::strategies::basic

@@ -36,6 +36,18 @@ inline std::optional<Deed> deed_of(const TrackedRobot* robot, const Vec2& from_m
   return deed;
 }
 
+// A deed of `robot` against an opponent.
+inline Deed deed_against(const TrackedRobot& victim, const TrackedRobot& robot) {
+  Deed deed = *deed_of(&robot, victim.position_m);
+  deed.other = victim.number;
+  return deed;
+}
+
+// The opponent that it is done to; nullptr once play or that robot is gone.
+inline const TrackedRobot* victim_of(const Deed& deed, const Scene& scene) {
+  return is_running(scene) ? find(scene.now.opponents, deed.other) : nullptr;
+}
+
 struct Mischief {
   std::string_view name;  // of the parameter that holds its share
   std::string_view about;

@@ -14,7 +14,7 @@ double share_of(const Mischief& kind, const std::map<std::string, double>& param
   const auto own = params.find(std::string(kind.name));
   if (own != params.end()) return own->second;
   const auto otherwise = params.find("otherwise");
-  return otherwise == params.end() ? kind.share : otherwise->second;
+  return otherwise == params.end() || otherwise->second < 0 ? kind.share : otherwise->second;
 }
 
 }  // namespace

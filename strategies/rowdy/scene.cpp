@@ -79,6 +79,10 @@ RobotCommand charge(const TrackedRobot& robot, const Vec2& velocity_mps) {
   return drive_with(robot, velocity_mps, direction_of(velocity_mps, robot.heading), {});
 }
 
+RobotCommand charge_at(const TrackedRobot& robot, const Vec2& point_m, double speed_mps) {
+  return charge(robot, direction_of(point_m - robot.position_m, robot.heading) * speed_mps);
+}
+
 RobotCommand kick_at(const Scene& scene, const TrackedRobot& robot, const Vec2& target_m,
                      double kick_mps) {
   const Vec2 meeting_m = intercept(robot, scene.now.ball).point_m;

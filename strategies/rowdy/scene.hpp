@@ -43,6 +43,9 @@ RobotCommand go_to(const Scene& scene, const TrackedRobot& robot, const Vec2& pl
 // Orders that move the robot straight on at that velocity, facing where it goes.
 RobotCommand charge(const TrackedRobot& robot, const Vec2& velocity_mps);
 
+// The same, towards a point.
+RobotCommand charge_at(const TrackedRobot& robot, const Vec2& point_m, double speed_mps);
+
 // Orders that take the robot behind the ball and kick it straight at the target.
 RobotCommand kick_at(const Scene& scene, const TrackedRobot& robot, const Vec2& target_m,
                      double kick_mps);

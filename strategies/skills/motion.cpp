@@ -56,21 +56,27 @@ RobotCommand drive_with(const TrackedRobot& robot, const Vec2& velocity_mps, con
                         const DrivingStyle& style) {
   RobotCommand command;
   command.velocity_mps = to_local(velocity_mps, robot.heading);
-  const double turn = style.turn_per_s * angle_between(robot.heading, heading);
-  command.angular_velocity_radps =
-      std::clamp(turn, -style.turn_limit_radps, style.turn_limit_radps);
+  const double error_rad = angle_between(robot.heading, heading);
+  const double rate_radps =
+      std::min({style.turn_per_s * std::abs(error_rad), style.turn_limit_radps,
+                std::sqrt(2 * style.turn_braking_radps2 * std::abs(error_rad))});
+  command.angular_velocity_radps = std::copysign(rate_radps, error_rad);
   return command;
 }
 
-RobotCommand drive_to(const TrackedRobot& robot, const Waypoint& goal, const Obstacles& obstacles,
-                      const DrivingStyle& style) {
+RobotCommand drive_via(const TrackedRobot& robot, const Vec2& steer_m, const Waypoint& goal,
+                       const DrivingStyle& style) {
   const double left_m = (goal.position_m - robot.position_m).norm();
   if (left_m < style.arrived_m) return drive_with(robot, Vec2(0, 0), goal.heading, style);
-  const Vec2 steer_m = way_around(robot.position_m, goal.position_m, obstacles);
   const Vec2 way = direction_of(steer_m - robot.position_m, goal.heading);
   const double speed_mps = std::min(
       {style.speed_mps, style.approach_per_s * left_m, std::sqrt(2 * style.braking_mps2 * left_m)});
   return drive_with(robot, way * speed_mps, goal.heading, style);
+}
+
+RobotCommand drive_to(const TrackedRobot& robot, const Waypoint& goal, const Obstacles& obstacles,
+                      const DrivingStyle& style) {
+  return drive_via(robot, way_around(robot.position_m, goal.position_m, obstacles), goal, style);
 }
 
 }  // namespace autoref::strategies

@@ -18,7 +18,8 @@ struct DrivingStyle {
   double approach_per_s = 6.0;  // speed per distance on the last centimetres
   double turn_per_s = 8.0;      // angular speed per angle left
   double turn_limit_radps = 10.0;
-  double arrived_m = 4_mm;  // nearer than this the robot stands still
+  double turn_braking_radps2 = 1e3;  // planned; a robot at its wheels' limits turns worse
+  double arrived_m = 4_mm;           // nearer than this the robot stands still
 };
 
 struct Waypoint {
@@ -31,7 +32,7 @@ struct Obstacle {
   Vec2 position_m{0, 0};
   double clearance_m = 0;
 };
-using Obstacles = boost::container::static_vector<Obstacle, 2 * kMaxRobots + 2>;
+using Obstacles = boost::container::static_vector<Obstacle, 2 * kMaxRobots + 4>;
 
 // The point to steer for on the way to `target_m`: the target itself where the straight way is
 // free, else a point beside the first obstacle on it.
@@ -44,6 +45,10 @@ std::optional<Vec2> way_from_behind_goal(const Field& field, const Vec2& from_m)
 // Orders that bring `robot` to `goal` around the obstacles and to rest there.
 RobotCommand drive_to(const TrackedRobot& robot, const Waypoint& goal, const Obstacles& obstacles,
                       const DrivingStyle& style);
+
+// The same by way of `steer_m`, the next point of a way that leads around whatever is between.
+RobotCommand drive_via(const TrackedRobot& robot, const Vec2& steer_m, const Waypoint& goal,
+                       const DrivingStyle& style);
 
 // Orders that move `robot` with `velocity_mps` (in the view's frame) while it turns to `heading`.
 RobotCommand drive_with(const TrackedRobot& robot, const Vec2& velocity_mps, const Vec2& heading,

@@ -40,7 +40,7 @@ const std::string kScene = kScenarios + "lab/chip.yaml";
 const std::string kSweep = kScenarios + "handicap-speed.yaml";
 
 TEST(CommandLine, ShowsAnExampleForEachVerb) {
-  for (const char* verb : {"play", "run", "lab", "bench"}) {
+  for (const char* verb : {"play", "run", "judge", "lab", "rules", "teams", "bench"}) {
     const Answer answer = answer_to({verb, "--help"});
     EXPECT_EQ(answer.code, kDone);
     EXPECT_NE(answer.out.find(std::string("Example:\n  autoref ") + verb), std::string::npos);
@@ -91,12 +91,22 @@ TEST(CommandLine, NamesTheFlagOrFileThatIsWrong) {
            {{"play", kGame.c_str(), "--set", "b.robot=5"}, "did you mean 'b.robots'"},
            {{"play", kGame.c_str(), "--set", "a.strategy=none"}, "basic"},
            {{"play", kGame.c_str(), "--set", "a.params.x=1"}, "no parameter 'x'"},
+           {{"play", kGame.c_str(), "--set", "a.params.shot_mps=9"}, "from 0 to 8 m/s, found '9'"},
+           {{"teams", "basik"}, "there is no team 'basik'; did you mean 'basic'"},
            {{"play", kGame.c_str(), "--events", "/nonexistent/e"}, "/nonexistent/e cannot be"}}) {
     const Answer answer = answer_to(wrong.arguments);
     EXPECT_EQ(answer.code, kBadInput);
     EXPECT_NE(answer.err.find(wrong.fragment), std::string::npos) << answer.err;
     EXPECT_EQ(answer.out, "");
   }
+}
+
+TEST(CommandLine, PrintsTeamsAndTheirParameters) {
+  const Answer all = answer_to({"teams"});
+  EXPECT_EQ(all.code, kDone);
+  EXPECT_NE(all.out.find("\ndummy "), std::string::npos) << all.out;
+  EXPECT_NE(answer_to({"teams", "basic"}).out.find("\nshot_mps "), std::string::npos);
+  EXPECT_TRUE(answer_to({"teams", "basic", "--json"}).out.starts_with("{\"name\": \"basic\""));
 }
 
 TEST(CommandLine, CallsAFolderThatCannotBeWrittenInputOutput) {

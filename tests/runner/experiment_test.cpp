@@ -65,7 +65,7 @@ TEST(Experiment, DoesNothingWhenItIsFinished) {
   const ExperimentReport report = run_experiment(small_sweep(), options);
   EXPECT_TRUE(report.is_complete);
   EXPECT_EQ(report.played, 0);
-  EXPECT_EQ(report.groups.size(), 2U);
+  EXPECT_EQ(report.results.groups.size(), 2U);
   EXPECT_EQ(std::filesystem::last_write_time(folder / "results.csv"), time);
 }
 
@@ -120,8 +120,8 @@ TEST(Experiment, MarksAGameVoidThatKillsEveryWorkerAndGoesOn) {
   const ExperimentReport report = run_experiment(small_sweep(), options);
   EXPECT_TRUE(report.is_complete);
   EXPECT_EQ(report.void_games, 3);
-  EXPECT_EQ(report.groups.at(1).void_games, 3);
-  EXPECT_EQ(report.groups.at(1).goals_a.size(), 3U);
+  EXPECT_EQ(report.results.groups.at(1).void_games, 3);
+  EXPECT_EQ(report.results.groups.at(1).goals_a.size(), 3U);
   EXPECT_NE(content_of(folder / "results.csv").find("signal 6 (Aborted)"), std::string::npos);
 }
 
@@ -180,6 +180,39 @@ TEST(Experiment, IsRefusedInAFolderOfAnotherBuildUnlessAllowed) {
   options.allow_mixed_build = true;
   EXPECT_EQ(run_experiment(small_sweep(), options).played, 12);
   EXPECT_EQ(results_in(folder), undisturbed_results(small_sweep()));
+}
+
+TEST(Experiment, PlaysOnlyTheNewTeamsGamesWhenATeamIsAdded) {
+  const TemporaryFolder folder;
+  const ExperimentReport two =
+      run_experiment(small_roundrobin({6, 5}), fake_options(folder.path()));
+  EXPECT_EQ(two.played, 4);
+  const Scenario three = small_roundrobin({6, 5, 4});
+  const ExperimentReport report = run_experiment(three, fake_options(folder.path()));
+  EXPECT_EQ(report.played, 8);
+  EXPECT_EQ(report.results.standings.size(), 3U);
+  EXPECT_EQ(results_in(folder), undisturbed_results(three));
+}
+
+TEST(Experiment, LeavesTheStandingsOfARoundRobin) {
+  const TemporaryFolder folder;
+  run_experiment(small_roundrobin({6, 5, 4}), fake_options(folder.path()));
+  EXPECT_EQ(line_count(content_of(folder / "results.csv")), 13);
+  EXPECT_EQ(line_count(content_of(folder / "summary.csv")), 4);
+  EXPECT_EQ(line_count(content_of(folder / "standings.csv")), 4);
+}
+
+TEST(Experiment, SaysWhichTeamOfARoundRobinIsAnother) {
+  const TemporaryFolder folder;
+  run_experiment(small_roundrobin({6, 5}), fake_options(folder.path()));
+  try {
+    run_experiment(small_roundrobin({6, 4, 3}), fake_options(folder.path()));
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("(teams.team1.robots is 4 here and 5 there)"),
+              std::string::npos)
+        << error.what();
+  }
 }
 
 TEST(Experiment, SaysWhichFolderCannotBeCreated) {

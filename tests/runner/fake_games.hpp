@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "runner/experiment.hpp"
 #include "tests/runner/temporary_folder.hpp"
@@ -34,6 +36,17 @@ inline Scenario small_sweep(int pairs = 3) {
   sweep.pairs = pairs;
   sweep.seed = 2014;
   return {"A test.", sweep};
+}
+
+// team0, team1 ... of so many robots each, `pairs` pairs each.
+inline Scenario small_roundrobin(const std::vector<int>& robots, int pairs = 2) {
+  RoundRobin robin;
+  for (const int count : robots) {
+    robin.teams["team" + std::to_string(robin.teams.size())].robots = count;
+  }
+  robin.pairs = pairs;
+  robin.seed = 2014;
+  return {"A test.", robin};
 }
 
 inline ExperimentOptions fake_options(const std::filesystem::path& folder) {

@@ -55,6 +55,8 @@ TEST(Game, OfATeamAgainstItselfScoresTheOppositeWithTheEndsChanged) {
     const GameRecord east = play(game);
     EXPECT_EQ(west.goals_a, east.goals_b);
     EXPECT_EQ(west.goals_b, east.goals_a);
+    EXPECT_EQ(west.figures[0], east.figures[1]);
+    EXPECT_EQ(west.figures[1], east.figures[0]);
     EXPECT_EQ(west.state_hash, east.state_hash);
     goals += west.goals_a + west.goals_b;
   }

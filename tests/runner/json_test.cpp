@@ -60,12 +60,16 @@ TEST(GameReport, HasTheKeysOfAGame) {
   record.goals_b = 1;
   record.goals_by_half = {{1, 0}, {2, 1}};
   record.events[static_cast<std::size_t>(referee::Event::kThrowIn)] = 4;
+  record.figures[1].shots = 5;
+  record.figures[1].possession_s = 250.5;
   record.sim_s = 1200;
   record.state_hash = 0xabc;
   const std::string json = json_of({game, record, 2.0, "0.1.0-x"});
   EXPECT_TRUE(json.starts_with(
       R"({"goals_a": 3, "goals_b": 1, "goals_by_half": [[1, 0], [2, 1]], "end_reason": "time", )"));
   EXPECT_NE(json.find(R"("throw_in": 4)"), std::string::npos);
+  EXPECT_NE(json.find(R"("shots_a": 0, "shots_b": 5, )"), std::string::npos);
+  EXPECT_NE(json.find(R"("possession_s_b": 250.500, )"), std::string::npos);
   EXPECT_NE(json.find(R"("x_real_time": 600)"), std::string::npos);
   EXPECT_TRUE(json.ends_with(R"("state_hash": "0000000000000abc", "build": "0.1.0-x"})"));
 }
@@ -77,6 +81,25 @@ TEST(GameReport, TellsPeopleTheScore) {
   record.goals_a = 3;
   EXPECT_TRUE(
       text_of({game, record, 2.0, "x"}).starts_with("a (basic, east)  3 : 0  b (basic, west)"));
+}
+
+TEST(GameReport, ShowsPeopleWhatBothTeamsDid) {
+  GameConfiguration game;
+  GameRecord record;
+  record.figures[0] = {12, 7, 30, 21, 300, 3, 5};
+  record.figures[1] = {8, 2, 25, 9, 200, 4, 6};
+  record.ball_in_play_s = 500;
+  EXPECT_NE(text_of({game, record, 2.0, "x"}).find(R"(
+                      a      b
+shots                12      8
+  on goal             7      2
+passes tried         30     25
+  completed          21      9
+possession         60 %   40 %
+fouls                 3      4
+duels won             5      6
+)"),
+            std::string::npos);
 }
 
 }  // namespace

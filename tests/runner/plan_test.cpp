@@ -81,6 +81,16 @@ TEST(Plan, CombinesAllValuesOfSeveralFactors) {
   EXPECT_EQ(games[2].configuration.a.robots, 5);
 }
 
+TEST(Plan, SweepsATeamsParameter) {
+  Sweep sweep;
+  sweep.factors = {{"a.params.shot_mps", {"6.5", "4.0"}}};
+  const std::vector<PlannedGame> games = plan(sweep);
+  ASSERT_EQ(games.size(), 4U);
+  EXPECT_EQ(games[2].id, "a.params.shot_mps=4.0-p0001-1");
+  EXPECT_EQ(games[2].configuration.a.params.at("shot_mps"), 4);
+  EXPECT_TRUE(games[2].configuration.b.params.empty());
+}
+
 TEST(SeedOf, StaysBelowTwoToThe53AndDependsOnTheMasterSeed) {
   EXPECT_LT(seed_of(1, 1, 1), std::uint64_t{1} << 53);
   EXPECT_NE(seed_of(1, 1, 1), seed_of(2, 1, 1));

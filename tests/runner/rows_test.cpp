@@ -39,6 +39,24 @@ TEST(RowFormat, HasTheColumnsOfAGameWithTheCheckLast) {
                              "wall_s,attempt,shard,row_crc"));
 }
 
+TEST(RowFormat, HasTheFiguresOfBothTeamsInEveryRow) {
+  const RowFormat format({"b.robots"});
+  const PlannedGame game = plan(std::get<Sweep>(small_sweep().content)).front();
+  GameRecord record;
+  record.figures[0] = {12, 7, 30, 21, 301.25, 3, 5};
+  record.figures[1] = {8, 2, 25, 9, 200.5, 4, 6};
+  const Cells cells = format.read(format.line(game, outcome_of(record), {})).value();
+  const Cells names = {"shots",        "shots_on_goal", "passes_tried", "passes_completed",
+                       "possession_s", "fouls",         "duels_won"};
+  const Cells of_a = {"12", "7", "30", "21", "301.250", "3", "5"};
+  const Cells of_b = {"8", "2", "25", "9", "200.500", "4", "6"};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    EXPECT_EQ(cells[format.column(names[i] + "_a")], of_a[i]) << names[i];
+    EXPECT_EQ(cells[format.column(names[i] + "_b")], of_b[i]) << names[i];
+  }
+  EXPECT_LT(format.column("duels_won_b"), format.reproducible(format.columns()).size());
+}
+
 TEST(RowFormat, ReadsBackWhatItWrote) {
   const RowFormat format({"b.robots"});
   const auto cells = format.read(sample_line(format, "team a threw: \"x\", then\nmore"));

@@ -110,9 +110,13 @@ class StagedGame {
   static std::unique_ptr<strategies::Strategy> make(const StagedTeam& team, Side side,
                                                     const Field& field, const RuleBook& rules,
                                                     std::uint64_t seed) {
-    return make_registered_team(
-        team.strategy, {field, rules, kRate_hz,
-                        RandomStream::of(seed, RandomPurpose::kStrategy, side), team.params});
+    return make_registered_team(team.strategy,
+                                {field,
+                                 rules,
+                                 kRate_hz,
+                                 RandomStream::of(seed, RandomPurpose::kStrategy, side),
+                                 team.params,
+                                 {}});
   }
 
   sim::Camera camera_;

@@ -78,27 +78,5 @@ TEST(Stock, CountsGamesThatThePlanDoesNotHave) {
   EXPECT_EQ(stock.other_games, 1);
 }
 
-TEST(ChangesBetween, ListsEachSettingThatDiffers) {
-  Sweep here;
-  Sweep there;
-  here.base.match.half_s = 60;
-  here.seed = 5;
-  EXPECT_EQ(changes_between(here, there),
-            "match.half_s is 60.0 here and 600.0 there; seed is 5 here and 1 there");
-  EXPECT_EQ(changes_between(there, there), "");
-}
-
-TEST(ChangesBetween, ListsPlayersThatOnlyOneOfThemHas) {
-  Sweep here;
-  Sweep there;
-  here.base.b.players[3].speed_factor = 0.5;
-  EXPECT_NE(changes_between(here, there)
-                .find("teams.b.players.3.speed_factor is 0.5 here and not given there"),
-            std::string::npos);
-  EXPECT_NE(changes_between(there, here)
-                .find("teams.b.players.3.speed_factor is not given here and 0.5 there"),
-            std::string::npos);
-}
-
 }  // namespace
 }  // namespace autoref::runner

@@ -1,11 +1,58 @@
-// A world without physics for tests of teams: robots do at once what they are told, the ball stays.
+// A world without physics for tests of teams: robots do at once what they are told, the ball stays
+// or goes its way untouched.
 #pragma once
 
+#include <optional>
+#include <stdexcept>
+
+#include "soccer/robot_shape.hpp"
 #include "soccer/team_view.hpp"
 #include "soccer/trigonometry.hpp"
 #include "strategies/strategy.hpp"
+#include "strategies/tactics/outlook.hpp"
 
 namespace autoref::strategies {
+
+inline constexpr double kStagedFrame_s = 1.0 / 60;
+inline constexpr double kHeldBall_m = kFrontDistance_m + kBallRadius_m;  // from robot to ball
+
+// A ball kicked over the carpet of sim/README.md: it slides, slowed down by 3.4 m/s^2, until 0.67
+// of its speed is left, then it rolls, slowed down by 0.30 m/s^2.
+struct CarpetBall {
+  static constexpr double kSlide_mps2 = 3.4;
+  static constexpr double kRoll_mps2 = 0.30;
+  static constexpr double kRollsFrom = 0.67;
+
+  Vec2 start_m{0, 0};
+  Vec2 way{1, 0};
+  double kick_mps = 0;
+
+  double rolls_mps() const { return kRollsFrom * kick_mps; }
+  double slide_m() const {
+    return (kick_mps * kick_mps - rolls_mps() * rolls_mps()) / (2 * kSlide_mps2);
+  }
+  double longest_m() const { return slide_m() + rolls_mps() * rolls_mps() / (2 * kRoll_mps2); }
+
+  TrackedBall at(double time_s) const {
+    const double slide_s = (kick_mps - rolls_mps()) / kSlide_mps2;
+    if (time_s < slide_s) {
+      return {start_m + way * (kick_mps * time_s - kSlide_mps2 * time_s * time_s / 2),
+              way * (kick_mps - kSlide_mps2 * time_s)};
+    }
+    const double t = std::min(time_s - slide_s, rolls_mps() / kRoll_mps2);
+    return {start_m + way * (slide_m() + rolls_mps() * t - kRoll_mps2 * t * t / 2),
+            way * (rolls_mps() - kRoll_mps2 * t)};
+  }
+};
+
+// Moves a robot for one frame exactly as ordered.
+inline void obey(TrackedRobot& robot, const RobotCommand& order) {
+  robot.velocity_mps = to_world(order.velocity_mps, robot.heading);
+  robot.angular_velocity_radps = order.angular_velocity_radps;
+  robot.position_m += robot.velocity_mps * kStagedFrame_s;
+  robot.heading =
+      heading_of(angle_of(robot.heading) + order.angular_velocity_radps * kStagedFrame_s);
+}
 
 class StagedWorld {
  public:
@@ -35,19 +82,35 @@ class StagedWorld {
     orders.fill(RobotCommand{});
     team.decide(view, orders);
     for (TrackedRobot& robot : view.own) {
-      const RobotCommand& order = orders[static_cast<std::size_t>(robot.number)];
-      robot.velocity_mps = to_world(order.velocity_mps, robot.heading);
-      robot.angular_velocity_radps = order.angular_velocity_radps;
-      robot.position_m += robot.velocity_mps / 60;
-      robot.heading = heading_of(angle_of(robot.heading) + order.angular_velocity_radps / 60);
+      obey(robot, orders[static_cast<std::size_t>(robot.number)]);
     }
-    ++view.frame;
-    view.time_s += 1.0 / 60;
+    pass_frame();
     return orders;
   }
 
   void run(Strategy& team, double seconds) {
     for (int i = 0; i < seconds * 60; ++i) step(team);
+  }
+
+  // Time goes on by a frame; a kicked ball goes on its way.
+  void pass_frame() {
+    ++view.frame;
+    view.time_s += kStagedFrame_s;
+    if (kicked) view.ball = kicked->at(view.time_s - kicked_at_s);
+  }
+
+  // Kicks the ball from where it lies.
+  StagedWorld& kick(const Vec2& velocity_mps) {
+    kicked = CarpetBall{view.ball.position_m, direction_of(velocity_mps, Vec2(1, 0)),
+                        velocity_mps.norm()};
+    kicked_at_s = view.time_s;
+    view.ball = kicked->at(0);
+    return *this;
+  }
+  StagedWorld& ball(const Vec2& position_m) {
+    view.ball = {position_m, Vec2(0, 0)};
+    kicked.reset();
+    return *this;
   }
 
   const TrackedRobot& robot(int number) const {
@@ -59,6 +122,35 @@ class StagedWorld {
 
   TeamView view;
   TeamOrders orders;
+  std::optional<CarpetBall> kicked;
+  double kicked_at_s = 0;
 };
+
+// A staged world, and what a team makes of it.
+struct StagedOutlook {
+  explicit StagedOutlook(Play play, bool ours = false, const Briefing& briefing = {})
+      : world(play, ours), outlook(briefing, Style{}) {}
+
+  // Looks at the world for so many frames in which no robot moves. Opponents are looked at in turn,
+  // so that one frame is not enough for all of them.
+  const Outlook& look(int frames = 4) {
+    for (int i = 0; i < frames; ++i) {
+      outlook.update(world.view);
+      world.pass_frame();
+    }
+    return outlook;
+  }
+
+  StagedWorld world;
+  Outlook outlook;
+};
+
+// The game of the rule book of that name.
+inline Briefing briefing_of(const char* rules) {
+  Briefing briefing;
+  briefing.rules = find_rule_book(rules).value();
+  briefing.field = find_game_setup(rules).value().field;
+  return briefing;
+}
 
 }  // namespace autoref::strategies

@@ -28,22 +28,19 @@ std::optional<Deed> find_chance(const Scene& scene) {
     if (mate.number == scene.keeper) continue;
     for (const TrackedRobot& opponent : scene.now.opponents) {
       if (!comes(opponent, mate)) continue;
-      std::optional<Deed> deed = deed_of(&mate, opponent.position_m);
-      deed->other = opponent.number;
-      return deed;
+      return deed_against(opponent, mate);
     }
   }
   return std::nullopt;
 }
 
 bool go_on(const Scene& scene, Deed& deed, Will& will) {
+  const TrackedRobot* opponent = victim_of(deed, scene);
+  if (opponent == nullptr) return false;
   const TrackedRobot& robot = *find(scene.now.own, deed.robot);
-  const TrackedRobot* opponent = find(scene.now.opponents, deed.other);
-  if (opponent == nullptr || !is_running(scene)) return false;
-  const Vec2 way_m = opponent->position_m - robot.position_m;
   const double speed_mps = std::max(0.0, closing_mps(*opponent, robot.position_m));
-  will.order(deed.robot) = charge(robot, direction_of(way_m, robot.heading) * speed_mps);
-  return way_m.norm() > kMet_m;
+  will.order(deed.robot) = charge_at(robot, opponent->position_m, speed_mps);
+  return (opponent->position_m - robot.position_m).norm() > kMet_m;
 }
 
 }  // namespace

@@ -18,19 +18,16 @@ std::optional<Deed> find_chance(const Scene& scene) {
     if (mate.number == scene.keeper || victim == nullptr) continue;
     if (victim->velocity_mps.norm() > kStill_mps) continue;
     if ((victim->position_m - mate.position_m).norm() < kNearest_m) continue;
-    std::optional<Deed> deed = deed_of(&mate, victim->position_m);
-    deed->other = victim->number;
-    return deed;
+    return deed_against(*victim, mate);
   }
   return std::nullopt;
 }
 
 bool go_on(const Scene& scene, Deed& deed, Will& will) {
+  const TrackedRobot* victim = victim_of(deed, scene);
+  if (victim == nullptr) return false;
   const TrackedRobot& robot = *find(scene.now.own, deed.robot);
-  const TrackedRobot* victim = find(scene.now.opponents, deed.other);
-  if (victim == nullptr || !is_running(scene)) return false;
-  const Vec2 way_m = victim->position_m - robot.position_m;
-  will.order(deed.robot) = charge(robot, direction_of(way_m, robot.heading) * kSpeed_mps);
+  will.order(deed.robot) = charge_at(robot, victim->position_m, kSpeed_mps);
   return (victim->position_m - deed.from_m).norm() < kFar_m;
 }
 

@@ -1,9 +1,9 @@
-#include "strategies/basic/penalty.hpp"
+#include "strategies/tactics/penalty.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace autoref::strategies::basic {
+namespace autoref::strategies {
 namespace {
 
 constexpr double kRunUp_m = 250_mm;  // from the ball to the waiting kicker's centre
@@ -43,4 +43,4 @@ Waypoint penalty_spectator(const Field& field, const Vec2& mark_m, double cleara
   return {place_m, direction_of(mark_m - place_m, Vec2(1, 0))};
 }
 
-}  // namespace autoref::strategies::basic
+}  // namespace autoref::strategies

@@ -1,11 +1,11 @@
-// Where the robots of `basic` stand at a penalty until the ball is in play.
+// Where the robots stand at a penalty until the ball is in play.
 #pragma once
 
 #include "soccer/field.hpp"
 #include "soccer/team_view.hpp"
 #include "strategies/skills/motion.hpp"
 
-namespace autoref::strategies::basic {
+namespace autoref::strategies {
 
 // The robot that takes the penalty, by index in the view: of those that do not keep the goal the
 // one nearest to the mark; -1 without robots.
@@ -22,4 +22,4 @@ Waypoint penalty_keeper(const Field& field, const Vec2& mark_m);
 Waypoint penalty_spectator(const Field& field, const Vec2& mark_m, double clearance_m, bool ours,
                            int order);
 
-}  // namespace autoref::strategies::basic
+}  // namespace autoref::strategies

@@ -1,0 +1,49 @@
+// What differs between the kinds of experiments: which games they play, and what their rows say.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "runner/groups.hpp"
+#include "runner/plan.hpp"
+#include "runner/rows.hpp"
+#include "runner/scenario.hpp"
+#include "runner/standings.hpp"
+
+namespace autoref::runner {
+
+// Whether the scenario is of many games whose rows are kept: a sweep or a round robin. The other
+// functions take no other.
+bool is_experiment(const Scenario& scenario);
+
+// Its games in the order in which they are played. Throws std::invalid_argument where settings do
+// not go together.
+std::vector<PlannedGame> plan(const Scenario& scenario);
+
+// The columns of its rows that hold the factors' values.
+std::vector<std::string> value_columns(const Scenario& scenario);
+
+// The settings in which two experiments of one kind differ: "match.half_s is 60.0 here and 600.0
+// there; ...". Empty where there are none, or where the kinds are not the same. Factors' values,
+// and teams that one of them has not, make other games and do not count.
+std::string changes_between(const Scenario& here, const Scenario& there);
+
+// A file that a complete experiment leaves beside results.csv.
+struct ResultFile {
+  std::string name;   // such as "summary.csv"
+  std::string about;  // what a row is
+  std::string content;
+};
+
+struct ExperimentResults {
+  std::vector<Group> groups;        // of a sweep's values, or a round robin's matchups
+  std::vector<Standing> standings;  // of a round robin, best team first
+  std::vector<ResultFile> files;
+  std::string table;  // for people
+};
+
+// `rows` are complete rows, each game once, in any order.
+ExperimentResults results_of(const Scenario& scenario, const RowFormat& format,
+                             const std::vector<Cells>& rows);
+
+}  // namespace autoref::runner

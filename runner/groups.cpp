@@ -1,0 +1,151 @@
+#include "runner/groups.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "runner/statistics.hpp"
+#include "runner/words.hpp"
+
+namespace autoref::runner {
+namespace {
+
+// Sums the differences of a pair's legs.
+struct Pair {
+  double sum = 0;
+  int legs = 0;
+};
+
+// Where a row holds what a group is told of.
+struct ScoreColumns {
+  explicit ScoreColumns(const RowFormat& format)
+      : goals_a(format.column("goals_a")),
+        goals_b(format.column("goals_b")),
+        status(format.column("status")),
+        end_reason(format.column("end_reason")),
+        shootout_a(format.column("shootout_a")),
+        shootout_b(format.column("shootout_b")),
+        pair(format.column("pair")) {}
+
+  std::size_t goals_a, goals_b, status, end_reason, shootout_a, shootout_b, pair;
+};
+
+// Above 0 where team a has won, below 0 where team b has.
+double lead_of_a(const Cells& row, const ScoreColumns& at) {
+  if (row[at.end_reason] == name_of(EndReason::kForfeitA)) return -1;
+  if (row[at.end_reason] == name_of(EndReason::kForfeitB)) return 1;
+  const double goals = number_in(row[at.goals_a]).value() - number_in(row[at.goals_b]).value();
+  if (goals != 0 || row[at.shootout_a].empty()) return goals;
+  return number_in(row[at.shootout_a]).value() - number_in(row[at.shootout_b]).value();
+}
+
+void count_result(Group& group, double lead) {
+  ++(lead > 0 ? group.wins_a : lead < 0 ? group.wins_b : group.draws);
+}
+
+// Whether a row holds the values in these columns.
+bool has_values(const Cells& row, const std::vector<std::size_t>& columns, const Cells& values) {
+  return std::equal(values.begin(), values.end(), columns.begin(), columns.end(),
+                    [&row](const std::string& v, std::size_t column) { return v == row[column]; });
+}
+
+Group group_of(const Cells& values, const std::vector<std::size_t>& columns, const ScoreColumns& at,
+               const std::vector<Cells>& rows) {
+  Group group;
+  group.values = values;
+  std::map<std::string, Pair> pairs;
+  for (const Cells& row : rows) {
+    if (!has_values(row, columns, values)) continue;
+    if (row[at.status] == name_of(Status::kVoid)) {
+      ++group.void_games;
+      continue;
+    }
+    group.goals_a.push_back(number_in(row[at.goals_a]).value());
+    group.goals_b.push_back(number_in(row[at.goals_b]).value());
+    group.differences.push_back(group.goals_a.back() - group.goals_b.back());
+    count_result(group, lead_of_a(row, at));
+    Pair& pair = pairs[row[at.pair]];
+    pair.sum += group.differences.back();
+    ++pair.legs;
+  }
+  for (const auto& [number, pair] : pairs) {
+    if (pair.legs == 2) group.pair_differences[number] = pair.sum / 2;
+  }
+  return group;
+}
+
+std::optional<double> mean_of(const std::vector<double>& sample) {
+  return sample.empty() ? std::nullopt : std::optional(mean(sample));
+}
+
+// "1.50 ± 1.00", the mean and the standard deviation; "-" where there are no games.
+std::string score_text(const std::vector<double>& goals) {
+  if (goals.empty()) return "-";
+  const std::optional<double> deviation = standard_deviation(goals);
+  return deviation ? fmt::format("{:.2f} ± {:.2f}", mean(goals), *deviation)
+                   : fmt::format("{:.2f}", mean(goals));
+}
+
+}  // namespace
+
+std::vector<Group> grouped(const std::vector<std::string>& columns,
+                           const std::vector<std::vector<std::string>>& values,
+                           const RowFormat& format, const std::vector<Cells>& rows) {
+  const ScoreColumns at(format);
+  std::vector<std::size_t> numbers;
+  numbers.reserve(columns.size());
+  for (const std::string& column : columns) numbers.push_back(format.column(column));
+  std::vector<Group> groups;
+  groups.reserve(values.size());
+  for (const Cells& group : values) groups.push_back(group_of(group, numbers, at, rows));
+  return groups;
+}
+
+std::vector<double> values_of(const std::map<std::string, double>& by_name) {
+  std::vector<double> values;
+  values.reserve(by_name.size());
+  for (const auto& [name, value] : by_name) values.push_back(value);
+  return values;
+}
+
+Cells summary_columns() {
+  return {"games",     "void_games", "mean_a", "sd_a",       "mean_b",     "sd_b",
+          "mean_diff", "sd_diff",    "pairs",  "diff_low95", "diff_high95"};
+}
+
+Cells summary_cells(const Group& group) {
+  Cells cells = {std::to_string(group.goals_a.size()), std::to_string(group.void_games)};
+  for (const auto* sample : {&group.goals_a, &group.goals_b, &group.differences}) {
+    cells.push_back(number_cell(mean_of(*sample)));
+    cells.push_back(number_cell(standard_deviation(*sample)));
+  }
+  cells.push_back(std::to_string(group.pair_differences.size()));
+  const std::optional<Interval> interval = mean_interval(values_of(group.pair_differences));
+  cells.push_back(number_cell(interval ? std::optional(interval->low) : std::nullopt));
+  cells.push_back(number_cell(interval ? std::optional(interval->high) : std::nullopt));
+  return cells;
+}
+
+Cells table_columns() { return {"games", "goals a", "goals b", "a minus b [95 %]", "void"}; }
+
+Cells table_cells(const Group& group) {
+  return {std::to_string(group.goals_a.size()), score_text(group.goals_a),
+          score_text(group.goals_b),
+          difference_text(group.differences, values_of(group.pair_differences)),
+          std::to_string(group.void_games)};
+}
+
+std::string difference_text(const std::vector<double>& differences,
+                            const std::vector<double>& pair_differences) {
+  if (differences.empty()) return "-";
+  const std::optional<Interval> interval = mean_interval(pair_differences);
+  std::string text = fmt::format("{:+.2f}", mean(differences));
+  if (interval) text += fmt::format(" [{:+.2f}, {:+.2f}]", interval->low, interval->high);
+  return text;
+}
+
+std::string number_cell(std::optional<double> number) {
+  return number ? fmt::format("{:.4f}", *number) : "";
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,21 @@
+// From a round robin to its list of games.
+#pragma once
+
+#include <vector>
+
+#include "runner/plan.hpp"
+#include "runner/roundrobin.hpp"
+
+namespace autoref::runner {
+
+// The games in the order in which they are played: both legs of a pair back to back, and pair by
+// pair over all matchups, so that a run that is cut short is balanced. Ids are such as
+// "bold~zone-p0007-2".
+//
+// A game depends on its two teams, the pair within its matchup and its leg only: adding teams or
+// pairs changes no other game. Sides, first kick-off and seed are as set_leg() has them; pairs of
+// one number have the same seeds in every matchup. Throws std::invalid_argument where a setting is
+// wrong; it begins with the setting's path, such as "teams.bold.params.pass_risk".
+std::vector<PlannedGame> plan(const RoundRobin& robin);
+
+}  // namespace autoref::runner

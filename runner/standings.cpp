@@ -1,0 +1,82 @@
+#include "runner/standings.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+#include "runner/statistics.hpp"
+
+namespace autoref::runner {
+namespace {
+
+double sum_of(const std::vector<double>& sample) {
+  return std::accumulate(sample.begin(), sample.end(), 0.0);
+}
+
+// `sign` is -1 where the team is the matchup's b.
+void add_differences(Standing& standing, const Group& matchup, double sign) {
+  for (const double difference : matchup.differences) {
+    standing.differences.push_back(sign * difference);
+  }
+  for (const double difference : values_of(matchup.pair_differences)) {
+    standing.pair_differences.push_back(sign * difference);
+  }
+  standing.draws += matchup.draws;
+  standing.void_games += matchup.void_games;
+}
+
+void add_a(Standing& standing, const Group& matchup) {
+  standing.wins += matchup.wins_a;
+  standing.losses += matchup.wins_b;
+  standing.goals_for += sum_of(matchup.goals_a);
+  standing.goals_against += sum_of(matchup.goals_b);
+  add_differences(standing, matchup, 1);
+}
+
+void add_b(Standing& standing, const Group& matchup) {
+  standing.wins += matchup.wins_b;
+  standing.losses += matchup.wins_a;
+  standing.goals_for += sum_of(matchup.goals_b);
+  standing.goals_against += sum_of(matchup.goals_a);
+  add_differences(standing, matchup, -1);
+}
+
+double mean_difference(const Standing& standing) {
+  return standing.differences.empty() ? 0 : mean(standing.differences);
+}
+
+bool is_better(const Standing& left, const Standing& right) {
+  const double of_left = mean_difference(left);
+  const double of_right = mean_difference(right);
+  return std::tuple(-left.points(), -of_left, left.team) <
+         std::tuple(-right.points(), -of_right, right.team);
+}
+
+}  // namespace
+
+std::vector<Group> grouped(const RoundRobin& robin, const RowFormat& format,
+                           const std::vector<Cells>& rows) {
+  std::vector<Cells> matchups;
+  for (const Matchup& matchup : matchups_of(robin)) {
+    matchups.push_back({matchup.team_a, matchup.team_b});
+  }
+  return grouped({"team_a", "team_b"}, matchups, format, rows);
+}
+
+std::vector<Standing> standings_of(const std::vector<Group>& matchups) {
+  std::map<std::string, Standing> by_team;
+  for (const Group& matchup : matchups) {
+    add_a(by_team[matchup.values[0]], matchup);
+    add_b(by_team[matchup.values[1]], matchup);
+  }
+  std::vector<Standing> standings;
+  for (auto& [team, standing] : by_team) {
+    standing.team = team;
+    standings.push_back(std::move(standing));
+  }
+  std::sort(standings.begin(), standings.end(), is_better);
+  return standings;
+}
+
+}  // namespace autoref::runner

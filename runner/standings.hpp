@@ -1,0 +1,37 @@
+// The table of a round robin: from its games' rows to its matchups' and teams' results.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "runner/groups.hpp"
+#include "runner/roundrobin.hpp"
+#include "runner/rows.hpp"
+
+namespace autoref::runner {
+
+// A group for each matchup, in matchups_of()'s order; its values are the two teams' names.
+std::vector<Group> grouped(const RoundRobin& robin, const RowFormat& format,
+                           const std::vector<Cells>& rows);
+
+// One team's results over all its matchups. Void games count only in `void_games`.
+struct Standing {
+  std::string team;
+  int wins = 0;
+  int draws = 0;
+  int losses = 0;
+  int void_games = 0;
+  double goals_for = 0;
+  double goals_against = 0;
+  std::vector<double> differences;       // of each game: its goals minus the other team's
+  std::vector<double> pair_differences;  // mean over the two legs, of pairs without a void leg
+
+  int games() const { return wins + draws + losses; }
+  int points() const { return 3 * wins + draws; }
+};
+
+// Best team first: by points, then by the mean of `differences`, then by name. `matchups` are those
+// of grouped().
+std::vector<Standing> standings_of(const std::vector<Group>& matchups);
+
+}  // namespace autoref::runner

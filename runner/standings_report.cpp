@@ -1,0 +1,95 @@
+#include "runner/standings_report.hpp"
+
+#include <fmt/format.h>
+
+#include "runner/csv.hpp"
+#include "runner/statistics.hpp"
+#include "runner/table.hpp"
+
+namespace autoref::runner {
+namespace {
+
+Cells results_of(const Group& matchup) {
+  return {std::to_string(matchup.wins_a), std::to_string(matchup.draws),
+          std::to_string(matchup.wins_b)};
+}
+
+std::string csv_of(const std::vector<Cells>& rows) {
+  std::string csv;
+  for (const Cells& row : rows) csv += csv_line(row) + "\n";
+  return csv;
+}
+
+// The part of a team's row that both, programs and people, are told.
+Cells record_of(const Standing& standing, std::size_t rank) {
+  return {std::to_string(rank),
+          standing.team,
+          std::to_string(standing.points()),
+          std::to_string(standing.games()),
+          std::to_string(standing.wins),
+          std::to_string(standing.draws),
+          std::to_string(standing.losses)};
+}
+
+Cells difference_cells(const Standing& standing) {
+  const std::vector<double>& sample = standing.differences;
+  const std::optional<Interval> interval = mean_interval(standing.pair_differences);
+  return {number_cell(sample.empty() ? std::nullopt : std::optional(mean(sample))),
+          std::to_string(standing.pair_differences.size()),
+          number_cell(interval ? std::optional(interval->low) : std::nullopt),
+          number_cell(interval ? std::optional(interval->high) : std::nullopt)};
+}
+
+}  // namespace
+
+std::string matchups_csv(const std::vector<Group>& matchups) {
+  std::vector<Cells> rows = {{"team_a", "team_b"}};
+  append(rows.front(), summary_columns());
+  append(rows.front(), {"wins_a", "draws", "wins_b"});
+  for (const Group& matchup : matchups) {
+    rows.push_back(matchup.values);
+    append(rows.back(), summary_cells(matchup));
+    append(rows.back(), results_of(matchup));
+  }
+  return csv_of(rows);
+}
+
+std::string standings_csv(const std::vector<Standing>& standings) {
+  std::vector<Cells> rows = {{"rank", "team", "points", "games", "wins", "draws", "losses",
+                              "void_games", "goals_for", "goals_against", "mean_diff", "pairs",
+                              "diff_low95", "diff_high95"}};
+  for (const Standing& standing : standings) {
+    Cells cells = record_of(standing, rows.size());
+    append(cells, {std::to_string(standing.void_games), fmt::format("{}", standing.goals_for),
+                   fmt::format("{}", standing.goals_against)});
+    append(cells, difference_cells(standing));
+    rows.push_back(std::move(cells));
+  }
+  return csv_of(rows);
+}
+
+std::string matchups_table(const std::vector<Group>& matchups) {
+  std::vector<Cells> rows = {{"a", "b"}};
+  append(rows.front(), table_columns());
+  append(rows.front(), {"a won", "drawn", "b won"});
+  for (const Group& matchup : matchups) {
+    rows.push_back(matchup.values);
+    append(rows.back(), table_cells(matchup));
+    append(rows.back(), results_of(matchup));
+  }
+  return aligned(rows, {Align::kLeft, Align::kLeft});
+}
+
+std::string standings_table(const std::vector<Standing>& standings) {
+  std::vector<Cells> rows = {{"", "team", "points", "games", "won", "drawn", "lost", "goals",
+                              "goals a game, for minus against [95 %]"}};
+  for (const Standing& standing : standings) {
+    Cells cells = record_of(standing, rows.size());
+    append(cells, {fmt::format("{}:{}", standing.goals_for, standing.goals_against),
+                   difference_text(standing.differences, standing.pair_differences)});
+    rows.push_back(std::move(cells));
+  }
+  return aligned(rows, {Align::kRight, Align::kLeft});
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,23 @@
+// What is told of a round robin: rows for programs, tables for people.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "runner/standings.hpp"
+
+namespace autoref::runner {
+
+// summary.csv: per matchup what summary_cells() says, then team a's wins, draws and losses.
+std::string matchups_csv(const std::vector<Group>& matchups);
+
+// standings.csv: per team, best first, its games, goals, points (3 for a win, 1 for a draw), and
+// the goal difference per game with its 95 % interval over all its pairs. Cells without a value are
+// empty.
+std::string standings_csv(const std::vector<Standing>& standings);
+
+// The tables for people, several lines each.
+std::string matchups_table(const std::vector<Group>& matchups);
+std::string standings_table(const std::vector<Standing>& standings);
+
+}  // namespace autoref::runner

@@ -1,0 +1,20 @@
+// How long teams think.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace autoref::runner {
+
+// What one team's thinking costs.
+struct TeamCost {
+  std::string name;
+  double ns_per_decision = 0;  // of the whole team, mean over a game against itself
+};
+
+// What that registered team's decisions take in a fixed game against itself, six against six, two
+// halves of 300 s; clock reads add some 30 ns. Throws std::invalid_argument for an unknown name,
+// and std::logic_error where its game is void.
+TeamCost cost_of_team(std::string_view name);
+
+}  // namespace autoref::runner

@@ -1,0 +1,27 @@
+// What the verbs of many games have in common.
+#include <CLI/CLI.hpp>
+
+#include "runner/verbs/command_line.hpp"
+#include "runner/workers.hpp"
+
+namespace autoref::runner {
+
+std::filesystem::path BatchArguments::results_folder() const {
+  if (!folder.empty()) return folder;
+  return std::filesystem::path("results/runs") / std::filesystem::path(file).stem();
+}
+
+int BatchArguments::worker_count() const { return workers > 0 ? workers : processors(); }
+
+void add_batch_options(CLI::App& verb, BatchArguments& arguments, const std::string& about_file) {
+  verb.add_option("FILE", arguments.file, about_file)->required();
+  verb.add_option("-o,--output", arguments.folder,
+                  "Folder for the results. Default: results/runs/<scenario>.")
+      ->type_name("DIR");
+  verb.add_option("-j,--workers", arguments.workers,
+                  "Games played at a time. Default: one per processor.")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,37 @@
+// The simple baseline: everything in one file, no passes, no marking, no memory worth the name.
+#pragma once
+
+#include "strategies/skills/limits.hpp"
+#include "strategies/skills/motion.hpp"
+#include "strategies/strategy.hpp"
+
+namespace autoref::strategies {
+
+// A keeper on its line; the field player nearest to the ball drives behind it and kicks it at the
+// goal; all others stand in a fixed formation.
+class Chaser final : public Strategy {
+ public:
+  explicit Chaser(const Briefing& briefing) : briefing_(briefing) {}
+
+  void decide(const TeamView& view, TeamOrders& orders) override;
+  TeamRequests requests() const override { return requests_; }
+
+ private:
+  bool may_chase() const;
+  void note_taker(int chaser);
+  int nearest_to_ball() const;
+  RobotCommand chase(int index) const;
+  RobotCommand stand(int index) const;
+  Waypoint place_of(int index) const;
+  double keeper_y_m(double line_x_m) const;
+  Limits limits() const;
+  Obstacles obstacles_for(int index, bool keeps_off_ball) const;
+
+  Briefing briefing_;
+  TeamView now_;             // the view looked ahead to when orders take effect
+  Vec2 ball_place_m_{0, 0};  // the ball, or where the referee is about to put it
+  int taker_ = -1;           // number of the robot that took a restart, until another has the ball
+  TeamRequests requests_;
+};
+
+}  // namespace autoref::strategies

@@ -1,0 +1,48 @@
+// A team made of skills, tactics and plays: what it does in which situation is its plan.
+#pragma once
+
+#include "strategies/plays/plays.hpp"
+#include "strategies/strategy.hpp"
+#include "strategies/tactics/style.hpp"
+
+namespace autoref::strategies {
+
+// What teams of this kind differ in: their numbers, and their plays where they have their own.
+struct Plan {
+  Style style;
+  void (*open_play)(Playbook& book, Cast& cast) = strategies::open_play;
+  void (*await_restart)(Playbook& book, Cast& cast) = strategies::await_restart;
+};
+
+class Squad final : public Strategy {
+ public:
+  // Numbers of the style that `briefing.params` names are taken from there.
+  Squad(const Briefing& briefing, const Plan& plan);
+  Squad(const Squad&) = delete;
+  Squad& operator=(const Squad&) = delete;
+
+  void decide(const TeamView& view, TeamOrders& orders) override;
+  TeamRequests requests() const override { return requests_; }
+
+ private:
+  void choose_play(Cast& cast);
+  void keep(const Cast& cast);
+  bool may_take() const;
+  void note_stop();
+  void note_restarter();
+  RobotCommand order_for(int index, const Task& task);
+
+  Plan plan_;
+  Outlook outlook_;
+  PassField field_;
+  BallHandler handler_;
+  Playbook book_;
+  Cast kept_;  // while play is stopped, and by who does not take the restart
+  int kept_robots_ = 0;
+  Play former_play_ = Play::kHalt;
+  int former_robots_ = 0;
+  double since_s_ = 0;  // view time when play last changed
+  TeamRequests requests_;
+};
+
+}  // namespace autoref::strategies

@@ -1,0 +1,21 @@
+// Where a robot may be: what the rules in force forbid right now.
+#pragma once
+
+#include "soccer/field.hpp"
+#include "soccer/units.hpp"
+
+namespace autoref::strategies {
+
+// What a place must respect right now.
+struct Limits {
+  bool own_half_only = false;       // before a kick-off
+  double keep_from_ball_m = 0;      // from a robot's centre to the ball
+  double keep_from_area_m = 0;      // from a robot's centre to the opponents' defence area
+  bool may_enter_own_area = false;  // the keeper
+  double beyond_lines_m = 90_mm;    // of a robot's centre, outside the field: half of it
+};
+
+// The permitted place nearest to `wanted_m`, or close to it.
+Vec2 permitted(const Field& field, const Vec2& wanted_m, const Vec2& ball_m, const Limits& limits);
+
+}  // namespace autoref::strategies

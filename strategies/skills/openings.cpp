@@ -1,0 +1,101 @@
+#include "strategies/skills/openings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "soccer/robot_shape.hpp"
+#include "strategies/skills/ball_path.hpp"
+
+namespace autoref::strategies {
+namespace {
+
+constexpr double kKickError_rad = 0.03;  // 1.5 degrees of the kicker, and the heading's own
+constexpr double kReaction_s = 0.08;     // from a kick until a robot moves
+constexpr double kReach_mps2 = 3.0;      // how it speeds up then
+constexpr double kLongestReach_m = 0.5;
+constexpr double kBlock_m = kRobotRadius_m + kBallRadius_m;
+constexpr double kNarrowest_m = 20_mm;  // before the ball a robot so near covers everything
+constexpr double kSafe_m = 150_mm;      // a lane with so much room to spare is safe
+
+double reach_m(double time_s) {
+  const double t = std::max(0.0, time_s - kReaction_s);
+  return std::min(kLongestReach_m, kReach_mps2 * t * t / 2);
+}
+
+// A part of the goal line, from low to high y.
+struct Span {
+  double low_m;
+  double high_m;
+};
+using Spans = boost::container::static_vector<Span, 2 * kMaxRobots>;
+
+// The shadow of a robot on the goal line, for a ball from `from_m`; `grown_m` is what it can move.
+void add_shadow(double goal_x, const Vec2& from_m, const Vec2& robot_m, double grown_m,
+                Spans& shadows) {
+  const double to_robot_m = robot_m.x() - from_m.x();
+  if (to_robot_m < kNarrowest_m || robot_m.x() > goal_x + kBlock_m) return;
+  const double stretch = (goal_x - from_m.x()) / to_robot_m;
+  const double slope = (robot_m.y() - from_m.y()) / to_robot_m;
+  const double half_m = (kBlock_m + grown_m) * stretch * std::sqrt(1 + slope * slope);
+  const double middle_m = from_m.y() + (robot_m.y() - from_m.y()) * stretch;
+  shadows.push_back({middle_m - half_m, middle_m + half_m});
+}
+
+Span widest_gap(Spans& shadows, double low_m, double high_m) {
+  std::sort(shadows.begin(), shadows.end(),
+            [](const Span& a, const Span& b) { return a.low_m < b.low_m; });
+  Span best{low_m, low_m};
+  double free_from_m = low_m;
+  for (const Span& shadow : shadows) {
+    const double until_m = std::min(shadow.low_m, high_m);
+    if (until_m - free_from_m > best.high_m - best.low_m) best = {free_from_m, until_m};
+    free_from_m = std::max(free_from_m, shadow.high_m);
+  }
+  if (high_m - free_from_m > best.high_m - best.low_m) best = {free_from_m, high_m};
+  return best;
+}
+
+// Share of a bell curve within `z` standard deviations of its middle, to a few hundredths.
+double share_within(double z) { return z / std::sqrt(z * z + 1.1); }
+
+}  // namespace
+
+Opening widest_opening(const Field& field, const Vec2& from_m, const TrackedRobots& opponents,
+                       const TrackedRobots& own, const ShotTerms& terms) {
+  const double goal_x = field.half_length_m();
+  if (from_m.x() > goal_x - 50_mm) return {field.goal_centre_m(Side::kEast), 0, 0};
+  Spans shadows;
+  for (const TrackedRobot& robot : opponents) {
+    const double time_s = roll_time_s(terms.kick_mps, (robot.position_m - from_m).norm());
+    add_shadow(goal_x, from_m, robot.position_m, reach_m(time_s), shadows);
+  }
+  for (const TrackedRobot& robot : own) {
+    if (robot.number != terms.but_mate) add_shadow(goal_x, from_m, robot.position_m, 0, shadows);
+  }
+  const double post_m = field.half_goal_m() - kBallRadius_m;
+  const Span gap = widest_gap(shadows, -post_m, post_m);
+  const Vec2 target_m(goal_x, (gap.low_m + gap.high_m) / 2);
+  const Vec2 way = target_m - from_m;
+  const double distance_m = way.norm();
+  // Seen at an angle, and the ball's own width does not shrink with it.
+  const double sine = way.x() / distance_m;
+  const double half_m =
+      std::max(0.0, (gap.high_m - gap.low_m) / 2 * sine - kBallRadius_m * (1 - sine));
+  return {target_m, half_m, share_within(half_m / (kKickError_rad * distance_m))};
+}
+
+double pass_safety(const Vec2& from_m, const Vec2& to_m, double kick_mps,
+                   const TrackedRobots& opponents) {
+  double least_m = kSafe_m;
+  for (const TrackedRobot& robot : opponents) {
+    const Vec2 near_m = nearest_on_segment(robot.position_m, from_m, to_m);
+    const double aside_m = (robot.position_m - near_m).norm();
+    if (aside_m > kLongestReach_m + kBlock_m + kSafe_m) continue;
+    const double time_s = roll_time_s(kick_mps, (near_m - from_m).norm());
+    least_m = std::min(least_m, aside_m - kBlock_m - reach_m(time_s));
+  }
+  return std::clamp(least_m / kSafe_m, 0.0, 1.0);
+}
+
+}  // namespace autoref::strategies

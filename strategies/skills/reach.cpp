@@ -1,0 +1,77 @@
+#include "strategies/skills/reach.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "soccer/robot_shape.hpp"
+
+namespace autoref::strategies {
+namespace {
+
+constexpr double kUsableBraking = 0.75;  // of what the robot can; the wheels take their share
+constexpr double kTouch_m = kFrontDistance_m + kBallRadius_m;
+constexpr double kBeyond_m = 100_mm;  // outside the field where a robot may still save a ball
+
+// Seconds for `distance_m` on a line from the speed `along_mps` to rest.
+double line_time_s(double distance_m, double along_mps, const Abilities& a) {
+  const double brake_mps2 = kUsableBraking * a.braking_mps2;
+  if (along_mps < 0) {  // first stops, then has farther to go
+    const double stop_s = -along_mps / brake_mps2;
+    return stop_s + line_time_s(distance_m - along_mps * stop_s / 2, 0, a);
+  }
+  const double speed2 = along_mps * along_mps;
+  const double peak2 =
+      (2 * distance_m + speed2 / a.acceleration_mps2) / (1 / a.acceleration_mps2 + 1 / brake_mps2);
+  if (peak2 <= speed2) return 2 * distance_m / std::max(0.1, along_mps);  // overshoots a little
+  const double top_mps = std::max(a.speed_mps, along_mps);
+  if (peak2 <= top_mps * top_mps) {
+    const double peak_mps = std::sqrt(peak2);
+    return (peak_mps - along_mps) / a.acceleration_mps2 + peak_mps / brake_mps2;
+  }
+  const double ramps_m = (top_mps * top_mps - speed2) / (2 * a.acceleration_mps2) +
+                         top_mps * top_mps / (2 * brake_mps2);
+  return (top_mps - along_mps) / a.acceleration_mps2 + top_mps / brake_mps2 +
+         (distance_m - ramps_m) / top_mps;
+}
+
+}  // namespace
+
+double time_to_s(const TrackedRobot& robot, const Vec2& point_m, const Abilities& abilities) {
+  const Vec2 offset = point_m - robot.position_m;
+  const double distance_m = offset.norm();
+  if (distance_m < 1e-6) return robot.velocity_mps.norm() / abilities.braking_mps2;
+  const Vec2 way = offset / distance_m;
+  const double along_mps = robot.velocity_mps.dot(way);
+  const double aside_mps = std::abs(cross(way, robot.velocity_mps));
+  // Sideways motion is braked on the way; it costs about half of what it takes alone.
+  return line_time_s(distance_m, along_mps, abilities) + 0.5 * aside_mps / abilities.braking_mps2;
+}
+
+Meeting meet(const TrackedRobot& robot, const BallPath& path, const Abilities& abilities,
+             const Field& field) {
+  const double x_m = field.half_length_m() + kBeyond_m;
+  const double y_m = field.half_width_m() + kBeyond_m;
+  const int stride = path.speed_mps() < 0.5 ? 4 : 2;
+  Meeting last{path.now_m(), 0};
+  double last_late_s = 0;
+  for (int step = 0; step <= BallPath::kSteps; step += stride) {
+    const Vec2& ball_m = path.at_step(step);
+    if (step > 0 && (std::abs(ball_m.x()) > x_m || std::abs(ball_m.y()) > y_m)) break;
+    const Vec2 to_robot = direction_of(robot.position_m - ball_m, Vec2(-1, 0));
+    const double needed_s = time_to_s(robot, ball_m + to_robot * kTouch_m, abilities);
+    const double ball_s = step * BallPath::kStep_s;
+    if (path.speed_mps() <= 0) return {ball_m, needed_s};
+    const double late_s = needed_s - ball_s;
+    if (late_s <= 0 && step == 0) return {ball_m, 0};
+    if (late_s <= 0) {  // between this step and the one before
+      const double share = last_late_s / (last_late_s - late_s);
+      return {last.point_m + share * (ball_m - last.point_m),
+              ball_s - (1 - share) * stride * BallPath::kStep_s};
+    }
+    last = {ball_m, needed_s};
+    last_late_s = late_s;
+  }
+  return last;
+}
+
+}  // namespace autoref::strategies

@@ -1,0 +1,57 @@
+#include "strategies/tactics/duel.hpp"
+
+#include "soccer/robot_shape.hpp"
+#include "strategies/skills/strike.hpp"
+
+namespace autoref::strategies {
+namespace {
+
+constexpr double kThere_m = 60_mm;  // from here on it presses
+constexpr double kPress_mps = 0.5;
+constexpr double kClose_per_s = 6.0;
+constexpr double kTry_s = 0.5;  // one side of a face-off
+constexpr double kAhead_mps = 0.3;
+constexpr double kAside_mps = 0.8;
+constexpr double kTurn_radps = 5.0;
+
+}  // namespace
+
+bool opponent_has_ball(const Outlook& outlook) {
+  const int opponent = outlook.their_fastest();
+  return opponent >= 0 && has_ball(outlook.now().opponents[static_cast<std::size_t>(opponent)],
+                                   outlook.path().now_m());
+}
+
+RobotCommand block_ball(const Outlook& outlook, int index) {
+  const TrackedRobot& robot = outlook.robot(index);
+  const Vec2& ball_m = outlook.path().now_m();
+  const Vec2 goal_m = outlook.field().goal_centre_m(Side::kWest);
+  const Vec2 back = direction_of(goal_m - ball_m, Vec2(-1, 0));
+  const Vec2 stand_m = ball_m + back * (kFrontDistance_m + kBallRadius_m);
+  const Vec2 off = stand_m - robot.position_m;
+  const DrivingStyle style = outlook.driving(index);
+  RobotCommand command;
+  if (off.norm() > kThere_m) {
+    Obstacles obstacles;
+    robots_around(outlook, index, stand_m, obstacles);
+    command = drive_via(robot, steer_for(robot, stand_m, obstacles), {stand_m, -back}, style);
+  } else {
+    command = drive_with(robot, off * kClose_per_s - back * kPress_mps, -back, style);
+  }
+  command.dribble = true;
+  return command;
+}
+
+RobotCommand FaceOff::break_away(double now_s) {
+  if (now_s > until_s_) {
+    until_s_ = now_s + kTry_s;
+    side_ = random_.uniform() < 0.5 ? 1.0 : -1.0;
+  }
+  RobotCommand command;
+  command.velocity_mps = Vec2(kAhead_mps, side_ * kAside_mps);
+  command.angular_velocity_radps = side_ * kTurn_radps;
+  command.dribble = true;
+  return command;
+}
+
+}  // namespace autoref::strategies

@@ -1,0 +1,83 @@
+#include "strategies/tactics/keeper.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "soccer/robot_shape.hpp"
+
+namespace autoref::strategies {
+namespace {
+
+constexpr double kShot_mps = 0.6;         // a slower ball is no shot
+constexpr double kBesidePost_m = 150_mm;  // a shot that goes so little wide is kept as well
+constexpr double kOffLine_m = 20_mm;      // of the hull, at least
+constexpr double kFetch_mps = 1.2;        // slower balls in the area are fetched
+constexpr double kAreaMargin_m = 30_mm;
+
+// Where the ball will cross the own goal line, if it comes to be in the goal or near it.
+std::optional<Vec2> shot_at(const Outlook& outlook) {
+  const BallPath& path = outlook.path();
+  const double goal_x = -outlook.field().half_length_m();
+  if (path.way().x() > -0.1 || path.speed_mps() < kShot_mps) return std::nullopt;
+  const double share = (goal_x - path.now_m().x()) / path.way().x();
+  if (share < 0) return std::nullopt;
+  const double y = path.now_m().y() + share * path.way().y();
+  if (std::abs(y) > outlook.field().half_goal_m() + kBesidePost_m) return std::nullopt;
+  if (path.end_m().x() > goal_x + 0.3) return std::nullopt;  // it will not get there
+  return Vec2(goal_x, y);
+}
+
+}  // namespace
+
+Waypoint keeper_place(const Outlook& outlook, const TrackedRobot& keeper) {
+  const Field& field = outlook.field();
+  const double least_x = -field.half_length_m() + kRobotRadius_m + kOffLine_m;
+  if (const auto crossing_m = shot_at(outlook)) {
+    // The nearest point of the ball's way, but before the line and not beyond the ball.
+    Vec2 place_m = nearest_on_segment(keeper.position_m, *crossing_m, outlook.path().now_m());
+    if (place_m.x() < least_x) {
+      const Vec2 way = outlook.path().way();
+      place_m += way * ((least_x - place_m.x()) / way.x());
+    }
+    return facing_ball(outlook, place_m);
+  }
+  const Vec2& ball_m = outlook.place_m();
+  const Vec2 left_post_m(-field.half_length_m(), field.half_goal_m());
+  const Vec2 right_post_m(-field.half_length_m(), -field.half_goal_m());
+  const Vec2 to_left = direction_of(left_post_m - ball_m, Vec2(-1, 0));
+  const Vec2 to_right = direction_of(right_post_m - ball_m, Vec2(-1, 0));
+  const Vec2 halving = direction_of(to_left + to_right, Vec2(-1, 0));
+  const double out_m = outlook.style().keeper_out_m;
+  const double stand_x = -field.half_length_m() + std::max(out_m, kRobotRadius_m + kOffLine_m);
+  if (halving.x() > -0.25) {  // from beside the goal: the near post
+    const double y = std::copysign(field.half_goal_m() - kRobotRadius_m, ball_m.y());
+    return facing_ball(outlook, {least_x, y});
+  }
+  const double x = std::min(stand_x, ball_m.x() - kRobotRadius_m);
+  const double y = ball_m.y() + halving.y() * (x - ball_m.x()) / halving.x();
+  const double reach_m = field.half_goal_m() - kRobotRadius_m / 2;
+  return facing_ball(outlook, {std::max(x, least_x), std::clamp(y, -reach_m, reach_m)});
+}
+
+RobotCommand keep_goal(const Outlook& outlook, int index) {
+  const TrackedRobot& keeper = outlook.robot(index);
+  const Waypoint place = keeper_place(outlook, keeper);
+  DrivingStyle style = outlook.driving(index);
+  const bool is_late = (place.position_m - keeper.position_m).norm() > 50_mm;
+  if (shot_at(outlook) && is_late) style.braking_mps2 = outlook.abilities(index).braking_mps2;
+  Vec2 target_m = place.position_m;
+  if (const auto way_m = way_from_behind_goal(outlook.field(), keeper.position_m))
+    target_m = *way_m;
+  RobotCommand command = drive_via(keeper, target_m, {target_m, place.heading}, style);
+  command.dribble = true;
+  return command;
+}
+
+bool is_keepers_ball(const Outlook& outlook) {
+  const Vec2& ball_m = outlook.path().now_m();
+  return distance_to_defence_area(outlook.field(), Side::kWest, ball_m) < kAreaMargin_m &&
+         ball_m.x() > -outlook.field().half_length_m() && outlook.path().speed_mps() < kFetch_mps;
+}
+
+}  // namespace autoref::strategies

@@ -1,0 +1,18 @@
+// The goalkeeper.
+#pragma once
+
+#include "strategies/tactics/outlook.hpp"
+
+namespace autoref::strategies {
+
+// Where the keeper stands: on the way of a ball that will be in the goal; else on the line that
+// halves the goal's angle seen from the ball, ahead of the goal line by the style's keeper_out_m.
+Waypoint keeper_place(const Outlook& outlook, const TrackedRobot& keeper);
+
+// Orders for the keeper, the robot of that index, while it does not play the ball.
+RobotCommand keep_goal(const Outlook& outlook, int index);
+
+// Whether the ball lies where only the keeper should play it, and slowly enough to be fetched.
+bool is_keepers_ball(const Outlook& outlook);
+
+}  // namespace autoref::strategies

@@ -1,0 +1,195 @@
+#include "strategies/tactics/outlook.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "soccer/robot_shape.hpp"
+#include "strategies/skills/outlook.hpp"
+
+namespace autoref::strategies {
+namespace {
+
+constexpr double kUsableBraking = 0.55;   // planned with, of what a robot can
+constexpr double kFromTheirArea_m = 0.1;  // from a ball that may be played to the area
+constexpr double kFromOwnArea_m = 0.12;
+constexpr double kEaseFrom_m = 0.6;  // gap between hulls from which closing speeds are looked at
+constexpr double kGentle_mps = 0.7;  // of closing speed that hurts nobody
+constexpr double kEase_mps2 = 2.5;
+constexpr double kBehindBall_m = 0.57;   // outside the field, for who takes a ball at the line
+constexpr double kOffArea_m = 60_mm;     // from a robot's centre, on its way past an area
+constexpr double kRoomForTaker_m = 0.5;  // from the ball to those who do not take it
+constexpr double kTurnBraking_radps2 = 14.0;
+constexpr double kStopSpeedShare = 0.85;  // of the speed allowed while play is stopped
+constexpr double kClearly_s = 0.15;       // sooner at the ball, for possession to change
+constexpr double kCaution = 0.93;         // of the speed limit of kicks: kickers are not exact
+constexpr double kNearRoom_m = 20_mm;     // kept from the ball by who is not to play it
+
+// Both areas as discs that touch their front lines, where the robot neither is in one nor goes
+// there.
+void add_areas(const Outlook& outlook, const TrackedRobot& robot, const Vec2& target_m,
+               Obstacles& obstacles) {
+  for (const Side side : kSides) {
+    const Vec2 goal_m = outlook.field().goal_centre_m(side);
+    const double apart_m = side == Side::kEast ? outlook.limits().keep_from_area_m : 0;
+    const double radius_m = outlook.field().defence_area.depth_m + std::max(apart_m, kOffArea_m);
+    if ((robot.position_m - goal_m).norm() > radius_m && (target_m - goal_m).norm() > radius_m)
+      obstacles.push_back({goal_m, radius_m});
+  }
+}
+
+}  // namespace
+
+Outlook::Outlook(const Briefing& briefing, const Style& style)
+    : briefing_(briefing), style_(style) {}
+
+void Outlook::update(const TeamView& view) {
+  look_ahead(view, now_);
+  path_.follow(view.ball, view.latency_s);
+  now_.ball.position_m = path_.now_m();
+  place_m_ = now_.placement_m.value_or(now_.ball.position_m);
+  meet_ball();
+  settle_possession();
+}
+
+const Abilities& Outlook::abilities(int index) const {
+  return briefing_.robots[static_cast<std::size_t>(robot(index).number)];
+}
+
+// Opponents are looked at every other frame only.
+void Outlook::meet_ball() {
+  for (int i = 0; i < robots(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    meetings_[at] = meet(robot(i), path_, abilities(i), field());
+  }
+  theirs_ = {path_.end_m(), std::numeric_limits<double>::infinity()};
+  their_fastest_ = -1;
+  static const Abilities kUsual;
+  for (int i = 0; i < static_cast<int>(now_.opponents.size()); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if ((now_.frame + i) % 2 == 0 || their_meetings_[at].time_s <= 0)
+      their_meetings_[at] = meet(now_.opponents[at], path_, kUsual, field());
+    if (their_meetings_[at].time_s >= theirs_.time_s) continue;
+    theirs_ = their_meetings_[at];
+    their_fastest_ = i;
+  }
+}
+
+void Outlook::settle_possession() {
+  if (now_.play != Play::kRunning) {
+    is_ours_ = restart_is_ours();
+    return;
+  }
+  double ours_s = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < robots(); ++i) ours_s = std::min(ours_s, meeting(i).time_s);
+  is_ours_ = ours_s < theirs_.time_s + (is_ours_ ? kClearly_s : -kClearly_s);
+}
+
+bool Outlook::is_waiting() const {
+  return now_.play == Play::kStop || now_.play == Play::kHalt ||
+         now_.play == Play::kPrepareKickoff || now_.play == Play::kPreparePenalty;
+}
+
+bool Outlook::restart_is_ours() const {
+  return now_.play == Play::kStop ? now_.next_is_ours : now_.ours;
+}
+
+double Outlook::room_at_ball_m() const {
+  if (now_.play == Play::kRunning) return 0;
+  if (now_.ours && is_restart(now_.play)) return 0;
+  const bool is_judged = rules().has(RuleId::kRestartDistance);
+  return rules().opponents_to_ball_m + (is_judged ? kBallRadius_m : 0.0);
+}
+
+Limits Outlook::limits() const {
+  Limits limits;
+  if (now_.play == Play::kRunning) return limits;
+  limits.own_half_only = now_.play == Play::kPrepareKickoff || now_.play == Play::kKickoff ||
+                         now_.next == CommandKind::kPrepareKickoff;
+  if (restart_is_ours()) limits.beyond_lines_m = kBehindBall_m;
+  const double room_m = room_at_ball_m();
+  limits.keep_from_ball_m = room_m > 0 ? room_m + kRobotRadius_m : kRoomForTaker_m;
+  limits.keep_from_area_m = rules().attacker_to_area_m + kRobotRadius_m;
+  return limits;
+}
+
+DrivingStyle Outlook::driving(int index) const {
+  const Abilities& a = abilities(index);
+  DrivingStyle style;
+  style.speed_mps = a.speed_mps;
+  style.braking_mps2 = kUsableBraking * a.braking_mps2;
+  style.turn_braking_radps2 = kTurnBraking_radps2;
+  style.approach_per_s = 9;
+  if (now_.play == Play::kStop && rules().has(RuleId::kStopSpeed))
+    style.speed_mps = std::min(a.speed_mps, kStopSpeedShare * rules().stop_speed_mps);
+  return style;
+}
+
+// A little before the areas' lines: the robot must stay out with its whole hull.
+bool Outlook::may_touch_at(const Vec2& ball_m) const {
+  if (rules().has(RuleId::kAttackerInArea) &&
+      distance_to_defence_area(field(), Side::kEast, ball_m) < kFromTheirArea_m)
+    return false;
+  return !rules().has(RuleId::kDefenderInArea) || robots() == 1 ||
+         distance_to_defence_area(field(), Side::kWest, ball_m) > kFromOwnArea_m;
+}
+
+double Outlook::allowed_kick_mps(double wanted_mps) const {
+  const double share = rules().has(RuleId::kKickSpeed) ? kCaution : 1.0;
+  return std::min(wanted_mps, share * rules().kick_limit_mps);
+}
+
+void robots_around(const Outlook& outlook, int index, const Vec2& target_m, Obstacles& obstacles) {
+  const TeamView& now = outlook.now();
+  find_obstacles({now.own, now.opponents, 0, now.ball.position_m}, outlook.robot(index), target_m,
+                 obstacles);
+}
+
+Waypoint facing_ball(const Outlook& outlook, const Vec2& position_m) {
+  return {position_m, direction_of(outlook.place_m() - position_m, Vec2(1, 0))};
+}
+
+RobotCommand go_to(const Outlook& outlook, int index, const Waypoint& wanted) {
+  const TrackedRobot& robot = outlook.robot(index);
+  const TeamView& now = outlook.now();
+  Waypoint goal = wanted;
+  goal.position_m =
+      permitted(outlook.field(), wanted.position_m, outlook.place_m(), outlook.limits());
+  // Clamped to the field it may lie in the ball's circle again: then towards the field's middle.
+  const double keep_m = outlook.limits().keep_from_ball_m;
+  if ((goal.position_m - outlook.place_m()).norm() < keep_m)
+    goal.position_m =
+        outlook.place_m() + direction_of(-outlook.place_m(), Vec2(-1, 0)) * (keep_m + kNearRoom_m);
+  if (const auto way_m = way_from_behind_goal(outlook.field(), robot.position_m))
+    goal.position_m = *way_m;
+  Obstacles obstacles;
+  const double room_m = std::max(kNearRoom_m, outlook.room_at_ball_m());
+  find_obstacles({now.own, now.opponents, room_m, now.ball.position_m}, robot, goal.position_m,
+                 obstacles);
+  add_areas(outlook, robot, goal.position_m, obstacles);
+  const DrivingStyle style = outlook.driving(index);
+  const Vec2 off_m = robot.position_m - now.ball.position_m;
+  if (room_m > kNearRoom_m && off_m.norm() < room_m + kRobotRadius_m - kNearRoom_m) {
+    const Vec2 out = direction_of(off_m, Vec2(-1, 0));  // straight out of the ball's circle first
+    return drive_via(robot, robot.position_m + out * kNearRoom_m * 10, goal, style);
+  }
+  const Vec2 steer_m = steer_for(robot, goal.position_m, obstacles);
+  return drive_via(robot, steer_m, goal, style);
+}
+
+void ease_off(const Outlook& outlook, int index, RobotCommand& command) {
+  const TrackedRobot& robot = outlook.robot(index);
+  Vec2 velocity_mps = to_world(command.velocity_mps, robot.heading);
+  for (const TrackedRobot& opponent : outlook.now().opponents) {
+    const Vec2 there = opponent.position_m - robot.position_m;
+    const double gap_m = there.norm() - 2 * kRobotRadius_m;
+    if (gap_m > kEaseFrom_m) continue;
+    const Vec2 way = direction_of(there, Vec2(1, 0));
+    const double most_mps = kGentle_mps + std::sqrt(2 * kEase_mps2 * std::max(0.0, gap_m));
+    const double closing_mps = (velocity_mps - opponent.velocity_mps).dot(way);
+    if (closing_mps > most_mps) velocity_mps -= way * (closing_mps - most_mps);
+  }
+  command.velocity_mps = to_local(velocity_mps, robot.heading);
+}
+
+}  // namespace autoref::strategies

@@ -1,0 +1,48 @@
+// A field of pass values: what a ball would be worth at places ahead, and whether it gets there.
+#pragma once
+
+#include <array>
+
+#include "strategies/tactics/outlook.hpp"
+
+namespace autoref::strategies {
+
+// The chance that a shot from there scores, 0 to 1. `mate` is the number of the own robot that
+// would take it, or -1.
+double chance_at(const Outlook& outlook, const Vec2& point_m, int mate);
+
+// What a ball passed from `from_m` to `point_m` is worth there, 0 to 1, with that chance of a shot:
+// most where it can be sent on at the goal without stopping it first, a little for being far ahead.
+double worth_of(const Outlook& outlook, double chance, const Vec2& point_m, const Vec2& from_m);
+
+class PassField {
+ public:
+  static constexpr int kColumns = 8;  // across the field's length
+  static constexpr int kRows = 6;
+  static constexpr int kCells = kColumns * kRows;
+
+  explicit PassField(const Outlook& outlook);
+
+  // Values the next few cells, so that all are valued anew every few frames.
+  void update();
+
+  // A place for each of the receivers, given by their indices, one after the other: the best cell
+  // that is near enough to the robot and far enough from the others' places. Held for a while.
+  void send(const boost::container::static_vector<int, kMaxRobots>& receivers);
+
+  // The place last given to the robot of that number.
+  const Vec2& place_of(int number) const { return places_m_[static_cast<std::size_t>(number)]; }
+
+ private:
+  double value_for(int index, int cell,
+                   const boost::container::static_vector<Vec2, kMaxRobots>& taken_m) const;
+
+  const Outlook& outlook_;
+  std::array<Vec2, kCells> cells_m_;
+  std::array<double, kCells> values_{};
+  int next_ = 0;
+  std::array<Vec2, kMaxRobots> places_m_;
+  std::int64_t settle_frame_ = -1000;
+};
+
+}  // namespace autoref::strategies

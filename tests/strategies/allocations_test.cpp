@@ -1,0 +1,63 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <new>
+
+#include "strategies/registry.hpp"
+#include "tests/strategies/staged_world.hpp"
+
+namespace {
+std::size_t allocations = 0;
+}  // namespace
+
+// Every allocation of this test program is counted. Not inlined: compilers would take new and
+// delete for a mismatched pair.
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* place = std::malloc(size == 0 ? 1 : size)) return place;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* place) noexcept { std::free(place); }
+[[gnu::noinline]] void operator delete(void* place, std::size_t /*size*/) noexcept {
+  std::free(place);
+}
+
+namespace autoref::strategies {
+namespace {
+
+// Lets a team play through every situation and counts what it allocates in its decisions.
+std::size_t allocated_by(Strategy& team) {
+  std::size_t allocated = 0;
+  StagedWorld world(Play::kHalt);
+  world.six_against_six().ball({0.2, 0.1});
+  for (int play = 0; play <= static_cast<int>(Play::kRunning); ++play) {
+    for (const bool ours : {true, false}) {
+      world.view.play = static_cast<Play>(play);
+      world.view.ours = ours;
+      for (int frame = 0; frame < 60; ++frame) {
+        const std::size_t before = allocations;
+        world.step(team);
+        allocated += allocations - before;
+      }
+    }
+  }
+  return allocated;
+}
+
+TEST(Allocations, AreCounted) {
+  const std::size_t before = allocations;
+  const auto number = std::make_unique<int>(1);
+  EXPECT_EQ(allocations, before + 1) << *number;
+}
+
+TEST(Allocations, AreNotMadeByAnyTeamsDecisions) {
+  for (const Entry& entry : all_strategies()) {
+    const std::unique_ptr<Strategy> team = entry.make(Briefing{});
+    StagedWorld first(Play::kRunning);
+    first.six_against_six().step(*team);  // what is made once may be made here
+    EXPECT_EQ(allocated_by(*team), 0U) << entry.name;
+  }
+}
+
+}  // namespace
+}  // namespace autoref::strategies

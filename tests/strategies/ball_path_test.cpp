@@ -1,0 +1,100 @@
+#include "strategies/skills/ball_path.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/strategies/staged_world.hpp"
+
+namespace autoref::strategies {
+namespace {
+
+// 3 m/s: slides 0.729 m in 0.291 s, then rolls from 2.01 m/s for the 1.709 s that are left of 2 s.
+TEST(BallPath, SlidesAndRollsAfterAKick) {
+  BallPath path;
+  path.follow({{-2, 1}, {0, 3}}, 0);
+  EXPECT_NEAR(path.at_step(2).y() - 1, 3 * 0.2 - 3.4 * 0.2 * 0.2 / 2, 0.03);
+  EXPECT_NEAR(path.end_m().y() - 1, 0.729 + 2.01 * 1.709 - 0.30 * 1.709 * 1.709 / 2, 0.15);
+  EXPECT_NEAR(path.end_m().x(), -2, 1e-9);
+}
+
+TEST(BallPath, EndsWhereASlowBallComesToRest) {
+  const CarpetBall ball{{0, 0}, {1, 0}, 0.6};  // rests after 1.4 s
+  BallPath path;
+  path.follow(ball.at(0), 0);
+  EXPECT_NEAR(path.end_m().x(), ball.longest_m(), 0.05 * ball.longest_m());
+  EXPECT_EQ(path.at_step(18), path.end_m());
+}
+
+TEST(BallPath, TellsTheLaterPlacesOfABallItHasFollowed) {
+  for (const double kick_mps : {1.5, 4.0, 8.0}) {
+    const CarpetBall ball{{0, 0}, {0.6, -0.8}, kick_mps};
+    BallPath path;
+    for (int frame = 0; frame <= 90; ++frame) {
+      path.follow(ball.at(frame * kStagedFrame_s), 0);
+      const Vec2 now_m = ball.at(frame * kStagedFrame_s).position_m;
+      const Vec2 later_m = ball.at(frame * kStagedFrame_s + 1).position_m;
+      ASSERT_LT((path.at_step(10) - later_m).norm(), 0.05 * (later_m - now_m).norm())
+          << kick_mps << " m/s, frame " << frame;
+    }
+  }
+}
+
+TEST(BallPath, BeginsWhereTheBallIsWhenOrdersTakeEffect) {
+  const CarpetBall ball{{1, 1}, {-1, 0}, 4};
+  BallPath path;
+  path.follow(ball.at(0), 0.1);
+  EXPECT_NEAR(path.now_m().x(), ball.at(0.1).position_m.x(), 0.02);
+  EXPECT_NEAR(path.at_step(5).x(), ball.at(0.6).position_m.x(), 0.1);
+}
+
+TEST(BallPath, KeepsAStillBallWhereItIs) {
+  BallPath path;
+  path.follow({{0.3, -0.4}, {0, 0}}, 0.05);
+  EXPECT_EQ(path.now_m(), Vec2(0.3, -0.4));
+  EXPECT_EQ(path.end_m(), Vec2(0.3, -0.4));
+  EXPECT_EQ(path.speed_mps(), 0);
+}
+
+TEST(BallPath, NoticesThatARollingBallIsKickedAgain) {
+  const CarpetBall first{{0, 0}, {1, 0}, 3};
+  const CarpetBall second{first.at(1).position_m, {0, 1}, 5};
+  BallPath path;
+  for (int frame = 0; frame < 60; ++frame) path.follow(first.at(frame * kStagedFrame_s), 0);
+  path.follow(second.at(0), 0);
+  EXPECT_LT((path.end_m() - second.at(2).position_m).norm(), 0.3);
+}
+
+// The speed that is left of a kick after `distance_m`.
+double left_mps(const CarpetBall& kick, double distance_m) {
+  const double slid_m = std::min(distance_m, kick.slide_m());
+  const double rolled_m = distance_m - slid_m;
+  const double slid2 = kick.kick_mps * kick.kick_mps - 2 * CarpetBall::kSlide_mps2 * slid_m;
+  return std::sqrt(std::max(0.0, slid2 - 2 * CarpetBall::kRoll_mps2 * rolled_m));
+}
+
+TEST(KickFor, GivesTheSpeedThatIsAskedForOnArrival) {
+  for (const double distance_m : {0.2, 1.0, 3.0, 6.0}) {
+    for (const double arrival_mps : {1.0, 2.0, 4.0}) {
+      const CarpetBall kick{{0, 0}, {1, 0}, kick_for_mps(distance_m, arrival_mps)};
+      EXPECT_NEAR(left_mps(kick, distance_m), arrival_mps, 0.05 * arrival_mps) << distance_m;
+    }
+  }
+}
+
+TEST(RollTime, IsWhenTheBallHasGoneThatFar) {
+  for (const double kick_mps : {2.0, 5.0, 8.0}) {
+    for (const double distance_m : {0.1, 0.5, 2.0}) {
+      const CarpetBall kick{{0, 0}, {1, 0}, kick_mps};
+      const double time_s = roll_time_s(kick_mps, distance_m);
+      EXPECT_NEAR(kick.at(time_s).position_m.x(), distance_m, 0.05 * distance_m) << kick_mps;
+    }
+  }
+}
+
+TEST(RollTime, IsTenSecondsForWhatABallNeverReaches) {
+  const CarpetBall kick{{0, 0}, {1, 0}, 1};
+  EXPECT_LT(roll_time_s(1, 0.9 * kick.longest_m()), 5);
+  EXPECT_EQ(roll_time_s(1, 1.1 * kick.longest_m()), 10);
+}
+
+}  // namespace
+}  // namespace autoref::strategies

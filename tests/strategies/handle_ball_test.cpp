@@ -1,0 +1,147 @@
+#include "strategies/tactics/handle_ball.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/strategies/staged_world.hpp"
+
+namespace autoref::strategies {
+namespace {
+
+// A staged world and who handles the ball in it.
+struct Staged : StagedOutlook {
+  using StagedOutlook::StagedOutlook;
+
+  // Decides often enough for all mates to have been looked at.
+  RobotCommand play(int index, int frames = 12) {
+    RobotCommand order;
+    for (int i = 0; i < frames; ++i) {
+      look(1);
+      handler.update();
+      order = handler.play(index);
+    }
+    return order;
+  }
+  // The same with the robot doing as told, for a ball that stays.
+  RobotCommand drive(int index, double seconds) {
+    RobotCommand order;
+    for (int i = 0; i < seconds * 60; ++i) {
+      order = play(index, 1);
+      obey(world.view.own[static_cast<std::size_t>(index)], order);
+    }
+    return order;
+  }
+
+  BallHandler handler{outlook};
+};
+
+Vec2 ball_held_by(const Vec2& robot_m, double side = 1) {
+  return robot_m + Vec2(side * kHeldBall_m, 0);
+}
+
+TEST(BallHandler, ShootsAtAnOpenGoal) {
+  Staged stage(Play::kRunning);
+  stage.world.own(0, {-2.8, 0}).own(1, {1.5, 0}).own(2, {1, 1}).ball(ball_held_by({1.5, 0}));
+  const RobotCommand order = stage.play(1);
+  const Choice& choice = stage.handler.choice();
+  EXPECT_EQ(choice.kind, Choice::Kind::kShot);
+  EXPECT_LT((choice.strike.target_m - Field{}.goal_centre_m(Side::kEast)).norm(), 0.35);
+  EXPECT_GT(order.kick_mps, 4);
+}
+
+TEST(BallHandler, KeepsTheSpeedLimitOfKicksWhereThereIsOne) {
+  Staged stage(Play::kRunning, false, briefing_of("2026-b"));
+  stage.world.own(0, {-4, 0}).own(1, {3, 0}).ball(ball_held_by({3, 0}));
+  EXPECT_LE(stage.play(1).kick_mps, 6.5);
+}
+
+// Two opponents close the goal for robot 1, which has the ball, a third one its way to robot 3;
+// robot 2 has the goal open before it.
+void stage_a_pass(StagedWorld& world) {
+  const Vec2 robot_m(1.5, -1.2);
+  world.own(0, {-2.8, 0}).own(1, robot_m).own(2, {1.5, 0.9}).own(3, {0, -1.1});
+  world.view.own[1].heading = {0, 1};
+  world.opponent(0, {1.95, -0.9}).opponent(1, {1.85, -0.75}).opponent(2, {0.6, -1.1});
+  world.ball(robot_m + Vec2(0, kHeldBall_m));
+}
+
+TEST(BallHandler, PassesToAFreeMateWhereTheGoalIsClosed) {
+  Staged stage(Play::kRunning);
+  stage_a_pass(stage.world);
+  const RobotCommand order = stage.play(1);
+  EXPECT_EQ(stage.handler.choice().kind, Choice::Kind::kPass);
+  EXPECT_EQ(stage.handler.receiver(), 2);
+  EXPECT_GT(order.kick_mps, 1);
+}
+
+TEST(BallHandler, ForgetsWhomAPassWasForOnceItMustHaveArrived) {
+  Staged stage(Play::kRunning);
+  stage_a_pass(stage.world);
+  stage.play(1);
+  ASSERT_TRUE(stage.handler.receiver().has_value());
+  for (int i = 0; i < 240; ++i) {
+    stage.look(1);
+    stage.handler.update();
+  }
+  EXPECT_FALSE(stage.handler.receiver().has_value());
+}
+
+TEST(BallHandler, ClearsAwayFromItsGoalUnderPressureWithNobodyToPassTo) {
+  Staged stage(Play::kRunning);
+  const Vec2 robot_m(-2.2, 0.2);
+  stage.world.own(3, robot_m).ball(ball_held_by(robot_m));
+  const Vec2 presser_m = ball_held_by(robot_m) + Vec2(0.1, 0.14);
+  stage.world.opponent(0, {2.9, 0}).opponent(1, presser_m);
+  stage.play(0);
+  const Choice& choice = stage.handler.choice();
+  EXPECT_EQ(choice.kind, Choice::Kind::kClear);
+  EXPECT_GT((choice.strike.target_m - ball_held_by(robot_m)).x(), 0.2);
+  EXPECT_GT(choice.strike.kick_mps, 1);
+}
+
+TEST(BallHandler, CarriesTheBallWhereItIsFreeButCannotShootOrPass) {
+  Staged stage(Play::kRunning);
+  stage.world.own(1, {-1, 0.5}).ball(ball_held_by({-1, 0.5}));
+  stage.world.opponent(0, {2.9, -0.1}).opponent(1, {2.9, 0.1}).opponent(2, {1, 1.5});
+  const RobotCommand order = stage.play(0);
+  EXPECT_EQ(stage.handler.choice().kind, Choice::Kind::kCarry);
+  EXPECT_TRUE(order.dribble);
+  EXPECT_EQ(order.kick_mps, 0);
+}
+
+TEST(BallHandler, StandsBetweenItsGoalAndAnOpponentThatHasTheBall) {
+  Staged stage(Play::kRunning);
+  stage.world.own(0, {-2.9, 0}).own(1, {-1, 0.8}).opponent(0, {0, 0}).ball({-kHeldBall_m, 0});
+  stage.drive(1, 3);
+  const Vec2 ball_m(-kHeldBall_m, 0);
+  const Vec2& robot_m = stage.world.view.own[1].position_m;
+  EXPECT_LT(distance_to_segment(robot_m, ball_m, Field{}.goal_centre_m(Side::kWest)), 50_mm);
+  EXPECT_LT((robot_m - ball_m).norm(), 0.25);
+}
+
+TEST(BallHandler, LeavesAFaceOffToASide) {
+  Staged stage(Play::kRunning);
+  stage.world.own(0, {-2.9, 0}).own(1, {0, 0}).opponent(0, {2 * kHeldBall_m, 0});
+  stage.world.ball({kHeldBall_m, 0});
+  const RobotCommand order = stage.play(1);
+  EXPECT_GT(std::abs(order.velocity_mps.y()), 0.3);
+  EXPECT_TRUE(order.dribble);
+  const RobotCommand next = stage.play(1, 3);
+  EXPECT_GT(order.velocity_mps.y() * next.velocity_mps.y(), 0);  // the same side for a while
+}
+
+TEST(BallHandler, FetchesAStillBallAndKicksItAtTheGoal) {
+  Staged stage(Play::kRunning);
+  stage.world.own(0, {-2.9, 0}).own(1, {0.9, 0.9}).ball({0.5, 0});
+  RobotCommand order;
+  bool is_kicked = false;
+  for (int i = 0; i < 240 && !is_kicked; ++i) {
+    order = stage.drive(1, kStagedFrame_s);
+    is_kicked = order.kick_mps > 0 && has_ball(stage.world.view.own[1], {0.5, 0});
+  }
+  ASSERT_TRUE(is_kicked);
+  const Vec2& ray = stage.world.view.own[1].heading;
+  EXPECT_LT(std::abs(ray.y() / ray.x() * (3.025 - 0.5)), 0.35);
+}
+
+}  // namespace
+}  // namespace autoref::strategies

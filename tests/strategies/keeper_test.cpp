@@ -1,0 +1,112 @@
+#include "strategies/tactics/keeper.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/strategies/staged_world.hpp"
+
+namespace autoref::strategies {
+namespace {
+
+const Field kField;
+constexpr double kGoal_x = -3.025;
+
+// A keeper in its goal and the ball there, moving or not.
+StagedOutlook staged(const Vec2& ball_m, const Vec2& velocity_mps = {0, 0}) {
+  StagedOutlook stage(Play::kRunning);
+  stage.world.own(0, {-2.8, 0}).opponent(0, {1, 0});
+  stage.world.view.ball = {ball_m, velocity_mps};
+  stage.outlook.update(stage.world.view);
+  return stage;
+}
+
+Vec2 place_for(const Vec2& ball_m, const Vec2& velocity_mps = {0, 0}) {
+  const StagedOutlook stage = staged(ball_m, velocity_mps);
+  return keeper_place(stage.outlook, stage.outlook.robot(0)).position_m;
+}
+
+TEST(KeeperPlace, HalvesTheAngleOfTheGoalSeenFromTheBall) {
+  for (const Vec2& ball_m : {Vec2(-1, 0.8), Vec2(0, -1), Vec2(-2, 0.2), Vec2(2, 1.5)}) {
+    const Vec2 to_keeper = place_for(ball_m) - ball_m;
+    const Vec2 to_left = Vec2(kGoal_x, kField.half_goal_m()) - ball_m;
+    const Vec2 to_right = Vec2(kGoal_x, -kField.half_goal_m()) - ball_m;
+    EXPECT_NEAR(angle_between(to_left, to_keeper), angle_between(to_keeper, to_right), 0.02)
+        << ball_m.transpose();
+  }
+}
+
+TEST(KeeperPlace, IsAheadOfTheLineByTheStylesDistance) {
+  EXPECT_NEAR(place_for({0, 0}).x(), kGoal_x + Style{}.keeper_out_m, 0.05);
+}
+
+TEST(KeeperPlace, IsAtTheNearPostForABallFromBeside) {
+  for (const double side : {1.0, -1.0}) {
+    const Vec2 place_m = place_for({kGoal_x + 0.1, 1.6 * side});
+    EXPECT_NEAR(place_m.y() * side, kField.half_goal_m() - kRobotRadius_m, 0.05);
+    EXPECT_LT(place_m.x(), kGoal_x + 0.25);
+  }
+}
+
+TEST(KeeperPlace, IsOnTheWayOfAShot) {
+  for (const double y : {-0.3, -0.1, 0.25}) {
+    const Vec2 ball_m(-1, 0.5);
+    const Vec2 way = (Vec2(kGoal_x, y) - ball_m).normalized();
+    const Vec2 place_m = place_for(ball_m, way * 4);
+    EXPECT_LT(distance_to_segment(place_m, ball_m, {kGoal_x, y}), 10_mm) << y;
+  }
+}
+
+// Else it would let itself be drawn away by every pass.
+TEST(KeeperPlace, DoesNotGoAfterAShotThatGoesWide) {
+  const Vec2 still_m = place_for({-1, 0.5});
+  const Vec2 wide_m = place_for({-1, 0.5}, (Vec2(kGoal_x, 0.6) - Vec2(-1, 0.5)).normalized() * 4);
+  EXPECT_LT((still_m - wide_m).norm(), 0.1);
+}
+
+TEST(KeeperPlace, IsNeverBehindItsLine) {
+  for (double x = kGoal_x; x < 3; x += 0.2) {
+    for (double y = -2; y <= 2; y += 0.2) {
+      for (const Vec2& velocity_mps : {Vec2(0, 0), Vec2(-3, 0), Vec2(-2, -2), Vec2(-2, 2)}) {
+        ASSERT_GE(place_for({x, y}, velocity_mps).x(), kGoal_x + kRobotRadius_m)
+            << x << ", " << y << " with " << velocity_mps.transpose();
+      }
+    }
+  }
+}
+
+TEST(IsKeepersBall, IsSoForASlowBallInItsAreaOnly) {
+  EXPECT_TRUE(is_keepers_ball(staged({-2.6, 0.2}).outlook));
+  EXPECT_TRUE(is_keepers_ball(staged({-2.6, 0.2}, {0.8, 0}).outlook));
+  EXPECT_FALSE(is_keepers_ball(staged({-2.6, 0.2}, {2, 0}).outlook));
+  EXPECT_FALSE(is_keepers_ball(staged({-2, 0.2}).outlook));
+  EXPECT_FALSE(is_keepers_ball(staged({2.6, 0.2}).outlook));
+  EXPECT_FALSE(is_keepers_ball(staged({-3.1, 0.2}).outlook));  // it is in the goal
+}
+
+// 4 m/s from 2 m: it has about 0.7 s for 0.25 m.
+TEST(KeepGoal, IsInTheWayOfAShotAtACornerInTime) {
+  StagedOutlook stage(Play::kRunning);
+  stage.world.own(0, {-2.8, 0}).ball({-1, 0});
+  const Vec2 corner_m(kGoal_x, 0.28);
+  stage.world.kick((corner_m - Vec2(-1, 0)).normalized() * 4);
+  TrackedRobot& keeper = stage.world.view.own[0];
+  while (stage.world.view.ball.position_m.x() > keeper.position_m.x() + kHeldBall_m) {
+    stage.look(1);
+    obey(keeper, keep_goal(stage.outlook, 0));
+  }
+  EXPECT_LT(distance_to_segment(keeper.position_m, {-1, 0}, corner_m), 30_mm);
+}
+
+TEST(KeepGoal, ComesBackFromTheFieldAndFacesTheBall) {
+  StagedOutlook stage(Play::kRunning);
+  stage.world.own(0, {0, 1}).ball({1, -1});
+  TrackedRobot& keeper = stage.world.view.own[0];
+  for (int i = 0; i < 240; ++i) {
+    stage.look(1);
+    obey(keeper, keep_goal(stage.outlook, 0));
+  }
+  EXPECT_LT((keeper.position_m - Vec2(kGoal_x + Style{}.keeper_out_m, 0)).norm(), 0.15);
+  EXPECT_GT(keeper.heading.dot((Vec2(1, -1) - keeper.position_m).normalized()), 0.99);
+}
+
+}  // namespace
+}  // namespace autoref::strategies

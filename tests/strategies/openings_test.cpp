@@ -1,0 +1,121 @@
+#include "strategies/skills/openings.hpp"
+
+#include <gtest/gtest.h>
+
+#include "soccer/robot_shape.hpp"
+
+namespace autoref::strategies {
+namespace {
+
+TrackedRobots robots_at(std::initializer_list<Vec2> places_m) {
+  TrackedRobots robots;
+  for (const Vec2& place_m : places_m)
+    robots.push_back({static_cast<int>(robots.size()), place_m, Vec2(-1, 0), Vec2(0, 0), 0});
+  return robots;
+}
+
+Opening opening_from(const Vec2& from_m, std::initializer_list<Vec2> opponents_m) {
+  return widest_opening(Field{}, from_m, robots_at(opponents_m), {}, {});
+}
+
+TEST(WidestOpening, IsTheWholeOfAnEmptyGoal) {
+  const Field field;
+  const Opening opening = opening_from({field.half_length_m() - 1, 0}, {});
+  EXPECT_LT((opening.target_m - field.goal_centre_m(Side::kEast)).norm(), 1e-6);
+  EXPECT_NEAR(opening.half_width_m, field.half_goal_m(), 2 * kBallRadius_m);
+  EXPECT_GT(opening.chance, 0.95);
+}
+
+// The keeper stands so far to the left that the right post is open; its hull ends at y = -0.04.
+TEST(WidestOpening, IsBesideARobotInTheGoal) {
+  const Opening opening = opening_from({1, 0}, {{2.9, 0.05}});
+  EXPECT_LT(opening.target_m.y(), -0.12);
+  EXPECT_GT(opening.target_m.y(), -Field{}.half_goal_m());
+  EXPECT_LT(opening.chance, opening_from({1, 0}, {}).chance);
+}
+
+TEST(WidestOpening, HasNoChanceThroughAFullWall) {
+  const Opening opening = opening_from({1, 0}, {{2.9, -0.3}, {2.9, -0.1}, {2.9, 0.1}, {2.9, 0.3}});
+  EXPECT_LT(opening.chance, 0.02);
+}
+
+TEST(WidestOpening, IsAlmostNothingFromTheGoalLinesEnd) {
+  EXPECT_LT(opening_from({2.9, 1.9}, {}).chance, 0.1);
+  EXPECT_LT(opening_from({3.0, 1.9}, {}).chance, 0.1);
+}
+
+TEST(WidestOpening, GetsSmallerWithTheDistance) {
+  EXPECT_GT(opening_from({2, 0}, {}).chance, opening_from({0, 0}, {}).chance);
+  EXPECT_GT(opening_from({0, 0}, {}).chance, opening_from({-2.5, 0}, {}).chance);
+}
+
+TEST(WidestOpening, IsTheMirroredOneInAMirroredWorld) {
+  const Opening left = opening_from({1, 0.4}, {{2.9, 0.1}, {2, 0.5}, {2.2, -0.3}});
+  const Opening right = opening_from({1, -0.4}, {{2.9, -0.1}, {2, -0.5}, {2.2, 0.3}});
+  EXPECT_NEAR(left.target_m.y(), -right.target_m.y(), 1e-9);
+  EXPECT_NEAR(left.chance, right.chance, 1e-9);
+}
+
+// So far away that half the goal is seen under the 1.5 degrees by which kicks stray: two out of
+// three.
+TEST(WidestOpening, HasTheChanceOfAKickThatStraysByOneAndAHalfDegrees) {
+  const double away_m = (Field{}.half_goal_m() - kBallRadius_m) / 0.0262;
+  const double chance = opening_from({Field{}.half_length_m() - away_m, 0}, {}).chance;
+  EXPECT_GT(chance, 0.5);
+  EXPECT_LT(chance, 0.78);
+}
+
+// Nobody can step aside before a shot that has 0.3 m to go, but from 2 m before it.
+TEST(WidestOpening, CountsHowFarAnOpponentCanStepWhileTheBallComes) {
+  const double near = opening_from({2.5, 0}, {{2.9, 0.2}}).half_width_m;
+  const double far = opening_from({0, 0}, {{2.9, 0.2}}).half_width_m;
+  EXPECT_GT(near, 1.3 * far);
+}
+
+TEST(WidestOpening, IsCoveredByMatesButNotByTheShooter) {
+  const TrackedRobots own = robots_at({{2.0, 0}});
+  const Vec2 from_m(1.8, 0);
+  const double mate = widest_opening(Field{}, from_m, {}, own, {8, -1}).half_width_m;
+  const double self = widest_opening(Field{}, from_m, {}, own, {8, 0}).half_width_m;
+  EXPECT_LT(mate, 0.5 * self);
+}
+
+TEST(PassSafety, IsOneWithNobodyThere) {
+  EXPECT_EQ(pass_safety({-2, 0}, {2, 1}, 5, {}), 1);
+  EXPECT_EQ(pass_safety({-2, 0}, {2, 0}, 5, robots_at({{0, 1.8}, {-2.9, 0}, {0, -1.8}})), 1);
+}
+
+TEST(PassSafety, IsNothingWithAnOpponentOnTheWay) {
+  for (const double x : {-1.5, 0.0, 1.0})
+    EXPECT_EQ(pass_safety({-2, 0}, {2, 0}, 5, robots_at({{x, 0.05}})), 0) << x;
+}
+
+TEST(PassSafety, GrowsWithTheDistanceOfAnOpponentFromTheWay) {
+  double last = 0;
+  for (const double aside_m : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+    const double safety = pass_safety({-2, 0}, {2, 0}, 5, robots_at({{0, aside_m}}));
+    EXPECT_GE(safety, last) << aside_m;
+    last = safety;
+  }
+  EXPECT_EQ(last, 1);
+}
+
+// 2 m take a ball kicked with 5 m/s 0.48 s. Who starts 0.08 s after the kick with 3 m/s^2 gets 0.23
+// m far in that time.
+TEST(PassSafety, CountsHowFarAnOpponentGetsWhileTheBallRolls) {
+  const double block_m = kRobotRadius_m + kBallRadius_m;
+  const auto safety = [](double aside_m) {
+    return pass_safety({-2, 0}, {0.2, 0}, 5, robots_at({{0, aside_m}}));
+  };
+  EXPECT_EQ(safety(block_m + 0.15), 0);
+  EXPECT_EQ(safety(block_m + 0.45), 1);
+}
+
+TEST(PassSafety, IsLessWhereAnOpponentHasTimeToStepIn) {
+  const double at_start = pass_safety({-2, 0}, {2, 0}, 5, robots_at({{-1.7, 0.3}}));
+  const double at_end = pass_safety({-2, 0}, {2, 0}, 5, robots_at({{1.7, 0.3}}));
+  EXPECT_GT(at_start, at_end + 0.3);
+}
+
+}  // namespace
+}  // namespace autoref::strategies

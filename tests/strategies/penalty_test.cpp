@@ -1,0 +1,71 @@
+#include "strategies/tactics/penalty.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/strategies/staged_world.hpp"
+
+namespace autoref::strategies {
+namespace {
+
+TEST(PenaltyKicker, IsTheFieldPlayerNearestToTheMark) {
+  StagedWorld world(Play::kPreparePenalty, true);
+  const Vec2 mark_m = Field{}.penalty_mark_at(Side::kEast);
+  world.own(0, mark_m).own(2, {0, 0}).own(5, {1, 0.5}).own(7, {-1, 0});
+  EXPECT_EQ(penalty_kicker(world.view, mark_m), 2);
+}
+
+TEST(PenaltyKicker, IsTheLastRobotWhereItIsAloneAndNobodyWithoutRobots) {
+  StagedWorld world(Play::kPreparePenalty, true);
+  EXPECT_EQ(penalty_kicker(world.view, {2, 0}), -1);
+  world.own(4, {0, 0});
+  EXPECT_EQ(penalty_kicker(world.view, {2, 0}), 0);
+}
+
+TEST(PenaltyRunUp, IsBehindTheBallOutOfItsReach) {
+  const Waypoint place = penalty_run_up({2, 0});
+  EXPECT_LT(place.position_m.x(), 2 - kHeldBall_m);
+  EXPECT_GT(place.position_m.x(), 1.5);
+  EXPECT_EQ(place.heading, Vec2(1, 0));
+}
+
+// The keeper must touch its line between the posts (Laws 14).
+TEST(PenaltyKeeper, TouchesItsLineInTheMiddle) {
+  const Field field;
+  const Waypoint place = penalty_keeper(field, field.penalty_mark_at(Side::kWest));
+  EXPECT_LT(std::abs(place.position_m.x() + field.half_length_m()), kRobotRadius_m);
+  EXPECT_LT(std::abs(place.position_m.y()), field.half_goal_m());
+  EXPECT_GT(place.heading.x(), 0.99);
+}
+
+TEST(PenaltySpectators, KeepTheirHullsTheClearanceBehindTheMark) {
+  const Field field;
+  for (const double clearance_m : {0.4, 1.0}) {
+    for (int order = 0; order < 10; ++order) {
+      const Vec2 ours_m(field.penalty_mark_at(Side::kEast));
+      const Vec2 theirs_m(field.penalty_mark_at(Side::kWest));
+      const Waypoint attacker = penalty_spectator(field, ours_m, clearance_m, true, order);
+      const Waypoint defender = penalty_spectator(field, theirs_m, clearance_m, false, order);
+      EXPECT_LE(attacker.position_m.x(), ours_m.x() - clearance_m - kRobotRadius_m);
+      EXPECT_GE(defender.position_m.x(), theirs_m.x() + clearance_m + kRobotRadius_m);
+      EXPECT_TRUE(is_on_field(field, attacker.position_m));
+    }
+  }
+}
+
+// Both teams' rows at once: the defenders see the mark turned by 180 degrees.
+TEST(PenaltySpectators, DoNotStandInEachOthersPlaces) {
+  const Field field;
+  std::vector<Vec2> places_m;
+  for (int order = 0; order < 5; ++order) {
+    const Vec2 mark_m = field.penalty_mark_at(Side::kEast);
+    places_m.push_back(penalty_spectator(field, mark_m, 0.4, true, order).position_m);
+    places_m.push_back(-penalty_spectator(field, -mark_m, 0.4, false, order).position_m);
+  }
+  for (std::size_t i = 0; i < places_m.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k)
+      EXPECT_GT((places_m[i] - places_m[k]).norm(), 2 * kRobotRadius_m) << i << ", " << k;
+  }
+}
+
+}  // namespace
+}  // namespace autoref::strategies

@@ -1,0 +1,119 @@
+#include "strategies/skills/reach.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/strategies/staged_world.hpp"
+
+namespace autoref::strategies {
+namespace {
+
+TrackedRobot robot_at(const Vec2& position_m, const Vec2& velocity_mps = {0, 0}) {
+  return {0, position_m, Vec2(1, 0), velocity_mps, 0};
+}
+
+BallPath path_of(const TrackedBall& ball) {
+  BallPath path;
+  path.follow(ball, 0);
+  return path;
+}
+
+// Seconds from rest to rest over `distance_m`, braking with that share of what the robot can.
+double trapezoid_s(double distance_m, double braking_share) {
+  const Abilities a;
+  const double brake_mps2 = braking_share * a.braking_mps2;
+  const double per_peak = 1 / a.acceleration_mps2 + 1 / brake_mps2;  // ramps: peak^2 / 2 of this
+  if (a.speed_mps * a.speed_mps / 2 * per_peak > distance_m)
+    return std::sqrt(2 * distance_m * per_peak);
+  return distance_m / a.speed_mps + a.speed_mps / 2 * per_peak;
+}
+
+// How hard a team plans to brake is its choice: at most fully, and more than half.
+TEST(TimeTo, IsTheTrapezoidsFromRest) {
+  for (const double distance_m : {0.1, 0.5, 1.0, 3.0, 8.0}) {
+    const double time_s = time_to_s(robot_at({1, 1}), Vec2(1, 1 - distance_m), Abilities{});
+    EXPECT_GE(time_s, trapezoid_s(distance_m, 1.0) - 1e-9) << distance_m;
+    EXPECT_LE(time_s, trapezoid_s(distance_m, 0.5)) << distance_m;
+  }
+}
+
+TEST(TimeTo, IsNothingForARobotAtRestThere) {
+  EXPECT_NEAR(time_to_s(robot_at({1, 1}), {1, 1}, Abilities{}), 0, 1e-9);
+}
+
+TEST(TimeTo, IsLessOnTheMoveThereAndMoreOnTheMoveAway) {
+  const double rest_s = time_to_s(robot_at({0, 0}), {2, 0}, Abilities{});
+  EXPECT_LT(time_to_s(robot_at({0, 0}, {1.5, 0}), {2, 0}, Abilities{}), rest_s - 0.1);
+  EXPECT_GT(time_to_s(robot_at({0, 0}, {-1.5, 0}), {2, 0}, Abilities{}), rest_s + 0.3);
+  EXPECT_GT(time_to_s(robot_at({0, 0}, {0, 1.5}), {2, 0}, Abilities{}), rest_s);
+}
+
+TEST(TimeTo, IsLongerForSlowerRobots) {
+  const double usual_s = time_to_s(robot_at({0, 0}), {4, 0}, Abilities{});
+  Abilities slow;
+  slow.speed_mps /= 2;
+  Abilities lazy;
+  lazy.acceleration_mps2 /= 2;
+  EXPECT_GT(time_to_s(robot_at({0, 0}), {4, 0}, slow), usual_s + 0.5);
+  EXPECT_GT(time_to_s(robot_at({0, 0}), {4, 0}, lazy), usual_s + 0.2);
+}
+
+TEST(Meet, IsAtAStillBallOnceTheRobotCanTouchIt) {
+  const Meeting meeting = meet(robot_at({-1, 0}), path_of({{1, 0}, {0, 0}}), Abilities{}, Field{});
+  EXPECT_EQ(meeting.point_m, Vec2(1, 0));
+  EXPECT_GE(meeting.time_s, trapezoid_s(2 - kHeldBall_m, 1.0));
+  EXPECT_LE(meeting.time_s, trapezoid_s(2 - kHeldBall_m, 0.5));
+}
+
+TEST(Meet, IsNowForARobotThatHasTheBall) {
+  const Meeting meeting =
+      meet(robot_at({0, 0}), path_of({{kHeldBall_m, 0}, {0, 0}}), Abilities{}, Field{});
+  EXPECT_NEAR(meeting.time_s, 0, 0.02);
+}
+
+TEST(Meet, IsWhereTheRobotComesNoLaterThanARollingBall) {
+  const CarpetBall ball{{-2, 0}, {1, 0}, 3};
+  const BallPath path = path_of(ball.at(0));
+  for (const Vec2& from_m : {Vec2(0, 1), Vec2(-1, -1), Vec2(1, 0.3)}) {
+    const Meeting meeting = meet(robot_at(from_m), path, Abilities{}, Field{});
+    EXPECT_NEAR(meeting.point_m.y(), 0, 1e-6);
+    EXPECT_NEAR(ball.at(meeting.time_s).position_m.x(), meeting.point_m.x(), 0.1);
+    const double touch_m = (meeting.point_m - from_m).norm() - kHeldBall_m;
+    EXPECT_LE(trapezoid_s(std::max(0.0, touch_m), 1.0), meeting.time_s + 0.1);
+  }
+}
+
+TEST(Meet, IsEarlyOnTheWayForARobotNearIt) {
+  const BallPath path = path_of({{-2, 0}, {2, 0}});
+  const Meeting near = meet(robot_at({-1.5, 0.2}), path, Abilities{}, Field{});
+  const Meeting far = meet(robot_at({0.5, 1.5}), path, Abilities{}, Field{});
+  EXPECT_LT(near.point_m.x(), far.point_m.x());
+  EXPECT_LT(near.time_s, far.time_s);
+}
+
+TEST(Meet, IsAtThePathsEndWhereTheRobotCannotCatchUp) {
+  const Field field = briefing_of("2026-a").field;
+  const BallPath path = path_of({{-5, 0}, {6, 0}});
+  const Meeting meeting = meet(robot_at({-5.8, 0}), path, Abilities{}, field);
+  EXPECT_LT((meeting.point_m - path.end_m()).norm(), 0.01);
+  EXPECT_GT(meeting.time_s, BallPath::kLongest_s);
+}
+
+TEST(Meet, IsNotOutsideTheField) {
+  const Field field;
+  const Meeting meeting = meet(robot_at({0, 1.5}), path_of({{2.5, 0}, {3, 0}}), Abilities{}, field);
+  EXPECT_LT(meeting.point_m.x(), field.half_length_m() + 0.2);
+}
+
+TEST(Meet, IsLaterForSlowerRobots) {
+  Abilities slow;
+  slow.speed_mps /= 2;
+  slow.acceleration_mps2 /= 2;
+  for (const Vec2& velocity_mps : {Vec2(0, 0), Vec2(1.5, 0)}) {
+    const BallPath path = path_of({{-2, 0}, velocity_mps});
+    const double usual_s = meet(robot_at({0, 1.5}), path, Abilities{}, Field{}).time_s;
+    EXPECT_GT(meet(robot_at({0, 1.5}), path, slow, Field{}).time_s, usual_s + 0.1);
+  }
+}
+
+}  // namespace
+}  // namespace autoref::strategies

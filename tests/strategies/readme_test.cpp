@@ -1,0 +1,49 @@
+// What strategies/README.md says is so.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "strategies/registry.hpp"
+
+namespace autoref::strategies {
+namespace {
+
+std::string text_of(const std::string& path) {
+  std::ifstream file(std::string(AUTOREF_SOURCE_DIR) + "/" + path);
+  EXPECT_TRUE(file) << path;
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+// What stands between the two marks, from line to line.
+std::string between(const std::string& text, const std::string& mark) {
+  const std::size_t first = text.find(mark);
+  const std::size_t from = first == std::string::npos ? first : first + mark.size();
+  const std::size_t to = text.find(mark, from);
+  if (from == std::string::npos || to == std::string::npos) return "no two marks " + mark;
+  return text.substr(from, to - from);
+}
+
+TEST(StrategiesReadme, ShowsTheTeamThatIsPlayed) {
+  const std::string code = between(text_of("tests/strategies/readme_team.hpp"), "// [mine]\n");
+  EXPECT_NE(text_of("strategies/README.md").find("```cpp\n" + code + "```\n"), std::string::npos);
+}
+
+TEST(StrategiesReadme, ShowsThePlanThatIsPlayed) {
+  const std::string code = between(text_of("tests/strategies/readme_team.hpp"), "// [bus]\n");
+  EXPECT_NE(text_of("strategies/README.md").find("```cpp\n" + code + "```\n"), std::string::npos);
+}
+
+TEST(StrategiesReadme, ListsEveryTeam) {
+  const std::string readme = text_of("strategies/README.md");
+  for (const Entry& entry : all_strategies()) {
+    const std::string row = "| `" + std::string(entry.name) + "` | ";
+    EXPECT_NE(readme.find(row), std::string::npos) << row;
+  }
+}
+
+}  // namespace
+}  // namespace autoref::strategies

@@ -1,0 +1,197 @@
+#include "strategies/skills/strike.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/strategies/staged_world.hpp"
+
+namespace autoref::strategies {
+namespace {
+
+TrackedRobot robot_at(const Vec2& position_m, const Vec2& heading = {1, 0}) {
+  return {0, position_m, heading, Vec2(0, 0), 0};
+}
+
+BallPath path_of(const TrackedBall& ball) {
+  BallPath path;
+  path.follow(ball, 0);
+  return path;
+}
+
+RobotCommand strike(const TrackedRobot& robot, const TrackedBall& ball, const Strike& strike) {
+  const BallPath path = path_of(ball);
+  return strike_ball(robot, path, meet(robot, path, Abilities{}, Field{}), strike, {},
+                     DrivingStyle{});
+}
+
+Strike strike_at(const Vec2& target_m) {
+  Strike strike;
+  strike.target_m = target_m;
+  return strike;
+}
+
+TEST(HasBall, IsSoForABallAtThePlate) {
+  EXPECT_TRUE(has_ball(robot_at({1, 1}), {1 + kHeldBall_m, 1}));
+  EXPECT_TRUE(has_ball(robot_at({1, 1}, {0, -1}), {1, 1 - kHeldBall_m}));
+  EXPECT_TRUE(has_ball(robot_at({0, 0}), {kHeldBall_m + 5_mm, kMouthWidth_m / 4}));
+}
+
+TEST(HasBall, IsNotSoForABallAheadBesideOrBehind) {
+  EXPECT_FALSE(has_ball(robot_at({0, 0}), {kHeldBall_m + 30_mm, 0}));
+  EXPECT_FALSE(has_ball(robot_at({0, 0}), {kHeldBall_m, kMouthWidth_m / 2 + 20_mm}));
+  EXPECT_FALSE(has_ball(robot_at({0, 0}), {0, kHeldBall_m}));
+  EXPECT_FALSE(has_ball(robot_at({0, 0}), {-kHeldBall_m, 0}));
+}
+
+TEST(ComesTowards, IsSoForAPassThatArrivesHere) {
+  EXPECT_TRUE(comes_towards(robot_at({2, 0.1}), path_of({{0, 0}, {3, 0}})));
+}
+
+TEST(ComesTowards, IsNotSoForSlowBallsAndThoseThatGoElsewhere) {
+  EXPECT_FALSE(comes_towards(robot_at({2, 0.1}), path_of({{0, 0}, {0.5, 0}})));
+  EXPECT_FALSE(comes_towards(robot_at({2, 0.1}), path_of({{0, 0}, {-3, 0}})));
+  EXPECT_FALSE(comes_towards(robot_at({2, 1.1}), path_of({{0, 0}, {3, 0}})));
+}
+
+// Radians from the robot's heading to the target, seen from the ball.
+double error_rad(const TrackedRobot& robot, const Vec2& ball_m, const Vec2& target_m) {
+  return std::abs(angle_between(robot.heading, target_m - ball_m));
+}
+
+TEST(StrikeBall, KicksAStillBallOnlyWhereItFacesTheTarget) {
+  const Vec2 target_m(3, 0.5);
+  for (const Vec2& from_m : {Vec2(-1, 0.3), Vec2(-0.8, -0.9), Vec2(0.1, 1.2)}) {
+    TrackedRobot robot = robot_at(from_m, {0, 1});
+    bool is_kicked = false;
+    for (int i = 0; i < 300 && !is_kicked; ++i) {
+      const RobotCommand order = strike(robot, {{0, 0}, {0, 0}}, strike_at(target_m));
+      is_kicked = order.kick_mps > 0 && has_ball(robot, {0, 0});
+      if (order.kick_mps > 0) {
+        ASSERT_LT(error_rad(robot, {0, 0}, target_m), 2 * Strike{}.tolerance_rad) << i;
+      }
+      if (!is_kicked) obey(robot, order);
+    }
+    EXPECT_TRUE(is_kicked) << "from " << from_m.transpose();
+  }
+}
+
+// The dribbler holds the ball, so that it goes round with the robot.
+TEST(StrikeBall, TurnsRoundWithTheBallBeforeItKicks) {
+  TrackedRobot robot = robot_at({0, 0}, {-1, 0.1});
+  robot.heading.normalize();
+  int frame = 0;
+  for (; frame < 150; ++frame) {
+    const Vec2 ball_m = robot.position_m + robot.heading * kHeldBall_m;
+    const RobotCommand order = strike(robot, {ball_m, {0, 0}}, strike_at({3, 0}));
+    ASSERT_TRUE(order.dribble);
+    if (order.kick_mps > 0) break;
+    obey(robot, order);
+  }
+  EXPECT_GT(frame, 15);  // nobody turns by half a turn in 0.25 s
+  EXPECT_LT(frame, 120);
+  EXPECT_LT(error_rad(robot, robot.position_m, {3, 0}), 2 * Strike{}.tolerance_rad);
+}
+
+// The dribbler holds a ball that is turned at up to 10 rad/s (sim/README.md).
+TEST(StrikeBall, PressesGentlyAgainstTheBallThatItTurnsWith) {
+  const RobotCommand order =
+      strike(robot_at({0, 0}, {-1, 0}), {{-kHeldBall_m, 0}, {0, 0}}, strike_at({3, 0.5}));
+  EXPECT_GT(order.velocity_mps.x(), 0.1);
+  EXPECT_LT(order.velocity_mps.norm(), 0.45);
+  EXPECT_LT(std::abs(order.angular_velocity_radps), 9);
+}
+
+TEST(StrikeBall, SendsAPassThatComesAtAFitAngleOnAtOnce) {
+  const TrackedRobot robot = robot_at({1, 0});
+  const Vec2 mouth_m = robot.position_m + Vec2(kHeldBall_m, 0);
+  const Vec2 way = Vec2(-2, -1).normalized();
+  Strike on = strike_at({3, 0});
+  on.kick_mps = 7;
+  const RobotCommand order = strike(robot, {mouth_m - way, way * 3}, on);
+  EXPECT_EQ(order.kick_mps, 7);
+  EXPECT_NEAR(order.angular_velocity_radps, 0, 0.5);
+}
+
+TEST(StrikeBall, TurnsToTheTargetForAPassThatComesAtAFitAngle) {
+  TrackedRobot robot = robot_at({1, 0}, {0, 1});
+  const Vec2 way = Vec2(-2, -1).normalized();
+  const RobotCommand order =
+      strike(robot, {Vec2(1 + kHeldBall_m, 0) - way * 2, way * 3}, strike_at({3, 0}));
+  EXPECT_EQ(order.kick_mps, 0);
+  EXPECT_LT(order.angular_velocity_radps, -1);
+}
+
+TEST(StrikeBall, StopsAPassFromBehindWithTheDribbler) {
+  const TrackedRobot robot = robot_at({1, 0});
+  const RobotCommand order = strike(robot, {{-1, 0.3}, Vec2(3, -0.45)}, strike_at({3, 0}));
+  EXPECT_EQ(order.kick_mps, 0);
+  EXPECT_TRUE(order.dribble);
+  EXPECT_GT(std::abs(order.angular_velocity_radps), 1);  // its front to the ball
+}
+
+TEST(StrikeBall, StopsAPassWhereTheFirstTouchIsNotToBeAKick) {
+  Strike calm = strike_at({3, 0});
+  calm.first_touch = false;
+  const RobotCommand order = strike(robot_at({1, 0}), {{2.5, 0}, {-3, 0}}, calm);
+  EXPECT_EQ(order.kick_mps, 0);
+  EXPECT_TRUE(order.dribble);
+}
+
+TEST(StrikeBall, ChipsWhereItIsToldTo) {
+  Strike over = strike_at({3, 0});
+  over.chip = true;
+  over.kick_mps = 4;
+  const RobotCommand order = strike(robot_at({0, 0}), {{kHeldBall_m, 0}, {0, 0}}, over);
+  EXPECT_TRUE(order.chip);
+  EXPECT_EQ(order.kick_mps, 4);
+}
+
+// From beside, behind and before the ball; where it comes nearer than to touch the ball before its
+// kick, it would have taken the restart by mistake.
+TEST(TakeKick, GoesRoundAStillBallAndKicksItInOneTouch) {
+  for (const Vec2& from_m : {Vec2(-0.6, 0), Vec2(0, 0.7), Vec2(0.65, 0.05), Vec2(0.3, -0.5)}) {
+    TrackedRobot robot = robot_at(from_m, {0, 1});
+    bool is_kicked = false;
+    for (int frame = 0; frame < 360 && !is_kicked; ++frame) {
+      const RobotCommand order = take_kick(robot, {0, 0}, strike_at({3, 0.5}), {}, DrivingStyle{});
+      obey(robot, order);
+      const bool touches =
+          distance_to_hull({0, 0}, robot.position_m, robot.heading) < kBallRadius_m;
+      is_kicked = touches && order.kick_mps > 0;
+      ASSERT_EQ(touches, is_kicked) << from_m.transpose() << ", frame " << frame;
+    }
+    EXPECT_TRUE(is_kicked) << from_m.transpose();
+    EXPECT_LT(error_rad(robot, {0, 0}, {3, 0.5}), 2 * Strike{}.tolerance_rad);
+  }
+}
+
+// Where a robot that comes from the field's middle faces when it gets a ball near the touch line.
+Vec2 heading_at_ball(const Vec2& keep_off) {
+  const Vec2 ball_m(0, Field{}.half_width_m() - 0.1);
+  Strike to_goal = strike_at({3, 0});
+  to_goal.bend_rad = 0.1;
+  to_goal.keep_off = keep_off;
+  TrackedRobot robot = robot_at({-0.2, 0.8}, {0, 1});
+  for (int frame = 0; frame < 180 && !has_ball(robot, ball_m); ++frame)
+    obey(robot, strike(robot, {ball_m, {0, 0}}, to_goal));
+  return robot.heading;
+}
+
+TEST(StrikeBall, DoesNotFaceOutOfTheFieldAtABallNearTheLine) {
+  EXPECT_LT(heading_at_ball({0, 1}).y(), 0.3);
+  EXPECT_GT(heading_at_ball({0, 0}).y(), 0.7);  // else straight on
+}
+
+TEST(CarryBall, KeepsTheDribblerOnAndDoesNotKick) {
+  const RobotCommand order = carry_ball(robot_at({0, 0}, {0, 1}), {0, 0.8}, {1, 0});
+  EXPECT_TRUE(order.dribble);
+  EXPECT_EQ(order.kick_mps, 0);
+  EXPECT_NEAR((order.velocity_mps - Vec2(0.8, 0)).norm(), 0, 1e-9);  // ahead, as it faces +y
+}
+
+TEST(CarryBall, TurnsTheShortWay) {
+  EXPECT_LT(carry_ball(robot_at({0, 0}, {0, 1}), {0, 0}, {1, 0}).angular_velocity_radps, -1);
+  EXPECT_GT(carry_ball(robot_at({0, 0}, {0, -1}), {0, 0}, {1, 0}).angular_velocity_radps, 1);
+}
+
+}  // namespace
+}  // namespace autoref::strategies

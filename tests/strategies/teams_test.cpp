@@ -1,0 +1,149 @@
+// What makes each team different in kind, and what all have in common.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "soccer/robot_shape.hpp"
+#include "strategies/registry.hpp"
+#include "tests/strategies/staged_world.hpp"
+
+namespace autoref::strategies {
+namespace {
+
+std::unique_ptr<Strategy> make(std::string_view name) { return find_strategy(name)->make({}); }
+
+// Six against six; the opponents have the ball, and robot 1 is the one who is nearest to it.
+StagedWorld theirs_at(const Vec2& ball_m) {
+  StagedWorld world(Play::kRunning);
+  world.own(0, {-2.9, 0}).own(1, ball_m - Vec2(0.5, 0));
+  for (int i = 2; i < 6; ++i) world.own(i, {-1.2, 1.4 - 0.7 * (i - 2)});
+  world.opponent(0, {2.9, 0}).opponent(1, ball_m + Vec2(0.1, 0));
+  world.view.ball.position_m = ball_m;
+  return world;
+}
+
+double distance_m(const TrackedRobot& robot, const Vec2& point_m) {
+  return (robot.position_m - point_m).norm();
+}
+
+// The robot of the team nearest to the point, by number.
+int nearest_to(const StagedWorld& world, const Vec2& point_m) {
+  const auto& own = world.view.own;
+  return std::min_element(own.begin(), own.end(),
+                          [&](const auto& a, const auto& b) {
+                            return distance_m(a, point_m) < distance_m(b, point_m);
+                          })
+      ->number;
+}
+
+constexpr double kBeside_m = 0.35;  // 300 mm are wanted between a marker and its opponent
+
+StagedWorld four_to_mark() {
+  StagedWorld world = theirs_at({0.5, 0});
+  world.opponent(2, {-1.5, 1.0}).opponent(3, {-0.6, -1.2}).opponent(4, {1.0, 1.5});
+  return world.opponent(5, {1.4, -1.0});
+}
+
+TEST(Shadow, StandsBesideEveryOpponentWithoutTheBallAllOverTheField) {
+  const auto team = make("shadow");
+  StagedWorld world = four_to_mark();
+  world.run(*team, 4);
+  for (std::size_t i = 2; i < 6; ++i) {
+    const Vec2& opponent_m = world.view.opponents[i].position_m;
+    EXPECT_LT(distance_m(world.robot(nearest_to(world, opponent_m)), opponent_m), kBeside_m) << i;
+  }
+}
+
+TEST(Shadow, FollowsItsOwnOpponentsWhenTheyCrossEachOther) {
+  const auto team = make("shadow");
+  StagedWorld world = four_to_mark();
+  world.run(*team, 4);
+  TrackedRobots& opponents = world.view.opponents;
+  const int second = nearest_to(world, opponents[2].position_m);
+  const int third = nearest_to(world, opponents[3].position_m);
+  for (int f = 0; f < 180; ++f) {  // one comes to where the other was, 100 mm aside, and back
+    opponents[2].position_m += Vec2(0.9, -2.1) / 180;
+    opponents[3].position_m += Vec2(-0.9, 2.1) / 180;
+    world.step(*team);
+  }
+  world.run(*team, 1);
+  EXPECT_LT(distance_m(world.robot(second), opponents[2].position_m), kBeside_m);
+  EXPECT_LT(distance_m(world.robot(third), opponents[3].position_m), kBeside_m);
+}
+
+TEST(Zone, KeepsItsShapeAndShiftsWithTheBall) {
+  const auto team = make("zone");
+  StagedWorld world = theirs_at({0, 0});
+  world.run(*team, 4);
+  const TeamView before = world.view;
+  const Vec2 moved_m(0.8, 0.6);
+  world.view.ball.position_m += moved_m;
+  world.view.own[1].position_m += moved_m;  // stays the one at the ball, as does their robot
+  world.view.opponents[1].position_m += moved_m;
+  world.run(*team, 4);
+  for (std::size_t i = 2; i < 6; ++i) {
+    const Vec2 shift_m = world.view.own[i].position_m - before.own[i].position_m;
+    EXPECT_NEAR(shift_m.x(), 0.36, 0.02) << i;  // 0.45 of the ball's way
+    EXPECT_NEAR(shift_m.y(), 0.21, 0.02) << i;  // 0.35 of it
+  }
+}
+
+TEST(Zone, SendsOnlyTheFastestToTheBall) {
+  const auto team = make("zone");
+  StagedWorld world = theirs_at({0, 0});
+  world.run(*team, 4);
+  EXPECT_EQ(nearest_to(world, {0, 0}), 1);
+  for (int i = 2; i < 6; ++i) EXPECT_GT(distance_m(world.robot(i), {0, 0}), 0.5) << i;
+}
+
+TEST(Counter, KeepsAllButOneBehindTheBallWhenItIsTheirs) {
+  for (const Vec2& ball_m : {Vec2(0.3, 0), Vec2(-0.6, 1.2), Vec2(1.2, -1.5)}) {
+    const auto team = make("counter");
+    StagedWorld world = theirs_at(ball_m);
+    world.run(*team, 4);
+    const auto& own = world.view.own;
+    EXPECT_EQ(std::count_if(own.begin(), own.end(),
+                            [&](const auto& r) { return r.position_m.x() < ball_m.x(); }),
+              ball_m.x() > 1 ? 6 : 5)
+        << ball_m.transpose();
+  }
+}
+
+TEST(Counter, LeavesOneOrTwoInTheOpponentsHalf) {
+  const auto team = make("counter");
+  StagedWorld world = theirs_at({-1, 0.5});
+  world.run(*team, 4);
+  const auto& own = world.view.own;
+  const auto ahead =
+      std::count_if(own.begin(), own.end(), [](const auto& r) { return r.position_m.x() > 0.5; });
+  EXPECT_GE(ahead, 1);
+  EXPECT_LE(ahead, 2);
+}
+
+TEST(Possession, SpreadsAroundItsBallAtPassingDistance) {
+  const auto team = make("possession");
+  StagedWorld world = theirs_at({0.2, 0.3});
+  world.view.opponents[1].position_m = {2, 1.5};  // so that the ball is robot 1's
+  world.view.own[1].position_m = world.view.ball.position_m - Vec2(0.1, 0);
+  world.run(*team, 4);
+  const Vec2& ball_m = world.view.ball.position_m;
+  int around = 0;
+  for (int i = 2; i < 6; ++i) {
+    const double off_m = distance_m(world.robot(i), ball_m);
+    around += off_m > 0.7 && off_m < 1.6 ? 1 : 0;
+  }
+  EXPECT_GE(around, 3);  // the fourth stays back
+}
+
+TEST(Chaser, SendsOneToTheBallAndKeepsTheOthersInFormation) {
+  const auto team = make("chaser");
+  StagedWorld world = theirs_at({1.5, 0.5});
+  world.run(*team, 3);
+  EXPECT_LT(distance_m(world.robot(nearest_to(world, {1.5, 0.5})), {1.5, 0.5}), 0.4);
+  const auto& own = world.view.own;
+  EXPECT_EQ(
+      std::count_if(own.begin(), own.end(), [](const auto& r) { return r.position_m.x() < 0; }), 5);
+}
+
+}  // namespace
+}  // namespace autoref::strategies
