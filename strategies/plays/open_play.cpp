@@ -15,6 +15,7 @@ constexpr double kForbidden_s = 1.0;  // where it would meet the ball in an area
 constexpr double kNextTouch_s = 2.0;  // a kicker who may not touch the ball again stays off it
 
 constexpr double kBesideBall_m = 0.3;
+constexpr double kCover_m = 0.8;  // from the ball to the first behind it, and from each to the next
 
 int count_of(double wanted) { return static_cast<int>(std::lround(wanted)); }
 
@@ -83,6 +84,15 @@ void defend(Playbook& book, Cast& cast, int wall, int markers) {
   }
 }
 
+void cover(const Playbook& book, Cast& cast, int count) {
+  const Vec2& ball_m = book.outlook.place_m();
+  const Vec2 goal_m = book.outlook.field().goal_centre_m(Side::kWest);
+  for (int i = 1; i <= count; ++i) {
+    const double share = std::min(0.5, kCover_m * i / std::max((goal_m - ball_m).norm(), kCover_m));
+    cast.send_nearest(facing_ball(book.outlook, ball_m + share * (goal_m - ball_m)));
+  }
+}
+
 void run_for_passes(Playbook& book, Cast& cast) {
   boost::container::static_vector<int, kMaxRobots> receivers;
   for (int i = 0; i < book.outlook.robots(); ++i) {
@@ -114,6 +124,7 @@ void open_play(Playbook& book, Cast& cast) {
     const int ahead = std::clamp(left - 2, 0, count_of(style.forwards));
     const int wall = std::min(count_of(style.wall), left - ahead);
     defend(book, cast, wall, std::min(count_of(style.markers), left - ahead - wall));
+    cover(book, cast, cast.free_robots() - ahead);
   }
   run_for_passes(book, cast);
 }

@@ -57,6 +57,9 @@ void give_goal_and_restart(Playbook& book, Cast& cast);
 // The backs: a wall of up to `wall` robots, then markers for up to `markers` opponents.
 void defend(Playbook& book, Cast& cast, int wall, int markers);
 
+// Who finds nobody to mark: up to `count` robots one behind the other on the way from ball to goal.
+void cover(const Playbook& book, Cast& cast, int count);
+
 // All who are still free run for passes.
 void run_for_passes(Playbook& book, Cast& cast);
 

@@ -17,7 +17,7 @@ struct Style {
   double shot_threshold = 0.10;
   double pass_arrival_mps = 1.8;
   double pass_risk = 0.5;
-  double carry = 1.1;
+  double carry = 1.6;
   double wall = 2;
   double markers = 2;
   double forwards = 0;

@@ -110,6 +110,19 @@ TEST(OpenPlay, RunsForPassesWithTheBallAndStaysBackWithoutIt) {
   EXPECT_GT(with_ball, without_ball);
 }
 
+TEST(OpenPlay, CoversTheWayToTheOwnGoalWithWhoFindsNobodyToMark) {
+  Staged stage(Play::kRunning);
+  stage.robots(6);
+  stage.world.ball({1.5, 0.5}).opponent(1, {1.59, 0.5});
+  const Cast cast = stage.cast(open_play);
+  ASSERT_FALSE(stage.outlook.is_ours());
+  EXPECT_EQ(count_of(stage, cast, Part::kReceiver), 0);
+  for (int i = 0; i < 6; ++i) {
+    const bool stands = cast.task(i).part == Part::kStands;
+    EXPECT_TRUE(!stands || cast.task(i).place.position_m.x() < 1.0);
+  }
+}
+
 TEST(ChooseForBall, IsWhoGetsThereFirst) {
   Staged stage(Play::kRunning);
   stage.world.own(0, {-2.8, 0}).own(1, {-1, 1}).own(2, {1, 1}).ball({1, 0});
