@@ -61,6 +61,7 @@ double Basic::room_at_ball_m() const {
 Limits Basic::limits_for(bool is_keeper) const {
   Limits limits;
   limits.may_enter_own_area = is_keeper;
+  limits.may_stay_behind_goal = true;
   if (now_.play == Play::kRunning) return limits;
   limits.own_half_only = now_.play == Play::kPrepareKickoff || now_.play == Play::kKickoff;
   const bool may_come_near = now_.ours && is_restart(now_.play);

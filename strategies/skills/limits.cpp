@@ -1,6 +1,7 @@
 #include "strategies/skills/limits.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "soccer/robot_shape.hpp"
 
@@ -9,38 +10,64 @@ namespace {
 
 constexpr double kMargin_m = 30_mm;  // more than a rule asks for, for the robots' own errors
 
-// Moves `p` straight away from the area's middle until it is `distance_m` off the area of `side`.
-Vec2 pushed_out_of_area(const Field& field, Side side, const Vec2& p, double distance_m) {
+// Moves `p` by the shortest way until it is `distance_m` off the area of `side`.
+//
+// Both shapes are all that lies within a radius of a strip that goes on behind the goal; a box's
+// radius is nought.
+Vec2 pushed_out_of_area(const Field& field, Side side, const Vec2& p, double distance_m,
+                        bool may_stay_behind_goal) {
   const double missing_m = distance_m - distance_to_defence_area(field, side, p);
   if (missing_m <= 0) return p;
-  const Vec2 inwards(-goal_sign(side), 0);
-  const Vec2 corner_m =
-      field.goal_centre_m(side) + Vec2(0, std::clamp(p.y(), -field.defence_area.straight_m / 2,
-                                                     field.defence_area.straight_m / 2));
-  return p + direction_of(p - corner_m, inwards) * missing_m;
+  const DefenceArea& area = field.defence_area;
+  const bool is_box = area.shape == DefenceArea::Shape::kBox;
+  const double half_m = area.straight_m / 2;
+  const double radius_m = is_box ? 0.0 : area.depth_m;
+  const Vec2 ahead(-goal_sign(side), 0);
+  const Vec2 end_m = field.goal_centre_m(side) + ahead * (area.depth_m - radius_m);
+  const double beyond_end_m = (p - end_m).dot(ahead);
+  if (beyond_end_m >= 0 || (may_stay_behind_goal && !is_box)) {
+    const Vec2 nearest_m = end_m + Vec2(0, std::clamp(p.y(), -half_m, half_m));
+    return p + direction_of(p - nearest_m, ahead) * missing_m;
+  }
+  const double to_front_m = radius_m + distance_m - beyond_end_m;
+  const double to_side_m = half_m + radius_m + distance_m - std::abs(p.y());
+  if (to_front_m <= to_side_m) return p + ahead * to_front_m;
+  return p + Vec2(0, std::copysign(to_side_m, p.y()));
+}
+
+Vec2 back_from(const Field& field, const Vec2& ball_m) {
+  return direction_of(field.goal_centre_m(Side::kWest) - ball_m, Vec2(-1, 0));
+}
+
+Vec2 pushed_off_ball(const Field& field, const Vec2& p, const Vec2& ball_m, const Limits& limits) {
+  if (limits.keep_from_ball_m <= 0 || (p - ball_m).norm() >= limits.keep_from_ball_m) return p;
+  // Towards the own goal, where a robot that must give way is of most use.
+  const Vec2 back = back_from(field, ball_m);
+  const Vec2 away = direction_of(p - ball_m, back);
+  const Vec2 bent = away.dot(back) < 0 ? direction_of(away + 1.5 * back, back) : away;
+  return ball_m + bent * (limits.keep_from_ball_m + kMargin_m);
+}
+
+// Into the half, off the areas, into the field: what does not depend on the ball.
+Vec2 pushed_into_bounds(const Field& field, Vec2 p, const Limits& limits) {
+  if (limits.own_half_only) p.x() = std::min(p.x(), -kRobotRadius_m - kMargin_m);
+  if (!limits.may_enter_own_area) {
+    p = pushed_out_of_area(field, Side::kWest, p, kRobotRadius_m + kMargin_m,
+                           limits.may_stay_behind_goal);
+  }
+  if (limits.keep_from_area_m > 0) {
+    p = pushed_out_of_area(field, Side::kEast, p, limits.keep_from_area_m + kMargin_m,
+                           limits.may_stay_behind_goal);
+  }
+  const double x_m = field.half_length_m() + limits.beyond_lines_m;
+  const double y_m = field.half_width_m() + limits.beyond_lines_m;
+  return {std::clamp(p.x(), -x_m, x_m), std::clamp(p.y(), -y_m, y_m)};
 }
 
 }  // namespace
 
 Vec2 permitted(const Field& field, const Vec2& wanted_m, const Vec2& ball_m, const Limits& limits) {
-  Vec2 p = wanted_m;
-  if (limits.keep_from_ball_m > 0 && (p - ball_m).norm() < limits.keep_from_ball_m) {
-    // Towards the own goal, where a robot that must give way is of most use.
-    const Vec2 back = direction_of(field.goal_centre_m(Side::kWest) - ball_m, Vec2(-1, 0));
-    const Vec2 away = direction_of(p - ball_m, back);
-    const Vec2 bent = away.dot(back) < 0 ? direction_of(away + 1.5 * back, back) : away;
-    p = ball_m + bent * (limits.keep_from_ball_m + kMargin_m);
-  }
-  if (limits.own_half_only) p.x() = std::min(p.x(), -kRobotRadius_m - kMargin_m);
-  if (!limits.may_enter_own_area) {
-    p = pushed_out_of_area(field, Side::kWest, p, kRobotRadius_m + kMargin_m);
-  }
-  if (limits.keep_from_area_m > 0) {
-    p = pushed_out_of_area(field, Side::kEast, p, limits.keep_from_area_m + kMargin_m);
-  }
-  const double x_m = field.half_length_m() + limits.beyond_lines_m;
-  const double y_m = field.half_width_m() + limits.beyond_lines_m;
-  return {std::clamp(p.x(), -x_m, x_m), std::clamp(p.y(), -y_m, y_m)};
+  return pushed_into_bounds(field, pushed_off_ball(field, wanted_m, ball_m, limits), limits);
 }
 
 }  // namespace autoref::strategies

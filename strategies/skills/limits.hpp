@@ -12,7 +12,10 @@ struct Limits {
   double keep_from_ball_m = 0;      // from a robot's centre to the ball
   double keep_from_area_m = 0;      // from a robot's centre to the opponents' defence area
   bool may_enter_own_area = false;  // the keeper
-  double beyond_lines_m = 90_mm;    // of a robot's centre, outside the field: half of it
+  // Leaves a place behind the goal line there, though too near to an area of quarter circles: as
+  // `basic` does it, whose games the bench measures by.
+  bool may_stay_behind_goal = false;
+  double beyond_lines_m = 90_mm;  // of a robot's centre, outside the field: half of it
 };
 
 // The permitted place nearest to `wanted_m`, or close to it.

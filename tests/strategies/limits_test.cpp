@@ -12,21 +12,43 @@ namespace {
 
 constexpr double kFarBall_m = 100;  // where the ball does not matter
 
-// Places all over the field, 0.13 m apart.
-std::vector<Vec2> places_on(const Field& field) {
+// Places all over the field and so far beyond its lines, 0.13 m apart.
+std::vector<Vec2> places_on(const Field& field, double beyond_m = 0) {
+  const double x_m = field.half_length_m() + beyond_m;
+  const double y_m = field.half_width_m() + beyond_m;
   std::vector<Vec2> places_m;
-  for (double x = -field.half_length_m(); x < field.half_length_m(); x += 0.13) {
-    for (double y = -field.half_width_m(); y < field.half_width_m(); y += 0.13)
-      places_m.emplace_back(x, y);
+  for (double x = -x_m; x < x_m; x += 0.13) {
+    for (double y = -y_m; y < y_m; y += 0.13) places_m.emplace_back(x, y);
   }
   return places_m;
+}
+
+// What both areas ask for.
+constexpr double kOffTheirs_m = 0.29;
+Limits off_both_areas() {
+  Limits limits;
+  limits.keep_from_area_m = kOffTheirs_m;
+  return limits;
+}
+double wanted_off_m(Side side) { return side == Side::kWest ? kRobotRadius_m : kOffTheirs_m; }
+
+// Whether some place `way_m` from `place_m` is as far off the area of `side` as wanted.
+bool is_out_within(const Field& field, Side side, const Vec2& place_m, double way_m) {
+  constexpr int kDirections = 48;
+  for (int i = 0; i < kDirections; ++i) {
+    const Vec2 there_m = place_m + way_m * heading_of(i * 2 * kPi / kDirections);
+    if (distance_to_defence_area(field, side, there_m) >= wanted_off_m(side)) return true;
+  }
+  return false;
 }
 
 class PermittedOnFieldOf : public testing::TestWithParam<const char*> {};
 
 TEST_P(PermittedOnFieldOf, LeavesPlacesAloneThatBreakNoLimit) {
   const Field field = briefing_of(GetParam()).field;
-  const Limits limits{false, 0.6, 0.3, false};
+  Limits limits;
+  limits.keep_from_ball_m = 0.6;
+  limits.keep_from_area_m = 0.3;
   const Vec2 ball_m(0.5, 0.5);
   for (const Vec2& place_m : places_on(field)) {
     if ((place_m - ball_m).norm() < 0.7) continue;
@@ -46,39 +68,27 @@ TEST_P(PermittedOnFieldOf, LetsTheKeeperIntoItsArea) {
   }
 }
 
-class PermittedByRoundAreaOf : public PermittedOnFieldOf {};
-
-TEST_P(PermittedByRoundAreaOf, KeepsARobotsHullOutOfItsOwnArea) {
+TEST_P(PermittedOnFieldOf, KeepsRobotsOffBothAreasWhereverTheyWantToBe) {
   const Field field = briefing_of(GetParam()).field;
-  for (const Vec2& place_m : places_on(field)) {
-    const Vec2 p = permitted(field, place_m, {kFarBall_m, 0}, {});
-    ASSERT_GE(distance_to_defence_area(field, Side::kWest, p), kRobotRadius_m)
-        << place_m.transpose();
+  for (const Vec2& place_m : places_on(field, field.run_off_m)) {
+    const Vec2 p = permitted(field, place_m, {kFarBall_m, 0}, off_both_areas());
+    for (const Side side : kSides)
+      ASSERT_GE(distance_to_defence_area(field, side, p), wanted_off_m(side))
+          << place_m.transpose();
   }
 }
 
-TEST_P(PermittedByRoundAreaOf, KeepsItsDistanceFromTheirArea) {
+// The areas are convex: if no place on a circle around the wanted one is out, none within it is.
+TEST_P(PermittedOnFieldOf, MovesAPlaceOutOfAnAreaNoFartherThanItMust) {
   const Field field = briefing_of(GetParam()).field;
-  Limits limits;
-  limits.keep_from_area_m = 0.29;
-  for (const Vec2& place_m : places_on(field)) {
+  Limits limits = off_both_areas();
+  limits.beyond_lines_m = field.run_off_m;
+  for (const Vec2& place_m : places_on(field, 0.5)) {
     const Vec2 p = permitted(field, place_m, {kFarBall_m, 0}, limits);
-    ASSERT_GE(distance_to_defence_area(field, Side::kEast, p), 0.29) << place_m.transpose();
-  }
-}
-
-// From anywhere before the middle of a box, where the way out is straight ahead.
-TEST_P(PermittedOnFieldOf, KeepsRobotsOutOfTheMiddleOfTheAreas) {
-  const Field field = briefing_of(GetParam()).field;
-  Limits limits;
-  limits.keep_from_area_m = 0.29;
-  for (double off_m = 0.9 * field.defence_area.depth_m; off_m > 0; off_m -= 0.1) {
-    for (const Side side : kSides) {
-      const Vec2 place_m = field.goal_centre_m(side) - Vec2(goal_sign(side) * off_m, 0);
-      const Vec2 p = permitted(field, place_m, {kFarBall_m, 0}, limits);
-      const double least_m = side == Side::kWest ? kRobotRadius_m : 0.29;
-      ASSERT_GE(distance_to_defence_area(field, side, p), least_m) << place_m.transpose();
-    }
+    const double shorter_m = (p - place_m).norm() - 40_mm;
+    if (shorter_m < 0) continue;
+    const Side side = place_m.x() < 0 ? Side::kWest : Side::kEast;
+    ASSERT_FALSE(is_out_within(field, side, place_m, shorter_m)) << place_m.transpose();
   }
 }
 
@@ -90,16 +100,18 @@ std::string name_of_book(const testing::TestParamInfo<const char*>& book) {
 
 INSTANTIATE_TEST_SUITE_P(Books, PermittedOnFieldOf,
                          testing::Values("paper", "2014-double", "2026-b", "2026-a"), name_of_book);
-INSTANTIATE_TEST_SUITE_P(Books, PermittedByRoundAreaOf, testing::Values("paper", "2014-double"),
-                         name_of_book);
-
-TEST(Permitted, MovesAPlaceOutOfTheAreaNoFartherThanItMust) {
-  const Field field;
-  for (const Vec2& place_m : places_on(field)) {
-    const double inside_m = kRobotRadius_m - distance_to_defence_area(field, Side::kWest, place_m);
-    const Vec2 p = permitted(field, place_m, {kFarBall_m, 0}, {});
-    ASSERT_LE((p - place_m).norm(), std::max(0.0, inside_m) + 0.1) << place_m.transpose();
-  }
+// 0.9 m before the west goal line and 0.3 m inside a side of the 2 m wide box.
+TEST(Permitted, MovesAPlaceInABoxToItsNearestSide) {
+  const Field field = briefing_of("2026-b").field;
+  const Vec2 goal_m = field.goal_centre_m(Side::kWest);
+  const Vec2 near_side_m = goal_m + Vec2(0.5, -0.7);
+  const Vec2 p = permitted(field, near_side_m, {kFarBall_m, 0}, {});
+  EXPECT_EQ(p.x(), near_side_m.x());
+  EXPECT_NEAR(p.y(), -1.0 - kRobotRadius_m, 50_mm);
+  const Vec2 near_front_m = goal_m + Vec2(0.9, -0.7);
+  const Vec2 q = permitted(field, near_front_m, {kFarBall_m, 0}, {});
+  EXPECT_NEAR(q.x(), goal_m.x() + 1.0 + kRobotRadius_m, 50_mm);
+  EXPECT_EQ(q.y(), near_front_m.y());
 }
 
 TEST(Permitted, KeepsItsDistanceFromTheBall) {
