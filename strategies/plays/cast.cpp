@@ -46,7 +46,7 @@ void Cast::spread() {
     Task& task = tasks_[static_cast<std::size_t>(i)];
     if (task.part < Part::kReceiver) continue;
     Vec2& place_m = task.place.position_m;
-    place_m = permitted(outlook_->field(), place_m, outlook_->place_m(), limits);
+    place_m = permitted_by_all(outlook_->field(), place_m, outlook_->place_m(), limits);
     for (int tries = 0; tries < kTries; ++tries) {
       const auto too_near = std::find_if(taken_m.begin(), taken_m.end(), [&](const Vec2& other_m) {
         return (other_m - place_m).squaredNorm() < kApart_m * kApart_m;
@@ -56,8 +56,8 @@ void Cast::spread() {
       const Vec2 off = place_m - *too_near;
       const Vec2 away =
           direction_of(off + beside * (off.dot(beside) < 0 ? -kAside_m : kAside_m), beside);
-      place_m = permitted(outlook_->field(), *too_near + away * (kApart_m + 10_mm),
-                          outlook_->place_m(), limits);
+      place_m = permitted_by_all(outlook_->field(), *too_near + away * (kApart_m + 10_mm),
+                                 outlook_->place_m(), limits);
     }
     taken_m.push_back(place_m);
   }

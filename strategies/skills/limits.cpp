@@ -4,11 +4,13 @@
 #include <cmath>
 
 #include "soccer/robot_shape.hpp"
+#include "soccer/trigonometry.hpp"
 
 namespace autoref::strategies {
 namespace {
 
 constexpr double kMargin_m = 30_mm;  // more than a rule asks for, for the robots' own errors
+constexpr int kTurns = 36;           // tried to each side of a place in the ball's circle
 
 // Moves `p` by the shortest way until it is `distance_m` off the area of `side`.
 //
@@ -68,6 +70,21 @@ Vec2 pushed_into_bounds(const Field& field, Vec2 p, const Limits& limits) {
 
 Vec2 permitted(const Field& field, const Vec2& wanted_m, const Vec2& ball_m, const Limits& limits) {
   return pushed_into_bounds(field, pushed_off_ball(field, wanted_m, ball_m, limits), limits);
+}
+
+Vec2 permitted_by_all(const Field& field, const Vec2& wanted_m, const Vec2& ball_m,
+                      const Limits& limits) {
+  const Vec2 p = permitted(field, wanted_m, ball_m, limits);
+  if ((p - ball_m).norm() >= limits.keep_from_ball_m) return p;
+  const Vec2 off_m =
+      direction_of(p - ball_m, back_from(field, ball_m)) * (limits.keep_from_ball_m + kMargin_m);
+  for (int i = 1; i <= kTurns; ++i) {
+    for (const double side : {1.0, -1.0}) {
+      const Vec2 turned_m = ball_m + to_world(off_m, heading_of(side * i * kPi / kTurns));
+      if (pushed_into_bounds(field, turned_m, limits) == turned_m) return turned_m;
+    }
+  }
+  return p;
 }
 
 }  // namespace autoref::strategies

@@ -18,7 +18,12 @@ struct Limits {
   double beyond_lines_m = 90_mm;  // of a robot's centre, outside the field: half of it
 };
 
-// The permitted place nearest to `wanted_m`, or close to it.
+// The permitted place nearest to `wanted_m`, or close to it. Where the half, an area or the field's
+// edge leaves no room between itself and the ball, they are kept to, and the ball's circle is not.
 Vec2 permitted(const Field& field, const Vec2& wanted_m, const Vec2& ball_m, const Limits& limits);
+
+// The same, but where there is no room, a place farther round the ball that keeps all limits.
+Vec2 permitted_by_all(const Field& field, const Vec2& wanted_m, const Vec2& ball_m,
+                      const Limits& limits);
 
 }  // namespace autoref::strategies

@@ -154,12 +154,7 @@ RobotCommand go_to(const Outlook& outlook, int index, const Waypoint& wanted) {
   const TeamView& now = outlook.now();
   Waypoint goal = wanted;
   goal.position_m =
-      permitted(outlook.field(), wanted.position_m, outlook.place_m(), outlook.limits());
-  // Clamped to the field it may lie in the ball's circle again: then towards the field's middle.
-  const double keep_m = outlook.limits().keep_from_ball_m;
-  if ((goal.position_m - outlook.place_m()).norm() < keep_m)
-    goal.position_m =
-        outlook.place_m() + direction_of(-outlook.place_m(), Vec2(-1, 0)) * (keep_m + kNearRoom_m);
+      permitted_by_all(outlook.field(), wanted.position_m, outlook.place_m(), outlook.limits());
   if (const auto way_m = way_from_behind_goal(outlook.field(), robot.position_m))
     goal.position_m = *way_m;
   Obstacles obstacles;

@@ -134,6 +134,69 @@ TEST(Permitted, SendsARobotAtTheBallTowardsItsOwnGoal) {
   EXPECT_LT(permitted(Field{}, {0, 0}, {0, 0}, limits).x(), -0.5);
 }
 
+// Balls beside which somewhere no robot fits: before, beside and behind areas, at lines and
+// corners.
+std::vector<Vec2> narrow_balls_of(const Field& field) {
+  const Vec2 goal_m = field.goal_centre_m(Side::kWest);
+  const double depth_m = field.defence_area.depth_m;
+  const Vec2 corner_m(field.half_length_m(), field.half_width_m());
+  std::vector<Vec2> balls_m = {{0, 0}, corner_m, {0.3, -corner_m.y()}};
+  for (const Vec2& off_m : {Vec2(depth_m + 0.1, 0), Vec2(depth_m + 0.3, 0.4), Vec2(0.1, 1.2),
+                            Vec2(depth_m, depth_m), Vec2(0.3, 0.3), Vec2(depth_m, -depth_m)}) {
+    balls_m.push_back(goal_m + off_m);
+    balls_m.push_back(-goal_m - off_m);
+  }
+  return balls_m;
+}
+
+TEST_P(PermittedOnFieldOf, ByAllKeepsTheBallsCircleAndTheAreasAtOnce) {
+  const Field field = briefing_of(GetParam()).field;
+  Limits limits = off_both_areas();
+  limits.keep_from_ball_m = 0.61;
+  for (const Vec2& ball_m : narrow_balls_of(field)) {
+    for (const Vec2& place_m : places_on(field)) {
+      const Vec2 p = permitted_by_all(field, place_m, ball_m, limits);
+      ASSERT_GE((p - ball_m).norm(), 0.61) << place_m.transpose() << "; " << ball_m.transpose();
+      ASSERT_LT((permitted(field, p, ball_m, limits) - p).norm(), 1e-9);  // the others, too
+    }
+  }
+}
+
+TEST_P(PermittedOnFieldOf, ByAllIsWhatIsPermittedWhereThatKeepsOffTheBall) {
+  const Field field = briefing_of(GetParam()).field;
+  Limits limits = off_both_areas();
+  limits.keep_from_ball_m = 0.61;
+  for (const Vec2& ball_m : narrow_balls_of(field)) {
+    for (const Vec2& place_m : places_on(field)) {
+      const Vec2 p = permitted(field, place_m, ball_m, limits);
+      if ((p - ball_m).norm() < 0.61) continue;
+      ASSERT_EQ(permitted_by_all(field, place_m, ball_m, limits), p);
+    }
+  }
+}
+
+// 0.3 m before the area's front there is no room behind the ball: beside it then, not before it.
+TEST(PermittedByAll, GoesRoundTheBallNoFartherThanItMust) {
+  const Field field;
+  Limits limits;
+  limits.keep_from_ball_m = 0.61;
+  const Vec2 ball_m(-field.half_length_m() + 1.1, 0);
+  const Vec2 p = permitted_by_all(field, {-field.half_length_m() + 0.9, 0.05}, ball_m, limits);
+  EXPECT_LT(p.x(), ball_m.x());
+  EXPECT_LT(distance_to_defence_area(field, Side::kWest, p), 0.2);
+}
+
+TEST(PermittedByAll, KeepsTheOwnHalfAndTheBallsCircleBeforeAKickoff) {
+  Limits limits;
+  limits.own_half_only = true;
+  limits.keep_from_ball_m = 0.61;
+  for (const Vec2& place_m : places_on(Field{})) {
+    const Vec2 p = permitted_by_all(Field{}, place_m, {0, 0}, limits);
+    ASSERT_GE(p.norm(), 0.61) << place_m.transpose();
+    ASSERT_LE(p.x(), -kRobotRadius_m) << place_m.transpose();
+  }
+}
+
 TEST(Permitted, KeepsTheHullInTheOwnHalf) {
   Limits limits;
   limits.own_half_only = true;
