@@ -37,6 +37,13 @@ double way_after_m(double speed_mps, double rolls_mps, double time_s) {
   return slide.way_m + rolled_m(rolling_mps, time_s - slide.time_s);
 }
 
+double speed_after_mps(double speed_mps, double rolls_mps, double time_s) {
+  const double rolling_mps = std::min(speed_mps, rolls_mps);
+  const double slide_s = sliding(speed_mps, rolling_mps).time_s;
+  if (time_s < slide_s) return speed_mps - kSlide_mps2 * time_s;
+  return std::max(0.0, rolling_mps - kRoll_mps2 * (time_s - slide_s));
+}
+
 }  // namespace
 
 void BallPath::follow(const TrackedBall& ball, double latency_s) {
@@ -47,7 +54,7 @@ void BallPath::follow(const TrackedBall& ball, double latency_s) {
   way_ = direction_of(ball.velocity_mps, way_);
   const double rolls_mps = kRollsFrom * kick_mps_;
   const bool is_still = seen_mps < kStill_mps;
-  speed_mps_ = is_still ? 0 : std::max(0.0, seen_mps - latency_s * kRoll_mps2);
+  speed_mps_ = is_still ? 0 : speed_after_mps(seen_mps, rolls_mps, latency_s);
   for (int i = 0; i <= kSteps; ++i) {
     const double way_m = is_still ? 0 : way_after_m(seen_mps, rolls_mps, latency_s + i * kStep_s);
     table_[static_cast<std::size_t>(i)] = ball.position_m + way_ * way_m;

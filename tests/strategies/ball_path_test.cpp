@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "soccer/ball_tracker.hpp"
 #include "tests/strategies/staged_world.hpp"
 
 namespace autoref::strategies {
@@ -44,6 +45,37 @@ TEST(BallPath, BeginsWhereTheBallIsWhenOrdersTakeEffect) {
   path.follow(ball.at(0), 0.1);
   EXPECT_NEAR(path.now_m().x(), ball.at(0.1).position_m.x(), 0.02);
   EXPECT_NEAR(path.at_step(5).x(), ball.at(0.6).position_m.x(), 0.1);
+}
+
+// The ball of a kick at 0.507 s, between two pictures, as the tracker tells it: from its second
+// picture on.
+TEST(BallPath, ForetellsAFastKickWithinSevenCentimetresPerSecond) {
+  const CarpetBall kick{{-2, 0}, {1, 0}, 6};
+  const auto at = [&](double time_s) { return kick.at(std::max(0.0, time_s - 0.507)); };
+  BallTracker tracker(0);
+  BallPath path;
+  for (int frame = 0; frame < 90; ++frame) {
+    const double now_s = frame * kStagedFrame_s;
+    path.follow(*tracker.update(now_s, BallObservation{at(now_s).position_m, 0.0}, {}), 0);
+    if (frame < 32) continue;
+    for (const int step : {2, 5, 10}) {
+      const Vec2 there_m = at(now_s + step * BallPath::kStep_s).position_m;
+      ASSERT_LT((path.at_step(step) - there_m).norm(), 7_mm * step) << frame << ", step " << step;
+    }
+  }
+}
+
+TEST(BallPath, TellsTheSpeedThatTheBallHasWhenOrdersTakeEffect) {
+  for (const double kick_mps : {1.5, 4.0, 8.0}) {
+    const CarpetBall ball{{0, 0}, {0, 1}, kick_mps};
+    BallPath path;
+    for (int frame = 0; frame <= 90; ++frame) {
+      const double time_s = frame * kStagedFrame_s;
+      path.follow(ball.at(time_s), 0.05);
+      ASSERT_NEAR(path.speed_mps(), ball.at(time_s + 0.05).velocity_mps.norm(), 0.03)
+          << kick_mps << " m/s, frame " << frame;
+    }
+  }
 }
 
 TEST(BallPath, KeepsAStillBallWhereItIs) {
