@@ -93,7 +93,7 @@ Choice shot_from(const Outlook& outlook, int number, const Vec2& from_m) {
 Choice pass_to(const Outlook& outlook, int mate, double chance, const Vec2& from_m) {
   Choice pass = pass_for(outlook, mate, Choice::Kind::kPass);
   const double distance_m = (pass.strike.target_m - from_m).norm();
-  if (distance_m < kNearestPass_m) return pass;
+  if (distance_m < kNearestPass_m || !outlook.may_touch_at(pass.strike.target_m)) return pass;
   pass.strike.kick_mps =
       outlook.allowed_kick_mps(kick_for_mps(distance_m, outlook.style().pass_arrival_mps));
   const double safety =
@@ -109,6 +109,7 @@ Choice chip_to(const Outlook& outlook, int mate, double chance, const Vec2& from
   const double flight_m = distance_m - kHops_m;
   const double kick_mps = std::sqrt(kGravity_mps2 * std::max(0.0, flight_m));  // at 45 degrees
   if (flight_m < kShortestChip_m || kick_mps > outlook.chip_limit_mps()) return chip;
+  if (!outlook.may_touch_at(chip.strike.target_m)) return chip;
   chip.strike.chip = true;
   chip.strike.first_touch = false;
   chip.strike.kick_mps = kick_mps;

@@ -22,7 +22,8 @@ struct Choice {
 Choice shot_from(const Outlook& outlook, int number, const Vec2& from_m);
 
 // A pass along the ground, or chipped over who stands between, to the mate of that index; `chance`
-// is that of a shot from where the mate is. Worth -1 where it is too near, or too far for a chip.
+// is that of a shot from where the mate is. Worth -1 where it is too near, too far for a chip, or
+// in an area where field players may not touch the ball.
 Choice pass_to(const Outlook& outlook, int mate, double chance, const Vec2& from_m);
 Choice chip_to(const Outlook& outlook, int mate, double chance, const Vec2& from_m);
 

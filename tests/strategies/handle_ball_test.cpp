@@ -73,6 +73,47 @@ TEST(BallHandler, PassesToAFreeMateWhereTheGoalIsClosed) {
   EXPECT_GT(order.kick_mps, 1);
 }
 
+// Opponents press robot 1, shut the goal, and the lane to its only mate.
+void stage_a_chip(StagedWorld& world) {
+  const Vec2 lane(0.96, 0.28);
+  const Vec2 ball_m = Vec2(0, 0.8) + kHeldBall_m * lane;
+  world.own(0, {-2.8, 0}).own(1, {0, 0.8}).own(2, ball_m + 1.9 * lane).ball(ball_m);
+  world.view.own[1].heading = lane;
+  world.opponent(0, {2.9, 0}).opponent(1, ball_m + 0.5 * lane);
+  world.opponent(2, {0.6, 0.68}).opponent(3, {0.05, 0.58});
+}
+
+TEST(BallHandler, ChipsOverARobotInTheLane) {
+  Staged stage(Play::kRunning);
+  stage_a_chip(stage.world);
+  const RobotCommand order = stage.play(1);
+  EXPECT_EQ(stage.handler.choice().kind, Choice::Kind::kChip);
+  EXPECT_EQ(stage.handler.choice().receiver, 2);
+  EXPECT_TRUE(order.chip);
+}
+
+TEST(BallHandler, DoesNotChipWithRobotsThatCannot) {
+  Briefing briefing;
+  for (Abilities& robot : briefing.robots) robot.chip_mps = 0;
+  Staged stage(Play::kRunning, false, briefing);
+  stage_a_chip(stage.world);
+  const RobotCommand order = stage.play(1);
+  EXPECT_NE(stage.handler.choice().kind, Choice::Kind::kChip);
+  EXPECT_FALSE(order.chip);
+}
+
+// Robot 2, in the opponents' area, would have the better shot.
+TEST(BallHandler, PassesToNobodyWhoMayNotTouchTheBall) {
+  Staged stage(Play::kRunning, false, briefing_of("2026-b"));
+  stage.world.own(0, {-4.3, 0}).own(1, {2, -2}).own(2, {3.8, 0.8}).own(3, {2, 0.4});
+  stage.world.view.own[1].heading = {0, 1};
+  stage.world.ball(Vec2(2, -2) + Vec2(0, kHeldBall_m));
+  stage.world.opponent(1, {2.4, -1.75}).opponent(2, {2.35, -1.6});
+  stage.play(1);
+  EXPECT_EQ(stage.handler.choice().kind, Choice::Kind::kPass);
+  EXPECT_EQ(stage.handler.choice().receiver, 3);
+}
+
 TEST(BallHandler, ForgetsWhomAPassWasForOnceItMustHaveArrived) {
   Staged stage(Play::kRunning);
   stage_a_pass(stage.world);
