@@ -2,33 +2,17 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/strategies/staged_world.hpp"
+#include "tests/strategies/staged_play.hpp"
 
 namespace autoref::strategies {
 namespace {
 
-// A staged world and what plays look at.
-struct Staged : StagedOutlook {
-  using StagedOutlook::StagedOutlook;
+struct Staged : StagedPlay {
+  using StagedPlay::StagedPlay;
 
-  // The parts that a play gives, after a few frames of looking.
-  Cast cast(void (*play)(Playbook&, Cast&)) {
-    for (int i = 0; i < 12; ++i) {
-      look(1);
-      field.update();
-      handler.update();
-    }
-    Cast cast(outlook);
-    play(book, cast);
-    return cast;
-  }
   void robots(int count) {
     for (int i = 0; i < count; ++i) world.own(i, {-2.5 + 0.5 * i, 1.0 - 0.35 * i});
   }
-
-  PassField field{outlook};
-  BallHandler handler{outlook};
-  Playbook book{outlook, handler, field};
 };
 
 int count_of(const Staged& stage, const Cast& cast, Part part) {
