@@ -128,8 +128,9 @@ class StagedWorld {
 
 // A staged world, and what a team makes of it.
 struct StagedOutlook {
-  explicit StagedOutlook(Play play, bool ours = false, const Briefing& briefing = {})
-      : world(play, ours), outlook(briefing, Style{}) {}
+  explicit StagedOutlook(Play play, bool ours = false, const Briefing& briefing = {},
+                         const Style& style = {})
+      : world(play, ours), outlook(briefing, style) {}
 
   // Looks at the world for so many frames in which no robot moves. Opponents are looked at in turn,
   // so that one frame is not enough for all of them.

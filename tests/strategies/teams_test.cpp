@@ -5,6 +5,8 @@
 
 #include "soccer/robot_shape.hpp"
 #include "strategies/registry.hpp"
+#include "strategies/tactics/handle_ball.hpp"
+#include "strategies/teams/plans.hpp"
 #include "tests/strategies/staged_world.hpp"
 
 namespace autoref::strategies {
@@ -24,6 +26,40 @@ StagedWorld theirs_at(const Vec2& ball_m) {
 
 double distance_m(const TrackedRobot& robot, const Vec2& point_m) {
   return (robot.position_m - point_m).norm();
+}
+
+// The same with the ball at robot 1's front, and no opponent near.
+StagedWorld ours_at(const Vec2& ball_m) {
+  StagedWorld world = theirs_at(ball_m);
+  world.view.opponents[1].position_m = {2, 1.7};
+  world.view.own[1].position_m = ball_m - Vec2(kHeldBall_m, 0);
+  return world;
+}
+
+// How many of the team's robots are that far ahead.
+auto ahead_of(const StagedWorld& world, double x_m) {
+  const auto& own = world.view.own;
+  return std::count_if(own.begin(), own.end(),
+                       [&](const TrackedRobot& robot) { return robot.position_m.x() > x_m; });
+}
+
+// Whom of its mates, by number, a robot of that plan passes to: robot 2 is safe beside it, robot 3
+// is far ahead, and an opponent not far from the way there. Nobody can chip.
+int passes_to(const Plan& plan) {
+  Briefing briefing;
+  for (Abilities& robot : briefing.robots) robot.chip_mps = 0;
+  StagedOutlook stage(Play::kRunning, false, briefing, plan.style);
+  BallHandler handler(stage.outlook);
+  stage.world.own(0, {-2.9, 0}).own(1, {-1, 0}).own(2, {-0.9, 1.3}).own(3, {1.6, -0.9});
+  stage.world.view.own[1].heading = {0.8, 0.6};
+  stage.world.ball(Vec2(-1, 0) + kHeldBall_m * Vec2(0.8, 0.6));
+  stage.world.opponent(0, {2.9, 0}).opponent(1, {-0.3, 0.1}).opponent(2, {0, -0.75});
+  for (int frame = 0; frame < 12; ++frame) {
+    stage.look(1);
+    handler.update();
+    handler.play(1);
+  }
+  return handler.choice().receiver;
 }
 
 // The robot of the team nearest to the point, by number.
@@ -71,6 +107,44 @@ TEST(Shadow, FollowsItsOwnOpponentsWhenTheyCrossEachOther) {
   EXPECT_LT(distance_m(world.robot(third), opponents[3].position_m), kBeside_m);
 }
 
+TEST(Shadow, StandsBetweenItsOpponentsAndItsGoal) {
+  const auto team = make("shadow");
+  StagedWorld world = four_to_mark();
+  world.run(*team, 4);
+  const Vec2 goal_m = Field{}.goal_centre_m(Side::kWest);
+  for (std::size_t i = 2; i < 6; ++i) {
+    const Vec2& opponent_m = world.view.opponents[i].position_m;
+    const TrackedRobot& marker = world.robot(nearest_to(world, opponent_m));
+    EXPECT_LT(distance_m(marker, goal_m), (opponent_m - goal_m).norm() - 0.15) << i;
+  }
+}
+
+TEST(Shadow, MarksInAStopAsWell) {
+  const auto team = make("shadow");
+  StagedWorld world = four_to_mark();
+  world.view.play = Play::kStop;
+  world.view.ball.position_m = {2.9, 1.9};  // far from all of them
+  world.run(*team, 5);
+  for (std::size_t i = 1; i < 5; ++i) {  // the fifth robot blocks the ball
+    const Vec2& opponent_m = world.view.opponents[i].position_m;
+    EXPECT_LT(distance_m(world.robot(nearest_to(world, opponent_m)), opponent_m), kBeside_m) << i;
+  }
+}
+
+TEST(Shadow, LetsTwoRunFreeOfTheirMenWithTheBall) {
+  const auto team = make("shadow");
+  StagedWorld world = four_to_mark();
+  world.ball({-0.5, 0});
+  world.view.own[1].position_m = {-0.5 - kHeldBall_m, 0};
+  world.run(*team, 4);
+  int beside = 0;
+  for (int i = 2; i < 6; ++i) {
+    for (const TrackedRobot& opponent : world.view.opponents)
+      beside += distance_m(world.robot(i), opponent.position_m) < kBeside_m ? 1 : 0;
+  }
+  EXPECT_EQ(beside, 2);
+}
+
 TEST(Zone, KeepsItsShapeAndShiftsWithTheBall) {
   const auto team = make("zone");
   StagedWorld world = theirs_at({0, 0});
@@ -96,6 +170,32 @@ TEST(Zone, SendsOnlyTheFastestToTheBall) {
   for (int i = 2; i < 6; ++i) EXPECT_GT(distance_m(world.robot(i), {0, 0}), 0.5) << i;
 }
 
+TEST(Zone, ComesUpWithItsOwnBall) {
+  const auto without = make("zone");
+  const auto with = make("zone");
+  StagedWorld theirs = theirs_at({0, 0});
+  StagedWorld ours = ours_at({0, 0});
+  theirs.run(*without, 4);
+  ours.run(*with, 4);
+  for (int i = 2; i < 6; ++i) {
+    const Vec2 up_m = ours.robot(i).position_m - theirs.robot(i).position_m;
+    EXPECT_NEAR(up_m.x(), 0.12 * 3.025, 0.02) << i;  // of the half's length
+    EXPECT_NEAR(up_m.y(), 0, 0.02) << i;
+  }
+}
+
+TEST(Zone, HoldsItsZonesInAStop) {
+  const auto team = make("zone");
+  StagedWorld world = theirs_at({1.5, 0});
+  world.view.own[1].position_m = {1.0, 0};
+  world.run(*team, 4);
+  const TeamView before = world.view;
+  world.view.play = Play::kStop;
+  world.run(*team, 4);
+  for (std::size_t i = 2; i < 6; ++i)
+    EXPECT_LT(distance_m(world.view.own[i], before.own[i].position_m), 0.05) << i;
+}
+
 TEST(Counter, KeepsAllButOneBehindTheBallWhenItIsTheirs) {
   for (const Vec2& ball_m : {Vec2(0.3, 0), Vec2(-0.6, 1.2), Vec2(1.2, -1.5)}) {
     const auto team = make("counter");
@@ -113,26 +213,55 @@ TEST(Counter, LeavesOneOrTwoInTheOpponentsHalf) {
   const auto team = make("counter");
   StagedWorld world = theirs_at({-1, 0.5});
   world.run(*team, 4);
-  const auto& own = world.view.own;
-  const auto ahead =
-      std::count_if(own.begin(), own.end(), [](const auto& r) { return r.position_m.x() > 0.5; });
-  EXPECT_GE(ahead, 1);
-  EXPECT_LE(ahead, 2);
+  EXPECT_GE(ahead_of(world, 0.5), 1);
+  EXPECT_LE(ahead_of(world, 0.5), 2);
+}
+
+TEST(Counter, HasTwoAheadOfItsOwnBallAndTheOthersBehind) {
+  const auto team = make("counter");
+  StagedWorld world = ours_at({-1, 0.5});
+  world.run(*team, 4);
+  EXPECT_EQ(ahead_of(world, 0.5), 2);
+  EXPECT_EQ(ahead_of(world, -0.7), 2);  // a quarter of the half: nobody between
+}
+
+TEST(Counter, LeavesSomebodyAheadInAStop) {
+  const auto team = make("counter");
+  StagedWorld world = theirs_at({-1, 0.5});
+  world.view.play = Play::kStop;
+  world.run(*team, 4);
+  EXPECT_GE(ahead_of(world, 0.5), 1);
+  EXPECT_LE(ahead_of(world, 0.5), 2);
+}
+
+TEST(Counter, PassesFarAheadRatherThanSafely) { EXPECT_EQ(passes_to(counter_plan()), 3); }
+
+TEST(Possession, PassesSafelyRatherThanFarAhead) { EXPECT_EQ(passes_to(possession_plan()), 2); }
+
+// The robots beyond the first two, who are at passing distance from the ball.
+int around_ball(const StagedWorld& world) {
+  int around = 0;
+  for (int i = 2; i < 6; ++i) {
+    const double off_m = distance_m(world.robot(i), world.view.ball.position_m);
+    around += off_m > 0.7 && off_m < 1.6 ? 1 : 0;
+  }
+  return around;
 }
 
 TEST(Possession, SpreadsAroundItsBallAtPassingDistance) {
   const auto team = make("possession");
-  StagedWorld world = theirs_at({0.2, 0.3});
-  world.view.opponents[1].position_m = {2, 1.5};  // so that the ball is robot 1's
-  world.view.own[1].position_m = world.view.ball.position_m - Vec2(0.1, 0);
+  StagedWorld world = ours_at({0.2, 0.3});
   world.run(*team, 4);
-  const Vec2& ball_m = world.view.ball.position_m;
-  int around = 0;
-  for (int i = 2; i < 6; ++i) {
-    const double off_m = distance_m(world.robot(i), ball_m);
-    around += off_m > 0.7 && off_m < 1.6 ? 1 : 0;
-  }
-  EXPECT_GE(around, 3);  // the fourth stays back
+  EXPECT_GE(around_ball(world), 3);  // the fourth stays back
+}
+
+TEST(Possession, SpreadsAroundTheBallOfItsOwnRestartBeforeIt) {
+  const auto team = make("possession");
+  StagedWorld world = ours_at({0.2, 0.3});
+  world.view.play = Play::kStop;
+  world.view.next_is_ours = true;
+  world.run(*team, 4);
+  EXPECT_GE(around_ball(world), 3);
 }
 
 TEST(Chaser, SendsOneToTheBallAndKeepsTheOthersInFormation) {
