@@ -24,7 +24,7 @@ struct Style {
   double receivers = 3;
   double width = 0.85;
   double line_m = -0.4;
-  double keeper_out_m = 0.35;
+  double keeper_out_m = 0.25;
   double ahead = 0;
   double patience = 0;
   double net_m = 1.3;
