@@ -104,7 +104,9 @@ TEST(BallHandler, DoesNotChipWithRobotsThatCannot) {
 
 // Robot 2, in the opponents' area, would have the better shot.
 TEST(BallHandler, PassesToNobodyWhoMayNotTouchTheBall) {
-  Staged stage(Play::kRunning, false, briefing_of("2026-b"));
+  Style style;
+  style.carry = 0;
+  Staged stage(Play::kRunning, false, briefing_of("2026-b"), style);
   stage.world.own(0, {-4.3, 0}).own(1, {2, -2}).own(2, {3.8, 0.8}).own(3, {2, 0.4});
   stage.world.view.own[1].heading = {0, 1};
   stage.world.ball(Vec2(2, -2) + Vec2(0, kHeldBall_m));
