@@ -12,6 +12,7 @@ enum ExitCode : int {
   kDone = 0,
   kBadInput = 2,      // a file, a key or a flag is wrong; the message says which
   kTooManyVoid = 3,   // more than one game in twenty went wrong
+  kDifferent = 4,     // a game that was played again did not come out as before
   kInternal = 70,     // a mistake of this program
   kInputOutput = 74,  // a folder or file cannot be written, or another run holds the folder
   kInterrupted = 75,  // the same command continues

@@ -10,6 +10,7 @@
 #include "runner/files.hpp"
 #include "runner/plan.hpp"
 #include "runner/progress.hpp"
+#include "runner/result_folder.hpp"
 #include "runner/shard.hpp"
 #include "runner/stock.hpp"
 #include "runner/workers.hpp"
@@ -18,9 +19,6 @@ namespace autoref::runner {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kShardFile = "shard-0-of-1.csv";
-constexpr const char* kEffectiveFile = "effective.yaml";
 
 std::vector<PlannedGame> planned(const Scenario& scenario, const fs::path& folder) {
   try {
@@ -56,14 +54,16 @@ class Experiment {
         games_(planned(scenario, options.folder)) {}
 
   ExperimentReport run() {
-    create_folder(options_.folder / "games");
-    Shard shard(options_.folder / "games" / kShardFile, csv_line(format_.columns()),
-                options_.patience_s);
-    take();
+    create_folder(options_.folder / kGamesFolder);
+    Shard shard(options_.folder / kGamesFolder / options_.shard.file_name(),
+                csv_line(format_.columns()), options_.patience_s);
+    take_with_notes();
     replace_file(options_.folder / kEffectiveFile, effective_text(scenario_));
     ExperimentReport report;
     report.games = static_cast<int>(games_.size());
-    report.is_complete = play_missing(shard, report.played) == Ending::kDone;
+    report.is_interrupted = play_missing(shard, report.played) == Ending::kInterrupted;
+    if (options_.shard.of > 1) rows_ = take().done;  // others may have played meanwhile
+    report.is_complete = rows_.size() == games_.size();
     report.done = static_cast<int>(rows_.size());
     for (const auto& [id, cells] : rows_) {
       report.void_games += cells[format_.column("status")] == name_of(Status::kVoid) ? 1 : 0;
@@ -73,10 +73,16 @@ class Experiment {
   }
 
  private:
-  void take() {
-    const StoredRows stored = read_rows(options_.folder / "games", format_);
-    Stock stock = take_stock(stored.rows, games_, format_, options_.build,
-                             options_.allow_mixed_build, options_.folder, changes());
+  Stock take() const { return take(read_rows(options_.folder / kGamesFolder, format_)); }
+
+  Stock take(const StoredRows& stored) const {
+    return take_stock(stored.rows, games_, format_, options_.build, options_.allow_mixed_build,
+                      options_.folder, changes());
+  }
+
+  void take_with_notes() {
+    const StoredRows stored = read_rows(options_.folder / kGamesFolder, format_);
+    Stock stock = take(stored);
     rows_ = std::move(stock.done);
     if (stored.damaged > 0) {
       say(fmt::format("{} rows are damaged and do not count; their games are played again",
@@ -106,7 +112,7 @@ class Experiment {
   Ending play_missing(Shard& shard, int& played_games) {
     std::vector<std::size_t> missing;
     for (std::size_t i = 0; i < games_.size(); ++i) {
-      if (!rows_.contains(games_[i].id)) missing.push_back(i);
+      if (options_.shard.has(i) && !rows_.contains(games_[i].id)) missing.push_back(i);
     }
     if (missing.empty()) return Ending::kDone;
     Progress progress(options_.progress, static_cast<int>(games_.size()),
@@ -126,7 +132,8 @@ class Experiment {
     const Cells outcome = result.failure.empty() ? csv_cells(result.payload).value()
                                                  : outcome_of(void_record(result.failure));
     const std::string line = format_.line(
-        game, outcome, {options_.build, host_, cpu_, result.wall_s, result.attempt, "0/1"});
+        game, outcome,
+        {options_.build, host_, cpu_, result.wall_s, result.attempt, options_.shard.name()});
     shard.append(line);
     const Cells cells = format_.read(line).value();
     const std::string& reason = cells[format_.column("void_reason")];
@@ -137,18 +144,10 @@ class Experiment {
   }
 
   void conclude(ExperimentReport& report) const {
+    report.results = write_results(options_.folder, scenario_, format_, rows_);
     std::vector<Cells> rows;
-    std::string results = csv_line(format_.reproducible(format_.columns())) + "\n";
-    for (const auto& [id, cells] : rows_) {
-      results += csv_line(format_.reproducible(cells)) + "\n";
-      rows.push_back(cells);
-    }
-    report.results = results_of(scenario_, format_, rows);
+    for (const auto& [id, cells] : rows_) rows.push_back(cells);
     report.arrows_never_taken = arrows_never_taken(format_, rows);
-    replace_file(options_.folder / "results.csv", results);
-    for (const ResultFile& file : report.results.files) {
-      replace_file(options_.folder / file.name, file.content);
-    }
   }
 
   void say(const std::string& message) const {

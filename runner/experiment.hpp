@@ -16,6 +16,7 @@
 #include "runner/experiment_kinds.hpp"
 #include "runner/game.hpp"
 #include "runner/scenario.hpp"
+#include "runner/shard.hpp"
 
 namespace autoref::runner {
 
@@ -23,6 +24,7 @@ struct ExperimentOptions {
   std::filesystem::path folder;
   std::string build;  // of the rows to be written; rows of others do not count
   int workers = 1;
+  ShardPlace shard;                // plays its share of the games only
   bool allow_mixed_build = false;  // rows of other builds may stand in the folder; they stay apart
   std::function<GameRecord(const GameConfiguration&)> play;  // called in workers
   std::FILE* progress = nullptr;                             // where to write progress, if anywhere
@@ -32,10 +34,11 @@ struct ExperimentOptions {
 };
 
 struct ExperimentReport {
-  bool is_complete = false;  // else the user interrupted it
-  int games = 0;             // of the scenario
-  int done = 0;              // so far, by this run and former ones
-  int played = 0;            // by this run
+  bool is_complete = false;     // all games are there, also those of other shards
+  bool is_interrupted = false;  // by the user, with games of this shard left
+  int games = 0;                // of the scenario
+  int done = 0;                 // so far, by this run and former ones
+  int played = 0;               // by this run
   int void_games = 0;
   ExperimentResults results;                    // of a complete run
   std::vector<std::string> arrows_never_taken;  // of the referee's machine, by a complete run

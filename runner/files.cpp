@@ -67,7 +67,7 @@ void write_all(int descriptor, std::string_view text, const fs::path& path) {
 PendingFile::PendingFile(fs::path path) : path_(std::move(path)), part_(path_) {
   std::error_code error;
   const fs::file_status status = fs::status(path_, error);
-  if (!fs::exists(status) || fs::is_regular_file(status)) part_ += ".part";
+  if (!fs::exists(status) || fs::is_regular_file(status)) part_ += fmt::format(".part{}", getpid());
   const int flags = O_WRONLY | O_CLOEXEC | (is_direct() ? 0 : O_CREAT | O_TRUNC);
   descriptor_ = open(part_.c_str(), flags, 0666);
   if (descriptor_ < 0) throw io_error(fmt::format("{} cannot be written", path_.string()), errno);

@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <chrono>
+#include <stdexcept>
 #include <thread>
 
 #include "runner/csv.hpp"
@@ -25,6 +27,28 @@ InputOutputError cannot_write(const fs::path& path) {
 }
 
 }  // namespace
+
+std::string ShardPlace::name() const { return fmt::format("{}/{}", number, of); }
+
+std::string ShardPlace::file_name() const { return fmt::format("shard-{}-of-{}.csv", number, of); }
+
+bool ShardPlace::has(std::size_t game) const {
+  return game / 2 % static_cast<std::size_t>(of) == static_cast<std::size_t>(number);
+}
+
+ShardPlace shard_place_of(const std::string& text) {
+  constexpr int kMost = 10000;
+  ShardPlace place;
+  const char* const end = text.data() + text.size();
+  const auto number = std::from_chars(text.data(), end, place.number);
+  const bool has_slash = number.ec == std::errc() && number.ptr != end && *number.ptr == '/';
+  const auto of = std::from_chars(has_slash ? number.ptr + 1 : end, end, place.of);
+  if (has_slash && of.ec == std::errc() && of.ptr == end && place.number >= 0 &&
+      place.of <= kMost && place.number < place.of)
+    return place;
+  throw std::invalid_argument(
+      fmt::format("expected I/N, such as 0/4 to 3/4, with N up to {}; found '{}'", kMost, text));
+}
 
 Shard::Shard(fs::path path, const std::string& header, double patience_s) : path_(std::move(path)) {
   descriptor_ = open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);

@@ -10,6 +10,25 @@
 
 namespace autoref::runner {
 
+// What a folder of results holds.
+inline constexpr const char* kGamesFolder = "games";             // a .csv of rows per shard
+inline constexpr const char* kEffectiveFile = "effective.yaml";  // the scenario, spelt out
+inline constexpr const char* kResultsFile = "results.csv";
+
+// One of several runs that share an experiment's games between them, on one machine or many.
+struct ShardPlace {
+  int number = 0;  // from 0
+  int of = 1;
+
+  std::string name() const;       // "0/1"
+  std::string file_name() const;  // "shard-0-of-1.csv"
+  // Whether the game at that place of the plan is this shard's: pairs of legs stay together.
+  bool has(std::size_t game) const;
+};
+
+// Of "0/4". Throws std::invalid_argument that says what is expected.
+ShardPlace shard_place_of(const std::string& text);
+
 // An append-only file of lines, held by one process at a time. A line is written at once and is on
 // the disk when append() returns.
 class Shard {

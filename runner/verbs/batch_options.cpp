@@ -24,4 +24,12 @@ void add_batch_options(CLI::App& verb, BatchArguments& arguments, const std::str
       ->check(CLI::Range(1, 1024));
 }
 
+void add_folder_options(CLI::App& verb, FolderArguments& arguments) {
+  verb.add_option("DIR", arguments.folder, "Folder of results, as autoref run leaves it.")
+      ->required();
+  verb.add_option("--build", arguments.build,
+                  "Build whose games count, where the folder holds games of several.")
+      ->type_name("BUILD");
+}
+
 }  // namespace autoref::runner

@@ -52,11 +52,15 @@ int run_command_line(int argc, const char* const* argv) {
   app.require_subcommand(1);
   app.footer(
       "Example, an experiment of 72 games:\n  autoref run scenarios/first-look.yaml\n\n"
-      "Exit codes: 0 done; 2 bad input; 3 too many void games; 70 internal; 74 input/output;\n"
-      "75 interrupted, the same command continues.");
+      "Exit codes: 0 done; 2 bad input; 3 too many void games; 4 a game came out differently;\n"
+      "70 internal; 74 input/output; 75 interrupted, the same command continues.");
   Chosen chosen;
   add_play_verb(app, chosen);
   add_run_verb(app, chosen);
+  add_status_verb(app, chosen);
+  add_report_verb(app, chosen);
+  add_verify_verb(app, chosen);
+  add_replay_verb(app, chosen);
   add_judge_verb(app, chosen);
   add_lab_verb(app, chosen);
   add_rules_verb(app, chosen);

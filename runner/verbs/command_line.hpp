@@ -30,7 +30,27 @@ struct BatchArguments {
 
 // What `autoref run` is told.
 struct RunArguments : BatchArguments {
+  std::string shard = "0/1";
   bool allow_mixed_build = false;
+};
+
+// What the verbs are told that look at a folder of results.
+struct FolderArguments {
+  std::string folder;
+  std::string build;  // whose rows count; empty: the only one's
+};
+
+// What `autoref verify` is told.
+struct VerifyArguments : FolderArguments {
+  int sample = 5;
+  int workers = 0;  // 0: one per processor
+};
+
+// What `autoref replay` is told.
+struct ReplayArguments : FolderArguments {
+  std::string game;
+  std::string events;  // file for the referee's decisions; empty: none
+  bool json = false;
 };
 
 // What `autoref judge` is told.
@@ -59,6 +79,10 @@ struct TeamsArguments {
 // Each does its verb's work and returns the exit code. Mistakes come as exceptions (errors.hpp).
 int play_verb(const PlayArguments& arguments);
 int run_verb(const RunArguments& arguments);
+int report_verb(const FolderArguments& arguments);
+int status_verb(const FolderArguments& arguments);
+int verify_verb(const VerifyArguments& arguments);
+int replay_verb(const ReplayArguments& arguments);
 int judge_verb(const JudgeArguments& arguments);
 int lab_verb(const LabArguments& arguments);
 int rules_verb(const RulesArguments& arguments);
@@ -70,6 +94,12 @@ using Chosen = std::function<int()>;
 void add_batch_options(CLI::App& verb, BatchArguments& arguments, const std::string& about_file);
 void add_play_verb(CLI::App& app, Chosen& chosen);
 void add_run_verb(CLI::App& app, Chosen& chosen);
+// Adds the folder and the build that all verbs of folders have.
+void add_folder_options(CLI::App& verb, FolderArguments& arguments);
+void add_report_verb(CLI::App& app, Chosen& chosen);
+void add_status_verb(CLI::App& app, Chosen& chosen);
+void add_verify_verb(CLI::App& app, Chosen& chosen);
+void add_replay_verb(CLI::App& app, Chosen& chosen);
 void add_judge_verb(CLI::App& app, Chosen& chosen);
 void add_lab_verb(CLI::App& app, Chosen& chosen);
 void add_rules_verb(CLI::App& app, Chosen& chosen);

@@ -19,6 +19,11 @@ ExperimentOptions options_of(const RunArguments& arguments) {
   options.folder = arguments.results_folder();
   options.build = build_id();
   options.workers = arguments.worker_count();
+  try {
+    options.shard = shard_place_of(arguments.shard);
+  } catch (const std::invalid_argument& error) {
+    throw InputError({"--shard"}, "", error.what());
+  }
   options.allow_mixed_build = arguments.allow_mixed_build;
   options.play = [](const GameConfiguration& game) { return play(game); };
   options.progress = stderr;
@@ -50,11 +55,19 @@ int run_verb(const RunArguments& arguments) {
   }
   const ExperimentOptions options = options_of(arguments);
   const ExperimentReport report = run_experiment(scenario, options);
-  if (!report.is_complete) {
+  if (report.is_interrupted) {
     tell(stderr,
          fmt::format("autoref: interrupted with {} of {} games done; the same command continues\n",
                      report.done, report.games));
     return kInterrupted;
+  }
+  if (!report.is_complete) {
+    fmt::print(
+        "shard {} is done: {} of {} games are in {}; once all are there, merge them with: "
+        "autoref report {}\n",
+        options.shard.name(), report.done, report.games, options.folder.string(),
+        options.folder.string());
+    return kDone;
   }
   print_results(scenario, report, options.folder);
   if (report.void_games <= kMostVoid * report.games) return kDone;
@@ -69,11 +82,15 @@ void add_run_verb(CLI::App& app, Chosen& chosen) {
       app.add_subcommand("run", "Run an experiment: all games of a sweep or a round robin.");
   auto arguments = std::make_shared<RunArguments>();
   add_batch_options(*verb, *arguments, "Scenario of kind sweep or roundrobin.");
+  verb->add_option("--shard", arguments->shard,
+                   "Play only share I (from 0) of N; other runs play the others.")
+      ->type_name("I/N");
   verb->add_flag("--allow-mixed-build", arguments->allow_mixed_build,
                  "Go on in a folder that holds games of another build; those do not count.");
   verb->footer(
       "Ctrl-C lets the running games end; a second one stops at once. The same command goes on\n"
-      "where the last one stopped.\n\n"
+      "where the last one stopped. Shards may share a folder, or each fill one of its own, whose\n"
+      "games/*.csv are then copied into one for autoref report.\n\n"
       "Example:\n  autoref run scenarios/handicap-speed.yaml -o results/runs/speed -j 2");
   verb->callback([arguments, &chosen] { chosen = [arguments] { return run_verb(*arguments); }; });
 }

@@ -12,27 +12,11 @@
 #include <stdexcept>
 
 #include "runner/errors.hpp"
+#include "tests/runner/answer.hpp"
 #include "tests/runner/temporary_folder.hpp"
 
 namespace autoref::runner {
 namespace {
-
-struct Answer {
-  int code = 0;
-  std::string out;
-  std::string err;
-};
-
-Answer answer_to(std::vector<const char*> arguments) {
-  arguments.insert(arguments.begin(), "autoref");
-  testing::internal::CaptureStdout();
-  testing::internal::CaptureStderr();
-  Answer answer;
-  answer.code = run_command_line(static_cast<int>(arguments.size()), arguments.data());
-  answer.out = testing::internal::GetCapturedStdout();
-  answer.err = testing::internal::GetCapturedStderr();
-  return answer;
-}
 
 const std::string kScenarios = std::string(AUTOREF_SOURCE_DIR) + "/scenarios/";
 const std::string kGame = kScenarios + "paper-game.yaml";
@@ -40,7 +24,8 @@ const std::string kScene = kScenarios + "lab/chip.yaml";
 const std::string kSweep = kScenarios + "handicap-speed.yaml";
 
 TEST(CommandLine, ShowsAnExampleForEachVerb) {
-  for (const char* verb : {"play", "run", "judge", "lab", "rules", "teams", "bench"}) {
+  for (const char* verb : {"play", "run", "status", "report", "verify", "replay", "judge", "lab",
+                           "rules", "teams", "bench"}) {
     const Answer answer = answer_to({verb, "--help"});
     EXPECT_EQ(answer.code, kDone);
     EXPECT_NE(answer.out.find(std::string("Example:\n  autoref ") + verb), std::string::npos);
@@ -84,6 +69,8 @@ TEST(CommandLine, NamesTheFlagOrFileThatIsWrong) {
            {{"lab", "none.yaml"}, "none.yaml: the file cannot be read"},
            {{"lab", kGame.c_str()}, "kind: expected lab, found 'game'"},
            {{"lab", kScene.c_str(), "--csv", "/nonexistent/x"}, "/nonexistent/x cannot be"},
+           {{"run", kSweep.c_str(), "--shard", "2/2"}, "--shard: expected I/N"},
+           {{"status", "none"}, "none: holds no results"},
            {{"play", kGame.c_str(), "--seed", "x"}, "--seed: "},
            {{"play", kGame.c_str(), "--seed", "-1"}, "-1"},
            {{"play", kGame.c_str(), "--set", "b.robots"}, "--set b.robots: expected KEY=VALUE"},

@@ -1,0 +1,42 @@
+// A folder of results, as `autoref run` fills it: what was to be played, and what has been.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "runner/experiment_kinds.hpp"
+#include "runner/plan.hpp"
+#include "runner/rows.hpp"
+#include "runner/scenario.hpp"
+#include "runner/stock.hpp"
+
+namespace autoref::runner {
+
+struct ResultFolder {
+  std::filesystem::path path;
+  Scenario scenario;  // of effective.yaml
+  RowFormat format;
+  std::vector<PlannedGame> games;
+  std::string build;  // whose rows count
+  Stock stock;
+  int damaged = 0;                      // rows that do not count
+  std::map<std::string, int> by_shard;  // how many games each has played, "0/1"
+
+  int void_games() const;
+  bool is_complete() const { return stock.done.size() == games.size(); }
+};
+
+// Reads a folder, whether or not a run is still filling it. Only rows of one build count: of
+// `build`, or where that is empty of the only one that there is. Throws InputError where the folder
+// is none of results, where several builds' rows leave the choice open, and what take_stock()
+// throws.
+ResultFolder open_results(const std::filesystem::path& path, const std::string& build = {});
+
+// Writes what follows from the rows: results.csv, sorted by game and without what may differ from
+// run to run, and the files of results_of(). The same rows give the same files, byte by byte.
+ExperimentResults write_results(const std::filesystem::path& folder, const Scenario& scenario,
+                                const RowFormat& format, const std::map<std::string, Cells>& rows);
+
+}  // namespace autoref::runner
