@@ -4,7 +4,8 @@
 
 #include <algorithm>
 
-#include "runner/statistics.hpp"
+#include "runner/statistics/mean_interval.hpp"
+#include "runner/statistics/sample.hpp"
 #include "runner/words.hpp"
 
 namespace autoref::runner {

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "runner/statistics.hpp"
+#include "runner/statistics/sample.hpp"
 
 namespace autoref::runner {
 namespace {

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "runner/csv.hpp"
+#include "runner/statistics/mean_interval.hpp"
+#include "runner/statistics/sample.hpp"
 #include "runner/table.hpp"
 #include "runner/words.hpp"
 

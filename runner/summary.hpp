@@ -7,7 +7,7 @@
 
 #include "runner/groups.hpp"
 #include "runner/scenario.hpp"
-#include "runner/statistics.hpp"
+#include "runner/statistics/interval.hpp"
 
 namespace autoref::runner {
 

@@ -1,6 +1,5 @@
-#include "runner/statistics.hpp"
+#include "runner/statistics/sample.hpp"
 
-#include <boost/math/distributions/students_t.hpp>
 #include <cassert>
 #include <cmath>
 #include <numeric>
@@ -17,12 +16,6 @@ double sum_of_products(std::span<const double> x, std::span<const double> y) {
   return sum;
 }
 
-Interval around(double centre, double standard_error, std::size_t degrees_of_freedom) {
-  const boost::math::students_t distribution(static_cast<double>(degrees_of_freedom));
-  const double half = boost::math::quantile(distribution, 0.975) * standard_error;
-  return {centre - half, centre + half};
-}
-
 }  // namespace
 
 double mean(std::span<const double> sample) {
@@ -33,13 +26,6 @@ double mean(std::span<const double> sample) {
 std::optional<double> standard_deviation(std::span<const double> sample) {
   if (sample.size() < 2) return std::nullopt;
   return std::sqrt(sum_of_products(sample, sample) / static_cast<double>(sample.size() - 1));
-}
-
-std::optional<Interval> mean_interval(std::span<const double> sample) {
-  const std::optional<double> deviation = standard_deviation(sample);
-  if (!deviation) return std::nullopt;
-  const double standard_error = *deviation / std::sqrt(static_cast<double>(sample.size()));
-  return around(mean(sample), standard_error, sample.size() - 1);
 }
 
 std::optional<double> slope_of(std::span<const double> x, std::span<const double> y) {

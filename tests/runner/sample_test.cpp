@@ -1,10 +1,12 @@
 // Expected values are published ones: R's documentation of its data sets `sleep` (Student 1908)
 // and `anscombe`, as its t.test() and lm() print them.
-#include "runner/statistics.hpp"
+#include "runner/statistics/sample.hpp"
 
 #include <gtest/gtest.h>
 
 #include <vector>
+
+#include "runner/statistics/mean_interval.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -31,6 +33,21 @@ TEST(MeanInterval, OfStudentsSleepData) {
   const Interval interval = mean_interval(kSleep).value();
   EXPECT_NEAR(interval.low, 0.7001142, 5e-8);
   EXPECT_NEAR(interval.high, 2.4598858, 5e-8);
+}
+
+TEST(PValueOfZeroMean, OfStudentsSleepData) {
+  EXPECT_NEAR(p_of_zero_mean(kSleep).value(), 0.00283289, 5e-9);
+}
+
+TEST(PValueOfZeroMean, IsTheSameOnBothSidesOfZero) {
+  std::vector<double> negative;
+  for (const double hours : kSleep) negative.push_back(-hours);
+  EXPECT_EQ(p_of_zero_mean(negative), p_of_zero_mean(kSleep));
+}
+
+TEST(PValueOfZeroMean, NeedsTwoDifferentValues) {
+  EXPECT_FALSE(p_of_zero_mean(std::vector<double>{1.0}));
+  EXPECT_FALSE(p_of_zero_mean(std::vector<double>{1.0, 1.0, 1.0}));
 }
 
 TEST(SlopeOf, AnscombesFirstSet) {
