@@ -1,0 +1,161 @@
+#include "runner/statistics/ratings.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "runner/statistics/bradley_terry.hpp"
+#include "runner/statistics/goal_rating.hpp"
+
+namespace autoref::runner {
+namespace {
+
+// Three teams, all against all: games, goal difference, wins of the first.
+const std::vector<MatchupTotals> kThree = {{0, 1, 4, 3, 3}, {0, 2, 2, 5, 2}, {1, 2, 4, -2, 1.5}};
+
+void expect_near(const Eigen::VectorXd& found, const std::vector<double>& expected) {
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(found(i), expected[i], 5e-9) << i;
+}
+
+// NumPy 1.24, with X a row for each matchup (1, -1, 0; 1, 0, -1; 0, 1, -1), n games and d goals:
+// numpy.linalg.lstsq(X * sqrt(n)[:, None], d / sqrt(n), rcond=None)[0].
+TEST(GoalRating, IsNumPysLeastSquares) {
+  expect_near(goal_rating(3, kThree), {0.8958333333, -0.4166666667, -0.4791666667});
+}
+
+TEST(GoalRating, IsExactWhereGamesFitIt) {
+  expect_near(goal_rating(3, std::vector<MatchupTotals>{{0, 1, 2, 2, 0}, {2, 1, 4, 8, 0}}),
+              {0, -1, 1});
+}
+
+TEST(GoalRating, RatesTeamsThatNeverMetAroundZeroEach) {
+  expect_near(
+      goal_rating(5, std::vector<MatchupTotals>{{0, 1, 2, 4, 2}, {2, 3, 2, -12, 0}, {0, 4}}),
+      {1, -1, -3, 3, 0});
+}
+
+// statsmodels 0.13, wins w of n games and a draw more, Z = X[:, :2] with -1 for the last team's:
+// GLM(numpy.c_[w + 0.5, n + 0.5 - w], Z, family=Binomial()).fit(tol=1e-14).params.
+TEST(BradleyTerry, IsStatsmodelsLogit) {
+  expect_near(bradley_terry(3, kThree), {0.72035287, -0.43819635, -0.28215651});
+}
+
+TEST(BradleyTerry, StaysFiniteWhereATeamWinsEverything) {
+  // Two teams: half the logarithm of the odds with half a win more for each.
+  const double half = std::log(40.5 / 0.5) / 2;
+  expect_near(bradley_terry(2, std::vector<MatchupTotals>{{0, 1, 40, 90, 40}}), {half, -half});
+}
+
+TEST(BradleyTerry, FollowsAChainOfTeamsThatAlwaysWin) {
+  std::vector<MatchupTotals> chain;
+  for (std::size_t i = 0; i < 9; ++i) chain.push_back({i, i + 1, 1000, 3000, 1000});
+  const Eigen::VectorXd strengths = bradley_terry(10, chain);
+  for (int i = 0; i < 9; ++i) {
+    EXPECT_NEAR(strengths(i) - strengths(i + 1), std::log(1000.5 / 0.5), 1e-6);
+  }
+}
+
+TEST(BradleyTerry, CallsTeamsWithoutGamesEqual) {
+  expect_near(bradley_terry(2, std::vector<MatchupTotals>{{0, 1}}), {0, 0});
+  expect_near(bradley_terry(2, {}), {0, 0});
+}
+
+// Of a against b, a leg for each difference.
+RatedMatchup matchup_of(const std::string& a, const std::string& b,
+                        const std::vector<std::vector<double>>& pairs) {
+  RatedMatchup matchup{a, b, {}};
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    for (const double difference : pairs[i]) {
+      const double win = difference > 0 ? 1 : difference < 0 ? 0 : 0.5;
+      matchup.pairs[fmt::format("p{:04}", i)].push_back({difference, win});
+    }
+  }
+  return matchup;
+}
+
+const std::vector<RatedMatchup> kRoundRobin = {
+    matchup_of("plain", "bold", {{1, 0}, {3, -1}, {-2, 0}, {0, 0}}),
+    matchup_of("plain", "zone", {{2, 1}, {0, -1}, {1}}),
+    matchup_of("bold", "zone", {{-1, -1}, {4, 2}, {0, 1}, {1, 1}, {-3, 0}})};
+
+TEST(RatingsOf, AreByTeamsNames) {
+  const std::vector<Rating> ratings = ratings_of(
+      {matchup_of("plain", "bold", {{1, 3}}), matchup_of("zone", "bold", {{0, 4}})}, goal_rating);
+  ASSERT_EQ(ratings.size(), 3);
+  EXPECT_EQ(ratings[0].team, "bold");
+  EXPECT_NEAR(ratings[0].value, -4.0 / 3, 1e-12);
+  EXPECT_EQ(ratings[2].team, "zone");
+  EXPECT_NEAR(ratings[2].value, 2.0 / 3, 1e-12);
+}
+
+TEST(RatingsOf, DoNotDependOnTheOrderOfRows) {
+  std::vector<RatedMatchup> turned(kRoundRobin.rbegin(), kRoundRobin.rend());
+  for (RatedMatchup& matchup : turned) {
+    for (auto& [pair, games] : matchup.pairs) std::reverse(games.begin(), games.end());
+  }
+  for (const RatingMethod& rate : {RatingMethod(goal_rating), RatingMethod(bradley_terry)}) {
+    const std::vector<Rating> ratings = ratings_of(kRoundRobin, rate);
+    const std::vector<Rating> again = ratings_of(turned, rate);
+    for (std::size_t i = 0; i < ratings.size(); ++i) {
+      EXPECT_EQ(ratings[i].value, again[i].value);
+      EXPECT_EQ(ratings[i].interval.value().low, again[i].interval.value().low);
+      EXPECT_EQ(ratings[i].interval.value().high, again[i].interval.value().high);
+    }
+  }
+}
+
+const std::vector<std::vector<double>> kTwentyPairs = {
+    {3, 1}, {0, -2}, {1, 1}, {2, 0},   {-1, 0}, {4, 2}, {0, 1},  {-3, 1}, {2, 2},  {1, 0},
+    {0, 0}, {5, -1}, {1, 2}, {-2, -1}, {3, 0},  {0, 2}, {1, -1}, {2, 3},  {-1, 1}, {0, 4}};
+
+// SciPy 1.10: with x the means of the twenty pairs, half of scipy.stats.bootstrap((x,), numpy.mean,
+// n_resamples=200000, method='percentile').confidence_interval; a thousand draws come within 0.03.
+TEST(RatingsOf, HaveSciPysBootstrapInterval) {
+  const Rating rating = ratings_of({matchup_of("a", "b", kTwentyPairs)}, goal_rating).front();
+  EXPECT_NEAR(rating.value, 0.4125, 1e-12);
+  EXPECT_NEAR(rating.interval.value().low, 0.275 / 2, 0.03);
+  EXPECT_NEAR(rating.interval.value().high, 1.35 / 2, 0.03);
+}
+
+TEST(RatingsOf, KeepTheLegsOfAPairTogether) {
+  const std::vector<Rating> ratings =
+      ratings_of({matchup_of("a", "b", {{3, -3}, {-3, 3}, {2, -2}})}, goal_rating);
+  EXPECT_NEAR(ratings[0].interval.value().low, 0, 1e-12);
+  EXPECT_NEAR(ratings[0].interval.value().high, 0, 1e-12);
+}
+
+TEST(RatingsOf, HaveNoIntervalWhereAMatchupHasASinglePair) {
+  const std::vector<Rating> ratings = ratings_of(
+      {matchup_of("a", "b", {{1, 2}, {0, 0}}), matchup_of("a", "c", {{1, 2}})}, goal_rating);
+  EXPECT_FALSE(ratings[0].interval || ratings[1].interval || ratings[2].interval);
+}
+
+TEST(RatingsOf, LeaveAMatchupWithoutGamesOut) {
+  const std::vector<Rating> ratings =
+      ratings_of({matchup_of("a", "b", {{1, 1}, {1, 1}}), matchup_of("a", "c", {})}, goal_rating);
+  EXPECT_NEAR(ratings[0].value, 0.5, 1e-12);
+  EXPECT_NEAR(ratings[2].value, 0, 1e-12);
+  EXPECT_TRUE(ratings[0].interval);
+}
+
+TEST(RatingsOf, AreNoneWithoutTeams) { EXPECT_TRUE(ratings_of({}, bradley_terry).empty()); }
+
+// NumPy 1.24: numpy.percentile([3, 1, 4, 1, 5, 9, 2, 6], [2.5, 50, 97.5]).
+TEST(QuantileOf, IsNumPys) {
+  const std::vector<double> sample = {3, 1, 4, 1, 5, 9, 2, 6};
+  EXPECT_NEAR(quantile_of(sample, 0.025), 1.0, 1e-12);
+  EXPECT_NEAR(quantile_of(sample, 0.5), 3.5, 1e-12);
+  EXPECT_NEAR(quantile_of(sample, 0.975), 8.475, 1e-12);
+}
+
+TEST(QuantileOf, ReachesTheEnds) {
+  EXPECT_EQ(quantile_of({2.0, 1.0}, 0), 1.0);
+  EXPECT_EQ(quantile_of({2.0, 1.0}, 1), 2.0);
+  EXPECT_EQ(quantile_of({7.0}, 0.3), 7.0);
+}
+
+}  // namespace
+}  // namespace autoref::runner
