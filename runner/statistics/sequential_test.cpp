@@ -1,0 +1,44 @@
+#include "runner/statistics/sequential_test.hpp"
+
+#include <cassert>
+#include <cmath>
+
+namespace autoref::runner {
+namespace {
+
+void check(const SequentialTest& test) {
+  assert(test.d0 != test.d1);
+  assert(test.alpha > 0 && test.beta > 0 && test.alpha + test.beta < 1);
+  assert(2 <= test.min_pairs && test.min_pairs <= test.max_pairs);
+}
+
+double square(double x) { return x * x; }
+
+Verdict verdict_of(const SequentialTest& test, const SequentialState& state) {
+  if (state.pairs < test.min_pairs) return Verdict::kGoOn;
+  const double ratio = state.log_likelihood_ratio;
+  if (ratio >= std::log((1 - test.beta) / test.alpha)) return Verdict::kAcceptD1;
+  if (ratio <= std::log(test.beta / (1 - test.alpha))) return Verdict::kAcceptD0;
+  return state.pairs < test.max_pairs ? Verdict::kGoOn : Verdict::kUndecided;
+}
+
+}  // namespace
+
+SequentialState decided_by(const SequentialTest& test, std::span<const double> pair_differences) {
+  check(test);
+  SequentialState state;
+  double squares_from_d0 = 0;
+  double squares_from_d1 = 0;
+  for (const double difference : pair_differences) {
+    assert(std::isfinite(difference));
+    squares_from_d0 += square(difference - test.d0);
+    squares_from_d1 += square(difference - test.d1);
+    ++state.pairs;
+    state.log_likelihood_ratio = state.pairs / 2.0 * std::log(squares_from_d0 / squares_from_d1);
+    state.verdict = verdict_of(test, state);
+    if (state.verdict != Verdict::kGoOn) break;
+  }
+  return state;
+}
+
+}  // namespace autoref::runner
