@@ -63,6 +63,7 @@ int run_command_line(int argc, const char* const* argv) {
   add_replay_verb(app, chosen);
   add_judge_verb(app, chosen);
   add_lab_verb(app, chosen);
+  add_plan_verb(app, chosen);
   add_rules_verb(app, chosen);
   add_teams_verb(app, chosen);
   add_bench_verb(app, chosen);

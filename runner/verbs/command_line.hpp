@@ -76,6 +76,14 @@ struct TeamsArguments {
   bool json = false;
 };
 
+// What `autoref plan` is told: numbers as they were typed.
+struct PlanArguments {
+  std::string delta;
+  std::string sd;
+  std::string power = "0.8";
+  bool json = false;
+};
+
 // Each does its verb's work and returns the exit code. Mistakes come as exceptions (errors.hpp).
 int play_verb(const PlayArguments& arguments);
 int run_verb(const RunArguments& arguments);
@@ -85,6 +93,7 @@ int verify_verb(const VerifyArguments& arguments);
 int replay_verb(const ReplayArguments& arguments);
 int judge_verb(const JudgeArguments& arguments);
 int lab_verb(const LabArguments& arguments);
+int plan_verb(const PlanArguments& arguments);
 int rules_verb(const RulesArguments& arguments);
 int teams_verb(const TeamsArguments& arguments);
 
@@ -102,6 +111,7 @@ void add_verify_verb(CLI::App& app, Chosen& chosen);
 void add_replay_verb(CLI::App& app, Chosen& chosen);
 void add_judge_verb(CLI::App& app, Chosen& chosen);
 void add_lab_verb(CLI::App& app, Chosen& chosen);
+void add_plan_verb(CLI::App& app, Chosen& chosen);
 void add_rules_verb(CLI::App& app, Chosen& chosen);
 void add_teams_verb(CLI::App& app, Chosen& chosen);
 void add_bench_verb(CLI::App& app, Chosen& chosen);

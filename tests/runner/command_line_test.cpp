@@ -25,7 +25,7 @@ const std::string kSweep = kScenarios + "handicap-speed.yaml";
 
 TEST(CommandLine, ShowsAnExampleForEachVerb) {
   for (const char* verb : {"play", "run", "status", "report", "verify", "replay", "judge", "lab",
-                           "rules", "teams", "bench"}) {
+                           "plan", "rules", "teams", "bench"}) {
     const Answer answer = answer_to({verb, "--help"});
     EXPECT_EQ(answer.code, kDone);
     EXPECT_NE(answer.out.find(std::string("Example:\n  autoref ") + verb), std::string::npos);

@@ -1,0 +1,55 @@
+#include "runner/statistics/sample_size.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/non_central_t.hpp>
+#include <boost/math/distributions/students_t.hpp>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace autoref::runner {
+namespace {
+
+constexpr int kLegs = 2;
+constexpr int kFewestPairs = 2;
+constexpr int kMostPairs = kMostPlannedGames / kLegs;
+
+// A mean of so many standard deviations two pairs do not miss; far beyond it Boost's noncentral
+// distribution gives up.
+constexpr double kCertainEffect = 100;
+
+double effect_of(const DifferenceSought& sought) {
+  const double pair_sd = sought.sd / std::numbers::sqrt2;
+  return std::min(std::abs(sought.delta) / pair_sd, kCertainEffect);
+}
+
+}  // namespace
+
+double power_of(const DifferenceSought& sought, int pairs) {
+  assert(sought.delta != 0 && sought.sd > 0 && 0 < sought.alpha && sought.alpha < 1);
+  assert(pairs >= kFewestPairs);
+  const double degrees_of_freedom = pairs - 1;
+  const boost::math::students_t without(degrees_of_freedom);
+  const boost::math::non_central_t with(degrees_of_freedom, effect_of(sought) * std::sqrt(pairs));
+  const double bound = quantile(complement(without, sought.alpha / 2));
+  return cdf(complement(with, bound)) + cdf(with, -bound);
+}
+
+std::optional<int> games_needed(const DifferenceSought& sought, double power) {
+  assert(0 < power && power < 1);
+  const auto is_enough = [&](int pairs) { return power_of(sought, pairs) >= power; };
+  int too_few = kFewestPairs - 1;
+  int enough = kFewestPairs;
+  while (!is_enough(enough)) {
+    if (enough == kMostPairs) return std::nullopt;
+    too_few = enough;
+    enough = std::min(2 * enough, kMostPairs);
+  }
+  while (enough - too_few > 1) {
+    const int middle = too_few + (enough - too_few) / 2;
+    (is_enough(middle) ? enough : too_few) = middle;
+  }
+  return kLegs * enough;
+}
+
+}  // namespace autoref::runner
