@@ -1,0 +1,57 @@
+// Measures whether the statistics keep what they promise: how often intervals hold the truth, and
+// how often the sequential test errs, over simulated games whose truth is known.
+//
+//     coverage [TRIALS]      20000 unless given; 100000 take some five minutes
+//
+// Exit code 1 where a share is outside its bounds, 2 for a wrong argument.
+#include <fmt/format.h>
+
+#include "runner/words.hpp"
+#include "tests/coverage/measured.hpp"
+
+namespace autoref::coverage {
+namespace {
+
+constexpr int kTrials = 20000;
+constexpr int kFewestTrials = 100;
+constexpr int kMostTrials = 10'000'000;
+// Rating a round robin takes a thousand resamples each time.
+constexpr int kTrialsPerRoundRobin = 40;
+
+// The number of lines outside their bounds.
+int print(const std::vector<Measured>& lines) {
+  int bad = 0;
+  for (const Measured& line : lines) {
+    fmt::print("{:<4} {:.4f}  ({} to {})  {:<52} {}\n", line.is_good() ? "ok" : "BAD", line.share,
+               line.least, line.most, line.what, line.remark);
+    bad += line.is_good() ? 0 : 1;
+  }
+  return bad;
+}
+
+int measure(int trials) {
+  fmt::print("Share of {} trials in which 95 % intervals hold the truth:\n", trials);
+  int bad = print(interval_coverage(trials));
+  const int round_robins = trials / kTrialsPerRoundRobin;
+  fmt::print("\nThe same for ratings, {} round robins:\n", round_robins);
+  bad += print(rating_coverage(round_robins));
+  fmt::print("\nShare of {} sequential tests that err (d0 0, d1 1, alpha and beta 0.05):\n",
+             trials);
+  bad += print(sequential_errors(trials));
+  fmt::print("\n{} outside the bounds\n", bad);
+  return bad == 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace autoref::coverage
+
+int main(int argc, char** argv) {
+  using namespace autoref::coverage;
+  const auto trials = argc < 2 ? kTrials : autoref::runner::whole_number_in(argv[1]).value_or(0);
+  if (argc > 2 || trials < kFewestTrials || trials > kMostTrials) {
+    fmt::print(stderr, "coverage: expected a number of trials from {} to {}\n", kFewestTrials,
+               kMostTrials);
+    return 2;
+  }
+  return measure(trials);
+}
