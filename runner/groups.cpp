@@ -11,12 +11,6 @@
 namespace autoref::runner {
 namespace {
 
-// Sums the differences of a pair's legs.
-struct Pair {
-  double sum = 0;
-  int legs = 0;
-};
-
 // Where a row holds what a group is told of.
 struct ScoreColumns {
   explicit ScoreColumns(const RowFormat& format)
@@ -54,7 +48,6 @@ Group group_of(const Cells& values, const std::vector<std::size_t>& columns, con
                const std::vector<Cells>& rows) {
   Group group;
   group.values = values;
-  std::map<std::string, Pair> pairs;
   for (const Cells& row : rows) {
     if (!has_values(row, columns, values)) continue;
     if (row[at.status] == name_of(Status::kVoid)) {
@@ -64,13 +57,14 @@ Group group_of(const Cells& values, const std::vector<std::size_t>& columns, con
     group.goals_a.push_back(number_in(row[at.goals_a]).value());
     group.goals_b.push_back(number_in(row[at.goals_b]).value());
     group.differences.push_back(group.goals_a.back() - group.goals_b.back());
-    count_result(group, lead_of_a(row, at));
-    Pair& pair = pairs[row[at.pair]];
-    pair.sum += group.differences.back();
-    ++pair.legs;
+    const double lead = lead_of_a(row, at);
+    count_result(group, lead);
+    const double win = lead > 0 ? 1 : lead < 0 ? 0 : 0.5;
+    group.games_by_pair[row[at.pair]].push_back({group.differences.back(), win});
   }
-  for (const auto& [number, pair] : pairs) {
-    if (pair.legs == 2) group.pair_differences[number] = pair.sum / 2;
+  for (const auto& [number, legs] : group.games_by_pair) {
+    if (legs.size() == 2)
+      group.pair_differences[number] = (legs[0].difference + legs[1].difference) / 2;
   }
   return group;
 }
@@ -121,9 +115,8 @@ Cells summary_cells(const Group& group) {
     cells.push_back(number_cell(standard_deviation(*sample)));
   }
   cells.push_back(std::to_string(group.pair_differences.size()));
-  const std::optional<Interval> interval = mean_interval(values_of(group.pair_differences));
-  cells.push_back(number_cell(interval ? std::optional(interval->low) : std::nullopt));
-  cells.push_back(number_cell(interval ? std::optional(interval->high) : std::nullopt));
+  const auto& [low, high] = bounds_of(mean_interval(values_of(group.pair_differences)));
+  append(cells, {number_cell(low), number_cell(high)});
   return cells;
 }
 
@@ -139,10 +132,20 @@ Cells table_cells(const Group& group) {
 std::string difference_text(const std::vector<double>& differences,
                             const std::vector<double>& pair_differences) {
   if (differences.empty()) return "-";
-  const std::optional<Interval> interval = mean_interval(pair_differences);
-  std::string text = fmt::format("{:+.2f}", mean(differences));
-  if (interval) text += fmt::format(" [{:+.2f}, {:+.2f}]", interval->low, interval->high);
-  return text;
+  return mean_text(mean(differences), mean_interval(pair_differences));
+}
+
+std::string mean_text(double mean, const std::optional<Interval>& interval) {
+  if (!interval) return fmt::format("{:+.2f}", mean);
+  return fmt::format("{:+.2f} [{:+.2f}, {:+.2f}]", mean, interval->low, interval->high);
+}
+
+std::string p_text(double p) { return p < 0.001 ? "<0.001" : fmt::format("{:.3f}", p); }
+
+std::pair<std::optional<double>, std::optional<double>> bounds_of(
+    const std::optional<Interval>& interval) {
+  if (!interval) return {};
+  return {interval->low, interval->high};
 }
 
 std::string number_cell(std::optional<double> number) {

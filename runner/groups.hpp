@@ -5,9 +5,12 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "runner/rows.hpp"
+#include "runner/statistics/interval.hpp"
+#include "runner/statistics/rated_games.hpp"
 
 namespace autoref::runner {
 
@@ -19,6 +22,8 @@ struct Group {
   std::vector<double> differences;  // a minus b
   // By pair number: mean over the two legs, of pairs without a void leg.
   std::map<std::string, double> pair_differences;
+  std::map<std::string, std::vector<RatedGame>>
+      games_by_pair;  // by pair number, void ones left out
   int void_games = 0;
   // By goals, or by its shoot-out where a game has one; a team that gives up has lost.
   int wins_a = 0;
@@ -48,6 +53,16 @@ Cells table_cells(const Group& group);
 // "+0.50 [-0.10, +1.10]": the mean over games, and its 95 % interval over pairs where there is one.
 std::string difference_text(const std::vector<double>& differences,
                             const std::vector<double>& pair_differences);
+
+// "+0.50 [-0.10, +1.10]", or without the interval where there is none.
+std::string mean_text(double mean, const std::optional<Interval>& interval);
+
+// "0.032", or "<0.001".
+std::string p_text(double p);
+
+// The bounds, each none where there is no interval.
+std::pair<std::optional<double>, std::optional<double>> bounds_of(
+    const std::optional<Interval>& interval);
 
 // A number of a CSV file; empty where there is none.
 std::string number_cell(std::optional<double> number);

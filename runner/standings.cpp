@@ -5,6 +5,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "runner/statistics/bradley_terry.hpp"
+#include "runner/statistics/goal_rating.hpp"
 #include "runner/statistics/sample.hpp"
 
 namespace autoref::runner {
@@ -42,6 +44,20 @@ void add_b(Standing& standing, const Group& matchup) {
   add_differences(standing, matchup, -1);
 }
 
+std::vector<RatedMatchup> rated(const std::vector<Group>& matchups) {
+  std::vector<RatedMatchup> all;
+  for (const Group& matchup : matchups)
+    all.push_back({matchup.values[0], matchup.values[1], matchup.games_by_pair});
+  return all;
+}
+
+void rate(const std::vector<Group>& matchups, std::map<std::string, Standing>& by_team) {
+  const std::vector<RatedMatchup> all = rated(matchups);
+  for (const Rating& rating : ratings_of(all, goal_rating)) by_team[rating.team].goals = rating;
+  for (const Rating& rating : ratings_of(all, bradley_terry))
+    by_team[rating.team].strength = rating;
+}
+
 double mean_difference(const Standing& standing) {
   return standing.differences.empty() ? 0 : mean(standing.differences);
 }
@@ -70,6 +86,7 @@ std::vector<Standing> standings_of(const std::vector<Group>& matchups) {
     add_a(by_team[matchup.values[0]], matchup);
     add_b(by_team[matchup.values[1]], matchup);
   }
+  rate(matchups, by_team);
   std::vector<Standing> standings;
   for (auto& [team, standing] : by_team) {
     standing.team = team;

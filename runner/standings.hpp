@@ -7,6 +7,7 @@
 #include "runner/groups.hpp"
 #include "runner/roundrobin.hpp"
 #include "runner/rows.hpp"
+#include "runner/statistics/ratings.hpp"
 
 namespace autoref::runner {
 
@@ -25,6 +26,8 @@ struct Standing {
   double goals_against = 0;
   std::vector<double> differences;       // of each game: its goals minus the other team's
   std::vector<double> pair_differences;  // mean over the two legs, of pairs without a void leg
+  Rating goals;     // in goals a game above the average team (statistics/goal_rating.hpp)
+  Rating strength;  // Bradley's and Terry's (statistics/bradley_terry.hpp)
 
   int games() const { return wins + draws + losses; }
   int points() const { return 3 * wins + draws; }

@@ -34,11 +34,14 @@ Cells record_of(const Standing& standing, std::size_t rank) {
 
 Cells difference_cells(const Standing& standing) {
   const std::vector<double>& sample = standing.differences;
-  const std::optional<Interval> interval = mean_interval(standing.pair_differences);
+  const auto& [low, high] = bounds_of(mean_interval(standing.pair_differences));
   return {number_cell(sample.empty() ? std::nullopt : std::optional(mean(sample))),
-          std::to_string(standing.pair_differences.size()),
-          number_cell(interval ? std::optional(interval->low) : std::nullopt),
-          number_cell(interval ? std::optional(interval->high) : std::nullopt)};
+          std::to_string(standing.pair_differences.size()), number_cell(low), number_cell(high)};
+}
+
+Cells rating_cells(const Rating& rating) {
+  const auto& [low, high] = bounds_of(rating.interval);
+  return {number_cell(rating.value), number_cell(low), number_cell(high)};
 }
 
 }  // namespace
@@ -56,14 +59,33 @@ std::string matchups_csv(const std::vector<Group>& matchups) {
 }
 
 std::string standings_csv(const std::vector<Standing>& standings) {
-  std::vector<Cells> rows = {{"rank", "team", "points", "games", "wins", "draws", "losses",
-                              "void_games", "goals_for", "goals_against", "mean_diff", "pairs",
-                              "diff_low95", "diff_high95"}};
+  std::vector<Cells> rows = {{"rank",
+                              "team",
+                              "points",
+                              "games",
+                              "wins",
+                              "draws",
+                              "losses",
+                              "void_games",
+                              "goals_for",
+                              "goals_against",
+                              "mean_diff",
+                              "pairs",
+                              "diff_low95",
+                              "diff_high95",
+                              "rating_goals",
+                              "rating_goals_low95",
+                              "rating_goals_high95",
+                              "bradley_terry",
+                              "bradley_terry_low95",
+                              "bradley_terry_high95"}};
   for (const Standing& standing : standings) {
     Cells cells = record_of(standing, rows.size());
     append(cells, {std::to_string(standing.void_games), fmt::format("{}", standing.goals_for),
                    fmt::format("{}", standing.goals_against)});
     append(cells, difference_cells(standing));
+    append(cells, rating_cells(standing.goals));
+    append(cells, rating_cells(standing.strength));
     rows.push_back(std::move(cells));
   }
   return csv_of(rows);
@@ -83,11 +105,12 @@ std::string matchups_table(const std::vector<Group>& matchups) {
 
 std::string standings_table(const std::vector<Standing>& standings) {
   std::vector<Cells> rows = {{"", "team", "points", "games", "won", "drawn", "lost", "goals",
-                              "goals a game, for minus against [95 %]"}};
+                              "rating in goals [95 %]", "Bradley-Terry [95 %]"}};
   for (const Standing& standing : standings) {
     Cells cells = record_of(standing, rows.size());
     append(cells, {fmt::format("{}:{}", standing.goals_for, standing.goals_against),
-                   difference_text(standing.differences, standing.pair_differences)});
+                   mean_text(standing.goals.value, standing.goals.interval),
+                   mean_text(standing.strength.value, standing.strength.interval)});
     rows.push_back(std::move(cells));
   }
   return aligned(rows, {Align::kRight, Align::kLeft});

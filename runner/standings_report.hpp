@@ -12,8 +12,8 @@ namespace autoref::runner {
 std::string matchups_csv(const std::vector<Group>& matchups);
 
 // standings.csv: per team, best first, its games, goals, points (3 for a win, 1 for a draw), and
-// the goal difference per game with its 95 % interval over all its pairs. Cells without a value are
-// empty.
+// the goal difference per game with its 95 % interval over all its pairs, and its two ratings with
+// intervals from resampled pairs. Cells without a value are empty.
 std::string standings_csv(const std::vector<Standing>& standings);
 
 // The tables for people, several lines each.

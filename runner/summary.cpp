@@ -4,6 +4,7 @@
 
 #include "runner/csv.hpp"
 #include "runner/statistics/mean_interval.hpp"
+#include "runner/statistics/paired_difference.hpp"
 #include "runner/statistics/sample.hpp"
 #include "runner/table.hpp"
 #include "runner/words.hpp"
@@ -27,6 +28,36 @@ std::optional<std::vector<double>> differences_of(const std::string& pair,
     differences.push_back(found->second);
   }
   return differences;
+}
+
+// Of each value from the first; that one's own entry has no values.
+std::vector<PairedDifference> differences_from_first(const std::vector<Group>& groups) {
+  std::vector<DifferenceByPair> values;
+  for (const Group& group : groups) values.push_back(group.pair_differences);
+  std::vector<PairedDifference> differences = differences_from_baseline(values);
+  differences.insert(differences.begin(), PairedDifference{});
+  return differences;
+}
+
+Cells difference_columns() {
+  return {"from_first", "from_first_low95", "from_first_high95", "p", "p_holm", "effect_size"};
+}
+
+Cells difference_cells(const PairedDifference& from_first) {
+  const auto& [low, high] = bounds_of(from_first.interval);
+  return {number_cell(from_first.mean),
+          number_cell(low),
+          number_cell(high),
+          number_cell(from_first.p),
+          number_cell(from_first.p_holm),
+          number_cell(from_first.effect_size)};
+}
+
+// "+2.10 [+1.50, +2.70]", and where there is one, the corrected p.
+Cells difference_texts(const PairedDifference& from_first) {
+  if (!from_first.mean) return {"", ""};
+  return {mean_text(*from_first.mean, from_first.interval),
+          from_first.p_holm ? p_text(*from_first.p_holm) : ""};
 }
 
 }  // namespace
@@ -58,10 +89,13 @@ std::optional<Slope> slope_over_factor(const Sweep& sweep, const std::vector<Gro
 std::string summary_csv(const Sweep& sweep, const std::vector<Group>& groups) {
   Cells columns = factor_paths(sweep);
   append(columns, summary_columns());
+  append(columns, difference_columns());
   std::string csv = csv_line(columns) + "\n";
-  for (const Group& group : groups) {
-    Cells cells = group.values;
-    append(cells, summary_cells(group));
+  const std::vector<PairedDifference> from_first = differences_from_first(groups);
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    Cells cells = groups[i].values;
+    append(cells, summary_cells(groups[i]));
+    append(cells, difference_cells(from_first[i]));
     csv += csv_line(cells) + "\n";
   }
   return csv;
@@ -70,9 +104,12 @@ std::string summary_csv(const Sweep& sweep, const std::vector<Group>& groups) {
 std::string summary_table(const Sweep& sweep, const std::vector<Group>& groups) {
   std::vector<Cells> rows = {factor_paths(sweep)};
   append(rows.front(), table_columns());
-  for (const Group& group : groups) {
-    rows.push_back(group.values);
-    append(rows.back(), table_cells(group));
+  if (groups.size() > 1) append(rows.front(), {"from the first [95 %]", "p"});
+  const std::vector<PairedDifference> from_first = differences_from_first(groups);
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    rows.push_back(groups[i].values);
+    append(rows.back(), table_cells(groups[i]));
+    if (groups.size() > 1) append(rows.back(), difference_texts(from_first[i]));
   }
   std::string table = aligned(rows);
   const std::optional<Slope> slope = slope_over_factor(sweep, groups);

@@ -63,7 +63,7 @@ GameRecord play_one(const GameConfiguration& game, const GameOutput& output) {
   EventLog log;
   Watch watch(log);
   const auto start = std::chrono::steady_clock::now();
-  const GameRecord record = play(game, &watch);
+  GameRecord record = play(game, &watch);
   const double wall_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (events) events->commit(log.text());

@@ -113,14 +113,17 @@ TEST(StandingsReport, HasARowPerMatchupWithItsResults) {
             "calm,zone,2,0,0.0000,0.0000,0.0000,0.0000,0.0000,0.0000,1,,,0,2,0\n");
 }
 
+// Every team has met every other twice, so that its rating is the sum of its differences over
+// three times two: bold (3 - 1) / 6. Bradley's and Terry's by Hunter's iteration, elsewhere.
 // bold's pairs 1.5 and -0.5: mean 0.5, t(0.975, 1) = 12.7062 from tables, standard error 1.
 TEST(StandingsReport, HasARowPerTeamWithTheIntervalOverItsPairs) {
   EXPECT_EQ(standings_csv(standings_in(kThreeTeams)),
             "rank,team,points,games,wins,draws,losses,void_games,goals_for,goals_against,mean_diff,"
-            "pairs,diff_low95,diff_high95\n"
-            "1,bold,7,4,2,1,1,0,4,2,0.5000,2,-12.2062,13.2062\n"
-            "2,zone,6,4,1,3,0,0,2,1,0.2500,2,-2.9266,3.4266\n"
-            "3,calm,2,4,0,2,2,0,0,3,-0.7500,2,-10.2797,8.7797\n");
+            "pairs,diff_low95,diff_high95,rating_goals,rating_goals_low95,rating_goals_high95,"
+            "bradley_terry,bradley_terry_low95,bradley_terry_high95\n"
+            "1,bold,7,4,2,1,1,0,4,2,0.5000,2,-12.2062,13.2062,0.3333,,,0.2310,,\n"
+            "2,zone,6,4,1,3,0,0,2,1,0.2500,2,-2.9266,3.4266,0.1667,,,0.2310,,\n"
+            "3,calm,2,4,0,2,2,0,0,3,-0.7500,2,-10.2797,8.7797,-0.5000,,,-0.4621,,\n");
 }
 
 TEST(StandingsReport, ShowsTeamsAndMatchupsToPeople) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "tests/runner/fake_games.hpp"
@@ -56,9 +57,9 @@ TEST(Summary, HasARowPerValueWithMeansAndDeviations) {
   // The deviation of 1 and 3 is sqrt(2).
   EXPECT_EQ(summary_csv(kSweep, groups),
             "b.robots,games,void_games,mean_a,sd_a,mean_b,sd_b,mean_diff,sd_diff,pairs,diff_low95,"
-            "diff_high95\n"
-            "6,2,0,2.0000,1.4142,1.0000,0.0000,1.0000,1.4142,1,,\n"
-            "5,2,0,4.0000,0.0000,0.0000,0.0000,4.0000,0.0000,1,,\n");
+            "diff_high95,from_first,from_first_low95,from_first_high95,p,p_holm,effect_size\n"
+            "6,2,0,2.0000,1.4142,1.0000,0.0000,1.0000,1.4142,1,,,,,,,,\n"
+            "5,2,0,4.0000,0.0000,0.0000,0.0000,4.0000,0.0000,1,,,3.0000,,,,,\n");
 }
 
 TEST(Summary, FitsTheSlopeOverThePairs) {
@@ -104,9 +105,26 @@ TEST(Summary, LeavesAPairNumberWithAVoidLegOutOfTheSlope) {
 TEST(Summary, FitsNoSlopeOverNamesOrSeveralFactors) {
   Sweep sweep;
   sweep.factors = {{"a.strategy", {"basic", "dummy"}}};
-  EXPECT_FALSE(slope_over_factor(sweep, {{{"basic"}, {}, {}, {}, {{"1", 1}}, 0}}));
+  Group basic;
+  basic.values = {"basic"};
+  basic.pair_differences = {{"1", 1}};
+  EXPECT_FALSE(slope_over_factor(sweep, {basic}));
   sweep.factors = {{"a.robots", {"6"}}, {"b.robots", {"6"}}};
   EXPECT_FALSE(slope_over_factor(sweep, {}));
+}
+
+// Differences from 6 robots, pair by pair: 3, 1 and 2. Mean 2, deviation 1, t = 2 sqrt(3), whose
+// two-sided p with two degrees of freedom is 0.0742 (scipy.stats.ttest_1samp([3, 1, 2], 0)).
+TEST(SummaryTable, ComparesEachValueWithTheFirst) {
+  std::vector<Score> scores;
+  for (const auto& [pair, six, five] : {std::array{1, 1, 4}, {2, 5, 6}, {3, 0, 2}}) {
+    for (const int leg : {1, 2}) {
+      scores.push_back({pair, leg, "6", six, 0});
+      scores.push_back({pair, leg, "5", five, 0});
+    }
+  }
+  const std::string table = summary_table(kSweep, groups_of(scores));
+  EXPECT_NE(table.find("+2.00 [-0.48, +4.48]   0.074\n"), std::string::npos) << table;
 }
 
 TEST(SummaryTable, ShowsScoresDifferencesAndVoidGames) {
