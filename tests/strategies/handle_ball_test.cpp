@@ -102,18 +102,24 @@ TEST(BallHandler, DoesNotChipWithRobotsThatCannot) {
   EXPECT_FALSE(order.chip);
 }
 
-// Robot 2, in the opponents' area, would have the better shot.
-TEST(BallHandler, PassesToNobodyWhoMayNotTouchTheBall) {
+// Robot 1 is pressed and its shot blocked; robot 2, in the opponents' area, would have one.
+int receiver_in_area(const Briefing& briefing) {
   Style style;
   style.carry = 0;
-  Staged stage(Play::kRunning, false, briefing_of("2026-b"), style);
-  stage.world.own(0, {-4.3, 0}).own(1, {2, -2}).own(2, {3.8, 0.8}).own(3, {2, 0.4});
+  Staged stage(Play::kRunning, false, briefing, style);
+  stage.world.own(0, {-4.3, 0}).own(1, {2, -2}).own(2, {3.6, 0.9}).own(3, {-1, 1});
   stage.world.view.own[1].heading = {0, 1};
   stage.world.ball(Vec2(2, -2) + Vec2(0, kHeldBall_m));
-  stage.world.opponent(1, {2.4, -1.75}).opponent(2, {2.35, -1.6});
+  stage.world.opponent(0, {4.4, 0}).opponent(1, {2.44, -1.58}).opponent(2, {2.22, -1.95});
   stage.play(1);
-  EXPECT_EQ(stage.handler.choice().kind, Choice::Kind::kPass);
-  EXPECT_EQ(stage.handler.choice().receiver, 3);
+  return stage.handler.choice().receiver;
+}
+
+TEST(BallHandler, PassesToNobodyWhoMayNotTouchTheBall) {
+  Briefing briefing = briefing_of("2026-b");
+  EXPECT_NE(receiver_in_area(briefing), 2);
+  briefing.rules.in_force[RuleId::kAttackerInArea] = false;
+  EXPECT_EQ(receiver_in_area(briefing), 2);
 }
 
 TEST(BallHandler, ForgetsWhomAPassWasForOnceItMustHaveArrived) {

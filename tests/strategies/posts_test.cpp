@@ -102,13 +102,29 @@ TEST(ManOwnPosts, KeepsThePostOfTheRobotAtTheBallAndLeavesItEmpty) {
   EXPECT_TRUE(cast.is_free(2));
 }
 
+TEST(ManOwnPosts, HasTheRobotFromTheBallBackAtItsOwnPost) {
+  TwoRobots stage;
+  const Posts posts = {post(1, kNorth_m), post(2, kSouth_m), post(3, {1, 0})};
+  Cast before(stage.look());
+  man_own_posts(stage.book, before, posts);
+  stage.move(0, {0.9, 0});
+  Cast meanwhile(stage.outlook);
+  meanwhile.give(0, Part::kBall);
+  man_own_posts(stage.book, meanwhile, posts);
+  Cast after(stage.look());
+  man_own_posts(stage.book, after, posts);
+  EXPECT_EQ(who_goes_to(stage, after, kNorth_m), 0);
+}
+
 TEST(ManOwnPosts, GivesTheRobotAtTheBallThePostNearestToItFromTheStart) {
   TwoRobots stage;
+  stage.world.own(7, {0, -1.8});
   Cast first(stage.look());
   first.give(1, Part::kBall);
   man_own_posts(stage.book, first, kNorthAndSouth);
   EXPECT_EQ(who_goes_to(stage, first, kNorth_m), 0);
   EXPECT_EQ(who_goes_to(stage, first, kSouth_m), -1);
+  EXPECT_TRUE(first.is_free(2));
 }
 
 TEST(ManOwnPosts, LeavesTheRobotsOfTheLastPostsFree) {

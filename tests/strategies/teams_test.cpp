@@ -225,6 +225,14 @@ TEST(Counter, HasTwoAheadOfItsOwnBallAndTheOthersBehind) {
   EXPECT_EQ(ahead_of(world, -0.7), 2);  // a quarter of the half: nobody between
 }
 
+// Up to a quarter of its half: all but the one at the ball and the one ahead.
+TEST(Counter, DoesNotComeUpBehindABallFarAhead) {
+  const auto team = make("counter");
+  StagedWorld world = theirs_at({2, 1});
+  world.run(*team, 4);
+  EXPECT_EQ(ahead_of(world, -0.7), 2);
+}
+
 TEST(Counter, LeavesSomebodyAheadInAStop) {
   const auto team = make("counter");
   StagedWorld world = theirs_at({-1, 0.5});
