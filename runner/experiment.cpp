@@ -20,14 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<PlannedGame> planned(const Scenario& scenario, const fs::path& folder) {
-  try {
-    return plan(scenario);
-  } catch (const std::invalid_argument& error) {
-    throw InputError({folder.string()}, "", error.what());
-  }
-}
-
 GameRecord void_record(const std::string& reason) {
   GameRecord record;
   record.status = Status::kVoid;
@@ -51,7 +43,7 @@ class Experiment {
       : scenario_(scenario),
         options_(options),
         format_(value_columns(scenario)),
-        games_(planned(scenario, options.folder)) {}
+        games_(plan_of(scenario, options.folder)) {}
 
   ExperimentReport run() {
     create_folder(options_.folder / kGamesFolder);

@@ -5,6 +5,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "runner/errors.hpp"
 #include "runner/fields.hpp"
 #include "runner/roundrobin_plan.hpp"
 #include "runner/standings_report.hpp"
@@ -116,6 +117,14 @@ bool is_experiment(const Scenario& scenario) {
 
 std::vector<PlannedGame> plan(const Scenario& scenario) {
   return with_kind(scenario, [](const auto& experiment) { return plan(experiment); });
+}
+
+std::vector<PlannedGame> plan_of(const Scenario& scenario, const std::filesystem::path& file) {
+  try {
+    return plan(scenario);
+  } catch (const std::invalid_argument& error) {
+    throw InputError({file.string()}, "", error.what());
+  }
 }
 
 std::vector<std::string> value_columns(const Scenario& scenario) {

@@ -1,6 +1,7 @@
 // What differs between the kinds of experiments: which games they play, and what their rows say.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ bool is_experiment(const Scenario& scenario);
 // Its games in the order in which they are played. Throws std::invalid_argument where settings do
 // not go together.
 std::vector<PlannedGame> plan(const Scenario& scenario);
+
+// The same, but mistakes are InputErrors that name `file`.
+std::vector<PlannedGame> plan_of(const Scenario& scenario, const std::filesystem::path& file);
 
 // The columns of its rows that hold the factors' values.
 std::vector<std::string> value_columns(const Scenario& scenario);

@@ -28,14 +28,6 @@ Scenario scenario_in(const fs::path& folder) {
                    fmt::format("this is a {}, not an experiment", kind_of(scenario)));
 }
 
-std::vector<PlannedGame> planned(const Scenario& scenario, const fs::path& folder) {
-  try {
-    return plan(scenario);
-  } catch (const std::invalid_argument& error) {
-    throw InputError({(folder / kEffectiveFile).string()}, "", error.what());
-  }
-}
-
 // The build that was asked for, or the only one.
 std::string chosen_build(const StoredRows& stored, const std::string& wanted,
                          const fs::path& folder) {
@@ -64,9 +56,14 @@ ResultFolder open_results(const fs::path& path, const std::string& build) {
   const Scenario scenario = scenario_in(path);
   const RowFormat format(value_columns(scenario));
   const StoredRows stored = read_rows(path / kGamesFolder, format);
-  ResultFolder folder{
-      path, scenario,       format, planned(scenario, path), chosen_build(stored, build, path),
-      {},   stored.damaged, {}};
+  ResultFolder folder{path,
+                      scenario,
+                      format,
+                      plan_of(scenario, path / kEffectiveFile),
+                      chosen_build(stored, build, path),
+                      {},
+                      stored.damaged,
+                      {}};
   folder.stock = take_stock(stored.rows, folder.games, format, folder.build, true, path, {});
   const std::size_t shard = format.column("shard");
   for (const auto& [id, cells] : folder.stock.done) ++folder.by_shard[cells[shard]];

@@ -1,6 +1,10 @@
 // What the verbs of many games have in common.
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 
+#include "runner/errors.hpp"
+#include "runner/experiment_kinds.hpp"
 #include "runner/verbs/command_line.hpp"
 #include "runner/workers.hpp"
 
@@ -12,6 +16,14 @@ std::filesystem::path BatchArguments::results_folder() const {
 }
 
 int BatchArguments::worker_count() const { return workers > 0 ? workers : processors(); }
+
+Scenario read_experiment(const std::string& file) {
+  Scenario scenario = read_scenario(file);
+  if (is_experiment(scenario)) return scenario;
+  throw InputError({file}, "kind",
+                   fmt::format("this is a {}, not an experiment; play it with: autoref {} {}",
+                               kind_of(scenario), verb_of(scenario), file));
+}
 
 void add_batch_options(CLI::App& verb, BatchArguments& arguments, const std::string& about_file) {
   verb.add_option("FILE", arguments.file, about_file)->required();

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "runner/scenario.hpp"
+
 namespace autoref::runner {
 
 // What `autoref play` is told.
@@ -32,6 +34,11 @@ struct BatchArguments {
 struct RunArguments : BatchArguments {
   std::string shard = "0/1";
   bool allow_mixed_build = false;
+};
+
+// What `autoref check` is told.
+struct CheckArguments : BatchArguments {
+  bool games = false;
 };
 
 // What the verbs are told that look at a folder of results.
@@ -87,6 +94,7 @@ struct PlanArguments {
 // Each does its verb's work and returns the exit code. Mistakes come as exceptions (errors.hpp).
 int play_verb(const PlayArguments& arguments);
 int run_verb(const RunArguments& arguments);
+int check_verb(const CheckArguments& arguments);
 int report_verb(const FolderArguments& arguments);
 int status_verb(const FolderArguments& arguments);
 int verify_verb(const VerifyArguments& arguments);
@@ -99,10 +107,13 @@ int teams_verb(const TeamsArguments& arguments);
 
 // Adds a verb to the command line; parsing sets `chosen` to its work.
 using Chosen = std::function<int()>;
+// Reads an experiment; a scenario of another kind is refused with the verb that plays it.
+Scenario read_experiment(const std::string& file);
 // Adds the file and the options that all verbs of many games have.
 void add_batch_options(CLI::App& verb, BatchArguments& arguments, const std::string& about_file);
 void add_play_verb(CLI::App& app, Chosen& chosen);
 void add_run_verb(CLI::App& app, Chosen& chosen);
+void add_check_verb(CLI::App& app, Chosen& chosen);
 // Adds the folder and the build that all verbs of folders have.
 void add_folder_options(CLI::App& verb, FolderArguments& arguments);
 void add_report_verb(CLI::App& app, Chosen& chosen);

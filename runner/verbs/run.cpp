@@ -47,12 +47,7 @@ void print_results(const Scenario& scenario, const ExperimentReport& report,
 }  // namespace
 
 int run_verb(const RunArguments& arguments) {
-  const Scenario scenario = read_scenario(arguments.file);
-  if (!is_experiment(scenario)) {
-    throw InputError({arguments.file}, "kind",
-                     fmt::format("this is a {}, not an experiment; play it with: autoref {} {}",
-                                 kind_of(scenario), verb_of(scenario), arguments.file));
-  }
+  const Scenario scenario = read_experiment(arguments.file);
   const ExperimentOptions options = options_of(arguments);
   const ExperimentReport report = run_experiment(scenario, options);
   if (report.is_interrupted) {

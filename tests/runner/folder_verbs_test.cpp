@@ -26,6 +26,16 @@ class FolderVerbs : public testing::Test {
   std::string results_ = (folder_ / "results").string();
 };
 
+TEST_F(FolderVerbs, CheckWhatWouldBePlayed) {
+  const Answer games = answer_to({"check", file_.c_str(), "--games"});
+  EXPECT_EQ(games.code, kDone);
+  EXPECT_TRUE(games.out.starts_with("b.robots=6-p0001-1\nb.robots=6-p0001-2\n")) << games.out;
+  const Answer checked = answer_to({"check", file_.c_str(), "-j", "1"});
+  EXPECT_EQ(checked.code, kDone);
+  EXPECT_NE(checked.out.find("b.robots=5           2"), std::string::npos) << checked.out;
+  EXPECT_NE(checked.out.find("\n4 games, about "), std::string::npos) << checked.out;
+}
+
 TEST_F(FolderVerbs, TellHowFarAnExperimentIs) {
   EXPECT_NE(run("0/2").out.find("shard 0/2 is done: 2 of 4 games"), std::string::npos);
   const std::string half = answer_to({"status", results_.c_str()}).out;
