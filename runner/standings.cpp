@@ -46,6 +46,7 @@ void add_b(Standing& standing, const Group& matchup) {
 
 std::vector<RatedMatchup> rated(const std::vector<Group>& matchups) {
   std::vector<RatedMatchup> all;
+  all.reserve(matchups.size());
   for (const Group& matchup : matchups)
     all.push_back({matchup.values[0], matchup.values[1], matchup.games_by_pair});
   return all;

@@ -33,6 +33,7 @@ std::optional<std::vector<double>> differences_of(const std::string& pair,
 // Of each value from the first; that one's own entry has no values.
 std::vector<PairedDifference> differences_from_first(const std::vector<Group>& groups) {
   std::vector<DifferenceByPair> values;
+  values.reserve(groups.size());
   for (const Group& group : groups) values.push_back(group.pair_differences);
   std::vector<PairedDifference> differences = differences_from_baseline(values);
   differences.insert(differences.begin(), PairedDifference{});

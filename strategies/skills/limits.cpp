@@ -74,13 +74,13 @@ Vec2 permitted(const Field& field, const Vec2& wanted_m, const Vec2& ball_m, con
 
 Vec2 permitted_by_all(const Field& field, const Vec2& wanted_m, const Vec2& ball_m,
                       const Limits& limits) {
-  const Vec2 p = permitted(field, wanted_m, ball_m, limits);
+  Vec2 p = permitted(field, wanted_m, ball_m, limits);
   if ((p - ball_m).norm() >= limits.keep_from_ball_m) return p;
   const Vec2 off_m =
       direction_of(p - ball_m, back_from(field, ball_m)) * (limits.keep_from_ball_m + kMargin_m);
   for (int i = 1; i <= kTurns; ++i) {
     for (const double side : {1.0, -1.0}) {
-      const Vec2 turned_m = ball_m + to_world(off_m, heading_of(side * i * kPi / kTurns));
+      Vec2 turned_m = ball_m + to_world(off_m, heading_of(side * i * kPi / kTurns));
       if (pushed_into_bounds(field, turned_m, limits) == turned_m) return turned_m;
     }
   }
