@@ -1,26 +1,16 @@
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "runner/errors.hpp"
-#include "runner/verbs/command_line.hpp"
+#include "tests/runner/answer.hpp"
 
 namespace autoref::runner {
 namespace {
 
-struct Answer {
-  int code = 0;
-  std::string out;
-  std::string err;
-};
-
 Answer answer_to_plan(std::vector<const char*> arguments) {
-  arguments.insert(arguments.begin(), {"autoref", "plan"});
-  testing::internal::CaptureStdout();
-  testing::internal::CaptureStderr();
-  Answer answer;
-  answer.code = run_command_line(static_cast<int>(arguments.size()), arguments.data());
-  answer.out = testing::internal::GetCapturedStdout();
-  answer.err = testing::internal::GetCapturedStderr();
-  return answer;
+  arguments.insert(arguments.begin(), "plan");
+  return answer_to(std::move(arguments));
 }
 
 // The pairs and their power are statsmodels' (sample_size_test.cpp).
