@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "soccer/robot_shape.hpp"
+#include "strategies/tactics/duel.hpp"
 
 namespace autoref::strategies {
 namespace {
@@ -14,6 +15,26 @@ constexpr double kBesidePost_m = 150_mm;  // a shot that goes so little wide is 
 constexpr double kOffLine_m = 20_mm;      // of the hull, at least
 constexpr double kFetch_mps = 1.2;        // slower balls in the area are fetched
 constexpr double kAreaMargin_m = 30_mm;
+constexpr double kAimTrust = 0.6;  // how far it goes from the middle towards where a shooter faces
+
+Vec2 on_goal_line(const Field& field, const Vec2& from_m, const Vec2& way) {
+  const double share = (-field.half_length_m() - from_m.x()) / way.x();
+  return {-field.half_length_m(), from_m.y() + share * way.y()};
+}
+
+// Where the keeper expects a shot to cross its line: in the middle of the angle, and nearer to
+// where an opponent with the ball faces, if that is the goal.
+Vec2 expected_at(const Outlook& outlook, const Vec2& halving) {
+  const Field& field = outlook.field();
+  Vec2 middle_m = on_goal_line(field, outlook.place_m(), halving);
+  if (!opponent_has_ball(outlook)) return middle_m;
+  const Vec2& heading =
+      outlook.now().opponents[static_cast<std::size_t>(outlook.their_fastest())].heading;
+  if (heading.x() > -0.1) return middle_m;
+  const Vec2 aim_m = on_goal_line(field, outlook.place_m(), heading);
+  if (std::abs(aim_m.y()) > field.half_goal_m() + kBesidePost_m) return middle_m;
+  return middle_m + (aim_m - middle_m) * kAimTrust;
+}
 
 // Where the ball will cross the own goal line, if it comes to be in the goal or near it.
 std::optional<Vec2> shot_at(const Outlook& outlook) {
@@ -55,7 +76,8 @@ Waypoint keeper_place(const Outlook& outlook, const TrackedRobot& keeper) {
     return facing_ball(outlook, {least_x, y});
   }
   const double x = std::min(stand_x, ball_m.x() - kRobotRadius_m);
-  const double y = ball_m.y() + halving.y() * (x - ball_m.x()) / halving.x();
+  const Vec2 way = expected_at(outlook, halving) - ball_m;
+  const double y = ball_m.y() + way.y() * (x - ball_m.x()) / way.x();
   const double reach_m = field.half_goal_m() - kRobotRadius_m / 2;
   return facing_ball(outlook, {std::max(x, least_x), std::clamp(y, -reach_m, reach_m)});
 }

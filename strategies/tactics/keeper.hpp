@@ -6,7 +6,8 @@
 namespace autoref::strategies {
 
 // Where the keeper stands: on the way of a ball that will be in the goal; else on the line that
-// halves the goal's angle seen from the ball, ahead of the goal line by the style's keeper_out_m.
+// halves the goal's angle seen from the ball, ahead of the goal line by the style's keeper_out_m,
+// and nearer to where an opponent with the ball at its foot faces, if that is the goal.
 Waypoint keeper_place(const Outlook& outlook, const TrackedRobot& keeper);
 
 // Orders for the keeper, the robot of that index, while it does not play the ball.

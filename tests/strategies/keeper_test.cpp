@@ -46,6 +46,33 @@ TEST(KeeperPlace, IsAtTheNearPostForABallFromBeside) {
   }
 }
 
+// A keeper in its goal, and an opponent with the ball at its foot that faces a place.
+Vec2 place_before(const Vec2& faced_m) {
+  const Vec2 ball_m(-1, 0);
+  StagedOutlook stage = staged(ball_m);
+  TrackedRobot& shooter = stage.world.view.opponents[0];
+  shooter.heading = (faced_m - ball_m).normalized();
+  shooter.position_m = ball_m - shooter.heading * kHeldBall_m;
+  const Outlook& outlook = stage.look();
+  return keeper_place(outlook, outlook.robot(0)).position_m;
+}
+
+TEST(KeeperPlace, LeansToWhereAnOpponentWithTheBallFaces) {
+  const Vec2 middle_m = place_before({kGoal_x, 0});
+  for (const double y : {-0.3, 0.3}) {
+    const Vec2 faced_m(kGoal_x, y);
+    const double off_m = distance_to_segment(middle_m, {-1, 0}, faced_m);
+    EXPECT_LT(distance_to_segment(place_before(faced_m), {-1, 0}, faced_m), off_m / 2) << y;
+  }
+}
+
+TEST(KeeperPlace, StaysInTheMiddleForAnOpponentThatFacesElsewhere) {
+  const Vec2 middle_m = place_before({kGoal_x, 0});
+  for (const Vec2& faced_m : {Vec2(kGoal_x, 1), Vec2(-1, 2), Vec2(0, 0.1)}) {
+    EXPECT_LT((place_before(faced_m) - middle_m).norm(), 1_mm) << faced_m.transpose();
+  }
+}
+
 TEST(KeeperPlace, IsOnTheWayOfAShot) {
   for (const double y : {-0.3, -0.1, 0.25}) {
     const Vec2 ball_m(-1, 0.5);
