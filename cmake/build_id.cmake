@@ -2,9 +2,9 @@
 #   cmake -DSOURCE_DIR=... -DVERSION=... -DOUTPUT=... -P build_id.cmake
 # The file is left alone where its content would not change.
 set(sources CMakeLists.txt)
-foreach(room IN ITEMS soccer sim referee strategies runner)
+foreach(room IN ITEMS soccer league sim referee strategies runner)
   file(GLOB_RECURSE found RELATIVE ${SOURCE_DIR}
-       ${SOURCE_DIR}/${room}/*.hpp ${SOURCE_DIR}/${room}/*.cpp ${SOURCE_DIR}/${room}/CMakeLists.txt)
+       ${SOURCE_DIR}/${room}/*.hpp ${SOURCE_DIR}/${room}/*.cpp ${SOURCE_DIR}/${room}/*.proto ${SOURCE_DIR}/${room}/CMakeLists.txt)
   list(APPEND sources ${found})
 endforeach()
 list(SORT sources)

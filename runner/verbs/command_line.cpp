@@ -8,6 +8,7 @@
 #include <exception>
 #include <system_error>
 
+#include "league/log_file.hpp"
 #include "runner/build_id.hpp"
 #include "runner/errors.hpp"
 
@@ -33,6 +34,8 @@ int exit_code_of(const Chosen& work) {
   } catch (const InputError& error) {
     return fail(kBadInput, error.what());
   } catch (const InputOutputError& error) {
+    return fail(kInputOutput, error.what());
+  } catch (const league::LogError& error) {
     return fail(kInputOutput, error.what());
   } catch (const Interrupted& error) {
     return fail(kInterrupted, error.what());

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "runner/verbs/play_one.hpp"
+
 #include "runner/scenario.hpp"
 
 namespace autoref::runner {
@@ -16,8 +18,7 @@ struct PlayArguments {
   std::string file;
   std::string seed;               // empty: the scenario's
   std::vector<std::string> sets;  // "key=value"
-  std::string events;             // file for the referee's decisions; empty: none
-  bool json = false;
+  GameOutput output;
 };
 
 // What verbs that play many games are told.
@@ -56,8 +57,7 @@ struct VerifyArguments : FolderArguments {
 // What `autoref replay` is told.
 struct ReplayArguments : FolderArguments {
   std::string game;
-  std::string events;  // file for the referee's decisions; empty: none
-  bool json = false;
+  GameOutput output;
 };
 
 // What `autoref judge` is told.

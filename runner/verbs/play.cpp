@@ -57,9 +57,7 @@ GameConfiguration configured(const PlayArguments& arguments) {
 int play_verb(const PlayArguments& arguments) {
   const GameConfiguration game = configured(arguments);
   GameRecord record;
-  blame(arguments.file, [&] {
-    record = play_one(game, {arguments.events, arguments.json, arguments.file});
-  });
+  blame(arguments.file, [&] { record = play_one(game, arguments.output, arguments.file); });
   return record.status == Status::kVoid ? kTooManyVoid : kDone;
 }
 
@@ -71,10 +69,7 @@ void add_play_verb(CLI::App& app, Chosen& chosen) {
   verb->add_option("--set", arguments->sets, "Change a setting; may be given several times.")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  verb->add_option("--events", arguments->events,
-                   "Write the referee's decisions to FILE, one JSON object a line.")
-      ->type_name("FILE");
-  verb->add_flag("--json", arguments->json, "Print one JSON object.");
+  add_output_options(*verb, arguments->output);
   verb->footer(
       "Example:\n  autoref play scenarios/paper-game.yaml --seed 7 --set b.robots=5 "
       "--set match.half_s=60");

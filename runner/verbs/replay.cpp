@@ -31,8 +31,8 @@ const PlannedGame& game_named(const ResultFolder& folder, const std::string& id)
 int replay_verb(const ReplayArguments& arguments) {
   const ResultFolder folder = open_results(arguments.folder, arguments.build);
   const PlannedGame& game = game_named(folder, arguments.game);
-  const GameRecord record = play_one(game.configuration, {arguments.events, arguments.json,
-                                                          (folder.path / kEffectiveFile).string()});
+  const GameRecord record =
+      play_one(game.configuration, arguments.output, (folder.path / kEffectiveFile).string());
   const auto row = folder.stock.done.find(game.id);
   if (row == folder.stock.done.end()) return kDone;
   const std::string& stored = row->second[folder.format.column("state_hash")];
@@ -48,10 +48,7 @@ void add_replay_verb(CLI::App& app, Chosen& chosen) {
   add_folder_options(*verb, *arguments);
   verb->add_option("GAME_ID", arguments->game, "As in the first column of results.csv.")
       ->required();
-  verb->add_option("--events", arguments->events,
-                   "Write the referee's decisions to FILE, one JSON object a line.")
-      ->type_name("FILE");
-  verb->add_flag("--json", arguments->json, "Print one JSON object.");
+  add_output_options(*verb, arguments->output);
   verb->footer(
       "Example:\n  autoref replay results/runs/handicap-speed b.handicap=0.8-p0007-2 --events "
       "events.jsonl");

@@ -1,0 +1,199 @@
+#include "league/field_message.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "league/units.hpp"
+#include "soccer/robot_shape.hpp"
+#include "soccer/units.hpp"
+
+namespace autoref::league {
+namespace {
+
+constexpr double kLongest_m = 100;
+
+std::int32_t whole_mm(double metres) {
+  return static_cast<std::int32_t>(std::llround(metres * 1000));
+}
+
+// Adds lines and arcs; what it is given runs along the lines' middles.
+class Painter {
+ public:
+  Painter(const Field& field, FieldSize& size)
+      : width_mm_(to_mm(field.line_width_m)), size_(size) {}
+
+  void line(const std::string& name, const Vec2& from_m, const Vec2& to_m) {
+    FieldLine& line = *size_.add_field_lines();
+    line.set_name(name);
+    set(from_m, *line.mutable_p1());
+    set(to_m, *line.mutable_p2());
+    line.set_thickness(width_mm_);
+  }
+
+  void arc(const std::string& name, const Vec2& centre_m, double radius_m, double from_rad,
+           double to_rad) {
+    FieldArc& arc = *size_.add_field_arcs();
+    arc.set_name(name);
+    set(centre_m, *arc.mutable_center());
+    arc.set_radius(to_mm(radius_m));
+    arc.set_a1(static_cast<float>(from_rad));
+    arc.set_a2(static_cast<float>(to_rad));
+    arc.set_thickness(width_mm_);
+  }
+
+ private:
+  static void set(const Vec2& place_m, Point& point) {
+    point.set_x(to_mm(place_m.x()));
+    point.set_y(to_mm(place_m.y()));
+  }
+
+  float width_mm_;
+  FieldSize& size_;
+};
+
+void paint_outline(const Field& field, Painter& painter) {
+  const double x = field.half_length_m() - field.line_width_m / 2;
+  const double y = field.half_width_m() - field.line_width_m / 2;
+  painter.line("TopTouchLine", {-x, y}, {x, y});
+  painter.line("BottomTouchLine", {-x, -y}, {x, -y});
+  painter.line("LeftGoalLine", {-x, -y}, {-x, y});
+  painter.line("RightGoalLine", {x, -y}, {x, y});
+  painter.line("HalfwayLine", {0, -y}, {0, y});
+  painter.line("CenterLine", {-x, 0}, {x, 0});
+  painter.arc("CenterCircle", {0, 0}, field.centre_circle_radius_m - field.line_width_m / 2, 0,
+              2 * kPi);
+}
+
+// `sign` is that of the goal's x, `name` the league's word for the end.
+void paint_round_area(const Field& field, double sign, const std::string& name, Painter& painter) {
+  const double goal_x = sign * field.half_length_m();
+  const double depth_m = field.defence_area.depth_m - field.line_width_m / 2;
+  const double half_m = field.defence_area.straight_m / 2;
+  const double x = goal_x - sign * depth_m;
+  painter.line(name + "PenaltyStretch", {x, -half_m}, {x, half_m});
+  const double inwards_rad = sign < 0 ? 0 : kPi;
+  painter.arc(name + "FieldLeftPenaltyArc", {goal_x, half_m}, depth_m,
+              sign < 0 ? inwards_rad : kPi / 2, sign < 0 ? kPi / 2 : inwards_rad);
+  painter.arc(name + "FieldRightPenaltyArc", {goal_x, -half_m}, depth_m,
+              sign < 0 ? 1.5 * kPi : inwards_rad, sign < 0 ? 2 * kPi : 1.5 * kPi);
+}
+
+void paint_box_area(const Field& field, double sign, const std::string& name, Painter& painter) {
+  const double goal_x = sign * field.half_length_m();
+  const double x = goal_x - sign * (field.defence_area.depth_m - field.line_width_m / 2);
+  const double half_m = field.defence_area.straight_m / 2 - field.line_width_m / 2;
+  painter.line(name + "PenaltyStretch", {x, -half_m}, {x, half_m});
+  painter.line(name + "FieldLeftPenaltyStretch", {goal_x, half_m}, {x, half_m});
+  painter.line(name + "FieldRightPenaltyStretch", {goal_x, -half_m}, {x, -half_m});
+}
+
+void fill_camera(std::uint32_t id, const CameraPlace& place, CameraCalibration& camera) {
+  camera.set_camera_id(id);
+  camera.set_focal_length(0);
+  camera.set_principal_point_x(0);
+  camera.set_principal_point_y(0);
+  camera.set_distortion(0);
+  // Upside down: it looks along -z. As the league's messages have it, (tx, ty, tz) is the field's
+  // origin as the camera sees it.
+  camera.set_q0(1);
+  camera.set_q1(0);
+  camera.set_q2(0);
+  camera.set_q3(0);
+  camera.set_tx(-to_mm(place.position_m.x()));
+  camera.set_ty(to_mm(place.position_m.y()));
+  camera.set_tz(to_mm(place.height_m));
+  camera.set_derived_camera_world_tx(to_mm(place.position_m.x()));
+  camera.set_derived_camera_world_ty(to_mm(place.position_m.y()));
+  camera.set_derived_camera_world_tz(to_mm(place.height_m));
+}
+
+double length_m(std::string_view name, std::int32_t mm) {
+  const double metres = to_m(mm);
+  if (metres > 0 && metres <= kLongest_m) return metres;
+  throw std::invalid_argument(fmt::format("{} is {} mm", name, mm));
+}
+
+// Sizes that messages have only as the lines' middles, or in later years' fields.
+void read_line(const FieldLine& line, DefenceArea& area) {
+  if (line.name() != "LeftPenaltyStretch") return;
+  area.straight_m = std::abs(to_m(line.p2().y()) - to_m(line.p1().y()));
+}
+
+void read_arc(const FieldArc& arc, Field& field) {
+  const double outer_m = to_m(arc.radius()) + to_m(arc.thickness()) / 2;
+  if (!(outer_m > 0 && outer_m <= kLongest_m)) {
+    throw std::invalid_argument(fmt::format("the radius of {} is {} mm", arc.name(), arc.radius()));
+  }
+  if (arc.name() == "CenterCircle") field.centre_circle_radius_m = outer_m;
+  if (arc.name() == "LeftFieldLeftPenaltyArc") field.defence_area.depth_m = outer_m;
+}
+
+}  // namespace
+
+void fill_geometry(const Field& field, std::span<const CameraPlace> cameras, Geometry& geometry) {
+  geometry.Clear();
+  FieldSize& size = *geometry.mutable_field();
+  size.set_field_length(whole_mm(field.length_m));
+  size.set_field_width(whole_mm(field.width_m));
+  size.set_goal_width(whole_mm(field.goal_width_m));
+  size.set_goal_depth(whole_mm(field.goal_depth_m));
+  size.set_boundary_width(whole_mm(field.run_off_m));
+  size.set_center_circle_radius(whole_mm(field.centre_circle_radius_m));
+  size.set_line_thickness(whole_mm(field.line_width_m));
+  size.set_goal_center_to_penalty_mark(whole_mm(field.penalty_mark_m));
+  size.set_goal_height(whole_mm(field.goal_opening_height_m));
+  size.set_ball_radius(to_mm(kBallRadius_m));
+  size.set_max_robot_radius(to_mm(kRobotRadius_m));
+  Painter painter(field, size);
+  paint_outline(field, painter);
+  const bool is_box = field.defence_area.shape == DefenceArea::Shape::kBox;
+  if (is_box) size.set_penalty_area_depth(whole_mm(field.defence_area.depth_m));
+  if (is_box) size.set_penalty_area_width(whole_mm(field.defence_area.straight_m));
+  for (const Side side : kSides) {
+    const auto paint = is_box ? paint_box_area : paint_round_area;
+    paint(field, goal_sign(side), side == Side::kWest ? "Left" : "Right", painter);
+  }
+  for (std::uint32_t id = 0; id < cameras.size(); ++id)
+    fill_camera(id, cameras[id], *geometry.add_calib());
+}
+
+Field field_of(const Geometry& geometry) {
+  const FieldSize& size = geometry.field();
+  Field field;
+  field.length_m = length_m("field_length", size.field_length());
+  field.width_m = length_m("field_width", size.field_width());
+  field.goal_width_m = length_m("goal_width", size.goal_width());
+  field.goal_depth_m = length_m("goal_depth", size.goal_depth());
+  field.run_off_m = length_m("boundary_width", size.boundary_width());
+  for (const FieldLine& line : size.field_lines()) read_line(line, field.defence_area);
+  for (const FieldArc& arc : size.field_arcs()) read_arc(arc, field);
+  if (size.has_line_thickness())
+    field.line_width_m = length_m("line_thickness", size.line_thickness());
+  if (size.has_center_circle_radius())
+    field.centre_circle_radius_m = length_m("center_circle_radius", size.center_circle_radius());
+  if (size.has_goal_center_to_penalty_mark()) {
+    field.penalty_mark_m =
+        length_m("goal_center_to_penalty_mark", size.goal_center_to_penalty_mark());
+  }
+  if (size.has_goal_height())
+    field.goal_opening_height_m = length_m("goal_height", size.goal_height());
+  if (size.has_penalty_area_depth() && size.has_penalty_area_width()) {
+    field.defence_area = {DefenceArea::Shape::kBox,
+                          length_m("penalty_area_depth", size.penalty_area_depth()),
+                          length_m("penalty_area_width", size.penalty_area_width())};
+  }
+  return field;
+}
+
+CameraPlace camera_of(const Geometry& geometry, std::uint32_t id, const Vec2& below_m) {
+  for (const CameraCalibration& camera : geometry.calib()) {
+    if (camera.camera_id() != id || !camera.has_derived_camera_world_tz()) continue;
+    return {{to_m(camera.derived_camera_world_tx()), to_m(camera.derived_camera_world_ty())},
+            to_m(camera.derived_camera_world_tz())};
+  }
+  return {below_m};
+}
+
+}  // namespace autoref::league

@@ -1,0 +1,81 @@
+#include "league/frame_message.hpp"
+
+#include <cstdint>
+#include <limits>
+
+#include "league/units.hpp"
+
+namespace autoref::league {
+namespace {
+
+bool is_at(const CameraPlace& one, const CameraPlace& other) {
+  return one.position_m == other.position_m && one.height_m == other.height_m;
+}
+
+std::size_t nearest(std::span<const CameraPlace> cameras, const Vec2& place_m) {
+  std::size_t best = 0;
+  double best_m2 = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    const double distance_m2 = (cameras[i].position_m - place_m).squaredNorm();
+    if (distance_m2 >= best_m2) continue;
+    best_m2 = distance_m2;
+    best = i;
+  }
+  return best;
+}
+
+std::size_t camera_of(const BallObservation& ball, std::span<const CameraPlace> cameras) {
+  if (!ball.height_m) {
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+      if (is_at(cameras[i], ball.seen_from)) return i;
+    }
+  }
+  return nearest(cameras, ball.position_m);
+}
+
+void fill_robot(const RobotObservation& seen, DetectionRobot& robot) {
+  robot.set_confidence(1);
+  robot.set_robot_id(static_cast<std::uint32_t>(seen.number));
+  robot.set_x(to_mm(seen.position_m.x()));
+  robot.set_y(to_mm(seen.position_m.y()));
+  robot.set_orientation(static_cast<float>(angle_of(seen.heading)));
+  robot.set_pixel_x(0);
+  robot.set_pixel_y(0);
+}
+
+void fill_ball(const BallObservation& seen, DetectionBall& ball) {
+  ball.set_confidence(1);
+  ball.set_x(to_mm(seen.position_m.x()));
+  ball.set_y(to_mm(seen.position_m.y()));
+  if (seen.height_m) ball.set_z(to_mm(*seen.height_m));
+  ball.set_pixel_x(0);
+  ball.set_pixel_y(0);
+}
+
+void start(const Frame& frame, std::uint32_t camera, DetectionFrame& detection) {
+  detection.Clear();
+  detection.set_frame_number(static_cast<std::uint32_t>(frame.number));
+  detection.set_t_capture(frame.time_s);
+  detection.set_t_sent(frame.time_s);
+  detection.set_camera_id(camera);
+}
+
+}  // namespace
+
+void fill_detections(const Frame& frame, std::span<const CameraPlace> cameras,
+                     std::span<VisionPacket> packets) {
+  for (std::size_t i = 0; i < packets.size(); ++i)
+    start(frame, static_cast<std::uint32_t>(i), *packets[i].mutable_detection());
+  const auto camera_before = [&](const Vec2& place_m) {
+    return packets[nearest(cameras, place_m)].mutable_detection();
+  };
+  for (const RobotObservation& robot : frame.robots[Side::kWest])
+    fill_robot(robot, *camera_before(robot.position_m)->add_robots_yellow());
+  for (const RobotObservation& robot : frame.robots[Side::kEast])
+    fill_robot(robot, *camera_before(robot.position_m)->add_robots_blue());
+  if (!frame.ball) return;
+  fill_ball(*frame.ball,
+            *packets[camera_of(*frame.ball, cameras)].mutable_detection()->add_balls());
+}
+
+}  // namespace autoref::league

@@ -1,0 +1,52 @@
+#include "league/game_log.hpp"
+
+#include "league/field_message.hpp"
+#include "league/frame_message.hpp"
+#include "league/units.hpp"
+
+namespace autoref::league {
+namespace {
+
+constexpr double kGeometryEvery_s = 1.0;
+constexpr double kRefereeEvery_s = 0.1;
+
+}  // namespace
+
+GameLog::GameLog(const std::filesystem::path& path, const Field& field,
+                 std::vector<CameraPlace> cameras, PerSide<TeamSheet> teams)
+    : file_(path),
+      cameras_(std::move(cameras)),
+      teams_(std::move(teams)),
+      pictures_(cameras_.size()) {
+  fill_geometry(field, cameras_, *geometry_.mutable_geometry());
+}
+
+template <typename Message>
+void GameLog::write(double time_s, MessageKind kind, const Message& message) {
+  message.SerializeToString(&bytes_);
+  file_.write(to_ns(time_s), kind, bytes_);
+}
+
+// Apart from the clock.
+bool GameLog::has_changed(const RefereeSignal& signal) const {
+  return referee_.command_counter() != signal.command_counter ||
+         referee_.stage() != static_cast<int>(signal.stage) ||
+         referee_.has_designated_position() != signal.placement.has_value() ||
+         referee_.has_next_command() != signal.next_command.has_value();
+}
+
+void GameLog::add(const Frame& frame, const RefereeSignal& signal) {
+  if (frame.time_s >= geometry_due_s_) {
+    write(frame.time_s, MessageKind::kVision2014, geometry_);
+    geometry_due_s_ = frame.time_s + kGeometryEvery_s;
+  }
+  fill_detections(frame, cameras_, pictures_);
+  for (const VisionPacket& picture : pictures_)
+    write(frame.time_s, MessageKind::kVision2014, picture);
+  if (!has_changed(signal) && frame.time_s < referee_due_s_) return;
+  fill_referee(signal, teams_, frame.time_s, referee_);
+  write(frame.time_s, MessageKind::kReferee2013, referee_);
+  referee_due_s_ = frame.time_s + kRefereeEvery_s;
+}
+
+}  // namespace autoref::league

@@ -1,0 +1,84 @@
+#include "league/log_contents.hpp"
+
+#include "league/messages/vision.pb.h"
+#include "league/picture_merger.hpp"
+
+namespace autoref::league {
+namespace {
+
+class Walk {
+ public:
+  Walk(const std::filesystem::path& path, LogVisitor& visitor) : log_(path), visitor_(visitor) {}
+
+  LogSummary summary() {
+    while (log_.read(record_)) {
+      if (records_++ == 0) first_ns_ = record_.time_ns;
+      last_ns_ = record_.time_ns;
+      ++summary_.records[record_.kind];
+      if (!take()) note_unreadable();
+    }
+    show(merger_.finish());
+    summary_.length_s = since_first_s();
+    summary_.pictures = pictures_;
+    summary_.field = merger_.field();
+    summary_.damage = log_.damage();
+    return summary_;
+  }
+
+ private:
+  // Hostile times may lie farther apart than a difference of int64 can say.
+  double since_first_s() const {
+    return (static_cast<double>(last_ns_) - static_cast<double>(first_ns_)) / 1e9;
+  }
+
+  bool take() {
+    if (record_.kind == static_cast<std::int32_t>(MessageKind::kVision2014)) return take_vision();
+    if (record_.kind == static_cast<std::int32_t>(MessageKind::kReferee2013)) return take_referee();
+    return true;
+  }
+
+  bool take_vision() {
+    if (!vision_.ParseFromString(record_.message)) return false;
+    const std::int64_t unusable = merger_.unusable();
+    show(merger_.add(vision_));
+    if (vision_.has_detection())
+      visitor_.on_camera(since_first_s(), vision_.detection().camera_id());
+    return merger_.unusable() == unusable;
+  }
+
+  bool take_referee() {
+    if (!referee_.ParseFromString(record_.message)) return false;
+    visitor_.on_referee(since_first_s(), referee_);
+    return true;
+  }
+
+  void show(const Frame* picture) {
+    if (picture == nullptr) return;
+    ++pictures_;
+    visitor_.on_picture(*picture);
+  }
+
+  void note_unreadable() {
+    if (summary_.unreadable++ == 0) summary_.unreadable_at = log_.offset();
+  }
+
+  LogReader log_;
+  LogVisitor& visitor_;
+  LogRecord record_;
+  PictureMerger merger_;
+  VisionPacket vision_;
+  RefereePacket referee_;
+  LogSummary summary_;
+  std::int64_t records_ = 0;
+  std::int64_t pictures_ = 0;
+  std::int64_t first_ns_ = 0;
+  std::int64_t last_ns_ = 0;
+};
+
+}  // namespace
+
+LogSummary read_log(const std::filesystem::path& path, LogVisitor& visitor) {
+  return Walk(path, visitor).summary();
+}
+
+}  // namespace autoref::league

@@ -1,0 +1,44 @@
+// A log from beginning to end: its pictures and what the referee sent, and what there was besides.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "league/log_file.hpp"
+#include "league/messages/referee.pb.h"
+#include "soccer/field.hpp"
+#include "soccer/frame.hpp"
+
+namespace autoref::league {
+
+// Looks at a log's contents, in the order in which they stand there.
+class LogVisitor {
+ public:
+  virtual ~LogVisitor() = default;
+  // A whole picture (picture_merger.hpp). It comes once the next one begins, so behind what the
+  // referee sent meanwhile; its time counts from the first picture.
+  virtual void on_picture(const Frame& /*picture*/) {}
+  // `time_s` is that of the record, on the pictures' clock.
+  virtual void on_referee(double /*time_s*/, const RefereePacket& /*packet*/) {}
+  // A packet of one camera; its time is that of the record, on the pictures' clock.
+  virtual void on_camera(double /*time_s*/, std::uint32_t /*camera*/) {}
+};
+
+// What a log holds apart from what visitors are told.
+struct LogSummary {
+  std::map<std::int32_t, std::int64_t> records;  // by MessageKind, or an unknown number
+  double length_s = 0;                           // from the first record to the last
+  std::int64_t pictures = 0;
+  std::optional<Field> field;       // none where the log has no geometry
+  std::int64_t unreadable = 0;      // messages that are none of their kind, or make no sense
+  std::int64_t unreadable_at = 0;   // the first of these: where its record begins
+  std::optional<LogDamage> damage;  // the log ends here, too early
+};
+
+// Reads the log of that name, in bounded memory. Throws LogError where it is none.
+LogSummary read_log(const std::filesystem::path& path, LogVisitor& visitor);
+
+}  // namespace autoref::league

@@ -1,0 +1,147 @@
+#include "league/log_file.hpp"
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+namespace autoref::league {
+namespace {
+
+constexpr std::string_view kSignature = "SSL_LOG_FILE";
+constexpr std::uint32_t kVersion = 1;
+constexpr std::size_t kHeaderSize = 16;     // of a record, and of the file
+constexpr std::size_t kBuffer = 1U << 16;   // of zlib
+constexpr std::size_t kPortion = 1U << 16;  // a message grows by so much while it is read
+
+gzFile zlib_file(void* file) { return static_cast<gzFile>(file); }
+
+template <typename Number>
+void put_number(char* bytes, Number number) {
+  for (std::size_t i = 0; i < sizeof(Number); ++i)
+    bytes[i] = static_cast<char>(number >> (8 * (sizeof(Number) - 1 - i)));
+}
+
+template <typename Number>
+Number number_at(const char* bytes) {
+  Number number = 0;
+  for (std::size_t i = 0; i < sizeof(Number); ++i)
+    number = static_cast<Number>(number << 8 | static_cast<unsigned char>(bytes[i]));
+  return number;
+}
+
+std::string reason_of(void* file) {
+  int code = Z_OK;
+  const char* text = gzerror(zlib_file(file), &code);
+  return code == Z_ERRNO ? std::strerror(errno) : text;
+}
+
+}  // namespace
+
+LogWriter::LogWriter(const std::filesystem::path& path) : name_(path.string()) {
+  const bool is_compressed = path.extension() == ".gz";
+  file_ = gzopen(name_.c_str(), is_compressed ? "wb1" : "wbT");
+  if (file_ == nullptr) throw LogError(fmt::format("{}: {}", name_, std::strerror(errno)));
+  gzbuffer(zlib_file(file_), kBuffer);
+  std::array<char, kHeaderSize> header{};
+  std::copy(kSignature.begin(), kSignature.end(), header.begin());
+  put_number(header.data() + kSignature.size(), kVersion);
+  put({header.data(), header.size()});
+}
+
+LogWriter::~LogWriter() {
+  if (file_ != nullptr) gzclose(zlib_file(file_));
+}
+
+void LogWriter::put(std::string_view bytes) {
+  if (bytes.empty()) return;
+  if (gzwrite(zlib_file(file_), bytes.data(), static_cast<unsigned>(bytes.size())) > 0) return;
+  throw LogError(fmt::format("{}: cannot be written: {}", name_, reason_of(file_)));
+}
+
+void LogWriter::write(std::int64_t time_ns, MessageKind kind, std::string_view message) {
+  std::array<char, kHeaderSize> header{};
+  put_number(header.data(), static_cast<std::uint64_t>(time_ns));
+  put_number(header.data() + 8, static_cast<std::uint32_t>(kind));
+  put_number(header.data() + 12, static_cast<std::uint32_t>(message.size()));
+  put({header.data(), header.size()});
+  put(message);
+}
+
+void LogWriter::close() {
+  const int result = gzclose(zlib_file(std::exchange(file_, nullptr)));
+  if (result == Z_OK) return;
+  throw LogError(fmt::format("{}: cannot be written: {}", name_,
+                             result == Z_ERRNO ? std::strerror(errno) : zError(result)));
+}
+
+LogReader::LogReader(const std::filesystem::path& path) : name_(path.string()) {
+  if (std::filesystem::is_directory(path)) throw LogError(name_ + ": is a folder, not a log");
+  file_ = gzopen(name_.c_str(), "rb");
+  if (file_ == nullptr) throw LogError(fmt::format("{}: {}", name_, std::strerror(errno)));
+  gzbuffer(zlib_file(file_), kBuffer);
+  std::array<char, kHeaderSize> header{};
+  const std::size_t size = get(header.data(), header.size());
+  const char* version = header.data() + kSignature.size();
+  std::string mistake;
+  if (size == 0) {
+    mistake = "is empty";
+  } else if (size < header.size() ||
+             !std::equal(kSignature.begin(), kSignature.end(), header.begin())) {
+    mistake = fmt::format("is no log of the league: its first bytes are not {}", kSignature);
+  } else if (number_at<std::uint32_t>(version) != kVersion) {
+    mistake = fmt::format("is a log of version {}, at byte {}; only version {} can be read",
+                          number_at<std::uint32_t>(version), kSignature.size(), kVersion);
+  }
+  if (mistake.empty()) return;
+  gzclose(zlib_file(file_));
+  throw LogError(fmt::format("{}: {}", name_, mistake));
+}
+
+LogReader::~LogReader() { gzclose(zlib_file(file_)); }
+
+// As many bytes as there are, up to `count`.
+std::size_t LogReader::get(char* bytes, std::size_t count) {
+  const int got = gzread(zlib_file(file_), bytes, static_cast<unsigned>(count));
+  return got > 0 ? static_cast<std::size_t>(got) : 0;
+}
+
+bool LogReader::fail(const std::string& what) {
+  damage_ = LogDamage{offset_, what};
+  return false;
+}
+
+bool LogReader::read(LogRecord& record) {
+  if (damage_) return false;
+  offset_ = gztell(zlib_file(file_));
+  std::array<char, kHeaderSize> header{};
+  const std::size_t size = get(header.data(), header.size());
+  int code = Z_OK;
+  gzerror(zlib_file(file_), &code);
+  if (size < header.size()) {
+    if (code != Z_OK) return fail(fmt::format("cannot be decompressed: {}", reason_of(file_)));
+    return size == 0 ? false : fail("ends in the middle of a record's head");
+  }
+  record.time_ns = static_cast<std::int64_t>(number_at<std::uint64_t>(header.data()));
+  record.kind = static_cast<std::int32_t>(number_at<std::uint32_t>(header.data() + 8));
+  const std::size_t length = number_at<std::uint32_t>(header.data() + 12);
+  if (length > kLongestMessage) {
+    return fail(
+        fmt::format("a message of {} bytes, where {} is the most", length, kLongestMessage));
+  }
+  record.message.clear();
+  while (record.message.size() < length) {
+    const std::size_t had = record.message.size();
+    const std::size_t portion = std::min(kPortion, length - had);
+    record.message.resize(had + portion);
+    if (get(record.message.data() + had, portion) == portion) continue;
+    return fail(fmt::format("ends in the middle of a message of {} bytes", length));
+  }
+  return true;
+}
+
+}  // namespace autoref::league

@@ -1,0 +1,96 @@
+// The league's log files: messages as they came over the network, each with its time.
+//
+// A file begins with the 12 bytes "SSL_LOG_FILE" and an int32 version, 1. Then come records: int64
+// time in ns, int32 kind, int32 size, and the message; all numbers are big-endian. Files that end
+// in .gz are compressed by gzip; reading tells by the content.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace autoref::league {
+
+enum class MessageKind : std::int32_t {
+  kUnknown = 1,
+  kVision2010 = 2,
+  kReferee2013 = 3,
+  kVision2014 = 4,
+  kTracker2020 = 5,
+  kIndex2021 = 6,
+};
+
+// A log cannot be opened, read or written. what() begins with the file's name.
+class LogError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct LogRecord {
+  std::int64_t time_ns = 0;
+  std::int32_t kind = 0;  // a MessageKind, or a number that is not known here
+  std::string message;
+};
+
+class LogWriter {
+ public:
+  // Starts the file anew; compressed where its name ends in .gz. Throws LogError.
+  explicit LogWriter(const std::filesystem::path& path);
+  ~LogWriter();
+  LogWriter(const LogWriter&) = delete;
+  LogWriter& operator=(const LogWriter&) = delete;
+
+  // Throws LogError.
+  void write(std::int64_t time_ns, MessageKind kind, std::string_view message);
+
+  // Everything is in the file when it returns; nothing can be written afterwards. Throws LogError.
+  void close();
+
+ private:
+  void put(std::string_view bytes);
+
+  std::string name_;
+  void* file_ = nullptr;  // zlib's
+};
+
+// Where a file stops making sense. What stands before it is right.
+struct LogDamage {
+  std::int64_t offset = 0;  // in bytes, of the uncompressed content
+  std::string what;
+};
+
+// Reads records one by one, in bounded memory whatever the file holds.
+class LogReader {
+ public:
+  static constexpr std::size_t kLongestMessage = std::size_t{1} << 20;  // UDP carries 64 KiB
+
+  // Throws LogError where the file cannot be read or is no log of version 1.
+  explicit LogReader(const std::filesystem::path& path);
+  ~LogReader();
+  LogReader(const LogReader&) = delete;
+  LogReader& operator=(const LogReader&) = delete;
+
+  // The next record into `record`; false at the end, and where the file is damaged.
+  bool read(LogRecord& record);
+
+  // Where the record that was read last begins.
+  std::int64_t offset() const { return offset_; }
+
+  // Why there are no more records; none while there may be, and at the end of a whole file.
+  const std::optional<LogDamage>& damage() const { return damage_; }
+
+ private:
+  std::size_t get(char* bytes, std::size_t count);
+  bool fail(const std::string& what);
+
+  std::string name_;
+  void* file_ = nullptr;     // zlib's
+  std::int64_t offset_ = 0;  // of the record at hand
+  std::optional<LogDamage> damage_;
+};
+
+}  // namespace autoref::league

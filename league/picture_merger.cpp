@@ -1,0 +1,111 @@
+#include "league/picture_merger.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "league/field_message.hpp"
+#include "league/units.hpp"
+
+namespace autoref::league {
+namespace {
+
+constexpr double kLongestPicture_s = 0.1;
+constexpr std::size_t kMostCameras = 64;
+
+bool is_sound(float x, float y) { return std::isfinite(x) && std::isfinite(y); }
+
+}  // namespace
+
+const Frame* PictureMerger::add(const VisionPacket& packet) {
+  if (packet.has_geometry()) read_geometry(packet.geometry());
+  if (!packet.has_detection()) return nullptr;
+  const DetectionFrame& detection = packet.detection();
+  if (!is_usable(detection)) {
+    ++unusable_;
+    return nullptr;
+  }
+  const Frame* done = starts_anew(detection) ? complete() : nullptr;
+  collect(detection);
+  return done;
+}
+
+const Frame* PictureMerger::finish() { return in_picture_.empty() ? nullptr : complete(); }
+
+void PictureMerger::read_geometry(const Geometry& geometry) {
+  try {
+    field_ = field_of(geometry);
+    geometry_ = geometry;
+  } catch (const std::invalid_argument&) {
+    ++unusable_;
+  }
+}
+
+bool PictureMerger::is_usable(const DetectionFrame& detection) const {
+  const bool is_known = cameras_.contains(detection.camera_id());
+  if (!std::isfinite(detection.t_capture()) || (!is_known && cameras_.size() >= kMostCameras))
+    return false;
+  return !first_capture_s_ || detection.t_capture() - *first_capture_s_ > last_time_s_;
+}
+
+bool PictureMerger::starts_anew(const DetectionFrame& detection) const {
+  if (in_picture_.empty()) return false;
+  return in_picture_.contains(detection.camera_id()) ||
+         detection.t_capture() - *first_capture_s_ - time_s_ > kLongestPicture_s;
+}
+
+void PictureMerger::collect(const DetectionFrame& detection) {
+  if (!first_capture_s_) first_capture_s_ = detection.t_capture();
+  const double time_s = detection.t_capture() - *first_capture_s_;
+  time_s_ = in_picture_.empty() ? time_s : std::max(time_s_, time_s);
+  cameras_.insert(detection.camera_id());
+  in_picture_.insert(detection.camera_id());
+  for (const Side side : kSides) {
+    for (const DetectionRobot& seen :
+         side == Side::kWest ? detection.robots_yellow() : detection.robots_blue()) {
+      if (!seen.has_robot_id() || seen.robot_id() >= kMaxRobots || !is_sound(seen.x(), seen.y()) ||
+          !std::isfinite(seen.orientation())) {
+        continue;
+      }
+      Sighting& best = robots_[side][seen.robot_id()];
+      if (seen.confidence() <= best.confidence) continue;
+      best = {{static_cast<int>(seen.robot_id()),
+               {to_m(seen.x()), to_m(seen.y())},
+               heading_of(static_cast<double>(seen.orientation()))},
+              seen.confidence()};
+    }
+  }
+  for (const DetectionBall& ball : detection.balls()) collect_ball(ball, detection.camera_id());
+}
+
+void PictureMerger::collect_ball(const DetectionBall& seen, std::uint32_t camera) {
+  if (!is_sound(seen.x(), seen.y()) || !std::isfinite(seen.z())) return;
+  BallSighting found{{{to_m(seen.x()), to_m(seen.y())}, std::nullopt, {}}, seen.confidence()};
+  if (seen.has_z()) found.ball.height_m = to_m(seen.z());
+  if (!seen.has_z()) found.ball.seen_from = camera_of(geometry_, camera, found.ball.position_m);
+  const auto is_better = [&](const BallSighting& one, const BallSighting& other) {
+    if (!last_ball_m_) return one.confidence > other.confidence;
+    return (one.ball.position_m - *last_ball_m_).squaredNorm() <
+           (other.ball.position_m - *last_ball_m_).squaredNorm();
+  };
+  if (!ball_ || is_better(found, *ball_)) ball_ = found;
+}
+
+const Frame* PictureMerger::complete() {
+  frame_.number = pictures_++;
+  frame_.time_s = time_s_;
+  for (const Side side : kSides) {
+    frame_.robots[side].clear();
+    for (Sighting& sighting : robots_[side]) {
+      if (sighting.confidence >= 0) frame_.robots[side].push_back(sighting.robot);
+      sighting.confidence = -1;
+    }
+  }
+  frame_.ball = ball_ ? std::optional(ball_->ball) : std::nullopt;
+  if (ball_) last_ball_m_ = ball_->ball.position_m;
+  ball_.reset();
+  in_picture_.clear();
+  last_time_s_ = time_s_;
+  return &frame_;
+}
+
+}  // namespace autoref::league

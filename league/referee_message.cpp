@@ -1,0 +1,80 @@
+#include "league/referee_message.hpp"
+
+#include <algorithm>
+
+#include "league/units.hpp"
+
+namespace autoref::league {
+namespace {
+
+constexpr int kLastStage = static_cast<int>(Stage::kPostGame);
+
+void fill_team(const RefereeSignal& signal, const TeamSheet& sheet, Side side, TeamInfo& team) {
+  team.set_name(sheet.name);
+  team.set_score(static_cast<std::uint32_t>(signal.goals[side]));
+  team.set_red_cards(static_cast<std::uint32_t>(signal.red_cards[side]));
+  team.set_yellow_cards(static_cast<std::uint32_t>(signal.yellow_cards[side]));
+  team.set_timeouts(0);
+  team.set_timeout_time(0);
+  team.set_goalie(static_cast<std::uint32_t>(sheet.keeper));
+}
+
+int bounded(std::uint32_t count) { return static_cast<int>(std::min(count, 9999U)); }
+
+void read_team(const TeamInfo& team, Side side, RefereeSignal& signal) {
+  signal.goals[side] = bounded(team.score());
+  signal.red_cards[side] = bounded(team.red_cards());
+  signal.yellow_cards[side] = bounded(team.yellow_cards());
+}
+
+}  // namespace
+
+void fill_referee(const RefereeSignal& signal, const PerSide<TeamSheet>& teams, double time_s,
+                  RefereePacket& packet) {
+  packet.Clear();
+  packet.set_packet_timestamp(static_cast<std::uint64_t>(to_us(time_s)));
+  packet.set_stage(static_cast<int>(signal.stage));
+  packet.set_stage_time_left(static_cast<std::int32_t>(to_us(signal.stage_time_left_s)));
+  packet.set_command(league_number(signal.command));
+  packet.set_command_counter(signal.command_counter);
+  packet.set_command_timestamp(static_cast<std::uint64_t>(to_us(signal.command_time_s)));
+  fill_team(signal, teams[Side::kWest], Side::kWest, *packet.mutable_yellow());
+  fill_team(signal, teams[Side::kEast], Side::kEast, *packet.mutable_blue());
+  packet.set_blue_team_on_positive_half(true);
+  if (signal.placement) {
+    packet.mutable_designated_position()->set_x(to_mm(signal.placement->target_m.x()));
+    packet.mutable_designated_position()->set_y(to_mm(signal.placement->target_m.y()));
+  }
+  if (signal.next_command) packet.set_next_command(league_number(*signal.next_command));
+}
+
+std::optional<Command> command_of(int number) {
+  const int first_pair = static_cast<int>(CommandKind::kPrepareKickoff);
+  const int kinds = static_cast<int>(CommandKind::kBallPlacement) + 1;
+  if (number < 0 || number >= first_pair + 2 * (kinds - first_pair)) return std::nullopt;
+  if (number < first_pair) return Command{static_cast<CommandKind>(number), Side::kWest};
+  const int kind = first_pair + (number - first_pair) / 2;
+  const bool is_blue = (number - first_pair) % 2 == 1;
+  return Command{static_cast<CommandKind>(kind), is_blue ? Side::kEast : Side::kWest};
+}
+
+std::optional<RefereeSignal> signal_of(const RefereePacket& packet) {
+  const std::optional<Command> command = command_of(packet.command());
+  if (!command || packet.stage() < 0 || packet.stage() > kLastStage) return std::nullopt;
+  RefereeSignal signal;
+  signal.command = *command;
+  signal.command_counter = packet.command_counter();
+  signal.command_time_s = static_cast<double>(packet.command_timestamp()) / 1e6;
+  signal.stage = static_cast<Stage>(packet.stage());
+  signal.stage_time_left_s = packet.stage_time_left() / 1e6;
+  read_team(packet.yellow(), Side::kWest, signal);
+  read_team(packet.blue(), Side::kEast, signal);
+  if (packet.has_designated_position()) {
+    const DesignatedPosition& place = packet.designated_position();
+    signal.placement = Placement{{to_m(place.x()), to_m(place.y())}};
+  }
+  if (packet.has_next_command()) signal.next_command = command_of(packet.next_command());
+  return signal;
+}
+
+}  // namespace autoref::league

@@ -1,0 +1,121 @@
+#include "league/log_file.hpp"
+
+#include <vector>
+
+#include "tests/league/scratch_log.hpp"
+
+namespace autoref::league {
+namespace {
+
+using namespace std::string_literals;
+
+// The format's description by hand: signature, version, and a record of 7 bytes.
+const std::string kHead = "SSL_LOG_FILE\0\0\0\1"s;
+const std::string kRecord = "\0\0\0\0\0\0\1\2\0\0\0\4\0\0\0\7message"s;
+
+struct Story {
+  std::vector<LogRecord> records;
+  std::optional<LogDamage> damage;
+};
+
+Story read_all(const std::filesystem::path& path) {
+  LogReader reader(path);
+  Story story;
+  LogRecord record;
+  while (reader.read(record)) story.records.push_back(record);
+  story.damage = reader.damage();
+  return story;
+}
+
+std::string error_of(const std::filesystem::path& path) {
+  try {
+    LogReader reader(path);
+  } catch (const LogError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+void write_three(const std::filesystem::path& path) {
+  LogWriter writer(path);
+  for (int i = 0; i < 3; ++i)
+    writer.write(1'000'000'000LL * i, MessageKind::kReferee2013, std::string(100 * i, 'x'));
+  writer.close();
+}
+
+TEST(LogWriter, WritesTheFormatByteByByte) {
+  const ScratchFile file(".log");
+  LogWriter writer(file.path());
+  writer.write(0x102, MessageKind::kVision2014, "message");
+  writer.close();
+  EXPECT_EQ(file.bytes(), kHead + kRecord);
+}
+
+TEST(LogWriter, CompressesWhereTheNameSaysSo) {
+  const ScratchFile file(".log.gz");
+  write_three(file.path());
+  EXPECT_EQ(file.bytes().substr(0, 2), "\x1f\x8b");
+  EXPECT_LT(file.bytes().size(), 150U);
+}
+
+TEST(LogWriter, NamesAFileThatCannotBeWritten) {
+  EXPECT_THROW(LogWriter("/nowhere/game.log"), LogError);
+}
+
+TEST(LogReader, ReadsBackWhatWasWritten) {
+  for (const char* ending : {".log", ".log.gz"}) {
+    const ScratchFile file(ending);
+    write_three(file.path());
+    const Story story = read_all(file.path());
+    ASSERT_EQ(story.records.size(), 3U) << ending;
+    EXPECT_EQ(story.records[2].time_ns, 2'000'000'000LL);
+    EXPECT_EQ(story.records[2].message, std::string(200, 'x'));
+    EXPECT_FALSE(story.damage.has_value());
+  }
+}
+
+TEST(LogReader, KeepsWhatStandsBeforeACut) {
+  const ScratchFile file(".log");
+  const std::string whole = kHead + kRecord + kRecord;
+  for (std::size_t size = kHead.size(); size <= whole.size(); ++size) {
+    const Story story = read_all(file.fill(whole.substr(0, size)).path());
+    const std::size_t complete = (size - kHead.size()) / kRecord.size();
+    EXPECT_EQ(story.records.size(), complete) << size;
+    const bool is_cut = (size - kHead.size()) % kRecord.size() != 0;
+    ASSERT_EQ(story.damage.has_value(), is_cut) << size;
+    if (!is_cut) continue;
+    EXPECT_EQ(story.damage->offset, kHead.size() + complete * kRecord.size()) << size;
+  }
+}
+
+TEST(LogReader, KeepsWhatStandsBeforeACutInACompressedLog) {
+  const ScratchFile file(".log.gz");
+  write_three(file.path());
+  const std::string whole = file.bytes();
+  const Story story = read_all(file.fill(whole.substr(0, whole.size() - 12)).path());
+  EXPECT_LE(story.records.size(), 3U);
+  EXPECT_TRUE(story.damage.has_value());
+}
+
+TEST(LogReader, RefusesAGiganticLengthWithItsPlace) {
+  const ScratchFile file(".log");
+  const std::string gigantic = "\0\0\0\0\0\0\0\0\0\0\0\4\x7f\xff\xff\xff"s;
+  const Story story = read_all(file.fill(kHead + kRecord + gigantic).path());
+  EXPECT_EQ(story.records.size(), 1U);
+  ASSERT_TRUE(story.damage.has_value());
+  EXPECT_EQ(story.damage->offset, 39);
+  EXPECT_EQ(story.damage->what, "a message of 2147483647 bytes, where 1048576 is the most");
+}
+
+TEST(LogReader, SaysWhyAFileIsNoLog) {
+  const ScratchFile file(".log");
+  EXPECT_NE(error_of(file.fill("").path()).find(": is empty"), std::string::npos);
+  EXPECT_NE(error_of(file.fill("SSL_LOG_FIL").path()).find("first bytes are not SSL_LOG_FILE"),
+            std::string::npos);
+  EXPECT_NE(error_of(file.fill("SSL_LOG_FILE\0\0\0\2"s).path()).find("version 2, at byte 12"),
+            std::string::npos);
+  EXPECT_NE(error_of("/nowhere/game.log").find("No such file"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace autoref::league

@@ -1,0 +1,207 @@
+#include <gtest/gtest.h>
+
+#include "league/field_message.hpp"
+#include "league/frame_message.hpp"
+#include "league/picture_merger.hpp"
+#include "league/referee_message.hpp"
+#include "soccer/rule_book.hpp"
+
+namespace autoref::league {
+namespace {
+
+const std::vector<CameraPlace> kCameras = {{{-1.5, -1}}, {{-1.5, 1}}, {{1.5, -1}}, {{1.5, 1}}};
+
+// Eighths of a millimetre are what a packet holds exactly.
+Vec2 eighths(int x, int y) { return {x / 8.0 / 1000.0, y / 8.0 / 1000.0}; }
+
+Frame busy_frame(std::int64_t number = 0) {
+  Frame frame;
+  frame.number = number;
+  frame.time_s = static_cast<double>(number) / 60;
+  for (int i = 0; i < 6; ++i) {
+    const double angle_rad = static_cast<double>(static_cast<float>(0.9 * i - 2));
+    frame.robots[Side::kWest].push_back(
+        {i, eighths(-2401 - 3203 * i, 4001 * i - 10407), heading_of(angle_rad)});
+    frame.robots[Side::kEast].push_back(
+        {i, eighths(1603 + 2961 * i, 13601 - 4083 * i), heading_of(-angle_rad)});
+  }
+  frame.ball = BallObservation{eighths(987, -5235), 0.3, {}};
+  return frame;
+}
+
+// What is read of pictures that are sent camera by camera.
+std::vector<Frame> sent_and_read(const std::vector<Frame>& frames) {
+  std::vector<VisionPacket> packets(kCameras.size());
+  PictureMerger merger;
+  VisionPacket geometry;
+  fill_geometry(Field{}, kCameras, *geometry.mutable_geometry());
+  merger.add(geometry);
+  std::vector<Frame> read;
+  for (const Frame& frame : frames) {
+    fill_detections(frame, kCameras, packets);
+    for (const VisionPacket& packet : packets) {
+      if (const Frame* done = merger.add(packet)) read.push_back(*done);
+    }
+  }
+  if (const Frame* done = merger.finish()) read.push_back(*done);
+  return read;
+}
+
+bool are_equal(const Frame& one, const Frame& other) {
+  const auto same_robots = [&](Side side) {
+    return std::equal(one.robots[side].begin(), one.robots[side].end(), other.robots[side].begin(),
+                      other.robots[side].end(), [](const auto& a, const auto& b) {
+                        return a.number == b.number && a.position_m == b.position_m &&
+                               a.heading == b.heading;
+                      });
+  };
+  return one.number == other.number && one.time_s == other.time_s && same_robots(Side::kWest) &&
+         same_robots(Side::kEast) && one.ball.has_value() == other.ball.has_value() &&
+         (!one.ball || (one.ball->position_m == other.ball->position_m &&
+                        one.ball->height_m == other.ball->height_m));
+}
+
+TEST(Pictures, ComeBackBitByBit) {
+  std::vector<Frame> frames;
+  for (int i = 0; i < 5; ++i) frames.push_back(busy_frame(i));
+  frames[2].ball.reset();
+  frames[3].robots[Side::kEast].clear();
+  const std::vector<Frame> read = sent_and_read(frames);
+  ASSERT_EQ(read.size(), frames.size());
+  for (std::size_t i = 0; i < read.size(); ++i) EXPECT_TRUE(are_equal(read[i], frames[i])) << i;
+}
+
+TEST(Pictures, TellWhichCameraSawABallWithoutHeight) {
+  Frame frame = busy_frame();
+  frame.ball = BallObservation{{0.2, 0.1}, std::nullopt, kCameras[0]};
+  const std::vector<Frame> read = sent_and_read({frame});
+  ASSERT_EQ(read.size(), 1U);
+  EXPECT_FALSE(read[0].ball->height_m.has_value());
+  EXPECT_EQ(read[0].ball->seen_from.position_m, kCameras[0].position_m);
+}
+
+DetectionFrame detection(std::uint32_t camera, double capture_s) {
+  DetectionFrame detection;
+  detection.set_frame_number(1);
+  detection.set_t_capture(capture_s);
+  detection.set_t_sent(capture_s);
+  detection.set_camera_id(camera);
+  return detection;
+}
+
+void add_robot(DetectionFrame& detection, std::uint32_t id, float x, float confidence) {
+  DetectionRobot& robot = *detection.add_robots_yellow();
+  robot.set_robot_id(id);
+  robot.set_x(x);
+  robot.set_y(0);
+  robot.set_orientation(0);
+  robot.set_confidence(confidence);
+}
+
+VisionPacket packet_of(const DetectionFrame& detection) {
+  VisionPacket packet;
+  *packet.mutable_detection() = detection;
+  return packet;
+}
+
+TEST(PictureMerger, TakesTheSurestSightingOfARobotThatTwoCamerasSee) {
+  DetectionFrame one = detection(0, 5);
+  DetectionFrame other = detection(1, 5.003);
+  add_robot(one, 3, 100, 0.7F);
+  add_robot(other, 3, 200, 0.9F);
+  PictureMerger merger;
+  merger.add(packet_of(one));
+  merger.add(packet_of(other));
+  const Frame* picture = merger.finish();
+  ASSERT_NE(picture, nullptr);
+  ASSERT_EQ(picture->robots[Side::kWest].size(), 1U);
+  EXPECT_DOUBLE_EQ(picture->robots[Side::kWest][0].position_m.x(), 0.2);
+}
+
+TEST(PictureMerger, LeavesOutWhatIsNoRobotOfTheLeague) {
+  DetectionFrame one = detection(0, 5);
+  add_robot(one, 16, 100, 1);
+  add_robot(one, 2, std::nanf(""), 1);
+  PictureMerger merger;
+  merger.add(packet_of(one));
+  EXPECT_TRUE(merger.finish()->robots[Side::kWest].empty());
+}
+
+TEST(PictureMerger, BeginsAPictureWhenACameraComesAgainOrAfterAGap) {
+  PictureMerger merger;
+  EXPECT_EQ(merger.add(packet_of(detection(0, 5))), nullptr);
+  EXPECT_EQ(merger.add(packet_of(detection(1, 5.004))), nullptr);
+  EXPECT_NE(merger.add(packet_of(detection(0, 5.016))), nullptr);
+  EXPECT_NE(merger.add(packet_of(detection(1, 6))), nullptr);
+  EXPECT_DOUBLE_EQ(merger.finish()->time_s, 1);
+}
+
+TEST(PictureMerger, LeavesOutPacketsThatComeLate) {
+  PictureMerger merger;
+  merger.add(packet_of(detection(0, 5)));
+  merger.add(packet_of(detection(0, 6)));
+  EXPECT_EQ(merger.add(packet_of(detection(1, 5))), nullptr);
+  EXPECT_EQ(merger.add(packet_of(detection(1, std::nan("")))), nullptr);
+  EXPECT_EQ(merger.unusable(), 2);
+}
+
+TEST(Geometry, TellsTheFieldOfEveryRuleBook) {
+  for (const std::string& book : rule_book_names()) {
+    const Field field = find_game_setup(book)->field;
+    Geometry geometry;
+    fill_geometry(field, kCameras, geometry);
+    const Field read = field_of(geometry);
+    EXPECT_EQ(read.length_m, field.length_m) << book;
+    EXPECT_EQ(read.run_off_m, field.run_off_m) << book;
+    EXPECT_EQ(read.defence_area.shape, field.defence_area.shape) << book;
+    EXPECT_NEAR(read.defence_area.depth_m, field.defence_area.depth_m, 1e-6) << book;
+    EXPECT_NEAR(read.defence_area.straight_m, field.defence_area.straight_m, 1e-6) << book;
+    EXPECT_EQ(read.penalty_mark_m, field.penalty_mark_m) << book;
+  }
+}
+
+TEST(Geometry, RefusesAFieldWithoutSize) {
+  Geometry geometry;
+  fill_geometry(Field{}, kCameras, geometry);
+  geometry.mutable_field()->set_field_length(0);
+  EXPECT_THROW(field_of(geometry), std::invalid_argument);
+}
+
+TEST(RefereeMessages, TellEveryCommand) {
+  for (int number = 0; number <= 17; ++number) {
+    ASSERT_TRUE(command_of(number).has_value()) << number;
+    EXPECT_EQ(league_number(*command_of(number)), number);
+  }
+  EXPECT_FALSE(command_of(18).has_value());
+  EXPECT_FALSE(command_of(-1).has_value());
+}
+
+TEST(RefereeMessages, ComeBackAsTheyWereSent) {
+  RefereeSignal signal;
+  signal.command = {CommandKind::kDirectFree, Side::kEast};
+  signal.command_counter = 7;
+  signal.command_time_s = 12.5;
+  signal.stage = Stage::kSecondHalf;
+  signal.stage_time_left_s = 300.25;
+  signal.goals = {{3, 4}};
+  signal.placement = Placement{{1.25, -0.5}};
+  signal.next_command = Command{CommandKind::kPrepareKickoff, Side::kWest};
+  RefereePacket packet;
+  fill_referee(signal, PerSide<TeamSheet>{{TeamSheet{"cobalt"}, TeamSheet{"zone"}}}, 13, packet);
+  const RefereeSignal read = signal_of(packet).value();
+  EXPECT_EQ(read.command, signal.command);
+  EXPECT_EQ(read.goals, signal.goals);
+  EXPECT_DOUBLE_EQ(read.stage_time_left_s, 300.25);
+  EXPECT_EQ(read.placement->target_m, signal.placement->target_m);
+  EXPECT_EQ(read.next_command, signal.next_command);
+}
+
+TEST(RefereeMessages, OfAnUnknownStageAreNone) {
+  RefereePacket packet;
+  fill_referee({}, {}, 0, packet);
+  packet.set_stage(14);
+  EXPECT_FALSE(signal_of(packet).has_value());
+}
+
+}  // namespace
+}  // namespace autoref::league
