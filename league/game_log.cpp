@@ -43,10 +43,27 @@ void GameLog::add(const Frame& frame, const RefereeSignal& signal) {
   fill_detections(frame, cameras_, pictures_);
   for (const VisionPacket& picture : pictures_)
     write(frame.time_s, MessageKind::kVision2014, picture);
-  if (!has_changed(signal) && frame.time_s < referee_due_s_) return;
-  fill_referee(signal, teams_, frame.time_s, referee_);
-  write(frame.time_s, MessageKind::kReferee2013, referee_);
-  referee_due_s_ = frame.time_s + kRefereeEvery_s;
+  write_commands_before(signal, frame.time_s);
+  if (has_changed(signal) || frame.time_s >= referee_due_s_) write_signal(signal, frame.time_s);
+}
+
+// Those that another of the same frame has replaced already.
+void GameLog::write_commands_before(const RefereeSignal& signal, double time_s) {
+  RefereeSignal before = signal;
+  for (std::size_t i = 0; i + 1 < sent_.size(); ++i) {
+    before.command = sent_[i];
+    before.command_counter =
+        signal.command_counter - static_cast<std::uint32_t>(sent_.size() - 1 - i);
+    before.stage = static_cast<Stage>(referee_.stage());
+    write_signal(before, time_s);
+  }
+  sent_.clear();
+}
+
+void GameLog::write_signal(const RefereeSignal& signal, double time_s) {
+  fill_referee(signal, teams_, time_s, referee_);
+  write(time_s, MessageKind::kReferee2013, referee_);
+  referee_due_s_ = time_s + kRefereeEvery_s;
 }
 
 }  // namespace autoref::league

@@ -24,6 +24,10 @@ class GameLog {
   GameLog(const std::filesystem::path& path, const Field& field, std::vector<CameraPlace> cameras,
           PerSide<TeamSheet> teams);
 
+  // A command of the frame that is added next. Only where several are sent in one frame does it
+  // tell what the signal does not.
+  void note(Command command) { sent_.push_back(command); }
+
   // Throws LogError.
   void add(const Frame& frame, const RefereeSignal& signal);
 
@@ -32,6 +36,8 @@ class GameLog {
 
  private:
   bool has_changed(const RefereeSignal& signal) const;
+  void write_commands_before(const RefereeSignal& signal, double time_s);
+  void write_signal(const RefereeSignal& signal, double time_s);
   template <typename Message>
   void write(double time_s, MessageKind kind, const Message& message);
 
@@ -40,7 +46,8 @@ class GameLog {
   PerSide<TeamSheet> teams_;
   VisionPacket geometry_;
   std::vector<VisionPacket> pictures_;  // of each camera
-  RefereePacket referee_;
+  RefereePacket referee_;               // the last one
+  std::vector<Command> sent_;           // in the frame at hand
   std::string bytes_;
   double geometry_due_s_ = 0;
   double referee_due_s_ = 0;

@@ -66,6 +66,8 @@ int run_command_line(int argc, const char* const* argv) {
   add_verify_verb(app, chosen);
   add_replay_verb(app, chosen);
   add_judge_verb(app, chosen);
+  add_info_verb(app, chosen);
+  add_referee_verb(app, chosen);
   add_lab_verb(app, chosen);
   add_plan_verb(app, chosen);
   add_rules_verb(app, chosen);

@@ -9,6 +9,7 @@
 
 #include "runner/verbs/play_one.hpp"
 
+#include "runner/recorded/recorded_facts.hpp"
 #include "runner/scenario.hpp"
 
 namespace autoref::runner {
@@ -65,6 +66,24 @@ struct JudgeArguments : BatchArguments {
   bool json = false;
 };
 
+// What `autoref info` is told.
+struct InfoArguments {
+  std::string log;
+  bool commands = false;
+  bool json = false;
+};
+
+// What `autoref referee` is told.
+struct RefereeArguments {
+  std::string log;
+  std::string rules = "paper";
+  std::string first_kickoff;      // empty: the recorded one
+  std::string camera;             // preset; empty: the rounding of the packets is its only error
+  std::vector<std::string> sets;  // "key=value"
+  std::string events;             // file for AutoRef's decisions; empty: none
+  bool json = false;
+};
+
 // What `autoref lab` is told.
 struct LabArguments {
   std::string file;
@@ -100,6 +119,8 @@ int status_verb(const FolderArguments& arguments);
 int verify_verb(const VerifyArguments& arguments);
 int replay_verb(const ReplayArguments& arguments);
 int judge_verb(const JudgeArguments& arguments);
+int info_verb(const InfoArguments& arguments);
+int referee_verb(const RefereeArguments& arguments);
 int lab_verb(const LabArguments& arguments);
 int plan_verb(const PlanArguments& arguments);
 int rules_verb(const RulesArguments& arguments);
@@ -107,6 +128,8 @@ int teams_verb(const TeamsArguments& arguments);
 
 // Adds a verb to the command line; parsing sets `chosen` to its work.
 using Chosen = std::function<int()>;
+// Reads a whole log; a file that is none is an InputError.
+RecordedFacts read_facts(const std::string& log);
 // Reads an experiment; a scenario of another kind is refused with the verb that plays it.
 Scenario read_experiment(const std::string& file);
 // Adds the file and the options that all verbs of many games have.
@@ -121,6 +144,8 @@ void add_status_verb(CLI::App& app, Chosen& chosen);
 void add_verify_verb(CLI::App& app, Chosen& chosen);
 void add_replay_verb(CLI::App& app, Chosen& chosen);
 void add_judge_verb(CLI::App& app, Chosen& chosen);
+void add_info_verb(CLI::App& app, Chosen& chosen);
+void add_referee_verb(CLI::App& app, Chosen& chosen);
 void add_lab_verb(CLI::App& app, Chosen& chosen);
 void add_plan_verb(CLI::App& app, Chosen& chosen);
 void add_rules_verb(CLI::App& app, Chosen& chosen);

@@ -2,38 +2,16 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <stdexcept>
 
 #include "runner/errors.hpp"
 #include "runner/fields.hpp"
-#include "runner/robot_types.hpp"
 #include "runner/scenario.hpp"
 #include "runner/verbs/command_line.hpp"
 #include "runner/verbs/play_one.hpp"
+#include "runner/verbs/settings.hpp"
 
 namespace autoref::runner {
 namespace {
-
-// Does `change` to the game; what it throws names `place`, a flag or a file.
-template <typename Change>
-void blame(const std::string& place, const Change& change) {
-  try {
-    change();
-  } catch (const std::invalid_argument& error) {
-    throw InputError({place}, "", error.what());
-  }
-}
-
-void set(GameConfiguration& game, const std::string& assignment) {
-  const std::string flag = "--set " + assignment;
-  const std::size_t equals = assignment.find('=');
-  if (equals == std::string::npos || equals == 0) {
-    throw InputError({flag}, "", "expected KEY=VALUE, such as match.half_s=60");
-  }
-  blame(flag, [&] {
-    set_by_path(game, assignment.substr(0, equals), assignment.substr(equals + 1), {});
-  });
-}
 
 GameConfiguration configured(const PlayArguments& arguments) {
   Scenario scenario = read_scenario(arguments.file);
@@ -43,9 +21,7 @@ GameConfiguration configured(const PlayArguments& arguments) {
                      fmt::format("this is a {}, not a game; run it with: autoref {} {}",
                                  kind_of(scenario), verb_of(scenario), arguments.file));
   }
-  for (const std::string& assignment : arguments.sets) set(*game, assignment);
-  // Only all of them together need to make a game.
-  blame(fmt::format("--set {}", fmt::join(arguments.sets, " --set ")), [&] { check_game(*game); });
+  apply_sets(arguments.sets, *game);
   if (!arguments.seed.empty()) {
     blame("--seed", [&] { set_by_path(*game, "seed", arguments.seed); });
   }

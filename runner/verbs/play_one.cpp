@@ -38,7 +38,10 @@ class Watch final : public Observer {
     if (log_ != nullptr) log_->add(frame, signal);
     if (interrupted != 0) throw Interrupted();
   }
-  void on_decision(const referee::Decision& decision) override { events_.on_decision(decision); }
+  void on_decision(const referee::Decision& decision) override {
+    events_.on_decision(decision);
+    if (log_ != nullptr && decision.command) log_->note(*decision.command);
+  }
 
  private:
   EventLog& events_;

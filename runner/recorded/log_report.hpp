@@ -1,0 +1,26 @@
+// What `autoref info` and `autoref referee` say of a log.
+#pragma once
+
+#include <string>
+
+#include "runner/recorded/log_judge.hpp"
+#include "runner/recorded/recorded_facts.hpp"
+
+namespace autoref::runner {
+
+// Length, kinds of messages, field, cameras, score, and how often each command was sent; with
+// `lists_commands` each with its time.
+std::string info_text(const RecordedFacts& facts, bool lists_commands);
+
+// The same as one JSON object on one line, with every command.
+std::string info_json(const RecordedFacts& facts);
+
+// AutoRef's calls beside the recorded ones, and how well they agree.
+std::string judgement_text(const LogJudgement& judgement, const RecordedFacts& facts);
+std::string judgement_json(const LogJudgement& judgement, const RecordedFacts& facts);
+
+// "the log ends at byte 1234, too early: ...", and how many messages make no sense; empty where all
+// is well.
+std::string damage_text(const league::LogSummary& log);
+
+}  // namespace autoref::runner
