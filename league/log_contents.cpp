@@ -6,6 +6,12 @@
 namespace autoref::league {
 namespace {
 
+// Without protobuf's own messages on stderr.
+template <typename Message>
+bool parse(const std::string& bytes, Message& message) {
+  return message.ParsePartialFromString(bytes) && message.IsInitialized();
+}
+
 class Walk {
  public:
   Walk(const std::filesystem::path& path, LogVisitor& visitor) : log_(path), visitor_(visitor) {}
@@ -38,7 +44,7 @@ class Walk {
   }
 
   bool take_vision() {
-    if (!vision_.ParseFromString(record_.message)) return false;
+    if (!parse(record_.message, vision_)) return false;
     const std::int64_t unusable = merger_.unusable();
     show(merger_.add(vision_));
     if (vision_.has_detection())
@@ -47,7 +53,7 @@ class Walk {
   }
 
   bool take_referee() {
-    if (!referee_.ParseFromString(record_.message)) return false;
+    if (!parse(record_.message, referee_)) return false;
     visitor_.on_referee(since_first_s(), referee_);
     return true;
   }

@@ -12,7 +12,18 @@ namespace {
 constexpr double kLongestPicture_s = 0.1;
 constexpr std::size_t kMostCameras = 64;
 
-bool is_sound(float x, float y) { return std::isfinite(x) && std::isfinite(y); }
+constexpr float kFarthest_mm = 1e5F;
+constexpr float kWidest_rad = 100;
+constexpr double kLongestGame_s = 1e6;
+
+bool is_place(float x, float y) {
+  return std::abs(x) <= kFarthest_mm && std::abs(y) <= kFarthest_mm;
+}
+
+bool is_robot(const DetectionRobot& seen) {
+  return seen.has_robot_id() && seen.robot_id() < kMaxRobots && is_place(seen.x(), seen.y()) &&
+         std::abs(seen.orientation()) <= kWidest_rad && !std::isnan(seen.confidence());
+}
 
 }  // namespace
 
@@ -44,7 +55,9 @@ bool PictureMerger::is_usable(const DetectionFrame& detection) const {
   const bool is_known = cameras_.contains(detection.camera_id());
   if (!std::isfinite(detection.t_capture()) || (!is_known && cameras_.size() >= kMostCameras))
     return false;
-  return !first_capture_s_ || detection.t_capture() - *first_capture_s_ > last_time_s_;
+  if (!first_capture_s_) return true;
+  const double time_s = detection.t_capture() - *first_capture_s_;
+  return time_s > last_time_s_ && time_s <= kLongestGame_s;
 }
 
 bool PictureMerger::starts_anew(const DetectionFrame& detection) const {
@@ -62,10 +75,7 @@ void PictureMerger::collect(const DetectionFrame& detection) {
   for (const Side side : kSides) {
     for (const DetectionRobot& seen :
          side == Side::kWest ? detection.robots_yellow() : detection.robots_blue()) {
-      if (!seen.has_robot_id() || seen.robot_id() >= kMaxRobots || !is_sound(seen.x(), seen.y()) ||
-          !std::isfinite(seen.orientation())) {
-        continue;
-      }
+      if (!is_robot(seen)) continue;
       Sighting& best = robots_[side][seen.robot_id()];
       if (seen.confidence() <= best.confidence) continue;
       best = {{static_cast<int>(seen.robot_id()),
@@ -78,7 +88,7 @@ void PictureMerger::collect(const DetectionFrame& detection) {
 }
 
 void PictureMerger::collect_ball(const DetectionBall& seen, std::uint32_t camera) {
-  if (!is_sound(seen.x(), seen.y()) || !std::isfinite(seen.z())) return;
+  if (!is_place(seen.x(), seen.y()) || !is_place(seen.z(), seen.z())) return;
   BallSighting found{{{to_m(seen.x()), to_m(seen.y())}, std::nullopt, {}}, seen.confidence()};
   if (seen.has_z()) found.ball.height_m = to_m(seen.z());
   if (!seen.has_z()) found.ball.seen_from = camera_of(geometry_, camera, found.ball.position_m);

@@ -14,8 +14,9 @@ namespace autoref::league {
 
 // A picture is made of one packet of each camera: the next begins when a camera comes again, or
 // after a gap of 0.1 s. Of a robot that several cameras see, the surest sighting counts, and of
-// several balls the one nearest to where the ball was last. Sightings that are no numbers or no
-// robots of the league are left out.
+// several balls the one nearest to where the ball was last. Left out are sightings that are no
+// robots of the league, or no numbers or more than 100 m away, and pictures a million seconds after
+// the first.
 class PictureMerger {
  public:
   // Takes the next packet. The picture that it completes is returned; it is valid until the next

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "league/referee_message.hpp"
 
@@ -24,6 +25,15 @@ int half_of(Stage stage) {
     default:
       return 0;
   }
+}
+
+// A name for people: at most 64 bytes, those that are not plain ASCII as question marks.
+std::string name_text(std::string_view bytes) {
+  constexpr std::size_t kLongest = 64;
+  std::string text(bytes.substr(0, kLongest));
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return text;
 }
 
 class FactFinder final : public league::LogVisitor {
@@ -53,7 +63,7 @@ class FactFinder final : public league::LogVisitor {
     if (is_new) note_command(time_s, signal->command);
     facts.halves = std::max(facts.halves, half_of(signal->stage));
     if (signal->stage == Stage::kFirstHalf) note_clock(signal->stage_time_left_s);
-    facts.names = {{packet.yellow().name(), packet.blue().name()}};
+    facts.names = {{name_text(packet.yellow().name()), name_text(packet.blue().name())}};
     facts.last_signal = signal;
   }
 
