@@ -5,6 +5,7 @@
 #include "runner/fields.hpp"
 #include "runner/json.hpp"
 #include "runner/scenario.hpp"
+#include "runner/sprt_settings.hpp"
 #include "runner/words.hpp"
 
 namespace autoref::runner {
@@ -102,15 +103,25 @@ std::string body_of(const JudgePlan& plan) {
   return text + fmt::format("games: {}\nseed: {}\n", plan.games, plan.seed);
 }
 
-std::string body_of(const RoundRobin& robin) {
+std::string teams_of(const NamedTeams& named) {
   Tree teams(0);
-  for (auto [name, team] : robin.teams) {
-    for (const Setting& setting : settings_of(team, robin.base.types, "teams." + name + ".")) {
+  for (auto [name, team] : named.teams) {
+    for (const Setting& setting : settings_of(team, named.base.types, "teams." + name + ".")) {
       if (!is_alias(setting) && !is_spelt_out(setting)) teams.add(setting);
     }
   }
-  return base_of(robin.base, "teams.") + teams.text() +
-         fmt::format("pairs: {}\nseed: {}\n", robin.pairs, robin.seed);
+  return base_of(named.base, "teams.") + teams.text();
+}
+
+std::string body_of(const RoundRobin& robin) {
+  return teams_of(robin) + fmt::format("pairs: {}\nseed: {}\n", robin.pairs, robin.seed);
+}
+
+std::string body_of(const Match& match) {
+  Tree tree(0);
+  SequentialTest test = match.sprt;
+  for (const Setting& setting : settings_of(test)) tree.add(setting);
+  return teams_of(match) + tree.text() + fmt::format("seed: {}\n", match.seed);
 }
 
 }  // namespace

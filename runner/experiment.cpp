@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <map>
-#include <numeric>
+#include <algorithm>
+#include <chrono>
 
 #include "runner/csv.hpp"
 #include "runner/errors.hpp"
 #include "runner/files.hpp"
-#include "runner/plan.hpp"
 #include "runner/progress.hpp"
 #include "runner/result_folder.hpp"
 #include "runner/shard.hpp"
@@ -19,6 +18,7 @@ namespace autoref::runner {
 namespace {
 
 namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
 
 GameRecord void_record(const std::string& reason) {
   GameRecord record;
@@ -37,13 +37,13 @@ std::string played(const ExperimentOptions& options, const GameConfiguration& co
   }
 }
 
+// How long another look at the folder may take of all the time between two looks.
+constexpr double kLookingShare = 0.01;
+
 class Experiment {
  public:
   Experiment(const Scenario& scenario, const ExperimentOptions& options)
-      : scenario_(scenario),
-        options_(options),
-        format_(value_columns(scenario)),
-        games_(plan_of(scenario, options.folder)) {}
+      : scenario_(scenario), options_(options), format_(value_columns(scenario)) {}
 
   ExperimentReport run() {
     create_folder(options_.folder / kGamesFolder);
@@ -52,41 +52,50 @@ class Experiment {
     take_with_notes();
     replace_file(options_.folder / kEffectiveFile, effective_text(scenario_));
     ExperimentReport report;
-    report.games = static_cast<int>(games_.size());
-    report.is_interrupted = play_missing(shard, report.played) == Ending::kInterrupted;
-    if (options_.shard.of > 1) rows_ = take().done;  // others may have played meanwhile
-    report.is_complete = rows_.size() == games_.size();
-    report.done = static_cast<int>(rows_.size());
-    for (const auto& [id, cells] : rows_) {
+    report.is_interrupted = play_all(shard, report.played) == Ending::kInterrupted;
+    const RowsById rows = counted(course_, rows_);
+    report.games = static_cast<int>(course_.needed);
+    report.done = static_cast<int>(rows.size());
+    report.is_complete = report.done == report.games;
+    for (const auto& [id, cells] : rows) {
       report.void_games += cells[format_.column("status")] == name_of(Status::kVoid) ? 1 : 0;
     }
-    if (report.is_complete) conclude(report);
+    if (report.is_complete) conclude(report, rows);
     return report;
   }
 
  private:
-  Stock take() const { return take(read_rows(options_.folder / kGamesFolder, format_)); }
-
-  Stock take(const StoredRows& stored) const {
-    return take_stock(stored.rows, games_, format_, options_.build, options_.allow_mixed_build,
-                      options_.folder, changes());
+  Inventory take(const StoredRows& stored) const {
+    return take_inventory(scenario_, stored.rows, format_, options_.build,
+                          options_.allow_mixed_build, options_.folder, changes());
   }
 
   void take_with_notes() {
     const StoredRows stored = read_rows(options_.folder / kGamesFolder, format_);
-    Stock stock = take(stored);
-    rows_ = std::move(stock.done);
+    Inventory inventory = take(stored);
+    course_ = std::move(inventory.course);
+    rows_ = std::move(inventory.stock.done);
+    is_decided_ = is_decided(scenario_, format_, rows_);
     if (stored.damaged > 0) {
       say(fmt::format("{} rows are damaged and do not count; their games are played again",
                       stored.damaged));
     }
-    if (stock.other_games > 0) {
+    if (inventory.stock.other_games > 0) {
       say(fmt::format("{} rows belong to games that the scenario does not have; they do not count",
-                      stock.other_games));
+                      inventory.stock.other_games));
     }
-    for (const auto& [build, count] : stock.other_builds) {
+    for (const auto& [build, count] : inventory.stock.other_builds) {
       say(fmt::format("{} rows are of build {}; they do not count", count, build));
     }
+  }
+
+  // Other shards may have played meanwhile.
+  void look_around() {
+    const Clock::time_point began = Clock::now();
+    rows_.merge(take(read_rows(options_.folder / kGamesFolder, format_)).stock.done);
+    const Clock::duration looking = Clock::now() - began;
+    next_look_ =
+        Clock::now() + std::chrono::duration_cast<Clock::duration>(looking / kLookingShare);
   }
 
   // What differs from the scenario that the folder was made with, as far as it can be told.
@@ -101,26 +110,44 @@ class Experiment {
     }
   }
 
-  Ending play_missing(Shard& shard, int& played_games) {
-    std::vector<std::size_t> missing;
-    for (std::size_t i = 0; i < games_.size(); ++i) {
-      if (options_.shard.has(i) && !rows_.contains(games_[i].id)) missing.push_back(i);
+  // Plays until no needed game is left to this shard that is known and has no row. Each round but
+  // the last adds rows, so that it ends.
+  Ending play_all(Shard& shard, int& played_games) {
+    while (true) {
+      const std::vector<std::size_t> missing = missing_games();
+      if (missing.empty()) return Ending::kDone;
+      const Ending ending = play(missing, shard, played_games);
+      if (options_.shard.of > 1) look_around();
+      if (follows_its_rows(scenario_)) course_ = course_of(scenario_, format_, rows_);
+      if (ending == Ending::kInterrupted && !missing_games().empty()) return ending;
     }
-    if (missing.empty()) return Ending::kDone;
-    Progress progress(options_.progress, static_cast<int>(games_.size()),
-                      static_cast<int>(rows_.size()));
+  }
+
+  std::vector<std::size_t> missing_games() const {
+    std::vector<std::size_t> missing;
+    for (std::size_t i = 0; i < std::min(course_.needed, course_.games.size()); ++i) {
+      const PlannedGame& game = course_.games[i];
+      if (options_.shard.has(game.unit) && !rows_.contains(game.id)) missing.push_back(i);
+    }
+    return missing;
+  }
+
+  Ending play(const std::vector<std::size_t>& games, Shard& shard, int& played_games) {
+    Progress progress(options_.progress, static_cast<int>(course_.needed),
+                      static_cast<int>(counted(course_, rows_).size()));
     const WorkerOptions workers{options_.workers, options_.attempts, options_.longest_game_s};
-    return do_jobs(missing, workers,
-                   {[this](std::size_t i) { return played(options_, games_[i].configuration); },
-                    [&](const JobResult& result) {
-                      keep(shard, result, progress);
-                      ++played_games;
-                    },
-                    [&progress] { progress.tick(); }});
+    return do_jobs(
+        games, workers,
+        {[this](std::size_t i) { return played(options_, course_.games[i].configuration); },
+         [&](const JobResult& result) {
+           keep(shard, result, progress);
+           ++played_games;
+         },
+         [&progress] { progress.tick(); }, [this] { return is_decided_; }});
   }
 
   void keep(Shard& shard, const JobResult& result, Progress& progress) {
-    const PlannedGame& game = games_[result.job];
+    const PlannedGame& game = course_.games[result.job];
     const Cells outcome = result.failure.empty() ? csv_cells(result.payload).value()
                                                  : outcome_of(void_record(result.failure));
     const std::string line = format_.line(
@@ -133,12 +160,15 @@ class Experiment {
     progress.game_done(fmt::format("{} {}:{}", game.id, cells[format_.column("goals_a")],
                                    cells[format_.column("goals_b")]));
     rows_[game.id] = cells;
+    if (!follows_its_rows(scenario_)) return;
+    if (options_.shard.of > 1 && Clock::now() >= next_look_) look_around();
+    is_decided_ = is_decided(scenario_, format_, rows_);
   }
 
-  void conclude(ExperimentReport& report) const {
-    report.results = write_results(options_.folder, scenario_, format_, rows_);
+  void conclude(ExperimentReport& report, const RowsById& counted_rows) const {
+    report.results = write_results(options_.folder, scenario_, format_, counted_rows);
     std::vector<Cells> rows;
-    for (const auto& [id, cells] : rows_) rows.push_back(cells);
+    for (const auto& [id, cells] : counted_rows) rows.push_back(cells);
     report.arrows_never_taken = arrows_never_taken(format_, rows);
   }
 
@@ -149,10 +179,12 @@ class Experiment {
   const Scenario& scenario_;
   const ExperimentOptions& options_;
   const RowFormat format_;
-  const std::vector<PlannedGame> games_;
   const std::string host_ = host_name();
   const std::string cpu_ = cpu_name();
-  std::map<std::string, Cells> rows_;  // complete rows of the games, by id
+  Course course_;  // stays as it is while workers play
+  RowsById rows_;  // of its games, also those that are not needed
+  bool is_decided_ = false;
+  Clock::time_point next_look_;
 };
 
 }  // namespace

@@ -1,83 +1,17 @@
 #include "runner/experiment_kinds.hpp"
 
-#include <fmt/format.h>
-
-#include <map>
 #include <stdexcept>
 
 #include "runner/errors.hpp"
-#include "runner/fields.hpp"
-#include "runner/roundrobin_plan.hpp"
+#include "runner/match_report.hpp"
+#include "runner/match_state.hpp"
+#include "runner/matchup_plan.hpp"
 #include "runner/standings_report.hpp"
 #include "runner/summary.hpp"
+#include "runner/with_kind.hpp"
 
 namespace autoref::runner {
 namespace {
-
-using Values = std::map<std::string, std::string>;  // by path
-
-// Calls the overload of `work` for the scenario's kind of experiment.
-template <typename Work>
-auto with_kind(const Scenario& scenario, const Work& work) {
-  if (const auto* sweep = std::get_if<Sweep>(&scenario.content)) return work(*sweep);
-  if (const auto* robin = std::get_if<RoundRobin>(&scenario.content)) return work(*robin);
-  throw std::logic_error(fmt::format("a {} is no experiment", kind_of(scenario)));
-}
-
-// Without those that only set others.
-Values values_of(const std::vector<Setting>& settings) {
-  Values values;
-  for (const Setting& setting : settings) {
-    if (!is_alias(setting)) values[setting.path] = value_of(setting);
-  }
-  return values;
-}
-
-Values told_by(const Sweep& sweep) {
-  GameConfiguration base = sweep.base;
-  Values values = values_of(settings_of(base));
-  values["seed"] = std::to_string(sweep.seed);
-  return values;
-}
-
-Values told_by(const RoundRobin& robin) {
-  GameConfiguration base = robin.base;
-  Values values = values_of(settings_of(base));
-  std::erase_if(values, [](const auto& value) { return value.first.starts_with("teams."); });
-  for (auto [name, team] : robin.teams) {
-    values.merge(values_of(settings_of(team, base.types, fmt::format("teams.{}.", name))));
-  }
-  values["seed"] = std::to_string(robin.seed);
-  return values;
-}
-
-// What both have: a team that only one has changes no game of the others.
-void keep_teams_of_both(const RoundRobin& one, RoundRobin& other) {
-  std::erase_if(other.teams, [&one](const auto& team) { return !one.teams.contains(team.first); });
-}
-
-void keep_what_is_in_both(Sweep& /*here*/, Sweep& /*there*/) {}
-void keep_what_is_in_both(RoundRobin& here, RoundRobin& there) {
-  keep_teams_of_both(here, there);
-  keep_teams_of_both(there, here);
-}
-
-std::string changes_between(const Values& here, const Values& there) {
-  std::string changes;
-  const auto note = [&changes](const std::string& path, const std::string& x,
-                               const std::string& y) {
-    if (x == y) return;
-    changes += fmt::format("{}{} is {} here and {} there", changes.empty() ? "" : "; ", path, x, y);
-  };
-  const std::string missing = "not given";
-  for (const auto& [path, value] : here) {
-    note(path, value, there.contains(path) ? there.at(path) : missing);
-  }
-  for (const auto& [path, value] : there) {
-    if (!here.contains(path)) note(path, missing, value);
-  }
-  return changes;
-}
 
 std::vector<std::string> value_columns(const Sweep& sweep) {
   std::vector<std::string> paths;
@@ -86,7 +20,34 @@ std::vector<std::string> value_columns(const Sweep& sweep) {
   return paths;
 }
 
-std::vector<std::string> value_columns(const RoundRobin& /*robin*/) { return {}; }
+std::vector<std::string> value_columns(const NamedTeams& /*named*/) { return {}; }
+
+// Of the other kinds all games are needed.
+template <typename Experiment>
+bool is_decided(const Experiment& /*experiment*/, const RowFormat& /*format*/,
+                const RowsById& /*rows*/) {
+  return false;
+}
+
+bool is_decided(const Match& match, const RowFormat& format, const RowsById& rows) {
+  return state_of(match, format, rows).is_decided;
+}
+
+template <typename Experiment>
+Course course_of(const Experiment& experiment, const RowFormat& /*format*/,
+                 const RowsById& /*rows*/) {
+  std::vector<PlannedGame> games = plan(experiment);
+  const std::size_t needed = games.size();
+  return {std::move(games), needed};
+}
+
+Course course_of(const Match& match, const RowFormat& format, const RowsById& rows) {
+  const MatchState state = state_of(match, format, rows);
+  std::vector<PlannedGame> games = plan(match);
+  const std::size_t needed =
+      state.is_decided ? 2 * static_cast<std::size_t>(state.last_pair) : games.size();
+  return {std::move(games), needed};
+}
 
 ExperimentResults results_of(const Sweep& sweep, const RowFormat& format,
                              const std::vector<Cells>& rows) {
@@ -100,7 +61,7 @@ ExperimentResults results_of(const Sweep& sweep, const RowFormat& format,
 ExperimentResults results_of(const RoundRobin& robin, const RowFormat& format,
                              const std::vector<Cells>& rows) {
   ExperimentResults results;
-  results.groups = grouped(robin, format, rows);
+  results.groups = grouped(matchups_of(robin), format, rows);
   results.standings = standings_of(results.groups);
   results.files = {{"summary.csv", "a row per matchup", matchups_csv(results.groups)},
                    {"standings.csv", "a row per team", standings_csv(results.standings)}};
@@ -108,12 +69,35 @@ ExperimentResults results_of(const RoundRobin& robin, const RowFormat& format,
   return results;
 }
 
+RowsById by_id(const std::vector<Cells>& rows) {
+  RowsById by_id;
+  for (const Cells& row : rows) by_id[row.front()] = row;
+  return by_id;
+}
+
+ExperimentResults results_of(const Match& match, const RowFormat& format,
+                             const std::vector<Cells>& rows) {
+  const MatchState state = state_of(match, format, by_id(rows));
+  ExperimentResults results;
+  results.groups = grouped({matchup_of(match)}, format, rows);
+  const Group& matchup = results.groups.front();
+  results.files = {{"summary.csv", "the match and its verdict", match_csv(match, matchup, state)}};
+  results.table = match_table(match, matchup, state);
+  return results;
+}
+
 }  // namespace
 
-bool is_experiment(const Scenario& scenario) {
-  return std::holds_alternative<Sweep>(scenario.content) ||
-         std::holds_alternative<RoundRobin>(scenario.content);
+RowsById counted(const Course& course, const RowsById& rows) {
+  RowsById counted;
+  for (std::size_t i = 0; i < std::min(course.needed, course.games.size()); ++i) {
+    const auto row = rows.find(course.games[i].id);
+    if (row != rows.end()) counted.insert(*row);
+  }
+  return counted;
 }
+
+bool is_experiment(const Scenario& scenario) { return verb_of(scenario) == "run"; }
 
 std::vector<PlannedGame> plan(const Scenario& scenario) {
   return with_kind(scenario, [](const auto& experiment) { return plan(experiment); });
@@ -127,18 +111,22 @@ std::vector<PlannedGame> plan_of(const Scenario& scenario, const std::filesystem
   }
 }
 
-std::vector<std::string> value_columns(const Scenario& scenario) {
-  return with_kind(scenario, [](const auto& experiment) { return value_columns(experiment); });
+bool follows_its_rows(const Scenario& scenario) {
+  return std::holds_alternative<Match>(scenario.content);
 }
 
-std::string changes_between(const Scenario& here, const Scenario& there) {
-  return with_kind(here, [&there](auto experiment) {
-    const auto* other = std::get_if<decltype(experiment)>(&there.content);
-    if (other == nullptr) return std::string();
-    auto its = *other;
-    keep_what_is_in_both(experiment, its);
-    return changes_between(told_by(experiment), told_by(its));
-  });
+Course course_of(const Scenario& scenario, const RowFormat& format, const RowsById& rows) {
+  return with_kind(scenario,
+                   [&](const auto& experiment) { return course_of(experiment, format, rows); });
+}
+
+bool is_decided(const Scenario& scenario, const RowFormat& format, const RowsById& rows) {
+  return with_kind(scenario,
+                   [&](const auto& experiment) { return is_decided(experiment, format, rows); });
+}
+
+std::vector<std::string> value_columns(const Scenario& scenario) {
+  return with_kind(scenario, [](const auto& experiment) { return value_columns(experiment); });
 }
 
 ExperimentResults results_of(const Scenario& scenario, const RowFormat& format,

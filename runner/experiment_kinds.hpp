@@ -13,16 +13,34 @@
 
 namespace autoref::runner {
 
-// Whether the scenario is of many games whose rows are kept: a sweep or a round robin. The other
-// functions take no other.
+// Whether the scenario is of many games whose rows are kept: a sweep, a round robin or a match. The
+// other functions take no other.
 bool is_experiment(const Scenario& scenario);
 
-// Its games in the order in which they are played. Throws std::invalid_argument where settings do
-// not go together.
+// Its games in the order in which they are played, as far as they are known beforehand. Throws
+// std::invalid_argument where settings do not go together.
 std::vector<PlannedGame> plan(const Scenario& scenario);
 
 // The same, but mistakes are InputErrors that name `file`.
 std::vector<PlannedGame> plan_of(const Scenario& scenario, const std::filesystem::path& file);
+
+// Which games an experiment takes, as far as its rows tell.
+struct Course {
+  std::vector<PlannedGame> games;  // in the order in which they are played
+  std::size_t needed = 0;          // how many of them, from the first; the others do not count
+};
+
+// `rows` are those of its games so far.
+Course course_of(const Scenario& scenario, const RowFormat& format, const RowsById& rows);
+
+// Whether its course may change with its rows: a match ends with the pair that decides it.
+bool follows_its_rows(const Scenario& scenario);
+
+// Whether these rows make all games superfluous that are not played yet.
+bool is_decided(const Scenario& scenario, const RowFormat& format, const RowsById& rows);
+
+// The rows of needed games: those that results are made of.
+RowsById counted(const Course& course, const RowsById& rows);
 
 // The columns of its rows that hold the factors' values.
 std::vector<std::string> value_columns(const Scenario& scenario);
@@ -40,7 +58,7 @@ struct ResultFile {
 };
 
 struct ExperimentResults {
-  std::vector<Group> groups;        // of a sweep's values, or a round robin's matchups
+  std::vector<Group> groups;        // of a sweep's values, or of matchups
   std::vector<Standing> standings;  // of a round robin, best team first
   std::vector<ResultFile> files;
   std::string table;  // for people

@@ -16,7 +16,9 @@ std::vector<Judgement> judge_games(const std::vector<JudgeGame>& games, int work
   Progress progress(stream, static_cast<int>(games.size()), 0);
   WorkerOptions options;
   options.workers = workers;
+  std::size_t judged = 0;
   const auto done = [&](const JobResult& result) {
+    ++judged;
     if (result.failure.empty()) {
       judgements[result.job] = judgement_in(result.payload);
     } else {
@@ -27,7 +29,8 @@ std::vector<Judgement> judge_games(const std::vector<JudgeGame>& games, int work
   const WorkerCalls calls{
       [&games](std::size_t i) { return text_of(judge(games[i].configuration)); }, done,
       [&progress] { progress.tick(); }};
-  if (do_jobs(jobs, options, calls) == Ending::kInterrupted) throw Interrupted();
+  do_jobs(jobs, options, calls);
+  if (judged < games.size()) throw Interrupted();
   return judgements;
 }
 

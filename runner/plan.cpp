@@ -102,6 +102,7 @@ std::vector<PlannedGame> plan(const Sweep& sweep) {
     for (std::size_t i = 0; i < all.size(); ++i) {
       for (const int leg : {1, 2}) {
         games.push_back(planned(sweep, all[i], configurations[i], pair, leg));
+        games.back().unit = (games.size() - 1) / 2;
       }
     }
   }

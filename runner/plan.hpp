@@ -18,6 +18,7 @@ struct PlannedGame {
   GameConfiguration configuration;
   std::string team_a = {};  // what rows call them: a sweep's by their strategies
   std::string team_b = {};
+  std::size_t unit = 0;  // games of one unit go to the same shard: the legs of a pair
 };
 
 // The games in the order in which they are played: both legs of a pair back to back, and pair by

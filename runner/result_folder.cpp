@@ -56,22 +56,28 @@ ResultFolder open_results(const fs::path& path, const std::string& build) {
   const Scenario scenario = scenario_in(path);
   const RowFormat format(value_columns(scenario));
   const StoredRows stored = read_rows(path / kGamesFolder, format);
+  const std::string its_build = chosen_build(stored, build, path);
+  Inventory inventory = take_inventory(scenario, stored.rows, format, its_build, true, path, {});
+  RowsById done = counted(inventory.course, inventory.stock.done);
+  const auto beyond = static_cast<int>(inventory.stock.done.size() - done.size());
+  inventory.stock.done = std::move(done);
   ResultFolder folder{path,
                       scenario,
                       format,
-                      plan_of(scenario, path / kEffectiveFile),
-                      chosen_build(stored, build, path),
-                      {},
+                      std::move(inventory.course.games),
+                      inventory.course.needed,
+                      its_build,
+                      std::move(inventory.stock),
+                      beyond,
                       stored.damaged,
                       {}};
-  folder.stock = take_stock(stored.rows, folder.games, format, folder.build, true, path, {});
   const std::size_t shard = format.column("shard");
   for (const auto& [id, cells] : folder.stock.done) ++folder.by_shard[cells[shard]];
   return folder;
 }
 
 ExperimentResults write_results(const fs::path& folder, const Scenario& scenario,
-                                const RowFormat& format, const std::map<std::string, Cells>& rows) {
+                                const RowFormat& format, const RowsById& rows) {
   std::vector<Cells> cells;
   std::string csv = csv_line(format.reproducible(format.columns())) + "\n";
   for (const auto& [id, row] : rows) {

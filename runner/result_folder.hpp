@@ -18,14 +18,16 @@ struct ResultFolder {
   std::filesystem::path path;
   Scenario scenario;  // of effective.yaml
   RowFormat format;
-  std::vector<PlannedGame> games;
-  std::string build;  // whose rows count
-  Stock stock;
+  std::vector<PlannedGame> games;       // that it takes, as far as they are known
+  std::size_t needed = 0;               // how many of them, from the first
+  std::string build;                    // whose rows count
+  Stock stock;                          // its `done` holds only what counts
+  int beyond = 0;                       // rows of games that turned out not to be needed
   int damaged = 0;                      // rows that do not count
   std::map<std::string, int> by_shard;  // how many games each has played, "0/1"
 
   int void_games() const;
-  bool is_complete() const { return stock.done.size() == games.size(); }
+  bool is_complete() const { return stock.done.size() == needed; }
 };
 
 // Reads a folder, whether or not a run is still filling it. Only rows of one build count: of
@@ -37,6 +39,6 @@ ResultFolder open_results(const std::filesystem::path& path, const std::string& 
 // Writes what follows from the rows: results.csv, sorted by game and without what may differ from
 // run to run, and the files of results_of(). The same rows give the same files, byte by byte.
 ExperimentResults write_results(const std::filesystem::path& folder, const Scenario& scenario,
-                                const RowFormat& format, const std::map<std::string, Cells>& rows);
+                                const RowFormat& format, const RowsById& rows);
 
 }  // namespace autoref::runner

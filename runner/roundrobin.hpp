@@ -1,38 +1,17 @@
 // Round robins: each of several teams plays against each other.
 #pragma once
 
-#include <cstdint>
-#include <map>
-#include <string>
-#include <string_view>
 #include <vector>
 
-#include "runner/configuration.hpp"
+#include "runner/named_teams.hpp"
 
 namespace autoref::runner {
 
-struct RoundRobin {
-  GameConfiguration base;  // its teams do not count; its seed, a_plays and first_kickoff neither
-  std::map<std::string, TeamConfiguration> teams;  // by the names that rows call them
-  int pairs = 1;                                   // of legs, per matchup; 1 to 9999
-  std::uint64_t seed = 1;                          // of the whole round robin
+struct RoundRobin : NamedTeams {
+  int pairs = 1;  // of legs, per matchup; 1 to 9999
 };
-
-// Two of the teams by their names, the first being team a.
-struct Matchup {
-  std::string team_a;
-  std::string team_b;
-  bool operator==(const Matchup&) const = default;
-};
-
-// "bold~zone".
-std::string matchup_name(const Matchup& matchup);
 
 // Every two different teams, once: both ordered by their names, byte by byte.
 std::vector<Matchup> matchups_of(const RoundRobin& robin);
-
-// Throws std::invalid_argument unless a team may be called so: letters, digits, - and _, without
-// "-p", by which game ids tell the pair.
-void check_team_name(std::string_view name);
 
 }  // namespace autoref::runner

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,6 +14,7 @@
 namespace autoref::runner {
 
 using Cells = std::vector<std::string>;
+using RowsById = std::map<std::string, Cells>;  // complete rows by their games
 void append(Cells& cells, const Cells& more);
 
 // What may differ from run to run.

@@ -1,5 +1,5 @@
-// Scenario files: one game, a sweep of games over values of factors, a
-// round robin of teams, or games to judge the referee.
+// Scenario files: one game, a sweep of games over values of factors, a round robin or a match of
+// teams, or games to judge the referee.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +11,7 @@
 
 #include "runner/configuration.hpp"
 #include "runner/judge_plan.hpp"
+#include "runner/match.hpp"
 #include "runner/roundrobin.hpp"
 
 namespace autoref::runner {
@@ -33,7 +34,7 @@ struct Sweep {
 
 struct Scenario {
   std::string about;
-  std::variant<GameConfiguration, Sweep, JudgePlan, RoundRobin> content;
+  std::variant<GameConfiguration, Sweep, JudgePlan, RoundRobin, Match> content;
 };
 
 // The kind as `kind:` spells it.

@@ -32,8 +32,8 @@ std::string ShardPlace::name() const { return fmt::format("{}/{}", number, of); 
 
 std::string ShardPlace::file_name() const { return fmt::format("shard-{}-of-{}.csv", number, of); }
 
-bool ShardPlace::has(std::size_t game) const {
-  return game / 2 % static_cast<std::size_t>(of) == static_cast<std::size_t>(number);
+bool ShardPlace::has(std::size_t unit) const {
+  return unit % static_cast<std::size_t>(of) == static_cast<std::size_t>(number);
 }
 
 ShardPlace shard_place_of(const std::string& text) {

@@ -22,8 +22,8 @@ struct ShardPlace {
 
   std::string name() const;       // "0/1"
   std::string file_name() const;  // "shard-0-of-1.csv"
-  // Whether the game at that place of the plan is this shard's: pairs of legs stay together.
-  bool has(std::size_t game) const;
+  // Whether the games of that unit (plan.hpp) are this shard's.
+  bool has(std::size_t unit) const;
 };
 
 // Of "0/4". Throws std::invalid_argument that says what is expected.

@@ -72,13 +72,12 @@ bool is_better(const Standing& left, const Standing& right) {
 
 }  // namespace
 
-std::vector<Group> grouped(const RoundRobin& robin, const RowFormat& format,
+std::vector<Group> grouped(const std::vector<Matchup>& matchups, const RowFormat& format,
                            const std::vector<Cells>& rows) {
-  std::vector<Cells> matchups;
-  for (const Matchup& matchup : matchups_of(robin)) {
-    matchups.push_back({matchup.team_a, matchup.team_b});
-  }
-  return grouped({"team_a", "team_b"}, matchups, format, rows);
+  std::vector<Cells> values;
+  values.reserve(matchups.size());
+  for (const Matchup& matchup : matchups) values.push_back({matchup.team_a, matchup.team_b});
+  return grouped({"team_a", "team_b"}, values, format, rows);
 }
 
 std::vector<Standing> standings_of(const std::vector<Group>& matchups) {

@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "runner/groups.hpp"
-#include "runner/roundrobin.hpp"
+#include "runner/named_teams.hpp"
 #include "runner/rows.hpp"
 #include "runner/statistics/ratings.hpp"
 
 namespace autoref::runner {
 
-// A group for each matchup, in matchups_of()'s order; its values are the two teams' names.
-std::vector<Group> grouped(const RoundRobin& robin, const RowFormat& format,
+// A group for each matchup, in their order; its values are the two teams' names.
+std::vector<Group> grouped(const std::vector<Matchup>& matchups, const RowFormat& format,
                            const std::vector<Cells>& rows);
 
 // One team's results over all its matchups. Void games count only in `void_games`.

@@ -46,15 +46,23 @@ Cells rating_cells(const Rating& rating) {
 
 }  // namespace
 
+Cells matchup_columns() {
+  Cells columns = {"team_a", "team_b"};
+  append(columns, summary_columns());
+  append(columns, {"wins_a", "draws", "wins_b"});
+  return columns;
+}
+
+Cells matchup_cells(const Group& matchup) {
+  Cells cells = matchup.values;
+  append(cells, summary_cells(matchup));
+  append(cells, results_of(matchup));
+  return cells;
+}
+
 std::string matchups_csv(const std::vector<Group>& matchups) {
-  std::vector<Cells> rows = {{"team_a", "team_b"}};
-  append(rows.front(), summary_columns());
-  append(rows.front(), {"wins_a", "draws", "wins_b"});
-  for (const Group& matchup : matchups) {
-    rows.push_back(matchup.values);
-    append(rows.back(), summary_cells(matchup));
-    append(rows.back(), results_of(matchup));
-  }
+  std::vector<Cells> rows = {matchup_columns()};
+  for (const Group& matchup : matchups) rows.push_back(matchup_cells(matchup));
   return csv_of(rows);
 }
 

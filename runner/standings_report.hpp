@@ -8,7 +8,11 @@
 
 namespace autoref::runner {
 
-// summary.csv: per matchup what summary_cells() says, then team a's wins, draws and losses.
+// A matchup's row: what summary_cells() says of it, then team a's wins, draws and losses.
+Cells matchup_columns();
+Cells matchup_cells(const Group& matchup);
+
+// summary.csv: a row per matchup.
 std::string matchups_csv(const std::vector<Group>& matchups);
 
 // standings.csv: per team, best first, its games, goals, points (3 for a win, 1 for a draw), and

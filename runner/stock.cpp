@@ -64,4 +64,18 @@ Stock take_stock(const std::vector<StoredRow>& rows, const std::vector<PlannedGa
   return stock;
 }
 
+Inventory take_inventory(const Scenario& scenario, const std::vector<StoredRow>& rows,
+                         const RowFormat& format, const std::string& build, bool allow_mixed_build,
+                         const std::filesystem::path& folder, const std::string& changes) {
+  Inventory inventory{course_of(scenario, format, {}), {}};
+  while (true) {
+    inventory.stock =
+        take_stock(rows, inventory.course.games, format, build, allow_mixed_build, folder, changes);
+    if (!follows_its_rows(scenario)) return inventory;
+    const std::size_t known = inventory.course.games.size();
+    inventory.course = course_of(scenario, format, inventory.stock.done);
+    if (inventory.course.games.size() == known) return inventory;  // else more rows belong to it
+  }
+}
+
 }  // namespace autoref::runner

@@ -6,13 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "runner/experiment_kinds.hpp"
 #include "runner/plan.hpp"
 #include "runner/shard.hpp"
 
 namespace autoref::runner {
 
 struct Stock {
-  std::map<std::string, Cells> done;        // the games of the plan by id
+  RowsById done;                            // the games of the plan
   std::map<std::string, int> other_builds;  // how many rows of which
   int other_games = 0;                      // rows of this build whose games are not in the plan
 };
@@ -24,5 +25,15 @@ struct Stock {
 Stock take_stock(const std::vector<StoredRow>& rows, const std::vector<PlannedGame>& games,
                  const RowFormat& format, const std::string& build, bool allow_mixed_build,
                  const std::filesystem::path& folder, const std::string& changes);
+
+struct Inventory {
+  Course course;
+  Stock stock;  // of all its games, also those that are not needed
+};
+
+// A stock of the games that the scenario takes, which may follow from the rows. Throws likewise.
+Inventory take_inventory(const Scenario& scenario, const std::vector<StoredRow>& rows,
+                         const RowFormat& format, const std::string& build, bool allow_mixed_build,
+                         const std::filesystem::path& folder, const std::string& changes);
 
 }  // namespace autoref::runner

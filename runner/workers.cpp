@@ -26,11 +26,11 @@ class Pool {
 
   Ending run() {
     while (true) {
-      if (signals_.count() == 0) hand_out();
+      if (signals_.count() == 0 && !is_enough()) hand_out();
       const bool is_busy =
           std::any_of(workers_.begin(), workers_.end(),
                       [](const WorkerProcess& worker) { return worker.is_busy(); });
-      if (!is_busy) return queue_.empty() ? Ending::kDone : Ending::kInterrupted;
+      if (!is_busy) return signals_.count() == 0 ? Ending::kDone : Ending::kInterrupted;
       wait();
       if (signals_.count() > 1) return Ending::kInterrupted;
       for (WorkerProcess& worker : workers_) check_time(worker);
@@ -39,6 +39,8 @@ class Pool {
   }
 
  private:
+  bool is_enough() const { return calls_.is_enough && calls_.is_enough(); }
+
   void hand_out() {
     for (WorkerProcess& worker : workers_) {
       if (worker.is_busy() || queue_.empty()) continue;

@@ -30,6 +30,7 @@ struct WorkerCalls {
   std::function<std::string(std::size_t job)> work;   // in a worker
   std::function<void(const JobResult& result)> done;  // here, as results come in; may throw
   std::function<void()> tick;                         // here, about four times a second
+  std::function<bool()> is_enough = {};               // here: whether no further job is to begin
 };
 
 enum class Ending { kDone, kInterrupted };
@@ -38,8 +39,9 @@ enum class Ending { kDone, kInterrupted };
 int processors();
 
 // Does `jobs`, in their order as far as workers are free. On SIGINT, SIGTERM or SIGHUP no further
-// job is begun; on a second one the workers are killed at once. Returns kInterrupted where jobs
-// are left. Throws what `done` throws, and InputOutputError where no process can be started.
+// job is begun; on a second one the workers are killed at once. Returns kInterrupted after a
+// signal, whether or not jobs are left. Throws what `done` throws, and InputOutputError where no
+// process can be started.
 Ending do_jobs(const std::vector<std::size_t>& jobs, const WorkerOptions& options,
                const WorkerCalls& calls);
 

@@ -17,12 +17,15 @@ double square(double x) { return x * x; }
 Verdict verdict_of(const SequentialTest& test, const SequentialState& state) {
   if (state.pairs < test.min_pairs) return Verdict::kGoOn;
   const double ratio = state.log_likelihood_ratio;
-  if (ratio >= std::log((1 - test.beta) / test.alpha)) return Verdict::kAcceptD1;
-  if (ratio <= std::log(test.beta / (1 - test.alpha))) return Verdict::kAcceptD0;
+  if (ratio >= bound_of_d1(test)) return Verdict::kAcceptD1;
+  if (ratio <= bound_of_d0(test)) return Verdict::kAcceptD0;
   return state.pairs < test.max_pairs ? Verdict::kGoOn : Verdict::kUndecided;
 }
 
 }  // namespace
+
+double bound_of_d0(const SequentialTest& test) { return std::log(test.beta / (1 - test.alpha)); }
+double bound_of_d1(const SequentialTest& test) { return std::log((1 - test.beta) / test.alpha); }
 
 SequentialState decided_by(const SequentialTest& test, std::span<const double> pair_differences) {
   check(test);

@@ -16,6 +16,11 @@ struct SequentialTest {
   int max_pairs = 200;  // no pair after: then the test ends undecided
 };
 
+// Where the log likelihood ratio accepts a claim: d0 at or below the first, d1 at or above the
+// other.
+double bound_of_d0(const SequentialTest& test);
+double bound_of_d1(const SequentialTest& test);
+
 enum class Verdict { kGoOn, kAcceptD0, kAcceptD1, kUndecided };
 
 // What the pairs say, and how many of them it took.

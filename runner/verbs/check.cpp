@@ -51,7 +51,7 @@ void add_check_verb(CLI::App& app, Chosen& chosen) {
       "check",
       "Read an experiment, play a few seconds of everything in it, say how long it takes.");
   auto arguments = std::make_shared<CheckArguments>();
-  verb->add_option("FILE", arguments->file, "Scenario of kind sweep or roundrobin.")->required();
+  verb->add_option("FILE", arguments->file, "Scenario of kind sweep, roundrobin or match.")->required();
   verb->add_option("-j,--workers", arguments->workers,
                    "Games that would be played at a time. Default: one per processor.")
       ->type_name("N")

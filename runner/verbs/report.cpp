@@ -16,7 +16,7 @@ int report_verb(const FolderArguments& arguments) {
   fmt::print("{}\n", results.table);
   if (!folder.is_complete()) {
     fmt::print("{} of {} games: interim intervals are no reason to stop\n",
-               folder.stock.done.size(), folder.games.size());
+               folder.stock.done.size(), folder.needed);
   }
   fmt::print("{}   a row per game\n", (folder.path / kResultsFile).string());
   for (const ResultFile& file : results.files) {

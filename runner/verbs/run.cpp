@@ -74,9 +74,9 @@ int run_verb(const RunArguments& arguments) {
 
 void add_run_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb =
-      app.add_subcommand("run", "Run an experiment: all games of a sweep or a round robin.");
+      app.add_subcommand("run", "Run an experiment: all games of a sweep, a round robin or a match.");
   auto arguments = std::make_shared<RunArguments>();
-  add_batch_options(*verb, *arguments, "Scenario of kind sweep or roundrobin.");
+  add_batch_options(*verb, *arguments, "Scenario of kind sweep, roundrobin or match.");
   verb->add_option("--shard", arguments->shard,
                    "Play only share I (from 0) of N; other runs play the others.")
       ->type_name("I/N");
@@ -84,7 +84,8 @@ void add_run_verb(CLI::App& app, Chosen& chosen) {
                  "Go on in a folder that holds games of another build; those do not count.");
   verb->footer(
       "Ctrl-C lets the running games end; a second one stops at once. The same command goes on\n"
-      "where the last one stopped. Shards may share a folder, or each fill one of its own, whose\n"
+      "where the last one stopped. A match ends with the pair of games that decides it; shards that\n"
+      "do not share a folder play all the pairs that it may have. Shards may share a folder, or each fill one of its own, whose\n"
       "games/*.csv are then copied into one for autoref report.\n\n"
       "Example:\n  autoref run scenarios/handicap-speed.yaml -o results/runs/speed -j 2");
   verb->callback([arguments, &chosen] { chosen = [arguments] { return run_verb(*arguments); }; });

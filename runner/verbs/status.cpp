@@ -12,7 +12,11 @@ namespace {
 
 void print_counts(const ResultFolder& folder) {
   fmt::print("{}   {} of {} games done, {} void\n", folder.path.string(), folder.stock.done.size(),
-             folder.games.size(), folder.void_games());
+             folder.needed, folder.void_games());
+  if (folder.beyond > 0) {
+    fmt::print("  {} games were played beyond those that decided it; they do not count\n",
+               folder.beyond);
+  }
   for (const auto& [shard, count] : folder.by_shard) {
     fmt::print("  shard {}   {} games\n", shard, count);
   }

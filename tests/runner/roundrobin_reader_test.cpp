@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "runner/fields.hpp"
-#include "runner/roundrobin_plan.hpp"
+#include "runner/matchup_plan.hpp"
 #include "tests/runner/mistake.hpp"
 #include "tests/runner/temporary_folder.hpp"
 
@@ -81,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"OneTeam",
                 kTop + "teams: { zone: {} }\n",
                 "x.yaml:5:1: teams: ",
-                {"at least two teams", "found 1"}},
+                {"at least 2 teams", "found 1"}},
         Mistake{"EmptyTeams", kTop + "teams: {}\n", "x.yaml:5:1: teams: ", {"found 0"}},
         Mistake{
             "ListOfTeams", kTop + "teams: [zone, bold]\n", "x.yaml:5:8: teams: ", {"a mapping"}},
@@ -130,7 +130,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"TeamsInTheBase",
                 kTop + kTeams + "base: { teams: { a: { strategy: basic } } }\n",
                 "x.yaml:6:9: base.teams: ",
-                {"beside its base"}},
+                {"beside the base"}},
         Mistake{"SeedInTheBase", kTop + kTeams + "base: { seed: 1 }\n", "x.yaml:6:9: base: ", {}},
         Mistake{"LegsSide",
                 kTop + kTeams + "base: { match: { a_plays: east } }\n",

@@ -54,15 +54,17 @@ TEST_P(Shards, LeaveTheSameResultsWhenTheirRowsAreCopiedTogether) {
 
 INSTANTIATE_TEST_SUITE_P(All, Shards, testing::Values(1, 2, 5));
 
-TEST(ShardPlace, KeepsBothLegsOfAPairTogether) {
-  const ShardPlace place{1, 3};
-  for (std::size_t leg = 0; leg < 40; leg += 2) EXPECT_EQ(place.has(leg), place.has(leg + 1));
+TEST(PlannedGames, AreOfOneUnitWhereTheyAreLegsOfAPair) {
+  for (const Scenario& scenario : {small_sweep(), small_roundrobin({6, 5, 4})}) {
+    const std::vector<PlannedGame> games = plan(scenario);
+    for (std::size_t i = 0; i < games.size(); ++i) EXPECT_EQ(games[i].unit, i / 2);
+  }
 }
 
-TEST(ShardPlace, GivesEveryGameToOneShard) {
-  for (std::size_t game = 0; game < 40; ++game) {
+TEST(ShardPlace, GivesEveryUnitToOneShard) {
+  for (std::size_t unit = 0; unit < 40; ++unit) {
     int shards = 0;
-    for (int i = 0; i < 3; ++i) shards += ShardPlace{i, 3}.has(game) ? 1 : 0;
+    for (int i = 0; i < 3; ++i) shards += ShardPlace{i, 3}.has(unit) ? 1 : 0;
     EXPECT_EQ(shards, 1);
   }
 }

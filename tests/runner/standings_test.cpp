@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "runner/plan.hpp"
+#include "runner/roundrobin.hpp"
 #include "runner/standings_report.hpp"
 
 namespace autoref::runner {
@@ -40,7 +41,7 @@ std::vector<Group> matchups_in(const std::vector<Score>& scores) {
     const PlannedGame game{"id", {}, score.pair, score.leg, {}, score.team_a, score.team_b};
     rows.push_back(format.read(format.line(game, outcome_of(record), {})).value());
   }
-  return grouped(robin_of(scores), format, rows);
+  return grouped(matchups_of(robin_of(scores)), format, rows);
 }
 
 std::vector<Standing> standings_in(const std::vector<Score>& scores) {

@@ -1,4 +1,4 @@
-#include "runner/roundrobin_plan.hpp"
+#include "runner/matchup_plan.hpp"
 
 #include <gtest/gtest.h>
 

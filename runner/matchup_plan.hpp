@@ -1,8 +1,9 @@
-// From a round robin to its list of games.
+// From teams with names to their lists of games.
 #pragma once
 
 #include <vector>
 
+#include "runner/match.hpp"
 #include "runner/plan.hpp"
 #include "runner/roundrobin.hpp"
 
@@ -17,5 +18,9 @@ namespace autoref::runner {
 // one number have the same seeds in every matchup. Throws std::invalid_argument where a setting is
 // wrong; it begins with the setting's path, such as "teams.bold.params.pass_risk".
 std::vector<PlannedGame> plan(const RoundRobin& robin);
+
+// Likewise: the games of a match are those of a round robin of its two teams. These are all the
+// pairs that there may be; the test mostly ends the match before (match_state.hpp).
+std::vector<PlannedGame> plan(const Match& match);
 
 }  // namespace autoref::runner

@@ -1,0 +1,57 @@
+#include "runner/matchup_plan.hpp"
+
+#include <fmt/format.h>
+
+#include "runner/fields.hpp"
+
+namespace autoref::runner {
+namespace {
+
+void check(const NamedTeams& named) {
+  check_game(named.base);
+  for (const auto& [name, team] : named.teams) {
+    check_team(named.base, team, fmt::format("teams.{}", name));
+  }
+}
+
+PlannedGame planned(const NamedTeams& named, const Matchup& matchup, int pair, int leg) {
+  PlannedGame game{game_id(matchup_name(matchup), pair, leg),
+                   {},
+                   pair,
+                   leg,
+                   named.base,
+                   matchup.team_a,
+                   matchup.team_b};
+  game.configuration.a = named.teams.at(matchup.team_a);
+  game.configuration.b = named.teams.at(matchup.team_b);
+  set_leg(game.configuration, named.seed, pair, leg);
+  return game;
+}
+
+std::vector<PlannedGame> planned(const NamedTeams& named, const std::vector<Matchup>& matchups,
+                                 int pairs) {
+  refuse_too_many(2.0 * pairs * static_cast<double>(matchups.size()));
+  check(named);
+  std::vector<PlannedGame> games;
+  for (int pair = 1; pair <= pairs; ++pair) {
+    for (const Matchup& matchup : matchups) {
+      for (const int leg : {1, 2}) {
+        games.push_back(planned(named, matchup, pair, leg));
+        games.back().unit = (games.size() - 1) / 2;
+      }
+    }
+  }
+  return games;
+}
+
+}  // namespace
+
+std::vector<PlannedGame> plan(const RoundRobin& robin) {
+  return planned(robin, matchups_of(robin), robin.pairs);
+}
+
+std::vector<PlannedGame> plan(const Match& match) {
+  return planned(match, {matchup_of(match)}, match.sprt.max_pairs);
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,35 @@
+// Reads teams that have names of their own. For experiment readers.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "runner/named_teams.hpp"
+#include "runner/settings_reader.hpp"
+#include "runner/yaml.hpp"
+
+namespace autoref::runner {
+
+// How many teams an experiment may have.
+struct TeamCount {
+  std::size_t least = 2;
+  std::size_t most = SIZE_MAX;
+};
+
+class NamedTeamsReader {
+ public:
+  // Both must outlive the reader; the places of the teams' settings go into `places`.
+  NamedTeamsReader(const YamlFile& file, Places& places) : file_(file), places_(places) {}
+
+  // Adds the teams to `named`, whose base has been read, and the types they name to its base.
+  // Throws InputError, also for fewer or more teams than these.
+  void read(const YamlEntry& teams, NamedTeams& named, TeamCount count = {}) const;
+
+ private:
+  void read_team(const YamlEntry& entry, NamedTeams& named) const;
+
+  const YamlFile& file_;
+  Places& places_;
+};
+
+}  // namespace autoref::runner

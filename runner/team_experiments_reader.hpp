@@ -1,0 +1,14 @@
+// Reads the experiments between teams that have names. For scenario.cpp.
+#pragma once
+
+#include "runner/match.hpp"
+#include "runner/roundrobin.hpp"
+#include "runner/top_reader.hpp"
+
+namespace autoref::runner {
+
+// Each throws InputError.
+RoundRobin read_roundrobin(TopReader& top);
+Match read_match(TopReader& top);
+
+}  // namespace autoref::runner
