@@ -103,14 +103,18 @@ std::string body_of(const JudgePlan& plan) {
   return text + fmt::format("games: {}\nseed: {}\n", plan.games, plan.seed);
 }
 
-std::string teams_of(const NamedTeams& named) {
-  Tree teams(0);
-  for (auto [name, team] : named.teams) {
-    for (const Setting& setting : settings_of(team, named.base.types, "teams." + name + ".")) {
-      if (!is_alias(setting) && !is_spelt_out(setting)) teams.add(setting);
+std::string text_of(const Teams& teams, std::string_view branch, const RobotTypes& types) {
+  Tree tree(0);
+  for (auto [name, team] : teams) {
+    for (const Setting& setting : settings_of(team, types, fmt::format("{}.{}.", branch, name))) {
+      if (!is_alias(setting) && !is_spelt_out(setting)) tree.add(setting);
     }
   }
-  return base_of(named.base, "teams.") + teams.text();
+  return tree.text();
+}
+
+std::string teams_of(const NamedTeams& named) {
+  return base_of(named.base, "teams.") + text_of(named.teams, "teams", named.base.types);
 }
 
 std::string body_of(const RoundRobin& robin) {
@@ -122,6 +126,18 @@ std::string body_of(const Match& match) {
   SequentialTest test = match.sprt;
   for (const Setting& setting : settings_of(test)) tree.add(setting);
   return teams_of(match) + tree.text() + fmt::format("seed: {}\n", match.seed);
+}
+
+std::string body_of(const Gauntlet& gauntlet) {
+  return teams_of(gauntlet) + text_of(gauntlet.challengers, "challengers", gauntlet.base.types) +
+         fmt::format("pairs: {}\nseed: {}\n", gauntlet.pairs, gauntlet.seed);
+}
+
+std::string body_of(const Knockout& knockout) {
+  return teams_of(knockout) + fmt::format(
+                                  "order: [{}]  # the best seed first\nthird_place: {}\n"
+                                  "seed: {}\n",
+                                  listed(knockout.order), knockout.third_place, knockout.seed);
 }
 
 }  // namespace

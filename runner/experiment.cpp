@@ -60,6 +60,7 @@ class Experiment {
     for (const auto& [id, cells] : rows) {
       report.void_games += cells[format_.column("status")] == name_of(Status::kVoid) ? 1 : 0;
     }
+    report.is_waiting = course_.needed > course_.games.size() && !report.is_interrupted;
     if (report.is_complete) conclude(report, rows);
     return report;
   }

@@ -1,9 +1,10 @@
-// Experiments: all games of a sweep or a round robin, played in worker processes and kept in a
-// folder.
+// Experiments: all games of a sweep, a round robin, a match and so on, played in worker processes
+// and kept in a folder.
 //
 // The folder holds the truth, a row per game in games/*.csv, and what follows from it when all
 // games are there: results.csv (sorted by game id, without what may differ from run to run),
-// summary.csv (per value or matchup), standings.csv of a round robin. effective.yaml has the
+// summary.csv (per value, matchup or tie), standings.csv of teams. A match's games beyond the
+// pair that decides it stay in games/*.csv alone. effective.yaml has the
 // scenario with every setting spelt out.
 #pragma once
 
@@ -36,7 +37,8 @@ struct ExperimentOptions {
 struct ExperimentReport {
   bool is_complete = false;     // all games are there, also those of other shards
   bool is_interrupted = false;  // by the user, with games of this shard left
-  int games = 0;                // of the scenario
+  bool is_waiting = false;      // later games follow from some that other shards have to play
+  int games = 0;                // that it takes, as far as is known
   int done = 0;                 // so far, by this run and former ones
   int played = 0;               // by this run
   int void_games = 0;

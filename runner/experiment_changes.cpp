@@ -6,6 +6,7 @@
 #include "runner/experiment_kinds.hpp"
 #include "runner/fields.hpp"
 #include "runner/with_kind.hpp"
+#include "runner/words.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -28,26 +29,47 @@ Values told_by(const Sweep& sweep) {
   return values;
 }
 
+void add(const Teams& teams, std::string_view branch, const RobotTypes& types, Values& values) {
+  for (auto [name, team] : teams) {
+    values.merge(values_of(settings_of(team, types, fmt::format("{}.{}.", branch, name))));
+  }
+}
+
 Values told_by(const NamedTeams& named) {
   GameConfiguration base = named.base;
   Values values = values_of(settings_of(base));
   std::erase_if(values, [](const auto& value) { return value.first.starts_with("teams."); });
-  for (auto [name, team] : named.teams) {
-    values.merge(values_of(settings_of(team, base.types, fmt::format("teams.{}.", name))));
-  }
+  add(named.teams, "teams", named.base.types, values);
   values["seed"] = std::to_string(named.seed);
   return values;
 }
 
+Values told_by(const Gauntlet& gauntlet) {
+  Values values = told_by(static_cast<const NamedTeams&>(gauntlet));
+  add(gauntlet.challengers, "challengers", gauntlet.base.types, values);
+  return values;
+}
+
+// The seeds tell who meets whom in which tie.
+Values told_by(const Knockout& knockout) {
+  Values values = told_by(static_cast<const NamedTeams&>(knockout));
+  values["order"] = listed(knockout.order);
+  return values;
+}
+
 // What both have: a team that only one has changes no game of the others.
-void keep_teams_of_both(const NamedTeams& one, NamedTeams& other) {
-  std::erase_if(other.teams, [&one](const auto& team) { return !one.teams.contains(team.first); });
+void keep_teams_of_both(Teams& one, Teams& other) {
+  std::erase_if(one, [&other](const auto& team) { return !other.contains(team.first); });
+  std::erase_if(other, [&one](const auto& team) { return !one.contains(team.first); });
 }
 
 void keep_what_is_in_both(Sweep& /*here*/, Sweep& /*there*/) {}
 void keep_what_is_in_both(NamedTeams& here, NamedTeams& there) {
-  keep_teams_of_both(here, there);
-  keep_teams_of_both(there, here);
+  keep_teams_of_both(here.teams, there.teams);
+}
+void keep_what_is_in_both(Gauntlet& here, Gauntlet& there) {
+  keep_teams_of_both(here.teams, there.teams);
+  keep_teams_of_both(here.challengers, there.challengers);
 }
 
 std::string changes_between(const Values& here, const Values& there) {

@@ -1,8 +1,9 @@
 #include "runner/experiment_kinds.hpp"
 
-#include <stdexcept>
+#include <algorithm>
 
-#include "runner/errors.hpp"
+#include "runner/knockout_plan.hpp"
+#include "runner/knockout_report.hpp"
 #include "runner/match_report.hpp"
 #include "runner/match_state.hpp"
 #include "runner/matchup_plan.hpp"
@@ -49,6 +50,15 @@ Course course_of(const Match& match, const RowFormat& format, const RowsById& ro
   return {std::move(games), needed};
 }
 
+Course course_of(const Knockout& knockout, const RowFormat& format, const RowsById& rows) {
+  const std::vector<Tie> ties = bracket_of(knockout, format, rows);
+  std::vector<PlannedGame> games = games_of(knockout, ties);
+  const auto unknown =
+      std::count_if(ties.begin(), ties.end(), [](const Tie& tie) { return !tie.is_known(); });
+  const std::size_t needed = games.size() + static_cast<std::size_t>(unknown);
+  return {std::move(games), needed};
+}
+
 ExperimentResults results_of(const Sweep& sweep, const RowFormat& format,
                              const std::vector<Cells>& rows) {
   ExperimentResults results;
@@ -65,6 +75,17 @@ ExperimentResults results_of(const RoundRobin& robin, const RowFormat& format,
   results.standings = standings_of(results.groups);
   results.files = {{"summary.csv", "a row per matchup", matchups_csv(results.groups)},
                    {"standings.csv", "a row per team", standings_csv(results.standings)}};
+  results.table = matchups_table(results.groups) + "\n" + standings_table(results.standings);
+  return results;
+}
+
+ExperimentResults results_of(const Gauntlet& gauntlet, const RowFormat& format,
+                             const std::vector<Cells>& rows) {
+  ExperimentResults results;
+  results.groups = grouped(matchups_of(gauntlet), format, rows);
+  results.standings = standings_of_challengers(results.groups);
+  results.files = {{"summary.csv", "a row per matchup", matchups_csv(results.groups)},
+                   {"standings.csv", "a row per challenger", standings_csv(results.standings)}};
   results.table = matchups_table(results.groups) + "\n" + standings_table(results.standings);
   return results;
 }
@@ -86,6 +107,16 @@ ExperimentResults results_of(const Match& match, const RowFormat& format,
   return results;
 }
 
+ExperimentResults results_of(const Knockout& knockout, const RowFormat& format,
+                             const std::vector<Cells>& rows) {
+  const RowsById games = by_id(rows);
+  const std::vector<Tie> ties = bracket_of(knockout, format, games);
+  ExperimentResults results;
+  results.files = {{"summary.csv", "a row per tie", ties_csv(ties, format, games)}};
+  results.table = bracket_table(ties, format, games);
+  return results;
+}
+
 }  // namespace
 
 RowsById counted(const Course& course, const RowsById& rows) {
@@ -103,16 +134,15 @@ std::vector<PlannedGame> plan(const Scenario& scenario) {
   return with_kind(scenario, [](const auto& experiment) { return plan(experiment); });
 }
 
-std::vector<PlannedGame> plan_of(const Scenario& scenario, const std::filesystem::path& file) {
-  try {
-    return plan(scenario);
-  } catch (const std::invalid_argument& error) {
-    throw InputError({file.string()}, "", error.what());
-  }
+std::string caveat_of_plan(const Scenario& scenario) {
+  if (std::holds_alternative<Match>(scenario.content)) return "at most: it ends when decided";
+  if (!std::holds_alternative<Knockout>(scenario.content)) return "";
+  return "the better seed taken to win every tie; drawn ties are played again";
 }
 
 bool follows_its_rows(const Scenario& scenario) {
-  return std::holds_alternative<Match>(scenario.content);
+  return std::holds_alternative<Match>(scenario.content) ||
+         std::holds_alternative<Knockout>(scenario.content);
 }
 
 Course course_of(const Scenario& scenario, const RowFormat& format, const RowsById& rows) {

@@ -1,7 +1,6 @@
 // What differs between the kinds of experiments: which games they play, and what their rows say.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -13,27 +12,30 @@
 
 namespace autoref::runner {
 
-// Whether the scenario is of many games whose rows are kept: a sweep, a round robin or a match. The
-// other functions take no other.
+// Whether the scenario is of many games whose rows are kept: all but a single
+// game and games for the referee. The other functions take no other.
 bool is_experiment(const Scenario& scenario);
 
 // Its games in the order in which they are played, as far as they are known beforehand. Throws
 // std::invalid_argument where settings do not go together.
 std::vector<PlannedGame> plan(const Scenario& scenario);
 
-// The same, but mistakes are InputErrors that name `file`.
-std::vector<PlannedGame> plan_of(const Scenario& scenario, const std::filesystem::path& file);
+// In which way the games may yet be others than plan() says; empty where they may not.
+std::string caveat_of_plan(const Scenario& scenario);
 
 // Which games an experiment takes, as far as its rows tell.
 struct Course {
   std::vector<PlannedGame> games;  // in the order in which they are played
-  std::size_t needed = 0;          // how many of them, from the first; the others do not count
+  // How many it takes: the first of `games`, so that others do not count; or more than `games`,
+  // where those to come are not known yet.
+  std::size_t needed = 0;
 };
 
 // `rows` are those of its games so far.
 Course course_of(const Scenario& scenario, const RowFormat& format, const RowsById& rows);
 
-// Whether its course may change with its rows: a match ends with the pair that decides it.
+// Whether its course may change with its rows: a match ends with the pair that decides it, and who
+// meets whom in a knockout follows from the ties before.
 bool follows_its_rows(const Scenario& scenario);
 
 // Whether these rows make all games superfluous that are not played yet.
@@ -58,8 +60,8 @@ struct ResultFile {
 };
 
 struct ExperimentResults {
-  std::vector<Group> groups;        // of a sweep's values, or of matchups
-  std::vector<Standing> standings;  // of a round robin, best team first
+  std::vector<Group> groups;        // of a sweep's values, or of matchups; a knockout has none
+  std::vector<Standing> standings;  // of a round robin or of challengers, best team first
   std::vector<ResultFile> files;
   std::string table;  // for people
 };

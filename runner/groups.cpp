@@ -4,35 +4,13 @@
 
 #include <algorithm>
 
+#include "runner/scores.hpp"
 #include "runner/statistics/mean_interval.hpp"
 #include "runner/statistics/sample.hpp"
 #include "runner/words.hpp"
 
 namespace autoref::runner {
 namespace {
-
-// Where a row holds what a group is told of.
-struct ScoreColumns {
-  explicit ScoreColumns(const RowFormat& format)
-      : goals_a(format.column("goals_a")),
-        goals_b(format.column("goals_b")),
-        status(format.column("status")),
-        end_reason(format.column("end_reason")),
-        shootout_a(format.column("shootout_a")),
-        shootout_b(format.column("shootout_b")),
-        pair(format.column("pair")) {}
-
-  std::size_t goals_a, goals_b, status, end_reason, shootout_a, shootout_b, pair;
-};
-
-// Above 0 where team a has won, below 0 where team b has.
-double lead_of_a(const Cells& row, const ScoreColumns& at) {
-  if (row[at.end_reason] == name_of(EndReason::kForfeitA)) return -1;
-  if (row[at.end_reason] == name_of(EndReason::kForfeitB)) return 1;
-  const double goals = number_in(row[at.goals_a]).value() - number_in(row[at.goals_b]).value();
-  if (goals != 0 || row[at.shootout_a].empty()) return goals;
-  return number_in(row[at.shootout_a]).value() - number_in(row[at.shootout_b]).value();
-}
 
 void count_result(Group& group, double lead) {
   ++(lead > 0 ? group.wins_a : lead < 0 ? group.wins_b : group.draws);
@@ -50,7 +28,7 @@ Group group_of(const Cells& values, const std::vector<std::size_t>& columns, con
   group.values = values;
   for (const Cells& row : rows) {
     if (!has_values(row, columns, values)) continue;
-    if (row[at.status] == name_of(Status::kVoid)) {
+    if (is_void(row, at)) {
       ++group.void_games;
       continue;
     }

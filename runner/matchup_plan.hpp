@@ -1,8 +1,10 @@
 // From teams with names to their lists of games.
 #pragma once
 
+#include <string_view>
 #include <vector>
 
+#include "runner/gauntlet.hpp"
 #include "runner/match.hpp"
 #include "runner/plan.hpp"
 #include "runner/roundrobin.hpp"
@@ -22,5 +24,16 @@ std::vector<PlannedGame> plan(const RoundRobin& robin);
 // Likewise: the games of a match are those of a round robin of its two teams. These are all the
 // pairs that there may be; the test mostly ends the match before (match_state.hpp).
 std::vector<PlannedGame> plan(const Match& match);
+
+// Likewise: games equal those of a round robin where a challenger's name comes before that of its
+// opponent, as bytes; else a and b are exchanged.
+std::vector<PlannedGame> plan(const Gauntlet& gauntlet);
+
+// One game of two of the teams, whatever their settings.
+PlannedGame planned(const NamedTeams& named, const Matchup& matchup, int pair, int leg);
+
+// Throws std::invalid_argument where a setting is wrong of the base or of teams, which stand below
+// `branch` in a file.
+void check(const GameConfiguration& base, const Teams& teams, std::string_view branch = "teams");
 
 }  // namespace autoref::runner

@@ -10,11 +10,13 @@
 
 namespace autoref::runner {
 
+using Teams = std::map<std::string, TeamConfiguration>;  // by the names that rows call them
+
 // What all experiments between such teams have.
 struct NamedTeams {
   GameConfiguration base;  // its teams do not count; its seed, a_plays and first_kickoff neither
-  std::map<std::string, TeamConfiguration> teams;  // by the names that rows call them
-  std::uint64_t seed = 1;                          // of the whole experiment
+  Teams teams;
+  std::uint64_t seed = 1;  // of the whole experiment
 };
 
 // Two of the teams by their names, the first being team a.

@@ -8,6 +8,7 @@ namespace autoref::runner {
 namespace {
 
 std::string text_of(const TeamCount& count) {
+  if (count.least == 1) return "at least one team";
   if (count.most == SIZE_MAX) return fmt::format("at least {} teams", count.least);
   if (count.least == count.most) return fmt::format("{} teams", count.least);
   return fmt::format("{} to {} teams", count.least, count.most);
@@ -15,29 +16,32 @@ std::string text_of(const TeamCount& count) {
 
 }  // namespace
 
-void NamedTeamsReader::read(const YamlEntry& teams, NamedTeams& named, TeamCount count) const {
-  for (const YamlEntry& entry : file_.entries(teams, "teams", {})) read_team(entry, named);
-  if (count.least <= named.teams.size() && named.teams.size() <= count.most) return;
-  file_.refuse(teams.place, "teams",
+void NamedTeamsReader::read(const YamlEntry& entry, Teams& teams, GameConfiguration& base,
+                            TeamCount count) const {
+  for (const YamlEntry& team : file_.entries(entry, entry.key, {})) {
+    read_team(team, entry.key, teams, base);
+  }
+  if (count.least <= teams.size() && teams.size() <= count.most) return;
+  file_.refuse(entry.place, entry.key,
                fmt::format("expected {}, such as zone: {{ strategy: basic }}, found {}",
-                           text_of(count), named.teams.size()));
+                           text_of(count), teams.size()));
 }
 
-void NamedTeamsReader::read_team(const YamlEntry& entry, NamedTeams& named) const {
+void NamedTeamsReader::read_team(const YamlEntry& entry, const std::string& branch, Teams& teams,
+                                 GameConfiguration& base) const {
   try {
     check_team_name(entry.key);
   } catch (const std::invalid_argument& error) {
-    file_.refuse(entry.place, "teams", error.what());
+    file_.refuse(entry.place, branch, error.what());
   }
   // The base's rules tell how many robots a team has.
-  TeamConfiguration& team = named.teams[entry.key] = named.base.a;
-  const std::string path = "teams." + entry.key;
+  TeamConfiguration& team = teams[entry.key] = base.a;
+  const std::string path = fmt::format("{}.{}", branch, entry.key);
   places_[path] = entry.place;
-  RobotTypes& types = named.base.types;
-  const auto list = [&team, &types, prefix = path + "."] {
-    return settings_of(team, types, prefix);
+  const auto list = [&team, &base, prefix = path + "."] {
+    return settings_of(team, base.types, prefix);
   };
-  SettingsReader(file_, list, types, places_).read(entry, path);
+  SettingsReader(file_, list, base.types, places_).read(entry, path);
 }
 
 }  // namespace autoref::runner

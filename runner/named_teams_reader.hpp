@@ -21,12 +21,13 @@ class NamedTeamsReader {
   // Both must outlive the reader; the places of the teams' settings go into `places`.
   NamedTeamsReader(const YamlFile& file, Places& places) : file_(file), places_(places) {}
 
-  // Adds the teams to `named`, whose base has been read, and the types they name to its base.
-  // Throws InputError, also for fewer or more teams than these.
-  void read(const YamlEntry& teams, NamedTeams& named, TeamCount count = {}) const;
+  // Adds the teams of an entry, and to `base`, which has been read, the types they name. Throws
+  // InputError, also for fewer or more teams than these.
+  void read(const YamlEntry& entry, Teams& teams, GameConfiguration& base, TeamCount count) const;
 
  private:
-  void read_team(const YamlEntry& entry, NamedTeams& named) const;
+  void read_team(const YamlEntry& entry, const std::string& branch, Teams& teams,
+                 GameConfiguration& base) const;
 
   const YamlFile& file_;
   Places& places_;

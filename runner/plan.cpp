@@ -57,7 +57,7 @@ std::string game_id(std::string_view played, int pair, int leg) {
 }
 
 void set_leg(GameConfiguration& game, std::uint64_t master_seed, int pair, int leg) {
-  game.match.a_plays = leg == 1 ? Side::kWest : Side::kEast;
+  game.match.a_plays = leg % 2 == 1 ? Side::kWest : Side::kEast;
   game.match.first_kickoff = pair % 2 == 1 ? Side::kWest : Side::kEast;
   game.seed = seed_of(master_seed, pair, leg);
 }

@@ -14,11 +14,11 @@ struct PlannedGame {
   std::string id;                   // "b.handicap=0.8-p0007-2": values, pair, leg
   std::vector<std::string> values;  // of the factors, in the sweep's order
   int pair = 1;                     // counted from 1
-  int leg = 1;                      // 1: team a in the west; 2: team a in the east
+  int leg = 1;                      // odd: team a in the west; even: team a in the east
   GameConfiguration configuration;
   std::string team_a = {};  // what rows call them: a sweep's by their strategies
   std::string team_b = {};
-  std::size_t unit = 0;  // games of one unit go to the same shard: the legs of a pair
+  std::size_t unit = 0;  // games of one unit go to the same shard: a pair's legs
 };
 
 // The games in the order in which they are played: both legs of a pair back to back, and pair by

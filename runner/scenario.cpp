@@ -18,8 +18,9 @@ namespace autoref::runner {
 namespace {
 
 constexpr int kMostJudged = 9999;
-const std::vector<std::string> kKinds = {"game", "sweep", "judge", "roundrobin", "match"};
-const std::vector<std::string> kVerbs = {"play", "run", "judge", "run", "run"};
+const std::vector<std::string> kKinds = {"game",  "sweep",    "judge",   "roundrobin",
+                                         "match", "gauntlet", "knockout"};
+const std::vector<std::string> kVerbs = {"play", "run", "judge", "run", "run", "run", "run"};
 
 // Reads one document, top level first.
 class ScenarioReader {
@@ -43,6 +44,10 @@ class ScenarioReader {
       scenario.content = read_roundrobin(top_);
     } else if (kind == "match") {
       scenario.content = read_match(top_);
+    } else if (kind == "gauntlet") {
+      scenario.content = read_gauntlet(top_);
+    } else if (kind == "knockout") {
+      scenario.content = read_knockout(top_);
     } else {
       scenario.content = read_judge();
     }

@@ -1,5 +1,5 @@
-// Scenario files: one game, a sweep of games over values of factors, a round robin or a match of
-// teams, or games to judge the referee.
+// Scenario files: one game, a sweep of games over values of factors, a round robin, a gauntlet, a
+// knockout or a match of teams, or games to judge the referee.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "runner/configuration.hpp"
+#include "runner/gauntlet.hpp"
 #include "runner/judge_plan.hpp"
+#include "runner/knockout.hpp"
 #include "runner/match.hpp"
 #include "runner/roundrobin.hpp"
 
@@ -34,7 +36,7 @@ struct Sweep {
 
 struct Scenario {
   std::string about;
-  std::variant<GameConfiguration, Sweep, JudgePlan, RoundRobin, Match> content;
+  std::variant<GameConfiguration, Sweep, JudgePlan, RoundRobin, Match, Gauntlet, Knockout> content;
 };
 
 // The kind as `kind:` spells it.

@@ -57,6 +57,7 @@ void rate(const std::vector<Group>& matchups, std::map<std::string, Standing>& b
   for (const Rating& rating : ratings_of(all, goal_rating)) by_team[rating.team].goals = rating;
   for (const Rating& rating : ratings_of(all, bradley_terry))
     by_team[rating.team].strength = rating;
+  for (auto& [team, standing] : by_team) standing.is_rated = true;
 }
 
 double mean_difference(const Standing& standing) {
@@ -68,6 +69,16 @@ bool is_better(const Standing& left, const Standing& right) {
   const double of_right = mean_difference(right);
   return std::tuple(-left.points(), -of_left, left.team) <
          std::tuple(-right.points(), -of_right, right.team);
+}
+
+std::vector<Standing> ordered(std::map<std::string, Standing> by_team) {
+  std::vector<Standing> standings;
+  for (auto& [team, standing] : by_team) {
+    standing.team = team;
+    standings.push_back(std::move(standing));
+  }
+  std::sort(standings.begin(), standings.end(), is_better);
+  return standings;
 }
 
 }  // namespace
@@ -87,13 +98,13 @@ std::vector<Standing> standings_of(const std::vector<Group>& matchups) {
     add_b(by_team[matchup.values[1]], matchup);
   }
   rate(matchups, by_team);
-  std::vector<Standing> standings;
-  for (auto& [team, standing] : by_team) {
-    standing.team = team;
-    standings.push_back(std::move(standing));
-  }
-  std::sort(standings.begin(), standings.end(), is_better);
-  return standings;
+  return ordered(std::move(by_team));
+}
+
+std::vector<Standing> standings_of_challengers(const std::vector<Group>& matchups) {
+  std::map<std::string, Standing> by_team;
+  for (const Group& matchup : matchups) add_a(by_team[matchup.values[0]], matchup);
+  return ordered(std::move(by_team));
 }
 
 }  // namespace autoref::runner

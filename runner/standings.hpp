@@ -26,6 +26,7 @@ struct Standing {
   double goals_against = 0;
   std::vector<double> differences;       // of each game: its goals minus the other team's
   std::vector<double> pair_differences;  // mean over the two legs, of pairs without a void leg
+  bool is_rated = false;                 // whether it has the two:
   Rating goals;     // in goals a game above the average team (statistics/goal_rating.hpp)
   Rating strength;  // Bradley's and Terry's (statistics/bradley_terry.hpp)
 
@@ -36,5 +37,10 @@ struct Standing {
 // Best team first: by points, then by the mean of `differences`, then by name. `matchups` are those
 // of grouped().
 std::vector<Standing> standings_of(const std::vector<Group>& matchups);
+
+// The same of the first teams of the matchups alone, a gauntlet's challengers. They have no
+// ratings: all met the same field, so that these would only say again what the mean goal difference
+// says.
+std::vector<Standing> standings_of_challengers(const std::vector<Group>& matchups);
 
 }  // namespace autoref::runner

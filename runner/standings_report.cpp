@@ -39,9 +39,27 @@ Cells difference_cells(const Standing& standing) {
           std::to_string(standing.pair_differences.size()), number_cell(low), number_cell(high)};
 }
 
-Cells rating_cells(const Rating& rating) {
-  const auto& [low, high] = bounds_of(rating.interval);
-  return {number_cell(rating.value), number_cell(low), number_cell(high)};
+Cells rating_columns() {
+  return {"rating_goals",  "rating_goals_low95",  "rating_goals_high95",
+          "bradley_terry", "bradley_terry_low95", "bradley_terry_high95"};
+}
+
+Cells rating_cells(const Standing& standing) {
+  Cells cells;
+  for (const Rating* rating : {&standing.goals, &standing.strength}) {
+    const auto& [low, high] = bounds_of(rating->interval);
+    append(cells, {number_cell(rating->value), number_cell(low), number_cell(high)});
+  }
+  return cells;
+}
+
+Cells rating_texts(const Standing& standing) {
+  return {mean_text(standing.goals.value, standing.goals.interval),
+          mean_text(standing.strength.value, standing.strength.interval)};
+}
+
+bool are_rated(const std::vector<Standing>& standings) {
+  return !standings.empty() && standings.front().is_rated;
 }
 
 }  // namespace
@@ -67,33 +85,16 @@ std::string matchups_csv(const std::vector<Group>& matchups) {
 }
 
 std::string standings_csv(const std::vector<Standing>& standings) {
-  std::vector<Cells> rows = {{"rank",
-                              "team",
-                              "points",
-                              "games",
-                              "wins",
-                              "draws",
-                              "losses",
-                              "void_games",
-                              "goals_for",
-                              "goals_against",
-                              "mean_diff",
-                              "pairs",
-                              "diff_low95",
-                              "diff_high95",
-                              "rating_goals",
-                              "rating_goals_low95",
-                              "rating_goals_high95",
-                              "bradley_terry",
-                              "bradley_terry_low95",
-                              "bradley_terry_high95"}};
+  std::vector<Cells> rows = {{"rank", "team", "points", "games", "wins", "draws", "losses",
+                              "void_games", "goals_for", "goals_against", "mean_diff", "pairs",
+                              "diff_low95", "diff_high95"}};
+  if (are_rated(standings)) append(rows.front(), rating_columns());
   for (const Standing& standing : standings) {
     Cells cells = record_of(standing, rows.size());
     append(cells, {std::to_string(standing.void_games), fmt::format("{}", standing.goals_for),
                    fmt::format("{}", standing.goals_against)});
     append(cells, difference_cells(standing));
-    append(cells, rating_cells(standing.goals));
-    append(cells, rating_cells(standing.strength));
+    if (standing.is_rated) append(cells, rating_cells(standing));
     rows.push_back(std::move(cells));
   }
   return csv_of(rows);
@@ -112,13 +113,16 @@ std::string matchups_table(const std::vector<Group>& matchups) {
 }
 
 std::string standings_table(const std::vector<Standing>& standings) {
-  std::vector<Cells> rows = {{"", "team", "points", "games", "won", "drawn", "lost", "goals",
-                              "rating in goals [95 %]", "Bradley-Terry [95 %]"}};
+  std::vector<Cells> rows = {{"", "team", "points", "games", "won", "drawn", "lost", "goals"}};
+  append(rows.front(), are_rated(standings)
+                           ? Cells{"rating in goals [95 %]", "Bradley-Terry [95 %]"}
+                           : Cells{"goal difference [95 %]"});
   for (const Standing& standing : standings) {
     Cells cells = record_of(standing, rows.size());
-    append(cells, {fmt::format("{}:{}", standing.goals_for, standing.goals_against),
-                   mean_text(standing.goals.value, standing.goals.interval),
-                   mean_text(standing.strength.value, standing.strength.interval)});
+    cells.push_back(fmt::format("{}:{}", standing.goals_for, standing.goals_against));
+    append(cells, standing.is_rated
+                      ? rating_texts(standing)
+                      : Cells{difference_text(standing.differences, standing.pair_differences)});
     rows.push_back(std::move(cells));
   }
   return aligned(rows, {Align::kRight, Align::kLeft});

@@ -30,7 +30,7 @@ std::string table_of(const std::vector<Rehearsal>& rehearsals) {
 
 int check_verb(const CheckArguments& arguments) {
   const Scenario scenario = read_experiment(arguments.file);
-  const std::vector<PlannedGame> games = plan_of(scenario, arguments.file);
+  const std::vector<PlannedGame> games = plan(scenario);
   if (arguments.games) {
     for (const PlannedGame& game : games) fmt::print("{}\n", game.id);
     return kDone;
@@ -40,6 +40,8 @@ int check_verb(const CheckArguments& arguments) {
   const int workers = arguments.worker_count();
   fmt::print("{}\n{} games, about {} with {} at a time\n", table_of(rehearsals), games.size(),
              duration_text(duration_s(rehearsals, workers)), workers);
+  const std::string caveat = caveat_of_plan(scenario);
+  if (!caveat.empty()) fmt::print("{}\n", caveat);
   const bool all_play =
       std::all_of(rehearsals.begin(), rehearsals.end(),
                   [](const Rehearsal& rehearsal) { return rehearsal.void_reason.empty(); });
@@ -51,7 +53,9 @@ void add_check_verb(CLI::App& app, Chosen& chosen) {
       "check",
       "Read an experiment, play a few seconds of everything in it, say how long it takes.");
   auto arguments = std::make_shared<CheckArguments>();
-  verb->add_option("FILE", arguments->file, "Scenario of kind sweep, roundrobin or match.")->required();
+  verb->add_option("FILE", arguments->file,
+                   "Scenario of kind sweep, roundrobin, gauntlet, match or knockout.")
+      ->required();
   verb->add_option("-j,--workers", arguments->workers,
                    "Games that would be played at a time. Default: one per processor.")
       ->type_name("N")

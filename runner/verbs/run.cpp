@@ -56,6 +56,13 @@ int run_verb(const RunArguments& arguments) {
                      report.done, report.games));
     return kInterrupted;
   }
+  if (report.is_waiting) {
+    fmt::print(
+        "shard {} has played what is known: {} of {} games are in {}; later ties follow from games "
+        "of other shards: when these are there, the same command goes on\n",
+        options.shard.name(), report.done, report.games, options.folder.string());
+    return kDone;
+  }
   if (!report.is_complete) {
     fmt::print(
         "shard {} is done: {} of {} games are in {}; once all are there, merge them with: "
@@ -73,10 +80,11 @@ int run_verb(const RunArguments& arguments) {
 }
 
 void add_run_verb(CLI::App& app, Chosen& chosen) {
-  CLI::App* verb =
-      app.add_subcommand("run", "Run an experiment: all games of a sweep, a round robin or a match.");
+  CLI::App* verb = app.add_subcommand(
+      "run", "Run an experiment: all games of a sweep, of teams against each other, of a match.");
   auto arguments = std::make_shared<RunArguments>();
-  add_batch_options(*verb, *arguments, "Scenario of kind sweep, roundrobin or match.");
+  add_batch_options(*verb, *arguments,
+                    "Scenario of kind sweep, roundrobin, gauntlet, match or knockout.");
   verb->add_option("--shard", arguments->shard,
                    "Play only share I (from 0) of N; other runs play the others.")
       ->type_name("I/N");
@@ -84,9 +92,12 @@ void add_run_verb(CLI::App& app, Chosen& chosen) {
                  "Go on in a folder that holds games of another build; those do not count.");
   verb->footer(
       "Ctrl-C lets the running games end; a second one stops at once. The same command goes on\n"
-      "where the last one stopped. A match ends with the pair of games that decides it; shards that\n"
-      "do not share a folder play all the pairs that it may have. Shards may share a folder, or each fill one of its own, whose\n"
-      "games/*.csv are then copied into one for autoref report.\n\n"
+      "where the last one stopped. Shards may share a folder, or each fill one of its own, whose\n"
+      "games/*.csv are then copied into one for autoref report. A match ends with the pair of "
+      "games\n"
+      "that decides it; shards of their own folders play all the pairs that it may have. A shard "
+      "of\n"
+      "a knockout ends where it waits for others' games; the same command then goes on.\n\n"
       "Example:\n  autoref run scenarios/handicap-speed.yaml -o results/runs/speed -j 2");
   verb->callback([arguments, &chosen] { chosen = [arguments] { return run_verb(*arguments); }; });
 }

@@ -39,7 +39,11 @@ TEST(ChangesBetween, KnowsNothingOfAnotherKind) {
   EXPECT_EQ(changes_between(small_roundrobin({6, 5}), small_sweep()), "");
 }
 
-TEST(IsExperiment, HoldsForSweepsAndRoundRobins) {
+TEST(IsExperiment, HoldsForAllButSingleGamesAndTheReferees) {
+  EXPECT_FALSE(is_experiment({"", JudgePlan{}}));
+  EXPECT_TRUE(is_experiment({"", Gauntlet{}}));
+  EXPECT_TRUE(is_experiment({"", Knockout{}}));
+  EXPECT_TRUE(is_experiment(small_match()));
   EXPECT_TRUE(is_experiment(small_sweep()));
   EXPECT_TRUE(is_experiment(small_roundrobin({6, 5})));
   EXPECT_FALSE(is_experiment({"", GameConfiguration{}}));

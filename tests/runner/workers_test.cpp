@@ -113,6 +113,18 @@ TEST(Workers, FinishRunningJobsAfterTheFirstInterrupt) {
   EXPECT_LE(results, 4);
 }
 
+TEST(Workers, BeginNoFurtherJobOnceItIsEnough) {
+  int results = 0;
+  const Ending ending = do_jobs({0, 1, 2, 3, 4, 5, 6, 7}, {.workers = 2},
+                                {[](std::size_t) { return std::string("fine"); },
+                                 [&](const JobResult&) { ++results; },
+                                 {},
+                                 [&] { return results >= 3; }});
+  EXPECT_EQ(ending, Ending::kDone);
+  EXPECT_GE(results, 3);
+  EXPECT_LE(results, 4);
+}
+
 TEST(Workers, StopAtOnceAfterTheSecondInterrupt) {
   const auto start = std::chrono::steady_clock::now();
   int ticks = 0;
