@@ -37,8 +37,9 @@ std::vector<Cells> rows_of(const ResultFolder& folder) {
 int status_verb(const FolderArguments& arguments) {
   const ResultFolder folder = open_results(arguments.folder, arguments.build);
   print_counts(folder);
-  fmt::print("\n{}", results_of(folder.scenario, folder.format, rows_of(folder)).table);
-  if (!folder.is_complete()) {
+  const ExperimentResults results = results_of(folder.scenario, folder.format, rows_of(folder));
+  fmt::print("\n{}", results.table);
+  if (!folder.is_complete() && !results.groups.empty()) {
     fmt::print(
         "\nInterim intervals are no reason to stop: who stops at the first that pleases is "
         "wrong far more often than one time in twenty.\n");
