@@ -1,4 +1,4 @@
-#include "runner/roundrobin_reader.hpp"
+#include "runner/named_teams_reader.hpp"
 
 #include <gtest/gtest.h>
 
