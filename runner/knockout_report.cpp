@@ -34,7 +34,7 @@ std::string winner_of(const Tie& tie) {
 std::string text_of(const Score& score, const Tie& tie) {
   if (tie.games.empty()) return "-";
   if (score.a.empty()) return "void";
-  const std::string goals = fmt::format("{}:{}", score.a, score.b);
+  std::string goals = fmt::format("{}:{}", score.a, score.b);
   if (score.shootout_a.empty()) return goals;
   return fmt::format("{} ({}:{})", goals, score.shootout_a, score.shootout_b);
 }
