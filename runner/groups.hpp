@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "runner/result_shares.hpp"
 #include "runner/rows.hpp"
 #include "runner/statistics/interval.hpp"
 #include "runner/statistics/rated_games.hpp"
@@ -29,6 +30,8 @@ struct Group {
   int wins_a = 0;
   int draws = 0;
   int wins_b = 0;
+
+  ResultCounts results() const { return {wins_a, draws, wins_b}; }
 };
 
 // A group for each of `values`, in their order; `columns` names the columns that hold them. `rows`
@@ -45,6 +48,9 @@ std::vector<double> values_of(const std::map<std::string, double>& by_name);
 // empty.
 Cells summary_columns();
 Cells summary_cells(const Group& group);
+
+// And of its results: team a's wins, draws and losses, with their shares (result_shares.hpp).
+inline Cells result_columns() { return share_columns({"wins_a", "draws", "wins_b"}); }
 
 // The same for people: games, goals, the mean difference with its interval, void games.
 Cells table_columns();

@@ -6,6 +6,7 @@
 
 #include "runner/groups.hpp"
 #include "runner/named_teams.hpp"
+#include "runner/result_shares.hpp"
 #include "runner/rows.hpp"
 #include "runner/statistics/ratings.hpp"
 
@@ -32,6 +33,7 @@ struct Standing {
 
   int games() const { return wins + draws + losses; }
   int points() const { return 3 * wins + draws; }
+  ResultCounts results() const { return {wins, draws, losses}; }
 };
 
 // Best team first: by points, then by the mean of `differences`, then by name. `matchups` are those

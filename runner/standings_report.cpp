@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <tuple>
+
 #include "runner/csv.hpp"
 #include "runner/statistics/mean_interval.hpp"
 #include "runner/statistics/sample.hpp"
@@ -62,19 +64,24 @@ bool are_rated(const std::vector<Standing>& standings) {
   return !standings.empty() && standings.front().is_rated;
 }
 
+// The counts themselves stand further to the left.
+Cells shares_only(const Cells& cells) {
+  return {cells.begin() + std::tuple_size_v<ResultCounts>, cells.end()};
+}
+
 }  // namespace
 
 Cells matchup_columns() {
   Cells columns = {"team_a", "team_b"};
   append(columns, summary_columns());
-  append(columns, {"wins_a", "draws", "wins_b"});
+  append(columns, result_columns());
   return columns;
 }
 
 Cells matchup_cells(const Group& matchup) {
   Cells cells = matchup.values;
   append(cells, summary_cells(matchup));
-  append(cells, results_of(matchup));
+  append(cells, share_cells(matchup.results()));
   return cells;
 }
 
@@ -89,12 +96,14 @@ std::string standings_csv(const std::vector<Standing>& standings) {
                               "void_games", "goals_for", "goals_against", "mean_diff", "pairs",
                               "diff_low95", "diff_high95"}};
   if (are_rated(standings)) append(rows.front(), rating_columns());
+  append(rows.front(), shares_only(share_columns({"wins", "draws", "losses"})));
   for (const Standing& standing : standings) {
     Cells cells = record_of(standing, rows.size());
     append(cells, {std::to_string(standing.void_games), fmt::format("{}", standing.goals_for),
                    fmt::format("{}", standing.goals_against)});
     append(cells, difference_cells(standing));
     if (standing.is_rated) append(cells, rating_cells(standing));
+    append(cells, shares_only(share_cells(standing.results())));
     rows.push_back(std::move(cells));
   }
   return csv_of(rows);

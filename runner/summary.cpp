@@ -91,12 +91,14 @@ std::string summary_csv(const Sweep& sweep, const std::vector<Group>& groups) {
   Cells columns = factor_paths(sweep);
   append(columns, summary_columns());
   append(columns, difference_columns());
+  append(columns, result_columns());
   std::string csv = csv_line(columns) + "\n";
   const std::vector<PairedDifference> from_first = differences_from_first(groups);
   for (std::size_t i = 0; i < groups.size(); ++i) {
     Cells cells = groups[i].values;
     append(cells, summary_cells(groups[i]));
     append(cells, difference_cells(from_first[i]));
+    append(cells, share_cells(groups[i].results()));
     csv += csv_line(cells) + "\n";
   }
   return csv;

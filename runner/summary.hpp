@@ -31,7 +31,7 @@ std::optional<Slope> slope_over_factor(const Sweep& sweep, const std::vector<Gro
 // summary.csv: per combination what summary_cells() says, then how much "a minus b" differs from
 // the first combination's, over the pair numbers that both have: mean, interval, p of no
 // difference, that p with Holm's correction over all rows, and effect size
-// (statistics/paired_difference.hpp).
+// (statistics/paired_difference.hpp); last the games won, drawn and lost with their shares.
 std::string summary_csv(const Sweep& sweep, const std::vector<Group>& groups);
 
 // The table for people, several lines.

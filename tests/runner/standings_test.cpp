@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "runner/csv.hpp"
 #include "runner/plan.hpp"
 #include "runner/roundrobin.hpp"
 #include "runner/standings_report.hpp"
@@ -108,10 +109,17 @@ TEST(Standings, TakesTheWinnerOfAShootOutForTheGames) {
 TEST(StandingsReport, HasARowPerMatchupWithItsResults) {
   EXPECT_EQ(matchups_csv(matchups_in(kThreeTeams)),
             "team_a,team_b,games,void_games,mean_a,sd_a,mean_b,sd_b,mean_diff,sd_diff,pairs,"
-            "diff_low95,diff_high95,wins_a,draws,wins_b\n"
-            "bold,calm,2,0,1.5000,0.7071,0.0000,0.0000,1.5000,0.7071,1,,,2,0,0\n"
-            "bold,zone,2,0,0.5000,0.7071,1.0000,0.0000,-0.5000,0.7071,1,,,0,1,1\n"
-            "calm,zone,2,0,0.0000,0.0000,0.0000,0.0000,0.0000,0.0000,1,,,0,2,0\n");
+            "diff_low95,diff_high95," +
+                csv_line(result_columns()) +
+                "\n"
+                "bold,calm,2,0,1.5000,0.7071,0.0000,0.0000,1.5000,0.7071,1,,," +
+                csv_line(share_cells({2, 0, 0})) +
+                "\n"
+                "bold,zone,2,0,0.5000,0.7071,1.0000,0.0000,-0.5000,0.7071,1,,," +
+                csv_line(share_cells({0, 1, 1})) +
+                "\n"
+                "calm,zone,2,0,0.0000,0.0000,0.0000,0.0000,0.0000,0.0000,1,,," +
+                csv_line(share_cells({0, 2, 0})) + "\n");
 }
 
 // Every team has met every other twice, so that its rating is the sum of its differences over
@@ -121,10 +129,15 @@ TEST(StandingsReport, HasARowPerTeamWithTheIntervalOverItsPairs) {
   EXPECT_EQ(standings_csv(standings_in(kThreeTeams)),
             "rank,team,points,games,wins,draws,losses,void_games,goals_for,goals_against,mean_diff,"
             "pairs,diff_low95,diff_high95,rating_goals,rating_goals_low95,rating_goals_high95,"
-            "bradley_terry,bradley_terry_low95,bradley_terry_high95\n"
-            "1,bold,7,4,2,1,1,0,4,2,0.5000,2,-12.2062,13.2062,0.3333,,,0.2310,,\n"
-            "2,zone,6,4,1,3,0,0,2,1,0.2500,2,-2.9266,3.4266,0.1667,,,0.2310,,\n"
-            "3,calm,2,4,0,2,2,0,0,3,-0.7500,2,-10.2797,8.7797,-0.5000,,,-0.4621,,\n");
+            "bradley_terry,bradley_terry_low95,bradley_terry_high95,wins_share,wins_low95,"
+            "wins_high95,draws_share,draws_low95,draws_high95,losses_share,losses_low95,"
+            "losses_high95\n"
+            "1,bold,7,4,2,1,1,0,4,2,0.5000,2,-12.2062,13.2062,0.3333,,,0.2310,,,"
+            "0.5000,0.1500,0.8500,0.2500,0.0456,0.6994,0.2500,0.0456,0.6994\n"
+            "2,zone,6,4,1,3,0,0,2,1,0.2500,2,-2.9266,3.4266,0.1667,,,0.2310,,,"
+            "0.2500,0.0456,0.6994,0.7500,0.3006,0.9544,0.0000,0.0000,0.6024\n"
+            "3,calm,2,4,0,2,2,0,0,3,-0.7500,2,-10.2797,8.7797,-0.5000,,,-0.4621,,,"
+            "0.0000,0.0000,0.6024,0.5000,0.1500,0.8500,0.5000,0.1500,0.8500\n");
 }
 
 TEST(StandingsReport, ShowsTeamsAndMatchupsToPeople) {

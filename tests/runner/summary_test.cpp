@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "runner/csv.hpp"
 #include "tests/runner/fake_games.hpp"
 
 namespace autoref::runner {
@@ -57,9 +58,14 @@ TEST(Summary, HasARowPerValueWithMeansAndDeviations) {
   // The deviation of 1 and 3 is sqrt(2).
   EXPECT_EQ(summary_csv(kSweep, groups),
             "b.robots,games,void_games,mean_a,sd_a,mean_b,sd_b,mean_diff,sd_diff,pairs,diff_low95,"
-            "diff_high95,from_first,from_first_low95,from_first_high95,p,p_holm,effect_size\n"
-            "6,2,0,2.0000,1.4142,1.0000,0.0000,1.0000,1.4142,1,,,,,,,,\n"
-            "5,2,0,4.0000,0.0000,0.0000,0.0000,4.0000,0.0000,1,,,3.0000,,,,,\n");
+            "diff_high95,from_first,from_first_low95,from_first_high95,p,p_holm,effect_size," +
+                csv_line(result_columns()) +
+                "\n"
+                "6,2,0,2.0000,1.4142,1.0000,0.0000,1.0000,1.4142,1,,,,,,,,," +
+                csv_line(share_cells({1, 1, 0})) +
+                "\n"
+                "5,2,0,4.0000,0.0000,0.0000,0.0000,4.0000,0.0000,1,,,3.0000,,,,,," +
+                csv_line(share_cells({2, 0, 0})) + "\n");
 }
 
 TEST(Summary, FitsTheSlopeOverThePairs) {
