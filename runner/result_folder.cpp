@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <set>
-
 #include "runner/csv.hpp"
 #include "runner/errors.hpp"
 #include "runner/files.hpp"
@@ -28,11 +26,16 @@ Scenario scenario_in(const fs::path& folder) {
                    fmt::format("this is a {}, not an experiment", kind_of(scenario)));
 }
 
+std::set<std::string> builds_of(const StoredRows& stored) {
+  std::set<std::string> builds;
+  for (const StoredRow& row : stored.rows) builds.insert(row.build);
+  return builds;
+}
+
 // The build that was asked for, or the only one.
 std::string chosen_build(const StoredRows& stored, const std::string& wanted,
                          const fs::path& folder) {
-  std::set<std::string> builds;
-  for (const StoredRow& row : stored.rows) builds.insert(row.build);
+  const std::set<std::string> builds = builds_of(stored);
   if (wanted.empty() && builds.size() <= 1) return builds.empty() ? "" : *builds.begin();
   if (builds.contains(wanted)) return wanted;
   throw InputError({folder.string()}, "",
@@ -50,6 +53,10 @@ int ResultFolder::void_games() const {
     count += cells[status] == name_of(Status::kVoid) ? 1 : 0;
   }
   return count;
+}
+
+std::set<std::string> builds_in(const fs::path& path) {
+  return builds_of(read_rows(path / kGamesFolder, RowFormat(value_columns(scenario_in(path)))));
 }
 
 ResultFolder open_results(const fs::path& path, const std::string& build) {

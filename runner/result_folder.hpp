@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,9 @@ struct ResultFolder {
   int void_games() const;
   bool is_complete() const { return stock.done.size() == needed; }
 };
+
+// Whose rows a folder holds. Throws InputError where the folder is none of results.
+std::set<std::string> builds_in(const std::filesystem::path& path);
 
 // Reads a folder, whether or not a run is still filling it. Only rows of one build count: of
 // `build`, or where that is empty of the only one that there is. Throws InputError where the folder

@@ -13,8 +13,8 @@ TEST(ResultShares, AreNamedAfterTheirCounts) {
             "draws_high95,losses_share,losses_low95,losses_high95");
 }
 
-// Wilson's interval for 8 and 12 of 20 by its formula in Python; Clopper's and Pearson's for 0 of 20
-// ends at 1 - 0.025^(1/20) = 0.1684.
+// Wilson's interval for 8 and 12 of 20 by its formula in Python; Clopper's and Pearson's for 0 of
+// 20 ends at 1 - 0.025^(1/20) = 0.1684.
 TEST(ResultShares, HaveIntervalsThatFitTheirCounts) {
   EXPECT_EQ(csv_line(share_cells({8, 0, 12})),
             "8,0,12,0.4000,0.2188,0.6134,0.0000,0.0000,0.1684,0.6000,0.3866,0.7812");

@@ -1,0 +1,59 @@
+#include <fmt/format.h>
+
+#include "runner/report/default_differences.hpp"
+#include "runner/report/sections.hpp"
+
+namespace autoref::runner {
+namespace {
+
+constexpr std::size_t kMostVoidGames = 20;  // that are named
+
+}  // namespace
+
+Section void_section(const ResultFolder& folder) {
+  const std::size_t status = folder.format.column("status");
+  const std::size_t reason = folder.format.column("void_reason");
+  List list;
+  std::size_t others = 0;
+  for (const auto& [id, cells] : folder.stock.done) {
+    if (cells[status] != name_of(Status::kVoid)) continue;
+    if (list.items.size() == kMostVoidGames) {
+      ++others;
+    } else {
+      list.items.push_back(fmt::format("{}: {}", id, cells[reason]));
+    }
+  }
+  if (list.items.empty()) return {};
+  if (others > 0) list.items.push_back(fmt::format("and {} more, in results.csv", others));
+  return {Heading{"Void games"},
+          Paragraph{"They count in no mean and in no interval; the other leg of their pair counts "
+                    "in means, but not in intervals."},
+          list};
+}
+
+Section settings_section(const ResultFolder& folder, const std::string& way) {
+  const std::vector<DefaultDifference> differences = differences_from_defaults(folder.scenario);
+  Table table{{{"setting", "here", "default"}}, 3};
+  for (const DefaultDifference& difference : differences) {
+    table.rows.push_back({difference.path, difference.here, difference.by_default});
+  }
+  Section section = {Heading{"Settings"}, Link{way + "/" + kEffectiveFile, "Every setting"}};
+  if (!differences.empty()) {
+    section.emplace_back(Paragraph{"What differs from the defaults of its rule book:"});
+    section.emplace_back(table);
+  }
+  return section;
+}
+
+Section commands_section(const ResultFolder& folder, const std::string& way) {
+  const std::string build =
+      folder.stock.other_builds.empty() ? "" : fmt::format(" --build {}", folder.build);
+  return {Heading{"To reproduce it"},
+          Paragraph{fmt::format("From the folder of this report, with build {}:", folder.build)},
+          Verbatim{fmt::format("autoref run {0}/{1} -o again     # plays every game anew\n"
+                               "autoref verify {0}{2} --sample 5   # plays some, and compares\n"
+                               "autoref report {0}{2}              # writes this report again\n",
+                               way, kEffectiveFile, build)}};
+}
+
+}  // namespace autoref::runner

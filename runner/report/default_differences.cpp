@@ -1,0 +1,88 @@
+#include "runner/report/default_differences.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <type_traits>
+
+#include "runner/experiment_kinds.hpp"
+#include "runner/factor_reader.hpp"
+#include "runner/fields.hpp"
+
+namespace autoref::runner {
+namespace {
+
+using Values = std::map<std::string, std::string>;  // by path
+using Teams = std::map<std::string, TeamConfiguration>;
+
+Values values_of(const std::vector<Setting>& settings) {
+  Values values;
+  for (const Setting& setting : settings) {
+    if (!is_alias(setting) && !is_decided_by_plan(setting.path)) {
+      values[setting.path] = value_of(setting);
+    }
+  }
+  return values;
+}
+
+void compare(const Values& here, const Values& defaults, std::vector<DefaultDifference>& found) {
+  for (const auto& [path, value] : here) {
+    const auto usual = defaults.find(path);
+    const std::string by_default = usual == defaults.end() ? "not given" : usual->second;
+    if (value != by_default) found.push_back({short_path(path), value, by_default});
+  }
+}
+
+Values defaults_for(const GameConfiguration& game) {
+  GameConfiguration usual;
+  set_by_path(usual, "match.rules", game.match.rules);
+  Values values = values_of(settings_of(usual));
+  values["match.rules"] = MatchConfiguration{}.rules;
+  return values;
+}
+
+void compare_games(GameConfiguration game, bool has_named_teams,
+                   std::vector<DefaultDifference>& found) {
+  Values here = values_of(settings_of(game));
+  if (has_named_teams) {
+    std::erase_if(here, [](const auto& value) { return value.first.starts_with("teams."); });
+  }
+  compare(here, defaults_for(game), found);
+}
+
+void compare_teams(const GameConfiguration& base, Teams teams,
+                   std::vector<DefaultDifference>& found) {
+  GameConfiguration usual;
+  set_by_path(usual, "match.rules", base.match.rules);
+  for (auto& [name, team] : teams) {
+    const std::string prefix = fmt::format("teams.{}.", name);
+    compare(values_of(settings_of(team, base.types, prefix)),
+            values_of(settings_of(usual.a, usual.types, prefix)), found);
+  }
+}
+
+// A setting that a factor varies has no value of its own.
+void leave_out_factors(const Scenario& scenario, std::vector<DefaultDifference>& found) {
+  for (const std::string& factor : value_columns(scenario)) {
+    std::erase_if(found, [&](const auto& difference) { return difference.path == factor; });
+  }
+}
+
+}  // namespace
+
+std::vector<DefaultDifference> differences_from_defaults(const Scenario& scenario) {
+  std::vector<DefaultDifference> found;
+  std::visit(
+      [&found](const auto& content) {
+        if constexpr (requires { content.base; }) {
+          constexpr bool kHasTeams = requires { Teams(content.teams); };
+          compare_games(content.base, kHasTeams, found);
+          if constexpr (kHasTeams) compare_teams(content.base, content.teams, found);
+        }
+      },
+      scenario.content);
+  leave_out_factors(scenario, found);
+  return found;
+}
+
+}  // namespace autoref::runner

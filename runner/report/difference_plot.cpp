@@ -1,0 +1,98 @@
+#include <fmt/format.h>
+
+#include "runner/csv.hpp"
+#include "runner/report/factor_axis.hpp"
+#include "runner/report/plots.hpp"
+#include "runner/statistics/mean_interval.hpp"
+#include "runner/statistics/sample.hpp"
+#include "runner/summary.hpp"
+
+namespace autoref::runner {
+namespace {
+
+constexpr int kCurveHeight_px = 400;
+constexpr int kRowHeight_px = 26;
+constexpr int kFrameHeight_px = 90;
+
+constexpr const char* kWhatBarsAre =
+    "the bars are Student's 95 % intervals over pairs of legs. Above 0, team a is better.";
+
+// `value` is the factor's, or the row's number.
+std::string csv_of(const std::vector<Group>& groups, const std::vector<std::string>& names,
+                   bool has_factor) {
+  std::string csv = has_factor ? "value,pairs,mean_diff,low95,high95\n"
+                               : "row,name,pairs,mean_diff,low95,high95\n";
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const Group& group = groups[i];
+    if (group.differences.empty()) continue;
+    const auto& [low, high] = bounds_of(mean_interval(values_of(group.pair_differences)));
+    Cells cells = has_factor ? group.values : Cells{std::to_string(i + 1), names[i]};
+    append(cells, {std::to_string(group.pair_differences.size()),
+                   number_cell(mean(group.differences)), number_cell(low), number_cell(high)});
+    csv += csv_line(cells) + "\n";
+  }
+  return csv;
+}
+
+std::string slope_text(const Scenario& scenario, const std::vector<Group>& groups) {
+  const auto* sweep = std::get_if<Sweep>(&scenario.content);
+  const std::optional<Slope> slope =
+      sweep == nullptr ? std::nullopt : slope_over_factor(*sweep, groups);
+  if (!slope) return "";
+  return fmt::format(" Slope: {} goals a game per unit of {}.",
+                     mean_text(slope->mean, slope->interval), sweep->factors.front().path);
+}
+
+std::string curve_script(const NumericFactor& factor, const std::vector<Group>& groups) {
+  return script_head("difference", kCurveHeight_px) + factor_axis(factor, groups) +
+         fmt::format(
+             "set ylabel 'goals of a minus goals of b, 95 % interval'\n"
+             "set yrange [*<0:0<*]\n"
+             "plot data using 'value':'low95':'high95' with filledcurves lc rgb '{0}' fs "
+             "transparent solid 0.15 notitle, \\\n"
+             "     0 with lines lc rgb '#777777' dt 2 notitle, \\\n"
+             "     data using 'value':'mean_diff':'low95':'high95' with yerrorbars pt -1 lw 1.5 lc "
+             "rgb '{0}' notitle, \\\n"
+             "     data using 'value':'mean_diff' with linespoints pt 7 ps 0.7 lw 2 lc rgb '{0}' "
+             "notitle\n",
+             kBlue);
+}
+
+std::string rows_script(const Scenario& scenario, const std::vector<std::string>& names) {
+  const int rows = static_cast<int>(names.size());
+  return script_head("difference", kFrameHeight_px + kRowHeight_px * rows) +
+         script_tics("y", names) +
+         fmt::format(
+             "set ylabel {0}\n"
+             "set yrange [{1}.6:0.4]\n"
+             "set xlabel 'goals of a minus goals of b, 95 % interval'\n"
+             "set xrange [*<0:0<*]\n"
+             "set arrow from first 0, graph 0 to first 0, graph 1 nohead lc rgb '#777777' dt 2\n"
+             "plot data using 'mean_diff':'row':'low95':'high95' with xerrorbars pt -1 lw 2 lc rgb "
+             "'{2}' notitle, \\\n"
+             "     data using 'mean_diff':'row' with points pt 7 ps 0.8 lc rgb '{2}' notitle\n",
+             script_text(axis_name(scenario)), rows, kBlue);
+}
+
+}  // namespace
+
+std::optional<Plot> difference_plot(const Scenario& scenario, const ExperimentResults& results) {
+  const std::vector<Group>& groups = results.groups;
+  if (!has_games(groups)) return std::nullopt;
+  std::vector<std::string> names = names_of(scenario, groups);
+  Plot plot{"difference", "", csv_of(groups, names, false), ""};
+  if (const auto factor = numeric_factor(scenario, groups)) {
+    plot.about = fmt::format("Mean goal difference against {}; {}{}", factor->path, kWhatBarsAre,
+                             slope_text(scenario, groups));
+    plot.csv = csv_of(groups, names, true);
+    plot.script = curve_script(*factor, groups);
+    return plot;
+  }
+  plot.about = fmt::format("Mean goal difference of each {}; {}",
+                           value_columns(scenario).empty() ? "matchup" : "value", kWhatBarsAre);
+  names.resize(std::min(names.size(), kMostGroupsInPlot));
+  plot.script = rows_script(scenario, names);
+  return plot;
+}
+
+}  // namespace autoref::runner

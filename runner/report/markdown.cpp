@@ -1,0 +1,100 @@
+// Documents as Markdown, in GitHub's dialect for its tables.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "runner/report/document.hpp"
+
+namespace autoref::runner {
+namespace {
+
+bool is_markup(char c) { return std::string_view("\\`*_[]<>|#~$&").find(c) != std::string::npos; }
+
+bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+
+// A line that begins so would be a list or a rule.
+bool begins_block(const std::string& text) {
+  if (text.empty()) return false;
+  if (text.front() == '-' || text.front() == '+' || text.front() == '=') return true;
+  const std::size_t number = text.find_first_not_of("0123456789");
+  return number != 0 && number != std::string::npos && (text[number] == '.' || text[number] == ')');
+}
+
+std::string inline_text(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (is_markup(c)) escaped += '\\';
+    escaped += is_line_end(c) ? ' ' : c;
+  }
+  return escaped;
+}
+
+// Text at the beginning of a line.
+std::string escaped_line(const std::string& text) {
+  std::string line = inline_text(text);
+  line.erase(0, line.find_first_not_of(' '));
+  if (!begins_block(line)) return line;
+  const std::size_t mark = line.find_first_not_of("0123456789");
+  return line.insert(mark, "\\");
+}
+
+std::string row_of(const std::vector<std::string>& cells) {
+  std::vector<std::string> escaped;
+  std::transform(cells.begin(), cells.end(), std::back_inserter(escaped), inline_text);
+  return fmt::format("| {} |\n", fmt::join(escaped, " | "));
+}
+
+// Longer than any run of backticks in the text.
+std::string fence_for(const std::string& text) {
+  std::size_t longest = 2;
+  std::size_t run = 0;
+  for (const char c : text) {
+    run = c == '`' ? run + 1 : 0;
+    longest = std::max(longest, run);
+  }
+  return std::string(longest + 1, '`');
+}
+
+std::string text_of(const Heading& heading) { return "## " + inline_text(heading.text) + "\n"; }
+std::string text_of(const Paragraph& paragraph) { return escaped_line(paragraph.text) + "\n"; }
+
+std::string text_of(const List& list) {
+  std::string text;
+  for (const std::string& item : list.items) text += "- " + escaped_line(item) + "\n";
+  return text;
+}
+
+std::string text_of(const Table& table) {
+  std::vector<std::string> rule(table.rows.front().size(), "--:");
+  std::fill_n(rule.begin(), std::min(table.names, rule.size()), "---");
+  std::string text = row_of(table.rows.front()) + fmt::format("|{}|\n", fmt::join(rule, "|"));
+  for (std::size_t i = 1; i < table.rows.size(); ++i) text += row_of(table.rows[i]);
+  return text;
+}
+
+std::string text_of(const Verbatim& verbatim) {
+  const std::string fence = fence_for(verbatim.text);
+  const bool is_ended = verbatim.text.empty() || verbatim.text.back() == '\n';
+  return fmt::format("{}\n{}{}{}\n", fence, verbatim.text, is_ended ? "" : "\n", fence);
+}
+
+std::string text_of(const Link& link) {
+  return fmt::format("[{}]({})\n", inline_text(link.text), link.file);
+}
+
+std::string text_of(const Figure& figure) {
+  return fmt::format("![{0}]({1}/{0}.svg)\n\n{2} ([data]({1}/{0}.csv), [script]({1}/{0}.gp))\n",
+                     figure.name, figure.folder, escaped_line(figure.caption));
+}
+
+}  // namespace
+
+std::string markdown_of(const Document& document) {
+  std::string text = "# " + inline_text(document.title) + "\n";
+  for (const Block& block : document.blocks) {
+    text += "\n" + std::visit([](const auto& content) { return text_of(content); }, block);
+  }
+  return text;
+}
+
+}  // namespace autoref::runner

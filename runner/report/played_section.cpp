@@ -1,0 +1,64 @@
+#include <fmt/format.h>
+
+#include <variant>
+
+#include "runner/report/sections.hpp"
+#include "runner/words.hpp"
+
+namespace autoref::runner {
+namespace {
+
+std::string master_seed(const Scenario& scenario) {
+  return std::visit([](const auto& content) { return std::to_string(content.seed); },
+                    scenario.content);
+}
+
+std::string kind_text(const Scenario& scenario) {
+  const std::vector<std::string> factors = value_columns(scenario);
+  return factors.empty() ? std::string(kind_of(scenario))
+                         : fmt::format("{} of {}", kind_of(scenario), listed(factors));
+}
+
+std::size_t pairs_of(const std::vector<Group>& groups) {
+  std::size_t pairs = 0;
+  for (const Group& group : groups) pairs += group.pair_differences.size();
+  return pairs;
+}
+
+// What is there but does not count; rows only where there is any.
+void add_rows_that_do_not_count(Table& table, const ResultFolder& folder) {
+  if (folder.damaged > 0) {
+    table.rows.push_back({"damaged rows, which do not count", std::to_string(folder.damaged)});
+  }
+  if (folder.stock.other_games > 0) {
+    table.rows.push_back({"rows of games that the experiment does not have",
+                          std::to_string(folder.stock.other_games)});
+  }
+  for (const auto& [build, count] : folder.stock.other_builds) {
+    table.rows.push_back(
+        {"rows of build " + build + ", which do not count here", std::to_string(count)});
+  }
+}
+
+}  // namespace
+
+Section played_section(const ResultFolder& folder, const ExperimentResults& results) {
+  Table table{{{"what", ""},
+               {"kind", kind_text(folder.scenario)},
+               {"games", fmt::format("{} of {}", folder.stock.done.size(), folder.games.size())},
+               {"pairs of legs without a void game", std::to_string(pairs_of(results.groups))},
+               {"void games", std::to_string(folder.void_games())},
+               {"build", folder.build.empty() ? "none" : folder.build},
+               {"master seed", master_seed(folder.scenario)}},
+              2};
+  add_rows_that_do_not_count(table, folder);
+  Section section = {Heading{"What was played"}, table};
+  if (!folder.is_complete()) {
+    section.emplace_back(
+        Paragraph{fmt::format("{} games are missing. {}",
+                              folder.games.size() - folder.stock.done.size(), kInterimWarning)});
+  }
+  return section;
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,61 @@
+#include "runner/report/plot.hpp"
+
+#include <fmt/format.h>
+
+namespace autoref::runner {
+namespace {
+
+constexpr int kWidth_px = 800;
+constexpr std::size_t kLongestLabel = 34;  // letters
+
+bool begins_letter(char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }
+
+bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
+
+}  // namespace
+
+std::string script_head(std::string_view name, int height_px) {
+  return fmt::format(
+      "# Draws {0}.svg from {0}.csv: gnuplot {0}.gp\n"
+      "reset\n"
+      "set encoding utf8\n"
+      "set terminal svg noenhanced size {1},{2} font 'Helvetica,13' background 'white' name '{0}'\n"
+      "set output '{0}.svg'\n"
+      "set datafile separator ','\n"
+      "set datafile columnheaders\n"
+      "data = '{0}.csv'\n"
+      "set border 3 lc rgb '#777777'\n"
+      "set tics nomirror out\n"
+      "set grid lc rgb '#e4e4e4' lt 1 lw 1\n",
+      name, kWidth_px, height_px);
+}
+
+std::string script_text(std::string_view text) {
+  std::string quoted = "'";
+  for (const char c : text) {
+    if (c == '\'') quoted += '\'';
+    quoted += is_control(c) ? ' ' : c;
+  }
+  return quoted + "'";
+}
+
+std::string script_tics(std::string_view axis, const std::vector<std::string>& labels) {
+  std::vector<std::string> tics;
+  for (const std::string& label : labels) {
+    tics.push_back(
+        fmt::format("{} {}", script_text(shortened(label, kLongestLabel)), tics.size() + 1));
+  }
+  return fmt::format("set {}tics ({})\n", axis, fmt::join(tics, ", "));
+}
+
+std::string shortened(const std::string& text, std::size_t letters) {
+  std::size_t count = 0;
+  std::size_t cut = 0;  // where the last letter that may stay before an ellipsis ends
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (!begins_letter(text[i])) continue;
+    if (++count == letters) cut = i;
+  }
+  return count <= letters ? text : text.substr(0, cut) + "…";
+}
+
+}  // namespace autoref::runner

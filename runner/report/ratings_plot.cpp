@@ -1,0 +1,70 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "runner/csv.hpp"
+#include "runner/report/factor_axis.hpp"
+#include "runner/report/plots.hpp"
+
+namespace autoref::runner {
+namespace {
+
+constexpr int kFrameHeight_px = 90;
+constexpr int kRowHeight_px = 32;
+
+Cells cells_of(const Rating& rating) {
+  const auto& [low, high] = bounds_of(rating.interval);
+  return {number_cell(rating.value), number_cell(low), number_cell(high)};
+}
+
+std::string csv_of(const std::vector<Standing>& standings) {
+  std::string csv =
+      "rank,team,goals,goals_low95,goals_high95,bradley_terry,bradley_terry_low95,"
+      "bradley_terry_high95\n";
+  for (std::size_t i = 0; i < standings.size(); ++i) {
+    Cells cells = {std::to_string(i + 1), standings[i].team};
+    append(cells, cells_of(standings[i].goals));
+    append(cells, cells_of(standings[i].strength));
+    csv += csv_line(cells) + "\n";
+  }
+  return csv;
+}
+
+std::string panel(const char* column, const char* label, const char* colour) {
+  return fmt::format(
+      "set xlabel '{1}'\n"
+      "plot data using '{0}':'rank':(0):'{0}':(column('rank') - 0.32):(column('rank') + 0.32) with "
+      "boxxyerror fs solid 0.45 noborder lc rgb '{2}' notitle, \\\n"
+      "     data using '{0}':'rank':'{0}_low95':'{0}_high95' with xerrorbars pt -1 lw 2 lc rgb "
+      "'#333333' notitle\n",
+      column, label, colour);
+}
+
+std::string script_of(const std::vector<Standing>& standings) {
+  std::vector<std::string> teams;
+  for (const Standing& standing : standings) teams.push_back(standing.team);
+  return script_head("ratings", kFrameHeight_px + kRowHeight_px * static_cast<int>(teams.size())) +
+         script_tics("y", teams) +
+         fmt::format(
+             "set yrange [{}.6:0.4]\n"
+             "set xrange [*<0:0<*]\n"
+             "set arrow from first 0, graph 0 to first 0, graph 1 nohead lc rgb '#777777' front\n"
+             "set multiplot layout 1,2\n",
+             teams.size()) +
+         panel("goals", "goals a game above the average team", kBlue) +
+         panel("bradley_terry", "Bradley-Terry strength", kVermilion) + "unset multiplot\n";
+}
+
+}  // namespace
+
+std::optional<Plot> ratings_plot(const ExperimentResults& results) {
+  if (results.standings.empty() || !has_games(results.groups)) return std::nullopt;
+  return Plot{
+      "ratings",
+      "Ratings of the teams, best first: in goals a game (least squares), and Bradley's and "
+      "Terry's strength, by which a beats b with probability 1 / (1 + exp(b - a)). The bars "
+      "are 95 % intervals from resampled pairs of legs.",
+      csv_of(results.standings), script_of(results.standings)};
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,110 @@
+#include "runner/report/report.hpp"
+
+#include <fmt/format.h>
+
+#include "runner/errors.hpp"
+#include "runner/files.hpp"
+#include "runner/report/plots.hpp"
+#include "runner/report/sections.hpp"
+
+namespace autoref::runner {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct DrawnPlot {
+  Plot plot;
+  Drawing drawing;
+};
+
+void write_drawing(const fs::path& file, const std::string& svg) {
+  if (!svg.empty()) return replace_file(file, svg);
+  std::error_code error;
+  fs::remove(file, error);
+  if (error) throw InputOutputError(fmt::format("{}: {}", file.string(), error.message()));
+}
+
+// Asks no further for a gnuplot that is not there.
+std::vector<DrawnPlot> drawn(const std::vector<Plot>& plots) {
+  std::vector<DrawnPlot> all;
+  for (const Plot& plot : plots) {
+    const bool is_missing = !all.empty() && all.back().drawing.is_missing;
+    all.push_back({plot, is_missing ? all.back().drawing : draw(plot)});
+  }
+  return all;
+}
+
+void write_plots(const fs::path& folder, const std::vector<DrawnPlot>& plots) {
+  create_folder(folder);
+  for (const auto& [plot, drawing] : plots) {
+    replace_file(folder / (plot.name + ".csv"), plot.csv);
+    replace_file(folder / (plot.name + ".gp"), plot.script);
+    write_drawing(folder / (plot.name + ".svg"), drawing.svg);
+  }
+}
+
+std::string missing_text(const std::string& way) {
+  return fmt::format(
+      "The plots are not drawn, because gnuplot is not installed: apt-get install gnuplot-nox, "
+      "then "
+      "autoref report {} again. Their data and scripts are in {}.",
+      way, kPlotsFolder);
+}
+
+std::vector<std::string> troubles_of(const std::vector<DrawnPlot>& plots, const std::string& way) {
+  if (!plots.empty() && plots.front().drawing.is_missing) return {missing_text(way)};
+  std::vector<std::string> troubles;
+  for (const auto& [plot, drawing] : plots) {
+    if (drawing.trouble.empty()) continue;
+    troubles.push_back(
+        fmt::format("{}/{}.svg is not drawn: {}", kPlotsFolder, plot.name, drawing.trouble));
+  }
+  return troubles;
+}
+
+Section plots_section(const std::vector<DrawnPlot>& plots, const std::string& way) {
+  if (plots.empty()) return {};
+  Section section = {Heading{"Plots"}};
+  for (const std::string& trouble : troubles_of(plots, way)) {
+    section.emplace_back(Paragraph{trouble});
+  }
+  for (const auto& [plot, drawing] : plots) {
+    if (!drawing.svg.empty()) {
+      section.emplace_back(Figure{kPlotsFolder, plot.name, plot.about, drawing.svg});
+    }
+  }
+  return section;
+}
+
+Document document_of(const ResultFolder& folder, const ExperimentResults& results,
+                     const std::vector<DrawnPlot>& plots, const std::string& way) {
+  Document document{title_of(folder.scenario), {}};
+  for (const Section& section :
+       {played_section(folder, results), results_section(folder, results),
+        plots_section(plots, way), shares_section(folder, results), crosstable_section(results),
+        void_section(folder), settings_section(folder, way), commands_section(folder, way)}) {
+    document.blocks.insert(document.blocks.end(), section.begin(), section.end());
+  }
+  return document;
+}
+
+}  // namespace
+
+std::string title_of(const Scenario& scenario) {
+  return scenario.about.empty() ? fmt::format("A {}", kind_of(scenario)) : scenario.about;
+}
+
+WrittenReport write_report(const ResultFolder& folder, const ExperimentResults& results,
+                           const fs::path& into) {
+  const std::string way = into == folder.path ? "." : "..";
+  const std::vector<DrawnPlot> plots = drawn(plots_of(folder.scenario, results));
+  write_plots(into / kPlotsFolder, plots);
+  const Document document = document_of(folder, results, plots, way);
+  replace_file(into / kMarkdownReport, markdown_of(document));
+  replace_file(into / kHtmlReport, html_of(document));
+  WrittenReport written{0, troubles_of(plots, way)};
+  for (const auto& [plot, drawing] : plots) written.drawn += drawing.svg.empty() ? 0 : 1;
+  return written;
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,91 @@
+#include <fmt/format.h>
+
+#include "runner/report/crosstable.hpp"
+#include "runner/report/group_names.hpp"
+#include "runner/report/sections.hpp"
+
+namespace autoref::runner {
+namespace {
+
+List meaning_of_intervals(const ResultFolder& folder, const ExperimentResults& results) {
+  List list{
+      {"Every interval is made by a rule that holds the true value in 95 % of experiments.",
+       "Goals are mean ± standard deviation of a game.",
+       "a minus b is the mean goal difference of a game. Its interval is Student's over pairs "
+       "of legs with the sides changed; a pair with a void game is left out."}};
+  if (std::holds_alternative<Sweep>(folder.scenario.content) && results.groups.size() > 1) {
+    list.items.emplace_back(
+        "From the first: how much more, pair by pair against the pairs of the same number at the "
+        "first value; p is that of the paired t test, with Holm's correction over the table.");
+  }
+  if (!results.standings.empty()) {
+    list.items.emplace_back(
+        "A win is three points, a draw one. Ratings have intervals from resampled pairs of legs.");
+  }
+  return list;
+}
+
+std::vector<std::string> share_texts(const ResultCounts& counts) {
+  const int games = counts[0] + counts[1] + counts[2];
+  std::vector<std::string> texts = {std::to_string(games)};
+  for (const int count : counts) texts.push_back(share_text(count, games));
+  return texts;
+}
+
+Table groups_shares(const Scenario& scenario, const std::vector<Group>& groups) {
+  Table table{{value_heads(scenario, groups)}, value_heads(scenario, groups).size()};
+  append(table.rows.front(), {"games", "a won [95 %]", "drawn [95 %]", "b won [95 %]"});
+  for (const Group& group : groups) {
+    table.rows.push_back(group.values);
+    append(table.rows.back(), share_texts(group.results()));
+  }
+  return table;
+}
+
+Table teams_shares(const std::vector<Standing>& standings) {
+  Table table{{{"team", "games", "won [95 %]", "drawn [95 %]", "lost [95 %]"}}, 1};
+  for (const Standing& standing : standings) {
+    table.rows.push_back({standing.team});
+    append(table.rows.back(), share_texts(standing.results()));
+  }
+  return table;
+}
+
+std::string cross_text(const std::optional<CrossCell>& cell) {
+  if (!cell || !cell->mean_difference) return "";
+  return fmt::format("{} ({:+.2f})", cell->points(), *cell->mean_difference);
+}
+
+}  // namespace
+
+Section results_section(const ResultFolder& folder, const ExperimentResults& results) {
+  return {Heading{"Results"}, Verbatim{results.table}, meaning_of_intervals(folder, results)};
+}
+
+Section shares_section(const ResultFolder& folder, const ExperimentResults& results) {
+  if (results.groups.empty()) return {};
+  Section section = {Heading{"Won, drawn, lost"},
+                     Paragraph{"Shares of games with Wilson's 95 % interval, Clopper's and "
+                               "Pearson's where it is none or all of them; games are taken as "
+                               "independent."}};
+  if (!results.standings.empty()) section.emplace_back(teams_shares(results.standings));
+  section.emplace_back(groups_shares(folder.scenario, results.groups));
+  return section;
+}
+
+Section crosstable_section(const ExperimentResults& results) {
+  const std::optional<Crosstable> crosstable = crosstable_of(results);
+  if (!crosstable) return {};
+  Table table{{{"team"}}, 1};
+  append(table.rows.front(), crosstable->teams);
+  for (std::size_t row = 0; row < crosstable->teams.size(); ++row) {
+    table.rows.push_back({crosstable->teams[row]});
+    for (const auto& cell : crosstable->cells[row]) table.rows.back().push_back(cross_text(cell));
+  }
+  return {Heading{"Crosstable"},
+          Paragraph{"Points that the row's team won against the column's, 3 for a win and 1 for a "
+                    "draw, and its mean goal difference."},
+          table};
+}
+
+}  // namespace autoref::runner

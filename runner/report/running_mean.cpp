@@ -1,0 +1,53 @@
+#include "runner/report/running_mean.hpp"
+
+#include <algorithm>
+
+#include "runner/statistics/mean_interval.hpp"
+#include "runner/statistics/sample.hpp"
+#include "runner/words.hpp"
+
+namespace autoref::runner {
+namespace {
+
+constexpr double kMargin = 0.05;       // of the span, above and below
+constexpr std::size_t kWildPairs = 5;  // whose intervals may leave the axis
+
+std::vector<double> in_order_of_numbers(const std::map<std::string, double>& by_pair) {
+  std::map<int, double> by_number;
+  for (const auto& [pair, value] : by_pair) {
+    by_number[whole_number_in(pair).value_or(0)] = value;
+  }
+  std::vector<double> values;
+  for (const auto& [number, value] : by_number) values.push_back(value);
+  return values;
+}
+
+}  // namespace
+
+std::vector<RunningMean> running_means(const Group& group) {
+  const std::vector<double> values = in_order_of_numbers(group.pair_differences);
+  std::vector<RunningMean> means;
+  for (std::size_t n = 1; n <= values.size(); ++n) {
+    const std::span<const double> first(values.data(), n);
+    means.push_back({mean(first), mean_interval(first)});
+  }
+  return means;
+}
+
+Interval span_to_show(const std::vector<RunningMean>& means) {
+  Interval span;
+  const auto include = [&span](double value) {
+    span = {std::min(span.low, value), std::max(span.high, value)};
+  };
+  const std::size_t wild = std::min(kWildPairs, means.size() - 1);
+  for (std::size_t i = 0; i < means.size(); ++i) {
+    include(means[i].mean);
+    if (i < wild || !means[i].interval) continue;
+    include(means[i].interval->low);
+    include(means[i].interval->high);
+  }
+  const double width = span.high > span.low ? span.high - span.low : 1;
+  return {span.low - kMargin * width, span.high + kMargin * width};
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,61 @@
+#include <fmt/format.h>
+
+#include "runner/csv.hpp"
+#include "runner/report/factor_axis.hpp"
+#include "runner/report/plots.hpp"
+#include "runner/statistics/sample.hpp"
+
+namespace autoref::runner {
+namespace {
+
+constexpr int kHeight_px = 400;
+
+std::string csv_of(const std::vector<Group>& groups) {
+  std::string csv = "value,games,mean_a,sd_a,mean_b,sd_b\n";
+  for (const Group& group : groups) {
+    if (group.goals_a.empty()) continue;
+    Cells cells = {group.values.front(), std::to_string(group.goals_a.size())};
+    for (const auto* goals : {&group.goals_a, &group.goals_b}) {
+      append(cells, {number_cell(mean(*goals)), number_cell(standard_deviation(*goals))});
+    }
+    csv += csv_line(cells) + "\n";
+  }
+  return csv;
+}
+
+// Bars beside each other, so that none hides the other.
+std::string curve(char team, const char* colour, int point, char shift) {
+  return fmt::format(
+      "data using (column('value') {3} dodge):'mean_{0}':'sd_{0}' with yerrorbars pt -1 lw 1.5 lc "
+      "rgb '{1}' notitle, \\\n"
+      "     data using (column('value') {3} dodge):'mean_{0}' with linespoints pt {2} ps 0.7 lw 2 "
+      "lc rgb '{1}' title 'team {0}'",
+      team, colour, point, shift);
+}
+
+std::string script_of(const NumericFactor& factor, const std::vector<Group>& groups) {
+  return script_head("scores", kHeight_px) + factor_axis(factor, groups) +
+         fmt::format(
+             "set ylabel 'goals a game, mean and standard deviation'\n"
+             "set yrange [*<0:*]\n"
+             "set key top left reverse Left\n"
+             "dodge = {}\n"
+             "plot {}, \\\n     {}\n",
+             dodge_of(factor), curve('a', kBlue, 7, factor.is_falling() ? '+' : '-'),
+             curve('b', kVermilion, 5, factor.is_falling() ? '-' : '+'));
+}
+
+}  // namespace
+
+std::optional<Plot> scores_plot(const Scenario& scenario, const ExperimentResults& results) {
+  const std::optional<NumericFactor> factor = numeric_factor(scenario, results.groups);
+  if (!factor || !has_games(results.groups)) return std::nullopt;
+  return Plot{"scores",
+              fmt::format("Goals of both teams against {}: mean of each value's games, and their "
+                          "standard deviation as bars (how much a single game varies, not what the "
+                          "mean is known to). The form of the AutoRef paper's Fig. 5.",
+                          factor->path),
+              csv_of(results.groups), script_of(*factor, results.groups)};
+}
+
+}  // namespace autoref::runner

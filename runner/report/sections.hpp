@@ -1,0 +1,42 @@
+// The sections of a report, in words.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "runner/report/document.hpp"
+#include "runner/result_folder.hpp"
+
+namespace autoref::runner {
+
+using Section = std::vector<Block>;  // empty where there is nothing to say
+
+// What was played, how much of it, and what with. Says that interim intervals are not for stopping
+// where games are missing.
+Section played_section(const ResultFolder& folder, const ExperimentResults& results);
+
+// The terminal's table, and what its intervals mean.
+Section results_section(const ResultFolder& folder, const ExperimentResults& results);
+
+// Shares of games won, drawn and lost: of each group, and of each team that has a standing.
+Section shares_section(const ResultFolder& folder, const ExperimentResults& results);
+
+// Points and goal difference of each team against each.
+Section crosstable_section(const ExperimentResults& results);
+
+// The games that count nowhere, and why.
+Section void_section(const ResultFolder& folder);
+
+// What a reader needs to know of the settings.
+Section settings_section(const ResultFolder& folder, const std::string& way);
+
+// Commands that play and check the same games; `way` leads from the report to the folder of
+// results: "." or "..".
+Section commands_section(const ResultFolder& folder, const std::string& way);
+
+// Said wherever an experiment is not complete.
+inline constexpr const char* kInterimWarning =
+    "Interim intervals are no reason to stop: who stops at the first that pleases is wrong far "
+    "more often than one time in twenty.";
+
+}  // namespace autoref::runner
