@@ -8,6 +8,10 @@ namespace {
 
 constexpr std::size_t kMostVoidGames = 20;  // that are named
 
+std::string effective_file(const std::string& way) {
+  return way == "." ? kEffectiveFile : fmt::format("{}/{}", way, kEffectiveFile);
+}
+
 }  // namespace
 
 Section void_section(const ResultFolder& folder) {
@@ -37,7 +41,7 @@ Section settings_section(const ResultFolder& folder, const std::string& way) {
   for (const DefaultDifference& difference : differences) {
     table.rows.push_back({difference.path, difference.here, difference.by_default});
   }
-  Section section = {Heading{"Settings"}, Link{way + "/" + kEffectiveFile, "Every setting"}};
+  Section section = {Heading{"Settings"}, Link{effective_file(way), "Every setting"}};
   if (!differences.empty()) {
     section.emplace_back(Paragraph{"What differs from the defaults of its rule book:"});
     section.emplace_back(table);
@@ -46,14 +50,17 @@ Section settings_section(const ResultFolder& folder, const std::string& way) {
 }
 
 Section commands_section(const ResultFolder& folder, const std::string& way) {
-  const std::string build =
-      folder.stock.other_builds.empty() ? "" : fmt::format(" --build {}", folder.build);
-  return {Heading{"To reproduce it"},
-          Paragraph{fmt::format("From the folder of this report, with build {}:", folder.build)},
-          Verbatim{fmt::format("autoref run {0}/{1} -o again     # plays every game anew\n"
-                               "autoref verify {0}{2} --sample 5   # plays some, and compares\n"
-                               "autoref report {0}{2}              # writes this report again\n",
-                               way, kEffectiveFile, build)}};
+  const std::string folder_and_build =
+      way + (folder.stock.other_builds.empty() ? "" : " --build " + folder.build);
+  return {
+      Heading{"To reproduce it"},
+      Paragraph{fmt::format("In the folder of this report, with build {}, these play every game "
+                            "anew, play five again and compare, and write the report again:",
+                            folder.build)},
+      Verbatim{fmt::format("autoref run {0} -o again\n"
+                           "autoref verify {1} --sample 5\n"
+                           "autoref report {1}\n",
+                           effective_file(way), folder_and_build)}};
 }
 
 }  // namespace autoref::runner

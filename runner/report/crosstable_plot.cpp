@@ -43,11 +43,11 @@ std::string csv_of(const Crosstable& table) {
   return csv;
 }
 
-// White lies at 0: the colours reach as far on both sides.
+// The greatest root of a difference: white lies at 0, and the colours reach as far on both sides.
 double reach_of(const Crosstable& table) {
   double reach = 0;
   for_each_result(table, [&reach](std::size_t, std::size_t, const CrossCell& cell) {
-    reach = std::max(reach, std::abs(*cell.mean_difference));
+    reach = std::max(reach, std::sqrt(std::abs(*cell.mean_difference)));
   });
   return reach > 0 ? reach : 1;
 }
@@ -65,11 +65,13 @@ std::string script_of(const Crosstable& table) {
              "set xrange [0.5:{0}.5]\n"
              "set yrange [{0}.5:0.5]\n"
              "set cbrange [{1:.4f}:{2:.4f}]\n"
-             "set cblabel 'mean goal difference, row minus column'\n"
+             "unset colorbox\n"
              "set palette defined (-1 '#f1a25f', 0 '#ffffff', 1 '#6fb1dc')\n"
              "set style fill solid 1.0 noborder\n"
+             "colour(difference) = sgn(difference) * sqrt(abs(difference))\n"
              "plot data using 'column':'row':(column('column') - 0.5):(column('column') + "
-             "0.5):(column('row') - 0.5):(column('row') + 0.5):'mean_diff' with boxxyerror lc "
+             "0.5):(column('row') - 0.5):(column('row') + 0.5):(colour(column('mean_diff'))) with "
+             "boxxyerror lc "
              "palette notitle, \\\n"
              "     data using 'column':'row':(sprintf('{3}', column('mean_diff'))) with labels "
              "font "

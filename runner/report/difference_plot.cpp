@@ -70,7 +70,7 @@ std::string rows_script(const Scenario& scenario, const std::vector<std::string>
              "set arrow from first 0, graph 0 to first 0, graph 1 nohead lc rgb '#777777' dt 2\n"
              "plot data using 'mean_diff':'row':'low95':'high95' with xerrorbars pt -1 lw 2 lc rgb "
              "'{2}' notitle, \\\n"
-             "     data using 'mean_diff':'row' with points pt 7 ps 0.8 lc rgb '{2}' notitle\n",
+             "     data using 'mean_diff':'row' with points pt 7 ps 0.6 lc rgb '{2}' notitle\n",
              script_text(axis_name(scenario)), rows, kBlue);
 }
 

@@ -14,7 +14,9 @@ namespace {
 constexpr int kFrameHeight_px = 90;
 constexpr double kTallestBar = 0.85;  // of a row's height
 
-int row_height_px(std::size_t rows) { return rows <= 6 ? 60 : rows <= 12 ? 42 : 30; }
+int row_height_px(std::size_t rows) {
+  return rows <= 3 ? 100 : rows <= 6 ? 60 : rows <= 12 ? 42 : 30;
+}
 
 using GamesByDifference = std::map<int, int>;
 

@@ -43,7 +43,7 @@ void add_rows_that_do_not_count(Table& table, const ResultFolder& folder) {
 }  // namespace
 
 Section played_section(const ResultFolder& folder, const ExperimentResults& results) {
-  Table table{{{"what", ""},
+  Table table{{{"experiment", ""},
                {"kind", kind_text(folder.scenario)},
                {"games", fmt::format("{} of {}", folder.stock.done.size(), folder.games.size())},
                {"pairs of legs without a void game", std::to_string(pairs_of(results.groups))},

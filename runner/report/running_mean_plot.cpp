@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "runner/csv.hpp"
 #include "runner/report/group_names.hpp"
@@ -10,31 +11,48 @@
 namespace autoref::runner {
 namespace {
 
-constexpr std::size_t kLongestTitle = 28;  // letters
-constexpr int kFrameHeight_px = 10;
+constexpr std::size_t kLongestTitle = 26;  // letters
+constexpr double kTop_px = 62;             // above the highest panel
+constexpr double kBottom_px = 44;          // below the lowest
+constexpr double kBetween_px = 66;         // between one and the next
 
 struct Panel {
   std::string name;
   std::vector<RunningMean> means;
 };
 
-// Panels beside each other, and how tall one is.
+// Panels beside each other, how many rows of them, and how tall the picture is.
 struct Layout {
   int columns = 1;
-  int height_px = 330;
+  int rows = 1;
+  int height_px = 0;
 };
 
-Layout layout_for(std::size_t panels) {
-  if (panels <= 1) return {1, 330};
-  if (panels <= 4) return {2, 250};
-  return panels <= 15 ? Layout{3, 200} : Layout{4, 170};
+Layout layout_for(int panels) {
+  const int columns = panels <= 1 ? 1 : panels <= 4 ? 2 : panels <= 15 ? 3 : 4;
+  const int rows = (panels + columns - 1) / columns;
+  const int height_px = columns == 1 ? 260 : columns == 2 ? 170 : 110;
+  return {columns, rows,
+          static_cast<int>(kTop_px + kBottom_px + (rows - 1) * kBetween_px) + rows * height_px};
+}
+
+// The whole number, or 1, 2 or 5 times a power of ten, that divides a span into four parts or
+// fewer.
+double step_for(double span) {
+  double step = std::pow(10.0, std::floor(std::log10(span / 5)));
+  for (const double factor : {2.0, 2.5, 2.0}) {
+    if (span / step > 5) step *= factor;
+  }
+  return step;
 }
 
 std::vector<Panel> panels_of(const Scenario& scenario, const std::vector<Group>& groups) {
   const std::vector<std::string> names = names_of(scenario, groups);
+  const bool has_one_factor = value_columns(scenario).size() == 1;
+  const std::string prefix = has_one_factor ? axis_name(scenario) + " " : "";
   std::vector<Panel> panels;
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    Panel panel{names[i], running_means(groups[i])};
+    Panel panel{prefix + names[i], running_means(groups[i])};
     if (!panel.means.empty()) panels.push_back(std::move(panel));
   }
   return panels;
@@ -61,43 +79,61 @@ std::string array_of(const char* name, const std::vector<Panel>& panels, const V
   return fmt::format("array {}[{}] = [{}]\n", name, values.size(), fmt::join(values, ", "));
 }
 
+double last_pair(const Panel& panel) {
+  return static_cast<double>(std::max<std::size_t>(panel.means.size(), 2));
+}
+
 std::string arrays_of(const std::vector<Panel>& panels) {
-  return array_of(
-             "name", panels,
-             [](const Panel& panel) { return script_text(shortened(panel.name, kLongestTitle)); }) +
-         array_of("pairs", panels,
-                  [](const Panel& panel) {
-                    return std::to_string(std::max<std::size_t>(panel.means.size(), 2));
-                  }) +
-         array_of("low", panels,
-                  [](const Panel& panel) { return number_cell(span_to_show(panel.means).low); }) +
-         array_of("high", panels,
-                  [](const Panel& panel) { return number_cell(span_to_show(panel.means).high); });
+  const auto name = [](const Panel& panel) {
+    return script_text(shortened(panel.name, kLongestTitle));
+  };
+  const auto pairs = [](const Panel& panel) { return fmt::format("{}", last_pair(panel)); };
+  const auto low = [](const Panel& panel) { return number_cell(span_to_show(panel.means).low); };
+  const auto high = [](const Panel& panel) { return number_cell(span_to_show(panel.means).high); };
+  const auto x_step = [](const Panel& panel) {
+    return fmt::format("{}", std::max(1.0, step_for(last_pair(panel))));
+  };
+  const auto y_step = [](const Panel& panel) {
+    const auto [from, to] = span_to_show(panel.means);
+    return fmt::format("{:.6g}", step_for(to - from));
+  };
+  return array_of("name", panels, name) + array_of("pairs", panels, pairs) +
+         array_of("low", panels, low) + array_of("high", panels, high) +
+         array_of("x_step", panels, x_step) + array_of("y_step", panels, y_step);
+}
+
+// Where panels lie, in shares of the picture.
+std::string frame_of(const Layout& layout) {
+  const double height = layout.height_px;
+  return fmt::format(
+      "set multiplot layout {},{} margins screen 0.07,0.985,{:.4f},{:.4f} spacing screen "
+      "0.075,{:.4f} title 'goals of a minus goals of b after so many pairs of legs, 95 % interval: "
+      "not for stopping' font ',13'\n",
+      layout.rows, layout.columns, kBottom_px / height, 1 - kTop_px / height, kBetween_px / height);
 }
 
 std::string script_of(const std::vector<Panel>& panels) {
-  const Layout layout = layout_for(panels.size());
-  const int rows = (static_cast<int>(panels.size()) + layout.columns - 1) / layout.columns;
-  return script_head("running_mean", kFrameHeight_px + rows * layout.height_px) +
-         arrays_of(panels) +
+  const Layout layout = layout_for(static_cast<int>(panels.size()));
+  return script_head("running_mean", layout.height_px) + arrays_of(panels) +
+         "set title font ',13' offset 0,-0.7\n"
+         "set tics font ',11'\n"
+         "of(i, column_name) = column('panel') == i ? column(column_name) : NaN\n" +
+         frame_of(layout) +
          fmt::format(
-             "set xlabel 'pairs of legs' font ',11' offset 0,0.5\n"
-             "set title font ',13' offset 0,-0.6\n"
-             "set tics font ',11'\n"
-             "of(i, column_name) = column('panel') == i ? column(column_name) : NaN\n"
-             "set multiplot layout {0},{1}\n"
-             "do for [i=1:{2}] {{\n"
+             "do for [i=1:{0}] {{\n"
              "  set title name[i]\n"
              "  set xrange [1:pairs[i]]\n"
              "  set yrange [low[i]:high[i]]\n"
+             "  set xtics x_step[i] offset 0,0.4\n"
+             "  set ytics y_step[i]\n"
              "  plot data using (of(i, 'pairs')):(of(i, 'low95')):(of(i, 'high95')) with "
-             "filledcurves lc rgb '{3}' fs transparent solid 0.18 notitle, \\\n"
+             "filledcurves lc rgb '{1}' fs transparent solid 0.18 notitle, \\\n"
              "       0 with lines lc rgb '#777777' dt 2 notitle, \\\n"
-             "       data using (of(i, 'pairs')):(of(i, 'mean_diff')) with lines lw 2 lc rgb '{3}' "
+             "       data using (of(i, 'pairs')):(of(i, 'mean_diff')) with lines lw 2 lc rgb '{1}' "
              "notitle\n"
              "}}\n"
              "unset multiplot\n",
-             rows, layout.columns, panels.size(), kBlue);
+             panels.size(), kBlue);
 }
 
 }  // namespace
