@@ -49,7 +49,8 @@ void write_overview(const fs::path& path, const std::vector<BuildReport>& builds
       title_of(builds.front().folder.scenario),
       {Paragraph{"The folder holds games of several builds. Games of different builds "
                  "are not the same experiment, so that each is reported apart. Tables "
-                 "beside this report are of the run that wrote them last."},
+                 "and plots right beside this report, if any, are of one build: that which was "
+                 "written last."},
        table_of(builds)}};
   for (const auto& [folder, text] : builds) {
     document.blocks.emplace_back(Heading{"Build " + folder.build});

@@ -50,11 +50,11 @@ void compare_games(GameConfiguration game, bool has_named_teams,
   compare(here, defaults_for(game), found);
 }
 
-void compare_teams(const GameConfiguration& base, Teams teams,
+void compare_teams(const GameConfiguration& base, const Teams& teams,
                    std::vector<DefaultDifference>& found) {
   GameConfiguration usual;
   set_by_path(usual, "match.rules", base.match.rules);
-  for (auto& [name, team] : teams) {
+  for (auto [name, team] : teams) {
     const std::string prefix = fmt::format("teams.{}.", name);
     compare(values_of(settings_of(team, base.types, prefix)),
             values_of(settings_of(usual.a, usual.types, prefix)), found);

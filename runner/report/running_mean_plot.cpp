@@ -36,8 +36,7 @@ Layout layout_for(int panels) {
           static_cast<int>(kTop_px + kBottom_px + (rows - 1) * kBetween_px) + rows * height_px};
 }
 
-// The whole number, or 1, 2 or 5 times a power of ten, that divides a span into four parts or
-// fewer.
+// The least of 1, 2 and 5 times powers of ten that divides a span into five parts or fewer.
 double step_for(double span) {
   double step = std::pow(10.0, std::floor(std::log10(span / 5)));
   for (const double factor : {2.0, 2.5, 2.0}) {

@@ -56,6 +56,14 @@ TEST_F(FolderVerbs, MergeTheRowsOfShards) {
   EXPECT_EQ(content_of(folder_ / "results/results.csv"), merged);
 }
 
+TEST_F(FolderVerbs, WriteAReport) {
+  run("0/1");
+  const Answer answer = answer_to({"report", results_.c_str()});
+  EXPECT_EQ(answer.code, kDone);
+  EXPECT_NE(answer.out.find("report.html   the same, one page for a browser"), std::string::npos);
+  EXPECT_TRUE(content_of(folder_ / "results/report.md").starts_with("# A sweep\n"));
+}
+
 TEST_F(FolderVerbs, PlayGamesAgain) {
   run("0/1");
   const Answer verified = answer_to({"verify", results_.c_str(), "--sample", "3", "-j", "1"});
