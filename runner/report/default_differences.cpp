@@ -15,6 +15,8 @@ namespace {
 using Values = std::map<std::string, std::string>;  // by path
 using Teams = std::map<std::string, TeamConfiguration>;
 
+constexpr const char* kNothing = "{}";  // how a branch without changes is spelt
+
 Values values_of(const std::vector<Setting>& settings) {
   Values values;
   for (const Setting& setting : settings) {
@@ -28,7 +30,7 @@ Values values_of(const std::vector<Setting>& settings) {
 void compare(const Values& here, const Values& defaults, std::vector<DefaultDifference>& found) {
   for (const auto& [path, value] : here) {
     const auto usual = defaults.find(path);
-    const std::string by_default = usual == defaults.end() ? "not given" : usual->second;
+    const std::string by_default = usual == defaults.end() ? kNothing : usual->second;
     if (value != by_default) found.push_back({short_path(path), value, by_default});
   }
 }

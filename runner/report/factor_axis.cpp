@@ -26,6 +26,7 @@ Span span_of(const NumericFactor& factor) {
 
 std::string tics_of(const NumericFactor& factor, const std::vector<Group>& groups) {
   std::vector<std::string> tics;
+  tics.reserve(groups.size());
   for (std::size_t i = 0; i < groups.size(); ++i) {
     tics.push_back(fmt::format("{} {}", script_text(groups[i].values.front()), factor.values[i]));
   }

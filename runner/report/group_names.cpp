@@ -5,16 +5,6 @@
 #include "runner/words.hpp"
 
 namespace autoref::runner {
-namespace {
-
-std::string settings_text(const Cells& paths, const Cells& values) {
-  std::vector<std::string> settings;
-  for (std::size_t i = 0; i < values.size(); ++i) settings.push_back(paths[i] + "=" + values[i]);
-  return fmt::format("{}", fmt::join(settings, ", "));
-}
-
-}  // namespace
-
 std::vector<std::string> value_heads(const Scenario& scenario, const std::vector<Group>& groups) {
   std::vector<std::string> heads = value_columns(scenario);
   if (groups.empty() || heads.size() == groups.front().values.size()) return heads;
@@ -25,16 +15,15 @@ std::vector<std::string> value_heads(const Scenario& scenario, const std::vector
 
 std::string axis_name(const Scenario& scenario) {
   const std::vector<std::string> paths = value_columns(scenario);
-  return paths.size() == 1 ? paths.front() : paths.empty() ? "matchup" : "settings";
+  return paths.empty() ? "matchup" : listed(paths);
 }
 
 std::vector<std::string> names_of(const Scenario& scenario, const std::vector<Group>& groups) {
-  const std::vector<std::string> paths = value_columns(scenario);
+  const char* between = value_columns(scenario).empty() ? " : " : ", ";
   std::vector<std::string> names;
+  names.reserve(groups.size());
   for (const Group& group : groups) {
-    const bool has_settings = paths.size() == group.values.size() && paths.size() > 1;
-    names.push_back(has_settings ? settings_text(paths, group.values)
-                                 : fmt::format("{}", fmt::join(group.values, " : ")));
+    names.push_back(fmt::format("{}", fmt::join(group.values, between)));
   }
   return names;
 }

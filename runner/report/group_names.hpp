@@ -14,11 +14,10 @@ namespace autoref::runner {
 // What heads the values of each group: a sweep's paths, "a" and "b" over two teams.
 std::vector<std::string> value_heads(const Scenario& scenario, const std::vector<Group>& groups);
 
-// What is different between the groups, for an axis: "b.handicap", "matchup".
+// What is different between the groups, for an axis: "b.handicap", "a.robots, b.robots", "matchup".
 std::string axis_name(const Scenario& scenario);
 
-// A name for each group: "0.75" of a single factor, "a.robots=5, b.robots=6" of several, "bold :
-// zone" of a matchup.
+// A name for each group: "0.75" of a single factor, "5, 6" of several, "bold : zone" of a matchup.
 std::vector<std::string> names_of(const Scenario& scenario, const std::vector<Group>& groups);
 
 // A single factor over numbers.

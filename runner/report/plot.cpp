@@ -41,6 +41,7 @@ std::string script_text(std::string_view text) {
 
 std::string script_tics(std::string_view axis, const std::vector<std::string>& labels) {
   std::vector<std::string> tics;
+  tics.reserve(labels.size());
   for (const std::string& label : labels) {
     tics.push_back(
         fmt::format("{} {}", script_text(shortened(label, kLongestLabel)), tics.size() + 1));

@@ -42,6 +42,7 @@ std::string panel(const char* column, const char* label, const char* colour) {
 
 std::string script_of(const std::vector<Standing>& standings) {
   std::vector<std::string> teams;
+  teams.reserve(standings.size());
   for (const Standing& standing : standings) teams.push_back(standing.team);
   return script_head("ratings", kFrameHeight_px + kRowHeight_px * static_cast<int>(teams.size())) +
          script_tics("y", teams) +

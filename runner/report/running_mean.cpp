@@ -18,6 +18,7 @@ std::vector<double> in_order_of_numbers(const std::map<std::string, double>& by_
     by_number[whole_number_in(pair).value_or(0)] = value;
   }
   std::vector<double> values;
+  values.reserve(by_number.size());
   for (const auto& [number, value] : by_number) values.push_back(value);
   return values;
 }

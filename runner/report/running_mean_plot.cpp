@@ -74,6 +74,7 @@ std::string csv_of(const std::vector<Panel>& panels) {
 template <typename Value>
 std::string array_of(const char* name, const std::vector<Panel>& panels, const Value& value) {
   std::vector<std::string> values;
+  values.reserve(panels.size());
   for (const Panel& panel : panels) values.push_back(value(panel));
   return fmt::format("array {}[{}] = [{}]\n", name, values.size(), fmt::join(values, ", "));
 }
