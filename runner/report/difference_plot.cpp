@@ -90,6 +90,7 @@ std::optional<Plot> difference_plot(const Scenario& scenario, const ExperimentRe
   }
   plot.about = fmt::format("Mean goal difference of each {}; {}",
                            value_columns(scenario).empty() ? "matchup" : "value", kWhatBarsAre);
+  plot.about += note_of_cut(names.size());
   names.resize(std::min(names.size(), kMostGroupsInPlot));
   plot.script = rows_script(scenario, names);
   return plot;

@@ -46,7 +46,7 @@ std::string script_of(const Scenario& scenario, const std::vector<std::string>& 
          script_tics("y", names) +
          fmt::format(
              "set ylabel {}\n"
-             "set yrange [{}.2:0]\n"
+             "set yrange [{}.1:0]\n"
              "set xlabel 'goals of a minus goals of b'\n"
              "set xrange [*<-0.5:0.5<*]\n"
              "set arrow from first 0, graph 0 to first 0, graph 1 nohead lc rgb '#777777' dt 2\n"
@@ -70,6 +70,7 @@ std::optional<Plot> histogram_plot(const Scenario& scenario, const ExperimentRes
   for (std::size_t i = 0; i < names.size(); ++i) {
     plot.csv += rows_of(i + 1, names[i], counted(results.groups[i]));
   }
+  plot.about += note_of_cut(names.size());
   names.resize(std::min(names.size(), kMostGroupsInPlot));
   plot.script = script_of(scenario, names);
   return plot;

@@ -2,11 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace autoref::runner {
 namespace {
 
 constexpr int kWidth_px = 800;
-constexpr std::size_t kLongestLabel = 34;  // letters
 
 bool begins_letter(char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }
 
@@ -28,6 +29,20 @@ std::string script_head(std::string_view name, int height_px) {
       "set tics nomirror out\n"
       "set grid lc rgb '#e4e4e4' lt 1 lw 1\n",
       name, kWidth_px, height_px);
+}
+
+double tic_step(double span) {
+  double step = std::pow(10.0, std::floor(std::log10(span / 5)));
+  for (const double factor : {2.0, 2.5, 2.0}) {
+    if (span / step > 5) step *= factor;
+  }
+  return step;
+}
+
+std::string note_of_cut(std::size_t groups) {
+  if (groups <= kMostGroupsInPlot) return "";
+  return fmt::format(" Only the first {} of {} are drawn; the data has all.", kMostGroupsInPlot,
+                     groups);
 }
 
 std::string script_text(std::string_view text) {

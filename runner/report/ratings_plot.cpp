@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kFrameHeight_px = 90;
 constexpr int kRowHeight_px = 32;
+constexpr double kBottom_px = 72;  // below the panels
 
 Cells cells_of(const Rating& rating) {
   const auto& [low, high] = bounds_of(rating.interval);
@@ -30,30 +31,55 @@ std::string csv_of(const std::vector<Standing>& standings) {
   return csv;
 }
 
-std::string panel(const char* column, const char* label, const char* colour) {
+// From the least to the greatest bound of the ratings, zero among them.
+double span_of(const std::vector<Standing>& standings, Rating Standing::*which) {
+  Interval span;
+  for (const Standing& standing : standings) {
+    const Rating& rating = standing.*which;
+    const Interval shown = rating.interval.value_or(Interval{rating.value, rating.value});
+    span = {std::min({span.low, shown.low, rating.value}),
+            std::max({span.high, shown.high, rating.value})};
+  }
+  return span.high > span.low ? span.high - span.low : 1;
+}
+
+// The teams' names stand at the first panel, and are as wide as the longest.
+double names_share(const std::vector<std::string>& teams) {
+  std::size_t longest = 0;
+  for (const std::string& team : teams) longest = std::max(longest, team.size());
+  return 0.04 + 0.0095 * static_cast<double>(std::min(longest, kLongestLabel));
+}
+
+std::string panel(const char* column, const char* label, const char* colour, double span) {
   return fmt::format(
       "set xlabel '{1}'\n"
+      "set xtics {3:.6g}\n"
       "plot data using '{0}':'rank':(0):'{0}':(column('rank') - 0.32):(column('rank') + 0.32) with "
       "boxxyerror fs solid 0.45 noborder lc rgb '{2}' notitle, \\\n"
       "     data using '{0}':'rank':'{0}_low95':'{0}_high95' with xerrorbars pt -1 lw 2 lc rgb "
       "'#333333' notitle\n",
-      column, label, colour);
+      column, label, colour, tic_step(span));
 }
 
 std::string script_of(const std::vector<Standing>& standings) {
   std::vector<std::string> teams;
   teams.reserve(standings.size());
   for (const Standing& standing : standings) teams.push_back(standing.team);
-  return script_head("ratings", kFrameHeight_px + kRowHeight_px * static_cast<int>(teams.size())) +
-         script_tics("y", teams) +
+  const int height_px = kFrameHeight_px + kRowHeight_px * static_cast<int>(teams.size());
+  return script_head("ratings", height_px) + script_tics("y", teams) +
          fmt::format(
              "set yrange [{}.6:0.4]\n"
              "set xrange [*<0:0<*]\n"
              "set arrow from first 0, graph 0 to first 0, graph 1 nohead lc rgb '#777777' front\n"
-             "set multiplot layout 1,2\n",
-             teams.size()) +
-         panel("goals", "goals a game above the average team", kBlue) +
-         panel("bradley_terry", "Bradley-Terry strength", kVermilion) + "unset multiplot\n";
+             "set multiplot layout 1,2 margins screen {:.4f},0.98,{:.4f},0.97 spacing screen "
+             "0.04\n",
+             teams.size(), names_share(teams), kBottom_px / height_px) +
+         panel("goals", "goals a game above the average team", kBlue,
+               span_of(standings, &Standing::goals)) +
+         "unset ytics\n" +
+         panel("bradley_terry", "Bradley-Terry strength", kVermilion,
+               span_of(standings, &Standing::strength)) +
+         "unset multiplot\n";
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "runner/csv.hpp"
 #include "runner/report/group_names.hpp"
@@ -34,15 +33,6 @@ Layout layout_for(int panels) {
   const int height_px = columns == 1 ? 260 : columns == 2 ? 170 : 110;
   return {columns, rows,
           static_cast<int>(kTop_px + kBottom_px + (rows - 1) * kBetween_px) + rows * height_px};
-}
-
-// The least of 1, 2 and 5 times powers of ten that divides a span into five parts or fewer.
-double step_for(double span) {
-  double step = std::pow(10.0, std::floor(std::log10(span / 5)));
-  for (const double factor : {2.0, 2.5, 2.0}) {
-    if (span / step > 5) step *= factor;
-  }
-  return step;
 }
 
 std::vector<Panel> panels_of(const Scenario& scenario, const std::vector<Group>& groups) {
@@ -91,11 +81,11 @@ std::string arrays_of(const std::vector<Panel>& panels) {
   const auto low = [](const Panel& panel) { return number_cell(span_to_show(panel.means).low); };
   const auto high = [](const Panel& panel) { return number_cell(span_to_show(panel.means).high); };
   const auto x_step = [](const Panel& panel) {
-    return fmt::format("{}", std::max(1.0, step_for(last_pair(panel))));
+    return fmt::format("{}", std::max(1.0, tic_step(last_pair(panel))));
   };
   const auto y_step = [](const Panel& panel) {
     const auto [from, to] = span_to_show(panel.means);
-    return fmt::format("{:.6g}", step_for(to - from));
+    return fmt::format("{:.6g}", tic_step(to - from));
   };
   return array_of("name", panels, name) + array_of("pairs", panels, pairs) +
          array_of("low", panels, low) + array_of("high", panels, high) +
@@ -146,6 +136,7 @@ std::optional<Plot> running_mean_plot(const Scenario& scenario, const Experiment
             "interval of these pairs. Not for stopping: of many intervals looked at in turn, some "
             "leave the truth out far more often than one in twenty.",
             csv_of(panels), ""};
+  plot.about += note_of_cut(panels.size());
   panels.resize(std::min(panels.size(), kMostGroupsInPlot));
   plot.script = script_of(panels);
   return plot;

@@ -90,6 +90,18 @@ TEST(CrosstablePlot, ShowsEachMatchupFromBothSides) {
   EXPECT_TRUE(has(csv, "\n2,1,team0,team1,0,0,2,-")) << csv;
 }
 
+TEST(Plots, SayWhatTheyHaveNoPlaceFor) {
+  EXPECT_EQ(note_of_cut(45), "");
+  EXPECT_EQ(note_of_cut(66), " Only the first 45 of 66 are drawn; the data has all.");
+}
+
+TEST(TicStep, LeavesFivePartsAtMost) {
+  EXPECT_DOUBLE_EQ(tic_step(5), 1);
+  EXPECT_DOUBLE_EQ(tic_step(9), 2);
+  EXPECT_DOUBLE_EQ(tic_step(19), 5);
+  EXPECT_DOUBLE_EQ(tic_step(0.45), 0.1);
+}
+
 TEST(ScriptText, HoldsAnythingWithoutCarryingItOut) {
   EXPECT_EQ(script_text("it's `x`\n$y"), "'it''s `x` $y'");
 }
