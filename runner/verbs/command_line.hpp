@@ -38,6 +38,16 @@ struct RunArguments : BatchArguments {
   bool allow_mixed_build = false;
 };
 
+// What `autoref submit` is told.
+struct SubmitArguments : BatchArguments {
+  int tasks = 0;                     // 0: a few
+  std::string time;                  // limit of a task; empty: the partition's
+  std::string partition;             // empty: the cluster's
+  std::vector<std::string> options;  // further ones of sbatch
+  bool slurm = false;                // the only engine so far; has to be said
+  bool dry_run = false;
+};
+
 // What `autoref check` is told.
 struct CheckArguments : BatchArguments {
   bool games = false;
@@ -113,6 +123,7 @@ struct PlanArguments {
 // Each does its verb's work and returns the exit code. Mistakes come as exceptions (errors.hpp).
 int play_verb(const PlayArguments& arguments);
 int run_verb(const RunArguments& arguments);
+int submit_verb(const SubmitArguments& arguments);
 int check_verb(const CheckArguments& arguments);
 int report_verb(const FolderArguments& arguments);
 int status_verb(const FolderArguments& arguments);
@@ -136,6 +147,7 @@ Scenario read_experiment(const std::string& file);
 void add_batch_options(CLI::App& verb, BatchArguments& arguments, const std::string& about_file);
 void add_play_verb(CLI::App& app, Chosen& chosen);
 void add_run_verb(CLI::App& app, Chosen& chosen);
+void add_submit_verb(CLI::App& app, Chosen& chosen);
 void add_check_verb(CLI::App& app, Chosen& chosen);
 // Adds the folder and the build that all verbs of folders have.
 void add_folder_options(CLI::App& verb, FolderArguments& arguments);
