@@ -18,11 +18,13 @@ std::optional<std::string> read_file(const std::filesystem::path& path);
 void write_all(int descriptor, std::string_view text, const std::filesystem::path& path);
 
 // A new content for a file, which appears under its name by commit() and not before. What is no
-// regular file (a pipe, /dev/stdout) is written to directly at commit().
+// regular file (a pipe, /dev/stdout) is written to directly at commit(). A process that is killed
+// before leaves `path`.part, which the next one writes over.
 class PendingFile {
  public:
-  // Throws InputOutputError where the file cannot be created.
-  explicit PendingFile(std::filesystem::path path);
+  // Throws InputOutputError where the file cannot be created, or where another process keeps
+  // writing it for longer than `patience_s`.
+  explicit PendingFile(std::filesystem::path path, double patience_s = 2);
   ~PendingFile();
   PendingFile(const PendingFile&) = delete;
   PendingFile& operator=(const PendingFile&) = delete;
@@ -31,6 +33,8 @@ class PendingFile {
 
  private:
   bool is_direct() const { return part_ == path_; }
+  void wait_for_part(double patience_s);
+  bool take_part();  // false where another process has it
 
   std::filesystem::path path_;
   std::filesystem::path part_;  // written first, then renamed
