@@ -33,7 +33,9 @@ void refuse_decided(const YamlFile& file, const YamlPlace& place, std::string_vi
 
 void FactorReader::read(const YamlEntry& factors, Sweep& sweep) {
   const std::vector<YamlEntry> entries = file_.entries(factors, "factors", {});
-  if (entries.empty()) file_.refuse(factors.place, "factors", "expected at least one factor");
+  if (entries.empty())
+    file_.refuse(factors.place, "factors",
+                 "expected at least one factor, such as b.handicap: [1.0, 0.9]");
   for (const YamlEntry& entry : entries) {
     if (is_decided_by_plan(entry.key)) refuse_decided(file_, entry.place, entry.key);
     sweep.factors.push_back(read_factor(entry, sweep.base));
@@ -50,14 +52,17 @@ std::vector<std::string> FactorReader::values(const YamlEntry& list, const std::
                                               GameConfiguration& base) const {
   std::vector<std::string> values;
   if (!list.value.IsSequence() || list.value.size() == 0) {
-    file_.refuse(value_place(list), list.key, "expected a list of values, such as [1.0, 0.9]");
+    file_.refuse(value_place(list), list.key,
+                 "expected a list of values, at least one, such as [1.0, 0.9]");
   }
   for (const YAML::Node& value : list.value) {
     const YamlPlace place = place_of(value);
-    if (!value.IsScalar()) file_.refuse(place, list.key, "expected a list of plain values");
+    if (!value.IsScalar())
+      file_.refuse(place, list.key, "expected plain values, such as [1.0, 0.9]");
     const std::string text = read_value(place, path, value.Scalar(), base);
     if (std::find(values.begin(), values.end(), text) != values.end()) {
-      file_.refuse(place, list.key, fmt::format("the value {} is given twice", text));
+      file_.refuse(place, list.key,
+                   fmt::format("the value {} is given twice; leave one out", text));
     }
     values.push_back(text);
   }
@@ -82,7 +87,8 @@ void FactorReader::refuse_overlap(const YamlEntry& entry,
   for (std::size_t i = 0; i + 1 < factors.size(); ++i) {
     const std::string& other = factors[i].path;
     if (other == last || is_part(other, last) || is_part(last, other)) {
-      file_.refuse(entry.place, entry.key, fmt::format("'{}' sets the same number", other));
+      file_.refuse(entry.place, entry.key,
+                   fmt::format("'{}' sets the same number; leave one out", other));
     }
   }
 }

@@ -20,7 +20,10 @@ std::string unknown_path_message(const std::vector<Setting>& settings, std::stri
     if (!holds_others(setting)) add(setting.path);
     for (const std::string& name : names_in(setting)) add(setting.path + "." + name);
   }
-  return fmt::format("unknown key '{}'; did you mean '{}'?", path, nearest_word(path, known));
+  const std::string nearest = suggestion(path, known);
+  return fmt::format(
+      "unknown key '{}'{}", path,
+      nearest.empty() ? "; expected a setting, such as b.handicap or match.half_s" : nearest);
 }
 
 // The setting at a full or short path, also one that another holds.
@@ -110,8 +113,9 @@ std::vector<std::string> names_below(const std::vector<Setting>& settings,
 }
 
 std::string unknown_key_message(std::string_view key, const std::vector<std::string>& known) {
-  return fmt::format("unknown key '{}'; did you mean '{}'? Known here: {}", key,
-                     nearest_word(key, known), listed(known));
+  const std::string nearest = suggestion(key, known);
+  return fmt::format("unknown key '{}'{} Known here: {}", key, nearest.empty() ? "." : nearest,
+                     listed(known));
 }
 
 PlayerConfiguration& player_of(Players& players, std::string_view number) {

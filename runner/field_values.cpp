@@ -24,7 +24,8 @@ template <typename... Cases>
 Overloaded(Cases...) -> Overloaded<Cases...>;
 
 [[noreturn]] void refuse(const Setting& setting, std::string_view text) {
-  throw std::invalid_argument(fmt::format("expected {}, found '{}'", expected_of(setting), text));
+  throw std::invalid_argument(fmt::format("expected {}, found '{}'{}", expected_of(setting), text,
+                                          suggestion(text, setting.words)));
 }
 
 bool is_within(const Range& range, double value) {

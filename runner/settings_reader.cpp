@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <map>
 #include <stdexcept>
 
 #include "runner/robot_types.hpp"
@@ -18,12 +19,28 @@ std::string_view name_of_preset_in(std::string_view branch) {
   return branch == "match" ? "rules" : "preset";
 }
 
+// What a line with that key may look like, where readers could not guess it.
+std::string example_of(std::string_view key) {
+  static const std::map<std::string_view, std::string_view> kExamples = {
+      {"schema", "schema: 1"},
+      {"kind", "kind: sweep"},
+      {"factors", "factors: { b.handicap: [1.0, 0.9] }"},
+      {"teams", "teams: { one: { strategy: basic }, other: { strategy: zone } }"},
+      {"pairs", "pairs: 20"},
+      {"games", "games: 20"},
+      {"seed", "seed: 1"}};
+  const auto found = kExamples.find(key);
+  return found == kExamples.end() ? "" : fmt::format(", such as {}", found->second);
+}
+
 }  // namespace
 
 const YamlEntry& required_entry(const YamlFile& file, const std::vector<YamlEntry>& top,
                                 std::string_view key) {
   const YamlEntry* entry = find_entry(top, key);
-  if (entry == nullptr) file.refuse({1, 1}, "", fmt::format("the key '{}' is missing", key));
+  if (entry == nullptr) {
+    file.refuse({1, 1}, "", fmt::format("the key '{}' is missing; add it{}", key, example_of(key)));
+  }
   return *entry;
 }
 

@@ -20,7 +20,8 @@ std::string TopReader::word(const YamlEntry& entry, std::string_view key,
   std::string word = file_.scalar(entry, key, "one of " + listed(known), false);
   if (std::find(known.begin(), known.end(), word) == known.end()) {
     file_.refuse(value_place(entry), key,
-                 fmt::format("expected one of {}, found '{}'", listed(known), word));
+                 fmt::format("expected one of {}, found '{}'{}", listed(known), word,
+                             suggestion(word, known)));
   }
   return word;
 }

@@ -22,8 +22,9 @@ using strategies::Parameter;
   if (strategy.params.empty()) throw std::invalid_argument(what + "; it has none");
   std::vector<std::string> known;
   for (const Parameter& parameter : strategy.params) known.emplace_back(parameter.name);
-  throw std::invalid_argument(fmt::format("{}; did you mean '{}'? Known here: {}", what,
-                                          nearest_word(param, known), listed(known)));
+  const std::string nearest = suggestion(param, known);
+  throw std::invalid_argument(
+      fmt::format("{}{} Known here: {}", what, nearest.empty() ? "." : nearest, listed(known)));
 }
 
 void check_range(const Parameter& parameter, const std::string& path, double value) {

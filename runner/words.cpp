@@ -59,6 +59,14 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
   return nearest == words.end() ? std::string() : *nearest;
 }
 
+std::string suggestion(std::string_view word, const std::vector<std::string>& words) {
+  const std::string nearest = nearest_word(word, words);
+  // Begun, or with at most every other letter wrong.
+  const bool is_begun = !word.empty() && nearest.starts_with(word);
+  if (!is_begun && 2 * edit_distance(word, nearest) > nearest.size()) return {};
+  return fmt::format("; did you mean '{}'?", nearest);
+}
+
 std::string listed(const std::vector<std::string>& words) {
   return fmt::format("{}", fmt::join(words, ", "));
 }

@@ -24,6 +24,9 @@ std::string text_of(double number);
 // several. Empty where there are no words.
 std::string nearest_word(std::string_view word, const std::vector<std::string>& words);
 
+// "; did you mean 'robots'?" for a word that is close to one of the words; empty where none is.
+std::string suggestion(std::string_view word, const std::vector<std::string>& words);
+
 // "a, b, c".
 std::string listed(const std::vector<std::string>& words);
 

@@ -4,6 +4,7 @@
 
 #include "runner/errors.hpp"
 #include "runner/words.hpp"
+#include "runner/yaml_syntax.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -64,11 +65,16 @@ YamlFile::YamlFile(const std::string& text, std::string name) : name_(std::move(
   try {
     documents = YAML::LoadAll(text);
   } catch (const YAML::Exception& error) {
-    refuse(place_of(error.mark), "", fmt::format("this is no YAML: {}", error.msg));
+    const SyntaxMistake mistake = syntax_mistake(text, place_of(error.mark), error.msg);
+    refuse(mistake.place, "", "this is no YAML: " + mistake.message);
+  }
+  if (const std::optional<YamlPlace> quote = open_quote(text, documents)) {
+    refuse(*quote, "", "this is no YAML: the quotes that open here are never closed");
   }
   if (documents.empty()) refuse({}, "", "the file is empty; expected a scenario");
   if (documents.size() > 1) {
-    refuse(runner::place_of(documents[1]), "", "expected one document, found a second one");
+    refuse(runner::place_of(documents[1]), "",
+           "expected one document, found a second one; leave out the line ---");
   }
   document_ = documents[0];
 }
@@ -89,7 +95,8 @@ std::vector<YamlEntry> YamlFile::entries(const YamlEntry& entry, std::string_vie
     const std::string key = pair.first.Scalar();
     if (const YamlEntry* first = find_entry(entries, key)) {
       refuse(place, path,
-             fmt::format("the key '{}' is given twice, first in line {}", key, first->place.line));
+             fmt::format("the key '{}' is given twice, first in line {}; leave one out", key,
+                         first->place.line));
     }
     entries.push_back({key, place, pair.second});
   }

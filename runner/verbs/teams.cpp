@@ -15,9 +15,10 @@ const strategies::Entry& team_named(const std::string& name) {
   if (const strategies::Entry* team = strategies::find_strategy(name)) return *team;
   std::vector<std::string> known;
   for (const strategies::Entry& team : strategies::all_strategies()) known.emplace_back(team.name);
+  const std::string nearest = suggestion(name, known);
   throw InputError({"NAME"}, "",
-                   fmt::format("there is no team '{}'; did you mean '{}'? Known here: {}", name,
-                               nearest_word(name, known), listed(known)));
+                   fmt::format("there is no team '{}'{} Known here: {}", name,
+                               nearest.empty() ? "." : nearest, listed(known)));
 }
 
 std::string text_for(const TeamsArguments& arguments) {

@@ -56,5 +56,17 @@ TEST(NearestWord, TakesTheFewestChangedLetters) {
   EXPECT_EQ(nearest_word("x", {}), "");
 }
 
+TEST(Suggestion, IsAWordThatIsClose) {
+  EXPECT_EQ(suggestion("zoen", {"basic", "zone"}), "; did you mean 'zone'?");
+  EXPECT_EQ(suggestion("shot", {"pass_mps", "shot_mps"}), "; did you mean 'shot_mps'?");
+}
+
+TEST(Suggestion, IsNothingWhereNoWordIsClose) {
+  EXPECT_EQ(suggestion("factors", {"pairs", "seed"}), "");
+  EXPECT_EQ(suggestion("c", {"a", "b"}), "");
+  EXPECT_EQ(suggestion("", {"a"}), "");
+  EXPECT_EQ(suggestion("a", {}), "");
+}
+
 }  // namespace
 }  // namespace autoref::runner
