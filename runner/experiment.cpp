@@ -58,7 +58,7 @@ class Experiment {
     report.done = static_cast<int>(rows.size());
     report.is_complete = report.done == report.games;
     for (const auto& [id, cells] : rows) {
-      report.void_games += cells[format_.column("status")] == name_of(Status::kVoid) ? 1 : 0;
+      report.void_games += is_void(cells) ? 1 : 0;
     }
     report.is_waiting = course_.needed > course_.games.size() && !report.is_interrupted;
     if (report.is_complete) conclude(report, rows);
@@ -133,9 +133,35 @@ class Experiment {
     return missing;
   }
 
+  // Of this shard's needed games, and of those that nobody knows yet.
+  GameCounts counts() const {
+    const std::size_t known = std::min(course_.needed, course_.games.size());
+    GameCounts counts{.total = static_cast<int>(course_.needed - known), .voids = 0};
+    for (std::size_t i = 0; i < known; ++i) {
+      const PlannedGame& game = course_.games[i];
+      if (!options_.shard.has(game.unit)) continue;
+      const auto row = rows_.find(game.id);
+      ++counts.total;
+      counts.done += row == rows_.end() ? 0 : 1;
+      *counts.voids += row != rows_.end() && is_void(row->second) ? 1 : 0;
+    }
+    return counts;
+  }
+
+  bool is_void(const Cells& row) const {
+    return row[format_.column("status")] == name_of(Status::kVoid);
+  }
+
+  std::string table_so_far() const {
+    std::vector<Cells> rows;
+    for (const auto& [id, cells] : counted(course_, rows_)) rows.push_back(cells);
+    return "so far; interim intervals are no reason to stop:\n\n" +
+           results_of(scenario_, format_, rows).table;
+  }
+
   Ending play(const std::vector<std::size_t>& games, Shard& shard, int& played_games) {
-    Progress progress(options_.progress, static_cast<int>(course_.needed),
-                      static_cast<int>(counted(course_, rows_).size()));
+    Progress progress(options_.progress, counts());
+    progress.show([this] { return table_so_far(); });
     const WorkerOptions workers{options_.workers, options_.attempts, options_.longest_game_s};
     return do_jobs(
         games, workers,
@@ -158,9 +184,10 @@ class Experiment {
     const Cells cells = format_.read(line).value();
     const std::string& reason = cells[format_.column("void_reason")];
     if (!reason.empty()) progress.say(fmt::format("{} is void: {}", game.id, reason));
-    progress.game_done(fmt::format("{} {}:{}", game.id, cells[format_.column("goals_a")],
-                                   cells[format_.column("goals_b")]));
     rows_[game.id] = cells;
+    progress.game_done(fmt::format("{} {}:{}", game.id, cells[format_.column("goals_a")],
+                                   cells[format_.column("goals_b")]),
+                       is_void(cells));
     if (!follows_its_rows(scenario_)) return;
     if (options_.shard.of > 1 && Clock::now() >= next_look_) look_around();
     is_decided_ = is_decided(scenario_, format_, rows_);

@@ -13,7 +13,7 @@ std::vector<Judgement> judge_games(const std::vector<JudgeGame>& games, int work
   std::vector<Judgement> judgements(games.size());
   std::vector<std::size_t> jobs(games.size());
   std::iota(jobs.begin(), jobs.end(), std::size_t{0});
-  Progress progress(stream, static_cast<int>(games.size()), 0);
+  Progress progress(stream, {.total = static_cast<int>(games.size())});
   WorkerOptions options;
   options.workers = workers;
   std::size_t judged = 0;

@@ -3,11 +3,25 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <string_view>
 
 #include "runner/errors.hpp"
+#include "runner/live_view.hpp"
 
 namespace autoref::runner {
+namespace {
+
+// Whether lines can be drawn over there.
+bool is_terminal(std::FILE* stream) {
+  if (stream == nullptr || isatty(fileno(stream)) != 1) return false;
+  const char* const name = std::getenv("TERM");
+  return name == nullptr || std::string_view(name) != "dumb";
+}
+
+}  // namespace
 
 std::string duration_text(double seconds) {
   const auto whole = static_cast<long>(std::lround(seconds));
@@ -16,46 +30,55 @@ std::string duration_text(double seconds) {
   return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
 }
 
-std::string progress_text(int done, int total, int played, double elapsed_s) {
-  std::string text = fmt::format("{}/{} games", done, total);
-  if (played == 0 || !(elapsed_s > 0)) return text;
-  const double per_s = played / elapsed_s;
-  text += fmt::format("   {:.0f} games/min", 60 * per_s);
-  if (done < total) text += fmt::format("   {} left", duration_text((total - done) / per_s));
+std::string progress_text(const GameCounts& counts, double elapsed_s) {
+  std::string text = fmt::format("{}/{} games", counts.done, counts.total);
+  if (counts.played > 0 && elapsed_s > 0) {
+    const double per_s = counts.played / elapsed_s;
+    const int left = counts.total - counts.done;
+    text += fmt::format("   {:.0f} games/min", 60 * per_s);
+    if (left > 0) text += fmt::format("   {} left", duration_text(left / per_s));
+  }
+  if (counts.voids) text += fmt::format("   {} void", *counts.voids);
   return text;
 }
 
-Progress::Progress(std::FILE* stream, int total, int done)
-    : stream_(stream),
-      is_terminal_(stream != nullptr && isatty(fileno(stream)) == 1),
-      total_(total),
-      done_(done) {}
+Progress::Progress(std::FILE* stream, const GameCounts& counts)
+    : stream_(stream), is_terminal_(is_terminal(stream)), counts_(counts) {}
 
-Progress::~Progress() { clear_line(); }
+Progress::~Progress() { clear(); }
 
-void Progress::game_done(const std::string& news) {
-  ++done_;
-  ++played_;
+void Progress::game_done(const std::string& news, bool is_void) {
+  ++counts_.done;
+  ++counts_.played;
+  if (counts_.voids && is_void) ++*counts_.voids;
   if (stream_ == nullptr) return;
   if (is_terminal_) {
     tick();
   } else {
-    say(fmt::format("{}   {}", progress_text(done_, total_, played_, elapsed_s()), news));
+    say(fmt::format("{}   {}", progress_text(counts_, elapsed_s()), news));
   }
 }
 
 void Progress::tick() {
   if (!is_terminal_) return;
-  constexpr int kWidth = 24;
-  const int filled = total_ == 0 ? kWidth : kWidth * done_ / total_;
-  clear_line();
-  tell(stream_, fmt::format("[{:#<{}}{:.<{}}] {}", "", filled, "", kWidth - filled,
-                            progress_text(done_, total_, played_, elapsed_s())));
+  renew_table();
+  const std::string bar =
+      bar_text(counts_.done, counts_.total) + progress_text(counts_, elapsed_s());
+  tell(stream_, live_view(bar, table_, screen_of(stream_)));
+}
+
+void Progress::renew_table() {
+  const Clock::time_point start = Clock::now();
+  if (!table_of_ || counts_.played == played_in_table_ || start < next_table_) return;
+  table_ = table_of_();
+  played_in_table_ = counts_.played;
+  const Clock::time_point end = Clock::now();
+  next_table_ = end + std::max<Clock::duration>(std::chrono::seconds(1), 100 * (end - start));
 }
 
 void Progress::say(const std::string& message) {
   if (stream_ == nullptr) return;
-  clear_line();
+  clear();
   tell(stream_, message + "\n");
 }
 
@@ -63,8 +86,8 @@ double Progress::elapsed_s() const {
   return std::chrono::duration<double>(Clock::now() - began_).count();
 }
 
-void Progress::clear_line() {
-  if (is_terminal_) tell(stream_, "\r\033[K");
+void Progress::clear() {
+  if (is_terminal_) tell(stream_, kClearView);
 }
 
 }  // namespace autoref::runner

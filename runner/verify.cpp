@@ -52,7 +52,7 @@ Verification verify(const ResultFolder& folder, int sample, int workers,
     throw InputError({folder.path.string()}, "", "holds no finished game that could be verified");
   }
   Verification verification;
-  Progress bar(progress, static_cast<int>(games.size()), 0);
+  Progress bar(progress, {.total = static_cast<int>(games.size())});
   const auto done = [&](const JobResult& result) {
     const std::string& id = folder.games[result.job].id;
     ++verification.played;
