@@ -4,15 +4,26 @@
 #include <memory>
 
 #include "runner/verbs/command_line.hpp"
+#include "runner/workers_bench.hpp"
 
 namespace autoref::runner {
 
 void add_bench_verb(CLI::App& app, Chosen& chosen) {
+  struct Arguments {
+    bool json = false;
+    bool workers = false;
+  };
   CLI::App* verb = app.add_subcommand("bench", "Measure how fast whole games are.");
-  auto json = std::make_shared<bool>(false);
-  verb->add_flag("--json", *json, "Print one JSON object.");
+  auto arguments = std::make_shared<Arguments>();
+  verb->add_flag("--json", arguments->json, "Print one JSON object.");
+  verb->add_flag("--workers", arguments->workers,
+                 "Measure two workers against one, and what handing games out costs, instead.");
   verb->footer("Example:\n  autoref bench --json");
-  verb->callback([json, &chosen] { chosen = [json] { return run_bench(*json); }; });
+  verb->callback([arguments, &chosen] {
+    chosen = [arguments] {
+      return arguments->workers ? run_workers_bench(arguments->json) : run_bench(arguments->json);
+    };
+  });
 }
 
 }  // namespace autoref::runner
