@@ -80,6 +80,8 @@ std::vector<DefaultDifference> differences_from_defaults(const Scenario& scenari
           constexpr bool kHasTeams = requires { Teams(content.teams); };
           compare_games(content.base, kHasTeams, found);
           if constexpr (kHasTeams) compare_teams(content.base, content.teams, found);
+          if constexpr (requires { content.challengers; })
+            compare_teams(content.base, content.challengers, found);
         }
       },
       scenario.content);

@@ -45,7 +45,7 @@ void add_rows_that_do_not_count(Table& table, const ResultFolder& folder) {
 Section played_section(const ResultFolder& folder, const ExperimentResults& results) {
   Table table{{{"experiment", ""},
                {"kind", kind_text(folder.scenario)},
-               {"games", fmt::format("{} of {}", folder.stock.done.size(), folder.games.size())},
+               {"games", fmt::format("{} of {}", folder.stock.done.size(), folder.needed)},
                {"pairs of legs without a void game", std::to_string(pairs_of(results.groups))},
                {"void games", std::to_string(folder.void_games())},
                {"build", folder.build.empty() ? "none" : folder.build},
@@ -56,7 +56,7 @@ Section played_section(const ResultFolder& folder, const ExperimentResults& resu
   if (!folder.is_complete()) {
     section.emplace_back(
         Paragraph{fmt::format("{} games are missing. {}",
-                              folder.games.size() - folder.stock.done.size(), kInterimWarning)});
+                              folder.needed - folder.stock.done.size(), kInterimWarning)});
   }
   return section;
 }

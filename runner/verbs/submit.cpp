@@ -102,7 +102,7 @@ void print_commands(const std::string& scripts, const std::string& merging) {
 
 int submit_verb(const SubmitArguments& arguments) {
   const Scenario scenario = read_experiment(arguments.file);
-  const std::size_t games = plan_of(scenario, arguments.file).size();
+  const std::size_t games = plan(scenario).size();
   const SlurmArray array = array_of(arguments, games);
   const fs::path folder = arguments.results_folder();
   create_folder(folder / kSlurmLogs);
