@@ -70,6 +70,8 @@ int run_command_line(int argc, const char* const* argv) {
   add_info_verb(app, chosen);
   add_referee_verb(app, chosen);
   add_lab_verb(app, chosen);
+  add_view_verb(app, chosen);
+  add_draw_verb(app, chosen);
   add_plan_verb(app, chosen);
   add_rules_verb(app, chosen);
   add_teams_verb(app, chosen);

@@ -100,6 +100,21 @@ struct LabArguments {
   std::string csv;  // empty: standard output
 };
 
+// What `autoref view` is told.
+struct ViewArguments {
+  std::string log;
+  std::string output;
+  std::string events;  // file with the referee's decisions; empty: none
+};
+
+// What `autoref draw` is told: numbers as they were typed.
+struct DrawArguments {
+  std::string log;
+  std::string output;
+  std::string at;     // seconds; empty: `trace` is given
+  std::string trace;  // "from:to", in seconds
+};
+
 // What `autoref rules` is told.
 struct RulesArguments {
   std::string book;  // empty: list the books
@@ -133,6 +148,8 @@ int judge_verb(const JudgeArguments& arguments);
 int info_verb(const InfoArguments& arguments);
 int referee_verb(const RefereeArguments& arguments);
 int lab_verb(const LabArguments& arguments);
+int view_verb(const ViewArguments& arguments);
+int draw_verb(const DrawArguments& arguments);
 int plan_verb(const PlanArguments& arguments);
 int rules_verb(const RulesArguments& arguments);
 int teams_verb(const TeamsArguments& arguments);
@@ -159,6 +176,8 @@ void add_judge_verb(CLI::App& app, Chosen& chosen);
 void add_info_verb(CLI::App& app, Chosen& chosen);
 void add_referee_verb(CLI::App& app, Chosen& chosen);
 void add_lab_verb(CLI::App& app, Chosen& chosen);
+void add_view_verb(CLI::App& app, Chosen& chosen);
+void add_draw_verb(CLI::App& app, Chosen& chosen);
 void add_plan_verb(CLI::App& app, Chosen& chosen);
 void add_rules_verb(CLI::App& app, Chosen& chosen);
 void add_teams_verb(CLI::App& app, Chosen& chosen);

@@ -5,28 +5,16 @@
 #include <optional>
 
 #include "runner/errors.hpp"
-#include "runner/files.hpp"
 #include "runner/lab.hpp"
 #include "runner/verbs/command_line.hpp"
+#include "runner/verbs/output_file.hpp"
 
 namespace autoref::runner {
-namespace {
-
-// Opened before the scene is played so that a wrong name is noticed at once.
-void open_csv(std::optional<PendingFile>& file, const std::string& path) {
-  try {
-    file.emplace(path);
-  } catch (const InputOutputError& error) {
-    throw InputError({"--csv"}, "", error.what());
-  }
-}
-
-}  // namespace
 
 int lab_verb(const LabArguments& arguments) {
   const LabScene scene = read_lab_scene(arguments.file);
   std::optional<PendingFile> csv;
-  if (!arguments.csv.empty()) open_csv(csv, arguments.csv);
+  open_output(csv, "--csv", arguments.csv);
   const std::string text = csv_of(scene, play_lab_scene(scene));
   if (csv) {
     csv->commit(text);

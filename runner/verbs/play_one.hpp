@@ -12,14 +12,15 @@ namespace autoref::runner {
 struct GameOutput {
   std::string events;  // file for the referee's decisions; empty: none
   std::string log;     // file for what cameras and referee send (league/game_log.hpp); empty: none
+  std::string view;    // file for the page that shows it (view/page.hpp); empty: none
   bool json = false;
 };
 
 // The flags of GameOutput.
 void add_output_options(CLI::App& verb, GameOutput& output);
 
-// Plays the game, prints its report, and writes its decisions. Ctrl-C ends it: then, Interrupted is
-// thrown, no decisions are written, and the log holds the game so far.
+// Plays the game, prints its report, and writes its decisions and its page. Ctrl-C ends it: then,
+// Interrupted is thrown, neither is written, and the log holds the game so far.
 // `source` is the file that the game comes from, which must not be written over.
 GameRecord play_one(const GameConfiguration& game, const GameOutput& output,
                     const std::string& source);

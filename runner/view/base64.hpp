@@ -1,0 +1,11 @@
+// Bytes as letters that may stand in a page (RFC 4648, section 4).
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace autoref::runner {
+
+std::string base64_of(std::string_view bytes);
+
+}  // namespace autoref::runner

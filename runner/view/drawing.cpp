@@ -1,0 +1,178 @@
+#include "runner/view/drawing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "runner/view/field_marks.hpp"
+#include "runner/view/svg.hpp"
+#include "soccer/robot_shape.hpp"
+
+namespace autoref::runner {
+namespace {
+
+constexpr double kMargin_m = 0.3;             // around the field, where the run-off is wider
+constexpr double kCaption_m = 0.12;           // size of its letters
+constexpr double kShownBallRadius_m = 0.035;  // larger than it is, so that it is seen
+constexpr double kFarthestStep_m = 0.4;       // beyond it, something was put, and did not run
+constexpr double kShortestStep_m = 0.015;
+constexpr int kStrengths = 12;  // of a way, from its begin to its end
+
+constexpr std::string_view kBallColor = "#ff7b1c";
+
+std::string_view color_of(Side side) { return side == Side::kWest ? "#ffd43b" : "#4a9dff"; }
+
+// One thing's places in the pictures; none where it was not seen.
+using Track = std::vector<std::optional<Vec2>>;
+
+Track ball_track(const std::vector<Frame>& pictures) {
+  Track track;
+  for (const Frame& picture : pictures)
+    track.push_back(picture.ball ? std::optional(picture.ball->position_m) : std::nullopt);
+  return track;
+}
+
+Track robot_track(const std::vector<Frame>& pictures, RobotId robot) {
+  Track track;
+  for (const Frame& picture : pictures) {
+    const SeenRobots& seen = picture.robots[robot.side];
+    const auto found = std::find_if(seen.begin(), seen.end(),
+                                    [&](const auto& one) { return one.number == robot.number; });
+    track.push_back(found != seen.end() ? std::optional(found->position_m) : std::nullopt);
+  }
+  return track;
+}
+
+// The piece of a way that has one strength, thinned.
+void draw_piece(const Track& track, std::size_t begin, std::size_t end, Svg& svg,
+                std::string_view look) {
+  std::vector<Vec2> places;
+  const auto finish = [&] {
+    if (places.size() > 1) svg.line(places, look);
+    places.clear();
+  };
+  for (std::size_t i = begin; i < end; ++i) {
+    const bool is_jump =
+        track[i] && !places.empty() && (*track[i] - places.back()).norm() > kFarthestStep_m;
+    if (!track[i] || is_jump) finish();
+    if (!track[i]) continue;
+    const bool is_last = i + 1 == end;
+    if (places.empty() || is_last || (*track[i] - places.back()).norm() > kShortestStep_m)
+      places.push_back(*track[i]);
+  }
+  finish();
+}
+
+void draw_way(const Track& track, std::string_view color, double width_m, Svg& svg) {
+  const std::size_t steps = track.size() - 1;
+  for (std::size_t piece = 0; piece < kStrengths; ++piece) {
+    const std::size_t begin = steps * piece / kStrengths;
+    const std::size_t end = steps * (piece + 1) / kStrengths;
+    draw_piece(track, begin, end + 1, svg,
+               fmt::format(R"(stroke="{}" stroke-width="{:.0f}" stroke-opacity="{:.2f}")", color,
+                           width_m * 1000, static_cast<double>(piece + 1) / kStrengths));
+  }
+  const auto first = std::find_if(track.begin(), track.end(), [](const auto& at) { return at; });
+  if (first == track.end()) return;
+  svg.disc(**first, 0.05, fmt::format(R"(class="begin" stroke="{}" stroke-width="14")", color));
+}
+
+void draw_ways(const DrawnGame& game, Svg& svg) {
+  svg.begin_group(R"(id="ways" fill="none" stroke-linecap="round" stroke-linejoin="round")");
+  for (const Side side : kSides) {
+    for (int number = 0; number < kMaxRobots; ++number)
+      draw_way(robot_track(game.pictures, {side, number}), color_of(side), 0.02, svg);
+  }
+  draw_way(ball_track(game.pictures), kBallColor, 0.028, svg);
+  svg.end_group();
+}
+
+void draw_field(const Field& field, Svg& svg) {
+  svg.box({field.wall_x_m(), field.wall_y_m()}, R"(fill="#174c36")");
+  svg.box({field.half_length_m(), field.half_width_m()}, R"(fill="#1c5b40")");
+  svg.begin_group(fmt::format(R"(id="field" fill="none" stroke="#f2f7f4" stroke-width="{:.0f}")",
+                              std::max(field.line_width_m, 0.012) * 1000));
+  const Outline lines = field_lines(field);
+  for (const MarkLine& line : lines.lines) svg.line(std::array{line.from_m, line.to_m}, "");
+  for (const MarkArc& arc : lines.arcs) svg.arc(arc, "");
+  for (const Side side : kSides) {
+    svg.disc(field.penalty_mark_at(side), 0.01, R"(fill="#f2f7f4")");
+    svg.line(goal_walls_m(field, side),
+             fmt::format(R"(stroke="{}" stroke-width="24")", color_of(side)));
+  }
+  svg.end_group();
+}
+
+void draw_robot(Side side, const RobotObservation& robot, Svg& svg) {
+  const double half_rad = std::acos(kFrontDistance_m / kRobotRadius_m);
+  const double heading_rad = angle_of(robot.heading);
+  const MarkArc round{robot.position_m, kRobotRadius_m, heading_rad + half_rad,
+                      heading_rad - half_rad + 2 * kPi};
+  svg.begin_group(R"(class="robot")");
+  svg.cut_disc(round,
+               fmt::format(R"(fill="{}" stroke="#0b1a12" stroke-width="8")", color_of(side)));
+  svg.line(std::array<Vec2, 2>{robot.position_m + kRobotRadius_m * heading_of(round.from_rad),
+                               robot.position_m + kRobotRadius_m * heading_of(round.to_rad)},
+           R"(stroke="#ffffff" stroke-width="16" stroke-linecap="round")");
+  // A text stands on its place: lowered by a third of its size, it is in the middle.
+  svg.text(robot.position_m - Vec2(0, 0.04), std::to_string(robot.number),
+           R"(fill="#0b1a12" font-size="115" font-weight="bold" text-anchor="middle")");
+  svg.end_group();
+}
+
+void draw_ball(const BallObservation& ball, Svg& svg) {
+  svg.begin_group(R"(class="ball")");
+  svg.disc(ball.position_m, kShownBallRadius_m,
+           fmt::format(R"(fill="{}" stroke="#ffffff" stroke-width="10")", kBallColor));
+  if (ball.height_m.value_or(0) > 0.03) {
+    svg.text(ball.position_m + Vec2(0, 0.07), fmt::format("{:.2f} m high", *ball.height_m),
+             R"(fill="#ffffff" font-size="90" text-anchor="middle")");
+  }
+  svg.end_group();
+}
+
+std::string name_of_team(const DrawnGame& game, Side side) {
+  const std::string& name = game.names[side];
+  return !name.empty() ? name : side == Side::kWest ? "yellow" : "blue";
+}
+
+std::string time_text(const DrawnGame& game) {
+  const double from_s = game.pictures.front().time_s;
+  const double to_s = game.pictures.back().time_s;
+  return game.pictures.size() == 1 ? fmt::format("{:.2f} s", to_s)
+                                   : fmt::format("{:.2f} s to {:.2f} s", from_s, to_s);
+}
+
+std::string caption(const DrawnGame& game) {
+  if (!game.signal) return time_text(game);
+  const RefereeSignal& signal = *game.signal;
+  return fmt::format("{}    {} {} : {} {}    {}, {}", time_text(game),
+                     name_of_team(game, Side::kWest), signal.goals[Side::kWest],
+                     signal.goals[Side::kEast], name_of_team(game, Side::kEast),
+                     name_of(signal.stage), name_of(signal.command));
+}
+
+}  // namespace
+
+std::string drawing_of(const DrawnGame& game) {
+  const Field& field = game.field;
+  const double margin_m = std::max(field.goal_depth_m, kMargin_m);
+  const Vec2 half_size_m(field.half_length_m() + margin_m, field.half_width_m() + margin_m);
+  Svg svg(half_size_m);
+  draw_field(field, svg);
+  if (game.pictures.size() > 1) draw_ways(game, svg);
+  const Frame& last = game.pictures.back();
+  svg.begin_group(R"(font-family="DejaVu Sans, Helvetica, sans-serif")");
+  for (const Side side : kSides)
+    for (const RobotObservation& robot : last.robots[side]) draw_robot(side, robot, svg);
+  if (last.ball) draw_ball(*last.ball, svg);
+  svg.text({-field.half_length_m(), field.half_width_m() + 0.09}, caption(game),
+           fmt::format(R"(id="caption" fill="#f2f7f4" font-size="{:.0f}")", kCaption_m * 1000));
+  svg.end_group();
+  return svg.text();
+}
+
+}  // namespace autoref::runner

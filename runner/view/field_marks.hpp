@@ -1,0 +1,39 @@
+// What is painted on the field, as lines and arcs: for pages and pictures.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "soccer/field.hpp"
+#include "soccer/geometry.hpp"
+
+namespace autoref::runner {
+
+struct MarkLine {
+  Vec2 from_m{0, 0};
+  Vec2 to_m{0, 0};
+};
+
+// Part of a circle, counterclockwise from `from_rad` to the larger `to_rad`.
+struct MarkArc {
+  Vec2 centre_m{0, 0};
+  double radius_m = 0;
+  double from_rad = 0;
+  double to_rad = 0;
+};
+
+struct Outline {
+  std::vector<MarkLine> lines;
+  std::vector<MarkArc> arcs;
+};
+
+// The field's lines along their middles, as the league's vision tells them.
+Outline field_lines(const Field& field);
+
+// The points on the field that are `distance_m` away from the defence area of `side`.
+Outline around_defence_area(const Field& field, Side side, double distance_m);
+
+// The goal's inner walls: from post to post by way of its back.
+std::array<Vec2, 4> goal_walls_m(const Field& field, Side side);
+
+}  // namespace autoref::runner

@@ -1,0 +1,22 @@
+// A game as one page for browsers that needs nothing besides itself.
+#pragma once
+
+#include <string>
+
+#include "runner/view/game_tape.hpp"
+#include "soccer/field.hpp"
+#include "soccer/side.hpp"
+
+namespace autoref::runner {
+
+struct PageContent {
+  const GameTape& tape;
+  Field field;
+  PerSide<std::string> names;    // of the teams; empty where they are not known
+  std::string decisions = "[]";  // as decisions_for_page tells them
+};
+
+// The page: HTML with style, script (runner/view/page/) and the game's data.
+std::string page_of(const PageContent& content);
+
+}  // namespace autoref::runner

@@ -1,0 +1,57 @@
+// The field with its lines, as the data tells them; drawn once for each size of the window.
+
+const kColors = {
+  carpet: "#1c5b40",
+  runOff: "#174c36",
+  line: "rgba(255, 255, 255, 0.88)",
+  sides: ["#ffd43b", "#4a9dff"],
+  onSides: ["#1d1a05", "#04152b"],
+  ball: "#ff7b1c",
+  watched: "rgba(255, 255, 255, 0.7)",
+  broken: "#ff6b6b",
+};
+
+function tracePath(context, points) {
+  context.beginPath();
+  points.forEach(([x, y], i) => (i === 0 ? context.moveTo(x, y) : context.lineTo(x, y)));
+}
+
+function strokeOutline(context, {lines, arcs}) {
+  for (const line of lines) {
+    tracePath(context, line);
+    context.stroke();
+  }
+  for (const {centre_mm, radius_mm, from_rad, to_rad} of arcs) {
+    context.beginPath();
+    context.arc(centre_mm[0], centre_mm[1], radius_mm, from_rad, to_rad);
+    context.stroke();
+  }
+}
+
+function fillDisc(context, x, y, radius) {
+  context.beginPath();
+  context.arc(x, y, radius, 0, 2 * Math.PI);
+  context.fill();
+}
+
+function drawGoals(context, field, thin) {
+  context.lineWidth = Math.max(20, 2 * thin);
+  field.goals.forEach((walls, side) => {
+    context.strokeStyle = kColors.sides[side];
+    tracePath(context, walls);
+    context.stroke();
+  });
+}
+
+// In millimetres, y upwards; `thin` is how many of them make a pixel.
+function drawField(context, field, thin) {
+  const {halfLength_mm: x, halfWidth_mm: y} = field;
+  context.fillStyle = kColors.carpet;
+  context.fillRect(-x, -y, 2 * x, 2 * y);
+  context.strokeStyle = kColors.line;
+  context.fillStyle = kColors.line;
+  context.lineWidth = Math.max(field.lineWidth_mm, 1.2 * thin);
+  strokeOutline(context, field.marks);
+  for (const [markX, markY] of field.penaltyMarks) fillDisc(context, markX, markY, Math.max(20, 1.8 * thin));
+  drawGoals(context, field, thin);
+}

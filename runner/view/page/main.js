@@ -1,0 +1,125 @@
+// Puts the page together.
+
+const kJump_s = 5;
+const kLayers = ["trails", "speeds", "distances", "heat", "list"];
+
+function readGame() {
+  const game = JSON.parse(document.getElementById("game").textContent);
+  const element = document.getElementById("pictures");
+  const recording = new Recording(game, element.textContent);
+  element.remove();  // it is long, and not needed any more
+  return {game, recording};
+}
+
+class Page {
+  constructor({game, recording}) {
+    this.game = game;
+    this.recording = recording;
+    this.layers = {trails: true, speeds: false, distances: true, heat: false, list: true};
+    this.player = new Player(recording, () => { this.isStale = true; });
+    const moments = momentsOf(game);
+    const seek = (time_s) => this.player.seek(time_s);
+    this.pitch = new Pitch(document.getElementById("pitch"), game, recording);
+    this.scoreboard = new Scoreboard(game);
+    this.timeline = new Timeline(recording, moments, seek);
+    this.events = new EventList(moments, seek);
+    this.isStale = true;
+  }
+
+  begin() {
+    this.setTitle();
+    this.listen();
+    new ResizeObserver(() => this.resize()).observe(this.pitch.canvas);
+    const frame = (now_ms) => {
+      this.player.tick(now_ms);
+      if (this.isStale) this.show();
+      requestAnimationFrame(frame);
+    };
+    this.resize();
+    requestAnimationFrame(frame);
+  }
+
+  setTitle() {
+    const names = this.game.teams.filter(Boolean).join(" - ");
+    if (names) document.title = `${names} \u00b7 AutoRef`;
+  }
+
+  resize() {
+    this.pitch.resize();
+    this.show();
+    this.events.reveal();
+  }
+
+  show() {
+    this.isStale = false;
+    const {time_s} = this.player;
+    const signalIndex = lastNotAfter(this.game.signals, time_s + 1e-6, (signal) => signal.time_s);
+    this.pitch.draw(this.recording.sceneAt(time_s), signalIndex, this.layers, this.events.momentAt(time_s));
+    this.scoreboard.show(time_s, this.game.signals[Math.max(signalIndex, 0)]);
+    this.timeline.show(time_s);
+    this.events.show(time_s);
+    this.showControls();
+  }
+
+  showControls() {
+    const {player} = this;
+    setText("time", hundredths(player.time_s));
+    setText("length", minutesAndSeconds(this.recording.last_s));
+    setText("speed", `${player.speed}\u00d7`);
+    const play = document.getElementById("play");
+    play.dataset.playing = String(player.isPlaying);
+    play.setAttribute("aria-label", player.isPlaying ? "Pause" : "Play");
+  }
+
+  toggleLayer(name) {
+    this.layers[name] = !this.layers[name];
+    document.getElementById(`layer-${name}`).setAttribute("aria-pressed", String(this.layers[name]));
+    document.body.classList.toggle("without-list", !this.layers.list);
+    this.isStale = true;
+  }
+
+  seekMoment(direction, kind) {
+    const moment = this.events.neighbour(this.player.time_s, direction, kind);
+    if (moment) this.player.seek(moment.time_s);
+  }
+
+  toggleHelp() {
+    const help = document.getElementById("help");
+    if (help.open) help.close();
+    else help.showModal();
+  }
+
+  actions() {
+    const {player, recording} = this;
+    const actions = {
+      toggle: () => player.toggle(),
+      back: () => player.seek(player.time_s - kJump_s),
+      forward: () => player.seek(player.time_s + kJump_s),
+      stepBack: () => player.step(-1),
+      stepForward: () => player.step(1),
+      slower: () => player.changeSpeed(-1),
+      faster: () => player.changeSpeed(1),
+      previousEvent: () => this.seekMoment(-1),
+      nextEvent: () => this.seekMoment(1),
+      previousGoal: () => this.seekMoment(-1, "goal"),
+      nextGoal: () => this.seekMoment(1, "goal"),
+      toBegin: () => player.seek(recording.first_s),
+      toEnd: () => player.seek(recording.last_s),
+      help: () => this.toggleHelp(),
+    };
+    kLayers.forEach((name, i) => { actions[`layer${i + 1}`] = () => this.toggleLayer(name); });
+    return actions;
+  }
+
+  // A button says by data-action what it does.
+  listen() {
+    const actions = this.actions();
+    for (const button of document.querySelectorAll("[data-action]")) {
+      button.addEventListener("click", () => actions[button.dataset.action]());
+    }
+    this.pitch.canvas.addEventListener("click", actions.toggle);
+    listenToKeys(actions);
+  }
+}
+
+new Page(readGame()).begin();

@@ -1,0 +1,33 @@
+// How things move: speeds and trails, told from the pictures.
+
+const kSpeedPictures = 3;  // before and after; fewer would show vision's noise
+const kTrailPictures = 90;
+const kTrailParts = 9;  // each of one strength
+
+// In mm/s; null where it cannot be told.
+function velocityAt(recording, track, index) {
+  const from = Math.max(0, index - kSpeedPictures);
+  const to = Math.min(recording.count - 1, index + kSpeedPictures);
+  const passed_s = recording.times_s[to] - recording.times_s[from];
+  const isKnown = track.x[from] !== kNothing && track.x[to] !== kNothing;
+  if (!isKnown || passed_s <= 0 || passed_s > 2 * kSpeedPictures * kLongestGap_s) return null;
+  const x = (track.x[to] - track.x[from]) / passed_s;
+  const y = (track.y[to] - track.y[from]) / passed_s;
+  return {x, y, speed: Math.hypot(x, y)};
+}
+
+function hasRun(track, from, to) {
+  if (track.x[from] === kNothing || track.x[to] === kNothing) return false;
+  return Math.hypot(track.x[to] - track.x[from], track.y[to] - track.y[from]) <= kFarthestStep_mm;
+}
+
+// Adds the way from one picture to another to the context's path.
+function traceWay(context, track, from, to) {
+  let isDrawing = false;
+  for (let i = Math.max(1, from + 1); i <= to; ++i) {
+    const isStep = hasRun(track, i - 1, i);
+    if (isStep && !isDrawing) context.moveTo(track.x[i - 1], track.y[i - 1]);
+    if (isStep) context.lineTo(track.x[i], track.y[i]);
+    isDrawing = isStep;
+  }
+}

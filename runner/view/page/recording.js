@@ -1,0 +1,150 @@
+// The game as it was packed (runner/view/game_tape.hpp), and what it shows at any time.
+"use strict";
+
+const kNothing = -32768;
+const kWholeNumberFollows = 0x80;
+const kTicksPerSecond = 10000;
+// Farther apart than this, two pictures tell nothing of what was between them.
+const kLongestGap_s = 0.12;
+const kFarthestStep_mm = 400;
+
+function bytesOf(base64) {
+  const letters = atob(base64.trim());
+  const bytes = new Uint8Array(letters.length);
+  for (let i = 0; i < letters.length; ++i) bytes[i] = letters.charCodeAt(i);
+  return bytes;
+}
+
+// Reads what PackedColumn and GameTape wrote, from the first byte to the last.
+class Unpacker {
+  constructor(bytes) {
+    this.bytes = bytes;
+    this.place = 0;
+  }
+
+  times_s(count) {
+    const view = new DataView(this.bytes.buffer, this.place);
+    const times = new Float64Array(count);
+    for (let i = 0; i < count; ++i) times[i] = view.getUint32(4 * i, true) / kTicksPerSecond;
+    this.place += 4 * count;
+    return times;
+  }
+
+  column(count) {
+    const {bytes} = this;
+    const numbers = new Int16Array(count);
+    let place = this.place;
+    let last = kNothing;
+    for (let i = 0; i < count; ++i) {
+      const byte = bytes[place++];
+      if (byte === kWholeNumberFollows) {
+        last = bytes[place] | (bytes[place + 1] << 24 >> 16);
+        place += 2;
+      } else {
+        last += byte << 24 >> 24;
+      }
+      numbers[i] = last;
+    }
+    this.place = place;
+    return numbers;
+  }
+}
+
+function mix(from, to, share) {
+  return from + (to - from) * share;
+}
+
+// The way from one angle to the other, the shorter way round, in tenths of degrees.
+function mixAngles(from, to, share) {
+  const way = ((to - from + 5400) % 3600) - 1800;
+  return from + way * share;
+}
+
+class Recording {
+  constructor(game, base64) {
+    const unpacker = new Unpacker(bytesOf(base64));
+    this.count = game.pictures;
+    this.times_s = unpacker.times_s(this.count);
+    this.robots = game.robots.map(([side, number]) => ({
+      side,
+      number,
+      x: unpacker.column(this.count),
+      y: unpacker.column(this.count),
+      heading: unpacker.column(this.count),
+    }));
+    this.ball = {
+      x: unpacker.column(this.count),
+      y: unpacker.column(this.count),
+      height: unpacker.column(this.count),
+    };
+    this.first_s = this.times_s[0];
+    this.last_s = this.times_s[this.count - 1];
+    this.length_s = this.last_s - this.first_s;
+  }
+
+  // The last picture that is not later.
+  indexAt(time_s) {
+    return Math.max(0, lastNotAfter(this.times_s, time_s, (picture_s) => picture_s));
+  }
+
+  // Everything on the field at that time, told from the pictures before and after it.
+  sceneAt(time_s) {
+    const index = this.indexAt(time_s);
+    const next = Math.min(index + 1, this.count - 1);
+    const gap_s = this.times_s[next] - this.times_s[index];
+    const passed_s = time_s - this.times_s[index];
+    const share = gap_s > 0 && gap_s <= kLongestGap_s ? Math.min(passed_s / gap_s, 1) : 0;
+    const between = {index, next, share};
+    return {
+      index,
+      time_s,
+      robots: this.robots.map((robot) => robotBetween(robot, between)).filter(Boolean),
+      ball: ballBetween(this.ball, between),
+    };
+  }
+}
+
+// The last of the sorted `list` whose time is not after `time_s`; -1 where there is none.
+function lastNotAfter(list, time_s, timeOf) {
+  let low = 0;
+  let high = list.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (timeOf(list[middle]) <= time_s) low = middle + 1;
+    else high = middle;
+  }
+  return low - 1;
+}
+
+// What moved too far in one picture did not run: it was put there.
+function shareFor(track, {index, next, share}) {
+  if (track.x[next] === kNothing) return 0;
+  const step = Math.hypot(track.x[next] - track.x[index], track.y[next] - track.y[index]);
+  return step > kFarthestStep_mm ? 0 : share;
+}
+
+function robotBetween(robot, between) {
+  const {index, next} = between;
+  if (robot.x[index] === kNothing) return null;
+  const share = shareFor(robot, between);
+  const heading = mixAngles(robot.heading[index], robot.heading[next], share);
+  return {
+    side: robot.side,
+    number: robot.number,
+    x: mix(robot.x[index], robot.x[next], share),
+    y: mix(robot.y[index], robot.y[next], share),
+    heading_rad: heading * Math.PI / 1800,
+  };
+}
+
+function ballBetween(ball, between) {
+  const {index, next} = between;
+  if (ball.x[index] === kNothing) return null;
+  const share = shareFor(ball, between);
+  const isHeightKnown = ball.height[index] !== kNothing && ball.height[next] !== kNothing;
+  return {
+    x: mix(ball.x[index], ball.x[next], share),
+    y: mix(ball.y[index], ball.y[next], share),
+    height: isHeightKnown ? mix(ball.height[index], ball.height[next], share) : null,
+  };
+}

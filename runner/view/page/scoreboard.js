@@ -1,0 +1,53 @@
+// Who plays, the score, the clock, and what the referee says.
+
+function setText(id, text) {
+  const element = document.getElementById(id);
+  if (element.textContent !== text) element.textContent = text;
+}
+
+function signOf(signal) {
+  const kind = kindOfCommand(signal.command);
+  if (kind === "HALT") return "halt";
+  return isRunning(signal) ? "running" : "stopped";
+}
+
+class Scoreboard {
+  constructor({teams, signals, clock}) {
+    this.signals = signals;
+    this.clock = clock;
+    teams.forEach((name, side) => setText(`team${side}`, name || capitalised(kSideNames[side])));
+  }
+
+  show(time_s, signal) {
+    setText("clock", this.clockAt(time_s));
+    if (!signal) return;
+    for (const side of [0, 1]) {
+      setText(`goals${side}`, this.goalsText(signal, side));
+      this.showCards(signal, side);
+    }
+    setText("stage", stageTitle(signal.stage));
+    setText("command", commandTitle(signal.command));
+    document.getElementById("command").dataset.sign = signOf(signal);
+    document.getElementById("command").dataset.side = sideOfCommand(signal.command) ?? "";
+  }
+
+  goalsText(signal, side) {
+    const shootout = signal.shootoutGoals[0] + signal.shootoutGoals[1] > 0;
+    return signal.goals[side] + (shootout ? ` (${signal.shootoutGoals[side]})` : "");
+  }
+
+  showCards(signal, side) {
+    const yellow = signal.yellowCards[side];
+    const red = signal.redCards[side];
+    setText(`yellowCards${side}`, yellow > 0 ? String(yellow) : "");
+    setText(`redCards${side}`, red > 0 ? String(red) : "");
+  }
+
+  // What is left of the stage; empty where nobody tells.
+  clockAt(time_s) {
+    const place = lastNotAfter(this.clock, time_s, ([since_s]) => since_s);
+    if (place < 0) return "";
+    const left_s = this.clock[place][1];
+    return left_s === 0 && !this.clock.some(([, left]) => left !== 0) ? "" : minutesAndSeconds(left_s);
+  }
+}

@@ -1,0 +1,62 @@
+// The time line: a slider with a mark for each moment.
+
+class Timeline {
+  // `seek(time_s)` is called where somebody points at a time.
+  constructor(recording, moments, seek) {
+    this.recording = recording;
+    this.seek = seek;
+    this.slider = document.getElementById("timeline");
+    this.played = document.getElementById("played");
+    this.knob = document.getElementById("knob");
+    this.slider.setAttribute("aria-valuemax", String(Math.round(recording.last_s)));
+    this.addMarks(moments);
+    this.listen();
+  }
+
+  shareOf(time_s) {
+    const {first_s, length_s} = this.recording;
+    return length_s > 0 ? Math.min(Math.max((time_s - first_s) / length_s, 0), 1) : 0;
+  }
+
+  addMarks(moments) {
+    const marks = document.getElementById("marks");
+    for (const moment of moments) {
+      const mark = document.createElement("button");
+      mark.type = "button";
+      mark.tabIndex = -1;  // the list of events is the way there by keys
+      mark.className = `mark ${moment.kind}`;
+      mark.dataset.side = moment.side ?? "";
+      mark.dataset.color = moment.color ?? "";
+      mark.style.left = `${100 * this.shareOf(moment.time_s)}%`;
+      mark.title = `${minutesAndSeconds(moment.time_s)}  ${moment.title}`;
+      mark.setAttribute("aria-label", mark.title);
+      mark.addEventListener("click", () => this.seek(moment.time_s));
+      marks.append(mark);
+    }
+  }
+
+  listen() {
+    const follow = (event) => this.seek(this.timeUnder(event));
+    this.slider.addEventListener("pointerdown", (event) => {
+      if (event.target.classList.contains("mark")) return;
+      this.slider.setPointerCapture(event.pointerId);
+      follow(event);
+    });
+    this.slider.addEventListener("pointermove", (event) => {
+      if (this.slider.hasPointerCapture(event.pointerId)) follow(event);
+    });
+  }
+
+  timeUnder(event) {
+    const {left, width} = this.slider.getBoundingClientRect();
+    return this.recording.first_s + this.recording.length_s * (event.clientX - left) / width;
+  }
+
+  show(time_s) {
+    const percent = `${100 * this.shareOf(time_s)}%`;
+    this.played.style.width = percent;
+    this.knob.style.left = percent;
+    this.slider.setAttribute("aria-valuenow", String(Math.round(time_s)));
+    this.slider.setAttribute("aria-valuetext", minutesAndSeconds(time_s));
+  }
+}

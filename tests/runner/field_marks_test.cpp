@@ -1,0 +1,67 @@
+#include "runner/view/field_marks.hpp"
+
+#include <gtest/gtest.h>
+
+#include "soccer/rule_book.hpp"
+
+namespace autoref::runner {
+namespace {
+
+Field field_of_book(const char* name) { return find_game_setup(name)->field; }
+
+// Places all along the outline.
+std::vector<Vec2> places_on(const Outline& outline) {
+  std::vector<Vec2> places;
+  for (int i = 0; i <= 10; ++i) {
+    for (const MarkLine& line : outline.lines)
+      places.push_back(line.from_m + i / 10.0 * (line.to_m - line.from_m));
+    for (const MarkArc& arc : outline.arcs) {
+      const double angle_rad = arc.from_rad + i / 10.0 * (arc.to_rad - arc.from_rad);
+      places.push_back(arc.centre_m + arc.radius_m * heading_of(angle_rad));
+    }
+  }
+  return places;
+}
+
+class AroundDefenceArea : public testing::TestWithParam<const char*> {};
+
+TEST_P(AroundDefenceArea, IsEverywhereAsFarFromTheAreaAsAsked) {
+  const Field field = field_of_book(GetParam());
+  for (const Side side : kSides) {
+    const Outline outline = around_defence_area(field, side, 0.2);
+    ASSERT_EQ(outline.arcs.size(), 2U);
+    for (const Vec2& place_m : places_on(outline))
+      EXPECT_NEAR(distance_to_defence_area(field, side, place_m), 0.2, 1e-9) << place_m;
+  }
+}
+
+TEST_P(AroundDefenceArea, LiesBeforeTheGoalLine) {
+  const Field field = field_of_book(GetParam());
+  for (const Side side : kSides) {
+    for (const Vec2& place_m : places_on(around_defence_area(field, side, 0.2)))
+      EXPECT_LE(std::abs(place_m.x()), field.half_length_m() + 1e-9) << place_m;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Books, AroundDefenceArea, testing::Values("2014", "2026-b"),
+                         [](const auto& book) {
+                           return std::string(book.param) == "2014" ? "RoundArea" : "BoxArea";
+                         });
+
+TEST(FieldLines, AreThoseOfTheLeaguesVision) {
+  // Four sides, two lines through the middle, and an area at each end; the centre circle.
+  EXPECT_EQ(field_lines(field_of_book("2014")).lines.size(), 8U);
+  EXPECT_EQ(field_lines(field_of_book("2014")).arcs.size(), 5U);
+  EXPECT_EQ(field_lines(field_of_book("2026-b")).lines.size(), 12U);
+  EXPECT_EQ(field_lines(field_of_book("2026-b")).arcs.size(), 1U);
+}
+
+TEST(GoalWalls, RunFromPostToPostRoundTheBack) {
+  const auto walls_m = goal_walls_m(Field{}, Side::kWest);
+  EXPECT_EQ(walls_m[0], Vec2(-3.025, 0.35));
+  EXPECT_NEAR(walls_m[1].x(), -3.205, 1e-9);
+  EXPECT_EQ(walls_m[3], Vec2(-3.025, -0.35));
+}
+
+}  // namespace
+}  // namespace autoref::runner

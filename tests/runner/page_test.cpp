@@ -1,0 +1,46 @@
+#include "runner/view/page.hpp"
+
+#include <gtest/gtest.h>
+
+namespace autoref::runner {
+namespace {
+
+std::string page_between(const std::string& yellow, const std::string& blue) {
+  GameTape tape;
+  Frame picture;
+  picture.ball = BallObservation{{1, 0}, 0.0, {}};
+  tape.add(picture);
+  tape.add(0, RefereeSignal{});
+  return page_of({tape, Field{}, {{yellow, blue}}});
+}
+
+std::size_t count_of(const std::string& part, const std::string& text) {
+  std::size_t count = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+TEST(Page, HasEverythingInItsPlace) {
+  const std::string page = page_between("cobalt", "counter");
+  EXPECT_TRUE(page.starts_with("<!DOCTYPE html>"));
+  EXPECT_NE(page.find(R"("teams": ["cobalt", "counter"])"), std::string::npos);
+  for (const char* mark : {"@STYLE@", "@GAME@", "@PICTURES@", "@SCRIPT@"})
+    EXPECT_EQ(count_of(mark, page), 0U) << mark;
+}
+
+TEST(Page, NeedsNothingFromANetwork) {
+  const std::string page = page_between("a", "b");
+  for (const char* sign : {"://", "@import", "url(", " src=", "fetch("})
+    EXPECT_EQ(count_of(sign, page), 0U) << sign;
+}
+
+TEST(Page, IsNotEndedByWhatALogTells) {
+  const std::string harmless = page_between("a", "b");
+  const std::string page = page_between("</script><script>alert(1)</script>", "<!--<script>");
+  EXPECT_EQ(count_of("<script", page), count_of("<script", harmless));
+  EXPECT_EQ(count_of("</script", page), count_of("</script", harmless));
+  EXPECT_EQ(count_of("<!--", page), 0U);
+}
+
+}  // namespace
+}  // namespace autoref::runner
