@@ -14,7 +14,6 @@
 namespace autoref::runner {
 namespace {
 
-constexpr double kMargin_m = 0.3;             // around the field, where the run-off is wider
 constexpr double kCaption_m = 0.12;           // size of its letters
 constexpr double kShownBallRadius_m = 0.035;  // larger than it is, so that it is seen
 constexpr double kFarthestStep_m = 0.4;       // beyond it, something was put, and did not run
@@ -149,7 +148,7 @@ std::string time_text(const DrawnGame& game) {
 std::string caption(const DrawnGame& game) {
   if (!game.signal) return time_text(game);
   const RefereeSignal& signal = *game.signal;
-  return fmt::format("{}    {} {} : {} {}    {}, {}", time_text(game),
+  return fmt::format("{} | {} {} : {} {} | {}, {}", time_text(game),
                      name_of_team(game, Side::kWest), signal.goals[Side::kWest],
                      signal.goals[Side::kEast], name_of_team(game, Side::kEast),
                      name_of(signal.stage), name_of(signal.command));
@@ -159,8 +158,7 @@ std::string caption(const DrawnGame& game) {
 
 std::string drawing_of(const DrawnGame& game) {
   const Field& field = game.field;
-  const double margin_m = std::max(field.goal_depth_m, kMargin_m);
-  const Vec2 half_size_m(field.half_length_m() + margin_m, field.half_width_m() + margin_m);
+  const Vec2 half_size_m(field.wall_x_m(), field.wall_y_m());
   Svg svg(half_size_m);
   draw_field(field, svg);
   if (game.pictures.size() > 1) draw_ways(game, svg);

@@ -167,6 +167,13 @@ class PageTest(unittest.TestCase):
             self.assertTrue(self.text("callTitle").find("Goal for") > 0)
         self.assertEqual(self.score(), [self.record["goals_a"], self.record["goals_b"]])
 
+    def test_comes_back_to_a_goal_by_steps(self):
+        self.press("g")
+        self.press("," * 5)
+        self.assertEqual(sum(self.score()), 0)
+        self.press("." * 5)
+        self.assertEqual(sum(self.score()), 1)
+
     def test_goes_to_a_goal_by_its_mark(self):
         marks = self.browser.find_elements(By.CSS_SELECTOR, ".mark.goal")
         self.assertEqual(len(marks), self.record["goals_a"] + self.record["goals_b"])

@@ -82,9 +82,9 @@ class Recording {
     this.length_s = this.last_s - this.first_s;
   }
 
-  // The last picture that is not later.
+  // The last picture that is not later, as far as ticks can tell.
   indexAt(time_s) {
-    return Math.max(0, lastNotAfter(this.times_s, time_s, (picture_s) => picture_s));
+    return Math.max(0, lastNotAfter(this.times_s, time_s + 1 / kTicksPerSecond, (picture_s) => picture_s));
   }
 
   // Everything on the field at that time, told from the pictures before and after it.
@@ -92,7 +92,7 @@ class Recording {
     const index = this.indexAt(time_s);
     const next = Math.min(index + 1, this.count - 1);
     const gap_s = this.times_s[next] - this.times_s[index];
-    const passed_s = time_s - this.times_s[index];
+    const passed_s = Math.max(0, time_s - this.times_s[index]);
     const share = gap_s > 0 && gap_s <= kLongestGap_s ? Math.min(passed_s / gap_s, 1) : 0;
     const between = {index, next, share};
     return {
