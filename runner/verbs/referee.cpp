@@ -83,8 +83,7 @@ void add_referee_verb(CLI::App& app, Chosen& chosen) {
   verb->footer(
       "Field, length of a half, first kick-off and robots come from the log where it has them.\n"
       "Yellow is west; where the log says that blue defends the goal at -x, it is turned round.\n\n"
-      "Example:\n  autoref play scenarios/paper-game.yaml --log game.log.gz\n"
-      "  autoref referee --log game.log.gz --camera paper --events events.jsonl");
+      "Example:\n  autoref referee --log game.log.gz --camera paper --events events.jsonl");
   verb->callback(
       [arguments, &chosen] { chosen = [arguments] { return referee_verb(*arguments); }; });
 }
