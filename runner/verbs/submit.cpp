@@ -86,7 +86,7 @@ std::string submit(const std::vector<std::string>& words) {
                      "cluster's login node, or write the scripts only, with --dry-run");
   }
   // With several clusters: "123;name".
-  const std::string job = result->out.substr(0, result->out.find_first_of(";\n"));
+  std::string job = result->out.substr(0, result->out.find_first_of(";\n"));
   if (result->code == 0 && !job.empty()) return job;
   throw InputOutputError(fmt::format("sbatch refused {} with code {}", words.back(), result->code));
 }
