@@ -157,7 +157,7 @@ INSTANTIATE_TEST_SUITE_P(
             {"such as teams: { one: { strategy: basic }"}},
         Mistake{"OneTeam",
                 changed(kRobin, ", calm: { strategy: zone }", ""),
-                "x.yaml:5:1: teams: expected at least two teams",
+                "x.yaml:5:1: teams: expected at least 2 teams",
                 {"found 1"}},
         Mistake{"NameOfATeam",
                 changed(kRobin, "bold", "b~old"),
@@ -170,7 +170,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"TeamsInTheBase",
                 kRobin + "base: { teams: { a: {} } }\n",
                 "x.yaml:6:9: base.teams: ",
-                {"beside its base"}}),
+                {"beside the base"}}),
     [](const auto& test) { return test.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(
