@@ -106,18 +106,6 @@ std::string recorded_score(const RecordedFacts& facts) {
 
 }  // namespace
 
-std::string damage_text(const league::LogSummary& log) {
-  std::string text;
-  if (log.damage) {
-    text = fmt::format("the log is read up to byte {}: {}\n", log.damage->offset, log.damage->what);
-  }
-  if (log.unreadable > 0) {
-    text += fmt::format("{} messages make no sense and are left out, the first at byte {}\n",
-                        log.unreadable, log.unreadable_at);
-  }
-  return text;
-}
-
 std::string info_text(const RecordedFacts& facts, bool lists_commands) {
   const league::LogSummary& log = facts.log;
   return fmt::format(

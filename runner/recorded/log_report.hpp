@@ -19,8 +19,4 @@ std::string info_json(const RecordedFacts& facts);
 std::string judgement_text(const LogJudgement& judgement, const RecordedFacts& facts);
 std::string judgement_json(const LogJudgement& judgement, const RecordedFacts& facts);
 
-// "the log ends at byte 1234, too early: ...", and how many messages make no sense; empty where all
-// is well.
-std::string damage_text(const league::LogSummary& log);
-
 }  // namespace autoref::runner

@@ -7,10 +7,10 @@
 
 #include "league/referee_message.hpp"
 #include "runner/errors.hpp"
+#include "runner/recorded/user_log.hpp"
 #include "runner/verbs/command_line.hpp"
 #include "runner/verbs/output_file.hpp"
 #include "runner/view/drawing.hpp"
-#include "runner/view/user_log.hpp"
 #include "runner/words.hpp"
 
 namespace autoref::runner {

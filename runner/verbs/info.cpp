@@ -5,6 +5,7 @@
 
 #include "runner/errors.hpp"
 #include "runner/recorded/log_report.hpp"
+#include "runner/recorded/user_log.hpp"
 #include "runner/verbs/command_line.hpp"
 
 namespace autoref::runner {
@@ -20,7 +21,7 @@ RecordedFacts read_facts(const std::string& log) {
 int info_verb(const InfoArguments& arguments) {
   const RecordedFacts facts = read_facts(arguments.log);
   fmt::print("{}\n", arguments.json ? info_json(facts) : info_text(facts, arguments.commands));
-  tell(stderr, damage_text(facts.log));
+  tell(stderr, damage_text(arguments.log, facts.log));
   return facts.log.damage ? kBadInput : kDone;
 }
 

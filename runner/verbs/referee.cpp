@@ -10,6 +10,7 @@
 #include "runner/files.hpp"
 #include "runner/match_rules.hpp"
 #include "runner/recorded/log_report.hpp"
+#include "runner/recorded/user_log.hpp"
 #include "runner/verbs/command_line.hpp"
 #include "runner/verbs/settings.hpp"
 
@@ -53,7 +54,7 @@ int referee_verb(const RefereeArguments& arguments) {
   if (events) events->commit(judgement.events);
   fmt::print("{}\n",
              arguments.json ? judgement_json(judgement, facts) : judgement_text(judgement, facts));
-  tell(stderr, damage_text(facts.log));
+  tell(stderr, damage_text(arguments.log, facts.log));
   return facts.log.damage ? kBadInput : kDone;
 }
 

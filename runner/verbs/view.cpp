@@ -6,11 +6,11 @@
 
 #include "league/referee_message.hpp"
 #include "runner/errors.hpp"
+#include "runner/recorded/user_log.hpp"
 #include "runner/verbs/command_line.hpp"
 #include "runner/verbs/output_file.hpp"
 #include "runner/view/decision_lines.hpp"
 #include "runner/view/page.hpp"
-#include "runner/view/user_log.hpp"
 
 namespace autoref::runner {
 namespace {

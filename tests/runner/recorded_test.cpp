@@ -6,7 +6,7 @@
 #include "runner/event_log.hpp"
 #include "runner/match_rules.hpp"
 #include "runner/recorded/log_judge.hpp"
-#include "runner/recorded/log_report.hpp"
+#include "runner/recorded/user_log.hpp"
 #include "sim/camera.hpp"
 #include "sim/camera_presets.hpp"
 #include "tests/league/scratch_log.hpp"
@@ -109,7 +109,8 @@ TEST(RecordedFacts, OfADamagedLogAreThoseBeforeTheDamage) {
   const RecordedFacts facts = facts_of(file.fill(whole.substr(0, whole.size() / 2)).path());
   EXPECT_GT(facts.log.pictures, 1000);
   ASSERT_TRUE(facts.log.damage.has_value());
-  EXPECT_NE(damage_text(facts.log).find("byte"), std::string::npos);
+  EXPECT_NE(damage_text("game.log", facts.log).find("game.log: the log is read up to byte"),
+            std::string::npos);
 }
 
 TEST(CallMaker, MakesACallOfAStopAndTheRestartAfterIt) {

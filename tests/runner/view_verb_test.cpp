@@ -33,7 +33,7 @@ TEST_F(ViewVerb, ShowsWhatStandsBeforeDamageAndSaysWhereItIs) {
   write_content(log, bytes.substr(0, bytes.size() / 2));
   const Answer answer = view(log);
   EXPECT_EQ(answer.code, kBadInput);
-  EXPECT_NE(answer.err.find("the log ends at byte "), std::string::npos) << answer.err;
+  EXPECT_NE(answer.err.find("the log is read up to byte "), std::string::npos) << answer.err;
   EXPECT_GT(content_of(page_).size(), 20'000U);
 }
 

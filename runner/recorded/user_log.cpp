@@ -1,25 +1,24 @@
-#include "runner/view/user_log.hpp"
+#include "runner/recorded/user_log.hpp"
 
 #include <fmt/format.h>
 
 #include "runner/errors.hpp"
 
 namespace autoref::runner {
-namespace {
-
-void tell_damage(const std::string& path, const league::LogSummary& log) {
+std::string damage_text(const std::string& path, const league::LogSummary& log) {
+  std::string text;
   if (log.damage) {
-    tell(stderr, fmt::format("autoref: {}: the log ends at byte {}, too early: {}\n", path,
-                             log.damage->offset, log.damage->what));
+    text = fmt::format("autoref: {}: the log is read up to byte {}: {}\n", path, log.damage->offset,
+                       log.damage->what);
   }
   if (log.unreadable > 0) {
-    tell(stderr, fmt::format("autoref: {}: {} messages make no sense and are left out, the first "
-                             "at byte {}\n",
-                             path, log.unreadable, log.unreadable_at));
+    text += fmt::format(
+        "autoref: {}: {} messages make no sense and are left out, the first at "
+        "byte {}\n",
+        path, log.unreadable, log.unreadable_at);
   }
+  return text;
 }
-
-}  // namespace
 
 league::LogSummary read_user_log(const std::string& path, league::LogVisitor& visitor) {
   league::LogSummary log;
@@ -28,7 +27,7 @@ league::LogSummary read_user_log(const std::string& path, league::LogVisitor& vi
   } catch (const league::LogError& error) {
     throw InputError({}, "", error.what());
   }
-  tell_damage(path, log);
+  tell(stderr, damage_text(path, log));
   if (log.pictures > 0) return log;
   throw InputError({path}, "", "the log shows no picture of the field: nothing can be seen");
 }
