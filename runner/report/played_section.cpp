@@ -54,9 +54,8 @@ Section played_section(const ResultFolder& folder, const ExperimentResults& resu
   add_rows_that_do_not_count(table, folder);
   Section section = {Heading{"What was played"}, table};
   if (!folder.is_complete()) {
-    section.emplace_back(
-        Paragraph{fmt::format("{} games are missing. {}",
-                              folder.needed - folder.stock.done.size(), kInterimWarning)});
+    section.emplace_back(Paragraph{fmt::format(
+        "{} games are missing. {}", folder.needed - folder.stock.done.size(), kInterimWarning)});
   }
   return section;
 }
