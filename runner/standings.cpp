@@ -107,4 +107,8 @@ std::vector<Standing> standings_of_challengers(const std::vector<Group>& matchup
   return ordered(std::move(by_team));
 }
 
+bool are_rated(const std::vector<Standing>& standings) {
+  return !standings.empty() && standings.front().is_rated;
+}
+
 }  // namespace autoref::runner

@@ -45,4 +45,7 @@ std::vector<Standing> standings_of(const std::vector<Group>& matchups);
 // says.
 std::vector<Standing> standings_of_challengers(const std::vector<Group>& matchups);
 
+// Whether the teams have ratings: all of a table have, or none.
+bool are_rated(const std::vector<Standing>& standings);
+
 }  // namespace autoref::runner

@@ -60,10 +60,6 @@ Cells rating_texts(const Standing& standing) {
           mean_text(standing.strength.value, standing.strength.interval)};
 }
 
-bool are_rated(const std::vector<Standing>& standings) {
-  return !standings.empty() && standings.front().is_rated;
-}
-
 // The counts themselves stand further to the left.
 Cells shares_only(const Cells& cells) {
   return {cells.begin() + std::tuple_size_v<ResultCounts>, cells.end()};

@@ -46,11 +46,14 @@ Section played_section(const ResultFolder& folder, const ExperimentResults& resu
   Table table{{{"experiment", ""},
                {"kind", kind_text(folder.scenario)},
                {"games", fmt::format("{} of {}", folder.stock.done.size(), folder.needed)},
-               {"pairs of legs without a void game", std::to_string(pairs_of(results.groups))},
                {"void games", std::to_string(folder.void_games())},
                {"build", folder.build.empty() ? "none" : folder.build},
                {"master seed", master_seed(folder.scenario)}},
               2};
+  if (!results.groups.empty()) {
+    table.rows.push_back(
+        {"pairs of legs without a void game", std::to_string(pairs_of(results.groups))});
+  }
   add_rows_that_do_not_count(table, folder);
   Section section = {Heading{"What was played"}, table};
   if (!folder.is_complete()) {

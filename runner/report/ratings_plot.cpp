@@ -85,7 +85,7 @@ std::string script_of(const std::vector<Standing>& standings) {
 }  // namespace
 
 std::optional<Plot> ratings_plot(const ExperimentResults& results) {
-  if (results.standings.empty() || !has_games(results.groups)) return std::nullopt;
+  if (!are_rated(results.standings) || !has_games(results.groups)) return std::nullopt;
   return Plot{
       "ratings",
       "Ratings of the teams, best first: in goals a game (least squares), and Bradley's and "

@@ -19,8 +19,10 @@ List meaning_of_intervals(const ResultFolder& folder, const ExperimentResults& r
         "first value; p is that of the paired t test, with Holm's correction over the table.");
   }
   if (!results.standings.empty()) {
-    list.items.emplace_back(
-        "A win is three points, a draw one. Ratings have intervals from resampled pairs of legs.");
+    list.items.emplace_back("A win is three points, a draw one.");
+  }
+  if (are_rated(results.standings)) {
+    list.items.emplace_back("Ratings have intervals from resampled pairs of legs.");
   }
   return list;
 }
@@ -59,7 +61,9 @@ std::string cross_text(const std::optional<CrossCell>& cell) {
 }  // namespace
 
 Section results_section(const ResultFolder& folder, const ExperimentResults& results) {
-  return {Heading{"Results"}, Verbatim{results.table}, meaning_of_intervals(folder, results)};
+  Section section = {Heading{"Results"}, Verbatim{results.table}};
+  if (!results.groups.empty()) section.emplace_back(meaning_of_intervals(folder, results));
+  return section;
 }
 
 Section shares_section(const ResultFolder& folder, const ExperimentResults& results) {

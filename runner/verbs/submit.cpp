@@ -131,7 +131,8 @@ void add_submit_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb =
       app.add_subcommand("submit", "Hand an experiment to a cluster: an array of Slurm.");
   auto arguments = std::make_shared<SubmitArguments>();
-  add_batch_options(*verb, *arguments, "Scenario of kind sweep or roundrobin.");
+  add_batch_options(*verb, *arguments,
+                    "Scenario of kind sweep, roundrobin, gauntlet, match or knockout.");
   verb->get_option("--workers")->description("Games played at a time in each task. Default: 1.");
   verb->add_flag("--slurm", arguments->slurm,
                  "The cluster is one of Slurm's; there is no other yet.")

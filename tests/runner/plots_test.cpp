@@ -38,6 +38,15 @@ TEST(Plots, OfARoundRobinAreTablesAndRatings) {
                                       "running_mean"}));
 }
 
+TEST(Plots, OfChallengersHaveNoRatings) {
+  Gauntlet gauntlet;
+  gauntlet.challengers["bold"].robots = 6;
+  gauntlet.teams["zone"].robots = 5;
+  const Scenario scenario{"A test.", gauntlet};
+  EXPECT_EQ(names_of(plots_of(scenario, played(scenario))),
+            (std::vector<std::string>{"difference", "histogram", "running_mean"}));
+}
+
 TEST(Plots, AreNoneBeforeTheFirstGame) {
   ExperimentResults results;
   results.groups = {Group{{"6"}, {}, {}, {}, {}, {}, 1, 0, 0, 0}};
