@@ -1,5 +1,7 @@
 #include "league/log_contents.hpp"
 
+#include <fmt/format.h>
+
 #include "league/messages/vision.pb.h"
 #include "league/picture_merger.hpp"
 
@@ -12,22 +14,28 @@ bool parse(const std::string& bytes, Message& message) {
   return message.ParsePartialFromString(bytes) && message.IsInitialized();
 }
 
+MessageKind kind_of(const LogRecord& record) {
+  const bool is_known = record.kind >= static_cast<std::int32_t>(MessageKind::kUnknown) &&
+                        record.kind <= static_cast<std::int32_t>(MessageKind::kIndex2021);
+  return is_known ? static_cast<MessageKind>(record.kind) : MessageKind::kUnknown;
+}
+
 class Walk {
  public:
   Walk(const std::filesystem::path& path, LogVisitor& visitor) : log_(path), visitor_(visitor) {}
 
   LogSummary summary() {
-    while (log_.read(record_)) {
+    while (pictures_ < kMostPictures && log_.read(record_)) {
       if (records_++ == 0) first_ns_ = record_.time_ns;
       last_ns_ = record_.time_ns;
-      ++summary_.records[record_.kind];
+      ++summary_.records[kind_of(record_)];
       if (!take()) note_unreadable();
     }
     show(merger_.finish());
     summary_.length_s = since_first_s();
     summary_.pictures = pictures_;
     summary_.field = merger_.field();
-    summary_.damage = log_.damage();
+    summary_.damage = pictures_ < kMostPictures ? log_.damage() : too_many_pictures();
     return summary_;
   }
 
@@ -37,19 +45,24 @@ class Walk {
     return (static_cast<double>(last_ns_) - static_cast<double>(first_ns_)) / 1e9;
   }
 
+  std::optional<LogDamage> too_many_pictures() const {
+    return LogDamage{log_.offset(), fmt::format("more than {} pictures", kMostPictures)};
+  }
+
   bool take() {
-    if (record_.kind == static_cast<std::int32_t>(MessageKind::kVision2014)) return take_vision();
-    if (record_.kind == static_cast<std::int32_t>(MessageKind::kReferee2013)) return take_referee();
-    return true;
+    const MessageKind kind = kind_of(record_);
+    if (kind == MessageKind::kVision2014) return take_vision();
+    return kind != MessageKind::kReferee2013 || take_referee();
   }
 
   bool take_vision() {
     if (!parse(record_.message, vision_)) return false;
     const std::int64_t unusable = merger_.unusable();
     show(merger_.add(vision_));
+    if (merger_.unusable() != unusable) return false;
     if (vision_.has_detection())
       visitor_.on_camera(since_first_s(), vision_.detection().camera_id());
-    return merger_.unusable() == unusable;
+    return true;
   }
 
   bool take_referee() {

@@ -29,8 +29,9 @@ class LogVisitor {
 
 // What a log holds apart from what visitors are told.
 struct LogSummary {
-  std::map<std::int32_t, std::int64_t> records;  // by MessageKind, or an unknown number
-  double length_s = 0;                           // from the first record to the last
+  // By MessageKind; other numbers count as kUnknown.
+  std::map<MessageKind, std::int64_t> records;
+  double length_s = 0;  // from the first record to the last
   std::int64_t pictures = 0;
   std::optional<Field> field;       // none where the log has no geometry
   std::int64_t unreadable = 0;      // messages that are none of their kind, or make no sense
@@ -38,7 +39,11 @@ struct LogSummary {
   std::optional<LogDamage> damage;  // the log ends here, too early
 };
 
-// Reads the log of that name, in bounded memory. Throws LogError where it is none.
+// Nine hours at 60 pictures a second: no game is longer, and what is made of a log stays bounded.
+inline constexpr std::int64_t kMostPictures = 2'000'000;
+
+// Reads the log of that name, in bounded memory. Throws LogError where it is none. A log of more
+// pictures counts as damaged behind them.
 LogSummary read_log(const std::filesystem::path& path, LogVisitor& visitor);
 
 }  // namespace autoref::league

@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <array>
 #include <map>
+#include <string_view>
 
 #include "runner/json.hpp"
 #include "runner/table.hpp"
@@ -13,12 +14,10 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-std::string kind_name(std::int32_t kind) {
-  static const std::map<std::int32_t, std::string> kNames = {
-      {1, "unknown"},     {2, "vision 2010"},  {3, "referee 2013"},
-      {4, "vision 2014"}, {5, "tracker 2020"}, {6, "index 2021"}};
-  const auto name = kNames.find(kind);
-  return name == kNames.end() ? fmt::format("kind {}", kind) : name->second;
+std::string_view name_of(league::MessageKind kind) {
+  static constexpr std::array<std::string_view, 6> kNames = {
+      "unknown", "vision 2010", "referee 2013", "vision 2014", "tracker 2020", "index 2021"};
+  return kNames[static_cast<std::size_t>(kind) - 1];
 }
 
 std::string clock_text(double time_s) {
@@ -35,7 +34,7 @@ std::map<std::string, int> counts_of(const std::vector<RecordedCommand>& command
 std::string records_text(const league::LogSummary& log) {
   std::string text;
   for (const auto& [kind, count] : log.records)
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, kind_name(kind));
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name_of(kind));
   return text.empty() ? "none" : text;
 }
 
@@ -138,7 +137,7 @@ std::string info_json(const RecordedFacts& facts) {
   }
   JsonObject records;
   for (const auto& [kind, count] : facts.log.records)
-    records.add(kind_name(kind), std::to_string(count));
+    records.add(name_of(kind), std::to_string(count));
   return JsonObject()
       .add("length_s", json_number(facts.log.length_s))
       .add("records", records.text())

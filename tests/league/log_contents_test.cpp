@@ -1,0 +1,77 @@
+#include "league/log_contents.hpp"
+
+#include <set>
+
+#include "league/messages/vision.pb.h"
+#include "tests/league/scratch_log.hpp"
+
+namespace autoref::league {
+namespace {
+
+class Cameras final : public LogVisitor {
+ public:
+  void on_camera(double /*time_s*/, std::uint32_t camera) override { seen.insert(camera); }
+  std::set<std::uint32_t> seen;
+};
+
+std::string packet_of(std::uint32_t camera, double capture_s) {
+  VisionPacket packet;
+  DetectionFrame& detection = *packet.mutable_detection();
+  detection.set_frame_number(1);
+  detection.set_t_capture(capture_s);
+  detection.set_t_sent(capture_s);
+  detection.set_camera_id(camera);
+  return packet.SerializeAsString();
+}
+
+// The log of those messages, a millisecond from each to the next.
+const ScratchFile& written(const ScratchFile& file, MessageKind kind,
+                           const std::vector<std::string>& messages) {
+  LogWriter writer(file.path());
+  std::int64_t time_ns = 0;
+  for (const std::string& message : messages) writer.write(time_ns += 1'000'000, kind, message);
+  writer.close();
+  return file;
+}
+
+TEST(ReadLog, CountsMessagesThatMakeNoSenseAndTellsWhereTheFirstIs) {
+  const ScratchFile file(".log");
+  const std::string sound = packet_of(0, 1);
+  written(file, MessageKind::kVision2014, {sound, "no packet", packet_of(0, 2), "nor this"});
+  LogVisitor nobody;
+  const LogSummary log = read_log(file.path(), nobody);
+  EXPECT_EQ(log.pictures, 2);
+  EXPECT_EQ(log.unreadable, 2);
+  EXPECT_EQ(log.unreadable_at, static_cast<std::int64_t>(16 + 16 + sound.size()));
+}
+
+TEST(ReadLog, CountsKindsThatNobodyKnowsAsUnknown) {
+  const ScratchFile file(".log");
+  written(file, static_cast<MessageKind>(1234), {"what", "is", "this"});
+  LogVisitor nobody;
+  const LogSummary log = read_log(file.path(), nobody);
+  EXPECT_EQ(log.records.at(MessageKind::kUnknown), 3);
+  EXPECT_EQ(log.records.size(), 1U);
+}
+
+TEST(ReadLog, KeepsToABoundedNumberOfCameras) {
+  const ScratchFile file(".log");
+  std::vector<std::string> messages;
+  for (std::uint32_t camera = 0; camera < 1000; ++camera)
+    messages.push_back(packet_of(camera * 12345, 1 + camera * 1e-4));
+  written(file, MessageKind::kVision2014, messages);
+  Cameras cameras;
+  const LogSummary log = read_log(file.path(), cameras);
+  EXPECT_EQ(cameras.seen.size(), 64U);
+  EXPECT_EQ(log.unreadable, 1000 - 64);
+}
+
+TEST(ReadLog, TellsTheLengthFromTheRecordsTimes) {
+  const ScratchFile file(".log");
+  written(file, MessageKind::kReferee2013, {"", "", "", "", ""});
+  LogVisitor nobody;
+  EXPECT_DOUBLE_EQ(read_log(file.path(), nobody).length_s, 0.004);
+}
+
+}  // namespace
+}  // namespace autoref::league
