@@ -71,11 +71,12 @@ bool is_better(const Standing& left, const Standing& right) {
          std::tuple(-right.points(), -of_right, right.team);
 }
 
-std::vector<Standing> ordered(std::map<std::string, Standing> by_team) {
+std::vector<Standing> ordered(const std::map<std::string, Standing>& by_team) {
   std::vector<Standing> standings;
-  for (auto& [team, standing] : by_team) {
-    standing.team = team;
-    standings.push_back(std::move(standing));
+  standings.reserve(by_team.size());
+  for (const auto& [team, standing] : by_team) {
+    standings.push_back(standing);
+    standings.back().team = team;
   }
   std::sort(standings.begin(), standings.end(), is_better);
   return standings;
@@ -98,13 +99,13 @@ std::vector<Standing> standings_of(const std::vector<Group>& matchups) {
     add_b(by_team[matchup.values[1]], matchup);
   }
   rate(matchups, by_team);
-  return ordered(std::move(by_team));
+  return ordered(by_team);
 }
 
 std::vector<Standing> standings_of_challengers(const std::vector<Group>& matchups) {
   std::map<std::string, Standing> by_team;
   for (const Group& matchup : matchups) add_a(by_team[matchup.values[0]], matchup);
-  return ordered(std::move(by_team));
+  return ordered(by_team);
 }
 
 bool are_rated(const std::vector<Standing>& standings) {
