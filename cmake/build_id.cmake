@@ -2,7 +2,7 @@
 #   cmake -DSOURCE_DIR=... -DVERSION=... -DOUTPUT=... -P build_id.cmake
 # The file is left alone where its content would not change.
 set(sources CMakeLists.txt)
-foreach(room IN ITEMS soccer league sim referee strategies runner)
+foreach(room IN ITEMS soccer tracking league sim referee strategies runner)
   file(GLOB_RECURSE found RELATIVE ${SOURCE_DIR}
        ${SOURCE_DIR}/${room}/*.hpp ${SOURCE_DIR}/${room}/*.cpp ${SOURCE_DIR}/${room}/*.proto ${SOURCE_DIR}/${room}/CMakeLists.txt)
   list(APPEND sources ${found})
@@ -16,7 +16,7 @@ endforeach()
 string(SHA256 hash "${all}")
 string(SUBSTRING ${hash} 0 12 hash)
 file(CONFIGURE OUTPUT ${OUTPUT} CONTENT [=[
-#include "runner/build_id.hpp"
+#include "runner/io/build_id.hpp"
 
 namespace autoref::runner {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "referee/restarts.hpp"
+#include "referee/geometry/restarts.hpp"
 #include "soccer/rule_table.hpp"
 
 namespace autoref::referee {

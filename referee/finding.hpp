@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "referee/configuration.hpp"
 #include "referee/decision.hpp"
-#include "referee/referee.hpp"
 #include "soccer/geometry.hpp"
 #include "soccer/referee_signal.hpp"
 #include "soccer/rule_book.hpp"

@@ -3,8 +3,8 @@
 
 #include <optional>
 
+#include "referee/configuration.hpp"
 #include "referee/decision.hpp"
-#include "referee/referee.hpp"
 #include "soccer/frame.hpp"
 #include "soccer/geometry.hpp"
 #include "soccer/side.hpp"

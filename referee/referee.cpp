@@ -6,18 +6,18 @@
 #include <string>
 #include <vector>
 
-#include "referee/ball_in_play.hpp"
-#include "referee/ball_out.hpp"
-#include "referee/last_touch.hpp"
-#include "referee/machine.hpp"
-#include "referee/memory.hpp"
+#include "referee/geometry/ball_out.hpp"
+#include "referee/machine/ball_in_play.hpp"
+#include "referee/machine/machine.hpp"
+#include "referee/machine/memory.hpp"
+#include "referee/machine/readiness.hpp"
+#include "referee/machine/timekeeping.hpp"
 #include "referee/moment.hpp"
-#include "referee/readiness.hpp"
 #include "referee/rules/rule.hpp"
 #include "referee/rules/shootout_kick.hpp"
-#include "referee/timekeeping.hpp"
-#include "referee/touch_candidates.hpp"
-#include "referee/touch_stories.hpp"
+#include "referee/touch/last_touch.hpp"
+#include "referee/touch/touch_candidates.hpp"
+#include "referee/touch/touch_stories.hpp"
 
 namespace autoref::referee {
 namespace {

@@ -1,9 +1,9 @@
 #include "strategies/registry.hpp"
 
 #include "strategies/basic/basic.hpp"
-#include "strategies/chaser.hpp"
-#include "strategies/dummy.hpp"
 #include "strategies/rowdy/rowdy.hpp"
+#include "strategies/teams/chaser.hpp"
+#include "strategies/teams/dummy.hpp"
 #include "strategies/teams/plans.hpp"
 
 namespace autoref::strategies {

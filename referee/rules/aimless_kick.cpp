@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "referee/ball_in_play.hpp"
-#include "referee/ball_out.hpp"
+#include "referee/geometry/ball_out.hpp"
+#include "referee/machine/ball_in_play.hpp"
 
 namespace autoref::referee {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "referee/area.hpp"
-#include "referee/area_touches.hpp"
+#include "referee/geometry/area.hpp"
+#include "referee/rules/area_touches.hpp"
 
 namespace autoref::referee {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "referee/area.hpp"
-#include "referee/restarts.hpp"
+#include "referee/geometry/area.hpp"
+#include "referee/geometry/restarts.hpp"
 
 namespace autoref::referee {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "referee/area.hpp"
-#include "referee/hull.hpp"
-#include "referee/touch_candidates.hpp"
+#include "referee/geometry/area.hpp"
+#include "referee/geometry/hull.hpp"
+#include "referee/touch/touch_candidates.hpp"
 
 namespace autoref::referee {
 namespace {

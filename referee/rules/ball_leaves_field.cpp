@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "referee/ball_out.hpp"
-#include "referee/restarts.hpp"
+#include "referee/geometry/ball_out.hpp"
+#include "referee/geometry/restarts.hpp"
 #include "soccer/robot_shape.hpp"
 
 namespace autoref::referee {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "referee/cards.hpp"
+#include "referee/machine/cards.hpp"
 
 namespace autoref::referee {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "referee/even_motion.hpp"
-#include "referee/touch_candidates.hpp"
+#include "referee/touch/even_motion.hpp"
+#include "referee/touch/touch_candidates.hpp"
 #include "soccer/robot_shape.hpp"
 
 namespace autoref::referee {

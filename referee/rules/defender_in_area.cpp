@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "referee/area.hpp"
-#include "referee/area_touches.hpp"
+#include "referee/geometry/area.hpp"
+#include "referee/rules/area_touches.hpp"
 #include "soccer/robot_shape.hpp"
 
 namespace autoref::referee {

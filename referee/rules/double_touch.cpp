@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "referee/ball_in_play.hpp"
+#include "referee/machine/ball_in_play.hpp"
 
 namespace autoref::referee {
 

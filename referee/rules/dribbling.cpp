@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "referee/ball_contact.hpp"
+#include "referee/touch/ball_contact.hpp"
 
 namespace autoref::referee {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "referee/ball_in_play.hpp"
-#include "referee/in_goal.hpp"
+#include "referee/machine/ball_in_play.hpp"
+#include "referee/rules/in_goal.hpp"
 
 namespace autoref::referee {
 

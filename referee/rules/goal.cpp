@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "referee/in_goal.hpp"
+#include "referee/rules/in_goal.hpp"
 #include "soccer/robot_shape.hpp"
 
 namespace autoref::referee {

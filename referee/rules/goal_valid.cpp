@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "referee/ball_in_play.hpp"
-#include "referee/in_goal.hpp"
+#include "referee/machine/ball_in_play.hpp"
+#include "referee/rules/in_goal.hpp"
 #include "soccer/robot_shape.hpp"
 
 namespace autoref::referee {

@@ -6,8 +6,8 @@
 #include <boost/container/static_vector.hpp>
 #include <cmath>
 
-#include "referee/ball_out.hpp"
-#include "referee/even_motion.hpp"
+#include "referee/geometry/ball_out.hpp"
+#include "referee/touch/even_motion.hpp"
 #include "soccer/units.hpp"
 
 namespace autoref::referee {

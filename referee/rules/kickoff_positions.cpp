@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "referee/hull.hpp"
-#include "referee/retakes.hpp"
+#include "referee/geometry/hull.hpp"
+#include "referee/machine/retakes.hpp"
 
 namespace autoref::referee {
 namespace {

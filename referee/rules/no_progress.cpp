@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "referee/restarts.hpp"
+#include "referee/geometry/restarts.hpp"
 
 namespace autoref::referee {
 namespace {

@@ -1,7 +1,7 @@
 #include "referee/rules/penalty_failed.hpp"
 
-#include "referee/penalty_outcome.hpp"
-#include "referee/restarts.hpp"
+#include "referee/geometry/restarts.hpp"
+#include "referee/machine/penalty_outcome.hpp"
 
 namespace autoref::referee {
 

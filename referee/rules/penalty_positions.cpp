@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "referee/hull.hpp"
-#include "referee/penalty_outcome.hpp"
-#include "referee/retakes.hpp"
+#include "referee/geometry/hull.hpp"
+#include "referee/machine/penalty_outcome.hpp"
+#include "referee/machine/retakes.hpp"
 
 namespace autoref::referee {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "referee/hull.hpp"
-#include "referee/retakes.hpp"
-#include "referee/touch_candidates.hpp"
+#include "referee/geometry/hull.hpp"
+#include "referee/machine/retakes.hpp"
+#include "referee/touch/touch_candidates.hpp"
 #include "soccer/robot_shape.hpp"
 
 namespace autoref::referee {

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "referee/finding.hpp"
-#include "referee/memory.hpp"
+#include "referee/machine/memory.hpp"
 #include "referee/moment.hpp"
 #include "soccer/rule_id.hpp"
 

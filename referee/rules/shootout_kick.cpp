@@ -4,9 +4,9 @@
 
 #include <array>
 
-#include "referee/ball_out.hpp"
+#include "referee/geometry/ball_out.hpp"
+#include "referee/machine/shootout.hpp"
 #include "referee/rules/goal.hpp"
-#include "referee/shootout.hpp"
 #include "soccer/units.hpp"
 
 namespace autoref::referee {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "referee/hull.hpp"
+#include "referee/geometry/hull.hpp"
 #include "soccer/robot_shape.hpp"
 
 namespace autoref::referee {

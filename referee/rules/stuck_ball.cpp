@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "referee/restarts.hpp"
+#include "referee/geometry/restarts.hpp"
 
 namespace autoref::referee {
 

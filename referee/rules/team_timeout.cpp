@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "referee/timekeeping.hpp"
+#include "referee/machine/timekeeping.hpp"
 
 namespace autoref::referee {
 namespace {

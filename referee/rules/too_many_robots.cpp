@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "referee/restarts.hpp"
+#include "referee/geometry/restarts.hpp"
 #include "soccer/robot_shape.hpp"
 #include "soccer/units.hpp"
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "runner/errors.hpp"
-#include "runner/files.hpp"
+#include "runner/io/errors.hpp"
+#include "runner/io/files.hpp"
 #include "runner/report/document.hpp"
 #include "runner/report/report.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "runner/result_folder.hpp"
+#include "runner/batch/result_folder.hpp"
 
 namespace autoref::runner {
 

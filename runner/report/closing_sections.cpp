@@ -43,7 +43,8 @@ Section settings_section(const ResultFolder& folder, const std::string& way) {
   }
   Section section = {Heading{"Settings"}, Link{effective_file(way), "Every setting"}};
   if (!differences.empty()) {
-    section.emplace_back(Paragraph{"What differs from the defaults of its rule book:"});
+    const Paragraph intro{"What differs from the defaults of its rule book:"};
+    section.emplace_back(intro);
     section.emplace_back(table);
   }
   return section;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "runner/experiment_kinds.hpp"
+#include "runner/batch/experiment_kinds.hpp"
 
 namespace autoref::runner {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "runner/csv.hpp"
+#include "runner/io/csv.hpp"
 #include "runner/report/crosstable.hpp"
 #include "runner/report/factor_axis.hpp"
 #include "runner/report/plots.hpp"

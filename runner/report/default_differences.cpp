@@ -5,9 +5,9 @@
 #include <map>
 #include <type_traits>
 
-#include "runner/experiment_kinds.hpp"
-#include "runner/factor_reader.hpp"
-#include "runner/fields.hpp"
+#include "runner/batch/experiment_kinds.hpp"
+#include "runner/experiments/reading/factor_reader.hpp"
+#include "runner/settings/fields.hpp"
 
 namespace autoref::runner {
 namespace {

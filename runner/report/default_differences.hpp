@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "runner/scenario.hpp"
+#include "runner/experiments/scenario.hpp"
 
 namespace autoref::runner {
 

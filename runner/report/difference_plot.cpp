@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
-#include "runner/csv.hpp"
+#include "runner/analysis/summary.hpp"
+#include "runner/io/csv.hpp"
 #include "runner/report/factor_axis.hpp"
 #include "runner/report/plots.hpp"
 #include "runner/statistics/mean_interval.hpp"
 #include "runner/statistics/sample.hpp"
-#include "runner/summary.hpp"
 
 namespace autoref::runner {
 namespace {

@@ -14,8 +14,8 @@
 #include <system_error>
 #include <thread>
 
-#include "runner/errors.hpp"
-#include "runner/files.hpp"
+#include "runner/io/errors.hpp"
+#include "runner/io/files.hpp"
 
 namespace autoref::runner {
 namespace {

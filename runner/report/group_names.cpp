@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "runner/words.hpp"
+#include "runner/io/words.hpp"
 
 namespace autoref::runner {
 std::vector<std::string> value_heads(const Scenario& scenario, const std::vector<Group>& groups) {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "runner/experiment_kinds.hpp"
-#include "runner/groups.hpp"
-#include "runner/scenario.hpp"
+#include "runner/analysis/groups.hpp"
+#include "runner/batch/experiment_kinds.hpp"
+#include "runner/experiments/scenario.hpp"
 
 namespace autoref::runner {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "runner/csv.hpp"
+#include "runner/io/csv.hpp"
 #include "runner/report/factor_axis.hpp"
 #include "runner/report/plots.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <variant>
 
+#include "runner/io/words.hpp"
 #include "runner/report/sections.hpp"
-#include "runner/words.hpp"
 
 namespace autoref::runner {
 namespace {

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "runner/experiment_kinds.hpp"
+#include "runner/batch/experiment_kinds.hpp"
+#include "runner/experiments/scenario.hpp"
 #include "runner/report/plot.hpp"
-#include "runner/scenario.hpp"
 
 namespace autoref::runner {
 

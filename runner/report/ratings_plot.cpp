@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "runner/csv.hpp"
+#include "runner/io/csv.hpp"
 #include "runner/report/factor_axis.hpp"
 #include "runner/report/plots.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "runner/errors.hpp"
-#include "runner/files.hpp"
+#include "runner/io/errors.hpp"
+#include "runner/io/files.hpp"
 #include "runner/report/plots.hpp"
 #include "runner/report/sections.hpp"
 

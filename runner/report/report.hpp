@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "runner/batch/result_folder.hpp"
 #include "runner/report/document.hpp"
 #include "runner/report/gnuplot.hpp"
-#include "runner/result_folder.hpp"
 
 namespace autoref::runner {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "runner/io/words.hpp"
 #include "runner/statistics/mean_interval.hpp"
 #include "runner/statistics/sample.hpp"
-#include "runner/words.hpp"
 
 namespace autoref::runner {
 namespace {

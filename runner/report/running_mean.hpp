@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "runner/groups.hpp"
+#include "runner/analysis/groups.hpp"
 #include "runner/statistics/interval.hpp"
 
 namespace autoref::runner {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "runner/csv.hpp"
+#include "runner/io/csv.hpp"
 #include "runner/report/group_names.hpp"
 #include "runner/report/plots.hpp"
 #include "runner/report/running_mean.hpp"

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "runner/csv.hpp"
+#include "runner/io/csv.hpp"
 #include "runner/report/factor_axis.hpp"
 #include "runner/report/plots.hpp"
 #include "runner/statistics/sample.hpp"

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "runner/batch/result_folder.hpp"
 #include "runner/report/document.hpp"
-#include "runner/result_folder.hpp"
 
 namespace autoref::runner {
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "referee/decision.hpp"
-#include "runner/errors.hpp"
-#include "runner/json.hpp"
-#include "runner/words.hpp"
+#include "runner/io/errors.hpp"
+#include "runner/io/json.hpp"
+#include "runner/io/words.hpp"
 
 namespace autoref::runner {
 namespace {

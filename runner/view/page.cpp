@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "runner/json.hpp"
+#include "runner/io/json.hpp"
 #include "runner/view/base64.hpp"
 #include "runner/view/field_marks.hpp"
 #include "runner/view/page_parts.hpp"

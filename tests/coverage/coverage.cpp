@@ -6,7 +6,7 @@
 // Exit code 1 where a share is outside its bounds, 2 for a wrong argument.
 #include <fmt/format.h>
 
-#include "runner/words.hpp"
+#include "runner/io/words.hpp"
 #include "tests/coverage/measured.hpp"
 
 namespace autoref::coverage {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "soccer/random.hpp"
-#include "tests/referee/scripted_game.hpp"
+#include "tests/referee/support/scripted_game.hpp"
 
 namespace autoref::referee {
 namespace {

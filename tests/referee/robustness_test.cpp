@@ -4,7 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "tests/referee/scripted_game.hpp"
+#include "tests/referee/support/scripted_game.hpp"
 
 namespace autoref::referee {
 namespace {

@@ -6,10 +6,10 @@
 
 #include "sim/camera.hpp"
 #include "sim/camera_presets.hpp"
-#include "soccer/tracker.hpp"
 #include "soccer/trigonometry.hpp"
 #include "soccer/units.hpp"
 #include "tests/sim/scene.hpp"
+#include "tracking/tracker.hpp"
 
 namespace autoref::sim {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "soccer/ball_tracker.hpp"
 #include "tests/strategies/staged_world.hpp"
+#include "tracking/ball_tracker.hpp"
 
 namespace autoref::strategies {
 namespace {

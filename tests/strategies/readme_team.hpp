@@ -1,5 +1,5 @@
 // The teams that strategies/README.md shows, as it shows them: readme_test.cpp compares its blocks
-// of code with what stands between the marks here, and tests/runner/readme_game_test.cpp plays
+// of code with what stands between the marks here, and tests/runner/game/readme_game_test.cpp plays
 // them.
 #pragma once
 

@@ -1,0 +1,32 @@
+// What a referee is set up with: field, rules, lengths and limits.
+#pragma once
+
+#include <cstdint>
+
+#include "referee/touch_parameters.hpp"
+#include "soccer/field.hpp"
+#include "soccer/rule_book.hpp"
+#include "soccer/side.hpp"
+#include "tracking/tracker.hpp"
+
+namespace autoref::referee {
+
+// "At the end of the second half, AutoRef can either signal for a new game to begin or simply
+// leave the robots halted" (paper, section 4.2).
+enum class AfterGame : std::uint8_t { kHalt, kNewGame };
+
+struct Configuration {
+  Field field;
+  RuleBook rules;
+  PerSide<int> robots{{kMaxRobots, kMaxRobots}};  // of each team at the beginning
+  double half_s = 600;                            // paper, section 4.2: ten minutes
+  int halves = 2;      // 1 to 4; the third and fourth are those of extra time
+  double break_s = 0;  // each break; the Laws have 300 s at half-time
+  Side first_kickoff = Side::kWest;
+  bool knockout = false;  // a draw after at most two halves leads to extra time and a shoot-out
+  AfterGame after_game = AfterGame::kHalt;
+  VisionNoise noise;      // of the frames
+  TouchParameters touch;  // how sure a touch must be
+};
+
+}  // namespace autoref::referee

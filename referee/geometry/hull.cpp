@@ -1,0 +1,26 @@
+#include "referee/geometry/hull.hpp"
+
+#include <cmath>
+
+#include "soccer/robot_shape.hpp"
+
+namespace autoref::referee {
+namespace {
+
+constexpr double kDeviations = 3;  // of noise: one picture in several hundred is farther off
+
+}  // namespace
+
+double reach_of_hull_m(const Vec2& heading, const Vec2& way) {
+  const Vec2 local = to_local(way, heading);
+  if (local.x() * kRobotRadius_m < kFrontDistance_m) return kRobotRadius_m;
+  return local.x() * kFrontDistance_m + std::abs(local.y()) * kHalfPlate_m;
+}
+
+double robot_doubt_m(const VisionNoise& noise) { return kDeviations * noise.robot_m; }
+
+double robot_to_ball_doubt_m(const VisionNoise& noise) {
+  return kDeviations * std::hypot(noise.robot_m, noise.ball_m);
+}
+
+}  // namespace autoref::referee

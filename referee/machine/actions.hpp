@@ -1,0 +1,76 @@
+// What is done on the arrows of the machine (referee/machine/machine.hpp): the assignments below
+// the line in the paper's figure 3.
+#pragma once
+
+#include <string_view>
+
+#include "referee/finding.hpp"
+#include "referee/machine/memory.hpp"
+#include "referee/moment.hpp"
+
+namespace autoref::referee {
+
+// An action and how the figure words it. It changes the memory and nothing else.
+struct Action {
+  std::string_view text;
+  void (*take)(Memory& memory, const Moment& moment, const Finding& finding);
+};
+
+void begin(Memory& memory, const Moment& moment, const Finding& finding);
+void prepare_first_kickoff(Memory& memory, const Moment& moment, const Finding& finding);
+void send_preparation(Memory& memory, const Moment& moment, const Finding& finding);
+void start_play(Memory& memory, const Moment& moment, const Finding& finding);
+void award_goal(Memory& memory, const Moment& moment, const Finding& finding);
+void stop_play(Memory& memory, const Moment& moment, const Finding& finding);
+void show_card(Memory& memory, const Moment& moment, const Finding& finding);
+void end_card(Memory& memory, const Moment& moment, const Finding& finding);
+void note_foul(Memory& memory, const Moment& moment, const Finding& finding);
+void stop_after_signal(Memory& memory, const Moment& moment, const Finding& finding);
+void end_half(Memory& memory, const Moment& moment, const Finding& finding);
+void begin_next_half(Memory& memory, const Moment& moment, const Finding& finding);
+void begin_timeout(Memory& memory, const Moment& moment, const Finding& finding);
+void end_timeout(Memory& memory, const Moment& moment, const Finding& finding);
+void begin_extra_time(Memory& memory, const Moment& moment, const Finding& finding);
+void end_for_shootout(Memory& memory, const Moment& moment, const Finding& finding);
+void begin_shootout(Memory& memory, const Moment& moment, const Finding& finding);
+void count_shootout_goal(Memory& memory, const Moment& moment, const Finding& finding);
+void count_shootout_miss(Memory& memory, const Moment& moment, const Finding& finding);
+void end_game(Memory& memory, const Moment& moment, const Finding& finding);
+void begin_new_game(Memory& memory, const Moment& moment, const Finding& finding);
+
+inline constexpr Action kBeginGames{"save positions; send STOP", begin};
+inline constexpr Action kPrepareFirstKickoff{
+    "ball to the centre; send PREPARE_KICKOFF; next = NORMAL_START", prepare_first_kickoff};
+inline constexpr Action kSendPreparation{"send next; next = NORMAL_START; wait anew",
+                                         send_preparation};
+inline constexpr Action kStartPlay{"send next; the clock starts with a half's first kick-off",
+                                   start_play};
+inline constexpr Action kAwardGoal{
+    "score; send GOAL; ball to the centre; next = PREPARE_KICKOFF of who conceded", award_goal};
+inline constexpr Action kStopPlay{"send STOP; place the ball; next = what the rule gives",
+                                  stop_play};
+inline constexpr Action kNoteFoul{"the foul is counted", note_foul};
+inline constexpr Action kShowCard{"one robot fewer is allowed", show_card};
+inline constexpr Action kEndCard{"one robot more is allowed", end_card};
+inline constexpr Action kStopAfterSignal{"send STOP", stop_after_signal};
+inline constexpr Action kEndHalf{"send HALT; next = PREPARE_KICKOFF of the other team", end_half};
+inline constexpr Action kBeginNextHalf{"send STOP; ball to the centre", begin_next_half};
+inline constexpr Action kBeginTimeout{"send TIMEOUT; a preparation is sent anew after it",
+                                      begin_timeout};
+inline constexpr Action kEndTimeout{"send STOP; wait anew", end_timeout};
+inline constexpr Action kBeginExtraTime{
+    "send HALT; timeouts anew; next = PREPARE_KICKOFF of who kicked off first", begin_extra_time};
+inline constexpr Action kEndForShootout{"send HALT; next = PREPARE_PENALTY of who kicked off first",
+                                        end_for_shootout};
+inline constexpr Action kBeginShootout{"send STOP; ball to the mark", begin_shootout};
+inline constexpr Action kCountShootoutGoal{
+    "count it; send GOAL; ball to the mark; next = PREPARE_PENALTY of the next kicker",
+    count_shootout_goal};
+inline constexpr Action kCountShootoutMiss{
+    "count the kick; send STOP; ball to the mark; next = PREPARE_PENALTY of the next kicker",
+    count_shootout_miss};
+inline constexpr Action kEndGame{"send HALT", end_game};
+inline constexpr Action kBeginNewGame{
+    "scores to zero; send STOP; ball to the centre; next = PREPARE_KICKOFF", begin_new_game};
+
+}  // namespace autoref::referee

@@ -1,0 +1,25 @@
+// Fouls that count, yellow and red cards, and how many robots a side may have (Laws 12; 2026).
+#pragma once
+
+#include "referee/finding.hpp"
+#include "referee/machine/memory.hpp"
+#include "referee/moment.hpp"
+
+namespace autoref::referee {
+
+// What a side with these cards is shown next: where the book says so, the third active yellow card
+// is a red one instead (2026).
+Card next_card(const CardBook& cards, const RuleBook& rules);
+
+// Counts the finding's foul against the offender, or against both sides where there is none, and
+// shows the card that it gives, if cards are in force.
+void book(Memory& memory, const Moment& moment, const Finding& finding);
+
+// Takes the oldest yellow card off the finding's offender, or off both sides where there is none.
+void take_card_off(Memory& memory, const Configuration& configuration, const Finding& finding);
+
+// Sets how many robots each side may have on the field: one fewer for each card in force, and
+// never fewer than one.
+void allow_robots(Memory& memory, const Configuration& configuration);
+
+}  // namespace autoref::referee

@@ -1,0 +1,43 @@
+// The conditions on the arrows of the machine (referee/machine/machine.hpp).
+#pragma once
+
+#include <string_view>
+
+#include "referee/configuration.hpp"
+#include "referee/machine/memory.hpp"
+
+namespace autoref::referee {
+
+// A condition and how the figure words it; an empty text holds always.
+struct Guard {
+  std::string_view text;
+  bool (*holds)(const Memory& memory, const Configuration& configuration);
+};
+
+bool holds_always(const Memory& memory, const Configuration& configuration);
+bool next_is_preparation(const Memory& memory, const Configuration& configuration);
+bool next_starts_play(const Memory& memory, const Configuration& configuration);
+bool is_during_game(const Memory& memory, const Configuration& configuration);
+bool is_between_halves(const Memory& memory, const Configuration& configuration);
+bool is_after_game(const Memory& memory, const Configuration& configuration);
+bool is_before_shootout(const Memory& memory, const Configuration& configuration);
+bool is_in_shootout(const Memory& memory, const Configuration& configuration);
+bool game_was_last(const Memory& memory, const Configuration& configuration);
+bool new_game_follows(const Memory& memory, const Configuration& configuration);
+bool fouls_stop_play(const Memory& memory, const Configuration& configuration);
+bool fouls_are_noted(const Memory& memory, const Configuration& configuration);
+
+inline constexpr Guard kAlways{"", holds_always};
+inline constexpr Guard kNextIsPreparation{"next is a preparation", next_is_preparation};
+inline constexpr Guard kNextStartsPlay{"next is no preparation", next_starts_play};
+inline constexpr Guard kDuringGame{"a half is on", is_during_game};
+inline constexpr Guard kBetweenHalves{"half-time", is_between_halves};
+inline constexpr Guard kAfterGame{"after the game", is_after_game};
+inline constexpr Guard kBeforeShootout{"the break before the shoot-out", is_before_shootout};
+inline constexpr Guard kInShootout{"in the shoot-out", is_in_shootout};
+inline constexpr Guard kGameWasLast{"no new game follows", game_was_last};
+inline constexpr Guard kNewGameFollows{"a new game follows", new_game_follows};
+inline constexpr Guard kFoulsStopPlay{"fouls stop play", fouls_stop_play};
+inline constexpr Guard kFoulsAreNoted{"fouls are noted", fouls_are_noted};
+
+}  // namespace autoref::referee

@@ -1,0 +1,57 @@
+// The paper's finite state machine (section 4.3, figure 3) as a table, one row per arrow.
+//
+// It owns nothing. A step is pure: what follows depends on the memory, the frame and the finding
+// alone, and the memory is returned, not changed. The referee calls it once per finding.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "referee/decision.hpp"
+#include "referee/finding.hpp"
+#include "referee/machine/actions.hpp"
+#include "referee/machine/guards.hpp"
+#include "referee/machine/memory.hpp"
+#include "referee/moment.hpp"
+
+namespace autoref::referee {
+
+struct Arrow {
+  std::string_view label;
+  std::optional<State> from;  // none: any state
+  Event event;
+  Guard guard;
+  Action action;
+  State to;
+  std::string_view evidence;    // what the row rests on: the paper's section, or another source
+  std::string_view deviations;  // "D3, D13" in README.md; empty where the row is the paper's
+};
+
+// The arrows of the figure, and after them those of the game's time, which "operates outside this
+// diagram".
+std::span<const Arrow> arrows_in_figure();
+std::span<const Arrow> arrows_outside_figure();
+
+// Those of rules that the paper's referee does not have.
+std::span<const Arrow> arrows_beyond_paper();
+
+// Those of cards, timeouts and knockout games (administration.cpp). They are tried first: what a
+// goal leads to in a shoot-out comes before what it leads to elsewhere.
+std::span<const Arrow> arrows_of_administration();
+
+// All of them, in the order in which they are tried.
+std::array<std::span<const Arrow>, 4> all_arrows();
+
+struct Step {
+  Memory memory;                 // unchanged where no arrow leads from here
+  const Arrow* arrow = nullptr;  // taken; none where none leads from here
+  std::optional<Command> sent;   // the command that went out with it
+};
+
+// Takes the arrow that leads from the present state for what was found.
+Step step(const Memory& memory, const Moment& moment, const Finding& finding);
+
+}  // namespace autoref::referee

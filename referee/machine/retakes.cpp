@@ -1,0 +1,32 @@
+#include "referee/machine/retakes.hpp"
+
+namespace autoref::referee {
+namespace {
+
+constexpr int kMostRetakes = 3;
+
+bool is_taken_again(Event event) {
+  return event == Event::kRestartDistance || event == Event::kKickoffPositions ||
+         event == Event::kPenaltyPositions;
+}
+
+}  // namespace
+
+bool may_be_taken_again(const Memory& memory) { return memory.retakes.count < kMostRetakes; }
+
+void take_again(Finding& finding, const PlayMemory& play) {
+  finding.restart = play.restart;
+  finding.ball_to_m = play.place_m;
+}
+
+Retakes retakes_after(const Retakes& before, const Finding& finding) {
+  if (!is_taken_again(finding.event)) return {};
+  Retakes after = before;
+  ++after.count;
+  if (finding.event == Event::kRestartDistance) {
+    for (const RobotId robot : finding.robots) after.too_near.add(robot);
+  }
+  return after;
+}
+
+}  // namespace autoref::referee

@@ -1,0 +1,99 @@
+#include "referee/machine/timekeeping.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace autoref::referee {
+namespace {
+
+constexpr std::array<Stage, kMaxHalves> kBefore = {Stage::kFirstHalfPre, Stage::kSecondHalfPre,
+                                                   Stage::kExtraFirstHalfPre,
+                                                   Stage::kExtraSecondHalfPre};
+constexpr std::array<Stage, kMaxHalves> kRunning = {
+    Stage::kFirstHalf, Stage::kSecondHalf, Stage::kExtraFirstHalf, Stage::kExtraSecondHalf};
+constexpr std::array<Stage, kMaxHalves - 1> kBreaks = {Stage::kHalfTime, Stage::kExtraTimeBreak,
+                                                       Stage::kExtraHalfTime};
+
+template <typename Stages>
+bool contains(const Stages& stages, Stage stage) {
+  return std::find(stages.begin(), stages.end(), stage) != stages.end();
+}
+
+double length_s(const Configuration& configuration, int half) {
+  return is_extra(configuration, half) ? configuration.rules.extra_half_s : configuration.half_s;
+}
+
+bool is_last(const Configuration& configuration, int half) {
+  if (is_extra(configuration, half)) return half + 1 == kMaxHalves;
+  return half + 1 == configuration.halves;
+}
+
+std::string text_of_half(const Memory& memory, const Configuration& configuration) {
+  if (!is_extra(configuration, memory.half)) {
+    return fmt::format("Half {} of {}", memory.half + 1, configuration.halves);
+  }
+  return fmt::format("Half {} of extra time", memory.half + 1 - kFirstExtraHalf);
+}
+
+Event end_of(const Memory& memory, const Configuration& configuration) {
+  if (!is_last(configuration, memory.half)) return Event::kHalfOver;
+  const PerSide<int>& goals = memory.signal.goals;
+  const bool is_drawn = goals[Side::kWest] == goals[Side::kEast];
+  if (!configuration.knockout || !is_drawn) return Event::kGameOver;
+  return is_extra(configuration, memory.half) ? Event::kShootout : Event::kExtraTime;
+}
+
+}  // namespace
+
+Stage stage_before(int half) { return kBefore[static_cast<std::size_t>(half)]; }
+Stage stage_of(int half) { return kRunning[static_cast<std::size_t>(half)]; }
+Stage break_before(int half) { return kBreaks[static_cast<std::size_t>(half) - 1]; }
+
+bool is_running(Stage stage) { return contains(kRunning, stage); }
+bool is_before_half(Stage stage) { return contains(kBefore, stage); }
+bool is_break(Stage stage) { return contains(kBreaks, stage); }
+
+Side kickoff_side(const Configuration& configuration, int half) {
+  const Side first = configuration.first_kickoff;
+  return half % 2 == 0 ? first : opponent_of(first);
+}
+
+int half_after(const Configuration& configuration, int half) {
+  return half + 1 == configuration.halves ? kFirstExtraHalf : half + 1;
+}
+
+bool is_extra(const Configuration& configuration, int half) {
+  return configuration.knockout && half >= kFirstExtraHalf;
+}
+
+double clock_s(const Memory& memory, const RuleBook& rules, double now_s) {
+  if (rules.clock_stops) return memory.play_clock.at_s(now_s);
+  return now_s - memory.timeout_clock.at_s(now_s);
+}
+
+double time_left_s(const Memory& memory, const Configuration& configuration, double now_s) {
+  if (!is_running(memory.signal.stage)) return 0;
+  const double played_s = clock_s(memory, configuration.rules, now_s) - memory.half_began_s;
+  return std::max(0.0, length_s(configuration, memory.half) - played_s);
+}
+
+std::optional<Finding> find_time_over(const Memory& memory, const Moment& moment) {
+  const Configuration& configuration = moment.configuration;
+  if (!is_running(memory.signal.stage)) return std::nullopt;
+  const double now_s = clock_s(memory, configuration.rules, moment.time_s());
+  const double limit_s = length_s(configuration, memory.half);
+  if (!has_passed(memory.half_began_s, limit_s, now_s)) return std::nullopt;
+  Finding finding;
+  finding.event = end_of(memory, configuration);
+  finding.rule = "paper 4.2, time-related rules";
+  finding.value = now_s - memory.half_began_s;
+  finding.threshold = limit_s;
+  finding.unit = "s";
+  finding.evidence =
+      fmt::format("{} has lasted {:.3f} s.", text_of_half(memory, configuration), finding.value);
+  return finding;
+}
+
+}  // namespace autoref::referee

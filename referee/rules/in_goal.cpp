@@ -1,0 +1,29 @@
+#include "referee/rules/in_goal.hpp"
+
+#include "referee/geometry/ball_out.hpp"
+#include "referee/geometry/restarts.hpp"
+
+namespace autoref::referee {
+
+std::optional<Side> conceding_side(const Moment& moment) {
+  const std::optional<BallSight>& ball = moment.ball;
+  if (!ball || !is_in_goal(moment.configuration.field, ball->position_m, ball->height_m)) {
+    return std::nullopt;
+  }
+  return ball->position_m.x() < 0 ? Side::kWest : Side::kEast;
+}
+
+void restart_with_goal_kick(Finding& finding, const Moment& moment, Side defender) {
+  const Configuration& c = moment.configuration;
+  finding.restart = {CommandKind::kDirectFree, defender};
+  finding.ball_to_m = goal_kick_place(c.field, c.rules, defender, moment.ball->position_m);
+}
+
+void restart_with_corner_kick(Finding& finding, const Moment& moment, Side defender) {
+  const Configuration& c = moment.configuration;
+  const Side attacker = opponent_of(defender);
+  finding.restart = {CommandKind::kDirectFree, attacker};
+  finding.ball_to_m = corner_kick_place(c.field, c.rules, attacker, moment.ball->position_m);
+}
+
+}  // namespace autoref::referee

@@ -1,0 +1,76 @@
+// The scores of an experiment's games, group by group: of a sweep's values, of a round robin's
+// matchups.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "runner/analysis/result_shares.hpp"
+#include "runner/results/rows.hpp"
+#include "runner/statistics/interval.hpp"
+#include "runner/statistics/rated_games.hpp"
+
+namespace autoref::runner {
+
+// The games whose rows hold the same values. Void games count only in `void_games`.
+struct Group {
+  std::vector<std::string> values;
+  std::vector<double> goals_a;  // of each game
+  std::vector<double> goals_b;
+  std::vector<double> differences;  // a minus b
+  // By pair number: mean over the two legs, of pairs without a void leg.
+  std::map<std::string, double> pair_differences;
+  std::map<std::string, std::vector<RatedGame>>
+      games_by_pair;  // by pair number, void ones left out
+  int void_games = 0;
+  // By goals, or by its shoot-out where a game has one; a team that gives up has lost.
+  int wins_a = 0;
+  int draws = 0;
+  int wins_b = 0;
+
+  ResultCounts results() const { return {wins_a, draws, wins_b}; }
+};
+
+// A group for each of `values`, in their order; `columns` names the columns that hold them. `rows`
+// are complete rows, each game once, in any order.
+std::vector<Group> grouped(const std::vector<std::string>& columns,
+                           const std::vector<std::vector<std::string>>& values,
+                           const RowFormat& format, const std::vector<Cells>& rows);
+
+// The values of a map, in its order.
+std::vector<double> values_of(const std::map<std::string, double>& by_name);
+
+// What summary.csv says of a group behind its values: games, means and standard deviations (over
+// games), and the 95 % interval of the mean difference (over pairs). Cells without a value are
+// empty.
+Cells summary_columns();
+Cells summary_cells(const Group& group);
+
+// And of its results: team a's wins, draws and losses, with their shares (result_shares.hpp).
+inline Cells result_columns() { return share_columns({"wins_a", "draws", "wins_b"}); }
+
+// The same for people: games, goals, the mean difference with its interval, void games.
+Cells table_columns();
+Cells table_cells(const Group& group);
+
+// "+0.50 [-0.10, +1.10]": the mean over games, and its 95 % interval over pairs where there is one.
+std::string difference_text(const std::vector<double>& differences,
+                            const std::vector<double>& pair_differences);
+
+// "+0.50 [-0.10, +1.10]", or without the interval where there is none.
+std::string mean_text(double mean, const std::optional<Interval>& interval);
+
+// "0.032", or "<0.001".
+std::string p_text(double p);
+
+// The bounds, each none where there is no interval.
+std::pair<std::optional<double>, std::optional<double>> bounds_of(
+    const std::optional<Interval>& interval);
+
+// A number of a CSV file; empty where there is none.
+std::string number_cell(std::optional<double> number);
+
+}  // namespace autoref::runner

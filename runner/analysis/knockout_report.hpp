@@ -1,0 +1,20 @@
+// What is told of a knockout: rows for programs, the bracket for people.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "runner/analysis/played_bracket.hpp"
+
+namespace autoref::runner {
+
+// summary.csv: a row per tie with its teams, the score of its last game that is not void, its
+// shoot-out, how many games it took, how many of them were void, what decided it and who goes on.
+// Cells of what is not known yet are empty.
+std::string ties_csv(const std::vector<Tie>& ties, const RowFormat& format, const RowsById& rows);
+
+// The ties with their scores, then the winner; several lines.
+std::string bracket_table(const std::vector<Tie>& ties, const RowFormat& format,
+                          const RowsById& rows);
+
+}  // namespace autoref::runner

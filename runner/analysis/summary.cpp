@@ -1,0 +1,131 @@
+#include "runner/analysis/summary.hpp"
+
+#include <fmt/format.h>
+
+#include "runner/io/csv.hpp"
+#include "runner/io/table.hpp"
+#include "runner/io/words.hpp"
+#include "runner/statistics/mean_interval.hpp"
+#include "runner/statistics/paired_difference.hpp"
+#include "runner/statistics/sample.hpp"
+
+namespace autoref::runner {
+namespace {
+
+Cells factor_paths(const Sweep& sweep) {
+  Cells paths;
+  for (const Factor& factor : sweep.factors) paths.push_back(factor.path);
+  return paths;
+}
+
+// The differences of one pair number, value by value; none unless every value has them.
+std::optional<std::vector<double>> differences_of(const std::string& pair,
+                                                  const std::vector<Group>& groups) {
+  std::vector<double> differences;
+  for (const Group& group : groups) {
+    const auto found = group.pair_differences.find(pair);
+    if (found == group.pair_differences.end()) return std::nullopt;
+    differences.push_back(found->second);
+  }
+  return differences;
+}
+
+// Of each value from the first; that one's own entry has no values.
+std::vector<PairedDifference> differences_from_first(const std::vector<Group>& groups) {
+  std::vector<DifferenceByPair> values;
+  values.reserve(groups.size());
+  for (const Group& group : groups) values.push_back(group.pair_differences);
+  std::vector<PairedDifference> differences = differences_from_baseline(values);
+  differences.insert(differences.begin(), PairedDifference{});
+  return differences;
+}
+
+Cells difference_columns() {
+  return {"from_first", "from_first_low95", "from_first_high95", "p", "p_holm", "effect_size"};
+}
+
+Cells difference_cells(const PairedDifference& from_first) {
+  const auto& [low, high] = bounds_of(from_first.interval);
+  return {number_cell(from_first.mean),
+          number_cell(low),
+          number_cell(high),
+          number_cell(from_first.p),
+          number_cell(from_first.p_holm),
+          number_cell(from_first.effect_size)};
+}
+
+// "+2.10 [+1.50, +2.70]", and where there is one, the corrected p.
+Cells difference_texts(const PairedDifference& from_first) {
+  if (!from_first.mean) return {"", ""};
+  return {mean_text(*from_first.mean, from_first.interval),
+          from_first.p_holm ? p_text(*from_first.p_holm) : ""};
+}
+
+}  // namespace
+
+std::vector<Group> grouped(const Sweep& sweep, const RowFormat& format,
+                           const std::vector<Cells>& rows) {
+  return grouped(factor_paths(sweep), combinations(sweep.factors), format, rows);
+}
+
+std::optional<Slope> slope_over_factor(const Sweep& sweep, const std::vector<Group>& groups) {
+  if (sweep.factors.size() != 1 || groups.empty()) return std::nullopt;
+  std::vector<double> values;
+  for (const Group& group : groups) {
+    const std::optional<double> value = number_in(group.values.front());
+    if (!value) return std::nullopt;
+    values.push_back(*value);
+  }
+  std::vector<double> slopes;
+  for (const auto& [pair, first] : groups.front().pair_differences) {
+    const std::optional<std::vector<double>> differences = differences_of(pair, groups);
+    if (!differences) continue;
+    const std::optional<double> slope = slope_of(values, *differences);
+    if (slope) slopes.push_back(*slope);
+  }
+  if (slopes.empty()) return std::nullopt;
+  return Slope{mean(slopes), mean_interval(slopes)};
+}
+
+std::string summary_csv(const Sweep& sweep, const std::vector<Group>& groups) {
+  Cells columns = factor_paths(sweep);
+  append(columns, summary_columns());
+  append(columns, difference_columns());
+  append(columns, result_columns());
+  std::string csv = csv_line(columns) + "\n";
+  const std::vector<PairedDifference> from_first = differences_from_first(groups);
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    Cells cells = groups[i].values;
+    append(cells, summary_cells(groups[i]));
+    append(cells, difference_cells(from_first[i]));
+    append(cells, share_cells(groups[i].results()));
+    csv += csv_line(cells) + "\n";
+  }
+  return csv;
+}
+
+std::string summary_table(const Sweep& sweep, const std::vector<Group>& groups) {
+  std::vector<Cells> rows = {factor_paths(sweep)};
+  append(rows.front(), table_columns());
+  if (groups.size() > 1) append(rows.front(), {"from the first [95 %]", "p"});
+  const std::vector<PairedDifference> from_first = differences_from_first(groups);
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    rows.push_back(groups[i].values);
+    append(rows.back(), table_cells(groups[i]));
+    if (groups.size() > 1) append(rows.back(), difference_texts(from_first[i]));
+  }
+  std::string table = aligned(rows);
+  const std::optional<Slope> slope = slope_over_factor(sweep, groups);
+  if (slope) {
+    table += fmt::format("\na minus b changes by {:+.2f} per unit of {}", slope->mean,
+                         sweep.factors.front().path);
+    if (slope->interval) {
+      table += fmt::format(" (95 % interval {:+.2f} to {:+.2f})", slope->interval->low,
+                           slope->interval->high);
+    }
+    table += '\n';
+  }
+  return table;
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,227 @@
+#include "runner/batch/experiment.hpp"
+#include "runner/experiments/reading/effective.hpp"
+#include "runner/experiments/reading/scenario_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "runner/batch/result_folder.hpp"
+#include "runner/batch/stock.hpp"
+#include "runner/io/csv.hpp"
+#include "runner/io/errors.hpp"
+#include "runner/io/files.hpp"
+#include "runner/io/host.hpp"
+#include "runner/processes/progress.hpp"
+#include "runner/processes/workers.hpp"
+#include "runner/results/shard.hpp"
+
+namespace autoref::runner {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+GameRecord void_record(const std::string& reason) {
+  GameRecord record;
+  record.status = Status::kVoid;
+  record.end_reason = EndReason::kVoid;
+  record.void_reason = reason;
+  return record;
+}
+
+// A game that throws goes the same way each time: it is void at once.
+std::string played(const ExperimentOptions& options, const GameConfiguration& configuration) {
+  try {
+    return csv_line(outcome_of(options.play(configuration)));
+  } catch (const std::exception& error) {
+    return csv_line(outcome_of(void_record(fmt::format("the game threw: {}", error.what()))));
+  }
+}
+
+// How long another look at the folder may take of all the time between two looks.
+constexpr double kLookingShare = 0.01;
+
+class Experiment {
+ public:
+  Experiment(const Scenario& scenario, const ExperimentOptions& options)
+      : scenario_(scenario), options_(options), format_(value_columns(scenario)) {}
+
+  ExperimentReport run() {
+    create_folder(options_.folder / kGamesFolder);
+    Shard shard(options_.folder / kGamesFolder / options_.shard.file_name(),
+                csv_line(format_.columns()), options_.patience_s);
+    take_with_notes();
+    replace_file(options_.folder / kEffectiveFile, effective_text(scenario_));
+    ExperimentReport report;
+    report.is_interrupted = play_all(shard, report.played) == Ending::kInterrupted;
+    const RowsById rows = counted(course_, rows_);
+    report.games = static_cast<int>(course_.needed);
+    report.done = static_cast<int>(rows.size());
+    report.is_complete = report.done == report.games;
+    for (const auto& [id, cells] : rows) {
+      report.void_games += is_void(cells) ? 1 : 0;
+    }
+    report.is_waiting = course_.needed > course_.games.size() && !report.is_interrupted;
+    if (report.is_complete) conclude(report, rows);
+    return report;
+  }
+
+ private:
+  Inventory take(const StoredRows& stored) const {
+    return take_inventory(scenario_, stored.rows, format_, options_.build,
+                          options_.allow_mixed_build, options_.folder, changes());
+  }
+
+  void take_with_notes() {
+    const StoredRows stored = read_rows(options_.folder / kGamesFolder, format_);
+    Inventory inventory = take(stored);
+    course_ = std::move(inventory.course);
+    rows_ = std::move(inventory.stock.done);
+    is_decided_ = is_decided(scenario_, format_, rows_);
+    if (stored.damaged > 0) {
+      say(fmt::format("{} rows are damaged and do not count; their games are played again",
+                      stored.damaged));
+    }
+    if (inventory.stock.other_games > 0) {
+      say(fmt::format("{} rows belong to games that the scenario does not have; they do not count",
+                      inventory.stock.other_games));
+    }
+    for (const auto& [build, count] : inventory.stock.other_builds) {
+      say(fmt::format("{} rows are of build {}; they do not count", count, build));
+    }
+  }
+
+  // Other shards may have played meanwhile.
+  void look_around() {
+    const Clock::time_point began = Clock::now();
+    rows_.merge(take(read_rows(options_.folder / kGamesFolder, format_)).stock.done);
+    const Clock::duration looking = Clock::now() - began;
+    next_look_ =
+        Clock::now() + std::chrono::duration_cast<Clock::duration>(looking / kLookingShare);
+  }
+
+  // What differs from the scenario that the folder was made with, as far as it can be told.
+  std::string changes() const {
+    const fs::path file = options_.folder / kEffectiveFile;
+    try {
+      const std::optional<std::string> text = read_file(file);
+      if (!text) return {};
+      return changes_between(scenario_, read_scenario_text(*text, file.string()));
+    } catch (const InputError&) {
+      return {};
+    }
+  }
+
+  // Plays until no needed game is left to this shard that is known and has no row. Each round but
+  // the last adds rows, so that it ends.
+  Ending play_all(Shard& shard, int& played_games) {
+    while (true) {
+      const std::vector<std::size_t> missing = missing_games();
+      if (missing.empty()) return Ending::kDone;
+      const Ending ending = play(missing, shard, played_games);
+      if (options_.shard.of > 1) look_around();
+      if (follows_its_rows(scenario_)) course_ = course_of(scenario_, format_, rows_);
+      if (ending == Ending::kInterrupted && !missing_games().empty()) return ending;
+    }
+  }
+
+  std::vector<std::size_t> missing_games() const {
+    std::vector<std::size_t> missing;
+    for (std::size_t i = 0; i < std::min(course_.needed, course_.games.size()); ++i) {
+      const PlannedGame& game = course_.games[i];
+      if (options_.shard.has(game.unit) && !rows_.contains(game.id)) missing.push_back(i);
+    }
+    return missing;
+  }
+
+  // Of this shard's needed games, and of those that nobody knows yet.
+  GameCounts counts() const {
+    const std::size_t known = std::min(course_.needed, course_.games.size());
+    GameCounts counts{.total = static_cast<int>(course_.needed - known), .voids = 0};
+    for (std::size_t i = 0; i < known; ++i) {
+      const PlannedGame& game = course_.games[i];
+      if (!options_.shard.has(game.unit)) continue;
+      const auto row = rows_.find(game.id);
+      ++counts.total;
+      counts.done += row == rows_.end() ? 0 : 1;
+      *counts.voids += row != rows_.end() && is_void(row->second) ? 1 : 0;
+    }
+    return counts;
+  }
+
+  bool is_void(const Cells& row) const {
+    return row[format_.column("status")] == name_of(Status::kVoid);
+  }
+
+  std::string table_so_far() const {
+    std::vector<Cells> rows;
+    for (const auto& [id, cells] : counted(course_, rows_)) rows.push_back(cells);
+    return "so far; interim intervals are no reason to stop:\n\n" +
+           results_of(scenario_, format_, rows).table;
+  }
+
+  Ending play(const std::vector<std::size_t>& games, Shard& shard, int& played_games) {
+    Progress progress(options_.progress, counts());
+    progress.show([this] { return table_so_far(); });
+    const WorkerOptions workers{options_.workers, options_.attempts, options_.longest_game_s};
+    return do_jobs(
+        games, workers,
+        {[this](std::size_t i) { return played(options_, course_.games[i].configuration); },
+         [&](const JobResult& result) {
+           keep(shard, result, progress);
+           ++played_games;
+         },
+         [&progress] { progress.tick(); }, [this] { return is_decided_; }});
+  }
+
+  void keep(Shard& shard, const JobResult& result, Progress& progress) {
+    const PlannedGame& game = course_.games[result.job];
+    const Cells outcome = result.failure.empty() ? csv_cells(result.payload).value()
+                                                 : outcome_of(void_record(result.failure));
+    const std::string line = format_.line(
+        game, outcome,
+        {options_.build, host_, cpu_, result.wall_s, result.attempt, options_.shard.name()});
+    shard.append(line);
+    const Cells cells = format_.read(line).value();
+    const std::string& reason = cells[format_.column("void_reason")];
+    if (!reason.empty()) progress.say(fmt::format("{} is void: {}", game.id, reason));
+    rows_[game.id] = cells;
+    progress.game_done(fmt::format("{} {}:{}", game.id, cells[format_.column("goals_a")],
+                                   cells[format_.column("goals_b")]),
+                       is_void(cells));
+    if (!follows_its_rows(scenario_)) return;
+    if (options_.shard.of > 1 && Clock::now() >= next_look_) look_around();
+    is_decided_ = is_decided(scenario_, format_, rows_);
+  }
+
+  void conclude(ExperimentReport& report, const RowsById& counted_rows) const {
+    report.results = write_results(options_.folder, scenario_, format_, counted_rows);
+    std::vector<Cells> rows;
+    for (const auto& [id, cells] : counted_rows) rows.push_back(cells);
+    report.arrows_never_taken = arrows_never_taken(format_, rows);
+  }
+
+  void say(const std::string& message) const {
+    if (options_.progress != nullptr) tell(options_.progress, message + "\n");
+  }
+
+  const Scenario& scenario_;
+  const ExperimentOptions& options_;
+  const RowFormat format_;
+  const std::string host_ = host_name();
+  const std::string cpu_ = cpu_name();
+  Course course_;  // stays as it is while workers play
+  RowsById rows_;  // of its games, also those that are not needed
+  bool is_decided_ = false;
+  Clock::time_point next_look_;
+};
+
+}  // namespace
+
+ExperimentReport run_experiment(const Scenario& scenario, const ExperimentOptions& options) {
+  return Experiment(scenario, options).run();
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,104 @@
+// What differs between two experiments of one kind. Declared in experiment_kinds.hpp.
+#include <fmt/format.h>
+
+#include <map>
+
+#include "runner/batch/experiment_kinds.hpp"
+#include "runner/experiments/with_kind.hpp"
+#include "runner/io/words.hpp"
+#include "runner/settings/fields.hpp"
+
+namespace autoref::runner {
+namespace {
+
+using Values = std::map<std::string, std::string>;  // by path
+
+// Without those that only set others.
+Values values_of(const std::vector<Setting>& settings) {
+  Values values;
+  for (const Setting& setting : settings) {
+    if (!is_alias(setting)) values[setting.path] = value_of(setting);
+  }
+  return values;
+}
+
+Values told_by(const Sweep& sweep) {
+  GameConfiguration base = sweep.base;
+  Values values = values_of(settings_of(base));
+  values["seed"] = std::to_string(sweep.seed);
+  return values;
+}
+
+void add(const Teams& teams, std::string_view branch, const RobotTypes& types, Values& values) {
+  for (auto [name, team] : teams) {
+    values.merge(values_of(settings_of(team, types, fmt::format("{}.{}.", branch, name))));
+  }
+}
+
+Values told_by(const NamedTeams& named) {
+  GameConfiguration base = named.base;
+  Values values = values_of(settings_of(base));
+  std::erase_if(values, [](const auto& value) { return value.first.starts_with("teams."); });
+  add(named.teams, "teams", named.base.types, values);
+  values["seed"] = std::to_string(named.seed);
+  return values;
+}
+
+Values told_by(const Gauntlet& gauntlet) {
+  Values values = told_by(static_cast<const NamedTeams&>(gauntlet));
+  add(gauntlet.challengers, "challengers", gauntlet.base.types, values);
+  return values;
+}
+
+// The seeds tell who meets whom in which tie.
+Values told_by(const Knockout& knockout) {
+  Values values = told_by(static_cast<const NamedTeams&>(knockout));
+  values["order"] = listed(knockout.order);
+  return values;
+}
+
+// What both have: a team that only one has changes no game of the others.
+void keep_teams_of_both(Teams& one, Teams& other) {
+  std::erase_if(one, [&other](const auto& team) { return !other.contains(team.first); });
+  std::erase_if(other, [&one](const auto& team) { return !one.contains(team.first); });
+}
+
+void keep_what_is_in_both(Sweep& /*here*/, Sweep& /*there*/) {}
+void keep_what_is_in_both(NamedTeams& here, NamedTeams& there) {
+  keep_teams_of_both(here.teams, there.teams);
+}
+void keep_what_is_in_both(Gauntlet& here, Gauntlet& there) {
+  keep_teams_of_both(here.teams, there.teams);
+  keep_teams_of_both(here.challengers, there.challengers);
+}
+
+std::string changes_between(const Values& here, const Values& there) {
+  std::string changes;
+  const auto note = [&changes](const std::string& path, const std::string& x,
+                               const std::string& y) {
+    if (x == y) return;
+    changes += fmt::format("{}{} is {} here and {} there", changes.empty() ? "" : "; ", path, x, y);
+  };
+  const std::string missing = "not given";
+  for (const auto& [path, value] : here) {
+    note(path, value, there.contains(path) ? there.at(path) : missing);
+  }
+  for (const auto& [path, value] : there) {
+    if (!here.contains(path)) note(path, missing, value);
+  }
+  return changes;
+}
+
+}  // namespace
+
+std::string changes_between(const Scenario& here, const Scenario& there) {
+  return with_kind(here, [&there](auto experiment) {
+    const auto* other = std::get_if<decltype(experiment)>(&there.content);
+    if (other == nullptr) return std::string();
+    auto its = *other;
+    keep_what_is_in_both(experiment, its);
+    return changes_between(told_by(experiment), told_by(its));
+  });
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,168 @@
+#include "runner/batch/experiment_kinds.hpp"
+
+#include <algorithm>
+
+#include "runner/analysis/knockout_report.hpp"
+#include "runner/analysis/match_report.hpp"
+#include "runner/analysis/match_state.hpp"
+#include "runner/analysis/standings_report.hpp"
+#include "runner/analysis/summary.hpp"
+#include "runner/experiments/knockout_plan.hpp"
+#include "runner/experiments/matchup_plan.hpp"
+#include "runner/experiments/with_kind.hpp"
+
+namespace autoref::runner {
+namespace {
+
+std::vector<std::string> value_columns(const Sweep& sweep) {
+  std::vector<std::string> paths;
+  paths.reserve(sweep.factors.size());
+  for (const Factor& factor : sweep.factors) paths.push_back(factor.path);
+  return paths;
+}
+
+std::vector<std::string> value_columns(const NamedTeams& /*named*/) { return {}; }
+
+// Of the other kinds all games are needed.
+template <typename Experiment>
+bool is_decided(const Experiment& /*experiment*/, const RowFormat& /*format*/,
+                const RowsById& /*rows*/) {
+  return false;
+}
+
+bool is_decided(const Match& match, const RowFormat& format, const RowsById& rows) {
+  return state_of(match, format, rows).is_decided;
+}
+
+template <typename Experiment>
+Course course_of(const Experiment& experiment, const RowFormat& /*format*/,
+                 const RowsById& /*rows*/) {
+  std::vector<PlannedGame> games = plan(experiment);
+  const std::size_t needed = games.size();
+  return {std::move(games), needed};
+}
+
+Course course_of(const Match& match, const RowFormat& format, const RowsById& rows) {
+  const MatchState state = state_of(match, format, rows);
+  std::vector<PlannedGame> games = plan(match);
+  const std::size_t needed =
+      state.is_decided ? 2 * static_cast<std::size_t>(state.last_pair) : games.size();
+  return {std::move(games), needed};
+}
+
+Course course_of(const Knockout& knockout, const RowFormat& format, const RowsById& rows) {
+  const std::vector<Tie> ties = bracket_of(knockout, format, rows);
+  std::vector<PlannedGame> games = games_of(knockout, ties);
+  const auto unknown =
+      std::count_if(ties.begin(), ties.end(), [](const Tie& tie) { return !tie.is_known(); });
+  const std::size_t needed = games.size() + static_cast<std::size_t>(unknown);
+  return {std::move(games), needed};
+}
+
+ExperimentResults results_of(const Sweep& sweep, const RowFormat& format,
+                             const std::vector<Cells>& rows) {
+  ExperimentResults results;
+  results.groups = grouped(sweep, format, rows);
+  results.files = {{"summary.csv", "a row per value", summary_csv(sweep, results.groups)}};
+  results.table = summary_table(sweep, results.groups);
+  return results;
+}
+
+ExperimentResults results_of(const RoundRobin& robin, const RowFormat& format,
+                             const std::vector<Cells>& rows) {
+  ExperimentResults results;
+  results.groups = grouped(matchups_of(robin), format, rows);
+  results.standings = standings_of(results.groups);
+  results.files = {{"summary.csv", "a row per matchup", matchups_csv(results.groups)},
+                   {"standings.csv", "a row per team", standings_csv(results.standings)}};
+  results.table = matchups_table(results.groups) + "\n" + standings_table(results.standings);
+  return results;
+}
+
+ExperimentResults results_of(const Gauntlet& gauntlet, const RowFormat& format,
+                             const std::vector<Cells>& rows) {
+  ExperimentResults results;
+  results.groups = grouped(matchups_of(gauntlet), format, rows);
+  results.standings = standings_of_challengers(results.groups);
+  results.files = {{"summary.csv", "a row per matchup", matchups_csv(results.groups)},
+                   {"standings.csv", "a row per challenger", standings_csv(results.standings)}};
+  results.table = matchups_table(results.groups) + "\n" + standings_table(results.standings);
+  return results;
+}
+
+RowsById by_id(const std::vector<Cells>& rows) {
+  RowsById by_id;
+  for (const Cells& row : rows) by_id[row.front()] = row;
+  return by_id;
+}
+
+ExperimentResults results_of(const Match& match, const RowFormat& format,
+                             const std::vector<Cells>& rows) {
+  const MatchState state = state_of(match, format, by_id(rows));
+  ExperimentResults results;
+  results.groups = grouped({matchup_of(match)}, format, rows);
+  const Group& matchup = results.groups.front();
+  results.files = {{"summary.csv", "the match and its verdict", match_csv(match, matchup, state)}};
+  results.table = match_table(match, matchup, state);
+  return results;
+}
+
+ExperimentResults results_of(const Knockout& knockout, const RowFormat& format,
+                             const std::vector<Cells>& rows) {
+  const RowsById games = by_id(rows);
+  const std::vector<Tie> ties = bracket_of(knockout, format, games);
+  ExperimentResults results;
+  results.files = {{"summary.csv", "a row per tie", ties_csv(ties, format, games)}};
+  results.table = bracket_table(ties, format, games);
+  return results;
+}
+
+}  // namespace
+
+RowsById counted(const Course& course, const RowsById& rows) {
+  RowsById counted;
+  for (std::size_t i = 0; i < std::min(course.needed, course.games.size()); ++i) {
+    const auto row = rows.find(course.games[i].id);
+    if (row != rows.end()) counted.insert(*row);
+  }
+  return counted;
+}
+
+bool is_experiment(const Scenario& scenario) { return verb_of(scenario) == "run"; }
+
+std::vector<PlannedGame> plan(const Scenario& scenario) {
+  return with_kind(scenario, [](const auto& experiment) { return plan(experiment); });
+}
+
+std::string caveat_of_plan(const Scenario& scenario) {
+  if (std::holds_alternative<Match>(scenario.content)) return "at most: it ends when decided";
+  if (!std::holds_alternative<Knockout>(scenario.content)) return "";
+  return "the better seed taken to win every tie; drawn ties are played again";
+}
+
+bool follows_its_rows(const Scenario& scenario) {
+  return std::holds_alternative<Match>(scenario.content) ||
+         std::holds_alternative<Knockout>(scenario.content);
+}
+
+Course course_of(const Scenario& scenario, const RowFormat& format, const RowsById& rows) {
+  return with_kind(scenario,
+                   [&](const auto& experiment) { return course_of(experiment, format, rows); });
+}
+
+bool is_decided(const Scenario& scenario, const RowFormat& format, const RowsById& rows) {
+  return with_kind(scenario,
+                   [&](const auto& experiment) { return is_decided(experiment, format, rows); });
+}
+
+std::vector<std::string> value_columns(const Scenario& scenario) {
+  return with_kind(scenario, [](const auto& experiment) { return value_columns(experiment); });
+}
+
+ExperimentResults results_of(const Scenario& scenario, const RowFormat& format,
+                             const std::vector<Cells>& rows) {
+  return with_kind(scenario,
+                   [&](const auto& experiment) { return results_of(experiment, format, rows); });
+}
+
+}  // namespace autoref::runner

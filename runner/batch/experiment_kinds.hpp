@@ -1,0 +1,73 @@
+// What differs between the kinds of experiments: which games they play, and what their rows say.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "runner/analysis/groups.hpp"
+#include "runner/analysis/standings.hpp"
+#include "runner/experiments/plan.hpp"
+#include "runner/experiments/scenario.hpp"
+#include "runner/results/rows.hpp"
+
+namespace autoref::runner {
+
+// Whether the scenario is of many games whose rows are kept: all but a single
+// game and games for the referee. The other functions take no other.
+bool is_experiment(const Scenario& scenario);
+
+// Its games in the order in which they are played, as far as they are known beforehand. Throws
+// std::invalid_argument where settings do not go together.
+std::vector<PlannedGame> plan(const Scenario& scenario);
+
+// In which way the games may yet be others than plan() says; empty where they may not.
+std::string caveat_of_plan(const Scenario& scenario);
+
+// Which games an experiment takes, as far as its rows tell.
+struct Course {
+  std::vector<PlannedGame> games;  // in the order in which they are played
+  // How many it takes: the first of `games`, so that others do not count; or more than `games`,
+  // where those to come are not known yet.
+  std::size_t needed = 0;
+};
+
+// `rows` are those of its games so far.
+Course course_of(const Scenario& scenario, const RowFormat& format, const RowsById& rows);
+
+// Whether its course may change with its rows: a match ends with the pair that decides it, and who
+// meets whom in a knockout follows from the ties before.
+bool follows_its_rows(const Scenario& scenario);
+
+// Whether these rows make all games superfluous that are not played yet.
+bool is_decided(const Scenario& scenario, const RowFormat& format, const RowsById& rows);
+
+// The rows of needed games: those that results are made of.
+RowsById counted(const Course& course, const RowsById& rows);
+
+// The columns of its rows that hold the factors' values.
+std::vector<std::string> value_columns(const Scenario& scenario);
+
+// The settings in which two experiments of one kind differ: "match.half_s is 60.0 here and 600.0
+// there; ...". Empty where there are none, or where the kinds are not the same. Factors' values,
+// and teams that one of them has not, make other games and do not count.
+std::string changes_between(const Scenario& here, const Scenario& there);
+
+// A file that a complete experiment leaves beside results.csv.
+struct ResultFile {
+  std::string name;   // such as "summary.csv"
+  std::string about;  // what a row is
+  std::string content;
+};
+
+struct ExperimentResults {
+  std::vector<Group> groups;        // of a sweep's values, or of matchups; a knockout has none
+  std::vector<Standing> standings;  // of a round robin or of challengers, best team first
+  std::vector<ResultFile> files;
+  std::string table;  // for people
+};
+
+// `rows` are complete rows, each game once, in any order.
+ExperimentResults results_of(const Scenario& scenario, const RowFormat& format,
+                             const std::vector<Cells>& rows);
+
+}  // namespace autoref::runner

@@ -1,0 +1,101 @@
+#include "runner/batch/result_folder.hpp"
+#include "runner/experiments/reading/scenario_reader.hpp"
+
+#include <fmt/format.h>
+
+#include "runner/io/csv.hpp"
+#include "runner/io/errors.hpp"
+#include "runner/io/files.hpp"
+#include "runner/results/shard.hpp"
+
+namespace autoref::runner {
+namespace {
+
+namespace fs = std::filesystem;
+
+Scenario scenario_in(const fs::path& folder) {
+  const fs::path file = folder / kEffectiveFile;
+  if (!fs::exists(file) || !fs::is_directory(folder / kGamesFolder)) {
+    throw InputError({folder.string()}, "",
+                     fmt::format("holds no results: expected {} and a folder {}, as autoref run "
+                                 "leaves them",
+                                 kEffectiveFile, kGamesFolder));
+  }
+  Scenario scenario = read_scenario(file);
+  if (is_experiment(scenario)) return scenario;
+  throw InputError({file.string()}, "kind",
+                   fmt::format("this is a {}, not an experiment", kind_of(scenario)));
+}
+
+std::set<std::string> builds_of(const StoredRows& stored) {
+  std::set<std::string> builds;
+  for (const StoredRow& row : stored.rows) builds.insert(row.build);
+  return builds;
+}
+
+// The build that was asked for, or the only one.
+std::string chosen_build(const StoredRows& stored, const std::string& wanted,
+                         const fs::path& folder) {
+  const std::set<std::string> builds = builds_of(stored);
+  if (wanted.empty() && builds.size() <= 1) return builds.empty() ? "" : *builds.begin();
+  if (builds.contains(wanted)) return wanted;
+  throw InputError({folder.string()}, "",
+                   fmt::format("{}holds games of the builds {}; choose one with --build",
+                               wanted.empty() ? "" : fmt::format("has none of {}: ", wanted),
+                               fmt::join(builds, ", ")));
+}
+
+}  // namespace
+
+int ResultFolder::void_games() const {
+  const std::size_t status = format.column("status");
+  int count = 0;
+  for (const auto& [id, cells] : stock.done) {
+    count += cells[status] == name_of(Status::kVoid) ? 1 : 0;
+  }
+  return count;
+}
+
+std::set<std::string> builds_in(const fs::path& path) {
+  return builds_of(read_rows(path / kGamesFolder, RowFormat(value_columns(scenario_in(path)))));
+}
+
+ResultFolder open_results(const fs::path& path, const std::string& build) {
+  const Scenario scenario = scenario_in(path);
+  const RowFormat format(value_columns(scenario));
+  const StoredRows stored = read_rows(path / kGamesFolder, format);
+  const std::string its_build = chosen_build(stored, build, path);
+  Inventory inventory = take_inventory(scenario, stored.rows, format, its_build, true, path, {});
+  RowsById done = counted(inventory.course, inventory.stock.done);
+  const auto beyond = static_cast<int>(inventory.stock.done.size() - done.size());
+  inventory.stock.done = std::move(done);
+  ResultFolder folder{path,
+                      scenario,
+                      format,
+                      std::move(inventory.course.games),
+                      inventory.course.needed,
+                      its_build,
+                      std::move(inventory.stock),
+                      beyond,
+                      stored.damaged,
+                      {}};
+  const std::size_t shard = format.column("shard");
+  for (const auto& [id, cells] : folder.stock.done) ++folder.by_shard[cells[shard]];
+  return folder;
+}
+
+ExperimentResults write_results(const fs::path& folder, const Scenario& scenario,
+                                const RowFormat& format, const RowsById& rows) {
+  std::vector<Cells> cells;
+  std::string csv = csv_line(format.reproducible(format.columns())) + "\n";
+  for (const auto& [id, row] : rows) {
+    csv += csv_line(format.reproducible(row)) + "\n";
+    cells.push_back(row);
+  }
+  ExperimentResults results = results_of(scenario, format, cells);
+  replace_file(folder / kResultsFile, csv);
+  for (const ResultFile& file : results.files) replace_file(folder / file.name, file.content);
+  return results;
+}
+
+}  // namespace autoref::runner

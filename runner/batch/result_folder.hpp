@@ -1,0 +1,48 @@
+// A folder of results, as `autoref run` fills it: what was to be played, and what has been.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "runner/batch/experiment_kinds.hpp"
+#include "runner/batch/stock.hpp"
+#include "runner/experiments/plan.hpp"
+#include "runner/experiments/scenario.hpp"
+#include "runner/results/rows.hpp"
+
+namespace autoref::runner {
+
+struct ResultFolder {
+  std::filesystem::path path;
+  Scenario scenario;  // of effective.yaml
+  RowFormat format;
+  std::vector<PlannedGame> games;       // that it takes, as far as they are known
+  std::size_t needed = 0;               // how many of them, from the first
+  std::string build;                    // whose rows count
+  Stock stock;                          // its `done` holds only what counts
+  int beyond = 0;                       // rows of games that turned out not to be needed
+  int damaged = 0;                      // rows that do not count
+  std::map<std::string, int> by_shard;  // how many games each has played, "0/1"
+
+  int void_games() const;
+  bool is_complete() const { return stock.done.size() == needed; }
+};
+
+// Whose rows a folder holds. Throws InputError where the folder is none of results.
+std::set<std::string> builds_in(const std::filesystem::path& path);
+
+// Reads a folder, whether or not a run is still filling it. Only rows of one build count: of
+// `build`, or where that is empty of the only one that there is. Throws InputError where the folder
+// is none of results, where several builds' rows leave the choice open, and what take_stock()
+// throws.
+ResultFolder open_results(const std::filesystem::path& path, const std::string& build = {});
+
+// Writes what follows from the rows: results.csv, sorted by game and without what may differ from
+// run to run, and the files of results_of(). The same rows give the same files, byte by byte.
+ExperimentResults write_results(const std::filesystem::path& folder, const Scenario& scenario,
+                                const RowFormat& format, const RowsById& rows);
+
+}  // namespace autoref::runner

@@ -1,0 +1,97 @@
+#include "runner/batch/slurm.hpp"
+
+#include <fmt/format.h>
+
+namespace autoref::runner {
+namespace {
+
+std::string option(const std::string& text) { return fmt::format("#SBATCH {}\n", text); }
+
+// A file for a job's output; `name` may hold % and a letter, which Slurm replaces.
+std::string output_option(const SlurmArray& array, const std::string& name) {
+  std::string path;
+  for (const char c : (array.folder / kSlurmLogs).string())
+    path += c == '%' ? "%%" : std::string(1, c);
+  return option(shell_word(fmt::format("--output={}/{}", path, name)));
+}
+
+// What both jobs are told.
+std::string common_options(const SlurmArray& array) {
+  std::string text = option("--open-mode=append");
+  if (!array.partition.empty()) {
+    text += option(shell_word("--partition=" + array.partition));
+  }
+  for (const std::string& further : array.options) text += option(shell_word(further));
+  return text;
+}
+
+// Signals end a wait at once: the second one waits for the run to end its games. A process that
+// was killed, or that finds its rows still held by one killed on another machine, is started
+// again, after 1, 4, 9 ... s: longer in all than the 90 s that NFS holds a dead machine's locks.
+constexpr const char* kTask = R"(
+set -u
+run=
+ending=
+end() {{ ending=$1; kill -TERM "$run" 2>/dev/null; }}
+trap 'end time' USR1   # the time limit is near
+trap 'end asked' TERM  # cancelled, or pre-empted
+
+code=75
+for try in 1 2 3 4 5 6; do
+  [[ -z $ending ]] || break
+  {program} run {file} -o {folder} --shard "$SLURM_ARRAY_TASK_ID/{tasks}" -j {workers} &
+  run=$!
+  wait "$run"; code=$?
+  [[ -z $ending ]] || {{ wait "$run"; code=$?; }}
+  ((code == 74 || code > 128)) || break
+  sleep $((try * try))
+done
+
+if [[ $ending == time ]] && ((code != 0 && ${{SLURM_RESTART_COUNT:-0}} < 100)); then
+  scontrol requeue "$SLURM_JOB_ID"
+fi
+exit "$code"
+)";
+
+}  // namespace
+
+std::string shell_word(const std::string& text) {
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
+std::string array_script(const SlurmArray& array) {
+  const std::string name = array.file.stem().string();
+  std::string text =
+      "#!/bin/bash\n"
+      "# Plays an experiment as an array of Slurm, each task its share of the games. Written by\n"
+      "# autoref submit. Submitting it again plays what is missing.\n";
+  text += option(shell_word("--job-name=" + name));
+  text += option(fmt::format("--array=0-{}", array.tasks - 1));
+  text += option(fmt::format("--cpus-per-task={}", array.workers));
+  text += output_option(array, "%A_%a.log");
+  text += option("--requeue");
+  text += option("--signal=B:USR1@60");
+  if (!array.time.empty()) text += option(fmt::format("--time={}", array.time));
+  text += common_options(array);
+  return text + fmt::format(kTask, fmt::arg("program", shell_word(array.program.string())),
+                            fmt::arg("file", shell_word(array.file.string())),
+                            fmt::arg("folder", shell_word(array.folder.string())),
+                            fmt::arg("tasks", array.tasks), fmt::arg("workers", array.workers));
+}
+
+std::string merge_script(const SlurmArray& array) {
+  const std::string name = array.file.stem().string() + "-merge";
+  std::string text =
+      "#!/bin/bash\n"
+      "# Merges the rows of an experiment's tasks and writes its results. Written by autoref "
+      "submit.\n";
+  text += option(shell_word("--job-name=" + name));
+  text += output_option(array, "%j-merge.log");
+  text += common_options(array);
+  return text + fmt::format("\nexec {} report {}\n", shell_word(array.program.string()),
+                            shell_word(array.folder.string()));
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,166 @@
+#include "runner/bench/bench.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+#include <vector>
+
+#include "runner/game/state_hash.hpp"
+#include "runner/io/json.hpp"
+#include "sim/yardstick.hpp"
+#include "soccer/rule_table.hpp"
+#include "strategies/registry.hpp"
+
+namespace autoref::runner {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kRounds = 5;
+constexpr std::uint64_t kFirstSeed = 1;
+constexpr std::array<std::string_view, kPhaseCount> kPhaseNames = {
+    "camera", "referee", "team_west", "team_east", "physics", "record"};
+
+double ns_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+GameConfiguration fixed_game(std::uint64_t seed) {
+  GameConfiguration game;
+  game.seed = seed;
+  return game;
+}
+
+// A game with every rule in force, whichever book has it.
+GameConfiguration game_with_all_rules() {
+  GameConfiguration game = fixed_game(kFirstSeed);
+  game.match.rules = "2014";
+  for (const RuleEntry& entry : rule_table()) game.match.in_force[entry.rule] = true;
+  return game;
+}
+
+// Adds up the time between the ends of a frame's parts.
+class Shares final : public Observer {
+ public:
+  void on_phase(Phase ended) override {
+    const Clock::time_point now = Clock::now();
+    ns_[static_cast<std::size_t>(ended)] +=
+        std::chrono::duration<double, std::nano>(now - last_).count();
+    last_ = now;
+  }
+
+  double ns_of(Phase phase) const { return ns_[static_cast<std::size_t>(phase)]; }
+
+  std::array<double, kPhaseCount> shares() const {
+    double sum = 0;
+    for (const double ns : ns_) sum += ns;
+    std::array<double, kPhaseCount> shares{};
+    for (int i = 0; i < kPhaseCount; ++i) shares[i] = ns_[i] / sum;
+    return shares;
+  }
+
+ private:
+  Clock::time_point last_ = Clock::now();
+  std::array<double, kPhaseCount> ns_{};
+};
+
+double bare_ns(std::uint64_t seed, std::int64_t frames) {
+  sim::Yardstick yardstick(seed);
+  const Clock::time_point start = Clock::now();
+  for (std::int64_t i = 0; i < frames; ++i) yardstick.step_frame();
+  const double ns = ns_since(start);
+  if (!(yardstick.checksum_m() < 1e9)) throw std::logic_error("the yardstick has blown up");
+  return ns;
+}
+
+void print_json(const BenchResult& r) {
+  JsonObject shares;
+  for (int i = 0; i < kPhaseCount; ++i) {
+    shares.add(kPhaseNames[i], fmt::format("{:.4f}", r.shares[i]));
+  }
+  JsonObject teams;
+  for (const TeamCost& team : r.teams) {
+    teams.add(team.name, fmt::format("{:.1f}", team.ns_per_decision));
+  }
+  fmt::print("{}\n", JsonObject()
+                         .add("ns_per_frame", fmt::format("{:.1f}", r.ns_per_frame))
+                         .add("referee_ns_per_frame", fmt::format("{:.1f}", r.referee_ns_per_frame))
+                         .add("bare_ns_per_frame", fmt::format("{:.1f}", r.bare_ns_per_frame))
+                         .add("ratio", fmt::format("{:.4f}", r.ratio))
+                         .add("x_real_time", fmt::format("{:.1f}", r.x_real_time))
+                         .add("signature", json_text(fmt::format("{:016x}", r.signature)))
+                         .add("shares", shares.text())
+                         .add("team_ns_per_decision", teams.text())
+                         .text());
+}
+
+void print_table(const BenchResult& r) {
+  fmt::print("a whole game          {:9.0f} ns a frame, {:.0f} x real time on one core\n",
+             r.ns_per_frame, r.x_real_time);
+  fmt::print("the bare Box2D scene  {:9.0f} ns a frame\n", r.bare_ns_per_frame);
+  fmt::print("the referee           {:9.0f} ns a frame, with every rule in force\n",
+             r.referee_ns_per_frame);
+  fmt::print("ratio                 {:9.3f}   (median of {} rounds)\n", r.ratio, kRounds);
+  fmt::print("signature             {:016x}\n", r.signature);
+  for (int i = 0; i < kPhaseCount; ++i) {
+    fmt::print("  {:10} {:5.1f} %\n", kPhaseNames[i], 100 * r.shares[i]);
+  }
+  for (const TeamCost& team : r.teams) {
+    fmt::print("team {:16} {:9.2f} us a decision\n", team.name, team.ns_per_decision / 1000);
+  }
+}
+
+}  // namespace
+
+BenchResult bench(int rounds) {
+  std::vector<double> game_ns, bare_frame_ns, ratios;
+  StateHash signature;
+  for (int i = 0; i < rounds; ++i) {
+    const std::uint64_t seed = kFirstSeed + static_cast<std::uint64_t>(i);
+    const Clock::time_point start = Clock::now();
+    const GameRecord record = play(fixed_game(seed));
+    const auto frames = static_cast<double>(record.frames);
+    game_ns.push_back(ns_since(start) / frames);
+    bare_frame_ns.push_back(bare_ns(seed, record.frames) / frames);
+    ratios.push_back(game_ns.back() / bare_frame_ns.back());
+    signature.add(record.state_hash);
+  }
+  Shares shares;
+  play(fixed_game(kFirstSeed), &shares);
+  Shares with_all_rules;
+  const GameRecord judged = play(game_with_all_rules(), &with_all_rules);
+
+  BenchResult result;
+  result.ns_per_frame = median(game_ns);
+  result.bare_ns_per_frame = median(bare_frame_ns);
+  result.ratio = median(ratios);
+  result.x_real_time = 1e9 / GameConfiguration{}.sim.frame_rate_hz / result.ns_per_frame;
+  result.signature = signature.value();
+  result.shares = shares.shares();
+  result.referee_ns_per_frame =
+      with_all_rules.ns_of(Phase::kReferee) / static_cast<double>(judged.frames);
+  for (const strategies::Entry& team : strategies::all_strategies()) {
+    result.teams.push_back(cost_of_team(team.name));
+  }
+  return result;
+}
+
+int run_bench(bool json) {
+  const BenchResult result = bench(kRounds);
+  if (json) {
+    print_json(result);
+  } else {
+    print_table(result);
+  }
+  return 0;
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,135 @@
+#include "runner/bench/workers_bench.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "runner/batch/experiment.hpp"
+#include "runner/io/build_id.hpp"
+#include "runner/io/errors.hpp"
+#include "runner/io/json.hpp"
+
+namespace autoref::runner {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr int kRounds = 3;
+constexpr int kWorkers = 2;
+constexpr int kPairs = 6;  // 12 games a run
+
+// Gone with this object.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() : name_((fs::temp_directory_path() / "autoref-bench-XXXXXX").string()) {
+    if (mkdtemp(name_.data()) == nullptr) throw io_error(name_ + " cannot be created", errno);
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(name_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::string& name() const { return name_; }
+
+ private:
+  std::string name_;
+};
+
+struct Costs {
+  double wall_s = 0;
+  double parent_cpu_s = 0;
+  double workers_cpu_s = 0;
+};
+
+double cpu_s(int whose) {
+  rusage usage{};
+  getrusage(whose, &usage);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+// All games of the experiment, from reading the folder to writing the results.
+Costs run_with(int workers) {
+  const TemporaryFolder folder;
+  Sweep sweep;
+  sweep.factors = {{"b.handicap", {"1.0"}}};
+  sweep.pairs = kPairs;
+  sweep.seed = 1;
+  ExperimentOptions options;
+  options.folder = folder.name();
+  options.build = build_id();
+  options.workers = workers;
+  options.play = [](const GameConfiguration& game) { return play(game); };
+  const Costs before{0, cpu_s(RUSAGE_SELF), cpu_s(RUSAGE_CHILDREN)};
+  const Clock::time_point start = Clock::now();
+  if (!run_experiment({"", sweep}, options).is_complete) throw Interrupted();
+  return {std::chrono::duration<double>(Clock::now() - start).count(),
+          cpu_s(RUSAGE_SELF) - before.parent_cpu_s, cpu_s(RUSAGE_CHILDREN) - before.workers_cpu_s};
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double games_per_min(const Costs& costs) { return 60 * 2 * kPairs / costs.wall_s; }
+
+std::string json_of(const WorkersBench& result) {
+  return JsonObject()
+      .add("workers", std::to_string(result.workers))
+      .add("games_per_min_alone", fmt::format("{:.1f}", result.games_per_min_alone))
+      .add("games_per_min_together", fmt::format("{:.1f}", result.games_per_min_together))
+      .add("speedup", fmt::format("{:.3f}", result.speedup))
+      .add("parent_cpu_s_per_game", fmt::format("{:.5f}", result.parent_cpu_s_per_game))
+      .add("workers_cpu_s_per_game", fmt::format("{:.5f}", result.workers_cpu_s_per_game))
+      .add("parent_share", fmt::format("{:.5f}", result.parent_share()))
+      .text();
+}
+
+}  // namespace
+
+WorkersBench bench_workers(int rounds, int workers) {
+  std::vector<double> alone, together, speedups, parent, playing;
+  for (int i = 0; i < rounds; ++i) {
+    const Costs one = run_with(1);
+    const Costs all = run_with(workers);
+    alone.push_back(games_per_min(one));
+    together.push_back(games_per_min(all));
+    speedups.push_back(together.back() / alone.back());
+    parent.push_back(all.parent_cpu_s / (2 * kPairs));
+    playing.push_back(all.workers_cpu_s / (2 * kPairs));
+  }
+  return {workers,          median(alone),  median(together),
+          median(speedups), median(parent), median(playing)};
+}
+
+int run_workers_bench(bool json) {
+  const WorkersBench result = bench_workers(kRounds, kWorkers);
+  if (json) {
+    fmt::print("{}\n", json_of(result));
+    return kDone;
+  }
+  fmt::print("one worker            {:9.1f} games a minute\n", result.games_per_min_alone);
+  fmt::print("{} workers             {:9.1f} games a minute\n", result.workers,
+             result.games_per_min_together);
+  fmt::print("ratio                 {:9.3f}   (median of {} rounds)\n", result.speedup, kRounds);
+  fmt::print("a game                {:9.3f} s of a worker's processor time\n",
+             result.workers_cpu_s_per_game);
+  fmt::print("what hands it out     {:9.3f} ms, {:.2f} % of it\n",
+             1000 * result.parent_cpu_s_per_game, 100 * result.parent_share());
+  return kDone;
+}
+
+}  // namespace autoref::runner

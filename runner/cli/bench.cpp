@@ -1,0 +1,29 @@
+#include "runner/bench/bench.hpp"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "runner/bench/workers_bench.hpp"
+#include "runner/cli/command_line.hpp"
+
+namespace autoref::runner {
+
+void add_bench_verb(CLI::App& app, Chosen& chosen) {
+  struct Arguments {
+    bool json = false;
+    bool workers = false;
+  };
+  CLI::App* verb = app.add_subcommand("bench", "Measure how fast whole games are.");
+  auto arguments = std::make_shared<Arguments>();
+  verb->add_flag("--json", arguments->json, "Print one JSON object.");
+  verb->add_flag("--workers", arguments->workers,
+                 "Measure two workers against one, and what handing games out costs, instead.");
+  verb->footer("Example:\n  autoref bench --json");
+  verb->callback([arguments, &chosen] {
+    chosen = [arguments] {
+      return arguments->workers ? run_workers_bench(arguments->json) : run_bench(arguments->json);
+    };
+  });
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,68 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+
+#include "runner/batch/experiment_kinds.hpp"
+#include "runner/batch/rehearsal.hpp"
+#include "runner/cli/command_line.hpp"
+#include "runner/experiments/scenario.hpp"
+#include "runner/io/errors.hpp"
+#include "runner/io/table.hpp"
+#include "runner/processes/progress.hpp"
+
+namespace autoref::runner {
+namespace {
+
+std::string table_of(const std::vector<Rehearsal>& rehearsals) {
+  std::vector<Cells> rows = {{"what is played", "games", "about, s a game", ""}};
+  for (const Rehearsal& rehearsal : rehearsals) {
+    const std::string verdict =
+        rehearsal.void_reason.empty() ? "plays" : "void: " + rehearsal.void_reason;
+    rows.push_back({rehearsal.played, std::to_string(rehearsal.games),
+                    fmt::format("{:.1f}", rehearsal.wall_s_a_game), verdict});
+  }
+  return aligned(rows, {Align::kLeft, Align::kRight, Align::kRight, Align::kLeft});
+}
+
+}  // namespace
+
+int check_verb(const CheckArguments& arguments) {
+  const Scenario scenario = read_experiment(arguments.file);
+  const std::vector<PlannedGame> games = plan(scenario);
+  if (arguments.games) {
+    for (const PlannedGame& game : games) fmt::print("{}\n", game.id);
+    return kDone;
+  }
+  const std::vector<Rehearsal> rehearsals =
+      rehearse(games, [](const GameConfiguration& game) { return play(game); });
+  const int workers = arguments.worker_count();
+  fmt::print("{}\n{} games, about {} with {} at a time\n", table_of(rehearsals), games.size(),
+             duration_text(duration_s(rehearsals, workers)), workers);
+  const std::string caveat = caveat_of_plan(scenario);
+  if (!caveat.empty()) fmt::print("{}\n", caveat);
+  const bool all_play =
+      std::all_of(rehearsals.begin(), rehearsals.end(),
+                  [](const Rehearsal& rehearsal) { return rehearsal.void_reason.empty(); });
+  return all_play ? kDone : kTooManyVoid;
+}
+
+void add_check_verb(CLI::App& app, Chosen& chosen) {
+  CLI::App* verb = app.add_subcommand(
+      "check",
+      "Read an experiment, play a few seconds of everything in it, say how long it takes.");
+  auto arguments = std::make_shared<CheckArguments>();
+  verb->add_option("FILE", arguments->file,
+                   "Scenario of kind sweep, roundrobin, gauntlet, match or knockout.")
+      ->required();
+  verb->add_option("-j,--workers", arguments->workers,
+                   "Games that would be played at a time. Default: one per processor.")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  verb->add_flag("--games", arguments->games, "Print the id of every game instead, play none.");
+  verb->footer("Example:\n  autoref check scenarios/handicap-speed.yaml");
+  verb->callback([arguments, &chosen] { chosen = [arguments] { return check_verb(*arguments); }; });
+}
+
+}  // namespace autoref::runner

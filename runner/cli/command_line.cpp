@@ -1,0 +1,87 @@
+#include "runner/cli/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstdio>
+#include <exception>
+#include <system_error>
+
+#include "league/log_file.hpp"
+#include "runner/io/build_id.hpp"
+#include "runner/io/errors.hpp"
+
+namespace autoref::runner {
+namespace {
+
+constexpr const char* kNoOutput = "the output cannot be written";
+
+int fail(ExitCode code, std::string_view message) {
+  tell(stderr, fmt::format("autoref: {}\n", message));
+  return code;
+}
+
+}  // namespace
+
+int exit_code_of(const Chosen& work) {
+  try {
+    const int code = work();
+    // A full disk may show only now, or have shown before, where nobody looked.
+    if (std::fflush(stdout) != 0) throw io_error(kNoOutput, errno);
+    if (std::ferror(stdout) != 0) throw InputOutputError(kNoOutput);
+    return code;
+  } catch (const InputError& error) {
+    return fail(kBadInput, error.what());
+  } catch (const InputOutputError& error) {
+    return fail(kInputOutput, error.what());
+  } catch (const league::LogError& error) {
+    return fail(kInputOutput, error.what());
+  } catch (const Interrupted& error) {
+    return fail(kInterrupted, error.what());
+  } catch (const std::system_error& error) {  // of printing, or of the file system
+    return fail(kInputOutput, error.what());
+  } catch (const std::exception& error) {
+    return fail(kInternal, fmt::format("a mistake of this program: {}", error.what()));
+  }
+}
+
+int run_command_line(int argc, const char* const* argv) {
+  CLI::App app(
+      "Plays robot soccer without people: simulates the RoboCup Small Size League, referees\n"
+      "every game, and tells from hundreds of them which team, or which handicap, wins.",
+      "autoref");
+  app.set_version_flag("--version", fmt::format("autoref {}", build_id()));
+  app.require_subcommand(1);
+  app.footer(
+      "Example, an experiment of 72 games:\n  autoref run scenarios/first-look.yaml\n\n"
+      "Exit codes: 0 done; 2 bad input; 3 too many void games; 4 a game came out differently;\n"
+      "70 internal; 74 input/output; 75 interrupted, the same command continues.");
+  Chosen chosen;
+  add_play_verb(app, chosen);
+  add_run_verb(app, chosen);
+  add_submit_verb(app, chosen);
+  add_check_verb(app, chosen);
+  add_status_verb(app, chosen);
+  add_report_verb(app, chosen);
+  add_verify_verb(app, chosen);
+  add_replay_verb(app, chosen);
+  add_judge_verb(app, chosen);
+  add_info_verb(app, chosen);
+  add_referee_verb(app, chosen);
+  add_lab_verb(app, chosen);
+  add_view_verb(app, chosen);
+  add_draw_verb(app, chosen);
+  add_plan_verb(app, chosen);
+  add_rules_verb(app, chosen);
+  add_teams_verb(app, chosen);
+  add_bench_verb(app, chosen);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return exit_code_of([&] { return app.exit(error) == 0 ? kDone : kBadInput; });
+  }
+  return exit_code_of(chosen);
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,40 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "runner/cli/command_line.hpp"
+#include "runner/io/errors.hpp"
+#include "runner/logs/log_report.hpp"
+#include "runner/logs/user_log.hpp"
+
+namespace autoref::runner {
+
+RecordedFacts read_facts(const std::string& log) {
+  try {
+    return facts_of(log);
+  } catch (const league::LogError& error) {
+    throw InputError({}, "", error.what());
+  }
+}
+
+int info_verb(const InfoArguments& arguments) {
+  const RecordedFacts facts = read_facts(arguments.log);
+  fmt::print("{}\n", arguments.json ? info_json(facts) : info_text(facts, arguments.commands));
+  tell(stderr, damage_text(arguments.log, facts.log));
+  return facts.log.damage ? kBadInput : kDone;
+}
+
+void add_info_verb(CLI::App& app, Chosen& chosen) {
+  CLI::App* verb = app.add_subcommand("info", "Say what a log of the league holds.");
+  auto arguments = std::make_shared<InfoArguments>();
+  verb->add_option("LOG", arguments->log, "A .log or .log.gz file.")->required();
+  verb->add_flag("--commands", arguments->commands, "List every command with its time.");
+  verb->add_flag("--json", arguments->json, "Print one JSON object.");
+  verb->footer(
+      "What stands before a damaged place is told, and the place on stderr; exit code 2.\n\n"
+      "Example:\n  autoref info game.log.gz --commands");
+  verb->callback([arguments, &chosen] { chosen = [arguments] { return info_verb(*arguments); }; });
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,39 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+
+#include "runner/cli/command_line.hpp"
+#include "runner/cli/output_file.hpp"
+#include "runner/io/errors.hpp"
+#include "runner/lab/lab.hpp"
+
+namespace autoref::runner {
+
+int lab_verb(const LabArguments& arguments) {
+  const LabScene scene = read_lab_scene(arguments.file);
+  std::optional<PendingFile> csv;
+  open_output(csv, "--csv", arguments.csv);
+  const std::string text = csv_of(scene, play_lab_scene(scene));
+  if (csv) {
+    csv->commit(text);
+  } else {
+    fmt::print("{}", text);
+  }
+  return kDone;
+}
+
+void add_lab_verb(CLI::App& app, Chosen& chosen) {
+  CLI::App* verb = app.add_subcommand("lab", "Play a small experiment without teams and referee.");
+  auto arguments = std::make_shared<LabArguments>();
+  verb->add_option("FILE", arguments->file, "Scene of kind lab.")->required();
+  verb->add_option("--csv", arguments->csv, "Write the rows to FILE, not to the standard output.")
+      ->type_name("FILE");
+  verb->footer(
+      "Writes a row per camera frame: time, and position, heading and speed of everything.\n\n"
+      "Example:\n  autoref lab scenarios/lab/straight-kick.yaml --csv kick.csv");
+  verb->callback([arguments, &chosen] { chosen = [arguments] { return lab_verb(*arguments); }; });
+}
+
+}  // namespace autoref::runner

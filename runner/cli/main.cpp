@@ -1,0 +1,26 @@
+// The command line `autoref`.
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <csignal>
+
+#include "runner/cli/command_line.hpp"
+
+namespace {
+
+// A shell may start a program with its standard streams closed; the next file opened would then
+// take their place, and progress lines would end up in a table of results.
+bool fill_standard_streams() {
+  int descriptor = open("/dev/null", O_RDWR);
+  while (descriptor >= 0 && descriptor <= STDERR_FILENO) descriptor = dup(descriptor);
+  return descriptor >= 0 && close(descriptor) == 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (!fill_standard_streams()) return 74;
+  // A file that may not grow further is an error that is reported, not a sudden end.
+  std::signal(SIGXFSZ, SIG_IGN);
+  return autoref::runner::run_command_line(argc, argv);
+}

@@ -1,0 +1,129 @@
+#include "runner/cli/play_one.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <csignal>
+#include <optional>
+
+#include "league/game_log.hpp"
+#include "runner/cli/output_file.hpp"
+#include "runner/game/event_log.hpp"
+#include "runner/io/build_id.hpp"
+#include "runner/io/errors.hpp"
+#include "runner/results/game_report.hpp"
+#include "runner/settings/match_rules.hpp"
+#include "runner/view/decision_lines.hpp"
+#include "runner/view/game_tape.hpp"
+#include "runner/view/page.hpp"
+#include "sim/camera.hpp"
+
+namespace autoref::runner {
+namespace {
+
+// They appear when the game is over.
+struct GameFiles {
+  std::optional<PendingFile> events;
+  std::optional<PendingFile> view;
+};
+
+volatile std::sig_atomic_t interrupted = 0;
+
+// The second time ends the program at once: the game may hang.
+void end_soon(int signal) {
+  interrupted = 1;
+  std::signal(signal, SIG_DFL);
+}
+
+// Ends the game at its next frame once the user has asked for it.
+class Watch final : public Observer {
+ public:
+  Watch(EventLog& events, league::GameLog* log, GameTape* tape)
+      : events_(events), log_(log), tape_(tape) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, end_soon);
+  }
+  void on_frame(const Frame& frame, const RefereeSignal& signal,
+                const sim::World& /*world*/) override {
+    if (log_ != nullptr) log_->add(frame, signal);
+    if (tape_ != nullptr) {
+      tape_->add(frame);
+      tape_->add(frame.time_s, signal);
+    }
+    if (interrupted != 0) throw Interrupted();
+  }
+  void on_decision(const referee::Decision& decision) override {
+    events_.on_decision(decision);
+    if (log_ != nullptr && decision.command) log_->note(*decision.command);
+  }
+
+ private:
+  EventLog& events_;
+  league::GameLog* log_;  // none where the game is not recorded
+  GameTape* tape_;        // likewise
+};
+
+void open_files(GameFiles& files, const GameOutput& output, const std::string& source) {
+  spare_source("--events", output.events, source);
+  spare_source("--log", output.log, source);
+  spare_source("--view", output.view, source);
+  open_output(files.events, "--events", output.events);
+  open_output(files.view, "--view", output.view);
+}
+
+league::TeamSheet sheet_on(const GameConfiguration& game, Side side) {
+  return {team_on(game, side).strategy};
+}
+
+void open_log(std::optional<league::GameLog>& log, const GameConfiguration& game,
+              const std::string& path) {
+  if (path.empty()) return;
+  const auto cameras = sim::camera_places(game.field);
+  log.emplace(
+      path, game.field, std::vector<CameraPlace>(cameras.begin(), cameras.end()),
+      PerSide<league::TeamSheet>{{sheet_on(game, Side::kWest), sheet_on(game, Side::kEast)}});
+}
+
+std::string view_of(const GameConfiguration& game, const GameTape& tape,
+                    const std::string& decisions) {
+  return page_of({tape,
+                  game.field,
+                  {{team_on(game, Side::kWest).strategy, team_on(game, Side::kEast).strategy}},
+                  decisions_for_page(decisions, "the decisions")});
+}
+
+}  // namespace
+
+void add_output_options(CLI::App& verb, GameOutput& output) {
+  verb.add_option("--events", output.events,
+                  "Write the referee's decisions to FILE, one JSON object a line.")
+      ->type_name("FILE");
+  verb.add_option("--log", output.log,
+                  "Write the game to FILE as a log of the league; compressed if it ends in .gz.")
+      ->type_name("FILE");
+  verb.add_option("--view", output.view, "Write the game to FILE as a page for browsers.")
+      ->type_name("FILE");
+  verb.add_flag("--json", output.json, "Print one JSON object.");
+}
+
+GameRecord play_one(const GameConfiguration& game, const GameOutput& output,
+                    const std::string& source) {
+  GameFiles files;
+  open_files(files, output, source);
+  std::optional<league::GameLog> log;
+  open_log(log, game, output.log);
+  EventLog decisions;
+  GameTape tape;
+  Watch watch(decisions, log ? &*log : nullptr, files.view ? &tape : nullptr);
+  const auto start = std::chrono::steady_clock::now();
+  GameRecord record = play(game, &watch);
+  const double wall_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (log) log->close();
+  if (files.events) files.events->commit(decisions.text());
+  if (files.view) files.view->commit(view_of(game, tape, decisions.text()));
+  const GameReport report{game, record, wall_s, build_id()};
+  fmt::print("{}\n", output.json ? json_of(report) : text_of(report));
+  return record;
+}
+
+}  // namespace autoref::runner

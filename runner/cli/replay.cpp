@@ -1,0 +1,60 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+
+#include "runner/batch/result_folder.hpp"
+#include "runner/cli/command_line.hpp"
+#include "runner/cli/play_one.hpp"
+#include "runner/io/build_id.hpp"
+#include "runner/io/checksum.hpp"
+#include "runner/io/errors.hpp"
+#include "runner/io/words.hpp"
+
+namespace autoref::runner {
+namespace {
+
+const PlannedGame& game_named(const ResultFolder& folder, const std::string& id) {
+  const auto game = std::find_if(folder.games.begin(), folder.games.end(),
+                                 [&id](const PlannedGame& one) { return one.id == id; });
+  if (game != folder.games.end()) return *game;
+  std::vector<std::string> ids;
+  for (const PlannedGame& one : folder.games) ids.push_back(one.id);
+  throw InputError({folder.path.string()}, "",
+                   fmt::format("has no game '{}'; did you mean '{}'? The first column of "
+                               "{} has all that were played",
+                               id, nearest_word(id, ids), kResultsFile));
+}
+
+}  // namespace
+
+int replay_verb(const ReplayArguments& arguments) {
+  const ResultFolder folder = open_results(arguments.folder, arguments.build);
+  const PlannedGame& game = game_named(folder, arguments.game);
+  const GameRecord record =
+      play_one(game.configuration, arguments.output, (folder.path / kEffectiveFile).string());
+  const auto row = folder.stock.done.find(game.id);
+  if (row == folder.stock.done.end()) return kDone;
+  const std::string& stored = row->second[folder.format.column("state_hash")];
+  if (stored == hash_text(record.state_hash)) return kDone;
+  tell(stderr, fmt::format("autoref: the row of build {} has the state {}; this is build {}\n",
+                           folder.build, stored, build_id()));
+  return kDifferent;
+}
+
+void add_replay_verb(CLI::App& app, Chosen& chosen) {
+  CLI::App* verb = app.add_subcommand("replay", "Play one game of a folder again.");
+  auto arguments = std::make_shared<ReplayArguments>();
+  add_folder_options(*verb, *arguments);
+  verb->add_option("GAME_ID", arguments->game, "As in the first column of results.csv.")
+      ->required();
+  add_output_options(*verb, arguments->output);
+  verb->footer(
+      "Example:\n  autoref replay results/runs/handicap-speed b.handicap=0.8-p0007-2 --events "
+      "events.jsonl");
+  verb->callback(
+      [arguments, &chosen] { chosen = [arguments] { return replay_verb(*arguments); }; });
+}
+
+}  // namespace autoref::runner

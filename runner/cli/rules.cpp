@@ -1,0 +1,39 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+
+#include "runner/cli/command_line.hpp"
+#include "runner/cli/rules_report.hpp"
+#include "runner/io/errors.hpp"
+#include "runner/io/words.hpp"
+#include "soccer/rule_book.hpp"
+
+namespace autoref::runner {
+
+int rules_verb(const RulesArguments& arguments) {
+  if (arguments.book.empty()) {
+    fmt::print("{}", books_text());
+    return kDone;
+  }
+  const std::optional<RuleBook> rules = find_rule_book(arguments.book);
+  if (!rules) {
+    throw InputError({"BOOK"}, "",
+                     fmt::format("there is no rule book '{}'; expected one of {}", arguments.book,
+                                 listed(rule_book_names())));
+  }
+  fmt::print("{}", arguments.json ? rules_json(*rules) : rules_text(*rules));
+  return kDone;
+}
+
+void add_rules_verb(CLI::App& app, Chosen& chosen) {
+  CLI::App* verb = app.add_subcommand("rules", "Print what a rule book has in force.");
+  auto arguments = std::make_shared<RulesArguments>();
+  verb->add_option("BOOK", arguments->book, "Name of a rule book; none lists them.");
+  verb->add_flag("--json", arguments->json, "Print one JSON object.");
+  verb->footer("Example:\n  autoref rules 2014");
+  verb->callback([arguments, &chosen] { chosen = [arguments] { return rules_verb(*arguments); }; });
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,105 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+
+#include "runner/batch/experiment.hpp"
+#include "runner/cli/command_line.hpp"
+#include "runner/io/build_id.hpp"
+#include "runner/io/errors.hpp"
+
+namespace autoref::runner {
+namespace {
+
+namespace fs = std::filesystem;
+
+ExperimentOptions options_of(const RunArguments& arguments) {
+  ExperimentOptions options;
+  options.folder = arguments.results_folder();
+  options.build = build_id();
+  options.workers = arguments.worker_count();
+  try {
+    options.shard = shard_place_of(arguments.shard);
+  } catch (const std::invalid_argument& error) {
+    throw InputError({"--shard"}, "", error.what());
+  }
+  options.allow_mixed_build = arguments.allow_mixed_build;
+  options.play = [](const GameConfiguration& game) { return play(game); };
+  options.progress = stderr;
+  return options;
+}
+
+void print_results(const Scenario& scenario, const ExperimentReport& report,
+                   const fs::path& folder) {
+  if (!scenario.about.empty()) fmt::print("{}\n\n", scenario.about);
+  fmt::print("{}\n", report.results.table);
+  const std::vector<std::string>& never = report.arrows_never_taken;
+  fmt::print("arrows never taken in {} games: {}\n\n", report.games,
+             never.empty() ? "none" : fmt::format("{}", fmt::join(never, ", ")));
+  fmt::print("{}   a row per game\n", (folder / "results.csv").string());
+  for (const ResultFile& file : report.results.files) {
+    fmt::print("{}   {}\n", (folder / file.name).string(), file.about);
+  }
+  fmt::print("{}   every setting\n", (folder / "effective.yaml").string());
+}
+
+}  // namespace
+
+int run_verb(const RunArguments& arguments) {
+  const Scenario scenario = read_experiment(arguments.file);
+  const ExperimentOptions options = options_of(arguments);
+  const ExperimentReport report = run_experiment(scenario, options);
+  if (report.is_interrupted) {
+    tell(stderr,
+         fmt::format("autoref: interrupted with {} of {} games done; the same command continues\n",
+                     report.done, report.games));
+    return kInterrupted;
+  }
+  if (report.is_waiting) {
+    fmt::print(
+        "shard {} has played what is known: {} of {} games are in {}; later ties follow from games "
+        "of other shards: when these are there, the same command goes on\n",
+        options.shard.name(), report.done, report.games, options.folder.string());
+    return kDone;
+  }
+  if (!report.is_complete) {
+    fmt::print(
+        "shard {} is done: {} of {} games are in {}; once all are there, merge them with: "
+        "autoref report {}\n",
+        options.shard.name(), report.done, report.games, options.folder.string(),
+        options.folder.string());
+    return kDone;
+  }
+  print_results(scenario, report, options.folder);
+  if (report.void_games <= kMostVoid * report.games) return kDone;
+  tell(stderr,
+       fmt::format("autoref: {} of {} games are void; {}'s void_reason says why\n",
+                   report.void_games, report.games, (options.folder / "results.csv").string()));
+  return kTooManyVoid;
+}
+
+void add_run_verb(CLI::App& app, Chosen& chosen) {
+  CLI::App* verb = app.add_subcommand(
+      "run", "Run an experiment: all games of a sweep, of teams against each other, of a match.");
+  auto arguments = std::make_shared<RunArguments>();
+  add_batch_options(*verb, *arguments,
+                    "Scenario of kind sweep, roundrobin, gauntlet, match or knockout.");
+  verb->add_option("--shard", arguments->shard,
+                   "Play only share I (from 0) of N; other runs play the others.")
+      ->type_name("I/N");
+  verb->add_flag("--allow-mixed-build", arguments->allow_mixed_build,
+                 "Go on in a folder that holds games of another build; those do not count.");
+  verb->footer(
+      "Ctrl-C lets the running games end; a second one stops at once. The same command goes on\n"
+      "where the last one stopped. Shards may share a folder, or each fill one of its own, whose\n"
+      "games/*.csv are then copied into one for autoref report. A match ends with the pair of "
+      "games\n"
+      "that decides it; shards of their own folders play all the pairs that it may have. A shard "
+      "of\n"
+      "a knockout ends where it waits for others' games; the same command then goes on.\n\n"
+      "Example:\n  autoref run scenarios/handicap-speed.yaml -o results/runs/speed -j 2");
+  verb->callback([arguments, &chosen] { chosen = [arguments] { return run_verb(*arguments); }; });
+}
+
+}  // namespace autoref::runner

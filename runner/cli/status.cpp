@@ -1,0 +1,59 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "runner/batch/result_folder.hpp"
+#include "runner/cli/command_line.hpp"
+#include "runner/io/errors.hpp"
+
+namespace autoref::runner {
+namespace {
+
+void print_counts(const ResultFolder& folder) {
+  fmt::print("{}   {} of {} games done, {} void\n", folder.path.string(), folder.stock.done.size(),
+             folder.needed, folder.void_games());
+  if (folder.beyond > 0) {
+    fmt::print("  {} games were played beyond those that decided it; they do not count\n",
+               folder.beyond);
+  }
+  for (const auto& [shard, count] : folder.by_shard) {
+    fmt::print("  shard {}   {} games\n", shard, count);
+  }
+  for (const auto& [build, count] : folder.stock.other_builds) {
+    fmt::print("  build {}   {} rows that do not count here\n", build, count);
+  }
+  if (folder.damaged > 0) fmt::print("  {} damaged rows that do not count\n", folder.damaged);
+}
+
+std::vector<Cells> rows_of(const ResultFolder& folder) {
+  std::vector<Cells> rows;
+  for (const auto& [id, cells] : folder.stock.done) rows.push_back(cells);
+  return rows;
+}
+
+}  // namespace
+
+int status_verb(const FolderArguments& arguments) {
+  const ResultFolder folder = open_results(arguments.folder, arguments.build);
+  print_counts(folder);
+  const ExperimentResults results = results_of(folder.scenario, folder.format, rows_of(folder));
+  fmt::print("\n{}", results.table);
+  if (!folder.is_complete() && !results.groups.empty()) {
+    fmt::print(
+        "\nInterim intervals are no reason to stop: who stops at the first that pleases is "
+        "wrong far more often than one time in twenty.\n");
+  }
+  return kDone;
+}
+
+void add_status_verb(CLI::App& app, Chosen& chosen) {
+  CLI::App* verb = app.add_subcommand("status", "Print how far an experiment is, and its table.");
+  auto arguments = std::make_shared<FolderArguments>();
+  add_folder_options(*verb, *arguments);
+  verb->footer("Example:\n  autoref status results/runs/handicap-speed");
+  verb->callback(
+      [arguments, &chosen] { chosen = [arguments] { return status_verb(*arguments); }; });
+}
+
+}  // namespace autoref::runner

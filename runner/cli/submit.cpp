@@ -1,0 +1,164 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "runner/batch/experiment_kinds.hpp"
+#include "runner/batch/slurm.hpp"
+#include "runner/cli/command_line.hpp"
+#include "runner/io/command.hpp"
+#include "runner/io/errors.hpp"
+#include "runner/io/files.hpp"
+
+namespace autoref::runner {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostTasks = 10000;  // as many as there may be shards
+constexpr int kDefaultTasks = 8;
+constexpr int kLeastTime_s = 300;  // of a task: its last minute is kept for ending its games
+
+// A line of a script would end in a path's line break.
+fs::path plain_path(const std::string& flag, const fs::path& path) {
+  if (path.string().find('\n') == std::string::npos) return fs::absolute(path);
+  throw InputError({flag}, "", "the path has a line break, which batch scripts cannot hold");
+}
+
+// Of "HH:MM:SS"; none for other texts.
+std::optional<int> seconds_of(const std::string& text) {
+  std::vector<int> parts = {0};
+  for (const char c : text) {
+    if (c == ':') {
+      parts.push_back(0);
+    } else if (c < '0' || c > '9' || parts.back() > 9999) {
+      return std::nullopt;
+    } else {
+      parts.back() = 10 * parts.back() + (c - '0');
+    }
+  }
+  if (parts.size() != 3 || parts[1] > 59 || parts[2] > 59) return std::nullopt;
+  return 3600 * parts[0] + 60 * parts[1] + parts[2];
+}
+
+void check_time(const std::string& time) {
+  if (time.empty()) return;
+  const std::optional<int> time_s = seconds_of(time);
+  if (time_s && *time_s >= kLeastTime_s) return;
+  throw InputError(
+      {"--time"}, "",
+      fmt::format("expected HH:MM:SS of at least 00:05:00, such as 01:30:00; found '{}'", time));
+}
+
+// A share of the games is whole pairs of legs.
+int tasks_for(int wanted, std::size_t games) {
+  const int pairs = static_cast<int>(games / 2);
+  if (wanted == 0) return std::min(kDefaultTasks, pairs);
+  if (wanted <= pairs) return wanted;
+  throw InputError({"--tasks"}, "",
+                   fmt::format("{} games are {} pairs of legs, which stay together: at most {} "
+                               "tasks have something to play",
+                               games, pairs, pairs));
+}
+
+SlurmArray array_of(const SubmitArguments& arguments, std::size_t games) {
+  check_time(arguments.time);
+  SlurmArray array;
+  array.program = plain_path("autoref", fs::read_symlink("/proc/self/exe"));
+  array.file = plain_path("FILE", arguments.file);
+  array.folder = plain_path("-o", arguments.results_folder());
+  array.tasks = tasks_for(arguments.tasks, games);
+  array.workers = std::max(1, arguments.workers);
+  array.time = arguments.time;
+  array.partition = arguments.partition;
+  array.options = arguments.options;
+  return array;
+}
+
+// The number of the new job.
+std::string submit(const std::vector<std::string>& words) {
+  const std::optional<CommandResult> result = run_command(words);
+  if (!result) {
+    throw InputError({}, "",
+                     "there is no sbatch in PATH: submit where Slurm is at hand, such as a "
+                     "cluster's login node, or write the scripts only, with --dry-run");
+  }
+  // With several clusters: "123;name".
+  std::string job = result->out.substr(0, result->out.find_first_of(";\n"));
+  if (result->code == 0 && !job.empty()) return job;
+  throw InputOutputError(fmt::format("sbatch refused {} with code {}", words.back(), result->code));
+}
+
+void print_commands(const std::string& scripts, const std::string& merging) {
+  fmt::print(
+      "\nnothing was submitted; to do so:\n  job=$(sbatch --parsable {})\n"
+      "  sbatch --dependency=afterany:${{job%;*}} {}\n",
+      shell_word(scripts), shell_word(merging));
+}
+
+}  // namespace
+
+int submit_verb(const SubmitArguments& arguments) {
+  const Scenario scenario = read_experiment(arguments.file);
+  const std::size_t games = plan(scenario).size();
+  const SlurmArray array = array_of(arguments, games);
+  const fs::path folder = arguments.results_folder();
+  create_folder(folder / kSlurmLogs);
+  const std::string tasks = (folder / "submit.sbatch").string();
+  const std::string merging = (folder / "merge.sbatch").string();
+  replace_file(tasks, array_script(array));
+  replace_file(merging, merge_script(array));
+  fmt::print("{}   {} games in {} tasks of {} at a time\n{}   merges their rows\n", tasks, games,
+             array.tasks, array.workers, merging);
+  if (arguments.dry_run) {
+    print_commands(tasks, merging);
+    return kDone;
+  }
+  const std::string job = submit({"sbatch", "--parsable", tasks});
+  fmt::print("\nsubmitted as job {}\n", job);
+  const std::string merge =
+      submit({"sbatch", "--parsable", fmt::format("--dependency=afterany:{}", job), merging});
+  fmt::print("job {} writes the results when all its tasks have ended\n\n", merge);
+  fmt::print("squeue -j {},{}   how far Slurm is; its tasks write to {}\n", job, merge,
+             (folder / kSlurmLogs).string());
+  fmt::print("autoref status {}   how far the games are\n", shell_word(folder.string()));
+  return kDone;
+}
+
+void add_submit_verb(CLI::App& app, Chosen& chosen) {
+  CLI::App* verb =
+      app.add_subcommand("submit", "Hand an experiment to a cluster: an array of Slurm.");
+  auto arguments = std::make_shared<SubmitArguments>();
+  add_batch_options(*verb, *arguments,
+                    "Scenario of kind sweep, roundrobin, gauntlet, match or knockout.");
+  verb->get_option("--workers")->description("Games played at a time in each task. Default: 1.");
+  verb->add_flag("--slurm", arguments->slurm,
+                 "The cluster is one of Slurm's; there is no other yet.")
+      ->required();
+  verb->add_option("--tasks", arguments->tasks,
+                   fmt::format("Tasks that share the games. Default: {}.", kDefaultTasks))
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostTasks));
+  verb->add_option("--time", arguments->time,
+                   "Time limit of a task; one that needs longer queues again and goes on.")
+      ->type_name("HH:MM:SS");
+  verb->add_option("--partition", arguments->partition, "Where to run. Default: the cluster's.")
+      ->type_name("P");
+  verb->add_option(
+          "--sbatch", arguments->options,
+          "A further option of sbatch, such as --sbatch=--account=vision. May be repeated.")
+      ->type_name("OPTION")
+      ->allow_extra_args(false);
+  verb->add_flag("--dry-run", arguments->dry_run, "Write the scripts, submit nothing.");
+  verb->footer(
+      "The folder of results has to be on a disk that all machines share. Submitting again plays\n"
+      "what is missing.\n\n"
+      "Example:\n  autoref submit scenarios/handicap-speed.yaml --slurm --tasks 20 --time "
+      "01:00:00");
+  verb->callback(
+      [arguments, &chosen] { chosen = [arguments] { return submit_verb(*arguments); }; });
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,74 @@
+#include "runner/cli/teams_report.hpp"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "runner/io/json.hpp"
+#include "runner/io/table.hpp"
+
+namespace autoref::runner {
+namespace {
+
+using strategies::Entry;
+using strategies::Parameter;
+
+const std::vector<Align> kAllLeft(5, Align::kLeft);
+
+std::vector<std::string> cells_of(const Parameter& parameter) {
+  return {std::string(parameter.name), std::string(parameter.unit),
+          fmt::format("{}", parameter.standard),
+          fmt::format("{} to {}", parameter.least, parameter.most), std::string(parameter.about)};
+}
+
+std::string json_of(const Parameter& parameter) {
+  return JsonObject()
+      .add("name", json_text(parameter.name))
+      .add("unit", json_text(parameter.unit))
+      .add("default", json_number(parameter.standard))
+      .add("least", json_number(parameter.least))
+      .add("most", json_number(parameter.most))
+      .add("about", json_text(parameter.about))
+      .text();
+}
+
+std::string json_of(const Entry& team) {
+  std::vector<std::string> parameters;
+  for (const Parameter& parameter : team.params) parameters.push_back(json_of(parameter));
+  return JsonObject()
+      .add("name", json_text(team.name))
+      .add("about", json_text(team.about))
+      .add("params", json_list(parameters))
+      .text();
+}
+
+}  // namespace
+
+std::string teams_text() {
+  std::vector<std::vector<std::string>> rows;
+  for (const Entry& team : strategies::all_strategies()) {
+    rows.push_back({std::string(team.name), std::string(team.about)});
+  }
+  return "Teams (autoref teams NAME says what one can be tuned with):\n\n" +
+         aligned(rows, kAllLeft);
+}
+
+std::string teams_json() {
+  std::vector<std::string> teams;
+  for (const Entry& team : strategies::all_strategies()) teams.push_back(json_of(team));
+  return JsonObject().add("teams", json_list(teams)).text() + "\n";
+}
+
+std::string team_text(const Entry& team) {
+  const std::string head = fmt::format("{}: {}\n\n", team.name, team.about);
+  if (team.params.empty()) return head + "It has no parameters.\n";
+  std::vector<std::vector<std::string>> rows = {{"parameter", "unit", "default", "range", ""}};
+  for (const Parameter& parameter : team.params) rows.push_back(cells_of(parameter));
+  return head + aligned(rows, kAllLeft) +
+         fmt::format("\nIn a scenario: {{ strategy: {}, params: {{ {}: {} }} }}\n", team.name,
+                     team.params.front().name, team.params.front().standard);
+}
+
+std::string team_json(const Entry& team) { return json_of(team) + "\n"; }
+
+}  // namespace autoref::runner

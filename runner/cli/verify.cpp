@@ -1,0 +1,50 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "runner/batch/verify.hpp"
+#include "runner/cli/command_line.hpp"
+#include "runner/io/build_id.hpp"
+#include "runner/io/errors.hpp"
+#include "runner/processes/workers.hpp"
+
+namespace autoref::runner {
+
+int verify_verb(const VerifyArguments& arguments) {
+  const ResultFolder folder = open_results(arguments.folder, arguments.build);
+  if (folder.build != build_id()) {
+    fmt::print("the games were played by build {}, this is {}\n", folder.build, build_id());
+  }
+  const int workers = arguments.workers > 0 ? arguments.workers : processors();
+  const Verification verification = verify(
+      folder, arguments.sample, workers, [](const GameConfiguration& game) { return play(game); },
+      stderr);
+  for (const Difference& difference : verification.differences) {
+    fmt::print("{}: {} was {}, is {}\n", difference.id, difference.column, difference.stored,
+               difference.now);
+  }
+  const auto different = static_cast<int>(verification.differences.size());
+  fmt::print("{} of {} games came out as their rows say\n", verification.played - different,
+             verification.played);
+  return different == 0 ? kDone : kDifferent;
+}
+
+void add_verify_verb(CLI::App& app, Chosen& chosen) {
+  CLI::App* verb = app.add_subcommand(
+      "verify", "Play some games of a folder again and compare them with their rows.");
+  auto arguments = std::make_shared<VerifyArguments>();
+  add_folder_options(*verb, *arguments);
+  verb->add_option("--sample", arguments->sample, "How many games, spread evenly. Default: 5.")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000000));
+  verb->add_option("-j,--workers", arguments->workers,
+                   "Games played at a time. Default: one per processor.")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  verb->footer("Example:\n  autoref verify results/runs/first-look --sample 5");
+  verb->callback(
+      [arguments, &chosen] { chosen = [arguments] { return verify_verb(*arguments); }; });
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,75 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+
+#include "league/referee_message.hpp"
+#include "runner/cli/command_line.hpp"
+#include "runner/cli/output_file.hpp"
+#include "runner/io/errors.hpp"
+#include "runner/logs/user_log.hpp"
+#include "runner/view/decision_lines.hpp"
+#include "runner/view/page.hpp"
+
+namespace autoref::runner {
+namespace {
+
+class Recorder final : public league::LogVisitor {
+ public:
+  void on_picture(const Frame& picture) override { tape.add(picture); }
+  void on_referee(double time_s, const league::RefereePacket& packet) override {
+    names = {{packet.yellow().name(), packet.blue().name()}};
+    if (const auto signal = league::signal_of(packet)) tape.add(time_s, *signal);
+  }
+
+  GameTape tape;
+  PerSide<std::string> names;
+};
+
+std::string decisions_in(const std::string& file) {
+  return file.empty() ? "[]" : decisions_for_page(read_user_file(file), file);
+}
+
+std::string about(const GameTape& tape, const std::string& path, std::size_t bytes) {
+  return fmt::format("{}: {} pictures, {:.1f} s, {:.1f} MB\n", path, tape.pictures(),
+                     tape.last_s() - tape.first_s(), static_cast<double>(bytes) / 1e6);
+}
+
+}  // namespace
+
+int view_verb(const ViewArguments& arguments) {
+  spare_source("-o", arguments.output, arguments.log);
+  std::optional<PendingFile> file;
+  open_output(file, "-o", arguments.output);
+  const std::string decisions = decisions_in(arguments.events);
+  Recorder recorder;
+  const league::LogSummary log = read_user_log(arguments.log, recorder);
+  if (recorder.tape.is_full()) {
+    tell(stderr, fmt::format("autoref: {}: only the first {} pictures are shown\n", arguments.log,
+                             recorder.tape.pictures()));
+  }
+  const std::string page =
+      page_of({recorder.tape, log.field.value_or(Field{}), recorder.names, decisions});
+  file->commit(page);
+  fmt::print("{}", about(recorder.tape, arguments.output, page.size()));
+  return log.damage ? kBadInput : kDone;
+}
+
+void add_view_verb(CLI::App& app, Chosen& chosen) {
+  CLI::App* verb = app.add_subcommand("view", "Make a page that shows a recorded game.");
+  auto arguments = std::make_shared<ViewArguments>();
+  verb->add_option("LOG", arguments->log, "A .log or .log.gz file.")->required();
+  verb->add_option("-o,--output", arguments->output, "The page: one HTML file that needs no other.")
+      ->type_name("FILE")
+      ->required();
+  verb->add_option("--events", arguments->events,
+                   "The referee's decisions with their reasons, as play and referee write them.")
+      ->type_name("FILE");
+  verb->footer(
+      "Of a damaged log the page shows what stands before the damage; exit code 2.\n\n"
+      "Example:\n  autoref view game.log.gz -o game.html");
+  verb->callback([arguments, &chosen] { chosen = [arguments] { return view_verb(*arguments); }; });
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,152 @@
+// Writing scenarios with every setting spelt out.
+#include <fmt/format.h>
+
+#include "runner/experiments/reading/effective.hpp"
+#include "runner/experiments/reading/factor_reader.hpp"
+#include "runner/experiments/scenario.hpp"
+#include "runner/experiments/sprt_settings.hpp"
+#include "runner/io/json.hpp"
+#include "runner/io/words.hpp"
+#include "runner/settings/fields.hpp"
+
+namespace autoref::runner {
+namespace {
+
+std::string comment_on(const Setting& setting) {
+  return fmt::format("  # {}; {}", setting.about, expected_of(setting));
+}
+
+// Players and types, where there are any: their own settings are in the list too.
+bool is_spelt_out(const Setting& setting) {
+  if (const auto* players = std::get_if<Players*>(&setting.target)) return !(**players).empty();
+  if (const auto* types = std::get_if<RobotTypes*>(&setting.target)) return !(**types).empty();
+  return false;
+}
+
+// Opens the branches that lead from one setting's path to the next one's.
+class Tree {
+ public:
+  explicit Tree(int depth) : depth_(depth) {}
+
+  void add(const Setting& setting) {
+    const std::size_t dot = setting.path.rfind('.');
+    enter(dot == std::string::npos ? "" : setting.path.substr(0, dot));
+    const std::string name = setting.path.substr(dot == std::string::npos ? 0 : dot + 1);
+    if (holds_others(setting)) {
+      line(branches_.size(), fmt::format("{}: {}", name, value_of(setting)));
+    } else {
+      line(branches_.size(), fmt::format("{}: {}{}", name, value_of(setting), comment_on(setting)));
+    }
+  }
+
+  const std::string& text() const { return text_; }
+
+ private:
+  void enter(std::string_view path) {
+    std::vector<std::string> wanted;
+    while (!path.empty()) {
+      const std::size_t dot = path.find('.');
+      wanted.emplace_back(path.substr(0, dot));
+      path = dot == std::string_view::npos ? "" : path.substr(dot + 1);
+    }
+    std::size_t same = 0;
+    while (same < wanted.size() && same < branches_.size() && wanted[same] == branches_[same]) {
+      ++same;
+    }
+    for (std::size_t i = same; i < wanted.size(); ++i) line(i, wanted[i] + ":");
+    branches_ = std::move(wanted);
+  }
+
+  void line(std::size_t depth, const std::string& content) {
+    text_ += fmt::format("{:{}}{}\n", "", 2 * (static_cast<std::size_t>(depth_) + depth), content);
+  }
+
+  int depth_;
+  std::vector<std::string> branches_;
+  std::string text_;
+};
+
+std::string body_of(const GameConfiguration& game) {
+  GameConfiguration copy = game;
+  Tree tree(0);
+  for (const Setting& setting : settings_of(copy)) {
+    if (!is_alias(setting) && !is_spelt_out(setting)) tree.add(setting);
+  }
+  return tree.text();
+}
+
+// Without what the plan decides, and without a branch that stands elsewhere.
+std::string base_of(const GameConfiguration& base, std::string_view elsewhere = "") {
+  GameConfiguration copy = base;
+  Tree tree(1);
+  for (const Setting& setting : settings_of(copy)) {
+    if (is_alias(setting) || is_spelt_out(setting) || is_decided_by_plan(setting.path)) continue;
+    if (!elsewhere.empty() && setting.path.starts_with(elsewhere)) continue;
+    tree.add(setting);
+  }
+  return "base:\n" + tree.text();
+}
+
+std::string body_of(const Sweep& sweep) {
+  std::string text = base_of(sweep.base) + "factors:\n";
+  for (const Factor& factor : sweep.factors) {
+    text += fmt::format("  {}: [{}]\n", factor.path, listed(factor.values));
+  }
+  return text + fmt::format("pairs: {}\nseed: {}\n", sweep.pairs, sweep.seed);
+}
+
+std::string body_of(const JudgePlan& plan) {
+  std::string text = base_of(plan.base) + fmt::format("rules: [{}]\ncameras: [{}]\n",
+                                                      listed(plan.rules), listed(plan.cameras));
+  std::vector<std::string> matchups;
+  for (const auto& matchup : plan.matchups) matchups.push_back(name_of(matchup));
+  if (!matchups.empty()) text += fmt::format("matchups: [{}]\n", listed(matchups));
+  return text + fmt::format("games: {}\nseed: {}\n", plan.games, plan.seed);
+}
+
+std::string text_of(const Teams& teams, std::string_view branch, const RobotTypes& types) {
+  Tree tree(0);
+  for (auto [name, team] : teams) {
+    for (const Setting& setting : settings_of(team, types, fmt::format("{}.{}.", branch, name))) {
+      if (!is_alias(setting) && !is_spelt_out(setting)) tree.add(setting);
+    }
+  }
+  return tree.text();
+}
+
+std::string teams_of(const NamedTeams& named) {
+  return base_of(named.base, "teams.") + text_of(named.teams, "teams", named.base.types);
+}
+
+std::string body_of(const RoundRobin& robin) {
+  return teams_of(robin) + fmt::format("pairs: {}\nseed: {}\n", robin.pairs, robin.seed);
+}
+
+std::string body_of(const Match& match) {
+  Tree tree(0);
+  SequentialTest test = match.sprt;
+  for (const Setting& setting : settings_of(test)) tree.add(setting);
+  return teams_of(match) + tree.text() + fmt::format("seed: {}\n", match.seed);
+}
+
+std::string body_of(const Gauntlet& gauntlet) {
+  return teams_of(gauntlet) + text_of(gauntlet.challengers, "challengers", gauntlet.base.types) +
+         fmt::format("pairs: {}\nseed: {}\n", gauntlet.pairs, gauntlet.seed);
+}
+
+std::string body_of(const Knockout& knockout) {
+  return teams_of(knockout) + fmt::format(
+                                  "order: [{}]  # the best seed first\nthird_place: {}\n"
+                                  "seed: {}\n",
+                                  listed(knockout.order), knockout.third_place, knockout.seed);
+}
+
+}  // namespace
+
+std::string effective_text(const Scenario& scenario) {
+  return fmt::format("schema: 1\nkind: {}\nabout: {}\n", kind_of(scenario),
+                     json_text(scenario.about)) +
+         std::visit([](const auto& content) { return body_of(content); }, scenario.content);
+}
+
+}  // namespace autoref::runner

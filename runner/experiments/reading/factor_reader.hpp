@@ -1,0 +1,44 @@
+// Reads the factors of a sweep. For scenario.cpp.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runner/experiments/scenario.hpp"
+#include "runner/settings/configuration.hpp"
+#include "runner/settings/settings_reader.hpp"
+#include "runner/settings/yaml.hpp"
+
+namespace autoref::runner {
+
+// Whether the plan gives every game its own value, so that neither base nor factors may.
+bool is_decided_by_plan(std::string_view path);
+[[noreturn]] void refuse_decided(const YamlFile& file, const YamlPlace& place,
+                                 std::string_view path);
+
+class FactorReader {
+ public:
+  // Both must outlive the reader; the places of factors go into `places`.
+  FactorReader(const YamlFile& file, Places& places) : file_(file), places_(places) {}
+
+  // Adds the factors to `sweep`, and the types they name to its base. Throws InputError.
+  void read(const YamlEntry& factors, Sweep& sweep);
+
+  // A list of different values of the setting at `path`, as value_at() spells them; types that they
+  // name go into `base`. Throws InputError.
+  std::vector<std::string> values(const YamlEntry& list, const std::string& path,
+                                  GameConfiguration& base) const;
+
+ private:
+  Factor read_factor(const YamlEntry& entry, GameConfiguration& base);
+  std::string read_value(const YamlPlace& place, const std::string& path, const std::string& text,
+                         GameConfiguration& base) const;
+  // Two factors that set the same number would make the later one win unnoticed.
+  void refuse_overlap(const YamlEntry& entry, const std::vector<Factor>& factors) const;
+
+  const YamlFile& file_;
+  Places& places_;
+};
+
+}  // namespace autoref::runner

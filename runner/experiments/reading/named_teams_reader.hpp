@@ -1,0 +1,36 @@
+// Reads teams that have names of their own. For experiment readers.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "runner/experiments/named_teams.hpp"
+#include "runner/settings/settings_reader.hpp"
+#include "runner/settings/yaml.hpp"
+
+namespace autoref::runner {
+
+// How many teams an experiment may have.
+struct TeamCount {
+  std::size_t least = 2;
+  std::size_t most = SIZE_MAX;
+};
+
+class NamedTeamsReader {
+ public:
+  // Both must outlive the reader; the places of the teams' settings go into `places`.
+  NamedTeamsReader(const YamlFile& file, Places& places) : file_(file), places_(places) {}
+
+  // Adds the teams of an entry, and to `base`, which has been read, the types they name. Throws
+  // InputError, also for fewer or more teams than these.
+  void read(const YamlEntry& entry, Teams& teams, GameConfiguration& base, TeamCount count) const;
+
+ private:
+  void read_team(const YamlEntry& entry, const std::string& branch, Teams& teams,
+                 GameConfiguration& base) const;
+
+  const YamlFile& file_;
+  Places& places_;
+};
+
+}  // namespace autoref::runner

@@ -1,0 +1,121 @@
+#include "runner/experiments/reading/scenario_reader.hpp"
+
+#include <fmt/format.h>
+
+#include "runner/experiments/plan.hpp"
+#include "runner/experiments/reading/base_reader.hpp"
+#include "runner/experiments/reading/factor_reader.hpp"
+#include "runner/experiments/reading/judge_reader.hpp"
+#include "runner/experiments/reading/team_experiments_reader.hpp"
+#include "runner/experiments/reading/top_reader.hpp"
+#include "runner/io/errors.hpp"
+#include "runner/io/files.hpp"
+#include "runner/io/words.hpp"
+#include "runner/settings/settings_reader.hpp"
+#include "runner/settings/yaml.hpp"
+
+namespace autoref::runner {
+namespace {
+
+constexpr int kMostJudged = 9999;
+
+// Reads one document, top level first.
+class ScenarioReader {
+ public:
+  explicit ScenarioReader(const YamlFile& file) : top_(file) {}
+
+  Scenario read() {
+    read_schema();
+    const YamlEntry& kind_entry = top_.required("kind");
+    refuse_other_files(kind_entry);
+    const std::string kind = top_.word(kind_entry, "kind", kinds());
+    Scenario scenario;
+    if (const YamlEntry* about = top_.find("about")) {
+      scenario.about = top_.file().scalar(*about, "about", "a sentence", false);
+    }
+    if (kind == "game") {
+      scenario.content = read_game();
+    } else if (kind == "sweep") {
+      scenario.content = read_sweep();
+    } else if (kind == "roundrobin") {
+      scenario.content = read_roundrobin(top_);
+    } else if (kind == "match") {
+      scenario.content = read_match(top_);
+    } else if (kind == "gauntlet") {
+      scenario.content = read_gauntlet(top_);
+    } else if (kind == "knockout") {
+      scenario.content = read_knockout(top_);
+    } else {
+      scenario.content = read_judge();
+    }
+    return scenario;
+  }
+
+ private:
+  void refuse_other_files(const YamlEntry& kind) const {
+    const std::string text = kind.value.IsScalar() ? kind.value.Scalar() : "";
+    if (text == "lab") {
+      top_.file().refuse(value_place(kind), "kind",
+                         "this is a scene; play it with: autoref lab FILE");
+    }
+    if (text == "robot") {
+      top_.file().refuse(value_place(kind), "kind",
+                         "this is a type of robots; name it in a scenario as a team's type");
+    }
+  }
+
+  void read_schema() const {
+    const YamlEntry& schema = top_.required("schema");
+    const std::string expected = "1, the only schema so far";
+    const std::string text = top_.file().scalar(schema, "schema", expected, true);
+    if (whole_number_in(text) == 1) return;
+    top_.file().refuse(value_place(schema), "schema",
+                       fmt::format("expected {}, found '{}'", expected, text));
+  }
+
+  GameConfiguration read_game() {
+    GameConfiguration game;
+    SettingsReader settings(top_.file(), game, top_.places());
+    top_.allow(settings.names());
+    read_settings(top_.entries(), settings);
+    top_.check([&game] { check_game(game); });
+    return game;
+  }
+
+  Sweep read_sweep() {
+    top_.allow({"base", "factors", "pairs", "seed"});
+    Sweep sweep;
+    top_.read_base(sweep.base);
+    FactorReader(top_.file(), top_.places()).read(top_.required("factors"), sweep);
+    sweep.pairs = top_.pairs();
+    sweep.seed = top_.seed();
+    top_.check([&sweep] { plan(sweep); });  // factors may only make a game together
+    return sweep;
+  }
+
+  JudgePlan read_judge() {
+    top_.allow({"base", "rules", "cameras", "matchups", "games", "seed"});
+    JudgePlan plan;
+    top_.read_base(plan.base);
+    JudgeReader(top_.file(), top_.places()).read(top_.entries(), plan);
+    plan.games = top_.whole_number("games", 1, kMostJudged);
+    plan.seed = top_.seed();
+    top_.check([&plan] { games_of(plan); });
+    return plan;
+  }
+
+  TopReader top_;
+};
+
+}  // namespace
+
+Scenario read_scenario_text(const std::string& text, const std::string& file_name) {
+  const YamlFile file(text, file_name);
+  return ScenarioReader(file).read();
+}
+
+Scenario read_scenario(const std::filesystem::path& file) {
+  return read_scenario_text(read_user_file(file), file.string());
+}
+
+}  // namespace autoref::runner

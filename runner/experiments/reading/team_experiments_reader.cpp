@@ -1,0 +1,140 @@
+#include "runner/experiments/reading/team_experiments_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "runner/experiments/knockout_plan.hpp"
+#include "runner/experiments/matchup_plan.hpp"
+#include "runner/experiments/reading/named_teams_reader.hpp"
+#include "runner/experiments/sprt_settings.hpp"
+#include "runner/io/words.hpp"
+
+namespace autoref::runner {
+namespace {
+
+void read_base(TopReader& top, NamedTeams& named) {
+  top.read_base(named.base, {"teams", "its teams stand beside the base, by their names"});
+  named.seed = top.seed();
+}
+
+void read_teams(TopReader& top, NamedTeams& named, TeamCount count = {}) {
+  const YamlEntry& teams = top.required("teams");
+  NamedTeamsReader(top.file(), top.places()).read(teams, named.teams, named.base, count);
+}
+
+void read_challengers(TopReader& top, Gauntlet& gauntlet) {
+  const YamlEntry& entry = top.required("challengers");
+  NamedTeamsReader(top.file(), top.places())
+      .read(entry, gauntlet.challengers, gauntlet.base, {1, SIZE_MAX});
+  for (const auto& [name, team] : gauntlet.challengers) {
+    if (!gauntlet.teams.contains(name)) continue;
+    const std::string path = "challengers." + name;
+    top.file().refuse(top.places()[path], path,
+                      "a team of the field has this name too; give one of them another");
+  }
+}
+
+// The names as the file lists them; else as they are ordered.
+void read_order(TopReader& top, Knockout& knockout) {
+  for (const auto& [name, team] : knockout.teams) knockout.order.push_back(name);
+  const YamlEntry* entry = top.find("order");
+  if (entry == nullptr) return;
+  const auto refuse = [&](const YamlPlace& place, const std::string& message) {
+    top.file().refuse(place, "order", message);
+  };
+  const std::string expected =
+      "expected every team once, the best first: " + listed(knockout.order);
+  if (!entry->value.IsSequence()) refuse(value_place(*entry), expected);
+  std::vector<std::string> order;
+  for (const YAML::Node& node : entry->value) {
+    const std::string name = node.IsScalar() ? node.Scalar() : "";
+    if (!knockout.teams.contains(name))
+      refuse(place_of(node), fmt::format("{}; found '{}', which is no team", expected, name));
+    if (std::find(order.begin(), order.end(), name) != order.end())
+      refuse(place_of(node), fmt::format("{}; found '{}' twice", expected, name));
+    order.push_back(name);
+  }
+  for (const std::string& name : knockout.order) {
+    if (std::find(order.begin(), order.end(), name) == order.end())
+      refuse(value_place(*entry), fmt::format("{}; '{}' is missing", expected, name));
+  }
+  knockout.order = order;
+}
+
+void read_third_place(TopReader& top, Knockout& knockout) {
+  const YamlEntry* entry = top.find("third_place");
+  if (entry == nullptr) return;
+  knockout.third_place = top.word(*entry, "third_place", {"true", "false"}) == "true";
+  if (!knockout.third_place || knockout.teams.size() >= 4) return;
+  top.file().refuse(
+      value_place(*entry), "third_place",
+      fmt::format("needs two semi-finals, so at least 4 teams, found {}; leave it out",
+                  knockout.teams.size()));
+}
+
+// A test needs its claims and its end; how often it may err, and when it may end, have defaults.
+void read_sprt(TopReader& top, SequentialTest& test) {
+  const YamlEntry& entry = top.required("sprt");
+  SettingsReader settings(top.file(), settings_of(test), top.places());
+  settings.read(entry, "sprt");
+  const std::vector<YamlEntry> given = top.file().entries(entry, "sprt", settings.names());
+  for (const char* key : {"d0", "d1", "max_pairs"}) {
+    if (find_entry(given, key) != nullptr) continue;
+    top.file().refuse(entry.place, "sprt",
+                      fmt::format("the key '{}' is missing; expected such as {{ d0: 0, d1: 1, "
+                                  "max_pairs: 200 }}",
+                                  key));
+  }
+  top.check([&test] { check_test(test); });
+}
+
+}  // namespace
+
+RoundRobin read_roundrobin(TopReader& top) {
+  top.allow({"teams", "base", "pairs", "seed"});
+  RoundRobin robin;
+  read_base(top, robin);
+  read_teams(top, robin);
+  robin.pairs = top.pairs();
+  top.check([&robin] { plan(robin); });
+  return robin;
+}
+
+Match read_match(TopReader& top) {
+  top.allow({"teams", "base", "sprt", "seed"});
+  Match match;
+  read_base(top, match);
+  read_teams(top, match, {2, 2});
+  read_sprt(top, match.sprt);
+  top.check([&match] { plan(match); });
+  return match;
+}
+
+Gauntlet read_gauntlet(TopReader& top) {
+  top.allow({"challengers", "teams", "base", "pairs", "seed"});
+  Gauntlet gauntlet;
+  read_base(top, gauntlet);
+  read_teams(top, gauntlet, {1, SIZE_MAX});
+  read_challengers(top, gauntlet);
+  gauntlet.pairs = top.pairs();
+  top.check([&gauntlet] { plan(gauntlet); });
+  return gauntlet;
+}
+
+Knockout read_knockout(TopReader& top) {
+  top.allow({"teams", "order", "third_place", "base", "seed"});
+  Knockout knockout;
+  read_base(top, knockout);
+  // Every book but the paper's has extra time and shoot-outs, which the base may switch off.
+  if (!top.places().contains("match.knockout")) {
+    knockout.base.match.knockout = knockout.base.match.rules != "paper";
+  }
+  read_teams(top, knockout, {2, kMostInKnockout});
+  read_order(top, knockout);
+  read_third_place(top, knockout);
+  top.check([&knockout] { plan(knockout); });
+  return knockout;
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,18 @@
+// Reads the experiments between teams that have names. For scenario.cpp.
+#pragma once
+
+#include "runner/experiments/gauntlet.hpp"
+#include "runner/experiments/knockout.hpp"
+#include "runner/experiments/match.hpp"
+#include "runner/experiments/reading/top_reader.hpp"
+#include "runner/experiments/roundrobin.hpp"
+
+namespace autoref::runner {
+
+// Each throws InputError.
+RoundRobin read_roundrobin(TopReader& top);
+Match read_match(TopReader& top);
+Gauntlet read_gauntlet(TopReader& top);
+Knockout read_knockout(TopReader& top);
+
+}  // namespace autoref::runner

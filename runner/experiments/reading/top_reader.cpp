@@ -1,0 +1,74 @@
+#include "runner/experiments/reading/top_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "runner/io/words.hpp"
+
+namespace autoref::runner {
+
+void TopReader::allow(const std::vector<std::string>& keys) const {
+  std::vector<std::string> known = {"schema", "kind", "about"};
+  known.insert(known.end(), keys.begin(), keys.end());
+  refuse_unknown(file_, top_, known);
+}
+
+std::string TopReader::word(const YamlEntry& entry, std::string_view key,
+                            const std::vector<std::string>& known) const {
+  std::string word = file_.scalar(entry, key, "one of " + listed(known), false);
+  if (std::find(known.begin(), known.end(), word) == known.end()) {
+    file_.refuse(value_place(entry), key,
+                 fmt::format("expected one of {}, found '{}'{}", listed(known), word,
+                             suggestion(word, known)));
+  }
+  return word;
+}
+
+template <typename Number>
+Number TopReader::number(const YamlEntry& entry, std::string_view key, const std::string& expected,
+                         std::optional<Number> (*parse)(std::string_view), Number low,
+                         Number high) const {
+  const std::string text = file_.scalar(entry, key, expected, true);
+  const std::optional<Number> number = parse(text);
+  if (!number || *number < low || *number > high) {
+    file_.refuse(value_place(entry), key, fmt::format("expected {}, found '{}'", expected, text));
+  }
+  return *number;
+}
+
+int TopReader::whole_number(std::string_view key, int low, int high) {
+  const YamlEntry& entry = required(key);
+  places_[std::string(key)] = entry.place;
+  return number<int>(entry, key, fmt::format("a whole number from {} to {}", low, high),
+                     whole_number_in, low, high);
+}
+
+std::uint64_t TopReader::seed() const {
+  return number<std::uint64_t>(required("seed"), "seed", "a whole number from 0 to 2^64 - 1",
+                               seed_in, 0, UINT64_MAX);
+}
+
+void TopReader::read_base(GameConfiguration& game, const Elsewhere& elsewhere) {
+  if (const YamlEntry* base = find("base")) BaseReader(file_, places_, elsewhere).read(*base, game);
+  check([&game] { check_game(game); });
+}
+
+void TopReader::check(const std::function<void()>& work) const {
+  try {
+    work();
+  } catch (const std::invalid_argument& error) {
+    file_.refuse(place_of_first_path_in(error.what()), "", error.what());
+  }
+}
+
+YamlPlace TopReader::place_of_first_path_in(std::string_view message) const {
+  const std::string path(message.substr(0, message.find_first_of(": ")));
+  const auto found = places_.lower_bound(path);
+  const bool is_path =
+      found != places_.end() && (found->first == path || found->first.starts_with(path + "."));
+  return is_path ? found->second : YamlPlace{};
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,62 @@
+// Reads the top level of a scenario file: what several kinds have there. For scenario.cpp.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runner/experiments/reading/base_reader.hpp"
+#include "runner/settings/settings_reader.hpp"
+#include "runner/settings/yaml.hpp"
+
+namespace autoref::runner {
+
+// All that it reads throws InputError.
+class TopReader {
+ public:
+  // `file` must outlive the reader.
+  explicit TopReader(const YamlFile& file) : file_(file), top_(file.top()) {}
+
+  const YamlFile& file() const { return file_; }
+  const std::vector<YamlEntry>& entries() const { return top_; }
+  // Where settings stand, by their paths: for check().
+  Places& places() { return places_; }
+
+  const YamlEntry* find(std::string_view key) const { return find_entry(top_, key); }
+  const YamlEntry& required(std::string_view key) const { return required_entry(file_, top_, key); }
+
+  // Refuses other keys than these, those that every file has, and those beside.
+  void allow(const std::vector<std::string>& keys) const;
+
+  std::string word(const YamlEntry& entry, std::string_view key,
+                   const std::vector<std::string>& known) const;
+  // A whole number of a key that must be there; remembers its place.
+  int whole_number(std::string_view key, int low, int high);
+  int pairs() { return whole_number("pairs", 1, kMostPairs); }
+  std::uint64_t seed() const;
+
+  // What all games have in common, where the file says so. `elsewhere` is a branch of it that
+  // stands elsewhere.
+  void read_base(GameConfiguration& game, const Elsewhere& elsewhere = {});
+
+  // `work` throws std::invalid_argument where settings that are right alone make no game together.
+  // Its message begins with the path of the one to mend, or of its branch.
+  void check(const std::function<void()>& work) const;
+
+  static constexpr int kMostPairs = 9999;
+
+ private:
+  template <typename Number>
+  Number number(const YamlEntry& entry, std::string_view key, const std::string& expected,
+                std::optional<Number> (*parse)(std::string_view), Number low, Number high) const;
+  YamlPlace place_of_first_path_in(std::string_view message) const;
+
+  const YamlFile& file_;
+  const std::vector<YamlEntry> top_;
+  Places places_;
+};
+
+}  // namespace autoref::runner

@@ -1,0 +1,20 @@
+#include "runner/experiments/scenario.hpp"
+
+namespace autoref::runner {
+
+// Both in the order of the variant's types.
+const std::vector<std::string>& kinds() {
+  static const std::vector<std::string> kKinds = {"game",  "sweep",    "judge",   "roundrobin",
+                                                  "match", "gauntlet", "knockout"};
+  return kKinds;
+}
+
+std::string_view kind_of(const Scenario& scenario) { return kinds()[scenario.content.index()]; }
+
+std::string_view verb_of(const Scenario& scenario) {
+  static const std::vector<std::string> kVerbs = {"play", "run", "judge", "run",
+                                                  "run",  "run", "run"};
+  return kVerbs[scenario.content.index()];
+}
+
+}  // namespace autoref::runner

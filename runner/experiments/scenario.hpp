@@ -1,0 +1,50 @@
+// Scenario files: one game, a sweep of games over values of factors, a round robin, a gauntlet, a
+// knockout or a match of teams, or games to judge the referee.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "runner/experiments/gauntlet.hpp"
+#include "runner/experiments/judge_plan.hpp"
+#include "runner/experiments/knockout.hpp"
+#include "runner/experiments/match.hpp"
+#include "runner/experiments/roundrobin.hpp"
+#include "runner/settings/configuration.hpp"
+
+namespace autoref::runner {
+
+// A key that a sweep varies, by its short path ("b.handicap"), and its values as assign() reads
+// them. The first value is the baseline.
+struct Factor {
+  std::string path;
+  std::vector<std::string> values;
+  bool operator==(const Factor&) const = default;
+};
+
+// Every combination of the factors' values is played `pairs` times, two legs each.
+struct Sweep {
+  GameConfiguration base;  // its seed, a_plays and first_kickoff are given by the plan
+  std::vector<Factor> factors;
+  int pairs = 1;           // of legs, per combination; 1 to 9999
+  std::uint64_t seed = 1;  // of the whole sweep
+};
+
+struct Scenario {
+  std::string about;
+  std::variant<GameConfiguration, Sweep, JudgePlan, RoundRobin, Match, Gauntlet, Knockout> content;
+};
+
+// Every kind, as `kind:` spells it.
+const std::vector<std::string>& kinds();
+
+// The kind as `kind:` spells it.
+std::string_view kind_of(const Scenario& scenario);
+
+// The verb of `autoref` that plays it.
+std::string_view verb_of(const Scenario& scenario);
+
+}  // namespace autoref::runner

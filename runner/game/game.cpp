@@ -1,0 +1,292 @@
+#include "runner/game/game.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include "runner/game/play_counts/play_statistics.hpp"
+#include "runner/game/state_hash.hpp"
+#include "runner/game/substitution.hpp"
+#include "runner/settings/match_rules.hpp"
+#include "runner/settings/robot_changes.hpp"
+#include "sim/camera.hpp"
+#include "soccer/random.hpp"
+#include "soccer/situation.hpp"
+#include "soccer/team_view.hpp"
+#include "soccer/tracks.hpp"
+#include "strategies/registry.hpp"
+
+namespace autoref::runner {
+namespace {
+
+PerSide<sim::TeamSheet> sheets_of(const GameConfiguration& c) {
+  return {{sheet_of(c, team_on(c, Side::kWest)), sheet_of(c, team_on(c, Side::kEast))}};
+}
+
+EndReason reason_of(referee::Event end) {
+  if (end == referee::Event::kGoalLead) return EndReason::kGoals;
+  return end == referee::Event::kShootoutOver ? EndReason::kShootout : EndReason::kTime;
+}
+
+// What the side's robots can do.
+std::array<strategies::Abilities, kMaxRobots> abilities_of(const GameConfiguration& c, Side side) {
+  std::array<strategies::Abilities, kMaxRobots> all;
+  const sim::TeamSheet sheet = sheet_of(c, team_on(c, side));
+  for (std::size_t i = 0; i < sheet.robots.size(); ++i) {
+    const sim::RobotSheet& robot = sheet.robots[i];
+    all[i] = {robot.body.speed_mps * robot.speed_factor,
+              robot.body.acceleration_mps2 * robot.acceleration_factor,
+              robot.body.braking_mps2 * robot.acceleration_factor, robot.kicker.speed_limit_mps,
+              robot.kicker.chip_limit_mps};
+  }
+  return all;
+}
+
+std::unique_ptr<strategies::Strategy> make_team_on(const GameConfiguration& c, Side side,
+                                                   const TeamMaker& make_team) {
+  const TeamConfiguration& team = team_on(c, side);
+  return make_team(team.strategy, {c.field, rules_of(c.match), c.sim.frame_rate_hz,
+                                   RandomStream::of(c.seed, RandomPurpose::kStrategy, side),
+                                   team.params, abilities_of(c, side)});
+}
+
+// From a picture until the orders decided on it move a robot.
+double latency_s(const sim::Configuration& c) {
+  const sim::LatencySplit split = sim::split_latency(c);
+  return (split.frames + static_cast<double>(split.substeps) / c.substeps) / c.frame_rate_hz;
+}
+
+// A team on the field: it sees delayed pictures, and its mistakes end the game as void.
+class Player {
+ public:
+  Player(const GameConfiguration& c, Side side, const TeamMaker& make_team)
+      : side_(side), robots_(team_on(c, side).robots), strategy_(make_team_on(c, side, make_team)) {
+    view_.latency_s = latency_s(c.sim);
+  }
+
+  // Fills `orders`; returns what went wrong, empty where nothing did. Then all orders are zero.
+  std::string decide(const Tracks& tracks, const RefereeSignal& signal, const Situation& situation,
+                     TeamOrders& orders) {
+    orders.fill(RobotCommand{});
+    fill_view(tracks, signal, situation, side_, view_);
+    std::string fault;
+    try {
+      strategy_->decide(view_, orders);
+      requests_ = strategy_->requests();
+      fault = fault_in(orders);
+    } catch (const std::exception& error) {
+      fault = fmt::format("threw: {}", error.what());
+    } catch (...) {
+      fault = "threw something that is no std::exception";
+    }
+    if (!fault.empty()) orders.fill(RobotCommand{});
+    return fault;
+  }
+
+  // What the team asked for with its last decision.
+  const TeamRequests& requests() const { return requests_; }
+
+ private:
+  std::string fault_in(const TeamOrders& orders) const {
+    for (int number = 0; number < robots_; ++number) {
+      if (!is_finite(orders[static_cast<std::size_t>(number)])) {
+        return fmt::format("ordered a number that is not finite for robot {}", number);
+      }
+    }
+    return {};
+  }
+
+  Side side_;
+  int robots_;
+  std::unique_ptr<strategies::Strategy> strategy_;
+  TeamRequests requests_;
+  TeamView view_;
+};
+
+// The tracks of the last few pictures, so that teams see the field as it was.
+class DelayLine {
+ public:
+  explicit DelayLine(int frames) : tracks_(static_cast<std::size_t>(frames) + 1) {}
+
+  void push(const Tracks& tracks) {
+    tracks_[taken_ % tracks_.size()] = tracks;
+    ++taken_;
+  }
+  // As many pictures back as the line is long; the first one until there are that many.
+  const Tracks& oldest() const {
+    return taken_ < tracks_.size() ? tracks_.front() : tracks_[taken_ % tracks_.size()];
+  }
+
+ private:
+  std::vector<Tracks> tracks_;
+  std::size_t taken_ = 0;
+};
+
+class Game {
+ public:
+  Game(const GameConfiguration& c, Observer* observer, const TeamMaker& make_team)
+      : configuration_(c),
+        observer_(observer),
+        world_(c.field, c.sim, sheets_of(c), c.seed),
+        camera_(c.sim.vision, c.field, c.sim.frame_rate_hz, c.seed),
+        referee_(referee_configuration(c)),
+        situation_(rules_of(c.match)),
+        assistant_(c.field, {{team_on(c, Side::kWest).robots, team_on(c, Side::kEast).robots}}),
+        tracks_(sim::split_latency(c.sim).frames),
+        statistics_(c.field, c.sim.ball, c.sim.frame_rate_hz),
+        players_{{Player(c, Side::kWest, make_team), Player(c, Side::kEast, make_team)}} {}
+
+  GameRecord play() {
+    const auto most_frames = static_cast<std::int64_t>(longest_s(configuration_.match) *
+                                                       configuration_.sim.frame_rate_hz);
+    while (!referee_.is_over() && record_.status == Status::kOk) {
+      if (record_.frames >= most_frames) {
+        void_game("the game did not come to its end");
+      } else {
+        play_frame();
+      }
+    }
+    finish();
+    return record_;
+  }
+
+ private:
+  void play_frame() {
+    const RefereeSignal& signal = judge();
+    if (referee_.is_over()) return;
+    const Tracks& tracks = tracks_.oldest();
+    const Situation situation = situation_.update(
+        signal, tracks.ball ? std::optional(tracks.ball->position_m) : std::nullopt);
+    for (Side side : kSides) {
+      const std::string fault = players_[side].decide(tracks, signal, situation, orders_[side]);
+      if (!fault.empty()) void_game(fmt::format("team {} {}", letter_of(side), fault));
+      ended(side == Side::kWest ? Phase::kTeamWest : Phase::kTeamEast);
+    }
+    assistant_.act(signal, requests(), frame_.time_s, world_);
+    world_.step(orders_, signal.placement);
+    if (!world_.is_finite()) void_game("a position in the world is not finite");
+    ++record_.frames;
+    ended(Phase::kPhysics);
+    hash_.add(world_.state());
+    ended(Phase::kRecord);
+  }
+
+  // Camera and referee; decisions go into the record.
+  const RefereeSignal& judge() {
+    camera_.look(world_.state(), frame_);
+    ended(Phase::kCamera);
+    const PerSide<TeamRequests> asked = requests();
+    if (observer_ != nullptr) observer_->on_requests(asked);
+    const RefereeSignal& signal = referee_.update(frame_, asked);
+    tracks_.push(referee_.tracks());
+    for (const referee::Decision& decision : referee_.decisions()) note(decision);
+    frames_in_play_ += referee_.is_ball_in_play() ? 1 : 0;
+    ended(Phase::kReferee);
+    if (signal.stage != Stage::kShootout) count_figures();
+    ended(Phase::kRecord);
+    if (observer_ != nullptr) observer_->on_frame(frame_, signal, world_);
+    return signal;
+  }
+
+  void count_figures() {
+    statistics_.update({world_.state(), world_.touches(), referee_.decisions(),
+                        referee_.state() == referee::State::kRun, referee_.is_ball_in_play()});
+  }
+
+  PerSide<TeamRequests> requests() const {
+    return {{players_[Side::kWest].requests(), players_[Side::kEast].requests()}};
+  }
+
+  void note(const referee::Decision& decision) {
+    hash_.add(decision);
+    if (decision.to == referee::State::kOver) record_.end_reason = reason_of(decision.event);
+    ++record_.events[static_cast<std::size_t>(decision.event)];
+    if (std::find(record_.arrows.begin(), record_.arrows.end(), decision.arrow) ==
+        record_.arrows.end()) {
+      record_.arrows.push_back(decision.arrow);
+    }
+    if (observer_ != nullptr) observer_->on_decision(decision);
+  }
+
+  void void_game(const std::string& reason) {
+    if (record_.status == Status::kVoid) return;
+    record_.status = Status::kVoid;
+    record_.end_reason = EndReason::kVoid;
+    record_.void_reason = fmt::format("{} (at {:.3f} s)", reason, time_s());
+  }
+
+  void finish() {
+    const Side a = configuration_.match.a_plays;
+    for (const PerSide<int>& goals : referee_.goals_by_half()) {
+      record_.goals_by_half.push_back({goals[a], goals[opponent_of(a)]});
+      record_.goals_a += goals[a];
+      record_.goals_b += goals[opponent_of(a)];
+    }
+    if (const std::optional<PerSide<int>> goals = referee_.shootout_goals()) {
+      record_.shootout = {(*goals)[a], (*goals)[opponent_of(a)]};
+    }
+    const PerSide<PlayFigures> figures = statistics_.figures();
+    record_.figures = {figures[a], figures[opponent_of(a)]};
+    record_.sim_s = time_s();
+    record_.ball_in_play_s =
+        static_cast<double>(frames_in_play_) / configuration_.sim.frame_rate_hz;
+    record_.state_hash = hash_.value();
+  }
+
+  double time_s() const {
+    return static_cast<double>(record_.frames) / configuration_.sim.frame_rate_hz;
+  }
+
+  char letter_of(Side side) const { return side == configuration_.match.a_plays ? 'a' : 'b'; }
+
+  void ended(Phase phase) {
+    if (observer_ != nullptr) observer_->on_phase(phase);
+  }
+
+  const GameConfiguration& configuration_;
+  Observer* observer_;
+  sim::World world_;
+  sim::Camera camera_;
+  referee::Referee referee_;
+  SituationTracker situation_;
+  Assistant assistant_;
+  Frame frame_;
+  DelayLine tracks_;
+  PlayStatistics statistics_;
+  PerSide<Player> players_;
+  PerSide<TeamOrders> orders_;
+  StateHash hash_;
+  std::int64_t frames_in_play_ = 0;
+  GameRecord record_;
+};
+
+}  // namespace
+
+std::string_view name_of(EndReason reason) {
+  static constexpr std::array<std::string_view, 6> kNames = {"time",      "goals",     "shootout",
+                                                             "forfeit_a", "forfeit_b", "void"};
+  return kNames[static_cast<std::size_t>(reason)];
+}
+
+std::string_view name_of(Status status) {
+  static constexpr std::array<std::string_view, 3> kNames = {"ok", "forfeit", "void"};
+  return kNames[static_cast<std::size_t>(status)];
+}
+
+std::unique_ptr<strategies::Strategy> make_registered_team(const std::string& name,
+                                                           const strategies::Briefing& briefing) {
+  const strategies::Entry* entry = strategies::find_strategy(name);
+  if (entry == nullptr) throw std::invalid_argument(fmt::format("unknown strategy '{}'", name));
+  return entry->make(briefing);
+}
+
+GameRecord play(const GameConfiguration& configuration, Observer* observer,
+                const TeamMaker& make_team) {
+  return Game(configuration, observer, make_team).play();
+}
+
+}  // namespace autoref::runner

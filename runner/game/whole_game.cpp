@@ -1,0 +1,146 @@
+// What concerns all settings of a game at once.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "runner/io/words.hpp"
+#include "runner/settings/fields.hpp"
+#include "runner/settings/robot_changes.hpp"
+#include "soccer/random.hpp"
+#include "strategies/registry.hpp"
+
+namespace autoref::runner {
+namespace {
+
+using strategies::Parameter;
+
+[[noreturn]] void refuse_unknown_param(const strategies::Entry& strategy, const std::string& path,
+                                       const std::string& param) {
+  const std::string what =
+      fmt::format("{}: strategy '{}' has no parameter '{}'", path, strategy.name, param);
+  if (strategy.params.empty()) throw std::invalid_argument(what + "; it has none");
+  std::vector<std::string> known;
+  for (const Parameter& parameter : strategy.params) known.emplace_back(parameter.name);
+  const std::string nearest = suggestion(param, known);
+  throw std::invalid_argument(
+      fmt::format("{}{} Known here: {}", what, nearest.empty() ? "." : nearest, listed(known)));
+}
+
+void check_range(const Parameter& parameter, const std::string& path, double value) {
+  if (value >= parameter.least && value <= parameter.most) return;
+  const std::string unit = parameter.unit == "1" ? "" : fmt::format(" {}", parameter.unit);
+  throw std::invalid_argument(fmt::format("{}: expected a number from {} to {}{}, found '{}'", path,
+                                          parameter.least, parameter.most, unit, value));
+}
+
+void check_params(const TeamConfiguration& team, std::string_view name) {
+  const strategies::Entry* strategy = strategies::find_strategy(team.strategy);
+  if (strategy == nullptr) {
+    throw std::invalid_argument(fmt::format("unknown strategy '{}'", team.strategy));
+  }
+  for (const auto& [param, value] : team.params) {
+    const std::string path = fmt::format("{}.params.{}", name, param);
+    const auto parameter =
+        std::find_if(strategy->params.begin(), strategy->params.end(),
+                     [&param = param](const Parameter& p) { return p.name == param; });
+    if (parameter == strategy->params.end()) refuse_unknown_param(*strategy, path, param);
+    check_range(*parameter, path, value);
+  }
+}
+
+void check_speeds(const GameConfiguration& game, const sim::TeamSheet& sheet,
+                  std::string_view name) {
+  const double most_mps = sim::fastest_mps(game.sim);
+  for (const sim::RobotSheet& robot : sheet.robots) {
+    const double robot_mps = sim::fastest_mps(robot);
+    if (robot_mps <= most_mps) continue;
+    throw std::invalid_argument(
+        fmt::format("sim.substeps: with {} at {} frames a second nothing gets faster than {:.4g} "
+                    "m/s, but robots of {} drive or kick at up to {:.4g}; give more",
+                    game.sim.substeps, game.sim.frame_rate_hz, most_mps, name, robot_mps));
+  }
+}
+
+void check_robots(const GameConfiguration& game, const TeamConfiguration& team,
+                  std::string_view name) {
+  sim::TeamSheet sheet;
+  try {
+    sheet = sheet_of(game, team);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("{}.{}", name, error.what()));
+  }
+  for (const auto& [number, player] : team.players) {
+    try {
+      sim::validate(sheet.robots[static_cast<std::size_t>(number)]);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(
+          fmt::format("{}.players.{}: with the team's, {}", name, number, error.what()));
+    }
+  }
+  check_speeds(game, sheet, name);
+}
+
+// Names of types do not matter, only what they change.
+bool is_told_by_changes(const Setting& setting) {
+  return std::holds_alternative<TypeName>(setting.target) ||
+         std::holds_alternative<ChangesOf>(setting.target) ||
+         std::holds_alternative<RobotTypes*>(setting.target);
+}
+
+// Of a team or a player: what its robots have other than the game's.
+template <typename Of>
+std::string robots_text(const GameConfiguration& game, std::string_view path, const Of& of) {
+  std::string text;
+  for (const auto& [name, value] : merged(game.types, of.type, of.changes)) {
+    text += fmt::format("{}.{}={}\n", path, name, value);
+  }
+  return text;
+}
+
+std::string team_text(const GameConfiguration& game, std::string_view path,
+                      const TeamConfiguration& team) {
+  std::string text = robots_text(game, path, team);
+  for (const auto& [number, player] : team.players) {
+    text += robots_text(game, fmt::format("{}.players.{}", path, number), player);
+  }
+  return text;
+}
+
+}  // namespace
+
+void check_team(const GameConfiguration& game, const TeamConfiguration& team,
+                std::string_view path) {
+  check_params(team, path);
+  check_robots(game, team, path);
+}
+
+void check_game(const GameConfiguration& game) {
+  check_team(game, game.a, "teams.a");
+  check_team(game, game.b, "teams.b");
+  sim::validate(game.field);
+  try {
+    sim::validate(game.sim);
+    sim::validate(game.robot);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("sim.{}", error.what()));
+  }
+}
+
+std::uint64_t configuration_hash(const GameConfiguration& game) {
+  GameConfiguration copy = game;
+  std::string text;
+  for (const Setting& setting : settings_of(copy)) {
+    if (is_alias(setting) || is_told_by_changes(setting)) continue;
+    text += fmt::format("{}={}\n", setting.path, value_of(setting));
+  }
+  text += team_text(game, "teams.a", game.a) + team_text(game, "teams.b", game.b);
+  // FNV-1a over the letters, spread over the word.
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  for (const char letter : text) {
+    hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3ULL;
+  }
+  return mix_bits(hash);
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,69 @@
+#include "runner/io/csv.hpp"
+
+namespace autoref::runner {
+namespace {
+
+std::string quoted(const std::string& cell) {
+  if (cell.find_first_of(",\"\n\r") == std::string::npos) return cell;
+  std::string text = "\"";
+  for (const char letter : cell) {
+    if (letter == '"') text += '"';
+    text += letter == '\n' || letter == '\r' ? ' ' : letter;
+  }
+  return text + "\"";
+}
+
+// Reads one cell from the start of `rest` and removes it; false where its quotes do not match.
+bool take_cell(std::string_view& rest, std::string& cell) {
+  cell.clear();
+  if (!rest.starts_with('"')) {
+    cell = rest.substr(0, rest.find(','));
+    rest.remove_prefix(cell.size());
+    return cell.find('"') == std::string::npos;
+  }
+  for (std::size_t i = 1; i < rest.size(); ++i) {
+    if (rest[i] == '"') {
+      if (i + 1 == rest.size() || rest[i + 1] != '"') {
+        rest.remove_prefix(i + 1);
+        return true;
+      }
+      ++i;
+    }
+    cell += rest[i];
+  }
+  return false;
+}
+
+}  // namespace
+
+std::string csv_line(const std::vector<std::string>& cells) {
+  std::string line;
+  for (const std::string& cell : cells) {
+    if (&cell != &cells.front()) line += ',';
+    line += quoted(cell);
+  }
+  return line;
+}
+
+std::optional<std::vector<std::string>> csv_cells(std::string_view line) {
+  std::vector<std::string> cells;
+  while (true) {
+    std::string cell;
+    if (!take_cell(line, cell)) return std::nullopt;
+    cells.push_back(std::move(cell));
+    if (line.empty()) return cells;
+    if (line.front() != ',') return std::nullopt;
+    line.remove_prefix(1);
+  }
+}
+
+std::vector<std::string_view> complete_lines(std::string_view text) {
+  std::vector<std::string_view> lines;
+  for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
+    lines.push_back(text.substr(0, end));
+    text.remove_prefix(end + 1);
+  }
+  return lines;
+}
+
+}  // namespace autoref::runner

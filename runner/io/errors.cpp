@@ -1,0 +1,34 @@
+#include "runner/io/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <system_error>
+
+namespace autoref::runner {
+namespace {
+
+std::string text_of(const Place& place, std::string_view key, std::string_view message) {
+  std::string text = place.file;
+  if (place.line > 0) text += fmt::format(":{}:{}", place.line, place.column);
+  if (!text.empty()) text += ": ";
+  if (!key.empty()) text += fmt::format("{}: ", key);
+  return text.append(message);
+}
+
+}  // namespace
+
+InputError::InputError(const Place& place, std::string_view key, std::string_view message)
+    : std::runtime_error(text_of(place, key, message)), place_(place), key_(key) {}
+
+InputOutputError io_error(std::string_view what, int error_number) {
+  return InputOutputError(
+      fmt::format("{}: {}", what, std::generic_category().message(error_number)));
+}
+
+void tell(std::FILE* stream, std::string_view text) {
+  // Whether it arrived does not matter to anybody who could still be told.
+  std::fwrite(text.data(), 1, text.size(), stream);
+  std::fflush(stream);
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,160 @@
+#include "runner/io/files.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <system_error>
+#include <thread>
+
+#include "runner/io/errors.hpp"
+
+namespace autoref::runner {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kLongestUserFile = 10'000'000;
+constexpr std::size_t kLongestFile = 4'000'000'000;
+constexpr double kPatience_s = 60;  // many shards may end, and write their results, at once
+
+InputOutputError cannot_write(const fs::path& path) {
+  return io_error(fmt::format("{} cannot be written", path.string()), errno);
+}
+
+// Whether that name still leads to the open file.
+bool is_named(int descriptor, const fs::path& path) {
+  struct stat opened {};
+  struct stat named {};
+  return fstat(descriptor, &opened) == 0 && stat(path.c_str(), &named) == 0 &&
+         opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
+}
+
+// The content, or the error's number; EFBIG for more than `most` bytes, as from /dev/zero.
+std::string read_through(const fs::path& path, std::size_t most, int& error_number) {
+  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  error_number = descriptor < 0 ? errno : 0;
+  if (descriptor < 0) return {};
+  std::string text;
+  std::array<char, 65536> buffer{};
+  ssize_t count = 0;
+  while ((count = read(descriptor, buffer.data(), buffer.size())) > 0 ||
+         (count < 0 && errno == EINTR)) {
+    if (count > 0) text.append(buffer.data(), static_cast<std::size_t>(count));
+    if (text.size() > most) break;
+  }
+  if (count != 0) error_number = count < 0 ? errno : EFBIG;
+  close(descriptor);
+  return text;
+}
+
+}  // namespace
+
+std::string read_user_file(const fs::path& path) {
+  int error_number = 0;
+  std::string text = read_through(path, kLongestUserFile, error_number);
+  if (error_number == 0) return text;
+  throw InputError(
+      {path.string()}, "",
+      fmt::format("the file cannot be read: {}", std::generic_category().message(error_number)));
+}
+
+std::optional<std::string> read_file(const fs::path& path) {
+  int error_number = 0;
+  std::string text = read_through(path, kLongestFile, error_number);
+  if (error_number == 0) return text;
+  if (error_number == ENOENT) return std::nullopt;
+  throw io_error(fmt::format("{} cannot be read", path.string()), error_number);
+}
+
+void write_all(int descriptor, std::string_view text, const fs::path& path) {
+  while (!text.empty()) {
+    const ssize_t count = write(descriptor, text.data(), text.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) throw cannot_write(path);
+    text.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
+PendingFile::PendingFile(fs::path path, double patience_s) : path_(std::move(path)), part_(path_) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path_, error);
+  if (!fs::exists(status) || fs::is_regular_file(status)) part_ += ".part";
+  if (is_direct()) {
+    descriptor_ = open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor_ < 0) throw cannot_write(path_);
+  } else {
+    wait_for_part(patience_s);
+  }
+}
+
+// The part's name is always the same, so that what a killed process has left is written over; the
+// lock tells that from what another process is writing.
+void PendingFile::wait_for_part(double patience_s) {
+  const auto until = Clock::now() + std::chrono::duration<double>(patience_s);
+  while (!take_part()) {
+    if (Clock::now() > until) {
+      throw InputOutputError(
+          fmt::format("{} is in use: another process writes {}", part_.string(), path_.string()));
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
+bool PendingFile::take_part() {
+  descriptor_ = open(part_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) throw cannot_write(path_);
+  const bool is_locked = flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
+  const bool is_busy = !is_locked && (errno == EWOULDBLOCK || errno == EINTR);
+  // Whoever held it until now has renamed it, or removed it.
+  const bool is_gone = is_locked && !is_named(descriptor_, part_);
+  if (is_locked && !is_gone && ftruncate(descriptor_, 0) == 0) return true;
+  const int error_number = errno;
+  close(descriptor_);
+  descriptor_ = -1;
+  if (is_busy || is_gone) return false;
+  throw io_error(fmt::format("{} cannot be written", path_.string()), error_number);
+}
+
+PendingFile::~PendingFile() {
+  if (descriptor_ < 0) return;
+  if (!is_direct()) unlink(part_.c_str());
+  close(descriptor_);
+}
+
+void PendingFile::commit(std::string_view text) {
+  write_all(descriptor_, text, path_);
+  if (is_direct()) return;
+  if (fsync(descriptor_) != 0 || rename(part_.c_str(), path_.c_str()) != 0) {
+    throw cannot_write(path_);
+  }
+  close(descriptor_);
+  descriptor_ = -1;
+}
+
+void replace_file(const fs::path& path, std::string_view text) {
+  if (read_file(path) == text) return;
+  PendingFile file(path, kPatience_s);
+  // Another run of the same experiment may just have written the same.
+  if (read_file(path) != text) file.commit(text);
+}
+
+void create_folder(const fs::path& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (!error && !fs::is_directory(path, error) && !error) {
+    error = std::make_error_code(std::errc::not_a_directory);
+  }
+  if (error) {
+    throw InputOutputError(
+        fmt::format("the folder {} cannot be created: {}", path.string(), error.message()));
+  }
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,36 @@
+// What is told of a judged referee: tables for people, rows and objects for programs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "runner/experiments/judge_plan.hpp"
+#include "runner/judge/judge_tally.hpp"
+
+namespace autoref::runner {
+
+struct JudgeReport {
+  std::vector<CameraTally> tallies;  // book by book, camera by camera, in the plan's order
+  // A line each, for looking a game up again.
+  std::vector<std::string> second_calls;   // another call had answered the event already
+  std::vector<std::string> calls_in_stop;  // calls that need play, while there was none
+  std::vector<std::string> void_games;
+  std::vector<std::string> arrows_never_taken;
+  std::vector<std::string> rules_never_seen;  // calls that no game gave, of events that no game had
+  std::string faults_csv;                     // a row per missed event and wrong call
+};
+
+// `judgements` are those of games_of(plan), in its order.
+JudgeReport report_of(const JudgePlan& plan, const std::vector<Judgement>& judgements);
+
+// Markdown: F1 of everything at a glance, last touches, the checks, and a table of all figures for
+// each rule book.
+std::string markdown_of(const JudgeReport& report);
+
+// judge.csv: rules, camera, event, and figures; cells without a value are empty.
+std::string csv_of(const JudgeReport& report);
+
+// One JSON object.
+std::string json_of(const JudgeReport& report);
+
+}  // namespace autoref::runner

@@ -1,0 +1,78 @@
+#include "runner/judge/judge_tally.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "referee/decision.hpp"
+
+namespace autoref::runner {
+namespace {
+
+std::optional<double> share(int part, int whole) {
+  return whole == 0 ? std::nullopt : std::optional(static_cast<double>(part) / whole);
+}
+
+}  // namespace
+
+std::optional<double> EventTally::precision() const { return share(right, calls()); }
+std::optional<double> EventTally::recall() const { return share(right, happened()); }
+std::optional<double> EventTally::f1() const { return share(2 * right, calls() + happened()); }
+
+void EventTally::add(const truth::Verdict& verdict) {
+  const int borderline = verdict.is_borderline ? 1 : 0;
+  in_air += verdict.is_in_air ? 1 : 0;
+  switch (verdict.outcome) {
+    case truth::Outcome::kRight:
+      ++right;
+      early += verdict.is_early ? 1 : 0;
+      delays_s.push_back(verdict.delay_s);
+      if (verdict.error_m) errors_m.push_back(*verdict.error_m);
+      return;
+    case truth::Outcome::kWrong:
+      ++wrong;
+      borderline_wrong += borderline;
+      return;
+    case truth::Outcome::kMissed:
+      ++missed;
+      borderline_missed += borderline;
+      return;
+    case truth::Outcome::kOvertaken:
+      ++overtaken;
+  }
+}
+
+std::optional<double> quantile(std::vector<double> sample, double share) {
+  if (sample.empty()) return std::nullopt;
+  std::sort(sample.begin(), sample.end());
+  const auto rank = std::ceil(share * static_cast<double>(sample.size()));
+  return sample[static_cast<std::size_t>(std::max(1.0, rank)) - 1];
+}
+
+void CameraTally::add(const Judgement& judgement) {
+  ++games;
+  if (!judgement.void_reason.empty()) {
+    ++void_games;
+    return;
+  }
+  for (const truth::Verdict& verdict : judgement.verdicts) events[verdict.name].add(verdict);
+  for (std::size_t team = 0; team < last_touch.size(); ++team) {
+    last_touch[team].right += judgement.last_touch[team].right;
+    last_touch[team].wrong += judgement.last_touch[team].wrong;
+    last_touch[team].unknown += judgement.last_touch[team].unknown;
+  }
+}
+
+std::vector<std::string> call_names() {
+  std::vector<std::string> names;
+  for (int i = 0; i < referee::kEventCount; ++i) {
+    const auto event = static_cast<referee::Event>(i);
+    if (referee::is_call(event)) names.emplace_back(name_of(event));
+  }
+  return names;
+}
+
+bool needs_height(std::string_view event) {
+  return event == "chip_goal" || event == "goal_invalid";
+}
+
+}  // namespace autoref::runner

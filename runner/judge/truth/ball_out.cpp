@@ -1,0 +1,144 @@
+// The ball leaves the field: goals, goals that do not count, and exits.
+#include <algorithm>
+#include <cmath>
+
+#include "runner/judge/truth/crossing.hpp"
+#include "runner/judge/truth/truths.hpp"
+#include "soccer/robot_shape.hpp"
+#include "soccer/units.hpp"
+
+namespace autoref::runner::truth {
+namespace {
+
+// A ball that will be out within this time, moving on as it does, has been called early.
+constexpr double kLead_s = 0.1;
+// A ball whose far edge came so near to being out is a near miss.
+constexpr double kNearlyOut_m = 10_mm;
+constexpr double kNearHeight_m = 20_mm;
+
+class BallOut final : public Truth {
+ public:
+  void watch(const Scene& scene, Happenings& all) override {
+    if (!scene.play.is_on) return;
+    if (const auto crossing = find_crossing(scene.field, scene.before.ball, scene.now.ball)) {
+      // A penalty kick that is no goal has failed: another truth tells that.
+      const bool is_failed = scene.play.is_penalty() && !crossing->into_goal &&
+                             scene.rules.has(RuleId::kPenaltyFailed);
+      if (!is_failed) all.push_back(happening(scene, *crossing));
+    } else if (scene.play.ends_now && inside_m(scene.field, scene.now.ball.position_m) >= 0) {
+      foresee(scene, all);
+    }
+  }
+
+ private:
+  static void foresee(const Scene& scene, Happenings& all) {
+    sim::BallState soon = scene.now.ball;
+    soon.position_m += kLead_s * soon.velocity_mps;
+    std::optional<Crossing> crossing = find_crossing(scene.field, scene.now.ball, soon);
+    Standing standing = Standing::kPrevented;
+    if (!crossing && inside_m(scene.field, scene.now.ball.position_m) < kNearlyOut_m) {
+      crossing = nearly(scene);
+      standing = Standing::kNearMiss;
+    }
+    if (!crossing) return;
+    Happening soon_out = happening(scene, *crossing);
+    soon_out.time_s = scene.time_s;
+    soon_out.standing = standing;
+    all.push_back(soon_out);
+  }
+
+  // The crossing of a ball a little farther out than it is.
+  static std::optional<Crossing> nearly(const Scene& scene) {
+    sim::BallState beyond = scene.now.ball;
+    const Vec2& at_m = beyond.position_m;
+    const bool at_goal_line = scene.field.half_length_m() - std::abs(at_m.x()) <
+                              scene.field.half_width_m() - std::abs(at_m.y());
+    const Vec2 outwards = at_goal_line ? Vec2(std::copysign(1.0, at_m.x()), 0.0)
+                                       : Vec2(0.0, std::copysign(1.0, at_m.y()));
+    beyond.position_m += 2 * kNearlyOut_m * outwards;
+    return find_crossing(scene.field, scene.now.ball, beyond);
+  }
+
+  static Happening happening(const Scene& scene, const Crossing& crossing) {
+    Happening happening = crossing.into_goal        ? goal(scene, crossing)
+                          : crossing.over_goal_line ? over_goal_line(scene, crossing)
+                                                    : over_touch_line(scene);
+    // A frame's way back to the crossing.
+    happening.time_s = scene.time_s - (1 - crossing.share) * scene.frame_s;
+    if (!happening.position_m) happening.position_m = crossing.point_m;
+    happening.is_in_air = crossing.height_m > 0;
+    return happening;
+  }
+
+  static Happening over_touch_line(const Scene& scene) {
+    Happening out;
+    out.name = "throw_in";
+    if (scene.ball.last()) {
+      out.robot = scene.ball.last()->robot;
+      out.offender = out.robot->side;
+    }
+    return out;
+  }
+
+  static Happening over_goal_line(const Scene& scene, const Crossing& crossing) {
+    Happening out = over_touch_line(scene);
+    out.name = out.offender == crossing.end ? "corner_kick" : "goal_kick";
+    if (!scene.rules.has(RuleId::kAimlessKick) || !out.offender || !is_aimless(scene, crossing)) {
+      return out;
+    }
+    out.name = "aimless_kick";
+    out.position_m = scene.ball.last()->ball_m;
+    return out;
+  }
+
+  static bool is_aimless(const Scene& scene, const Crossing& crossing) {
+    const BallTouch& kick = *scene.ball.last();
+    const bool from_kickoff = scene.play.is_kickoff() && !scene.ball.has_second_robot_touched();
+    return !from_kickoff && crossing.end != kick.robot.side &&
+           goal_sign(kick.robot.side) * kick.ball_m.x() > 0;
+  }
+
+  static Happening goal(const Scene& scene, const Crossing& crossing) {
+    const Side conceded = crossing.end;
+    const Side scorer = opponent_of(conceded);
+    Happening goal;
+    goal.name = goal_name(scene, conceded);
+    goal.offender = goal.name == "free_kick_own_goal" ? conceded : scorer;
+    const double height_m = shot_height_m(scene, scorer).value_or(0.0);
+    goal.is_borderline = std::abs(height_m - scene.rules.chip_height_m) < kNearHeight_m;
+    return goal;
+  }
+
+  static std::string_view goal_name(const Scene& scene, Side conceded) {
+    const Side scorer = opponent_of(conceded);
+    const bool straight = scene.ball.first() && !scene.ball.has_second_robot_touched();
+    const bool is_free_kick = scene.play.taker.has_value() && !scene.play.is_penalty();
+    if (straight && is_free_kick && scene.play.taker == conceded &&
+        scene.rules.has(RuleId::kFreeKickOwnGoal)) {
+      return "free_kick_own_goal";
+    }
+    if (straight && scene.play.restart.kind == CommandKind::kIndirectFree &&
+        scene.play.taker == scorer && scene.rules.has(RuleId::kIndirectGoal)) {
+      return "indirect_goal";
+    }
+    const bool too_high = shot_height_m(scene, scorer).value_or(0.0) > scene.rules.chip_height_m;
+    if (too_high && scene.rules.has(RuleId::kChipGoal)) return "chip_goal";
+    const bool has_fouled = scene.time_s - scene.fouled_s[scorer] <= scene.rules.goal_after_foul_s;
+    if ((too_high || has_fouled) && !scene.play.is_penalty() &&
+        scene.rules.has(RuleId::kGoalValid)) {
+      return "goal_invalid";
+    }
+    return "goal";
+  }
+
+  static std::optional<double> shot_height_m(const Scene& scene, Side scorer) {
+    const Heights& heights = scene.ball.heights(scorer);
+    return scene.rules.has(RuleId::kChipGoal) ? heights.of_shot_m : heights.since_touch_m;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Truth> ball_out() { return std::make_unique<BallOut>(); }
+
+}  // namespace autoref::runner::truth

@@ -1,0 +1,95 @@
+// Two robots of different sides meet too fast.
+#include <cmath>
+
+#include "runner/judge/truth/truths.hpp"
+#include "soccer/robot_shape.hpp"
+#include "soccer/units.hpp"
+
+namespace autoref::runner::truth {
+namespace {
+
+constexpr double kMargin_mps = 0.2_mps;
+constexpr double kDrawnMargin_mps = 0.1_mps;
+// Hulls that come so near have all but met.
+constexpr double kNearlyMet_m = 8_mm;
+// Robots that will meet so soon after play has ended were called early.
+constexpr double kLead_s = 0.05;
+
+class Crash final : public Truth {
+ public:
+  void watch(const Scene& scene, Happenings& all) override {
+    if (!scene.play.is_on) return;
+    for (const sim::Meeting& met : scene.meetings) {
+      if (met.robots[0].side != met.robots[1].side) judge(scene, met, Standing::kTrue, all);
+    }
+    for_each_robot(scene.now, Side::kWest, [&](RobotId west, const sim::RobotState& a) {
+      for_each_robot(scene.now, Side::kEast, [&](RobotId east, const sim::RobotState& b) {
+        foresee(scene,
+                {scene.now.frame,
+                 0,
+                 {west, east},
+                 {a.velocity_mps, b.velocity_mps},
+                 {a.position_m, b.position_m}},
+                all);
+      });
+    });
+  }
+
+ private:
+  static double closing_mps(const sim::Meeting& met) {
+    const Vec2 line = direction_of(met.centres_m[1] - met.centres_m[0], Vec2(1.0, 0.0));
+    return (met.velocities_mps[0] - met.velocities_mps[1]).dot(line);
+  }
+
+  // Robots that have not met, but are about to.
+  static void foresee(const Scene& scene, const sim::Meeting& met, Happenings& all) {
+    const double gap_m = (met.centres_m[1] - met.centres_m[0]).norm() - 2 * kRobotRadius_m;
+    const double closes_mps = closing_mps(met);
+    if (gap_m <= 0 || closes_mps < scene.rules.crash_mps - kMargin_mps) return;
+    if (scene.play.ends_now && gap_m < kLead_s * closes_mps) {
+      judge(scene, met, Standing::kPrevented, all);
+    } else if (gap_m < kNearlyMet_m) {
+      judge(scene, met, Standing::kNearMiss, all);
+    }
+  }
+
+  static void judge(const Scene& scene, const sim::Meeting& met, Standing standing,
+                    Happenings& all) {
+    const double faster_mps = met.velocities_mps[0].norm() - met.velocities_mps[1].norm();
+    const double lead_mps = std::abs(faster_mps) - scene.rules.crash_drawn_mps;
+    const double excess_mps = closing_mps(met) - scene.rules.crash_mps;
+    if (excess_mps <= -kMargin_mps) return;
+    Happening crash;
+    crash.time_s = scene.time_s;
+    crash.position_m = (met.centres_m[0] + met.centres_m[1]) / 2.0;
+    crash.is_borderline = excess_mps <= kMargin_mps || std::abs(lead_mps) < kDrawnMargin_mps;
+    crash.robot = met.robots[faster_mps > 0 ? 0 : 1];
+    const bool is_drawn = lead_mps < 0;
+    crash.standing = excess_mps > 0 ? standing : Standing::kNearMiss;
+    if (!is_drawn || std::abs(lead_mps) < kDrawnMargin_mps) {
+      add_crash(crash, is_drawn, all);
+    }
+    if (scene.rules.edition != Edition::kRules2026) return;
+    if (is_drawn || lead_mps < kDrawnMargin_mps) add_drawn(crash, is_drawn, all);
+  }
+
+  // What is nearly the one and nearly the other is a near miss of what it is not.
+  static void add_crash(Happening crash, bool is_drawn, Happenings& all) {
+    crash.name = "crash";
+    crash.offender = crash.robot->side;
+    if (is_drawn) crash.standing = Standing::kNearMiss;
+    all.push_back(crash);
+  }
+  static void add_drawn(Happening crash, bool is_drawn, Happenings& all) {
+    crash.name = "crash_drawn";
+    crash.robot.reset();
+    if (!is_drawn) crash.standing = Standing::kNearMiss;
+    all.push_back(crash);
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Truth> crash() { return std::make_unique<Crash>(); }
+
+}  // namespace autoref::runner::truth

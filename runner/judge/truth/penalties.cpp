@@ -1,0 +1,104 @@
+// Penalty kicks: what comes of them, and who stood where he must not.
+#include <algorithm>
+#include <cmath>
+
+#include "runner/judge/truth/crossing.hpp"
+#include "runner/judge/truth/outline.hpp"
+#include "runner/judge/truth/truths.hpp"
+#include "soccer/units.hpp"
+
+namespace autoref::runner::truth {
+namespace {
+
+constexpr double kMargin_m = 20_mm;
+constexpr double kPushed_mps = 0.2_mps;  // slower balls have no direction to be turned from
+
+// How far the worst of each side's robots was beyond what is allowed, just before the kick.
+using Breaches = PerSide<double>;
+
+// From the goal line to the front of the keeper's hull, or from the post to its centre.
+double off_its_line_m(const Field& field, Side side, const sim::RobotState& keeper) {
+  const double in_front_m = field.half_length_m() - reach_into_half(side, keeper).farthest_m;
+  const double behind_m = reach_into_half(side, keeper).nearest_m - field.half_length_m();
+  const double beside_m = std::abs(keeper.position_m.y()) - field.half_goal_m();
+  return std::max({in_front_m - field.line_width_m, behind_m, beside_m});
+}
+
+Breaches breaches_in(const Scene& scene) {
+  const Side defender = opponent_of(*scene.play.taker);
+  const double line_m =
+      goal_sign(defender) * scene.play.ball_from_m.x() - scene.rules.penalty_clearance_m;
+  Breaches breaches{{-1.0, -1.0}};
+  for_each_robot(scene.before, [&](RobotId id, const sim::RobotState& robot) {
+    if (scene.ball.first() && scene.ball.first()->robot == id) return;
+    const bool is_their_keeper = id.side == defender && scene.is_keeper(id);
+    if (!is_their_keeper && !is_on_field(scene.field, robot.position_m)) return;
+    const double beyond_m = is_their_keeper ? off_its_line_m(scene.field, defender, robot)
+                                            : reach_into_half(defender, robot).farthest_m - line_m;
+    breaches[id.side] = std::max(breaches[id.side], beyond_m);
+  });
+  return breaches;
+}
+
+class Penalty final : public Truth {
+ public:
+  void watch(const Scene& scene, Happenings& all) override {
+    const Play& play = scene.play;
+    if (!play.is_on || !play.is_penalty() || told_ == play.count) return;
+    if (play.entered_now) {
+      breaches_ = breaches_in(scene);
+      kicked_ = play.count;
+    }
+    const auto crossing = find_crossing(scene.field, scene.before.ball, scene.now.ball);
+    const bool is_goal = crossing && crossing->into_goal && crossing->end != play.taker;
+    if (!is_goal && !crossing && !is_turned(scene) && !is_too_late(scene)) return;
+    told_ = play.count;
+    judge(scene, is_goal, all);
+  }
+
+ private:
+  void judge(const Scene& scene, bool is_goal, Happenings& all) const {
+    const Side attacker = *scene.play.taker;
+    const bool is_kicked = kicked_ == scene.play.count;
+    const Side side = is_goal ? attacker : opponent_of(attacker);
+    const double excess_m = is_kicked ? breaches_[side] : -1.0;
+    const double others_m = is_kicked ? breaches_[opponent_of(side)] : -1.0;
+    if (scene.rules.has(RuleId::kPenaltyPositions)) {
+      Happening again;
+      again.name = "penalty_positions";
+      again.time_s = scene.time_s;
+      // Where both sides were wrong, neither is at fault alone.
+      if (!(others_m > 0 && excess_m > 0)) again.offender = side;
+      again.position_m = scene.play.ball_from_m;
+      add_measured(all, again, excess_m, kMargin_m);
+    }
+    if (is_goal || excess_m > 0 || !scene.rules.has(RuleId::kPenaltyFailed)) return;
+    all.push_back(
+        {"penalty_failed", scene.time_s, attacker, std::nullopt, scene.now.ball.position_m});
+  }
+
+  // By a right angle or more: what is left of the ball's way leads back.
+  static bool is_turned(const Scene& scene) {
+    const Vec2& former_mps = scene.before.ball.velocity_mps;
+    if (former_mps.norm() < kPushed_mps) return false;
+    return std::any_of(scene.touches.begin(), scene.touches.end(), [&](const sim::Touch& touch) {
+      const bool is_defender = touch.robot.side != scene.play.taker;
+      return is_defender && scene.is_keeper(touch.robot) && touch.ball_mps.dot(former_mps) <= 0;
+    });
+  }
+
+  static bool is_too_late(const Scene& scene) {
+    const double lasted_s = scene.time_s - scene.play.began_s;
+    return lasted_s > scene.rules.penalty_time_s - scene.frame_s / 2;
+  }
+
+  Breaches breaches_;
+  int kicked_ = -1;
+  int told_ = -1;
+};
+
+}  // namespace
+
+std::unique_ptr<Truth> penalty() { return std::make_unique<Penalty>(); }
+
+}  // namespace autoref::runner::truth

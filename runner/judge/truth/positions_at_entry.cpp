@@ -1,0 +1,138 @@
+// Robots that stand where they must not when the ball enters play from a restart.
+#include <algorithm>
+#include <cmath>
+
+#include "runner/judge/truth/outline.hpp"
+#include "runner/judge/truth/truths.hpp"
+#include "soccer/robot_shape.hpp"
+#include "soccer/units.hpp"
+
+namespace autoref::runner::truth {
+namespace {
+
+// Also the ball's radius: whether distances end at its centre or its surface is open to reading.
+constexpr double kMargin_m = 25_mm;
+
+// The robot that is farthest beyond what is allowed.
+struct Worst {
+  std::optional<RobotId> robot;
+  Vec2 position_m{0, 0};
+  double excess_m = -kMargin_m;
+
+  void consider(RobotId id, const sim::RobotState& state, double its_excess_m) {
+    if (its_excess_m <= excess_m) return;
+    robot = id;
+    position_m = state.position_m;
+    excess_m = its_excess_m;
+  }
+};
+
+// How often the restart that is on has been taken again, in a row. Games here take it again three
+// times at most; then play goes on, wherever robots stood.
+class Retakes {
+ public:
+  void enter(const Play& play) {
+    const bool is_again = was_wrong_ && play.stops == stops_ + 1 && play.restart == restart_;
+    count_ = is_again ? count_ + 1 : 0;
+    stops_ = play.stops;
+    restart_ = play.restart;
+    was_wrong_ = false;
+  }
+  void be_wrong() { was_wrong_ = true; }
+  bool may_be_taken_again() const { return count_ < kMost; }
+
+ private:
+  static constexpr int kMost = 3;
+  int count_ = 0;
+  int stops_ = 0;  // when it was taken
+  Command restart_;
+  bool was_wrong_ = false;
+};
+
+class PositionsAtEntry final : public Truth {
+ public:
+  void watch(const Scene& scene, Happenings& all) override {
+    if (!scene.play.entered_now || !scene.play.taker || scene.play.is_penalty()) return;
+    const Side taker = *scene.play.taker;
+    const std::size_t told = all.size();
+    retakes_.enter(scene.play);
+    const bool is_2026 = scene.rules.edition == Edition::kRules2026;
+    if (scene.rules.has(RuleId::kAttackerNearArea) && !is_2026) near_area(scene, taker, all);
+    if (scene.rules.has(RuleId::kRestartDistance) && !is_2026) near_ball(scene, taker, all);
+    if (scene.rules.has(RuleId::kKickoffPositions) && scene.play.is_kickoff()) half(scene, all);
+    note_breaches(told, all);
+  }
+
+ private:
+  // From `told` on, what has this restart taken again; nothing where it may not be.
+  void note_breaches(std::size_t told, Happenings& all) {
+    const auto is_breach = [](const Happening& happening) {
+      return happening.standing == Standing::kTrue &&
+             (happening.name == "restart_distance" || happening.name == "kickoff_positions");
+    };
+    const auto from = all.begin() + static_cast<std::ptrdiff_t>(told);
+    if (!std::any_of(from, all.end(), is_breach)) return;
+    if (retakes_.may_be_taken_again()) {
+      retakes_.be_wrong();
+    } else {
+      all.erase(std::remove_if(from, all.end(), is_breach), all.end());
+    }
+  }
+
+  static void add(const Scene& scene, std::string_view name, const Worst& worst, Happenings& all) {
+    if (!worst.robot) return;
+    add_measured(all, {name, scene.time_s, worst.robot->side, worst.robot, worst.position_m},
+                 worst.excess_m, kMargin_m);
+  }
+
+  // One call is enough for both sides; the side that kicks is judged first.
+  static void near_area(const Scene& scene, Side taker, Happenings& all) {
+    for (const Side side : {taker, opponent_of(taker)}) {
+      Worst worst;
+      for_each_robot(scene.now, side, [&](RobotId id, const sim::RobotState& robot) {
+        const Reach reach = reach_to_area(scene.field, opponent_of(side), robot);
+        worst.consider(id, robot, scene.rules.attacker_to_area_m - reach.nearest_m);
+      });
+      add(scene, "attacker_near_area", worst, all);
+      if (worst.excess_m > 0) return;
+    }
+  }
+
+  // Just before the kick, from the ball's centre where it lay.
+  static void near_ball(const Scene& scene, Side taker, Happenings& all) {
+    Worst worst;
+    for_each_robot(scene.before, opponent_of(taker), [&](RobotId id, const auto& robot) {
+      const double gap_m =
+          distance_to_hull(scene.play.ball_from_m, robot.position_m, robot.heading);
+      worst.consider(id, robot, scene.rules.opponents_to_ball_m - gap_m);
+    });
+    worst.position_m = scene.play.ball_from_m;
+    add(scene, "restart_distance", worst, all);
+  }
+
+  // The kicker may be beyond the middle. Where both sides are wrong, neither is at fault alone.
+  static void half(const Scene& scene, Happenings& all) {
+    Worst worst;
+    PerSide<bool> is_wrong;
+    for_each_robot(scene.before, [&](RobotId id, const sim::RobotState& robot) {
+      if (scene.ball.first() && scene.ball.first()->robot == id) return;
+      if (!is_on_field(scene.field, robot.position_m)) return;
+      const double beyond_m = reach_into_half(opponent_of(id.side), robot).nearest_m;
+      is_wrong[id.side] = is_wrong[id.side] || beyond_m > 0;
+      worst.consider(id, robot, beyond_m);
+    });
+    const std::size_t told = all.size();
+    add(scene, "kickoff_positions", worst, all);
+    if (all.size() == told) return;
+    all.back().position_m = scene.play.ball_from_m;
+    if (is_wrong[Side::kWest] && is_wrong[Side::kEast]) all.back().offender.reset();
+  }
+
+  Retakes retakes_;
+};
+
+}  // namespace
+
+std::unique_ptr<Truth> positions_at_entry() { return std::make_unique<PositionsAtEntry>(); }
+
+}  // namespace autoref::runner::truth

@@ -1,0 +1,51 @@
+// All that a truth is told from, in one frame.
+#pragma once
+
+#include <span>
+
+#include "runner/judge/truth/ball_story.hpp"
+#include "runner/judge/truth/happening.hpp"
+#include "runner/judge/truth/play.hpp"
+#include "sim/world.hpp"
+#include "soccer/field.hpp"
+#include "soccer/referee_signal.hpp"
+#include "soccer/rule_book.hpp"
+
+namespace autoref::runner::truth {
+
+struct Scene {
+  const Field& field;
+  const RuleBook& rules;
+  double time_s = 0;
+  double frame_s = 0;             // from `before` to `now`
+  const sim::WorldState& before;  // one frame earlier
+  const sim::WorldState& now;
+  std::span<const sim::Touch> touches;
+  std::span<const sim::Meeting> meetings;
+  const Play& play;
+  const BallStory& ball;
+  const RefereeSignal& signal;  // what has been in force since the frame before
+  PerSide<int> keepers;         // their numbers
+  PerSide<double> fouled_s;     // when each side last did what counts as a foul
+
+  bool is_keeper(RobotId robot) const { return keepers[robot.side] == robot.number; }
+};
+
+// Tells one kind of event, or some that exclude each other. Asked once in every frame.
+class Truth {
+ public:
+  virtual ~Truth() = default;
+  virtual void watch(const Scene& scene, Happenings& all) = 0;
+};
+
+// Calls act(id, robot) for every robot of a side, or of both.
+template <typename Act>
+void for_each_robot(const sim::WorldState& world, Side side, const Act& act) {
+  for (const sim::RobotState& robot : world.robots[side]) act(RobotId{side, robot.number}, robot);
+}
+template <typename Act>
+void for_each_robot(const sim::WorldState& world, const Act& act) {
+  for (const Side side : kSides) for_each_robot(world, side, act);
+}
+
+}  // namespace autoref::runner::truth

@@ -1,0 +1,103 @@
+// Robots that touch the ball in an area where they must not: defenders other than the keeper in
+// their own one, attackers in the opponents'.
+#include <algorithm>
+#include <array>
+
+#include "runner/judge/truth/outline.hpp"
+#include "runner/judge/truth/truths.hpp"
+#include "soccer/robot_shape.hpp"
+#include "soccer/units.hpp"
+
+namespace autoref::runner::truth {
+namespace {
+
+constexpr double kMargin_m = 10_mm;
+
+class TouchesInAreas final : public Truth {
+ public:
+  void watch(const Scene& scene, Happenings& all) override {
+    for_each_robot(scene.now, [&](RobotId id, const sim::RobotState& robot) {
+      watch_entry(scene, id, robot);
+    });
+    // The kick that brings the ball into play is none of a ball in play.
+    if (!scene.play.is_on || !scene.play.in_play || scene.play.entered_now) return;
+    for (const Contact& contact : scene.ball.contacts()) {
+      const sim::RobotState* robot = find_robot(scene.now, contact.robot);
+      if (!contact.is_touching || robot == nullptr) continue;
+      if (scene.rules.has(RuleId::kDefenderInArea)) defending(scene, contact, *robot, all);
+      if (scene.rules.has(RuleId::kAttackerInArea)) attacking(scene, contact, *robot, all);
+    }
+  }
+
+ private:
+  // Once per contact and name.
+  struct Told {
+    int contact = 0;
+    std::string_view name;
+    Standing standing = Standing::kTrue;
+    bool operator==(const Told&) const = default;
+  };
+
+  void defending(const Scene& scene, const Contact& contact, const sim::RobotState& robot,
+                 Happenings& all) {
+    if (scene.is_keeper(contact.robot) || entry_of(contact.robot).was_shoved) return;
+    const Reach reach = reach_to_area(scene.field, contact.robot.side, robot);
+    add(scene, contact, "defender_in_area", -reach.farthest_m, all);
+    const bool is_entirely = reach.farthest_m < 0;
+    if (scene.rules.edition == Edition::kRules2026 || is_entirely) return;
+    add(scene, contact, "defender_partly_in_area", -reach.nearest_m, all);
+  }
+
+  void attacking(const Scene& scene, const Contact& contact, const sim::RobotState& robot,
+                 Happenings& all) {
+    const Reach reach = reach_to_area(scene.field, opponent_of(contact.robot.side), robot);
+    add(scene, contact, "attacker_in_area", -reach.nearest_m, all);
+  }
+
+  // How a robot came into its own area.
+  struct Entry {
+    bool is_inside = false;
+    bool was_shoved = false;  // an opponent was in contact with it as it came in
+  };
+
+  Entry& entry_of(RobotId id) { return entries_[id.side][static_cast<std::size_t>(id.number)]; }
+
+  void watch_entry(const Scene& scene, RobotId id, const sim::RobotState& robot) {
+    Entry& entry = entry_of(id);
+    const bool is_inside =
+        distance_to_defence_area(scene.field, id.side, robot.position_m) < kRobotRadius_m;
+    if (is_inside && !entry.is_inside) entry.was_shoved = has_opponent_at(scene, id, robot);
+    entry.is_inside = is_inside;
+    if (!is_inside) entry.was_shoved = false;
+  }
+
+  static bool has_opponent_at(const Scene& scene, RobotId id, const sim::RobotState& robot) {
+    const auto& others = scene.now.robots[opponent_of(id.side)];
+    return std::any_of(others.begin(), others.end(), [&robot](const sim::RobotState& other) {
+      return are_in_contact(robot, other);
+    });
+  }
+
+  void add(const Scene& scene, const Contact& contact, std::string_view name, double excess_m,
+           Happenings& all) {
+    const Told told{contact.count, name, excess_m > 0 ? Standing::kTrue : Standing::kNearMiss};
+    if (excess_m <= -kMargin_m || std::find(told_.begin(), told_.end(), told) != told_.end()) {
+      return;
+    }
+    told_.push_back(told);
+    if (told_.size() > kRemembered) told_.erase(told_.begin());
+    add_measured(all,
+                 {name, scene.time_s, contact.robot.side, contact.robot, scene.now.ball.position_m},
+                 excess_m, kMargin_m);
+  }
+
+  static constexpr std::size_t kRemembered = 64;  // contacts that may last at a time, and names
+  std::vector<Told> told_;
+  PerSide<std::array<Entry, kMaxRobots>> entries_;
+};
+
+}  // namespace
+
+std::unique_ptr<Truth> touches_in_areas() { return std::make_unique<TouchesInAreas>(); }
+
+}  // namespace autoref::runner::truth

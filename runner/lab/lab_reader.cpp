@@ -1,0 +1,203 @@
+// Reading scenes of the laboratory.
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "runner/io/files.hpp"
+#include "runner/lab/lab.hpp"
+#include "runner/settings/mapping.hpp"
+#include "runner/settings/robot_changes.hpp"
+#include "runner/settings/robot_types.hpp"
+#include "runner/settings/settings_reader.hpp"
+#include "runner/settings/yaml.hpp"
+#include "soccer/trigonometry.hpp"
+#include "soccer/units.hpp"
+
+namespace autoref::runner {
+namespace {
+
+using Entries = std::vector<YamlEntry>;
+
+const std::vector<std::string> kTop = {"schema", "kind", "about", "duration_s", "field",
+                                       "sim",    "seed", "ball",  "robots"};
+const std::vector<std::string> kBall = {"x_m",    "y_m",    "height_m", "vx_mps",
+                                        "vy_mps", "vz_mps", "rolls"};
+const std::vector<std::string> kRobot = {"side",   "type",   "x_m",        "y_m",   "heading_deg",
+                                         "vx_mps", "vy_mps", "turn_radps", "orders"};
+const std::vector<std::string> kOrder = {"at_s",       "over_s",   "forward_mps", "left_mps",
+                                         "turn_radps", "kick_mps", "chip",        "dribble"};
+
+constexpr Range kSpeed_mps{-20, 20};
+constexpr Range kTurn_radps{-100, 100};
+
+class LabReader {
+ public:
+  explicit LabReader(const YamlFile& file) : file_(file), top_(file.top()) {}
+
+  LabScene read() {
+    expect_value(file_, top_, "schema", "1");
+    expect_value(file_, top_, "kind", "lab");
+    refuse_unknown(file_, top_, kTop);
+    read_settings();
+    if (const YamlEntry* about = find_entry(top_, "about")) {
+      scene_.about = file_.scalar(*about, "about", "a sentence", false);
+    }
+    read_duration(required_entry(file_, top_, "duration_s"));
+    if (const YamlEntry* ball = find_entry(top_, "ball")) read_ball(*ball);
+    if (const YamlEntry* robots = find_entry(top_, "robots")) read_robots(*robots);
+    return scene_;
+  }
+
+ private:
+  // The branches that a game has too.
+  void read_settings() {
+    GameConfiguration game;
+    game.sim = scene_.sim;
+    game.robot = scene_.robot;
+    game.seed = scene_.seed;
+    Places places;
+    SettingsReader settings(file_, game, places);
+    for (const YamlEntry& entry : top_) {
+      if (entry.key == "field" || entry.key == "sim" || entry.key == "seed") {
+        settings.read(entry, entry.key);
+      }
+    }
+    try {
+      check_game(game);
+    } catch (const std::invalid_argument& error) {
+      file_.refuse({1, 1}, "", error.what());
+    }
+    scene_.field = game.field;
+    scene_.sim = game.sim;
+    scene_.robot = game.robot;
+    scene_.seed = game.seed;
+  }
+
+  void read_duration(const YamlEntry& entry) {
+    assign_entry(file_, entry, {"duration_s", &scene_.duration_s, {0, 600, true}, {}, "s", ""});
+  }
+
+  // Inside the walls around the field.
+  void read_position(const Mapping& from, Vec2& position_m) const {
+    const double x = scene_.field.wall_x_m();
+    const double y = scene_.field.wall_y_m();
+    from.number("x_m", position_m.x(), {-x, x}, "m");
+    from.number("y_m", position_m.y(), {-y, y}, "m");
+  }
+
+  static void read_velocity(const Mapping& from, Vec2& velocity_mps) {
+    from.number("vx_mps", velocity_mps.x(), kSpeed_mps, "m/s");
+    from.number("vy_mps", velocity_mps.y(), kSpeed_mps, "m/s");
+  }
+
+  void read_ball(const YamlEntry& entry) {
+    const Mapping from(file_, entry, "ball", kBall);
+    sim::BallState& ball = scene_.ball;
+    ball.is_rolling = false;
+    read_position(from, ball.position_m);
+    read_velocity(from, ball.velocity_mps);
+    from.number("height_m", ball.height_m, {0, 10}, "m");
+    from.number("vz_mps", ball.vertical_mps, kSpeed_mps, "m/s");
+    from.yes_or_no("rolls", ball.is_rolling);
+  }
+
+  void read_robots(const YamlEntry& robots) {
+    PerSide<int> count{};
+    for (const YamlEntry& entry : elements(robots, "robots")) {
+      const Mapping from(file_, entry, entry.key, kRobot);
+      std::string side;
+      from.word("side", side, {"west", "east"});
+      if (side.empty()) file_.refuse(entry.place, entry.key, "the key 'side' is missing");
+      LabRobot robot;
+      robot.sheet = scene_.robot;
+      if (const YamlEntry* type = from.find("type")) read_type(*type, from.path_to("type"), robot);
+      robot.id.side = side == "west" ? Side::kWest : Side::kEast;
+      robot.id.number = count[robot.id.side]++;
+      if (robot.id.number == kMaxRobots) {
+        file_.refuse(entry.place, entry.key,
+                     fmt::format("expected at most {} robots a side", kMaxRobots));
+      }
+      read_robot(from, robot);
+      scene_.robots.push_back(robot);
+    }
+  }
+
+  void read_type(const YamlEntry& entry, const std::string& path, LabRobot& robot) const {
+    static const std::string kExpected = "a file such as ../robots/slow.yaml";
+    const std::string text = file_.scalar(entry, path, kExpected, false);
+    RobotTypes types;
+    try {
+      take_type(text, file_.folder(), types);
+    } catch (const std::invalid_argument& error) {
+      file_.refuse(value_place(entry), path, error.what());
+    }
+    if (types.empty()) {
+      file_.refuse(value_place(entry), path,
+                   fmt::format("expected {}, found '{}'", kExpected, text));
+    }
+    apply_changes(types.begin()->second, robot.sheet);
+  }
+
+  void read_robot(const Mapping& from, LabRobot& robot) const {
+    robot.start.number = robot.id.number;
+    read_position(from, robot.start.position_m);
+    read_velocity(from, robot.start.velocity_mps);
+    double heading_deg = 0.0;
+    from.number("heading_deg", heading_deg, {-360, 360}, "deg");
+    robot.start.heading = heading_of(heading_deg * kPi / 180.0);
+    from.number("turn_radps", robot.start.angular_velocity_radps, kTurn_radps, "rad/s");
+    const YamlEntry* orders = from.find("orders");
+    if (orders == nullptr) return;
+    for (const YamlEntry& entry : elements(*orders, from.path_to("orders"))) {
+      robot.orders.push_back(read_order(entry));
+      if (robot.orders.size() > 1 && robot.orders.end()[-2].at_s >= robot.orders.back().at_s) {
+        file_.refuse(entry.place, entry.key, "expected a time after the order's before it");
+      }
+    }
+  }
+
+  TimedOrder read_order(const YamlEntry& entry) const {
+    const Mapping from(file_, entry, entry.key, kOrder);
+    if (from.find("at_s") == nullptr) {
+      file_.refuse(entry.place, entry.key, "the key 'at_s' is missing");
+    }
+    TimedOrder order;
+    RobotCommand& command = order.command;
+    from.number("at_s", order.at_s, {0, 600}, "s");
+    from.number("over_s", order.over_s, {0, 600}, "s");
+    from.number("forward_mps", command.velocity_mps.x(), kSpeed_mps, "m/s");
+    from.number("left_mps", command.velocity_mps.y(), kSpeed_mps, "m/s");
+    from.number("turn_radps", command.angular_velocity_radps, kTurn_radps, "rad/s");
+    from.number("kick_mps", command.kick_mps, {0, 20}, "m/s");
+    from.yes_or_no("chip", command.chip);
+    from.yes_or_no("dribble", command.dribble);
+    return order;
+  }
+
+  // The elements of a list, each named by its place such as "robots[0]".
+  Entries elements(const YamlEntry& list, const std::string& path) const {
+    if (!list.value.IsSequence()) file_.refuse(value_place(list), path, "expected a list");
+    Entries entries;
+    for (const YAML::Node& node : list.value) {
+      entries.push_back({fmt::format("{}[{}]", path, entries.size()), place_of(node), node});
+    }
+    return entries;
+  }
+
+  const YamlFile& file_;
+  const Entries top_;
+  LabScene scene_;
+};
+
+}  // namespace
+
+LabScene read_lab_scene_text(const std::string& text, const std::string& file_name) {
+  const YamlFile file(text, file_name);
+  return LabReader(file).read();
+}
+
+LabScene read_lab_scene(const std::filesystem::path& file) {
+  return read_lab_scene_text(read_user_file(file), file.string());
+}
+
+}  // namespace autoref::runner

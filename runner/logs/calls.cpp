@@ -1,0 +1,70 @@
+#include "runner/logs/calls.hpp"
+
+#include <algorithm>
+
+namespace autoref::runner {
+namespace {
+
+bool is_restart(CommandKind kind) {
+  switch (kind) {
+    case CommandKind::kForceStart:
+    case CommandKind::kPrepareKickoff:
+    case CommandKind::kPreparePenalty:
+    case CommandKind::kDirectFree:
+    case CommandKind::kIndirectFree:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool fits(const Call& recorded, const Call& judged, double lead_s) {
+  return recorded.restart == judged.restart && judged.stop_s <= recorded.restart_s &&
+         judged.restart_s >= recorded.stop_s - lead_s;
+}
+
+double time_of(const CallPair& pair) {
+  return pair.recorded ? pair.recorded->stop_s : pair.judged->stop_s;
+}
+
+double share(int part, int whole) { return whole > 0 ? static_cast<double>(part) / whole : 0; }
+
+}  // namespace
+
+void CallMaker::take(double time_s, Command command) {
+  if (command.kind == CommandKind::kStop && !stopped_s_) stopped_s_ = time_s;
+  if (!is_restart(command.kind) || !stopped_s_) return;
+  calls_.push_back({*stopped_s_, time_s, command});
+  stopped_s_.reset();
+}
+
+double Agreement::precision() const { return share(right, judged); }
+double Agreement::recall() const { return share(right, recorded); }
+double Agreement::f1() const { return share(2 * right, recorded + judged); }
+
+Agreement agreement_of(std::span<const Call> recorded, std::span<const Call> judged,
+                       double lead_s) {
+  Agreement agreement{{}, 0, static_cast<int>(recorded.size()), static_cast<int>(judged.size())};
+  std::vector<bool> is_taken(judged.size(), false);
+  std::size_t first = 0;  // those before are over before anything that is still to come
+  for (const Call& call : recorded) {
+    while (first < judged.size() && judged[first].restart_s < call.stop_s - lead_s) ++first;
+    CallPair pair{call, std::nullopt};
+    for (std::size_t i = first; i < judged.size() && judged[i].stop_s <= call.restart_s; ++i) {
+      if (is_taken[i] || !fits(call, judged[i], lead_s)) continue;
+      is_taken[i] = true;
+      pair.judged = judged[i];
+      ++agreement.right;
+      break;
+    }
+    agreement.pairs.push_back(pair);
+  }
+  for (std::size_t i = 0; i < judged.size(); ++i) {
+    if (!is_taken[i]) agreement.pairs.push_back({std::nullopt, judged[i]});
+  }
+  std::stable_sort(agreement.pairs.begin(), agreement.pairs.end(),
+                   [](const CallPair& a, const CallPair& b) { return time_of(a) < time_of(b); });
+  return agreement;
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,200 @@
+#include "runner/logs/log_report.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <map>
+#include <string_view>
+
+#include "runner/io/json.hpp"
+#include "runner/io/table.hpp"
+
+namespace autoref::runner {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+std::string_view name_of(league::MessageKind kind) {
+  static constexpr std::array<std::string_view, 6> kNames = {
+      "unknown", "vision 2010", "referee 2013", "vision 2014", "tracker 2020", "index 2021"};
+  return kNames[static_cast<std::size_t>(kind) - 1];
+}
+
+std::string clock_text(double time_s) {
+  const auto whole_min = static_cast<long long>(time_s / 60);
+  return fmt::format("{}:{:06.3f}", whole_min, time_s - 60.0 * static_cast<double>(whole_min));
+}
+
+std::map<std::string, int> counts_of(const std::vector<RecordedCommand>& commands) {
+  std::map<std::string, int> counts;
+  for (const RecordedCommand& command : commands) ++counts[name_of(command.command)];
+  return counts;
+}
+
+std::string records_text(const league::LogSummary& log) {
+  std::string text;
+  for (const auto& [kind, count] : log.records)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name_of(kind));
+  return text.empty() ? "none" : text;
+}
+
+std::string field_text(const std::optional<Field>& field) {
+  if (!field) return "not told";
+  const bool is_box = field->defence_area.shape == DefenceArea::Shape::kBox;
+  return fmt::format("{} x {} m, defence areas {} m deep, {}", field->length_m, field->width_m,
+                     field->defence_area.depth_m, is_box ? "boxes" : "quarter circles");
+}
+
+std::string score_text(const RecordedFacts& facts) {
+  if (!facts.last_signal) return "no referee in this log";
+  const RefereeSignal& signal = *facts.last_signal;
+  return fmt::format("{} (yellow) {} : {} {} (blue), {}", facts.names[Side::kWest],
+                     signal.goals[Side::kWest], signal.goals[Side::kEast], facts.names[Side::kEast],
+                     name_of(signal.stage));
+}
+
+std::string cameras_table(const RecordedFacts& facts) {
+  Rows rows = {{"camera", "packets", "a second", "gaps over 0.1 s", "longest"}};
+  for (const auto& [number, camera] : facts.cameras) {
+    rows.push_back({std::to_string(number), std::to_string(camera.packets),
+                    fmt::format("{:.1f}", camera.rate_hz()), std::to_string(camera.gaps),
+                    fmt::format("{:.3f} s", camera.longest_gap_s)});
+  }
+  return aligned(rows);
+}
+
+std::string commands_text(const RecordedFacts& facts, bool lists_commands) {
+  Rows rows;
+  if (lists_commands) {
+    rows.push_back({"time", "command"});
+    for (const RecordedCommand& command : facts.commands)
+      rows.push_back({clock_text(command.time_s), name_of(command.command)});
+  } else {
+    rows.push_back({"times", "command"});
+    for (const auto& [name, count] : counts_of(facts.commands))
+      rows.push_back({std::to_string(count), name});
+  }
+  return aligned(rows, {Align::kRight, Align::kLeft});
+}
+
+std::string name_of(const std::optional<Call>& call) {
+  return call ? autoref::name_of(call->restart) : "-";
+}
+
+std::string verdict_of(const CallPair& pair) {
+  if (pair.is_right()) return "right";
+  return pair.recorded ? "missed" : "wrong";
+}
+
+std::string json_of(const std::optional<Call>& call) {
+  if (!call) return "null";
+  return JsonObject()
+      .add("stop_s", json_number(call->stop_s))
+      .add("restart_s", json_number(call->restart_s))
+      .add("restart", json_text(autoref::name_of(call->restart)))
+      .text();
+}
+
+std::string json_of(const PerSide<int>& goals) {
+  return json_list({std::to_string(goals[Side::kWest]), std::to_string(goals[Side::kEast])});
+}
+
+std::string recorded_score(const RecordedFacts& facts) {
+  return facts.last_signal ? json_of(facts.last_signal->goals) : "null";
+}
+
+}  // namespace
+
+std::string info_text(const RecordedFacts& facts, bool lists_commands) {
+  const league::LogSummary& log = facts.log;
+  return fmt::format(
+      "length    {} min:s\n"
+      "records   {}\n"
+      "pictures  {}\n"
+      "field     {}\n"
+      "score     {}\n\n{}\n{}",
+      clock_text(log.length_s), records_text(log), log.pictures, field_text(log.field),
+      score_text(facts), cameras_table(facts), commands_text(facts, lists_commands));
+}
+
+std::string info_json(const RecordedFacts& facts) {
+  std::vector<std::string> commands;
+  for (const RecordedCommand& command : facts.commands) {
+    commands.push_back(JsonObject()
+                           .add("time_s", json_number(command.time_s))
+                           .add("command", json_text(autoref::name_of(command.command)))
+                           .text());
+  }
+  std::vector<std::string> cameras;
+  for (const auto& [number, camera] : facts.cameras) {
+    cameras.push_back(JsonObject()
+                          .add("camera", std::to_string(number))
+                          .add("packets", std::to_string(camera.packets))
+                          .add("rate_hz", json_number(camera.rate_hz()))
+                          .add("gaps", std::to_string(camera.gaps))
+                          .add("longest_gap_s", json_number(camera.longest_gap_s))
+                          .text());
+  }
+  JsonObject records;
+  for (const auto& [kind, count] : facts.log.records)
+    records.add(name_of(kind), std::to_string(count));
+  return JsonObject()
+      .add("length_s", json_number(facts.log.length_s))
+      .add("records", records.text())
+      .add("pictures", std::to_string(facts.log.pictures))
+      .add("goals", recorded_score(facts))
+      .add("teams",
+           json_list({json_text(facts.names[Side::kWest]), json_text(facts.names[Side::kEast])}))
+      .add("cameras", json_list(cameras))
+      .add("commands", json_list(commands))
+      .add("unreadable", std::to_string(facts.log.unreadable))
+      .add("damaged_at", facts.log.damage ? std::to_string(facts.log.damage->offset) : "null")
+      .text();
+}
+
+std::string judgement_text(const LogJudgement& judgement, const RecordedFacts& facts) {
+  Rows rows = {{"stopped", "recorded", "AutoRef", ""}};
+  for (const CallPair& pair : judgement.agreement.pairs) {
+    const double stop_s = pair.recorded ? pair.recorded->stop_s : pair.judged->stop_s;
+    rows.push_back(
+        {clock_text(stop_s), name_of(pair.recorded), name_of(pair.judged), verdict_of(pair)});
+  }
+  const Agreement& all = judgement.agreement;
+  return fmt::format(
+      "{}\n"
+      "score     recorded {}, AutoRef {}:{}\n"
+      "calls     {} recorded, {} by AutoRef, {} of them right\n"
+      "precision {:.3f}   recall {:.3f}   F1 {:.3f}   (same restart, at most 2 s ahead)\n"
+      "challenge {:+} (1 for a right call, -2 for a wrong one)\n",
+      aligned(rows, {Align::kRight, Align::kLeft, Align::kLeft, Align::kLeft}),
+      facts.last_signal ? fmt::format("{}:{}", facts.last_signal->goals[Side::kWest],
+                                      facts.last_signal->goals[Side::kEast])
+                        : "-",
+      judgement.goals[Side::kWest], judgement.goals[Side::kEast], all.recorded, all.judged,
+      all.right, all.precision(), all.recall(), all.f1(), all.challenge_score());
+}
+
+std::string judgement_json(const LogJudgement& judgement, const RecordedFacts& facts) {
+  const Agreement& all = judgement.agreement;
+  std::vector<std::string> calls;
+  for (const CallPair& pair : all.pairs) {
+    calls.push_back(JsonObject()
+                        .add("recorded", json_of(pair.recorded))
+                        .add("autoref", json_of(pair.judged))
+                        .text());
+  }
+  return JsonObject()
+      .add("recorded_goals", recorded_score(facts))
+      .add("goals", json_of(judgement.goals))
+      .add("recorded", std::to_string(all.recorded))
+      .add("judged", std::to_string(all.judged))
+      .add("right", std::to_string(all.right))
+      .add("precision", json_number(all.precision()))
+      .add("recall", json_number(all.recall()))
+      .add("f1", json_number(all.f1()))
+      .add("challenge_score", std::to_string(all.challenge_score()))
+      .add("calls", json_list(calls))
+      .text();
+}
+
+}  // namespace autoref::runner

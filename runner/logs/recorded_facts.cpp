@@ -1,0 +1,101 @@
+#include "runner/logs/recorded_facts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "league/referee_message.hpp"
+
+namespace autoref::runner {
+namespace {
+
+constexpr double kGap_s = 0.1;
+constexpr double kClock_s = 0.1;  // a half's length is a multiple of this
+
+int half_of(Stage stage) {
+  switch (stage) {
+    case Stage::kFirstHalf:
+      return 1;
+    case Stage::kSecondHalf:
+      return 2;
+    case Stage::kExtraFirstHalf:
+      return 3;
+    case Stage::kExtraSecondHalf:
+      return 4;
+    default:
+      return 0;
+  }
+}
+
+// A name for people: at most 64 bytes, those that are not plain ASCII as question marks.
+std::string name_text(std::string_view bytes) {
+  constexpr std::size_t kLongest = 64;
+  std::string text(bytes.substr(0, kLongest));
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return text;
+}
+
+class FactFinder final : public league::LogVisitor {
+ public:
+  void on_picture(const Frame& picture) override {
+    for (const Side side : kSides) {
+      facts.robots[side] =
+          std::max(facts.robots[side], static_cast<int>(picture.robots[side].size()));
+    }
+  }
+
+  void on_camera(double time_s, std::uint32_t number) override {
+    RecordedCamera& camera = facts.cameras[number];
+    if (camera.packets++ == 0) camera.first_s = camera.last_s = time_s;
+    const double gap_s = time_s - camera.last_s;
+    camera.longest_gap_s = std::max(camera.longest_gap_s, gap_s);
+    camera.gaps += gap_s >= kGap_s ? 1 : 0;
+    camera.last_s = time_s;
+  }
+
+  void on_referee(double time_s, const league::RefereePacket& packet) override {
+    const std::optional<RefereeSignal> signal = league::signal_of(packet);
+    if (!signal) return;
+    const bool is_new = !facts.last_signal ||
+                        facts.last_signal->command_counter != signal->command_counter ||
+                        facts.last_signal->command != signal->command;
+    if (is_new) note_command(time_s, signal->command);
+    facts.halves = std::max(facts.halves, half_of(signal->stage));
+    if (signal->stage == Stage::kFirstHalf) note_clock(signal->stage_time_left_s);
+    facts.names = {{name_text(packet.yellow().name()), name_text(packet.blue().name())}};
+    facts.last_signal = signal;
+  }
+
+  RecordedFacts facts;
+
+ private:
+  void note_command(double time_s, Command command) {
+    if (command.kind == CommandKind::kPrepareKickoff && !facts.first_kickoff)
+      facts.first_kickoff = command.side;
+    if (facts.commands.size() < RecordedFacts::kMostCommands) {
+      facts.commands.push_back({time_s, command});
+    } else {
+      ++facts.commands_left_out;
+    }
+  }
+
+  void note_clock(double left_s) {
+    const double rounded_s = std::ceil(left_s / kClock_s - 0.01) * kClock_s;
+    facts.half_s = std::max(facts.half_s.value_or(0), rounded_s);
+  }
+};
+
+}  // namespace
+
+double RecordedCamera::rate_hz() const {
+  return last_s > first_s ? static_cast<double>(packets - 1) / (last_s - first_s) : 0;
+}
+
+RecordedFacts facts_of(const std::filesystem::path& log) {
+  FactFinder finder;
+  finder.facts.log = league::read_log(log, finder);
+  return finder.facts;
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,128 @@
+#include "runner/processes/worker_process.hpp"
+
+#include <fmt/format.h>
+#include <sys/prctl.h>
+#include <sys/signalfd.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+
+#include "runner/io/errors.hpp"
+
+namespace autoref::runner {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kLongestMessage = 128 * 1024;
+
+// A worker's life: jobs in, results out, until the other end closes. Ctrl-C reaches the whole
+// group of processes; the parent alone decides what it means.
+[[noreturn]] void live_as_worker(int socket, pid_t parent, const sigset_t& former_mask,
+                                 const WorkerProcess::Work& work) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(1);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);
+  sigprocmask(SIG_SETMASK, &former_mask, nullptr);
+  // Other descriptors are the parent's: the lock on its rows and its ends of other sockets.
+  if (socket > 3) close_range(3, static_cast<unsigned>(socket - 1), 0);
+  close_range(static_cast<unsigned>(socket + 1), ~0U, 0);
+  std::uint64_t job = 0;
+  while (recv(socket, &job, sizeof job, 0) == sizeof job) {
+    std::string payload;
+    try {
+      payload = work(job);
+    } catch (...) {
+      _exit(1);
+    }
+    const auto size = static_cast<ssize_t>(payload.size());
+    if (send(socket, payload.data(), payload.size(), MSG_NOSIGNAL) != size) _exit(1);
+  }
+  _exit(0);
+}
+
+std::string death_of(int status) {
+  if (WIFSIGNALED(status)) {
+    const int signal = WTERMSIG(status);
+    return fmt::format("its process was ended by signal {} ({})", signal, strsignal(signal));
+  }
+  return fmt::format("its process ended with code {}", WEXITSTATUS(status));
+}
+
+}  // namespace
+
+EndSignals::EndSignals() {
+  sigset_t set;
+  sigemptyset(&set);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&set, signal);
+  sigprocmask(SIG_BLOCK, &set, &former_);
+  descriptor_ = signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK);
+  if (descriptor_ < 0) throw io_error("cannot watch for signals", errno);
+}
+
+EndSignals::~EndSignals() {
+  count();
+  close(descriptor_);
+  sigprocmask(SIG_SETMASK, &former_, nullptr);
+}
+
+int EndSignals::count() {
+  signalfd_siginfo info{};
+  while (read(descriptor_, &info, sizeof info) == sizeof info) ++count_;
+  return count_;
+}
+
+double WorkerProcess::busy_s() const {
+  return std::chrono::duration<double>(Clock::now() - began_).count();
+}
+
+void WorkerProcess::start(const EndSignals& signals, const Work& work) {
+  if (pid_ > 0) return;
+  std::array<int, 2> ends{};
+  if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) {
+    throw io_error("cannot open a socket to a worker", errno);
+  }
+  const pid_t parent = getpid();
+  pid_ = fork();
+  if (pid_ == 0) live_as_worker(ends[1], parent, signals.former_mask(), work);
+  const int error_number = errno;
+  close(ends[1]);
+  socket_ = ends[0];
+  if (pid_ > 0) return;
+  close(socket_);
+  throw io_error("cannot start a worker process", error_number);
+}
+
+void WorkerProcess::give(const Job& job) {
+  job_ = job;
+  began_ = Clock::now();
+  const std::uint64_t number = job.number;
+  [[maybe_unused]] const ssize_t ignored = send(socket_, &number, sizeof number, MSG_NOSIGNAL);
+}
+
+std::optional<std::string> WorkerProcess::answer() {
+  std::string payload(kLongestMessage, '\0');
+  const ssize_t size = recv(socket_, payload.data(), payload.size(), 0);
+  if (size <= 0) return std::nullopt;
+  payload.resize(static_cast<std::size_t>(size));
+  return payload;
+}
+
+std::string WorkerProcess::end() {
+  job_.reset();
+  if (pid_ <= 0) return {};
+  kill(pid_, SIGKILL);
+  close(socket_);
+  int status = 0;
+  while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+  }
+  pid_ = -1;
+  return death_of(status);
+}
+
+}  // namespace autoref::runner

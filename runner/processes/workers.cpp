@@ -1,0 +1,121 @@
+#include "runner/processes/workers.hpp"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <sched.h>
+
+#include <algorithm>
+#include <deque>
+#include <optional>
+
+#include "runner/processes/worker_process.hpp"
+
+namespace autoref::runner {
+namespace {
+
+constexpr int kTick_ms = 250;
+
+class Pool {
+ public:
+  Pool(const std::vector<std::size_t>& jobs, const WorkerOptions& options, const WorkerCalls& calls)
+      : options_(options),
+        calls_(calls),
+        workers_(std::min(static_cast<std::size_t>(std::max(1, options.workers)), jobs.size())) {
+    for (const std::size_t job : jobs) queue_.push_back({job, 1});
+  }
+
+  Ending run() {
+    while (true) {
+      if (signals_.count() == 0 && !is_enough()) hand_out();
+      const bool is_busy =
+          std::any_of(workers_.begin(), workers_.end(),
+                      [](const WorkerProcess& worker) { return worker.is_busy(); });
+      if (!is_busy) return signals_.count() == 0 ? Ending::kDone : Ending::kInterrupted;
+      wait();
+      if (signals_.count() > 1) return Ending::kInterrupted;
+      for (WorkerProcess& worker : workers_) check_time(worker);
+      if (calls_.tick) calls_.tick();
+    }
+  }
+
+ private:
+  bool is_enough() const { return calls_.is_enough && calls_.is_enough(); }
+
+  void hand_out() {
+    for (WorkerProcess& worker : workers_) {
+      if (worker.is_busy() || queue_.empty()) continue;
+      worker.start(signals_, calls_.work);
+      worker.give(queue_.front());
+      queue_.pop_front();
+    }
+  }
+
+  void wait() {
+    std::vector<pollfd> watched = {{signals_.descriptor(), POLLIN, 0}};
+    std::vector<WorkerProcess*> busy;
+    for (WorkerProcess& worker : workers_) {
+      if (!worker.is_busy()) continue;
+      watched.push_back({worker.socket(), POLLIN, 0});
+      busy.push_back(&worker);
+    }
+    if (poll(watched.data(), watched.size(), kTick_ms) <= 0) return;
+    for (std::size_t i = 0; i < busy.size(); ++i) {
+      if (watched[i + 1].revents != 0) receive(*busy[i]);
+    }
+  }
+
+  void receive(WorkerProcess& worker) {
+    const Job job = worker.job();
+    const double wall_s = worker.busy_s();
+    std::optional<std::string> payload = worker.answer();
+    if (payload) {
+      worker.be_free();
+      calls_.done({job.number, std::move(*payload), "", job.attempt, wall_s});
+    } else {
+      lose(job, worker.end(), wall_s);
+    }
+  }
+
+  void check_time(WorkerProcess& worker) {
+    if (!worker.is_busy() || worker.busy_s() < options_.longest_job_s) return;
+    const Job job = worker.job();
+    const double wall_s = worker.busy_s();
+    worker.end();
+    // What hangs once hangs again: another attempt would only cost as much time again.
+    give_up(job, fmt::format("it took longer than {} s", options_.longest_job_s), wall_s);
+  }
+
+  void lose(const Job& job, const std::string& reason, double wall_s) {
+    if (job.attempt < options_.attempts) {
+      queue_.push_front({job.number, job.attempt + 1});
+    } else {
+      give_up(job, reason, wall_s);
+    }
+  }
+
+  void give_up(const Job& job, const std::string& reason, double wall_s) {
+    const std::string failure = fmt::format("{}, in attempt {}", reason, job.attempt);
+    calls_.done({job.number, "", failure, job.attempt, wall_s});
+  }
+
+  const WorkerOptions& options_;
+  const WorkerCalls& calls_;
+  EndSignals signals_;
+  std::deque<Job> queue_;
+  std::vector<WorkerProcess> workers_;
+};
+
+}  // namespace
+
+int processors() {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  return sched_getaffinity(0, sizeof set, &set) == 0 ? std::max(1, CPU_COUNT(&set)) : 1;
+}
+
+Ending do_jobs(const std::vector<std::size_t>& jobs, const WorkerOptions& options,
+               const WorkerCalls& calls) {
+  return Pool(jobs, options, calls).run();
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,124 @@
+#include "runner/results/game_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "runner/io/checksum.hpp"
+#include "runner/io/json.hpp"
+#include "runner/results/rows.hpp"
+
+namespace autoref::runner {
+namespace {
+
+double x_real_time(const GameReport& report) {
+  return report.wall_s > 0 ? report.record.sim_s / report.wall_s : 0;
+}
+
+std::string stops_json(const GameRecord& record) {
+  JsonObject stops;
+  for (int i = 0; i < referee::kEventCount; ++i) {
+    const auto event = static_cast<referee::Event>(i);
+    if (!is_call(event)) continue;
+    stops.add(name_of(event), std::to_string(record.events[static_cast<std::size_t>(i)]));
+  }
+  return stops.text();
+}
+
+// "24 throw in, 3 goal": what occurred, spelt for people.
+std::string stops_text(const GameRecord& record) {
+  std::string text;
+  for (int i = 0; i < referee::kEventCount; ++i) {
+    const auto event = static_cast<referee::Event>(i);
+    const int count = record.events[static_cast<std::size_t>(i)];
+    if (!is_call(event) || count == 0) continue;
+    std::string name(name_of(event));
+    std::replace(name.begin(), name.end(), '_', ' ');
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name);
+  }
+  return text.empty() ? "none" : text;
+}
+
+std::string halves_text(const GameRecord& record) {
+  std::string text;
+  for (const std::array<int, 2>& goals : record.goals_by_half) {
+    text += fmt::format("{}{}:{}", text.empty() ? "" : ", ", goals[0], goals[1]);
+  }
+  return text;
+}
+
+std::string line_of(std::string_view what, const std::string& a, const std::string& b) {
+  return fmt::format("\n{:16}{:>7}{:>7}", what, a, b);
+}
+
+// A line per figure, a column per team.
+std::string figures_text(const GameRecord& record) {
+  const auto& [a, b] = record.figures;
+  const auto count = [&a = a, &b = b](std::string_view what, int PlayFigures::*figure) {
+    return line_of(what, std::to_string(a.*figure), std::to_string(b.*figure));
+  };
+  const auto share = [&](const PlayFigures& team) {
+    const double in_play_s = std::max(record.ball_in_play_s, 1e-9);
+    return fmt::format("{:.0f} %", 100 * team.possession_s / in_play_s);
+  };
+  return line_of("", "a", "b") + count("shots", &PlayFigures::shots) +
+         count("  on goal", &PlayFigures::shots_on_goal) +
+         count("passes tried", &PlayFigures::passes_tried) +
+         count("  completed", &PlayFigures::passes_completed) +
+         line_of("possession", share(a), share(b)) + count("fouls", &PlayFigures::fouls) +
+         count("duels won", &PlayFigures::duels_won);
+}
+
+std::string shootout_json(const GameRecord& record) {
+  if (!record.shootout) return "null";
+  const auto& [a, b] = *record.shootout;
+  return json_list({std::to_string(a), std::to_string(b)});
+}
+
+}  // namespace
+
+std::string json_of(const GameReport& report) {
+  const GameRecord& record = report.record;
+  std::vector<std::string> halves;
+  for (const std::array<int, 2>& goals : record.goals_by_half) {
+    halves.push_back(json_list({std::to_string(goals[0]), std::to_string(goals[1])}));
+  }
+  JsonObject json;
+  json.add("goals_a", std::to_string(record.goals_a))
+      .add("goals_b", std::to_string(record.goals_b))
+      .add("goals_by_half", json_list(halves))
+      .add("end_reason", json_text(name_of(record.end_reason)))
+      .add("shootout", shootout_json(record))
+      .add("status", json_text(name_of(record.status)))
+      .add("void_reason", record.void_reason.empty() ? "null" : json_text(record.void_reason))
+      .add("stops", stops_json(record));
+  for (const NamedFigure& figure : named(record.figures)) json.add(figure.name, figure.value);
+  return json.add("ball_in_play_s", json_number(record.ball_in_play_s))
+      .add("sim_s", json_number(record.sim_s))
+      .add("wall_s", json_number(report.wall_s))
+      .add("x_real_time", json_number(x_real_time(report)))
+      .add("state_hash", json_text(hash_text(record.state_hash)))
+      .add("build", json_text(report.build))
+      .text();
+}
+
+std::string text_of(const GameReport& report) {
+  const GameConfiguration& game = report.configuration;
+  const GameRecord& record = report.record;
+  const Side a = game.match.a_plays;
+  std::string text =
+      fmt::format("a ({}, {})  {} : {}  b ({}, {})", game.a.strategy, name_of(a), record.goals_a,
+                  record.goals_b, game.b.strategy, name_of(opponent_of(a)));
+  if (!record.goals_by_half.empty()) text += fmt::format("   halves {}", halves_text(record));
+  if (record.shootout) {
+    text += fmt::format("   shoot-out {}:{}", (*record.shootout)[0], (*record.shootout)[1]);
+  }
+  if (record.status == Status::kVoid) text += fmt::format("\nvoid: {}", record.void_reason);
+  text += fmt::format("\nstops: {}", stops_text(record));
+  text += figures_text(record);
+  text += fmt::format("\n{:.0f} s played, ball in play {:.0f} s; took {:.2f} s, {:.0f} x real time",
+                      record.sim_s, record.ball_in_play_s, report.wall_s, x_real_time(report));
+  return text + fmt::format("\nstate {}   build {}", hash_text(record.state_hash), report.build);
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,135 @@
+#include "runner/results/shard.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+
+#include "runner/io/csv.hpp"
+#include "runner/io/errors.hpp"
+#include "runner/io/files.hpp"
+
+namespace autoref::runner {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+InputOutputError cannot_write(const fs::path& path) {
+  return io_error(fmt::format("{} cannot be written", path.string()), errno);
+}
+
+}  // namespace
+
+std::string ShardPlace::name() const { return fmt::format("{}/{}", number, of); }
+
+std::string ShardPlace::file_name() const { return fmt::format("shard-{}-of-{}.csv", number, of); }
+
+bool ShardPlace::has(std::size_t unit) const {
+  return unit % static_cast<std::size_t>(of) == static_cast<std::size_t>(number);
+}
+
+ShardPlace shard_place_of(const std::string& text) {
+  constexpr int kMost = 10000;
+  ShardPlace place;
+  const char* const end = text.data() + text.size();
+  const auto number = std::from_chars(text.data(), end, place.number);
+  const bool has_slash = number.ec == std::errc() && number.ptr != end && *number.ptr == '/';
+  const auto of = std::from_chars(has_slash ? number.ptr + 1 : end, end, place.of);
+  if (has_slash && of.ec == std::errc() && of.ptr == end && place.number >= 0 &&
+      place.of <= kMost && place.number < place.of)
+    return place;
+  throw std::invalid_argument(
+      fmt::format("expected I/N, such as 0/4 to 3/4, with N up to {}; found '{}'", kMost, text));
+}
+
+Shard::Shard(fs::path path, const std::string& header, double patience_s) : path_(std::move(path)) {
+  descriptor_ = open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) throw cannot_write(path_);
+  try {
+    if (!fs::is_regular_file(path_)) {
+      throw InputOutputError(fmt::format("{} is no regular file", path_.string()));
+    }
+    lock(patience_s);
+    cut_torn_line();
+    if (lseek(descriptor_, 0, SEEK_END) == 0) append(header);
+  } catch (...) {
+    close(descriptor_);
+    throw;
+  }
+}
+
+Shard::~Shard() { close(descriptor_); }
+
+// A run that was just killed may take a moment to let go.
+void Shard::lock(double patience_s) {
+  const auto until = Clock::now() + std::chrono::duration<double>(patience_s);
+  while (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+    if (errno != EWOULDBLOCK && errno != EINTR) throw cannot_write(path_);
+    if (Clock::now() > until) {
+      throw InputOutputError(fmt::format(
+          "{} is in use: another autoref run writes to this folder; wait for it, or choose another "
+          "folder with -o",
+          path_.string()));
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+}
+
+void Shard::cut_torn_line() {
+  const std::string text = read_file(path_).value_or("");
+  const std::size_t last_end = text.rfind('\n');
+  const std::size_t whole = last_end == std::string::npos ? 0 : last_end + 1;
+  if (whole == text.size()) return;
+  if (ftruncate(descriptor_, static_cast<off_t>(whole)) != 0) throw cannot_write(path_);
+}
+
+void Shard::append(const std::string& line) {
+  const off_t end = lseek(descriptor_, 0, SEEK_END);
+  const std::string text = line + "\n";
+  const ssize_t count = write(descriptor_, text.data(), text.size());
+  if (count == static_cast<ssize_t>(text.size()) && fdatasync(descriptor_) == 0) return;
+  const int error_number = count >= 0 && count < static_cast<ssize_t>(text.size()) ? ENOSPC : errno;
+  // Should this fail too, the next run cuts the torn line off.
+  [[maybe_unused]] const int ignored = ftruncate(descriptor_, end);
+  throw io_error(fmt::format("{} cannot be written", path_.string()), error_number);
+}
+
+StoredRows read_rows(const fs::path& games_folder, const RowFormat& format) {
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(games_folder)) {
+    if (entry.path().extension() == ".csv") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  const std::size_t build = format.column("build");
+  const std::size_t config_hash = format.column("config_hash");
+  StoredRows stored;
+  for (const fs::path& file : files) {
+    const std::string text = read_file(file).value_or("");
+    const std::vector<std::string_view> lines = complete_lines(text);
+    if (lines.empty()) continue;
+    if (lines.front() != csv_line(format.columns())) {
+      throw InputError({file.string(), 1, 1}, "",
+                       "these rows have other columns: they belong to another scenario or version; "
+                       "choose another folder with -o, or remove this one");
+    }
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+      std::optional<Cells> cells = format.read(lines[i]);
+      if (cells) {
+        stored.rows.push_back({cells->front(), (*cells)[build], (*cells)[config_hash], *cells});
+      } else {
+        ++stored.damaged;
+      }
+    }
+  }
+  return stored;
+}
+
+}  // namespace autoref::runner

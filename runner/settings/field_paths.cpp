@@ -1,0 +1,141 @@
+// Settings by their paths and names.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "runner/io/words.hpp"
+#include "runner/settings/fields.hpp"
+
+namespace autoref::runner {
+namespace {
+
+std::string unknown_path_message(const std::vector<Setting>& settings, std::string_view path) {
+  std::vector<std::string> known;
+  known.reserve(settings.size());
+  const auto add = [&](const std::string& full) {
+    known.push_back(path.starts_with("teams.") ? full : short_path(full));
+  };
+  for (const Setting& setting : settings) {
+    if (!holds_others(setting)) add(setting.path);
+    for (const std::string& name : names_in(setting)) add(setting.path + "." + name);
+  }
+  const std::string nearest = suggestion(path, known);
+  return fmt::format(
+      "unknown key '{}'{}", path,
+      nearest.empty() ? "; expected a setting, such as b.handicap or match.half_s" : nearest);
+}
+
+// The setting at a full or short path, also one that another holds.
+Setting setting_at(const std::vector<Setting>& settings, std::string_view path) {
+  const std::string full = full_path(path);
+  const Setting* setting = find_setting(settings, full);
+  if (setting != nullptr && !holds_others(*setting)) return *setting;
+  const std::size_t dot = full.rfind('.');
+  const Setting* holder = find_setting(settings, full.substr(0, dot));
+  if (setting == nullptr && holder != nullptr && dot != std::string::npos) {
+    if (const auto held = setting_in(*holder, full.substr(dot + 1))) return *held;
+  }
+  throw std::invalid_argument(unknown_path_message(settings, path));
+}
+
+// Makes the player that a path such as "b.players.3.handicap" speaks of, if it does.
+void make_player_in(GameConfiguration& game, std::string_view path) {
+  static constexpr std::string_view kPlayers = "teams.x.players.";
+  const std::string full = full_path(path);
+  for (TeamConfiguration* team : {&game.a, &game.b}) {
+    const char letter = team == &game.a ? 'a' : 'b';
+    if (!full.starts_with(fmt::format("teams.{}.players.", letter))) continue;
+    const std::string rest = full.substr(kPlayers.size());
+    player_of(team->players, rest.substr(0, rest.find('.')));
+  }
+}
+
+}  // namespace
+
+std::string_view branch_of(std::string_view path) { return path.substr(0, path.rfind('.')); }
+
+const Setting* find_setting(const std::vector<Setting>& settings, std::string_view path) {
+  const auto found = std::find_if(settings.begin(), settings.end(),
+                                  [path](const Setting& s) { return s.path == path; });
+  return found == settings.end() ? nullptr : &*found;
+}
+
+std::string full_path(std::string_view path) {
+  const bool is_short = path.starts_with("a.") || path.starts_with("b.");
+  return is_short ? fmt::format("teams.{}", path) : std::string(path);
+}
+
+std::string short_path(std::string_view path) {
+  static constexpr std::string_view kTeams = "teams.";
+  return std::string(path.starts_with(kTeams) ? path.substr(kTeams.size()) : path);
+}
+
+std::vector<std::string> names_in(const Setting& setting) {
+  const auto* of = std::get_if<ChangesOf>(&setting.target);
+  if (of == nullptr) return {};
+  sim::RobotSheet robot;
+  return names_below(settings_of(robot, ""), of->branch);
+}
+
+std::optional<Setting> setting_in(const Setting& setting, const std::string& name) {
+  const std::string path = setting.path + "." + name;
+  if (const auto* params = std::get_if<Params*>(&setting.target)) {
+    return Setting{path, &(**params)[name], setting.range, {}, "", setting.about};
+  }
+  const auto* of = std::get_if<ChangesOf>(&setting.target);
+  if (of == nullptr) return std::nullopt;
+  sim::RobotSheet robot;
+  const std::vector<Setting> settings = settings_of(robot, "");
+  const Setting* changed = find_setting(settings, of->branch + "." + name);
+  if (changed == nullptr) return std::nullopt;
+  Setting change = *changed;
+  change.path = path;
+  change.target = Change{of->changes, changed->path};
+  return change;
+}
+
+std::vector<std::string> names_below(const std::vector<Setting>& settings,
+                                     std::string_view branch) {
+  std::vector<std::string> names;
+  for (const Setting& setting : settings) {
+    std::string_view rest = setting.path;
+    if (!branch.empty()) {
+      if (!rest.starts_with(branch) || rest.size() <= branch.size() || rest[branch.size()] != '.') {
+        continue;
+      }
+      rest.remove_prefix(branch.size() + 1);
+    }
+    std::string name(rest.substr(0, rest.find('.')));
+    if (names.empty() || names.back() != name) names.push_back(std::move(name));
+  }
+  return names;
+}
+
+std::string unknown_key_message(std::string_view key, const std::vector<std::string>& known) {
+  const std::string nearest = suggestion(key, known);
+  return fmt::format("unknown key '{}'{} Known here: {}", key, nearest.empty() ? "." : nearest,
+                     listed(known));
+}
+
+PlayerConfiguration& player_of(Players& players, std::string_view number) {
+  const std::optional<int> n = whole_number_in(number);
+  if (!n || *n < 0 || *n >= kMaxRobots || std::to_string(*n) != number) {
+    throw std::invalid_argument(
+        fmt::format("expected a robot's number from 0 to {}, found '{}'", kMaxRobots - 1, number));
+  }
+  return players[*n];
+}
+
+void set_by_path(GameConfiguration& game, std::string_view path, std::string_view text) {
+  make_player_in(game, path);
+  assign(setting_at(settings_of(game), path), text);
+}
+
+std::string value_at(const GameConfiguration& game, std::string_view path) {
+  GameConfiguration copy = game;
+  make_player_in(copy, path);
+  return value_of(setting_at(settings_of(copy), path));
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,73 @@
+#include "runner/settings/robot_changes.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace autoref::runner {
+namespace {
+
+const Setting& setting_at(const std::vector<Setting>& settings, const std::string& path) {
+  const Setting* found = find_setting(settings, path);
+  if (found == nullptr) throw std::logic_error("a robot has no setting " + path);
+  return *found;
+}
+
+}  // namespace
+
+RobotChanges merged(const RobotTypes& types, const std::string& type, const RobotChanges& changes) {
+  RobotChanges all = changes;
+  if (type == kNoType) return all;
+  const auto found = types.find(type);
+  if (found == types.end()) {
+    throw std::invalid_argument(fmt::format("type: there is no type of robots '{}'", type));
+  }
+  all.insert(found->second.begin(), found->second.end());
+  return all;
+}
+
+void apply_changes(const RobotChanges& changes, sim::RobotSheet& robot) {
+  if (changes.empty()) return;
+  const std::vector<Setting> settings = settings_of(robot, "");
+  for (const auto& [path, value] : changes) assign(setting_at(settings, path), value);
+}
+
+void assign_change(const Change& change, std::string_view text) {
+  sim::RobotSheet robot;
+  apply_changes(*change.changes, robot);
+  const std::vector<Setting> settings = settings_of(robot, "");
+  const Setting& changed = setting_at(settings, change.path);
+  assign(changed, text);
+  for (const Setting& setting : settings) {
+    const bool is_set = is_alias(changed) ? branch_of(setting.path) == branch_of(change.path)
+                                          : setting.path == change.path;
+    if (is_set && !is_alias(setting)) (*change.changes)[setting.path] = value_of(setting);
+  }
+}
+
+std::string changed_value(const Change& change) {
+  sim::RobotSheet robot;
+  apply_changes(*change.changes, robot);
+  return value_of(setting_at(settings_of(robot, ""), change.path));
+}
+
+sim::TeamSheet sheet_of(const GameConfiguration& game, const TeamConfiguration& team) {
+  sim::RobotSheet robot = game.robot;
+  apply_changes(merged(game.types, team.type, team.changes), robot);
+  robot.speed_factor = team.speed_factor;
+  robot.acceleration_factor = team.acceleration_factor;
+  sim::TeamSheet sheet{sim::TeamSheet::Robots(static_cast<std::size_t>(team.robots), robot)};
+  for (const auto& [number, player] : team.players) {
+    if (number >= team.robots) {
+      throw std::invalid_argument(fmt::format("players.{}: the team's robots are numbered 0 to {}",
+                                              number, team.robots - 1));
+    }
+    sim::RobotSheet& own = sheet.robots[static_cast<std::size_t>(number)];
+    apply_changes(merged(game.types, player.type, player.changes), own);
+    own.speed_factor *= player.speed_factor;
+    own.acceleration_factor *= player.acceleration_factor;
+  }
+  return sheet;
+}
+
+}  // namespace autoref::runner

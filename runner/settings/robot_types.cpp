@@ -1,0 +1,94 @@
+#include "runner/settings/robot_types.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "runner/io/errors.hpp"
+#include "runner/io/files.hpp"
+#include "runner/settings/settings_reader.hpp"
+#include "runner/settings/yaml.hpp"
+
+namespace autoref::runner {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_path(std::string_view text) {
+  return text.find('/') != std::string_view::npos || text.ends_with(".yaml");
+}
+
+bool is_letter_or_digit(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+}
+
+std::string text_of_type(const fs::path& file) {
+  try {
+    return read_user_file(file);
+  } catch (const InputError& error) {
+    throw std::invalid_argument(error.what());
+  }
+}
+
+}  // namespace
+
+RobotChanges read_robot_type_text(const std::string& text, const std::string& file_name) {
+  const YamlFile file(text, file_name);
+  const std::vector<YamlEntry> top = file.top();
+  expect_value(file, top, "schema", "1");
+  expect_value(file, top, "kind", "robot");
+  refuse_unknown(file, top, {"schema", "kind", "about", "robot", "kicker", "dribbler"});
+  if (const YamlEntry* about = find_entry(top, "about")) {
+    file.scalar(*about, "about", "a sentence", false);
+  }
+  RobotChanges changes;
+  Places places;
+  SettingsReader reader(file, settings_of(changes), places);
+  for (const char* branch : {"robot", "kicker", "dribbler"}) {
+    if (const YamlEntry* entry = find_entry(top, branch)) reader.read(*entry, branch);
+  }
+  return changes;
+}
+
+RobotChanges read_robot_type(const fs::path& file) {
+  return read_robot_type_text(read_user_file(file), file.string());
+}
+
+std::string take_type(const std::string& text, const fs::path& folder, RobotTypes& types) {
+  if (!is_path(text)) return text;
+  const fs::path file = folder / text;
+  std::string name = file.stem();
+  try {
+    check_type_name(name);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(
+        fmt::format("the file gives the type its name: {}; rename the file", error.what()));
+  }
+  const RobotChanges changes = read_robot_type_text(text_of_type(file), file.string());
+  const auto [there, is_new] = types.try_emplace(name, changes);
+  if (!is_new && there->second != changes) {
+    throw std::invalid_argument(
+        fmt::format("another type is called '{}' already; rename the file {}", name, text));
+  }
+  return name;
+}
+
+void check_type_name(std::string_view name) {
+  const bool is_word = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+    return is_letter_or_digit(c) || c == '-' || c == '_';
+  });
+  if (is_word && name != kNoType) return;
+  throw std::invalid_argument(
+      fmt::format("a type's name must be of letters, digits, - and _, and not '{}'; found '{}'",
+                  kNoType, name));
+}
+
+void set_by_path(GameConfiguration& game, std::string_view path, const std::string& text,
+                 const fs::path& folder) {
+  const bool is_type = full_path(path).starts_with("teams.") && path.ends_with(".type") &&
+                       path.find(".params.") == std::string_view::npos;
+  set_by_path(game, path, is_type ? take_type(text, folder, game.types) : text);
+}
+
+}  // namespace autoref::runner

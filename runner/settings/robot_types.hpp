@@ -1,0 +1,37 @@
+// Types of robots: files that say what some robots have other than the game's.
+//
+//   schema: 1
+//   kind: robot
+//   about: One sentence.
+//   robot: { speed_mps: 2.2 }       # keys as below `sim.`; what is not given stays as it is
+//   kicker: { ... }
+//   dribbler: { ... }
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "runner/settings/configuration.hpp"
+
+namespace autoref::runner {
+
+// Reads a type as strictly as a scenario. Throws InputError with file, line and key.
+RobotChanges read_robot_type(const std::filesystem::path& file);
+RobotChanges read_robot_type_text(const std::string& text, const std::string& file_name);
+
+// The name in `types` of the type that a user gave as `text`: the name itself, or the path of a
+// file, relative to `folder`, that is read into `types`; "robots/slow.yaml" is called "slow".
+// Throws std::invalid_argument where the file cannot be read or another type has its name, and
+// InputError for what is wrong inside it.
+std::string take_type(const std::string& text, const std::filesystem::path& folder,
+                      RobotTypes& types);
+
+// Throws std::invalid_argument unless a type may be called so: letters, digits, - and _.
+void check_type_name(std::string_view name);
+
+// set_by_path() (fields.hpp) that also takes the path of a file for a type, relative to `folder`.
+void set_by_path(GameConfiguration& game, std::string_view path, const std::string& text,
+                 const std::filesystem::path& folder);
+
+}  // namespace autoref::runner

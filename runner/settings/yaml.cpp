@@ -1,0 +1,122 @@
+#include "runner/settings/yaml.hpp"
+
+#include <fmt/format.h>
+
+#include "runner/io/errors.hpp"
+#include "runner/io/words.hpp"
+#include "runner/settings/yaml_syntax.hpp"
+
+namespace autoref::runner {
+namespace {
+
+YamlPlace place_of(const YAML::Mark& mark) {
+  if (mark.is_null()) return {};
+  return {mark.line + 1, mark.column + 1};
+}
+
+// A scenario is a page of text; much more is some other file, and reading it would take for ever.
+constexpr std::size_t kMostBytes = 64 * 1024;
+
+// What a message quotes of a file: not too much of it, and nothing that drives a terminal.
+std::string for_message(std::string text) {
+  constexpr std::size_t kMostQuoted = 60;
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  }
+  if (text.size() > kMostQuoted) text.replace(kMostQuoted, std::string::npos, "...");
+  return text;
+}
+
+std::string found(const YAML::Node& node) {
+  switch (node.Type()) {
+    case YAML::NodeType::Map:
+      return "a mapping";
+    case YAML::NodeType::Sequence:
+      return "a list";
+    case YAML::NodeType::Scalar:
+      return fmt::format("'{}'", for_message(node.Scalar()));
+    default:
+      return "nothing";
+  }
+}
+
+}  // namespace
+
+YamlPlace place_of(const YAML::Node& node) { return place_of(node.Mark()); }
+
+YamlPlace value_place(const YamlEntry& entry) {
+  return entry.value.IsNull() ? entry.place : place_of(entry.value);
+}
+
+const YamlEntry* find_entry(const std::vector<YamlEntry>& entries, std::string_view key) {
+  for (const YamlEntry& entry : entries) {
+    if (entry.key == key) return &entry;
+  }
+  return nullptr;
+}
+
+YamlFile::YamlFile(const std::string& text, std::string name) : name_(std::move(name)) {
+  if (text.size() > kMostBytes) {
+    refuse(
+        {}, "",
+        fmt::format("the file has {} bytes; a scenario has at most {}", text.size(), kMostBytes));
+  }
+  std::vector<YAML::Node> documents;
+  try {
+    documents = YAML::LoadAll(text);
+  } catch (const YAML::Exception& error) {
+    const SyntaxMistake mistake = syntax_mistake(text, place_of(error.mark), error.msg);
+    refuse(mistake.place, "", "this is no YAML: " + mistake.message);
+  }
+  if (const std::optional<YamlPlace> quote = open_quote(text, documents)) {
+    refuse(*quote, "", "this is no YAML: the quotes that open here are never closed");
+  }
+  if (documents.empty()) refuse({}, "", "the file is empty; expected a scenario");
+  if (documents.size() > 1) {
+    refuse(runner::place_of(documents[1]), "",
+           "expected one document, found a second one; leave out the line ---");
+  }
+  document_ = documents[0];
+}
+
+std::vector<YamlEntry> YamlFile::top() const { return entries({"", {1, 1}, document_}, "", {}); }
+
+std::vector<YamlEntry> YamlFile::entries(const YamlEntry& entry, std::string_view path,
+                                         const std::vector<std::string>& known) const {
+  if (!entry.value.IsMap()) {
+    const std::string keys = known.empty() ? "key: value" : listed(known);
+    refuse(value_place(entry), path,
+           fmt::format("expected a mapping ({}), found {}", keys, found(entry.value)));
+  }
+  std::vector<YamlEntry> entries;
+  for (const auto& pair : entry.value) {
+    const YamlPlace place = runner::place_of(pair.first);
+    if (!pair.first.IsScalar()) refuse(place, path, "expected a word as key");
+    const std::string key = pair.first.Scalar();
+    if (const YamlEntry* first = find_entry(entries, key)) {
+      refuse(place, path,
+             fmt::format("the key '{}' is given twice, first in line {}; leave one out", key,
+                         first->place.line));
+    }
+    entries.push_back({key, place, pair.second});
+  }
+  return entries;
+}
+
+std::string YamlFile::scalar(const YamlEntry& entry, std::string_view path,
+                             const std::string& expected, bool is_number) const {
+  const bool is_quoted = entry.value.Tag() == "!";
+  if (!entry.value.IsScalar() || (is_number && is_quoted)) {
+    refuse(value_place(entry), path,
+           fmt::format("expected {}, found {}{}", expected, found(entry.value),
+                       is_quoted ? " in quotes" : ""));
+  }
+  return entry.value.Scalar();
+}
+
+void YamlFile::refuse(const YamlPlace& place, std::string_view key,
+                      const std::string& message) const {
+  throw InputError({name_, place.line, place.column}, key, message);
+}
+
+}  // namespace autoref::runner

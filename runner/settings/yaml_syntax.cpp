@@ -1,0 +1,70 @@
+#include "runner/settings/yaml_syntax.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+
+namespace autoref::runner {
+namespace {
+
+// The first line up to that one which a tab indents.
+std::optional<YamlPlace> tab_before(const std::string& text, int last_line) {
+  std::size_t start = 0;
+  for (int line = 1; line <= last_line && start < text.size(); ++line) {
+    const std::size_t first = text.find_first_not_of(' ', start);
+    if (first != std::string::npos && text[first] == '\t') {
+      return YamlPlace{line, static_cast<int>(first - start) + 1};
+    }
+    const std::size_t end = text.find('\n', start);
+    if (end == std::string::npos) break;
+    start = end + 1;
+  }
+  return std::nullopt;
+}
+
+// The parser's complaints that people meet, and what to do.
+std::string remedy_of(const std::string& complaint) {
+  static const std::map<std::string, std::string> kRemedies = {
+      {"illegal map value", "text that holds ': ' has to be put in quotes"},
+      {"illegal flow end", "a bracket before it is not closed, or of another kind"},
+      {"end of map flow not found",
+       "a '{' before here is not closed by '}', or a ':' has no space behind it"},
+      {"end of sequence flow not found", "a '[' before here is not closed by ']'"},
+      {"end of map not found", "indent this line like those it belongs to"},
+      {"end of sequence not found", "indent this line like those it belongs to"}};
+  const auto found = kRemedies.find(complaint);
+  return found == kRemedies.end() ? "" : "; " + found->second;
+}
+
+YAML::Node last_value_in(YAML::Node node) {
+  while ((node.IsMap() || node.IsSequence()) && node.size() > 0) {
+    YAML::Node last;
+    for (const auto& item : node) last.reset(node.IsMap() ? item.second : item);
+    node.reset(last);
+  }
+  return node;
+}
+
+}  // namespace
+
+SyntaxMistake syntax_mistake(const std::string& text, const YamlPlace& place,
+                             const std::string& complaint) {
+  if (const std::optional<YamlPlace> tab = tab_before(text, place.line)) {
+    return {*tab, "a tab indents this line; use spaces"};
+  }
+  return {place, complaint + remedy_of(complaint)};
+}
+
+std::optional<YamlPlace> open_quote(const std::string& text,
+                                    const std::vector<YAML::Node>& documents) {
+  if (documents.empty()) return std::nullopt;
+  const YAML::Node last = last_value_in(documents.back());
+  if (!last.IsScalar() || last.Tag() != "!") return std::nullopt;
+  const auto start = static_cast<std::size_t>(last.Mark().pos);
+  if (start >= text.size() || text.find(text[start], start + 1) != std::string::npos) {
+    return std::nullopt;
+  }
+  return place_of(last);
+}
+
+}  // namespace autoref::runner

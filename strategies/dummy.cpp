@@ -1,7 +1,0 @@
-#include "strategies/dummy.hpp"
-
-namespace autoref::strategies {
-
-void Dummy::decide(const TeamView& /*view*/, TeamOrders& /*orders*/) {}
-
-}  // namespace autoref::strategies

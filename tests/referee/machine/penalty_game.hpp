@@ -1,0 +1,179 @@
+// A penalty kick from the whistle on, without physics: the machine, its rules and its readiness are
+// asked frame by frame as the referee does, with a memory of the test's own, in which a penalty
+// kick has just been awarded.
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "referee/machine/ball_in_play.hpp"
+#include "referee/machine/machine.hpp"
+#include "referee/machine/readiness.hpp"
+#include "referee/rules/rule.hpp"
+#include "referee/touch/last_touch.hpp"
+#include "soccer/robot_shape.hpp"
+#include "tests/referee/support/booked_game.hpp"
+
+namespace autoref::referee {
+
+// Places are given as west sees them that attacks to the east, whoever kicks.
+class PenaltyGame {
+ public:
+  PenaltyGame(std::string_view book, Side kicker)
+      : configuration_(by_book(book)),
+        kicker_(kicker),
+        touch_(configuration_.field, configuration_.touch),
+        mark_m(configuration_.field.half_length_m() - configuration_.field.penalty_mark_m, 0) {
+    frame_.ball = BallObservation{at(mark_m), 0.0};
+    for (int i = 0; i < 4; ++i) {
+      add(kicker, i, {mark_m.x() - 1.5, -0.9 + 0.4 * i});
+      add(opponent_of(kicker), i, {mark_m.x() - 2.0, -0.9 + 0.4 * i});
+    }
+    put(opponent_of(kicker), 0, {configuration_.field.half_length_m() - 0.05, -0.2});
+    award();
+  }
+
+  // Until NORMAL_START, with the kicker behind the ball.
+  PenaltyGame& whistle() {
+    run_until("prepare");
+    put(kicker_, 1, mark_m - Vec2(kFrontDistance_m + kBallRadius_m + 0.001, 0));
+    run_until("start");
+    return *this;
+  }
+
+  // The referee has never seen the ball, and does not from now on.
+  void hide_ball() {
+    is_ball_hidden_ = true;
+    ball_.reset();
+  }
+
+  void put(Side side, int number, const Vec2& place_m) {
+    for (RobotObservation& robot : frame_.robots[side]) {
+      if (robot.number == number) robot.position_m = at(place_m);
+    }
+  }
+
+  void kick(const Vec2& velocity_mps) {
+    run(0.2);
+    ball_mps_ = at(velocity_mps);
+  }
+
+  // The ball's new way once it is within `gap_m` of the keeper's hull.
+  void save(const Vec2& velocity_mps) {
+    const RobotObservation& keeper = frame_.robots[opponent_of(kicker_)].front();
+    for (int i = 0; i < 60; ++i) {
+      if (gap_to_robot_m(keeper, frame_.ball->position_m) < 0.01) break;
+      step();
+    }
+    ball_mps_ = at(velocity_mps);
+  }
+
+  void step() {
+    frame_.number = ++number_;
+    frame_.time_s = static_cast<double>(number_) / 60;
+    see();
+    if (memory.state == State::kRun) touch_.update(frame_);
+    const Moment now = moment();
+    if (memory.state == State::kRun) watch_play(memory.play, now);
+    if (!ask_rules(now) && memory.state == State::kWaitStop) {
+      if (const auto found = find_ready(memory, now)) decide(now, *found);
+    }
+    frame_.ball->position_m += ball_mps_ / 60;
+    if (!memory.signal.placement) return;
+    frame_.ball->position_m = memory.signal.placement->target_m;
+    ball_mps_ = Vec2(0, 0);
+  }
+
+  void run(double seconds) {
+    for (int i = 0; i < seconds * 60; ++i) step();
+  }
+
+  Finding run_until(std::string_view arrow, double limit_s = 12) {
+    for (int i = 0; i < limit_s * 60; ++i) {
+      step();
+      if (!arrows.empty() && arrows.back() == arrow) return last;
+    }
+    throw std::runtime_error("arrow never taken: " + std::string(arrow));
+  }
+
+  int count(std::string_view arrow) const {
+    int found = 0;
+    for (const std::string& taken : arrows) found += taken == arrow ? 1 : 0;
+    return found;
+  }
+
+  double now_s() const { return frame_.time_s; }
+  // Turned to where the kicker's side attacks.
+  Vec2 at(const Vec2& v) const { return kicker_ == Side::kWest ? v : Vec2(-v); }
+  const Field& field() const { return configuration_.field; }
+
+  Memory memory;
+  std::vector<std::string> arrows;
+  Finding last;
+
+ private:
+  void add(Side side, int number, const Vec2& place_m) {
+    frame_.robots[side].push_back({number, at(place_m), at(Vec2(side == kicker_ ? 1 : -1, 0))});
+  }
+
+  Moment moment() const {
+    return {configuration_, frame_, ball_, touch_.last(), tracks_, requests_};
+  }
+
+  void award() {
+    see();
+    memory.state = State::kRun;
+    memory.signal.stage = Stage::kFirstHalf;
+    Finding foul;
+    foul.event = Event::kDefenderInArea;
+    foul.restart = {CommandKind::kPreparePenalty, kicker_};
+    foul.ball_to_m = field().penalty_mark_at(opponent_of(kicker_));
+    decide(moment(), foul);
+  }
+
+  void see() {
+    if (is_ball_hidden_) return;
+    const Vec2 now_m = frame_.ball->position_m;
+    ball_ = BallSight{now_m, ball_ ? ball_->position_m : now_m};
+  }
+
+  // Whether one of them changed the state.
+  bool ask_rules(const Moment& now) {
+    const State state = memory.state;
+    for (const Rule& rule : rules()) {
+      if (!configuration_.rules.has(rule.id) || !rule.active_in.has(state)) continue;
+      if (const auto found = rule.find(memory, now)) decide(now, *found);
+      if (memory.state != state) return true;
+    }
+    return false;
+  }
+
+  void decide(const Moment& now, const Finding& finding) {
+    Step taken = referee::step(memory, now, finding);
+    if (taken.arrow == nullptr) throw std::runtime_error("no arrow leads on");
+    const bool starts = memory.state != State::kRun && taken.memory.state == State::kRun;
+    memory = taken.memory;
+    arrows.emplace_back(taken.arrow->label);
+    last = finding;
+    if (starts) touch_.restart(frame_, memory.play.ball_from_m);
+  }
+
+  Configuration configuration_;
+  Side kicker_;
+  LastTouchDetector touch_;
+  Frame frame_;
+  Tracks tracks_;
+  PerSide<TeamRequests> requests_;  // keepers have number 0
+  std::optional<BallSight> ball_;
+  Vec2 ball_mps_{0, 0};
+  bool is_ball_hidden_ = false;
+  std::int64_t number_ = 0;
+
+ public:
+  const Vec2 mark_m;
+};
+
+}  // namespace autoref::referee

@@ -1,0 +1,37 @@
+// What other books than the paper's say of a ball that leaves the field.
+#include <gtest/gtest.h>
+
+#include "tests/referee/support/booked_game.hpp"
+
+namespace autoref::referee {
+namespace {
+
+TEST(BallLeavesField, OverATouchLineIsADirectFreeKickIn2026) {
+  const ScriptedGame game = stopped_game(by_book("2026-b"));
+  EXPECT_EQ(game.signal.next_command, (Command{CommandKind::kDirectFree, Side::kEast}));
+  EXPECT_NEAR((game.signal.placement->target_m - Vec2(0.4, 2.8)).norm(), 0, 1e-9);
+  EXPECT_EQ(game.decisions.back().rule, "2026, Ball Leaves The Field");
+}
+
+TEST(BallLeavesField, OverATouchLineIsAnIndirectFreeKickByTheLaws) {
+  const ScriptedGame game = stopped_game(by_book("2014"));
+  EXPECT_EQ(game.signal.next_command, (Command{CommandKind::kIndirectFree, Side::kEast}));
+}
+
+// Deviation D14
+TEST(BallLeavesField, OverAGoalLineAndNobodyKnowsByWhomIsAForceStart) {
+  for (const char* book : {"2014", "2026-b"}) {
+    const Configuration configuration = by_book(book);
+    ScriptedGame game = in_play(configuration);
+    game.put_ball({configuration.field.half_length_m() - 0.2, -1.0});
+    game.ball_mps = {4, 0};
+    game.run_until("goal_line_unknown", 2);
+    EXPECT_EQ(game.signal.next_command->kind, CommandKind::kForceStart);
+    const Vec2& place_m = game.signal.placement->target_m;
+    EXPECT_GE(distance_to_defence_area(configuration.field, Side::kEast, place_m),
+              configuration.rules.neutral_to_area_m - 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace autoref::referee

@@ -1,0 +1,95 @@
+// Games by a rule book, with robots that drive by hand, for tests of single rules.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "soccer/random.hpp"
+#include "tests/referee/support/scripted_game.hpp"
+
+namespace autoref::referee {
+
+inline Configuration by_book(std::string_view book) {
+  Configuration configuration;
+  configuration.rules = *find_rule_book(book);
+  configuration.field = find_game_setup(book)->field;
+  return configuration;
+}
+
+// Moves robots evenly and shows the referee pictures of them, with or without noise.
+class DrivenGame {
+ public:
+  explicit DrivenGame(const Configuration& configuration) : game(in_play(configuration)) {}
+
+  void put(RobotId id, const Vec2& place_m, const Vec2& velocity_mps,
+           const Vec2& heading = {1, 0}) {
+    RobotObservation& robot = game.robot(id.side, id.number);
+    robot.position_m = place_m;
+    robot.heading = heading;
+    for (Driven& driven : driven_) {
+      if (driven.id == id) driven = {id, place_m, velocity_mps};
+      if (driven.id == id) return;
+    }
+    driven_.push_back({id, place_m, velocity_mps});
+  }
+
+  void drive(RobotId id, const Vec2& velocity_mps) {
+    for (Driven& driven : driven_) {
+      if (driven.id == id) driven.velocity_mps = velocity_mps;
+    }
+  }
+
+  // The ball stays at the front of that robot, `gap_m` away; without a robot it lies where it is.
+  void carry(std::optional<RobotId> id, double gap_m = 0) {
+    carrier_ = id;
+    gap_m_ = gap_m;
+  }
+
+  // Pictures of `seconds`, each coordinate wrong by a normal error.
+  void run(double seconds, double noise_m = 0) {
+    const int frames = static_cast<int>(seconds * ScriptedGame::kRate_hz + 0.5);
+    for (int i = 0; i < frames; ++i) {
+      for (Driven& driven : driven_) {
+        driven.place_m += driven.velocity_mps / ScriptedGame::kRate_hz;
+        RobotObservation& robot = game.robot(driven.id.side, driven.id.number);
+        robot.position_m = driven.place_m + error_m(noise_m);
+        if (driven.id != carrier_) continue;
+        const double ahead_m = kFrontDistance_m + kBallRadius_m + gap_m_;
+        game.put_ball(driven.place_m + ahead_m * robot.heading + error_m(noise_m));
+      }
+      game.step();
+    }
+  }
+
+  // The decisions with that event.
+  std::vector<Decision> calls(Event event) const {
+    std::vector<Decision> found;
+    for (const Decision& decision : game.decisions) {
+      if (decision.event == event) found.push_back(decision);
+    }
+    return found;
+  }
+
+  ScriptedGame game;
+
+ private:
+  struct Driven {
+    RobotId id;
+    Vec2 place_m{0, 0};
+    Vec2 velocity_mps{0, 0};
+  };
+
+  Vec2 error_m(double noise_m) {
+    const double along = random_.normal();
+    const double across = random_.normal();
+    return noise_m * Vec2(along, across);
+  }
+
+  std::vector<Driven> driven_;
+  std::optional<RobotId> carrier_;
+  double gap_m_ = 0;
+  RandomStream random_{7};
+};
+
+}  // namespace autoref::referee

@@ -1,0 +1,161 @@
+// Balls in a goal that score nothing: rules indirect_goal, free_kick_own_goal, chip_goal,
+// goal_valid.
+#include <gtest/gtest.h>
+
+#include "referee/rules/goal_valid.hpp"
+#include "tests/referee/rules/rule_scene.hpp"
+
+namespace autoref::referee {
+namespace {
+
+// A throw-in for west, whose robot 1 shoots from there into the goal of `end` at 5 m/s.
+ScriptedGame throw_in_shot(const Configuration& configuration, Side end) {
+  ScriptedGame game = in_play(configuration);
+  game.kick_from(Side::kEast, 1, {0.5, 1.8}, {0, 4});
+  game.run_until("throw_in");
+  game.robot(Side::kEast, 1).position_m = Vec2(1.5, 0);
+  game.run_until("start");
+  const Vec2 way_m = configuration.field.goal_centre_m(end) - game.frame.ball->position_m;
+  game.kick(Side::kWest, 1, 5 * way_m.normalized());
+  return game;
+}
+
+TEST(IndirectGoal, FromAThrowInIsAGoalKick) {
+  ScriptedGame game = throw_in_shot(by_book("2014"), Side::kEast);
+  const Decision call = game.run_until("indirect_goal", 1.5);
+  EXPECT_EQ(call.restart, (Command{CommandKind::kDirectFree, Side::kEast}));
+  EXPECT_NEAR(game.signal.placement->target_m.x(), 3.025 - 0.5, 1e-9);
+  EXPECT_EQ(game.signal.goals[Side::kWest], 0);
+}
+
+TEST(IndirectGoal, CountsOnceASecondRobotHasTouchedTheBall) {
+  ScriptedGame game = throw_in_shot(by_book("2014"), Side::kEast);
+  game.run(0.2);
+  game.ball_mps = Vec2(0, 0);
+  game.kick(Side::kWest, 2, 5 * (Vec2(3.025, 0) - game.frame.ball->position_m).normalized());
+  EXPECT_TRUE(is_called(game, "goal", 1.5));
+  EXPECT_EQ(game.count("indirect_goal"), 0);
+}
+
+TEST(IndirectGoal, CountsWhereAllKicksMayScore) {
+  ScriptedGame game = throw_in_shot(by_book("2026-b"), Side::kEast);
+  EXPECT_TRUE(is_called(game, "goal", 1.5));
+}
+
+TEST(IndirectGoal, CountsWhereTheRuleIsNotInForce) {
+  ScriptedGame game = throw_in_shot(without(by_book("2014"), RuleId::kIndirectGoal), Side::kEast);
+  EXPECT_TRUE(is_called(game, "goal", 1.5));
+}
+
+TEST(FreeKickOwnGoal, IsACornerKick) {
+  for (const char* book : {"2014", "2026-b"}) {
+    ScriptedGame game = throw_in_shot(by_book(book), Side::kWest);
+    const Decision call = game.run_until("free_kick_own_goal", 1.5);
+    EXPECT_EQ(call.restart, (Command{CommandKind::kDirectFree, Side::kEast}));
+    EXPECT_LT(game.signal.placement->target_m.x(), -2.9) << book;
+    EXPECT_EQ(game.signal.goals[Side::kEast], 0);
+  }
+}
+
+TEST(FreeKickOwnGoal, CountsOnceASecondRobotHasTouchedTheBall) {
+  ScriptedGame game = throw_in_shot(by_book("2014"), Side::kWest);
+  game.run(0.2);
+  game.ball_mps = Vec2(0, 0);
+  game.kick(Side::kWest, 2, 5 * (Vec2(-3.025, 0) - game.frame.ball->position_m).normalized());
+  EXPECT_TRUE(is_called(game, "goal", 1.5));
+  EXPECT_EQ(game.signal.goals[Side::kEast], 1);
+}
+
+// West 1 shoots at 5 m/s from 1.5 m before the goal; a little later the ball's lowest point is
+// at `height_m` for `up_frames` frames, then it rolls.
+ScriptedGame chip(const Configuration& configuration, double height_m, int up_frames) {
+  ScriptedGame game = in_play(configuration);
+  game.kick_from(Side::kWest, 1, {configuration.field.half_length_m() - 1.5, 0}, {5, 0});
+  for (int i = 0; i < 30; ++i) {
+    game.frame.ball->height_m = i >= 3 && i < 3 + up_frames ? height_m : 0.0;
+    game.step();
+  }
+  return game;
+}
+
+// The ball's top is 43 mm above its lowest point.
+TEST(ChipGoal, WhoseTopWasAbove150MillimetresIsAnIndirectFreeKick) {
+  ScriptedGame game = chip(by_book("2014"), 0.108, 12);
+  const Decision& call = game.decisions.back();
+  EXPECT_EQ(call.arrow, "chip_goal");
+  EXPECT_NEAR(call.value, 0.151, 1e-9);
+  EXPECT_EQ(call.restart, (Command{CommandKind::kIndirectFree, Side::kEast}));
+  EXPECT_NEAR(call.position_m->x(), 1.525, 1e-6);
+  EXPECT_EQ(game.signal.goals[Side::kWest], 0);
+}
+
+TEST(ChipGoal, BelowThatIsAGoal) { EXPECT_EQ(chip(by_book("2014"), 0.106, 12).count("goal"), 1); }
+
+TEST(ChipGoal, IsAGoalAfterTheBallHasRolled) {
+  EXPECT_EQ(chip(by_book("2014"), 0.3, 6).count("goal"), 1);
+}
+
+TEST(ChipGoal, IsAGoalWhereATeamMateTouchedTheBallLow) {
+  ScriptedGame game = in_play(by_book("2014"));
+  game.kick_from(Side::kWest, 1, {0, 0}, {5, 0});
+  for (int i = 0; i < 5; ++i) {
+    game.frame.ball->height_m = 0.2;
+    game.step();
+  }
+  game.frame.ball->height_m = 0;
+  game.ball_mps = Vec2(0, 0);
+  game.kick(Side::kWest, 2, {7, 0});
+  EXPECT_TRUE(is_called(game, "goal", 0.8));
+}
+
+TEST(ChipGoal, CountsWhereTheRuleIsNotInForce) {
+  EXPECT_EQ(chip(without(by_book("2014"), RuleId::kChipGoal), 0.108, 12).count("goal"), 1);
+}
+
+TEST(GoalInvalid, AboveTheHeightIsAGoalKickEvenAfterTheBallHasRolled) {
+  ScriptedGame game = chip(by_book("2026-b"), 0.108, 3);
+  const Decision& call = game.decisions.back();
+  EXPECT_EQ(call.arrow, "goal_invalid");
+  EXPECT_EQ(call.restart, (Command{CommandKind::kDirectFree, Side::kEast}));
+  EXPECT_NEAR(game.signal.placement->target_m.x(), 4.5 - 1, 1e-9);
+}
+
+TEST(GoalInvalid, IsNotCalledBelowTheHeight) {
+  EXPECT_EQ(chip(by_book("2026-b"), 0.106, 12).count("goal"), 1);
+}
+
+// A ball in the east goal, 60 s into the game.
+std::optional<Finding> goal_after(const Configuration& configuration, Memory memory) {
+  Frame frame;
+  frame.time_s = 60;
+  const std::optional<BallSight> ball = BallSight{Vec2(4.55, 0), Vec2(4.4, 0)};
+  const LastTouch touch;
+  const Tracks tracks;
+  const PerSide<TeamRequests> requests;
+  return find_goal_valid(memory, {configuration, frame, ball, touch, tracks, requests});
+}
+
+TEST(GoalInvalid, WithinTwoSecondsOfTheScorersFoul) {
+  Memory memory;
+  memory.cards[Side::kWest].fouled_s = 58.1;
+  EXPECT_TRUE(goal_after(by_book("2026-b"), memory));
+  memory.cards[Side::kWest].fouled_s = 57.9;
+  EXPECT_FALSE(goal_after(by_book("2026-b"), memory));
+}
+
+TEST(GoalInvalid, IsNotCalledForTheOthersFoul) {
+  Memory memory;
+  memory.cards[Side::kEast].fouled_s = 59;
+  EXPECT_FALSE(goal_after(by_book("2026-b"), memory));
+}
+
+TEST(GoalInvalid, IsNotCalledAtPenaltyKicks) {
+  Memory memory;
+  memory.cards[Side::kWest].fouled_s = 59;
+  memory.play.began_with = {CommandKind::kNormalStart, Side::kWest};
+  memory.play.ball_from_m = Vec2(-1.5, 0);
+  EXPECT_FALSE(goal_after(by_book("2026-b"), memory));
+}
+
+}  // namespace
+}  // namespace autoref::referee

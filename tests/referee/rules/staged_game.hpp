@@ -1,0 +1,76 @@
+// Plays a case: brings a referee to where it begins, feeds it the frames, and keeps its calls.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "referee/referee.hpp"
+#include "soccer/random.hpp"
+#include "tests/referee/rules/case.hpp"
+#include "tests/referee/rules/stage.hpp"
+
+namespace autoref::referee {
+
+// A decision, with what it led to. Times count from the case's beginning.
+struct Call {
+  Decision decision;
+  double at_s = 0;
+  std::optional<Command> next;
+  std::optional<Vec2> ball_m;
+};
+
+// Turned, the referee sees everything from the other end of the field, with the sides swapped; what
+// it says is turned back, so that a case expects the same of both.
+class StagedGame {
+ public:
+  StagedGame(const Case& it, bool turned);
+
+  // Plays the whole case. Throws std::runtime_error where the beginning cannot be reached, and for
+  // cues that cannot be followed.
+  void play();
+
+  // Since the case's beginning, without those of the machine's own course.
+  const std::vector<Call>& calls() const { return calls_; }
+  PerSide<int> goals() const;
+
+ private:
+  void obey(const Cue& cue);
+  void step();
+  void look(Frame& frame);
+  void place_ball();
+  void hear();
+  Frame turned_frame(const Frame& frame) const;
+  Command turned(Command command) const { return turned_ ? mirrored(command) : command; }
+
+  void run(double seconds);
+  void run_until(State state, double limit_s);
+  void curtain(double seconds);
+
+  void open();
+  void line_up_cast();
+  void show_robots();
+  void play_on_from_force_start();
+  void score_goals();
+  void score_goal(Side scorer);
+  void kick_out(const Vec2& from_m, RobotId kicker, const Vec2& way);
+  void foul_for_penalty();
+  void play_to_the_stop();
+  void check_beginning() const;
+
+  const Case& case_;
+  const bool turned_;
+  Field field_;
+  Referee referee_;
+  PerSide<TeamRequests> requests_;
+  Stage stage_;
+  RandomStream random_;
+  RefereeSignal signal_;
+  std::int64_t frame_number_ = 0;
+  double began_s_ = 0;
+  PerSide<int> goals_before_;
+  std::vector<Call> all_;
+  std::vector<Call> calls_;
+};
+
+}  // namespace autoref::referee

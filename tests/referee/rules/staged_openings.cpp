@@ -1,0 +1,176 @@
+// How a staged game comes to where its case begins.
+//
+// What has to happen before is played by robots of its own, numbers 14 and 15, so that nothing of
+// it is held against the robots of the case: a ball that comes back outside the field, touched by
+// nobody, gives a force start; kicks over the lines and a foul give the other restarts.
+#include <stdexcept>
+
+#include "soccer/robot_shape.hpp"
+#include "tests/referee/rules/staged_game.hpp"
+
+namespace autoref::referee {
+namespace {
+
+constexpr int kCastNumber = 15;
+constexpr double kLongest_s = 60;
+constexpr double kUnseen_s = 1.0;  // longer than any tracker remembers robots
+constexpr double kOutside_m = 0.1;
+constexpr double kAtPlace_m = 0.02;
+
+double sign_of(double x) { return x < 0 ? -1 : 1; }
+
+}  // namespace
+
+void StagedGame::run_until(State state, double limit_s) {
+  for (int i = 0; i < limit_s * 60; ++i) {
+    step();
+    if (referee_.state() == state) return;
+  }
+  throw std::runtime_error("the beginning was not reached: no " + std::string(name_of(state)));
+}
+
+// Nothing is seen for a while, as when somebody stands before the camera.
+void StagedGame::curtain(double seconds) {
+  stage_.clear_robots();
+  stage_.show_ball(false);
+  run(seconds);
+  stage_.show_ball(true);
+}
+
+void StagedGame::open() {
+  if (case_.opening == Opening::kKickoff) {
+    show_robots();
+    stage_.put_ball({0, 0});
+  } else {
+    line_up_cast();
+  }
+  run_until(State::kRun, kLongest_s);
+  if (case_.opening == Opening::kKickoff) return;
+  score_goals();
+  play_on_from_force_start();
+  if (case_.opening == Opening::kRunning) {
+    curtain(kUnseen_s);
+    stage_.put_ball(case_.ball_m);
+    show_robots();
+    return;
+  }
+  play_to_the_stop();
+  check_beginning();
+  stage_.clear_robots();
+  if (!case_.from_the_stop) stage_.put_ball(case_.ball_m);
+  show_robots();
+  if (!case_.from_the_stop) run_until(State::kRun, kLongest_s);
+}
+
+void StagedGame::line_up_cast() {
+  for (const Side side : kSides) {
+    for (const int number : {kCastNumber - 1, kCastNumber}) {
+      const Vec2 place(goal_sign(side) * 1.5, goal_sign(side) * (number - 14.5));
+      stage_.put({side, number}, place, Vec2(-goal_sign(side), 0));
+    }
+  }
+}
+
+void StagedGame::show_robots() {
+  for (const StagedRobot& robot : case_.robots) {
+    const Vec2 heading = heading_of(to_radians(robot.facing_deg));
+    if (robot.at_m) {
+      stage_.put(robot.id, *robot.at_m, heading);
+    } else {
+      stage_.put_behind_ball(robot.id, heading);
+    }
+  }
+}
+
+void StagedGame::play_on_from_force_start() {
+  curtain(kUnseen_s);
+  stage_.put_ball({0, field_.half_width_m() + kOutside_m});
+  line_up_cast();
+  run_until(State::kWaitStop, 1);
+  if (all_.back().decision.event != Event::kTouchLineUnknown) {
+    throw std::runtime_error("a ball out that nobody touched: expected touch_line_unknown, got " +
+                             std::string(name_of(all_.back().decision.event)));
+  }
+  run_until(State::kRun, kLongest_s);
+}
+
+void StagedGame::score_goals() {
+  for (const Side side : kSides) {
+    for (int i = 0; i < case_.score[side]; ++i) score_goal(side);
+  }
+}
+
+// The ball enters play in the middle first, while nobody is near an area.
+void StagedGame::score_goal(Side scorer) {
+  curtain(kUnseen_s);
+  stage_.put_ball({0.6, 0.6});
+  run(0.2);
+  const double sign = goal_sign(opponent_of(scorer));
+  const double from_goal_m = field_.defence_area.depth_m + 0.5;
+  kick_out({sign * (field_.half_length_m() - from_goal_m), 0}, {scorer, kCastNumber}, {sign, 0});
+  run_until(State::kDelayWait, 5);
+  stage_.clear_robots();
+  line_up_cast();
+  run_until(State::kRun, kLongest_s);
+}
+
+void StagedGame::kick_out(const Vec2& from_m, RobotId kicker, const Vec2& way) {
+  curtain(kUnseen_s);
+  stage_.put_ball(from_m);
+  stage_.put_behind_ball(kicker, way);
+  if (case_.from_the_stop) show_robots();  // readiness compares with where they were
+  run(0.2);
+  Cue kick;
+  kick.kind = Cue::Kind::kKick;
+  kick.robot = kicker;
+  kick.speed = 3;
+  stage_.obey(kick);
+}
+
+// A defender that is not the keeper sends the ball back from inside its own area.
+void StagedGame::foul_for_penalty() {
+  const double sign = goal_sign(opponent_of(case_.taken_by));
+  const double goal_x_m = sign * field_.half_length_m();
+  kick_out({goal_x_m - sign * 1.6, 0}, {case_.taken_by, kCastNumber}, {sign, 0});
+  stage_.put({opponent_of(case_.taken_by), kCastNumber}, {goal_x_m - sign * 0.3, 0}, {-sign, 0});
+}
+
+void StagedGame::play_to_the_stop() {
+  const RobotId kicker{opponent_of(case_.taken_by), kCastNumber};
+  const double x_sign = sign_of(case_.ball_m.x());
+  const double y_sign = sign_of(case_.ball_m.y());
+  const Vec2 near_corner_m(x_sign * (field_.half_length_m() - 0.3),
+                           y_sign * (field_.half_width_m() - 0.4));
+  const Vec2 near_touch_line_m(case_.ball_m.x(), y_sign * (field_.half_width_m() - 0.3));
+  switch (case_.opening) {
+    case Opening::kThrowIn:
+      kick_out(near_touch_line_m, kicker, {0, y_sign});
+      break;
+    case Opening::kGoalKick:
+    case Opening::kCornerKick:
+      kick_out(near_corner_m, kicker, {x_sign, 0});
+      break;
+    case Opening::kPenalty:
+      foul_for_penalty();
+      break;
+    case Opening::kRunning:
+    case Opening::kKickoff:
+      return;
+  }
+  run_until(State::kWaitStop, 5);
+}
+
+void StagedGame::check_beginning() const {
+  const Event event = all_.back().decision.event;
+  const std::optional<Command> next = all_.back().next;
+  if (!next || next->side != case_.taken_by) {
+    throw std::runtime_error("the beginning was not reached: " + std::string(name_of(event)) +
+                             " gives the restart to the other side");
+  }
+  const std::optional<Vec2> ball_m = all_.back().ball_m;
+  if (!ball_m || (*ball_m - case_.ball_m).norm() > kAtPlace_m) {
+    throw std::runtime_error("the referee has the ball placed elsewhere");
+  }
+}
+
+}  // namespace autoref::referee

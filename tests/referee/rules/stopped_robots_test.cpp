@@ -1,0 +1,158 @@
+// What robots must not do while play is stopped: drive fast, be near the ball, or in its way.
+#include <gtest/gtest.h>
+
+#include "tests/referee/rules/driven_game.hpp"
+
+namespace autoref::referee {
+namespace {
+
+constexpr RobotId kWest{Side::kWest, 0};
+constexpr RobotId kEast{Side::kEast, 0};
+
+// Play is stopped: the ball went over the touch line at (`x_m`, below the field), last touched by
+// nobody known. West 5 and east 5 drive about so that the wait does not end.
+DrivenGame stopped(const Configuration& configuration, double noise_m = 0) {
+  Configuration noisy = configuration;
+  noisy.noise.robot_m = noisy.noise.ball_m = noise_m;
+  DrivenGame game(noisy);
+  game.game.hand_works = false;
+  game.game.put_ball({0.5, configuration.field.half_width_m() + 0.1});
+  game.game.run(0.1);
+  game.game.put_ball(game.game.signal.placement->target_m);
+  game.put({Side::kWest, 5}, {-1.5, 1.0}, {-0.05, 0});
+  game.put({Side::kEast, 5}, {1.5, 1.0}, {0.05, 0});
+  return game;
+}
+
+// A robot drives along x at that speed from 2.5 s after the stop on, for that long.
+DrivenGame fast(const char* book, double speed_mps, double seconds = 1, double noise_m = 0,
+                double wait_s = 2.5) {
+  DrivenGame game = stopped(by_book(book), noise_m);
+  game.put(kWest, {-0.8, -1.0}, {0, 0});
+  game.run(wait_s, noise_m);
+  game.drive(kWest, {speed_mps, 0});
+  game.run(seconds, noise_m);
+  game.drive(kWest, {0, 0});
+  game.run(0.5, noise_m);
+  return game;
+}
+
+TEST(StopSpeed, IsNotedAboveTheBooksLimit) {
+  const DrivenGame game = fast("2014", 1.05);
+  ASSERT_EQ(game.calls(Event::kStopSpeed).size(), 1U);
+  const Decision note = game.calls(Event::kStopSpeed).front();
+  EXPECT_EQ(note.offender, Side::kWest);
+  EXPECT_EQ(note.robots.front(), kWest);
+  EXPECT_NEAR(note.value, 1.05, 0.02);
+  EXPECT_EQ(note.threshold, 1.0);
+  EXPECT_EQ(note.to, State::kWaitStop);
+  EXPECT_TRUE(fast("2014", 0.95).calls(Event::kStopSpeed).empty());
+  EXPECT_EQ(fast("2026-b", 1.55).calls(Event::kStopSpeed).size(), 1U);
+  EXPECT_TRUE(fast("2026-b", 1.45).calls(Event::kStopSpeed).empty());
+}
+
+TEST(StopSpeed, HasTwoSecondsOfGrace) {
+  EXPECT_TRUE(fast("2014", 2.0, 1.0, 0, 0.8).calls(Event::kStopSpeed).empty());
+}
+
+TEST(StopSpeed, IsNotCalledForASingleJerk) {
+  EXPECT_TRUE(fast("2014", 2.0, 0.05).calls(Event::kStopSpeed).empty());
+}
+
+TEST(StopSpeed, IsToldOncePerRobotAndStop) {
+  DrivenGame game = fast("2014", 1.5, 0.5);
+  game.put(kEast, {0.8, -1.4}, {0, 0});
+  game.run(0.2);
+  game.drive(kWest, {-1.5, 0});
+  game.drive(kEast, {-1.5, 0});
+  game.run(0.5);
+  EXPECT_EQ(game.calls(Event::kStopSpeed).size(), 2U);
+}
+
+TEST(StopSpeed, IsTheSameUnderNoise) {
+  EXPECT_TRUE(fast("2014", 0.95, 2.0, 0.0013).calls(Event::kStopSpeed).empty());
+  EXPECT_EQ(fast("2014", 1.2, 0.5, 0.0013).calls(Event::kStopSpeed).size(), 1U);
+}
+
+TEST(StopSpeed, IsNotMeasuredByThePaper) {
+  EXPECT_TRUE(fast("paper", 2.0, 0.5).calls(Event::kStopSpeed).empty());
+}
+
+// A robot stands with its hull at that distance from the centre of the ball, which lies at its
+// place.
+DrivenGame near(const char* book, double gap_m, double seconds, double noise_m = 0) {
+  DrivenGame game = stopped(by_book(book), noise_m);
+  const Vec2 ball_m = game.game.frame.ball->position_m;
+  game.put(kWest, ball_m - Vec2(gap_m + kRobotRadius_m, 0), {0, 0}, {-1, 0});
+  game.run(seconds, noise_m);
+  return game;
+}
+
+TEST(StopDistance, IsFiveHundredMillimetresFromTheBall) {
+  const DrivenGame game = near("2014", 0.49, 6);
+  ASSERT_EQ(game.calls(Event::kStopDistance).size(), 1U);
+  const Decision note = game.calls(Event::kStopDistance).front();
+  EXPECT_EQ(note.offender, Side::kWest);
+  EXPECT_EQ(note.robots.front(), kWest);
+  EXPECT_NEAR(note.value, 0.49, 0.001);
+  EXPECT_TRUE(near("2014", 0.51, 6).calls(Event::kStopDistance).empty());
+}
+
+TEST(StopDistance, IsJudgedOnceTheBallHasBeenAtItsPlaceForTwoSeconds) {
+  EXPECT_TRUE(near("2014", 0.1, 1.9).calls(Event::kStopDistance).empty());
+  EXPECT_EQ(near("2014", 0.1, 2.3).calls(Event::kStopDistance).size(), 1U);
+}
+
+TEST(StopDistance, IsTheSameUnderNoise) {
+  EXPECT_TRUE(near("2014", 0.505, 8, 0.0014).calls(Event::kStopDistance).empty());
+  EXPECT_EQ(near("2014", 0.48, 8, 0.0014).calls(Event::kStopDistance).size(), 1U);
+}
+
+TEST(StopDistance, IsNotNotedByTheRulesOf2026) {
+  EXPECT_TRUE(near("2026-b", 0.1, 6).calls(Event::kStopDistance).empty());
+}
+
+// Play is stopped after a goal, so that east kicks off; the ball is on its way from (-1, 0.3), and
+// a robot stands at that distance from the line.
+DrivenGame in_the_way(const char* book, RobotId robot, double gap_m, double seconds) {
+  Configuration configuration = by_book(book);
+  DrivenGame game(configuration);
+  game.game.hand_works = false;
+  game.game.put_ball({configuration.field.half_length_m() + 0.1, 0});
+  game.game.run(0.1);
+  game.game.put_ball({-1, 0});
+  const Vec2 place_m(-0.5, -gap_m - kRobotRadius_m);
+  game.put(robot, place_m, {0, 0}, {0, -1});
+  game.put({Side::kWest, 5}, {-1.5, 1.0}, {-0.05, 0});
+  game.put({Side::kEast, 5}, {1.5, 1.0}, {0.05, 0});
+  game.run(seconds);
+  return game;
+}
+
+TEST(PlacementInterference, IsOfTheSideThatDoesNotTakeTheRestartForMoreThanTwoSeconds) {
+  const DrivenGame game = in_the_way("2026-b", kWest, 0.49, 2.2);
+  ASSERT_EQ(game.calls(Event::kPlacementInterference).size(), 1U);
+  EXPECT_EQ(game.calls(Event::kPlacementInterference).front().offender, Side::kWest);
+  EXPECT_NEAR(game.calls(Event::kPlacementInterference).front().value, 0.49, 0.002);
+  EXPECT_TRUE(in_the_way("2026-b", kWest, 0.49, 1.8).calls(Event::kPlacementInterference).empty());
+  EXPECT_TRUE(in_the_way("2026-b", kEast, 0.3, 4).calls(Event::kPlacementInterference).empty());
+}
+
+TEST(PlacementInterference, IsNoneFiveHundredMillimetresAway) {
+  EXPECT_TRUE(in_the_way("2026-b", kWest, 0.51, 4).calls(Event::kPlacementInterference).empty());
+}
+
+TEST(PlacementInterference, EndsWithTheBallAtItsPlace) {
+  DrivenGame game = in_the_way("2026-b", kWest, 0.1, 1.5);
+  game.game.put_ball({0, 0});
+  game.run(3);
+  EXPECT_TRUE(game.calls(Event::kPlacementInterference).empty());
+}
+
+TEST(PlacementInterference, IsToldOnceAndOnlyByTheRulesOf2026) {
+  EXPECT_EQ(in_the_way("2026-b", kWest, 0.1, 8).calls(Event::kPlacementInterference).size(), 1U);
+  EXPECT_TRUE(in_the_way("2014", kWest, 0.1, 8).calls(Event::kPlacementInterference).empty());
+}
+
+}  // namespace
+}  // namespace autoref::referee

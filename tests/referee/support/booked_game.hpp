@@ -1,0 +1,41 @@
+// Scripted games by the rule books beyond the paper's.
+#pragma once
+
+#include <string_view>
+
+#include "tests/referee/support/scripted_game.hpp"
+
+namespace autoref::referee {
+
+// A game by that book, on the field that belongs to it.
+inline Configuration by_book(std::string_view book) {
+  Configuration configuration;
+  configuration.rules = find_rule_book(book).value();
+  configuration.field = find_game_setup(book).value().field;
+  return configuration;
+}
+
+// West put the ball out over the touch line at y > 0, and play was stopped in this frame: throw-in
+// for east at x = 0.4.
+inline ScriptedGame stopped_game(const Configuration& configuration) {
+  ScriptedGame game(configuration);
+  game.line_up().kick_off();
+  game.kick_from(Side::kWest, 1, {0.4, configuration.field.half_width_m() - 0.2}, {0, 4});
+  game.run_until("throw_in");
+  return game;
+}
+
+// The same once east's throw-in was signalled; the ball waits for east 3.
+inline ScriptedGame throw_in_game(const Configuration& configuration) {
+  ScriptedGame game = stopped_game(configuration);
+  game.robot(Side::kWest, 1).position_m = Vec2(-1, 0);
+  game.run_until("start");
+  return game;
+}
+
+inline bool is_foul_of(const Decision& decision, RobotId robot) {
+  return decision.offender == robot.side && decision.robots.size() == 1 &&
+         decision.robots.front() == robot;
+}
+
+}  // namespace autoref::referee

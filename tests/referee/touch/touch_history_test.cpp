@@ -1,0 +1,193 @@
+#include "referee/touch/touch_history.hpp"
+
+#include <gtest/gtest.h>
+
+#include "soccer/robot_shape.hpp"
+
+namespace autoref::referee {
+namespace {
+
+constexpr double kFrame_s = 1.0 / 60;
+constexpr RobotId kWest3{Side::kWest, 3};
+constexpr RobotId kEast4{Side::kEast, 4};
+
+LastTouch touch_by(RobotId robot, double time_s) { return {robot.side, robot, time_s, 0, 1, {}}; }
+
+// A detector that says what it is told to say, a ball, and two robots far from it.
+class History {
+ public:
+  History() {
+    frame.robots[Side::kWest].push_back({3, Vec2(-2, 0), Vec2(1, 0)});
+    frame.robots[Side::kEast].push_back({4, Vec2(2, 0), Vec2(-1, 0)});
+    ball.emplace();
+  }
+  RobotObservation& west() { return frame.robots[Side::kWest].front(); }
+
+  // One frame, `tells` of which the detector has told the last touch.
+  void step() {
+    frame.number += 1;
+    frame.time_s = static_cast<double>(frame.number) * kFrame_s;
+    frame.ball = BallObservation{ball->position_m, ball->height_m};
+    const Moment moment{configuration, frame, ball, told, tracks, requests};
+    touches.update(moment, 0.0);
+  }
+  void tell(RobotId robot, double ago_s = 0.01) {
+    told = touch_by(robot, static_cast<double>(frame.number + 1) * kFrame_s - ago_s);
+    step();
+  }
+  void run(int frames) {
+    for (int i = 0; i < frames; ++i) step();
+  }
+  // The robot's plate is that far from the ball's surface.
+  void west_at_gap(double gap_m) {
+    west().position_m = ball->position_m - Vec2(kFrontDistance_m + kBallRadius_m + gap_m, 0);
+  }
+
+  Configuration configuration;
+  Frame frame;
+  std::optional<BallSight> ball;
+  LastTouch told;
+  Tracks tracks;
+  PerSide<TeamRequests> requests;
+  TouchHistory touches;
+};
+
+TEST(TouchHistory, IsEmptyBeforeAnyTouch) {
+  History history;
+  history.run(3);
+  EXPECT_EQ(history.touches.count(), 0);
+  EXPECT_EQ(history.touches.newest(), nullptr);
+}
+
+TEST(TouchHistory, ATouchThatIsToldForLongIsOne) {
+  History history;
+  history.tell(kWest3);
+  history.run(60);
+  EXPECT_EQ(history.touches.count(), 1);
+  EXPECT_EQ(history.touches.newest()->robot, kWest3);
+}
+
+TEST(TouchHistory, AKickWhoseTimeIsToldAnewAfterTheBallHasLeftIsOne) {
+  History history;
+  history.west_at_gap(0.05);  // 50 mm away in the picture that first tells of the kick
+  history.tell(kWest3, 0.002);
+  const double kicked_s = history.told.time_s - 0.009;
+  history.told = touch_by(kWest3, kicked_s);
+  history.run(3);
+  EXPECT_EQ(history.touches.count(), 1);
+  EXPECT_EQ(history.touches.newest()->began_s, kicked_s);
+}
+
+TEST(TouchHistory, TouchesByOneRobotAreOneWhileTheBallStaysWithin20Millimetres) {
+  History history;
+  history.west_at_gap(0.019);
+  history.tell(kWest3);
+  history.run(30);
+  history.tell(kWest3);
+  EXPECT_EQ(history.touches.count(), 1);
+  EXPECT_NEAR(history.touches.newest()->ended_s - history.touches.newest()->began_s, 31 * kFrame_s,
+              1e-9);
+}
+
+TEST(TouchHistory, ATouchAfterTheBallWas21MillimetresAwayIsAnother) {
+  History history;
+  history.west_at_gap(0);
+  history.tell(kWest3);
+  history.west_at_gap(0.021);
+  history.run(3);
+  history.tell(kWest3);
+  EXPECT_EQ(history.touches.count(), 2);
+  EXPECT_TRUE(history.touches.is_one_robots());
+}
+
+TEST(TouchHistory, ATouchToldOtherwiseInTheNextFrameIsThatOtherRobots) {
+  History history;
+  history.tell(kWest3, 0.002);
+  history.told = touch_by(kEast4, history.told.time_s - 0.004);
+  history.step();
+  EXPECT_EQ(history.touches.count(), 1);
+  EXPECT_EQ(history.touches.newest()->robot, kEast4);
+}
+
+TEST(TouchHistory, ATouchTakenBackLeavesTheOneBefore) {
+  History history;
+  history.tell(kWest3);
+  const LastTouch former = history.told;
+  history.run(10);
+  history.tell(kEast4);
+  EXPECT_EQ(history.touches.count(), 2);
+  history.told = former;
+  history.run(2);
+  EXPECT_EQ(history.touches.count(), 1);
+  EXPECT_EQ(history.touches.newest()->robot, kWest3);
+}
+
+TEST(TouchHistory, TheOnlyTouchTakenBackLeavesNone) {
+  History history;
+  history.tell(kWest3);
+  history.told = LastTouch{};
+  history.step();
+  EXPECT_EQ(history.touches.count(), 0);
+}
+
+TEST(TouchHistory, TouchesInSuccessiveFramesAreTwo) {
+  History history;
+  history.tell(kWest3);
+  history.tell(kEast4);
+  EXPECT_EQ(history.touches.count(), 2);
+  EXPECT_EQ(history.touches.at(1).robot, kWest3);
+  EXPECT_FALSE(history.touches.is_one_robots());
+}
+
+TEST(TouchHistory, AnUnknownTouchMayBeASecondRobots) {
+  History history;
+  history.tell(kWest3);
+  history.run(10);
+  history.told = LastTouch{};
+  history.told.time_s = history.frame.time_s + 0.01;
+  history.step();
+  EXPECT_EQ(history.touches.count(), 2);
+  EXPECT_FALSE(history.touches.is_one_robots());
+}
+
+TEST(TouchHistory, KnowsWhereRobotAndBallWereAtATouchThatIsToldLate) {
+  History history;
+  history.west().position_m = Vec2(1, 0);
+  for (int i = 0; i < 8; ++i) {
+    history.west().position_m.x() += 0.06;  // 3.6 m/s
+    history.ball->position_m.x() += 0.1;
+    history.step();
+  }
+  history.told = touch_by(kWest3, 3.5 * kFrame_s);
+  history.step();
+  const BallTouch& touch = *history.touches.newest();
+  EXPECT_NEAR(touch.toucher->position_m.x(), 1 + 3.5 * 0.06, 1e-9);
+  EXPECT_NEAR(touch.began_m.x(), 0.3, 1e-9);
+}
+
+TEST(TouchHistory, AKickToldAPictureLateWasWhereTheBallLay) {
+  History history;
+  history.west_at_gap(0.01);
+  history.run(3);
+  history.ball->position_m.x() += 0.11;
+  history.tell(kWest3, 0.0);
+  EXPECT_EQ(history.touches.newest()->began_m, Vec2(0, 0));
+}
+
+TEST(TouchHistory, KnowsHowHighTheBallHasBeenAndThatItRollsAgain) {
+  History history;
+  history.tell(kWest3);
+  for (const double height_m : {0.1, 0.2, 0.1}) {
+    history.ball->height_m = height_m;
+    history.step();
+  }
+  history.ball->height_m = 0;
+  history.run(6);
+  EXPECT_FALSE(history.touches.newest()->rolled);  // 83 ms
+  history.run(2);
+  EXPECT_TRUE(history.touches.newest()->rolled);
+  EXPECT_EQ(history.touches.newest()->highest_m, 0.2);
+}
+
+}  // namespace
+}  // namespace autoref::referee

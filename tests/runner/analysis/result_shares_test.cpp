@@ -1,0 +1,31 @@
+#include "runner/analysis/result_shares.hpp"
+
+#include <gtest/gtest.h>
+
+#include "runner/io/csv.hpp"
+
+namespace autoref::runner {
+namespace {
+
+TEST(ResultShares, AreNamedAfterTheirCounts) {
+  EXPECT_EQ(csv_line(share_columns({"wins", "draws", "losses"})),
+            "wins,draws,losses,wins_share,wins_low95,wins_high95,draws_share,draws_low95,"
+            "draws_high95,losses_share,losses_low95,losses_high95");
+}
+
+// Wilson's interval for 8 and 12 of 20 by its formula in Python; Clopper's and Pearson's for 0 of
+// 20 ends at 1 - 0.025^(1/20) = 0.1684.
+TEST(ResultShares, HaveIntervalsThatFitTheirCounts) {
+  EXPECT_EQ(csv_line(share_cells({8, 0, 12})),
+            "8,0,12,0.4000,0.2188,0.6134,0.0000,0.0000,0.1684,0.6000,0.3866,0.7812");
+}
+
+TEST(ResultShares, AreEmptyWithoutGames) {
+  EXPECT_EQ(csv_line(share_cells({0, 0, 0})), "0,0,0,,,,,,,,,");
+  EXPECT_EQ(share_text(0, 0), "-");
+}
+
+TEST(ResultShares, ReadAsPercentForPeople) { EXPECT_EQ(share_text(8, 20), "40 % [22, 61]"); }
+
+}  // namespace
+}  // namespace autoref::runner

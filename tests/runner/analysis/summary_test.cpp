@@ -1,0 +1,148 @@
+#include "runner/analysis/summary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "runner/io/csv.hpp"
+#include "tests/runner/batch/fake_games.hpp"
+
+namespace autoref::runner {
+namespace {
+
+struct Score {
+  int pair;
+  int leg;
+  const char* robots;
+  int a;
+  int b;
+  bool is_void = false;
+};
+
+std::vector<Group> groups_of(const std::vector<Score>& scores) {
+  const RowFormat format({"b.robots"});
+  std::vector<Cells> rows;
+  for (const Score& score : scores) {
+    GameRecord record;
+    record.goals_a = score.a;
+    record.goals_b = score.b;
+    record.status = score.is_void ? Status::kVoid : Status::kOk;
+    const PlannedGame game{"id", {score.robots}, score.pair, score.leg, {}};
+    rows.push_back(format.read(format.line(game, outcome_of(record), {})).value());
+  }
+  return grouped(std::get<Sweep>(small_sweep().content), format, rows);
+}
+
+const Sweep kSweep = std::get<Sweep>(small_sweep().content);
+
+TEST(Summary, TakesThePairOfLegsAsTheUnit) {
+  const std::vector<Group> groups =
+      groups_of({{1, 1, "6", 3, 1}, {1, 2, "6", 1, 1}, {2, 1, "6", 0, 2}, {2, 2, "6", 0, 4}});
+  EXPECT_EQ(groups[0].differences, (std::vector<double>{2, 0, -2, -4}));
+  EXPECT_EQ(groups[0].pair_differences, (std::map<std::string, double>{{"1", 1}, {"2", -3}}));
+  EXPECT_TRUE(groups[1].differences.empty());
+}
+
+TEST(Summary, LeavesVoidGamesAndTheirPairsOut) {
+  const std::vector<Group> groups =
+      groups_of({{1, 1, "6", 3, 1}, {1, 2, "6", 9, 9, true}, {2, 1, "6", 2, 0}, {2, 2, "6", 1, 1}});
+  EXPECT_EQ(groups[0].void_games, 1);
+  EXPECT_EQ(groups[0].differences.size(), 3U);
+  EXPECT_EQ(groups[0].pair_differences, (std::map<std::string, double>{{"2", 1}}));
+}
+
+TEST(Summary, HasARowPerValueWithMeansAndDeviations) {
+  const std::vector<Group> groups =
+      groups_of({{1, 1, "6", 1, 1}, {1, 2, "6", 3, 1}, {1, 1, "5", 4, 0}, {1, 2, "5", 4, 0}});
+  // The deviation of 1 and 3 is sqrt(2).
+  EXPECT_EQ(summary_csv(kSweep, groups),
+            "b.robots,games,void_games,mean_a,sd_a,mean_b,sd_b,mean_diff,sd_diff,pairs,diff_low95,"
+            "diff_high95,from_first,from_first_low95,from_first_high95,p,p_holm,effect_size," +
+                csv_line(result_columns()) +
+                "\n"
+                "6,2,0,2.0000,1.4142,1.0000,0.0000,1.0000,1.4142,1,,,,,,,,," +
+                csv_line(share_cells({1, 1, 0})) +
+                "\n"
+                "5,2,0,4.0000,0.0000,0.0000,0.0000,4.0000,0.0000,1,,,3.0000,,,,,," +
+                csv_line(share_cells({2, 0, 0})) + "\n");
+}
+
+TEST(Summary, FitsTheSlopeOverThePairs) {
+  const std::vector<Group> groups =
+      groups_of({{1, 1, "6", 1, 1}, {1, 2, "6", 3, 1}, {1, 1, "5", 4, 0}, {1, 2, "5", 4, 0}});
+  EXPECT_NEAR(slope_over_factor(kSweep, groups).value().mean, -3.0, 1e-12);
+}
+
+TEST(Summary, TakesTheSlopesOfPairNumbersAsTheSampleOfTheInterval) {
+  const std::vector<Group> groups = groups_of({{1, 1, "6", 1, 0},
+                                               {1, 2, "6", 1, 0},
+                                               {2, 1, "6", 9, 0},
+                                               {2, 2, "6", 9, 0},
+                                               {3, 1, "6", 5, 0},
+                                               {3, 2, "6", 5, 0},
+                                               {1, 1, "5", 4, 0},
+                                               {1, 2, "5", 4, 0},
+                                               {2, 1, "5", 10, 0},
+                                               {2, 2, "5", 10, 0},
+                                               {3, 1, "5", 7, 0},
+                                               {3, 2, "5", 7, 0}});
+  const Slope slope = slope_over_factor(kSweep, groups).value();
+  EXPECT_NEAR(slope.mean, -2.0, 1e-12);
+  // Slopes -3, -1, -2: deviation 1, t(0.975, 2) = 4.302653 from tables.
+  EXPECT_NEAR(slope.interval.value().low, -2 - 4.302653 / std::sqrt(3.0), 1e-6);
+  EXPECT_NEAR(slope.interval.value().high, -2 + 4.302653 / std::sqrt(3.0), 1e-6);
+}
+
+TEST(Summary, LeavesAPairNumberWithAVoidLegOutOfTheSlope) {
+  const std::vector<Group> groups = groups_of({{1, 1, "6", 1, 0},
+                                               {1, 2, "6", 1, 0},
+                                               {2, 1, "6", 9, 0},
+                                               {2, 2, "6", 9, 0, true},
+                                               {1, 1, "5", 4, 0},
+                                               {1, 2, "5", 4, 0},
+                                               {2, 1, "5", 10, 0},
+                                               {2, 2, "5", 10, 0}});
+  const Slope slope = slope_over_factor(kSweep, groups).value();
+  EXPECT_NEAR(slope.mean, -3.0, 1e-12);
+  EXPECT_FALSE(slope.interval);
+}
+
+TEST(Summary, FitsNoSlopeOverNamesOrSeveralFactors) {
+  Sweep sweep;
+  sweep.factors = {{"a.strategy", {"basic", "dummy"}}};
+  Group basic;
+  basic.values = {"basic"};
+  basic.pair_differences = {{"1", 1}};
+  EXPECT_FALSE(slope_over_factor(sweep, {basic}));
+  sweep.factors = {{"a.robots", {"6"}}, {"b.robots", {"6"}}};
+  EXPECT_FALSE(slope_over_factor(sweep, {}));
+}
+
+// Differences from 6 robots, pair by pair: 3, 1 and 2. Mean 2, deviation 1, t = 2 sqrt(3), whose
+// two-sided p with two degrees of freedom is 0.0742 (scipy.stats.ttest_1samp([3, 1, 2], 0)).
+TEST(SummaryTable, ComparesEachValueWithTheFirst) {
+  std::vector<Score> scores;
+  for (const auto& [pair, six, five] : {std::array{1, 1, 4}, {2, 5, 6}, {3, 0, 2}}) {
+    for (const int leg : {1, 2}) {
+      scores.push_back({pair, leg, "6", six, 0});
+      scores.push_back({pair, leg, "5", five, 0});
+    }
+  }
+  const std::string table = summary_table(kSweep, groups_of(scores));
+  EXPECT_NE(table.find("+2.00 [-0.48, +4.48]   0.074\n"), std::string::npos) << table;
+}
+
+TEST(SummaryTable, ShowsScoresDifferencesAndVoidGames) {
+  const std::string table = summary_table(kSweep, groups_of({{1, 1, "6", 1, 1},
+                                                             {1, 2, "6", 3, 1},
+                                                             {2, 1, "6", 1, 1},
+                                                             {2, 2, "6", 1, 1},
+                                                             {1, 1, "5", 4, 0, true}}));
+  // Pairs 1 and 0: mean 0.5, t(0.975, 1) = 12.706, standard error 0.5.
+  EXPECT_NE(table.find("+0.50 [-5.85, +6.85]"), std::string::npos) << table;
+  EXPECT_NE(table.find("1.50 ± 1.00"), std::string::npos) << table;
+}
+
+}  // namespace
+}  // namespace autoref::runner

@@ -1,0 +1,53 @@
+#include "runner/batch/experiment_kinds.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/runner/batch/fake_games.hpp"
+
+namespace autoref::runner {
+namespace {
+
+TEST(ChangesBetween, ListsEachSettingThatDiffers) {
+  Sweep here;
+  Sweep there;
+  here.base.match.half_s = 60;
+  here.seed = 5;
+  EXPECT_EQ(changes_between(Scenario{"", here}, Scenario{"", there}),
+            "match.half_s is 60.0 here and 600.0 there; seed is 5 here and 1 there");
+  EXPECT_EQ(changes_between(Scenario{"", there}, Scenario{"", there}), "");
+}
+
+TEST(ChangesBetween, ListsPlayersThatOnlyOneOfThemHas) {
+  Sweep here;
+  Sweep there;
+  here.base.b.players[3].speed_factor = 0.5;
+  EXPECT_NE(changes_between(Scenario{"", here}, Scenario{"", there})
+                .find("teams.b.players.3.speed_factor is 0.5 here and not given there"),
+            std::string::npos);
+  EXPECT_NE(changes_between(Scenario{"", there}, Scenario{"", here})
+                .find("teams.b.players.3.speed_factor is not given here and 0.5 there"),
+            std::string::npos);
+}
+
+TEST(ChangesBetween, LeavesOutTeamsThatOnlyOneOfThemHas) {
+  EXPECT_EQ(changes_between(small_roundrobin({6, 5}), small_roundrobin({6})), "");
+  EXPECT_EQ(changes_between(small_roundrobin({6, 5}), small_roundrobin({6, 4, 3})),
+            "teams.team1.robots is 5 here and 4 there");
+}
+
+TEST(ChangesBetween, KnowsNothingOfAnotherKind) {
+  EXPECT_EQ(changes_between(small_roundrobin({6, 5}), small_sweep()), "");
+}
+
+TEST(IsExperiment, HoldsForAllButSingleGamesAndTheReferees) {
+  EXPECT_FALSE(is_experiment({"", JudgePlan{}}));
+  EXPECT_TRUE(is_experiment({"", Gauntlet{}}));
+  EXPECT_TRUE(is_experiment({"", Knockout{}}));
+  EXPECT_TRUE(is_experiment(small_match()));
+  EXPECT_TRUE(is_experiment(small_sweep()));
+  EXPECT_TRUE(is_experiment(small_roundrobin({6, 5})));
+  EXPECT_FALSE(is_experiment({"", GameConfiguration{}}));
+}
+
+}  // namespace
+}  // namespace autoref::runner

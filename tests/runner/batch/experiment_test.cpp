@@ -1,0 +1,226 @@
+#include "runner/batch/experiment.hpp"
+#include "runner/experiments/reading/scenario_reader.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <stdexcept>
+
+#include "runner/io/errors.hpp"
+#include "runner/results/shard.hpp"
+#include "tests/runner/batch/fake_games.hpp"
+
+namespace autoref::runner {
+namespace {
+
+// What an undisturbed run leaves in results.csv and summary.csv.
+std::string undisturbed_results(const Scenario& scenario) {
+  const TemporaryFolder folder;
+  run_experiment(scenario, fake_options(folder.path()));
+  return content_of(folder / "results.csv") + content_of(folder / "summary.csv");
+}
+
+std::string results_in(const TemporaryFolder& folder) {
+  return content_of(folder / "results.csv") + content_of(folder / "summary.csv");
+}
+
+TEST(Experiment, LeavesAllItsFiles) {
+  const TemporaryFolder folder;
+  const ExperimentReport report = run_experiment(small_sweep(), fake_options(folder / "deep/er"));
+  EXPECT_TRUE(report.is_complete);
+  EXPECT_EQ(report.games, 12);
+  EXPECT_EQ(report.played, 12);
+  EXPECT_EQ(line_count(content_of(shard_of(folder / "deep/er"))), 13);
+  EXPECT_EQ(line_count(content_of(folder / "deep/er/results.csv")), 13);
+  EXPECT_EQ(line_count(content_of(folder / "deep/er/summary.csv")), 3);
+  EXPECT_NO_THROW(read_scenario(folder / "deep/er/effective.yaml"));
+}
+
+TEST(Experiment, SortsItsResultsByGame) {
+  const TemporaryFolder folder;
+  run_experiment(small_sweep(), fake_options(folder.path()));
+  const std::string results = content_of(folder / "results.csv");
+  EXPECT_LT(results.find("b.robots=5-p0003-2"), results.find("b.robots=6-p0001-1"));
+}
+
+TEST(Experiment, ComesOutTheSameForEveryNumberOfWorkers) {
+  const std::string expected = undisturbed_results(small_sweep());
+  for (const int workers : {2, 5}) {
+    const TemporaryFolder folder;
+    ExperimentOptions options = fake_options(folder.path());
+    options.workers = workers;
+    options.play = slow_fake_game;
+    run_experiment(small_sweep(), options);
+    EXPECT_EQ(results_in(folder), expected);
+  }
+}
+
+TEST(Experiment, DoesNothingWhenItIsFinished) {
+  const TemporaryFolder folder;
+  ExperimentOptions options = fake_options(folder.path());
+  run_experiment(small_sweep(), options);
+  const auto time = std::filesystem::last_write_time(folder / "results.csv");
+  options.play = [](const GameConfiguration&) -> GameRecord { throw std::runtime_error("no"); };
+  const ExperimentReport report = run_experiment(small_sweep(), options);
+  EXPECT_TRUE(report.is_complete);
+  EXPECT_EQ(report.played, 0);
+  EXPECT_EQ(report.results.groups.size(), 2U);
+  EXPECT_EQ(std::filesystem::last_write_time(folder / "results.csv"), time);
+}
+
+TEST(Experiment, PlaysOnlyWhatIsNewWhenPairsAreAdded) {
+  const TemporaryFolder folder;
+  run_experiment(small_sweep(3), fake_options(folder.path()));
+  EXPECT_EQ(run_experiment(small_sweep(5), fake_options(folder.path())).played, 8);
+  EXPECT_EQ(results_in(folder), undisturbed_results(small_sweep(5)));
+}
+
+TEST(Experiment, PlaysTheGameOfATornRowAgain) {
+  const TemporaryFolder folder;
+  run_experiment(small_sweep(), fake_options(folder.path()));
+  const std::string rows = content_of(shard_of(folder.path()));
+  write_content(shard_of(folder.path()), rows.substr(0, rows.size() - 20));
+  EXPECT_EQ(run_experiment(small_sweep(), fake_options(folder.path())).played, 1);
+  EXPECT_EQ(results_in(folder), undisturbed_results(small_sweep()));
+}
+
+TEST(Experiment, PlaysTheGameOfADamagedRowAgain) {
+  const TemporaryFolder folder;
+  run_experiment(small_sweep(), fake_options(folder.path()));
+  std::string rows = content_of(shard_of(folder.path()));
+  rows[rows.size() / 2] ^= 1;
+  write_content(shard_of(folder.path()), rows);
+  EXPECT_EQ(run_experiment(small_sweep(), fake_options(folder.path())).played, 1);
+  EXPECT_EQ(results_in(folder), undisturbed_results(small_sweep()));
+}
+
+TEST(Experiment, PlaysTheGameOfAKilledWorkerAgain) {
+  const TemporaryFolder folder;
+  ExperimentOptions options = fake_options(folder.path());
+  options.play = [&folder](const GameConfiguration& game) {
+    const std::filesystem::path mark = folder / std::to_string(game.seed);
+    if (!std::filesystem::exists(mark)) {
+      write_content(mark, "");
+      kill(getpid(), SIGKILL);
+    }
+    return fake_game(game);
+  };
+  EXPECT_EQ(run_experiment(small_sweep(), options).void_games, 0);
+  EXPECT_EQ(results_in(folder), undisturbed_results(small_sweep()));
+}
+
+TEST(Experiment, MarksAGameVoidThatKillsEveryWorkerAndGoesOn) {
+  const TemporaryFolder folder;
+  ExperimentOptions options = fake_options(folder.path());
+  options.play = [](const GameConfiguration& game) {
+    if (game.b.robots == 5 && game.match.a_plays == Side::kEast) std::abort();
+    return fake_game(game);
+  };
+  const ExperimentReport report = run_experiment(small_sweep(), options);
+  EXPECT_TRUE(report.is_complete);
+  EXPECT_EQ(report.void_games, 3);
+  EXPECT_EQ(report.results.groups.at(1).void_games, 3);
+  EXPECT_EQ(report.results.groups.at(1).goals_a.size(), 3U);
+  EXPECT_NE(content_of(folder / "results.csv").find("signal 6 (Aborted)"), std::string::npos);
+}
+
+TEST(Experiment, MarksAGameVoidThatThrows) {
+  const TemporaryFolder folder;
+  ExperimentOptions options = fake_options(folder.path());
+  options.play = [](const GameConfiguration&) -> GameRecord { throw std::runtime_error("oh, no"); };
+  EXPECT_EQ(run_experiment(small_sweep(1), options).void_games, 4);
+  EXPECT_NE(content_of(folder / "results.csv").find(",void,void,\"the game threw: oh, no\","),
+            std::string::npos);
+}
+
+TEST(Experiment, GoesOnAfterAnInterrupt) {
+  const TemporaryFolder folder;
+  ExperimentOptions options = fake_options(folder.path());
+  const pid_t runner = getpid();
+  options.play = [runner](const GameConfiguration& game) {
+    kill(runner, SIGINT);
+    return fake_game(game);
+  };
+  const ExperimentReport report = run_experiment(small_sweep(), options);
+  EXPECT_FALSE(report.is_complete);
+  EXPECT_FALSE(std::filesystem::exists(folder / "results.csv"));
+  run_experiment(small_sweep(), fake_options(folder.path()));
+  EXPECT_EQ(results_in(folder), undisturbed_results(small_sweep()));
+}
+
+TEST(Experiment, IsRefusedWhereAnotherRunWrites) {
+  const TemporaryFolder folder;
+  run_experiment(small_sweep(), fake_options(folder.path()));
+  const Shard other(shard_of(folder.path()), "");
+  EXPECT_THROW(run_experiment(small_sweep(), fake_options(folder.path())), InputOutputError);
+}
+
+TEST(Experiment, IsRefusedInAFolderOfAnotherConfigurationWithWhatDiffers) {
+  const TemporaryFolder folder;
+  run_experiment(small_sweep(), fake_options(folder.path()));
+  Scenario changed = small_sweep();
+  std::get<Sweep>(changed.content).base.match.half_s = 60;
+  try {
+    run_experiment(changed, fake_options(folder.path()));
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("match.half_s is 60.0 here and 600.0 there"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(Experiment, IsRefusedInAFolderOfAnotherBuildUnlessAllowed) {
+  const TemporaryFolder folder;
+  run_experiment(small_sweep(), fake_options(folder.path()));
+  ExperimentOptions options = fake_options(folder.path());
+  options.build = "0.1.0-other";
+  EXPECT_THROW(run_experiment(small_sweep(), options), InputError);
+  options.allow_mixed_build = true;
+  EXPECT_EQ(run_experiment(small_sweep(), options).played, 12);
+  EXPECT_EQ(results_in(folder), undisturbed_results(small_sweep()));
+}
+
+TEST(Experiment, PlaysOnlyTheNewTeamsGamesWhenATeamIsAdded) {
+  const TemporaryFolder folder;
+  const ExperimentReport two =
+      run_experiment(small_roundrobin({6, 5}), fake_options(folder.path()));
+  EXPECT_EQ(two.played, 4);
+  const Scenario three = small_roundrobin({6, 5, 4});
+  const ExperimentReport report = run_experiment(three, fake_options(folder.path()));
+  EXPECT_EQ(report.played, 8);
+  EXPECT_EQ(report.results.standings.size(), 3U);
+  EXPECT_EQ(results_in(folder), undisturbed_results(three));
+}
+
+TEST(Experiment, LeavesTheStandingsOfARoundRobin) {
+  const TemporaryFolder folder;
+  run_experiment(small_roundrobin({6, 5, 4}), fake_options(folder.path()));
+  EXPECT_EQ(line_count(content_of(folder / "results.csv")), 13);
+  EXPECT_EQ(line_count(content_of(folder / "summary.csv")), 4);
+  EXPECT_EQ(line_count(content_of(folder / "standings.csv")), 4);
+}
+
+TEST(Experiment, SaysWhichTeamOfARoundRobinIsAnother) {
+  const TemporaryFolder folder;
+  run_experiment(small_roundrobin({6, 5}), fake_options(folder.path()));
+  try {
+    run_experiment(small_roundrobin({6, 4, 3}), fake_options(folder.path()));
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("(teams.team1.robots is 4 here and 5 there)"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(Experiment, SaysWhichFolderCannotBeCreated) {
+  const TemporaryFolder folder;
+  write_content(folder / "file", "");
+  EXPECT_THROW(run_experiment(small_sweep(), fake_options(folder / "file/x")), InputOutputError);
+}
+
+}  // namespace
+}  // namespace autoref::runner

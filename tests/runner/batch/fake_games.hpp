@@ -1,0 +1,79 @@
+// Experiments with made-up games, so that tests of the machinery take milliseconds.
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "runner/batch/experiment.hpp"
+#include "tests/runner/support/temporary_folder.hpp"
+
+namespace autoref::runner {
+
+// A result that depends on the whole configuration, as a real game's does.
+inline GameRecord fake_game(const GameConfiguration& game) {
+  GameRecord record;
+  record.goals_a = static_cast<int>(game.seed % 7);
+  record.goals_b = static_cast<int>(game.seed / 7 % 5) + game.b.robots;
+  record.goals_by_half = {{record.goals_a, 0}, {0, record.goals_b}};
+  record.frames = 72000;
+  record.sim_s = 1200;
+  record.state_hash = game.seed * 31 + static_cast<std::uint64_t>(game.b.robots);
+  return record;
+}
+
+inline GameRecord slow_fake_game(const GameConfiguration& game) {
+  std::this_thread::sleep_for(std::chrono::milliseconds(3));
+  return fake_game(game);
+}
+
+// b.robots over 6 and 5, `pairs` pairs each.
+inline Scenario small_sweep(int pairs = 3) {
+  Sweep sweep;
+  sweep.factors = {{"b.robots", {"6", "5"}}};
+  sweep.pairs = pairs;
+  sweep.seed = 2014;
+  return {"A test.", sweep};
+}
+
+// team0, team1 ... of so many robots each, `pairs` pairs each.
+inline Scenario small_roundrobin(const std::vector<int>& robots, int pairs = 2) {
+  RoundRobin robin;
+  for (const int count : robots) {
+    robin.teams["team" + std::to_string(robin.teams.size())].robots = count;
+  }
+  robin.pairs = pairs;
+  robin.seed = 2014;
+  return {"A test.", robin};
+}
+
+// One that b's five robots decide after the fewest pairs: fake games differ by -4 goals on average.
+inline Scenario small_match(int max_pairs = 40) {
+  Match match;
+  match.teams["team0"].robots = 6;
+  match.teams["team1"].robots = 5;
+  match.sprt = {.d0 = 0, .d1 = -4, .min_pairs = 10, .max_pairs = max_pairs};
+  match.seed = 2014;
+  return {"A test.", match};
+}
+
+inline ExperimentOptions fake_options(const std::filesystem::path& folder) {
+  ExperimentOptions options;
+  options.folder = folder;
+  options.build = "0.1.0-test";
+  options.play = fake_game;
+  options.patience_s = 0.05;
+  return options;
+}
+
+inline std::filesystem::path shard_of(const std::filesystem::path& folder) {
+  return folder / "games" / "shard-0-of-1.csv";
+}
+
+inline int line_count(const std::string& text) {
+  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,72 @@
+// kill -9 of a whole run: its workers end with it. What it leaves behind: hundred_kills_test.cpp.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <thread>
+
+#include "tests/runner/batch/fake_games.hpp"
+
+namespace autoref::runner {
+namespace {
+
+using std::chrono::milliseconds;
+
+ExperimentOptions slow_options(const std::filesystem::path& folder) {
+  ExperimentOptions options = fake_options(folder);
+  options.workers = 2;
+  options.play = slow_fake_game;
+  options.patience_s = 10;
+  return options;
+}
+
+int lines_in(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  int lines = 0;
+  for (std::string line; std::getline(file, line);) ++lines;
+  return lines;
+}
+
+// Runs the experiment in a process that is killed once the file has two lines, or after 30 s.
+void run_and_kill(const ExperimentOptions& options, const std::filesystem::path& pids) {
+  const pid_t child = fork();
+  if (child == 0) {
+    run_experiment(small_sweep(20), options);
+    _exit(0);
+  }
+  for (int i = 0; i < 3000 && lines_in(pids) < 2; ++i)
+    std::this_thread::sleep_for(milliseconds(10));
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+}
+
+// Neither gone nor a zombie.
+bool is_running(const std::string& pid) {
+  std::ifstream file("/proc/" + pid + "/stat");
+  std::string number, name, state;
+  return static_cast<bool>(file >> number >> name >> state) && state != "Z" && state != "X";
+}
+
+TEST(KilledRun, TakesItsWorkersAlong) {
+  const TemporaryFolder folder;
+  ExperimentOptions options = slow_options(folder / "run");
+  options.play = [&folder](const GameConfiguration& game) {
+    write_content(folder / "pids", std::to_string(getpid()) + "\n", std::ios::app);
+    std::this_thread::sleep_for(std::chrono::seconds(60));
+    return fake_game(game);
+  };
+  run_and_kill(options, folder / "pids");
+  std::ifstream pids(folder / "pids");
+  int workers = 0;
+  for (std::string pid; std::getline(pids, pid); ++workers) {
+    for (int i = 0; i < 200 && is_running(pid); ++i) std::this_thread::sleep_for(milliseconds(10));
+    EXPECT_FALSE(is_running(pid)) << pid;
+  }
+  EXPECT_EQ(workers, 2);
+}
+
+}  // namespace
+}  // namespace autoref::runner

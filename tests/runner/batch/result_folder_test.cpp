@@ -1,0 +1,106 @@
+#include "runner/batch/result_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include "runner/batch/verify.hpp"
+#include "runner/io/errors.hpp"
+#include "runner/results/shard.hpp"
+#include "tests/runner/batch/fake_games.hpp"
+
+namespace autoref::runner {
+namespace {
+
+// A folder with all 12 games of a small sweep.
+struct Filled {
+  Filled() { run_experiment(small_sweep(), fake_options(folder.path())); }
+  TemporaryFolder folder;
+};
+
+// What opening the folder is refused with; empty where it is not.
+std::string refusal(const std::filesystem::path& folder, const std::string& build = {}) {
+  try {
+    open_results(folder, build);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(ResultFolder, HoldsWhatWasPlanned) {
+  const Filled filled;
+  const ResultFolder folder = open_results(filled.folder.path());
+  EXPECT_EQ(folder.games.size(), 12U);
+  EXPECT_EQ(folder.build, "0.1.0-test");
+  EXPECT_TRUE(folder.is_complete());
+  EXPECT_EQ(folder.by_shard, (std::map<std::string, int>{{"0/1", 12}}));
+}
+
+TEST(ResultFolder, MayStillBeFilling) {
+  const Filled filled;
+  const std::string rows = content_of(shard_of(filled.folder.path()));
+  write_content(shard_of(filled.folder.path()), rows.substr(0, rows.size() * 2 / 3));
+  const ResultFolder folder = open_results(filled.folder.path());
+  EXPECT_FALSE(folder.is_complete());
+  EXPECT_GT(folder.stock.done.size(), 4U);
+  EXPECT_EQ(folder.damaged, 0);
+}
+
+TEST(ResultFolder, IsWrittenTheSameAgain) {
+  const Filled filled;
+  const std::string before = content_of(filled.folder / "results.csv");
+  const ResultFolder folder = open_results(filled.folder.path());
+  std::filesystem::remove(filled.folder / "results.csv");
+  write_results(folder.path, folder.scenario, folder.format, folder.stock.done);
+  EXPECT_EQ(content_of(filled.folder / "results.csv"), before);
+}
+
+TEST(ResultFolder, IsNoOtherFolder) {
+  const TemporaryFolder folder;
+  EXPECT_NE(refusal(folder.path()).find("holds no results: expected effective.yaml"),
+            std::string::npos);
+}
+
+TEST(ResultFolder, AsksWhichOfSeveralBuildsCounts) {
+  const Filled filled;
+  ExperimentOptions options = fake_options(filled.folder.path());
+  options.build = "0.1.0-other";
+  options.allow_mixed_build = true;
+  run_experiment(small_sweep(1), options);
+  EXPECT_NE(refusal(filled.folder.path()).find("0.1.0-other, 0.1.0-test; choose one"),
+            std::string::npos);
+  EXPECT_NE(refusal(filled.folder.path(), "0.2").find("has none of 0.2"), std::string::npos);
+  EXPECT_EQ(open_results(filled.folder.path(), "0.1.0-other").stock.done.size(), 4U);
+}
+
+TEST(Verify, FindsGamesThatComeOutAsBefore) {
+  const Filled filled;
+  const Verification verification =
+      verify(open_results(filled.folder.path()), 5, 2, fake_game, nullptr);
+  EXPECT_EQ(verification.played, 5);
+  EXPECT_TRUE(verification.differences.empty());
+}
+
+TEST(Verify, NamesWhatIsDifferent) {
+  const Filled filled;
+  const auto other_game = [](const GameConfiguration& game) {
+    GameRecord record = fake_game(game);
+    record.state_hash += game.b.robots == 5 ? 1U : 0U;
+    return record;
+  };
+  const Verification verification =
+      verify(open_results(filled.folder.path()), 100, 2, other_game, nullptr);
+  EXPECT_EQ(verification.played, 12);
+  ASSERT_EQ(verification.differences.size(), 6U);
+  EXPECT_EQ(verification.differences.front().column, "state_hash");
+}
+
+TEST(Verify, HasNothingToDoWithoutGoodGames) {
+  const TemporaryFolder folder;
+  ExperimentOptions options = fake_options(folder.path());
+  options.play = [](const GameConfiguration&) -> GameRecord { throw std::runtime_error("no"); };
+  run_experiment(small_sweep(), options);
+  EXPECT_THROW(verify(open_results(folder.path()), 5, 1, fake_game, nullptr), InputError);
+}
+
+}  // namespace
+}  // namespace autoref::runner

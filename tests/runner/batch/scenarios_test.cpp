@@ -1,0 +1,93 @@
+// Every scenario file can be read, and its games can be played, shortened.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "runner/batch/experiment.hpp"
+#include "runner/experiments/plan.hpp"
+#include "runner/experiments/reading/effective.hpp"
+#include "runner/experiments/reading/scenario_reader.hpp"
+#include "runner/experiments/scenario.hpp"
+#include "runner/judge/judge_games.hpp"
+#include "tests/runner/support/temporary_folder.hpp"
+
+namespace autoref::runner {
+namespace {
+
+std::vector<std::string> scenario_files() {
+  std::vector<std::string> files;
+  const std::filesystem::path folder = std::filesystem::path(AUTOREF_SOURCE_DIR) / "scenarios";
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == ".yaml") files.push_back(entry.path().string());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+constexpr double kShortHalf_s = 5;
+
+// As few pairs as there may be of each kind.
+void make_few(Sweep& sweep) { sweep.pairs = 1; }
+void make_few(RoundRobin& robin) { robin.pairs = 1; }
+void make_few(Gauntlet& gauntlet) { gauntlet.pairs = 1; }
+void make_few(Match& match) { match.sprt.min_pairs = match.sprt.max_pairs = 2; }
+void make_few(Knockout& /*knockout*/) {}
+void make_few(GameConfiguration& /*game*/) {}
+void make_few(JudgePlan& plan) { plan.games = 2; }
+
+void shorten(MatchConfiguration& match) { match.half_s = match.extra_half_s = kShortHalf_s; }
+void shorten(GameConfiguration& game) { shorten(game.match); }
+template <typename Many>
+void shorten(Many& many) {
+  shorten(many.base);
+}
+
+void shorten(Scenario& scenario) {
+  std::visit(
+      [](auto& content) {
+        shorten(content);
+        make_few(content);
+      },
+      scenario.content);
+}
+
+class EveryScenario : public testing::TestWithParam<std::string> {};
+
+TEST_P(EveryScenario, ReadsBackEqualFromItsEffectiveText) {
+  const std::string text = effective_text(read_scenario(GetParam()));
+  EXPECT_EQ(effective_text(read_scenario_text(text, "effective.yaml")), text);
+}
+
+TEST_P(EveryScenario, CanBePlayedShortened) {
+  Scenario scenario = read_scenario(GetParam());
+  shorten(scenario);
+  if (auto* game = std::get_if<GameConfiguration>(&scenario.content)) {
+    EXPECT_EQ(play(*game).status, Status::kOk);
+    return;
+  }
+  if (auto* plan = std::get_if<JudgePlan>(&scenario.content)) {
+    for (const Judgement& judgement : judge_games(games_of(*plan), 2, nullptr)) {
+      EXPECT_EQ(judgement.void_reason, "");
+    }
+    return;
+  }
+  const TemporaryFolder folder;
+  ExperimentOptions options;
+  options.folder = folder.path();
+  options.build = "test";
+  options.workers = 2;
+  options.play = [](const GameConfiguration& game) { return play(game); };
+  const ExperimentReport report = run_experiment(scenario, options);
+  EXPECT_TRUE(report.is_complete);
+  EXPECT_EQ(report.void_games, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, EveryScenario, testing::ValuesIn(scenario_files()),
+                         [](const auto& test) {
+                           std::string name = std::filesystem::path(test.param).stem();
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace autoref::runner

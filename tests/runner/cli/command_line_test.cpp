@@ -1,0 +1,166 @@
+// The program as scripts see it: exit codes and messages.
+#include "runner/cli/command_line.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <stdio_ext.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <stdexcept>
+
+#include "runner/io/errors.hpp"
+#include "tests/runner/cli/answer.hpp"
+#include "tests/runner/support/temporary_folder.hpp"
+
+namespace autoref::runner {
+namespace {
+
+const std::string kScenarios = std::string(AUTOREF_SOURCE_DIR) + "/scenarios/";
+const std::string kGame = kScenarios + "paper-game.yaml";
+const std::string kScene = kScenarios + "lab/chip.yaml";
+const std::string kSweep = kScenarios + "handicap-speed.yaml";
+
+TEST(CommandLine, ShowsAnExampleForEachVerb) {
+  for (const char* verb :
+       {"play", "run", "submit", "check", "status", "report", "verify", "replay", "judge", "lab",
+        "view", "info", "referee", "plan", "rules", "teams", "bench"}) {
+    const Answer answer = answer_to({verb, "--help"});
+    EXPECT_EQ(answer.code, kDone);
+    EXPECT_NE(answer.out.find(std::string("Example:\n  autoref ") + verb), std::string::npos);
+  }
+}
+
+TEST(CommandLine, TellsItsVersion) {
+  const Answer answer = answer_to({"--version"});
+  EXPECT_EQ(answer.code, kDone);
+  EXPECT_TRUE(answer.out.starts_with("autoref 0.1.0-"));
+}
+
+TEST(CommandLine, CallsItsOwnMistakesBadInput) {
+  for (const auto& arguments :
+       std::vector<std::vector<const char*>>{{},
+                                             {"playy"},
+                                             {"play"},
+                                             {"play", kGame.c_str(), "--sed", "1"},
+                                             {"play", kGame.c_str(), "--seed"},
+                                             {"run", kSweep.c_str(), "-j", "0"},
+                                             {"run", kSweep.c_str(), "-j", "two"}}) {
+    const Answer answer = answer_to(arguments);
+    EXPECT_EQ(answer.code, kBadInput);
+    EXPECT_NE(answer.err, "");
+    EXPECT_EQ(answer.out, "");
+  }
+}
+
+struct WrongInput {
+  std::vector<const char*> arguments;
+  const char* fragment;
+};
+
+TEST(CommandLine, NamesTheFlagOrFileThatIsWrong) {
+  for (const WrongInput& wrong : std::vector<WrongInput>{
+           {{"play", "none.yaml"}, "none.yaml: the file cannot be read"},
+           {{"run", "none.yaml"}, "none.yaml: the file cannot be read"},
+           {{"play", kSweep.c_str()}, "autoref run"},
+           {{"run", kGame.c_str()}, "autoref play"},
+           {{"play", kScene.c_str()}, "autoref lab"},
+           {{"lab", "none.yaml"}, "none.yaml: the file cannot be read"},
+           {{"lab", kGame.c_str()}, "kind: expected lab, found 'game'"},
+           {{"lab", kScene.c_str(), "--csv", "/nonexistent/x"}, "/nonexistent/x cannot be"},
+           {{"run", kSweep.c_str(), "--shard", "2/2"}, "--shard: expected I/N"},
+           {{"status", "none"}, "none: holds no results"},
+           {{"play", kGame.c_str(), "--seed", "x"}, "--seed: "},
+           {{"play", kGame.c_str(), "--seed", "-1"}, "-1"},
+           {{"play", kGame.c_str(), "--set", "b.robots"}, "--set b.robots: expected KEY=VALUE"},
+           {{"play", kGame.c_str(), "--set", "b.robots=17"}, "--set b.robots=17: expected a whole"},
+           {{"play", kGame.c_str(), "--set", "b.robot=5"}, "did you mean 'b.robots'"},
+           {{"play", kGame.c_str(), "--set", "a.strategy=none"}, "basic"},
+           {{"play", kGame.c_str(), "--set", "a.params.x=1"}, "no parameter 'x'"},
+           {{"play", kGame.c_str(), "--set", "a.params.shot_mps=9"}, "from 0 to 8 m/s, found '9'"},
+           {{"teams", "basik"}, "there is no team 'basik'; did you mean 'basic'"},
+           {{"play", kGame.c_str(), "--events", "/nonexistent/e"}, "/nonexistent/e cannot be"}}) {
+    const Answer answer = answer_to(wrong.arguments);
+    EXPECT_EQ(answer.code, kBadInput);
+    EXPECT_NE(answer.err.find(wrong.fragment), std::string::npos) << answer.err;
+    EXPECT_EQ(answer.out, "");
+  }
+}
+
+TEST(CommandLine, PrintsTeamsAndTheirParameters) {
+  const Answer all = answer_to({"teams"});
+  EXPECT_EQ(all.code, kDone);
+  EXPECT_NE(all.out.find("\ndummy "), std::string::npos) << all.out;
+  EXPECT_NE(answer_to({"teams", "basic"}).out.find("\nshot_mps "), std::string::npos);
+  EXPECT_TRUE(answer_to({"teams", "basic", "--json"}).out.starts_with("{\"name\": \"basic\""));
+}
+
+TEST(CommandLine, CallsAFolderThatCannotBeWrittenInputOutput) {
+  const Answer answer = answer_to({"run", kSweep.c_str(), "-o", "/proc/none"});
+  EXPECT_EQ(answer.code, kInputOutput);
+  EXPECT_NE(answer.err.find("/proc/none"), std::string::npos);
+}
+
+TEST(ExitCode, FollowsFromWhatIsThrown) {
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(exit_code_of([]() -> int { throw InputError({"f"}, "k", "m"); }), 2);
+  EXPECT_EQ(exit_code_of([]() -> int { throw std::logic_error("m"); }), 70);
+  EXPECT_EQ(exit_code_of([]() -> int { throw InputOutputError("m"); }), 74);
+  EXPECT_EQ(exit_code_of([]() -> int { throw Interrupted(); }), 75);
+  testing::internal::GetCapturedStderr();
+}
+
+// The code of `work` where the standard output is a full disk.
+int code_on_a_full_disk(const Chosen& work) {
+  std::fflush(stdout);
+  const int former = dup(STDOUT_FILENO);
+  const int full = open("/dev/full", O_WRONLY);
+  dup2(full, STDOUT_FILENO);
+  testing::internal::CaptureStderr();
+  const int code = exit_code_of(work);
+  testing::internal::GetCapturedStderr();
+  __fpurge(stdout);
+  std::clearerr(stdout);
+  dup2(former, STDOUT_FILENO);
+  close(former);
+  close(full);
+  return code;
+}
+
+TEST(ExitCode, IsInputOutputWhenTheOutputDoesNotFit) {
+  for (const std::size_t length : {10UL, 1000000UL}) {
+    EXPECT_EQ(code_on_a_full_disk([length] {
+                fmt::print("{}\n", std::string(length, 'x'));
+                return 0;
+              }),
+              74);
+  }
+  const char* const help[] = {"autoref", "--help"};
+  EXPECT_EQ(code_on_a_full_disk([&] { return run_command_line(2, help); }), 74);
+}
+
+TEST(CommandLine, TakesSettingsInAnyOrder) {
+  const char* goal = "field.goal_width_m=3.8";
+  const char* field = "field.width_m=9";
+  for (const auto& [first, second] : {std::pair(goal, field), std::pair(field, goal)}) {
+    const Answer answer = answer_to(
+        {"play", kGame.c_str(), "--set", "match.half_s=0.1", "--set", first, "--set", second});
+    EXPECT_EQ(answer.code, kDone) << answer.err;
+  }
+}
+
+TEST(CommandLine, EndsAHangingGameAtTheSecondInterrupt) {
+  const auto interrupt_twice = [] {
+    const char* const play[] = {"autoref", "play", kGame.c_str(), "--set", "match.half_s=0.1"};
+    run_command_line(5, play);
+    std::raise(SIGINT);
+    std::fputs("still here", stderr);
+    std::raise(SIGINT);
+  };
+  EXPECT_EXIT(interrupt_twice(), testing::KilledBySignal(SIGINT), "still here");
+}
+
+}  // namespace
+}  // namespace autoref::runner

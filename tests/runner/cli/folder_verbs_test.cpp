@@ -1,0 +1,85 @@
+// The verbs that look at a folder of results, on games of a few seconds.
+#include <gtest/gtest.h>
+
+#include "runner/io/errors.hpp"
+#include "tests/runner/cli/answer.hpp"
+#include "tests/runner/support/temporary_folder.hpp"
+
+namespace autoref::runner {
+namespace {
+
+class FolderVerbs : public testing::Test {
+ protected:
+  void SetUp() override {
+    write_content(folder_ / "short.yaml",
+                  "schema: 1\nkind: sweep\nseed: 1\npairs: 1\n"
+                  "base:\n  teams: { a: { strategy: dummy }, b: { strategy: dummy } }\n"
+                  "  match: { rules: paper, half_s: 5 }\n"
+                  "factors: { b.robots: [6, 5] }\n");
+  }
+  Answer run(const char* shard) const {
+    return answer_to({"run", file_.c_str(), "-o", results_.c_str(), "-j", "1", "--shard", shard});
+  }
+
+  TemporaryFolder folder_;
+  std::string file_ = (folder_ / "short.yaml").string();
+  std::string results_ = (folder_ / "results").string();
+};
+
+TEST_F(FolderVerbs, CheckWhatWouldBePlayed) {
+  const Answer games = answer_to({"check", file_.c_str(), "--games"});
+  EXPECT_EQ(games.code, kDone);
+  EXPECT_TRUE(games.out.starts_with("b.robots=6-p0001-1\nb.robots=6-p0001-2\n")) << games.out;
+  const Answer checked = answer_to({"check", file_.c_str(), "-j", "1"});
+  EXPECT_EQ(checked.code, kDone);
+  EXPECT_NE(checked.out.find("b.robots=5           2"), std::string::npos) << checked.out;
+  EXPECT_NE(checked.out.find("\n4 games, about "), std::string::npos) << checked.out;
+}
+
+TEST_F(FolderVerbs, TellHowFarAnExperimentIs) {
+  EXPECT_NE(run("0/2").out.find("shard 0/2 is done: 2 of 4 games"), std::string::npos);
+  const std::string half = answer_to({"status", results_.c_str()}).out;
+  EXPECT_NE(half.find("2 of 4 games done, 0 void"), std::string::npos) << half;
+  EXPECT_NE(half.find("Interim intervals are no reason to stop"), std::string::npos);
+  run("1/2");
+  const std::string whole = answer_to({"status", results_.c_str()}).out;
+  EXPECT_NE(whole.find("4 of 4 games done, 0 void\n  shard 0/2   2 games\n"), std::string::npos);
+  EXPECT_EQ(whole.find("Interim"), std::string::npos);
+}
+
+TEST_F(FolderVerbs, MergeTheRowsOfShards) {
+  run("0/2");
+  run("1/2");
+  const std::string merged = content_of(folder_ / "results/results.csv");
+  std::filesystem::remove(folder_ / "results/results.csv");
+  EXPECT_EQ(answer_to({"report", results_.c_str()}).code, kDone);
+  EXPECT_EQ(content_of(folder_ / "results/results.csv"), merged);
+}
+
+TEST_F(FolderVerbs, WriteAReport) {
+  run("0/1");
+  const Answer answer = answer_to({"report", results_.c_str()});
+  EXPECT_EQ(answer.code, kDone);
+  EXPECT_NE(answer.out.find("report.html   the same, one page for a browser"), std::string::npos);
+  EXPECT_TRUE(content_of(folder_ / "results/report.md").starts_with("# A sweep\n"));
+}
+
+TEST_F(FolderVerbs, PlayGamesAgain) {
+  run("0/1");
+  const Answer verified = answer_to({"verify", results_.c_str(), "--sample", "3", "-j", "1"});
+  EXPECT_EQ(verified.code, kDone);
+  EXPECT_NE(verified.out.find("3 of 3 games came out as their rows say"), std::string::npos);
+  const Answer replayed = answer_to({"replay", results_.c_str(), "b.robots=5-p0001-2"});
+  EXPECT_EQ(replayed.code, kDone);
+  EXPECT_NE(replayed.out.find("dummy, east"), std::string::npos) << replayed.out;
+}
+
+TEST_F(FolderVerbs, NameTheGameThatWasMeant) {
+  run("0/1");
+  const Answer answer = answer_to({"replay", results_.c_str(), "b.robots=5-p001-2"});
+  EXPECT_EQ(answer.code, kBadInput);
+  EXPECT_NE(answer.err.find("did you mean 'b.robots=5-p0001-2'"), std::string::npos) << answer.err;
+}
+
+}  // namespace
+}  // namespace autoref::runner

@@ -1,0 +1,189 @@
+#include "runner/report/report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "tests/runner/batch/fake_games.hpp"
+
+namespace autoref::runner {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+WrittenReport reported(const fs::path& path) {
+  const ResultFolder folder = open_results(path);
+  return write_report(folder,
+                      write_results(path, folder.scenario, folder.format, folder.stock.done), path);
+}
+
+std::map<std::string, std::string> files_below(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file()) files[entry.path().string()] = content_of(entry.path());
+  }
+  return files;
+}
+
+// PATH for as long as it lives.
+class Path {
+ public:
+  explicit Path(const std::string& value) { setenv("PATH", value.c_str(), 1); }
+  ~Path() { setenv("PATH", former_.c_str(), 1); }
+  Path(const Path&) = delete;
+  Path& operator=(const Path&) = delete;
+
+ private:
+  std::string former_ = std::getenv("PATH");
+};
+
+class Report : public testing::Test {
+ protected:
+  // Plays the games of a small sweep, of which `about` may say anything.
+  void play(const std::string& about = "A test.", int pairs = 3) {
+    Scenario sweep = small_sweep(pairs);
+    sweep.about = about;
+    run_experiment(sweep, fake_options(folder_.path()));
+  }
+  std::string markdown() const { return content_of(folder_ / "report.md"); }
+  std::string html() const { return content_of(folder_ / "report.html"); }
+
+  TemporaryFolder folder_;
+};
+
+// Where gnuplot is missing there is nothing to compare; the other tests do without.
+class DrawnReport : public Report {
+ protected:
+  void SetUp() override {
+    play();
+    if (reported(folder_.path()).drawn == 0) GTEST_SKIP() << "gnuplot is not installed";
+  }
+};
+
+TEST_F(DrawnReport, IsTheSameWhenWrittenAgain) {
+  const std::map<std::string, std::string> before = files_below(folder_.path());
+  for (const auto& [file, content] : before) {
+    if (!has(file, "/games/") && !has(file, kEffectiveFile)) fs::remove(file);
+  }
+  reported(folder_.path());
+  EXPECT_EQ(files_below(folder_.path()), before);
+}
+
+TEST_F(DrawnReport, HasScriptsThatDrawThePlotsAgain) {
+  for (const char* name : {"scores", "difference", "histogram", "running_mean"}) {
+    const fs::path svg = folder_ / (std::string("plots/") + name + ".svg");
+    const std::string drawn = content_of(svg);
+    fs::remove(svg);
+    const std::string command = "cd '" + (folder_ / "plots").string() + "' && gnuplot -d " + name;
+    ASSERT_EQ(std::system((command + ".gp").c_str()), 0);
+    EXPECT_EQ(content_of(svg), drawn) << name;
+  }
+}
+
+TEST_F(DrawnReport, HasItsPlotsInThePage) {
+  EXPECT_TRUE(has(html(), "<title>scores</title>"));
+  EXPECT_TRUE(has(markdown(), "![running_mean](plots/running_mean.svg)"));
+  EXPECT_FALSE(has(html(), "src="));
+}
+
+TEST_F(DrawnReport, DrawsNamesLetterByLetter) {
+  Plot plot{"x", "", "x,y\n1,2\n",
+            script_head("x", 200) + "set title " + script_text("a_1^{b} <i> `date` it's") +
+                "\nplot data using 'x':'y' notitle\n"};
+  const Drawing drawing = draw(plot);
+  EXPECT_TRUE(has(drawing.svg, "a_1^{b} &lt;i> `date` it's")) << drawing.trouble;
+}
+
+TEST_F(DrawnReport, SaysWhyAPlotIsNotDrawn) {
+  const Drawing drawing = draw({"x", "", "", "plot nonsense(\n"});
+  EXPECT_TRUE(drawing.svg.empty());
+  EXPECT_TRUE(has(drawing.trouble, "gnuplot failed: ")) << drawing.trouble;
+  EXPECT_TRUE(has(drawing.trouble, "x.gp")) << drawing.trouble;
+}
+
+TEST_F(DrawnReport, DoesNotWaitForAPlotForever) {
+  const Drawing drawing = draw({"x", "", "", "pause 60\n"}, 0.2);
+  EXPECT_TRUE(drawing.svg.empty());
+  EXPECT_TRUE(has(drawing.trouble, "took longer than 0.2 s")) << drawing.trouble;
+}
+
+TEST_F(Report, DoesWithoutGnuplot) {
+  play();
+  write_content(folder_ / "plots/scores.svg", "of other rows");
+  const Path path(folder_.path().string());
+  const WrittenReport report = reported(folder_.path());
+  EXPECT_EQ(report.drawn, 0);
+  ASSERT_EQ(report.troubles.size(), 1U);
+  EXPECT_TRUE(has(report.troubles.front(), "apt-get install gnuplot-nox"));
+  EXPECT_FALSE(fs::exists(folder_ / "plots/scores.svg"));
+}
+
+TEST_F(Report, LeavesDataAndScriptsWithoutGnuplot) {
+  play();
+  const Path path(folder_.path().string());
+  reported(folder_.path());
+  EXPECT_FALSE(content_of(folder_ / "plots/scores.csv").empty());
+  EXPECT_TRUE(has(content_of(folder_ / "plots/scores.gp"), "set output 'scores.svg'"));
+  EXPECT_TRUE(has(markdown(), "apt-get install gnuplot-nox"));
+  EXPECT_FALSE(has(html(), "<figure>"));
+}
+
+TEST_F(Report, ShowsWhatTheScenarioSaysLetterByLetter) {
+  play("<script>alert(1)</script> & \"x\"");
+  reported(folder_.path());
+  EXPECT_FALSE(has(html(), "<script>"));
+  EXPECT_TRUE(has(html(), "<h1>&lt;script&gt;alert(1)&lt;/script&gt; &amp; &quot;x&quot;</h1>"));
+  EXPECT_TRUE(has(markdown(), "# \\<script\\>alert(1)\\</script\\> \\& \"x\"\n"));
+}
+
+TEST_F(Report, SaysWhichGamesAreMissing) {
+  play();
+  const std::string rows = content_of(shard_of(folder_.path()));
+  write_content(shard_of(folder_.path()), rows.substr(0, rows.size() * 2 / 3));
+  reported(folder_.path());
+  EXPECT_TRUE(has(markdown(), "games are missing. Interim intervals are no reason to stop"));
+}
+
+TEST_F(Report, SaysNothingOfStoppingWhenAllGamesAreThere) {
+  play();
+  reported(folder_.path());
+  EXPECT_TRUE(has(markdown(), "| games | 12 of 12 |\n")) << markdown();
+  EXPECT_TRUE(has(markdown(), "| void games | 0 |\n"));
+  EXPECT_FALSE(has(markdown(), "are missing"));
+}
+
+TEST_F(Report, NamesVoidGamesAndWhy) {
+  ExperimentOptions options = fake_options(folder_.path());
+  options.play = [](const GameConfiguration& game) {
+    if (game.b.robots == 5) throw std::runtime_error("the ball is gone");
+    return fake_game(game);
+  };
+  run_experiment(small_sweep(1), options);
+  reported(folder_.path());
+  EXPECT_TRUE(has(markdown(), "| void games | 2 |\n"));
+  EXPECT_TRUE(has(markdown(), "- b.robots=5-p0001-1: the game threw: the ball is gone\n"))
+      << markdown();
+}
+
+TEST_F(Report, ListsWhatIsNotTheDefault) {
+  Scenario sweep = small_sweep(1);
+  std::get<Sweep>(sweep.content).base.match.half_s = 77;
+  run_experiment(sweep, fake_options(folder_.path()));
+  reported(folder_.path());
+  EXPECT_TRUE(has(markdown(), "| match.half\\_s | 77.0 | 600.0 |\n")) << markdown();
+  EXPECT_FALSE(has(markdown(), "match.halves"));
+}
+
+TEST_F(Report, HasACrosstableOfARoundRobin) {
+  run_experiment(small_roundrobin({6, 16}, 1), fake_options(folder_.path()));
+  reported(folder_.path());
+  EXPECT_TRUE(has(markdown(), "| team1 |  | 6 (+")) << markdown();
+  EXPECT_TRUE(has(markdown(), "| team0 | 0 (-")) << markdown();
+}
+
+}  // namespace
+}  // namespace autoref::runner

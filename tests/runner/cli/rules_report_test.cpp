@@ -1,0 +1,45 @@
+#include "runner/cli/rules_report.hpp"
+
+#include <gtest/gtest.h>
+
+#include "soccer/rule_table.hpp"
+
+namespace autoref::runner {
+namespace {
+
+std::string line_of(const std::string& text, const std::string& rule) {
+  const std::size_t begin = text.find("\n" + rule + " ");
+  return begin == std::string::npos ? ""
+                                    : text.substr(begin + 1, text.find('\n', begin + 1) - begin);
+}
+
+// Laws 2014, law 12: "kicks the ball such that it exceeds 8 m/s".
+TEST(RulesReport, TellsSectionAndThresholdOfTheLaws) {
+  const std::string line = line_of(rules_text(*find_rule_book("2014")), "kick_speed");
+  EXPECT_NE(line.find("Laws 12"), std::string::npos) << line;
+  EXPECT_NE(line.find("8 m/s"), std::string::npos) << line;
+}
+
+TEST(RulesReport, TellsThresholdsOf2026) {
+  const std::string text = rules_text(*find_rule_book("2026-b"));
+  EXPECT_NE(line_of(text, "kick_speed").find("6.5 m/s"), std::string::npos);
+  EXPECT_NE(line_of(text, "dribbling").find("1 m "), std::string::npos);
+}
+
+TEST(RulesReport, ListsOnlyWhatIsInForceWithItsSection) {
+  const std::string text = rules_text(*find_rule_book("paper"));
+  EXPECT_NE(line_of(text, "goal").find("paper 4.4"), std::string::npos);
+  EXPECT_EQ(line_of(text, "crash"), "");
+  EXPECT_NE(text.substr(text.find("Not in force")).find("crash"), std::string::npos);
+}
+
+TEST(RulesReport, ListsEveryBookWithItsField) {
+  const std::string text = books_text();
+  for (const std::string& name : rule_book_names()) {
+    EXPECT_NE(text.find("\n" + name), std::string::npos) << name;
+  }
+  EXPECT_NE(text.find("12 x    9 m, 11 robots"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace autoref::runner

@@ -1,0 +1,81 @@
+#include <gtest/gtest.h>
+
+#include "runner/io/errors.hpp"
+#include "tests/runner/cli/answer.hpp"
+#include "tests/runner/support/short_log.hpp"
+#include "tests/runner/support/temporary_folder.hpp"
+
+namespace autoref::runner {
+namespace {
+
+class ViewVerb : public testing::Test {
+ protected:
+  Answer view(const std::string& log, std::vector<const char*> more = {}) {
+    std::vector<const char*> arguments = {"view", log.c_str(), "-o", page_.c_str()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return answer_to(arguments);
+  }
+
+  TemporaryFolder folder_;
+  std::string page_ = folder_ / "game.html";
+};
+
+TEST_F(ViewVerb, MakesAPageOfALog) {
+  const Answer answer = view(write_short_log(folder_, "paper"));
+  EXPECT_EQ(answer.code, kDone) << answer.err;
+  EXPECT_TRUE(answer.out.starts_with(page_)) << answer.out;
+  EXPECT_NE(content_of(page_).find(R"("teams": ["basic", "basic"])"), std::string::npos);
+}
+
+TEST_F(ViewVerb, ShowsWhatStandsBeforeDamageAndSaysWhereItIs) {
+  const std::string log = write_short_log(folder_, "paper");
+  const std::string bytes = content_of(log);
+  write_content(log, bytes.substr(0, bytes.size() / 2));
+  const Answer answer = view(log);
+  EXPECT_EQ(answer.code, kBadInput);
+  EXPECT_NE(answer.err.find("the log is read up to byte "), std::string::npos) << answer.err;
+  EXPECT_GT(content_of(page_).size(), 20'000U);
+}
+
+TEST_F(ViewVerb, RefusesALogWithoutPictures) {
+  const std::string log = folder_ / "empty.log";
+  write_content(log, std::string("SSL_LOG_FILE\0\0\0\1", 16));
+  const Answer answer = view(log);
+  EXPECT_EQ(answer.code, kBadInput);
+  EXPECT_NE(answer.err.find("empty.log: the log shows no picture"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(page_));
+}
+
+TEST_F(ViewVerb, RefusesWhatIsNoLog) {
+  const Answer answer = view(std::string(AUTOREF_SOURCE_DIR) + "/README.md");
+  EXPECT_EQ(answer.code, kBadInput);
+  EXPECT_NE(answer.err.find("SSL_LOG_FILE"), std::string::npos) << answer.err;
+}
+
+TEST_F(ViewVerb, DoesNotWriteOverTheLog) {
+  const std::string log = write_short_log(folder_, "paper");
+  const std::string bytes = content_of(log);
+  page_ = log;
+  EXPECT_EQ(view(log).code, kBadInput);
+  EXPECT_EQ(content_of(log), bytes);
+}
+
+TEST_F(ViewVerb, NamesALineThatIsNoDecision) {
+  const std::string events = folder_ / "events.jsonl";
+  write_content(events, "no decision\n");
+  const Answer answer = view(write_short_log(folder_, "paper"), {"--events", events.c_str()});
+  EXPECT_EQ(answer.code, kBadInput);
+  EXPECT_NE(answer.err.find("events.jsonl:1:1: "), std::string::npos) << answer.err;
+}
+
+// Its own decisions come with their reasons.
+TEST_F(ViewVerb, IsWhatPlayMakesInOneGo) {
+  const std::string game = std::string(AUTOREF_SOURCE_DIR) + "/scenarios/paper-game.yaml";
+  const Answer answer =
+      answer_to({"play", game.c_str(), "--set", "match.half_s=3", "--view", page_.c_str()});
+  EXPECT_EQ(answer.code, kDone) << answer.err;
+  EXPECT_NE(content_of(page_).find(R"("event": "half_over")"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace autoref::runner

@@ -1,0 +1,316 @@
+// Knockouts, with made-up games.
+#include "runner/experiments/knockout.hpp"
+#include "runner/experiments/reading/effective.hpp"
+#include "runner/experiments/reading/scenario_reader.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <csignal>
+
+#include "runner/batch/result_folder.hpp"
+#include "runner/experiments/bracket.hpp"
+#include "runner/experiments/knockout_plan.hpp"
+#include "tests/runner/batch/fake_games.hpp"
+#include "tests/runner/experiments/reading/mistake.hpp"
+
+namespace autoref::runner {
+namespace {
+
+namespace fs = std::filesystem;
+
+// team0 is the best seed; each has so many robots as its name says, and one.
+Knockout knockout_of(int teams) {
+  Knockout knockout;
+  for (int i = 0; i < teams; ++i) {
+    knockout.order.push_back("team" + std::to_string(i));
+    knockout.teams[knockout.order.back()].robots = i + 1;
+  }
+  knockout.seed = 2026;
+  return knockout;
+}
+
+// The team of fewer robots, here the better seed, wins 2:1.
+GameRecord won_by_the_better(const GameConfiguration& game) {
+  GameRecord record = fake_game(game);
+  record.goals_a = game.a.robots < game.b.robots ? 2 : 1;
+  record.goals_b = 3 - record.goals_a;
+  return record;
+}
+
+GameRecord won_by_the_worse(const GameConfiguration& game) {
+  GameRecord record = won_by_the_better(game);
+  std::swap(record.goals_a, record.goals_b);
+  return record;
+}
+
+GameRecord drawn(const GameConfiguration& game) {
+  GameRecord record = fake_game(game);
+  record.goals_a = record.goals_b = 1;
+  return record;
+}
+
+ExperimentReport run(const Knockout& knockout, const fs::path& folder,
+                     const std::function<GameRecord(const GameConfiguration&)>& play,
+                     ShardPlace shard = {}) {
+  ExperimentOptions options = fake_options(folder);
+  options.play = play;
+  options.shard = shard;
+  return run_experiment({"A test.", knockout}, options);
+}
+
+std::string results_in(const fs::path& folder) {
+  return content_of(folder / "results.csv") + content_of(folder / "summary.csv");
+}
+
+std::string undisturbed_results(const Knockout& knockout) {
+  const TemporaryFolder folder;
+  run(knockout, folder.path(), won_by_the_worse);
+  return results_in(folder.path());
+}
+
+std::vector<std::string> ids_of(const std::vector<PlannedGame>& games) {
+  std::vector<std::string> ids;
+  for (const PlannedGame& game : games) ids.push_back(game.id);
+  return ids;
+}
+
+TEST(Bracket, OfEightTeamsKeepsTheBestApart) {
+  const std::vector<std::string> expected = {
+      "team0~team7-p0001-1", "team3~team4-p0002-1", "team1~team6-p0003-1", "team2~team5-p0004-1",
+      "team0~team3-p0005-1", "team1~team2-p0006-1", "team0~team1-p0007-1"};
+  EXPECT_EQ(ids_of(plan(knockout_of(8))), expected);
+}
+
+TEST(Bracket, OfFiveTeamsHasTheThreeBestWaitForTheSecondRound) {
+  const std::vector<std::string> expected = {"team3~team4-p0001-1", "team0~team3-p0002-1",
+                                             "team1~team2-p0003-1", "team0~team1-p0004-1"};
+  EXPECT_EQ(ids_of(plan(knockout_of(5))), expected);
+}
+
+TEST(Bracket, OfTwoTeamsIsAFinal) {
+  const std::vector<Tie> ties = bracket_of(knockout_of(2), [](Tie&) {});
+  ASSERT_EQ(ties.size(), 1U);
+  EXPECT_EQ(ties[0].name, "final");
+}
+
+TEST(Bracket, HasATieLessThanTeams) {
+  for (const int teams : {2, 3, 5, 6, 11, 16, 33, 64}) {
+    EXPECT_EQ(plan([teams] {
+                Knockout knockout = knockout_of(teams);
+                for (auto& [name, team] : knockout.teams) team.robots = 6;
+                return knockout;
+              }())
+                  .size(),
+              static_cast<std::size_t>(teams - 1));
+  }
+}
+
+TEST(Bracket, KnowsOnlyTheTiesThatNoOtherComesBefore) {
+  const std::vector<Tie> ties = bracket_of(knockout_of(5), [](Tie&) {});
+  EXPECT_EQ(ids_of(games_of(knockout_of(5), ties)),
+            (std::vector<std::string>{"team3~team4-p0001-1", "team1~team2-p0003-1"}));
+  EXPECT_EQ(ties[1].a, "team0");
+  EXPECT_FALSE(ties[1].b.has_value());
+  EXPECT_EQ(ties[0].name, "quarter-final 1");
+}
+
+TEST(KnockoutGames, ChangeEndsAndSeedWhenPlayedAgain) {
+  std::vector<Tie> ties = bracket_of(knockout_of(2), [](Tie&) {});
+  ties[0].games = {"team0~team1-p0001-1"};
+  const std::vector<PlannedGame> games = games_of(knockout_of(2), ties);
+  ASSERT_EQ(games.size(), 2U);
+  EXPECT_EQ(games[0].configuration.match.a_plays, Side::kWest);
+  EXPECT_EQ(games[1].configuration.match.a_plays, Side::kEast);
+  EXPECT_NE(games[0].configuration.seed, games[1].configuration.seed);
+  EXPECT_EQ(games[0].unit, games[1].unit);
+}
+
+TEST(KnockoutRun, PlaysOnUntilTheFinalIsWon) {
+  const TemporaryFolder folder;
+  const ExperimentReport report = run(knockout_of(5), folder.path(), won_by_the_worse);
+  EXPECT_TRUE(report.is_complete);
+  EXPECT_EQ(report.played, 4);
+  EXPECT_NE(content_of(folder / "summary.csv").find("4,final,team2,team4,1,2,,,1,0,goals,team4\n"),
+            std::string::npos)
+      << content_of(folder / "summary.csv");
+  EXPECT_NE(report.results.table.find("the winner is team4"), std::string::npos);
+}
+
+TEST(KnockoutRun, LeavesTheSameResultsForEveryNumberOfWorkers) {
+  const std::string expected = undisturbed_results(knockout_of(7));
+  const TemporaryFolder folder;
+  ExperimentOptions options = fake_options(folder.path());
+  options.play = won_by_the_worse;
+  options.workers = 3;
+  run_experiment({"A test.", knockout_of(7)}, options);
+  EXPECT_EQ(results_in(folder.path()), expected);
+}
+
+TEST(KnockoutRun, GoesOnAfterAnInterrupt) {
+  const TemporaryFolder folder;
+  const pid_t runner = getpid();
+  const auto interrupted = [runner](const GameConfiguration& game) {
+    kill(runner, SIGINT);
+    return won_by_the_worse(game);
+  };
+  // One game each time: also the last of a round ends the run.
+  EXPECT_TRUE(run(knockout_of(3), folder.path(), interrupted).is_interrupted);
+  EXPECT_EQ(run(knockout_of(3), folder.path(), won_by_the_worse).played, 1);
+  EXPECT_EQ(results_in(folder.path()), undisturbed_results(knockout_of(3)));
+}
+
+TEST(KnockoutRun, PlaysADrawnTieAgain) {
+  const TemporaryFolder folder;
+  const auto drawn_at_first = [](const GameConfiguration& game) {
+    return game.match.a_plays == Side::kWest ? drawn(game) : won_by_the_worse(game);
+  };
+  const ExperimentReport report = run(knockout_of(2), folder.path(), drawn_at_first);
+  EXPECT_EQ(report.played, 2);
+  EXPECT_EQ(report.games, 2);
+  EXPECT_NE(report.results.table.find("goals in game 2"), std::string::npos)
+      << report.results.table;
+}
+
+TEST(KnockoutRun, SendsTheBetterSeedOnAfterSixDraws) {
+  const TemporaryFolder folder;
+  const ExperimentReport report = run(knockout_of(2), folder.path(), drawn);
+  EXPECT_EQ(report.played, 6);
+  EXPECT_NE(content_of(folder / "summary.csv").find(",6,0,better seed,team0\n"), std::string::npos);
+  EXPECT_NE(report.results.table.find("better seed after 6 games"), std::string::npos);
+}
+
+TEST(KnockoutRun, TakesAVoidGameForADraw) {
+  const TemporaryFolder folder;
+  const ExperimentReport report =
+      run(knockout_of(2), folder.path(),
+          [](const GameConfiguration&) -> GameRecord { throw std::runtime_error("no"); });
+  EXPECT_EQ(report.void_games, 6);
+  EXPECT_NE(report.results.table.find("better seed after 6 games, 6 void"), std::string::npos)
+      << report.results.table;
+}
+
+TEST(KnockoutRun, TellsHowATieWasDecided) {
+  const TemporaryFolder folder;
+  const auto shot_out = [](const GameConfiguration& game) {
+    GameRecord record = drawn(game);
+    record.end_reason = EndReason::kShootout;
+    record.shootout = {{2, 4}};
+    return record;
+  };
+  const ExperimentReport report = run(knockout_of(2), folder.path(), shot_out);
+  EXPECT_NE(content_of(folder / "summary.csv").find(",1,1,2,4,1,0,shoot-out,team1\n"),
+            std::string::npos);
+  EXPECT_NE(report.results.table.find("1:1 (2:4)"), std::string::npos);
+}
+
+TEST(KnockoutRun, HasTheLosersOfTheSemiFinalsPlayForTheThirdPlace) {
+  Knockout knockout = knockout_of(4);
+  knockout.third_place = true;
+  const TemporaryFolder folder;
+  const ExperimentReport report = run(knockout, folder.path(), won_by_the_better);
+  EXPECT_EQ(report.played, 4);
+  EXPECT_NE(content_of(folder / "summary.csv").find("4,third place,team2,team3,2,1,,,1,0,goals"),
+            std::string::npos)
+      << content_of(folder / "summary.csv");
+}
+
+TEST(KnockoutRun, PlaysOneGameMoreWhenTheThirdPlaceIsAdded) {
+  const TemporaryFolder folder;
+  Knockout knockout = knockout_of(4);
+  run(knockout, folder.path(), won_by_the_better);
+  knockout.third_place = true;
+  EXPECT_EQ(run(knockout, folder.path(), won_by_the_better).played, 1);
+}
+
+TEST(KnockoutShards, WaitForEachOtherAndLeaveTheSameResults) {
+  const TemporaryFolder folder;
+  ExperimentReport report = run(knockout_of(8), folder.path(), won_by_the_worse, {0, 2});
+  EXPECT_TRUE(report.is_waiting);
+  EXPECT_EQ(report.played, 2);
+  EXPECT_EQ(report.games, 7);
+  for (int turn = 1; turn < 7 && !report.is_complete; ++turn) {
+    report = run(knockout_of(8), folder.path(), won_by_the_worse, {turn % 2, 2});
+  }
+  EXPECT_TRUE(report.is_complete);
+  EXPECT_EQ(results_in(folder.path()), undisturbed_results(knockout_of(8)));
+}
+
+TEST(KnockoutFolder, IsReadAsFarAsItGoes) {
+  const TemporaryFolder folder;
+  run(knockout_of(8), folder.path(), won_by_the_worse, {0, 2});
+  const ResultFolder results = open_results(folder.path());
+  EXPECT_FALSE(results.is_complete());
+  EXPECT_EQ(results.stock.done.size(), 2U);
+  EXPECT_EQ(results.games.size(), 4U);
+  EXPECT_EQ(results.needed, 7U);
+}
+
+const std::string kTop = "schema: 1\nkind: knockout\nseed: 7\n";
+const std::string kTeams = "teams: { zone: {}, bold: {}, calm: {} }\n";
+
+Knockout read(const std::string& text) {
+  return std::get<Knockout>(read_scenario_text(kTop + kTeams + text, "x.yaml").content);
+}
+
+TEST(ReadKnockout, SeedsTeamsByTheirNamesUnlessItIsTold) {
+  EXPECT_EQ(read("").order, (std::vector<std::string>{"bold", "calm", "zone"}));
+  EXPECT_EQ(read("order: [zone, bold, calm]\n").order,
+            (std::vector<std::string>{"zone", "bold", "calm"}));
+}
+
+TEST(ReadKnockout, PlaysExtraTimeWhereTheRulesHaveItUnlessItIsTold) {
+  EXPECT_FALSE(read("").base.match.knockout);
+  EXPECT_TRUE(read("base: { match: { rules: 2026-b } }\n").base.match.knockout);
+  EXPECT_FALSE(read("base: { match: { rules: 2026-b, knockout: false } }\n").base.match.knockout);
+}
+
+TEST(EffectiveConfiguration, OfAKnockoutReadsBackEqual) {
+  Knockout knockout = knockout_of(4);
+  knockout.third_place = true;
+  std::swap(knockout.order[0], knockout.order[3]);
+  const std::string text = effective_text({"A test.", knockout});
+  EXPECT_EQ(effective_text(read_scenario_text(text, "x.yaml")), text);
+}
+
+class WrongKnockout : public testing::TestWithParam<Mistake> {};
+
+TEST_P(WrongKnockout, IsRefusedWithItsPlaceAndARemedy) { expect_refused(GetParam()); }
+
+INSTANTIATE_TEST_SUITE_P(Files, WrongKnockout,
+                         testing::Values(Mistake{"OneTeam",
+                                                 kTop + "teams: { zone: {} }\n",
+                                                 "x.yaml:4:1: teams: ",
+                                                 {"expected 2 to 64 teams", "found 1"}},
+                                         Mistake{"OrderIsAWord",
+                                                 kTop + kTeams + "order: zone\n",
+                                                 "x.yaml:5:8: order: ",
+                                                 {"every team once", "bold, calm, zone"}},
+                                         Mistake{"UnknownTeamInTheOrder",
+                                                 kTop + kTeams + "order: [zone, bold, clam]\n",
+                                                 "x.yaml:5:21: order: ",
+                                                 {"bold, calm, zone", "'clam', which is no team"}},
+                                         Mistake{"TeamTwiceInTheOrder",
+                                                 kTop + kTeams + "order: [zone, bold, zone]\n",
+                                                 "x.yaml:5:21: order: ",
+                                                 {"'zone' twice"}},
+                                         Mistake{"TeamMissingInTheOrder",
+                                                 kTop + kTeams + "order: [zone, bold]\n",
+                                                 "x.yaml:5:8: order: ",
+                                                 {"'calm' is missing"}},
+                                         Mistake{"ThirdPlaceOfThree",
+                                                 kTop + kTeams + "third_place: true\n",
+                                                 "x.yaml:5:14: third_place: ",
+                                                 {"at least 4 teams", "leave it out"}},
+                                         Mistake{"ThirdPlaceIsAWord",
+                                                 kTop + kTeams + "third_place: maybe\n",
+                                                 "x.yaml:5:14: third_place: ",
+                                                 {"true, false"}},
+                                         Mistake{"Pairs",
+                                                 kTop + kTeams + "pairs: 5\n",
+                                                 "x.yaml:5:1: ",
+                                                 {"unknown key 'pairs'"}}),
+                         [](const auto& test) { return test.param.name; });
+
+}  // namespace
+}  // namespace autoref::runner

@@ -1,0 +1,236 @@
+// What people get wrong in an experiment's file, one mistake at a time: each is refused with file,
+// line, key and what to do.
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "runner/experiments/reading/scenario_reader.hpp"
+#include "tests/runner/experiments/reading/mistake.hpp"
+
+namespace autoref::runner {
+namespace {
+
+const std::string kSweep =
+    "schema: 1\n"
+    "kind: sweep\n"
+    "pairs: 2\n"
+    "seed: 1\n"
+    "base: { match: { half_s: 60 } }\n"
+    "factors: { b.robots: [6, 5] }\n";
+
+const std::string kRobin =
+    "schema: 1\n"
+    "kind: roundrobin\n"
+    "pairs: 2\n"
+    "seed: 1\n"
+    "teams: { bold: { strategy: basic }, calm: { strategy: zone } }\n";
+
+const std::string kGame =
+    "schema: 1\n"
+    "kind: game\n"
+    "teams: { a: { strategy: basic }, b: { strategy: zone } }\n"
+    "match: { rules: paper, half_s: 60 }\n";
+
+// `text` with `what` replaced once.
+std::string changed(std::string text, const std::string& what, const std::string& by) {
+  const std::size_t place = text.find(what);
+  if (place == std::string::npos) throw std::logic_error("there is no " + what);
+  return text.replace(place, what.size(), by);
+}
+
+TEST(Mistakes, AreTheOnlyReasonForRefusal) {
+  for (const std::string& text : {kSweep, kRobin, kGame}) {
+    EXPECT_NO_THROW(read_scenario_text(text, "x.yaml"));
+  }
+}
+
+class Mistakes : public testing::TestWithParam<Mistake> {};
+
+TEST_P(Mistakes, AreRefusedWithPlaceKeyAndRemedy) { expect_refused(GetParam()); }
+
+INSTANTIATE_TEST_SUITE_P(
+    Sweeps, Mistakes,
+    testing::Values(Mistake{"UnknownKey",
+                            kSweep + "pair: 5\n",
+                            "x.yaml:7:1: unknown key 'pair'",
+                            {"did you mean 'pairs'?", "schema, kind"}},
+                    Mistake{"KeyOfOtherKinds",
+                            kSweep + "teams: {}\n",
+                            "x.yaml:7:1: unknown key 'teams'. Known here: schema, kind",
+                            {}},
+                    Mistake{"KeyTwice",
+                            kSweep + "seed: 2\n",
+                            "x.yaml:7:1: the key 'seed' is given twice, first in line 4",
+                            {"leave one out"}},
+                    Mistake{"WordForANumber",
+                            changed(kSweep, "pairs: 2", "pairs: two"),
+                            "x.yaml:3:8: pairs: expected a whole number from 1 to 9999",
+                            {"found 'two'"}},
+                    Mistake{"NoPairs",
+                            changed(kSweep, "pairs: 2", "pairs: 0"),
+                            "x.yaml:3:8: pairs: ",
+                            {"from 1 to 9999", "found '0'"}},
+                    Mistake{"NegativeSeed",
+                            changed(kSweep, "seed: 1", "seed: -1"),
+                            "x.yaml:4:7: seed: ",
+                            {"from 0 to 2^64 - 1", "found '-1'"}},
+                    Mistake{"UnknownKind",
+                            changed(kSweep, "sweep", "sweeps"),
+                            "x.yaml:2:7: kind: expected one of ",
+                            {"found 'sweeps'; did you mean 'sweep'?"}},
+                    Mistake{"MissingKind",
+                            changed(kSweep, "kind: sweep\n", ""),
+                            "x.yaml:1:1: the key 'kind' is missing",
+                            {"add it, such as kind: sweep"}},
+                    Mistake{"MissingSchema",
+                            changed(kSweep, "schema: 1\n", ""),
+                            "x.yaml:1:1: the key 'schema' is missing",
+                            {"schema: 1"}},
+                    Mistake{"OtherSchema",
+                            changed(kSweep, "schema: 1", "schema: 2"),
+                            "x.yaml:1:9: schema: expected 1, the only schema so far",
+                            {"found '2'"}},
+                    Mistake{"MissingFactors",
+                            changed(kSweep, "factors: { b.robots: [6, 5] }\n", ""),
+                            "x.yaml:1:1: the key 'factors' is missing",
+                            {"factors: { b.handicap: [1.0, 0.9] }"}},
+                    Mistake{"FactorWithoutValues",
+                            changed(kSweep, "[6, 5]", "[]"),
+                            "x.yaml:6:22: b.robots: expected a list of values, at least one",
+                            {"such as [1.0, 0.9]"}},
+                    Mistake{"FactorWithOneValueNoList",
+                            changed(kSweep, "[6, 5]", "5"),
+                            "x.yaml:6:22: b.robots: expected a list",
+                            {"such as [1.0, 0.9]"}},
+                    Mistake{"UnknownFactor",
+                            changed(kSweep, "b.robots", "b.robot"),
+                            "x.yaml:6:22: b.robot: unknown key",
+                            {"did you mean 'b.robots'?"}},
+                    Mistake{"FactorLikeNothing",
+                            changed(kSweep, "b.robots", "base.b.robots"),
+                            "x.yaml:6:28: base.b.robots: unknown key",
+                            {"such as b.handicap"}},
+                    Mistake{"RobotsOutOfRange",
+                            changed(kSweep, "[6, 5]", "[6, 17]"),
+                            "x.yaml:6:26: b.robots: expected a whole number from 1 to 16",
+                            {"found '17'"}},
+                    Mistake{"HandicapOutOfRange",
+                            changed(kSweep, "b.robots: [6, 5]", "b.handicap: [2.5]"),
+                            "x.yaml:6:25: b.handicap: expected a number above 0 and at most 2",
+                            {"found '2.5'"}},
+                    Mistake{"ValueTwice",
+                            changed(kSweep, "[6, 5]", "[6, 6]"),
+                            "x.yaml:6:26: b.robots: the value 6 is given twice",
+                            {"leave one out"}},
+                    Mistake{"UnknownTeamAsFactor",
+                            changed(kSweep, "b.robots: [6, 5]", "a.strategy: [basic, zon]"),
+                            "x.yaml:6:32: a.strategy: expected one of ",
+                            {"found 'zon'; did you mean 'zone'?"}},
+                    Mistake{"UnknownParameterAsFactor",
+                            changed(kSweep, "b.robots: [6, 5]", "a.params.shot: [5]"),
+                            "x.yaml:6:12: teams.a.params.shot: ",
+                            {"did you mean 'shot_mps'?"}},
+                    Mistake{"UnknownCamera",
+                            changed(kSweep, "match: { half_s: 60 }", "sim: { camera: realistc }"),
+                            "x.yaml:5:24: sim.camera: expected one of ",
+                            {"did you mean 'realistic'?"}},
+                    Mistake{"UnknownRules",
+                            changed(kSweep, "half_s: 60", "rules: 2015"),
+                            "x.yaml:5:25: match.rules: expected one of paper, 2014",
+                            {"found '2015'"}},
+                    Mistake{"NegativeTime",
+                            changed(kSweep, "60", "-60"),
+                            "x.yaml:5:26: match.half_s: expected a number above 0",
+                            {"s, found '-60'"}},
+                    Mistake{"NoMapping",
+                            changed(kSweep, "{ half_s: 60 }", "60"),
+                            "x.yaml:5:16: match: expected a mapping (",
+                            {"half_s", "found '60'"}}),
+    [](const auto& test) { return test.param.name; });
+
+INSTANTIATE_TEST_SUITE_P(
+    RoundRobins, Mistakes,
+    testing::Values(
+        Mistake{
+            "MissingTeams",
+            changed(kRobin, "teams: { bold: { strategy: basic }, calm: { strategy: zone } }\n", ""),
+            "x.yaml:1:1: the key 'teams' is missing",
+            {"such as teams: { one: { strategy: basic }"}},
+        Mistake{"OneTeam",
+                changed(kRobin, ", calm: { strategy: zone }", ""),
+                "x.yaml:5:1: teams: expected at least 2 teams",
+                {"found 1"}},
+        Mistake{"NameOfATeam",
+                changed(kRobin, "bold", "b~old"),
+                "x.yaml:5:10: teams: a team's name must be of letters",
+                {"'b~old'"}},
+        Mistake{"UnknownTeam",
+                changed(kRobin, "zone", "zoen"),
+                "x.yaml:5:55: teams.calm.strategy: expected one of ",
+                {"found 'zoen'; did you mean 'zone'?"}},
+        Mistake{"TeamsInTheBase",
+                kRobin + "base: { teams: { a: {} } }\n",
+                "x.yaml:6:9: base.teams: ",
+                {"beside the base"}}),
+    [](const auto& test) { return test.param.name; });
+
+INSTANTIATE_TEST_SUITE_P(
+    Games, Mistakes,
+    testing::Values(Mistake{"ThirdTeam",
+                            changed(kGame, "b: {", "c: {"),
+                            "x.yaml:3:34: teams: unknown key 'c'. Known here: a, b",
+                            {}},
+                    Mistake{"UnknownParameter",
+                            changed(kGame, "strategy: basic", "params: { shot_mp: 5 }"),
+                            "x.yaml:3:25: teams.a.params.shot_mp: ",
+                            {"did you mean 'shot_mps'?"}},
+                    Mistake{
+                        "ParameterOutOfRange",
+                        changed(kGame, "strategy: basic", "params: { shot_mps: 9 }"),
+                        "x.yaml:3:25: teams.a.params.shot_mps: expected a number from 0 to 8 m/s",
+                        {"found '9'"}},
+                    Mistake{"FileOfATypeThatIsNotThere",
+                            changed(kGame, "strategy: basic", "type: robots/swift.yaml"),
+                            "x.yaml:3:21: teams.a.type: ",
+                            {"robots/swift.yaml", "cannot be read"}},
+                    Mistake{"YesForTrue",
+                            changed(kGame, "half_s: 60", "knockout: yes"),
+                            "x.yaml:4:34: match.knockout: expected one of false, true",
+                            {"found 'yes'"}}),
+    [](const auto& test) { return test.param.name; });
+
+INSTANTIATE_TEST_SUITE_P(Syntax, Mistakes,
+                         testing::Values(Mistake{"Tab",
+                                                 changed(kSweep, "{ match: { half_s: 60 } }",
+                                                         "\n\tmatch: { half_s: 60 }"),
+                                                 "x.yaml:6:1: this is no YAML: a tab",
+                                                 {"use spaces"}},
+                                         Mistake{"OpenBracket",
+                                                 changed(kSweep, "5] }", "5 }"),
+                                                 "x.yaml:6:28: this is no YAML: ",
+                                                 {"bracket before it is not closed"}},
+                                         Mistake{"OpenBrace",
+                                                 changed(kSweep, "60 } }", "60 }"),
+                                                 "x.yaml:6:1: this is no YAML: ",
+                                                 {"'{' before here is not closed"}},
+                                         Mistake{"ColonInText",
+                                                 kSweep + "about: first: a test\n",
+                                                 "x.yaml:7:13: this is no YAML: ",
+                                                 {"in quotes"}},
+                                         Mistake{"OpenQuotes",
+                                                 kSweep + "about: \"a test\n",
+                                                 "x.yaml:7:8: this is no YAML: ",
+                                                 {"never closed"}},
+                                         Mistake{"Indentation",
+                                                 changed(kSweep, "{ match: { half_s: 60 } }",
+                                                         "\n    match: {}\n  sim: {}"),
+                                                 "x.yaml:7:3: this is no YAML: ",
+                                                 {"indent this line like"}},
+                                         Mistake{"TwoDocuments",
+                                                 kSweep + "---\nschema: 1\n",
+                                                 "x.yaml:8:1: expected one document",
+                                                 {"leave out the line ---"}}),
+                         [](const auto& test) { return test.param.name; });
+
+}  // namespace
+}  // namespace autoref::runner

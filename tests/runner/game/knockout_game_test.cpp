@@ -1,0 +1,94 @@
+// Games that do not end with their halves, and games whose clock stands, in the record and in rows.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "runner/game/game.hpp"
+#include "runner/results/game_report.hpp"
+#include "runner/results/rows.hpp"
+#include "runner/settings/fields.hpp"
+#include "tests/runner/support/short_game.hpp"
+
+namespace autoref::runner {
+namespace {
+
+int count(const GameRecord& record, referee::Event event) {
+  return record.events[static_cast<std::size_t>(event)];
+}
+
+// Two teams that never score.
+GameRecord drawn_knockout() {
+  GameConfiguration game = short_game(5, 3);
+  game.a.strategy = game.b.strategy = "dummy";
+  game.match.knockout = true;
+  game.match.extra_half_s = 4;
+  return play(game);
+}
+
+TEST(KnockoutGame, WithoutAGoalEndsByItselfInADrawnShootout) {
+  const GameRecord record = drawn_knockout();
+  EXPECT_EQ(record.status, Status::kOk) << record.void_reason;
+  EXPECT_EQ(record.end_reason, EndReason::kShootout);
+  EXPECT_EQ(record.goals_by_half.size(), 4U);
+  EXPECT_EQ(record.shootout, (std::array<int, 2>{0, 0}));
+  EXPECT_EQ(count(record, referee::Event::kPenaltyFailed), 100);  // fifty kicks each
+}
+
+TEST(KnockoutGame, ThatIsDrawnKicksPenaltiesUntilOneSideHasWon) {
+  GameConfiguration game = short_game(5, 1);
+  game.match.knockout = true;
+  game.match.extra_half_s = 5;
+  const GameRecord record = play(game);
+  ASSERT_EQ(record.status, Status::kOk) << record.void_reason;
+  ASSERT_EQ(record.end_reason, EndReason::kShootout);
+  ASSERT_TRUE(record.shootout.has_value());
+  EXPECT_NE((*record.shootout)[0], (*record.shootout)[1]);
+  EXPECT_EQ(record.goals_a, record.goals_b);
+}
+
+TEST(KnockoutGame, IsNoneUnlessAskedFor) {
+  GameConfiguration game = short_game(5, 3);
+  game.a.strategy = game.b.strategy = "dummy";
+  const GameRecord record = play(game);
+  EXPECT_EQ(record.end_reason, EndReason::kTime);
+  EXPECT_FALSE(record.shootout.has_value());
+}
+
+TEST(GameByTheClockOf2026, PlaysItsHalvesInFullAndEndsByItself) {
+  GameConfiguration game = short_game(20, 4);
+  set_by_path(game, "match.rules", "2026-b");
+  game.match.half_s = 20;
+  const GameRecord record = play(game);
+  EXPECT_EQ(record.status, Status::kOk) << record.void_reason;
+  EXPECT_EQ(record.end_reason, EndReason::kTime);
+  EXPECT_GT(record.sim_s, 45);  // two halves of 20 s of play, and the stops
+}
+
+TEST(ShootoutInRows, StandsInColumnsOfItsOwn) {
+  GameRecord record;
+  const auto cell = [&](const char* name) {
+    const Cells columns = outcome_columns();
+    const auto at = std::find(columns.begin(), columns.end(), name) - columns.begin();
+    return outcome_of(record)[static_cast<std::size_t>(at)];
+  };
+  EXPECT_EQ(cell("shootout_a"), "");
+  record.shootout = {4, 2};
+  record.end_reason = EndReason::kShootout;
+  EXPECT_EQ(cell("shootout_a"), "4");
+  EXPECT_EQ(cell("shootout_b"), "2");
+  EXPECT_EQ(cell("end_reason"), "shootout");
+}
+
+TEST(ShootoutInReports, IsToldToPeopleAndMachines) {
+  const GameConfiguration game;
+  GameRecord record;
+  record.goals_by_half = {{1, 1}};
+  EXPECT_NE(json_of({game, record, 2.0, "x"}).find(R"("shootout": null)"), std::string::npos);
+  record.shootout = {4, 2};
+  EXPECT_NE(text_of({game, record, 2.0, "x"}).find("halves 1:1   shoot-out 4:2"),
+            std::string::npos);
+  EXPECT_NE(json_of({game, record, 2.0, "x"}).find(R"("shootout": [4, 2])"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace autoref::runner

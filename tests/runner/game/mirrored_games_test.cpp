@@ -1,0 +1,104 @@
+// Frames of whole games, turned by 180 degrees with the colours swapped, give the turned and
+// swapped calls in the same frames: the best detector of a referee that favours a side.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "runner/game/game.hpp"
+#include "runner/settings/match_rules.hpp"
+#include "sim/camera_presets.hpp"
+#include "soccer/rule_book.hpp"
+#include "tests/runner/support/short_game.hpp"
+
+namespace autoref::runner {
+namespace {
+
+struct Setup {
+  const char* book;
+  const char* camera;
+};
+
+// A second referee that sees every frame turned, and what both decide.
+class TurnedReferee final : public Observer {
+ public:
+  explicit TurnedReferee(referee::Configuration configuration)
+      : referee_(turned(std::move(configuration))) {}
+
+  void on_requests(const PerSide<TeamRequests>& requests) override {
+    requests_ = {{requests[Side::kEast], requests[Side::kWest]}};
+  }
+  void on_decision(const referee::Decision& decision) override { live_.push_back(decision); }
+  void on_frame(const Frame& frame, const RefereeSignal& signal, const sim::World&) override {
+    const RefereeSignal& other = referee_.update(mirrored(frame), requests_);
+    is_same = is_same && other.command == mirrored(signal.command) &&
+              other.robots_allowed[Side::kWest] == signal.robots_allowed[Side::kEast];
+    is_same = is_same && std::equal(live_.begin(), live_.end(), referee_.decisions().begin(),
+                                    referee_.decisions().end(), is_turned);
+    if (is_same) last_same_s = frame.time_s;
+    decisions += live_.size();
+    live_.clear();
+  }
+
+  bool is_same = true;
+  double last_same_s = 0;
+  std::size_t decisions = 0;
+
+ private:
+  static referee::Configuration turned(referee::Configuration configuration) {
+    std::swap(configuration.robots[Side::kWest], configuration.robots[Side::kEast]);
+    configuration.first_kickoff = opponent_of(configuration.first_kickoff);
+    return configuration;
+  }
+
+  static bool is_turned(const referee::Decision& a, const referee::Decision& b) {
+    const bool same_place = a.position_m.has_value() == b.position_m.has_value() &&
+                            (!a.position_m || (*a.position_m + *b.position_m).norm() < 1e-6);
+    const bool same_offender =
+        a.offender.has_value() == b.offender.has_value() && a.offender != b.offender;
+    return a.arrow == b.arrow && same_place && (same_offender || !a.offender) &&
+           a.robots.size() == b.robots.size() &&
+           std::all_of(a.robots.begin(), a.robots.end(), [&b](RobotId robot) {
+             const RobotId other{opponent_of(robot.side), robot.number};
+             return std::find(b.robots.begin(), b.robots.end(), other) != b.robots.end();
+           });
+  }
+
+  referee::Referee referee_;
+  PerSide<TeamRequests> requests_;
+  std::vector<referee::Decision> live_;
+};
+
+class MirroredGame : public testing::TestWithParam<Setup> {};
+
+// Four games each: twenty in all, of teams that break every rule.
+TEST_P(MirroredGame, GetsTheTurnedCallsInTheSameFrames) {
+  for (std::uint64_t seed = 11; seed <= 14; ++seed) {
+    GameConfiguration game = short_game(40, seed);
+    choose_rules(GetParam().book, game);
+    game.match.half_s = 40;
+    game.a.strategy = game.b.strategy = "rowdy";
+    sim::apply_camera_preset(GetParam().camera, game.sim);
+    TurnedReferee turned(referee_configuration(game));
+    play(game, &turned);
+    EXPECT_TRUE(turned.is_same) << "seed " << seed << ": no longer after " << turned.last_same_s
+                                << " s";
+    EXPECT_GT(turned.decisions, 10U) << "hardly anything was compared";
+  }
+}
+
+std::string name_of_setup(const testing::TestParamInfo<Setup>& info) {
+  std::string name = info.param.book;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return "Rules" + name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Books, MirroredGame,
+                         testing::Values(Setup{"paper", "paper"}, Setup{"2014", "none"},
+                                         Setup{"2014-double", "realistic"},
+                                         Setup{"2026-b", "realistic"}, Setup{"2026-a", "none"}),
+                         name_of_setup);
+
+}  // namespace
+}  // namespace autoref::runner

@@ -1,0 +1,185 @@
+// The figures of whole games: what must hold between them, and that no side is favoured.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "runner/game/game.hpp"
+#include "runner/game/play_counts/play_statistics.hpp"
+#include "runner/settings/match_rules.hpp"
+#include "sim/camera_presets.hpp"
+#include "tests/runner/support/short_game.hpp"
+
+namespace autoref::runner {
+namespace {
+
+sim::WorldState turned(const sim::WorldState& state) {
+  sim::WorldState turned = state;
+  std::swap(turned.robots[Side::kWest], turned.robots[Side::kEast]);
+  for (const Side side : kSides) {
+    for (sim::RobotState& robot : turned.robots[side]) {
+      robot.position_m = -robot.position_m;
+      robot.heading = -robot.heading;
+      robot.velocity_mps = -robot.velocity_mps;
+    }
+  }
+  turned.ball.position_m = -state.ball.position_m;
+  turned.ball.velocity_mps = -state.ball.velocity_mps;
+  return turned;
+}
+
+// As the turned world would have reported them: within a sub-step kicks first, then west first.
+std::vector<sim::Touch> turned(std::span<const sim::Touch> touches) {
+  std::vector<sim::Touch> turned(touches.begin(), touches.end());
+  for (sim::Touch& touch : turned) {
+    touch.robot.side = opponent_of(touch.robot.side);
+    touch.ball_m = -touch.ball_m;
+    touch.ball_mps = -touch.ball_mps;
+  }
+  std::stable_sort(turned.begin(), turned.end(), [](const sim::Touch& a, const sim::Touch& b) {
+    return std::tuple(a.substep, !a.is_kick, a.robot) < std::tuple(b.substep, !b.is_kick, b.robot);
+  });
+  return turned;
+}
+
+referee::Decision turned(referee::Decision decision) {
+  if (decision.command) decision.command = mirrored(*decision.command);
+  if (decision.offender) decision.offender = opponent_of(*decision.offender);
+  return decision;
+}
+
+// Counts along, once upright and once with the field turned. Play is in play from its signal on.
+class Counters final : public Observer {
+ public:
+  explicit Counters(const GameConfiguration& game)
+      : upright(game.field, game.sim.ball, game.sim.frame_rate_hz), upside_down(upright) {}
+
+  void on_decision(const referee::Decision& decision) override {
+    decisions_.push_back(decision);
+    turned_decisions_.push_back(turned(decision));
+    is_on_ = decision.to == referee::State::kRun;
+  }
+  void on_frame(const Frame&, const RefereeSignal&, const sim::World& world) override {
+    if (!world.touches().empty()) touched_ = world.touches().back().robot.side;
+    for (const referee::Decision& decision : decisions_) note_own_goal(decision);
+    upright.update({world.state(), world.touches(), decisions_, is_on_, is_on_});
+    const std::vector<sim::Touch> touches = turned(world.touches());
+    upside_down.update({turned(world.state()), touches, turned_decisions_, is_on_, is_on_});
+    decisions_.clear();
+    turned_decisions_.clear();
+  }
+
+  PlayStatistics upright;
+  PlayStatistics upside_down;
+  PerSide<int> own_goals;  // given to a side that did not touch the ball last
+
+ private:
+  void note_own_goal(const referee::Decision& decision) {
+    if (decision.event != referee::Event::kGoal) return;
+    if (decision.command->side != touched_) ++own_goals[decision.command->side];
+  }
+
+  bool is_on_ = false;
+  Side touched_ = Side::kWest;
+  std::vector<referee::Decision> decisions_;
+  std::vector<referee::Decision> turned_decisions_;
+};
+
+struct Setup {
+  const char* book;
+  const char* camera;
+  const char* team;
+};
+
+class FiguresOfGames : public testing::TestWithParam<Setup> {
+ protected:
+  static GameConfiguration game(std::uint64_t seed) {
+    GameConfiguration game = short_game(120, seed);
+    choose_rules(GetParam().book, game);
+    game.match.half_s = 120;
+    game.a.strategy = GetParam().team;
+    game.b.strategy = "basic";
+    sim::apply_camera_preset(GetParam().camera, game.sim);
+    return game;
+  }
+};
+
+TEST_P(FiguresOfGames, FitEachOther) {
+  for (std::uint64_t seed = 21; seed <= 22; ++seed) {
+    const GameConfiguration configuration = game(seed);
+    Counters counters(configuration);
+    const GameRecord record = play(configuration, &counters);
+    double possession_s = 0;
+    for (const PlayFigures& team : record.figures) {
+      EXPECT_LE(team.passes_completed, team.passes_tried);
+      EXPECT_LE(team.shots_on_goal, team.shots);
+      possession_s += team.possession_s;
+    }
+    EXPECT_LE(possession_s, record.ball_in_play_s + 1e-6);
+    EXPECT_GT(possession_s, 0.5 * record.ball_in_play_s);
+    EXPECT_LE(record.goals_a, record.figures[0].shots_on_goal + counters.own_goals[Side::kWest]);
+    EXPECT_LE(record.goals_b, record.figures[1].shots_on_goal + counters.own_goals[Side::kEast]);
+  }
+}
+
+TEST_P(FiguresOfGames, AreSwappedWhereTheFieldIsTurned) {
+  const GameConfiguration configuration = game(23);
+  Counters counters(configuration);
+  play(configuration, &counters);
+  const PerSide<PlayFigures> figures = counters.upright.figures();
+  const PerSide<PlayFigures> others = counters.upside_down.figures();
+  EXPECT_EQ(figures[Side::kWest], others[Side::kEast]);
+  EXPECT_EQ(figures[Side::kEast], others[Side::kWest]);
+  EXPECT_GT(figures[Side::kWest].shots + figures[Side::kEast].shots, 0) << "nothing was compared";
+}
+
+TEST_P(FiguresOfGames, AreThoseOfTheGameLoopsOwnCount) {
+  const GameConfiguration configuration = game(24);
+  Counters counters(configuration);
+  const GameRecord record = play(configuration, &counters);
+  for (const Side side : kSides) {
+    PlayFigures own = counters.upright.figures()[side];
+    const PlayFigures& recorded = record.figures[side == configuration.match.a_plays ? 0 : 1];
+    own.possession_s = recorded.possession_s;  // the ball is in play later than the signal
+    EXPECT_EQ(recorded, own);
+  }
+}
+
+std::string name_of_setup(const testing::TestParamInfo<Setup>& info) {
+  std::string name =
+      std::string("Rules") + info.param.book + "_" + info.param.camera + "_" + info.param.team;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Books, FiguresOfGames,
+                         testing::Values(Setup{"paper", "paper", "basic"},
+                                         Setup{"2014", "paper", "rowdy"},
+                                         Setup{"2014-double", "realistic", "basic"},
+                                         Setup{"2026-b", "realistic", "rowdy"},
+                                         Setup{"2026-a", "paper", "rowdy"}),
+                         name_of_setup);
+
+TEST(FiguresOfAGame, HaveTheFoulsOfWhoBreaksTheRules) {
+  GameConfiguration game = short_game(60, 25);
+  choose_rules("2026-b", game);
+  game.match.half_s = 60;
+  game.a.strategy = "rowdy";
+  const GameRecord record = play(game);
+  EXPECT_GT(record.figures[0].fouls, record.figures[1].fouls);
+}
+
+TEST(FiguresOfAGame, LeaveTheShootoutOut) {
+  GameConfiguration game = short_game(5, 1);
+  game.match.knockout = true;
+  game.match.extra_half_s = 5;
+  Counters with_shootout(game);
+  const GameRecord record = play(game, &with_shootout);
+  ASSERT_TRUE(record.shootout);
+  const PerSide<PlayFigures> all = with_shootout.upright.figures();
+  EXPECT_LT(record.figures[0].shots + record.figures[1].shots,
+            all[Side::kWest].shots + all[Side::kEast].shots);
+}
+
+}  // namespace
+}  // namespace autoref::runner

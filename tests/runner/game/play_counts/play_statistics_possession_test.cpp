@@ -1,0 +1,113 @@
+// Whose ball it is, and whose fouls they are.
+#include <gtest/gtest.h>
+
+#include "tests/runner/game/play_counts/play_sequence.hpp"
+
+namespace autoref::runner {
+namespace {
+
+using referee::Event;
+
+TEST(Possession, RunsFromATeamsTouchUntilTheOthers) {
+  PlaySequence play;
+  play.hull(kWest1, {0, 0});
+  play.frames(90);
+  play.hull(kEast1, {0, 0});
+  play.frames(30);
+  EXPECT_DOUBLE_EQ(play.west().possession_s, 1.5);
+  EXPECT_DOUBLE_EQ(play.east().possession_s, 0.5);
+}
+
+TEST(Possession, IsNobodysBeforeTheFirstTouchOfPlay) {
+  PlaySequence play;
+  play.hull(kWest1, {0, 0});
+  play.frames(60);
+  play.stop();
+  play.signal_play();
+  play.frames(60);
+  EXPECT_DOUBLE_EQ(play.west().possession_s, 1.0);
+  EXPECT_DOUBLE_EQ(play.east().possession_s, 0.0);
+}
+
+TEST(Possession, DoesNotRunBeforeTheBallIsInPlay) {
+  PlaySequence play;
+  play.stop();
+  play.is_on = true;
+  play.frame();
+  play.hull(kWest1, {0, 0});
+  play.frames(60);
+  EXPECT_DOUBLE_EQ(play.west().possession_s, 0.0);
+  play.is_in_play = true;
+  play.frames(60);
+  EXPECT_DOUBLE_EQ(play.west().possession_s, 1.0);
+}
+
+TEST(Possession, OfABallThatBothTouchAtOnceStaysWithWhoHadIt) {
+  for (const RobotId had_it : {kWest1, kEast1}) {
+    PlaySequence play;
+    play.hull(had_it, {0, 0});
+    play.frame();
+    play.hull(kWest1, {0, 0});
+    play.hull(kEast1, {0, 0});
+    play.frames(59);
+    EXPECT_DOUBLE_EQ(play.statistics.figures()[had_it.side].possession_s, 1.0);
+  }
+}
+
+TEST(Possession, GoesToWhoTouchesASubstepLater) {
+  PlaySequence play;
+  play.hull(kEast1, {0, 0});
+  play.substep = 1;
+  play.hull(kWest1, {0, 0});
+  play.frames(60);
+  EXPECT_DOUBLE_EQ(play.west().possession_s, 1.0);
+}
+
+referee::Decision call(Event event, std::optional<Side> offender) {
+  referee::Decision decision;
+  decision.event = event;
+  decision.offender = offender;
+  return decision;
+}
+
+TEST(Fouls, CountForTheSideAtFault) {
+  PlaySequence play;
+  play.decide(call(Event::kPushing, Side::kEast));
+  play.decide(call(Event::kDribbling, Side::kEast));
+  play.decide(call(Event::kAttackerNearArea, Side::kWest));
+  play.frame();
+  EXPECT_EQ(play.east().fouls, 2);
+  EXPECT_EQ(play.west().fouls, 1);
+}
+
+TEST(Fouls, CountForBothWhereBothAreAtFault) {
+  PlaySequence play;
+  play.decide(call(Event::kCrashDrawn, std::nullopt));
+  play.frame();
+  EXPECT_EQ(play.west().fouls, 1);
+  EXPECT_EQ(play.east().fouls, 1);
+}
+
+TEST(Fouls, CountWhilePlayIsStopped) {
+  PlaySequence play;
+  play.stop();
+  play.decide(call(Event::kStopSpeed, Side::kWest));
+  play.frame();
+  EXPECT_EQ(play.west().fouls, 1);
+}
+
+TEST(Fouls, AreNotWhatTheBallDidNorAdministration) {
+  PlaySequence play;
+  for (const Event event : {Event::kThrowIn, Event::kGoal, Event::kAimlessKick, Event::kChipGoal,
+                            Event::kGoalInvalid, Event::kIndirectGoal, Event::kFreeKickOwnGoal,
+                            Event::kRestartNotTaken, Event::kPenaltyFailed, Event::kStuckBall,
+                            Event::kNoProgress, Event::kYellowCard, Event::kRedCard}) {
+    play.decide(call(event, Side::kWest));
+  }
+  play.frame();
+  EXPECT_EQ(play.west().fouls, 0);
+  EXPECT_EQ(play.east().fouls, 0);
+}
+
+}  // namespace
+}  // namespace autoref::runner

@@ -1,0 +1,39 @@
+// The teams of strategies/README.md play: what a reader copies from there works.
+#include <gtest/gtest.h>
+
+#include "runner/game/game.hpp"
+#include "tests/runner/support/short_game.hpp"
+#include "tests/strategies/readme_team.hpp"
+
+namespace autoref::runner {
+namespace {
+
+std::unique_ptr<strategies::Strategy> make_team(const std::string& name,
+                                                const strategies::Briefing& briefing) {
+  using namespace strategies;
+  if (name == "mine") return std::make_unique<readme::Mine>(briefing);
+  if (name == "bus") return std::make_unique<Squad>(briefing, readme::bus_plan());
+  return make_registered_team(name, briefing);
+}
+
+GameRecord played_by(const std::string& team) {
+  GameConfiguration game = short_game(60, 1);
+  game.a.strategy = team;
+  game.b.strategy = "dummy";
+  return play(game, nullptr, make_team);
+}
+
+TEST(ReadmeTeam, ScoresAgainstDummy) {
+  const GameRecord record = played_by("mine");
+  EXPECT_EQ(record.status, Status::kOk) << record.void_reason;
+  EXPECT_GT(record.goals_a, 0);
+}
+
+TEST(ReadmePlan, ScoresAgainstDummy) {
+  const GameRecord record = played_by("bus");
+  EXPECT_EQ(record.status, Status::kOk) << record.void_reason;
+  EXPECT_GT(record.goals_a, 0);
+}
+
+}  // namespace
+}  // namespace autoref::runner

@@ -1,0 +1,166 @@
+#include "runner/game/substitution.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/runner/support/staged_game.hpp"
+
+namespace autoref::runner {
+namespace {
+
+constexpr double kFrame_s = 1 / StagedGame::kRate_hz;
+
+std::vector<int> numbers(const StagedGame& game, Side side) {
+  std::vector<int> all;
+  for (const sim::RobotState& robot : game.robots(side)) all.push_back(robot.number);
+  return all;
+}
+
+// What a team of dummies asks for.
+struct Asking final : strategies::Strategy {
+  explicit Asking(const TeamRequests& asks) : wishes(asks) {}
+  void decide(const TeamView& /*view*/, TeamOrders& /*orders*/) override {}
+  TeamRequests requests() const override { return wishes; }
+  TeamRequests wishes;
+};
+
+// Six dummies a side; the west asks as given.
+StagedGame dummies(const TeamRequests& west = {}) {
+  StagedGame game({}, {});
+  game.teams[Side::kWest] = std::make_unique<Asking>(west);
+  return game;
+}
+
+TeamRequests naming(int keeper, std::optional<int> leaves) {
+  TeamRequests requests;
+  requests.keeper = keeper;
+  requests.leaves = leaves;
+  return requests;
+}
+
+TEST(Assistant, TakesTheHighestNumberOffASecondAfterTheAllowanceFell) {
+  StagedGame game = dummies();
+  game.run(0.5);
+  game.signal.robots_allowed[Side::kWest] = 5;
+  game.run(1.0 - kFrame_s / 2);
+  EXPECT_EQ(game.robots(Side::kWest).size(), 6U);
+  game.frame();
+  EXPECT_EQ(numbers(game, Side::kWest), (std::vector{0, 1, 2, 3, 4}));
+  EXPECT_EQ(game.robots(Side::kEast).size(), 6U);
+}
+
+TEST(Assistant, TakesTheOneTheTeamNamesAndThenTheHighestButTheKeeper) {
+  StagedGame game = dummies(naming(5, 2));
+  game.signal.robots_allowed[Side::kWest] = 4;
+  game.run(1.2);
+  EXPECT_EQ(numbers(game, Side::kWest), (std::vector{0, 1, 3, 5}));
+}
+
+TEST(Assistant, WaitsUntilPlayIsStopped) {
+  for (const CommandKind kind : {CommandKind::kForceStart, CommandKind::kNormalStart,
+                                 CommandKind::kDirectFree, CommandKind::kIndirectFree}) {
+    StagedGame game = dummies();
+    game.command(kind);
+    game.signal.robots_allowed[Side::kWest] = 5;
+    game.run(3);
+    EXPECT_EQ(game.robots(Side::kWest).size(), 6U) << name_of(game.signal.command);
+  }
+  for (const CommandKind kind : {CommandKind::kHalt, CommandKind::kPrepareKickoff,
+                                 CommandKind::kPreparePenalty, CommandKind::kTimeout}) {
+    StagedGame game = dummies();
+    game.command(kind);
+    game.signal.robots_allowed[Side::kWest] = 5;
+    game.run(1.1);
+    EXPECT_EQ(game.robots(Side::kWest).size(), 5U) << name_of(game.signal.command);
+  }
+}
+
+TEST(Assistant, PutsRobotsBackWhenTheyAreAllowedAgain) {
+  StagedGame game = dummies();
+  game.signal.robots_allowed[Side::kEast] = 3;
+  game.run(2);
+  ASSERT_EQ(game.robots(Side::kEast).size(), 3U);
+  game.command(CommandKind::kForceStart);
+  game.signal.robots_allowed[Side::kEast] = 16;
+  game.run(1);
+  EXPECT_EQ(game.robots(Side::kEast).size(), 3U);
+  game.command(CommandKind::kStop);
+  game.run(0.1);
+  EXPECT_EQ(numbers(game, Side::kEast), (std::vector{0, 1, 2, 3, 4, 5}));
+}
+
+TEST(Assistant, TakesNobodyBackWhoNeverWas) {
+  StagedGame game = dummies();
+  game.run(2);
+  EXPECT_EQ(game.robots(Side::kWest).size(), 6U);
+}
+
+TEST(Assistant, CopesWithAnAllowanceOfNobody) {
+  StagedGame game = dummies();
+  game.signal.robots_allowed = {{0, 0}};
+  game.run(2);
+  EXPECT_TRUE(game.robots(Side::kWest).empty());
+  EXPECT_TRUE(game.robots(Side::kEast).empty());
+}
+
+TEST(PlaceOfReturn, IsInTheRunOffOfTheOwnHalfNearTheHalfwayLine) {
+  const StagedGame game = dummies();
+  const Vec2 west_m = place_of_return(game.field, Side::kWest, {}, game.world).value();
+  EXPECT_LT(west_m.x(), -kRobotRadius_m);
+  EXPECT_GT(west_m.x(), -0.5);
+  EXPECT_GT(std::abs(west_m.y()), game.field.half_width_m() + kRobotRadius_m);
+  EXPECT_LT(std::abs(west_m.y()), game.field.wall_y_m() - kRobotRadius_m);
+  EXPECT_EQ(place_of_return(game.field, Side::kEast, {}, game.world).value(), -west_m);
+}
+
+TEST(PlaceOfReturn, KeepsOffTheBallAndOffWhereItIsToBePlaced) {
+  StagedGame game = dummies();
+  const Vec2 first_m = place_of_return(game.field, Side::kWest, {}, game.world).value();
+  RefereeSignal signal;
+  signal.placement = Placement{first_m + Vec2(0, 0.4), false};
+  game.put_ball(first_m + Vec2(-0.6, 0.1));
+  const Vec2 place_m = place_of_return(game.field, Side::kWest, signal, game.world).value();
+  EXPECT_GT((place_m - game.ball().position_m).norm(), 0.5 + kRobotRadius_m);
+  EXPECT_GT((place_m - signal.placement->target_m).norm(), 0.5 + kRobotRadius_m);
+}
+
+TEST(PlaceOfReturn, IsBesideARobotThatStandsThere) {
+  StagedGame game = dummies();
+  const Vec2 first_m = place_of_return(game.field, Side::kWest, {}, game.world).value();
+  game.put_robot({Side::kEast, 3}, first_m);
+  const Vec2 place_m = place_of_return(game.field, Side::kWest, {}, game.world).value();
+  EXPECT_GE((place_m - first_m).norm(), 2 * kRobotRadius_m);
+  EXPECT_LT((place_m - first_m).norm(), 0.45);
+}
+
+// Plays `seconds` of stop and running play by turns, the allowance of both sides falling and
+// rising.
+TEST(Basic, PlaysOnWithFewerRobotsAndNamesItsKeeper) {
+  StagedGame game({"basic", 6, {}}, {"basic", 6, {}});
+  for (const int allowed : {4, 2, 1, 0, 1, 3, 6}) {
+    game.signal.robots_allowed = {{allowed, allowed}};
+    game.command(CommandKind::kStop);
+    game.signal.placement = Placement{{0.3, 0.2}, false};
+    game.run(3);
+    ASSERT_EQ(game.robots(Side::kWest).size(), static_cast<std::size_t>(allowed));
+    game.signal.placement.reset();
+    game.command(CommandKind::kForceStart);
+    const bool is_touched = game.happens(5, [&] { return !game.world.touches().empty(); });
+    EXPECT_EQ(is_touched, allowed > 0) << allowed;
+    ASSERT_TRUE(game.world.is_finite());
+  }
+}
+
+TEST(Basic, NamesTheRobotThatKeepsItsGoal) {
+  StagedGame game({"basic", 6, {}}, {});
+  game.signal.robots_allowed[Side::kWest] = 5;
+  game.world.take_off({Side::kWest, 0});
+  game.run(4);  // the tracker forgets it, and the next one goes to the goal
+  const int keeper = game.teams[Side::kWest]->requests().keeper;
+  EXPECT_EQ(keeper, 1);
+  EXPECT_NEAR(game.robot({Side::kWest, 1}).position_m.x(), -game.field.half_length_m(), 0.2);
+}
+
+}  // namespace
+}  // namespace autoref::runner

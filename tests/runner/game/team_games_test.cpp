@@ -1,0 +1,45 @@
+// A short real game of every team that plays by the rules.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "runner/game/game.hpp"
+#include "tests/runner/support/short_game.hpp"
+
+namespace autoref::runner {
+namespace {
+
+class EveryTeam : public testing::TestWithParam<std::string> {};
+
+GameConfiguration game_against(const std::string& team, const std::string& other) {
+  GameConfiguration game = short_game(120, 1);
+  game.a.strategy = team;
+  game.b.strategy = other;
+  return game;
+}
+
+TEST_P(EveryTeam, PlaysAGameInWhichEveryRestartIsTaken) {
+  const GameRecord record = play(game_against(GetParam(), "basic"));
+  ASSERT_EQ(record.status, Status::kOk) << record.void_reason;
+  EXPECT_EQ(record.end_reason, EndReason::kTime);
+  EXPECT_EQ(record.events[static_cast<int>(referee::Event::kRestartNotTaken)], 0);
+}
+
+TEST_P(EveryTeam, ComesToRestInStopsSoThatMostOfTheTimeTheBallIsInPlay) {
+  const GameRecord record = play(game_against(GetParam(), "basic"));
+  EXPECT_GT(record.ball_in_play_s, 0.3 * record.sim_s);
+}
+
+TEST_P(EveryTeam, BeatsDummy) {
+  const GameRecord record = play(game_against(GetParam(), "dummy"));
+  EXPECT_GT(record.goals_a, 0);
+  EXPECT_EQ(record.goals_b, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Teams, EveryTeam,
+                         testing::Values("basic", "chaser", "cobalt", "counter", "possession",
+                                         "shadow", "zone"),
+                         [](const auto& test) { return test.param; });
+
+}  // namespace
+}  // namespace autoref::runner

@@ -1,0 +1,106 @@
+#include "runner/io/json.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "runner/game/event_log.hpp"
+#include "runner/results/game_report.hpp"
+
+namespace autoref::runner {
+namespace {
+
+TEST(Json, EscapesTexts) { EXPECT_EQ(json_text("a\"b\\c\n\x01"), "\"a\\\"b\\\\c\\n\\u0001\""); }
+
+TEST(Json, KnowsNoNumberThatIsNotFinite) {
+  EXPECT_EQ(json_number(0.1), "0.1");
+  EXPECT_EQ(json_number(std::numeric_limits<double>::quiet_NaN()), "null");
+}
+
+TEST(DecisionJson, SaysNullForWhatIsNotKnown) {
+  referee::Decision decision;
+  decision.arrow = "T1";
+  decision.rule = "paper 4.2";
+  EXPECT_EQ(decision_json(decision),
+            R"({"time_s": 0, "arrow": "T1", "from": "INIT", "to": "INIT", "command": null, )"
+            R"("event": "begin", "rule": "paper 4.2", "value": null, "threshold": null, )"
+            R"("unit": null, "robots": [], "offender": null, "card": null, )"
+            R"("position_m": null, "restart": null, "last_touch": null, "evidence": null})");
+}
+
+TEST(DecisionJson, NamesRobotsBySideAndNumber) {
+  referee::Decision decision;
+  decision.command = Command{CommandKind::kDirectFree, Side::kEast};
+  decision.value = 0.25;
+  decision.unit = "m";
+  decision.robots.push_back({Side::kWest, 3});
+  decision.position_m = Vec2(1.5, -2);
+  decision.last_touch.side = Side::kWest;
+  const std::string json = decision_json(decision);
+  EXPECT_NE(json.find(R"("command": "DIRECT_FREE_BLUE")"), std::string::npos);
+  EXPECT_NE(json.find(R"("robots": [{"side": "west", "number": 3}])"), std::string::npos);
+  EXPECT_NE(json.find(R"("position_m": [1.5, -2])"), std::string::npos);
+  EXPECT_NE(json.find(R"("last_touch": {"side": "west", "robot": null)"), std::string::npos);
+  EXPECT_NE(json.find(R"("value": 0.25)"), std::string::npos);
+}
+
+TEST(DecisionJson, SaysUnknownOfATouchByNobodyKnowsWhom) {
+  referee::Decision decision;
+  decision.last_touch.time_s = 12.5;
+  const std::string json = decision_json(decision);
+  EXPECT_NE(json.find(R"("last_touch": {"side": "unknown", "robot": null, "time_s": 12.5)"),
+            std::string::npos)
+      << json;
+}
+
+TEST(GameReport, HasTheKeysOfAGame) {
+  GameConfiguration game;
+  GameRecord record;
+  record.goals_a = 3;
+  record.goals_b = 1;
+  record.goals_by_half = {{1, 0}, {2, 1}};
+  record.events[static_cast<std::size_t>(referee::Event::kThrowIn)] = 4;
+  record.figures[1].shots = 5;
+  record.figures[1].possession_s = 250.5;
+  record.sim_s = 1200;
+  record.state_hash = 0xabc;
+  const std::string json = json_of({game, record, 2.0, "0.1.0-x"});
+  EXPECT_TRUE(json.starts_with(
+      R"({"goals_a": 3, "goals_b": 1, "goals_by_half": [[1, 0], [2, 1]], "end_reason": "time", )"));
+  EXPECT_NE(json.find(R"("throw_in": 4)"), std::string::npos);
+  EXPECT_NE(json.find(R"("shots_a": 0, "shots_b": 5, )"), std::string::npos);
+  EXPECT_NE(json.find(R"("possession_s_b": 250.500, )"), std::string::npos);
+  EXPECT_NE(json.find(R"("x_real_time": 600)"), std::string::npos);
+  EXPECT_TRUE(json.ends_with(R"("state_hash": "0000000000000abc", "build": "0.1.0-x"})"));
+}
+
+TEST(GameReport, TellsPeopleTheScore) {
+  GameConfiguration game;
+  game.match.a_plays = Side::kEast;
+  GameRecord record;
+  record.goals_a = 3;
+  EXPECT_TRUE(
+      text_of({game, record, 2.0, "x"}).starts_with("a (basic, east)  3 : 0  b (basic, west)"));
+}
+
+TEST(GameReport, ShowsPeopleWhatBothTeamsDid) {
+  GameConfiguration game;
+  GameRecord record;
+  record.figures[0] = {12, 7, 30, 21, 300, 3, 5};
+  record.figures[1] = {8, 2, 25, 9, 200, 4, 6};
+  record.ball_in_play_s = 500;
+  EXPECT_NE(text_of({game, record, 2.0, "x"}).find(R"(
+                      a      b
+shots                12      8
+  on goal             7      2
+passes tried         30     25
+  completed          21      9
+possession         60 %   40 %
+fouls                 3      4
+duels won             5      6
+)"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace autoref::runner

@@ -1,0 +1,98 @@
+#include "referee/geometry/ball_out.hpp"
+
+#include <gtest/gtest.h>
+
+namespace autoref::referee {
+namespace {
+
+// The paper's field: F_x = 3.025 m, F_y = 2.025 m, b_r = 21.5 mm, G_w = 0.35 m, G_h = 0.155 m.
+constexpr double kOutX_m = 3.0465;
+constexpr double kOutY_m = 2.0465;
+const Field kField;
+
+TEST(BallLeftField, IsNotCalledWhileTheBallTouchesTheLine) {
+  EXPECT_FALSE(is_out_of_field(kField, {kOutX_m - 1e-6, 0}));
+  EXPECT_FALSE(is_out_of_field(kField, {0, kOutY_m - 1e-6}));
+  EXPECT_TRUE(is_out_of_field(kField, {kOutX_m + 1e-6, 0}));
+  EXPECT_TRUE(is_out_of_field(kField, {0, kOutY_m + 1e-6}));
+}
+
+TEST(BallLeftField, IsCalledAtAllFourLines) {
+  EXPECT_TRUE(is_out_of_field(kField, {-3.06, 0}));
+  EXPECT_TRUE(is_out_of_field(kField, {0, -2.06}));
+}
+
+TEST(Intersection, IsThePapersFormula) {
+  // From (1, 2) to (3, 6) the line x = 2 is met at y = 4.
+  EXPECT_DOUBLE_EQ(*intersection(1, 2, 3, 6, 2), 4);
+  EXPECT_FALSE(intersection(1, 2, 1, 6, 2).has_value());
+}
+
+TEST(Exit, IsOverTheTouchLineWhereCxIsInside) {
+  // Figure 4a: straight over the touch line, then over the corner of the expanded field.
+  const Exit exit = find_exit(kField, {2.95, 2.00}, {3.06, 2.11});
+  EXPECT_EQ(exit.boundary, Boundary::kTouch);
+  EXPECT_NEAR(exit.point_m.x(), 2.9965, 1e-12);
+  EXPECT_NEAR(exit.point_m.y(), kOutY_m, 1e-12);
+}
+
+TEST(Exit, IsOverTheGoalLineWhereCxIsNot) {
+  const Exit exit = find_exit(kField, {3.00, 1.95}, {3.11, 2.06});  // figure 4b
+  EXPECT_EQ(exit.boundary, Boundary::kGoal);
+  EXPECT_NEAR(exit.point_m.x(), kOutX_m, 1e-12);
+  EXPECT_NEAR(exit.point_m.y(), 1.9965, 1e-12);
+}
+
+TEST(Exit, OfAWayStraightAlongXIsOverTheGoalLine) {
+  const Exit exit = find_exit(kField, {-3.00, 0.8}, {-3.10, 0.8});
+  EXPECT_EQ(exit.boundary, Boundary::kGoal);
+  EXPECT_EQ(exit.point_m, Vec2(-kOutX_m, 0.8));
+}
+
+TEST(Exit, OfAWayStraightAlongYIsOverTheTouchLine) {
+  const Exit exit = find_exit(kField, {1.5, -2.00}, {1.5, -2.10});
+  EXPECT_EQ(exit.boundary, Boundary::kTouch);
+  EXPECT_EQ(exit.point_m, Vec2(1.5, -kOutY_m));
+}
+
+TEST(Exit, DoesNotCountALineThatTheWayMeetsOnlyBackwards) {
+  // The ball rolls inwards along y and out over the goal line; drawn on backwards its way meets
+  // the touch line at c_x = 2.97, inside.
+  const Exit exit = find_exit(kField, {3.03, 0.9}, {3.05, 0.5});
+  EXPECT_EQ(exit.boundary, Boundary::kGoal);
+}
+
+TEST(Exit, OfABallFirstSeenOutsideIsWhereItIsFartherBeyond) {
+  EXPECT_EQ(find_exit(kField, {3.10, 2.40}, {3.11, 2.41}).boundary, Boundary::kTouch);
+  EXPECT_EQ(find_exit(kField, {3.40, 2.10}, {3.41, 2.11}).boundary, Boundary::kGoal);
+  const Exit exit = find_exit(kField, {3.4, 0.5}, {3.4, 0.5});
+  EXPECT_EQ(exit.point_m, Vec2(kOutX_m, 0.5));
+}
+
+TEST(Exit, IsTurnedWithTheField) {
+  const Exit exit = find_exit(kField, {2.95, 2.00}, {3.06, 2.11});
+  const Exit turned = find_exit(kField, {-2.95, -2.00}, {-3.06, -2.11});
+  EXPECT_EQ(turned.boundary, exit.boundary);
+  EXPECT_EQ(turned.point_m, Vec2(-exit.point_m));
+}
+
+TEST(BallInGoal, NeedsTheWholeBallBehindTheLine) {
+  EXPECT_TRUE(is_in_goal(kField, {kOutX_m + 1e-6, 0}, 0));
+  EXPECT_FALSE(is_in_goal(kField, {kOutX_m - 1e-6, 0}, 0));
+  EXPECT_TRUE(is_in_goal(kField, {-3.1, 0}, 0));
+}
+
+TEST(BallInGoal, NeedsTheBallBetweenThePosts) {
+  EXPECT_TRUE(is_in_goal(kField, {3.1, 0.349}, 0));
+  EXPECT_FALSE(is_in_goal(kField, {3.1, 0.351}, 0));
+  EXPECT_FALSE(is_in_goal(kField, {3.1, -0.351}, 0));
+}
+
+TEST(BallInGoal, NeedsTheBallsCentreUnderTheBar) {
+  // G_h = 155 mm above the ground, the centre 21.5 mm above the lowest point.
+  EXPECT_TRUE(is_in_goal(kField, {3.1, 0}, 0.133));
+  EXPECT_FALSE(is_in_goal(kField, {3.1, 0}, 0.134));
+}
+
+}  // namespace
+}  // namespace autoref::referee

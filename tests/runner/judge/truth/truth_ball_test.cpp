@@ -1,0 +1,198 @@
+// What truly happens to the ball, told from staged worlds.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/runner/judge/truth/truth_stage.hpp"
+
+namespace autoref::runner::truth {
+namespace {
+
+// West's robot 1 stands behind the ball, ready to kick it along `heading`.
+void stage_kick(StagedGame& game, const Vec2& from_m, const Vec2& heading) {
+  game.world.put_robot(kWest1, from_m, heading);
+  game.world.put_ball_at_plate(kWest1);
+}
+
+void kick(StagedGame& game, double speed_mps, bool chip = false) {
+  game.world.order(kWest1).kick_mps = speed_mps;
+  game.world.order(kWest1).chip = chip;
+  game.frames(1);
+  game.world.order(kWest1).kick_mps = 0;
+}
+
+TEST(TrueExit, IsAThrowInByWhoTouchedTheBallLast) {
+  StagedGame game;
+  stage_kick(game, {0, 1.5}, {0, 1});
+  game.command(CommandKind::kForceStart);
+  kick(game, 3.0);
+  game.seconds(0.5);
+  ASSERT_EQ(game.names(), std::vector<std::string>{"throw_in"});
+  EXPECT_EQ(game.first("throw_in").offender, Side::kWest);
+  EXPECT_NEAR(game.first("throw_in").position_m->y(), 2.025 + 0.0215, 1e-6);
+}
+
+TEST(TrueExit, IsACornerKickOffTheDefendersAndAGoalKickOffTheAttackers) {
+  for (const double towards : {-1.0, 1.0}) {
+    StagedGame game;
+    stage_kick(game, {towards * 2.5, 1.0}, {towards, 0});
+    game.command(CommandKind::kForceStart);
+    kick(game, 3.0);
+    game.seconds(0.5);
+    EXPECT_TRUE(game.has(towards < 0 ? "corner_kick" : "goal_kick"));
+  }
+}
+
+TEST(TrueExit, IsForeseenWhereTheRefereeEndsPlayJustBefore) {
+  StagedGame game;
+  game.world.put_ball({0, 2.025}, {0, 2.0});
+  game.command(CommandKind::kForceStart);
+  game.signal.placement = Placement{{0, 1.9}, false};
+  game.command(CommandKind::kStop);
+  // The command comes in the frame in which play is still on.
+  ASSERT_FALSE(game.witness.happenings().empty());
+  EXPECT_EQ(game.witness.happenings().back().standing, Standing::kPrevented);
+}
+
+TEST(TrueGoal, IsScoredByTheAttackers) {
+  StagedGame game;
+  stage_kick(game, {2.0, 0}, {1, 0});
+  game.command(CommandKind::kForceStart);
+  kick(game, 4.0);
+  game.seconds(0.6);
+  ASSERT_EQ(game.names(), std::vector<std::string>{"goal"});
+  EXPECT_EQ(game.first("goal").offender, Side::kWest);
+}
+
+TEST(TrueGoal, DoesNotCountAfterAChipThatHasNotRolled) {
+  for (const char* rules : {"paper", "2014"}) {
+    StagedGame game(book(rules));
+    stage_kick(game, {0.25, 0}, {1, 0});  // flies 2.1 m, then hops low
+    game.command(CommandKind::kForceStart);
+    kick(game, 4.5, true);
+    game.seconds(1.5);
+    EXPECT_TRUE(game.has(book(rules).has(RuleId::kChipGoal) ? "chip_goal" : "goal")) << rules;
+  }
+}
+
+TEST(TrueGoal, DoesNotCountStraightFromAnIndirectFreeKick) {
+  StagedGame game;
+  stage_kick(game, {2.0, 0}, {1, 0});
+  game.command(CommandKind::kIndirectFree, Side::kWest);
+  kick(game, 4.0);
+  game.seconds(0.6);
+  EXPECT_TRUE(game.has("indirect_goal"));
+}
+
+TEST(TrueGoal, StraightIntoOnesOwnGoalIsACorner) {
+  StagedGame game;
+  stage_kick(game, {-2.0, 0}, {-1, 0});
+  game.command(CommandKind::kDirectFree, Side::kWest);
+  kick(game, 4.0);
+  game.seconds(0.6);
+  EXPECT_TRUE(game.has("free_kick_own_goal"));
+  EXPECT_EQ(game.first("free_kick_own_goal").offender, Side::kWest);
+}
+
+TEST(TrueKick, IsTooFastAboveTheLimitOnly) {
+  RuleBook rules = book("2014");
+  rules.kick_limit_mps = 4.0;
+  for (const double speed_mps : {3.0, 5.0}) {
+    StagedGame game(rules);
+    stage_kick(game, {0, 0}, {1, 0});
+    game.command(CommandKind::kForceStart);
+    kick(game, speed_mps);
+    EXPECT_EQ(game.has("kick_speed"), speed_mps > 4.0);
+  }
+}
+
+TEST(TrueKick, IsMeasuredInSpaceByTheRulesOf2026) {
+  RuleBook rules = book("2026-b");
+  rules.kick_limit_mps = 4.0;
+  StagedGame game(rules);
+  stage_kick(game, {0, 0}, {1, 0});
+  game.command(CommandKind::kForceStart);
+  kick(game, 5.0, true);  // 3.5 m/s over ground and as much upwards
+  EXPECT_TRUE(game.has("kick_speed"));
+}
+
+TEST(TrueDoubleTouch, IsTheKickersSecondTouchBeforeAnotherRobots) {
+  StagedGame game;
+  stage_kick(game, {0, 0}, {1, 0});
+  game.command(CommandKind::kDirectFree, Side::kWest);
+  kick(game, 2.0);
+  game.frames(10);
+  EXPECT_FALSE(game.has("double_touch"));
+  game.world.put_ball({0.2, 0}, {-2.0, 0});
+  game.frames(6);
+  ASSERT_TRUE(game.has("double_touch"));
+  EXPECT_EQ(game.first("double_touch").robot, kWest1);
+}
+
+TEST(TrueDribbling, IsTooLongAfterFiftyCentimetres) {
+  StagedGame game;
+  stage_kick(game, {-1, 0}, {1, 0});
+  game.command(CommandKind::kForceStart);
+  game.world.order(kWest1) = {{1.0, 0}, 0, 0, false, true};
+  game.seconds(0.4);
+  EXPECT_FALSE(game.has("dribbling"));
+  game.seconds(1.0);
+  ASSERT_TRUE(game.has("dribbling"));
+  EXPECT_EQ(game.first("dribbling").robot, kWest1);
+}
+
+TEST(TrueDribbling, IsForeseenWhereTheRefereeEndsPlayJustBefore) {
+  for (const double short_of_m : {0.03, 0.2}) {
+    StagedGame game;
+    stage_kick(game, {-1, 0}, {1, 0});
+    game.command(CommandKind::kForceStart);
+    game.world.order(kWest1) = {{1.0, 0}, 0, 0, false, true};
+    const double from_m = game.world.world.state().ball.position_m.x();
+    while (game.world.world.state().ball.position_m.x() - from_m < 0.5 - short_of_m) game.frames(1);
+    game.command(CommandKind::kStop);
+    const auto& all = game.witness.happenings();
+    EXPECT_EQ(std::any_of(all.begin(), all.end(),
+                          [](const Happening& happening) {
+                            return happening.name == "dribbling" &&
+                                   happening.standing == Standing::kPrevented;
+                          }),
+              short_of_m < 0.1);
+  }
+}
+
+TEST(TrueHolding, IsTheKeepersForFifteenSecondsInItsArea) {
+  StagedGame game;
+  game.world.put_robot(kWest0, {-2.9, 0});
+  game.world.put_ball_at_plate(kWest0);
+  game.command(CommandKind::kForceStart);
+  game.world.order(kWest0).dribble = true;
+  game.world.order(kWest0).velocity_mps = {0.005, 0};  // keeps the ball at the plate
+  game.seconds(14.0);
+  EXPECT_FALSE(game.has("keeper_holding"));
+  game.seconds(2.0);
+  EXPECT_TRUE(game.has("keeper_holding"));
+}
+
+TEST(TrueStuckBall, HasStayedForTenSeconds) {
+  StagedGame game;
+  game.world.put_ball({0, 0.5});
+  game.command(CommandKind::kForceStart);
+  game.seconds(9.5);
+  EXPECT_FALSE(game.has("stuck_ball"));
+  game.seconds(1.0);
+  EXPECT_TRUE(game.has("stuck_ball"));
+}
+
+TEST(TrueAimlessKick, GoesOutFromTheOwnHalfUntouched) {
+  for (const double from_x_m : {-0.5, 0.5}) {
+    StagedGame game(book("2026-b"));
+    stage_kick(game, {from_x_m, 1.0}, {1, 0});
+    game.command(CommandKind::kForceStart);
+    kick(game, 6.0);
+    game.seconds(1.5);
+    EXPECT_TRUE(game.has(from_x_m < 0 ? "aimless_kick" : "goal_kick"));
+  }
+}
+
+}  // namespace
+}  // namespace autoref::runner::truth

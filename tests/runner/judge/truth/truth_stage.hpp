@@ -1,0 +1,70 @@
+// A world staged by hand, a referee's commands given by hand, and the witness who sees both.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "runner/judge/truth/witness.hpp"
+#include "tests/sim/scene.hpp"
+
+namespace autoref::runner::truth {
+
+inline constexpr RobotId kWest0{Side::kWest, 0};
+inline constexpr RobotId kWest1{Side::kWest, 1};
+inline constexpr RobotId kEast0{Side::kEast, 0};
+inline constexpr RobotId kEast1{Side::kEast, 1};
+
+inline RuleBook book(const char* name) { return *find_rule_book(name); }
+
+// Two robots a side on the paper's field. Number 0 is the keeper.
+struct StagedGame {
+  explicit StagedGame(const RuleBook& rules = book("2014"))
+      : world(sim::quiet(), sim::sheets(2, 2)), witness(world.field, rules, 60.0) {
+    // Out of the way.
+    world.put_robot(kWest0, {-2.9, -0.5});
+    world.put_robot(kWest1, {-1.0, -1.9});
+    world.put_robot(kEast0, {2.9, -0.5}, {-1, 0});
+    world.put_robot(kEast1, {1.0, -1.9}, {-1, 0});
+    command(CommandKind::kStop);
+  }
+
+  // The referee sends it, at once.
+  void command(CommandKind kind, Side side = Side::kWest) {
+    signal.command = {kind, side};
+    ++signal.command_counter;
+    witness.see(world.world, signal);
+  }
+  void frames(int count) {
+    for (int i = 0; i < count; ++i) {
+      world.frame();
+      witness.see(world.world, signal);
+    }
+  }
+  void seconds(double s) { frames(static_cast<int>(s * 60 + 0.5)); }
+
+  // What truly happened, by name.
+  std::vector<std::string> names() const {
+    std::vector<std::string> names;
+    for (const Happening& happening : witness.happenings()) {
+      if (happening.standing == Standing::kTrue) names.emplace_back(happening.name);
+    }
+    return names;
+  }
+  bool has(const std::string& name) const {
+    const std::vector<std::string> all = names();
+    return std::find(all.begin(), all.end(), name) != all.end();
+  }
+  // The first of that name; must be there.
+  const Happening& first(std::string_view name) const {
+    return *std::find_if(
+        witness.happenings().begin(), witness.happenings().end(),
+        [&name](const Happening& h) { return h.name == name && h.standing == Standing::kTrue; });
+  }
+
+  sim::Scene world;
+  Witness witness;
+  RefereeSignal signal;
+};
+
+}  // namespace autoref::runner::truth

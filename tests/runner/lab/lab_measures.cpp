@@ -1,0 +1,302 @@
+#include "tests/runner/lab/lab_measures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+
+#include "soccer/robot_shape.hpp"
+
+namespace autoref::runner::lab_measures {
+namespace {
+
+using sim::BallState;
+using sim::RobotState;
+using sim::WorldState;
+
+constexpr double kFrame_s = 1.0 / 60;
+constexpr double kSlide_mps2 = 3.4;
+constexpr double kRoll_mps2 = 0.30;
+constexpr double kNet_mps2 = 10.0;  // what the net takes besides
+constexpr double kG_mps2 = 9.81;
+
+const RobotState& west(const WorldState& state, std::size_t number = 0) {
+  return state.robots[Side::kWest][number];
+}
+
+const RobotState& east(const WorldState& state) { return state.robots[Side::kEast][0]; }
+
+// The first frame, from the second on, for which `holds`.
+std::size_t first_frame(const LabRecord& record,
+                        const std::function<bool(const WorldState&, const WorldState&)>& holds) {
+  for (std::size_t f = 1; f < record.states.size(); ++f) {
+    if (holds(record.states[f - 1], record.states[f])) return f;
+  }
+  throw std::runtime_error("what was to be measured never happened");
+}
+
+// Where and how fast the ball began to roll, between the frames that show it sliding and rolling.
+struct Switch {
+  double way_m = 0;
+  double speed_mps = 0;
+};
+
+Switch switch_of(const LabRecord& record) {
+  const std::size_t f = first_frame(record, [](const WorldState&, const WorldState& now) {
+    return now.ball.is_rolling && now.ball.velocity_mps.x() > 0.0;
+  });
+  const BallState& slides = record.states[f - 1].ball;
+  const BallState& rolls = record.states[f].ball;
+  const double v_mps = slides.velocity_mps.x();
+  const double after_s =
+      (v_mps - rolls.velocity_mps.x() - kRoll_mps2 * kFrame_s) / (kSlide_mps2 - kRoll_mps2);
+  const double start_m = record.states[0].ball.position_m.x();
+  return {slides.position_m.x() + v_mps * after_s - kSlide_mps2 * after_s * after_s / 2 - start_m,
+          v_mps - kSlide_mps2 * after_s};
+}
+
+// The speed with which a flying ball meets the carpet, or left it.
+double carpet_mps(const BallState& ball) {
+  return std::sqrt(ball.vertical_mps * ball.vertical_mps + 2 * kG_mps2 * ball.height_m);
+}
+
+// The frame after landing number `count`, from 1.
+std::size_t frame_after_landing(const LabRecord& record, int count) {
+  return first_frame(record, [&count](const WorldState& former, const WorldState& now) {
+    const bool lands = former.ball.vertical_mps < 0.0 && now.ball.vertical_mps > 0.0;
+    return lands && --count == 0;
+  });
+}
+
+double kept_xy(const LabRecord& record, int landing) {
+  const std::size_t f = frame_after_landing(record, landing);
+  return record.states[f].ball.velocity_mps.x() / record.states[f - 1].ball.velocity_mps.x();
+}
+
+// Share of its speed that a ball keeps: from the frames around the bounce, less what the carpet
+// takes before it and `loses_mps2` after it.
+double rebound(const LabRecord& record, int axis, double loses_mps2 = kSlide_mps2) {
+  const std::size_t f =
+      first_frame(record, [axis](const WorldState& former, const WorldState& now) {
+        return former.ball.velocity_mps[axis] > 0.0 && now.ball.velocity_mps[axis] < 0.0;
+      });
+  const BallState& last = record.states[f - 1].ball;
+  const BallState& first = record.states[f].ball;
+  const double to_mps = last.velocity_mps[axis];
+  const double from_mps = first.velocity_mps[axis];
+  const double after_s =
+      (first.position_m[axis] - last.position_m[axis] - from_mps * kFrame_s) / (to_mps - from_mps);
+  return (-from_mps + loses_mps2 * (kFrame_s - after_s)) / (to_mps - kSlide_mps2 * after_s);
+}
+
+constexpr std::size_t kStopOrder = 75;  // frame of the order to stop, at 1.25 s
+
+// From the plate's middle to where a ball lies at it.
+double off_plate_mm(const WorldState& state, std::size_t robot) {
+  const RobotState& its = west(state, robot);
+  const Vec2 place_m = its.position_m + its.heading * (kFrontDistance_m + kBallRadius_m);
+  return 1000 * (state.ball.position_m - place_m).norm();
+}
+
+constexpr std::size_t kHardTurn = 360;   // frame of the order to turn hard, at 6 s
+constexpr std::size_t kEvenPull = 36;    // frame in the midst of the gentle pull, at 0.6 s
+constexpr std::size_t kHardPull = 108;   // frame of the order to pull hard, at 1.8 s
+constexpr std::size_t kKickOrder = 348;  // frame of the order to kick, at 5.8 s
+
+double plate_mps(const WorldState& state) {
+  const RobotState& its = west(state);
+  const Vec2 arm_m = state.ball.position_m - its.position_m;
+  return (its.velocity_mps + its.angular_velocity_radps * left_of(arm_m)).norm();
+}
+
+double way_m(const LabRecord& record, std::size_t robot) {
+  return (west(record.states.back(), robot).position_m - west(record.states[0], robot).position_m)
+      .norm();
+}
+
+}  // namespace
+
+double slide_m(const LabRecord& record) { return switch_of(record).way_m; }
+double switch_mps(const LabRecord& record) { return switch_of(record).speed_mps; }
+
+double roll_m(const LabRecord& record) {
+  return record.states.back().ball.position_m.x() - record.states[0].ball.position_m.x() -
+         slide_m(record);
+}
+
+double chip_m(const LabRecord& record) {
+  const BallState& last = record.states[frame_after_landing(record, 1) - 1].ball;
+  const double falls_s = (last.vertical_mps + carpet_mps(last)) / kG_mps2;
+  return last.position_m.x() + last.velocity_mps.x() * falls_s -
+         record.states[0].ball.position_m.x();
+}
+
+double first_xy(const LabRecord& record) { return kept_xy(record, 1); }
+double later_xy(const LabRecord& record) { return kept_xy(record, 2); }
+
+double hop_z(const LabRecord& record) {
+  const std::size_t f = frame_after_landing(record, 1);
+  return carpet_mps(record.states[f].ball) / carpet_mps(record.states[f - 1].ball);
+}
+
+double rebound_x(const LabRecord& record) { return rebound(record, 0); }
+double rebound_net(const LabRecord& record) { return rebound(record, 0, kSlide_mps2 + kNet_mps2); }
+double rebound_y(const LabRecord& record) { return rebound(record, 1); }
+
+// The same in the air, where nothing else slows the ball.
+double rebound_flying(const LabRecord& record) {
+  const std::size_t f = first_frame(record, [](const WorldState& former, const WorldState& now) {
+    return former.ball.velocity_mps.x() > 0.0 && now.ball.velocity_mps.x() < 0.0;
+  });
+  return -record.states[f].ball.velocity_mps.x() / record.states[f - 1].ball.velocity_mps.x();
+}
+
+double behind_line_mm(const LabRecord& record) {
+  return 1000 * (record.states.back().ball.position_m.x() - Field{}.half_length_m());
+}
+
+// From the first motion to the first frame at the speed, by the speed in the frame before.
+double to_three_s(const LabRecord& record) {
+  const std::size_t f = first_frame(record, [](const WorldState&, const WorldState& now) {
+    return west(now).velocity_mps.norm() > 2.999;
+  });
+  const double missing_mps = 3.0 - west(record.states[f - 1]).velocity_mps.norm();
+  return static_cast<double>(f - 1) * kFrame_s + missing_mps / 3.0;
+}
+
+double top_mps(const LabRecord& record) {
+  double top = 0.0;
+  for (const WorldState& state : record.states) {
+    top = std::max(top, west(state).velocity_mps.norm());
+  }
+  return top;
+}
+
+double stop_s(const LabRecord& record) {
+  std::size_t f = kStopOrder;
+  while (west(record.states[f + 1]).velocity_mps.norm() > 1e-3) ++f;
+  return static_cast<double>(f - kStopOrder) * kFrame_s +
+         west(record.states[f]).velocity_mps.norm() / 5.0;
+}
+
+double stop_m(const LabRecord& record) {
+  return (west(record.states.back()).position_m - west(record.states[kStopOrder]).position_m)
+      .norm();
+}
+
+double turning_radps2(const LabRecord& record) {
+  return west(record.states[12]).angular_velocity_radps / (12 * kFrame_s);
+}
+
+double turning_radps(const LabRecord& record) {
+  return west(record.states[60]).angular_velocity_radps;
+}
+
+// A robot that speeds up evenly began to move where its speed, drawn backwards, is zero.
+double delay_ms(const LabRecord& record) {
+  const std::size_t last = record.states.size() - 1;
+  const double first_mps = west(record.states[last - 6]).velocity_mps.x();
+  const double mps = west(record.states[last]).velocity_mps.x();
+  const double mps2 = (mps - first_mps) / (6 * kFrame_s);
+  return 1000 * (static_cast<double>(last) * kFrame_s - mps / mps2 - 0.1);
+}
+
+// Both robots once they are together, by their mean speed from 0.95 to 1.15 s.
+double pair_mps2(const LabRecord& record) {
+  const auto mean_mps = [&](std::size_t f) {
+    const WorldState& state = record.states[f];
+    return (west(state).velocity_mps.x() + east(state).velocity_mps.x()) / 2;
+  };
+  return (mean_mps(57) - mean_mps(69)) / (12 * kFrame_s);
+}
+
+// Of the speed towards each other. Both brake at once, at 5 m/s^2, what throws them apart.
+double robots_rebound(const LabRecord& record) {
+  const std::size_t f = first_frame(record, [](const WorldState& former, const WorldState& now) {
+    return west(former).velocity_mps.x() > 0.0 && west(now).velocity_mps.x() < 0.0;
+  });
+  const RobotState& last = west(record.states[f - 1]);
+  const RobotState& first = west(record.states[f]);
+  const double to_mps = last.velocity_mps.x();
+  const double from_mps = first.velocity_mps.x();
+  const double after_s =
+      (first.position_m.x() - last.position_m.x() - from_mps * kFrame_s) / (to_mps - from_mps);
+  return (-from_mps + 5.0 * (kFrame_s - after_s)) / to_mps;
+}
+
+double middle_mm(const LabRecord& record) {
+  const WorldState& end = record.states.back();
+  return 500 * (west(end).position_m.x() + east(end).position_m.x());
+}
+
+double most_off_in_gentle_turn_mm(const LabRecord& record) {
+  double most = 0.0;
+  for (std::size_t f = 0; f <= kHardTurn; ++f) {
+    most = std::max(most, off_plate_mm(record.states[f], 0));
+  }
+  return most;
+}
+
+// How fast the robot turned when the ball had left the reach of the dribbler.
+double loses_at_radps(const LabRecord& record) {
+  std::size_t f = kHardTurn;
+  while (off_plate_mm(record.states.at(f), 0) < 10.0) ++f;
+  return west(record.states[f]).angular_velocity_radps;
+}
+
+double off_in_gentle_pull_mm(const LabRecord& record) {
+  return off_plate_mm(record.states[kEvenPull], 0);
+}
+
+// Of the ball, where the dribbler pulls as hard as it can: from 5 mm off to the end of its reach.
+double most_pull_mps2(const LabRecord& record) {
+  std::size_t f = kHardPull;
+  while (off_plate_mm(record.states.at(f), 0) < 5.0) ++f;
+  std::size_t last = f;
+  while (off_plate_mm(record.states.at(last + 1), 0) < 10.0) ++last;
+  return (record.states[f].ball.velocity_mps.x() - record.states[last].ball.velocity_mps.x()) /
+         (static_cast<double>(last - f) * kFrame_s);
+}
+
+double is_lost_in_hard_pull(const LabRecord& record) {
+  return off_plate_mm(record.states.back(), 0) > 100.0 ? 1.0 : 0.0;
+}
+
+double most_off_when_held_mm(const LabRecord& record) {
+  double most = 0.0;
+  for (std::size_t f = 0; f <= kKickOrder; ++f) {
+    most = std::max(most, off_plate_mm(record.states[f], 0));
+  }
+  return most;
+}
+
+// How much faster than the plate the ball gets, now or a frame ago.
+double most_faster_when_held_mps(const LabRecord& record) {
+  double most = 0.0;
+  for (std::size_t f = 1; f <= kKickOrder; ++f) {
+    const double plates_mps =
+        std::max(plate_mps(record.states[f - 1]), plate_mps(record.states[f]));
+    most = std::max(most, record.states[f].ball.velocity_mps.norm() - plates_mps);
+  }
+  return most;
+}
+
+double kicked_mps(const LabRecord& record) {
+  return record.states[kKickOrder + 1].ball.velocity_mps.norm() + kSlide_mps2 * kFrame_s;
+}
+
+double fast_way_m(const LabRecord& record) { return way_m(record, 0); }
+double slow_way_m(const LabRecord& record) { return way_m(record, 1); }
+
+double arrival_mps(const LabRecord& record) {
+  const std::size_t f = first_frame(record, [](const WorldState& former, const WorldState& now) {
+    return former.ball.is_rolling && former.ball.velocity_mps.x() > 1.0 &&
+           now.ball.velocity_mps.x() < 1.0;
+  });
+  return record.states[f - 1].ball.velocity_mps.x();
+}
+
+double received_off_mm(const LabRecord& record) { return off_plate_mm(record.states.back(), 1); }
+
+}  // namespace autoref::runner::lab_measures

@@ -1,0 +1,153 @@
+#include "runner/processes/workers.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <thread>
+
+#include "tests/runner/support/temporary_folder.hpp"
+
+namespace autoref::runner {
+namespace {
+
+struct Outcome {
+  Ending ending = Ending::kDone;
+  std::map<std::size_t, JobResult> results;
+};
+
+Outcome done_by(int workers, std::size_t jobs, const std::function<std::string(std::size_t)>& work,
+                WorkerOptions options = {}) {
+  options.workers = workers;
+  std::vector<std::size_t> numbers(jobs);
+  for (std::size_t i = 0; i < jobs; ++i) numbers[i] = i;
+  Outcome outcome;
+  outcome.ending = do_jobs(numbers, options,
+                           {work, [&](const JobResult& r) { outcome.results[r.job] = r; }, {}});
+  return outcome;
+}
+
+TEST(Workers, DoEveryJobOnce) {
+  for (const int workers : {1, 2, 5}) {
+    const Outcome outcome =
+        done_by(workers, 40, [](std::size_t job) { return std::to_string(job * job); });
+    EXPECT_EQ(outcome.ending, Ending::kDone);
+    ASSERT_EQ(outcome.results.size(), 40U);
+    for (const auto& [job, result] : outcome.results) {
+      EXPECT_EQ(result.payload, std::to_string(job * job));
+    }
+  }
+}
+
+TEST(Workers, AreProcessesOfTheirOwnThatDoSeveralJobs) {
+  const Outcome outcome = done_by(2, 20, [](std::size_t) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    return std::to_string(getpid());
+  });
+  std::set<std::string> pids;
+  for (const auto& [job, result] : outcome.results) pids.insert(result.payload);
+  EXPECT_EQ(pids.size(), 2U);
+  EXPECT_FALSE(pids.contains(std::to_string(getpid())));
+}
+
+TEST(Workers, DoAKilledWorkersJobAgain) {
+  const TemporaryFolder folder;
+  const Outcome outcome = done_by(2, 6, [&](std::size_t job) {
+    const std::filesystem::path mark = folder / "killed";
+    if (job == 3 && !std::filesystem::exists(mark)) {
+      write_content(mark, "x");
+      kill(getpid(), SIGKILL);
+    }
+    return std::string("fine");
+  });
+  ASSERT_EQ(outcome.results.size(), 6U);
+  EXPECT_EQ(outcome.results.at(3).payload, "fine");
+  EXPECT_EQ(outcome.results.at(3).attempt, 2);
+  EXPECT_EQ(outcome.results.at(4).attempt, 1);
+}
+
+TEST(Workers, GiveAJobUpAfterThreeDeathsAndSayWhy) {
+  const Outcome outcome = done_by(1, 3, [](std::size_t job) {
+    if (job == 1) kill(getpid(), SIGKILL);
+    return std::string("fine");
+  });
+  EXPECT_EQ(outcome.ending, Ending::kDone);
+  EXPECT_EQ(outcome.results.at(1).failure,
+            "its process was ended by signal 9 (Killed), in attempt 3");
+  EXPECT_EQ(outcome.results.at(2).payload, "fine");
+}
+
+TEST(Workers, GiveAJobThatTakesTooLongUpAtItsFirstAttempt) {
+  WorkerOptions options;
+  options.attempts = 3;
+  options.longest_job_s = 0.2;
+  const Outcome outcome = done_by(
+      1, 2,
+      [](std::size_t job) {
+        if (job == 0) std::this_thread::sleep_for(std::chrono::seconds(60));
+        return std::string("fine");
+      },
+      options);
+  EXPECT_EQ(outcome.results.at(0).failure, "it took longer than 0.2 s, in attempt 1");
+  EXPECT_EQ(outcome.results.at(1).payload, "fine");
+}
+
+TEST(Workers, FinishRunningJobsAfterTheFirstInterrupt) {
+  int results = 0;
+  const Ending ending = do_jobs({0, 1, 2, 3, 4, 5, 6, 7}, {.workers = 2},
+                                {[](std::size_t) {
+                                   std::this_thread::sleep_for(std::chrono::milliseconds(20));
+                                   return std::string("fine");
+                                 },
+                                 [&](const JobResult& result) {
+                                   EXPECT_EQ(result.failure, "");
+                                   if (++results == 1) kill(getpid(), SIGINT);
+                                 },
+                                 {}});
+  EXPECT_EQ(ending, Ending::kInterrupted);
+  EXPECT_GE(results, 2);
+  EXPECT_LE(results, 4);
+}
+
+TEST(Workers, BeginNoFurtherJobOnceItIsEnough) {
+  int results = 0;
+  const Ending ending = do_jobs({0, 1, 2, 3, 4, 5, 6, 7}, {.workers = 2},
+                                {[](std::size_t) { return std::string("fine"); },
+                                 [&](const JobResult&) { ++results; },
+                                 {},
+                                 [&] { return results >= 3; }});
+  EXPECT_EQ(ending, Ending::kDone);
+  EXPECT_GE(results, 3);
+  EXPECT_LE(results, 4);
+}
+
+TEST(Workers, StopAtOnceAfterTheSecondInterrupt) {
+  const auto start = std::chrono::steady_clock::now();
+  int ticks = 0;
+  const Ending ending = do_jobs({0, 1}, {.workers = 2},
+                                {[](std::size_t) {
+                                   std::this_thread::sleep_for(std::chrono::seconds(60));
+                                   return std::string("fine");
+                                 },
+                                 [](const JobResult&) { FAIL(); },
+                                 [&] {
+                                   if (++ticks <= 2) kill(getpid(), SIGTERM);
+                                 }});
+  EXPECT_EQ(ending, Ending::kInterrupted);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+}
+
+TEST(Workers, AreGoneWhenTheReceiverThrows) {
+  EXPECT_THROW(do_jobs({0, 1, 2}, {.workers = 2},
+                       {[](std::size_t) { return std::string("fine"); },
+                        [](const JobResult&) { throw std::runtime_error("disk full"); },
+                        {}}),
+               std::runtime_error);
+}
+
+}  // namespace
+}  // namespace autoref::runner

@@ -1,0 +1,62 @@
+#include "runner/report/build_reports.hpp"
+
+#include <gtest/gtest.h>
+
+#include "runner/io/errors.hpp"
+#include "tests/runner/batch/fake_games.hpp"
+#include "tests/runner/cli/answer.hpp"
+
+namespace autoref::runner {
+namespace {
+
+// A folder with 12 games of each of two builds, which come out differently.
+class MixedBuilds : public testing::Test {
+ protected:
+  void SetUp() override {
+    ExperimentOptions options = fake_options(folder_.path());
+    run_experiment(small_sweep(), options);
+    options.build = "0.1.0-other";
+    options.allow_mixed_build = true;
+    options.play = [](const GameConfiguration& game) {
+      GameRecord record = fake_game(game);
+      ++record.goals_a;
+      return record;
+    };
+    run_experiment(small_sweep(), options);
+  }
+  Answer report() const { return answer_to({"report", folder_.path().c_str()}); }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(MixedBuilds, AreReportedApart) {
+  EXPECT_EQ(report().code, kDone);
+  for (const char* build : {"build-0.1.0-test", "build-0.1.0-other"}) {
+    EXPECT_EQ(line_count(content_of(folder_ / build / "results.csv")), 13) << build;
+    EXPECT_TRUE(std::filesystem::exists(folder_ / build / "report.html")) << build;
+  }
+}
+
+TEST_F(MixedBuilds, AreListedInOneOverview) {
+  report();
+  const std::string overview = content_of(folder_ / "report.md");
+  EXPECT_NE(overview.find("| 0.1.0-test | 12 | 12 | 0 |\n"), std::string::npos) << overview;
+  EXPECT_NE(overview.find("[report.md](build-0.1.0-other/report.md)"), std::string::npos);
+}
+
+TEST_F(MixedBuilds, AreOneReportForTheBuildThatIsAskedFor) {
+  const Answer answer = answer_to({"report", folder_.path().c_str(), "--build", "0.1.0-test"});
+  EXPECT_EQ(answer.code, kDone);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "build-0.1.0-test"));
+  EXPECT_NE(content_of(folder_ / "report.md")
+                .find("| rows of build 0.1.0-other, which do not count here | 12 |\n"),
+            std::string::npos);
+}
+
+TEST(BuildFolder, IsBelowTheFolderOfResults) {
+  EXPECT_EQ(build_folder("results", "0.1.0-5bf"), "results/build-0.1.0-5bf");
+  EXPECT_THROW(build_folder("results", "/../../x"), InputError);
+}
+
+}  // namespace
+}  // namespace autoref::runner

@@ -1,0 +1,124 @@
+#include "runner/report/plots.hpp"
+
+#include <gtest/gtest.h>
+
+#include "runner/report/running_mean.hpp"
+#include "tests/runner/batch/fake_games.hpp"
+
+namespace autoref::runner {
+namespace {
+
+// What a folder of fake games says.
+ExperimentResults played(const Scenario& scenario) {
+  const TemporaryFolder folder;
+  return run_experiment(scenario, fake_options(folder.path())).results;
+}
+
+std::vector<std::string> names_of(const std::vector<Plot>& plots) {
+  std::vector<std::string> names;
+  for (const Plot& plot : plots) names.push_back(plot.name);
+  return names;
+}
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(Plots, OfASweepOverNumbersAreCurvesAndHistograms) {
+  EXPECT_EQ(names_of(plots_of(small_sweep(), played(small_sweep()))),
+            (std::vector<std::string>{"scores", "difference", "histogram", "running_mean"}));
+}
+
+TEST(Plots, OfARoundRobinAreTablesAndRatings) {
+  const Scenario robin = small_roundrobin({6, 5, 4});
+  EXPECT_EQ(names_of(plots_of(robin, played(robin))),
+            (std::vector<std::string>{"difference", "crosstable", "ratings", "histogram",
+                                      "running_mean"}));
+}
+
+TEST(Plots, OfChallengersHaveNoRatings) {
+  Gauntlet gauntlet;
+  gauntlet.challengers["bold"].robots = 6;
+  gauntlet.teams["zone"].robots = 5;
+  const Scenario scenario{"A test.", gauntlet};
+  EXPECT_EQ(names_of(plots_of(scenario, played(scenario))),
+            (std::vector<std::string>{"difference", "histogram", "running_mean"}));
+}
+
+TEST(Plots, AreNoneBeforeTheFirstGame) {
+  ExperimentResults results;
+  results.groups = {Group{{"6"}, {}, {}, {}, {}, {}, 1, 0, 0, 0}};
+  EXPECT_TRUE(plots_of(small_sweep(), results).empty());
+}
+
+TEST(Plots, HaveColumnsThatSayWhatTheyHold) {
+  const std::vector<Plot> plots = plots_of(small_sweep(), played(small_sweep()));
+  ASSERT_EQ(plots.size(), 4U);
+  EXPECT_EQ(first_line(plots[0].csv), "value,games,mean_a,sd_a,mean_b,sd_b");
+  EXPECT_EQ(first_line(plots[1].csv), "value,pairs,mean_diff,low95,high95");
+  EXPECT_EQ(first_line(plots[2].csv), "row,name,goal_difference,games,share_of_tallest");
+  EXPECT_EQ(first_line(plots[3].csv), "panel,name,pairs,mean_diff,low95,high95");
+}
+
+TEST(ScoresPlot, HasTheBaselineAtTheLeft) {
+  const std::optional<Plot> plot = scores_plot(small_sweep(), played(small_sweep()));
+  EXPECT_TRUE(has(plot.value().script, "set xrange [6.06:4.94]")) << plot->script;
+}
+
+TEST(DifferencePlot, TellsTheSlope) {
+  const std::optional<Plot> plot = difference_plot(small_sweep(), played(small_sweep()));
+  EXPECT_TRUE(has(plot.value().about, "Slope: ")) << plot->about;
+  EXPECT_TRUE(has(plot->about, "goals a game per unit of b.robots")) << plot->about;
+}
+
+TEST(HistogramPlot, CountsTheGamesOfEachDifference) {
+  ExperimentResults results;
+  results.groups = {{{"6"}, {}, {}, {1, 1, -2}, {}, {}, 0, 2, 0, 1}};
+  EXPECT_EQ(histogram_plot(small_sweep(), results).value().csv,
+            "row,name,goal_difference,games,share_of_tallest\n1,6,-2,1,0.5000\n1,6,1,2,1.0000\n");
+}
+
+TEST(RunningMeans, GoThroughPairsByTheirNumbers) {
+  Group group;
+  group.pair_differences = {{"1", 1}, {"10", 9}, {"2", 2}};
+  const std::vector<RunningMean> means = running_means(group);
+  ASSERT_EQ(means.size(), 3U);
+  EXPECT_DOUBLE_EQ(means[1].mean, 1.5);
+  EXPECT_FALSE(means[0].interval);
+  // 1 and 2: t(0.975, 1) = 12.7062 from tables, standard error 0.5.
+  EXPECT_NEAR(means[1].interval.value().high, 1.5 + 12.7062 / 2, 1e-4);
+}
+
+TEST(CrosstablePlot, ShowsEachMatchupFromBothSides) {
+  const Scenario robin = small_roundrobin({6, 16}, 1);
+  const std::string csv = crosstable_plot(played(robin)).value().csv;
+  EXPECT_EQ(line_count(csv), 3);
+  EXPECT_TRUE(has(csv, "\n1,2,team1,team0,2,0,0,")) << csv;
+  EXPECT_TRUE(has(csv, "\n2,1,team0,team1,0,0,2,-")) << csv;
+}
+
+TEST(Plots, SayWhatTheyHaveNoPlaceFor) {
+  EXPECT_EQ(note_of_cut(45), "");
+  EXPECT_EQ(note_of_cut(66), " Only the first 45 of 66 are drawn; the data has all.");
+}
+
+TEST(TicStep, LeavesFivePartsAtMost) {
+  EXPECT_DOUBLE_EQ(tic_step(5), 1);
+  EXPECT_DOUBLE_EQ(tic_step(9), 2);
+  EXPECT_DOUBLE_EQ(tic_step(19), 5);
+  EXPECT_DOUBLE_EQ(tic_step(0.45), 0.1);
+}
+
+TEST(ScriptText, HoldsAnythingWithoutCarryingItOut) {
+  EXPECT_EQ(script_text("it's `x`\n$y"), "'it''s `x` $y'");
+}
+
+TEST(ScriptText, IsCutBetweenLetters) {
+  EXPECT_EQ(shortened("äöü", 3), "äöü");
+  EXPECT_EQ(shortened("äöüß", 3), "äö…");
+}
+
+}  // namespace
+}  // namespace autoref::runner

@@ -1,0 +1,230 @@
+#include "runner/settings/fields.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <stdexcept>
+
+namespace autoref::runner {
+namespace {
+
+std::string refusal_of(std::string_view path, std::string_view text) {
+  GameConfiguration game;
+  try {
+    set_by_path(game, path, text);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(SetByPath, ReachesEachPartOfAGame) {
+  GameConfiguration game;
+  set_by_path(game, "match.half_s", "60");
+  set_by_path(game, "teams.a.robots", "5");
+  set_by_path(game, "sim.camera", "realistic");
+  set_by_path(game, "field.defence_area.shape", "box");
+  set_by_path(game, "seed", "7");
+  EXPECT_EQ(game.match.half_s, 60);
+  EXPECT_EQ(game.a.robots, 5);
+  EXPECT_EQ(game.field.defence_area.shape, DefenceArea::Shape::kBox);
+  EXPECT_EQ(game.seed, 7U);
+  EXPECT_EQ(game.sim.vision.ball_noise_m, 0.0014);
+  EXPECT_FALSE(game.sim.vision.reports_height);
+  EXPECT_EQ(game.sim.radio.command_loss, 0.03);
+  EXPECT_EQ(value_at(game, "sim.camera"), "realistic");
+  set_by_path(game, "sim.vision.reports_height", "true");
+  EXPECT_EQ(value_at(game, "sim.camera"), "other");
+}
+
+TEST(SetByPath, TakesAAndBForTheTeams) {
+  GameConfiguration game;
+  set_by_path(game, "a.robots", "4");
+  set_by_path(game, "b.strategy", "dummy");
+  EXPECT_EQ(game.a.robots, 4);
+  EXPECT_EQ(game.b.strategy, "dummy");
+}
+
+TEST(SetByPath, SetsBothFactorsByAHandicap) {
+  GameConfiguration game;
+  set_by_path(game, "b.handicap", "0.8");
+  EXPECT_EQ(game.b.speed_factor, 0.8);
+  EXPECT_EQ(game.b.acceleration_factor, 0.8);
+  EXPECT_EQ(game.a.speed_factor, 1.0);
+}
+
+TEST(SetByPath, SetsTheBallsNumbersByAPreset) {
+  GameConfiguration game;
+  set_by_path(game, "sim.ball.preset", "tigers");
+  EXPECT_EQ(game.sim.ball.slide_mps2, 3.0);
+  EXPECT_EQ(game.sim.ball.hop_later_xy, 0.85);
+  EXPECT_EQ(value_at(game, "sim.ball.preset"), "tigers");
+  EXPECT_EQ(
+      refusal_of("sim.ball.preset", "tiger"),
+      "expected one of default, erforce, tigers, grsim, found 'tiger'; did you mean 'tigers'?");
+}
+
+TEST(SetByPath, LetsSingleNumbersChangeAPreset) {
+  GameConfiguration game;
+  set_by_path(game, "sim.ball.preset", "grsim");
+  set_by_path(game, "sim.ball.roll_mps2", "0.5");
+  EXPECT_EQ(game.sim.ball.slide_mps2, 10.3);
+  EXPECT_EQ(game.sim.ball.roll_mps2, 0.5);
+  EXPECT_EQ(value_at(game, "sim.ball.preset"), "other");
+}
+
+TEST(SetByPath, SetsAStrategysOwnParameters) {
+  GameConfiguration game;
+  set_by_path(game, "a.params.shot_mps", "6.5");
+  EXPECT_EQ(game.a.params.at("shot_mps"), 6.5);
+}
+
+TEST(SetByPath, NamesTheNearestKeyForAnUnknownOne) {
+  EXPECT_NE(refusal_of("match.half", "60").find("'match.half_s'"), std::string::npos);
+  EXPECT_NE(refusal_of("b.robot", "5").find("'b.robots'"), std::string::npos);
+  EXPECT_NE(refusal_of("params.x", "5").find("unknown key"), std::string::npos);
+  EXPECT_NE(refusal_of("a.params", "5").find("unknown key"), std::string::npos);
+}
+
+TEST(SetByPath, SetsWhatDiffersInATeamsRobotsOrInOneOfThem) {
+  GameConfiguration game;
+  set_by_path(game, "b.robot.speed_mps", "2");
+  set_by_path(game, "b.players.3.dribbler.preset", "perfect");
+  EXPECT_EQ(value_at(game, "b.robot.speed_mps"), "2.0");
+  EXPECT_EQ(value_at(game, "b.players.3.dribbler.preset"), "perfect");
+  EXPECT_EQ(value_at(game, "b.players.3.dribbler.holds"), "true");
+  EXPECT_TRUE(game.b.players.contains(3));
+  EXPECT_TRUE(game.a.changes.empty());
+}
+
+TEST(SetByPath, NamesTheNearestOfAPlayersKeys) {
+  EXPECT_NE(refusal_of("b.players.3.handicup", "1").find("'b.players.3.handicap'"),
+            std::string::npos);
+  EXPECT_NE(refusal_of("b.robot.speed", "1").find("'b.robot.speed_mps'"), std::string::npos);
+  EXPECT_NE(refusal_of("b.players.3", "1").find("unknown key"), std::string::npos);
+  EXPECT_NE(refusal_of("b.players", "1").find("unknown key"), std::string::npos);
+  EXPECT_EQ(refusal_of("b.players.16.handicap", "1"),
+            "expected a robot's number from 0 to 15, found '16'");
+  EXPECT_EQ(refusal_of("b.robot.mass_kg", "0"),
+            "expected a number from 0.001 to 100 kg, found '0'");
+}
+
+TEST(SetByPath, SaysWhatWasExpected) {
+  EXPECT_EQ(refusal_of("a.robots", "17"), "expected a whole number from 1 to 16, found '17'");
+  EXPECT_EQ(refusal_of("a.robots", "0"), "expected a whole number from 1 to 16, found '0'");
+  EXPECT_EQ(refusal_of("b.speed_factor", "-1"),
+            "expected a number above 0 and at most 2, found '-1'");
+  EXPECT_EQ(refusal_of("match.a_plays", "north"), "expected one of west, east, found 'north'");
+}
+
+TEST(SetByPath, LeavesTheGameAloneWhenItRefuses) {
+  GameConfiguration game;
+  EXPECT_THROW(set_by_path(game, "b.handicap", "3"), std::invalid_argument);
+  EXPECT_EQ(game.b.speed_factor, 1.0);
+}
+
+TEST(Settings, HaveAPathOfTheirOwnAndDefaultsWithinTheirRanges) {
+  GameConfiguration game;
+  std::set<std::string> paths;
+  for (const Setting& setting : settings_of(game)) {
+    EXPECT_TRUE(paths.insert(setting.path).second) << setting.path;
+    EXPECT_FALSE(setting.about.empty()) << setting.path;
+    if (holds_others(setting)) continue;
+    EXPECT_NO_THROW(assign(setting, value_of(setting))) << setting.path;
+  }
+}
+
+TEST(Settings, AcceptTheirDefaultsAsAWhole) { EXPECT_NO_THROW(check_game(GameConfiguration{})); }
+
+TEST(CheckGame, RefusesParametersThatTheStrategyDoesNotHave) {
+  GameConfiguration game;
+  game.a.params["shot_mpss"] = 1;
+  try {
+    check_game(game);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("'shot_mps'"), std::string::npos);
+  }
+}
+
+// One step of Box2D is 0.2 m long at most, so that 30 a second carry nothing at 8 m/s.
+TEST(CheckGame, RefusesSubstepsTooFewForAKick) {
+  GameConfiguration game;
+  game.sim.frame_rate_hz = 30;
+  game.sim.substeps = 2;
+  EXPECT_NO_THROW(check_game(game));
+  game.sim.substeps = 1;
+  try {
+    check_game(game);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_TRUE(std::string_view(error.what()).starts_with("sim.substeps: ")) << error.what();
+  }
+}
+
+TEST(ConfigurationHash, ChangesWithEverySetting) {
+  const std::uint64_t plain = configuration_hash(GameConfiguration{});
+  for (const auto& [path, text] :
+       std::map<std::string, std::string>{{"a.robots", "5"},
+                                          {"b.robots", "5"},
+                                          {"match.half_s", "599"},
+                                          {"match.a_plays", "east"},
+                                          {"match.first_kickoff", "east"},
+                                          {"field.goal_width_m", "0.71"},
+                                          {"sim.robot.mass_kg", "2.6"},
+                                          {"sim.dribbler.preset", "perfect"},
+                                          {"b.robot.mass_kg", "2.6"},
+                                          {"b.players.3.robot.mass_kg", "2.6"},
+                                          {"b.players.3.handicap", "0.9"},
+                                          {"a.players.0.dribbler.preset", "perfect"},
+                                          {"a.params.shot_mps", "0"},
+                                          {"b.params.shot_mps", "0"},
+                                          {"seed", "43"}}) {
+    GameConfiguration game;
+    set_by_path(game, path, text);
+    EXPECT_NE(configuration_hash(game), plain) << path;
+  }
+}
+
+TEST(ConfigurationHash, TellsTeamsAndPlayersApart) {
+  std::set<std::uint64_t> hashes;
+  for (const char* branch : {"a.", "b.", "a.players.1.", "a.players.2.", "b.players.1."}) {
+    GameConfiguration game;
+    set_by_path(game, std::string(branch) + "kicker.reach_m", "0.02");
+    hashes.insert(configuration_hash(game));
+  }
+  EXPECT_EQ(hashes.size(), 5U);
+}
+
+TEST(ConfigurationHash, TellsTheTeamsApart) {
+  GameConfiguration left;
+  left.a.params["shot_mps"] = 5;
+  GameConfiguration right;
+  right.b.params["shot_mps"] = 5;
+  EXPECT_NE(configuration_hash(left), configuration_hash(right));
+}
+
+// The ranges that a user is told are within those that the world checks, and begin where they do.
+TEST(Settings, OfTheWorldAreTakenByTheWorldAtBothEndsOfTheirRanges) {
+  GameConfiguration game;
+  int checked = 0;
+  for (const Setting& setting : settings_of(game)) {
+    auto* const* number = std::get_if<double*>(&setting.target);
+    if (number == nullptr || !setting.path.starts_with("sim.")) continue;
+    const double usual = **number;
+    **number = setting.range.high;
+    EXPECT_NO_THROW(check_game(game)) << setting.path << " at " << **number;
+    **number = setting.range.above_low ? setting.range.low : setting.range.low - 1e-6;
+    EXPECT_THROW(check_game(game), std::invalid_argument) << setting.path << " at " << **number;
+    if (!setting.range.above_low) {
+      **number = setting.range.low;
+      EXPECT_NO_THROW(check_game(game)) << setting.path << " at " << **number;
+    }
+    **number = usual;
+    ++checked;
+  }
+  EXPECT_GT(checked, 30);
+}
+
+}  // namespace
+}  // namespace autoref::runner

@@ -1,0 +1,121 @@
+// Which numbers each robot gets in the end.
+#include "runner/settings/robot_changes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "runner/experiments/reading/scenario_reader.hpp"
+#include "runner/experiments/scenario.hpp"
+
+namespace autoref::runner {
+namespace {
+
+const std::string kGame = "schema: 1\nkind: game\n";
+
+GameConfiguration game_of(const std::string& text) {
+  return std::get<GameConfiguration>(read_scenario_text(kGame + text, "x.yaml").content);
+}
+
+sim::RobotSheet robot_of_b(const std::string& text, std::size_t number) {
+  const GameConfiguration game = game_of(text);
+  return sheet_of(game, game.b).robots.at(number);
+}
+
+TEST(SheetOf, GivesEveryRobotTheGamesNumbersUnlessToldOtherwise) {
+  const GameConfiguration game = game_of("sim: { robot: { speed_mps: 2.5 } }\n");
+  for (const TeamConfiguration* team : {&game.a, &game.b}) {
+    const sim::TeamSheet sheet = sheet_of(game, *team);
+    ASSERT_EQ(sheet.robots.size(), 6U);
+    for (const sim::RobotSheet& robot : sheet.robots) {
+      EXPECT_EQ(robot.body.speed_mps, 2.5);
+      EXPECT_EQ(robot.body.mass_kg, 2.5);
+      EXPECT_EQ(robot.speed_factor, 1.0);
+    }
+  }
+}
+
+// Each layer sets one number more than the one above it, and all of those below.
+TEST(SheetOf, LetsTheGameGiveWayToTeamsAndTheseToPlayersWhateverTheOrderOfKeys) {
+  const std::string types =
+      "types:\n"
+      "  team: { robot: { braking_mps2: 12, acceleration_mps2: 12, speed_mps: 12, mass_kg: 12 } }\n"
+      "  player: { robot: { speed_mps: 14, mass_kg: 14 } }\n";
+  const std::string sim =
+      "sim: { robot: { wheel_acceleration_mps2: 11, braking_mps2: 11, acceleration_mps2: 11,\n"
+      "                speed_mps: 11, mass_kg: 11 } }\n";
+  const std::string teams =
+      "teams:\n"
+      "  b:\n"
+      "    players: { 2: { robot: { mass_kg: 15 }, type: player } }\n"
+      "    robot: { acceleration_mps2: 13, speed_mps: 13, mass_kg: 13 }\n"
+      "    type: team\n";
+  for (const std::string& text : {types + sim + teams, teams + sim + types}) {
+    const sim::RobotParameters robot = robot_of_b(text, 2).body;
+    EXPECT_EQ(robot.wheel_acceleration_mps2, 11);  // the game
+    EXPECT_EQ(robot.braking_mps2, 12);             // the team's type
+    EXPECT_EQ(robot.acceleration_mps2, 13);        // the team
+    EXPECT_EQ(robot.speed_mps, 14);                // the player's type
+    EXPECT_EQ(robot.mass_kg, 15);                  // the player
+    EXPECT_EQ(robot_of_b(text, 3).body.mass_kg, 13);
+  }
+}
+
+TEST(SheetOf, LeavesTheOtherTeamAlone) {
+  const GameConfiguration game =
+      game_of("teams: { b: { robot: { mass_kg: 3 }, handicap: 0.5 } }\n");
+  EXPECT_EQ(sheet_of(game, game.a).robots[0].body.mass_kg, 2.5);
+  EXPECT_EQ(sheet_of(game, game.a).robots[0].speed_factor, 1.0);
+  EXPECT_EQ(sheet_of(game, game.b).robots[5].body.mass_kg, 3.0);
+}
+
+TEST(SheetOf, MultipliesTheTeamsFactorsWithThePlayers) {
+  const std::string text =
+      "teams: { b: { speed_factor: 0.8, players: { 3: { handicap: 0.5 }, 4: { "
+      "acceleration_factor: 0.7 } } } }\n";
+  EXPECT_DOUBLE_EQ(robot_of_b(text, 3).speed_factor, 0.4);
+  EXPECT_DOUBLE_EQ(robot_of_b(text, 3).acceleration_factor, 0.5);
+  EXPECT_DOUBLE_EQ(robot_of_b(text, 4).speed_factor, 0.8);
+  EXPECT_DOUBLE_EQ(robot_of_b(text, 4).acceleration_factor, 0.7);
+  EXPECT_DOUBLE_EQ(robot_of_b(text, 5).speed_factor, 0.8);
+}
+
+TEST(SheetOf, LetsSingleNumbersChangeADribblersPresetWhereverTheyStand) {
+  const sim::RobotSheet robot =
+      robot_of_b("teams: { b: { dribbler: { force_n: 50, preset: perfect } } }\n", 0);
+  EXPECT_TRUE(robot.dribbler.holds);
+  EXPECT_EQ(robot.dribbler.force_n, 50);
+}
+
+TEST(SheetOf, ChangesKickersToo) {
+  const std::string text = "teams: { b: { players: { 1: { kicker: { speed_limit_mps: 5 } } } } }\n";
+  EXPECT_EQ(robot_of_b(text, 1).kicker.speed_limit_mps, 5);
+  EXPECT_EQ(robot_of_b(text, 0).kicker.speed_limit_mps, 8);
+}
+
+TEST(SheetOf, RefusesAPlayerThatTheTeamDoesNotHave) {
+  GameConfiguration game;
+  game.b.players[6].speed_factor = 0.5;
+  EXPECT_THROW(sheet_of(game, game.b), std::invalid_argument);
+}
+
+TEST(SheetOf, RefusesATypeThatTheGameDoesNotHave) {
+  GameConfiguration game;
+  game.a.type = "slow";
+  EXPECT_THROW(sheet_of(game, game.a), std::invalid_argument);
+}
+
+TEST(AssignChange, KeepsNothingOfAWrongValue) {
+  RobotChanges changes;
+  EXPECT_THROW(assign_change({&changes, "robot.mass_kg"}, "-1"), std::invalid_argument);
+  EXPECT_TRUE(changes.empty());
+}
+
+TEST(AssignChange, SpellsNumbersAlwaysTheSame) {
+  RobotChanges changes;
+  assign_change({&changes, "robot.mass_kg"}, "2.50");
+  EXPECT_EQ(changes.at("robot.mass_kg"), "2.5");
+}
+
+}  // namespace
+}  // namespace autoref::runner

@@ -1,0 +1,225 @@
+// Types of robots: their files, and how scenarios, sweeps and flags name them.
+#include "runner/settings/robot_types.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "runner/experiments/plan.hpp"
+#include "runner/experiments/reading/effective.hpp"
+#include "runner/experiments/reading/scenario_reader.hpp"
+#include "runner/experiments/scenario.hpp"
+#include "runner/io/errors.hpp"
+#include "runner/settings/fields.hpp"
+#include "runner/settings/robot_changes.hpp"
+#include "tests/runner/support/temporary_folder.hpp"
+
+namespace autoref::runner {
+namespace {
+
+const std::string kType = "schema: 1\nkind: robot\n";
+const std::string kGame = "schema: 1\nkind: game\n";
+const std::string kSweep = "schema: 1\nkind: sweep\npairs: 1\nseed: 1\n";
+
+// A folder with a scenario, and the types `slow` and `fast` in a folder below it.
+class ScenarioWithTypes : public testing::Test {
+ protected:
+  ScenarioWithTypes() {
+    std::filesystem::create_directory(folder_ / "robots");
+    write_content(folder_ / "robots/slow.yaml", kType + "robot: { speed_mps: 2.2 }\n");
+    write_content(folder_ / "robots/fast.yaml", kType + "robot: { speed_mps: 3.5 }\n");
+  }
+  Scenario read(const std::string& text) const {
+    write_content(folder_ / "x.yaml", text);
+    return read_scenario(folder_ / "x.yaml");
+  }
+  GameConfiguration game(const std::string& text) const {
+    return std::get<GameConfiguration>(read(kGame + text).content);
+  }
+  Sweep sweep(const std::string& text) const {
+    return std::get<Sweep>(read(kSweep + text).content);
+  }
+  std::string refusal(const std::string& text) const {
+    try {
+      read(text);
+      return "accepted";
+    } catch (const InputError& error) {
+      return error.what();
+    }
+  }
+  static double speed_mps(const GameConfiguration& game, std::size_t number) {
+    return sheet_of(game, game.b).robots.at(number).body.speed_mps;
+  }
+  std::string file(const std::string& name) const { return (folder_ / name).string(); }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(ScenarioWithTypes, FindsThemBesideItself) {
+  const GameConfiguration it = game(
+      "teams: { b: { type: robots/slow.yaml, players: { 1: { type: robots/fast.yaml } } } }\n");
+  EXPECT_EQ(speed_mps(it, 0), 2.2);
+  EXPECT_EQ(speed_mps(it, 1), 3.5);
+}
+
+TEST_F(ScenarioWithTypes, VariesThemAsFactorsWithReadableIds) {
+  const std::vector<PlannedGame> games =
+      plan(sweep("factors:\n  b.type: [none, robots/slow.yaml]\n"
+                 "  b.players.3.handicap: [1.0, 0.7]\n"));
+  ASSERT_EQ(games.size(), 8U);
+  EXPECT_EQ(games.back().id, "b.type=slow+b.players.3.handicap=0.7-p0001-2");
+  EXPECT_EQ(speed_mps(games.front().configuration, 3), 3.0);
+  EXPECT_EQ(speed_mps(games.back().configuration, 3), 2.2);
+  const GameConfiguration& last = games.back().configuration;
+  EXPECT_EQ(sheet_of(last, last.b).robots[3].speed_factor, 0.7);
+  EXPECT_EQ(sheet_of(last, last.b).robots[2].speed_factor, 1.0);
+}
+
+TEST_F(ScenarioWithTypes, VariesATypeBesideTheTeamsOwnNumbers) {
+  const std::vector<PlannedGame> games =
+      plan(sweep("base: { teams: { b: { type: robots/fast.yaml, robot: { mass_kg: 3 } } } }\n"
+                 "factors: { b.type: [robots/slow.yaml] }\n"));
+  const GameConfiguration& it = games[0].configuration;
+  EXPECT_EQ(speed_mps(it, 0), 2.2);
+  EXPECT_EQ(sheet_of(it, it.b).robots[0].body.mass_kg, 3);
+}
+
+TEST_F(ScenarioWithTypes, IsTheSameGameAgainFromItsEffectiveText) {
+  const Scenario scenario = read(kGame +
+                                 "teams: { b: { type: robots/slow.yaml, players: { 1: { type: "
+                                 "robots/fast.yaml, kicker: { reach_m: 0.02 } } } } }\n");
+  const Scenario back = read_scenario_text(effective_text(scenario), "elsewhere/effective.yaml");
+  EXPECT_EQ(configuration_hash(std::get<GameConfiguration>(back.content)),
+            configuration_hash(std::get<GameConfiguration>(scenario.content)));
+}
+
+TEST_F(ScenarioWithTypes, HasTheSameGamesAgainFromASweepsEffectiveText) {
+  const Scenario scenario = read(kSweep + "factors: { b.type: [none, robots/slow.yaml] }\n");
+  const Scenario back = read_scenario_text(effective_text(scenario), "elsewhere/effective.yaml");
+  const std::vector<PlannedGame> games = plan(std::get<Sweep>(scenario.content));
+  const std::vector<PlannedGame> games_back = plan(std::get<Sweep>(back.content));
+  ASSERT_EQ(games_back.size(), games.size());
+  for (std::size_t i = 0; i < games.size(); ++i) {
+    EXPECT_EQ(games_back[i].id, games[i].id);
+    EXPECT_EQ(configuration_hash(games_back[i].configuration),
+              configuration_hash(games[i].configuration));
+  }
+}
+
+TEST_F(ScenarioWithTypes, HasAHashOverNumbersNotNames) {
+  const std::string text = "teams: { b: { type: robots/slow.yaml } }\n";
+  const std::uint64_t slow = configuration_hash(game(text));
+  write_content(folder_ / "robots/lame.yaml", content_of(folder_ / "robots/slow.yaml"));
+  EXPECT_EQ(configuration_hash(game("teams: { b: { type: robots/lame.yaml } }\n")), slow);
+  EXPECT_EQ(configuration_hash(game("teams: { b: { robot: { speed_mps: 2.2 } } }\n")), slow);
+  write_content(folder_ / "robots/slow.yaml", kType + "robot: { speed_mps: 2.1 }\n");
+  EXPECT_NE(configuration_hash(game(text)), slow);
+}
+
+TEST_F(ScenarioWithTypes, NamesItsPlaceForATypeThatCannotBeRead) {
+  const std::string start = file("x.yaml") + ":3:21: teams.b.type: ";
+  const std::string message = refusal(kGame + "teams: { b: { type: robots/lost.yaml } }\n");
+  EXPECT_TRUE(message.starts_with(start)) << message;
+  EXPECT_NE(message.find("robots/lost.yaml: the file cannot be read"), std::string::npos);
+}
+
+TEST_F(ScenarioWithTypes, RefusesAWordThatNamesNoType) {
+  const std::string message = refusal(kGame + "teams: { b: { type: slow } }\n");
+  EXPECT_TRUE(message.starts_with(file("x.yaml") + ":3:21: teams.b.type: ")) << message;
+  EXPECT_NE(message.find("a file such as robots/slow.yaml, or one of none"), std::string::npos);
+}
+
+TEST_F(ScenarioWithTypes, NamesTheTypesPlaceForWhatIsWrongInIt) {
+  write_content(folder_ / "robots/slow.yaml", kType + "robot: { speed: 2 }\n");
+  const std::string message = refusal(kGame + "teams: { b: { type: robots/slow.yaml } }\n");
+  EXPECT_TRUE(message.starts_with(file("robots/slow.yaml") + ":3:10: robot: unknown key 'speed'"))
+      << message;
+}
+
+TEST_F(ScenarioWithTypes, RefusesTwoTypesOfOneName) {
+  std::filesystem::create_directory(folder_ / "other");
+  write_content(folder_ / "other/slow.yaml", kType + "robot: { speed_mps: 1 }\n");
+  const std::string message =
+      refusal(kGame + "teams: { a: { type: robots/slow.yaml }, b: { type: other/slow.yaml } }\n");
+  EXPECT_NE(message.find("another type is called 'slow'"), std::string::npos) << message;
+}
+
+TEST_F(ScenarioWithTypes, SaysThatAFilesNameIsTheTypesName) {
+  const std::string message = refusal(kGame + "teams: { b: { type: robots/very slow.yaml } }\n");
+  EXPECT_TRUE(message.starts_with(file("x.yaml") + ":3:21: teams.b.type: ")) << message;
+  EXPECT_TRUE(message.ends_with("found 'very slow'; rename the file")) << message;
+}
+
+TEST_F(ScenarioWithTypes, TakesAFlagsPathFromTheFolderNamed) {
+  GameConfiguration it;
+  set_by_path(it, "b.type", "robots/slow.yaml", folder_.path());
+  set_by_path(it, "b.players.2.type", "robots/fast.yaml", folder_.path());
+  EXPECT_EQ(speed_mps(it, 0), 2.2);
+  EXPECT_EQ(speed_mps(it, 2), 3.5);
+  set_by_path(it, "b.type", "none", folder_.path());
+  EXPECT_EQ(speed_mps(it, 0), 3.0);
+}
+
+struct Mistake {
+  const char* name;
+  std::string text;
+  const char* message;  // its start
+};
+
+class WrongType : public testing::TestWithParam<Mistake> {};
+
+TEST_P(WrongType, IsRefusedWithItsPlace) {
+  try {
+    read_robot_type_text(GetParam().text, "t.yaml");
+    FAIL() << "was accepted";
+  } catch (const InputError& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with(GetParam().message)) << error.what();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Files, WrongType,
+    testing::Values(
+        Mistake{"Empty", "", "t.yaml: the file is empty"},
+        Mistake{"OtherKind", kGame, "t.yaml:2:7: kind: expected robot, found 'game'"},
+        Mistake{"NoSchema", "kind: robot\n", "t.yaml:1:1: the key 'schema' is missing"},
+        Mistake{"UnknownBranch", kType + "wheels: {}\n", "t.yaml:3:1: unknown key 'wheels'"},
+        Mistake{"Factor", kType + "handicap: 0.5\n", "t.yaml:3:1: unknown key 'handicap'"},
+        Mistake{"Number", kType + "robot: 5\n", "t.yaml:3:8: robot: expected a mapping"},
+        Mistake{"Range", kType + "robot: { mass_kg: 0 }\n",
+                "t.yaml:3:19: robot.mass_kg: expected a number from 0.001 to 100 kg"},
+        Mistake{"Quoted", kType + "robot: { mass_kg: \"2\" }\n",
+                "t.yaml:3:19: robot.mass_kg: expected a number"},
+        Mistake{"Twice", kType + "robot: { mass_kg: 2, mass_kg: 2 }\n", "t.yaml:3:22: robot: "},
+        Mistake{"Preset", kType + "dribbler: { preset: sticky }\n",
+                "t.yaml:3:21: dribbler.preset: expected one of default, perfect, found 'sticky'"},
+        Mistake{"Holds", kType + "dribbler: { holds: 1 }\n",
+                "t.yaml:3:20: dribbler.holds: expected one of false, true, found '1'"},
+        Mistake{"About", kType + "about: [1]\n", "t.yaml:3:8: about: expected a sentence"}),
+    [](const auto& test) { return test.param.name; });
+
+TEST(RobotTypes, OfTheRepositoryCanAllBeRead) {
+  int types = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(AUTOREF_SOURCE_DIR "/scenarios/robots")) {
+    EXPECT_FALSE(read_robot_type(entry.path()).empty()) << entry.path();
+    ++types;
+  }
+  EXPECT_GE(types, 3);
+}
+
+TEST(RobotTypes, PaperSpellsOutTheDefaults) {
+  const RobotChanges paper = read_robot_type(AUTOREF_SOURCE_DIR "/scenarios/robots/paper.yaml");
+  sim::RobotSheet robot;
+  std::size_t settings = 0;
+  for (const Setting& setting : settings_of(robot, "")) {
+    if (is_alias(setting)) continue;
+    ++settings;
+    ASSERT_TRUE(paper.contains(setting.path)) << setting.path;
+    EXPECT_EQ(paper.at(setting.path), value_of(setting)) << setting.path;
+  }
+  EXPECT_EQ(paper.size(), settings);
+}
+
+}  // namespace
+}  // namespace autoref::runner

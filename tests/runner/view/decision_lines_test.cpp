@@ -1,0 +1,52 @@
+#include "runner/view/decision_lines.hpp"
+
+#include <gtest/gtest.h>
+
+#include "runner/game/event_log.hpp"
+#include "runner/io/errors.hpp"
+
+namespace autoref::runner {
+namespace {
+
+std::string line_of(referee::Event event) {
+  referee::Decision decision;
+  decision.time_s = 12.5;
+  decision.event = event;
+  decision.rule = "paper 4.2";
+  decision.offender = Side::kEast;
+  decision.card = referee::Card::kYellow;
+  decision.position_m = Vec2(1, -2);
+  decision.evidence = "He said \"no\" <twice>.";
+  return decision_json(decision) + "\n";
+}
+
+std::string refusal_of(const std::string& lines) {
+  try {
+    decisions_for_page(lines, "events.jsonl");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(DecisionLines, TellWhatAPageShows) {
+  EXPECT_EQ(decisions_for_page(line_of(referee::Event::kPushing), "events.jsonl"),
+            R"([{"time_s": 12.5, "event": "pushing", "rule": "paper 4.2", )"
+            R"("reason": "He said \"no\" <twice>.", "offender": "east", "card": "yellow", )"
+            R"("restart": null, "place_m": [1, -2]}])");
+}
+
+TEST(DecisionLines, LeaveOutThatTheGameTakesItsCourse) {
+  EXPECT_EQ(decisions_for_page(line_of(referee::Event::kReady), "events.jsonl"), "[]");
+}
+
+TEST(DecisionLines, AreRefusedWithFileAndLine) {
+  for (const char* wrong : {"{", "[1]", "{\"event\": \"goal\"}", "{\"time_s\": 1}",
+                            "{\"event\": \"goal\", \"time_s\": \"soon\"}"}) {
+    const std::string message = refusal_of(line_of(referee::Event::kGoal) + wrong);
+    EXPECT_TRUE(message.starts_with("events.jsonl:2:1:")) << wrong << ": " << message;
+  }
+}
+
+}  // namespace
+}  // namespace autoref::runner

@@ -1,0 +1,167 @@
+// How often, how soon and how precisely chips are told under noise, over thousands of kicks.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "tests/tracking/simulated_kicks.hpp"
+
+namespace autoref {
+namespace {
+
+struct Errors {
+  std::vector<double> sizes;
+  double squares = 0;
+  int within_two_deviations = 0;
+
+  void add(double size, double deviation) {
+    sizes.push_back(size);
+    squares += size * size;
+    within_two_deviations += size < 2 * deviation;
+  }
+  double count() const { return static_cast<double>(sizes.size()); }
+  double rms() const { return std::sqrt(squares / count()); }
+  double covered() const { return within_two_deviations / count(); }
+  double median() {
+    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+    std::nth_element(sizes.begin(), middle, sizes.end());
+    return *middle;
+  }
+};
+
+constexpr std::array<double, 5> kMarks_s = {0.05, 0.1, 0.15, 0.2, 0.3};
+constexpr int kKicks = 3000;
+
+struct Tally {
+  std::array<double, 5> told{}, lasting{};
+  int called_flying = 0;     // kicks
+  int grounded_in_air = 0;   // kicks
+  int flying_after_all = 0;  // kicks, more than a frame after the landing
+  Errors height, place, landing;
+
+  double share_told(std::size_t mark) const { return told[mark] / lasting[mark]; }
+};
+
+void count_errors(const Kick& kick, const Truth& truth, const ChipEstimate& e, Tally& tally) {
+  tally.height.add(std::abs(e.height_m - truth.height_m), e.height_deviation_m);
+  tally.place.add((e.position_m - truth.place_m).norm(), e.position_deviation_m);
+  tally.landing.add((e.landing_m - kick.landing_m()).norm(), e.landing_deviation_m);
+}
+
+void count_kick(const Kick& kick, Vision& vision, Tally& tally) {
+  double told_s = 1e9;
+  bool grounded = false;
+  bool late = false;
+  follow(kick, vision, 1.2, [&](double time_s, const Truth& truth, const ChipEstimate& e) {
+    const bool flying = e.flight == BallFlight::kFlying;
+    if (flying) told_s = std::min(told_s, time_s - kick.time_s);
+    if (flying && kick.is_up(time_s)) count_errors(kick, truth, e, tally);
+    grounded |= kick.is_up(time_s) && e.flight == BallFlight::kOnGround;
+    late |= flying && time_s > kick.landing_s() + 1 / 60.0;
+  });
+  tally.called_flying += told_s < 1e9;
+  tally.grounded_in_air += grounded;
+  tally.flying_after_all += late;
+  for (std::size_t i = 0; i < kMarks_s.size(); ++i) {
+    const bool lasts = kick.is_up(kick.time_s + kMarks_s[i]);
+    tally.lasting[i] += lasts;
+    tally.told[i] += lasts && told_s <= kMarks_s[i];
+  }
+}
+
+Tally tally_of(Kick (*any)(RandomStream&), double noise_m) {
+  Tally tally;
+  Vision vision{noise_m, RandomStream(2)};
+  RandomStream chance(1);
+  for (int i = 0; i < kKicks; ++i) count_kick(any(chance), vision, tally);
+  return tally;
+}
+
+// What the header states.
+struct Figures {
+  const char* name;
+  double noise_m;
+  std::array<double, 5> told;  // shares, at kMarks_s
+  double height_rms_m, height_median_m, landing_rms_m, landing_median_m;
+};
+
+class ChipFlightInNoise : public testing::TestWithParam<Figures> {};
+
+TEST_P(ChipFlightInNoise, TellsChipsAsSoonAsStated) {
+  const Tally tally = tally_of(chip_inside_the_field, GetParam().noise_m);
+  for (std::size_t i = 0; i < kMarks_s.size(); ++i) {
+    EXPECT_NEAR(tally.share_told(i), GetParam().told[i], 0.02) << kMarks_s[i];
+  }
+}
+
+TEST_P(ChipFlightInNoise, CallsHardlyAnyStraightKickFlying) {
+  EXPECT_LE(tally_of(straight_kick, GetParam().noise_m).called_flying, 0.001 * kKicks);
+}
+
+TEST_P(ChipFlightInNoise, HardlyEverPutsAFlyingBallOnTheGround) {
+  EXPECT_LE(tally_of(chip_inside_the_field, GetParam().noise_m).grounded_in_air, 0.001 * kKicks);
+}
+
+TEST_P(ChipFlightInNoise, IsAsPreciseAsStated) {
+  Tally tally = tally_of(chip_inside_the_field, GetParam().noise_m);
+  EXPECT_NEAR(tally.height.rms(), GetParam().height_rms_m, 2_mm);
+  EXPECT_NEAR(tally.height.median(), GetParam().height_median_m, 1_mm);
+  EXPECT_NEAR(tally.landing.rms(), GetParam().landing_rms_m, 10_mm);
+  EXPECT_NEAR(tally.landing.median(), GetParam().landing_median_m, 2_mm);
+}
+
+TEST_P(ChipFlightInNoise, StatesHonestDeviations) {
+  const Tally tally = tally_of(chip_inside_the_field, GetParam().noise_m);
+  EXPECT_GE(tally.height.covered(), 0.95);
+  EXPECT_GE(tally.place.covered(), 0.95);
+  EXPECT_GE(tally.landing.covered(), 0.95);
+}
+
+TEST_P(ChipFlightInNoise, HardlyEverFliesOnAfterTheLanding) {
+  EXPECT_LE(tally_of(chip_inside_the_field, GetParam().noise_m).flying_after_all, 0.01 * kKicks);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Cameras, ChipFlightInNoise,
+    testing::Values(
+        Figures{"none", 0, {0.39, 0.96, 0.99, 1, 1}, 4_mm, 0.3_mm, 47_mm, 0.3_mm},
+        Figures{"friendly", 0.4_mm, {0.08, 0.90, 0.97, 0.99, 1}, 16_mm, 3_mm, 110_mm, 5_mm},
+        Figures{"rc2021", 1_mm, {0.02, 0.64, 0.92, 0.97, 1}, 26_mm, 7_mm, 130_mm, 11_mm},
+        Figures{"realistic", 1.4_mm, {0.01, 0.44, 0.88, 0.95, 1}, 32_mm, 9_mm, 137_mm, 14_mm}),
+    [](const auto& row) { return row.param.name; });
+
+// Straight to or from the camera, where a flight looks most like a way along the carpet.
+void aim_at_camera(Kick& kick, RandomStream& chance) {
+  const Vec2 camera = seen({kick.from_m, 0}, 0).camera_m;
+  const double sign = chance.uniform() < 0.5 ? 1 : -1;
+  kick.along = sign * direction_of(camera - kick.from_m, Vec2(1, 0));
+}
+
+Kick straight_kick_along_the_ray(RandomStream& chance) {
+  Kick kick = straight_kick(chance);
+  aim_at_camera(kick, chance);
+  return kick;
+}
+
+Kick chip_along_the_ray(RandomStream& chance) {
+  Kick kick = chip_inside_the_field(chance);
+  aim_at_camera(kick, chance);
+  return kick;
+}
+
+TEST(ChipFlightTowardsTheCamera, TakesLongerToBeToldAndIsStillHonest) {
+  const Tally tally = tally_of(chip_along_the_ray, 1.4_mm);
+  EXPECT_NEAR(tally.share_told(2), 0.65, 0.03);
+  EXPECT_LE(tally.grounded_in_air, 0.003 * kKicks);
+  EXPECT_GE(tally.height.covered(), 0.95);
+  EXPECT_GE(tally.landing.covered(), 0.95);
+}
+
+TEST(ChipFlightTowardsTheCamera, CallsHardlyAnyStraightKickFlying) {
+  EXPECT_LE(tally_of(straight_kick_along_the_ray, 1.4_mm).called_flying, 0.003 * kKicks);
+}
+
+}  // namespace
+}  // namespace autoref

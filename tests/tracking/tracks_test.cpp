@@ -1,0 +1,194 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "soccer/random.hpp"
+#include "soccer/team_view.hpp"
+#include "soccer/trigonometry.hpp"
+#include "soccer/units.hpp"
+#include "tracking/tracker.hpp"
+
+namespace autoref {
+namespace {
+
+Frame frame_at(int number, const Vec2& robot_m, const Vec2& ball_m) {
+  Frame frame;
+  frame.number = number;
+  frame.time_s = number / 60.0;
+  frame.robots[Side::kWest].push_back({3, robot_m, heading_of(0.05 * number)});
+  frame.ball = BallObservation{ball_m, 0.25};
+  return frame;
+}
+
+TEST(Tracker, TellsVelocitiesFromTwoSightings) {
+  Tracker tracker;
+  tracker.update(frame_at(0, {0, 0}, {1, 0}));
+  const Tracks& tracks = tracker.update(frame_at(1, {0.02, 0}, {1, -0.1}));
+  const TrackedRobot& robot = tracks.robots[Side::kWest][0];
+  EXPECT_EQ(robot.number, 3);
+  // Beginning at rest, not quite: the noise of a sighting is never taken to be nothing.
+  EXPECT_LT((robot.velocity_mps - Vec2(1.2, 0)).norm(), 0.01);
+  EXPECT_NEAR(robot.angular_velocity_radps, 3.0, 0.03);
+  EXPECT_LT((tracks.ball->velocity_mps - Vec2(0, -6)).norm(), 0.01);
+  EXPECT_EQ(tracks.ball->height_m, 0.25);
+}
+
+TEST(Tracker, ChangesNothingForAFrameFedAgain) {
+  Tracker tracker;
+  tracker.update(frame_at(0, {0, 0}, {1, 0}));
+  const Frame frame = frame_at(1, {0.02, 0}, {1, -0.1});
+  const Tracks once = tracker.update(frame);
+  const Tracks& twice = tracker.update(frame);
+  EXPECT_EQ(twice.robots[Side::kWest][0].velocity_mps, once.robots[Side::kWest][0].velocity_mps);
+  EXPECT_EQ(twice.ball->position_m, once.ball->position_m);
+}
+
+TEST(Tracker, MeasuresOverAGapInTheSightings) {
+  Tracker tracker;
+  tracker.update(frame_at(0, {0, 0}, {0, 0}));
+  Frame blind = frame_at(1, {0, 0}, {0, 0});
+  blind.ball.reset();
+  tracker.update(blind);
+  const Tracks& tracks = tracker.update(frame_at(2, {0, 0}, {0.1, 0}));
+  EXPECT_NEAR(tracks.ball->velocity_mps.x(), 3.0, 0.02);
+}
+
+TEST(Tracker, HoldsAnUnseenRobotForHalfASecondOnItsWay) {
+  Tracker tracker;
+  for (int i = 0; i <= 10; ++i) tracker.update(frame_at(i, {0.02 * i, 0}, {0, 0}));
+  for (int i = 11; i <= 40; ++i) {
+    Frame blind = frame_at(i, {0, 0}, {0, 0});
+    blind.robots[Side::kWest].clear();
+    ASSERT_EQ(tracker.update(blind).robots[Side::kWest].size(), 1U) << i;
+    const TrackedRobot& robot = tracker.tracks().robots[Side::kWest][0];
+    ASSERT_NEAR(robot.position_m.x(), 0.02 * i, 0.002) << i;
+    ASSERT_NEAR(robot.heading.dot(heading_of(0.05 * i)), 1.0, 1e-4) << i;
+  }
+  Frame blind = frame_at(41, {0, 0}, {0, 0});
+  blind.robots[Side::kWest].clear();
+  EXPECT_EQ(tracker.update(blind).robots[Side::kWest].size(), 0U);
+}
+
+// Sightings as the preset `realistic` has them, of a robot and a ball that go on evenly.
+TEST(Tracker, IsMuchBetterThanTheDifferenceOfTwoNoisySightings) {
+  const VisionNoise noise{0.0014, 0.0013, 0.01};
+  Tracker tracker(noise);
+  RandomStream random(5);
+  double ball_mps2 = 0;
+  double robot_mps2 = 0;
+  constexpr int kFrames = 600;
+  constexpr int kSettled = 30;
+  for (int i = 0; i < kFrames; ++i) {
+    const double t_s = i / 60.0;
+    Frame frame = frame_at(i, {1.5 * t_s, 0}, {3.0 * t_s - 0.15 * t_s * t_s, 1.0});
+    RobotObservation& robot = frame.robots[Side::kWest][0];
+    for (double* coordinate : {&robot.position_m.x(), &robot.position_m.y()}) {
+      *coordinate += noise.robot_m * random.normal();
+    }
+    for (double* coordinate : {&frame.ball->position_m.x(), &frame.ball->position_m.y()}) {
+      *coordinate += noise.ball_m * random.normal();
+    }
+    frame.ball->height_m = 0.0;
+    const Tracks& tracks = tracker.update(frame);
+    if (i < kSettled) continue;
+    ball_mps2 += (tracks.ball->velocity_mps - Vec2(3.0 - 0.3 * t_s, 0)).squaredNorm();
+    robot_mps2 += (tracks.robots[Side::kWest][0].velocity_mps - Vec2(1.5, 0)).squaredNorm();
+  }
+  // A difference of two sightings has a deviation of noise times 60 times two. The ball, whose
+  // friction is known, is told four times as well, a robot two and a half times.
+  EXPECT_LT(std::sqrt(ball_mps2 / (kFrames - kSettled)), noise.ball_m * 120 / 4);
+  EXPECT_LT(std::sqrt(robot_mps2 / (kFrames - kSettled)), noise.robot_m * 120 / 2.5);
+}
+
+// A kick of 6 m/s seen with noise: the ball slides, then rolls, as the league's balls do.
+TEST(BallTracker, KnowsAKickAfterTwoFramesAndFollowsItsSlide) {
+  BallTracker tracker(0.0014);
+  RandomStream random(6);
+  const PerSide<TrackedRobots> nobody;
+  double worst_at_rest_mps = 0;
+  double worst_soon_mps = 0;
+  double worst_later_mps = 0;
+  for (int i = -60; i < 100; ++i) {
+    const double t_s = i / 60.0;
+    const double speed_mps = t_s < 0 ? 0 : 6.0 - 3.4 * t_s;
+    const double way_m = t_s < 0 ? 0 : 6.0 * t_s - 1.7 * t_s * t_s;
+    if (speed_mps < 4.1 && i > 0) break;
+    BallObservation seen{{way_m, 0}, 0.0};
+    seen.position_m.x() += 0.0014 * random.normal();
+    seen.position_m.y() += 0.0014 * random.normal();
+    const auto& ball = tracker.update(t_s + 1.0, seen, nobody);
+    // Before the kick noise is no motion, and two frames after it its speed is known.
+    const double error_mps = (ball->velocity_mps - Vec2(speed_mps, 0)).norm();
+    worst_at_rest_mps = std::max(worst_at_rest_mps, i > -30 && i < 0 ? error_mps : 0);
+    worst_soon_mps = std::max(worst_soon_mps, i >= 2 ? error_mps : 0);
+    worst_later_mps = std::max(worst_later_mps, i >= 15 ? error_mps : 0);
+  }
+  EXPECT_LT(worst_at_rest_mps, 0.2);
+  EXPECT_LT(worst_soon_mps, 0.35);
+  EXPECT_LT(worst_later_mps, 0.2);
+}
+
+TEST(BallTracker, LetsAnUnseenBallRollOnForHalfASecond) {
+  BallTracker tracker(0);
+  const PerSide<TrackedRobots> nobody;
+  for (int i = 0; i <= 30; ++i) {
+    tracker.update(i / 60.0, BallObservation{{i / 60.0, 0}, 0.0}, nobody);
+  }
+  for (int i = 31; i <= 59; ++i) tracker.update(i / 60.0, std::nullopt, nobody);
+  const double rolled_m = tracker.update(1.0, std::nullopt, nobody)->position_m.x();
+  EXPECT_GT(rolled_m, 0.9);
+  EXPECT_LT(rolled_m, 1.0);
+  for (int i = 61; i <= 200; ++i) tracker.update(i / 60.0, std::nullopt, nobody);
+  const auto& ball = tracker.update(4.0, std::nullopt, nobody);
+  EXPECT_NEAR(ball->position_m.x(), rolled_m, 0.03);
+  EXPECT_EQ(ball->velocity_mps, Vec2(0, 0));
+}
+
+TEST(BallTracker, CarriesAHiddenBallAlongWithTheRobotAtWhoseFrontItWas) {
+  BallTracker tracker(0);
+  PerSide<TrackedRobots> robots;
+  robots[Side::kEast].push_back({7, {1, 0}, {0, 1}, {0, 0}, 0});
+  TrackedRobot& robot = robots[Side::kEast][0];
+  tracker.update(0, BallObservation{{1.01, 0.1}, 0.0}, robots);
+  for (int i = 1; i <= 120; ++i) {
+    robot.heading = heading_of(kPi / 2 + 0.02 * i);
+    robot.position_m = {1 + 0.01 * i, 0};
+    robot.velocity_mps = {0.6, 0};
+    robot.angular_velocity_radps = 1.2;
+    const auto& ball = tracker.update(i / 60.0, std::nullopt, robots);
+    const Vec2 held_m = robot.position_m + to_world({0.1, -0.01}, robot.heading);
+    ASSERT_LT((ball->position_m - held_m).norm(), 1e-9) << i;
+  }
+}
+
+TEST(TeamView, TurnsTheFieldForTheEasternTeamOnly) {
+  Tracker tracker;
+  const Tracks& tracks = tracker.update(frame_at(0, {1, 0.5}, {2, -1}));
+  RefereeSignal signal;
+  signal.goals[Side::kEast] = 2;
+  signal.placement = Placement{{0.5, 0.25}, false};
+  TeamView west, east;
+  fill_view(tracks, signal, {Play::kDirectFree, Side::kEast}, Side::kWest, west);
+  fill_view(tracks, signal, {Play::kDirectFree, Side::kEast}, Side::kEast, east);
+  EXPECT_EQ(west.ball.position_m, Vec2(2, -1));
+  EXPECT_EQ(east.ball.position_m, Vec2(-2, 1));
+  EXPECT_EQ(east.opponents[0].position_m, Vec2(-1, -0.5));
+  EXPECT_EQ(east.opponents[0].heading, Vec2(-1, 0));
+  EXPECT_EQ(*east.placement_m, Vec2(-0.5, -0.25));
+  EXPECT_EQ(east.goals_own, 2);
+  EXPECT_TRUE(east.ours);
+  EXPECT_FALSE(west.ours);
+}
+
+TEST(Frame, MirroredTwiceIsItself) {
+  const Frame frame = frame_at(4, {1, 2}, {-1, 0.5});
+  const Frame once = mirrored(frame);
+  EXPECT_TRUE(once.robots[Side::kWest].empty());
+  EXPECT_EQ(once.robots[Side::kEast][0].position_m, Vec2(-1, -2));
+  const Frame twice = mirrored(once);
+  EXPECT_EQ(twice.robots[Side::kWest][0].heading, frame.robots[Side::kWest][0].heading);
+  EXPECT_EQ(twice.ball->position_m, frame.ball->position_m);
+}
+
+}  // namespace
+}  // namespace autoref

@@ -1,0 +1,185 @@
+#include "tracking/ball_tracker.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "soccer/robot_shape.hpp"
+
+namespace autoref {
+namespace {
+
+// Between the carpets of the league's simulators.
+constexpr double kSlide_mps2 = 3.4;
+constexpr double kRoll_mps2 = 0.3;
+constexpr double kSwitchRatio = 0.67;
+
+constexpr double kLeastNoise_m = 0.05e-3;
+constexpr double kUnsteady_m2ps3 = 0.1;
+constexpr double kAnySpeed_mps = 8.0;
+// Two axes: a right filter is surprised by more once in 3000 sightings.
+constexpr double kSurprise = 16.0;
+constexpr double kFasterThanAnyBall_mps = 25.0;  // the ball was set elsewhere
+constexpr double kAtFront_m = 15_mm;             // between the ball's surface and the plate
+
+constexpr double kSlowestChip_mps = 1.0;
+constexpr double kNewKick_mps = 1.0;  // what a new kick changes at least
+constexpr double kKickTime =
+    0.6;  // how well its time is, in gaps; a late kick shows a picture later
+constexpr double kKickPlace_m = 5_mm;    // how well a kick's place is known
+constexpr double kLeastFlight_m = 1e-3;  // of a ball that flies, whatever the estimate's errors
+constexpr double kLongestKick_s = 4.0;   // a chip of 5.5 m/s has stopped hopping long before
+
+}  // namespace
+
+BallTracker::BallTracker(double noise_m)
+    : noise_m_(std::max(noise_m, kLeastNoise_m)),
+      motion_({noise_m_, kUnsteady_m2ps3, kAnySpeed_mps}),
+      chip_(noise_m_) {}
+
+const std::optional<TrackedBall>& BallTracker::update(double time_s,
+                                                      const std::optional<BallObservation>& seen,
+                                                      const PerSide<TrackedRobots>& robots) {
+  if (!ball_ && !seen) return ball_;
+  const double duration_s = time_s - updated_s_;
+  if (ball_ && duration_s <= 0) return ball_;
+  updated_s_ = time_s;
+  if (!ball_) {
+    start(*seen);
+  } else {
+    predict(duration_s);
+    if (seen) correct(*seen, time_s - seen_s_);
+  }
+  if (seen) {
+    seen_s_ = time_s;
+    camera_m_ = seen->seen_from.position_m;
+    if (seen->height_m) {
+      ball_->height_m = *seen->height_m;
+    } else {
+      follow_kick(*seen, time_s);
+    }
+  } else if (ball_->height_m > 0) {
+    fly_on(duration_s);
+  } else if (holder_) {
+    move_with_holder(robots);
+  } else if (time_s - seen_s_ > kGoesOnUnseen_s) {
+    motion_.set_velocity(Vec2(0, 0));
+  }
+  ball_->position_m = motion_.position();
+  ball_->velocity_mps = motion_.velocity();
+  if (seen) holder_ = holder_among(robots);
+  return ball_;
+}
+
+void BallTracker::start(const BallObservation& seen) {
+  motion_.start(seen.position_m);
+  if (!ball_) ball_.emplace();
+  kicked_mps_ = 0;
+}
+
+void BallTracker::predict(double duration_s) {
+  const Vec2 velocity_mps = motion_.velocity();
+  const double speed_mps = velocity_mps.norm();
+  const bool is_on_carpet = ball_->height_m <= 0.0;
+  if (speed_mps <= 0.0 || !is_on_carpet) {
+    motion_.predict(duration_s, Vec2(0, 0));
+    return;
+  }
+  const bool slides = kicked_mps_ > 0 && speed_mps > kSwitchRatio * kicked_mps_;
+  const double slows_mps2 = slides ? kSlide_mps2 : kRoll_mps2;
+  const double lost_mps = std::min(slows_mps2 * duration_s, speed_mps);
+  motion_.predict(duration_s, velocity_mps * (-lost_mps / (speed_mps * duration_s)));
+}
+
+void BallTracker::fly_on(double duration_s) {
+  ball_->height_m += duration_s * (rise_mps_ - kGravity_mps2 * duration_s / 2);
+  rise_mps_ -= kGravity_mps2 * duration_s;
+  ball_->height_m = std::max(0.0, ball_->height_m);
+}
+
+void BallTracker::correct(const BallObservation& seen, double gap_s) {
+  if (!seen.height_m && ball_->height_m > 0) return;  // it is not where it is seen
+  if (!seen.height_m && follows_kick_ && seen.seen_from.position_m != camera_m_) {
+    // Another camera sees a ball that flies before another place.
+    motion_.set_position(seen.position_m);
+    return;
+  }
+  const Vec2 miss_m = seen.position_m - Vec2(motion_.position());
+  if (miss_m.norm() > kFasterThanAnyBall_mps * gap_s) {
+    start(seen);
+    follows_kick_ = false;
+    ball_->is_height_known = true;
+    return;
+  }
+  const bool is_surprise = motion_.surprise(miss_m) > kSurprise;
+  const Vec2 from_m = ball_->position_m;
+  if (is_surprise) motion_.doubt_velocity(gap_s);
+  motion_.correct(miss_m);
+  if (!is_surprise) return;
+  kicked_mps_ = motion_.velocity().norm();
+  if (seen.height_m || kicked_mps_ < kSlowestChip_mps) return;
+  // A ball that may fly seems to bend a little on its way; a kick is more than that, and shows in
+  // the picture after it, too.
+  const bool is_known = miss_m.norm() < kNewKick_mps * gap_s || updated_s_ - kick_s_ < 2 * gap_s;
+  if (follows_kick_ && is_known) return;
+  kick_s_ = updated_s_ - gap_s / 2;
+  chip_.begin({kick_s_, kKickTime * gap_s, from_m, std::max(noise_m_, kKickPlace_m)});
+  follows_kick_ = true;
+}
+
+void BallTracker::follow_kick(const BallObservation& seen, double time_s) {
+  if (!follows_kick_) return;
+  const CameraPlace& camera = seen.seen_from;
+  const ChipEstimate& flight = chip_.add(
+      {time_s, seen.position_m, camera.position_m, std::max(camera.height_m - kBallRadius_m, 1.0)});
+  const bool was_flying = ball_->height_m > 0;
+  ball_->height_m = 0;
+  ball_->height_deviation_m = 0;
+  ball_->is_height_known = flight.flight != BallFlight::kUnknown;
+  if (flight.flight == BallFlight::kFlying) {
+    take_over(flight);
+  } else if (was_flying) {
+    start(seen);  // it has landed, or met something
+  }
+  if (flight.flight == BallFlight::kOnGround || time_s - kick_s_ > kLongestKick_s) {
+    follows_kick_ = false;
+    ball_->is_height_known = true;
+  }
+}
+
+void BallTracker::take_over(const ChipEstimate& flight) {
+  motion_.set_position(flight.position_m);
+  motion_.set_velocity(flight.velocity_mps);
+  rise_mps_ = flight.vertical_speed_mps;
+  ball_->height_m = std::max(flight.height_m, kLeastFlight_m);
+  ball_->height_deviation_m = flight.height_deviation_m;
+}
+
+void BallTracker::move_with_holder(const PerSide<TrackedRobots>& robots) {
+  for (const TrackedRobot& robot : robots[holder_->robot.side]) {
+    if (robot.number != holder_->robot.number) continue;
+    const Vec2 arm_m = to_world(holder_->place_m, robot.heading);
+    motion_.set_position(robot.position_m + arm_m);
+    motion_.set_velocity(robot.velocity_mps + robot.angular_velocity_radps * left_of(arm_m));
+    return;
+  }
+}
+
+std::optional<BallTracker::Holder> BallTracker::holder_among(
+    const PerSide<TrackedRobots>& robots) const {
+  if (ball_->height_m > kBallRadius_m) return std::nullopt;
+  for (const Side side : kSides) {
+    for (const TrackedRobot& robot : robots[side]) {
+      const Vec2 arm_m = ball_->position_m - robot.position_m;
+      if (arm_m.squaredNorm() > 4 * kRobotRadius_m * kRobotRadius_m) continue;
+      const Vec2 place_m = to_local(arm_m, robot.heading);
+      if (place_m.x() > kFrontDistance_m &&
+          place_m.x() <= kFrontDistance_m + kBallRadius_m + kAtFront_m &&
+          std::abs(place_m.y()) <= kMouthWidth_m / 2) {
+        return Holder{{side, robot.number}, place_m};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace autoref

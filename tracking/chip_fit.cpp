@@ -1,0 +1,67 @@
+#include "tracking/chip_fit.hpp"
+
+#include <algorithm>
+
+namespace autoref {
+namespace {
+
+constexpr double kHardestBraking_mps2 = 11;  // sliding: 3 to 10.3 in the league's models
+
+double square(double x) { return x * x; }
+
+double line_misfit(double n, double s1, double s2, const Vec2& values, double squares) {
+  const double determinant = n * s2 - s1 * s1;
+  const double a = (s2 * values[0] - s1 * values[1]) / determinant;
+  const double b = (n * values[1] - s1 * values[0]) / determinant;
+  return squares - a * values[0] - b * values[1];
+}
+
+// Of a parabola, plus what it costs to bring its curvature to the nearest one allowed.
+double braking_misfit(const Eigen::Matrix3d& rows, const Eigen::Vector3d& values, double squares) {
+  const Eigen::LLT<Eigen::Matrix3d> equations(rows);
+  const Eigen::Vector3d fit = equations.solve(values);
+  const double allowed = std::clamp(fit[2], -kHardestBraking_mps2 / 2, 0.0);
+  const double certainty = square(equations.matrixLLT()(2, 2));
+  return squares - fit.dot(values) + certainty * square(fit[2] - allowed);
+}
+
+}  // namespace
+
+void FlightSums::add(const FlightRow& row, double value, double weight) {
+  rows += (weight * row) * row.transpose();
+  values += (weight * value) * row;
+  squares += weight * value * value;
+}
+
+// place + slant * height = reported, linear in all unknowns; gravity's part is known.
+void FlightSums::add_sighting(double t_s, const Vec2& reported_m, const Vec2& slant) {
+  const Vec2 value = reported_m + slant * (kGravity_mps2 / 2 * t_s * t_s);
+  FlightRow row;
+  row << 1, 0, t_s, 0, slant.x(), slant.x() * t_s;
+  add(row, value.x(), 1);
+  row << 0, 1, 0, t_s, slant.y(), slant.y() * t_s;
+  add(row, value.y(), 1);
+}
+
+FlightFit::FlightFit(const FlightSums& sums)
+    : equations(sums.rows),
+      unknowns(equations.solve(sums.values)),
+      misfit(sums.squares - unknowns.dot(sums.values)) {}
+
+void CarpetSums::add_sighting(double t_s, const Vec2& reported_m) {
+  const Eigen::Vector3d row(1, t_s, t_s * t_s);
+  rows += row * row.transpose();
+  values += row * reported_m.transpose();
+  squares += reported_m * reported_m.transpose();
+}
+
+double CarpetSums::misfit(double place_weight) const {
+  const Vec2 slope = rows(0, 0) * values.row(1) - rows(0, 1) * values.row(0);
+  const Vec2 along = direction_of(slope, Vec2(1, 0));
+  const Vec2 across = left_of(along);
+  return line_misfit(rows(0, 0) + place_weight, rows(0, 1), rows(1, 1), (values * across).head<2>(),
+                     across.dot(squares * across)) +
+         braking_misfit(rows, values * along, along.dot(squares * along));
+}
+
+}  // namespace autoref

@@ -1,0 +1,194 @@
+#include "tracking/chip_flight.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace autoref {
+namespace {
+
+// A chip of up to 5.5 m/s at 45 degrees, told so loosely that sightings soon count for more.
+constexpr double kUsualSpeed_mps = 4_mps;
+constexpr double kUsualRise_mps = 2.5_mps;
+constexpr double kUsualRiseDeviation_mps = 1.25_mps;
+constexpr double kFastestRise_mps = 3.9_mps;
+
+// All hops together, in the first flight's time: the springiest of the league's models keeps 0.57.
+constexpr double kHopsPerFlight = 0.57 / (1 - 0.57);
+constexpr double kLongestChip_s = 2 * kFastestRise_mps / kGravity_mps2 * (1 + kHopsPerFlight);
+
+constexpr double kLeastNoise_m = 0.2_mm;  // rounding, and what the models leave out
+constexpr double kBend = 0.1;             // of the apparent way, while the kick's time is unsure
+constexpr int kLeastSightings = 3;
+
+// Limits of chi-square.
+constexpr double kConvinced = 11;     // difference of two models: e^5.5 times as likely
+constexpr double kSurprise = 20;      // one sighting: happens to 5 in 100 000
+constexpr double kUnlikely_sd = 3.3;  // a whole fit: to 5 in 10 000
+
+double square(double x) { return x * x; }
+
+// Below chi-square's quantile after Wilson and Hilferty.
+bool is_usual(double chi_square, int freedom) {
+  const double k = 2.0 / (9.0 * freedom);
+  const double root = 1 - k + kUnlikely_sd * std::sqrt(k);
+  return chi_square < freedom * root * root * root;
+}
+
+bool is_up_at(double t_s, const FlightFit& fit) {
+  return fit.rise_mps() > 0 && fit.height_at(t_s) > 0;
+}
+
+double worst_deviation_of(const Eigen::Matrix<double, 6, 2>& spread) {
+  const Eigen::Matrix2d c = spread.transpose() * spread;
+  const double half = (c(0, 0) - c(1, 1)) / 2;
+  return std::sqrt((c(0, 0) + c(1, 1)) / 2 + std::sqrt(half * half + square(c(0, 1))));
+}
+
+// Each column of `parts` is what a number's error is in terms of the unknowns'.
+void add_deviations(const FlightFit& fit, double noise_m, double t_s, ChipEstimate& e) {
+  const double lands_s = fit.landing_s();
+  const double later = 1 / fit.landing_mps();  // a higher flight lands later, and further on
+  const Vec2 further = e.velocity_mps * later;
+  Eigen::Matrix<double, 6, 6> parts;
+  parts << 0, 0, 1, 0, 1, 0,                     //
+      0, 0, 0, 1, 0, 1,                          //
+      0, 0, t_s, 0, lands_s, 0,                  //
+      0, 0, 0, t_s, 0, lands_s,                  //
+      1, later, 0, 0, further.x(), further.y(),  //
+      t_s, lands_s * later, 0, 0, lands_s * further.x(), lands_s * further.y();
+  fit.equations.matrixL().solveInPlace(parts);
+  parts *= noise_m;
+  e.height_deviation_m = parts.col(0).norm();
+  e.landing_deviation_s = parts.col(1).norm();
+  e.position_deviation_m = worst_deviation_of(parts.middleCols<2>(2));
+  e.landing_deviation_m = worst_deviation_of(parts.rightCols<2>());
+}
+
+ChipEstimate estimate_from(const FlightFit& fit, double noise_m, const KickGuess& kick,
+                           double t_s) {
+  ChipEstimate e;
+  e.flight = BallFlight::kFlying;
+  e.height_m = fit.height_at(t_s);
+  e.position_m = kick.place_m + fit.place_at(t_s);
+  e.velocity_mps = fit.velocity_mps();
+  e.vertical_speed_mps = fit.rise_mps() - kGravity_mps2 * t_s;
+  e.landing_s = kick.time_s + fit.landing_s();
+  e.landing_m = kick.place_m + fit.place_at(fit.landing_s());
+  add_deviations(fit, noise_m, t_s, e);
+  return e;
+}
+
+}  // namespace
+
+ChipFlight::ChipFlight(double noise_m) : noise_m_(std::max(noise_m, kLeastNoise_m)) {}
+
+void ChipFlight::begin(const KickGuess& kick) {
+  *this = ChipFlight(noise_m_);
+  kick_ = kick;
+  stage_ = Stage::kUndecided;
+  settled_s_ = kick.time_s + kLongestChip_s;
+  const auto believe = [this](int unknown, double value, double deviation) {
+    flight_.add(FlightRow::Unit(unknown), value, weight_of(deviation));
+  };
+  const double along_m = kick.place_deviation_m + kUsualSpeed_mps * kick.time_deviation_s;
+  believe(0, 0, along_m);
+  believe(1, 0, along_m);
+  believe(2, 0, 2 * kUsualSpeed_mps);
+  believe(3, 0, 2 * kUsualSpeed_mps);
+  believe(4, 0, kUsualRise_mps * kick.time_deviation_s);
+  believe(5, kUsualRise_mps, kUsualRiseDeviation_mps);
+}
+
+// Of an equation with this deviation, beside the sightings' weight of 1.
+double ChipFlight::weight_of(double deviation) const {
+  return square(noise_m_ / std::max(deviation, kLeastNoise_m));
+}
+
+const ChipEstimate& ChipFlight::add(const BallSighting& sighting) {
+  assert(sighting.camera_height_m > 0);
+  if (stage_ == Stage::kIdle) return estimate_;
+  if (stage_ != Stage::kSettling) {
+    ++sightings_;
+    flight_.add_sighting(sighting.time_s - kick_.time_s, sighting.reported_m - kick_.place_m,
+                         slant_of(sighting.reported_m, sighting));
+    stage_ == Stage::kUndecided ? decide(sighting) : follow(sighting);
+  }
+  if (sighting.time_s >= settled_s_) {
+    stage_ = Stage::kIdle;
+    estimate_ = {};
+    estimate_.flight = BallFlight::kOnGround;
+  }
+  return estimate_;
+}
+
+// The flight began at the kick's place: across the apparent way that holds whenever the ball was
+// kicked. Along it, a ball that is still short of the place is as far below the carpet.
+FlightSums ChipFlight::from_place() const {
+  const Vec2 velocity = fitted_.segment<2>(2);
+  const double rise = fitted_[5];
+  const Vec2 way = direction_of(velocity + rise * slant_, Vec2(1, 0));
+  const Vec2 across = left_of(way);
+  const double bend_m = kBend * kUsualSpeed_mps * kick_.time_deviation_s;
+  const double weight = weight_of(kick_.place_deviation_m + bend_m);
+  FlightSums sums = flight_;
+  FlightRow row;
+  row << across.x(), across.y(), 0, 0, across.dot(slant_), 0;
+  sums.add(row, 0, weight);
+  if (stage_ != Stage::kFlying) return sums;
+  row << way.x(), way.y(), 0, 0, -way.dot(velocity) / rise, 0;
+  sums.add(row, 0, weight);
+  return sums;
+}
+
+void ChipFlight::decide(const BallSighting& sighting) {
+  const double t_s = sighting.time_s - kick_.time_s;
+  carpet_.add_sighting(t_s, sighting.reported_m - kick_.place_m);
+  if (sightings_ < kLeastSightings) return;
+  if (sightings_ == kLeastSightings) {
+    slant_ = slant_of(kick_.place_m, sighting);
+    fitted_ = FlightFit(flight_).unknowns;
+  }
+  const FlightFit fit(from_place());
+  fitted_ = fit.unknowns;
+  misfit_ = fit.misfit / square(noise_m_);
+  const double place_weight = weight_of(kick_.place_deviation_m);
+  const double carpet_misfit = carpet_.misfit(place_weight) / square(noise_m_);
+  const bool may_fly = is_usual(misfit_, 2 * sightings_ - 3);
+  const bool may_roll = is_usual(carpet_misfit, 2 * sightings_ - 4);
+  if (!may_fly && !may_roll) {
+    settle(sighting.time_s + kLongestChip_s);
+  } else if (may_roll && misfit_ - carpet_misfit > kConvinced) {
+    settle(sighting.time_s);
+  } else if (may_fly && is_up_at(t_s, fit) && carpet_misfit - misfit_ > kConvinced) {
+    stage_ = Stage::kFlying;
+    estimate_ = estimate_from(fit, noise_m_, kick_, t_s);
+  }
+}
+
+void ChipFlight::follow(const BallSighting& sighting) {
+  const double t_s = sighting.time_s - kick_.time_s;
+  const FlightFit fit(from_place());
+  fitted_ = fit.unknowns;
+  const double surprise = fit.misfit / square(noise_m_) - misfit_;
+  misfit_ += surprise;
+  const bool lost =
+      surprise > kSurprise || !is_usual(misfit_, 2 * sightings_ - 3) || !is_up_at(t_s, fit);
+  const double deviation_s = estimate_.landing_deviation_s;
+  if (!lost) {
+    estimate_ = estimate_from(fit, noise_m_, kick_, t_s);
+  } else if (sighting.time_s < estimate_.landing_s - 3 * deviation_s) {  // something in the way
+    settle(sighting.time_s + kLongestChip_s);
+  } else {
+    const double flight_s = estimate_.landing_s + 2 * deviation_s - kick_.time_s;
+    settle(kick_.time_s + flight_s * (1 + kHopsPerFlight));
+  }
+}
+
+void ChipFlight::settle(double settled_s) {
+  stage_ = Stage::kSettling;
+  settled_s_ = settled_s;
+  estimate_ = {};
+}
+
+}  // namespace autoref

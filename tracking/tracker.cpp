@@ -1,0 +1,136 @@
+#include "tracking/tracker.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace autoref {
+namespace {
+
+constexpr double kLeastNoise_m = 0.05e-3;
+constexpr double kLeastNoise_rad = 0.5e-3;
+// Robots speed up by 3 m/s2 or 40 rad/s2 for some tenths of a second.
+constexpr double kUnsteady_m2ps3 = 0.2;
+constexpr double kUnsteady_rad2ps3 = 6.0;
+constexpr double kAnySpeed_mps = 3.0;
+constexpr double kFasterThanAnyRobot_mps = 15.0;  // it was put elsewhere
+constexpr double kAnyTurning_radps = 15.0;
+// A right filter is surprised by more once in 3000 sightings (two axes).
+constexpr double kSurprise = 16.0;
+
+using Angle = MotionFilter<1>::Axis;
+
+// The angle between two unit vectors; from frame to frame it is small, and the sine's series does.
+double turned_angle(const Vec2& from, const Vec2& to) {
+  const double sine = cross(from, to);
+  if (from.dot(to) < 0.95) return angle_between(from, to);
+  return sine * (1.0 + sine * sine / 6.0);
+}
+
+// `heading` turned, to within 1e-5 rad; its length stays.
+Vec2 turned_by(const Vec2& heading, double angle_rad) {
+  if (std::abs(angle_rad) > 0.25) return to_world(heading_of(angle_rad), heading);
+  const double tangent = angle_rad / 2 + angle_rad * angle_rad * angle_rad / 24;
+  const double scale = 1.0 / (1.0 + tangent * tangent);
+  return to_world({(1.0 - tangent * tangent) * scale, 2.0 * tangent * scale}, heading);
+}
+
+}  // namespace
+
+RobotTracker::RobotTracker(const VisionNoise& noise)
+    : place_({std::max(noise.robot_m, kLeastNoise_m), kUnsteady_m2ps3, kAnySpeed_mps}),
+      turn_({std::max(noise.robot_rad, kLeastNoise_rad), kUnsteady_rad2ps3, kAnyTurning_radps}) {}
+
+void RobotTracker::start(const RobotObservation& seen) {
+  robot_ = {seen.number, seen.position_m, seen.heading, Vec2(0, 0), 0};
+  place_.start(seen.position_m);
+  turn_.start(Angle(0));
+}
+
+void RobotTracker::predict(double duration_s) {
+  place_.predict(duration_s, Vec2(0, 0));
+  turn_.predict(duration_s, Angle(0));
+  publish();
+}
+
+void RobotTracker::correct(const RobotObservation& seen, double duration_s) {
+  const Vec2 miss_m = seen.position_m - robot_.position_m;
+  if (miss_m.norm() > kFasterThanAnyRobot_mps * duration_s) {
+    start(seen);
+    return;
+  }
+  if (place_.surprise(miss_m) > kSurprise) place_.doubt_velocity(duration_s);
+  place_.correct(miss_m);
+  const Angle miss_rad(turned_angle(robot_.heading, seen.heading));
+  if (turn_.surprise(miss_rad) > kSurprise) turn_.doubt_velocity(duration_s);
+  turn_.correct(miss_rad);
+  publish();
+}
+
+void RobotTracker::publish() {
+  robot_.position_m = place_.position();
+  robot_.velocity_mps = place_.velocity();
+  robot_.heading = turned_by(robot_.heading, turn_.position().value());
+  robot_.angular_velocity_radps = turn_.velocity().value();
+  turn_.set_position(Angle(0));
+}
+
+Tracker::Tracker(const VisionNoise& noise) : ball_(noise.ball_m) {
+  for (auto& side : known_.values) side.fill({RobotTracker(noise), -1});
+}
+
+const Tracks& Tracker::update(const Frame& frame) {
+  const double duration_s = has_seen_frame_ ? frame.time_s - tracks_.time_s : 0;
+  if (has_seen_frame_ && duration_s <= 0) return tracks_;
+  has_seen_frame_ = true;
+  tracks_.frame = frame.number;
+  tracks_.time_s = frame.time_s;
+  for (const Side side : kSides) {
+    see_robots(frame.robots[side], known_[side], duration_s);
+    tracks_.robots[side].clear();
+    for (const Known& known : known_[side]) {
+      if (!is_known(known)) continue;
+      tracks_.robots[side].push_back(known.robot.robot());
+      tracks_.robots[side].back().is_seen = known.seen_s == tracks_.time_s;
+    }
+  }
+  tracks_.ball = ball_.update(frame.time_s, frame.ball, tracks_.robots);
+  return tracks_;
+}
+
+bool Tracker::is_known(const Known& known) const {
+  return known.seen_s >= 0 && tracks_.time_s - known.seen_s <= kForgetRobotAfter_s;
+}
+
+void Tracker::see_robots(const SeenRobots& seen, std::array<Known, kMaxRobots>& all,
+                         double duration_s) {
+  for (Known& known : all) {
+    if (is_known(known)) known.robot.predict(duration_s);
+  }
+  for (const RobotObservation& robot : seen) {
+    assert(robot.number >= 0 && robot.number < kMaxRobots);
+    Known& known = all[static_cast<std::size_t>(robot.number)];
+    if (is_known(known)) {
+      known.robot.correct(robot, duration_s);
+    } else {
+      known.robot.start(robot);
+    }
+    known.seen_s = tracks_.time_s;
+  }
+}
+
+TrackedRobot mirrored(const TrackedRobot& robot) {
+  return {robot.number,
+          -robot.position_m,
+          -robot.heading,
+          -robot.velocity_mps,
+          robot.angular_velocity_radps,
+          robot.is_seen};
+}
+
+TrackedBall mirrored(const TrackedBall& ball) {
+  return {-ball.position_m, -ball.velocity_mps, ball.height_m, ball.height_deviation_m,
+          ball.is_height_known};
+}
+
+}  // namespace autoref

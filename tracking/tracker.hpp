@@ -1,0 +1,69 @@
+// From single pictures to motion: positions with velocities, held through short gaps.
+#pragma once
+
+#include <array>
+
+#include "soccer/frame.hpp"
+#include "soccer/side.hpp"
+#include "soccer/tracks.hpp"
+#include "soccer/units.hpp"
+#include "tracking/ball_tracker.hpp"
+#include "tracking/motion_filter.hpp"
+
+namespace autoref {
+
+// How well vision sees, as measured on things that stand still: standard deviations.
+struct VisionNoise {
+  double ball_m = 0;
+  double robot_m = 0;
+  double robot_rad = 0;
+};
+
+// One robot's motion through a sequence of sightings.
+class RobotTracker {
+ public:
+  RobotTracker() : RobotTracker(VisionNoise{}) {}
+  explicit RobotTracker(const VisionNoise& noise);
+
+  void start(const RobotObservation& seen);
+  void predict(double duration_s);
+  void correct(const RobotObservation& seen, double duration_s);
+
+  const TrackedRobot& robot() const { return robot_; }
+
+ private:
+  void publish();
+
+  MotionFilter<2> place_;
+  MotionFilter<1> turn_;  // its position is the angle from robot_.heading
+  TrackedRobot robot_;
+};
+
+// Turns a sequence of frames into tracks. One tracker per consumer, fed with frames in order; a
+// frame fed again changes nothing. Velocities come from a Kalman filter. What is not seen goes on
+// as it moved: a robot for 0.5 s, after which it counts as gone; the ball see ball_tracker.hpp.
+class Tracker {
+ public:
+  static constexpr double kForgetRobotAfter_s = 500_ms;
+
+  explicit Tracker(const VisionNoise& noise = {});
+
+  const Tracks& update(const Frame& frame);
+  const Tracks& tracks() const { return tracks_; }
+
+ private:
+  struct Known {
+    RobotTracker robot;
+    double seen_s = -1;  // time of the last sighting; negative: never
+  };
+
+  bool is_known(const Known& known) const;
+  void see_robots(const SeenRobots& seen, std::array<Known, kMaxRobots>& all, double duration_s);
+
+  PerSide<std::array<Known, kMaxRobots>> known_;
+  BallTracker ball_;
+  Tracks tracks_;
+  bool has_seen_frame_ = false;
+};
+
+}  // namespace autoref
