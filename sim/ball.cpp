@@ -6,12 +6,6 @@
 #include "soccer/units.hpp"
 
 namespace autoref::sim {
-namespace {
-
-// Between the ball and what it hits; the league's simulators use 0.2 to 0.35.
-constexpr double kContactFriction = 0.22;
-
-}  // namespace
 
 // With friction a, a ball without spin slides as v - a t, its surface as inertia * a t; they meet
 // at v * inertia / (1 + inertia), which is to be switch_ratio * v. (A solid ball: 2.5, or 5/7.)
@@ -98,7 +92,7 @@ void Ball::collide(const Vec2& change_mps) {
   if (change < 1e-9) return;
   const Vec2 along = change_mps / change;
   const double spin = spin_mps_.dot(along);
-  const double lost = std::min(std::abs(spin), inertia_ * kContactFriction * change);
+  const double lost = std::min(std::abs(spin), inertia_ * parameters_.contact_friction * change);
   spin_mps_ -= std::copysign(lost, spin) * along;
 }
 

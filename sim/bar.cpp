@@ -7,16 +7,11 @@
 namespace autoref::sim {
 namespace {
 
-constexpr double kBarRadius_m = 5_mm;
-constexpr double kBetweenMiddles_m = kBallRadius_m + kBarRadius_m;  // where ball and bar touch
-constexpr double kKept = 0.3;  // of the speed between them, as at the goal's walls
-
-// The first share of the way from `from_m` to `to_m` at which it is as near to the origin as ball
-// and bar when they touch.
-std::optional<double> meeting(const Vec2& from_m, const Vec2& to_m) {
+// The first share of the way from `from_m` to `to_m` at which it is `near_m` from the origin.
+std::optional<double> meeting(const Vec2& from_m, const Vec2& to_m, double near_m) {
   const Vec2 way_m = to_m - from_m;
   const double towards = -from_m.dot(way_m);
-  const double spare = from_m.squaredNorm() - kBetweenMiddles_m * kBetweenMiddles_m;
+  const double spare = from_m.squaredNorm() - near_m * near_m;
   if (towards <= 0.0) return std::nullopt;
   if (spare <= 0.0) return 0.0;
   const double length2 = way_m.squaredNorm();
@@ -28,16 +23,18 @@ std::optional<double> meeting(const Vec2& from_m, const Vec2& to_m) {
 
 }  // namespace
 
-std::optional<BallState> bounced_off_bar(const Field& field, const BallState& former,
-                                         const BallState& now) {
+std::optional<BallState> bounced_off_bar(const Field& field, double restitution,
+                                         const BallState& former, const BallState& now) {
   if (std::abs(now.position_m.y()) > field.half_goal_m()) return std::nullopt;
   // Seen from the side, along the bar: x as on the field, then the height.
-  const Vec2 bar_m(std::copysign(field.half_length_m() + kBarRadius_m, now.position_m.x()),
-                   field.goal_opening_height_m + kBarRadius_m);
+  const Vec2 bar_m(
+      std::copysign(field.half_length_m() + field.goal_bar_radius_m, now.position_m.x()),
+      field.goal_opening_height_m + field.goal_bar_radius_m);
   const auto from_bar_m = [&bar_m](const BallState& ball) {
     return Vec2(Vec2(ball.position_m.x(), ball.height_m + kBallRadius_m) - bar_m);
   };
-  const std::optional<double> share = meeting(from_bar_m(former), from_bar_m(now));
+  const std::optional<double> share =
+      meeting(from_bar_m(former), from_bar_m(now), kBallRadius_m + field.goal_bar_radius_m);
   if (!share) return std::nullopt;
   BallState met = now;
   met.position_m = former.position_m + *share * (now.position_m - former.position_m);
@@ -45,8 +42,8 @@ std::optional<BallState> bounced_off_bar(const Field& field, const BallState& fo
   const Vec2 outwards = from_bar_m(met).normalized();
   const double closing_mps = -Vec2(now.velocity_mps.x(), now.vertical_mps).dot(outwards);
   if (closing_mps <= 0.0) return std::nullopt;
-  met.velocity_mps.x() += (1.0 + kKept) * closing_mps * outwards.x();
-  met.vertical_mps += (1.0 + kKept) * closing_mps * outwards.y();
+  met.velocity_mps.x() += (1.0 + restitution) * closing_mps * outwards.x();
+  met.vertical_mps += (1.0 + restitution) * closing_mps * outwards.y();
   return met;
 }
 

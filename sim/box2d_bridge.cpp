@@ -25,11 +25,6 @@ using namespace box2d;
 
 static_assert(b2_maxTranslation == to_units(kLongestWay_m));
 
-// Of the ball against a robot, from ER-Force's and grSim's models and measurements of the league.
-constexpr float kRobotBody = 0.55F;
-constexpr float kPlate = 0.4F;
-constexpr float kDribblingPlate = 0.2F;
-
 // Box2D's usual figures.
 constexpr int kVelocityIterations = 8;
 constexpr int kPositionIterations = 3;
@@ -42,6 +37,11 @@ constexpr double kPlateOff_m = 500_mm;
 // Decides what a contact between ball and robot does, and remembers it.
 class BallContacts final : public b2ContactListener {
  public:
+  explicit BallContacts(const ContactParameters& parameters)
+      : body_(static_cast<float>(parameters.body_restitution)),
+        plate_(static_cast<float>(parameters.plate_restitution)),
+        dribbling_plate_(static_cast<float>(parameters.dribbling_restitution)) {}
+
   void PreSolve(b2Contact* contact, const b2Manifold* /*old*/) override {
     b2Fixture* a = contact->GetFixtureA();
     b2Fixture* b = contact->GetFixtureB();
@@ -92,11 +92,16 @@ class BallContacts final : public b2ContactListener {
     }
     const int index = index_of(robot);
     const bool dribbles = ((dribbling >> index) & 1U) != 0;
-    contact.SetRestitution(!is_plate ? kRobotBody : dribbles ? kDribblingPlate : kPlate);
+    contact.SetRestitution(!is_plate ? body_ : dribbles ? dribbling_plate_ : plate_);
     if (std::find(touching.begin(), touching.end(), index) == touching.end()) {
       touching.push_back(index);
     }
   }
+
+  // Restitutions.
+  float body_;
+  float plate_;
+  float dribbling_plate_;
 };
 
 }  // namespace
@@ -106,8 +111,12 @@ double robot_inertia_kgm2(double mass_kg) {
 }
 
 struct Box2dBridge::Bodies {
+  explicit Bodies(const ContactParameters& parameters)
+      : contacts(parameters), surfaces(parameters) {}
+
   b2World world{b2Vec2_zero};
   BallContacts contacts;
+  Surfaces surfaces;
   std::array<b2Body*, 2 * kMaxRobots> robots{};
   std::array<b2Fixture*, 2 * kMaxRobots> plates{};  // of the robots near the ball
   // What push_robot leaves for after the step: Box2D moves a body at the speed it has at the end.
@@ -116,8 +125,9 @@ struct Box2dBridge::Bodies {
   b2Body* ball = nullptr;
 };
 
-Box2dBridge::Box2dBridge(const Field& field, std::span<const double> masses_kg)
-    : bodies_(std::make_unique<Bodies>()),
+Box2dBridge::Box2dBridge(const Field& field, const ContactParameters& contacts, double ball_mass_kg,
+                         std::span<const double> masses_kg)
+    : bodies_(std::make_unique<Bodies>(contacts)),
       masses_kg_(masses_kg.begin(), masses_kg.end()),
       count_(static_cast<int>(masses_kg.size())) {
   bodies_->half_forces.fill(b2Vec2_zero);
@@ -125,12 +135,12 @@ Box2dBridge::Box2dBridge(const Field& field, std::span<const double> masses_kg)
   world.SetContactListener(&bodies_->contacts);
   const b2BodyDef still;
   b2Body* ground = world.CreateBody(&still);
-  for (const Side side : kSides) add_end(*ground, field, goal_sign(side));
+  for (const Side side : kSides) add_end(*ground, bodies_->surfaces, field, goal_sign(side));
   for (int i = 0; i < count_; ++i) {
     const auto index = static_cast<std::size_t>(i);
-    bodies_->robots[index] = add_robot(world, masses_kg_[index], i);
+    bodies_->robots[index] = add_robot(world, bodies_->surfaces, masses_kg_[index], i);
   }
-  bodies_->ball = add_ball(world);
+  bodies_->ball = add_ball(world, bodies_->surfaces, ball_mass_kg);
 }
 
 Box2dBridge::~Box2dBridge() = default;
@@ -205,7 +215,7 @@ void Box2dBridge::fit_plates() {
     const double apart2_m2 = (robot(i).position_m - ball_.position_m).squaredNorm();
     b2Body& body = *bodies_->robots[index];
     if (plate == nullptr && apart2_m2 < kPlateOn_m * kPlateOn_m) {
-      plate = add_plate(body);
+      plate = add_plate(body, bodies_->surfaces);
     } else if (plate != nullptr && apart2_m2 > kPlateOff_m * kPlateOff_m) {
       body.DestroyFixture(plate);
       plate = nullptr;

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/configuration.hpp"
 #include "soccer/field.hpp"
 #include "soccer/geometry.hpp"
 #include "soccer/side.hpp"
@@ -42,7 +43,8 @@ class Box2dBridge {
  public:
   // A robot for each of `masses_kg`, both sides' together; robots are named by their index there.
   // All bodies are at the origin until they are placed.
-  Box2dBridge(const Field& field, std::span<const double> masses_kg);
+  Box2dBridge(const Field& field, const ContactParameters& contacts, double ball_mass_kg,
+              std::span<const double> masses_kg);
   ~Box2dBridge();
 
   // States after the last step or placing.

@@ -9,21 +9,13 @@ namespace {
 constexpr double kSkin_m = b2_polygonRadius / kUnitsPerMetre;  // Box2D's hull around polygons
 constexpr double kWallThickness_m = 1_m;  // of the walls around: too thick to be pushed through
 
-// From ER-Force's and grSim's models. Box2D takes a pair's greater restitution; that of a ball and
-// a robot is decided at the contact.
-constexpr float kRobotToRobot = 0.2F;
-constexpr float kWall = 0.3F;
-constexpr float kNet = 0.1F;
-constexpr float kFriction = 0.22F;
-// Slower hits do not bounce: a ball that lies at a plate must come to rest there.
-constexpr double kBouncesFrom_mps = 0.03;
-
-b2FixtureDef fixture(const b2Shape& shape, std::uint16_t category, int mask, float restitution) {
+b2FixtureDef fixture(const b2Shape& shape, const Surfaces& surfaces, std::uint16_t category,
+                     int mask, float restitution) {
   b2FixtureDef definition;
   definition.shape = &shape;
-  definition.friction = kFriction;
+  definition.friction = surfaces.friction;
   definition.restitution = restitution;
-  definition.restitutionThreshold = to_units(kBouncesFrom_mps);
+  definition.restitutionThreshold = surfaces.bounces_from;
   definition.filter.categoryBits = category;
   definition.filter.maskBits = static_cast<std::uint16_t>(mask);
   return definition;
@@ -38,10 +30,10 @@ b2PolygonShape box(const Vec2& low_m, const Vec2& high_m) {
   return shape;
 }
 
-void add_box(b2Body& ground, const Vec2& a_m, const Vec2& b_m, Category category,
-             float restitution) {
+void add_box(b2Body& ground, const Surfaces& surfaces, const Vec2& a_m, const Vec2& b_m,
+             Category category, float restitution) {
   const b2PolygonShape shape = box(a_m.cwiseMin(b_m), a_m.cwiseMax(b_m));
-  const b2FixtureDef definition = fixture(shape, category, kRobots | kBall, restitution);
+  const b2FixtureDef definition = fixture(shape, surfaces, category, kRobots | kBall, restitution);
   ground.CreateFixture(&definition);
 }
 
@@ -55,7 +47,14 @@ void set_mass(b2Body& body, double mass_kg, double inertia_kgm2) {
 
 }  // namespace
 
-void add_end(b2Body& ground, const Field& field, double sign) {
+Surfaces::Surfaces(const ContactParameters& contacts)
+    : robot(static_cast<float>(contacts.robot_restitution)),
+      wall(static_cast<float>(contacts.wall_restitution)),
+      net(static_cast<float>(contacts.net_restitution)),
+      friction(static_cast<float>(contacts.friction)),
+      bounces_from(to_units(contacts.least_bounce_mps)) {}
+
+void add_end(b2Body& ground, const Surfaces& surfaces, const Field& field, double sign) {
   const double line = field.half_length_m();
   const double back = line + field.goal_depth_m;
   const double outside = back + field.goal_wall_thickness_m;
@@ -66,22 +65,22 @@ void add_end(b2Body& ground, const Field& field, double sign) {
   // wall would catch in the groove between two rounded edges there.
   const double end = outside - kSkin_m;
   const double back_half = outer - kSkin_m;
-  add_box(ground, at(line, inner), at(end, outer), kGoals, kWall);
-  add_box(ground, at(line, -inner), at(end, -outer), kGoals, kWall);
-  add_box(ground, at(back, -back_half), at(outside, back_half), kGoals, kNet);
+  add_box(ground, surfaces, at(line, inner), at(end, outer), kGoals, surfaces.wall);
+  add_box(ground, surfaces, at(line, -inner), at(end, -outer), kGoals, surfaces.wall);
+  add_box(ground, surfaces, at(back, -back_half), at(outside, back_half), kGoals, surfaces.net);
 
   const double x = field.wall_x_m();
   const double y = field.wall_y_m();
   const double t = kWallThickness_m;
-  add_box(ground, at(x, -y - t), at(x + t, y + t), kWalls, kWall);
-  add_box(ground, at(-x - t, y), at(x + t, y + t), kWalls, kWall);
+  add_box(ground, surfaces, at(x, -y - t), at(x + t, y + t), kWalls, surfaces.wall);
+  add_box(ground, surfaces, at(-x - t, y), at(x + t, y + t), kWalls, surfaces.wall);
 }
 
 void set_robot_mass(b2Body& body, double mass_kg) {
   set_mass(body, mass_kg, robot_inertia_kgm2(mass_kg));
 }
 
-b2Body* add_robot(b2World& world, double mass_kg, int index) {
+b2Body* add_robot(b2World& world, const Surfaces& surfaces, double mass_kg, int index) {
   b2BodyDef definition;
   definition.type = b2_dynamicBody;
   definition.userData.pointer = static_cast<std::uintptr_t>(index) + 1;
@@ -89,19 +88,19 @@ b2Body* add_robot(b2World& world, double mass_kg, int index) {
   b2CircleShape hull;
   hull.m_radius = to_units(kRobotRadius_m);
   const b2FixtureDef round =
-      fixture(hull, kRobots, kRobots | kBall | kWalls | kGoals, kRobotToRobot);
+      fixture(hull, surfaces, kRobots, kRobots | kBall | kWalls | kGoals, surfaces.robot);
   body->CreateFixture(&round);
   set_robot_mass(*body, mass_kg);
   return body;
 }
 
-b2Fixture* add_plate(b2Body& robot) {
+b2Fixture* add_plate(b2Body& robot, const Surfaces& surfaces) {
   const b2PolygonShape front = box({0.0, -kHalfPlate_m}, {kFrontDistance_m, kHalfPlate_m});
-  const b2FixtureDef plate = fixture(front, kPlates, kBall, 0.0F);
+  const b2FixtureDef plate = fixture(front, surfaces, kPlates, kBall, 0.0F);
   return robot.CreateFixture(&plate);
 }
 
-b2Body* add_ball(b2World& world) {
+b2Body* add_ball(b2World& world, const Surfaces& surfaces, double mass_kg) {
   b2BodyDef definition;
   definition.type = b2_dynamicBody;
   definition.bullet = true;
@@ -109,9 +108,10 @@ b2Body* add_ball(b2World& world) {
   b2Body* body = world.CreateBody(&definition);
   b2CircleShape shape;
   shape.m_radius = to_units(kBallRadius_m);
-  const b2FixtureDef round = fixture(shape, kBall, kWalls | kGoals | kRobots | kPlates, 0.0F);
+  const b2FixtureDef round =
+      fixture(shape, surfaces, kBall, kWalls | kGoals | kRobots | kPlates, 0.0F);
   body->CreateFixture(&round);
-  set_mass(*body, kBallMass_kg, 0.0);
+  set_mass(*body, mass_kg, 0.0);
   return body;
 }
 

@@ -8,8 +8,6 @@
 namespace autoref::sim {
 namespace {
 
-constexpr double kOverlap_m = 0.5;  // of neighbouring cameras, from the middle lines
-
 double as_float_mm(double metres) {
   return static_cast<double>(static_cast<float>(metres * 1000.0)) / 1000.0;
 }
@@ -41,10 +39,11 @@ bool is_hidden(const WorldState& world, const CameraPlace& camera) {
 
 }  // namespace
 
-std::array<CameraPlace, 4> camera_places(const Field& field) {
+std::array<CameraPlace, 4> camera_places(const Field& field, double height_m) {
   const double x = field.half_length_m() / 2.0;
   const double y = field.half_width_m() / 2.0;
-  return {CameraPlace{{-x, -y}}, CameraPlace{{-x, y}}, CameraPlace{{x, -y}}, CameraPlace{{x, y}}};
+  return {CameraPlace{{-x, -y}, height_m}, CameraPlace{{-x, y}, height_m},
+          CameraPlace{{x, -y}, height_m}, CameraPlace{{x, y}, height_m}};
 }
 
 bool hides_ball(const RobotState& robot, const Vec2& ball_m, double height_m,
@@ -60,9 +59,9 @@ bool hides_ball(const RobotState& robot, const Vec2& ball_m, double height_m,
 Camera::Camera(const VisionParameters& parameters, const Field& field, double frame_rate_hz,
                std::uint64_t seed)
     : parameters_(parameters),
-      cameras_(camera_places(field)),
-      sees_beside_m_(field.half_length_m() / 2.0 + kOverlap_m,
-                     field.half_width_m() / 2.0 + kOverlap_m),
+      cameras_(camera_places(field, parameters.camera_height_m)),
+      sees_beside_m_(field.half_length_m() / 2.0 + parameters.camera_overlap_m,
+                     field.half_width_m() / 2.0 + parameters.camera_overlap_m),
       frame_rate_hz_(frame_rate_hz),
       chance_(RandomStream::of(seed, RandomPurpose::kCamera)) {}
 

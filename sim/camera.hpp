@@ -12,17 +12,17 @@
 
 namespace autoref::sim {
 
-// The league's four cameras, 4 m above the middles of the field's quarters.
-std::array<CameraPlace, 4> camera_places(const Field& field);
+// The league's four cameras, so high above the middles of the field's quarters.
+std::array<CameraPlace, 4> camera_places(const Field& field, double height_m);
 
 // Whether the robot stands between the camera and the middle of a ball whose lowest point is at
 // `height_m`. Robots are as high all over their outline as their cover.
 bool hides_ball(const RobotState& robot, const Vec2& ball_m, double height_m,
                 const CameraPlace& camera);
 
-// Takes one picture per frame, put together from four cameras: each sees its quarter and half a
-// metre beyond. Values are rounded to what a league vision packet holds (float millimetres and
-// radians), so that a recorded game shows the same as the live one.
+// Takes one picture per frame, put together from four cameras: each sees its quarter and
+// camera_overlap_m beyond. Values are rounded to what a league vision packet holds (float
+// millimetres and radians), so that a recorded game shows the same as the live one.
 class Camera {
  public:
   // `seed` names the stream of noise and misses.

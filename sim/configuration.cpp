@@ -53,6 +53,38 @@ void validate(const BallParameters& ball) {
   check_not_negative("ball.rest_mps", ball.rest_mps);
   check_positive("ball.rolls_below_hop_m", ball.rolls_below_hop_m);
   check_not_negative("ball.net_mps2", ball.net_mps2);
+  check_range("ball.mass_kg", ball.mass_kg, 0.001, 1.0);
+  check_range("ball.contact_friction", ball.contact_friction, 0.0, 2.0);
+}
+
+void validate(const ContactParameters& contacts) {
+  check_share("contacts.body_restitution", contacts.body_restitution);
+  check_share("contacts.plate_restitution", contacts.plate_restitution);
+  check_share("contacts.dribbling_restitution", contacts.dribbling_restitution);
+  check_share("contacts.robot_restitution", contacts.robot_restitution);
+  check_share("contacts.wall_restitution", contacts.wall_restitution);
+  check_share("contacts.net_restitution", contacts.net_restitution);
+  check_share("contacts.bar_restitution", contacts.bar_restitution);
+  check_range("contacts.top_restitution", contacts.top_restitution, 0.0, 0.95);
+  check_range("contacts.top_leaving_mps", contacts.top_leaving_mps, 0.05, 5.0);
+  check_range("contacts.friction", contacts.friction, 0.0, 2.0);
+  check_range("contacts.least_bounce_mps", contacts.least_bounce_mps, 0.0, 1.0);
+}
+
+void validate(const DribblerParameters& dribbler) {
+  check_range("dribbler.force_n", dribbler.force_n, 0.0, 100.0);
+  check_range("dribbler.reach_m", dribbler.reach_m, 0.0, 0.1);
+  check_range("dribbler.stiffness_npm", dribbler.stiffness_npm, 0.0, 1000.0);
+  check_range("dribbler.damping_nspm", dribbler.damping_nspm, 0.0, 100.0);
+  check_range("dribbler.centring_mps", dribbler.centring_mps, 0.0, 5.0);
+}
+
+void validate(const LineUpParameters& line_up) {
+  // Eight robots in a row have room on the smallest field as well.
+  check_range("line_up.gap_m", line_up.gap_m, 0.19, 1.0);
+  check_range("line_up.from_halfway_line_m", line_up.from_halfway_line_m, 0.1, 0.35);
+  check_range("line_up.from_touch_line_m", line_up.from_touch_line_m, 0.1, 0.5);
+  check_range("line_up.from_goal_line_m", line_up.from_goal_line_m, 0.1, 0.35);
 }
 
 void validate(const RobotParameters& robot) {
@@ -65,6 +97,7 @@ void validate(const RobotParameters& robot) {
   check_positive("robot.angular_acceleration_radps2", robot.angular_acceleration_radps2);
   check_range("robot.front_wheels_deg", robot.front_wheels_deg, 5.0, 85.0);
   check_range("robot.back_wheels_deg", robot.back_wheels_deg, 95.0, 175.0);
+  check_range("robot.wheel_distance_m", robot.wheel_distance_m, 0.01, 0.09);
   check_range("robot.speed_noise", robot.speed_noise, 0.0, 0.5);
 }
 
@@ -84,6 +117,8 @@ void validate(const VisionParameters& vision) {
   check_range("vision.robot_noise_rad", vision.robot_noise_rad, 0.0, 0.5);
   check_range("vision.ball_misses", vision.ball_misses, 0.0, 0.9);
   check_range("vision.robot_misses", vision.robot_misses, 0.0, 0.9);
+  check_range("vision.camera_height_m", vision.camera_height_m, 1.0, 20.0);
+  check_range("vision.camera_overlap_m", vision.camera_overlap_m, 0.0, 5.0);
 }
 
 }  // namespace
@@ -97,16 +132,18 @@ void validate(const Configuration& configuration) {
   check_range("radio.command_loss", configuration.radio.command_loss, 0.0, 0.9);
   check_range("radio.hold_s", configuration.radio.hold_s, 0.0, 10.0);
   validate(configuration.ball);
+  validate(configuration.contacts);
   check_positive("placement.speed_mps", configuration.placement.speed_mps);
   check_positive("placement.acceleration_mps2", configuration.placement.acceleration_mps2);
   check_positive("placement.catch_mps2", configuration.placement.catch_mps2);
+  check_range("placement.clearance_m", configuration.placement.clearance_m, 0.025, 0.3);
+  validate(configuration.line_up);
 }
 
 void validate(const RobotSheet& robot) {
   validate(robot.body);
   validate(robot.kicker);
-  check_not_negative("dribbler.force_n", robot.dribbler.force_n);
-  check_range("dribbler.reach_m", robot.dribbler.reach_m, 0.0, 0.1);
+  validate(robot.dribbler);
   check_factor("speed_factor", robot.speed_factor);
   check_factor("acceleration_factor", robot.acceleration_factor);
 }
@@ -136,6 +173,10 @@ void validate(const Field& field) {
   check_range("field.goal_depth_m", field.goal_depth_m, 0.05, 1.0);
   check_range("field.goal_wall_thickness_m", field.goal_wall_thickness_m, 0.01, 0.1);
   check_positive("field.goal_opening_height_m", field.goal_opening_height_m);
+  check_range("field.goal_bar_radius_m", field.goal_bar_radius_m, 0.001, 0.05);
+  check_range("field.line_width_m", field.line_width_m, 0.0, 0.05);
+  check_range("field.centre_circle_radius_m", field.centre_circle_radius_m, 0.1,
+              field.half_width_m());
   // Between the two areas there must be room for a neutral place (Laws: 700 mm from both).
   check_range("field.defence_area.depth_m", field.defence_area.depth_m, 0.1,
               field.half_length_m() - 0.8);

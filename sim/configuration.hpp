@@ -20,6 +20,31 @@ struct BallParameters {
   double rest_mps = 0.010;           // at rest below
   double rolls_below_hop_m = 0.010;  // a hop lower than this ends the flight
   double net_mps2 = 10.0;  // what a ball loses inside a goal on its way out: the net holds it
+  double mass_kg = 0.046;  // golf ball, 46 g (Laws 2014, law 2)
+  // Friction between the ball and what it hits, which takes some of its spin; the league's
+  // simulators use 0.2 to 0.35.
+  double contact_friction = 0.22;
+};
+
+// What happens where two bodies meet. A restitution is the share of the closing speed that is left
+// as speed apart; Box2D takes the greater one of a pair. Sources: ER-Force's and grSim's models,
+// and measurements of the league's robots.
+struct ContactParameters {
+  double body_restitution = 0.55;      // ball against a robot's round hull
+  double plate_restitution = 0.4;      // ball against a front plate
+  double dribbling_restitution = 0.2;  // ball against a front plate whose dribbler runs
+  double robot_restitution = 0.2;      // robot against robot
+  double wall_restitution = 0.3;       // walls around the field and sides of the goals
+  double net_restitution = 0.1;        // a goal's back
+  double bar_restitution = 0.3;        // ball against the bar, as at the goal's sides
+  // Share of the vertical speed that a ball keeps when it comes down on a robot or on a goal's net,
+  // as on the carpet.
+  double top_restitution = 0.5;
+  // It leaves them at least this fast, upwards and to the outside, so that none stays up there.
+  double top_leaving_mps = 0.5;
+  double friction = 0.22;  // of bodies that slide along each other (grSim)
+  // Slower hits do not bounce: a ball that lies at a plate must come to rest there.
+  double least_bounce_mps = 0.03;
 };
 
 // One robot's body and drive. Four omni wheels; limits are per wheel and overall.
@@ -33,7 +58,8 @@ struct RobotParameters {
   double angular_acceleration_radps2 = 40.0;
   double front_wheels_deg = 35.0;  // wheels at plus and minus this angle from the front
   double back_wheels_deg = 135.0;
-  double speed_noise = 0.01;  // standard deviation of each speed a robot aims at, share of it
+  double wheel_distance_m = 80_mm;  // from the centre to each wheel, inside the hull of 90 mm
+  double speed_noise = 0.01;        // standard deviation of each speed a robot aims at, share of it
 };
 
 struct KickerParameters {
@@ -50,6 +76,12 @@ struct DribblerParameters {
   double force_n = 0.45;   // the most it pulls the ball with
   double reach_m = 10_mm;  // the ball's surface within this distance of the plate
   bool holds = false;      // takes all of the ball's motion relative to the plate
+  // A dribbler that does not hold pulls the ball towards the plate's middle like a spring, at its
+  // limit from about 5 mm off. The damping is near critical for a rolling ball, which resists as
+  // one and a half times its mass.
+  double stiffness_npm = 90.0;
+  double damping_nspm = 5.0;
+  double centring_mps = 0.2;  // the fastest that one which holds moves the ball along the plate
   bool operator==(const DribblerParameters&) const = default;
 };
 
@@ -58,6 +90,8 @@ struct PlacementParameters {
   double speed_mps = 3.0;  // of the ball while it is dragged
   double acceleration_mps2 = 4.0;
   double catch_mps2 = 20.0;  // what a ball still moving loses before it is dragged
+  // The ball's centre passes the goals this far off: its radius and a margin.
+  double clearance_m = 50_mm;
 };
 
 // How well vision sees. Defaults are the preset `paper`: true positions and the ball's height, as
@@ -70,12 +104,25 @@ struct VisionParameters {
   double robot_misses = 0.0;   // and a robot
   bool reports_height = true;  // else a flying ball is seen before the carpet
   bool robots_hide_ball = false;
+  // Four cameras hang above the middles of the field's quarters, 4 m high (Laws 2014, section
+  // on vision); each sees its quarter and this much beyond the middle lines.
+  double camera_height_m = 4.0;
+  double camera_overlap_m = 0.5;
   bool operator==(const VisionParameters&) const = default;
 };
 
 struct RadioParameters {
   double command_loss = 0.0;  // share of the orders that do not arrive, by robot and frame
   double hold_s = 100_ms;     // a robot without an order for so long stops
+};
+
+// Where the robots stand before a game: in rows along the touch line, in their own half. Distances
+// are those of robots' centres.
+struct LineUpParameters {
+  double gap_m = 300_mm;                // between neighbours; less on short fields
+  double from_halfway_line_m = 300_mm;  // of the first in a row
+  double from_touch_line_m = 200_mm;
+  double from_goal_line_m = 150_mm;  // at least, of the last
 };
 
 struct Configuration {
@@ -86,7 +133,9 @@ struct Configuration {
   RadioParameters radio;
   double latency_s = 40_ms;  // from a picture until the orders decided on it move the robots
   BallParameters ball;
+  ContactParameters contacts;
   PlacementParameters placement;
+  LineUpParameters line_up;
 };
 
 // One robot and its handicap.

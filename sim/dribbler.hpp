@@ -12,9 +12,10 @@ namespace autoref::sim {
 //
 // A roller pulls the ball to the plate's middle and slows it relative to the plate, so that hard
 // turns and sideways jerks lose it. One that holds takes all of the ball's motion relative to the
-// plate at once, and brings it to the middle at 0.2 m/s at most: the ball never gets faster than
-// the plate by more than that.
+// plate at once, and brings it to the middle at centring_mps at most: the ball never gets faster
+// than the plate by more than that.
 Vec2 dribbler_force_n(const DribblerParameters& parameters, const BodyState& robot,
-                      const BodyState& ball, double ball_height_m, double duration_s);
+                      const BodyState& ball, double ball_mass_kg, double ball_height_m,
+                      double duration_s);
 
 }  // namespace autoref::sim

@@ -9,8 +9,6 @@
 namespace autoref::sim {
 namespace {
 
-constexpr double kWheelDistance_m = 80_mm;  // from the centre: inside the hull of 90 mm
-
 Vec2 tangent_at(double angle_deg) { return left_of(heading_of(to_radians(angle_deg))); }
 
 }  // namespace
@@ -18,6 +16,7 @@ Vec2 tangent_at(double angle_deg) { return left_of(heading_of(to_radians(angle_d
 Drive::Drive(const RobotSheet& sheet)
     : wheels_{tangent_at(sheet.body.front_wheels_deg), tangent_at(-sheet.body.front_wheels_deg),
               tangent_at(sheet.body.back_wheels_deg), tangent_at(-sheet.body.back_wheels_deg)},
+      wheel_distance_m_(sheet.body.wheel_distance_m),
       mass_kg_(sheet.body.mass_kg),
       inertia_kgm2_(robot_inertia_kgm2(sheet.body.mass_kg)),
       speed_mps_(sheet.body.speed_mps * sheet.speed_factor),
@@ -62,7 +61,7 @@ double Drive::share_within_wheels(const Vec2& acceleration_mps2, double angular_
   double most_mps2 = 0.0;
   for (const Vec2& wheel : wheels_) {
     most_mps2 = std::max(
-        most_mps2, std::abs(wheel.dot(acceleration_mps2) + kWheelDistance_m * angular_radps2));
+        most_mps2, std::abs(wheel.dot(acceleration_mps2) + wheel_distance_m_ * angular_radps2));
   }
   return most_mps2 > wheel_mps2_ ? wheel_mps2_ / most_mps2 : 1.0;
 }

@@ -36,6 +36,7 @@ class Drive {
   double share_within_wheels(const Vec2& acceleration_mps2, double angular_radps2) const;
 
   std::array<Vec2, 4> wheels_;  // the direction each drives in, in the robot's frame
+  double wheel_distance_m_;     // from the centre
   double mass_kg_;
   double inertia_kgm2_;
   double speed_mps_;

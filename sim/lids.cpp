@@ -8,18 +8,15 @@
 namespace autoref::sim {
 namespace {
 
-constexpr double kKeptVertical = 0.5;  // as on the carpet
-// A ball leaves a lid at least this fast, upwards and to the outside.
-constexpr double kLeaves_mps = 0.5;
-
-double bounced_vertical(const Ball& ball) {
-  return std::max(kLeaves_mps, -kKeptVertical * ball.vertical_mps());
+double bounced_vertical(const ContactParameters& contacts, const Ball& ball) {
+  return std::max(contacts.top_leaving_mps, -contacts.top_restitution * ball.vertical_mps());
 }
 
-// `velocity_mps`, made at least kLeaves_mps along `outwards`, as seen from the lid.
-Vec2 leaving(const Vec2& velocity_mps, const Vec2& lid_mps, const Vec2& outwards) {
+// `velocity_mps`, made at least `least_mps` along `outwards`, as seen from the lid.
+Vec2 leaving(const Vec2& velocity_mps, const Vec2& lid_mps, const Vec2& outwards,
+             double least_mps) {
   const double now = (velocity_mps - lid_mps).dot(outwards);
-  return velocity_mps + std::max(0.0, kLeaves_mps - now) * outwards;
+  return velocity_mps + std::max(0.0, least_mps - now) * outwards;
 }
 
 }  // namespace
@@ -35,8 +32,9 @@ bool is_in_goal(const Field& field, const Vec2& point_m) {
   return x >= 0.0 && x <= field.goal_depth_m && std::abs(point_m.y()) <= field.half_goal_m();
 }
 
-std::optional<Vec2> bounced_off_lid(const Field& field, const Box2dBridge& bodies, int robots,
-                                    double former_height_m, Ball& ball) {
+std::optional<Vec2> bounced_off_lid(const Field& field, const ContactParameters& contacts,
+                                    const Box2dBridge& bodies, int robots, double former_height_m,
+                                    Ball& ball) {
   const double height_m = ball.height_m();
   const BodyState& body = bodies.ball();
   const double net_m = field.goal_opening_height_m;
@@ -45,17 +43,19 @@ std::optional<Vec2> bounced_off_lid(const Field& field, const Box2dBridge& bodie
     return body.velocity_mps;
   }
   if (former_height_m >= net_m && height_m < net_m && is_over_goal(field, body.position_m)) {
-    ball.bounce_in_air(net_m, bounced_vertical(ball));
-    return leaving(body.velocity_mps, {0.0, 0.0}, {std::copysign(1.0, body.position_m.x()), 0.0});
+    ball.bounce_in_air(net_m, bounced_vertical(contacts, ball));
+    return leaving(body.velocity_mps, {0.0, 0.0}, {std::copysign(1.0, body.position_m.x()), 0.0},
+                   contacts.top_leaving_mps);
   }
   if (former_height_m < kRobotHeight_m || height_m >= kRobotHeight_m) return std::nullopt;
   for (int i = 0; i < robots; ++i) {
     if (!bodies.is_on(i)) continue;
     const BodyState& robot = bodies.robot(i);
     if (distance_to_hull(body.position_m, robot.position_m, robot.heading) >= 0.0) continue;
-    ball.bounce_in_air(kRobotHeight_m, bounced_vertical(ball));
+    ball.bounce_in_air(kRobotHeight_m, bounced_vertical(contacts, ball));
     return leaving(body.velocity_mps, robot.velocity_mps,
-                   direction_of(body.position_m - robot.position_m, robot.heading));
+                   direction_of(body.position_m - robot.position_m, robot.heading),
+                   contacts.top_leaving_mps);
   }
   return std::nullopt;
 }

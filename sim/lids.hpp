@@ -19,7 +19,8 @@ bool is_in_goal(const Field& field, const Vec2& point_m);
 // comes down on one hops off to the outside, so that none stays up there; one that rises inside a
 // goal is stopped by the net. Says the ball's new velocity where it met a lid. `robots` counts
 // those of the bridge.
-std::optional<Vec2> bounced_off_lid(const Field& field, const Box2dBridge& bodies, int robots,
-                                    double former_height_m, Ball& ball);
+std::optional<Vec2> bounced_off_lid(const Field& field, const ContactParameters& contacts,
+                                    const Box2dBridge& bodies, int robots, double former_height_m,
+                                    Ball& ball);
 
 }  // namespace autoref::sim

@@ -9,23 +9,21 @@
 namespace autoref::sim {
 namespace {
 
-constexpr double kClearance_m = 50_mm;  // of the ball's centre from goals: its radius and a margin
-
 // The corners that lead from a place behind a goal line to the field before it; none from a place
 // on the field.
-Route way_to_field(const Field& field, const Vec2& place_m) {
+Route way_to_field(const Field& field, const Vec2& place_m, double clearance_m) {
   Route way;
-  const double before_line_m = field.half_length_m() - kClearance_m;
+  const double before_line_m = field.half_length_m() - clearance_m;
   if (std::abs(place_m.x()) <= before_line_m) return way;
   const double end = std::copysign(1.0, place_m.x());
   if (is_in_goal(field, place_m)) {
-    const double inside_m = field.half_goal_m() - kClearance_m;
+    const double inside_m = field.half_goal_m() - clearance_m;
     const double y = std::clamp(place_m.y(), -inside_m, inside_m);
     way.push_back({place_m.x(), y});
     way.push_back({end * before_line_m, y});
     return way;
   }
-  const double beside_m = field.half_goal_m() + field.goal_wall_thickness_m + kClearance_m;
+  const double beside_m = field.half_goal_m() + field.goal_wall_thickness_m + clearance_m;
   const double behind_m = field.half_length_m();
   // From exactly behind the middle it goes to the left of who looks at the goal from the field.
   const double flank = place_m.y() == 0.0 ? end : std::copysign(1.0, place_m.y());
@@ -37,16 +35,17 @@ Route way_to_field(const Field& field, const Vec2& place_m) {
 
 }  // namespace
 
-Route route_between(const Field& field, const Vec2& start_m, const Vec2& target_m) {
-  Route route = way_to_field(field, start_m);
-  const Route back = way_to_field(field, target_m);
+Route route_between(const Field& field, const Vec2& start_m, const Vec2& target_m,
+                    double clearance_m) {
+  Route route = way_to_field(field, start_m, clearance_m);
+  const Route back = way_to_field(field, target_m, clearance_m);
   route.insert(route.end(), back.rbegin(), back.rend());
   route.push_back(target_m);
   return route;
 }
 
 void Carrier::start(const Vec2& from_m, const Vec2& target_m) {
-  route_ = route_between(field_, from_m, target_m);
+  route_ = route_between(field_, from_m, target_m, parameters_.clearance_m);
   next_ = 0;
   from_m_ = from_m;
   time_s_ = 0.0;

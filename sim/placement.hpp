@@ -14,8 +14,10 @@ namespace autoref::sim {
 using Route = boost::container::static_vector<Vec2, 5>;
 
 // A way from `start_m` to `target_m` that never passes a goal's walls or net: into and out of a
-// goal it leads through the mouth, to and from a place behind a goal around its side.
-Route route_between(const Field& field, const Vec2& start_m, const Vec2& target_m);
+// goal it leads through the mouth, to and from a place behind a goal around its side, at
+// `clearance_m` from both.
+Route route_between(const Field& field, const Vec2& start_m, const Vec2& target_m,
+                    double clearance_m);
 
 // Carries a ball along a route at limited speed and acceleration. It starts from rest and comes to
 // rest at each corner and at the target.

@@ -61,7 +61,8 @@ std::optional<Vec2> World::Impl::kicked(int substep) {
     limit_mps = std::max(limit_mps, robot.kicker.speed_limit_mps());
     sum_mps += kick->velocity_mps;
     vertical_mps = std::max(vertical_mps, kick->vertical_mps);
-    bodies_.strike_robot(index, kBallMass_kg * (ball.velocity_mps - kick->velocity_mps));
+    bodies_.strike_robot(index,
+                         configuration_.ball.mass_kg * (ball.velocity_mps - kick->velocity_mps));
     note({state_.frame + 1, substep, id, ball.position_m, true, {0.0, 0.0}, 0.0});
   });
   if (!is_kicked) return std::nullopt;
@@ -81,8 +82,8 @@ World::Impl::Pulls World::Impl::pulls() {
   for_each_on_field([&](RobotId, const Robot& robot, int index) {
     const bool holds = robot.dribbler.holds;
     if (!robot.aim.dribble || (holds && robot.kicker.is_recharging(substeps_))) return;
-    const Vec2 force_n =
-        dribbler_force_n(robot.dribbler, bodies_.robot(index), ball, ball_.height_m(), step_s_);
+    const Vec2 force_n = dribbler_force_n(robot.dribbler, bodies_.robot(index), ball,
+                                          configuration_.ball.mass_kg, ball_.height_m(), step_s_);
     if (!force_n.isZero(0.0)) pulls.push_back({index, holds, force_n});
   });
   return pulls;
@@ -96,7 +97,7 @@ Vec2 World::Impl::dribbled(Vec2 ball_mps) {
   for (const Pull& pull : all) {
     const Vec2 force_n =
         pull.holds ? Vec2(pull.force_n / static_cast<double>(holders)) : pull.force_n;
-    ball_mps += force_n * (step_s_ / kBallMass_kg);
+    ball_mps += force_n * (step_s_ / configuration_.ball.mass_kg);
     bodies_.push_robot_at(pull.index, -force_n, bodies_.ball().position_m);
   }
   return ball_mps;
@@ -124,13 +125,15 @@ void World::Impl::follow_ball(const BodyState& former) {
 }
 
 void World::Impl::meet_bar_and_lids(const BodyState& former, double former_height_m) {
+  const ContactParameters& contacts = configuration_.contacts;
   const BallState before{former.position_m, former.velocity_mps, former_height_m};
-  if (const auto met = bounced_off_bar(field_, before, ball_state())) {
+  if (const auto met = bounced_off_bar(field_, contacts.bar_restitution, before, ball_state())) {
     bodies_.place_ball(met->position_m, met->velocity_mps);
     ball_.bounce_in_air(met->height_m, met->vertical_mps);
     return;
   }
-  const auto bounced_mps = bounced_off_lid(field_, bodies_, robots_, former_height_m, ball_);
+  const auto bounced_mps =
+      bounced_off_lid(field_, contacts, bodies_, robots_, former_height_m, ball_);
   if (bounced_mps) bodies_.set_ball_velocity(*bounced_mps);
 }
 

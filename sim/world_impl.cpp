@@ -51,13 +51,13 @@ World::Impl::Impl(const Field& field, const Configuration& configuration,
           static_cast<int>(sheets[Side::kWest].robots.size() + sheets[Side::kEast].robots.size())),
       teams_{make_team(Side::kWest, sheets[Side::kWest], seed),
              make_team(Side::kEast, sheets[Side::kEast], seed)},
-      bodies_(field, masses_kg(sheets)),
+      bodies_(field, configuration.contacts, configuration.ball.mass_kg, masses_kg(sheets)),
       ball_(configuration.ball),
       carrier_(field, configuration.placement),
       calm_(field, sheets, long_step_ * substep_s_) {
   team(Side::kEast).first = static_cast<int>(team(Side::kWest).robots.size());
   for_each_robot([&](RobotId id, Robot&, int index) {
-    bodies_.place_robot(index, place_in_line_up(field_, id));
+    bodies_.place_robot(index, place_in_line_up(field_, configuration_.line_up, id));
   });
   put_ball({});
 }

@@ -29,7 +29,7 @@ struct Field {
   double goal_width_m = 700_mm;
   double goal_depth_m = 180_mm;
   double goal_opening_height_m = 155_mm;  // under the bar: the paper's G_h
-  double goal_wall_height_m = 160_mm;
+  double goal_bar_radius_m = 5_mm;        // a round bar of at most 10 mm (Laws 2014, law 1)
   double goal_wall_thickness_m = 20_mm;
 
   double half_length_m() const { return length_m / 2; }    // the paper's F_x

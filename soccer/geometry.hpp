@@ -9,6 +9,8 @@ namespace autoref {
 
 using Vec2 = Eigen::Vector2d;
 
+inline double square(double x) { return x * x; }
+
 // The vector turned left by 90 degrees.
 inline Vec2 left_of(const Vec2& v) { return {-v.y(), v.x()}; }
 

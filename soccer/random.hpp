@@ -21,13 +21,13 @@ constexpr std::uint64_t mix_bits(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
+// The numbers name streams: with another one, games change.
 enum class RandomPurpose : std::uint8_t {
-  kCamera,
-  kPlacement,
-  kRadio,
-  kMotors,
-  kKicker,
-  kStrategy
+  kCamera = 0,
+  kRadio = 2,
+  kMotors = 3,
+  kKicker = 4,
+  kStrategy = 5
 };
 
 class RandomStream {

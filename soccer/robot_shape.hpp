@@ -7,7 +7,6 @@
 namespace autoref {
 
 inline constexpr double kBallRadius_m = 21.5_mm;   // golf ball, diameter 43 mm (Laws 2014, law 2)
-inline constexpr double kBallMass_kg = 0.046;      // golf ball, 46 g (Laws 2014, law 2)
 inline constexpr double kRobotRadius_m = 90_mm;    // cylinder of 180 mm diameter (paper, section 3)
 inline constexpr double kRobotHeight_m = 147_mm;   // below the 150 mm of the paper, section 3
 inline constexpr double kFrontDistance_m = 75_mm;  // flat kicker plate from the centre

@@ -10,8 +10,7 @@ namespace autoref::strategies {
 namespace {
 
 const std::vector<Parameter>& basic_params() {
-  static const std::vector<Parameter> kParams(basic::parameters().begin(),
-                                              basic::parameters().end());
+  static const std::vector<Parameter> kParams = basic::parameters();
   return kParams;
 }
 

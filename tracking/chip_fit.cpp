@@ -7,8 +7,6 @@ namespace {
 
 constexpr double kHardestBraking_mps2 = 11;  // sliding: 3 to 10.3 in the league's models
 
-double square(double x) { return x * x; }
-
 double line_misfit(double n, double s1, double s2, const Vec2& values, double squares) {
   const double determinant = n * s2 - s1 * s1;
   const double a = (s2 * values[0] - s1 * values[1]) / determinant;

@@ -26,8 +26,6 @@ constexpr double kConvinced = 11;     // difference of two models: e^5.5 times a
 constexpr double kSurprise = 20;      // one sighting: happens to 5 in 100 000
 constexpr double kUnlikely_sd = 3.3;  // a whole fit: to 5 in 10 000
 
-double square(double x) { return x * x; }
-
 // Below chi-square's quantile after Wilson and Hilferty.
 bool is_usual(double chi_square, int freedom) {
   const double k = 2.0 / (9.0 * freedom);

@@ -21,8 +21,6 @@ double natural_log(double x) {
   return exponent * kLog2 + kLogOfThreeQuarters + 2 * z * series;
 }
 
-double square(double x) { return x * x; }
-
 }  // namespace
 
 void FreeWay::start(const Vec2& seen_m, const WayParameters& parameters) {

@@ -13,8 +13,6 @@ constexpr double kNear_m = 0.3;  // robots farther from the ball need no look
 constexpr int kSamples = 16;     // of the time between pictures
 constexpr int kSamplesUnseen = 6;
 
-double square(double x) { return x * x; }
-
 struct Sample {
   Vec2 ball_m{0, 0};
   double time_s = 0;

@@ -18,8 +18,6 @@ constexpr int kTellingSightings = 8;
 constexpr double kLandedAlong = 0.4;
 constexpr double kLandedAcross = 0.1;
 
-double square(double x) { return x * x; }
-
 // From the ball's surface to the robot in that picture; kNever where it is not in it.
 double seen_gap_m(const Picture& picture, RobotId id) {
   for (const Picture::Robot& robot : picture.robots) {

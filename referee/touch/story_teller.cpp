@@ -18,8 +18,6 @@ constexpr double kLeastSliding_mps2 = 3.0;  // what sliding takes on the slickes
 constexpr double kBeforeKnown_s = 50_ms;    // a new way's speed is not known sooner
 constexpr std::int64_t kLongestGap = 64;    // pictures, 1 s; more tell nothing of what was before
 
-double square(double x) { return x * x; }
-
 }  // namespace
 
 Explanations StoryTeller::tell(std::int64_t first, const Explanations& before) {

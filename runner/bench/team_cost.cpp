@@ -55,7 +55,7 @@ TeamCost cost_of_team(std::string_view name) {
   if (record.status == Status::kVoid) {
     throw std::logic_error(fmt::format("{} against itself: {}", name, record.void_reason));
   }
-  return {std::string(name), decisions.ns / static_cast<double>(decisions.count)};
+  return {std::string(name), decisions.ns / static_cast<double>(decisions.count), decisions.count};
 }
 
 }  // namespace autoref::runner

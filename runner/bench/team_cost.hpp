@@ -1,6 +1,7 @@
 // How long teams think.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -10,6 +11,7 @@ namespace autoref::runner {
 struct TeamCost {
   std::string name;
   double ns_per_decision = 0;  // of the whole team, mean over a game against itself
+  std::int64_t decisions = 0;  // of both teams in that game
 };
 
 // What that registered team's decisions take in a fixed game against itself, six against six, two

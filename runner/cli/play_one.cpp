@@ -77,7 +77,7 @@ league::TeamSheet sheet_on(const GameConfiguration& game, Side side) {
 void open_log(std::optional<league::GameLog>& log, const GameConfiguration& game,
               const std::string& path) {
   if (path.empty()) return;
-  const auto cameras = sim::camera_places(game.field);
+  const auto cameras = sim::camera_places(game.field, game.sim.vision.camera_height_m);
   log.emplace(
       path, game.field, std::vector<CameraPlace>(cameras.begin(), cameras.end()),
       PerSide<league::TeamSheet>{{sheet_on(game, Side::kWest), sheet_on(game, Side::kEast)}});

@@ -11,12 +11,12 @@
 #include "runner/game/play_counts/play_statistics.hpp"
 #include "runner/game/state_hash.hpp"
 #include "runner/game/substitution.hpp"
+#include "runner/game/team_controller.hpp"
+#include "runner/game/vision_delay.hpp"
 #include "runner/settings/match_rules.hpp"
 #include "runner/settings/robot_changes.hpp"
 #include "sim/camera.hpp"
-#include "soccer/random.hpp"
 #include "soccer/situation.hpp"
-#include "soccer/team_view.hpp"
 #include "soccer/tracks.hpp"
 #include "strategies/registry.hpp"
 
@@ -32,100 +32,6 @@ EndReason reason_of(referee::Event end) {
   return end == referee::Event::kShootoutOver ? EndReason::kShootout : EndReason::kTime;
 }
 
-// What the side's robots can do.
-std::array<strategies::Abilities, kMaxRobots> abilities_of(const GameConfiguration& c, Side side) {
-  std::array<strategies::Abilities, kMaxRobots> all;
-  const sim::TeamSheet sheet = sheet_of(c, team_on(c, side));
-  for (std::size_t i = 0; i < sheet.robots.size(); ++i) {
-    const sim::RobotSheet& robot = sheet.robots[i];
-    all[i] = {robot.body.speed_mps * robot.speed_factor,
-              robot.body.acceleration_mps2 * robot.acceleration_factor,
-              robot.body.braking_mps2 * robot.acceleration_factor, robot.kicker.speed_limit_mps,
-              robot.kicker.chip_limit_mps};
-  }
-  return all;
-}
-
-std::unique_ptr<strategies::Strategy> make_team_on(const GameConfiguration& c, Side side,
-                                                   const TeamMaker& make_team) {
-  const TeamConfiguration& team = team_on(c, side);
-  return make_team(team.strategy, {c.field, rules_of(c.match), c.sim.frame_rate_hz,
-                                   RandomStream::of(c.seed, RandomPurpose::kStrategy, side),
-                                   team.params, abilities_of(c, side)});
-}
-
-// From a picture until the orders decided on it move a robot.
-double latency_s(const sim::Configuration& c) {
-  const sim::LatencySplit split = sim::split_latency(c);
-  return (split.frames + static_cast<double>(split.substeps) / c.substeps) / c.frame_rate_hz;
-}
-
-// A team on the field: it sees delayed pictures, and its mistakes end the game as void.
-class Player {
- public:
-  Player(const GameConfiguration& c, Side side, const TeamMaker& make_team)
-      : side_(side), robots_(team_on(c, side).robots), strategy_(make_team_on(c, side, make_team)) {
-    view_.latency_s = latency_s(c.sim);
-  }
-
-  // Fills `orders`; returns what went wrong, empty where nothing did. Then all orders are zero.
-  std::string decide(const Tracks& tracks, const RefereeSignal& signal, const Situation& situation,
-                     TeamOrders& orders) {
-    orders.fill(RobotCommand{});
-    fill_view(tracks, signal, situation, side_, view_);
-    std::string fault;
-    try {
-      strategy_->decide(view_, orders);
-      requests_ = strategy_->requests();
-      fault = fault_in(orders);
-    } catch (const std::exception& error) {
-      fault = fmt::format("threw: {}", error.what());
-    } catch (...) {
-      fault = "threw something that is no std::exception";
-    }
-    if (!fault.empty()) orders.fill(RobotCommand{});
-    return fault;
-  }
-
-  // What the team asked for with its last decision.
-  const TeamRequests& requests() const { return requests_; }
-
- private:
-  std::string fault_in(const TeamOrders& orders) const {
-    for (int number = 0; number < robots_; ++number) {
-      if (!is_finite(orders[static_cast<std::size_t>(number)])) {
-        return fmt::format("ordered a number that is not finite for robot {}", number);
-      }
-    }
-    return {};
-  }
-
-  Side side_;
-  int robots_;
-  std::unique_ptr<strategies::Strategy> strategy_;
-  TeamRequests requests_;
-  TeamView view_;
-};
-
-// The tracks of the last few pictures, so that teams see the field as it was.
-class DelayLine {
- public:
-  explicit DelayLine(int frames) : tracks_(static_cast<std::size_t>(frames) + 1) {}
-
-  void push(const Tracks& tracks) {
-    tracks_[taken_ % tracks_.size()] = tracks;
-    ++taken_;
-  }
-  // As many pictures back as the line is long; the first one until there are that many.
-  const Tracks& oldest() const {
-    return taken_ < tracks_.size() ? tracks_.front() : tracks_[taken_ % tracks_.size()];
-  }
-
- private:
-  std::vector<Tracks> tracks_;
-  std::size_t taken_ = 0;
-};
-
 class Game {
  public:
   Game(const GameConfiguration& c, Observer* observer, const TeamMaker& make_team)
@@ -138,7 +44,8 @@ class Game {
         assistant_(c.field, {{team_on(c, Side::kWest).robots, team_on(c, Side::kEast).robots}}),
         tracks_(sim::split_latency(c.sim).frames),
         statistics_(c.field, c.sim.ball, c.sim.frame_rate_hz),
-        players_{{Player(c, Side::kWest, make_team), Player(c, Side::kEast, make_team)}} {}
+        players_{{TeamController(c, Side::kWest, make_team),
+                  TeamController(c, Side::kEast, make_team)}} {}
 
   GameRecord play() {
     const auto most_frames = static_cast<std::int64_t>(longest_s(configuration_.match) *
@@ -257,7 +164,7 @@ class Game {
   Frame frame_;
   DelayLine tracks_;
   PlayStatistics statistics_;
-  PerSide<Player> players_;
+  PerSide<TeamController> players_;
   PerSide<TeamOrders> orders_;
   StateHash hash_;
   std::int64_t frames_in_play_ = 0;

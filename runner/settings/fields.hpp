@@ -90,6 +90,9 @@ std::vector<Setting> settings_of(GameConfiguration& game);
 std::vector<Setting> settings_of(TeamConfiguration& team, const RobotTypes& types,
                                  const std::string& prefix);
 
+// Those of the world, below "sim.".
+std::vector<Setting> settings_of(sim::Configuration& sim, sim::RobotSheet& robot);
+
 // The settings of one robot below `prefix` ("" or "sim."), and those of what differs in some.
 std::vector<Setting> settings_of(sim::RobotSheet& robot, const std::string& prefix);
 std::vector<Setting> settings_of(RobotChanges& changes);

@@ -51,10 +51,6 @@ RobotChanges read_robot_type_text(const std::string& text, const std::string& fi
   return changes;
 }
 
-RobotChanges read_robot_type(const fs::path& file) {
-  return read_robot_type_text(read_user_file(file), file.string());
-}
-
 std::string take_type(const std::string& text, const fs::path& folder, RobotTypes& types) {
   if (!is_path(text)) return text;
   const fs::path file = folder / text;

@@ -17,7 +17,6 @@
 namespace autoref::runner {
 
 // Reads a type as strictly as a scenario. Throws InputError with file, line and key.
-RobotChanges read_robot_type(const std::filesystem::path& file);
 RobotChanges read_robot_type_text(const std::string& text, const std::string& file_name);
 
 // The name in `types` of the type that a user gave as `text`: the name itself, or the path of a

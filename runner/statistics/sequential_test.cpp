@@ -12,8 +12,6 @@ void check(const SequentialTest& test) {
   assert(2 <= test.min_pairs && test.min_pairs <= test.max_pairs);
 }
 
-double square(double x) { return x * x; }
-
 Verdict verdict_of(const SequentialTest& test, const SequentialState& state) {
   if (state.pairs < test.min_pairs) return Verdict::kGoOn;
   const double ratio = state.log_likelihood_ratio;
@@ -34,8 +32,8 @@ SequentialState decided_by(const SequentialTest& test, std::span<const double> p
   double squares_from_d1 = 0;
   for (const double difference : pair_differences) {
     assert(std::isfinite(difference));
-    squares_from_d0 += square(difference - test.d0);
-    squares_from_d1 += square(difference - test.d1);
+    squares_from_d0 += (difference - test.d0) * (difference - test.d0);
+    squares_from_d1 += (difference - test.d1) * (difference - test.d1);
     ++state.pairs;
     state.log_likelihood_ratio = state.pairs / 2.0 * std::log(squares_from_d0 / squares_from_d1);
     state.verdict = verdict_of(test, state);

@@ -3,20 +3,16 @@
 #pragma once
 
 #include <optional>
-#include <span>
 
 #include "strategies/basic/positions.hpp"
 #include "strategies/basic/roles.hpp"
-#include "strategies/parameter.hpp"
+#include "strategies/basic/style.hpp"
 #include "strategies/skills/limits.hpp"
 #include "strategies/skills/play_ball.hpp"
 #include "strategies/skills/shot.hpp"
 #include "strategies/strategy.hpp"
 
 namespace autoref::strategies::basic {
-
-// What the team can be tuned with.
-std::span<const Parameter> parameters();
 
 class Basic final : public Strategy {
  public:
@@ -46,9 +42,8 @@ class Basic final : public Strategy {
   void stand_at_penalty(TeamOrders& orders);
 
   Briefing briefing_;
-  DrivingStyle style_;
-  double shot_mps_;
-  double pass_mps_;
+  Style style_;
+  DrivingStyle driving_;
   TeamView now_;             // the view looked ahead to when orders take effect
   Vec2 ball_place_m_{0, 0};  // the ball, or where the referee is about to put it
   int former_attacker_ = -1;

@@ -6,9 +6,6 @@
 namespace autoref::strategies::basic {
 namespace {
 
-constexpr double kWallGap_m = 220_mm;  // between the centres of two robots in the wall
-constexpr double kMargin_m = 30_mm;    // more than a rule asks for, for the robots' own errors
-
 Waypoint facing_ball(const Vec2& position_m, const Vec2& ball_m) {
   return {position_m, direction_of(ball_m - position_m, Vec2(1, 0))};
 }
@@ -17,11 +14,11 @@ Vec2 own_goal_m(const Field& field) { return field.goal_centre_m(Side::kWest); }
 
 }  // namespace
 
-Waypoint keeper_position(const Field& field, const TrackedBall& ball) {
-  const double line_x = -field.half_length_m() + kRobotRadius_m + kMargin_m;
+Waypoint keeper_position(const Field& field, const Style& style, const TrackedBall& ball) {
+  const double line_x = -field.half_length_m() + kRobotRadius_m + style.margin_m;
   const double reach_m = field.half_goal_m() - kRobotRadius_m / 2;
   double y = 0;
-  if (ball.velocity_mps.x() < -0.3 && ball.position_m.x() > line_x) {
+  if (ball.velocity_mps.x() < -style.keeper_shot_mps && ball.position_m.x() > line_x) {
     y = ball.position_m.y() +
         ball.velocity_mps.y() * (line_x - ball.position_m.x()) / ball.velocity_mps.x();
   } else {
@@ -32,30 +29,33 @@ Waypoint keeper_position(const Field& field, const TrackedBall& ball) {
   return facing_ball({line_x, std::clamp(y, -reach_m, reach_m)}, ball.position_m);
 }
 
-Waypoint wall_position(const Field& field, const Vec2& ball_m, int order) {
+Waypoint wall_position(const Field& field, const Style& style, const Vec2& ball_m, int order) {
   const Vec2 goal_m = own_goal_m(field);
   const Vec2 way = direction_of(ball_m - goal_m, Vec2(1, 0));
   const double off_m = field.defence_area.depth_m +
                        field.defence_area.straight_m / 2 * std::abs(way.y()) + kRobotRadius_m +
-                       2 * kMargin_m;
+                       2 * style.margin_m;
   // Two stand as near to each other as their ways around each other let them, towards the middle.
   const double aside = ball_m.y() > 0 ? -1.0 : 1.0;
-  return facing_ball(goal_m + way * off_m + left_of(way) * (aside * kWallGap_m * order), ball_m);
+  return facing_ball(goal_m + way * off_m + left_of(way) * (aside * style.wall_gap_m * order),
+                     ball_m);
 }
 
-Waypoint marker_position(const Field& field, const TrackedRobot& opponent, const Vec2& ball_m) {
+Waypoint marker_position(const Field& field, const Style& style, const TrackedRobot& opponent,
+                         const Vec2& ball_m) {
   const Vec2 to_goal = direction_of(own_goal_m(field) - opponent.position_m, Vec2(-1, 0));
-  return facing_ball(opponent.position_m + to_goal * (3.2 * kRobotRadius_m), ball_m);
+  return facing_ball(opponent.position_m + to_goal * (style.mark_radii * kRobotRadius_m), ball_m);
 }
 
-Waypoint supporter_position(const Field& field, const Vec2& ball_m, int order) {
+Waypoint supporter_position(const Field& field, const Style& style, const Vec2& ball_m, int order) {
   const double away = ball_m.y() > 0 ? -1.0 : 1.0;
-  const double ahead = std::clamp(ball_m.x() / field.half_length_m() + 0.25, -0.2, 0.6);
+  const double ahead = std::clamp(ball_m.x() / field.half_length_m() + style.supporter_ahead,
+                                  style.supporter_back, style.supporter_front);
   // Pairs of places on both wings, each pair a row nearer to the own goal than the last.
   const int row = order / 2;
   const double wing = order % 2 == 0 ? away : -away;
-  const double x = std::max(ahead - 0.3 * row, -0.5) * field.half_length_m();
-  const double y = wing * (0.45 - 0.1 * row) * field.half_width_m();
+  const double x = std::max(ahead - style.supporter_row * row, -0.5) * field.half_length_m();
+  const double y = wing * (style.supporter_wing - 0.1 * row) * field.half_width_m();
   return facing_ball({x, y}, ball_m);
 }
 

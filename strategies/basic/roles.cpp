@@ -6,28 +6,26 @@
 namespace autoref::strategies::basic {
 namespace {
 
-constexpr double kLoyalty_s = 0.3;  // a new attacker must be faster than the former one by this
-constexpr double kGoRound_s = 0.8;  // it takes this long to get from before the ball to behind it
-
 using Taken = std::array<bool, kMaxRobots>;
 
 // Seconds to the ball and behind it, seen from the opponents' goal.
 double time_behind_ball_s(const TrackedRobot& robot, const Interception& meeting,
-                          const Vec2& goal_m) {
+                          const Vec2& goal_m, double go_round_s) {
   const Vec2 aim = direction_of(goal_m - meeting.point_m, Vec2(1, 0));
   const Vec2 approach = direction_of(meeting.point_m - robot.position_m, aim);
-  return meeting.time_s + kGoRound_s * (1 - approach.dot(aim)) / 2;
+  return meeting.time_s + go_round_s * (1 - approach.dot(aim)) / 2;
 }
 
-void choose_attacker(const TeamView& view, const Field& field, const Taken& taken,
-                     int former_attacker, Cast& cast) {
+void choose_attacker(const TeamView& view, const Field& field, const Style& style,
+                     const Taken& taken, int former_attacker, Cast& cast) {
   double best_s = std::numeric_limits<double>::infinity();
   for (int i = 0; i < static_cast<int>(view.own.size()); ++i) {
     if (taken[i]) continue;
     const Interception meeting = intercept(view.own[i], view.ball);
-    const double bonus_s = view.own[i].number == former_attacker ? kLoyalty_s : 0.0;
-    const double time_s =
-        time_behind_ball_s(view.own[i], meeting, field.goal_centre_m(Side::kEast)) - bonus_s;
+    const double bonus_s = view.own[i].number == former_attacker ? style.loyalty_s : 0.0;
+    const double time_s = time_behind_ball_s(view.own[i], meeting, field.goal_centre_m(Side::kEast),
+                                             style.go_round_s) -
+                          bonus_s;
     if (time_s >= best_s) continue;
     best_s = time_s;
     cast.attacker = i;
@@ -50,12 +48,14 @@ int nearest_free(const TeamView& view, const Taken& taken, const Vec2& point_m) 
 
 // The opponent in the own half nearest to the own goal that nobody marks yet, the one at the ball
 // left out; or -1.
-int most_dangerous(const TeamView& view, const Taken& marked, const Vec2& goal_m) {
+int most_dangerous(const TeamView& view, const Style& style, const Taken& marked,
+                   const Vec2& goal_m) {
   int best = -1;
   double best2 = std::numeric_limits<double>::infinity();
   for (int i = 0; i < static_cast<int>(view.opponents.size()); ++i) {
     const Vec2& position_m = view.opponents[i].position_m;
-    const bool at_ball = (position_m - view.ball.position_m).squaredNorm() < 0.3 * 0.3;
+    const bool at_ball =
+        (position_m - view.ball.position_m).squaredNorm() < square(style.mark_off_ball_m);
     const double d2 = (position_m - goal_m).squaredNorm();
     if (marked[i] || at_ball || position_m.x() > 0 || d2 >= best2) continue;
     best2 = d2;
@@ -72,12 +72,12 @@ void give(Cast& cast, Taken& taken, int index, const Part& part) {
 
 }  // namespace
 
-Cast cast_parts(const TeamView& view, const Field& field, int former_attacker) {
+Cast cast_parts(const TeamView& view, const Field& field, const Style& style, int former_attacker) {
   Cast cast;
   Taken taken{};
   const Vec2 goal_m = field.goal_centre_m(Side::kWest);
   if (view.own.size() > 1) give(cast, taken, 0, {Role::kKeeper, -1, 0});
-  choose_attacker(view, field, taken, former_attacker, cast);
+  choose_attacker(view, field, style, taken, former_attacker, cast);
   give(cast, taken, cast.attacker, {Role::kAttacker, -1, 0});
   give(cast, taken, nearest_free(view, taken, goal_m), {Role::kWall, -1, 0});
   if (view.own.size() > 4)
@@ -87,7 +87,7 @@ Cast cast_parts(const TeamView& view, const Field& field, int former_attacker) {
   Taken marked{};
   int supporters = 1;
   for (std::size_t left = view.own.size(); left > 0; --left) {
-    const int target = most_dangerous(view, marked, goal_m);
+    const int target = most_dangerous(view, style, marked, goal_m);
     const Vec2 near_m = target < 0 ? front_m : view.opponents[target].position_m;
     const int robot = nearest_free(view, taken, near_m);
     if (robot < 0) break;

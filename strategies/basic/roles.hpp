@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "soccer/team_view.hpp"
+#include "strategies/basic/style.hpp"
 #include "strategies/skills/outlook.hpp"
 
 namespace autoref::strategies::basic {
@@ -29,6 +30,6 @@ struct Cast {
 // ball first attacks; `former_attacker`, a robot's number, goes on unless another is clearly
 // faster. The next nearest to the own goal is the wall. One robot supports; of the others each
 // marks an opponent in the own half while there are such, and supports else.
-Cast cast_parts(const TeamView& view, const Field& field, int former_attacker);
+Cast cast_parts(const TeamView& view, const Field& field, const Style& style, int former_attacker);
 
 }  // namespace autoref::strategies::basic

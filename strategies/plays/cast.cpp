@@ -8,10 +8,7 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kApart_m = 2 * kRobotRadius_m + 4_mm;  // between two places
-constexpr double kAside_m = 0.1;  // rather beside, seen from the ball, than behind each other
 constexpr int kTries = 4;
-constexpr double kMovesOn_s = 0.3;  // a robot is taken to be where it will be then
 
 }  // namespace
 
@@ -31,7 +28,9 @@ int Cast::nearest_free(const Vec2& place_m) const {
   for (int i = 0; i < outlook_->robots(); ++i) {
     if (!is_free(i)) continue;
     const TrackedRobot& robot = outlook_->robot(i);
-    const double d2 = (robot.position_m + robot.velocity_mps * kMovesOn_s - place_m).squaredNorm();
+    const double d2 =
+        (robot.position_m + robot.velocity_mps * outlook_->style().moves_on_s - place_m)
+            .squaredNorm();
     if (d2 >= best2) continue;
     best2 = d2;
     best = i;
@@ -49,15 +48,21 @@ void Cast::spread() {
     place_m = permitted_by_all(outlook_->field(), place_m, outlook_->place_m(), limits);
     for (int tries = 0; tries < kTries; ++tries) {
       const auto too_near = std::find_if(taken_m.begin(), taken_m.end(), [&](const Vec2& other_m) {
-        return (other_m - place_m).squaredNorm() < kApart_m * kApart_m;
+        return (other_m - place_m).squaredNorm() <
+               (2 * kRobotRadius_m + outlook_->style().places_gap_m) *
+                   (2 * kRobotRadius_m + outlook_->style().places_gap_m);
       });
       if (too_near == taken_m.end()) break;
       const Vec2 beside = left_of(direction_of(*too_near - outlook_->place_m(), Vec2(1, 0)));
       const Vec2 off = place_m - *too_near;
       const Vec2 away =
-          direction_of(off + beside * (off.dot(beside) < 0 ? -kAside_m : kAside_m), beside);
-      place_m = permitted_by_all(outlook_->field(), *too_near + away * (kApart_m + 10_mm),
-                                 outlook_->place_m(), limits);
+          direction_of(off + beside * (off.dot(beside) < 0 ? -outlook_->style().rather_beside_m
+                                                           : outlook_->style().rather_beside_m),
+                       beside);
+      place_m = permitted_by_all(
+          outlook_->field(),
+          *too_near + away * ((2 * kRobotRadius_m + outlook_->style().places_gap_m) + 10_mm),
+          outlook_->place_m(), limits);
     }
     taken_m.push_back(place_m);
   }

@@ -9,14 +9,6 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kLoyalty_s = 0.2;
-constexpr double kReceiverBonus_s = 0.6;
-constexpr double kForbidden_s = 1.0;  // where it would meet the ball in an area
-constexpr double kNextTouch_s = 2.0;  // a kicker who may not touch the ball again stays off it
-
-constexpr double kBesideBall_m = 0.3;
-constexpr double kCover_m = 0.8;  // from the ball to the first behind it, and from each to the next
-
 int count_of(double wanted) { return static_cast<int>(std::lround(wanted)); }
 
 // The lowest number keeps the goal, unless it is alone and its team gets the ball first.
@@ -28,8 +20,7 @@ void give_goal(const Outlook& outlook, Cast& cast) {
 
 // Whether the opponents could have the ball the next moment.
 bool is_contested(const Outlook& outlook) {
-  constexpr double kNear_s = 0.5;
-  return outlook.theirs().time_s < kNear_s;
+  return outlook.theirs().time_s < outlook.style().contested_s;
 }
 
 }  // namespace
@@ -42,10 +33,10 @@ int choose_for_ball(const Playbook& book, const Cast& cast) {
     if (!cast.is_free(i)) continue;
     const int number = outlook.robot(i).number;
     double time_s = outlook.meeting(i).time_s;
-    if (number == book.former) time_s -= kLoyalty_s;
-    if (number == book.handler.receiver()) time_s -= kReceiverBonus_s;
-    if (number == book.restarter) time_s += kNextTouch_s;
-    if (!outlook.may_touch_at(outlook.meeting(i).point_m)) time_s += kForbidden_s;
+    if (number == book.former) time_s -= outlook.style().ball_loyalty_s;
+    if (number == book.handler.receiver()) time_s -= outlook.style().receiver_bonus_s;
+    if (number == book.restarter) time_s += outlook.style().next_touch_s;
+    if (!outlook.may_touch_at(outlook.meeting(i).point_m)) time_s += outlook.style().forbidden_s;
     if (time_s >= best_s) continue;
     best_s = time_s;
     best = i;
@@ -69,7 +60,8 @@ void give_ball(Playbook& book, Cast& cast) {
   }
   const Vec2 goal_m = outlook.field().goal_centre_m(Side::kWest);
   const Vec2 back = direction_of(goal_m - ball_m, Vec2(-1, 0));
-  cast.give(chosen, Part::kStands, facing_ball(outlook, ball_m + back * kBesideBall_m));
+  cast.give(chosen, Part::kStands,
+            facing_ball(outlook, ball_m + back * outlook.style().beside_ball_m));
 }
 
 }  // namespace
@@ -88,7 +80,9 @@ void cover(const Playbook& book, Cast& cast, int count) {
   const Vec2& ball_m = book.outlook.place_m();
   const Vec2 goal_m = book.outlook.field().goal_centre_m(Side::kWest);
   for (int i = 1; i <= count; ++i) {
-    const double share = std::min(0.5, kCover_m * i / std::max((goal_m - ball_m).norm(), kCover_m));
+    const double share =
+        std::min(0.5, book.outlook.style().cover_m * i /
+                          std::max((goal_m - ball_m).norm(), book.outlook.style().cover_m));
     cast.send_nearest(facing_ball(book.outlook, ball_m + share * (goal_m - ball_m)));
   }
 }

@@ -8,8 +8,6 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kWorthAChange_m = 1.0;  // less way for two robots together
-
 class Roster {
  public:
   Roster(Playbook& book, const Cast& cast, const Posts& posts)
@@ -58,7 +56,7 @@ class Roster {
         if (!mine || !other || !cast_.is_free(i) || !cast_.is_free(k)) continue;
         const double now_m = way_m(i, *mine) + way_m(k, *other);
         const double changed_m = way_m(i, *other) + way_m(k, *mine);
-        if (changed_m < now_m - kWorthAChange_m)
+        if (changed_m < now_m - outlook_.style().worth_a_change_m)
           std::swap(keys_[number_of(i)], keys_[number_of(k)]);
       }
     }

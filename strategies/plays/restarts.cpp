@@ -11,15 +11,7 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kTakerBack_m = 0.62_m;  // from the ball to the robot that will take it
-constexpr double kBeforeGoal_m = 1.2;    // where balls into the middle are meant for
-constexpr double kPass_mps = 4.0;        // about the speed of a pass from a restart
-constexpr double kBlock_m = 0.68_m;      // from the ball to the robot that blocks it
-constexpr int kOwnWall = 2;              // robots that stay back at the team's own restarts
-constexpr double kLoyalty_m = 0.5;       // for the taker
 constexpr double kPassedOver_m = 10;
-constexpr double kPatience_s = 3.0;  // with a taker that does not get to the ball
-constexpr double kUpfield_m = 1.0;   // behind this, restarts are no danger to the own goal
 
 // Before a kick-off, as shares of the half's length and width, in the order in which they are
 // filled.
@@ -51,7 +43,7 @@ int choose_taker(const Playbook& book) {
   for (int i = outlook.robots() > 1 ? 1 : 0; i < outlook.robots(); ++i) {
     const TrackedRobot& robot = outlook.robot(i);
     double distance_m = (robot.position_m - outlook.place_m()).norm();
-    if (robot.number == book.former) distance_m -= kLoyalty_m;
+    if (robot.number == book.former) distance_m -= outlook.style().taker_loyalty_m;
     if (robot.number == book.stuck) distance_m += kPassedOver_m;
     if (std::abs(robot.position_m.x()) > outlook.field().half_length_m() &&
         std::abs(robot.position_m.y()) < outlook.field().half_goal_m() + 2 * kRobotRadius_m)
@@ -66,11 +58,11 @@ int choose_taker(const Playbook& book) {
 // Behind the ball, seen from where it is meant to go.
 Waypoint taker_place(const Outlook& outlook, const Vec2& target_m) {
   const Vec2 aim = direction_of(target_m - outlook.place_m(), Vec2(1, 0));
-  return {outlook.place_m() - aim * kTakerBack_m, aim};
+  return {outlook.place_m() - aim * outlook.style().taker_back_m, aim};
 }
 
 Vec2 default_target_m(const Outlook& outlook) {
-  return outlook.field().goal_centre_m(Side::kEast) - Vec2(kBeforeGoal_m, 0);
+  return outlook.field().goal_centre_m(Side::kEast) - Vec2(outlook.style().before_goal_m, 0);
 }
 
 // The place of the receiver whom a pass serves best.
@@ -81,9 +73,9 @@ Vec2 best_target_m(const Outlook& outlook, const Cast& cast) {
     if (cast.task(i).part != Part::kReceiver) continue;
     const Vec2& place_m = cast.task(i).place.position_m;
     const double chance = chance_at(outlook, place_m, outlook.robot(i).number);
-    const double worth =
-        worth_of(outlook, chance, place_m, outlook.place_m()) *
-        pass_safety(outlook.place_m(), place_m, kPass_mps, outlook.now().opponents);
+    const double worth = worth_of(outlook, chance, place_m, outlook.place_m()) *
+                         pass_safety(outlook.place_m(), place_m, outlook.style().restart_pass_mps,
+                                     outlook.now().opponents);
     if (worth <= best) continue;
     best = worth;
     best_m = place_m;
@@ -105,8 +97,9 @@ void await_kickoff(Playbook& book, Cast& cast) {
   const Field& field = outlook.field();
   give_keeper(outlook, cast);
   if (outlook.restart_is_ours()) {
-    const double back_m =
-        outlook.now().play == Play::kStop ? kTakerBack_m : kRobotRadius_m + kBallRadius_m + 60_mm;
+    const double back_m = outlook.now().play == Play::kStop
+                              ? outlook.style().taker_back_m
+                              : kRobotRadius_m + kBallRadius_m + 60_mm;
     cast.send_nearest({Vec2(-back_m, 0), Vec2(1, 0)});
   }
   for (const auto& share : kKickoffPlaces) {
@@ -126,7 +119,7 @@ void give_goal_and_restart(Playbook& book, Cast& cast) {
   } else {
     const Vec2 goal_m = outlook.field().goal_centre_m(Side::kWest);
     const Vec2 back = direction_of(goal_m - ball_m, Vec2(-1, 0));
-    cast.send_nearest(facing_ball(outlook, ball_m + back * kBlock_m));
+    cast.send_nearest(facing_ball(outlook, ball_m + back * outlook.style().block_m));
   }
 }
 
@@ -135,9 +128,10 @@ void await_restart(Playbook& book, Cast& cast) {
   give_goal_and_restart(book, cast);
   const int left = cast.free_robots();
   if (outlook.restart_is_ours()) {
-    defend(book, cast, std::clamp(left - 2, 0, kOwnWall), 0);
+    defend(book, cast,
+           std::clamp(left - 2, 0, static_cast<int>(std::lround(outlook.style().own_wall))), 0);
   } else {
-    const bool is_danger = outlook.place_m().x() < kUpfield_m;
+    const bool is_danger = outlook.place_m().x() < outlook.style().upfield_m;
     const int wall = std::min(left, is_danger ? 2 : 1);
     defend(book, cast, wall, left - wall);
   }
@@ -149,7 +143,8 @@ void take_restart(Playbook& book, Cast& cast) {
   if (taker < 0) return;
   const int number = book.outlook.robot(taker).number;
   if (number != book.former) book.taker_from_s = book.waited_s;
-  if (book.waited_s - book.taker_from_s > kPatience_s) book.stuck = number;
+  if (book.waited_s - book.taker_from_s > book.outlook.style().taker_patience_s)
+    book.stuck = number;
   cast.give(taker, Part::kBall);
 }
 

@@ -8,10 +8,6 @@
 namespace autoref::strategies {
 namespace {
 
-// While play is stopped, places are chosen in the first moments and then kept, so that the robots
-// come to rest.
-constexpr double kChoosing_s = 0.2;
-
 bool is_at_ball(const TrackedRobot& robot, const Vec2& ball_m) {
   constexpr double kAtBall_m = kRobotRadius_m + kBallRadius_m + 5_mm;
   return (robot.position_m - ball_m).squaredNorm() < kAtBall_m * kAtBall_m;
@@ -85,7 +81,8 @@ void Squad::note_stop() {
   former_play_ = now.play;
   former_robots_ = outlook_.robots();
   const double waited_s = now.time_s - since_s_;
-  const bool chooses = waited_s < kChoosing_s;
+  // Later the places are kept, so that the robots come to rest.
+  const bool chooses = waited_s < outlook_.style().choosing_s;
   book_.waited_s = waited_s;
   book_.is_settled = outlook_.is_waiting() && !chooses;
 }

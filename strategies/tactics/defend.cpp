@@ -8,13 +8,7 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kShoulder_m = 2 * kRobotRadius_m + 6_mm;  // between neighbours' centres
-constexpr double kOffArea_m = kRobotRadius_m + 60_mm;
-constexpr int kSteps = 5;            // to the area's rim; each halves what is left, or better
-constexpr double kMark_m = 0.30_m;   // from an opponent's centre to its marker's
-constexpr double kBallSide = 0.35;   // how far the marker leans from goal to ball
-constexpr double kHarmless_m = 0.8;  // beyond the middle line, opponents are left alone
-constexpr double kAtBall_m = 0.35_m;
+constexpr int kSteps = 5;  // to the area's rim; each halves what is left, or better
 
 // On the ray from the goal's middle, so far outside the own area.
 Vec2 on_rim(const Field& field, const Vec2& way, double off_m) {
@@ -33,10 +27,12 @@ Waypoint wall_place(const Outlook& outlook, int order, int count) {
   const Vec2 goal_m = field.goal_centre_m(Side::kWest);
   Vec2 way = direction_of(ball_m - goal_m, Vec2(1, 0));
   if (way.x() < 0.1) way = direction_of(Vec2(0.1, way.y()), Vec2(1, 0));
-  const double aside_m = kShoulder_m * (order - (count - 1) / 2.0);
-  const Vec2 middle_m = on_rim(field, way, kOffArea_m);
+  const double aside_m =
+      (2 * kRobotRadius_m + outlook.style().wall_gap_m) * (order - (count - 1) / 2.0);
+  const Vec2 middle_m = on_rim(field, way, (kRobotRadius_m + outlook.style().wall_off_area_m));
   Vec2 place_m = middle_m + left_of(way) * aside_m;
-  const double missing_m = kOffArea_m - distance_to_defence_area(field, Side::kWest, place_m);
+  const double missing_m = (kRobotRadius_m + outlook.style().wall_off_area_m) -
+                           distance_to_defence_area(field, Side::kWest, place_m);
   if (missing_m > 0) place_m += way * missing_m;
   return facing_ball(outlook, place_m);
 }
@@ -46,8 +42,10 @@ Waypoint mark_place(const Outlook& outlook, int opponent) {
   const Vec2 goal_m = outlook.field().goal_centre_m(Side::kWest);
   const Vec2 to_goal = direction_of(goal_m - target.position_m, Vec2(-1, 0));
   const Vec2 to_ball = direction_of(outlook.place_m() - target.position_m, Vec2(-1, 0));
-  const Vec2 way = direction_of(to_goal * (1 - kBallSide) + to_ball * kBallSide, to_goal);
-  return facing_ball(outlook, target.position_m + way * kMark_m);
+  const Vec2 way = direction_of(
+      to_goal * (1 - outlook.style().mark_ball_side) + to_ball * outlook.style().mark_ball_side,
+      to_goal);
+  return facing_ball(outlook, target.position_m + way * outlook.style().mark_m);
 }
 
 boost::container::static_vector<int, kMaxRobots> dangerous_opponents(const Outlook& outlook) {
@@ -59,7 +57,9 @@ boost::container::static_vector<int, kMaxRobots> dangerous_opponents(const Outlo
     const Vec2& p = all[static_cast<std::size_t>(i)].position_m;
     distance_m[static_cast<std::size_t>(i)] = (p - goal_m).norm();
     const bool at_ball = i == outlook.their_fastest() && outlook.now().play == Play::kRunning;
-    if (at_ball || (p - outlook.place_m()).norm() < kAtBall_m || p.x() > kHarmless_m) continue;
+    if (at_ball || (p - outlook.place_m()).norm() < outlook.style().mark_off_ball_m ||
+        p.x() > outlook.style().harmless_m)
+      continue;
     order.push_back(i);
   }
   std::sort(order.begin(), order.end(), [&](int a, int b) {

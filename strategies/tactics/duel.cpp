@@ -4,17 +4,7 @@
 #include "strategies/skills/strike.hpp"
 
 namespace autoref::strategies {
-namespace {
-
-constexpr double kThere_m = 60_mm;  // from here on it presses
-constexpr double kPress_mps = 0.5;
-constexpr double kClose_per_s = 6.0;
-constexpr double kTry_s = 0.5;  // one side of a face-off
-constexpr double kAhead_mps = 0.3;
-constexpr double kAside_mps = 0.8;
-constexpr double kTurn_radps = 5.0;
-
-}  // namespace
+namespace {}  // namespace
 
 bool opponent_has_ball(const Outlook& outlook) {
   const int opponent = outlook.their_fastest();
@@ -31,12 +21,14 @@ RobotCommand block_ball(const Outlook& outlook, int index) {
   const Vec2 off = stand_m - robot.position_m;
   const DrivingStyle style = outlook.driving(index);
   RobotCommand command;
-  if (off.norm() > kThere_m) {
+  if (off.norm() > outlook.style().block_from_m) {
     Obstacles obstacles;
     robots_around(outlook, index, stand_m, obstacles);
     command = drive_via(robot, steer_for(robot, stand_m, obstacles), {stand_m, -back}, style);
   } else {
-    command = drive_with(robot, off * kClose_per_s - back * kPress_mps, -back, style);
+    command = drive_with(
+        robot, off * outlook.style().block_close_per_s - back * outlook.style().block_press_mps,
+        -back, style);
   }
   command.dribble = true;
   return command;
@@ -44,12 +36,13 @@ RobotCommand block_ball(const Outlook& outlook, int index) {
 
 RobotCommand FaceOff::break_away(double now_s) {
   if (now_s > until_s_) {
-    until_s_ = now_s + kTry_s;
+    until_s_ = now_s + outlook_.style().face_off_s;
     side_ = random_.uniform() < 0.5 ? 1.0 : -1.0;
   }
   RobotCommand command;
-  command.velocity_mps = Vec2(kAhead_mps, side_ * kAside_mps);
-  command.angular_velocity_radps = side_ * kTurn_radps;
+  command.velocity_mps =
+      Vec2(outlook_.style().face_off_ahead_mps, side_ * outlook_.style().face_off_aside_mps);
+  command.angular_velocity_radps = side_ * outlook_.style().face_off_turn_radps;
   command.dribble = true;
   return command;
 }

@@ -17,11 +17,13 @@ RobotCommand block_ball(const Outlook& outlook, int index);
 // to the other or the same again.
 class FaceOff {
  public:
-  explicit FaceOff(const RandomStream& random) : random_(random) {}
+  explicit FaceOff(const Outlook& outlook)
+      : outlook_(outlook), random_(outlook.briefing().random) {}
 
   RobotCommand break_away(double now_s);
 
  private:
+  const Outlook& outlook_;
   RandomStream random_;
   double until_s_ = 0;
   double side_ = 1;

@@ -10,13 +10,6 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kShot_mps = 0.6;         // a slower ball is no shot
-constexpr double kBesidePost_m = 150_mm;  // a shot that goes so little wide is kept as well
-constexpr double kOffLine_m = 20_mm;      // of the hull, at least
-constexpr double kFetch_mps = 1.2;        // slower balls in the area are fetched
-constexpr double kAreaMargin_m = 30_mm;
-constexpr double kAimTrust = 0.6;  // how far it goes from the middle towards where a shooter faces
-
 Vec2 on_goal_line(const Field& field, const Vec2& from_m, const Vec2& way) {
   const double share = (-field.half_length_m() - from_m.x()) / way.x();
   return {-field.half_length_m(), from_m.y() + share * way.y()};
@@ -32,19 +25,22 @@ Vec2 expected_at(const Outlook& outlook, const Vec2& halving) {
       outlook.now().opponents[static_cast<std::size_t>(outlook.their_fastest())].heading;
   if (heading.x() > -0.1) return middle_m;
   const Vec2 aim_m = on_goal_line(field, outlook.place_m(), heading);
-  if (std::abs(aim_m.y()) > field.half_goal_m() + kBesidePost_m) return middle_m;
-  return middle_m + (aim_m - middle_m) * kAimTrust;
+  if (std::abs(aim_m.y()) > field.half_goal_m() + outlook.style().keeper_beside_post_m)
+    return middle_m;
+  return middle_m + (aim_m - middle_m) * outlook.style().keeper_aim_trust;
 }
 
 // Where the ball will cross the own goal line, if it comes to be in the goal or near it.
 std::optional<Vec2> shot_at(const Outlook& outlook) {
   const BallPath& path = outlook.path();
   const double goal_x = -outlook.field().half_length_m();
-  if (path.way().x() > -0.1 || path.speed_mps() < kShot_mps) return std::nullopt;
+  if (path.way().x() > -0.1 || path.speed_mps() < outlook.style().keeper_shot_mps)
+    return std::nullopt;
   const double share = (goal_x - path.now_m().x()) / path.way().x();
   if (share < 0) return std::nullopt;
   const double y = path.now_m().y() + share * path.way().y();
-  if (std::abs(y) > outlook.field().half_goal_m() + kBesidePost_m) return std::nullopt;
+  if (std::abs(y) > outlook.field().half_goal_m() + outlook.style().keeper_beside_post_m)
+    return std::nullopt;
   if (path.end_m().x() > goal_x + 0.3) return std::nullopt;  // it will not get there
   return Vec2(goal_x, y);
 }
@@ -53,7 +49,8 @@ std::optional<Vec2> shot_at(const Outlook& outlook) {
 
 Waypoint keeper_place(const Outlook& outlook, const TrackedRobot& keeper) {
   const Field& field = outlook.field();
-  const double least_x = -field.half_length_m() + kRobotRadius_m + kOffLine_m;
+  const double least_x =
+      -field.half_length_m() + kRobotRadius_m + outlook.style().keeper_off_line_m;
   if (const auto crossing_m = shot_at(outlook)) {
     // The nearest point of the ball's way, but before the line and not beyond the ball.
     Vec2 place_m = nearest_on_segment(keeper.position_m, *crossing_m, outlook.path().now_m());
@@ -70,7 +67,8 @@ Waypoint keeper_place(const Outlook& outlook, const TrackedRobot& keeper) {
   const Vec2 to_right = direction_of(right_post_m - ball_m, Vec2(-1, 0));
   const Vec2 halving = direction_of(to_left + to_right, Vec2(-1, 0));
   const double out_m = outlook.style().keeper_out_m;
-  const double stand_x = -field.half_length_m() + std::max(out_m, kRobotRadius_m + kOffLine_m);
+  const double stand_x =
+      -field.half_length_m() + std::max(out_m, kRobotRadius_m + outlook.style().keeper_off_line_m);
   if (halving.x() > -0.25) {  // from beside the goal: the near post
     const double y = std::copysign(field.half_goal_m() - kRobotRadius_m, ball_m.y());
     return facing_ball(outlook, {least_x, y});
@@ -98,8 +96,10 @@ RobotCommand keep_goal(const Outlook& outlook, int index) {
 
 bool is_keepers_ball(const Outlook& outlook) {
   const Vec2& ball_m = outlook.path().now_m();
-  return distance_to_defence_area(outlook.field(), Side::kWest, ball_m) < kAreaMargin_m &&
-         ball_m.x() > -outlook.field().half_length_m() && outlook.path().speed_mps() < kFetch_mps;
+  return distance_to_defence_area(outlook.field(), Side::kWest, ball_m) <
+             outlook.style().keeper_area_margin_m &&
+         ball_m.x() > -outlook.field().half_length_m() &&
+         outlook.path().speed_mps() < outlook.style().keeper_fetch_mps;
 }
 
 }  // namespace autoref::strategies

@@ -10,21 +10,6 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kUsableBraking = 0.55;   // planned with, of what a robot can
-constexpr double kFromTheirArea_m = 0.1;  // from a ball that may be played to the area
-constexpr double kFromOwnArea_m = 0.12;
-constexpr double kEaseFrom_m = 0.6;  // gap between hulls from which closing speeds are looked at
-constexpr double kGentle_mps = 0.7;  // of closing speed that hurts nobody
-constexpr double kEase_mps2 = 2.5;
-constexpr double kBehindBall_m = 0.57;   // outside the field, for who takes a ball at the line
-constexpr double kOffArea_m = 60_mm;     // from a robot's centre, on its way past an area
-constexpr double kRoomForTaker_m = 0.5;  // from the ball to those who do not take it
-constexpr double kTurnBraking_radps2 = 14.0;
-constexpr double kStopSpeedShare = 0.85;  // of the speed allowed while play is stopped
-constexpr double kClearly_s = 0.15;       // sooner at the ball, for possession to change
-constexpr double kCaution = 0.93;         // of the speed limit of kicks: kickers are not exact
-constexpr double kNearRoom_m = 20_mm;     // kept from the ball by who is not to play it
-
 // Both areas as discs that touch their front lines, where the robot neither is in one nor goes
 // there.
 void add_areas(const Outlook& outlook, const TrackedRobot& robot, const Vec2& target_m,
@@ -32,7 +17,8 @@ void add_areas(const Outlook& outlook, const TrackedRobot& robot, const Vec2& ta
   for (const Side side : kSides) {
     const Vec2 goal_m = outlook.field().goal_centre_m(side);
     const double apart_m = side == Side::kEast ? outlook.limits().keep_from_area_m : 0;
-    const double radius_m = outlook.field().defence_area.depth_m + std::max(apart_m, kOffArea_m);
+    const double radius_m =
+        outlook.field().defence_area.depth_m + std::max(apart_m, outlook.style().off_area_m);
     if ((robot.position_m - goal_m).norm() > radius_m && (target_m - goal_m).norm() > radius_m)
       obstacles.push_back({goal_m, radius_m});
   }
@@ -82,7 +68,8 @@ void Outlook::settle_possession() {
   }
   double ours_s = std::numeric_limits<double>::infinity();
   for (int i = 0; i < robots(); ++i) ours_s = std::min(ours_s, meeting(i).time_s);
-  is_ours_ = ours_s < theirs_.time_s + (is_ours_ ? kClearly_s : -kClearly_s);
+  is_ours_ = ours_s <
+             theirs_.time_s + (is_ours_ ? style_.possession_margin_s : -style_.possession_margin_s);
 }
 
 bool Outlook::is_waiting() const {
@@ -106,9 +93,9 @@ Limits Outlook::limits() const {
   if (now_.play == Play::kRunning) return limits;
   limits.own_half_only = now_.play == Play::kPrepareKickoff || now_.play == Play::kKickoff ||
                          now_.next == CommandKind::kPrepareKickoff;
-  if (restart_is_ours()) limits.beyond_lines_m = kBehindBall_m;
+  if (restart_is_ours()) limits.beyond_lines_m = style_.beyond_line_m;
   const double room_m = room_at_ball_m();
-  limits.keep_from_ball_m = room_m > 0 ? room_m + kRobotRadius_m : kRoomForTaker_m;
+  limits.keep_from_ball_m = room_m > 0 ? room_m + kRobotRadius_m : style_.room_for_taker_m;
   limits.keep_from_area_m = rules().attacker_to_area_m + kRobotRadius_m;
   return limits;
 }
@@ -117,25 +104,25 @@ DrivingStyle Outlook::driving(int index) const {
   const Abilities& a = abilities(index);
   DrivingStyle style;
   style.speed_mps = a.speed_mps;
-  style.braking_mps2 = kUsableBraking * a.braking_mps2;
-  style.turn_braking_radps2 = kTurnBraking_radps2;
-  style.approach_per_s = 9;
+  style.braking_mps2 = style_.usable_braking * a.braking_mps2;
+  style.turn_braking_radps2 = style_.turn_braking_radps2;
+  style.approach_per_s = style_.approach_per_s;
   if (now_.play == Play::kStop && rules().has(RuleId::kStopSpeed))
-    style.speed_mps = std::min(a.speed_mps, kStopSpeedShare * rules().stop_speed_mps);
+    style.speed_mps = std::min(a.speed_mps, style_.stop_speed_share * rules().stop_speed_mps);
   return style;
 }
 
 // A little before the areas' lines: the robot must stay out with its whole hull.
 bool Outlook::may_touch_at(const Vec2& ball_m) const {
   if (rules().has(RuleId::kAttackerInArea) &&
-      distance_to_defence_area(field(), Side::kEast, ball_m) < kFromTheirArea_m)
+      distance_to_defence_area(field(), Side::kEast, ball_m) < style_.from_their_area_m)
     return false;
   return !rules().has(RuleId::kDefenderInArea) || robots() == 1 ||
-         distance_to_defence_area(field(), Side::kWest, ball_m) > kFromOwnArea_m;
+         distance_to_defence_area(field(), Side::kWest, ball_m) > style_.from_own_area_m;
 }
 
 double Outlook::allowed_kick_mps(double wanted_mps) const {
-  const double share = rules().has(RuleId::kKickSpeed) ? kCaution : 1.0;
+  const double share = rules().has(RuleId::kKickSpeed) ? style_.kick_caution : 1.0;
   return std::min(wanted_mps, share * rules().kick_limit_mps);
 }
 
@@ -158,15 +145,16 @@ RobotCommand go_to(const Outlook& outlook, int index, const Waypoint& wanted) {
   if (const auto way_m = way_from_behind_goal(outlook.field(), robot.position_m))
     goal.position_m = *way_m;
   Obstacles obstacles;
-  const double room_m = std::max(kNearRoom_m, outlook.room_at_ball_m());
+  const double room_m = std::max(outlook.style().near_room_m, outlook.room_at_ball_m());
   find_obstacles({now.own, now.opponents, room_m, now.ball.position_m}, robot, goal.position_m,
                  obstacles);
   add_areas(outlook, robot, goal.position_m, obstacles);
   const DrivingStyle style = outlook.driving(index);
   const Vec2 off_m = robot.position_m - now.ball.position_m;
-  if (room_m > kNearRoom_m && off_m.norm() < room_m + kRobotRadius_m - kNearRoom_m) {
+  if (room_m > outlook.style().near_room_m &&
+      off_m.norm() < room_m + kRobotRadius_m - outlook.style().near_room_m) {
     const Vec2 out = direction_of(off_m, Vec2(-1, 0));  // straight out of the ball's circle first
-    return drive_via(robot, robot.position_m + out * kNearRoom_m * 10, goal, style);
+    return drive_via(robot, robot.position_m + out * outlook.style().near_room_m * 10, goal, style);
   }
   const Vec2 steer_m = steer_for(robot, goal.position_m, obstacles);
   return drive_via(robot, steer_m, goal, style);
@@ -178,9 +166,10 @@ void ease_off(const Outlook& outlook, int index, RobotCommand& command) {
   for (const TrackedRobot& opponent : outlook.now().opponents) {
     const Vec2 there = opponent.position_m - robot.position_m;
     const double gap_m = there.norm() - 2 * kRobotRadius_m;
-    if (gap_m > kEaseFrom_m) continue;
+    if (gap_m > outlook.style().ease_from_m) continue;
     const Vec2 way = direction_of(there, Vec2(1, 0));
-    const double most_mps = kGentle_mps + std::sqrt(2 * kEase_mps2 * std::max(0.0, gap_m));
+    const double most_mps = outlook.style().gentle_mps +
+                            std::sqrt(2 * outlook.style().ease_mps2 * std::max(0.0, gap_m));
     const double closing_mps = (velocity_mps - opponent.velocity_mps).dot(way);
     if (closing_mps > most_mps) velocity_mps -= way * (closing_mps - most_mps);
   }

@@ -1,6 +1,7 @@
 #include "strategies/tactics/pass_field.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "soccer/robot_shape.hpp"
 #include "strategies/skills/openings.hpp"
@@ -8,17 +9,7 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr int kPerFrame = 4;         // cells valued in a frame
-constexpr int kHeld_frames = 20;     // places are held for so long
-constexpr double kAhead = 0.2;       // worth of being at the opponents' goal line, without a shot
-constexpr double kStopped = 0.35;    // of a shot's chance is left where the ball is stopped first
-constexpr double kWidest = 0.35;     // cosine between a pass's way back and a first-time shot
-constexpr double kRough_mps = 5.0;   // of a pass, for its safety
-constexpr double kApart_m = 1.0;     // between two receivers
-constexpr double kFar_per_m = 0.04;  // worth lost by each metre of the receiver's way
-constexpr double kFarInStop_per_m = 0.15;
-constexpr double kLoyalty = 0.05;  // for the place it has
-constexpr double kFromEdge_m = 0.25;
+constexpr int kPerFrame = 4;  // cells valued in a frame
 
 }  // namespace
 
@@ -32,17 +23,21 @@ double worth_of(const Outlook& outlook, double chance, const Vec2& point_m, cons
   const Field& field = outlook.field();
   const Vec2 to_goal = direction_of(field.goal_centre_m(Side::kEast) - point_m, Vec2(1, 0));
   const Vec2 back = direction_of(from_m - point_m, Vec2(-1, 0));
-  const double fit = std::clamp((to_goal.dot(back) - kWidest) / kWidest, 0.0, 1.0);
-  const double shot = chance * (kStopped + (1 - kStopped) * fit);
+  const double fit = std::clamp(
+      (to_goal.dot(back) - outlook.style().first_time_cosine) / outlook.style().first_time_cosine,
+      0.0, 1.0);
+  const double shot =
+      chance * (outlook.style().stopped_share + (1 - outlook.style().stopped_share) * fit);
   const double ahead = (point_m.x() / field.half_length_m() + 1) / 2;
-  return (1 - kAhead) * shot + kAhead * ahead;
+  return (1 - outlook.style().ahead_worth) * shot + outlook.style().ahead_worth * ahead;
 }
 
 PassField::PassField(const Outlook& outlook) : outlook_(outlook) {
   const Field& field = outlook.field();
   const double back_m = outlook.style().line_m;
-  const double front_m = field.half_length_m() - kFromEdge_m;
-  const double aside_m = (field.half_width_m() - kFromEdge_m) * outlook.style().width;
+  const double front_m = field.half_length_m() - outlook.style().receivers_from_edge_m;
+  const double aside_m =
+      (field.half_width_m() - outlook.style().receivers_from_edge_m) * outlook.style().width;
   for (int i = 0; i < kCells; ++i) {
     const int column = i % kColumns;
     const int row = i / kColumns;
@@ -58,12 +53,14 @@ PassField::PassField(const Outlook& outlook) : outlook_(outlook) {
 
 void PassField::update() {
   const Vec2& ball_m = outlook_.place_m();
+  const double unsafe = outlook_.style().unsafe_share;
   for (int i = 0; i < kPerFrame; ++i) {
     const auto at = static_cast<std::size_t>(next_);
     const Vec2& cell_m = cells_m_[at];
-    const double safety = pass_safety(ball_m, cell_m, kRough_mps, outlook_.now().opponents);
+    const double safety =
+        pass_safety(ball_m, cell_m, outlook_.style().field_pass_mps, outlook_.now().opponents);
     const double chance = chance_at(outlook_, cell_m, -1);
-    values_[at] = worth_of(outlook_, chance, cell_m, ball_m) * (0.3 + 0.7 * safety);
+    values_[at] = worth_of(outlook_, chance, cell_m, ball_m) * (unsafe + (1 - unsafe) * safety);
     next_ = (next_ + 1) % kCells;
   }
 }
@@ -73,23 +70,27 @@ double PassField::value_for(
   const Vec2& cell_m = cells_m_[static_cast<std::size_t>(cell)];
   const TrackedRobot& robot = outlook_.robot(index);
   // While play is stopped, everybody waits for who has the longest way.
-  const double far_per_m = outlook_.is_waiting() ? kFarInStop_per_m : kFar_per_m;
+  const double far_per_m = outlook_.is_waiting() ? outlook_.style().far_cost_in_stop_per_m
+                                                 : outlook_.style().far_cost_per_m;
   double value =
       values_[static_cast<std::size_t>(cell)] - far_per_m * (cell_m - robot.position_m).norm();
   for (const Vec2& other_m : taken_m) {
-    const double near = 1 - (cell_m - other_m).norm() / kApart_m;
+    const double near = 1 - (cell_m - other_m).norm() / outlook_.style().receivers_apart_m;
     if (near > 0) value -= near;
   }
   const double to_ball_m = (cell_m - outlook_.place_m()).norm();
-  if (to_ball_m < kApart_m) value -= 1 - to_ball_m / kApart_m;
-  if ((cell_m - place_of(robot.number)).squaredNorm() < 1e-6) value += kLoyalty;
+  if (to_ball_m < outlook_.style().receivers_apart_m)
+    value -= 1 - to_ball_m / outlook_.style().receivers_apart_m;
+  if ((cell_m - place_of(robot.number)).squaredNorm() < 1e-6)
+    value += outlook_.style().receiver_loyalty;
   return value;
 }
 
 void PassField::send(const boost::container::static_vector<int, kMaxRobots>& receivers) {
   const bool was_sent = settle_frame_ >= 0;
   if (is_restart(outlook_.now().play) && was_sent) return;  // nobody runs before the ball does
-  if (outlook_.now().frame - settle_frame_ < kHeld_frames) return;
+  const auto held_frames = std::llround(outlook_.style().receiver_hold_frames);
+  if (outlook_.now().frame - settle_frame_ < held_frames) return;
   settle_frame_ = outlook_.now().frame;
   boost::container::static_vector<Vec2, kMaxRobots> taken_m;
   for (const int index : receivers) {

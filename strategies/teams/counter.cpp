@@ -9,24 +9,19 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kBehindBall_m = 0.7;
-constexpr double kFarthest = -0.25;   // share of the half's length; the block comes up no farther
-constexpr double kDeepest = -0.5;     // and goes back no deeper than this: there stands the wall
-constexpr double kApart_m = 0.8;      // between neighbours in the row
-constexpr double kWithBall = 0.6;     // how far the row shifts across with the ball
-constexpr int kRobotsPerForward = 3;  // of those without ball and goal
-
 // A row across the field behind the ball.
 void hold_row(Playbook& book, Cast& cast) {
   const Outlook& outlook = book.outlook;
   const Field& field = outlook.field();
   const Vec2& ball_m = outlook.place_m();
   const int count = cast.free_robots();
-  const double x_m = std::clamp(ball_m.x() - kBehindBall_m, kDeepest * field.half_length_m(),
-                                kFarthest * field.half_length_m());
-  const double step_m = std::min(kApart_m, 1.6 * field.half_width_m() / std::max(count, 1));
+  const double x_m = std::clamp(ball_m.x() - outlook.style().row_behind_ball_m,
+                                outlook.style().row_deepest * field.half_length_m(),
+                                outlook.style().row_farthest * field.half_length_m());
+  const double step_m =
+      std::min(outlook.style().row_apart_m, 1.6 * field.half_width_m() / std::max(count, 1));
   const double room_m = field.half_width_m() - step_m * count / 2;
-  const double middle_m = std::clamp(kWithBall * ball_m.y(), -room_m, room_m);
+  const double middle_m = std::clamp(outlook.style().row_with_ball * ball_m.y(), -room_m, room_m);
   Posts row;
   for (int i = 0; i < count; ++i) {
     const double aside_m = step_m * (i - (count - 1) / 2.0);
@@ -41,7 +36,8 @@ void block(Playbook& book, Cast& cast) {
   const bool attacks = book.outlook.is_ours();
   const int left = cast.free_robots();
   const int wanted = static_cast<int>(std::lround(attacks ? style.receivers : style.forwards));
-  const int share = left / kRobotsPerForward + (attacks ? 1 : 0);
+  const int share =
+      left / static_cast<int>(std::lround(style.robots_per_forward)) + (attacks ? 1 : 0);
   const int ahead = std::clamp(std::min(wanted, share), 0, left);
   send_ahead(book, cast, ahead);
   defend(book, cast, static_cast<int>(std::lround(style.wall)), 0);

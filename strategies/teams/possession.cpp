@@ -10,17 +10,10 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kWidest_rad = 75_deg;  // between neighbours in the net
-constexpr double kAside_rad = 20_deg;   // of a knot's places, to both sides
-constexpr double kNear = 0.75;          // the nearest of them, as a share of the net's reach
-constexpr double kFromEdge_m = 0.3;
-constexpr double kPass_mps = 3.5;
-constexpr double kPlain = 0.15;   // for the middle place, so that knots lie still
-constexpr double kTooNear = 1.0;  // lost where the field's edge leaves no distance
-
-Vec2 on_field(const Field& field, const Vec2& p) {
-  const double x_m = field.half_length_m() - kFromEdge_m;
-  const double y_m = field.half_width_m() - kFromEdge_m;
+Vec2 on_field(const Outlook& outlook, const Vec2& p) {
+  const double from_edge_m = outlook.style().net_from_edge_m;
+  const double x_m = outlook.field().half_length_m() - from_edge_m;
+  const double y_m = outlook.field().half_width_m() - from_edge_m;
   return {std::clamp(p.x(), -x_m, x_m), std::clamp(p.y(), -y_m, y_m)};
 }
 
@@ -31,14 +24,16 @@ Waypoint knot(const Outlook& outlook, const Vec2& way) {
   Waypoint best;
   double best_score = -1e9;
   for (const double aside : {0.0, 1.0, -1.0}) {
-    const Vec2 bent = to_world(heading_of(aside * kAside_rad), way);
-    for (const double reach : {1.0, kNear}) {
-      const Vec2 wanted_m = on_field(outlook.field(), ball_m + bent * (reach * net_m));
+    const Vec2 bent = to_world(heading_of(aside * outlook.style().net_aside_rad), way);
+    for (const double reach : {1.0, outlook.style().net_nearest}) {
+      const Vec2 wanted_m = on_field(outlook, ball_m + bent * (reach * net_m));
       const Waypoint place = off_their_area(outlook, wanted_m);
-      const double near = 1 - (place.position_m - ball_m).norm() / (kNear * net_m);
-      const double score =
-          pass_safety(ball_m, place.position_m, kPass_mps, outlook.now().opponents) +
-          (aside == 0 && reach == 1 ? kPlain : 0) - kTooNear * std::max(0.0, near);
+      const double near =
+          1 - (place.position_m - ball_m).norm() / (outlook.style().net_nearest * net_m);
+      const double score = pass_safety(ball_m, place.position_m, outlook.style().net_pass_mps,
+                                       outlook.now().opponents) +
+                           (aside == 0 && reach == 1 ? outlook.style().net_plain : 0) -
+                           outlook.style().net_too_near * std::max(0.0, near);
       if (score <= best_score) continue;
       best_score = score;
       best = place;
@@ -53,7 +48,7 @@ void spread_net(Playbook& book, Cast& cast) {
   const int count = cast.free_robots();
   const Vec2 goal_m = outlook.field().goal_centre_m(Side::kEast);
   const Vec2 ahead = direction_of(goal_m - outlook.place_m(), Vec2(1, 0));
-  const double step_rad = std::min(kWidest_rad, 2 * kPi / std::max(count, 1));
+  const double step_rad = std::min(outlook.style().net_widest_rad, 2 * kPi / std::max(count, 1));
   Posts knots;
   for (int i = 0; i < count; ++i) {
     const double turn_rad = step_rad * (i - (count - 1) / 2.0);

@@ -11,8 +11,6 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kWayAround_m = 0.25;  // kept free for ways from man to man past their area
-
 // The opponent, by index, that stands nearest to its goal: taken for its keeper.
 int their_keeper(const Outlook& outlook) {
   const TrackedRobots& all = outlook.now().opponents;
@@ -36,8 +34,8 @@ Posts men(const Outlook& outlook) {
   for (int i = 0; i < static_cast<int>(all.size()); ++i) {
     if (i == keeper) continue;
     const int key = all[static_cast<std::size_t>(i)].number + 1;
-    posts.push_back(
-        {key, off_their_area(outlook, mark_place(outlook, i).position_m, kWayAround_m)});
+    posts.push_back({key, off_their_area(outlook, mark_place(outlook, i).position_m,
+                                         outlook.style().way_around_m)});
   }
   const Vec2 goal_m = outlook.field().goal_centre_m(Side::kWest);
   const auto to_goal_m = [&](const Post& post) { return (post.place.position_m - goal_m).norm(); };

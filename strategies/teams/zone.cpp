@@ -8,10 +8,6 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kAlong = 0.45;   // how far the formation shifts with the ball: along the field
-constexpr double kAcross = 0.35;  // and across
-constexpr double kUp = 0.12;      // share of the half's length; farther up with the ball
-
 // As shares of the half's length and width, with the ball in the centre: 2-2-1 first, then those
 // who come between and beside them.
 constexpr std::array<std::array<double, 2>, 10> kZones = {{{-0.50, 0.22},
@@ -28,8 +24,9 @@ constexpr std::array<std::array<double, 2>, 10> kZones = {{{-0.50, 0.22},
 void hold_zones(Playbook& book, Cast& cast) {
   const Outlook& outlook = book.outlook;
   const Vec2 half_m(outlook.field().half_length_m(), outlook.field().half_width_m());
-  const Vec2 shift_m(kAlong * outlook.place_m().x() + (outlook.is_ours() ? kUp * half_m.x() : 0),
-                     kAcross * outlook.place_m().y());
+  const Vec2 shift_m(outlook.style().zone_along * outlook.place_m().x() +
+                         (outlook.is_ours() ? outlook.style().zone_up * half_m.x() : 0),
+                     outlook.style().zone_across * outlook.place_m().y());
   Posts zones;
   const int field_players = outlook.robots() - (outlook.robots() > 1 ? 1 : 0);
   for (const auto& share : kZones) {

@@ -66,7 +66,7 @@ TEST(Bar, IsThereAtBothGoalsFromPostToPost) {
       BallState now = former;
       now.position_m.x() = side * 3.02;
       now.velocity_mps.x() = side * 6.0;
-      EXPECT_EQ(bounced_off_bar(field, former, now).has_value(), std::abs(y) < 0.35) << y;
+      EXPECT_EQ(bounced_off_bar(field, 0.3, former, now).has_value(), std::abs(y) < 0.35) << y;
     }
   }
 }
@@ -77,7 +77,7 @@ TEST(Bar, DoesNotHoldABallThatLeavesIt) {
   former.velocity_mps.x() = -1.0;
   BallState now = former;
   now.position_m.x() -= 0.004;
-  EXPECT_FALSE(bounced_off_bar(Field{}, former, now));
+  EXPECT_FALSE(bounced_off_bar(Field{}, 0.3, former, now));
 }
 
 double distance_from_bar_m(const BallState& ball) {

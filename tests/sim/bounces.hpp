@@ -123,7 +123,7 @@ inline Bounce bounce_off_walls(const Field& field, const BallState& former, cons
 // its turning at the plate's corner, the carpet, and the pull of a running dribbler.
 inline double forced_mps(const BallParameters& ball, const RobotSheet& robot, bool dribbles) {
   const RobotParameters& body = robot.body;
-  const double pull_mps2 = dribbles ? robot.dribbler.force_n / kBallMass_kg : 0.0;
+  const double pull_mps2 = dribbles ? robot.dribbler.force_n / ball.mass_kg : 0.0;
   return kSubstep_s * (body.braking_mps2 + body.angular_acceleration_radps2 * kRobotRadius_m +
                        ball.slide_mps2 + pull_mps2);
 }

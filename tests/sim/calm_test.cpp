@@ -25,7 +25,8 @@ Vec2 any_velocity(RandomStream& random, double most_mps) {
 class Crowd {
  public:
   explicit Crowd(RandomStream& random)
-      : bodies(field, std::vector<double>(2, RobotParameters{}.mass_kg)) {
+      : bodies(field, ContactParameters{}, BallParameters{}.mass_kg,
+               std::vector<double>(2, RobotParameters{}.mass_kg)) {
     const double x = between(random, -field.wall_x_m(), field.wall_x_m());
     const double y = between(random, -field.wall_y_m(), field.wall_y_m());
     for (int i = 0; i < 2; ++i) bodies.place_robot(i, any_robot(random, {x, y}));

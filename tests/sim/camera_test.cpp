@@ -127,7 +127,7 @@ TEST(Camera, DoesNotSeeAHiddenBallUntilTheRobotLeaves) {
   apply_camera_preset("none", configuration);
   configuration.vision.robots_hide_ball = true;
   Camera hiding(configuration.vision, Field{}, 60, 1);
-  const CameraPlace place = camera_places(Field{})[3];
+  const CameraPlace place = camera_places(Field{}, 4)[3];
   // Seen from the camera of its quarter only, behind a robot.
   const Vec2 outwards = place.position_m.normalized();
   const Vec2 robot_m = place.position_m + outwards * 1.5;

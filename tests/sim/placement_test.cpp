@@ -161,7 +161,7 @@ TEST(PlacedBall, NeverPassesAGoalsWalls) {
     if (to_goal_walls_m(field, {x, y}) < kBallRadius_m) continue;
     const Vec2 target((random.uniform() - 0.5) * 5.8, 0.0);
     Vec2 from(x, y);
-    for (const Vec2& corner : route_between(field, {x, y}, target)) {
+    for (const Vec2& corner : route_between(field, {x, y}, target, 0.05)) {
       for (int k = 0; k <= 200; ++k) {
         const Vec2 p = from + (corner - from) * (k / 200.0);
         ASSERT_GT(to_goal_walls_m(field, p), kBallRadius_m - 0.003) << x << " " << y;
@@ -190,8 +190,8 @@ TEST(PlacedBall, LeavesAGoalThroughItsMouth) {
 TEST(PlacedBall, HasTurnedRoutesForTurnedPlaces) {
   const Field field;
   for (const Vec2& from : {Vec2(3.3, 0.0), Vec2(3.3, 0.2), Vec2(3.1, -0.3), Vec2(3.2, 1.0)}) {
-    const Route route = route_between(field, from, {1, 0.5});
-    const Route turned = route_between(field, -from, {-1, -0.5});
+    const Route route = route_between(field, from, {1, 0.5}, 0.05);
+    const Route turned = route_between(field, -from, {-1, -0.5}, 0.05);
     ASSERT_EQ(route.size(), turned.size());
     for (std::size_t i = 0; i < route.size(); ++i) EXPECT_EQ(route[i], -turned[i]);
   }

@@ -163,7 +163,7 @@ double pulled_mps(const WorldState& former, const Traffic& traffic) {
       if (dribbles && is_near) force_n += quiet_robot().dribbler.force_n;
     }
   }
-  return kSubstep_s * (configuration.ball.slide_mps2 + force_n / kBallMass_kg);
+  return kSubstep_s * (configuration.ball.slide_mps2 + force_n / configuration.ball.mass_kg);
 }
 
 // How much the surface of a robot changed its speed.
@@ -201,7 +201,7 @@ class Gains {
     const RobotState& after = robot_of(now, touches[0].robot);
     const double change_mps = surface_change_mps(before, after);
     const double recoil_mps = (now.ball.velocity_mps - former.ball.velocity_mps).norm() *
-                              kBallMass_kg / RobotParameters{}.mass_kg;
+                              BallParameters{}.mass_kg / RobotParameters{}.mass_kg;
     if (touches.size() > 1 || meets_wall || change_mps > kDriven_mps + 3 * recoil_mps) {
       note_squeeze(former, traffic);
       return;

@@ -1,98 +1,14 @@
-// One test suite per arrow of games that end early, or must have a winner (2026; Laws 2014,
-// appendix A).
+// One test suite per arrow of games that must have a winner (Laws 2014, appendix A).
 #include <gtest/gtest.h>
 
 #include <string_view>
 
 #include "referee/machine/shootout.hpp"
 #include "soccer/situation.hpp"
-#include "tests/referee/support/scripted_game.hpp"
+#include "tests/referee/rules/goals_only.hpp"
 
 namespace autoref::referee {
 namespace {
-
-Configuration of_goals_only(std::string_view book, double half_s) {
-  Configuration configuration;
-  configuration.rules = *find_rule_book(book);
-  configuration.rules.in_force = {RuleId::kGoal, RuleId::kBallLeavesField, RuleId::kGoalLead,
-                                  RuleId::kTimeouts};
-  configuration.half_s = half_s;
-  return configuration;
-}
-
-// Play is on; the ball is put into the goal at the end of `conceded`.
-void score(ScriptedGame& game, Side conceded) {
-  game.kick_from(opponent_of(conceded), 1, {goal_sign(conceded) * 2.5, 0},
-                 {goal_sign(conceded) * 6, 0});
-  game.run_until("goal");
-}
-
-void score_times(ScriptedGame& game, Side conceded, int count) {
-  for (int i = 0; i < count; ++i) {
-    score(game, conceded);
-    if (i + 1 < count) game.run_until("start");
-  }
-}
-
-// "When a team manages to shoot 10 goals, the match is automatically terminated as soon as the goal
-// difference is greater than one" (2026).
-TEST(ArrowGoalLead, EndsTheGameAtTenGoalsRightAfterTheTenth) {
-  ScriptedGame game = in_play(of_goals_only("2026-b", 600));
-  score_times(game, Side::kEast, 9);
-  game.run_until("start");
-  EXPECT_FALSE(game.referee.is_over());
-  score(game, Side::kEast);
-  const double scored_s = game.now_s();
-  EXPECT_EQ(game.signal.command.kind, CommandKind::kGoal);
-  EXPECT_NEAR(game.run_until("goal_lead").time_s, scored_s + 1.0 / 60, 1e-6);
-  EXPECT_TRUE(game.referee.is_over());
-  EXPECT_EQ(game.signal.command.kind, CommandKind::kHalt);
-}
-
-TEST(ArrowGoalLead, NeedsALeadOfTwo) {
-  ScriptedGame game = in_play(of_goals_only("2026-b", 600));
-  score_times(game, Side::kEast, 9);
-  game.run_until("start");
-  score_times(game, Side::kWest, 9);
-  game.run_until("start");
-  score(game, Side::kWest);
-  game.run_until("start");
-  score(game, Side::kWest);
-  game.run_until("goal_lead");
-  EXPECT_EQ(game.signal.goals, (PerSide<int>{{9, 11}}));
-}
-
-TEST(ArrowGoalLeadNext, LeadsToTheNextGame) {
-  Configuration configuration = of_goals_only("2026-b", 600);
-  configuration.after_game = AfterGame::kNewGame;
-  ScriptedGame game = in_play(configuration);
-  score_times(game, Side::kEast, 10);
-  EXPECT_EQ(game.run_until("goal_lead_next").to, State::kDelayWait);
-  EXPECT_EQ(game.signal.command.kind, CommandKind::kHalt);
-  game.run_until("new_game", 0.1);
-  EXPECT_EQ(game.referee.games_finished(), 1);
-}
-
-// "The match timer is paused whenever no team is allowed to manipulate the ball" (2026).
-TEST(ClockStops, WhilePlayIsStopped) {
-  ScriptedGame game = in_play(of_goals_only("2026-b", 600));
-  const double before_s = game.signal.stage_time_left_s;
-  game.run(2);
-  EXPECT_NEAR(game.signal.stage_time_left_s, before_s - 2, 1e-6);
-  score(game, Side::kEast);
-  const double left_s = game.signal.stage_time_left_s;
-  game.run_until("start");
-  EXPECT_NEAR(game.signal.stage_time_left_s, left_s, 1e-6);
-}
-
-TEST(ClockStops, NotInTheLawsOf2014) {
-  ScriptedGame game = in_play(of_goals_only("2014", 600));
-  score(game, Side::kEast);
-  const double left_s = game.signal.stage_time_left_s;
-  const double scored_s = game.now_s();
-  game.run_until("start");
-  EXPECT_NEAR(game.signal.stage_time_left_s, left_s - (game.now_s() - scored_s), 1e-6);
-}
 
 Configuration knockout(std::string_view book = "2014") {
   Configuration configuration = of_goals_only(book, 5);

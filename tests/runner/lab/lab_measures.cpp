@@ -2,39 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <stdexcept>
 
 #include "soccer/robot_shape.hpp"
+#include "tests/runner/lab/lab_record.hpp"
 
 namespace autoref::runner::lab_measures {
 namespace {
 
-using sim::BallState;
-using sim::RobotState;
-using sim::WorldState;
-
-constexpr double kFrame_s = 1.0 / 60;
 constexpr double kSlide_mps2 = 3.4;
 constexpr double kRoll_mps2 = 0.30;
 constexpr double kNet_mps2 = 10.0;  // what the net takes besides
 constexpr double kG_mps2 = 9.81;
-
-const RobotState& west(const WorldState& state, std::size_t number = 0) {
-  return state.robots[Side::kWest][number];
-}
-
-const RobotState& east(const WorldState& state) { return state.robots[Side::kEast][0]; }
-
-// The first frame, from the second on, for which `holds`.
-std::size_t first_frame(const LabRecord& record,
-                        const std::function<bool(const WorldState&, const WorldState&)>& holds) {
-  for (std::size_t f = 1; f < record.states.size(); ++f) {
-    if (holds(record.states[f - 1], record.states[f])) return f;
-  }
-  throw std::runtime_error("what was to be measured never happened");
-}
 
 // Where and how fast the ball began to roll, between the frames that show it sliding and rolling.
 struct Switch {
@@ -90,8 +69,6 @@ double rebound(const LabRecord& record, int axis, double loses_mps2 = kSlide_mps
   return (-from_mps + loses_mps2 * (kFrame_s - after_s)) / (to_mps - kSlide_mps2 * after_s);
 }
 
-constexpr std::size_t kStopOrder = 75;  // frame of the order to stop, at 1.25 s
-
 // From the plate's middle to where a ball lies at it.
 double off_plate_mm(const WorldState& state, std::size_t robot) {
   const RobotState& its = west(state, robot);
@@ -108,11 +85,6 @@ double plate_mps(const WorldState& state) {
   const RobotState& its = west(state);
   const Vec2 arm_m = state.ball.position_m - its.position_m;
   return (its.velocity_mps + its.angular_velocity_radps * left_of(arm_m)).norm();
-}
-
-double way_m(const LabRecord& record, std::size_t robot) {
-  return (west(record.states.back(), robot).position_m - west(record.states[0], robot).position_m)
-      .norm();
 }
 
 }  // namespace
@@ -154,80 +126,6 @@ double rebound_flying(const LabRecord& record) {
 
 double behind_line_mm(const LabRecord& record) {
   return 1000 * (record.states.back().ball.position_m.x() - Field{}.half_length_m());
-}
-
-// From the first motion to the first frame at the speed, by the speed in the frame before.
-double to_three_s(const LabRecord& record) {
-  const std::size_t f = first_frame(record, [](const WorldState&, const WorldState& now) {
-    return west(now).velocity_mps.norm() > 2.999;
-  });
-  const double missing_mps = 3.0 - west(record.states[f - 1]).velocity_mps.norm();
-  return static_cast<double>(f - 1) * kFrame_s + missing_mps / 3.0;
-}
-
-double top_mps(const LabRecord& record) {
-  double top = 0.0;
-  for (const WorldState& state : record.states) {
-    top = std::max(top, west(state).velocity_mps.norm());
-  }
-  return top;
-}
-
-double stop_s(const LabRecord& record) {
-  std::size_t f = kStopOrder;
-  while (west(record.states[f + 1]).velocity_mps.norm() > 1e-3) ++f;
-  return static_cast<double>(f - kStopOrder) * kFrame_s +
-         west(record.states[f]).velocity_mps.norm() / 5.0;
-}
-
-double stop_m(const LabRecord& record) {
-  return (west(record.states.back()).position_m - west(record.states[kStopOrder]).position_m)
-      .norm();
-}
-
-double turning_radps2(const LabRecord& record) {
-  return west(record.states[12]).angular_velocity_radps / (12 * kFrame_s);
-}
-
-double turning_radps(const LabRecord& record) {
-  return west(record.states[60]).angular_velocity_radps;
-}
-
-// A robot that speeds up evenly began to move where its speed, drawn backwards, is zero.
-double delay_ms(const LabRecord& record) {
-  const std::size_t last = record.states.size() - 1;
-  const double first_mps = west(record.states[last - 6]).velocity_mps.x();
-  const double mps = west(record.states[last]).velocity_mps.x();
-  const double mps2 = (mps - first_mps) / (6 * kFrame_s);
-  return 1000 * (static_cast<double>(last) * kFrame_s - mps / mps2 - 0.1);
-}
-
-// Both robots once they are together, by their mean speed from 0.95 to 1.15 s.
-double pair_mps2(const LabRecord& record) {
-  const auto mean_mps = [&](std::size_t f) {
-    const WorldState& state = record.states[f];
-    return (west(state).velocity_mps.x() + east(state).velocity_mps.x()) / 2;
-  };
-  return (mean_mps(57) - mean_mps(69)) / (12 * kFrame_s);
-}
-
-// Of the speed towards each other. Both brake at once, at 5 m/s^2, what throws them apart.
-double robots_rebound(const LabRecord& record) {
-  const std::size_t f = first_frame(record, [](const WorldState& former, const WorldState& now) {
-    return west(former).velocity_mps.x() > 0.0 && west(now).velocity_mps.x() < 0.0;
-  });
-  const RobotState& last = west(record.states[f - 1]);
-  const RobotState& first = west(record.states[f]);
-  const double to_mps = last.velocity_mps.x();
-  const double from_mps = first.velocity_mps.x();
-  const double after_s =
-      (first.position_m.x() - last.position_m.x() - from_mps * kFrame_s) / (to_mps - from_mps);
-  return (-from_mps + 5.0 * (kFrame_s - after_s)) / to_mps;
-}
-
-double middle_mm(const LabRecord& record) {
-  const WorldState& end = record.states.back();
-  return 500 * (west(end).position_m.x() + east(end).position_m.x());
 }
 
 double most_off_in_gentle_turn_mm(const LabRecord& record) {
@@ -285,9 +183,6 @@ double most_faster_when_held_mps(const LabRecord& record) {
 double kicked_mps(const LabRecord& record) {
   return record.states[kKickOrder + 1].ball.velocity_mps.norm() + kSlide_mps2 * kFrame_s;
 }
-
-double fast_way_m(const LabRecord& record) { return way_m(record, 0); }
-double slow_way_m(const LabRecord& record) { return way_m(record, 1); }
 
 double arrival_mps(const LabRecord& record) {
   const std::size_t f = first_frame(record, [](const WorldState& former, const WorldState& now) {

@@ -39,7 +39,7 @@ class Recorder final : public Observer {
 
  private:
   static std::vector<CameraPlace> cameras_of(const Field& field) {
-    const auto places = sim::camera_places(field);
+    const auto places = sim::camera_places(field, 4);
     return {places.begin(), places.end()};
   }
 

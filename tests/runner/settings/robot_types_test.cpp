@@ -198,6 +198,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"About", kType + "about: [1]\n", "t.yaml:3:8: about: expected a sentence"}),
     [](const auto& test) { return test.param.name; });
 
+RobotChanges read_robot_type(const std::filesystem::path& file) {
+  return read_robot_type_text(content_of(file), file.string());
+}
+
 TEST(RobotTypes, OfTheRepositoryCanAllBeRead) {
   int types = 0;
   for (const auto& entry :

@@ -1,0 +1,81 @@
+#include "runner/game/team_controller.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <exception>
+
+#include "runner/settings/match_rules.hpp"
+#include "runner/settings/robot_changes.hpp"
+#include "sim/world.hpp"
+#include "soccer/random.hpp"
+
+namespace autoref::runner {
+namespace {
+
+// What the side's robots can do.
+std::array<strategies::Abilities, kMaxRobots> abilities_of(const GameConfiguration& c, Side side) {
+  std::array<strategies::Abilities, kMaxRobots> all;
+  const sim::TeamSheet sheet = sheet_of(c, team_on(c, side));
+  for (std::size_t i = 0; i < sheet.robots.size(); ++i) {
+    const sim::RobotSheet& robot = sheet.robots[i];
+    all[i] = {robot.body.speed_mps * robot.speed_factor,
+              robot.body.acceleration_mps2 * robot.acceleration_factor,
+              robot.body.braking_mps2 * robot.acceleration_factor, robot.kicker.speed_limit_mps,
+              robot.kicker.chip_limit_mps};
+  }
+  return all;
+}
+
+std::unique_ptr<strategies::Strategy> make_team_on(const GameConfiguration& c, Side side,
+                                                   const TeamMaker& make_team) {
+  const TeamConfiguration& team = team_on(c, side);
+  return make_team(team.strategy, {c.field, rules_of(c.match), c.sim.frame_rate_hz,
+                                   RandomStream::of(c.seed, RandomPurpose::kStrategy, side),
+                                   team.params, abilities_of(c, side)});
+}
+
+// From a picture until the orders decided on it move a robot.
+double latency_s(const sim::Configuration& c) {
+  const sim::LatencySplit split = sim::split_latency(c);
+  return (split.frames + static_cast<double>(split.substeps) / c.substeps) / c.frame_rate_hz;
+}
+
+}  // namespace
+
+TeamController::TeamController(const GameConfiguration& configuration, Side side,
+                               const TeamMaker& make_team)
+    : side_(side),
+      robots_(team_on(configuration, side).robots),
+      strategy_(make_team_on(configuration, side, make_team)) {
+  view_.latency_s = latency_s(configuration.sim);
+}
+
+std::string TeamController::decide(const Tracks& tracks, const RefereeSignal& signal,
+                                   const Situation& situation, TeamOrders& orders) {
+  orders.fill(RobotCommand{});
+  fill_view(tracks, signal, situation, side_, view_);
+  std::string fault;
+  try {
+    strategy_->decide(view_, orders);
+    requests_ = strategy_->requests();
+    fault = fault_in(orders);
+  } catch (const std::exception& error) {
+    fault = fmt::format("threw: {}", error.what());
+  } catch (...) {
+    fault = "threw something that is no std::exception";
+  }
+  if (!fault.empty()) orders.fill(RobotCommand{});
+  return fault;
+}
+
+std::string TeamController::fault_in(const TeamOrders& orders) const {
+  for (int number = 0; number < robots_; ++number) {
+    if (!is_finite(orders[static_cast<std::size_t>(number)])) {
+      return fmt::format("ordered a number that is not finite for robot {}", number);
+    }
+  }
+  return {};
+}
+
+}  // namespace autoref::runner
