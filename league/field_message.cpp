@@ -44,9 +44,9 @@ class Painter {
   }
 
  private:
-  static void set(const Vec2& place_m, Point& point) {
-    point.set_x(to_mm(place_m.x()));
-    point.set_y(to_mm(place_m.y()));
+  static void set(const Vec2& position_m, Point& point) {
+    point.set_x(to_mm(position_m.x()));
+    point.set_y(to_mm(position_m.y()));
   }
 
   float width_mm_;
@@ -89,7 +89,7 @@ void paint_box_area(const Field& field, double sign, const std::string& name, Pa
   painter.line(name + "FieldRightPenaltyStretch", {goal_x, -half_m}, {x, -half_m});
 }
 
-void fill_camera(std::uint32_t id, const CameraPlace& place, CameraCalibration& camera) {
+void fill_camera(std::uint32_t id, const CameraPosition& position, CameraCalibration& camera) {
   camera.set_camera_id(id);
   camera.set_focal_length(0);
   camera.set_principal_point_x(0);
@@ -101,12 +101,12 @@ void fill_camera(std::uint32_t id, const CameraPlace& place, CameraCalibration& 
   camera.set_q1(0);
   camera.set_q2(0);
   camera.set_q3(0);
-  camera.set_tx(-to_mm(place.position_m.x()));
-  camera.set_ty(to_mm(place.position_m.y()));
-  camera.set_tz(to_mm(place.height_m));
-  camera.set_derived_camera_world_tx(to_mm(place.position_m.x()));
-  camera.set_derived_camera_world_ty(to_mm(place.position_m.y()));
-  camera.set_derived_camera_world_tz(to_mm(place.height_m));
+  camera.set_tx(-to_mm(position.position_m.x()));
+  camera.set_ty(to_mm(position.position_m.y()));
+  camera.set_tz(to_mm(position.height_m));
+  camera.set_derived_camera_world_tx(to_mm(position.position_m.x()));
+  camera.set_derived_camera_world_ty(to_mm(position.position_m.y()));
+  camera.set_derived_camera_world_tz(to_mm(position.height_m));
 }
 
 double length_m(std::string_view name, std::int32_t mm) {
@@ -132,7 +132,8 @@ void read_arc(const FieldArc& arc, Field& field) {
 
 }  // namespace
 
-void fill_geometry(const Field& field, std::span<const CameraPlace> cameras, Geometry& geometry) {
+void fill_geometry(const Field& field, std::span<const CameraPosition> cameras,
+                   Geometry& geometry) {
   geometry.Clear();
   FieldSize& size = *geometry.mutable_field();
   size.set_field_length(whole_mm(field.length_m));
@@ -187,7 +188,7 @@ Field field_of(const Geometry& geometry) {
   return field;
 }
 
-CameraPlace camera_of(const Geometry& geometry, std::uint32_t id, const Vec2& below_m) {
+CameraPosition camera_of(const Geometry& geometry, std::uint32_t id, const Vec2& below_m) {
   for (const CameraCalibration& camera : geometry.calib()) {
     if (camera.camera_id() != id || !camera.has_derived_camera_world_tz()) continue;
     return {{to_m(camera.derived_camera_world_tx()), to_m(camera.derived_camera_world_ty())},

@@ -11,13 +11,13 @@ namespace autoref::league {
 
 // Fills `geometry` with field and cameras; a camera's id is its place in `cameras`. The lines have
 // the names that the league's vision gives them.
-void fill_geometry(const Field& field, std::span<const CameraPlace> cameras, Geometry& geometry);
+void fill_geometry(const Field& field, std::span<const CameraPosition> cameras, Geometry& geometry);
 
 // The field of a message. What messages do not tell, such as the goals' walls, has Field's
 // defaults. Throws std::invalid_argument where a length is not positive or beyond 100 m.
 Field field_of(const Geometry& geometry);
 
 // Where the camera of that id hangs; above `below_m` where the message does not tell.
-CameraPlace camera_of(const Geometry& geometry, std::uint32_t id, const Vec2& below_m);
+CameraPosition camera_of(const Geometry& geometry, std::uint32_t id, const Vec2& below_m);
 
 }  // namespace autoref::league

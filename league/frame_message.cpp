@@ -8,15 +8,15 @@
 namespace autoref::league {
 namespace {
 
-bool is_at(const CameraPlace& one, const CameraPlace& other) {
+bool is_at(const CameraPosition& one, const CameraPosition& other) {
   return one.position_m == other.position_m && one.height_m == other.height_m;
 }
 
-std::size_t nearest(std::span<const CameraPlace> cameras, const Vec2& place_m) {
+std::size_t nearest(std::span<const CameraPosition> cameras, const Vec2& position_m) {
   std::size_t best = 0;
   double best_m2 = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < cameras.size(); ++i) {
-    const double distance_m2 = (cameras[i].position_m - place_m).squaredNorm();
+    const double distance_m2 = (cameras[i].position_m - position_m).squaredNorm();
     if (distance_m2 >= best_m2) continue;
     best_m2 = distance_m2;
     best = i;
@@ -24,7 +24,7 @@ std::size_t nearest(std::span<const CameraPlace> cameras, const Vec2& place_m) {
   return best;
 }
 
-std::size_t camera_of(const BallObservation& ball, std::span<const CameraPlace> cameras) {
+std::size_t camera_of(const BallObservation& ball, std::span<const CameraPosition> cameras) {
   if (!ball.height_m) {
     for (std::size_t i = 0; i < cameras.size(); ++i) {
       if (is_at(cameras[i], ball.seen_from)) return i;
@@ -62,12 +62,12 @@ void start(const Frame& frame, std::uint32_t camera, DetectionFrame& detection) 
 
 }  // namespace
 
-void fill_detections(const Frame& frame, std::span<const CameraPlace> cameras,
+void fill_detections(const Frame& frame, std::span<const CameraPosition> cameras,
                      std::span<VisionPacket> packets) {
   for (std::size_t i = 0; i < packets.size(); ++i)
     start(frame, static_cast<std::uint32_t>(i), *packets[i].mutable_detection());
-  const auto camera_before = [&](const Vec2& place_m) {
-    return packets[nearest(cameras, place_m)].mutable_detection();
+  const auto camera_before = [&](const Vec2& position_m) {
+    return packets[nearest(cameras, position_m)].mutable_detection();
   };
   for (const RobotObservation& robot : frame.robots[Side::kWest])
     fill_robot(robot, *camera_before(robot.position_m)->add_robots_yellow());

@@ -13,11 +13,11 @@ constexpr double kRefereeEvery_s = 0.1;
 }  // namespace
 
 GameLog::GameLog(const std::filesystem::path& path, const Field& field,
-                 std::vector<CameraPlace> cameras, PerSide<TeamSheet> teams)
+                 std::vector<CameraPosition> cameras, PerSide<LoggedTeam> teams)
     : file_(path),
       cameras_(std::move(cameras)),
       teams_(std::move(teams)),
-      pictures_(cameras_.size()) {
+      packets_(cameras_.size()) {
   fill_geometry(field, cameras_, *geometry_.mutable_geometry());
 }
 
@@ -40,9 +40,8 @@ void GameLog::add(const Frame& frame, const RefereeSignal& signal) {
     write(frame.time_s, MessageKind::kVision2014, geometry_);
     geometry_due_s_ = frame.time_s + kGeometryEvery_s;
   }
-  fill_detections(frame, cameras_, pictures_);
-  for (const VisionPacket& picture : pictures_)
-    write(frame.time_s, MessageKind::kVision2014, picture);
+  fill_detections(frame, cameras_, packets_);
+  for (const VisionPacket& packet : packets_) write(frame.time_s, MessageKind::kVision2014, packet);
   write_commands_before(signal, frame.time_s);
   if (has_changed(signal) || frame.time_s >= referee_due_s_) write_signal(signal, frame.time_s);
 }

@@ -21,8 +21,8 @@ namespace autoref::league {
 class GameLog {
  public:
   // Starts the file anew. Throws LogError.
-  GameLog(const std::filesystem::path& path, const Field& field, std::vector<CameraPlace> cameras,
-          PerSide<TeamSheet> teams);
+  GameLog(const std::filesystem::path& path, const Field& field,
+          std::vector<CameraPosition> cameras, PerSide<LoggedTeam> teams);
 
   // A command of the frame that is added next. Only where several are sent in one frame does it
   // tell what the signal does not.
@@ -42,12 +42,12 @@ class GameLog {
   void write(double time_s, MessageKind kind, const Message& message);
 
   LogWriter file_;
-  std::vector<CameraPlace> cameras_;
-  PerSide<TeamSheet> teams_;
+  std::vector<CameraPosition> cameras_;
+  PerSide<LoggedTeam> teams_;
   VisionPacket geometry_;
-  std::vector<VisionPacket> pictures_;  // of each camera
-  RefereePacket referee_;               // the last one
-  std::vector<Command> sent_;           // in the frame at hand
+  std::vector<VisionPacket> packets_;  // of each camera
+  RefereePacket referee_;              // the last one
+  std::vector<Command> sent_;          // in the frame at hand
   std::string bytes_;
   double geometry_due_s_ = 0;
   double referee_due_s_ = 0;

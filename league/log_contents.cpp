@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "league/detection_merger.hpp"
 #include "league/messages/vision.pb.h"
-#include "league/picture_merger.hpp"
 
 namespace autoref::league {
 namespace {
@@ -25,7 +25,7 @@ class Walk {
   Walk(const std::filesystem::path& path, LogVisitor& visitor) : log_(path), visitor_(visitor) {}
 
   LogSummary summary() {
-    while (pictures_ < kMostPictures && log_.read(record_)) {
+    while (frames_ < kMostFrames && log_.read(record_)) {
       if (records_++ == 0) first_ns_ = record_.time_ns;
       last_ns_ = record_.time_ns;
       ++summary_.records[kind_of(record_)];
@@ -33,9 +33,9 @@ class Walk {
     }
     show(merger_.finish());
     summary_.length_s = since_first_s();
-    summary_.pictures = pictures_;
+    summary_.frames = frames_;
     summary_.field = merger_.field();
-    summary_.damage = pictures_ < kMostPictures ? log_.damage() : too_many_pictures();
+    summary_.damage = frames_ < kMostFrames ? log_.damage() : too_many_frames();
     return summary_;
   }
 
@@ -45,8 +45,8 @@ class Walk {
     return (static_cast<double>(last_ns_) - static_cast<double>(first_ns_)) / 1e9;
   }
 
-  std::optional<LogDamage> too_many_pictures() const {
-    return LogDamage{log_.offset(), fmt::format("more than {} pictures", kMostPictures)};
+  std::optional<LogDamage> too_many_frames() const {
+    return LogDamage{log_.offset(), fmt::format("more than {} frames", kMostFrames)};
   }
 
   bool take() {
@@ -71,10 +71,10 @@ class Walk {
     return true;
   }
 
-  void show(const Frame* picture) {
-    if (picture == nullptr) return;
-    ++pictures_;
-    visitor_.on_picture(*picture);
+  void show(const Frame* frame) {
+    if (frame == nullptr) return;
+    ++frames_;
+    visitor_.on_frame(*frame);
   }
 
   void note_unreadable() {
@@ -84,12 +84,12 @@ class Walk {
   LogReader log_;
   LogVisitor& visitor_;
   LogRecord record_;
-  PictureMerger merger_;
+  DetectionMerger merger_;
   VisionPacket vision_;
   RefereePacket referee_;
   LogSummary summary_;
   std::int64_t records_ = 0;
-  std::int64_t pictures_ = 0;
+  std::int64_t frames_ = 0;
   std::int64_t first_ns_ = 0;
   std::int64_t last_ns_ = 0;
 };

@@ -1,4 +1,4 @@
-// A log from beginning to end: its pictures and what the referee sent, and what there was besides.
+// A log from beginning to end: its frames and what the referee sent, and what there was besides.
 #pragma once
 
 #include <cstdint>
@@ -18,12 +18,12 @@ namespace autoref::league {
 class LogVisitor {
  public:
   virtual ~LogVisitor() = default;
-  // A whole picture (picture_merger.hpp). It comes once the next one begins, so behind what the
-  // referee sent meanwhile; its time counts from the first picture.
-  virtual void on_picture(const Frame& /*picture*/) {}
-  // `time_s` is that of the record, on the pictures' clock.
+  // A whole frame (detection_merger.hpp). It comes once the next one begins, so behind what the
+  // referee sent meanwhile; its time counts from the first frame.
+  virtual void on_frame(const Frame& /*frame*/) {}
+  // `time_s` is that of the record, on the frames' clock.
   virtual void on_referee(double /*time_s*/, const RefereePacket& /*packet*/) {}
-  // A packet of one camera; its time is that of the record, on the pictures' clock.
+  // A packet of one camera; its time is that of the record, on the frames' clock.
   virtual void on_camera(double /*time_s*/, std::uint32_t /*camera*/) {}
 };
 
@@ -32,18 +32,18 @@ struct LogSummary {
   // By MessageKind; other numbers count as kUnknown.
   std::map<MessageKind, std::int64_t> records;
   double length_s = 0;  // from the first record to the last
-  std::int64_t pictures = 0;
+  std::int64_t frames = 0;
   std::optional<Field> field;       // none where the log has no geometry
   std::int64_t unreadable = 0;      // messages that are none of their kind, or make no sense
   std::int64_t unreadable_at = 0;   // the first of these: where its record begins
   std::optional<LogDamage> damage;  // the log ends here, too early
 };
 
-// Nine hours at 60 pictures a second: no game is longer, and what is made of a log stays bounded.
-inline constexpr std::int64_t kMostPictures = 2'000'000;
+// Nine hours at 60 frames a second: no game is longer, and what is made of a log stays bounded.
+inline constexpr std::int64_t kMostFrames = 2'000'000;
 
 // Reads the log of that name, in bounded memory. Throws LogError where it is none. A log of more
-// pictures counts as damaged behind them.
+// frames counts as damaged behind them.
 LogSummary read_log(const std::filesystem::path& path, LogVisitor& visitor);
 
 }  // namespace autoref::league

@@ -92,7 +92,7 @@ LogReader::LogReader(const std::filesystem::path& path) : name_(path.string()) {
     mistake = "is empty";
   } else if (size < header.size() ||
              !std::equal(kSignature.begin(), kSignature.end(), header.begin())) {
-    mistake = fmt::format("is no log of the league: its first bytes are not {}", kSignature);
+    mistake = fmt::format("is not an SSL log: its first bytes are not {}", kSignature);
   } else if (number_at<std::uint32_t>(version) != kVersion) {
     mistake = fmt::format("is a log of version {}, at byte {}; only version {} can be read",
                           number_at<std::uint32_t>(version), kSignature.size(), kVersion);

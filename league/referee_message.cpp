@@ -9,14 +9,15 @@ namespace {
 
 constexpr int kLastStage = static_cast<int>(Stage::kPostGame);
 
-void fill_team(const RefereeSignal& signal, const TeamSheet& sheet, Side side, TeamInfo& team) {
-  team.set_name(sheet.name);
+void fill_team(const RefereeSignal& signal, const LoggedTeam& team_info, Side side,
+               TeamInfo& team) {
+  team.set_name(team_info.name);
   team.set_score(static_cast<std::uint32_t>(signal.goals[side]));
   team.set_red_cards(static_cast<std::uint32_t>(signal.red_cards[side]));
   team.set_yellow_cards(static_cast<std::uint32_t>(signal.yellow_cards[side]));
   team.set_timeouts(0);
   team.set_timeout_time(0);
-  team.set_goalie(static_cast<std::uint32_t>(sheet.keeper));
+  team.set_goalie(static_cast<std::uint32_t>(team_info.keeper));
 }
 
 int bounded(std::uint32_t count) { return static_cast<int>(std::min(count, 9999U)); }
@@ -29,7 +30,7 @@ void read_team(const TeamInfo& team, Side side, RefereeSignal& signal) {
 
 }  // namespace
 
-void fill_referee(const RefereeSignal& signal, const PerSide<TeamSheet>& teams, double time_s,
+void fill_referee(const RefereeSignal& signal, const PerSide<LoggedTeam>& teams, double time_s,
                   RefereePacket& packet) {
   packet.Clear();
   packet.set_packet_timestamp(static_cast<std::uint64_t>(to_us(time_s)));
@@ -70,8 +71,8 @@ std::optional<RefereeSignal> signal_of(const RefereePacket& packet) {
   read_team(packet.yellow(), Side::kWest, signal);
   read_team(packet.blue(), Side::kEast, signal);
   if (packet.has_designated_position()) {
-    const DesignatedPosition& place = packet.designated_position();
-    signal.placement = Placement{{to_m(place.x()), to_m(place.y())}};
+    const DesignatedPosition& position = packet.designated_position();
+    signal.placement = Placement{{to_m(position.x()), to_m(position.y())}};
   }
   if (packet.has_next_command()) signal.next_command = command_of(packet.next_command());
   return signal;

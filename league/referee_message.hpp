@@ -10,13 +10,13 @@
 
 namespace autoref::league {
 
-struct TeamSheet {
+struct LoggedTeam {
   std::string name;
   int keeper = 0;  // its robot's number
 };
 
 // Fills `packet`, sent at `time_s` of the game. West is yellow and defends the goal at -x.
-void fill_referee(const RefereeSignal& signal, const PerSide<TeamSheet>& teams, double time_s,
+void fill_referee(const RefereeSignal& signal, const PerSide<LoggedTeam>& teams, double time_s,
                   RefereePacket& packet);
 
 // The signal of a packet; its command counts as sent `since_us` after the log's first packet. None

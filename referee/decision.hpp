@@ -104,7 +104,7 @@ using ConcernedRobots = boost::container::static_vector<RobotId, 4>;
 struct Decision {
   std::int64_t frame = 0;
   double time_s = 0;
-  std::string_view arrow;  // label of the machine's arrow, see referee/README.md
+  std::string_view transition;  // label of the machine's transition, see referee/README.md
   State from = State::kInit;
   State to = State::kInit;
   std::optional<Command> command;  // sent with this decision; none where nothing was sent

@@ -32,7 +32,7 @@ Finding offence_of(Event event, RuleId rule, const Configuration& configuration,
   finding.offender = offender;
   finding.position_m = where_m;
   finding.restart = indirect_free_kick(rules, kicker);
-  finding.ball_to_m = free_kick_place(configuration.field, rules, kicker, where_m);
+  finding.ball_to_m = free_kick_position(configuration.field, rules, kicker, where_m);
   return finding;
 }
 

@@ -9,15 +9,15 @@
 #include "referee/geometry/ball_out.hpp"
 #include "referee/machine/ball_in_play.hpp"
 #include "referee/machine/machine.hpp"
-#include "referee/machine/memory.hpp"
 #include "referee/machine/readiness.hpp"
+#include "referee/machine/referee_state.hpp"
 #include "referee/machine/timekeeping.hpp"
-#include "referee/moment.hpp"
+#include "referee/referee_input.hpp"
 #include "referee/rules/rule.hpp"
 #include "referee/rules/shootout_kick.hpp"
 #include "referee/touch/last_touch.hpp"
+#include "referee/touch/retrospective_touch_detector.hpp"
 #include "referee/touch/touch_candidates.hpp"
-#include "referee/touch/touch_stories.hpp"
 
 namespace autoref::referee {
 namespace {
@@ -38,11 +38,13 @@ void validate(const Configuration& c) {
   const RuleBook& rules = c.rules;
   require(rules.extra_half_s > 0, "extra_half_s must be positive", rules.extra_half_s);
   require(rules.stillness_m > 0, "stillness_m must be positive", rules.stillness_m);
-  require(rules.look_period_s > 0, "look_period_s must be positive", rules.look_period_s);
+  require(rules.readiness_period_s > 0, "readiness_period_s must be positive",
+          rules.readiness_period_s);
   require(rules.ready_timeout_s > 0, "ready_timeout_s must be positive", rules.ready_timeout_s);
   require(rules.start_timeout_s > 0, "start_timeout_s must be positive", rules.start_timeout_s);
   require(rules.ball_at_rest_mps > 0, "ball_at_rest_mps must be positive", rules.ball_at_rest_mps);
-  require(rules.ball_in_place_m > 0, "ball_in_place_m must be positive", rules.ball_in_place_m);
+  require(rules.ball_in_position_m > 0, "ball_in_position_m must be positive",
+          rules.ball_in_position_m);
   require(rules.in_play_m > 0, "in_play_m must be positive", rules.in_play_m);
   require(rules.restart_timeout_s > 0, "restart_timeout_s must be positive",
           rules.restart_timeout_s);
@@ -66,9 +68,9 @@ class Referee::Impl {
       : configuration_(configuration),
         tracker_(configuration.noise),
         touch_(configuration.field, configuration.touch, configuration.noise),
-        stories_(configuration.field, StoryParameters{}, configuration.noise) {
+        touch_detector_(configuration.field, TouchHypothesisParameters{}, configuration.noise) {
     validate(configuration);
-    memory_.signal.next_command =
+    state_.signal.next_command =
         Command{CommandKind::kPrepareKickoff, kickoff_side(configuration, 0)};
     decisions_.reserve(4);
   }
@@ -79,46 +81,47 @@ class Referee::Impl {
     const Tracks& tracks = tracker_.update(seen_);
     add_unseen_robots(tracks);
     lift_ball(tracks);
-    return judge(seen_);
+    return detect(seen_);
   }
 
   const Tracks& tracks() const { return tracker_.tracks(); }
 
   std::span<const Decision> decisions() const { return decisions_; }
-  const Memory& memory() const { return memory_; }
+  const RefereeState& state() const { return state_; }
 
  private:
-  const RefereeSignal& judge(const Frame& frame) {
+  const RefereeSignal& detect(const Frame& frame) {
     decisions_.clear();
     see(frame);
-    if (memory_.state == State::kRun) {
+    if (state_.machine_state == State::kRun) {
       touch_.update(frame);
-      stories_.update(frame);
+      touch_detector_.update(frame);
     }
     // The order of touches is told while play is on, not anew by what is known once it is over.
-    if (memory_.state == State::kRun) watch_play(memory_.play, moment_with(touch_.last(), frame));
-    const LastTouch last_touch = judge_last_touch();
-    const Moment moment = moment_with(last_touch, frame);
-    const State state = memory_.state;
-    const std::uint32_t sent = memory_.signal.command_counter;
-    apply_rules(moment);
-    if (memory_.state == state && memory_.signal.command_counter == sent) {
-      if (const std::optional<Finding> found = find(moment)) decide(moment, *found);
+    if (state_.machine_state == State::kRun)
+      watch_play(state_.play, input_with(touch_.last(), frame));
+    const LastTouch last_touch = evaluate_last_touch();
+    const RefereeInput input = input_with(last_touch, frame);
+    const State state = state_.machine_state;
+    const std::uint32_t sent = state_.signal.command_counter;
+    apply_rules(input);
+    if (state_.machine_state == state && state_.signal.command_counter == sent) {
+      if (const std::optional<Finding> found = find(input)) decide(input, *found);
     }
-    if (const std::optional<Finding> over = find_time_over(memory_, moment)) decide(moment, *over);
-    memory_.signal.stage_time_left_s = time_left_s(memory_, configuration_, frame.time_s);
-    return memory_.signal;
+    if (const std::optional<Finding> over = find_time_over(state_, input)) decide(input, *over);
+    state_.signal.stage_time_left_s = time_left_s(state_, configuration_, frame.time_s);
+    return state_.signal;
   }
 
-  Moment moment_with(const LastTouch& last_touch, const Frame& frame) const {
+  RefereeInput input_with(const LastTouch& last_touch, const Frame& frame) const {
     return {configuration_, frame, ball_, last_touch, tracker_.tracks(), requests_};
   }
 
   // Once the ball is out, all that it did since the touch is known.
-  LastTouch judge_last_touch() const {
-    const bool is_out = memory_.state == State::kRun && ball_ &&
+  LastTouch evaluate_last_touch() const {
+    const bool is_out = state_.machine_state == State::kRun && ball_ &&
                         is_out_of_field(configuration_.field, ball_->position_m);
-    return is_out ? stories_.judge(touch_.last()) : touch_.last();
+    return is_out ? touch_detector_.detect(touch_.last()) : touch_.last();
   }
 
   // What vision missed is where the tracker takes it to be. Both lists are ordered by number.
@@ -138,7 +141,7 @@ class Referee::Impl {
 
   // Where vision reports no height, a ball that flies is not where it is seen.
   void lift_ball(const Tracks& tracks) {
-    // A picture no later than the one before brings the tracker no ball.
+    // A frame no later than the one before brings the tracker no ball.
     if (!seen_.ball || seen_.ball->height_m || !tracks.ball) return;
     const bool flies = tracks.ball->height_m > 0;
     if (flies) {
@@ -147,7 +150,7 @@ class Referee::Impl {
     }
     if (flies != was_lifted_) {
       touch_.lose_sight();
-      stories_.lose_sight();
+      touch_detector_.lose_sight();
     }
     was_lifted_ = flies;
   }
@@ -162,16 +165,16 @@ class Referee::Impl {
         frame.ball->height_m || !tracker_.tracks().ball || tracker_.tracks().ball->is_height_known};
   }
 
-  std::optional<Finding> find(const Moment& moment) {
-    switch (memory_.state) {
+  std::optional<Finding> find(const RefereeInput& input) {
+    switch (state_.machine_state) {
       case State::kInit:
         return passed_by_itself(Event::kBegin);
       case State::kWaitStart:
-        return find_start(memory_, moment);
+        return find_start(state_, input);
       case State::kWaitStop:
-        return find_ready(memory_, moment);
+        return find_ready(state_, input);
       case State::kDelayWait:
-        if (!has_passed(memory_.delay_ends_s, 0, moment.time_s())) return std::nullopt;
+        if (!has_passed(state_.delay_ends_s, 0, input.time_s())) return std::nullopt;
         return passed_by_itself(Event::kSignalled);
       case State::kRun:
       case State::kTimeout:
@@ -182,35 +185,36 @@ class Referee::Impl {
   }
 
   // Fouls that are only counted leave the state as it is, and the rules after them are asked, too.
-  void apply_rules(const Moment& moment) {
-    const State state = memory_.state;
-    const bool is_shootout = memory_.signal.stage == Stage::kShootout;
+  void apply_rules(const RefereeInput& input) {
+    const State state = state_.machine_state;
+    const bool is_shootout = state_.signal.stage == Stage::kShootout;
     for (const Rule& rule : is_shootout ? shootout_rules() : rules()) {
       const bool is_in_force = is_shootout || configuration_.rules.has(rule.id);
       if (!is_in_force || !rule.active_in.has(state)) continue;
-      if (const std::optional<Finding> found = rule.find(memory_, moment)) decide(moment, *found);
-      if (memory_.state != state) return;
+      if (const std::optional<Finding> found = rule.find(state_, input)) decide(input, *found);
+      if (state_.machine_state != state) return;
     }
   }
 
-  void decide(const Moment& moment, const Finding& finding) {
-    Step taken = step(memory_, moment, finding);
-    if (taken.arrow == nullptr) return;
-    log(moment, finding, taken);
-    const bool play_starts = memory_.state != State::kRun && taken.memory.state == State::kRun;
-    memory_ = std::move(taken.memory);
+  void decide(const RefereeInput& input, const Finding& finding) {
+    Step taken = step(state_, input, finding);
+    if (taken.transition == nullptr) return;
+    log(input, finding, taken);
+    const bool play_starts =
+        state_.machine_state != State::kRun && taken.state.machine_state == State::kRun;
+    state_ = std::move(taken.state);
     if (!play_starts) return;
-    touch_.restart(moment.frame, memory_.play.ball_from_m);
-    stories_.restart(moment.frame, memory_.play.ball_from_m);
+    touch_.restart(input.frame, state_.play.ball_from_m);
+    touch_detector_.restart(input.frame, state_.play.ball_from_m);
   }
 
-  void log(const Moment& moment, const Finding& finding, const Step& taken) {
+  void log(const RefereeInput& input, const Finding& finding, const Step& taken) {
     Decision decision;
-    decision.frame = moment.frame.number;
-    decision.time_s = moment.time_s();
-    decision.arrow = taken.arrow->label;
-    decision.from = memory_.state;
-    decision.to = taken.memory.state;
+    decision.frame = input.frame.number;
+    decision.time_s = input.time_s();
+    decision.transition = taken.transition->label;
+    decision.from = state_.machine_state;
+    decision.to = taken.state.machine_state;
     decision.command = taken.sent;
     decision.event = finding.event;
     decision.rule = finding.rule;
@@ -221,22 +225,22 @@ class Referee::Impl {
     decision.offender = finding.offender;
     decision.card = finding.card;
     decision.position_m = finding.position_m;
-    if (is_call(finding.event) && memory_.state != taken.memory.state) {
+    if (is_call(finding.event) && state_.machine_state != taken.state.machine_state) {
       decision.restart = finding.restart;
     }
-    decision.last_touch = moment.last_touch;
+    decision.last_touch = input.last_touch;
     decision.evidence = finding.evidence;
     decisions_.push_back(std::move(decision));
   }
 
   Configuration configuration_;
   PerSide<TeamRequests> requests_;
-  Memory memory_;
+  RefereeState state_;
   Frame seen_;
   Tracker tracker_;
   bool was_lifted_ = false;  // the ball, in the frame before
   LastTouchDetector touch_;
-  TouchStories stories_;
+  RetrospectiveTouchDetector touch_detector_;
   std::optional<BallSight> ball_;
   std::vector<Decision> decisions_;
 };
@@ -253,19 +257,19 @@ const RefereeSignal& Referee::update(const Frame& frame, const PerSide<TeamReque
 
 const Tracks& Referee::tracks() const { return impl_->tracks(); }
 std::span<const Decision> Referee::decisions() const { return impl_->decisions(); }
-State Referee::state() const { return impl_->memory().state; }
+State Referee::state() const { return impl_->state().machine_state; }
 bool Referee::is_ball_in_play() const {
-  return impl_->memory().state == State::kRun && impl_->memory().play.in_play;
+  return impl_->state().machine_state == State::kRun && impl_->state().play.in_play;
 }
-bool Referee::is_over() const { return impl_->memory().state == State::kOver; }
+bool Referee::is_over() const { return impl_->state().machine_state == State::kOver; }
 std::span<const PerSide<int>> Referee::goals_by_half() const {
-  const auto& goals = impl_->memory().goals_by_half;
+  const auto& goals = impl_->state().goals_by_half;
   return {goals.data(), goals.size()};
 }
 std::optional<PerSide<int>> Referee::shootout_goals() const {
-  const ShootoutBook& book = impl_->memory().shootout;
+  const ShootoutBook& book = impl_->state().shootout;
   return book.kicks == PerSide<int>{} ? std::nullopt : std::optional(book.goals);
 }
-int Referee::games_finished() const { return impl_->memory().games_finished; }
+int Referee::games_finished() const { return impl_->state().games_finished; }
 
 }  // namespace autoref::referee

@@ -19,7 +19,7 @@ struct TouchParameters {
   double position_noise_m = 0.0;
   // A ball between two free ways is where both meet, up to this distance a frame: carpet friction
   // and the physics' own steps.
-  double meeting_tolerance_m = 3_mm;
+  double intersection_tolerance_m = 3_mm;
   // A robot farther from the ball's way than this did not touch it. Kickers reach 15 mm beyond the
   // plate.
   double reach_m = 20_mm;

@@ -26,7 +26,7 @@ class Ball {
   void set(const BallState& state);
   // A kick leaves the ball without spin; `vertical_mps` is positive for a chip.
   void kick(double vertical_mps);
-  // A ball held by the referee's hand sinks to the carpet and does not spin.
+  // A ball held for ball placement sinks to the carpet and does not spin.
   void hold(double duration_s);
 
   // The velocity after `duration_s` on the carpet; unchanged in the air.

@@ -7,7 +7,7 @@
 namespace autoref::sim {
 namespace {
 
-struct Preset {
+struct BallPreset {
   std::string_view name;
   double slide_mps2;
   double roll_mps2;
@@ -21,15 +21,15 @@ constexpr BallParameters kOwn{};
 
 // Measured in ER-Force's simulator and in grSim; Sumatra's (TIGERs Mannheim) was fitted to balls
 // seen on RoboCup fields.
-constexpr std::array kPresets = {
-    Preset{"default", kOwn.slide_mps2, kOwn.roll_mps2, kOwn.switch_ratio, kOwn.hop_first_xy,
-           kOwn.hop_later_xy, kOwn.hop_z},
-    Preset{"erforce", 3.92, 0.35, 0.69, 0.715, 1.0, 0.566},
-    Preset{"tigers", 3.0, 0.26, 0.667, 0.8, 0.85, 0.47},
-    Preset{"grsim", 10.3, 0.70, 0.70, 0.59, 0.95, 0.49},
+constexpr std::array kBallPresets = {
+    BallPreset{"default", kOwn.slide_mps2, kOwn.roll_mps2, kOwn.switch_ratio, kOwn.hop_first_xy,
+               kOwn.hop_later_xy, kOwn.hop_z},
+    BallPreset{"erforce", 3.92, 0.35, 0.69, 0.715, 1.0, 0.566},
+    BallPreset{"tigers", 3.0, 0.26, 0.667, 0.8, 0.85, 0.47},
+    BallPreset{"grsim", 10.3, 0.70, 0.70, 0.59, 0.95, 0.49},
 };
 
-bool has_numbers_of(const Preset& preset, const BallParameters& ball) {
+bool has_numbers_of(const BallPreset& preset, const BallParameters& ball) {
   return ball.slide_mps2 == preset.slide_mps2 && ball.roll_mps2 == preset.roll_mps2 &&
          ball.switch_ratio == preset.switch_ratio && ball.hop_first_xy == preset.hop_first_xy &&
          ball.hop_later_xy == preset.hop_later_xy && ball.hop_z == preset.hop_z;
@@ -38,7 +38,7 @@ bool has_numbers_of(const Preset& preset, const BallParameters& ball) {
 }  // namespace
 
 void apply_ball_preset(std::string_view name, BallParameters& ball) {
-  const Preset& preset = preset_called(name, kPresets, "ball");
+  const BallPreset& preset = preset_called(name, kBallPresets, "ball");
   ball.slide_mps2 = preset.slide_mps2;
   ball.roll_mps2 = preset.roll_mps2;
   ball.switch_ratio = preset.switch_ratio;
@@ -48,9 +48,9 @@ void apply_ball_preset(std::string_view name, BallParameters& ball) {
 }
 
 std::optional<std::string> ball_preset_of(const BallParameters& ball) {
-  return name_of_preset(kPresets, [&](const Preset& p) { return has_numbers_of(p, ball); });
+  return name_of_preset(kBallPresets, [&](const BallPreset& p) { return has_numbers_of(p, ball); });
 }
 
-std::vector<std::string> ball_preset_names() { return names_of(kPresets); }
+std::vector<std::string> ball_preset_names() { return names_of(kBallPresets); }
 
 }  // namespace autoref::sim

@@ -8,13 +8,13 @@ namespace autoref::sim {
 namespace {
 
 // The first share of the way from `from_m` to `to_m` at which it is `near_m` from the origin.
-std::optional<double> meeting(const Vec2& from_m, const Vec2& to_m, double near_m) {
-  const Vec2 way_m = to_m - from_m;
-  const double towards = -from_m.dot(way_m);
+std::optional<double> collision(const Vec2& from_m, const Vec2& to_m, double near_m) {
+  const Vec2 path_m = to_m - from_m;
+  const double towards = -from_m.dot(path_m);
   const double spare = from_m.squaredNorm() - near_m * near_m;
   if (towards <= 0.0) return std::nullopt;
   if (spare <= 0.0) return 0.0;
-  const double length2 = way_m.squaredNorm();
+  const double length2 = path_m.squaredNorm();
   const double root2 = towards * towards - length2 * spare;
   if (root2 < 0.0) return std::nullopt;
   const double share = (towards - std::sqrt(root2)) / length2;
@@ -34,7 +34,7 @@ std::optional<BallState> bounced_off_bar(const Field& field, double restitution,
     return Vec2(Vec2(ball.position_m.x(), ball.height_m + kBallRadius_m) - bar_m);
   };
   const std::optional<double> share =
-      meeting(from_bar_m(former), from_bar_m(now), kBallRadius_m + field.goal_bar_radius_m);
+      collision(from_bar_m(former), from_bar_m(now), kBallRadius_m + field.goal_bar_radius_m);
   if (!share) return std::nullopt;
   BallState met = now;
   met.position_m = former.position_m + *share * (now.position_m - former.position_m);

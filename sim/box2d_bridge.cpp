@@ -23,7 +23,7 @@ namespace {
 
 using namespace box2d;
 
-static_assert(b2_maxTranslation == to_units(kLongestWay_m));
+static_assert(b2_maxTranslation == to_units(kLongestStep_m));
 
 // Box2D's usual figures.
 constexpr int kVelocityIterations = 8;
@@ -59,18 +59,18 @@ class BallContacts final : public b2ContactListener {
     if (a.GetFilterData().categoryBits != kRobots || b.GetFilterData().categoryBits != kRobots) {
       return;
     }
-    if (meetings.size() == meetings.capacity()) return;
-    meetings.push_back(meeting(*a.GetBody(), *b.GetBody()));
+    if (collisions.size() == collisions.capacity()) return;
+    collisions.push_back(collision(*a.GetBody(), *b.GetBody()));
   }
 
   boost::container::static_vector<int, 2 * kMaxRobots> touching;
-  boost::container::static_vector<RobotMeeting, 64> meetings;
+  boost::container::static_vector<BodyCollision, 64> collisions;
   std::uint32_t dribbling = 0;  // a bit per robot
 
  private:
   static int index_of(b2Body& robot) { return static_cast<int>(robot.GetUserData().pointer) - 1; }
 
-  static RobotMeeting meeting(b2Body& a, b2Body& b) {
+  static BodyCollision collision(b2Body& a, b2Body& b) {
     const bool in_order = index_of(a) < index_of(b);
     b2Body& one = in_order ? a : b;
     b2Body& other = in_order ? b : a;
@@ -227,7 +227,7 @@ void Box2dBridge::fit_plates() {
 void Box2dBridge::step(double duration_s) {
   fit_plates();
   bodies_->contacts.touching.clear();
-  bodies_->contacts.meetings.clear();
+  bodies_->contacts.collisions.clear();
   bodies_->world.Step(static_cast<float>(duration_s), kVelocityIterations, kPositionIterations);
   for (int i = 0; i < count_; ++i) {
     push_on(i, static_cast<float>(duration_s));
@@ -252,8 +252,8 @@ std::span<const int> Box2dBridge::touching() const {
   return {bodies_->contacts.touching.data(), bodies_->contacts.touching.size()};
 }
 
-std::span<const RobotMeeting> Box2dBridge::meetings() const {
-  return {bodies_->contacts.meetings.data(), bodies_->contacts.meetings.size()};
+std::span<const BodyCollision> Box2dBridge::collisions() const {
+  return {bodies_->contacts.collisions.data(), bodies_->contacts.collisions.size()};
 }
 
 void Box2dBridge::read_robot(int index) {

@@ -27,14 +27,14 @@ struct BodyState {
 };
 
 // Two robots that were apart met: their motion just before.
-struct RobotMeeting {
+struct BodyCollision {
   std::array<int, 2> robots;  // by index, the lower one first
   std::array<Vec2, 2> velocities_mps;
   std::array<Vec2, 2> centres_m;
 };
 
 // The longest way of a body in one step: Box2D slows down what is faster.
-inline constexpr double kLongestWay_m = 0.2;
+inline constexpr double kLongestStep_m = 0.2;
 
 // Of a homogeneous disc as heavy and as wide as a robot.
 double robot_inertia_kgm2(double mass_kg);
@@ -77,7 +77,7 @@ class Box2dBridge {
   std::span<const int> touching() const;
 
   // The robots that met during the last step, at most 64 pairs, in order of contact.
-  std::span<const RobotMeeting> meetings() const;
+  std::span<const BodyCollision> collisions() const;
 
  private:
   struct Bodies;

@@ -21,13 +21,13 @@ Vec2 rounded_heading(const Vec2& heading, double noise_rad) {
 }
 
 // Where the camera's ray through the ball's middle meets the height of a lying ball's.
-Vec2 seen_before_carpet(const BallState& ball, const CameraPlace& camera) {
+Vec2 seen_before_carpet(const BallState& ball, const CameraPosition& camera) {
   const double below_m = camera.height_m - kBallRadius_m;
   return camera.position_m +
          (ball.position_m - camera.position_m) * (below_m / (below_m - ball.height_m));
 }
 
-bool is_hidden(const WorldState& world, const CameraPlace& camera) {
+bool is_hidden(const WorldState& world, const CameraPosition& camera) {
   const BallState& ball = world.ball;
   const auto hides = [&](const RobotState& robot) {
     return hides_ball(robot, ball.position_m, ball.height_m, camera);
@@ -39,15 +39,15 @@ bool is_hidden(const WorldState& world, const CameraPlace& camera) {
 
 }  // namespace
 
-std::array<CameraPlace, 4> camera_places(const Field& field, double height_m) {
+std::array<CameraPosition, 4> camera_positions(const Field& field, double height_m) {
   const double x = field.half_length_m() / 2.0;
   const double y = field.half_width_m() / 2.0;
-  return {CameraPlace{{-x, -y}, height_m}, CameraPlace{{-x, y}, height_m},
-          CameraPlace{{x, -y}, height_m}, CameraPlace{{x, y}, height_m}};
+  return {CameraPosition{{-x, -y}, height_m}, CameraPosition{{-x, y}, height_m},
+          CameraPosition{{x, -y}, height_m}, CameraPosition{{x, y}, height_m}};
 }
 
 bool hides_ball(const RobotState& robot, const Vec2& ball_m, double height_m,
-                const CameraPlace& camera) {
+                const CameraPosition& camera) {
   const double middle_m = height_m + kBallRadius_m;
   if (middle_m >= kRobotHeight_m) return false;
   // From there on the ray to the camera is above the robots.
@@ -59,7 +59,7 @@ bool hides_ball(const RobotState& robot, const Vec2& ball_m, double height_m,
 Camera::Camera(const VisionParameters& parameters, const Field& field, double frame_rate_hz,
                std::uint64_t seed)
     : parameters_(parameters),
-      cameras_(camera_places(field, parameters.camera_height_m)),
+      cameras_(camera_positions(field, parameters.camera_height_m)),
       sees_beside_m_(field.half_length_m() / 2.0 + parameters.camera_overlap_m,
                      field.half_width_m() / 2.0 + parameters.camera_overlap_m),
       frame_rate_hz_(frame_rate_hz),
@@ -89,7 +89,7 @@ void Camera::look_at_robots(const WorldState& world, Frame& frame) {
 void Camera::look_at_ball(const WorldState& world, Frame& frame) {
   frame.ball.reset();
   if (misses(parameters_.ball_misses)) return;
-  const CameraPlace* camera = find_view(world);
+  const CameraPosition* camera = find_view(world);
   if (camera == nullptr) return;
   const BallState& ball = world.ball;
   frame.ball.emplace();
@@ -104,10 +104,10 @@ void Camera::look_at_ball(const WorldState& world, Frame& frame) {
 }
 
 // The nearest of the cameras that have the ball in sight; null where none has.
-const CameraPlace* Camera::find_view(const WorldState& world) const {
-  const CameraPlace* nearest = nullptr;
+const CameraPosition* Camera::find_view(const WorldState& world) const {
+  const CameraPosition* nearest = nullptr;
   double nearest_m2 = 0.0;
-  for (const CameraPlace& camera : cameras_) {
+  for (const CameraPosition& camera : cameras_) {
     if (!covers(camera, world.ball)) continue;
     const double away_m2 = (world.ball.position_m - camera.position_m).squaredNorm();
     if (nearest != nullptr && away_m2 >= nearest_m2) continue;
@@ -118,7 +118,7 @@ const CameraPlace* Camera::find_view(const WorldState& world) const {
   return nearest;
 }
 
-bool Camera::covers(const CameraPlace& camera, const BallState& ball) const {
+bool Camera::covers(const CameraPosition& camera, const BallState& ball) const {
   // What is beyond the lines is on the outer side of the camera, and in its sight.
   const Vec2 inwards_m =
       ball.position_m.cwiseProduct(-camera.position_m.cwiseSign()) + camera.position_m.cwiseAbs();

@@ -13,14 +13,14 @@
 namespace autoref::sim {
 
 // The league's four cameras, so high above the middles of the field's quarters.
-std::array<CameraPlace, 4> camera_places(const Field& field, double height_m);
+std::array<CameraPosition, 4> camera_positions(const Field& field, double height_m);
 
 // Whether the robot stands between the camera and the middle of a ball whose lowest point is at
 // `height_m`. Robots are as high all over their outline as their cover.
 bool hides_ball(const RobotState& robot, const Vec2& ball_m, double height_m,
-                const CameraPlace& camera);
+                const CameraPosition& camera);
 
-// Takes one picture per frame, put together from four cameras: each sees its quarter and
+// Takes one frame per frame, put together from four cameras: each sees its quarter and
 // camera_overlap_m beyond. Values are rounded to what a league vision packet holds (float
 // millimetres and radians), so that a recorded game shows the same as the live one.
 class Camera {
@@ -35,13 +35,13 @@ class Camera {
  private:
   void look_at_robots(const WorldState& world, Frame& frame);
   void look_at_ball(const WorldState& world, Frame& frame);
-  const CameraPlace* find_view(const WorldState& world) const;
-  bool covers(const CameraPlace& camera, const BallState& ball) const;
+  const CameraPosition* find_view(const WorldState& world) const;
+  bool covers(const CameraPosition& camera, const BallState& ball) const;
   bool misses(double share);
   Vec2 with_noise(const Vec2& position_m, double noise_m);
 
   VisionParameters parameters_;
-  std::array<CameraPlace, 4> cameras_;
+  std::array<CameraPosition, 4> cameras_;
   Vec2 sees_beside_m_;  // how far each sees along x and y from its own place
   double frame_rate_hz_;
   RandomStream chance_;

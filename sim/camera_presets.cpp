@@ -7,7 +7,7 @@
 namespace autoref::sim {
 namespace {
 
-struct Preset {
+struct CameraPreset {
   std::string_view name;
   VisionParameters vision;
   double command_loss;
@@ -17,32 +17,32 @@ struct Preset {
 // The paper's simulator reported the truth (section 3). The others are the kinds of realism of
 // ER-Force's simulator, whose robots hide the ball in all but the ideal one. Latencies are from
 // camera to team, plus those of deciding and of the radio.
-constexpr std::array kPresets = {
-    Preset{"paper", {0, 0, 0, 0, 0, true, false}, 0, 35_ms + 5_ms},
-    Preset{"none", {0, 0, 0, 0, 0, false, false}, 0, 35_ms + 5_ms},
-    Preset{"friendly", {0.0004, 0.0003, 0.003, 0.05, 0.02, false, true}, 0.01, 35_ms + 10_ms},
-    Preset{"rc2021", {0.001, 0.0013, 0.01, 0.05, 0, false, true}, 0.03, 35_ms + 10_ms},
-    Preset{
+constexpr std::array kCameraPresets = {
+    CameraPreset{"paper", {0, 0, 0, 0, 0, true, false}, 0, 35_ms + 5_ms},
+    CameraPreset{"none", {0, 0, 0, 0, 0, false, false}, 0, 35_ms + 5_ms},
+    CameraPreset{"friendly", {0.0004, 0.0003, 0.003, 0.05, 0.02, false, true}, 0.01, 35_ms + 10_ms},
+    CameraPreset{"rc2021", {0.001, 0.0013, 0.01, 0.05, 0, false, true}, 0.03, 35_ms + 10_ms},
+    CameraPreset{
         "realistic", {0.0014, 0.0013, 0.01, 0.05, 0.02, false, true}, 0.03, 35_ms + 10_ms + 3_ms},
 };
 
 }  // namespace
 
 void apply_camera_preset(std::string_view name, Configuration& configuration) {
-  const Preset& preset = preset_called(name, kPresets, "camera");
+  const CameraPreset& preset = preset_called(name, kCameraPresets, "camera");
   configuration.vision = preset.vision;
   configuration.radio.command_loss = preset.command_loss;
   configuration.latency_s = preset.latency_s;
 }
 
 std::optional<std::string> camera_preset_of(const Configuration& configuration) {
-  return name_of_preset(kPresets, [&](const Preset& preset) {
+  return name_of_preset(kCameraPresets, [&](const CameraPreset& preset) {
     return configuration.vision == preset.vision &&
            configuration.radio.command_loss == preset.command_loss &&
            configuration.latency_s == preset.latency_s;
   });
 }
 
-std::vector<std::string> camera_preset_names() { return names_of(kPresets); }
+std::vector<std::string> camera_preset_names() { return names_of(kCameraPresets); }
 
 }  // namespace autoref::sim

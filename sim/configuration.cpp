@@ -125,7 +125,7 @@ void validate(const VisionParameters& vision) {
 
 void validate(const Configuration& configuration) {
   check_range("substeps", configuration.substeps, 1, 16);
-  check_range("calm_substeps", configuration.calm_substeps, 1, 16);
+  check_range("contact_free_substeps", configuration.contact_free_substeps, 1, 16);
   check_range("frame_rate_hz", configuration.frame_rate_hz, 30.0, 240.0);
   check_range("latency_s", configuration.latency_s, 0.0, 0.5);
   validate(configuration.vision);
@@ -140,7 +140,7 @@ void validate(const Configuration& configuration) {
   validate(configuration.line_up);
 }
 
-void validate(const RobotSheet& robot) {
+void validate(const RobotSpec& robot) {
   validate(robot.body);
   validate(robot.kicker);
   validate(robot.dribbler);
@@ -148,9 +148,9 @@ void validate(const RobotSheet& robot) {
   check_factor("acceleration_factor", robot.acceleration_factor);
 }
 
-void validate(const PerSide<TeamSheet>& sheets) {
+void validate(const PerSide<TeamSpec>& specs) {
   for (const Side side : kSides) {
-    const auto& robots = sheets[side].robots;
+    const auto& robots = specs[side].robots;
     for (std::size_t number = 0; number < robots.size(); ++number) {
       try {
         validate(robots[number]);
@@ -185,10 +185,10 @@ void validate(const Field& field) {
 }
 
 double fastest_mps(const Configuration& configuration) {
-  return kLongestWay_m * configuration.substeps * configuration.frame_rate_hz;
+  return kLongestStep_m * configuration.substeps * configuration.frame_rate_hz;
 }
 
-double fastest_mps(const RobotSheet& robot) {
+double fastest_mps(const RobotSpec& robot) {
   return std::max({robot.body.speed_mps * robot.speed_factor, robot.kicker.speed_limit_mps,
                    robot.kicker.chip_limit_mps});
 }

@@ -100,7 +100,7 @@ struct VisionParameters {
   double ball_noise_m = 0.0;  // standard deviation of each coordinate
   double robot_noise_m = 0.0;
   double robot_noise_rad = 0.0;
-  double ball_misses = 0.0;    // share of the pictures in which a ball in sight is missed
+  double ball_misses = 0.0;    // share of the frames in which a ball in sight is missed
   double robot_misses = 0.0;   // and a robot
   bool reports_height = true;  // else a flying ball is seen before the carpet
   bool robots_hide_ball = false;
@@ -126,12 +126,13 @@ struct LineUpParameters {
 };
 
 struct Configuration {
-  int substeps = 4;       // physics steps per camera frame, 1 to 16
-  int calm_substeps = 2;  // and while nothing can meet anything; as many or more: no difference
+  int substeps = 4;  // physics steps per camera frame, 1 to 16
+  int contact_free_substeps =
+      2;  // and while nothing can meet anything; as many or more: no difference
   double frame_rate_hz = 60.0;
   VisionParameters vision;
   RadioParameters radio;
-  double latency_s = 40_ms;  // from a picture until the orders decided on it move the robots
+  double latency_s = 40_ms;  // from a frame until the orders decided on it move the robots
   BallParameters ball;
   ContactParameters contacts;
   PlacementParameters placement;
@@ -139,7 +140,7 @@ struct Configuration {
 };
 
 // One robot and its handicap.
-struct RobotSheet {
+struct RobotSpec {
   RobotParameters body;
   KickerParameters kicker;
   DribblerParameters dribbler;
@@ -148,22 +149,22 @@ struct RobotSheet {
 };
 
 // The robots of one side, by number.
-struct TeamSheet {
-  using Robots = boost::container::static_vector<RobotSheet, kMaxRobots>;
+struct TeamSpec {
+  using Robots = boost::container::static_vector<RobotSpec, kMaxRobots>;
   Robots robots;
 };
 
 // Throw std::invalid_argument that names the field, its value and the allowed range; for a robot
 // also its side and number, such as "east robot 3: robot.mass_kg is 0; ...".
 void validate(const Configuration& configuration);
-void validate(const RobotSheet& robot);
-void validate(const PerSide<TeamSheet>& sheets);
+void validate(const RobotSpec& robot);
+void validate(const PerSide<TeamSpec>& specs);
 void validate(const Field& field);
 
 // The fastest that a body can be with as many sub-steps: Box2D slows down what is faster.
 double fastest_mps(const Configuration& configuration);
 
 // The fastest that a robot may drive or kick.
-double fastest_mps(const RobotSheet& robot);
+double fastest_mps(const RobotSpec& robot);
 
 }  // namespace autoref::sim

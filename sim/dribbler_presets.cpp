@@ -7,24 +7,26 @@
 namespace autoref::sim {
 namespace {
 
-struct Preset {
+struct DribblerPreset {
   std::string_view name;
   DribblerParameters numbers;
 };
 
 // 100 N stop a ball of 46 g at 8 m/s, the fastest, within a sub-step of 1/240 s.
-constexpr std::array kPresets = {Preset{"default", {}}, Preset{"perfect", {100.0, 10_mm, true}}};
+constexpr std::array kDribblerPresets = {DribblerPreset{"default", {}},
+                                         DribblerPreset{"perfect", {100.0, 10_mm, true}}};
 
 }  // namespace
 
 void apply_dribbler_preset(std::string_view name, DribblerParameters& dribbler) {
-  dribbler = preset_called(name, kPresets, "dribbler").numbers;
+  dribbler = preset_called(name, kDribblerPresets, "dribbler").numbers;
 }
 
 std::optional<std::string> dribbler_preset_of(const DribblerParameters& dribbler) {
-  return name_of_preset(kPresets, [&](const Preset& preset) { return preset.numbers == dribbler; });
+  return name_of_preset(kDribblerPresets,
+                        [&](const DribblerPreset& preset) { return preset.numbers == dribbler; });
 }
 
-std::vector<std::string> dribbler_preset_names() { return names_of(kPresets); }
+std::vector<std::string> dribbler_preset_names() { return names_of(kDribblerPresets); }
 
 }  // namespace autoref::sim

@@ -13,22 +13,22 @@ Vec2 tangent_at(double angle_deg) { return left_of(heading_of(to_radians(angle_d
 
 }  // namespace
 
-Drive::Drive(const RobotSheet& sheet)
-    : wheels_{tangent_at(sheet.body.front_wheels_deg), tangent_at(-sheet.body.front_wheels_deg),
-              tangent_at(sheet.body.back_wheels_deg), tangent_at(-sheet.body.back_wheels_deg)},
-      wheel_distance_m_(sheet.body.wheel_distance_m),
-      mass_kg_(sheet.body.mass_kg),
-      inertia_kgm2_(robot_inertia_kgm2(sheet.body.mass_kg)),
-      speed_mps_(sheet.body.speed_mps * sheet.speed_factor),
-      angular_speed_radps_(sheet.body.angular_speed_radps),
-      acceleration_mps2_(sheet.body.acceleration_mps2 * sheet.acceleration_factor),
-      braking_mps2_(sheet.body.braking_mps2 * sheet.acceleration_factor),
-      wheel_mps2_(sheet.body.wheel_acceleration_mps2 * sheet.acceleration_factor),
-      angular_radps2_(sheet.body.angular_acceleration_radps2),
-      noise_(sheet.body.speed_noise) {}
+Drive::Drive(const RobotSpec& spec)
+    : wheels_{tangent_at(spec.body.front_wheels_deg), tangent_at(-spec.body.front_wheels_deg),
+              tangent_at(spec.body.back_wheels_deg), tangent_at(-spec.body.back_wheels_deg)},
+      wheel_distance_m_(spec.body.wheel_distance_m),
+      mass_kg_(spec.body.mass_kg),
+      inertia_kgm2_(robot_inertia_kgm2(spec.body.mass_kg)),
+      speed_mps_(spec.body.speed_mps * spec.speed_factor),
+      angular_speed_radps_(spec.body.angular_speed_radps),
+      acceleration_mps2_(spec.body.acceleration_mps2 * spec.acceleration_factor),
+      braking_mps2_(spec.body.braking_mps2 * spec.acceleration_factor),
+      wheel_mps2_(spec.body.wheel_acceleration_mps2 * spec.acceleration_factor),
+      angular_radps2_(spec.body.angular_acceleration_radps2),
+      noise_(spec.body.speed_noise) {}
 
-RobotCommand Drive::accept(const RobotCommand& order, RandomStream& noise) const {
-  RobotCommand aim = order;
+RobotCommand Drive::accept(const RobotCommand& command, RandomStream& noise) const {
+  RobotCommand aim = command;
   if (noise_ > 0.0) {
     aim.velocity_mps.x() *= 1.0 + noise_ * noise.normal();
     aim.velocity_mps.y() *= 1.0 + noise_ * noise.normal();

@@ -21,10 +21,10 @@ struct DriveForce {
 // their forces.
 class Drive {
  public:
-  explicit Drive(const RobotSheet& sheet);
+  explicit Drive(const RobotSpec& spec);
 
-  // The speeds that `order` makes the robot aim at: limited, and off by the motors' noise.
-  RobotCommand accept(const RobotCommand& order, RandomStream& noise) const;
+  // The speeds that `command` makes the robot aim at: limited, and off by the motors' noise.
+  RobotCommand accept(const RobotCommand& command, RandomStream& noise) const;
 
   // The force that brings the robot to `aim` (in its own frame) within `duration_s`, or as near as
   // the limits let it: overall acceleration or braking, angular acceleration, and each wheel's

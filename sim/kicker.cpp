@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/mouth.hpp"
+#include "sim/dribbler_zone.hpp"
 #include "soccer/trigonometry.hpp"
 #include "soccer/units.hpp"
 
@@ -16,22 +16,22 @@ Kicker::Kicker(const KickerParameters& parameters, double substeps_per_s)
       chip_sin_(sin_cos(to_radians(parameters.chip_angle_deg)).sin),
       chip_cos_(sin_cos(to_radians(parameters.chip_angle_deg)).cos) {}
 
-std::optional<Kick> Kicker::fire(const RobotCommand& order, const BodyState& robot,
+std::optional<Kick> Kicker::fire(const RobotCommand& command, const BodyState& robot,
                                  const Vec2& ball_m, double ball_height_m, std::int64_t substep,
                                  RandomStream& noise) {
-  if (order.kick_mps <= 0.0 || is_recharging(substep)) return std::nullopt;
-  if (!is_in_mouth(robot, ball_m, ball_height_m, parameters_.reach_m)) return std::nullopt;
+  if (command.kick_mps <= 0.0 || is_recharging(substep)) return std::nullopt;
+  if (!is_in_dribbler_zone(robot, ball_m, ball_height_m, parameters_.reach_m)) return std::nullopt;
   ready_at_ = substep + dead_substeps_;
-  return make(order, robot.heading, noise);
+  return make(command, robot.heading, noise);
 }
 
-Kick Kicker::make(const RobotCommand& order, const Vec2& heading, RandomStream& noise) const {
-  const double limit_mps = order.chip ? parameters_.chip_limit_mps : parameters_.speed_limit_mps;
+Kick Kicker::make(const RobotCommand& command, const Vec2& heading, RandomStream& noise) const {
+  const double limit_mps = command.chip ? parameters_.chip_limit_mps : parameters_.speed_limit_mps;
   const double speed_factor = 1.0 + parameters_.speed_noise * noise.normal();
   const double off_rad = to_radians(parameters_.direction_noise_deg) * noise.normal();
-  const double speed_mps = std::clamp(order.kick_mps * speed_factor, 0.0, limit_mps);
+  const double speed_mps = std::clamp(command.kick_mps * speed_factor, 0.0, limit_mps);
   const Vec2 direction = to_world(heading_of(off_rad), heading);
-  if (!order.chip) return {direction * speed_mps, 0.0};
+  if (!command.chip) return {direction * speed_mps, 0.0};
   return {direction * (speed_mps * chip_cos_), speed_mps * chip_sin_};
 }
 

@@ -25,7 +25,7 @@ class Kicker {
 
   // Fires if it is ordered to, has the ball in its mouth, and is charged. A chip's speed is the
   // total one, at the chip angle.
-  std::optional<Kick> fire(const RobotCommand& order, const BodyState& robot, const Vec2& ball_m,
+  std::optional<Kick> fire(const RobotCommand& command, const BodyState& robot, const Vec2& ball_m,
                            double ball_height_m, std::int64_t substep, RandomStream& noise);
 
   // Whether it fired less than its dead time ago.
@@ -35,7 +35,7 @@ class Kicker {
   double speed_limit_mps() const { return parameters_.speed_limit_mps; }
 
  private:
-  Kick make(const RobotCommand& order, const Vec2& heading, RandomStream& noise) const;
+  Kick make(const RobotCommand& command, const Vec2& heading, RandomStream& noise) const;
 
   KickerParameters parameters_;
   std::int64_t dead_substeps_;

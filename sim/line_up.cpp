@@ -9,7 +9,7 @@ constexpr int kRow = 8;  // robots in a row; a full team makes two
 
 }  // namespace
 
-BodyState place_in_line_up(const Field& field, const LineUpParameters& line_up, RobotId id) {
+BodyState pose_in_line_up(const Field& field, const LineUpParameters& line_up, RobotId id) {
   const double room_m =
       field.half_length_m() - line_up.from_halfway_line_m - line_up.from_goal_line_m;
   const double gap_m = std::min(line_up.gap_m, room_m / (kRow - 1));
@@ -17,10 +17,10 @@ BodyState place_in_line_up(const Field& field, const LineUpParameters& line_up, 
   const int row = id.number / kRow;
   const double y = -field.half_width_m() + line_up.from_touch_line_m + line_up.gap_m * row;
   const double turn = -goal_sign(id.side);  // 1 in the west, -1 in the east
-  BodyState place;
-  place.position_m = {turn * x, turn * y};
-  place.heading = {turn, 0.0};
-  return place;
+  BodyState pose;
+  pose.position_m = {turn * x, turn * y};
+  pose.heading = {turn, 0.0};
+  return pose;
 }
 
 }  // namespace autoref::sim

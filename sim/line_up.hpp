@@ -11,6 +11,6 @@ namespace autoref::sim {
 // In a row in the own half, along the touch line to the right of the side's goal keeper, facing
 // the opponents' goal: no formation, so that teams have to move. The sides' places are each
 // other's, turned by 180 degrees.
-BodyState place_in_line_up(const Field& field, const LineUpParameters& line_up, RobotId id);
+BodyState pose_in_line_up(const Field& field, const LineUpParameters& line_up, RobotId id);
 
 }  // namespace autoref::sim

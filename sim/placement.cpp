@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/lids.hpp"
+#include "sim/robot_tops.hpp"
 #include "soccer/robot_shape.hpp"
 
 namespace autoref::sim {
@@ -11,34 +11,36 @@ namespace {
 
 // The corners that lead from a place behind a goal line to the field before it; none from a place
 // on the field.
-Route way_to_field(const Field& field, const Vec2& place_m, double clearance_m) {
-  Route way;
+Route route_to_field(const Field& field, const Vec2& position_m, double clearance_m) {
+  Route direction;
   const double before_line_m = field.half_length_m() - clearance_m;
-  if (std::abs(place_m.x()) <= before_line_m) return way;
-  const double end = std::copysign(1.0, place_m.x());
-  if (is_in_goal(field, place_m)) {
+  if (std::abs(position_m.x()) <= before_line_m) return direction;
+  const double end = std::copysign(1.0, position_m.x());
+  if (is_in_goal(field, position_m)) {
     const double inside_m = field.half_goal_m() - clearance_m;
-    const double y = std::clamp(place_m.y(), -inside_m, inside_m);
-    way.push_back({place_m.x(), y});
-    way.push_back({end * before_line_m, y});
-    return way;
+    const double y = std::clamp(position_m.y(), -inside_m, inside_m);
+    direction.push_back({position_m.x(), y});
+    direction.push_back({end * before_line_m, y});
+    return direction;
   }
   const double beside_m = field.half_goal_m() + field.goal_wall_thickness_m + clearance_m;
   const double behind_m = field.half_length_m();
   // From exactly behind the middle it goes to the left of who looks at the goal from the field.
-  const double flank = place_m.y() == 0.0 ? end : std::copysign(1.0, place_m.y());
-  const double y = flank * std::max(beside_m, std::abs(place_m.y()));
-  if (y != place_m.y() && std::abs(place_m.x()) > behind_m) way.push_back({place_m.x(), y});
-  way.push_back({end * before_line_m, std::abs(place_m.x()) > behind_m ? y : place_m.y()});
-  return way;
+  const double flank = position_m.y() == 0.0 ? end : std::copysign(1.0, position_m.y());
+  const double y = flank * std::max(beside_m, std::abs(position_m.y()));
+  if (y != position_m.y() && std::abs(position_m.x()) > behind_m)
+    direction.push_back({position_m.x(), y});
+  direction.push_back(
+      {end * before_line_m, std::abs(position_m.x()) > behind_m ? y : position_m.y()});
+  return direction;
 }
 
 }  // namespace
 
 Route route_between(const Field& field, const Vec2& start_m, const Vec2& target_m,
                     double clearance_m) {
-  Route route = way_to_field(field, start_m, clearance_m);
-  const Route back = way_to_field(field, target_m, clearance_m);
+  Route route = route_to_field(field, start_m, clearance_m);
+  const Route back = route_to_field(field, target_m, clearance_m);
   route.insert(route.end(), back.rbegin(), back.rend());
   route.push_back(target_m);
   return route;
@@ -58,7 +60,7 @@ Vec2 Carrier::carry(double duration_s) {
     time_s_ -= leg_duration_s();
     from_m_ = route_[next_++];
   }
-  return from_m_ + (route_[next_] - from_m_) * (way_m(time_s_) / leg_length_m());
+  return from_m_ + (route_[next_] - from_m_) * (path_m(time_s_) / leg_length_m());
 }
 
 double Carrier::leg_length_m() const { return (route_[next_] - from_m_).norm(); }
@@ -73,7 +75,7 @@ double Carrier::leg_duration_s() const {
   return 2.0 * ramp_s + (length_m - ramps_m) / parameters_.speed_mps;
 }
 
-double Carrier::way_m(double time_s) const {
+double Carrier::path_m(double time_s) const {
   const double a = parameters_.acceleration_mps2;
   const double total_s = leg_duration_s();
   const double ramp_s = std::min(parameters_.speed_mps / a, total_s / 2.0);

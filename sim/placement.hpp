@@ -1,4 +1,4 @@
-// How the referee's hand brings the ball to where play goes on ("the simulator can then drag the
+// How ball placement brings the ball to where play goes on ("the simulator can then drag the
 // ball smoothly to the desired location", paper, section 4.1).
 #pragma once
 
@@ -34,7 +34,7 @@ class Carrier {
  private:
   double leg_length_m() const;
   double leg_duration_s() const;
-  double way_m(double time_s) const;  // from the leg's begin
+  double path_m(double time_s) const;  // from the leg's begin
 
   Field field_;
   PlacementParameters parameters_;

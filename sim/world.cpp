@@ -6,25 +6,25 @@
 
 namespace autoref::sim {
 
-World::World(const Field& field, const Configuration& configuration,
-             const PerSide<TeamSheet>& sheets, std::uint64_t seed) {
+World::World(const Field& field, const Configuration& configuration, const PerSide<TeamSpec>& specs,
+             std::uint64_t seed) {
   validate(field);
   validate(configuration);
-  validate(sheets);
-  impl_ = std::make_unique<Impl>(field, configuration, sheets, seed);
+  validate(specs);
+  impl_ = std::make_unique<Impl>(field, configuration, specs, seed);
 }
 
 World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 
-void World::step(const PerSide<TeamOrders>& orders, const std::optional<Placement>& placement) {
-  impl_->step(orders, placement);
+void World::step(const PerSide<TeamCommands>& commands, const std::optional<Placement>& placement) {
+  impl_->step(commands, placement);
 }
 
 const WorldState& World::state() const { return impl_->state(); }
 std::span<const Touch> World::touches() const { return impl_->touches(); }
-std::span<const Meeting> World::meetings() const { return impl_->meetings(); }
+std::span<const RobotCollision> World::collisions() const { return impl_->collisions(); }
 void World::put_ball(const BallState& ball) { impl_->put_ball(ball); }
 void World::put_robot(RobotId id, const RobotState& state) { impl_->put_robot(id, state); }
 

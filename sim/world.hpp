@@ -56,7 +56,7 @@ struct Touch {
 
 // The hulls of two robots met that had been apart. In the plane's physics a robot is a round disc
 // to other robots: its flat front does not count.
-struct Meeting {
+struct RobotCollision {
   std::int64_t frame = 0;  // as in Touch
   int substep = 0;
   std::array<RobotId, 2> robots;
@@ -68,19 +68,19 @@ class World {
  public:
   // Robots start lined up in their own halves, the ball at the centre. `seed` names the streams
   // of motors and kickers. Throws std::invalid_argument for a configuration out of range.
-  World(const Field& field, const Configuration& configuration, const PerSide<TeamSheet>& sheets,
+  World(const Field& field, const Configuration& configuration, const PerSide<TeamSpec>& specs,
         std::uint64_t seed);
   ~World();
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
 
-  // One camera frame of physics. The new orders take effect `order_delay_substeps` into it, the
+  // One camera frame of physics. The new orders take effect `command_delay_substeps` into it, the
   // former ones until then. Orders for robots that do not exist or are off the
   // field are ignored. Orders must be finite
   // (asserted); they are limited to what the robots can do. With `placement` the ball is held by
-  // the referee's hand, which brings it to the target and keeps it there: it meets no robot, no
+  // ball placement, which brings it to the target and keeps it there: it meets no robot, no
   // kicker and no dribbler. Without, it is free, and a robot that stands on it pushes it out.
-  void step(const PerSide<TeamOrders>& orders, const std::optional<Placement>& placement);
+  void step(const PerSide<TeamCommands>& commands, const std::optional<Placement>& placement);
 
   // The state after the last step.
   const WorldState& state() const;
@@ -89,7 +89,7 @@ class World {
   std::span<const Touch> touches() const;
 
   // Which robots met during the last step, in order; at most 64.
-  std::span<const Meeting> meetings() const;
+  std::span<const RobotCollision> collisions() const;
 
   // Whether every position and speed is finite.
   bool is_finite() const;
@@ -112,7 +112,7 @@ class World {
   std::unique_ptr<Impl> impl_;
 };
 
-// How the delay from picture to motion is shared: whole frames that the picture ages before a team
+// How the delay from frame to motion is shared: whole frames that the frame ages before a team
 // sees it, and the sub-steps after which the orders decided on it take effect.
 struct LatencySplit {
   int frames = 0;

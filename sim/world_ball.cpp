@@ -1,11 +1,11 @@
-// What a world does to its ball: kicks, dribblers, the referee's hand, nets and the third
+// What a world does to its ball: kicks, dribblers, ball placement, nets and the third
 // dimension.
 #include <algorithm>
 #include <cmath>
 
 #include "sim/bar.hpp"
 #include "sim/dribbler.hpp"
-#include "sim/lids.hpp"
+#include "sim/robot_tops.hpp"
 #include "sim/world_impl.hpp"
 #include "soccer/robot_shape.hpp"
 
@@ -33,9 +33,9 @@ void World::Impl::hold_ball() {
     carrier_.start(ball.position_m, placement_.target_m);
     bodies_.let_ball_meet(false, false);
   }
-  const Vec2 way_m = carrier_.carry(step_s_) - ball.position_m;
-  const bool is_there = way_m.norm() < 1e-6;
-  bodies_.set_ball_velocity(is_there ? Vec2(0.0, 0.0) : Vec2(way_m / step_s_));
+  const Vec2 path_m = carrier_.carry(step_s_) - ball.position_m;
+  const bool is_there = path_m.norm() < 1e-6;
+  bodies_.set_ball_velocity(is_there ? Vec2(0.0, 0.0) : Vec2(path_m / step_s_));
 }
 
 void World::Impl::move_ball(int substep) {
@@ -120,11 +120,11 @@ void World::Impl::follow_ball(const BodyState& former) {
   if (!ball_.is_in_air()) return;
   const double former_height_m = ball_.height_m();
   bodies_.set_ball_velocity(ball_.flown(bodies_.ball().velocity_mps, step_s_));
-  meet_bar_and_lids(former, former_height_m);
+  bounce_off_bar_and_tops(former, former_height_m);
   let_ball_meet_what_is_as_high();
 }
 
-void World::Impl::meet_bar_and_lids(const BodyState& former, double former_height_m) {
+void World::Impl::bounce_off_bar_and_tops(const BodyState& former, double former_height_m) {
   const ContactParameters& contacts = configuration_.contacts;
   const BallState before{former.position_m, former.velocity_mps, former_height_m};
   if (const auto met = bounced_off_bar(field_, contacts.bar_restitution, before, ball_state())) {
@@ -133,7 +133,7 @@ void World::Impl::meet_bar_and_lids(const BodyState& former, double former_heigh
     return;
   }
   const auto bounced_mps =
-      bounced_off_lid(field_, contacts, bodies_, robots_, former_height_m, ball_);
+      bounced_off_top(field_, contacts, bodies_, robots_, former_height_m, ball_);
   if (bounced_mps) bodies_.set_ball_velocity(*bounced_mps);
 }
 

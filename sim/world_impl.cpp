@@ -12,18 +12,18 @@ namespace autoref::sim {
 namespace {
 
 // The west's robots, then the east's.
-std::vector<double> masses_kg(const PerSide<TeamSheet>& sheets) {
+std::vector<double> masses_kg(const PerSide<TeamSpec>& specs) {
   std::vector<double> masses;
   masses.reserve(2 * kMaxRobots);
-  for (const TeamSheet& sheet : sheets.values) {
-    for (const RobotSheet& robot : sheet.robots) masses.push_back(robot.body.mass_kg);
+  for (const TeamSpec& spec : specs.values) {
+    for (const RobotSpec& robot : spec.robots) masses.push_back(robot.body.mass_kg);
   }
   return masses;
 }
 
 }  // namespace
 
-World::Impl::Team World::Impl::make_team(Side side, const TeamSheet& sheet,
+World::Impl::Team World::Impl::make_team(Side side, const TeamSpec& spec,
                                          std::uint64_t seed) const {
   Team made{0,
             {},
@@ -31,7 +31,7 @@ World::Impl::Team World::Impl::make_team(Side side, const TeamSheet& sheet,
             RandomStream::of(seed, RandomPurpose::kKicker, side),
             RandomStream::of(seed, RandomPurpose::kRadio, side)};
   const double substeps_per_s = configuration_.frame_rate_hz * configuration_.substeps;
-  for (const RobotSheet& robot : sheet.robots) {
+  for (const RobotSpec& robot : spec.robots) {
     made.robots.push_back(
         {Drive(robot), Kicker(robot.kicker, substeps_per_s), robot.dribbler, RobotCommand{}, 0});
   }
@@ -39,37 +39,37 @@ World::Impl::Team World::Impl::make_team(Side side, const TeamSheet& sheet,
 }
 
 World::Impl::Impl(const Field& field, const Configuration& configuration,
-                  const PerSide<TeamSheet>& sheets, std::uint64_t seed)
+                  const PerSide<TeamSpec>& specs, std::uint64_t seed)
     : field_(field),
       configuration_(configuration),
       substep_s_(1.0 / (configuration.frame_rate_hz * configuration.substeps)),
-      long_step_(std::max(1, configuration.substeps / configuration.calm_substeps)),
-      order_delay_substeps_(split_latency(configuration).substeps),
+      long_step_(std::max(1, configuration.substeps / configuration.contact_free_substeps)),
+      command_delay_substeps_(split_latency(configuration).substeps),
       hold_frames_(static_cast<int>(
           std::ceil(configuration.radio.hold_s * configuration.frame_rate_hz - 1e-9))),
       robots_(
-          static_cast<int>(sheets[Side::kWest].robots.size() + sheets[Side::kEast].robots.size())),
-      teams_{make_team(Side::kWest, sheets[Side::kWest], seed),
-             make_team(Side::kEast, sheets[Side::kEast], seed)},
-      bodies_(field, configuration.contacts, configuration.ball.mass_kg, masses_kg(sheets)),
+          static_cast<int>(specs[Side::kWest].robots.size() + specs[Side::kEast].robots.size())),
+      teams_{make_team(Side::kWest, specs[Side::kWest], seed),
+             make_team(Side::kEast, specs[Side::kEast], seed)},
+      bodies_(field, configuration.contacts, configuration.ball.mass_kg, masses_kg(specs)),
       ball_(configuration.ball),
       carrier_(field, configuration.placement),
-      calm_(field, sheets, long_step_ * substep_s_) {
+      contact_prediction_(field, specs, long_step_ * substep_s_) {
   team(Side::kEast).first = static_cast<int>(team(Side::kWest).robots.size());
   for_each_robot([&](RobotId id, Robot&, int index) {
-    bodies_.place_robot(index, place_in_line_up(field_, configuration_.line_up, id));
+    bodies_.place_robot(index, pose_in_line_up(field_, configuration_.line_up, id));
   });
   put_ball({});
 }
 
-void World::Impl::step(const PerSide<TeamOrders>& orders,
+void World::Impl::step(const PerSide<TeamCommands>& commands,
                        const std::optional<Placement>& placement) {
   touches_.clear();
-  meetings_.clear();
+  collisions_.clear();
   touched_in_frame_ = 0;
   obey(placement);
   for (int k = 0; k < configuration_.substeps;) {
-    if (k == order_delay_substeps_) accept(orders);
+    if (k == command_delay_substeps_) accept(commands);
     const int length = may_step_long(k) ? long_step_ : 1;
     advance(k, length);
     k += length;
@@ -78,13 +78,13 @@ void World::Impl::step(const PerSide<TeamOrders>& orders,
   publish();
 }
 
-void World::Impl::accept(const PerSide<TeamOrders>& orders) {
+void World::Impl::accept(const PerSide<TeamCommands>& commands) {
   for_each_robot([&](RobotId id, Robot& robot, int index) {
-    const RobotCommand& order = orders[id.side][static_cast<std::size_t>(id.number)];
-    assert(autoref::is_finite(order));
+    const RobotCommand& command = commands[id.side][static_cast<std::size_t>(id.number)];
+    assert(autoref::is_finite(command));
     // One that is off the field draws its numbers too, so that its mates' do not shift.
     if (hears(robot, team(id.side).radio)) {
-      robot.aim = robot.drive.accept(order, team(id.side).motors);
+      robot.aim = robot.drive.accept(command, team(id.side).motors);
     } else if (robot.unheard_frames >= hold_frames_) {
       robot.aim = RobotCommand{};
     }
@@ -122,8 +122,9 @@ void World::Impl::obey(const std::optional<Placement>& placement) {
 bool World::Impl::may_step_long(int substep) const {
   const int end = substep + long_step_;
   if (long_step_ == 1 || end > configuration_.substeps) return false;
-  if (substep < order_delay_substeps_ && order_delay_substeps_ < end) return false;
-  return !ball_.is_in_air() && calm_.lasts(bodies_, robots_, hold_ != Hold::kFree);
+  if (substep < command_delay_substeps_ && command_delay_substeps_ < end) return false;
+  return !ball_.is_in_air() &&
+         contact_prediction_.is_contact_free(bodies_, robots_, hold_ != Hold::kFree);
 }
 
 void World::Impl::advance(int substep, int substeps) {
@@ -138,7 +139,7 @@ void World::Impl::advance(int substep, int substeps) {
   bodies_.step(step_s_);
   if (hold_ == Hold::kFree) follow_ball(former);
   note_contacts(substep);
-  note_meetings(substep);
+  note_collisions(substep);
   substeps_ += substeps;
 }
 
@@ -166,14 +167,14 @@ void World::Impl::note(const Touch& touch) {
   if (touches_.size() < touches_.capacity()) touches_.push_back(touch);
 }
 
-void World::Impl::note_meetings(int substep) {
-  for (const RobotMeeting& met : bodies_.meetings()) {
-    if (meetings_.size() == meetings_.capacity()) return;
-    meetings_.push_back({state_.frame + 1,
-                         substep,
-                         {id_of(met.robots[0]), id_of(met.robots[1])},
-                         met.velocities_mps,
-                         met.centres_m});
+void World::Impl::note_collisions(int substep) {
+  for (const BodyCollision& met : bodies_.collisions()) {
+    if (collisions_.size() == collisions_.capacity()) return;
+    collisions_.push_back({state_.frame + 1,
+                           substep,
+                           {id_of(met.robots[0]), id_of(met.robots[1])},
+                           met.velocities_mps,
+                           met.centres_m});
   }
 }
 
@@ -205,10 +206,10 @@ void World::Impl::take_off(RobotId id) {
   publish();
 }
 
-void World::Impl::put_on(RobotId id, const BodyState& place) {
-  assert(!is_on(id) && is_free(place.position_m));
+void World::Impl::put_on(RobotId id, const BodyState& pose) {
+  assert(!is_on(id) && is_free(pose.position_m));
   bodies_.set_on(index_of(id), true);
-  bodies_.place_robot(index_of(id), place);
+  bodies_.place_robot(index_of(id), pose);
   publish();
 }
 

@@ -6,7 +6,7 @@
 
 #include "sim/ball.hpp"
 #include "sim/box2d_bridge.hpp"
-#include "sim/calm.hpp"
+#include "sim/contact_prediction.hpp"
 #include "sim/drive.hpp"
 #include "sim/kicker.hpp"
 #include "sim/placement.hpp"
@@ -17,17 +17,19 @@ namespace autoref::sim {
 
 class World::Impl {
  public:
-  Impl(const Field& field, const Configuration& configuration, const PerSide<TeamSheet>& sheets,
+  Impl(const Field& field, const Configuration& configuration, const PerSide<TeamSpec>& specs,
        std::uint64_t seed);
 
-  void step(const PerSide<TeamOrders>& orders, const std::optional<Placement>& placement);
+  void step(const PerSide<TeamCommands>& commands, const std::optional<Placement>& placement);
   const WorldState& state() const { return state_; }
   std::span<const Touch> touches() const { return {touches_.data(), touches_.size()}; }
-  std::span<const Meeting> meetings() const { return {meetings_.data(), meetings_.size()}; }
+  std::span<const RobotCollision> collisions() const {
+    return {collisions_.data(), collisions_.size()};
+  }
   void put_ball(const BallState& ball);
   void put_robot(RobotId id, const RobotState& state);
   void take_off(RobotId id);
-  void put_on(RobotId id, const BodyState& place);
+  void put_on(RobotId id, const BodyState& pose);
   bool is_on(RobotId id) const { return bodies_.is_on(index_of(id)); }
   bool is_free(const Vec2& position_m) const;
 
@@ -54,14 +56,14 @@ class World::Impl {
     Vec2 force_n;
   };
   using Pulls = boost::container::static_vector<Pull, 2 * kMaxRobots>;
-  // Free, or in the referee's hand: being stopped, then on its way or at the target.
+  // Free, or in ball placement: being stopped, then on its way or at the target.
   enum class Hold { kFree, kCatching, kCarrying };
 
-  Team make_team(Side side, const TeamSheet& sheet, std::uint64_t seed) const;
+  Team make_team(Side side, const TeamSpec& spec, std::uint64_t seed) const;
   Team& team(Side side) { return teams_[static_cast<std::size_t>(side)]; }
   const Team& team(Side side) const { return teams_[static_cast<std::size_t>(side)]; }
 
-  void accept(const PerSide<TeamOrders>& orders);
+  void accept(const PerSide<TeamCommands>& commands);
   bool hears(Robot& robot, RandomStream& radio) const;
   void obey(const std::optional<Placement>& placement);
   bool may_step_long(int substep) const;
@@ -74,13 +76,13 @@ class World::Impl {
   Vec2 dribbled(Vec2 ball_mps);
   Vec2 held_by_net(Vec2 ball_mps) const;
   void follow_ball(const BodyState& former);
-  void meet_bar_and_lids(const BodyState& former, double former_height_m);
+  void bounce_off_bar_and_tops(const BodyState& former, double former_height_m);
   BallState ball_state() const;
   void let_ball_meet_what_is_as_high();
   void note_contacts(int substep);
   void note(const Touch& touch);
   int index_of(RobotId id) const;  // in the bridge
-  void note_meetings(int substep);
+  void note_collisions(int substep);
   RobotId id_of(int index) const;
   void publish();
 
@@ -108,21 +110,21 @@ class World::Impl {
   double substep_s_;
   int long_step_;      // sub-steps that one physics step takes where nothing can meet anything
   double step_s_ = 0;  // of the physics step under way
-  int order_delay_substeps_;
+  int command_delay_substeps_;
   int hold_frames_;  // a robot stops after so many frames without an order
   int robots_;
   std::array<Team, 2> teams_;
   Box2dBridge bodies_;
   Ball ball_;
   Carrier carrier_;
-  Calm calm_;
+  ContactPrediction contact_prediction_;
   Hold hold_ = Hold::kFree;
   Placement placement_;                 // what the hand is doing
   std::int64_t substeps_ = 0;           // since the beginning
   std::uint32_t touching_ = 0;          // a bit per robot: met the ball in the last sub-step
   std::uint32_t touched_in_frame_ = 0;  // and in this frame
   boost::container::static_vector<Touch, 256> touches_;
-  boost::container::static_vector<Meeting, 64> meetings_;
+  boost::container::static_vector<RobotCollision, 64> collisions_;
   WorldState state_;
 };
 

@@ -14,7 +14,7 @@ bool has_finite_height(const BallObservation& ball) {
   return !ball.height_m || std::isfinite(*ball.height_m);
 }
 
-bool is_finite(const CameraPlace& camera) {
+bool is_finite(const CameraPosition& camera) {
   return autoref::is_finite(camera.position_m) && std::isfinite(camera.height_m);
 }
 

@@ -17,7 +17,7 @@ struct RobotObservation {
 };
 
 // Where a camera hangs.
-struct CameraPlace {
+struct CameraPosition {
   Vec2 position_m{0, 0};
   double height_m = 4;  // above the carpet (Laws 2014, section on vision: 4 m)
 };
@@ -27,13 +27,13 @@ struct CameraPlace {
 struct BallObservation {
   Vec2 position_m{0, 0};
   std::optional<double> height_m;  // of the ball's lowest point; none where vision cannot tell
-  CameraPlace seen_from{};         // means nothing where the height is reported
+  CameraPosition seen_from{};      // means nothing where the height is reported
 };
 
 // Seen robots of a side, ordered by number.
 using SeenRobots = boost::container::static_vector<RobotObservation, kMaxRobots>;
 
-// One picture of the field. Positions are in metres, in the field's frame (field.hpp).
+// One frame of the field. Positions are in metres, in the field's frame (field.hpp).
 struct Frame {
   std::int64_t number = 0;  // counts from 0 at the camera's rate
   double time_s = 0;        // number / rate, never accumulated

@@ -24,6 +24,6 @@ inline bool is_finite(const RobotCommand& c) {
 }
 
 // Orders of a side, by robot number. A robot without a new order stands still.
-using TeamOrders = std::array<RobotCommand, kMaxRobots>;
+using TeamCommands = std::array<RobotCommand, kMaxRobots>;
 
 }  // namespace autoref

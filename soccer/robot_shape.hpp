@@ -11,7 +11,7 @@ inline constexpr double kRobotRadius_m = 90_mm;    // cylinder of 180 mm diamete
 inline constexpr double kRobotHeight_m = 147_mm;   // below the 150 mm of the paper, section 3
 inline constexpr double kFrontDistance_m = 75_mm;  // flat kicker plate from the centre
 inline constexpr double kHalfPlate_m = 0.049749371855331;  // sqrt(90^2 - 75^2) mm: its half width
-inline constexpr double kMouthWidth_m = 80_mm;  // the plate's part that kicks and dribbles
+inline constexpr double kDribblerZoneWidth_m = 80_mm;  // the plate's part that kicks and dribbles
 
 // Distance in metres from `point_m` to the outline of a robot at `centre_m` facing the unit vector
 // `heading`: a disc of 90 mm cut off flat 75 mm in front of its centre. Negative inside.

@@ -29,11 +29,11 @@ struct RuleBook {
 
   // Readiness before a restart (paper, section 4.4).
   double stillness_m = 15_mm;          // the paper's epsilon
-  double look_period_s = 1_s;          // ours; the paper says "periodically"
+  double readiness_period_s = 1_s;     // ours; the paper says "periodically"
   double ready_timeout_s = 15_s;       // 2016; the paper says "a fixed timeout"
   double start_timeout_s = 10_s;       // ours: clients that never move must not hang a game
   double ball_at_rest_mps = 0.05_mps;  // ours: "rests at its place"
-  double ball_in_place_m = 10_mm;      // ours: "rests at its place"
+  double ball_in_position_m = 10_mm;   // ours: "rests at its place"
 
   // Where the ball is put (paper, section 4.2).
   double throw_in_inset_m = 100_mm;

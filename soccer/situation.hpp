@@ -47,7 +47,7 @@ class SituationTracker {
   double in_play_m_;
   Situation situation_;
   std::uint32_t obeyed_counter_ = 0;
-  std::optional<Vec2> restart_from_m_;  // the ball's place when a restart was allowed
+  std::optional<Vec2> restart_from_m_;  // the ball's position when a restart was allowed
 };
 
 }  // namespace autoref

@@ -15,7 +15,7 @@ namespace autoref {
 struct TeamView {
   std::int64_t frame = 0;  // number of the camera frame this view is made of
   double time_s = 0;       // when that frame was taken
-  double latency_s = 0;    // from the picture until an order given now moves a robot
+  double latency_s = 0;    // from the frame until an order given now moves a robot
   TrackedRobots own;
   TrackedRobots opponents;
   TrackedBall ball;

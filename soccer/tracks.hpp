@@ -1,4 +1,4 @@
-// Robots and ball in motion: what a tracker makes of pictures.
+// Robots and ball in motion: what a tracker makes of frames.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -16,7 +16,7 @@ struct TrackedRobot {
   Vec2 heading{1, 0};
   Vec2 velocity_mps{0, 0};
   double angular_velocity_radps = 0;
-  bool is_seen = true;  // in the last picture; else where it was going
+  bool is_seen = true;  // in the last frame; else where it was going
 };
 
 struct TrackedBall {
@@ -29,9 +29,9 @@ struct TrackedBall {
 
 using TrackedRobots = boost::container::static_vector<TrackedRobot, kMaxRobots>;
 
-// The field as last known, in the frame of the pictures it came from.
+// The field as last known, in the frame of the frames it came from.
 struct Tracks {
-  std::int64_t frame = 0;           // number of the last picture
+  std::int64_t frame = 0;           // number of the last frame
   double time_s = 0;                // when it was taken
   PerSide<TrackedRobots> robots;    // ordered by number
   std::optional<TrackedBall> ball;  // none before the ball was first seen

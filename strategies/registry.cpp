@@ -4,7 +4,7 @@
 #include "strategies/rowdy/rowdy.hpp"
 #include "strategies/teams/chaser.hpp"
 #include "strategies/teams/dummy.hpp"
-#include "strategies/teams/plans.hpp"
+#include "strategies/teams/playbooks.hpp"
 
 namespace autoref::strategies {
 namespace {
@@ -14,33 +14,33 @@ const std::vector<Parameter>& basic_params() {
   return kParams;
 }
 
-std::unique_ptr<Strategy> make_basic(const Briefing& briefing) {
-  return std::make_unique<basic::Basic>(briefing);
+std::unique_ptr<Strategy> make_basic(const TeamContext& context) {
+  return std::make_unique<basic::Basic>(context);
 }
 
-template <Plan (*plan)()>
-std::unique_ptr<Strategy> make_squad(const Briefing& briefing) {
-  return std::make_unique<Squad>(briefing, plan());
+template <TeamPlaybook (*playbook)()>
+std::unique_ptr<Strategy> make_squad(const TeamContext& context) {
+  return std::make_unique<Squad>(context, playbook());
 }
 
-std::unique_ptr<Strategy> make_chaser(const Briefing& briefing) {
-  return std::make_unique<Chaser>(briefing);
+std::unique_ptr<Strategy> make_chaser(const TeamContext& context) {
+  return std::make_unique<Chaser>(context);
 }
 
-std::unique_ptr<Strategy> make_dummy(const Briefing& /*briefing*/) {
+std::unique_ptr<Strategy> make_dummy(const TeamContext& /*context*/) {
   return std::make_unique<Dummy>();
 }
 
-std::unique_ptr<Strategy> make_rowdy(const Briefing& briefing) {
-  return std::make_unique<rowdy::Rowdy>(briefing);
+std::unique_ptr<Strategy> make_rowdy(const TeamContext& context) {
+  return std::make_unique<rowdy::Rowdy>(context);
 }
 
-// basic's, and the share of each kind of mischief.
+// basic's, and the share of each kind of foul behaviour.
 std::vector<Parameter> rowdy_params() {
   std::vector<Parameter> params = basic_params();
   params.push_back({"otherwise", "1", -1, -1, 1,
-                    "Share of the chances that every other mischief takes; below 0 its own."});
-  for (const rowdy::Mischief* kind : rowdy::all_kinds()) {
+                    "Share of the chances that every other foul takes; below 0 its default."});
+  for (const rowdy::FoulBehaviour* kind : rowdy::all_kinds()) {
     params.push_back({kind->name, "1", kind->share, 0, 1, "Share of its chances taken."});
   }
   return params;
@@ -57,20 +57,20 @@ const std::vector<Entry>& all_strategies() {
        make_chaser,
        {}},
       {"cobalt", "Passes to where a first-time shot is open, and covers its goal's open angles.",
-       make_squad<cobalt_plan>, parameters_of(cobalt_plan().style)},
+       make_squad<cobalt_playbook>, parameters_of(cobalt_playbook().style)},
       {"counter", "Waits behind the ball in a deep block and sends it long to one or two ahead.",
-       make_squad<counter_plan>, parameters_of(counter_plan().style)},
+       make_squad<counter_playbook>, parameters_of(counter_playbook().style)},
       {"dummy", "Does nothing: its robots stand where they are.", make_dummy, {}},
       {"possession",
        "Keeps the ball with short safe passes around it and waits for a clear chance.",
-       make_squad<possession_plan>, parameters_of(possession_plan().style)},
+       make_squad<possession_playbook>, parameters_of(possession_playbook().style)},
       {"rowdy", "Plays like basic and breaks rules on purpose now and then, to measure a referee.",
        make_rowdy, rowdy_params()},
       {"shadow", "Marks man to man all over the field; each follows its own opponent.",
-       make_squad<shadow_plan>, parameters_of(shadow_plan().style)},
+       make_squad<shadow_playbook>, parameters_of(shadow_playbook().style)},
       {"zone",
        "A fixed formation that shifts with the ball; who is fastest leaves it for the ball.",
-       make_squad<zone_plan>, parameters_of(zone_plan().style)},
+       make_squad<zone_playbook>, parameters_of(zone_playbook().style)},
   };
   return kEntries;
 }

@@ -14,7 +14,7 @@ namespace autoref::strategies {
 struct Entry {
   std::string_view name;   // as in a scenario's `strategy:`
   std::string_view about;  // one sentence
-  std::unique_ptr<Strategy> (*make)(const Briefing& briefing);
+  std::unique_ptr<Strategy> (*make)(const TeamContext& context);
   std::vector<Parameter> params;  // what `params:` may hold
 };
 

@@ -25,7 +25,7 @@ struct Abilities {
 };
 
 // What a team knows before the game.
-struct Briefing {
+struct TeamContext {
   Field field;
   RuleBook rules;
   double frame_rate_hz = 60;
@@ -38,9 +38,9 @@ class Strategy {
  public:
   virtual ~Strategy() = default;
 
-  // Decides on one view. `orders` comes in all zero: a robot that gets no order stands still. A
+  // Decides on one view. `commands` comes in all zero: a robot that gets no order stands still. A
   // strategy may keep memory, but reads no clock and shares nothing with other games.
-  virtual void decide(const TeamView& view, TeamOrders& orders) = 0;
+  virtual void decide(const TeamView& view, TeamCommands& commands) = 0;
 
   virtual TeamRequests requests() const { return {}; }
 };

@@ -13,27 +13,26 @@ constexpr double kSlide_mps2 = 3.4;
 constexpr double kRoll_mps2 = 0.3;
 constexpr double kSwitchRatio = 0.67;
 
-constexpr double kLeastNoise_m = 0.05e-3;
-constexpr double kUnsteady_m2ps3 = 0.1;
-constexpr double kAnySpeed_mps = 8.0;
-// Two axes: a right filter is surprised by more once in 3000 sightings.
-constexpr double kSurprise = 16.0;
+constexpr double kBallLeastNoise_m = 0.05e-3;
+constexpr double kBallProcessNoise_m2ps3 = 0.1;
+constexpr double kBallAnySpeed_mps = 8.0;
+// Two axes: a right filter is surprised by more once in 3000 detections.
+constexpr double kBallInnovationGate = 16.0;
 constexpr double kFasterThanAnyBall_mps = 25.0;  // the ball was set elsewhere
 constexpr double kAtFront_m = 15_mm;             // between the ball's surface and the plate
 
 constexpr double kSlowestChip_mps = 1.0;
 constexpr double kNewKick_mps = 1.0;  // what a new kick changes at least
-constexpr double kKickTime =
-    0.6;  // how well its time is, in gaps; a late kick shows a picture later
-constexpr double kKickPlace_m = 5_mm;    // how well a kick's place is known
-constexpr double kLeastFlight_m = 1e-3;  // of a ball that flies, whatever the estimate's errors
-constexpr double kLongestKick_s = 4.0;   // a chip of 5.5 m/s has stopped hopping long before
+constexpr double kKickTime = 0.6;  // how well its time is, in gaps; a late kick shows a frame later
+constexpr double kKickPosition_m = 5_mm;  // how well a kick's place is known
+constexpr double kLeastFlight_m = 1e-3;   // of a ball that flies, whatever the estimate's errors
+constexpr double kLongestKick_s = 4.0;    // a chip of 5.5 m/s has stopped hopping long before
 
 }  // namespace
 
 BallTracker::BallTracker(double noise_m)
-    : noise_m_(std::max(noise_m, kLeastNoise_m)),
-      motion_({noise_m_, kUnsteady_m2ps3, kAnySpeed_mps}),
+    : noise_m_(std::max(noise_m, kBallLeastNoise_m)),
+      motion_({noise_m_, kBallProcessNoise_m2ps3, kBallAnySpeed_mps}),
       chip_(noise_m_) {}
 
 const std::optional<TrackedBall>& BallTracker::update(double time_s,
@@ -103,32 +102,34 @@ void BallTracker::correct(const BallObservation& seen, double gap_s) {
     motion_.set_position(seen.position_m);
     return;
   }
-  const Vec2 miss_m = seen.position_m - Vec2(motion_.position());
-  if (miss_m.norm() > kFasterThanAnyBall_mps * gap_s) {
+  const Vec2 innovation_m = seen.position_m - Vec2(motion_.position());
+  if (innovation_m.norm() > kFasterThanAnyBall_mps * gap_s) {
     start(seen);
     follows_kick_ = false;
     ball_->is_height_known = true;
     return;
   }
-  const bool is_surprise = motion_.surprise(miss_m) > kSurprise;
+  const bool exceeds_gate =
+      motion_.normalised_innovation_squared(innovation_m) > kBallInnovationGate;
   const Vec2 from_m = ball_->position_m;
-  if (is_surprise) motion_.doubt_velocity(gap_s);
-  motion_.correct(miss_m);
-  if (!is_surprise) return;
+  if (exceeds_gate) motion_.inflate_velocity_covariance(gap_s);
+  motion_.correct(innovation_m);
+  if (!exceeds_gate) return;
   kicked_mps_ = motion_.velocity().norm();
   if (seen.height_m || kicked_mps_ < kSlowestChip_mps) return;
   // A ball that may fly seems to bend a little on its way; a kick is more than that, and shows in
-  // the picture after it, too.
-  const bool is_known = miss_m.norm() < kNewKick_mps * gap_s || updated_s_ - kick_s_ < 2 * gap_s;
+  // the frame after it, too.
+  const bool is_known =
+      innovation_m.norm() < kNewKick_mps * gap_s || updated_s_ - kick_s_ < 2 * gap_s;
   if (follows_kick_ && is_known) return;
   kick_s_ = updated_s_ - gap_s / 2;
-  chip_.begin({kick_s_, kKickTime * gap_s, from_m, std::max(noise_m_, kKickPlace_m)});
+  chip_.begin({kick_s_, kKickTime * gap_s, from_m, std::max(noise_m_, kKickPosition_m)});
   follows_kick_ = true;
 }
 
 void BallTracker::follow_kick(const BallObservation& seen, double time_s) {
   if (!follows_kick_) return;
-  const CameraPlace& camera = seen.seen_from;
+  const CameraPosition& camera = seen.seen_from;
   const ChipEstimate& flight = chip_.add(
       {time_s, seen.position_m, camera.position_m, std::max(camera.height_m - kBallRadius_m, 1.0)});
   const bool was_flying = ball_->height_m > 0;
@@ -157,7 +158,7 @@ void BallTracker::take_over(const ChipEstimate& flight) {
 void BallTracker::move_with_holder(const PerSide<TrackedRobots>& robots) {
   for (const TrackedRobot& robot : robots[holder_->robot.side]) {
     if (robot.number != holder_->robot.number) continue;
-    const Vec2 arm_m = to_world(holder_->place_m, robot.heading);
+    const Vec2 arm_m = to_world(holder_->position_m, robot.heading);
     motion_.set_position(robot.position_m + arm_m);
     motion_.set_velocity(robot.velocity_mps + robot.angular_velocity_radps * left_of(arm_m));
     return;
@@ -171,11 +172,11 @@ std::optional<BallTracker::Holder> BallTracker::holder_among(
     for (const TrackedRobot& robot : robots[side]) {
       const Vec2 arm_m = ball_->position_m - robot.position_m;
       if (arm_m.squaredNorm() > 4 * kRobotRadius_m * kRobotRadius_m) continue;
-      const Vec2 place_m = to_local(arm_m, robot.heading);
-      if (place_m.x() > kFrontDistance_m &&
-          place_m.x() <= kFrontDistance_m + kBallRadius_m + kAtFront_m &&
-          std::abs(place_m.y()) <= kMouthWidth_m / 2) {
-        return Holder{{side, robot.number}, place_m};
+      const Vec2 position_m = to_local(arm_m, robot.heading);
+      if (position_m.x() > kFrontDistance_m &&
+          position_m.x() <= kFrontDistance_m + kBallRadius_m + kAtFront_m &&
+          std::abs(position_m.y()) <= kDribblerZoneWidth_m / 2) {
+        return Holder{{side, robot.number}, position_m};
       }
     }
   }

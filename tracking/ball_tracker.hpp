@@ -1,7 +1,7 @@
-// The ball's motion through a sequence of sightings, with gaps.
+// The ball's motion through a sequence of detections, with gaps.
 //
 // A Kalman filter that knows how carpet slows a ball, sliding after a kick and rolling later
-// (the league's two-phase model, medium carpet). A sighting too far from where the ball should be
+// (the league's two-phase model, medium carpet). A detection too far from where the ball should be
 // means a kick or a bounce: the velocity is then learnt anew, within two frames.
 //
 // Where vision reports no height, each kick is followed by a ChipFlight (chip_flight.hpp): once it
@@ -27,7 +27,7 @@ class BallTracker {
  public:
   static constexpr double kGoesOnUnseen_s = 500_ms;
 
-  // `noise_m`: standard deviation of a sighting's coordinates.
+  // `noise_m`: standard deviation of a detection's coordinates.
   explicit BallTracker(double noise_m);
 
   // `robots` are those of the same time. None before the ball was first seen.
@@ -39,7 +39,7 @@ class BallTracker {
   // The robot at whose front the ball is, and where it is in the robot's frame.
   struct Holder {
     RobotId robot;
-    Vec2 place_m{0, 0};
+    Vec2 position_m{0, 0};
   };
 
   void start(const BallObservation& seen);
@@ -62,7 +62,7 @@ class BallTracker {
   double kicked_mps_ = 0;  // speed after the last change that was no carpet's; 0: rolls
   double updated_s_ = 0;
   double seen_s_ = 0;
-  Vec2 camera_m_{0, 0};  // of the last sighting
+  Vec2 camera_m_{0, 0};  // of the last detection
 };
 
 }  // namespace autoref

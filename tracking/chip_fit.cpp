@@ -32,7 +32,7 @@ void FlightSums::add(const FlightRow& row, double value, double weight) {
 }
 
 // place + slant * height = reported, linear in all unknowns; gravity's part is known.
-void FlightSums::add_sighting(double t_s, const Vec2& reported_m, const Vec2& slant) {
+void FlightSums::add_detection(double t_s, const Vec2& reported_m, const Vec2& slant) {
   const Vec2 value = reported_m + slant * (kGravity_mps2 / 2 * t_s * t_s);
   FlightRow row;
   row << 1, 0, t_s, 0, slant.x(), slant.x() * t_s;
@@ -46,19 +46,19 @@ FlightFit::FlightFit(const FlightSums& sums)
       unknowns(equations.solve(sums.values)),
       misfit(sums.squares - unknowns.dot(sums.values)) {}
 
-void CarpetSums::add_sighting(double t_s, const Vec2& reported_m) {
+void CarpetSums::add_detection(double t_s, const Vec2& reported_m) {
   const Eigen::Vector3d row(1, t_s, t_s * t_s);
   rows += row * row.transpose();
   values += row * reported_m.transpose();
   squares += reported_m * reported_m.transpose();
 }
 
-double CarpetSums::misfit(double place_weight) const {
+double CarpetSums::misfit(double position_weight) const {
   const Vec2 slope = rows(0, 0) * values.row(1) - rows(0, 1) * values.row(0);
   const Vec2 along = direction_of(slope, Vec2(1, 0));
   const Vec2 across = left_of(along);
-  return line_misfit(rows(0, 0) + place_weight, rows(0, 1), rows(1, 1), (values * across).head<2>(),
-                     across.dot(squares * across)) +
+  return line_misfit(rows(0, 0) + position_weight, rows(0, 1), rows(1, 1),
+                     (values * across).head<2>(), across.dot(squares * across)) +
          braking_misfit(rows, values * along, along.dot(squares * along));
 }
 

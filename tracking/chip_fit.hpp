@@ -1,6 +1,7 @@
 // Least squares of a flight and of a way along the carpet through what vision reports: the sums
-// that chip_flight.hpp compares. Sightings weigh 1, so that a misfit, the sum of squared residuals,
-// is chi-square times the variance of a reported coordinate. Places are relative to the kick's.
+// that chip_flight.hpp compares. Detections weigh 1, so that a misfit, the sum of squared
+// residuals, is chi-square times the variance of a reported coordinate. Places are relative to the
+// kick's.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -11,7 +12,7 @@
 
 namespace autoref {
 
-struct BallSighting {
+struct BallDetection {
   double time_s = 0;
   Vec2 reported_m{0, 0};  // on the plane of a lying ball's centre
   Vec2 camera_m{0, 0};
@@ -19,8 +20,8 @@ struct BallSighting {
 };
 
 // The ball is at reported - slant * height: the slope of the ray through a place on the carpet.
-inline Vec2 slant_of(const Vec2& place_m, const BallSighting& seen) {
-  return (place_m - seen.camera_m) / seen.camera_height_m;
+inline Vec2 slant_of(const Vec2& position_m, const BallDetection& seen) {
+  return (position_m - seen.camera_m) / seen.camera_height_m;
 }
 
 // The unknowns of a flight at time 0: place (2), velocity (2), height, vertical speed.
@@ -35,7 +36,7 @@ struct FlightSums {
   void add(const FlightRow& row, double value, double weight);
 
   // The ball at that time is on the ray with that slant through the reported place.
-  void add_sighting(double t_s, const Vec2& reported_m, const Vec2& slant);
+  void add_detection(double t_s, const Vec2& reported_m, const Vec2& slant);
 };
 
 struct FlightFit {
@@ -50,7 +51,7 @@ struct FlightFit {
     return std::sqrt(unknowns[5] * unknowns[5] + 2 * kGravity_mps2 * unknowns[4]);
   }
   double landing_s() const { return (unknowns[5] + landing_mps()) / kGravity_mps2; }
-  Vec2 place_at(double t_s) const { return unknowns.head<2>() + t_s * unknowns.segment<2>(2); }
+  Vec2 position_at(double t_s) const { return unknowns.head<2>() + t_s * unknowns.segment<2>(2); }
 
   Eigen::LLT<Eigen::Matrix<double, 6, 6>> equations;
   FlightRow unknowns;
@@ -62,11 +63,11 @@ struct CarpetSums {
   Eigen::Matrix<double, 3, 2> values = Eigen::Matrix<double, 3, 2>::Zero();
   Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
 
-  void add_sighting(double t_s, const Vec2& reported_m);
+  void add_detection(double t_s, const Vec2& reported_m);
 
   // Of the best straight way with a constant braking between 0 and 11 m/s²; it leads past the
-  // kick's place, which counts with `place_weight`. At least three sightings.
-  double misfit(double place_weight) const;
+  // kick's place, which counts with `position_weight`. At least three detections.
+  double misfit(double position_weight) const;
 };
 
 }  // namespace autoref

@@ -7,7 +7,7 @@
 namespace autoref {
 namespace {
 
-// A chip of up to 5.5 m/s at 45 degrees, told so loosely that sightings soon count for more.
+// A chip of up to 5.5 m/s at 45 degrees, told so loosely that detections soon count for more.
 constexpr double kUsualSpeed_mps = 4_mps;
 constexpr double kUsualRise_mps = 2.5_mps;
 constexpr double kUsualRiseDeviation_mps = 1.25_mps;
@@ -17,14 +17,14 @@ constexpr double kFastestRise_mps = 3.9_mps;
 constexpr double kHopsPerFlight = 0.57 / (1 - 0.57);
 constexpr double kLongestChip_s = 2 * kFastestRise_mps / kGravity_mps2 * (1 + kHopsPerFlight);
 
-constexpr double kLeastNoise_m = 0.2_mm;  // rounding, and what the models leave out
-constexpr double kBend = 0.1;             // of the apparent way, while the kick's time is unsure
-constexpr int kLeastSightings = 3;
+constexpr double kChipLeastNoise_m = 0.2_mm;  // rounding, and what the models leave out
+constexpr double kBend = 0.1;  // of the apparent way, while the kick's time is unsure
+constexpr int kLeastDetections = 3;
 
 // Limits of chi-square.
-constexpr double kConvinced = 11;     // difference of two models: e^5.5 times as likely
-constexpr double kSurprise = 20;      // one sighting: happens to 5 in 100 000
-constexpr double kUnlikely_sd = 3.3;  // a whole fit: to 5 in 10 000
+constexpr double kConvinced = 11;           // difference of two models: e^5.5 times as likely
+constexpr double kChipInnovationGate = 20;  // one detection: happens to 5 in 100 000
+constexpr double kUnlikely_sd = 3.3;        // a whole fit: to 5 in 10 000
 
 // Below chi-square's quantile after Wilson and Hilferty.
 bool is_usual(double chi_square, int freedom) {
@@ -68,18 +68,18 @@ ChipEstimate estimate_from(const FlightFit& fit, double noise_m, const KickGuess
   ChipEstimate e;
   e.flight = BallFlight::kFlying;
   e.height_m = fit.height_at(t_s);
-  e.position_m = kick.place_m + fit.place_at(t_s);
+  e.position_m = kick.position_m + fit.position_at(t_s);
   e.velocity_mps = fit.velocity_mps();
   e.vertical_speed_mps = fit.rise_mps() - kGravity_mps2 * t_s;
   e.landing_s = kick.time_s + fit.landing_s();
-  e.landing_m = kick.place_m + fit.place_at(fit.landing_s());
+  e.landing_m = kick.position_m + fit.position_at(fit.landing_s());
   add_deviations(fit, noise_m, t_s, e);
   return e;
 }
 
 }  // namespace
 
-ChipFlight::ChipFlight(double noise_m) : noise_m_(std::max(noise_m, kLeastNoise_m)) {}
+ChipFlight::ChipFlight(double noise_m) : noise_m_(std::max(noise_m, kChipLeastNoise_m)) {}
 
 void ChipFlight::begin(const KickGuess& kick) {
   *this = ChipFlight(noise_m_);
@@ -89,7 +89,7 @@ void ChipFlight::begin(const KickGuess& kick) {
   const auto believe = [this](int unknown, double value, double deviation) {
     flight_.add(FlightRow::Unit(unknown), value, weight_of(deviation));
   };
-  const double along_m = kick.place_deviation_m + kUsualSpeed_mps * kick.time_deviation_s;
+  const double along_m = kick.position_deviation_m + kUsualSpeed_mps * kick.time_deviation_s;
   believe(0, 0, along_m);
   believe(1, 0, along_m);
   believe(2, 0, 2 * kUsualSpeed_mps);
@@ -98,21 +98,21 @@ void ChipFlight::begin(const KickGuess& kick) {
   believe(5, kUsualRise_mps, kUsualRiseDeviation_mps);
 }
 
-// Of an equation with this deviation, beside the sightings' weight of 1.
+// Of an equation with this deviation, beside the detections' weight of 1.
 double ChipFlight::weight_of(double deviation) const {
-  return square(noise_m_ / std::max(deviation, kLeastNoise_m));
+  return square(noise_m_ / std::max(deviation, kChipLeastNoise_m));
 }
 
-const ChipEstimate& ChipFlight::add(const BallSighting& sighting) {
-  assert(sighting.camera_height_m > 0);
+const ChipEstimate& ChipFlight::add(const BallDetection& detection) {
+  assert(detection.camera_height_m > 0);
   if (stage_ == Stage::kIdle) return estimate_;
   if (stage_ != Stage::kSettling) {
-    ++sightings_;
-    flight_.add_sighting(sighting.time_s - kick_.time_s, sighting.reported_m - kick_.place_m,
-                         slant_of(sighting.reported_m, sighting));
-    stage_ == Stage::kUndecided ? decide(sighting) : follow(sighting);
+    ++detections_;
+    flight_.add_detection(detection.time_s - kick_.time_s, detection.reported_m - kick_.position_m,
+                          slant_of(detection.reported_m, detection));
+    stage_ == Stage::kUndecided ? decide(detection) : follow(detection);
   }
-  if (sighting.time_s >= settled_s_) {
+  if (detection.time_s >= settled_s_) {
     stage_ = Stage::kIdle;
     estimate_ = {};
     estimate_.flight = BallFlight::kOnGround;
@@ -122,61 +122,61 @@ const ChipEstimate& ChipFlight::add(const BallSighting& sighting) {
 
 // The flight began at the kick's place: across the apparent way that holds whenever the ball was
 // kicked. Along it, a ball that is still short of the place is as far below the carpet.
-FlightSums ChipFlight::from_place() const {
+FlightSums ChipFlight::from_position() const {
   const Vec2 velocity = fitted_.segment<2>(2);
   const double rise = fitted_[5];
-  const Vec2 way = direction_of(velocity + rise * slant_, Vec2(1, 0));
-  const Vec2 across = left_of(way);
+  const Vec2 direction = direction_of(velocity + rise * slant_, Vec2(1, 0));
+  const Vec2 across = left_of(direction);
   const double bend_m = kBend * kUsualSpeed_mps * kick_.time_deviation_s;
-  const double weight = weight_of(kick_.place_deviation_m + bend_m);
+  const double weight = weight_of(kick_.position_deviation_m + bend_m);
   FlightSums sums = flight_;
   FlightRow row;
   row << across.x(), across.y(), 0, 0, across.dot(slant_), 0;
   sums.add(row, 0, weight);
   if (stage_ != Stage::kFlying) return sums;
-  row << way.x(), way.y(), 0, 0, -way.dot(velocity) / rise, 0;
+  row << direction.x(), direction.y(), 0, 0, -direction.dot(velocity) / rise, 0;
   sums.add(row, 0, weight);
   return sums;
 }
 
-void ChipFlight::decide(const BallSighting& sighting) {
-  const double t_s = sighting.time_s - kick_.time_s;
-  carpet_.add_sighting(t_s, sighting.reported_m - kick_.place_m);
-  if (sightings_ < kLeastSightings) return;
-  if (sightings_ == kLeastSightings) {
-    slant_ = slant_of(kick_.place_m, sighting);
+void ChipFlight::decide(const BallDetection& detection) {
+  const double t_s = detection.time_s - kick_.time_s;
+  carpet_.add_detection(t_s, detection.reported_m - kick_.position_m);
+  if (detections_ < kLeastDetections) return;
+  if (detections_ == kLeastDetections) {
+    slant_ = slant_of(kick_.position_m, detection);
     fitted_ = FlightFit(flight_).unknowns;
   }
-  const FlightFit fit(from_place());
+  const FlightFit fit(from_position());
   fitted_ = fit.unknowns;
   misfit_ = fit.misfit / square(noise_m_);
-  const double place_weight = weight_of(kick_.place_deviation_m);
-  const double carpet_misfit = carpet_.misfit(place_weight) / square(noise_m_);
-  const bool may_fly = is_usual(misfit_, 2 * sightings_ - 3);
-  const bool may_roll = is_usual(carpet_misfit, 2 * sightings_ - 4);
+  const double position_weight = weight_of(kick_.position_deviation_m);
+  const double carpet_misfit = carpet_.misfit(position_weight) / square(noise_m_);
+  const bool may_fly = is_usual(misfit_, 2 * detections_ - 3);
+  const bool may_roll = is_usual(carpet_misfit, 2 * detections_ - 4);
   if (!may_fly && !may_roll) {
-    settle(sighting.time_s + kLongestChip_s);
+    settle(detection.time_s + kLongestChip_s);
   } else if (may_roll && misfit_ - carpet_misfit > kConvinced) {
-    settle(sighting.time_s);
+    settle(detection.time_s);
   } else if (may_fly && is_up_at(t_s, fit) && carpet_misfit - misfit_ > kConvinced) {
     stage_ = Stage::kFlying;
     estimate_ = estimate_from(fit, noise_m_, kick_, t_s);
   }
 }
 
-void ChipFlight::follow(const BallSighting& sighting) {
-  const double t_s = sighting.time_s - kick_.time_s;
-  const FlightFit fit(from_place());
+void ChipFlight::follow(const BallDetection& detection) {
+  const double t_s = detection.time_s - kick_.time_s;
+  const FlightFit fit(from_position());
   fitted_ = fit.unknowns;
-  const double surprise = fit.misfit / square(noise_m_) - misfit_;
-  misfit_ += surprise;
-  const bool lost =
-      surprise > kSurprise || !is_usual(misfit_, 2 * sightings_ - 3) || !is_up_at(t_s, fit);
+  const double normalised_innovation_squared = fit.misfit / square(noise_m_) - misfit_;
+  misfit_ += normalised_innovation_squared;
+  const bool lost = normalised_innovation_squared > kChipInnovationGate ||
+                    !is_usual(misfit_, 2 * detections_ - 3) || !is_up_at(t_s, fit);
   const double deviation_s = estimate_.landing_deviation_s;
   if (!lost) {
     estimate_ = estimate_from(fit, noise_m_, kick_, t_s);
-  } else if (sighting.time_s < estimate_.landing_s - 3 * deviation_s) {  // something in the way
-    settle(sighting.time_s + kLongestChip_s);
+  } else if (detection.time_s < estimate_.landing_s - 3 * deviation_s) {  // something in the way
+    settle(detection.time_s + kLongestChip_s);
   } else {
     const double flight_s = estimate_.landing_s + 2 * deviation_s - kick_.time_s;
     settle(kick_.time_s + flight_s * (1 + kHopsPerFlight));

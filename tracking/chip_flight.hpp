@@ -7,17 +7,17 @@
 
 namespace autoref {
 
-// A sudden change of the ball's velocity between two sightings.
+// A sudden change of the ball's velocity between two detections.
 struct KickGuess {
   double time_s = 0;            // the middle between them
   double time_deviation_s = 0;  // their distance / sqrt(12)
-  Vec2 place_m{0, 0};
-  double place_deviation_m = 0;  // per coordinate, beside what the time explains
+  Vec2 position_m{0, 0};
+  double position_deviation_m = 0;  // per coordinate, beside what the time explains
 };
 
 enum class BallFlight { kUnknown, kFlying, kOnGround };
 
-// At the last sighting. All but `flight` is for a flying ball only; deviations are standard
+// At the last detection. All but `flight` is for a flying ball only; deviations are standard
 // deviations, of places in the worst direction.
 struct ChipEstimate {
   BallFlight flight = BallFlight::kUnknown;
@@ -28,13 +28,13 @@ struct ChipEstimate {
   double height_m = 0;  // of the lowest point; 0 on the carpet
   double height_deviation_m = 0;
   double vertical_speed_mps = 0;
-  double landing_s = 0;  // on the clock of the sightings
+  double landing_s = 0;  // on the clock of the detections
   double landing_deviation_s = 0;
   double landing_deviation_m = 0;
 };
 
 // Follows the first flight of one kick, by comparing how well a flight and a way along the carpet
-// explain the sightings. Unknown until one is e^5.5 times as likely, while the ball may hop after
+// explain the detections. Unknown until one is e^5.5 times as likely, while the ball may hop after
 // its landing, and for 1.9 s where neither fits: then the caller begins anew if there was a kick.
 // Chips of 2 to 5.5 m/s below cameras 4 m up over the quarters of a 9 x 6 m field: share told
 // within 50, 100, 150, 200, 300 ms, then the errors until the landing (RMS, median):
@@ -51,22 +51,22 @@ class ChipFlight {
 
   void begin(const KickGuess& kick);
 
-  // Finite sightings after the kick, in order of time.
-  const ChipEstimate& add(const BallSighting& sighting);
+  // Finite detections after the kick, in order of time.
+  const ChipEstimate& add(const BallDetection& detection);
   const ChipEstimate& estimate() const { return estimate_; }
 
  private:
   enum class Stage { kIdle, kUndecided, kFlying, kSettling };
   double weight_of(double deviation) const;
-  FlightSums from_place() const;
-  void decide(const BallSighting& sighting);
-  void follow(const BallSighting& sighting);
+  FlightSums from_position() const;
+  void decide(const BallDetection& detection);
+  void follow(const BallDetection& detection);
   void settle(double settled_s);
 
   double noise_m_;
   KickGuess kick_;
   Stage stage_ = Stage::kIdle;
-  int sightings_ = 0;
+  int detections_ = 0;
   double settled_s_ = 0;  // when nothing can be in the air any more
   Vec2 slant_{0, 0};      // of the ray through the kick's place
   FlightSums flight_;

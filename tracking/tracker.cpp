@@ -7,16 +7,16 @@
 namespace autoref {
 namespace {
 
-constexpr double kLeastNoise_m = 0.05e-3;
+constexpr double kRobotLeastNoise_m = 0.05e-3;
 constexpr double kLeastNoise_rad = 0.5e-3;
 // Robots speed up by 3 m/s2 or 40 rad/s2 for some tenths of a second.
-constexpr double kUnsteady_m2ps3 = 0.2;
-constexpr double kUnsteady_rad2ps3 = 6.0;
-constexpr double kAnySpeed_mps = 3.0;
+constexpr double kRobotProcessNoise_m2ps3 = 0.2;
+constexpr double kProcessNoise_rad2ps3 = 6.0;
+constexpr double kRobotAnySpeed_mps = 3.0;
 constexpr double kFasterThanAnyRobot_mps = 15.0;  // it was put elsewhere
 constexpr double kAnyTurning_radps = 15.0;
-// A right filter is surprised by more once in 3000 sightings (two axes).
-constexpr double kSurprise = 16.0;
+// A right filter is surprised by more once in 3000 detections (two axes).
+constexpr double kRobotInnovationGate = 16.0;
 
 using Angle = MotionFilter<1>::Axis;
 
@@ -38,38 +38,42 @@ Vec2 turned_by(const Vec2& heading, double angle_rad) {
 }  // namespace
 
 RobotTracker::RobotTracker(const VisionNoise& noise)
-    : place_({std::max(noise.robot_m, kLeastNoise_m), kUnsteady_m2ps3, kAnySpeed_mps}),
-      turn_({std::max(noise.robot_rad, kLeastNoise_rad), kUnsteady_rad2ps3, kAnyTurning_radps}) {}
+    : position_({std::max(noise.robot_m, kRobotLeastNoise_m), kRobotProcessNoise_m2ps3,
+                 kRobotAnySpeed_mps}),
+      turn_(
+          {std::max(noise.robot_rad, kLeastNoise_rad), kProcessNoise_rad2ps3, kAnyTurning_radps}) {}
 
 void RobotTracker::start(const RobotObservation& seen) {
   robot_ = {seen.number, seen.position_m, seen.heading, Vec2(0, 0), 0};
-  place_.start(seen.position_m);
+  position_.start(seen.position_m);
   turn_.start(Angle(0));
 }
 
 void RobotTracker::predict(double duration_s) {
-  place_.predict(duration_s, Vec2(0, 0));
+  position_.predict(duration_s, Vec2(0, 0));
   turn_.predict(duration_s, Angle(0));
   publish();
 }
 
 void RobotTracker::correct(const RobotObservation& seen, double duration_s) {
-  const Vec2 miss_m = seen.position_m - robot_.position_m;
-  if (miss_m.norm() > kFasterThanAnyRobot_mps * duration_s) {
+  const Vec2 innovation_m = seen.position_m - robot_.position_m;
+  if (innovation_m.norm() > kFasterThanAnyRobot_mps * duration_s) {
     start(seen);
     return;
   }
-  if (place_.surprise(miss_m) > kSurprise) place_.doubt_velocity(duration_s);
-  place_.correct(miss_m);
-  const Angle miss_rad(turned_angle(robot_.heading, seen.heading));
-  if (turn_.surprise(miss_rad) > kSurprise) turn_.doubt_velocity(duration_s);
-  turn_.correct(miss_rad);
+  if (position_.normalised_innovation_squared(innovation_m) > kRobotInnovationGate)
+    position_.inflate_velocity_covariance(duration_s);
+  position_.correct(innovation_m);
+  const Angle innovation_rad(turned_angle(robot_.heading, seen.heading));
+  if (turn_.normalised_innovation_squared(innovation_rad) > kRobotInnovationGate)
+    turn_.inflate_velocity_covariance(duration_s);
+  turn_.correct(innovation_rad);
   publish();
 }
 
 void RobotTracker::publish() {
-  robot_.position_m = place_.position();
-  robot_.velocity_mps = place_.velocity();
+  robot_.position_m = position_.position();
+  robot_.velocity_mps = position_.velocity();
   robot_.heading = turned_by(robot_.heading, turn_.position().value());
   robot_.angular_velocity_radps = turn_.velocity().value();
   turn_.set_position(Angle(0));

@@ -1,4 +1,4 @@
-// From single pictures to motion: positions with velocities, held through short gaps.
+// From single frames to motion: positions with velocities, held through short gaps.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ struct VisionNoise {
   double robot_rad = 0;
 };
 
-// One robot's motion through a sequence of sightings.
+// One robot's motion through a sequence of detections.
 class RobotTracker {
  public:
   RobotTracker() : RobotTracker(VisionNoise{}) {}
@@ -34,7 +34,7 @@ class RobotTracker {
  private:
   void publish();
 
-  MotionFilter<2> place_;
+  MotionFilter<2> position_;
   MotionFilter<1> turn_;  // its position is the angle from robot_.heading
   TrackedRobot robot_;
 };
@@ -54,7 +54,7 @@ class Tracker {
  private:
   struct Known {
     RobotTracker robot;
-    double seen_s = -1;  // time of the last sighting; negative: never
+    double seen_s = -1;  // time of the last detection; negative: never
   };
 
   bool is_known(const Known& known) const;

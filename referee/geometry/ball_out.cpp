@@ -23,9 +23,9 @@ double clamped(double value, double limit) {
 // Nobody saw the crossing: the boundary that the ball is farther beyond.
 Exit exit_of_ball_out_before(const Vec2& l, const Vec2& b) {
   if (beyond_m(b.y(), l.y()) > beyond_m(b.x(), l.x())) {
-    return {Boundary::kTouch, {clamped(b.x(), l.x()), l.y()}};
+    return {ExitLine::kTouch, {clamped(b.x(), l.x()), l.y()}};
   }
-  return {Boundary::kGoal, {l.x(), clamped(b.y(), l.y())}};
+  return {ExitLine::kGoal, {l.x(), clamped(b.y(), l.y())}};
 }
 
 }  // namespace
@@ -54,8 +54,8 @@ Exit find_exit(const Field& field, const Vec2& before_m, const Vec2& ball_m) {
       intersection(before_m.x(), before_m.y(), ball_m.x(), ball_m.y(), l.x());
   const bool over_touch =
       beyond_touch && (!beyond_goal || (c_x && std::abs(*c_x) < std::abs(l.x())));
-  if (over_touch) return {Boundary::kTouch, {clamped(c_x.value_or(ball_m.x()), l.x()), l.y()}};
-  return {Boundary::kGoal, {l.x(), clamped(c_y.value_or(ball_m.y()), l.y())}};
+  if (over_touch) return {ExitLine::kTouch, {clamped(c_x.value_or(ball_m.x()), l.x()), l.y()}};
+  return {ExitLine::kGoal, {l.x(), clamped(c_y.value_or(ball_m.y()), l.y())}};
 }
 
 bool is_in_goal(const Field& field, const Vec2& ball_m, double height_m) {

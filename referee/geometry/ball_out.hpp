@@ -13,16 +13,16 @@ namespace autoref::referee {
 // Deviation D7: the paper prints the test without absolute values.
 bool is_out_of_field(const Field& field, const Vec2& ball_m);
 
-enum class Boundary : std::uint8_t { kTouch, kGoal };
+enum class ExitLine : std::uint8_t { kTouch, kGoal };
 
 struct Exit {
-  Boundary boundary = Boundary::kTouch;
+  ExitLine line = ExitLine::kTouch;
   Vec2 point_m{0, 0};  // of the ball's centre, on the boundary expanded by the ball's radius
 };
 
 // Which boundary the ball crossed on its way from `before_m` to `ball_m`, which is out of the
-// field, and where. A way through the expanded corner itself crosses the goal boundary, as in the
-// paper, where only |c_x| < |l_x| makes a touch boundary. Where the ball was out at `before_m`
+// field, and where. A way through the expanded corner itself crosses the goal line, as in the
+// paper, where only |c_x| < |l_x| makes a touch line. Where the ball was out at `before_m`
 // already, the boundary it is farther beyond counts, at the ball's own place along it.
 Exit find_exit(const Field& field, const Vec2& before_m, const Vec2& ball_m);
 

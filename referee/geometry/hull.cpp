@@ -7,20 +7,20 @@
 namespace autoref::referee {
 namespace {
 
-constexpr double kDeviations = 3;  // of noise: one picture in several hundred is farther off
+constexpr double kHullDeviations = 3;  // of noise: one frame in several hundred is farther off
 
 }  // namespace
 
-double reach_of_hull_m(const Vec2& heading, const Vec2& way) {
-  const Vec2 local = to_local(way, heading);
+double reach_of_hull_m(const Vec2& heading, const Vec2& direction) {
+  const Vec2 local = to_local(direction, heading);
   if (local.x() * kRobotRadius_m < kFrontDistance_m) return kRobotRadius_m;
   return local.x() * kFrontDistance_m + std::abs(local.y()) * kHalfPlate_m;
 }
 
-double robot_doubt_m(const VisionNoise& noise) { return kDeviations * noise.robot_m; }
+double robot_uncertainty_m(const VisionNoise& noise) { return kHullDeviations * noise.robot_m; }
 
-double robot_to_ball_doubt_m(const VisionNoise& noise) {
-  return kDeviations * std::hypot(noise.robot_m, noise.ball_m);
+double robot_to_ball_uncertainty_m(const VisionNoise& noise) {
+  return kHullDeviations * std::hypot(noise.robot_m, noise.ball_m);
 }
 
 }  // namespace autoref::referee

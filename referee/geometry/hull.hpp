@@ -6,12 +6,12 @@
 
 namespace autoref::referee {
 
-// How far the hull reaches from the robot's centre in the unit direction `way`, in metres.
-double reach_of_hull_m(const Vec2& heading, const Vec2& way);
+// How far the hull reaches from the robot's centre in the unit direction `direction`, in metres.
+double reach_of_hull_m(const Vec2& heading, const Vec2& direction);
 
 // By how much noise may put a robot wrong, or a distance between robot and ball, in metres: what is
-// judged by a single picture must be beyond it. 0 where vision is exact.
-double robot_doubt_m(const VisionNoise& noise);
-double robot_to_ball_doubt_m(const VisionNoise& noise);
+// judged by a single frame must be beyond it. 0 where vision is exact.
+double robot_uncertainty_m(const VisionNoise& noise);
+double robot_to_ball_uncertainty_m(const VisionNoise& noise);
 
 }  // namespace autoref::referee

@@ -19,8 +19,8 @@ Vec2 inside_lines(const Field& field, const Vec2& where_m, double inset_m) {
   return {std::clamp(where_m.x(), -x_m, x_m), std::clamp(where_m.y(), -y_m, y_m)};
 }
 
-Vec2 place_before_goal_line(const Field& field, Side kicker, const Vec2& exit_m,
-                            double goal_inset_m, double touch_inset_m) {
+Vec2 position_before_goal_line(const Field& field, Side kicker, const Vec2& exit_m,
+                               double goal_inset_m, double touch_inset_m) {
   return {std::copysign(field.half_length_m() - goal_inset_m, exit_m.x()),
           touch_line_sign(exit_m.y(), kicker) * (field.half_width_m() - touch_inset_m)};
 }
@@ -58,8 +58,8 @@ Vec2 nearest_clear_of_box(const Field& field, Side side, const Vec2& where_m, do
   const Vec2 beyond_m = Vec2(from_line_m, where_m.y()) - rim_m;
   const double beside_m = std::abs(where_m.y()) - half_m;
   if (beyond_m.x() > 0 && beside_m > 0) {
-    const Vec2 place_m = rim_m + beyond_m.normalized() * clearance_m;
-    return {goal_sign(side) * (field.half_length_m() - place_m.x()), place_m.y()};
+    const Vec2 position_m = rim_m + beyond_m.normalized() * clearance_m;
+    return {goal_sign(side) * (field.half_length_m() - position_m.x()), position_m.y()};
   }
   if (beside_m > beyond_m.x() && where_m.y() != 0) {
     return {where_m.x(), std::copysign(half_m + clearance_m, where_m.y())};
@@ -69,41 +69,46 @@ Vec2 nearest_clear_of_box(const Field& field, Side side, const Vec2& where_m, do
 
 }  // namespace
 
-Vec2 throw_in_place(const Field& field, const RuleBook& rules, const Vec2& exit_m) {
+Vec2 throw_in_position(const Field& field, const RuleBook& rules, const Vec2& exit_m) {
   const Vec2 inside_m = inside_lines(field, exit_m, rules.throw_in_inset_m);
   return {inside_m.x(), std::copysign(field.half_width_m() - rules.throw_in_inset_m, exit_m.y())};
 }
 
-Vec2 corner_kick_place(const Field& field, const RuleBook& rules, Side kicker, const Vec2& exit_m) {
-  return place_before_goal_line(field, kicker, exit_m, rules.corner_inset_m, rules.corner_inset_m);
+Vec2 corner_kick_position(const Field& field, const RuleBook& rules, Side kicker,
+                          const Vec2& exit_m) {
+  return position_before_goal_line(field, kicker, exit_m, rules.corner_inset_m,
+                                   rules.corner_inset_m);
 }
 
-Vec2 goal_kick_place(const Field& field, const RuleBook& rules, Side kicker, const Vec2& exit_m) {
-  return place_before_goal_line(field, kicker, exit_m, rules.goal_kick_goal_inset_m,
-                                rules.goal_kick_touch_inset_m);
+Vec2 goal_kick_position(const Field& field, const RuleBook& rules, Side kicker,
+                        const Vec2& exit_m) {
+  return position_before_goal_line(field, kicker, exit_m, rules.goal_kick_goal_inset_m,
+                                   rules.goal_kick_touch_inset_m);
 }
 
-Vec2 free_kick_place(const Field& field, const RuleBook& rules, Side kicker, const Vec2& where_m) {
+Vec2 free_kick_position(const Field& field, const RuleBook& rules, Side kicker,
+                        const Vec2& where_m) {
   if (rules.edition == Edition::kRules2026) {
-    Vec2 place_m = inside_lines(field, where_m, rules.throw_in_inset_m);
+    Vec2 position_m = inside_lines(field, where_m, rules.throw_in_inset_m);
     for (Side side : kSides) {
-      place_m = nearest_clear_of_box(field, side, place_m, rules.free_kick_to_area_m);
+      position_m = nearest_clear_of_box(field, side, position_m, rules.free_kick_to_area_m);
     }
-    return place_m;
+    return position_m;
   }
   if (distance_to_defence_area(field, kicker, where_m) < 0) {
     const Vec2 own_end_m(field.goal_centre_m(kicker).x(), where_m.y());
-    return place_before_goal_line(field, kicker, own_end_m, rules.own_area_kick_goal_inset_m,
-                                  rules.own_area_kick_touch_inset_m);
+    return position_before_goal_line(field, kicker, own_end_m, rules.own_area_kick_goal_inset_m,
+                                     rules.own_area_kick_touch_inset_m);
   }
   const Vec2 inside_m = inside_lines(field, where_m, rules.throw_in_inset_m);
   return moved_clear(field, opponent_of(kicker), inside_m, rules.free_kick_to_area_m);
 }
 
-Vec2 neutral_place(const Field& field, const RuleBook& rules, const Vec2& where_m) {
-  Vec2 place_m = inside_lines(field, where_m, rules.throw_in_inset_m);
-  for (Side side : kSides) place_m = moved_clear(field, side, place_m, rules.neutral_to_area_m);
-  return place_m;
+Vec2 neutral_position(const Field& field, const RuleBook& rules, const Vec2& where_m) {
+  Vec2 position_m = inside_lines(field, where_m, rules.throw_in_inset_m);
+  for (Side side : kSides)
+    position_m = moved_clear(field, side, position_m, rules.neutral_to_area_m);
+  return position_m;
 }
 
 }  // namespace autoref::referee

@@ -1,47 +1,47 @@
-// What is done on the arrows of the machine (referee/machine/machine.hpp): the assignments below
-// the line in the paper's figure 3.
+// What is done on the transitions of the machine (referee/machine/machine.hpp): the assignments
+// below the line in the paper's figure 3.
 #pragma once
 
 #include <string_view>
 
 #include "referee/finding.hpp"
-#include "referee/machine/memory.hpp"
-#include "referee/moment.hpp"
+#include "referee/machine/referee_state.hpp"
+#include "referee/referee_input.hpp"
 
 namespace autoref::referee {
 
 // An action and how the figure words it. It changes the memory and nothing else.
 struct Action {
   std::string_view text;
-  void (*take)(Memory& memory, const Moment& moment, const Finding& finding);
+  void (*take)(RefereeState& state, const RefereeInput& input, const Finding& finding);
 };
 
-void begin(Memory& memory, const Moment& moment, const Finding& finding);
-void prepare_first_kickoff(Memory& memory, const Moment& moment, const Finding& finding);
-void send_preparation(Memory& memory, const Moment& moment, const Finding& finding);
-void start_play(Memory& memory, const Moment& moment, const Finding& finding);
-void award_goal(Memory& memory, const Moment& moment, const Finding& finding);
-void stop_play(Memory& memory, const Moment& moment, const Finding& finding);
-void show_card(Memory& memory, const Moment& moment, const Finding& finding);
-void end_card(Memory& memory, const Moment& moment, const Finding& finding);
-void note_foul(Memory& memory, const Moment& moment, const Finding& finding);
-void stop_after_signal(Memory& memory, const Moment& moment, const Finding& finding);
-void end_half(Memory& memory, const Moment& moment, const Finding& finding);
-void begin_next_half(Memory& memory, const Moment& moment, const Finding& finding);
-void begin_timeout(Memory& memory, const Moment& moment, const Finding& finding);
-void end_timeout(Memory& memory, const Moment& moment, const Finding& finding);
-void begin_extra_time(Memory& memory, const Moment& moment, const Finding& finding);
-void end_for_shootout(Memory& memory, const Moment& moment, const Finding& finding);
-void begin_shootout(Memory& memory, const Moment& moment, const Finding& finding);
-void count_shootout_goal(Memory& memory, const Moment& moment, const Finding& finding);
-void count_shootout_miss(Memory& memory, const Moment& moment, const Finding& finding);
-void end_game(Memory& memory, const Moment& moment, const Finding& finding);
-void begin_new_game(Memory& memory, const Moment& moment, const Finding& finding);
+void begin(RefereeState& state, const RefereeInput& input, const Finding& finding);
+void prepare_first_kickoff(RefereeState& state, const RefereeInput& input, const Finding& finding);
+void send_preparation(RefereeState& state, const RefereeInput& input, const Finding& finding);
+void start_play(RefereeState& state, const RefereeInput& input, const Finding& finding);
+void award_goal(RefereeState& state, const RefereeInput& input, const Finding& finding);
+void stop_play(RefereeState& state, const RefereeInput& input, const Finding& finding);
+void show_card(RefereeState& state, const RefereeInput& input, const Finding& finding);
+void end_card(RefereeState& state, const RefereeInput& input, const Finding& finding);
+void note_foul(RefereeState& state, const RefereeInput& input, const Finding& finding);
+void stop_after_signal(RefereeState& state, const RefereeInput& input, const Finding& finding);
+void end_half(RefereeState& state, const RefereeInput& input, const Finding& finding);
+void begin_next_half(RefereeState& state, const RefereeInput& input, const Finding& finding);
+void begin_timeout(RefereeState& state, const RefereeInput& input, const Finding& finding);
+void end_timeout(RefereeState& state, const RefereeInput& input, const Finding& finding);
+void begin_extra_time(RefereeState& state, const RefereeInput& input, const Finding& finding);
+void end_for_shootout(RefereeState& state, const RefereeInput& input, const Finding& finding);
+void begin_shootout(RefereeState& state, const RefereeInput& input, const Finding& finding);
+void count_shootout_goal(RefereeState& state, const RefereeInput& input, const Finding& finding);
+void count_shootout_miss(RefereeState& state, const RefereeInput& input, const Finding& finding);
+void end_game(RefereeState& state, const RefereeInput& input, const Finding& finding);
+void begin_new_game(RefereeState& state, const RefereeInput& input, const Finding& finding);
 
 inline constexpr Action kBeginGames{"save positions; send STOP", begin};
 inline constexpr Action kPrepareFirstKickoff{
     "ball to the centre; send PREPARE_KICKOFF; next = NORMAL_START", prepare_first_kickoff};
-inline constexpr Action kSendPreparation{"send next; next = NORMAL_START; wait anew",
+inline constexpr Action kSendPreparation{"send next; next = NORMAL_START; restart the wait",
                                          send_preparation};
 inline constexpr Action kStartPlay{"send next; the clock starts with a half's first kick-off",
                                    start_play};
@@ -55,11 +55,12 @@ inline constexpr Action kEndCard{"one robot more is allowed", end_card};
 inline constexpr Action kStopAfterSignal{"send STOP", stop_after_signal};
 inline constexpr Action kEndHalf{"send HALT; next = PREPARE_KICKOFF of the other team", end_half};
 inline constexpr Action kBeginNextHalf{"send STOP; ball to the centre", begin_next_half};
-inline constexpr Action kBeginTimeout{"send TIMEOUT; a preparation is sent anew after it",
+inline constexpr Action kBeginTimeout{"send TIMEOUT; then prepare the restart again",
                                       begin_timeout};
-inline constexpr Action kEndTimeout{"send STOP; wait anew", end_timeout};
+inline constexpr Action kEndTimeout{"send STOP; restart the wait", end_timeout};
 inline constexpr Action kBeginExtraTime{
-    "send HALT; timeouts anew; next = PREPARE_KICKOFF of who kicked off first", begin_extra_time};
+    "send HALT; reset the timeouts; next = PREPARE_KICKOFF of who kicked off first",
+    begin_extra_time};
 inline constexpr Action kEndForShootout{"send HALT; next = PREPARE_PENALTY of who kicked off first",
                                         end_for_shootout};
 inline constexpr Action kBeginShootout{"send STOP; ball to the mark", begin_shootout};

@@ -1,4 +1,4 @@
-// The arrows of what is neither play nor the paper's: cards, timeouts, knockout games.
+// The transitions of what is neither play nor the paper's: cards, timeouts, knockout games.
 #include <array>
 
 #include "referee/machine/machine.hpp"
@@ -8,43 +8,43 @@ namespace {
 
 // clang-format off
 constexpr std::array kAdministration = {
-  Arrow{"yellow_card", State::kRun, Event::kYellowCard, kAlways, kShowCard,
+  Transition{"yellow_card", State::kRun, Event::kYellowCard, kAlways, kShowCard,
         State::kRun, "2026", ""},
-  Arrow{"yellow_card_stopped", State::kWaitStop, Event::kYellowCard, kAlways, kShowCard,
+  Transition{"yellow_card_stopped", State::kWaitStop, Event::kYellowCard, kAlways, kShowCard,
         State::kWaitStop, "2026", ""},
-  Arrow{"red_card", State::kRun, Event::kRedCard, kAlways, kShowCard,
+  Transition{"red_card", State::kRun, Event::kRedCard, kAlways, kShowCard,
         State::kRun, "2026", ""},
-  Arrow{"red_card_stopped", State::kWaitStop, Event::kRedCard, kAlways, kShowCard,
+  Transition{"red_card_stopped", State::kWaitStop, Event::kRedCard, kAlways, kShowCard,
         State::kWaitStop, "2026", ""},
-  Arrow{"card_over", State::kRun, Event::kCardOver, kAlways, kEndCard,
+  Transition{"card_over", State::kRun, Event::kCardOver, kAlways, kEndCard,
         State::kRun, "Laws 12; 2026", ""},
-  Arrow{"timeout", State::kWaitStop, Event::kTimeout, kAlways, kBeginTimeout,
+  Transition{"timeout", State::kWaitStop, Event::kTimeout, kAlways, kBeginTimeout,
         State::kTimeout, "Laws 7; 2026", ""},
-  Arrow{"timeout_over", State::kTimeout, Event::kTimeoutOver, kAlways, kEndTimeout,
+  Transition{"timeout_over", State::kTimeout, Event::kTimeoutOver, kAlways, kEndTimeout,
         State::kWaitStop, "Laws 7; 2026", ""},
-  Arrow{"goal_lead", State::kDelayWait, Event::kGoalLead, kGameWasLast, kEndGame,
+  Transition{"goal_lead", State::kDelayWait, Event::kGoalLead, kGameWasLast, kEndGame,
         State::kOver, "2026", ""},
-  Arrow{"goal_lead_next", State::kDelayWait, Event::kGoalLead, kNewGameFollows, kEndGame,
+  Transition{"goal_lead_next", State::kDelayWait, Event::kGoalLead, kNewGameFollows, kEndGame,
         State::kDelayWait, "2026", ""},
-  Arrow{"extra_time", std::nullopt, Event::kExtraTime, kAlways, kBeginExtraTime,
+  Transition{"extra_time", std::nullopt, Event::kExtraTime, kAlways, kBeginExtraTime,
         State::kDelayWait, "Laws, appendix A; 2026", ""},
-  Arrow{"shootout", std::nullopt, Event::kShootout, kAlways, kEndForShootout,
+  Transition{"shootout", std::nullopt, Event::kShootout, kAlways, kEndForShootout,
         State::kDelayWait, "Laws, appendix A; 2026", ""},
-  Arrow{"shootout_begins", State::kDelayWait, Event::kSignalled, kBeforeShootout, kBeginShootout,
+  Transition{"shootout_begins", State::kDelayWait, Event::kSignalled, kBeforeShootout, kBeginShootout,
         State::kWaitStop, "Laws, appendix A; 2026", ""},
-  Arrow{"shootout_goal", State::kRun, Event::kGoal, kInShootout, kCountShootoutGoal,
+  Transition{"shootout_goal", State::kRun, Event::kGoal, kInShootout, kCountShootoutGoal,
         State::kDelayWait, "Laws, appendix A; 2026", ""},
-  Arrow{"shootout_miss", State::kRun, Event::kPenaltyFailed, kInShootout, kCountShootoutMiss,
+  Transition{"shootout_miss", State::kRun, Event::kPenaltyFailed, kInShootout, kCountShootoutMiss,
         State::kWaitStop, "Laws, appendix A; 2026", ""},
-  Arrow{"shootout_over", std::nullopt, Event::kShootoutOver, kGameWasLast, kEndGame,
+  Transition{"shootout_over", std::nullopt, Event::kShootoutOver, kGameWasLast, kEndGame,
         State::kOver, "Laws, appendix A; 2026", ""},
-  Arrow{"shootout_over_next", std::nullopt, Event::kShootoutOver, kNewGameFollows, kEndGame,
+  Transition{"shootout_over_next", std::nullopt, Event::kShootoutOver, kNewGameFollows, kEndGame,
         State::kDelayWait, "Laws, appendix A; 2026", ""},
 };
 // clang-format on
 
 }  // namespace
 
-std::span<const Arrow> arrows_of_administration() { return kAdministration; }
+std::span<const Transition> transitions_of_administration() { return kAdministration; }
 
 }  // namespace autoref::referee

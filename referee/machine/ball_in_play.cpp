@@ -3,59 +3,59 @@
 namespace autoref::referee {
 namespace {
 
-void mark_place(PlayMemory& play, const Moment& moment) {
-  play.stuck_at_m = moment.ball->position_m;
-  play.stuck_since_s = moment.time_s();
+void mark_position(PlayState& play, const RefereeInput& input) {
+  play.stuck_at_m = input.ball->position_m;
+  play.stuck_since_s = input.time_s();
 }
 
 }  // namespace
 
-PlayMemory play_begun(Command command, std::optional<Side> kicker, const Moment& moment) {
-  PlayMemory play;
+PlayState play_begun(Command command, std::optional<Side> kicker, const RefereeInput& input) {
+  PlayState play;
   play.began_with = play.restart = command;
   play.kicker = kicker;
-  play.began_s = moment.time_s();
+  play.began_s = input.time_s();
   play.in_play = command.kind == CommandKind::kForceStart;
-  play.in_play_since_s = moment.time_s();
-  play.stuck_since_s = moment.time_s();
-  if (moment.ball) {
-    play.ball_from_m = play.place_m = moment.ball->position_m;
-    play.stuck_at_m = moment.ball->position_m;
+  play.in_play_since_s = input.time_s();
+  play.stuck_since_s = input.time_s();
+  if (input.ball) {
+    play.ball_from_m = play.position_m = input.ball->position_m;
+    play.stuck_at_m = input.ball->position_m;
   }
   return play;
 }
 
-void watch_play(PlayMemory& play, const Moment& moment) {
+void watch_play(PlayState& play, const RefereeInput& input) {
   play.entered_now = false;
-  if (!moment.ball) return;
-  play.touches.update(moment, play.began_s);
-  const RuleBook& rules = moment.configuration.rules;
+  if (!input.ball) return;
+  play.touches.update(input, play.began_s);
+  const RuleBook& rules = input.configuration.rules;
   if (!play.ball_from_m) {
-    play.ball_from_m = moment.ball->position_m;
-    mark_place(play, moment);
+    play.ball_from_m = input.ball->position_m;
+    mark_position(play, input);
   }
-  if (!play.in_play && (moment.ball->position_m - *play.ball_from_m).norm() > rules.in_play_m) {
+  if (!play.in_play && (input.ball->position_m - *play.ball_from_m).norm() > rules.in_play_m) {
     play.in_play = true;
     play.entered_now = true;
-    play.in_play_since_s = moment.time_s();
-    mark_place(play, moment);
+    play.in_play_since_s = input.time_s();
+    mark_position(play, input);
   }
-  if ((moment.ball->position_m - play.stuck_at_m).norm() >= rules.stuck_distance_m) {
-    mark_place(play, moment);
+  if ((input.ball->position_m - play.stuck_at_m).norm() >= rules.stuck_distance_m) {
+    mark_position(play, input);
   }
 }
 
-bool began_with_kickoff(const PlayMemory& play, const Field& field) {
+bool began_with_kickoff(const PlayState& play, const Field& field) {
   return play.began_with.kind == CommandKind::kNormalStart && play.ball_from_m &&
          play.ball_from_m->norm() < field.centre_circle_radius_m;
 }
 
-bool began_with_penalty(const PlayMemory& play, const Field& field) {
+bool began_with_penalty(const PlayState& play, const Field& field) {
   return play.began_with.kind == CommandKind::kNormalStart && play.ball_from_m &&
          play.ball_from_m->norm() >= field.centre_circle_radius_m;
 }
 
-bool is_straight_from_restart(const PlayMemory& play) {
+bool is_straight_from_restart(const PlayState& play) {
   if (!play.kicker || !play.touches.is_one_robots()) return false;
   const BallTouch* touch = play.touches.newest();
   return touch == nullptr || !touch->side || touch->side == play.kicker;

@@ -2,24 +2,24 @@
 // 9 and 13), and what the ball has done since.
 #pragma once
 
-#include "referee/machine/memory.hpp"
-#include "referee/moment.hpp"
+#include "referee/machine/referee_state.hpp"
+#include "referee/referee_input.hpp"
 
 namespace autoref::referee {
 
 // Play has just been started with `command`, by `kicker` unless it is a force start.
-PlayMemory play_begun(Command command, std::optional<Side> kicker, const Moment& moment);
+PlayState play_begun(Command command, std::optional<Side> kicker, const RefereeInput& input);
 
 // Follows the ball through one frame of RUN.
-void watch_play(PlayMemory& play, const Moment& moment);
+void watch_play(PlayState& play, const RefereeInput& input);
 
 // Whether the restart was a kick-off, or a penalty kick: NORMAL_START starts both, the one from the
 // centre.
-bool began_with_kickoff(const PlayMemory& play, const Field& field);
-bool began_with_penalty(const PlayMemory& play, const Field& field);
+bool began_with_kickoff(const PlayState& play, const Field& field);
+bool began_with_penalty(const PlayState& play, const Field& field);
 
 // Whether the ball comes straight from the restart: no robot but its kicker has touched it. A
 // touch by somebody unknown may be a second robot's.
-bool is_straight_from_restart(const PlayMemory& play);
+bool is_straight_from_restart(const PlayState& play);
 
 }  // namespace autoref::referee

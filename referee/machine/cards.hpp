@@ -2,8 +2,8 @@
 #pragma once
 
 #include "referee/finding.hpp"
-#include "referee/machine/memory.hpp"
-#include "referee/moment.hpp"
+#include "referee/machine/referee_state.hpp"
+#include "referee/referee_input.hpp"
 
 namespace autoref::referee {
 
@@ -13,13 +13,13 @@ Card next_card(const CardBook& cards, const RuleBook& rules);
 
 // Counts the finding's foul against the offender, or against both sides where there is none, and
 // shows the card that it gives, if cards are in force.
-void book(Memory& memory, const Moment& moment, const Finding& finding);
+void book(RefereeState& state, const RefereeInput& input, const Finding& finding);
 
 // Takes the oldest yellow card off the finding's offender, or off both sides where there is none.
-void take_card_off(Memory& memory, const Configuration& configuration, const Finding& finding);
+void take_card_off(RefereeState& state, const Configuration& configuration, const Finding& finding);
 
 // Sets how many robots each side may have on the field: one fewer for each card in force, and
 // never fewer than one.
-void allow_robots(Memory& memory, const Configuration& configuration);
+void allow_robots(RefereeState& state, const Configuration& configuration);
 
 }  // namespace autoref::referee

@@ -1,31 +1,31 @@
-// The conditions on the arrows of the machine (referee/machine/machine.hpp).
+// The conditions on the transitions of the machine (referee/machine/machine.hpp).
 #pragma once
 
 #include <string_view>
 
 #include "referee/configuration.hpp"
-#include "referee/machine/memory.hpp"
+#include "referee/machine/referee_state.hpp"
 
 namespace autoref::referee {
 
 // A condition and how the figure words it; an empty text holds always.
 struct Guard {
   std::string_view text;
-  bool (*holds)(const Memory& memory, const Configuration& configuration);
+  bool (*holds)(const RefereeState& state, const Configuration& configuration);
 };
 
-bool holds_always(const Memory& memory, const Configuration& configuration);
-bool next_is_preparation(const Memory& memory, const Configuration& configuration);
-bool next_starts_play(const Memory& memory, const Configuration& configuration);
-bool is_during_game(const Memory& memory, const Configuration& configuration);
-bool is_between_halves(const Memory& memory, const Configuration& configuration);
-bool is_after_game(const Memory& memory, const Configuration& configuration);
-bool is_before_shootout(const Memory& memory, const Configuration& configuration);
-bool is_in_shootout(const Memory& memory, const Configuration& configuration);
-bool game_was_last(const Memory& memory, const Configuration& configuration);
-bool new_game_follows(const Memory& memory, const Configuration& configuration);
-bool fouls_stop_play(const Memory& memory, const Configuration& configuration);
-bool fouls_are_noted(const Memory& memory, const Configuration& configuration);
+bool holds_always(const RefereeState& state, const Configuration& configuration);
+bool next_is_preparation(const RefereeState& state, const Configuration& configuration);
+bool next_starts_play(const RefereeState& state, const Configuration& configuration);
+bool is_during_game(const RefereeState& state, const Configuration& configuration);
+bool is_between_halves(const RefereeState& state, const Configuration& configuration);
+bool is_after_game(const RefereeState& state, const Configuration& configuration);
+bool is_before_shootout(const RefereeState& state, const Configuration& configuration);
+bool is_in_shootout(const RefereeState& state, const Configuration& configuration);
+bool game_was_last(const RefereeState& state, const Configuration& configuration);
+bool new_game_follows(const RefereeState& state, const Configuration& configuration);
+bool fouls_stop_play(const RefereeState& state, const Configuration& configuration);
+bool fouls_are_noted(const RefereeState& state, const Configuration& configuration);
 
 inline constexpr Guard kAlways{"", holds_always};
 inline constexpr Guard kNextIsPreparation{"next is a preparation", next_is_preparation};

@@ -1,4 +1,4 @@
-// The paper's finite state machine (section 4.3, figure 3) as a table, one row per arrow.
+// The paper's finite state machine (section 4.3, figure 3) as a table, one row per transition.
 //
 // It owns nothing. A step is pure: what follows depends on the memory, the frame and the finding
 // alone, and the memory is returned, not changed. The referee calls it once per finding.
@@ -14,12 +14,12 @@
 #include "referee/finding.hpp"
 #include "referee/machine/actions.hpp"
 #include "referee/machine/guards.hpp"
-#include "referee/machine/memory.hpp"
-#include "referee/moment.hpp"
+#include "referee/machine/referee_state.hpp"
+#include "referee/referee_input.hpp"
 
 namespace autoref::referee {
 
-struct Arrow {
+struct Transition {
   std::string_view label;
   std::optional<State> from;  // none: any state
   Event event;
@@ -30,28 +30,28 @@ struct Arrow {
   std::string_view deviations;  // "D3, D13" in README.md; empty where the row is the paper's
 };
 
-// The arrows of the figure, and after them those of the game's time, which "operates outside this
-// diagram".
-std::span<const Arrow> arrows_in_figure();
-std::span<const Arrow> arrows_outside_figure();
+// The transitions of the figure, and after them those of the game's time, which "operates outside
+// this diagram".
+std::span<const Transition> transitions_in_figure();
+std::span<const Transition> transitions_outside_figure();
 
 // Those of rules that the paper's referee does not have.
-std::span<const Arrow> arrows_beyond_paper();
+std::span<const Transition> transitions_beyond_paper();
 
 // Those of cards, timeouts and knockout games (administration.cpp). They are tried first: what a
 // goal leads to in a shoot-out comes before what it leads to elsewhere.
-std::span<const Arrow> arrows_of_administration();
+std::span<const Transition> transitions_of_administration();
 
 // All of them, in the order in which they are tried.
-std::array<std::span<const Arrow>, 4> all_arrows();
+std::array<std::span<const Transition>, 4> all_transitions();
 
 struct Step {
-  Memory memory;                 // unchanged where no arrow leads from here
-  const Arrow* arrow = nullptr;  // taken; none where none leads from here
-  std::optional<Command> sent;   // the command that went out with it
+  RefereeState state;                      // unchanged where no transition leads from here
+  const Transition* transition = nullptr;  // taken; none where none leads from here
+  std::optional<Command> sent;             // the command that went out with it
 };
 
-// Takes the arrow that leads from the present state for what was found.
-Step step(const Memory& memory, const Moment& moment, const Finding& finding);
+// Takes the transition that leads from the present state for what was found.
+Step step(const RefereeState& state, const RefereeInput& input, const Finding& finding);
 
 }  // namespace autoref::referee

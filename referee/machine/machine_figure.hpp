@@ -5,8 +5,8 @@
 
 namespace autoref::referee {
 
-// A Mermaid state diagram of the arrows in the figure, and a Markdown table of all arrows, those of
-// the game's time apart. Ends with a newline.
+// A Mermaid state diagram of the transitions in the figure, and a Markdown table of all
+// transitions, those of the game's time apart. Ends with a newline.
 std::string machine_figure();
 
 }  // namespace autoref::referee

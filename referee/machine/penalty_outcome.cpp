@@ -16,24 +16,24 @@ namespace {
 
 // The ball's ways before and after a touch are told from this length on: noise of a few
 // millimetres turns it by a few degrees only.
-constexpr double kWay_m = 100_mm;
+constexpr double kShortest_m = 100_mm;
 
-bool is_by_keeper(const BallTouch& touch, Side side, const Moment& moment) {
-  return touch.robot == RobotId{side, moment.requests[side].keeper};
+bool is_by_keeper(const BallTouch& touch, Side side, const RefereeInput& input) {
+  return touch.robot == RobotId{side, input.requests[side].keeper};
 }
 
 // The angle in degrees by which the newest touch has turned the ball's way, if that is the keeper's
 // and both ways are long enough to tell.
-std::optional<double> turn_by_keeper_deg(const Memory& memory, const Moment& moment) {
-  const PlayMemory& play = memory.play;
+std::optional<double> turn_by_keeper_deg(const RefereeState& state, const RefereeInput& input) {
+  const PlayState& play = state.play;
   const BallTouch* touch = play.touches.newest();
   const Side defender = opponent_of(*play.kicker);
-  if (touch == nullptr || !moment.ball || !is_by_keeper(*touch, defender, moment))
+  if (touch == nullptr || !input.ball || !is_by_keeper(*touch, defender, input))
     return std::nullopt;
-  const Vec2 from_m = play.touches.has(1) ? play.touches.at(1).began_m : play.place_m;
+  const Vec2 from_m = play.touches.has(1) ? play.touches.at(1).began_m : play.position_m;
   const Vec2 before = touch->began_m - from_m;
-  const Vec2 after = moment.ball->position_m - touch->began_m;
-  if (before.norm() < kWay_m || after.norm() < kWay_m) return std::nullopt;
+  const Vec2 after = input.ball->position_m - touch->began_m;
+  if (before.norm() < kShortest_m || after.norm() < kShortest_m) return std::nullopt;
   return std::abs(angle_between(before, after)) * 180 / std::numbers::pi;
 }
 
@@ -51,24 +51,25 @@ PenaltyFailure gone_out(const Field& field, const Vec2& ball_m) {
 
 }  // namespace
 
-bool is_penalty_goal(const Memory& memory, const Moment& moment) {
-  if (!moment.ball) return false;
-  const Vec2& ball_m = moment.ball->position_m;
-  const double goal_end = goal_sign(opponent_of(*memory.play.kicker));
+bool is_penalty_goal(const RefereeState& state, const RefereeInput& input) {
+  if (!input.ball) return false;
+  const Vec2& ball_m = input.ball->position_m;
+  const double goal_end = goal_sign(opponent_of(*state.play.kicker));
   return ball_m.x() * goal_end > 0 &&
-         is_in_goal(moment.configuration.field, ball_m, moment.ball->height_m);
+         is_in_goal(input.configuration.field, ball_m, input.ball->height_m);
 }
 
-std::optional<PenaltyFailure> penalty_failure(const Memory& memory, const Moment& moment) {
-  if (is_penalty_goal(memory, moment)) return std::nullopt;
-  const Configuration& c = moment.configuration;
-  if (moment.ball && is_out_of_field(c.field, moment.ball->position_m)) {
-    return gone_out(c.field, moment.ball->position_m);
+std::optional<PenaltyFailure> penalty_failure(const RefereeState& state,
+                                              const RefereeInput& input) {
+  if (is_penalty_goal(state, input)) return std::nullopt;
+  const Configuration& c = input.configuration;
+  if (input.ball && is_out_of_field(c.field, input.ball->position_m)) {
+    return gone_out(c.field, input.ball->position_m);
   }
-  const std::optional<double> turn_deg = turn_by_keeper_deg(memory, moment);
+  const std::optional<double> turn_deg = turn_by_keeper_deg(state, input);
   if (turn_deg && *turn_deg >= c.rules.penalty_turn_deg) return turned(*turn_deg, c.rules);
-  const double lasted_s = moment.time_s() - memory.play.began_s;
-  if (!has_passed(memory.play.began_s, c.rules.penalty_time_s, moment.time_s())) {
+  const double lasted_s = input.time_s() - state.play.began_s;
+  if (!has_passed(state.play.began_s, c.rules.penalty_time_s, input.time_s())) {
     return std::nullopt;
   }
   return PenaltyFailure{lasted_s, c.rules.penalty_time_s, "s",

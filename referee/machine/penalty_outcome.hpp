@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
-#include "referee/machine/memory.hpp"
-#include "referee/moment.hpp"
+#include "referee/machine/referee_state.hpp"
+#include "referee/referee_input.hpp"
 
 namespace autoref::referee {
 
@@ -23,10 +23,10 @@ struct PenaltyFailure {
 
 // Whether the ball is in the goal that the penalty kick is aimed at. The play must be a penalty
 // kick.
-bool is_penalty_goal(const Memory& memory, const Moment& moment);
+bool is_penalty_goal(const RefereeState& state, const RefereeInput& input);
 
 // Why the penalty kick has failed, or none where it has not yet; never where it is a goal. The play
 // must be a penalty kick.
-std::optional<PenaltyFailure> penalty_failure(const Memory& memory, const Moment& moment);
+std::optional<PenaltyFailure> penalty_failure(const RefereeState& state, const RefereeInput& input);
 
 }  // namespace autoref::referee

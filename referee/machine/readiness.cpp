@@ -14,43 +14,44 @@ namespace {
 // goes on: three frames of a 60 Hz camera.
 constexpr double kSetBallBefore_s = 500_ms;
 
-bool is_look_due(const Memory& memory, const Moment& moment) {
-  return has_passed(memory.looked_s, moment.configuration.rules.look_period_s, moment.time_s());
+bool is_look_due(const RefereeState& state, const RefereeInput& input) {
+  return has_passed(state.checked_s, input.configuration.rules.readiness_period_s, input.time_s());
 }
 
 // Deviation D13: the ball must rest at its place, too.
 //
 // A ball that stays within the tolerance for as long as it takes to cross it at the speed of a
-// resting ball is at rest, however noisy the single pictures are.
+// resting ball is at rest, however noisy the single frames are.
 double rest_time_s(const RuleBook& rules) {
-  return 2 * rules.ball_in_place_m / rules.ball_at_rest_mps;
+  return 2 * rules.ball_in_position_m / rules.ball_at_rest_mps;
 }
 
-void watch_ball(Memory& memory, const Moment& moment) {
-  const bool in_place = moment.ball && memory.signal.placement &&
-                        (moment.ball->position_m - memory.signal.placement->target_m).norm() <=
-                            moment.configuration.rules.ball_in_place_m;
-  if (!in_place) {
-    memory.ball_in_place_since_s.reset();
-  } else if (!memory.ball_in_place_since_s) {
-    memory.ball_in_place_since_s = moment.time_s();
+void watch_ball(RefereeState& state, const RefereeInput& input) {
+  const bool in_position = input.ball && state.signal.placement &&
+                           (input.ball->position_m - state.signal.placement->target_m).norm() <=
+                               input.configuration.rules.ball_in_position_m;
+  if (!in_position) {
+    state.ball_in_position_since_s.reset();
+  } else if (!state.ball_in_position_since_s) {
+    state.ball_in_position_since_s = input.time_s();
   }
 }
 
-bool rests_in_place(const Memory& memory, const Moment& moment) {
-  return memory.ball_in_place_since_s &&
-         has_passed(*memory.ball_in_place_since_s, rest_time_s(moment.configuration.rules),
-                    moment.time_s());
+bool rests_in_position(const RefereeState& state, const RefereeInput& input) {
+  return state.ball_in_position_since_s &&
+         has_passed(*state.ball_in_position_since_s, rest_time_s(input.configuration.rules),
+                    input.time_s());
 }
 
-Finding moves_finding(Event event, std::string_view rule, const Moment& moment, double value_m) {
+Finding moves_finding(Event event, std::string_view rule, const RefereeInput& input,
+                      double value_m) {
   Finding finding;
   finding.event = event;
   finding.rule = rule;
   finding.value = value_m;
-  finding.threshold = moment.configuration.rules.stillness_m;
+  finding.threshold = input.configuration.rules.stillness_m;
   finding.unit = "m";
-  if (moment.ball) finding.position_m = moment.ball->position_m;
+  if (input.ball) finding.position_m = input.ball->position_m;
   return finding;
 }
 
@@ -75,39 +76,40 @@ double largest_move_m(const LargestMoves& moves) {
   return std::max(moves.move_m[Side::kWest], moves.move_m[Side::kEast]);
 }
 
-Finding robots_moved(const LargestMoves& moves, const Moment& moment) {
+Finding robots_moved(const LargestMoves& moves, const RefereeInput& input) {
   const double least_m = std::min(moves.move_m[Side::kWest], moves.move_m[Side::kEast]);
-  Finding finding = moves_finding(Event::kRobotsMoved, "paper 4.4, WAIT_START", moment, least_m);
+  Finding finding = moves_finding(Event::kRobotsMoved, "paper 4.4, WAIT_START", input, least_m);
   for (Side side : kSides) finding.robots.push_back(*moves.robot[side]);
   finding.evidence =
       fmt::format("On each team a robot has moved by {:.1f} mm or more.", 1e3 * least_m);
   return finding;
 }
 
-Finding ready(double most_m, const Memory& memory, const Moment& moment) {
-  Finding finding = moves_finding(Event::kReady, "paper 4.4, WAIT_STOP", moment, most_m);
+Finding ready(double most_m, const RefereeState& state, const RefereeInput& input) {
+  Finding finding = moves_finding(Event::kReady, "paper 4.4, WAIT_STOP", input, most_m);
   finding.evidence = fmt::format(
-      "Within {:.2f} s no robot has moved more than {:.1f} mm, and the ball rests at its place.",
-      moment.time_s() - memory.saved.time_s, 1e3 * most_m);
+      "Within {:.2f} s no robot has moved more than {:.1f} mm, and the ball rests at its position.",
+      input.time_s() - state.saved.time_s, 1e3 * most_m);
   return finding;
 }
 
-Finding ready_timeout(const Memory& memory, const Moment& moment) {
-  const LargestMoves moves = largest_moves(memory.saved, moment.frame);
-  const RuleBook& rules = moment.configuration.rules;
+Finding ready_timeout(const RefereeState& state, const RefereeInput& input) {
+  const LargestMoves moves = largest_moves(state.saved, input.frame);
+  const RuleBook& rules = input.configuration.rules;
   Finding finding = timeout_finding(Event::kReadyTimeout, "paper 4.2, a fixed timeout",
-                                    moment.time_s() - memory.wait_began_s, rules.ready_timeout_s);
+                                    input.time_s() - state.wait_began_s, rules.ready_timeout_s);
   for (Side side : kSides) {
     if (moves.robot[side] && moves.move_m[side] >= rules.stillness_m) {
       finding.robots.push_back(*moves.robot[side]);
     }
   }
-  if (moment.ball) finding.position_m = moment.ball->position_m;
+  if (input.ball) finding.position_m = input.ball->position_m;
   finding.evidence = fmt::format(
-      "After {:.2f} s the wait is over: since the last look robots have moved up to {:.1f} mm, and "
-      "the ball {} at its place.",
+      "After {:.2f} s the wait is over: since the last check robots have moved up to {:.1f} mm, "
+      "and "
+      "the ball {} at its position.",
       finding.value, 1e3 * largest_move_m(moves),
-      rests_in_place(memory, moment) ? "rests" : "did not rest");
+      rests_in_position(state, input) ? "rests" : "did not rest");
   return finding;
 }
 
@@ -131,44 +133,44 @@ LargestMoves largest_moves(const SavedPositions& saved, const Frame& frame) {
   return moves;
 }
 
-std::optional<Finding> find_start(Memory& memory, const Moment& moment) {
-  const RuleBook& rules = moment.configuration.rules;
-  if (is_look_due(memory, moment)) {
-    memory.looked_s = moment.time_s();
-    const LargestMoves moves = largest_moves(memory.saved, moment.frame);
-    if (is_more_on_both_sides(moves, rules.stillness_m)) return robots_moved(moves, moment);
+std::optional<Finding> find_start(RefereeState& state, const RefereeInput& input) {
+  const RuleBook& rules = input.configuration.rules;
+  if (is_look_due(state, input)) {
+    state.checked_s = input.time_s();
+    const LargestMoves moves = largest_moves(state.saved, input.frame);
+    if (is_more_on_both_sides(moves, rules.stillness_m)) return robots_moved(moves, input);
   }
-  if (!has_passed(memory.wait_began_s, rules.start_timeout_s, moment.time_s())) {
+  if (!has_passed(state.wait_began_s, rules.start_timeout_s, input.time_s())) {
     return std::nullopt;
   }
   // Deviation D2: a team that never moves must not hang a batch of games.
   Finding finding = timeout_finding(Event::kStartTimeout, "ours",
-                                    moment.time_s() - memory.wait_began_s, rules.start_timeout_s);
+                                    input.time_s() - state.wait_began_s, rules.start_timeout_s);
   finding.evidence =
       fmt::format("After {:.2f} s a team has still not moved any robot.", finding.value);
   return finding;
 }
 
-std::optional<Finding> find_ready(Memory& memory, const Moment& moment) {
-  const RuleBook& rules = moment.configuration.rules;
-  const double now_s = moment.time_s();
-  watch_ball(memory, moment);
-  const bool is_late = has_passed(memory.wait_began_s, rules.ready_timeout_s, now_s);
-  if (is_look_due(memory, moment)) {
-    const double most_m = largest_move_m(largest_moves(memory.saved, moment.frame));
-    if (most_m < rules.stillness_m && rests_in_place(memory, moment)) {
-      return ready(most_m, memory, moment);
+std::optional<Finding> find_ready(RefereeState& state, const RefereeInput& input) {
+  const RuleBook& rules = input.configuration.rules;
+  const double now_s = input.time_s();
+  watch_ball(state, input);
+  const bool is_late = has_passed(state.wait_began_s, rules.ready_timeout_s, now_s);
+  if (is_look_due(state, input)) {
+    const double most_m = largest_move_m(largest_moves(state.saved, input.frame));
+    if (most_m < rules.stillness_m && rests_in_position(state, input)) {
+      return ready(most_m, state, input);
     }
     // What is saved stays for the timeout's evidence.
-    if (!is_late) memory.saved = positions_in(moment.frame);
-    memory.looked_s = now_s;
+    if (!is_late) state.saved = positions_in(input.frame);
+    state.checked_s = now_s;
   }
-  if (memory.signal.placement &&
-      has_passed(memory.wait_began_s, rules.ready_timeout_s - kSetBallBefore_s, now_s)) {
-    memory.signal.placement->at_once = true;
+  if (state.signal.placement &&
+      has_passed(state.wait_began_s, rules.ready_timeout_s - kSetBallBefore_s, now_s)) {
+    state.signal.placement->at_once = true;
   }
   if (!is_late) return std::nullopt;
-  return ready_timeout(memory, moment);
+  return ready_timeout(state, input);
 }
 
 }  // namespace autoref::referee

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "referee/finding.hpp"
-#include "referee/machine/memory.hpp"
-#include "referee/moment.hpp"
+#include "referee/machine/referee_state.hpp"
+#include "referee/referee_input.hpp"
 
 namespace autoref::referee {
 
@@ -22,12 +22,12 @@ LargestMoves largest_moves(const SavedPositions& saved, const Frame& frame);
 
 // In WAIT_START: kRobotsMoved at a periodic look in which at least one robot of each team is more
 // than epsilon from where it was saved, kStartTimeout when the wait is over.
-std::optional<Finding> find_start(Memory& memory, const Moment& moment);
+std::optional<Finding> find_start(RefereeState& state, const RefereeInput& input);
 
 // In WAIT_STOP: kReady at a periodic look in which every robot is within epsilon of where it was
-// at the look before and the ball rests at its place; kReadyTimeout when the wait is over. Saves
+// at the look before and the ball rests at its position; kReadyTimeout when the wait is over. Saves
 // the positions at each look that finds somebody moving, and has the ball set to its place at once
 // shortly before the wait is over.
-std::optional<Finding> find_ready(Memory& memory, const Moment& moment);
+std::optional<Finding> find_ready(RefereeState& state, const RefereeInput& input);
 
 }  // namespace autoref::referee

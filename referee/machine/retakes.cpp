@@ -12,11 +12,11 @@ bool is_taken_again(Event event) {
 
 }  // namespace
 
-bool may_be_taken_again(const Memory& memory) { return memory.retakes.count < kMostRetakes; }
+bool may_be_taken_again(const RefereeState& state) { return state.retakes.count < kMostRetakes; }
 
-void take_again(Finding& finding, const PlayMemory& play) {
+void take_again(Finding& finding, const PlayState& play) {
   finding.restart = play.restart;
-  finding.ball_to_m = play.place_m;
+  finding.ball_to_m = play.position_m;
 }
 
 Retakes retakes_after(const Retakes& before, const Finding& finding) {

@@ -3,16 +3,16 @@
 #pragma once
 
 #include "referee/finding.hpp"
-#include "referee/machine/memory.hpp"
+#include "referee/machine/referee_state.hpp"
 
 namespace autoref::referee {
 
 // Whether the restart that is on may be taken once more. Ours: at most three times, so that a team
 // that never learns cannot hang a game; then play goes on.
-bool may_be_taken_again(const Memory& memory);
+bool may_be_taken_again(const RefereeState& state);
 
 // Makes the restart that is on what the finding leads to, from its own place.
-void take_again(Finding& finding, const PlayMemory& play);
+void take_again(Finding& finding, const PlayState& play);
 
 // What to remember of the next restart once the finding has stopped play: nothing where it is
 // another one.

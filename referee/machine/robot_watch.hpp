@@ -29,7 +29,7 @@ struct CrashWatch {
   double before_s = kNever_s;
   // When west robot [i] and east robot [j] were in contact last.
   std::array<std::array<double, kMaxRobots>, kMaxRobots> met_s = never_met();
-  boost::container::static_vector<Collision, 8> untold;
+  boost::container::static_vector<Collision, 8> unreported;
 
  private:
   static constexpr std::array<std::array<double, kMaxRobots>, kMaxRobots> never_met() {
@@ -40,7 +40,7 @@ struct CrashWatch {
 };
 
 // Two opponents that are near each other, by their numbers.
-struct Clinch {
+struct PushContact {
   int west = 0;
   int east = 0;
   bool is_near = true;
@@ -53,7 +53,7 @@ struct Clinch {
 // Round robots of two sides that touch make a planar graph without triangles: among 32 robots there
 // are at most 60 pairs in contact, and a few more that are near.
 struct PushingWatch {
-  boost::container::static_vector<Clinch, 3 * 2 * kMaxRobots> clinches;
+  boost::container::static_vector<PushContact, 3 * 2 * kMaxRobots> contacts;
 };
 
 struct DribblingWatch {

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "referee/decision.hpp"
-#include "referee/machine/lingering.hpp"
+#include "referee/machine/grace_timer.hpp"
 #include "referee/machine/robot_watch.hpp"
 #include "soccer/side.hpp"
 
@@ -40,7 +40,7 @@ class RobotTimers {
 };
 
 // Robots that stand where they must not, and what was measured of the one that is farthest wrong.
-struct Misplaced {
+struct PositionViolation {
   ConcernedRobots robots;
   double worst_m = 0;
 
@@ -58,19 +58,19 @@ struct AttackerNearAreaWatch {
 };
 
 struct RestartDistanceWatch {
-  Misplaced before;  // opponents too near in the latest frame with the ball not in play
+  PositionViolation before;  // opponents too near in the latest frame with the ball not in play
   RobotTimers near;
   RobotSet called;
   std::optional<double> anew_s;  // the kicker's time runs from here
 };
 
 struct KickoffPositionsWatch {
-  PerSide<Misplaced> before;  // in the latest frame with the ball not in play
+  PerSide<PositionViolation> before;  // in the latest frame with the ball not in play
 };
 
 struct PenaltyPositionsWatch {
-  PerSide<Misplaced> others;  // than kicker and keeper, in that frame
-  Misplaced keeper;
+  PerSide<PositionViolation> others;  // than kicker and keeper, in that frame
+  PositionViolation keeper;
   bool is_over = false;  // the outcome is known
 };
 
@@ -99,9 +99,9 @@ struct RuleWatch {
   PushingWatch pushing;
   DribblingWatch dribbling;
   KeeperHoldingWatch keeper_holding;
-  Lingering stop_speed;
-  Lingering stop_distance;
-  Lingering placement_interference;
+  GraceTimer stop_speed;
+  GraceTimer stop_distance;
+  GraceTimer placement_interference;
   AttackerNearAreaWatch attacker_near_area;
   RestartDistanceWatch restart_distance;
   KickoffPositionsWatch kickoff_positions;

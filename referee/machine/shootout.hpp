@@ -5,7 +5,7 @@
 #pragma once
 
 #include "referee/configuration.hpp"
-#include "referee/machine/memory.hpp"
+#include "referee/machine/referee_state.hpp"
 
 namespace autoref::referee {
 

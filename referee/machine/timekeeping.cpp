@@ -30,19 +30,19 @@ bool is_last(const Configuration& configuration, int half) {
   return half + 1 == configuration.halves;
 }
 
-std::string text_of_half(const Memory& memory, const Configuration& configuration) {
-  if (!is_extra(configuration, memory.half)) {
-    return fmt::format("Half {} of {}", memory.half + 1, configuration.halves);
+std::string text_of_half(const RefereeState& state, const Configuration& configuration) {
+  if (!is_extra(configuration, state.half)) {
+    return fmt::format("Half {} of {}", state.half + 1, configuration.halves);
   }
-  return fmt::format("Half {} of extra time", memory.half + 1 - kFirstExtraHalf);
+  return fmt::format("Half {} of extra time", state.half + 1 - kFirstExtraHalf);
 }
 
-Event end_of(const Memory& memory, const Configuration& configuration) {
-  if (!is_last(configuration, memory.half)) return Event::kHalfOver;
-  const PerSide<int>& goals = memory.signal.goals;
+Event end_of(const RefereeState& state, const Configuration& configuration) {
+  if (!is_last(configuration, state.half)) return Event::kHalfOver;
+  const PerSide<int>& goals = state.signal.goals;
   const bool is_drawn = goals[Side::kWest] == goals[Side::kEast];
   if (!configuration.knockout || !is_drawn) return Event::kGameOver;
-  return is_extra(configuration, memory.half) ? Event::kShootout : Event::kExtraTime;
+  return is_extra(configuration, state.half) ? Event::kShootout : Event::kExtraTime;
 }
 
 }  // namespace
@@ -68,31 +68,31 @@ bool is_extra(const Configuration& configuration, int half) {
   return configuration.knockout && half >= kFirstExtraHalf;
 }
 
-double clock_s(const Memory& memory, const RuleBook& rules, double now_s) {
-  if (rules.clock_stops) return memory.play_clock.at_s(now_s);
-  return now_s - memory.timeout_clock.at_s(now_s);
+double clock_s(const RefereeState& state, const RuleBook& rules, double now_s) {
+  if (rules.clock_stops) return state.play_clock.at_s(now_s);
+  return now_s - state.timeout_clock.at_s(now_s);
 }
 
-double time_left_s(const Memory& memory, const Configuration& configuration, double now_s) {
-  if (!is_running(memory.signal.stage)) return 0;
-  const double played_s = clock_s(memory, configuration.rules, now_s) - memory.half_began_s;
-  return std::max(0.0, length_s(configuration, memory.half) - played_s);
+double time_left_s(const RefereeState& state, const Configuration& configuration, double now_s) {
+  if (!is_running(state.signal.stage)) return 0;
+  const double played_s = clock_s(state, configuration.rules, now_s) - state.half_began_s;
+  return std::max(0.0, length_s(configuration, state.half) - played_s);
 }
 
-std::optional<Finding> find_time_over(const Memory& memory, const Moment& moment) {
-  const Configuration& configuration = moment.configuration;
-  if (!is_running(memory.signal.stage)) return std::nullopt;
-  const double now_s = clock_s(memory, configuration.rules, moment.time_s());
-  const double limit_s = length_s(configuration, memory.half);
-  if (!has_passed(memory.half_began_s, limit_s, now_s)) return std::nullopt;
+std::optional<Finding> find_time_over(const RefereeState& state, const RefereeInput& input) {
+  const Configuration& configuration = input.configuration;
+  if (!is_running(state.signal.stage)) return std::nullopt;
+  const double now_s = clock_s(state, configuration.rules, input.time_s());
+  const double limit_s = length_s(configuration, state.half);
+  if (!has_passed(state.half_began_s, limit_s, now_s)) return std::nullopt;
   Finding finding;
-  finding.event = end_of(memory, configuration);
+  finding.event = end_of(state, configuration);
   finding.rule = "paper 4.2, time-related rules";
-  finding.value = now_s - memory.half_began_s;
+  finding.value = now_s - state.half_began_s;
   finding.threshold = limit_s;
   finding.unit = "s";
   finding.evidence =
-      fmt::format("{} has lasted {:.3f} s.", text_of_half(memory, configuration), finding.value);
+      fmt::format("{} has lasted {:.3f} s.", text_of_half(state, configuration), finding.value);
   return finding;
 }
 

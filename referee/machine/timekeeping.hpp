@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "referee/finding.hpp"
-#include "referee/machine/memory.hpp"
-#include "referee/moment.hpp"
+#include "referee/machine/referee_state.hpp"
+#include "referee/referee_input.hpp"
 
 namespace autoref::referee {
 
@@ -40,13 +40,13 @@ int half_after(const Configuration& configuration, int half);
 bool is_extra(const Configuration& configuration, int half);
 
 // What the game's clock shows, in seconds from anywhere.
-double clock_s(const Memory& memory, const RuleBook& rules, double now_s);
+double clock_s(const RefereeState& state, const RuleBook& rules, double now_s);
 
 // What is left of the running half, in seconds; 0 in other stages and never below.
-double time_left_s(const Memory& memory, const Configuration& configuration, double now_s);
+double time_left_s(const RefereeState& state, const Configuration& configuration, double now_s);
 
 // Once the running half's time is over: kHalfOver, or after the last one kGameOver; where a
 // knockout game is drawn then, kExtraTime, and after extra time kShootout.
-std::optional<Finding> find_time_over(const Memory& memory, const Moment& moment);
+std::optional<Finding> find_time_over(const RefereeState& state, const RefereeInput& input);
 
 }  // namespace autoref::referee

@@ -8,24 +8,23 @@
 namespace autoref::referee {
 namespace {
 
-bool is_over_goal_line(const Moment& moment) {
-  const Field& field = moment.configuration.field;
-  return moment.ball && is_out_of_field(field, moment.ball->position_m) &&
-         find_exit(field, moment.ball->before_m, moment.ball->position_m).boundary ==
-             Boundary::kGoal;
+bool is_over_goal_line(const RefereeInput& input) {
+  const Field& field = input.configuration.field;
+  return input.ball && is_out_of_field(field, input.ball->position_m) &&
+         find_exit(field, input.ball->before_m, input.ball->position_m).line == ExitLine::kGoal;
 }
 
 }  // namespace
 
-std::optional<Finding> find_aimless_kick(Memory& memory, const Moment& moment) {
-  const Configuration& c = moment.configuration;
-  const BallTouch* kick = memory.play.touches.newest();
-  if (kick == nullptr || !kick->side || !is_over_goal_line(moment)) return std::nullopt;
+std::optional<Finding> find_aimless_kick(RefereeState& state, const RefereeInput& input) {
+  const Configuration& c = input.configuration;
+  const BallTouch* kick = state.play.touches.newest();
+  if (kick == nullptr || !kick->side || !is_over_goal_line(input)) return std::nullopt;
   const double own_end = goal_sign(*kick->side);
   const bool was_own_half = own_end * kick->ended_m.x() > 0;
-  const bool is_own_line = own_end * moment.ball->position_m.x() > 0;
+  const bool is_own_line = own_end * input.ball->position_m.x() > 0;
   const bool is_kickoff =
-      began_with_kickoff(memory.play, c.field) && is_straight_from_restart(memory.play);
+      began_with_kickoff(state.play, c.field) && is_straight_from_restart(state.play);
   if (!was_own_half || is_own_line || is_kickoff) return std::nullopt;
   Finding finding =
       offence_of(Event::kAimlessKick, RuleId::kAimlessKick, c, *kick->side, kick->ended_m);

@@ -6,7 +6,7 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_aimless_kick(Memory& memory, const Moment& moment);
+std::optional<Finding> find_aimless_kick(RefereeState& state, const RefereeInput& input);
 
 inline constexpr Rule kAimlessKickRule{RuleId::kAimlessKick, {State::kRun}, find_aimless_kick};
 

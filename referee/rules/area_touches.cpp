@@ -8,21 +8,21 @@ namespace {
 // Touches are sure well within this time; those that ended before have been judged.
 constexpr double kFresh_s = 200_ms;
 
-bool is_to_be_judged(const BallTouch& touch, const PlayMemory& play, double now_s) {
+bool is_to_be_judged(const BallTouch& touch, const PlayState& play, double now_s) {
   return touch.robot && touch.toucher && touch.ended_s > play.in_play_since_s &&
          is_settled(touch, now_s) && !has_passed(touch.ended_s, kFresh_s, now_s);
 }
 
 }  // namespace
 
-std::optional<Finding> find_in_touches(const PlayMemory& play, const Moment& moment,
-                                       std::optional<Finding> (*judge)(const BallTouch& touch,
-                                                                       const Moment& moment)) {
+std::optional<Finding> find_in_touches(const PlayState& play, const RefereeInput& input,
+                                       std::optional<Finding> (*check)(const BallTouch& touch,
+                                                                       const RefereeInput& input)) {
   if (!play.in_play) return std::nullopt;
   for (int back = play.touches.kept() - 1; back >= 0; --back) {
     const BallTouch& touch = play.touches.at(back);
-    if (!is_to_be_judged(touch, play, moment.time_s())) continue;
-    if (std::optional<Finding> finding = judge(touch, moment)) return finding;
+    if (!is_to_be_judged(touch, play, input.time_s())) continue;
+    if (std::optional<Finding> finding = check(touch, input)) return finding;
   }
   return std::nullopt;
 }

@@ -4,15 +4,15 @@
 #include <optional>
 
 #include "referee/finding.hpp"
-#include "referee/machine/memory.hpp"
-#include "referee/moment.hpp"
+#include "referee/machine/referee_state.hpp"
+#include "referee/referee_input.hpp"
 
 namespace autoref::referee {
 
-// What `judge` makes of the touches that have just become sure, the oldest first: touches of the
+// What `check` makes of the touches that have just become sure, the oldest first: touches of the
 // ball in play by a known robot whose place was seen then.
-std::optional<Finding> find_in_touches(const PlayMemory& play, const Moment& moment,
-                                       std::optional<Finding> (*judge)(const BallTouch& touch,
-                                                                       const Moment& moment));
+std::optional<Finding> find_in_touches(const PlayState& play, const RefereeInput& input,
+                                       std::optional<Finding> (*check)(const BallTouch& touch,
+                                                                       const RefereeInput& input));
 
 }  // namespace autoref::referee

@@ -8,8 +8,8 @@
 namespace autoref::referee {
 namespace {
 
-std::optional<Finding> judge(const BallTouch& touch, const Moment& moment) {
-  const Configuration& c = moment.configuration;
+std::optional<Finding> check(const BallTouch& touch, const RefereeInput& input) {
+  const Configuration& c = input.configuration;
   const double distance_m = hull_to_area_m(c.field, opponent_of(*touch.side), *touch.toucher);
   if (!(distance_m < 0)) return std::nullopt;
   Finding finding =
@@ -25,8 +25,8 @@ std::optional<Finding> judge(const BallTouch& touch, const Moment& moment) {
 
 }  // namespace
 
-std::optional<Finding> find_attacker_in_area(Memory& memory, const Moment& moment) {
-  return find_in_touches(memory.play, moment, judge);
+std::optional<Finding> find_attacker_in_area(RefereeState& state, const RefereeInput& input) {
+  return find_in_touches(state.play, input, check);
 }
 
 }  // namespace autoref::referee

@@ -6,7 +6,7 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_attacker_in_area(Memory& memory, const Moment& moment);
+std::optional<Finding> find_attacker_in_area(RefereeState& state, const RefereeInput& input);
 
 inline constexpr Rule kAttackerInAreaRule{
     RuleId::kAttackerInArea, {State::kRun}, find_attacker_in_area};

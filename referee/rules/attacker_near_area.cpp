@@ -15,11 +15,11 @@ struct Offence {
 };
 
 // The robot of `side` nearest to the opponents' area, if it is too near.
-std::optional<Offence> worst_of(Side side, const Moment& moment) {
-  const Configuration& c = moment.configuration;
+std::optional<Offence> worst_of(Side side, const RefereeInput& input) {
+  const Configuration& c = input.configuration;
   std::optional<Offence> worst;
   double nearest_m = c.rules.attacker_to_area_m;
-  for (const RobotObservation& robot : moment.frame.robots[side]) {
+  for (const RobotObservation& robot : input.frame.robots[side]) {
     const double distance_m = hull_to_area_m(c.field, opponent_of(side), robot);
     if (!(distance_m < nearest_m)) continue;
     nearest_m = distance_m;
@@ -30,13 +30,13 @@ std::optional<Offence> worst_of(Side side, const Moment& moment) {
 
 }  // namespace
 
-std::optional<Finding> find_attacker_near_area(Memory& memory, const Moment& moment) {
-  const Configuration& c = moment.configuration;
+std::optional<Finding> find_attacker_near_area(RefereeState& state, const RefereeInput& input) {
+  const Configuration& c = input.configuration;
   // A penalty kick is taken from where nobody else may be.
-  if (!c.rules.fouls_stop_play || memory.play.is_penalty()) return std::nullopt;
-  if (!memory.play.entered_now || !memory.play.kicker) return std::nullopt;
-  std::optional<Offence> offence = worst_of(*memory.play.kicker, moment);
-  if (!offence) offence = worst_of(opponent_of(*memory.play.kicker), moment);
+  if (!c.rules.fouls_stop_play || state.play.is_penalty()) return std::nullopt;
+  if (!state.play.entered_now || !state.play.kicker) return std::nullopt;
+  std::optional<Offence> offence = worst_of(*state.play.kicker, input);
+  if (!offence) offence = worst_of(opponent_of(*state.play.kicker), input);
   if (!offence) return std::nullopt;
   Finding finding = offence_of(Event::kAttackerNearArea, RuleId::kAttackerNearArea, c,
                                offence->robot, offence->position_m);

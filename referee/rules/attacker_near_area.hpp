@@ -10,7 +10,7 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_attacker_near_area(Memory& memory, const Moment& moment);
+std::optional<Finding> find_attacker_near_area(RefereeState& state, const RefereeInput& input);
 
 inline constexpr Rule kAttackerNearAreaRule{
     RuleId::kAttackerNearArea, {State::kRun}, find_attacker_near_area};

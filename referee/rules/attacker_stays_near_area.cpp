@@ -19,23 +19,25 @@ struct Offence {
 };
 
 // Kick-offs and penalty kicks have places of their own for everybody.
-bool is_in_force(const Memory& memory) {
-  if (memory.state == State::kWaitStop) return memory.signal.command.kind == CommandKind::kStop;
-  const PlayMemory& play = memory.play;
+bool is_in_force(const RefereeState& state) {
+  if (state.machine_state == State::kWaitStop)
+    return state.signal.command.kind == CommandKind::kStop;
+  const PlayState& play = state.play;
   return !play.in_play && play.kicker && !play.is_kickoff() && !play.is_penalty();
 }
 
 // The robot of `side` that has been near for longest, of those that have been for too long.
-std::optional<Offence> worst_of(Side side, AttackerNearAreaWatch& watch, const Moment& moment) {
-  const Configuration& c = moment.configuration;
+std::optional<Offence> worst_of(Side side, AttackerNearAreaWatch& watch,
+                                const RefereeInput& input) {
+  const Configuration& c = input.configuration;
   std::optional<Offence> worst;
   for (int number = 0; number < kMaxRobots; ++number) {
     const RobotId id{side, number};
-    const RobotObservation* robot = find_robot(moment.frame.robots[side], number);
+    const RobotObservation* robot = find_robot(input.frame.robots[side], number);
     const double distance_m =
         robot == nullptr ? 0 : hull_to_area_m(c.field, opponent_of(side), *robot);
     const bool is_near = robot != nullptr && distance_m < c.rules.attacker_to_area_m;
-    const double lasted_s = watch.near.update(id, is_near, moment.time_s());
+    const double lasted_s = watch.near.update(id, is_near, input.time_s());
     const bool is_too_long = has_passed(0, c.rules.attacker_grace_s, lasted_s);
     if (!is_near || watch.called.has(id) || !is_too_long) continue;
     if (!worst || lasted_s > worst->lasted_s) {
@@ -70,12 +72,13 @@ Finding found(const std::optional<Offence>& a, const std::optional<Offence>& b,
 
 }  // namespace
 
-std::optional<Finding> find_attacker_stays_near_area(Memory& memory, const Moment& moment) {
-  const RuleBook& rules = moment.configuration.rules;
-  if (rules.fouls_stop_play || !is_in_force(memory)) return std::nullopt;
-  AttackerNearAreaWatch& watch = memory.watch.attacker_near_area;
-  const std::optional<Offence> west = worst_of(Side::kWest, watch, moment);
-  const std::optional<Offence> east = worst_of(Side::kEast, watch, moment);
+std::optional<Finding> find_attacker_stays_near_area(RefereeState& state,
+                                                     const RefereeInput& input) {
+  const RuleBook& rules = input.configuration.rules;
+  if (rules.fouls_stop_play || !is_in_force(state)) return std::nullopt;
+  AttackerNearAreaWatch& watch = state.watch.attacker_near_area;
+  const std::optional<Offence> west = worst_of(Side::kWest, watch, input);
+  const std::optional<Offence> east = worst_of(Side::kEast, watch, input);
   if (!west && !east) return std::nullopt;
   if (west) watch.called.add(west->robot);
   if (east) watch.called.add(east->robot);

@@ -7,7 +7,8 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_attacker_stays_near_area(Memory& memory, const Moment& moment);
+std::optional<Finding> find_attacker_stays_near_area(RefereeState& state,
+                                                     const RefereeInput& input);
 
 inline constexpr Rule kAttackerStaysNearAreaRule{
     RuleId::kAttackerNearArea, {State::kRun, State::kWaitStop}, find_attacker_stays_near_area};

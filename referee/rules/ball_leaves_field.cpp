@@ -14,36 +14,36 @@ namespace {
 struct Award {
   Event event = Event::kThrowIn;
   Command restart;
-  Vec2 place_m{0, 0};
+  Vec2 position_m{0, 0};
 };
 
-Award over_touch_line(const Moment& moment, const Vec2& exit_m) {
-  const Configuration& c = moment.configuration;
-  const Vec2 place_m = throw_in_place(c.field, c.rules, exit_m);
-  if (!moment.last_touch.side) {
-    return {Event::kTouchLineUnknown, {CommandKind::kForceStart, Side::kWest}, place_m};
+Award over_touch_line(const RefereeInput& input, const Vec2& exit_m) {
+  const Configuration& c = input.configuration;
+  const Vec2 position_m = throw_in_position(c.field, c.rules, exit_m);
+  if (!input.last_touch.side) {
+    return {Event::kTouchLineUnknown, {CommandKind::kForceStart, Side::kWest}, position_m};
   }
-  const Side kicker = opponent_of(*moment.last_touch.side);
-  return {Event::kThrowIn, indirect_free_kick(c.rules, kicker), place_m};
+  const Side kicker = opponent_of(*input.last_touch.side);
+  return {Event::kThrowIn, indirect_free_kick(c.rules, kicker), position_m};
 }
 
-Award over_goal_line(const Moment& moment, const Vec2& exit_m) {
-  const Configuration& c = moment.configuration;
+Award over_goal_line(const RefereeInput& input, const Vec2& exit_m) {
+  const Configuration& c = input.configuration;
   const Side defender = exit_m.x() < 0 ? Side::kWest : Side::kEast;
   const Side attacker = opponent_of(defender);
-  if (moment.last_touch.side == defender) {
+  if (input.last_touch.side == defender) {
     return {Event::kCornerKick,
             {CommandKind::kDirectFree, attacker},
-            corner_kick_place(c.field, c.rules, attacker, exit_m)};
+            corner_kick_position(c.field, c.rules, attacker, exit_m)};
   }
-  if (!moment.last_touch.side && c.rules.edition != Edition::kPaper) {
+  if (!input.last_touch.side && c.rules.edition != Edition::kPaper) {
     return {Event::kGoalLineUnknown,
             {CommandKind::kForceStart, Side::kWest},
-            neutral_place(c.field, c.rules, exit_m)};
+            neutral_position(c.field, c.rules, exit_m)};
   }
   return {Event::kGoalKick,
           {CommandKind::kDirectFree, defender},
-          goal_kick_place(c.field, c.rules, defender, exit_m)};
+          goal_kick_position(c.field, c.rules, defender, exit_m)};
 }
 
 std::string touched_by(const LastTouch& touch) {
@@ -55,25 +55,25 @@ std::string touched_by(const LastTouch& touch) {
 
 }  // namespace
 
-std::optional<Finding> find_ball_leaves_field(Memory& /*memory*/, const Moment& moment) {
-  const Field& field = moment.configuration.field;
-  if (!moment.ball || !is_out_of_field(field, moment.ball->position_m)) return std::nullopt;
-  const Vec2& ball_m = moment.ball->position_m;
-  const Exit exit = find_exit(field, moment.ball->before_m, ball_m);
-  const bool touch_line = exit.boundary == Boundary::kTouch;
+std::optional<Finding> find_ball_leaves_field(RefereeState& /*state*/, const RefereeInput& input) {
+  const Field& field = input.configuration.field;
+  if (!input.ball || !is_out_of_field(field, input.ball->position_m)) return std::nullopt;
+  const Vec2& ball_m = input.ball->position_m;
+  const Exit exit = find_exit(field, input.ball->before_m, ball_m);
+  const bool touch_line = exit.line == ExitLine::kTouch;
   const Award award =
-      touch_line ? over_touch_line(moment, exit.point_m) : over_goal_line(moment, exit.point_m);
-  Finding finding = finding_of(award.event, RuleId::kBallLeavesField, moment.configuration.rules);
+      touch_line ? over_touch_line(input, exit.point_m) : over_goal_line(input, exit.point_m);
+  Finding finding = finding_of(award.event, RuleId::kBallLeavesField, input.configuration.rules);
   finding.value = std::abs(touch_line ? ball_m.y() : ball_m.x());
   finding.threshold = (touch_line ? field.half_width_m() : field.half_length_m()) + kBallRadius_m;
   finding.unit = "m";
-  if (moment.last_touch.robot) finding.robots.push_back(*moment.last_touch.robot);
+  if (input.last_touch.robot) finding.robots.push_back(*input.last_touch.robot);
   finding.position_m = exit.point_m;
   finding.restart = award.restart;
-  finding.ball_to_m = award.place_m;
-  finding.evidence = fmt::format("The ball crossed a {} boundary at ({:.3f}, {:.3f}) m; {}.",
+  finding.ball_to_m = award.position_m;
+  finding.evidence = fmt::format("The ball crossed a {} line at ({:.3f}, {:.3f}) m; {}.",
                                  touch_line ? "touch" : "goal", exit.point_m.x(), exit.point_m.y(),
-                                 touched_by(moment.last_touch));
+                                 touched_by(input.last_touch));
   return finding;
 }
 

@@ -11,7 +11,7 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_ball_leaves_field(Memory& memory, const Moment& moment);
+std::optional<Finding> find_ball_leaves_field(RefereeState& state, const RefereeInput& input);
 
 inline constexpr Rule kBallLeavesFieldRule{
     RuleId::kBallLeavesField, {State::kRun}, find_ball_leaves_field};

@@ -9,9 +9,9 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_yellow_card(Memory& memory, const Moment& moment);
-std::optional<Finding> find_red_card(Memory& memory, const Moment& moment);
-std::optional<Finding> find_card_over(Memory& memory, const Moment& moment);
+std::optional<Finding> find_yellow_card(RefereeState& state, const RefereeInput& input);
+std::optional<Finding> find_red_card(RefereeState& state, const RefereeInput& input);
+std::optional<Finding> find_card_over(RefereeState& state, const RefereeInput& input);
 
 inline constexpr Rule kYellowCardRule{
     RuleId::kCards, {State::kRun, State::kWaitStop}, find_yellow_card};

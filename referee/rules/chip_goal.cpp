@@ -31,12 +31,12 @@ Chip find_chip(const TouchHistory& touches, Side scorer, double limit_m) {
 
 }  // namespace
 
-std::optional<Finding> find_chip_goal(Memory& memory, const Moment& moment) {
-  const Configuration& c = moment.configuration;
-  const std::optional<Side> conceded = conceding_side(moment);
+std::optional<Finding> find_chip_goal(RefereeState& state, const RefereeInput& input) {
+  const Configuration& c = input.configuration;
+  const std::optional<Side> conceded = conceding_side(input);
   if (!conceded) return std::nullopt;
   const Side scorer = opponent_of(*conceded);
-  const Chip chip = find_chip(memory.play.touches, scorer, c.rules.chip_height_m);
+  const Chip chip = find_chip(state.play.touches, scorer, c.rules.chip_height_m);
   if (chip.touch == nullptr) return std::nullopt;
   Finding finding = offence_of(Event::kChipGoal, RuleId::kChipGoal, c, scorer, chip.touch->ended_m);
   if (chip.touch->robot) finding.robots.push_back(*chip.touch->robot);

@@ -10,7 +10,7 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_chip_goal(Memory& memory, const Moment& moment);
+std::optional<Finding> find_chip_goal(RefereeState& state, const RefereeInput& input);
 
 inline constexpr Rule kChipGoalRule{RuleId::kChipGoal, {State::kRun}, find_chip_goal};
 

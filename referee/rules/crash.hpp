@@ -12,7 +12,7 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_crash(Memory& memory, const Moment& moment);
+std::optional<Finding> find_crash(RefereeState& state, const RefereeInput& input);
 
 inline constexpr Rule kCrashRule{RuleId::kCrash, {State::kRun}, find_crash};
 

@@ -16,17 +16,18 @@ namespace {
 constexpr double kContact_m = 5_mm;
 constexpr double kSurely = 3;
 
-bool is_in_contact_with_opponent(RobotId id, const RobotObservation& robot, const Moment& moment) {
-  const double noise_m = kSurely * std::sqrt(2.0) * moment.configuration.noise.robot_m;
+bool is_in_contact_with_opponent(RobotId id, const RobotObservation& robot,
+                                 const RefereeInput& input) {
+  const double noise_m = kSurely * std::sqrt(2.0) * input.configuration.noise.robot_m;
   const double near_m = 2 * kRobotRadius_m + kContact_m + noise_m;
-  const auto& others = moment.frame.robots[opponent_of(id.side)];
+  const auto& others = input.frame.robots[opponent_of(id.side)];
   return std::any_of(others.begin(), others.end(), [&](const RobotObservation& other) {
     return (other.position_m - robot.position_m).norm() <= near_m;
   });
 }
 
-Finding entirely(const BallTouch& touch, const Moment& moment, double out_m) {
-  const Configuration& c = moment.configuration;
+Finding entirely(const BallTouch& touch, const RefereeInput& input, double out_m) {
+  const Configuration& c = input.configuration;
   Finding finding =
       offence_of(Event::kDefenderInArea, RuleId::kDefenderInArea, c, *touch.robot, touch.ended_m);
   finding.value = out_m;
@@ -38,9 +39,9 @@ Finding entirely(const BallTouch& touch, const Moment& moment, double out_m) {
   return finding;
 }
 
-Finding partly(const BallTouch& touch, const Moment& moment, double distance_m) {
+Finding partly(const BallTouch& touch, const RefereeInput& input, double distance_m) {
   Finding finding = offence_of(Event::kDefenderPartlyInArea, RuleId::kDefenderInArea,
-                               moment.configuration, *touch.robot, touch.ended_m);
+                               input.configuration, *touch.robot, touch.ended_m);
   finding.value = distance_m;
   finding.card = Card::kYellow;
   finding.evidence =
@@ -49,18 +50,17 @@ Finding partly(const BallTouch& touch, const Moment& moment, double distance_m) 
   return finding;
 }
 
-std::optional<Finding> judge(const BallTouch& touch, const Moment& moment) {
-  const Configuration& c = moment.configuration;
-  if (touch.robot->number == moment.requests[*touch.side].keeper) return std::nullopt;
+std::optional<Finding> check_defender(const BallTouch& touch, const RefereeInput& input) {
+  const Configuration& c = input.configuration;
+  if (touch.robot->number == input.requests[*touch.side].keeper) return std::nullopt;
   const double distance_m = hull_to_area_m(c.field, *touch.side, *touch.toucher);
-  if (!(distance_m < 0) || is_in_contact_with_opponent(*touch.robot, *touch.toucher, moment)) {
+  if (!(distance_m < 0) || is_in_contact_with_opponent(*touch.robot, *touch.toucher, input)) {
     return std::nullopt;
   }
   const double out_m = hull_out_of_area_m(c.field, *touch.side, *touch.toucher);
   const bool is_entirely = out_m < 0;
   if (!is_entirely && c.rules.edition == Edition::kRules2026) return std::nullopt;
-  Finding finding =
-      is_entirely ? entirely(touch, moment, out_m) : partly(touch, moment, distance_m);
+  Finding finding = is_entirely ? entirely(touch, input, out_m) : partly(touch, input, distance_m);
   finding.threshold = 0;
   finding.unit = "m";
   return finding;
@@ -68,8 +68,8 @@ std::optional<Finding> judge(const BallTouch& touch, const Moment& moment) {
 
 }  // namespace
 
-std::optional<Finding> find_defender_in_area(Memory& memory, const Moment& moment) {
-  return find_in_touches(memory.play, moment, judge);
+std::optional<Finding> find_defender_in_area(RefereeState& state, const RefereeInput& input) {
+  return find_in_touches(state.play, input, check_defender);
 }
 
 }  // namespace autoref::referee

@@ -10,7 +10,7 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_defender_in_area(Memory& memory, const Moment& moment);
+std::optional<Finding> find_defender_in_area(RefereeState& state, const RefereeInput& input);
 
 inline constexpr Rule kDefenderInAreaRule{
     RuleId::kDefenderInArea, {State::kRun}, find_defender_in_area};

@@ -9,29 +9,29 @@ namespace autoref::referee {
 namespace {
 
 // "Remaining in contact with the ball for more than 0.05 meters also counts" (2026).
-bool stays_in_contact(const PlayMemory& play, const Moment& moment) {
-  if (moment.configuration.rules.edition != Edition::kRules2026) return false;
+bool stays_in_contact(const PlayState& play, const RefereeInput& input) {
+  if (input.configuration.rules.edition != Edition::kRules2026) return false;
   const BallTouch* touch = play.touches.newest();
   if (play.touches.count() != 1 || !touch->robot) return false;
   const double carried_m = (touch->ended_m - *play.ball_from_m).norm();
   return touch->began_s <= play.in_play_since_s && touch->ended_s > play.in_play_since_s &&
-         carried_m > moment.configuration.rules.in_play_m + 3 * moment.configuration.noise.ball_m;
+         carried_m > input.configuration.rules.in_play_m + 3 * input.configuration.noise.ball_m;
 }
 
-bool touches_again(const PlayMemory& play, const Moment& moment) {
+bool touches_again(const PlayState& play, const RefereeInput& input) {
   if (play.touches.count() < 2) return false;
   const BallTouch& again = *play.touches.newest();
-  return again.began_s > play.in_play_since_s && is_settled(again, moment.time_s());
+  return again.began_s > play.in_play_since_s && is_settled(again, input.time_s());
 }
 
 }  // namespace
 
-std::optional<Finding> find_double_touch(Memory& memory, const Moment& moment) {
-  const PlayMemory& play = memory.play;
+std::optional<Finding> find_double_touch(RefereeState& state, const RefereeInput& input) {
+  const PlayState& play = state.play;
   if (!play.in_play || !is_straight_from_restart(play)) return std::nullopt;
-  if (!touches_again(play, moment) && !stays_in_contact(play, moment)) return std::nullopt;
+  if (!touches_again(play, input) && !stays_in_contact(play, input)) return std::nullopt;
   const BallTouch& again = *play.touches.newest();
-  Finding finding = offence_of(Event::kDoubleTouch, RuleId::kDoubleTouch, moment.configuration,
+  Finding finding = offence_of(Event::kDoubleTouch, RuleId::kDoubleTouch, input.configuration,
                                *again.robot, again.ended_m);
   finding.value = (again.ended_m - *play.ball_from_m).norm();
   finding.evidence = fmt::format(

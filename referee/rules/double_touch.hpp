@@ -8,7 +8,7 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_double_touch(Memory& memory, const Moment& moment);
+std::optional<Finding> find_double_touch(RefereeState& state, const RefereeInput& input);
 
 inline constexpr Rule kDoubleTouchRule{RuleId::kDoubleTouch, {State::kRun}, find_double_touch};
 

@@ -12,31 +12,31 @@ constexpr double kSame_m = 1e-9;
 
 struct Dribble {
   std::optional<RobotId> robot;
-  double way_m = 0;
+  double path_m = 0;
   bool is_tied = false;  // with a robot of the other side
 };
 
 // Takes note of where the ball was when the robots that have it got it.
-void watch_side(DribblingWatch& watch, const Moment& moment, Side side) {
+void watch_side(DribblingWatch& watch, const RefereeInput& input, Side side) {
   const auto former = watch.ball_from_m[side];
   auto& ball_from_m = watch.ball_from_m[side];
   ball_from_m.fill(std::nullopt);
-  const TrackedBall& ball = *moment.tracks.ball;
-  for (const TrackedRobot& robot : moment.tracks.robots[side]) {
+  const TrackedBall& ball = *input.tracks.ball;
+  for (const TrackedRobot& robot : input.tracks.robots[side]) {
     const auto number = static_cast<std::size_t>(robot.number);
     const bool had = former[number].has_value();
-    if (!has_ball(robot, ball, had, moment.configuration.noise)) continue;
+    if (!has_ball(robot, ball, had, input.configuration.noise)) continue;
     ball_from_m[number] = had ? former[number] : ball.position_m;
   }
 }
 
-void take_in(Dribble& longest, RobotId robot, double way_m) {
-  if (way_m < longest.way_m - kSame_m) return;
-  const bool is_longer = way_m > longest.way_m + kSame_m;
+void take_in(Dribble& longest, RobotId robot, double path_m) {
+  if (path_m < longest.path_m - kSame_m) return;
+  const bool is_longer = path_m > longest.path_m + kSame_m;
   longest.is_tied =
       !is_longer && longest.robot && (longest.is_tied || longest.robot->side != robot.side);
   longest.robot = robot;
-  longest.way_m = way_m;
+  longest.path_m = path_m;
 }
 
 Dribble longest_dribble(const DribblingWatch& watch, const Vec2& ball_m) {
@@ -52,20 +52,20 @@ Dribble longest_dribble(const DribblingWatch& watch, const Vec2& ball_m) {
 
 }  // namespace
 
-std::optional<Finding> find_dribbling(Memory& memory, const Moment& moment) {
-  if (!moment.tracks.ball) return std::nullopt;
-  DribblingWatch& watch = memory.watch.dribbling;
-  for (const Side side : kSides) watch_side(watch, moment, side);
-  const Configuration& c = moment.configuration;
-  const Vec2& ball_m = moment.tracks.ball->position_m;
+std::optional<Finding> find_dribbling(RefereeState& state, const RefereeInput& input) {
+  if (!input.tracks.ball) return std::nullopt;
+  DribblingWatch& watch = state.watch.dribbling;
+  for (const Side side : kSides) watch_side(watch, input, side);
+  const Configuration& c = input.configuration;
+  const Vec2& ball_m = input.tracks.ball->position_m;
   const Dribble dribble = longest_dribble(watch, ball_m);
-  if (!dribble.robot || dribble.is_tied || dribble.way_m <= c.rules.dribbling_m) {
+  if (!dribble.robot || dribble.is_tied || dribble.path_m <= c.rules.dribbling_m) {
     return std::nullopt;
   }
   Finding finding = offence_of(Event::kDribbling, RuleId::kDribbling, c, *dribble.robot, ball_m);
-  finding.value = dribble.way_m;
+  finding.value = dribble.path_m;
   finding.evidence = fmt::format("{} has had the ball at its hull for {:.0f} mm.",
-                                 text_of(*dribble.robot), 1e3 * dribble.way_m);
+                                 text_of(*dribble.robot), 1e3 * dribble.path_m);
   return finding;
 }
 

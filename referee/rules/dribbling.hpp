@@ -7,7 +7,7 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_dribbling(Memory& memory, const Moment& moment);
+std::optional<Finding> find_dribbling(RefereeState& state, const RefereeInput& input);
 
 inline constexpr Rule kDribblingRule{RuleId::kDribbling, {State::kRun}, find_dribbling};
 

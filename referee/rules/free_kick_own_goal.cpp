@@ -7,16 +7,16 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_free_kick_own_goal(Memory& memory, const Moment& moment) {
-  const PlayMemory& play = memory.play;
-  const std::optional<Side> conceded = conceding_side(moment);
+std::optional<Finding> find_free_kick_own_goal(RefereeState& state, const RefereeInput& input) {
+  const PlayState& play = state.play;
+  const std::optional<Side> conceded = conceding_side(input);
   if (!conceded || play.kicker != conceded || !is_straight_from_restart(play)) return std::nullopt;
   Finding finding =
-      finding_of(Event::kFreeKickOwnGoal, RuleId::kFreeKickOwnGoal, moment.configuration.rules);
-  if (moment.last_touch.robot) finding.robots.push_back(*moment.last_touch.robot);
+      finding_of(Event::kFreeKickOwnGoal, RuleId::kFreeKickOwnGoal, input.configuration.rules);
+  if (input.last_touch.robot) finding.robots.push_back(*input.last_touch.robot);
   finding.offender = conceded;
-  finding.position_m = moment.ball->position_m;
-  restart_with_corner_kick(finding, moment, *conceded);
+  finding.position_m = input.ball->position_m;
+  restart_with_corner_kick(finding, input, *conceded);
   finding.evidence = fmt::format(
       "The ball went from a restart of {} into its own goal, and no other robot touched it.",
       name_of(*conceded));

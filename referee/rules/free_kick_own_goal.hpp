@@ -7,7 +7,7 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_free_kick_own_goal(Memory& memory, const Moment& moment);
+std::optional<Finding> find_free_kick_own_goal(RefereeState& state, const RefereeInput& input);
 
 inline constexpr Rule kFreeKickOwnGoalRule{
     RuleId::kFreeKickOwnGoal, {State::kRun}, find_free_kick_own_goal};

@@ -9,22 +9,22 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_goal(Memory& /*memory*/, const Moment& moment) {
-  const Field& field = moment.configuration.field;
-  const std::optional<Side> conceded = conceding_side(moment);
+std::optional<Finding> find_goal(RefereeState& /*state*/, const RefereeInput& input) {
+  const Field& field = input.configuration.field;
+  const std::optional<Side> conceded = conceding_side(input);
   if (!conceded) return std::nullopt;
-  const Vec2& ball_m = moment.ball->position_m;
-  Finding finding = finding_of(Event::kGoal, RuleId::kGoal, moment.configuration.rules);
+  const Vec2& ball_m = input.ball->position_m;
+  Finding finding = finding_of(Event::kGoal, RuleId::kGoal, input.configuration.rules);
   finding.value = std::abs(ball_m.x());
   finding.threshold = field.half_length_m() + kBallRadius_m;
   finding.unit = "m";
-  if (moment.last_touch.robot) finding.robots.push_back(*moment.last_touch.robot);
+  if (input.last_touch.robot) finding.robots.push_back(*input.last_touch.robot);
   finding.position_m = ball_m;
   finding.restart = {CommandKind::kPrepareKickoff, *conceded};
   finding.ball_to_m = Vec2(0, 0);
   finding.evidence = fmt::format(
       "The ball is in the {} goal, {:.0f} mm from its middle and {:.0f} mm above the ground.",
-      name_of(*conceded), 1e3 * std::abs(ball_m.y()), 1e3 * moment.ball->height_m);
+      name_of(*conceded), 1e3 * std::abs(ball_m.y()), 1e3 * input.ball->height_m);
   return finding;
 }
 

@@ -7,7 +7,7 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_goal(Memory& memory, const Moment& moment);
+std::optional<Finding> find_goal(RefereeState& state, const RefereeInput& input);
 
 inline constexpr Rule kGoalRule{RuleId::kGoal, {State::kRun}, find_goal};
 

@@ -6,12 +6,12 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_goal_lead(Memory& memory, const Moment& moment) {
-  const RuleBook& rules = moment.configuration.rules;
-  const PerSide<int>& goals = memory.signal.goals;
+std::optional<Finding> find_goal_lead(RefereeState& state, const RefereeInput& input) {
+  const RuleBook& rules = input.configuration.rules;
+  const PerSide<int>& goals = state.signal.goals;
   const auto [less, more] = std::minmax(goals[Side::kWest], goals[Side::kEast]);
   const bool has_won = more >= rules.goals_to_win && more - less > rules.goal_lead;
-  if (rules.goals_to_win == 0 || !has_won || memory.signal.stage == Stage::kPostGame) {
+  if (rules.goals_to_win == 0 || !has_won || state.signal.stage == Stage::kPostGame) {
     return std::nullopt;
   }
   Finding finding = finding_of(Event::kGoalLead, RuleId::kGoalLead, rules);

@@ -6,7 +6,7 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_goal_lead(Memory& memory, const Moment& moment);
+std::optional<Finding> find_goal_lead(RefereeState& state, const RefereeInput& input);
 
 inline constexpr Rule kGoalLeadRule{RuleId::kGoalLead, {State::kDelayWait}, find_goal_lead};
 

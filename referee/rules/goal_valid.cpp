@@ -21,38 +21,38 @@ std::optional<double> top_since_touch_m(const TouchHistory& touches, Side scorer
   return std::nullopt;
 }
 
-Finding invalid(const Moment& moment, Side conceded) {
-  Finding finding = finding_of(Event::kGoalInvalid, RuleId::kGoalValid, moment.configuration.rules);
-  if (moment.last_touch.robot) finding.robots.push_back(*moment.last_touch.robot);
+Finding invalid(const RefereeInput& input, Side conceded) {
+  Finding finding = finding_of(Event::kGoalInvalid, RuleId::kGoalValid, input.configuration.rules);
+  if (input.last_touch.robot) finding.robots.push_back(*input.last_touch.robot);
   finding.offender = opponent_of(conceded);
-  finding.position_m = moment.ball->position_m;
-  if (moment.last_touch.side == conceded) {
-    restart_with_corner_kick(finding, moment, conceded);
+  finding.position_m = input.ball->position_m;
+  if (input.last_touch.side == conceded) {
+    restart_with_corner_kick(finding, input, conceded);
   } else {
-    restart_with_goal_kick(finding, moment, conceded);
+    restart_with_goal_kick(finding, input, conceded);
   }
   return finding;
 }
 
 }  // namespace
 
-std::optional<Finding> find_goal_valid(Memory& memory, const Moment& moment) {
-  const Configuration& c = moment.configuration;
-  const std::optional<Side> conceded = conceding_side(moment);
-  if (!conceded || began_with_penalty(memory.play, c.field)) return std::nullopt;
+std::optional<Finding> find_goal_valid(RefereeState& state, const RefereeInput& input) {
+  const Configuration& c = input.configuration;
+  const std::optional<Side> conceded = conceding_side(input);
+  if (!conceded || began_with_penalty(state.play, c.field)) return std::nullopt;
   const Side scorer = opponent_of(*conceded);
-  const std::optional<double> top_m = top_since_touch_m(memory.play.touches, scorer);
+  const std::optional<double> top_m = top_since_touch_m(state.play.touches, scorer);
   if (top_m && *top_m > c.rules.chip_height_m) {
-    Finding finding = invalid(moment, *conceded);
+    Finding finding = invalid(input, *conceded);
     finding.value = *top_m;
     finding.evidence = fmt::format("The ball was up to {:.0f} mm high since {} touched it.",
                                    1e3 * *top_m, name_of(scorer));
     return finding;
   }
-  const std::optional<double>& fouled_s = memory.cards[scorer].fouled_s;
-  if (!fouled_s || moment.time_s() - *fouled_s > c.rules.goal_after_foul_s) return std::nullopt;
-  Finding finding = invalid(moment, *conceded);
-  finding.value = moment.time_s() - *fouled_s;
+  const std::optional<double>& fouled_s = state.cards[scorer].fouled_s;
+  if (!fouled_s || input.time_s() - *fouled_s > c.rules.goal_after_foul_s) return std::nullopt;
+  Finding finding = invalid(input, *conceded);
+  finding.value = input.time_s() - *fouled_s;
   finding.threshold = c.rules.goal_after_foul_s;
   finding.unit = "s";
   finding.evidence =

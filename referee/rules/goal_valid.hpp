@@ -10,7 +10,7 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_goal_valid(Memory& memory, const Moment& moment);
+std::optional<Finding> find_goal_valid(RefereeState& state, const RefereeInput& input);
 
 inline constexpr Rule kGoalValidRule{RuleId::kGoalValid, {State::kRun}, find_goal_valid};
 

@@ -7,19 +7,19 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_indirect_goal(Memory& memory, const Moment& moment) {
-  const PlayMemory& play = memory.play;
-  const std::optional<Side> conceded = conceding_side(moment);
+std::optional<Finding> find_indirect_goal(RefereeState& state, const RefereeInput& input) {
+  const PlayState& play = state.play;
+  const std::optional<Side> conceded = conceding_side(input);
   if (!conceded || play.began_with.kind != CommandKind::kIndirectFree || play.kicker == conceded ||
       !is_straight_from_restart(play)) {
     return std::nullopt;
   }
   Finding finding =
-      finding_of(Event::kIndirectGoal, RuleId::kIndirectGoal, moment.configuration.rules);
-  if (moment.last_touch.robot) finding.robots.push_back(*moment.last_touch.robot);
+      finding_of(Event::kIndirectGoal, RuleId::kIndirectGoal, input.configuration.rules);
+  if (input.last_touch.robot) finding.robots.push_back(*input.last_touch.robot);
   finding.offender = play.kicker;
-  finding.position_m = moment.ball->position_m;
-  restart_with_goal_kick(finding, moment, *conceded);
+  finding.position_m = input.ball->position_m;
+  restart_with_goal_kick(finding, input, *conceded);
   finding.evidence = fmt::format(
       "The ball went from an indirect kick of {} into the goal, and no other robot touched it.",
       name_of(*play.kicker));

@@ -6,7 +6,7 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_indirect_goal(Memory& memory, const Moment& moment);
+std::optional<Finding> find_indirect_goal(RefereeState& state, const RefereeInput& input);
 
 inline constexpr Rule kIndirectGoalRule{RuleId::kIndirectGoal, {State::kRun}, find_indirect_goal};
 

@@ -8,26 +8,26 @@
 namespace autoref::referee {
 namespace {
 
-bool keeper_has_ball(const Moment& moment, Side side, bool had) {
-  for (const TrackedRobot& robot : moment.tracks.robots[side]) {
-    if (robot.number != moment.requests[side].keeper) continue;
-    return has_ball(robot, *moment.tracks.ball, had, moment.configuration.noise);
+bool keeper_has_ball(const RefereeInput& input, Side side, bool had) {
+  for (const TrackedRobot& robot : input.tracks.robots[side]) {
+    if (robot.number != input.requests[side].keeper) continue;
+    return has_ball(robot, *input.tracks.ball, had, input.configuration.noise);
   }
   return false;
 }
 
-bool is_held(const Moment& moment, Side side, bool was_held) {
-  const Configuration& c = moment.configuration;
-  const Vec2& ball_m = moment.tracks.ball->position_m;
+bool is_held(const RefereeInput& input, Side side, bool was_held) {
+  const Configuration& c = input.configuration;
+  const Vec2& ball_m = input.tracks.ball->position_m;
   if (distance_to_defence_area(c.field, side, ball_m) > 0) return false;
-  return c.rules.edition == Edition::kRules2026 || keeper_has_ball(moment, side, was_held);
+  return c.rules.edition == Edition::kRules2026 || keeper_has_ball(input, side, was_held);
 }
 
-Finding holding_finding(const Moment& moment, Side side, double held_s) {
-  const Configuration& c = moment.configuration;
-  const RobotId keeper{side, moment.requests[side].keeper};
+Finding holding_finding(const RefereeInput& input, Side side, double held_s) {
+  const Configuration& c = input.configuration;
+  const RobotId keeper{side, input.requests[side].keeper};
   Finding finding = offence_of(Event::kKeeperHolding, RuleId::kKeeperHolding, c, keeper,
-                               moment.tracks.ball->position_m);
+                               input.tracks.ball->position_m);
   finding.value = held_s;
   finding.evidence = c.rules.edition == Edition::kRules2026
                          ? fmt::format("The ball has been inside the area of {} for {:.2f} s.",
@@ -39,17 +39,17 @@ Finding holding_finding(const Moment& moment, Side side, double held_s) {
 
 }  // namespace
 
-std::optional<Finding> find_keeper_holding(Memory& memory, const Moment& moment) {
-  if (!moment.tracks.ball) return std::nullopt;
-  const double limit_s = moment.configuration.rules.keeper_holding_s;
+std::optional<Finding> find_keeper_holding(RefereeState& state, const RefereeInput& input) {
+  if (!input.tracks.ball) return std::nullopt;
+  const double limit_s = input.configuration.rules.keeper_holding_s;
   for (const Side side : kSides) {
-    std::optional<double>& since_s = memory.watch.keeper_holding.since_s[side];
-    if (!memory.play.in_play || !is_held(moment, side, since_s.has_value())) {
+    std::optional<double>& since_s = state.watch.keeper_holding.since_s[side];
+    if (!state.play.in_play || !is_held(input, side, since_s.has_value())) {
       since_s.reset();
     } else if (!since_s) {
-      since_s = moment.time_s();
-    } else if (has_passed(*since_s, limit_s, moment.time_s())) {
-      return holding_finding(moment, side, moment.time_s() - *since_s);
+      since_s = input.time_s();
+    } else if (has_passed(*since_s, limit_s, input.time_s())) {
+      return holding_finding(input, side, input.time_s() - *since_s);
     }
   }
   return std::nullopt;

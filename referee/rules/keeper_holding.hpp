@@ -7,7 +7,7 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_keeper_holding(Memory& memory, const Moment& moment);
+std::optional<Finding> find_keeper_holding(RefereeState& state, const RefereeInput& input);
 
 inline constexpr Rule kKeeperHoldingRule{
     RuleId::kKeeperHolding, {State::kRun}, find_keeper_holding};

@@ -7,16 +7,16 @@
 #include <cmath>
 
 #include "referee/geometry/ball_out.hpp"
-#include "referee/touch/even_motion.hpp"
+#include "referee/touch/constant_acceleration_fit.hpp"
 #include "soccer/units.hpp"
 
 namespace autoref::referee {
 namespace {
 
 constexpr std::size_t kIntervals = 3;
-// After so many sightings of the ball's free way its speed is told, however well it is known; and
+// After so many detections of the ball's free way its speed is told, however well it is known; and
 // before, once it is beyond the limit by so many standard deviations.
-constexpr std::size_t kSightings = 7;
+constexpr std::size_t kDetections = 7;
 constexpr double kSure = 3;
 // Standard deviations that the height's uncertainty must not explain.
 constexpr double kBeyondNoise = 2;
@@ -30,7 +30,7 @@ struct Speed {
   double deviation_mps = 0;
 };
 
-// The mean speed between two sightings; in space, the speed that the ball had on the ground.
+// The mean speed between two detections; in space, the speed that the ball had on the ground.
 Speed mean_speed(const RecentBall& from, const RecentBall& to, const Configuration& c) {
   const double duration_s = to.time_s - from.time_s;
   Speed speed{(to.position_m - from.position_m).norm() / duration_s,
@@ -44,31 +44,32 @@ Speed mean_speed(const RecentBall& from, const RecentBall& to, const Configurati
   return speed;
 }
 
-// The sightings of the ball from `from_s` to `to_s`, the newest first, at most the oldest seven.
-using Sightings = boost::container::static_vector<const RecentBall*, RecentFrames::kKept>;
+// The detections of the ball from `from_s` to `to_s`, the newest first, at most the oldest seven.
+using Detections = boost::container::static_vector<const RecentBall*, RecentFrames::kKept>;
 
-Sightings sightings_of(const RecentFrames& recent, double from_s, double to_s) {
-  Sightings seen;
+Detections detections_of(const RecentFrames& recent, double from_s, double to_s) {
+  Detections seen;
   for (std::size_t back = 0; recent.ball(back) != nullptr; ++back) {
     const RecentBall* ball = recent.ball(back);
     if (ball->time_s >= from_s && ball->time_s <= to_s) seen.push_back(ball);
   }
-  while (seen.size() > kSightings) seen.erase(seen.begin());
+  while (seen.size() > kDetections) seen.erase(seen.begin());
   return seen;
 }
 
 // The speed that a ball had when it was kicked, by its way along the carpet.
-Speed speed_on_carpet(const Sightings& seen, double kicked_s, const Configuration& c) {
-  const Vec2 way = direction_of(seen.front()->position_m - seen.back()->position_m, Vec2(1, 0));
-  EvenMotionFit fit(-kCarpet_mps2 * way, kCarpetDeviation_mps2);
+Speed speed_on_carpet(const Detections& seen, double kicked_s, const Configuration& c) {
+  const Vec2 direction =
+      direction_of(seen.front()->position_m - seen.back()->position_m, Vec2(1, 0));
+  ConstantAccelerationFit fit(-kCarpet_mps2 * direction, kCarpetDeviation_mps2);
   for (const RecentBall* ball : seen) {
     fit.add(ball->time_s - kicked_s, ball->position_m, std::max(c.noise.ball_m, kRounding_m));
   }
-  const EvenMotion motion = fit.motion();
-  return {motion.velocity_mps.dot(way), motion.velocity_deviation_mps};
+  const ConstantAcceleration motion = fit.motion();
+  return {motion.velocity_mps.dot(direction), motion.velocity_deviation_mps};
 }
 
-// The mean speed of a ball in the air over the last three pictures, if all of them are above the
+// The mean speed of a ball in the air over the last three frames, if all of them are above the
 // limit, the mean beyond the noise.
 std::optional<double> speeding_in_air_mps(const RecentFrames& recent, double kicked_s,
                                           const Configuration& c) {
@@ -86,7 +87,7 @@ std::optional<double> speeding_in_air_mps(const RecentFrames& recent, double kic
 }
 
 // A ball that was as fast before was made fast by somebody else; where its way before the touch is
-// not known any more, it may have been. Touches are told up to a picture late: two ways count.
+// not known any more, it may have been. Touches are told up to a frame late: two ways count.
 bool was_as_fast(const RecentFrames& recent, double kicked_s, double speed_mps,
                  const Configuration& c) {
   const RecentBall* before = recent.ball_before(kicked_s);
@@ -99,13 +100,13 @@ bool was_as_fast(const RecentFrames& recent, double kicked_s, double speed_mps,
 }
 
 // The speed of a kick whose ball nobody has touched until `until_s`, once it is sure; `is_over`:
-// there will be no more sightings of it. None where the ball was as fast before.
-std::optional<double> told_speed_mps(const BallTouch& kick, const RecentFrames& recent,
-                                     double until_s, bool is_over, const Configuration& c) {
-  const Sightings seen = sightings_of(recent, kick.ended_s, until_s);
+// there will be no more detections of it. None where the ball was as fast before.
+std::optional<double> reported_speed_mps(const BallTouch& kick, const RecentFrames& recent,
+                                         double until_s, bool is_over, const Configuration& c) {
+  const Detections seen = detections_of(recent, kick.ended_s, until_s);
   if (seen.size() <= kIntervals) return std::nullopt;
   const Speed speed = speed_on_carpet(seen, kick.ended_s, c);
-  const bool is_sure = is_over || seen.size() == kSightings ||
+  const bool is_sure = is_over || seen.size() == kDetections ||
                        speed.mps - c.rules.kick_limit_mps > kSure * speed.deviation_mps;
   if (!is_sure || was_as_fast(recent, kick.ended_s, speed.mps, c)) return std::nullopt;
   return speed.mps;
@@ -113,7 +114,7 @@ std::optional<double> told_speed_mps(const BallTouch& kick, const RecentFrames& 
 
 // Measures the newest kick, and remembers its speed while its height is unknown.
 void watch(KickSpeedWatch& kick, const BallTouch& touch, const RecentFrames& recent,
-           const Moment& moment) {
+           const RefereeInput& input) {
   if (kick.kicked_s && *kick.kicked_s != touch.ended_s) kick = {};
   const RecentBall& newest = *recent.ball(0);
   // What seemed fast while it might have been a chip counts anew once it is one.
@@ -121,13 +122,13 @@ void watch(KickSpeedWatch& kick, const BallTouch& touch, const RecentFrames& rec
     kick = {};
     kick.is_in_air = true;
   }
-  const Configuration& c = moment.configuration;
+  const Configuration& c = input.configuration;
   std::optional<double> speed_mps;
   if (kick.is_in_air) {
     speed_mps = speeding_in_air_mps(recent, touch.ended_s, c);
     if (speed_mps && was_as_fast(recent, touch.ended_s, *speed_mps, c)) speed_mps.reset();
   } else if (!kick.kicked_s) {
-    speed_mps = told_speed_mps(touch, recent, moment.time_s(), false, c);
+    speed_mps = reported_speed_mps(touch, recent, input.time_s(), false, c);
   }
   if (!speed_mps) return;
   kick.kicked_s = touch.ended_s;
@@ -135,25 +136,26 @@ void watch(KickSpeedWatch& kick, const BallTouch& touch, const RecentFrames& rec
 }
 
 // A kick, and its speed once that is sure.
-struct ToldKick {
+struct ReportedKick {
   const BallTouch* touch = nullptr;
   double speed_mps = 0;
 };
 
 // The newest one, once it is known whether it flies, or the one before it.
-ToldKick told_kick(KickSpeedWatch& kick, const TouchHistory& touches, const Moment& moment) {
-  const Configuration& c = moment.configuration;
+ReportedKick reported_kick(KickSpeedWatch& kick, const TouchHistory& touches,
+                           const RefereeInput& input) {
+  const Configuration& c = input.configuration;
   const RecentFrames& recent = touches.recent();
   if (touches.has(1) && !kick.is_in_air && !(touches.at(1).highest_m > 0)) {
     const BallTouch& before = touches.at(1);
     const bool is_measured = kick.kicked_s && *kick.kicked_s == before.ended_s;
     const std::optional<double> speed_mps =
         is_measured ? std::optional(kick.speed_mps)
-                    : told_speed_mps(before, recent, touches.newest()->began_s, true, c);
+                    : reported_speed_mps(before, recent, touches.newest()->began_s, true, c);
     if (speed_mps && *speed_mps > c.rules.kick_limit_mps) return {&before, *speed_mps};
   }
-  watch(kick, *touches.newest(), recent, moment);
-  const BallSight& ball = *moment.ball;
+  watch(kick, *touches.newest(), recent, input);
+  const BallSight& ball = *input.ball;
   const bool is_known = ball.height_known || is_out_of_field(c.field, ball.position_m);
   if (!kick.kicked_s || !is_known) return {};
   return {touches.newest(), kick.speed_mps};
@@ -161,13 +163,13 @@ ToldKick told_kick(KickSpeedWatch& kick, const TouchHistory& touches, const Mome
 
 }  // namespace
 
-std::optional<Finding> find_kick_speed(Memory& memory, const Moment& moment) {
-  const TouchHistory& touches = memory.play.touches;
-  if (touches.newest() == nullptr || !moment.frame.ball || !touches.recent().ball(0)) {
+std::optional<Finding> find_kick_speed(RefereeState& state, const RefereeInput& input) {
+  const TouchHistory& touches = state.play.touches;
+  if (touches.newest() == nullptr || !input.frame.ball || !touches.recent().ball(0)) {
     return std::nullopt;
   }
-  const Configuration& c = moment.configuration;
-  const ToldKick kick = told_kick(memory.watch.kick_speed, touches, moment);
+  const Configuration& c = input.configuration;
+  const ReportedKick kick = reported_kick(state.watch.kick_speed, touches, input);
   if (kick.touch == nullptr || !kick.touch->robot || !(kick.speed_mps > c.rules.kick_limit_mps)) {
     return std::nullopt;
   }

@@ -28,25 +28,26 @@ std::optional<int> kicker_in_circle(const SeenRobots& robots, const Field& field
   return kicker;
 }
 
-Misplaced misplaced(Side side, const Memory& memory, const Moment& moment) {
-  const Configuration& c = moment.configuration;
-  const SeenRobots& robots = moment.frame.robots[side];
+PositionViolation violation(Side side, const RefereeState& state, const RefereeInput& input) {
+  const Configuration& c = input.configuration;
+  const SeenRobots& robots = input.frame.robots[side];
   const std::optional<int> kicker =
-      side == memory.play.kicker ? kicker_in_circle(robots, c.field) : std::nullopt;
-  Misplaced found;
+      side == state.play.kicker ? kicker_in_circle(robots, c.field) : std::nullopt;
+  PositionViolation found;
   for (const RobotObservation& robot : robots) {
     const double beyond_m = beyond_middle_m(side, robot);
     if (robot.number == kicker || !is_on_field(c.field, robot.position_m)) continue;
-    if (beyond_m > robot_doubt_m(c.noise)) {
+    if (beyond_m > robot_uncertainty_m(c.noise)) {
       found.add({side, robot.number}, beyond_m, beyond_m > found.worst_m);
     }
   }
   return found;
 }
 
-Finding taken_again(const PerSide<Misplaced>& before, const Memory& memory, const Moment& moment) {
+Finding taken_again(const PerSide<PositionViolation>& before, const RefereeState& state,
+                    const RefereeInput& input) {
   Finding finding =
-      finding_of(Event::kKickoffPositions, RuleId::kKickoffPositions, moment.configuration.rules);
+      finding_of(Event::kKickoffPositions, RuleId::kKickoffPositions, input.configuration.rules);
   finding.unit = "m";
   for (Side side : kSides) {
     finding.value = std::max(finding.value, before[side].worst_m);
@@ -54,8 +55,8 @@ Finding taken_again(const PerSide<Misplaced>& before, const Memory& memory, cons
     finding.robots.push_back(before[side].robots.front());
     if (!before[opponent_of(side)].any()) finding.offender = side;
   }
-  finding.position_m = memory.play.ball_from_m;
-  take_again(finding, memory.play);
+  finding.position_m = state.play.ball_from_m;
+  take_again(finding, state.play);
   finding.evidence = fmt::format(
       "Just before the kick-off {} was wholly in the opponents' half, up to {:.0f} mm beyond the "
       "middle.",
@@ -65,17 +66,17 @@ Finding taken_again(const PerSide<Misplaced>& before, const Memory& memory, cons
 
 }  // namespace
 
-std::optional<Finding> find_kickoff_positions(Memory& memory, const Moment& moment) {
-  const PlayMemory& play = memory.play;
+std::optional<Finding> find_kickoff_positions(RefereeState& state, const RefereeInput& input) {
+  const PlayState& play = state.play;
   if (!play.is_kickoff() || !play.kicker) return std::nullopt;
-  PerSide<Misplaced>& before = memory.watch.kickoff_positions.before;
+  PerSide<PositionViolation>& before = state.watch.kickoff_positions.before;
   if (!play.in_play) {
-    for (Side side : kSides) before[side] = misplaced(side, memory, moment);
+    for (Side side : kSides) before[side] = violation(side, state, input);
     return std::nullopt;
   }
   const bool any = before[Side::kWest].any() || before[Side::kEast].any();
-  if (!play.entered_now || !any || !may_be_taken_again(memory)) return std::nullopt;
-  return taken_again(before, memory, moment);
+  if (!play.entered_now || !any || !may_be_taken_again(state)) return std::nullopt;
+  return taken_again(before, state, input);
 }
 
 }  // namespace autoref::referee

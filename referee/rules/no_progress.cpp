@@ -18,19 +18,19 @@ bool is_keepers(const Configuration& c, const Vec2& ball_m) {
 
 }  // namespace
 
-std::optional<Finding> find_no_progress(Memory& memory, const Moment& moment) {
-  const PlayMemory& play = memory.play;
-  const Configuration& c = moment.configuration;
-  if (!play.in_play || !moment.ball ||
-      !has_passed(play.stuck_since_s, c.rules.stuck_time_s, moment.time_s()) ||
-      is_keepers(c, moment.ball->position_m)) {
+std::optional<Finding> find_no_progress(RefereeState& state, const RefereeInput& input) {
+  const PlayState& play = state.play;
+  const Configuration& c = input.configuration;
+  if (!play.in_play || !input.ball ||
+      !has_passed(play.stuck_since_s, c.rules.stuck_time_s, input.time_s()) ||
+      is_keepers(c, input.ball->position_m)) {
     return std::nullopt;
   }
   Finding finding = finding_of(Event::kNoProgress, RuleId::kNoProgress, c.rules);
-  finding.value = moment.time_s() - play.stuck_since_s;
-  finding.position_m = moment.ball->position_m;
+  finding.value = input.time_s() - play.stuck_since_s;
+  finding.position_m = input.ball->position_m;
   finding.restart = {CommandKind::kForceStart, Side::kWest};
-  finding.ball_to_m = neutral_place(c.field, c.rules, moment.ball->position_m);
+  finding.ball_to_m = neutral_position(c.field, c.rules, input.ball->position_m);
   finding.evidence = fmt::format("Since {:.3f} s the ball has stayed within {:.0f} mm.",
                                  play.stuck_since_s, 1e3 * c.rules.stuck_distance_m);
   return finding;

@@ -7,7 +7,7 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_no_progress(Memory& memory, const Moment& moment);
+std::optional<Finding> find_no_progress(RefereeState& state, const RefereeInput& input);
 
 inline constexpr Rule kNoProgressRule{RuleId::kNoProgress, {State::kRun}, find_no_progress};
 

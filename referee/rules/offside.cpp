@@ -10,7 +10,7 @@ namespace autoref::referee {
 namespace {
 
 // Standard deviations of both places by which a robot must be nearer to the goal line.
-constexpr double kBeyondNoise = 3;
+constexpr double kOffsideBeyondNoise = 3;
 
 // The second-largest distance of a side's robots from the halfway line towards their own goal; none
 // where fewer than two are seen.
@@ -30,7 +30,8 @@ RobotSet offside_robots(Side side, const PerSide<SeenRobots>& robots, const Vec2
   RobotSet offside;
   const std::optional<double> last_m = second_last_m(robots[opponents], end);
   if (!last_m) return offside;
-  const double noise_m = kBeyondNoise * std::sqrt(2.0) * std::max(noise.robot_m, noise.ball_m);
+  const double noise_m =
+      kOffsideBeyondNoise * std::sqrt(2.0) * std::max(noise.robot_m, noise.ball_m);
   const double line_m = std::max({0.0, *last_m, end * ball_m.x()}) + noise_m;
   for (const RobotObservation& robot : robots[side]) {
     if (end * robot.position_m.x() > line_m) offside.add({side, robot.number});
@@ -39,7 +40,7 @@ RobotSet offside_robots(Side side, const PerSide<SeenRobots>& robots, const Vec2
 }
 
 // Remembers who is in an offside position at the newest touch, as long as it lasts.
-void watch(OffsideWatch& watch, const TouchHistory& touches, const Moment& moment) {
+void watch(OffsideWatch& watch, const TouchHistory& touches, const RefereeInput& input) {
   const BallTouch& touch = *touches.newest();
   OffsideWatch::Pass& newest = watch.newest;
   if (newest.touch == touches.count() && newest.ended_s == touch.ended_s) return;
@@ -48,26 +49,26 @@ void watch(OffsideWatch& watch, const TouchHistory& touches, const Moment& momen
   if (!touch.side) return;
   newest.side = *touch.side;
   newest.offside = offside_robots(*touch.side, touches.recent().robots_at(touch.ended_s),
-                                  touch.ended_m, moment.configuration.noise);
+                                  touch.ended_m, input.configuration.noise);
 }
 
 }  // namespace
 
-std::optional<Finding> find_offside(Memory& memory, const Moment& moment) {
-  const TouchHistory& touches = memory.play.touches;
+std::optional<Finding> find_offside(RefereeState& state, const RefereeInput& input) {
+  const TouchHistory& touches = state.play.touches;
   if (touches.newest() == nullptr) return std::nullopt;
-  watch(memory.watch.offside, touches, moment);
-  const OffsideWatch::Pass& pass = memory.watch.offside.before;
+  watch(state.watch.offside, touches, input);
+  const OffsideWatch::Pass& pass = state.watch.offside.before;
   // A pass straight from a restart is never offside.
   const bool is_pass = touches.has(1) && pass.touch == touches.count() - 1 && pass.touch > 1;
   if (!is_pass || pass.ended_s != touches.at(1).ended_s) return std::nullopt;
   const BallTouch& received = *touches.newest();
   if (!received.robot || !touches.at(1).robot || received.side != touches.at(1).side ||
-      received.robot == touches.at(1).robot || !is_settled(received, moment.time_s()) ||
+      received.robot == touches.at(1).robot || !is_settled(received, input.time_s()) ||
       !pass.offside.has(*received.robot)) {
     return std::nullopt;
   }
-  Finding finding = offence_of(Event::kOffside, RuleId::kOffside, moment.configuration,
+  Finding finding = offence_of(Event::kOffside, RuleId::kOffside, input.configuration,
                                *received.robot, received.began_m);
   finding.robots.push_back(*touches.at(1).robot);
   finding.evidence = fmt::format(

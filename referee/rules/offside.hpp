@@ -6,7 +6,7 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_offside(Memory& memory, const Moment& moment);
+std::optional<Finding> find_offside(RefereeState& state, const RefereeInput& input);
 
 inline constexpr Rule kOffsideRule{RuleId::kOffside, {State::kRun}, find_offside};
 

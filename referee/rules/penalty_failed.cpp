@@ -5,14 +5,14 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_penalty_failed(Memory& memory, const Moment& moment) {
-  const PlayMemory& play = memory.play;
+std::optional<Finding> find_penalty_failed(RefereeState& state, const RefereeInput& input) {
+  const PlayState& play = state.play;
   if (!play.is_penalty() || !play.kicker) return std::nullopt;
-  const std::optional<PenaltyFailure> failure = penalty_failure(memory, moment);
+  const std::optional<PenaltyFailure> failure = penalty_failure(state, input);
   if (!failure) return std::nullopt;
-  const Configuration& c = moment.configuration;
+  const Configuration& c = input.configuration;
   const Side defender = opponent_of(*play.kicker);
-  const Vec2 ball_m = moment.ball ? moment.ball->position_m : play.place_m;
+  const Vec2 ball_m = input.ball ? input.ball->position_m : play.position_m;
   Finding finding = finding_of(Event::kPenaltyFailed, RuleId::kPenaltyFailed, c.rules);
   finding.value = failure->value;
   finding.threshold = failure->threshold;
@@ -20,7 +20,7 @@ std::optional<Finding> find_penalty_failed(Memory& memory, const Moment& moment)
   finding.position_m = ball_m;
   finding.restart = {CommandKind::kDirectFree, defender};
   const Vec2 on_goal_line_m(c.field.goal_centre_m(defender).x(), ball_m.y());
-  finding.ball_to_m = goal_kick_place(c.field, c.rules, defender, on_goal_line_m);
+  finding.ball_to_m = goal_kick_position(c.field, c.rules, defender, on_goal_line_m);
   finding.evidence = failure->evidence;
   return finding;
 }

@@ -6,7 +6,7 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_penalty_failed(Memory& memory, const Moment& moment);
+std::optional<Finding> find_penalty_failed(RefereeState& state, const RefereeInput& input);
 
 inline constexpr Rule kPenaltyFailedRule{
     RuleId::kPenaltyFailed, {State::kRun}, find_penalty_failed};

@@ -28,15 +28,15 @@ double behind_ball_m(Side goal, const RobotObservation& robot, const Vec2& ball_
 }
 
 // The robots of `side` that are too near, but for one that may be.
-Misplaced too_near(Side side, std::optional<int> may_be, const Memory& memory,
-                   const Moment& moment) {
-  const Configuration& c = moment.configuration;
-  const Side goal = opponent_of(*memory.play.kicker);
-  const double least_m = c.rules.penalty_clearance_m - robot_to_ball_doubt_m(c.noise);
-  Misplaced found;
-  for (const RobotObservation& robot : moment.frame.robots[side]) {
+PositionViolation too_near(Side side, std::optional<int> may_be, const RefereeState& state,
+                           const RefereeInput& input) {
+  const Configuration& c = input.configuration;
+  const Side goal = opponent_of(*state.play.kicker);
+  const double least_m = c.rules.penalty_clearance_m - robot_to_ball_uncertainty_m(c.noise);
+  PositionViolation found;
+  for (const RobotObservation& robot : input.frame.robots[side]) {
     if (robot.number == may_be || !is_on_field(c.field, robot.position_m)) continue;
-    const double behind_m = behind_ball_m(goal, robot, memory.play.place_m);
+    const double behind_m = behind_ball_m(goal, robot, state.play.position_m);
     if (behind_m < least_m) found.add({side, robot.number}, behind_m, behind_m < found.worst_m);
   }
   return found;
@@ -53,24 +53,24 @@ double off_line_m(Side side, const RobotObservation& keeper, const Field& field)
   return std::max(line_m - reach_m, beside_m);
 }
 
-Misplaced keeper_off_line(Side side, const Moment& moment) {
-  const Configuration& c = moment.configuration;
-  Misplaced found;
-  for (const RobotObservation& robot : moment.frame.robots[side]) {
-    if (robot.number != moment.requests[side].keeper) continue;
+PositionViolation keeper_off_line(Side side, const RefereeInput& input) {
+  const Configuration& c = input.configuration;
+  PositionViolation found;
+  for (const RobotObservation& robot : input.frame.robots[side]) {
+    if (robot.number != input.requests[side].keeper) continue;
     const double off_m = off_line_m(side, robot, c.field);
-    if (off_m > robot_doubt_m(c.noise)) found.add({side, robot.number}, off_m, true);
+    if (off_m > robot_uncertainty_m(c.noise)) found.add({side, robot.number}, off_m, true);
   }
   return found;
 }
 
-void watch(PenaltyPositionsWatch& watch, const Memory& memory, const Moment& moment) {
-  const Side attacker = *memory.play.kicker;
+void watch(PenaltyPositionsWatch& watch, const RefereeState& state, const RefereeInput& input) {
+  const Side attacker = *state.play.kicker;
   const Side defender = opponent_of(attacker);
   watch.others[attacker] = too_near(
-      attacker, kicker_of(moment.frame.robots[attacker], moment.ball->position_m), memory, moment);
-  watch.others[defender] = too_near(defender, moment.requests[defender].keeper, memory, moment);
-  watch.keeper = keeper_off_line(defender, moment);
+      attacker, kicker_of(input.frame.robots[attacker], input.ball->position_m), state, input);
+  watch.others[defender] = too_near(defender, input.requests[defender].keeper, state, input);
+  watch.keeper = keeper_off_line(defender, input);
 }
 
 std::string evidence_of(const PenaltyPositionsWatch& watch, bool is_goal, const RuleBook& rules) {
@@ -88,46 +88,46 @@ std::string evidence_of(const PenaltyPositionsWatch& watch, bool is_goal, const 
                      is_goal ? "a goal" : "no goal");
 }
 
-Finding taken_again(const Memory& memory, const Moment& moment, bool is_goal, bool both) {
-  const PenaltyPositionsWatch& watch = memory.watch.penalty_positions;
+Finding taken_again(const RefereeState& state, const RefereeInput& input, bool is_goal, bool both) {
+  const PenaltyPositionsWatch& watch = state.watch.penalty_positions;
   Finding finding =
-      finding_of(Event::kPenaltyPositions, RuleId::kPenaltyPositions, moment.configuration.rules);
-  const Side attacker = *memory.play.kicker;
+      finding_of(Event::kPenaltyPositions, RuleId::kPenaltyPositions, input.configuration.rules);
+  const Side attacker = *state.play.kicker;
   const Side side = is_goal ? attacker : opponent_of(attacker);
   const bool is_keepers = !watch.others[side].any();
-  const Misplaced& worst = is_keepers ? watch.keeper : watch.others[side];
+  const PositionViolation& worst = is_keepers ? watch.keeper : watch.others[side];
   finding.value = worst.worst_m;
   if (is_keepers) finding.threshold = 0;  // off its line
   finding.robots.push_back(worst.robots.front());
   if (!both) finding.offender = side;
-  finding.position_m = memory.play.ball_from_m;
-  take_again(finding, memory.play);
-  finding.evidence = evidence_of(watch, is_goal, moment.configuration.rules);
+  finding.position_m = state.play.ball_from_m;
+  take_again(finding, state.play);
+  finding.evidence = evidence_of(watch, is_goal, input.configuration.rules);
   return finding;
 }
 
 // What is measured is kept until the outcome.
-std::optional<Finding> judge(Memory& memory, const Moment& moment) {
-  PenaltyPositionsWatch& watch = memory.watch.penalty_positions;
-  const bool is_goal = is_penalty_goal(memory, moment);
-  if (watch.is_over || (!is_goal && !penalty_failure(memory, moment))) return std::nullopt;
+std::optional<Finding> check(RefereeState& state, const RefereeInput& input) {
+  PenaltyPositionsWatch& watch = state.watch.penalty_positions;
+  const bool is_goal = is_penalty_goal(state, input);
+  if (watch.is_over || (!is_goal && !penalty_failure(state, input))) return std::nullopt;
   watch.is_over = true;
-  const Side attacker = *memory.play.kicker;
+  const Side attacker = *state.play.kicker;
   const bool attackers = watch.others[attacker].any();
   const bool defenders = watch.others[opponent_of(attacker)].any() || watch.keeper.any();
   const bool again = is_goal ? attackers : defenders;
   const bool both = attackers && defenders;
-  if (!(again || both) || !may_be_taken_again(memory)) return std::nullopt;
-  return taken_again(memory, moment, is_goal, both);
+  if (!(again || both) || !may_be_taken_again(state)) return std::nullopt;
+  return taken_again(state, input, is_goal, both);
 }
 
 }  // namespace
 
-std::optional<Finding> find_penalty_positions(Memory& memory, const Moment& moment) {
-  const PlayMemory& play = memory.play;
-  if (!play.is_penalty() || !play.kicker || !moment.ball) return std::nullopt;
-  if (play.in_play) return judge(memory, moment);
-  watch(memory.watch.penalty_positions, memory, moment);
+std::optional<Finding> find_penalty_positions(RefereeState& state, const RefereeInput& input) {
+  const PlayState& play = state.play;
+  if (!play.is_penalty() || !play.kicker || !input.ball) return std::nullopt;
+  if (play.in_play) return check(state, input);
+  watch(state.watch.penalty_positions, state, input);
   return std::nullopt;
 }
 

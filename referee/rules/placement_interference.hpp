@@ -6,7 +6,7 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_placement_interference(Memory& memory, const Moment& moment);
+std::optional<Finding> find_placement_interference(RefereeState& state, const RefereeInput& input);
 
 inline constexpr Rule kPlacementInterferenceRule{
     RuleId::kPlacementInterference, {State::kWaitStop}, find_placement_interference};

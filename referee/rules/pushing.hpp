@@ -8,7 +8,7 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_pushing(Memory& memory, const Moment& moment);
+std::optional<Finding> find_pushing(RefereeState& state, const RefereeInput& input);
 
 inline constexpr Rule kPushingRule{RuleId::kPushing, {State::kRun}, find_pushing};
 

@@ -9,45 +9,45 @@
 namespace autoref::referee {
 namespace {
 
-double limit_s(const PlayMemory& play, const RuleBook& rules) {
+double limit_s(const PlayState& play, const RuleBook& rules) {
   const bool is_free_kick = play.began_with.kind == CommandKind::kDirectFree ||
                             play.began_with.kind == CommandKind::kIndirectFree;
   return is_free_kick ? rules.free_kick_timeout_s : rules.restart_timeout_s;
 }
 
 // The time for the kick begins anew when an opponent stands too near for too long (2026).
-double waited_since_s(const Memory& memory) {
-  const double began_s = memory.play.began_s;
-  return std::max(began_s, memory.watch.restart_distance.anew_s.value_or(began_s));
+double waited_since_s(const RefereeState& state) {
+  const double began_s = state.play.began_s;
+  return std::max(began_s, state.watch.restart_distance.anew_s.value_or(began_s));
 }
 
 // A neutral restart, or the opponents' free kick.
-void go_on(Finding& finding, const PlayMemory& play, const Configuration& c) {
+void go_on(Finding& finding, const PlayState& play, const Configuration& c) {
   const Vec2 ball_m = play.ball_from_m.value_or(Vec2(0, 0));
   if (c.rules.untaken_goes_to_opponents && play.kicker) {
     const Side opponent = opponent_of(*play.kicker);
     finding.offender = play.kicker;
     finding.restart = {CommandKind::kDirectFree, opponent};
-    finding.ball_to_m = free_kick_place(c.field, c.rules, opponent, ball_m);
+    finding.ball_to_m = free_kick_position(c.field, c.rules, opponent, ball_m);
     return;
   }
   finding.restart = {CommandKind::kForceStart, Side::kWest};
   // The penalty mark may be inside the defence area.
-  finding.ball_to_m = play.is_penalty() ? neutral_place(c.field, c.rules, ball_m) : ball_m;
+  finding.ball_to_m = play.is_penalty() ? neutral_position(c.field, c.rules, ball_m) : ball_m;
 }
 
 }  // namespace
 
-std::optional<Finding> find_restart_not_taken(Memory& memory, const Moment& moment) {
-  const PlayMemory& play = memory.play;
-  const Configuration& c = moment.configuration;
+std::optional<Finding> find_restart_not_taken(RefereeState& state, const RefereeInput& input) {
+  const PlayState& play = state.play;
+  const Configuration& c = input.configuration;
   if (play.in_play || (play.is_penalty() && c.rules.has(RuleId::kPenaltyFailed))) {
     return std::nullopt;
   }
-  const double since_s = waited_since_s(memory);
-  if (!has_passed(since_s, limit_s(play, c.rules), moment.time_s())) return std::nullopt;
+  const double since_s = waited_since_s(state);
+  if (!has_passed(since_s, limit_s(play, c.rules), input.time_s())) return std::nullopt;
   Finding finding = finding_of(Event::kRestartNotTaken, RuleId::kRestartNotTaken, c.rules);
-  finding.value = moment.time_s() - since_s;
+  finding.value = input.time_s() - since_s;
   finding.threshold = limit_s(play, c.rules);
   finding.position_m = play.ball_from_m;
   go_on(finding, play, c);

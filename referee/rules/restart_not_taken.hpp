@@ -7,7 +7,7 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_restart_not_taken(Memory& memory, const Moment& moment);
+std::optional<Finding> find_restart_not_taken(RefereeState& state, const RefereeInput& input);
 
 inline constexpr Rule kRestartNotTakenRule{
     RuleId::kRestartNotTaken, {State::kRun}, find_restart_not_taken};

@@ -6,8 +6,8 @@
 #include <span>
 
 #include "referee/finding.hpp"
-#include "referee/machine/memory.hpp"
-#include "referee/moment.hpp"
+#include "referee/machine/referee_state.hpp"
+#include "referee/referee_input.hpp"
 #include "soccer/rule_id.hpp"
 
 namespace autoref::referee {
@@ -29,8 +29,8 @@ struct Rule {
   RuleId id;
   States active_in;
   // What the rule finds in this frame, or none. It is asked once in every frame of its states that
-  // no earlier rule has ended, and may keep what it has seen in `memory.watch`, nothing else.
-  std::optional<Finding> (*find)(Memory& memory, const Moment& moment);
+  // no earlier rule has ended, and may keep what it has seen in `state.watch`, nothing else.
+  std::optional<Finding> (*find)(RefereeState& state, const RefereeInput& input);
 };
 
 // All rules, in the order in which they are asked: what happens first on the field comes first. A

@@ -15,54 +15,54 @@ namespace {
 // A ball that is hardly faster moves nowhere, however noisy vision is.
 constexpr double kMoves_mps = 0.2_mps;
 
-bool is_saved(const Moment& moment, Side kicker) {
-  if (moment.last_touch.side != opponent_of(kicker) || !moment.tracks.ball) return false;
+bool is_saved(const RefereeInput& input, Side kicker) {
+  if (input.last_touch.side != opponent_of(kicker) || !input.tracks.ball) return false;
   const double goalwards = goal_sign(opponent_of(kicker));
-  return goalwards * moment.tracks.ball->velocity_mps.x() < -kMoves_mps;
+  return goalwards * input.tracks.ball->velocity_mps.x() < -kMoves_mps;
 }
 
 // Why the kick has failed; empty while it goes on.
-std::string failure_of(const Memory& memory, const Moment& moment, Side kicker) {
-  const Configuration& c = moment.configuration;
-  if (moment.ball && is_out_of_field(c.field, moment.ball->position_m)) return "the ball is out";
-  if (is_saved(moment, kicker)) return "it is saved";
-  const bool is_late = has_passed(memory.play.began_s, c.rules.penalty_time_s, moment.time_s());
+std::string failure_of(const RefereeState& state, const RefereeInput& input, Side kicker) {
+  const Configuration& c = input.configuration;
+  if (input.ball && is_out_of_field(c.field, input.ball->position_m)) return "the ball is out";
+  if (is_saved(input, kicker)) return "it is saved";
+  const bool is_late = has_passed(state.play.began_s, c.rules.penalty_time_s, input.time_s());
   return is_late ? "its time is up" : "";
 }
 
 // The other side's turn.
-void prepare_next_kick(Finding& finding, const Moment& moment, Side kicker) {
+void prepare_next_kick(Finding& finding, const RefereeInput& input, Side kicker) {
   finding.restart = {CommandKind::kPreparePenalty, opponent_of(kicker)};
-  finding.ball_to_m = moment.configuration.field.penalty_mark_at(kicker);
+  finding.ball_to_m = input.configuration.field.penalty_mark_at(kicker);
 }
 
 }  // namespace
 
-std::optional<Finding> find_shootout_kick_over(Memory& memory, const Moment& moment) {
-  const RuleBook& rules = moment.configuration.rules;
-  const Side kicker = next_kicker(memory.shootout, moment.configuration);
-  const int number = memory.shootout.kicks[kicker] + 1;
-  std::optional<Finding> goal = find_goal(memory, moment);
+std::optional<Finding> find_shootout_kick_over(RefereeState& state, const RefereeInput& input) {
+  const RuleBook& rules = input.configuration.rules;
+  const Side kicker = next_kicker(state.shootout, input.configuration);
+  const int number = state.shootout.kicks[kicker] + 1;
+  std::optional<Finding> goal = find_goal(state, input);
   if (goal && goal->restart.side == opponent_of(kicker)) {
-    prepare_next_kick(*goal, moment, kicker);
+    prepare_next_kick(*goal, input, kicker);
     goal->evidence = fmt::format("Kick {} of {}: {}", number, name_of(kicker), goal->evidence);
     return goal;
   }
-  const std::string failure = failure_of(memory, moment, kicker);
+  const std::string failure = failure_of(state, input, kicker);
   if (failure.empty()) return std::nullopt;
   Finding finding = finding_of(Event::kPenaltyFailed, RuleId::kPenaltyFailed, rules);
   finding.rule = "Laws, appendix A; 2026, Shoot-Out";
-  finding.value = moment.time_s() - memory.play.began_s;
-  if (moment.ball) finding.position_m = moment.ball->position_m;
-  prepare_next_kick(finding, moment, kicker);
+  finding.value = input.time_s() - state.play.began_s;
+  if (input.ball) finding.position_m = input.ball->position_m;
+  prepare_next_kick(finding, input, kicker);
   finding.evidence = fmt::format("Kick {} of {} is over after {:.2f} s: {}.", number,
                                  name_of(kicker), finding.value, failure);
   return finding;
 }
 
-std::optional<Finding> find_shootout_over(Memory& memory, const Moment& moment) {
-  const ShootoutBook& book = memory.shootout;
-  const int kicks = moment.configuration.rules.shootout_kicks;
+std::optional<Finding> find_shootout_over(RefereeState& state, const RefereeInput& input) {
+  const ShootoutBook& book = state.shootout;
+  const int kicks = input.configuration.rules.shootout_kicks;
   if (!is_over(book, kicks)) return std::nullopt;
   Finding finding;
   finding.event = Event::kShootoutOver;

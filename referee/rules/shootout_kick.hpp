@@ -12,10 +12,10 @@
 namespace autoref::referee {
 
 // kGoal or kPenaltyFailed in RUN.
-std::optional<Finding> find_shootout_kick_over(Memory& memory, const Moment& moment);
+std::optional<Finding> find_shootout_kick_over(RefereeState& state, const RefereeInput& input);
 
 // kShootoutOver between two kicks, once nothing can change who wins.
-std::optional<Finding> find_shootout_over(Memory& memory, const Moment& moment);
+std::optional<Finding> find_shootout_over(RefereeState& state, const RefereeInput& input);
 
 // What is asked in a shoot-out, whatever rules are in force.
 std::span<const Rule> shootout_rules();

@@ -7,7 +7,7 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_stop_distance(Memory& memory, const Moment& moment);
+std::optional<Finding> find_stop_distance(RefereeState& state, const RefereeInput& input);
 
 inline constexpr Rule kStopDistanceRule{
     RuleId::kStopDistance, {State::kWaitStop}, find_stop_distance};

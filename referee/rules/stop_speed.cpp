@@ -7,30 +7,29 @@ namespace {
 
 // More than 0.1 s: tracked velocities lag behind robots that brake by a frame.
 constexpr double kTooFastFor_s = 120_ms;
-// Tracked velocities are wrong by so many deviations of a picture's place a second: by about
-// 0.05 m/s where a picture is by 1.3 mm.
+// Tracked velocities are wrong by so many deviations of a frame's place a second: by about
+// 0.05 m/s where a frame is by 1.3 mm.
 constexpr double kSpeedNoise_hz = 40;
 
 }  // namespace
 
-std::optional<Finding> find_stop_speed(Memory& memory, const Moment& moment) {
-  const Configuration& c = moment.configuration;
-  const bool holds =
-      memory.signal.command.kind == CommandKind::kStop &&
-      has_passed(memory.signal.command_time_s, c.rules.stop_grace_s, moment.time_s());
+std::optional<Finding> find_stop_speed(RefereeState& state, const RefereeInput& input) {
+  const Configuration& c = input.configuration;
+  const bool holds = state.signal.command.kind == CommandKind::kStop &&
+                     has_passed(state.signal.command_time_s, c.rules.stop_grace_s, input.time_s());
   const double limit_mps = c.rules.stop_speed_mps + kSpeedNoise_hz * c.noise.robot_m;
   const auto excess_mps = [&](Side /*side*/, const TrackedRobot& robot) {
     return holds ? robot.velocity_mps.norm() - limit_mps : 0.0;
   };
-  const std::optional<Lingerer> fastest =
-      take_worst(memory.watch.stop_speed, moment, kTooFastFor_s, excess_mps);
+  const std::optional<GraceViolation> fastest =
+      take_worst(state.watch.stop_speed, input, kTooFastFor_s, excess_mps);
   if (!fastest) return std::nullopt;
   Finding finding =
       note_of(Event::kStopSpeed, RuleId::kStopSpeed, c.rules, fastest->id, fastest->position_m);
   finding.value = fastest->excess + limit_mps;
   finding.evidence =
       fmt::format("{} drives at {:.2f} m/s, {:.1f} s after play was stopped.", text_of(fastest->id),
-                  finding.value, moment.time_s() - memory.signal.command_time_s);
+                  finding.value, input.time_s() - state.signal.command_time_s);
   return finding;
 }
 

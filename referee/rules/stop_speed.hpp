@@ -6,7 +6,7 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_stop_speed(Memory& memory, const Moment& moment);
+std::optional<Finding> find_stop_speed(RefereeState& state, const RefereeInput& input);
 
 inline constexpr Rule kStopSpeedRule{RuleId::kStopSpeed, {State::kWaitStop}, find_stop_speed};
 

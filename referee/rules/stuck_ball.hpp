@@ -6,7 +6,7 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_stuck_ball(Memory& memory, const Moment& moment);
+std::optional<Finding> find_stuck_ball(RefereeState& state, const RefereeInput& input);
 
 inline constexpr Rule kStuckBallRule{RuleId::kStuckBall, {State::kRun}, find_stuck_ball};
 

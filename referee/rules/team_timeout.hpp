@@ -11,8 +11,8 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_timeout(Memory& memory, const Moment& moment);
-std::optional<Finding> find_timeout_over(Memory& memory, const Moment& moment);
+std::optional<Finding> find_timeout(RefereeState& state, const RefereeInput& input);
+std::optional<Finding> find_timeout_over(RefereeState& state, const RefereeInput& input);
 
 inline constexpr Rule kTimeoutRule{RuleId::kTimeouts, {State::kWaitStop}, find_timeout};
 inline constexpr Rule kTimeoutOverRule{RuleId::kTimeouts, {State::kTimeout}, find_timeout_over};

@@ -22,58 +22,58 @@ bool reaches_field(const Field& field, const Vec2& position_m) {
          std::abs(position_m.y()) < field.half_width_m() + kRobotRadius_m;
 }
 
-int robots_on_field(const Moment& moment, Side side) {
-  const SeenRobots& robots = moment.frame.robots[side];
+int robots_on_field(const RefereeInput& input, Side side) {
+  const SeenRobots& robots = input.frame.robots[side];
   return static_cast<int>(
       std::count_if(robots.begin(), robots.end(), [&](const RobotObservation& robot) {
-        return reaches_field(moment.configuration.field, robot.position_m);
+        return reaches_field(input.configuration.field, robot.position_m);
       }));
 }
 
-bool is_at_fault(Memory& memory, const Moment& moment, Side side) {
-  CardBook& cards = memory.cards[side];
+bool is_at_fault(RefereeState& state, const RefereeInput& input, Side side) {
+  CardBook& cards = state.cards[side];
   std::optional<double>& since_s = cards.too_many_since_s;
-  if (robots_on_field(moment, side) <= memory.signal.robots_allowed[side]) {
+  if (robots_on_field(input, side) <= state.signal.robots_allowed[side]) {
     since_s.reset();
     return false;
   }
-  if (!since_s) since_s = moment.time_s();
+  if (!since_s) since_s = input.time_s();
   if (!cards.fewer_since_s || cards.too_many_called) return false;
-  const double grace_s = moment.configuration.rules.too_many_s;
-  return has_passed(*cards.fewer_since_s, grace_s, moment.time_s()) &&
-         has_passed(*since_s, kPatternLasts_s, moment.time_s());
+  const double grace_s = input.configuration.rules.too_many_s;
+  return has_passed(*cards.fewer_since_s, grace_s, input.time_s()) &&
+         has_passed(*since_s, kPatternLasts_s, input.time_s());
 }
 
-Finding fault_of(const PerSide<bool>& sides, const Moment& moment) {
-  const Configuration& c = moment.configuration;
+Finding fault_of(const PerSide<bool>& sides, const RefereeInput& input) {
+  const Configuration& c = input.configuration;
   Finding finding = finding_of(Event::kTooManyRobots, RuleId::kTooManyRobots, c.rules);
   finding.is_foul = true;
-  const Vec2 ball_m = moment.ball ? moment.ball->position_m : Vec2(0, 0);
+  const Vec2 ball_m = input.ball ? input.ball->position_m : Vec2(0, 0);
   if (sides[Side::kWest] && sides[Side::kEast]) {
     finding.restart = {CommandKind::kForceStart, Side::kWest};
-    finding.ball_to_m = neutral_place(c.field, c.rules, ball_m);
+    finding.ball_to_m = neutral_position(c.field, c.rules, ball_m);
     return finding;
   }
   finding.offender = sides[Side::kWest] ? Side::kWest : Side::kEast;
   const Side kicker = opponent_of(*finding.offender);
   finding.restart = indirect_free_kick(c.rules, kicker);
-  finding.ball_to_m = free_kick_place(c.field, c.rules, kicker, ball_m);
+  finding.ball_to_m = free_kick_position(c.field, c.rules, kicker, ball_m);
   return finding;
 }
 
 }  // namespace
 
-std::optional<Finding> find_too_many_robots(Memory& memory, const Moment& moment) {
+std::optional<Finding> find_too_many_robots(RefereeState& state, const RefereeInput& input) {
   PerSide<bool> sides;
-  double since_s = moment.time_s();
+  double since_s = input.time_s();
   for (const Side side : kSides) {
-    sides[side] = is_at_fault(memory, moment, side);
+    sides[side] = is_at_fault(state, input, side);
     if (!sides[side]) continue;
-    since_s = std::min(since_s, *memory.cards[side].fewer_since_s);
+    since_s = std::min(since_s, *state.cards[side].fewer_since_s);
   }
   if (!sides[Side::kWest] && !sides[Side::kEast]) return std::nullopt;
-  Finding finding = fault_of(sides, moment);
-  finding.value = moment.time_s() - since_s;
+  Finding finding = fault_of(sides, input);
+  finding.value = input.time_s() - since_s;
   finding.evidence =
       fmt::format("{:.1f} s after a card {} still has more robots on the field than allowed.",
                   finding.value, finding.offender ? name_of(*finding.offender) : "each side");

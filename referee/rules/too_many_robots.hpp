@@ -10,7 +10,7 @@
 
 namespace autoref::referee {
 
-std::optional<Finding> find_too_many_robots(Memory& memory, const Moment& moment);
+std::optional<Finding> find_too_many_robots(RefereeState& state, const RefereeInput& input);
 
 inline constexpr Rule kTooManyRobotsRule{
     RuleId::kTooManyRobots, {State::kRun, State::kWaitStop}, find_too_many_robots};

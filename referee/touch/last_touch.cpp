@@ -11,52 +11,52 @@ namespace {
 
 // Standard deviations: where a place may still be, and beyond which a change is not by chance.
 constexpr double kMaybe = 3;
-constexpr double kSurely = 5;
+constexpr double kCertainDeviations = 5;
 
 }  // namespace
 
 void LastTouchDetector::restart(const Frame& frame, const std::optional<Vec2>& ball_m) {
   last_ = settled_ = LastTouch{};
   known_ = 0;
-  gentle_.restart();
-  kinked_s_ = frame.time_s;
+  velocity_changes_.restart();
+  changed_s_ = frame.time_s;
   is_open_ = false;
   if (!ball_m) return;
   newest_ = 0;
   known_ = 1;
-  sightings_[0] = Sighting{frame.time_s, *ball_m, 0, 0, Vec2(0, 0), frame.robots};
+  detections_[0] = Detection{frame.time_s, *ball_m, 0, 0, Vec2(0, 0), frame.robots};
 }
 
 void LastTouchDetector::lose_sight() {
   known_ = 0;
   is_open_ = false;
-  gentle_.restart();
+  velocity_changes_.restart();
 }
 
 void LastTouchDetector::update(const Frame& frame) {
   if (!frame.ball || !is_finite(frame.ball->position_m)) return;
-  if (known_ > 0 && !(frame.time_s > sighting(0).time_s)) return;
+  if (known_ > 0 && !(frame.time_s > detection(0).time_s)) return;
   push(frame);
   if (known_ < 2) return;
-  if (sighting(0).duration_s > parameters_.longest_gap_s) {
-    judge_after_gap();
+  if (detection(0).duration_s > parameters_.longest_gap_s) {
+    resume_after_gap();
     return;
   }
-  judge_kink();
-  judge_contacts();
-  judge_gentle_kink();
+  detect_sudden_change();
+  detect_contacts();
+  detect_velocity_change();
   if (!is_open_) settled_ = last_;
 }
 
 void LastTouchDetector::push(const Frame& frame) {
   const bool is_first = known_ == 0;
-  const Sighting& former = sighting(0);
+  const Detection& former = detection(0);
   const double duration_s = is_first ? 0 : frame.time_s - former.time_s;
   const Vec2 velocity_mps =
       is_first ? Vec2(0, 0) : Vec2((frame.ball->position_m - former.ball_m) / duration_s);
   newest_ = (newest_ + 1) % kKept;
   known_ = std::min(known_ + 1, kKept);
-  Sighting& now = sightings_[static_cast<std::size_t>(newest_)];
+  Detection& now = detections_[static_cast<std::size_t>(newest_)];
   now.time_s = frame.time_s;
   now.ball_m = frame.ball->position_m;
   now.height_m = frame.ball->height_m.value_or(0.0);
@@ -66,9 +66,9 @@ void LastTouchDetector::push(const Frame& frame) {
 }
 
 // Nobody saw the ball for a while. Unless it went on as before, somebody unknown touched it.
-void LastTouchDetector::judge_after_gap() {
-  const Sighting& now = sighting(0);
-  const Sighting& before = sighting(1);
+void LastTouchDetector::resume_after_gap() {
+  const Detection& now = detection(0);
+  const Detection& before = detection(1);
   const Vec2 straight_m = before.ball_m + before.velocity_mps * now.duration_s;
   const double slowed_m = parameters_.carpet_mps2 * now.duration_s * now.duration_s / 2;
   const double stopped_m = before.velocity_mps.norm() * now.duration_s;
@@ -81,91 +81,93 @@ void LastTouchDetector::judge_after_gap() {
   settled_ = last_;
   is_open_ = false;
   known_ = 1;
-  gentle_.restart();
+  velocity_changes_.restart();
 }
 
-bool LastTouchDetector::is_kink() const {
-  const Sighting& now = sighting(0);
-  const Sighting& before = sighting(1);
+bool LastTouchDetector::is_sudden_change() const {
+  const Detection& now = detection(0);
+  const Detection& before = detection(1);
   const double between_s = (now.duration_s + before.duration_s) / 2;
   // Three positions enter the change with weights 1, -2, 1: their deviations add up to sqrt(6).
-  const double noise_mps = kSurely * 2.45 * parameters_.position_noise_m / now.duration_s;
+  const double noise_mps =
+      kCertainDeviations * 2.45 * parameters_.position_noise_m / now.duration_s;
   const double explained_mps = parameters_.carpet_mps2 * between_s + parameters_.jump_mps;
   return change_mps(1, 0).norm() > explained_mps + noise_mps && !is_landing();
 }
 
 // A flying ball that touches down loses speed, a quarter at the first hop, and keeps its direction.
 bool LastTouchDetector::is_landing() const {
-  const bool in_air = sighting(0).height_m > 0 || sighting(1).height_m > 0 ||
-                      (known_ > 2 && sighting(2).height_m > 0);
-  const Vec2& before = sighting(1).velocity_mps;
+  const bool in_air = detection(0).height_m > 0 || detection(1).height_m > 0 ||
+                      (known_ > 2 && detection(2).height_m > 0);
+  const Vec2& before = detection(1).velocity_mps;
   if (!in_air || before.isZero(0)) return false;
-  const Vec2& after = sighting(0).velocity_mps;
+  const Vec2& after = detection(0).velocity_mps;
   const double along = after.dot(before);
   return along <= before.squaredNorm() && along >= 0.4 * before.squaredNorm() &&
          std::abs(cross(before, after)) <= 0.1 * before.squaredNorm();
 }
 
-void LastTouchDetector::judge_kink() {
+void LastTouchDetector::detect_sudden_change() {
   const bool was_open = is_open_;
   is_open_ = false;
-  if (!is_kink()) return;
+  if (!is_sudden_change()) return;
   const std::optional<double> share =
       was_open && known_ > 2 ? share_of_single_touch() : std::nullopt;
   if (share) {
-    judge_single(*share);
+    detect_single_touch(*share);
   } else {
-    judge_onwards();
+    detect_onwards();
     is_open_ = true;
   }
-  kinked_s_ = sighting(0).time_s;
+  changed_s_ = detection(0).time_s;
 }
 
-// Two kinks in a row come from one touch between them where the mean velocity in between is made
-// of the velocities before and after: when the touch was, as a share of that time.
+// Two velocity changes in a row come from one touch between them where the mean velocity in between
+// is made of the velocities before and after: when the touch was, as a share of that time.
 std::optional<double> LastTouchDetector::share_of_single_touch() const {
   const Vec2 jump_mps = change_mps(2, 0);
   const double length2 = jump_mps.squaredNorm();
   if (length2 == 0) return std::nullopt;
   const Vec2 first_mps = change_mps(2, 1);
   const double after = std::clamp(first_mps.dot(jump_mps) / length2, 0.0, 1.0);
-  const double duration_s = sighting(1).duration_s;
-  const double miss_m = (first_mps - jump_mps * after).norm() * duration_s;
+  const double duration_s = detection(1).duration_s;
+  const double off_m = (first_mps - jump_mps * after).norm() * duration_s;
   const double explained_m = parameters_.carpet_mps2 * duration_s * duration_s +
-                             parameters_.meeting_tolerance_m +
+                             parameters_.intersection_tolerance_m +
                              kMaybe * parameters_.position_noise_m;
-  if (miss_m > explained_m) return std::nullopt;
+  if (off_m > explained_m) return std::nullopt;
   return 1.0 - after;
 }
 
-void LastTouchDetector::judge_single(double share) {
-  const Sighting& before = sighting(2);
-  const Vec2 met_m = before.ball_m + before.velocity_mps * (share * sighting(1).duration_s);
-  const BallWay way{met_m, met_m, share, share};
-  const Verdict verdict = verdict_on(way, 1, {change_mps(2, 0), sighting(0).velocity_mps});
+void LastTouchDetector::detect_single_touch(double share) {
+  const Detection& before = detection(2);
+  const Vec2 met_m = before.ball_m + before.velocity_mps * (share * detection(1).duration_s);
+  const BallSegment segment{met_m, met_m, share, share};
+  const Verdict verdict = verdict_on(segment, 1, {change_mps(2, 0), detection(0).velocity_mps});
   // With nobody there, not even a goal, it was more than one touch: the first impression stays.
-  if (!verdict.is_touch && gap_to_goals_m(field_, way) > parameters_.reach_m) return;
+  if (!verdict.is_touch && gap_to_goals_m(field_, segment) > parameters_.reach_m) return;
   last_ = settled_;
   conclude(verdict, 1, change_mps(2, 0));
 }
 
-// The kink has just begun to show: the ball went on as before until it met somebody.
-void LastTouchDetector::judge_onwards() {
-  const Sighting& before = sighting(1);
-  const BallWay way{before.ball_m, before.ball_m + before.velocity_mps * sighting(0).duration_s};
-  conclude(verdict_on(way, 0, {change_mps(1, 0), std::nullopt}), 0, change_mps(1, 0));
+// The velocity change has just begun to show: the ball went on as before until it met somebody.
+void LastTouchDetector::detect_onwards() {
+  const Detection& before = detection(1);
+  const BallSegment segment{before.ball_m,
+                            before.ball_m + before.velocity_mps * detection(0).duration_s};
+  conclude(verdict_on(segment, 0, {change_mps(1, 0), std::nullopt}), 0, change_mps(1, 0));
 }
 
-Verdict LastTouchDetector::verdict_on(const BallWay& way, int interval,
+Verdict LastTouchDetector::verdict_on(const BallSegment& segment, int interval,
                                       const Impulse& impulse) const {
   const Candidates candidates =
-      candidates_on(way, sighting(interval + 1), sighting(interval), impulse, parameters_);
-  return judge(candidates, gap_to_goals_m(field_, way), last_.side, parameters_);
+      candidates_on(segment, detection(interval + 1), detection(interval), impulse, parameters_);
+  return attribute_touch(candidates, gap_to_goals_m(field_, segment), last_.side, parameters_);
 }
 
 void LastTouchDetector::conclude(const Verdict& verdict, int interval, const Vec2& change) {
   if (!verdict.is_touch) return;
-  const Sighting& end = sighting(interval);
+  const Detection& end = detection(interval);
   const double carpet_mps = parameters_.carpet_mps2 * end.duration_s;
   take(verdict, end.time_s - (1 - verdict.share) * end.duration_s,
        std::max(0.0, change.norm() - carpet_mps));
@@ -176,30 +178,30 @@ void LastTouchDetector::take(const Verdict& verdict, double time_s, double speed
 }
 
 // A hull that merely passes the ball is at it for a moment, one that pushes or carries it for as
-// long as sightings are kept.
+// long as detections are kept.
 bool LastTouchDetector::carries_ball(RobotId id) const {
-  if (sighting(0).velocity_mps.norm() < parameters_.carried_mps) return false;
+  if (detection(0).velocity_mps.norm() < parameters_.carried_mps) return false;
   // Both places are off: their deviations add up to sqrt(2).
-  const double moved_m = (sighting(0).ball_m - sighting(kKept - 1).ball_m).norm();
-  if (moved_m < kSurely * 1.41 * parameters_.position_noise_m) return false;
+  const double moved_m = (detection(0).ball_m - detection(kKept - 1).ball_m).norm();
+  if (moved_m < kCertainDeviations * 1.41 * parameters_.position_noise_m) return false;
   for (int back = 0; back < kKept; ++back) {
-    const RobotObservation* robot = find_robot(sighting(back).robots[id.side], id.number);
+    const RobotObservation* robot = find_robot(detection(back).robots[id.side], id.number);
     if (robot == nullptr) return false;
-    if (!(gap_to_robot_m(*robot, sighting(back).ball_m) <= touching_m())) return false;
+    if (!(gap_to_robot_m(*robot, detection(back).ball_m) <= touching_m())) return false;
   }
   return true;
 }
 
-// Too soft for a kink: the ball got faster away from a hull at it, whether the carpet went on as it
-// did just before, or left off because the ball began to roll.
+// Too soft for a velocity change: the ball got faster away from a hull at it, whether the carpet
+// went on as it did just before, or left off because the ball began to roll.
 bool LastTouchDetector::pushed_softly(const RobotObservation& robot) const {
-  if (!(gap_to_robot_m(robot, sighting(1).ball_m) <= touching_m())) return false;
-  const double duration_s = sighting(0).duration_s;
+  if (!(gap_to_robot_m(robot, detection(1).ball_m) <= touching_m())) return false;
+  const double duration_s = detection(0).duration_s;
   const Vec2 carpet_mps = 2 * clamp_norm(change_mps(3, 2), parameters_.carpet_mps2 * duration_s);
-  const Vec2 push = push_direction(robot, sighting(1).ball_m);
+  const Vec2 push = push_direction(robot, detection(1).ball_m);
   const double push_mps = change_mps(2, 0).dot(push);
   // Positions enter with weights up to 5: their deviations add up to about eight.
-  const double noise_mps = kSurely * 8 * parameters_.position_noise_m / duration_s;
+  const double noise_mps = kCertainDeviations * 8 * parameters_.position_noise_m / duration_s;
   return std::min(push_mps, push_mps - carpet_mps.dot(push)) >=
          parameters_.soft_push_mps + noise_mps;
 }
@@ -209,16 +211,16 @@ double LastTouchDetector::touching_m() const {
 }
 
 // Where the noise hides soft touches from frame to frame, they show a little later.
-void LastTouchDetector::judge_gentle_kink() {
+void LastTouchDetector::detect_velocity_change() {
   if (parameters_.position_noise_m <= 0) return;
-  const std::optional<GentleKink> kink = gentle_.update(sighting(0));
-  if (!kink || kink->since_s <= kinked_s_) return;
+  const std::optional<VelocityChange> change = velocity_changes_.update(detection(0));
+  if (!change || change->since_s <= changed_s_) return;
   const Candidates candidates =
-      candidates_on(kink->way, *kink->before, *kink->after, kink->impulse, parameters_);
+      candidates_on(change->segment, *change->before, *change->after, change->impulse, parameters_);
   const Verdict verdict =
-      judge(candidates, gap_to_goals_m(field_, kink->way), last_.side, parameters_);
+      attribute_touch(candidates, gap_to_goals_m(field_, change->segment), last_.side, parameters_);
   if (!verdict.is_touch) return;
-  take(verdict, kink->before->time_s, kink->impulse.change_mps.norm());
+  take(verdict, change->before->time_s, change->impulse.change_mps.norm());
   settled_ = last_;
 }
 
@@ -232,9 +234,9 @@ TouchParameters LastTouchDetector::with_noise(TouchParameters parameters,
   return parameters;
 }
 
-void LastTouchDetector::judge_contacts() {
-  const Sighting& before = sighting(1);
-  if (known_ < kKept || sighting(0).height_m > kRobotHeight_m) return;
+void LastTouchDetector::detect_contacts() {
+  const Detection& before = detection(1);
+  if (known_ < kKept || detection(0).height_m > kRobotHeight_m) return;
   const double near_m = kRobotRadius_m + kBallRadius_m + parameters_.pinned_m;
   Candidates at_ball;
   bool is_touch = false;
@@ -249,7 +251,7 @@ void LastTouchDetector::judge_contacts() {
   }
   if (!is_touch) return;
   constexpr double kNoGoalNear_m = std::numeric_limits<double>::infinity();
-  conclude(judge(at_ball, kNoGoalNear_m, last_.side, parameters_), 1, change_mps(1, 0));
+  conclude(attribute_touch(at_ball, kNoGoalNear_m, last_.side, parameters_), 1, change_mps(1, 0));
   settled_ = last_;
 }
 

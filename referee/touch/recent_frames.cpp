@@ -12,16 +12,16 @@ RobotObservation between(const RobotObservation& a, const RobotObservation& b, d
 
 }  // namespace
 
-void RecentFrames::add(const Moment& moment) {
-  if (!pictures_.empty() && !(moment.time_s() > pictures_.back().time_s)) return;
-  if (pictures_.size() == kKept) pictures_.erase(pictures_.begin());
-  pictures_.push_back({moment.time_s(), moment.frame.robots});
-  if (!moment.frame.ball || !moment.ball) return;
+void RecentFrames::add(const RefereeInput& input) {
+  if (!stored_.empty() && !(input.time_s() > stored_.back().time_s)) return;
+  if (stored_.size() == kKept) stored_.erase(stored_.begin());
+  stored_.push_back({input.time_s(), input.frame.robots});
+  if (!input.frame.ball || !input.ball) return;
   if (balls_.size() == kKept) balls_.erase(balls_.begin());
-  const BallSight& ball = *moment.ball;
-  const double deviation_m = moment.tracks.ball ? moment.tracks.ball->height_deviation_m : 0.0;
+  const BallSight& ball = *input.ball;
+  const double deviation_m = input.tracks.ball ? input.tracks.ball->height_deviation_m : 0.0;
   balls_.push_back(
-      {moment.time_s(), ball.position_m, ball.height_m, deviation_m, ball.height_known});
+      {input.time_s(), ball.position_m, ball.height_m, deviation_m, ball.height_known});
 }
 
 const RecentBall* RecentFrames::ball(std::size_t back) const {
@@ -37,17 +37,17 @@ const RecentBall* RecentFrames::ball_before(double time_s) const {
 }
 
 PerSide<SeenRobots> RecentFrames::robots_at(double time_s) const {
-  if (pictures_.empty()) return {};
+  if (stored_.empty()) return {};
   std::size_t next = 0;
-  while (next < pictures_.size() && pictures_[next].time_s <= time_s) ++next;
-  if (next == 0) return pictures_.front().robots;
-  PerSide<SeenRobots> robots = pictures_[next - 1].robots;
-  if (next == pictures_.size()) return robots;
-  const double began_s = pictures_[next - 1].time_s;
-  const double share = (time_s - began_s) / (pictures_[next].time_s - began_s);
+  while (next < stored_.size() && stored_[next].time_s <= time_s) ++next;
+  if (next == 0) return stored_.front().robots;
+  PerSide<SeenRobots> robots = stored_[next - 1].robots;
+  if (next == stored_.size()) return robots;
+  const double began_s = stored_[next - 1].time_s;
+  const double share = (time_s - began_s) / (stored_[next].time_s - began_s);
   for (const Side side : kSides) {
     for (RobotObservation& robot : robots[side]) {
-      const RobotObservation* later = find_robot(pictures_[next].robots[side], robot.number);
+      const RobotObservation* later = find_robot(stored_[next].robots[side], robot.number);
       if (later != nullptr) robot = between(robot, *later, share);
     }
   }

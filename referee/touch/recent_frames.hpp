@@ -1,18 +1,18 @@
-// The last few pictures of play: touches of the ball are told late, and judged by what was then.
+// The last few frames of play: touches of the ball are told late, and judged by what was then.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
 #include <cstddef>
 #include <optional>
 
-#include "referee/moment.hpp"
+#include "referee/referee_input.hpp"
 #include "soccer/frame.hpp"
 #include "soccer/geometry.hpp"
 #include "soccer/side.hpp"
 
 namespace autoref::referee {
 
-// The ball in one picture.
+// The ball in one frame.
 struct RecentBall {
   double time_s = 0;
   Vec2 position_m{0, 0};
@@ -26,26 +26,26 @@ class RecentFrames {
   // 0.15 s of a 60 Hz camera; the latest touches are told after 0.1 s.
   static constexpr std::size_t kKept = 10;
 
-  void add(const Moment& moment);
+  void add(const RefereeInput& input);
 
-  // The `back`-th sighting of the ball before the newest one, or null.
+  // The `back`-th detection of the ball before the newest one, or null.
   const RecentBall* ball(std::size_t back) const;
 
-  // The newest sighting of the ball not after that time, else the oldest; null without any. A touch
-  // changes the ball's way, so that places between sightings are not known by their mean.
+  // The newest detection of the ball not after that time, else the oldest; null without any. A
+  // touch changes the ball's way, so that places between detections are not known by their mean.
   const RecentBall* ball_before(double time_s) const;
 
-  // The robots at that time, moving evenly between pictures; before and after them as in the
+  // The robots at that time, moving evenly between frames; before and after them as in the
   // nearest one.
   PerSide<SeenRobots> robots_at(double time_s) const;
 
  private:
-  struct Picture {
+  struct StoredFrame {
     double time_s = 0;
     PerSide<SeenRobots> robots;
   };
 
-  boost::container::static_vector<Picture, kKept> pictures_;  // the oldest first
+  boost::container::static_vector<StoredFrame, kKept> stored_;  // the oldest first
   boost::container::static_vector<RecentBall, kKept> balls_;
 };
 

@@ -8,36 +8,36 @@
 namespace autoref::referee {
 namespace {
 
-constexpr int kSamples = 16;            // of a way; a fast ball moves 8 mm from one to the next
+constexpr int kCandidateSamples = 16;   // of a way; a fast ball moves 8 mm from one to the next
 constexpr double kNormalStep_m = 1e-4;  // for the direction in which the hull's distance grows
 
-struct Pose {
+struct CandidatePose {
   Vec2 position_m{0, 0};
   Vec2 heading{1, 0};
 };
 
-// A robot during the time between two sightings.
+// A robot during the time between two detections.
 class Motion {
  public:
   Motion(const RobotObservation& before, const RobotObservation& after)
       : before_{before.position_m, before.heading}, after_{after.position_m, after.heading} {}
 
-  Pose at(double share) const {
+  CandidatePose at(double share) const {
     const Vec2 heading = before_.heading + (after_.heading - before_.heading) * share;
     return {before_.position_m + (after_.position_m - before_.position_m) * share,
             direction_of(heading, after_.heading)};
   }
 
  private:
-  Pose before_;
-  Pose after_;
+  CandidatePose before_;
+  CandidatePose after_;
 };
 
-double gap_m(const Pose& pose, const Vec2& ball_m) {
+double gap_m(const CandidatePose& pose, const Vec2& ball_m) {
   return distance_to_hull(ball_m, pose.position_m, pose.heading) - kBallRadius_m;
 }
 
-Vec2 hull_normal(const Pose& pose, const Vec2& ball_m) {
+Vec2 hull_normal(const CandidatePose& pose, const Vec2& ball_m) {
   const Vec2 dx(kNormalStep_m, 0);
   const Vec2 dy(0, kNormalStep_m);
   const Vec2 slope(gap_m(pose, ball_m + dx) - gap_m(pose, ball_m - dx),
@@ -45,10 +45,12 @@ Vec2 hull_normal(const Pose& pose, const Vec2& ball_m) {
   return direction_of(slope, pose.heading);
 }
 
-Vec2 on_way(const BallWay& way, double part) { return way.from_m + (way.to_m - way.from_m) * part; }
+Vec2 on_segment(const BallSegment& segment, double part) {
+  return segment.from_m + (segment.to_m - segment.from_m) * part;
+}
 
-double share_on(const BallWay& way, double part) {
-  return way.from_share + (way.to_share - way.from_share) * part;
+double share_on(const BallSegment& segment, double part) {
+  return segment.from_share + (segment.to_share - segment.from_share) * part;
 }
 
 struct Approach {
@@ -57,11 +59,11 @@ struct Approach {
 };
 
 // The first contact on the way, or the nearest approach where there is none.
-Approach approach_on(const BallWay& way, const Motion& motion) {
-  Approach best{gap_m(motion.at(share_on(way, 0)), on_way(way, 0)), 0};
-  for (int i = 1; i <= kSamples && best.gap_m > 0; ++i) {
-    const double part = static_cast<double>(i) / kSamples;
-    const double gap = gap_m(motion.at(share_on(way, part)), on_way(way, part));
+Approach approach_on(const BallSegment& segment, const Motion& motion) {
+  Approach best{gap_m(motion.at(share_on(segment, 0)), on_segment(segment, 0)), 0};
+  for (int i = 1; i <= kCandidateSamples && best.gap_m > 0; ++i) {
+    const double part = static_cast<double>(i) / kCandidateSamples;
+    const double gap = gap_m(motion.at(share_on(segment, part)), on_segment(segment, part));
     if (gap < best.gap_m) best = {gap, part};
   }
   return best;
@@ -71,29 +73,29 @@ bool is_within(const Vec2& a, const Vec2& b, double cosine) {
   return a.dot(b) >= cosine * a.norm() * b.norm();
 }
 
-bool is_in_mouth(const Pose& pose, const Vec2& ball_m, double reach_m) {
+bool is_in_dribbler_zone(const CandidatePose& pose, const Vec2& ball_m, double reach_m) {
   const Vec2 local = to_local(ball_m - pose.position_m, pose.heading);
   return local.x() > 0 && local.x() - kFrontDistance_m - kBallRadius_m <= reach_m &&
-         std::abs(local.y()) <= kMouthWidth_m / 2 + kBallRadius_m / 2;
+         std::abs(local.y()) <= kDribblerZoneWidth_m / 2 + kBallRadius_m / 2;
 }
 
-bool explains(const Pose& pose, const Vec2& ball_m, double gap, const Impulse& impulse,
+bool explains(const CandidatePose& pose, const Vec2& ball_m, double gap, const Impulse& impulse,
               const TouchParameters& p) {
   const bool bounced =
       gap <= p.contact_m && is_within(impulse.change_mps, hull_normal(pose, ball_m), p.bounce_cos);
   const bool kicked =
-      is_in_mouth(pose, ball_m, p.reach_m) &&
+      is_in_dribbler_zone(pose, ball_m, p.reach_m) &&
       (is_within(impulse.change_mps, pose.heading, p.kick_cos) ||
        (impulse.after_mps && is_within(*impulse.after_mps, pose.heading, p.kick_cos)));
   return bounced || kicked;
 }
 
 // Whether the robot is so far from the whole way that no sample of it needs a look.
-bool is_far(const BallWay& way, const RobotObservation& before, const RobotObservation& after,
-            double reach_m) {
+bool is_far(const BallSegment& segment, const RobotObservation& before,
+            const RobotObservation& after, double reach_m) {
   const double near_m =
       kRobotRadius_m + kBallRadius_m + reach_m + (after.position_m - before.position_m).norm();
-  return !(distance_to_segment(after.position_m, way.from_m, way.to_m) <= near_m);
+  return !(distance_to_segment(after.position_m, segment.from_m, segment.to_m) <= near_m);
 }
 
 double distance_to_box_m(const Vec2& point_m, const Vec2& low_m, const Vec2& high_m) {
@@ -118,36 +120,37 @@ Vec2 push_direction(const RobotObservation& robot, const Vec2& ball_m) {
   return hull_normal({robot.position_m, robot.heading}, ball_m);
 }
 
-Candidates candidates_on(const BallWay& way, const Sighting& before, const Sighting& after,
-                         const Impulse& impulse, const TouchParameters& parameters) {
+Candidates candidates_on(const BallSegment& segment, const Detection& before,
+                         const Detection& after, const Impulse& impulse,
+                         const TouchParameters& parameters) {
   Candidates found;
   if (std::min(before.height_m, after.height_m) > kRobotHeight_m) return found;
   for (Side side : kSides) {
     for (const RobotObservation& robot : after.robots[side]) {
       const RobotObservation* former = find_robot(before.robots[side], robot.number);
       if (former == nullptr) former = &robot;
-      if (is_far(way, *former, robot, parameters.reach_m)) continue;
+      if (is_far(segment, *former, robot, parameters.reach_m)) continue;
       const Motion motion(*former, robot);
-      const Approach approach = approach_on(way, motion);
+      const Approach approach = approach_on(segment, motion);
       if (!(approach.gap_m <= parameters.reach_m)) continue;
-      const double share = share_on(way, approach.part);
+      const double share = share_on(segment, approach.part);
       found.push_back({{side, robot.number},
                        std::max(0.0, approach.gap_m),
                        share,
-                       explains(motion.at(share), on_way(way, approach.part), approach.gap_m,
-                                impulse, parameters)});
+                       explains(motion.at(share), on_segment(segment, approach.part),
+                                approach.gap_m, impulse, parameters)});
     }
   }
   return found;
 }
 
-double gap_to_goals_m(const Field& field, const BallWay& way) {
+double gap_to_goals_m(const Field& field, const BallSegment& segment) {
   // Both goals and both posts are alike: fold them onto one.
   const Vec2 low_m(field.half_length_m(), field.half_goal_m());
   const Vec2 high_m = low_m + Vec2(field.goal_depth_m, field.goal_wall_thickness_m);
-  double least_m = distance_to_box_m(way.from_m.cwiseAbs(), low_m, high_m);
-  for (int i = 1; i <= kSamples; ++i) {
-    const Vec2 ball_m = on_way(way, static_cast<double>(i) / kSamples);
+  double least_m = distance_to_box_m(segment.from_m.cwiseAbs(), low_m, high_m);
+  for (int i = 1; i <= kCandidateSamples; ++i) {
+    const Vec2 ball_m = on_segment(segment, static_cast<double>(i) / kCandidateSamples);
     least_m = std::min(least_m, distance_to_box_m(ball_m.cwiseAbs(), low_m, high_m));
   }
   return std::max(0.0, least_m - kBallRadius_m);

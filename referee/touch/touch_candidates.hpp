@@ -12,19 +12,19 @@
 
 namespace autoref::referee {
 
-// One picture with a ball, and how the ball came there.
-struct Sighting {
+// One frame with a ball, and how the ball came there.
+struct Detection {
   double time_s = 0;
   Vec2 ball_m{0, 0};
   double height_m = 0;      // of the lowest point
-  double duration_s = 0;    // since the sighting before
-  Vec2 velocity_mps{0, 0};  // mean since the sighting before
+  double duration_s = 0;    // since the detection before
+  Vec2 velocity_mps{0, 0};  // mean since the detection before
   PerSide<SeenRobots> robots;
 };
 
-// A straight way of the ball during a part of the time between two sightings; the shares of that
+// A straight way of the ball during a part of the time between two detections; the shares of that
 // time run from 0 to 1.
-struct BallWay {
+struct BallSegment {
   Vec2 from_m{0, 0};
   Vec2 to_m{0, 0};
   double from_share = 0;
@@ -46,14 +46,15 @@ struct Candidate {
 };
 using Candidates = boost::container::static_vector<Candidate, 2 * kMaxRobots>;
 
-// The robots within reach of the ball on its way between two sightings. Robots move evenly between
+// The robots within reach of the ball on its way between two detections. Robots move evenly between
 // them. Balls that fly over a robot are out of its reach.
-Candidates candidates_on(const BallWay& way, const Sighting& before, const Sighting& after,
-                         const Impulse& impulse, const TouchParameters& parameters);
+Candidates candidates_on(const BallSegment& segment, const Detection& before,
+                         const Detection& after, const Impulse& impulse,
+                         const TouchParameters& parameters);
 
 // Distance in metres from the ball's surface to the nearest goal post or side wall of a goal,
 // the least on its way.
-double gap_to_goals_m(const Field& field, const BallWay& way);
+double gap_to_goals_m(const Field& field, const BallSegment& segment);
 
 // Distance in metres from the ball's surface to the robot's hull; negative inside.
 double gap_to_robot_m(const RobotObservation& robot, const Vec2& ball_m);
@@ -61,7 +62,7 @@ double gap_to_robot_m(const RobotObservation& robot, const Vec2& ball_m);
 // The direction in which the ball gets away from the hull fastest: that of a push.
 Vec2 push_direction(const RobotObservation& robot, const Vec2& ball_m);
 
-// The same robot in another picture; null where it is not in it.
+// The same robot in another frame; null where it is not in it.
 const RobotObservation* find_robot(const SeenRobots& robots, int number);
 
 }  // namespace autoref::referee

@@ -11,19 +11,19 @@ namespace autoref::referee {
 namespace {
 
 // A ball so far from the hull is apart from it, with three standard deviations of both places.
-constexpr double kApart_m = 20_mm;
-constexpr double kSurely = 3;
+constexpr double kHistoryApart_m = 20_mm;
+constexpr double kSureDeviations = 3;
 // Touches by one of several robots, or by unknown ones, are one without a pause: three frames.
 constexpr double kPause_s = 60_ms;
-// The picture after the next one tells whether a touch was one: two frames of a 60 Hz camera.
+// The frame after the next one tells whether a touch was one: two frames of a 60 Hz camera.
 constexpr double kSettles_s = 30_ms;
 // A ball on the carpet for so long rolls; landings of a hopping ball are shorter.
 constexpr double kRolls_s = 100_ms;
 constexpr double kOnCarpet_m = 5_mm;
 constexpr double kNoTime_s = 1e-6;  // less than any camera's frame
 
-bool is_by(const BallTouch& touch, const LastTouch& told) {
-  return touch.side == told.side && touch.robot == told.robot;
+bool is_by(const BallTouch& touch, const LastTouch& reported) {
+  return touch.side == reported.side && touch.robot == reported.robot;
 }
 
 bool is_another(const BallTouch& touch, double time_s) {
@@ -31,26 +31,26 @@ bool is_another(const BallTouch& touch, double time_s) {
   return time_s - touch.ended_s > kPause_s;
 }
 
-bool is_apart(const BallTouch& touch, const Moment& moment) {
+bool is_apart(const BallTouch& touch, const RefereeInput& input) {
   const RobotObservation* robot =
-      find_robot(moment.frame.robots[touch.robot->side], touch.robot->number);
+      find_robot(input.frame.robots[touch.robot->side], touch.robot->number);
   if (robot == nullptr) return true;
-  const VisionNoise& noise = moment.configuration.noise;
-  const double noise_m = kSurely * std::hypot(noise.ball_m, noise.robot_m);
-  return gap_to_robot_m(*robot, moment.ball->position_m) > kApart_m + noise_m;
+  const VisionNoise& noise = input.configuration.noise;
+  const double noise_m = kSureDeviations * std::hypot(noise.ball_m, noise.robot_m);
+  return gap_to_robot_m(*robot, input.ball->position_m) > kHistoryApart_m + noise_m;
 }
 
 }  // namespace
 
-void TouchHistory::update(const Moment& moment, double began_s) {
-  recent_.add(moment);
-  const LastTouch& told = moment.last_touch;
-  if (told.time_s > began_s) {
-    take_in(told, moment.time_s());
+void TouchHistory::update(const RefereeInput& input, double began_s) {
+  recent_.add(input);
+  const LastTouch& reported = input.last_touch;
+  if (reported.time_s > began_s) {
+    take_in(reported, input.time_s());
   } else if (!kept_.empty()) {
     withdraw();  // nobody has touched the ball after all
   }
-  if (!kept_.empty() && moment.ball) follow_ball(kept_.back(), moment);
+  if (!kept_.empty() && input.ball) follow_ball(kept_.back(), input);
 }
 
 bool TouchHistory::is_one_robots() const {
@@ -60,56 +60,56 @@ bool TouchHistory::is_one_robots() const {
   });
 }
 
-void TouchHistory::take_in(const LastTouch& told, double now_s) {
+void TouchHistory::take_in(const LastTouch& reported, double now_s) {
   if (kept_.empty()) {
-    begin(told, now_s);
+    begin(reported, now_s);
     return;
   }
   BallTouch& newest = kept_.back();
-  if (is_by(newest, told)) {
-    if (told.time_s == newest.ended_s) return;
-    is_another(newest, told.time_s) ? begin(told, now_s) : extend(newest, told);
+  if (is_by(newest, reported)) {
+    if (reported.time_s == newest.ended_s) return;
+    is_another(newest, reported.time_s) ? begin(reported, now_s) : extend(newest, reported);
   } else {
-    // What was before the picture that told of a touch is that touch, known better.
-    told.time_s > newest.told_s ? begin(told, now_s) : correct(told, now_s);
+    // What was before the frame that told of a touch is that touch, known better.
+    reported.time_s > newest.reported_s ? begin(reported, now_s) : correct(reported, now_s);
   }
 }
 
-void TouchHistory::begin(const LastTouch& told, double now_s) {
+void TouchHistory::begin(const LastTouch& reported, double now_s) {
   if (kept_.size() == kKept) kept_.erase(kept_.begin());
   BallTouch touch;
-  touch.side = told.side;
-  touch.robot = told.robot;
-  touch.began_s = touch.ended_s = told.time_s;
-  touch.told_s = now_s;
-  place_end(touch);
+  touch.side = reported.side;
+  touch.robot = reported.robot;
+  touch.began_s = touch.ended_s = reported.time_s;
+  touch.reported_s = now_s;
+  locate_end(touch);
   touch.began_m = touch.ended_m;
   kept_.push_back(touch);
   on_carpet_since_s_.reset();
   ++count_;
 }
 
-void TouchHistory::extend(BallTouch& touch, const LastTouch& told) {
-  const bool is_moved = told.time_s <= touch.told_s && touch.began_s == touch.ended_s;
-  touch.ended_s = is_moved ? told.time_s : std::max(touch.ended_s, told.time_s);
-  place_end(touch);
+void TouchHistory::extend(BallTouch& touch, const LastTouch& reported) {
+  const bool is_moved = reported.time_s <= touch.reported_s && touch.began_s == touch.ended_s;
+  touch.ended_s = is_moved ? reported.time_s : std::max(touch.ended_s, reported.time_s);
+  locate_end(touch);
   if (!is_moved) return;
   touch.began_s = touch.ended_s;
   touch.began_m = touch.ended_m;
 }
 
-void TouchHistory::correct(const LastTouch& told, double now_s) {
-  if (kept_.size() > 1 && is_by(kept_[kept_.size() - 2], told)) {
+void TouchHistory::correct(const LastTouch& reported, double now_s) {
+  if (kept_.size() > 1 && is_by(kept_[kept_.size() - 2], reported)) {
     withdraw();
-    take_in(told, now_s);
+    take_in(reported, now_s);
     return;
   }
   BallTouch& touch = kept_.back();
-  touch.side = told.side;
-  touch.robot = told.robot;
-  touch.began_s = touch.ended_s = told.time_s;
+  touch.side = reported.side;
+  touch.robot = reported.robot;
+  touch.began_s = touch.ended_s = reported.time_s;
   touch.apart_s.reset();
-  place_end(touch);
+  locate_end(touch);
   touch.began_m = touch.ended_m;
 }
 
@@ -123,7 +123,7 @@ void TouchHistory::withdraw() {
   newest.height_known = newest.height_known && taken_back.height_known;
 }
 
-void TouchHistory::place_end(BallTouch& touch) {
+void TouchHistory::locate_end(BallTouch& touch) {
   const RecentBall* ball = recent_.ball_before(touch.ended_s);
   if (ball != nullptr) touch.ended_m = ball->position_m;
   touch.toucher.reset();
@@ -133,28 +133,28 @@ void TouchHistory::place_end(BallTouch& touch) {
   if (robot == nullptr) return;
   touch.toucher = *robot;
   if (ball == nullptr) return;
-  // A touch is told up to a picture late, when the ball may be off already.
+  // A touch is told up to a frame late, when the ball may be off already.
   const Vec2& before_m = recent_.ball_before(ball->time_s - kNoTime_s)->position_m;
   if (gap_to_robot_m(*robot, before_m) < gap_to_robot_m(*robot, touch.ended_m)) {
     touch.ended_m = before_m;
   }
 }
 
-void TouchHistory::follow_ball(BallTouch& touch, const Moment& moment) {
-  const BallSight& ball = *moment.ball;
-  if (touch.robot && !touch.apart_s && is_apart(touch, moment)) touch.apart_s = moment.time_s();
+void TouchHistory::follow_ball(BallTouch& touch, const RefereeInput& input) {
+  const BallSight& ball = *input.ball;
+  if (touch.robot && !touch.apart_s && is_apart(touch, input)) touch.apart_s = input.time_s();
   touch.highest_m = std::max(touch.highest_m, ball.height_m);
   touch.height_known = touch.height_known && ball.height_known;
   if (ball.height_m > kOnCarpet_m || !ball.height_known) {
     on_carpet_since_s_.reset();
   } else if (!on_carpet_since_s_) {
-    on_carpet_since_s_ = moment.time_s();
+    on_carpet_since_s_ = input.time_s();
   }
-  touch.rolled = on_carpet_since_s_ && has_passed(*on_carpet_since_s_, kRolls_s, moment.time_s());
+  touch.rolled = on_carpet_since_s_ && has_passed(*on_carpet_since_s_, kRolls_s, input.time_s());
 }
 
 bool is_settled(const BallTouch& touch, double now_s) {
-  return has_passed(touch.told_s, kSettles_s, now_s);
+  return has_passed(touch.reported_s, kSettles_s, now_s);
 }
 
 }  // namespace autoref::referee

@@ -8,7 +8,7 @@
 #include <boost/container/static_vector.hpp>
 #include <optional>
 
-#include "referee/moment.hpp"
+#include "referee/referee_input.hpp"
 #include "referee/touch/recent_frames.hpp"
 #include "soccer/geometry.hpp"
 #include "soccer/side.hpp"
@@ -20,7 +20,7 @@ struct BallTouch {
   std::optional<RobotId> robot;  // none: unknown, or one of several of that side
   double began_s = 0;
   double ended_s = 0;                       // so far, of the newest
-  double told_s = 0;                        // time of the picture that first told of it
+  double reported_s = 0;                    // time of the frame that first told of it
   Vec2 began_m{0, 0};                       // the ball as seen nearest to it
   Vec2 ended_m{0, 0};                       // and to its end
   std::optional<RobotObservation> toucher;  // where the robot was when it ended; none: not seen
@@ -33,7 +33,7 @@ struct BallTouch {
 class TouchHistory {
  public:
   // Takes in one frame of play that was started at `began_s`.
-  void update(const Moment& moment, double began_s);
+  void update(const RefereeInput& input, double began_s);
 
   // Touches so far; only the newest of them are kept.
   int count() const { return count_; }
@@ -51,13 +51,13 @@ class TouchHistory {
   const RecentFrames& recent() const { return recent_; }
 
  private:
-  void take_in(const LastTouch& told, double now_s);
-  void begin(const LastTouch& told, double now_s);
-  void extend(BallTouch& touch, const LastTouch& told);
-  void correct(const LastTouch& told, double now_s);
+  void take_in(const LastTouch& reported, double now_s);
+  void begin(const LastTouch& reported, double now_s);
+  void extend(BallTouch& touch, const LastTouch& reported);
+  void correct(const LastTouch& reported, double now_s);
   void withdraw();
-  void place_end(BallTouch& touch);
-  void follow_ball(BallTouch& touch, const Moment& moment);
+  void locate_end(BallTouch& touch);
+  void follow_ball(BallTouch& touch, const RefereeInput& input);
 
   static constexpr std::size_t kKept = 4;
   boost::container::static_vector<BallTouch, kKept> kept_;

@@ -58,8 +58,8 @@ Verdict touched_by(const Ranking& own, const Ranking& other, const TouchParamete
 
 }  // namespace
 
-Verdict judge(const Candidates& candidates, double gap_to_goals_m, std::optional<Side> had_it,
-              const TouchParameters& parameters) {
+Verdict attribute_touch(const Candidates& candidates, double gap_to_goals_m,
+                        std::optional<Side> had_it, const TouchParameters& parameters) {
   if (candidates.empty()) return {};
   const Ranking west = ranking_of(candidates, Side::kWest);
   const Ranking east = ranking_of(candidates, Side::kEast);

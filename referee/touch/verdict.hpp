@@ -23,7 +23,7 @@ struct Verdict {
 // that is nearer by a clear lead touched the ball; without a lead nobody knows. A goal that is as
 // near as the best robot makes the touch unknown, unless that robot's side had it before, and one
 // that is clearly nearer makes it no touch.
-Verdict judge(const Candidates& candidates, double gap_to_goals_m, std::optional<Side> had_it,
-              const TouchParameters& parameters);
+Verdict attribute_touch(const Candidates& candidates, double gap_to_goals_m,
+                        std::optional<Side> had_it, const TouchParameters& parameters);
 
 }  // namespace autoref::referee

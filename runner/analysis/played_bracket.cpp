@@ -4,18 +4,18 @@
 
 #include <string>
 
-#include "runner/experiments/matchup_plan.hpp"
-#include "runner/experiments/plan.hpp"
+#include "runner/experiments/matchup_schedule.hpp"
+#include "runner/experiments/schedule.hpp"
 #include "runner/results/scores.hpp"
 
 namespace autoref::runner {
 namespace {
 
-DecidedBy reason_of(const Cells& row, const ScoreColumns& at, std::size_t arrows) {
+DecidedBy reason_of(const Cells& row, const ScoreColumns& at, std::size_t transitions) {
   if (row[at.status] == name_of(Status::kForfeit)) return DecidedBy::kForfeit;
   if (!row[at.shootout_a].empty()) return DecidedBy::kShootout;
   const bool had_extra_time =
-      fmt::format("+{}+", row[arrows]).find("+extra_time+") != std::string::npos;
+      fmt::format("+{}+", row[transitions]).find("+extra_time+") != std::string::npos;
   return had_extra_time ? DecidedBy::kExtraTime : DecidedBy::kGoals;
 }
 
@@ -33,7 +33,7 @@ void decide(Tie& tie, const RowFormat& format, const RowsById& rows) {
     }
     const double lead = lead_of_a(row->second, at);
     if (lead == 0) continue;
-    tie.decided_by = reason_of(row->second, at, format.column("arrows"));
+    tie.decided_by = reason_of(row->second, at, format.column("transitions"));
     tie.a_won = lead > 0;
     return;
   }

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "runner/batch/completed_games.hpp"
 #include "runner/batch/result_folder.hpp"
-#include "runner/batch/stock.hpp"
 #include "runner/io/csv.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/files.hpp"
@@ -56,39 +56,39 @@ class Experiment {
     replace_file(options_.folder / kEffectiveFile, effective_text(scenario_));
     ExperimentReport report;
     report.is_interrupted = play_all(shard, report.played) == Ending::kInterrupted;
-    const RowsById rows = counted(course_, rows_);
-    report.games = static_cast<int>(course_.needed);
+    const RowsById rows = counted(schedule_, rows_);
+    report.games = static_cast<int>(schedule_.needed);
     report.done = static_cast<int>(rows.size());
     report.is_complete = report.done == report.games;
     for (const auto& [id, cells] : rows) {
       report.void_games += is_void(cells) ? 1 : 0;
     }
-    report.is_waiting = course_.needed > course_.games.size() && !report.is_interrupted;
+    report.is_waiting = schedule_.needed > schedule_.games.size() && !report.is_interrupted;
     if (report.is_complete) conclude(report, rows);
     return report;
   }
 
  private:
-  Inventory take(const StoredRows& stored) const {
-    return take_inventory(scenario_, stored.rows, format_, options_.build,
-                          options_.allow_mixed_build, options_.folder, changes());
+  RowInventory take(const StoredRows& stored) const {
+    return take_row_inventory(scenario_, stored.rows, format_, options_.build,
+                              options_.allow_mixed_build, options_.folder, changes());
   }
 
   void take_with_notes() {
     const StoredRows stored = read_rows(options_.folder / kGamesFolder, format_);
-    Inventory inventory = take(stored);
-    course_ = std::move(inventory.course);
-    rows_ = std::move(inventory.stock.done);
+    RowInventory row_inventory = take(stored);
+    schedule_ = std::move(row_inventory.schedule);
+    rows_ = std::move(row_inventory.completed_games.done);
     is_decided_ = is_decided(scenario_, format_, rows_);
     if (stored.damaged > 0) {
       say(fmt::format("{} rows are damaged and do not count; their games are played again",
                       stored.damaged));
     }
-    if (inventory.stock.other_games > 0) {
+    if (row_inventory.completed_games.other_games > 0) {
       say(fmt::format("{} rows belong to games that the scenario does not have; they do not count",
-                      inventory.stock.other_games));
+                      row_inventory.completed_games.other_games));
     }
-    for (const auto& [build, count] : inventory.stock.other_builds) {
+    for (const auto& [build, count] : row_inventory.completed_games.other_builds) {
       say(fmt::format("{} rows are of build {}; they do not count", count, build));
     }
   }
@@ -96,7 +96,7 @@ class Experiment {
   // Other shards may have played meanwhile.
   void look_around() {
     const Clock::time_point began = Clock::now();
-    rows_.merge(take(read_rows(options_.folder / kGamesFolder, format_)).stock.done);
+    rows_.merge(take(read_rows(options_.folder / kGamesFolder, format_)).completed_games.done);
     const Clock::duration looking = Clock::now() - began;
     next_look_ =
         Clock::now() + std::chrono::duration_cast<Clock::duration>(looking / kLookingShare);
@@ -122,15 +122,15 @@ class Experiment {
       if (missing.empty()) return Ending::kDone;
       const Ending ending = play(missing, shard, played_games);
       if (options_.shard.of > 1) look_around();
-      if (follows_its_rows(scenario_)) course_ = course_of(scenario_, format_, rows_);
+      if (follows_its_rows(scenario_)) schedule_ = schedule_of(scenario_, format_, rows_);
       if (ending == Ending::kInterrupted && !missing_games().empty()) return ending;
     }
   }
 
   std::vector<std::size_t> missing_games() const {
     std::vector<std::size_t> missing;
-    for (std::size_t i = 0; i < std::min(course_.needed, course_.games.size()); ++i) {
-      const PlannedGame& game = course_.games[i];
+    for (std::size_t i = 0; i < std::min(schedule_.needed, schedule_.games.size()); ++i) {
+      const ScheduledGame& game = schedule_.games[i];
       if (options_.shard.has(game.unit) && !rows_.contains(game.id)) missing.push_back(i);
     }
     return missing;
@@ -138,10 +138,10 @@ class Experiment {
 
   // Of this shard's needed games, and of those that nobody knows yet.
   GameCounts counts() const {
-    const std::size_t known = std::min(course_.needed, course_.games.size());
-    GameCounts counts{.total = static_cast<int>(course_.needed - known), .voids = 0};
+    const std::size_t known = std::min(schedule_.needed, schedule_.games.size());
+    GameCounts counts{.total = static_cast<int>(schedule_.needed - known), .voids = 0};
     for (std::size_t i = 0; i < known; ++i) {
-      const PlannedGame& game = course_.games[i];
+      const ScheduledGame& game = schedule_.games[i];
       if (!options_.shard.has(game.unit)) continue;
       const auto row = rows_.find(game.id);
       ++counts.total;
@@ -157,7 +157,7 @@ class Experiment {
 
   std::string table_so_far() const {
     std::vector<Cells> rows;
-    for (const auto& [id, cells] : counted(course_, rows_)) rows.push_back(cells);
+    for (const auto& [id, cells] : counted(schedule_, rows_)) rows.push_back(cells);
     return "so far; interim intervals are no reason to stop:\n\n" +
            results_of(scenario_, format_, rows).table;
   }
@@ -168,7 +168,7 @@ class Experiment {
     const WorkerOptions workers{options_.workers, options_.attempts, options_.longest_game_s};
     return do_jobs(
         games, workers,
-        {[this](std::size_t i) { return played(options_, course_.games[i].configuration); },
+        {[this](std::size_t i) { return played(options_, schedule_.games[i].configuration); },
          [&](const JobResult& result) {
            keep(shard, result, progress);
            ++played_games;
@@ -177,7 +177,7 @@ class Experiment {
   }
 
   void keep(Shard& shard, const JobResult& result, Progress& progress) {
-    const PlannedGame& game = course_.games[result.job];
+    const ScheduledGame& game = schedule_.games[result.job];
     const Cells outcome = result.failure.empty() ? csv_cells(result.payload).value()
                                                  : outcome_of(void_record(result.failure));
     const std::string line = format_.line(
@@ -200,11 +200,11 @@ class Experiment {
     report.results = write_results(options_.folder, scenario_, format_, counted_rows);
     std::vector<Cells> rows;
     for (const auto& [id, cells] : counted_rows) rows.push_back(cells);
-    report.arrows_never_taken = arrows_never_taken(format_, rows);
+    report.transitions_never_used = transitions_never_used(format_, rows);
   }
 
   void say(const std::string& message) const {
-    if (options_.progress != nullptr) tell(options_.progress, message + "\n");
+    if (options_.progress != nullptr) write_message(options_.progress, message + "\n");
   }
 
   const Scenario& scenario_;
@@ -212,8 +212,8 @@ class Experiment {
   const RowFormat format_;
   const std::string host_ = host_name();
   const std::string cpu_ = cpu_name();
-  Course course_;  // stays as it is while workers play
-  RowsById rows_;  // of its games, also those that are not needed
+  Schedule schedule_;  // stays as it is while workers play
+  RowsById rows_;      // of its games, also those that are not needed
   bool is_decided_ = false;
   Clock::time_point next_look_;
 };

@@ -25,7 +25,7 @@ struct ExperimentOptions {
   std::filesystem::path folder;
   std::string build;  // of the rows to be written; rows of others do not count
   int workers = 1;
-  ShardPlace shard;                // plays its share of the games only
+  ShardIndex shard;                // plays its share of the games only
   bool allow_mixed_build = false;  // rows of other builds may stand in the folder; they stay apart
   std::function<GameRecord(const GameConfiguration&)> play;  // called in workers
   std::FILE* progress = nullptr;                             // where to write progress, if anywhere
@@ -42,8 +42,8 @@ struct ExperimentReport {
   int done = 0;                 // so far, by this run and former ones
   int played = 0;               // by this run
   int void_games = 0;
-  ExperimentResults results;                    // of a complete run
-  std::vector<std::string> arrows_never_taken;  // of the referee's machine, by a complete run
+  ExperimentResults results;                        // of a complete run
+  std::vector<std::string> transitions_never_used;  // of the referee's machine, by a complete run
 };
 
 // Plays the games that have no row yet: none with the same id, configuration and build. Throws

@@ -22,7 +22,7 @@ Values values_of(const std::vector<Setting>& settings) {
   return values;
 }
 
-Values told_by(const Sweep& sweep) {
+Values values_of(const Sweep& sweep) {
   GameConfiguration base = sweep.base;
   Values values = values_of(settings_of(base));
   values["seed"] = std::to_string(sweep.seed);
@@ -35,7 +35,7 @@ void add(const Teams& teams, std::string_view branch, const RobotTypes& types, V
   }
 }
 
-Values told_by(const NamedTeams& named) {
+Values values_of(const NamedTeams& named) {
   GameConfiguration base = named.base;
   Values values = values_of(settings_of(base));
   std::erase_if(values, [](const auto& value) { return value.first.starts_with("teams."); });
@@ -44,15 +44,15 @@ Values told_by(const NamedTeams& named) {
   return values;
 }
 
-Values told_by(const Gauntlet& gauntlet) {
-  Values values = told_by(static_cast<const NamedTeams&>(gauntlet));
+Values values_of(const Gauntlet& gauntlet) {
+  Values values = values_of(static_cast<const NamedTeams&>(gauntlet));
   add(gauntlet.challengers, "challengers", gauntlet.base.types, values);
   return values;
 }
 
 // The seeds tell who meets whom in which tie.
-Values told_by(const Knockout& knockout) {
-  Values values = told_by(static_cast<const NamedTeams&>(knockout));
+Values values_of(const Knockout& knockout) {
+  Values values = values_of(static_cast<const NamedTeams&>(knockout));
   values["order"] = listed(knockout.order);
   return values;
 }
@@ -97,7 +97,7 @@ std::string changes_between(const Scenario& here, const Scenario& there) {
     if (other == nullptr) return std::string();
     auto its = *other;
     keep_what_is_in_both(experiment, its);
-    return changes_between(told_by(experiment), told_by(its));
+    return changes_between(values_of(experiment), values_of(its));
   });
 }
 

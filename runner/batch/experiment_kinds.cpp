@@ -3,12 +3,12 @@
 #include <algorithm>
 
 #include "runner/analysis/knockout_report.hpp"
-#include "runner/analysis/match_report.hpp"
-#include "runner/analysis/match_state.hpp"
+#include "runner/analysis/sprt_match_report.hpp"
+#include "runner/analysis/sprt_match_state.hpp"
 #include "runner/analysis/standings_report.hpp"
 #include "runner/analysis/summary.hpp"
-#include "runner/experiments/knockout_plan.hpp"
-#include "runner/experiments/matchup_plan.hpp"
+#include "runner/experiments/knockout_schedule.hpp"
+#include "runner/experiments/matchup_schedule.hpp"
 #include "runner/experiments/with_kind.hpp"
 
 namespace autoref::runner {
@@ -30,29 +30,29 @@ bool is_decided(const Experiment& /*experiment*/, const RowFormat& /*format*/,
   return false;
 }
 
-bool is_decided(const Match& match, const RowFormat& format, const RowsById& rows) {
+bool is_decided(const SprtMatch& match, const RowFormat& format, const RowsById& rows) {
   return state_of(match, format, rows).is_decided;
 }
 
 template <typename Experiment>
-Course course_of(const Experiment& experiment, const RowFormat& /*format*/,
-                 const RowsById& /*rows*/) {
-  std::vector<PlannedGame> games = plan(experiment);
+Schedule schedule_of(const Experiment& experiment, const RowFormat& /*format*/,
+                     const RowsById& /*rows*/) {
+  std::vector<ScheduledGame> games = scheduled_games(experiment);
   const std::size_t needed = games.size();
   return {std::move(games), needed};
 }
 
-Course course_of(const Match& match, const RowFormat& format, const RowsById& rows) {
-  const MatchState state = state_of(match, format, rows);
-  std::vector<PlannedGame> games = plan(match);
+Schedule schedule_of(const SprtMatch& match, const RowFormat& format, const RowsById& rows) {
+  const SprtMatchState state = state_of(match, format, rows);
+  std::vector<ScheduledGame> games = scheduled_games(match);
   const std::size_t needed =
       state.is_decided ? 2 * static_cast<std::size_t>(state.last_pair) : games.size();
   return {std::move(games), needed};
 }
 
-Course course_of(const Knockout& knockout, const RowFormat& format, const RowsById& rows) {
+Schedule schedule_of(const Knockout& knockout, const RowFormat& format, const RowsById& rows) {
   const std::vector<Tie> ties = bracket_of(knockout, format, rows);
-  std::vector<PlannedGame> games = games_of(knockout, ties);
+  std::vector<ScheduledGame> games = games_of(knockout, ties);
   const auto unknown =
       std::count_if(ties.begin(), ties.end(), [](const Tie& tie) { return !tie.is_known(); });
   const std::size_t needed = games.size() + static_cast<std::size_t>(unknown);
@@ -96,14 +96,15 @@ RowsById by_id(const std::vector<Cells>& rows) {
   return by_id;
 }
 
-ExperimentResults results_of(const Match& match, const RowFormat& format,
+ExperimentResults results_of(const SprtMatch& match, const RowFormat& format,
                              const std::vector<Cells>& rows) {
-  const MatchState state = state_of(match, format, by_id(rows));
+  const SprtMatchState state = state_of(match, format, by_id(rows));
   ExperimentResults results;
   results.groups = grouped({matchup_of(match)}, format, rows);
   const Group& matchup = results.groups.front();
-  results.files = {{"summary.csv", "the match and its verdict", match_csv(match, matchup, state)}};
-  results.table = match_table(match, matchup, state);
+  results.files = {
+      {"summary.csv", "the SPRT match and its verdict", sprt_match_csv(match, matchup, state)}};
+  results.table = sprt_match_table(match, matchup, state);
   return results;
 }
 
@@ -119,10 +120,10 @@ ExperimentResults results_of(const Knockout& knockout, const RowFormat& format,
 
 }  // namespace
 
-RowsById counted(const Course& course, const RowsById& rows) {
+RowsById counted(const Schedule& schedule, const RowsById& rows) {
   RowsById counted;
-  for (std::size_t i = 0; i < std::min(course.needed, course.games.size()); ++i) {
-    const auto row = rows.find(course.games[i].id);
+  for (std::size_t i = 0; i < std::min(schedule.needed, schedule.games.size()); ++i) {
+    const auto row = rows.find(schedule.games[i].id);
     if (row != rows.end()) counted.insert(*row);
   }
   return counted;
@@ -130,24 +131,24 @@ RowsById counted(const Course& course, const RowsById& rows) {
 
 bool is_experiment(const Scenario& scenario) { return verb_of(scenario) == "run"; }
 
-std::vector<PlannedGame> plan(const Scenario& scenario) {
-  return with_kind(scenario, [](const auto& experiment) { return plan(experiment); });
+std::vector<ScheduledGame> scheduled_games(const Scenario& scenario) {
+  return with_kind(scenario, [](const auto& experiment) { return scheduled_games(experiment); });
 }
 
-std::string caveat_of_plan(const Scenario& scenario) {
-  if (std::holds_alternative<Match>(scenario.content)) return "at most: it ends when decided";
+std::string caveat_of_schedule(const Scenario& scenario) {
+  if (std::holds_alternative<SprtMatch>(scenario.content)) return "at most: it ends when decided";
   if (!std::holds_alternative<Knockout>(scenario.content)) return "";
   return "the better seed taken to win every tie; drawn ties are played again";
 }
 
 bool follows_its_rows(const Scenario& scenario) {
-  return std::holds_alternative<Match>(scenario.content) ||
+  return std::holds_alternative<SprtMatch>(scenario.content) ||
          std::holds_alternative<Knockout>(scenario.content);
 }
 
-Course course_of(const Scenario& scenario, const RowFormat& format, const RowsById& rows) {
+Schedule schedule_of(const Scenario& scenario, const RowFormat& format, const RowsById& rows) {
   return with_kind(scenario,
-                   [&](const auto& experiment) { return course_of(experiment, format, rows); });
+                   [&](const auto& experiment) { return schedule_of(experiment, format, rows); });
 }
 
 bool is_decided(const Scenario& scenario, const RowFormat& format, const RowsById& rows) {

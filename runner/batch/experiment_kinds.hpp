@@ -6,8 +6,8 @@
 
 #include "runner/analysis/groups.hpp"
 #include "runner/analysis/standings.hpp"
-#include "runner/experiments/plan.hpp"
 #include "runner/experiments/scenario.hpp"
+#include "runner/experiments/schedule.hpp"
 #include "runner/results/rows.hpp"
 
 namespace autoref::runner {
@@ -18,21 +18,21 @@ bool is_experiment(const Scenario& scenario);
 
 // Its games in the order in which they are played, as far as they are known beforehand. Throws
 // std::invalid_argument where settings do not go together.
-std::vector<PlannedGame> plan(const Scenario& scenario);
+std::vector<ScheduledGame> scheduled_games(const Scenario& scenario);
 
 // In which way the games may yet be others than plan() says; empty where they may not.
-std::string caveat_of_plan(const Scenario& scenario);
+std::string caveat_of_schedule(const Scenario& scenario);
 
 // Which games an experiment takes, as far as its rows tell.
-struct Course {
-  std::vector<PlannedGame> games;  // in the order in which they are played
+struct Schedule {
+  std::vector<ScheduledGame> games;  // in the order in which they are played
   // How many it takes: the first of `games`, so that others do not count; or more than `games`,
   // where those to come are not known yet.
   std::size_t needed = 0;
 };
 
 // `rows` are those of its games so far.
-Course course_of(const Scenario& scenario, const RowFormat& format, const RowsById& rows);
+Schedule schedule_of(const Scenario& scenario, const RowFormat& format, const RowsById& rows);
 
 // Whether its course may change with its rows: a match ends with the pair that decides it, and who
 // meets whom in a knockout follows from the ties before.
@@ -42,7 +42,7 @@ bool follows_its_rows(const Scenario& scenario);
 bool is_decided(const Scenario& scenario, const RowFormat& format, const RowsById& rows);
 
 // The rows of needed games: those that results are made of.
-RowsById counted(const Course& course, const RowsById& rows);
+RowsById counted(const Schedule& schedule, const RowsById& rows);
 
 // The columns of its rows that hold the factors' values.
 std::vector<std::string> value_columns(const Scenario& scenario);

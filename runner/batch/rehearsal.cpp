@@ -10,14 +10,14 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // The id without pair and leg: "b.handicap=0.8" of "b.handicap=0.8-p0007-2".
-std::string played_in(const PlannedGame& game) {
+std::string played_in(const ScheduledGame& game) {
   const std::string ending = game_id("", game.pair, game.leg);
   return game.id.substr(0, game.id.size() - ending.size());
 }
 
 double regular_s(const MatchConfiguration& match) { return match.half_s * match.halves; }
 
-Rehearsal rehearsed(const PlannedGame& game,
+Rehearsal rehearsed(const ScheduledGame& game,
                     const std::function<GameRecord(const GameConfiguration&)>& play) {
   GameConfiguration shortened = game.configuration;
   shortened.match.half_s = std::min(shortened.match.half_s, kRehearsedHalf_s);
@@ -37,14 +37,14 @@ Rehearsal rehearsed(const PlannedGame& game,
 
 }  // namespace
 
-std::vector<Rehearsal> rehearse(const std::vector<PlannedGame>& games,
+std::vector<Rehearsal> rehearse(const std::vector<ScheduledGame>& games,
                                 const std::function<GameRecord(const GameConfiguration&)>& play) {
   std::vector<Rehearsal> rehearsals;
-  std::map<std::string, std::size_t> places;
-  for (const PlannedGame& game : games) {
-    const auto [place, is_new] = places.try_emplace(played_in(game), rehearsals.size());
+  std::map<std::string, std::size_t> entries;
+  for (const ScheduledGame& game : games) {
+    const auto [entry, is_new] = entries.try_emplace(played_in(game), rehearsals.size());
     if (is_new) rehearsals.push_back(rehearsed(game, play));
-    ++rehearsals[place->second].games;
+    ++rehearsals[entry->second].games;
   }
   return rehearsals;
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "runner/experiments/plan.hpp"
+#include "runner/experiments/schedule.hpp"
 #include "runner/game/game.hpp"
 
 namespace autoref::runner {
@@ -23,7 +23,7 @@ inline constexpr double kRehearsedHalf_s = 5;
 
 // One for each combination of values or matchup, in the plan's order. `play` is called once for
 // each, with the first game's configuration but short halves.
-std::vector<Rehearsal> rehearse(const std::vector<PlannedGame>& games,
+std::vector<Rehearsal> rehearse(const std::vector<ScheduledGame>& games,
                                 const std::function<GameRecord(const GameConfiguration&)>& play);
 
 // Wall seconds of all the games, so many at a time.

@@ -50,7 +50,7 @@ std::string chosen_build(const StoredRows& stored, const std::string& wanted,
 int ResultFolder::void_games() const {
   const std::size_t status = format.column("status");
   int count = 0;
-  for (const auto& [id, cells] : stock.done) {
+  for (const auto& [id, cells] : completed_games.done) {
     count += cells[status] == name_of(Status::kVoid) ? 1 : 0;
   }
   return count;
@@ -65,22 +65,23 @@ ResultFolder open_results(const fs::path& path, const std::string& build) {
   const RowFormat format(value_columns(scenario));
   const StoredRows stored = read_rows(path / kGamesFolder, format);
   const std::string its_build = chosen_build(stored, build, path);
-  Inventory inventory = take_inventory(scenario, stored.rows, format, its_build, true, path, {});
-  RowsById done = counted(inventory.course, inventory.stock.done);
-  const auto beyond = static_cast<int>(inventory.stock.done.size() - done.size());
-  inventory.stock.done = std::move(done);
+  RowInventory row_inventory =
+      take_row_inventory(scenario, stored.rows, format, its_build, true, path, {});
+  RowsById done = counted(row_inventory.schedule, row_inventory.completed_games.done);
+  const auto beyond = static_cast<int>(row_inventory.completed_games.done.size() - done.size());
+  row_inventory.completed_games.done = std::move(done);
   ResultFolder folder{path,
                       scenario,
                       format,
-                      std::move(inventory.course.games),
-                      inventory.course.needed,
+                      std::move(row_inventory.schedule.games),
+                      row_inventory.schedule.needed,
                       its_build,
-                      std::move(inventory.stock),
+                      std::move(row_inventory.completed_games),
                       beyond,
                       stored.damaged,
                       {}};
   const std::size_t shard = format.column("shard");
-  for (const auto& [id, cells] : folder.stock.done) ++folder.by_shard[cells[shard]];
+  for (const auto& [id, cells] : folder.completed_games.done) ++folder.by_shard[cells[shard]];
   return folder;
 }
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "runner/batch/completed_games.hpp"
 #include "runner/batch/experiment_kinds.hpp"
-#include "runner/batch/stock.hpp"
-#include "runner/experiments/plan.hpp"
 #include "runner/experiments/scenario.hpp"
+#include "runner/experiments/schedule.hpp"
 #include "runner/results/rows.hpp"
 
 namespace autoref::runner {
@@ -19,16 +19,16 @@ struct ResultFolder {
   std::filesystem::path path;
   Scenario scenario;  // of effective.yaml
   RowFormat format;
-  std::vector<PlannedGame> games;       // that it takes, as far as they are known
+  std::vector<ScheduledGame> games;     // that it takes, as far as they are known
   std::size_t needed = 0;               // how many of them, from the first
   std::string build;                    // whose rows count
-  Stock stock;                          // its `done` holds only what counts
+  CompletedGames completed_games;       // its `done` holds only what counts
   int beyond = 0;                       // rows of games that turned out not to be needed
   int damaged = 0;                      // rows that do not count
   std::map<std::string, int> by_shard;  // how many games each has played, "0/1"
 
   int void_games() const;
-  bool is_complete() const { return stock.done.size() == needed; }
+  bool is_complete() const { return completed_games.done.size() == needed; }
 };
 
 // Whose rows a folder holds. Throws InputError where the folder is none of results.
@@ -36,7 +36,7 @@ std::set<std::string> builds_in(const std::filesystem::path& path);
 
 // Reads a folder, whether or not a run is still filling it. Only rows of one build count: of
 // `build`, or where that is empty of the only one that there is. Throws InputError where the folder
-// is none of results, where several builds' rows leave the choice open, and what take_stock()
+// is none of results, where several builds' rows leave the choice open, and what sort_rows()
 // throws.
 ResultFolder open_results(const std::filesystem::path& path, const std::string& build = {});
 

@@ -17,8 +17,8 @@ std::vector<std::size_t> good_games(const ResultFolder& folder) {
   const std::size_t status = folder.format.column("status");
   std::vector<std::size_t> good;
   for (std::size_t i = 0; i < folder.games.size(); ++i) {
-    const auto row = folder.stock.done.find(folder.games[i].id);
-    if (row != folder.stock.done.end() && row->second[status] == name_of(Status::kOk))
+    const auto row = folder.completed_games.done.find(folder.games[i].id);
+    if (row != folder.completed_games.done.end() && row->second[status] == name_of(Status::kOk))
       good.push_back(i);
   }
   return good;
@@ -33,7 +33,7 @@ std::vector<std::size_t> spread_evenly(const std::vector<std::size_t>& all, int 
 
 void compare(const ResultFolder& folder, const std::string& id, const Cells& outcome,
              std::vector<Difference>& differences) {
-  const Cells& row = folder.stock.done.at(id);
+  const Cells& row = folder.completed_games.done.at(id);
   const std::size_t first = folder.format.column(outcome_columns().front());
   for (std::size_t i = 0; i < outcome.size(); ++i) {
     if (outcome[i] == row[first + i]) continue;

@@ -9,7 +9,8 @@
 
 #include "runner/game/state_hash.hpp"
 #include "runner/io/json.hpp"
-#include "sim/yardstick.hpp"
+#include "runner/statistics/sample.hpp"
+#include "sim/bare_box2d_benchmark.hpp"
 #include "soccer/rule_table.hpp"
 #include "strategies/registry.hpp"
 
@@ -18,19 +19,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kRounds = 5;
+constexpr int kBenchRounds = 5;
 constexpr std::uint64_t kFirstSeed = 1;
 constexpr std::array<std::string_view, kPhaseCount> kPhaseNames = {
     "camera", "referee", "team_west", "team_east", "physics", "record"};
 
 double ns_since(Clock::time_point start) {
   return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 GameConfiguration fixed_game(std::uint64_t seed) {
@@ -73,11 +68,11 @@ class Shares final : public Observer {
 };
 
 double bare_ns(std::uint64_t seed, std::int64_t frames) {
-  sim::Yardstick yardstick(seed);
+  sim::BareBox2dBenchmark bare(seed);
   const Clock::time_point start = Clock::now();
-  for (std::int64_t i = 0; i < frames; ++i) yardstick.step_frame();
+  for (std::int64_t i = 0; i < frames; ++i) bare.step_frame();
   const double ns = ns_since(start);
-  if (!(yardstick.checksum_m() < 1e9)) throw std::logic_error("the yardstick has blown up");
+  if (!(bare.checksum_m() < 1e9)) throw std::logic_error("the bare Box2D benchmark has diverged");
   return ns;
 }
 
@@ -108,7 +103,7 @@ void print_table(const BenchResult& r) {
   fmt::print("the bare Box2D scene  {:9.0f} ns a frame\n", r.bare_ns_per_frame);
   fmt::print("the referee           {:9.0f} ns a frame, with every rule in force\n",
              r.referee_ns_per_frame);
-  fmt::print("ratio                 {:9.3f}   (median of {} rounds)\n", r.ratio, kRounds);
+  fmt::print("ratio                 {:9.3f}   (median of {} rounds)\n", r.ratio, kBenchRounds);
   fmt::print("signature             {:016x}\n", r.signature);
   for (int i = 0; i < kPhaseCount; ++i) {
     fmt::print("  {:10} {:5.1f} %\n", kPhaseNames[i], 100 * r.shares[i]);
@@ -136,7 +131,7 @@ BenchResult bench(int rounds) {
   Shares shares;
   play(fixed_game(kFirstSeed), &shares);
   Shares with_all_rules;
-  const GameRecord judged = play(game_with_all_rules(), &with_all_rules);
+  const GameRecord refereed = play(game_with_all_rules(), &with_all_rules);
 
   BenchResult result;
   result.ns_per_frame = median(game_ns);
@@ -146,7 +141,7 @@ BenchResult bench(int rounds) {
   result.signature = signature.value();
   result.shares = shares.shares();
   result.referee_ns_per_frame =
-      with_all_rules.ns_of(Phase::kReferee) / static_cast<double>(judged.frames);
+      with_all_rules.ns_of(Phase::kReferee) / static_cast<double>(refereed.frames);
   for (const strategies::Entry& team : strategies::all_strategies()) {
     result.teams.push_back(cost_of_team(team.name));
   }
@@ -154,7 +149,7 @@ BenchResult bench(int rounds) {
 }
 
 int run_bench(bool json) {
-  const BenchResult result = bench(kRounds);
+  const BenchResult result = bench(kBenchRounds);
   if (json) {
     print_json(result);
   } else {

@@ -27,9 +27,9 @@ class Timed final : public strategies::Strategy {
   Timed(std::unique_ptr<strategies::Strategy> team, Decisions& decisions)
       : team_(std::move(team)), decisions_(decisions) {}
 
-  void decide(const TeamView& view, TeamOrders& orders) override {
+  void decide(const TeamView& view, TeamCommands& commands) override {
     const Clock::time_point start = Clock::now();
-    team_->decide(view, orders);
+    team_->decide(view, commands);
     decisions_.ns += std::chrono::duration<double, std::nano>(Clock::now() - start).count();
     ++decisions_.count;
   }
@@ -49,7 +49,7 @@ TeamCost cost_of_team(std::string_view name) {
   game.a.strategy = game.b.strategy = name;
   Decisions decisions;
   const GameRecord record =
-      play(game, nullptr, [&decisions](const std::string& team, const strategies::Briefing& b) {
+      play(game, nullptr, [&decisions](const std::string& team, const strategies::TeamContext& b) {
         return std::make_unique<Timed>(make_registered_team(team, b), decisions);
       });
   if (record.status == Status::kVoid) {

@@ -14,6 +14,7 @@
 #include "runner/io/build_id.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/json.hpp"
+#include "runner/statistics/sample.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -21,9 +22,9 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr int kRounds = 3;
+constexpr int kWorkersRounds = 3;
 constexpr int kWorkers = 2;
-constexpr int kPairs = 6;  // 12 games a run
+constexpr int kWorkersPairs = 6;  // 12 games a run
 
 // Gone with this object.
 class TemporaryFolder {
@@ -64,7 +65,7 @@ Costs run_with(int workers) {
   const TemporaryFolder folder;
   Sweep sweep;
   sweep.factors = {{"b.handicap", {"1.0"}}};
-  sweep.pairs = kPairs;
+  sweep.pairs = kWorkersPairs;
   sweep.seed = 1;
   ExperimentOptions options;
   options.folder = folder.name();
@@ -78,13 +79,7 @@ Costs run_with(int workers) {
           cpu_s(RUSAGE_SELF) - before.parent_cpu_s, cpu_s(RUSAGE_CHILDREN) - before.workers_cpu_s};
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-double games_per_min(const Costs& costs) { return 60 * 2 * kPairs / costs.wall_s; }
+double games_per_min(const Costs& costs) { return 60 * 2 * kWorkersPairs / costs.wall_s; }
 
 std::string json_of(const WorkersBench& result) {
   return JsonObject()
@@ -108,15 +103,15 @@ WorkersBench bench_workers(int rounds, int workers) {
     alone.push_back(games_per_min(one));
     together.push_back(games_per_min(all));
     speedups.push_back(together.back() / alone.back());
-    parent.push_back(all.parent_cpu_s / (2 * kPairs));
-    playing.push_back(all.workers_cpu_s / (2 * kPairs));
+    parent.push_back(all.parent_cpu_s / (2 * kWorkersPairs));
+    playing.push_back(all.workers_cpu_s / (2 * kWorkersPairs));
   }
   return {workers,          median(alone),  median(together),
           median(speedups), median(parent), median(playing)};
 }
 
 int run_workers_bench(bool json) {
-  const WorkersBench result = bench_workers(kRounds, kWorkers);
+  const WorkersBench result = bench_workers(kWorkersRounds, kWorkers);
   if (json) {
     fmt::print("{}\n", json_of(result));
     return kDone;
@@ -124,7 +119,8 @@ int run_workers_bench(bool json) {
   fmt::print("one worker            {:9.1f} games a minute\n", result.games_per_min_alone);
   fmt::print("{} workers             {:9.1f} games a minute\n", result.workers,
              result.games_per_min_together);
-  fmt::print("ratio                 {:9.3f}   (median of {} rounds)\n", result.speedup, kRounds);
+  fmt::print("ratio                 {:9.3f}   (median of {} rounds)\n", result.speedup,
+             kWorkersRounds);
   fmt::print("a game                {:9.3f} s of a worker's processor time\n",
              result.workers_cpu_s_per_game);
   fmt::print("what hands it out     {:9.3f} ms, {:.2f} % of it\n",

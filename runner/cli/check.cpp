@@ -30,9 +30,9 @@ std::string table_of(const std::vector<Rehearsal>& rehearsals) {
 
 int check_verb(const CheckArguments& arguments) {
   const Scenario scenario = read_experiment(arguments.file);
-  const std::vector<PlannedGame> games = plan(scenario);
+  const std::vector<ScheduledGame> games = scheduled_games(scenario);
   if (arguments.games) {
-    for (const PlannedGame& game : games) fmt::print("{}\n", game.id);
+    for (const ScheduledGame& game : games) fmt::print("{}\n", game.id);
     return kDone;
   }
   const std::vector<Rehearsal> rehearsals =
@@ -40,7 +40,7 @@ int check_verb(const CheckArguments& arguments) {
   const int workers = arguments.worker_count();
   fmt::print("{}\n{} games, about {} with {} at a time\n", table_of(rehearsals), games.size(),
              duration_text(duration_s(rehearsals, workers)), workers);
-  const std::string caveat = caveat_of_plan(scenario);
+  const std::string caveat = caveat_of_schedule(scenario);
   if (!caveat.empty()) fmt::print("{}\n", caveat);
   const bool all_play =
       std::all_of(rehearsals.begin(), rehearsals.end(),
@@ -54,7 +54,7 @@ void add_check_verb(CLI::App& app, Chosen& chosen) {
       "Read an experiment, play a few seconds of everything in it, say how long it takes.");
   auto arguments = std::make_shared<CheckArguments>();
   verb->add_option("FILE", arguments->file,
-                   "Scenario of kind sweep, roundrobin, gauntlet, match or knockout.")
+                   "Scenario of kind sweep, roundrobin, gauntlet, sprt or knockout.")
       ->required();
   verb->add_option("-j,--workers", arguments->workers,
                    "Games that would be played at a time. Default: one per processor.")

@@ -18,7 +18,7 @@ namespace {
 constexpr const char* kNoOutput = "the output cannot be written";
 
 int fail(ExitCode code, std::string_view message) {
-  tell(stderr, fmt::format("autoref: {}\n", message));
+  write_message(stderr, fmt::format("autoref: {}\n", message));
   return code;
 }
 
@@ -42,7 +42,7 @@ int exit_code_of(const Chosen& work) {
   } catch (const std::system_error& error) {  // of printing, or of the file system
     return fail(kInputOutput, error.what());
   } catch (const std::exception& error) {
-    return fail(kInternal, fmt::format("a mistake of this program: {}", error.what()));
+    return fail(kInternal, fmt::format("internal error: {}", error.what()));
   }
 }
 
@@ -72,7 +72,7 @@ int run_command_line(int argc, const char* const* argv) {
   add_lab_verb(app, chosen);
   add_view_verb(app, chosen);
   add_draw_verb(app, chosen);
-  add_plan_verb(app, chosen);
+  add_sample_size_verb(app, chosen);
   add_rules_verb(app, chosen);
   add_teams_verb(app, chosen);
   add_bench_verb(app, chosen);

@@ -127,8 +127,8 @@ struct TeamsArguments {
   bool json = false;
 };
 
-// What `autoref plan` is told: numbers as they were typed.
-struct PlanArguments {
+// What `autoref schedule` is told: numbers as they were typed.
+struct SampleSizeArguments {
   std::string delta;
   std::string sd;
   std::string power = "0.8";
@@ -150,7 +150,7 @@ int referee_verb(const RefereeArguments& arguments);
 int lab_verb(const LabArguments& arguments);
 int view_verb(const ViewArguments& arguments);
 int draw_verb(const DrawArguments& arguments);
-int plan_verb(const PlanArguments& arguments);
+int sample_size_verb(const SampleSizeArguments& arguments);
 int rules_verb(const RulesArguments& arguments);
 int teams_verb(const TeamsArguments& arguments);
 
@@ -178,7 +178,7 @@ void add_referee_verb(CLI::App& app, Chosen& chosen);
 void add_lab_verb(CLI::App& app, Chosen& chosen);
 void add_view_verb(CLI::App& app, Chosen& chosen);
 void add_draw_verb(CLI::App& app, Chosen& chosen);
-void add_plan_verb(CLI::App& app, Chosen& chosen);
+void add_sample_size_verb(CLI::App& app, Chosen& chosen);
 void add_rules_verb(CLI::App& app, Chosen& chosen);
 void add_teams_verb(CLI::App& app, Chosen& chosen);
 void add_bench_verb(CLI::App& app, Chosen& chosen);

@@ -17,13 +17,13 @@ namespace autoref::runner {
 namespace {
 
 constexpr double kLongestTrace_s = 120;  // longer ones show nothing but paint
-constexpr double kDensest_s = 0.01;      // between pictures of a trace
+constexpr double kDensest_s = 0.01;      // between frames of a trace
 
 // What is asked for; both are the same for a moment.
-struct Interval {
+struct TimeSpan {
   double from_s = 0;
   double to_s = 0;
-  bool is_moment() const { return from_s == to_s; }
+  bool is_instant() const { return from_s == to_s; }
 };
 
 double seconds_in(const std::string& flag, const std::string& text) {
@@ -31,24 +31,24 @@ double seconds_in(const std::string& flag, const std::string& text) {
   throw InputError({flag}, "", fmt::format("'{}' is no number of seconds", text));
 }
 
-Interval trace_in(const std::string& text) {
+TimeSpan trace_in(const std::string& text) {
   const std::string flag = "--trace";
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos)
     throw InputError({flag}, "", fmt::format("'{}' is not FROM:TO, such as 80:95", text));
-  const Interval interval{seconds_in(flag, text.substr(0, colon)),
+  const TimeSpan interval{seconds_in(flag, text.substr(0, colon)),
                           seconds_in(flag, text.substr(colon + 1))};
   if (interval.to_s <= interval.from_s)
     throw InputError({flag}, "", fmt::format("'{}' ends before it begins", text));
   if (interval.to_s - interval.from_s > kLongestTrace_s) {
     throw InputError({flag}, "",
-                     fmt::format("'{}' is longer than {} s, the most that a picture can show", text,
+                     fmt::format("'{}' is longer than {} s, the most that a drawing can show", text,
                                  kLongestTrace_s));
   }
   return interval;
 }
 
-Interval interval_in(const DrawArguments& arguments) {
+TimeSpan interval_in(const DrawArguments& arguments) {
   if (arguments.at.empty() == arguments.trace.empty())
     throw InputError({}, "", "one of --at and --trace says what to draw");
   if (arguments.at.empty()) return trace_in(arguments.trace);
@@ -59,7 +59,7 @@ Interval interval_in(const DrawArguments& arguments) {
 // Keeps what is asked for, and little else.
 class Collector final : public league::LogVisitor {
  public:
-  explicit Collector(const Interval& interval) : interval_(interval) {}
+  explicit Collector(const TimeSpan& interval) : interval_(interval) {}
 
   void on_referee(double time_s, const league::RefereePacket& packet) override {
     if (time_s > interval_.to_s && game.signal) return;
@@ -67,14 +67,14 @@ class Collector final : public league::LogVisitor {
     game.names = {{packet.yellow().name(), packet.blue().name()}};
   }
 
-  void on_picture(const Frame& picture) override {
-    if (!first_s) first_s = picture.time_s;
-    last_s = picture.time_s;
-    if (interval_.is_moment()) return take_nearest(picture);
-    const bool is_asked = picture.time_s >= interval_.from_s && picture.time_s <= interval_.to_s;
+  void on_frame(const Frame& frame) override {
+    if (!first_s) first_s = frame.time_s;
+    last_s = frame.time_s;
+    if (interval_.is_instant()) return take_nearest(frame);
+    const bool is_asked = frame.time_s >= interval_.from_s && frame.time_s <= interval_.to_s;
     const bool is_dense =
-        !game.pictures.empty() && picture.time_s - game.pictures.back().time_s < kDensest_s;
-    if (is_asked && !is_dense) game.pictures.push_back(picture);
+        !game.frames.empty() && frame.time_s - game.frames.back().time_s < kDensest_s;
+    if (is_asked && !is_dense) game.frames.push_back(frame);
   }
 
   DrawnGame game;
@@ -82,35 +82,33 @@ class Collector final : public league::LogVisitor {
   double last_s = 0;
 
  private:
-  double distance_s(const Frame& picture) const {
-    return std::abs(picture.time_s - interval_.from_s);
+  double distance_s(const Frame& frame) const { return std::abs(frame.time_s - interval_.from_s); }
+
+  void take_nearest(const Frame& frame) {
+    if (game.frames.empty()) game.frames.push_back(frame);
+    if (distance_s(frame) < distance_s(game.frames.front())) game.frames.front() = frame;
   }
 
-  void take_nearest(const Frame& picture) {
-    if (game.pictures.empty()) game.pictures.push_back(picture);
-    if (distance_s(picture) < distance_s(game.pictures.front())) game.pictures.front() = picture;
-  }
-
-  Interval interval_;
+  TimeSpan interval_;
 };
 
 // Throws InputError where the log does not show all of the interval.
-void check_shown(const DrawArguments& arguments, const Interval& interval,
+void check_shown(const DrawArguments& arguments, const TimeSpan& interval,
                  const Collector& collected) {
   const double first_s = collected.first_s.value_or(0);
   const bool is_inside = interval.from_s >= first_s && interval.to_s <= collected.last_s;
-  if (is_inside && !collected.game.pictures.empty()) return;
-  const bool is_moment = interval.is_moment();
+  if (is_inside && !collected.game.frames.empty()) return;
+  const bool is_instant = interval.is_instant();
   throw InputError(
-      {is_moment ? "--at" : "--trace"}, "",
+      {is_instant ? "--at" : "--trace"}, "",
       fmt::format("{} is not in the log, which shows {:.3f} to {:.3f} s",
-                  is_moment ? arguments.at : arguments.trace, first_s, collected.last_s));
+                  is_instant ? arguments.at : arguments.trace, first_s, collected.last_s));
 }
 
 }  // namespace
 
 int draw_verb(const DrawArguments& arguments) {
-  const Interval interval = interval_in(arguments);
+  const TimeSpan interval = interval_in(arguments);
   spare_source("-o", arguments.output, arguments.log);
   std::optional<PendingFile> file;
   open_output(file, "-o", arguments.output);
@@ -123,13 +121,13 @@ int draw_verb(const DrawArguments& arguments) {
 }
 
 void add_draw_verb(CLI::App& app, Chosen& chosen) {
-  CLI::App* verb = app.add_subcommand("draw", "Draw a moment of a recorded game, as SVG.");
+  CLI::App* verb = app.add_subcommand("draw", "Draw one instant of a recorded game, as SVG.");
   auto arguments = std::make_shared<DrawArguments>();
   verb->add_option("LOG", arguments->log, "A .log or .log.gz file.")->required();
-  verb->add_option("-o,--output", arguments->output, "The picture.")->type_name("FILE")->required();
-  verb->add_option("--at", arguments->at, "The moment, in seconds from the log's beginning.")
+  verb->add_option("-o,--output", arguments->output, "The drawing.")->type_name("FILE")->required();
+  verb->add_option("--at", arguments->at, "The instant, in seconds from the log's beginning.")
       ->type_name("SECONDS");
-  verb->add_option("--trace", arguments->trace, "The ways from one moment to another instead.")
+  verb->add_option("--trace", arguments->trace, "The paths from one instant to another instead.")
       ->type_name("FROM:TO");
   verb->footer(
       "Examples:\n  autoref draw game.log.gz --at 83.2 -o frame.svg\n"

@@ -28,17 +28,17 @@ void write(const fs::path& folder, const JudgeReport& report, const Scenario& sc
 
 int judge_verb(const JudgeArguments& arguments) {
   const Scenario scenario = read_scenario(arguments.file);
-  const auto* plan = std::get_if<JudgePlan>(&scenario.content);
-  if (plan == nullptr) {
+  const auto* schedule = std::get_if<JudgeSchedule>(&scenario.content);
+  if (schedule == nullptr) {
     throw InputError({arguments.file}, "kind",
                      fmt::format("this is a {}, not a judge; play it with: autoref {} {}",
                                  kind_of(scenario), verb_of(scenario), arguments.file));
   }
   const fs::path folder = arguments.results_folder();
   create_folder(folder);
-  const std::vector<JudgeGame> games = games_of(*plan);
+  const std::vector<JudgeGame> games = games_of(*schedule);
   const int workers = arguments.worker_count();
-  const JudgeReport report = report_of(*plan, judge_games(games, workers, stderr));
+  const JudgeReport report = report_of(*schedule, judge_games(games, workers, stderr));
   write(folder, report, scenario);
   if (arguments.json) {
     fmt::print("{}\n", json_of(report));

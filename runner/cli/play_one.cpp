@@ -14,7 +14,7 @@
 #include "runner/results/game_report.hpp"
 #include "runner/settings/match_rules.hpp"
 #include "runner/view/decision_lines.hpp"
-#include "runner/view/game_tape.hpp"
+#include "runner/view/game_recording.hpp"
 #include "runner/view/page.hpp"
 #include "sim/camera.hpp"
 
@@ -38,16 +38,16 @@ void end_soon(int signal) {
 // Ends the game at its next frame once the user has asked for it.
 class Watch final : public Observer {
  public:
-  Watch(EventLog& events, league::GameLog* log, GameTape* tape)
-      : events_(events), log_(log), tape_(tape) {
+  Watch(EventLog& events, league::GameLog* log, GameRecording* recording)
+      : events_(events), log_(log), recording_(recording) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, end_soon);
   }
   void on_frame(const Frame& frame, const RefereeSignal& signal,
                 const sim::World& /*world*/) override {
     if (log_ != nullptr) log_->add(frame, signal);
-    if (tape_ != nullptr) {
-      tape_->add(frame);
-      tape_->add(frame.time_s, signal);
+    if (recording_ != nullptr) {
+      recording_->add(frame);
+      recording_->add(frame.time_s, signal);
     }
     if (interrupted != 0) throw Interrupted();
   }
@@ -58,8 +58,8 @@ class Watch final : public Observer {
 
  private:
   EventLog& events_;
-  league::GameLog* log_;  // none where the game is not recorded
-  GameTape* tape_;        // likewise
+  league::GameLog* log_;      // none where the game is not recorded
+  GameRecording* recording_;  // likewise
 };
 
 void open_files(GameFiles& files, const GameOutput& output, const std::string& source) {
@@ -70,22 +70,22 @@ void open_files(GameFiles& files, const GameOutput& output, const std::string& s
   open_output(files.view, "--view", output.view);
 }
 
-league::TeamSheet sheet_on(const GameConfiguration& game, Side side) {
+league::LoggedTeam logged_team_on(const GameConfiguration& game, Side side) {
   return {team_on(game, side).strategy};
 }
 
 void open_log(std::optional<league::GameLog>& log, const GameConfiguration& game,
               const std::string& path) {
   if (path.empty()) return;
-  const auto cameras = sim::camera_places(game.field, game.sim.vision.camera_height_m);
-  log.emplace(
-      path, game.field, std::vector<CameraPlace>(cameras.begin(), cameras.end()),
-      PerSide<league::TeamSheet>{{sheet_on(game, Side::kWest), sheet_on(game, Side::kEast)}});
+  const auto cameras = sim::camera_positions(game.field, game.sim.vision.camera_height_m);
+  log.emplace(path, game.field, std::vector<CameraPosition>(cameras.begin(), cameras.end()),
+              PerSide<league::LoggedTeam>{
+                  {logged_team_on(game, Side::kWest), logged_team_on(game, Side::kEast)}});
 }
 
-std::string view_of(const GameConfiguration& game, const GameTape& tape,
+std::string view_of(const GameConfiguration& game, const GameRecording& recording,
                     const std::string& decisions) {
-  return page_of({tape,
+  return page_of({recording,
                   game.field,
                   {{team_on(game, Side::kWest).strategy, team_on(game, Side::kEast).strategy}},
                   decisions_for_page(decisions, "the decisions")});
@@ -112,15 +112,15 @@ GameRecord play_one(const GameConfiguration& game, const GameOutput& output,
   std::optional<league::GameLog> log;
   open_log(log, game, output.log);
   EventLog decisions;
-  GameTape tape;
-  Watch watch(decisions, log ? &*log : nullptr, files.view ? &tape : nullptr);
+  GameRecording recording;
+  Watch watch(decisions, log ? &*log : nullptr, files.view ? &recording : nullptr);
   const auto start = std::chrono::steady_clock::now();
   GameRecord record = play(game, &watch);
   const double wall_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (log) log->close();
   if (files.events) files.events->commit(decisions.text());
-  if (files.view) files.view->commit(view_of(game, tape, decisions.text()));
+  if (files.view) files.view->commit(view_of(game, recording, decisions.text()));
   const GameReport report{game, record, wall_s, build_id()};
   fmt::print("{}\n", output.json ? json_of(report) : text_of(report));
   return record;

@@ -46,15 +46,16 @@ int referee_verb(const RefereeArguments& arguments) {
   std::optional<PendingFile> events;
   if (!arguments.events.empty()) events.emplace(arguments.events);
   const RecordedFacts facts = read_facts(arguments.log);
-  if (facts.log.pictures == 0) {
+  if (facts.log.frames == 0) {
     throw InputError({arguments.log}, "", "holds no vision packets of 2014 to judge");
   }
   const GameConfiguration game = game_of(arguments, facts);
-  const LogJudgement judgement = judge_log(arguments.log, facts, referee_configuration(game));
-  if (events) events->commit(judgement.events);
-  fmt::print("{}\n",
-             arguments.json ? judgement_json(judgement, facts) : judgement_text(judgement, facts));
-  tell(stderr, damage_text(arguments.log, facts.log));
+  const LogRefereeResult evaluation =
+      referee_log(arguments.log, facts, referee_configuration(game));
+  if (events) events->commit(evaluation.events);
+  fmt::print("{}\n", arguments.json ? referee_log_json(evaluation, facts)
+                                    : referee_log_text(evaluation, facts));
+  write_message(stderr, damage_text(arguments.log, facts.log));
   return facts.log.damage ? kBadInput : kDone;
 }
 

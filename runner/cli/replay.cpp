@@ -15,12 +15,12 @@
 namespace autoref::runner {
 namespace {
 
-const PlannedGame& game_named(const ResultFolder& folder, const std::string& id) {
+const ScheduledGame& game_named(const ResultFolder& folder, const std::string& id) {
   const auto game = std::find_if(folder.games.begin(), folder.games.end(),
-                                 [&id](const PlannedGame& one) { return one.id == id; });
+                                 [&id](const ScheduledGame& one) { return one.id == id; });
   if (game != folder.games.end()) return *game;
   std::vector<std::string> ids;
-  for (const PlannedGame& one : folder.games) ids.push_back(one.id);
+  for (const ScheduledGame& one : folder.games) ids.push_back(one.id);
   throw InputError({folder.path.string()}, "",
                    fmt::format("has no game '{}'; did you mean '{}'? The first column of "
                                "{} has all that were played",
@@ -31,15 +31,16 @@ const PlannedGame& game_named(const ResultFolder& folder, const std::string& id)
 
 int replay_verb(const ReplayArguments& arguments) {
   const ResultFolder folder = open_results(arguments.folder, arguments.build);
-  const PlannedGame& game = game_named(folder, arguments.game);
+  const ScheduledGame& game = game_named(folder, arguments.game);
   const GameRecord record =
       play_one(game.configuration, arguments.output, (folder.path / kEffectiveFile).string());
-  const auto row = folder.stock.done.find(game.id);
-  if (row == folder.stock.done.end()) return kDone;
+  const auto row = folder.completed_games.done.find(game.id);
+  if (row == folder.completed_games.done.end()) return kDone;
   const std::string& stored = row->second[folder.format.column("state_hash")];
   if (stored == hash_text(record.state_hash)) return kDone;
-  tell(stderr, fmt::format("autoref: the row of build {} has the state {}; this is build {}\n",
-                           folder.build, stored, build_id()));
+  write_message(stderr,
+                fmt::format("autoref: the row of build {} has the state {}; this is build {}\n",
+                            folder.build, stored, build_id()));
   return kDifferent;
 }
 

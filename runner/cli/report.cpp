@@ -33,15 +33,16 @@ void print_files(const ExperimentResults& results, const WrittenReport& report,
 std::string report_build(const ResultFolder& folder, const fs::path& into) {
   create_folder(into);
   const ExperimentResults results =
-      write_results(into, folder.scenario, folder.format, folder.stock.done);
+      write_results(into, folder.scenario, folder.format, folder.completed_games.done);
   const WrittenReport report = write_report(folder, results, into);
   fmt::print("{}\n", results.table);
   if (!folder.is_complete()) {
     fmt::print("{} of {} games: interim intervals are no reason to stop\n",
-               folder.stock.done.size(), folder.needed);
+               folder.completed_games.done.size(), folder.needed);
   }
   print_files(results, report, into);
-  for (const std::string& trouble : report.troubles) tell(stderr, "autoref: " + trouble + "\n");
+  for (const std::string& trouble : report.troubles)
+    write_message(stderr, "autoref: " + trouble + "\n");
   return results.table;
 }
 

@@ -20,7 +20,7 @@ ExperimentOptions options_of(const RunArguments& arguments) {
   options.build = build_id();
   options.workers = arguments.worker_count();
   try {
-    options.shard = shard_place_of(arguments.shard);
+    options.shard = shard_index_of(arguments.shard);
   } catch (const std::invalid_argument& error) {
     throw InputError({"--shard"}, "", error.what());
   }
@@ -34,8 +34,8 @@ void print_results(const Scenario& scenario, const ExperimentReport& report,
                    const fs::path& folder) {
   if (!scenario.about.empty()) fmt::print("{}\n\n", scenario.about);
   fmt::print("{}\n", report.results.table);
-  const std::vector<std::string>& never = report.arrows_never_taken;
-  fmt::print("arrows never taken in {} games: {}\n\n", report.games,
+  const std::vector<std::string>& never = report.transitions_never_used;
+  fmt::print("referee transitions never used in {} games: {}\n\n", report.games,
              never.empty() ? "none" : fmt::format("{}", fmt::join(never, ", ")));
   fmt::print("{}   a row per game\n", (folder / "results.csv").string());
   for (const ResultFile& file : report.results.files) {
@@ -51,9 +51,10 @@ int run_verb(const RunArguments& arguments) {
   const ExperimentOptions options = options_of(arguments);
   const ExperimentReport report = run_experiment(scenario, options);
   if (report.is_interrupted) {
-    tell(stderr,
-         fmt::format("autoref: interrupted with {} of {} games done; the same command continues\n",
-                     report.done, report.games));
+    write_message(
+        stderr,
+        fmt::format("autoref: interrupted with {} of {} games done; the same command continues\n",
+                    report.done, report.games));
     return kInterrupted;
   }
   if (report.is_waiting) {
@@ -73,9 +74,9 @@ int run_verb(const RunArguments& arguments) {
   }
   print_results(scenario, report, options.folder);
   if (report.void_games <= kMostVoid * report.games) return kDone;
-  tell(stderr,
-       fmt::format("autoref: {} of {} games are void; {}'s void_reason says why\n",
-                   report.void_games, report.games, (options.folder / "results.csv").string()));
+  write_message(stderr, fmt::format("autoref: {} of {} games are void; {}'s void_reason says why\n",
+                                    report.void_games, report.games,
+                                    (options.folder / "results.csv").string()));
   return kTooManyVoid;
 }
 
@@ -84,7 +85,7 @@ void add_run_verb(CLI::App& app, Chosen& chosen) {
       "run", "Run an experiment: all games of a sweep, of teams against each other, of a match.");
   auto arguments = std::make_shared<RunArguments>();
   add_batch_options(*verb, *arguments,
-                    "Scenario of kind sweep, roundrobin, gauntlet, match or knockout.");
+                    "Scenario of kind sweep, roundrobin, gauntlet, sprt or knockout.");
   verb->add_option("--shard", arguments->shard,
                    "Play only share I (from 0) of N; other runs play the others.")
       ->type_name("I/N");

@@ -10,13 +10,13 @@
 
 namespace autoref::runner {
 
-// Does `change`; what is wrong with it is blamed on `place`, a flag or a file, by an InputError.
+// Does `change`; what is wrong with it is blamed on `location`, a flag or a file, by an InputError.
 template <typename Change>
-void blame(const std::string& place, const Change& change) {
+void blame(const std::string& location, const Change& change) {
   try {
     change();
   } catch (const std::invalid_argument& error) {
-    throw InputError({place}, "", error.what());
+    throw InputError({location}, "", error.what());
   }
 }
 

@@ -11,8 +11,8 @@ namespace autoref::runner {
 namespace {
 
 void print_counts(const ResultFolder& folder) {
-  fmt::print("{}   {} of {} games done, {} void\n", folder.path.string(), folder.stock.done.size(),
-             folder.needed, folder.void_games());
+  fmt::print("{}   {} of {} games done, {} void\n", folder.path.string(),
+             folder.completed_games.done.size(), folder.needed, folder.void_games());
   if (folder.beyond > 0) {
     fmt::print("  {} games were played beyond those that decided it; they do not count\n",
                folder.beyond);
@@ -20,7 +20,7 @@ void print_counts(const ResultFolder& folder) {
   for (const auto& [shard, count] : folder.by_shard) {
     fmt::print("  shard {}   {} games\n", shard, count);
   }
-  for (const auto& [build, count] : folder.stock.other_builds) {
+  for (const auto& [build, count] : folder.completed_games.other_builds) {
     fmt::print("  build {}   {} rows that do not count here\n", build, count);
   }
   if (folder.damaged > 0) fmt::print("  {} damaged rows that do not count\n", folder.damaged);
@@ -28,7 +28,7 @@ void print_counts(const ResultFolder& folder) {
 
 std::vector<Cells> rows_of(const ResultFolder& folder) {
   std::vector<Cells> rows;
-  for (const auto& [id, cells] : folder.stock.done) rows.push_back(cells);
+  for (const auto& [id, cells] : folder.completed_games.done) rows.push_back(cells);
   return rows;
 }
 

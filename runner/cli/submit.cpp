@@ -102,7 +102,7 @@ void print_commands(const std::string& scripts, const std::string& merging) {
 
 int submit_verb(const SubmitArguments& arguments) {
   const Scenario scenario = read_experiment(arguments.file);
-  const std::size_t games = plan(scenario).size();
+  const std::size_t games = scheduled_games(scenario).size();
   const SlurmArray array = array_of(arguments, games);
   const fs::path folder = arguments.results_folder();
   create_folder(folder / kSlurmLogs);
@@ -132,7 +132,7 @@ void add_submit_verb(CLI::App& app, Chosen& chosen) {
       app.add_subcommand("submit", "Hand an experiment to a cluster: an array of Slurm.");
   auto arguments = std::make_shared<SubmitArguments>();
   add_batch_options(*verb, *arguments,
-                    "Scenario of kind sweep, roundrobin, gauntlet, match or knockout.");
+                    "Scenario of kind sweep, roundrobin, gauntlet, sprt or knockout.");
   verb->get_option("--workers")->description("Games played at a time in each task. Default: 1.");
   verb->add_flag("--slurm", arguments->slurm,
                  "The cluster is one of Slurm's; there is no other yet.")

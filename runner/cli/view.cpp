@@ -17,13 +17,13 @@ namespace {
 
 class Recorder final : public league::LogVisitor {
  public:
-  void on_picture(const Frame& picture) override { tape.add(picture); }
+  void on_frame(const Frame& frame) override { recording.add(frame); }
   void on_referee(double time_s, const league::RefereePacket& packet) override {
     names = {{packet.yellow().name(), packet.blue().name()}};
-    if (const auto signal = league::signal_of(packet)) tape.add(time_s, *signal);
+    if (const auto signal = league::signal_of(packet)) recording.add(time_s, *signal);
   }
 
-  GameTape tape;
+  GameRecording recording;
   PerSide<std::string> names;
 };
 
@@ -31,9 +31,9 @@ std::string decisions_in(const std::string& file) {
   return file.empty() ? "[]" : decisions_for_page(read_user_file(file), file);
 }
 
-std::string about(const GameTape& tape, const std::string& path, std::size_t bytes) {
-  return fmt::format("{}: {} pictures, {:.1f} s, {:.1f} MB\n", path, tape.pictures(),
-                     tape.last_s() - tape.first_s(), static_cast<double>(bytes) / 1e6);
+std::string about(const GameRecording& recording, const std::string& path, std::size_t bytes) {
+  return fmt::format("{}: {} frames, {:.1f} s, {:.1f} MB\n", path, recording.frames(),
+                     recording.last_s() - recording.first_s(), static_cast<double>(bytes) / 1e6);
 }
 
 }  // namespace
@@ -45,14 +45,14 @@ int view_verb(const ViewArguments& arguments) {
   const std::string decisions = decisions_in(arguments.events);
   Recorder recorder;
   const league::LogSummary log = read_user_log(arguments.log, recorder);
-  if (recorder.tape.is_full()) {
-    tell(stderr, fmt::format("autoref: {}: only the first {} pictures are shown\n", arguments.log,
-                             recorder.tape.pictures()));
+  if (recorder.recording.is_full()) {
+    write_message(stderr, fmt::format("autoref: {}: only the first {} frames are shown\n",
+                                      arguments.log, recorder.recording.frames()));
   }
   const std::string page =
-      page_of({recorder.tape, log.field.value_or(Field{}), recorder.names, decisions});
+      page_of({recorder.recording, log.field.value_or(Field{}), recorder.names, decisions});
   file->commit(page);
-  fmt::print("{}", about(recorder.tape, arguments.output, page.size()));
+  fmt::print("{}", about(recorder.recording, arguments.output, page.size()));
   return log.damage ? kBadInput : kDone;
 }
 

@@ -4,8 +4,8 @@ namespace autoref::runner {
 
 // Both in the order of the variant's types.
 const std::vector<std::string>& kinds() {
-  static const std::vector<std::string> kKinds = {"game",  "sweep",    "judge",   "roundrobin",
-                                                  "match", "gauntlet", "knockout"};
+  static const std::vector<std::string> kKinds = {"game", "sweep",    "judge",   "roundrobin",
+                                                  "sprt", "gauntlet", "knockout"};
   return kKinds;
 }
 

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "runner/experiments/gauntlet.hpp"
-#include "runner/experiments/judge_plan.hpp"
+#include "runner/experiments/judge_schedule.hpp"
 #include "runner/experiments/knockout.hpp"
-#include "runner/experiments/match.hpp"
 #include "runner/experiments/roundrobin.hpp"
+#include "runner/experiments/sprt_match.hpp"
 #include "runner/settings/configuration.hpp"
 
 namespace autoref::runner {
@@ -35,7 +35,8 @@ struct Sweep {
 
 struct Scenario {
   std::string about;
-  std::variant<GameConfiguration, Sweep, JudgePlan, RoundRobin, Match, Gauntlet, Knockout> content;
+  std::variant<GameConfiguration, Sweep, JudgeSchedule, RoundRobin, SprtMatch, Gauntlet, Knockout>
+      content;
 };
 
 // Every kind, as `kind:` spells it.

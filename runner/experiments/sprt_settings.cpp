@@ -9,7 +9,7 @@ namespace {
 
 constexpr Range kGoals = {-50, 50};
 constexpr Range kErrorRate = {0, 0.49, true};  // both together must stay below 1
-constexpr Range kPairs = {2, 9999};            // one pair has no spread
+constexpr Range kSprtPairs = {2, 9999};        // one pair has no spread
 
 }  // namespace
 
@@ -20,8 +20,13 @@ std::vector<Setting> settings_of(SequentialTest& test) {
       {"sprt.d1", &test.d1, kGoals, {}, goals, "mean difference that the games may speak for"},
       {"sprt.alpha", &test.alpha, kErrorRate, {}, "", "how often d1 may be accepted wrongly"},
       {"sprt.beta", &test.beta, kErrorRate, {}, "", "how often d0 may be accepted wrongly"},
-      {"sprt.min_pairs", &test.min_pairs, kPairs, {}, "", "pairs of legs before any verdict"},
-      {"sprt.max_pairs", &test.max_pairs, kPairs, {}, "", "pairs of legs, then it ends undecided"}};
+      {"sprt.min_pairs", &test.min_pairs, kSprtPairs, {}, "", "pairs of legs before any verdict"},
+      {"sprt.max_pairs",
+       &test.max_pairs,
+       kSprtPairs,
+       {},
+       "",
+       "pairs of legs, then it ends undecided"}};
 }
 
 void check_test(const SequentialTest& test) {

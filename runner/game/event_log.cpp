@@ -41,7 +41,7 @@ std::string decision_json(const referee::Decision& d) {
   const bool is_measured = !d.unit.empty();
   return JsonObject()
       .add("time_s", json_number(d.time_s))
-      .add("arrow", json_text(d.arrow))
+      .add("transition", json_text(d.transition))
       .add("from", json_text(name_of(d.from)))
       .add("to", json_text(name_of(d.to)))
       .add("command", d.command ? json_text(name_of(*d.command)) : kNull)

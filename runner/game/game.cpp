@@ -23,8 +23,8 @@
 namespace autoref::runner {
 namespace {
 
-PerSide<sim::TeamSheet> sheets_of(const GameConfiguration& c) {
-  return {{sheet_of(c, team_on(c, Side::kWest)), sheet_of(c, team_on(c, Side::kEast))}};
+PerSide<sim::TeamSpec> specs_of(const GameConfiguration& c) {
+  return {{spec_of(c, team_on(c, Side::kWest)), spec_of(c, team_on(c, Side::kEast))}};
 }
 
 EndReason reason_of(referee::Event end) {
@@ -37,11 +37,12 @@ class Game {
   Game(const GameConfiguration& c, Observer* observer, const TeamMaker& make_team)
       : configuration_(c),
         observer_(observer),
-        world_(c.field, c.sim, sheets_of(c), c.seed),
+        world_(c.field, c.sim, specs_of(c), c.seed),
         camera_(c.sim.vision, c.field, c.sim.frame_rate_hz, c.seed),
         referee_(referee_configuration(c)),
         situation_(rules_of(c.match)),
-        assistant_(c.field, {{team_on(c, Side::kWest).robots, team_on(c, Side::kEast).robots}}),
+        substitution_controller_(
+            c.field, {{team_on(c, Side::kWest).robots, team_on(c, Side::kEast).robots}}),
         tracks_(sim::split_latency(c.sim).frames),
         statistics_(c.field, c.sim.ball, c.sim.frame_rate_hz),
         players_{{TeamController(c, Side::kWest, make_team),
@@ -63,18 +64,18 @@ class Game {
 
  private:
   void play_frame() {
-    const RefereeSignal& signal = judge();
+    const RefereeSignal& signal = referee_frame();
     if (referee_.is_over()) return;
     const Tracks& tracks = tracks_.oldest();
     const Situation situation = situation_.update(
         signal, tracks.ball ? std::optional(tracks.ball->position_m) : std::nullopt);
     for (Side side : kSides) {
-      const std::string fault = players_[side].decide(tracks, signal, situation, orders_[side]);
+      const std::string fault = players_[side].decide(tracks, signal, situation, commands_[side]);
       if (!fault.empty()) void_game(fmt::format("team {} {}", letter_of(side), fault));
       ended(side == Side::kWest ? Phase::kTeamWest : Phase::kTeamEast);
     }
-    assistant_.act(signal, requests(), frame_.time_s, world_);
-    world_.step(orders_, signal.placement);
+    substitution_controller_.act(signal, requests(), frame_.time_s, world_);
+    world_.step(commands_, signal.placement);
     if (!world_.is_finite()) void_game("a position in the world is not finite");
     ++record_.frames;
     ended(Phase::kPhysics);
@@ -83,7 +84,7 @@ class Game {
   }
 
   // Camera and referee; decisions go into the record.
-  const RefereeSignal& judge() {
+  const RefereeSignal& referee_frame() {
     camera_.look(world_.state(), frame_);
     ended(Phase::kCamera);
     const PerSide<TeamRequests> asked = requests();
@@ -93,13 +94,13 @@ class Game {
     for (const referee::Decision& decision : referee_.decisions()) note(decision);
     frames_in_play_ += referee_.is_ball_in_play() ? 1 : 0;
     ended(Phase::kReferee);
-    if (signal.stage != Stage::kShootout) count_figures();
+    if (signal.stage != Stage::kShootout) count_play();
     ended(Phase::kRecord);
     if (observer_ != nullptr) observer_->on_frame(frame_, signal, world_);
     return signal;
   }
 
-  void count_figures() {
+  void count_play() {
     statistics_.update({world_.state(), world_.touches(), referee_.decisions(),
                         referee_.state() == referee::State::kRun, referee_.is_ball_in_play()});
   }
@@ -112,9 +113,9 @@ class Game {
     hash_.add(decision);
     if (decision.to == referee::State::kOver) record_.end_reason = reason_of(decision.event);
     ++record_.events[static_cast<std::size_t>(decision.event)];
-    if (std::find(record_.arrows.begin(), record_.arrows.end(), decision.arrow) ==
-        record_.arrows.end()) {
-      record_.arrows.push_back(decision.arrow);
+    if (std::find(record_.transitions.begin(), record_.transitions.end(), decision.transition) ==
+        record_.transitions.end()) {
+      record_.transitions.push_back(decision.transition);
     }
     if (observer_ != nullptr) observer_->on_decision(decision);
   }
@@ -136,8 +137,8 @@ class Game {
     if (const std::optional<PerSide<int>> goals = referee_.shootout_goals()) {
       record_.shootout = {(*goals)[a], (*goals)[opponent_of(a)]};
     }
-    const PerSide<PlayFigures> figures = statistics_.figures();
-    record_.figures = {figures[a], figures[opponent_of(a)]};
+    const PerSide<PlayCounts> counts = statistics_.counts();
+    record_.counts = {counts[a], counts[opponent_of(a)]};
     record_.sim_s = time_s();
     record_.ball_in_play_s =
         static_cast<double>(frames_in_play_) / configuration_.sim.frame_rate_hz;
@@ -160,12 +161,12 @@ class Game {
   sim::Camera camera_;
   referee::Referee referee_;
   SituationTracker situation_;
-  Assistant assistant_;
+  SubstitutionController substitution_controller_;
   Frame frame_;
   DelayLine tracks_;
   PlayStatistics statistics_;
   PerSide<TeamController> players_;
-  PerSide<TeamOrders> orders_;
+  PerSide<TeamCommands> commands_;
   StateHash hash_;
   std::int64_t frames_in_play_ = 0;
   GameRecord record_;
@@ -185,10 +186,10 @@ std::string_view name_of(Status status) {
 }
 
 std::unique_ptr<strategies::Strategy> make_registered_team(const std::string& name,
-                                                           const strategies::Briefing& briefing) {
+                                                           const strategies::TeamContext& context) {
   const strategies::Entry* entry = strategies::find_strategy(name);
   if (entry == nullptr) throw std::invalid_argument(fmt::format("unknown strategy '{}'", name));
-  return entry->make(briefing);
+  return entry->make(context);
 }
 
 GameRecord play(const GameConfiguration& configuration, Observer* observer,

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "referee/decision.hpp"
-#include "runner/game/play_counts/play_figures.hpp"
+#include "runner/game/play_counts/play_counts.hpp"
 #include "runner/settings/configuration.hpp"
 #include "sim/world.hpp"
 #include "soccer/frame.hpp"
@@ -36,8 +36,8 @@ struct GameRecord {
   Status status = Status::kOk;
   std::string void_reason;                         // empty unless void
   std::array<int, referee::kEventCount> events{};  // how often each event occurred
-  std::vector<std::string_view> arrows;            // labels of the arrows taken, each once
-  std::array<PlayFigures, 2> figures{};            // [a, b]
+  std::vector<std::string_view> transitions;       // labels of the transitions taken, each once
+  std::array<PlayCounts, 2> counts{};              // [a, b]
   double ball_in_play_s = 0;
   double sim_s = 0;
   std::int64_t frames = 0;
@@ -65,11 +65,11 @@ class Observer {
 
 // Makes the team of that name. Throws std::invalid_argument where there is none.
 using TeamMaker = std::function<std::unique_ptr<strategies::Strategy>(
-    const std::string& name, const strategies::Briefing& briefing)>;
+    const std::string& name, const strategies::TeamContext& context)>;
 
 // The teams of strategies/registry.hpp.
 std::unique_ptr<strategies::Strategy> make_registered_team(const std::string& name,
-                                                           const strategies::Briefing& briefing);
+                                                           const strategies::TeamContext& context);
 
 // Plays one game to its end. Throws std::invalid_argument for a configuration that no game can be
 // made of (unknown strategy, rules or preset, numbers out of range). A strategy that throws or

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kNotice_s = 1.0;              // for the team to say who leaves
 constexpr double kFromHalfwayLine_m = 200_mm;  // of the first place for those who come back
-constexpr double kNextPlace_m = 200_mm;        // and from one to the next
+constexpr double kNextPosition_m = 200_mm;     // and from one to the next
 constexpr double kFromWall_m = 20_mm;          // of a hull
 constexpr double kFromBall_m = 500_mm;         // from hull to ball, as at every restart
 
@@ -40,9 +40,9 @@ int leaver(const sim::World& world, Side side, const TeamRequests& requests) {
                                                          : highest;
 }
 
-bool is_off_ball(const Vec2& place_m, const RefereeSignal& signal, const sim::World& world) {
+bool is_off_ball(const Vec2& position_m, const RefereeSignal& signal, const sim::World& world) {
   const auto keeps_from = [&](const Vec2& ball_m) {
-    return (place_m - ball_m).norm() > kFromBall_m + kRobotRadius_m;
+    return (position_m - ball_m).norm() > kFromBall_m + kRobotRadius_m;
   };
   return keeps_from(world.state().ball.position_m) &&
          (!signal.placement || keeps_from(signal.placement->target_m));
@@ -50,25 +50,25 @@ bool is_off_ball(const Vec2& place_m, const RefereeSignal& signal, const sim::Wo
 
 }  // namespace
 
-std::optional<Vec2> place_of_return(const Field& field, Side side, const RefereeSignal& signal,
+std::optional<Vec2> return_position(const Field& field, Side side, const RefereeSignal& signal,
                                     const sim::World& world) {
   const double turn = -goal_sign(side);  // 1 in the west, -1 in the east
   // In the middle of the run-off, or nearer to the field where the wall leaves no room.
   const double off_line_m =
       std::min(field.run_off_m / 2, field.run_off_m - kRobotRadius_m - kFromWall_m);
   const double beside_m = field.half_width_m() + off_line_m;
-  const int places = static_cast<int>(field.half_length_m() / kNextPlace_m);
+  const int positions = static_cast<int>(field.half_length_m() / kNextPosition_m);
   for (const double y_m : {-beside_m, beside_m}) {
-    for (int i = 0; i < places; ++i) {
-      const Vec2 place_m = turn * Vec2(-kFromHalfwayLine_m - kNextPlace_m * i, y_m);
-      if (world.is_free(place_m) && is_off_ball(place_m, signal, world)) return place_m;
+    for (int i = 0; i < positions; ++i) {
+      const Vec2 position_m = turn * Vec2(-kFromHalfwayLine_m - kNextPosition_m * i, y_m);
+      if (world.is_free(position_m) && is_off_ball(position_m, signal, world)) return position_m;
     }
   }
   return std::nullopt;
 }
 
-void Assistant::act(const RefereeSignal& signal, const PerSide<TeamRequests>& requests,
-                    double time_s, sim::World& world) {
+void SubstitutionController::act(const RefereeSignal& signal, const PerSide<TeamRequests>& requests,
+                                 double time_s, sim::World& world) {
   for (const Side side : kSides) {
     const int allowed = signal.robots_allowed[side];
     note_allowance(side, allowed, time_s);
@@ -83,17 +83,18 @@ void Assistant::act(const RefereeSignal& signal, const PerSide<TeamRequests>& re
   }
 }
 
-void Assistant::note_allowance(Side side, int allowed, double time_s) {
+void SubstitutionController::note_allowance(Side side, int allowed, double time_s) {
   if (allowed < allowed_[side]) fell_s_[side] = time_s;
   allowed_[side] = allowed;
 }
 
-void Assistant::call_back(Side side, const RefereeSignal& signal, sim::World& world) const {
-  const std::optional<Vec2> place_m = place_of_return(field_, side, signal, world);
-  if (!place_m) return;
+void SubstitutionController::call_back(Side side, const RefereeSignal& signal,
+                                       sim::World& world) const {
+  const std::optional<Vec2> position_m = return_position(field_, side, signal, world);
+  if (!position_m) return;
   int number = 0;
   while (world.is_on({side, number})) ++number;
-  world.put_on({side, number}, *place_m, Vec2(0, place_m->y() > 0 ? -1.0 : 1.0));
+  world.put_on({side, number}, *position_m, Vec2(0, position_m->y() > 0 ? -1.0 : 1.0));
 }
 
 }  // namespace autoref::runner

@@ -9,10 +9,11 @@
 
 namespace autoref::runner {
 
-class Assistant {
+class SubstitutionController {
  public:
   // `robots` a side has in all.
-  Assistant(const Field& field, const PerSide<int>& robots) : field_(field), robots_(robots) {}
+  SubstitutionController(const Field& field, const PerSide<int>& robots)
+      : field_(field), robots_(robots) {}
 
   // Once per frame, before the world moves on. While play is stopped a side with more robots than
   // allowed loses one after the other: the one it names, else its highest number but the keeper;
@@ -34,7 +35,7 @@ class Assistant {
 // A free place in the run-off for a robot of `side` that comes back: as near as can be to the
 // halfway line, in its own half, first at the touch line to the right of its goal keeper; its hull
 // more than 500 mm from the ball and from where the ball is to be placed. None where all is taken.
-std::optional<Vec2> place_of_return(const Field& field, Side side, const RefereeSignal& signal,
+std::optional<Vec2> return_position(const Field& field, Side side, const RefereeSignal& signal,
                                     const sim::World& world);
 
 }  // namespace autoref::runner

@@ -16,9 +16,9 @@ namespace {
 // What the side's robots can do.
 std::array<strategies::Abilities, kMaxRobots> abilities_of(const GameConfiguration& c, Side side) {
   std::array<strategies::Abilities, kMaxRobots> all;
-  const sim::TeamSheet sheet = sheet_of(c, team_on(c, side));
-  for (std::size_t i = 0; i < sheet.robots.size(); ++i) {
-    const sim::RobotSheet& robot = sheet.robots[i];
+  const sim::TeamSpec spec = spec_of(c, team_on(c, side));
+  for (std::size_t i = 0; i < spec.robots.size(); ++i) {
+    const sim::RobotSpec& robot = spec.robots[i];
     all[i] = {robot.body.speed_mps * robot.speed_factor,
               robot.body.acceleration_mps2 * robot.acceleration_factor,
               robot.body.braking_mps2 * robot.acceleration_factor, robot.kicker.speed_limit_mps,
@@ -35,7 +35,7 @@ std::unique_ptr<strategies::Strategy> make_team_on(const GameConfiguration& c, S
                                    team.params, abilities_of(c, side)});
 }
 
-// From a picture until the orders decided on it move a robot.
+// From a frame until the orders decided on it move a robot.
 double latency_s(const sim::Configuration& c) {
   const sim::LatencySplit split = sim::split_latency(c);
   return (split.frames + static_cast<double>(split.substeps) / c.substeps) / c.frame_rate_hz;
@@ -52,26 +52,26 @@ TeamController::TeamController(const GameConfiguration& configuration, Side side
 }
 
 std::string TeamController::decide(const Tracks& tracks, const RefereeSignal& signal,
-                                   const Situation& situation, TeamOrders& orders) {
-  orders.fill(RobotCommand{});
+                                   const Situation& situation, TeamCommands& commands) {
+  commands.fill(RobotCommand{});
   fill_view(tracks, signal, situation, side_, view_);
   std::string fault;
   try {
-    strategy_->decide(view_, orders);
+    strategy_->decide(view_, commands);
     requests_ = strategy_->requests();
-    fault = fault_in(orders);
+    fault = fault_in(commands);
   } catch (const std::exception& error) {
     fault = fmt::format("threw: {}", error.what());
   } catch (...) {
     fault = "threw something that is no std::exception";
   }
-  if (!fault.empty()) orders.fill(RobotCommand{});
+  if (!fault.empty()) commands.fill(RobotCommand{});
   return fault;
 }
 
-std::string TeamController::fault_in(const TeamOrders& orders) const {
+std::string TeamController::fault_in(const TeamCommands& commands) const {
   for (int number = 0; number < robots_; ++number) {
-    if (!is_finite(orders[static_cast<std::size_t>(number)])) {
+    if (!is_finite(commands[static_cast<std::size_t>(number)])) {
       return fmt::format("ordered a number that is not finite for robot {}", number);
     }
   }

@@ -17,15 +17,15 @@ class TeamController {
  public:
   TeamController(const GameConfiguration& configuration, Side side, const TeamMaker& make_team);
 
-  // Fills `orders`; returns what went wrong, empty where nothing did. Then all orders are zero.
+  // Fills `commands`; returns what went wrong, empty where nothing did. Then all orders are zero.
   std::string decide(const Tracks& tracks, const RefereeSignal& signal, const Situation& situation,
-                     TeamOrders& orders);
+                     TeamCommands& commands);
 
   // What the team asked for with its last decision.
   const TeamRequests& requests() const { return requests_; }
 
  private:
-  std::string fault_in(const TeamOrders& orders) const;
+  std::string fault_in(const TeamCommands& commands) const;
 
   Side side_;
   int robots_;

@@ -8,7 +8,7 @@
 
 namespace autoref::runner {
 
-// The tracks of the last few pictures, so that teams see the field as it was.
+// The tracks of the last few frames, so that teams see the field as it was.
 class DelayLine {
  public:
   explicit DelayLine(int frames) : tracks_(static_cast<std::size_t>(frames) + 1) {}
@@ -17,7 +17,7 @@ class DelayLine {
     tracks_[taken_ % tracks_.size()] = tracks;
     ++taken_;
   }
-  // As many pictures back as the line is long; the first one until there are that many.
+  // As many frames back as the line is long; the first one until there are that many.
   const Tracks& oldest() const {
     return taken_ < tracks_.size() ? tracks_.front() : tracks_[taken_ % tracks_.size()];
   }

@@ -49,10 +49,9 @@ void check_params(const TeamConfiguration& team, std::string_view name) {
   }
 }
 
-void check_speeds(const GameConfiguration& game, const sim::TeamSheet& sheet,
-                  std::string_view name) {
+void check_speeds(const GameConfiguration& game, const sim::TeamSpec& spec, std::string_view name) {
   const double most_mps = sim::fastest_mps(game.sim);
-  for (const sim::RobotSheet& robot : sheet.robots) {
+  for (const sim::RobotSpec& robot : spec.robots) {
     const double robot_mps = sim::fastest_mps(robot);
     if (robot_mps <= most_mps) continue;
     throw std::invalid_argument(
@@ -64,25 +63,25 @@ void check_speeds(const GameConfiguration& game, const sim::TeamSheet& sheet,
 
 void check_robots(const GameConfiguration& game, const TeamConfiguration& team,
                   std::string_view name) {
-  sim::TeamSheet sheet;
+  sim::TeamSpec spec;
   try {
-    sheet = sheet_of(game, team);
+    spec = spec_of(game, team);
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("{}.{}", name, error.what()));
   }
   for (const auto& [number, player] : team.players) {
     try {
-      sim::validate(sheet.robots[static_cast<std::size_t>(number)]);
+      sim::validate(spec.robots[static_cast<std::size_t>(number)]);
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument(
           fmt::format("{}.players.{}: with the team's, {}", name, number, error.what()));
     }
   }
-  check_speeds(game, sheet, name);
+  check_speeds(game, spec, name);
 }
 
 // Names of types do not matter, only what they change.
-bool is_told_by_changes(const Setting& setting) {
+bool is_given_by_changes(const Setting& setting) {
   return std::holds_alternative<TypeName>(setting.target) ||
          std::holds_alternative<ChangesOf>(setting.target) ||
          std::holds_alternative<RobotTypes*>(setting.target);
@@ -131,7 +130,7 @@ std::uint64_t configuration_hash(const GameConfiguration& game) {
   GameConfiguration copy = game;
   std::string text;
   for (const Setting& setting : settings_of(copy)) {
-    if (is_alias(setting) || is_told_by_changes(setting)) continue;
+    if (is_alias(setting) || is_given_by_changes(setting)) continue;
     text += fmt::format("{}={}\n", setting.path, value_of(setting));
   }
   text += team_text(game, "teams.a", game.a) + team_text(game, "teams.b", game.b);

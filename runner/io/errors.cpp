@@ -7,9 +7,10 @@
 namespace autoref::runner {
 namespace {
 
-std::string text_of(const Place& place, std::string_view key, std::string_view message) {
-  std::string text = place.file;
-  if (place.line > 0) text += fmt::format(":{}:{}", place.line, place.column);
+std::string message_of(const FileLocation& location, std::string_view key,
+                       std::string_view message) {
+  std::string text = location.file;
+  if (location.line > 0) text += fmt::format(":{}:{}", location.line, location.column);
   if (!text.empty()) text += ": ";
   if (!key.empty()) text += fmt::format("{}: ", key);
   return text.append(message);
@@ -17,15 +18,15 @@ std::string text_of(const Place& place, std::string_view key, std::string_view m
 
 }  // namespace
 
-InputError::InputError(const Place& place, std::string_view key, std::string_view message)
-    : std::runtime_error(text_of(place, key, message)), place_(place), key_(key) {}
+InputError::InputError(const FileLocation& location, std::string_view key, std::string_view message)
+    : std::runtime_error(message_of(location, key, message)), location_(location), key_(key) {}
 
 InputOutputError io_error(std::string_view what, int error_number) {
   return InputOutputError(
       fmt::format("{}: {}", what, std::generic_category().message(error_number)));
 }
 
-void tell(std::FILE* stream, std::string_view text) {
+void write_message(std::FILE* stream, std::string_view text) {
   // Whether it arrived does not matter to anybody who could still be told.
   std::fwrite(text.data(), 1, text.size(), stream);
   std::fflush(stream);

@@ -13,7 +13,7 @@ enum ExitCode : int {
   kBadInput = 2,      // a file, a key or a flag is wrong; the message says which
   kTooManyVoid = 3,   // more than one game in twenty went wrong
   kDifferent = 4,     // a game that was played again did not come out as before
-  kInternal = 70,     // a mistake of this program
+  kInternal = 70,     // internal error
   kInputOutput = 74,  // a folder or file cannot be written, or another run holds the folder
   kInterrupted = 75,  // the same command continues
 };
@@ -22,7 +22,7 @@ enum ExitCode : int {
 inline constexpr double kMostVoid = 0.05;
 
 // A place in a user's file. Lines and columns count from 1; 0 where there is none.
-struct Place {
+struct FileLocation {
   std::string file;
   int line = 0;
   int column = 0;
@@ -31,13 +31,13 @@ struct Place {
 // A user's mistake: exit code 2. what() reads "file:line:column: key: message".
 class InputError : public std::runtime_error {
  public:
-  InputError(const Place& place, std::string_view key, std::string_view message);
+  InputError(const FileLocation& location, std::string_view key, std::string_view message);
 
-  const Place& place() const { return place_; }
+  const FileLocation& location() const { return location_; }
   const std::string& key() const { return key_; }
 
  private:
-  Place place_;
+  FileLocation location_;
   std::string key_;
 };
 
@@ -52,7 +52,7 @@ InputOutputError io_error(std::string_view what, int error_number);
 
 // Says something to people on `stream`, usually stderr. Where nobody can hear it any more, because
 // the terminal is gone or the disk is full, nothing happens: results and exit code still count.
-void tell(std::FILE* stream, std::string_view text);
+void write_message(std::FILE* stream, std::string_view text);
 
 // The user pressed Ctrl-C: exit code 75.
 class Interrupted : public std::runtime_error {

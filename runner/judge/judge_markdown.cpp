@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "runner/judge/judge_figures.hpp"
+#include "runner/judge/judge_measures.hpp"
 #include "runner/judge/judge_report.hpp"
 
 namespace autoref::runner {
@@ -23,7 +23,7 @@ std::string markdown_head(const std::vector<std::string>& heads, std::size_t nam
 // The events of a book in the referee's order, each with its cameras below each other.
 std::string events_table(const JudgeReport& report, const std::string& rules) {
   std::vector<std::string> heads = {"event", "camera"};
-  for (const Figure& figure : figures()) heads.emplace_back(figure.head);
+  for (const Measure& measure : measures()) heads.emplace_back(measure.head);
   std::string text = markdown_head(heads, 2);
   for (const std::string& name : call_names()) {
     for (const CameraTally& tally : report.tallies) {
@@ -31,7 +31,7 @@ std::string events_table(const JudgeReport& report, const std::string& rules) {
       if (tally.rules != rules || found == tally.events.end()) continue;
       std::vector<std::string> cells = {needs_height(name) ? name + " (height)" : name,
                                         tally.camera};
-      for (const Figure& figure : figures()) cells.push_back(figure.text(found->second));
+      for (const Measure& measure : measures()) cells.push_back(measure.text(found->second));
       text += markdown_row(cells);
     }
   }
@@ -133,7 +133,8 @@ std::string markdown_of(const JudgeReport& report) {
   text += list("events called twice", report.second_calls);
   text += list("calls that need play while there was none", report.calls_in_stop);
   text += list("void games", report.void_games);
-  text += fmt::format("arrows never taken: {}\n", joined(report.arrows_never_taken));
+  text +=
+      fmt::format("referee transitions never used: {}\n", joined(report.transitions_never_used));
   text += fmt::format("events never seen: {}\n", joined(report.rules_never_seen));
   for (const std::string& rules : books) {
     text += fmt::format("\nrules: {}, {} games under each camera\n\n{}", rules,

@@ -9,13 +9,13 @@
 #include "referee/machine/machine.hpp"
 #include "runner/io/csv.hpp"
 #include "runner/io/json.hpp"
-#include "runner/judge/judge_figures.hpp"
+#include "runner/judge/judge_measures.hpp"
 
 namespace autoref::runner {
 namespace {
 
-using truth::Outcome;
-using truth::Verdict;
+using ground_truth::Outcome;
+using ground_truth::Verdict;
 
 std::string fault_line(const JudgeGame& game, const Verdict& verdict) {
   const bool is_missed = verdict.outcome == Outcome::kMissed;
@@ -28,8 +28,8 @@ std::string fault_line(const JudgeGame& game, const Verdict& verdict) {
 }
 
 // Adds one game to the lists of what is to be looked up.
-void list_faults(const JudgeGame& game, const Judgement& judgement, JudgeReport& report) {
-  for (const Verdict& verdict : judgement.verdicts) {
+void list_faults(const JudgeGame& game, const CallEvaluation& evaluation, JudgeReport& report) {
+  for (const Verdict& verdict : evaluation.verdicts) {
     if (verdict.is_second) {
       report.second_calls.push_back(
           fmt::format("{}: {} at {:.3f} s", game.id, verdict.name, verdict.time_s));
@@ -38,11 +38,11 @@ void list_faults(const JudgeGame& game, const Judgement& judgement, JudgeReport&
       report.faults_csv += fault_line(game, verdict);
     }
   }
-  for (const std::string& call : judgement.calls_in_stop) {
+  for (const std::string& call : evaluation.calls_in_stop) {
     report.calls_in_stop.push_back(fmt::format("{}: {}", game.id, call));
   }
-  if (!judgement.void_reason.empty()) {
-    report.void_games.push_back(fmt::format("{}: {}", game.id, judgement.void_reason));
+  if (!evaluation.void_reason.empty()) {
+    report.void_games.push_back(fmt::format("{}: {}", game.id, evaluation.void_reason));
   }
 }
 
@@ -54,9 +54,9 @@ CameraTally& tally_of(JudgeReport& report, const JudgeGame& game) {
 
 std::vector<std::string> never_taken(const std::set<std::string, std::less<>>& taken) {
   std::vector<std::string> never;
-  for (const auto& part : referee::all_arrows()) {
-    for (const referee::Arrow& arrow : part) {
-      if (!taken.contains(arrow.label)) never.emplace_back(arrow.label);
+  for (const auto& part : referee::all_transitions()) {
+    for (const referee::Transition& transition : part) {
+      if (!taken.contains(transition.label)) never.emplace_back(transition.label);
     }
   }
   return never;
@@ -78,9 +78,9 @@ std::string json_of(const CameraTally& tally, const std::string& name, const Eve
   object.add("rules", json_text(tally.rules))
       .add("camera", json_text(tally.camera))
       .add("event", json_text(name));
-  for (const Figure& figure : figures()) {
-    const std::string text = figure.text(event);
-    object.add(figure.name, text.empty() ? "null" : text);
+  for (const Measure& measure : measures()) {
+    const std::string text = measure.text(event);
+    object.add(measure.name, text.empty() ? "null" : text);
   }
   return object.text();
 }
@@ -106,34 +106,35 @@ std::string texts_json(const std::vector<std::string>& lines) {
 
 }  // namespace
 
-JudgeReport report_of(const JudgePlan& plan, const std::vector<Judgement>& judgements) {
+JudgeReport report_of(const JudgeSchedule& schedule,
+                      const std::vector<CallEvaluation>& judgements) {
   JudgeReport report;
   report.faults_csv = "rules,camera,game,seed,a_plays,event,outcome,time_s,offender,borderline\n";
-  for (const std::string& rules : plan.rules) {
-    for (const std::string& camera : plan.cameras) {
+  for (const std::string& rules : schedule.rules) {
+    for (const std::string& camera : schedule.cameras) {
       report.tallies.push_back({rules, camera, 0, 0, {}, {}});
     }
   }
   std::set<std::string, std::less<>> taken;
-  const std::vector<JudgeGame> games = games_of(plan);
+  const std::vector<JudgeGame> games = games_of(schedule);
   for (std::size_t i = 0; i < games.size(); ++i) {
     tally_of(report, games[i]).add(judgements[i]);
     list_faults(games[i], judgements[i], report);
-    taken.insert(judgements[i].arrows.begin(), judgements[i].arrows.end());
+    taken.insert(judgements[i].transitions.begin(), judgements[i].transitions.end());
   }
-  report.arrows_never_taken = never_taken(taken);
+  report.transitions_never_used = never_taken(taken);
   report.rules_never_seen = never_seen(report.tallies);
   return report;
 }
 
 std::string csv_of(const JudgeReport& report) {
   std::vector<std::string> heads = {"rules", "camera", "event"};
-  for (const Figure& figure : figures()) heads.emplace_back(figure.name);
+  for (const Measure& measure : measures()) heads.emplace_back(measure.name);
   std::string text = csv_line(heads) + "\n";
   for (const CameraTally& tally : report.tallies) {
     for (const auto& [name, event] : tally.events) {
       std::vector<std::string> cells = {tally.rules, tally.camera, name};
-      for (const Figure& figure : figures()) cells.push_back(figure.text(event));
+      for (const Measure& measure : measures()) cells.push_back(measure.text(event));
       text += csv_line(cells) + "\n";
     }
   }
@@ -153,7 +154,7 @@ std::string json_of(const JudgeReport& report) {
       .add("second_calls", texts_json(report.second_calls))
       .add("calls_in_stop", texts_json(report.calls_in_stop))
       .add("void_games", texts_json(report.void_games))
-      .add("arrows_never_taken", texts_json(report.arrows_never_taken))
+      .add("transitions_never_used", texts_json(report.transitions_never_used))
       .add("events_never_seen", texts_json(report.rules_never_seen))
       .text();
 }

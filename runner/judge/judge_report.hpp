@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "runner/experiments/judge_plan.hpp"
+#include "runner/experiments/judge_schedule.hpp"
 #include "runner/judge/judge_tally.hpp"
 
 namespace autoref::runner {
@@ -15,13 +15,13 @@ struct JudgeReport {
   std::vector<std::string> second_calls;   // another call had answered the event already
   std::vector<std::string> calls_in_stop;  // calls that need play, while there was none
   std::vector<std::string> void_games;
-  std::vector<std::string> arrows_never_taken;
+  std::vector<std::string> transitions_never_used;
   std::vector<std::string> rules_never_seen;  // calls that no game gave, of events that no game had
   std::string faults_csv;                     // a row per missed event and wrong call
 };
 
 // `judgements` are those of games_of(plan), in its order.
-JudgeReport report_of(const JudgePlan& plan, const std::vector<Judgement>& judgements);
+JudgeReport report_of(const JudgeSchedule& schedule, const std::vector<CallEvaluation>& judgements);
 
 // Markdown: F1 of everything at a glance, last touches, the checks, and a table of all figures for
 // each rule book.

@@ -18,25 +18,25 @@ std::optional<double> EventTally::precision() const { return share(right, calls(
 std::optional<double> EventTally::recall() const { return share(right, happened()); }
 std::optional<double> EventTally::f1() const { return share(2 * right, calls() + happened()); }
 
-void EventTally::add(const truth::Verdict& verdict) {
+void EventTally::add(const ground_truth::Verdict& verdict) {
   const int borderline = verdict.is_borderline ? 1 : 0;
   in_air += verdict.is_in_air ? 1 : 0;
   switch (verdict.outcome) {
-    case truth::Outcome::kRight:
+    case ground_truth::Outcome::kRight:
       ++right;
       early += verdict.is_early ? 1 : 0;
       delays_s.push_back(verdict.delay_s);
       if (verdict.error_m) errors_m.push_back(*verdict.error_m);
       return;
-    case truth::Outcome::kWrong:
+    case ground_truth::Outcome::kWrong:
       ++wrong;
       borderline_wrong += borderline;
       return;
-    case truth::Outcome::kMissed:
+    case ground_truth::Outcome::kMissed:
       ++missed;
       borderline_missed += borderline;
       return;
-    case truth::Outcome::kOvertaken:
+    case ground_truth::Outcome::kOvertaken:
       ++overtaken;
   }
 }
@@ -48,17 +48,18 @@ std::optional<double> quantile(std::vector<double> sample, double share) {
   return sample[static_cast<std::size_t>(std::max(1.0, rank)) - 1];
 }
 
-void CameraTally::add(const Judgement& judgement) {
+void CameraTally::add(const CallEvaluation& evaluation) {
   ++games;
-  if (!judgement.void_reason.empty()) {
+  if (!evaluation.void_reason.empty()) {
     ++void_games;
     return;
   }
-  for (const truth::Verdict& verdict : judgement.verdicts) events[verdict.name].add(verdict);
+  for (const ground_truth::Verdict& verdict : evaluation.verdicts)
+    events[verdict.name].add(verdict);
   for (std::size_t team = 0; team < last_touch.size(); ++team) {
-    last_touch[team].right += judgement.last_touch[team].right;
-    last_touch[team].wrong += judgement.last_touch[team].wrong;
-    last_touch[team].unknown += judgement.last_touch[team].unknown;
+    last_touch[team].right += evaluation.last_touch[team].right;
+    last_touch[team].wrong += evaluation.last_touch[team].wrong;
+    last_touch[team].unknown += evaluation.last_touch[team].unknown;
   }
 }
 

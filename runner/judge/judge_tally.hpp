@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "runner/judge/judgement.hpp"
+#include "runner/judge/call_evaluation.hpp"
 
 namespace autoref::runner {
 
@@ -33,7 +33,7 @@ struct EventTally {
   // The league's technical challenge of 2016: +1 for a right call, -2 for a wrong one.
   int score() const { return right - 2 * wrong; }
 
-  void add(const truth::Verdict& verdict);
+  void add(const ground_truth::Verdict& verdict);
 };
 
 // The smallest value that at least `share` of the sample do not exceed; none of an empty one.
@@ -48,7 +48,7 @@ struct CameraTally {
   std::map<std::string, EventTally> events;  // by name
   std::array<LastTouchTally, 2> last_touch;  // by the team that truly touched it
 
-  void add(const Judgement& judgement);
+  void add(const CallEvaluation& evaluation);
 };
 
 // The referee's names of calls, in the order of referee/decision.hpp.

@@ -12,43 +12,43 @@
 namespace autoref::runner {
 namespace {
 
-constexpr double kSameTime_s = 1e-9;
+constexpr double kLabSameTime_s = 1e-9;
 
-// `order` at `time_s`, on its way from the speeds of the `former` one.
-RobotCommand eased(const TimedOrder& order, const RobotCommand& former, double time_s) {
-  RobotCommand command = order.command;
-  if (time_s + kSameTime_s >= order.at_s + order.over_s) return command;
-  const double left = 1.0 - (time_s - order.at_s) / order.over_s;
+// `timed` at `time_s`, on its way from the speeds of the `former` one.
+RobotCommand eased(const TimedCommand& timed, const RobotCommand& former, double time_s) {
+  RobotCommand command = timed.command;
+  if (time_s + kLabSameTime_s >= timed.at_s + timed.over_s) return command;
+  const double left = 1.0 - (time_s - timed.at_s) / timed.over_s;
   command.velocity_mps += left * (former.velocity_mps - command.velocity_mps);
   command.angular_velocity_radps +=
       left * (former.angular_velocity_radps - command.angular_velocity_radps);
   return command;
 }
 
-// The order in force for pictures taken at `time_s`.
-RobotCommand order_at(const LabRobot& robot, double time_s) {
+// The order in force for frames taken at `time_s`.
+RobotCommand command_at(const LabRobot& robot, double time_s) {
   RobotCommand command;
   RobotCommand former;
-  for (const TimedOrder& order : robot.orders) {
-    if (order.at_s > time_s + kSameTime_s) break;
-    command = eased(order, former, time_s);
-    former = order.command;
+  for (const TimedCommand& timed : robot.commands) {
+    if (timed.at_s > time_s + kLabSameTime_s) break;
+    command = eased(timed, former, time_s);
+    former = timed.command;
   }
   return command;
 }
 
-PerSide<TeamOrders> orders_at(const LabScene& scene, double time_s) {
-  PerSide<TeamOrders> orders{};
+PerSide<TeamCommands> commands_at(const LabScene& scene, double time_s) {
+  PerSide<TeamCommands> commands{};
   for (const LabRobot& robot : scene.robots) {
-    orders[robot.id.side][static_cast<std::size_t>(robot.id.number)] = order_at(robot, time_s);
+    commands[robot.id.side][static_cast<std::size_t>(robot.id.number)] = command_at(robot, time_s);
   }
-  return orders;
+  return commands;
 }
 
 sim::World world_of(const LabScene& scene) {
-  PerSide<sim::TeamSheet> sheets;
-  for (const LabRobot& robot : scene.robots) sheets[robot.id.side].robots.push_back(robot.sheet);
-  sim::World world(scene.field, scene.sim, sheets, scene.seed);
+  PerSide<sim::TeamSpec> specs;
+  for (const LabRobot& robot : scene.robots) specs[robot.id.side].robots.push_back(robot.spec);
+  sim::World world(scene.field, scene.sim, specs, scene.seed);
   for (const LabRobot& robot : scene.robots) world.put_robot(robot.id, robot.start);
   world.put_ball(scene.ball);
   return world;
@@ -110,11 +110,11 @@ LabScene::LabScene() {
 LabRecord play_lab_scene(const LabScene& scene) {
   sim::World world = world_of(scene);
   LabRecord record{scene.sim.frame_rate_hz, {world.state()}};
-  // As in a game: the picture ages whole frames, the radio link delays by the sub-steps left.
+  // As in a game: the frame ages whole frames, the radio link delays by the sub-steps left.
   const int old_frames = sim::split_latency(scene.sim).frames;
   const auto frames = static_cast<int>(std::lround(scene.duration_s * scene.sim.frame_rate_hz));
   for (int f = 0; f < frames; ++f) {
-    world.step(orders_at(scene, (f - old_frames) / scene.sim.frame_rate_hz), std::nullopt);
+    world.step(commands_at(scene, (f - old_frames) / scene.sim.frame_rate_hz), std::nullopt);
     record.states.push_back(world.state());
   }
   return record;

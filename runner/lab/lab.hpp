@@ -13,7 +13,7 @@ namespace autoref::runner {
 
 // Replaces a robot's former order from that time on. The speeds change evenly from the former
 // order's to its own within `over_s`.
-struct TimedOrder {
+struct TimedCommand {
   double at_s = 0;
   double over_s = 0;
   RobotCommand command;
@@ -21,9 +21,9 @@ struct TimedOrder {
 
 struct LabRobot {
   RobotId id;  // numbered from 0 on each side, in the file's order
-  sim::RobotSheet sheet;
+  sim::RobotSpec spec;
   sim::RobotState start;
-  std::vector<TimedOrder> orders;  // by rising time
+  std::vector<TimedCommand> commands;  // by rising time
 };
 
 // Motors, kickers, camera and radio are exact and without delay unless the scene says otherwise.
@@ -34,7 +34,7 @@ struct LabScene {
   double duration_s = 1;
   Field field;
   sim::Configuration sim;
-  sim::RobotSheet robot;  // what a robot has unless its type says otherwise
+  sim::RobotSpec robot;  // what a robot has unless its type says otherwise
   std::uint64_t seed = 1;
   sim::BallState ball;
   std::vector<LabRobot> robots;

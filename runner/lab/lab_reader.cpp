@@ -22,10 +22,10 @@ const std::vector<std::string> kTop = {"schema", "kind", "about", "duration_s", 
                                        "sim",    "seed", "ball",  "robots"};
 const std::vector<std::string> kBall = {"x_m",    "y_m",    "height_m", "vx_mps",
                                         "vy_mps", "vz_mps", "rolls"};
-const std::vector<std::string> kRobot = {"side",   "type",   "x_m",        "y_m",   "heading_deg",
-                                         "vx_mps", "vy_mps", "turn_radps", "orders"};
-const std::vector<std::string> kOrder = {"at_s",       "over_s",   "forward_mps", "left_mps",
-                                         "turn_radps", "kick_mps", "chip",        "dribble"};
+const std::vector<std::string> kRobot = {"side",   "type",   "x_m",        "y_m",     "heading_deg",
+                                         "vx_mps", "vy_mps", "turn_radps", "commands"};
+const std::vector<std::string> kCommand = {"at_s",       "over_s",   "forward_mps", "left_mps",
+                                           "turn_radps", "kick_mps", "chip",        "dribble"};
 
 constexpr Range kSpeed_mps{-20, 20};
 constexpr Range kTurn_radps{-100, 100};
@@ -55,8 +55,8 @@ class LabReader {
     game.sim = scene_.sim;
     game.robot = scene_.robot;
     game.seed = scene_.seed;
-    Places places;
-    SettingsReader settings(file_, game, places);
+    SettingLocations locations;
+    SettingsReader settings(file_, game, locations);
     for (const YamlEntry& entry : top_) {
       if (entry.key == "field" || entry.key == "sim" || entry.key == "seed") {
         settings.read(entry, entry.key);
@@ -107,14 +107,14 @@ class LabReader {
       const Mapping from(file_, entry, entry.key, kRobot);
       std::string side;
       from.word("side", side, {"west", "east"});
-      if (side.empty()) file_.refuse(entry.place, entry.key, "the key 'side' is missing");
+      if (side.empty()) file_.refuse(entry.location, entry.key, "the key 'side' is missing");
       LabRobot robot;
-      robot.sheet = scene_.robot;
+      robot.spec = scene_.robot;
       if (const YamlEntry* type = from.find("type")) read_type(*type, from.path_to("type"), robot);
       robot.id.side = side == "west" ? Side::kWest : Side::kEast;
       robot.id.number = count[robot.id.side]++;
       if (robot.id.number == kMaxRobots) {
-        file_.refuse(entry.place, entry.key,
+        file_.refuse(entry.location, entry.key,
                      fmt::format("expected at most {} robots a side", kMaxRobots));
       }
       read_robot(from, robot);
@@ -129,13 +129,13 @@ class LabReader {
     try {
       take_type(text, file_.folder(), types);
     } catch (const std::invalid_argument& error) {
-      file_.refuse(value_place(entry), path, error.what());
+      file_.refuse(value_location(entry), path, error.what());
     }
     if (types.empty()) {
-      file_.refuse(value_place(entry), path,
+      file_.refuse(value_location(entry), path,
                    fmt::format("expected {}, found '{}'", kExpected, text));
     }
-    apply_changes(types.begin()->second, robot.sheet);
+    apply_changes(types.begin()->second, robot.spec);
   }
 
   void read_robot(const Mapping& from, LabRobot& robot) const {
@@ -146,40 +146,41 @@ class LabReader {
     from.number("heading_deg", heading_deg, {-360, 360}, "deg");
     robot.start.heading = heading_of(heading_deg * kPi / 180.0);
     from.number("turn_radps", robot.start.angular_velocity_radps, kTurn_radps, "rad/s");
-    const YamlEntry* orders = from.find("orders");
-    if (orders == nullptr) return;
-    for (const YamlEntry& entry : elements(*orders, from.path_to("orders"))) {
-      robot.orders.push_back(read_order(entry));
-      if (robot.orders.size() > 1 && robot.orders.end()[-2].at_s >= robot.orders.back().at_s) {
-        file_.refuse(entry.place, entry.key, "expected a time after the order's before it");
+    const YamlEntry* commands = from.find("commands");
+    if (commands == nullptr) return;
+    for (const YamlEntry& entry : elements(*commands, from.path_to("commands"))) {
+      robot.commands.push_back(read_command(entry));
+      if (robot.commands.size() > 1 &&
+          robot.commands.end()[-2].at_s >= robot.commands.back().at_s) {
+        file_.refuse(entry.location, entry.key, "expected a time after the previous command's");
       }
     }
   }
 
-  TimedOrder read_order(const YamlEntry& entry) const {
-    const Mapping from(file_, entry, entry.key, kOrder);
+  TimedCommand read_command(const YamlEntry& entry) const {
+    const Mapping from(file_, entry, entry.key, kCommand);
     if (from.find("at_s") == nullptr) {
-      file_.refuse(entry.place, entry.key, "the key 'at_s' is missing");
+      file_.refuse(entry.location, entry.key, "the key 'at_s' is missing");
     }
-    TimedOrder order;
-    RobotCommand& command = order.command;
-    from.number("at_s", order.at_s, {0, 600}, "s");
-    from.number("over_s", order.over_s, {0, 600}, "s");
+    TimedCommand timed;
+    RobotCommand& command = timed.command;
+    from.number("at_s", timed.at_s, {0, 600}, "s");
+    from.number("over_s", timed.over_s, {0, 600}, "s");
     from.number("forward_mps", command.velocity_mps.x(), kSpeed_mps, "m/s");
     from.number("left_mps", command.velocity_mps.y(), kSpeed_mps, "m/s");
     from.number("turn_radps", command.angular_velocity_radps, kTurn_radps, "rad/s");
     from.number("kick_mps", command.kick_mps, {0, 20}, "m/s");
     from.yes_or_no("chip", command.chip);
     from.yes_or_no("dribble", command.dribble);
-    return order;
+    return timed;
   }
 
   // The elements of a list, each named by its place such as "robots[0]".
   Entries elements(const YamlEntry& list, const std::string& path) const {
-    if (!list.value.IsSequence()) file_.refuse(value_place(list), path, "expected a list");
+    if (!list.value.IsSequence()) file_.refuse(value_location(list), path, "expected a list");
     Entries entries;
     for (const YAML::Node& node : list.value) {
-      entries.push_back({fmt::format("{}[{}]", path, entries.size()), place_of(node), node});
+      entries.push_back({fmt::format("{}[{}]", path, entries.size()), location_of(node), node});
     }
     return entries;
   }

@@ -18,13 +18,13 @@ bool is_restart(CommandKind kind) {
   }
 }
 
-bool fits(const Call& recorded, const Call& judged, double lead_s) {
-  return recorded.restart == judged.restart && judged.stop_s <= recorded.restart_s &&
-         judged.restart_s >= recorded.stop_s - lead_s;
+bool fits(const Call& recorded, const Call& refereed, double lead_s) {
+  return recorded.restart == refereed.restart && refereed.stop_s <= recorded.restart_s &&
+         refereed.restart_s >= recorded.stop_s - lead_s;
 }
 
 double time_of(const CallPair& pair) {
-  return pair.recorded ? pair.recorded->stop_s : pair.judged->stop_s;
+  return pair.recorded ? pair.recorded->stop_s : pair.refereed->stop_s;
 }
 
 double share(int part, int whole) { return whole > 0 ? static_cast<double>(part) / whole : 0; }
@@ -38,29 +38,29 @@ void CallMaker::take(double time_s, Command command) {
   stopped_s_.reset();
 }
 
-double Agreement::precision() const { return share(right, judged); }
+double Agreement::precision() const { return share(right, refereed); }
 double Agreement::recall() const { return share(right, recorded); }
-double Agreement::f1() const { return share(2 * right, recorded + judged); }
+double Agreement::f1() const { return share(2 * right, recorded + refereed); }
 
-Agreement agreement_of(std::span<const Call> recorded, std::span<const Call> judged,
+Agreement agreement_of(std::span<const Call> recorded, std::span<const Call> refereed,
                        double lead_s) {
-  Agreement agreement{{}, 0, static_cast<int>(recorded.size()), static_cast<int>(judged.size())};
-  std::vector<bool> is_taken(judged.size(), false);
+  Agreement agreement{{}, 0, static_cast<int>(recorded.size()), static_cast<int>(refereed.size())};
+  std::vector<bool> is_taken(refereed.size(), false);
   std::size_t first = 0;  // those before are over before anything that is still to come
   for (const Call& call : recorded) {
-    while (first < judged.size() && judged[first].restart_s < call.stop_s - lead_s) ++first;
+    while (first < refereed.size() && refereed[first].restart_s < call.stop_s - lead_s) ++first;
     CallPair pair{call, std::nullopt};
-    for (std::size_t i = first; i < judged.size() && judged[i].stop_s <= call.restart_s; ++i) {
-      if (is_taken[i] || !fits(call, judged[i], lead_s)) continue;
+    for (std::size_t i = first; i < refereed.size() && refereed[i].stop_s <= call.restart_s; ++i) {
+      if (is_taken[i] || !fits(call, refereed[i], lead_s)) continue;
       is_taken[i] = true;
-      pair.judged = judged[i];
+      pair.refereed = refereed[i];
       ++agreement.right;
       break;
     }
     agreement.pairs.push_back(pair);
   }
-  for (std::size_t i = 0; i < judged.size(); ++i) {
-    if (!is_taken[i]) agreement.pairs.push_back({std::nullopt, judged[i]});
+  for (std::size_t i = 0; i < refereed.size(); ++i) {
+    if (!is_taken[i]) agreement.pairs.push_back({std::nullopt, refereed[i]});
   }
   std::stable_sort(agreement.pairs.begin(), agreement.pairs.end(),
                    [](const CallPair& a, const CallPair& b) { return time_of(a) < time_of(b); });

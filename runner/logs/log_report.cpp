@@ -39,7 +39,7 @@ std::string records_text(const league::LogSummary& log) {
 }
 
 std::string field_text(const std::optional<Field>& field) {
-  if (!field) return "not told";
+  if (!field) return "unknown";
   const bool is_box = field->defence_area.shape == DefenceArea::Shape::kBox;
   return fmt::format("{} x {} m, defence areas {} m deep, {}", field->length_m, field->width_m,
                      field->defence_area.depth_m, is_box ? "boxes" : "quarter circles");
@@ -110,10 +110,10 @@ std::string info_text(const RecordedFacts& facts, bool lists_commands) {
   return fmt::format(
       "length    {} min:s\n"
       "records   {}\n"
-      "pictures  {}\n"
+      "frames    {}\n"
       "field     {}\n"
       "score     {}\n\n{}\n{}",
-      clock_text(log.length_s), records_text(log), log.pictures, field_text(log.field),
+      clock_text(log.length_s), records_text(log), log.frames, field_text(log.field),
       score_text(facts), cameras_table(facts), commands_text(facts, lists_commands));
 }
 
@@ -141,7 +141,7 @@ std::string info_json(const RecordedFacts& facts) {
   return JsonObject()
       .add("length_s", json_number(facts.log.length_s))
       .add("records", records.text())
-      .add("pictures", std::to_string(facts.log.pictures))
+      .add("frames", std::to_string(facts.log.frames))
       .add("goals", recorded_score(facts))
       .add("teams",
            json_list({json_text(facts.names[Side::kWest]), json_text(facts.names[Side::kEast])}))
@@ -152,14 +152,14 @@ std::string info_json(const RecordedFacts& facts) {
       .text();
 }
 
-std::string judgement_text(const LogJudgement& judgement, const RecordedFacts& facts) {
+std::string referee_log_text(const LogRefereeResult& evaluation, const RecordedFacts& facts) {
   Rows rows = {{"stopped", "recorded", "AutoRef", ""}};
-  for (const CallPair& pair : judgement.agreement.pairs) {
-    const double stop_s = pair.recorded ? pair.recorded->stop_s : pair.judged->stop_s;
+  for (const CallPair& pair : evaluation.agreement.pairs) {
+    const double stop_s = pair.recorded ? pair.recorded->stop_s : pair.refereed->stop_s;
     rows.push_back(
-        {clock_text(stop_s), name_of(pair.recorded), name_of(pair.judged), verdict_of(pair)});
+        {clock_text(stop_s), name_of(pair.recorded), name_of(pair.refereed), verdict_of(pair)});
   }
-  const Agreement& all = judgement.agreement;
+  const Agreement& all = evaluation.agreement;
   return fmt::format(
       "{}\n"
       "score     recorded {}, AutoRef {}:{}\n"
@@ -170,24 +170,24 @@ std::string judgement_text(const LogJudgement& judgement, const RecordedFacts& f
       facts.last_signal ? fmt::format("{}:{}", facts.last_signal->goals[Side::kWest],
                                       facts.last_signal->goals[Side::kEast])
                         : "-",
-      judgement.goals[Side::kWest], judgement.goals[Side::kEast], all.recorded, all.judged,
+      evaluation.goals[Side::kWest], evaluation.goals[Side::kEast], all.recorded, all.refereed,
       all.right, all.precision(), all.recall(), all.f1(), all.challenge_score());
 }
 
-std::string judgement_json(const LogJudgement& judgement, const RecordedFacts& facts) {
-  const Agreement& all = judgement.agreement;
+std::string referee_log_json(const LogRefereeResult& evaluation, const RecordedFacts& facts) {
+  const Agreement& all = evaluation.agreement;
   std::vector<std::string> calls;
   for (const CallPair& pair : all.pairs) {
     calls.push_back(JsonObject()
                         .add("recorded", json_of(pair.recorded))
-                        .add("autoref", json_of(pair.judged))
+                        .add("autoref", json_of(pair.refereed))
                         .text());
   }
   return JsonObject()
       .add("recorded_goals", recorded_score(facts))
-      .add("goals", json_of(judgement.goals))
+      .add("goals", json_of(evaluation.goals))
       .add("recorded", std::to_string(all.recorded))
-      .add("judged", std::to_string(all.judged))
+      .add("judged", std::to_string(all.refereed))
       .add("right", std::to_string(all.right))
       .add("precision", json_number(all.precision()))
       .add("recall", json_number(all.recall()))

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "runner/logs/log_judge.hpp"
+#include "runner/logs/log_referee.hpp"
 #include "runner/logs/recorded_facts.hpp"
 
 namespace autoref::runner {
@@ -16,7 +16,7 @@ std::string info_text(const RecordedFacts& facts, bool lists_commands);
 std::string info_json(const RecordedFacts& facts);
 
 // AutoRef's calls beside the recorded ones, and how well they agree.
-std::string judgement_text(const LogJudgement& judgement, const RecordedFacts& facts);
-std::string judgement_json(const LogJudgement& judgement, const RecordedFacts& facts);
+std::string referee_log_text(const LogRefereeResult& evaluation, const RecordedFacts& facts);
+std::string referee_log_json(const LogRefereeResult& evaluation, const RecordedFacts& facts);
 
 }  // namespace autoref::runner

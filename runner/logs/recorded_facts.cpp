@@ -38,10 +38,10 @@ std::string name_text(std::string_view bytes) {
 
 class FactFinder final : public league::LogVisitor {
  public:
-  void on_picture(const Frame& picture) override {
+  void on_frame(const Frame& frame) override {
     for (const Side side : kSides) {
       facts.robots[side] =
-          std::max(facts.robots[side], static_cast<int>(picture.robots[side].size()));
+          std::max(facts.robots[side], static_cast<int>(frame.robots[side].size()));
     }
   }
 

@@ -39,7 +39,7 @@ struct RecordedFacts {
   PerSide<std::string> names;                       // empty where the log does not tell
   std::optional<RefereeSignal> last_signal;         // none where no referee is in the log
   std::map<std::uint32_t, RecordedCamera> cameras;  // by number
-  PerSide<int> robots;                              // the most that a picture shows
+  PerSide<int> robots;                              // the most that a frame shows
   std::optional<double> half_s;                     // from the clock of the first half
   int halves = 0;                                   // begun
   std::optional<Side> first_kickoff;

@@ -27,9 +27,9 @@ league::LogSummary read_user_log(const std::string& path, league::LogVisitor& vi
   } catch (const league::LogError& error) {
     throw InputError({}, "", error.what());
   }
-  tell(stderr, damage_text(path, log));
-  if (log.pictures > 0) return log;
-  throw InputError({path}, "", "the log shows no picture of the field: nothing can be seen");
+  write_message(stderr, damage_text(path, log));
+  if (log.frames > 0) return log;
+  throw InputError({path}, "", "the log shows no frame of the field: nothing can be seen");
 }
 
 }  // namespace autoref::runner

@@ -12,7 +12,7 @@ namespace autoref::runner {
 std::string damage_text(const std::string& path, const league::LogSummary& log);
 
 // Shows the log to `visitor`. Says on stderr where the log is damaged or makes no sense. Throws
-// InputError where it is no log or shows no picture.
+// InputError where it is no log or shows no frame.
 league::LogSummary read_user_log(const std::string& path, league::LogVisitor& visitor);
 
 }  // namespace autoref::runner

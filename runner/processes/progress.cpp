@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "runner/io/errors.hpp"
-#include "runner/processes/live_view.hpp"
+#include "runner/processes/standings_table.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -64,7 +64,7 @@ void Progress::tick() {
   renew_table();
   const std::string bar =
       bar_text(counts_.done, counts_.total) + progress_text(counts_, elapsed_s());
-  tell(stream_, live_view(bar, table_, screen_of(stream_)));
+  write_message(stream_, standings_table(bar, table_, screen_of(stream_)));
 }
 
 void Progress::renew_table() {
@@ -79,7 +79,7 @@ void Progress::renew_table() {
 void Progress::say(const std::string& message) {
   if (stream_ == nullptr) return;
   clear();
-  tell(stream_, message + "\n");
+  write_message(stream_, message + "\n");
 }
 
 double Progress::elapsed_s() const {
@@ -87,7 +87,7 @@ double Progress::elapsed_s() const {
 }
 
 void Progress::clear() {
-  if (is_terminal_) tell(stream_, kClearView);
+  if (is_terminal_) write_message(stream_, kClearTable);
 }
 
 }  // namespace autoref::runner

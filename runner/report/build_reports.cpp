@@ -24,7 +24,7 @@ std::string folder_name(const std::string& build) { return "build-" + build; }
 Table table_of(const std::vector<BuildReport>& builds) {
   Table table{{{"build", "games", "of", "void"}}, 1};
   for (const auto& [folder, text] : builds) {
-    table.rows.push_back({folder.build, std::to_string(folder.stock.done.size()),
+    table.rows.push_back({folder.build, std::to_string(folder.completed_games.done.size()),
                           std::to_string(folder.games.size()),
                           std::to_string(folder.void_games())});
   }

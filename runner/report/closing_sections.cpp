@@ -8,8 +8,8 @@ namespace {
 
 constexpr std::size_t kMostVoidGames = 20;  // that are named
 
-std::string effective_file(const std::string& way) {
-  return way == "." ? kEffectiveFile : fmt::format("{}/{}", way, kEffectiveFile);
+std::string effective_file(const std::string& direction) {
+  return direction == "." ? kEffectiveFile : fmt::format("{}/{}", direction, kEffectiveFile);
 }
 
 }  // namespace
@@ -19,7 +19,7 @@ Section void_section(const ResultFolder& folder) {
   const std::size_t reason = folder.format.column("void_reason");
   List list;
   std::size_t others = 0;
-  for (const auto& [id, cells] : folder.stock.done) {
+  for (const auto& [id, cells] : folder.completed_games.done) {
     if (cells[status] != name_of(Status::kVoid)) continue;
     if (list.items.size() == kMostVoidGames) {
       ++others;
@@ -35,13 +35,13 @@ Section void_section(const ResultFolder& folder) {
           list};
 }
 
-Section settings_section(const ResultFolder& folder, const std::string& way) {
+Section settings_section(const ResultFolder& folder, const std::string& direction) {
   const std::vector<DefaultDifference> differences = differences_from_defaults(folder.scenario);
   Table table{{{"setting", "here", "default"}}, 3};
   for (const DefaultDifference& difference : differences) {
     table.rows.push_back({difference.path, difference.here, difference.by_default});
   }
-  Section section = {Heading{"Settings"}, Link{effective_file(way), "Every setting"}};
+  Section section = {Heading{"Settings"}, Link{effective_file(direction), "Every setting"}};
   if (!differences.empty()) {
     const Paragraph intro{"What differs from the defaults of its rule book:"};
     section.emplace_back(intro);
@@ -50,9 +50,9 @@ Section settings_section(const ResultFolder& folder, const std::string& way) {
   return section;
 }
 
-Section commands_section(const ResultFolder& folder, const std::string& way) {
+Section commands_section(const ResultFolder& folder, const std::string& direction) {
   const std::string folder_and_build =
-      way + (folder.stock.other_builds.empty() ? "" : " --build " + folder.build);
+      direction + (folder.completed_games.other_builds.empty() ? "" : " --build " + folder.build);
   return {
       Heading{"To reproduce it"},
       Paragraph{fmt::format("In the folder of this report, with build {}, these play every game "
@@ -61,7 +61,7 @@ Section commands_section(const ResultFolder& folder, const std::string& way) {
       Verbatim{fmt::format("autoref run {0} -o again\n"
                            "autoref verify {1} --sample 5\n"
                            "autoref report {1}\n",
-                           effective_file(way), folder_and_build)}};
+                           effective_file(direction), folder_and_build)}};
 }
 
 }  // namespace autoref::runner

@@ -20,7 +20,7 @@ CrossCell from_other_side(const CrossCell& cell) {
   return other;
 }
 
-std::optional<std::size_t> place_of(const Crosstable& table, const std::string& team) {
+std::optional<std::size_t> rank_of(const Crosstable& table, const std::string& team) {
   const auto found = std::find(table.teams.begin(), table.teams.end(), team);
   if (found == table.teams.end()) return std::nullopt;
   return static_cast<std::size_t>(found - table.teams.begin());
@@ -35,8 +35,8 @@ std::optional<Crosstable> crosstable_of(const ExperimentResults& results) {
   table.cells.assign(table.teams.size(), std::vector<std::optional<CrossCell>>(table.teams.size()));
   for (const Group& group : results.groups) {
     if (group.values.size() != 2) return std::nullopt;
-    const std::optional<std::size_t> a = place_of(table, group.values[0]);
-    const std::optional<std::size_t> b = place_of(table, group.values[1]);
+    const std::optional<std::size_t> a = rank_of(table, group.values[0]);
+    const std::optional<std::size_t> b = rank_of(table, group.values[1]);
     if (!a || !b || *a == *b) return std::nullopt;
     table.cells[*a][*b] = cell_of_a(group);
     table.cells[*b][*a] = from_other_side(*table.cells[*a][*b]);

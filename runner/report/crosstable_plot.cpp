@@ -11,7 +11,7 @@
 namespace autoref::runner {
 namespace {
 
-constexpr int kFrameHeight_px = 130;
+constexpr int kCrosstableFrameHeight_px = 130;
 constexpr std::size_t kMostTeams = 30;  // whose numbers can be read
 
 int row_height_px(std::size_t teams) { return teams <= 6 ? 56 : teams <= 12 ? 40 : 26; }
@@ -55,7 +55,7 @@ double reach_of(const Crosstable& table) {
 std::string script_of(const Crosstable& table) {
   const std::size_t teams = table.teams.size();
   return script_head("crosstable",
-                     kFrameHeight_px + static_cast<int>(teams) * row_height_px(teams)) +
+                     kCrosstableFrameHeight_px + static_cast<int>(teams) * row_height_px(teams)) +
          script_tics("y", table.teams) + script_tics("x", table.teams) +
          fmt::format(
              "unset grid\n"

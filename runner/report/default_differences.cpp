@@ -17,10 +17,10 @@ using Teams = std::map<std::string, TeamConfiguration>;
 
 constexpr const char* kNothing = "{}";  // how a branch without changes is spelt
 
-Values values_of(const std::vector<Setting>& settings) {
+Values comparable_values(const std::vector<Setting>& settings) {
   Values values;
   for (const Setting& setting : settings) {
-    if (!is_alias(setting) && !is_decided_by_plan(setting.path)) {
+    if (!is_alias(setting) && !is_decided_by_schedule(setting.path)) {
       values[setting.path] = value_of(setting);
     }
   }
@@ -38,14 +38,14 @@ void compare(const Values& here, const Values& defaults, std::vector<DefaultDiff
 Values defaults_for(const GameConfiguration& game) {
   GameConfiguration usual;
   set_by_path(usual, "match.rules", game.match.rules);
-  Values values = values_of(settings_of(usual));
+  Values values = comparable_values(settings_of(usual));
   values["match.rules"] = MatchConfiguration{}.rules;
   return values;
 }
 
 void compare_games(GameConfiguration game, bool has_named_teams,
                    std::vector<DefaultDifference>& found) {
-  Values here = values_of(settings_of(game));
+  Values here = comparable_values(settings_of(game));
   if (has_named_teams) {
     std::erase_if(here, [](const auto& value) { return value.first.starts_with("teams."); });
   }
@@ -58,8 +58,8 @@ void compare_teams(const GameConfiguration& base, const Teams& teams,
   set_by_path(usual, "match.rules", base.match.rules);
   for (auto [name, team] : teams) {
     const std::string prefix = fmt::format("teams.{}.", name);
-    compare(values_of(settings_of(team, base.types, prefix)),
-            values_of(settings_of(usual.a, usual.types, prefix)), found);
+    compare(comparable_values(settings_of(team, base.types, prefix)),
+            comparable_values(settings_of(usual.a, usual.types, prefix)), found);
   }
 }
 

@@ -11,8 +11,8 @@ namespace autoref::runner {
 namespace {
 
 constexpr int kCurveHeight_px = 400;
-constexpr int kRowHeight_px = 26;
-constexpr int kFrameHeight_px = 90;
+constexpr int kDifferenceRowHeight_px = 26;
+constexpr int kDifferenceFrameHeight_px = 90;
 
 constexpr const char* kWhatBarsAre =
     "the bars are Student's 95 % intervals over pairs of legs. Above 0, team a is better.";
@@ -60,7 +60,7 @@ std::string curve_script(const NumericFactor& factor, const std::vector<Group>& 
 
 std::string rows_script(const Scenario& scenario, const std::vector<std::string>& names) {
   const int rows = static_cast<int>(names.size());
-  return script_head("difference", kFrameHeight_px + kRowHeight_px * rows) +
+  return script_head("difference", kDifferenceFrameHeight_px + kDifferenceRowHeight_px * rows) +
          script_tics("y", names) +
          fmt::format(
              "set ylabel {0}\n"

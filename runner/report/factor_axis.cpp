@@ -9,7 +9,7 @@
 namespace autoref::runner {
 namespace {
 
-constexpr double kMargin = 0.06;       // of the values' span, on either side
+constexpr double kAxisMargin = 0.06;   // of the values' span, on either side
 constexpr double kDodge = 0.004;       // of the span
 constexpr std::size_t kMostTics = 16;  // of values; more would overlap
 
@@ -37,8 +37,8 @@ std::string tics_of(const NumericFactor& factor, const std::vector<Group>& group
 
 std::string factor_axis(const NumericFactor& factor, const std::vector<Group>& groups) {
   const Span span = span_of(factor);
-  double left = span.low - kMargin * span.width();
-  double right = span.high + kMargin * span.width();
+  double left = span.low - kAxisMargin * span.width();
+  double right = span.high + kAxisMargin * span.width();
   if (factor.is_falling()) std::swap(left, right);
   return fmt::format("set xlabel {}\nset xrange [{:.6g}:{:.6g}]\n", script_text(factor.path), left,
                      right) +

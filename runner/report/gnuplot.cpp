@@ -52,9 +52,9 @@ class Workplace {
 // Where gnuplot runs, and that what it says goes to a file there.
 class SpawnActions {
  public:
-  explicit SpawnActions(const Workplace& place) {
+  explicit SpawnActions(const Workplace& workplace) {
     posix_spawn_file_actions_init(&actions_);
-    posix_spawn_file_actions_addchdir_np(&actions_, place.path().c_str());
+    posix_spawn_file_actions_addchdir_np(&actions_, workplace.path().c_str());
     posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, kMessages,
                                      O_WRONLY | O_CREAT | O_APPEND, 0600);
@@ -71,8 +71,8 @@ class SpawnActions {
 };
 
 // 0, or the error's number, which is ENOENT where there is no gnuplot.
-int start(const Workplace& place, std::string script, pid_t& process) {
-  const SpawnActions actions(place);
+int start(const Workplace& workplace, std::string script, pid_t& process) {
+  const SpawnActions actions(workplace);
   std::string program = "gnuplot";
   std::string without_user_settings = "-d";
   const std::array<char*, 4> arguments = {program.data(), without_user_settings.data(),
@@ -108,19 +108,19 @@ std::string one_line(std::string text) {
 }  // namespace
 
 Drawing draw(const Plot& plot, double longest_s) {
-  const Workplace place;
-  replace_file(place / (plot.name + ".csv"), plot.csv);
-  replace_file(place / (plot.name + ".gp"), plot.script);
+  const Workplace workplace;
+  replace_file(workplace / (plot.name + ".csv"), plot.csv);
+  replace_file(workplace / (plot.name + ".gp"), plot.script);
   pid_t process = 0;
-  const int error_number = start(place, plot.name + ".gp", process);
+  const int error_number = start(workplace, plot.name + ".gp", process);
   if (error_number != 0) {
     return {"", "gnuplot cannot be started: " + std::generic_category().message(error_number),
             error_number == ENOENT};
   }
   const std::string trouble = end_of(process, longest_s);
-  const std::string svg = read_file(place / (plot.name + ".svg")).value_or("");
+  const std::string svg = read_file(workplace / (plot.name + ".svg")).value_or("");
   if (trouble.empty() && svg.find("</svg>") != std::string::npos) return {svg, "", false};
-  const std::string messages = one_line(read_file(place / kMessages).value_or(""));
+  const std::string messages = one_line(read_file(workplace / kMessages).value_or(""));
   return {"", fmt::format("{}: {}", trouble.empty() ? "gnuplot drew nothing" : trouble, messages),
           false};
 }

@@ -11,7 +11,7 @@
 namespace autoref::runner {
 namespace {
 
-constexpr int kFrameHeight_px = 90;
+constexpr int kHistogramFrameHeight_px = 90;
 constexpr double kTallestBar = 0.85;  // of a row's height
 
 int row_height_px(std::size_t rows) {
@@ -42,7 +42,7 @@ std::string rows_of(std::size_t row, const std::string& name, const GamesByDiffe
 
 std::string script_of(const Scenario& scenario, const std::vector<std::string>& names) {
   const int rows = static_cast<int>(names.size());
-  return script_head("histogram", kFrameHeight_px + rows * row_height_px(names.size())) +
+  return script_head("histogram", kHistogramFrameHeight_px + rows * row_height_px(names.size())) +
          script_tics("y", names) +
          fmt::format(
              "set ylabel {}\n"

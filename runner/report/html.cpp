@@ -60,21 +60,21 @@ std::string_view element_of(const std::string& svg) {
   return begin == std::string::npos ? std::string_view() : std::string_view(svg).substr(begin);
 }
 
-std::string text_of(const Heading& heading) {
+std::string html_of(const Heading& heading) {
   return fmt::format("<h2>{}</h2>\n", escaped(heading.text));
 }
 
-std::string text_of(const Paragraph& paragraph) {
+std::string html_of(const Paragraph& paragraph) {
   return fmt::format("<p>{}</p>\n", escaped(paragraph.text));
 }
 
-std::string text_of(const List& list) {
+std::string html_of(const List& list) {
   std::string text = "<ul>\n";
   for (const std::string& item : list.items) text += fmt::format("<li>{}</li>\n", escaped(item));
   return text + "</ul>\n";
 }
 
-std::string text_of(const Table& table) {
+std::string html_of(const Table& table) {
   std::string text =
       "<div class=\"wide\"><table>\n" + row_of(table.rows.front(), "th", table.names);
   for (std::size_t i = 1; i < table.rows.size(); ++i) {
@@ -83,15 +83,15 @@ std::string text_of(const Table& table) {
   return text + "</table></div>\n";
 }
 
-std::string text_of(const Verbatim& verbatim) {
+std::string html_of(const Verbatim& verbatim) {
   return fmt::format("<pre>{}</pre>\n", escaped(verbatim.text));
 }
 
-std::string text_of(const Link& link) {
+std::string html_of(const Link& link) {
   return fmt::format("<p><a href=\"{}\">{}</a></p>\n", escaped(link.file), escaped(link.text));
 }
 
-std::string text_of(const Figure& figure) {
+std::string html_of(const Figure& figure) {
   return fmt::format(
       "<figure>\n{0}<figcaption>{1} (<a href=\"{2}/{3}.csv\">data</a>, <a "
       "href=\"{2}/{3}.gp\">script</a>)</figcaption>\n</figure>\n",
@@ -108,7 +108,7 @@ std::string html_of(const Document& document) {
       "<style>\n{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n",
       title, kStyle);
   for (const Block& block : document.blocks) {
-    text += std::visit([](const auto& content) { return text_of(content); }, block);
+    text += std::visit([](const auto& content) { return html_of(content); }, block);
   }
   return text + "</body>\n</html>\n";
 }

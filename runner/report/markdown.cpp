@@ -55,16 +55,16 @@ std::string fence_for(const std::string& text) {
   return std::string(longest + 1, '`');
 }
 
-std::string text_of(const Heading& heading) { return "## " + inline_text(heading.text) + "\n"; }
-std::string text_of(const Paragraph& paragraph) { return escaped_line(paragraph.text) + "\n"; }
+std::string markdown_of(const Heading& heading) { return "## " + inline_text(heading.text) + "\n"; }
+std::string markdown_of(const Paragraph& paragraph) { return escaped_line(paragraph.text) + "\n"; }
 
-std::string text_of(const List& list) {
+std::string markdown_of(const List& list) {
   std::string text;
   for (const std::string& item : list.items) text += "- " + escaped_line(item) + "\n";
   return text;
 }
 
-std::string text_of(const Table& table) {
+std::string markdown_of(const Table& table) {
   std::vector<std::string> rule(table.rows.front().size(), "--:");
   std::fill_n(rule.begin(), std::min(table.names, rule.size()), "---");
   std::string text = row_of(table.rows.front()) + fmt::format("|{}|\n", fmt::join(rule, "|"));
@@ -72,17 +72,17 @@ std::string text_of(const Table& table) {
   return text;
 }
 
-std::string text_of(const Verbatim& verbatim) {
+std::string markdown_of(const Verbatim& verbatim) {
   const std::string fence = fence_for(verbatim.text);
   const bool is_ended = verbatim.text.empty() || verbatim.text.back() == '\n';
   return fmt::format("{}\n{}{}{}\n", fence, verbatim.text, is_ended ? "" : "\n", fence);
 }
 
-std::string text_of(const Link& link) {
+std::string markdown_of(const Link& link) {
   return fmt::format("[{}]({})\n", inline_text(link.text), link.file);
 }
 
-std::string text_of(const Figure& figure) {
+std::string markdown_of(const Figure& figure) {
   return fmt::format("![{0}]({1}/{0}.svg)\n\n{2} ([data]({1}/{0}.csv), [script]({1}/{0}.gp))\n",
                      figure.name, figure.folder, escaped_line(figure.caption));
 }
@@ -92,7 +92,7 @@ std::string text_of(const Figure& figure) {
 std::string markdown_of(const Document& document) {
   std::string text = "# " + inline_text(document.title) + "\n";
   for (const Block& block : document.blocks) {
-    text += "\n" + std::visit([](const auto& content) { return text_of(content); }, block);
+    text += "\n" + std::visit([](const auto& content) { return markdown_of(content); }, block);
   }
   return text;
 }

@@ -30,11 +30,11 @@ void add_rows_that_do_not_count(Table& table, const ResultFolder& folder) {
   if (folder.damaged > 0) {
     table.rows.push_back({"damaged rows, which do not count", std::to_string(folder.damaged)});
   }
-  if (folder.stock.other_games > 0) {
+  if (folder.completed_games.other_games > 0) {
     table.rows.push_back({"rows of games that the experiment does not have",
-                          std::to_string(folder.stock.other_games)});
+                          std::to_string(folder.completed_games.other_games)});
   }
-  for (const auto& [build, count] : folder.stock.other_builds) {
+  for (const auto& [build, count] : folder.completed_games.other_builds) {
     table.rows.push_back(
         {"rows of build " + build + ", which do not count here", std::to_string(count)});
   }
@@ -43,13 +43,14 @@ void add_rows_that_do_not_count(Table& table, const ResultFolder& folder) {
 }  // namespace
 
 Section played_section(const ResultFolder& folder, const ExperimentResults& results) {
-  Table table{{{"experiment", ""},
-               {"kind", kind_text(folder.scenario)},
-               {"games", fmt::format("{} of {}", folder.stock.done.size(), folder.needed)},
-               {"void games", std::to_string(folder.void_games())},
-               {"build", folder.build.empty() ? "none" : folder.build},
-               {"master seed", master_seed(folder.scenario)}},
-              2};
+  Table table{
+      {{"experiment", ""},
+       {"kind", kind_text(folder.scenario)},
+       {"games", fmt::format("{} of {}", folder.completed_games.done.size(), folder.needed)},
+       {"void games", std::to_string(folder.void_games())},
+       {"build", folder.build.empty() ? "none" : folder.build},
+       {"master seed", master_seed(folder.scenario)}},
+      2};
   if (!results.groups.empty()) {
     table.rows.push_back(
         {"pairs of legs without a void game", std::to_string(pairs_of(results.groups))});
@@ -57,8 +58,9 @@ Section played_section(const ResultFolder& folder, const ExperimentResults& resu
   add_rows_that_do_not_count(table, folder);
   Section section = {Heading{"What was played"}, table};
   if (!folder.is_complete()) {
-    section.emplace_back(Paragraph{fmt::format(
-        "{} games are missing. {}", folder.needed - folder.stock.done.size(), kInterimWarning)});
+    section.emplace_back(Paragraph{fmt::format("{} games are missing. {}",
+                                               folder.needed - folder.completed_games.done.size(),
+                                               kInterimWarning)});
   }
   return section;
 }

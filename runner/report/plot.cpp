@@ -7,7 +7,7 @@
 namespace autoref::runner {
 namespace {
 
-constexpr int kWidth_px = 800;
+constexpr int kPlotWidth_px = 800;
 
 bool begins_letter(char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }
 
@@ -28,7 +28,7 @@ std::string script_head(std::string_view name, int height_px) {
       "set border 3 lc rgb '#777777'\n"
       "set tics nomirror out\n"
       "set grid lc rgb '#e4e4e4' lt 1 lw 1\n",
-      name, kWidth_px, height_px);
+      name, kPlotWidth_px, height_px);
 }
 
 double tic_step(double span) {

@@ -9,9 +9,9 @@
 namespace autoref::runner {
 namespace {
 
-constexpr int kFrameHeight_px = 90;
-constexpr int kRowHeight_px = 32;
-constexpr double kBottom_px = 72;  // below the panels
+constexpr int kRatingsFrameHeight_px = 90;
+constexpr int kRatingsRowHeight_px = 32;
+constexpr double kRatingsBottom_px = 72;  // below the panels
 
 Cells cells_of(const Rating& rating) {
   const auto& [low, high] = bounds_of(rating.interval);
@@ -65,7 +65,8 @@ std::string script_of(const std::vector<Standing>& standings) {
   std::vector<std::string> teams;
   teams.reserve(standings.size());
   for (const Standing& standing : standings) teams.push_back(standing.team);
-  const int height_px = kFrameHeight_px + kRowHeight_px * static_cast<int>(teams.size());
+  const int height_px =
+      kRatingsFrameHeight_px + kRatingsRowHeight_px * static_cast<int>(teams.size());
   return script_head("ratings", height_px) + script_tics("y", teams) +
          fmt::format(
              "set yrange [{}.6:0.4]\n"
@@ -73,7 +74,7 @@ std::string script_of(const std::vector<Standing>& standings) {
              "set arrow from first 0, graph 0 to first 0, graph 1 nohead lc rgb '#777777' front\n"
              "set multiplot layout 1,2 margins screen {:.4f},0.98,{:.4f},0.97 spacing screen "
              "0.04\n",
-             teams.size(), names_share(teams), kBottom_px / height_px) +
+             teams.size(), names_share(teams), kRatingsBottom_px / height_px) +
          panel("goals", "goals a game above the average team", kBlue,
                span_of(standings, &Standing::goals)) +
          "unset ytics\n" +

@@ -43,16 +43,17 @@ void write_plots(const fs::path& folder, const std::vector<DrawnPlot>& plots) {
   }
 }
 
-std::string missing_text(const std::string& way) {
+std::string missing_text(const std::string& direction) {
   return fmt::format(
       "The plots are not drawn, because gnuplot is not installed: apt-get install gnuplot-nox, "
       "then "
       "autoref report {} again. Their data and scripts are in {}.",
-      way, kPlotsFolder);
+      direction, kPlotsFolder);
 }
 
-std::vector<std::string> troubles_of(const std::vector<DrawnPlot>& plots, const std::string& way) {
-  if (!plots.empty() && plots.front().drawing.is_missing) return {missing_text(way)};
+std::vector<std::string> troubles_of(const std::vector<DrawnPlot>& plots,
+                                     const std::string& direction) {
+  if (!plots.empty() && plots.front().drawing.is_missing) return {missing_text(direction)};
   std::vector<std::string> troubles;
   for (const auto& [plot, drawing] : plots) {
     if (drawing.trouble.empty()) continue;
@@ -62,10 +63,10 @@ std::vector<std::string> troubles_of(const std::vector<DrawnPlot>& plots, const 
   return troubles;
 }
 
-Section plots_section(const std::vector<DrawnPlot>& plots, const std::string& way) {
+Section plots_section(const std::vector<DrawnPlot>& plots, const std::string& direction) {
   if (plots.empty()) return {};
   Section section = {Heading{"Plots"}};
-  for (const std::string& trouble : troubles_of(plots, way)) {
+  for (const std::string& trouble : troubles_of(plots, direction)) {
     section.emplace_back(Paragraph{trouble});
   }
   for (const auto& [plot, drawing] : plots) {
@@ -77,12 +78,13 @@ Section plots_section(const std::vector<DrawnPlot>& plots, const std::string& wa
 }
 
 Document document_of(const ResultFolder& folder, const ExperimentResults& results,
-                     const std::vector<DrawnPlot>& plots, const std::string& way) {
+                     const std::vector<DrawnPlot>& plots, const std::string& direction) {
   Document document{title_of(folder.scenario), {}};
   for (const Section& section :
        {played_section(folder, results), results_section(folder, results),
-        plots_section(plots, way), shares_section(folder, results), crosstable_section(results),
-        void_section(folder), settings_section(folder, way), commands_section(folder, way)}) {
+        plots_section(plots, direction), shares_section(folder, results),
+        crosstable_section(results), void_section(folder), settings_section(folder, direction),
+        commands_section(folder, direction)}) {
     document.blocks.insert(document.blocks.end(), section.begin(), section.end());
   }
   return document;
@@ -96,13 +98,13 @@ std::string title_of(const Scenario& scenario) {
 
 WrittenReport write_report(const ResultFolder& folder, const ExperimentResults& results,
                            const fs::path& into) {
-  const std::string way = into == folder.path ? "." : "..";
+  const std::string direction = into == folder.path ? "." : "..";
   const std::vector<DrawnPlot> plots = drawn(plots_of(folder.scenario, results));
   write_plots(into / kPlotsFolder, plots);
-  const Document document = document_of(folder, results, plots, way);
+  const Document document = document_of(folder, results, plots, direction);
   replace_file(into / kMarkdownReport, markdown_of(document));
   replace_file(into / kHtmlReport, html_of(document));
-  WrittenReport written{0, troubles_of(plots, way)};
+  WrittenReport written{0, troubles_of(plots, direction)};
   for (const auto& [plot, drawing] : plots) written.drawn += drawing.svg.empty() ? 0 : 1;
   return written;
 }

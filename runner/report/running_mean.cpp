@@ -9,7 +9,7 @@
 namespace autoref::runner {
 namespace {
 
-constexpr double kMargin = 0.05;       // of the span, above and below
+constexpr double kMeanMargin = 0.05;   // of the span, above and below
 constexpr std::size_t kWildPairs = 5;  // whose intervals may leave the axis
 
 std::vector<double> in_order_of_numbers(const std::map<std::string, double>& by_pair) {
@@ -48,7 +48,7 @@ Interval span_to_show(const std::vector<RunningMean>& means) {
     include(means[i].interval->high);
   }
   const double width = span.high > span.low ? span.high - span.low : 1;
-  return {span.low - kMargin * width, span.high + kMargin * width};
+  return {span.low - kMeanMargin * width, span.high + kMeanMargin * width};
 }
 
 }  // namespace autoref::runner

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kLongestTitle = 26;  // letters
 constexpr double kTop_px = 62;             // above the highest panel
-constexpr double kBottom_px = 44;          // below the lowest
+constexpr double kMeansBottom_px = 44;     // below the lowest
 constexpr double kBetween_px = 66;         // between one and the next
 
 struct Panel {
@@ -20,7 +20,7 @@ struct Panel {
   std::vector<RunningMean> means;
 };
 
-// Panels beside each other, how many rows of them, and how tall the picture is.
+// Panels beside each other, how many rows of them, and how tall the frame is.
 struct Layout {
   int columns = 1;
   int rows = 1;
@@ -31,8 +31,9 @@ Layout layout_for(int panels) {
   const int columns = panels <= 1 ? 1 : panels <= 4 ? 2 : panels <= 15 ? 3 : 4;
   const int rows = (panels + columns - 1) / columns;
   const int height_px = columns == 1 ? 260 : columns == 2 ? 170 : 110;
-  return {columns, rows,
-          static_cast<int>(kTop_px + kBottom_px + (rows - 1) * kBetween_px) + rows * height_px};
+  return {
+      columns, rows,
+      static_cast<int>(kTop_px + kMeansBottom_px + (rows - 1) * kBetween_px) + rows * height_px};
 }
 
 std::vector<Panel> panels_of(const Scenario& scenario, const std::vector<Group>& groups) {
@@ -92,14 +93,15 @@ std::string arrays_of(const std::vector<Panel>& panels) {
          array_of("x_step", panels, x_step) + array_of("y_step", panels, y_step);
 }
 
-// Where panels lie, in shares of the picture.
+// Where panels lie, in shares of the frame.
 std::string frame_of(const Layout& layout) {
   const double height = layout.height_px;
   return fmt::format(
       "set multiplot layout {},{} margins screen 0.07,0.985,{:.4f},{:.4f} spacing screen "
       "0.075,{:.4f} title 'goals of a minus goals of b after so many pairs of legs, 95 % interval: "
       "not for stopping' font ',13'\n",
-      layout.rows, layout.columns, kBottom_px / height, 1 - kTop_px / height, kBetween_px / height);
+      layout.rows, layout.columns, kMeansBottom_px / height, 1 - kTop_px / height,
+      kBetween_px / height);
 }
 
 std::string script_of(const std::vector<Panel>& panels) {

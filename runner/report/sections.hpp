@@ -28,11 +28,11 @@ Section crosstable_section(const ExperimentResults& results);
 Section void_section(const ResultFolder& folder);
 
 // What a reader needs to know of the settings.
-Section settings_section(const ResultFolder& folder, const std::string& way);
+Section settings_section(const ResultFolder& folder, const std::string& direction);
 
-// Commands that play and check the same games; `way` leads from the report to the folder of
+// Commands that play and check the same games; `direction` leads from the report to the folder of
 // results: "." or "..".
-Section commands_section(const ResultFolder& folder, const std::string& way);
+Section commands_section(const ResultFolder& folder, const std::string& direction);
 
 // Said wherever an experiment is not complete.
 inline constexpr const char* kInterimWarning =

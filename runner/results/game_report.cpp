@@ -52,21 +52,21 @@ std::string line_of(std::string_view what, const std::string& a, const std::stri
 }
 
 // A line per figure, a column per team.
-std::string figures_text(const GameRecord& record) {
-  const auto& [a, b] = record.figures;
-  const auto count = [&a = a, &b = b](std::string_view what, int PlayFigures::*figure) {
-    return line_of(what, std::to_string(a.*figure), std::to_string(b.*figure));
+std::string counts_text(const GameRecord& record) {
+  const auto& [a, b] = record.counts;
+  const auto count = [&a = a, &b = b](std::string_view what, int PlayCounts::*member) {
+    return line_of(what, std::to_string(a.*member), std::to_string(b.*member));
   };
-  const auto share = [&](const PlayFigures& team) {
+  const auto share = [&](const PlayCounts& team) {
     const double in_play_s = std::max(record.ball_in_play_s, 1e-9);
     return fmt::format("{:.0f} %", 100 * team.possession_s / in_play_s);
   };
-  return line_of("", "a", "b") + count("shots", &PlayFigures::shots) +
-         count("  on goal", &PlayFigures::shots_on_goal) +
-         count("passes tried", &PlayFigures::passes_tried) +
-         count("  completed", &PlayFigures::passes_completed) +
-         line_of("possession", share(a), share(b)) + count("fouls", &PlayFigures::fouls) +
-         count("duels won", &PlayFigures::duels_won);
+  return line_of("", "a", "b") + count("shots", &PlayCounts::shots) +
+         count("  on goal", &PlayCounts::shots_on_goal) +
+         count("passes tried", &PlayCounts::passes_tried) +
+         count("  completed", &PlayCounts::passes_completed) +
+         line_of("possession", share(a), share(b)) + count("fouls", &PlayCounts::fouls) +
+         count("duels won", &PlayCounts::duels_won);
 }
 
 std::string shootout_json(const GameRecord& record) {
@@ -92,7 +92,7 @@ std::string json_of(const GameReport& report) {
       .add("status", json_text(name_of(record.status)))
       .add("void_reason", record.void_reason.empty() ? "null" : json_text(record.void_reason))
       .add("stops", stops_json(record));
-  for (const NamedFigure& figure : named(record.figures)) json.add(figure.name, figure.value);
+  for (const NamedCount& member : named(record.counts)) json.add(member.name, member.value);
   return json.add("ball_in_play_s", json_number(record.ball_in_play_s))
       .add("sim_s", json_number(record.sim_s))
       .add("wall_s", json_number(report.wall_s))
@@ -115,7 +115,7 @@ std::string text_of(const GameReport& report) {
   }
   if (record.status == Status::kVoid) text += fmt::format("\nvoid: {}", record.void_reason);
   text += fmt::format("\nstops: {}", stops_text(record));
-  text += figures_text(record);
+  text += counts_text(record);
   text += fmt::format("\n{:.0f} s played, ball in play {:.0f} s; took {:.2f} s, {:.0f} x real time",
                       record.sim_s, record.ball_in_play_s, report.wall_s, x_real_time(report));
   return text + fmt::format("\nstate {}   build {}", hash_text(record.state_hash), report.build);

@@ -24,9 +24,9 @@ std::string shootout_goals(const GameRecord& record, std::size_t team) {
   return record.shootout ? std::to_string((*record.shootout)[team]) : "";
 }
 
-// Sorted, so that the order in which the arrows came does not matter.
-std::string arrows_cell(const GameRecord& record) {
-  std::vector<std::string_view> labels = record.arrows;
+// Sorted, so that the order in which the transitions came does not matter.
+std::string transitions_cell(const GameRecord& record) {
+  std::vector<std::string_view> labels = record.transitions;
   std::sort(labels.begin(), labels.end());
   return fmt::format("{}", fmt::join(labels, "+"));
 }
@@ -53,7 +53,7 @@ std::size_t RowFormat::column(std::string_view name) const {
   return static_cast<std::size_t>(found - columns_.begin());
 }
 
-std::string RowFormat::line(const PlannedGame& game, const Cells& outcome,
+std::string RowFormat::line(const ScheduledGame& game, const Cells& outcome,
                             const Circumstances& circumstances) const {
   const GameConfiguration& c = game.configuration;
   Cells cells = {game.id, std::to_string(game.pair), std::to_string(game.leg)};
@@ -90,9 +90,9 @@ Cells outcome_columns() {
     const auto event = static_cast<referee::Event>(i);
     if (is_call(event)) columns.push_back(fmt::format("stops_{}", name_of(event)));
   }
-  for (const NamedFigure& figure : named(GameRecord{}.figures)) columns.push_back(figure.name);
-  append(columns,
-         {"shootout_a", "shootout_b", "arrows", "ball_in_play_s", "sim_s", "frames", "state_hash"});
+  for (const NamedCount& count : named(GameRecord{}.counts)) columns.push_back(count.name);
+  append(columns, {"shootout_a", "shootout_b", "transitions", "ball_in_play_s", "sim_s", "frames",
+                   "state_hash"});
   return columns;
 }
 
@@ -109,26 +109,28 @@ Cells outcome_of(const GameRecord& record) {
     if (!is_call(static_cast<referee::Event>(i))) continue;
     cells.push_back(std::to_string(record.events[static_cast<std::size_t>(i)]));
   }
-  for (const NamedFigure& figure : named(record.figures)) cells.push_back(figure.value);
-  append(cells, {shootout_goals(record, 0), shootout_goals(record, 1), arrows_cell(record),
+  for (const NamedCount& count : named(record.counts)) cells.push_back(count.value);
+  append(cells, {shootout_goals(record, 0), shootout_goals(record, 1), transitions_cell(record),
                  fmt::format("{:.3f}", record.ball_in_play_s), fmt::format("{:.3f}", record.sim_s),
                  std::to_string(record.frames), hash_text(record.state_hash)});
   return cells;
 }
 
-std::vector<std::string> arrows_never_taken(const RowFormat& format,
-                                            const std::vector<Cells>& rows) {
-  const std::size_t arrows = format.column("arrows");
-  const auto takes = [arrows](std::string_view label) {
+std::vector<std::string> transitions_never_used(const RowFormat& format,
+                                                const std::vector<Cells>& rows) {
+  const std::size_t transitions = format.column("transitions");
+  const auto takes = [transitions](std::string_view label) {
     return [=](const Cells& row) {
-      return fmt::format("+{}+", row[arrows]).find(fmt::format("+{}+", label)) != std::string::npos;
+      return fmt::format("+{}+", row[transitions]).find(fmt::format("+{}+", label)) !=
+             std::string::npos;
     };
   };
   std::vector<std::string> never;
-  for (const auto& part : {referee::arrows_in_figure(), referee::arrows_outside_figure()}) {
-    for (const referee::Arrow& arrow : part) {
-      if (std::none_of(rows.begin(), rows.end(), takes(arrow.label))) {
-        never.emplace_back(arrow.label);
+  for (const auto& part :
+       {referee::transitions_in_figure(), referee::transitions_outside_figure()}) {
+    for (const referee::Transition& transition : part) {
+      if (std::none_of(rows.begin(), rows.end(), takes(transition.label))) {
+        never.emplace_back(transition.label);
       }
     }
   }

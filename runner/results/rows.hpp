@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "runner/experiments/plan.hpp"
+#include "runner/experiments/schedule.hpp"
 #include "runner/game/game.hpp"
 
 namespace autoref::runner {
@@ -38,7 +38,7 @@ class RowFormat {
   std::size_t column(std::string_view name) const;  // must exist
 
   // A finished row without its line end.
-  std::string line(const PlannedGame& game, const Cells& outcome,
+  std::string line(const ScheduledGame& game, const Cells& outcome,
                    const Circumstances& circumstances) const;
 
   // The cells of a line; none where it is damaged: row_crc or the number of cells do not fit.
@@ -52,14 +52,14 @@ class RowFormat {
   std::size_t reproducible_ = 0;
 };
 
-// The columns that follow from the record, goals_a to state_hash. `arrows` holds the labels of the
-// arrows of the referee's machine that the game took, sorted and joined by '+'.
+// The columns that follow from the record, goals_a to state_hash. `transitions` holds the labels of
+// the transitions of the referee's machine that the game took, sorted and joined by '+'.
 Cells outcome_columns();
 Cells outcome_of(const GameRecord& record);
 
-// The labels of the referee's arrows (referee/machine/machine.hpp) that none of the rows' games
-// took, in the machine's order.
-std::vector<std::string> arrows_never_taken(const RowFormat& format,
-                                            const std::vector<Cells>& rows);
+// The labels of the referee's transitions (referee/machine/machine.hpp) that none of the rows'
+// games took, in the machine's order.
+std::vector<std::string> transitions_never_used(const RowFormat& format,
+                                                const std::vector<Cells>& rows);
 
 }  // namespace autoref::runner

@@ -28,24 +28,24 @@ InputOutputError cannot_write(const fs::path& path) {
 
 }  // namespace
 
-std::string ShardPlace::name() const { return fmt::format("{}/{}", number, of); }
+std::string ShardIndex::name() const { return fmt::format("{}/{}", number, of); }
 
-std::string ShardPlace::file_name() const { return fmt::format("shard-{}-of-{}.csv", number, of); }
+std::string ShardIndex::file_name() const { return fmt::format("shard-{}-of-{}.csv", number, of); }
 
-bool ShardPlace::has(std::size_t unit) const {
+bool ShardIndex::has(std::size_t unit) const {
   return unit % static_cast<std::size_t>(of) == static_cast<std::size_t>(number);
 }
 
-ShardPlace shard_place_of(const std::string& text) {
+ShardIndex shard_index_of(const std::string& text) {
   constexpr int kMost = 10000;
-  ShardPlace place;
+  ShardIndex position;
   const char* const end = text.data() + text.size();
-  const auto number = std::from_chars(text.data(), end, place.number);
+  const auto number = std::from_chars(text.data(), end, position.number);
   const bool has_slash = number.ec == std::errc() && number.ptr != end && *number.ptr == '/';
-  const auto of = std::from_chars(has_slash ? number.ptr + 1 : end, end, place.of);
-  if (has_slash && of.ec == std::errc() && of.ptr == end && place.number >= 0 &&
-      place.of <= kMost && place.number < place.of)
-    return place;
+  const auto of = std::from_chars(has_slash ? number.ptr + 1 : end, end, position.of);
+  if (has_slash && of.ec == std::errc() && of.ptr == end && position.number >= 0 &&
+      position.of <= kMost && position.number < position.of)
+    return position;
   throw std::invalid_argument(
       fmt::format("expected I/N, such as 0/4 to 3/4, with N up to {}; found '{}'", kMost, text));
 }

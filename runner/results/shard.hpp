@@ -16,18 +16,18 @@ inline constexpr const char* kEffectiveFile = "effective.yaml";  // the scenario
 inline constexpr const char* kResultsFile = "results.csv";
 
 // One of several runs that share an experiment's games between them, on one machine or many.
-struct ShardPlace {
+struct ShardIndex {
   int number = 0;  // from 0
   int of = 1;
 
   std::string name() const;       // "0/1"
   std::string file_name() const;  // "shard-0-of-1.csv"
-  // Whether the games of that unit (plan.hpp) are this shard's.
+  // Whether the games of that unit (schedule.hpp) are this shard's.
   bool has(std::size_t unit) const;
 };
 
 // Of "0/4". Throws std::invalid_argument that says what is expected.
-ShardPlace shard_place_of(const std::string& text);
+ShardIndex shard_index_of(const std::string& text);
 
 // An append-only file of lines, held by one process at a time. A line is written at once and is on
 // the disk when append() returns.

@@ -58,8 +58,8 @@ struct GameConfiguration {
   MatchConfiguration match;
   Field field;
   sim::Configuration sim;
-  sim::RobotSheet robot;  // every robot's body, kicker and dribbler unless its type says otherwise
-  RobotTypes types;       // that teams and players may name
+  sim::RobotSpec robot;  // every robot's body, kicker and dribbler unless its type says otherwise
+  RobotTypes types;      // that teams and players may name
   std::uint64_t seed = 42;
 };
 

@@ -74,7 +74,7 @@ std::string short_path(std::string_view path) {
 std::vector<std::string> names_in(const Setting& setting) {
   const auto* of = std::get_if<ChangesOf>(&setting.target);
   if (of == nullptr) return {};
-  sim::RobotSheet robot;
+  sim::RobotSpec robot;
   return names_below(settings_of(robot, ""), of->branch);
 }
 
@@ -85,7 +85,7 @@ std::optional<Setting> setting_in(const Setting& setting, const std::string& nam
   }
   const auto* of = std::get_if<ChangesOf>(&setting.target);
   if (of == nullptr) return std::nullopt;
-  sim::RobotSheet robot;
+  sim::RobotSpec robot;
   const std::vector<Setting> settings = settings_of(robot, "");
   const Setting* changed = find_setting(settings, of->branch + "." + name);
   if (changed == nullptr) return std::nullopt;

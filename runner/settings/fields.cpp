@@ -103,7 +103,7 @@ std::vector<Setting> settings_of(GameConfiguration& game) {
   list_field(game.field, Branch(list, "field."));
   for (Setting& setting : settings_of(game.sim, game.robot)) list.push_back(std::move(setting));
   Branch(list, "").number("seed", game.seed, {0, 18446744073709551615.0}, "",
-                          "names the game's chances");
+                          "the game's random seed");
   return list;
 }
 

@@ -91,10 +91,10 @@ std::vector<Setting> settings_of(TeamConfiguration& team, const RobotTypes& type
                                  const std::string& prefix);
 
 // Those of the world, below "sim.".
-std::vector<Setting> settings_of(sim::Configuration& sim, sim::RobotSheet& robot);
+std::vector<Setting> settings_of(sim::Configuration& sim, sim::RobotSpec& robot);
 
 // The settings of one robot below `prefix` ("" or "sim."), and those of what differs in some.
-std::vector<Setting> settings_of(sim::RobotSheet& robot, const std::string& prefix);
+std::vector<Setting> settings_of(sim::RobotSpec& robot, const std::string& prefix);
 std::vector<Setting> settings_of(RobotChanges& changes);
 
 // The full path: "b.robots" is "teams.b.robots", others stay. And the short one, the reverse.

@@ -21,7 +21,7 @@ class Mapping {
       : file_(file), path_(std::move(path)), entries_(file.entries(entry, path_, known)) {
     for (const YamlEntry& key : entries_) {
       if (std::find(known.begin(), known.end(), key.key) != known.end()) continue;
-      file_.refuse(key.place, path_, unknown_key_message(key.key, known));
+      file_.refuse(key.location, path_, unknown_key_message(key.key, known));
     }
   }
 

@@ -26,14 +26,14 @@ RobotChanges merged(const RobotTypes& types, const std::string& type, const Robo
   return all;
 }
 
-void apply_changes(const RobotChanges& changes, sim::RobotSheet& robot) {
+void apply_changes(const RobotChanges& changes, sim::RobotSpec& robot) {
   if (changes.empty()) return;
   const std::vector<Setting> settings = settings_of(robot, "");
   for (const auto& [path, value] : changes) assign(setting_at(settings, path), value);
 }
 
 void assign_change(const Change& change, std::string_view text) {
-  sim::RobotSheet robot;
+  sim::RobotSpec robot;
   apply_changes(*change.changes, robot);
   const std::vector<Setting> settings = settings_of(robot, "");
   const Setting& changed = setting_at(settings, change.path);
@@ -46,28 +46,28 @@ void assign_change(const Change& change, std::string_view text) {
 }
 
 std::string changed_value(const Change& change) {
-  sim::RobotSheet robot;
+  sim::RobotSpec robot;
   apply_changes(*change.changes, robot);
   return value_of(setting_at(settings_of(robot, ""), change.path));
 }
 
-sim::TeamSheet sheet_of(const GameConfiguration& game, const TeamConfiguration& team) {
-  sim::RobotSheet robot = game.robot;
+sim::TeamSpec spec_of(const GameConfiguration& game, const TeamConfiguration& team) {
+  sim::RobotSpec robot = game.robot;
   apply_changes(merged(game.types, team.type, team.changes), robot);
   robot.speed_factor = team.speed_factor;
   robot.acceleration_factor = team.acceleration_factor;
-  sim::TeamSheet sheet{sim::TeamSheet::Robots(static_cast<std::size_t>(team.robots), robot)};
+  sim::TeamSpec spec{sim::TeamSpec::Robots(static_cast<std::size_t>(team.robots), robot)};
   for (const auto& [number, player] : team.players) {
     if (number >= team.robots) {
       throw std::invalid_argument(fmt::format("players.{}: the team's robots are numbered 0 to {}",
                                               number, team.robots - 1));
     }
-    sim::RobotSheet& own = sheet.robots[static_cast<std::size_t>(number)];
+    sim::RobotSpec& own = spec.robots[static_cast<std::size_t>(number)];
     apply_changes(merged(game.types, player.type, player.changes), own);
     own.speed_factor *= player.speed_factor;
     own.acceleration_factor *= player.acceleration_factor;
   }
-  return sheet;
+  return spec;
 }
 
 }  // namespace autoref::runner

@@ -13,7 +13,7 @@ namespace autoref::runner {
 RobotChanges merged(const RobotTypes& types, const std::string& type, const RobotChanges& changes);
 
 // Makes the changes to a robot.
-void apply_changes(const RobotChanges& changes, sim::RobotSheet& robot);
+void apply_changes(const RobotChanges& changes, sim::RobotSpec& robot);
 
 // Reads `text` into one change, or into all that an alias such as a preset sets. Throws
 // std::invalid_argument that says what was expected.
@@ -26,6 +26,6 @@ std::string changed_value(const Change& change);
 // team's changes, the player's type, the player's changes, the later over the former; a player's
 // factors are multiplied with the team's. Throws std::invalid_argument for a player with a number
 // that the team does not have, and for an unknown type.
-sim::TeamSheet sheet_of(const GameConfiguration& game, const TeamConfiguration& team);
+sim::TeamSpec spec_of(const GameConfiguration& game, const TeamConfiguration& team);
 
 }  // namespace autoref::runner

@@ -43,8 +43,8 @@ RobotChanges read_robot_type_text(const std::string& text, const std::string& fi
     file.scalar(*about, "about", "a sentence", false);
   }
   RobotChanges changes;
-  Places places;
-  SettingsReader reader(file, settings_of(changes), places);
+  SettingLocations locations;
+  SettingsReader reader(file, settings_of(changes), locations);
   for (const char* branch : {"robot", "kicker", "dribbler"}) {
     if (const YamlEntry* entry = find_entry(top, branch)) reader.read(*entry, branch);
   }

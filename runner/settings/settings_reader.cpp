@@ -49,14 +49,14 @@ void expect_value(const YamlFile& file, const std::vector<YamlEntry>& top, std::
   const YamlEntry& entry = required_entry(file, top, key);
   const std::string text = file.scalar(entry, key, value, false);
   if (text == value) return;
-  file.refuse(value_place(entry), key, fmt::format("expected {}, found '{}'", value, text));
+  file.refuse(value_location(entry), key, fmt::format("expected {}, found '{}'", value, text));
 }
 
 void refuse_unknown(const YamlFile& file, const std::vector<YamlEntry>& top,
                     const std::vector<std::string>& known) {
   for (const YamlEntry& entry : top) {
     if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
-    file.refuse(entry.place, "", unknown_key_message(entry.key, known));
+    file.refuse(entry.location, "", unknown_key_message(entry.key, known));
   }
 }
 
@@ -64,7 +64,7 @@ void assign_entry(const YamlFile& file, const YamlEntry& entry, const Setting& s
   try {
     assign(setting, file.scalar(entry, setting.path, expected_of(setting), is_number(setting)));
   } catch (const std::invalid_argument& error) {
-    file.refuse(value_place(entry), setting.path, error.what());
+    file.refuse(value_location(entry), setting.path, error.what());
   }
 }
 
@@ -114,7 +114,7 @@ void SettingsReader::read_branch(const YamlEntry& branch, const std::string& pat
   }
   for (const YamlEntry& entry : entries) {
     if (std::find(known.begin(), known.end(), entry.key) == known.end()) {
-      file_.refuse(entry.place, path, unknown_key_message(entry.key, known));
+      file_.refuse(entry.location, path, unknown_key_message(entry.key, known));
     }
     if (&entry != preset) read(entry, path + "." + entry.key);
   }
@@ -126,7 +126,7 @@ void SettingsReader::refuse_handicap_beside_its_factors(const std::vector<YamlEn
   if (handicap == nullptr) return;
   for (const char* factor : {"speed_factor", "acceleration_factor"}) {
     if (find_entry(entries, factor) == nullptr) continue;
-    file_.refuse(handicap->place, path + ".handicap",
+    file_.refuse(handicap->location, path + ".handicap",
                  fmt::format("sets {} too; give one of the two", factor));
   }
 }
@@ -137,7 +137,7 @@ void SettingsReader::read_held(const YamlEntry& entry, const Setting& setting) {
   const auto read_one = [&](const YamlEntry& held) {
     const std::optional<Setting> its_setting = setting_in(setting, held.key);
     if (!its_setting) {
-      file_.refuse(held.place, setting.path, unknown_key_message(held.key, known));
+      file_.refuse(held.location, setting.path, unknown_key_message(held.key, known));
     }
     read_value(held, *its_setting);
   };
@@ -155,11 +155,11 @@ void SettingsReader::read_players(const YamlEntry& entry, const std::string& pat
     try {
       player_of(players, player.key);
     } catch (const std::invalid_argument& error) {
-      file_.refuse(player.place, path, error.what());
+      file_.refuse(player.location, path, error.what());
     }
     list_anew();
     const std::string its_path = path + "." + player.key;
-    places_[its_path] = player.place;
+    locations_[its_path] = player.location;
     read_branch(player, its_path);
   }
 }
@@ -170,7 +170,7 @@ void SettingsReader::read_types(const YamlEntry& entry, const std::string& path,
     try {
       check_type_name(type.key);
     } catch (const std::invalid_argument& error) {
-      file_.refuse(type.place, path, error.what());
+      file_.refuse(type.location, path, error.what());
     }
     types[type.key];
     list_anew();
@@ -184,12 +184,12 @@ void SettingsReader::read_type(const YamlEntry& entry, const Setting& setting) {
   try {
     assign(setting, take_type(text, file_.folder(), *types_));
   } catch (const std::invalid_argument& error) {
-    file_.refuse(value_place(entry), setting.path, error.what());
+    file_.refuse(value_location(entry), setting.path, error.what());
   }
 }
 
 void SettingsReader::read_value(const YamlEntry& entry, const Setting& setting) {
-  places_[setting.path] = entry.place;
+  locations_[setting.path] = entry.location;
   assign_entry(file_, entry, setting);
 }
 

@@ -13,7 +13,7 @@
 namespace autoref::runner {
 
 // Where settings stand in the file, by path.
-using Places = std::map<std::string, YamlPlace>;
+using SettingLocations = std::map<std::string, YamlLocation>;
 
 // The entry of a key that must be there. Throws InputError.
 const YamlEntry& required_entry(const YamlFile& file, const std::vector<YamlEntry>& top,
@@ -36,19 +36,23 @@ class SettingsReader {
  public:
   using List = std::function<std::vector<Setting>()>;
 
-  // All three must outlive the reader; settings go into `game`, their places into `places`.
-  SettingsReader(const YamlFile& file, GameConfiguration& game, Places& places)
+  // All three must outlive the reader; settings go into `game`, their places into `locations`.
+  SettingsReader(const YamlFile& file, GameConfiguration& game, SettingLocations& locations)
       : SettingsReader(
-            file, [&game] { return settings_of(game); }, game.types, places) {}
+            file, [&game] { return settings_of(game); }, game.types, locations) {}
 
   // Reads the settings that `list` tells, which is asked again whenever there are new players or
   // types; files of types that they name go into `types`.
-  SettingsReader(const YamlFile& file, List list, RobotTypes& types, Places& places)
-      : file_(file), list_(std::move(list)), types_(&types), settings_(list_()), places_(places) {}
+  SettingsReader(const YamlFile& file, List list, RobotTypes& types, SettingLocations& locations)
+      : file_(file),
+        list_(std::move(list)),
+        types_(&types),
+        settings_(list_()),
+        locations_(locations) {}
 
   // Reads just these settings, none of which may name a type, players or types.
-  SettingsReader(const YamlFile& file, std::vector<Setting> settings, Places& places)
-      : file_(file), settings_(std::move(settings)), places_(places) {}
+  SettingsReader(const YamlFile& file, std::vector<Setting> settings, SettingLocations& locations)
+      : file_(file), settings_(std::move(settings)), locations_(locations) {}
 
   // Makes a setting, or a branch of settings, unknown.
   void hide(std::string_view path);
@@ -76,7 +80,7 @@ class SettingsReader {
   RobotTypes* types_ = nullptr;
   std::vector<std::string> hidden_;
   std::vector<Setting> settings_;
-  Places& places_;
+  SettingLocations& locations_;
 };
 
 }  // namespace autoref::runner

@@ -84,8 +84,8 @@ void list_vision(sim::VisionParameters& vision, Branch to) {
   to.number("ball_noise_m", vision.ball_noise_m, {0, 0.1}, "m", "one deviation, along x and y");
   to.number("robot_noise_m", vision.robot_noise_m, {0, 0.1}, "m", "one deviation, along x and y");
   to.number("robot_noise_rad", vision.robot_noise_rad, {0, 0.5}, "rad", "one deviation, heading");
-  to.number("ball_misses", vision.ball_misses, {0, 0.9}, "", "share of pictures without the ball");
-  to.number("robot_misses", vision.robot_misses, {0, 0.9}, "", "share of pictures without a robot");
+  to.number("ball_misses", vision.ball_misses, {0, 0.9}, "", "share of frames without the ball");
+  to.number("robot_misses", vision.robot_misses, {0, 0.9}, "", "share of frames without a robot");
   to.yes_or_no("reports_height", vision.reports_height,
                "of the ball; else it is seen on the ground");
   to.yes_or_no("robots_hide_ball", vision.robots_hide_ball, "from the cameras");
@@ -110,7 +110,7 @@ void list_dribbler(sim::DribblerParameters& dribbler, Branch to) {
 
 }  // namespace
 
-std::vector<Setting> settings_of(sim::RobotSheet& robot, const std::string& prefix) {
+std::vector<Setting> settings_of(sim::RobotSpec& robot, const std::string& prefix) {
   std::vector<Setting> list;
   list_robot(robot.body, Branch(list, prefix + "robot."));
   list_kicker(robot.kicker, Branch(list, prefix + "kicker."));
@@ -118,26 +118,28 @@ std::vector<Setting> settings_of(sim::RobotSheet& robot, const std::string& pref
   return list;
 }
 
-std::vector<Setting> settings_of(sim::Configuration& sim, sim::RobotSheet& robot) {
+std::vector<Setting> settings_of(sim::Configuration& sim, sim::RobotSpec& robot) {
   std::vector<Setting> list;
   Branch to(list, "sim.");
-  to.number("substeps", sim.substeps, {1, 16}, "", "physics steps per picture");
-  to.number("calm_substeps", sim.calm_substeps, {1, 16}, "", "and while nothing can meet anything");
-  to.number("frame_rate_hz", sim.frame_rate_hz, {30, 240}, "1/s", "pictures per second");
+  to.number("substeps", sim.substeps, {1, 16}, "", "physics steps per frame");
+  to.number("contact_free_substeps", sim.contact_free_substeps, {1, 16}, "",
+            "and while nothing can meet anything");
+  to.number("frame_rate_hz", sim.frame_rate_hz, {30, 240}, "1/s", "frames per second");
   to.preset("camera", CameraPreset{&sim}, sim::camera_preset_names(),
             "sets vision, command_loss and latency_s");
-  to.number("latency_s", sim.latency_s, {0, 0.5}, "s", "from a picture to the robots' motion");
+  to.number("latency_s", sim.latency_s, {0, 0.5}, "s", "from a frame to the robots' motion");
   list_vision(sim.vision, Branch(list, "sim.vision."));
   Branch radio(list, "sim.radio.");
-  radio.number("command_loss", sim.radio.command_loss, {0, 0.9}, "", "share of orders lost");
-  radio.number("hold_s", sim.radio.hold_s, {0, 10}, "s", "stops without an order for so long");
+  radio.number("command_loss", sim.radio.command_loss, {0, 0.9}, "", "share of commands lost");
+  radio.number("hold_s", sim.radio.hold_s, {0, 10}, "s", "stops without a command for so long");
   list_ball(sim.ball, Branch(list, "sim.ball."));
   list_contacts(sim.contacts, Branch(list, "sim.contacts."));
   for (Setting& setting : settings_of(robot, "sim.")) list.push_back(std::move(setting));
   Branch placement(list, "sim.placement.");
-  placement.number("speed_mps", sim.placement.speed_mps, positive(100), "m/s", "of the hand");
+  placement.number("speed_mps", sim.placement.speed_mps, positive(100), "m/s",
+                   "of the ball placement");
   placement.number("acceleration_mps2", sim.placement.acceleration_mps2, positive(1000), "m/s^2",
-                   "of the hand");
+                   "of the ball placement");
   placement.number("catch_mps2", sim.placement.catch_mps2, positive(1000), "m/s^2",
                    "what a moving ball loses first");
   placement.number("clearance_m", sim.placement.clearance_m, {0.025, 0.3}, "m",

@@ -9,7 +9,7 @@
 namespace autoref::runner {
 namespace {
 
-YamlPlace place_of(const YAML::Mark& mark) {
+YamlLocation location_of(const YAML::Mark& mark) {
   if (mark.is_null()) return {};
   return {mark.line + 1, mark.column + 1};
 }
@@ -42,10 +42,10 @@ std::string found(const YAML::Node& node) {
 
 }  // namespace
 
-YamlPlace place_of(const YAML::Node& node) { return place_of(node.Mark()); }
+YamlLocation location_of(const YAML::Node& node) { return location_of(node.Mark()); }
 
-YamlPlace value_place(const YamlEntry& entry) {
-  return entry.value.IsNull() ? entry.place : place_of(entry.value);
+YamlLocation value_location(const YamlEntry& entry) {
+  return entry.value.IsNull() ? entry.location : location_of(entry.value);
 }
 
 const YamlEntry* find_entry(const std::vector<YamlEntry>& entries, std::string_view key) {
@@ -65,15 +65,15 @@ YamlFile::YamlFile(const std::string& text, std::string name) : name_(std::move(
   try {
     documents = YAML::LoadAll(text);
   } catch (const YAML::Exception& error) {
-    const SyntaxMistake mistake = syntax_mistake(text, place_of(error.mark), error.msg);
-    refuse(mistake.place, "", "this is no YAML: " + mistake.message);
+    const SyntaxMistake mistake = syntax_mistake(text, location_of(error.mark), error.msg);
+    refuse(mistake.location, "", "invalid YAML: " + mistake.message);
   }
-  if (const std::optional<YamlPlace> quote = open_quote(text, documents)) {
-    refuse(*quote, "", "this is no YAML: the quotes that open here are never closed");
+  if (const std::optional<YamlLocation> quote = open_quote(text, documents)) {
+    refuse(*quote, "", "invalid YAML: the quotes that open here are never closed");
   }
   if (documents.empty()) refuse({}, "", "the file is empty; expected a scenario");
   if (documents.size() > 1) {
-    refuse(runner::place_of(documents[1]), "",
+    refuse(runner::location_of(documents[1]), "",
            "expected one document, found a second one; leave out the line ---");
   }
   document_ = documents[0];
@@ -85,20 +85,20 @@ std::vector<YamlEntry> YamlFile::entries(const YamlEntry& entry, std::string_vie
                                          const std::vector<std::string>& known) const {
   if (!entry.value.IsMap()) {
     const std::string keys = known.empty() ? "key: value" : listed(known);
-    refuse(value_place(entry), path,
+    refuse(value_location(entry), path,
            fmt::format("expected a mapping ({}), found {}", keys, found(entry.value)));
   }
   std::vector<YamlEntry> entries;
   for (const auto& pair : entry.value) {
-    const YamlPlace place = runner::place_of(pair.first);
-    if (!pair.first.IsScalar()) refuse(place, path, "expected a word as key");
+    const YamlLocation location = runner::location_of(pair.first);
+    if (!pair.first.IsScalar()) refuse(location, path, "expected a word as key");
     const std::string key = pair.first.Scalar();
     if (const YamlEntry* first = find_entry(entries, key)) {
-      refuse(place, path,
+      refuse(location, path,
              fmt::format("the key '{}' is given twice, first in line {}; leave one out", key,
-                         first->place.line));
+                         first->location.line));
     }
-    entries.push_back({key, place, pair.second});
+    entries.push_back({key, location, pair.second});
   }
   return entries;
 }
@@ -107,16 +107,16 @@ std::string YamlFile::scalar(const YamlEntry& entry, std::string_view path,
                              const std::string& expected, bool is_number) const {
   const bool is_quoted = entry.value.Tag() == "!";
   if (!entry.value.IsScalar() || (is_number && is_quoted)) {
-    refuse(value_place(entry), path,
+    refuse(value_location(entry), path,
            fmt::format("expected {}, found {}{}", expected, found(entry.value),
                        is_quoted ? " in quotes" : ""));
   }
   return entry.value.Scalar();
 }
 
-void YamlFile::refuse(const YamlPlace& place, std::string_view key,
+void YamlFile::refuse(const YamlLocation& location, std::string_view key,
                       const std::string& message) const {
-  throw InputError({name_, place.line, place.column}, key, message);
+  throw InputError({name_, location.line, location.column}, key, message);
 }
 
 }  // namespace autoref::runner

@@ -11,21 +11,21 @@
 namespace autoref::runner {
 
 // Line and column in a file, counted from 1; 0 where there is none.
-struct YamlPlace {
+struct YamlLocation {
   int line = 0;
   int column = 0;
 };
 
 struct YamlEntry {
   std::string key;
-  YamlPlace place;  // of the key
+  YamlLocation location;  // of the key
   YAML::Node value;
 };
 
-YamlPlace place_of(const YAML::Node& node);
+YamlLocation location_of(const YAML::Node& node);
 
 // The value's place, the key's where there is no value.
-YamlPlace value_place(const YamlEntry& entry);
+YamlLocation value_location(const YamlEntry& entry);
 
 // The entry of that key, nullptr where there is none.
 const YamlEntry* find_entry(const std::vector<YamlEntry>& entries, std::string_view key);
@@ -33,7 +33,7 @@ const YamlEntry* find_entry(const std::vector<YamlEntry>& entries, std::string_v
 // One document of one file. All refusals are InputErrors with file, place and key.
 class YamlFile {
  public:
-  // Throws InputError for text that is no YAML, or not exactly one document.
+  // Throws InputError for text that is invalid YAML, or not exactly one document.
   YamlFile(const std::string& text, std::string name);
 
   // The entries of the document itself.
@@ -52,7 +52,7 @@ class YamlFile {
   // Where files that it names are looked for.
   std::filesystem::path folder() const { return std::filesystem::path(name_).parent_path(); }
 
-  [[noreturn]] void refuse(const YamlPlace& place, std::string_view key,
+  [[noreturn]] void refuse(const YamlLocation& location, std::string_view key,
                            const std::string& message) const;
 
  private:

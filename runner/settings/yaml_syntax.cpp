@@ -8,12 +8,12 @@ namespace autoref::runner {
 namespace {
 
 // The first line up to that one which a tab indents.
-std::optional<YamlPlace> tab_before(const std::string& text, int last_line) {
+std::optional<YamlLocation> tab_before(const std::string& text, int last_line) {
   std::size_t start = 0;
   for (int line = 1; line <= last_line && start < text.size(); ++line) {
     const std::size_t first = text.find_first_not_of(' ', start);
     if (first != std::string::npos && text[first] == '\t') {
-      return YamlPlace{line, static_cast<int>(first - start) + 1};
+      return YamlLocation{line, static_cast<int>(first - start) + 1};
     }
     const std::size_t end = text.find('\n', start);
     if (end == std::string::npos) break;
@@ -47,16 +47,16 @@ YAML::Node last_value_in(YAML::Node node) {
 
 }  // namespace
 
-SyntaxMistake syntax_mistake(const std::string& text, const YamlPlace& place,
+SyntaxMistake syntax_mistake(const std::string& text, const YamlLocation& location,
                              const std::string& complaint) {
-  if (const std::optional<YamlPlace> tab = tab_before(text, place.line)) {
+  if (const std::optional<YamlLocation> tab = tab_before(text, location.line)) {
     return {*tab, "a tab indents this line; use spaces"};
   }
-  return {place, complaint + remedy_of(complaint)};
+  return {location, complaint + remedy_of(complaint)};
 }
 
-std::optional<YamlPlace> open_quote(const std::string& text,
-                                    const std::vector<YAML::Node>& documents) {
+std::optional<YamlLocation> open_quote(const std::string& text,
+                                       const std::vector<YAML::Node>& documents) {
   if (documents.empty()) return std::nullopt;
   const YAML::Node last = last_value_in(documents.back());
   if (!last.IsScalar() || last.Tag() != "!") return std::nullopt;
@@ -64,7 +64,7 @@ std::optional<YamlPlace> open_quote(const std::string& text,
   if (start >= text.size() || text.find(text[start], start + 1) != std::string::npos) {
     return std::nullopt;
   }
-  return place_of(last);
+  return location_of(last);
 }
 
 }  // namespace autoref::runner

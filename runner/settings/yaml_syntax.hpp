@@ -1,4 +1,4 @@
-// What is wrong with text that is no YAML, in words that say what to do.
+// What is wrong with text that is invalid YAML, in words that say what to do.
 #pragma once
 
 #include <optional>
@@ -10,17 +10,17 @@
 namespace autoref::runner {
 
 struct SyntaxMistake {
-  YamlPlace place;
+  YamlLocation location;
   std::string message;
 };
 
 // From where and what the parser complains, which is often a line too late and in its own terms.
-SyntaxMistake syntax_mistake(const std::string& text, const YamlPlace& place,
+SyntaxMistake syntax_mistake(const std::string& text, const YamlLocation& location,
                              const std::string& complaint);
 
 // Where the quotes of the documents' last value open that are never closed, which the parser takes
 // to close at the end of the file. None where all is well.
-std::optional<YamlPlace> open_quote(const std::string& text,
-                                    const std::vector<YAML::Node>& documents);
+std::optional<YamlLocation> open_quote(const std::string& text,
+                                       const std::vector<YAML::Node>& documents);
 
 }  // namespace autoref::runner

@@ -116,10 +116,10 @@ std::vector<Rating> ratings_of(std::vector<RatedMatchup> matchups, const RatingM
 double quantile_of(std::vector<double> sample, double share) {
   assert(!sample.empty() && 0 <= share && share <= 1);
   std::sort(sample.begin(), sample.end());
-  const double place = share * static_cast<double>(sample.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
+  const double rank = share * static_cast<double>(sample.size() - 1);
+  const auto below = static_cast<std::size_t>(rank);
   const std::size_t above = std::min(below + 1, sample.size() - 1);
-  return std::lerp(sample[below], sample[above], place - static_cast<double>(below));
+  return std::lerp(sample[below], sample[above], rank - static_cast<double>(below));
 }
 
 }  // namespace autoref::runner

@@ -1,5 +1,6 @@
 #include "runner/statistics/sample.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numeric>
@@ -21,6 +22,12 @@ double sum_of_products(std::span<const double> x, std::span<const double> y) {
 double mean(std::span<const double> sample) {
   assert(!sample.empty());
   return std::accumulate(sample.begin(), sample.end(), 0.0) / static_cast<double>(sample.size());
+}
+
+double median(std::vector<double> sample) {
+  const auto middle = sample.begin() + static_cast<std::ptrdiff_t>(sample.size() / 2);
+  std::nth_element(sample.begin(), middle, sample.end());
+  return *middle;
 }
 
 std::optional<double> standard_deviation(std::span<const double> sample) {

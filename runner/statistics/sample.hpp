@@ -3,11 +3,15 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace autoref::runner {
 
 // Not for empty samples.
 double mean(std::span<const double> sample);
+
+// The upper one of an even number of values. Not for empty samples.
+double median(std::vector<double> sample);
 
 // With n - 1 in the denominator. None for fewer than two values.
 std::optional<double> standard_deviation(std::span<const double> sample);

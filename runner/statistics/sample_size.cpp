@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kLegs = 2;
 constexpr int kFewestPairs = 2;
-constexpr int kMostPairs = kMostPlannedGames / kLegs;
+constexpr int kMostPairs = kMostScheduledGames / kLegs;
 
 // A mean of so many standard deviations two pairs do not miss; far beyond it Boost's noncentral
 // distribution gives up.

@@ -19,10 +19,10 @@ struct DifferenceSought {
 double power_of(const DifferenceSought& sought, int pairs);
 
 // More games than this nobody plays.
-inline constexpr int kMostPlannedGames = 1'000'000;
+inline constexpr int kMostScheduledGames = 1'000'000;
 
 // The least number of games, all in pairs of two legs, with which it notices with probability
-// `power` (between 0 and 1) at least; none where that is more than kMostPlannedGames.
+// `power` (between 0 and 1) at least; none where that is more than kMostScheduledGames.
 std::optional<int> games_needed(const DifferenceSought& sought, double power);
 
 }  // namespace autoref::runner

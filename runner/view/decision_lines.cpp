@@ -35,7 +35,7 @@ std::string text_json(const YAML::Node& node) {
   return node.IsDefined() && node.IsScalar() ? json_text(node.Scalar()) : "null";
 }
 
-std::string place_json(const YAML::Node& node) {
+std::string position_json_of(const YAML::Node& node) {
   if (!node.IsDefined() || !node.IsSequence() || node.size() != 2) return "null";
   return json_list({number_json(node[0]), number_json(node[1])});
 }
@@ -55,7 +55,7 @@ void add_decision(const std::string& line, std::vector<std::string>& decisions) 
                           .add("offender", text_json(node["offender"]))
                           .add("card", text_json(node["card"]))
                           .add("restart", text_json(node["restart"]))
-                          .add("place_m", place_json(node["position_m"]))
+                          .add("position_m", position_json_of(node["position_m"]))
                           .text());
 }
 

@@ -24,20 +24,20 @@ constexpr std::string_view kBallColor = "#ff7b1c";
 
 std::string_view color_of(Side side) { return side == Side::kWest ? "#ffd43b" : "#4a9dff"; }
 
-// One thing's places in the pictures; none where it was not seen.
+// One thing's places in the frames; none where it was not seen.
 using Track = std::vector<std::optional<Vec2>>;
 
-Track ball_track(const std::vector<Frame>& pictures) {
+Track ball_track(const std::vector<Frame>& frames) {
   Track track;
-  for (const Frame& picture : pictures)
-    track.push_back(picture.ball ? std::optional(picture.ball->position_m) : std::nullopt);
+  for (const Frame& frame : frames)
+    track.push_back(frame.ball ? std::optional(frame.ball->position_m) : std::nullopt);
   return track;
 }
 
-Track robot_track(const std::vector<Frame>& pictures, RobotId robot) {
+Track robot_track(const std::vector<Frame>& frames, RobotId robot) {
   Track track;
-  for (const Frame& picture : pictures) {
-    const SeenRobots& seen = picture.robots[robot.side];
+  for (const Frame& frame : frames) {
+    const SeenRobots& seen = frame.robots[robot.side];
     const auto found = std::find_if(seen.begin(), seen.end(),
                                     [&](const auto& one) { return one.number == robot.number; });
     track.push_back(found != seen.end() ? std::optional(found->position_m) : std::nullopt);
@@ -48,24 +48,24 @@ Track robot_track(const std::vector<Frame>& pictures, RobotId robot) {
 // The piece of a way that has one strength, thinned.
 void draw_piece(const Track& track, std::size_t begin, std::size_t end, Svg& svg,
                 std::string_view look) {
-  std::vector<Vec2> places;
+  std::vector<Vec2> points;
   const auto finish = [&] {
-    if (places.size() > 1) svg.line(places, look);
-    places.clear();
+    if (points.size() > 1) svg.line(points, look);
+    points.clear();
   };
   for (std::size_t i = begin; i < end; ++i) {
     const bool is_jump =
-        track[i] && !places.empty() && (*track[i] - places.back()).norm() > kFarthestStep_m;
+        track[i] && !points.empty() && (*track[i] - points.back()).norm() > kFarthestStep_m;
     if (!track[i] || is_jump) finish();
     if (!track[i]) continue;
     const bool is_last = i + 1 == end;
-    if (places.empty() || is_last || (*track[i] - places.back()).norm() > kShortestStep_m)
-      places.push_back(*track[i]);
+    if (points.empty() || is_last || (*track[i] - points.back()).norm() > kShortestStep_m)
+      points.push_back(*track[i]);
   }
   finish();
 }
 
-void draw_way(const Track& track, std::string_view color, double width_m, Svg& svg) {
+void draw_path(const Track& track, std::string_view color, double width_m, Svg& svg) {
   const std::size_t steps = track.size() - 1;
   for (std::size_t piece = 0; piece < kStrengths; ++piece) {
     const std::size_t begin = steps * piece / kStrengths;
@@ -79,13 +79,13 @@ void draw_way(const Track& track, std::string_view color, double width_m, Svg& s
   svg.disc(**first, 0.05, fmt::format(R"(class="begin" stroke="{}" stroke-width="14")", color));
 }
 
-void draw_ways(const DrawnGame& game, Svg& svg) {
+void draw_paths(const DrawnGame& game, Svg& svg) {
   svg.begin_group(R"(id="ways" fill="none" stroke-linecap="round" stroke-linejoin="round")");
   for (const Side side : kSides) {
     for (int number = 0; number < kMaxRobots; ++number)
-      draw_way(robot_track(game.pictures, {side, number}), color_of(side), 0.02, svg);
+      draw_path(robot_track(game.frames, {side, number}), color_of(side), 0.02, svg);
   }
-  draw_way(ball_track(game.pictures), kBallColor, 0.028, svg);
+  draw_path(ball_track(game.frames), kBallColor, 0.028, svg);
   svg.end_group();
 }
 
@@ -139,10 +139,10 @@ std::string name_of_team(const DrawnGame& game, Side side) {
 }
 
 std::string time_text(const DrawnGame& game) {
-  const double from_s = game.pictures.front().time_s;
-  const double to_s = game.pictures.back().time_s;
-  return game.pictures.size() == 1 ? fmt::format("{:.2f} s", to_s)
-                                   : fmt::format("{:.2f} s to {:.2f} s", from_s, to_s);
+  const double from_s = game.frames.front().time_s;
+  const double to_s = game.frames.back().time_s;
+  return game.frames.size() == 1 ? fmt::format("{:.2f} s", to_s)
+                                 : fmt::format("{:.2f} s to {:.2f} s", from_s, to_s);
 }
 
 std::string caption(const DrawnGame& game) {
@@ -161,8 +161,8 @@ std::string drawing_of(const DrawnGame& game) {
   const Vec2 half_size_m(field.wall_x_m(), field.wall_y_m());
   Svg svg(half_size_m);
   draw_field(field, svg);
-  if (game.pictures.size() > 1) draw_ways(game, svg);
-  const Frame& last = game.pictures.back();
+  if (game.frames.size() > 1) draw_paths(game, svg);
+  const Frame& last = game.frames.back();
   svg.begin_group(R"(font-family="DejaVu Sans, Helvetica, sans-serif")");
   for (const Side side : kSides)
     for (const RobotObservation& robot : last.robots[side]) draw_robot(side, robot, svg);

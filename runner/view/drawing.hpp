@@ -1,4 +1,4 @@
-// A moment of a game, or the ways of some seconds, as a picture for documents.
+// A moment of a game, or the ways of some seconds, as a frame for documents.
 #pragma once
 
 #include <optional>
@@ -15,11 +15,11 @@ namespace autoref::runner {
 struct DrawnGame {
   Field field;
   PerSide<std::string> names;           // of the teams; empty where they are not known
-  std::optional<RefereeSignal> signal;  // at the last picture; none where the log has none
-  std::vector<Frame> pictures;          // by time, at least one
+  std::optional<RefereeSignal> signal;  // at the last frame; none where the log has none
+  std::vector<Frame> frames;            // by time, at least one
 };
 
-// The field, with robots and ball as the last picture shows them. Where there are several, also
+// The field, with robots and ball as the last frame shows them. Where there are several, also
 // the ways until then, the older the fainter, and rings where they began. SVG.
 std::string drawing_of(const DrawnGame& game);
 

@@ -6,7 +6,7 @@
 namespace autoref::runner {
 namespace {
 
-Vec2 place_of(const league::Point& point) {
+Vec2 position_of(const league::Point& point) {
   return {league::to_m(point.x()), league::to_m(point.y())};
 }
 
@@ -17,9 +17,9 @@ Outline field_lines(const Field& field) {
   league::fill_geometry(field, {}, geometry);
   Outline outline;
   for (const league::FieldLine& line : geometry.field().field_lines())
-    outline.lines.push_back({place_of(line.p1()), place_of(line.p2())});
+    outline.lines.push_back({position_of(line.p1()), position_of(line.p2())});
   for (const league::FieldArc& arc : geometry.field().field_arcs()) {
-    outline.arcs.push_back({place_of(arc.center()), league::to_m(arc.radius()),
+    outline.arcs.push_back({position_of(arc.center()), league::to_m(arc.radius()),
                             static_cast<double>(arc.a1()), static_cast<double>(arc.a2())});
   }
   return outline;

@@ -1,4 +1,4 @@
-// What is painted on the field, as lines and arcs: for pages and pictures.
+// What is painted on the field, as lines and arcs: for pages and frames.
 #pragma once
 
 #include <array>

@@ -19,8 +19,8 @@ constexpr double kAttackerToArea_m = 0.2;
 
 std::string mm_json(double metres) { return json_number(std::round(metres * 10'000) / 10); }
 
-std::string place_json(const Vec2& place_m) {
-  return json_list({mm_json(place_m.x()), mm_json(place_m.y())});
+std::string position_json(const Vec2& position_m) {
+  return json_list({mm_json(position_m.x()), mm_json(position_m.y())});
 }
 
 template <typename T, typename Text>
@@ -37,11 +37,11 @@ std::string pair_json(const PerSide<int>& counts) {
 
 std::string outline_json(const Outline& outline) {
   const auto line_json = [](const MarkLine& line) {
-    return json_list({place_json(line.from_m), place_json(line.to_m)});
+    return json_list({position_json(line.from_m), position_json(line.to_m)});
   };
   const auto arc_json = [](const MarkArc& arc) {
     return JsonObject()
-        .add("centre_mm", place_json(arc.centre_m))
+        .add("centre_mm", position_json(arc.centre_m))
         .add("radius_mm", mm_json(arc.radius_m))
         .add("from_rad", json_number(arc.from_rad))
         .add("to_rad", json_number(arc.to_rad))
@@ -61,10 +61,11 @@ std::string field_json(const Field& field) {
       .add("lineWidth_mm", mm_json(field.line_width_m))
       .add("marks", outline_json(field_lines(field)))
       .add("penaltyMarks",
-           list_json(kSides, [&](Side side) { return place_json(field.penalty_mark_at(side)); }))
-      .add("goals",
-           list_json(kSides,
-                     [&](Side side) { return list_json(goal_walls_m(field, side), place_json); }))
+           list_json(kSides, [&](Side side) { return position_json(field.penalty_mark_at(side)); }))
+      .add("goals", list_json(kSides,
+                              [&](Side side) {
+                                return list_json(goal_walls_m(field, side), position_json);
+                              }))
       .add("nearAreas",
            list_json(kSides,
                      [&](Side side) {
@@ -83,10 +84,10 @@ std::string shapes_json() {
       .text();
 }
 
-std::string signal_json(const TapedSignal& taped) {
-  const RefereeSignal& signal = taped.signal;
+std::string signal_json(const RecordedSignal& recorded) {
+  const RefereeSignal& signal = recorded.signal;
   return JsonObject()
-      .add("time_s", json_number(taped.time_s))
+      .add("time_s", json_number(recorded.time_s))
       .add("command", json_text(name_of(signal.command)))
       .add("counter", std::to_string(signal.command_counter))
       .add("stage", json_text(name_of(signal.stage)))
@@ -94,7 +95,7 @@ std::string signal_json(const TapedSignal& taped) {
       .add("shootoutGoals", pair_json(signal.shootout_goals))
       .add("yellowCards", pair_json(signal.yellow_cards))
       .add("redCards", pair_json(signal.red_cards))
-      .add("target_mm", signal.placement ? place_json(signal.placement->target_m) : "null")
+      .add("target_mm", signal.placement ? position_json(signal.placement->target_m) : "null")
       .add("next", signal.next_command ? json_text(name_of(*signal.next_command)) : "null")
       .text();
 }
@@ -108,15 +109,15 @@ std::string robot_json(RobotId robot) {
 }
 
 std::string game_json(const PageContent& content) {
-  const GameTape& tape = content.tape;
+  const GameRecording& recording = content.recording;
   return JsonObject()
       .add("teams", list_json(content.names.values, json_text))
       .add("field", field_json(content.field))
       .add("shapes", shapes_json())
-      .add("pictures", std::to_string(tape.pictures()))
-      .add("robots", list_json(tape.robots(), robot_json))
-      .add("signals", list_json(tape.signals(), signal_json))
-      .add("clock", list_json(tape.clock(), clock_json))
+      .add("frames", std::to_string(recording.frames()))
+      .add("robots", list_json(recording.robots(), robot_json))
+      .add("signals", list_json(recording.signals(), signal_json))
+      .add("clock", list_json(recording.clock(), clock_json))
       .add("decisions", content.decisions)
       .text();
 }
@@ -137,10 +138,11 @@ std::string escaped_for_script(const std::string& json) {
 
 // Takes the frame's text before `mark` off `rest`.
 std::string_view text_before(std::string_view mark, std::string_view& rest) {
-  const std::size_t place = rest.find(mark);
-  if (place == std::string_view::npos) throw std::logic_error("a part of the page has no place");
-  const std::string_view before = rest.substr(0, place);
-  rest.remove_prefix(place + mark.size());
+  const std::size_t index = rest.find(mark);
+  if (index == std::string_view::npos)
+    throw std::logic_error("a part of the page has no placeholder");
+  const std::string_view before = rest.substr(0, index);
+  rest.remove_prefix(index + mark.size());
   return before;
 }
 
@@ -150,8 +152,8 @@ std::string page_of(const PageContent& content) {
   std::string_view rest = page_frame();
   std::string page(text_before("@STYLE@", rest));
   page.append(page_style()).append(text_before("@GAME@", rest));
-  page.append(escaped_for_script(game_json(content))).append(text_before("@PICTURES@", rest));
-  page.append(base64_of(content.tape.bytes())).append(text_before("@SCRIPT@", rest));
+  page.append(escaped_for_script(game_json(content))).append(text_before("@FRAMES@", rest));
+  page.append(base64_of(content.recording.bytes())).append(text_before("@SCRIPT@", rest));
   return page.append(page_script()).append(rest);
 }
 

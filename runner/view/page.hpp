@@ -3,14 +3,14 @@
 
 #include <string>
 
-#include "runner/view/game_tape.hpp"
+#include "runner/view/game_recording.hpp"
 #include "soccer/field.hpp"
 #include "soccer/side.hpp"
 
 namespace autoref::runner {
 
 struct PageContent {
-  const GameTape& tape;
+  const GameRecording& recording;
   Field field;
   PerSide<std::string> names;    // of the teams; empty where they are not known
   std::string decisions = "[]";  // as decisions_for_page tells them

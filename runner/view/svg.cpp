@@ -7,13 +7,13 @@
 namespace autoref::runner {
 namespace {
 
-constexpr double kWidth_px = 960;
+constexpr double kSvgWidth_px = 960;
 constexpr double kFullTurn_rad = 2 * kPi - 1e-3;  // ends of messages' arcs are floats
 
 long mm(double metres) { return std::lround(metres * 1000); }
 
-std::string place(const Vec2& place_m) {
-  return fmt::format("{} {}", mm(place_m.x()), mm(-place_m.y()));
+std::string point(const Vec2& position_m) {
+  return fmt::format("{} {}", mm(position_m.x()), mm(-position_m.y()));
 }
 
 // Control characters have no place in XML, not even escaped.
@@ -37,8 +37,8 @@ std::string escaped(std::string_view text) {
 std::string path_of(const MarkArc& arc) {
   const Vec2 from = arc.centre_m + arc.radius_m * heading_of(arc.from_rad);
   const Vec2 to = arc.centre_m + arc.radius_m * heading_of(arc.to_rad);
-  return fmt::format("M {} A {} {} 0 {} 0 {}", place(from), mm(arc.radius_m), mm(arc.radius_m),
-                     arc.to_rad - arc.from_rad > kPi ? 1 : 0, place(to));
+  return fmt::format("M {} A {} {} 0 {} 0 {}", point(from), mm(arc.radius_m), mm(arc.radius_m),
+                     arc.to_rad - arc.from_rad > kPi ? 1 : 0, point(to));
 }
 
 }  // namespace
@@ -46,14 +46,14 @@ std::string path_of(const MarkArc& arc) {
 Svg::Svg(const Vec2& half_size_m)
     : body_(fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{:.0f}\" "
                         "height=\"{:.0f}\" viewBox=\"{} {} {} {}\">\n",
-                        kWidth_px, kWidth_px * half_size_m.y() / half_size_m.x(),
+                        kSvgWidth_px, kSvgWidth_px * half_size_m.y() / half_size_m.x(),
                         mm(-half_size_m.x()), mm(-half_size_m.y()), mm(2 * half_size_m.x()),
                         mm(2 * half_size_m.y()))) {}
 
-void Svg::line(std::span<const Vec2> places_m, std::string_view look) {
+void Svg::line(std::span<const Vec2> points_m, std::string_view look) {
   std::string path;
-  for (const Vec2& place_m : places_m)
-    path += fmt::format("{}{}", path.empty() ? "M " : " L ", place(place_m));
+  for (const Vec2& position_m : points_m)
+    path += fmt::format("{}{}", path.empty() ? "M " : " L ", point(position_m));
   body_ += fmt::format("<path d=\"{}\" {}/>\n", path, look);
 }
 
@@ -77,9 +77,9 @@ void Svg::cut_disc(const MarkArc& arc, std::string_view look) {
   body_ += fmt::format("<path d=\"{} Z\" {}/>\n", path_of(arc), look);
 }
 
-void Svg::text(const Vec2& place_m, std::string_view text, std::string_view look) {
-  body_ += fmt::format("<text x=\"{}\" y=\"{}\" {}>{}</text>\n", mm(place_m.x()), mm(-place_m.y()),
-                       look, escaped(text));
+void Svg::text(const Vec2& position_m, std::string_view text, std::string_view look) {
+  body_ += fmt::format("<text x=\"{}\" y=\"{}\" {}>{}</text>\n", mm(position_m.x()),
+                       mm(-position_m.y()), look, escaped(text));
 }
 
 void Svg::begin_group(std::string_view look) { body_ += fmt::format("<g {}>\n", look); }

@@ -1,4 +1,4 @@
-// A picture as SVG whose lengths are the field's millimetres.
+// A frame as SVG whose lengths are the field's millimetres.
 #pragma once
 
 #include <span>
@@ -17,13 +17,13 @@ class Svg {
   // Shows what lies within `half_size_m` of the field's middle.
   explicit Svg(const Vec2& half_size_m);
 
-  void line(std::span<const Vec2> places_m, std::string_view look);
+  void line(std::span<const Vec2> points_m, std::string_view look);
   void arc(const MarkArc& arc, std::string_view look);
   void disc(const Vec2& centre_m, double radius_m, std::string_view look);
   void box(const Vec2& half_size_m, std::string_view look);
   // Part of a disc, cut off straight between the ends of the arc.
   void cut_disc(const MarkArc& arc, std::string_view look);
-  void text(const Vec2& place_m, std::string_view text, std::string_view look);
+  void text(const Vec2& position_m, std::string_view text, std::string_view look);
   // What follows until end_group() has the same look.
   void begin_group(std::string_view look);
   void end_group() { body_ += "</g>\n"; }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "strategies/skills/outlook.hpp"
+#include "strategies/skills/prediction.hpp"
 #include "strategies/skills/shot.hpp"
 #include "strategies/tactics/penalty.hpp"
 
@@ -24,14 +24,14 @@ Style within_the_rules(Style style, const RuleBook& rules) {
 
 }  // namespace
 
-Basic::Basic(const Briefing& briefing)
-    : briefing_(briefing), style_(within_the_rules(tuned(briefing.params), briefing.rules)) {}
+Basic::Basic(const TeamContext& context)
+    : context_(context), style_(within_the_rules(tuned(context.params), context.rules)) {}
 
 // From a hull to the ball's centre at restarts. Referees who judge it measure to the ball's
 // surface.
 double Basic::room_at_ball_m() const {
-  const bool is_judged = briefing_.rules.has(RuleId::kRestartDistance);
-  return briefing_.rules.opponents_to_ball_m + (is_judged ? kBallRadius_m : 0.0);
+  const bool is_judged = context_.rules.has(RuleId::kRestartDistance);
+  return context_.rules.opponents_to_ball_m + (is_judged ? kBallRadius_m : 0.0);
 }
 
 Limits Basic::limits_for(bool is_keeper) const {
@@ -42,7 +42,7 @@ Limits Basic::limits_for(bool is_keeper) const {
   limits.own_half_only = now_.play == Play::kPrepareKickoff || now_.play == Play::kKickoff;
   const bool may_come_near = now_.ours && is_restart(now_.play);
   limits.keep_from_ball_m = may_come_near ? 0 : room_at_ball_m() + kRobotRadius_m;
-  limits.keep_from_area_m = briefing_.rules.attacker_to_area_m + kRobotRadius_m;
+  limits.keep_from_area_m = context_.rules.attacker_to_area_m + kRobotRadius_m;
   return limits;
 }
 
@@ -62,18 +62,18 @@ Obstacles Basic::obstacles_for(int index, bool avoid_ball) const {
   return obstacles;
 }
 
-Waypoint Basic::waypoint_of(int index, const Cast& cast) const {
-  const Part& part = cast.parts[index];
-  switch (part.role) {
+Waypoint Basic::waypoint_of(int index, const RoleAssignment& assignment) const {
+  const AssignedRole& role = assignment.roles[index];
+  switch (role.role) {
     case Role::kKeeper:
-      return keeper_position(briefing_.field, style_, now_.ball);
+      return keeper_position(context_.field, style_, now_.ball);
     case Role::kAttacker:
     case Role::kWall:
-      return wall_position(briefing_.field, style_, ball_place_m_, part.order);
+      return wall_position(context_.field, style_, ball_target_m_, role.rank);
     case Role::kSupporter:
-      return supporter_position(briefing_.field, style_, ball_place_m_, part.order);
+      return supporter_position(context_.field, style_, ball_target_m_, role.rank);
     case Role::kMarker:
-      return marker_position(briefing_.field, style_, now_.opponents[part.marks], ball_place_m_);
+      return marker_position(context_.field, style_, now_.opponents[role.marks], ball_target_m_);
   }
   return {};
 }
@@ -112,12 +112,12 @@ Intent Basic::attack_intent(const TrackedRobot& attacker) const {
   for (const TrackedRobot& mate : now_.own) {
     if (mate.number != attacker.number && others.size() < others.capacity()) others.push_back(mate);
   }
-  Aim aim = best_shot(briefing_.field, ball_m, others);
+  Aim aim = best_shot(context_.field, ball_m, others);
   double kick_mps = style_.shot_mps;
   if (aim.clearance_m < style_.shot_lane_m) {
     const std::optional<Aim> pass = best_pass(attacker.number);
     kick_mps = pass ? pass_speed_mps((pass->target_m - ball_m).norm()) : style_.push_mps;
-    aim = pass ? *pass : best_push(briefing_.field, ball_m, now_.opponents);
+    aim = pass ? *pass : best_push(context_.field, ball_m, now_.opponents);
   }
   Intent intent{aim.target_m, kick_mps};
   const double distance_m = std::max(0.1, (aim.target_m - ball_m).norm());
@@ -127,161 +127,162 @@ Intent Basic::attack_intent(const TrackedRobot& attacker) const {
   return intent;
 }
 
-RobotCommand Basic::attack(const Cast& cast) const {
-  const TrackedRobot& robot = now_.own[cast.attacker];
-  const Obstacles obstacles = obstacles_for(cast.attacker, false);
+RobotCommand Basic::attack(const RoleAssignment& assignment) const {
+  const TrackedRobot& robot = now_.own[assignment.attacker];
+  const Obstacles obstacles = obstacles_for(assignment.attacker, false);
   if (now_.play == Play::kRunning && comes_at(robot, now_.ball)) {
-    return receive_ball(robot, now_.ball, cast.meeting.point_m, obstacles, driving_);
+    return receive_ball(robot, now_.ball, assignment.interception.point_m, obstacles, driving_);
   }
-  return play_ball(robot, now_.ball, cast.meeting.point_m, attack_intent(robot), obstacles,
-                   driving_);
+  return play_ball(robot, now_.ball, assignment.interception.point_m, attack_intent(robot),
+                   obstacles, driving_);
 }
 
-RobotCommand Basic::keep(int index, const Cast& cast) const {
+RobotCommand Basic::keep(int index, const RoleAssignment& assignment) const {
   const TrackedRobot& robot = now_.own[index];
   const Vec2& ball_m = now_.ball.position_m;
-  const bool ball_in_area = distance_to_defence_area(briefing_.field, Side::kWest, ball_m) <
-                                style_.keeper_area_margin_m &&
-                            ball_m.x() > -briefing_.field.half_length_m();
+  const bool ball_in_area =
+      distance_to_defence_area(context_.field, Side::kWest, ball_m) < style_.keeper_area_margin_m &&
+      ball_m.x() > -context_.field.half_length_m();
   if (ball_in_area && now_.play == Play::kRunning &&
       now_.ball.velocity_mps.norm() < style_.keeper_fetch_mps) {
     const Vec2 away_m =
-        ball_m + direction_of(ball_m - briefing_.field.goal_centre_m(Side::kWest), Vec2(1, 0));
+        ball_m + direction_of(ball_m - context_.field.goal_centre_m(Side::kWest), Vec2(1, 0));
     return play_ball(robot, now_.ball, intercept(robot, now_.ball).point_m,
                      {away_m, style_.clearance_mps, 0.5}, obstacles_for(index, false), driving_);
   }
-  return drive_to(robot, waypoint_of(index, cast), {}, driving_);
+  return drive_to(robot, waypoint_of(index, assignment), {}, driving_);
 }
 
 // Whether the attacker may go for the ball now, and can without breaking a rule.
 bool Basic::may_play_ball() const {
   if (now_.play != Play::kRunning) return now_.ours && is_restart(now_.play);
   const double to_area_m =
-      distance_to_defence_area(briefing_.field, Side::kWest, now_.ball.position_m);
-  const bool is_theirs = briefing_.rules.has(RuleId::kAttackerInArea) &&
-                         distance_to_defence_area(briefing_.field, Side::kEast,
+      distance_to_defence_area(context_.field, Side::kWest, now_.ball.position_m);
+  const bool is_theirs = context_.rules.has(RuleId::kAttackerInArea) &&
+                         distance_to_defence_area(context_.field, Side::kEast,
                                                   now_.ball.position_m) < style_.from_their_area_m;
   return !is_theirs && (now_.own.size() == 1 || to_area_m > kFrontDistance_m);
 }
 
-void Basic::play(TeamOrders& orders) {
-  const Cast cast = cast_parts(now_, briefing_.field, style_, former_attacker_);
-  former_attacker_ = cast.attacker < 0 ? -1 : now_.own[cast.attacker].number;
+void Basic::play(TeamCommands& commands) {
+  const RoleAssignment assignment = assign_roles(now_, context_.field, style_, former_attacker_);
+  former_attacker_ = assignment.attacker < 0 ? -1 : now_.own[assignment.attacker].number;
   for (int i = 0; i < static_cast<int>(now_.own.size()); ++i) {
     const TrackedRobot& robot = now_.own[i];
-    RobotCommand& order = orders[robot.number];
-    const Role role = cast.parts[i].role;
-    if (const auto way_m = way_from_behind_goal(briefing_.field, robot.position_m)) {
-      order = drive_to(robot, {*way_m, robot.heading}, obstacles_for(i, false), driving_);
+    RobotCommand& command = commands[robot.number];
+    const Role role = assignment.roles[i].role;
+    if (const auto path_m = exit_from_behind_goal(context_.field, robot.position_m)) {
+      command = drive_to(robot, {*path_m, robot.heading}, obstacles_for(i, false), driving_);
     } else if (role == Role::kKeeper) {
-      order = keep(i, cast);
+      command = keep(i, assignment);
     } else if (role == Role::kAttacker && may_play_ball()) {
-      order = attack(cast);
+      command = attack(assignment);
     } else {
-      Waypoint place = waypoint_of(i, cast);
-      place.position_m = allowed(place.position_m, now_.ball.position_m, limits_for(false));
-      order = drive_to(robot, place, obstacles_for(i, true), driving_);
+      Waypoint waypoint = waypoint_of(i, assignment);
+      waypoint.position_m = allowed(waypoint.position_m, now_.ball.position_m, limits_for(false));
+      command = drive_to(robot, waypoint, obstacles_for(i, true), driving_);
     }
   }
 }
 
-// A place for each robot that depends on nothing but the ball's place, so that everybody comes to
-// rest and play can go on.
+// A place for each robot that depends on nothing but the ball's position, so that everybody comes
+// to rest and play can go on.
 Waypoint Basic::formation_of(int index) const {
-  const Field& field = briefing_.field;
+  const Field& field = context_.field;
   const bool alone = now_.own.size() == 1;
-  const int part = alone ? 1 : index;
-  if (part == 0) return keeper_position(field, style_, {ball_place_m_, Vec2(0, 0), 0});
-  if (part == 1) {
-    const Vec2 back = direction_of(field.goal_centre_m(Side::kWest) - ball_place_m_, Vec2(-1, 0));
-    const Vec2 place_m =
-        ball_place_m_ + back * (briefing_.rules.opponents_to_ball_m + 2 * kRobotRadius_m);
-    return {place_m, direction_of(ball_place_m_ - place_m, Vec2(1, 0))};
+  const int role = alone ? 1 : index;
+  if (role == 0) return keeper_position(field, style_, {ball_target_m_, Vec2(0, 0), 0});
+  if (role == 1) {
+    const Vec2 back = direction_of(field.goal_centre_m(Side::kWest) - ball_target_m_, Vec2(-1, 0));
+    const Vec2 position_m =
+        ball_target_m_ + back * (context_.rules.opponents_to_ball_m + 2 * kRobotRadius_m);
+    return {position_m, direction_of(ball_target_m_ - position_m, Vec2(1, 0))};
   }
-  if (part == 2) return wall_position(field, style_, ball_place_m_, 0);
-  if (part == 3) return supporter_position(field, style_, ball_place_m_, 0);
-  return reserve_position(field, ball_place_m_, part - 4);
+  if (role == 2) return wall_position(field, style_, ball_target_m_, 0);
+  if (role == 3) return supporter_position(field, style_, ball_target_m_, 0);
+  return reserve_position(field, ball_target_m_, role - 4);
 }
 
 // The permitted place. Where the ball lies so near to the own area that nobody fits between, the
 // books that ask for the distance at restarts get it beside the straight way to the goal.
 Vec2 Basic::allowed(const Vec2& wanted_m, const Vec2& ball_m, const Limits& limits) const {
-  const Field& field = briefing_.field;
-  Vec2 place_m = permitted(field, wanted_m, ball_m, limits);
-  if (!briefing_.rules.has(RuleId::kRestartDistance)) return place_m;
+  const Field& field = context_.field;
+  Vec2 position_m = permitted(field, wanted_m, ball_m, limits);
+  if (!context_.rules.has(RuleId::kRestartDistance)) return position_m;
   const Vec2 to_goal = field.goal_centre_m(Side::kWest) - ball_m;
-  for (int i = 0; i < kSidesteps && (place_m - ball_m).norm() < limits.keep_from_ball_m; ++i) {
-    const double side = cross(to_goal, place_m - ball_m) < 0 ? -1.0 : 1.0;
+  for (int i = 0; i < kSidesteps && (position_m - ball_m).norm() < limits.keep_from_ball_m; ++i) {
+    const double side = cross(to_goal, position_m - ball_m) < 0 ? -1.0 : 1.0;
     const Vec2 aside = left_of(direction_of(to_goal, Vec2(-1, 0))) * side;
-    place_m = permitted(field, place_m + aside * style_.sidestep_m, ball_m, limits);
+    position_m = permitted(field, position_m + aside * style_.sidestep_m, ball_m, limits);
   }
-  return place_m;
+  return position_m;
 }
 
 // Where a robot goes first that is too near to the ball in a stop, by books that forbid it.
-std::optional<Vec2> Basic::way_off_ball(const Vec2& from_m) const {
+std::optional<Vec2> Basic::position_off_ball(const Vec2& from_m) const {
   const double keep_m = room_at_ball_m() + kRobotRadius_m + 10_mm;
-  const Vec2 off_m = from_m - ball_place_m_;
-  if (!briefing_.rules.has(RuleId::kStopDistance) || off_m.norm() > keep_m) return std::nullopt;
+  const Vec2 off_m = from_m - ball_target_m_;
+  if (!context_.rules.has(RuleId::kStopDistance) || off_m.norm() > keep_m) return std::nullopt;
   const Vec2 back =
-      direction_of(briefing_.field.goal_centre_m(Side::kWest) - ball_place_m_, Vec2(-1, 0));
-  return ball_place_m_ + direction_of(off_m, back) * (keep_m + kRobotRadius_m);
+      direction_of(context_.field.goal_centre_m(Side::kWest) - ball_target_m_, Vec2(-1, 0));
+  return ball_target_m_ + direction_of(off_m, back) * (keep_m + kRobotRadius_m);
 }
 
 DrivingStyle Basic::waiting_style() const {
   DrivingStyle style = driving_;
-  if (now_.play == Play::kStop && briefing_.rules.has(RuleId::kStopSpeed)) {
-    style.speed_mps = style_.stop_speed_share * briefing_.rules.stop_speed_mps;
+  if (now_.play == Play::kStop && context_.rules.has(RuleId::kStopSpeed)) {
+    style.speed_mps = style_.stop_speed_share * context_.rules.stop_speed_mps;
   }
   return style;
 }
 
-void Basic::line_up(TeamOrders& orders) {
+void Basic::line_up(TeamCommands& commands) {
   for (int i = 0; i < static_cast<int>(now_.own.size()); ++i) {
-    Waypoint place = formation_of(i);
+    Waypoint waypoint = formation_of(i);
     const bool is_keeper = i == 0 && now_.own.size() > 1;
-    place.position_m = allowed(place.position_m, ball_place_m_, limits_for(is_keeper));
+    waypoint.position_m = allowed(waypoint.position_m, ball_target_m_, limits_for(is_keeper));
     const TrackedRobot& robot = now_.own[i];
-    if (const auto way_m = way_from_behind_goal(briefing_.field, robot.position_m)) {
-      place.position_m = *way_m;
-    } else if (const auto off_m = way_off_ball(robot.position_m); off_m && !is_keeper) {
-      place.position_m = *off_m;
+    if (const auto path_m = exit_from_behind_goal(context_.field, robot.position_m)) {
+      waypoint.position_m = *path_m;
+    } else if (const auto off_m = position_off_ball(robot.position_m); off_m && !is_keeper) {
+      waypoint.position_m = *off_m;
     }
-    orders[robot.number] = drive_to(robot, place, obstacles_for(i, !is_keeper), waiting_style());
+    commands[robot.number] =
+        drive_to(robot, waypoint, obstacles_for(i, !is_keeper), waiting_style());
   }
 }
 
 // Until the ball is in play only kicker and keeper count; the others wait behind it.
-void Basic::stand_at_penalty(TeamOrders& orders) {
-  const int kicker = now_.ours ? penalty_kicker(now_, ball_place_m_) : -1;
+void Basic::stand_at_penalty(TeamCommands& commands) {
+  const int kicker = now_.ours ? penalty_kicker(now_, ball_target_m_) : -1;
   for (int i = 0; i < static_cast<int>(now_.own.size()); ++i) {
     const TrackedRobot& robot = now_.own[i];
     if (i == kicker && now_.play == Play::kPenalty) {
-      orders[robot.number] = play_ball(robot, now_.ball, now_.ball.position_m, attack_intent(robot),
-                                       obstacles_for(i, false), driving_);
+      commands[robot.number] = play_ball(robot, now_.ball, now_.ball.position_m,
+                                         attack_intent(robot), obstacles_for(i, false), driving_);
       continue;
     }
-    const Waypoint place =
-        i == kicker ? penalty_run_up(ball_place_m_)
-        : i == 0    ? penalty_keeper(briefing_.field, ball_place_m_)
-                    : penalty_spectator(briefing_.field, ball_place_m_,
-                                        briefing_.rules.penalty_clearance_m, now_.ours, i - 1);
-    orders[robot.number] = drive_to(robot, place, obstacles_for(i, i != 0), driving_);
+    const Waypoint waypoint =
+        i == kicker ? penalty_run_up(ball_target_m_)
+        : i == 0    ? penalty_keeper(context_.field, ball_target_m_)
+                    : penalty_spectator(context_.field, ball_target_m_,
+                                        context_.rules.penalty_clearance_m, now_.ours, i - 1);
+    commands[robot.number] = drive_to(robot, waypoint, obstacles_for(i, i != 0), driving_);
   }
 }
 
-void Basic::decide(const TeamView& view, TeamOrders& orders) {
+void Basic::decide(const TeamView& view, TeamCommands& commands) {
   if (view.play == Play::kHalt) return;
   look_ahead(view, now_);
   if (!now_.own.empty()) requests_.keeper = now_.own.front().number;
-  ball_place_m_ = now_.placement_m.value_or(now_.ball.position_m);
+  ball_target_m_ = now_.placement_m.value_or(now_.ball.position_m);
   const bool waiting = view.play == Play::kStop || view.play == Play::kPrepareKickoff;
   if (view.play == Play::kPreparePenalty || view.play == Play::kPenalty) {
-    stand_at_penalty(orders);
+    stand_at_penalty(commands);
   } else if (waiting) {
-    line_up(orders);
+    line_up(commands);
   } else {
-    play(orders);
+    play(commands);
   }
 }
 

@@ -16,13 +16,13 @@ namespace autoref::strategies::basic {
 
 class Basic final : public Strategy {
  public:
-  explicit Basic(const Briefing& briefing);
+  explicit Basic(const TeamContext& context);
 
-  void decide(const TeamView& view, TeamOrders& orders) override;
+  void decide(const TeamView& view, TeamCommands& commands) override;
   TeamRequests requests() const override { return requests_; }
 
  private:
-  Waypoint waypoint_of(int index, const Cast& cast) const;
+  Waypoint waypoint_of(int index, const RoleAssignment& assignment) const;
   Waypoint formation_of(int index) const;
   double room_at_ball_m() const;
   Limits limits_for(bool is_keeper) const;
@@ -31,21 +31,21 @@ class Basic final : public Strategy {
   double pass_speed_mps(double distance_m) const;
   std::optional<Aim> best_pass(int passer) const;
   Intent attack_intent(const TrackedRobot& attacker) const;
-  RobotCommand attack(const Cast& cast) const;
-  RobotCommand keep(int index, const Cast& cast) const;
+  RobotCommand attack(const RoleAssignment& assignment) const;
+  RobotCommand keep(int index, const RoleAssignment& assignment) const;
   bool may_play_ball() const;
-  void play(TeamOrders& orders);
+  void play(TeamCommands& commands);
   Vec2 allowed(const Vec2& wanted_m, const Vec2& ball_m, const Limits& limits) const;
-  std::optional<Vec2> way_off_ball(const Vec2& from_m) const;
+  std::optional<Vec2> position_off_ball(const Vec2& from_m) const;
   DrivingStyle waiting_style() const;
-  void line_up(TeamOrders& orders);
-  void stand_at_penalty(TeamOrders& orders);
+  void line_up(TeamCommands& commands);
+  void stand_at_penalty(TeamCommands& commands);
 
-  Briefing briefing_;
+  TeamContext context_;
   Style style_;
   DrivingStyle driving_;
-  TeamView now_;             // the view looked ahead to when orders take effect
-  Vec2 ball_place_m_{0, 0};  // the ball, or where the referee is about to put it
+  TeamView now_;              // the view looked ahead to when orders take effect
+  Vec2 ball_target_m_{0, 0};  // the ball, or where the referee is about to put it
   int former_attacker_ = -1;
   TeamRequests requests_;
 };

@@ -23,22 +23,22 @@ Waypoint keeper_position(const Field& field, const Style& style, const TrackedBa
         ball.velocity_mps.y() * (line_x - ball.position_m.x()) / ball.velocity_mps.x();
   } else {
     const Vec2 goal_m = own_goal_m(field);
-    const Vec2 way = direction_of(ball.position_m - goal_m, Vec2(1, 0));
-    y = way.y() * field.half_goal_m();
+    const Vec2 direction = direction_of(ball.position_m - goal_m, Vec2(1, 0));
+    y = direction.y() * field.half_goal_m();
   }
   return facing_ball({line_x, std::clamp(y, -reach_m, reach_m)}, ball.position_m);
 }
 
 Waypoint wall_position(const Field& field, const Style& style, const Vec2& ball_m, int order) {
   const Vec2 goal_m = own_goal_m(field);
-  const Vec2 way = direction_of(ball_m - goal_m, Vec2(1, 0));
+  const Vec2 direction = direction_of(ball_m - goal_m, Vec2(1, 0));
   const double off_m = field.defence_area.depth_m +
-                       field.defence_area.straight_m / 2 * std::abs(way.y()) + kRobotRadius_m +
-                       2 * style.margin_m;
+                       field.defence_area.straight_m / 2 * std::abs(direction.y()) +
+                       kRobotRadius_m + 2 * style.margin_m;
   // Two stand as near to each other as their ways around each other let them, towards the middle.
   const double aside = ball_m.y() > 0 ? -1.0 : 1.0;
-  return facing_ball(goal_m + way * off_m + left_of(way) * (aside * style.wall_gap_m * order),
-                     ball_m);
+  return facing_ball(
+      goal_m + direction * off_m + left_of(direction) * (aside * style.wall_gap_m * order), ball_m);
 }
 
 Waypoint marker_position(const Field& field, const Style& style, const TrackedRobot& opponent,

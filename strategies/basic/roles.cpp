@@ -9,27 +9,27 @@ namespace {
 using Taken = std::array<bool, kMaxRobots>;
 
 // Seconds to the ball and behind it, seen from the opponents' goal.
-double time_behind_ball_s(const TrackedRobot& robot, const Interception& meeting,
+double time_behind_ball_s(const TrackedRobot& robot, const Interception& interception,
                           const Vec2& goal_m, double go_round_s) {
-  const Vec2 aim = direction_of(goal_m - meeting.point_m, Vec2(1, 0));
-  const Vec2 approach = direction_of(meeting.point_m - robot.position_m, aim);
-  return meeting.time_s + go_round_s * (1 - approach.dot(aim)) / 2;
+  const Vec2 aim = direction_of(goal_m - interception.point_m, Vec2(1, 0));
+  const Vec2 approach = direction_of(interception.point_m - robot.position_m, aim);
+  return interception.time_s + go_round_s * (1 - approach.dot(aim)) / 2;
 }
 
 void choose_attacker(const TeamView& view, const Field& field, const Style& style,
-                     const Taken& taken, int former_attacker, Cast& cast) {
+                     const Taken& taken, int former_attacker, RoleAssignment& assignment) {
   double best_s = std::numeric_limits<double>::infinity();
   for (int i = 0; i < static_cast<int>(view.own.size()); ++i) {
     if (taken[i]) continue;
-    const Interception meeting = intercept(view.own[i], view.ball);
+    const Interception interception = intercept(view.own[i], view.ball);
     const double bonus_s = view.own[i].number == former_attacker ? style.loyalty_s : 0.0;
-    const double time_s = time_behind_ball_s(view.own[i], meeting, field.goal_centre_m(Side::kEast),
-                                             style.go_round_s) -
+    const double time_s = time_behind_ball_s(view.own[i], interception,
+                                             field.goal_centre_m(Side::kEast), style.go_round_s) -
                           bonus_s;
     if (time_s >= best_s) continue;
     best_s = time_s;
-    cast.attacker = i;
-    cast.meeting = meeting;
+    assignment.attacker = i;
+    assignment.interception = interception;
   }
 }
 
@@ -64,26 +64,27 @@ int most_dangerous(const TeamView& view, const Style& style, const Taken& marked
   return best;
 }
 
-void give(Cast& cast, Taken& taken, int index, const Part& part) {
+void give(RoleAssignment& assignment, Taken& taken, int index, const AssignedRole& role) {
   if (index < 0) return;
-  cast.parts[index] = part;
+  assignment.roles[index] = role;
   taken[index] = true;
 }
 
 }  // namespace
 
-Cast cast_parts(const TeamView& view, const Field& field, const Style& style, int former_attacker) {
-  Cast cast;
+RoleAssignment assign_roles(const TeamView& view, const Field& field, const Style& style,
+                            int former_attacker) {
+  RoleAssignment assignment;
   Taken taken{};
   const Vec2 goal_m = field.goal_centre_m(Side::kWest);
-  if (view.own.size() > 1) give(cast, taken, 0, {Role::kKeeper, -1, 0});
-  choose_attacker(view, field, style, taken, former_attacker, cast);
-  give(cast, taken, cast.attacker, {Role::kAttacker, -1, 0});
-  give(cast, taken, nearest_free(view, taken, goal_m), {Role::kWall, -1, 0});
+  if (view.own.size() > 1) give(assignment, taken, 0, {Role::kKeeper, -1, 0});
+  choose_attacker(view, field, style, taken, former_attacker, assignment);
+  give(assignment, taken, assignment.attacker, {Role::kAttacker, -1, 0});
+  give(assignment, taken, nearest_free(view, taken, goal_m), {Role::kWall, -1, 0});
   if (view.own.size() > 4)
-    give(cast, taken, nearest_free(view, taken, goal_m), {Role::kWall, -1, 1});
+    give(assignment, taken, nearest_free(view, taken, goal_m), {Role::kWall, -1, 1});
   const Vec2 front_m(0.4 * field.half_length_m(), 0);
-  give(cast, taken, nearest_free(view, taken, front_m), {Role::kSupporter, -1, 0});
+  give(assignment, taken, nearest_free(view, taken, front_m), {Role::kSupporter, -1, 0});
   Taken marked{};
   int supporters = 1;
   for (std::size_t left = view.own.size(); left > 0; --left) {
@@ -92,10 +93,11 @@ Cast cast_parts(const TeamView& view, const Field& field, const Style& style, in
     const int robot = nearest_free(view, taken, near_m);
     if (robot < 0) break;
     if (target >= 0) marked[target] = true;
-    give(cast, taken, robot,
-         target < 0 ? Part{Role::kSupporter, -1, supporters++} : Part{Role::kMarker, target, 0});
+    give(assignment, taken, robot,
+         target < 0 ? AssignedRole{Role::kSupporter, -1, supporters++}
+                    : AssignedRole{Role::kMarker, target, 0});
   }
-  return cast;
+  return assignment;
 }
 
 }  // namespace autoref::strategies::basic

@@ -15,115 +15,115 @@ bool is_at_ball(const TrackedRobot& robot, const Vec2& ball_m) {
 
 }  // namespace
 
-Squad::Squad(const Briefing& briefing, const Plan& plan)
-    : plan_(plan),
-      outlook_(briefing, tuned(plan.style, briefing.params)),
-      field_(outlook_),
-      handler_(outlook_),
-      book_{outlook_, handler_, field_},
-      kept_(outlook_) {}
+Squad::Squad(const TeamContext& context, const TeamPlaybook& playbook)
+    : playbook_(playbook),
+      predicted_(context, tuned(playbook.style, context.params)),
+      field_(predicted_),
+      handler_(predicted_),
+      book_{predicted_, handler_, field_},
+      kept_(predicted_) {}
 
-void Squad::decide(const TeamView& view, TeamOrders& orders) {
-  outlook_.update(view);
+void Squad::decide(const TeamView& view, TeamCommands& commands) {
+  predicted_.update(view);
   if (!view.own.empty()) requests_.keeper = view.own.front().number;
   if (view.play == Play::kHalt) return;
   field_.update();
   handler_.update();
   note_stop();
   note_restarter();
-  Cast cast(outlook_);
+  RoleAssignment assignment(predicted_);
   if (book_.is_settled) {
-    cast = kept_;
+    assignment = kept_;
   } else {
-    choose_play(cast);
-    line_up_taker(book_, cast);
-    if (outlook_.is_waiting()) cast.spread();
-    if (!may_take()) keep(cast);
+    choose_play(assignment);
+    line_up_taker(book_, assignment);
+    if (predicted_.is_waiting()) assignment.spread();
+    if (!may_take()) keep(assignment);
   }
   book_.former = -1;
-  for (int i = 0; i < outlook_.robots(); ++i) {
-    const int number = outlook_.robot(i).number;
-    if (cast.task(i).part == Part::kBall) book_.former = number;
-    RobotCommand& order = orders[static_cast<std::size_t>(number)];
-    order = order_for(i, cast.task(i));
-    if (outlook_.rules().has(RuleId::kCrash)) ease_off(outlook_, i, order);
+  for (int i = 0; i < predicted_.robots(); ++i) {
+    const int number = predicted_.robot(i).number;
+    if (assignment.task(i).role == Role::kBall) book_.former = number;
+    RobotCommand& command = commands[static_cast<std::size_t>(number)];
+    command = command_for(i, assignment.task(i));
+    if (predicted_.rules().has(RuleId::kCrash)) ease_off(predicted_, i, command);
   }
 }
 
 // Who has taken a restart must not touch the ball again before another robot has.
 void Squad::note_restarter() {
-  const TeamView& now = outlook_.now();
+  const TeamView& now = predicted_.now();
   if (is_restart(now.play)) {
     book_.restarter = now.ours ? book_.former : -1;
     return;
   }
   if (book_.restarter < 0) return;
-  if (now.play != Play::kRunning || !outlook_.rules().has(RuleId::kDoubleTouch))
+  if (now.play != Play::kRunning || !predicted_.rules().has(RuleId::kDoubleTouch))
     book_.restarter = -1;
   const auto has_touched = [&](const TrackedRobot& robot) {
-    return robot.number != book_.restarter && is_at_ball(robot, outlook_.path().now_m());
+    return robot.number != book_.restarter && is_at_ball(robot, predicted_.path().now_m());
   };
   const bool mate = std::any_of(now.own.begin(), now.own.end(), has_touched);
   const bool other =
       std::any_of(now.opponents.begin(), now.opponents.end(),
-                  [&](const auto& robot) { return is_at_ball(robot, outlook_.path().now_m()); });
+                  [&](const auto& robot) { return is_at_ball(robot, predicted_.path().now_m()); });
   if (mate || other) book_.restarter = -1;
 }
 
 void Squad::note_stop() {
-  const TeamView& now = outlook_.now();
-  const bool is_other = now.play != former_play_ || outlook_.robots() != former_robots_;
+  const TeamView& now = predicted_.now();
+  const bool is_other = now.play != former_play_ || predicted_.robots() != former_robots_;
   if (is_other) {
     since_s_ = now.time_s;
     book_.stuck = -1;
     book_.taker_from_s = 0;
   }
   former_play_ = now.play;
-  former_robots_ = outlook_.robots();
+  former_robots_ = predicted_.robots();
   const double waited_s = now.time_s - since_s_;
   // Later the places are kept, so that the robots come to rest.
-  const bool chooses = waited_s < outlook_.style().choosing_s;
+  const bool chooses = waited_s < predicted_.style().choosing_s;
   book_.waited_s = waited_s;
-  book_.is_settled = outlook_.is_waiting() && !chooses;
+  book_.is_settled = predicted_.is_waiting() && !chooses;
 }
 
-void Squad::keep(const Cast& cast) {
-  kept_ = cast;
-  kept_robots_ = outlook_.robots();
+void Squad::keep(const RoleAssignment& assignment) {
+  kept_ = assignment;
+  kept_robots_ = predicted_.robots();
 }
 
 // Whether the ball waits for this team to take its restart.
-bool Squad::may_take() const { return is_restart(outlook_.now().play) && outlook_.now().ours; }
+bool Squad::may_take() const { return is_restart(predicted_.now().play) && predicted_.now().ours; }
 
-void Squad::choose_play(Cast& cast) {
-  const TeamView& now = outlook_.now();
+void Squad::choose_play(RoleAssignment& assignment) {
+  const TeamView& now = predicted_.now();
   const bool is_kickoff = now.play == Play::kPrepareKickoff || now.play == Play::kKickoff ||
                           now.next == CommandKind::kPrepareKickoff;
   if (now.play == Play::kPreparePenalty || now.play == Play::kPenalty) {
-    penalty(book_, cast);
+    penalty(book_, assignment);
   } else if (is_kickoff && !may_take()) {
-    await_kickoff(book_, cast);
+    await_kickoff(book_, assignment);
   } else if (may_take()) {
-    if (kept_robots_ == outlook_.robots()) cast = kept_;
-    take_restart(book_, cast);
+    if (kept_robots_ == predicted_.robots()) assignment = kept_;
+    take_restart(book_, assignment);
   } else if (now.play == Play::kRunning) {
-    plan_.open_play(book_, cast);
+    playbook_.open_play(book_, assignment);
   } else {
-    plan_.await_restart(book_, cast);
+    playbook_.await_restart(book_, assignment);
   }
 }
 
-RobotCommand Squad::order_for(int index, const Task& task) {
-  switch (task.part) {
-    case Part::kKeeper:
-      return keep_goal(outlook_, index);
-    case Part::kBall:
+RobotCommand Squad::command_for(int index, const Task& task) {
+  switch (task.role) {
+    case Role::kKeeper:
+      return keep_goal(predicted_, index);
+    case Role::kBall:
       return handler_.play(index);
-    case Part::kReceiver:
-    case Part::kStands:
-    case Part::kTaker:
-      return go_to(outlook_, index, task.place);
-    case Part::kNone:
+    case Role::kReceiver:
+    case Role::kStands:
+    case Role::kTaker:
+      return go_to(predicted_, index, task.waypoint);
+    case Role::kNone:
       break;
   }
   return {};

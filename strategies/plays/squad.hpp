@@ -8,36 +8,36 @@
 namespace autoref::strategies {
 
 // What teams of this kind differ in: their numbers, and their plays where they have their own.
-struct Plan {
+struct TeamPlaybook {
   Style style;
-  void (*open_play)(Playbook& book, Cast& cast) = strategies::open_play;
-  void (*await_restart)(Playbook& book, Cast& cast) = strategies::await_restart;
+  void (*open_play)(PlayContext& book, RoleAssignment& assignment) = strategies::open_play;
+  void (*await_restart)(PlayContext& book, RoleAssignment& assignment) = strategies::await_restart;
 };
 
 class Squad final : public Strategy {
  public:
-  // Numbers of the style that `briefing.params` names are taken from there.
-  Squad(const Briefing& briefing, const Plan& plan);
+  // Numbers of the style that `context.params` names are taken from there.
+  Squad(const TeamContext& context, const TeamPlaybook& playbook);
   Squad(const Squad&) = delete;
   Squad& operator=(const Squad&) = delete;
 
-  void decide(const TeamView& view, TeamOrders& orders) override;
+  void decide(const TeamView& view, TeamCommands& commands) override;
   TeamRequests requests() const override { return requests_; }
 
  private:
-  void choose_play(Cast& cast);
-  void keep(const Cast& cast);
+  void choose_play(RoleAssignment& assignment);
+  void keep(const RoleAssignment& assignment);
   bool may_take() const;
   void note_stop();
   void note_restarter();
-  RobotCommand order_for(int index, const Task& task);
+  RobotCommand command_for(int index, const Task& task);
 
-  Plan plan_;
-  Outlook outlook_;
+  TeamPlaybook playbook_;
+  PredictedState predicted_;
   PassField field_;
   BallHandler handler_;
-  Playbook book_;
-  Cast kept_;  // while play is stopped, and by who does not take the restart
+  PlayContext book_;
+  RoleAssignment kept_;  // while play is stopped, and by who does not take the restart
   int kept_robots_ = 0;
   Play former_play_ = Play::kHalt;
   int former_robots_ = 0;

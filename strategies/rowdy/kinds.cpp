@@ -4,8 +4,8 @@
 
 namespace autoref::strategies::rowdy {
 
-std::span<const Mischief* const, kKindCount> all_kinds() {
-  static constexpr std::array<const Mischief*, kKindCount> kAll = {
+std::span<const FoulBehaviour* const, kKindCount> all_kinds() {
+  static constexpr std::array<const FoulBehaviour*, kKindCount> kAll = {
       &kAimlessKick,   &kAttackInArea, &kChipGoal,    &kCrowdRestart,  &kDelay,
       &kHardKick,      &kIndirectShot, &kKeeperHold,  &kKeeperOffLine, &kKickoffIntruder,
       &kLongDribble,   &kNearArea,     &kOwnGoalKick, &kPenaltyCrowd,  &kPlayAtOwnArea,

@@ -1,39 +1,39 @@
-// All the mischief that `rowdy` knows, one file each in kinds/.
+// All the foul behaviour that `rowdy` knows, one file each in kinds/.
 #pragma once
 
 #include <span>
 
-#include "strategies/rowdy/mischief.hpp"
+#include "strategies/rowdy/foul_behaviour.hpp"
 
 namespace autoref::strategies::rowdy {
 
-extern const Mischief kAimlessKick;
-extern const Mischief kAttackInArea;
-extern const Mischief kChipGoal;
-extern const Mischief kCrowdRestart;
-extern const Mischief kDelay;
-extern const Mischief kHardKick;
-extern const Mischief kIndirectShot;
-extern const Mischief kKeeperHold;
-extern const Mischief kKeeperOffLine;
-extern const Mischief kKickoffIntruder;
-extern const Mischief kLongDribble;
-extern const Mischief kNearArea;
-extern const Mischief kOwnGoalKick;
-extern const Mischief kPenaltyCrowd;
-extern const Mischief kPlayAtOwnArea;
-extern const Mischief kPlayInOwnArea;
-extern const Mischief kRam;
-extern const Mischief kRamEvenly;
-extern const Mischief kSecondTouch;
-extern const Mischief kShove;
-extern const Mischief kStopCrowd;
-extern const Mischief kStopSprint;
-extern const Mischief kTimeout;
+extern const FoulBehaviour kAimlessKick;
+extern const FoulBehaviour kAttackInArea;
+extern const FoulBehaviour kChipGoal;
+extern const FoulBehaviour kCrowdRestart;
+extern const FoulBehaviour kDelay;
+extern const FoulBehaviour kHardKick;
+extern const FoulBehaviour kIndirectShot;
+extern const FoulBehaviour kKeeperHold;
+extern const FoulBehaviour kKeeperOffLine;
+extern const FoulBehaviour kKickoffIntruder;
+extern const FoulBehaviour kLongDribble;
+extern const FoulBehaviour kNearArea;
+extern const FoulBehaviour kOwnGoalKick;
+extern const FoulBehaviour kPenaltyCrowd;
+extern const FoulBehaviour kPlayAtOwnArea;
+extern const FoulBehaviour kPlayInOwnArea;
+extern const FoulBehaviour kRam;
+extern const FoulBehaviour kRamEvenly;
+extern const FoulBehaviour kSecondTouch;
+extern const FoulBehaviour kShove;
+extern const FoulBehaviour kStopCrowd;
+extern const FoulBehaviour kStopSprint;
+extern const FoulBehaviour kTimeout;
 
 inline constexpr int kKindCount = 23;
 
 // In the order in which chances of the same frame are asked about.
-std::span<const Mischief* const, kKindCount> all_kinds();
+std::span<const FoulBehaviour* const, kKindCount> all_kinds();
 
 }  // namespace autoref::strategies::rowdy

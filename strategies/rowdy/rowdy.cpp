@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "strategies/skills/outlook.hpp"
+#include "strategies/skills/prediction.hpp"
 
 namespace autoref::strategies::rowdy {
 namespace {
@@ -10,7 +10,7 @@ namespace {
 // An opportunity is a new one, and the dice are thrown again, when there was none for so long.
 constexpr double kBetweenChances_s = 1.0;
 
-double share_of(const Mischief& kind, const std::map<std::string, double>& params) {
+double share_of(const FoulBehaviour& kind, const std::map<std::string, double>& params) {
   const auto own = params.find(std::string(kind.name));
   if (own != params.end()) return own->second;
   const auto otherwise = params.find("otherwise");
@@ -19,50 +19,50 @@ double share_of(const Mischief& kind, const std::map<std::string, double>& param
 
 }  // namespace
 
-Rowdy::Rowdy(const Briefing& briefing)
-    : briefing_(briefing), basic_(briefing), random_(briefing.random) {
+Rowdy::Rowdy(const TeamContext& context)
+    : context_(context), basic_(context), random_(context.random) {
   const auto kinds = all_kinds();
   for (std::size_t i = 0; i < habits_.size(); ++i) {
     habits_[i].kind = kinds[i];
-    habits_[i].share = share_of(*kinds[i], briefing.params);
+    habits_[i].share = share_of(*kinds[i], context.params);
   }
 }
 
-void Rowdy::decide(const TeamView& view, TeamOrders& orders) {
-  basic_.decide(view, orders);
+void Rowdy::decide(const TeamView& view, TeamCommands& commands) {
+  basic_.decide(view, commands);
   requests_ = basic_.requests();
   look_ahead(view, now_);
-  const Scene scene{briefing_.field, briefing_.rules, now_, requests_.keeper};
+  const Scene scene{context_.field, context_.rules, now_, requests_.keeper};
   look_for_chances(scene);
-  if (under_way_ != nullptr && !go_on(scene, orders)) under_way_ = nullptr;
+  if (under_way_ != nullptr && !go_on(scene, commands)) under_way_ = nullptr;
 }
 
 void Rowdy::look_for_chances(const Scene& scene) {
   for (Habit& habit : habits_) consider(habit, scene);
 }
 
-// A chance that comes while another mischief is under way is missed.
+// A chance that comes while another foul behaviour is under way is missed.
 void Rowdy::consider(Habit& habit, const Scene& scene) {
-  const std::optional<Deed> chance = habit.kind->find_chance(scene);
+  const std::optional<ActiveFoul> chance = habit.kind->find_chance(scene);
   if (!chance) return;
   const bool is_new = now_.time_s - habit.last_chance_s > kBetweenChances_s;
   habit.last_chance_s = now_.time_s;
   if (!is_new || under_way_ != nullptr || random_.uniform() >= habit.share) return;
   under_way_ = habit.kind;
-  deed_ = *chance;
-  deed_.amount = random_.uniform();
-  deed_.begun_s = now_.time_s;
+  active_foul_ = *chance;
+  active_foul_.amount = random_.uniform();
+  active_foul_.begun_s = now_.time_s;
 }
 
-// False once the mischief is over, done or given up; then the team does as it should.
-bool Rowdy::go_on(const Scene& scene, TeamOrders& orders) {
-  if (now_.time_s - deed_.begun_s > under_way_->longest_s) return false;
-  if (deed_.robot >= 0 && find(now_.own, deed_.robot) == nullptr) return false;
-  TeamOrders wanted = orders;
+// False once the foul behaviour is over, done or given up; then the team does as it should.
+bool Rowdy::go_on(const Scene& scene, TeamCommands& commands) {
+  if (now_.time_s - active_foul_.begun_s > under_way_->longest_s) return false;
+  if (active_foul_.robot >= 0 && find(now_.own, active_foul_.robot) == nullptr) return false;
+  TeamCommands wanted = commands;
   TeamRequests asked = requests_;
-  Will will{wanted, asked};
-  if (!under_way_->go_on(scene, deed_, will)) return false;
-  orders = wanted;
+  TeamOutput output{wanted, asked};
+  if (!under_way_->go_on(scene, active_foul_, output)) return false;
+  commands = wanted;
   requests_ = asked;
   return true;
 }

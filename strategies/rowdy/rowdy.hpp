@@ -1,9 +1,9 @@
 // `basic` with bad manners: now and then it breaks a rule on purpose, so that a referee can be
 // measured.
 //
-// Each kind of mischief (kinds.hpp) has a parameter of its name: the share of its opportunities
-// that the team takes, from 0 (never) to 1 (always). `otherwise` is the share of all kinds that are
-// not named; without it they have their defaults. One mischief at a time.
+// Each kind of foul behaviour (kinds.hpp) has a parameter of its name: the share of its
+// opportunities that the team takes, from 0 (never) to 1 (always). `otherwise` is the share of all
+// kinds that are not named; without it they have their defaults. One foul behaviour at a time.
 #pragma once
 
 #include <array>
@@ -18,29 +18,29 @@ namespace autoref::strategies::rowdy {
 
 class Rowdy final : public Strategy {
  public:
-  explicit Rowdy(const Briefing& briefing);
+  explicit Rowdy(const TeamContext& context);
 
-  void decide(const TeamView& view, TeamOrders& orders) override;
+  void decide(const TeamView& view, TeamCommands& commands) override;
   TeamRequests requests() const override { return requests_; }
 
  private:
   // A kind, how often it is done, and when there was last an opportunity.
   struct Habit {
-    const Mischief* kind = nullptr;
+    const FoulBehaviour* kind = nullptr;
     double share = 0;
     double last_chance_s = -std::numeric_limits<double>::infinity();
   };
 
   void look_for_chances(const Scene& scene);
   void consider(Habit& habit, const Scene& scene);
-  bool go_on(const Scene& scene, TeamOrders& orders);
+  bool go_on(const Scene& scene, TeamCommands& commands);
 
-  Briefing briefing_;
+  TeamContext context_;
   basic::Basic basic_;
   RandomStream random_;
   std::array<Habit, kKindCount> habits_;
-  const Mischief* under_way_ = nullptr;
-  Deed deed_;
+  const FoulBehaviour* under_way_ = nullptr;
+  ActiveFoul active_foul_;
   TeamView now_;
   TeamRequests requests_;
 };

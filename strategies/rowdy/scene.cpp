@@ -2,15 +2,15 @@
 
 #include <cmath>
 
-#include "strategies/skills/outlook.hpp"
 #include "strategies/skills/play_ball.hpp"
+#include "strategies/skills/prediction.hpp"
 
 namespace autoref::strategies::rowdy {
 namespace {
 
-constexpr double kClearance_m = 2 * kRobotRadius_m + 20_mm;
-constexpr double kWay_m = 250_mm;  // half as wide as a cleared way
-constexpr double kTouch_m = kFrontDistance_m + kBallRadius_m;
+constexpr double kSceneClearance_m = 2 * kRobotRadius_m + 20_mm;
+constexpr double kSceneLane_m = 250_mm;  // half as wide as a cleared way
+constexpr double kSceneTouch_m = kFrontDistance_m + kBallRadius_m;
 
 // The robot nearest to a point and within `reach_m`, number `except` left out.
 const TrackedRobot* nearest(const TrackedRobots& robots, int except, const Vec2& point_m,
@@ -28,10 +28,10 @@ const TrackedRobot* nearest(const TrackedRobots& robots, int except, const Vec2&
 Obstacles everybody_but(const Scene& scene, int number) {
   Obstacles obstacles;
   for (const TrackedRobot& mate : scene.now.own) {
-    if (mate.number != number) obstacles.push_back({mate.position_m, kClearance_m});
+    if (mate.number != number) obstacles.push_back({mate.position_m, kSceneClearance_m});
   }
   for (const TrackedRobot& opponent : scene.now.opponents) {
-    obstacles.push_back({opponent.position_m, kClearance_m});
+    obstacles.push_back({opponent.position_m, kSceneClearance_m});
   }
   return obstacles;
 }
@@ -55,7 +55,8 @@ const TrackedRobot* nearest_opponent(const Scene& scene, const Vec2& point_m, do
 
 bool has_ball(const TrackedRobot& robot, const TrackedBall& ball) {
   const Vec2 at_m = to_local(ball.position_m - robot.position_m, robot.heading);
-  return at_m.x() > 0 && at_m.x() < kTouch_m + 15_mm && std::abs(at_m.y()) < kMouthWidth_m / 2;
+  return at_m.x() > 0 && at_m.x() < kSceneTouch_m + 15_mm &&
+         std::abs(at_m.y()) < kDribblerZoneWidth_m / 2;
 }
 
 bool is_running(const Scene& scene) { return scene.now.play == Play::kRunning; }
@@ -70,9 +71,9 @@ bool is_opponents_restart(const Scene& scene) {
 
 bool is_free_kick(Play play) { return play == Play::kDirectFree || play == Play::kIndirectFree; }
 
-RobotCommand go_to(const Scene& scene, const TrackedRobot& robot, const Vec2& place_m) {
-  const Vec2 heading = direction_of(scene.now.ball.position_m - place_m, robot.heading);
-  return drive_to(robot, {place_m, heading}, everybody_but(scene, robot.number), {});
+RobotCommand go_to(const Scene& scene, const TrackedRobot& robot, const Vec2& position_m) {
+  const Vec2 heading = direction_of(scene.now.ball.position_m - position_m, robot.heading);
+  return drive_to(robot, {position_m, heading}, everybody_but(scene, robot.number), {});
 }
 
 RobotCommand charge(const TrackedRobot& robot, const Vec2& velocity_mps) {
@@ -85,29 +86,29 @@ RobotCommand charge_at(const TrackedRobot& robot, const Vec2& point_m, double sp
 
 RobotCommand kick_at(const Scene& scene, const TrackedRobot& robot, const Vec2& target_m,
                      double kick_mps) {
-  const Vec2 meeting_m = intercept(robot, scene.now.ball).point_m;
-  return play_ball(robot, scene.now.ball, meeting_m, {target_m, kick_mps},
+  const Vec2 interception_m = intercept(robot, scene.now.ball).point_m;
+  return play_ball(robot, scene.now.ball, interception_m, {target_m, kick_mps},
                    everybody_but(scene, robot.number), {});
 }
 
 void hold_back(const Scene& scene, int number, const Vec2& point_m, double reach_m,
-               TeamOrders& orders) {
+               TeamCommands& commands) {
   for (const TrackedRobot& mate : scene.now.own) {
     if (mate.number == number || (mate.position_m - point_m).norm() > reach_m) continue;
-    orders[static_cast<std::size_t>(mate.number)] = RobotCommand{};
+    commands[static_cast<std::size_t>(mate.number)] = RobotCommand{};
   }
 }
 
-void clear_way(const Scene& scene, int number, const Vec2& from_m, const Vec2& to_m,
-               TeamOrders& orders) {
-  const Vec2 way = direction_of(to_m - from_m, Vec2(1, 0));
+void clear_lane(const Scene& scene, int number, const Vec2& from_m, const Vec2& to_m,
+                TeamCommands& commands) {
+  const Vec2 direction = direction_of(to_m - from_m, Vec2(1, 0));
   for (const TrackedRobot& mate : scene.now.own) {
     if (mate.number == number) continue;
-    const Vec2 on_way_m = nearest_on_segment(mate.position_m, from_m, to_m);
-    if ((mate.position_m - on_way_m).norm() > kWay_m) continue;
-    const double side = cross(way, mate.position_m - from_m) > 0 ? 1.0 : -1.0;
-    orders[static_cast<std::size_t>(mate.number)] =
-        go_to(scene, mate, on_way_m + left_of(way) * (side * 1.5 * kWay_m));
+    const Vec2 on_lane_m = nearest_on_segment(mate.position_m, from_m, to_m);
+    if ((mate.position_m - on_lane_m).norm() > kSceneLane_m) continue;
+    const double side = cross(direction, mate.position_m - from_m) > 0 ? 1.0 : -1.0;
+    commands[static_cast<std::size_t>(mate.number)] =
+        go_to(scene, mate, on_lane_m + left_of(direction) * (side * 1.5 * kSceneLane_m));
   }
 }
 

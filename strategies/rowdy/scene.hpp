@@ -1,4 +1,4 @@
-// What the mischief of `rowdy` sees, and how it moves robots.
+// What the foul behaviour of `rowdy` sees, and how it moves robots.
 #pragma once
 
 #include <optional>
@@ -38,7 +38,7 @@ bool is_opponents_restart(const Scene& scene);
 bool is_free_kick(Play play);
 
 // Orders that bring the robot to a place around everybody else, facing the ball.
-RobotCommand go_to(const Scene& scene, const TrackedRobot& robot, const Vec2& place_m);
+RobotCommand go_to(const Scene& scene, const TrackedRobot& robot, const Vec2& position_m);
 
 // Orders that move the robot straight on at that velocity, facing where it goes.
 RobotCommand charge(const TrackedRobot& robot, const Vec2& velocity_mps);
@@ -52,10 +52,10 @@ RobotCommand kick_at(const Scene& scene, const TrackedRobot& robot, const Vec2& 
 
 // Lets the mates of robot `number` stand where they are within `reach_m` of a point.
 void hold_back(const Scene& scene, int number, const Vec2& point_m, double reach_m,
-               TeamOrders& orders);
+               TeamCommands& commands);
 
 // Sends mates of robot `number` out of the way from `from_m` to `to_m`, the keeper too.
-void clear_way(const Scene& scene, int number, const Vec2& from_m, const Vec2& to_m,
-               TeamOrders& orders);
+void clear_lane(const Scene& scene, int number, const Vec2& from_m, const Vec2& to_m,
+                TeamCommands& commands);
 
 }  // namespace autoref::strategies::rowdy

@@ -11,14 +11,14 @@ namespace {
 constexpr double kSlide_mps2 = 3.4;
 constexpr double kRoll_mps2 = 0.30;
 constexpr double kRollsFrom = 0.67;  // share of the kick's speed
-constexpr double kStill_mps = 0.03;
-constexpr double kPeak_mps = 0.15;  // a speed that grows by so much between pictures was kicked
+constexpr double kPathStill_mps = 0.03;
+constexpr double kPeak_mps = 0.15;  // a speed that grows by so much between frames was kicked
 constexpr double kNever_s = 10;
 
 // Time and way of the sliding phase from `speed_mps` down to `rolls_mps`.
 struct Phase {
   double time_s = 0;
-  double way_m = 0;
+  double path_m = 0;
 };
 Phase sliding(double speed_mps, double rolls_mps) {
   const double time_s = std::max(0.0, (speed_mps - rolls_mps) / kSlide_mps2);
@@ -30,11 +30,11 @@ double rolled_m(double speed_mps, double time_s) {
   return speed_mps * t - kRoll_mps2 * t * t / 2;
 }
 
-double way_after_m(double speed_mps, double rolls_mps, double time_s) {
+double path_after_m(double speed_mps, double rolls_mps, double time_s) {
   const double rolling_mps = std::min(speed_mps, rolls_mps);
   const Phase slide = sliding(speed_mps, rolling_mps);
   if (time_s < slide.time_s) return speed_mps * time_s - kSlide_mps2 * time_s * time_s / 2;
-  return slide.way_m + rolled_m(rolling_mps, time_s - slide.time_s);
+  return slide.path_m + rolled_m(rolling_mps, time_s - slide.time_s);
 }
 
 double speed_after_mps(double speed_mps, double rolls_mps, double time_s) {
@@ -51,13 +51,13 @@ void BallPath::follow(const TrackedBall& ball, double latency_s) {
   if (seen_mps > last_mps_ + kPeak_mps || seen_mps > kick_mps_) kick_mps_ = seen_mps;
   if (seen_mps < kRollsFrom * kick_mps_) kick_mps_ = seen_mps / kRollsFrom;  // it rolls
   last_mps_ = seen_mps;
-  way_ = direction_of(ball.velocity_mps, way_);
+  direction_ = direction_of(ball.velocity_mps, direction_);
   const double rolls_mps = kRollsFrom * kick_mps_;
-  const bool is_still = seen_mps < kStill_mps;
+  const bool is_still = seen_mps < kPathStill_mps;
   speed_mps_ = is_still ? 0 : speed_after_mps(seen_mps, rolls_mps, latency_s);
   for (int i = 0; i <= kSteps; ++i) {
-    const double way_m = is_still ? 0 : way_after_m(seen_mps, rolls_mps, latency_s + i * kStep_s);
-    table_[static_cast<std::size_t>(i)] = ball.position_m + way_ * way_m;
+    const double path_m = is_still ? 0 : path_after_m(seen_mps, rolls_mps, latency_s + i * kStep_s);
+    table_[static_cast<std::size_t>(i)] = ball.position_m + direction_ * path_m;
   }
 }
 
@@ -73,11 +73,11 @@ double kick_for_mps(double distance_m, double arrival_mps) {
 double roll_time_s(double kick_mps, double distance_m) {
   const double rolls_mps = kRollsFrom * kick_mps;
   const Phase slide = sliding(kick_mps, rolls_mps);
-  if (distance_m <= slide.way_m) {
+  if (distance_m <= slide.path_m) {
     const double left2 = kick_mps * kick_mps - 2 * kSlide_mps2 * distance_m;
     return (kick_mps - std::sqrt(std::max(0.0, left2))) / kSlide_mps2;
   }
-  const double left2 = rolls_mps * rolls_mps - 2 * kRoll_mps2 * (distance_m - slide.way_m);
+  const double left2 = rolls_mps * rolls_mps - 2 * kRoll_mps2 * (distance_m - slide.path_m);
   if (left2 < 0) return kNever_s;
   return slide.time_s + (rolls_mps - std::sqrt(left2)) / kRoll_mps2;
 }

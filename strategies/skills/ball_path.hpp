@@ -16,8 +16,8 @@ class BallPath {
   static constexpr double kStep_s = 0.1;
   static constexpr double kLongest_s = kSteps * kStep_s;
 
-  // Takes the next picture of the ball, moved on by the `latency_s` until orders take effect. Kicks
-  // are told from the speed's peaks, so that it must be called for every picture.
+  // Takes the next frame of the ball, moved on by the `latency_s` until orders take effect. Kicks
+  // are told from the speed's peaks, so that it must be called for every frame.
   void follow(const TrackedBall& ball, double latency_s);
 
   // Where the ball is at a step of the table, from 0 (now) to kSteps.
@@ -26,14 +26,14 @@ class BallPath {
   const Vec2& end_m() const { return table_[kSteps]; }
 
   double speed_mps() const { return speed_mps_; }
-  const Vec2& way() const { return way_; }  // unit vector
-  Vec2 velocity_mps() const { return way_ * speed_mps_; }
+  const Vec2& direction() const { return direction_; }  // unit vector
+  Vec2 velocity_mps() const { return direction_ * speed_mps_; }
 
  private:
   double kick_mps_ = 0;  // the speed's last peak
   double last_mps_ = 0;
   double speed_mps_ = 0;
-  Vec2 way_{1, 0};
+  Vec2 direction_{1, 0};
   std::array<Vec2, kSteps + 1> table_;
 };
 

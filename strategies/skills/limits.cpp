@@ -9,8 +9,8 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kMargin_m = 30_mm;  // more than a rule asks for, for the robots' own errors
-constexpr int kTurns = 36;           // tried to each side of a place in the ball's circle
+constexpr double kLimitMargin_m = 30_mm;  // more than a rule asks for, for the robots' own errors
+constexpr int kTurns = 36;                // tried to each side of a place in the ball's circle
 
 // Moves `p` by the shortest way until it is `distance_m` off the area of `side`.
 //
@@ -47,18 +47,18 @@ Vec2 pushed_off_ball(const Field& field, const Vec2& p, const Vec2& ball_m, cons
   const Vec2 back = back_from(field, ball_m);
   const Vec2 away = direction_of(p - ball_m, back);
   const Vec2 bent = away.dot(back) < 0 ? direction_of(away + 1.5 * back, back) : away;
-  return ball_m + bent * (limits.keep_from_ball_m + kMargin_m);
+  return ball_m + bent * (limits.keep_from_ball_m + kLimitMargin_m);
 }
 
 // Into the half, off the areas, into the field: what does not depend on the ball.
 Vec2 pushed_into_bounds(const Field& field, Vec2 p, const Limits& limits) {
-  if (limits.own_half_only) p.x() = std::min(p.x(), -kRobotRadius_m - kMargin_m);
+  if (limits.own_half_only) p.x() = std::min(p.x(), -kRobotRadius_m - kLimitMargin_m);
   if (!limits.may_enter_own_area) {
-    p = pushed_out_of_area(field, Side::kWest, p, kRobotRadius_m + kMargin_m,
+    p = pushed_out_of_area(field, Side::kWest, p, kRobotRadius_m + kLimitMargin_m,
                            limits.may_stay_behind_goal);
   }
   if (limits.keep_from_area_m > 0) {
-    p = pushed_out_of_area(field, Side::kEast, p, limits.keep_from_area_m + kMargin_m,
+    p = pushed_out_of_area(field, Side::kEast, p, limits.keep_from_area_m + kLimitMargin_m,
                            limits.may_stay_behind_goal);
   }
   const double x_m = field.half_length_m() + limits.beyond_lines_m;
@@ -76,8 +76,8 @@ Vec2 permitted_by_all(const Field& field, const Vec2& wanted_m, const Vec2& ball
                       const Limits& limits) {
   Vec2 p = permitted(field, wanted_m, ball_m, limits);
   if ((p - ball_m).norm() >= limits.keep_from_ball_m) return p;
-  const Vec2 off_m =
-      direction_of(p - ball_m, back_from(field, ball_m)) * (limits.keep_from_ball_m + kMargin_m);
+  const Vec2 off_m = direction_of(p - ball_m, back_from(field, ball_m)) *
+                     (limits.keep_from_ball_m + kLimitMargin_m);
   for (int i = 1; i <= kTurns; ++i) {
     for (const double side : {1.0, -1.0}) {
       Vec2 turned_m = ball_m + to_world(off_m, heading_of(side * i * kPi / kTurns));

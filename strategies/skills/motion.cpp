@@ -6,19 +6,19 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kLookAhead_m = 1.5;        // obstacles farther along the way do not matter yet
+constexpr double kMotionLookAhead_m = 1.5;  // obstacles farther along the way do not matter yet
 constexpr double kGoalClearance_m = 30_mm;  // from a goal's wall to a robot that passes it
 
-// The first obstacle on the way from `from_m` along the unit vector `way`, or nullptr.
-const Obstacle* first_on_way(const Vec2& from_m, const Vec2& way, double length_m,
-                             const Obstacles& obstacles) {
+// The first obstacle on the way from `from_m` along the unit vector `direction`, or nullptr.
+const Obstacle* first_on_path(const Vec2& from_m, const Vec2& direction, double length_m,
+                              const Obstacles& obstacles) {
   const Obstacle* first = nullptr;
-  double first_along_m = std::min(length_m, kLookAhead_m);
+  double first_along_m = std::min(length_m, kMotionLookAhead_m);
   for (const Obstacle& obstacle : obstacles) {
     const Vec2 offset = obstacle.position_m - from_m;
-    const double along_m = offset.dot(way);
+    const double along_m = offset.dot(direction);
     if (along_m <= 0 || along_m >= first_along_m) continue;
-    if (std::abs(cross(way, offset)) >= obstacle.clearance_m) continue;
+    if (std::abs(cross(direction, offset)) >= obstacle.clearance_m) continue;
     first = &obstacle;
     first_along_m = along_m;
   }
@@ -27,19 +27,19 @@ const Obstacle* first_on_way(const Vec2& from_m, const Vec2& way, double length_
 
 }  // namespace
 
-Vec2 way_around(const Vec2& from_m, const Vec2& target_m, const Obstacles& obstacles) {
+Vec2 steer_around(const Vec2& from_m, const Vec2& target_m, const Obstacles& obstacles) {
   const Vec2 offset = target_m - from_m;
   const double length_m = offset.norm();
   if (length_m < 1e-6) return target_m;
-  const Vec2 way = offset / length_m;
-  const Obstacle* obstacle = first_on_way(from_m, way, length_m, obstacles);
+  const Vec2 direction = offset / length_m;
+  const Obstacle* obstacle = first_on_path(from_m, direction, length_m, obstacles);
   if (obstacle == nullptr) return target_m;
   // Pass on the side on which the straight way already runs by.
-  const double side = cross(way, obstacle->position_m - from_m) > 0 ? -1.0 : 1.0;
-  return obstacle->position_m + left_of(way) * (side * obstacle->clearance_m * 1.1);
+  const double side = cross(direction, obstacle->position_m - from_m) > 0 ? -1.0 : 1.0;
+  return obstacle->position_m + left_of(direction) * (side * obstacle->clearance_m * 1.1);
 }
 
-std::optional<Vec2> way_from_behind_goal(const Field& field, const Vec2& from_m) {
+std::optional<Vec2> exit_from_behind_goal(const Field& field, const Vec2& from_m) {
   const double beyond_m = std::abs(from_m.x()) - field.half_length_m();
   const double flank_m = field.half_goal_m() + field.goal_wall_thickness_m + kRobotRadius_m;
   const double aside_m = std::abs(from_m.y());
@@ -68,15 +68,15 @@ RobotCommand drive_via(const TrackedRobot& robot, const Vec2& steer_m, const Way
                        const DrivingStyle& style) {
   const double left_m = (goal.position_m - robot.position_m).norm();
   if (left_m < style.arrived_m) return drive_with(robot, Vec2(0, 0), goal.heading, style);
-  const Vec2 way = direction_of(steer_m - robot.position_m, goal.heading);
+  const Vec2 direction = direction_of(steer_m - robot.position_m, goal.heading);
   const double speed_mps = std::min(
       {style.speed_mps, style.approach_per_s * left_m, std::sqrt(2 * style.braking_mps2 * left_m)});
-  return drive_with(robot, way * speed_mps, goal.heading, style);
+  return drive_with(robot, direction * speed_mps, goal.heading, style);
 }
 
 RobotCommand drive_to(const TrackedRobot& robot, const Waypoint& goal, const Obstacles& obstacles,
                       const DrivingStyle& style) {
-  return drive_via(robot, way_around(robot.position_m, goal.position_m, obstacles), goal, style);
+  return drive_via(robot, steer_around(robot.position_m, goal.position_m, obstacles), goal, style);
 }
 
 }  // namespace autoref::strategies

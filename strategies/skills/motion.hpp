@@ -36,11 +36,11 @@ using Obstacles = boost::container::static_vector<Obstacle, 2 * kMaxRobots + 4>;
 
 // The point to steer for on the way to `target_m`: the target itself where the straight way is
 // free, else a point beside the first obstacle on it.
-Vec2 way_around(const Vec2& from_m, const Vec2& target_m, const Obstacles& obstacles);
+Vec2 steer_around(const Vec2& from_m, const Vec2& target_m, const Obstacles& obstacles);
 
 // Where to steer for from behind a goal or from close beside it, where the straight way to the
 // field leads against its walls: first to the side, then past the goal line. None elsewhere.
-std::optional<Vec2> way_from_behind_goal(const Field& field, const Vec2& from_m);
+std::optional<Vec2> exit_from_behind_goal(const Field& field, const Vec2& from_m);
 
 // Orders that bring `robot` to `goal` around the obstacles and to rest there.
 RobotCommand drive_to(const TrackedRobot& robot, const Waypoint& goal, const Obstacles& obstacles,

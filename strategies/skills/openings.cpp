@@ -76,10 +76,10 @@ Opening widest_opening(const Field& field, const Vec2& from_m, const TrackedRobo
   const double post_m = field.half_goal_m() - kBallRadius_m;
   const Span gap = widest_gap(shadows, -post_m, post_m);
   const Vec2 target_m(goal_x, (gap.low_m + gap.high_m) / 2);
-  const Vec2 way = target_m - from_m;
-  const double distance_m = way.norm();
+  const Vec2 direction = target_m - from_m;
+  const double distance_m = direction.norm();
   // Seen at an angle, and the ball's own width does not shrink with it.
-  const double sine = way.x() / distance_m;
+  const double sine = direction.x() / distance_m;
   const double half_m =
       std::max(0.0, (gap.high_m - gap.low_m) / 2 * sine - kBallRadius_m * (1 - sine));
   return {target_m, half_m, share_within(half_m / (kKickError_rad * distance_m))};

@@ -9,7 +9,7 @@ namespace autoref::strategies {
 namespace {
 
 constexpr double kUsableBraking = 0.75;  // of what the robot can; the wheels take their share
-constexpr double kTouch_m = kFrontDistance_m + kBallRadius_m;
+constexpr double kReachTouch_m = kFrontDistance_m + kBallRadius_m;
 constexpr double kBeyond_m = 100_mm;  // outside the field where a robot may still save a ball
 
 // Seconds for `distance_m` on a line from the speed `along_mps` to rest.
@@ -40,25 +40,25 @@ double time_to_s(const TrackedRobot& robot, const Vec2& point_m, const Abilities
   const Vec2 offset = point_m - robot.position_m;
   const double distance_m = offset.norm();
   if (distance_m < 1e-6) return robot.velocity_mps.norm() / abilities.braking_mps2;
-  const Vec2 way = offset / distance_m;
-  const double along_mps = robot.velocity_mps.dot(way);
-  const double aside_mps = std::abs(cross(way, robot.velocity_mps));
+  const Vec2 direction = offset / distance_m;
+  const double along_mps = robot.velocity_mps.dot(direction);
+  const double aside_mps = std::abs(cross(direction, robot.velocity_mps));
   // Sideways motion is braked on the way; it costs about half of what it takes alone.
   return line_time_s(distance_m, along_mps, abilities) + 0.5 * aside_mps / abilities.braking_mps2;
 }
 
-Meeting meet(const TrackedRobot& robot, const BallPath& path, const Abilities& abilities,
-             const Field& field) {
+BallInterception intercept(const TrackedRobot& robot, const BallPath& path,
+                           const Abilities& abilities, const Field& field) {
   const double x_m = field.half_length_m() + kBeyond_m;
   const double y_m = field.half_width_m() + kBeyond_m;
   const int stride = path.speed_mps() < 0.5 ? 4 : 2;
-  Meeting last{path.now_m(), 0};
+  BallInterception last{path.now_m(), 0};
   double last_late_s = 0;
   for (int step = 0; step <= BallPath::kSteps; step += stride) {
     const Vec2& ball_m = path.at_step(step);
     if (step > 0 && (std::abs(ball_m.x()) > x_m || std::abs(ball_m.y()) > y_m)) break;
     const Vec2 to_robot = direction_of(robot.position_m - ball_m, Vec2(-1, 0));
-    const double needed_s = time_to_s(robot, ball_m + to_robot * kTouch_m, abilities);
+    const double needed_s = time_to_s(robot, ball_m + to_robot * kReachTouch_m, abilities);
     const double ball_s = step * BallPath::kStep_s;
     if (path.speed_mps() <= 0) return {ball_m, needed_s};
     const double late_s = needed_s - ball_s;

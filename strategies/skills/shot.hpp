@@ -1,4 +1,4 @@
-// Aiming: which part of a goal, or which team-mate, a kick from the ball's place can reach.
+// Aiming: which part of a goal, or which team-mate, a kick from the ball's position can reach.
 #pragma once
 
 #include "soccer/field.hpp"

@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "soccer/units.hpp"
-#include "strategies/skills/course.hpp"
+#include "strategies/skills/obstacle_avoidance.hpp"
 
 namespace autoref::strategies {
 namespace {
 
-constexpr double kTouch_m = kFrontDistance_m + kBallRadius_m;
-constexpr double kInMouth_m = 18_mm;  // from touching the plate to the ball it still holds
+constexpr double kStrikeTouch_m = kFrontDistance_m + kBallRadius_m;
+constexpr double kInDribblerZone_m = 18_mm;  // from touching the plate to the ball it still holds
 constexpr double kIncoming_mps = 1.8;
 constexpr double kBesideLine_m = 0.7;  // from the ball's line to a robot that can step onto it
 constexpr double kFrame_s = 1.0 / 60;
@@ -20,10 +20,10 @@ constexpr double kTurnWithBall_radps = 6.0;
 constexpr double kTurnBraking_radps2 = 16.0;
 constexpr double kPress_mps = 0.25;  // forwards, so that the ball stays at the plate
 
-constexpr double kLane_m = 30_mm;   // the ball is straight ahead when less aside than this
-constexpr double kNear_m = 0.35;    // from here on it moves with the ball
-constexpr double kRunUp_m = 50_mm;  // between plate and ball before the last run
-constexpr double kExact_m = 30_mm;  // aside of a ball that is taken from a restart
+constexpr double kStrikeLane_m = 30_mm;   // the ball is straight ahead when less aside than this
+constexpr double kNear_m = 0.35;          // from here on it moves with the ball
+constexpr double kStrikeRunUp_m = 50_mm;  // between plate and ball before the last run
+constexpr double kExact_m = 30_mm;        // aside of a ball that is taken from a restart
 constexpr double kClearOfBall_m = 25_mm;
 constexpr double kCarefulFrom_m = 0.35;  // going round a ball that is to lie still
 constexpr double kCareful_mps = 1.2;
@@ -57,19 +57,21 @@ RobotCommand turn_and_kick(const TrackedRobot& robot, const Vec2& aim, const Str
 }
 
 // Stands on the ball's line; sends the ball on where it comes at a fit angle, else stops it.
-RobotCommand meet_pass(const TrackedRobot& robot, const BallPath& path, const Meeting& meeting,
-                       const Strike& strike, const Vec2& aim, const Obstacles& obstacles,
-                       const DrivingStyle& style) {
-  const Vec2 back = -path.way();
+RobotCommand intercept_pass(const TrackedRobot& robot, const BallPath& path,
+                            const BallInterception& interception, const Strike& strike,
+                            const Vec2& aim, const Obstacles& obstacles,
+                            const DrivingStyle& style) {
+  const Vec2 back = -path.direction();
   const bool sends_on = strike.first_touch && aim.dot(back) > kWideFirstTouch;
   const Vec2 heading = sends_on ? aim : back;
-  const Vec2 front_m = robot.position_m + heading * kTouch_m;
+  const Vec2 front_m = robot.position_m + heading * kStrikeTouch_m;
   // Where it stands if that is on the line already, else where it can be in time.
-  const double to_front_m = (front_m - path.now_m()).dot(path.way());
-  const double to_meeting_m = (meeting.point_m - path.now_m()).dot(path.way());
-  const double aside_m = std::abs(cross(path.way(), front_m - path.now_m()));
-  const double along_m = aside_m < 0.15 ? std::max(to_front_m, 0.0) : std::max(to_meeting_m, 0.0);
-  const Vec2 stand_m = path.now_m() + path.way() * along_m - heading * kTouch_m;
+  const double to_front_m = (front_m - path.now_m()).dot(path.direction());
+  const double to_interception_m = (interception.point_m - path.now_m()).dot(path.direction());
+  const double aside_m = std::abs(cross(path.direction(), front_m - path.now_m()));
+  const double along_m =
+      aside_m < 0.15 ? std::max(to_front_m, 0.0) : std::max(to_interception_m, 0.0);
+  const Vec2 stand_m = path.now_m() + path.direction() * along_m - heading * kStrikeTouch_m;
   RobotCommand command =
       drive_via(robot, steer_for(robot, stand_m, obstacles), {stand_m, heading}, style);
   command.dribble = true;
@@ -77,11 +79,11 @@ RobotCommand meet_pass(const TrackedRobot& robot, const BallPath& path, const Me
   return command;
 }
 
-RobotCommand fetch(const TrackedRobot& robot, const BallPath& path, const Meeting& meeting,
-                   const Strike& strike, const Vec2& aim, const Obstacles& obstacles,
-                   const DrivingStyle& style) {
+RobotCommand fetch(const TrackedRobot& robot, const BallPath& path,
+                   const BallInterception& interception, const Strike& strike, const Vec2& aim,
+                   const Obstacles& obstacles, const DrivingStyle& style) {
   const bool is_near = (path.now_m() - robot.position_m).norm() < kNear_m;
-  const Vec2& ball_m = is_near ? path.now_m() : meeting.point_m;
+  const Vec2& ball_m = is_near ? path.now_m() : interception.point_m;
   const Vec2 to_ball = ball_m - robot.position_m;
   const Vec2 straight = direction_of(to_ball, aim);
   const double bend_rad =
@@ -89,12 +91,12 @@ RobotCommand fetch(const TrackedRobot& robot, const BallPath& path, const Meetin
   Vec2 from = to_world(heading_of(bend_rad), straight);  // the way through the ball
   const double outwards = from.dot(strike.keep_off);
   if (outwards > 0) from = direction_of(from - strike.keep_off * outwards, aim);
-  const double ahead_m = to_ball.dot(from) - kTouch_m;
+  const double ahead_m = to_ball.dot(from) - kStrikeTouch_m;
   const double aside_m = cross(from, to_ball);
   RobotCommand command;
   if (is_near) {  // with the ball's motion, and into it once it lies straight ahead
-    const bool in_lane = std::abs(aside_m) < kLane_m + 0.25 * std::max(0.0, ahead_m);
-    const double left_m = ahead_m - (in_lane ? 0.0 : kRunUp_m);
+    const bool in_lane = std::abs(aside_m) < kStrikeLane_m + 0.25 * std::max(0.0, ahead_m);
+    const double left_m = ahead_m - (in_lane ? 0.0 : kStrikeRunUp_m);
     const double run_mps = in_lane
                                ? kRun_mps + std::sqrt(2 * kRunBraking_mps2 * std::max(0.0, left_m))
                                : style.approach_per_s * left_m;
@@ -102,7 +104,7 @@ RobotCommand fetch(const TrackedRobot& robot, const BallPath& path, const Meetin
         path.velocity_mps() + from * run_mps + left_of(from) * (style.approach_per_s * aside_m);
     command = drive_with(robot, clamp_norm(velocity_mps, style.speed_mps), from, style);
   } else {
-    const Vec2 stand_m = ball_m - from * (kTouch_m + kRunUp_m / 2);
+    const Vec2 stand_m = ball_m - from * (kStrikeTouch_m + kStrikeRunUp_m / 2);
     command = drive_via(robot, steer_for(robot, stand_m, obstacles), {stand_m, from}, style);
   }
   command.dribble = true;
@@ -116,10 +118,10 @@ RobotCommand take_kick(const TrackedRobot& robot, const Vec2& ball_m, const Stri
                        const Obstacles& obstacles, const DrivingStyle& style) {
   const Vec2 aim = direction_of(strike.target_m - ball_m, robot.heading);
   const Vec2 to_ball = ball_m - robot.position_m;
-  const double ahead_m = to_ball.dot(aim) - kTouch_m;
+  const double ahead_m = to_ball.dot(aim) - kStrikeTouch_m;
   const double aside_m = cross(aim, to_ball);
-  const bool is_behind = ahead_m > -kTouch_m / 2 && ahead_m < 0.4;
-  if (is_behind && std::abs(aside_m) < kExact_m + 0.3 * std::max(0.0, ahead_m - kRunUp_m)) {
+  const bool is_behind = ahead_m > -kStrikeTouch_m / 2 && ahead_m < 0.4;
+  if (is_behind && std::abs(aside_m) < kExact_m + 0.3 * std::max(0.0, ahead_m - kStrikeRunUp_m)) {
     const bool is_aligned = std::abs(angle_between(robot.heading, aim)) < strike.tolerance_rad &&
                             std::abs(aside_m) < kExact_m;
     // Up to the ball, and into it once the kick will go where it should.
@@ -131,7 +133,7 @@ RobotCommand take_kick(const TrackedRobot& robot, const Vec2& ball_m, const Stri
     command.chip = strike.chip;
     return command;
   }
-  const Vec2 stand_m = ball_m - aim * (kTouch_m + kRunUp_m + kBallRadius_m);
+  const Vec2 stand_m = ball_m - aim * (kStrikeTouch_m + kStrikeRunUp_m + kBallRadius_m);
   Obstacles all = obstacles;
   all.push_back({ball_m, kRobotRadius_m + kBallRadius_m + kClearOfBall_m});
   DrivingStyle careful = style;
@@ -141,27 +143,28 @@ RobotCommand take_kick(const TrackedRobot& robot, const Vec2& ball_m, const Stri
 
 bool has_ball(const TrackedRobot& robot, const Vec2& ball_m) {
   const Vec2 local_m = to_local(ball_m - robot.position_m, robot.heading);
-  return local_m.x() > kFrontDistance_m - 10_mm && local_m.x() < kTouch_m + kInMouth_m &&
-         std::abs(local_m.y()) < kMouthWidth_m / 2;
+  return local_m.x() > kFrontDistance_m - 10_mm &&
+         local_m.x() < kStrikeTouch_m + kInDribblerZone_m &&
+         std::abs(local_m.y()) < kDribblerZoneWidth_m / 2;
 }
 
 bool comes_towards(const TrackedRobot& robot, const BallPath& path) {
   if (path.speed_mps() < kIncoming_mps) return false;
   const Vec2 to_robot = robot.position_m - path.now_m();
-  return to_robot.dot(path.way()) > kFrontDistance_m &&
-         std::abs(cross(path.way(), to_robot)) < kBesideLine_m;
+  return to_robot.dot(path.direction()) > kFrontDistance_m &&
+         std::abs(cross(path.direction(), to_robot)) < kBesideLine_m;
 }
 
-RobotCommand strike_ball(const TrackedRobot& robot, const BallPath& path, const Meeting& meeting,
-                         const Strike& strike, const Obstacles& obstacles,
-                         const DrivingStyle& style) {
+RobotCommand strike_ball(const TrackedRobot& robot, const BallPath& path,
+                         const BallInterception& interception, const Strike& strike,
+                         const Obstacles& obstacles, const DrivingStyle& style) {
   const bool holds = has_ball(robot, path.now_m());
-  const Vec2& from_m = holds ? path.now_m() : meeting.point_m;
+  const Vec2& from_m = holds ? path.now_m() : interception.point_m;
   const Vec2 aim = direction_of(strike.target_m - from_m, robot.heading);
   if (holds) return turn_and_kick(robot, aim, strike);
   if (comes_towards(robot, path))
-    return meet_pass(robot, path, meeting, strike, aim, obstacles, style);
-  return fetch(robot, path, meeting, strike, aim, obstacles, style);
+    return intercept_pass(robot, path, interception, strike, aim, obstacles, style);
+  return fetch(robot, path, interception, strike, aim, obstacles, style);
 }
 
 RobotCommand carry_ball(const TrackedRobot& robot, const Vec2& velocity_mps, const Vec2& heading) {

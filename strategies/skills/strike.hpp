@@ -28,9 +28,9 @@ bool comes_towards(const TrackedRobot& robot, const BallPath& path);
 // Orders for `robot` to get the ball where it meets it and to strike it. With the ball it turns,
 // held by the dribbler, and kicks; a ball that comes is met on its line; any other is fetched from
 // a side that needs little turning. `obstacles` are robots only.
-RobotCommand strike_ball(const TrackedRobot& robot, const BallPath& path, const Meeting& meeting,
-                         const Strike& strike, const Obstacles& obstacles,
-                         const DrivingStyle& style);
+RobotCommand strike_ball(const TrackedRobot& robot, const BallPath& path,
+                         const BallInterception& interception, const Strike& strike,
+                         const Obstacles& obstacles, const DrivingStyle& style);
 
 // Orders for `robot` to kick a ball that lies still, in one touch: it goes behind the ball, lines
 // up and runs into it. Before that it keeps clear of the ball.

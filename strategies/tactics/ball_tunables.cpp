@@ -96,7 +96,7 @@ constexpr std::array kBall = std::to_array<Tunable>({
     {&Style::still_shoots,
      {"still_shoots", "1", 0, 0, 1,
       "Share of shot_threshold for a robot that was about to shoot."}},
-    {&Style::turn_cost, {"turn_cost", "1", 0, 0, 3, "Cost of turning round under full pressure."}},
+    {&Style::turn_nll, {"turn_nll", "1", 0, 0, 3, "Cost of turning round under full pressure."}},
     {&Style::worthless,
      {"worthless", "1", 0, 0, 1, "Anything worth less is left for clearing the ball."}},
     {&Style::pressed, {"pressed", "1", 0, 0, 1, "Pressure from which a ball is cleared roughly."}},

@@ -6,28 +6,28 @@
 namespace autoref::strategies {
 namespace {}  // namespace
 
-bool opponent_has_ball(const Outlook& outlook) {
-  const int opponent = outlook.their_fastest();
-  return opponent >= 0 && has_ball(outlook.now().opponents[static_cast<std::size_t>(opponent)],
-                                   outlook.path().now_m());
+bool opponent_has_ball(const PredictedState& predicted) {
+  const int opponent = predicted.their_fastest();
+  return opponent >= 0 && has_ball(predicted.now().opponents[static_cast<std::size_t>(opponent)],
+                                   predicted.path().now_m());
 }
 
-RobotCommand block_ball(const Outlook& outlook, int index) {
-  const TrackedRobot& robot = outlook.robot(index);
-  const Vec2& ball_m = outlook.path().now_m();
-  const Vec2 goal_m = outlook.field().goal_centre_m(Side::kWest);
+RobotCommand block_ball(const PredictedState& predicted, int index) {
+  const TrackedRobot& robot = predicted.robot(index);
+  const Vec2& ball_m = predicted.path().now_m();
+  const Vec2 goal_m = predicted.field().goal_centre_m(Side::kWest);
   const Vec2 back = direction_of(goal_m - ball_m, Vec2(-1, 0));
   const Vec2 stand_m = ball_m + back * (kFrontDistance_m + kBallRadius_m);
   const Vec2 off = stand_m - robot.position_m;
-  const DrivingStyle style = outlook.driving(index);
+  const DrivingStyle style = predicted.driving(index);
   RobotCommand command;
-  if (off.norm() > outlook.style().block_from_m) {
+  if (off.norm() > predicted.style().block_from_m) {
     Obstacles obstacles;
-    robots_around(outlook, index, stand_m, obstacles);
+    robots_around(predicted, index, stand_m, obstacles);
     command = drive_via(robot, steer_for(robot, stand_m, obstacles), {stand_m, -back}, style);
   } else {
     command = drive_with(
-        robot, off * outlook.style().block_close_per_s - back * outlook.style().block_press_mps,
+        robot, off * predicted.style().block_close_per_s - back * predicted.style().block_press_mps,
         -back, style);
   }
   command.dribble = true;
@@ -36,13 +36,13 @@ RobotCommand block_ball(const Outlook& outlook, int index) {
 
 RobotCommand FaceOff::break_away(double now_s) {
   if (now_s > until_s_) {
-    until_s_ = now_s + outlook_.style().face_off_s;
+    until_s_ = now_s + predicted_.style().face_off_s;
     side_ = random_.uniform() < 0.5 ? 1.0 : -1.0;
   }
   RobotCommand command;
   command.velocity_mps =
-      Vec2(outlook_.style().face_off_ahead_mps, side_ * outlook_.style().face_off_aside_mps);
-  command.angular_velocity_radps = side_ * outlook_.style().face_off_turn_radps;
+      Vec2(predicted_.style().face_off_ahead_mps, side_ * predicted_.style().face_off_aside_mps);
+  command.angular_velocity_radps = side_ * predicted_.style().face_off_turn_radps;
   command.dribble = true;
   return command;
 }

@@ -6,14 +6,14 @@
 
 #include "strategies/tactics/duel.hpp"
 #include "strategies/tactics/kick_choice.hpp"
-#include "strategies/tactics/outlook.hpp"
+#include "strategies/tactics/predicted_state.hpp"
 
 namespace autoref::strategies {
 
 // The robot at the ball. Remembers what it is about to do, and for whom a pass on its way is.
 class BallHandler {
  public:
-  explicit BallHandler(const Outlook& outlook);
+  explicit BallHandler(const PredictedState& predicted);
 
   // Keeps the memory up to date; for every view, before play().
   void update();
@@ -32,7 +32,7 @@ class BallHandler {
   RobotCommand strike(int index) const;
   bool must_release() const;
 
-  const Outlook& outlook_;
+  const PredictedState& predicted_;
   FaceOff face_off_;
   Choice choice_;
   int holder_ = -1;          // number of the robot that has the ball; -1: nobody

@@ -10,36 +10,36 @@
 namespace autoref::strategies {
 namespace {
 
-Vec2 on_goal_line(const Field& field, const Vec2& from_m, const Vec2& way) {
-  const double share = (-field.half_length_m() - from_m.x()) / way.x();
-  return {-field.half_length_m(), from_m.y() + share * way.y()};
+Vec2 on_goal_line(const Field& field, const Vec2& from_m, const Vec2& direction) {
+  const double share = (-field.half_length_m() - from_m.x()) / direction.x();
+  return {-field.half_length_m(), from_m.y() + share * direction.y()};
 }
 
 // Where the keeper expects a shot to cross its line: in the middle of the angle, and nearer to
 // where an opponent with the ball faces, if that is the goal.
-Vec2 expected_at(const Outlook& outlook, const Vec2& halving) {
-  const Field& field = outlook.field();
-  Vec2 middle_m = on_goal_line(field, outlook.place_m(), halving);
-  if (!opponent_has_ball(outlook)) return middle_m;
+Vec2 expected_at(const PredictedState& predicted, const Vec2& halving) {
+  const Field& field = predicted.field();
+  Vec2 middle_m = on_goal_line(field, predicted.position_m(), halving);
+  if (!opponent_has_ball(predicted)) return middle_m;
   const Vec2& heading =
-      outlook.now().opponents[static_cast<std::size_t>(outlook.their_fastest())].heading;
+      predicted.now().opponents[static_cast<std::size_t>(predicted.their_fastest())].heading;
   if (heading.x() > -0.1) return middle_m;
-  const Vec2 aim_m = on_goal_line(field, outlook.place_m(), heading);
-  if (std::abs(aim_m.y()) > field.half_goal_m() + outlook.style().keeper_beside_post_m)
+  const Vec2 aim_m = on_goal_line(field, predicted.position_m(), heading);
+  if (std::abs(aim_m.y()) > field.half_goal_m() + predicted.style().keeper_beside_post_m)
     return middle_m;
-  return middle_m + (aim_m - middle_m) * outlook.style().keeper_aim_trust;
+  return middle_m + (aim_m - middle_m) * predicted.style().keeper_aim_trust;
 }
 
 // Where the ball will cross the own goal line, if it comes to be in the goal or near it.
-std::optional<Vec2> shot_at(const Outlook& outlook) {
-  const BallPath& path = outlook.path();
-  const double goal_x = -outlook.field().half_length_m();
-  if (path.way().x() > -0.1 || path.speed_mps() < outlook.style().keeper_shot_mps)
+std::optional<Vec2> shot_at(const PredictedState& predicted) {
+  const BallPath& path = predicted.path();
+  const double goal_x = -predicted.field().half_length_m();
+  if (path.direction().x() > -0.1 || path.speed_mps() < predicted.style().keeper_shot_mps)
     return std::nullopt;
-  const double share = (goal_x - path.now_m().x()) / path.way().x();
+  const double share = (goal_x - path.now_m().x()) / path.direction().x();
   if (share < 0) return std::nullopt;
-  const double y = path.now_m().y() + share * path.way().y();
-  if (std::abs(y) > outlook.field().half_goal_m() + outlook.style().keeper_beside_post_m)
+  const double y = path.now_m().y() + share * path.direction().y();
+  if (std::abs(y) > predicted.field().half_goal_m() + predicted.style().keeper_beside_post_m)
     return std::nullopt;
   if (path.end_m().x() > goal_x + 0.3) return std::nullopt;  // it will not get there
   return Vec2(goal_x, y);
@@ -47,59 +47,59 @@ std::optional<Vec2> shot_at(const Outlook& outlook) {
 
 }  // namespace
 
-Waypoint keeper_place(const Outlook& outlook, const TrackedRobot& keeper) {
-  const Field& field = outlook.field();
+Waypoint keeper_position(const PredictedState& predicted, const TrackedRobot& keeper) {
+  const Field& field = predicted.field();
   const double least_x =
-      -field.half_length_m() + kRobotRadius_m + outlook.style().keeper_off_line_m;
-  if (const auto crossing_m = shot_at(outlook)) {
+      -field.half_length_m() + kRobotRadius_m + predicted.style().keeper_off_line_m;
+  if (const auto crossing_m = shot_at(predicted)) {
     // The nearest point of the ball's way, but before the line and not beyond the ball.
-    Vec2 place_m = nearest_on_segment(keeper.position_m, *crossing_m, outlook.path().now_m());
-    if (place_m.x() < least_x) {
-      const Vec2 way = outlook.path().way();
-      place_m += way * ((least_x - place_m.x()) / way.x());
+    Vec2 position_m = nearest_on_segment(keeper.position_m, *crossing_m, predicted.path().now_m());
+    if (position_m.x() < least_x) {
+      const Vec2 direction = predicted.path().direction();
+      position_m += direction * ((least_x - position_m.x()) / direction.x());
     }
-    return facing_ball(outlook, place_m);
+    return facing_ball(predicted, position_m);
   }
-  const Vec2& ball_m = outlook.place_m();
+  const Vec2& ball_m = predicted.position_m();
   const Vec2 left_post_m(-field.half_length_m(), field.half_goal_m());
   const Vec2 right_post_m(-field.half_length_m(), -field.half_goal_m());
   const Vec2 to_left = direction_of(left_post_m - ball_m, Vec2(-1, 0));
   const Vec2 to_right = direction_of(right_post_m - ball_m, Vec2(-1, 0));
   const Vec2 halving = direction_of(to_left + to_right, Vec2(-1, 0));
-  const double out_m = outlook.style().keeper_out_m;
-  const double stand_x =
-      -field.half_length_m() + std::max(out_m, kRobotRadius_m + outlook.style().keeper_off_line_m);
+  const double out_m = predicted.style().keeper_out_m;
+  const double stand_x = -field.half_length_m() +
+                         std::max(out_m, kRobotRadius_m + predicted.style().keeper_off_line_m);
   if (halving.x() > -0.25) {  // from beside the goal: the near post
     const double y = std::copysign(field.half_goal_m() - kRobotRadius_m, ball_m.y());
-    return facing_ball(outlook, {least_x, y});
+    return facing_ball(predicted, {least_x, y});
   }
   const double x = std::min(stand_x, ball_m.x() - kRobotRadius_m);
-  const Vec2 way = expected_at(outlook, halving) - ball_m;
-  const double y = ball_m.y() + way.y() * (x - ball_m.x()) / way.x();
+  const Vec2 direction = expected_at(predicted, halving) - ball_m;
+  const double y = ball_m.y() + direction.y() * (x - ball_m.x()) / direction.x();
   const double reach_m = field.half_goal_m() - kRobotRadius_m / 2;
-  return facing_ball(outlook, {std::max(x, least_x), std::clamp(y, -reach_m, reach_m)});
+  return facing_ball(predicted, {std::max(x, least_x), std::clamp(y, -reach_m, reach_m)});
 }
 
-RobotCommand keep_goal(const Outlook& outlook, int index) {
-  const TrackedRobot& keeper = outlook.robot(index);
-  const Waypoint place = keeper_place(outlook, keeper);
-  DrivingStyle style = outlook.driving(index);
-  const bool is_late = (place.position_m - keeper.position_m).norm() > 50_mm;
-  if (shot_at(outlook) && is_late) style.braking_mps2 = outlook.abilities(index).braking_mps2;
-  Vec2 target_m = place.position_m;
-  if (const auto way_m = way_from_behind_goal(outlook.field(), keeper.position_m))
-    target_m = *way_m;
-  RobotCommand command = drive_via(keeper, target_m, {target_m, place.heading}, style);
+RobotCommand keep_goal(const PredictedState& predicted, int index) {
+  const TrackedRobot& keeper = predicted.robot(index);
+  const Waypoint waypoint = keeper_position(predicted, keeper);
+  DrivingStyle style = predicted.driving(index);
+  const bool is_late = (waypoint.position_m - keeper.position_m).norm() > 50_mm;
+  if (shot_at(predicted) && is_late) style.braking_mps2 = predicted.abilities(index).braking_mps2;
+  Vec2 target_m = waypoint.position_m;
+  if (const auto path_m = exit_from_behind_goal(predicted.field(), keeper.position_m))
+    target_m = *path_m;
+  RobotCommand command = drive_via(keeper, target_m, {target_m, waypoint.heading}, style);
   command.dribble = true;
   return command;
 }
 
-bool is_keepers_ball(const Outlook& outlook) {
-  const Vec2& ball_m = outlook.path().now_m();
-  return distance_to_defence_area(outlook.field(), Side::kWest, ball_m) <
-             outlook.style().keeper_area_margin_m &&
-         ball_m.x() > -outlook.field().half_length_m() &&
-         outlook.path().speed_mps() < outlook.style().keeper_fetch_mps;
+bool is_keepers_ball(const PredictedState& predicted) {
+  const Vec2& ball_m = predicted.path().now_m();
+  return distance_to_defence_area(predicted.field(), Side::kWest, ball_m) <
+             predicted.style().keeper_area_margin_m &&
+         ball_m.x() > -predicted.field().half_length_m() &&
+         predicted.path().speed_mps() < predicted.style().keeper_fetch_mps;
 }
 
 }  // namespace autoref::strategies

@@ -3,17 +3,18 @@
 
 #include <array>
 
-#include "strategies/tactics/outlook.hpp"
+#include "strategies/tactics/predicted_state.hpp"
 
 namespace autoref::strategies {
 
 // The chance that a shot from there scores, 0 to 1. `mate` is the number of the own robot that
 // would take it, or -1.
-double chance_at(const Outlook& outlook, const Vec2& point_m, int mate);
+double chance_at(const PredictedState& predicted, const Vec2& point_m, int mate);
 
 // What a ball passed from `from_m` to `point_m` is worth there, 0 to 1, with that chance of a shot:
 // most where it can be sent on at the goal without stopping it first, a little for being far ahead.
-double worth_of(const Outlook& outlook, double chance, const Vec2& point_m, const Vec2& from_m);
+double worth_of(const PredictedState& predicted, double chance, const Vec2& point_m,
+                const Vec2& from_m);
 
 class PassField {
  public:
@@ -21,7 +22,7 @@ class PassField {
   static constexpr int kRows = 6;
   static constexpr int kCells = kColumns * kRows;
 
-  explicit PassField(const Outlook& outlook);
+  explicit PassField(const PredictedState& predicted);
 
   // Values the next few cells, so that all are valued anew every few frames.
   void update();
@@ -31,17 +32,19 @@ class PassField {
   void send(const boost::container::static_vector<int, kMaxRobots>& receivers);
 
   // The place last given to the robot of that number.
-  const Vec2& place_of(int number) const { return places_m_[static_cast<std::size_t>(number)]; }
+  const Vec2& position_of(int number) const {
+    return positions_m_[static_cast<std::size_t>(number)];
+  }
 
  private:
   double value_for(int index, int cell,
                    const boost::container::static_vector<Vec2, kMaxRobots>& taken_m) const;
 
-  const Outlook& outlook_;
+  const PredictedState& predicted_;
   std::array<Vec2, kCells> cells_m_;
   std::array<double, kCells> values_{};
   int next_ = 0;
-  std::array<Vec2, kMaxRobots> places_m_;
+  std::array<Vec2, kMaxRobots> positions_m_;
   std::int64_t settle_frame_ = -1000;
 };
 

@@ -6,9 +6,10 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kRunUp_m = 250_mm;  // from the ball to the waiting kicker's centre
-constexpr double kOnLine_m = 30_mm;  // of the keeper's centre before its line: its hull is on it
-constexpr double kMargin_m = 50_mm;
+constexpr double kPenaltyRunUp_m = 250_mm;  // from the ball to the waiting kicker's centre
+constexpr double kPenaltyOnLine_m =
+    30_mm;  // of the keeper's centre before its line: its hull is on it
+constexpr double kPenaltyMargin_m = 50_mm;
 constexpr double kRows_m = 300_mm;  // from the attackers' row to the defenders'
 constexpr double kGap_m = 300_mm;   // between neighbours in a row
 
@@ -24,23 +25,25 @@ int penalty_kicker(const TeamView& view, const Vec2& mark_m) {
   return kicker;
 }
 
-Waypoint penalty_run_up(const Vec2& mark_m) { return {mark_m - Vec2(kRunUp_m, 0), Vec2(1, 0)}; }
+Waypoint penalty_run_up(const Vec2& mark_m) {
+  return {mark_m - Vec2(kPenaltyRunUp_m, 0), Vec2(1, 0)};
+}
 
 Waypoint penalty_keeper(const Field& field, const Vec2& mark_m) {
-  const Vec2 place_m(-field.half_length_m() + kOnLine_m, 0);
-  return {place_m, direction_of(mark_m - place_m, Vec2(1, 0))};
+  const Vec2 position_m(-field.half_length_m() + kPenaltyOnLine_m, 0);
+  return {position_m, direction_of(mark_m - position_m, Vec2(1, 0))};
 }
 
 Waypoint penalty_spectator(const Field& field, const Vec2& mark_m, double clearance_m, bool ours,
                            int order) {
-  const double behind_m = clearance_m + kRobotRadius_m + kMargin_m + (ours ? 0.0 : kRows_m);
+  const double behind_m = clearance_m + kRobotRadius_m + kPenaltyMargin_m + (ours ? 0.0 : kRows_m);
   // One after the other to both sides of the middle.
   const double aside = order % 2 == 0 ? 1.0 : -1.0;
-  const int places_aside = (order + 1) / 2;
-  const double y = aside * kGap_m * (places_aside + 0.5);
-  const Vec2 place_m(mark_m.x() + (ours ? -behind_m : behind_m),
-                     std::clamp(y, -field.half_width_m(), field.half_width_m()));
-  return {place_m, direction_of(mark_m - place_m, Vec2(1, 0))};
+  const int positions_aside = (order + 1) / 2;
+  const double y = aside * kGap_m * (positions_aside + 0.5);
+  const Vec2 position_m(mark_m.x() + (ours ? -behind_m : behind_m),
+                        std::clamp(y, -field.half_width_m(), field.half_width_m()));
+  return {position_m, direction_of(mark_m - position_m, Vec2(1, 0))};
 }
 
 }  // namespace autoref::strategies

@@ -44,10 +44,10 @@ constexpr std::array kTeam = std::to_array<Tunable>({
 std::span<const Tunable> tunables() {
   static const std::vector<Tunable> kAll = [] {
     std::vector<Tunable> all(kTeam.begin(), kTeam.end());
-    for (const auto& part :
+    for (const auto& role :
          {moving_tunables(), kick_tunables(), ball_tunables(), running_tunables(),
           defence_tunables(), play_tunables(), formation_tunables()}) {
-      all.insert(all.end(), part.begin(), part.end());
+      all.insert(all.end(), role.begin(), role.end());
     }
     return all;
   }();

@@ -75,7 +75,7 @@ struct Style {
   double pass_flight_s = 2.0;
   double choice_loyalty = 0.06;
   double still_shoots = 0.5;
-  double turn_cost = 0.3;
+  double turn_nll = 0.3;
   double worthless = 0.04;
   double pressed = 0.5;
   double rough_clear_rad = 0.6;

@@ -11,9 +11,9 @@ namespace autoref::strategies {
 // goal; all others stand in a fixed formation.
 class Chaser final : public Strategy {
  public:
-  explicit Chaser(const Briefing& briefing) : briefing_(briefing) {}
+  explicit Chaser(const TeamContext& context) : context_(context) {}
 
-  void decide(const TeamView& view, TeamOrders& orders) override;
+  void decide(const TeamView& view, TeamCommands& commands) override;
   TeamRequests requests() const override { return requests_; }
 
  private:
@@ -22,15 +22,15 @@ class Chaser final : public Strategy {
   int nearest_to_ball() const;
   RobotCommand chase(int index) const;
   RobotCommand stand(int index) const;
-  Waypoint place_of(int index) const;
+  Waypoint waypoint_of(int index) const;
   double keeper_y_m(double line_x_m) const;
   Limits limits() const;
   Obstacles obstacles_for(int index, bool keeps_off_ball) const;
 
-  Briefing briefing_;
-  TeamView now_;             // the view looked ahead to when orders take effect
-  Vec2 ball_place_m_{0, 0};  // the ball, or where the referee is about to put it
-  int taker_ = -1;           // number of the robot that took a restart, until another has the ball
+  TeamContext context_;
+  TeamView now_;              // the view looked ahead to when orders take effect
+  Vec2 ball_target_m_{0, 0};  // the ball, or where the referee is about to put it
+  int taker_ = -1;            // number of the robot that took a restart, until another has the ball
   TeamRequests requests_;
 };
 

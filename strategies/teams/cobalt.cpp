@@ -1,8 +1,8 @@
-#include "strategies/teams/plans.hpp"
+#include "strategies/teams/playbooks.hpp"
 
 namespace autoref::strategies {
 
 // The style's standards are this team's.
-Plan cobalt_plan() { return {}; }
+TeamPlaybook cobalt_playbook() { return {}; }
 
 }  // namespace autoref::strategies

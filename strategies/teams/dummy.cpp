@@ -2,6 +2,6 @@
 
 namespace autoref::strategies {
 
-void Dummy::decide(const TeamView& /*view*/, TeamOrders& /*orders*/) {}
+void Dummy::decide(const TeamView& /*view*/, TeamCommands& /*commands*/) {}
 
 }  // namespace autoref::strategies

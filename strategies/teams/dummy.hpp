@@ -7,7 +7,7 @@ namespace autoref::strategies {
 
 class Dummy final : public Strategy {
  public:
-  void decide(const TeamView& view, TeamOrders& orders) override;
+  void decide(const TeamView& view, TeamCommands& commands) override;
 };
 
 }  // namespace autoref::strategies

@@ -2,8 +2,8 @@
 // only for the ball, when it is there first, and its zone waits for it.
 #include <array>
 
-#include "strategies/plays/posts.hpp"
-#include "strategies/teams/plans.hpp"
+#include "strategies/plays/formation_spots.hpp"
+#include "strategies/teams/playbooks.hpp"
 
 namespace autoref::strategies {
 namespace {
@@ -21,37 +21,37 @@ constexpr std::array<std::array<double, 2>, 10> kZones = {{{-0.50, 0.22},
                                                            {-0.40, 0.65},
                                                            {-0.40, -0.65}}};
 
-void hold_zones(Playbook& book, Cast& cast) {
-  const Outlook& outlook = book.outlook;
-  const Vec2 half_m(outlook.field().half_length_m(), outlook.field().half_width_m());
-  const Vec2 shift_m(outlook.style().zone_along * outlook.place_m().x() +
-                         (outlook.is_ours() ? outlook.style().zone_up * half_m.x() : 0),
-                     outlook.style().zone_across * outlook.place_m().y());
-  Posts zones;
-  const int field_players = outlook.robots() - (outlook.robots() > 1 ? 1 : 0);
+void hold_zones(PlayContext& book, RoleAssignment& assignment) {
+  const PredictedState& predicted = book.predicted;
+  const Vec2 half_m(predicted.field().half_length_m(), predicted.field().half_width_m());
+  const Vec2 shift_m(predicted.style().zone_along * predicted.position_m().x() +
+                         (predicted.is_ours() ? predicted.style().zone_up * half_m.x() : 0),
+                     predicted.style().zone_across * predicted.position_m().y());
+  FormationSpots zones;
+  const int field_players = predicted.robots() - (predicted.robots() > 1 ? 1 : 0);
   for (const auto& share : kZones) {
     const int order = static_cast<int>(zones.size());
     if (order >= field_players) break;
     const Vec2 zone_m(share[0] * half_m.x(), share[1] * half_m.y());
-    zones.push_back({order + 1, off_their_area(outlook, zone_m + shift_m)});
+    zones.push_back({order + 1, off_their_area(predicted, zone_m + shift_m)});
   }
-  man_own_posts(book, cast, zones);
-  defend(book, cast, cast.free_robots(), 0);  // who finds no zone
+  fill_own_spots(book, assignment, zones);
+  defend(book, assignment, assignment.free_robots(), 0);  // who finds no zone
 }
 
-void zone_play(Playbook& book, Cast& cast) {
-  give_goal_and_ball(book, cast);
-  hold_zones(book, cast);
+void zone_play(PlayContext& book, RoleAssignment& assignment) {
+  give_goal_and_ball(book, assignment);
+  hold_zones(book, assignment);
 }
 
-void await_zone(Playbook& book, Cast& cast) {
-  give_goal_and_restart(book, cast);
-  hold_zones(book, cast);
+void await_zone(PlayContext& book, RoleAssignment& assignment) {
+  give_goal_and_restart(book, assignment);
+  hold_zones(book, assignment);
 }
 
 }  // namespace
 
-Plan zone_plan() {
+TeamPlaybook zone_playbook() {
   Style style;
   style.carry = 0.6;
   return {style, zone_play, await_zone};

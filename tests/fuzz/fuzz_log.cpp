@@ -1,4 +1,4 @@
-// The log reader on any bytes, compressed or not: framing, packets, pictures.
+// The log reader on any bytes, compressed or not: framing, packets, frames.
 #include <fmt/format.h>
 #include <sys/mman.h>
 #include <unistd.h>

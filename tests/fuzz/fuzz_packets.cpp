@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "league/picture_merger.hpp"
+#include "league/detection_merger.hpp"
 #include "league/referee_message.hpp"
 #include "referee/referee.hpp"
 
@@ -27,17 +27,17 @@ class Game {
   void finish() { judge(merger_.finish()); }
 
  private:
-  void judge(const Frame* picture) {
-    if (picture == nullptr) return;
+  void judge(const Frame* frame) {
+    if (frame == nullptr) return;
     if (!referee_) {
       referee::Configuration configuration;
       if (merger_.field()) configuration.field = *merger_.field();
       referee_.emplace(configuration);
     }
-    referee_->update(*picture, {});
+    referee_->update(*frame, {});
   }
 
-  league::PictureMerger merger_;
+  league::DetectionMerger merger_;
   std::optional<referee::Referee> referee_;
 };
 

@@ -40,7 +40,7 @@ TEST(ReadLog, CountsMessagesThatMakeNoSenseAndTellsWhereTheFirstIs) {
   written(file, MessageKind::kVision2014, {sound, "no packet", packet_of(0, 2), "nor this"});
   LogVisitor nobody;
   const LogSummary log = read_log(file.path(), nobody);
-  EXPECT_EQ(log.pictures, 2);
+  EXPECT_EQ(log.frames, 2);
   EXPECT_EQ(log.unreadable, 2);
   EXPECT_EQ(log.unreadable_at, static_cast<std::int64_t>(16 + 16 + sound.size()));
 }

@@ -13,18 +13,18 @@ using namespace std::string_literals;
 const std::string kHead = "SSL_LOG_FILE\0\0\0\1"s;
 const std::string kRecord = "\0\0\0\0\0\0\1\2\0\0\0\4\0\0\0\7message"s;
 
-struct Story {
+struct TouchHypothesis {
   std::vector<LogRecord> records;
   std::optional<LogDamage> damage;
 };
 
-Story read_all(const std::filesystem::path& path) {
+TouchHypothesis read_all(const std::filesystem::path& path) {
   LogReader reader(path);
-  Story story;
+  TouchHypothesis hypothesis;
   LogRecord record;
-  while (reader.read(record)) story.records.push_back(record);
-  story.damage = reader.damage();
-  return story;
+  while (reader.read(record)) hypothesis.records.push_back(record);
+  hypothesis.damage = reader.damage();
+  return hypothesis;
 }
 
 std::string error_of(const std::filesystem::path& path) {
@@ -66,11 +66,11 @@ TEST(LogReader, ReadsBackWhatWasWritten) {
   for (const char* ending : {".log", ".log.gz"}) {
     const ScratchFile file(ending);
     write_three(file.path());
-    const Story story = read_all(file.path());
-    ASSERT_EQ(story.records.size(), 3U) << ending;
-    EXPECT_EQ(story.records[2].time_ns, 2'000'000'000LL);
-    EXPECT_EQ(story.records[2].message, std::string(200, 'x'));
-    EXPECT_FALSE(story.damage.has_value());
+    const TouchHypothesis hypothesis = read_all(file.path());
+    ASSERT_EQ(hypothesis.records.size(), 3U) << ending;
+    EXPECT_EQ(hypothesis.records[2].time_ns, 2'000'000'000LL);
+    EXPECT_EQ(hypothesis.records[2].message, std::string(200, 'x'));
+    EXPECT_FALSE(hypothesis.damage.has_value());
   }
 }
 
@@ -78,13 +78,13 @@ TEST(LogReader, KeepsWhatStandsBeforeACut) {
   const ScratchFile file(".log");
   const std::string whole = kHead + kRecord + kRecord;
   for (std::size_t size = kHead.size(); size <= whole.size(); ++size) {
-    const Story story = read_all(file.fill(whole.substr(0, size)).path());
+    const TouchHypothesis hypothesis = read_all(file.fill(whole.substr(0, size)).path());
     const std::size_t complete = (size - kHead.size()) / kRecord.size();
-    EXPECT_EQ(story.records.size(), complete) << size;
+    EXPECT_EQ(hypothesis.records.size(), complete) << size;
     const bool is_cut = (size - kHead.size()) % kRecord.size() != 0;
-    ASSERT_EQ(story.damage.has_value(), is_cut) << size;
+    ASSERT_EQ(hypothesis.damage.has_value(), is_cut) << size;
     if (!is_cut) continue;
-    EXPECT_EQ(story.damage->offset, kHead.size() + complete * kRecord.size()) << size;
+    EXPECT_EQ(hypothesis.damage->offset, kHead.size() + complete * kRecord.size()) << size;
   }
 }
 
@@ -92,19 +92,19 @@ TEST(LogReader, KeepsWhatStandsBeforeACutInACompressedLog) {
   const ScratchFile file(".log.gz");
   write_three(file.path());
   const std::string whole = file.bytes();
-  const Story story = read_all(file.fill(whole.substr(0, whole.size() - 12)).path());
-  EXPECT_LE(story.records.size(), 3U);
-  EXPECT_TRUE(story.damage.has_value());
+  const TouchHypothesis hypothesis = read_all(file.fill(whole.substr(0, whole.size() - 12)).path());
+  EXPECT_LE(hypothesis.records.size(), 3U);
+  EXPECT_TRUE(hypothesis.damage.has_value());
 }
 
 TEST(LogReader, RefusesAGiganticLengthWithItsPlace) {
   const ScratchFile file(".log");
   const std::string gigantic = "\0\0\0\0\0\0\0\0\0\0\0\4\x7f\xff\xff\xff"s;
-  const Story story = read_all(file.fill(kHead + kRecord + gigantic).path());
-  EXPECT_EQ(story.records.size(), 1U);
-  ASSERT_TRUE(story.damage.has_value());
-  EXPECT_EQ(story.damage->offset, 39);
-  EXPECT_EQ(story.damage->what, "a message of 2147483647 bytes, where 1048576 is the most");
+  const TouchHypothesis hypothesis = read_all(file.fill(kHead + kRecord + gigantic).path());
+  EXPECT_EQ(hypothesis.records.size(), 1U);
+  ASSERT_TRUE(hypothesis.damage.has_value());
+  EXPECT_EQ(hypothesis.damage->offset, 39);
+  EXPECT_EQ(hypothesis.damage->what, "a message of 2147483647 bytes, where 1048576 is the most");
 }
 
 TEST(LogReader, SaysWhyAFileIsNoLog) {

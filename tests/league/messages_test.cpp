@@ -1,15 +1,15 @@
 #include <gtest/gtest.h>
 
+#include "league/detection_merger.hpp"
 #include "league/field_message.hpp"
 #include "league/frame_message.hpp"
-#include "league/picture_merger.hpp"
 #include "league/referee_message.hpp"
 #include "soccer/rule_book.hpp"
 
 namespace autoref::league {
 namespace {
 
-const std::vector<CameraPlace> kCameras = {{{-1.5, -1}}, {{-1.5, 1}}, {{1.5, -1}}, {{1.5, 1}}};
+const std::vector<CameraPosition> kCameras = {{{-1.5, -1}}, {{-1.5, 1}}, {{1.5, -1}}, {{1.5, 1}}};
 
 // Eighths of a millimetre are what a packet holds exactly.
 Vec2 eighths(int x, int y) { return {x / 8.0 / 1000.0, y / 8.0 / 1000.0}; }
@@ -29,10 +29,10 @@ Frame busy_frame(std::int64_t number = 0) {
   return frame;
 }
 
-// What is read of pictures that are sent camera by camera.
+// What is read of frames that are sent camera by camera.
 std::vector<Frame> sent_and_read(const std::vector<Frame>& frames) {
   std::vector<VisionPacket> packets(kCameras.size());
-  PictureMerger merger;
+  DetectionMerger merger;
   VisionPacket geometry;
   fill_geometry(Field{}, kCameras, *geometry.mutable_geometry());
   merger.add(geometry);
@@ -61,7 +61,7 @@ bool are_equal(const Frame& one, const Frame& other) {
                         one.ball->height_m == other.ball->height_m));
 }
 
-TEST(Pictures, ComeBackBitByBit) {
+TEST(FrameHistory, ComeBackBitByBit) {
   std::vector<Frame> frames;
   for (int i = 0; i < 5; ++i) frames.push_back(busy_frame(i));
   frames[2].ball.reset();
@@ -71,7 +71,7 @@ TEST(Pictures, ComeBackBitByBit) {
   for (std::size_t i = 0; i < read.size(); ++i) EXPECT_TRUE(are_equal(read[i], frames[i])) << i;
 }
 
-TEST(Pictures, TellWhichCameraSawABallWithoutHeight) {
+TEST(FrameHistory, TellWhichCameraSawABallWithoutHeight) {
   Frame frame = busy_frame();
   frame.ball = BallObservation{{0.2, 0.1}, std::nullopt, kCameras[0]};
   const std::vector<Frame> read = sent_and_read({frame});
@@ -104,31 +104,31 @@ VisionPacket packet_of(const DetectionFrame& detection) {
   return packet;
 }
 
-TEST(PictureMerger, TakesTheSurestSightingOfARobotThatTwoCamerasSee) {
+TEST(DetectionMerger, TakesTheSurestDetectionOfARobotThatTwoCamerasSee) {
   DetectionFrame one = detection(0, 5);
   DetectionFrame other = detection(1, 5.003);
   add_robot(one, 3, 100, 0.7F);
   add_robot(other, 3, 200, 0.9F);
-  PictureMerger merger;
+  DetectionMerger merger;
   merger.add(packet_of(one));
   merger.add(packet_of(other));
-  const Frame* picture = merger.finish();
-  ASSERT_NE(picture, nullptr);
-  ASSERT_EQ(picture->robots[Side::kWest].size(), 1U);
-  EXPECT_DOUBLE_EQ(picture->robots[Side::kWest][0].position_m.x(), 0.2);
+  const Frame* frame = merger.finish();
+  ASSERT_NE(frame, nullptr);
+  ASSERT_EQ(frame->robots[Side::kWest].size(), 1U);
+  EXPECT_DOUBLE_EQ(frame->robots[Side::kWest][0].position_m.x(), 0.2);
 }
 
-TEST(PictureMerger, LeavesOutWhatIsNoRobotOfTheLeague) {
+TEST(DetectionMerger, LeavesOutWhatIsNoRobotOfTheLeague) {
   DetectionFrame one = detection(0, 5);
   add_robot(one, 16, 100, 1);
   add_robot(one, 2, std::nanf(""), 1);
-  PictureMerger merger;
+  DetectionMerger merger;
   merger.add(packet_of(one));
   EXPECT_TRUE(merger.finish()->robots[Side::kWest].empty());
 }
 
-TEST(PictureMerger, BeginsAPictureWhenACameraComesAgainOrAfterAGap) {
-  PictureMerger merger;
+TEST(DetectionMerger, BeginsAFrameWhenACameraComesAgainOrAfterAGap) {
+  DetectionMerger merger;
   EXPECT_EQ(merger.add(packet_of(detection(0, 5))), nullptr);
   EXPECT_EQ(merger.add(packet_of(detection(1, 5.004))), nullptr);
   EXPECT_NE(merger.add(packet_of(detection(0, 5.016))), nullptr);
@@ -136,8 +136,8 @@ TEST(PictureMerger, BeginsAPictureWhenACameraComesAgainOrAfterAGap) {
   EXPECT_DOUBLE_EQ(merger.finish()->time_s, 1);
 }
 
-TEST(PictureMerger, LeavesOutPacketsThatComeLate) {
-  PictureMerger merger;
+TEST(DetectionMerger, LeavesOutPacketsThatComeLate) {
+  DetectionMerger merger;
   merger.add(packet_of(detection(0, 5)));
   merger.add(packet_of(detection(0, 6)));
   EXPECT_EQ(merger.add(packet_of(detection(1, 5))), nullptr);
@@ -187,7 +187,7 @@ TEST(RefereeMessages, ComeBackAsTheyWereSent) {
   signal.placement = Placement{{1.25, -0.5}};
   signal.next_command = Command{CommandKind::kPrepareKickoff, Side::kWest};
   RefereePacket packet;
-  fill_referee(signal, PerSide<TeamSheet>{{TeamSheet{"cobalt"}, TeamSheet{"zone"}}}, 13, packet);
+  fill_referee(signal, PerSide<LoggedTeam>{{LoggedTeam{"cobalt"}, LoggedTeam{"zone"}}}, 13, packet);
   const RefereeSignal read = signal_of(packet).value();
   EXPECT_EQ(read.command, signal.command);
   EXPECT_EQ(read.goals, signal.goals);

@@ -16,15 +16,15 @@ namespace {
 constexpr double kFrame_s = 1.0 / 60;
 
 // A rough game without strategy: robots chase the ball or wander, whoever is at it kicks it
-// anywhere, and the referee's hand obeys one of the two referees.
+// anywhere, and ball placement obeys one of the two referees.
 class RoughGame {
  public:
   explicit RoughGame(std::uint64_t seed) : random_(seed) {
     frame_.ball = BallObservation{Vec2(0, 0), 0.0};
     for (Side side : kSides) {
       for (int i = 0; i < 6; ++i) {
-        const Vec2 place(goal_sign(side) * (0.5 + 0.3 * i), -1.5 + 0.5 * i);
-        frame_.robots[side].push_back({i, place, Vec2(-goal_sign(side), 0)});
+        const Vec2 position(goal_sign(side) * (0.5 + 0.3 * i), -1.5 + 0.5 * i);
+        frame_.robots[side].push_back({i, position, Vec2(-goal_sign(side), 0)});
       }
     }
   }
@@ -45,11 +45,11 @@ class RoughGame {
       for (RobotObservation& robot : frame_.robots[side]) {
         const Vec2 wander(random_.uniform() - 0.5, random_.uniform() - 0.5);
         const Vec2 goal = robot.number < 3 ? frame_.ball->position_m : wander * 6;
-        const Vec2 way = direction_of(goal - robot.position_m, robot.heading);
-        robot.heading = direction_of(robot.heading + way * 0.2, way);
+        const Vec2 direction = direction_of(goal - robot.position_m, robot.heading);
+        robot.heading = direction_of(robot.heading + direction * 0.2, direction);
         // Bodies in one place at one speed would be a tie in all respects.
         const double own_mps = side == Side::kWest ? 0 : 0.03;
-        robot.position_m += way * (1.5 + 0.5 * robot.number / 6 + own_mps) * kFrame_s;
+        robot.position_m += direction * (1.5 + 0.5 * robot.number / 6 + own_mps) * kFrame_s;
       }
     }
   }
@@ -58,8 +58,8 @@ class RoughGame {
     Vec2& ball_m = frame_.ball->position_m;
     if (signal.placement) {
       ball_mps_ = Vec2(0, 0);
-      const Vec2 way = signal.placement->target_m - ball_m;
-      ball_m += signal.placement->at_once ? way : clamp_norm(way, 0.05);
+      const Vec2 direction = signal.placement->target_m - ball_m;
+      ball_m += signal.placement->at_once ? direction : clamp_norm(direction, 0.05);
       return;
     }
     for (Side side : kSides) {
@@ -128,8 +128,8 @@ void expect_turned(const LastTouch& a, const LastTouch& b) {
 }
 
 void expect_turned(const Decision& a, const Decision& b) {
-  SCOPED_TRACE(a.arrow);
-  EXPECT_EQ(a.arrow, b.arrow);
+  SCOPED_TRACE(a.transition);
+  EXPECT_EQ(a.transition, b.transition);
   EXPECT_EQ(a.frame, b.frame);
   EXPECT_EQ(turned(a.command), b.command);
   EXPECT_EQ(turned(a.offender), b.offender);
@@ -189,10 +189,10 @@ Configuration rough_knockout(const RoughSetup& setup, Side first_kickoff) {
   return configuration;
 }
 
-std::vector<std::string_view> arrows_of(const Referee& referee) {
-  std::vector<std::string_view> arrows;
-  for (const Decision& decision : referee.decisions()) arrows.push_back(decision.arrow);
-  return arrows;
+std::vector<std::string_view> transitions_of(const Referee& referee) {
+  std::vector<std::string_view> transitions;
+  for (const Decision& decision : referee.decisions()) transitions.push_back(decision.transition);
+  return transitions;
 }
 
 // Two referees see the same game, one of them turned.
@@ -209,7 +209,7 @@ class Pair {
     const RefereeSignal turned_signal = other_.update(mirrored(frame), turned_requests);
     expect_turned(signal_, turned_signal);
     EXPECT_EQ(referee_.is_ball_in_play(), other_.is_ball_in_play());
-    ASSERT_EQ(arrows_of(referee_), arrows_of(other_)) << "frame " << frame.number;
+    ASSERT_EQ(transitions_of(referee_), transitions_of(other_)) << "frame " << frame.number;
     for (std::size_t k = 0; k < referee_.decisions().size(); ++k) {
       const Decision& decision = referee_.decisions()[k];
       expect_turned(decision, other_.decisions()[k]);

@@ -32,7 +32,7 @@ TEST(Robustness, AFrameWithoutABallHoldsTheLastOne) {
   EXPECT_TRUE(game.referee.is_ball_in_play());
 }
 
-TEST(Robustness, ABallInAPictureOfTheSameTimeAsTheOneBeforeDoesNoHarm) {
+TEST(Robustness, ABallInAFrameOfTheSameTimeAsTheOneBeforeDoesNoHarm) {
   Referee referee{Configuration{}};
   Frame frame;
   referee.update(frame, {});
@@ -55,7 +55,7 @@ TEST(Robustness, ABallThatComesBackOutsideIsOut) {
   game.run(0.5);
   game.frame.ball = BallObservation{Vec2(1.1, 2.2), 0.0};
   game.step();
-  EXPECT_EQ(game.decisions.back().arrow, "touch_line_unknown");
+  EXPECT_EQ(game.decisions.back().transition, "touch_line_unknown");
 }
 
 TEST(Robustness, NumbersThatAreNotFiniteCountAsNotSeen) {
@@ -135,7 +135,7 @@ TEST(Robustness, OneEventIsCalledOnce) {
   ScriptedGame game;
   game.line_up().kick_off();
   game.kick_from(Side::kWest, 1, {1, 1.8}, {0, 4});
-  game.hand_works = false;
+  game.placement_works = false;
   game.run(3);
   EXPECT_EQ(game.count("throw_in"), 1);
 }
@@ -144,7 +144,7 @@ TEST(Robustness, ABallStillOutsideWhenPlayGoesOnIsOutAgain) {
   ScriptedGame game;
   game.line_up().kick_off();
   game.kick_from(Side::kWest, 1, {1, 1.8}, {0, 4});
-  game.hand_works = false;
+  game.placement_works = false;
   game.run_until("start_late");
   game.step();
   EXPECT_EQ(game.referee.state(), State::kWaitStop);

@@ -32,7 +32,7 @@ class BallPreset : public testing::TestWithParam<Model> {
     field.length_m = 30.0;
     Configuration configuration = quiet();
     apply_ball_preset(GetParam().name, configuration.ball);
-    World world(field, configuration, sheets(1, 1), 1);
+    World world(field, configuration, specs(1, 1), 1);
     BallState ball;
     ball.position_m = {kStart_m, 1.0};
     ball.velocity_mps = {speed_mps, 0.0};

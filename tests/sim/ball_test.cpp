@@ -10,7 +10,7 @@ namespace {
 
 // A field on which no ball meets a wall.
 struct WideScene {
-  WideScene() : world(wide(), quiet(), sheets(1, 1), 1) {}
+  WideScene() : world(wide(), quiet(), specs(1, 1), 1) {}
   static Field wide() {
     Field field;
     field.length_m = 30.0;
@@ -44,9 +44,9 @@ TEST_P(KickedBall, SlidesThenRollsAsFarAsTheClosedFormsSay) {
       slid_m = scene.world.state().ball.position_m.x() + 14.0;
     }
   }
-  const double way_m = scene.world.state().ball.position_m.x() + 14.0;
+  const double path_m = scene.world.state().ball.position_m.x() + 14.0;
   EXPECT_NEAR(slid_m, slide_m, 0.02 * slide_m + v / 60);  // seen once per frame
-  EXPECT_NEAR(way_m, slide_m + roll_m, 0.01 * way_m);
+  EXPECT_NEAR(path_m, slide_m + roll_m, 0.01 * path_m);
   EXPECT_EQ(scene.world.state().ball.velocity_mps, Vec2(0, 0));
 }
 

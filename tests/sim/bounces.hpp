@@ -121,7 +121,7 @@ inline Bounce bounce_off_walls(const Field& field, const BallState& former, cons
 
 // What the forces of a sub-step may add to the speed at which the ball leaves a robot: its drive,
 // its turning at the plate's corner, the carpet, and the pull of a running dribbler.
-inline double forced_mps(const BallParameters& ball, const RobotSheet& robot, bool dribbles) {
+inline double forced_mps(const BallParameters& ball, const RobotSpec& robot, bool dribbles) {
   const RobotParameters& body = robot.body;
   const double pull_mps2 = dribbles ? robot.dribbler.force_n / ball.mass_kg : 0.0;
   return kSubstep_s * (body.braking_mps2 + body.angular_acceleration_radps2 * kRobotRadius_m +
@@ -132,7 +132,7 @@ inline double forced_mps(const BallParameters& ball, const RobotSheet& robot, bo
 // straight way between two places of the ball's centre. A ball that bounced off something convex
 // meanwhile kept to one side of it; so does the straight way.
 template <typename Distance>
-double least_on_way_m(const Vec2& from_m, const Vec2& to_m, Distance distance_m) {
+double least_on_path_m(const Vec2& from_m, const Vec2& to_m, Distance distance_m) {
   constexpr int kSamples = 8;
   double least_m = distance_m(from_m, 0.0);
   for (int k = 1; k <= kSamples; ++k) {

@@ -24,7 +24,7 @@ TEST(CameraPreset, IsRefusedWhereUnknownAndTheKnownAreNamed) {
   }
 }
 
-// What a preset's pictures of a standing robot and a standing ball are like.
+// What a preset's frames of a standing robot and a standing ball are like.
 struct Observed {
   double ball_m2 = 0;  // mean square of an error's coordinate
   double robot_m2 = 0;
@@ -33,14 +33,14 @@ struct Observed {
   double robot_misses = 0;
 };
 
-Observed observe(const char* preset, int pictures) {
+Observed observe(const char* preset, int frames) {
   Camera camera = camera_of(preset);
   const WorldState world = world_with_robot_at({1, 1}, {-1, 0.5});
   Frame frame;
   Observed sum;
   int balls = 0;
   int robots = 0;
-  for (int i = 0; i < pictures; ++i) {
+  for (int i = 0; i < frames; ++i) {
     camera.look(world, frame);
     if (frame.ball) {
       ++balls;
@@ -53,8 +53,7 @@ Observed observe(const char* preset, int pictures) {
     }
   }
   return {sum.ball_m2 / balls, sum.robot_m2 / robots, sum.robot_rad2 / robots,
-          1.0 - static_cast<double>(balls) / pictures,
-          1.0 - static_cast<double>(robots) / pictures};
+          1.0 - static_cast<double>(balls) / frames, 1.0 - static_cast<double>(robots) / frames};
 }
 
 struct Kind {
@@ -71,16 +70,14 @@ struct Kind {
 class CameraKind : public testing::TestWithParam<Kind> {};
 
 TEST_P(CameraKind, HasTheNoiseAndTheMissesOfItsTable) {
-  constexpr int kPictures = 40000;
+  constexpr int kFrames = 40000;
   const Kind& kind = GetParam();
-  const Observed seen = observe(kind.name, kPictures);
-  // Five standard deviations of a variance from 40000 pictures, two coordinates each; of a share.
+  const Observed seen = observe(kind.name, kFrames);
+  // Five standard deviations of a variance from 40000 frames, two coordinates each; of a share.
   EXPECT_NEAR(std::sqrt(seen.ball_m2), kind.ball_m, 0.013 * kind.ball_m + 1e-7);
   EXPECT_NEAR(std::sqrt(seen.robot_m2), kind.robot_m, 0.013 * kind.robot_m + 1e-7);
   EXPECT_NEAR(std::sqrt(seen.robot_rad2), kind.robot_rad, 0.018 * kind.robot_rad + 1e-7);
-  const auto tolerance = [](double share) {
-    return 5 * std::sqrt(share * (1 - share) / kPictures);
-  };
+  const auto tolerance = [](double share) { return 5 * std::sqrt(share * (1 - share) / kFrames); };
   EXPECT_NEAR(seen.ball_misses, kind.ball_misses, tolerance(kind.ball_misses));
   EXPECT_NEAR(seen.robot_misses, kind.robot_misses, tolerance(kind.robot_misses));
 }

@@ -56,7 +56,7 @@ TEST(Camera, SeesAFlyingBallOnTheRayThatMeetsIt) {
   camera.look(world, frame);
   ASSERT_TRUE(frame.ball);
   EXPECT_EQ(frame.ball->height_m, std::nullopt);
-  const CameraPlace& from = frame.ball->seen_from;
+  const CameraPosition& from = frame.ball->seen_from;
   EXPECT_EQ(from.position_m, Vec2(Field{}.half_length_m() / 2, Field{}.half_width_m() / 2));
   // Three points on one ray: the camera, the ball's middle, and what is reported, as high as the
   // middle of a ball on the carpet.
@@ -66,7 +66,7 @@ TEST(Camera, SeesAFlyingBallOnTheRayThatMeetsIt) {
 }
 
 TEST(Camera, HidesABallInARobotsShadowOnly) {
-  const CameraPlace camera{{0, 0}, 4};
+  const CameraPosition camera{{0, 0}, 4};
   RobotState robot;
   robot.position_m = {2, 0};
   robot.heading = {0, 1};
@@ -85,7 +85,7 @@ TEST(Camera, HidesABallInARobotsShadowOnly) {
 
 // A ray is followed in small steps, by other geometry than the camera's.
 bool is_hidden_step_by_step(const RobotState& robot, const Vec2& ball_m, double height_m,
-                            const CameraPlace& camera) {
+                            const CameraPosition& camera) {
   constexpr int kSteps = 4000;
   const double middle_m = height_m + kBallRadius_m;
   for (int i = 0; i <= kSteps; ++i) {
@@ -107,7 +107,7 @@ TEST(Camera, HidesTheBallAsLongAsTheRayPassesThroughARobot) {
     RobotState robot;
     robot.heading = heading_of(2 * kPi * random.uniform());
     const double camera_angle_rad = 2 * kPi * random.uniform();
-    const CameraPlace camera{heading_of(camera_angle_rad) * (3 * random.uniform()), 4};
+    const CameraPosition camera{heading_of(camera_angle_rad) * (3 * random.uniform()), 4};
     const double ball_angle_rad = camera_angle_rad + kPi + 2 * (random.uniform() - 0.5);
     const Vec2 ball_m = heading_of(ball_angle_rad) * (0.1 + 0.12 * random.uniform());
     const double height_m = random.uniform() < 0.5 ? 0.0 : 0.1 * random.uniform();
@@ -127,10 +127,10 @@ TEST(Camera, DoesNotSeeAHiddenBallUntilTheRobotLeaves) {
   apply_camera_preset("none", configuration);
   configuration.vision.robots_hide_ball = true;
   Camera hiding(configuration.vision, Field{}, 60, 1);
-  const CameraPlace place = camera_places(Field{}, 4)[3];
+  const CameraPosition position = camera_positions(Field{}, 4)[3];
   // Seen from the camera of its quarter only, behind a robot.
-  const Vec2 outwards = place.position_m.normalized();
-  const Vec2 robot_m = place.position_m + outwards * 1.5;
+  const Vec2 outwards = position.position_m.normalized();
+  const Vec2 robot_m = position.position_m + outwards * 1.5;
   WorldState world = world_with_robot_at(robot_m, robot_m + outwards * 0.115);
   world.robots[Side::kEast][0].heading = outwards.x() > 0 ? Vec2(0, 1) : Vec2(0, -1);
   Frame frame;

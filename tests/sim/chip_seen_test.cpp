@@ -14,18 +14,18 @@
 namespace autoref::sim {
 namespace {
 
-// Sums over the pictures of first flights in which the ball is higher than 50 mm, 150 ms and more
+// Sums over the frames of first flights in which the ball is higher than 50 mm, 150 ms and more
 // after the kick.
 struct Heights {
-  int pictures = 0;
-  int told = 0;  // as flying
+  int frames = 0;
+  int detected = 0;  // as flying
   double error2_m2 = 0;
-  double place_error2_m2 = 0;
+  double position_error2_m2 = 0;
   int honest = 0;  // within two stated deviations
   int wrong = 0;   // said to fly while on the carpet
 
-  double rms_m() const { return std::sqrt(error2_m2 / told); }
-  double place_rms_m() const { return std::sqrt(place_error2_m2 / told); }
+  double rms_m() const { return std::sqrt(error2_m2 / detected); }
+  double position_rms_m() const { return std::sqrt(position_error2_m2 / detected); }
 };
 
 void watch(const WorldState& world, const TrackedBall& ball, double since_kick_s, bool has_landed,
@@ -33,12 +33,12 @@ void watch(const WorldState& world, const TrackedBall& ball, double since_kick_s
   const bool flies = world.ball.height_m > 0.05 && !has_landed;
   if (!flies && world.ball.height_m <= 0.0 && ball.height_m > 0.0) ++sums.wrong;
   if (!flies || since_kick_s < 0.15) return;
-  ++sums.pictures;
+  ++sums.frames;
   if (ball.height_m <= 0.0) return;
-  ++sums.told;
+  ++sums.detected;
   const double error_m = ball.height_m - world.ball.height_m;
   sums.error2_m2 += error_m * error_m;
-  sums.place_error2_m2 += (ball.position_m - world.ball.position_m).squaredNorm();
+  sums.position_error2_m2 += (ball.position_m - world.ball.position_m).squaredNorm();
   sums.honest += std::abs(error_m) <= 2 * ball.height_deviation_m ? 1 : 0;
 }
 
@@ -47,8 +47,8 @@ void kick_and_watch(RandomStream& random, std::uint64_t seed, bool chip, Heights
   Configuration configuration = quiet();
   apply_camera_preset("realistic", configuration);
   configuration.radio.command_loss = 0.0;
-  configuration.latency_s = 0.05 * random.uniform();  // kicks fall anywhere between two pictures
-  Scene scene(configuration, sheets(1, 0), seed);
+  configuration.latency_s = 0.05 * random.uniform();  // kicks fall anywhere between two frames
+  Scene scene(configuration, specs(1, 0), seed);
   Camera camera(configuration.vision, scene.field, 60, seed);
   Tracker tracker({configuration.vision.ball_noise_m, configuration.vision.robot_noise_m,
                    configuration.vision.robot_noise_rad});
@@ -63,8 +63,8 @@ void kick_and_watch(RandomStream& random, std::uint64_t seed, bool chip, Heights
   double former_rise_mps = 100;
   bool has_landed = false;
   for (int f = 0; f < 75; ++f) {
-    scene.order(kWest0).kick_mps = f >= 30 ? speed_mps : 0.0;
-    scene.order(kWest0).chip = chip;
+    scene.command(kWest0).kick_mps = f >= 30 ? speed_mps : 0.0;
+    scene.command(kWest0).chip = chip;
     scene.frame();
     camera.look(scene.world.state(), frame);
     const Tracks& tracks = tracker.update(frame);
@@ -78,28 +78,28 @@ void kick_and_watch(RandomStream& random, std::uint64_t seed, bool chip, Heights
   }
 }
 
-TEST(ChipSeen, IsToldWithItsHeightUnderRealisticVision) {
+TEST(ChipSeen, IsReportedWithItsHeightUnderRealisticVision) {
   RandomStream random(3);
   Heights sums;
   for (int i = 0; i < 300; ++i) kick_and_watch(random, static_cast<std::uint64_t>(i), true, sums);
-  ASSERT_GT(sums.pictures, 3000);
-  EXPECT_GE(sums.told, 0.90 * sums.pictures) << sums.told << " of " << sums.pictures;
+  ASSERT_GT(sums.frames, 3000);
+  EXPECT_GE(sums.detected, 0.90 * sums.frames) << sums.detected << " of " << sums.frames;
   EXPECT_LT(sums.rms_m(), 0.06);
-  EXPECT_LT(sums.place_rms_m(), 0.06);
-  // Measured: 93 %, where 95 % would be right; kicks late between two pictures are found late.
-  EXPECT_GE(sums.honest, 0.91 * sums.told) << sums.honest << " of " << sums.told;
+  EXPECT_LT(sums.position_rms_m(), 0.06);
+  // Measured: 93 %, where 95 % would be right; kicks late between two frames are found late.
+  EXPECT_GE(sums.honest, 0.91 * sums.detected) << sums.honest << " of " << sums.detected;
 }
 
-TEST(ChipSeen, IsHardlyEverToldOfAStraightKick) {
+TEST(ChipSeen, IsHardlyEverReportedOfAStraightKick) {
   RandomStream random(4);
   Heights sums;
   constexpr int kKicks = 300;
   for (int i = 0; i < kKicks; ++i) {
     kick_and_watch(random, static_cast<std::uint64_t>(i), false, sums);
   }
-  EXPECT_EQ(sums.pictures, 0);
-  // Measured: 35 of some 13500 pictures after the kick.
-  EXPECT_LE(sums.wrong, 0.004 * kKicks * 45) << "pictures of a ball said to fly";
+  EXPECT_EQ(sums.frames, 0);
+  // Measured: 35 of some 13500 frames after the kick.
+  EXPECT_LE(sums.wrong, 0.004 * kKicks * 45) << "frames of a ball said to fly";
 }
 
 }  // namespace

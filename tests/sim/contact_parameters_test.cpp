@@ -38,11 +38,11 @@ double off_a_body_mps(const Configuration& configuration) {
 }
 
 double off_a_plate_mps(const Configuration& configuration, bool dribbles) {
-  RobotSheet robot = quiet_robot();
+  RobotSpec robot = quiet_robot();
   robot.dribbler.force_n = 0.0;  // the surface alone
-  Scene scene(configuration, sheets(1, 1, robot));
+  Scene scene(configuration, specs(1, 1, robot));
   scene.put_robot(kWest0, {0, 0});
-  scene.order(kWest0).dribble = dribbles;
+  scene.command(kWest0).dribble = dribbles;
   scene.frames(2);
   scene.put_ball({0.2, 0.0}, {-kRebound_mps, 0.0});
   return rebound_mps(scene);

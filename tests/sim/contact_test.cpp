@@ -34,7 +34,7 @@ TEST(PushedBall, LiesAtThePlateWithinOneMillimetre) {
   Scene scene;
   scene.put_robot(kWest0, {-1, 0});
   scene.put_ball_at_plate(kWest0);
-  scene.order(kWest0).velocity_mps = {0.5, 0};
+  scene.command(kWest0).velocity_mps = {0.5, 0};
   scene.frames(90);
   EXPECT_NEAR(gap_to_hull_m(scene, kWest0), 0.0, 0.001);
 }
@@ -194,12 +194,12 @@ TEST(GoalPost, StopsABall) {
 // The places that a robot can press a ball against, and the direction it presses to.
 TEST(RobotThatSqueezesTheBall, CannotPressItThroughAWall) {
   const Field field;
-  struct Place {
+  struct Target {
     Vec2 ball_m;
     Vec2 to;
   };
   const double line = field.half_length_m();
-  const std::vector<Place> places = {
+  const std::vector<Target> targets = {
       {{line + 0.09, field.half_goal_m() - 0.03}, {0, 1}},   // goal's side wall from inside
       {{line + 0.09, field.half_goal_m() + 0.05}, {0, -1}},  // and from outside
       {{line + 0.15, 0.1}, {1, 0}},                          // goal's back wall
@@ -207,18 +207,18 @@ TEST(RobotThatSqueezesTheBall, CannotPressItThroughAWall) {
       {{0.5, field.wall_y_m() - 0.03}, {0, 1}},
       {{field.wall_x_m() - 0.03, 1.2}, {1, 0}},
   };
-  for (const Place& place : places) {
+  for (const Target& target : targets) {
     Scene scene;
-    scene.put_robot(kWest0, place.ball_m - 0.3 * place.to, place.to);
+    scene.put_robot(kWest0, target.ball_m - 0.3 * target.to, target.to);
     scene.put_robot(kEast0, {0, -1});
-    scene.put_ball(place.ball_m);
-    scene.order(kWest0).velocity_mps = {3.0, 0.0};
+    scene.put_ball(target.ball_m);
+    scene.command(kWest0).velocity_mps = {3.0, 0.0};
     double furthest_m = 0.0;
     for (int f = 0; f < 240; ++f) {
       scene.frame();
-      furthest_m = std::max(furthest_m, (scene.ball().position_m - place.ball_m).dot(place.to));
+      furthest_m = std::max(furthest_m, (scene.ball().position_m - target.ball_m).dot(target.to));
     }
-    EXPECT_LT(furthest_m, 0.035) << place.ball_m.transpose();
+    EXPECT_LT(furthest_m, 0.035) << target.ball_m.transpose();
     EXPECT_TRUE(scene.world.is_finite());
   }
 }
@@ -228,8 +228,8 @@ TEST(TwoRobotsAtOneBall, KeepItBetweenThem) {
   scene.put_robot(kWest0, {-0.3, 0}, {1, 0});
   scene.put_robot(kEast0, {0.3, 0}, {-1, 0});
   scene.put_ball({0, 0});
-  scene.order(kWest0).velocity_mps = {3, 0};
-  scene.order(kEast0).velocity_mps = {3, 0};
+  scene.command(kWest0).velocity_mps = {3, 0};
+  scene.command(kEast0).velocity_mps = {3, 0};
   for (int f = 0; f < 120; ++f) {
     scene.frame();
     ASSERT_GT(gap_to_hull_m(scene, kWest0), -0.01) << f;
@@ -260,7 +260,7 @@ TEST(Touches, CountAKickOnce) {
   Scene scene;
   scene.put_robot(kWest0, {0, 0});
   scene.put_ball_at_plate(kWest0, 0.005);
-  scene.order(kWest0).kick_mps = 3.0;
+  scene.command(kWest0).kick_mps = 3.0;
   scene.frame();
   ASSERT_EQ(scene.world.touches().size(), 1U);
   EXPECT_TRUE(scene.world.touches()[0].is_kick);
@@ -273,8 +273,8 @@ TEST(Touches, CountABallThatStaysOncePerFrame) {
   Scene scene;
   scene.put_robot(kWest0, {-1, 0});
   scene.put_ball_at_plate(kWest0);
-  scene.order(kWest0).velocity_mps = {1, 0};
-  scene.order(kWest0).dribble = true;
+  scene.command(kWest0).velocity_mps = {1, 0};
+  scene.command(kWest0).dribble = true;
   scene.frames(5);
   for (int f = 0; f < 10; ++f) {
     scene.frame();

@@ -14,8 +14,8 @@ namespace autoref::sim {
 namespace {
 
 // As quick as the league's robots get (3.5 m/s, braking at 6 m/s^2), wheels that never limit.
-RobotSheet quick_holder() {
-  RobotSheet robot = quiet_robot();
+RobotSpec quick_holder() {
+  RobotSpec robot = quiet_robot();
   robot.body.speed_mps = 3.5;
   robot.body.acceleration_mps2 = 3.5;
   robot.body.braking_mps2 = 6.0;
@@ -32,11 +32,11 @@ Configuration stepped(int substeps) {
 
 // A robot at the origin that holds the ball.
 struct Holder : Scene {
-  explicit Holder(int substeps = 4) : Scene(stepped(substeps), sheets(1, 1, quick_holder())) {
+  explicit Holder(int substeps = 4) : Scene(stepped(substeps), specs(1, 1, quick_holder())) {
     put_robot(kEast0, {2.5, 1.8}, {-1, 0});
     put_robot(kWest0, {0, 0});
     put_ball_at_plate(kWest0);
-    order(kWest0).dribble = true;
+    command(kWest0).dribble = true;
   }
   // The ball as seen from the plate's middle.
   Vec2 off_m() const {
@@ -70,9 +70,9 @@ TEST_P(PerfectDribbler, HoldsTheBallInEveryMotion) {
   for (int f = 0; f < 3600; ++f) {
     if (f % 12 == 0) {
       const double angle_rad = 2 * kPi * random.uniform();
-      holder.order(kWest0).velocity_mps = 10 * heading_of(angle_rad);
+      holder.command(kWest0).velocity_mps = 10 * heading_of(angle_rad);
       const double turn = random.uniform();
-      holder.order(kWest0).angular_velocity_radps = turn < 0.4 ? 15 : turn < 0.8 ? -15 : 0;
+      holder.command(kWest0).angular_velocity_radps = turn < 0.4 ? 15 : turn < 0.8 ? -15 : 0;
       holder.keep_off_walls();
     }
     holder.frame();
@@ -84,8 +84,8 @@ TEST_P(PerfectDribbler, HoldsTheBallInEveryMotion) {
 TEST_P(PerfectDribbler, HoldsTheBallInAFullSpinAndWhenBraking) {
   Holder holder(GetParam());
   for (int f = 0; f < 240; ++f) {
-    holder.order(kWest0).velocity_mps = {f % 120 < 60 ? 10.0 : 0.0, 0};
-    holder.order(kWest0).angular_velocity_radps = f >= 120 ? 15 : 0;
+    holder.command(kWest0).velocity_mps = {f % 120 < 60 ? 10.0 : 0.0, 0};
+    holder.command(kWest0).angular_velocity_radps = f >= 120 ? 15 : 0;
     holder.frame();
     ASSERT_LT(holder.off_m().norm(), 0.004) << f;
   }
@@ -100,8 +100,8 @@ TEST_P(PerfectDribbler, NeverMakesTheBallFasterThanThePlate) {
   for (int f = 0; f < 3600; ++f) {
     if (f % 12 == 0) {
       const double angle_rad = 2 * kPi * random.uniform();
-      holder.order(kWest0).velocity_mps = 10 * heading_of(angle_rad);
-      holder.order(kWest0).angular_velocity_radps = random.uniform() < 0.5 ? 15 : -15;
+      holder.command(kWest0).velocity_mps = 10 * heading_of(angle_rad);
+      holder.command(kWest0).angular_velocity_radps = random.uniform() < 0.5 ? 15 : -15;
       holder.keep_off_walls();
     }
     const double before_mps = holder.plate_mps().norm();
@@ -133,7 +133,7 @@ TEST(PerfectDribblerAtRest, BringsABallFromTheMouthsEdgeToTheMiddleSlowly) {
   EXPECT_LT(holder.off_m().norm(), 0.002);
 }
 
-TEST(PerfectDribblerAtRest, TakesOnlyABallInItsMouth) {
+TEST(PerfectDribblerAtRest, TakesOnlyABallInItsDribblerZone) {
   for (const Vec2& off_m : {Vec2(0.012, 0), Vec2(0.001, 0.042), Vec2(-0.21, 0)}) {
     Holder holder;
     holder.put_ball(Vec2(kFrontDistance_m + kBallRadius_m, 0) + off_m, {0, 0}, true);
@@ -145,11 +145,11 @@ TEST(PerfectDribblerAtRest, TakesOnlyABallInItsMouth) {
 
 TEST(PerfectDribblerAtRest, LetsTheBallGoWhenItIsSwitchedOff) {
   Holder holder;
-  holder.order(kWest0).velocity_mps = {-1, 0};
+  holder.command(kWest0).velocity_mps = {-1, 0};
   holder.frames(60);
   EXPECT_LT(holder.off_m().norm(), 0.002);
-  holder.order(kWest0).dribble = false;
-  holder.order(kWest0).velocity_mps = {-3, 0};
+  holder.command(kWest0).dribble = false;
+  holder.command(kWest0).velocity_mps = {-3, 0};
   holder.frames(30);
   EXPECT_GT(holder.off_m().x(), 0.1);
 }
@@ -160,7 +160,7 @@ TEST(PerfectDribblerThatKicks, LetsTheBallGo) {
     for (const int substeps : {2, 16}) {
       Holder holder(substeps);
       holder.frames(10);
-      holder.order(kWest0).kick_mps = kick_mps;
+      holder.command(kWest0).kick_mps = kick_mps;
       holder.frames(6);
       EXPECT_NEAR(holder.ball().velocity_mps.x(), kick_mps - std::min(0.1 * 3.4, 0.33 * kick_mps),
                   0.06)
@@ -172,8 +172,8 @@ TEST(PerfectDribblerThatKicks, LetsTheBallGo) {
 
 TEST(PerfectDribblerThatKicks, LetsAChipGo) {
   Holder holder;
-  holder.order(kWest0).kick_mps = 2;
-  holder.order(kWest0).chip = true;
+  holder.command(kWest0).kick_mps = 2;
+  holder.command(kWest0).chip = true;
   holder.frames(6);
   EXPECT_NEAR(holder.ball().velocity_mps.x(), 1.41, 0.05);
   EXPECT_GT(holder.ball().height_m, 0.08);
@@ -182,7 +182,7 @@ TEST(PerfectDribblerThatKicks, LetsAChipGo) {
 TEST(TwoPerfectDribblers, ShareABallAtRest) {
   Holder holder;
   holder.put_robot(kEast0, {2 * (kFrontDistance_m + kBallRadius_m), 0}, {-1, 0});
-  holder.order(kEast0).dribble = true;
+  holder.command(kEast0).dribble = true;
   for (int f = 0; f < 120; ++f) {
     holder.frame();
     ASSERT_LT(holder.ball().velocity_mps.norm(), 0.01) << f;
@@ -192,8 +192,8 @@ TEST(TwoPerfectDribblers, ShareABallAtRest) {
 TEST(TwoPerfectDribblers, ThatPullApartGiveTheBallNoSpeedOfItsOwn) {
   Holder holder;
   holder.put_robot(kEast0, {2 * (kFrontDistance_m + kBallRadius_m), 0}, {-1, 0});
-  holder.order(kEast0).dribble = true;
-  holder.order(kWest0).velocity_mps = holder.order(kEast0).velocity_mps = {-2, 0};
+  holder.command(kEast0).dribble = true;
+  holder.command(kWest0).velocity_mps = holder.command(kEast0).velocity_mps = {-2, 0};
   for (int f = 0; f < 120; ++f) {
     holder.frame();
     const double robots_mps = std::max(holder.robot(kWest0).velocity_mps.norm(),

@@ -15,8 +15,8 @@ struct Lane : Scene {
     put_robot(kEast0, {2.5, 1.8}, {-1, 0});
     put_ball({0, -1.5});
   }
-  static PerSide<TeamSheet> handicapped(double speed_factor, double acceleration_factor) {
-    PerSide<TeamSheet> both = sheets(1, 1);
+  static PerSide<TeamSpec> handicapped(double speed_factor, double acceleration_factor) {
+    PerSide<TeamSpec> both = specs(1, 1);
     both[Side::kWest].robots[0].speed_factor = speed_factor;
     both[Side::kWest].robots[0].acceleration_factor = acceleration_factor;
     return both;
@@ -26,7 +26,7 @@ struct Lane : Scene {
 
 TEST(Robot, ReachesThreeMetresPerSecondInOneSecond) {
   Lane lane;
-  lane.order(kWest0).velocity_mps = {10, 0};
+  lane.command(kWest0).velocity_mps = {10, 0};
   lane.frames(30);
   EXPECT_NEAR(lane.speed_mps(), 1.5, 0.02);
   lane.frames(32);
@@ -54,7 +54,7 @@ TEST(Robot, BrakesLessAlongAWheel) {
 
 TEST(Robot, TurnsAtFortyRadiansPerSecondSquaredUpToFifteen) {
   Lane lane;
-  lane.order(kWest0).angular_velocity_radps = 100;
+  lane.command(kWest0).angular_velocity_radps = 100;
   lane.frames(6);
   EXPECT_NEAR(lane.robot(kWest0).angular_velocity_radps, 4.0, 0.01);
   lane.frames(30);
@@ -64,8 +64,8 @@ TEST(Robot, TurnsAtFortyRadiansPerSecondSquaredUpToFifteen) {
 // Rim acceleration of the back wheel: sin(135 deg) * 3 + 0.08 * 40 = 5.3, more than 4.5.
 TEST(Robot, SharesItsWheelsBetweenDrivingAndTurning) {
   Lane lane;
-  lane.order(kWest0).velocity_mps = {3, 0};
-  lane.order(kWest0).angular_velocity_radps = 15;
+  lane.command(kWest0).velocity_mps = {3, 0};
+  lane.command(kWest0).angular_velocity_radps = 15;
   lane.frame();
   const double share = 4.5 / (3.0 * std::sqrt(0.5) + 0.08 * 40);
   EXPECT_NEAR(lane.speed_mps(), 3.0 * share / 60, 0.002);
@@ -75,7 +75,7 @@ TEST(Robot, SharesItsWheelsBetweenDrivingAndTurning) {
 TEST(Robot, MovesInItsOwnFrame) {
   Lane lane;
   lane.put_robot(kWest0, {0, 0}, {0, 1});
-  lane.order(kWest0).velocity_mps = {1, 0};
+  lane.command(kWest0).velocity_mps = {1, 0};
   lane.frames(60);
   EXPECT_NEAR(lane.robot(kWest0).position_m.x(), 0.0, 1e-3);
   EXPECT_GT(lane.robot(kWest0).position_m.y(), 0.7);
@@ -87,7 +87,7 @@ TEST(Robot, IsAsHeavyAsBeforeOnceTheBallHasLeft) {
   lane.frame();
   lane.put_ball({0, -1.5});
   lane.frame();
-  lane.order(kWest0).velocity_mps = {3, 0};
+  lane.command(kWest0).velocity_mps = {3, 0};
   lane.frames(30);
   EXPECT_NEAR(lane.speed_mps(), 1.5, 0.02);
 }
@@ -97,7 +97,7 @@ class Handicap : public testing::TestWithParam<double> {};
 TEST_P(Handicap, ScalesTopSpeedAndAcceleration) {
   const double factor = GetParam();
   Lane lane(factor, factor);
-  lane.order(kWest0).velocity_mps = {10, 0};
+  lane.command(kWest0).velocity_mps = {10, 0};
   lane.frames(30);
   EXPECT_NEAR(lane.speed_mps(), 1.5 * factor, 0.02);
   lane.frames(40);
@@ -119,8 +119,8 @@ TEST(RobotsThatPushEachOther, AreInBalanceWhoeverCameFirst) {
   scene.put_robot(kWest0, {-0.09, 0}, {1, 0});
   scene.put_robot(kEast0, {0.09, 0}, {-1, 0});
   scene.put_ball({0, 1.5});
-  scene.order(kWest0).velocity_mps = {3, 0};
-  scene.order(kEast0).velocity_mps = {3, 0};
+  scene.command(kWest0).velocity_mps = {3, 0};
+  scene.command(kEast0).velocity_mps = {3, 0};
   scene.frames(60);
   EXPECT_NEAR(scene.robot(kWest0).position_m.x(), -0.09, 0.002);
   EXPECT_NEAR(scene.robot(kEast0).position_m.x(), 0.09, 0.002);
@@ -139,11 +139,11 @@ TEST(RobotsThatCollide, DoNotPassThroughEachOther) {
 }
 
 TEST(Motors, MakeSpeedsDifferByAboutOnePercent) {
-  RobotSheet noisy = quiet_robot();
+  RobotSpec noisy = quiet_robot();
   noisy.body.speed_noise = 0.01;
-  Scene scene(quiet(), sheets(1, 1, noisy));
+  Scene scene(quiet(), specs(1, 1, noisy));
   scene.put_robot(kWest0, {-2.5, 0});
-  scene.order(kWest0).velocity_mps = {1, 0};
+  scene.command(kWest0).velocity_mps = {1, 0};
   scene.frames(30);
   double off2 = 0.0;
   for (int f = 0; f < 100; ++f) {

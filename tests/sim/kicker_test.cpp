@@ -9,11 +9,11 @@ namespace {
 
 // A robot at the origin that looks east and wants to kick.
 struct Shot : Scene {
-  explicit Shot(const RobotSheet& robot = quiet_robot(),
+  explicit Shot(const RobotSpec& robot = quiet_robot(),
                 const Configuration& configuration = quiet())
-      : Scene(configuration, sheets(1, 1, robot)) {
+      : Scene(configuration, specs(1, 1, robot)) {
     put_robot(kWest0, {0, 0});
-    order(kWest0).kick_mps = 4.0;
+    command(kWest0).kick_mps = 4.0;
   }
   void put_ball_before(double gap_m, double aside_m) {
     put_ball({kFrontDistance_m + kBallRadius_m + gap_m, aside_m}, {0, 0}, true);
@@ -29,7 +29,7 @@ TEST(Kicker, GivesTheBallTheOrderedSpeedOverGroundAlongTheHeading) {
   EXPECT_FALSE(shot.ball().is_rolling);
 }
 
-TEST(Kicker, FiresWithinItsReachAndMouthOnly) {
+TEST(Kicker, FiresWithinItsReachAndDribblerZoneOnly) {
   struct Case {
     double gap_m;
     double aside_m;
@@ -46,7 +46,7 @@ TEST(Kicker, FiresWithinItsReachAndMouthOnly) {
 
 TEST(Kicker, DoesNotFireWithoutAnOrder) {
   Shot shot;
-  shot.order(kWest0).kick_mps = 0.0;
+  shot.command(kWest0).kick_mps = 0.0;
   shot.put_ball_before(0.0, 0.0);
   shot.frames(10);
   EXPECT_LT(shot.ball().velocity_mps.norm(), 0.05);
@@ -66,7 +66,7 @@ TEST(Kicker, NeedsATenthOfASecondBetweenKicks) {
 
 TEST(Kicker, CannotExceedEightMetresPerSecond) {
   Shot shot;
-  shot.order(kWest0).kick_mps = 20.0;
+  shot.command(kWest0).kick_mps = 20.0;
   shot.put_ball_before(0.0, 0.0);
   shot.frame();
   EXPECT_GT(shot.ball().velocity_mps.norm(), 7.9);
@@ -75,7 +75,7 @@ TEST(Kicker, CannotExceedEightMetresPerSecond) {
 
 TEST(Kicker, ChipsAtFortyFiveDegrees) {
   Shot shot;
-  shot.order(kWest0).chip = true;
+  shot.command(kWest0).chip = true;
   shot.put_ball_before(0.0, 0.0);
   shot.frame();
   EXPECT_NEAR(shot.ball().velocity_mps.x(), 4.0 * std::sqrt(0.5), 0.001);
@@ -84,8 +84,8 @@ TEST(Kicker, ChipsAtFortyFiveDegrees) {
 
 TEST(Kicker, ChipsAtMostFiveAndAHalfMetresPerSecond) {
   Shot shot;
-  shot.order(kWest0).chip = true;
-  shot.order(kWest0).kick_mps = 8.0;
+  shot.command(kWest0).chip = true;
+  shot.command(kWest0).kick_mps = 8.0;
   shot.put_ball_before(0.0, 0.0);
   shot.frame();
   EXPECT_NEAR(shot.ball().velocity_mps.x(), 5.5 * std::sqrt(0.5), 0.001);
@@ -105,7 +105,7 @@ TEST(Kicker, DoesNotReachABallInTheAir) {
 TEST(Kicker, PushesTheRobotBackByTheBallsMomentum) {
   Configuration one = quiet();
   one.substeps = 1;
-  RobotSheet still = quiet_robot();
+  RobotSpec still = quiet_robot();
   still.body.acceleration_mps2 = 1e-6;
   still.body.braking_mps2 = 1e-6;
   Shot shot(still, one);
@@ -115,7 +115,7 @@ TEST(Kicker, PushesTheRobotBackByTheBallsMomentum) {
 }
 
 TEST(Kicker, ScattersByTwoAndAHalfPercentAndOneAndAHalfDegrees) {
-  RobotSheet noisy = quiet_robot();
+  RobotSpec noisy = quiet_robot();
   noisy.kicker = KickerParameters{};
   Shot shot(noisy);
   double speed2 = 0.0;
@@ -139,19 +139,19 @@ TEST(TwoKickersAtOnce, PushTheBallTogetherWhoeverIsAskedFirst) {
   shot.put_ball({0, 0}, {0, 0}, true);
   shot.put_robot(kWest0, {-0.1, 0}, {1, 0});
   shot.put_robot(kEast0, {0.1, 0}, {-1, 0});
-  shot.order(kEast0).kick_mps = 4.0;
+  shot.command(kEast0).kick_mps = 4.0;
   shot.frame();
   EXPECT_NEAR(shot.ball().velocity_mps.norm(), 0.0, 0.01);
 }
 
 TEST(Dribbler, HoldsTheBallInGentleMotion) {
   Shot shot;
-  shot.order(kWest0).kick_mps = 0.0;
-  shot.order(kWest0).dribble = true;
+  shot.command(kWest0).kick_mps = 0.0;
+  shot.command(kWest0).dribble = true;
   shot.put_ball_before(0.0, 0.0);
   for (int f = 0; f < 240; ++f) {  // forward, back, and turning
-    shot.order(kWest0).velocity_mps = {f < 60 ? 0.8 : f < 120 ? -0.8 : 0.3, 0.0};
-    shot.order(kWest0).angular_velocity_radps = f < 120 ? 0.0 : 1.5;
+    shot.command(kWest0).velocity_mps = {f < 60 ? 0.8 : f < 120 ? -0.8 : 0.3, 0.0};
+    shot.command(kWest0).angular_velocity_radps = f < 120 ? 0.0 : 1.5;
     shot.frame();
     const RobotState& robot = shot.robot(kWest0);
     ASSERT_LT(distance_to_hull(shot.ball().position_m, robot.position_m, robot.heading), 0.032)
@@ -164,10 +164,10 @@ TEST(Dribbler, HoldsTheBallInGentleMotion) {
 TEST(Dribbler, LosesTheBallInAHardTurnOnly) {
   for (const double turn_radps : {6.0, 8.0}) {
     Shot shot;
-    shot.order(kWest0).kick_mps = 0.0;
-    shot.order(kWest0).dribble = true;
+    shot.command(kWest0).kick_mps = 0.0;
+    shot.command(kWest0).dribble = true;
     shot.put_ball_before(0.0, 0.0);
-    shot.order(kWest0).angular_velocity_radps = turn_radps;
+    shot.command(kWest0).angular_velocity_radps = turn_radps;
     shot.frames(60);
     const RobotState& robot = shot.robot(kWest0);
     const double gap_m =
@@ -179,11 +179,11 @@ TEST(Dribbler, LosesTheBallInAHardTurnOnly) {
 TEST(Dribbler, TakesMoreOfAnArrivingBallsSpeed) {
   double rebound_mps[2];
   for (const bool dribbles : {false, true}) {
-    RobotSheet weak = quiet_robot();
+    RobotSpec weak = quiet_robot();
     weak.dribbler.force_n = 0.0;
     Shot shot(weak);
-    shot.order(kWest0).kick_mps = 0.0;
-    shot.order(kWest0).dribble = dribbles;
+    shot.command(kWest0).kick_mps = 0.0;
+    shot.command(kWest0).dribble = dribbles;
     shot.put_ball({0.15, 0}, {-3.0, 0}, false);
     shot.frames(2);
     rebound_mps[dribbles ? 1 : 0] = shot.ball().velocity_mps.x();

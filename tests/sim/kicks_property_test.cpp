@@ -45,9 +45,9 @@ Shot at_robot(RandomStream& random) {
 // Driven so that it still meets the ball.
 Shot at_driving_robot(RandomStream& random, double least_mps, double most_mps) {
   Shot shot = at_robot(random);
-  const double way_s = shot.from_m.norm() / kKick_mps;
+  const double path_s = shot.from_m.norm() / kKick_mps;
   shot.robot.velocity_mps = shot.direction * between(random, least_mps, most_mps);
-  shot.from_m += shot.robot.velocity_mps * way_s;
+  shot.from_m += shot.robot.velocity_mps * path_s;
   return shot;
 }
 
@@ -67,13 +67,13 @@ Shot from_box_to_box(RandomStream& random, const Vec2& from_low_m, const Vec2& f
   const double turned_x = random.uniform() < 0.5 ? -1 : 1;
   const double turned_y = random.uniform() < 0.5 ? -1 : 1;
   const Vec2 turned(turned_x, turned_y);
-  const auto place_in = [&random](const Vec2& low_m, const Vec2& high_m) {
+  const auto position_in = [&random](const Vec2& low_m, const Vec2& high_m) {
     const double x = between(random, low_m.x(), high_m.x());
     const double y = between(random, low_m.y(), high_m.y());
     return Vec2(x, y);
   };
-  const Vec2 from_m = place_in(from_low_m, from_high_m);
-  const Vec2 to_m = place_in(to_low_m, to_high_m);
+  const Vec2 from_m = position_in(from_low_m, from_high_m);
+  const Vec2 to_m = position_in(to_low_m, to_high_m);
   Shot shot;
   shot.from_m = from_m.cwiseProduct(turned);
   shot.direction = (to_m - from_m).cwiseProduct(turned).normalized();
@@ -113,19 +113,19 @@ struct Target {
 class HardShot : public Scene {
  public:
   HardShot(const Configuration& configuration, const Shot& shot)
-      : Scene(configuration, sheets(1, 0)) {
+      : Scene(configuration, specs(1, 0)) {
     world.put_robot(kWest0, shot.robot);
     put_ball(shot.from_m, kKick_mps * shot.direction);
-    order(kWest0).velocity_mps = to_local(shot.robot.velocity_mps, shot.robot.heading);
-    order(kWest0).angular_velocity_radps = shot.robot.angular_velocity_radps;
-    order(kWest0).dribble = shot.dribbles;
+    command(kWest0).velocity_mps = to_local(shot.robot.velocity_mps, shot.robot.heading);
+    command(kWest0).angular_velocity_radps = shot.robot.angular_velocity_radps;
+    command(kWest0).dribble = shot.dribbles;
   }
 };
 
 // Of one kick, over all sub-steps or frames that were watched.
 struct Seen {
   double deepest_m = 0;  // the ball's surface in a body or wall
-  double least_way_m = std::numeric_limits<double>::infinity();  // its centre's, from them
+  double least_path_m = std::numeric_limits<double>::infinity();  // its centre's, from them
   int hits = 0;
   double gained_mps = -kKick_mps;  // along the normal, by hits, beyond what forces explain
   double most_kept = 0;            // share of a normal speed above 1 m/s
@@ -151,7 +151,7 @@ void note_bounces(const HardShot& scene, const BallState& former, const RobotSta
   const Configuration configuration;
   const BallState& ball = scene.ball();
   if (!scene.world.touches().empty()) {
-    const bool dribbles = scene.orders[Side::kWest][0].dribble;
+    const bool dribbles = scene.commands[Side::kWest][0].dribble;
     note_bounce(bounce_off_robot(former, ball, former_robot, scene.robot(kWest0)),
                 forced_mps(configuration.ball, quiet_robot(), dribbles), seen);
     return;
@@ -176,8 +176,8 @@ Seen watch_substeps(const Shot& shot) {
       return std::min(distance_to_robot(moved_on(former_robot, share * kSubstep_s), point_m),
                       distance_to_walls(scene.field, point_m));
     };
-    seen.least_way_m = std::min(
-        seen.least_way_m, least_on_way_m(former.position_m, scene.ball().position_m, distance_m));
+    seen.least_path_m = std::min(
+        seen.least_path_m, least_on_path_m(former.position_m, scene.ball().position_m, distance_m));
   }
   return seen;
 }
@@ -193,14 +193,14 @@ Seen watch_frames(const Shot& shot) {
     const Vec2 former_robot_m = scene.robot(kWest0).position_m;
     scene.frame();
     note_depth(scene, seen);
-    const Vec2 robot_way_m = scene.robot(kWest0).position_m - former_robot_m;
+    const Vec2 robot_path_m = scene.robot(kWest0).position_m - former_robot_m;
     const auto distance_m = [&](const Vec2& point_m, double share) {
-      const Vec2 robot_m = former_robot_m + share * robot_way_m;
+      const Vec2 robot_m = former_robot_m + share * robot_path_m;
       return std::min((point_m - robot_m).norm() - kWithin_m,
                       distance_to_walls(scene.field, point_m));
     };
-    seen.least_way_m =
-        std::min(seen.least_way_m, least_on_way_m(former_m, scene.ball().position_m, distance_m));
+    seen.least_path_m =
+        std::min(seen.least_path_m, least_on_path_m(former_m, scene.ball().position_m, distance_m));
   }
   return seen;
 }
@@ -215,7 +215,7 @@ TEST_P(FourThousandKicks, NeverPassThroughABodyOrWall) {
   for (int i = 0; i < GetParam().kicks; ++i) {
     const Seen seen = watch_substeps(GetParam().shoot(random));
     ASSERT_LT(seen.deepest_m, kSunk_m) << i;
-    ASSERT_GT(seen.least_way_m, kBallRadius_m - kSunk_m) << i;
+    ASSERT_GT(seen.least_path_m, kBallRadius_m - kSunk_m) << i;
   }
 }
 
@@ -224,7 +224,7 @@ TEST_P(FourThousandKicks, NeverPassThroughABodyOrWallInTheDefaultWorld) {
   for (int i = 0; i < GetParam().kicks; ++i) {
     const Seen seen = watch_frames(GetParam().shoot(random));
     ASSERT_LT(seen.deepest_m, kSunk_m) << i;
-    ASSERT_GT(seen.least_way_m, kBallRadius_m - kSunk_m) << i;
+    ASSERT_GT(seen.least_path_m, kBallRadius_m - kSunk_m) << i;
   }
 }
 

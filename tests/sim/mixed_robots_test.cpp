@@ -12,8 +12,8 @@ constexpr RobotId kWest1{Side::kWest, 1};
 
 // Two robots in the west, the first one changed by `change`.
 template <typename Change>
-PerSide<TeamSheet> first_changed(Change change) {
-  PerSide<TeamSheet> both = sheets(2, 0);
+PerSide<TeamSpec> first_changed(Change change) {
+  PerSide<TeamSpec> both = specs(2, 0);
   change(both[Side::kWest].robots[0]);
   return both;
 }
@@ -26,7 +26,7 @@ struct Pair : Scene {
     put_robot(kWest1, {-2, -1});
     put_ball({2, 1.5});
   }
-  void order_both(const RobotCommand& command) { order(kWest0) = order(kWest1) = command; }
+  void command_both(const RobotCommand& both) { command(kWest0) = command(kWest1) = both; }
   void put_ball_before(RobotId id) { put_ball_at_plate(id, 0.005); }
 };
 
@@ -37,11 +37,11 @@ RobotCommand forward(double speed_mps) {
 }
 
 TEST(MixedRobots, HaveTheirOwnTopSpeedAndAcceleration) {
-  Pair pair([](RobotSheet& slow) {
+  Pair pair([](RobotSpec& slow) {
     slow.body.speed_mps = 2.2;
     slow.body.acceleration_mps2 = 1.5;
   });
-  pair.order_both(forward(10));
+  pair.command_both(forward(10));
   pair.frames(60);
   EXPECT_NEAR(pair.robot(kWest0).velocity_mps.x(), 1.5, 0.02);
   EXPECT_NEAR(pair.robot(kWest1).velocity_mps.x(), 3.0, 0.02);
@@ -50,18 +50,18 @@ TEST(MixedRobots, HaveTheirOwnTopSpeedAndAcceleration) {
 }
 
 TEST(MixedRobots, HaveTheirOwnHandicap) {
-  Pair pair([](RobotSheet& lame) { lame.speed_factor = 0.5; });
-  pair.order_both(forward(10));
+  Pair pair([](RobotSpec& lame) { lame.speed_factor = 0.5; });
+  pair.command_both(forward(10));
   pair.frames(70);
   EXPECT_NEAR(pair.robot(kWest0).velocity_mps.x(), 1.5, 0.01);
   EXPECT_NEAR(pair.robot(kWest1).velocity_mps.x(), 3.0, 0.01);
 }
 
 TEST(MixedRobots, HaveTheirOwnKicker) {
-  Pair pair([](RobotSheet& weak) { weak.kicker.speed_limit_mps = 2; });
+  Pair pair([](RobotSpec& weak) { weak.kicker.speed_limit_mps = 2; });
   RobotCommand kick;
   kick.kick_mps = 5;
-  pair.order_both(kick);
+  pair.command_both(kick);
   double speed_mps[2];
   for (const RobotId id : {kWest0, kWest1}) {
     pair.put_ball_before(id);
@@ -73,10 +73,10 @@ TEST(MixedRobots, HaveTheirOwnKicker) {
 }
 
 TEST(MixedRobots, ChargeTheirKickersApart) {
-  Pair pair([](RobotSheet& slow) { slow.kicker.dead_time_s = 10; });
+  Pair pair([](RobotSpec& slow) { slow.kicker.dead_time_s = 10; });
   RobotCommand kick;
   kick.kick_mps = 5;
-  pair.order_both(kick);
+  pair.command_both(kick);
   for (const RobotId id : {kWest0, kWest1, kWest0, kWest1}) {
     pair.put_ball_before(id);
     pair.frames(12);
@@ -92,8 +92,8 @@ TEST(MixedRobots, HaveTheirOwnDribbler) {
   back.dribble = true;
   double moved_m[2];
   for (const RobotId id : {kWest0, kWest1}) {
-    Pair pair([](RobotSheet& broken) { broken.dribbler.force_n = 0; });
-    pair.order_both(back);
+    Pair pair([](RobotSpec& broken) { broken.dribbler.force_n = 0; });
+    pair.command_both(back);
     pair.put_ball_at_plate(id);
     const double start_m = pair.ball().position_m.x();
     pair.frames(60);
@@ -105,10 +105,10 @@ TEST(MixedRobots, HaveTheirOwnDribbler) {
 
 // 2.5 kg at 2 m/s meet 5 kg at rest; 0.2 of the speed between them is kept.
 TEST(MixedRobots, HaveTheirOwnMass) {
-  Pair pair([](RobotSheet& heavy) { heavy.body.mass_kg = 5; });
+  Pair pair([](RobotSpec& heavy) { heavy.body.mass_kg = 5; });
   pair.put_robot(kWest0, {0.3, 0});
   pair.put_robot(kWest1, {0, 0}, {1, 0}, {2, 0});
-  pair.order(kWest1).velocity_mps = {2, 0};
+  pair.command(kWest1).velocity_mps = {2, 0};
   double fastest_mps = 0;
   for (int f = 0; f < 6; ++f) {
     pair.frame();
@@ -120,12 +120,12 @@ TEST(MixedRobots, HaveTheirOwnMass) {
 
 // A robot gets its plate when the ball comes near and loses it later; Box2D then forgets the mass.
 TEST(MixedRobots, KeepTheirMassWhenTheBallHasComeAndGone) {
-  Pair pair([](RobotSheet& heavy) { heavy.body.mass_kg = 5; });
+  Pair pair([](RobotSpec& heavy) { heavy.body.mass_kg = 5; });
   pair.put_ball({-1.7, 1});
   pair.frame();
   pair.put_ball({2, 1.5});
   pair.frame();
-  pair.order_both(forward(3));
+  pair.command_both(forward(3));
   pair.frames(30);
   EXPECT_NEAR(pair.robot(kWest0).velocity_mps.x(), 1.5, 0.02);
 }

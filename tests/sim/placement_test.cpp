@@ -135,7 +135,7 @@ TEST(ReleasedBall, IsFreeAgain) {
   scene.placement = Placement{{0.0965, 0}, true};
   scene.frames(2);
   scene.placement.reset();
-  scene.order(kWest0).kick_mps = 5.0;
+  scene.command(kWest0).kick_mps = 5.0;
   scene.frames(2);
   EXPECT_GT(scene.ball().velocity_mps.x(), 4.5);
 }
@@ -172,7 +172,7 @@ TEST(PlacedBall, NeverPassesAGoalsWalls) {
   }
 }
 
-TEST(PlacedBall, LeavesAGoalThroughItsMouth) {
+TEST(PlacedBall, LeavesAGoalThroughItsDribblerZone) {
   const Field field;
   Scene scene;
   scene.put_ball({field.half_length_m() + 0.15, 0.3});

@@ -17,14 +17,14 @@ Configuration lossy(double share) {
 
 // Orders to and fro by turns of one frame. An order that is lost leaves the robot's acceleration
 // as it was; how often that happens is counted from the robot's speed.
-double share_of_ignored_orders(double loss, int frames) {
+double share_of_ignored_commands(double loss, int frames) {
   Scene scene(lossy(loss));
   scene.put_robot(kWest0, {-1, 0});
   int ignored = 0;
   double former_mps = 0.0;
   for (int f = 0; f < frames; ++f) {
     const bool forward = f % 2 == 0;
-    scene.order(kWest0).velocity_mps = {forward ? 1.0 : -1.0, 0.0};
+    scene.command(kWest0).velocity_mps = {forward ? 1.0 : -1.0, 0.0};
     scene.frame();
     const double speed_mps = scene.robot(kWest0).velocity_mps.x();
     ignored += (speed_mps > former_mps) == forward ? 0 : 1;
@@ -33,11 +33,11 @@ double share_of_ignored_orders(double loss, int frames) {
   return static_cast<double>(ignored) / frames;
 }
 
-TEST(Radio, LosesTheShareOfOrdersThatItSays) {
-  EXPECT_EQ(share_of_ignored_orders(0.0, 1200), 0.0);
+TEST(Radio, LosesTheShareOfCommandsThatItSays) {
+  EXPECT_EQ(share_of_ignored_commands(0.0, 1200), 0.0);
   // Two losses in a row repeat the order before last, the right one: lost minus lost squared, and
   // so on, is 0.2 / 1.2. Five standard deviations of 6000 orders.
-  EXPECT_NEAR(share_of_ignored_orders(0.2, 6000), 0.2 / 1.2, 0.026);
+  EXPECT_NEAR(share_of_ignored_commands(0.2, 6000), 0.2 / 1.2, 0.026);
 }
 
 // Nine of ten orders are lost. Which ones is told by the radio's own stream.
@@ -45,9 +45,9 @@ TEST(Radio, LetsARobotGoOnForATenthOfASecondAndThenStopsIt) {
   constexpr double kLoss = 0.9;
   constexpr std::uint64_t kSeed = 1;
   constexpr double kFrame_s = 1.0 / 60.0;
-  Scene scene(lossy(kLoss), sheets(1, 1), kSeed);
+  Scene scene(lossy(kLoss), specs(1, 1), kSeed);
   RandomStream radio = RandomStream::of(kSeed, RandomPurpose::kRadio, Side::kWest);
-  scene.order(kWest0).velocity_mps = {1.0, 0.0};
+  scene.command(kWest0).velocity_mps = {1.0, 0.0};
   int silent_frames = 1000;  // nothing was ever heard
   double expected_mps = 0.0;
   int gone_on = 0;

@@ -14,8 +14,8 @@ inline Configuration quiet() {
   return configuration;
 }
 
-inline RobotSheet quiet_robot() {
-  RobotSheet robot;
+inline RobotSpec quiet_robot() {
+  RobotSpec robot;
   robot.body.speed_noise = 0.0;
   robot.kicker.speed_noise = 0.0;
   robot.kicker.direction_noise_deg = 0.0;
@@ -23,9 +23,9 @@ inline RobotSheet quiet_robot() {
 }
 
 // So many robots a side, all like `robot`.
-inline PerSide<TeamSheet> sheets(std::size_t west, std::size_t east,
-                                 const RobotSheet& robot = quiet_robot()) {
-  return {{TeamSheet{TeamSheet::Robots(west, robot)}, TeamSheet{TeamSheet::Robots(east, robot)}}};
+inline PerSide<TeamSpec> specs(std::size_t west, std::size_t east,
+                               const RobotSpec& robot = quiet_robot()) {
+  return {{TeamSpec{TeamSpec::Robots(west, robot)}, TeamSpec{TeamSpec::Robots(east, robot)}}};
 }
 
 inline constexpr RobotId kWest0{Side::kWest, 0};
@@ -34,7 +34,7 @@ inline constexpr RobotId kEast0{Side::kEast, 0};
 // One robot a side unless told otherwise.
 struct Scene {
   explicit Scene(const Configuration& configuration = quiet(),
-                 const PerSide<TeamSheet>& teams = sheets(1, 1), std::uint64_t seed = 1)
+                 const PerSide<TeamSpec>& teams = specs(1, 1), std::uint64_t seed = 1)
       : world(field, configuration, teams, seed) {}
 
   void put_robot(RobotId id, const Vec2& position_m, const Vec2& heading = {1, 0},
@@ -53,20 +53,22 @@ struct Scene {
     const RobotState& at = robot(id);
     put_ball(at.position_m + at.heading * (kFrontDistance_m + kBallRadius_m + gap_m), {0, 0}, true);
   }
-  RobotCommand& order(RobotId id) { return orders[id.side][static_cast<std::size_t>(id.number)]; }
+  RobotCommand& command(RobotId id) {
+    return commands[id.side][static_cast<std::size_t>(id.number)];
+  }
 
   const BallState& ball() const { return world.state().ball; }
   const RobotState& robot(RobotId id) const {
     return world.state().robots[id.side][static_cast<std::size_t>(id.number)];
   }
-  void frame() { world.step(orders, placement); }
+  void frame() { world.step(commands, placement); }
   void frames(int count) {
     for (int i = 0; i < count; ++i) frame();
   }
 
   Field field;
   World world;
-  PerSide<TeamOrders> orders{};
+  PerSide<TeamCommands> commands{};
   std::optional<Placement> placement;
 };
 

@@ -45,8 +45,8 @@ TEST(ARobotOffTheField, CatchesNoBallThatComesDownOnIt) {
   EXPECT_LT(lowest_m, 0.05);
 }
 
-TEST(ARobotOffTheField, IsInNoStateAndOnNoPicture) {
-  Scene scene(quiet(), sheets(3, 1));
+TEST(ARobotOffTheField, IsInNoStateAndOnNoFrame) {
+  Scene scene(quiet(), specs(3, 1));
   scene.world.take_off(kWest1);
   scene.frame();
   Frame frame;
@@ -62,9 +62,9 @@ TEST(ARobotOffTheField, NeitherDrivesNorKicks) {
   scene.put_robot(kWest0, {0, 0});
   scene.put_ball_at_plate(kWest0, 0.005);
   scene.world.take_off(kWest0);
-  scene.order(kWest0).velocity_mps = {2, 0};
-  scene.order(kWest0).kick_mps = 5;
-  scene.order(kWest0).dribble = true;
+  scene.command(kWest0).velocity_mps = {2, 0};
+  scene.command(kWest0).kick_mps = 5;
+  scene.command(kWest0).dribble = true;
   scene.frames(30);
   EXPECT_LT(scene.ball().velocity_mps.norm(), 0.01);
   EXPECT_TRUE(scene.world.touches().empty());
@@ -74,7 +74,7 @@ TEST(ARobotOffTheField, NeitherDrivesNorKicks) {
 }
 
 // A robot at the ball would have the world take its short steps.
-TEST(ARobotOffTheField, DisturbsNoCalm) {
+TEST(ARobotOffTheField, DisturbsNoContactFreeStep) {
   Configuration coarse = quiet();
   coarse.substeps = 2;
   Scene adaptive = ball_at_a_robot();
@@ -98,50 +98,50 @@ TEST(ARobotOffTheField, ComesBackAndPlays) {
   ASSERT_TRUE(scene.world.is_free({0.9, 1.0}));
   scene.world.put_on(kEast0, {0.9, 1.0}, {-1, 0});
   EXPECT_FALSE(scene.world.is_free({0.9, 1.15}));
-  scene.order(kEast0).velocity_mps = {1, 0};
-  scene.order(kEast0).kick_mps = 4;
+  scene.command(kEast0).velocity_mps = {1, 0};
+  scene.command(kEast0).kick_mps = 4;
   scene.frames(30);
   EXPECT_LT(scene.robot(kEast0).position_m.x(), 0.85);
   EXPECT_LT(scene.ball().velocity_mps.x(), -1.0);
 }
 
 TEST(ARobotOffTheField, ShiftsNoChanceOfItsMates) {
-  const auto way_of_second = [](bool first_leaves) {
-    Scene scene(quiet(), sheets(2, 0, RobotSheet{}), 7);
+  const auto trajectory_of_second = [](bool first_leaves) {
+    Scene scene(quiet(), specs(2, 0, RobotSpec{}), 7);
     scene.put_robot(kWest0, {-2, 1.5});
     scene.put_robot(kWest1, {-2, -1.5});
     scene.put_ball({2, 0});
     if (first_leaves) scene.world.take_off(kWest0);
-    scene.order(kWest0).velocity_mps = scene.order(kWest1).velocity_mps = {1, 0};
+    scene.command(kWest0).velocity_mps = scene.command(kWest1).velocity_mps = {1, 0};
     scene.frames(60);
     return scene.world.state().robots[Side::kWest].back().position_m;
   };
-  EXPECT_EQ(way_of_second(true), way_of_second(false));
+  EXPECT_EQ(trajectory_of_second(true), trajectory_of_second(false));
 }
 
 // A crowd at the ball in which a robot comes and goes.
-std::vector<Vec2> ways_with_changes() {
-  Scene scene(quiet(), sheets(3, 3, RobotSheet{}), 5);
-  std::vector<Vec2> ways;
+std::vector<Vec2> trajectories_with_changes() {
+  Scene scene(quiet(), specs(3, 3, RobotSpec{}), 5);
+  std::vector<Vec2> trajectory_m;
   for (int f = 0; f < 600; ++f) {
     for (const Side side : kSides) {
       for (const RobotState& robot : scene.world.state().robots[side]) {
-        RobotCommand& order = scene.order({side, robot.number});
-        order.velocity_mps = to_local(scene.ball().position_m - robot.position_m, robot.heading);
-        order.kick_mps = 2;
+        RobotCommand& command = scene.command({side, robot.number});
+        command.velocity_mps = to_local(scene.ball().position_m - robot.position_m, robot.heading);
+        command.kick_mps = 2;
       }
     }
     if (f == 100) scene.world.take_off(kWest1);
     if (f == 300 && scene.world.is_free({-1, 2.2})) scene.world.put_on(kWest1, {-1, 2.2}, {1, 0});
     scene.frame();
-    ways.push_back(scene.ball().position_m);
+    trajectory_m.push_back(scene.ball().position_m);
   }
   EXPECT_TRUE(scene.world.is_on(kWest1));
-  return ways;
+  return trajectory_m;
 }
 
 TEST(RobotsThatComeAndGo, MakeTheSameGameTwice) {
-  EXPECT_EQ(ways_with_changes(), ways_with_changes());
+  EXPECT_EQ(trajectories_with_changes(), trajectories_with_changes());
 }
 
 }  // namespace

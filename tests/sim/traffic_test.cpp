@@ -25,7 +25,7 @@ constexpr int kPlayed_s =
 class Traffic : public Scene {
  public:
   explicit Traffic(const Configuration& configuration)
-      : Scene(configuration, sheets(kRobots, kRobots)), rate_hz_(configuration.frame_rate_hz) {}
+      : Scene(configuration, specs(kRobots, kRobots)), rate_hz_(configuration.frame_rate_hz) {}
 
   // New orders, and a new ball where the old one is lost.
   void steer() {
@@ -70,11 +70,11 @@ class Traffic : public Scene {
     if (world.state().frame >= whim.until) think(whim);
     const RobotState& its = robot(id);
     const Vec2 target_m = whim.kind == Kind::kChase ? ball().position_m : whim.target_m;
-    const Vec2 way = direction_of(target_m - its.position_m, its.heading);
-    RobotCommand& command = order(id);
-    command.velocity_mps = to_local(way * whim.speed_mps, its.heading);
+    const Vec2 direction = direction_of(target_m - its.position_m, its.heading);
+    RobotCommand& command = this->command(id);
+    command.velocity_mps = to_local(direction * whim.speed_mps, its.heading);
     command.angular_velocity_radps =
-        whim.kind == Kind::kSpin ? whim.turn_radps : 6.0 * angle_between(its.heading, way);
+        whim.kind == Kind::kSpin ? whim.turn_radps : 6.0 * angle_between(its.heading, direction);
     command.dribble = whim.dribbles;
   }
 
@@ -158,7 +158,7 @@ double pulled_mps(const WorldState& former, const Traffic& traffic) {
   double force_n = 0.0;
   for (const Side side : kSides) {
     for (const RobotState& robot : former.robots[side]) {
-      const bool dribbles = traffic.orders[side][static_cast<std::size_t>(robot.number)].dribble;
+      const bool dribbles = traffic.commands[side][static_cast<std::size_t>(robot.number)].dribble;
       const bool is_near = (robot.position_m - former.ball.position_m).norm() < 0.2;
       if (dribbles && is_near) force_n += quiet_robot().dribbler.force_n;
     }

@@ -36,36 +36,36 @@ std::uint64_t hash_of(const WorldState& state) {
 
 // Everybody runs for the ball and kicks it, one robot of each side chips. `side` looks at its own
 // half and its own robots only, so that turned worlds get turned orders.
-void chase(const WorldState& state, PerSide<TeamOrders>& orders) {
+void chase(const WorldState& state, PerSide<TeamCommands>& commands) {
   for (const Side side : kSides) {
     for (const RobotState& robot : state.robots[side]) {
       const Vec2 to_ball = to_local(state.ball.position_m - robot.position_m, robot.heading);
-      RobotCommand& order = orders[side][static_cast<std::size_t>(robot.number)];
-      order.velocity_mps = clamp_norm(3.0 * to_ball, 2.0);
-      order.angular_velocity_radps = 5.0 * angle_of(to_ball);
-      order.kick_mps = robot.number < 4 ? 5.0 : 0.0;
-      order.chip = robot.number == 1;
-      order.dribble = robot.number == 5;
+      RobotCommand& command = commands[side][static_cast<std::size_t>(robot.number)];
+      command.velocity_mps = clamp_norm(3.0 * to_ball, 2.0);
+      command.angular_velocity_radps = 5.0 * angle_of(to_ball);
+      command.kick_mps = robot.number < 4 ? 5.0 : 0.0;
+      command.chip = robot.number == 1;
+      command.dribble = robot.number == 5;
     }
   }
 }
 
-PerSide<TeamSheet> noisy_six() { return sheets(6, 6, RobotSheet{}); }
+PerSide<TeamSpec> noisy_six() { return specs(6, 6, RobotSpec{}); }
 
-std::uint64_t play_hash(std::uint64_t seed, const PerSide<TeamSheet>& teams, int frames) {
+std::uint64_t play_hash(std::uint64_t seed, const PerSide<TeamSpec>& teams, int frames) {
   World world(Field{}, quiet(), teams, seed);
-  PerSide<TeamOrders> orders{};
+  PerSide<TeamCommands> commands{};
   std::uint64_t hash = 0;
   for (int f = 0; f < frames; ++f) {
-    chase(world.state(), orders);
+    chase(world.state(), commands);
     const bool is_stopped = f % 300 > 240;
-    world.step(orders, is_stopped ? std::optional(Placement{{0, 0}, false}) : std::nullopt);
+    world.step(commands, is_stopped ? std::optional(Placement{{0, 0}, false}) : std::nullopt);
     hash = mix_bits(hash ^ hash_of(world.state()));
   }
   return hash;
 }
 
-TEST(World, GoesTheSameWayWithTheSameSeedAndOrders) {
+TEST(World, GoesTheSameWayWithTheSameSeedAndCommands) {
   EXPECT_EQ(play_hash(1, noisy_six(), 1200), play_hash(1, noisy_six(), 1200));
 }
 
@@ -74,12 +74,12 @@ TEST(World, GoesAnotherWayWithAnotherSeed) {
 }
 
 TEST(World, DoesNotDependOnTheSeedWithoutNoise) {
-  EXPECT_EQ(play_hash(1, sheets(6, 6), 300), play_hash(2, sheets(6, 6), 300));
+  EXPECT_EQ(play_hash(1, specs(6, 6), 300), play_hash(2, specs(6, 6), 300));
 }
 
 TEST(World, TurnedBy180DegreesStaysTurned) {
-  World world(Field{}, quiet(), sheets(6, 6), 1);
-  World turned(Field{}, quiet(), sheets(6, 6), 1);
+  World world(Field{}, quiet(), specs(6, 6), 1);
+  World turned(Field{}, quiet(), specs(6, 6), 1);
   BallState ball;
   ball.position_m = {0.4, -0.3};
   ball.velocity_mps = {-1.0, 0.5};
@@ -87,13 +87,13 @@ TEST(World, TurnedBy180DegreesStaysTurned) {
   ball.position_m = -ball.position_m;
   ball.velocity_mps = -ball.velocity_mps;
   turned.put_ball(ball);
-  PerSide<TeamOrders> orders{};
-  PerSide<TeamOrders> turned_orders{};
+  PerSide<TeamCommands> commands{};
+  PerSide<TeamCommands> turned_commands{};
   for (int f = 0; f < 45; ++f) {
-    chase(world.state(), orders);
-    chase(turned.state(), turned_orders);
-    world.step(orders, {});
-    turned.step(turned_orders, {});
+    chase(world.state(), commands);
+    chase(turned.state(), turned_commands);
+    world.step(commands, {});
+    turned.step(turned_commands, {});
     const auto& now = world.state();
     const auto& then = turned.state();
     ASSERT_LT((now.ball.position_m + then.ball.position_m).norm(), 1e-6) << f;
@@ -107,12 +107,12 @@ TEST(World, TurnedBy180DegreesStaysTurned) {
 }
 
 TEST(World, StaysFiniteAndInsideItsWallsInACrowd) {
-  World world(Field{}, Configuration{}, sheets(16, 16, RobotSheet{}), 3);
-  PerSide<TeamOrders> orders{};
+  World world(Field{}, Configuration{}, specs(16, 16, RobotSpec{}), 3);
+  PerSide<TeamCommands> commands{};
   const Field field;
   for (int f = 0; f < 1800; ++f) {
-    chase(world.state(), orders);
-    world.step(orders, {});
+    chase(world.state(), commands);
+    world.step(commands, {});
     ASSERT_TRUE(world.is_finite());
     ASSERT_LT(std::abs(world.state().ball.position_m.x()), field.wall_x_m());
     ASSERT_LT(std::abs(world.state().ball.position_m.y()), field.wall_y_m());
@@ -127,7 +127,7 @@ TEST(World, NoticesANumberThatIsNotFinite) {
 }
 
 TEST(LineUp, IsInTheOwnHalfAndTurnedForTheOtherSide) {
-  World world(Field{}, Configuration{}, sheets(16, 16), 1);
+  World world(Field{}, Configuration{}, specs(16, 16), 1);
   const WorldState& state = world.state();
   for (std::size_t n = 0; n < 16; ++n) {
     const RobotState& west = state.robots[Side::kWest][n];
@@ -153,12 +153,12 @@ TEST(Latency, OfFortyMillisecondsIsTwoFramesAndTwoSubsteps) {
   EXPECT_EQ(split.substeps, 2);
 }
 
-TEST(Latency, HoldsTheFormerOrdersForTheSubstepsThatAreLeft) {
+TEST(Latency, HoldsTheFormerCommandsForTheSubstepsThatAreLeft) {
   Configuration late = quiet();
   late.latency_s = 40_ms;
   Scene scene(late);
   scene.put_robot(kWest0, {-2, 0});
-  scene.order(kWest0).velocity_mps = {3, 0};
+  scene.command(kWest0).velocity_mps = {3, 0};
   scene.frame();  // the last two of four sub-steps at 3 m/s^2
   EXPECT_NEAR(scene.robot(kWest0).velocity_mps.x(), 3.0 * 2 / 240, 1e-4);
 }
@@ -178,14 +178,14 @@ TEST(Box2dClock, StandsStill) {
 
 struct Refused {
   const char* name;
-  void (*spoil)(Configuration& configuration, PerSide<TeamSheet>& teams);
+  void (*spoil)(Configuration& configuration, PerSide<TeamSpec>& teams);
 };
 
 class WrongConfiguration : public testing::TestWithParam<Refused> {};
 
 TEST_P(WrongConfiguration, IsRefusedByName) {
   Configuration configuration;
-  PerSide<TeamSheet> teams = noisy_six();
+  PerSide<TeamSpec> teams = noisy_six();
   GetParam().spoil(configuration, teams);
   try {
     const World world(Field{}, configuration, teams, 1);
@@ -198,37 +198,37 @@ TEST_P(WrongConfiguration, IsRefusedByName) {
 INSTANTIATE_TEST_SUITE_P(
     Fields, WrongConfiguration,
     testing::Values(
-        Refused{"substeps", [](Configuration& c, PerSide<TeamSheet>&) { c.substeps = 0; }},
-        Refused{"substeps", [](Configuration& c, PerSide<TeamSheet>&) { c.substeps = 17; }},
-        Refused{"calm_substeps",
-                [](Configuration& c, PerSide<TeamSheet>&) { c.calm_substeps = 0; }},
+        Refused{"substeps", [](Configuration& c, PerSide<TeamSpec>&) { c.substeps = 0; }},
+        Refused{"substeps", [](Configuration& c, PerSide<TeamSpec>&) { c.substeps = 17; }},
+        Refused{"contact_free_substeps",
+                [](Configuration& c, PerSide<TeamSpec>&) { c.contact_free_substeps = 0; }},
         Refused{"west robot 0: speed_factor",
-                [](Configuration&, PerSide<TeamSheet>& s) {
+                [](Configuration&, PerSide<TeamSpec>& s) {
                   s[Side::kWest].robots[0].speed_factor = -1;
                 }},
         Refused{"east robot 5: acceleration_factor",
-                [](Configuration&, PerSide<TeamSheet>& s) {
+                [](Configuration&, PerSide<TeamSpec>& s) {
                   s[Side::kEast].robots[5].acceleration_factor = 2.1;
                 }},
         Refused{"west robot 3: kicker.reach_m",
-                [](Configuration&, PerSide<TeamSheet>& s) {
+                [](Configuration&, PerSide<TeamSpec>& s) {
                   s[Side::kWest].robots[3].kicker.reach_m = -1;
                 }},
         Refused{"east robot 1: dribbler.force_n",
-                [](Configuration&, PerSide<TeamSheet>& s) {
+                [](Configuration&, PerSide<TeamSpec>& s) {
                   s[Side::kEast].robots[1].dribbler.force_n = -1;
                 }},
-        Refused{"latency_s", [](Configuration& c, PerSide<TeamSheet>&) { c.latency_s = 0.6; }},
+        Refused{"latency_s", [](Configuration& c, PerSide<TeamSpec>&) { c.latency_s = 0.6; }},
         Refused{"east robot 2: robot.mass_kg",
-                [](Configuration&, PerSide<TeamSheet>& s) {
+                [](Configuration&, PerSide<TeamSpec>& s) {
                   s[Side::kEast].robots[2].body.mass_kg = NAN;
                 }},
         Refused{"east robot 2: robot.mass_kg",
-                [](Configuration&, PerSide<TeamSheet>& s) {
+                [](Configuration&, PerSide<TeamSpec>& s) {
                   s[Side::kEast].robots[2].body.mass_kg = 1e-50;  // 0 as a float
                 }},
         Refused{"ball.slide_mps2",
-                [](Configuration& c, PerSide<TeamSheet>&) { c.ball.slide_mps2 = 0; }}));
+                [](Configuration& c, PerSide<TeamSpec>&) { c.ball.slide_mps2 = 0; }}));
 
 TEST(ConfigurationError, SaysTheValueAndTheRange) {
   try {

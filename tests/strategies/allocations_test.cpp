@@ -14,12 +14,12 @@ std::size_t allocations = 0;
 // delete for a mismatched pair.
 [[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocations;
-  if (void* place = std::malloc(size == 0 ? 1 : size)) return place;
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
   throw std::bad_alloc();
 }
-[[gnu::noinline]] void operator delete(void* place) noexcept { std::free(place); }
-[[gnu::noinline]] void operator delete(void* place, std::size_t /*size*/) noexcept {
-  std::free(place);
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t /*size*/) noexcept {
+  std::free(memory);
 }
 
 namespace autoref::strategies {
@@ -52,7 +52,7 @@ TEST(Allocations, AreCounted) {
 
 TEST(Allocations, AreNotMadeByAnyTeamsDecisions) {
   for (const Entry& entry : all_strategies()) {
-    const std::unique_ptr<Strategy> team = entry.make(Briefing{});
+    const std::unique_ptr<Strategy> team = entry.make(TeamContext{});
     StagedWorld first(Play::kRunning);
     first.six_against_six().step(*team);  // what is made once may be made here
     EXPECT_EQ(allocated_by(*team), 0U) << entry.name;

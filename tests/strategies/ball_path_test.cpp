@@ -39,7 +39,7 @@ TEST(BallPath, TellsTheLaterPlacesOfABallItHasFollowed) {
   }
 }
 
-TEST(BallPath, BeginsWhereTheBallIsWhenOrdersTakeEffect) {
+TEST(BallPath, BeginsWhereTheBallIsWhenCommandsTakeEffect) {
   const CarpetBall ball{{1, 1}, {-1, 0}, 4};
   BallPath path;
   path.follow(ball.at(0), 0.1);
@@ -47,8 +47,8 @@ TEST(BallPath, BeginsWhereTheBallIsWhenOrdersTakeEffect) {
   EXPECT_NEAR(path.at_step(5).x(), ball.at(0.6).position_m.x(), 0.1);
 }
 
-// The ball of a kick at 0.507 s, between two pictures, as the tracker tells it: from its second
-// picture on.
+// The ball of a kick at 0.507 s, between two frames, as the tracker tells it: from its second
+// frame on.
 TEST(BallPath, ForetellsAFastKickWithinSevenCentimetresPerSecond) {
   const CarpetBall kick{{-2, 0}, {1, 0}, 6};
   const auto at = [&](double time_s) { return kick.at(std::max(0.0, time_s - 0.507)); };
@@ -65,7 +65,7 @@ TEST(BallPath, ForetellsAFastKickWithinSevenCentimetresPerSecond) {
   }
 }
 
-TEST(BallPath, TellsTheSpeedThatTheBallHasWhenOrdersTakeEffect) {
+TEST(BallPath, TellsTheSpeedThatTheBallHasWhenCommandsTakeEffect) {
   for (const double kick_mps : {1.5, 4.0, 8.0}) {
     const CarpetBall ball{{0, 0}, {0, 1}, kick_mps};
     BallPath path;

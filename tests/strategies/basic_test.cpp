@@ -14,7 +14,7 @@ namespace {
 constexpr double kBallGap_m = 0.5 + kRobotRadius_m;  // Laws: 500 mm from hull to ball
 
 TEST(Basic, StaysHalfAMetreOffTheBallWhilePlayIsStopped) {
-  Basic team{Briefing{}};
+  Basic team{TeamContext{}};
   for (const Vec2& ball_m : {Vec2(0, 0), Vec2(-2.925, 1.925), Vec2(2.925, -1.925), Vec2(-1, 1)}) {
     StagedWorld world(Play::kStop);
     world.six_against_six().view.ball.position_m = ball_m;
@@ -27,7 +27,7 @@ TEST(Basic, StaysHalfAMetreOffTheBallWhilePlayIsStopped) {
 }
 
 TEST(Basic, ComesToRestWhilePlayIsStopped) {
-  Basic team{Briefing{}};
+  Basic team{TeamContext{}};
   StagedWorld world(Play::kStop);
   world.six_against_six().view.ball.position_m = {1, 1};
   world.run(team, 6);
@@ -49,7 +49,7 @@ bool is_in_goal_walls(const Field& field, const Vec2& robot_m) {
 
 TEST(Basic, DrivesAroundAGoalFromBehindIt) {
   const Field field;
-  Basic team{Briefing{}};
+  Basic team{TeamContext{}};
   for (const Play play : {Play::kRunning, Play::kStop}) {
     for (const Vec2& start_m : {Vec2(3.315, 0.05), Vec2(-3.315, -0.2), Vec2(3.32, -0.47)}) {
       StagedWorld world(play);
@@ -66,7 +66,7 @@ TEST(Basic, DrivesAroundAGoalFromBehindIt) {
 }
 
 TEST(Basic, LinesUpInItsOwnHalfForAKickoff) {
-  Basic team{Briefing{}};
+  Basic team{TeamContext{}};
   for (const bool ours : {true, false}) {
     StagedWorld world(Play::kPrepareKickoff, ours);
     world.six_against_six();
@@ -79,7 +79,7 @@ TEST(Basic, LinesUpInItsOwnHalfForAKickoff) {
 }
 
 TEST(Basic, KeepsItsHullClearOfTheOpponentsAreaBeforeARestart) {
-  Basic team{Briefing{}};
+  Basic team{TeamContext{}};
   const Field field;
   StagedWorld world(Play::kDirectFree, false);
   world.six_against_six().view.ball.position_m = {2.525, 1.925};  // their goal kick
@@ -93,15 +93,15 @@ TEST(Basic, KeepsItsHullClearOfTheOpponentsAreaBeforeARestart) {
 }
 
 TEST(Basic, GetsBehindTheBallAndKicksItAtTheGoal) {
-  Basic team{Briefing{}};
+  Basic team{TeamContext{}};
   StagedWorld world(Play::kRunning);
   world.own(0, {-2.9, 0}).own(1, {1.0, 0.6});
   world.view.ball.position_m = {0.5, 0.2};
   const RobotCommand* kick = nullptr;
   for (int i = 0; i < 600 && kick == nullptr; ++i) {
-    const RobotCommand& order = world.step(team)[1];
+    const RobotCommand& command = world.step(team)[1];
     const double gap_m = (world.robot(1).position_m - world.view.ball.position_m).norm();
-    if (order.kick_mps > 0 && gap_m < 0.11) kick = &order;
+    if (command.kick_mps > 0 && gap_m < 0.11) kick = &command;
   }
   ASSERT_NE(kick, nullptr);
   const Vec2 ray = world.robot(1).heading;
@@ -110,7 +110,7 @@ TEST(Basic, GetsBehindTheBallAndKicksItAtTheGoal) {
 }
 
 TEST(Basic, KeeperStandsWhereTheBallWillCrossItsLine) {
-  Basic team{Briefing{}};
+  Basic team{TeamContext{}};
   StagedWorld world(Play::kRunning);
   world.own(0, {-2.9, 0}).own(1, {2, 0});
   world.view.ball = {{-1, 0}, {-2, 0.25}, 0};  // crosses the line at y = 0.24
@@ -119,7 +119,7 @@ TEST(Basic, KeeperStandsWhereTheBallWillCrossItsLine) {
 }
 
 TEST(Basic, TakesItsRestartAloneToo) {
-  Basic team{Briefing{}};
+  Basic team{TeamContext{}};
   StagedWorld world(Play::kIndirectFree, true);
   world.own(4, {-2, -1});
   world.view.ball.position_m = {1, 1.925};
@@ -133,9 +133,9 @@ TEST(Basic, TakesItsRestartAloneToo) {
 
 // By that book; the fastest a robot of it is ordered to be in a stop of 5 s.
 double fastest_in_stop_mps(const char* rules) {
-  Briefing briefing;
-  briefing.rules = find_rule_book(rules).value();
-  Basic team{briefing};
+  TeamContext context;
+  context.rules = find_rule_book(rules).value();
+  Basic team{context};
   StagedWorld world(Play::kStop);
   world.six_against_six().view.ball.position_m = {-2.9, -1.9};
   double fastest_mps = 0;
@@ -156,9 +156,9 @@ TEST(Basic, KeepsTheSpeedLimitOfAStopWhereThereIsOne) {
 
 // The ball lies 700 mm before the own area: a hull and 500 mm do not fit between.
 TEST(Basic, KeepsItsDistanceAtAFreeKickBeforeItsArea) {
-  Briefing briefing;
-  briefing.rules = find_rule_book("2014").value();
-  Basic team{briefing};
+  TeamContext context;
+  context.rules = find_rule_book("2014").value();
+  Basic team{context};
   StagedWorld world(Play::kDirectFree, false);
   world.six_against_six().view.ball.position_m = {-3.025 + 0.8 + 0.7, 0.1};
   world.run(team, 8);
@@ -168,9 +168,9 @@ TEST(Basic, KeepsItsDistanceAtAFreeKickBeforeItsArea) {
 }
 
 TEST(Basic, ClearsAStoppedBallWithinTwoSeconds) {
-  Briefing briefing;
-  briefing.rules = find_rule_book("2014").value();
-  Basic team{briefing};
+  TeamContext context;
+  context.rules = find_rule_book("2014").value();
+  Basic team{context};
   StagedWorld world(Play::kStop);
   world.six_against_six().view.ball.position_m = {1, 1};
   world.view.own[2].position_m = {0.9, 0.95};
@@ -183,9 +183,9 @@ TEST(Basic, ClearsAStoppedBallWithinTwoSeconds) {
 
 // How near its robots come to a ball at rest in the opponents' area.
 double nearest_to_ball_in_their_area_m(const char* rules) {
-  Briefing briefing;
-  briefing.rules = find_rule_book(rules).value();
-  Basic team{briefing};
+  TeamContext context;
+  context.rules = find_rule_book(rules).value();
+  Basic team{context};
   StagedWorld world(Play::kRunning);
   world.six_against_six().view.ball.position_m = {2.6, 0.1};
   double nearest_m = 9;
@@ -204,17 +204,17 @@ TEST(Basic, LeavesABallInTheOpponentsAreaAloneWhereARuleAsksForIt) {
 }
 
 TEST(Basic, StandsStillInHalt) {
-  Basic team{Briefing{}};
+  Basic team{TeamContext{}};
   StagedWorld world(Play::kHalt);
   world.six_against_six();
-  for (const RobotCommand& order : world.step(team)) {
-    EXPECT_EQ(order.velocity_mps, Vec2(0, 0));
-    EXPECT_EQ(order.kick_mps, 0);
+  for (const RobotCommand& command : world.step(team)) {
+    EXPECT_EQ(command.velocity_mps, Vec2(0, 0));
+    EXPECT_EQ(command.kick_mps, 0);
   }
 }
 
 TEST(Basic, CopesWithNoRobotsAndWithSixteen) {
-  Basic team{Briefing{}};
+  Basic team{TeamContext{}};
   StagedWorld empty(Play::kRunning);
   empty.step(team);
   StagedWorld full(Play::kRunning);

@@ -7,43 +7,43 @@
 namespace autoref::strategies {
 namespace {
 
-const std::vector<Vec2> kBallPlaces_m = {{0, 0},       {-1, 1.2}, {-1, -1.2}, {2, 1.5},
-                                         {-2.5, -1.6}, {-1.9, 0}, {1, -0.3}};
+const std::vector<Vec2> kBallPositions_m = {{0, 0},       {-1, 1.2}, {-1, -1.2}, {2, 1.5},
+                                            {-2.5, -1.6}, {-1.9, 0}, {1, -0.3}};
 
-StagedOutlook staged(const Vec2& ball_m, const Briefing& briefing = {}) {
-  StagedOutlook stage(Play::kRunning, false, briefing);
+StagedPrediction staged(const Vec2& ball_m, const TeamContext& context = {}) {
+  StagedPrediction stage(Play::kRunning, false, context);
   stage.world.ball(ball_m);
-  stage.outlook.update(stage.world.view);
+  stage.predicted.update(stage.world.view);
   return stage;
 }
 
-TEST(WallPlace, OfOneIsOnTheLineFromTheBallToTheGoalsMiddle) {
-  for (const Vec2& ball_m : kBallPlaces_m) {
-    const Vec2 place_m = wall_place(staged(ball_m).outlook, 0, 1).position_m;
-    EXPECT_LT(distance_to_segment(place_m, ball_m, Field{}.goal_centre_m(Side::kWest)), 20_mm)
+TEST(WallPosition, OfOneIsOnTheLineFromTheBallToTheGoalsMiddle) {
+  for (const Vec2& ball_m : kBallPositions_m) {
+    const Vec2 position_m = wall_position(staged(ball_m).predicted, 0, 1).position_m;
+    EXPECT_LT(distance_to_segment(position_m, ball_m, Field{}.goal_centre_m(Side::kWest)), 20_mm)
         << ball_m.transpose();
   }
 }
 
-TEST(WallPlace, OfTwoIsOnBothSidesOfThatLine) {
-  for (const Vec2& ball_m : kBallPlaces_m) {
-    const StagedOutlook stage = staged(ball_m);
+TEST(WallPosition, OfTwoIsOnBothSidesOfThatLine) {
+  for (const Vec2& ball_m : kBallPositions_m) {
+    const StagedPrediction stage = staged(ball_m);
     const Vec2 goal_m = Field{}.goal_centre_m(Side::kWest);
     const double first =
-        cross(ball_m - goal_m, wall_place(stage.outlook, 0, 2).position_m - goal_m);
+        cross(ball_m - goal_m, wall_position(stage.predicted, 0, 2).position_m - goal_m);
     const double second =
-        cross(ball_m - goal_m, wall_place(stage.outlook, 1, 2).position_m - goal_m);
+        cross(ball_m - goal_m, wall_position(stage.predicted, 1, 2).position_m - goal_m);
     EXPECT_LT(first * second, 0) << ball_m.transpose();
   }
 }
 
-TEST(WallPlace, LeavesNoBallThroughBetweenNeighboursWhoDoNotTouch) {
-  for (const Vec2& ball_m : kBallPlaces_m) {
-    const StagedOutlook stage = staged(ball_m);
+TEST(WallPosition, LeavesNoBallThroughBetweenNeighboursWhoDoNotTouch) {
+  for (const Vec2& ball_m : kBallPositions_m) {
+    const StagedPrediction stage = staged(ball_m);
     for (const int count : {2, 3}) {
       for (int i = 1; i < count; ++i) {
-        const double apart_m = (wall_place(stage.outlook, i, count).position_m -
-                                wall_place(stage.outlook, i - 1, count).position_m)
+        const double apart_m = (wall_position(stage.predicted, i, count).position_m -
+                                wall_position(stage.predicted, i - 1, count).position_m)
                                    .norm();
         EXPECT_GE(apart_m, 2 * kRobotRadius_m - 1_mm) << count << ", " << ball_m.transpose();
         EXPECT_LE(apart_m, 2 * (kRobotRadius_m + kBallRadius_m)) << ball_m.transpose();
@@ -52,15 +52,15 @@ TEST(WallPlace, LeavesNoBallThroughBetweenNeighboursWhoDoNotTouch) {
   }
 }
 
-TEST(WallPlace, IsJustOutsideTheAreaOfEveryRuleBook) {
+TEST(WallPosition, IsJustOutsideTheAreaOfEveryRuleBook) {
   for (const char* rules : {"paper", "2014-double", "2026-b", "2026-a"}) {
-    const Briefing briefing = briefing_of(rules);
-    for (const Vec2& ball_m : kBallPlaces_m) {
-      const StagedOutlook stage = staged(ball_m, briefing);
+    const TeamContext context = team_context_of(rules);
+    for (const Vec2& ball_m : kBallPositions_m) {
+      const StagedPrediction stage = staged(ball_m, context);
       for (const int count : {1, 2, 3}) {
         for (int i = 0; i < count; ++i) {
-          const Vec2 place_m = wall_place(stage.outlook, i, count).position_m;
-          const double off_m = distance_to_defence_area(briefing.field, Side::kWest, place_m);
+          const Vec2 position_m = wall_position(stage.predicted, i, count).position_m;
+          const double off_m = distance_to_defence_area(context.field, Side::kWest, position_m);
           EXPECT_GE(off_m, kRobotRadius_m) << rules << ", ball at " << ball_m.transpose();
           EXPECT_LE(off_m, 0.5) << rules << ", ball at " << ball_m.transpose();
         }
@@ -69,16 +69,16 @@ TEST(WallPlace, IsJustOutsideTheAreaOfEveryRuleBook) {
   }
 }
 
-TEST(WallPlace, FacesTheBall) {
-  const Waypoint place = wall_place(staged({0, 1}).outlook, 0, 1);
-  EXPECT_GT(place.heading.dot((Vec2(0, 1) - place.position_m).normalized()), 0.999);
+TEST(WallPosition, FacesTheBall) {
+  const Waypoint waypoint = wall_position(staged({0, 1}).predicted, 0, 1);
+  EXPECT_GT(waypoint.heading.dot((Vec2(0, 1) - waypoint.position_m).normalized()), 0.999);
 }
 
-TEST(MarkPlace, IsBetweenTheOpponentAndTheGoalOnTheBallsSide) {
-  StagedOutlook stage(Play::kRunning);
+TEST(MarkPosition, IsBetweenTheOpponentAndTheGoalOnTheBallsSide) {
+  StagedPrediction stage(Play::kRunning);
   const Vec2 opponent_m(-1, 1);
   stage.world.opponent(0, opponent_m).ball({-1, -1});
-  const Vec2 off = mark_place(stage.look(), 0).position_m - opponent_m;
+  const Vec2 off = mark_position(stage.look(), 0).position_m - opponent_m;
   const Vec2 to_goal = (Field{}.goal_centre_m(Side::kWest) - opponent_m).normalized();
   EXPECT_GT(off.normalized().dot(to_goal), 0.7);
   EXPECT_GT(cross(to_goal, off), 0);  // the ball lies to the left of the way to the goal
@@ -87,7 +87,7 @@ TEST(MarkPlace, IsBetweenTheOpponentAndTheGoalOnTheBallsSide) {
 }
 
 TEST(DangerousOpponents, BeginWithTheOneNearestToTheGoal) {
-  StagedOutlook stage(Play::kRunning);
+  StagedPrediction stage(Play::kRunning);
   stage.world.ball({1.5, 0}).opponent(0, {-0.5, 1}).opponent(1, {-2, -1}).opponent(2, {-1.2, 0.5});
   stage.world.opponent(3, {1.6, 0});
   const auto order = dangerous_opponents(stage.look());
@@ -98,7 +98,7 @@ TEST(DangerousOpponents, BeginWithTheOneNearestToTheGoal) {
 }
 
 TEST(DangerousOpponents, LeaveOutTheOneAtTheBallAndTheirKeeper) {
-  StagedOutlook stage(Play::kRunning);
+  StagedPrediction stage(Play::kRunning);
   stage.world.ball({-1, 0}).opponent(0, {2.9, 0}).opponent(1, {-0.8, 0}).opponent(2, {-1, 1.3});
   const auto order = dangerous_opponents(stage.look());
   ASSERT_EQ(order.size(), 1U);

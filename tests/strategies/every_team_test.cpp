@@ -14,8 +14,8 @@ constexpr double kBallGap_m = 0.5 + kRobotRadius_m;  // Laws: 500 mm from hull t
 // What every team that plays by the rules must do, whatever its style.
 class EveryTeam : public testing::TestWithParam<std::string_view> {
  protected:
-  static std::unique_ptr<Strategy> make(const Briefing& briefing = {}) {
-    return find_strategy(GetParam())->make(briefing);
+  static std::unique_ptr<Strategy> make(const TeamContext& context = {}) {
+    return find_strategy(GetParam())->make(context);
   }
 };
 
@@ -41,9 +41,9 @@ TEST_P(EveryTeam, KeepsItsDistanceFromTheBallAndComesToRestWhilePlayIsStopped) {
     const TeamView before = world.view;
     world.run(*team, 1);
     for (std::size_t i = 1; i < before.own.size(); ++i) {  // the keeper may stay in its goal
-      const Vec2& place_m = world.view.own[i].position_m;
-      EXPECT_GE((place_m - ball_m).norm(), kBallGap_m) << i << ", ball " << ball_m.transpose();
-      EXPECT_LT((place_m - before.own[i].position_m).norm(), 15_mm)
+      const Vec2& position_m = world.view.own[i].position_m;
+      EXPECT_GE((position_m - ball_m).norm(), kBallGap_m) << i << ", ball " << ball_m.transpose();
+      EXPECT_LT((position_m - before.own[i].position_m).norm(), 15_mm)
           << i << ", ball " << ball_m.transpose();
     }
   }
@@ -95,7 +95,7 @@ TEST_P(EveryTeam, CopesWithAnyNumberOfRobotsInEveryPlay) {
   }
 }
 
-TEST_P(EveryTeam, GivesTheSameOrdersForTheSameViews) {
+TEST_P(EveryTeam, GivesTheSameCommandsForTheSameViews) {
   const auto first = make();
   const auto second = make();
   StagedWorld world(Play::kStop, true);
@@ -105,12 +105,12 @@ TEST_P(EveryTeam, GivesTheSameOrdersForTheSameViews) {
     world.view.play = play;
     if (play == Play::kRunning) world.kick({2, 1});
     for (int frame = 0; frame < 60; ++frame) {
-      TeamOrders orders{};
-      second->decide(world.view, orders);
+      TeamCommands commands{};
+      second->decide(world.view, commands);
       world.step(*first);
-      for (std::size_t i = 0; i < orders.size(); ++i) {
-        ASSERT_EQ(orders[i].velocity_mps, world.orders[i].velocity_mps) << i << ", " << frame;
-        ASSERT_EQ(orders[i].kick_mps, world.orders[i].kick_mps) << i << ", " << frame;
+      for (std::size_t i = 0; i < commands.size(); ++i) {
+        ASSERT_EQ(commands[i].velocity_mps, world.commands[i].velocity_mps) << i << ", " << frame;
+        ASSERT_EQ(commands[i].kick_mps, world.commands[i].kick_mps) << i << ", " << frame;
       }
     }
   }

@@ -8,30 +8,30 @@ namespace autoref::strategies {
 namespace {
 
 // A staged world and who handles the ball in it.
-struct Staged : StagedOutlook {
-  using StagedOutlook::StagedOutlook;
+struct Staged : StagedPrediction {
+  using StagedPrediction::StagedPrediction;
 
   // Decides often enough for all mates to have been looked at.
   RobotCommand play(int index, int frames = 12) {
-    RobotCommand order;
+    RobotCommand command;
     for (int i = 0; i < frames; ++i) {
       look(1);
       handler.update();
-      order = handler.play(index);
+      command = handler.play(index);
     }
-    return order;
+    return command;
   }
   // The same with the robot doing as told, for a ball that stays.
   RobotCommand drive(int index, double seconds) {
-    RobotCommand order;
+    RobotCommand command;
     for (int i = 0; i < seconds * 60; ++i) {
-      order = play(index, 1);
-      obey(world.view.own[static_cast<std::size_t>(index)], order);
+      command = play(index, 1);
+      obey(world.view.own[static_cast<std::size_t>(index)], command);
     }
-    return order;
+    return command;
   }
 
-  BallHandler handler{outlook};
+  BallHandler handler{predicted};
 };
 
 Vec2 ball_held_by(const Vec2& robot_m, double side = 1) {
@@ -41,15 +41,15 @@ Vec2 ball_held_by(const Vec2& robot_m, double side = 1) {
 TEST(BallHandler, ShootsAtAnOpenGoal) {
   Staged stage(Play::kRunning);
   stage.world.own(0, {-2.8, 0}).own(1, {1.5, 0}).own(2, {1, 1}).ball(ball_held_by({1.5, 0}));
-  const RobotCommand order = stage.play(1);
+  const RobotCommand command = stage.play(1);
   const Choice& choice = stage.handler.choice();
   EXPECT_EQ(choice.kind, Choice::Kind::kShot);
   EXPECT_LT((choice.strike.target_m - Field{}.goal_centre_m(Side::kEast)).norm(), 0.35);
-  EXPECT_GT(order.kick_mps, 4);
+  EXPECT_GT(command.kick_mps, 4);
 }
 
 TEST(BallHandler, KeepsTheSpeedLimitOfKicksWhereThereIsOne) {
-  Staged stage(Play::kRunning, false, briefing_of("2026-b"));
+  Staged stage(Play::kRunning, false, team_context_of("2026-b"));
   stage.world.own(0, {-4, 0}).own(1, {3, 0}).ball(ball_held_by({3, 0}));
   EXPECT_LE(stage.play(1).kick_mps, 6.5);
 }
@@ -67,10 +67,10 @@ void stage_a_pass(StagedWorld& world) {
 TEST(BallHandler, PassesToAFreeMateWhereTheGoalIsClosed) {
   Staged stage(Play::kRunning);
   stage_a_pass(stage.world);
-  const RobotCommand order = stage.play(1);
+  const RobotCommand command = stage.play(1);
   EXPECT_EQ(stage.handler.choice().kind, Choice::Kind::kPass);
   EXPECT_EQ(stage.handler.receiver(), 2);
-  EXPECT_GT(order.kick_mps, 1);
+  EXPECT_GT(command.kick_mps, 1);
 }
 
 // Opponents press robot 1, shut the goal, and the lane to its only mate.
@@ -86,27 +86,27 @@ void stage_a_chip(StagedWorld& world) {
 TEST(BallHandler, ChipsOverARobotInTheLane) {
   Staged stage(Play::kRunning);
   stage_a_chip(stage.world);
-  const RobotCommand order = stage.play(1);
+  const RobotCommand command = stage.play(1);
   EXPECT_EQ(stage.handler.choice().kind, Choice::Kind::kChip);
   EXPECT_EQ(stage.handler.choice().receiver, 2);
-  EXPECT_TRUE(order.chip);
+  EXPECT_TRUE(command.chip);
 }
 
 TEST(BallHandler, DoesNotChipWithRobotsThatCannot) {
-  Briefing briefing;
-  for (Abilities& robot : briefing.robots) robot.chip_mps = 0;
-  Staged stage(Play::kRunning, false, briefing);
+  TeamContext context;
+  for (Abilities& robot : context.robots) robot.chip_mps = 0;
+  Staged stage(Play::kRunning, false, context);
   stage_a_chip(stage.world);
-  const RobotCommand order = stage.play(1);
+  const RobotCommand command = stage.play(1);
   EXPECT_NE(stage.handler.choice().kind, Choice::Kind::kChip);
-  EXPECT_FALSE(order.chip);
+  EXPECT_FALSE(command.chip);
 }
 
 // Robot 1 is pressed and its shot blocked; robot 2, in the opponents' area, would have one.
-int receiver_in_area(const Briefing& briefing) {
+int receiver_in_area(const TeamContext& context) {
   Style style;
   style.carry = 0;
-  Staged stage(Play::kRunning, false, briefing, style);
+  Staged stage(Play::kRunning, false, context, style);
   stage.world.own(0, {-4.3, 0}).own(1, {2, -2}).own(2, {3.6, 0.9}).own(3, {-1, 1});
   stage.world.view.own[1].heading = {0, 1};
   stage.world.ball(Vec2(2, -2) + Vec2(0, kHeldBall_m));
@@ -116,10 +116,10 @@ int receiver_in_area(const Briefing& briefing) {
 }
 
 TEST(BallHandler, PassesToNobodyWhoMayNotTouchTheBall) {
-  Briefing briefing = briefing_of("2026-b");
-  EXPECT_NE(receiver_in_area(briefing), 2);
-  briefing.rules.in_force[RuleId::kAttackerInArea] = false;
-  EXPECT_EQ(receiver_in_area(briefing), 2);
+  TeamContext context = team_context_of("2026-b");
+  EXPECT_NE(receiver_in_area(context), 2);
+  context.rules.in_force[RuleId::kAttackerInArea] = false;
+  EXPECT_EQ(receiver_in_area(context), 2);
 }
 
 TEST(BallHandler, ForgetsWhomAPassWasForOnceItMustHaveArrived) {
@@ -151,10 +151,10 @@ TEST(BallHandler, CarriesTheBallWhereItIsFreeButCannotShootOrPass) {
   Staged stage(Play::kRunning);
   stage.world.own(1, {-1, 0.5}).ball(ball_held_by({-1, 0.5}));
   stage.world.opponent(0, {2.9, -0.1}).opponent(1, {2.9, 0.1}).opponent(2, {1, 1.5});
-  const RobotCommand order = stage.play(0);
+  const RobotCommand command = stage.play(0);
   EXPECT_EQ(stage.handler.choice().kind, Choice::Kind::kCarry);
-  EXPECT_TRUE(order.dribble);
-  EXPECT_EQ(order.kick_mps, 0);
+  EXPECT_TRUE(command.dribble);
+  EXPECT_EQ(command.kick_mps, 0);
 }
 
 TEST(BallHandler, StandsBetweenItsGoalAndAnOpponentThatHasTheBall) {
@@ -171,21 +171,21 @@ TEST(BallHandler, LeavesAFaceOffToASide) {
   Staged stage(Play::kRunning);
   stage.world.own(0, {-2.9, 0}).own(1, {0, 0}).opponent(0, {2 * kHeldBall_m, 0});
   stage.world.ball({kHeldBall_m, 0});
-  const RobotCommand order = stage.play(1);
-  EXPECT_GT(std::abs(order.velocity_mps.y()), 0.3);
-  EXPECT_TRUE(order.dribble);
+  const RobotCommand command = stage.play(1);
+  EXPECT_GT(std::abs(command.velocity_mps.y()), 0.3);
+  EXPECT_TRUE(command.dribble);
   const RobotCommand next = stage.play(1, 3);
-  EXPECT_GT(order.velocity_mps.y() * next.velocity_mps.y(), 0);  // the same side for a while
+  EXPECT_GT(command.velocity_mps.y() * next.velocity_mps.y(), 0);  // the same side for a while
 }
 
 TEST(BallHandler, FetchesAStillBallAndKicksItAtTheGoal) {
   Staged stage(Play::kRunning);
   stage.world.own(0, {-2.9, 0}).own(1, {0.9, 0.9}).ball({0.5, 0});
-  RobotCommand order;
+  RobotCommand command;
   bool is_kicked = false;
   for (int i = 0; i < 240 && !is_kicked; ++i) {
-    order = stage.drive(1, kStagedFrame_s);
-    is_kicked = order.kick_mps > 0 && has_ball(stage.world.view.own[1], {0.5, 0});
+    command = stage.drive(1, kStagedFrame_s);
+    is_kicked = command.kick_mps > 0 && has_ball(stage.world.view.own[1], {0.5, 0});
   }
   ASSERT_TRUE(is_kicked);
   const Vec2& ray = stage.world.view.own[1].heading;

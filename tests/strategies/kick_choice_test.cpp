@@ -13,7 +13,7 @@ constexpr double kWorthNothing = -1;
 
 TEST(ShotFrom, AimsAtTheLargerOpeningBesideTheKeeper) {
   for (const double side : {1.0, -1.0}) {
-    StagedOutlook stage(Play::kRunning);
+    StagedPrediction stage(Play::kRunning);
     stage.world.own(1, {1.5, 0}).opponent(0, {2.9, side * 0.12});
     const Choice shot = shot_from(stage.look(), 1, {1.6, 0});
     EXPECT_LT(shot.strike.target_m.y() * side, -0.05);
@@ -22,22 +22,22 @@ TEST(ShotFrom, AimsAtTheLargerOpeningBesideTheKeeper) {
 }
 
 TEST(ShotFrom, IsWorthLessThanNothingWhereTheGoalIsShut) {
-  StagedOutlook stage(Play::kRunning);
+  StagedPrediction stage(Play::kRunning);
   stage.world.own(1, {1, 0}).opponent(0, {1.35, 0.08}).opponent(1, {1.35, -0.08});
   EXPECT_LE(shot_from(stage.look(), 1, {1.1, 0}).worth, 0);
 }
 
 TEST(ShotFrom, IsWorthMoreThanAnyPassWhereTheGoalIsOpen) {
-  StagedOutlook stage(Play::kRunning);
+  StagedPrediction stage(Play::kRunning);
   stage.world.own(1, {1.5, 0}).own(2, {1.5, 1.2}).opponent(0, {0, -1.5});
-  const Outlook& outlook = stage.look();
-  EXPECT_GT(shot_from(outlook, 1, {1.6, 0}).worth, pass_to(outlook, 1, 1.0, {1.6, 0}).worth);
+  const PredictedState& predicted = stage.look();
+  EXPECT_GT(shot_from(predicted, 1, {1.6, 0}).worth, pass_to(predicted, 1, 1.0, {1.6, 0}).worth);
 }
 
 // From robot 1's ball at the origin to robot 2.
-struct PassOver : StagedOutlook {
-  explicit PassOver(const Vec2& mate_m, const Briefing& briefing = {})
-      : StagedOutlook(Play::kRunning, false, briefing) {
+struct PassOver : StagedPrediction {
+  explicit PassOver(const Vec2& mate_m, const TeamContext& context = {})
+      : StagedPrediction(Play::kRunning, false, context) {
     world.own(1, {-0.1, 0}).own(2, mate_m);
   }
   double pass_worth() { return pass_to(look(), 1, kSomeChance, {0, 0}).worth; }
@@ -66,7 +66,7 @@ TEST(PassTo, ArrivesAsFastAsTheStyleWants) {
 
 TEST(PassTo, IsNothingForAMateWhoMayNotTouchTheBallThere) {
   for (const double x_m : {-4.0, 4.0}) {  // in the areas of that book
-    PassOver stage({x_m, 0.5}, briefing_of("2026-b"));
+    PassOver stage({x_m, 0.5}, team_context_of("2026-b"));
     EXPECT_EQ(stage.pass_worth(), kWorthNothing) << x_m;
     EXPECT_EQ(stage.chip_worth(), kWorthNothing) << x_m;
   }
@@ -96,7 +96,7 @@ TEST(ChipTo, LandsAMetreBeforeTheMate) {
 }
 
 TEST(ChipTo, IsNothingWhereTheRobotsCannotChipSoFarOrAtAll) {
-  Briefing weak;
+  TeamContext weak;
   for (Abilities& robot : weak.robots) robot.chip_mps = 0;
   PassOver with_weak_robots({2.2, 0}, weak);
   EXPECT_EQ(with_weak_robots.chip_worth(), kWorthNothing);
@@ -107,7 +107,7 @@ TEST(ChipTo, IsNothingWhereTheRobotsCannotChipSoFarOrAtAll) {
 TEST(CarryFrom, IsWorthLessTheNearerAnOpponentIs) {
   double former = 1;
   for (const double gap_m : {0.55, 0.4, 0.25}) {
-    StagedOutlook stage(Play::kRunning);
+    StagedPrediction stage(Play::kRunning);
     stage.world.own(1, {-0.1, 0}).opponent(1, {gap_m, 0});
     const double worth = carry_from(stage.look(), {0, 0}).worth;
     EXPECT_LT(worth, former) << gap_m;
@@ -117,7 +117,7 @@ TEST(CarryFrom, IsWorthLessTheNearerAnOpponentIs) {
 
 TEST(ClearFrom, GoesWhereNobodyIsButNeverBack) {
   for (const double side : {1.0, -1.0}) {
-    StagedOutlook stage(Play::kRunning);
+    StagedPrediction stage(Play::kRunning);
     stage.world.own(1, {-1.1, 0}).opponent(1, {-0.4, 0}).opponent(2, {-0.5, side * 0.6});
     const Vec2 from_m(-1, 0);
     const Choice clear = clear_from(stage.look(), from_m, {1, 0});

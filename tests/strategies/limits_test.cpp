@@ -13,14 +13,14 @@ namespace {
 constexpr double kFarBall_m = 100;  // where the ball does not matter
 
 // Places all over the field and so far beyond its lines, 0.13 m apart.
-std::vector<Vec2> places_on(const Field& field, double beyond_m = 0) {
+std::vector<Vec2> positions_on(const Field& field, double beyond_m = 0) {
   const double x_m = field.half_length_m() + beyond_m;
   const double y_m = field.half_width_m() + beyond_m;
-  std::vector<Vec2> places_m;
+  std::vector<Vec2> positions_m;
   for (double x = -x_m; x < x_m; x += 0.13) {
-    for (double y = -y_m; y < y_m; y += 0.13) places_m.emplace_back(x, y);
+    for (double y = -y_m; y < y_m; y += 0.13) positions_m.emplace_back(x, y);
   }
-  return places_m;
+  return positions_m;
 }
 
 // What both areas ask for.
@@ -32,11 +32,11 @@ Limits off_both_areas() {
 }
 double wanted_off_m(Side side) { return side == Side::kWest ? kRobotRadius_m : kOffTheirs_m; }
 
-// Whether some place `way_m` from `place_m` is as far off the area of `side` as wanted.
-bool is_out_within(const Field& field, Side side, const Vec2& place_m, double way_m) {
+// Whether some place `path_m` from `position_m` is as far off the area of `side` as wanted.
+bool is_out_within(const Field& field, Side side, const Vec2& position_m, double path_m) {
   constexpr int kDirections = 48;
   for (int i = 0; i < kDirections; ++i) {
-    const Vec2 there_m = place_m + way_m * heading_of(i * 2 * kPi / kDirections);
+    const Vec2 there_m = position_m + path_m * heading_of(i * 2 * kPi / kDirections);
     if (distance_to_defence_area(field, side, there_m) >= wanted_off_m(side)) return true;
   }
   return false;
@@ -45,21 +45,21 @@ bool is_out_within(const Field& field, Side side, const Vec2& place_m, double wa
 class PermittedOnFieldOf : public testing::TestWithParam<const char*> {};
 
 TEST_P(PermittedOnFieldOf, LeavesPlacesAloneThatBreakNoLimit) {
-  const Field field = briefing_of(GetParam()).field;
+  const Field field = team_context_of(GetParam()).field;
   Limits limits;
   limits.keep_from_ball_m = 0.6;
   limits.keep_from_area_m = 0.3;
   const Vec2 ball_m(0.5, 0.5);
-  for (const Vec2& place_m : places_on(field)) {
-    if ((place_m - ball_m).norm() < 0.7) continue;
-    if (distance_to_defence_area(field, Side::kWest, place_m) < 0.2) continue;
-    if (distance_to_defence_area(field, Side::kEast, place_m) < 0.4) continue;
-    ASSERT_EQ(permitted(field, place_m, ball_m, limits), place_m);
+  for (const Vec2& position_m : positions_on(field)) {
+    if ((position_m - ball_m).norm() < 0.7) continue;
+    if (distance_to_defence_area(field, Side::kWest, position_m) < 0.2) continue;
+    if (distance_to_defence_area(field, Side::kEast, position_m) < 0.4) continue;
+    ASSERT_EQ(permitted(field, position_m, ball_m, limits), position_m);
   }
 }
 
 TEST_P(PermittedOnFieldOf, LetsTheKeeperIntoItsArea) {
-  const Field field = briefing_of(GetParam()).field;
+  const Field field = team_context_of(GetParam()).field;
   const Vec2 goal_m = field.goal_centre_m(Side::kWest);
   Limits keeper;
   keeper.may_enter_own_area = true;
@@ -69,26 +69,26 @@ TEST_P(PermittedOnFieldOf, LetsTheKeeperIntoItsArea) {
 }
 
 TEST_P(PermittedOnFieldOf, KeepsRobotsOffBothAreasWhereverTheyWantToBe) {
-  const Field field = briefing_of(GetParam()).field;
-  for (const Vec2& place_m : places_on(field, field.run_off_m)) {
-    const Vec2 p = permitted(field, place_m, {kFarBall_m, 0}, off_both_areas());
+  const Field field = team_context_of(GetParam()).field;
+  for (const Vec2& position_m : positions_on(field, field.run_off_m)) {
+    const Vec2 p = permitted(field, position_m, {kFarBall_m, 0}, off_both_areas());
     for (const Side side : kSides)
       ASSERT_GE(distance_to_defence_area(field, side, p), wanted_off_m(side))
-          << place_m.transpose();
+          << position_m.transpose();
   }
 }
 
 // The areas are convex: if no place on a circle around the wanted one is out, none within it is.
 TEST_P(PermittedOnFieldOf, MovesAPlaceOutOfAnAreaNoFartherThanItMust) {
-  const Field field = briefing_of(GetParam()).field;
+  const Field field = team_context_of(GetParam()).field;
   Limits limits = off_both_areas();
   limits.beyond_lines_m = field.run_off_m;
-  for (const Vec2& place_m : places_on(field, 0.5)) {
-    const Vec2 p = permitted(field, place_m, {kFarBall_m, 0}, limits);
-    const double shorter_m = (p - place_m).norm() - 40_mm;
+  for (const Vec2& position_m : positions_on(field, 0.5)) {
+    const Vec2 p = permitted(field, position_m, {kFarBall_m, 0}, limits);
+    const double shorter_m = (p - position_m).norm() - 40_mm;
     if (shorter_m < 0) continue;
-    const Side side = place_m.x() < 0 ? Side::kWest : Side::kEast;
-    ASSERT_FALSE(is_out_within(field, side, place_m, shorter_m)) << place_m.transpose();
+    const Side side = position_m.x() < 0 ? Side::kWest : Side::kEast;
+    ASSERT_FALSE(is_out_within(field, side, position_m, shorter_m)) << position_m.transpose();
   }
 }
 
@@ -102,7 +102,7 @@ INSTANTIATE_TEST_SUITE_P(Books, PermittedOnFieldOf,
                          testing::Values("paper", "2014-double", "2026-b", "2026-a"), name_of_book);
 // 0.9 m before the west goal line and 0.3 m inside a side of the 2 m wide box.
 TEST(Permitted, MovesAPlaceInABoxToItsNearestSide) {
-  const Field field = briefing_of("2026-b").field;
+  const Field field = team_context_of("2026-b").field;
   const Vec2 goal_m = field.goal_centre_m(Side::kWest);
   const Vec2 near_side_m = goal_m + Vec2(0.5, -0.7);
   const Vec2 p = permitted(field, near_side_m, {kFarBall_m, 0}, {});
@@ -118,11 +118,11 @@ TEST(Permitted, KeepsItsDistanceFromTheBall) {
   Limits limits;
   limits.keep_from_ball_m = 0.59;
   for (const Vec2& ball_m : {Vec2(0, 0), Vec2(1.2, -1), Vec2(-1, 0.7)}) {
-    for (const Vec2& place_m : places_on(Field{})) {
-      const Vec2 p = permitted(Field{}, place_m, ball_m, limits);
-      ASSERT_GE((p - ball_m).norm(), 0.59) << place_m.transpose();
-      if ((place_m - ball_m).norm() < 0.59) {
-        ASSERT_LE((p - ball_m).norm(), 0.75) << place_m.transpose();
+    for (const Vec2& position_m : positions_on(Field{})) {
+      const Vec2 p = permitted(Field{}, position_m, ball_m, limits);
+      ASSERT_GE((p - ball_m).norm(), 0.59) << position_m.transpose();
+      if ((position_m - ball_m).norm() < 0.59) {
+        ASSERT_LE((p - ball_m).norm(), 0.75) << position_m.transpose();
       }
     }
   }
@@ -150,27 +150,27 @@ std::vector<Vec2> narrow_balls_of(const Field& field) {
 }
 
 TEST_P(PermittedOnFieldOf, ByAllKeepsTheBallsCircleAndTheAreasAtOnce) {
-  const Field field = briefing_of(GetParam()).field;
+  const Field field = team_context_of(GetParam()).field;
   Limits limits = off_both_areas();
   limits.keep_from_ball_m = 0.61;
   for (const Vec2& ball_m : narrow_balls_of(field)) {
-    for (const Vec2& place_m : places_on(field)) {
-      const Vec2 p = permitted_by_all(field, place_m, ball_m, limits);
-      ASSERT_GE((p - ball_m).norm(), 0.61) << place_m.transpose() << "; " << ball_m.transpose();
+    for (const Vec2& position_m : positions_on(field)) {
+      const Vec2 p = permitted_by_all(field, position_m, ball_m, limits);
+      ASSERT_GE((p - ball_m).norm(), 0.61) << position_m.transpose() << "; " << ball_m.transpose();
       ASSERT_LT((permitted(field, p, ball_m, limits) - p).norm(), 1e-9);  // the others, too
     }
   }
 }
 
 TEST_P(PermittedOnFieldOf, ByAllIsWhatIsPermittedWhereThatKeepsOffTheBall) {
-  const Field field = briefing_of(GetParam()).field;
+  const Field field = team_context_of(GetParam()).field;
   Limits limits = off_both_areas();
   limits.keep_from_ball_m = 0.61;
   for (const Vec2& ball_m : narrow_balls_of(field)) {
-    for (const Vec2& place_m : places_on(field)) {
-      const Vec2 p = permitted(field, place_m, ball_m, limits);
+    for (const Vec2& position_m : positions_on(field)) {
+      const Vec2 p = permitted(field, position_m, ball_m, limits);
       if ((p - ball_m).norm() < 0.61) continue;
-      ASSERT_EQ(permitted_by_all(field, place_m, ball_m, limits), p);
+      ASSERT_EQ(permitted_by_all(field, position_m, ball_m, limits), p);
     }
   }
 }
@@ -190,20 +190,20 @@ TEST(PermittedByAll, KeepsTheOwnHalfAndTheBallsCircleBeforeAKickoff) {
   Limits limits;
   limits.own_half_only = true;
   limits.keep_from_ball_m = 0.61;
-  for (const Vec2& place_m : places_on(Field{})) {
-    const Vec2 p = permitted_by_all(Field{}, place_m, {0, 0}, limits);
-    ASSERT_GE(p.norm(), 0.61) << place_m.transpose();
-    ASSERT_LE(p.x(), -kRobotRadius_m) << place_m.transpose();
+  for (const Vec2& position_m : positions_on(Field{})) {
+    const Vec2 p = permitted_by_all(Field{}, position_m, {0, 0}, limits);
+    ASSERT_GE(p.norm(), 0.61) << position_m.transpose();
+    ASSERT_LE(p.x(), -kRobotRadius_m) << position_m.transpose();
   }
 }
 
 TEST(Permitted, KeepsTheHullInTheOwnHalf) {
   Limits limits;
   limits.own_half_only = true;
-  for (const Vec2& place_m : places_on(Field{})) {
-    const Vec2 p = permitted(Field{}, place_m, {kFarBall_m, 0}, limits);
+  for (const Vec2& position_m : positions_on(Field{})) {
+    const Vec2 p = permitted(Field{}, position_m, {kFarBall_m, 0}, limits);
     ASSERT_LE(p.x(), -kRobotRadius_m);
-    ASSERT_NEAR(p.y(), place_m.y(), place_m.x() > -1 ? 1e-9 : 1.0);
+    ASSERT_NEAR(p.y(), position_m.y(), position_m.x() > -1 ? 1e-9 : 1.0);
   }
 }
 

@@ -7,10 +7,10 @@
 namespace autoref::strategies {
 namespace {
 
-TrackedRobots robots_at(std::initializer_list<Vec2> places_m) {
+TrackedRobots robots_at(std::initializer_list<Vec2> positions_m) {
   TrackedRobots robots;
-  for (const Vec2& place_m : places_m)
-    robots.push_back({static_cast<int>(robots.size()), place_m, Vec2(-1, 0), Vec2(0, 0), 0});
+  for (const Vec2& position_m : positions_m)
+    robots.push_back({static_cast<int>(robots.size()), position_m, Vec2(-1, 0), Vec2(0, 0), 0});
   return robots;
 }
 

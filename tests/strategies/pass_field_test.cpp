@@ -10,7 +10,7 @@ namespace {
 using Receivers = boost::container::static_vector<int, kMaxRobots>;
 
 // Looks at the world for so many frames and sends the receivers in each of them.
-void send(StagedOutlook& stage, PassField& field, const Receivers& receivers, int frames = 60) {
+void send(StagedPrediction& stage, PassField& field, const Receivers& receivers, int frames = 60) {
   for (int i = 0; i < frames; ++i) {
     stage.look(1);
     field.update();
@@ -20,103 +20,103 @@ void send(StagedOutlook& stage, PassField& field, const Receivers& receivers, in
 
 TEST(PassField, SendsAReceiverToTheSideThatNobodyCovers) {
   for (const double side : {1.0, -1.0}) {
-    StagedOutlook stage(Play::kRunning);
+    StagedPrediction stage(Play::kRunning);
     stage.world.ball({-0.5, 0}).own(0, {-2.8, 0}).own(1, {0.5, 0});
     for (int i = 0; i < 4; ++i) {  // a fan that no ball gets through
-      const Vec2 way = heading_of(side * (15_deg + i * 25_deg));
-      stage.world.opponent(i, Vec2(-0.5, 0) + 0.5 * way);
+      const Vec2 direction = heading_of(side * (15_deg + i * 25_deg));
+      stage.world.opponent(i, Vec2(-0.5, 0) + 0.5 * direction);
     }
-    PassField field(stage.outlook);
+    PassField field(stage.predicted);
     send(stage, field, {1});
-    EXPECT_LT(field.place_of(1).y() * side, 0);
-    EXPECT_GT(field.place_of(1).x(), 0);
+    EXPECT_LT(field.position_of(1).y() * side, 0);
+    EXPECT_GT(field.position_of(1).x(), 0);
   }
 }
 
 TEST(PassField, SendsNobodyAlongAWayThatAnOpponentBlocks) {
-  StagedOutlook stage(Play::kRunning);
+  StagedPrediction stage(Play::kRunning);
   stage.world.ball({0, 0}).own(0, {-2.8, 0}).own(1, {1, 0}).opponent(0, {0.3, 0});
-  PassField field(stage.outlook);
+  PassField field(stage.predicted);
   send(stage, field, {1});
-  EXPECT_GT(distance_to_segment({0.3, 0}, {0, 0}, field.place_of(1)),
+  EXPECT_GT(distance_to_segment({0.3, 0}, {0, 0}, field.position_of(1)),
             kRobotRadius_m + kBallRadius_m);
 }
 
 TEST(PassField, KeepsReceiversApart) {
-  StagedOutlook stage(Play::kRunning);
+  StagedPrediction stage(Play::kRunning);
   stage.world.ball({0, 0}).own(0, {-2.8, 0}).own(1, {1, 0.1}).own(2, {1, -0.1}).own(3, {0.9, 0});
-  PassField field(stage.outlook);
+  PassField field(stage.predicted);
   send(stage, field, {1, 2, 3});
   for (const auto& [a, b] : {std::pair(1, 2), std::pair(1, 3), std::pair(2, 3)})
-    EXPECT_GT((field.place_of(a) - field.place_of(b)).norm(), 0.55) << a << ", " << b;
+    EXPECT_GT((field.position_of(a) - field.position_of(b)).norm(), 0.55) << a << ", " << b;
 }
 
 TEST(PassField, LeavesReceiversRoomFromTheBall) {
-  StagedOutlook stage(Play::kRunning);
+  StagedPrediction stage(Play::kRunning);
   stage.world.ball({1.5, 0}).own(0, {-2.8, 0}).own(1, {1.4, 0.3});
-  PassField field(stage.outlook);
+  PassField field(stage.predicted);
   send(stage, field, {1});
-  EXPECT_GT((field.place_of(1) - Vec2(1.5, 0)).norm(), 0.5);
+  EXPECT_GT((field.position_of(1) - Vec2(1.5, 0)).norm(), 0.5);
 }
 
 TEST(PassField, KeepsPlacesWhereNothingChanges) {
-  StagedOutlook stage(Play::kRunning);
+  StagedPrediction stage(Play::kRunning);
   stage.world.six_against_six().ball({-0.2, 0.3});
-  PassField field(stage.outlook);
+  PassField field(stage.predicted);
   send(stage, field, {2, 3}, 90);
-  const Vec2 second_m = field.place_of(2);
-  const Vec2 third_m = field.place_of(3);
+  const Vec2 second_m = field.position_of(2);
+  const Vec2 third_m = field.position_of(3);
   for (int i = 0; i < 90; ++i) {
     send(stage, field, {2, 3}, 1);
-    ASSERT_EQ(field.place_of(2), second_m) << i;
-    ASSERT_EQ(field.place_of(3), third_m) << i;
+    ASSERT_EQ(field.position_of(2), second_m) << i;
+    ASSERT_EQ(field.position_of(3), third_m) << i;
   }
 }
 
 TEST(PassField, SendsNobodyAnewDuringARestart) {
-  StagedOutlook stage(Play::kStop);
+  StagedPrediction stage(Play::kStop);
   stage.world.own(0, {-2.8, 0}).own(1, {1, 0}).opponent(0, {0.5, 0.7}).ball({-0.5, 0});
-  PassField field(stage.outlook);
+  PassField field(stage.predicted);
   send(stage, field, {1});
-  const Vec2 before_m = field.place_of(1);
+  const Vec2 before_m = field.position_of(1);
   stage.world.view.play = Play::kDirectFree;
   stage.world.view.opponents[0].position_m = before_m;
   send(stage, field, {1});
-  EXPECT_EQ(field.place_of(1), before_m);
+  EXPECT_EQ(field.position_of(1), before_m);
   stage.world.view.play = Play::kRunning;
   send(stage, field, {1});
-  EXPECT_NE(field.place_of(1), before_m);
+  EXPECT_NE(field.position_of(1), before_m);
 }
 
 TEST(PassField, GivesPlacesOnTheFieldOutsideTheOpponentsArea) {
   for (const char* rules : {"paper", "2014-double"}) {
-    const Briefing briefing = briefing_of(rules);
-    StagedOutlook stage(Play::kRunning, false, briefing);
+    const TeamContext context = team_context_of(rules);
+    StagedPrediction stage(Play::kRunning, false, context);
     stage.world.ball({1, 0}).own(0, {-2.8, 0}).own(1, {2, 0.5}).own(2, {2, -0.5}).own(3, {1, 1.5});
-    PassField field(stage.outlook);
+    PassField field(stage.predicted);
     send(stage, field, {1, 2, 3});
     for (const int number : {1, 2, 3}) {
-      const Vec2& place_m = field.place_of(number);
-      EXPECT_TRUE(is_on_field(briefing.field, place_m));
-      EXPECT_GE(distance_to_defence_area(briefing.field, Side::kEast, place_m), kRobotRadius_m);
+      const Vec2& position_m = field.position_of(number);
+      EXPECT_TRUE(is_on_field(context.field, position_m));
+      EXPECT_GE(distance_to_defence_area(context.field, Side::kEast, position_m), kRobotRadius_m);
     }
   }
 }
 
 TEST(WorthOf, IsMoreWhereThePassCanBeSentOnAtTheGoal) {
-  StagedOutlook stage(Play::kRunning);
-  const Outlook& outlook = stage.look();
+  StagedPrediction stage(Play::kRunning);
+  const PredictedState& predicted = stage.look();
   const Vec2 point_m(2, 1);
-  const double from_ahead = worth_of(outlook, 0.6, point_m, {2.2, -1.5});
-  const double from_behind = worth_of(outlook, 0.6, point_m, {-1, 1.5});
+  const double from_ahead = worth_of(predicted, 0.6, point_m, {2.2, -1.5});
+  const double from_behind = worth_of(predicted, 0.6, point_m, {-1, 1.5});
   EXPECT_GT(from_ahead, 1.3 * from_behind);
 }
 
 TEST(WorthOf, GrowsWithTheChanceAndTowardsTheGoal) {
-  StagedOutlook stage(Play::kRunning);
-  const Outlook& outlook = stage.look();
-  EXPECT_GT(worth_of(outlook, 0.8, {1, 0}, {0, 0}), worth_of(outlook, 0.3, {1, 0}, {0, 0}));
-  EXPECT_GT(worth_of(outlook, 0, {2, 0}, {0, 0}), worth_of(outlook, 0, {-1, 0}, {0, 0}));
+  StagedPrediction stage(Play::kRunning);
+  const PredictedState& predicted = stage.look();
+  EXPECT_GT(worth_of(predicted, 0.8, {1, 0}, {0, 0}), worth_of(predicted, 0.3, {1, 0}, {0, 0}));
+  EXPECT_GT(worth_of(predicted, 0, {2, 0}, {0, 0}), worth_of(predicted, 0, {-1, 0}, {0, 0}));
 }
 
 }  // namespace

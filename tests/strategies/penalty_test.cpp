@@ -22,19 +22,19 @@ TEST(PenaltyKicker, IsTheLastRobotWhereItIsAloneAndNobodyWithoutRobots) {
 }
 
 TEST(PenaltyRunUp, IsBehindTheBallOutOfItsReach) {
-  const Waypoint place = penalty_run_up({2, 0});
-  EXPECT_LT(place.position_m.x(), 2 - kHeldBall_m);
-  EXPECT_GT(place.position_m.x(), 1.5);
-  EXPECT_EQ(place.heading, Vec2(1, 0));
+  const Waypoint waypoint = penalty_run_up({2, 0});
+  EXPECT_LT(waypoint.position_m.x(), 2 - kHeldBall_m);
+  EXPECT_GT(waypoint.position_m.x(), 1.5);
+  EXPECT_EQ(waypoint.heading, Vec2(1, 0));
 }
 
 // The keeper must touch its line between the posts (Laws 14).
 TEST(PenaltyKeeper, TouchesItsLineInTheMiddle) {
   const Field field;
-  const Waypoint place = penalty_keeper(field, field.penalty_mark_at(Side::kWest));
-  EXPECT_LT(std::abs(place.position_m.x() + field.half_length_m()), kRobotRadius_m);
-  EXPECT_LT(std::abs(place.position_m.y()), field.half_goal_m());
-  EXPECT_GT(place.heading.x(), 0.99);
+  const Waypoint waypoint = penalty_keeper(field, field.penalty_mark_at(Side::kWest));
+  EXPECT_LT(std::abs(waypoint.position_m.x() + field.half_length_m()), kRobotRadius_m);
+  EXPECT_LT(std::abs(waypoint.position_m.y()), field.half_goal_m());
+  EXPECT_GT(waypoint.heading.x(), 0.99);
 }
 
 TEST(PenaltySpectators, KeepTheirHullsTheClearanceBehindTheMark) {
@@ -55,15 +55,15 @@ TEST(PenaltySpectators, KeepTheirHullsTheClearanceBehindTheMark) {
 // Both teams' rows at once: the defenders see the mark turned by 180 degrees.
 TEST(PenaltySpectators, DoNotStandInEachOthersPlaces) {
   const Field field;
-  std::vector<Vec2> places_m;
+  std::vector<Vec2> positions_m;
   for (int order = 0; order < 5; ++order) {
     const Vec2 mark_m = field.penalty_mark_at(Side::kEast);
-    places_m.push_back(penalty_spectator(field, mark_m, 0.4, true, order).position_m);
-    places_m.push_back(-penalty_spectator(field, -mark_m, 0.4, false, order).position_m);
+    positions_m.push_back(penalty_spectator(field, mark_m, 0.4, true, order).position_m);
+    positions_m.push_back(-penalty_spectator(field, -mark_m, 0.4, false, order).position_m);
   }
-  for (std::size_t i = 0; i < places_m.size(); ++i) {
+  for (std::size_t i = 0; i < positions_m.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k)
-      EXPECT_GT((places_m[i] - places_m[k]).norm(), 2 * kRobotRadius_m) << i << ", " << k;
+      EXPECT_GT((positions_m[i] - positions_m[k]).norm(), 2 * kRobotRadius_m) << i << ", " << k;
   }
 }
 

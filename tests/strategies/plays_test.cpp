@@ -15,28 +15,29 @@ struct Staged : StagedPlay {
   }
 };
 
-int count_of(const Staged& stage, const Cast& cast, Part part) {
+int count_of(const Staged& stage, const RoleAssignment& assignment, Role role) {
   int count = 0;
-  for (int i = 0; i < stage.outlook.robots(); ++i) count += cast.task(i).part == part ? 1 : 0;
+  for (int i = 0; i < stage.predicted.robots(); ++i)
+    count += assignment.task(i).role == role ? 1 : 0;
   return count;
 }
 
-TEST(Cast, GivesAPlaceToTheNearestFreeRobot) {
+TEST(RoleAssignment, GivesAPlaceToTheNearestFreeRobot) {
   Staged stage(Play::kRunning);
   stage.world.own(0, {-2, 0}).own(1, {0, 1}).own(2, {1, 0});
-  Cast cast(stage.look());
-  cast.send_nearest({{0.8, 0}, {1, 0}});
-  EXPECT_EQ(cast.task(2).part, Part::kStands);
-  cast.send_nearest({{0.9, 0}, {1, 0}});
-  EXPECT_EQ(cast.task(1).part, Part::kStands);
-  EXPECT_EQ(cast.free_robots(), 1);
+  RoleAssignment assignment(stage.look());
+  assignment.send_nearest({{0.8, 0}, {1, 0}});
+  EXPECT_EQ(assignment.task(2).role, Role::kStands);
+  assignment.send_nearest({{0.9, 0}, {1, 0}});
+  EXPECT_EQ(assignment.task(1).role, Role::kStands);
+  EXPECT_EQ(assignment.free_robots(), 1);
 }
 
-TEST(Cast, LeavesAPlaceEmptyWhereNobodyIsFree) {
+TEST(RoleAssignment, LeavesAPlaceEmptyWhereNobodyIsFree) {
   Staged stage(Play::kRunning);
-  Cast cast(stage.look());
-  cast.send_nearest({{0, 0}, {1, 0}});
-  EXPECT_EQ(cast.nearest_free({0, 0}), -1);
+  RoleAssignment assignment(stage.look());
+  assignment.send_nearest({{0, 0}, {1, 0}});
+  EXPECT_EQ(assignment.nearest_free({0, 0}), -1);
 }
 
 TEST(OpenPlay, GivesEveryRobotAPartForTeamsOfAllSizes) {
@@ -46,9 +47,9 @@ TEST(OpenPlay, GivesEveryRobotAPartForTeamsOfAllSizes) {
       for (int i = 0; i < robots; ++i) stage.world.own(i, {-2.5 + 0.3 * i, 1.0 - 0.12 * i});
       for (int i = 0; i < 6; ++i) stage.world.opponent(i, {2.5 - 0.4 * i, 0.3 * i - 1});
       stage.world.ball({ball_x, 0.2});
-      const Cast cast = stage.cast(open_play);
-      EXPECT_EQ(cast.free_robots(), 0) << robots << " robots";
-      EXPECT_EQ(count_of(stage, cast, Part::kBall), 1) << robots << " robots";
+      const RoleAssignment assignment = stage.assignment(open_play);
+      EXPECT_EQ(assignment.free_robots(), 0) << robots << " robots";
+      EXPECT_EQ(count_of(stage, assignment, Role::kBall), 1) << robots << " robots";
     }
   }
 }
@@ -58,39 +59,39 @@ TEST(OpenPlay, KeepsTheKeeperAndThenTheOneAtTheBallAsRobotsLeave) {
     Staged stage(Play::kRunning);
     stage.robots(robots);
     stage.world.opponent(0, {2, 0}).ball({1, 0});
-    const Cast cast = stage.cast(open_play);
-    EXPECT_EQ(cast.task(0).part, Part::kKeeper) << robots;
-    EXPECT_EQ(count_of(stage, cast, Part::kBall), 1) << robots;
+    const RoleAssignment assignment = stage.assignment(open_play);
+    EXPECT_EQ(assignment.task(0).role, Role::kKeeper) << robots;
+    EXPECT_EQ(count_of(stage, assignment, Role::kBall), 1) << robots;
   }
 }
 
 TEST(OpenPlay, SendsALoneRobotToTheBallOnlyWhereItIsThereFirst) {
   Staged ours(Play::kRunning);
   ours.world.own(3, {0, 0}).opponent(0, {2.5, 1}).ball({0.4, 0});
-  EXPECT_EQ(ours.cast(open_play).task(0).part, Part::kBall);
+  EXPECT_EQ(ours.assignment(open_play).task(0).role, Role::kBall);
   Staged theirs(Play::kRunning);
   theirs.world.own(3, {-2.5, 0}).opponent(0, {1.2, 0}).ball({1, 0});
-  EXPECT_EQ(theirs.cast(open_play).task(0).part, Part::kKeeper);
+  EXPECT_EQ(theirs.assignment(open_play).task(0).role, Role::kKeeper);
 }
 
 TEST(OpenPlay, SendsTheKeeperToASlowBallInItsArea) {
   Staged stage(Play::kRunning);
   stage.robots(6);
   stage.world.opponent(0, {1, 0}).ball({-2.6, -0.3});
-  const Cast cast = stage.cast(open_play);
-  EXPECT_EQ(cast.task(0).part, Part::kBall);
-  EXPECT_EQ(count_of(stage, cast, Part::kBall), 1);
+  const RoleAssignment assignment = stage.assignment(open_play);
+  EXPECT_EQ(assignment.task(0).role, Role::kBall);
+  EXPECT_EQ(count_of(stage, assignment, Role::kBall), 1);
 }
 
 TEST(OpenPlay, RunsForPassesWithTheBallAndStaysBackWithoutIt) {
   Staged ours(Play::kRunning);
   ours.robots(6);
   ours.world.opponent(0, {-2.5, -1.5}).ball({1, -0.8});
-  const int with_ball = count_of(ours, ours.cast(open_play), Part::kReceiver);
+  const int with_ball = count_of(ours, ours.assignment(open_play), Role::kReceiver);
   Staged theirs(Play::kRunning);
   theirs.robots(6);
   theirs.world.opponent(0, {1.2, 1.5}).ball({1, 1.5});
-  const int without_ball = count_of(theirs, theirs.cast(open_play), Part::kReceiver);
+  const int without_ball = count_of(theirs, theirs.assignment(open_play), Role::kReceiver);
   EXPECT_GT(with_ball, without_ball);
 }
 
@@ -98,50 +99,51 @@ TEST(OpenPlay, CoversTheWayToTheOwnGoalWithWhoFindsNobodyToMark) {
   Staged stage(Play::kRunning);
   stage.robots(6);
   stage.world.ball({1.5, 0.5}).opponent(1, {1.59, 0.5});
-  const Cast cast = stage.cast(open_play);
-  ASSERT_FALSE(stage.outlook.is_ours());
-  EXPECT_EQ(count_of(stage, cast, Part::kReceiver), 0);
+  const RoleAssignment assignment = stage.assignment(open_play);
+  ASSERT_FALSE(stage.predicted.is_ours());
+  EXPECT_EQ(count_of(stage, assignment, Role::kReceiver), 0);
   for (int i = 0; i < 6; ++i) {
-    const bool stands = cast.task(i).part == Part::kStands;
-    EXPECT_TRUE(!stands || cast.task(i).place.position_m.x() < 1.0);
+    const bool stands = assignment.task(i).role == Role::kStands;
+    EXPECT_TRUE(!stands || assignment.task(i).waypoint.position_m.x() < 1.0);
   }
 }
 
 TEST(ChooseForBall, IsWhoGetsThereFirst) {
   Staged stage(Play::kRunning);
   stage.world.own(0, {-2.8, 0}).own(1, {-1, 1}).own(2, {1, 1}).ball({1, 0});
-  const Cast cast(stage.look());
-  EXPECT_EQ(choose_for_ball(stage.book, cast), 2);
+  const RoleAssignment assignment(stage.look());
+  EXPECT_EQ(choose_for_ball(stage.book, assignment), 2);
 }
 
 TEST(ChooseForBall, KeepsToTheFormerOneWhereBothAreAboutAsNear) {
   Staged stage(Play::kRunning);
   stage.world.own(0, {-2.8, 0}).own(1, {0, 1.02}).own(2, {0, -1}).ball({0, 0});
-  const Cast cast(stage.look());
-  EXPECT_EQ(choose_for_ball(stage.book, cast), 2);
+  const RoleAssignment assignment(stage.look());
+  EXPECT_EQ(choose_for_ball(stage.book, assignment), 2);
   stage.book.former = 1;
-  EXPECT_EQ(choose_for_ball(stage.book, cast), 1);
+  EXPECT_EQ(choose_for_ball(stage.book, assignment), 1);
 }
 
 TEST(ChooseForBall, SparesARobotThatMustNotTouchTheBallAgain) {
   Staged stage(Play::kRunning);
   stage.world.own(0, {-2.8, 0}).own(1, {0.2, 0}).own(2, {-1, 0}).ball({0, 0});
-  const Cast cast(stage.look());
-  EXPECT_EQ(choose_for_ball(stage.book, cast), 1);
+  const RoleAssignment assignment(stage.look());
+  EXPECT_EQ(choose_for_ball(stage.book, assignment), 1);
   stage.book.restarter = 1;
-  EXPECT_EQ(choose_for_ball(stage.book, cast), 2);
+  EXPECT_EQ(choose_for_ball(stage.book, assignment), 2);
 }
 
 TEST(Defend, SendsTheWallAndThenAMarkerToEachDangerousOpponent) {
   Staged stage(Play::kRunning);
   stage.robots(6);
   stage.world.ball({1, 0}).opponent(0, {1.2, 0}).opponent(1, {-1, -1.2}).opponent(2, {0, 1.5});
-  Cast cast(stage.look());
-  defend(stage.book, cast, 2, 4);
-  EXPECT_EQ(cast.free_robots(), 2);
+  RoleAssignment assignment(stage.look());
+  defend(stage.book, assignment, 2, 4);
+  EXPECT_EQ(assignment.free_robots(), 2);
   const auto has_marker = [&](const Vec2& opponent_m) {
     for (int i = 0; i < 6; ++i) {
-      if (!cast.is_free(i) && (cast.task(i).place.position_m - opponent_m).norm() < 0.6)
+      if (!assignment.is_free(i) &&
+          (assignment.task(i).waypoint.position_m - opponent_m).norm() < 0.6)
         return true;
     }
     return false;
@@ -153,15 +155,15 @@ TEST(Defend, SendsTheWallAndThenAMarkerToEachDangerousOpponent) {
 TEST(TakeRestart, IsForTheFieldPlayerNearestToTheBall) {
   Staged stage(Play::kIndirectFree, true);
   stage.world.own(0, {1.1, 1}).own(1, {0, 0}).own(4, {0.7, 0.4}).own(5, {2, -1}).ball({1, 1});
-  const Cast cast = stage.cast(take_restart);
-  EXPECT_EQ(cast.task(2).part, Part::kBall);
-  EXPECT_EQ(count_of(stage, cast, Part::kBall), 1);
+  const RoleAssignment assignment = stage.assignment(take_restart);
+  EXPECT_EQ(assignment.task(2).role, Role::kBall);
+  EXPECT_EQ(count_of(stage, assignment, Role::kBall), 1);
 }
 
 TEST(TakeRestart, IsForTheKeeperWhereItIsAlone) {
   Staged stage(Play::kDirectFree, true);
   stage.world.own(5, {-2.8, 0}).ball({0, 1});
-  EXPECT_EQ(stage.cast(take_restart).task(0).part, Part::kBall);
+  EXPECT_EQ(stage.assignment(take_restart).task(0).role, Role::kBall);
 }
 
 TEST(AwaitRestart, BlocksTheBallOnTheWayToTheOwnGoal) {
@@ -169,16 +171,16 @@ TEST(AwaitRestart, BlocksTheBallOnTheWayToTheOwnGoal) {
   stage.robots(6);
   const Vec2 ball_m(-0.5, 1.2);
   stage.world.opponent(0, {-0.4, 1.3}).ball(ball_m);
-  const Cast cast = stage.cast(await_restart);
+  const RoleAssignment assignment = stage.assignment(await_restart);
   const Vec2 goal_m = Field{}.goal_centre_m(Side::kWest);
   bool is_blocked = false;
   for (int i = 1; i < 6; ++i) {
-    const Vec2& place_m = cast.task(i).place.position_m;
-    is_blocked = is_blocked || ((place_m - ball_m).norm() < 0.9 &&
-                                distance_to_segment(place_m, ball_m, goal_m) < 0.1);
+    const Vec2& position_m = assignment.task(i).waypoint.position_m;
+    is_blocked = is_blocked || ((position_m - ball_m).norm() < 0.9 &&
+                                distance_to_segment(position_m, ball_m, goal_m) < 0.1);
   }
   EXPECT_TRUE(is_blocked);
-  EXPECT_EQ(cast.free_robots(), 0);
+  EXPECT_EQ(assignment.free_robots(), 0);
 }
 
 TEST(AwaitKickoff, GivesEverybodyAPlaceOfItsOwnInTheOwnHalf) {
@@ -186,11 +188,11 @@ TEST(AwaitKickoff, GivesEverybodyAPlaceOfItsOwnInTheOwnHalf) {
     for (int robots = 1; robots <= 8; ++robots) {
       Staged stage(Play::kPrepareKickoff, ours);
       stage.robots(robots);
-      const Cast cast = stage.cast(await_kickoff);
-      EXPECT_EQ(cast.free_robots(), 0) << robots;
+      const RoleAssignment assignment = stage.assignment(await_kickoff);
+      EXPECT_EQ(assignment.free_robots(), 0) << robots;
       for (int i = 0; i < robots; ++i) {
-        if (cast.task(i).part != Part::kStands) continue;
-        EXPECT_LE(cast.task(i).place.position_m.x(), -kRobotRadius_m);
+        if (assignment.task(i).role != Role::kStands) continue;
+        EXPECT_LE(assignment.task(i).waypoint.position_m.x(), -kRobotRadius_m);
       }
     }
   }
@@ -201,9 +203,9 @@ TEST(Penalty, SendsOneToTheBallOnlyOnceItMayBeTaken) {
     Staged stage(play, true);
     stage.robots(6);
     stage.world.ball(Field{}.penalty_mark_at(Side::kEast));
-    const Cast cast = stage.cast(penalty);
-    EXPECT_EQ(count_of(stage, cast, Part::kBall), play == Play::kPenalty ? 1 : 0);
-    EXPECT_EQ(cast.free_robots(), 0);
+    const RoleAssignment assignment = stage.assignment(penalty);
+    EXPECT_EQ(count_of(stage, assignment, Role::kBall), play == Play::kPenalty ? 1 : 0);
+    EXPECT_EQ(assignment.free_robots(), 0);
   }
 }
 

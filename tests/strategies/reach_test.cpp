@@ -57,61 +57,63 @@ TEST(TimeTo, IsLongerForSlowerRobots) {
   EXPECT_GT(time_to_s(robot_at({0, 0}), {4, 0}, lazy), usual_s + 0.2);
 }
 
-TEST(Meet, IsAtAStillBallOnceTheRobotCanTouchIt) {
-  const Meeting meeting = meet(robot_at({-1, 0}), path_of({{1, 0}, {0, 0}}), Abilities{}, Field{});
-  EXPECT_EQ(meeting.point_m, Vec2(1, 0));
-  EXPECT_GE(meeting.time_s, trapezoid_s(2 - kHeldBall_m, 1.0));
-  EXPECT_LE(meeting.time_s, trapezoid_s(2 - kHeldBall_m, 0.5));
+TEST(InterceptBall, IsAtAStillBallOnceTheRobotCanTouchIt) {
+  const BallInterception interception =
+      intercept(robot_at({-1, 0}), path_of({{1, 0}, {0, 0}}), Abilities{}, Field{});
+  EXPECT_EQ(interception.point_m, Vec2(1, 0));
+  EXPECT_GE(interception.time_s, trapezoid_s(2 - kHeldBall_m, 1.0));
+  EXPECT_LE(interception.time_s, trapezoid_s(2 - kHeldBall_m, 0.5));
 }
 
-TEST(Meet, IsNowForARobotThatHasTheBall) {
-  const Meeting meeting =
-      meet(robot_at({0, 0}), path_of({{kHeldBall_m, 0}, {0, 0}}), Abilities{}, Field{});
-  EXPECT_NEAR(meeting.time_s, 0, 0.02);
+TEST(InterceptBall, IsNowForARobotThatHasTheBall) {
+  const BallInterception interception =
+      intercept(robot_at({0, 0}), path_of({{kHeldBall_m, 0}, {0, 0}}), Abilities{}, Field{});
+  EXPECT_NEAR(interception.time_s, 0, 0.02);
 }
 
-TEST(Meet, IsWhereTheRobotComesNoLaterThanARollingBall) {
+TEST(InterceptBall, IsWhereTheRobotComesNoLaterThanARollingBall) {
   const CarpetBall ball{{-2, 0}, {1, 0}, 3};
   const BallPath path = path_of(ball.at(0));
   for (const Vec2& from_m : {Vec2(0, 1), Vec2(-1, -1), Vec2(1, 0.3)}) {
-    const Meeting meeting = meet(robot_at(from_m), path, Abilities{}, Field{});
-    EXPECT_NEAR(meeting.point_m.y(), 0, 1e-6);
-    EXPECT_NEAR(ball.at(meeting.time_s).position_m.x(), meeting.point_m.x(), 0.1);
-    const double touch_m = (meeting.point_m - from_m).norm() - kHeldBall_m;
-    EXPECT_LE(trapezoid_s(std::max(0.0, touch_m), 1.0), meeting.time_s + 0.1);
+    const BallInterception interception = intercept(robot_at(from_m), path, Abilities{}, Field{});
+    EXPECT_NEAR(interception.point_m.y(), 0, 1e-6);
+    EXPECT_NEAR(ball.at(interception.time_s).position_m.x(), interception.point_m.x(), 0.1);
+    const double touch_m = (interception.point_m - from_m).norm() - kHeldBall_m;
+    EXPECT_LE(trapezoid_s(std::max(0.0, touch_m), 1.0), interception.time_s + 0.1);
   }
 }
 
-TEST(Meet, IsEarlyOnTheWayForARobotNearIt) {
+TEST(InterceptBall, IsEarlyOnTheWayForARobotNearIt) {
   const BallPath path = path_of({{-2, 0}, {2, 0}});
-  const Meeting near = meet(robot_at({-1.5, 0.2}), path, Abilities{}, Field{});
-  const Meeting far = meet(robot_at({0.5, 1.5}), path, Abilities{}, Field{});
+  const BallInterception near = intercept(robot_at({-1.5, 0.2}), path, Abilities{}, Field{});
+  const BallInterception far = intercept(robot_at({0.5, 1.5}), path, Abilities{}, Field{});
   EXPECT_LT(near.point_m.x(), far.point_m.x());
   EXPECT_LT(near.time_s, far.time_s);
 }
 
-TEST(Meet, IsAtThePathsEndWhereTheRobotCannotCatchUp) {
-  const Field field = briefing_of("2026-a").field;
+TEST(InterceptBall, IsAtThePathsEndWhereTheRobotCannotCatchUp) {
+  const Field field = team_context_of("2026-a").field;
   const BallPath path = path_of({{-5, 0}, {6, 0}});
-  const Meeting meeting = meet(robot_at({-5.8, 0}), path, Abilities{}, field);
-  EXPECT_LT((meeting.point_m - path.end_m()).norm(), 0.01);
-  EXPECT_GT(meeting.time_s, BallPath::kLongest_s);
+  const BallInterception interception = intercept(robot_at({-5.8, 0}), path, Abilities{}, field);
+  EXPECT_LT((interception.point_m - path.end_m()).norm(), 0.01);
+  EXPECT_GT(interception.time_s, BallPath::kLongest_s);
 }
 
-TEST(Meet, IsNotOutsideTheField) {
+TEST(InterceptBall, IsNotOutsideTheField) {
   const Field field;
-  const Meeting meeting = meet(robot_at({0, 1.5}), path_of({{2.5, 0}, {3, 0}}), Abilities{}, field);
-  EXPECT_LT(meeting.point_m.x(), field.half_length_m() + 0.2);
+  const BallInterception interception =
+      intercept(robot_at({0, 1.5}), path_of({{2.5, 0}, {3, 0}}), Abilities{}, field);
+  EXPECT_LT(interception.point_m.x(), field.half_length_m() + 0.2);
 }
 
-TEST(Meet, IsLaterForSlowerRobots) {
+TEST(InterceptBall, IsLaterForSlowerRobots) {
   Abilities slow;
   slow.speed_mps /= 2;
   slow.acceleration_mps2 /= 2;
   for (const Vec2& velocity_mps : {Vec2(0, 0), Vec2(1.5, 0)}) {
     const BallPath path = path_of({{-2, 0}, velocity_mps});
-    const double usual_s = meet(robot_at({0, 1.5}), path, Abilities{}, Field{}).time_s;
-    EXPECT_GT(meet(robot_at({0, 1.5}), path, slow, Field{}).time_s, usual_s + 0.1);
+    const double usual_s = intercept(robot_at({0, 1.5}), path, Abilities{}, Field{}).time_s;
+    EXPECT_GT(intercept(robot_at({0, 1.5}), path, slow, Field{}).time_s, usual_s + 0.1);
   }
 }
 

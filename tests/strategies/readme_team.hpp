@@ -8,8 +8,8 @@
 #include "strategies/parameter.hpp"
 #include "strategies/plays/squad.hpp"
 #include "strategies/skills/limits.hpp"
-#include "strategies/skills/outlook.hpp"
 #include "strategies/skills/play_ball.hpp"
+#include "strategies/skills/prediction.hpp"
 #include "strategies/strategy.hpp"
 
 namespace autoref::strategies::readme {
@@ -19,15 +19,15 @@ inline constexpr Parameter kShot = {"shot_mps", "m/s", 6, 1, 8, "Speed of its sh
 
 class Mine final : public Strategy {
  public:
-  explicit Mine(const Briefing& briefing)
-      : briefing_(briefing), shot_mps_(value_of(kShot, briefing.params)) {}
+  explicit Mine(const TeamContext& context)
+      : context_(context), shot_mps_(value_of(kShot, context.params)) {}
 
-  void decide(const TeamView& view, TeamOrders& orders) override {
+  void decide(const TeamView& view, TeamCommands& commands) override {
     look_ahead(view, now_);  // the field as it will be when these orders take effect
     const int chaser = may_play() ? nearest_to_ball() : -1;
     for (int i = 0; i < static_cast<int>(now_.own.size()); ++i) {
       const TrackedRobot& robot = now_.own[i];
-      orders[robot.number] = i == chaser ? shoot(robot) : drive_to(robot, place_of(i), {}, {});
+      commands[robot.number] = i == chaser ? shoot(robot) : drive_to(robot, waypoint_of(i), {}, {});
     }
   }
 
@@ -39,31 +39,31 @@ class Mine final : public Strategy {
   int nearest_to_ball() const {
     int nearest = -1;
     for (int i = 1; i < static_cast<int>(now_.own.size()); ++i) {
-      const auto way_m = [&](int k) { return (now_.own[k].position_m - ball_m()).norm(); };
-      if (nearest < 0 || way_m(i) < way_m(nearest)) nearest = i;
+      const auto path_m = [&](int k) { return (now_.own[k].position_m - ball_m()).norm(); };
+      if (nearest < 0 || path_m(i) < path_m(nearest)) nearest = i;
     }
     return nearest;
   }
 
   RobotCommand shoot(const TrackedRobot& robot) const {
-    const Vec2 goal_m = briefing_.field.goal_centre_m(Side::kEast);  // the opponents'
+    const Vec2 goal_m = context_.field.goal_centre_m(Side::kEast);  // the opponents'
     return play_ball(robot, now_.ball, ball_m(), {goal_m, shot_mps_}, {}, {});
   }
 
   // The keeper before its goal, the others in a row across the own half, all facing the ball.
-  Waypoint place_of(int index) const {
-    const double half_m = briefing_.field.half_length_m();
+  Waypoint waypoint_of(int index) const {
+    const double half_m = context_.field.half_length_m();
     const Vec2 wanted_m = index == 0 ? Vec2(0.15 - half_m, 0) : Vec2(-1, 0.4 * (index - 3));
     Limits limits;
     limits.may_enter_own_area = index == 0;
     if (!may_play()) limits.keep_from_ball_m = 0.65;  // 500 mm from the hull, and some more
-    const Vec2 place_m = permitted(briefing_.field, wanted_m, ball_m(), limits);
-    return {place_m, direction_of(ball_m() - place_m, Vec2(1, 0))};
+    const Vec2 position_m = permitted(context_.field, wanted_m, ball_m(), limits);
+    return {position_m, direction_of(ball_m() - position_m, Vec2(1, 0))};
   }
 
   const Vec2& ball_m() const { return now_.ball.position_m; }
 
-  Briefing briefing_;
+  TeamContext context_;
   double shot_mps_;
   TeamView now_;
 };
@@ -71,13 +71,13 @@ class Mine final : public Strategy {
 
 // [bus]
 // One for the ball, three in a wall before the own area; whoever is left runs for passes.
-inline void park(Playbook& book, Cast& cast) {
-  give_goal_and_ball(book, cast);
-  defend(book, cast, 3, 0);
-  run_for_passes(book, cast);
+inline void park(PlayContext& book, RoleAssignment& assignment) {
+  give_goal_and_ball(book, assignment);
+  defend(book, assignment, 3, 0);
+  run_for_passes(book, assignment);
 }
 
-inline Plan bus_plan() {
+inline TeamPlaybook bus_playbook() {
   Style style;
   style.carry = 0.2;
   return {style, park};

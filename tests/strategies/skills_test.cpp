@@ -2,7 +2,7 @@
 
 #include "strategies/registry.hpp"
 #include "strategies/skills/motion.hpp"
-#include "strategies/skills/outlook.hpp"
+#include "strategies/skills/prediction.hpp"
 #include "strategies/skills/shot.hpp"
 #include "tests/strategies/staged_world.hpp"
 
@@ -14,22 +14,22 @@ TEST(DriveTo, StopsAtItsGoalFacingAsAsked) {
   world.own(0, {0, 0});
   TrackedRobot& robot = world.view.own[0];
   for (int i = 0; i < 180; ++i) {
-    const RobotCommand order = drive_to(robot, {{1, -0.5}, {0, 1}}, {}, {});
-    robot.position_m += to_world(order.velocity_mps, robot.heading) / 60;
-    robot.heading = heading_of(angle_of(robot.heading) + order.angular_velocity_radps / 60);
+    const RobotCommand command = drive_to(robot, {{1, -0.5}, {0, 1}}, {}, {});
+    robot.position_m += to_world(command.velocity_mps, robot.heading) / 60;
+    robot.heading = heading_of(angle_of(robot.heading) + command.angular_velocity_radps / 60);
   }
   EXPECT_NEAR((robot.position_m - Vec2(1, -0.5)).norm(), 0, 10_mm);
   EXPECT_GT(robot.heading.y(), 0.999);
 }
 
-TEST(WayAround, GoesStraightWhereNothingIsInTheWay) {
+TEST(SteerAround, GoesStraightWhereNothingIsInTheWay) {
   const Obstacles beside = {{{0.5, 0.4}, 0.2}, {{-0.3, 0}, 0.2}, {{3, 0}, 0.2}};
-  EXPECT_EQ(way_around({0, 0}, {1, 0}, beside), Vec2(1, 0));
+  EXPECT_EQ(steer_around({0, 0}, {1, 0}, beside), Vec2(1, 0));
 }
 
-TEST(WayAround, PassesAnObstacleOnTheFreeSideWithItsClearance) {
+TEST(SteerAround, PassesAnObstacleOnTheFreeSideWithItsClearance) {
   const Obstacles obstacle = {{{0.5, 0.05}, 0.2}};
-  const Vec2 steer_m = way_around({0, 0}, {1, 0}, obstacle);
+  const Vec2 steer_m = steer_around({0, 0}, {1, 0}, obstacle);
   EXPECT_LT(steer_m.y(), 0);
   EXPECT_GE((steer_m - Vec2(0.5, 0.05)).norm(), 0.2);
 }
@@ -42,9 +42,9 @@ TEST(BallAfter, SlowsDownAndStops) {
 
 TEST(Intercept, MeetsARollingBallAheadOfIt) {
   const TrackedRobot robot{0, {2, 1}, {1, 0}, {0, 0}, 0};
-  const Interception meeting = intercept(robot, {{0, 0}, {2, 0}, 0});
-  EXPECT_GT(meeting.point_m.x(), 0.5);
-  EXPECT_LT(meeting.point_m.x(), 2.5);
+  const Interception interception = intercept(robot, {{0, 0}, {2, 0}, 0});
+  EXPECT_GT(interception.point_m.x(), 0.5);
+  EXPECT_LT(interception.point_m.x(), 2.5);
 }
 
 TEST(BestShot, AimsAtTheSideThatTheKeeperLeavesOpen) {
@@ -59,7 +59,7 @@ TEST(Registry, FindsTeamsByNameAndSaysWhenThereIsNone) {
   ASSERT_NE(find_strategy("basic"), nullptr);
   ASSERT_NE(find_strategy("dummy"), nullptr);
   EXPECT_EQ(find_strategy("nobody"), nullptr);
-  EXPECT_NE(find_strategy("basic")->make(Briefing{}), nullptr);
+  EXPECT_NE(find_strategy("basic")->make(TeamContext{}), nullptr);
 }
 
 }  // namespace

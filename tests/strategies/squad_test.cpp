@@ -12,12 +12,12 @@ namespace {
 
 constexpr double kBallGap_m = 0.5 + kRobotRadius_m;  // Laws: 500 mm from hull to ball
 
-const std::vector<Vec2> kBallPlaces_m = {{0, 0},  {-2.925, 1.925}, {2.925, -1.925},
-                                         {-1, 1}, {1.5, 0.3},      {-1.4, 0}};
+const std::vector<Vec2> kBallPositions_m = {{0, 0},  {-2.925, 1.925}, {2.925, -1.925},
+                                            {-1, 1}, {1.5, 0.3},      {-1.4, 0}};
 
 TEST(Squad, KeepsItsDistanceFromTheBallWhilePlayIsStopped) {
-  for (const Vec2& ball_m : kBallPlaces_m) {
-    Squad team(Briefing{}, Plan{});
+  for (const Vec2& ball_m : kBallPositions_m) {
+    Squad team(TeamContext{}, TeamPlaybook{});
     StagedWorld world(Play::kStop);
     world.six_against_six().ball(ball_m).run(team, 5);
     for (const TrackedRobot& robot : world.view.own) {
@@ -29,9 +29,9 @@ TEST(Squad, KeepsItsDistanceFromTheBallWhilePlayIsStopped) {
 }
 
 TEST(Squad, ComesToRestWhilePlayIsStopped) {
-  for (const Vec2& ball_m : kBallPlaces_m) {
+  for (const Vec2& ball_m : kBallPositions_m) {
     for (const bool ours : {true, false}) {
-      Squad team(Briefing{}, Plan{});
+      Squad team(TeamContext{}, TeamPlaybook{});
       StagedWorld world(Play::kStop);
       world.view.next = CommandKind::kDirectFree;
       world.view.next_is_ours = ours;
@@ -47,7 +47,7 @@ TEST(Squad, ComesToRestWhilePlayIsStopped) {
 }
 
 TEST(Squad, ClearsAStoppedBallWithinTwoSeconds) {
-  Squad team(briefing_of("2014"), Plan{});
+  Squad team(team_context_of("2014"), TeamPlaybook{});
   StagedWorld world(Play::kStop);
   world.six_against_six().ball({1, 1});
   world.view.own[2].position_m = {0.9, 0.95};
@@ -58,7 +58,7 @@ TEST(Squad, ClearsAStoppedBallWithinTwoSeconds) {
 }
 
 TEST(Squad, KeepsItsHullClearOfTheOpponentsAreaBeforeARestart) {
-  Squad team(Briefing{}, Plan{});
+  Squad team(TeamContext{}, TeamPlaybook{});
   StagedWorld world(Play::kDirectFree, false);
   world.six_against_six().ball({2.525, 1.925});  // their goal kick
   world.view.own[3].position_m = {2.2, 0.3};
@@ -72,7 +72,7 @@ TEST(Squad, KeepsItsHullClearOfTheOpponentsAreaBeforeARestart) {
 
 // The fastest that a robot is in a stop of 4 s by that book.
 double fastest_in_stop_mps(const char* rules) {
-  Squad team(briefing_of(rules), Plan{});
+  Squad team(team_context_of(rules), TeamPlaybook{});
   StagedWorld world(Play::kStop);
   world.six_against_six().ball({-2.9, -1.9});
   double fastest_mps = 0;
@@ -93,7 +93,7 @@ TEST(Squad, KeepsTheSpeedLimitOfAStopWhereThereIsOne) {
 // A stop, then the restart: by the field player nearest to the ball, and only by that one.
 TEST(Squad, TakesItsRestartByTheNearestRobotAlone) {
   const Vec2 ball_m(1, 1.9);
-  Squad team(Briefing{}, Plan{});
+  Squad team(TeamContext{}, TeamPlaybook{});
   StagedWorld world(Play::kStop);
   world.view.next = CommandKind::kIndirectFree;
   world.view.next_is_ours = true;
@@ -120,7 +120,7 @@ TEST(Squad, TakesItsRestartByTheNearestRobotAlone) {
 // A robot that cannot move, as if shut in: somebody else takes the restart in its place.
 TEST(Squad, TakesItsRestartByAnotherRobotWhereTheNearestGetsNowhere) {
   const Vec2 ball_m(1, 1);
-  Squad team(Briefing{}, Plan{});
+  Squad team(TeamContext{}, TeamPlaybook{});
   StagedWorld world(Play::kDirectFree, true);
   world.own(0, {-2.8, 0}).own(1, {0.5, 1}).own(2, {-1, -1}).ball(ball_m);
   double least_m = 9;
@@ -134,7 +134,7 @@ TEST(Squad, TakesItsRestartByAnotherRobotWhereTheNearestGetsNowhere) {
 
 // Laws 2014: who took the restart must not touch the ball again before another robot has.
 TEST(Squad, DoesNotPlayTheBallTwiceAfterItsRestart) {
-  Squad team(briefing_of("2014"), Plan{});
+  Squad team(team_context_of("2014"), TeamPlaybook{});
   StagedWorld world(Play::kDirectFree, true);
   world.own(0, {-2.8, 0}).own(1, {0.7, 0.8}).own(2, {-2, -1}).ball({1, 1}).run(team, 2);
   world.view.play = Play::kRunning;
@@ -148,30 +148,30 @@ TEST(Squad, DoesNotPlayTheBallTwiceAfterItsRestart) {
 }
 
 TEST(Squad, TakesItsRestartAloneToo) {
-  Squad team(Briefing{}, Plan{});
+  Squad team(TeamContext{}, TeamPlaybook{});
   StagedWorld world(Play::kIndirectFree, true);
   world.own(4, {-2, -1}).ball({1, 1.925});
   bool is_taken = false;
   for (int i = 0; i < 400; ++i) {
-    const RobotCommand& order = world.step(team)[4];
+    const RobotCommand& command = world.step(team)[4];
     is_taken = is_taken ||
-               (order.kick_mps > 0 && (world.robot(4).position_m - Vec2(1, 1.925)).norm() < 0.12);
+               (command.kick_mps > 0 && (world.robot(4).position_m - Vec2(1, 1.925)).norm() < 0.12);
   }
   EXPECT_TRUE(is_taken);
 }
 
 TEST(Squad, StandsStillInHalt) {
-  Squad team(Briefing{}, Plan{});
+  Squad team(TeamContext{}, TeamPlaybook{});
   StagedWorld world(Play::kHalt);
   world.six_against_six();
-  for (const RobotCommand& order : world.step(team)) {
-    EXPECT_EQ(order.velocity_mps, Vec2(0, 0));
-    EXPECT_EQ(order.kick_mps, 0);
+  for (const RobotCommand& command : world.step(team)) {
+    EXPECT_EQ(command.velocity_mps, Vec2(0, 0));
+    EXPECT_EQ(command.kick_mps, 0);
   }
 }
 
 TEST(Squad, NamesItsLowestNumberAsKeeper) {
-  Squad team(Briefing{}, Plan{});
+  Squad team(TeamContext{}, TeamPlaybook{});
   StagedWorld world(Play::kRunning);
   world.own(3, {-2, 0}).own(7, {0, 0}).step(team);
   EXPECT_EQ(team.requests().keeper, 3);
@@ -184,7 +184,7 @@ TEST(Squad, DoesTheTurnedThingFromTheOtherEnd) {
   PerSide<std::unique_ptr<Squad>> teams;
   PerSide<StagedWorld> ends{{StagedWorld(Play::kRunning), StagedWorld(Play::kRunning)}};
   for (const Side side : kSides) {
-    teams[side] = std::make_unique<Squad>(Briefing{}, Plan{});
+    teams[side] = std::make_unique<Squad>(TeamContext{}, TeamPlaybook{});
     for (int i = 0; i < 6; ++i) ends[side].own(i, {-0.4 - 0.4 * i, 1.2 - 0.35 * i});
   }
   for (int frame = 0; frame < 180; ++frame) {

@@ -6,8 +6,8 @@
 
 namespace autoref::strategies {
 
-struct StagedPlay : StagedOutlook {
-  using StagedOutlook::StagedOutlook;
+struct StagedPlay : StagedPrediction {
+  using StagedPrediction::StagedPrediction;
 
   // Looks at the world for so many frames.
   void watch(int frames = 12) {
@@ -18,16 +18,16 @@ struct StagedPlay : StagedOutlook {
     }
   }
   // The parts that a play gives, after a few frames of looking.
-  Cast cast(void (*play)(Playbook&, Cast&)) {
+  RoleAssignment assignment(void (*play)(PlayContext&, RoleAssignment&)) {
     watch();
-    Cast cast(outlook);
-    play(book, cast);
-    return cast;
+    RoleAssignment assignment(predicted);
+    play(book, assignment);
+    return assignment;
   }
 
-  PassField field{outlook};
-  BallHandler handler{outlook};
-  Playbook book{outlook, handler, field};
+  PassField field{predicted};
+  BallHandler handler{predicted};
+  PlayContext book{predicted, handler, field};
 };
 
 }  // namespace autoref::strategies

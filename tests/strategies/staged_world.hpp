@@ -9,7 +9,7 @@
 #include "soccer/team_view.hpp"
 #include "soccer/trigonometry.hpp"
 #include "strategies/strategy.hpp"
-#include "strategies/tactics/outlook.hpp"
+#include "strategies/tactics/predicted_state.hpp"
 
 namespace autoref::strategies {
 
@@ -24,7 +24,7 @@ struct CarpetBall {
   static constexpr double kRollsFrom = 0.67;
 
   Vec2 start_m{0, 0};
-  Vec2 way{1, 0};
+  Vec2 direction{1, 0};
   double kick_mps = 0;
 
   double rolls_mps() const { return kRollsFrom * kick_mps; }
@@ -36,22 +36,22 @@ struct CarpetBall {
   TrackedBall at(double time_s) const {
     const double slide_s = (kick_mps - rolls_mps()) / kSlide_mps2;
     if (time_s < slide_s) {
-      return {start_m + way * (kick_mps * time_s - kSlide_mps2 * time_s * time_s / 2),
-              way * (kick_mps - kSlide_mps2 * time_s)};
+      return {start_m + direction * (kick_mps * time_s - kSlide_mps2 * time_s * time_s / 2),
+              direction * (kick_mps - kSlide_mps2 * time_s)};
     }
     const double t = std::min(time_s - slide_s, rolls_mps() / kRoll_mps2);
-    return {start_m + way * (slide_m() + rolls_mps() * t - kRoll_mps2 * t * t / 2),
-            way * (rolls_mps() - kRoll_mps2 * t)};
+    return {start_m + direction * (slide_m() + rolls_mps() * t - kRoll_mps2 * t * t / 2),
+            direction * (rolls_mps() - kRoll_mps2 * t)};
   }
 };
 
 // Moves a robot for one frame exactly as ordered.
-inline void obey(TrackedRobot& robot, const RobotCommand& order) {
-  robot.velocity_mps = to_world(order.velocity_mps, robot.heading);
-  robot.angular_velocity_radps = order.angular_velocity_radps;
+inline void obey(TrackedRobot& robot, const RobotCommand& command) {
+  robot.velocity_mps = to_world(command.velocity_mps, robot.heading);
+  robot.angular_velocity_radps = command.angular_velocity_radps;
   robot.position_m += robot.velocity_mps * kStagedFrame_s;
   robot.heading =
-      heading_of(angle_of(robot.heading) + order.angular_velocity_radps * kStagedFrame_s);
+      heading_of(angle_of(robot.heading) + command.angular_velocity_radps * kStagedFrame_s);
 }
 
 class StagedWorld {
@@ -78,14 +78,14 @@ class StagedWorld {
   }
 
   // One frame of 1/60 s in which every robot moves exactly as ordered.
-  const TeamOrders& step(Strategy& team) {
-    orders.fill(RobotCommand{});
-    team.decide(view, orders);
+  const TeamCommands& step(Strategy& team) {
+    commands.fill(RobotCommand{});
+    team.decide(view, commands);
     for (TrackedRobot& robot : view.own) {
-      obey(robot, orders[static_cast<std::size_t>(robot.number)]);
+      obey(robot, commands[static_cast<std::size_t>(robot.number)]);
     }
     pass_frame();
-    return orders;
+    return commands;
   }
 
   void run(Strategy& team, double seconds) {
@@ -121,37 +121,37 @@ class StagedWorld {
   }
 
   TeamView view;
-  TeamOrders orders;
+  TeamCommands commands;
   std::optional<CarpetBall> kicked;
   double kicked_at_s = 0;
 };
 
 // A staged world, and what a team makes of it.
-struct StagedOutlook {
-  explicit StagedOutlook(Play play, bool ours = false, const Briefing& briefing = {},
-                         const Style& style = {})
-      : world(play, ours), outlook(briefing, style) {}
+struct StagedPrediction {
+  explicit StagedPrediction(Play play, bool ours = false, const TeamContext& context = {},
+                            const Style& style = {})
+      : world(play, ours), predicted(context, style) {}
 
   // Looks at the world for so many frames in which no robot moves. Opponents are looked at in turn,
   // so that one frame is not enough for all of them.
-  const Outlook& look(int frames = 4) {
+  const PredictedState& look(int frames = 4) {
     for (int i = 0; i < frames; ++i) {
-      outlook.update(world.view);
+      predicted.update(world.view);
       world.pass_frame();
     }
-    return outlook;
+    return predicted;
   }
 
   StagedWorld world;
-  Outlook outlook;
+  PredictedState predicted;
 };
 
 // The game of the rule book of that name.
-inline Briefing briefing_of(const char* rules) {
-  Briefing briefing;
-  briefing.rules = find_rule_book(rules).value();
-  briefing.field = find_game_setup(rules).value().field;
-  return briefing;
+inline TeamContext team_context_of(const char* rules) {
+  TeamContext context;
+  context.rules = find_rule_book(rules).value();
+  context.field = find_game_setup(rules).value().field;
+  return context;
 }
 
 }  // namespace autoref::strategies

@@ -19,7 +19,7 @@ BallPath path_of(const TrackedBall& ball) {
 
 RobotCommand strike(const TrackedRobot& robot, const TrackedBall& ball, const Strike& strike) {
   const BallPath path = path_of(ball);
-  return strike_ball(robot, path, meet(robot, path, Abilities{}, Field{}), strike, {},
+  return strike_ball(robot, path, intercept(robot, path, Abilities{}, Field{}), strike, {},
                      DrivingStyle{});
 }
 
@@ -32,12 +32,12 @@ Strike strike_at(const Vec2& target_m) {
 TEST(HasBall, IsSoForABallAtThePlate) {
   EXPECT_TRUE(has_ball(robot_at({1, 1}), {1 + kHeldBall_m, 1}));
   EXPECT_TRUE(has_ball(robot_at({1, 1}, {0, -1}), {1, 1 - kHeldBall_m}));
-  EXPECT_TRUE(has_ball(robot_at({0, 0}), {kHeldBall_m + 5_mm, kMouthWidth_m / 4}));
+  EXPECT_TRUE(has_ball(robot_at({0, 0}), {kHeldBall_m + 5_mm, kDribblerZoneWidth_m / 4}));
 }
 
 TEST(HasBall, IsNotSoForABallAheadBesideOrBehind) {
   EXPECT_FALSE(has_ball(robot_at({0, 0}), {kHeldBall_m + 30_mm, 0}));
-  EXPECT_FALSE(has_ball(robot_at({0, 0}), {kHeldBall_m, kMouthWidth_m / 2 + 20_mm}));
+  EXPECT_FALSE(has_ball(robot_at({0, 0}), {kHeldBall_m, kDribblerZoneWidth_m / 2 + 20_mm}));
   EXPECT_FALSE(has_ball(robot_at({0, 0}), {0, kHeldBall_m}));
   EXPECT_FALSE(has_ball(robot_at({0, 0}), {-kHeldBall_m, 0}));
 }
@@ -63,12 +63,12 @@ TEST(StrikeBall, KicksAStillBallOnlyWhereItFacesTheTarget) {
     TrackedRobot robot = robot_at(from_m, {0, 1});
     bool is_kicked = false;
     for (int i = 0; i < 300 && !is_kicked; ++i) {
-      const RobotCommand order = strike(robot, {{0, 0}, {0, 0}}, strike_at(target_m));
-      is_kicked = order.kick_mps > 0 && has_ball(robot, {0, 0});
-      if (order.kick_mps > 0) {
+      const RobotCommand command = strike(robot, {{0, 0}, {0, 0}}, strike_at(target_m));
+      is_kicked = command.kick_mps > 0 && has_ball(robot, {0, 0});
+      if (command.kick_mps > 0) {
         ASSERT_LT(error_rad(robot, {0, 0}, target_m), 2 * Strike{}.tolerance_rad) << i;
       }
-      if (!is_kicked) obey(robot, order);
+      if (!is_kicked) obey(robot, command);
     }
     EXPECT_TRUE(is_kicked) << "from " << from_m.transpose();
   }
@@ -81,10 +81,10 @@ TEST(StrikeBall, TurnsRoundWithTheBallBeforeItKicks) {
   int frame = 0;
   for (; frame < 150; ++frame) {
     const Vec2 ball_m = robot.position_m + robot.heading * kHeldBall_m;
-    const RobotCommand order = strike(robot, {ball_m, {0, 0}}, strike_at({3, 0}));
-    ASSERT_TRUE(order.dribble);
-    if (order.kick_mps > 0) break;
-    obey(robot, order);
+    const RobotCommand command = strike(robot, {ball_m, {0, 0}}, strike_at({3, 0}));
+    ASSERT_TRUE(command.dribble);
+    if (command.kick_mps > 0) break;
+    obey(robot, command);
   }
   EXPECT_GT(frame, 15);  // nobody turns by half a turn in 0.25 s
   EXPECT_LT(frame, 120);
@@ -93,56 +93,56 @@ TEST(StrikeBall, TurnsRoundWithTheBallBeforeItKicks) {
 
 // The dribbler holds a ball that is turned at up to 10 rad/s (sim/README.md).
 TEST(StrikeBall, PressesGentlyAgainstTheBallThatItTurnsWith) {
-  const RobotCommand order =
+  const RobotCommand command =
       strike(robot_at({0, 0}, {-1, 0}), {{-kHeldBall_m, 0}, {0, 0}}, strike_at({3, 0.5}));
-  EXPECT_GT(order.velocity_mps.x(), 0.1);
-  EXPECT_LT(order.velocity_mps.norm(), 0.45);
-  EXPECT_LT(std::abs(order.angular_velocity_radps), 9);
+  EXPECT_GT(command.velocity_mps.x(), 0.1);
+  EXPECT_LT(command.velocity_mps.norm(), 0.45);
+  EXPECT_LT(std::abs(command.angular_velocity_radps), 9);
 }
 
 TEST(StrikeBall, SendsAPassThatComesAtAFitAngleOnAtOnce) {
   const TrackedRobot robot = robot_at({1, 0});
-  const Vec2 mouth_m = robot.position_m + Vec2(kHeldBall_m, 0);
-  const Vec2 way = Vec2(-2, -1).normalized();
+  const Vec2 dribbler_zone_m = robot.position_m + Vec2(kHeldBall_m, 0);
+  const Vec2 direction = Vec2(-2, -1).normalized();
   Strike on = strike_at({3, 0});
   on.kick_mps = 7;
-  const RobotCommand order = strike(robot, {mouth_m - way, way * 3}, on);
-  EXPECT_EQ(order.kick_mps, 7);
-  EXPECT_NEAR(order.angular_velocity_radps, 0, 0.5);
+  const RobotCommand command = strike(robot, {dribbler_zone_m - direction, direction * 3}, on);
+  EXPECT_EQ(command.kick_mps, 7);
+  EXPECT_NEAR(command.angular_velocity_radps, 0, 0.5);
 }
 
 TEST(StrikeBall, TurnsToTheTargetForAPassThatComesAtAFitAngle) {
   TrackedRobot robot = robot_at({1, 0}, {0, 1});
-  const Vec2 way = Vec2(-2, -1).normalized();
-  const RobotCommand order =
-      strike(robot, {Vec2(1 + kHeldBall_m, 0) - way * 2, way * 3}, strike_at({3, 0}));
-  EXPECT_EQ(order.kick_mps, 0);
-  EXPECT_LT(order.angular_velocity_radps, -1);
+  const Vec2 direction = Vec2(-2, -1).normalized();
+  const RobotCommand command =
+      strike(robot, {Vec2(1 + kHeldBall_m, 0) - direction * 2, direction * 3}, strike_at({3, 0}));
+  EXPECT_EQ(command.kick_mps, 0);
+  EXPECT_LT(command.angular_velocity_radps, -1);
 }
 
 TEST(StrikeBall, StopsAPassFromBehindWithTheDribbler) {
   const TrackedRobot robot = robot_at({1, 0});
-  const RobotCommand order = strike(robot, {{-1, 0.3}, Vec2(3, -0.45)}, strike_at({3, 0}));
-  EXPECT_EQ(order.kick_mps, 0);
-  EXPECT_TRUE(order.dribble);
-  EXPECT_GT(std::abs(order.angular_velocity_radps), 1);  // its front to the ball
+  const RobotCommand command = strike(robot, {{-1, 0.3}, Vec2(3, -0.45)}, strike_at({3, 0}));
+  EXPECT_EQ(command.kick_mps, 0);
+  EXPECT_TRUE(command.dribble);
+  EXPECT_GT(std::abs(command.angular_velocity_radps), 1);  // its front to the ball
 }
 
 TEST(StrikeBall, StopsAPassWhereTheFirstTouchIsNotToBeAKick) {
   Strike calm = strike_at({3, 0});
   calm.first_touch = false;
-  const RobotCommand order = strike(robot_at({1, 0}), {{2.5, 0}, {-3, 0}}, calm);
-  EXPECT_EQ(order.kick_mps, 0);
-  EXPECT_TRUE(order.dribble);
+  const RobotCommand command = strike(robot_at({1, 0}), {{2.5, 0}, {-3, 0}}, calm);
+  EXPECT_EQ(command.kick_mps, 0);
+  EXPECT_TRUE(command.dribble);
 }
 
-TEST(StrikeBall, ChipsWhereItIsToldTo) {
+TEST(StrikeBall, ChipsWhereItIsReportedTo) {
   Strike over = strike_at({3, 0});
   over.chip = true;
   over.kick_mps = 4;
-  const RobotCommand order = strike(robot_at({0, 0}), {{kHeldBall_m, 0}, {0, 0}}, over);
-  EXPECT_TRUE(order.chip);
-  EXPECT_EQ(order.kick_mps, 4);
+  const RobotCommand command = strike(robot_at({0, 0}), {{kHeldBall_m, 0}, {0, 0}}, over);
+  EXPECT_TRUE(command.chip);
+  EXPECT_EQ(command.kick_mps, 4);
 }
 
 // From beside, behind and before the ball; where it comes nearer than to touch the ball before its
@@ -152,11 +152,12 @@ TEST(TakeKick, GoesRoundAStillBallAndKicksItInOneTouch) {
     TrackedRobot robot = robot_at(from_m, {0, 1});
     bool is_kicked = false;
     for (int frame = 0; frame < 360 && !is_kicked; ++frame) {
-      const RobotCommand order = take_kick(robot, {0, 0}, strike_at({3, 0.5}), {}, DrivingStyle{});
-      obey(robot, order);
+      const RobotCommand command =
+          take_kick(robot, {0, 0}, strike_at({3, 0.5}), {}, DrivingStyle{});
+      obey(robot, command);
       const bool touches =
           distance_to_hull({0, 0}, robot.position_m, robot.heading) < kBallRadius_m;
-      is_kicked = touches && order.kick_mps > 0;
+      is_kicked = touches && command.kick_mps > 0;
       ASSERT_EQ(touches, is_kicked) << from_m.transpose() << ", frame " << frame;
     }
     EXPECT_TRUE(is_kicked) << from_m.transpose();
@@ -182,10 +183,10 @@ TEST(StrikeBall, DoesNotFaceOutOfTheFieldAtABallNearTheLine) {
 }
 
 TEST(CarryBall, KeepsTheDribblerOnAndDoesNotKick) {
-  const RobotCommand order = carry_ball(robot_at({0, 0}, {0, 1}), {0, 0.8}, {1, 0});
-  EXPECT_TRUE(order.dribble);
-  EXPECT_EQ(order.kick_mps, 0);
-  EXPECT_NEAR((order.velocity_mps - Vec2(0.8, 0)).norm(), 0, 1e-9);  // ahead, as it faces +y
+  const RobotCommand command = carry_ball(robot_at({0, 0}, {0, 1}), {0, 0.8}, {1, 0});
+  EXPECT_TRUE(command.dribble);
+  EXPECT_EQ(command.kick_mps, 0);
+  EXPECT_NEAR((command.velocity_mps - Vec2(0.8, 0)).norm(), 0, 1e-9);  // ahead, as it faces +y
 }
 
 TEST(CarryBall, TurnsTheShortWay) {

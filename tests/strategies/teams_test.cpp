@@ -6,7 +6,7 @@
 #include "soccer/robot_shape.hpp"
 #include "strategies/registry.hpp"
 #include "strategies/tactics/handle_ball.hpp"
-#include "strategies/teams/plans.hpp"
+#include "strategies/teams/playbooks.hpp"
 #include "tests/strategies/staged_world.hpp"
 
 namespace autoref::strategies {
@@ -45,11 +45,11 @@ auto ahead_of(const StagedWorld& world, double x_m) {
 
 // Whom of its mates, by number, a robot of that plan passes to: robot 2 is safe beside it, robot 3
 // is far ahead, and an opponent not far from the way there. Nobody can chip.
-int passes_to(const Plan& plan) {
-  Briefing briefing;
-  for (Abilities& robot : briefing.robots) robot.chip_mps = 0;
-  StagedOutlook stage(Play::kRunning, false, briefing, plan.style);
-  BallHandler handler(stage.outlook);
+int passes_to(const TeamPlaybook& playbook) {
+  TeamContext context;
+  for (Abilities& robot : context.robots) robot.chip_mps = 0;
+  StagedPrediction stage(Play::kRunning, false, context, playbook.style);
+  BallHandler handler(stage.predicted);
   stage.world.own(0, {-2.9, 0}).own(1, {-1, 0}).own(2, {-0.9, 1.3}).own(3, {1.6, -0.9});
   stage.world.view.own[1].heading = {0.8, 0.6};
   stage.world.ball(Vec2(-1, 0) + kHeldBall_m * Vec2(0.8, 0.6));
@@ -242,9 +242,9 @@ TEST(Counter, LeavesSomebodyAheadInAStop) {
   EXPECT_LE(ahead_of(world, 0.5), 2);
 }
 
-TEST(Counter, PassesFarAheadRatherThanSafely) { EXPECT_EQ(passes_to(counter_plan()), 3); }
+TEST(Counter, PassesFarAheadRatherThanSafely) { EXPECT_EQ(passes_to(counter_playbook()), 3); }
 
-TEST(Possession, PassesSafelyRatherThanFarAhead) { EXPECT_EQ(passes_to(possession_plan()), 2); }
+TEST(Possession, PassesSafelyRatherThanFarAhead) { EXPECT_EQ(passes_to(possession_playbook()), 2); }
 
 // The robots beyond the first two, who are at passing distance from the ball.
 int around_ball(const StagedWorld& world) {

@@ -14,7 +14,7 @@ Kick chip_along(const Vec2& from_m, const Vec2& along) {
   return {0.01, from_m, along, 5 / std::sqrt(2.0), 5 / std::sqrt(2.0)};
 }
 
-// The estimate at `time_s`, by sightings without noise that are never missing.
+// The estimate at `time_s`, by detections without noise that are never missing.
 ChipEstimate clean_estimate(const Kick& kick, double time_s) {
   ChipFlight flight(0);
   flight.begin({kick.time_s, 5_mm, kick.from_m, 0});
@@ -70,20 +70,20 @@ TEST(ChipFlight, GivesUpWhereTheBallIsHitInTheAir) {
   ASSERT_EQ(flight.estimate().flight, BallFlight::kFlying);
   const Truth hit = truth_at(kick, 0.25);
   for (int n = 16; n <= 18; ++n) {
-    flight.add(seen({hit.place_m + Vec2(0, (n - 15) / 60.0), hit.height_m}, n / 60.0));
+    flight.add(seen({hit.position_m + Vec2(0, (n - 15) / 60.0), hit.height_m}, n / 60.0));
   }
   EXPECT_EQ(flight.estimate().flight, BallFlight::kUnknown);
-  const BallSighting later = seen({hit.place_m, 0}, 2.0);  // when the hops would be over
+  const BallDetection later = seen({hit.position_m, 0}, 2.0);  // when the hops would be over
   EXPECT_EQ(flight.add(later).flight, BallFlight::kUnknown);
 }
 
-// After three sightings of a kick, a robot turns the ball aside, and the next one stops it.
+// After three detections of a kick, a robot turns the ball aside, and the next one stops it.
 TEST(ChipFlight, BelievesNeitherOfTwoBadFitsUntilNothingCanFly) {
   ChipFlight flight(1.4_mm);
   flight.begin({0, 5_ms, {0.5, 0.5}, 1.4_mm});
   for (int n = 1; n <= 110; ++n) {
-    const Vec2 way_m(0.08 * std::min(n, 3), 0.04 * std::clamp(n - 3, 0, 10));
-    flight.add(seen({Vec2(0.5, 0.5) + way_m, 0}, n / 60.0));
+    const Vec2 path_m(0.08 * std::min(n, 3), 0.04 * std::clamp(n - 3, 0, 10));
+    flight.add(seen({Vec2(0.5, 0.5) + path_m, 0}, n / 60.0));
     EXPECT_NE(flight.estimate().flight, BallFlight::kFlying) << n;
     EXPECT_NE(flight.estimate().flight, BallFlight::kOnGround) << n;
   }

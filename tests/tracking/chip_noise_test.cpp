@@ -35,39 +35,39 @@ constexpr std::array<double, 5> kMarks_s = {0.05, 0.1, 0.15, 0.2, 0.3};
 constexpr int kKicks = 3000;
 
 struct Tally {
-  std::array<double, 5> told{}, lasting{};
+  std::array<double, 5> detected{}, lasting{};
   int called_flying = 0;     // kicks
   int grounded_in_air = 0;   // kicks
   int flying_after_all = 0;  // kicks, more than a frame after the landing
-  Errors height, place, landing;
+  Errors height, position, landing;
 
-  double share_told(std::size_t mark) const { return told[mark] / lasting[mark]; }
+  double share_detected(std::size_t mark) const { return detected[mark] / lasting[mark]; }
 };
 
 void count_errors(const Kick& kick, const Truth& truth, const ChipEstimate& e, Tally& tally) {
   tally.height.add(std::abs(e.height_m - truth.height_m), e.height_deviation_m);
-  tally.place.add((e.position_m - truth.place_m).norm(), e.position_deviation_m);
+  tally.position.add((e.position_m - truth.position_m).norm(), e.position_deviation_m);
   tally.landing.add((e.landing_m - kick.landing_m()).norm(), e.landing_deviation_m);
 }
 
 void count_kick(const Kick& kick, Vision& vision, Tally& tally) {
-  double told_s = 1e9;
+  double reported_s = 1e9;
   bool grounded = false;
   bool late = false;
   follow(kick, vision, 1.2, [&](double time_s, const Truth& truth, const ChipEstimate& e) {
     const bool flying = e.flight == BallFlight::kFlying;
-    if (flying) told_s = std::min(told_s, time_s - kick.time_s);
+    if (flying) reported_s = std::min(reported_s, time_s - kick.time_s);
     if (flying && kick.is_up(time_s)) count_errors(kick, truth, e, tally);
     grounded |= kick.is_up(time_s) && e.flight == BallFlight::kOnGround;
     late |= flying && time_s > kick.landing_s() + 1 / 60.0;
   });
-  tally.called_flying += told_s < 1e9;
+  tally.called_flying += reported_s < 1e9;
   tally.grounded_in_air += grounded;
   tally.flying_after_all += late;
   for (std::size_t i = 0; i < kMarks_s.size(); ++i) {
     const bool lasts = kick.is_up(kick.time_s + kMarks_s[i]);
     tally.lasting[i] += lasts;
-    tally.told[i] += lasts && told_s <= kMarks_s[i];
+    tally.detected[i] += lasts && reported_s <= kMarks_s[i];
   }
 }
 
@@ -83,7 +83,7 @@ Tally tally_of(Kick (*any)(RandomStream&), double noise_m) {
 struct Figures {
   const char* name;
   double noise_m;
-  std::array<double, 5> told;  // shares, at kMarks_s
+  std::array<double, 5> detected;  // shares, at kMarks_s
   double height_rms_m, height_median_m, landing_rms_m, landing_median_m;
 };
 
@@ -92,7 +92,7 @@ class ChipFlightInNoise : public testing::TestWithParam<Figures> {};
 TEST_P(ChipFlightInNoise, TellsChipsAsSoonAsStated) {
   const Tally tally = tally_of(chip_inside_the_field, GetParam().noise_m);
   for (std::size_t i = 0; i < kMarks_s.size(); ++i) {
-    EXPECT_NEAR(tally.share_told(i), GetParam().told[i], 0.02) << kMarks_s[i];
+    EXPECT_NEAR(tally.share_detected(i), GetParam().detected[i], 0.02) << kMarks_s[i];
   }
 }
 
@@ -115,7 +115,7 @@ TEST_P(ChipFlightInNoise, IsAsPreciseAsStated) {
 TEST_P(ChipFlightInNoise, StatesHonestDeviations) {
   const Tally tally = tally_of(chip_inside_the_field, GetParam().noise_m);
   EXPECT_GE(tally.height.covered(), 0.95);
-  EXPECT_GE(tally.place.covered(), 0.95);
+  EXPECT_GE(tally.position.covered(), 0.95);
   EXPECT_GE(tally.landing.covered(), 0.95);
 }
 
@@ -151,9 +151,9 @@ Kick chip_along_the_ray(RandomStream& chance) {
   return kick;
 }
 
-TEST(ChipFlightTowardsTheCamera, TakesLongerToBeToldAndIsStillHonest) {
+TEST(ChipFlightTowardsTheCamera, TakesLongerToBeReportedAndIsStillHonest) {
   const Tally tally = tally_of(chip_along_the_ray, 1.4_mm);
-  EXPECT_NEAR(tally.share_told(2), 0.65, 0.03);
+  EXPECT_NEAR(tally.share_detected(2), 0.65, 0.03);
   EXPECT_LE(tally.grounded_in_air, 0.003 * kKicks);
   EXPECT_GE(tally.height.covered(), 0.95);
   EXPECT_GE(tally.landing.covered(), 0.95);

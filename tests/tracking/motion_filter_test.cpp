@@ -20,18 +20,19 @@ struct Textbook {
   void predict(double t) {
     Eigen::Matrix2d even;
     even << 1, t, 0, 1;
-    Eigen::Matrix2d unsteady;
-    unsteady << t * t * t / 3, t * t / 2, t * t / 2, t;
+    Eigen::Matrix2d process_noise_density;
+    process_noise_density << t * t * t / 3, t * t / 2, t * t / 2, t;
     motion = even * motion;
-    covariance = even * covariance * even.transpose() + noise.unsteady * unsteady;
+    covariance =
+        even * covariance * even.transpose() + noise.process_noise_density * process_noise_density;
   }
   void correct(double seen) {
-    const Eigen::RowVector2d place(1, 0);
+    const Eigen::RowVector2d position(1, 0);
     const double variance =
-        (place * covariance * place.transpose()).value() + noise.sighting * noise.sighting;
-    const Eigen::Vector2d gain = covariance * place.transpose() / variance;
+        (position * covariance * position.transpose()).value() + noise.detection * noise.detection;
+    const Eigen::Vector2d gain = covariance * position.transpose() / variance;
     motion += gain * (seen - motion(0));
-    covariance = (Eigen::Matrix2d::Identity() - gain * place) * covariance;
+    covariance = (Eigen::Matrix2d::Identity() - gain * position) * covariance;
   }
 };
 
@@ -55,40 +56,42 @@ TEST(MotionFilter, DoesAsTheTextbookWithMatrices) {
   }
 }
 
-// Of a filter whose noise is as it was told, one sighting in 55 is off by more than 8 square
+// Of a filter whose noise is as it was told, one detection in 55 is off by more than 8 square
 // deviations of two axes (chi-squared: exp(-4)).
 TEST(MotionFilter, IsSurprisedAsOftenAsItsNoiseSays) {
   constexpr double kNoise_m = 0.0014;
-  constexpr double kUnsteady_m2ps3 = 0.2;
+  constexpr double kProcessNoise_m2ps3 = 0.2;
   constexpr double kFrame_s = 1.0 / 60.0;
-  MotionFilter<2> filter({kNoise_m, kUnsteady_m2ps3, 3.0});
+  MotionFilter<2> filter({kNoise_m, kProcessNoise_m2ps3, 3.0});
   RandomStream random(2);
   const auto normal2 = [&random] {
     const double x = random.normal();
     const double y = random.normal();
     return MotionFilter<2>::Axis(x, y);
   };
-  MotionFilter<2>::Axis place_m(0, 0);
+  MotionFilter<2>::Axis position_m(0, 0);
   MotionFilter<2>::Axis velocity_mps(1, 0.5);
-  filter.start(place_m);
-  int surprises = 0;
-  constexpr int kSightings = 20000;
-  for (int i = 0; i < kSightings; ++i) {
+  filter.start(position_m);
+  int innovations = 0;
+  constexpr int kDetections = 20000;
+  for (int i = 0; i < kDetections; ++i) {
     // White acceleration: what a velocity does meanwhile, and its mean over the frame.
-    const MotionFilter<2>::Axis jolt_mps = std::sqrt(kUnsteady_m2ps3 * kFrame_s) * normal2();
-    const MotionFilter<2>::Axis other_mps = std::sqrt(kUnsteady_m2ps3 * kFrame_s / 12) * normal2();
-    place_m += kFrame_s * (velocity_mps + jolt_mps / 2 + other_mps);
+    const MotionFilter<2>::Axis jolt_mps = std::sqrt(kProcessNoise_m2ps3 * kFrame_s) * normal2();
+    const MotionFilter<2>::Axis other_mps =
+        std::sqrt(kProcessNoise_m2ps3 * kFrame_s / 12) * normal2();
+    position_m += kFrame_s * (velocity_mps + jolt_mps / 2 + other_mps);
     velocity_mps += jolt_mps;
     filter.predict(kFrame_s, MotionFilter<2>::Axis(0, 0));
-    const MotionFilter<2>::Axis miss_m = place_m + kNoise_m * normal2() - filter.position();
-    surprises += filter.surprise(miss_m) > 8 ? 1 : 0;
-    filter.correct(miss_m);
+    const MotionFilter<2>::Axis innovation_m =
+        position_m + kNoise_m * normal2() - filter.position();
+    innovations += filter.normalised_innovation_squared(innovation_m) > 8 ? 1 : 0;
+    filter.correct(innovation_m);
   }
-  const double share = static_cast<double>(surprises) / kSightings;
-  EXPECT_NEAR(share, std::exp(-4.0), 5 * std::sqrt(std::exp(-4.0) / kSightings));
+  const double share = static_cast<double>(innovations) / kDetections;
+  EXPECT_NEAR(share, std::exp(-4.0), 5 * std::sqrt(std::exp(-4.0) / kDetections));
 }
 
-TEST(MotionFilter, LearnsADoubtedVelocityFromOneSighting) {
+TEST(MotionFilter, LearnsAInflatedVelocityFromOneDetection) {
   MotionFilter<1> filter({0.0001, 0.1, 8.0});
   filter.start(Axis(0));
   for (int i = 0; i < 30; ++i) {
@@ -96,7 +99,7 @@ TEST(MotionFilter, LearnsADoubtedVelocityFromOneSighting) {
     filter.correct(Axis(0) - filter.position());
   }
   filter.predict(0.01, Axis(0));
-  filter.doubt_velocity(0.01);
+  filter.inflate_velocity_covariance(0.01);
   filter.correct(Axis(0.05) - filter.position());
   EXPECT_NEAR(filter.velocity().value(), 5.0, 0.01);
 }

@@ -38,7 +38,7 @@ struct Kick {
 };
 
 struct Truth {
-  Vec2 place_m{0, 0};
+  Vec2 position_m{0, 0};
   double height_m = 0;
 };
 
@@ -77,22 +77,22 @@ inline Truth truth_at(const Kick& kick, double time_s) {
 }
 
 // Seen by the camera over the ball's quarter of a field of 9 x 6 m.
-inline BallSighting seen(const Truth& truth, double time_s) {
-  const Vec2 camera(truth.place_m.x() < 0 ? -2.25 : 2.25, truth.place_m.y() < 0 ? -1.5 : 1.5);
+inline BallDetection seen(const Truth& truth, double time_s) {
+  const Vec2 camera(truth.position_m.x() < 0 ? -2.25 : 2.25, truth.position_m.y() < 0 ? -1.5 : 1.5);
   const double stretch = kCameraHeight_m / (kCameraHeight_m - truth.height_m);
-  return {time_s, camera + (truth.place_m - camera) * stretch, camera, kCameraHeight_m};
+  return {time_s, camera + (truth.position_m - camera) * stretch, camera, kCameraHeight_m};
 }
 
 struct Vision {
   double noise_m;
   RandomStream chance;
 
-  BallSighting see(const Truth& truth, double time_s) {
-    BallSighting sighting = seen(truth, time_s);
+  BallDetection see(const Truth& truth, double time_s) {
+    BallDetection detection = seen(truth, time_s);
     const double x = chance.normal();
     const double y = chance.normal();
-    sighting.reported_m += noise_m * Vec2(x, y);
-    return sighting;
+    detection.reported_m += noise_m * Vec2(x, y);
+    return detection;
   }
   bool misses() { return chance.uniform() < 0.05; }
 };
@@ -124,22 +124,22 @@ inline Kick chip_inside_the_field(RandomStream& chance) {
   throw std::logic_error("no chip lands inside the field");
 }
 
-// Feeds one kick to an estimator, at 60 Hz; calls `look(time, truth, estimate)` at each sighting.
+// Feeds one kick to an estimator, at 60 Hz; calls `look(time, truth, estimate)` at each detection.
 template <class Look>
 void follow(const Kick& kick, Vision& vision, double until_s, Look look) {
   ChipFlight flight(vision.noise_m);
-  BallSighting before = vision.see(truth_at(kick, 0), 0);
+  BallDetection before = vision.see(truth_at(kick, 0), 0);
   for (int n = 1; n < 60 * until_s; ++n) {
     const double time_s = n / 60.0;
     const Truth truth = truth_at(kick, time_s);
-    const BallSighting sighting = vision.see(truth, time_s);
+    const BallDetection detection = vision.see(truth, time_s);
     if (vision.misses()) continue;
     if (time_s > kick.time_s && before.time_s <= kick.time_s) {
       flight.begin({(before.time_s + time_s) / 2, (time_s - before.time_s) / std::sqrt(12.0),
                     before.reported_m, vision.noise_m});
     }
-    before = sighting;
-    if (time_s > kick.time_s) look(time_s, truth, flight.add(sighting));
+    before = detection;
+    if (time_s > kick.time_s) look(time_s, truth, flight.add(detection));
   }
 }
 

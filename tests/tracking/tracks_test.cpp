@@ -20,13 +20,13 @@ Frame frame_at(int number, const Vec2& robot_m, const Vec2& ball_m) {
   return frame;
 }
 
-TEST(Tracker, TellsVelocitiesFromTwoSightings) {
+TEST(Tracker, TellsVelocitiesFromTwoDetections) {
   Tracker tracker;
   tracker.update(frame_at(0, {0, 0}, {1, 0}));
   const Tracks& tracks = tracker.update(frame_at(1, {0.02, 0}, {1, -0.1}));
   const TrackedRobot& robot = tracks.robots[Side::kWest][0];
   EXPECT_EQ(robot.number, 3);
-  // Beginning at rest, not quite: the noise of a sighting is never taken to be nothing.
+  // Beginning at rest, not quite: the noise of a detection is never taken to be nothing.
   EXPECT_LT((robot.velocity_mps - Vec2(1.2, 0)).norm(), 0.01);
   EXPECT_NEAR(robot.angular_velocity_radps, 3.0, 0.03);
   EXPECT_LT((tracks.ball->velocity_mps - Vec2(0, -6)).norm(), 0.01);
@@ -43,7 +43,7 @@ TEST(Tracker, ChangesNothingForAFrameFedAgain) {
   EXPECT_EQ(twice.ball->position_m, once.ball->position_m);
 }
 
-TEST(Tracker, MeasuresOverAGapInTheSightings) {
+TEST(Tracker, MeasuresOverAGapInTheDetections) {
   Tracker tracker;
   tracker.update(frame_at(0, {0, 0}, {0, 0}));
   Frame blind = frame_at(1, {0, 0}, {0, 0});
@@ -69,8 +69,8 @@ TEST(Tracker, HoldsAnUnseenRobotForHalfASecondOnItsWay) {
   EXPECT_EQ(tracker.update(blind).robots[Side::kWest].size(), 0U);
 }
 
-// Sightings as the preset `realistic` has them, of a robot and a ball that go on evenly.
-TEST(Tracker, IsMuchBetterThanTheDifferenceOfTwoNoisySightings) {
+// Detections as the preset `realistic` has them, of a robot and a ball that go on evenly.
+TEST(Tracker, IsMuchBetterThanTheDifferenceOfTwoNoisyDetections) {
   const VisionNoise noise{0.0014, 0.0013, 0.01};
   Tracker tracker(noise);
   RandomStream random(5);
@@ -94,7 +94,7 @@ TEST(Tracker, IsMuchBetterThanTheDifferenceOfTwoNoisySightings) {
     ball_mps2 += (tracks.ball->velocity_mps - Vec2(3.0 - 0.3 * t_s, 0)).squaredNorm();
     robot_mps2 += (tracks.robots[Side::kWest][0].velocity_mps - Vec2(1.5, 0)).squaredNorm();
   }
-  // A difference of two sightings has a deviation of noise times 60 times two. The ball, whose
+  // A difference of two detections has a deviation of noise times 60 times two. The ball, whose
   // friction is known, is told four times as well, a robot two and a half times.
   EXPECT_LT(std::sqrt(ball_mps2 / (kFrames - kSettled)), noise.ball_m * 120 / 4);
   EXPECT_LT(std::sqrt(robot_mps2 / (kFrames - kSettled)), noise.robot_m * 120 / 2.5);
@@ -111,9 +111,9 @@ TEST(BallTracker, KnowsAKickAfterTwoFramesAndFollowsItsSlide) {
   for (int i = -60; i < 100; ++i) {
     const double t_s = i / 60.0;
     const double speed_mps = t_s < 0 ? 0 : 6.0 - 3.4 * t_s;
-    const double way_m = t_s < 0 ? 0 : 6.0 * t_s - 1.7 * t_s * t_s;
+    const double path_m = t_s < 0 ? 0 : 6.0 * t_s - 1.7 * t_s * t_s;
     if (speed_mps < 4.1 && i > 0) break;
-    BallObservation seen{{way_m, 0}, 0.0};
+    BallObservation seen{{path_m, 0}, 0.0};
     seen.position_m.x() += 0.0014 * random.normal();
     seen.position_m.y() += 0.0014 * random.normal();
     const auto& ball = tracker.update(t_s + 1.0, seen, nobody);

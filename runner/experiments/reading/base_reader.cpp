@@ -21,7 +21,7 @@ void read_settings(const std::vector<YamlEntry>& entries, SettingsReader& settin
 }
 
 void BaseReader::read(const YamlEntry& base, GameConfiguration& game) const {
-  SettingsReader settings(file_, game, places_);
+  SettingsReader settings(file_, game, locations_);
   settings.hide("seed");
   settings.hide(elsewhere_.branch);
   const std::vector<std::string> known = settings.names();
@@ -30,21 +30,21 @@ void BaseReader::read(const YamlEntry& base, GameConfiguration& game) const {
     refuse_misplaced(entry);
     refuse_what_legs_decide(entry);
     if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
-    file_.refuse(entry.place, "base", unknown_key_message(entry.key, known));
+    file_.refuse(entry.location, "base", unknown_key_message(entry.key, known));
   }
   read_settings(entries, settings);
 }
 
 void BaseReader::refuse_misplaced(const YamlEntry& entry) const {
   if (entry.key != elsewhere_.branch) return;
-  file_.refuse(entry.place, "base." + entry.key, elsewhere_.remedy);
+  file_.refuse(entry.location, "base." + entry.key, elsewhere_.remedy);
 }
 
 void BaseReader::refuse_what_legs_decide(const YamlEntry& entry) const {
   if (entry.key != "match" || !entry.value.IsMap()) return;
   for (const YamlEntry& key : file_.entries(entry, "match", {})) {
     const std::string path = "match." + key.key;
-    if (is_decided_by_plan(path)) refuse_decided(file_, key.place, path);
+    if (is_decided_by_schedule(path)) refuse_decided(file_, key.location, path);
   }
 }
 

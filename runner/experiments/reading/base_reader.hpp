@@ -22,9 +22,9 @@ struct Elsewhere {
 
 class BaseReader {
  public:
-  // Both must outlive the reader; the places of settings go into `places`.
-  BaseReader(const YamlFile& file, Places& places, Elsewhere elsewhere = {})
-      : file_(file), places_(places), elsewhere_(std::move(elsewhere)) {}
+  // Both must outlive the reader; the places of settings go into `locations`.
+  BaseReader(const YamlFile& file, SettingLocations& locations, Elsewhere elsewhere = {})
+      : file_(file), locations_(locations), elsewhere_(std::move(elsewhere)) {}
 
   // Throws InputError, also for what is decided by the plan.
   void read(const YamlEntry& base, GameConfiguration& game) const;
@@ -34,7 +34,7 @@ class BaseReader {
   void refuse_what_legs_decide(const YamlEntry& entry) const;
 
   const YamlFile& file_;
-  Places& places_;
+  SettingLocations& locations_;
   Elsewhere elsewhere_;
 };
 

@@ -80,7 +80,8 @@ std::string base_of(const GameConfiguration& base, std::string_view elsewhere = 
   GameConfiguration copy = base;
   Tree tree(1);
   for (const Setting& setting : settings_of(copy)) {
-    if (is_alias(setting) || is_spelt_out(setting) || is_decided_by_plan(setting.path)) continue;
+    if (is_alias(setting) || is_spelt_out(setting) || is_decided_by_schedule(setting.path))
+      continue;
     if (!elsewhere.empty() && setting.path.starts_with(elsewhere)) continue;
     tree.add(setting);
   }
@@ -95,13 +96,14 @@ std::string body_of(const Sweep& sweep) {
   return text + fmt::format("pairs: {}\nseed: {}\n", sweep.pairs, sweep.seed);
 }
 
-std::string body_of(const JudgePlan& plan) {
-  std::string text = base_of(plan.base) + fmt::format("rules: [{}]\ncameras: [{}]\n",
-                                                      listed(plan.rules), listed(plan.cameras));
+std::string body_of(const JudgeSchedule& schedule) {
+  std::string text =
+      base_of(schedule.base) +
+      fmt::format("rules: [{}]\ncameras: [{}]\n", listed(schedule.rules), listed(schedule.cameras));
   std::vector<std::string> matchups;
-  for (const auto& matchup : plan.matchups) matchups.push_back(name_of(matchup));
+  for (const auto& matchup : schedule.matchups) matchups.push_back(name_of(matchup));
   if (!matchups.empty()) text += fmt::format("matchups: [{}]\n", listed(matchups));
-  return text + fmt::format("games: {}\nseed: {}\n", plan.games, plan.seed);
+  return text + fmt::format("games: {}\nseed: {}\n", schedule.games, schedule.seed);
 }
 
 std::string text_of(const Teams& teams, std::string_view branch, const RobotTypes& types) {
@@ -122,7 +124,7 @@ std::string body_of(const RoundRobin& robin) {
   return teams_of(robin) + fmt::format("pairs: {}\nseed: {}\n", robin.pairs, robin.seed);
 }
 
-std::string body_of(const Match& match) {
+std::string body_of(const SprtMatch& match) {
   Tree tree(0);
   SequentialTest test = match.sprt;
   for (const Setting& setting : settings_of(test)) tree.add(setting);

@@ -23,28 +23,28 @@ bool is_part(std::string_view part, std::string_view whole) {
 
 }  // namespace
 
-bool is_decided_by_plan(std::string_view path) {
+bool is_decided_by_schedule(std::string_view path) {
   return path == "match.a_plays" || path == "match.first_kickoff" || path == "seed";
 }
 
-void refuse_decided(const YamlFile& file, const YamlPlace& place, std::string_view path) {
-  file.refuse(place, path, "every game is given its own; leave it out here");
+void refuse_decided(const YamlFile& file, const YamlLocation& location, std::string_view path) {
+  file.refuse(location, path, "every game is given its own; leave it out here");
 }
 
 void FactorReader::read(const YamlEntry& factors, Sweep& sweep) {
   const std::vector<YamlEntry> entries = file_.entries(factors, "factors", {});
   if (entries.empty())
-    file_.refuse(factors.place, "factors",
+    file_.refuse(factors.location, "factors",
                  "expected at least one factor, such as b.handicap: [1.0, 0.9]");
   for (const YamlEntry& entry : entries) {
-    if (is_decided_by_plan(entry.key)) refuse_decided(file_, entry.place, entry.key);
+    if (is_decided_by_schedule(entry.key)) refuse_decided(file_, entry.location, entry.key);
     sweep.factors.push_back(read_factor(entry, sweep.base));
     refuse_overlap(entry, sweep.factors);
   }
 }
 
 Factor FactorReader::read_factor(const YamlEntry& entry, GameConfiguration& base) {
-  places_[full_path(entry.key)] = entry.place;
+  locations_[full_path(entry.key)] = entry.location;
   return {short_path(entry.key), values(entry, entry.key, base)};
 }
 
@@ -52,16 +52,16 @@ std::vector<std::string> FactorReader::values(const YamlEntry& list, const std::
                                               GameConfiguration& base) const {
   std::vector<std::string> values;
   if (!list.value.IsSequence() || list.value.size() == 0) {
-    file_.refuse(value_place(list), list.key,
+    file_.refuse(value_location(list), list.key,
                  "expected a list of values, at least one, such as [1.0, 0.9]");
   }
   for (const YAML::Node& value : list.value) {
-    const YamlPlace place = place_of(value);
+    const YamlLocation location = location_of(value);
     if (!value.IsScalar())
-      file_.refuse(place, list.key, "expected plain values, such as [1.0, 0.9]");
-    const std::string text = read_value(place, path, value.Scalar(), base);
+      file_.refuse(location, list.key, "expected plain values, such as [1.0, 0.9]");
+    const std::string text = read_value(location, path, value.Scalar(), base);
     if (std::find(values.begin(), values.end(), text) != values.end()) {
-      file_.refuse(place, list.key,
+      file_.refuse(location, list.key,
                    fmt::format("the value {} is given twice; leave one out", text));
     }
     values.push_back(text);
@@ -69,13 +69,13 @@ std::vector<std::string> FactorReader::values(const YamlEntry& list, const std::
   return values;
 }
 
-std::string FactorReader::read_value(const YamlPlace& place, const std::string& path,
+std::string FactorReader::read_value(const YamlLocation& location, const std::string& path,
                                      const std::string& text, GameConfiguration& base) const {
   GameConfiguration game = base;
   try {
     set_by_path(game, path, text, file_.folder());
   } catch (const std::invalid_argument& error) {
-    file_.refuse(place, path, error.what());
+    file_.refuse(location, path, error.what());
   }
   base.types.insert(game.types.begin(), game.types.end());
   return value_at(game, path);
@@ -87,7 +87,7 @@ void FactorReader::refuse_overlap(const YamlEntry& entry,
   for (std::size_t i = 0; i + 1 < factors.size(); ++i) {
     const std::string& other = factors[i].path;
     if (other == last || is_part(other, last) || is_part(last, other)) {
-      file_.refuse(entry.place, entry.key,
+      file_.refuse(entry.location, entry.key,
                    fmt::format("'{}' sets the same number; leave one out", other));
     }
   }

@@ -13,14 +13,15 @@
 namespace autoref::runner {
 
 // Whether the plan gives every game its own value, so that neither base nor factors may.
-bool is_decided_by_plan(std::string_view path);
-[[noreturn]] void refuse_decided(const YamlFile& file, const YamlPlace& place,
+bool is_decided_by_schedule(std::string_view path);
+[[noreturn]] void refuse_decided(const YamlFile& file, const YamlLocation& location,
                                  std::string_view path);
 
 class FactorReader {
  public:
-  // Both must outlive the reader; the places of factors go into `places`.
-  FactorReader(const YamlFile& file, Places& places) : file_(file), places_(places) {}
+  // Both must outlive the reader; the places of factors go into `locations`.
+  FactorReader(const YamlFile& file, SettingLocations& locations)
+      : file_(file), locations_(locations) {}
 
   // Adds the factors to `sweep`, and the types they name to its base. Throws InputError.
   void read(const YamlEntry& factors, Sweep& sweep);
@@ -32,13 +33,13 @@ class FactorReader {
 
  private:
   Factor read_factor(const YamlEntry& entry, GameConfiguration& base);
-  std::string read_value(const YamlPlace& place, const std::string& path, const std::string& text,
-                         GameConfiguration& base) const;
+  std::string read_value(const YamlLocation& location, const std::string& path,
+                         const std::string& text, GameConfiguration& base) const;
   // Two factors that set the same number would make the later one win unnoticed.
   void refuse_overlap(const YamlEntry& entry, const std::vector<Factor>& factors) const;
 
   const YamlFile& file_;
-  Places& places_;
+  SettingLocations& locations_;
 };
 
 }  // namespace autoref::runner

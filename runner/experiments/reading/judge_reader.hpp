@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "runner/experiments/judge_plan.hpp"
+#include "runner/experiments/judge_schedule.hpp"
 #include "runner/settings/settings_reader.hpp"
 #include "runner/settings/yaml.hpp"
 
@@ -14,18 +14,19 @@ namespace autoref::runner {
 class JudgeReader {
  public:
   // Both must outlive the reader.
-  JudgeReader(const YamlFile& file, Places& places) : file_(file), places_(places) {}
+  JudgeReader(const YamlFile& file, SettingLocations& locations)
+      : file_(file), locations_(locations) {}
 
   // Rules, cameras and matchups. Throws InputError.
-  void read(const std::vector<YamlEntry>& top, JudgePlan& plan) const;
+  void read(const std::vector<YamlEntry>& top, JudgeSchedule& schedule) const;
 
  private:
   std::vector<std::string> values(const YamlEntry& entry, const std::string& path) const;
-  void read_matchups(const YamlEntry& entry, JudgePlan& plan) const;
+  void read_matchups(const YamlEntry& entry, JudgeSchedule& schedule) const;
   std::array<std::string, 2> matchup_in(const YAML::Node& value) const;
 
   const YamlFile& file_;
-  Places& places_;
+  SettingLocations& locations_;
 };
 
 }  // namespace autoref::runner

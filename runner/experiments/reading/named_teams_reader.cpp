@@ -22,7 +22,7 @@ void NamedTeamsReader::read(const YamlEntry& entry, Teams& teams, GameConfigurat
     read_team(team, entry.key, teams, base);
   }
   if (count.least <= teams.size() && teams.size() <= count.most) return;
-  file_.refuse(entry.place, entry.key,
+  file_.refuse(entry.location, entry.key,
                fmt::format("expected {}, such as zone: {{ strategy: basic }}, found {}",
                            text_of(count), teams.size()));
 }
@@ -32,16 +32,16 @@ void NamedTeamsReader::read_team(const YamlEntry& entry, const std::string& bran
   try {
     check_team_name(entry.key);
   } catch (const std::invalid_argument& error) {
-    file_.refuse(entry.place, branch, error.what());
+    file_.refuse(entry.location, branch, error.what());
   }
   // The base's rules tell how many robots a team has.
   TeamConfiguration& team = teams[entry.key] = base.a;
   const std::string path = fmt::format("{}.{}", branch, entry.key);
-  places_[path] = entry.place;
+  locations_[path] = entry.location;
   const auto list = [&team, &base, prefix = path + "."] {
     return settings_of(team, base.types, prefix);
   };
-  SettingsReader(file_, list, base.types, places_).read(entry, path);
+  SettingsReader(file_, list, base.types, locations_).read(entry, path);
 }
 
 }  // namespace autoref::runner

@@ -18,8 +18,9 @@ struct TeamCount {
 
 class NamedTeamsReader {
  public:
-  // Both must outlive the reader; the places of the teams' settings go into `places`.
-  NamedTeamsReader(const YamlFile& file, Places& places) : file_(file), places_(places) {}
+  // Both must outlive the reader; the places of the teams' settings go into `locations`.
+  NamedTeamsReader(const YamlFile& file, SettingLocations& locations)
+      : file_(file), locations_(locations) {}
 
   // Adds the teams of an entry, and to `base`, which has been read, the types they name. Throws
   // InputError, also for fewer or more teams than these.
@@ -30,7 +31,7 @@ class NamedTeamsReader {
                  GameConfiguration& base) const;
 
   const YamlFile& file_;
-  Places& places_;
+  SettingLocations& locations_;
 };
 
 }  // namespace autoref::runner

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "runner/experiments/plan.hpp"
 #include "runner/experiments/reading/base_reader.hpp"
 #include "runner/experiments/reading/factor_reader.hpp"
 #include "runner/experiments/reading/judge_reader.hpp"
 #include "runner/experiments/reading/team_experiments_reader.hpp"
 #include "runner/experiments/reading/top_reader.hpp"
+#include "runner/experiments/schedule.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/files.hpp"
 #include "runner/io/words.hpp"
@@ -40,7 +40,7 @@ class ScenarioReader {
     } else if (kind == "roundrobin") {
       scenario.content = read_roundrobin(top_);
     } else if (kind == "match") {
-      scenario.content = read_match(top_);
+      scenario.content = read_sprt_match(top_);
     } else if (kind == "gauntlet") {
       scenario.content = read_gauntlet(top_);
     } else if (kind == "knockout") {
@@ -55,11 +55,11 @@ class ScenarioReader {
   void refuse_other_files(const YamlEntry& kind) const {
     const std::string text = kind.value.IsScalar() ? kind.value.Scalar() : "";
     if (text == "lab") {
-      top_.file().refuse(value_place(kind), "kind",
+      top_.file().refuse(value_location(kind), "kind",
                          "this is a scene; play it with: autoref lab FILE");
     }
     if (text == "robot") {
-      top_.file().refuse(value_place(kind), "kind",
+      top_.file().refuse(value_location(kind), "kind",
                          "this is a type of robots; name it in a scenario as a team's type");
     }
   }
@@ -69,13 +69,13 @@ class ScenarioReader {
     const std::string expected = "1, the only schema so far";
     const std::string text = top_.file().scalar(schema, "schema", expected, true);
     if (whole_number_in(text) == 1) return;
-    top_.file().refuse(value_place(schema), "schema",
+    top_.file().refuse(value_location(schema), "schema",
                        fmt::format("expected {}, found '{}'", expected, text));
   }
 
   GameConfiguration read_game() {
     GameConfiguration game;
-    SettingsReader settings(top_.file(), game, top_.places());
+    SettingsReader settings(top_.file(), game, top_.locations());
     top_.allow(settings.names());
     read_settings(top_.entries(), settings);
     top_.check([&game] { check_game(game); });
@@ -86,22 +86,22 @@ class ScenarioReader {
     top_.allow({"base", "factors", "pairs", "seed"});
     Sweep sweep;
     top_.read_base(sweep.base);
-    FactorReader(top_.file(), top_.places()).read(top_.required("factors"), sweep);
+    FactorReader(top_.file(), top_.locations()).read(top_.required("factors"), sweep);
     sweep.pairs = top_.pairs();
     sweep.seed = top_.seed();
-    top_.check([&sweep] { plan(sweep); });  // factors may only make a game together
+    top_.check([&sweep] { scheduled_games(sweep); });  // factors may only make a game together
     return sweep;
   }
 
-  JudgePlan read_judge() {
+  JudgeSchedule read_judge() {
     top_.allow({"base", "rules", "cameras", "matchups", "games", "seed"});
-    JudgePlan plan;
-    top_.read_base(plan.base);
-    JudgeReader(top_.file(), top_.places()).read(top_.entries(), plan);
-    plan.games = top_.whole_number("games", 1, kMostJudged);
-    plan.seed = top_.seed();
-    top_.check([&plan] { games_of(plan); });
-    return plan;
+    JudgeSchedule schedule;
+    top_.read_base(schedule.base);
+    JudgeReader(top_.file(), top_.locations()).read(top_.entries(), schedule);
+    schedule.games = top_.whole_number("games", 1, kMostJudged);
+    schedule.seed = top_.seed();
+    top_.check([&schedule] { games_of(schedule); });
+    return schedule;
   }
 
   TopReader top_;

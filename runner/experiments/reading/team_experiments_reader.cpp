@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "runner/experiments/knockout_plan.hpp"
-#include "runner/experiments/matchup_plan.hpp"
+#include "runner/experiments/knockout_schedule.hpp"
+#include "runner/experiments/matchup_schedule.hpp"
 #include "runner/experiments/reading/named_teams_reader.hpp"
 #include "runner/experiments/sprt_settings.hpp"
 #include "runner/io/words.hpp"
@@ -20,44 +20,44 @@ void read_base(TopReader& top, NamedTeams& named) {
 
 void read_teams(TopReader& top, NamedTeams& named, TeamCount count = {}) {
   const YamlEntry& teams = top.required("teams");
-  NamedTeamsReader(top.file(), top.places()).read(teams, named.teams, named.base, count);
+  NamedTeamsReader(top.file(), top.locations()).read(teams, named.teams, named.base, count);
 }
 
 void read_challengers(TopReader& top, Gauntlet& gauntlet) {
   const YamlEntry& entry = top.required("challengers");
-  NamedTeamsReader(top.file(), top.places())
+  NamedTeamsReader(top.file(), top.locations())
       .read(entry, gauntlet.challengers, gauntlet.base, {1, SIZE_MAX});
   for (const auto& [name, team] : gauntlet.challengers) {
     if (!gauntlet.teams.contains(name)) continue;
     const std::string path = "challengers." + name;
-    top.file().refuse(top.places()[path], path,
+    top.file().refuse(top.locations()[path], path,
                       "a team of the field has this name too; give one of them another");
   }
 }
 
 // The names as the file lists them; else as they are ordered.
-void read_order(TopReader& top, Knockout& knockout) {
+void read_command(TopReader& top, Knockout& knockout) {
   for (const auto& [name, team] : knockout.teams) knockout.order.push_back(name);
   const YamlEntry* entry = top.find("order");
   if (entry == nullptr) return;
-  const auto refuse = [&](const YamlPlace& place, const std::string& message) {
-    top.file().refuse(place, "order", message);
+  const auto refuse = [&](const YamlLocation& location, const std::string& message) {
+    top.file().refuse(location, "order", message);
   };
   const std::string expected =
       "expected every team once, the best first: " + listed(knockout.order);
-  if (!entry->value.IsSequence()) refuse(value_place(*entry), expected);
+  if (!entry->value.IsSequence()) refuse(value_location(*entry), expected);
   std::vector<std::string> order;
   for (const YAML::Node& node : entry->value) {
     const std::string name = node.IsScalar() ? node.Scalar() : "";
     if (!knockout.teams.contains(name))
-      refuse(place_of(node), fmt::format("{}; found '{}', which is no team", expected, name));
+      refuse(location_of(node), fmt::format("{}; found '{}', which is no team", expected, name));
     if (std::find(order.begin(), order.end(), name) != order.end())
-      refuse(place_of(node), fmt::format("{}; found '{}' twice", expected, name));
+      refuse(location_of(node), fmt::format("{}; found '{}' twice", expected, name));
     order.push_back(name);
   }
   for (const std::string& name : knockout.order) {
     if (std::find(order.begin(), order.end(), name) == order.end())
-      refuse(value_place(*entry), fmt::format("{}; '{}' is missing", expected, name));
+      refuse(value_location(*entry), fmt::format("{}; '{}' is missing", expected, name));
   }
   knockout.order = order;
 }
@@ -68,7 +68,7 @@ void read_third_place(TopReader& top, Knockout& knockout) {
   knockout.third_place = top.word(*entry, "third_place", {"true", "false"}) == "true";
   if (!knockout.third_place || knockout.teams.size() >= 4) return;
   top.file().refuse(
-      value_place(*entry), "third_place",
+      value_location(*entry), "third_place",
       fmt::format("needs two semi-finals, so at least 4 teams, found {}; leave it out",
                   knockout.teams.size()));
 }
@@ -76,12 +76,12 @@ void read_third_place(TopReader& top, Knockout& knockout) {
 // A test needs its claims and its end; how often it may err, and when it may end, have defaults.
 void read_sprt(TopReader& top, SequentialTest& test) {
   const YamlEntry& entry = top.required("sprt");
-  SettingsReader settings(top.file(), settings_of(test), top.places());
+  SettingsReader settings(top.file(), settings_of(test), top.locations());
   settings.read(entry, "sprt");
   const std::vector<YamlEntry> given = top.file().entries(entry, "sprt", settings.names());
   for (const char* key : {"d0", "d1", "max_pairs"}) {
     if (find_entry(given, key) != nullptr) continue;
-    top.file().refuse(entry.place, "sprt",
+    top.file().refuse(entry.location, "sprt",
                       fmt::format("the key '{}' is missing; expected such as {{ d0: 0, d1: 1, "
                                   "max_pairs: 200 }}",
                                   key));
@@ -97,17 +97,17 @@ RoundRobin read_roundrobin(TopReader& top) {
   read_base(top, robin);
   read_teams(top, robin);
   robin.pairs = top.pairs();
-  top.check([&robin] { plan(robin); });
+  top.check([&robin] { scheduled_games(robin); });
   return robin;
 }
 
-Match read_match(TopReader& top) {
+SprtMatch read_sprt_match(TopReader& top) {
   top.allow({"teams", "base", "sprt", "seed"});
-  Match match;
+  SprtMatch match;
   read_base(top, match);
   read_teams(top, match, {2, 2});
   read_sprt(top, match.sprt);
-  top.check([&match] { plan(match); });
+  top.check([&match] { scheduled_games(match); });
   return match;
 }
 
@@ -118,7 +118,7 @@ Gauntlet read_gauntlet(TopReader& top) {
   read_teams(top, gauntlet, {1, SIZE_MAX});
   read_challengers(top, gauntlet);
   gauntlet.pairs = top.pairs();
-  top.check([&gauntlet] { plan(gauntlet); });
+  top.check([&gauntlet] { scheduled_games(gauntlet); });
   return gauntlet;
 }
 
@@ -127,13 +127,13 @@ Knockout read_knockout(TopReader& top) {
   Knockout knockout;
   read_base(top, knockout);
   // Every book but the paper's has extra time and shoot-outs, which the base may switch off.
-  if (!top.places().contains("match.knockout")) {
+  if (!top.locations().contains("match.knockout")) {
     knockout.base.match.knockout = knockout.base.match.rules != "paper";
   }
   read_teams(top, knockout, {2, kMostInKnockout});
-  read_order(top, knockout);
+  read_command(top, knockout);
   read_third_place(top, knockout);
-  top.check([&knockout] { plan(knockout); });
+  top.check([&knockout] { scheduled_games(knockout); });
   return knockout;
 }
 

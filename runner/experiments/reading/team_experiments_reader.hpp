@@ -3,15 +3,15 @@
 
 #include "runner/experiments/gauntlet.hpp"
 #include "runner/experiments/knockout.hpp"
-#include "runner/experiments/match.hpp"
 #include "runner/experiments/reading/top_reader.hpp"
 #include "runner/experiments/roundrobin.hpp"
+#include "runner/experiments/sprt_match.hpp"
 
 namespace autoref::runner {
 
 // Each throws InputError.
 RoundRobin read_roundrobin(TopReader& top);
-Match read_match(TopReader& top);
+SprtMatch read_sprt_match(TopReader& top);
 Gauntlet read_gauntlet(TopReader& top);
 Knockout read_knockout(TopReader& top);
 

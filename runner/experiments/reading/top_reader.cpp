@@ -19,7 +19,7 @@ std::string TopReader::word(const YamlEntry& entry, std::string_view key,
                             const std::vector<std::string>& known) const {
   std::string word = file_.scalar(entry, key, "one of " + listed(known), false);
   if (std::find(known.begin(), known.end(), word) == known.end()) {
-    file_.refuse(value_place(entry), key,
+    file_.refuse(value_location(entry), key,
                  fmt::format("expected one of {}, found '{}'{}", listed(known), word,
                              suggestion(word, known)));
   }
@@ -33,14 +33,15 @@ Number TopReader::number(const YamlEntry& entry, std::string_view key, const std
   const std::string text = file_.scalar(entry, key, expected, true);
   const std::optional<Number> number = parse(text);
   if (!number || *number < low || *number > high) {
-    file_.refuse(value_place(entry), key, fmt::format("expected {}, found '{}'", expected, text));
+    file_.refuse(value_location(entry), key,
+                 fmt::format("expected {}, found '{}'", expected, text));
   }
   return *number;
 }
 
 int TopReader::whole_number(std::string_view key, int low, int high) {
   const YamlEntry& entry = required(key);
-  places_[std::string(key)] = entry.place;
+  locations_[std::string(key)] = entry.location;
   return number<int>(entry, key, fmt::format("a whole number from {} to {}", low, high),
                      whole_number_in, low, high);
 }
@@ -51,7 +52,8 @@ std::uint64_t TopReader::seed() const {
 }
 
 void TopReader::read_base(GameConfiguration& game, const Elsewhere& elsewhere) {
-  if (const YamlEntry* base = find("base")) BaseReader(file_, places_, elsewhere).read(*base, game);
+  if (const YamlEntry* base = find("base"))
+    BaseReader(file_, locations_, elsewhere).read(*base, game);
   check([&game] { check_game(game); });
 }
 
@@ -59,16 +61,16 @@ void TopReader::check(const std::function<void()>& work) const {
   try {
     work();
   } catch (const std::invalid_argument& error) {
-    file_.refuse(place_of_first_path_in(error.what()), "", error.what());
+    file_.refuse(location_of_first_path_in(error.what()), "", error.what());
   }
 }
 
-YamlPlace TopReader::place_of_first_path_in(std::string_view message) const {
+YamlLocation TopReader::location_of_first_path_in(std::string_view message) const {
   const std::string path(message.substr(0, message.find_first_of(": ")));
-  const auto found = places_.lower_bound(path);
+  const auto found = locations_.lower_bound(path);
   const bool is_path =
-      found != places_.end() && (found->first == path || found->first.starts_with(path + "."));
-  return is_path ? found->second : YamlPlace{};
+      found != locations_.end() && (found->first == path || found->first.starts_with(path + "."));
+  return is_path ? found->second : YamlLocation{};
 }
 
 }  // namespace autoref::runner

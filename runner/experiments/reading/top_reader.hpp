@@ -23,7 +23,7 @@ class TopReader {
   const YamlFile& file() const { return file_; }
   const std::vector<YamlEntry>& entries() const { return top_; }
   // Where settings stand, by their paths: for check().
-  Places& places() { return places_; }
+  SettingLocations& locations() { return locations_; }
 
   const YamlEntry* find(std::string_view key) const { return find_entry(top_, key); }
   const YamlEntry& required(std::string_view key) const { return required_entry(file_, top_, key); }
@@ -52,11 +52,11 @@ class TopReader {
   template <typename Number>
   Number number(const YamlEntry& entry, std::string_view key, const std::string& expected,
                 std::optional<Number> (*parse)(std::string_view), Number low, Number high) const;
-  YamlPlace place_of_first_path_in(std::string_view message) const;
+  YamlLocation location_of_first_path_in(std::string_view message) const;
 
   const YamlFile& file_;
   const std::vector<YamlEntry> top_;
-  Places places_;
+  SettingLocations locations_;
 };
 
 }  // namespace autoref::runner

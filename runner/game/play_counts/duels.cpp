@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "runner/game/play_counts/play_figures.hpp"
+#include "runner/game/play_counts/play_counts.hpp"
 #include "soccer/robot_shape.hpp"
 
 namespace autoref::runner {

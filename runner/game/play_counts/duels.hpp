@@ -1,4 +1,4 @@
-// Who wins the ball where robots of both teams want it. The definition is in play_figures.hpp.
+// Who wins the ball where robots of both teams want it. The definition is in play_counts.hpp.
 #pragma once
 
 #include <optional>

@@ -19,7 +19,7 @@ struct KickAway {
 };
 
 // None where the ball does not leave the robot fast enough. `now` is the world at the end of the
-// kick's frame; definitions and thresholds are those of play_figures.hpp.
+// kick's frame; definitions and thresholds are those of play_counts.hpp.
 std::optional<KickAway> kick_away(const sim::Touch& kick, const sim::WorldState& now,
                                   const Field& field, const sim::BallParameters& ball);
 

@@ -39,33 +39,33 @@ PlayStatistics::PlayStatistics(const Field& field, const sim::BallParameters& ba
       duels_(frame_rate_hz) {}
 
 // What happened since the frame before happened in the play that was on then.
-void PlayStatistics::update(const Moment& moment) {
-  if (is_on_) touch(moment);
-  for (const referee::Decision& decision : moment.decisions) note(decision);
-  if (is_on_ && !moment.is_play_on) end_play();
-  is_on_ = moment.is_play_on;
-  if (moment.is_ball_in_play && last_touch_) ++possession_frames_[*last_touch_];
+void PlayStatistics::update(const FrameSummary& summary) {
+  if (is_on_) touch(summary);
+  for (const referee::Decision& decision : summary.decisions) note(decision);
+  if (is_on_ && !summary.is_play_on) end_play();
+  is_on_ = summary.is_play_on;
+  if (summary.is_ball_in_play && last_touch_) ++possession_frames_[*last_touch_];
 }
 
-PerSide<PlayFigures> PlayStatistics::figures() const {
-  PerSide<PlayFigures> figures = figures_;
+PerSide<PlayCounts> PlayStatistics::counts() const {
+  PerSide<PlayCounts> counts = counts_;
   for (const Side side : kSides) {
-    figures[side].possession_s = static_cast<double>(possession_frames_[side]) / frame_rate_hz_;
+    counts[side].possession_s = static_cast<double>(possession_frames_[side]) / frame_rate_hz_;
   }
-  return figures;
+  return counts;
 }
 
-void PlayStatistics::touch(const Moment& moment) {
+void PlayStatistics::touch(const FrameSummary& summary) {
   PerSide<bool> touched;
-  for (std::span<const sim::Touch> rest = moment.touches; !rest.empty();) {
+  for (std::span<const sim::Touch> rest = summary.touches; !rest.empty();) {
     const TouchGroup group = TouchGroup::first_of(rest);
-    touch(group, moment.now);
+    touch(group, summary.now);
     for (const Side side : kSides) touched[side] = touched[side] || group.has(side);
     rest = rest.subspan(group.touches.size());
   }
   const std::optional<Side> kicked = kick_ ? std::optional(kick_->robot.side) : std::nullopt;
-  if (const auto winner = duels_.update(moment.now, touched, kicked)) {
-    ++figures_[*winner].duels_won;
+  if (const auto winner = duels_.update(summary.now, touched, kicked)) {
+    ++counts_[*winner].duels_won;
   }
 }
 
@@ -96,7 +96,7 @@ void PlayStatistics::settle(Next next) {
   if (!kick_) return;
   const KickAway kick = *kick_;
   kick_.reset();
-  PlayFigures& team = figures_[kick.robot.side];
+  PlayCounts& team = counts_[kick.robot.side];
   if (next == Next::kMate && kick.is_for_mate) {
     ++team.passes_tried;
     ++team.passes_completed;
@@ -115,7 +115,7 @@ void PlayStatistics::note(const referee::Decision& decision) {
   }
   if (!is_foul(decision.event)) return;
   for (const Side side : kSides) {
-    if (!decision.offender || *decision.offender == side) ++figures_[side].fouls;
+    if (!decision.offender || *decision.offender == side) ++counts_[side].fouls;
   }
 }
 
@@ -123,8 +123,8 @@ void PlayStatistics::give_goal(Side scorer) {
   if (kick_ && kick_->robot.side == scorer) {
     settle(Next::kGoal);
   } else if (last_touch_ == scorer) {
-    ++figures_[scorer].shots;
-    ++figures_[scorer].shots_on_goal;
+    ++counts_[scorer].shots;
+    ++counts_[scorer].shots_on_goal;
   }
 }
 

@@ -1,4 +1,4 @@
-// Counts a game's figures (play_figures.hpp) while it is played.
+// Counts a game's figures (play_counts.hpp) while it is played.
 //
 // It owns what a kick under way, a duel and possession need to be remembered for. The game loop
 // feeds it once per frame; it changes nothing and allocates nothing.
@@ -11,7 +11,7 @@
 #include "referee/decision.hpp"
 #include "runner/game/play_counts/duels.hpp"
 #include "runner/game/play_counts/kick_away.hpp"
-#include "runner/game/play_counts/play_figures.hpp"
+#include "runner/game/play_counts/play_counts.hpp"
 #include "sim/world.hpp"
 #include "soccer/field.hpp"
 
@@ -20,7 +20,7 @@ namespace autoref::runner {
 class PlayStatistics {
  public:
   // One frame, after the referee has judged it.
-  struct Moment {
+  struct FrameSummary {
     const sim::WorldState& now;
     std::span<const sim::Touch> touches;             // of the step that led here
     std::span<const referee::Decision> decisions{};  // of this frame
@@ -30,17 +30,17 @@ class PlayStatistics {
 
   PlayStatistics(const Field& field, const sim::BallParameters& ball, double frame_rate_hz);
 
-  void update(const Moment& moment);
+  void update(const FrameSummary& summary);
 
   // Of the frames so far; a kick under way is not yet among them.
-  PerSide<PlayFigures> figures() const;
+  PerSide<PlayCounts> counts() const;
 
  private:
   // What touched the ball at the same time: all kicks of a sub-step, or all hulls met in it.
   struct TouchGroup;
   enum class Next : std::uint8_t { kMate, kOpponent, kGoal, kStop };
 
-  void touch(const Moment& moment);
+  void touch(const FrameSummary& summary);
   void touch(const TouchGroup& group, const sim::WorldState& now);
   void meet(const TouchGroup& group);
   void settle(Next next);
@@ -56,11 +56,11 @@ class PlayStatistics {
   bool is_on_ = false;              // play, until this frame
   std::optional<KickAway> kick_;    // under way
   std::optional<Side> last_touch_;  // since play began
-  PerSide<PlayFigures> figures_;
+  PerSide<PlayCounts> counts_;
   PerSide<std::int64_t> possession_frames_;
 };
 
-// Whether the event is a foul of a robot, by PlayFigures::fouls.
+// Whether the event is a foul of a robot, by PlayCounts::fouls.
 bool is_foul(referee::Event event);
 
 }  // namespace autoref::runner

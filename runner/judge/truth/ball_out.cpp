@@ -3,37 +3,37 @@
 #include <cmath>
 
 #include "runner/judge/truth/crossing.hpp"
-#include "runner/judge/truth/truths.hpp"
+#include "runner/judge/truth/ground_truth_rules.hpp"
 #include "soccer/robot_shape.hpp"
 #include "soccer/units.hpp"
 
-namespace autoref::runner::truth {
+namespace autoref::runner::ground_truth {
 namespace {
 
 // A ball that will be out within this time, moving on as it does, has been called early.
-constexpr double kLead_s = 0.1;
+constexpr double kExitLead_s = 0.1;
 // A ball whose far edge came so near to being out is a near miss.
 constexpr double kNearlyOut_m = 10_mm;
 constexpr double kNearHeight_m = 20_mm;
 
-class BallOut final : public Truth {
+class BallOut final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, Happenings& all) override {
+  void watch(const Scene& scene, TrueEvents& all) override {
     if (!scene.play.is_on) return;
     if (const auto crossing = find_crossing(scene.field, scene.before.ball, scene.now.ball)) {
       // A penalty kick that is no goal has failed: another truth tells that.
       const bool is_failed = scene.play.is_penalty() && !crossing->into_goal &&
                              scene.rules.has(RuleId::kPenaltyFailed);
-      if (!is_failed) all.push_back(happening(scene, *crossing));
+      if (!is_failed) all.push_back(event(scene, *crossing));
     } else if (scene.play.ends_now && inside_m(scene.field, scene.now.ball.position_m) >= 0) {
       foresee(scene, all);
     }
   }
 
  private:
-  static void foresee(const Scene& scene, Happenings& all) {
+  static void foresee(const Scene& scene, TrueEvents& all) {
     sim::BallState soon = scene.now.ball;
-    soon.position_m += kLead_s * soon.velocity_mps;
+    soon.position_m += kExitLead_s * soon.velocity_mps;
     std::optional<Crossing> crossing = find_crossing(scene.field, scene.now.ball, soon);
     Standing standing = Standing::kPrevented;
     if (!crossing && inside_m(scene.field, scene.now.ball.position_m) < kNearlyOut_m) {
@@ -41,7 +41,7 @@ class BallOut final : public Truth {
       standing = Standing::kNearMiss;
     }
     if (!crossing) return;
-    Happening soon_out = happening(scene, *crossing);
+    TrueEvent soon_out = event(scene, *crossing);
     soon_out.time_s = scene.time_s;
     soon_out.standing = standing;
     all.push_back(soon_out);
@@ -59,19 +59,19 @@ class BallOut final : public Truth {
     return find_crossing(scene.field, scene.now.ball, beyond);
   }
 
-  static Happening happening(const Scene& scene, const Crossing& crossing) {
-    Happening happening = crossing.into_goal        ? goal(scene, crossing)
-                          : crossing.over_goal_line ? over_goal_line(scene, crossing)
-                                                    : over_touch_line(scene);
+  static TrueEvent event(const Scene& scene, const Crossing& crossing) {
+    TrueEvent event = crossing.into_goal        ? goal(scene, crossing)
+                      : crossing.over_goal_line ? over_goal_line(scene, crossing)
+                                                : over_touch_line(scene);
     // A frame's way back to the crossing.
-    happening.time_s = scene.time_s - (1 - crossing.share) * scene.frame_s;
-    if (!happening.position_m) happening.position_m = crossing.point_m;
-    happening.is_in_air = crossing.height_m > 0;
-    return happening;
+    event.time_s = scene.time_s - (1 - crossing.share) * scene.frame_s;
+    if (!event.position_m) event.position_m = crossing.point_m;
+    event.is_in_air = crossing.height_m > 0;
+    return event;
   }
 
-  static Happening over_touch_line(const Scene& scene) {
-    Happening out;
+  static TrueEvent over_touch_line(const Scene& scene) {
+    TrueEvent out;
     out.name = "throw_in";
     if (scene.ball.last()) {
       out.robot = scene.ball.last()->robot;
@@ -80,8 +80,8 @@ class BallOut final : public Truth {
     return out;
   }
 
-  static Happening over_goal_line(const Scene& scene, const Crossing& crossing) {
-    Happening out = over_touch_line(scene);
+  static TrueEvent over_goal_line(const Scene& scene, const Crossing& crossing) {
+    TrueEvent out = over_touch_line(scene);
     out.name = out.offender == crossing.end ? "corner_kick" : "goal_kick";
     if (!scene.rules.has(RuleId::kAimlessKick) || !out.offender || !is_aimless(scene, crossing)) {
       return out;
@@ -98,10 +98,10 @@ class BallOut final : public Truth {
            goal_sign(kick.robot.side) * kick.ball_m.x() > 0;
   }
 
-  static Happening goal(const Scene& scene, const Crossing& crossing) {
+  static TrueEvent goal(const Scene& scene, const Crossing& crossing) {
     const Side conceded = crossing.end;
     const Side scorer = opponent_of(conceded);
-    Happening goal;
+    TrueEvent goal;
     goal.name = goal_name(scene, conceded);
     goal.offender = goal.name == "free_kick_own_goal" ? conceded : scorer;
     const double height_m = shot_height_m(scene, scorer).value_or(0.0);
@@ -139,6 +139,6 @@ class BallOut final : public Truth {
 
 }  // namespace
 
-std::unique_ptr<Truth> ball_out() { return std::make_unique<BallOut>(); }
+std::unique_ptr<GroundTruthRule> ball_out() { return std::make_unique<BallOut>(); }
 
-}  // namespace autoref::runner::truth
+}  // namespace autoref::runner::ground_truth

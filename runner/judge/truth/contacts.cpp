@@ -1,24 +1,24 @@
 // What a robot does that has the ball at its hull: double touch, dribbling, holding.
 #include <algorithm>
 
+#include "runner/judge/truth/ground_truth_rules.hpp"
 #include "runner/judge/truth/outline.hpp"
-#include "runner/judge/truth/truths.hpp"
 #include "soccer/units.hpp"
 
-namespace autoref::runner::truth {
+namespace autoref::runner::ground_truth {
 namespace {
 
 constexpr double kDribblingMargin_m = 50_mm;  // where a contact began is as open as that
 constexpr double kHoldingMargin_s = 0.2;
 // A ball that gets too far so soon after play has ended was called early.
-constexpr double kLead_s = 0.05;
+constexpr double kContactLead_s = 0.05;
 
 // "Touches again": the ball has been away from the hull since.
-class DoubleTouch final : public Truth {
+class DoubleTouch final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, Happenings& all) override {
+  void watch(const Scene& scene, TrueEvents& all) override {
     const Play& play = scene.play;
-    if (!play.is_on || !play.taker || !play.in_play || play.count == told_) return;
+    if (!play.is_on || !play.taker || !play.in_play || play.count == reported_) return;
     if (!scene.ball.first() || scene.ball.has_second_robot_touched()) return;
     for (const Contact& contact : scene.ball.contacts()) {
       if (play.entered_now) continue;  // it may be the touch that moved the ball far enough
@@ -26,7 +26,7 @@ class DoubleTouch final : public Truth {
       // 2026: "remaining in contact" after that counts, too.
       const bool goes_on = scene.rules.edition == Edition::kRules2026 && contact.is_touching;
       if (!is_again && !goes_on) continue;
-      told_ = play.count;
+      reported_ = play.count;
       all.push_back(
           {"double_touch", scene.time_s, contact.robot.side, contact.robot, contact.ball_from_m});
       return;
@@ -34,26 +34,26 @@ class DoubleTouch final : public Truth {
   }
 
  private:
-  int told_ = -1;
+  int reported_ = -1;
 };
 
-class Dribbling final : public Truth {
+class Dribbling final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, Happenings& all) override {
+  void watch(const Scene& scene, TrueEvents& all) override {
     if (!scene.play.is_on) return;
     for (const Contact& contact : scene.ball.contacts()) {
-      const double way_m = (scene.now.ball.position_m - contact.ball_from_m).norm();
-      const double excess_m = way_m - scene.rules.dribbling_m;
+      const double path_m = (scene.now.ball.position_m - contact.ball_from_m).norm();
+      const double excess_m = path_m - scene.rules.dribbling_m;
       if (excess_m <= -kDribblingMargin_m) continue;
-      Happening dribble{"dribbling", scene.time_s, contact.robot.side, contact.robot,
+      TrueEvent dribble{"dribbling", scene.time_s, contact.robot.side, contact.robot,
                         scene.now.ball.position_m};
       if (excess_m <= 0 && is_prevented(scene, contact, excess_m)) {
         dribble.standing = Standing::kPrevented;
         all.push_back(dribble);
       }
-      int& told = excess_m > 0 ? told_ : nearly_told_;
-      if (told == contact.count) continue;
-      told = contact.count;
+      int& reported = excess_m > 0 ? reported_ : nearly_reported_;
+      if (reported == contact.count) continue;
+      reported = contact.count;
       add_measured(all, dribble, excess_m, kDribblingMargin_m);
     }
   }
@@ -61,19 +61,19 @@ class Dribbling final : public Truth {
  private:
   // The referee has just ended play while the ball was about to get so far.
   static bool is_prevented(const Scene& scene, const Contact& contact, double excess_m) {
-    const Vec2 way_m = scene.now.ball.position_m - contact.ball_from_m;
-    const double away_mps = scene.now.ball.velocity_mps.dot(direction_of(way_m, Vec2(1.0, 0.0)));
-    return scene.play.ends_now && excess_m + kLead_s * away_mps > 0;
+    const Vec2 path_m = scene.now.ball.position_m - contact.ball_from_m;
+    const double away_mps = scene.now.ball.velocity_mps.dot(direction_of(path_m, Vec2(1.0, 0.0)));
+    return scene.play.ends_now && excess_m + kContactLead_s * away_mps > 0;
   }
 
-  int told_ = 0;
-  int nearly_told_ = 0;
+  int reported_ = 0;
+  int nearly_reported_ = 0;
 };
 
 // Laws 2014: in contact with its keeper, inside the area. 2026: inside the area, however it stays.
-class KeeperHolding final : public Truth {
+class KeeperHolding final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, Happenings& all) override {
+  void watch(const Scene& scene, TrueEvents& all) override {
     if (!scene.play.is_on || !scene.play.in_play) {
       since_s_ = {{scene.time_s, scene.time_s}};
       return;
@@ -91,31 +91,31 @@ class KeeperHolding final : public Truth {
     });
   }
 
-  void watch(const Scene& scene, Side side, Happenings& all) {
+  void watch(const Scene& scene, Side side, TrueEvents& all) {
     if (!is_held(scene, side)) {
       since_s_[side] = scene.time_s;
-      is_told_[side] = false;
+      is_reported_[side] = false;
       return;
     }
-    if (is_told_[side]) return;
+    if (is_reported_[side]) return;
     const double excess_s = scene.time_s - since_s_[side] - scene.rules.keeper_holding_s;
     const bool is_prevented = scene.play.ends_now && excess_s > -kHoldingMargin_s;
     if (excess_s <= 0 && !is_prevented) return;
-    is_told_[side] = true;
-    Happening held{"keeper_holding", scene.time_s, side, RobotId{side, scene.keepers[side]},
+    is_reported_[side] = true;
+    TrueEvent held{"keeper_holding", scene.time_s, side, RobotId{side, scene.keepers[side]},
                    scene.now.ball.position_m};
     if (excess_s <= 0) held.standing = Standing::kPrevented;
     all.push_back(held);
   }
 
   PerSide<double> since_s_;
-  PerSide<bool> is_told_;
+  PerSide<bool> is_reported_;
 };
 
 }  // namespace
 
-std::unique_ptr<Truth> double_touch() { return std::make_unique<DoubleTouch>(); }
-std::unique_ptr<Truth> dribbling() { return std::make_unique<Dribbling>(); }
-std::unique_ptr<Truth> keeper_holding() { return std::make_unique<KeeperHolding>(); }
+std::unique_ptr<GroundTruthRule> double_touch() { return std::make_unique<DoubleTouch>(); }
+std::unique_ptr<GroundTruthRule> dribbling() { return std::make_unique<Dribbling>(); }
+std::unique_ptr<GroundTruthRule> keeper_holding() { return std::make_unique<KeeperHolding>(); }
 
-}  // namespace autoref::runner::truth
+}  // namespace autoref::runner::ground_truth

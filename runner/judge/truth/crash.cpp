@@ -1,26 +1,26 @@
 // Two robots of different sides meet too fast.
 #include <cmath>
 
-#include "runner/judge/truth/truths.hpp"
+#include "runner/judge/truth/ground_truth_rules.hpp"
 #include "soccer/robot_shape.hpp"
 #include "soccer/units.hpp"
 
-namespace autoref::runner::truth {
+namespace autoref::runner::ground_truth {
 namespace {
 
-constexpr double kMargin_mps = 0.2_mps;
+constexpr double kCrashMargin_mps = 0.2_mps;
 constexpr double kDrawnMargin_mps = 0.1_mps;
 // Hulls that come so near have all but met.
 constexpr double kNearlyMet_m = 8_mm;
 // Robots that will meet so soon after play has ended were called early.
-constexpr double kLead_s = 0.05;
+constexpr double kCrashLead_s = 0.05;
 
-class Crash final : public Truth {
+class Crash final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, Happenings& all) override {
+  void watch(const Scene& scene, TrueEvents& all) override {
     if (!scene.play.is_on) return;
-    for (const sim::Meeting& met : scene.meetings) {
-      if (met.robots[0].side != met.robots[1].side) judge(scene, met, Standing::kTrue, all);
+    for (const sim::RobotCollision& met : scene.collisions) {
+      if (met.robots[0].side != met.robots[1].side) evaluate(scene, met, Standing::kTrue, all);
     }
     for_each_robot(scene.now, Side::kWest, [&](RobotId west, const sim::RobotState& a) {
       for_each_robot(scene.now, Side::kEast, [&](RobotId east, const sim::RobotState& b) {
@@ -36,33 +36,33 @@ class Crash final : public Truth {
   }
 
  private:
-  static double closing_mps(const sim::Meeting& met) {
+  static double closing_mps(const sim::RobotCollision& met) {
     const Vec2 line = direction_of(met.centres_m[1] - met.centres_m[0], Vec2(1.0, 0.0));
     return (met.velocities_mps[0] - met.velocities_mps[1]).dot(line);
   }
 
   // Robots that have not met, but are about to.
-  static void foresee(const Scene& scene, const sim::Meeting& met, Happenings& all) {
+  static void foresee(const Scene& scene, const sim::RobotCollision& met, TrueEvents& all) {
     const double gap_m = (met.centres_m[1] - met.centres_m[0]).norm() - 2 * kRobotRadius_m;
     const double closes_mps = closing_mps(met);
-    if (gap_m <= 0 || closes_mps < scene.rules.crash_mps - kMargin_mps) return;
-    if (scene.play.ends_now && gap_m < kLead_s * closes_mps) {
-      judge(scene, met, Standing::kPrevented, all);
+    if (gap_m <= 0 || closes_mps < scene.rules.crash_mps - kCrashMargin_mps) return;
+    if (scene.play.ends_now && gap_m < kCrashLead_s * closes_mps) {
+      evaluate(scene, met, Standing::kPrevented, all);
     } else if (gap_m < kNearlyMet_m) {
-      judge(scene, met, Standing::kNearMiss, all);
+      evaluate(scene, met, Standing::kNearMiss, all);
     }
   }
 
-  static void judge(const Scene& scene, const sim::Meeting& met, Standing standing,
-                    Happenings& all) {
+  static void evaluate(const Scene& scene, const sim::RobotCollision& met, Standing standing,
+                       TrueEvents& all) {
     const double faster_mps = met.velocities_mps[0].norm() - met.velocities_mps[1].norm();
     const double lead_mps = std::abs(faster_mps) - scene.rules.crash_drawn_mps;
     const double excess_mps = closing_mps(met) - scene.rules.crash_mps;
-    if (excess_mps <= -kMargin_mps) return;
-    Happening crash;
+    if (excess_mps <= -kCrashMargin_mps) return;
+    TrueEvent crash;
     crash.time_s = scene.time_s;
     crash.position_m = (met.centres_m[0] + met.centres_m[1]) / 2.0;
-    crash.is_borderline = excess_mps <= kMargin_mps || std::abs(lead_mps) < kDrawnMargin_mps;
+    crash.is_borderline = excess_mps <= kCrashMargin_mps || std::abs(lead_mps) < kDrawnMargin_mps;
     crash.robot = met.robots[faster_mps > 0 ? 0 : 1];
     const bool is_drawn = lead_mps < 0;
     crash.standing = excess_mps > 0 ? standing : Standing::kNearMiss;
@@ -74,13 +74,13 @@ class Crash final : public Truth {
   }
 
   // What is nearly the one and nearly the other is a near miss of what it is not.
-  static void add_crash(Happening crash, bool is_drawn, Happenings& all) {
+  static void add_crash(TrueEvent crash, bool is_drawn, TrueEvents& all) {
     crash.name = "crash";
     crash.offender = crash.robot->side;
     if (is_drawn) crash.standing = Standing::kNearMiss;
     all.push_back(crash);
   }
-  static void add_drawn(Happening crash, bool is_drawn, Happenings& all) {
+  static void add_drawn(TrueEvent crash, bool is_drawn, TrueEvents& all) {
     crash.name = "crash_drawn";
     crash.robot.reset();
     if (!is_drawn) crash.standing = Standing::kNearMiss;
@@ -90,6 +90,6 @@ class Crash final : public Truth {
 
 }  // namespace
 
-std::unique_ptr<Truth> crash() { return std::make_unique<Crash>(); }
+std::unique_ptr<GroundTruthRule> crash() { return std::make_unique<Crash>(); }
 
-}  // namespace autoref::runner::truth
+}  // namespace autoref::runner::ground_truth

@@ -5,7 +5,7 @@
 
 #include "soccer/robot_shape.hpp"
 
-namespace autoref::runner::truth {
+namespace autoref::runner::ground_truth {
 namespace {
 
 // When a coordinate reaches +-limit on its way; none where it does not.
@@ -44,4 +44,4 @@ std::optional<Crossing> find_crossing(const Field& field, const sim::BallState& 
   return crossing;
 }
 
-}  // namespace autoref::runner::truth
+}  // namespace autoref::runner::ground_truth

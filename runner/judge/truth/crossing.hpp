@@ -6,7 +6,7 @@
 #include "sim/world.hpp"
 #include "soccer/field.hpp"
 
-namespace autoref::runner::truth {
+namespace autoref::runner::ground_truth {
 
 struct Crossing {
   bool over_goal_line = false;  // else over a touch line
@@ -25,4 +25,4 @@ double inside_m(const Field& field, const Vec2& ball_m);
 std::optional<Crossing> find_crossing(const Field& field, const sim::BallState& before,
                                       const sim::BallState& now);
 
-}  // namespace autoref::runner::truth
+}  // namespace autoref::runner::ground_truth

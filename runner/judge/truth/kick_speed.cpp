@@ -1,25 +1,25 @@
 // The ball is faster than allowed after a robot's kick or touch.
 #include <cmath>
 
-#include "runner/judge/truth/truths.hpp"
+#include "runner/judge/truth/ground_truth_rules.hpp"
 #include "soccer/units.hpp"
 
-namespace autoref::runner::truth {
+namespace autoref::runner::ground_truth {
 namespace {
 
-constexpr double kMargin_mps = 0.2_mps;
+constexpr double kKickMargin_mps = 0.2_mps;
 constexpr double kOneKick_s = 0.2;  // a kick that is still at the hull is not a second one
 
-class KickSpeed final : public Truth {
+class KickSpeed final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, Happenings& all) override {
+  void watch(const Scene& scene, TrueEvents& all) override {
     if (!scene.play.is_on) return;
     double former_mps =
         speed_mps(scene, scene.before.ball.velocity_mps, scene.before.ball.vertical_mps);
     for (const sim::Touch& touch : scene.touches) {
       const double after_mps = speed_mps(scene, touch.ball_mps, touch.vertical_mps);
       // A fast ball that merely glances off was made fast by somebody else.
-      if (after_mps > former_mps) judge(scene, touch, after_mps, all);
+      if (after_mps > former_mps) evaluate(scene, touch, after_mps, all);
       former_mps = after_mps;
     }
   }
@@ -30,20 +30,20 @@ class KickSpeed final : public Truth {
     return std::sqrt(plane_mps.squaredNorm() + vertical_mps * vertical_mps);
   }
 
-  void judge(const Scene& scene, const sim::Touch& touch, double speed_mps, Happenings& all) {
+  void evaluate(const Scene& scene, const sim::Touch& touch, double speed_mps, TrueEvents& all) {
     const double excess_mps = speed_mps - scene.rules.kick_limit_mps;
-    if (excess_mps <= -kMargin_mps || scene.time_s - told_s_ < kOneKick_s) return;
-    told_s_ = scene.time_s;
-    Happening kick{"kick_speed", scene.time_s, touch.robot.side, touch.robot, touch.ball_m};
+    if (excess_mps <= -kKickMargin_mps || scene.time_s - reported_s_ < kOneKick_s) return;
+    reported_s_ = scene.time_s;
+    TrueEvent kick{"kick_speed", scene.time_s, touch.robot.side, touch.robot, touch.ball_m};
     kick.is_in_air = touch.vertical_mps > 0;
-    add_measured(all, kick, excess_mps, kMargin_mps);
+    add_measured(all, kick, excess_mps, kKickMargin_mps);
   }
 
-  double told_s_ = -kOneKick_s;
+  double reported_s_ = -kOneKick_s;
 };
 
 }  // namespace
 
-std::unique_ptr<Truth> kick_speed() { return std::make_unique<KickSpeed>(); }
+std::unique_ptr<GroundTruthRule> kick_speed() { return std::make_unique<KickSpeed>(); }
 
-}  // namespace autoref::runner::truth
+}  // namespace autoref::runner::ground_truth

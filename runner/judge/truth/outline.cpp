@@ -7,7 +7,7 @@
 #include "soccer/robot_shape.hpp"
 #include "soccer/units.hpp"
 
-namespace autoref::runner::truth {
+namespace autoref::runner::ground_truth {
 namespace {
 
 constexpr int kPoints = 256;
@@ -58,4 +58,4 @@ bool are_in_contact(const sim::RobotState& a, const sim::RobotState& b) {
   return (a.position_m - b.position_m).norm() < 2 * kRobotRadius_m + kInContact_m;
 }
 
-}  // namespace autoref::runner::truth
+}  // namespace autoref::runner::ground_truth

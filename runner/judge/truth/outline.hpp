@@ -5,7 +5,7 @@
 #include "soccer/field.hpp"
 #include "soccer/side.hpp"
 
-namespace autoref::runner::truth {
+namespace autoref::runner::ground_truth {
 
 // Of all points of a robot's outline.
 struct Reach {
@@ -23,4 +23,4 @@ Reach reach_into_half(Side side, const sim::RobotState& robot);
 // may stand a little apart in a frame of a contact that lasts.
 bool are_in_contact(const sim::RobotState& a, const sim::RobotState& b);
 
-}  // namespace autoref::runner::truth
+}  // namespace autoref::runner::ground_truth

@@ -3,14 +3,14 @@
 #include <cmath>
 
 #include "runner/judge/truth/crossing.hpp"
+#include "runner/judge/truth/ground_truth_rules.hpp"
 #include "runner/judge/truth/outline.hpp"
-#include "runner/judge/truth/truths.hpp"
 #include "soccer/units.hpp"
 
-namespace autoref::runner::truth {
+namespace autoref::runner::ground_truth {
 namespace {
 
-constexpr double kMargin_m = 20_mm;
+constexpr double kPenaltyMargin_m = 20_mm;
 constexpr double kPushed_mps = 0.2_mps;  // slower balls have no direction to be turned from
 
 // How far the worst of each side's robots was beyond what is allowed, just before the kick.
@@ -40,11 +40,11 @@ Breaches breaches_in(const Scene& scene) {
   return breaches;
 }
 
-class Penalty final : public Truth {
+class Penalty final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, Happenings& all) override {
+  void watch(const Scene& scene, TrueEvents& all) override {
     const Play& play = scene.play;
-    if (!play.is_on || !play.is_penalty() || told_ == play.count) return;
+    if (!play.is_on || !play.is_penalty() || reported_ == play.count) return;
     if (play.entered_now) {
       breaches_ = breaches_in(scene);
       kicked_ = play.count;
@@ -52,25 +52,25 @@ class Penalty final : public Truth {
     const auto crossing = find_crossing(scene.field, scene.before.ball, scene.now.ball);
     const bool is_goal = crossing && crossing->into_goal && crossing->end != play.taker;
     if (!is_goal && !crossing && !is_turned(scene) && !is_too_late(scene)) return;
-    told_ = play.count;
-    judge(scene, is_goal, all);
+    reported_ = play.count;
+    evaluate(scene, is_goal, all);
   }
 
  private:
-  void judge(const Scene& scene, bool is_goal, Happenings& all) const {
+  void evaluate(const Scene& scene, bool is_goal, TrueEvents& all) const {
     const Side attacker = *scene.play.taker;
     const bool is_kicked = kicked_ == scene.play.count;
     const Side side = is_goal ? attacker : opponent_of(attacker);
     const double excess_m = is_kicked ? breaches_[side] : -1.0;
     const double others_m = is_kicked ? breaches_[opponent_of(side)] : -1.0;
     if (scene.rules.has(RuleId::kPenaltyPositions)) {
-      Happening again;
+      TrueEvent again;
       again.name = "penalty_positions";
       again.time_s = scene.time_s;
       // Where both sides were wrong, neither is at fault alone.
       if (!(others_m > 0 && excess_m > 0)) again.offender = side;
       again.position_m = scene.play.ball_from_m;
-      add_measured(all, again, excess_m, kMargin_m);
+      add_measured(all, again, excess_m, kPenaltyMargin_m);
     }
     if (is_goal || excess_m > 0 || !scene.rules.has(RuleId::kPenaltyFailed)) return;
     all.push_back(
@@ -94,11 +94,11 @@ class Penalty final : public Truth {
 
   Breaches breaches_;
   int kicked_ = -1;
-  int told_ = -1;
+  int reported_ = -1;
 };
 
 }  // namespace
 
-std::unique_ptr<Truth> penalty() { return std::make_unique<Penalty>(); }
+std::unique_ptr<GroundTruthRule> penalty() { return std::make_unique<Penalty>(); }
 
-}  // namespace autoref::runner::truth
+}  // namespace autoref::runner::ground_truth

@@ -1,6 +1,6 @@
 #include "runner/judge/truth/play.hpp"
 
-namespace autoref::runner::truth {
+namespace autoref::runner::ground_truth {
 namespace {
 
 bool starts_play(CommandKind kind) {
@@ -49,4 +49,4 @@ void PlayFollower::obey(const sim::WorldState& now, double time_s, const Referee
   play_.entered_s = time_s;
 }
 
-}  // namespace autoref::runner::truth
+}  // namespace autoref::runner::ground_truth

@@ -7,7 +7,7 @@
 #include "soccer/referee_signal.hpp"
 #include "soccer/rule_book.hpp"
 
-namespace autoref::runner::truth {
+namespace autoref::runner::ground_truth {
 
 // `restart` is what play was started with: a kick-off or penalty by its preparation.
 struct Play {
@@ -47,4 +47,4 @@ class PlayFollower {
   std::uint32_t counter_ = 0;
 };
 
-}  // namespace autoref::runner::truth
+}  // namespace autoref::runner::ground_truth

@@ -2,22 +2,22 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runner/judge/truth/ground_truth_rules.hpp"
 #include "runner/judge/truth/outline.hpp"
-#include "runner/judge/truth/truths.hpp"
 #include "soccer/robot_shape.hpp"
 #include "soccer/units.hpp"
 
-namespace autoref::runner::truth {
+namespace autoref::runner::ground_truth {
 namespace {
 
 // Also the ball's radius: whether distances end at its centre or its surface is open to reading.
-constexpr double kMargin_m = 25_mm;
+constexpr double kEntryMargin_m = 25_mm;
 
 // The robot that is farthest beyond what is allowed.
 struct Worst {
   std::optional<RobotId> robot;
   Vec2 position_m{0, 0};
-  double excess_m = -kMargin_m;
+  double excess_m = -kEntryMargin_m;
 
   void consider(RobotId id, const sim::RobotState& state, double its_excess_m) {
     if (its_excess_m <= excess_m) return;
@@ -49,28 +49,28 @@ class Retakes {
   bool was_wrong_ = false;
 };
 
-class PositionsAtEntry final : public Truth {
+class PositionsAtEntry final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, Happenings& all) override {
+  void watch(const Scene& scene, TrueEvents& all) override {
     if (!scene.play.entered_now || !scene.play.taker || scene.play.is_penalty()) return;
     const Side taker = *scene.play.taker;
-    const std::size_t told = all.size();
+    const std::size_t reported = all.size();
     retakes_.enter(scene.play);
     const bool is_2026 = scene.rules.edition == Edition::kRules2026;
     if (scene.rules.has(RuleId::kAttackerNearArea) && !is_2026) near_area(scene, taker, all);
     if (scene.rules.has(RuleId::kRestartDistance) && !is_2026) near_ball(scene, taker, all);
     if (scene.rules.has(RuleId::kKickoffPositions) && scene.play.is_kickoff()) half(scene, all);
-    note_breaches(told, all);
+    note_breaches(reported, all);
   }
 
  private:
-  // From `told` on, what has this restart taken again; nothing where it may not be.
-  void note_breaches(std::size_t told, Happenings& all) {
-    const auto is_breach = [](const Happening& happening) {
-      return happening.standing == Standing::kTrue &&
-             (happening.name == "restart_distance" || happening.name == "kickoff_positions");
+  // From `reported` on, what has this restart taken again; nothing where it may not be.
+  void note_breaches(std::size_t reported, TrueEvents& all) {
+    const auto is_breach = [](const TrueEvent& event) {
+      return event.standing == Standing::kTrue &&
+             (event.name == "restart_distance" || event.name == "kickoff_positions");
     };
-    const auto from = all.begin() + static_cast<std::ptrdiff_t>(told);
+    const auto from = all.begin() + static_cast<std::ptrdiff_t>(reported);
     if (!std::any_of(from, all.end(), is_breach)) return;
     if (retakes_.may_be_taken_again()) {
       retakes_.be_wrong();
@@ -79,14 +79,14 @@ class PositionsAtEntry final : public Truth {
     }
   }
 
-  static void add(const Scene& scene, std::string_view name, const Worst& worst, Happenings& all) {
+  static void add(const Scene& scene, std::string_view name, const Worst& worst, TrueEvents& all) {
     if (!worst.robot) return;
     add_measured(all, {name, scene.time_s, worst.robot->side, worst.robot, worst.position_m},
-                 worst.excess_m, kMargin_m);
+                 worst.excess_m, kEntryMargin_m);
   }
 
   // One call is enough for both sides; the side that kicks is judged first.
-  static void near_area(const Scene& scene, Side taker, Happenings& all) {
+  static void near_area(const Scene& scene, Side taker, TrueEvents& all) {
     for (const Side side : {taker, opponent_of(taker)}) {
       Worst worst;
       for_each_robot(scene.now, side, [&](RobotId id, const sim::RobotState& robot) {
@@ -99,7 +99,7 @@ class PositionsAtEntry final : public Truth {
   }
 
   // Just before the kick, from the ball's centre where it lay.
-  static void near_ball(const Scene& scene, Side taker, Happenings& all) {
+  static void near_ball(const Scene& scene, Side taker, TrueEvents& all) {
     Worst worst;
     for_each_robot(scene.before, opponent_of(taker), [&](RobotId id, const auto& robot) {
       const double gap_m =
@@ -111,7 +111,7 @@ class PositionsAtEntry final : public Truth {
   }
 
   // The kicker may be beyond the middle. Where both sides are wrong, neither is at fault alone.
-  static void half(const Scene& scene, Happenings& all) {
+  static void half(const Scene& scene, TrueEvents& all) {
     Worst worst;
     PerSide<bool> is_wrong;
     for_each_robot(scene.before, [&](RobotId id, const sim::RobotState& robot) {
@@ -121,9 +121,9 @@ class PositionsAtEntry final : public Truth {
       is_wrong[id.side] = is_wrong[id.side] || beyond_m > 0;
       worst.consider(id, robot, beyond_m);
     });
-    const std::size_t told = all.size();
+    const std::size_t reported = all.size();
     add(scene, "kickoff_positions", worst, all);
-    if (all.size() == told) return;
+    if (all.size() == reported) return;
     all.back().position_m = scene.play.ball_from_m;
     if (is_wrong[Side::kWest] && is_wrong[Side::kEast]) all.back().offender.reset();
   }
@@ -133,6 +133,8 @@ class PositionsAtEntry final : public Truth {
 
 }  // namespace
 
-std::unique_ptr<Truth> positions_at_entry() { return std::make_unique<PositionsAtEntry>(); }
+std::unique_ptr<GroundTruthRule> positions_at_entry() {
+  return std::make_unique<PositionsAtEntry>();
+}
 
-}  // namespace autoref::runner::truth
+}  // namespace autoref::runner::ground_truth

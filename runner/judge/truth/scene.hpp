@@ -3,15 +3,15 @@
 
 #include <span>
 
-#include "runner/judge/truth/ball_story.hpp"
-#include "runner/judge/truth/happening.hpp"
+#include "runner/judge/truth/ball_history.hpp"
 #include "runner/judge/truth/play.hpp"
+#include "runner/judge/truth/true_event.hpp"
 #include "sim/world.hpp"
 #include "soccer/field.hpp"
 #include "soccer/referee_signal.hpp"
 #include "soccer/rule_book.hpp"
 
-namespace autoref::runner::truth {
+namespace autoref::runner::ground_truth {
 
 struct Scene {
   const Field& field;
@@ -21,9 +21,9 @@ struct Scene {
   const sim::WorldState& before;  // one frame earlier
   const sim::WorldState& now;
   std::span<const sim::Touch> touches;
-  std::span<const sim::Meeting> meetings;
+  std::span<const sim::RobotCollision> collisions;
   const Play& play;
-  const BallStory& ball;
+  const BallHistory& ball;
   const RefereeSignal& signal;  // what has been in force since the frame before
   PerSide<int> keepers;         // their numbers
   PerSide<double> fouled_s;     // when each side last did what counts as a foul
@@ -32,10 +32,10 @@ struct Scene {
 };
 
 // Tells one kind of event, or some that exclude each other. Asked once in every frame.
-class Truth {
+class GroundTruthRule {
  public:
-  virtual ~Truth() = default;
-  virtual void watch(const Scene& scene, Happenings& all) = 0;
+  virtual ~GroundTruthRule() = default;
+  virtual void watch(const Scene& scene, TrueEvents& all) = 0;
 };
 
 // Calls act(id, robot) for every robot of a side, or of both.
@@ -48,4 +48,4 @@ void for_each_robot(const sim::WorldState& world, const Act& act) {
   for (const Side side : kSides) for_each_robot(world, side, act);
 }
 
-}  // namespace autoref::runner::truth
+}  // namespace autoref::runner::ground_truth

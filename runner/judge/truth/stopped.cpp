@@ -2,30 +2,30 @@
 #include <algorithm>
 #include <optional>
 
-#include "runner/judge/truth/lingering.hpp"
+#include "runner/judge/truth/grace_timer.hpp"
+#include "runner/judge/truth/ground_truth_rules.hpp"
 #include "runner/judge/truth/outline.hpp"
-#include "runner/judge/truth/truths.hpp"
 #include "soccer/field.hpp"
 #include "soccer/robot_shape.hpp"
 #include "soccer/units.hpp"
 
-namespace autoref::runner::truth {
+namespace autoref::runner::ground_truth {
 namespace {
 
 // Also the ball's radius: whether distances end at its centre or its surface is open to reading.
-constexpr double kMargin_m = 25_mm;
-constexpr double kMargin_mps = 0.1_mps;
+constexpr double kStopMargin_m = 25_mm;
+constexpr double kStopMargin_mps = 0.1_mps;
 constexpr double kTooFastFor_s = 0.1;
-constexpr double kBallAtItsPlaceFor_s = 2_s;
+constexpr double kBallAtTargetFor_s = 2_s;
 
 // From the hull to the ball's centre: what a rule calls the distance to the ball.
 double to_ball_m(const Scene& scene, const sim::RobotState& robot) {
   return distance_to_hull(scene.now.ball.position_m, robot.position_m, robot.heading);
 }
 
-class StopSpeed final : public Truth {
+class StopSpeed final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, Happenings& all) override {
+  void watch(const Scene& scene, TrueEvents& all) override {
     if (!scene.play.is_stop || scene.time_s - scene.play.stopped_s <= scene.rules.stop_grace_s) {
       return;
     }
@@ -36,18 +36,18 @@ class StopSpeed final : public Truth {
   }
 
  private:
-  Lingering fast_{"stop_speed", kMargin_mps};
+  GraceTimer fast_{"stop_speed", kStopMargin_mps};
 };
 
-class StopDistance final : public Truth {
+class StopDistance final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, Happenings& all) override {
-    if (!is_ball_at_its_place(scene)) {
+  void watch(const Scene& scene, TrueEvents& all) override {
+    if (!is_ball_at_target(scene)) {
       since_s_.reset();
       return;
     }
     if (!since_s_) since_s_ = scene.time_s;
-    if (scene.time_s - *since_s_ >= kBallAtItsPlaceFor_s - scene.frame_s / 2) {
+    if (scene.time_s - *since_s_ >= kBallAtTargetFor_s - scene.frame_s / 2) {
       for_each_robot(scene.now, [&](RobotId id, const sim::RobotState& robot) {
         const double gap_m = to_ball_m(scene, robot);
         near_.watch(scene, id, robot, scene.rules.opponents_to_ball_m - gap_m, 0.0, all);
@@ -56,22 +56,22 @@ class StopDistance final : public Truth {
   }
 
  private:
-  static bool is_ball_at_its_place(const Scene& scene) {
+  static bool is_ball_at_target(const Scene& scene) {
     if (!scene.play.is_stop || !scene.signal.placement) return false;
     const Vec2 left_m = scene.signal.placement->target_m - scene.now.ball.position_m;
-    return left_m.norm() <= scene.rules.ball_in_place_m;
+    return left_m.norm() <= scene.rules.ball_in_position_m;
   }
 
   std::optional<double> since_s_;
-  Lingering near_{"stop_distance", kMargin_m};
+  GraceTimer near_{"stop_distance", kStopMargin_m};
 };
 
 // Rules of 2026: during stop and free kicks. A stop and the free kick after it are one spell, in
 // which a robot has its grace and its foul once. Kick-offs and penalty kicks have places of their
 // own for everybody.
-class AttackerStays final : public Truth {
+class AttackerStays final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, Happenings& all) override {
+  void watch(const Scene& scene, TrueEvents& all) override {
     const Play& play = scene.play;
     const bool is_free_kick =
         play.is_on && !play.in_play && play.taker && !play.is_kickoff() && !play.is_penalty();
@@ -84,12 +84,12 @@ class AttackerStays final : public Truth {
   }
 
  private:
-  Lingering near_{"attacker_stays_near_area", kMargin_m};
+  GraceTimer near_{"attacker_stays_near_area", kStopMargin_m};
 };
 
-class OpponentsNearRestart final : public Truth {
+class OpponentsNearRestart final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, Happenings& all) override {
+  void watch(const Scene& scene, TrueEvents& all) override {
     const Play& play = scene.play;
     if (!play.is_on || play.in_play || !play.taker || play.is_penalty()) return;
     for_each_robot(scene.now, opponent_of(*play.taker), [&](RobotId id, const auto& robot) {
@@ -100,37 +100,37 @@ class OpponentsNearRestart final : public Truth {
   }
 
  private:
-  Lingering near_{"restart_distance", kMargin_m};
+  GraceTimer near_{"restart_distance", kStopMargin_m};
 };
 
-class PlacementInterference final : public Truth {
+class PlacementInterference final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, Happenings& all) override {
+  void watch(const Scene& scene, TrueEvents& all) override {
     const auto& placement = scene.signal.placement;
     const auto& next = scene.signal.next_command;
     if (!scene.play.is_stop || !placement || !next || !is_for_one_side(next->kind)) return;
     const Vec2& ball_m = scene.now.ball.position_m;
     const Vec2& target_m = placement->target_m;
-    if ((target_m - ball_m).norm() <= scene.rules.ball_in_place_m) return;
+    if ((target_m - ball_m).norm() <= scene.rules.ball_in_position_m) return;
     for_each_robot(scene.now, opponent_of(next->side), [&](RobotId id, const auto& robot) {
-      const double gap_m = hull_to_way_m(robot, ball_m, target_m);
+      const double gap_m = hull_to_lane_m(robot, ball_m, target_m);
       near_.watch(scene, id, robot, scene.rules.placement_clearance_m - gap_m,
                   scene.rules.placement_grace_s, all);
     });
   }
 
  private:
-  static double hull_to_way_m(const sim::RobotState& robot, const Vec2& a_m, const Vec2& b_m) {
+  static double hull_to_lane_m(const sim::RobotState& robot, const Vec2& a_m, const Vec2& b_m) {
     const Vec2 nearest_m = nearest_on_segment(robot.position_m, a_m, b_m);
     return distance_to_hull(nearest_m, robot.position_m, robot.heading);
   }
 
-  Lingering near_{"placement_interference", kMargin_m};
+  GraceTimer near_{"placement_interference", kStopMargin_m};
 };
 
-class TooManyRobots final : public Truth {
+class TooManyRobots final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, Happenings& all) override {
+  void watch(const Scene& scene, TrueEvents& all) override {
     for (const Side side : kSides) {
       int on_field = 0;
       for_each_robot(scene.now, side, [&](RobotId, const sim::RobotState& robot) {
@@ -138,9 +138,9 @@ class TooManyRobots final : public Truth {
       });
       if (on_field <= scene.signal.robots_allowed[side]) {
         since_s_[side] = scene.time_s;
-        is_told_[side] = false;
-      } else if (!is_told_[side] && scene.time_s - since_s_[side] >= scene.rules.too_many_s) {
-        is_told_[side] = true;
+        is_reported_[side] = false;
+      } else if (!is_reported_[side] && scene.time_s - since_s_[side] >= scene.rules.too_many_s) {
+        is_reported_[side] = true;
         all.push_back({"too_many_robots", scene.time_s, side});
       }
     }
@@ -148,18 +148,20 @@ class TooManyRobots final : public Truth {
 
  private:
   PerSide<double> since_s_;
-  PerSide<bool> is_told_;
+  PerSide<bool> is_reported_;
 };
 
 }  // namespace
 
-std::unique_ptr<Truth> stop_speed() { return std::make_unique<StopSpeed>(); }
-std::unique_ptr<Truth> stop_distance() { return std::make_unique<StopDistance>(); }
-std::unique_ptr<Truth> attacker_stays() { return std::make_unique<AttackerStays>(); }
-std::unique_ptr<Truth> opponents_near_restart() { return std::make_unique<OpponentsNearRestart>(); }
-std::unique_ptr<Truth> placement_interference() {
+std::unique_ptr<GroundTruthRule> stop_speed() { return std::make_unique<StopSpeed>(); }
+std::unique_ptr<GroundTruthRule> stop_distance() { return std::make_unique<StopDistance>(); }
+std::unique_ptr<GroundTruthRule> attacker_stays() { return std::make_unique<AttackerStays>(); }
+std::unique_ptr<GroundTruthRule> opponents_near_restart() {
+  return std::make_unique<OpponentsNearRestart>();
+}
+std::unique_ptr<GroundTruthRule> placement_interference() {
   return std::make_unique<PlacementInterference>();
 }
-std::unique_ptr<Truth> too_many_robots() { return std::make_unique<TooManyRobots>(); }
+std::unique_ptr<GroundTruthRule> too_many_robots() { return std::make_unique<TooManyRobots>(); }
 
-}  // namespace autoref::runner::truth
+}  // namespace autoref::runner::ground_truth

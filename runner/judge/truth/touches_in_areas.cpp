@@ -3,19 +3,19 @@
 #include <algorithm>
 #include <array>
 
+#include "runner/judge/truth/ground_truth_rules.hpp"
 #include "runner/judge/truth/outline.hpp"
-#include "runner/judge/truth/truths.hpp"
 #include "soccer/robot_shape.hpp"
 #include "soccer/units.hpp"
 
-namespace autoref::runner::truth {
+namespace autoref::runner::ground_truth {
 namespace {
 
-constexpr double kMargin_m = 10_mm;
+constexpr double kAreaMargin_m = 10_mm;
 
-class TouchesInAreas final : public Truth {
+class TouchesInAreas final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, Happenings& all) override {
+  void watch(const Scene& scene, TrueEvents& all) override {
     for_each_robot(scene.now, [&](RobotId id, const sim::RobotState& robot) {
       watch_entry(scene, id, robot);
     });
@@ -39,7 +39,7 @@ class TouchesInAreas final : public Truth {
   };
 
   void defending(const Scene& scene, const Contact& contact, const sim::RobotState& robot,
-                 Happenings& all) {
+                 TrueEvents& all) {
     if (scene.is_keeper(contact.robot) || entry_of(contact.robot).was_shoved) return;
     const Reach reach = reach_to_area(scene.field, contact.robot.side, robot);
     add(scene, contact, "defender_in_area", -reach.farthest_m, all);
@@ -49,7 +49,7 @@ class TouchesInAreas final : public Truth {
   }
 
   void attacking(const Scene& scene, const Contact& contact, const sim::RobotState& robot,
-                 Happenings& all) {
+                 TrueEvents& all) {
     const Reach reach = reach_to_area(scene.field, opponent_of(contact.robot.side), robot);
     add(scene, contact, "attacker_in_area", -reach.nearest_m, all);
   }
@@ -79,25 +79,26 @@ class TouchesInAreas final : public Truth {
   }
 
   void add(const Scene& scene, const Contact& contact, std::string_view name, double excess_m,
-           Happenings& all) {
-    const Told told{contact.count, name, excess_m > 0 ? Standing::kTrue : Standing::kNearMiss};
-    if (excess_m <= -kMargin_m || std::find(told_.begin(), told_.end(), told) != told_.end()) {
+           TrueEvents& all) {
+    const Told reported{contact.count, name, excess_m > 0 ? Standing::kTrue : Standing::kNearMiss};
+    if (excess_m <= -kAreaMargin_m ||
+        std::find(reported_.begin(), reported_.end(), reported) != reported_.end()) {
       return;
     }
-    told_.push_back(told);
-    if (told_.size() > kRemembered) told_.erase(told_.begin());
+    reported_.push_back(reported);
+    if (reported_.size() > kRemembered) reported_.erase(reported_.begin());
     add_measured(all,
                  {name, scene.time_s, contact.robot.side, contact.robot, scene.now.ball.position_m},
-                 excess_m, kMargin_m);
+                 excess_m, kAreaMargin_m);
   }
 
   static constexpr std::size_t kRemembered = 64;  // contacts that may last at a time, and names
-  std::vector<Told> told_;
+  std::vector<Told> reported_;
   PerSide<std::array<Entry, kMaxRobots>> entries_;
 };
 
 }  // namespace
 
-std::unique_ptr<Truth> touches_in_areas() { return std::make_unique<TouchesInAreas>(); }
+std::unique_ptr<GroundTruthRule> touches_in_areas() { return std::make_unique<TouchesInAreas>(); }
 
-}  // namespace autoref::runner::truth
+}  // namespace autoref::runner::ground_truth

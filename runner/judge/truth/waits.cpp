@@ -2,74 +2,74 @@
 #include <algorithm>
 #include <deque>
 
-#include "runner/judge/truth/truths.hpp"
+#include "runner/judge/truth/ground_truth_rules.hpp"
 #include "soccer/units.hpp"
 
-namespace autoref::runner::truth {
+namespace autoref::runner::ground_truth {
 namespace {
 
 // Play that ends so shortly before the time is up was stopped early.
-constexpr double kLead_s = 0.2;
+constexpr double kWaitLead_s = 0.2;
 
 // Adds the event once its time is up, or about to be up as play ends.
-bool add_timed(const Scene& scene, Happening happening, double excess_s, Happenings& all) {
+bool add_timed(const Scene& scene, TrueEvent event, double excess_s, TrueEvents& all) {
   const double half_frame_s = scene.frame_s / 2;
-  if (excess_s < -half_frame_s && !(scene.play.ends_now && excess_s > -kLead_s)) return false;
-  if (excess_s < -half_frame_s) happening.standing = Standing::kPrevented;
-  all.push_back(happening);
+  if (excess_s < -half_frame_s && !(scene.play.ends_now && excess_s > -kWaitLead_s)) return false;
+  if (excess_s < -half_frame_s) event.standing = Standing::kPrevented;
+  all.push_back(event);
   return true;
 }
 
-class UntakenRestart final : public Truth {
+class UntakenRestart final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, Happenings& all) override {
+  void watch(const Scene& scene, TrueEvents& all) override {
     const Play& play = scene.play;
-    if (!play.is_on || play.in_play || !play.taker || told_ == play.count) return;
+    if (!play.is_on || play.in_play || !play.taker || reported_ == play.count) return;
     if (play.is_penalty() && scene.rules.has(RuleId::kPenaltyFailed)) return;
     const double limit_s = play.is_kickoff() || play.is_penalty() ? scene.rules.restart_timeout_s
                                                                   : scene.rules.free_kick_timeout_s;
-    const Happening untaken{"restart_not_taken", scene.time_s, play.taker, std::nullopt,
+    const TrueEvent untaken{"restart_not_taken", scene.time_s, play.taker, std::nullopt,
                             play.ball_from_m};
     const double waited_s = scene.time_s - waits_since_s(play, all);
-    if (add_timed(scene, untaken, waited_s - limit_s, all)) told_ = play.count;
+    if (add_timed(scene, untaken, waited_s - limit_s, all)) reported_ = play.count;
   }
 
  private:
   // Rules of 2026: an opponent who stands too near for too long gives the kicker its time anew.
-  static double waits_since_s(const Play& play, const Happenings& all) {
+  static double waits_since_s(const Play& play, const TrueEvents& all) {
     for (auto it = all.rbegin(); it != all.rend() && it->time_s > play.began_s; ++it) {
       if (it->name == "restart_distance" && it->standing == Standing::kTrue) return it->time_s;
     }
     return play.began_s;
   }
 
-  int told_ = -1;
+  int reported_ = -1;
 };
 
 // In some stretch of `stuck_time_s` the ball stayed within `stuck_distance_m` of where it was at
 // the beginning.
-class StuckBall final : public Truth {
+class StuckBall final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, Happenings& all) override {
+  void watch(const Scene& scene, TrueEvents& all) override {
     if (!scene.play.is_on || !scene.play.in_play || scene.play.entered_now || is_held(scene)) {
-      places_m_.clear();
-      is_told_ = false;
+      positions_m_.clear();
+      is_reported_ = false;
       return;
     }
-    places_m_.push_back(scene.now.ball.position_m);
+    positions_m_.push_back(scene.now.ball.position_m);
     const double limit_s = scene.rules.stuck_time_s;
     const auto frames = static_cast<std::size_t>(limit_s / scene.frame_s + 1.5);
-    if (places_m_.size() > frames) places_m_.pop_front();
-    const double excess_s = static_cast<double>(places_m_.size() - 1) * scene.frame_s - limit_s;
-    if (excess_s < -kLead_s || !has_stayed(scene.rules.stuck_distance_m)) {
-      is_told_ = false;
+    if (positions_m_.size() > frames) positions_m_.pop_front();
+    const double excess_s = static_cast<double>(positions_m_.size() - 1) * scene.frame_s - limit_s;
+    if (excess_s < -kWaitLead_s || !has_stayed(scene.rules.stuck_distance_m)) {
+      is_reported_ = false;
       return;
     }
     const bool is_2026 = scene.rules.has(RuleId::kNoProgress);
-    Happening stuck{is_2026 ? "no_progress" : "stuck_ball", scene.time_s, std::nullopt,
+    TrueEvent stuck{is_2026 ? "no_progress" : "stuck_ball", scene.time_s, std::nullopt,
                     std::nullopt, scene.now.ball.position_m};
-    if (!is_told_) {
-      is_told_ = add_timed(scene, stuck, excess_s, all);
+    if (!is_reported_) {
+      is_reported_ = add_timed(scene, stuck, excess_s, all);
     } else if (scene.play.ends_now) {  // it is stuck still: who calls it now is merely late
       stuck.standing = Standing::kNearMiss;
       all.push_back(stuck);
@@ -86,18 +86,18 @@ class StuckBall final : public Truth {
   }
 
   bool has_stayed(double within_m) const {
-    return std::all_of(places_m_.begin(), places_m_.end(), [&](const Vec2& place_m) {
-      return (place_m - places_m_.front()).norm() < within_m;
+    return std::all_of(positions_m_.begin(), positions_m_.end(), [&](const Vec2& position_m) {
+      return (position_m - positions_m_.front()).norm() < within_m;
     });
   }
 
-  std::deque<Vec2> places_m_;
-  bool is_told_ = false;
+  std::deque<Vec2> positions_m_;
+  bool is_reported_ = false;
 };
 
 }  // namespace
 
-std::unique_ptr<Truth> untaken_restart() { return std::make_unique<UntakenRestart>(); }
-std::unique_ptr<Truth> stuck_ball() { return std::make_unique<StuckBall>(); }
+std::unique_ptr<GroundTruthRule> untaken_restart() { return std::make_unique<UntakenRestart>(); }
+std::unique_ptr<GroundTruthRule> stuck_ball() { return std::make_unique<StuckBall>(); }
 
-}  // namespace autoref::runner::truth
+}  // namespace autoref::runner::ground_truth

@@ -7,47 +7,47 @@ function textElement(tag, className, text) {
   return element;
 }
 
-function momentItem(moment, seek) {
+function highlightItem(highlight, seek) {
   const button = document.createElement("button");
   button.type = "button";
-  button.className = `moment ${moment.kind}`;
-  button.dataset.side = moment.side ?? "";
-  button.dataset.color = moment.color ?? "";
-  button.append(textElement("span", "when", minutesAndSeconds(moment.time_s)),
-                textElement("span", "title", moment.title));
-  if (moment.reason) button.append(textElement("span", "reason", moment.reason));
-  if (moment.rule) button.append(textElement("span", "rule", moment.rule));
-  button.addEventListener("click", () => seek(moment.time_s));
+  button.className = `highlight ${highlight.kind}`;
+  button.dataset.side = highlight.side ?? "";
+  button.dataset.color = highlight.color ?? "";
+  button.append(textElement("span", "when", minutesAndSeconds(highlight.time_s)),
+                textElement("span", "title", highlight.title));
+  if (highlight.reason) button.append(textElement("span", "reason", highlight.reason));
+  if (highlight.rule) button.append(textElement("span", "rule", highlight.rule));
+  button.addEventListener("click", () => seek(highlight.time_s));
   const item = document.createElement("li");
   item.append(button);
   return item;
 }
 
 class EventList {
-  constructor(moments, seek) {
-    this.moments = moments;
+  constructor(highlights, seek) {
+    this.highlights = highlights;
     this.list = document.getElementById("eventList");
     this.current = -1;
     const items = document.createDocumentFragment();
-    for (const moment of moments) items.append(momentItem(moment, seek));
+    for (const highlight of highlights) items.append(highlightItem(highlight, seek));
     this.list.append(items);
-    if (moments.length === 0) this.list.append(textElement("li", "none", "The log tells of no events."));
+    if (highlights.length === 0) this.list.append(textElement("li", "none", "The log contains no events."));
   }
 
   // The last moment until then.
-  momentAt(time_s) {
-    return this.moments[this.indexAt(time_s)] ?? null;
+  highlightAt(time_s) {
+    return this.highlights[this.indexAt(time_s)] ?? null;
   }
 
   indexAt(time_s) {
-    return lastNotAfter(this.moments, time_s + 1e-6, (moment) => moment.time_s);
+    return lastNotAfter(this.highlights, time_s + 1e-6, (highlight) => highlight.time_s);
   }
 
   // The next moment of that kind, forwards (1) or backwards (-1); all kinds where there is none.
   neighbour(time_s, direction, kind = null) {
-    const fits = (moment) => kind === null || moment.kind === kind;
-    const lies = (moment) => direction * (moment.time_s - time_s) > 1e-3;
-    const ahead = this.moments.filter((moment) => fits(moment) && lies(moment));
+    const fits = (highlight) => kind === null || highlight.kind === kind;
+    const lies = (highlight) => direction * (highlight.time_s - time_s) > 1e-3;
+    const ahead = this.highlights.filter((highlight) => fits(highlight) && lies(highlight));
     return direction > 0 ? ahead[0] : ahead[ahead.length - 1];
   }
 
@@ -56,7 +56,7 @@ class EventList {
     if (index === this.current) return;
     this.list.querySelector("[aria-current]")?.removeAttribute("aria-current");
     this.current = index;
-    this.tell(this.moments[index]);
+    this.show(this.highlights[index]);
     if (index < 0) return;
     this.list.children[index].firstChild.setAttribute("aria-current", "true");
     this.reveal();
@@ -70,11 +70,11 @@ class EventList {
     list.scrollTop = item.offsetTop - list.offsetTop - (list.clientHeight - item.offsetHeight) / 2;
   }
 
-  tell(moment) {
-    setText("callTitle", moment ? `${minutesAndSeconds(moment.time_s)}  ${moment.title}` : "");
-    setText("callReason", moment?.reason ?? "");
+  show(highlight) {
+    setText("callTitle", highlight ? `${minutesAndSeconds(highlight.time_s)}  ${highlight.title}` : "");
+    setText("callReason", highlight?.reason ?? "");
     const call = document.getElementById("call");
-    call.dataset.kind = moment?.kind ?? "";
-    call.dataset.side = moment?.side ?? "";
+    call.dataset.kind = highlight?.kind ?? "";
+    call.dataset.side = highlight?.side ?? "";
   }
 }

@@ -2,7 +2,7 @@
 
 const kCell_mm = 150;
 const kHottestShare = 0.99;  // of the cells: hotter ones look alike
-const kRolls_mm = 3;         // from picture to picture; a ball that waits for its kick does not count
+const kRolls_mm = 3;         // from frame to frame; a ball that waits for its kick does not count
 
 function isRolling(ball, i) {
   if (i === 0 || !hasRun(ball, i - 1, i)) return false;

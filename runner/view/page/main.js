@@ -5,7 +5,7 @@ const kLayers = ["trails", "speeds", "distances", "heat", "list"];
 
 function readGame() {
   const game = JSON.parse(document.getElementById("game").textContent);
-  const element = document.getElementById("pictures");
+  const element = document.getElementById("frames");
   const recording = new Recording(game, element.textContent);
   element.remove();  // it is long, and not needed any more
   return {game, recording};
@@ -17,12 +17,12 @@ class Page {
     this.recording = recording;
     this.layers = {trails: true, speeds: false, distances: true, heat: false, list: true};
     this.player = new Player(recording, () => { this.isStale = true; });
-    const moments = momentsOf(game);
+    const highlights = highlightsOf(game);
     const seek = (time_s) => this.player.seek(time_s);
     this.pitch = new Pitch(document.getElementById("pitch"), game, recording);
     this.scoreboard = new Scoreboard(game);
-    this.timeline = new Timeline(recording, moments, seek);
-    this.events = new EventList(moments, seek);
+    this.timeline = new Timeline(recording, highlights, seek);
+    this.events = new EventList(highlights, seek);
     this.isStale = true;
   }
 
@@ -54,7 +54,7 @@ class Page {
     this.isStale = false;
     const {time_s} = this.player;
     const signalIndex = lastNotAfter(this.game.signals, time_s + 1e-6, (signal) => signal.time_s);
-    this.pitch.draw(this.recording.sceneAt(time_s), signalIndex, this.layers, this.events.momentAt(time_s));
+    this.pitch.draw(this.recording.sceneAt(time_s), signalIndex, this.layers, this.events.highlightAt(time_s));
     this.scoreboard.show(time_s, this.game.signals[Math.max(signalIndex, 0)]);
     this.timeline.show(time_s);
     this.events.show(time_s);
@@ -79,8 +79,8 @@ class Page {
   }
 
   seekMoment(direction, kind) {
-    const moment = this.events.neighbour(this.player.time_s, direction, kind);
-    if (moment) this.player.seek(moment.time_s);
+    const highlight = this.events.neighbour(this.player.time_s, direction, kind);
+    if (highlight) this.player.seek(highlight.time_s);
   }
 
   toggleHelp() {

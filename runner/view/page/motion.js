@@ -1,4 +1,4 @@
-// How things move: speeds and trails, told from the pictures.
+// How things move: speeds and trails, told from the frames.
 
 const kSpeedPictures = 3;  // before and after; fewer would show vision's noise
 const kTrailPictures = 90;
@@ -21,7 +21,7 @@ function hasRun(track, from, to) {
   return Math.hypot(track.x[to] - track.x[from], track.y[to] - track.y[from]) <= kFarthestStep_mm;
 }
 
-// Adds the way from one picture to another to the context's path.
+// Adds the way from one frame to another to the context's path.
 function traceWay(context, track, from, to) {
   let isDrawing = false;
   for (let i = Math.max(1, from + 1); i <= to; ++i) {

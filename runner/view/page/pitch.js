@@ -49,8 +49,8 @@ class Pitch {
     drawField(context, this.field, this.pixel_mm);
   }
 
-  // `layers` tells by name which are on, `moment` what was called last, if anything.
-  draw(scene, signalIndex, layers, moment) {
+  // `layers` tells by name which are on, `highlight` what was called last, if anything.
+  draw(scene, signalIndex, layers, highlight) {
     const {context} = this;
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.drawImage(this.still, 0, 0);
@@ -59,7 +59,7 @@ class Pitch {
     if (layers.heat) this.drawHeat();
     if (layers.distances) this.drawDistances(scene, signalIndex);
     if (layers.trails) this.drawTrails(scene);
-    this.drawPlace(scene, moment);
+    this.drawPosition(scene, highlight);
     for (const robot of scene.robots) this.drawRobot(robot);
     if (scene.ball) this.drawBall(scene.ball);
     if (layers.speeds) this.drawSpeeds(scene);
@@ -208,11 +208,11 @@ class Pitch {
   }
 
   // Where the referee saw what it called last.
-  drawPlace(scene, moment) {
-    const age_s = moment ? scene.time_s - moment.time_s : kPulse_s;
-    if (!moment?.place_m || age_s >= kPulse_s) return;
+  drawPosition(scene, highlight) {
+    const age_s = highlight ? scene.time_s - highlight.time_s : kPulse_s;
+    if (!highlight?.position_m || age_s >= kPulse_s) return;
     const {context} = this;
-    const [x, y] = moment.place_m.map((metres) => 1000 * metres);
+    const [x, y] = highlight.position_m.map((metres) => 1000 * metres);
     context.globalAlpha = 1 - age_s / kPulse_s;
     context.strokeStyle = "#ffffff";
     context.lineWidth = 2.5 * this.pixel_mm;

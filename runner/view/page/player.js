@@ -35,11 +35,11 @@ class Player {
     this.onChange();
   }
 
-  // By whole pictures, standing.
-  step(pictures) {
+  // By whole frames, standing.
+  step(frames) {
     this.pause();
     const {times_s, count} = this.recording;
-    const index = this.recording.indexAt(this.time_s) + pictures;
+    const index = this.recording.indexAt(this.time_s) + frames;
     this.seek(times_s[Math.min(Math.max(index, 0), count - 1)]);
   }
 

@@ -1,10 +1,10 @@
-// The game as it was packed (runner/view/game_tape.hpp), and what it shows at any time.
+// The game as it was packed (runner/view/game_recording.hpp), and what it shows at any time.
 "use strict";
 
 const kNothing = -32768;
 const kWholeNumberFollows = 0x80;
 const kTicksPerSecond = 10000;
-// Farther apart than this, two pictures tell nothing of what was between them.
+// Farther apart than this, two frames tell nothing of what was between them.
 const kLongestGap_s = 0.12;
 const kFarthestStep_mm = 400;
 
@@ -15,7 +15,7 @@ function bytesOf(base64) {
   return bytes;
 }
 
-// Reads what PackedColumn and GameTape wrote, from the first byte to the last.
+// Reads what PackedColumn and GameRecording wrote, from the first byte to the last.
 class Unpacker {
   constructor(bytes) {
     this.bytes = bytes;
@@ -63,7 +63,7 @@ function mixAngles(from, to, share) {
 class Recording {
   constructor(game, base64) {
     const unpacker = new Unpacker(bytesOf(base64));
-    this.count = game.pictures;
+    this.count = game.frames;
     this.times_s = unpacker.times_s(this.count);
     this.robots = game.robots.map(([side, number]) => ({
       side,
@@ -82,12 +82,12 @@ class Recording {
     this.length_s = this.last_s - this.first_s;
   }
 
-  // The last picture that is not later, as far as ticks can tell.
+  // The last frame that is not later, as far as ticks can tell.
   indexAt(time_s) {
-    return Math.max(0, lastNotAfter(this.times_s, time_s + 1 / kTicksPerSecond, (picture_s) => picture_s));
+    return Math.max(0, lastNotAfter(this.times_s, time_s + 1 / kTicksPerSecond, (frame_s) => frame_s));
   }
 
-  // Everything on the field at that time, told from the pictures before and after it.
+  // Everything on the field at that time, told from the frames before and after it.
   sceneAt(time_s) {
     const index = this.indexAt(time_s);
     const next = Math.min(index + 1, this.count - 1);
@@ -116,7 +116,7 @@ function lastNotAfter(list, time_s, timeOf) {
   return low - 1;
 }
 
-// What moved too far in one picture did not run: it was put there.
+// What moved too far in one frame did not run: it was put there.
 function shareFor(track, {index, next, share}) {
   if (track.x[next] === kNothing) return 0;
   const step = Math.hypot(track.x[next] - track.x[index], track.y[next] - track.y[index]);

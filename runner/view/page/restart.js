@@ -15,7 +15,7 @@ function takerOf(signals, index) {
   return sideOfCommand(signals[index - 1].command);
 }
 
-// The first picture at which the ball had left its place; told once for each signal.
+// The first frame at which the ball had left its place; told once for each signal.
 function freedAt(recording, signal) {
   if (signal.freedAt !== undefined) return signal.freedAt;
   const {x, y} = recording.ball;
@@ -27,14 +27,14 @@ function freedAt(recording, signal) {
 }
 
 // Which sides must keep away from the ball now: none while play is on.
-function sidesKeptAway(recording, signals, index, picture) {
+function sidesKeptAway(recording, signals, index, frame) {
   const signal = signals[index];
   if (!signal) return [];
   const kind = kindOfCommand(signal.command);
   if (kind === "STOP") return [0, 1];
   if (!kRestarts.includes(kind)) return [];
   const taker = takerOf(signals, index);
-  const isFreed = kind !== "PREPARE_KICKOFF" && picture >= freedAt(recording, signal);
+  const isFreed = kind !== "PREPARE_KICKOFF" && frame >= freedAt(recording, signal);
   return taker === null || isFreed ? [] : [1 - taker];
 }
 

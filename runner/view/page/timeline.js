@@ -2,14 +2,14 @@
 
 class Timeline {
   // `seek(time_s)` is called where somebody points at a time.
-  constructor(recording, moments, seek) {
+  constructor(recording, highlights, seek) {
     this.recording = recording;
     this.seek = seek;
     this.slider = document.getElementById("timeline");
     this.played = document.getElementById("played");
     this.knob = document.getElementById("knob");
     this.slider.setAttribute("aria-valuemax", String(Math.round(recording.last_s)));
-    this.addMarks(moments);
+    this.addMarks(highlights);
     this.listen();
   }
 
@@ -18,19 +18,19 @@ class Timeline {
     return length_s > 0 ? Math.min(Math.max((time_s - first_s) / length_s, 0), 1) : 0;
   }
 
-  addMarks(moments) {
+  addMarks(highlights) {
     const marks = document.getElementById("marks");
-    for (const moment of moments) {
+    for (const highlight of highlights) {
       const mark = document.createElement("button");
       mark.type = "button";
       mark.tabIndex = -1;  // the list of events is the way there by keys
-      mark.className = `mark ${moment.kind}`;
-      mark.dataset.side = moment.side ?? "";
-      mark.dataset.color = moment.color ?? "";
-      mark.style.left = `${100 * this.shareOf(moment.time_s)}%`;
-      mark.title = `${minutesAndSeconds(moment.time_s)}  ${moment.title}`;
+      mark.className = `mark ${highlight.kind}`;
+      mark.dataset.side = highlight.side ?? "";
+      mark.dataset.color = highlight.color ?? "";
+      mark.style.left = `${100 * this.shareOf(highlight.time_s)}%`;
+      mark.title = `${minutesAndSeconds(highlight.time_s)}  ${highlight.title}`;
       mark.setAttribute("aria-label", mark.title);
-      mark.addEventListener("click", () => this.seek(moment.time_s));
+      mark.addEventListener("click", () => this.seek(highlight.time_s));
       marks.append(mark);
     }
   }

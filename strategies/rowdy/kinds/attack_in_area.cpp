@@ -8,31 +8,31 @@ constexpr double kPlays_m = 600_mm;  // from the ball to a robot that goes for i
 constexpr double kKick_mps = 4.0;
 constexpr double kKicked_mps = 2.0;
 
-std::optional<Deed> find_chance(const Scene& scene) {
+std::optional<ActiveFoul> find_chance(const Scene& scene) {
   if (!is_running(scene) || scene.now.ball.position_m.x() < 0) return std::nullopt;
-  return deed_of(nearest_mate(scene, scene.field.goal_centre_m(Side::kEast), kReach_m),
+  return foul_by(nearest_mate(scene, scene.field.goal_centre_m(Side::kEast), kReach_m),
                  scene.now.ball.position_m);
 }
 
 // Waits in the area on the ball's way to the goal, and plays it when it lies or rolls there.
-bool go_on(const Scene& scene, Deed& deed, Will& will) {
-  const TrackedRobot& robot = *find(scene.now.own, deed.robot);
+bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
+  const TrackedRobot& robot = *find(scene.now.own, foul.robot);
   const Vec2& ball_m = scene.now.ball.position_m;
   const Vec2 goal_m = scene.field.goal_centre_m(Side::kEast);
-  const Vec2 way = direction_of(ball_m - goal_m, Vec2(-1, 0));
+  const Vec2 direction = direction_of(ball_m - goal_m, Vec2(-1, 0));
   const bool is_near = (ball_m - robot.position_m).norm() < kPlays_m;
   const bool is_inside = distance_to_defence_area(scene.field, Side::kEast, ball_m) < 0;
-  RobotCommand& order = will.order(deed.robot);
-  order = is_near && is_inside
-              ? kick_at(scene, robot, goal_m, kKick_mps)
-              : go_to(scene, robot, goal_m + way * scene.field.defence_area.depth_m / 2);
-  order.dribble = true;
+  RobotCommand& command = output.command(foul.robot);
+  command = is_near && is_inside
+                ? kick_at(scene, robot, goal_m, kKick_mps)
+                : go_to(scene, robot, goal_m + direction * scene.field.defence_area.depth_m / 2);
+  command.dribble = true;
   return is_running(scene) && (!is_near || scene.now.ball.velocity_mps.norm() < kKicked_mps);
 }
 
 }  // namespace
 
-const Mischief kAttackInArea = {
+const FoulBehaviour kAttackInArea = {
     "attack_in_area", "Plays the ball inside the opponents' area.", 0.1, 5, find_chance, go_on};
 
 }  // namespace autoref::strategies::rowdy

@@ -13,28 +13,28 @@ constexpr double kLandsBefore_m = 300_mm;  // the goal line
 constexpr double kGravity_mps2 = 9.81;
 constexpr double kKicked_mps = 1.5;
 
-std::optional<Deed> find_chance(const Scene& scene) {
+std::optional<ActiveFoul> find_chance(const Scene& scene) {
   const Vec2& ball_m = scene.now.ball.position_m;
   const double to_goal_m = (scene.field.goal_centre_m(Side::kEast) - ball_m).norm();
   if (!is_running(scene) || to_goal_m < kNearest_m || to_goal_m > kFarthest_m) return std::nullopt;
-  return deed_of(nearest_mate(scene, ball_m, kNear_m), ball_m);
+  return foul_by(nearest_mate(scene, ball_m, kNear_m), ball_m);
 }
 
 // At 45 degrees a chip of v flies v^2 / g.
-bool go_on(const Scene& scene, Deed& deed, Will& will) {
+bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
   const Vec2 goal_m = scene.field.goal_centre_m(Side::kEast);
   const double range_m = (goal_m - scene.now.ball.position_m).norm() - kLandsBefore_m;
   const double kick_mps = std::sqrt(kGravity_mps2 * std::max(0.1, range_m));
-  RobotCommand& order = will.order(deed.robot);
-  order = kick_at(scene, *find(scene.now.own, deed.robot), goal_m, kick_mps);
-  order.chip = true;
-  hold_back(scene, deed.robot, scene.now.ball.position_m, kNear_m, will.orders);
+  RobotCommand& command = output.command(foul.robot);
+  command = kick_at(scene, *find(scene.now.own, foul.robot), goal_m, kick_mps);
+  command.chip = true;
+  hold_back(scene, foul.robot, scene.now.ball.position_m, kNear_m, output.commands);
   return is_running(scene) && scene.now.ball.velocity_mps.norm() < kKicked_mps;
 }
 
 }  // namespace
 
-const Mischief kChipGoal = {
+const FoulBehaviour kChipGoal = {
     "chip_goal", "Chips at the goal so that the ball comes down before it and hops in.",
     0.3,         4,
     find_chance, go_on};

@@ -3,18 +3,19 @@
 namespace autoref::strategies::rowdy {
 namespace {
 
-std::optional<Deed> find_chance(const Scene& scene) {
+std::optional<ActiveFoul> find_chance(const Scene& scene) {
   if (!is_own_restart(scene)) return std::nullopt;
-  return Deed{};
+  return ActiveFoul{};
 }
 
-bool go_on(const Scene& scene, Deed& deed, Will& will) {
-  hold_back(scene, deed.robot, scene.now.ball.position_m, 2 * scene.field.length_m, will.orders);
+bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
+  hold_back(scene, foul.robot, scene.now.ball.position_m, 2 * scene.field.length_m,
+            output.commands);
   return is_own_restart(scene);
 }
 
 }  // namespace
 
-const Mischief kDelay = {"delay", "Lets its restart run out.", 0.05, 15, find_chance, go_on};
+const FoulBehaviour kDelay = {"delay", "Lets its restart run out.", 0.05, 15, find_chance, go_on};
 
 }  // namespace autoref::strategies::rowdy

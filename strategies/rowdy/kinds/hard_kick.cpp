@@ -7,16 +7,16 @@ constexpr double kHardest_mps = 10;
 constexpr double kNear_m = 300_mm;  // from the ball to a robot that may kick soon
 constexpr double kKicked_mps = 5;
 
-std::optional<Deed> find_chance(const Scene& scene) {
+std::optional<ActiveFoul> find_chance(const Scene& scene) {
   if (!is_running(scene) && !is_own_restart(scene)) return std::nullopt;
-  return deed_of(nearest_mate(scene, scene.now.ball.position_m, kNear_m),
+  return foul_by(nearest_mate(scene, scene.now.ball.position_m, kNear_m),
                  scene.now.ball.position_m);
 }
 
 // The team goes on as it likes; only its kicks become harder.
-bool go_on(const Scene& scene, Deed& /*deed*/, Will& will) {
-  for (RobotCommand& order : will.orders) {
-    if (order.kick_mps > 0) order.kick_mps = kHardest_mps;
+bool go_on(const Scene& scene, ActiveFoul& /*foul*/, TeamOutput& output) {
+  for (RobotCommand& command : output.commands) {
+    if (command.kick_mps > 0) command.kick_mps = kHardest_mps;
   }
   return scene.now.ball.velocity_mps.norm() < kKicked_mps &&
          (is_running(scene) || is_own_restart(scene));
@@ -24,7 +24,7 @@ bool go_on(const Scene& scene, Deed& /*deed*/, Will& will) {
 
 }  // namespace
 
-const Mischief kHardKick = {
+const FoulBehaviour kHardKick = {
     "hard_kick", "Kicks as hard as the kicker gives, with 10 m/s where it can.",
     0.1,         4,
     find_chance, go_on};

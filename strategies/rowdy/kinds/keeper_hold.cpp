@@ -14,13 +14,13 @@ constexpr double kSway_s = 3.0;    // each way
 constexpr double kShortest_s = 4;
 constexpr double kLongest_s = 18;
 
-bool is_in_hand(const Scene& scene) {
+bool is_held(const Scene& scene) {
   const Vec2& ball_m = scene.now.ball.position_m;
   return distance_to_defence_area(scene.field, Side::kWest, ball_m) < 0 &&
          ball_m.x() > -scene.field.half_length_m();
 }
 
-std::optional<Deed> find_chance(const Scene& scene) {
+std::optional<ActiveFoul> find_chance(const Scene& scene) {
   const TrackedBall& ball = scene.now.ball;
   const bool is_inside =
       distance_to_defence_area(scene.field, Side::kWest, ball.position_m) < -kInside_m &&
@@ -30,7 +30,7 @@ std::optional<Deed> find_chance(const Scene& scene) {
       keeper == nullptr || (keeper->position_m - ball.position_m).norm() > kReach_m) {
     return std::nullopt;
   }
-  return deed_of(keeper, ball.position_m);
+  return foul_by(keeper, ball.position_m);
 }
 
 RobotCommand take(const Scene& scene, const TrackedRobot& keeper) {
@@ -41,25 +41,25 @@ RobotCommand take(const Scene& scene, const TrackedRobot& keeper) {
   return drive_to(keeper, {behind_m, Vec2(1, 0)}, {}, {});
 }
 
-bool go_on(const Scene& scene, Deed& deed, Will& will) {
-  const TrackedRobot& keeper = *find(scene.now.own, deed.robot);
-  const double lasts_s = scene.now.time_s - deed.begun_s;
-  RobotCommand& order = will.order(deed.robot);
+bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
+  const TrackedRobot& keeper = *find(scene.now.own, foul.robot);
+  const double lasts_s = scene.now.time_s - foul.begun_s;
+  RobotCommand& command = output.command(foul.robot);
   if (has_ball(keeper, scene.now.ball)) {
     const bool is_forth = static_cast<int>(lasts_s / kSway_s) % 2 == 0;
-    order = drive_with(keeper, Vec2(is_forth ? kSway_mps : -kSway_mps, 0), Vec2(1, 0), {});
+    command = drive_with(keeper, Vec2(is_forth ? kSway_mps : -kSway_mps, 0), Vec2(1, 0), {});
   } else {
-    order = take(scene, keeper);
+    command = take(scene, keeper);
   }
-  order.dribble = true;
-  return is_running(scene) && is_in_hand(scene) &&
-         lasts_s < kShortest_s + (kLongest_s - kShortest_s) * deed.amount;
+  command.dribble = true;
+  return is_running(scene) && is_held(scene) &&
+         lasts_s < kShortest_s + (kLongest_s - kShortest_s) * foul.amount;
 }
 
 }  // namespace
 
-const Mischief kKeeperHold = {"keeper_hold", "The keeper keeps the ball in its area for 4 to 18 s.",
-                              0.6,           22,
-                              find_chance,   go_on};
+const FoulBehaviour kKeeperHold = {
+    "keeper_hold", "The keeper keeps the ball in its area for 4 to 18 s.", 0.6, 22, find_chance,
+    go_on};
 
 }  // namespace autoref::strategies::rowdy

@@ -10,26 +10,28 @@ bool is_kickoff(const Scene& scene) {
   return scene.now.play == Play::kPrepareKickoff || scene.now.play == Play::kKickoff;
 }
 
-Vec2 place_m(const Scene& scene) { return {kBeyond_m, kBesideShare * scene.field.half_width_m()}; }
+Vec2 position_m(const Scene& scene) {
+  return {kBeyond_m, kBesideShare * scene.field.half_width_m()};
+}
 
-std::optional<Deed> find_chance(const Scene& scene) {
+std::optional<ActiveFoul> find_chance(const Scene& scene) {
   if (!is_kickoff(scene)) return std::nullopt;
-  return deed_of(nearest_mate(scene, place_m(scene), scene.field.length_m),
+  return foul_by(nearest_mate(scene, position_m(scene), scene.field.length_m),
                  scene.now.ball.position_m);
 }
 
-bool go_on(const Scene& scene, Deed& deed, Will& will) {
-  will.order(deed.robot) = go_to(scene, *find(scene.now.own, deed.robot), place_m(scene));
+bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
+  output.command(foul.robot) = go_to(scene, *find(scene.now.own, foul.robot), position_m(scene));
   return is_kickoff(scene);
 }
 
 }  // namespace
 
-const Mischief kKickoffIntruder = {"kickoff_intruder",
-                                   "Has a robot in the opponents' half at a kick-off.",
-                                   0.3,
-                                   25,
-                                   find_chance,
-                                   go_on};
+const FoulBehaviour kKickoffIntruder = {"kickoff_intruder",
+                                        "Has a robot in the opponents' half at a kick-off.",
+                                        0.3,
+                                        25,
+                                        find_chance,
+                                        go_on};
 
 }  // namespace autoref::strategies::rowdy

@@ -18,32 +18,32 @@ bool has_room(const Scene& scene, const TrackedRobot& robot) {
   return is_on_field(scene.field, end_m);
 }
 
-std::optional<Deed> find_chance(const Scene& scene) {
+std::optional<ActiveFoul> find_chance(const Scene& scene) {
   if (!is_running(scene)) return std::nullopt;
   const Vec2& ball_m = scene.now.ball.position_m;
   const TrackedRobot* mate = nearest_mate(scene, ball_m, kLost_m);
   if (mate == nullptr || !has_ball(*mate, scene.now.ball) || !has_room(scene, *mate)) {
     return std::nullopt;
   }
-  return deed_of(mate, ball_m);
+  return foul_by(mate, ball_m);
 }
 
-bool go_on(const Scene& scene, Deed& deed, Will& will) {
-  const TrackedRobot& robot = *find(scene.now.own, deed.robot);
+bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
+  const TrackedRobot& robot = *find(scene.now.own, foul.robot);
   const Vec2& ball_m = scene.now.ball.position_m;
   const double now_mps = std::max(0.0, robot.velocity_mps.dot(robot.heading));
-  RobotCommand& order = will.order(deed.robot);
-  order = charge(robot, robot.heading * std::min(kSpeed_mps, now_mps + kFaster_mps));
-  order.dribble = true;
-  hold_back(scene, deed.robot, ball_m, kMates_m, will.orders);
-  const double far_m = kShortest_m + (kLongest_m - kShortest_m) * deed.amount;
+  RobotCommand& command = output.command(foul.robot);
+  command = charge(robot, robot.heading * std::min(kSpeed_mps, now_mps + kFaster_mps));
+  command.dribble = true;
+  hold_back(scene, foul.robot, ball_m, kMates_m, output.commands);
+  const double far_m = kShortest_m + (kLongest_m - kShortest_m) * foul.amount;
   return is_running(scene) && (ball_m - robot.position_m).norm() < kLost_m &&
-         (ball_m - deed.from_m).norm() < far_m;
+         (ball_m - foul.from_m).norm() < far_m;
 }
 
 }  // namespace
 
-const Mischief kLongDribble = {
+const FoulBehaviour kLongDribble = {
     "long_dribble", "Dribbles the ball 0.3 to 1.5 m.", 0.15, 6, find_chance, go_on};
 
 }  // namespace autoref::strategies::rowdy

@@ -12,38 +12,39 @@ bool is_waiting(const Scene& scene) {
   return scene.now.play == Play::kStop || is_own_restart(scene) || is_opponents_restart(scene);
 }
 
-Vec2 ball_place_m(const Scene& scene) {
+Vec2 ball_target_m(const Scene& scene) {
   return scene.now.placement_m.value_or(scene.now.ball.position_m);
 }
 
-std::optional<Deed> find_chance(const Scene& scene) {
-  if (!is_waiting(scene) || ball_place_m(scene).x() < 0) return std::nullopt;
+std::optional<ActiveFoul> find_chance(const Scene& scene) {
+  if (!is_waiting(scene) || ball_target_m(scene).x() < 0) return std::nullopt;
   const Vec2 goal_m = scene.field.goal_centre_m(Side::kEast);
   const TrackedRobot* mate = nearest_mate(scene, goal_m, kReach_m);
-  return deed_of(mate, mate != nullptr ? mate->position_m : goal_m);
+  return foul_by(mate, mate != nullptr ? mate->position_m : goal_m);
 }
 
 // The place at the area's rim in that direction from the goal, stepping along it.
-Vec2 place_at_rim(const Scene& scene, const Vec2& from_m) {
+Vec2 position_at_rim(const Scene& scene, const Vec2& from_m) {
   const Vec2 goal_m = scene.field.goal_centre_m(Side::kEast);
-  const Vec2 way = direction_of(from_m - goal_m, Vec2(-1, 0));
-  Vec2 place_m = goal_m + way * scene.field.defence_area.depth_m;
+  const Vec2 direction = direction_of(from_m - goal_m, Vec2(-1, 0));
+  Vec2 position_m = goal_m + direction * scene.field.defence_area.depth_m;
   for (int i = 0; i < kSteps; ++i) {
-    place_m += way * (kFromArea_m - distance_to_defence_area(scene.field, Side::kEast, place_m));
+    position_m +=
+        direction * (kFromArea_m - distance_to_defence_area(scene.field, Side::kEast, position_m));
   }
-  return place_m;
+  return position_m;
 }
 
-bool go_on(const Scene& scene, Deed& deed, Will& will) {
-  const Vec2 place_m = place_at_rim(scene, deed.from_m);
-  will.order(deed.robot) = go_to(scene, *find(scene.now.own, deed.robot), place_m);
-  return is_waiting(scene) && (place_m - ball_place_m(scene)).norm() > kFromBall_m;
+bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
+  const Vec2 position_m = position_at_rim(scene, foul.from_m);
+  output.command(foul.robot) = go_to(scene, *find(scene.now.own, foul.robot), position_m);
+  return is_waiting(scene) && (position_m - ball_target_m(scene)).norm() > kFromBall_m;
 }
 
 }  // namespace
 
-const Mischief kNearArea = {"near_area", "Waits within 200 mm of the opponents' area at restarts.",
-                            0.1,         25,
-                            find_chance, go_on};
+const FoulBehaviour kNearArea = {
+    "near_area", "Waits within 200 mm of the opponents' area at restarts.", 0.1, 25, find_chance,
+    go_on};
 
 }  // namespace autoref::strategies::rowdy

@@ -14,29 +14,29 @@ Vec2 mark_m(const Scene& scene) {
 }
 
 // Not the one that takes the kick.
-std::optional<Deed> find_chance(const Scene& scene) {
+std::optional<ActiveFoul> find_chance(const Scene& scene) {
   if (!is_penalty(scene)) return std::nullopt;
   const TrackedRobot* kicker =
       scene.now.ours ? nearest_mate(scene, mark_m(scene), scene.field.length_m) : nullptr;
   for (const TrackedRobot& mate : scene.now.own) {
-    if (mate.number != scene.keeper && &mate != kicker) return deed_of(&mate, mark_m(scene));
+    if (mate.number != scene.keeper && &mate != kicker) return foul_by(&mate, mark_m(scene));
   }
   return std::nullopt;
 }
 
-bool go_on(const Scene& scene, Deed& deed, Will& will) {
-  will.order(deed.robot) =
-      go_to(scene, *find(scene.now.own, deed.robot), deed.from_m + Vec2(0, kBeside_m));
+bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
+  output.command(foul.robot) =
+      go_to(scene, *find(scene.now.own, foul.robot), foul.from_m + Vec2(0, kBeside_m));
   return is_penalty(scene);
 }
 
 }  // namespace
 
-const Mischief kPenaltyCrowd = {"penalty_crowd",
-                                "Has a robot beside the mark when a penalty is kicked.",
-                                0.4,
-                                25,
-                                find_chance,
-                                go_on};
+const FoulBehaviour kPenaltyCrowd = {"penalty_crowd",
+                                     "Has a robot beside the mark when a penalty is kicked.",
+                                     0.4,
+                                     25,
+                                     find_chance,
+                                     go_on};
 
 }  // namespace autoref::strategies::rowdy

@@ -22,7 +22,7 @@ double depth_m(const Scene& scene) {
   return -distance_to_defence_area(scene.field, Side::kWest, scene.now.ball.position_m);
 }
 
-std::optional<Deed> find_chance(const Scene& scene) {
+std::optional<ActiveFoul> find_chance(const Scene& scene) {
   const double deep_m = depth_m(scene);
   const bool is_reached = (deep_m > kFromOutside_m && deep_m < kDeepest_m) ||
                           (deep_m > kShallowest_m && deep_m < kFromInside_m);
@@ -30,34 +30,34 @@ std::optional<Deed> find_chance(const Scene& scene) {
     return std::nullopt;
   }
   const Vec2& ball_m = scene.now.ball.position_m;
-  return deed_of(nearest_mate(scene, ball_m, kReach_m), ball_m);
+  return foul_by(nearest_mate(scene, ball_m, kReach_m), ball_m);
 }
 
 // From outside it pushes the ball a little towards its own goal, from inside it kicks it away.
-RobotCommand touch(const Scene& scene, const TrackedRobot& robot, Deed& deed) {
+RobotCommand touch(const Scene& scene, const TrackedRobot& robot, ActiveFoul& foul) {
   const Vec2& ball_m = scene.now.ball.position_m;
   const Vec2 outwards = direction_of(ball_m - scene.field.goal_centre_m(Side::kWest), Vec2(1, 0));
   if (depth_m(scene) < 0) return kick_at(scene, robot, ball_m + outwards, kKick_mps);
   const Vec2 run_up_m = ball_m + outwards * kRunUp_m;
-  deed.is_halfway = deed.is_halfway || (robot.position_m - run_up_m).norm() < kThere_m;
-  return deed.is_halfway ? charge(robot, -outwards * kPush_mps) : go_to(scene, robot, run_up_m);
+  foul.is_halfway = foul.is_halfway || (robot.position_m - run_up_m).norm() < kThere_m;
+  return foul.is_halfway ? charge(robot, -outwards * kPush_mps) : go_to(scene, robot, run_up_m);
 }
 
-bool go_on(const Scene& scene, Deed& deed, Will& will) {
+bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
   const Vec2& ball_m = scene.now.ball.position_m;
-  hold_back(scene, deed.robot, ball_m, kReach_m, will.orders);
-  will.order(deed.robot) = touch(scene, *find(scene.now.own, deed.robot), deed);
-  return is_running(scene) && (ball_m - deed.from_m).norm() < kPushed_m &&
+  hold_back(scene, foul.robot, ball_m, kReach_m, output.commands);
+  output.command(foul.robot) = touch(scene, *find(scene.now.own, foul.robot), foul);
+  return is_running(scene) && (ball_m - foul.from_m).norm() < kPushed_m &&
          scene.now.ball.velocity_mps.norm() < kKicked_mps;
 }
 
 }  // namespace
 
-const Mischief kPlayAtOwnArea = {"play_at_own_area",
-                                 "A field player partly inside its own area touches the ball.",
-                                 0.5,
-                                 5,
-                                 find_chance,
-                                 go_on};
+const FoulBehaviour kPlayAtOwnArea = {"play_at_own_area",
+                                      "A field player partly inside its own area touches the ball.",
+                                      0.5,
+                                      5,
+                                      find_chance,
+                                      go_on};
 
 }  // namespace autoref::strategies::rowdy

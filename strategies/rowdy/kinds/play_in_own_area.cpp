@@ -10,30 +10,30 @@ constexpr double kOffGoal_m = 250_mm;  // from the goal line to the ball: room f
 constexpr double kKick_mps = 2.0;
 constexpr double kKicked_mps = 1.5;
 
-std::optional<Deed> find_chance(const Scene& scene) {
+std::optional<ActiveFoul> find_chance(const Scene& scene) {
   const TrackedBall& ball = scene.now.ball;
   const bool is_deep =
       distance_to_defence_area(scene.field, Side::kWest, ball.position_m) < -kDeep_m &&
       ball.position_m.x() > -scene.field.half_length_m() + kOffGoal_m;
   if (!is_running(scene) || !is_deep || ball.velocity_mps.norm() > kSlow_mps) return std::nullopt;
-  return deed_of(nearest_mate(scene, ball.position_m, kReach_m), ball.position_m);
+  return foul_by(nearest_mate(scene, ball.position_m, kReach_m), ball.position_m);
 }
 
-bool go_on(const Scene& scene, Deed& deed, Will& will) {
+bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
   const Vec2& ball_m = scene.now.ball.position_m;
-  hold_back(scene, deed.robot, ball_m, kReach_m, will.orders);
-  will.order(deed.robot) =
-      kick_at(scene, *find(scene.now.own, deed.robot), ball_m + Vec2(1, 0), kKick_mps);
+  hold_back(scene, foul.robot, ball_m, kReach_m, output.commands);
+  output.command(foul.robot) =
+      kick_at(scene, *find(scene.now.own, foul.robot), ball_m + Vec2(1, 0), kKick_mps);
   return is_running(scene) && scene.now.ball.velocity_mps.norm() < kKicked_mps;
 }
 
 }  // namespace
 
-const Mischief kPlayInOwnArea = {"play_in_own_area",
-                                 "A field player entirely inside its own area plays the ball.",
-                                 0.6,
-                                 5,
-                                 find_chance,
-                                 go_on};
+const FoulBehaviour kPlayInOwnArea = {"play_in_own_area",
+                                      "A field player entirely inside its own area plays the ball.",
+                                      0.6,
+                                      5,
+                                      find_chance,
+                                      go_on};
 
 }  // namespace autoref::strategies::rowdy

@@ -9,7 +9,7 @@ constexpr double kOffBall_m = 500_mm;  // who is nearer to the ball has better t
 constexpr double kSpeed_mps = 3.0;
 constexpr double kMet_m = 2 * kRobotRadius_m + 5_mm;
 
-std::optional<Deed> find_chance(const Scene& scene) {
+std::optional<ActiveFoul> find_chance(const Scene& scene) {
   if (!is_running(scene)) return std::nullopt;
   for (const TrackedRobot& mate : scene.now.own) {
     const bool is_free = mate.number != scene.keeper &&
@@ -17,21 +17,22 @@ std::optional<Deed> find_chance(const Scene& scene) {
     if (!is_free) continue;
     const TrackedRobot* victim = nearest_opponent(scene, mate.position_m, kFarthest_m);
     if (victim == nullptr || (victim->position_m - mate.position_m).norm() < kNearest_m) continue;
-    return deed_against(*victim, mate);
+    return foul_against(*victim, mate);
   }
   return std::nullopt;
 }
 
-bool go_on(const Scene& scene, Deed& deed, Will& will) {
-  const TrackedRobot* victim = victim_of(deed, scene);
+bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
+  const TrackedRobot* victim = victim_of(foul, scene);
   if (victim == nullptr) return false;
-  const TrackedRobot& robot = *find(scene.now.own, deed.robot);
-  will.order(deed.robot) = charge_at(robot, victim->position_m, kSpeed_mps);
+  const TrackedRobot& robot = *find(scene.now.own, foul.robot);
+  output.command(foul.robot) = charge_at(robot, victim->position_m, kSpeed_mps);
   return (victim->position_m - robot.position_m).norm() > kMet_m;
 }
 
 }  // namespace
 
-const Mischief kRam = {"ram", "Runs into an opponent at full speed.", 0.05, 2, find_chance, go_on};
+const FoulBehaviour kRam = {"ram", "Runs into an opponent at full speed.", 0.05, 2, find_chance,
+                            go_on};
 
 }  // namespace autoref::strategies::rowdy

@@ -22,30 +22,30 @@ bool comes(const TrackedRobot& opponent, const TrackedRobot& mate) {
          towards_mps > kStraight * opponent.velocity_mps.norm();
 }
 
-std::optional<Deed> find_chance(const Scene& scene) {
+std::optional<ActiveFoul> find_chance(const Scene& scene) {
   if (!is_running(scene)) return std::nullopt;
   for (const TrackedRobot& mate : scene.now.own) {
     if (mate.number == scene.keeper) continue;
     for (const TrackedRobot& opponent : scene.now.opponents) {
       if (!comes(opponent, mate)) continue;
-      return deed_against(opponent, mate);
+      return foul_against(opponent, mate);
     }
   }
   return std::nullopt;
 }
 
-bool go_on(const Scene& scene, Deed& deed, Will& will) {
-  const TrackedRobot* opponent = victim_of(deed, scene);
+bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
+  const TrackedRobot* opponent = victim_of(foul, scene);
   if (opponent == nullptr) return false;
-  const TrackedRobot& robot = *find(scene.now.own, deed.robot);
+  const TrackedRobot& robot = *find(scene.now.own, foul.robot);
   const double speed_mps = std::max(0.0, closing_mps(*opponent, robot.position_m));
-  will.order(deed.robot) = charge_at(robot, opponent->position_m, speed_mps);
+  output.command(foul.robot) = charge_at(robot, opponent->position_m, speed_mps);
   return (opponent->position_m - robot.position_m).norm() > kMet_m;
 }
 
 }  // namespace
 
-const Mischief kRamEvenly = {
+const FoulBehaviour kRamEvenly = {
     "ram_evenly", "Meets an opponent head-on, as fast as that comes.", 0.05, 2, find_chance, go_on};
 
 }  // namespace autoref::strategies::rowdy

@@ -11,28 +11,28 @@ constexpr double kStill_mps = 0.3;  // the opponent
 constexpr double kSpeed_mps = 1.45;
 constexpr double kFar_m = 350_mm;  // then it is enough
 
-std::optional<Deed> find_chance(const Scene& scene) {
+std::optional<ActiveFoul> find_chance(const Scene& scene) {
   if (!is_running(scene)) return std::nullopt;
   for (const TrackedRobot& mate : scene.now.own) {
     const TrackedRobot* victim = nearest_opponent(scene, mate.position_m, kReach_m);
     if (mate.number == scene.keeper || victim == nullptr) continue;
     if (victim->velocity_mps.norm() > kStill_mps) continue;
     if ((victim->position_m - mate.position_m).norm() < kNearest_m) continue;
-    return deed_against(*victim, mate);
+    return foul_against(*victim, mate);
   }
   return std::nullopt;
 }
 
-bool go_on(const Scene& scene, Deed& deed, Will& will) {
-  const TrackedRobot* victim = victim_of(deed, scene);
+bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
+  const TrackedRobot* victim = victim_of(foul, scene);
   if (victim == nullptr) return false;
-  const TrackedRobot& robot = *find(scene.now.own, deed.robot);
-  will.order(deed.robot) = charge_at(robot, victim->position_m, kSpeed_mps);
-  return (victim->position_m - deed.from_m).norm() < kFar_m;
+  const TrackedRobot& robot = *find(scene.now.own, foul.robot);
+  output.command(foul.robot) = charge_at(robot, victim->position_m, kSpeed_mps);
+  return (victim->position_m - foul.from_m).norm() < kFar_m;
 }
 
 }  // namespace
 
-const Mischief kShove = {"shove", "Pushes an opponent back.", 0.08, 3, find_chance, go_on};
+const FoulBehaviour kShove = {"shove", "Pushes an opponent back.", 0.08, 3, find_chance, go_on};
 
 }  // namespace autoref::strategies::rowdy

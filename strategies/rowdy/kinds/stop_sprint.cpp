@@ -6,27 +6,27 @@ namespace {
 constexpr double kTurnsBefore_m = 300_mm;
 constexpr double kShare = 0.6;  // of the half field's width that it drives across
 
-std::optional<Deed> find_chance(const Scene& scene) {
+std::optional<ActiveFoul> find_chance(const Scene& scene) {
   if (scene.now.play != Play::kStop) return std::nullopt;
   const TrackedRobot* mate =
       nearest_mate(scene, Vec2(-scene.field.half_length_m() / 2, 0), scene.field.length_m);
-  return deed_of(mate, mate != nullptr ? mate->position_m : Vec2(0, 0));
+  return foul_by(mate, mate != nullptr ? mate->position_m : Vec2(0, 0));
 }
 
 // To and fro.
-bool go_on(const Scene& scene, Deed& deed, Will& will) {
-  const TrackedRobot& robot = *find(scene.now.own, deed.robot);
+bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
+  const TrackedRobot& robot = *find(scene.now.own, foul.robot);
   const double wing_m = kShare * scene.field.half_width_m();
-  const Vec2 target_m(deed.from_m.x(), deed.is_halfway ? -wing_m : wing_m);
-  if ((target_m - robot.position_m).norm() < kTurnsBefore_m) deed.is_halfway = !deed.is_halfway;
-  will.order(deed.robot) = go_to(scene, robot, target_m);
+  const Vec2 target_m(foul.from_m.x(), foul.is_halfway ? -wing_m : wing_m);
+  if ((target_m - robot.position_m).norm() < kTurnsBefore_m) foul.is_halfway = !foul.is_halfway;
+  output.command(foul.robot) = go_to(scene, robot, target_m);
   return scene.now.play == Play::kStop;
 }
 
 }  // namespace
 
-const Mischief kStopSprint = {"stop_sprint", "Drives fast across the field while play is stopped.",
-                              0.1,           5,
-                              find_chance,   go_on};
+const FoulBehaviour kStopSprint = {
+    "stop_sprint", "Drives fast across the field while play is stopped.", 0.1, 5, find_chance,
+    go_on};
 
 }  // namespace autoref::strategies::rowdy

@@ -3,18 +3,18 @@
 namespace autoref::strategies::rowdy {
 namespace {
 
-std::optional<Deed> find_chance(const Scene& scene) {
+std::optional<ActiveFoul> find_chance(const Scene& scene) {
   if (scene.now.play != Play::kStop) return std::nullopt;
-  return Deed{};
+  return ActiveFoul{};
 }
 
-bool go_on(const Scene& scene, Deed& /*deed*/, Will& will) {
-  will.requests.timeout = true;
+bool go_on(const Scene& scene, ActiveFoul& /*foul*/, TeamOutput& output) {
+  output.requests.timeout = true;
   return scene.now.play == Play::kStop;
 }
 
 }  // namespace
 
-const Mischief kTimeout = {"timeout", "Asks for a timeout.", 0.005, 1, find_chance, go_on};
+const FoulBehaviour kTimeout = {"timeout", "Asks for a timeout.", 0.005, 1, find_chance, go_on};
 
 }  // namespace autoref::strategies::rowdy

@@ -32,9 +32,9 @@ TEST(HullOutOfArea, IsTheFarthestPointsDistanceFromTheLine) {
 TEST(HullOutOfArea, OfAFlatFrontAtTheRoundLineIsThatOfItsCorners) {
   const Vec2 corner_m(-3.025, 0.175);
   const double root = 0.7071067811865476;
-  const Vec2 way(root, root);
+  const Vec2 direction(root, root);
   const double out_m =
-      hull_out_of_area_m(Field{}, Side::kWest, robot_at(corner_m + 0.7 * way, way));
+      hull_out_of_area_m(Field{}, Side::kWest, robot_at(corner_m + 0.7 * direction, direction));
   EXPECT_NEAR(out_m, 0.776595133 - 0.8, 1e-6);
 }
 

@@ -27,14 +27,14 @@ TEST(MachineFigure, InTheReadmeIsPrintedFromTheTable) {
       << figure;
 }
 
-TEST(MachineFigure, EveryDeviationOfAnArrowIsListed) {
+TEST(MachineFigure, EveryDeviationOfAnTransitionIsListed) {
   const std::string text = readme();
-  for (const auto& arrows : all_arrows()) {
-    for (const Arrow& arrow : arrows) {
-      std::istringstream numbers{std::string(arrow.deviations)};
+  for (const auto& transitions : all_transitions()) {
+    for (const Transition& transition : transitions) {
+      std::istringstream numbers{std::string(transition.deviations)};
       for (std::string number; std::getline(numbers >> std::ws, number, ',');) {
         const std::string heading = "**" + number + "**";
-        EXPECT_NE(text.find(heading), std::string::npos) << heading << " of " << arrow.label;
+        EXPECT_NE(text.find(heading), std::string::npos) << heading << " of " << transition.label;
       }
     }
   }
@@ -48,10 +48,11 @@ TEST(Readme, SaysOfEveryRuleWhatItGives) {
   }
 }
 
-TEST(Machine, LabelsItsArrowsUniquely) {
+TEST(Machine, LabelsItsTransitionsUniquely) {
   std::set<std::string_view> labels;
-  for (const auto& arrows : all_arrows()) {
-    for (const Arrow& arrow : arrows) EXPECT_TRUE(labels.insert(arrow.label).second);
+  for (const auto& transitions : all_transitions()) {
+    for (const Transition& transition : transitions)
+      EXPECT_TRUE(labels.insert(transition.label).second);
   }
 }
 
@@ -62,30 +63,30 @@ TEST(Machine, StepLeavesItsInputUntouched) {
   const LastTouch touch;
   const Tracks tracks;
   const PerSide<TeamRequests> requests;
-  const Memory memory;
+  const RefereeState state;
   Finding finding;
   finding.event = Event::kBegin;
-  const Step first = step(memory, {configuration, frame, ball, touch, tracks, requests}, finding);
-  const Step again = step(memory, {configuration, frame, ball, touch, tracks, requests}, finding);
-  EXPECT_EQ(first.memory.state, State::kWaitStart);
-  EXPECT_EQ(first.arrow, again.arrow);
+  const Step first = step(state, {configuration, frame, ball, touch, tracks, requests}, finding);
+  const Step again = step(state, {configuration, frame, ball, touch, tracks, requests}, finding);
+  EXPECT_EQ(first.state.machine_state, State::kWaitStart);
+  EXPECT_EQ(first.transition, again.transition);
   EXPECT_EQ(first.sent, again.sent);
 }
 
-TEST(Machine, StaysWhereNoArrowLeadsOn) {
+TEST(Machine, StaysWhereNoTransitionLeadsOn) {
   const Configuration configuration;
   const Frame frame;
   const std::optional<BallSight> ball;
   const LastTouch touch;
   const Tracks tracks;
   const PerSide<TeamRequests> requests;
-  Memory memory;
-  memory.state = State::kWaitStop;
+  RefereeState state;
+  state.machine_state = State::kWaitStop;
   Finding goal;
   goal.event = Event::kGoal;
-  const Step taken = step(memory, {configuration, frame, ball, touch, tracks, requests}, goal);
-  EXPECT_EQ(taken.arrow, nullptr);
-  EXPECT_EQ(taken.memory.signal.goals[Side::kWest], 0);
+  const Step taken = step(state, {configuration, frame, ball, touch, tracks, requests}, goal);
+  EXPECT_EQ(taken.transition, nullptr);
+  EXPECT_EQ(taken.state.signal.goals[Side::kWest], 0);
   EXPECT_FALSE(taken.sent.has_value());
 }
 

@@ -48,7 +48,7 @@ TEST(Paper44RobotPositions, NewPositionsAreSavedWhenARobotHasMoved) {
 TEST(Paper44RobotPositions, PlayWaitsForTheBallAtItsPlace) {
   ScriptedGame game = in_play();
   game.kick_from(Side::kWest, 1, {1, 1.8}, {0, 4});
-  game.hand_works = false;
+  game.placement_works = false;
   const double stopped_s = game.run_until("throw_in").time_s;
   game.put_ball({1, 1.5});
   game.run(2.5);
@@ -84,7 +84,7 @@ TEST(Paper44BallPosition, ABallOnTheLineIsIn) {
 
 // "compare the current and last positions of the ball to determine where it first was located
 // entirely outside the field"
-TEST(Paper44BallPosition, AThrowInNearTheCornerIsToldFromACornerKick) {
+TEST(Paper44BallPosition, AThrowInNearTheCornerIsReportedFromACornerKick) {
   ScriptedGame game = in_play();
   game.kick_from(Side::kEast, 1, {2.80, 1.85}, {5, 5});
   game.run_until("throw_in", 1);

@@ -12,7 +12,7 @@ TEST(Paper43States, RunLastsUntilSomethingHappens) {
   ScriptedGame game = in_play();
   game.run(8);
   EXPECT_EQ(game.referee.state(), State::kRun);
-  EXPECT_EQ(game.decisions.back().arrow, "start");
+  EXPECT_EQ(game.decisions.back().transition, "start");
 }
 
 // "WAIT_STOP: In this state, AutoRef waits for all robots to stop moving"

@@ -50,9 +50,9 @@ class PenaltyGame {
     ball_.reset();
   }
 
-  void put(Side side, int number, const Vec2& place_m) {
+  void put(Side side, int number, const Vec2& position_m) {
     for (RobotObservation& robot : frame_.robots[side]) {
-      if (robot.number == number) robot.position_m = at(place_m);
+      if (robot.number == number) robot.position_m = at(position_m);
     }
   }
 
@@ -75,15 +75,15 @@ class PenaltyGame {
     frame_.number = ++number_;
     frame_.time_s = static_cast<double>(number_) / 60;
     see();
-    if (memory.state == State::kRun) touch_.update(frame_);
-    const Moment now = moment();
-    if (memory.state == State::kRun) watch_play(memory.play, now);
-    if (!ask_rules(now) && memory.state == State::kWaitStop) {
-      if (const auto found = find_ready(memory, now)) decide(now, *found);
+    if (state.machine_state == State::kRun) touch_.update(frame_);
+    const RefereeInput now = input();
+    if (state.machine_state == State::kRun) watch_play(state.play, now);
+    if (!ask_rules(now) && state.machine_state == State::kWaitStop) {
+      if (const auto found = find_ready(state, now)) decide(now, *found);
     }
     frame_.ball->position_m += ball_mps_ / 60;
-    if (!memory.signal.placement) return;
-    frame_.ball->position_m = memory.signal.placement->target_m;
+    if (!state.signal.placement) return;
+    frame_.ball->position_m = state.signal.placement->target_m;
     ball_mps_ = Vec2(0, 0);
   }
 
@@ -91,17 +91,17 @@ class PenaltyGame {
     for (int i = 0; i < seconds * 60; ++i) step();
   }
 
-  Finding run_until(std::string_view arrow, double limit_s = 12) {
+  Finding run_until(std::string_view transition, double limit_s = 12) {
     for (int i = 0; i < limit_s * 60; ++i) {
       step();
-      if (!arrows.empty() && arrows.back() == arrow) return last;
+      if (!transitions.empty() && transitions.back() == transition) return last;
     }
-    throw std::runtime_error("arrow never taken: " + std::string(arrow));
+    throw std::runtime_error("transition never used: " + std::string(transition));
   }
 
-  int count(std::string_view arrow) const {
+  int count(std::string_view transition) const {
     int found = 0;
-    for (const std::string& taken : arrows) found += taken == arrow ? 1 : 0;
+    for (const std::string& taken : transitions) found += taken == transition ? 1 : 0;
     return found;
   }
 
@@ -110,28 +110,28 @@ class PenaltyGame {
   Vec2 at(const Vec2& v) const { return kicker_ == Side::kWest ? v : Vec2(-v); }
   const Field& field() const { return configuration_.field; }
 
-  Memory memory;
-  std::vector<std::string> arrows;
+  RefereeState state;
+  std::vector<std::string> transitions;
   Finding last;
 
  private:
-  void add(Side side, int number, const Vec2& place_m) {
-    frame_.robots[side].push_back({number, at(place_m), at(Vec2(side == kicker_ ? 1 : -1, 0))});
+  void add(Side side, int number, const Vec2& position_m) {
+    frame_.robots[side].push_back({number, at(position_m), at(Vec2(side == kicker_ ? 1 : -1, 0))});
   }
 
-  Moment moment() const {
+  RefereeInput input() const {
     return {configuration_, frame_, ball_, touch_.last(), tracks_, requests_};
   }
 
   void award() {
     see();
-    memory.state = State::kRun;
-    memory.signal.stage = Stage::kFirstHalf;
+    state.machine_state = State::kRun;
+    state.signal.stage = Stage::kFirstHalf;
     Finding foul;
     foul.event = Event::kDefenderInArea;
     foul.restart = {CommandKind::kPreparePenalty, kicker_};
     foul.ball_to_m = field().penalty_mark_at(opponent_of(kicker_));
-    decide(moment(), foul);
+    decide(input(), foul);
   }
 
   void see() {
@@ -141,24 +141,25 @@ class PenaltyGame {
   }
 
   // Whether one of them changed the state.
-  bool ask_rules(const Moment& now) {
-    const State state = memory.state;
+  bool ask_rules(const RefereeInput& now) {
+    const State machine_state = state.machine_state;
     for (const Rule& rule : rules()) {
-      if (!configuration_.rules.has(rule.id) || !rule.active_in.has(state)) continue;
-      if (const auto found = rule.find(memory, now)) decide(now, *found);
-      if (memory.state != state) return true;
+      if (!configuration_.rules.has(rule.id) || !rule.active_in.has(machine_state)) continue;
+      if (const auto found = rule.find(state, now)) decide(now, *found);
+      if (state.machine_state != machine_state) return true;
     }
     return false;
   }
 
-  void decide(const Moment& now, const Finding& finding) {
-    Step taken = referee::step(memory, now, finding);
-    if (taken.arrow == nullptr) throw std::runtime_error("no arrow leads on");
-    const bool starts = memory.state != State::kRun && taken.memory.state == State::kRun;
-    memory = taken.memory;
-    arrows.emplace_back(taken.arrow->label);
+  void decide(const RefereeInput& now, const Finding& finding) {
+    Step taken = referee::step(state, now, finding);
+    if (taken.transition == nullptr) throw std::runtime_error("no transition leads on");
+    const bool starts =
+        state.machine_state != State::kRun && taken.state.machine_state == State::kRun;
+    state = taken.state;
+    transitions.emplace_back(taken.transition->label);
     last = finding;
-    if (starts) touch_.restart(frame_, memory.play.ball_from_m);
+    if (starts) touch_.restart(frame_, state.play.ball_from_m);
   }
 
   Configuration configuration_;

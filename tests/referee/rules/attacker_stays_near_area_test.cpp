@@ -20,7 +20,7 @@ RobotObservation near_area(Side side, int number, double gap_m) {
 // Nobody brings the ball to its place, so that the stop lasts.
 ScriptedGame long_stop(std::string_view book) {
   ScriptedGame game = stopped_game(by_book(book));
-  game.hand_works = false;
+  game.placement_works = false;
   game.put_ball({0, 0});
   return game;
 }

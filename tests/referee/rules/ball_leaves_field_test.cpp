@@ -27,8 +27,8 @@ TEST(BallLeavesField, OverAGoalLineAndNobodyKnowsByWhomIsAForceStart) {
     game.ball_mps = {4, 0};
     game.run_until("goal_line_unknown", 2);
     EXPECT_EQ(game.signal.next_command->kind, CommandKind::kForceStart);
-    const Vec2& place_m = game.signal.placement->target_m;
-    EXPECT_GE(distance_to_defence_area(configuration.field, Side::kEast, place_m),
+    const Vec2& position_m = game.signal.placement->target_m;
+    EXPECT_GE(distance_to_defence_area(configuration.field, Side::kEast, position_m),
               configuration.rules.neutral_to_area_m - 1e-9);
   }
 }

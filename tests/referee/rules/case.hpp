@@ -71,11 +71,11 @@ struct Expected {
 };
 
 struct Case {
-  std::string name;    // a sentence
-  std::string rule;    // that it is about
-  std::string source;  // the rule book's place it follows from
-  std::string place;   // file and line
-  std::string error;   // why it cannot be played; empty where it can
+  std::string name;      // a sentence
+  std::string rule;      // that it is about
+  std::string source;    // the rule book's place it follows from
+  std::string location;  // file and line
+  std::string error;     // why it cannot be played; empty where it can
 
   std::string book = "paper";
   std::map<std::string, bool> switches;  // rules by name, on or off
@@ -90,7 +90,7 @@ struct Case {
   std::vector<Cue> script;  // in the order of time
 
   double ball_deceleration_mps2 = 0.3;  // rolling
-  double hand_mps = 0;                  // how fast the ball is placed in a stop; 0: at once
+  double placement_mps = 0;             // how fast the ball is placed in a stop; 0: at once
   double noise_m = 0;                   // of vision, standard deviation
   std::uint64_t seed = 0;
 
@@ -103,6 +103,6 @@ struct Case {
 };
 
 // How a test's parameter is printed.
-inline void PrintTo(const Case& it, std::ostream* out) { *out << it.place; }
+inline void PrintTo(const Case& it, std::ostream* out) { *out << it.location; }
 
 }  // namespace autoref::referee

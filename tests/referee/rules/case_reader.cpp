@@ -134,7 +134,7 @@ void read_case(YamlKeys& keys, const FileHead& head, Case& it) {
   for (const Side side : kSides) read_side(keys, side, it.robots);
   it.script = read_script(keys);
   it.ball_deceleration_mps2 = keys.number_or("ball_deceleration_mps2", it.ball_deceleration_mps2);
-  it.hand_mps = keys.number_or("hand_mps", 0);
+  it.placement_mps = keys.number_or("placement_mps", 0);
   if (keys.has("noise_m")) {
     it.noise_m = keys.number("noise_m");
     it.seed = static_cast<std::uint64_t>(keys.whole_number("seed"));
@@ -156,7 +156,7 @@ FileHead read_head(YamlKeys& keys) {
 Case unreadable(const std::string& file, const std::string& why) {
   Case broken;
   broken.name = "The file " + std::filesystem::path(file).stem().string() + " can be read";
-  broken.place = file;
+  broken.location = file;
   broken.error = why;
   return broken;
 }
@@ -174,7 +174,7 @@ std::vector<Case> cases_in(const std::string& text, const std::string& file) try
     Case& it = cases.emplace_back();
     it.name = case_keys.text("case");
     it.rule = head.rule;
-    it.place = file + ":" + std::to_string(node.Mark().line + 1);
+    it.location = file + ":" + std::to_string(node.Mark().line + 1);
     try {
       read_case(case_keys, head, it);
     } catch (const std::exception& error) {

@@ -86,7 +86,7 @@ std::string take_expected(const Case& it, std::vector<Call>& calls) {
   return missing;
 }
 
-void judge(const Case& it, const StagedGame& game) {
+void check(const Case& it, const StagedGame& game) {
   std::vector<Call> others = game.calls();
   const std::string missing = take_expected(it, others);
   EXPECT_TRUE(missing.empty()) << "not called as expected:" << missing;
@@ -102,12 +102,12 @@ void judge(const Case& it, const StagedGame& game) {
 }
 
 void play(const Case& it, bool turned) {
-  SCOPED_TRACE(it.place + ": " + it.name);
+  SCOPED_TRACE(it.location + ": " + it.name);
   ASSERT_TRUE(it.error.empty()) << it.error;
   try {
     StagedGame game(it, turned);
     game.play();
-    judge(it, game);
+    check(it, game);
     if (testing::Test::HasFailure()) ADD_FAILURE() << "calls:" << described(game.calls());
   } catch (const std::exception& error) {
     ADD_FAILURE() << error.what();

@@ -7,12 +7,12 @@
 namespace autoref::referee {
 namespace {
 
-// West 1 kicks off with a soft kick of `way_m`, after which the ball lies still.
-ScriptedGame kicked_off(const Configuration& configuration, double way_m) {
+// West 1 kicks off with a soft kick of `path_m`, after which the ball lies still.
+ScriptedGame kicked_off(const Configuration& configuration, double path_m) {
   ScriptedGame game(configuration);
   game.line_up().kick_off();
   game.kick(Side::kWest, 1, {1, 0});
-  game.run(way_m);  // at 1 m/s
+  game.run(path_m);  // at 1 m/s
   game.ball_mps = Vec2(0, 0);
   game.run(0.2);
   return game;

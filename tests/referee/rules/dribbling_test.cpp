@@ -8,9 +8,9 @@ namespace {
 
 constexpr RobotId kEast{Side::kEast, 0};
 
-// East 0 comes to the ball and takes it along for `way_m` to the west, in one go or with the ball
+// East 0 comes to the ball and takes it along for `path_m` to the west, in one go or with the ball
 // 30 mm ahead half-way.
-DrivenGame dribble(const char* book, double way_m, double noise_m = 0, bool loses_it = false) {
+DrivenGame dribble(const char* book, double path_m, double noise_m = 0, bool loses_it = false) {
   Configuration configuration = by_book(book);
   configuration.noise.robot_m = configuration.noise.ball_m = noise_m;
   DrivenGame game(configuration);
@@ -18,11 +18,11 @@ DrivenGame dribble(const char* book, double way_m, double noise_m = 0, bool lose
   game.put(kEast, {0.6 + 0.0965 + 0.3, -0.8}, {-1, 0}, {-1, 0});
   game.run(0.3, noise_m);
   game.carry(kEast);
-  game.run(way_m / 2, noise_m);
+  game.run(path_m / 2, noise_m);
   if (loses_it) game.carry(kEast, 0.03);
   game.run(0.1, noise_m);
   game.carry(kEast);
-  game.run(way_m / 2 - 0.1, noise_m);
+  game.run(path_m / 2 - 0.1, noise_m);
   game.carry(std::nullopt);
   game.drive(kEast, {1, 0});
   game.run(0.5, noise_m);

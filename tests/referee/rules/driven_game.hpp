@@ -17,21 +17,21 @@ inline Configuration by_book(std::string_view book) {
   return configuration;
 }
 
-// Moves robots evenly and shows the referee pictures of them, with or without noise.
+// Moves robots evenly and shows the referee frames of them, with or without noise.
 class DrivenGame {
  public:
   explicit DrivenGame(const Configuration& configuration) : game(in_play(configuration)) {}
 
-  void put(RobotId id, const Vec2& place_m, const Vec2& velocity_mps,
+  void put(RobotId id, const Vec2& position_m, const Vec2& velocity_mps,
            const Vec2& heading = {1, 0}) {
     RobotObservation& robot = game.robot(id.side, id.number);
-    robot.position_m = place_m;
+    robot.position_m = position_m;
     robot.heading = heading;
     for (Driven& driven : driven_) {
-      if (driven.id == id) driven = {id, place_m, velocity_mps};
+      if (driven.id == id) driven = {id, position_m, velocity_mps};
       if (driven.id == id) return;
     }
-    driven_.push_back({id, place_m, velocity_mps});
+    driven_.push_back({id, position_m, velocity_mps});
   }
 
   void drive(RobotId id, const Vec2& velocity_mps) {
@@ -46,17 +46,17 @@ class DrivenGame {
     gap_m_ = gap_m;
   }
 
-  // Pictures of `seconds`, each coordinate wrong by a normal error.
+  // Frames of `seconds`, each coordinate wrong by a normal error.
   void run(double seconds, double noise_m = 0) {
     const int frames = static_cast<int>(seconds * ScriptedGame::kRate_hz + 0.5);
     for (int i = 0; i < frames; ++i) {
       for (Driven& driven : driven_) {
-        driven.place_m += driven.velocity_mps / ScriptedGame::kRate_hz;
+        driven.position_m += driven.velocity_mps / ScriptedGame::kRate_hz;
         RobotObservation& robot = game.robot(driven.id.side, driven.id.number);
-        robot.position_m = driven.place_m + error_m(noise_m);
+        robot.position_m = driven.position_m + error_m(noise_m);
         if (driven.id != carrier_) continue;
         const double ahead_m = kFrontDistance_m + kBallRadius_m + gap_m_;
-        game.put_ball(driven.place_m + ahead_m * robot.heading + error_m(noise_m));
+        game.put_ball(driven.position_m + ahead_m * robot.heading + error_m(noise_m));
       }
       game.step();
     }
@@ -76,7 +76,7 @@ class DrivenGame {
  private:
   struct Driven {
     RobotId id;
-    Vec2 place_m{0, 0};
+    Vec2 position_m{0, 0};
     Vec2 velocity_mps{0, 0};
   };
 

@@ -15,8 +15,8 @@ ScriptedGame throw_in_shot(const Configuration& configuration, Side end) {
   game.run_until("throw_in");
   game.robot(Side::kEast, 1).position_m = Vec2(1.5, 0);
   game.run_until("start");
-  const Vec2 way_m = configuration.field.goal_centre_m(end) - game.frame.ball->position_m;
-  game.kick(Side::kWest, 1, 5 * way_m.normalized());
+  const Vec2 path_m = configuration.field.goal_centre_m(end) - game.frame.ball->position_m;
+  game.kick(Side::kWest, 1, 5 * path_m.normalized());
   return game;
 }
 
@@ -82,7 +82,7 @@ ScriptedGame chip(const Configuration& configuration, double height_m, int up_fr
 TEST(ChipGoal, WhoseTopWasAbove150MillimetresIsAnIndirectFreeKick) {
   ScriptedGame game = chip(by_book("2014"), 0.108, 12);
   const Decision& call = game.decisions.back();
-  EXPECT_EQ(call.arrow, "chip_goal");
+  EXPECT_EQ(call.transition, "chip_goal");
   EXPECT_NEAR(call.value, 0.151, 1e-9);
   EXPECT_EQ(call.restart, (Command{CommandKind::kIndirectFree, Side::kEast}));
   EXPECT_NEAR(call.position_m->x(), 1.525, 1e-6);
@@ -115,7 +115,7 @@ TEST(ChipGoal, CountsWhereTheRuleIsNotInForce) {
 TEST(GoalInvalid, AboveTheHeightIsAGoalKickEvenAfterTheBallHasRolled) {
   ScriptedGame game = chip(by_book("2026-b"), 0.108, 3);
   const Decision& call = game.decisions.back();
-  EXPECT_EQ(call.arrow, "goal_invalid");
+  EXPECT_EQ(call.transition, "goal_invalid");
   EXPECT_EQ(call.restart, (Command{CommandKind::kDirectFree, Side::kEast}));
   EXPECT_NEAR(game.signal.placement->target_m.x(), 4.5 - 1, 1e-9);
 }
@@ -125,36 +125,36 @@ TEST(GoalInvalid, IsNotCalledBelowTheHeight) {
 }
 
 // A ball in the east goal, 60 s into the game.
-std::optional<Finding> goal_after(const Configuration& configuration, Memory memory) {
+std::optional<Finding> goal_after(const Configuration& configuration, RefereeState state) {
   Frame frame;
   frame.time_s = 60;
   const std::optional<BallSight> ball = BallSight{Vec2(4.55, 0), Vec2(4.4, 0)};
   const LastTouch touch;
   const Tracks tracks;
   const PerSide<TeamRequests> requests;
-  return find_goal_valid(memory, {configuration, frame, ball, touch, tracks, requests});
+  return find_goal_valid(state, {configuration, frame, ball, touch, tracks, requests});
 }
 
 TEST(GoalInvalid, WithinTwoSecondsOfTheScorersFoul) {
-  Memory memory;
-  memory.cards[Side::kWest].fouled_s = 58.1;
-  EXPECT_TRUE(goal_after(by_book("2026-b"), memory));
-  memory.cards[Side::kWest].fouled_s = 57.9;
-  EXPECT_FALSE(goal_after(by_book("2026-b"), memory));
+  RefereeState state;
+  state.cards[Side::kWest].fouled_s = 58.1;
+  EXPECT_TRUE(goal_after(by_book("2026-b"), state));
+  state.cards[Side::kWest].fouled_s = 57.9;
+  EXPECT_FALSE(goal_after(by_book("2026-b"), state));
 }
 
 TEST(GoalInvalid, IsNotCalledForTheOthersFoul) {
-  Memory memory;
-  memory.cards[Side::kEast].fouled_s = 59;
-  EXPECT_FALSE(goal_after(by_book("2026-b"), memory));
+  RefereeState state;
+  state.cards[Side::kEast].fouled_s = 59;
+  EXPECT_FALSE(goal_after(by_book("2026-b"), state));
 }
 
 TEST(GoalInvalid, IsNotCalledAtPenaltyKicks) {
-  Memory memory;
-  memory.cards[Side::kWest].fouled_s = 59;
-  memory.play.began_with = {CommandKind::kNormalStart, Side::kWest};
-  memory.play.ball_from_m = Vec2(-1.5, 0);
-  EXPECT_FALSE(goal_after(by_book("2026-b"), memory));
+  RefereeState state;
+  state.cards[Side::kWest].fouled_s = 59;
+  state.play.began_with = {CommandKind::kNormalStart, Side::kWest};
+  state.play.ball_from_m = Vec2(-1.5, 0);
+  EXPECT_FALSE(goal_after(by_book("2026-b"), state));
 }
 
 }  // namespace

@@ -9,11 +9,11 @@ namespace {
 
 class KickoffPositions : public testing::TestWithParam<const char*> {
  protected:
-  // A kick-off by west, up to the frames after the kick, with one robot at `place_m`.
-  ScriptedGame kicked_off(Side side, int number, const Vec2& place_m) {
+  // A kick-off by west, up to the frames after the kick, with one robot at `position_m`.
+  ScriptedGame kicked_off(Side side, int number, const Vec2& position_m) {
     ScriptedGame game(by_book(GetParam()));
     game.line_up().kick_off();
-    game.robot(side, number) = {number, place_m, Vec2(0, 1)};
+    game.robot(side, number) = {number, position_m, Vec2(0, 1)};
     game.kick(Side::kWest, 1, {1, 0});
     game.run(0.3);
     return game;

@@ -28,8 +28,8 @@ TEST(NoProgress, GoesOnFromOneMetreOffTheAreas) {
   game.put_ball({3.3, 0.2});  // 0.2 m before the area
   game.run_until("no_progress");
   EXPECT_EQ(game.signal.next_command->kind, CommandKind::kForceStart);
-  const Vec2& place_m = game.signal.placement->target_m;
-  EXPECT_NEAR(distance_to_defence_area(by_book("2026-b").field, Side::kEast, place_m), 1, 1e-9);
+  const Vec2& position_m = game.signal.placement->target_m;
+  EXPECT_NEAR(distance_to_defence_area(by_book("2026-b").field, Side::kEast, position_m), 1, 1e-9);
 }
 
 TEST(NoProgress, IsNoneWhileTheBallMovesOn) {

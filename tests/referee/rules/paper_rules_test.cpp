@@ -21,7 +21,7 @@ TEST(Paper42TimeRules, TheHalfEndsWhenItsTimeIsOverWhateverHappens) {
   const double began_s = game.now_s();
   EXPECT_NEAR(game.signal.stage_time_left_s, 20, 1e-9);
   game.kick_from(Side::kWest, 1, {1, 1.8}, {0, 4});
-  game.hand_works = false;  // play never goes on before the end
+  game.placement_works = false;  // play never goes on before the end
   EXPECT_NEAR(game.run_until("half_over").time_s, began_s + 20, 1e-9);
 }
 
@@ -98,7 +98,7 @@ TEST(Paper42BallRules, TheFreeKickIsForTheTeamThatTouchedTheBallLessRecently) {
   EXPECT_EQ(game.signal.next_command, kIndirectFreeEast);
 }
 
-// "If the ball passes over a touch boundary, a throw-in is awarded"
+// "If the ball passes over a touch line, a throw-in is awarded"
 // "throw-ins are taken from a point 100 mm from the point where the ball exited the field"
 TEST(Paper42BallRules, AThrowInIsTaken100MillimetresFromTheExit) {
   ScriptedGame game = in_play();
@@ -107,8 +107,8 @@ TEST(Paper42BallRules, AThrowInIsTaken100MillimetresFromTheExit) {
   EXPECT_NEAR((game.signal.placement->target_m - Vec2(-0.7, 1.925)).norm(), 0, 1e-9);
 }
 
-// "If the ball passes over a goal boundary, a corner kick is awarded if the defending team touched
-// the ball more recently"; "100 mm from the nearest touch boundary and 100 mm ... from the goal
+// "If the ball passes over a goal line, a corner kick is awarded if the defending team touched
+// the ball more recently"; "100 mm from the nearest touch line and 100 mm ... from the goal
 // boundary that was crossed"
 TEST(Paper42BallRules, ACornerKickIsTaken100MillimetresFromBothLines) {
   ScriptedGame game = in_play();

@@ -21,15 +21,15 @@ INSTANTIATE_TEST_SUITE_P(Sides, PenaltyKick, testing::ValuesIn(kSides),
 TEST_P(PenaltyKick, IsPreparedAtTheMarkStartedAndScored) {
   PenaltyGame game("2014", kicker());
   game.run_until("prepare");
-  EXPECT_EQ(game.memory.signal.command, (Command{CommandKind::kPreparePenalty, kicker()}));
-  EXPECT_NEAR((game.memory.signal.placement->target_m - game.at({3.025 - 0.75, 0})).norm(), 0,
+  EXPECT_EQ(game.state.signal.command, (Command{CommandKind::kPreparePenalty, kicker()}));
+  EXPECT_NEAR((game.state.signal.placement->target_m - game.at({3.025 - 0.75, 0})).norm(), 0,
               1e-12);
   game.whistle();
-  EXPECT_EQ(game.memory.signal.command.kind, CommandKind::kNormalStart);
+  EXPECT_EQ(game.state.signal.command.kind, CommandKind::kNormalStart);
   game.kick(kPastTheKeeper_mps);
   game.run_until("goal", 2);
-  EXPECT_EQ(game.memory.signal.goals[kicker()], 1);
-  EXPECT_EQ(game.memory.signal.next_command, (Command{CommandKind::kPrepareKickoff, defender()}));
+  EXPECT_EQ(game.state.signal.goals[kicker()], 1);
+  EXPECT_EQ(game.state.signal.next_command, (Command{CommandKind::kPrepareKickoff, defender()}));
 }
 
 TEST_P(PenaltyKick, ThatIsSavedGoesOnByTheLaws) {
@@ -38,8 +38,8 @@ TEST_P(PenaltyKick, ThatIsSavedGoesOnByTheLaws) {
   game.whistle().kick({3, 0});
   game.save({-1, 0.3});
   game.run(2);
-  EXPECT_EQ(game.memory.state, State::kRun);
-  EXPECT_EQ(game.arrows.back(), "start");
+  EXPECT_EQ(game.state.machine_state, State::kRun);
+  EXPECT_EQ(game.transitions.back(), "start");
 }
 
 TEST_P(PenaltyKick, ThatIsNotTakenIsANeutralRestartByTheLaws) {
@@ -97,14 +97,14 @@ TEST_P(PenaltyKick, GoesOnIn2026WhenTheKeeperTurnsTheBallByLess) {
   game.run(0.7);
   game.save({0.15, 0.8});  // by 79 degrees
   game.run(0.5);
-  EXPECT_EQ(game.memory.state, State::kRun);
+  EXPECT_EQ(game.state.machine_state, State::kRun);
 }
 
 TEST_P(PenaltyKick, ThatScoresIsAGoalIn2026) {
   PenaltyGame game("2026-b", kicker());
   game.whistle().kick({6, 0.3});
   game.run_until("goal", 3);
-  EXPECT_EQ(game.memory.signal.goals[kicker()], 1);
+  EXPECT_EQ(game.state.signal.goals[kicker()], 1);
 }
 
 // "behind a line parallel to the goal line and 400 mm behind the penalty mark"
@@ -120,7 +120,7 @@ TEST_P(PenaltyKick, WithATeamMate390MillimetresBehindTheMarkIsRetakenAfterAGoal)
   const Finding again = game.run_until("penalty_positions", 2);
   EXPECT_EQ(again.offender, kicker());
   EXPECT_EQ(again.restart, (Command{CommandKind::kPreparePenalty, kicker()}));
-  EXPECT_EQ(game.memory.signal.goals[kicker()], 0);
+  EXPECT_EQ(game.state.signal.goals[kicker()], 0);
   EXPECT_NEAR((again.ball_to_m - game.at(game.mark_m)).norm(), 0, 1e-12);
 }
 

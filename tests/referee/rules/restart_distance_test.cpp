@@ -43,7 +43,7 @@ TEST(RestartDistance, At510MillimetresPlayGoesOn) {
   EXPECT_EQ(game.count("restart_distance"), 0);
 }
 
-// What is judged by a single picture must be beyond three deviations of the noise: here 15 mm.
+// What is judged by a single frame must be beyond three deviations of the noise: here 15 mm.
 TEST(RestartDistance, WithinTheNoiseOfVisionPlayGoesOn) {
   for (const double gap_m : {0.48, 0.49}) {
     Configuration configuration = by_book("2014");

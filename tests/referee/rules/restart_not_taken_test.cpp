@@ -1,5 +1,5 @@
-// The paper's and the Laws' force start is tested with the machine's arrows; here what the rules of
-// 2026 say otherwise: the opponents have the next free kick.
+// The paper's and the Laws' force start is tested with the machine's transitions; here what the
+// rules of 2026 say otherwise: the opponents have the next free kick.
 #include <gtest/gtest.h>
 
 #include "tests/referee/support/booked_game.hpp"

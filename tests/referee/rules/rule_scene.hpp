@@ -12,9 +12,9 @@ inline Configuration without(Configuration configuration, RuleId rule) {
 }
 
 // Whether a call of that event is made within the next seconds of play.
-inline bool is_called(ScriptedGame& game, std::string_view arrow, double seconds = 1.0) {
+inline bool is_called(ScriptedGame& game, std::string_view transition, double seconds = 1.0) {
   game.run(seconds);
-  return game.count(arrow) > 0;
+  return game.count(transition) > 0;
 }
 
 }  // namespace autoref::referee

@@ -42,7 +42,7 @@ void Stage::put_behind_ball(const RobotId& id, const Vec2& heading) {
 
 void Stage::put_ball(const Vec2& at_m) { ball_ = {at_m, Vec2(0, 0), 0, 0, ball_.is_seen, 0}; }
 
-void Stage::hand_ball(const Vec2& to_m, double at_most_m) {
+void Stage::place_ball(const Vec2& to_m, double at_most_m) {
   carriers_.clear();
   put_ball(ball_.at_m + clamp_norm(to_m - ball_.at_m, at_most_m));
 }
@@ -112,9 +112,9 @@ void Stage::step(double duration_s) {
 }
 
 void Stage::drive(Robot& robot, double duration_s) const {
-  const Vec2 way = clamp_norm(robot.to_m - robot.at_m, robot.speed_mps * duration_s);
-  robot.at_m += way;
-  robot.velocity_mps = way / duration_s;
+  const Vec2 step = clamp_norm(robot.to_m - robot.at_m, robot.speed_mps * duration_s);
+  robot.at_m += step;
+  robot.velocity_mps = step / duration_s;
   const double most_rad = robot.turn_radps * duration_s;
   const double left_rad = angle_between(robot.heading, robot.towards);
   robot.heading = rotated(robot.heading, std::clamp(left_rad, -most_rad, most_rad));

@@ -24,7 +24,7 @@ class Stage {
   void clear_robots() { robots_.clear(); }
   void show_ball(bool seen) { ball_.is_seen = seen; }
   // Moves a resting ball towards the place, at most so far.
-  void hand_ball(const Vec2& to_m, double at_most_m);
+  void place_ball(const Vec2& to_m, double at_most_m);
 
   // Throws std::runtime_error for a kick by a robot that is not at the ball, and an unknown robot.
   void obey(const Cue& cue);

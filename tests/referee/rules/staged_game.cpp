@@ -109,9 +109,9 @@ void StagedGame::look(Frame& frame) {
 
 void StagedGame::place_ball() {
   if (!signal_.placement) return;
-  const bool at_once = case_.hand_mps == 0 || signal_.placement->at_once;
+  const bool at_once = case_.placement_mps == 0 || signal_.placement->at_once;
   const Vec2 target_m = turned_ ? Vec2(-signal_.placement->target_m) : signal_.placement->target_m;
-  stage_.hand_ball(target_m, at_once ? 1e3 : case_.hand_mps / kRate_hz);
+  stage_.place_ball(target_m, at_once ? 1e3 : case_.placement_mps / kRate_hz);
 }
 
 void StagedGame::hear() {

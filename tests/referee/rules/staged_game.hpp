@@ -48,12 +48,12 @@ class StagedGame {
   void curtain(double seconds);
 
   void open();
-  void line_up_cast();
+  void line_up_assignment();
   void show_robots();
   void play_on_from_force_start();
   void score_goals();
   void score_goal(Side scorer);
-  void kick_out(const Vec2& from_m, RobotId kicker, const Vec2& way);
+  void kick_out(const Vec2& from_m, RobotId kicker, const Vec2& direction);
   void foul_for_penalty();
   void play_to_the_stop();
   void check_beginning() const;

@@ -15,7 +15,7 @@ constexpr int kCastNumber = 15;
 constexpr double kLongest_s = 60;
 constexpr double kUnseen_s = 1.0;  // longer than any tracker remembers robots
 constexpr double kOutside_m = 0.1;
-constexpr double kAtPlace_m = 0.02;
+constexpr double kAtPosition_m = 0.02;
 
 double sign_of(double x) { return x < 0 ? -1 : 1; }
 
@@ -42,7 +42,7 @@ void StagedGame::open() {
     show_robots();
     stage_.put_ball({0, 0});
   } else {
-    line_up_cast();
+    line_up_assignment();
   }
   run_until(State::kRun, kLongest_s);
   if (case_.opening == Opening::kKickoff) return;
@@ -62,11 +62,11 @@ void StagedGame::open() {
   if (!case_.from_the_stop) run_until(State::kRun, kLongest_s);
 }
 
-void StagedGame::line_up_cast() {
+void StagedGame::line_up_assignment() {
   for (const Side side : kSides) {
     for (const int number : {kCastNumber - 1, kCastNumber}) {
-      const Vec2 place(goal_sign(side) * 1.5, goal_sign(side) * (number - 14.5));
-      stage_.put({side, number}, place, Vec2(-goal_sign(side), 0));
+      const Vec2 position(goal_sign(side) * 1.5, goal_sign(side) * (number - 14.5));
+      stage_.put({side, number}, position, Vec2(-goal_sign(side), 0));
     }
   }
 }
@@ -85,7 +85,7 @@ void StagedGame::show_robots() {
 void StagedGame::play_on_from_force_start() {
   curtain(kUnseen_s);
   stage_.put_ball({0, field_.half_width_m() + kOutside_m});
-  line_up_cast();
+  line_up_assignment();
   run_until(State::kWaitStop, 1);
   if (all_.back().decision.event != Event::kTouchLineUnknown) {
     throw std::runtime_error("a ball out that nobody touched: expected touch_line_unknown, got " +
@@ -110,14 +110,14 @@ void StagedGame::score_goal(Side scorer) {
   kick_out({sign * (field_.half_length_m() - from_goal_m), 0}, {scorer, kCastNumber}, {sign, 0});
   run_until(State::kDelayWait, 5);
   stage_.clear_robots();
-  line_up_cast();
+  line_up_assignment();
   run_until(State::kRun, kLongest_s);
 }
 
-void StagedGame::kick_out(const Vec2& from_m, RobotId kicker, const Vec2& way) {
+void StagedGame::kick_out(const Vec2& from_m, RobotId kicker, const Vec2& direction) {
   curtain(kUnseen_s);
   stage_.put_ball(from_m);
-  stage_.put_behind_ball(kicker, way);
+  stage_.put_behind_ball(kicker, direction);
   if (case_.from_the_stop) show_robots();  // readiness compares with where they were
   run(0.2);
   Cue kick;
@@ -168,7 +168,7 @@ void StagedGame::check_beginning() const {
                              " gives the restart to the other side");
   }
   const std::optional<Vec2> ball_m = all_.back().ball_m;
-  if (!ball_m || (*ball_m - case_.ball_m).norm() > kAtPlace_m) {
+  if (!ball_m || (*ball_m - case_.ball_m).norm() > kAtPosition_m) {
     throw std::runtime_error("the referee has the ball placed elsewhere");
   }
 }

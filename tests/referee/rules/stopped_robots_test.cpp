@@ -15,7 +15,7 @@ DrivenGame stopped(const Configuration& configuration, double noise_m = 0) {
   Configuration noisy = configuration;
   noisy.noise.robot_m = noisy.noise.ball_m = noise_m;
   DrivenGame game(noisy);
-  game.game.hand_works = false;
+  game.game.placement_works = false;
   game.game.put_ball({0.5, configuration.field.half_width_m() + 0.1});
   game.game.run(0.1);
   game.game.put_ball(game.game.signal.placement->target_m);
@@ -59,7 +59,7 @@ TEST(StopSpeed, IsNotCalledForASingleJerk) {
   EXPECT_TRUE(fast("2014", 2.0, 0.05).calls(Event::kStopSpeed).empty());
 }
 
-TEST(StopSpeed, IsToldOncePerRobotAndStop) {
+TEST(StopSpeed, IsReportedOncePerRobotAndStop) {
   DrivenGame game = fast("2014", 1.5, 0.5);
   game.put(kEast, {0.8, -1.4}, {0, 0});
   game.run(0.2);
@@ -117,12 +117,12 @@ TEST(StopDistance, IsNotNotedByTheRulesOf2026) {
 DrivenGame in_the_way(const char* book, RobotId robot, double gap_m, double seconds) {
   Configuration configuration = by_book(book);
   DrivenGame game(configuration);
-  game.game.hand_works = false;
+  game.game.placement_works = false;
   game.game.put_ball({configuration.field.half_length_m() + 0.1, 0});
   game.game.run(0.1);
   game.game.put_ball({-1, 0});
-  const Vec2 place_m(-0.5, -gap_m - kRobotRadius_m);
-  game.put(robot, place_m, {0, 0}, {0, -1});
+  const Vec2 position_m(-0.5, -gap_m - kRobotRadius_m);
+  game.put(robot, position_m, {0, 0}, {0, -1});
   game.put({Side::kWest, 5}, {-1.5, 1.0}, {-0.05, 0});
   game.put({Side::kEast, 5}, {1.5, 1.0}, {0.05, 0});
   game.run(seconds);
@@ -149,7 +149,7 @@ TEST(PlacementInterference, EndsWithTheBallAtItsPlace) {
   EXPECT_TRUE(game.calls(Event::kPlacementInterference).empty());
 }
 
-TEST(PlacementInterference, IsToldOnceAndOnlyByTheRulesOf2026) {
+TEST(PlacementInterference, IsReportedOnceAndOnlyByTheRulesOf2026) {
   EXPECT_EQ(in_the_way("2026-b", kWest, 0.1, 8).calls(Event::kPlacementInterference).size(), 1U);
   EXPECT_TRUE(in_the_way("2014", kWest, 0.1, 8).calls(Event::kPlacementInterference).empty());
 }

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "referee/rules/too_many_robots.hpp"
-#include "tests/referee/machine/machine_in_hand.hpp"
+#include "tests/referee/machine/staged_machine.hpp"
 
 namespace autoref::referee {
 namespace {
@@ -15,14 +15,14 @@ Configuration six_each() {
   return configuration;
 }
 
-MachineInHand with_robots(State state = State::kRun) {
-  MachineInHand game(six_each(), state);
+StagedMachine with_robots(State state = State::kRun) {
+  StagedMachine game(six_each(), state);
   game.line_up(6);
   return game;
 }
 
-// Looks ten times a second; the label of the first arrow taken, empty where none was.
-std::string_view look_for(MachineInHand& game, double seconds) {
+// Looks ten times a second; the label of the first transition taken, empty where none was.
+std::string_view look_for(StagedMachine& game, double seconds) {
   const double end_s = game.now_s() + seconds - 1e-9;
   while (game.now_s() < end_s) {
     game.wait(0.1);
@@ -33,17 +33,17 @@ std::string_view look_for(MachineInHand& game, double seconds) {
 }
 
 TEST(ArrowTooManyRobots, GivesAFreeKickTenSecondsAfterACard) {
-  MachineInHand game = with_robots();
+  StagedMachine game = with_robots();
   game.fouls_for_cards(Side::kEast, 1);
   EXPECT_EQ(look_for(game, 9.9), "");
   EXPECT_EQ(look_for(game, 0.1), "too_many_robots");
-  EXPECT_EQ(game.memory.state, State::kWaitStop);
-  EXPECT_EQ(game.memory.signal.next_command, (Command{CommandKind::kDirectFree, Side::kWest}));
-  EXPECT_EQ(game.memory.cards[Side::kEast].fouls, 4);
+  EXPECT_EQ(game.state.machine_state, State::kWaitStop);
+  EXPECT_EQ(game.state.signal.next_command, (Command{CommandKind::kDirectFree, Side::kWest}));
+  EXPECT_EQ(game.state.cards[Side::kEast].fouls, 4);
 }
 
 TEST(ArrowTooManyRobots, IsTakenOncePerCard) {
-  MachineInHand game = with_robots();
+  StagedMachine game = with_robots();
   game.fouls_for_cards(Side::kEast, 1);
   look_for(game, 10);
   EXPECT_EQ(look_for(game, 10), "");
@@ -56,7 +56,7 @@ TEST(ArrowTooManyRobots, IsTakenOncePerCard) {
 // Division B: 9 m long, so that a robot of 180 mm at 4.6 m is beyond the goal line.
 TEST(ArrowTooManyRobots, IsNotTakenWhereARobotHasLeft) {
   for (const double x_m : {4.58, 4.6}) {
-    MachineInHand game = with_robots();
+    StagedMachine game = with_robots();
     game.fouls_for_cards(Side::kEast, 1);
     game.robot(Side::kEast, 5).position_m = Vec2(x_m, 2);
     EXPECT_EQ(look_for(game, 10), x_m < 4.59 ? "too_many_robots" : "") << x_m;
@@ -64,19 +64,19 @@ TEST(ArrowTooManyRobots, IsNotTakenWhereARobotHasLeft) {
 }
 
 TEST(ArrowTooManyRobots, LeadsToAForceStartWhereBothSidesAreAtFault) {
-  MachineInHand game = with_robots();
+  StagedMachine game = with_robots();
   for (int i = 0; i < 3; ++i) game.foul(std::nullopt);
   game.look_for_cards();
   look_for(game, 10);
-  EXPECT_EQ(game.memory.signal.next_command->kind, CommandKind::kForceStart);
+  EXPECT_EQ(game.state.signal.next_command->kind, CommandKind::kForceStart);
 }
 
 TEST(ArrowTooManyRobotsStopped, OnlyCountsTheFoul) {
-  MachineInHand game = with_robots(State::kWaitStop);
+  StagedMachine game = with_robots(State::kWaitStop);
   game.fouls_for_cards(Side::kWest, 1);
   EXPECT_EQ(look_for(game, 10), "too_many_robots_stopped");
-  EXPECT_EQ(game.memory.cards[Side::kWest].fouls, 4);
-  EXPECT_FALSE(game.memory.signal.next_command.has_value());
+  EXPECT_EQ(game.state.cards[Side::kWest].fouls, 4);
+  EXPECT_FALSE(game.state.signal.next_command.has_value());
 }
 
 }  // namespace

@@ -23,8 +23,8 @@ class ScriptedGame {
   ScriptedGame& line_up(int count = 6) {
     for (Side side : kSides) {
       for (int i = 0; i < count; ++i) {
-        const Vec2 place(goal_sign(side) * (2.0 - 0.25 * (i % 2)), -1.6 + 0.5 * i);
-        frame.robots[side].push_back({i, place, Vec2(-goal_sign(side), 0)});
+        const Vec2 position(goal_sign(side) * (2.0 - 0.25 * (i % 2)), -1.6 + 0.5 * i);
+        frame.robots[side].push_back({i, position, Vec2(-goal_sign(side), 0)});
       }
     }
     return *this;
@@ -42,7 +42,7 @@ class ScriptedGame {
     ball_mps = Vec2(0, 0);
   }
 
-  // One frame: judged, then the ball rolls on, or the referee's hand puts it to its place.
+  // One frame: judged, then the ball rolls on, or ball placement puts it to its place.
   const RefereeSignal& step() {
     frame.number = next_number_++;
     frame.time_s = static_cast<double>(frame.number) / kRate_hz;
@@ -51,7 +51,7 @@ class ScriptedGame {
     if (frame.ball) {
       frame.ball->position_m += ball_mps / kRate_hz;
       ball_mps = clamp_norm(ball_mps, std::max(0.0, ball_mps.norm() - carpet_mps2 / kRate_hz));
-      if (signal.placement && hand_works) put_ball(signal.placement->target_m);
+      if (signal.placement && placement_works) put_ball(signal.placement->target_m);
     }
     return signal;
   }
@@ -61,16 +61,16 @@ class ScriptedGame {
     for (int i = 0; i < frames; ++i) step();
   }
 
-  // Runs until an arrow of that label is taken; throws if none is within `limit_s`.
-  Decision run_until(std::string_view arrow, double limit_s = 40) {
+  // Runs until an transition of that label is taken; throws if none is within `limit_s`.
+  Decision run_until(std::string_view transition, double limit_s = 40) {
     for (int i = 0; i < limit_s * kRate_hz; ++i) {
       const std::size_t former = decisions.size();
       step();
       for (std::size_t k = former; k < decisions.size(); ++k) {
-        if (decisions[k].arrow == arrow) return decisions[k];
+        if (decisions[k].transition == transition) return decisions[k];
       }
     }
-    throw std::runtime_error("arrow never taken: " + std::string(arrow));
+    throw std::runtime_error("transition never used: " + std::string(transition));
   }
 
   // From the first frame to the kick-off: every robot moves a little, then all stand still.
@@ -85,10 +85,11 @@ class ScriptedGame {
 
   // The robot comes up behind the ball with its plate one millimetre away, and kicks it.
   void kick(Side side, int number, const Vec2& velocity_mps) {
-    const Vec2 way = velocity_mps.normalized();
+    const Vec2 direction = velocity_mps.normalized();
     RobotObservation& kicker = robot(side, number);
-    kicker.heading = way;
-    kicker.position_m = frame.ball->position_m - way * (kFrontDistance_m + kBallRadius_m + 0.001);
+    kicker.heading = direction;
+    kicker.position_m =
+        frame.ball->position_m - direction * (kFrontDistance_m + kBallRadius_m + 0.001);
     run(0.1);
     ball_mps = velocity_mps;
   }
@@ -100,9 +101,9 @@ class ScriptedGame {
     kick(side, number, velocity_mps);
   }
 
-  int count(std::string_view arrow) const {
+  int count(std::string_view transition) const {
     int found = 0;
-    for (const Decision& decision : decisions) found += decision.arrow == arrow ? 1 : 0;
+    for (const Decision& decision : decisions) found += decision.transition == transition ? 1 : 0;
     return found;
   }
 
@@ -112,7 +113,7 @@ class ScriptedGame {
   PerSide<TeamRequests> requests;
   Vec2 ball_mps{0, 0};
   double carpet_mps2 = 0;  // what the ball loses
-  bool hand_works = true;
+  bool placement_works = true;
   Referee referee;
   RefereeSignal signal;
   std::vector<Decision> decisions;

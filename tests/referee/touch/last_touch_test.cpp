@@ -228,7 +228,7 @@ TEST(LastTouch, IsThatOfTheSecondOfTwoTouchesWithinAFrame) {
 TEST(LastTouch, APushingRobotTouchesTheBall) {
   TouchScene scene({0, 0});
   scene.robot(Side::kEast, 3, {kTouch_m + 0.0005, 0}, {-1, 0}).start();
-  for (int i = 0; i < 30; ++i) {  // slowly away, too soft for a kink
+  for (int i = 0; i < 30; ++i) {  // slowly away, too soft for a velocity change
     scene.ball_mps = {-0.0015 * i, 0};
     scene.frame.robots[Side::kEast][0].position_m += scene.ball_mps * kFrame_s;
     scene.roll(1);

@@ -14,7 +14,7 @@ constexpr VisionNoise kNoise{0.0014, 0.0013, 0.01};
 constexpr double kFrame_s = 1.0 / 60;
 constexpr double kMissed = 0.05;
 
-// A ball on a given way past robots that stand, seen with noise; one sighting in twenty is missed.
+// A ball on a given way past robots that stand, seen with noise; one detection in twenty is missed.
 class NoisyScene {
  public:
   explicit NoisyScene(std::uint64_t seed) : random_(seed) {}

@@ -28,11 +28,11 @@ class History {
     frame.number += 1;
     frame.time_s = static_cast<double>(frame.number) * kFrame_s;
     frame.ball = BallObservation{ball->position_m, ball->height_m};
-    const Moment moment{configuration, frame, ball, told, tracks, requests};
-    touches.update(moment, 0.0);
+    const RefereeInput input{configuration, frame, ball, reported, tracks, requests};
+    touches.update(input, 0.0);
   }
-  void tell(RobotId robot, double ago_s = 0.01) {
-    told = touch_by(robot, static_cast<double>(frame.number + 1) * kFrame_s - ago_s);
+  void report(RobotId robot, double ago_s = 0.01) {
+    reported = touch_by(robot, static_cast<double>(frame.number + 1) * kFrame_s - ago_s);
     step();
   }
   void run(int frames) {
@@ -46,7 +46,7 @@ class History {
   Configuration configuration;
   Frame frame;
   std::optional<BallSight> ball;
-  LastTouch told;
+  LastTouch reported;
   Tracks tracks;
   PerSide<TeamRequests> requests;
   TouchHistory touches;
@@ -59,20 +59,20 @@ TEST(TouchHistory, IsEmptyBeforeAnyTouch) {
   EXPECT_EQ(history.touches.newest(), nullptr);
 }
 
-TEST(TouchHistory, ATouchThatIsToldForLongIsOne) {
+TEST(TouchHistory, ATouchThatIsReportedForLongIsOne) {
   History history;
-  history.tell(kWest3);
+  history.report(kWest3);
   history.run(60);
   EXPECT_EQ(history.touches.count(), 1);
   EXPECT_EQ(history.touches.newest()->robot, kWest3);
 }
 
-TEST(TouchHistory, AKickWhoseTimeIsToldAnewAfterTheBallHasLeftIsOne) {
+TEST(TouchHistory, AKickWhoseTimeIsReportedAnewAfterTheBallHasLeftIsOne) {
   History history;
-  history.west_at_gap(0.05);  // 50 mm away in the picture that first tells of the kick
-  history.tell(kWest3, 0.002);
-  const double kicked_s = history.told.time_s - 0.009;
-  history.told = touch_by(kWest3, kicked_s);
+  history.west_at_gap(0.05);  // 50 mm away in the frame that first tells of the kick
+  history.report(kWest3, 0.002);
+  const double kicked_s = history.reported.time_s - 0.009;
+  history.reported = touch_by(kWest3, kicked_s);
   history.run(3);
   EXPECT_EQ(history.touches.count(), 1);
   EXPECT_EQ(history.touches.newest()->began_s, kicked_s);
@@ -81,9 +81,9 @@ TEST(TouchHistory, AKickWhoseTimeIsToldAnewAfterTheBallHasLeftIsOne) {
 TEST(TouchHistory, TouchesByOneRobotAreOneWhileTheBallStaysWithin20Millimetres) {
   History history;
   history.west_at_gap(0.019);
-  history.tell(kWest3);
+  history.report(kWest3);
   history.run(30);
-  history.tell(kWest3);
+  history.report(kWest3);
   EXPECT_EQ(history.touches.count(), 1);
   EXPECT_NEAR(history.touches.newest()->ended_s - history.touches.newest()->began_s, 31 * kFrame_s,
               1e-9);
@@ -92,18 +92,18 @@ TEST(TouchHistory, TouchesByOneRobotAreOneWhileTheBallStaysWithin20Millimetres) 
 TEST(TouchHistory, ATouchAfterTheBallWas21MillimetresAwayIsAnother) {
   History history;
   history.west_at_gap(0);
-  history.tell(kWest3);
+  history.report(kWest3);
   history.west_at_gap(0.021);
   history.run(3);
-  history.tell(kWest3);
+  history.report(kWest3);
   EXPECT_EQ(history.touches.count(), 2);
   EXPECT_TRUE(history.touches.is_one_robots());
 }
 
-TEST(TouchHistory, ATouchToldOtherwiseInTheNextFrameIsThatOtherRobots) {
+TEST(TouchHistory, ATouchReportedOtherwiseInTheNextFrameIsThatOtherRobots) {
   History history;
-  history.tell(kWest3, 0.002);
-  history.told = touch_by(kEast4, history.told.time_s - 0.004);
+  history.report(kWest3, 0.002);
+  history.reported = touch_by(kEast4, history.reported.time_s - 0.004);
   history.step();
   EXPECT_EQ(history.touches.count(), 1);
   EXPECT_EQ(history.touches.newest()->robot, kEast4);
@@ -111,12 +111,12 @@ TEST(TouchHistory, ATouchToldOtherwiseInTheNextFrameIsThatOtherRobots) {
 
 TEST(TouchHistory, ATouchTakenBackLeavesTheOneBefore) {
   History history;
-  history.tell(kWest3);
-  const LastTouch former = history.told;
+  history.report(kWest3);
+  const LastTouch former = history.reported;
   history.run(10);
-  history.tell(kEast4);
+  history.report(kEast4);
   EXPECT_EQ(history.touches.count(), 2);
-  history.told = former;
+  history.reported = former;
   history.run(2);
   EXPECT_EQ(history.touches.count(), 1);
   EXPECT_EQ(history.touches.newest()->robot, kWest3);
@@ -124,16 +124,16 @@ TEST(TouchHistory, ATouchTakenBackLeavesTheOneBefore) {
 
 TEST(TouchHistory, TheOnlyTouchTakenBackLeavesNone) {
   History history;
-  history.tell(kWest3);
-  history.told = LastTouch{};
+  history.report(kWest3);
+  history.reported = LastTouch{};
   history.step();
   EXPECT_EQ(history.touches.count(), 0);
 }
 
 TEST(TouchHistory, TouchesInSuccessiveFramesAreTwo) {
   History history;
-  history.tell(kWest3);
-  history.tell(kEast4);
+  history.report(kWest3);
+  history.report(kEast4);
   EXPECT_EQ(history.touches.count(), 2);
   EXPECT_EQ(history.touches.at(1).robot, kWest3);
   EXPECT_FALSE(history.touches.is_one_robots());
@@ -141,16 +141,16 @@ TEST(TouchHistory, TouchesInSuccessiveFramesAreTwo) {
 
 TEST(TouchHistory, AnUnknownTouchMayBeASecondRobots) {
   History history;
-  history.tell(kWest3);
+  history.report(kWest3);
   history.run(10);
-  history.told = LastTouch{};
-  history.told.time_s = history.frame.time_s + 0.01;
+  history.reported = LastTouch{};
+  history.reported.time_s = history.frame.time_s + 0.01;
   history.step();
   EXPECT_EQ(history.touches.count(), 2);
   EXPECT_FALSE(history.touches.is_one_robots());
 }
 
-TEST(TouchHistory, KnowsWhereRobotAndBallWereAtATouchThatIsToldLate) {
+TEST(TouchHistory, KnowsWhereRobotAndBallWereAtATouchThatIsReportedLate) {
   History history;
   history.west().position_m = Vec2(1, 0);
   for (int i = 0; i < 8; ++i) {
@@ -158,25 +158,25 @@ TEST(TouchHistory, KnowsWhereRobotAndBallWereAtATouchThatIsToldLate) {
     history.ball->position_m.x() += 0.1;
     history.step();
   }
-  history.told = touch_by(kWest3, 3.5 * kFrame_s);
+  history.reported = touch_by(kWest3, 3.5 * kFrame_s);
   history.step();
   const BallTouch& touch = *history.touches.newest();
   EXPECT_NEAR(touch.toucher->position_m.x(), 1 + 3.5 * 0.06, 1e-9);
   EXPECT_NEAR(touch.began_m.x(), 0.3, 1e-9);
 }
 
-TEST(TouchHistory, AKickToldAPictureLateWasWhereTheBallLay) {
+TEST(TouchHistory, AKickReportedAFrameLateWasWhereTheBallLay) {
   History history;
   history.west_at_gap(0.01);
   history.run(3);
   history.ball->position_m.x() += 0.11;
-  history.tell(kWest3, 0.0);
+  history.report(kWest3, 0.0);
   EXPECT_EQ(history.touches.newest()->began_m, Vec2(0, 0));
 }
 
 TEST(TouchHistory, KnowsHowHighTheBallHasBeenAndThatItRollsAgain) {
   History history;
-  history.tell(kWest3);
+  history.report(kWest3);
   for (const double height_m : {0.1, 0.2, 0.1}) {
     history.ball->height_m = height_m;
     history.step();

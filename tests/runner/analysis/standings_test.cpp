@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "runner/analysis/standings_report.hpp"
-#include "runner/experiments/plan.hpp"
 #include "runner/experiments/roundrobin.hpp"
+#include "runner/experiments/schedule.hpp"
 #include "runner/io/csv.hpp"
 
 namespace autoref::runner {
@@ -39,7 +39,7 @@ std::vector<Group> matchups_in(const std::vector<Score>& scores) {
     record.end_reason = score.end;
     if (score.end == EndReason::kVoid) record.status = Status::kVoid;
     if (score.end == EndReason::kShootout) record.shootout = {{2, 3}};
-    const PlannedGame game{"id", {}, score.pair, score.leg, {}, score.team_a, score.team_b};
+    const ScheduledGame game{"id", {}, score.pair, score.leg, {}, score.team_a, score.team_b};
     rows.push_back(format.read(format.line(game, outcome_of(record), {})).value());
   }
   return grouped(matchups_of(robin_of(scores)), format, rows);

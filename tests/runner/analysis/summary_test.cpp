@@ -28,7 +28,7 @@ std::vector<Group> groups_of(const std::vector<Score>& scores) {
     record.goals_a = score.a;
     record.goals_b = score.b;
     record.status = score.is_void ? Status::kVoid : Status::kOk;
-    const PlannedGame game{"id", {score.robots}, score.pair, score.leg, {}};
+    const ScheduledGame game{"id", {score.robots}, score.pair, score.leg, {}};
     rows.push_back(format.read(format.line(game, outcome_of(record), {})).value());
   }
   return grouped(std::get<Sweep>(small_sweep().content), format, rows);

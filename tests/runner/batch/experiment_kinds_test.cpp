@@ -40,10 +40,10 @@ TEST(ChangesBetween, KnowsNothingOfAnotherKind) {
 }
 
 TEST(IsExperiment, HoldsForAllButSingleGamesAndTheReferees) {
-  EXPECT_FALSE(is_experiment({"", JudgePlan{}}));
+  EXPECT_FALSE(is_experiment({"", JudgeSchedule{}}));
   EXPECT_TRUE(is_experiment({"", Gauntlet{}}));
   EXPECT_TRUE(is_experiment({"", Knockout{}}));
-  EXPECT_TRUE(is_experiment(small_match()));
+  EXPECT_TRUE(is_experiment(small_sprt_match()));
   EXPECT_TRUE(is_experiment(small_sweep()));
   EXPECT_TRUE(is_experiment(small_roundrobin({6, 5})));
   EXPECT_FALSE(is_experiment({"", GameConfiguration{}}));

@@ -50,8 +50,8 @@ inline Scenario small_roundrobin(const std::vector<int>& robots, int pairs = 2) 
 }
 
 // One that b's five robots decide after the fewest pairs: fake games differ by -4 goals on average.
-inline Scenario small_match(int max_pairs = 40) {
-  Match match;
+inline Scenario small_sprt_match(int max_pairs = 40) {
+  SprtMatch match;
   match.teams["team0"].robots = 6;
   match.teams["team1"].robots = 5;
   match.sprt = {.d0 = 0, .d1 = -4, .min_pairs = 10, .max_pairs = max_pairs};

@@ -184,7 +184,7 @@ TEST_P(HundredKills, LeaveTheResultsOfAnUndisturbedRun) {
   ASSERT_TRUE(runs.end_well(std::chrono::seconds(60)));
   EXPECT_EQ(rows_in(folder.path()), 4 * kPairs);
   const ResultFolder merged = open_results(folder.path());
-  write_results(merged.path, merged.scenario, merged.format, merged.stock.done);
+  write_results(merged.path, merged.scenario, merged.format, merged.completed_games.done);
   EXPECT_EQ(content_of(folder / "results.csv"), content_of(calm / "results.csv"));
   EXPECT_TRUE(leftovers_in(folder.path()).empty());
 }

@@ -16,7 +16,7 @@ TEST(Rehearse, PlaysOneGameOfEachCombination) {
     robots.push_back(game.b.robots);
     return fake_game(game);
   };
-  const std::vector<Rehearsal> rehearsals = rehearse(plan(small_sweep(3)), play);
+  const std::vector<Rehearsal> rehearsals = rehearse(scheduled_games(small_sweep(3)), play);
   EXPECT_EQ(robots, (std::vector<int>{6, 5}));
   ASSERT_EQ(rehearsals.size(), 2U);
   EXPECT_EQ(rehearsals[1].played, "b.robots=5");
@@ -31,9 +31,9 @@ TEST(Rehearse, PlaysShortHalvesAndNoLongerOnesThanTheGame) {
     halves_s.push_back(game.match.half_s);
     return fake_game(game);
   };
-  rehearse(plan(scenario), play);
+  rehearse(scheduled_games(scenario), play);
   std::get<Sweep>(scenario.content).base.match.half_s = 2;
-  rehearse(plan(scenario), play);
+  rehearse(scheduled_games(scenario), play);
   EXPECT_EQ(halves_s, (std::vector<double>{5, 5, 2, 2}));
 }
 
@@ -44,7 +44,7 @@ TEST(Rehearse, SaysWhyAGameIsVoid) {
     record.void_reason = "a threw";
     return record;
   };
-  const std::vector<Rehearsal> rehearsals = rehearse(plan(small_sweep(1)), play);
+  const std::vector<Rehearsal> rehearsals = rehearse(scheduled_games(small_sweep(1)), play);
   EXPECT_EQ(rehearsals[0].void_reason, "no such thing");
   EXPECT_EQ(rehearsals[1].void_reason, "a threw");
 }

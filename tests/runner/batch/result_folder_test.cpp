@@ -41,7 +41,7 @@ TEST(ResultFolder, MayStillBeFilling) {
   write_content(shard_of(filled.folder.path()), rows.substr(0, rows.size() * 2 / 3));
   const ResultFolder folder = open_results(filled.folder.path());
   EXPECT_FALSE(folder.is_complete());
-  EXPECT_GT(folder.stock.done.size(), 4U);
+  EXPECT_GT(folder.completed_games.done.size(), 4U);
   EXPECT_EQ(folder.damaged, 0);
 }
 
@@ -50,7 +50,7 @@ TEST(ResultFolder, IsWrittenTheSameAgain) {
   const std::string before = content_of(filled.folder / "results.csv");
   const ResultFolder folder = open_results(filled.folder.path());
   std::filesystem::remove(filled.folder / "results.csv");
-  write_results(folder.path, folder.scenario, folder.format, folder.stock.done);
+  write_results(folder.path, folder.scenario, folder.format, folder.completed_games.done);
   EXPECT_EQ(content_of(filled.folder / "results.csv"), before);
 }
 
@@ -69,7 +69,7 @@ TEST(ResultFolder, AsksWhichOfSeveralBuildsCounts) {
   EXPECT_NE(refusal(filled.folder.path()).find("0.1.0-other, 0.1.0-test; choose one"),
             std::string::npos);
   EXPECT_NE(refusal(filled.folder.path(), "0.2").find("has none of 0.2"), std::string::npos);
-  EXPECT_EQ(open_results(filled.folder.path(), "0.1.0-other").stock.done.size(), 4U);
+  EXPECT_EQ(open_results(filled.folder.path(), "0.1.0-other").completed_games.done.size(), 4U);
 }
 
 TEST(Verify, FindsGamesThatComeOutAsBefore) {

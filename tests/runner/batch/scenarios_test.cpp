@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "runner/batch/experiment.hpp"
-#include "runner/experiments/plan.hpp"
 #include "runner/experiments/reading/effective.hpp"
 #include "runner/experiments/reading/scenario_reader.hpp"
 #include "runner/experiments/scenario.hpp"
+#include "runner/experiments/schedule.hpp"
 #include "runner/judge/judge_games.hpp"
 #include "tests/runner/support/temporary_folder.hpp"
 
@@ -30,10 +30,10 @@ constexpr double kShortHalf_s = 5;
 void make_few(Sweep& sweep) { sweep.pairs = 1; }
 void make_few(RoundRobin& robin) { robin.pairs = 1; }
 void make_few(Gauntlet& gauntlet) { gauntlet.pairs = 1; }
-void make_few(Match& match) { match.sprt.min_pairs = match.sprt.max_pairs = 2; }
+void make_few(SprtMatch& match) { match.sprt.min_pairs = match.sprt.max_pairs = 2; }
 void make_few(Knockout& /*knockout*/) {}
 void make_few(GameConfiguration& /*game*/) {}
-void make_few(JudgePlan& plan) { plan.games = 2; }
+void make_few(JudgeSchedule& schedule) { schedule.games = 2; }
 
 void shorten(MatchConfiguration& match) { match.half_s = match.extra_half_s = kShortHalf_s; }
 void shorten(GameConfiguration& game) { shorten(game.match); }
@@ -65,9 +65,9 @@ TEST_P(EveryScenario, CanBePlayedShortened) {
     EXPECT_EQ(play(*game).status, Status::kOk);
     return;
   }
-  if (auto* plan = std::get_if<JudgePlan>(&scenario.content)) {
-    for (const Judgement& judgement : judge_games(games_of(*plan), 2, nullptr)) {
-      EXPECT_EQ(judgement.void_reason, "");
+  if (auto* schedule = std::get_if<JudgeSchedule>(&scenario.content)) {
+    for (const CallEvaluation& evaluation : judge_games(games_of(*schedule), 2, nullptr)) {
+      EXPECT_EQ(evaluation.void_reason, "");
     }
     return;
   }

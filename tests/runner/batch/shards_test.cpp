@@ -48,37 +48,37 @@ TEST_P(Shards, LeaveTheSameResultsWhenTheirRowsAreCopiedTogether) {
              fs::copy_options::recursive | fs::copy_options::overwrite_existing);
   }
   const ResultFolder folder = open_results(folder_.path());
-  write_results(folder.path, folder.scenario, folder.format, folder.stock.done);
+  write_results(folder.path, folder.scenario, folder.format, folder.completed_games.done);
   EXPECT_EQ(results_in(folder_.path()), results_in(whole_.path()));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Shards, testing::Values(1, 2, 5));
 
-TEST(PlannedGames, AreOfOneUnitWhereTheyAreLegsOfAPair) {
+TEST(ScheduledGames, AreOfOneUnitWhereTheyAreLegsOfAPair) {
   for (const Scenario& scenario : {small_sweep(), small_roundrobin({6, 5, 4})}) {
-    const std::vector<PlannedGame> games = plan(scenario);
+    const std::vector<ScheduledGame> games = scheduled_games(scenario);
     for (std::size_t i = 0; i < games.size(); ++i) EXPECT_EQ(games[i].unit, i / 2);
   }
 }
 
-TEST(ShardPlace, GivesEveryUnitToOneShard) {
+TEST(ShardIndex, GivesEveryUnitToOneShard) {
   for (std::size_t unit = 0; unit < 40; ++unit) {
     int shards = 0;
-    for (int i = 0; i < 3; ++i) shards += ShardPlace{i, 3}.has(unit) ? 1 : 0;
+    for (int i = 0; i < 3; ++i) shards += ShardIndex{i, 3}.has(unit) ? 1 : 0;
     EXPECT_EQ(shards, 1);
   }
 }
 
-TEST(ShardPlace, IsReadFromItsName) {
-  EXPECT_EQ(shard_place_of("3/12").number, 3);
-  EXPECT_EQ(shard_place_of("3/12").of, 12);
-  EXPECT_EQ(shard_place_of("3/12").name(), "3/12");
+TEST(ShardIndex, IsReadFromItsName) {
+  EXPECT_EQ(shard_index_of("3/12").number, 3);
+  EXPECT_EQ(shard_index_of("3/12").of, 12);
+  EXPECT_EQ(shard_index_of("3/12").name(), "3/12");
 }
 
-TEST(ShardPlace, IsNothingElse) {
+TEST(ShardIndex, IsNothingElse) {
   for (const char* text : {"", "1", "1/", "/2", "2/2", "-1/2", "0/0", "1/2x", "0/10001", "a/b",
                            "99999999999/2", "0 /2"})
-    EXPECT_THROW(shard_place_of(text), std::invalid_argument) << text;
+    EXPECT_THROW(shard_index_of(text), std::invalid_argument) << text;
 }
 
 }  // namespace

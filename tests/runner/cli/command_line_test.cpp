@@ -26,7 +26,7 @@ const std::string kSweep = kScenarios + "handicap-speed.yaml";
 TEST(CommandLine, ShowsAnExampleForEachVerb) {
   for (const char* verb :
        {"play", "run", "submit", "check", "status", "report", "verify", "replay", "judge", "lab",
-        "view", "info", "referee", "plan", "rules", "teams", "bench"}) {
+        "view", "info", "referee", "sample-size", "rules", "teams", "bench"}) {
     const Answer answer = answer_to({verb, "--help"});
     EXPECT_EQ(answer.code, kDone);
     EXPECT_NE(answer.out.find(std::string("Example:\n  autoref ") + verb), std::string::npos);

@@ -32,33 +32,33 @@ int count_of(const Xml& xml, const std::string& attribute, const std::string& va
 class DrawVerb : public testing::TestWithParam<const char*> {
  protected:
   Answer draw(std::vector<const char*> what) {
-    std::vector<const char*> arguments = {"draw", log_.c_str(), "-o", picture_.c_str()};
+    std::vector<const char*> arguments = {"draw", log_.c_str(), "-o", drawing_.c_str()};
     arguments.insert(arguments.end(), what.begin(), what.end());
     return answer_to(arguments);
   }
 
   TemporaryFolder folder_;
   std::string log_ = write_short_log(folder_, GetParam());
-  std::string picture_ = folder_ / "frame.svg";
+  std::string drawing_ = folder_ / "frame.svg";
 };
 
 TEST_P(DrawVerb, ShowsEveryRobotAndTheBallOnce) {
   const Answer answer = draw({"--at", "2.5"});
   ASSERT_EQ(answer.code, kDone) << answer.err;
-  const Xml xml = xml_of(content_of(picture_));
+  const Xml xml = xml_of(content_of(drawing_));
   EXPECT_EQ(count_of(xml, "class", "robot"), 12);
   EXPECT_EQ(count_of(xml, "class", "ball"), 1);
 }
 
 TEST_P(DrawVerb, TellsTimeAndScore) {
   draw({"--at", "2.5"});
-  EXPECT_NE(content_of(picture_).find(">2.50 s | basic 0 : 0 basic | "), std::string::npos);
+  EXPECT_NE(content_of(drawing_).find(">2.50 s | basic 0 : 0 basic | "), std::string::npos);
 }
 
 TEST_P(DrawVerb, TracesTheWaysOfAllWithTheirBegins) {
   const Answer answer = draw({"--trace", "0.5:3"});
   ASSERT_EQ(answer.code, kDone) << answer.err;
-  const Xml xml = xml_of(content_of(picture_));
+  const Xml xml = xml_of(content_of(drawing_));
   EXPECT_EQ(count_of(xml, "class", "begin"), 13);
   EXPECT_EQ(count_of(xml, "class", "robot"), 12);
   EXPECT_GT(count_of(xml, "stroke-opacity", "1.00"), 0);
@@ -72,7 +72,7 @@ TEST_P(DrawVerb, NamesTheLogsRangeWhereATimeIsOutside) {
     EXPECT_NE(answer.err.find("is not in the log, which shows 0.000 to "), std::string::npos)
         << answer.err;
   }
-  EXPECT_FALSE(std::filesystem::exists(picture_));
+  EXPECT_FALSE(std::filesystem::exists(drawing_));
 }
 
 TEST_P(DrawVerb, RefusesTimesThatAreNone) {

@@ -17,8 +17,9 @@ bool has(const std::string& text, const std::string& part) {
 
 WrittenReport reported(const fs::path& path) {
   const ResultFolder folder = open_results(path);
-  return write_report(folder,
-                      write_results(path, folder.scenario, folder.format, folder.stock.done), path);
+  return write_report(
+      folder, write_results(path, folder.scenario, folder.format, folder.completed_games.done),
+      path);
 }
 
 std::map<std::string, std::string> files_below(const fs::path& folder) {

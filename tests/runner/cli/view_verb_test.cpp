@@ -37,12 +37,12 @@ TEST_F(ViewVerb, ShowsWhatStandsBeforeDamageAndSaysWhereItIs) {
   EXPECT_GT(content_of(page_).size(), 20'000U);
 }
 
-TEST_F(ViewVerb, RefusesALogWithoutPictures) {
+TEST_F(ViewVerb, RefusesALogWithoutFrames) {
   const std::string log = folder_ / "empty.log";
   write_content(log, std::string("SSL_LOG_FILE\0\0\0\1", 16));
   const Answer answer = view(log);
   EXPECT_EQ(answer.code, kBadInput);
-  EXPECT_NE(answer.err.find("empty.log: the log shows no picture"), std::string::npos);
+  EXPECT_NE(answer.err.find("empty.log: the log shows no frame"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(page_));
 }
 

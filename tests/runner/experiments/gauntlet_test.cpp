@@ -7,7 +7,7 @@
 
 #include <map>
 
-#include "runner/experiments/matchup_plan.hpp"
+#include "runner/experiments/matchup_schedule.hpp"
 #include "runner/settings/fields.hpp"
 #include "tests/runner/batch/fake_games.hpp"
 #include "tests/runner/experiments/reading/mistake.hpp"
@@ -35,12 +35,12 @@ TEST(Gauntlet, HasEachChallengerMeetEachTeamOfTheField) {
 
 TEST(Gauntlet, HasTheGamesOfARoundRobin) {
   std::map<std::string, std::uint64_t> robins;
-  for (const PlannedGame& game : plan(small_roundrobin({6, 5, 4, 3}))) {
+  for (const ScheduledGame& game : scheduled_games(small_roundrobin({6, 5, 4, 3}))) {
     robins[game.id] = configuration_hash(game.configuration);
   }
-  const std::vector<PlannedGame> games = plan(small_gauntlet());
+  const std::vector<ScheduledGame> games = scheduled_games(small_gauntlet());
   EXPECT_EQ(games.size(), 16U);
-  for (const PlannedGame& game : games) {
+  for (const ScheduledGame& game : games) {
     EXPECT_EQ(robins.at(game.id), configuration_hash(game.configuration)) << game.id;
   }
 }
@@ -49,8 +49,8 @@ TEST(Gauntlet, MakesTheChallengerTeamAWhateverItsName) {
   Gauntlet gauntlet;
   gauntlet.challengers["zone"];
   gauntlet.teams["bold"];
-  EXPECT_EQ(plan(gauntlet).front().id, "zone~bold-p0001-1");
-  EXPECT_EQ(plan(gauntlet).front().team_a, "zone");
+  EXPECT_EQ(scheduled_games(gauntlet).front().id, "zone~bold-p0001-1");
+  EXPECT_EQ(scheduled_games(gauntlet).front().team_a, "zone");
 }
 
 TEST(GauntletRun, RanksTheChallengersOnlyAndDoesNotRateThem) {

@@ -10,7 +10,7 @@
 
 #include "runner/batch/result_folder.hpp"
 #include "runner/experiments/bracket.hpp"
-#include "runner/experiments/knockout_plan.hpp"
+#include "runner/experiments/knockout_schedule.hpp"
 #include "tests/runner/batch/fake_games.hpp"
 
 namespace autoref::runner {
@@ -51,7 +51,7 @@ GameRecord drawn(const GameConfiguration& game) {
 
 ExperimentReport run(const Knockout& knockout, const fs::path& folder,
                      const std::function<GameRecord(const GameConfiguration&)>& play,
-                     ShardPlace shard = {}) {
+                     ShardIndex shard = {}) {
   ExperimentOptions options = fake_options(folder);
   options.play = play;
   options.shard = shard;
@@ -68,9 +68,9 @@ std::string undisturbed_results(const Knockout& knockout) {
   return results_in(folder.path());
 }
 
-std::vector<std::string> ids_of(const std::vector<PlannedGame>& games) {
+std::vector<std::string> ids_of(const std::vector<ScheduledGame>& games) {
   std::vector<std::string> ids;
-  for (const PlannedGame& game : games) ids.push_back(game.id);
+  for (const ScheduledGame& game : games) ids.push_back(game.id);
   return ids;
 }
 
@@ -78,13 +78,13 @@ TEST(Bracket, OfEightTeamsKeepsTheBestApart) {
   const std::vector<std::string> expected = {
       "team0~team7-p0001-1", "team3~team4-p0002-1", "team1~team6-p0003-1", "team2~team5-p0004-1",
       "team0~team3-p0005-1", "team1~team2-p0006-1", "team0~team1-p0007-1"};
-  EXPECT_EQ(ids_of(plan(knockout_of(8))), expected);
+  EXPECT_EQ(ids_of(scheduled_games(knockout_of(8))), expected);
 }
 
 TEST(Bracket, OfFiveTeamsHasTheThreeBestWaitForTheSecondRound) {
   const std::vector<std::string> expected = {"team3~team4-p0001-1", "team0~team3-p0002-1",
                                              "team1~team2-p0003-1", "team0~team1-p0004-1"};
-  EXPECT_EQ(ids_of(plan(knockout_of(5))), expected);
+  EXPECT_EQ(ids_of(scheduled_games(knockout_of(5))), expected);
 }
 
 TEST(Bracket, OfTwoTeamsIsAFinal) {
@@ -95,7 +95,7 @@ TEST(Bracket, OfTwoTeamsIsAFinal) {
 
 TEST(Bracket, HasATieLessThanTeams) {
   for (const int teams : {2, 3, 5, 6, 11, 16, 33, 64}) {
-    EXPECT_EQ(plan([teams] {
+    EXPECT_EQ(scheduled_games([teams] {
                 Knockout knockout = knockout_of(teams);
                 for (auto& [name, team] : knockout.teams) team.robots = 6;
                 return knockout;
@@ -117,7 +117,7 @@ TEST(Bracket, KnowsOnlyTheTiesThatNoOtherComesBefore) {
 TEST(KnockoutGames, ChangeEndsAndSeedWhenPlayedAgain) {
   std::vector<Tie> ties = bracket_of(knockout_of(2), [](Tie&) {});
   ties[0].games = {"team0~team1-p0001-1"};
-  const std::vector<PlannedGame> games = games_of(knockout_of(2), ties);
+  const std::vector<ScheduledGame> games = games_of(knockout_of(2), ties);
   ASSERT_EQ(games.size(), 2U);
   EXPECT_EQ(games[0].configuration.match.a_plays, Side::kWest);
   EXPECT_EQ(games[1].configuration.match.a_plays, Side::kEast);
@@ -240,7 +240,7 @@ TEST(KnockoutFolder, IsReadAsFarAsItGoes) {
   run(knockout_of(8), folder.path(), won_by_the_worse, {0, 2});
   const ResultFolder results = open_results(folder.path());
   EXPECT_FALSE(results.is_complete());
-  EXPECT_EQ(results.stock.done.size(), 2U);
+  EXPECT_EQ(results.completed_games.done.size(), 2U);
   EXPECT_EQ(results.games.size(), 4U);
   EXPECT_EQ(results.needed, 7U);
 }

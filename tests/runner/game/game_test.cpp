@@ -55,8 +55,8 @@ TEST(Game, OfATeamAgainstItselfScoresTheOppositeWithTheEndsChanged) {
     const GameRecord east = play(game);
     EXPECT_EQ(west.goals_a, east.goals_b);
     EXPECT_EQ(west.goals_b, east.goals_a);
-    EXPECT_EQ(west.figures[0], east.figures[1]);
-    EXPECT_EQ(west.figures[1], east.figures[0]);
+    EXPECT_EQ(west.counts[0], east.counts[1]);
+    EXPECT_EQ(west.counts[1], east.counts[0]);
     EXPECT_EQ(west.state_hash, east.state_hash);
     goals += west.goals_a + west.goals_b;
   }
@@ -66,15 +66,15 @@ TEST(Game, OfATeamAgainstItselfScoresTheOppositeWithTheEndsChanged) {
 // Faulty teams, as a user may write them.
 class Thrower final : public strategies::Strategy {
  public:
-  void decide(const TeamView& view, TeamOrders& /*orders*/) override {
+  void decide(const TeamView& view, TeamCommands& /*commands*/) override {
     if (view.time_s > 1) throw std::runtime_error("no plan");
   }
 };
 
 class NotANumber final : public strategies::Strategy {
  public:
-  void decide(const TeamView& view, TeamOrders& orders) override {
-    if (view.time_s > 1) orders[2].velocity_mps.x() = std::numeric_limits<double>::quiet_NaN();
+  void decide(const TeamView& view, TeamCommands& commands) override {
+    if (view.time_s > 1) commands[2].velocity_mps.x() = std::numeric_limits<double>::quiet_NaN();
   }
 };
 
@@ -84,9 +84,9 @@ GameRecord play_with_faulty_b() {
   game.b.strategy = "faulty";
   return play(game, nullptr,
               [](const std::string& name,
-                 const strategies::Briefing& briefing) -> std::unique_ptr<strategies::Strategy> {
+                 const strategies::TeamContext& context) -> std::unique_ptr<strategies::Strategy> {
                 if (name == "faulty") return std::make_unique<Faulty>();
-                return make_registered_team(name, briefing);
+                return make_registered_team(name, context);
               });
 }
 

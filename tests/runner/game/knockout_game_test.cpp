@@ -79,7 +79,7 @@ TEST(ShootoutInRows, StandsInColumnsOfItsOwn) {
   EXPECT_EQ(cell("end_reason"), "shootout");
 }
 
-TEST(ShootoutInReports, IsToldToPeopleAndMachines) {
+TEST(ShootoutInReports, IsReportedToPeopleAndMachines) {
   const GameConfiguration game;
   GameRecord record;
   record.goals_by_half = {{1, 1}};

@@ -53,11 +53,11 @@ class TurnedReferee final : public Observer {
   }
 
   static bool is_turned(const referee::Decision& a, const referee::Decision& b) {
-    const bool same_place = a.position_m.has_value() == b.position_m.has_value() &&
-                            (!a.position_m || (*a.position_m + *b.position_m).norm() < 1e-6);
+    const bool same_position = a.position_m.has_value() == b.position_m.has_value() &&
+                               (!a.position_m || (*a.position_m + *b.position_m).norm() < 1e-6);
     const bool same_offender =
         a.offender.has_value() == b.offender.has_value() && a.offender != b.offender;
-    return a.arrow == b.arrow && same_place && (same_offender || !a.offender) &&
+    return a.transition == b.transition && same_position && (same_offender || !a.offender) &&
            a.robots.size() == b.robots.size() &&
            std::all_of(a.robots.begin(), a.robots.end(), [&b](RobotId robot) {
              const RobotId other{opponent_of(robot.side), robot.number};

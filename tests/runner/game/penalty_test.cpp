@@ -68,8 +68,8 @@ TEST(BasicAtAPenalty, ShootsAtTheGoalWithinTenSeconds) {
   penalty.start();
   ASSERT_TRUE(penalty.happens(10, [&] { return penalty.ball().velocity_mps.norm() > 3; }));
   const Vec2 ball_mps = penalty.ball().velocity_mps;
-  const double way_m = penalty.field.half_length_m() - penalty.ball().position_m.x();
-  const double y = penalty.ball().position_m.y() + ball_mps.y() / ball_mps.x() * way_m;
+  const double path_m = penalty.field.half_length_m() - penalty.ball().position_m.x();
+  const double y = penalty.ball().position_m.y() + ball_mps.y() / ball_mps.x() * path_m;
   EXPECT_LT(std::abs(y), penalty.field.half_goal_m());
 }
 

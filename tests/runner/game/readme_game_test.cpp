@@ -9,11 +9,11 @@ namespace autoref::runner {
 namespace {
 
 std::unique_ptr<strategies::Strategy> make_team(const std::string& name,
-                                                const strategies::Briefing& briefing) {
+                                                const strategies::TeamContext& context) {
   using namespace strategies;
-  if (name == "mine") return std::make_unique<readme::Mine>(briefing);
-  if (name == "bus") return std::make_unique<Squad>(briefing, readme::bus_plan());
-  return make_registered_team(name, briefing);
+  if (name == "mine") return std::make_unique<readme::Mine>(context);
+  if (name == "bus") return std::make_unique<Squad>(context, readme::bus_playbook());
+  return make_registered_team(name, context);
 }
 
 GameRecord played_by(const std::string& team) {
@@ -29,7 +29,7 @@ TEST(ReadmeTeam, ScoresAgainstDummy) {
   EXPECT_GT(record.goals_a, 0);
 }
 
-TEST(ReadmePlan, ScoresAgainstDummy) {
+TEST(ReadmePlaybook, ScoresAgainstDummy) {
   const GameRecord record = played_by("bus");
   EXPECT_EQ(record.status, Status::kOk) << record.void_reason;
   EXPECT_GT(record.goals_a, 0);

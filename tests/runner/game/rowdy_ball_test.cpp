@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/runner/game/mischief.hpp"
+#include "tests/runner/game/foul_behaviour.hpp"
 
 namespace autoref::runner {
 namespace {
 
 TEST(Rowdy, KicksHarderThanBasicEverDoes) {
-  Mischief game("hard_kick");
+  FoulBehaviour game("hard_kick");
   game.put_robot(kFirst, {0.5, 0});
   game.put_ball({1, 0});
   game.start();
@@ -18,7 +18,7 @@ TEST(Rowdy, KicksHarderThanBasicEverDoes) {
 }
 
 TEST(Rowdy, ChipsIntoTheGoal) {
-  Mischief game("chip_goal");
+  FoulBehaviour game("chip_goal");
   game.put_robot(kFirst, {1.2, 0});
   game.put_ball({1.5, 0});
   game.start();
@@ -32,7 +32,7 @@ TEST(Rowdy, ChipsIntoTheGoal) {
 }
 
 TEST(Rowdy, ShootsStraightAtTheGoalFromAnIndirectFreeKick) {
-  Mischief game("indirect_shot");
+  FoulBehaviour game("indirect_shot");
   game.put_robot(kSecond, {2.0, -0.9});  // to whom basic might pass
   game.put_ball({0.8, 1.2});
   game.restart(CommandKind::kIndirectFree, Side::kWest);
@@ -42,7 +42,7 @@ TEST(Rowdy, ShootsStraightAtTheGoalFromAnIndirectFreeKick) {
 }
 
 TEST(Rowdy, PlaysAFreeKickIntoItsOwnGoal) {
-  Mischief game("own_goal_kick");
+  FoulBehaviour game("own_goal_kick");
   game.put_ball({-1.5, 0.8});
   game.restart(CommandKind::kDirectFree, Side::kWest);
   bool others_touched = false;
@@ -55,7 +55,7 @@ TEST(Rowdy, PlaysAFreeKickIntoItsOwnGoal) {
 }
 
 TEST(Rowdy, PlaysTheBallWithAFieldPlayerInItsOwnArea) {
-  Mischief game("play_in_own_area");
+  FoulBehaviour game("play_in_own_area");
   game.put_ball({-2.6, 0.2});
   game.start();
   EXPECT_TRUE(game.happens(6, [&] {
@@ -65,7 +65,7 @@ TEST(Rowdy, PlaysTheBallWithAFieldPlayerInItsOwnArea) {
 
 TEST(Rowdy, TouchesTheBallWithAFieldPlayerPartlyInItsOwnArea) {
   for (const double inside_m : {0.10, 0.05, -0.04, -0.07}) {
-    Mischief game("play_at_own_area");
+    FoulBehaviour game("play_at_own_area");
     game.put_ball({-game.field.half_length_m() + game.field.defence_area.depth_m - inside_m, 0.1});
     game.start();
     ASSERT_TRUE(game.happens(6, [&] { return game.touches_ball(kFirst); })) << inside_m;
@@ -75,7 +75,7 @@ TEST(Rowdy, TouchesTheBallWithAFieldPlayerPartlyInItsOwnArea) {
 }
 
 TEST(Rowdy, PlaysTheBallInTheOpponentsArea) {
-  Mischief game("attack_in_area");
+  FoulBehaviour game("attack_in_area");
   game.put_robot(kFirst, {1.6, 0.5});
   game.put_ball({2.5, 0.2});
   game.start();
@@ -86,7 +86,7 @@ TEST(Rowdy, PlaysTheBallInTheOpponentsArea) {
 
 // How far the first of the west's robots carries the ball in one go.
 double dribbled_m(std::uint64_t seed) {
-  Mischief game("long_dribble", {"dummy", 2, {}}, seed);
+  FoulBehaviour game("long_dribble", {"dummy", 2, {}}, seed);
   game.put_robot(kFirst, {-1.2, 0});
   game.put_ball({-1.2 + kFrontDistance_m + kBallRadius_m + 2_mm, 0});
   game.start();
@@ -105,7 +105,7 @@ TEST(Rowdy, DribblesTheBallNearAndFar) {
 
 // The longest time for which the ball stays at the keeper inside its area.
 double held_s(std::uint64_t seed) {
-  Mischief game("keeper_hold", {"dummy", 2, {}}, seed);
+  FoulBehaviour game("keeper_hold", {"dummy", 2, {}}, seed);
   game.put_ball({-2.6, 0.1});
   game.start();
   int now = 0;
@@ -128,7 +128,7 @@ TEST(Rowdy, LetsItsKeeperHoldTheBall) {
 }
 
 TEST(Rowdy, ShootsAimlesslyOverTheOpponentsGoalLine) {
-  Mischief game("aimless_kick");
+  FoulBehaviour game("aimless_kick");
   game.put_ball({-0.7, 0.4});
   game.start();
   ASSERT_TRUE(game.happens(

@@ -1,7 +1,7 @@
 // Whole games of `rowdy`.
 #include <gtest/gtest.h>
 
-#include "tests/runner/game/mischief.hpp"
+#include "tests/runner/game/foul_behaviour.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -23,7 +23,7 @@ TEST(Rowdy, PlaysGamesThatEnd) {
   }
 }
 
-TEST(Rowdy, WithoutMischiefPlaysAsBasic) {
+TEST(Rowdy, WithoutFoulsPlaysAsBasic) {
   GameConfiguration game = rowdy_game(30);
   game.a.params = game.b.params = {{"otherwise", 0}};
   const std::uint64_t hash = play(game).state_hash;

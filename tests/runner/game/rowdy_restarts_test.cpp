@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "strategies/rowdy/kinds.hpp"
-#include "tests/runner/game/mischief.hpp"
+#include "tests/runner/game/foul_behaviour.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 // Touches of the kicker that begin after the ball has moved 50 mm, up to anybody else's.
 TEST(Rowdy, TouchesTheBallTwiceAtARestart) {
   for (const CommandKind kind : {CommandKind::kDirectFree, CommandKind::kIndirectFree}) {
-    Mischief game("second_touch");
+    FoulBehaviour game("second_touch");
     const Vec2 from_m(-0.5, 1);
     game.put_ball(from_m);
     game.restart(kind, Side::kWest);
@@ -27,7 +27,7 @@ TEST(Rowdy, TouchesTheBallTwiceAtARestart) {
 }
 
 TEST(Rowdy, StandsTooNearAtTheOpponentsRestarts) {
-  Mischief game("crowd_restart");
+  FoulBehaviour game("crowd_restart");
   game.put_ball({0.5, 1});
   game.restart(CommandKind::kDirectFree, Side::kEast);
   game.run(5);
@@ -36,7 +36,7 @@ TEST(Rowdy, StandsTooNearAtTheOpponentsRestarts) {
 }
 
 TEST(Rowdy, StandsNearTheBallWhilePlayIsStopped) {
-  Mischief game("stop_crowd");
+  FoulBehaviour game("stop_crowd");
   game.put_ball({0.5, 1});
   ASSERT_TRUE(game.happens(4, [&] { return game.nearest_to_ball_m() < 0.4; }));
   game.run(2);
@@ -44,7 +44,7 @@ TEST(Rowdy, StandsNearTheBallWhilePlayIsStopped) {
 }
 
 TEST(Rowdy, DrivesFastWhilePlayIsStopped) {
-  Mischief game("stop_sprint");
+  FoulBehaviour game("stop_sprint");
   game.put_ball({1, 0});
   game.run(2.5);
   int fast_frames = 0;
@@ -58,7 +58,7 @@ TEST(Rowdy, DrivesFastWhilePlayIsStopped) {
 }
 
 TEST(Rowdy, WaitsNearTheOpponentsAreaAtARestart) {
-  Mischief game("near_area");
+  FoulBehaviour game("near_area");
   game.put_robot(kFirst, {1.2, 0.4});
   game.put_ball({1, 1.9});
   game.run(5);
@@ -73,18 +73,18 @@ TEST(Rowdy, WaitsNearTheOpponentsAreaAtARestart) {
 
 // A free kick that its own robot caused is taken from where that stands.
 TEST(Rowdy, GivesWayToABallThatIsPlacedWhereItWaits) {
-  Mischief game("near_area");
+  FoulBehaviour game("near_area");
   game.put_robot(kFirst, {1.2, 0.4});
   game.put_ball({1, 1.9});
   game.run(5);
-  const Vec2 place_m = game.robot(kFirst).position_m;
-  game.signal.placement = Placement{place_m, false};
+  const Vec2 position_m = game.robot(kFirst).position_m;
+  game.signal.placement = Placement{position_m, false};
   game.run(5);
-  EXPECT_GT((game.robot(kFirst).position_m - place_m).norm(), 0.5);
+  EXPECT_GT((game.robot(kFirst).position_m - position_m).norm(), 0.5);
 }
 
 TEST(Rowdy, LetsItsRestartRunOut) {
-  Mischief game("delay");
+  FoulBehaviour game("delay");
   game.put_ball({0.5, 1});
   game.restart(CommandKind::kDirectFree, Side::kWest);
   EXPECT_FALSE(game.happens(11, [&] { return !game.world.touches().empty(); }));
@@ -92,7 +92,7 @@ TEST(Rowdy, LetsItsRestartRunOut) {
 
 TEST(Rowdy, HasARobotInTheOpponentsHalfAtAKickoff) {
   for (const Side kicks_off : kSides) {
-    Mischief game("kickoff_intruder");
+    FoulBehaviour game("kickoff_intruder");
     game.command(CommandKind::kPrepareKickoff, kicks_off);
     game.run(5);
     game.command(CommandKind::kNormalStart);
@@ -104,7 +104,7 @@ TEST(Rowdy, HasARobotInTheOpponentsHalfAtAKickoff) {
 }
 
 TEST(Rowdy, SendsItsKeeperOffTheLineAtAPenalty) {
-  Mischief game("keeper_off_line");
+  FoulBehaviour game("keeper_off_line");
   game.put_ball(game.field.penalty_mark_at(Side::kWest));
   game.command(CommandKind::kPreparePenalty, Side::kEast);
   game.run(5);
@@ -115,7 +115,7 @@ TEST(Rowdy, SendsItsKeeperOffTheLineAtAPenalty) {
 
 TEST(Rowdy, HasARobotBesideTheMarkAtPenalties) {
   for (const Side kicks : kSides) {
-    Mischief game("penalty_crowd");
+    FoulBehaviour game("penalty_crowd");
     const Vec2 mark_m = game.field.penalty_mark_at(opponent_of(kicks));
     game.put_ball(mark_m);
     game.command(CommandKind::kPreparePenalty, kicks);
@@ -129,21 +129,21 @@ TEST(Rowdy, HasARobotBesideTheMarkAtPenalties) {
 }
 
 TEST(Rowdy, AsksForATimeoutInAStopOnly) {
-  Mischief game("timeout");
+  FoulBehaviour game("timeout");
   EXPECT_TRUE(game.happens(1, [&] { return game.teams[Side::kWest]->requests().timeout; }));
   game.start();
   EXPECT_FALSE(game.happens(3, [&] { return game.teams[Side::kWest]->requests().timeout; }));
 }
 
 TEST(Rowdy, StandsStillInHalt) {
-  for (const strategies::rowdy::Mischief* kind : strategies::rowdy::all_kinds()) {
-    Mischief game{std::string(kind->name)};
+  for (const strategies::rowdy::FoulBehaviour* kind : strategies::rowdy::all_kinds()) {
+    FoulBehaviour game{std::string(kind->name)};
     game.run(0.5);
     game.command(CommandKind::kHalt);
     game.frame();
     game.frame();
-    for (const RobotCommand& order : game.orders[Side::kWest]) {
-      ASSERT_EQ(order.velocity_mps, Vec2(0, 0)) << kind->name;
+    for (const RobotCommand& command : game.commands[Side::kWest]) {
+      ASSERT_EQ(command.velocity_mps, Vec2(0, 0)) << kind->name;
     }
   }
 }

@@ -1,7 +1,7 @@
 // What `rowdy` does wrong to opponents really happens in the simulated world.
 #include <gtest/gtest.h>
 
-#include "tests/runner/game/mischief.hpp"
+#include "tests/runner/game/foul_behaviour.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -20,7 +20,7 @@ double met_at_mps(StagedGame& game, RobotId one, RobotId other) {
 }
 
 TEST(Rowdy, RunsIntoAnOpponentAtSpeed) {
-  Mischief game("ram");
+  FoulBehaviour game("ram");
   game.put_ball({2, 1.5});
   game.put_robot(kOpponent, {-0.1, -1.0});  // 0.9 m before kSecond
   game.start();
@@ -29,15 +29,15 @@ TEST(Rowdy, RunsIntoAnOpponentAtSpeed) {
 
 // An opponent that drives at 1.5 m/s towards the last of the others.
 struct Chaser final : strategies::Strategy {
-  void decide(const TeamView& view, TeamOrders& orders) override {
+  void decide(const TeamView& view, TeamCommands& commands) override {
     if (view.own.empty() || view.opponents.empty()) return;
-    const Vec2 way_m = view.opponents.back().position_m - view.own[0].position_m;
-    orders[0].velocity_mps = to_local(1.5 * way_m.normalized(), view.own[0].heading);
+    const Vec2 path_m = view.opponents.back().position_m - view.own[0].position_m;
+    commands[0].velocity_mps = to_local(1.5 * path_m.normalized(), view.own[0].heading);
   }
 };
 
 TEST(Rowdy, MeetsAnOpponentHeadOnAtEqualSpeeds) {
-  Mischief game("ram_evenly");
+  FoulBehaviour game("ram_evenly");
   game.teams[Side::kEast] = std::make_unique<Chaser>();
   game.put_ball({2, 1.5});
   game.put_robot(kOpponent, {0.9, -1.0}, {-1, 0});
@@ -56,7 +56,7 @@ TEST(Rowdy, MeetsAnOpponentHeadOnAtEqualSpeeds) {
 }
 
 TEST(Rowdy, PushesAnOpponentBack) {
-  Mischief game("shove");
+  FoulBehaviour game("shove");
   game.put_ball({2, 1.5});
   const Vec2 from_m(-0.4, -1.0);
   game.put_robot(kOpponent, from_m);

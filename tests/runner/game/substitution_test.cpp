@@ -20,7 +20,7 @@ std::vector<int> numbers(const StagedGame& game, Side side) {
 // What a team of dummies asks for.
 struct Asking final : strategies::Strategy {
   explicit Asking(const TeamRequests& asks) : wishes(asks) {}
-  void decide(const TeamView& /*view*/, TeamOrders& /*orders*/) override {}
+  void decide(const TeamView& /*view*/, TeamCommands& /*commands*/) override {}
   TeamRequests requests() const override { return wishes; }
   TeamRequests wishes;
 };
@@ -39,7 +39,7 @@ TeamRequests naming(int keeper, std::optional<int> leaves) {
   return requests;
 }
 
-TEST(Assistant, TakesTheHighestNumberOffASecondAfterTheAllowanceFell) {
+TEST(SubstitutionController, TakesTheHighestNumberOffASecondAfterTheAllowanceFell) {
   StagedGame game = dummies();
   game.run(0.5);
   game.signal.robots_allowed[Side::kWest] = 5;
@@ -50,14 +50,14 @@ TEST(Assistant, TakesTheHighestNumberOffASecondAfterTheAllowanceFell) {
   EXPECT_EQ(game.robots(Side::kEast).size(), 6U);
 }
 
-TEST(Assistant, TakesTheOneTheTeamNamesAndThenTheHighestButTheKeeper) {
+TEST(SubstitutionController, TakesTheOneTheTeamNamesAndThenTheHighestButTheKeeper) {
   StagedGame game = dummies(naming(5, 2));
   game.signal.robots_allowed[Side::kWest] = 4;
   game.run(1.2);
   EXPECT_EQ(numbers(game, Side::kWest), (std::vector{0, 1, 3, 5}));
 }
 
-TEST(Assistant, WaitsUntilPlayIsStopped) {
+TEST(SubstitutionController, WaitsUntilPlayIsStopped) {
   for (const CommandKind kind : {CommandKind::kForceStart, CommandKind::kNormalStart,
                                  CommandKind::kDirectFree, CommandKind::kIndirectFree}) {
     StagedGame game = dummies();
@@ -76,7 +76,7 @@ TEST(Assistant, WaitsUntilPlayIsStopped) {
   }
 }
 
-TEST(Assistant, PutsRobotsBackWhenTheyAreAllowedAgain) {
+TEST(SubstitutionController, PutsRobotsBackWhenTheyAreAllowedAgain) {
   StagedGame game = dummies();
   game.signal.robots_allowed[Side::kEast] = 3;
   game.run(2);
@@ -90,13 +90,13 @@ TEST(Assistant, PutsRobotsBackWhenTheyAreAllowedAgain) {
   EXPECT_EQ(numbers(game, Side::kEast), (std::vector{0, 1, 2, 3, 4, 5}));
 }
 
-TEST(Assistant, TakesNobodyBackWhoNeverWas) {
+TEST(SubstitutionController, TakesNobodyBackWhoNeverWas) {
   StagedGame game = dummies();
   game.run(2);
   EXPECT_EQ(game.robots(Side::kWest).size(), 6U);
 }
 
-TEST(Assistant, CopesWithAnAllowanceOfNobody) {
+TEST(SubstitutionController, CopesWithAnAllowanceOfNobody) {
   StagedGame game = dummies();
   game.signal.robots_allowed = {{0, 0}};
   game.run(2);
@@ -104,34 +104,34 @@ TEST(Assistant, CopesWithAnAllowanceOfNobody) {
   EXPECT_TRUE(game.robots(Side::kEast).empty());
 }
 
-TEST(PlaceOfReturn, IsInTheRunOffOfTheOwnHalfNearTheHalfwayLine) {
+TEST(ReturnPosition, IsInTheRunOffOfTheOwnHalfNearTheHalfwayLine) {
   const StagedGame game = dummies();
-  const Vec2 west_m = place_of_return(game.field, Side::kWest, {}, game.world).value();
+  const Vec2 west_m = return_position(game.field, Side::kWest, {}, game.world).value();
   EXPECT_LT(west_m.x(), -kRobotRadius_m);
   EXPECT_GT(west_m.x(), -0.5);
   EXPECT_GT(std::abs(west_m.y()), game.field.half_width_m() + kRobotRadius_m);
   EXPECT_LT(std::abs(west_m.y()), game.field.wall_y_m() - kRobotRadius_m);
-  EXPECT_EQ(place_of_return(game.field, Side::kEast, {}, game.world).value(), -west_m);
+  EXPECT_EQ(return_position(game.field, Side::kEast, {}, game.world).value(), -west_m);
 }
 
-TEST(PlaceOfReturn, KeepsOffTheBallAndOffWhereItIsToBePlaced) {
+TEST(ReturnPosition, KeepsOffTheBallAndOffWhereItIsToBePlaced) {
   StagedGame game = dummies();
-  const Vec2 first_m = place_of_return(game.field, Side::kWest, {}, game.world).value();
+  const Vec2 first_m = return_position(game.field, Side::kWest, {}, game.world).value();
   RefereeSignal signal;
   signal.placement = Placement{first_m + Vec2(0, 0.4), false};
   game.put_ball(first_m + Vec2(-0.6, 0.1));
-  const Vec2 place_m = place_of_return(game.field, Side::kWest, signal, game.world).value();
-  EXPECT_GT((place_m - game.ball().position_m).norm(), 0.5 + kRobotRadius_m);
-  EXPECT_GT((place_m - signal.placement->target_m).norm(), 0.5 + kRobotRadius_m);
+  const Vec2 position_m = return_position(game.field, Side::kWest, signal, game.world).value();
+  EXPECT_GT((position_m - game.ball().position_m).norm(), 0.5 + kRobotRadius_m);
+  EXPECT_GT((position_m - signal.placement->target_m).norm(), 0.5 + kRobotRadius_m);
 }
 
-TEST(PlaceOfReturn, IsBesideARobotThatStandsThere) {
+TEST(ReturnPosition, IsBesideARobotThatStandsThere) {
   StagedGame game = dummies();
-  const Vec2 first_m = place_of_return(game.field, Side::kWest, {}, game.world).value();
+  const Vec2 first_m = return_position(game.field, Side::kWest, {}, game.world).value();
   game.put_robot({Side::kEast, 3}, first_m);
-  const Vec2 place_m = place_of_return(game.field, Side::kWest, {}, game.world).value();
-  EXPECT_GE((place_m - first_m).norm(), 2 * kRobotRadius_m);
-  EXPECT_LT((place_m - first_m).norm(), 0.45);
+  const Vec2 position_m = return_position(game.field, Side::kWest, {}, game.world).value();
+  EXPECT_GE((position_m - first_m).norm(), 2 * kRobotRadius_m);
+  EXPECT_LT((position_m - first_m).norm(), 0.45);
 }
 
 // Plays `seconds` of stop and running play by turns, the allowance of both sides falling and

@@ -19,10 +19,10 @@ TEST(Json, KnowsNoNumberThatIsNotFinite) {
 
 TEST(DecisionJson, SaysNullForWhatIsNotKnown) {
   referee::Decision decision;
-  decision.arrow = "T1";
+  decision.transition = "T1";
   decision.rule = "paper 4.2";
   EXPECT_EQ(decision_json(decision),
-            R"({"time_s": 0, "arrow": "T1", "from": "INIT", "to": "INIT", "command": null, )"
+            R"({"time_s": 0, "transition": "T1", "from": "INIT", "to": "INIT", "command": null, )"
             R"("event": "begin", "rule": "paper 4.2", "value": null, "threshold": null, )"
             R"("unit": null, "robots": [], "offender": null, "card": null, )"
             R"("position_m": null, "restart": null, "last_touch": null, "evidence": null})");
@@ -60,8 +60,8 @@ TEST(GameReport, HasTheKeysOfAGame) {
   record.goals_b = 1;
   record.goals_by_half = {{1, 0}, {2, 1}};
   record.events[static_cast<std::size_t>(referee::Event::kThrowIn)] = 4;
-  record.figures[1].shots = 5;
-  record.figures[1].possession_s = 250.5;
+  record.counts[1].shots = 5;
+  record.counts[1].possession_s = 250.5;
   record.sim_s = 1200;
   record.state_hash = 0xabc;
   const std::string json = json_of({game, record, 2.0, "0.1.0-x"});
@@ -86,8 +86,8 @@ TEST(GameReport, TellsPeopleTheScore) {
 TEST(GameReport, ShowsPeopleWhatBothTeamsDid) {
   GameConfiguration game;
   GameRecord record;
-  record.figures[0] = {12, 7, 30, 21, 300, 3, 5};
-  record.figures[1] = {8, 2, 25, 9, 200, 4, 6};
+  record.counts[0] = {12, 7, 30, 21, 300, 3, 5};
+  record.counts[1] = {8, 2, 25, 9, 200, 4, 6};
   record.ball_in_play_s = 500;
   EXPECT_NE(text_of({game, record, 2.0, "x"}).find(R"(
                       a      b

@@ -14,10 +14,12 @@ constexpr const char* kFile =
     "schema: 1\nkind: judge\nbase: { match: { half_s: 20 } }\n"
     "cameras: [none, realistic]\nmatchups: [basic~basic]\ngames: 2\nseed: 3\n";
 
-JudgePlan plan() { return std::get<JudgePlan>(read_scenario_text(kFile, "x.yaml").content); }
+JudgeSchedule schedule() {
+  return std::get<JudgeSchedule>(read_scenario_text(kFile, "x.yaml").content);
+}
 
-truth::Verdict verdict(truth::Outcome outcome) {
-  truth::Verdict verdict;
+ground_truth::Verdict verdict(ground_truth::Outcome outcome) {
+  ground_truth::Verdict verdict;
   verdict.name = "goal";
   verdict.outcome = outcome;
   return verdict;
@@ -25,9 +27,9 @@ truth::Verdict verdict(truth::Outcome outcome) {
 
 TEST(EventTally, GivesPrecisionRecallAndTheLeaguesScore) {
   EventTally tally;
-  for (int i = 0; i < 6; ++i) tally.add(verdict(truth::Outcome::kRight));
-  for (int i = 0; i < 2; ++i) tally.add(verdict(truth::Outcome::kWrong));
-  for (int i = 0; i < 4; ++i) tally.add(verdict(truth::Outcome::kMissed));
+  for (int i = 0; i < 6; ++i) tally.add(verdict(ground_truth::Outcome::kRight));
+  for (int i = 0; i < 2; ++i) tally.add(verdict(ground_truth::Outcome::kWrong));
+  for (int i = 0; i < 4; ++i) tally.add(verdict(ground_truth::Outcome::kMissed));
   EXPECT_NEAR(tally.precision().value(), 0.75, 1e-9);
   EXPECT_NEAR(tally.recall().value(), 0.6, 1e-9);
   EXPECT_NEAR(tally.f1().value(), 2 * 0.75 * 0.6 / (0.75 + 0.6), 1e-9);
@@ -40,8 +42,8 @@ TEST(Quantile, IsTheSmallestValueThatTheShareDoesNotExceed) {
   EXPECT_FALSE(quantile({}, 0.5));
 }
 
-TEST(JudgePlan, PlaysTheSameSeedsUnderEachCameraAndChangesEnds) {
-  const std::vector<JudgeGame> games = games_of(plan());
+TEST(JudgeSchedule, PlaysTheSameSeedsUnderEachCameraAndChangesEnds) {
+  const std::vector<JudgeGame> games = games_of(schedule());
   ASSERT_EQ(games.size(), 4U);
   EXPECT_EQ(games[0].configuration.seed, games[1].configuration.seed);
   EXPECT_NE(games[0].camera, games[1].camera);
@@ -50,30 +52,30 @@ TEST(JudgePlan, PlaysTheSameSeedsUnderEachCameraAndChangesEnds) {
   EXPECT_EQ(games[0].configuration.match.half_s, 20);
 }
 
-TEST(JudgePlan, RefusesAMatchupOfUnknownTeams) {
+TEST(JudgeSchedule, RefusesAMatchupOfUnknownTeams) {
   const std::string text =
       std::string(kFile).replace(std::string(kFile).find("basic~basic"), 11, "basic~bsaic");
   EXPECT_THROW(read_scenario_text(text, "x.yaml"), InputError);
 }
 
-TEST(JudgePlan, RefusesAnUnknownCamera) {
+TEST(JudgeSchedule, RefusesAnUnknownCamera) {
   EXPECT_THROW(
       read_scenario_text("schema: 1\nkind: judge\ncameras: [bad]\ngames: 2\nseed: 3\n", "x.yaml"),
       InputError);
 }
 
-TEST(Judgement, ReadsBackEqualFromItsText) {
-  const Judgement judgement = judge(games_of(plan())[1].configuration);
-  EXPECT_FALSE(judgement.verdicts.empty());
-  EXPECT_EQ(text_of(judgement_in(text_of(judgement))), text_of(judgement));
-  EXPECT_THROW(judgement_in("q,1\n"), std::invalid_argument);
+TEST(CallEvaluation, ReadsBackEqualFromItsText) {
+  const CallEvaluation evaluation = evaluate_calls(games_of(schedule())[1].configuration);
+  EXPECT_FALSE(evaluation.verdicts.empty());
+  EXPECT_EQ(text_of(evaluation_in(text_of(evaluation))), text_of(evaluation));
+  EXPECT_THROW(evaluation_in("q,1\n"), std::invalid_argument);
 }
 
 TEST(Judging, ComesOutTheSameOnAnyNumberOfWorkers) {
-  const JudgePlan the_plan = plan();
-  const std::vector<JudgeGame> games = games_of(the_plan);
-  const std::string one = csv_of(report_of(the_plan, judge_games(games, 1, nullptr)));
-  EXPECT_EQ(csv_of(report_of(the_plan, judge_games(games, 3, nullptr))), one);
+  const JudgeSchedule the_schedule = schedule();
+  const std::vector<JudgeGame> games = games_of(the_schedule);
+  const std::string one = csv_of(report_of(the_schedule, judge_games(games, 1, nullptr)));
+  EXPECT_EQ(csv_of(report_of(the_schedule, judge_games(games, 3, nullptr))), one);
   EXPECT_NE(one.find("\npaper,none,throw_in,"), std::string::npos) << one;
 }
 
@@ -83,7 +85,7 @@ TEST(Judging, FindsThePapersRefereeRightMostOfTheTimeWhereVisionIsExact) {
   game.match.half_s = 120;
   game.seed = 11;
   CameraTally tally;
-  tally.add(judge(game));
+  tally.add(evaluate_calls(game));
   ASSERT_GT(tally.events["throw_in"].happened(), 10);
   EXPECT_GE(tally.events["throw_in"].f1().value(), 0.9);
 }

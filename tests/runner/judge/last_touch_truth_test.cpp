@@ -9,7 +9,7 @@
 namespace autoref::runner {
 namespace {
 
-class TouchJudge final : public Observer {
+class TouchEvaluator final : public Observer {
  public:
   void on_frame(const Frame&, const RefereeSignal&, const sim::World& world) override {
     for (const sim::Touch& touch : world.touches()) truth_ = touch.robot.side;
@@ -32,8 +32,8 @@ class TouchJudge final : public Observer {
   std::optional<Side> truth_;
 };
 
-TouchJudge judge_under(const char* camera) {
-  TouchJudge judge;
+TouchEvaluator evaluate_under(const char* camera) {
+  TouchEvaluator judge;
   for (std::uint64_t seed = 5001; seed <= 5004; ++seed) {
     GameConfiguration game;
     game.match.half_s = 300;
@@ -45,7 +45,7 @@ TouchJudge judge_under(const char* camera) {
 }
 
 TEST(LastTouch, IsRightAtNearlyEveryExitOfTheBall) {
-  const TouchJudge judge = judge_under("paper");
+  const TouchEvaluator judge = evaluate_under("paper");
   const int all = judge.right + judge.wrong + judge.unknown;
   ASSERT_GT(all, 100);
   EXPECT_LE(judge.wrong, 0.015 * all) << judge.wrong << " wrong of " << all;
@@ -54,7 +54,7 @@ TEST(LastTouch, IsRightAtNearlyEveryExitOfTheBall) {
 
 // Over 20 games (seeds 5001 to 5020) 97.1 % were right, 1.9 % wrong, 1.0 % unknown.
 TEST(LastTouch, IsMostlyRightUnderRealisticVision) {
-  const TouchJudge judge = judge_under("realistic");
+  const TouchEvaluator judge = evaluate_under("realistic");
   const int all = judge.right + judge.wrong + judge.unknown;
   ASSERT_GT(all, 100);
   EXPECT_LE(judge.wrong, 0.04 * all) << judge.wrong << " wrong of " << all;

@@ -71,7 +71,7 @@ const std::vector<Claim>& lab_claims() {
        turning_radps2},
       {"turning", "fastest turning", "turn", 15, 0.05, "rad/s", "the league's robots",
        turning_radps},
-      {"delay", "delay from picture to motion", "delay", 40, 2.1, "ms",
+      {"delay", "delay from frame to motion", "delay", 40, 2.1, "ms",
        "the league's simulators, 35 + 5 ms; to the nearest of 240 sub-steps a second", delay_ms},
       {"pushing", "a robot pushes one that holds: slowing of both", "push", 1.0, 0.05, "m/s²",
        "closed form (5 - 3) / 2", pair_mps2},
@@ -80,12 +80,11 @@ const std::vector<Claim>& lab_claims() {
       {"equal_pushing", "where two equal robots push each other after 3 s", "head-on", 0, 1, "mm",
        "symmetry", middle_mm},
       {"gentle_turn", "ball off the plate's middle in a circle of 1 m at 0.8 m/s", "dribble-circle",
-       0, 10, "mm", "within the reach of the dribbler", most_off_in_gentle_turn_mm},
+       0, 10, "mm", "within the reach of the dribbler", most_off_in_slow_turn_mm},
       {"hard_turn", "turning that loses the ball", "dribble-circle", 10.07, 0.7, "rad/s",
        "closed form: 0.45 N carry 46 g at 96.5 mm", loses_at_radps},
       {"gentle_pull", "ball off the plate's middle when pulled back at 3 m/s²", "dribble-back",
-       2.52, 0.4, "mm", "closed form (3 + 0.30) m/s² * 46 g / 0.67 / 90 N/m",
-       off_in_gentle_pull_mm},
+       2.52, 0.4, "mm", "closed form (3 + 0.30) m/s² * 46 g / 0.67 / 90 N/m", off_in_slow_pull_mm},
       {"most_pull", "the most the dribbler speeds up a ball it pulls back", "dribble-back", 6.254,
        0.05, "m/s²", "closed form 0.67 * 0.45 N / 46 g - 0.30 m/s²: carry limit on the carpet",
        most_pull_mps2},
@@ -98,9 +97,9 @@ const std::vector<Claim>& lab_claims() {
       {"perfect_kick", "speed of a 4 m/s kick out of it", "dribble-perfect", 4, 0.01, "m/s",
        "the order", kicked_mps},
       {"fast_way", "way of a fast robot in 2 s", "types", 5.25, 0.02, "m",
-       "scenarios/robots/fast.yaml (3.5 m/s, 3.5 m/s²); closed form", fast_way_m},
+       "scenarios/robots/fast.yaml (3.5 m/s, 3.5 m/s²); closed form", fast_path_m},
       {"slow_way", "way of a slow robot in 2 s", "types", 2.787, 0.02, "m",
-       "scenarios/robots/slow.yaml (2.2 m/s, 1.5 m/s²); closed form", slow_way_m},
+       "scenarios/robots/slow.yaml (2.2 m/s, 1.5 m/s²); closed form", slow_path_m},
       {"pass_arrival", "speed of a 3 m/s pass at its receiver", "pass", 1.759, 0.02, "m/s",
        kBallSource, arrival_mps},
       {"pass_received", "received pass: ball off the plate's middle", "pass", 0, 2, "mm",
@@ -120,7 +119,7 @@ double measured(const Claim& claim) {
 double measured_with(const Claim& claim, int substeps) {
   LabScene scene = read_lab_scene(lab_file(claim.scene));
   scene.sim.substeps = substeps;
-  scene.sim.calm_substeps = substeps;
+  scene.sim.contact_free_substeps = substeps;
   return claim.measure(play_lab_scene(scene));
 }
 

@@ -17,7 +17,7 @@ constexpr double kG_mps2 = 9.81;
 
 // Where and how fast the ball began to roll, between the frames that show it sliding and rolling.
 struct Switch {
-  double way_m = 0;
+  double path_m = 0;
   double speed_mps = 0;
 };
 
@@ -72,14 +72,14 @@ double rebound(const LabRecord& record, int axis, double loses_mps2 = kSlide_mps
 // From the plate's middle to where a ball lies at it.
 double off_plate_mm(const WorldState& state, std::size_t robot) {
   const RobotState& its = west(state, robot);
-  const Vec2 place_m = its.position_m + its.heading * (kFrontDistance_m + kBallRadius_m);
-  return 1000 * (state.ball.position_m - place_m).norm();
+  const Vec2 position_m = its.position_m + its.heading * (kFrontDistance_m + kBallRadius_m);
+  return 1000 * (state.ball.position_m - position_m).norm();
 }
 
-constexpr std::size_t kHardTurn = 360;   // frame of the order to turn hard, at 6 s
-constexpr std::size_t kEvenPull = 36;    // frame in the midst of the gentle pull, at 0.6 s
-constexpr std::size_t kHardPull = 108;   // frame of the order to pull hard, at 1.8 s
-constexpr std::size_t kKickOrder = 348;  // frame of the order to kick, at 5.8 s
+constexpr std::size_t kHardTurn = 360;     // frame of the order to turn hard, at 6 s
+constexpr std::size_t kEvenPull = 36;      // frame in the midst of the gentle pull, at 0.6 s
+constexpr std::size_t kHardPull = 108;     // frame of the order to pull hard, at 1.8 s
+constexpr std::size_t kKickCommand = 348;  // frame of the order to kick, at 5.8 s
 
 double plate_mps(const WorldState& state) {
   const RobotState& its = west(state);
@@ -89,7 +89,7 @@ double plate_mps(const WorldState& state) {
 
 }  // namespace
 
-double slide_m(const LabRecord& record) { return switch_of(record).way_m; }
+double slide_m(const LabRecord& record) { return switch_of(record).path_m; }
 double switch_mps(const LabRecord& record) { return switch_of(record).speed_mps; }
 
 double roll_m(const LabRecord& record) {
@@ -128,7 +128,7 @@ double behind_line_mm(const LabRecord& record) {
   return 1000 * (record.states.back().ball.position_m.x() - Field{}.half_length_m());
 }
 
-double most_off_in_gentle_turn_mm(const LabRecord& record) {
+double most_off_in_slow_turn_mm(const LabRecord& record) {
   double most = 0.0;
   for (std::size_t f = 0; f <= kHardTurn; ++f) {
     most = std::max(most, off_plate_mm(record.states[f], 0));
@@ -143,7 +143,7 @@ double loses_at_radps(const LabRecord& record) {
   return west(record.states[f]).angular_velocity_radps;
 }
 
-double off_in_gentle_pull_mm(const LabRecord& record) {
+double off_in_slow_pull_mm(const LabRecord& record) {
   return off_plate_mm(record.states[kEvenPull], 0);
 }
 
@@ -163,7 +163,7 @@ double is_lost_in_hard_pull(const LabRecord& record) {
 
 double most_off_when_held_mm(const LabRecord& record) {
   double most = 0.0;
-  for (std::size_t f = 0; f <= kKickOrder; ++f) {
+  for (std::size_t f = 0; f <= kKickCommand; ++f) {
     most = std::max(most, off_plate_mm(record.states[f], 0));
   }
   return most;
@@ -172,7 +172,7 @@ double most_off_when_held_mm(const LabRecord& record) {
 // How much faster than the plate the ball gets, now or a frame ago.
 double most_faster_when_held_mps(const LabRecord& record) {
   double most = 0.0;
-  for (std::size_t f = 1; f <= kKickOrder; ++f) {
+  for (std::size_t f = 1; f <= kKickCommand; ++f) {
     const double plates_mps =
         std::max(plate_mps(record.states[f - 1]), plate_mps(record.states[f]));
     most = std::max(most, record.states[f].ball.velocity_mps.norm() - plates_mps);
@@ -181,7 +181,7 @@ double most_faster_when_held_mps(const LabRecord& record) {
 }
 
 double kicked_mps(const LabRecord& record) {
-  return record.states[kKickOrder + 1].ball.velocity_mps.norm() + kSlide_mps2 * kFrame_s;
+  return record.states[kKickCommand + 1].ball.velocity_mps.norm() + kSlide_mps2 * kFrame_s;
 }
 
 double arrival_mps(const LabRecord& record) {

@@ -7,9 +7,9 @@
 namespace autoref::runner::lab_measures {
 namespace {
 
-constexpr std::size_t kStopOrder = 75;  // frame of the order to stop, at 1.25 s
+constexpr std::size_t kStopCommand = 75;  // frame of the order to stop, at 1.25 s
 
-double way_m(const LabRecord& record, std::size_t robot) {
+double path_m(const LabRecord& record, std::size_t robot) {
   return (west(record.states.back(), robot).position_m - west(record.states[0], robot).position_m)
       .norm();
 }
@@ -34,14 +34,14 @@ double top_mps(const LabRecord& record) {
 }
 
 double stop_s(const LabRecord& record) {
-  std::size_t f = kStopOrder;
+  std::size_t f = kStopCommand;
   while (west(record.states[f + 1]).velocity_mps.norm() > 1e-3) ++f;
-  return static_cast<double>(f - kStopOrder) * kFrame_s +
+  return static_cast<double>(f - kStopCommand) * kFrame_s +
          west(record.states[f]).velocity_mps.norm() / 5.0;
 }
 
 double stop_m(const LabRecord& record) {
-  return (west(record.states.back()).position_m - west(record.states[kStopOrder]).position_m)
+  return (west(record.states.back()).position_m - west(record.states[kStopCommand]).position_m)
       .norm();
 }
 
@@ -90,7 +90,7 @@ double middle_mm(const LabRecord& record) {
   return 500 * (west(end).position_m.x() + east(end).position_m.x());
 }
 
-double fast_way_m(const LabRecord& record) { return way_m(record, 0); }
-double slow_way_m(const LabRecord& record) { return way_m(record, 1); }
+double fast_path_m(const LabRecord& record) { return path_m(record, 0); }
+double slow_path_m(const LabRecord& record) { return path_m(record, 1); }
 
 }  // namespace autoref::runner::lab_measures

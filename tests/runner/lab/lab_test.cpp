@@ -79,18 +79,18 @@ TEST(LabScene, IsExactAndWithoutDelayUnlessItSaysOtherwise) {
   EXPECT_EQ(read_lab_scene_text(kLab + "sim: { latency_s: 0.04 }\n", "x").sim.latency_s, 0.04);
 }
 
-TEST(LabScene, ReadsRobotsWithTheirOrders) {
+TEST(LabScene, ReadsRobotsWithTheirCommands) {
   const LabScene scene = read_lab_scene_text(
       kLab +
           "sim: { substeps: 8 }\n"
           "robots:\n"
-          "  - { side: east, x_m: 1, heading_deg: 90, orders: [{ at_s: 0.5, kick_mps: 3 }] }\n"
+          "  - { side: east, x_m: 1, heading_deg: 90, commands: [{ at_s: 0.5, kick_mps: 3 }] }\n"
           "  - { side: west }\n  - { side: east, vy_mps: 2 }\n",
       "x.yaml");
   ASSERT_EQ(scene.robots.size(), 3U);
   EXPECT_EQ(scene.sim.substeps, 8);
   EXPECT_NEAR(scene.robots[0].start.heading.y(), 1.0, 1e-12);
-  EXPECT_EQ(scene.robots[0].orders.at(0).command.kick_mps, 3.0);
+  EXPECT_EQ(scene.robots[0].commands.at(0).command.kick_mps, 3.0);
   EXPECT_EQ(scene.robots[2].id, (RobotId{Side::kEast, 1}));
 }
 
@@ -101,10 +101,10 @@ TEST(LabScene, ChangesSpeedsEvenlyOverTheTimeOfAnOrder) {
           "robots:\n"
           "  - side: west\n"
           "    x_m: -2\n"
-          "    orders:\n"
+          "    commands:\n"
           "      - { at_s: 0, forward_mps: 1 }\n"
           "      - { at_s: 0.2, over_s: 0.5, forward_mps: 2 }\n"
-          "  - { side: east, x_m: 2, y_m: 1, orders: [{ at_s: 0.2, over_s: 0.5, turn_radps: 4 }] "
+          "  - { side: east, x_m: 2, y_m: 1, commands: [{ at_s: 0.2, over_s: 0.5, turn_radps: 4 }] "
           "}\n",
       "x.yaml");
   const LabRecord record = play_lab_scene(scene);
@@ -123,9 +123,9 @@ TEST(LabScene, GivesRobotsTheTypesItNamesBesideItself) {
           "sim: { robot: { mass_kg: 3 } }\n"
           "robots: [{ side: east, type: ../robots/slow.yaml }, { side: east }]\n",
       AUTOREF_SOURCE_DIR "/scenarios/lab/x.yaml");
-  EXPECT_EQ(scene.robots[0].sheet.body.speed_mps, 2.2);
-  EXPECT_EQ(scene.robots[0].sheet.body.mass_kg, 3.0);
-  EXPECT_EQ(scene.robots[1].sheet.body.speed_mps, 3.0);
+  EXPECT_EQ(scene.robots[0].spec.body.speed_mps, 2.2);
+  EXPECT_EQ(scene.robots[0].spec.body.mass_kg, 3.0);
+  EXPECT_EQ(scene.robots[1].spec.body.speed_mps, 3.0);
 }
 
 struct Mistake {
@@ -164,11 +164,11 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"NoSide", kLab + "robots: [{ x_m: 1 }]\n", "x.yaml:4:10: robots[0]: ", "'side'"},
         Mistake{"NoSuchSide", kLab + "robots: [{ side: north }]\n",
                 "x.yaml:4:18: robots[0].side: ", "west, east"},
-        Mistake{"NoOrderTime", kLab + "robots: [{ side: west, orders: [{ chip: true }] }]\n",
-                "x.yaml:4:33: robots[0].orders[0]: ", "'at_s' is missing"},
+        Mistake{"NoOrderTime", kLab + "robots: [{ side: west, commands: [{ chip: true }] }]\n",
+                "x.yaml:4:33: robots[0].commands[0]: ", "'at_s' is missing"},
         Mistake{"OrdersBackwards",
-                kLab + "robots: [{ side: west, orders: [{ at_s: 1 }, { at_s: 1 }] }]\n",
-                "x.yaml:4:46: robots[0].orders[1]: ", "after"},
+                kLab + "robots: [{ side: west, commands: [{ at_s: 1 }, { at_s: 1 }] }]\n",
+                "x.yaml:4:46: robots[0].commands[1]: ", "after"},
         Mistake{"NoSuchType", kLab + "robots: [{ side: west, type: slow }]\n",
                 "x.yaml:4:30: robots[0].type: ", "a file such as"},
         Mistake{"NoSuchFile", kLab + "robots: [{ side: west, type: lost/slow.yaml }]\n",

@@ -4,7 +4,7 @@
 
 #include "league/game_log.hpp"
 #include "runner/game/event_log.hpp"
-#include "runner/logs/log_judge.hpp"
+#include "runner/logs/log_referee.hpp"
 #include "runner/logs/user_log.hpp"
 #include "runner/settings/match_rules.hpp"
 #include "sim/camera.hpp"
@@ -38,9 +38,9 @@ class Recorder final : public Observer {
   EventLog events;
 
  private:
-  static std::vector<CameraPlace> cameras_of(const Field& field) {
-    const auto places = sim::camera_places(field, 4);
-    return {places.begin(), places.end()};
+  static std::vector<CameraPosition> cameras_of(const Field& field) {
+    const auto positions = sim::camera_positions(field, 4);
+    return {positions.begin(), positions.end()};
   }
 
   league::GameLog log_;
@@ -75,16 +75,16 @@ std::vector<Call> calls_of(const std::vector<std::pair<double, Command>>& comman
   return maker.calls();
 }
 
-TEST(JudgedLog, GivesEveryDecisionOfTheLiveReferee) {
+TEST(RefereedLog, GivesEveryDecisionOfTheLiveReferee) {
   const ScratchFile file(".log");
   const GameConfiguration game = short_game();
   const RecordedGame live = played(game, file.path());
   const RecordedFacts facts = facts_of(file.path());
-  const LogJudgement judged = judge_log(file.path(), facts, referee_configuration(game));
-  EXPECT_GT(judged.decisions, 20);
-  EXPECT_EQ(judged.events, live.events);
-  EXPECT_EQ(judged.agreement.right, judged.agreement.recorded);
-  EXPECT_EQ(judged.agreement.f1(), 1);
+  const LogRefereeResult refereed = referee_log(file.path(), facts, referee_configuration(game));
+  EXPECT_GT(refereed.decisions, 20);
+  EXPECT_EQ(refereed.events, live.events);
+  EXPECT_EQ(refereed.agreement.right, refereed.agreement.recorded);
+  EXPECT_EQ(refereed.agreement.f1(), 1);
 }
 
 TEST(RecordedFacts, AreThoseOfTheGame) {
@@ -92,7 +92,7 @@ TEST(RecordedFacts, AreThoseOfTheGame) {
   const GameConfiguration game = short_game();
   const RecordedGame live = played(game, file.path());
   const RecordedFacts facts = facts_of(file.path());
-  EXPECT_EQ(facts.log.pictures, live.record.frames + 1);
+  EXPECT_EQ(facts.log.frames, live.record.frames + 1);
   EXPECT_EQ(facts.half_s, 60);
   EXPECT_EQ(facts.halves, 2);
   EXPECT_EQ(facts.first_kickoff, Side::kEast);
@@ -107,7 +107,7 @@ TEST(RecordedFacts, OfADamagedLogAreThoseBeforeTheDamage) {
   played(short_game(), file.path());
   const std::string whole = file.bytes();
   const RecordedFacts facts = facts_of(file.fill(whole.substr(0, whole.size() / 2)).path());
-  EXPECT_GT(facts.log.pictures, 1000);
+  EXPECT_GT(facts.log.frames, 1000);
   ASSERT_TRUE(facts.log.damage.has_value());
   EXPECT_NE(damage_text("game.log", facts.log).find("game.log: the log is read up to byte"),
             std::string::npos);
@@ -129,17 +129,17 @@ TEST(Agreement, IsRightForTheSameRestartUpToTwoSecondsAhead) {
   const std::vector<Call> recorded = calls_of({{10, kStop}, {14, kThrowIn}});
   for (const auto& [ahead_s, right] :
        {std::pair{0.0, 1}, {5.9, 1}, {6.1, 0}, {-3.9, 1}, {-4.1, 0}}) {
-    const std::vector<Call> judged = calls_of({{10 - ahead_s, kStop}, {14 - ahead_s, kThrowIn}});
-    EXPECT_EQ(agreement_of(recorded, judged).right, right) << ahead_s;
+    const std::vector<Call> refereed = calls_of({{10 - ahead_s, kStop}, {14 - ahead_s, kThrowIn}});
+    EXPECT_EQ(agreement_of(recorded, refereed).right, right) << ahead_s;
   }
 }
 
 TEST(Agreement, CountsWrongAndMissedCalls) {
   const std::vector<Call> recorded =
       calls_of({{10, kStop}, {14, kThrowIn}, {30, kStop}, {34, kCorner}});
-  const std::vector<Call> judged = calls_of(
+  const std::vector<Call> refereed = calls_of(
       {{10, kStop}, {14, kThrowIn}, {20, kStop}, {24, kCorner}, {50, kStop}, {54, kCorner}});
-  const Agreement agreement = agreement_of(recorded, judged);
+  const Agreement agreement = agreement_of(recorded, refereed);
   EXPECT_EQ(agreement.right, 1);
   EXPECT_DOUBLE_EQ(agreement.precision(), 1.0 / 3);
   EXPECT_DOUBLE_EQ(agreement.recall(), 0.5);
@@ -150,9 +150,9 @@ TEST(Agreement, CountsWrongAndMissedCalls) {
 
 TEST(Agreement, PairsEachCallOnce) {
   const std::vector<Call> recorded = calls_of({{10, kStop}, {14, kThrowIn}});
-  const std::vector<Call> judged =
+  const std::vector<Call> refereed =
       calls_of({{10, kStop}, {11, kThrowIn}, {12, kStop}, {13, kThrowIn}});
-  EXPECT_EQ(agreement_of(recorded, judged).right, 1);
+  EXPECT_EQ(agreement_of(recorded, refereed).right, 1);
 }
 
 }  // namespace

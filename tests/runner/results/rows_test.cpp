@@ -9,7 +9,7 @@ namespace autoref::runner {
 namespace {
 
 std::string sample_line(const RowFormat& format, const std::string& void_reason = "") {
-  const PlannedGame game = plan(std::get<Sweep>(small_sweep().content)).front();
+  const ScheduledGame game = scheduled_games(std::get<Sweep>(small_sweep().content)).front();
   GameRecord record = fake_game(game.configuration);
   record.void_reason = void_reason;
   return format.line(game, outcome_of(record), {"build", "host", "A, \"fast\" CPU", 1.5, 2, "0/1"});
@@ -41,10 +41,10 @@ TEST(RowFormat, HasTheColumnsOfAGameWithTheCheckLast) {
 
 TEST(RowFormat, HasTheFiguresOfBothTeamsInEveryRow) {
   const RowFormat format({"b.robots"});
-  const PlannedGame game = plan(std::get<Sweep>(small_sweep().content)).front();
+  const ScheduledGame game = scheduled_games(std::get<Sweep>(small_sweep().content)).front();
   GameRecord record;
-  record.figures[0] = {12, 7, 30, 21, 301.25, 3, 5};
-  record.figures[1] = {8, 2, 25, 9, 200.5, 4, 6};
+  record.counts[0] = {12, 7, 30, 21, 301.25, 3, 5};
+  record.counts[1] = {8, 2, 25, 9, 200.5, 4, 6};
   const Cells cells = format.read(format.line(game, outcome_of(record), {})).value();
   const Cells names = {"shots",        "shots_on_goal", "passes_tried", "passes_completed",
                        "possession_s", "fouls",         "duels_won"};
@@ -68,21 +68,21 @@ TEST(RowFormat, ReadsBackWhatItWrote) {
   EXPECT_EQ((*cells)[format.column("attempt")], "2");
 }
 
-TEST(RowFormat, HoldsTheArrowsTakenInAnOrderOfTheirOwn) {
+TEST(RowFormat, HoldsTheTransitionsTakenInAnOrderOfTheirOwn) {
   const RowFormat format({"b.robots"});
-  const PlannedGame game = plan(std::get<Sweep>(small_sweep().content)).front();
+  const ScheduledGame game = scheduled_games(std::get<Sweep>(small_sweep().content)).front();
   GameRecord record;
-  record.arrows = {"start", "begin", "goal"};
+  record.transitions = {"start", "begin", "goal"};
   const Cells cells = format.read(format.line(game, outcome_of(record), {})).value();
-  EXPECT_EQ(cells[format.column("arrows")], "begin+goal+start");
-  EXPECT_LT(format.column("arrows"), format.reproducible(format.columns()).size());
+  EXPECT_EQ(cells[format.column("transitions")], "begin+goal+start");
+  EXPECT_LT(format.column("transitions"), format.reproducible(format.columns()).size());
 }
 
-TEST(ArrowsNeverTaken, AreThoseThatStandInNoRow) {
+TEST(TransitionsNeverUsed, AreThoseThatStandInNoRow) {
   const RowFormat format({});
   Cells row(format.columns().size());
-  row[format.column("arrows")] = "begin+start_late+goal_kick";
-  const std::vector<std::string> never = arrows_never_taken(format, {row});
+  row[format.column("transitions")] = "begin+start_late+goal_kick";
+  const std::vector<std::string> never = transitions_never_used(format, {row});
   const auto has = [&](const char* label) {
     return std::find(never.begin(), never.end(), label) != never.end();
   };

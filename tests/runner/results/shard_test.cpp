@@ -87,7 +87,7 @@ TEST(Shard, IsNoDevice) { EXPECT_THROW(Shard("/dev/full", "head"), InputOutputEr
 TEST(ReadRows, CountsDamagedLinesAndKeepsTheOthers) {
   const TemporaryFolder folder;
   const RowFormat format({"b.robots"});
-  const PlannedGame game = plan(std::get<Sweep>(small_sweep().content)).front();
+  const ScheduledGame game = scheduled_games(std::get<Sweep>(small_sweep().content)).front();
   const std::string line = format.line(game, outcome_of(fake_game(game.configuration)), {});
   std::string damaged = line;
   damaged[0] ^= 1;

@@ -17,17 +17,17 @@ GameConfiguration game_of(const std::string& text) {
   return std::get<GameConfiguration>(read_scenario_text(kGame + text, "x.yaml").content);
 }
 
-sim::RobotSheet robot_of_b(const std::string& text, std::size_t number) {
+sim::RobotSpec robot_of_b(const std::string& text, std::size_t number) {
   const GameConfiguration game = game_of(text);
-  return sheet_of(game, game.b).robots.at(number);
+  return spec_of(game, game.b).robots.at(number);
 }
 
-TEST(SheetOf, GivesEveryRobotTheGamesNumbersUnlessToldOtherwise) {
+TEST(SpecOf, GivesEveryRobotTheGamesNumbersUnlessReportedOtherwise) {
   const GameConfiguration game = game_of("sim: { robot: { speed_mps: 2.5 } }\n");
   for (const TeamConfiguration* team : {&game.a, &game.b}) {
-    const sim::TeamSheet sheet = sheet_of(game, *team);
-    ASSERT_EQ(sheet.robots.size(), 6U);
-    for (const sim::RobotSheet& robot : sheet.robots) {
+    const sim::TeamSpec spec = spec_of(game, *team);
+    ASSERT_EQ(spec.robots.size(), 6U);
+    for (const sim::RobotSpec& robot : spec.robots) {
       EXPECT_EQ(robot.body.speed_mps, 2.5);
       EXPECT_EQ(robot.body.mass_kg, 2.5);
       EXPECT_EQ(robot.speed_factor, 1.0);
@@ -36,7 +36,7 @@ TEST(SheetOf, GivesEveryRobotTheGamesNumbersUnlessToldOtherwise) {
 }
 
 // Each layer sets one number more than the one above it, and all of those below.
-TEST(SheetOf, LetsTheGameGiveWayToTeamsAndTheseToPlayersWhateverTheOrderOfKeys) {
+TEST(SpecOf, LetsTheGameGiveWayToTeamsAndTheseToPlayersWhateverTheOrderOfKeys) {
   const std::string types =
       "types:\n"
       "  team: { robot: { braking_mps2: 12, acceleration_mps2: 12, speed_mps: 12, mass_kg: 12 } }\n"
@@ -61,15 +61,15 @@ TEST(SheetOf, LetsTheGameGiveWayToTeamsAndTheseToPlayersWhateverTheOrderOfKeys) 
   }
 }
 
-TEST(SheetOf, LeavesTheOtherTeamAlone) {
+TEST(SpecOf, LeavesTheOtherTeamAlone) {
   const GameConfiguration game =
       game_of("teams: { b: { robot: { mass_kg: 3 }, handicap: 0.5 } }\n");
-  EXPECT_EQ(sheet_of(game, game.a).robots[0].body.mass_kg, 2.5);
-  EXPECT_EQ(sheet_of(game, game.a).robots[0].speed_factor, 1.0);
-  EXPECT_EQ(sheet_of(game, game.b).robots[5].body.mass_kg, 3.0);
+  EXPECT_EQ(spec_of(game, game.a).robots[0].body.mass_kg, 2.5);
+  EXPECT_EQ(spec_of(game, game.a).robots[0].speed_factor, 1.0);
+  EXPECT_EQ(spec_of(game, game.b).robots[5].body.mass_kg, 3.0);
 }
 
-TEST(SheetOf, MultipliesTheTeamsFactorsWithThePlayers) {
+TEST(SpecOf, MultipliesTheTeamsFactorsWithThePlayers) {
   const std::string text =
       "teams: { b: { speed_factor: 0.8, players: { 3: { handicap: 0.5 }, 4: { "
       "acceleration_factor: 0.7 } } } }\n";
@@ -80,29 +80,29 @@ TEST(SheetOf, MultipliesTheTeamsFactorsWithThePlayers) {
   EXPECT_DOUBLE_EQ(robot_of_b(text, 5).speed_factor, 0.8);
 }
 
-TEST(SheetOf, LetsSingleNumbersChangeADribblersPresetWhereverTheyStand) {
-  const sim::RobotSheet robot =
+TEST(SpecOf, LetsSingleNumbersChangeADribblersPresetWhereverTheyStand) {
+  const sim::RobotSpec robot =
       robot_of_b("teams: { b: { dribbler: { force_n: 50, preset: perfect } } }\n", 0);
   EXPECT_TRUE(robot.dribbler.holds);
   EXPECT_EQ(robot.dribbler.force_n, 50);
 }
 
-TEST(SheetOf, ChangesKickersToo) {
+TEST(SpecOf, ChangesKickersToo) {
   const std::string text = "teams: { b: { players: { 1: { kicker: { speed_limit_mps: 5 } } } } }\n";
   EXPECT_EQ(robot_of_b(text, 1).kicker.speed_limit_mps, 5);
   EXPECT_EQ(robot_of_b(text, 0).kicker.speed_limit_mps, 8);
 }
 
-TEST(SheetOf, RefusesAPlayerThatTheTeamDoesNotHave) {
+TEST(SpecOf, RefusesAPlayerThatTheTeamDoesNotHave) {
   GameConfiguration game;
   game.b.players[6].speed_factor = 0.5;
-  EXPECT_THROW(sheet_of(game, game.b), std::invalid_argument);
+  EXPECT_THROW(spec_of(game, game.b), std::invalid_argument);
 }
 
-TEST(SheetOf, RefusesATypeThatTheGameDoesNotHave) {
+TEST(SpecOf, RefusesATypeThatTheGameDoesNotHave) {
   GameConfiguration game;
   game.a.type = "slow";
-  EXPECT_THROW(sheet_of(game, game.a), std::invalid_argument);
+  EXPECT_THROW(spec_of(game, game.a), std::invalid_argument);
 }
 
 TEST(AssignChange, KeepsNothingOfAWrongValue) {

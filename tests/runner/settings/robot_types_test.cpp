@@ -5,10 +5,10 @@
 
 #include <stdexcept>
 
-#include "runner/experiments/plan.hpp"
 #include "runner/experiments/reading/effective.hpp"
 #include "runner/experiments/reading/scenario_reader.hpp"
 #include "runner/experiments/scenario.hpp"
+#include "runner/experiments/schedule.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/settings/fields.hpp"
 #include "runner/settings/robot_changes.hpp"
@@ -48,7 +48,7 @@ class ScenarioWithTypes : public testing::Test {
     }
   }
   static double speed_mps(const GameConfiguration& game, std::size_t number) {
-    return sheet_of(game, game.b).robots.at(number).body.speed_mps;
+    return spec_of(game, game.b).robots.at(number).body.speed_mps;
   }
   std::string file(const std::string& name) const { return (folder_ / name).string(); }
 
@@ -63,25 +63,25 @@ TEST_F(ScenarioWithTypes, FindsThemBesideItself) {
 }
 
 TEST_F(ScenarioWithTypes, VariesThemAsFactorsWithReadableIds) {
-  const std::vector<PlannedGame> games =
-      plan(sweep("factors:\n  b.type: [none, robots/slow.yaml]\n"
-                 "  b.players.3.handicap: [1.0, 0.7]\n"));
+  const std::vector<ScheduledGame> games =
+      scheduled_games(sweep("factors:\n  b.type: [none, robots/slow.yaml]\n"
+                            "  b.players.3.handicap: [1.0, 0.7]\n"));
   ASSERT_EQ(games.size(), 8U);
   EXPECT_EQ(games.back().id, "b.type=slow+b.players.3.handicap=0.7-p0001-2");
   EXPECT_EQ(speed_mps(games.front().configuration, 3), 3.0);
   EXPECT_EQ(speed_mps(games.back().configuration, 3), 2.2);
   const GameConfiguration& last = games.back().configuration;
-  EXPECT_EQ(sheet_of(last, last.b).robots[3].speed_factor, 0.7);
-  EXPECT_EQ(sheet_of(last, last.b).robots[2].speed_factor, 1.0);
+  EXPECT_EQ(spec_of(last, last.b).robots[3].speed_factor, 0.7);
+  EXPECT_EQ(spec_of(last, last.b).robots[2].speed_factor, 1.0);
 }
 
 TEST_F(ScenarioWithTypes, VariesATypeBesideTheTeamsOwnNumbers) {
-  const std::vector<PlannedGame> games =
-      plan(sweep("base: { teams: { b: { type: robots/fast.yaml, robot: { mass_kg: 3 } } } }\n"
-                 "factors: { b.type: [robots/slow.yaml] }\n"));
+  const std::vector<ScheduledGame> games = scheduled_games(
+      sweep("base: { teams: { b: { type: robots/fast.yaml, robot: { mass_kg: 3 } } } }\n"
+            "factors: { b.type: [robots/slow.yaml] }\n"));
   const GameConfiguration& it = games[0].configuration;
   EXPECT_EQ(speed_mps(it, 0), 2.2);
-  EXPECT_EQ(sheet_of(it, it.b).robots[0].body.mass_kg, 3);
+  EXPECT_EQ(spec_of(it, it.b).robots[0].body.mass_kg, 3);
 }
 
 TEST_F(ScenarioWithTypes, IsTheSameGameAgainFromItsEffectiveText) {
@@ -96,8 +96,8 @@ TEST_F(ScenarioWithTypes, IsTheSameGameAgainFromItsEffectiveText) {
 TEST_F(ScenarioWithTypes, HasTheSameGamesAgainFromASweepsEffectiveText) {
   const Scenario scenario = read(kSweep + "factors: { b.type: [none, robots/slow.yaml] }\n");
   const Scenario back = read_scenario_text(effective_text(scenario), "elsewhere/effective.yaml");
-  const std::vector<PlannedGame> games = plan(std::get<Sweep>(scenario.content));
-  const std::vector<PlannedGame> games_back = plan(std::get<Sweep>(back.content));
+  const std::vector<ScheduledGame> games = scheduled_games(std::get<Sweep>(scenario.content));
+  const std::vector<ScheduledGame> games_back = scheduled_games(std::get<Sweep>(back.content));
   ASSERT_EQ(games_back.size(), games.size());
   for (std::size_t i = 0; i < games.size(); ++i) {
     EXPECT_EQ(games_back[i].id, games[i].id);
@@ -214,7 +214,7 @@ TEST(RobotTypes, OfTheRepositoryCanAllBeRead) {
 
 TEST(RobotTypes, PaperSpellsOutTheDefaults) {
   const RobotChanges paper = read_robot_type(AUTOREF_SOURCE_DIR "/scenarios/robots/paper.yaml");
-  sim::RobotSheet robot;
+  sim::RobotSpec robot;
   std::size_t settings = 0;
   for (const Setting& setting : settings_of(robot, "")) {
     if (is_alias(setting)) continue;

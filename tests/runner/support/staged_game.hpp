@@ -31,11 +31,12 @@ class StagedGame {
   StagedGame(const StagedTeam& west, const StagedTeam& east, const RuleBook& rules = {},
              std::uint64_t seed = 1, const Field& on = {})
       : field(on),
-        world(on, world_configuration(), {{sheet(west.robots), sheet(east.robots)}}, seed),
+        world(on, world_configuration(), {{spec(west.robots), spec(east.robots)}}, seed),
         teams{{make(west, Side::kWest, on, rules, seed), make(east, Side::kEast, on, rules, seed)}},
         camera_({}, on, kRate_hz, seed),
         situation_(rules),
-        assistant_(on, {{static_cast<int>(west.robots), static_cast<int>(east.robots)}}) {
+        substitution_controller_(on,
+                                 {{static_cast<int>(west.robots), static_cast<int>(east.robots)}}) {
     command(CommandKind::kStop);
   }
 
@@ -61,12 +62,12 @@ class StagedGame {
     for (const Side side : kSides) {
       TeamView view;
       fill_view(tracks, signal, situation, side, view);
-      orders[side].fill(RobotCommand{});
-      teams[side]->decide(view, orders[side]);
+      commands[side].fill(RobotCommand{});
+      teams[side]->decide(view, commands[side]);
       requests[side] = teams[side]->requests();
     }
-    assistant_.act(signal, requests, time_s(), world);
-    world.step(orders, signal.placement);
+    substitution_controller_.act(signal, requests, time_s(), world);
+    world.step(commands, signal.placement);
   }
 
   void run(double seconds) {
@@ -96,7 +97,7 @@ class StagedGame {
   sim::World world;
   RefereeSignal signal;
   PerSide<std::unique_ptr<strategies::Strategy>> teams;
-  PerSide<TeamOrders> orders{};
+  PerSide<TeamCommands> commands{};
 
  private:
   static sim::Configuration world_configuration() {
@@ -104,8 +105,8 @@ class StagedGame {
     configuration.latency_s = 0;
     return configuration;
   }
-  static sim::TeamSheet sheet(std::size_t robots) {
-    return {sim::TeamSheet::Robots(robots, sim::RobotSheet{})};
+  static sim::TeamSpec spec(std::size_t robots) {
+    return {sim::TeamSpec::Robots(robots, sim::RobotSpec{})};
   }
   static std::unique_ptr<strategies::Strategy> make(const StagedTeam& team, Side side,
                                                     const Field& field, const RuleBook& rules,
@@ -122,7 +123,7 @@ class StagedGame {
   sim::Camera camera_;
   Tracker tracker_;
   SituationTracker situation_;
-  Assistant assistant_;
+  SubstitutionController substitution_controller_;
   Frame frame_;
 };
 

@@ -33,7 +33,7 @@ TEST(DecisionLines, TellWhatAPageShows) {
   EXPECT_EQ(decisions_for_page(line_of(referee::Event::kPushing), "events.jsonl"),
             R"([{"time_s": 12.5, "event": "pushing", "rule": "paper 4.2", )"
             R"("reason": "He said \"no\" <twice>.", "offender": "east", "card": "yellow", )"
-            R"("restart": null, "place_m": [1, -2]}])");
+            R"("restart": null, "position_m": [1, -2]}])");
 }
 
 TEST(DecisionLines, LeaveOutThatTheGameTakesItsCourse) {

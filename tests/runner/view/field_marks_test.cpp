@@ -10,17 +10,17 @@ namespace {
 Field field_of_book(const char* name) { return find_game_setup(name)->field; }
 
 // Places all along the outline.
-std::vector<Vec2> places_on(const Outline& outline) {
-  std::vector<Vec2> places;
+std::vector<Vec2> positions_on(const Outline& outline) {
+  std::vector<Vec2> points;
   for (int i = 0; i <= 10; ++i) {
     for (const MarkLine& line : outline.lines)
-      places.push_back(line.from_m + i / 10.0 * (line.to_m - line.from_m));
+      points.push_back(line.from_m + i / 10.0 * (line.to_m - line.from_m));
     for (const MarkArc& arc : outline.arcs) {
       const double angle_rad = arc.from_rad + i / 10.0 * (arc.to_rad - arc.from_rad);
-      places.push_back(arc.centre_m + arc.radius_m * heading_of(angle_rad));
+      points.push_back(arc.centre_m + arc.radius_m * heading_of(angle_rad));
     }
   }
-  return places;
+  return points;
 }
 
 class AroundDefenceArea : public testing::TestWithParam<const char*> {};
@@ -30,16 +30,16 @@ TEST_P(AroundDefenceArea, IsEverywhereAsFarFromTheAreaAsAsked) {
   for (const Side side : kSides) {
     const Outline outline = around_defence_area(field, side, 0.2);
     ASSERT_EQ(outline.arcs.size(), 2U);
-    for (const Vec2& place_m : places_on(outline))
-      EXPECT_NEAR(distance_to_defence_area(field, side, place_m), 0.2, 1e-9) << place_m;
+    for (const Vec2& position_m : positions_on(outline))
+      EXPECT_NEAR(distance_to_defence_area(field, side, position_m), 0.2, 1e-9) << position_m;
   }
 }
 
 TEST_P(AroundDefenceArea, LiesBeforeTheGoalLine) {
   const Field field = field_of_book(GetParam());
   for (const Side side : kSides) {
-    for (const Vec2& place_m : places_on(around_defence_area(field, side, 0.2)))
-      EXPECT_LE(std::abs(place_m.x()), field.half_length_m() + 1e-9) << place_m;
+    for (const Vec2& position_m : positions_on(around_defence_area(field, side, 0.2)))
+      EXPECT_LE(std::abs(position_m.x()), field.half_length_m() + 1e-9) << position_m;
   }
 }
 

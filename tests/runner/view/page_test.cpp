@@ -6,12 +6,12 @@ namespace autoref::runner {
 namespace {
 
 std::string page_between(const std::string& yellow, const std::string& blue) {
-  GameTape tape;
-  Frame picture;
-  picture.ball = BallObservation{{1, 0}, 0.0, {}};
-  tape.add(picture);
-  tape.add(0, RefereeSignal{});
-  return page_of({tape, Field{}, {{yellow, blue}}});
+  GameRecording recording;
+  Frame frame;
+  frame.ball = BallObservation{{1, 0}, 0.0, {}};
+  recording.add(frame);
+  recording.add(0, RefereeSignal{});
+  return page_of({recording, Field{}, {{yellow, blue}}});
 }
 
 std::size_t count_of(const std::string& part, const std::string& text) {
@@ -24,7 +24,7 @@ TEST(Page, HasEverythingInItsPlace) {
   const std::string page = page_between("cobalt", "counter");
   EXPECT_TRUE(page.starts_with("<!DOCTYPE html>"));
   EXPECT_NE(page.find(R"("teams": ["cobalt", "counter"])"), std::string::npos);
-  for (const char* mark : {"@STYLE@", "@GAME@", "@PICTURES@", "@SCRIPT@"})
+  for (const char* mark : {"@STYLE@", "@GAME@", "@FRAMES@", "@SCRIPT@"})
     EXPECT_EQ(count_of(mark, page), 0U) << mark;
 }
 

@@ -15,13 +15,13 @@ Knockout read(const std::string& text) {
   return std::get<Knockout>(read_scenario_text(kTop + kTeams + text, "x.yaml").content);
 }
 
-TEST(ReadKnockout, SeedsTeamsByTheirNamesUnlessItIsTold) {
+TEST(ReadKnockout, SeedsTeamsByTheirNamesUnlessItIsReported) {
   EXPECT_EQ(read("").order, (std::vector<std::string>{"bold", "calm", "zone"}));
   EXPECT_EQ(read("order: [zone, bold, calm]\n").order,
             (std::vector<std::string>{"zone", "bold", "calm"}));
 }
 
-TEST(ReadKnockout, PlaysExtraTimeWhereTheRulesHaveItUnlessItIsTold) {
+TEST(ReadKnockout, PlaysExtraTimeWhereTheRulesHaveItUnlessItIsReported) {
   EXPECT_FALSE(read("").base.match.knockout);
   EXPECT_TRUE(read("base: { match: { rules: 2026-b } }\n").base.match.knockout);
   EXPECT_FALSE(read("base: { match: { rules: 2026-b, knockout: false } }\n").base.match.knockout);

@@ -33,9 +33,9 @@ const std::string kGame =
 
 // `text` with `what` replaced once.
 std::string changed(std::string text, const std::string& what, const std::string& by) {
-  const std::size_t place = text.find(what);
-  if (place == std::string::npos) throw std::logic_error("there is no " + what);
-  return text.replace(place, what.size(), by);
+  const std::size_t index = text.find(what);
+  if (index == std::string::npos) throw std::logic_error("there is no " + what);
+  return text.replace(index, what.size(), by);
 }
 
 TEST(Mistakes, AreTheOnlyReasonForRefusal) {
@@ -203,28 +203,28 @@ INSTANTIATE_TEST_SUITE_P(Syntax, Mistakes,
                          testing::Values(Mistake{"Tab",
                                                  changed(kSweep, "{ match: { half_s: 60 } }",
                                                          "\n\tmatch: { half_s: 60 }"),
-                                                 "x.yaml:6:1: this is no YAML: a tab",
+                                                 "x.yaml:6:1: invalid YAML: a tab",
                                                  {"use spaces"}},
                                          Mistake{"OpenBracket",
                                                  changed(kSweep, "5] }", "5 }"),
-                                                 "x.yaml:6:28: this is no YAML: ",
+                                                 "x.yaml:6:28: invalid YAML: ",
                                                  {"bracket before it is not closed"}},
                                          Mistake{"OpenBrace",
                                                  changed(kSweep, "60 } }", "60 }"),
-                                                 "x.yaml:6:1: this is no YAML: ",
+                                                 "x.yaml:6:1: invalid YAML: ",
                                                  {"'{' before here is not closed"}},
                                          Mistake{"ColonInText",
                                                  kSweep + "about: first: a test\n",
-                                                 "x.yaml:7:13: this is no YAML: ",
+                                                 "x.yaml:7:13: invalid YAML: ",
                                                  {"in quotes"}},
                                          Mistake{"OpenQuotes",
                                                  kSweep + "about: \"a test\n",
-                                                 "x.yaml:7:8: this is no YAML: ",
+                                                 "x.yaml:7:8: invalid YAML: ",
                                                  {"never closed"}},
                                          Mistake{"Indentation",
                                                  changed(kSweep, "{ match: { half_s: 60 } }",
                                                          "\n    match: {}\n  sim: {}"),
-                                                 "x.yaml:7:3: this is no YAML: ",
+                                                 "x.yaml:7:3: invalid YAML: ",
                                                  {"indent this line like"}},
                                          Mistake{"TwoDocuments",
                                                  kSweep + "---\nschema: 1\n",

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "runner/experiments/matchup_plan.hpp"
+#include "runner/experiments/matchup_schedule.hpp"
 #include "runner/settings/fields.hpp"
 #include "tests/runner/experiments/reading/mistake.hpp"
 #include "tests/runner/support/temporary_folder.hpp"
@@ -58,8 +58,8 @@ TEST(EffectiveConfiguration, OfARoundRobinReadsBackEqual) {
   robin.base.types["slow"] = {{"robot.speed_mps", "1.5"}};
   robin.teams["zone"].params["shot_mps"] = 0.1;
   robin.teams["zone"].players[3].type = "slow";
-  const std::vector<PlannedGame> there = plan(robin);
-  const std::vector<PlannedGame> back = plan(robin_of(effective_text({"", robin})));
+  const std::vector<ScheduledGame> there = scheduled_games(robin);
+  const std::vector<ScheduledGame> back = scheduled_games(robin_of(effective_text({"", robin})));
   ASSERT_EQ(back.size(), there.size());
   for (std::size_t i = 0; i < back.size(); ++i) {
     EXPECT_EQ(back[i].id, there[i].id);

@@ -22,7 +22,7 @@ INSTANTIATE_TEST_SUITE_P(
     Files, WrongScenario,
     testing::Values(
         Mistake{"Empty", "", "x.yaml: ", {"empty"}},
-        Mistake{"NoYaml", "schema: [1\nkind: game\n", "x.yaml:2:", {"no YAML"}},
+        Mistake{"NoYaml", "schema: [1\nkind: game\n", "x.yaml:2:", {"invalid YAML"}},
         Mistake{"TwoDocuments", kGame + "---\n" + kGame, "x.yaml:4:1: ", {"second"}},
         Mistake{"NoMapping", "- 1\n", "x.yaml:1:1: ", {"expected a mapping", "a list"}},
         Mistake{"NoSchema", "kind: game\n", "x.yaml:1:1: ", {"'schema' is missing"}},

@@ -71,8 +71,8 @@ class PlaySequence {
     stop();
   }
 
-  PlayFigures west() const { return statistics.figures()[Side::kWest]; }
-  PlayFigures east() const { return statistics.figures()[Side::kEast]; }
+  PlayCounts west() const { return statistics.counts()[Side::kWest]; }
+  PlayCounts east() const { return statistics.counts()[Side::kEast]; }
 
   sim::WorldState now;
   PlayStatistics statistics{Field{}, sim::BallParameters{}, 60.0};

@@ -91,7 +91,7 @@ struct Setup {
   const char* team;
 };
 
-class FiguresOfGames : public testing::TestWithParam<Setup> {
+class PlayCountsOfGames : public testing::TestWithParam<Setup> {
  protected:
   static GameConfiguration game(std::uint64_t seed) {
     GameConfiguration game = short_game(120, seed);
@@ -104,42 +104,42 @@ class FiguresOfGames : public testing::TestWithParam<Setup> {
   }
 };
 
-TEST_P(FiguresOfGames, FitEachOther) {
+TEST_P(PlayCountsOfGames, FitEachOther) {
   for (std::uint64_t seed = 21; seed <= 22; ++seed) {
     const GameConfiguration configuration = game(seed);
     Counters counters(configuration);
     const GameRecord record = play(configuration, &counters);
     double possession_s = 0;
-    for (const PlayFigures& team : record.figures) {
+    for (const PlayCounts& team : record.counts) {
       EXPECT_LE(team.passes_completed, team.passes_tried);
       EXPECT_LE(team.shots_on_goal, team.shots);
       possession_s += team.possession_s;
     }
     EXPECT_LE(possession_s, record.ball_in_play_s + 1e-6);
     EXPECT_GT(possession_s, 0.5 * record.ball_in_play_s);
-    EXPECT_LE(record.goals_a, record.figures[0].shots_on_goal + counters.own_goals[Side::kWest]);
-    EXPECT_LE(record.goals_b, record.figures[1].shots_on_goal + counters.own_goals[Side::kEast]);
+    EXPECT_LE(record.goals_a, record.counts[0].shots_on_goal + counters.own_goals[Side::kWest]);
+    EXPECT_LE(record.goals_b, record.counts[1].shots_on_goal + counters.own_goals[Side::kEast]);
   }
 }
 
-TEST_P(FiguresOfGames, AreSwappedWhereTheFieldIsTurned) {
+TEST_P(PlayCountsOfGames, AreSwappedWhereTheFieldIsTurned) {
   const GameConfiguration configuration = game(23);
   Counters counters(configuration);
   play(configuration, &counters);
-  const PerSide<PlayFigures> figures = counters.upright.figures();
-  const PerSide<PlayFigures> others = counters.upside_down.figures();
-  EXPECT_EQ(figures[Side::kWest], others[Side::kEast]);
-  EXPECT_EQ(figures[Side::kEast], others[Side::kWest]);
-  EXPECT_GT(figures[Side::kWest].shots + figures[Side::kEast].shots, 0) << "nothing was compared";
+  const PerSide<PlayCounts> counts = counters.upright.counts();
+  const PerSide<PlayCounts> others = counters.upside_down.counts();
+  EXPECT_EQ(counts[Side::kWest], others[Side::kEast]);
+  EXPECT_EQ(counts[Side::kEast], others[Side::kWest]);
+  EXPECT_GT(counts[Side::kWest].shots + counts[Side::kEast].shots, 0) << "nothing was compared";
 }
 
-TEST_P(FiguresOfGames, AreThoseOfTheGameLoopsOwnCount) {
+TEST_P(PlayCountsOfGames, AreThoseOfTheGameLoopsOwnCount) {
   const GameConfiguration configuration = game(24);
   Counters counters(configuration);
   const GameRecord record = play(configuration, &counters);
   for (const Side side : kSides) {
-    PlayFigures own = counters.upright.figures()[side];
-    const PlayFigures& recorded = record.figures[side == configuration.match.a_plays ? 0 : 1];
+    PlayCounts own = counters.upright.counts()[side];
+    const PlayCounts& recorded = record.counts[side == configuration.match.a_plays ? 0 : 1];
     own.possession_s = recorded.possession_s;  // the ball is in play later than the signal
     EXPECT_EQ(recorded, own);
   }
@@ -152,7 +152,7 @@ std::string name_of_setup(const testing::TestParamInfo<Setup>& info) {
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Books, FiguresOfGames,
+INSTANTIATE_TEST_SUITE_P(Books, PlayCountsOfGames,
                          testing::Values(Setup{"paper", "paper", "basic"},
                                          Setup{"2014", "paper", "rowdy"},
                                          Setup{"2014-double", "realistic", "basic"},
@@ -160,24 +160,24 @@ INSTANTIATE_TEST_SUITE_P(Books, FiguresOfGames,
                                          Setup{"2026-a", "paper", "rowdy"}),
                          name_of_setup);
 
-TEST(FiguresOfAGame, HaveTheFoulsOfWhoBreaksTheRules) {
+TEST(PlayCountsOfAGame, HaveTheFoulsOfWhoBreaksTheRules) {
   GameConfiguration game = short_game(60, 25);
   choose_rules("2026-b", game);
   game.match.half_s = 60;
   game.a.strategy = "rowdy";
   const GameRecord record = play(game);
-  EXPECT_GT(record.figures[0].fouls, record.figures[1].fouls);
+  EXPECT_GT(record.counts[0].fouls, record.counts[1].fouls);
 }
 
-TEST(FiguresOfAGame, LeaveTheShootoutOut) {
+TEST(PlayCountsOfAGame, LeaveTheShootoutOut) {
   GameConfiguration game = short_game(5, 1);
   game.match.knockout = true;
   game.match.extra_half_s = 5;
   Counters with_shootout(game);
   const GameRecord record = play(game, &with_shootout);
   ASSERT_TRUE(record.shootout);
-  const PerSide<PlayFigures> all = with_shootout.upright.figures();
-  EXPECT_LT(record.figures[0].shots + record.figures[1].shots,
+  const PerSide<PlayCounts> all = with_shootout.upright.counts();
+  EXPECT_LT(record.counts[0].shots + record.counts[1].shots,
             all[Side::kWest].shots + all[Side::kEast].shots);
 }
 

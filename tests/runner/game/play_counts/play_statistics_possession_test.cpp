@@ -50,7 +50,7 @@ TEST(Possession, OfABallThatBothTouchAtOnceStaysWithWhoHadIt) {
     play.hull(kWest1, {0, 0});
     play.hull(kEast1, {0, 0});
     play.frames(59);
-    EXPECT_DOUBLE_EQ(play.statistics.figures()[had_it.side].possession_s, 1.0);
+    EXPECT_DOUBLE_EQ(play.statistics.counts()[had_it.side].possession_s, 1.0);
   }
 }
 

@@ -31,27 +31,27 @@ TEST(Intersection, IsThePapersFormula) {
 TEST(Exit, IsOverTheTouchLineWhereCxIsInside) {
   // Figure 4a: straight over the touch line, then over the corner of the expanded field.
   const Exit exit = find_exit(kField, {2.95, 2.00}, {3.06, 2.11});
-  EXPECT_EQ(exit.boundary, Boundary::kTouch);
+  EXPECT_EQ(exit.line, ExitLine::kTouch);
   EXPECT_NEAR(exit.point_m.x(), 2.9965, 1e-12);
   EXPECT_NEAR(exit.point_m.y(), kOutY_m, 1e-12);
 }
 
 TEST(Exit, IsOverTheGoalLineWhereCxIsNot) {
   const Exit exit = find_exit(kField, {3.00, 1.95}, {3.11, 2.06});  // figure 4b
-  EXPECT_EQ(exit.boundary, Boundary::kGoal);
+  EXPECT_EQ(exit.line, ExitLine::kGoal);
   EXPECT_NEAR(exit.point_m.x(), kOutX_m, 1e-12);
   EXPECT_NEAR(exit.point_m.y(), 1.9965, 1e-12);
 }
 
 TEST(Exit, OfAWayStraightAlongXIsOverTheGoalLine) {
   const Exit exit = find_exit(kField, {-3.00, 0.8}, {-3.10, 0.8});
-  EXPECT_EQ(exit.boundary, Boundary::kGoal);
+  EXPECT_EQ(exit.line, ExitLine::kGoal);
   EXPECT_EQ(exit.point_m, Vec2(-kOutX_m, 0.8));
 }
 
 TEST(Exit, OfAWayStraightAlongYIsOverTheTouchLine) {
   const Exit exit = find_exit(kField, {1.5, -2.00}, {1.5, -2.10});
-  EXPECT_EQ(exit.boundary, Boundary::kTouch);
+  EXPECT_EQ(exit.line, ExitLine::kTouch);
   EXPECT_EQ(exit.point_m, Vec2(1.5, -kOutY_m));
 }
 
@@ -59,12 +59,12 @@ TEST(Exit, DoesNotCountALineThatTheWayMeetsOnlyBackwards) {
   // The ball rolls inwards along y and out over the goal line; drawn on backwards its way meets
   // the touch line at c_x = 2.97, inside.
   const Exit exit = find_exit(kField, {3.03, 0.9}, {3.05, 0.5});
-  EXPECT_EQ(exit.boundary, Boundary::kGoal);
+  EXPECT_EQ(exit.line, ExitLine::kGoal);
 }
 
 TEST(Exit, OfABallFirstSeenOutsideIsWhereItIsFartherBeyond) {
-  EXPECT_EQ(find_exit(kField, {3.10, 2.40}, {3.11, 2.41}).boundary, Boundary::kTouch);
-  EXPECT_EQ(find_exit(kField, {3.40, 2.10}, {3.41, 2.11}).boundary, Boundary::kGoal);
+  EXPECT_EQ(find_exit(kField, {3.10, 2.40}, {3.11, 2.41}).line, ExitLine::kTouch);
+  EXPECT_EQ(find_exit(kField, {3.40, 2.10}, {3.41, 2.11}).line, ExitLine::kGoal);
   const Exit exit = find_exit(kField, {3.4, 0.5}, {3.4, 0.5});
   EXPECT_EQ(exit.point_m, Vec2(kOutX_m, 0.5));
 }
@@ -72,7 +72,7 @@ TEST(Exit, OfABallFirstSeenOutsideIsWhereItIsFartherBeyond) {
 TEST(Exit, IsTurnedWithTheField) {
   const Exit exit = find_exit(kField, {2.95, 2.00}, {3.06, 2.11});
   const Exit turned = find_exit(kField, {-2.95, -2.00}, {-3.06, -2.11});
-  EXPECT_EQ(turned.boundary, exit.boundary);
+  EXPECT_EQ(turned.line, exit.line);
   EXPECT_EQ(turned.point_m, Vec2(-exit.point_m));
 }
 

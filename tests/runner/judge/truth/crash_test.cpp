@@ -55,9 +55,9 @@ TEST(Crash, CountsTheSpeedAtTheMeetingOfARobotThatBrakes) {
     constexpr double kFrame_s = 1 / ScriptedGame::kRate_hz;
     constexpr int kFrames = 20;
     constexpr double kSlower_mps = 3 * kFrame_s;  // in each frame
-    const double way_m = kFrame_s * kFrames * (last_mps + kSlower_mps * (kFrames - 1) / 2);
+    const double path_m = kFrame_s * kFrames * (last_mps + kSlower_mps * (kFrames - 1) / 2);
     game.put(kEast, {-0.4, -0.8}, {0, 0});
-    game.put(kWest, {-0.4 - 2 * kRobotRadius_m - way_m + 0.01, -0.8}, {0, 0});
+    game.put(kWest, {-0.4 - 2 * kRobotRadius_m - path_m + 0.01, -0.8}, {0, 0});
     for (int i = kFrames - 1; i >= 0; --i) {
       game.drive(kWest, {last_mps + i * kSlower_mps, 0});
       game.run(kFrame_s);
@@ -81,7 +81,7 @@ TEST(Crash, CountsOnlyThePartAlongTheLineOfTheCentres) {
   EXPECT_TRUE(crash("2014", aside).calls(Event::kCrash).empty());
 }
 
-TEST(Crash, IsSeenWhereverBetweenTwoPicturesRobotsMeet) {
+TEST(Crash, IsSeenWhereverBetweenTwoFramesRobotsMeet) {
   for (const double start : {-0.9, -0.6, -0.3, 0.0, 0.3, 0.6, 0.9}) {
     const DrivenGame game = crash("2014", {3.0, 0.5}, start);
     ASSERT_EQ(game.calls(Event::kCrash).size(), 1U) << start;

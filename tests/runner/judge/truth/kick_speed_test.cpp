@@ -30,7 +30,7 @@ TEST(KickSpeed, OfALittleLessIsAllowed) {
   EXPECT_FALSE(is_called(game, "kick_speed"));
 }
 
-// The carpet takes 0.06 m/s from picture to picture.
+// The carpet takes 0.06 m/s from frame to frame.
 TEST(KickSpeed, IsTheSpeedAtTheKickItself) {
   for (const double carpet_mps2 : {3.0, 3.9}) {
     for (const double speed_mps : {7.95, 8.05}) {

@@ -11,8 +11,8 @@ constexpr RobotId kWest{Side::kWest, 0};
 constexpr RobotId kEast{Side::kEast, 0};
 
 // West 0 drives away at `own_mps` until east 0 reaches it at 0.5 m/s. Then both go on so for
-// `way_m`, in contact, and east 0 backs off.
-DrivenGame push(const char* book, double way_m, double own_mps = 0, double noise_m = 0) {
+// `path_m`, in contact, and east 0 backs off.
+DrivenGame push(const char* book, double path_m, double own_mps = 0, double noise_m = 0) {
   Configuration configuration = by_book(book);
   configuration.noise.robot_m = noise_m;
   DrivenGame game(configuration);
@@ -20,7 +20,7 @@ DrivenGame push(const char* book, double way_m, double own_mps = 0, double noise
   game.put(kEast, {0.3 + 0.18 + 0.3 * 0.5, -0.8}, {-0.5, 0});
   game.run(0.3, noise_m);
   game.drive(kWest, {-0.5, 0});
-  game.run(way_m / 0.5, noise_m);
+  game.run(path_m / 0.5, noise_m);
   game.drive(kWest, {0, 0});
   game.drive(kEast, {0.5, 0});
   game.run(1, noise_m);

@@ -5,7 +5,7 @@
 
 #include "tests/runner/judge/truth/truth_stage.hpp"
 
-namespace autoref::runner::truth {
+namespace autoref::runner::ground_truth {
 namespace {
 
 // West's robot 1 stands behind the ball, ready to kick it along `heading`.
@@ -15,10 +15,10 @@ void stage_kick(StagedGame& game, const Vec2& from_m, const Vec2& heading) {
 }
 
 void kick(StagedGame& game, double speed_mps, bool chip = false) {
-  game.world.order(kWest1).kick_mps = speed_mps;
-  game.world.order(kWest1).chip = chip;
+  game.world.command(kWest1).kick_mps = speed_mps;
+  game.world.command(kWest1).chip = chip;
   game.frames(1);
-  game.world.order(kWest1).kick_mps = 0;
+  game.world.command(kWest1).kick_mps = 0;
 }
 
 TEST(TrueExit, IsAThrowInByWhoTouchedTheBallLast) {
@@ -50,8 +50,8 @@ TEST(TrueExit, IsForeseenWhereTheRefereeEndsPlayJustBefore) {
   game.signal.placement = Placement{{0, 1.9}, false};
   game.command(CommandKind::kStop);
   // The command comes in the frame in which play is still on.
-  ASSERT_FALSE(game.witness.happenings().empty());
-  EXPECT_EQ(game.witness.happenings().back().standing, Standing::kPrevented);
+  ASSERT_FALSE(game.observer.true_events().empty());
+  EXPECT_EQ(game.observer.true_events().back().standing, Standing::kPrevented);
 }
 
 TEST(TrueGoal, IsScoredByTheAttackers) {
@@ -133,7 +133,7 @@ TEST(TrueDribbling, IsTooLongAfterFiftyCentimetres) {
   StagedGame game;
   stage_kick(game, {-1, 0}, {1, 0});
   game.command(CommandKind::kForceStart);
-  game.world.order(kWest1) = {{1.0, 0}, 0, 0, false, true};
+  game.world.command(kWest1) = {{1.0, 0}, 0, 0, false, true};
   game.seconds(0.4);
   EXPECT_FALSE(game.has("dribbling"));
   game.seconds(1.0);
@@ -146,15 +146,15 @@ TEST(TrueDribbling, IsForeseenWhereTheRefereeEndsPlayJustBefore) {
     StagedGame game;
     stage_kick(game, {-1, 0}, {1, 0});
     game.command(CommandKind::kForceStart);
-    game.world.order(kWest1) = {{1.0, 0}, 0, 0, false, true};
+    game.world.command(kWest1) = {{1.0, 0}, 0, 0, false, true};
     const double from_m = game.world.world.state().ball.position_m.x();
     while (game.world.world.state().ball.position_m.x() - from_m < 0.5 - short_of_m) game.frames(1);
     game.command(CommandKind::kStop);
-    const auto& all = game.witness.happenings();
+    const auto& all = game.observer.true_events();
     EXPECT_EQ(std::any_of(all.begin(), all.end(),
-                          [](const Happening& happening) {
-                            return happening.name == "dribbling" &&
-                                   happening.standing == Standing::kPrevented;
+                          [](const TrueEvent& event) {
+                            return event.name == "dribbling" &&
+                                   event.standing == Standing::kPrevented;
                           }),
               short_of_m < 0.1);
   }
@@ -165,8 +165,8 @@ TEST(TrueHolding, IsTheKeepersForFifteenSecondsInItsArea) {
   game.world.put_robot(kWest0, {-2.9, 0});
   game.world.put_ball_at_plate(kWest0);
   game.command(CommandKind::kForceStart);
-  game.world.order(kWest0).dribble = true;
-  game.world.order(kWest0).velocity_mps = {0.005, 0};  // keeps the ball at the plate
+  game.world.command(kWest0).dribble = true;
+  game.world.command(kWest0).velocity_mps = {0.005, 0};  // keeps the ball at the plate
   game.seconds(14.0);
   EXPECT_FALSE(game.has("keeper_holding"));
   game.seconds(2.0);
@@ -195,4 +195,4 @@ TEST(TrueAimlessKick, GoesOutFromTheOwnHalfUntouched) {
 }
 
 }  // namespace
-}  // namespace autoref::runner::truth
+}  // namespace autoref::runner::ground_truth

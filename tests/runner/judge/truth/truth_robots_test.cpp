@@ -3,7 +3,7 @@
 
 #include "tests/runner/judge/truth/truth_stage.hpp"
 
-namespace autoref::runner::truth {
+namespace autoref::runner::ground_truth {
 namespace {
 
 TEST(TrueAreaTouch, IsADefendersWhoIsNotTheKeeper) {
@@ -84,7 +84,7 @@ TEST(TruePushing, IsTwentyCentimetresInContact) {
 
 TEST(TrueStopSpeed, IsTooFastAfterTheGrace) {
   StagedGame game;
-  game.world.order(kWest1).velocity_mps = {1.4, 0};
+  game.world.command(kWest1).velocity_mps = {1.4, 0};
   game.seconds(1.9);
   EXPECT_FALSE(game.has("stop_speed"));
   game.world.put_robot(kWest1, {-2.0, -1.9}, {1, 0}, {1.4, 0});
@@ -186,7 +186,7 @@ TEST(TrueRestart, HasItsTimeAnewWhereAnOpponentStoodTooNear) {
   EXPECT_TRUE(game.has("restart_not_taken"));
 }
 
-TEST(TrueLingering, IsAnAttackersNearTheAreaForTwoSeconds) {
+TEST(TrueGraceTimer, IsAnAttackersNearTheAreaForTwoSeconds) {
   StagedGame game(book("2026-b"));
   game.world.put_robot(kWest1, {3.025 - 0.8 - 0.15 - 0.09, 0}, {-1, 0});
   game.seconds(1.9);
@@ -197,7 +197,7 @@ TEST(TrueLingering, IsAnAttackersNearTheAreaForTwoSeconds) {
   EXPECT_EQ(game.names().size(), 1U);  // once per stop
 }
 
-TEST(TrueLingering, GoesOnIntoTheFreeKickAfterTheStop) {
+TEST(TrueGraceTimer, GoesOnIntoTheFreeKickAfterTheStop) {
   StagedGame game(book("2026-b"));
   game.world.put_robot(kWest1, {3.025 - 0.8 - 0.15 - 0.09, 0}, {-1, 0});
   game.seconds(1.5);
@@ -211,7 +211,7 @@ TEST(TrueLingering, GoesOnIntoTheFreeKickAfterTheStop) {
   EXPECT_EQ(game.names().size(), 2U);  // another stop
 }
 
-TEST(TrueLingering, IsInterferenceNearTheBallsWay) {
+TEST(TrueGraceTimer, IsInterferenceNearTheBallsWay) {
   StagedGame game(book("2026-b"));
   game.signal.placement = Placement{{1, 0}, false};
   game.signal.next_command = Command{CommandKind::kDirectFree, Side::kWest};
@@ -222,4 +222,4 @@ TEST(TrueLingering, IsInterferenceNearTheBallsWay) {
 }
 
 }  // namespace
-}  // namespace autoref::runner::truth
+}  // namespace autoref::runner::ground_truth

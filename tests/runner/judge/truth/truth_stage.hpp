@@ -1,14 +1,15 @@
-// A world staged by hand, a referee's commands given by hand, and the witness who sees both.
+// A world staged by hand, a referee's commands given by hand, and the ground-truth observer who
+// sees both.
 #pragma once
 
 #include <algorithm>
 #include <string>
 #include <vector>
 
-#include "runner/judge/truth/witness.hpp"
+#include "runner/judge/truth/ground_truth_observer.hpp"
 #include "tests/sim/scene.hpp"
 
-namespace autoref::runner::truth {
+namespace autoref::runner::ground_truth {
 
 inline constexpr RobotId kWest0{Side::kWest, 0};
 inline constexpr RobotId kWest1{Side::kWest, 1};
@@ -20,7 +21,7 @@ inline RuleBook book(const char* name) { return *find_rule_book(name); }
 // Two robots a side on the paper's field. Number 0 is the keeper.
 struct StagedGame {
   explicit StagedGame(const RuleBook& rules = book("2014"))
-      : world(sim::quiet(), sim::sheets(2, 2)), witness(world.field, rules, 60.0) {
+      : world(sim::quiet(), sim::specs(2, 2)), observer(world.field, rules, 60.0) {
     // Out of the way.
     world.put_robot(kWest0, {-2.9, -0.5});
     world.put_robot(kWest1, {-1.0, -1.9});
@@ -33,12 +34,12 @@ struct StagedGame {
   void command(CommandKind kind, Side side = Side::kWest) {
     signal.command = {kind, side};
     ++signal.command_counter;
-    witness.see(world.world, signal);
+    observer.see(world.world, signal);
   }
   void frames(int count) {
     for (int i = 0; i < count; ++i) {
       world.frame();
-      witness.see(world.world, signal);
+      observer.see(world.world, signal);
     }
   }
   void seconds(double s) { frames(static_cast<int>(s * 60 + 0.5)); }
@@ -46,8 +47,8 @@ struct StagedGame {
   // What truly happened, by name.
   std::vector<std::string> names() const {
     std::vector<std::string> names;
-    for (const Happening& happening : witness.happenings()) {
-      if (happening.standing == Standing::kTrue) names.emplace_back(happening.name);
+    for (const TrueEvent& event : observer.true_events()) {
+      if (event.standing == Standing::kTrue) names.emplace_back(event.name);
     }
     return names;
   }
@@ -56,15 +57,15 @@ struct StagedGame {
     return std::find(all.begin(), all.end(), name) != all.end();
   }
   // The first of that name; must be there.
-  const Happening& first(std::string_view name) const {
+  const TrueEvent& first(std::string_view name) const {
     return *std::find_if(
-        witness.happenings().begin(), witness.happenings().end(),
-        [&name](const Happening& h) { return h.name == name && h.standing == Standing::kTrue; });
+        observer.true_events().begin(), observer.true_events().end(),
+        [&name](const TrueEvent& h) { return h.name == name && h.standing == Standing::kTrue; });
   }
 
   sim::Scene world;
-  Witness witness;
+  GroundTruthObserver observer;
   RefereeSignal signal;
 };
 
-}  // namespace autoref::runner::truth
+}  // namespace autoref::runner::ground_truth

@@ -1,0 +1,121 @@
+#include "league/detection_merger.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "league/field_message.hpp"
+#include "league/units.hpp"
+
+namespace autoref::league {
+namespace {
+
+constexpr double kLongestFrame_s = 0.1;
+constexpr std::size_t kMostCameras = 64;
+
+constexpr float kFarthest_mm = 1e5F;
+constexpr float kWidest_rad = 100;
+constexpr double kLongestGame_s = 1e6;
+
+bool is_position(float x, float y) {
+  return std::abs(x) <= kFarthest_mm && std::abs(y) <= kFarthest_mm;
+}
+
+bool is_robot(const DetectionRobot& seen) {
+  return seen.has_robot_id() && seen.robot_id() < kMaxRobots && is_position(seen.x(), seen.y()) &&
+         std::abs(seen.orientation()) <= kWidest_rad && !std::isnan(seen.confidence());
+}
+
+}  // namespace
+
+const Frame* DetectionMerger::add(const VisionPacket& packet) {
+  if (packet.has_geometry()) read_geometry(packet.geometry());
+  if (!packet.has_detection()) return nullptr;
+  const DetectionFrame& detection = packet.detection();
+  if (!is_usable(detection)) {
+    ++unusable_;
+    return nullptr;
+  }
+  const Frame* done = starts_anew(detection) ? complete() : nullptr;
+  collect(detection);
+  return done;
+}
+
+const Frame* DetectionMerger::finish() { return in_frame_.empty() ? nullptr : complete(); }
+
+void DetectionMerger::read_geometry(const Geometry& geometry) {
+  try {
+    field_ = field_of(geometry);
+    geometry_ = geometry;
+  } catch (const std::invalid_argument&) {
+    ++unusable_;
+  }
+}
+
+bool DetectionMerger::is_usable(const DetectionFrame& detection) const {
+  const bool is_known = cameras_.contains(detection.camera_id());
+  if (!std::isfinite(detection.t_capture()) || (!is_known && cameras_.size() >= kMostCameras))
+    return false;
+  if (!first_capture_s_) return true;
+  const double time_s = detection.t_capture() - *first_capture_s_;
+  return time_s > last_time_s_ && time_s <= kLongestGame_s;
+}
+
+bool DetectionMerger::starts_anew(const DetectionFrame& detection) const {
+  if (in_frame_.empty()) return false;
+  return in_frame_.contains(detection.camera_id()) ||
+         detection.t_capture() - *first_capture_s_ - time_s_ > kLongestFrame_s;
+}
+
+void DetectionMerger::collect(const DetectionFrame& detection) {
+  if (!first_capture_s_) first_capture_s_ = detection.t_capture();
+  const double time_s = detection.t_capture() - *first_capture_s_;
+  time_s_ = in_frame_.empty() ? time_s : std::max(time_s_, time_s);
+  cameras_.insert(detection.camera_id());
+  in_frame_.insert(detection.camera_id());
+  for (const Side side : kSides) {
+    for (const DetectionRobot& seen :
+         side == Side::kWest ? detection.robots_yellow() : detection.robots_blue()) {
+      if (!is_robot(seen)) continue;
+      RobotDetection& best = robots_[side][seen.robot_id()];
+      if (seen.confidence() <= best.confidence) continue;
+      best = {{static_cast<int>(seen.robot_id()),
+               {to_m(seen.x()), to_m(seen.y())},
+               heading_of(static_cast<double>(seen.orientation()))},
+              seen.confidence()};
+    }
+  }
+  for (const DetectionBall& ball : detection.balls()) collect_ball(ball, detection.camera_id());
+}
+
+void DetectionMerger::collect_ball(const DetectionBall& seen, std::uint32_t camera) {
+  if (!is_position(seen.x(), seen.y()) || !is_position(seen.z(), seen.z())) return;
+  BallDetection found{{{to_m(seen.x()), to_m(seen.y())}, std::nullopt, {}}, seen.confidence()};
+  if (seen.has_z()) found.ball.height_m = to_m(seen.z());
+  if (!seen.has_z()) found.ball.seen_from = camera_of(geometry_, camera, found.ball.position_m);
+  const auto is_better = [&](const BallDetection& one, const BallDetection& other) {
+    if (!last_ball_m_) return one.confidence > other.confidence;
+    return (one.ball.position_m - *last_ball_m_).squaredNorm() <
+           (other.ball.position_m - *last_ball_m_).squaredNorm();
+  };
+  if (!ball_ || is_better(found, *ball_)) ball_ = found;
+}
+
+const Frame* DetectionMerger::complete() {
+  frame_.number = frames_++;
+  frame_.time_s = time_s_;
+  for (const Side side : kSides) {
+    frame_.robots[side].clear();
+    for (RobotDetection& detection : robots_[side]) {
+      if (detection.confidence >= 0) frame_.robots[side].push_back(detection.robot);
+      detection.confidence = -1;
+    }
+  }
+  frame_.ball = ball_ ? std::optional(ball_->ball) : std::nullopt;
+  if (ball_) last_ball_m_ = ball_->ball.position_m;
+  ball_.reset();
+  in_frame_.clear();
+  last_time_s_ = time_s_;
+  return &frame_;
+}
+
+}  // namespace autoref::league

@@ -1,0 +1,145 @@
+#include "referee/touch/hull_intersections.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "soccer/geometry.hpp"
+#include "soccer/robot_shape.hpp"
+
+namespace autoref::referee {
+namespace {
+
+constexpr double kPathNear_m = 0.3;  // robots farther from the ball need no look
+constexpr int kPathSamples = 16;     // of the time between frames
+constexpr int kSamplesUnseen = 6;
+
+struct Sample {
+  Vec2 ball_m{0, 0};
+  double time_s = 0;
+  double variance_m2 = 0;  // of a gap
+};
+
+struct PathPose {
+  Vec2 position_m{0, 0};
+  Vec2 heading{1, 0};
+};
+
+class Walker {
+ public:
+  Walker(const BallMotionFilter& motion, bool goes_back,
+         const HullIntersectionParameters& parameters)
+      : motion_(motion), goes_back_(goes_back), parameters_(parameters) {}
+
+  // From one frame to the next; without its beginning, unless it is the first.
+  void go(const StoredFrame& from, const StoredFrame& to, int samples, double start_s,
+          bool is_first) {
+    for (int i = is_first ? 0 : 1; i <= samples; ++i) {
+      const double share = static_cast<double>(i) / samples;
+      const double time_s = from.time_s + (to.time_s - from.time_s) * share;
+      look(from, to, share, sample_at(time_s, start_s));
+    }
+  }
+
+  const Walk& walk() const { return walk_; }
+
+ private:
+  Sample sample_at(double time_s, double start_s) const {
+    const double gap_m2 = square(parameters_.contact_m) + square(parameters_.robot_m);
+    return {motion_.position_after(time_s - start_s), time_s,
+            gap_m2 + motion_.position_variance_after(time_s - start_s)};
+  }
+
+  void look(const StoredFrame& from, const StoredFrame& to, double share, const Sample& sample) {
+    double through_nll = walk_.through_nll;
+    for (const StoredFrame::Robot& robot : from.robots) {
+      if ((robot.position_m - sample.ball_m).squaredNorm() > square(kPathNear_m)) continue;
+      const PathPose pose = pose_of(robot, to, share);
+      const double gap_m =
+          distance_to_hull(sample.ball_m, pose.position_m, pose.heading) - kBallRadius_m;
+      HullIntersection* intersection = intersection_with(robot.id, gap_m);
+      if (intersection == nullptr) continue;
+      weigh(*intersection, pose, gap_m, sample);
+      const double inside_m = std::max(0.0, -gap_m - parameters_.slack_m);
+      through_nll = std::max(through_nll, square(inside_m) / sample.variance_m2);
+    }
+    walk_.through_nll = through_nll;
+  }
+
+  static PathPose pose_of(const StoredFrame::Robot& robot, const StoredFrame& to, double share) {
+    const auto other = std::find_if(to.robots.begin(), to.robots.end(),
+                                    [&robot](const auto& r) { return r.id == robot.id; });
+    if (other == to.robots.end()) return {robot.position_m, robot.heading};
+    const Vec2 heading = robot.heading + (other->heading - robot.heading) * share;
+    return {robot.position_m + (other->position_m - robot.position_m) * share,
+            direction_of(heading, robot.heading)};
+  }
+
+  HullIntersection* intersection_with(RobotId id, double gap_m) {
+    HullIntersections& intersections = walk_.intersections;
+    for (std::size_t i = 0; i < intersections.size(); ++i) {
+      if (intersections[i].robot == id) return &intersections[i];
+    }
+    if (intersections.size() == intersections.capacity()) return nullptr;
+    HullIntersection intersection;
+    intersection.robot = id;
+    intersections.push_back(intersection);
+    former_gaps_m_.push_back(gap_m);
+    return &intersections.back();
+  }
+
+  void weigh(HullIntersection& intersection, const PathPose& pose, double gap_m,
+             const Sample& sample) {
+    double& former_gap_m =
+        former_gaps_m_[static_cast<std::size_t>(&intersection - &walk_.intersections[0])];
+    const bool crosses = (gap_m > 0) != (former_gap_m > 0);
+    former_gap_m = gap_m;
+    intersection.least_gap_m = std::min(intersection.least_gap_m, gap_m);
+    const double least = std::min(intersection.bounce_nll, intersection.kick_nll);
+    const double off_m = crosses ? 0 : std::max(0.0, std::abs(gap_m) - parameters_.slack_m);
+    const double bounce_nll = walk_.through_nll + square(off_m) / sample.variance_m2;
+    const double kick_nll = walk_.through_nll + kick_nll_of(pose, sample);
+    intersection.bounce_nll = std::min(intersection.bounce_nll, bounce_nll);
+    intersection.kick_nll = std::min(intersection.kick_nll, kick_nll);
+    if (std::min(bounce_nll, kick_nll) >= least) return;
+    intersection.time_s = sample.time_s;
+    intersection.gap_m = std::max(0.0, gap_m);
+  }
+
+  double kick_nll_of(const PathPose& pose, const Sample& sample) const {
+    const Vec2 local_m = to_local(sample.ball_m - pose.position_m, pose.heading);
+    const double off_m = 3 * std::sqrt(sample.variance_m2);
+    const double before_m = local_m.x() - kFrontDistance_m - kBallRadius_m;
+    const bool in_dribbler_zone = local_m.x() > kFrontDistance_m - 5_mm &&
+                                  before_m <= parameters_.reach_m + off_m &&
+                                  std::abs(local_m.y()) <= kDribblerZoneWidth_m / 2 + off_m;
+    if (!in_dribbler_zone) return kNever;
+    if (!goes_back_) return 0;
+    const Vec2 along_mps = to_local(motion_.velocity_mps(), pose.heading);
+    const double angle_variance = square(parameters_.kick_rad) + square(parameters_.robot_rad);
+    const double variance =
+        angle_variance * along_mps.squaredNorm() + motion_.velocity_variance_m2ps2();
+    return (square(along_mps.y()) + square(std::min(0.0, along_mps.x()))) / variance;
+  }
+
+  const BallMotionFilter& motion_;
+  bool goes_back_;
+  const HullIntersectionParameters& parameters_;
+  Walk walk_;
+  boost::container::static_vector<double, HullIntersections::static_capacity> former_gaps_m_;
+};
+
+}  // namespace
+
+Walk walk(const BallMotionFilter& motion, const FrameHistory& frame_history, std::int64_t from,
+          std::int64_t to, const HullIntersectionParameters& parameters) {
+  const int step = to > from ? 1 : -1;
+  const int samples = from + step == to ? kPathSamples : kSamplesUnseen;
+  Walker walker(motion, step < 0, parameters);
+  for (std::int64_t i = from; i != to; i += step) {
+    walker.go(frame_history[i], frame_history[i + step], samples, frame_history[from].time_s,
+              i == from);
+  }
+  return walker.walk();
+}
+
+}  // namespace autoref::referee

@@ -1,0 +1,220 @@
+#include "referee/touch/hypothesis_tracker.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "referee/touch/touch_sources.hpp"
+#include "soccer/robot_shape.hpp"
+
+namespace autoref::referee {
+namespace {
+
+// A ball that rolls rather than slides, or the other way, by so much less cost does so surely.
+constexpr double kRollsSurely = 20;
+// A hypothesis that costs so much more than the cheapest does not catch up; twice what a touch by
+// nobody costs.
+constexpr double kTooUnlikely = 60;
+constexpr double kLeastSliding_mps2 = 3.0;  // what sliding takes on the slickest carpet
+constexpr double kBeforeKnown_s = 50_ms;    // a new way's speed is not known sooner
+constexpr std::int64_t kLongestGap = 64;    // frames, 1 s; more tell nothing of what was before
+
+}  // namespace
+
+SideMinima HypothesisTracker::track(std::int64_t first, const SideMinima& before) {
+  now_ = former_ = first;
+  begin(before);
+  for (std::int64_t i = first + 1; i <= basis_.frame_history.newest(); ++i) {
+    if (!basis_.frame_history[i].has_ball) continue;
+    former_ = now_;
+    now_ = i;
+    go_on();
+  }
+  return best_minima();
+}
+
+// Nothing is known of the ball but this detection, and what was before.
+void HypothesisTracker::begin(const SideMinima& minima) {
+  hypotheses_.clear();
+  hypotheses_.emplace_back();
+  TouchHypothesis& hypothesis = hypotheses_.back();
+  hypothesis.motion.start(now().ball_m, basis_.parameters.motion);
+  hypothesis.start = hypothesis.before = now_;
+  hypothesis.detections = 1;
+  hypothesis.untouched = hypothesis.minima = minima;
+}
+
+void HypothesisTracker::go_on() {
+  if (now_ - former_ > kLongestGap) {
+    begin(best_minima());
+    return;
+  }
+  add_rolling();
+  add_touch();
+  follow();
+  forget_unlikely();
+}
+
+// The cheapest hypothesis in which the ball slides goes on with a ball that rolls; in those in
+// which it would have slid for too long it rolls anyway.
+void HypothesisTracker::add_rolling() {
+  const auto roll = [this](TouchHypothesis& hypothesis) {
+    hypothesis.motion.begin_to_roll(basis_.parameters.motion);
+    hypothesis.motion_nll += basis_.parameters.roll_nll;
+  };
+  for (TouchHypothesis& hypothesis : hypotheses_) {
+    if (!hypothesis.motion.rolls() && !slides_still(hypothesis)) roll(hypothesis);
+  }
+  const TouchHypothesis* slides = cheapest_sliding();
+  if (slides == nullptr) return;
+  TouchHypothesis rolls = *slides;
+  roll(rolls);
+  hypotheses_.push_back(rolls);
+}
+
+const TouchHypothesis* HypothesisTracker::cheapest_sliding() const {
+  const TouchHypothesis* cheapest = nullptr;
+  for (const TouchHypothesis& hypothesis : hypotheses_) {
+    if (hypothesis.motion.rolls() || hypothesis.detections < 2) continue;
+    if (cheapest == nullptr || hypothesis.nll() < cheapest->nll()) cheapest = &hypothesis;
+  }
+  return cheapest;
+}
+
+// A ball slides for at most a third of its speed and its spin's, and spins as it rolled before.
+bool HypothesisTracker::slides_still(const TouchHypothesis& hypothesis) const {
+  const double former_mps = hypothesis.before_mps.norm();
+  const double at_first_mps = 1.5 * hypothesis.motion.velocity_mps().norm();
+  const double longest_s = 0.3 * (former_mps + at_first_mps) / kLeastSliding_mps2 + kBeforeKnown_s;
+  return now().time_s - basis_.frame_history[hypothesis.start].time_s <= longest_s;
+}
+
+const TouchHypothesis& HypothesisTracker::cheapest() const {
+  return *std::min_element(
+      hypotheses_.begin(), hypotheses_.end(),
+      [](const TouchHypothesis& a, const TouchHypothesis& b) { return a.nll() < b.nll(); });
+}
+
+// The hypotheses until now go on with a touch since the detection before: a soft one and a hard
+// one.
+void HypothesisTracker::add_touch() {
+  const BallMotionParameters& parameters = basis_.parameters.motion;
+  const BallMotionFilter& motion = cheapest().motion;
+  BallMotionFilter onwards = motion;
+  onwards.predict(since_former_s(), parameters);
+  const Vec2 onwards_m = onwards.position_after(0);
+  const double variance_m2 = onwards.position_variance_after(0) + square(parameters.detection_m);
+  const bool turns =
+      (now().ball_m - onwards_m).squaredNorm() > square(basis_.parameters.surely) * variance_m2;
+  if (!turns && !now().jumps && !may_be_touched(basis_, former_, now_, onwards_m)) return;
+  TouchHypothesis hypothesis = hypothesis_of_touch(motion, onwards_m);
+  hypothesis.is_soft = true;
+  hypotheses_.push_back(hypothesis);
+  hypothesis.is_soft = false;
+  hypotheses_.push_back(hypothesis);
+}
+
+TouchHypothesis HypothesisTracker::hypothesis_of_touch(const BallMotionFilter& motion,
+                                                       const Vec2& onwards_m) const {
+  TouchHypothesis hypothesis;
+  hypothesis.motion = motion;
+  hypothesis.start = now_;
+  hypothesis.before = former_;
+  hypothesis.before_mps = motion.velocity_mps();
+  hypothesis.goal_nll = goal_nll_of(basis_, former_, now_, onwards_m);
+  hypothesis.jumps = now().jumps;
+  hypothesis.minima = hypothesis.untouched = best_minima();
+  hypothesis.nll_until_touch = hypothesis.minima.least() + basis_.parameters.touch_nll;
+  const double lowest_m = std::min(now().height_m, basis_.frame_history[former_].height_m);
+  if (lowest_m <= kRobotHeight_m) find_touch_sources(hypothesis, basis_);
+  return hypothesis;
+}
+
+void HypothesisTracker::follow() {
+  if (now().jumps) {
+    follow_jump();
+    return;
+  }
+  for (TouchHypothesis& hypothesis : hypotheses_) {
+    follow(hypothesis);
+    // Who sent the ball on its way is the same whether it then slid or rolled.
+    const auto twin = std::find_if(
+        hypotheses_.begin(), hypotheses_.end(),
+        [&hypothesis](const TouchHypothesis& other) { return other.start == hypothesis.start; });
+    if (&*twin == &hypothesis) {
+      weigh_sources(hypothesis, now_, basis_);
+    } else {
+      hypothesis.minima = twin->minima;
+    }
+  }
+}
+
+// All but the newest hypothesis have lost the ball.
+void HypothesisTracker::follow_jump() {
+  hypotheses_.erase(hypotheses_.begin(), hypotheses_.end() - 1);
+  TouchHypothesis& hypothesis = hypotheses_.back();
+  hypothesis.motion.jump(now().ball_m, basis_.parameters.motion);
+  ++hypothesis.detections;
+  weigh_sources(hypothesis, now_, basis_);
+}
+
+void HypothesisTracker::follow(TouchHypothesis& hypothesis) const {
+  const TouchHypothesisParameters& p = basis_.parameters;
+  const bool is_new = hypothesis.start == now_;
+  if (!is_new && now_ - former_ > 1) {
+    // A ball unseen goes through nobody either.
+    const Walk unseen =
+        walk(hypothesis.motion, basis_.frame_history, former_, now_, p.intersection);
+    hypothesis.motion_nll += std::min(unseen.through_nll, p.unlikely_nll);
+  }
+  hypothesis.motion.predict(since_former_s(), p.motion);
+  if (is_new) hypothesis.motion.touch(since_former_s(), hypothesis.is_soft, p.motion);
+  hypothesis.motion_nll += hypothesis.motion.correct(now().ball_m, p.motion);
+  ++hypothesis.detections;
+}
+
+SideMinima HypothesisTracker::best_minima() const {
+  SideMinima best;
+  for (const TouchHypothesis& hypothesis : hypotheses_) {
+    for (const Toucher toucher : {kNobody, kWest, kEast}) {
+      best.offer(toucher, hypothesis.minima.nll[toucher] + hypothesis.motion_nll,
+                 hypothesis.minima.touch[toucher]);
+    }
+  }
+  return best;
+}
+
+void HypothesisTracker::forget_unlikely() {
+  Nlls nlls;
+  for (const TouchHypothesis& hypothesis : hypotheses_) nlls.push_back(hypothesis.nll());
+  double most = *std::min_element(nlls.begin(), nlls.end()) + kTooUnlikely;
+  strike_twins(nlls);
+  if (nlls.size() > kMostHypotheses) {
+    Nlls sorted = nlls;
+    std::nth_element(sorted.begin(), sorted.begin() + kMostHypotheses - 1, sorted.end());
+    most = std::min(most, sorted[kMostHypotheses - 1]);
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < nlls.size(); ++i) {
+    if (nlls[i] > most || kept == kMostHypotheses) continue;
+    if (kept != i) hypotheses_[kept] = hypotheses_[i];
+    ++kept;
+  }
+  hypotheses_.resize(kept);
+}
+
+// Of hypotheses that begin with the same touch one is enough once the ball rolls in both, or surely
+// in one.
+void HypothesisTracker::strike_twins(Nlls& nlls) const {
+  for (std::size_t i = 0; i < nlls.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const TouchHypothesis& a = hypotheses_[i];
+      const TouchHypothesis& b = hypotheses_[j];
+      if (a.start != b.start || a.is_soft != b.is_soft) continue;
+      const bool both_roll = a.motion.rolls() && b.motion.rolls();
+      if (!both_roll && std::abs(nlls[i] - nlls[j]) < kRollsSurely) continue;
+      nlls[nlls[i] < nlls[j] ? j : i] = kNever;
+    }
+  }
+}
+
+}  // namespace autoref::referee

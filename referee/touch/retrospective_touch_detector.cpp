@@ -1,0 +1,66 @@
+#include "referee/touch/retrospective_touch_detector.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "referee/touch/hypothesis_tracker.hpp"
+#include "referee/touch/touch_hypothesis.hpp"
+
+namespace autoref::referee {
+namespace {
+
+// Of two robots, one of each side.
+LastTouch unknown_touch(const LastTouch& west, const LastTouch& east) {
+  LastTouch touch;
+  touch.time_s = std::max(west.time_s, east.time_s);
+  touch.gap_m = std::min(west.gap_m, east.gap_m);
+  touch.speed_change_mps = std::max(west.speed_change_mps, east.speed_change_mps);
+  return touch;
+}
+
+}  // namespace
+
+RetrospectiveTouchDetector::RetrospectiveTouchDetector(const Field& field,
+                                                       const TouchHypothesisParameters& parameters,
+                                                       const VisionNoise& noise)
+    : field_(field), parameters_(parameters) {
+  parameters_.motion.detection_m = std::max(noise.ball_m, parameters.motion.detection_m);
+  parameters_.intersection.robot_m = noise.robot_m;
+  parameters_.intersection.robot_rad = noise.robot_rad;
+  parameters_.near_m += 3 * noise.ball_m;
+}
+
+void RetrospectiveTouchDetector::restart(const Frame& frame, const std::optional<Vec2>& ball_m) {
+  frame_history_.clear();
+  if (!ball_m) return;
+  Frame still = frame;
+  still.ball = BallObservation{*ball_m, 0.0};
+  frame_history_.push(still);
+}
+
+double RetrospectiveTouchDetector::window_start_s(const LastTouch& reported) const {
+  if (frame_history_.empty()) return 0;
+  const double now_s = frame_history_[frame_history_.newest()].time_s;
+  return std::min(now_s - parameters_.window_s, reported.time_s - parameters_.before_reported_s);
+}
+
+LastTouch RetrospectiveTouchDetector::detect(const LastTouch& reported) const {
+  const std::int64_t first = frame_history_.first_detection(window_start_s(reported));
+  if (first > frame_history_.newest()) return reported;
+  const bool is_reported_before = reported.side && reported.time_s < frame_history_[first].time_s;
+  SideMinima before;
+  before.offer(is_reported_before ? toucher_of(*reported.side) : kNobody, 0, reported);
+  const SideMinima best =
+      HypothesisTracker({field_, parameters_, frame_history_}).track(first, before);
+  if (best.nll[kNobody] <= std::min(best.nll[kWest], best.nll[kEast])) return reported;
+  const double lead = best.nll[kEast] - best.nll[kWest];
+  if (std::abs(lead) < parameters_.lead_nll) {
+    return unknown_touch(best.touch[kWest], best.touch[kEast]);
+  }
+  LastTouch last = best.touch[lead > 0 ? kWest : kEast];
+  const LastTouch& other = best.touch[lead > 0 ? kEast : kWest];
+  if (other.robot) last.runner_up = other.robot;
+  return last;
+}
+
+}  // namespace autoref::referee

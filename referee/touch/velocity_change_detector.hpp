@@ -1,0 +1,62 @@
+// Changes of the ball's velocity that noise hides from frame to frame, but not over a few frames.
+//
+// Straight lines are fitted to the ball's way before and after each detection. Where they differ by
+// more than the carpet and the noise of both explain, and by more than at the detections beside,
+// the ball met something there. It is known some frames later.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "referee/touch/touch_candidates.hpp"
+#include "referee/touch_parameters.hpp"
+
+namespace autoref::referee {
+
+struct VelocityChange {
+  const Detection* before =
+      nullptr;  // the detections beside the velocity change; valid until the next one
+  const Detection* after = nullptr;
+  double since_s = 0;  // time of the oldest detection that tells of it
+  BallSegment segment;
+  Impulse impulse;
+};
+
+class VelocityChangeDetector {
+ public:
+  explicit VelocityChangeDetector(const TouchParameters& parameters) : parameters_(parameters) {}
+
+  // Forgets all detections.
+  void restart() { known_ = 0; }
+
+  // Takes in a detection; the velocity change that it completes, if there is one.
+  std::optional<VelocityChange> update(const Detection& detection);
+
+ private:
+  static constexpr int kHalf = 4;  // intervals on either side
+  static constexpr int kKept = 2 * kHalf + 2;
+
+  // A straight, even way fitted to detections.
+  struct Line {
+    double middle_s = 0;
+    Vec2 middle_m{0, 0};
+    Vec2 velocity_mps{0, 0};
+    double variance_m2ps2 = 0;  // of each coordinate of the velocity
+    Vec2 at(double time_s) const { return middle_m + velocity_mps * (time_s - middle_s); }
+  };
+
+  const Detection& detection(int back) const {
+    return detections_[static_cast<std::size_t>((newest_ + kKept - back) % kKept)];
+  }
+  Line line_through(int newest_back, int oldest_back) const;
+  Vec2 unexplained_change_mps(const Line& before, const Line& after) const;
+
+  TouchParameters parameters_;
+  std::array<Detection, kKept> detections_;
+  int newest_ = 0;
+  int known_ = 0;
+  double former_excess_ = 0;  // of the change, in what is explained, at the middle before
+  VelocityChange former_;     // there, but for the detections
+};
+
+}  // namespace autoref::referee

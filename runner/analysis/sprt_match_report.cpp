@@ -1,0 +1,84 @@
+#include "runner/analysis/sprt_match_report.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "runner/analysis/standings_report.hpp"
+#include "runner/experiments/sprt_settings.hpp"
+#include "runner/io/csv.hpp"
+
+namespace autoref::runner {
+namespace {
+
+std::string sentence(const SprtMatch& match, const SprtMatchState& state) {
+  const Matchup matchup = matchup_of(match);
+  const std::string goals =
+      fmt::format("goals a game of {} over {}", matchup.team_a, matchup.team_b);
+  switch (state.test.verdict) {
+    case Verdict::kAcceptD0:
+      return fmt::format("d0 is accepted: {} {}, not {}", match.sprt.d0, goals, match.sprt.d1);
+    case Verdict::kAcceptD1:
+      return fmt::format("d1 is accepted: {} {}, not {}", match.sprt.d1, goals, match.sprt.d0);
+    case Verdict::kUndecided:
+      return fmt::format("undecided between d0 = {} and d1 = {} {}", match.sprt.d0, match.sprt.d1,
+                         goals);
+    case Verdict::kGoOn:
+      break;
+  }
+  return fmt::format("not yet decided between d0 = {} and d1 = {} {}", match.sprt.d0, match.sprt.d1,
+                     goals);
+}
+
+// As many digits as tell it, an infinite one as a word.
+std::string ratio_text(double ratio) {
+  if (std::isinf(ratio)) return ratio > 0 ? "inf" : "-inf";
+  return fmt::format("{:.4f}", ratio);
+}
+
+}  // namespace
+
+std::string name_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kAcceptD0:
+      return "d0";
+    case Verdict::kAcceptD1:
+      return "d1";
+    case Verdict::kUndecided:
+      return "undecided";
+    case Verdict::kGoOn:
+      break;
+  }
+  return "none";
+}
+
+std::string sprt_match_csv(const SprtMatch& match, const Group& matchup,
+                           const SprtMatchState& state) {
+  Cells columns = matchup_columns();
+  append(columns, {"verdict", "test_pairs", "void_pairs", "log_likelihood_ratio", "d0", "d1",
+                   "alpha", "beta", "min_pairs", "max_pairs"});
+  Cells cells = matchup_cells(matchup);
+  append(cells, {name_of(state.test.verdict), std::to_string(state.test.pairs),
+                 std::to_string(state.void_pairs), ratio_text(state.test.log_likelihood_ratio)});
+  SequentialTest test = match.sprt;
+  for (const Setting& setting : settings_of(test)) cells.push_back(value_of(setting));
+  return csv_line(columns) + "\n" + csv_line(cells) + "\n";
+}
+
+std::string sprt_match_table(const SprtMatch& match, const Group& matchup,
+                             const SprtMatchState& state) {
+  const SequentialTest& test = match.sprt;
+  std::string text =
+      matchups_table({matchup}) +
+      fmt::format(
+          "\n{}\nafter {} pairs of legs (of {} to {}): log likelihood ratio {:+.2f}, "
+          "bounds {:+.2f} and {:+.2f}\n",
+          sentence(match, state), state.test.pairs, test.min_pairs, test.max_pairs,
+          state.test.log_likelihood_ratio, bound_of_d0(test), bound_of_d1(test));
+  if (state.void_pairs > 0) {
+    text += fmt::format("{} pairs with a void leg are left out of the test\n", state.void_pairs);
+  }
+  return text;
+}
+
+}  // namespace autoref::runner

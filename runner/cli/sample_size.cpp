@@ -1,0 +1,101 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <numbers>
+
+#include "runner/cli/command_line.hpp"
+#include "runner/io/errors.hpp"
+#include "runner/io/json.hpp"
+#include "runner/io/words.hpp"
+#include "runner/statistics/sample_size.hpp"
+
+namespace autoref::runner {
+namespace {
+
+// A flag's number, which has to be above 0.
+double positive(const std::string& flag, const std::string& text) {
+  const std::optional<double> number = number_in(text);
+  if (number && *number > 0) return *number;
+  throw InputError({flag}, "", fmt::format("expected a number above 0, found '{}'", text));
+}
+
+double share(const std::string& flag, const std::string& text) {
+  const std::optional<double> number = number_in(text);
+  if (number && *number > 0 && *number < 1) return *number;
+  throw InputError({flag}, "",
+                   fmt::format("expected a number between 0 and 1, both excluded, such as 0.8, "
+                               "found '{}'",
+                               text));
+}
+
+int games_for(const DifferenceSought& sought, double power) {
+  if (const std::optional<int> games = games_needed(sought, power)) return *games;
+  throw InputError({"--delta"}, "",
+                   fmt::format("noticing {} goals a game where a game's standard deviation is {} "
+                               "takes more than {} games; seek a larger difference, or be content "
+                               "with less power",
+                               sought.delta, sought.sd, kMostScheduledGames));
+}
+
+std::string text_of(const DifferenceSought& sought, double power, int games) {
+  return fmt::format(
+      "{} pairs of legs, {} games, notice a true difference of {} goals a game with probability\n"
+      "{:.3f} (at least {} was asked for).\n\n"
+      "--sd {} is the standard deviation of one game's goal difference. The unit of the test is\n"
+      "the pair of legs: its mean goal difference, legs taken as independent, has the standard\n"
+      "deviation {} / sqrt(2) = {:.4g}. The test is the two-sided t test of the pairs' mean\n"
+      "against 0, at level {}.\n",
+      games / 2, games, sought.delta, power_of(sought, games / 2), power, sought.sd, sought.sd,
+      sought.sd / std::numbers::sqrt2, sought.alpha);
+}
+
+std::string json_of(const DifferenceSought& sought, double power, int games) {
+  return JsonObject()
+             .add("delta", json_number(sought.delta))
+             .add("sd_of_a_game", json_number(sought.sd))
+             .add("alpha", json_number(sought.alpha))
+             .add("power_asked", json_number(power))
+             .add("power", json_number(power_of(sought, games / 2)))
+             .add("pairs", std::to_string(games / 2))
+             .add("games", std::to_string(games))
+             .text() +
+         "\n";
+}
+
+}  // namespace
+
+int sample_size_verb(const SampleSizeArguments& arguments) {
+  const DifferenceSought sought{positive("--delta", arguments.delta),
+                                positive("--sd", arguments.sd)};
+  const double power = share("--power", arguments.power);
+  const int games = games_for(sought, power);
+  fmt::print("{}", arguments.json ? json_of(sought, power, games) : text_of(sought, power, games));
+  return kDone;
+}
+
+void add_sample_size_verb(CLI::App& app, Chosen& chosen) {
+  CLI::App* verb =
+      app.add_subcommand("sample-size", "Compute how many games it takes to notice a difference.");
+  auto arguments = std::make_shared<SampleSizeArguments>();
+  verb->add_option("--delta", arguments->delta, "Difference to notice, in goals a game.")
+      ->required()
+      ->type_name("GOALS");
+  verb->add_option("--sd", arguments->sd,
+                   "Standard deviation of ONE GAME's goal difference (not of a pair's mean).")
+      ->required()
+      ->type_name("GOALS");
+  verb->add_option("--power", arguments->power,
+                   "Probability of noticing it, between 0 and 1 (default 0.8).")
+      ->type_name("SHARE");
+  verb->add_flag("--json", arguments->json, "Print one JSON object.");
+  verb->footer(
+      "The unit of the test is the pair of legs, as in an experiment's intervals: a two-sided\n"
+      "t test (level 0.05) of the pairs' mean goal differences. Legs are taken as independent,\n"
+      "so that the standard deviation of a pair's mean is that of a game divided by sqrt(2).\n\n"
+      "Example:\n  autoref sample-size --delta 0.5 --sd 2 --power 0.8");
+  verb->callback(
+      [arguments, &chosen] { chosen = [arguments] { return sample_size_verb(*arguments); }; });
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,58 @@
+#include "runner/experiments/judge_schedule.hpp"
+
+#include <fmt/format.h>
+
+#include "runner/experiments/schedule.hpp"
+#include "runner/settings/fields.hpp"
+
+namespace autoref::runner {
+namespace {
+
+// A book brings its own length of halves, which the base's replaces.
+void set_rules(GameConfiguration& game, const std::string& rules) {
+  const MatchConfiguration base = game.match;
+  set_by_path(game, "match.rules", rules);
+  game.match.half_s = base.half_s;
+  game.match.halves = base.halves;
+}
+
+JudgeGame game_of(const JudgeSchedule& schedule, const std::string& rules,
+                  const std::string& camera, int number) {
+  const int pair = (number + 1) / 2;
+  const int leg = 2 - number % 2;
+  JudgeGame game{"", rules, camera, schedule.base};
+  set_rules(game.configuration, rules);
+  set_by_path(game.configuration, "sim.camera", camera);
+  if (!schedule.matchups.empty()) {
+    const auto& matchup =
+        schedule.matchups[static_cast<std::size_t>(pair - 1) % schedule.matchups.size()];
+    game.configuration.a.strategy = matchup[0];
+    game.configuration.b.strategy = matchup[1];
+  }
+  set_leg(game.configuration, schedule.seed, pair, leg);
+  game.id =
+      fmt::format("{} {} {} {}", rules, camera,
+                  name_of({game.configuration.a.strategy, game.configuration.b.strategy}), number);
+  check_game(game.configuration);
+  return game;
+}
+
+}  // namespace
+
+std::string name_of(const std::array<std::string, 2>& matchup) {
+  return matchup[0] + "~" + matchup[1];
+}
+
+std::vector<JudgeGame> games_of(const JudgeSchedule& schedule) {
+  std::vector<JudgeGame> games;
+  for (int number = 1; number <= schedule.games; ++number) {
+    for (const std::string& rules : schedule.rules) {
+      for (const std::string& camera : schedule.cameras) {
+        games.push_back(game_of(schedule, rules, camera, number));
+      }
+    }
+  }
+  return games;
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,112 @@
+#include "runner/experiments/schedule.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "runner/settings/fields.hpp"
+#include "soccer/random.hpp"
+
+namespace autoref::runner {
+namespace {
+
+// As many rows are held in memory and written as one results.csv.
+constexpr int kMostGames = 100000;
+
+std::string name_of(const Sweep& sweep, const std::vector<std::string>& values) {
+  std::string id;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    id += fmt::format("{}{}={}", i == 0 ? "" : "+", sweep.factors[i].path, values[i]);
+  }
+  return id;
+}
+
+GameConfiguration configured(const Sweep& sweep, const std::vector<std::string>& values) {
+  GameConfiguration game = sweep.base;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    set_by_path(game, sweep.factors[i].path, values[i]);
+  }
+  check_game(game);
+  return game;
+}
+
+ScheduledGame scheduled(const Sweep& sweep, const std::vector<std::string>& values,
+                        const GameConfiguration& configuration, int pair, int leg) {
+  ScheduledGame game{game_id(name_of(sweep, values), pair, leg),
+                     values,
+                     pair,
+                     leg,
+                     configuration,
+                     configuration.a.strategy,
+                     configuration.b.strategy};
+  set_leg(game.configuration, sweep.seed, pair, leg);
+  return game;
+}
+
+// Counted in floating point: a product of many factors must not overflow.
+double games_in(const Sweep& sweep) {
+  double games = 2.0 * sweep.pairs;
+  for (const Factor& factor : sweep.factors) games *= static_cast<double>(factor.values.size());
+  return games;
+}
+
+}  // namespace
+
+std::string game_id(std::string_view played, int pair, int leg) {
+  return fmt::format("{}-p{:04}-{}", played, pair, leg);
+}
+
+void set_leg(GameConfiguration& game, std::uint64_t master_seed, int pair, int leg) {
+  game.match.a_plays = leg % 2 == 1 ? Side::kWest : Side::kEast;
+  game.match.first_kickoff = pair % 2 == 1 ? Side::kWest : Side::kEast;
+  game.seed = seed_of(master_seed, pair, leg);
+}
+
+void refuse_too_many(double games) {
+  if (games <= kMostGames) return;
+  throw std::invalid_argument(
+      fmt::format("pairs: with these there are {:.0f} games; at most {} fit one experiment", games,
+                  kMostGames));
+}
+
+std::uint64_t seed_of(std::uint64_t master_seed, int pair, int leg) {
+  const std::uint64_t of_pair = mix_bits(mix_bits(master_seed) + static_cast<std::uint64_t>(pair));
+  return mix_bits(of_pair + static_cast<std::uint64_t>(leg)) >> 11;
+}
+
+std::vector<std::vector<std::string>> combinations(const std::vector<Factor>& factors) {
+  std::vector<std::vector<std::string>> all = {{}};
+  for (const Factor& factor : factors) {
+    std::vector<std::vector<std::string>> longer;
+    for (const std::vector<std::string>& start : all) {
+      for (const std::string& value : factor.values) {
+        longer.push_back(start);
+        longer.back().push_back(value);
+      }
+    }
+    all = std::move(longer);
+  }
+  return all;
+}
+
+std::vector<ScheduledGame> scheduled_games(const Sweep& sweep) {
+  refuse_too_many(games_in(sweep));
+  const std::vector<std::vector<std::string>> all = combinations(sweep.factors);
+  std::vector<GameConfiguration> configurations;
+  configurations.reserve(all.size());
+  for (const std::vector<std::string>& values : all) {
+    configurations.push_back(configured(sweep, values));
+  }
+  std::vector<ScheduledGame> games;
+  for (int pair = 1; pair <= sweep.pairs; ++pair) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      for (const int leg : {1, 2}) {
+        games.push_back(scheduled(sweep, all[i], configurations[i], pair, leg));
+        games.back().unit = (games.size() - 1) / 2;
+      }
+    }
+  }
+  return games;
+}
+
+}  // namespace autoref::runner

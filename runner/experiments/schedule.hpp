@@ -1,0 +1,49 @@
+// From an experiment to its list of games: a sweep's, and what others share with it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runner/experiments/scenario.hpp"
+
+namespace autoref::runner {
+
+struct ScheduledGame {
+  std::string id;                   // "b.handicap=0.8-p0007-2": values, pair, leg
+  std::vector<std::string> values;  // of the factors, in the sweep's order
+  int pair = 1;                     // counted from 1
+  int leg = 1;                      // odd: team a in the west; even: team a in the east
+  GameConfiguration configuration;
+  std::string team_a = {};  // what rows call them: a sweep's by their strategies
+  std::string team_b = {};
+  std::size_t unit = 0;  // games of one unit go to the same shard: a pair's legs
+};
+
+// The games in the order in which they are played: both legs of a pair back to back, and pair by
+// pair over all values, so that a run that is cut short is balanced.
+//
+// A game depends on its own values, pair and leg only: adding values or pairs changes no other
+// game. Throws std::invalid_argument where values do not go together.
+std::vector<ScheduledGame> scheduled_games(const Sweep& sweep);
+
+// "b.handicap=0.8-p0007-2" from what is played, the pair and the leg.
+std::string game_id(std::string_view played, int pair, int leg);
+
+// What a leg decides: who plays where, who kicks off first, and the seed. The side that kicks off
+// first is west in odd pairs and east in even ones, for both legs; so each team kicks off first in
+// one leg of every pair, and over two pairs once from each side.
+void set_leg(GameConfiguration& game, std::uint64_t master_seed, int pair, int leg);
+
+// Throws std::invalid_argument where an experiment has more games than fit one.
+void refuse_too_many(double games);
+
+// The combinations of the factors' values, the last factor changing fastest.
+std::vector<std::vector<std::string>> combinations(const std::vector<Factor>& factors);
+
+// A game's seed, below 2^53 so that every program reads it exactly. It does not depend on the
+// factors' values: the same pair meets the same chances under each value.
+std::uint64_t seed_of(std::uint64_t master_seed, int pair, int leg);
+
+}  // namespace autoref::runner

@@ -1,0 +1,48 @@
+// The straight way of a kicked ball that nobody meets, by the closed forms of sim::BallParameters.
+#pragma once
+
+#include <array>
+
+#include "sim/configuration.hpp"
+#include "soccer/geometry.hpp"
+
+namespace autoref::runner {
+
+// A flat kick slides and then rolls. A chip flies and then rolls: its later hops are left out,
+// which makes it a few hundredths too far.
+class BallTrajectory {
+ public:
+  // From `from_m` at `velocity_mps` in the plane and `vertical_mps` upwards.
+  BallTrajectory(const Vec2& from_m, const Vec2& velocity_mps, double vertical_mps,
+                 const sim::BallParameters& ball);
+
+  Vec2 point_m(double path_m) const { return from_m_ + path_m * direction_; }
+  const Vec2& from_m() const { return from_m_; }
+  const Vec2& direction() const { return direction_; }  // unit vector
+  double flight_m() const { return flight_m_; }         // the first one's length; 0 for a flat kick
+  double reach_m() const { return phases_[0].length_m + phases_[1].length_m; }  // until it rests
+
+  // At `path_m` from the kick, which must be from 0 to reach_m().
+  double speed_mps(double path_m) const;
+  double time_s(double path_m) const;
+  double height_m(double path_m) const;  // of the lowest point, in the first flight
+
+ private:
+  // Slows down evenly.
+  struct Phase {
+    double speed_mps = 0;  // at its beginning
+    double slowing_mps2 = 0;
+    double length_m = 0;
+
+    double speed_at_mps(double path_m) const;
+    double time_at_s(double path_m) const;
+  };
+
+  Vec2 from_m_;
+  Vec2 direction_;
+  double vertical_mps_;
+  double flight_m_ = 0;
+  std::array<Phase, 2> phases_;
+};
+
+}  // namespace autoref::runner

@@ -1,0 +1,34 @@
+#include "runner/judge/truth/grace_timer.hpp"
+
+namespace autoref::runner::ground_truth {
+
+// Whether the grace is over just now.
+bool GraceTimer::Watch::is_over(double time_s, bool offends, double grace_s, int spell) {
+  if (!offends) {
+    since_s.reset();
+    return false;
+  }
+  if (!since_s) since_s = time_s;
+  if (reported == spell || time_s - *since_s < grace_s) return false;
+  reported = spell;
+  return true;
+}
+
+void GraceTimer::watch(const Scene& scene, int spell, RobotId id, const sim::RobotState& robot,
+                       double excess, double grace_s, TrueEvents& all) {
+  grace_s -= scene.frame_s / 2;  // frames are whole frames apart
+  Watches& watches = watches_[id.side][id.number];
+  if (watches.spell != spell) watches = {spell, {}, {}, {}};
+  TrueEvent is_due{name_, scene.time_s, id.side, id, robot.position_m};
+  watches.clearly.is_over(scene.time_s, excess > margin_, grace_s, spell);
+  if (watches.truly.is_over(scene.time_s, excess > 0, grace_s, spell)) {
+    is_due.is_borderline = watches.clearly.reported != spell;
+    all.push_back(is_due);
+  } else if (watches.nearly.is_over(scene.time_s, excess > -margin_, grace_s, spell) &&
+             watches.truly.reported != spell) {
+    is_due.standing = Standing::kNearMiss;
+    all.push_back(is_due);
+  }
+}
+
+}  // namespace autoref::runner::ground_truth

@@ -1,0 +1,65 @@
+#include "runner/logs/log_referee.hpp"
+
+#include <utility>
+
+#include "runner/game/event_log.hpp"
+
+namespace autoref::runner {
+namespace {
+
+// The same robots with the same colours, from the other end.
+Frame turned(const Frame& frame) {
+  Frame other = mirrored(frame);
+  std::swap(other.robots[Side::kWest], other.robots[Side::kEast]);
+  return other;
+}
+
+class LogReferee final : public league::LogVisitor {
+ public:
+  explicit LogReferee(const referee::Configuration& configuration) : referee_(configuration) {}
+
+  void on_frame(const Frame& frame) override {
+    if (referee_.is_over()) return;
+    referee_.update(is_turned_ ? turned(frame) : frame, {});
+    for (const referee::Decision& decision : referee_.decisions()) {
+      ++decisions_;
+      log_.on_decision(decision);
+      if (decision.command) calls_.take(decision.time_s, *decision.command);
+    }
+  }
+
+  void on_referee(double /*time_s*/, const league::RefereePacket& packet) override {
+    if (packet.has_blue_team_on_positive_half()) is_turned_ = !packet.blue_team_on_positive_half();
+  }
+
+  LogRefereeResult evaluation(const Agreement& agreement) const {
+    LogRefereeResult evaluation{agreement, {}, log_.text(), decisions_};
+    for (const PerSide<int>& half : referee_.goals_by_half()) {
+      for (const Side side : kSides) evaluation.goals[side] += half[side];
+    }
+    return evaluation;
+  }
+
+  const std::vector<Call>& calls() const { return calls_.calls(); }
+
+ private:
+  referee::Referee referee_;
+  EventLog log_;
+  CallMaker calls_;
+  bool is_turned_ = false;
+  int decisions_ = 0;
+};
+
+}  // namespace
+
+LogRefereeResult referee_log(const std::filesystem::path& log, const RecordedFacts& facts,
+                             const referee::Configuration& configuration) {
+  LogReferee judge(configuration);
+  league::read_log(log, judge);
+  CallMaker recorded;
+  for (const RecordedCommand& command : facts.commands)
+    recorded.take(command.time_s, command.command);
+  return judge.evaluation(agreement_of(recorded.calls(), judge.calls()));
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,66 @@
+#include "runner/processes/standings_table.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+
+#include <algorithm>
+
+#include <vector>
+
+namespace autoref::runner {
+namespace {
+
+bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }
+
+// The first `columns` characters of a line of UTF-8, each of which takes one column.
+std::string_view cut(std::string_view line, int columns) {
+  int characters = 0;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (begins_character(line[i]) && ++characters > columns) return line.substr(0, i);
+  }
+  return line;
+}
+
+std::vector<std::string_view> lines_of(std::string_view text) {
+  std::vector<std::string_view> lines;
+  while (!text.empty()) {
+    const std::size_t end = text.find('\n');
+    lines.push_back(text.substr(0, end));
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  }
+  return lines;
+}
+
+}  // namespace
+
+Screen screen_of(std::FILE* stream) {
+  winsize size{};
+  if (ioctl(fileno(stream), TIOCGWINSZ, &size) != 0 || size.ws_row == 0 || size.ws_col == 0) {
+    return {};
+  }
+  return {size.ws_row, size.ws_col};
+}
+
+std::string bar_text(int done, int total) {
+  constexpr int kWidth = 24;
+  const int filled = total == 0 ? kWidth : kWidth * done / total;
+  return fmt::format("[{:#<{}}{:.<{}}] ", "", filled, "", kWidth - filled);
+}
+
+// A line that filled the last column, or the last row, could make the terminal scroll.
+std::string standings_table(std::string_view bar, std::string_view table, const Screen& screen) {
+  std::vector<std::string_view> lines = lines_of(table);
+  const auto most = static_cast<std::size_t>(std::max(0, screen.rows - 2));
+  std::string more;
+  if (lines.size() > most) {
+    more = fmt::format("... {} more lines", lines.size() - most + 1);
+    lines.resize(most);
+    if (most > 0) lines.back() = more;
+  }
+  std::string view = fmt::format("{}{}", kClearTable, cut(bar, screen.columns - 1));
+  for (const std::string_view line : lines)
+    view += fmt::format("\n{}", cut(line, screen.columns - 1));
+  return lines.empty() ? view : view + fmt::format("\r\033[{}A", lines.size());
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,23 @@
+// Where kicker and dribbler work: before the front plate.
+#pragma once
+
+#include <cmath>
+
+#include "sim/box2d_bridge.hpp"
+#include "soccer/robot_shape.hpp"
+
+namespace autoref::sim {
+
+// Whether a ball at `ball_m`, its lowest point at `height_m`, is in the robot's mouth: its surface
+// within `reach_m` of the plate, its centre within the mouth's width, and low enough for a bar at
+// the height of a lying ball's middle.
+inline bool is_in_dribbler_zone(const BodyState& robot, const Vec2& ball_m, double height_m,
+                                double reach_m) {
+  if (height_m > kBallRadius_m) return false;
+  const Vec2 local_m = to_local(ball_m - robot.position_m, robot.heading);
+  return local_m.x() > kFrontDistance_m &&
+         local_m.x() <= kFrontDistance_m + kBallRadius_m + reach_m &&
+         std::abs(local_m.y()) <= kDribblerZoneWidth_m / 2.0;
+}
+
+}  // namespace autoref::sim

@@ -1,0 +1,43 @@
+// Who does what: the parts that a play gives to the robots.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "strategies/tactics/predicted_state.hpp"
+
+namespace autoref::strategies {
+
+enum class Role : std::uint8_t { kNone, kKeeper, kBall, kReceiver, kStands, kTaker };
+
+// A robot's part, and where it is to be for it, if that is a place.
+struct Task {
+  Role role = Role::kNone;
+  Waypoint waypoint;
+};
+
+class RoleAssignment {
+ public:
+  explicit RoleAssignment(const PredictedState& predicted) : predicted_(&predicted) {}
+
+  bool is_free(int index) const { return task(index).role == Role::kNone; }
+  const Task& task(int index) const { return tasks_[static_cast<std::size_t>(index)]; }
+  int free_robots() const;
+
+  void give(int index, Role role, const Waypoint& waypoint = {});
+
+  // The free robot that is soonest at the place; -1 without free robots.
+  int nearest_free(const Vec2& position_m) const;
+
+  // Makes the places permitted, and moves those apart where two robots could not stand both.
+  void spread();
+
+  // Sends the nearest free robot to stand there, if there is one.
+  void send_nearest(const Waypoint& waypoint);
+
+ private:
+  const PredictedState* predicted_;
+  std::array<Task, kMaxRobots> tasks_;
+};
+
+}  // namespace autoref::strategies

@@ -1,0 +1,181 @@
+#include "strategies/tactics/predicted_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "soccer/robot_shape.hpp"
+#include "strategies/skills/prediction.hpp"
+
+namespace autoref::strategies {
+namespace {
+
+// Both areas as discs that touch their front lines, where the robot neither is in one nor goes
+// there.
+void add_areas(const PredictedState& predicted, const TrackedRobot& robot, const Vec2& target_m,
+               Obstacles& obstacles) {
+  for (const Side side : kSides) {
+    const Vec2 goal_m = predicted.field().goal_centre_m(side);
+    const double apart_m = side == Side::kEast ? predicted.limits().keep_from_area_m : 0;
+    const double radius_m =
+        predicted.field().defence_area.depth_m + std::max(apart_m, predicted.style().off_area_m);
+    if ((robot.position_m - goal_m).norm() > radius_m && (target_m - goal_m).norm() > radius_m)
+      obstacles.push_back({goal_m, radius_m});
+  }
+}
+
+}  // namespace
+
+PredictedState::PredictedState(const TeamContext& context, const Style& style)
+    : context_(context), style_(style) {}
+
+void PredictedState::update(const TeamView& view) {
+  look_ahead(view, now_);
+  path_.follow(view.ball, view.latency_s);
+  now_.ball.position_m = path_.now_m();
+  position_m_ = now_.placement_m.value_or(now_.ball.position_m);
+  intercept_ball();
+  settle_possession();
+}
+
+const Abilities& PredictedState::abilities(int index) const {
+  return context_.robots[static_cast<std::size_t>(robot(index).number)];
+}
+
+// Opponents are looked at every other frame only.
+void PredictedState::intercept_ball() {
+  for (int i = 0; i < robots(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    interceptions_[at] = intercept(robot(i), path_, abilities(i), field());
+  }
+  theirs_ = {path_.end_m(), std::numeric_limits<double>::infinity()};
+  their_fastest_ = -1;
+  static const Abilities kUsual;
+  for (int i = 0; i < static_cast<int>(now_.opponents.size()); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if ((now_.frame + i) % 2 == 0 || their_interceptions_[at].time_s <= 0)
+      their_interceptions_[at] = intercept(now_.opponents[at], path_, kUsual, field());
+    if (their_interceptions_[at].time_s >= theirs_.time_s) continue;
+    theirs_ = their_interceptions_[at];
+    their_fastest_ = i;
+  }
+}
+
+void PredictedState::settle_possession() {
+  if (now_.play != Play::kRunning) {
+    is_ours_ = restart_is_ours();
+    return;
+  }
+  double ours_s = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < robots(); ++i) ours_s = std::min(ours_s, interception(i).time_s);
+  is_ours_ = ours_s <
+             theirs_.time_s + (is_ours_ ? style_.possession_margin_s : -style_.possession_margin_s);
+}
+
+bool PredictedState::is_waiting() const {
+  return now_.play == Play::kStop || now_.play == Play::kHalt ||
+         now_.play == Play::kPrepareKickoff || now_.play == Play::kPreparePenalty;
+}
+
+bool PredictedState::restart_is_ours() const {
+  return now_.play == Play::kStop ? now_.next_is_ours : now_.ours;
+}
+
+double PredictedState::room_at_ball_m() const {
+  if (now_.play == Play::kRunning) return 0;
+  if (now_.ours && is_restart(now_.play)) return 0;
+  const bool is_judged = rules().has(RuleId::kRestartDistance);
+  return rules().opponents_to_ball_m + (is_judged ? kBallRadius_m : 0.0);
+}
+
+Limits PredictedState::limits() const {
+  Limits limits;
+  if (now_.play == Play::kRunning) return limits;
+  limits.own_half_only = now_.play == Play::kPrepareKickoff || now_.play == Play::kKickoff ||
+                         now_.next == CommandKind::kPrepareKickoff;
+  if (restart_is_ours()) limits.beyond_lines_m = style_.beyond_line_m;
+  const double room_m = room_at_ball_m();
+  limits.keep_from_ball_m = room_m > 0 ? room_m + kRobotRadius_m : style_.room_for_taker_m;
+  limits.keep_from_area_m = rules().attacker_to_area_m + kRobotRadius_m;
+  return limits;
+}
+
+DrivingStyle PredictedState::driving(int index) const {
+  const Abilities& a = abilities(index);
+  DrivingStyle style;
+  style.speed_mps = a.speed_mps;
+  style.braking_mps2 = style_.usable_braking * a.braking_mps2;
+  style.turn_braking_radps2 = style_.turn_braking_radps2;
+  style.approach_per_s = style_.approach_per_s;
+  if (now_.play == Play::kStop && rules().has(RuleId::kStopSpeed))
+    style.speed_mps = std::min(a.speed_mps, style_.stop_speed_share * rules().stop_speed_mps);
+  return style;
+}
+
+// A little before the areas' lines: the robot must stay out with its whole hull.
+bool PredictedState::may_touch_at(const Vec2& ball_m) const {
+  if (rules().has(RuleId::kAttackerInArea) &&
+      distance_to_defence_area(field(), Side::kEast, ball_m) < style_.from_their_area_m)
+    return false;
+  return !rules().has(RuleId::kDefenderInArea) || robots() == 1 ||
+         distance_to_defence_area(field(), Side::kWest, ball_m) > style_.from_own_area_m;
+}
+
+double PredictedState::allowed_kick_mps(double wanted_mps) const {
+  const double share = rules().has(RuleId::kKickSpeed) ? style_.kick_caution : 1.0;
+  return std::min(wanted_mps, share * rules().kick_limit_mps);
+}
+
+void robots_around(const PredictedState& predicted, int index, const Vec2& target_m,
+                   Obstacles& obstacles) {
+  const TeamView& now = predicted.now();
+  find_obstacles({now.own, now.opponents, 0, now.ball.position_m}, predicted.robot(index), target_m,
+                 obstacles);
+}
+
+Waypoint facing_ball(const PredictedState& predicted, const Vec2& position_m) {
+  return {position_m, direction_of(predicted.position_m() - position_m, Vec2(1, 0))};
+}
+
+RobotCommand go_to(const PredictedState& predicted, int index, const Waypoint& wanted) {
+  const TrackedRobot& robot = predicted.robot(index);
+  const TeamView& now = predicted.now();
+  Waypoint goal = wanted;
+  goal.position_m = permitted_by_all(predicted.field(), wanted.position_m, predicted.position_m(),
+                                     predicted.limits());
+  if (const auto path_m = exit_from_behind_goal(predicted.field(), robot.position_m))
+    goal.position_m = *path_m;
+  Obstacles obstacles;
+  const double room_m = std::max(predicted.style().near_room_m, predicted.room_at_ball_m());
+  find_obstacles({now.own, now.opponents, room_m, now.ball.position_m}, robot, goal.position_m,
+                 obstacles);
+  add_areas(predicted, robot, goal.position_m, obstacles);
+  const DrivingStyle style = predicted.driving(index);
+  const Vec2 off_m = robot.position_m - now.ball.position_m;
+  if (room_m > predicted.style().near_room_m &&
+      off_m.norm() < room_m + kRobotRadius_m - predicted.style().near_room_m) {
+    const Vec2 out = direction_of(off_m, Vec2(-1, 0));  // straight out of the ball's circle first
+    return drive_via(robot, robot.position_m + out * predicted.style().near_room_m * 10, goal,
+                     style);
+  }
+  const Vec2 steer_m = steer_for(robot, goal.position_m, obstacles);
+  return drive_via(robot, steer_m, goal, style);
+}
+
+void ease_off(const PredictedState& predicted, int index, RobotCommand& command) {
+  const TrackedRobot& robot = predicted.robot(index);
+  Vec2 velocity_mps = to_world(command.velocity_mps, robot.heading);
+  for (const TrackedRobot& opponent : predicted.now().opponents) {
+    const Vec2 there = opponent.position_m - robot.position_m;
+    const double gap_m = there.norm() - 2 * kRobotRadius_m;
+    if (gap_m > predicted.style().ease_from_m) continue;
+    const Vec2 direction = direction_of(there, Vec2(1, 0));
+    const double most_mps = predicted.style().gentle_mps +
+                            std::sqrt(2 * predicted.style().ease_mps2 * std::max(0.0, gap_m));
+    const double closing_mps = (velocity_mps - opponent.velocity_mps).dot(direction);
+    if (closing_mps > most_mps) velocity_mps -= direction * (closing_mps - most_mps);
+  }
+  command.velocity_mps = to_local(velocity_mps, robot.heading);
+}
+
+}  // namespace autoref::strategies

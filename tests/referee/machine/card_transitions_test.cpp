@@ -1,0 +1,165 @@
+// One test suite per transition of cards.
+#include <gtest/gtest.h>
+
+#include "soccer/rule_book.hpp"
+#include "tests/referee/machine/staged_machine.hpp"
+
+namespace autoref::referee {
+namespace {
+
+Configuration by_book(std::string_view book) {
+  Configuration configuration;
+  configuration.rules = *find_rule_book(book);
+  configuration.robots = {{6, 6}};
+  return configuration;
+}
+
+StagedMachine in_2026(State state = State::kRun) { return StagedMachine(by_book("2026-b"), state); }
+
+// "Every third foul of the same team results in a yellow card" (2026).
+TEST(ArrowYellowCard, IsTakenAtTheThirdFoulAndLeavesPlayOn) {
+  StagedMachine game = in_2026();
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_EQ(game.foul(Side::kEast), "crash_noted");
+    EXPECT_EQ(game.look_for_cards(), "");
+  }
+  game.foul(Side::kEast);
+  EXPECT_EQ(game.look_for_cards(), "yellow_card");
+  EXPECT_EQ(game.state.machine_state, State::kRun);
+  EXPECT_EQ(game.state.signal.yellow_cards, (PerSide<int>{{0, 1}}));
+  EXPECT_EQ(game.state.signal.robots_allowed, (PerSide<int>{{6, 5}}));
+  EXPECT_EQ(game.state.signal.command_counter, 0U);
+}
+
+TEST(ArrowYellowCard, IsTakenOnceForThreeFouls) {
+  StagedMachine game = in_2026();
+  game.fouls_for_cards(Side::kWest, 1);
+  EXPECT_EQ(game.look_for_cards(), "");
+  EXPECT_EQ(game.state.signal.yellow_cards[Side::kWest], 1);
+}
+
+TEST(ArrowYellowCard, CountsEachSidesFoulsApart) {
+  StagedMachine game = in_2026();
+  for (const Side side : {Side::kWest, Side::kEast, Side::kWest, Side::kEast}) game.foul(side);
+  EXPECT_EQ(game.look_for_cards(), "");
+}
+
+// A drawn crash may be the third foul of both sides: neither is first.
+TEST(ArrowYellowCard, IsTakenForBothSidesAtOnce) {
+  StagedMachine game = in_2026();
+  for (int i = 0; i < 3; ++i) game.foul(std::nullopt);
+  EXPECT_EQ(game.look_for_cards(), "yellow_card");
+  EXPECT_EQ(game.state.signal.yellow_cards, (PerSide<int>{{1, 1}}));
+  EXPECT_EQ(game.look_for_cards(), "");
+}
+
+TEST(ArrowYellowCardStopped, IsTakenWhilePlayIsStopped) {
+  StagedMachine game = in_2026(State::kWaitStop);
+  for (int i = 0; i < 3; ++i) game.foul(Side::kWest);
+  EXPECT_EQ(game.look_for_cards(), "yellow_card_stopped");
+  EXPECT_EQ(game.state.machine_state, State::kWaitStop);
+  EXPECT_EQ(game.state.signal.robots_allowed, (PerSide<int>{{5, 6}}));
+}
+
+// "When a team has two not yet expired yellow cards and receives another yellow card, this card
+// will be turned into a red card instead" (2026).
+TEST(ArrowRedCard, IsTakenForTheThirdActiveYellowCard) {
+  StagedMachine game = in_2026();
+  game.fouls_for_cards(Side::kWest, 2);
+  for (int i = 0; i < 3; ++i) game.foul(Side::kWest);
+  EXPECT_EQ(game.look_for_cards(), "red_card");
+  EXPECT_EQ(game.state.signal.yellow_cards[Side::kWest], 2);
+  EXPECT_EQ(game.state.signal.red_cards, (PerSide<int>{{1, 0}}));
+  EXPECT_EQ(game.state.signal.robots_allowed, (PerSide<int>{{3, 6}}));
+}
+
+TEST(ArrowRedCard, IsNotTakenWhereAnEarlierYellowCardIsOver) {
+  StagedMachine game = in_2026();
+  game.fouls_for_cards(Side::kWest, 1);
+  game.wait(120);
+  game.fouls_for_cards(Side::kWest, 2);
+  EXPECT_EQ(game.state.signal.red_cards[Side::kWest], 0);
+  EXPECT_EQ(game.state.signal.yellow_cards[Side::kWest], 3);
+}
+
+TEST(ArrowRedCard, IsForTheRestOfTheGame) {
+  StagedMachine game = in_2026();
+  game.fouls_for_cards(Side::kWest, 3);
+  game.wait(3600);
+  while (!game.look_for_cards().empty()) continue;
+  EXPECT_EQ(game.state.signal.robots_allowed, (PerSide<int>{{5, 6}}));
+}
+
+TEST(ArrowRedCardStopped, IsTakenWhilePlayIsStopped) {
+  StagedMachine game = in_2026(State::kWaitStop);
+  game.fouls_for_cards(Side::kEast, 2);
+  for (int i = 0; i < 3; ++i) game.foul(Side::kEast);
+  EXPECT_EQ(game.look_for_cards(), "red_card_stopped");
+  EXPECT_EQ(game.state.signal.red_cards, (PerSide<int>{{0, 1}}));
+}
+
+// Two minutes of play (Laws 12; 2026).
+TEST(ArrowCardOver, IsTakenAfterTwoMinutesOfPlay) {
+  StagedMachine game = in_2026();
+  game.fouls_for_cards(Side::kEast, 1);
+  game.wait(119.9);
+  EXPECT_EQ(game.look_for_cards(), "");
+  game.wait(0.1);
+  EXPECT_EQ(game.look_for_cards(), "card_over");
+  EXPECT_EQ(game.state.signal.robots_allowed, (PerSide<int>{{6, 6}}));
+  EXPECT_EQ(game.state.signal.yellow_cards[Side::kEast], 1);  // shown so far
+}
+
+TEST(ArrowCardOver, DoesNotCountTheTimeInWhichPlayIsStopped) {
+  StagedMachine game = in_2026();
+  game.fouls_for_cards(Side::kEast, 1);
+  game.wait(100);
+  Finding out;
+  out.event = Event::kThrowIn;
+  out.restart = {CommandKind::kDirectFree, Side::kWest};
+  ASSERT_EQ(game.put(out), "throw_in");
+  game.wait(100);
+  Finding ready;
+  ready.event = Event::kReady;
+  ASSERT_EQ(game.put(ready), "start");
+  game.wait(19.9);
+  EXPECT_EQ(game.look_for_cards(), "");
+  game.wait(0.1);
+  EXPECT_EQ(game.look_for_cards(), "card_over");
+}
+
+Finding carded_foul(Card card) {
+  Finding finding;
+  finding.event = Event::kDefenderPartlyInArea;
+  finding.offender = Side::kWest;
+  finding.card = card;
+  finding.restart = {CommandKind::kIndirectFree, Side::kEast};
+  return finding;
+}
+
+TEST(Cards, OfARuleTakeARobotOff) {
+  StagedMachine game(by_book("2014"));
+  game.put(carded_foul(Card::kYellow));
+  EXPECT_EQ(game.state.signal.robots_allowed, (PerSide<int>{{5, 6}}));
+  EXPECT_EQ(game.state.signal.yellow_cards, (PerSide<int>{{1, 0}}));
+}
+
+TEST(Cards, AreNotShownWhereTheirRuleIsSwitchedOff) {
+  Configuration configuration = by_book("2014");
+  configuration.rules.in_force[RuleId::kCards] = false;
+  StagedMachine game(configuration);
+  game.put(carded_foul(Card::kRed));
+  EXPECT_EQ(game.state.signal.robots_allowed, (PerSide<int>{{6, 6}}));
+  EXPECT_EQ(game.state.signal.red_cards, (PerSide<int>{{0, 0}}));
+}
+
+TEST(Cards, LeaveATeamItsLastRobot) {
+  Configuration configuration = by_book("2026-b");
+  configuration.robots = {{2, 2}};
+  StagedMachine game(configuration);
+  game.fouls_for_cards(Side::kWest, 5);
+  EXPECT_EQ(game.state.signal.robots_allowed, (PerSide<int>{{1, 2}}));
+}
+
+}  // namespace
+}  // namespace autoref::referee

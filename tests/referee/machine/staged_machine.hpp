@@ -1,0 +1,95 @@
+// The machine without the referee around it: fouls are put to it by hand, and cards looked for
+// frame by frame, at 60 Hz.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "referee/machine/machine.hpp"
+#include "referee/rules/card_due.hpp"
+
+namespace autoref::referee {
+
+class StagedMachine {
+ public:
+  explicit StagedMachine(const Configuration& configuration, State machine_state = State::kRun)
+      : configuration_(configuration) {
+    state.machine_state = machine_state;
+    if (machine_state == State::kRun) state.play_clock.start(0);
+    state.signal.robots_allowed = configuration.robots;
+  }
+
+  // What was found is put to the machine; returns the transition's label, empty where none was
+  // taken.
+  std::string_view put(const Finding& finding) {
+    const Step taken = step(state, input(), finding);
+    if (taken.transition == nullptr) return {};
+    state = taken.state;
+    return taken.transition->label;
+  }
+
+  // A foul that is only counted; without an offender it counts against both.
+  std::string_view foul(std::optional<Side> offender) {
+    Finding finding;
+    finding.event = state.machine_state == State::kRun ? Event::kCrash : Event::kStopSpeed;
+    finding.offender = offender;
+    finding.is_foul = true;
+    return put(finding);
+  }
+
+  // Looks for cards as the referee does; the label of the last transition taken.
+  std::string_view look_for_cards() {
+    std::string_view taken;
+    for (const Rule& rule : {kRedCardRule, kYellowCardRule, kCardOverRule}) {
+      const std::string_view label = look_for(rule);
+      if (!label.empty()) taken = label;
+    }
+    return taken;
+  }
+
+  // The label of the transition taken for what the rule finds; empty where there is none.
+  std::string_view look_for(const Rule& rule) {
+    if (!rule.active_in.has(state.machine_state)) return {};
+    const std::optional<Finding> found = rule.find(state, input());
+    return found ? put(*found) : std::string_view{};
+  }
+
+  // Fouls until `count` cards have been shown for them.
+  void fouls_for_cards(Side side, int count) {
+    for (int i = 0; i < count * configuration_.rules.fouls_per_card; ++i) {
+      foul(side);
+      look_for_cards();
+    }
+  }
+
+  // Robots 0 to `count` - 1 of each side, in its own half.
+  void line_up(int count) {
+    for (const Side side : kSides) {
+      for (int i = 0; i < count; ++i) {
+        const Vec2 position_m(goal_sign(side) * 1.5, 0.3 * i);
+        frame_.robots[side].push_back({i, position_m, Vec2(-goal_sign(side), 0)});
+      }
+    }
+  }
+
+  RobotObservation& robot(Side side, int number) {
+    return frame_.robots[side][static_cast<std::size_t>(number)];
+  }
+
+  void wait(double seconds) { frame_.time_s += seconds; }
+  double now_s() const { return frame_.time_s; }
+
+  RefereeState state;
+
+ private:
+  RefereeInput input() const { return {configuration_, frame_, ball_, touch_, tracks_, requests_}; }
+
+  Configuration configuration_;
+  Frame frame_;
+  std::optional<BallSight> ball_;
+  LastTouch touch_;
+  Tracks tracks_;
+  PerSide<TeamRequests> requests_;
+};
+
+}  // namespace autoref::referee

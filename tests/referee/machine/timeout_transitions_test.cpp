@@ -1,0 +1,153 @@
+// One test suite per transition of timeouts (Laws 2014, 7: four of 300 s together; 2026).
+#include <gtest/gtest.h>
+
+#include "tests/referee/support/scripted_game.hpp"
+
+namespace autoref::referee {
+namespace {
+
+Configuration by_book(std::string_view book) {
+  Configuration configuration;
+  configuration.rules = *find_rule_book(book);
+  // The scripted robots stand where they like.
+  configuration.rules.in_force = {RuleId::kGoal, RuleId::kBallLeavesField, RuleId::kTimeouts};
+  configuration.robots = {{6, 6}};
+  configuration.half_s = 600;
+  return configuration;
+}
+
+// A throw-in for east has just been given.
+ScriptedGame stopped(const Configuration& configuration = by_book("2014")) {
+  ScriptedGame game = in_play(configuration);
+  game.kick_from(Side::kWest, 1, {1, 1.8}, {0, 4});
+  game.run_until("throw_in");
+  return game;
+}
+
+TEST(ArrowTimeout, IsTakenOnRequestWhilePlayIsStopped) {
+  ScriptedGame game = stopped();
+  game.requests[Side::kWest].timeout = true;
+  const Decision timeout = game.run_until("timeout", 0.1);
+  EXPECT_EQ(timeout.from, State::kWaitStop);
+  EXPECT_EQ(timeout.to, State::kTimeout);
+  EXPECT_EQ(timeout.command, (Command{CommandKind::kTimeout, Side::kWest}));
+}
+
+TEST(ArrowTimeout, WaitsForAStop) {
+  ScriptedGame game = in_play(by_book("2014"));
+  game.requests[Side::kWest].timeout = true;
+  game.run(5);
+  EXPECT_EQ(game.referee.state(), State::kRun);
+}
+
+// "At the beginning of the match": before the first kick-off it has not begun.
+TEST(ArrowTimeout, IsNotTakenBeforeTheFirstKickOff) {
+  ScriptedGame game(by_book("2014"));
+  game.requests[Side::kEast].timeout = true;
+  game.line_up().kick_off();
+  EXPECT_EQ(game.count("timeout"), 0);
+}
+
+TEST(ArrowTimeout, GoesFirstToTheSideThatTakesTheRestart) {
+  ScriptedGame game = stopped();
+  for (const Side side : kSides) game.requests[side].timeout = true;
+  const Decision first = game.run_until("timeout", 0.1);
+  EXPECT_EQ(first.command, (Command{CommandKind::kTimeout, Side::kEast}));
+  game.requests[Side::kEast].timeout = false;
+  const Decision second = game.run_until("timeout", 0.1);
+  EXPECT_EQ(second.command, (Command{CommandKind::kTimeout, Side::kWest}));
+}
+
+// 10 s without a kick lead to a force start here, which is nobody's.
+ScriptedGame before_force_start() {
+  Configuration configuration = by_book("2014");
+  configuration.rules.in_force.add({RuleId::kRestartNotTaken});
+  ScriptedGame game(configuration);
+  game.line_up().kick_off();
+  game.run_until("restart_not_taken");
+  return game;
+}
+
+TEST(ArrowTimeout, BeforeAForceStartGoesFirstToTheSideThatHasUsedLess) {
+  ScriptedGame game = before_force_start();
+  game.requests[Side::kEast].timeout = true;
+  game.run(1);
+  game.requests[Side::kEast].timeout = false;
+  game.run_until("timeout_over");
+  for (const Side side : kSides) game.requests[side].timeout = true;
+  EXPECT_EQ(game.run_until("timeout", 0.1).command, (Command{CommandKind::kTimeout, Side::kWest}));
+}
+
+TEST(ArrowTimeout, BeforeAForceStartGoesFirstToTheSideThatDidNotKickOff) {
+  ScriptedGame game = before_force_start();
+  for (const Side side : kSides) game.requests[side].timeout = true;
+  EXPECT_EQ(game.run_until("timeout", 0.1).command, (Command{CommandKind::kTimeout, Side::kEast}));
+}
+
+TEST(ArrowTimeout, IsTakenFourTimesByATeam) {
+  ScriptedGame game = stopped();
+  for (int i = 0; i < 6; ++i) {
+    game.requests[Side::kWest].timeout = true;
+    game.run(0.1);
+    game.requests[Side::kWest].timeout = false;
+    game.run(0.1);
+  }
+  EXPECT_EQ(game.count("timeout"), 4);
+}
+
+// 2014 double size: six of 450 s; 2026: as in single size.
+TEST(ArrowTimeout, LastsAsLongAsTheBookAllows) {
+  for (const auto& [book, longest_s] :
+       {std::pair("2014", 300.0), std::pair("2014-double", 450.0), std::pair("2026-b", 300.0)}) {
+    ScriptedGame game = stopped(by_book(book));
+    game.requests[Side::kWest].timeout = true;
+    const double began_s = game.run_until("timeout").time_s;
+    EXPECT_NEAR(game.run_until("timeout_over", 500).time_s, began_s + longest_s, 1e-6) << book;
+    game.run(5);
+    EXPECT_EQ(game.count("timeout"), 1) << book;
+  }
+}
+
+TEST(ArrowTimeoutOver, GoesOnWithTheSameRestart) {
+  ScriptedGame game = stopped();
+  const Vec2 position_m = game.signal.placement->target_m;
+  game.requests[Side::kWest].timeout = true;
+  game.run(20);
+  game.requests[Side::kWest].timeout = false;
+  const Decision over = game.run_until("timeout_over", 0.1);
+  EXPECT_EQ(over.to, State::kWaitStop);
+  EXPECT_EQ(over.command, (Command{CommandKind::kStop, Side::kWest}));
+  EXPECT_EQ(game.signal.placement->target_m, position_m);
+  // The wait begins anew: one look period.
+  const Decision start = game.run_until("start");
+  EXPECT_NEAR(start.time_s, over.time_s + 1, 1e-6);
+  EXPECT_EQ(start.command, (Command{CommandKind::kIndirectFree, Side::kEast}));
+}
+
+TEST(ArrowTimeoutOver, PreparesAKickOffAnew) {
+  ScriptedGame game = in_play(by_book("2014"));
+  game.kick_from(Side::kWest, 1, {2.5, 0}, {6, 0});
+  game.run_until("prepare");
+  game.requests[Side::kEast].timeout = true;
+  game.run(1);
+  game.requests[Side::kEast].timeout = false;
+  game.run_until("timeout_over", 0.1);
+  EXPECT_EQ(game.run_until("prepare").command,
+            (Command{CommandKind::kPrepareKickoff, Side::kEast}));
+  EXPECT_EQ(game.run_until("start").command, (Command{CommandKind::kNormalStart, Side::kWest}));
+}
+
+TEST(ArrowTimeoutOver, FindsTheClockWhereItStood) {
+  ScriptedGame game = stopped();
+  game.requests[Side::kWest].timeout = true;
+  game.run_until("timeout", 0.1);
+  const double left_s = game.signal.stage_time_left_s;
+  game.run(60);
+  EXPECT_NEAR(game.signal.stage_time_left_s, left_s, 1e-6);
+  game.requests[Side::kWest].timeout = false;
+  game.run(0.5);
+  EXPECT_NEAR(game.signal.stage_time_left_s, left_s - 0.5, 0.05);
+}
+
+}  // namespace
+}  // namespace autoref::referee

@@ -1,0 +1,183 @@
+// Where a way of the ball meets the hulls of robots.
+#include "referee/touch/hull_intersections.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "soccer/robot_shape.hpp"
+#include "soccer/trigonometry.hpp"
+#include "soccer/units.hpp"
+
+namespace autoref::referee {
+namespace {
+
+constexpr double kFrame_s = 1.0 / 60;
+constexpr double kTouch_m = kFrontDistance_m + kBallRadius_m;  // centre to centre, at the plate
+constexpr RobotId kRobot{Side::kEast, 4};
+constexpr BallMotionParameters kMotion;
+constexpr HullIntersectionParameters kIntersection;
+
+// A ball that passes the origin evenly between two frames, and a robot that stands. Its way is
+// known from the detections before, or, backwards, from those after.
+class Passage {
+ public:
+  explicit Passage(const Vec2& velocity_mps) : velocity_mps_(velocity_mps) {}
+
+  Passage& robot(const Vec2& at_m, const Vec2& heading) {
+    robots_[kRobot.side].push_back({kRobot.number, at_m, heading});
+    return *this;
+  }
+  Walk forwards(const HullIntersectionParameters& parameters = kIntersection) {
+    return walk_along(-1, parameters);
+  }
+  Walk backwards(const HullIntersectionParameters& parameters = kIntersection) {
+    return walk_along(1, parameters);
+  }
+
+ private:
+  // Frames -20 to 20; the origin is passed half a frame after frame -1 and before frame 0.
+  Vec2 ball_at(int index) const { return velocity_mps_ * ((index + 0.5) * kFrame_s); }
+
+  Walk walk_along(int from, const HullIntersectionParameters& parameters) {
+    const int sign = from < 0 ? 1 : -1;
+    FrameHistory frame_history;
+    push(frame_history, -1);
+    push(frame_history, 0);
+    BallMotionFilter motion;
+    const int nearest = from < 0 ? -1 : 0;
+    motion.start(ball_at(nearest - sign * 20), kMotion);
+    for (int i = nearest - sign * 19; i != nearest + sign; i += sign) {
+      motion.predict(sign * kFrame_s, kMotion);
+      motion.correct(ball_at(i), kMotion);
+    }
+    return sign > 0 ? walk(motion, frame_history, 0, 1, parameters)
+                    : walk(motion, frame_history, 1, 0, parameters);
+  }
+  void push(FrameHistory& frame_history, int index) {
+    Frame frame;
+    frame.time_s = (index + 1) * kFrame_s;
+    frame.robots = robots_;
+    frame.ball = BallObservation{ball_at(index), 0.0};
+    frame_history.push(frame);
+  }
+
+  Vec2 velocity_mps_;
+  PerSide<SeenRobots> robots_;
+};
+
+// A robot beside a ball that passes along x, with its round back `gap_m` off the ball's way.
+Walk passing(double gap_m, const HullIntersectionParameters& parameters = kIntersection) {
+  const Vec2 at_m(0, kRobotRadius_m + kBallRadius_m + gap_m);
+  return Passage({1, 0}).robot(at_m, {0, 1}).forwards(parameters);
+}
+
+TEST(Walk, MeetsNobodyWhereNobodyIs) {
+  EXPECT_TRUE(Passage({1, 0}).forwards().intersections.empty());
+  EXPECT_TRUE(Passage({1, 0}).robot({2, 0}, {1, 0}).forwards().intersections.empty());
+}
+
+TEST(Walk, MeetsAHullThatItGrazesAtNoCost) {
+  const Walk walk = passing(0);
+  ASSERT_EQ(walk.intersections.size(), 1U);
+  EXPECT_EQ(walk.intersections[0].robot, kRobot);
+  EXPECT_LT(walk.intersections[0].bounce_nll, 0.1);
+  EXPECT_LE(walk.intersections[0].gap_m, kIntersection.slack_m);
+}
+
+TEST(Walk, TellsTheLeastGap) {
+  EXPECT_NEAR(passing(0.012).intersections[0].least_gap_m, 0.012, 2e-4);
+}
+
+// Physics leaves half a millimetre between bodies that touch.
+TEST(Walk, TouchesAtAGapThatPhysicsLeaves) {
+  EXPECT_LT(passing(0.0005).intersections[0].bounce_nll, 0.1);
+}
+
+// 4 mm beyond the slack, at a deviation of 1 mm for contact.
+TEST(Walk, CostsTheSquareOfTheGap) {
+  EXPECT_NEAR(passing(0.005).intersections[0].bounce_nll, 16, 2);
+}
+
+TEST(Walk, CostsLessWhereRobotsAreSeenBadly) {
+  HullIntersectionParameters noisy = kIntersection;
+  noisy.robot_m = 2_mm;  // with the contact's 1 mm, a variance of 5 mm2
+  EXPECT_NEAR(passing(0.005, noisy).intersections[0].bounce_nll, 16.0 / 5, 0.5);
+}
+
+TEST(Walk, GoesThroughAHullThatStandsInItsWay) {
+  // 5 mm into the hull, of which the slack is 1 mm.
+  EXPECT_NEAR(passing(-0.005).through_nll, 16, 2);
+  EXPECT_LT(passing(-0.0008).through_nll, 0.01);
+}
+
+// Between two frames the ball goes from one side of the hull to the other: 0.3 frames after it
+// passed the origin it is at the robot's back.
+TEST(Walk, MeetsAHullThatItCrosses) {
+  const double away_m = kRobotRadius_m + kBallRadius_m;
+  const Walk walk = Passage({3, 0}).robot({0.015 + away_m, 0}, {1, 0}).forwards();
+  ASSERT_EQ(walk.intersections.size(), 1U);
+  EXPECT_LT(walk.intersections[0].bounce_nll, 0.1);
+  EXPECT_NEAR(walk.intersections[0].time_s, 0.8 * kFrame_s, 0.1 * kFrame_s);
+}
+
+// Backwards along the way of a ball that left the origin along x: a kicker behind it, with its
+// plate `gap_m` from the ball and turned by `off_rad` against the way.
+Walk kicked(double gap_m, double off_rad,
+            const HullIntersectionParameters& parameters = kIntersection) {
+  const Vec2 heading = heading_of(off_rad);
+  return Passage({4, 0})
+      .robot(-heading * (kTouch_m + 0.033 + gap_m), heading)
+      .backwards(parameters);
+}
+
+TEST(Walk, ComesOutOfAKickersDribblerZone) {
+  EXPECT_LT(kicked(0.005, 0).intersections[0].kick_nll, 0.1);
+}
+
+// Kickers reach 15 mm beyond the plate.
+TEST(Walk, ComesFromNoKickerOutOfReach) {
+  EXPECT_LT(kicked(0.012, 0).intersections[0].kick_nll, 0.1);
+  EXPECT_EQ(kicked(0.025, 0).intersections[0].kick_nll, kNever);
+}
+
+// Three times 0.08 rad: nine.
+TEST(Walk, ComesFromAKickAlongTheRobotsHeading) {
+  EXPECT_NEAR(kicked(0.005, 0.24).intersections[0].kick_nll, 9, 1.5);
+}
+
+TEST(Walk, AllowsForHeadingsThatAreSeenBadly) {
+  HullIntersectionParameters noisy = kIntersection;
+  noisy.robot_rad = 0.08;
+  EXPECT_NEAR(kicked(0.005, 0.24, noisy).intersections[0].kick_nll, 4.5, 0.8);
+}
+
+TEST(Walk, ComesFromNoKickBackwards) {
+  // It would have been kicked towards the robot.
+  const Walk walk = Passage({-4, 0}).robot({-kTouch_m - 0.005 - 0.033, 0}, {1, 0}).backwards();
+  ASSERT_FALSE(walk.intersections.empty());
+  EXPECT_GT(walk.intersections[0].kick_nll, 100);
+}
+
+TEST(Walk, FollowsRobotsThatMove) {
+  const auto gap_with = [](double moved_m) {
+    FrameHistory frame_history;
+    for (int i = 0; i < 2; ++i) {
+      Frame frame;
+      frame.time_s = i * kFrame_s;
+      frame.ball = BallObservation{Vec2(0, 0), 0.0};
+      frame.robots[kRobot.side].push_back(
+          {kRobot.number, Vec2(kTouch_m + 0.03 - i * moved_m, 0), Vec2(-1, 0)});
+      frame_history.push(frame);
+    }
+    BallMotionFilter motion;
+    motion.start({0, 0}, kMotion);
+    return walk(motion, frame_history, 0, 1, kIntersection).intersections.at(0).least_gap_m;
+  };
+  EXPECT_NEAR(gap_with(0.0), 0.030, 1e-6);
+  EXPECT_NEAR(gap_with(0.02), 0.010, 1e-6);
+}
+
+}  // namespace
+}  // namespace autoref::referee

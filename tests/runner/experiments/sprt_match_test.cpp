@@ -1,0 +1,231 @@
+// Matches that end when they are decided, with made-up games.
+#include "runner/experiments/sprt_match.hpp"
+#include "runner/experiments/reading/effective.hpp"
+#include "runner/experiments/reading/scenario_reader.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <csignal>
+
+#include "runner/analysis/sprt_match_report.hpp"
+#include "runner/analysis/sprt_match_state.hpp"
+#include "runner/batch/result_folder.hpp"
+#include "runner/experiments/matchup_schedule.hpp"
+#include "runner/settings/fields.hpp"
+#include "tests/runner/batch/fake_games.hpp"
+#include "tests/runner/experiments/reading/mistake.hpp"
+
+namespace autoref::runner {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string results_in(const fs::path& folder) {
+  return content_of(folder / "results.csv") + content_of(folder / "summary.csv");
+}
+
+std::string undisturbed_results() {
+  const TemporaryFolder folder;
+  run_experiment(small_sprt_match(), fake_options(folder.path()));
+  return results_in(folder.path());
+}
+
+TEST(SprtMatchSchedule, HasTheGamesOfARoundRobinOfItsTwoTeams) {
+  const std::vector<ScheduledGame> games = scheduled_games(small_sprt_match(3));
+  const std::vector<ScheduledGame> robins = scheduled_games(small_roundrobin({6, 5}, 3));
+  ASSERT_EQ(games.size(), robins.size());
+  for (std::size_t i = 0; i < games.size(); ++i) {
+    EXPECT_EQ(games[i].id, robins[i].id);
+    EXPECT_EQ(configuration_hash(games[i].configuration),
+              configuration_hash(robins[i].configuration));
+  }
+}
+
+TEST(SprtMatchRun, EndsWithThePairThatDecidesIt) {
+  const TemporaryFolder folder;
+  const ExperimentReport report = run_experiment(small_sprt_match(), fake_options(folder.path()));
+  EXPECT_TRUE(report.is_complete);
+  EXPECT_EQ(report.played, 20);  // min_pairs pairs: the games speak clearly
+  EXPECT_NE(report.results.table.find("d1 is accepted: -4 goals a game of team0 over team1, not 0"),
+            std::string::npos)
+      << report.results.table;
+  EXPECT_NE(content_of(folder / "summary.csv").find(",d1,10,0,"), std::string::npos);
+}
+
+TEST(SprtMatchRun, LeavesTheSameResultsForEveryNumberOfWorkers) {
+  const std::string expected = undisturbed_results();
+  for (const int workers : {1, 2, 5}) {
+    const TemporaryFolder folder;
+    ExperimentOptions options = fake_options(folder.path());
+    options.workers = workers;
+    options.play = slow_fake_game;
+    EXPECT_LT(run_experiment(small_sprt_match(), options).played, 80);
+    EXPECT_EQ(results_in(folder.path()), expected);
+  }
+}
+
+TEST(SprtMatchRun, GoesOnAfterAnInterrupt) {
+  const TemporaryFolder folder;
+  ExperimentOptions options = fake_options(folder.path());
+  const pid_t runner = getpid();
+  options.play = [runner](const GameConfiguration& game) {
+    kill(runner, SIGINT);
+    return fake_game(game);
+  };
+  EXPECT_TRUE(run_experiment(small_sprt_match(), options).is_interrupted);
+  run_experiment(small_sprt_match(), fake_options(folder.path()));
+  EXPECT_EQ(results_in(folder.path()), undisturbed_results());
+}
+
+TEST(SprtMatchRun, DoesNothingWhenItIsDecided) {
+  const TemporaryFolder folder;
+  run_experiment(small_sprt_match(), fake_options(folder.path()));
+  const ExperimentReport report = run_experiment(small_sprt_match(), fake_options(folder.path()));
+  EXPECT_EQ(report.played, 0);
+  EXPECT_TRUE(report.is_complete);
+}
+
+TEST(SprtMatchRun, EndsUndecidedAfterItsLastPair) {
+  Scenario scenario = small_sprt_match(12);
+  auto& match = std::get<SprtMatch>(scenario.content);
+  match.sprt.d0 = -4.001;
+  const TemporaryFolder folder;
+  const ExperimentReport report = run_experiment(scenario, fake_options(folder.path()));
+  EXPECT_TRUE(report.is_complete);
+  EXPECT_EQ(report.played, 24);
+  EXPECT_NE(content_of(folder / "summary.csv").find(",undecided,12,0,"), std::string::npos);
+}
+
+TEST(SprtMatchRun, LeavesPairsWithAVoidLegOutOfTheTest) {
+  const std::uint64_t void_seed = scheduled_games(small_sprt_match())[3].configuration.seed;
+  const TemporaryFolder folder;
+  ExperimentOptions options = fake_options(folder.path());
+  options.play = [void_seed](const GameConfiguration& game) -> GameRecord {
+    if (game.seed == void_seed) throw std::runtime_error("no");
+    return fake_game(game);
+  };
+  const ExperimentReport report = run_experiment(small_sprt_match(), options);
+  EXPECT_EQ(report.games, 22);
+  EXPECT_EQ(report.void_games, 1);
+  EXPECT_NE(content_of(folder / "summary.csv").find(",d1,10,1,"), std::string::npos);
+  EXPECT_NE(report.results.table.find("1 pairs with a void leg"), std::string::npos);
+}
+
+ExperimentReport run_shard(const fs::path& folder, int number) {
+  ExperimentOptions options = fake_options(folder);
+  options.shard = {number, 2};
+  return run_experiment(small_sprt_match(), options);
+}
+
+TEST(SprtMatchShards, StopWhenTheRowsOfAllDecideIt) {
+  const TemporaryFolder folder;
+  EXPECT_FALSE(run_shard(folder.path(), 1).is_complete);
+  const ExperimentReport report = run_shard(folder.path(), 0);
+  EXPECT_TRUE(report.is_complete);
+  EXPECT_LT(report.played, 40);
+  EXPECT_EQ(results_in(folder.path()), undisturbed_results());
+}
+
+TEST(SprtMatchShards, LeaveTheSameResultsWhenTheirRowsAreCopiedTogether) {
+  const TemporaryFolder folder;
+  for (const int number : {0, 1}) {
+    const TemporaryFolder own;
+    EXPECT_EQ(run_shard(own.path(), number).played, 40);
+    fs::copy(own.path(), folder.path(),
+             fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+  }
+  const ResultFolder whole = open_results(folder.path());
+  EXPECT_TRUE(whole.is_complete());
+  EXPECT_EQ(whole.beyond, 60);
+  write_results(whole.path, whole.scenario, whole.format, whole.completed_games.done);
+  EXPECT_EQ(results_in(folder.path()), undisturbed_results());
+}
+
+// The state by so many pairs, one of which is not there.
+SprtMatchState state_without(int missing_pair, int pairs) {
+  const Scenario scenario = small_sprt_match();
+  const RowFormat format({});
+  RowsById rows;
+  for (const ScheduledGame& game : scheduled_games(scenario)) {
+    if (game.pair == missing_pair || game.pair > pairs) continue;
+    const std::string line = format.line(game, outcome_of(fake_game(game.configuration)), {});
+    rows[game.id] = format.read(line).value();
+  }
+  return state_of(std::get<SprtMatch>(scenario.content), format, rows);
+}
+
+TEST(SprtMatchState, GoesNoFurtherThanTheFirstPairThatIsMissing) {
+  EXPECT_EQ(state_without(5, 40).test.pairs, 4);
+  EXPECT_FALSE(state_without(5, 40).is_decided);
+  EXPECT_EQ(state_without(12, 40).last_pair, 10);
+  EXPECT_TRUE(state_without(12, 40).is_decided);
+}
+
+TEST(SprtMatchState, IsOpenBeforeTheFirstPair) {
+  const SprtMatchState state = state_without(0, 0);
+  EXPECT_EQ(state.last_pair, 0);
+  EXPECT_EQ(name_of(state.test.verdict), "none");
+}
+
+const std::string kTop = "schema: 1\nkind: sprt\nseed: 7\n";
+const std::string kTeams = "teams: { zone: {}, bold: { strategy: dummy } }\n";
+
+TEST(ReadSprtMatch, ReadsItsTestWhoseErrorRatesHaveDefaults) {
+  const SprtMatch match = std::get<SprtMatch>(
+      read_scenario_text(kTop + kTeams + "sprt: { d0: -1, d1: 0.5, max_pairs: 60 }\n", "x.yaml")
+          .content);
+  EXPECT_EQ(matchup_of(match), (Matchup{"bold", "zone"}));
+  EXPECT_EQ(match.sprt.d0, -1);
+  EXPECT_EQ(match.sprt.d1, 0.5);
+  EXPECT_EQ(match.sprt.alpha, 0.05);
+  EXPECT_EQ(match.sprt.min_pairs, 10);
+  EXPECT_EQ(match.sprt.max_pairs, 60);
+}
+
+TEST(EffectiveConfiguration, OfAMatchReadsBackEqual) {
+  const std::string text = effective_text(small_sprt_match());
+  EXPECT_EQ(effective_text(read_scenario_text(text, "x.yaml")), text);
+}
+
+class WrongSprtMatch : public testing::TestWithParam<Mistake> {};
+
+TEST_P(WrongSprtMatch, IsRefusedWithItsPlaceAndARemedy) { expect_refused(GetParam()); }
+
+INSTANTIATE_TEST_SUITE_P(
+    Files, WrongSprtMatch,
+    testing::Values(
+        Mistake{"NoTest", kTop + kTeams, "x.yaml:1:1: ", {"'sprt' is missing"}},
+        Mistake{"OneTeam",
+                kTop + "teams: { zone: {} }\nsprt: { d0: 0, d1: 1, max_pairs: 20 }\n",
+                "x.yaml:4:1: teams: ",
+                {"expected 2 teams", "found 1"}},
+        Mistake{"ThreeTeams",
+                kTop + "teams: { zone: {}, bold: {}, calm: {} }\n",
+                "x.yaml:4:1: teams: ",
+                {"expected 2 teams", "found 3"}},
+        Mistake{"NoEnd",
+                kTop + kTeams + "sprt: { d0: 0, d1: 1 }\n",
+                "x.yaml:5:1: sprt: ",
+                {"'max_pairs' is missing"}},
+        Mistake{"EqualClaims",
+                kTop + kTeams + "sprt: { d0: 1, d1: 1, max_pairs: 20 }\n",
+                "x.yaml:5:16: sprt.d1: ",
+                {"must differ from d0"}},
+        Mistake{"ErrorRateOutOfRange",
+                kTop + kTeams + "sprt: { d0: 0, d1: 1, alpha: 0.5, max_pairs: 20 }\n",
+                "x.yaml:5:30: sprt.alpha: ",
+                {"above 0 and at most 0.49", "found '0.5'"}},
+        Mistake{"LastPairBeforeTheFirstVerdict",
+                kTop + kTeams + "sprt: { d0: 0, d1: 1, max_pairs: 5 }\n",
+                "x.yaml:5:23: sprt.max_pairs: ",
+                {"at least min_pairs, which is 10", "found 5"}},
+        Mistake{"UnknownKeyOfTheTest",
+                kTop + kTeams + "sprt: { d0: 0, d2: 1, max_pairs: 5 }\n",
+                "x.yaml:5:16: sprt: ",
+                {"'d2'", "did you mean"}},
+        Mistake{"Pairs", kTop + kTeams + "pairs: 5\n", "x.yaml:5:1: ", {"unknown key 'pairs'"}}),
+    [](const auto& test) { return test.param.name; });
+
+}  // namespace
+}  // namespace autoref::runner

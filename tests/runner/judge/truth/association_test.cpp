@@ -1,0 +1,97 @@
+// A referee's calls held against the truth, with lists made by hand.
+#include <gtest/gtest.h>
+
+#include "runner/judge/truth/association.hpp"
+
+namespace autoref::runner::ground_truth {
+namespace {
+
+TrueEvent event(std::string_view name, double time_s, std::optional<Side> offender,
+                Standing standing = Standing::kTrue) {
+  TrueEvent event;
+  event.name = name;
+  event.time_s = time_s;
+  event.offender = offender;
+  event.standing = standing;
+  return event;
+}
+
+Call call(std::string_view name, double time_s, std::optional<Side> offender) {
+  return {name, time_s, offender, std::nullopt, Vec2(1, 0), true, false};
+}
+
+std::vector<Outcome> outcomes(const TrueEvents& true_events, const std::vector<Call>& calls) {
+  std::vector<Outcome> outcomes;
+  for (const Verdict& verdict : associate(true_events, calls)) outcomes.push_back(verdict.outcome);
+  return outcomes;
+}
+
+constexpr Side kWest = Side::kWest;
+constexpr Side kEast = Side::kEast;
+
+TEST(SprtMatch, FindsACallRightByNameSideAndTime) {
+  TrueEvent goal = event("goal", 10.0, kWest);
+  goal.position_m = Vec2(1, 0.1);
+  const std::vector<Verdict> verdicts = associate({goal}, {call("goal", 10.1, kWest)});
+  ASSERT_EQ(verdicts.size(), 1U);
+  EXPECT_EQ(verdicts[0].outcome, Outcome::kRight);
+  EXPECT_NEAR(verdicts[0].delay_s, 0.1, 1e-9);
+  EXPECT_NEAR(verdicts[0].error_m.value(), 0.1, 1e-9);
+}
+
+TEST(SprtMatch, FindsTheOtherSidesFaultMissedAndWrong) {
+  EXPECT_EQ(outcomes({event("crash", 10.0, kWest)}, {call("crash", 10.1, kEast)}),
+            (std::vector<Outcome>{Outcome::kMissed, Outcome::kWrong}));
+}
+
+TEST(SprtMatch, FindsACallTooLateOrTooEarlyWrong) {
+  for (const double time_s : {9.7, 11.1}) {
+    EXPECT_EQ(outcomes({event("crash", 10.0, kWest)}, {call("crash", time_s, kWest)}).size(), 2U);
+  }
+}
+
+TEST(SprtMatch, LetsOneEventMakeOneCallRight) {
+  const std::vector<Verdict> verdicts = associate(
+      {event("crash", 10.0, kWest)}, {call("crash", 10.0, kWest), call("crash", 10.2, kWest)});
+  ASSERT_EQ(verdicts.size(), 2U);
+  EXPECT_EQ(verdicts[0].outcome, Outcome::kRight);
+  EXPECT_EQ(verdicts[1].outcome, Outcome::kWrong);
+  EXPECT_TRUE(verdicts[1].is_second);
+}
+
+TEST(SprtMatch, CountsAPreventedEventOnlyWhereItWasCalled) {
+  const TrueEvents prevented = {event("throw_in", 10.0, kWest, Standing::kPrevented)};
+  EXPECT_TRUE(outcomes(prevented, {}).empty());
+  const std::vector<Verdict> verdicts = associate(prevented, {call("throw_in", 10.0, kWest)});
+  ASSERT_EQ(verdicts.size(), 1U);
+  EXPECT_EQ(verdicts[0].outcome, Outcome::kRight);
+  EXPECT_TRUE(verdicts[0].is_early);
+}
+
+TEST(SprtMatch, FindsACallOfANearMissWrongButBorderline) {
+  const std::vector<Verdict> verdicts =
+      associate({event("crash", 10.0, kWest, Standing::kNearMiss)}, {call("crash", 10.0, kWest)});
+  ASSERT_EQ(verdicts.size(), 1U);
+  EXPECT_EQ(verdicts[0].outcome, Outcome::kWrong);
+  EXPECT_TRUE(verdicts[0].is_borderline);
+}
+
+TEST(SprtMatch, FindsAnEventOvertakenByAnotherRightCall) {
+  const TrueEvents both = {event("crash", 10.0, kWest), event("goal", 10.0, kEast)};
+  EXPECT_EQ(outcomes(both, {call("goal", 10.0, kEast)}),
+            (std::vector<Outcome>{Outcome::kRight, Outcome::kOvertaken}));
+  EXPECT_EQ(outcomes(both, {call("throw_in", 10.0, kEast)}),
+            (std::vector<Outcome>{Outcome::kWrong, Outcome::kMissed, Outcome::kMissed}));
+}
+
+TEST(SprtMatch, FindsAnUnknownTouchRightAndTheThrowInMissed) {
+  const std::vector<Verdict> verdicts =
+      associate({event("throw_in", 10.0, kWest)}, {call("touch_line_unknown", 10.0, std::nullopt)});
+  ASSERT_EQ(verdicts.size(), 2U);
+  EXPECT_EQ(verdicts[0].outcome, Outcome::kRight);
+  EXPECT_EQ(verdicts[0].name, "touch_line_unknown");
+  EXPECT_EQ(verdicts[1].outcome, Outcome::kMissed);
+}
+
+}  // namespace
+}  // namespace autoref::runner::ground_truth

@@ -1,0 +1,133 @@
+#include "strategies/skills/obstacle_avoidance.hpp"
+
+#include <gtest/gtest.h>
+
+#include "soccer/random.hpp"
+#include "tests/strategies/staged_world.hpp"
+
+namespace autoref::strategies {
+namespace {
+
+constexpr double kClear_m = 0.21;
+constexpr double kTouching_m = 2 * kRobotRadius_m;
+
+TrackedRobot robot_at(const Vec2& position_m, const Vec2& velocity_mps = {0, 0}) {
+  return {0, position_m, Vec2(1, 0), velocity_mps, 0};
+}
+
+TEST(SteerFor, GoesStraightWhereTheWayIsFree) {
+  const Obstacles beside = {{{0.5, 0.5}, kClear_m}, {{-0.4, 0}, kClear_m}, {{1.6, 0}, kClear_m}};
+  EXPECT_EQ(steer_for(robot_at({0, 0}), {1, 0}, beside), Vec2(1, 0));
+  EXPECT_EQ(steer_for(robot_at({0, 0}), {1, 0}, {}), Vec2(1, 0));
+}
+
+TEST(SteerFor, PassesARobotOnTheNearerSideWithRoom) {
+  for (const double side : {1.0, -1.0}) {
+    const Vec2 there_m(0.7, 0.08 * side);
+    const Vec2 steer_m = steer_for(robot_at({0, 0}), {1.5, 0}, {{there_m, kClear_m}});
+    EXPECT_LT(steer_m.y() * side, 0);
+    EXPECT_GE(distance_to_segment(there_m, {0, 0}, steer_m), kTouching_m);
+    EXPECT_GE((steer_m - there_m).norm(), kClear_m);
+  }
+}
+
+TEST(SteerFor, GoesOnOnTheSideOnWhichTheRobotAlreadyMoves) {
+  const Obstacles ahead = {{{0.7, 0}, kClear_m}};
+  EXPECT_GT(steer_for(robot_at({0, 0}, {1.5, 1.5}), {1.5, 0}, ahead).y(), 0);
+  EXPECT_LT(steer_for(robot_at({0, 0}, {1.5, -1.5}), {1.5, 0}, ahead).y(), 0);
+}
+
+// From 0.4 m away there is a tangent past a robot that does not touch it.
+TEST(SteerFor, NeverLeadsThroughALoneRobot) {
+  RandomStream random(1);
+  for (int i = 0; i < 3000; ++i) {
+    const double distance_m = 0.4 + 0.6 * random.uniform();
+    const double beyond_m = 0.4 + random.uniform();
+    const double bend_rad = 0.6 * (random.uniform() - 0.5);
+    const Vec2 target_m = Vec2(distance_m, 0) + beyond_m * heading_of(bend_rad);
+    const Vec2 there_m(distance_m, 0);
+    const Vec2 steer_m = steer_for(robot_at({0, 0}), target_m, {{there_m, kClear_m}});
+    ASSERT_GE(distance_to_segment(there_m, {0, 0}, steer_m), kTouching_m)
+        << distance_m << " m ahead, target " << target_m.transpose();
+  }
+}
+
+TEST(FindObstacles, TakesEverybodyNearTheWayButTheRobotItself) {
+  const TrackedRobots own = {robot_at({0, 0}), {1, {1, 0.1}, {1, 0}, {0, 0}, 0}};
+  const TrackedRobots opponents = {{0, {0.5, 0}, {1, 0}, {0, 0}, 0},
+                                   {1, {0.5, 1.7}, {1, 0}, {0, 0}, 0}};
+  Obstacles obstacles;
+  find_obstacles({own, opponents}, own[0], {2, 0}, obstacles);
+  EXPECT_EQ(obstacles.size(), 2U);
+}
+
+TEST(FindObstacles, KeepsTheAskedRoomFromHullToBall) {
+  const TrackedRobots own = {robot_at({0, 0})};
+  Obstacles obstacles;
+  find_obstacles({own, {}, 0.5, {1, 0}}, own[0], {2, 0}, obstacles);
+  ASSERT_EQ(obstacles.size(), 1U);
+  EXPECT_EQ(obstacles[0].position_m, Vec2(1, 0));
+  EXPECT_NEAR(obstacles[0].clearance_m, 0.5 + kRobotRadius_m, 1e-9);
+}
+
+TEST(FindObstacles, MovesARobotOnToWhereItWillBeMet) {
+  const TrackedRobots own = {robot_at({0, 0})};
+  const TrackedRobots opponents = {{0, {1, -0.5}, {1, 0}, {0, 2}, 0}};
+  Obstacles obstacles;
+  find_obstacles({own, opponents}, own[0], {2, 0}, obstacles);
+  ASSERT_EQ(obstacles.size(), 1U);
+  EXPECT_GT(obstacles[0].position_m.y(), -0.3);
+}
+
+// Drives a robot step by step; how near it came to anybody, and how far from the target it ended.
+struct Drive {
+  double nearest_m = 10;
+  double left_m = 0;
+};
+Drive drive(const Vec2& from_m, const Vec2& target_m, const TrackedRobots& others, double seconds) {
+  TrackedRobots own = {robot_at(from_m)};
+  Drive drive;
+  for (int i = 0; i < seconds * 60; ++i) {
+    Obstacles obstacles;
+    find_obstacles({own, others}, own[0], target_m, obstacles);
+    const Vec2 steer_m = steer_for(own[0], target_m, obstacles);
+    obey(own[0], drive_via(own[0], steer_m, {target_m, Vec2(1, 0)}, DrivingStyle{}));
+    for (const TrackedRobot& other : others) {
+      const double gap_m = (other.position_m - own[0].position_m).norm();
+      drive.nearest_m = std::min(drive.nearest_m, gap_m);
+    }
+  }
+  drive.left_m = (target_m - own[0].position_m).norm();
+  return drive;
+}
+
+TEST(Schedule, LeadsPastTwoRobotsBesideEachOther) {
+  const TrackedRobots pair = {{0, {1, 0.1}, {1, 0}, {0, 0}, 0}, {1, {1, -0.1}, {1, 0}, {0, 0}, 0}};
+  const Drive result = drive({0, 0}, {2, 0}, pair, 4);
+  EXPECT_GT(result.nearest_m, kTouching_m);
+  EXPECT_LT(result.left_m, 10_mm);
+}
+
+// Robots stand so far apart that there is a way between any two of them.
+TEST(Schedule, ArrivesWithoutTouchingAnybodyWhoStands) {
+  RandomStream random(2);
+  for (int run = 0; run < 200; ++run) {
+    const Vec2 target_m(2, 2 * random.uniform() - 1);
+    TrackedRobots others;
+    while (others.size() < 5) {
+      const double x = -1.4 + 2.8 * random.uniform();
+      const double y = -1 + 2 * random.uniform();
+      const bool has_room = std::all_of(others.begin(), others.end(), [&](const auto& other) {
+        return (other.position_m - Vec2(x, y)).norm() > 0.6;
+      });
+      const int number = static_cast<int>(others.size());
+      if (has_room) others.push_back({number, {x, y}, {1, 0}, {0, 0}, 0});
+    }
+    const Drive result = drive({-2, 0}, target_m, others, 6);
+    ASSERT_GT(result.nearest_m, kTouching_m - 2_mm) << "run " << run;
+    ASSERT_LT(result.left_m, 10_mm) << "run " << run;
+  }
+}
+
+}  // namespace
+}  // namespace autoref::strategies
