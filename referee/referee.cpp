@@ -14,7 +14,6 @@
 #include "referee/machine/timekeeping.hpp"
 #include "referee/referee_input.hpp"
 #include "referee/rules/rule.hpp"
-#include "referee/rules/shootout_kick.hpp"
 #include "referee/touch/last_touch.hpp"
 #include "referee/touch/retrospective_touch_detector.hpp"
 #include "referee/touch/touch_candidates.hpp"
@@ -186,14 +185,24 @@ class Referee::Impl {
 
   // Fouls that are only counted leave the state as it is, and the rules after them are asked, too.
   void apply_rules(const RefereeInput& input) {
-    const State state = state_.machine_state;
-    const bool is_shootout = state_.signal.stage == Stage::kShootout;
-    for (const Rule& rule : is_shootout ? shootout_rules() : rules()) {
-      const bool is_in_force = is_shootout || configuration_.rules.has(rule.id);
-      if (!is_in_force || !rule.active_in.has(state)) continue;
-      if (const std::optional<Finding> found = rule.find(state_, input)) decide(input, *found);
-      if (state_.machine_state != state) return;
+    if (state_.signal.stage == Stage::kShootout) {
+      ask(kShootoutRule, input);
+      return;
     }
+    for (const AskedRule& asked : rules()) {
+      if (configuration_.rules.has(asked.id) && !ask(*asked.rule, input)) return;
+    }
+  }
+
+  // Says whether the state is what it was.
+  bool ask(const Rule& rule, const RefereeInput& input) {
+    const State state = state_.machine_state;
+    for (const Watch& watch : rule.watches()) {
+      if (!watch.active_in.has(state)) continue;
+      if (const std::optional<Finding> found = watch.find(state_, input)) decide(input, *found);
+      if (state_.machine_state != state) return false;
+    }
+    return true;
   }
 
   void decide(const RefereeInput& input, const Finding& finding) {
@@ -212,24 +221,12 @@ class Referee::Impl {
     Decision decision;
     decision.frame = input.frame.number;
     decision.time_s = input.time_s();
-    decision.transition = taken.transition->label;
+    decision.transition = taken.label;
     decision.from = state_.machine_state;
     decision.to = taken.state.machine_state;
     decision.command = taken.sent;
-    decision.event = finding.event;
-    decision.rule = finding.rule;
-    decision.value = finding.value;
-    decision.threshold = finding.threshold;
-    decision.unit = finding.unit;
-    decision.robots = finding.robots;
-    decision.offender = finding.offender;
-    decision.card = finding.card;
-    decision.position_m = finding.position_m;
-    if (is_call(finding.event) && state_.machine_state != taken.state.machine_state) {
-      decision.restart = finding.restart;
-    }
+    decision.finding = finding;
     decision.last_touch = input.last_touch;
-    decision.evidence = finding.evidence;
     decisions_.push_back(std::move(decision));
   }
 

@@ -11,7 +11,7 @@ int league_number(Command command) {
   return first_pair + 2 * (kind - first_pair) + (command.side == Side::kEast ? 1 : 0);
 }
 
-std::string name_of(Command command) {
+std::string_view name_of(CommandKind kind) {
   static constexpr std::array<std::string_view, 11> kNames = {"HALT",
                                                               "STOP",
                                                               "NORMAL_START",
@@ -23,7 +23,11 @@ std::string name_of(Command command) {
                                                               "TIMEOUT",
                                                               "GOAL",
                                                               "BALL_PLACEMENT"};
-  std::string name(kNames[static_cast<std::size_t>(command.kind)]);
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+std::string name_of(Command command) {
+  std::string name(name_of(command.kind));
   if (is_for_one_side(command.kind)) name += command.side == Side::kWest ? "_YELLOW" : "_BLUE";
   return name;
 }

@@ -47,6 +47,7 @@ int league_number(Command command);
 
 // The league's name, such as "PREPARE_KICKOFF_YELLOW".
 std::string name_of(Command command);
+std::string_view name_of(CommandKind kind);  // without the side
 
 enum class Stage : std::uint8_t {
   kFirstHalfPre = 0,

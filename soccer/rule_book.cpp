@@ -14,12 +14,7 @@ Book laws_2014() {
   Book book;
   book.rules.name = "2014";
   book.rules.edition = Edition::kLaws2014;
-  book.rules.in_force.add({RuleId::kKickSpeed, RuleId::kChipGoal, RuleId::kIndirectGoal,
-                           RuleId::kFreeKickOwnGoal, RuleId::kDefenderInArea, RuleId::kDoubleTouch,
-                           RuleId::kRestartDistance, RuleId::kStopSpeed, RuleId::kStopDistance,
-                           RuleId::kDribbling, RuleId::kKeeperHolding, RuleId::kCrash,
-                           RuleId::kPushing, RuleId::kTooManyRobots, RuleId::kKickoffPositions,
-                           RuleId::kPenaltyPositions, RuleId::kCards, RuleId::kTimeouts});
+  book.rules.in_force = rules_of(Edition::kLaws2014);
   return book;
 }
 
@@ -40,31 +35,7 @@ Book laws_2014_double() {
 
 void set_rules_2026(RuleBook& rules) {
   rules.edition = Edition::kRules2026;
-  rules.in_force = RuleSet({RuleId::kGoal,
-                            RuleId::kBallLeavesField,
-                            RuleId::kAttackerNearArea,
-                            RuleId::kRestartNotTaken,
-                            RuleId::kNoProgress,
-                            RuleId::kKickSpeed,
-                            RuleId::kGoalValid,
-                            RuleId::kFreeKickOwnGoal,
-                            RuleId::kDefenderInArea,
-                            RuleId::kAttackerInArea,
-                            RuleId::kDoubleTouch,
-                            RuleId::kRestartDistance,
-                            RuleId::kStopSpeed,
-                            RuleId::kDribbling,
-                            RuleId::kKeeperHolding,
-                            RuleId::kCrash,
-                            RuleId::kPushing,
-                            RuleId::kPlacementInterference,
-                            RuleId::kTooManyRobots,
-                            RuleId::kKickoffPositions,
-                            RuleId::kPenaltyPositions,
-                            RuleId::kPenaltyFailed,
-                            RuleId::kCards,
-                            RuleId::kTimeouts,
-                            RuleId::kGoalLead});
+  rules.in_force = rules_of(Edition::kRules2026);
   rules.throw_in_inset_m = 200_mm;
   rules.corner_inset_m = 200_mm;
   rules.goal_kick_touch_inset_m = 200_mm;
@@ -90,7 +61,6 @@ Book rules_2026_b() {
   Book book;
   book.rules.name = "2026-b";
   set_rules_2026(book.rules);
-  book.rules.in_force[RuleId::kAimlessKick] = true;
   book.rules.keeper_holding_s = 10_s;
   book.setup.half_s = 300_s;
   Field& field = book.setup.field;

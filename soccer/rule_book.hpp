@@ -16,6 +16,10 @@ namespace autoref {
 // Which rules a book follows; its divisions differ in numbers.
 enum class Edition : std::uint8_t { kPaper, kLaws2014, kRules2026 };
 
+// Those that the edition has, by rules.def. Of the paper, what it handles (section 4.2), and what
+// games need to come to an end.
+RuleSet rules_of(Edition edition);
+
 // Defaults are `rules: paper`, and where the paper has no such rule, the Laws' single size. "Paper"
 // is Zhu, Biswas and Veloso, "AutoRef: Towards Real-Robot Soccer Complete Automated Refereeing";
 // "Laws" are the SSL's laws of 2014; "2016" is the authors' later public referee; "2026" are the
@@ -23,9 +27,7 @@ enum class Edition : std::uint8_t { kPaper, kLaws2014, kRules2026 };
 struct RuleBook {
   std::string name = "paper";
   Edition edition = Edition::kPaper;
-  // What the paper handles (section 4.2), and what games need to come to an end.
-  RuleSet in_force{RuleId::kGoal, RuleId::kBallLeavesField, RuleId::kAttackerNearArea,
-                   RuleId::kRestartNotTaken, RuleId::kStuckBall};
+  RuleSet in_force = rules_of(Edition::kPaper);
 
   // Readiness before a restart (paper, section 4.4).
   double stillness_m = 15_mm;          // the paper's epsilon

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
@@ -9,42 +10,20 @@
 
 namespace autoref {
 
+// In the order in which the referee asks them.
 enum class RuleId : std::uint8_t {
-  kGoal,
-  kBallLeavesField,
-  kAttackerNearArea,
-  kRestartNotTaken,
-  kStuckBall,
-  kNoProgress,
-  kKickSpeed,
-  kChipGoal,
-  kGoalValid,
-  kIndirectGoal,
-  kFreeKickOwnGoal,
-  kDefenderInArea,
-  kAttackerInArea,
-  kDoubleTouch,
-  kRestartDistance,
-  kStopSpeed,
-  kStopDistance,
-  kDribbling,
-  kKeeperHolding,
-  kCrash,
-  kPushing,
-  kPlacementInterference,
-  kTooManyRobots,
-  kKickoffPositions,
-  kPenaltyPositions,
-  kPenaltyFailed,
-  kAimlessKick,
-  kOffside,
-  kCards,
-  kTimeouts,
-  kGoalLead,
+#define AUTOREF_RULE(id, ...) id,
+#include "soccer/rules.def"
+#undef AUTOREF_RULE
 };
-inline constexpr int kRuleCount = static_cast<int>(RuleId::kGoalLead) + 1;
 
-// A short name in snake_case, as in game files: "kick_speed".
+#define AUTOREF_RULE(...) +1
+inline constexpr int kRuleCount = 0
+#include "soccer/rules.def"
+    ;
+#undef AUTOREF_RULE
+
+// A short name in snake_case, as in game files: "attacker_double_touched_ball".
 std::string_view name_of(RuleId rule);
 std::optional<RuleId> find_rule(std::string_view name);
 
@@ -52,14 +31,13 @@ std::optional<RuleId> find_rule(std::string_view name);
 class RuleSet {
  public:
   constexpr RuleSet() = default;
-  constexpr RuleSet(std::initializer_list<RuleId> rules) { add(rules); }
+  constexpr RuleSet(std::initializer_list<RuleId> rules) {
+    for (const RuleId rule : rules) (*this)[rule] = true;
+  }
 
   constexpr bool has(RuleId rule) const { return in_force_[static_cast<std::size_t>(rule)]; }
   // To switch a rule on or off.
   constexpr bool& operator[](RuleId rule) { return in_force_[static_cast<std::size_t>(rule)]; }
-  constexpr void add(std::initializer_list<RuleId> rules) {
-    for (const RuleId rule : rules) (*this)[rule] = true;
-  }
   bool operator==(const RuleSet&) const = default;
 
  private:

@@ -1,4 +1,4 @@
-// Every rule in one sentence, where each rule book has it, and its threshold.
+// Every rule in one sentence, where each rule book has it, and its threshold: rules.def as a table.
 #pragma once
 
 #include <span>
@@ -10,7 +10,8 @@
 namespace autoref {
 
 struct RuleEntry {
-  RuleId rule = RuleId::kGoal;
+  RuleId rule;
+  std::string_view name;   // in snake_case
   std::string_view about;  // what it forbids or gives
   // Where an edition has it, such as "Laws 12"; empty where it does not.
   std::string_view paper;
@@ -18,6 +19,9 @@ struct RuleEntry {
   std::string_view rules_2026;
   double RuleBook::*threshold = nullptr;  // none for rules without one number
   std::string_view unit;                  // of the threshold
+
+  // The section of an edition.
+  std::string_view section(Edition edition) const;
 };
 
 // In the order of RuleId.

@@ -8,14 +8,10 @@ namespace {
 
 // clang-format off
 constexpr std::array kAdministration = {
-  Transition{"yellow_card", State::kRun, Event::kYellowCard, kAlways, kShowCard,
-        State::kRun, "2026", ""},
-  Transition{"yellow_card_stopped", State::kWaitStop, Event::kYellowCard, kAlways, kShowCard,
-        State::kWaitStop, "2026", ""},
-  Transition{"red_card", State::kRun, Event::kRedCard, kAlways, kShowCard,
-        State::kRun, "2026", ""},
-  Transition{"red_card_stopped", State::kWaitStop, Event::kRedCard, kAlways, kShowCard,
-        State::kWaitStop, "2026", ""},
+  Transition{"", std::nullopt, Event::kMultipleFouls, kAlways, kShowCard,
+        std::nullopt, "2026", ""},
+  Transition{"", std::nullopt, Event::kMultipleCards, kAlways, kShowCard,
+        std::nullopt, "2026", ""},
   Transition{"card_over", State::kRun, Event::kCardOver, kAlways, kEndCard,
         State::kRun, "Laws 12; 2026", ""},
   Transition{"timeout", State::kWaitStop, Event::kTimeout, kAlways, kBeginTimeout,
@@ -34,7 +30,7 @@ constexpr std::array kAdministration = {
         State::kWaitStop, "Laws, appendix A; 2026", ""},
   Transition{"shootout_goal", State::kRun, Event::kGoal, kInShootout, kCountShootoutGoal,
         State::kDelayWait, "Laws, appendix A; 2026", ""},
-  Transition{"shootout_miss", State::kRun, Event::kPenaltyFailed, kInShootout, kCountShootoutMiss,
+  Transition{"shootout_miss", State::kRun, Event::kPenaltyKickFailed, kInShootout, kCountShootoutMiss,
         State::kWaitStop, "Laws, appendix A; 2026", ""},
   Transition{"shootout_over", std::nullopt, Event::kShootoutOver, kGameWasLast, kEndGame,
         State::kOver, "Laws, appendix A; 2026", ""},

@@ -38,6 +38,6 @@ inline constexpr Guard kInShootout{"in the shoot-out", is_in_shootout};
 inline constexpr Guard kGameWasLast{"no new game follows", game_was_last};
 inline constexpr Guard kNewGameFollows{"a new game follows", new_game_follows};
 inline constexpr Guard kFoulsStopPlay{"fouls stop play", fouls_stop_play};
-inline constexpr Guard kFoulsAreNoted{"fouls are noted", fouls_are_noted};
+inline constexpr Guard kFoulsAreNoted{"fouls only count", fouls_are_noted};
 
 }  // namespace autoref::referee

@@ -1,9 +1,19 @@
 #include "referee/machine/machine.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace autoref::referee {
 namespace {
+
+bool comes_in_play(Event event, Effect effect) {
+  const EventEntry& entry = entry_of(event);
+  return entry.effect == effect && entry.when != When::kInStop;
+}
+
+bool stops_play(Event event) { return comes_in_play(event, Effect::kStopsPlay); }
+bool stops_play_by_book(Event event) { return comes_in_play(event, Effect::kStopsByBook); }
+bool counts_in_play(Event event) { return comes_in_play(event, Effect::kCounts); }
 
 // clang-format off
 constexpr std::array kInFigure = {
@@ -31,7 +41,7 @@ constexpr std::array kInFigure = {
         State::kWaitStop, "paper 4.2", ""},
   Transition{"touch_line_unknown", State::kRun, Event::kTouchLineUnknown, kAlways, kStopPlay,
         State::kWaitStop, "ours", "D14"},
-  Transition{"attacker_near_area", State::kRun, Event::kAttackerNearArea, kAlways, kStopPlay,
+  Transition{"attacker_too_close_to_defense_area", State::kRun, Event::kAttackerTooCloseToDefenseArea, kAlways, kStopPlay,
         State::kWaitStop, "paper 4.2; Laws", "D9"},
   Transition{"restart_not_taken", State::kRun, Event::kRestartNotTaken, kAlways, kStopPlay,
         State::kWaitStop, "2016, Laws", "D10"},
@@ -53,75 +63,29 @@ constexpr std::array kOutsideFigure = {
   Transition{"new_game", State::kDelayWait, Event::kSignalled, kAfterGame, kBeginNewGame,
         State::kWaitStop, "paper 4.2", ""},
 };
+
+constexpr Trigger kCallThatStopsPlay{"a call that stops play", stops_play};
+constexpr Trigger kCallByBook{"a call that stops play by the book", stops_play_by_book};
+constexpr Trigger kCallThatCounts{"a call that only counts", counts_in_play};
+constexpr Trigger kCallInStop{"a call that may come in a stop", may_come_in_stop};
+
 constexpr std::array kBeyondPaper = {
-  Transition{"no_progress", State::kRun, Event::kNoProgress, kAlways, kStopPlay,
+  Transition{"", State::kRun, kCallThatStopsPlay, kAlways, kStopPlay,
+        State::kWaitStop, "rule book; goal_line_unknown: ours", "D14"},
+  Transition{"", State::kRun, kCallByBook, kFoulsStopPlay, kStopPlay,
         State::kWaitStop, "rule book", ""},
-  Transition{"kick_speed", State::kRun, Event::kKickSpeed, kAlways, kStopPlay,
-        State::kWaitStop, "rule book", ""},
-  Transition{"chip_goal", State::kRun, Event::kChipGoal, kAlways, kStopPlay,
-        State::kWaitStop, "rule book", ""},
-  Transition{"goal_invalid", State::kRun, Event::kGoalInvalid, kAlways, kStopPlay,
-        State::kWaitStop, "rule book", ""},
-  Transition{"indirect_goal", State::kRun, Event::kIndirectGoal, kAlways, kStopPlay,
-        State::kWaitStop, "rule book", ""},
-  Transition{"free_kick_own_goal", State::kRun, Event::kFreeKickOwnGoal, kAlways, kStopPlay,
-        State::kWaitStop, "rule book", ""},
-  Transition{"defender_in_area", State::kRun, Event::kDefenderInArea, kAlways, kStopPlay,
-        State::kWaitStop, "rule book", ""},
-  Transition{"defender_partly_in_area", State::kRun, Event::kDefenderPartlyInArea, kAlways, kStopPlay,
-        State::kWaitStop, "rule book", ""},
-  Transition{"attacker_in_area", State::kRun, Event::kAttackerInArea, kAlways, kStopPlay,
-        State::kWaitStop, "rule book", ""},
-  Transition{"double_touch", State::kRun, Event::kDoubleTouch, kAlways, kStopPlay,
-        State::kWaitStop, "rule book", ""},
-  Transition{"dribbling", State::kRun, Event::kDribbling, kAlways, kStopPlay,
-        State::kWaitStop, "rule book", ""},
-  Transition{"keeper_holding", State::kRun, Event::kKeeperHolding, kAlways, kStopPlay,
-        State::kWaitStop, "rule book", ""},
-  Transition{"pushing", State::kRun, Event::kPushing, kAlways, kStopPlay,
-        State::kWaitStop, "rule book", ""},
-  Transition{"kickoff_positions", State::kRun, Event::kKickoffPositions, kAlways, kStopPlay,
-        State::kWaitStop, "rule book", ""},
-  Transition{"penalty_positions", State::kRun, Event::kPenaltyPositions, kAlways, kStopPlay,
-        State::kWaitStop, "rule book", ""},
-  Transition{"penalty_failed", State::kRun, Event::kPenaltyFailed, kAlways, kStopPlay,
-        State::kWaitStop, "rule book", ""},
-  Transition{"aimless_kick", State::kRun, Event::kAimlessKick, kAlways, kStopPlay,
-        State::kWaitStop, "rule book", ""},
-  Transition{"offside", State::kRun, Event::kOffside, kAlways, kStopPlay,
-        State::kWaitStop, "rule book", ""},
-  Transition{"goal_line_unknown", State::kRun, Event::kGoalLineUnknown, kAlways, kStopPlay,
-        State::kWaitStop, "ours", "D14"},
-  Transition{"restart_distance", State::kRun, Event::kRestartDistance, kFoulsStopPlay, kStopPlay,
-        State::kWaitStop, "rule book", ""},
-  Transition{"restart_distance_noted", State::kRun, Event::kRestartDistance, kFoulsAreNoted, kNoteFoul,
+  Transition{"", State::kRun, kCallByBook, kFoulsAreNoted, kNoteFoul,
         State::kRun, "rule book", ""},
-  Transition{"crash", State::kRun, Event::kCrash, kFoulsStopPlay, kStopPlay,
-        State::kWaitStop, "rule book", ""},
-  Transition{"crash_noted", State::kRun, Event::kCrash, kFoulsAreNoted, kNoteFoul,
+  Transition{"", State::kRun, kCallThatCounts, kAlways, kNoteFoul,
         State::kRun, "rule book", ""},
-  Transition{"crash_drawn", State::kRun, Event::kCrashDrawn, kAlways, kNoteFoul,
-        State::kRun, "rule book", ""},
-  Transition{"attacker_stays_near_area", State::kRun, Event::kAttackerStaysNearArea, kAlways, kNoteFoul,
-        State::kRun, "rule book", ""},
-  Transition{"attacker_stays_near_area_stopped", State::kWaitStop, Event::kAttackerStaysNearArea, kAlways, kNoteFoul,
-        State::kWaitStop, "rule book", ""},
-  Transition{"stop_speed", State::kWaitStop, Event::kStopSpeed, kAlways, kNoteFoul,
-        State::kWaitStop, "rule book", ""},
-  Transition{"stop_distance", State::kWaitStop, Event::kStopDistance, kAlways, kNoteFoul,
-        State::kWaitStop, "rule book", ""},
-  Transition{"placement_interference", State::kWaitStop, Event::kPlacementInterference, kAlways, kNoteFoul,
-        State::kWaitStop, "rule book", ""},
-  Transition{"too_many_robots", State::kRun, Event::kTooManyRobots, kAlways, kStopPlay,
-        State::kWaitStop, "rule book", ""},
-  Transition{"too_many_robots_stopped", State::kWaitStop, Event::kTooManyRobots, kAlways, kNoteFoul,
+  Transition{"", State::kWaitStop, kCallInStop, kAlways, kNoteFoul,
         State::kWaitStop, "rule book", ""},
 };
 // clang-format on
 
 bool leads_on(const Transition& transition, const RefereeState& state, const RefereeInput& input,
               Event event) {
-  return transition.event == event &&
+  return transition.trigger.has(event) &&
          (!transition.from || *transition.from == state.machine_state) &&
          transition.guard.holds(state, input.configuration);
 }
@@ -142,6 +106,10 @@ const Transition* find_transition(const RefereeState& state, const RefereeInput&
   return nullptr;
 }
 
+void add_once(std::vector<std::string_view>& labels, std::string_view label) {
+  if (std::find(labels.begin(), labels.end(), label) == labels.end()) labels.push_back(label);
+}
+
 }  // namespace
 
 std::span<const Transition> transitions_in_figure() { return kInFigure; }
@@ -153,11 +121,26 @@ std::array<std::span<const Transition>, 4> all_transitions() {
           transitions_beyond_paper()};
 }
 
+std::vector<std::string_view> all_labels() {
+  std::vector<std::string_view> labels;
+  for (const std::span<const Transition> transitions : all_transitions()) {
+    for (const Transition& transition : transitions) {
+      if (!transition.label.empty()) add_once(labels, transition.label);
+      for (const EventEntry& entry : event_table()) {
+        if (transition.label.empty() && transition.trigger.has(entry.event))
+          add_once(labels, entry.name);
+      }
+    }
+  }
+  return labels;
+}
+
 Step step(const RefereeState& state, const RefereeInput& input, const Finding& finding) {
-  Step taken{state, find_transition(state, input, finding.event), std::nullopt};
+  Step taken{state, find_transition(state, input, finding.event), {}, std::nullopt};
   if (taken.transition == nullptr) return taken;
+  taken.label = taken.transition->label.empty() ? name_of(finding.event) : taken.transition->label;
   taken.transition->action.take(taken.state, input, finding);
-  taken.state.machine_state = taken.transition->to;
+  taken.state.machine_state = taken.transition->to.value_or(state.machine_state);
   follow_play(taken.state, state.machine_state, input.time_s());
   if (taken.state.signal.command_counter != state.signal.command_counter) {
     taken.sent = taken.state.signal.command;

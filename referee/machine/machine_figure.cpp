@@ -2,18 +2,31 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "referee/machine/machine.hpp"
 
 namespace autoref::referee {
 namespace {
 
 std::string condition_of(const Transition& transition) {
-  if (transition.guard.text.empty()) return std::string(name_of(transition.event));
-  return fmt::format("{}, {}", name_of(transition.event), transition.guard.text);
+  const Trigger& trigger = transition.trigger;
+  const std::string_view what = trigger.event ? name_of(*trigger.event) : trigger.text;
+  return transition.guard.text.empty() ? std::string(what)
+                                       : fmt::format("{}, {}", what, transition.guard.text);
+}
+
+std::string label_of(const Transition& transition) {
+  if (!transition.label.empty()) return std::string(transition.label);
+  return transition.trigger.event ? std::string(name_of(*transition.trigger.event)) : "*the event*";
 }
 
 std::string from_of(const Transition& transition) {
   return transition.from ? std::string(name_of(*transition.from)) : "any";
+}
+
+std::string to_of(const Transition& transition) {
+  return transition.to ? std::string(name_of(*transition.to)) : "the same";
 }
 
 std::string evidence_of(const Transition& transition) {
@@ -24,8 +37,8 @@ std::string evidence_of(const Transition& transition) {
 std::string diagram() {
   std::string text = "```mermaid\nstateDiagram-v2\n  [*] --> INIT\n";
   for (const Transition& transition : transitions_in_figure()) {
-    text += fmt::format("  {} --> {}: {}\n", from_of(transition), name_of(transition.to),
-                        transition.label);
+    text +=
+        fmt::format("  {} --> {}: {}\n", from_of(transition), to_of(transition), transition.label);
   }
   return text + "```\n";
 }
@@ -34,14 +47,38 @@ std::string table_of(std::span<const Transition> transitions) {
   std::string text =
       "| transition | from | when | to | what is done | evidence |\n|---|---|---|---|---|---|\n";
   for (const Transition& transition : transitions) {
-    text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", transition.label, from_of(transition),
-                        condition_of(transition), name_of(transition.to), transition.action.text,
-                        evidence_of(transition));
+    text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", label_of(transition),
+                        from_of(transition), condition_of(transition), to_of(transition),
+                        transition.action.text, evidence_of(transition));
   }
   return text;
 }
 
+std::string effect_of(const EventEntry& entry) {
+  constexpr std::array<std::string_view, 4> kEffects = {"", "stops play", "by the book", "counts"};
+  constexpr std::array<std::string_view, 3> kWhen = {"", " in a stop", "; counts in a stop"};
+  const std::string_view effect = kEffects[static_cast<std::size_t>(entry.effect)];
+  if (entry.effect == Effect::kCounts && entry.when == When::kAnyTime) return "counts at any time";
+  return fmt::format("{}{}", effect, kWhen[static_cast<std::size_t>(entry.when)]);
+}
+
+std::string row_of(const EventEntry& entry) {
+  const std::string_view restart = entry.restart ? name_of(*entry.restart) : "";
+  const std::string card = entry.card == Card::kNone ? "" : std::string(name_of(entry.card));
+  return fmt::format("| {} | {} | {} | {} | {} | {} |\n", entry.name, entry.league_event,
+                     effect_of(entry), entry.is_foul ? "yes" : "", card, restart);
+}
+
 }  // namespace
+
+std::string event_figure() {
+  std::string text =
+      "| event | league event | effect | foul | card | restart |\n|---|---|---|---|---|---|\n";
+  for (const EventEntry& entry : event_table()) {
+    if (is_call(entry.event) || !entry.league_event.empty()) text += row_of(entry);
+  }
+  return text;
+}
 
 std::string machine_figure() {
   return fmt::format(

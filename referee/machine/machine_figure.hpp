@@ -9,4 +9,8 @@ namespace autoref::referee {
 // transitions, those of the game's time apart. Ends with a newline.
 std::string machine_figure();
 
+// A Markdown table of calls and cards: what the league calls them and what follows. It ends with a
+// newline.
+std::string event_figure();
+
 }  // namespace autoref::referee

@@ -6,7 +6,7 @@ namespace {
 constexpr int kMostRetakes = 3;
 
 bool is_taken_again(Event event) {
-  return event == Event::kRestartDistance || event == Event::kKickoffPositions ||
+  return event == Event::kDefenderTooCloseToKickPoint || event == Event::kKickoffPositions ||
          event == Event::kPenaltyPositions;
 }
 
@@ -23,7 +23,7 @@ Retakes retakes_after(const Retakes& before, const Finding& finding) {
   if (!is_taken_again(finding.event)) return {};
   Retakes after = before;
   ++after.count;
-  if (finding.event == Event::kRestartDistance) {
+  if (finding.event == Event::kDefenderTooCloseToKickPoint) {
     for (const RobotId robot : finding.robots) after.too_near.add(robot);
   }
   return after;

@@ -95,18 +95,18 @@ struct OffsideWatch {
 
 // One member for each rule that watches, named like it.
 struct RuleWatch {
-  CrashWatch crash;
-  PushingWatch pushing;
-  DribblingWatch dribbling;
-  KeeperHoldingWatch keeper_holding;
-  GraceTimer stop_speed;
+  CrashWatch bot_crash_unique;
+  PushingWatch bot_pushed_bot;
+  DribblingWatch bot_dribbled_ball_too_far;
+  KeeperHoldingWatch keeper_held_ball;
+  GraceTimer bot_too_fast_in_stop;
   GraceTimer stop_distance;
-  GraceTimer placement_interference;
-  AttackerNearAreaWatch attacker_near_area;
-  RestartDistanceWatch restart_distance;
+  GraceTimer bot_interfered_placement;
+  AttackerNearAreaWatch attacker_too_close_to_defense_area;
+  RestartDistanceWatch defender_too_close_to_kick_point;
   KickoffPositionsWatch kickoff_positions;
   PenaltyPositionsWatch penalty_positions;
-  KickSpeedWatch kick_speed;
+  KickSpeedWatch bot_kicked_ball_too_fast;
   OffsideWatch offside;
 };
 
@@ -114,7 +114,7 @@ struct RuleWatch {
 // go on being so.
 inline RuleWatch kept_at_start(const RuleWatch& watch) {
   RuleWatch kept;
-  kept.attacker_near_area = watch.attacker_near_area;
+  kept.attacker_too_close_to_defense_area = watch.attacker_too_close_to_defense_area;
   return kept;
 }
 

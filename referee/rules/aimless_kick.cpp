@@ -1,9 +1,10 @@
-#include "referee/rules/aimless_kick.hpp"
-
+// A kick from one's own half over the opponents' goal line outside the goal, untouched on its way,
+// is aimless, except from a kick-off (2026 Division B): a free kick from where it was kicked.
 #include <fmt/format.h>
 
 #include "referee/geometry/ball_out.hpp"
 #include "referee/machine/ball_in_play.hpp"
+#include "referee/rules/rule.hpp"
 
 namespace autoref::referee {
 namespace {
@@ -13,8 +14,6 @@ bool is_over_goal_line(const RefereeInput& input) {
   return input.ball && is_out_of_field(field, input.ball->position_m) &&
          find_exit(field, input.ball->before_m, input.ball->position_m).line == ExitLine::kGoal;
 }
-
-}  // namespace
 
 std::optional<Finding> find_aimless_kick(RefereeState& state, const RefereeInput& input) {
   const Configuration& c = input.configuration;
@@ -37,5 +36,9 @@ std::optional<Finding> find_aimless_kick(RefereeState& state, const RefereeInput
       kick->robot ? text_of(*kick->robot) : std::string(name_of(*kick->side)), 1e3 * finding.value);
   return finding;
 }
+
+}  // namespace
+
+constinit const Rule kAimlessKickRule{{State::kRun}, find_aimless_kick};
 
 }  // namespace autoref::referee

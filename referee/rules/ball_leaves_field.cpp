@@ -1,11 +1,17 @@
-#include "referee/rules/ball_leaves_field.hpp"
-
+// "When the ball leaves the field without entering a goal, a free kick is awarded to the team which
+// touched the ball less recently" (paper, section 4.2): throw-in, corner kick or goal kick.
+//
+// Deviation D14: where the last touch is unknown, it is a goal kick behind a goal line, which is
+// the paper's "otherwise", and over a touch line a force start from the place of the throw-in.
+// Other books do not say "otherwise": there it is a force start from a neutral place behind a goal
+// line, too, so that a touch that nobody saw is no one's gain.
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "referee/geometry/ball_out.hpp"
 #include "referee/geometry/restarts.hpp"
+#include "referee/rules/rule.hpp"
 #include "soccer/robot_shape.hpp"
 
 namespace autoref::referee {
@@ -13,7 +19,7 @@ namespace {
 
 struct Award {
   Event event = Event::kThrowIn;
-  Command restart;
+  Side kicker = Side::kWest;  // west where neither side is
   Vec2 position_m{0, 0};
 };
 
@@ -21,10 +27,9 @@ Award over_touch_line(const RefereeInput& input, const Vec2& exit_m) {
   const Configuration& c = input.configuration;
   const Vec2 position_m = throw_in_position(c.field, c.rules, exit_m);
   if (!input.last_touch.side) {
-    return {Event::kTouchLineUnknown, {CommandKind::kForceStart, Side::kWest}, position_m};
+    return {Event::kTouchLineUnknown, Side::kWest, position_m};
   }
-  const Side kicker = opponent_of(*input.last_touch.side);
-  return {Event::kThrowIn, indirect_free_kick(c.rules, kicker), position_m};
+  return {Event::kThrowIn, opponent_of(*input.last_touch.side), position_m};
 }
 
 Award over_goal_line(const RefereeInput& input, const Vec2& exit_m) {
@@ -32,18 +37,12 @@ Award over_goal_line(const RefereeInput& input, const Vec2& exit_m) {
   const Side defender = exit_m.x() < 0 ? Side::kWest : Side::kEast;
   const Side attacker = opponent_of(defender);
   if (input.last_touch.side == defender) {
-    return {Event::kCornerKick,
-            {CommandKind::kDirectFree, attacker},
-            corner_kick_position(c.field, c.rules, attacker, exit_m)};
+    return {Event::kCornerKick, attacker, corner_kick_position(c.field, c.rules, attacker, exit_m)};
   }
   if (!input.last_touch.side && c.rules.edition != Edition::kPaper) {
-    return {Event::kGoalLineUnknown,
-            {CommandKind::kForceStart, Side::kWest},
-            neutral_position(c.field, c.rules, exit_m)};
+    return {Event::kGoalLineUnknown, Side::kWest, neutral_position(c.field, c.rules, exit_m)};
   }
-  return {Event::kGoalKick,
-          {CommandKind::kDirectFree, defender},
-          goal_kick_position(c.field, c.rules, defender, exit_m)};
+  return {Event::kGoalKick, defender, goal_kick_position(c.field, c.rules, defender, exit_m)};
 }
 
 std::string touched_by(const LastTouch& touch) {
@@ -52,8 +51,6 @@ std::string touched_by(const LastTouch& touch) {
   return fmt::format("{} {} touched it last, at {:.3f} s", name_of(*touch.side),
                      touch.robot->number, touch.time_s);
 }
-
-}  // namespace
 
 std::optional<Finding> find_ball_leaves_field(RefereeState& /*state*/, const RefereeInput& input) {
   const Field& field = input.configuration.field;
@@ -69,12 +66,19 @@ std::optional<Finding> find_ball_leaves_field(RefereeState& /*state*/, const Ref
   finding.unit = "m";
   if (input.last_touch.robot) finding.robots.push_back(*input.last_touch.robot);
   finding.position_m = exit.point_m;
-  finding.restart = award.restart;
+  if (award.event == Event::kThrowIn) {
+    finding.restart = indirect_free_kick(input.configuration.rules, award.kicker);
+  }
+  finding.restart.side = award.kicker;
   finding.ball_to_m = award.position_m;
   finding.evidence = fmt::format("The ball crossed a {} line at ({:.3f}, {:.3f}) m; {}.",
                                  touch_line ? "touch" : "goal", exit.point_m.x(), exit.point_m.y(),
                                  touched_by(input.last_touch));
   return finding;
 }
+
+}  // namespace
+
+constinit const Rule kBallLeavesFieldRule{{State::kRun}, find_ball_leaves_field};
 
 }  // namespace autoref::referee

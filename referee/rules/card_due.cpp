@@ -1,10 +1,14 @@
-#include "referee/rules/card_due.hpp"
-
+// Cards for fouls, and the end of yellow ones. "Every third foul of the same team results in a
+// yellow card"; a third active yellow card is a red one instead (2026). A yellow card lasts some
+// time of play (Laws 12).
+//
+// Where both sides are due in one frame, one finding without an offender stands for both.
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "referee/machine/cards.hpp"
+#include "referee/rules/rule.hpp"
 
 namespace autoref::referee {
 namespace {
@@ -27,8 +31,9 @@ bool is_due(const CardBook& cards, const RuleBook& rules, Card card) {
   return next_card(cards, rules) == card;
 }
 
-std::optional<Finding> find_card(const RefereeState& state, const RefereeInput& input, Card card,
+std::optional<Finding> find_card(const RefereeState& state, const RefereeInput& input,
                                  Event event) {
+  const Card card = entry_of(event).card;
   const RuleBook& rules = input.configuration.rules;
   PerSide<bool> due;
   int fouls = 0;
@@ -39,7 +44,6 @@ std::optional<Finding> find_card(const RefereeState& state, const RefereeInput& 
   if (!is_any(due)) return std::nullopt;
   Finding finding = finding_of(event, RuleId::kCards, rules);
   finding.offender = one_of(due);
-  finding.card = card;
   finding.value = fouls;
   finding.threshold = rules.fouls_per_card;
   finding.unit = "fouls";
@@ -49,14 +53,12 @@ std::optional<Finding> find_card(const RefereeState& state, const RefereeInput& 
   return finding;
 }
 
-}  // namespace
-
 std::optional<Finding> find_yellow_card(RefereeState& state, const RefereeInput& input) {
-  return find_card(state, input, Card::kYellow, Event::kYellowCard);
+  return find_card(state, input, Event::kMultipleFouls);
 }
 
 std::optional<Finding> find_red_card(RefereeState& state, const RefereeInput& input) {
-  return find_card(state, input, Card::kRed, Event::kRedCard);
+  return find_card(state, input, Event::kMultipleCards);
 }
 
 std::optional<Finding> find_card_over(RefereeState& state, const RefereeInput& input) {
@@ -75,5 +77,11 @@ std::optional<Finding> find_card_over(RefereeState& state, const RefereeInput& i
                                  name_or_both(finding.offender), rules.card_s);
   return finding;
 }
+
+}  // namespace
+
+constinit const Rule kCardsRule{{{State::kRun, State::kWaitStop}, find_red_card},
+                                {{State::kRun, State::kWaitStop}, find_yellow_card},
+                                {{State::kRun}, find_card_over}};
 
 }  // namespace autoref::referee

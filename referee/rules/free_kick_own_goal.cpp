@@ -1,11 +1,14 @@
-#include "referee/rules/free_kick_own_goal.hpp"
-
+// A ball straight from a side's own restart into its own goal is no goal, but a corner kick for the
+// opponents (Laws 2014, law 13; 2026, Free Kick). A touch by somebody unknown may be a second
+// robot's. Penalty kicks are taken at the other end.
 #include <fmt/format.h>
 
 #include "referee/machine/ball_in_play.hpp"
 #include "referee/rules/in_goal.hpp"
+#include "referee/rules/rule.hpp"
 
 namespace autoref::referee {
+namespace {
 
 std::optional<Finding> find_free_kick_own_goal(RefereeState& state, const RefereeInput& input) {
   const PlayState& play = state.play;
@@ -22,5 +25,9 @@ std::optional<Finding> find_free_kick_own_goal(RefereeState& state, const Refere
       name_of(*conceded));
   return finding;
 }
+
+}  // namespace
+
+constinit const Rule kFreeKickOwnGoalRule{{State::kRun}, find_free_kick_own_goal};
 
 }  // namespace autoref::referee

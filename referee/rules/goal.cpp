@@ -1,13 +1,16 @@
-#include "referee/rules/goal.hpp"
-
+// "When the ball enters one of the goals, a goal is awarded to the appropriate team, the ball is
+// placed in the center of the field, and a kickoff is signaled" (paper, section 4.2): of the team
+// that conceded. A ball in a goal counts for that goal's opponents, whoever touched it last.
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "referee/rules/in_goal.hpp"
+#include "referee/rules/rule.hpp"
 #include "soccer/robot_shape.hpp"
 
 namespace autoref::referee {
+namespace {
 
 std::optional<Finding> find_goal(RefereeState& /*state*/, const RefereeInput& input) {
   const Field& field = input.configuration.field;
@@ -20,12 +23,16 @@ std::optional<Finding> find_goal(RefereeState& /*state*/, const RefereeInput& in
   finding.unit = "m";
   if (input.last_touch.robot) finding.robots.push_back(*input.last_touch.robot);
   finding.position_m = ball_m;
-  finding.restart = {CommandKind::kPrepareKickoff, *conceded};
+  finding.restart.side = *conceded;
   finding.ball_to_m = Vec2(0, 0);
   finding.evidence = fmt::format(
       "The ball is in the {} goal, {:.0f} mm from its middle and {:.0f} mm above the ground.",
       name_of(*conceded), 1e3 * std::abs(ball_m.y()), 1e3 * input.ball->height_m);
   return finding;
 }
+
+}  // namespace
+
+constinit const Rule kGoalRule{{State::kRun}, find_goal};
 
 }  // namespace autoref::referee

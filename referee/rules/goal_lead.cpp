@@ -1,10 +1,13 @@
-#include "referee/rules/goal_lead.hpp"
-
+// Early termination: the game ends once a side has scored 10 goals and leads by more than one
+// (2026). Found right after the goal, so that its command has gone out.
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "referee/rules/rule.hpp"
+
 namespace autoref::referee {
+namespace {
 
 std::optional<Finding> find_goal_lead(RefereeState& state, const RefereeInput& input) {
   const RuleBook& rules = input.configuration.rules;
@@ -21,5 +24,9 @@ std::optional<Finding> find_goal_lead(RefereeState& state, const RefereeInput& i
   finding.evidence = fmt::format("{} goals against {}.", more, less);
   return finding;
 }
+
+}  // namespace
+
+constinit const Rule kGoalLeadRule{{State::kDelayWait}, find_goal_lead};
 
 }  // namespace autoref::referee

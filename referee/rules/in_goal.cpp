@@ -15,14 +15,14 @@ std::optional<Side> conceding_side(const RefereeInput& input) {
 
 void restart_with_goal_kick(Finding& finding, const RefereeInput& input, Side defender) {
   const Configuration& c = input.configuration;
-  finding.restart = {CommandKind::kDirectFree, defender};
+  finding.restart.side = defender;
   finding.ball_to_m = goal_kick_position(c.field, c.rules, defender, input.ball->position_m);
 }
 
 void restart_with_corner_kick(Finding& finding, const RefereeInput& input, Side defender) {
   const Configuration& c = input.configuration;
   const Side attacker = opponent_of(defender);
-  finding.restart = {CommandKind::kDirectFree, attacker};
+  finding.restart.side = attacker;
   finding.ball_to_m = corner_kick_position(c.field, c.rules, attacker, input.ball->position_m);
 }
 

@@ -11,7 +11,8 @@ namespace autoref::referee {
 // The side whose goal the ball is in, if it is in one.
 std::optional<Side> conceding_side(const RefereeInput& input);
 
-// Play goes on with a goal kick of `defender`, or with a corner kick at its end.
+// Play goes on with a goal kick of `defender`, or with a corner kick at its end: the free kick that
+// follows the finding's event is taken from there.
 void restart_with_goal_kick(Finding& finding, const RefereeInput& input, Side defender);
 void restart_with_corner_kick(Finding& finding, const RefereeInput& input, Side defender);
 

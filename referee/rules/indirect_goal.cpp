@@ -1,11 +1,13 @@
-#include "referee/rules/indirect_goal.hpp"
-
+// No goal straight from an indirect free kick or a throw-in, which only the kicker has touched: a
+// goal kick (Laws 2014, laws 13 and 15). A touch by somebody unknown may be a second robot's.
 #include <fmt/format.h>
 
 #include "referee/machine/ball_in_play.hpp"
 #include "referee/rules/in_goal.hpp"
+#include "referee/rules/rule.hpp"
 
 namespace autoref::referee {
+namespace {
 
 std::optional<Finding> find_indirect_goal(RefereeState& state, const RefereeInput& input) {
   const PlayState& play = state.play;
@@ -25,5 +27,9 @@ std::optional<Finding> find_indirect_goal(RefereeState& state, const RefereeInpu
       name_of(*play.kicker));
   return finding;
 }
+
+}  // namespace
+
+constinit const Rule kIndirectGoalRule{{State::kRun}, find_indirect_goal};
 
 }  // namespace autoref::referee

@@ -1,11 +1,17 @@
-#include "referee/rules/kickoff_positions.hpp"
-
+// At a kick-off every robot is in its own half; the kicker may leave it within the centre circle
+// (Laws 8; 2026, Kick-Off). Otherwise the kick-off is taken again.
+//
+// What counts are the robots in the last frame before the ball was in play. A robot is wrong
+// where its whole hull is beyond the middle of the field; of the side that kicks off the one
+// nearest to the centre is the kicker, if it is inside the circle. Robots beside the field take no
+// part.
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "referee/geometry/hull.hpp"
 #include "referee/machine/retakes.hpp"
+#include "referee/rules/rule.hpp"
 
 namespace autoref::referee {
 namespace {
@@ -64,8 +70,6 @@ Finding taken_again(const PerSide<PositionViolation>& before, const RefereeState
   return finding;
 }
 
-}  // namespace
-
 std::optional<Finding> find_kickoff_positions(RefereeState& state, const RefereeInput& input) {
   const PlayState& play = state.play;
   if (!play.is_kickoff() || !play.kicker) return std::nullopt;
@@ -78,5 +82,9 @@ std::optional<Finding> find_kickoff_positions(RefereeState& state, const Referee
   if (!play.entered_now || !any || !may_be_taken_again(state)) return std::nullopt;
   return taken_again(before, state, input);
 }
+
+}  // namespace
+
+constinit const Rule kKickoffPositionsRule{{State::kRun}, find_kickoff_positions};
 
 }  // namespace autoref::referee

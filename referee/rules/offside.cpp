@@ -1,10 +1,12 @@
-#include "referee/rules/offside.hpp"
-
+// Offside, for experiments: no rule book of the league has it. The definition is ours, see
+// referee/README.md.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+
+#include "referee/rules/rule.hpp"
 
 namespace autoref::referee {
 namespace {
@@ -52,8 +54,6 @@ void watch(OffsideWatch& watch, const TouchHistory& touches, const RefereeInput&
                                   touch.ended_m, input.configuration.noise);
 }
 
-}  // namespace
-
 std::optional<Finding> find_offside(RefereeState& state, const RefereeInput& input) {
   const TouchHistory& touches = state.play.touches;
   if (touches.newest() == nullptr) return std::nullopt;
@@ -76,5 +76,9 @@ std::optional<Finding> find_offside(RefereeState& state, const RefereeInput& inp
       text_of(*received.robot), text_of(*touches.at(1).robot), pass.ended_s);
   return finding;
 }
+
+}  // namespace
+
+constinit const Rule kOffsideRule{{State::kRun}, find_offside};
 
 }  // namespace autoref::referee

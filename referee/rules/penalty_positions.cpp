@@ -1,5 +1,13 @@
-#include "referee/rules/penalty_positions.hpp"
-
+// At a penalty kick the keeper touches its goal line between the posts, and everybody else but the
+// kicker is behind the ball: 400 mm behind the penalty mark (Laws 14), 1 m behind the ball (2026,
+// Penalty Kick).
+//
+// The kick proceeds, and its outcome decides: after a breach of the kicker's side a goal is not
+// given and the kick is taken again; after one of the defenders' side it is taken again without a
+// goal; after breaches of both in either case. What counts are the robots in the last frame
+// before the ball was in play. Simpler than the Laws: where the keeper faces, the kick's direction
+// and rebounds to robots that were wrong are not judged, and a kick has an outcome when it is a
+// goal or what rule penalty_kick_failed calls a failure.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +16,7 @@
 #include "referee/geometry/hull.hpp"
 #include "referee/machine/penalty_outcome.hpp"
 #include "referee/machine/retakes.hpp"
+#include "referee/rules/rule.hpp"
 
 namespace autoref::referee {
 namespace {
@@ -121,8 +130,6 @@ std::optional<Finding> check(RefereeState& state, const RefereeInput& input) {
   return taken_again(state, input, is_goal, both);
 }
 
-}  // namespace
-
 std::optional<Finding> find_penalty_positions(RefereeState& state, const RefereeInput& input) {
   const PlayState& play = state.play;
   if (!play.is_penalty() || !play.kicker || !input.ball) return std::nullopt;
@@ -130,5 +137,9 @@ std::optional<Finding> find_penalty_positions(RefereeState& state, const Referee
   watch(state.watch.penalty_positions, state, input);
   return std::nullopt;
 }
+
+}  // namespace
+
+constinit const Rule kPenaltyPositionsRule{{State::kRun}, find_penalty_positions};
 
 }  // namespace autoref::referee

@@ -1,10 +1,13 @@
-#include "referee/rules/restart_not_taken.hpp"
-
+// Deviation D10: a restart whose ball is not in play 10 s after its signal is not taken any more:
+// play goes on with a force start (Laws 2014, laws 8 and 9; 2016). In 2026 the opponents have a
+// free kick from there, in Division A after 5 s for free kicks; penalty kicks: rule
+// penalty_kick_failed.
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "referee/geometry/restarts.hpp"
+#include "referee/rules/rule.hpp"
 
 namespace autoref::referee {
 namespace {
@@ -18,7 +21,7 @@ double limit_s(const PlayState& play, const RuleBook& rules) {
 // The time for the kick begins anew when an opponent stands too near for too long (2026).
 double waited_since_s(const RefereeState& state) {
   const double began_s = state.play.began_s;
-  return std::max(began_s, state.watch.restart_distance.anew_s.value_or(began_s));
+  return std::max(began_s, state.watch.defender_too_close_to_kick_point.anew_s.value_or(began_s));
 }
 
 // A neutral restart, or the opponents' free kick.
@@ -36,12 +39,10 @@ void go_on(Finding& finding, const PlayState& play, const Configuration& c) {
   finding.ball_to_m = play.is_penalty() ? neutral_position(c.field, c.rules, ball_m) : ball_m;
 }
 
-}  // namespace
-
 std::optional<Finding> find_restart_not_taken(RefereeState& state, const RefereeInput& input) {
   const PlayState& play = state.play;
   const Configuration& c = input.configuration;
-  if (play.in_play || (play.is_penalty() && c.rules.has(RuleId::kPenaltyFailed))) {
+  if (play.in_play || (play.is_penalty() && c.rules.has(RuleId::kPenaltyKickFailed))) {
     return std::nullopt;
   }
   const double since_s = waited_since_s(state);
@@ -57,5 +58,9 @@ std::optional<Finding> find_restart_not_taken(RefereeState& state, const Referee
                   since_s > play.began_s ? fmt::format(" since {:.3f} s either", since_s) : "");
   return finding;
 }
+
+}  // namespace
+
+constinit const Rule kRestartNotTakenRule{{State::kRun}, find_restart_not_taken};
 
 }  // namespace autoref::referee

@@ -1,80 +1,21 @@
 #include "referee/rules/rule.hpp"
 
-#include <array>
-
-#include "referee/rules/aimless_kick.hpp"
-#include "referee/rules/attacker_in_area.hpp"
-#include "referee/rules/attacker_near_area.hpp"
-#include "referee/rules/attacker_stays_near_area.hpp"
-#include "referee/rules/ball_leaves_field.hpp"
-#include "referee/rules/card_due.hpp"
-#include "referee/rules/chip_goal.hpp"
-#include "referee/rules/crash.hpp"
-#include "referee/rules/defender_in_area.hpp"
-#include "referee/rules/double_touch.hpp"
-#include "referee/rules/dribbling.hpp"
-#include "referee/rules/free_kick_own_goal.hpp"
-#include "referee/rules/goal.hpp"
-#include "referee/rules/goal_lead.hpp"
-#include "referee/rules/goal_valid.hpp"
-#include "referee/rules/indirect_goal.hpp"
-#include "referee/rules/keeper_holding.hpp"
-#include "referee/rules/kick_speed.hpp"
-#include "referee/rules/kickoff_positions.hpp"
-#include "referee/rules/no_progress.hpp"
-#include "referee/rules/offside.hpp"
-#include "referee/rules/penalty_failed.hpp"
-#include "referee/rules/penalty_positions.hpp"
-#include "referee/rules/placement_interference.hpp"
-#include "referee/rules/pushing.hpp"
-#include "referee/rules/restart_distance.hpp"
-#include "referee/rules/restart_not_taken.hpp"
-#include "referee/rules/stop_distance.hpp"
-#include "referee/rules/stop_speed.hpp"
-#include "referee/rules/stuck_ball.hpp"
-#include "referee/rules/team_timeout.hpp"
-#include "referee/rules/too_many_robots.hpp"
-
 namespace autoref::referee {
 
-std::span<const Rule> rules() {
-  static constexpr std::array kRules = {
-      kKickoffPositionsRule,
-      kRestartDistanceRule,
-      kAttackerNearAreaRule,
-      kAttackerStaysNearAreaRule,
-      kPenaltyPositionsRule,
-      kCrashRule,
-      kPushingRule,
-      kDribblingRule,
-      kKeeperHoldingRule,
-      kDefenderInAreaRule,
-      kAttackerInAreaRule,
-      kDoubleTouchRule,
-      kKickSpeedRule,
-      kOffsideRule,
-      kChipGoalRule,
-      kGoalValidRule,
-      kIndirectGoalRule,
-      kFreeKickOwnGoalRule,
-      kPenaltyFailedRule,
-      kGoalRule,
-      kAimlessKickRule,
-      kBallLeavesFieldRule,
-      kRestartNotTakenRule,
-      kStuckBallRule,
-      kNoProgressRule,
-      kTooManyRobotsRule,
-      kRedCardRule,
-      kYellowCardRule,
-      kCardOverRule,
-      kGoalLeadRule,
-      kTimeoutRule,
-      kTimeoutOverRule,
-      kStopSpeedRule,
-      kStopDistanceRule,
-      kPlacementInterferenceRule,
-  };
+std::optional<Finding> Rule::find(RefereeState& state, const RefereeInput& input) const {
+  for (const Watch& watch : watches()) {
+    if (!watch.active_in.has(state.machine_state)) continue;
+    if (std::optional<Finding> found = watch.find(state, input)) return found;
+  }
+  return std::nullopt;
+}
+
+std::span<const AskedRule> rules() {
+  static constexpr std::array<AskedRule, kRuleCount> kRules = {{
+#define AUTOREF_RULE(id, ...) {RuleId::id, &id##Rule},
+#include "soccer/rules.def"
+#undef AUTOREF_RULE
+  }};
   return kRules;
 }
 

@@ -1,12 +1,13 @@
-#include "referee/rules/shootout_kick.hpp"
-
+// The kicks of a shoot-out (Laws 2014, appendix A; 2026), instead of all other rules.
+//
+// A kick is over with a goal, when its time is up, when the ball is out, or when a defender has
+// saved it: touched it last, and it moves away from the goal. It scores only in the goal that is
+// shot at. Fouls during a kick are not judged.
 #include <fmt/format.h>
-
-#include <array>
 
 #include "referee/geometry/ball_out.hpp"
 #include "referee/machine/shootout.hpp"
-#include "referee/rules/goal.hpp"
+#include "referee/rules/rule.hpp"
 #include "soccer/units.hpp"
 
 namespace autoref::referee {
@@ -36,13 +37,12 @@ void prepare_next_kick(Finding& finding, const RefereeInput& input, Side kicker)
   finding.ball_to_m = input.configuration.field.penalty_mark_at(kicker);
 }
 
-}  // namespace
-
-std::optional<Finding> find_shootout_kick_over(RefereeState& state, const RefereeInput& input) {
+// kGoal or kPenaltyFailed in RUN.
+std::optional<Finding> find_kick_over(RefereeState& state, const RefereeInput& input) {
   const RuleBook& rules = input.configuration.rules;
   const Side kicker = next_kicker(state.shootout, input.configuration);
   const int number = state.shootout.kicks[kicker] + 1;
-  std::optional<Finding> goal = find_goal(state, input);
+  std::optional<Finding> goal = kGoalRule.find(state, input);
   if (goal && goal->restart.side == opponent_of(kicker)) {
     prepare_next_kick(*goal, input, kicker);
     goal->evidence = fmt::format("Kick {} of {}: {}", number, name_of(kicker), goal->evidence);
@@ -50,7 +50,7 @@ std::optional<Finding> find_shootout_kick_over(RefereeState& state, const Refere
   }
   const std::string failure = failure_of(state, input, kicker);
   if (failure.empty()) return std::nullopt;
-  Finding finding = finding_of(Event::kPenaltyFailed, RuleId::kPenaltyFailed, rules);
+  Finding finding = finding_of(Event::kPenaltyKickFailed, RuleId::kPenaltyKickFailed, rules);
   finding.rule = "Laws, appendix A; 2026, Shoot-Out";
   finding.value = input.time_s() - state.play.began_s;
   if (input.ball) finding.position_m = input.ball->position_m;
@@ -60,6 +60,7 @@ std::optional<Finding> find_shootout_kick_over(RefereeState& state, const Refere
   return finding;
 }
 
+// kShootoutOver between two kicks, once nothing can change who wins.
 std::optional<Finding> find_shootout_over(RefereeState& state, const RefereeInput& input) {
   const ShootoutBook& book = state.shootout;
   const int kicks = input.configuration.rules.shootout_kicks;
@@ -74,11 +75,9 @@ std::optional<Finding> find_shootout_over(RefereeState& state, const RefereeInpu
   return finding;
 }
 
-std::span<const Rule> shootout_rules() {
-  static constexpr std::array<Rule, 2> kRules = {
-      Rule{RuleId::kPenaltyFailed, {State::kRun}, find_shootout_kick_over},
-      Rule{RuleId::kPenaltyFailed, {State::kDelayWait, State::kWaitStop}, find_shootout_over}};
-  return kRules;
-}
+}  // namespace
+
+constinit const Rule kShootoutRule{{{State::kRun}, find_kick_over},
+                                   {{State::kDelayWait, State::kWaitStop}, find_shootout_over}};
 
 }  // namespace autoref::referee

@@ -1,8 +1,10 @@
-#include "referee/rules/stop_distance.hpp"
-
+// While play is stopped, every robot keeps 500 mm away from the ball (Laws 9). Judged once the ball
+// has been at its place for 2 s: until then it comes to robots that cannot know where it goes. Each
+// robot is told once in a stop.
 #include <fmt/format.h>
 
 #include "referee/geometry/hull.hpp"
+#include "referee/rules/rule.hpp"
 #include "soccer/robot_shape.hpp"
 
 namespace autoref::referee {
@@ -21,8 +23,6 @@ bool is_judged(const RefereeState& state, const RefereeInput& input) {
 double distance_to_ball_m(const TrackedRobot& robot, const Vec2& ball_m) {
   return distance_to_hull(ball_m, robot.position_m, robot.heading);
 }
-
-}  // namespace
 
 std::optional<Finding> find_stop_distance(RefereeState& state, const RefereeInput& input) {
   if (!input.frame.ball) return std::nullopt;  // nobody knows where it is
@@ -44,5 +44,9 @@ std::optional<Finding> find_stop_distance(RefereeState& state, const RefereeInpu
       text_of(nearest->id), 1e3 * finding.value, input.time_s() - *state.ball_in_position_since_s);
   return finding;
 }
+
+}  // namespace
+
+constinit const Rule kStopDistanceRule{{State::kWaitStop}, find_stop_distance};
 
 }  // namespace autoref::referee

@@ -1,10 +1,12 @@
-#include "referee/rules/stuck_ball.hpp"
-
+// Deviation D11: a ball in play that has moved less than 250 mm in 10 s is stuck: a force start
+// from a neutral place (2016; Laws 2014, law 9).
 #include <fmt/format.h>
 
 #include "referee/geometry/restarts.hpp"
+#include "referee/rules/rule.hpp"
 
 namespace autoref::referee {
+namespace {
 
 std::optional<Finding> find_stuck_ball(RefereeState& state, const RefereeInput& input) {
   const PlayState& play = state.play;
@@ -16,11 +18,14 @@ std::optional<Finding> find_stuck_ball(RefereeState& state, const RefereeInput& 
   Finding finding = finding_of(Event::kStuckBall, RuleId::kStuckBall, c.rules);
   finding.value = (input.ball->position_m - play.stuck_at_m).norm();
   finding.position_m = input.ball->position_m;
-  finding.restart = {CommandKind::kForceStart, Side::kWest};
   finding.ball_to_m = neutral_position(c.field, c.rules, input.ball->position_m);
   finding.evidence = fmt::format("Since {:.3f} s the ball has stayed within {:.0f} mm.",
                                  play.stuck_since_s, 1e3 * c.rules.stuck_distance_m);
   return finding;
 }
+
+}  // namespace
+
+constinit const Rule kStuckBallRule{{State::kRun}, find_stuck_ball};
 
 }  // namespace autoref::referee

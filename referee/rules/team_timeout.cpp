@@ -1,8 +1,14 @@
-#include "referee/rules/team_timeout.hpp"
-
+// Timeouts (Laws 7; 2026): on a team's request while play is stopped, so many and so long
+// altogether, and other ones in extra time. Not before the first kick-off, when the match has not
+// begun, and not in a shoot-out.
+//
+// A timeout lasts for as long as its team asks, or until its time is used up. Where both ask at
+// once, the side that takes the restart comes first; where neither does, the one that has used less
+// time, then fewer timeouts, then the one that did not kick off this half.
 #include <fmt/format.h>
 
 #include "referee/machine/timekeeping.hpp"
+#include "referee/rules/rule.hpp"
 
 namespace autoref::referee {
 namespace {
@@ -50,8 +56,6 @@ std::optional<Side> next_in_line(const RefereeState& state, const RefereeInput& 
   return west ? Side::kWest : Side::kEast;
 }
 
-}  // namespace
-
 std::optional<Finding> find_timeout(RefereeState& state, const RefereeInput& input) {
   if (state.signal.stage == Stage::kFirstHalfPre) return std::nullopt;
   const std::optional<Side> side = next_in_line(state, input);
@@ -61,7 +65,7 @@ std::optional<Finding> find_timeout(RefereeState& state, const RefereeInput& inp
   Finding finding = finding_of(Event::kTimeout, RuleId::kTimeouts, input.configuration.rules);
   finding.value = book.used_s;
   finding.threshold = allowed.time_s;
-  finding.restart = {CommandKind::kTimeout, *side};
+  finding.restart.side = *side;
   finding.evidence = fmt::format("{} asks for timeout {} of {}; {:.1f} s are left.", name_of(*side),
                                  book.taken + 1, allowed.timeouts, allowed.time_s - book.used_s);
   return finding;
@@ -81,5 +85,10 @@ std::optional<Finding> find_timeout_over(RefereeState& state, const RefereeInput
       fmt::format("{} {}.", name_of(side), is_wanted ? "has no time left" : "needs no more");
   return finding;
 }
+
+}  // namespace
+
+constinit const Rule kTimeoutsRule{{{State::kWaitStop}, find_timeout},
+                                   {{State::kTimeout}, find_timeout_over}};
 
 }  // namespace autoref::referee

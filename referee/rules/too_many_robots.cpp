@@ -1,11 +1,16 @@
-#include "referee/rules/too_many_robots.hpp"
-
+// More robots on the field than a side may have, too long after a card took one off (Laws 3 and 12;
+// 2026).
+//
+// A robot leaves by its own wheels: it is off the field once all of it is beyond the lines. Each
+// card is called once. Where both sides are at fault, the finding names none, and play goes on with
+// a force start.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "referee/geometry/restarts.hpp"
+#include "referee/rules/rule.hpp"
 #include "soccer/robot_shape.hpp"
 #include "soccer/units.hpp"
 
@@ -61,8 +66,6 @@ Finding fault_of(const PerSide<bool>& sides, const RefereeInput& input) {
   return finding;
 }
 
-}  // namespace
-
 std::optional<Finding> find_too_many_robots(RefereeState& state, const RefereeInput& input) {
   PerSide<bool> sides;
   double since_s = input.time_s();
@@ -79,5 +82,9 @@ std::optional<Finding> find_too_many_robots(RefereeState& state, const RefereeIn
                   finding.value, finding.offender ? name_of(*finding.offender) : "each side");
   return finding;
 }
+
+}  // namespace
+
+constinit const Rule kTooManyRobotsRule{{State::kRun, State::kWaitStop}, find_too_many_robots};
 
 }  // namespace autoref::referee

@@ -16,18 +16,26 @@ std::string threshold_text(const RuleBook& rules, const RuleEntry& entry) {
   return fmt::format("{:g} {}", rules.*entry.threshold, entry.unit);
 }
 
-std::size_t longest_section(const RuleBook& rules) {
-  std::size_t longest = 0;
+// Columns as wide as their longest text.
+struct Widths {
+  std::size_t name = 0;
+  std::size_t section = 0;
+};
+
+Widths widths_of(const RuleBook& rules) {
+  Widths widths;
   for (const RuleEntry& entry : rule_table()) {
-    if (rules.has(entry.rule)) longest = std::max(longest, section_of(rules, entry.rule).size());
+    if (!rules.has(entry.rule)) continue;
+    widths.name = std::max(widths.name, entry.name.size());
+    widths.section = std::max(widths.section, section_of(rules, entry.rule).size());
   }
-  return longest;
+  return widths;
 }
 
 std::string json_of(const RuleBook& rules, const RuleEntry& entry) {
   const bool has_threshold = entry.threshold != nullptr;
   return JsonObject()
-      .add("rule", json_text(name_of(entry.rule)))
+      .add("rule", json_text(entry.name))
       .add("in_force", rules.has(entry.rule) ? "true" : "false")
       .add("section", json_text(section_of(rules, entry.rule)))
       .add("threshold", has_threshold ? json_number(rules.*entry.threshold) : "null")
@@ -41,15 +49,15 @@ std::string json_of(const RuleBook& rules, const RuleEntry& entry) {
 std::string rules_text(const RuleBook& rules) {
   std::string text = fmt::format("Rules in force in '{}':\n\n", rules.name);
   std::vector<std::string_view> others;
-  const std::size_t width = longest_section(rules);
+  const Widths widths = widths_of(rules);
   for (const RuleEntry& entry : rule_table()) {
     if (!rules.has(entry.rule)) {
-      others.push_back(name_of(entry.rule));
+      others.push_back(entry.name);
       continue;
     }
-    text +=
-        fmt::format("{:22} {:{}}  {:>8}  {}\n", name_of(entry.rule), section_of(rules, entry.rule),
-                    width, threshold_text(rules, entry), entry.about);
+    text += fmt::format("{:{}}  {:{}}  {:>8}  {}\n", entry.name, widths.name,
+                        section_of(rules, entry.rule), widths.section, threshold_text(rules, entry),
+                        entry.about);
   }
   return text + fmt::format("\nNot in force (match.switch.NAME: true puts one in force):\n{}\n",
                             fmt::join(others, ", "));

@@ -36,27 +36,30 @@ std::string json_of(const referee::LastTouch& touch) {
 }  // namespace
 
 std::string decision_json(const referee::Decision& d) {
+  const referee::EventEntry& entry = referee::entry_of(d.finding.event);
   std::vector<std::string> robots;
-  for (const RobotId robot : d.robots) robots.push_back(json_of(robot));
-  const bool is_measured = !d.unit.empty();
+  for (const RobotId robot : d.finding.robots) robots.push_back(json_of(robot));
+  const bool is_measured = !d.finding.unit.empty();
   return JsonObject()
       .add("time_s", json_number(d.time_s))
       .add("transition", json_text(d.transition))
       .add("from", json_text(name_of(d.from)))
       .add("to", json_text(name_of(d.to)))
       .add("command", d.command ? json_text(name_of(*d.command)) : kNull)
-      .add("event", json_text(name_of(d.event)))
-      .add("rule", json_text(d.rule))
-      .add("value", is_measured ? json_number(d.value) : kNull)
-      .add("threshold", is_measured ? json_number(d.threshold) : kNull)
-      .add("unit", is_measured ? json_text(d.unit) : kNull)
+      .add("event", json_text(entry.name))
+      .add("league_event", entry.league_event.empty() ? kNull : json_text(entry.league_event))
+      .add("rule", json_text(d.finding.rule))
+      .add("value", is_measured ? json_number(d.finding.value) : kNull)
+      .add("threshold", is_measured ? json_number(d.finding.threshold) : kNull)
+      .add("unit", is_measured ? json_text(d.finding.unit) : kNull)
       .add("robots", json_list(robots))
-      .add("offender", d.offender ? json_text(name_of(*d.offender)) : kNull)
-      .add("card", d.card == referee::Card::kNone ? kNull : json_text(name_of(d.card)))
-      .add("position_m", json_of(d.position_m))
-      .add("restart", d.restart ? json_text(name_of(*d.restart)) : kNull)
+      .add("offender", d.finding.offender ? json_text(name_of(*d.finding.offender)) : kNull)
+      .add("card",
+           d.finding.card == referee::Card::kNone ? kNull : json_text(name_of(d.finding.card)))
+      .add("position_m", json_of(d.finding.position_m))
+      .add("restart", d.restart() ? json_text(name_of(*d.restart())) : kNull)
       .add("last_touch", json_of(d.last_touch))
-      .add("evidence", d.evidence.empty() ? kNull : json_text(d.evidence))
+      .add("evidence", d.finding.evidence.empty() ? kNull : json_text(d.finding.evidence))
       .text();
 }
 

@@ -27,9 +27,18 @@ PerSide<sim::TeamSpec> specs_of(const GameConfiguration& c) {
   return {{spec_of(c, team_on(c, Side::kWest)), spec_of(c, team_on(c, Side::kEast))}};
 }
 
-EndReason reason_of(referee::Event end) {
-  if (end == referee::Event::kGoalLead) return EndReason::kGoals;
-  return end == referee::Event::kShootoutOver ? EndReason::kShootout : EndReason::kTime;
+// Why the game ends with the event; none where it goes on.
+std::optional<EndReason> reason_of(referee::Event event) {
+  switch (event) {
+    case referee::Event::kGameOver:
+      return EndReason::kTime;
+    case referee::Event::kGoalLead:
+      return EndReason::kGoals;
+    case referee::Event::kShootoutOver:
+      return EndReason::kShootout;
+    default:
+      return std::nullopt;
+  }
 }
 
 class Game {
@@ -51,7 +60,7 @@ class Game {
   GameRecord play() {
     const auto most_frames = static_cast<std::int64_t>(longest_s(configuration_.match) *
                                                        configuration_.sim.frame_rate_hz);
-    while (!referee_.is_over() && record_.status == Status::kOk) {
+    while (!is_over() && record_.status == Status::kOk) {
       if (record_.frames >= most_frames) {
         void_game("the game did not come to its end");
       } else {
@@ -65,7 +74,7 @@ class Game {
  private:
   void play_frame() {
     const RefereeSignal& signal = referee_frame();
-    if (referee_.is_over()) return;
+    if (is_over()) return;
     const Tracks& tracks = tracks_.oldest();
     const Situation situation = situation_.update(
         signal, tracks.ball ? std::optional(tracks.ball->position_m) : std::nullopt);
@@ -111,8 +120,11 @@ class Game {
 
   void note(const referee::Decision& decision) {
     hash_.add(decision);
-    if (decision.to == referee::State::kOver) record_.end_reason = reason_of(decision.event);
-    ++record_.events[static_cast<std::size_t>(decision.event)];
+    if (const auto reason = reason_of(decision.finding.event)) {
+      record_.end_reason = *reason;
+      take_result();
+    }
+    ++record_.events[static_cast<std::size_t>(decision.finding.event)];
     if (std::find(record_.transitions.begin(), record_.transitions.end(), decision.transition) ==
         record_.transitions.end()) {
       record_.transitions.push_back(decision.transition);
@@ -127,7 +139,27 @@ class Game {
     record_.void_reason = fmt::format("{} (at {:.3f} s)", reason, time_s());
   }
 
+  // Where a new game follows, the record ends once the referee has begun it.
+  bool is_over() const {
+    const bool is_new_game =
+        referee_.games_finished() > 0 && referee_.state() == referee::State::kWaitStop;
+    return referee_.is_over() || is_new_game;
+  }
+
   void finish() {
+    // A void game has come to no end.
+    if (referee_.games_finished() == 0) take_result();
+    const Side a = configuration_.match.a_plays;
+    const PerSide<PlayCounts> counts = statistics_.counts();
+    record_.counts = {counts[a], counts[opponent_of(a)]};
+    record_.sim_s = time_s();
+    record_.ball_in_play_s =
+        static_cast<double>(frames_in_play_) / configuration_.sim.frame_rate_hz;
+    record_.state_hash = hash_.value();
+  }
+
+  // Before the referee forgets it in a new game.
+  void take_result() {
     const Side a = configuration_.match.a_plays;
     for (const PerSide<int>& goals : referee_.goals_by_half()) {
       record_.goals_by_half.push_back({goals[a], goals[opponent_of(a)]});
@@ -137,12 +169,6 @@ class Game {
     if (const std::optional<PerSide<int>> goals = referee_.shootout_goals()) {
       record_.shootout = {(*goals)[a], (*goals)[opponent_of(a)]};
     }
-    const PerSide<PlayCounts> counts = statistics_.counts();
-    record_.counts = {counts[a], counts[opponent_of(a)]};
-    record_.sim_s = time_s();
-    record_.ball_in_play_s =
-        static_cast<double>(frames_in_play_) / configuration_.sim.frame_rate_hz;
-    record_.state_hash = hash_.value();
   }
 
   double time_s() const {

@@ -34,10 +34,10 @@ class StateHash {
 
   void add(const referee::Decision& decision) {
     add(static_cast<std::uint64_t>(decision.frame));
-    add(static_cast<std::uint64_t>(decision.event));
+    add(static_cast<std::uint64_t>(decision.finding.event));
     add(static_cast<std::uint64_t>(decision.to));
     add(static_cast<std::uint64_t>(decision.command ? league_number(*decision.command) + 1 : 0));
-    add(decision.position_m.value_or(Vec2(0, 0)));
+    add(decision.finding.position_m.value_or(Vec2(0, 0)));
   }
 
   std::uint64_t value() const { return mix_bits(hash_); }

@@ -16,19 +16,6 @@ namespace {
 using ground_truth::Call;
 using ground_truth::Outcome;
 using referee::Decision;
-using referee::Event;
-
-bool needs_last_touch(Event event) {
-  return event == Event::kThrowIn || event == Event::kCornerKick || event == Event::kGoalKick ||
-         event == Event::kTouchLineUnknown || event == Event::kGoalLineUnknown;
-}
-
-// Calls that may come while play is stopped.
-bool may_come_in_stop(Event event) {
-  return event == Event::kAttackerStaysNearArea || event == Event::kStopSpeed ||
-         event == Event::kStopDistance || event == Event::kPlacementInterference ||
-         event == Event::kTooManyRobots;
-}
 
 class CallEvaluator final : public Observer {
  public:
@@ -40,8 +27,9 @@ class CallEvaluator final : public Observer {
     const std::optional<Call> call = ground_truth::call_of(decision);
     if (!call) return;
     calls_.push_back(*call);
-    if (needs_last_touch(decision.event)) exits_.push_back(decision.last_touch.side);
-    if (observer_.play().is_on || may_come_in_stop(decision.event)) return;
+    const referee::Event event = decision.finding.event;
+    if (referee::entry_of(event).is_exit) exits_.push_back(decision.last_touch.side);
+    if (observer_.play().is_on || referee::may_come_in_stop(event)) return;
     evaluation_.calls_in_stop.push_back(fmt::format("{} at {:.3f} s", call->name, call->time_s));
   }
 

@@ -54,10 +54,8 @@ CameraTally& tally_of(JudgeReport& report, const JudgeGame& game) {
 
 std::vector<std::string> never_taken(const std::set<std::string, std::less<>>& taken) {
   std::vector<std::string> never;
-  for (const auto& part : referee::all_transitions()) {
-    for (const referee::Transition& transition : part) {
-      if (!taken.contains(transition.label)) never.emplace_back(transition.label);
-    }
+  for (const std::string_view label : referee::all_labels()) {
+    if (!taken.contains(label)) never.emplace_back(label);
   }
   return never;
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "referee/decision.hpp"
+#include "referee/event.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -65,15 +65,14 @@ void CameraTally::add(const CallEvaluation& evaluation) {
 
 std::vector<std::string> call_names() {
   std::vector<std::string> names;
-  for (int i = 0; i < referee::kEventCount; ++i) {
-    const auto event = static_cast<referee::Event>(i);
-    if (referee::is_call(event)) names.emplace_back(name_of(event));
+  for (const referee::EventEntry& entry : referee::event_table()) {
+    if (is_call(entry.event)) names.emplace_back(entry.name);
   }
   return names;
 }
 
 bool needs_height(std::string_view event) {
-  return event == "chip_goal" || event == "goal_invalid";
+  return event == "chipped_goal" || event == "invalid_goal";
 }
 
 }  // namespace autoref::runner

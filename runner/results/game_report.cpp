@@ -15,24 +15,21 @@ double x_real_time(const GameReport& report) {
   return report.wall_s > 0 ? report.record.sim_s / report.wall_s : 0;
 }
 
-std::string stops_json(const GameRecord& record) {
-  JsonObject stops;
-  for (int i = 0; i < referee::kEventCount; ++i) {
-    const auto event = static_cast<referee::Event>(i);
-    if (!is_call(event)) continue;
-    stops.add(name_of(event), std::to_string(record.events[static_cast<std::size_t>(i)]));
+std::string calls_json(const GameRecord& record) {
+  JsonObject calls;
+  for (const referee::EventEntry& entry : referee::event_table()) {
+    if (is_call(entry.event)) calls.add(entry.name, std::to_string(record.count(entry.event)));
   }
-  return stops.text();
+  return calls.text();
 }
 
 // "24 throw in, 3 goal": what occurred, spelt for people.
-std::string stops_text(const GameRecord& record) {
+std::string calls_text(const GameRecord& record) {
   std::string text;
-  for (int i = 0; i < referee::kEventCount; ++i) {
-    const auto event = static_cast<referee::Event>(i);
-    const int count = record.events[static_cast<std::size_t>(i)];
-    if (!is_call(event) || count == 0) continue;
-    std::string name(name_of(event));
+  for (const referee::EventEntry& entry : referee::event_table()) {
+    const int count = record.count(entry.event);
+    if (!is_call(entry.event) || count == 0) continue;
+    std::string name(entry.name);
     std::replace(name.begin(), name.end(), '_', ' ');
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name);
   }
@@ -91,7 +88,7 @@ std::string json_of(const GameReport& report) {
       .add("shootout", shootout_json(record))
       .add("status", json_text(name_of(record.status)))
       .add("void_reason", record.void_reason.empty() ? "null" : json_text(record.void_reason))
-      .add("stops", stops_json(record));
+      .add("calls", calls_json(record));
   for (const NamedCount& member : named(record.counts)) json.add(member.name, member.value);
   return json.add("ball_in_play_s", json_number(record.ball_in_play_s))
       .add("sim_s", json_number(record.sim_s))
@@ -114,7 +111,7 @@ std::string text_of(const GameReport& report) {
     text += fmt::format("   shoot-out {}:{}", (*record.shootout)[0], (*record.shootout)[1]);
   }
   if (record.status == Status::kVoid) text += fmt::format("\nvoid: {}", record.void_reason);
-  text += fmt::format("\nstops: {}", stops_text(record));
+  text += fmt::format("\ncalls: {}", calls_text(record));
   text += counts_text(record);
   text += fmt::format("\n{:.0f} s played, ball in play {:.0f} s; took {:.2f} s, {:.0f} x real time",
                       record.sim_s, record.ball_in_play_s, report.wall_s, x_real_time(report));

@@ -86,9 +86,8 @@ Cells outcome_columns() {
   Cells columns = {
       "goals_a",    "goals_b", "goal_diff",  "first_half_goals_a", "first_half_goals_b",
       "end_reason", "status",  "void_reason"};
-  for (int i = 0; i < referee::kEventCount; ++i) {
-    const auto event = static_cast<referee::Event>(i);
-    if (is_call(event)) columns.push_back(fmt::format("stops_{}", name_of(event)));
+  for (const referee::EventEntry& entry : referee::event_table()) {
+    if (is_call(entry.event)) columns.push_back(fmt::format("calls_{}", entry.name));
   }
   for (const NamedCount& count : named(GameRecord{}.counts)) columns.push_back(count.name);
   append(columns, {"shootout_a", "shootout_b", "transitions", "ball_in_play_s", "sim_s", "frames",
@@ -105,9 +104,8 @@ Cells outcome_of(const GameRecord& record) {
                  std::string(name_of(record.end_reason)),
                  std::string(name_of(record.status)),
                  record.void_reason.substr(0, kLongestReason)};
-  for (int i = 0; i < referee::kEventCount; ++i) {
-    if (!is_call(static_cast<referee::Event>(i))) continue;
-    cells.push_back(std::to_string(record.events[static_cast<std::size_t>(i)]));
+  for (const referee::EventEntry& entry : referee::event_table()) {
+    if (is_call(entry.event)) cells.push_back(std::to_string(record.count(entry.event)));
   }
   for (const NamedCount& count : named(record.counts)) cells.push_back(count.value);
   append(cells, {shootout_goals(record, 0), shootout_goals(record, 1), transitions_cell(record),

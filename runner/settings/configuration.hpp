@@ -48,6 +48,7 @@ struct MatchConfiguration {
   double break_s = 0;
   bool knockout = false;
   double extra_half_s = 300;  // of knockout games
+  referee::AfterGame after_game = referee::AfterGame::kHalt;
   Side a_plays = Side::kWest;
   Side first_kickoff = Side::kWest;
 };

@@ -59,6 +59,8 @@ void list_match(GameConfiguration& game, Branch to) {
   to.number("halves", match.halves, {1, 2}, "", "halves of a game");
   to.number("break_s", match.break_s, {0, 3600}, "s", "break between halves");
   to.yes_or_no("knockout", match.knockout, "extra time and a shoot-out after a draw");
+  to.word("after_game", match.after_game, {"halt", "new_game"},
+          "at its end the referee halts, or begins a new game; the row ends there");
   to.number("extra_half_s", match.extra_half_s, positive(36000), "s", "each of extra time's two");
   to.word("a_plays", match.a_plays, sides, "side of team a; b has the other");
   to.word("first_kickoff", match.first_kickoff, sides, "side that kicks off first");

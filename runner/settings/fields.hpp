@@ -64,8 +64,8 @@ using Players = std::map<int, PlayerConfiguration>;
 // Where a setting lives in a GameConfiguration.
 using Target =
     std::variant<double*, int*, bool*, std::uint64_t*, std::string*, Side*, DefenceArea::Shape*,
-                 BothFactors, BallPreset, CameraPreset, DribblerPreset, RulesChoice, TypeName,
-                 Change, ChangesOf, Params*, Players*, RobotTypes*>;
+                 referee::AfterGame*, BothFactors, BallPreset, CameraPreset, DribblerPreset,
+                 RulesChoice, TypeName, Change, ChangesOf, Params*, Players*, RobotTypes*>;
 
 struct Range {
   double low = 0;

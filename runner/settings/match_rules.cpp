@@ -60,6 +60,7 @@ referee::Configuration referee_configuration(const GameConfiguration& c) {
   configuration.halves = c.match.halves;
   configuration.break_s = c.match.break_s;
   configuration.knockout = c.match.knockout;
+  configuration.after_game = c.match.after_game;
   configuration.first_kickoff = c.match.first_kickoff;
   configuration.noise = {c.sim.vision.ball_noise_m, c.sim.vision.robot_noise_m,
                          c.sim.vision.robot_noise_rad};

@@ -16,7 +16,7 @@ constexpr int kSidesteps = 12;  // at most, from the ball's way to the goal
 // Where faster kicks are fouls, kicks stay below the limit although kickers are off by a few
 // hundredths.
 Style within_the_rules(Style style, const RuleBook& rules) {
-  const double share = rules.has(RuleId::kKickSpeed) ? style.kick_caution : 1.0;
+  const double share = rules.has(RuleId::kBotKickedBallTooFast) ? style.kick_caution : 1.0;
   style.shot_mps = std::min(style.shot_mps, rules.kick_limit_mps * share);
   style.pass_mps = std::min(style.pass_mps, rules.kick_limit_mps * share);
   return style;
@@ -30,7 +30,7 @@ Basic::Basic(const TeamContext& context)
 // From a hull to the ball's centre at restarts. Referees who judge it measure to the ball's
 // surface.
 double Basic::room_at_ball_m() const {
-  const bool is_judged = context_.rules.has(RuleId::kRestartDistance);
+  const bool is_judged = context_.rules.has(RuleId::kDefenderTooCloseToKickPoint);
   return context_.rules.opponents_to_ball_m + (is_judged ? kBallRadius_m : 0.0);
 }
 
@@ -158,7 +158,7 @@ bool Basic::may_play_ball() const {
   if (now_.play != Play::kRunning) return now_.ours && is_restart(now_.play);
   const double to_area_m =
       distance_to_defence_area(context_.field, Side::kWest, now_.ball.position_m);
-  const bool is_theirs = context_.rules.has(RuleId::kAttackerInArea) &&
+  const bool is_theirs = context_.rules.has(RuleId::kAttackerTouchedBallInDefenseArea) &&
                          distance_to_defence_area(context_.field, Side::kEast,
                                                   now_.ball.position_m) < style_.from_their_area_m;
   return !is_theirs && (now_.own.size() == 1 || to_area_m > kFrontDistance_m);
@@ -208,7 +208,7 @@ Waypoint Basic::formation_of(int index) const {
 Vec2 Basic::allowed(const Vec2& wanted_m, const Vec2& ball_m, const Limits& limits) const {
   const Field& field = context_.field;
   Vec2 position_m = permitted(field, wanted_m, ball_m, limits);
-  if (!context_.rules.has(RuleId::kRestartDistance)) return position_m;
+  if (!context_.rules.has(RuleId::kDefenderTooCloseToKickPoint)) return position_m;
   const Vec2 to_goal = field.goal_centre_m(Side::kWest) - ball_m;
   for (int i = 0; i < kSidesteps && (position_m - ball_m).norm() < limits.keep_from_ball_m; ++i) {
     const double side = cross(to_goal, position_m - ball_m) < 0 ? -1.0 : 1.0;
@@ -230,7 +230,7 @@ std::optional<Vec2> Basic::position_off_ball(const Vec2& from_m) const {
 
 DrivingStyle Basic::waiting_style() const {
   DrivingStyle style = driving_;
-  if (now_.play == Play::kStop && context_.rules.has(RuleId::kStopSpeed)) {
+  if (now_.play == Play::kStop && context_.rules.has(RuleId::kBotTooFastInStop)) {
     style.speed_mps = style_.stop_speed_share * context_.rules.stop_speed_mps;
   }
   return style;

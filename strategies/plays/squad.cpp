@@ -46,7 +46,7 @@ void Squad::decide(const TeamView& view, TeamCommands& commands) {
     if (assignment.task(i).role == Role::kBall) book_.former = number;
     RobotCommand& command = commands[static_cast<std::size_t>(number)];
     command = command_for(i, assignment.task(i));
-    if (predicted_.rules().has(RuleId::kCrash)) ease_off(predicted_, i, command);
+    if (predicted_.rules().has(RuleId::kBotCrashUnique)) ease_off(predicted_, i, command);
   }
 }
 
@@ -58,7 +58,7 @@ void Squad::note_restarter() {
     return;
   }
   if (book_.restarter < 0) return;
-  if (now.play != Play::kRunning || !predicted_.rules().has(RuleId::kDoubleTouch))
+  if (now.play != Play::kRunning || !predicted_.rules().has(RuleId::kAttackerDoubleTouchedBall))
     book_.restarter = -1;
   const auto has_touched = [&](const TrackedRobot& robot) {
     return robot.number != book_.restarter && is_at_ball(robot, predicted_.path().now_m());

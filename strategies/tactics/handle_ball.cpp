@@ -145,7 +145,7 @@ RobotCommand BallHandler::strike(int index) const {
 
 // Whether the ball has been taken nearly as far as dribbling is allowed.
 bool BallHandler::must_release() const {
-  if (!predicted_.rules().has(RuleId::kDribbling)) return false;
+  if (!predicted_.rules().has(RuleId::kBotDribbledBallTooFar)) return false;
   const double path_m = (predicted_.path().now_m() - taken_from_m_).norm();
   return path_m > predicted_.style().dribbling_share * predicted_.rules().dribbling_m;
 }

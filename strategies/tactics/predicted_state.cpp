@@ -84,7 +84,7 @@ bool PredictedState::restart_is_ours() const {
 double PredictedState::room_at_ball_m() const {
   if (now_.play == Play::kRunning) return 0;
   if (now_.ours && is_restart(now_.play)) return 0;
-  const bool is_judged = rules().has(RuleId::kRestartDistance);
+  const bool is_judged = rules().has(RuleId::kDefenderTooCloseToKickPoint);
   return rules().opponents_to_ball_m + (is_judged ? kBallRadius_m : 0.0);
 }
 
@@ -107,22 +107,22 @@ DrivingStyle PredictedState::driving(int index) const {
   style.braking_mps2 = style_.usable_braking * a.braking_mps2;
   style.turn_braking_radps2 = style_.turn_braking_radps2;
   style.approach_per_s = style_.approach_per_s;
-  if (now_.play == Play::kStop && rules().has(RuleId::kStopSpeed))
+  if (now_.play == Play::kStop && rules().has(RuleId::kBotTooFastInStop))
     style.speed_mps = std::min(a.speed_mps, style_.stop_speed_share * rules().stop_speed_mps);
   return style;
 }
 
 // A little before the areas' lines: the robot must stay out with its whole hull.
 bool PredictedState::may_touch_at(const Vec2& ball_m) const {
-  if (rules().has(RuleId::kAttackerInArea) &&
+  if (rules().has(RuleId::kAttackerTouchedBallInDefenseArea) &&
       distance_to_defence_area(field(), Side::kEast, ball_m) < style_.from_their_area_m)
     return false;
-  return !rules().has(RuleId::kDefenderInArea) || robots() == 1 ||
+  return !rules().has(RuleId::kDefenderInDefenseArea) || robots() == 1 ||
          distance_to_defence_area(field(), Side::kWest, ball_m) > style_.from_own_area_m;
 }
 
 double PredictedState::allowed_kick_mps(double wanted_mps) const {
-  const double share = rules().has(RuleId::kKickSpeed) ? style_.kick_caution : 1.0;
+  const double share = rules().has(RuleId::kBotKickedBallTooFast) ? style_.kick_caution : 1.0;
   return std::min(wanted_mps, share * rules().kick_limit_mps);
 }
 

@@ -45,7 +45,7 @@ void Chaser::decide(const TeamView& view, TeamCommands& commands) {
 // In the opponents' area, where a rule forbids it, the ball is left alone.
 bool Chaser::may_chase() const {
   if (now_.play != Play::kRunning) return now_.ours && is_restart(now_.play);
-  return !context_.rules.has(RuleId::kAttackerInArea) ||
+  return !context_.rules.has(RuleId::kAttackerTouchedBallInDefenseArea) ||
          distance_to_defence_area(context_.field, Side::kEast, now_.ball.position_m) >
              kFromTheirArea_m;
 }
@@ -98,7 +98,7 @@ RobotCommand Chaser::stand(int index) const {
   if (const auto path_m = exit_from_behind_goal(context_.field, robot.position_m))
     waypoint.position_m = *path_m;
   DrivingStyle style;
-  if (now_.play == Play::kStop && context_.rules.has(RuleId::kStopSpeed))
+  if (now_.play == Play::kStop && context_.rules.has(RuleId::kBotTooFastInStop))
     style.speed_mps = kStopSpeedShare * context_.rules.stop_speed_mps;
   return drive_to(robot, waypoint, is_keeper ? Obstacles{} : obstacles_for(index, true), style);
 }

@@ -132,14 +132,14 @@ void expect_turned(const Decision& a, const Decision& b) {
   EXPECT_EQ(a.transition, b.transition);
   EXPECT_EQ(a.frame, b.frame);
   EXPECT_EQ(turned(a.command), b.command);
-  EXPECT_EQ(turned(a.offender), b.offender);
-  EXPECT_NEAR(a.value, b.value, 1e-6);
-  expect_turned(a.position_m, b.position_m);
+  EXPECT_EQ(turned(a.finding.offender), b.finding.offender);
+  EXPECT_NEAR(a.finding.value, b.finding.value, 1e-6);
+  expect_turned(a.finding.position_m, b.finding.position_m);
   expect_turned(a.last_touch, b.last_touch);
   std::vector<RobotId> robots;
-  for (const RobotId robot : a.robots) robots.push_back(turned(robot));
+  for (const RobotId robot : a.finding.robots) robots.push_back(turned(robot));
   std::sort(robots.begin(), robots.end());
-  std::vector<RobotId> others(b.robots.begin(), b.robots.end());
+  std::vector<RobotId> others(b.finding.robots.begin(), b.finding.robots.end());
   std::sort(others.begin(), others.end());
   EXPECT_EQ(robots, others);
 }
@@ -180,7 +180,9 @@ Configuration rough_configuration(const RoughSetup& setup, Side first_kickoff) {
 // Cards, timeouts and knockout games by the clock of 2026; teams ask for timeouts by chance.
 Configuration rough_knockout(const RoughSetup& setup, Side first_kickoff) {
   Configuration configuration = rough_configuration(setup, first_kickoff);
-  configuration.rules.in_force.add({RuleId::kCards, RuleId::kTimeouts, RuleId::kTooManyRobots});
+  for (const RuleId rule : {RuleId::kCards, RuleId::kTimeouts, RuleId::kTooManyRobots}) {
+    configuration.rules.in_force[rule] = true;
+  }
   configuration.rules.clock_stops = true;
   configuration.rules.timeouts_s = 5;
   configuration.rules.extra_half_s = 4;
@@ -213,8 +215,8 @@ class Pair {
     for (std::size_t k = 0; k < referee_.decisions().size(); ++k) {
       const Decision& decision = referee_.decisions()[k];
       expect_turned(decision, other_.decisions()[k]);
-      ++events_[static_cast<std::size_t>(decision.event)];
-      calls_ += is_call(decision.event) ? 1 : 0;
+      ++events_[static_cast<std::size_t>(decision.finding.event)];
+      calls_ += is_call(decision.finding.event) ? 1 : 0;
     }
   }
 

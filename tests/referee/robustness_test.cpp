@@ -93,7 +93,7 @@ TEST(Robustness, AGoalOfABallOfUnknownHeightCounts) {
   game.step();
   game.frame.ball = BallObservation{Vec2(3.1, 0), kNan};
   game.step();
-  EXPECT_EQ(game.decisions.back().event, Event::kGoal);
+  EXPECT_EQ(game.decisions.back().finding.event, Event::kGoal);
 }
 
 TEST(Robustness, ARobotThatDisappearsDoesNotHoldUpPlay) {

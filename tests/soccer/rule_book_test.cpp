@@ -62,8 +62,9 @@ TEST(RuleBooks, HaveNoOffsideUnlessItIsSwitchedOn) {
 }
 
 TEST(RuleBooks, OfThePaperHoldWhatItHandles) {
-  const RuleSet expected{RuleId::kGoal, RuleId::kBallLeavesField, RuleId::kAttackerNearArea,
-                         RuleId::kRestartNotTaken, RuleId::kStuckBall};
+  const RuleSet expected{RuleId::kGoal, RuleId::kBallLeavesField,
+                         RuleId::kAttackerTooCloseToDefenseArea, RuleId::kRestartNotTaken,
+                         RuleId::kStuckBall};
   EXPECT_EQ(book("paper").in_force, expected);
   EXPECT_EQ(book("paper"), RuleBook{});
 }

@@ -118,7 +118,7 @@ int receiver_in_area(const TeamContext& context) {
 TEST(BallHandler, PassesToNobodyWhoMayNotTouchTheBall) {
   TeamContext context = team_context_of("2026-b");
   EXPECT_NE(receiver_in_area(context), 2);
-  context.rules.in_force[RuleId::kAttackerInArea] = false;
+  context.rules.in_force[RuleId::kAttackerTouchedBallInDefenseArea] = false;
   EXPECT_EQ(receiver_in_area(context), 2);
 }
 

@@ -110,12 +110,12 @@ void PlayStatistics::settle(Next next) {
 }
 
 void PlayStatistics::note(const referee::Decision& decision) {
-  if (decision.event == referee::Event::kGoal && decision.command) {
+  if (decision.finding.event == referee::Event::kGoal && decision.command) {
     give_goal(decision.command->side);
   }
-  if (!is_foul(decision.event)) return;
+  if (!referee::entry_of(decision.finding.event).is_foul) return;
   for (const Side side : kSides) {
-    if (!decision.offender || *decision.offender == side) ++counts_[side].fouls;
+    if (!decision.finding.offender || *decision.finding.offender == side) ++counts_[side].fouls;
   }
 }
 
@@ -132,35 +132,6 @@ void PlayStatistics::end_play() {
   settle(Next::kStop);
   last_touch_.reset();
   duels_.stop();
-}
-
-bool is_foul(referee::Event event) {
-  using referee::Event;
-  switch (event) {
-    case Event::kAttackerNearArea:
-    case Event::kKickSpeed:
-    case Event::kDefenderInArea:
-    case Event::kDefenderPartlyInArea:
-    case Event::kAttackerInArea:
-    case Event::kDoubleTouch:
-    case Event::kRestartDistance:
-    case Event::kDribbling:
-    case Event::kKeeperHolding:
-    case Event::kCrash:
-    case Event::kCrashDrawn:
-    case Event::kPushing:
-    case Event::kTooManyRobots:
-    case Event::kKickoffPositions:
-    case Event::kPenaltyPositions:
-    case Event::kOffside:
-    case Event::kAttackerStaysNearArea:
-    case Event::kStopSpeed:
-    case Event::kStopDistance:
-    case Event::kPlacementInterference:
-      return true;
-    default:
-      return false;
-  }
 }
 
 }  // namespace autoref::runner

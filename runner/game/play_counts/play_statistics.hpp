@@ -60,7 +60,4 @@ class PlayStatistics {
   PerSide<std::int64_t> possession_frames_;
 };
 
-// Whether the event is a foul of a robot, by PlayCounts::fouls.
-bool is_foul(referee::Event event);
-
 }  // namespace autoref::runner

@@ -23,11 +23,12 @@ bool may_be(std::string_view call, std::string_view event) {
 bool is_unknown_touch(std::string_view call) { return call.ends_with("_line_unknown"); }
 
 Side end_of(const Decision& decision) {
-  return decision.position_m && decision.position_m->x() < 0 ? Side::kWest : Side::kEast;
+  return decision.finding.position_m && decision.finding.position_m->x() < 0 ? Side::kWest
+                                                                             : Side::kEast;
 }
 
 std::optional<Side> offender_of(const Decision& decision) {
-  switch (decision.event) {
+  switch (decision.finding.event) {
     case Event::kGoal:
       return decision.command ? std::optional(decision.command->side) : std::nullopt;
     case Event::kThrowIn:
@@ -39,7 +40,7 @@ std::optional<Side> offender_of(const Decision& decision) {
     case Event::kTouchLineUnknown:
       return std::nullopt;
     default:
-      return decision.offender;
+      return decision.finding.offender;
   }
 }
 
@@ -156,14 +157,15 @@ class Matcher {
 }  // namespace
 
 std::optional<Call> call_of(const Decision& decision) {
-  if (!referee::is_call(decision.event)) return std::nullopt;
+  if (!referee::is_call(decision.finding.event)) return std::nullopt;
   const bool ended_play =
       decision.from == referee::State::kRun && decision.to != referee::State::kRun;
-  return Call{name_of(decision.event),
+  return Call{name_of(decision.finding.event),
               decision.time_s,
               offender_of(decision),
-              decision.robots.empty() ? std::nullopt : std::optional(decision.robots.front()),
-              decision.position_m,
+              decision.finding.robots.empty() ? std::nullopt
+                                              : std::optional(decision.finding.robots.front()),
+              decision.finding.position_m,
               ended_play,
               false};
 }

@@ -23,7 +23,7 @@ class BallOut final : public GroundTruthRule {
     if (const auto crossing = find_crossing(scene.field, scene.before.ball, scene.now.ball)) {
       // A penalty kick that is no goal has failed: another truth tells that.
       const bool is_failed = scene.play.is_penalty() && !crossing->into_goal &&
-                             scene.rules.has(RuleId::kPenaltyFailed);
+                             scene.rules.has(RuleId::kPenaltyKickFailed);
       if (!is_failed) all.push_back(event(scene, *crossing));
     } else if (scene.play.ends_now && inside_m(scene.field, scene.now.ball.position_m) >= 0) {
       foresee(scene, all);
@@ -122,18 +122,18 @@ class BallOut final : public GroundTruthRule {
       return "indirect_goal";
     }
     const bool too_high = shot_height_m(scene, scorer).value_or(0.0) > scene.rules.chip_height_m;
-    if (too_high && scene.rules.has(RuleId::kChipGoal)) return "chip_goal";
+    if (too_high && scene.rules.has(RuleId::kChippedGoal)) return "chipped_goal";
     const bool has_fouled = scene.time_s - scene.fouled_s[scorer] <= scene.rules.goal_after_foul_s;
     if ((too_high || has_fouled) && !scene.play.is_penalty() &&
-        scene.rules.has(RuleId::kGoalValid)) {
-      return "goal_invalid";
+        scene.rules.has(RuleId::kInvalidGoal)) {
+      return "invalid_goal";
     }
     return "goal";
   }
 
   static std::optional<double> shot_height_m(const Scene& scene, Side scorer) {
     const Heights& heights = scene.ball.heights(scorer);
-    return scene.rules.has(RuleId::kChipGoal) ? heights.of_shot_m : heights.since_touch_m;
+    return scene.rules.has(RuleId::kChippedGoal) ? heights.of_shot_m : heights.since_touch_m;
   }
 };
 

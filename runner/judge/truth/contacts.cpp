@@ -27,8 +27,8 @@ class DoubleTouch final : public GroundTruthRule {
       const bool goes_on = scene.rules.edition == Edition::kRules2026 && contact.is_touching;
       if (!is_again && !goes_on) continue;
       reported_ = play.count;
-      all.push_back(
-          {"double_touch", scene.time_s, contact.robot.side, contact.robot, contact.ball_from_m});
+      all.push_back({"attacker_double_touched_ball", scene.time_s, contact.robot.side,
+                     contact.robot, contact.ball_from_m});
       return;
     }
   }
@@ -45,8 +45,8 @@ class Dribbling final : public GroundTruthRule {
       const double path_m = (scene.now.ball.position_m - contact.ball_from_m).norm();
       const double excess_m = path_m - scene.rules.dribbling_m;
       if (excess_m <= -kDribblingMargin_m) continue;
-      TrueEvent dribble{"dribbling", scene.time_s, contact.robot.side, contact.robot,
-                        scene.now.ball.position_m};
+      TrueEvent dribble{"bot_dribbled_ball_too_far", scene.time_s, contact.robot.side,
+                        contact.robot, scene.now.ball.position_m};
       if (excess_m <= 0 && is_prevented(scene, contact, excess_m)) {
         dribble.standing = Standing::kPrevented;
         all.push_back(dribble);
@@ -102,7 +102,7 @@ class KeeperHolding final : public GroundTruthRule {
     const bool is_prevented = scene.play.ends_now && excess_s > -kHoldingMargin_s;
     if (excess_s <= 0 && !is_prevented) return;
     is_reported_[side] = true;
-    TrueEvent held{"keeper_holding", scene.time_s, side, RobotId{side, scene.keepers[side]},
+    TrueEvent held{"keeper_held_ball", scene.time_s, side, RobotId{side, scene.keepers[side]},
                    scene.now.ball.position_m};
     if (excess_s <= 0) held.standing = Standing::kPrevented;
     all.push_back(held);
@@ -114,8 +114,12 @@ class KeeperHolding final : public GroundTruthRule {
 
 }  // namespace
 
-std::unique_ptr<GroundTruthRule> double_touch() { return std::make_unique<DoubleTouch>(); }
-std::unique_ptr<GroundTruthRule> dribbling() { return std::make_unique<Dribbling>(); }
-std::unique_ptr<GroundTruthRule> keeper_holding() { return std::make_unique<KeeperHolding>(); }
+std::unique_ptr<GroundTruthRule> attacker_double_touched_ball() {
+  return std::make_unique<DoubleTouch>();
+}
+std::unique_ptr<GroundTruthRule> bot_dribbled_ball_too_far() {
+  return std::make_unique<Dribbling>();
+}
+std::unique_ptr<GroundTruthRule> keeper_held_ball() { return std::make_unique<KeeperHolding>(); }
 
 }  // namespace autoref::runner::ground_truth

@@ -75,13 +75,13 @@ class Crash final : public GroundTruthRule {
 
   // What is nearly the one and nearly the other is a near miss of what it is not.
   static void add_crash(TrueEvent crash, bool is_drawn, TrueEvents& all) {
-    crash.name = "crash";
+    crash.name = "bot_crash_unique";
     crash.offender = crash.robot->side;
     if (is_drawn) crash.standing = Standing::kNearMiss;
     all.push_back(crash);
   }
   static void add_drawn(TrueEvent crash, bool is_drawn, TrueEvents& all) {
-    crash.name = "crash_drawn";
+    crash.name = "bot_crash_drawn";
     crash.robot.reset();
     if (!is_drawn) crash.standing = Standing::kNearMiss;
     all.push_back(crash);
@@ -90,6 +90,6 @@ class Crash final : public GroundTruthRule {
 
 }  // namespace
 
-std::unique_ptr<GroundTruthRule> crash() { return std::make_unique<Crash>(); }
+std::unique_ptr<GroundTruthRule> bot_crash_unique() { return std::make_unique<Crash>(); }
 
 }  // namespace autoref::runner::ground_truth

@@ -11,8 +11,8 @@ namespace {
 constexpr double kLongAgo_s = -1e9;
 
 // What counts as a foul for a goal's validity where fouls let play go on.
-constexpr std::array<std::string_view, 4> kFouls = {"crash", "crash_drawn", "pushing",
-                                                    "restart_distance"};
+constexpr std::array<std::string_view, 4> kFouls = {
+    "bot_crash_unique", "bot_crash_drawn", "bot_pushed_bot", "defender_too_close_to_kick_point"};
 
 }  // namespace
 

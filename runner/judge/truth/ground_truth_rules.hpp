@@ -10,23 +10,24 @@ namespace autoref::runner::ground_truth {
 
 std::unique_ptr<GroundTruthRule>
 ball_out();  // goals, goals that do not count, exits, aimless kicks
-std::unique_ptr<GroundTruthRule> kick_speed();
-std::unique_ptr<GroundTruthRule> double_touch();
-std::unique_ptr<GroundTruthRule> dribbling();
-std::unique_ptr<GroundTruthRule> keeper_holding();
+std::unique_ptr<GroundTruthRule> bot_kicked_ball_too_fast();
+std::unique_ptr<GroundTruthRule> attacker_double_touched_ball();
+std::unique_ptr<GroundTruthRule> bot_dribbled_ball_too_far();
+std::unique_ptr<GroundTruthRule> keeper_held_ball();
 std::unique_ptr<GroundTruthRule> touches_in_areas();  // defender (partly) in area, attacker in area
-std::unique_ptr<GroundTruthRule> crash();             // and crash_drawn
-std::unique_ptr<GroundTruthRule> pushing();
+std::unique_ptr<GroundTruthRule> bot_crash_unique();  // and bot_crash_drawn
+std::unique_ptr<GroundTruthRule> bot_pushed_bot();
 std::unique_ptr<GroundTruthRule>
 positions_at_entry();  // robots misplaced when the ball enters play
 std::unique_ptr<GroundTruthRule> untaken_restart();
-std::unique_ptr<GroundTruthRule> penalty();     // penalty_failed and penalty_positions
-std::unique_ptr<GroundTruthRule> stuck_ball();  // and no_progress
-std::unique_ptr<GroundTruthRule> stop_speed();
+std::unique_ptr<GroundTruthRule> penalty();     // penalty_kick_failed and penalty_positions
+std::unique_ptr<GroundTruthRule> stuck_ball();  // and no_progress_in_game
+std::unique_ptr<GroundTruthRule> bot_too_fast_in_stop();
 std::unique_ptr<GroundTruthRule> stop_distance();
-std::unique_ptr<GroundTruthRule> attacker_stays();          // near the area, rules of 2026
-std::unique_ptr<GroundTruthRule> opponents_near_restart();  // restart_distance, rules of 2026
-std::unique_ptr<GroundTruthRule> placement_interference();
+std::unique_ptr<GroundTruthRule> attacker_stays();  // near the area, rules of 2026
+std::unique_ptr<GroundTruthRule>
+opponents_near_restart();  // defender_too_close_to_kick_point, rules of 2026
+std::unique_ptr<GroundTruthRule> bot_interfered_placement();
 std::unique_ptr<GroundTruthRule> too_many_robots();
 
 // Those that the book has in force.

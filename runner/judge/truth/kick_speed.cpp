@@ -34,7 +34,8 @@ class KickSpeed final : public GroundTruthRule {
     const double excess_mps = speed_mps - scene.rules.kick_limit_mps;
     if (excess_mps <= -kKickMargin_mps || scene.time_s - reported_s_ < kOneKick_s) return;
     reported_s_ = scene.time_s;
-    TrueEvent kick{"kick_speed", scene.time_s, touch.robot.side, touch.robot, touch.ball_m};
+    TrueEvent kick{"bot_kicked_ball_too_fast", scene.time_s, touch.robot.side, touch.robot,
+                   touch.ball_m};
     kick.is_in_air = touch.vertical_mps > 0;
     add_measured(all, kick, excess_mps, kKickMargin_mps);
   }
@@ -44,6 +45,8 @@ class KickSpeed final : public GroundTruthRule {
 
 }  // namespace
 
-std::unique_ptr<GroundTruthRule> kick_speed() { return std::make_unique<KickSpeed>(); }
+std::unique_ptr<GroundTruthRule> bot_kicked_ball_too_fast() {
+  return std::make_unique<KickSpeed>();
+}
 
 }  // namespace autoref::runner::ground_truth

@@ -72,9 +72,9 @@ class Penalty final : public GroundTruthRule {
       again.position_m = scene.play.ball_from_m;
       add_measured(all, again, excess_m, kPenaltyMargin_m);
     }
-    if (is_goal || excess_m > 0 || !scene.rules.has(RuleId::kPenaltyFailed)) return;
+    if (is_goal || excess_m > 0 || !scene.rules.has(RuleId::kPenaltyKickFailed)) return;
     all.push_back(
-        {"penalty_failed", scene.time_s, attacker, std::nullopt, scene.now.ball.position_m});
+        {"penalty_kick_failed", scene.time_s, attacker, std::nullopt, scene.now.ball.position_m});
   }
 
   // By a right angle or more: what is left of the ball's way leads back.

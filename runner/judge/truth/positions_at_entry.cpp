@@ -57,8 +57,10 @@ class PositionsAtEntry final : public GroundTruthRule {
     const std::size_t reported = all.size();
     retakes_.enter(scene.play);
     const bool is_2026 = scene.rules.edition == Edition::kRules2026;
-    if (scene.rules.has(RuleId::kAttackerNearArea) && !is_2026) near_area(scene, taker, all);
-    if (scene.rules.has(RuleId::kRestartDistance) && !is_2026) near_ball(scene, taker, all);
+    if (scene.rules.has(RuleId::kAttackerTooCloseToDefenseArea) && !is_2026)
+      near_area(scene, taker, all);
+    if (scene.rules.has(RuleId::kDefenderTooCloseToKickPoint) && !is_2026)
+      near_ball(scene, taker, all);
     if (scene.rules.has(RuleId::kKickoffPositions) && scene.play.is_kickoff()) half(scene, all);
     note_breaches(reported, all);
   }
@@ -68,7 +70,8 @@ class PositionsAtEntry final : public GroundTruthRule {
   void note_breaches(std::size_t reported, TrueEvents& all) {
     const auto is_breach = [](const TrueEvent& event) {
       return event.standing == Standing::kTrue &&
-             (event.name == "restart_distance" || event.name == "kickoff_positions");
+             (event.name == "defender_too_close_to_kick_point" ||
+              event.name == "kickoff_positions");
     };
     const auto from = all.begin() + static_cast<std::ptrdiff_t>(reported);
     if (!std::any_of(from, all.end(), is_breach)) return;
@@ -93,7 +96,7 @@ class PositionsAtEntry final : public GroundTruthRule {
         const Reach reach = reach_to_area(scene.field, opponent_of(side), robot);
         worst.consider(id, robot, scene.rules.attacker_to_area_m - reach.nearest_m);
       });
-      add(scene, "attacker_near_area", worst, all);
+      add(scene, "attacker_too_close_to_defense_area", worst, all);
       if (worst.excess_m > 0) return;
     }
   }
@@ -107,7 +110,7 @@ class PositionsAtEntry final : public GroundTruthRule {
       worst.consider(id, robot, scene.rules.opponents_to_ball_m - gap_m);
     });
     worst.position_m = scene.play.ball_from_m;
-    add(scene, "restart_distance", worst, all);
+    add(scene, "defender_too_close_to_kick_point", worst, all);
   }
 
   // The kicker may be beyond the middle. Where both sides are wrong, neither is at fault alone.

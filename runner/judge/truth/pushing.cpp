@@ -76,7 +76,7 @@ class Pushing final : public GroundTruthRule {
     if (own_mps > kOwnSpeed_mps + kOwnMargin_mps || excess_m <= -kPushMargin_m) return;
     contact.is_reported = excess_m > 0;
     const RobotId pusher = west_pushes ? contact.west : contact.east;
-    const TrueEvent push{"pushing", scene.time_s, pusher.side, pusher,
+    const TrueEvent push{"bot_pushed_bot", scene.time_s, pusher.side, pusher,
                          Vec2((a.position_m + b.position_m) / 2.0)};
     const bool is_own_motion = own_mps > kOwnSpeed_mps;
     add_measured(all, push, is_own_motion ? -kPushMargin_m / 2 : excess_m, kPushMargin_m);
@@ -87,6 +87,6 @@ class Pushing final : public GroundTruthRule {
 
 }  // namespace
 
-std::unique_ptr<GroundTruthRule> pushing() { return std::make_unique<Pushing>(); }
+std::unique_ptr<GroundTruthRule> bot_pushed_bot() { return std::make_unique<Pushing>(); }
 
 }  // namespace autoref::runner::ground_truth

@@ -36,7 +36,7 @@ class StopSpeed final : public GroundTruthRule {
   }
 
  private:
-  GraceTimer fast_{"stop_speed", kStopMargin_mps};
+  GraceTimer fast_{"bot_too_fast_in_stop", kStopMargin_mps};
 };
 
 class StopDistance final : public GroundTruthRule {
@@ -100,7 +100,7 @@ class OpponentsNearRestart final : public GroundTruthRule {
   }
 
  private:
-  GraceTimer near_{"restart_distance", kStopMargin_m};
+  GraceTimer near_{"defender_too_close_to_kick_point", kStopMargin_m};
 };
 
 class PlacementInterference final : public GroundTruthRule {
@@ -125,7 +125,7 @@ class PlacementInterference final : public GroundTruthRule {
     return distance_to_hull(nearest_m, robot.position_m, robot.heading);
   }
 
-  GraceTimer near_{"placement_interference", kStopMargin_m};
+  GraceTimer near_{"bot_interfered_placement", kStopMargin_m};
 };
 
 class TooManyRobots final : public GroundTruthRule {
@@ -153,13 +153,13 @@ class TooManyRobots final : public GroundTruthRule {
 
 }  // namespace
 
-std::unique_ptr<GroundTruthRule> stop_speed() { return std::make_unique<StopSpeed>(); }
+std::unique_ptr<GroundTruthRule> bot_too_fast_in_stop() { return std::make_unique<StopSpeed>(); }
 std::unique_ptr<GroundTruthRule> stop_distance() { return std::make_unique<StopDistance>(); }
 std::unique_ptr<GroundTruthRule> attacker_stays() { return std::make_unique<AttackerStays>(); }
 std::unique_ptr<GroundTruthRule> opponents_near_restart() {
   return std::make_unique<OpponentsNearRestart>();
 }
-std::unique_ptr<GroundTruthRule> placement_interference() {
+std::unique_ptr<GroundTruthRule> bot_interfered_placement() {
   return std::make_unique<PlacementInterference>();
 }
 std::unique_ptr<GroundTruthRule> too_many_robots() { return std::make_unique<TooManyRobots>(); }

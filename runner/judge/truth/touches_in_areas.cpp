@@ -24,8 +24,9 @@ class TouchesInAreas final : public GroundTruthRule {
     for (const Contact& contact : scene.ball.contacts()) {
       const sim::RobotState* robot = find_robot(scene.now, contact.robot);
       if (!contact.is_touching || robot == nullptr) continue;
-      if (scene.rules.has(RuleId::kDefenderInArea)) defending(scene, contact, *robot, all);
-      if (scene.rules.has(RuleId::kAttackerInArea)) attacking(scene, contact, *robot, all);
+      if (scene.rules.has(RuleId::kDefenderInDefenseArea)) defending(scene, contact, *robot, all);
+      if (scene.rules.has(RuleId::kAttackerTouchedBallInDefenseArea))
+        attacking(scene, contact, *robot, all);
     }
   }
 
@@ -42,16 +43,16 @@ class TouchesInAreas final : public GroundTruthRule {
                  TrueEvents& all) {
     if (scene.is_keeper(contact.robot) || entry_of(contact.robot).was_shoved) return;
     const Reach reach = reach_to_area(scene.field, contact.robot.side, robot);
-    add(scene, contact, "defender_in_area", -reach.farthest_m, all);
+    add(scene, contact, "defender_in_defense_area", -reach.farthest_m, all);
     const bool is_entirely = reach.farthest_m < 0;
     if (scene.rules.edition == Edition::kRules2026 || is_entirely) return;
-    add(scene, contact, "defender_partly_in_area", -reach.nearest_m, all);
+    add(scene, contact, "defender_in_defense_area_partially", -reach.nearest_m, all);
   }
 
   void attacking(const Scene& scene, const Contact& contact, const sim::RobotState& robot,
                  TrueEvents& all) {
     const Reach reach = reach_to_area(scene.field, opponent_of(contact.robot.side), robot);
-    add(scene, contact, "attacker_in_area", -reach.nearest_m, all);
+    add(scene, contact, "attacker_touched_ball_in_defense_area", -reach.nearest_m, all);
   }
 
   // How a robot came into its own area.

@@ -25,7 +25,7 @@ class UntakenRestart final : public GroundTruthRule {
   void watch(const Scene& scene, TrueEvents& all) override {
     const Play& play = scene.play;
     if (!play.is_on || play.in_play || !play.taker || reported_ == play.count) return;
-    if (play.is_penalty() && scene.rules.has(RuleId::kPenaltyFailed)) return;
+    if (play.is_penalty() && scene.rules.has(RuleId::kPenaltyKickFailed)) return;
     const double limit_s = play.is_kickoff() || play.is_penalty() ? scene.rules.restart_timeout_s
                                                                   : scene.rules.free_kick_timeout_s;
     const TrueEvent untaken{"restart_not_taken", scene.time_s, play.taker, std::nullopt,
@@ -38,7 +38,8 @@ class UntakenRestart final : public GroundTruthRule {
   // Rules of 2026: an opponent who stands too near for too long gives the kicker its time anew.
   static double waits_since_s(const Play& play, const TrueEvents& all) {
     for (auto it = all.rbegin(); it != all.rend() && it->time_s > play.began_s; ++it) {
-      if (it->name == "restart_distance" && it->standing == Standing::kTrue) return it->time_s;
+      if (it->name == "defender_too_close_to_kick_point" && it->standing == Standing::kTrue)
+        return it->time_s;
     }
     return play.began_s;
   }
@@ -65,8 +66,8 @@ class StuckBall final : public GroundTruthRule {
       is_reported_ = false;
       return;
     }
-    const bool is_2026 = scene.rules.has(RuleId::kNoProgress);
-    TrueEvent stuck{is_2026 ? "no_progress" : "stuck_ball", scene.time_s, std::nullopt,
+    const bool is_2026 = scene.rules.has(RuleId::kNoProgressInGame);
+    TrueEvent stuck{is_2026 ? "no_progress_in_game" : "stuck_ball", scene.time_s, std::nullopt,
                     std::nullopt, scene.now.ball.position_m};
     if (!is_reported_) {
       is_reported_ = add_timed(scene, stuck, excess_s, all);
@@ -79,7 +80,7 @@ class StuckBall final : public GroundTruthRule {
  private:
   // In an area it is the keeper's time that counts, where there is such a rule for any ball there.
   static bool is_held(const Scene& scene) {
-    return scene.rules.has(RuleId::kNoProgress) && scene.rules.has(RuleId::kKeeperHolding) &&
+    return scene.rules.has(RuleId::kNoProgressInGame) && scene.rules.has(RuleId::kKeeperHeldBall) &&
            std::any_of(kSides.begin(), kSides.end(), [&scene](Side side) {
              return distance_to_defence_area(scene.field, side, scene.now.ball.position_m) <= 0;
            });

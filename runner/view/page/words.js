@@ -10,7 +10,8 @@ const kEventTitles = {
   restart_not_taken: "Restart not taken in time",
   half_over: "End of the half",
   game_over: "End of the game",
-  crash_drawn: "Crash, both at fault",
+  bot_crash_unique: "Crash",
+  bot_crash_drawn: "Crash, both at fault",
 };
 
 function capitalised(text) {

@@ -17,63 +17,63 @@ Configuration by_book(std::string_view book) {
 StagedMachine in_2026(State state = State::kRun) { return StagedMachine(by_book("2026-b"), state); }
 
 // "Every third foul of the same team results in a yellow card" (2026).
-TEST(ArrowYellowCard, IsTakenAtTheThirdFoulAndLeavesPlayOn) {
+TEST(ArrowMultipleFouls, IsTakenAtTheThirdFoulAndLeavesPlayOn) {
   StagedMachine game = in_2026();
   for (int i = 0; i < 2; ++i) {
-    EXPECT_EQ(game.foul(Side::kEast), "crash_noted");
+    EXPECT_EQ(game.foul(Side::kEast), "bot_crash_unique");
     EXPECT_EQ(game.look_for_cards(), "");
   }
   game.foul(Side::kEast);
-  EXPECT_EQ(game.look_for_cards(), "yellow_card");
+  EXPECT_EQ(game.look_for_cards(), "multiple_fouls");
   EXPECT_EQ(game.state.machine_state, State::kRun);
   EXPECT_EQ(game.state.signal.yellow_cards, (PerSide<int>{{0, 1}}));
   EXPECT_EQ(game.state.signal.robots_allowed, (PerSide<int>{{6, 5}}));
   EXPECT_EQ(game.state.signal.command_counter, 0U);
 }
 
-TEST(ArrowYellowCard, IsTakenOnceForThreeFouls) {
+TEST(ArrowMultipleFouls, IsTakenOnceForThreeFouls) {
   StagedMachine game = in_2026();
   game.fouls_for_cards(Side::kWest, 1);
   EXPECT_EQ(game.look_for_cards(), "");
   EXPECT_EQ(game.state.signal.yellow_cards[Side::kWest], 1);
 }
 
-TEST(ArrowYellowCard, CountsEachSidesFoulsApart) {
+TEST(ArrowMultipleFouls, CountsEachSidesFoulsApart) {
   StagedMachine game = in_2026();
   for (const Side side : {Side::kWest, Side::kEast, Side::kWest, Side::kEast}) game.foul(side);
   EXPECT_EQ(game.look_for_cards(), "");
 }
 
 // A drawn crash may be the third foul of both sides: neither is first.
-TEST(ArrowYellowCard, IsTakenForBothSidesAtOnce) {
+TEST(ArrowMultipleFouls, IsTakenForBothSidesAtOnce) {
   StagedMachine game = in_2026();
   for (int i = 0; i < 3; ++i) game.foul(std::nullopt);
-  EXPECT_EQ(game.look_for_cards(), "yellow_card");
+  EXPECT_EQ(game.look_for_cards(), "multiple_fouls");
   EXPECT_EQ(game.state.signal.yellow_cards, (PerSide<int>{{1, 1}}));
   EXPECT_EQ(game.look_for_cards(), "");
 }
 
-TEST(ArrowYellowCardStopped, IsTakenWhilePlayIsStopped) {
+TEST(ArrowMultipleFoulsStopped, IsTakenWhilePlayIsStopped) {
   StagedMachine game = in_2026(State::kWaitStop);
   for (int i = 0; i < 3; ++i) game.foul(Side::kWest);
-  EXPECT_EQ(game.look_for_cards(), "yellow_card_stopped");
+  EXPECT_EQ(game.look_for_cards(), "multiple_fouls");
   EXPECT_EQ(game.state.machine_state, State::kWaitStop);
   EXPECT_EQ(game.state.signal.robots_allowed, (PerSide<int>{{5, 6}}));
 }
 
 // "When a team has two not yet expired yellow cards and receives another yellow card, this card
 // will be turned into a red card instead" (2026).
-TEST(ArrowRedCard, IsTakenForTheThirdActiveYellowCard) {
+TEST(ArrowMultipleCards, IsTakenForTheThirdActiveYellowCard) {
   StagedMachine game = in_2026();
   game.fouls_for_cards(Side::kWest, 2);
   for (int i = 0; i < 3; ++i) game.foul(Side::kWest);
-  EXPECT_EQ(game.look_for_cards(), "red_card");
+  EXPECT_EQ(game.look_for_cards(), "multiple_cards");
   EXPECT_EQ(game.state.signal.yellow_cards[Side::kWest], 2);
   EXPECT_EQ(game.state.signal.red_cards, (PerSide<int>{{1, 0}}));
   EXPECT_EQ(game.state.signal.robots_allowed, (PerSide<int>{{3, 6}}));
 }
 
-TEST(ArrowRedCard, IsNotTakenWhereAnEarlierYellowCardIsOver) {
+TEST(ArrowMultipleCards, IsNotTakenWhereAnEarlierYellowCardIsOver) {
   StagedMachine game = in_2026();
   game.fouls_for_cards(Side::kWest, 1);
   game.wait(120);
@@ -82,7 +82,7 @@ TEST(ArrowRedCard, IsNotTakenWhereAnEarlierYellowCardIsOver) {
   EXPECT_EQ(game.state.signal.yellow_cards[Side::kWest], 3);
 }
 
-TEST(ArrowRedCard, IsForTheRestOfTheGame) {
+TEST(ArrowMultipleCards, IsForTheRestOfTheGame) {
   StagedMachine game = in_2026();
   game.fouls_for_cards(Side::kWest, 3);
   game.wait(3600);
@@ -90,11 +90,11 @@ TEST(ArrowRedCard, IsForTheRestOfTheGame) {
   EXPECT_EQ(game.state.signal.robots_allowed, (PerSide<int>{{5, 6}}));
 }
 
-TEST(ArrowRedCardStopped, IsTakenWhilePlayIsStopped) {
+TEST(ArrowMultipleCardsStopped, IsTakenWhilePlayIsStopped) {
   StagedMachine game = in_2026(State::kWaitStop);
   game.fouls_for_cards(Side::kEast, 2);
   for (int i = 0; i < 3; ++i) game.foul(Side::kEast);
-  EXPECT_EQ(game.look_for_cards(), "red_card_stopped");
+  EXPECT_EQ(game.look_for_cards(), "multiple_cards");
   EXPECT_EQ(game.state.signal.red_cards, (PerSide<int>{{0, 1}}));
 }
 
@@ -130,7 +130,7 @@ TEST(ArrowCardOver, DoesNotCountTheTimeInWhichPlayIsStopped) {
 
 Finding carded_foul(Card card) {
   Finding finding;
-  finding.event = Event::kDefenderPartlyInArea;
+  finding.event = Event::kDefenderInDefenseAreaPartially;
   finding.offender = Side::kWest;
   finding.card = card;
   finding.restart = {CommandKind::kIndirectFree, Side::kEast};

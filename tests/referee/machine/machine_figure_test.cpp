@@ -27,6 +27,12 @@ TEST(MachineFigure, InTheReadmeIsPrintedFromTheTable) {
       << figure;
 }
 
+TEST(EventFigure, InTheReadmeIsPrintedFromTheTable) {
+  EXPECT_NE(readme().find(event_figure()), std::string::npos)
+      << "referee/README.md should show this table:\n\n"
+      << event_figure();
+}
+
 TEST(MachineFigure, EveryDeviationOfAnTransitionIsListed) {
   const std::string text = readme();
   for (const auto& transitions : all_transitions()) {
@@ -50,10 +56,8 @@ TEST(Readme, SaysOfEveryRuleWhatItGives) {
 
 TEST(Machine, LabelsItsTransitionsUniquely) {
   std::set<std::string_view> labels;
-  for (const auto& transitions : all_transitions()) {
-    for (const Transition& transition : transitions)
-      EXPECT_TRUE(labels.insert(transition.label).second);
-  }
+  for (const std::string_view label : all_labels())
+    EXPECT_TRUE(labels.insert(label).second) << label;
 }
 
 TEST(Machine, StepLeavesItsInputUntouched) {

@@ -128,7 +128,7 @@ class PenaltyGame {
     state.machine_state = State::kRun;
     state.signal.stage = Stage::kFirstHalf;
     Finding foul;
-    foul.event = Event::kDefenderInArea;
+    foul.event = Event::kDefenderInDefenseArea;
     foul.restart = {CommandKind::kPreparePenalty, kicker_};
     foul.ball_to_m = field().penalty_mark_at(opponent_of(kicker_));
     decide(input(), foul);
@@ -143,12 +143,18 @@ class PenaltyGame {
   // Whether one of them changed the state.
   bool ask_rules(const RefereeInput& now) {
     const State machine_state = state.machine_state;
-    for (const Rule& rule : rules()) {
-      if (!configuration_.rules.has(rule.id) || !rule.active_in.has(machine_state)) continue;
-      if (const auto found = rule.find(state, now)) decide(now, *found);
+    for (const AskedRule& asked : rules()) {
+      if (configuration_.rules.has(asked.id)) ask(*asked.rule, now, machine_state);
       if (state.machine_state != machine_state) return true;
     }
     return false;
+  }
+
+  void ask(const Rule& rule, const RefereeInput& now, State machine_state) {
+    for (const Watch& watch : rule.watches()) {
+      if (state.machine_state != machine_state || !watch.active_in.has(machine_state)) continue;
+      if (const auto found = watch.find(state, now)) decide(now, *found);
+    }
   }
 
   void decide(const RefereeInput& now, const Finding& finding) {
@@ -157,7 +163,7 @@ class PenaltyGame {
     const bool starts =
         state.machine_state != State::kRun && taken.state.machine_state == State::kRun;
     state = taken.state;
-    transitions.emplace_back(taken.transition->label);
+    transitions.emplace_back(taken.label);
     last = finding;
     if (starts) touch_.restart(frame_, state.play.ball_from_m);
   }

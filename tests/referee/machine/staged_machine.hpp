@@ -6,8 +6,7 @@
 #include <string_view>
 
 #include "referee/machine/machine.hpp"
-#include "referee/rules/card_due.hpp"
-
+#include "referee/rules/rule.hpp"
 namespace autoref::referee {
 
 class StagedMachine {
@@ -25,33 +24,31 @@ class StagedMachine {
     const Step taken = step(state, input(), finding);
     if (taken.transition == nullptr) return {};
     state = taken.state;
-    return taken.transition->label;
+    return label_ = taken.label;
   }
 
   // A foul that is only counted; without an offender it counts against both.
   std::string_view foul(std::optional<Side> offender) {
     Finding finding;
-    finding.event = state.machine_state == State::kRun ? Event::kCrash : Event::kStopSpeed;
+    finding.event =
+        state.machine_state == State::kRun ? Event::kBotCrashUnique : Event::kBotTooFastInStop;
     finding.offender = offender;
     finding.is_foul = true;
     return put(finding);
   }
 
   // Looks for cards as the referee does; the label of the last transition taken.
-  std::string_view look_for_cards() {
+  std::string_view look_for_cards() { return look_for(kCardsRule); }
+
+  // The label of the last transition taken for what the rule finds; empty where there is none.
+  std::string_view look_for(const Rule& rule) {
     std::string_view taken;
-    for (const Rule& rule : {kRedCardRule, kYellowCardRule, kCardOverRule}) {
-      const std::string_view label = look_for(rule);
-      if (!label.empty()) taken = label;
+    for (const Watch& watch : rule.watches()) {
+      if (!watch.active_in.has(state.machine_state)) continue;
+      const std::optional<Finding> found = watch.find(state, input());
+      if (found && !put(*found).empty()) taken = label_;
     }
     return taken;
-  }
-
-  // The label of the transition taken for what the rule finds; empty where there is none.
-  std::string_view look_for(const Rule& rule) {
-    if (!rule.active_in.has(state.machine_state)) return {};
-    const std::optional<Finding> found = rule.find(state, input());
-    return found ? put(*found) : std::string_view{};
   }
 
   // Fouls until `count` cards have been shown for them.
@@ -84,6 +81,7 @@ class StagedMachine {
  private:
   RefereeInput input() const { return {configuration_, frame_, ball_, touch_, tracks_, requests_}; }
 
+  std::string_view label_;  // of the transition taken last
   Configuration configuration_;
   Frame frame_;
   std::optional<BallSight> ball_;

@@ -61,7 +61,7 @@ TEST(ArrowTimeout, GoesFirstToTheSideThatTakesTheRestart) {
 // 10 s without a kick lead to a force start here, which is nobody's.
 ScriptedGame before_force_start() {
   Configuration configuration = by_book("2014");
-  configuration.rules.in_force.add({RuleId::kRestartNotTaken});
+  configuration.rules.in_force[RuleId::kRestartNotTaken] = true;
   ScriptedGame game(configuration);
   game.line_up().kick_off();
   game.run_until("restart_not_taken");

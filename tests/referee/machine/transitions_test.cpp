@@ -182,16 +182,16 @@ TEST(ArrowTouchLineUnknown, LeadsToAForceStartFrom100MillimetresInside) {
   EXPECT_NEAR((game.signal.placement->target_m - Vec2(0.5, 1.925)).norm(), 0, 1e-9);
 }
 
-TEST(ArrowAttackerNearArea, GivesAnIndirectFreeKickToTheDefenders) {
+TEST(ArrowAttackerTooCloseToDefenseArea, GivesAnIndirectFreeKickToTheDefenders) {
   ScriptedGame game;
   game.line_up().kick_off();
   // The area's rim is 0.8 m from the goal line; the disc of 90 mm faces away.
   game.robot(Side::kWest, 2) = {2, {3.025 - 0.8 - 0.19 - 0.09, 0}, Vec2(-1, 0)};
   game.kick(Side::kWest, 1, {-3, 0});
-  const Decision call = game.run_until("attacker_near_area", 1);
-  EXPECT_NEAR(call.value, 0.190, 1e-9);
-  ASSERT_EQ(call.robots.size(), 1U);
-  EXPECT_EQ(call.robots[0], (RobotId{Side::kWest, 2}));
+  const Decision call = game.run_until("attacker_too_close_to_defense_area", 1);
+  EXPECT_NEAR(call.finding.value, 0.190, 1e-9);
+  ASSERT_EQ(call.finding.robots.size(), 1U);
+  EXPECT_EQ(call.finding.robots[0], (RobotId{Side::kWest, 2}));
   EXPECT_EQ(game.signal.next_command, (Command{CommandKind::kIndirectFree, Side::kEast}));
 }
 

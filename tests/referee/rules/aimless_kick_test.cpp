@@ -1,6 +1,5 @@
-#include "referee/rules/aimless_kick.hpp"
-
 #include <gtest/gtest.h>
+#include "referee/rules/rule.hpp"
 
 #include "tests/referee/rules/rule_scene.hpp"
 
@@ -24,7 +23,7 @@ ScriptedGame long_kick(const Configuration& configuration, const Vec2& from_m) {
 TEST(AimlessKick, FromTheOwnHalfIsAFreeKickFromWhereItWasKicked) {
   ScriptedGame game = long_kick(by_book("2026-b"), {-0.001, 2});
   const Decision call = game.run_until("aimless_kick", 1);
-  EXPECT_EQ(call.restart, (Command{CommandKind::kDirectFree, Side::kEast}));
+  EXPECT_EQ(call.restart(), (Command{CommandKind::kDirectFree, Side::kEast}));
   EXPECT_LE((game.signal.placement->target_m - Vec2(0, 2)).norm(), 0.002);
 }
 

@@ -25,17 +25,16 @@ ScriptedGame long_stop(std::string_view book) {
   return game;
 }
 
-int fouls(const ScriptedGame& game) {
-  return game.count("attacker_stays_near_area") + game.count("attacker_stays_near_area_stopped");
-}
+int fouls(const ScriptedGame& game) { return game.count("attacker_stays_near_area"); }
 
 TEST(AttackerStaysNearArea, IsCalledAt190MillimetresAfterTwoSeconds) {
   ScriptedGame game = long_stop("2026-b");
   game.robot(Side::kWest, 2) = near_area(Side::kWest, 2, 0.19);
   const double since_s = game.now_s();
-  const Decision foul = game.run_until("attacker_stays_near_area_stopped", 5);
+  const Decision foul = game.run_until("attacker_stays_near_area", 5);
+  EXPECT_EQ(foul.to, State::kWaitStop);
   EXPECT_NEAR(foul.time_s - since_s, 2, 0.05);
-  EXPECT_NEAR(foul.value, 0.19, 1e-9);
+  EXPECT_NEAR(foul.finding.value, 0.19, 1e-9);
   EXPECT_TRUE(is_foul_of(foul, kWest2));
 }
 
@@ -68,9 +67,10 @@ TEST(AttackerStaysNearArea, OfBothSidesInOneFrameIsAFoulOfBoth) {
   ScriptedGame game = long_stop("2026-b");
   game.robot(Side::kWest, 2) = near_area(Side::kWest, 2, 0.1);
   game.robot(Side::kEast, 2) = near_area(Side::kEast, 2, 0.1);
-  const Decision foul = game.run_until("attacker_stays_near_area_stopped", 5);
-  EXPECT_FALSE(foul.offender.has_value());
-  EXPECT_EQ(foul.robots.size(), 2U);
+  const Decision foul = game.run_until("attacker_stays_near_area", 5);
+  EXPECT_EQ(foul.to, State::kWaitStop);
+  EXPECT_FALSE(foul.finding.offender.has_value());
+  EXPECT_EQ(foul.finding.robots.size(), 2U);
   game.run(3);
   EXPECT_EQ(fouls(game), 1);
 }
@@ -80,7 +80,7 @@ TEST(AttackerStaysNearArea, IsNoCallOnceTheBallIsInPlay) {
   game.robot(Side::kWest, 2) = near_area(Side::kWest, 2, 0.1);
   game.kick(Side::kEast, 3, {0, -1});
   game.run(3);
-  EXPECT_EQ(fouls(game) + game.count("attacker_near_area"), 0);
+  EXPECT_EQ(fouls(game) + game.count("attacker_too_close_to_defense_area"), 0);
 }
 
 TEST(AttackerStaysNearArea, IsNoRuleOfTheLaws) {

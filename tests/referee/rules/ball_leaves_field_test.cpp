@@ -10,7 +10,7 @@ TEST(BallLeavesField, OverATouchLineIsADirectFreeKickIn2026) {
   const ScriptedGame game = stopped_game(by_book("2026-b"));
   EXPECT_EQ(game.signal.next_command, (Command{CommandKind::kDirectFree, Side::kEast}));
   EXPECT_NEAR((game.signal.placement->target_m - Vec2(0.4, 2.8)).norm(), 0, 1e-9);
-  EXPECT_EQ(game.decisions.back().rule, "2026, Ball Leaves The Field");
+  EXPECT_EQ(game.decisions.back().finding.rule, "2026, Ball Leaves The Field");
 }
 
 TEST(BallLeavesField, OverATouchLineIsAnIndirectFreeKickByTheLaws) {

@@ -18,7 +18,7 @@ namespace {
 
 const std::vector<Case>& all_cases() {
   static const std::vector<Case> cases =
-      read_cases(std::string(AUTOREF_SOURCE_DIR) + "/tests/referee/rules/cases");
+      read_cases(AUTOREF_SOURCE_DIR "/tests/referee/rules/cases");
   return cases;
 }
 
@@ -40,31 +40,34 @@ std::string described(const std::vector<Call>& calls) {
   std::ostringstream text;
   text << std::fixed << std::setprecision(3);
   for (const Call& call : calls) {
-    text << "\n  " << call.at_s << " s " << name_of(call.decision.event) << " by";
-    for (const RobotId& robot : call.decision.robots) {
+    text << "\n  " << call.at_s << " s " << name_of(call.decision.finding.event) << " by";
+    for (const RobotId& robot : call.decision.finding.robots) {
       text << " " << name_of(robot.side) << " " << robot.number;
     }
-    if (call.decision.offender) text << ", offender " << name_of(*call.decision.offender);
-    if (call.decision.card != Card::kNone) text << ", card " << name_of(call.decision.card);
+    if (call.decision.finding.offender)
+      text << ", offender " << name_of(*call.decision.finding.offender);
+    if (call.decision.finding.card != Card::kNone)
+      text << ", card " << name_of(call.decision.finding.card);
     if (call.next) text << ", next " << name_of(*call.next);
     if (call.ball_m) text << " from " << call.ball_m->transpose();
-    text << " (" << call.decision.evidence << ")";
+    text << " (" << call.decision.finding.evidence << ")";
   }
   return calls.empty() ? "\n  no call" : text.str();
 }
 
 bool has_robots(const Call& call, std::vector<RobotId> wanted) {
-  std::vector<RobotId> robots(call.decision.robots.begin(), call.decision.robots.end());
+  std::vector<RobotId> robots(call.decision.finding.robots.begin(),
+                              call.decision.finding.robots.end());
   std::sort(robots.begin(), robots.end());
   std::sort(wanted.begin(), wanted.end());
   return robots == wanted;
 }
 
 bool is_as_expected(const Call& call, const Expected& expected) {
-  return call.decision.event == expected.event && call.at_s >= expected.from_s &&
+  return call.decision.finding.event == expected.event && call.at_s >= expected.from_s &&
          call.at_s <= expected.to_s && (!expected.robots || has_robots(call, *expected.robots)) &&
-         (!expected.offender || call.decision.offender == expected.offender) &&
-         (!expected.card || call.decision.card == expected.card) &&
+         (!expected.offender || call.decision.finding.offender == expected.offender) &&
+         (!expected.card || call.decision.finding.card == expected.card) &&
          (!expected.next || call.next == expected.next) &&
          (!expected.ball_m ||
           (call.ball_m && (*call.ball_m - *expected.ball_m).norm() <= expected.within_m));
@@ -91,9 +94,9 @@ void check(const Case& it, const StagedGame& game) {
   const std::string missing = take_expected(it, others);
   EXPECT_TRUE(missing.empty()) << "not called as expected:" << missing;
   for (const Call& call : others) {
-    const bool is_forbidden =
-        !it.others_allowed || std::count(it.never.begin(), it.never.end(), call.decision.event) > 0;
-    EXPECT_FALSE(is_forbidden) << "called wrongly: " << name_of(call.decision.event);
+    const bool is_forbidden = !it.others_allowed || std::count(it.never.begin(), it.never.end(),
+                                                               call.decision.finding.event) > 0;
+    EXPECT_FALSE(is_forbidden) << "called wrongly: " << name_of(call.decision.finding.event);
   }
   if (it.goals) {
     EXPECT_EQ(game.goals()[Side::kWest], (*it.goals)[Side::kWest]) << "goals of west";

@@ -66,7 +66,7 @@ class DrivenGame {
   std::vector<Decision> calls(Event event) const {
     std::vector<Decision> found;
     for (const Decision& decision : game.decisions) {
-      if (decision.event == event) found.push_back(decision);
+      if (decision.finding.event == event) found.push_back(decision);
     }
     return found;
   }

@@ -1,8 +1,8 @@
-// Balls in a goal that score nothing: rules indirect_goal, free_kick_own_goal, chip_goal,
-// goal_valid.
+// Balls in a goal that score nothing: rules indirect_goal, free_kick_own_goal, chipped_goal,
+// invalid_goal.
 #include <gtest/gtest.h>
 
-#include "referee/rules/goal_valid.hpp"
+#include "referee/rules/rule.hpp"
 #include "tests/referee/rules/rule_scene.hpp"
 
 namespace autoref::referee {
@@ -23,7 +23,7 @@ ScriptedGame throw_in_shot(const Configuration& configuration, Side end) {
 TEST(IndirectGoal, FromAThrowInIsAGoalKick) {
   ScriptedGame game = throw_in_shot(by_book("2014"), Side::kEast);
   const Decision call = game.run_until("indirect_goal", 1.5);
-  EXPECT_EQ(call.restart, (Command{CommandKind::kDirectFree, Side::kEast}));
+  EXPECT_EQ(call.restart(), (Command{CommandKind::kDirectFree, Side::kEast}));
   EXPECT_NEAR(game.signal.placement->target_m.x(), 3.025 - 0.5, 1e-9);
   EXPECT_EQ(game.signal.goals[Side::kWest], 0);
 }
@@ -51,7 +51,7 @@ TEST(FreeKickOwnGoal, IsACornerKick) {
   for (const char* book : {"2014", "2026-b"}) {
     ScriptedGame game = throw_in_shot(by_book(book), Side::kWest);
     const Decision call = game.run_until("free_kick_own_goal", 1.5);
-    EXPECT_EQ(call.restart, (Command{CommandKind::kDirectFree, Side::kEast}));
+    EXPECT_EQ(call.restart(), (Command{CommandKind::kDirectFree, Side::kEast}));
     EXPECT_LT(game.signal.placement->target_m.x(), -2.9) << book;
     EXPECT_EQ(game.signal.goals[Side::kEast], 0);
   }
@@ -82,10 +82,10 @@ ScriptedGame chip(const Configuration& configuration, double height_m, int up_fr
 TEST(ChipGoal, WhoseTopWasAbove150MillimetresIsAnIndirectFreeKick) {
   ScriptedGame game = chip(by_book("2014"), 0.108, 12);
   const Decision& call = game.decisions.back();
-  EXPECT_EQ(call.transition, "chip_goal");
-  EXPECT_NEAR(call.value, 0.151, 1e-9);
-  EXPECT_EQ(call.restart, (Command{CommandKind::kIndirectFree, Side::kEast}));
-  EXPECT_NEAR(call.position_m->x(), 1.525, 1e-6);
+  EXPECT_EQ(call.transition, "chipped_goal");
+  EXPECT_NEAR(call.finding.value, 0.151, 1e-9);
+  EXPECT_EQ(call.restart(), (Command{CommandKind::kIndirectFree, Side::kEast}));
+  EXPECT_NEAR(call.finding.position_m->x(), 1.525, 1e-6);
   EXPECT_EQ(game.signal.goals[Side::kWest], 0);
 }
 
@@ -109,14 +109,14 @@ TEST(ChipGoal, IsAGoalWhereATeamMateTouchedTheBallLow) {
 }
 
 TEST(ChipGoal, CountsWhereTheRuleIsNotInForce) {
-  EXPECT_EQ(chip(without(by_book("2014"), RuleId::kChipGoal), 0.108, 12).count("goal"), 1);
+  EXPECT_EQ(chip(without(by_book("2014"), RuleId::kChippedGoal), 0.108, 12).count("goal"), 1);
 }
 
 TEST(GoalInvalid, AboveTheHeightIsAGoalKickEvenAfterTheBallHasRolled) {
   ScriptedGame game = chip(by_book("2026-b"), 0.108, 3);
   const Decision& call = game.decisions.back();
-  EXPECT_EQ(call.transition, "goal_invalid");
-  EXPECT_EQ(call.restart, (Command{CommandKind::kDirectFree, Side::kEast}));
+  EXPECT_EQ(call.transition, "invalid_goal");
+  EXPECT_EQ(call.restart(), (Command{CommandKind::kDirectFree, Side::kEast}));
   EXPECT_NEAR(game.signal.placement->target_m.x(), 4.5 - 1, 1e-9);
 }
 
@@ -126,13 +126,14 @@ TEST(GoalInvalid, IsNotCalledBelowTheHeight) {
 
 // A ball in the east goal, 60 s into the game.
 std::optional<Finding> goal_after(const Configuration& configuration, RefereeState state) {
+  state.machine_state = State::kRun;
   Frame frame;
   frame.time_s = 60;
   const std::optional<BallSight> ball = BallSight{Vec2(4.55, 0), Vec2(4.4, 0)};
   const LastTouch touch;
   const Tracks tracks;
   const PerSide<TeamRequests> requests;
-  return find_goal_valid(state, {configuration, frame, ball, touch, tracks, requests});
+  return kInvalidGoalRule.find(state, {configuration, frame, ball, touch, tracks, requests});
 }
 
 TEST(GoalInvalid, WithinTwoSecondsOfTheScorersFoul) {

@@ -33,8 +33,8 @@ TEST_P(KickoffPositions, ARobotWhollyInTheOpponentsHalfHasTheKickOffTakenAgain) 
     ASSERT_EQ(game.count("kickoff_positions"), 1);
     const Decision& again = game.decisions.back();
     EXPECT_TRUE(is_foul_of(again, {side, 2}));
-    EXPECT_NEAR(again.value, 0.005, 1e-9);
-    EXPECT_EQ(again.restart, (Command{CommandKind::kPrepareKickoff, Side::kWest}));
+    EXPECT_NEAR(again.finding.value, 0.005, 1e-9);
+    EXPECT_EQ(again.restart(), (Command{CommandKind::kPrepareKickoff, Side::kWest}));
     EXPECT_EQ(game.signal.placement->target_m, Vec2(0, 0));
   }
 }
@@ -68,7 +68,7 @@ TEST_P(KickoffPositions, OfBothSidesNobodyIsTheOffender) {
   game.robot(Side::kWest, 2) = {2, {1, 1.2}, Vec2(0, 1)};
   game.robot(Side::kEast, 2) = {2, {-1, 1.2}, Vec2(0, 1)};
   game.kick(Side::kWest, 1, {1, 0});
-  EXPECT_FALSE(game.run_until("kickoff_positions", 1).offender.has_value());
+  EXPECT_FALSE(game.run_until("kickoff_positions", 1).finding.offender.has_value());
 }
 
 TEST(KickoffPositionsRule, IsOfKickOffsOnly) {

@@ -1,6 +1,5 @@
-#include "referee/rules/offside.hpp"
-
 #include <gtest/gtest.h>
+#include "referee/rules/rule.hpp"
 
 #include "tests/referee/rules/rule_scene.hpp"
 
@@ -36,8 +35,8 @@ TEST(Offside, IsAPassToARobotBeyondTheSecondLastOpponent) {
   const ScriptedGame game = passed(in_play(with_offside()), 1, 2.01);
   ASSERT_EQ(game.count("offside"), 1);
   const Decision& call = game.decisions.back();
-  EXPECT_EQ(call.robots.front(), (RobotId{Side::kWest, 3}));
-  EXPECT_EQ(call.restart, (Command{CommandKind::kIndirectFree, Side::kEast}));
+  EXPECT_EQ(call.finding.robots.front(), (RobotId{Side::kWest, 3}));
+  EXPECT_EQ(call.restart(), (Command{CommandKind::kIndirectFree, Side::kEast}));
 }
 
 TEST(Offside, IsNotCalledLevelWithTheSecondLastOpponent) {

@@ -168,7 +168,7 @@ TEST(Paper42RobotRules, ARobotAt210MillimetresIsRight) {
   game.robot(Side::kEast, 2) = {2, {-3.025 + 0.8 + 0.21 + 0.09, 0}, Vec2(1, 0)};
   game.kick(Side::kWest, 1, {3, 0});
   game.run(0.5);
-  EXPECT_EQ(game.count("attacker_near_area"), 0);
+  EXPECT_EQ(game.count("attacker_too_close_to_defense_area"), 0);
 }
 
 TEST(Paper42RobotRules, ARobotAt190MillimetresIsWrongOnBothSides) {
@@ -178,7 +178,7 @@ TEST(Paper42RobotRules, ARobotAt190MillimetresIsWrongOnBothSides) {
     const double x_m = goal_sign(attacker) * (-3.025 + 0.8 + 0.19 + 0.09);
     game.robot(attacker, 2) = {2, {x_m, 0}, Vec2(goal_sign(attacker), 0)};
     game.kick(Side::kWest, 1, {0, 3});
-    game.run_until("attacker_near_area", 1);
+    game.run_until("attacker_too_close_to_defense_area", 1);
     const Command free_kick{CommandKind::kIndirectFree, opponent_of(attacker)};
     EXPECT_EQ(game.signal.next_command, free_kick);
   }
@@ -193,8 +193,8 @@ TEST(Paper42RobotRules, OfTwoOffendersTheKickersIsJudged) {
     game.robot(Side::kEast, 2) = {2, {-2, 0}, Vec2(1, 0)};
     game.robot(Side::kWest, 2) = {2, {2, 0}, Vec2(-1, 0)};
     game.kick(kicker, 1, {0, 3});
-    game.run_until("attacker_near_area", 1);
-    EXPECT_EQ(game.decisions.back().robots[0].side, kicker);
+    game.run_until("attacker_too_close_to_defense_area", 1);
+    EXPECT_EQ(game.decisions.back().finding.robots[0].side, kicker);
   }
 }
 
@@ -203,7 +203,7 @@ TEST(Paper42RobotRules, AnAttackerMayComeNearOncePlayRuns) {
   ScriptedGame game = in_play();
   game.robot(Side::kWest, 2) = {2, {2.4, 0}, Vec2(1, 0)};
   game.run(2);
-  EXPECT_EQ(game.count("attacker_near_area"), 0);
+  EXPECT_EQ(game.count("attacker_too_close_to_defense_area"), 0);
 }
 
 TEST(Paper42RobotRules, TheFlatFrontIsNearerToTheCentreThanTheBack) {
@@ -213,7 +213,7 @@ TEST(Paper42RobotRules, TheFlatFrontIsNearerToTheCentreThanTheBack) {
   game.robot(Side::kEast, 2) = {2, {-3.025 + 0.8 + 0.205 + 0.075, 0}, Vec2(-1, 0)};
   game.kick(Side::kWest, 1, {3, 0});
   game.run(0.5);
-  EXPECT_EQ(game.count("attacker_near_area"), 0);
+  EXPECT_EQ(game.count("attacker_too_close_to_defense_area"), 0);
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ TEST_P(PenaltyKick, ThatIsNotTakenIsANeutralRestartByTheLaws) {
 TEST_P(PenaltyKick, HasFailedAfterTenSecondsIn2026) {
   PenaltyGame game("2026-b", kicker());
   const double since_s = game.whistle().now_s();
-  const Finding failed = game.run_until("penalty_failed");
+  const Finding failed = game.run_until("penalty_kick_failed");
   EXPECT_NEAR(game.now_s() - since_s, 10, 1e-6);
   EXPECT_EQ(failed.restart, (Command{CommandKind::kDirectFree, defender()}));
   // Goal kick: 1 m from the goal line, 0.2 m from a touch line.
@@ -68,14 +68,14 @@ TEST_P(PenaltyKick, HasFailedAfterTenSecondsIn2026WithABallThatIsNeverSeen) {
   game.hide_ball();
   game.run_until("start_late", 40);
   const double since_s = game.now_s();
-  game.run_until("penalty_failed");
+  game.run_until("penalty_kick_failed");
   EXPECT_NEAR(game.now_s() - since_s, 10, 1e-6);
 }
 
 TEST_P(PenaltyKick, HasFailedIn2026WhenTheBallGoesOut) {
   PenaltyGame game("2026-b", kicker());
   game.whistle().kick({5.5, 2});
-  EXPECT_EQ(game.run_until("penalty_failed", 4).restart,
+  EXPECT_EQ(game.run_until("penalty_kick_failed", 4).restart,
             (Command{CommandKind::kDirectFree, defender()}));
 }
 
@@ -85,7 +85,7 @@ TEST_P(PenaltyKick, HasFailedIn2026WhenTheKeeperTurnsTheBallBack) {
   game.whistle().kick({6, 0});
   game.run(0.7);
   game.save({-1, 0.5});
-  const Finding failed = game.run_until("penalty_failed", 2);
+  const Finding failed = game.run_until("penalty_kick_failed", 2);
   EXPECT_EQ(failed.unit, "deg");
   EXPECT_NEAR(failed.value, 153, 5);
 }
@@ -179,7 +179,7 @@ TEST_P(PenaltyKick, In2026OthersKeepOneMetreBehindTheBall) {
     game.whistle().kick({5.5, 2});
     game.run(1.5);
     EXPECT_EQ(game.count("penalty_positions"), gap_m < 1 ? 1 : 0);
-    EXPECT_EQ(game.count("penalty_failed"), gap_m < 1 ? 0 : 1);
+    EXPECT_EQ(game.count("penalty_kick_failed"), gap_m < 1 ? 0 : 1);
   }
 }
 

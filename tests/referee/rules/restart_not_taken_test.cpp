@@ -13,7 +13,7 @@ TEST(RestartNotTaken, In2026GivesTheOpponentsAFreeKickFromThere) {
   const double since_s = game.now_s();
   const Decision untaken = game.run_until("restart_not_taken");
   EXPECT_NEAR(untaken.time_s - since_s, 10, 1e-6);
-  EXPECT_EQ(untaken.restart, (Command{CommandKind::kDirectFree, Side::kWest}));
+  EXPECT_EQ(untaken.restart(), (Command{CommandKind::kDirectFree, Side::kWest}));
   EXPECT_NEAR((game.signal.placement->target_m - ball_m).norm(), 0, 1e-9);
 }
 
@@ -26,13 +26,13 @@ TEST(RestartNotTaken, InDivisionAFreeKicksHaveFiveSecondsAndKickOffsTen) {
   since_s = other.now_s();
   const Decision untaken = other.run_until("restart_not_taken");
   EXPECT_NEAR(untaken.time_s - since_s, 10, 1e-6);
-  EXPECT_EQ(untaken.restart, (Command{CommandKind::kDirectFree, Side::kEast}));
+  EXPECT_EQ(untaken.restart(), (Command{CommandKind::kDirectFree, Side::kEast}));
   EXPECT_EQ(other.signal.placement->target_m, Vec2(0, 0));
 }
 
 TEST(RestartNotTaken, ByTheLawsIsANeutralRestart) {
   ScriptedGame game = throw_in_game(by_book("2014"));
-  EXPECT_EQ(game.run_until("restart_not_taken").restart->kind, CommandKind::kForceStart);
+  EXPECT_EQ(game.run_until("restart_not_taken").restart()->kind, CommandKind::kForceStart);
 }
 
 }  // namespace

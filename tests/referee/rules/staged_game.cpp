@@ -116,13 +116,13 @@ void StagedGame::place_ball() {
 
 void StagedGame::hear() {
   for (const Decision& decision : referee_.decisions()) {
-    if (is_procedure(decision.event)) continue;
+    if (is_procedure(decision.finding.event)) continue;
     Call call{decision, decision.time_s - began_s_, signal_.next_command, std::nullopt};
     if (call.next) call.next = turned(*call.next);
     if (signal_.placement) call.ball_m = signal_.placement->target_m * (turned_ ? -1 : 1);
-    for (RobotId& robot : call.decision.robots) robot.side = seen_side(robot.side, turned_);
+    for (RobotId& robot : call.decision.finding.robots) robot.side = seen_side(robot.side, turned_);
     Decision& said = call.decision;
-    if (said.offender) said.offender = seen_side(*said.offender, turned_);
+    if (said.finding.offender) said.finding.offender = seen_side(*said.finding.offender, turned_);
     all_.push_back(call);
   }
 }

@@ -87,9 +87,9 @@ void StagedGame::play_on_from_force_start() {
   stage_.put_ball({0, field_.half_width_m() + kOutside_m});
   line_up_assignment();
   run_until(State::kWaitStop, 1);
-  if (all_.back().decision.event != Event::kTouchLineUnknown) {
+  if (all_.back().decision.finding.event != Event::kTouchLineUnknown) {
     throw std::runtime_error("a ball out that nobody touched: expected touch_line_unknown, got " +
-                             std::string(name_of(all_.back().decision.event)));
+                             std::string(name_of(all_.back().decision.finding.event)));
   }
   run_until(State::kRun, kLongest_s);
 }
@@ -161,7 +161,7 @@ void StagedGame::play_to_the_stop() {
 }
 
 void StagedGame::check_beginning() const {
-  const Event event = all_.back().decision.event;
+  const Event event = all_.back().decision.finding.event;
   const std::optional<Command> next = all_.back().next;
   if (!next || next->side != case_.taken_by) {
     throw std::runtime_error("the beginning was not reached: " + std::string(name_of(event)) +

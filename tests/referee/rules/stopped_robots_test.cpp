@@ -39,24 +39,24 @@ DrivenGame fast(const char* book, double speed_mps, double seconds = 1, double n
 
 TEST(StopSpeed, IsNotedAboveTheBooksLimit) {
   const DrivenGame game = fast("2014", 1.05);
-  ASSERT_EQ(game.calls(Event::kStopSpeed).size(), 1U);
-  const Decision note = game.calls(Event::kStopSpeed).front();
-  EXPECT_EQ(note.offender, Side::kWest);
-  EXPECT_EQ(note.robots.front(), kWest);
-  EXPECT_NEAR(note.value, 1.05, 0.02);
-  EXPECT_EQ(note.threshold, 1.0);
+  ASSERT_EQ(game.calls(Event::kBotTooFastInStop).size(), 1U);
+  const Decision note = game.calls(Event::kBotTooFastInStop).front();
+  EXPECT_EQ(note.finding.offender, Side::kWest);
+  EXPECT_EQ(note.finding.robots.front(), kWest);
+  EXPECT_NEAR(note.finding.value, 1.05, 0.02);
+  EXPECT_EQ(note.finding.threshold, 1.0);
   EXPECT_EQ(note.to, State::kWaitStop);
-  EXPECT_TRUE(fast("2014", 0.95).calls(Event::kStopSpeed).empty());
-  EXPECT_EQ(fast("2026-b", 1.55).calls(Event::kStopSpeed).size(), 1U);
-  EXPECT_TRUE(fast("2026-b", 1.45).calls(Event::kStopSpeed).empty());
+  EXPECT_TRUE(fast("2014", 0.95).calls(Event::kBotTooFastInStop).empty());
+  EXPECT_EQ(fast("2026-b", 1.55).calls(Event::kBotTooFastInStop).size(), 1U);
+  EXPECT_TRUE(fast("2026-b", 1.45).calls(Event::kBotTooFastInStop).empty());
 }
 
 TEST(StopSpeed, HasTwoSecondsOfGrace) {
-  EXPECT_TRUE(fast("2014", 2.0, 1.0, 0, 0.8).calls(Event::kStopSpeed).empty());
+  EXPECT_TRUE(fast("2014", 2.0, 1.0, 0, 0.8).calls(Event::kBotTooFastInStop).empty());
 }
 
 TEST(StopSpeed, IsNotCalledForASingleJerk) {
-  EXPECT_TRUE(fast("2014", 2.0, 0.05).calls(Event::kStopSpeed).empty());
+  EXPECT_TRUE(fast("2014", 2.0, 0.05).calls(Event::kBotTooFastInStop).empty());
 }
 
 TEST(StopSpeed, IsReportedOncePerRobotAndStop) {
@@ -66,16 +66,16 @@ TEST(StopSpeed, IsReportedOncePerRobotAndStop) {
   game.drive(kWest, {-1.5, 0});
   game.drive(kEast, {-1.5, 0});
   game.run(0.5);
-  EXPECT_EQ(game.calls(Event::kStopSpeed).size(), 2U);
+  EXPECT_EQ(game.calls(Event::kBotTooFastInStop).size(), 2U);
 }
 
 TEST(StopSpeed, IsTheSameUnderNoise) {
-  EXPECT_TRUE(fast("2014", 0.95, 2.0, 0.0013).calls(Event::kStopSpeed).empty());
-  EXPECT_EQ(fast("2014", 1.2, 0.5, 0.0013).calls(Event::kStopSpeed).size(), 1U);
+  EXPECT_TRUE(fast("2014", 0.95, 2.0, 0.0013).calls(Event::kBotTooFastInStop).empty());
+  EXPECT_EQ(fast("2014", 1.2, 0.5, 0.0013).calls(Event::kBotTooFastInStop).size(), 1U);
 }
 
 TEST(StopSpeed, IsNotMeasuredByThePaper) {
-  EXPECT_TRUE(fast("paper", 2.0, 0.5).calls(Event::kStopSpeed).empty());
+  EXPECT_TRUE(fast("paper", 2.0, 0.5).calls(Event::kBotTooFastInStop).empty());
 }
 
 // A robot stands with its hull at that distance from the centre of the ball, which lies at its
@@ -92,9 +92,9 @@ TEST(StopDistance, IsFiveHundredMillimetresFromTheBall) {
   const DrivenGame game = near("2014", 0.49, 6);
   ASSERT_EQ(game.calls(Event::kStopDistance).size(), 1U);
   const Decision note = game.calls(Event::kStopDistance).front();
-  EXPECT_EQ(note.offender, Side::kWest);
-  EXPECT_EQ(note.robots.front(), kWest);
-  EXPECT_NEAR(note.value, 0.49, 0.001);
+  EXPECT_EQ(note.finding.offender, Side::kWest);
+  EXPECT_EQ(note.finding.robots.front(), kWest);
+  EXPECT_NEAR(note.finding.value, 0.49, 0.001);
   EXPECT_TRUE(near("2014", 0.51, 6).calls(Event::kStopDistance).empty());
 }
 
@@ -131,27 +131,27 @@ DrivenGame in_the_way(const char* book, RobotId robot, double gap_m, double seco
 
 TEST(PlacementInterference, IsOfTheSideThatDoesNotTakeTheRestartForMoreThanTwoSeconds) {
   const DrivenGame game = in_the_way("2026-b", kWest, 0.49, 2.2);
-  ASSERT_EQ(game.calls(Event::kPlacementInterference).size(), 1U);
-  EXPECT_EQ(game.calls(Event::kPlacementInterference).front().offender, Side::kWest);
-  EXPECT_NEAR(game.calls(Event::kPlacementInterference).front().value, 0.49, 0.002);
-  EXPECT_TRUE(in_the_way("2026-b", kWest, 0.49, 1.8).calls(Event::kPlacementInterference).empty());
-  EXPECT_TRUE(in_the_way("2026-b", kEast, 0.3, 4).calls(Event::kPlacementInterference).empty());
+  ASSERT_EQ(game.calls(Event::kBotInterferedPlacement).size(), 1U);
+  EXPECT_EQ(game.calls(Event::kBotInterferedPlacement).front().finding.offender, Side::kWest);
+  EXPECT_NEAR(game.calls(Event::kBotInterferedPlacement).front().finding.value, 0.49, 0.002);
+  EXPECT_TRUE(in_the_way("2026-b", kWest, 0.49, 1.8).calls(Event::kBotInterferedPlacement).empty());
+  EXPECT_TRUE(in_the_way("2026-b", kEast, 0.3, 4).calls(Event::kBotInterferedPlacement).empty());
 }
 
 TEST(PlacementInterference, IsNoneFiveHundredMillimetresAway) {
-  EXPECT_TRUE(in_the_way("2026-b", kWest, 0.51, 4).calls(Event::kPlacementInterference).empty());
+  EXPECT_TRUE(in_the_way("2026-b", kWest, 0.51, 4).calls(Event::kBotInterferedPlacement).empty());
 }
 
 TEST(PlacementInterference, EndsWithTheBallAtItsPlace) {
   DrivenGame game = in_the_way("2026-b", kWest, 0.1, 1.5);
   game.game.put_ball({0, 0});
   game.run(3);
-  EXPECT_TRUE(game.calls(Event::kPlacementInterference).empty());
+  EXPECT_TRUE(game.calls(Event::kBotInterferedPlacement).empty());
 }
 
 TEST(PlacementInterference, IsReportedOnceAndOnlyByTheRulesOf2026) {
-  EXPECT_EQ(in_the_way("2026-b", kWest, 0.1, 8).calls(Event::kPlacementInterference).size(), 1U);
-  EXPECT_TRUE(in_the_way("2014", kWest, 0.1, 8).calls(Event::kPlacementInterference).empty());
+  EXPECT_EQ(in_the_way("2026-b", kWest, 0.1, 8).calls(Event::kBotInterferedPlacement).size(), 1U);
+  EXPECT_TRUE(in_the_way("2014", kWest, 0.1, 8).calls(Event::kBotInterferedPlacement).empty());
 }
 
 }  // namespace

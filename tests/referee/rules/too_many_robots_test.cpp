@@ -1,7 +1,7 @@
 // Robots that stay on the field after a card (2026: ten seconds).
 #include <gtest/gtest.h>
 
-#include "referee/rules/too_many_robots.hpp"
+#include "referee/rules/rule.hpp"
 #include "tests/referee/machine/staged_machine.hpp"
 
 namespace autoref::referee {
@@ -49,8 +49,8 @@ TEST(ArrowTooManyRobots, IsTakenOncePerCard) {
   EXPECT_EQ(look_for(game, 10), "");
   game.foul(Side::kEast);
   game.foul(Side::kEast);
-  ASSERT_EQ(game.look_for_cards(), "yellow_card_stopped");
-  EXPECT_EQ(look_for(game, 10), "too_many_robots_stopped");
+  ASSERT_EQ(game.look_for_cards(), "multiple_fouls");
+  EXPECT_EQ(look_for(game, 10), "too_many_robots");
 }
 
 // Division B: 9 m long, so that a robot of 180 mm at 4.6 m is beyond the goal line.
@@ -74,7 +74,7 @@ TEST(ArrowTooManyRobots, LeadsToAForceStartWhereBothSidesAreAtFault) {
 TEST(ArrowTooManyRobotsStopped, OnlyCountsTheFoul) {
   StagedMachine game = with_robots(State::kWaitStop);
   game.fouls_for_cards(Side::kWest, 1);
-  EXPECT_EQ(look_for(game, 10), "too_many_robots_stopped");
+  EXPECT_EQ(look_for(game, 10), "too_many_robots");
   EXPECT_EQ(game.state.cards[Side::kWest].fouls, 4);
   EXPECT_FALSE(game.state.signal.next_command.has_value());
 }

@@ -34,8 +34,8 @@ inline ScriptedGame throw_in_game(const Configuration& configuration) {
 }
 
 inline bool is_foul_of(const Decision& decision, RobotId robot) {
-  return decision.offender == robot.side && decision.robots.size() == 1 &&
-         decision.robots.front() == robot;
+  return decision.finding.offender == robot.side && decision.finding.robots.size() == 1 &&
+         decision.finding.robots.front() == robot;
 }
 
 }  // namespace autoref::referee

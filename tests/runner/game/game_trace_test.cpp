@@ -24,8 +24,8 @@ class Watch final : public Observer {
   }
   void on_decision(const referee::Decision& decision) override {
     // A kick-off waits twice: for the preparation and for the start.
-    if (decision.event == referee::Event::kReady ||
-        decision.event == referee::Event::kReadyTimeout) {
+    if (decision.finding.event == referee::Event::kReady ||
+        decision.finding.event == referee::Event::kReadyTimeout) {
       waiting_since_s_ = decision.time_s;
     }
   }

@@ -31,7 +31,7 @@ TEST(KnockoutGame, WithoutAGoalEndsByItselfInADrawnShootout) {
   EXPECT_EQ(record.end_reason, EndReason::kShootout);
   EXPECT_EQ(record.goals_by_half.size(), 4U);
   EXPECT_EQ(record.shootout, (std::array<int, 2>{0, 0}));
-  EXPECT_EQ(count(record, referee::Event::kPenaltyFailed), 100);  // fifty kicks each
+  EXPECT_EQ(count(record, referee::Event::kPenaltyKickFailed), 100);  // fifty kicks each
 }
 
 TEST(KnockoutGame, ThatIsDrawnKicksPenaltiesUntilOneSideHasWon) {

@@ -53,15 +53,18 @@ class TurnedReferee final : public Observer {
   }
 
   static bool is_turned(const referee::Decision& a, const referee::Decision& b) {
-    const bool same_position = a.position_m.has_value() == b.position_m.has_value() &&
-                               (!a.position_m || (*a.position_m + *b.position_m).norm() < 1e-6);
-    const bool same_offender =
-        a.offender.has_value() == b.offender.has_value() && a.offender != b.offender;
-    return a.transition == b.transition && same_position && (same_offender || !a.offender) &&
-           a.robots.size() == b.robots.size() &&
-           std::all_of(a.robots.begin(), a.robots.end(), [&b](RobotId robot) {
+    const bool same_position =
+        a.finding.position_m.has_value() == b.finding.position_m.has_value() &&
+        (!a.finding.position_m || (*a.finding.position_m + *b.finding.position_m).norm() < 1e-6);
+    const bool same_offender = a.finding.offender.has_value() == b.finding.offender.has_value() &&
+                               a.finding.offender != b.finding.offender;
+    return a.transition == b.transition && same_position &&
+           (same_offender || !a.finding.offender) &&
+           a.finding.robots.size() == b.finding.robots.size() &&
+           std::all_of(a.finding.robots.begin(), a.finding.robots.end(), [&b](RobotId robot) {
              const RobotId other{opponent_of(robot.side), robot.number};
-             return std::find(b.robots.begin(), b.robots.end(), other) != b.robots.end();
+             return std::find(b.finding.robots.begin(), b.finding.robots.end(), other) !=
+                    b.finding.robots.end();
            });
   }
 

@@ -20,21 +20,22 @@ TEST(Json, KnowsNoNumberThatIsNotFinite) {
 TEST(DecisionJson, SaysNullForWhatIsNotKnown) {
   referee::Decision decision;
   decision.transition = "T1";
-  decision.rule = "paper 4.2";
-  EXPECT_EQ(decision_json(decision),
-            R"({"time_s": 0, "transition": "T1", "from": "INIT", "to": "INIT", "command": null, )"
-            R"("event": "begin", "rule": "paper 4.2", "value": null, "threshold": null, )"
-            R"("unit": null, "robots": [], "offender": null, "card": null, )"
-            R"("position_m": null, "restart": null, "last_touch": null, "evidence": null})");
+  decision.finding.rule = "paper 4.2";
+  EXPECT_EQ(
+      decision_json(decision),
+      R"({"time_s": 0, "transition": "T1", "from": "INIT", "to": "INIT", "command": null, )"
+      R"("event": "begin", "league_event": null, "rule": "paper 4.2", "value": null, "threshold": null, )"
+      R"("unit": null, "robots": [], "offender": null, "card": null, )"
+      R"("position_m": null, "restart": null, "last_touch": null, "evidence": null})");
 }
 
 TEST(DecisionJson, NamesRobotsBySideAndNumber) {
   referee::Decision decision;
   decision.command = Command{CommandKind::kDirectFree, Side::kEast};
-  decision.value = 0.25;
-  decision.unit = "m";
-  decision.robots.push_back({Side::kWest, 3});
-  decision.position_m = Vec2(1.5, -2);
+  decision.finding.value = 0.25;
+  decision.finding.unit = "m";
+  decision.finding.robots.push_back({Side::kWest, 3});
+  decision.finding.position_m = Vec2(1.5, -2);
   decision.last_touch.side = Side::kWest;
   const std::string json = decision_json(decision);
   EXPECT_NE(json.find(R"("command": "DIRECT_FREE_BLUE")"), std::string::npos);

@@ -15,10 +15,10 @@ class TouchEvaluator final : public Observer {
     for (const sim::Touch& touch : world.touches()) truth_ = touch.robot.side;
   }
   void on_decision(const referee::Decision& decision) override {
-    const bool needs_touch = decision.event == referee::Event::kThrowIn ||
-                             decision.event == referee::Event::kCornerKick ||
-                             decision.event == referee::Event::kGoalKick ||
-                             decision.event == referee::Event::kTouchLineUnknown;
+    const bool needs_touch = decision.finding.event == referee::Event::kThrowIn ||
+                             decision.finding.event == referee::Event::kCornerKick ||
+                             decision.finding.event == referee::Event::kGoalKick ||
+                             decision.finding.event == referee::Event::kTouchLineUnknown;
     if (!needs_touch || !truth_) return;
     const std::optional<Side>& said = decision.last_touch.side;
     ++(!said ? unknown : *said == *truth_ ? right : wrong);

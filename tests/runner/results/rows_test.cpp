@@ -33,7 +33,7 @@ TEST(RowFormat, HasTheColumnsOfAGameWithTheCheckLast) {
       csv_line(format.columns())
           .starts_with("game_id,pair,leg,b.robots,team_a,team_b,side_a,seed,goals_a,goals_b,"
                        "goal_diff,first_half_goals_a,first_half_goals_b,end_reason,status,"
-                       "void_reason,stops_goal,"));
+                       "void_reason,calls_goal,"));
   EXPECT_TRUE(csv_line(format.columns())
                   .ends_with(",ball_in_play_s,sim_s,frames,state_hash,config_hash,build,host,cpu,"
                              "wall_s,attempt,shard,row_crc"));

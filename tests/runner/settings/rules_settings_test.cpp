@@ -37,8 +37,8 @@ TEST(MatchRules, LetAFileSwitchSingleRules) {
   const GameConfiguration game =
       game_in("match: { switch: { offside: true, crash: false }, rules: 2014 }\n");
   EXPECT_TRUE(game.match.in_force.has(RuleId::kOffside));
-  EXPECT_FALSE(game.match.in_force.has(RuleId::kCrash));
-  EXPECT_TRUE(game.match.in_force.has(RuleId::kKickSpeed));
+  EXPECT_FALSE(game.match.in_force.has(RuleId::kBotCrashUnique));
+  EXPECT_TRUE(game.match.in_force.has(RuleId::kBotKickedBallTooFast));
 }
 
 TEST(MatchRules, AreSpeltOutSoThatTheyReadTheSame) {
@@ -50,7 +50,7 @@ TEST(MatchRules, AreSpeltOutSoThatTheyReadTheSame) {
   EXPECT_EQ(configuration_hash(again), configuration_hash(game));
   EXPECT_DOUBLE_EQ(again.field.length_m, 8.09);
   EXPECT_EQ(again.b.robots, 3);
-  EXPECT_FALSE(again.match.in_force.has(RuleId::kPushing));
+  EXPECT_FALSE(again.match.in_force.has(RuleId::kBotPushedBot));
 }
 
 TEST(MatchRules, TellConfigurationsApart) {
@@ -67,6 +67,38 @@ TEST(MatchRules, RefuseAnUnknownSwitchByItsName) {
   } catch (const std::exception& error) {
     EXPECT_NE(std::string(error.what()).find("did you mean 'offside'"), std::string::npos)
         << error.what();
+  }
+}
+
+std::string refusal_of(const std::string& lines) {
+  try {
+    game_in(lines);
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(MatchRules, NameWhatASwitchOfAnEarlierVersionIsCalledNow) {
+  for (const auto& [before, now] :
+       {std::pair{"kick_speed", "bot_kicked_ball_too_fast"}, std::pair{"crash", "bot_crash_unique"},
+        std::pair{"dribbling", "bot_dribbled_ball_too_far"}}) {
+    const std::string lines = std::string("match: { switch: { ") + before + ": true } }\n";
+    const std::string refusal = refusal_of(lines);
+    EXPECT_NE(refusal.find(std::string("its name is '") + now + "' now"), std::string::npos)
+        << refusal;
+  }
+}
+
+TEST(MatchRules, NameTheNewPathOfASwitchThatIsSetByItsOldOne) {
+  GameConfiguration game;
+  try {
+    set_by_path(game, "match.switch.crash", "true");
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "unknown key 'match.switch.crash'; its name is 'match.switch.bot_crash_unique' now");
   }
 }
 

@@ -11,12 +11,12 @@ namespace {
 std::string line_of(referee::Event event) {
   referee::Decision decision;
   decision.time_s = 12.5;
-  decision.event = event;
-  decision.rule = "paper 4.2";
-  decision.offender = Side::kEast;
-  decision.card = referee::Card::kYellow;
-  decision.position_m = Vec2(1, -2);
-  decision.evidence = "He said \"no\" <twice>.";
+  decision.finding.event = event;
+  decision.finding.rule = "paper 4.2";
+  decision.finding.offender = Side::kEast;
+  decision.finding.card = referee::Card::kYellow;
+  decision.finding.position_m = Vec2(1, -2);
+  decision.finding.evidence = "He said \"no\" <twice>.";
   return decision_json(decision) + "\n";
 }
 
@@ -30,8 +30,8 @@ std::string refusal_of(const std::string& lines) {
 }
 
 TEST(DecisionLines, TellWhatAPageShows) {
-  EXPECT_EQ(decisions_for_page(line_of(referee::Event::kPushing), "events.jsonl"),
-            R"([{"time_s": 12.5, "event": "pushing", "rule": "paper 4.2", )"
+  EXPECT_EQ(decisions_for_page(line_of(referee::Event::kBotPushedBot), "events.jsonl"),
+            R"([{"time_s": 12.5, "event": "bot_pushed_bot", "rule": "paper 4.2", )"
             R"("reason": "He said \"no\" <twice>.", "offender": "east", "card": "yellow", )"
             R"("restart": null, "position_m": [1, -2]}])");
 }

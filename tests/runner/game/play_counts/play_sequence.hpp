@@ -65,7 +65,7 @@ class PlaySequence {
   }
   void goal_of(Side side) {
     referee::Decision goal;
-    goal.event = referee::Event::kGoal;
+    goal.finding.event = referee::Event::kGoal;
     goal.command = Command{CommandKind::kGoal, side};
     decide(goal);
     stop();

@@ -44,7 +44,8 @@ std::vector<sim::Touch> turned(std::span<const sim::Touch> touches) {
 
 referee::Decision turned(referee::Decision decision) {
   if (decision.command) decision.command = mirrored(*decision.command);
-  if (decision.offender) decision.offender = opponent_of(*decision.offender);
+  if (decision.finding.offender)
+    decision.finding.offender = opponent_of(*decision.finding.offender);
   return decision;
 }
 
@@ -75,7 +76,7 @@ class Counters final : public Observer {
 
  private:
   void note_own_goal(const referee::Decision& decision) {
-    if (decision.event != referee::Event::kGoal) return;
+    if (decision.finding.event != referee::Event::kGoal) return;
     if (decision.command->side != touched_) ++own_goals[decision.command->side];
   }
 

@@ -65,16 +65,16 @@ TEST(Possession, GoesToWhoTouchesASubstepLater) {
 
 referee::Decision call(Event event, std::optional<Side> offender) {
   referee::Decision decision;
-  decision.event = event;
-  decision.offender = offender;
+  decision.finding.event = event;
+  decision.finding.offender = offender;
   return decision;
 }
 
 TEST(Fouls, CountForTheSideAtFault) {
   PlaySequence play;
-  play.decide(call(Event::kPushing, Side::kEast));
-  play.decide(call(Event::kDribbling, Side::kEast));
-  play.decide(call(Event::kAttackerNearArea, Side::kWest));
+  play.decide(call(Event::kBotPushedBot, Side::kEast));
+  play.decide(call(Event::kBotDribbledBallTooFar, Side::kEast));
+  play.decide(call(Event::kAttackerTooCloseToDefenseArea, Side::kWest));
   play.frame();
   EXPECT_EQ(play.east().fouls, 2);
   EXPECT_EQ(play.west().fouls, 1);
@@ -82,7 +82,7 @@ TEST(Fouls, CountForTheSideAtFault) {
 
 TEST(Fouls, CountForBothWhereBothAreAtFault) {
   PlaySequence play;
-  play.decide(call(Event::kCrashDrawn, std::nullopt));
+  play.decide(call(Event::kBotCrashDrawn, std::nullopt));
   play.frame();
   EXPECT_EQ(play.west().fouls, 1);
   EXPECT_EQ(play.east().fouls, 1);
@@ -91,17 +91,18 @@ TEST(Fouls, CountForBothWhereBothAreAtFault) {
 TEST(Fouls, CountWhilePlayIsStopped) {
   PlaySequence play;
   play.stop();
-  play.decide(call(Event::kStopSpeed, Side::kWest));
+  play.decide(call(Event::kBotTooFastInStop, Side::kWest));
   play.frame();
   EXPECT_EQ(play.west().fouls, 1);
 }
 
 TEST(Fouls, AreNotWhatTheBallDidNorAdministration) {
   PlaySequence play;
-  for (const Event event : {Event::kThrowIn, Event::kGoal, Event::kAimlessKick, Event::kChipGoal,
-                            Event::kGoalInvalid, Event::kIndirectGoal, Event::kFreeKickOwnGoal,
-                            Event::kRestartNotTaken, Event::kPenaltyFailed, Event::kStuckBall,
-                            Event::kNoProgress, Event::kYellowCard, Event::kRedCard}) {
+  for (const Event event :
+       {Event::kThrowIn, Event::kGoal, Event::kAimlessKick, Event::kChippedGoal,
+        Event::kInvalidGoal, Event::kIndirectGoal, Event::kFreeKickOwnGoal, Event::kRestartNotTaken,
+        Event::kPenaltyKickFailed, Event::kStuckBall, Event::kNoProgressInGame,
+        Event::kMultipleFouls, Event::kMultipleCards}) {
     play.decide(call(event, Side::kWest));
   }
   play.frame();

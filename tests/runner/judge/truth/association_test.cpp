@@ -40,19 +40,24 @@ TEST(SprtMatch, FindsACallRightByNameSideAndTime) {
 }
 
 TEST(SprtMatch, FindsTheOtherSidesFaultMissedAndWrong) {
-  EXPECT_EQ(outcomes({event("crash", 10.0, kWest)}, {call("crash", 10.1, kEast)}),
-            (std::vector<Outcome>{Outcome::kMissed, Outcome::kWrong}));
+  EXPECT_EQ(
+      outcomes({event("bot_crash_unique", 10.0, kWest)}, {call("bot_crash_unique", 10.1, kEast)}),
+      (std::vector<Outcome>{Outcome::kMissed, Outcome::kWrong}));
 }
 
 TEST(SprtMatch, FindsACallTooLateOrTooEarlyWrong) {
   for (const double time_s : {9.7, 11.1}) {
-    EXPECT_EQ(outcomes({event("crash", 10.0, kWest)}, {call("crash", time_s, kWest)}).size(), 2U);
+    EXPECT_EQ(outcomes({event("bot_crash_unique", 10.0, kWest)},
+                       {call("bot_crash_unique", time_s, kWest)})
+                  .size(),
+              2U);
   }
 }
 
 TEST(SprtMatch, LetsOneEventMakeOneCallRight) {
-  const std::vector<Verdict> verdicts = associate(
-      {event("crash", 10.0, kWest)}, {call("crash", 10.0, kWest), call("crash", 10.2, kWest)});
+  const std::vector<Verdict> verdicts =
+      associate({event("bot_crash_unique", 10.0, kWest)},
+                {call("bot_crash_unique", 10.0, kWest), call("bot_crash_unique", 10.2, kWest)});
   ASSERT_EQ(verdicts.size(), 2U);
   EXPECT_EQ(verdicts[0].outcome, Outcome::kRight);
   EXPECT_EQ(verdicts[1].outcome, Outcome::kWrong);
@@ -70,14 +75,15 @@ TEST(SprtMatch, CountsAPreventedEventOnlyWhereItWasCalled) {
 
 TEST(SprtMatch, FindsACallOfANearMissWrongButBorderline) {
   const std::vector<Verdict> verdicts =
-      associate({event("crash", 10.0, kWest, Standing::kNearMiss)}, {call("crash", 10.0, kWest)});
+      associate({event("bot_crash_unique", 10.0, kWest, Standing::kNearMiss)},
+                {call("bot_crash_unique", 10.0, kWest)});
   ASSERT_EQ(verdicts.size(), 1U);
   EXPECT_EQ(verdicts[0].outcome, Outcome::kWrong);
   EXPECT_TRUE(verdicts[0].is_borderline);
 }
 
 TEST(SprtMatch, FindsAnEventOvertakenByAnotherRightCall) {
-  const TrueEvents both = {event("crash", 10.0, kWest), event("goal", 10.0, kEast)};
+  const TrueEvents both = {event("bot_crash_unique", 10.0, kWest), event("goal", 10.0, kEast)};
   EXPECT_EQ(outcomes(both, {call("goal", 10.0, kEast)}),
             (std::vector<Outcome>{Outcome::kRight, Outcome::kOvertaken}));
   EXPECT_EQ(outcomes(both, {call("throw_in", 10.0, kEast)}),

@@ -1,10 +1,9 @@
-// Touches of the ball in the defence areas: rules defender_in_area and attacker_in_area. A robot
-// that kicks along x has its plate 22.5 mm behind the ball's centre, the scripted millimetre
-// included, and its back 187.5 + 1 mm behind.
+// Touches of the ball in the defence areas: rules defender_in_defense_area and
+// attacker_touched_ball_in_defense_area. A robot that kicks along x has its plate 22.5 mm behind
+// the ball's centre, the scripted millimetre included, and its back 187.5 + 1 mm behind.
 #include <gtest/gtest.h>
 
-#include "referee/rules/attacker_in_area.hpp"
-#include "referee/rules/defender_in_area.hpp"
+#include "referee/rules/rule.hpp"
 #include "tests/referee/rules/rule_scene.hpp"
 
 namespace autoref::referee {
@@ -20,10 +19,10 @@ ScriptedGame kicked(const Configuration& configuration, double ball_x_m) {
 // West's area of 2014 ends at x = -2.225, where the way to the goal is straight.
 TEST(DefenderInArea, EntirelyInsideGivesAPenaltyKick) {
   ScriptedGame game = kicked(by_book("2014"), -2.225 + 0.0225 - 0.001);
-  const Decision call = game.run_until("defender_in_area", 0.3);
-  EXPECT_NEAR(call.value, -0.001, 1e-6);
-  EXPECT_EQ(call.restart, (Command{CommandKind::kPreparePenalty, Side::kEast}));
-  EXPECT_EQ(call.robots.front(), (RobotId{Side::kWest, 1}));
+  const Decision call = game.run_until("defender_in_defense_area", 0.3);
+  EXPECT_NEAR(call.finding.value, -0.001, 1e-6);
+  EXPECT_EQ(call.restart(), (Command{CommandKind::kPreparePenalty, Side::kEast}));
+  EXPECT_EQ(call.finding.robots.front(), (RobotId{Side::kWest, 1}));
   EXPECT_NEAR(game.signal.placement->target_m.x(), -3.025 + 0.75, 1e-9);  // the mark
   EXPECT_EQ(game.signal.yellow_cards[Side::kWest], 0);
 }
@@ -31,32 +30,32 @@ TEST(DefenderInArea, EntirelyInsideGivesAPenaltyKick) {
 TEST(DefenderInArea, PartlyInsideGivesAYellowCardAndAnIndirectFreeKick) {
   for (const double ball_x_m : {-2.225 + 0.0225 + 0.001, -2.225 + 0.1885 - 0.001}) {
     ScriptedGame game = kicked(by_book("2014"), ball_x_m);
-    const Decision call = game.run_until("defender_partly_in_area", 0.3);
-    EXPECT_EQ(call.restart, (Command{CommandKind::kIndirectFree, Side::kEast}));
+    const Decision call = game.run_until("defender_in_defense_area_partially", 0.3);
+    EXPECT_EQ(call.restart(), (Command{CommandKind::kIndirectFree, Side::kEast}));
     EXPECT_EQ(game.signal.yellow_cards[Side::kWest], 1);
-    EXPECT_EQ(game.count("defender_in_area"), 0);
+    EXPECT_EQ(game.count("defender_in_defense_area"), 0);
   }
 }
 
 TEST(DefenderInArea, IsNotCalledOutsideTheLine) {
   ScriptedGame game = kicked(by_book("2014"), -2.225 + 0.1885 + 0.001);
   game.run(0.5);
-  EXPECT_EQ(game.count("defender_partly_in_area"), 0);
+  EXPECT_EQ(game.count("defender_in_defense_area_partially"), 0);
 }
 
 TEST(DefenderInArea, IsNotCalledOfTheKeeper) {
   ScriptedGame game = in_play(by_book("2014"));
   game.requests[Side::kWest].keeper = 1;
   game.kick_from(Side::kWest, 1, {-2.5, 0}, {2, 0});
-  EXPECT_FALSE(is_called(game, "defender_in_area", 0.5));
+  EXPECT_FALSE(is_called(game, "defender_in_defense_area", 0.5));
 }
 
 TEST(DefenderInArea, PartlyIsAllowedFrom2026) {
   ScriptedGame partly = kicked(by_book("2026-b"), -3.5 + 0.0225 + 0.001);
   partly.run(0.5);
-  EXPECT_EQ(partly.count("defender_partly_in_area"), 0);
+  EXPECT_EQ(partly.count("defender_in_defense_area_partially"), 0);
   ScriptedGame entirely = kicked(by_book("2026-b"), -3.5 + 0.0225 - 0.001);
-  EXPECT_TRUE(is_called(entirely, "defender_in_area", 0.5));
+  EXPECT_TRUE(is_called(entirely, "defender_in_defense_area", 0.5));
 }
 
 TEST(DefenderInArea, IsNotCalledWhereAnOpponentMayHaveShoved) {
@@ -64,7 +63,7 @@ TEST(DefenderInArea, IsNotCalledWhereAnOpponentMayHaveShoved) {
   RobotObservation& opponent = game.robot(Side::kEast, 3);
   opponent.position_m = Vec2(-2.5 - 0.0975, 0.18 + 0.002);
   game.kick_from(Side::kWest, 1, {-2.5, 0}, {2, 0});
-  EXPECT_FALSE(is_called(game, "defender_in_area", 0.5));
+  EXPECT_FALSE(is_called(game, "defender_in_defense_area", 0.5));
 }
 
 TEST(DefenderInArea, CountsWhereTheRobotWasAtTheTouch) {
@@ -72,30 +71,30 @@ TEST(DefenderInArea, CountsWhereTheRobotWasAtTheTouch) {
   game.run(1 / ScriptedGame::kRate_hz);
   game.robot(Side::kWest, 1).position_m.x() -= 0.05;  // only then it enters, at 3 m/s
   game.run(0.5);
-  EXPECT_EQ(game.count("defender_partly_in_area"), 0);
+  EXPECT_EQ(game.count("defender_in_defense_area_partially"), 0);
 }
 
 TEST(DefenderInArea, IsAllowedWhereTheRuleIsNotInForce) {
-  ScriptedGame game = kicked(without(by_book("2014"), RuleId::kDefenderInArea), -2.5);
-  EXPECT_FALSE(is_called(game, "defender_in_area", 0.5));
+  ScriptedGame game = kicked(without(by_book("2014"), RuleId::kDefenderInDefenseArea), -2.5);
+  EXPECT_FALSE(is_called(game, "defender_in_defense_area", 0.5));
 }
 
 // East's area of Division B begins at x = 3.5.
 TEST(AttackerInArea, PartlyInsideGivesAFreeKickToTheDefenders) {
   ScriptedGame game = kicked(by_book("2026-b"), 3.5 + 0.0225 + 0.001);
-  const Decision call = game.run_until("attacker_in_area", 0.3);
-  EXPECT_NEAR(call.value, -0.001, 1e-6);
-  EXPECT_EQ(call.restart, (Command{CommandKind::kDirectFree, Side::kEast}));
+  const Decision call = game.run_until("attacker_touched_ball_in_defense_area", 0.3);
+  EXPECT_NEAR(call.finding.value, -0.001, 1e-6);
+  EXPECT_EQ(call.restart(), (Command{CommandKind::kDirectFree, Side::kEast}));
 }
 
 TEST(AttackerInArea, IsNotCalledOutsideTheLine) {
   ScriptedGame game = kicked(by_book("2026-b"), 3.5 + 0.0225 - 0.001);
-  EXPECT_FALSE(is_called(game, "attacker_in_area", 0.3));
+  EXPECT_FALSE(is_called(game, "attacker_touched_ball_in_defense_area", 0.3));
 }
 
 TEST(AttackerInArea, IsAllowedInTheLawsOf2014) {
   ScriptedGame game = kicked(by_book("2014"), 2.5);
-  EXPECT_FALSE(is_called(game, "attacker_in_area", 0.2));
+  EXPECT_FALSE(is_called(game, "attacker_touched_ball_in_defense_area", 0.2));
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ TEST(TrueGoal, DoesNotCountAfterAChipThatHasNotRolled) {
     game.command(CommandKind::kForceStart);
     kick(game, 4.5, true);
     game.seconds(1.5);
-    EXPECT_TRUE(game.has(book(rules).has(RuleId::kChipGoal) ? "chip_goal" : "goal")) << rules;
+    EXPECT_TRUE(game.has(book(rules).has(RuleId::kChippedGoal) ? "chipped_goal" : "goal")) << rules;
   }
 }
 
@@ -102,7 +102,7 @@ TEST(TrueKick, IsTooFastAboveTheLimitOnly) {
     stage_kick(game, {0, 0}, {1, 0});
     game.command(CommandKind::kForceStart);
     kick(game, speed_mps);
-    EXPECT_EQ(game.has("kick_speed"), speed_mps > 4.0);
+    EXPECT_EQ(game.has("bot_kicked_ball_too_fast"), speed_mps > 4.0);
   }
 }
 
@@ -113,7 +113,7 @@ TEST(TrueKick, IsMeasuredInSpaceByTheRulesOf2026) {
   stage_kick(game, {0, 0}, {1, 0});
   game.command(CommandKind::kForceStart);
   kick(game, 5.0, true);  // 3.5 m/s over ground and as much upwards
-  EXPECT_TRUE(game.has("kick_speed"));
+  EXPECT_TRUE(game.has("bot_kicked_ball_too_fast"));
 }
 
 TEST(TrueDoubleTouch, IsTheKickersSecondTouchBeforeAnotherRobots) {
@@ -122,11 +122,11 @@ TEST(TrueDoubleTouch, IsTheKickersSecondTouchBeforeAnotherRobots) {
   game.command(CommandKind::kDirectFree, Side::kWest);
   kick(game, 2.0);
   game.frames(10);
-  EXPECT_FALSE(game.has("double_touch"));
+  EXPECT_FALSE(game.has("attacker_double_touched_ball"));
   game.world.put_ball({0.2, 0}, {-2.0, 0});
   game.frames(6);
-  ASSERT_TRUE(game.has("double_touch"));
-  EXPECT_EQ(game.first("double_touch").robot, kWest1);
+  ASSERT_TRUE(game.has("attacker_double_touched_ball"));
+  EXPECT_EQ(game.first("attacker_double_touched_ball").robot, kWest1);
 }
 
 TEST(TrueDribbling, IsTooLongAfterFiftyCentimetres) {
@@ -135,10 +135,10 @@ TEST(TrueDribbling, IsTooLongAfterFiftyCentimetres) {
   game.command(CommandKind::kForceStart);
   game.world.command(kWest1) = {{1.0, 0}, 0, 0, false, true};
   game.seconds(0.4);
-  EXPECT_FALSE(game.has("dribbling"));
+  EXPECT_FALSE(game.has("bot_dribbled_ball_too_far"));
   game.seconds(1.0);
-  ASSERT_TRUE(game.has("dribbling"));
-  EXPECT_EQ(game.first("dribbling").robot, kWest1);
+  ASSERT_TRUE(game.has("bot_dribbled_ball_too_far"));
+  EXPECT_EQ(game.first("bot_dribbled_ball_too_far").robot, kWest1);
 }
 
 TEST(TrueDribbling, IsForeseenWhereTheRefereeEndsPlayJustBefore) {
@@ -153,7 +153,7 @@ TEST(TrueDribbling, IsForeseenWhereTheRefereeEndsPlayJustBefore) {
     const auto& all = game.observer.true_events();
     EXPECT_EQ(std::any_of(all.begin(), all.end(),
                           [](const TrueEvent& event) {
-                            return event.name == "dribbling" &&
+                            return event.name == "bot_dribbled_ball_too_far" &&
                                    event.standing == Standing::kPrevented;
                           }),
               short_of_m < 0.1);
@@ -168,9 +168,9 @@ TEST(TrueHolding, IsTheKeepersForFifteenSecondsInItsArea) {
   game.world.command(kWest0).dribble = true;
   game.world.command(kWest0).velocity_mps = {0.005, 0};  // keeps the ball at the plate
   game.seconds(14.0);
-  EXPECT_FALSE(game.has("keeper_holding"));
+  EXPECT_FALSE(game.has("keeper_held_ball"));
   game.seconds(2.0);
-  EXPECT_TRUE(game.has("keeper_holding"));
+  EXPECT_TRUE(game.has("keeper_held_ball"));
 }
 
 TEST(TrueStuckBall, HasStayedForTenSeconds) {

@@ -13,7 +13,7 @@ TEST(TrueAreaTouch, IsADefendersWhoIsNotTheKeeper) {
     game.world.put_ball({-2.4, 0.3}, {-3.0, 0});
     game.command(CommandKind::kForceStart);
     game.seconds(0.3);
-    EXPECT_EQ(game.has("defender_in_area"), id == kWest1) << id.number;
+    EXPECT_EQ(game.has("defender_in_defense_area"), id == kWest1) << id.number;
   }
 }
 
@@ -24,8 +24,8 @@ TEST(TrueAreaTouch, IsPartlyInsideWhereTheHullCutsTheLine) {
   game.world.put_ball({-1.9, 0}, {-3.0, 0});
   game.command(CommandKind::kForceStart);
   game.seconds(0.2);
-  EXPECT_TRUE(game.has("defender_partly_in_area"));
-  EXPECT_FALSE(game.has("defender_in_area"));
+  EXPECT_TRUE(game.has("defender_in_defense_area_partially"));
+  EXPECT_FALSE(game.has("defender_in_defense_area"));
 }
 
 TEST(TrueAreaTouch, IsAnAttackersByTheRulesOf2026) {
@@ -34,7 +34,7 @@ TEST(TrueAreaTouch, IsAnAttackersByTheRulesOf2026) {
   game.world.put_ball({-2.4, 0.3}, {-3.0, 0});
   game.command(CommandKind::kForceStart);
   game.seconds(0.3);
-  EXPECT_TRUE(game.has("attacker_in_area"));
+  EXPECT_TRUE(game.has("attacker_touched_ball_in_defense_area"));
 }
 
 // Both coast for so short a time that they hardly brake.
@@ -49,21 +49,21 @@ void stage_crash(StagedGame& game, double west_mps, double east_mps) {
 TEST(TrueCrash, IsTheFastersFault) {
   StagedGame game;
   stage_crash(game, 0.5, 2.0);
-  ASSERT_TRUE(game.has("crash"));
-  EXPECT_EQ(game.first("crash").robot, kEast1);
+  ASSERT_TRUE(game.has("bot_crash_unique"));
+  EXPECT_EQ(game.first("bot_crash_unique").robot, kEast1);
 }
 
 TEST(TrueCrash, IsNoneWhereRobotsMeetSlowly) {
   StagedGame game;
   stage_crash(game, 0.2, 1.0);
-  EXPECT_FALSE(game.has("crash"));
+  EXPECT_FALSE(game.has("bot_crash_unique"));
 }
 
 TEST(TrueCrash, IsDrawnWhereBothAreAsFast) {
   StagedGame game(book("2026-b"));
   stage_crash(game, 1.2, 1.2);
-  EXPECT_TRUE(game.has("crash_drawn"));
-  EXPECT_FALSE(game.has("crash"));
+  EXPECT_TRUE(game.has("bot_crash_drawn"));
+  EXPECT_FALSE(game.has("bot_crash_unique"));
 }
 
 TEST(TruePushing, IsTwentyCentimetresInContact) {
@@ -78,19 +78,19 @@ TEST(TruePushing, IsTwentyCentimetresInContact) {
     game.world.put_robot(kEast1, {x_m, 0}, {-1, 0});
     game.frames(1);
   }
-  ASSERT_TRUE(game.has("pushing"));
-  EXPECT_EQ(game.first("pushing").robot, kWest1);
+  ASSERT_TRUE(game.has("bot_pushed_bot"));
+  EXPECT_EQ(game.first("bot_pushed_bot").robot, kWest1);
 }
 
 TEST(TrueStopSpeed, IsTooFastAfterTheGrace) {
   StagedGame game;
   game.world.command(kWest1).velocity_mps = {1.4, 0};
   game.seconds(1.9);
-  EXPECT_FALSE(game.has("stop_speed"));
+  EXPECT_FALSE(game.has("bot_too_fast_in_stop"));
   game.world.put_robot(kWest1, {-2.0, -1.9}, {1, 0}, {1.4, 0});
   game.seconds(0.6);
-  ASSERT_TRUE(game.has("stop_speed"));
-  EXPECT_EQ(game.first("stop_speed").robot, kWest1);
+  ASSERT_TRUE(game.has("bot_too_fast_in_stop"));
+  EXPECT_EQ(game.first("bot_too_fast_in_stop").robot, kWest1);
 }
 
 TEST(TrueStopDistance, IsMeasuredOnceTheBallLiesAtItsPlace) {
@@ -130,7 +130,7 @@ TEST(TrueRestart, IsWrongWithAnOpponentTooNearToTheBall) {
     game.world.put_ball({0, 0});
     game.world.put_robot(kEast1, {gap_m + 0.075, 0}, {-1, 0});
     take_restart(game, CommandKind::kDirectFree);
-    EXPECT_EQ(game.has("restart_distance"), gap_m < 0.5) << gap_m;
+    EXPECT_EQ(game.has("defender_too_close_to_kick_point"), gap_m < 0.5) << gap_m;
   }
 }
 
@@ -140,7 +140,7 @@ TEST(TrueRestart, IsWrongWithAnAttackerTooNearToTheArea) {
     game.world.put_ball({0, 1});
     game.world.put_robot(kWest1, {3.025 - 0.8 - gap_m - 0.075, 0});
     take_restart(game, CommandKind::kDirectFree);
-    EXPECT_EQ(game.has("attacker_near_area"), gap_m < 0.2) << gap_m;
+    EXPECT_EQ(game.has("attacker_too_close_to_defense_area"), gap_m < 0.2) << gap_m;
   }
 }
 
@@ -181,7 +181,7 @@ TEST(TrueRestart, HasItsTimeAnewWhereAnOpponentStoodTooNear) {
   game.world.put_robot(kEast1, {0.3, 1}, {-1, 0});
   game.command(CommandKind::kDirectFree, Side::kWest);
   game.seconds(11.8);
-  EXPECT_EQ(game.names(), std::vector<std::string>{"restart_distance"});
+  EXPECT_EQ(game.names(), std::vector<std::string>{"defender_too_close_to_kick_point"});
   game.seconds(0.4);
   EXPECT_TRUE(game.has("restart_not_taken"));
 }
@@ -218,7 +218,7 @@ TEST(TrueGraceTimer, IsInterferenceNearTheBallsWay) {
   game.world.put_ball({-1, 0});
   game.world.put_robot(kEast1, {0, 0.5}, {-1, 0});
   game.seconds(2.3);
-  EXPECT_TRUE(game.has("placement_interference"));
+  EXPECT_TRUE(game.has("bot_interfered_placement"));
 }
 
 }  // namespace

@@ -1,0 +1,42 @@
+#include "referee/event.hpp"
+
+#include <array>
+
+namespace autoref::referee {
+namespace {
+
+constexpr std::array<EventEntry, kEventCount> kTable = {{
+#define AUTOREF_EVENT(id, number, ...) {.event = Event::id, __VA_ARGS__},
+#include "referee/events.def"
+#undef AUTOREF_EVENT
+}};
+
+constexpr bool is_in_order() {
+  int next = 0;
+  for (const EventEntry& entry : kTable) {
+    if (static_cast<int>(entry.event) != next++) return false;
+  }
+  return true;
+}
+static_assert(is_in_order(), "events.def must list the events by their numbers, without gaps");
+
+}  // namespace
+
+std::span<const EventEntry> event_table() { return kTable; }
+
+const EventEntry& entry_of(Event event) { return kTable[static_cast<std::size_t>(event)]; }
+
+std::string_view name_of(Event event) { return entry_of(event).name; }
+
+bool is_call(Event event) { return entry_of(event).effect != Effect::kNone; }
+
+bool may_come_in_stop(Event event) {
+  return is_call(event) && entry_of(event).when != When::kInPlay;
+}
+
+std::string_view name_of(Card card) {
+  static constexpr std::array<std::string_view, 3> kNames = {"none", "yellow", "red"};
+  return kNames[static_cast<std::size_t>(card)];
+}
+
+}  // namespace autoref::referee

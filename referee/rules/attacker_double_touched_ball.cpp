@@ -1,0 +1,51 @@
+// The kicker of a restart must not touch the ball again, once it is in play, before another robot
+// has (Laws 2014, laws 8 and 13 to 17; 2026, Double Touch). "Again" means that the ball has been
+// apart from the robot: bumps while the kick is being taken are one touch. A touch by somebody
+// unknown may be another robot's, and then nobody is blamed.
+#include <fmt/format.h>
+
+#include "referee/machine/ball_in_play.hpp"
+#include "referee/rules/rule.hpp"
+
+namespace autoref::referee {
+
+namespace {
+
+// "Remaining in contact with the ball for more than 0.05 meters also counts" (2026).
+bool stays_in_contact(const PlayState& play, const RefereeInput& input) {
+  if (input.configuration.rules.edition != Edition::kRules2026) return false;
+  const BallTouch* touch = play.touches.newest();
+  if (play.touches.count() != 1 || !touch->robot) return false;
+  const double carried_m = (touch->ended_m - *play.ball_from_m).norm();
+  return touch->began_s <= play.in_play_since_s && touch->ended_s > play.in_play_since_s &&
+         carried_m > input.configuration.rules.in_play_m + 3 * input.configuration.noise.ball_m;
+}
+
+bool touches_again(const PlayState& play, const RefereeInput& input) {
+  if (play.touches.count() < 2) return false;
+  const BallTouch& again = *play.touches.newest();
+  return again.began_s > play.in_play_since_s && is_settled(again, input.time_s());
+}
+
+std::optional<Finding> find_attacker_double_touched_ball(RefereeState& state,
+                                                         const RefereeInput& input) {
+  const PlayState& play = state.play;
+  if (!play.in_play || !is_straight_from_restart(play)) return std::nullopt;
+  if (!touches_again(play, input) && !stays_in_contact(play, input)) return std::nullopt;
+  const BallTouch& again = *play.touches.newest();
+  Finding finding =
+      offence_of(Event::kAttackerDoubleTouchedBall, RuleId::kAttackerDoubleTouchedBall,
+                 input.configuration, *again.robot, again.ended_m);
+  finding.value = (again.ended_m - *play.ball_from_m).norm();
+  finding.evidence = fmt::format(
+      "{} took the restart and still touched the ball at {:.3f} s, {:.0f} mm away from there.",
+      text_of(*again.robot), again.ended_s, 1e3 * finding.value);
+  return finding;
+}
+
+}  // namespace
+
+constinit const Rule kAttackerDoubleTouchedBallRule{{State::kRun},
+                                                    find_attacker_double_touched_ball};
+
+}  // namespace autoref::referee

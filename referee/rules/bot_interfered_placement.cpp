@@ -1,0 +1,63 @@
+// While the ball is on its way to its place, robots of the side that does not take the restart keep
+// 0.5 m away from the line between both; 2 s of grace (2026). Each robot is told once in a stop.
+#include <fmt/format.h>
+
+#include "referee/rules/rule.hpp"
+#include "soccer/robot_shape.hpp"
+
+namespace autoref::referee {
+namespace {
+
+struct PlacementSegment {
+  Vec2 ball_m{0, 0};
+  Vec2 target_m{0, 0};
+  Side kept_away = Side::kWest;  // who does not take the restart
+};
+
+// None while the ball is not on its way to a restart of one side.
+std::optional<PlacementSegment> placement_segment(const RefereeState& state,
+                                                  const RefereeInput& input) {
+  const RefereeSignal& signal = state.signal;
+  if (!input.tracks.ball || !signal.placement || !signal.next_command ||
+      !is_for_one_side(signal.next_command->kind)) {
+    return std::nullopt;
+  }
+  const Vec2& ball_m = input.tracks.ball->position_m;
+  const Vec2& target_m = signal.placement->target_m;
+  if ((target_m - ball_m).norm() <= input.configuration.rules.ball_in_position_m)
+    return std::nullopt;
+  return PlacementSegment{ball_m, target_m, opponent_of(signal.next_command->side)};
+}
+
+double gap_to_segment_m(const TrackedRobot& robot, const PlacementSegment& direction) {
+  const Vec2 nearest_m = nearest_on_segment(robot.position_m, direction.ball_m, direction.target_m);
+  return distance_to_hull(nearest_m, robot.position_m, robot.heading);
+}
+
+std::optional<Finding> find_bot_interfered_placement(RefereeState& state,
+                                                     const RefereeInput& input) {
+  if (!input.frame.ball) return std::nullopt;  // nobody knows where it is
+  const Configuration& c = input.configuration;
+  const std::optional<PlacementSegment> direction = placement_segment(state, input);
+  const double limit_m = c.rules.placement_clearance_m;
+  const auto excess_m = [&](Side side, const TrackedRobot& robot) {
+    return direction && side == direction->kept_away ? limit_m - gap_to_segment_m(robot, *direction)
+                                                     : 0.0;
+  };
+  const std::optional<GraceViolation> nearest =
+      take_worst(state.watch.bot_interfered_placement, input, c.rules.placement_grace_s, excess_m);
+  if (!nearest) return std::nullopt;
+  Finding finding = note_of(Event::kBotInterferedPlacement, RuleId::kBotInterferedPlacement,
+                            c.rules, nearest->id, nearest->position_m);
+  finding.value = limit_m - nearest->excess;
+  finding.evidence = fmt::format(
+      "{} is {:.0f} mm from the line between the ball and its position, after {:.1f} s near it.",
+      text_of(nearest->id), 1e3 * finding.value, c.rules.placement_grace_s);
+  return finding;
+}
+
+}  // namespace
+
+constinit const Rule kBotInterferedPlacementRule{{State::kWaitStop}, find_bot_interfered_placement};
+
+}  // namespace autoref::referee

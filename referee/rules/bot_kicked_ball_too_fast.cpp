@@ -1,0 +1,196 @@
+// No kick is faster than 8 m/s (Laws 2014, law 12), or 6.5 m/s in space (2026). The limit is that
+// of the kick: on the carpet, a fit of the ball's free way after a robot's touch, slowed evenly,
+// tells the speed at the touch. It is told after seven frames, or when the next touch ends that
+// way, or once it is beyond the limit by three standard deviations; at least four frames are
+// needed. In the air, three successive speeds count (2016), their mean beyond the noise.
+//
+// Until vision can tell whether a kicked ball flies, its speed is unknown, too: a chip seems faster
+// than it is. The call waits for that, or until the ball is out; then it counts as on the ground,
+// as most kicks are. Nobody is blamed where nobody knows who kicked.
+#include <fmt/format.h>
+#include <boost/container/static_vector.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include "referee/geometry/ball_out.hpp"
+#include "referee/rules/rule.hpp"
+#include "referee/touch/constant_acceleration_fit.hpp"
+#include "soccer/units.hpp"
+
+namespace autoref::referee {
+namespace {
+
+constexpr std::size_t kIntervals = 3;
+// After so many detections of the ball's free way its speed is told, however well it is known; and
+// before, once it is beyond the limit by so many standard deviations.
+constexpr std::size_t kDetections = 7;
+constexpr double kSure = 3;
+// Standard deviations that the height's uncertainty must not explain.
+constexpr double kBeyondNoise = 2;
+// What the league's carpets take from a kicked ball, which slides at first: 3.0 to 3.9 m/s2.
+constexpr double kCarpet_mps2 = 3.4;
+constexpr double kCarpetDeviation_mps2 = 0.4;
+constexpr double kRounding_m = 0.01e-3;  // of a camera without noise
+
+struct Speed {
+  double mps = 0;
+  double deviation_mps = 0;
+};
+
+// The mean speed between two detections; in space, the speed that the ball had on the ground.
+Speed mean_speed(const RecentBall& from, const RecentBall& to, const Configuration& c) {
+  const double duration_s = to.time_s - from.time_s;
+  Speed speed{(to.position_m - from.position_m).norm() / duration_s,
+              std::sqrt(2.0) * c.noise.ball_m / duration_s};
+  if (c.rules.edition != Edition::kRules2026) return speed;
+  const double height_m = (from.height_m + to.height_m) / 2;
+  if (!(height_m > 0)) return speed;
+  const double rise_mps = (to.height_m - from.height_m) / duration_s;
+  speed.mps = std::sqrt(speed.mps * speed.mps + rise_mps * rise_mps + 2 * kGravity_mps2 * height_m);
+  speed.deviation_mps += std::hypot(from.height_deviation_m, to.height_deviation_m) / duration_s;
+  return speed;
+}
+
+// The detections of the ball from `from_s` to `to_s`, the newest first, at most the oldest seven.
+using Detections = boost::container::static_vector<const RecentBall*, RecentFrames::kKept>;
+
+Detections detections_of(const RecentFrames& recent, double from_s, double to_s) {
+  Detections seen;
+  for (std::size_t back = 0; recent.ball(back) != nullptr; ++back) {
+    const RecentBall* ball = recent.ball(back);
+    if (ball->time_s >= from_s && ball->time_s <= to_s) seen.push_back(ball);
+  }
+  while (seen.size() > kDetections) seen.erase(seen.begin());
+  return seen;
+}
+
+// The speed that a ball had when it was kicked, by its way along the carpet.
+Speed speed_on_carpet(const Detections& seen, double kicked_s, const Configuration& c) {
+  const Vec2 direction =
+      direction_of(seen.front()->position_m - seen.back()->position_m, Vec2(1, 0));
+  ConstantAccelerationFit fit(-kCarpet_mps2 * direction, kCarpetDeviation_mps2);
+  for (const RecentBall* ball : seen) {
+    fit.add(ball->time_s - kicked_s, ball->position_m, std::max(c.noise.ball_m, kRounding_m));
+  }
+  const ConstantAcceleration motion = fit.motion();
+  return {motion.velocity_mps.dot(direction), motion.velocity_deviation_mps};
+}
+
+// The mean speed of a ball in the air over the last three frames, if all of them are above the
+// limit, the mean beyond the noise.
+std::optional<double> speeding_in_air_mps(const RecentFrames& recent, double kicked_s,
+                                          const Configuration& c) {
+  const RecentBall* oldest = recent.ball(kIntervals);
+  if (oldest == nullptr || oldest->time_s < kicked_s) return std::nullopt;
+  for (std::size_t back = 0; back < kIntervals; ++back) {
+    const Speed speed = mean_speed(*recent.ball(back + 1), *recent.ball(back), c);
+    if (!(speed.mps + kBeyondNoise * speed.deviation_mps > c.rules.kick_limit_mps)) {
+      return std::nullopt;
+    }
+  }
+  const Speed mean = mean_speed(*oldest, *recent.ball(0), c);
+  if (!(mean.mps - kBeyondNoise * mean.deviation_mps > c.rules.kick_limit_mps)) return std::nullopt;
+  return mean.mps;
+}
+
+// A ball that was as fast before was made fast by somebody else; where its way before the touch is
+// not known any more, it may have been. Touches are told up to a frame late: two ways count.
+bool was_as_fast(const RecentFrames& recent, double kicked_s, double speed_mps,
+                 const Configuration& c) {
+  const RecentBall* before = recent.ball_before(kicked_s);
+  for (std::size_t back = 0; recent.ball(back + 2) != nullptr; ++back) {
+    if (recent.ball(back) != before) continue;
+    return mean_speed(*recent.ball(back + 1), *before, c).mps >= speed_mps &&
+           mean_speed(*recent.ball(back + 2), *recent.ball(back + 1), c).mps >= speed_mps;
+  }
+  return true;
+}
+
+// The speed of a kick whose ball nobody has touched until `until_s`, once it is sure; `is_over`:
+// there will be no more detections of it. None where the ball was as fast before.
+std::optional<double> reported_speed_mps(const BallTouch& kick, const RecentFrames& recent,
+                                         double until_s, bool is_over, const Configuration& c) {
+  const Detections seen = detections_of(recent, kick.ended_s, until_s);
+  if (seen.size() <= kIntervals) return std::nullopt;
+  const Speed speed = speed_on_carpet(seen, kick.ended_s, c);
+  const bool is_sure = is_over || seen.size() == kDetections ||
+                       speed.mps - c.rules.kick_limit_mps > kSure * speed.deviation_mps;
+  if (!is_sure || was_as_fast(recent, kick.ended_s, speed.mps, c)) return std::nullopt;
+  return speed.mps;
+}
+
+// Measures the newest kick, and remembers its speed while its height is unknown.
+void watch(KickSpeedWatch& kick, const BallTouch& touch, const RecentFrames& recent,
+           const RefereeInput& input) {
+  if (kick.kicked_s && *kick.kicked_s != touch.ended_s) kick = {};
+  const RecentBall& newest = *recent.ball(0);
+  // What seemed fast while it might have been a chip counts anew once it is one.
+  if (newest.height_known && newest.height_m > 0 && !kick.is_in_air) {
+    kick = {};
+    kick.is_in_air = true;
+  }
+  const Configuration& c = input.configuration;
+  std::optional<double> speed_mps;
+  if (kick.is_in_air) {
+    speed_mps = speeding_in_air_mps(recent, touch.ended_s, c);
+    if (speed_mps && was_as_fast(recent, touch.ended_s, *speed_mps, c)) speed_mps.reset();
+  } else if (!kick.kicked_s) {
+    speed_mps = reported_speed_mps(touch, recent, input.time_s(), false, c);
+  }
+  if (!speed_mps) return;
+  kick.kicked_s = touch.ended_s;
+  kick.speed_mps = std::max(kick.speed_mps, *speed_mps);
+}
+
+// A kick, and its speed once that is sure.
+struct ReportedKick {
+  const BallTouch* touch = nullptr;
+  double speed_mps = 0;
+};
+
+// The newest one, once it is known whether it flies, or the one before it.
+ReportedKick reported_kick(KickSpeedWatch& kick, const TouchHistory& touches,
+                           const RefereeInput& input) {
+  const Configuration& c = input.configuration;
+  const RecentFrames& recent = touches.recent();
+  if (touches.has(1) && !kick.is_in_air && !(touches.at(1).highest_m > 0)) {
+    const BallTouch& before = touches.at(1);
+    const bool is_measured = kick.kicked_s && *kick.kicked_s == before.ended_s;
+    const std::optional<double> speed_mps =
+        is_measured ? std::optional(kick.speed_mps)
+                    : reported_speed_mps(before, recent, touches.newest()->began_s, true, c);
+    if (speed_mps && *speed_mps > c.rules.kick_limit_mps) return {&before, *speed_mps};
+  }
+  watch(kick, *touches.newest(), recent, input);
+  const BallSight& ball = *input.ball;
+  const bool is_known = ball.height_known || is_out_of_field(c.field, ball.position_m);
+  if (!kick.kicked_s || !is_known) return {};
+  return {touches.newest(), kick.speed_mps};
+}
+
+std::optional<Finding> find_bot_kicked_ball_too_fast(RefereeState& state,
+                                                     const RefereeInput& input) {
+  const TouchHistory& touches = state.play.touches;
+  if (touches.newest() == nullptr || !input.frame.ball || !touches.recent().ball(0)) {
+    return std::nullopt;
+  }
+  const Configuration& c = input.configuration;
+  const ReportedKick kick = reported_kick(state.watch.bot_kicked_ball_too_fast, touches, input);
+  if (kick.touch == nullptr || !kick.touch->robot || !(kick.speed_mps > c.rules.kick_limit_mps)) {
+    return std::nullopt;
+  }
+  const RobotId kicker = *kick.touch->robot;
+  Finding finding = offence_of(Event::kBotKickedBallTooFast, RuleId::kBotKickedBallTooFast, c,
+                               kicker, kick.touch->ended_m);
+  finding.value = kick.speed_mps;
+  finding.evidence = fmt::format("{} kicked the ball at {:.3f} s, to {:.2f} m/s.", text_of(kicker),
+                                 kick.touch->ended_s, kick.speed_mps);
+  return finding;
+}
+
+}  // namespace
+
+constinit const Rule kBotKickedBallTooFastRule{{State::kRun}, find_bot_kicked_ball_too_fast};
+
+}  // namespace autoref::referee

@@ -1,0 +1,140 @@
+// A robot drives an opponent back: holding (Laws 12), pushing (2026).
+//
+// Both travel towards the pushed one for more than 200 mm while they are in contact, whether or not
+// they have the ball. A robot that drove that way itself before was not pushed.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "referee/rules/rule.hpp"
+#include "soccer/robot_shape.hpp"
+
+namespace autoref::referee {
+namespace {
+
+// Between the centres: robots in contact, and robots that may soon be. Robots do not overlap, but
+// frames may tell so.
+constexpr double kInContact_m = 2 * kRobotRadius_m + 5_mm;
+constexpr double kNear_m = 2 * kRobotRadius_m + 60_mm;
+// And of the ball's surface from both hulls, where it is between them.
+constexpr double kAtBall_m = 5_mm;
+// Who drove away from the pusher faster than this before was not pushed.
+constexpr double kOwnSpeed_mps = 0.1_mps;
+// Ways that differ by no more are equal but for rounding.
+constexpr double kSame_m = 1e-9;
+
+struct Push {
+  RobotId pusher;
+  RobotId pushed;
+  double path_m = 0;
+  Vec2 position_m{0, 0};
+};
+
+// None where so many are near each other that they cannot all be robots on a field.
+PushContact* contact_of(PushingWatch& watch, int west, int east) {
+  const auto known = std::find_if(
+      watch.clinches.begin(), watch.clinches.end(),
+      [&](const PushContact& clinch) { return clinch.west == west && clinch.east == east; });
+  if (known != watch.clinches.end()) return &*known;
+  if (watch.clinches.size() == watch.clinches.capacity()) return nullptr;
+  PushContact clinch;
+  clinch.west = west;
+  clinch.east = east;
+  watch.clinches.push_back(clinch);
+  return &watch.clinches.back();
+}
+
+// A contact begins where the robots are then, with their velocities in the frame before.
+void follow(PushContact& clinch, const TrackedRobot& west, const TrackedRobot& east,
+            bool are_in_contact) {
+  const bool lasts = are_in_contact && clinch.are_in_contact;
+  const bool was_seen_to_begin = are_in_contact && clinch.is_followed;
+  clinch.is_near = clinch.is_followed = true;
+  clinch.are_in_contact = are_in_contact;
+  if (lasts) return;
+  clinch.from_m = {{west.position_m, east.position_m}};
+  if (!was_seen_to_begin) clinch.before_mps = {{west.velocity_mps, east.velocity_mps}};
+}
+
+// How far `side`'s robot of the two has driven the other one back, if it has.
+std::optional<Push> push_by(Side side, const PushContact& clinch, const TrackedRobot& pusher,
+                            const TrackedRobot& pushed) {
+  const Side other = opponent_of(side);
+  const Vec2 line = direction_of(pushed.position_m - pusher.position_m, Vec2(1, 0));
+  if (clinch.before_mps[other].dot(line) > kOwnSpeed_mps) return std::nullopt;
+  const double path_m = std::min((pusher.position_m - clinch.from_m[side]).dot(line),
+                                 (pushed.position_m - clinch.from_m[other]).dot(line));
+  return Push{{side, pusher.number},
+              {other, pushed.number},
+              path_m,
+              (pusher.position_m + pushed.position_m) / 2};
+}
+
+// The longest push of all; none where each side has one that is as long.
+class LongestPush {
+ public:
+  void take_in(const std::optional<Push>& push) {
+    if (!push || (found_ && push->path_m < found_->path_m - kSame_m)) return;
+    const bool is_longer = !found_ || push->path_m > found_->path_m + kSame_m;
+    is_tied_ = !is_longer && (is_tied_ || push->pusher.side != found_->pusher.side);
+    found_ = push;
+  }
+  std::optional<Push> found() const { return is_tied_ ? std::nullopt : found_; }
+
+ private:
+  std::optional<Push> found_;
+  bool is_tied_ = false;
+};
+
+// Two robots push each other with their hulls, or with the ball between them (2026: "if both robots
+// keep contact to the ball").
+bool are_in_contact(const TrackedRobot& west, const TrackedRobot& east, const RefereeInput& input) {
+  if ((east.position_m - west.position_m).norm() < kInContact_m) return true;
+  if (!input.ball) return false;
+  const Vec2& ball_m = input.ball->position_m;
+  const auto has_ball = [&](const TrackedRobot& robot) {
+    return distance_to_hull(ball_m, robot.position_m, robot.heading) - kBallRadius_m < kAtBall_m;
+  };
+  return has_ball(west) && has_ball(east);
+}
+
+std::optional<Push> watch_robots(PushingWatch& watch, const RefereeInput& input) {
+  LongestPush longest;
+  for (PushContact& clinch : watch.clinches) clinch.is_near = false;
+  for (const TrackedRobot& west : input.tracks.robots[Side::kWest]) {
+    for (const TrackedRobot& east : input.tracks.robots[Side::kEast]) {
+      const double distance_m = (east.position_m - west.position_m).norm();
+      if (distance_m > kNear_m) continue;
+      PushContact* clinch = contact_of(watch, west.number, east.number);
+      if (clinch == nullptr) continue;
+      follow(*clinch, west, east, distance_m > kRobotRadius_m && are_in_contact(west, east, input));
+      if (!clinch->are_in_contact) continue;
+      longest.take_in(push_by(Side::kWest, *clinch, west, east));
+      longest.take_in(push_by(Side::kEast, *clinch, east, west));
+    }
+  }
+  const auto is_over = [](const PushContact& clinch) { return !clinch.is_near; };
+  watch.clinches.erase(std::remove_if(watch.clinches.begin(), watch.clinches.end(), is_over),
+                       watch.clinches.end());
+  return longest.found();
+}
+
+std::optional<Finding> find_bot_pushed_bot(RefereeState& state, const RefereeInput& input) {
+  const Configuration& c = input.configuration;
+  const std::optional<Push> push = watch_robots(state.watch.bot_pushed_bot, input);
+  if (!push || push->path_m <= c.rules.pushing_m) return std::nullopt;
+  Finding finding = contact_foul_of(Event::kBotPushedBot, RuleId::kBotPushedBot, c, push->pusher,
+                                    push->position_m, push->position_m);
+  finding.robots.push_back(push->pushed);
+  finding.value = push->path_m;
+  finding.evidence = fmt::format("{} has driven {} back by {:.0f} mm while they were in contact.",
+                                 text_of(push->pusher), text_of(push->pushed), 1e3 * push->path_m);
+  return finding;
+}
+
+}  // namespace
+
+constinit const Rule kBotPushedBotRule{{State::kRun}, find_bot_pushed_bot};
+
+}  // namespace autoref::referee

@@ -1,0 +1,82 @@
+// A robot other than the keeper must not touch the ball in play inside its own defence area: a
+// penalty kick where it is entirely inside, and in the Laws of 2014 a yellow card and an indirect
+// free kick where it is partly inside (law 12; 2026, Defender In Defense Area).
+//
+// A defender that is in contact with an opponent then may have been shoved there, and vision cannot
+// tell who shoved: it is not blamed.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "referee/geometry/area.hpp"
+#include "referee/rules/area_touches.hpp"
+#include "referee/rules/rule.hpp"
+#include "soccer/robot_shape.hpp"
+
+namespace autoref::referee {
+namespace {
+
+// Bodies in contact are this near to each other, with three standard deviations of both places.
+constexpr double kContact_m = 5_mm;
+constexpr double kSurely = 3;
+
+bool is_in_contact_with_opponent(RobotId id, const RobotObservation& robot,
+                                 const RefereeInput& input) {
+  const double noise_m = kSurely * std::sqrt(2.0) * input.configuration.noise.robot_m;
+  const double near_m = 2 * kRobotRadius_m + kContact_m + noise_m;
+  const auto& others = input.frame.robots[opponent_of(id.side)];
+  return std::any_of(others.begin(), others.end(), [&](const RobotObservation& other) {
+    return (other.position_m - robot.position_m).norm() <= near_m;
+  });
+}
+
+Finding entirely(const BallTouch& touch, const RefereeInput& input, double out_m) {
+  const Configuration& c = input.configuration;
+  Finding finding = offence_of(Event::kDefenderInDefenseArea, RuleId::kDefenderInDefenseArea, c,
+                               *touch.robot, touch.ended_m);
+  finding.value = out_m;
+  finding.ball_to_m = c.field.penalty_mark_at(*touch.side);
+  finding.evidence = fmt::format(
+      "{} touched the ball at {:.3f} s, its hull entirely inside its own area by {:.0f} mm.",
+      text_of(*touch.robot), touch.ended_s, -1e3 * out_m);
+  return finding;
+}
+
+Finding partly(const BallTouch& touch, const RefereeInput& input, double distance_m) {
+  Finding finding =
+      offence_of(Event::kDefenderInDefenseAreaPartially, RuleId::kDefenderInDefenseArea,
+                 input.configuration, *touch.robot, touch.ended_m);
+  finding.value = distance_m;
+  finding.evidence =
+      fmt::format("{} touched the ball at {:.3f} s, its hull reaching {:.0f} mm into its own area.",
+                  text_of(*touch.robot), touch.ended_s, -1e3 * distance_m);
+  return finding;
+}
+
+std::optional<Finding> check_defender(const BallTouch& touch, const RefereeInput& input) {
+  const Configuration& c = input.configuration;
+  if (touch.robot->number == input.requests[*touch.side].keeper) return std::nullopt;
+  const double distance_m = hull_to_area_m(c.field, *touch.side, *touch.toucher);
+  if (!(distance_m < 0) || is_in_contact_with_opponent(*touch.robot, *touch.toucher, input)) {
+    return std::nullopt;
+  }
+  const double out_m = hull_out_of_area_m(c.field, *touch.side, *touch.toucher);
+  const bool is_entirely = out_m < 0;
+  if (!is_entirely && c.rules.edition == Edition::kRules2026) return std::nullopt;
+  Finding finding = is_entirely ? entirely(touch, input, out_m) : partly(touch, input, distance_m);
+  finding.threshold = 0;
+  finding.unit = "m";
+  return finding;
+}
+
+std::optional<Finding> find_defender_in_defense_area(RefereeState& state,
+                                                     const RefereeInput& input) {
+  return find_in_touches(state.play, input, check_defender);
+}
+
+}  // namespace
+
+constinit const Rule kDefenderInDefenseAreaRule{{State::kRun}, find_defender_in_defense_area};
+
+}  // namespace autoref::referee

@@ -1,0 +1,122 @@
+// Opponents keep 500 mm away from the ball until it is in play (Laws 8 and 13; 2026, Defender Too
+// Close To Ball). Penalty kicks have places of their own.
+//
+// By the Laws the restart is taken again; whoever was too near before then, too, sees a yellow
+// card. What counts are the robots in the last frame before the ball was in play: one that
+// starts when it sees the kick is not at fault. In 2026 it is a foul that is noted, once per robot
+// and restart, when it lasts longer than 2 s, and the time for the kick begins anew.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "referee/geometry/hull.hpp"
+#include "referee/machine/retakes.hpp"
+#include "referee/rules/rule.hpp"
+#include "referee/touch/touch_candidates.hpp"
+#include "soccer/robot_shape.hpp"
+
+namespace autoref::referee {
+namespace {
+
+// From where the ball lay: a kick towards an opponent does not bring it nearer.
+double distance_to_ball_m(const RobotObservation& robot, const PlayState& play) {
+  return distance_to_hull(*play.ball_from_m, robot.position_m, robot.heading);
+}
+
+PositionViolation too_near(Side side, const PlayState& play, const RefereeInput& input) {
+  const Configuration& c = input.configuration;
+  const double least_m = c.rules.opponents_to_ball_m - robot_to_ball_uncertainty_m(c.noise);
+  PositionViolation found;
+  for (const RobotObservation& robot : input.frame.robots[side]) {
+    const double distance_m = distance_to_ball_m(robot, play);
+    if (distance_m < least_m) {
+      found.add({side, robot.number}, distance_m, distance_m < found.worst_m);
+    }
+  }
+  return found;
+}
+
+Finding taken_again(const PositionViolation& before, const RefereeState& state,
+                    const RefereeInput& input) {
+  const PlayState& play = state.play;
+  Finding finding = finding_of(Event::kDefenderTooCloseToKickPoint,
+                               RuleId::kDefenderTooCloseToKickPoint, input.configuration.rules);
+  finding.value = before.worst_m;
+  finding.robots = before.robots;
+  finding.offender = opponent_of(*play.kicker);
+  finding.position_m = play.ball_from_m;
+  const bool is_repeated =
+      std::any_of(before.robots.begin(), before.robots.end(),
+                  [&state](RobotId robot) { return state.retakes.too_near.has(robot); });
+  if (is_repeated) finding.card = Card::kYellow;
+  take_again(finding, play);
+  finding.evidence = fmt::format(
+      "Just before the ball entered play, the hull of {} was {:.0f} mm from it{}: {} again.",
+      before.robots.size() == 1 ? text_of(before.robots.front()) : "the nearest opponent",
+      1e3 * before.worst_m, is_repeated ? ", as at the restart before" : "", name_of(play.restart));
+  return finding;
+}
+
+// Laws: judged when the ball enters play.
+std::optional<Finding> find_when_taken(RefereeState& state, const RefereeInput& input) {
+  PositionViolation& before = state.watch.defender_too_close_to_kick_point.before;
+  if (!state.play.in_play) {
+    before = too_near(opponent_of(*state.play.kicker), state.play, input);
+    return std::nullopt;
+  }
+  if (!state.play.entered_now || !before.any() || !may_be_taken_again(state)) return std::nullopt;
+  return taken_again(before, state, input);
+}
+
+Finding noted(const RobotObservation& robot, RobotId id, double lasted_s, const PlayState& play,
+              const RuleBook& rules) {
+  Finding finding =
+      finding_of(Event::kDefenderTooCloseToKickPoint, RuleId::kDefenderTooCloseToKickPoint, rules);
+  finding.value = distance_to_ball_m(robot, play);
+  finding.robots.push_back(id);
+  finding.offender = id.side;
+  finding.position_m = robot.position_m;
+  finding.is_foul = rules.fouls_per_card > 0;
+  finding.evidence = fmt::format(
+      "For {:.2f} s the hull of {} has been too near to a ball that is not in play, now {:.0f} mm.",
+      lasted_s, text_of(id), 1e3 * finding.value);
+  return finding;
+}
+
+// 2026: judged while the kick is waited for. Of several robots each is called in a frame of its
+// own.
+std::optional<Finding> find_while_waiting(RefereeState& state, const RefereeInput& input) {
+  if (state.play.in_play) return std::nullopt;
+  const RuleBook& rules = input.configuration.rules;
+  const Side side = opponent_of(*state.play.kicker);
+  RestartDistanceWatch& watch = state.watch.defender_too_close_to_kick_point;
+  std::optional<Finding> found;
+  for (int number = 0; number < kMaxRobots; ++number) {
+    const RobotId id{side, number};
+    const RobotObservation* robot = find_robot(input.frame.robots[side], number);
+    const bool is_near =
+        robot != nullptr && distance_to_ball_m(*robot, state.play) < rules.opponents_to_ball_m;
+    const double lasted_s = watch.near.update(id, is_near, input.time_s());
+    const bool is_too_long = is_near && has_passed(0, rules.restart_distance_grace_s, lasted_s);
+    if (found || !is_too_long || watch.called.has(id)) continue;
+    watch.called.add(id);
+    watch.anew_s = input.time_s();
+    found = noted(*robot, id, lasted_s, state.play, rules);
+  }
+  return found;
+}
+
+std::optional<Finding> find_defender_too_close_to_kick_point(RefereeState& state,
+                                                             const RefereeInput& input) {
+  const PlayState& play = state.play;
+  if (!play.kicker || play.is_penalty() || !play.ball_from_m) return std::nullopt;
+  if (input.configuration.rules.fouls_stop_play) return find_when_taken(state, input);
+  return find_while_waiting(state, input);
+}
+
+}  // namespace
+
+constinit const Rule kDefenderTooCloseToKickPointRule{{State::kRun},
+                                                      find_defender_too_close_to_kick_point};
+
+}  // namespace autoref::referee

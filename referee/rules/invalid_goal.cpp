@@ -1,0 +1,71 @@
+// A goal counts only if the ball was at most 0.15 m high since the scorers' last touch, and they
+// have not fouled in the 2 s before; at penalties always (2026, Scoring Goals). Otherwise play goes
+// on as if the ball had crossed the goal line beside the goal.
+//
+// Heights that vision cannot tell count as on the ground, and where somebody unknown touched the
+// ball since, the goal stands. The height is that of the ball's top, as in the Laws.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "referee/machine/ball_in_play.hpp"
+#include "referee/rules/in_goal.hpp"
+#include "referee/rules/rule.hpp"
+#include "soccer/robot_shape.hpp"
+
+namespace autoref::referee {
+namespace {
+
+// The highest of the ball's top since the scorers' last touch; none where that is not known.
+std::optional<double> top_since_touch_m(const TouchHistory& touches, Side scorer) {
+  double highest_m = 0;
+  for (int back = 0; touches.has(back) && touches.at(back).side; ++back) {
+    highest_m = std::max(highest_m, touches.at(back).highest_m);
+    if (touches.at(back).side == scorer) return highest_m + 2 * kBallRadius_m;
+  }
+  return std::nullopt;
+}
+
+Finding invalid(const RefereeInput& input, Side conceded) {
+  Finding finding =
+      finding_of(Event::kInvalidGoal, RuleId::kInvalidGoal, input.configuration.rules);
+  if (input.last_touch.robot) finding.robots.push_back(*input.last_touch.robot);
+  finding.offender = opponent_of(conceded);
+  finding.position_m = input.ball->position_m;
+  if (input.last_touch.side == conceded) {
+    restart_with_corner_kick(finding, input, conceded);
+  } else {
+    restart_with_goal_kick(finding, input, conceded);
+  }
+  return finding;
+}
+
+std::optional<Finding> find_invalid_goal(RefereeState& state, const RefereeInput& input) {
+  const Configuration& c = input.configuration;
+  const std::optional<Side> conceded = conceding_side(input);
+  if (!conceded || began_with_penalty(state.play, c.field)) return std::nullopt;
+  const Side scorer = opponent_of(*conceded);
+  const std::optional<double> top_m = top_since_touch_m(state.play.touches, scorer);
+  if (top_m && *top_m > c.rules.chip_height_m) {
+    Finding finding = invalid(input, *conceded);
+    finding.value = *top_m;
+    finding.evidence = fmt::format("The ball was up to {:.0f} mm high since {} touched it.",
+                                   1e3 * *top_m, name_of(scorer));
+    return finding;
+  }
+  const std::optional<double>& fouled_s = state.cards[scorer].fouled_s;
+  if (!fouled_s || input.time_s() - *fouled_s > c.rules.goal_after_foul_s) return std::nullopt;
+  Finding finding = invalid(input, *conceded);
+  finding.value = input.time_s() - *fouled_s;
+  finding.threshold = c.rules.goal_after_foul_s;
+  finding.unit = "s";
+  finding.evidence =
+      fmt::format("{} had fouled {:.3f} s before the goal.", name_of(scorer), finding.value);
+  return finding;
+}
+
+}  // namespace
+
+constinit const Rule kInvalidGoalRule{{State::kRun}, find_invalid_goal};
+
+}  // namespace autoref::referee

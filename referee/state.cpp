@@ -1,0 +1,13 @@
+#include "referee/state.hpp"
+
+#include <array>
+
+namespace autoref::referee {
+
+std::string_view name_of(State state) {
+  static constexpr std::array<std::string_view, 7> kNames = {
+      "INIT", "WAIT_START", "WAIT_STOP", "RUN", "DELAY_WAIT", "OVER", "TIMEOUT"};
+  return kNames[static_cast<std::size_t>(state)];
+}
+
+}  // namespace autoref::referee

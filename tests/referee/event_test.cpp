@@ -1,0 +1,88 @@
+#include "referee/event.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "referee/state.hpp"
+
+namespace autoref::referee {
+namespace {
+
+template <typename... Values>
+constexpr bool are_numbered_from_0(Values... values) {
+  int next = 0;
+  return ((static_cast<int>(values) == next++) && ...);
+}
+
+// Written out here and in events.def alike: a state hash of today must be that of years ago.
+static_assert(are_numbered_from_0(
+    Event::kBegin, Event::kRobotsMoved, Event::kStartTimeout, Event::kReady, Event::kReadyTimeout,
+    Event::kGoal, Event::kThrowIn, Event::kCornerKick, Event::kGoalKick, Event::kTouchLineUnknown,
+    Event::kAttackerTooCloseToDefenseArea, Event::kRestartNotTaken, Event::kStuckBall,
+    Event::kSignalled, Event::kHalfOver, Event::kGameOver, Event::kNoProgressInGame,
+    Event::kBotKickedBallTooFast, Event::kChippedGoal, Event::kInvalidGoal, Event::kIndirectGoal,
+    Event::kFreeKickOwnGoal, Event::kDefenderInDefenseArea, Event::kDefenderInDefenseAreaPartially,
+    Event::kAttackerTouchedBallInDefenseArea, Event::kAttackerDoubleTouchedBall,
+    Event::kDefenderTooCloseToKickPoint, Event::kBotDribbledBallTooFar, Event::kKeeperHeldBall,
+    Event::kBotCrashUnique, Event::kBotPushedBot, Event::kTooManyRobots, Event::kKickoffPositions,
+    Event::kPenaltyPositions, Event::kPenaltyKickFailed, Event::kAimlessKick, Event::kOffside,
+    Event::kGoalLineUnknown, Event::kBotCrashDrawn, Event::kAttackerStaysNearArea,
+    Event::kBotTooFastInStop, Event::kStopDistance, Event::kBotInterferedPlacement,
+    Event::kMultipleFouls, Event::kMultipleCards, Event::kCardOver, Event::kTimeout,
+    Event::kTimeoutOver, Event::kGoalLead, Event::kExtraTime, Event::kShootout,
+    Event::kShootoutOver));
+static_assert(are_numbered_from_0(State::kInit, State::kWaitStart, State::kWaitStop, State::kRun,
+                                  State::kDelayWait, State::kOver, State::kTimeout));
+
+TEST(Events, HaveNamesOfTheirOwn) {
+  std::set<std::string_view> names;
+  for (const EventEntry& entry : event_table()) {
+    EXPECT_FALSE(entry.name.empty()) << static_cast<int>(entry.event);
+    EXPECT_TRUE(names.insert(entry.name).second) << entry.name;
+  }
+}
+
+// Where exactly one event of the league means the same, its name is ours in small letters.
+TEST(Events, AreCalledAsTheLeagueCallsThem) {
+  EXPECT_EQ(name_of(Event::kBotCrashUnique), "bot_crash_unique");
+  EXPECT_EQ(entry_of(Event::kBotCrashUnique).league_event, "BOT_CRASH_UNIQUE");
+  EXPECT_EQ(entry_of(Event::kThrowIn).league_event, "BALL_LEFT_FIELD_TOUCH_LINE");
+  EXPECT_EQ(entry_of(Event::kOffside).league_event, "");
+}
+
+// Calls are what happens on the field, not the course of the game and not what cards follow.
+TEST(Events, AreCallsWhereTheyAreAboutPlayOrRobots) {
+  EXPECT_TRUE(is_call(Event::kGoal));
+  EXPECT_TRUE(is_call(Event::kBotCrashDrawn));
+  EXPECT_FALSE(is_call(Event::kReady));
+  EXPECT_FALSE(is_call(Event::kSignalled));
+  EXPECT_FALSE(is_call(Event::kMultipleFouls));
+}
+
+TEST(Events, MayComeInAStopWhereRobotsAreWatchedThen) {
+  std::set<std::string_view> names;
+  for (const EventEntry& entry : event_table()) {
+    if (may_come_in_stop(entry.event)) names.insert(entry.name);
+  }
+  EXPECT_EQ(names, (std::set<std::string_view>{"attacker_stays_near_area", "bot_too_fast_in_stop",
+                                               "stop_distance", "bot_interfered_placement",
+                                               "too_many_robots"}));
+}
+
+// A ball that leaves the field, that does not count as a goal or that nobody moves is no foul.
+TEST(Events, AreFoulsWhereARobotBreaksARule) {
+  for (const Event event : {Event::kGoal, Event::kThrowIn, Event::kChippedGoal, Event::kStuckBall,
+                            Event::kNoProgressInGame, Event::kAimlessKick,
+                            Event::kPenaltyKickFailed, Event::kRestartNotTaken}) {
+    EXPECT_FALSE(entry_of(event).is_foul) << name_of(event);
+  }
+  for (const Event event : {Event::kBotCrashUnique, Event::kBotPushedBot, Event::kOffside,
+                            Event::kBotTooFastInStop, Event::kKeeperHeldBall}) {
+    EXPECT_TRUE(entry_of(event).is_foul) << name_of(event);
+  }
+}
+
+}  // namespace
+}  // namespace autoref::referee

@@ -1,0 +1,98 @@
+#include <gtest/gtest.h>
+#include "referee/rules/rule.hpp"
+
+#include "tests/referee/rules/rule_scene.hpp"
+
+namespace autoref::referee {
+namespace {
+
+// West 1 kicks off with a soft kick of `path_m`, after which the ball lies still.
+ScriptedGame kicked_off(const Configuration& configuration, double path_m) {
+  ScriptedGame game(configuration);
+  game.line_up().kick_off();
+  game.kick(Side::kWest, 1, {1, 0});
+  game.run(path_m);  // at 1 m/s
+  game.ball_mps = Vec2(0, 0);
+  game.run(0.2);
+  return game;
+}
+
+TEST(DoubleTouch, ByTheKickerGivesAnIndirectFreeKickThere) {
+  ScriptedGame game = kicked_off(by_book("2014"), 0.3);
+  game.kick(Side::kWest, 1, {0, 1});
+  const Decision call = game.run_until("attacker_double_touched_ball", 0.5);
+  EXPECT_NEAR(call.finding.value, 0.3, 0.02);
+  EXPECT_EQ(call.finding.threshold, 0.05);
+  EXPECT_EQ(call.restart(), (Command{CommandKind::kIndirectFree, Side::kEast}));
+  EXPECT_EQ(call.finding.robots.front(), (RobotId{Side::kWest, 1}));
+  EXPECT_NEAR(call.finding.position_m->x(), 0.3, 0.02);
+}
+
+TEST(DoubleTouch, IsADirectFreeKickWhereAllMayScore) {
+  ScriptedGame game = kicked_off(by_book("2026-b"), 0.3);
+  game.kick(Side::kWest, 1, {0, 1});
+  EXPECT_EQ(game.run_until("attacker_double_touched_ball", 0.5).restart(),
+            (Command{CommandKind::kDirectFree, Side::kEast}));
+}
+
+TEST(DoubleTouch, IsAllowedBeforeTheBallIsInPlay) {
+  ScriptedGame game = kicked_off(by_book("2014"), 0.033);  // two frames: 33 mm
+  game.kick(Side::kWest, 1, {0, 1});
+  EXPECT_FALSE(is_called(game, "attacker_double_touched_ball"));
+}
+
+TEST(DoubleTouch, IsAllowedOnceAnotherRobotHasTouchedTheBall) {
+  for (const RobotId other : {RobotId{Side::kEast, 2}, RobotId{Side::kWest, 2}}) {
+    ScriptedGame game = kicked_off(by_book("2014"), 0.3);
+    game.robot(Side::kWest, 1).position_m = Vec2(-0.5, 1);
+    game.kick(other.side, other.number, {0, 1});
+    game.run(0.3);
+    game.ball_mps = Vec2(0, 0);
+    game.robot(other.side, other.number).position_m = Vec2(-0.5, -1);
+    game.run(0.2);
+    game.kick(Side::kWest, 1, {0, 1});
+    EXPECT_FALSE(is_called(game, "attacker_double_touched_ball"));
+  }
+}
+
+TEST(DoubleTouch, ByATeamMateIsNone) {
+  ScriptedGame game = kicked_off(by_book("2014"), 0.3);
+  game.robot(Side::kWest, 1).position_m = Vec2(-0.5, 1);
+  game.kick(Side::kWest, 2, {0, 1});
+  EXPECT_FALSE(is_called(game, "attacker_double_touched_ball"));
+}
+
+// The robot drives on after its kick, and the ball is faster.
+TEST(DoubleTouch, IsNotCalledForOneKickThatTheRobotFollows) {
+  ScriptedGame game(by_book("2014"));
+  game.line_up().kick_off();
+  game.kick(Side::kWest, 1, {2, 0});
+  for (int i = 0; i < 30; ++i) {
+    game.robot(Side::kWest, 1).position_m.x() += 1.9 / ScriptedGame::kRate_hz;
+    game.step();
+  }
+  EXPECT_EQ(game.count("attacker_double_touched_ball"), 0);
+}
+
+TEST(DoubleTouch, IsAllowedAfterAForceStart) {
+  ScriptedGame game(by_book("2014"));
+  game.line_up().kick_off();
+  game.run_until("restart_not_taken");
+  game.run_until("start");
+  for (int i = 0; i < 2; ++i) {
+    game.kick(Side::kWest, 1, {1, 0});
+    game.run(0.3);
+    game.ball_mps = Vec2(0, 0);
+    game.run(0.2);
+  }
+  EXPECT_EQ(game.count("attacker_double_touched_ball"), 0);
+}
+
+TEST(DoubleTouch, IsAllowedWhereTheRuleIsNotInForce) {
+  ScriptedGame game = kicked_off(without(by_book("2014"), RuleId::kAttackerDoubleTouchedBall), 0.3);
+  game.kick(Side::kWest, 1, {0, 1});
+  EXPECT_FALSE(is_called(game, "attacker_double_touched_ball"));
+}
+
+}  // namespace
+}  // namespace autoref::referee

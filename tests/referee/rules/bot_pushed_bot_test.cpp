@@ -1,0 +1,93 @@
+// Pushing: "both robots travel towards the opponent robot for more than 0.2 meters" (2026; Laws
+// 12).
+#include <gtest/gtest.h>
+
+#include "tests/referee/rules/driven_game.hpp"
+
+namespace autoref::referee {
+namespace {
+
+constexpr RobotId kWest{Side::kWest, 0};
+constexpr RobotId kEast{Side::kEast, 0};
+
+// West 0 drives away at `own_mps` until east 0 reaches it at 0.5 m/s. Then both go on so for
+// `path_m`, in contact, and east 0 backs off.
+DrivenGame push(const char* book, double path_m, double own_mps = 0, double noise_m = 0) {
+  Configuration configuration = by_book(book);
+  configuration.noise.robot_m = noise_m;
+  DrivenGame game(configuration);
+  game.put(kWest, {0.3 + 0.3 * own_mps, -0.8}, {-own_mps, 0});
+  game.put(kEast, {0.3 + 0.18 + 0.3 * 0.5, -0.8}, {-0.5, 0});
+  game.run(0.3, noise_m);
+  game.drive(kWest, {-0.5, 0});
+  game.run(path_m / 0.5, noise_m);
+  game.drive(kWest, {0, 0});
+  game.drive(kEast, {0.5, 0});
+  game.run(1, noise_m);
+  return game;
+}
+
+TEST(Pushing, IsTheFaultOfWhoDrivesAnOpponentBackMoreThanTwoHundredMillimetres) {
+  const DrivenGame game = push("2014", 0.225);
+  ASSERT_EQ(game.calls(Event::kBotPushedBot).size(), 1U);
+  const Decision call = game.calls(Event::kBotPushedBot).front();
+  EXPECT_EQ(call.finding.offender, Side::kEast);
+  EXPECT_EQ(call.finding.robots.front(), kEast);
+  EXPECT_EQ(call.finding.robots.back(), kWest);
+  EXPECT_EQ(call.restart(), (Command{CommandKind::kDirectFree, Side::kWest}));
+  EXPECT_GT(call.finding.value, 0.2);
+  EXPECT_LT(call.finding.value, 0.21);
+}
+
+TEST(Pushing, IsNoneUpToTwoHundredMillimetres) {
+  EXPECT_TRUE(push("2014", 0.175).calls(Event::kBotPushedBot).empty());
+}
+
+TEST(Pushing, IsNoneOfARobotThatDrivesAwayItself) {
+  EXPECT_TRUE(push("2014", 0.4, 0.3).calls(Event::kBotPushedBot).empty());
+}
+
+TEST(Pushing, EndsWhereRobotsSeparate) {
+  DrivenGame game(by_book("2014"));
+  game.put(kWest, {0.3, -0.8}, {0, 0});
+  game.put(kEast, {0.3 + 0.181, -0.8}, {0, 0});
+  for (int i = 0; i < 3; ++i) {
+    game.run(0.1);
+    game.drive(kWest, {-0.5, 0});
+    game.drive(kEast, {-0.5, 0});
+    game.run(0.3);
+    game.drive(kWest, {0, 0});
+    game.drive(kEast, {0.3, 0});
+    game.run(0.1);
+    game.drive(kEast, {-0.3, 0});
+    game.run(0.1);
+    game.drive(kEast, {0, 0});
+  }
+  EXPECT_TRUE(game.calls(Event::kBotPushedBot).empty());
+}
+
+TEST(Pushing, IsTheSameUnderNoise) {
+  EXPECT_EQ(push("2014", 0.225, 0, 0.0013).calls(Event::kBotPushedBot).size(), 1U);
+  EXPECT_TRUE(push("2014", 0.175, 0, 0.0013).calls(Event::kBotPushedBot).empty());
+}
+
+TEST(Pushing, InsideTheOffendersOwnAreaIsAPenaltyKickByTheLaws) {
+  DrivenGame game(by_book("2014"));
+  game.put(kWest, {2.5, 0.3}, {0, 0});
+  game.put(kEast, {2.5 + 0.18, 0.3}, {0, 0});
+  game.run(0.2);
+  game.drive(kWest, {-0.5, 0});
+  game.drive(kEast, {-0.5, 0});
+  game.run(0.5);
+  ASSERT_EQ(game.calls(Event::kBotPushedBot).size(), 1U);
+  EXPECT_EQ(game.calls(Event::kBotPushedBot).front().restart(),
+            (Command{CommandKind::kPreparePenalty, Side::kWest}));
+}
+
+TEST(Pushing, StopsPlayBy2026AndIsNoFoulByThePaper) {
+  EXPECT_EQ(push("2026-b", 0.225).calls(Event::kBotPushedBot).size(), 1U);
+  EXPECT_TRUE(push("paper", 0.4).calls(Event::kBotPushedBot).empty());
+}
+
+}  // namespace
+}  // namespace autoref::referee

@@ -1,0 +1,82 @@
+// match.after_game: the referee "can either signal for a new game to begin or simply leave the
+// robots halted" (paper, section 4.2).
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "runner/game/event_log.hpp"
+#include "runner/game/game.hpp"
+#include "runner/settings/fields.hpp"
+#include "tests/runner/support/short_game.hpp"
+
+namespace autoref::runner {
+namespace {
+
+class Labels final : public Observer {
+ public:
+  void on_decision(const referee::Decision& decision) override {
+    labels.emplace_back(decision.transition);
+    lines.push_back(decision_json(decision));
+  }
+  std::vector<std::string> labels;
+  std::vector<std::string> lines;
+};
+
+GameConfiguration game_then(const std::string& after) {
+  GameConfiguration game = short_game(20, 5);
+  set_by_path(game, "match.after_game", after);
+  return game;
+}
+
+TEST(AfterGame, IsHaltUnlessASettingSaysOtherwise) {
+  EXPECT_EQ(value_at(GameConfiguration{}, "match.after_game"), "halt");
+  GameConfiguration game;
+  set_by_path(game, "match.after_game", "new_game");
+  EXPECT_EQ(game.match.after_game, referee::AfterGame::kNewGame);
+}
+
+TEST(AfterGame, WithHaltNothingFollowsTheEnd) {
+  Labels seen;
+  const GameRecord record = play(game_then("halt"), &seen);
+  ASSERT_EQ(record.status, Status::kOk) << record.void_reason;
+  EXPECT_EQ(seen.labels.back(), "game_over");
+}
+
+TEST(AfterGame, WithNewGameTheRefereeBeginsAnother) {
+  Labels seen;
+  const GameRecord record = play(game_then("new_game"), &seen);
+  ASSERT_EQ(record.status, Status::kOk) << record.void_reason;
+  ASSERT_GE(seen.labels.size(), 2U);
+  EXPECT_EQ(seen.labels[seen.labels.size() - 2], "game_over_next");
+  EXPECT_EQ(seen.labels.back(), "new_game");
+  EXPECT_NE(seen.lines.back().find(R"("to": "WAIT_STOP", "command": "STOP")"), std::string::npos)
+      << seen.lines.back();
+}
+
+// The row is about the game that is over.
+TEST(AfterGame, WithNewGameTheResultIsThatOfTheGameThatEnded) {
+  const GameRecord halted = play(game_then("halt"));
+  const GameRecord followed = play(game_then("new_game"));
+  EXPECT_EQ(followed.end_reason, EndReason::kTime);
+  EXPECT_EQ(followed.goals_by_half, halted.goals_by_half);
+  EXPECT_EQ(followed.goals_by_half.size(), 2U);
+  EXPECT_EQ(followed.goals_a, halted.goals_a);
+  EXPECT_EQ(followed.goals_b, halted.goals_b);
+  EXPECT_EQ(followed.frames, halted.frames + 1);
+}
+
+TEST(AfterGame, WithNewGameAShootoutKeepsItsResult) {
+  GameConfiguration game = game_then("new_game");
+  game.a.strategy = game.b.strategy = "dummy";
+  game.match.half_s = 5;
+  game.match.extra_half_s = 4;
+  game.match.knockout = true;
+  const GameRecord record = play(game);
+  EXPECT_EQ(record.end_reason, EndReason::kShootout);
+  EXPECT_EQ(record.goals_by_half.size(), 4U);
+  EXPECT_EQ(record.shootout, (std::array<int, 2>{0, 0}));
+}
+
+}  // namespace
+}  // namespace autoref::runner
