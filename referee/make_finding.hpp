@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "referee/finding.hpp"
 #include "referee/configuration.hpp"
+#include "referee/finding.hpp"
 #include "soccer/rule_book.hpp"
 
 namespace autoref::referee {

@@ -112,7 +112,7 @@ struct VisionParameters {
 };
 
 struct RadioParameters {
-  double command_loss = 0.0;  // share of the orders that do not arrive, by robot and frame
+  double command_loss = 0.0;  // share of the commands that do not arrive, by robot and frame
   double hold_s = 100_ms;     // a robot without an order for so long stops
 };
 
@@ -132,7 +132,7 @@ struct Configuration {
   double frame_rate_hz = 60.0;
   VisionParameters vision;
   RadioParameters radio;
-  double latency_s = 40_ms;  // from a frame until the orders decided on it move the robots
+  double latency_s = 40_ms;  // from a frame until the commands decided on it move the robots
   BallParameters ball;
   ContactParameters contacts;
   PlacementParameters placement;

@@ -1,8 +1,8 @@
 // The simulated world: robots, ball, goals and walls as rigid bodies in the plane.
 //
 // It owns the truth: exact positions, speeds and contacts. It knows no rules and takes no
-// decisions; the game loop feeds it orders and a placement once per camera frame. Everything is in
-// SI and in the field's frame (soccer/field.hpp).
+// decisions; the game loop feeds it commands and a placement once per camera frame. Everything is
+// in SI and in the field's frame (soccer/field.hpp).
 #pragma once
 
 #include <array>
@@ -74,9 +74,9 @@ class World {
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
 
-  // One camera frame of physics. The new orders take effect `command_delay_substeps` into it, the
-  // former ones until then. Orders for robots that do not exist or are off the
-  // field are ignored. Orders must be finite
+  // One camera frame of physics. The new commands take effect `command_delay_substeps` into it, the
+  // former ones until then. Commands for robots that do not exist or are off the
+  // field are ignored. Commands must be finite
   // (asserted); they are limited to what the robots can do. With `placement` the ball is held by
   // ball placement, which brings it to the target and keeps it there: it meets no robot, no
   // kicker and no dribbler. Without, it is free, and a robot that stands on it pushes it out.
@@ -95,7 +95,7 @@ class World {
   bool is_finite() const;
 
   // Takes a robot off the field: it is in no state, no camera sees it, nothing meets it, and its
-  // orders are ignored. Taking off what is off changes nothing.
+  // commands are ignored. Taking off what is off changes nothing.
   void take_off(RobotId id);
   // Puts a robot that is off (asserted) back, at rest. The place must be free (asserted).
   void put_on(RobotId id, const Vec2& position_m, const Vec2& heading);
@@ -113,7 +113,7 @@ class World {
 };
 
 // How the delay from frame to motion is shared: whole frames that the frame ages before a team
-// sees it, and the sub-steps after which the orders decided on it take effect.
+// sees it, and the sub-steps after which the commands decided on it take effect.
 struct LatencySplit {
   int frames = 0;
   int substeps = 0;

@@ -118,7 +118,7 @@ void World::Impl::obey(const std::optional<Placement>& placement) {
   ball_.set({});
 }
 
-// Orders take effect at their sub-step, which no longer step may pass over.
+// Commands take effect at their sub-step, which no longer step may pass over.
 bool World::Impl::may_step_long(int substep) const {
   const int end = substep + long_step_;
   if (long_step_ == 1 || end > configuration_.substeps) return false;

@@ -9,7 +9,7 @@
 
 namespace autoref {
 
-// One robot's orders. Velocities are in the robot's own frame: x forward, y to its left.
+// One robot's commands. Velocities are in the robot's own frame: x forward, y to its left.
 struct RobotCommand {
   Vec2 velocity_mps{0, 0};
   double angular_velocity_radps = 0;
@@ -23,7 +23,7 @@ inline bool is_finite(const RobotCommand& c) {
          std::isfinite(c.kick_mps);
 }
 
-// Orders of a side, by robot number. A robot without a new order stands still.
+// Commands of a side, by robot number. A robot without a new order stands still.
 using TeamCommands = std::array<RobotCommand, kMaxRobots>;
 
 }  // namespace autoref

@@ -1,4 +1,4 @@
-// What a team is: from its view of the game to its robots' orders, once per frame.
+// What a team is: from its view of the game to its robots' commands, once per frame.
 #pragma once
 
 #include <array>

@@ -30,9 +30,9 @@ constexpr double kSame_mps = 1e-6;
 // power in three frames.
 constexpr double kAcceleration_mps2 = 4;
 constexpr double kJerk_mps3 = 100;
-constexpr double kBumped_mps2 = 10;      // no robot brakes like this by itself
-constexpr int kDetections = 4;           // tell a motion
-constexpr double kRounding_m = 0.01e-3;  // of a camera without noise
+constexpr double kBumped_mps2 = 10;           // no robot brakes like this by itself
+constexpr int kCrashDetections = 4;           // tell a motion
+constexpr double kCrashRounding_m = 0.01e-3;  // of a camera without noise
 
 // The robot as it was seen; null where it was not.
 const TrackedRobot* find_track(const TrackedRobots& robots, int number) {
@@ -72,13 +72,14 @@ ConstantAcceleration motion_of(const RecentFrames& recent, Side side, const Trac
     const double ago_s = now_s - time_s;
     const double strayed_m = kJerk_mps3 * ago_s * ago_s * ago_s / 6;
     const double deviation_m = std::sqrt(strayed_m * strayed_m + noise.robot_m * noise.robot_m +
-                                         kRounding_m * kRounding_m);
+                                         kCrashRounding_m * kCrashRounding_m);
     fit.add(-ago_s, seen->position_m, deviation_m);
     ++detections;
   }
-  ConstantAcceleration motion = detections < kDetections ? ConstantAcceleration{} : fit.motion();
+  ConstantAcceleration motion =
+      detections < kCrashDetections ? ConstantAcceleration{} : fit.motion();
   const bool is_steady = motion.acceleration_mps2.norm() < kBumped_mps2;
-  if (detections >= kDetections && is_steady && noise.robot_m == 0) return motion;
+  if (detections >= kCrashDetections && is_steady && noise.robot_m == 0) return motion;
   return {track.position_m, track.velocity_mps, Vec2(0, 0), 0};
 }
 

@@ -24,14 +24,14 @@ namespace {
 constexpr std::size_t kIntervals = 3;
 // After so many detections of the ball's free way its speed is told, however well it is known; and
 // before, once it is beyond the limit by so many standard deviations.
-constexpr std::size_t kDetections = 7;
+constexpr std::size_t kKickDetections = 7;
 constexpr double kSure = 3;
 // Standard deviations that the height's uncertainty must not explain.
 constexpr double kBeyondNoise = 2;
 // What the league's carpets take from a kicked ball, which slides at first: 3.0 to 3.9 m/s2.
 constexpr double kCarpet_mps2 = 3.4;
 constexpr double kCarpetDeviation_mps2 = 0.4;
-constexpr double kRounding_m = 0.01e-3;  // of a camera without noise
+constexpr double kKickRounding_m = 0.01e-3;  // of a camera without noise
 
 struct Speed {
   double mps = 0;
@@ -61,7 +61,7 @@ Detections detections_of(const RecentFrames& recent, double from_s, double to_s)
     const RecentBall* ball = recent.ball(back);
     if (ball->time_s >= from_s && ball->time_s <= to_s) seen.push_back(ball);
   }
-  while (seen.size() > kDetections) seen.erase(seen.begin());
+  while (seen.size() > kKickDetections) seen.erase(seen.begin());
   return seen;
 }
 
@@ -71,7 +71,7 @@ Speed speed_on_carpet(const Detections& seen, double kicked_s, const Configurati
       direction_of(seen.front()->position_m - seen.back()->position_m, Vec2(1, 0));
   ConstantAccelerationFit fit(-kCarpet_mps2 * direction, kCarpetDeviation_mps2);
   for (const RecentBall* ball : seen) {
-    fit.add(ball->time_s - kicked_s, ball->position_m, std::max(c.noise.ball_m, kRounding_m));
+    fit.add(ball->time_s - kicked_s, ball->position_m, std::max(c.noise.ball_m, kKickRounding_m));
   }
   const ConstantAcceleration motion = fit.motion();
   return {motion.velocity_mps.dot(direction), motion.velocity_deviation_mps};
@@ -114,7 +114,7 @@ std::optional<double> reported_speed_mps(const BallTouch& kick, const RecentFram
   const Detections seen = detections_of(recent, kick.ended_s, until_s);
   if (seen.size() <= kIntervals) return std::nullopt;
   const Speed speed = speed_on_carpet(seen, kick.ended_s, c);
-  const bool is_sure = is_over || seen.size() == kDetections ||
+  const bool is_sure = is_over || seen.size() == kKickDetections ||
                        speed.mps - c.rules.kick_limit_mps > kSure * speed.deviation_mps;
   if (!is_sure || was_as_fast(recent, kick.ended_s, speed.mps, c)) return std::nullopt;
   return speed.mps;

@@ -22,7 +22,7 @@ constexpr double kAtBall_m = 5_mm;
 // Who drove away from the pusher faster than this before was not pushed.
 constexpr double kOwnSpeed_mps = 0.1_mps;
 // Ways that differ by no more are equal but for rounding.
-constexpr double kSame_m = 1e-9;
+constexpr double kPushSame_m = 1e-9;
 
 struct Push {
   RobotId pusher;
@@ -34,37 +34,37 @@ struct Push {
 // None where so many are near each other that they cannot all be robots on a field.
 PushContact* contact_of(PushingWatch& watch, int west, int east) {
   const auto known = std::find_if(
-      watch.clinches.begin(), watch.clinches.end(),
-      [&](const PushContact& clinch) { return clinch.west == west && clinch.east == east; });
-  if (known != watch.clinches.end()) return &*known;
-  if (watch.clinches.size() == watch.clinches.capacity()) return nullptr;
-  PushContact clinch;
-  clinch.west = west;
-  clinch.east = east;
-  watch.clinches.push_back(clinch);
-  return &watch.clinches.back();
+      watch.contacts.begin(), watch.contacts.end(),
+      [&](const PushContact& contact) { return contact.west == west && contact.east == east; });
+  if (known != watch.contacts.end()) return &*known;
+  if (watch.contacts.size() == watch.contacts.capacity()) return nullptr;
+  PushContact contact;
+  contact.west = west;
+  contact.east = east;
+  watch.contacts.push_back(contact);
+  return &watch.contacts.back();
 }
 
 // A contact begins where the robots are then, with their velocities in the frame before.
-void follow(PushContact& clinch, const TrackedRobot& west, const TrackedRobot& east,
+void follow(PushContact& contact, const TrackedRobot& west, const TrackedRobot& east,
             bool are_in_contact) {
-  const bool lasts = are_in_contact && clinch.are_in_contact;
-  const bool was_seen_to_begin = are_in_contact && clinch.is_followed;
-  clinch.is_near = clinch.is_followed = true;
-  clinch.are_in_contact = are_in_contact;
+  const bool lasts = are_in_contact && contact.are_in_contact;
+  const bool was_seen_to_begin = are_in_contact && contact.is_followed;
+  contact.is_near = contact.is_followed = true;
+  contact.are_in_contact = are_in_contact;
   if (lasts) return;
-  clinch.from_m = {{west.position_m, east.position_m}};
-  if (!was_seen_to_begin) clinch.before_mps = {{west.velocity_mps, east.velocity_mps}};
+  contact.from_m = {{west.position_m, east.position_m}};
+  if (!was_seen_to_begin) contact.before_mps = {{west.velocity_mps, east.velocity_mps}};
 }
 
 // How far `side`'s robot of the two has driven the other one back, if it has.
-std::optional<Push> push_by(Side side, const PushContact& clinch, const TrackedRobot& pusher,
+std::optional<Push> push_by(Side side, const PushContact& contact, const TrackedRobot& pusher,
                             const TrackedRobot& pushed) {
   const Side other = opponent_of(side);
   const Vec2 line = direction_of(pushed.position_m - pusher.position_m, Vec2(1, 0));
-  if (clinch.before_mps[other].dot(line) > kOwnSpeed_mps) return std::nullopt;
-  const double path_m = std::min((pusher.position_m - clinch.from_m[side]).dot(line),
-                                 (pushed.position_m - clinch.from_m[other]).dot(line));
+  if (contact.before_mps[other].dot(line) > kOwnSpeed_mps) return std::nullopt;
+  const double path_m = std::min((pusher.position_m - contact.from_m[side]).dot(line),
+                                 (pushed.position_m - contact.from_m[other]).dot(line));
   return Push{{side, pusher.number},
               {other, pushed.number},
               path_m,
@@ -75,8 +75,8 @@ std::optional<Push> push_by(Side side, const PushContact& clinch, const TrackedR
 class LongestPush {
  public:
   void take_in(const std::optional<Push>& push) {
-    if (!push || (found_ && push->path_m < found_->path_m - kSame_m)) return;
-    const bool is_longer = !found_ || push->path_m > found_->path_m + kSame_m;
+    if (!push || (found_ && push->path_m < found_->path_m - kPushSame_m)) return;
+    const bool is_longer = !found_ || push->path_m > found_->path_m + kPushSame_m;
     is_tied_ = !is_longer && (is_tied_ || push->pusher.side != found_->pusher.side);
     found_ = push;
   }
@@ -101,22 +101,23 @@ bool are_in_contact(const TrackedRobot& west, const TrackedRobot& east, const Re
 
 std::optional<Push> watch_robots(PushingWatch& watch, const RefereeInput& input) {
   LongestPush longest;
-  for (PushContact& clinch : watch.clinches) clinch.is_near = false;
+  for (PushContact& contact : watch.contacts) contact.is_near = false;
   for (const TrackedRobot& west : input.tracks.robots[Side::kWest]) {
     for (const TrackedRobot& east : input.tracks.robots[Side::kEast]) {
       const double distance_m = (east.position_m - west.position_m).norm();
       if (distance_m > kNear_m) continue;
-      PushContact* clinch = contact_of(watch, west.number, east.number);
-      if (clinch == nullptr) continue;
-      follow(*clinch, west, east, distance_m > kRobotRadius_m && are_in_contact(west, east, input));
-      if (!clinch->are_in_contact) continue;
-      longest.take_in(push_by(Side::kWest, *clinch, west, east));
-      longest.take_in(push_by(Side::kEast, *clinch, east, west));
+      PushContact* contact = contact_of(watch, west.number, east.number);
+      if (contact == nullptr) continue;
+      follow(*contact, west, east,
+             distance_m > kRobotRadius_m && are_in_contact(west, east, input));
+      if (!contact->are_in_contact) continue;
+      longest.take_in(push_by(Side::kWest, *contact, west, east));
+      longest.take_in(push_by(Side::kEast, *contact, east, west));
     }
   }
-  const auto is_over = [](const PushContact& clinch) { return !clinch.is_near; };
-  watch.clinches.erase(std::remove_if(watch.clinches.begin(), watch.clinches.end(), is_over),
-                       watch.clinches.end());
+  const auto is_over = [](const PushContact& contact) { return !contact.is_near; };
+  watch.contacts.erase(std::remove_if(watch.contacts.begin(), watch.contacts.end(), is_over),
+                       watch.contacts.end());
   return longest.found();
 }
 

@@ -17,7 +17,7 @@ class TeamController {
  public:
   TeamController(const GameConfiguration& configuration, Side side, const TeamMaker& make_team);
 
-  // Fills `commands`; returns what went wrong, empty where nothing did. Then all orders are zero.
+  // Fills `commands`; returns what went wrong, empty where nothing did. Then all commands are zero.
   std::string decide(const Tracks& tracks, const RefereeSignal& signal, const Situation& situation,
                      TeamCommands& commands);
 

@@ -44,7 +44,7 @@ class Basic final : public Strategy {
   TeamContext context_;
   Style style_;
   DrivingStyle driving_;
-  TeamView now_;              // the view looked ahead to when orders take effect
+  TeamView now_;              // the view looked ahead to when commands take effect
   Vec2 ball_target_m_{0, 0};  // the ball, or where the referee is about to put it
   int former_attacker_ = -1;
   TeamRequests requests_;

@@ -11,7 +11,7 @@
 
 namespace autoref::strategies::rowdy {
 
-// The game in the team's frame, looked ahead to when orders take effect.
+// The game in the team's frame, looked ahead to when commands take effect.
 struct Scene {
   const Field& field;
   const RuleBook& rules;
@@ -37,16 +37,16 @@ bool is_own_restart(const Scene& scene);
 bool is_opponents_restart(const Scene& scene);
 bool is_free_kick(Play play);
 
-// Orders that bring the robot to a place around everybody else, facing the ball.
+// Commands that bring the robot to a place around everybody else, facing the ball.
 RobotCommand go_to(const Scene& scene, const TrackedRobot& robot, const Vec2& position_m);
 
-// Orders that move the robot straight on at that velocity, facing where it goes.
+// Commands that move the robot straight on at that velocity, facing where it goes.
 RobotCommand charge(const TrackedRobot& robot, const Vec2& velocity_mps);
 
 // The same, towards a point.
 RobotCommand charge_at(const TrackedRobot& robot, const Vec2& point_m, double speed_mps);
 
-// Orders that take the robot behind the ball and kick it straight at the target.
+// Commands that take the robot behind the ball and kick it straight at the target.
 RobotCommand kick_at(const Scene& scene, const TrackedRobot& robot, const Vec2& target_m,
                      double kick_mps);
 

@@ -16,7 +16,7 @@ class BallPath {
   static constexpr double kStep_s = 0.1;
   static constexpr double kLongest_s = kSteps * kStep_s;
 
-  // Takes the next frame of the ball, moved on by the `latency_s` until orders take effect. Kicks
+  // Takes the next frame of the ball, moved on by the `latency_s` until commands take effect. Kicks
   // are told from the speed's peaks, so that it must be called for every frame.
   void follow(const TrackedBall& ball, double latency_s);
 

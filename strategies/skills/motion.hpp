@@ -42,7 +42,7 @@ Vec2 steer_around(const Vec2& from_m, const Vec2& target_m, const Obstacles& obs
 // field leads against its walls: first to the side, then past the goal line. None elsewhere.
 std::optional<Vec2> exit_from_behind_goal(const Field& field, const Vec2& from_m);
 
-// Orders that bring `robot` to `goal` around the obstacles and to rest there.
+// Commands that bring `robot` to `goal` around the obstacles and to rest there.
 RobotCommand drive_to(const TrackedRobot& robot, const Waypoint& goal, const Obstacles& obstacles,
                       const DrivingStyle& style);
 
@@ -50,7 +50,7 @@ RobotCommand drive_to(const TrackedRobot& robot, const Waypoint& goal, const Obs
 RobotCommand drive_via(const TrackedRobot& robot, const Vec2& steer_m, const Waypoint& goal,
                        const DrivingStyle& style);
 
-// Orders that move `robot` with `velocity_mps` (in the view's frame) while it turns to `heading`.
+// Commands that move `robot` with `velocity_mps` (in the view's frame) while it turns to `heading`.
 RobotCommand drive_with(const TrackedRobot& robot, const Vec2& velocity_mps, const Vec2& heading,
                         const DrivingStyle& style);
 

@@ -16,8 +16,8 @@ struct Intent {
   double hasty_tolerance_rad = 0.7;
 };
 
-// Orders for `robot` to meet the ball and send it to the intent's target. `interception_m` is where
-// it can meet the ball. `obstacles` are robots only; the ball is kept clear of here.
+// Commands for `robot` to meet the ball and send it to the intent's target. `interception_m` is
+// where it can meet the ball. `obstacles` are robots only; the ball is kept clear of here.
 RobotCommand play_ball(const TrackedRobot& robot, const TrackedBall& ball,
                        const Vec2& interception_m, const Intent& intent, const Obstacles& obstacles,
                        const DrivingStyle& style);
@@ -25,7 +25,7 @@ RobotCommand play_ball(const TrackedRobot& robot, const TrackedBall& ball,
 // Whether the ball comes at `robot` so fast that it should be stopped before it is played.
 bool comes_at(const TrackedRobot& robot, const TrackedBall& ball);
 
-// Orders for `robot` to stand on the ball's way, at `interception_m`, and take it with the
+// Commands for `robot` to stand on the ball's way, at `interception_m`, and take it with the
 // dribbler.
 RobotCommand receive_ball(const TrackedRobot& robot, const TrackedBall& ball,
                           const Vec2& interception_m, const Obstacles& obstacles,

@@ -9,7 +9,7 @@ namespace autoref::strategies {
 // between the carpet's sliding and rolling deceleration.
 Vec2 ball_after(const TrackedBall& ball, double ahead_s);
 
-// `view` as it will be when orders given now take effect: all moved on by its latency.
+// `view` as it will be when commands given now take effect: all moved on by its latency.
 void look_ahead(const TeamView& view, TeamView& ahead);
 
 // Seconds a robot needs to a point, from rest to rest at team speeds; a rough estimate.

@@ -25,20 +25,20 @@ bool has_ball(const TrackedRobot& robot, const Vec2& ball_m);
 // Whether the ball comes along at more than a walking speed and `robot` stands before it.
 bool comes_towards(const TrackedRobot& robot, const BallPath& path);
 
-// Orders for `robot` to get the ball where it meets it and to strike it. With the ball it turns,
+// Commands for `robot` to get the ball where it meets it and to strike it. With the ball it turns,
 // held by the dribbler, and kicks; a ball that comes is met on its line; any other is fetched from
 // a side that needs little turning. `obstacles` are robots only.
 RobotCommand strike_ball(const TrackedRobot& robot, const BallPath& path,
                          const BallInterception& interception, const Strike& strike,
                          const Obstacles& obstacles, const DrivingStyle& style);
 
-// Orders for `robot` to kick a ball that lies still, in one touch: it goes behind the ball, lines
+// Commands for `robot` to kick a ball that lies still, in one touch: it goes behind the ball, lines
 // up and runs into it. Before that it keeps clear of the ball.
 RobotCommand take_kick(const TrackedRobot& robot, const Vec2& ball_m, const Strike& strike,
                        const Obstacles& obstacles, const DrivingStyle& style);
 
-// Orders for a robot that has the ball to take it along with `velocity_mps` (in the view's frame),
-// so that the dribbler can follow, while it turns to `heading`.
+// Commands for a robot that has the ball to take it along with `velocity_mps` (in the view's
+// frame), so that the dribbler can follow, while it turns to `heading`.
 RobotCommand carry_ball(const TrackedRobot& robot, const Vec2& velocity_mps, const Vec2& heading);
 
 }  // namespace autoref::strategies

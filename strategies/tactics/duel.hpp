@@ -9,8 +9,8 @@ namespace autoref::strategies {
 // Whether the opponent that is first at the ball has it in its mouth.
 bool opponent_has_ball(const PredictedState& predicted);
 
-// Orders for the robot of that index to get between the ball that an opponent has and the own goal,
-// front to the ball, and to press against it there.
+// Commands for the robot of that index to get between the ball that an opponent has and the own
+// goal, front to the ball, and to press against it there.
 RobotCommand block_ball(const PredictedState& predicted, int index);
 
 // A face-off: the ball is held from both sides. To one side with it, by chance, and after a while

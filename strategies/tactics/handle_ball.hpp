@@ -18,7 +18,7 @@ class BallHandler {
   // Keeps the memory up to date; for every view, before play().
   void update();
 
-  // Orders for the robot of that index to go for the ball and make the best of it.
+  // Commands for the robot of that index to go for the ball and make the best of it.
   RobotCommand play(int index);
 
   // For whom the pass under way is, by number.

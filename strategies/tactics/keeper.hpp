@@ -10,7 +10,7 @@ namespace autoref::strategies {
 // and nearer to where an opponent with the ball at its foot faces, if that is the goal.
 Waypoint keeper_position(const PredictedState& predicted, const TrackedRobot& keeper);
 
-// Orders for the keeper, the robot of that index, while it does not play the ball.
+// Commands for the keeper, the robot of that index, while it does not play the ball.
 RobotCommand keep_goal(const PredictedState& predicted, int index);
 
 // Whether the ball lies where only the keeper should play it, and slowly enough to be fetched.

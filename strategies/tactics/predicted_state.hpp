@@ -1,5 +1,5 @@
-// What a team makes of a view: the field as it will be when its orders take effect, the ball's way,
-// who gets to it first, and whose it is.
+// What a team makes of a view: the field as it will be when its commands take effect, the ball's
+// way, who gets to it first, and whose it is.
 #pragma once
 
 #include <array>
@@ -79,7 +79,7 @@ class PredictedState {
   bool is_ours_ = false;
 };
 
-// Orders that bring the robot of that index to the permitted place nearest to `wanted`, around
+// Commands that bring the robot of that index to the permitted place nearest to `wanted`, around
 // whatever stands in the way.
 RobotCommand go_to(const PredictedState& predicted, int index, const Waypoint& wanted);
 

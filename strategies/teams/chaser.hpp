@@ -28,7 +28,7 @@ class Chaser final : public Strategy {
   Obstacles obstacles_for(int index, bool keeps_off_ball) const;
 
   TeamContext context_;
-  TeamView now_;              // the view looked ahead to when orders take effect
+  TeamView now_;              // the view looked ahead to when commands take effect
   Vec2 ball_target_m_{0, 0};  // the ball, or where the referee is about to put it
   int taker_ = -1;            // number of the robot that took a restart, until another has the ball
   TeamRequests requests_;

@@ -1,4 +1,4 @@
-// What a lossy radio does to orders.
+// What a lossy radio does to commands.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ Configuration lossy(double share) {
   return configuration;
 }
 
-// Orders to and fro by turns of one frame. An order that is lost leaves the robot's acceleration
+// Commands to and fro by turns of one frame. An order that is lost leaves the robot's acceleration
 // as it was; how often that happens is counted from the robot's speed.
 double share_of_ignored_commands(double loss, int frames) {
   Scene scene(lossy(loss));
@@ -36,11 +36,11 @@ double share_of_ignored_commands(double loss, int frames) {
 TEST(Radio, LosesTheShareOfCommandsThatItSays) {
   EXPECT_EQ(share_of_ignored_commands(0.0, 1200), 0.0);
   // Two losses in a row repeat the order before last, the right one: lost minus lost squared, and
-  // so on, is 0.2 / 1.2. Five standard deviations of 6000 orders.
+  // so on, is 0.2 / 1.2. Five standard deviations of 6000 commands.
   EXPECT_NEAR(share_of_ignored_commands(0.2, 6000), 0.2 / 1.2, 0.026);
 }
 
-// Nine of ten orders are lost. Which ones is told by the radio's own stream.
+// Nine of ten commands are lost. Which ones is told by the radio's own stream.
 TEST(Radio, LetsARobotGoOnForATenthOfASecondAndThenStopsIt) {
   constexpr double kLoss = 0.9;
   constexpr std::uint64_t kSeed = 1;

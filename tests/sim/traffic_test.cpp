@@ -27,7 +27,7 @@ class Traffic : public Scene {
   explicit Traffic(const Configuration& configuration)
       : Scene(configuration, specs(kRobots, kRobots)), rate_hz_(configuration.frame_rate_hz) {}
 
-  // New orders, and a new ball where the old one is lost.
+  // New commands, and a new ball where the old one is lost.
   void steer() {
     for (const Side side : kSides) {
       for (int n = 0; n < kRobots; ++n) decide({side, n});

@@ -35,7 +35,7 @@ std::uint64_t hash_of(const WorldState& state) {
 }
 
 // Everybody runs for the ball and kicks it, one robot of each side chips. `side` looks at its own
-// half and its own robots only, so that turned worlds get turned orders.
+// half and its own robots only, so that turned worlds get turned commands.
 void chase(const WorldState& state, PerSide<TeamCommands>& commands) {
   for (const Side side : kSides) {
     for (const RobotState& robot : state.robots[side]) {

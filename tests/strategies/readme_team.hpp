@@ -23,7 +23,7 @@ class Mine final : public Strategy {
       : context_(context), shot_mps_(value_of(kShot, context.params)) {}
 
   void decide(const TeamView& view, TeamCommands& commands) override {
-    look_ahead(view, now_);  // the field as it will be when these orders take effect
+    look_ahead(view, now_);  // the field as it will be when these commands take effect
     const int chaser = may_play() ? nearest_to_ball() : -1;
     for (int i = 0; i < static_cast<int>(now_.own.size()); ++i) {
       const TrackedRobot& robot = now_.own[i];

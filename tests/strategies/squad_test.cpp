@@ -177,9 +177,9 @@ TEST(Squad, NamesItsLowestNumberAsKeeper) {
   EXPECT_EQ(team.requests().keeper, 3);
 }
 
-// Two teams in a game that is the same when it is turned by 180 degrees: what one orders, the other
-// orders too. Each robot moves in the frame in which it was ordered about, so that the turned game
-// stays the same to the last bit.
+// Two teams in a game that is the same when it is turned by 180 degrees: what one commands, the
+// other commands too. Each robot moves in the frame in which it was ordered about, so that the
+// turned game stays the same to the last bit.
 TEST(Squad, DoesTheTurnedThingFromTheOtherEnd) {
   PerSide<std::unique_ptr<Squad>> teams;
   PerSide<StagedWorld> ends{{StagedWorld(Play::kRunning), StagedWorld(Play::kRunning)}};

@@ -39,7 +39,7 @@ class ScenarioReader {
       scenario.content = read_sweep();
     } else if (kind == "roundrobin") {
       scenario.content = read_roundrobin(top_);
-    } else if (kind == "match") {
+    } else if (kind == "sprt") {
       scenario.content = read_sprt_match(top_);
     } else if (kind == "gauntlet") {
       scenario.content = read_gauntlet(top_);
