@@ -11,6 +11,7 @@
 #include "league/log_file.hpp"
 #include "runner/io/build_id.hpp"
 #include "runner/io/errors.hpp"
+#include "runner/settings/renamed.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -76,6 +77,10 @@ int run_command_line(int argc, const char* const* argv) {
   add_rules_verb(app, chosen);
   add_teams_verb(app, chosen);
   add_bench_verb(app, chosen);
+  const std::string_view verb = argc > 1 ? argv[1] : "";
+  if (const std::optional<std::string_view> now = new_verb_of(verb)) {
+    return fail(kBadInput, fmt::format("unknown verb '{}'; its name is '{}' now", verb, *now));
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

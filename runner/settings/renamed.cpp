@@ -13,8 +13,10 @@ struct Renamed {
   std::string_view now;
 };
 
-// Rules and events: today the league's names.
-constexpr std::array kRenamed = {
+// Settings, and rules and events, which have the league's names today.
+constexpr std::array kNames = {
+    Renamed{"calm_substeps", "contact_free_substeps"},
+    Renamed{"orders", "commands"},
     Renamed{"attacker_near_area", "attacker_too_close_to_defense_area"},
     Renamed{"defender_partly_in_area", "defender_in_defense_area_partially"},
     Renamed{"defender_in_area", "defender_in_defense_area"},
@@ -38,12 +40,29 @@ constexpr std::array kRenamed = {
     Renamed{"red_card", "multiple_cards"},
 };
 
+constexpr std::array kVerbs = {Renamed{"plan", "sample-size"}};
+constexpr std::array kKinds = {Renamed{"match", "sprt"}};
+
+template <std::size_t Size>
+std::optional<std::string_view> find(std::string_view before,
+                                     const std::array<Renamed, Size>& table) {
+  const auto found = std::find_if(table.begin(), table.end(),
+                                  [before](const Renamed& it) { return it.before == before; });
+  return found == table.end() ? std::nullopt : std::optional(found->now);
+}
+
 }  // namespace
 
 std::optional<std::string_view> new_name_of(std::string_view old_name) {
-  const auto found = std::find_if(kRenamed.begin(), kRenamed.end(),
-                                  [old_name](const Renamed& it) { return it.before == old_name; });
-  return found == kRenamed.end() ? std::nullopt : std::optional(found->now);
+  return find(old_name, kNames);
+}
+
+std::optional<std::string_view> new_verb_of(std::string_view old_verb) {
+  return find(old_verb, kVerbs);
+}
+
+std::optional<std::string_view> new_kind_of(std::string_view old_kind) {
+  return find(old_kind, kKinds);
 }
 
 std::string renamed_message(std::string_view old_name, std::string_view new_name) {
