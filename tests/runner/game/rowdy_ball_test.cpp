@@ -18,7 +18,7 @@ TEST(Rowdy, KicksHarderThanBasicEverDoes) {
 }
 
 TEST(Rowdy, ChipsIntoTheGoal) {
-  FoulBehaviour game("chipped_goal");
+  FoulBehaviour game("chip_goal");
   game.put_robot(kFirst, {1.2, 0});
   game.put_ball({1.5, 0});
   game.start();

@@ -35,7 +35,7 @@ TEST(MatchRules, AreReadFirstWhereverTheyStand) {
 
 TEST(MatchRules, LetAFileSwitchSingleRules) {
   const GameConfiguration game =
-      game_in("match: { switch: { offside: true, crash: false }, rules: 2014 }\n");
+      game_in("match: { switch: { offside: true, bot_crash_unique: false }, rules: 2014 }\n");
   EXPECT_TRUE(game.match.in_force.has(RuleId::kOffside));
   EXPECT_FALSE(game.match.in_force.has(RuleId::kBotCrashUnique));
   EXPECT_TRUE(game.match.in_force.has(RuleId::kBotKickedBallTooFast));
@@ -43,7 +43,8 @@ TEST(MatchRules, LetAFileSwitchSingleRules) {
 
 TEST(MatchRules, AreSpeltOutSoThatTheyReadTheSame) {
   const GameConfiguration game = game_in(
-      "match: { rules: 2014-double, switch: { pushing: false } }\nteams: { b: { robots: 3 } }\n");
+      "match: { rules: 2014-double, switch: { bot_pushed_bot: false } }\nteams: { b: { robots: 3 } "
+      "}\n");
   const std::string text = effective_text({"A game.", game});
   const auto again =
       std::get<GameConfiguration>(read_scenario_text(text, "effective.yaml").content);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "runner/experiments/knockout.hpp"
+#include "runner/experiments/reading/effective.hpp"
 #include "runner/experiments/scenario.hpp"
 #include "tests/runner/experiments/reading/mistake.hpp"
 
