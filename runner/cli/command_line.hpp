@@ -127,7 +127,7 @@ struct TeamsArguments {
   bool json = false;
 };
 
-// What `autoref schedule` is told: numbers as they were typed.
+// What `autoref sample-size` is told: numbers as they were typed.
 struct SampleSizeArguments {
   std::string delta;
   std::string sd;

@@ -4,20 +4,29 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
+#include <type_traits>
+#include <variant>
 
 #include "runner/experiments/scenario.hpp"
 
 namespace autoref::runner {
 
-// Calls the overload of `work` for the scenario's kind of experiment.
+// Calls the overload of `work` for the scenario's kind of experiment. A single game, and games to
+// judge the referee, are not experiments: std::logic_error.
 template <typename Work>
 auto with_kind(const Scenario& scenario, const Work& work) {
-  if (const auto* sweep = std::get_if<Sweep>(&scenario.content)) return work(*sweep);
-  if (const auto* robin = std::get_if<RoundRobin>(&scenario.content)) return work(*robin);
-  if (const auto* match = std::get_if<SprtMatch>(&scenario.content)) return work(*match);
-  if (const auto* gauntlet = std::get_if<Gauntlet>(&scenario.content)) return work(*gauntlet);
-  if (const auto* knockout = std::get_if<Knockout>(&scenario.content)) return work(*knockout);
-  throw std::logic_error(fmt::format("a {} is no experiment", kind_of(scenario)));
+  using Result = decltype(work(std::declval<const Sweep&>()));
+  return std::visit(
+      [&](const auto& content) -> Result {
+        using Content = std::decay_t<decltype(content)>;
+        if constexpr (std::is_same_v<Content, GameConfiguration> ||
+                      std::is_same_v<Content, JudgeSchedule>) {
+          throw std::logic_error(fmt::format("a {} is not an experiment", kind_of(scenario)));
+        } else {
+          return work(content);
+        }
+      },
+      scenario.content);
 }
 
 }  // namespace autoref::runner

@@ -186,7 +186,7 @@ class PageTest(unittest.TestCase):
         self.assertAlmostEqual(self.time_s(), (60 * int(minutes) + int(seconds)) / 2, delta=2)
 
     def test_tells_why_the_referee_stopped_play(self):
-        stops = self.browser.find_elements(By.CSS_SELECTOR, ".moment.stop .reason")
+        stops = self.browser.find_elements(By.CSS_SELECTOR, ".highlight.stop .reason")
         self.assertGreater(len(stops), 0)
         self.press("n")
         self.assertNotEqual(self.text("callReason"), "")

@@ -56,7 +56,7 @@ class EventList {
     if (index === this.current) return;
     this.list.querySelector("[aria-current]")?.removeAttribute("aria-current");
     this.current = index;
-    this.show(this.highlights[index]);
+    this.announce(this.highlights[index]);
     if (index < 0) return;
     this.list.children[index].firstChild.setAttribute("aria-current", "true");
     this.reveal();
@@ -70,7 +70,7 @@ class EventList {
     list.scrollTop = item.offsetTop - list.offsetTop - (list.clientHeight - item.offsetHeight) / 2;
   }
 
-  show(highlight) {
+  announce(highlight) {
     setText("callTitle", highlight ? `${minutesAndSeconds(highlight.time_s)}  ${highlight.title}` : "");
     setText("callReason", highlight?.reason ?? "");
     const call = document.getElementById("call");

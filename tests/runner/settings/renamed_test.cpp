@@ -5,7 +5,7 @@
 #include "runner/experiments/reading/scenario_reader.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/settings/fields.hpp"
-#include "tests/runner/support/answer.hpp"
+#include "tests/runner/cli/answer.hpp"
 
 namespace autoref::runner {
 namespace {

@@ -30,8 +30,9 @@ TEST(ReadKnockout, PlaysExtraTimeWhereTheRulesHaveItUnlessItIsReported) {
 
 TEST(EffectiveConfiguration, OfAKnockoutReadsBackEqual) {
   Knockout knockout = read("order: [zone, bold, calm]\n");
+  knockout.order.push_back("last");
+  knockout.teams["last"].robots = 5;
   knockout.third_place = true;
-  knockout.teams["zone"].robots = 5;
   const std::string text = effective_text({"A test.", knockout});
   EXPECT_EQ(effective_text(read_scenario_text(text, "x.yaml")), text);
 }
