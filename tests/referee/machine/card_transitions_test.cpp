@@ -17,7 +17,7 @@ Configuration by_book(std::string_view book) {
 StagedMachine in_2026(State state = State::kRun) { return StagedMachine(by_book("2026-b"), state); }
 
 // "Every third foul of the same team results in a yellow card" (2026).
-TEST(ArrowMultipleFouls, IsTakenAtTheThirdFoulAndLeavesPlayOn) {
+TEST(TransitionMultipleFouls, IsTakenAtTheThirdFoulAndLeavesPlayOn) {
   StagedMachine game = in_2026();
   for (int i = 0; i < 2; ++i) {
     EXPECT_EQ(game.foul(Side::kEast), "bot_crash_unique");
@@ -31,21 +31,21 @@ TEST(ArrowMultipleFouls, IsTakenAtTheThirdFoulAndLeavesPlayOn) {
   EXPECT_EQ(game.state.signal.command_counter, 0U);
 }
 
-TEST(ArrowMultipleFouls, IsTakenOnceForThreeFouls) {
+TEST(TransitionMultipleFouls, IsTakenOnceForThreeFouls) {
   StagedMachine game = in_2026();
   game.fouls_for_cards(Side::kWest, 1);
   EXPECT_EQ(game.look_for_cards(), "");
   EXPECT_EQ(game.state.signal.yellow_cards[Side::kWest], 1);
 }
 
-TEST(ArrowMultipleFouls, CountsEachSidesFoulsApart) {
+TEST(TransitionMultipleFouls, CountsEachSidesFoulsApart) {
   StagedMachine game = in_2026();
   for (const Side side : {Side::kWest, Side::kEast, Side::kWest, Side::kEast}) game.foul(side);
   EXPECT_EQ(game.look_for_cards(), "");
 }
 
 // A drawn crash may be the third foul of both sides: neither is first.
-TEST(ArrowMultipleFouls, IsTakenForBothSidesAtOnce) {
+TEST(TransitionMultipleFouls, IsTakenForBothSidesAtOnce) {
   StagedMachine game = in_2026();
   for (int i = 0; i < 3; ++i) game.foul(std::nullopt);
   EXPECT_EQ(game.look_for_cards(), "multiple_fouls");
@@ -53,7 +53,7 @@ TEST(ArrowMultipleFouls, IsTakenForBothSidesAtOnce) {
   EXPECT_EQ(game.look_for_cards(), "");
 }
 
-TEST(ArrowMultipleFoulsStopped, IsTakenWhilePlayIsStopped) {
+TEST(TransitionMultipleFoulsStopped, IsTakenWhilePlayIsStopped) {
   StagedMachine game = in_2026(State::kWaitStop);
   for (int i = 0; i < 3; ++i) game.foul(Side::kWest);
   EXPECT_EQ(game.look_for_cards(), "multiple_fouls");
@@ -63,7 +63,7 @@ TEST(ArrowMultipleFoulsStopped, IsTakenWhilePlayIsStopped) {
 
 // "When a team has two not yet expired yellow cards and receives another yellow card, this card
 // will be turned into a red card instead" (2026).
-TEST(ArrowMultipleCards, IsTakenForTheThirdActiveYellowCard) {
+TEST(TransitionMultipleCards, IsTakenForTheThirdActiveYellowCard) {
   StagedMachine game = in_2026();
   game.fouls_for_cards(Side::kWest, 2);
   for (int i = 0; i < 3; ++i) game.foul(Side::kWest);
@@ -73,7 +73,7 @@ TEST(ArrowMultipleCards, IsTakenForTheThirdActiveYellowCard) {
   EXPECT_EQ(game.state.signal.robots_allowed, (PerSide<int>{{3, 6}}));
 }
 
-TEST(ArrowMultipleCards, IsNotTakenWhereAnEarlierYellowCardIsOver) {
+TEST(TransitionMultipleCards, IsNotTakenWhereAnEarlierYellowCardIsOver) {
   StagedMachine game = in_2026();
   game.fouls_for_cards(Side::kWest, 1);
   game.wait(120);
@@ -82,7 +82,7 @@ TEST(ArrowMultipleCards, IsNotTakenWhereAnEarlierYellowCardIsOver) {
   EXPECT_EQ(game.state.signal.yellow_cards[Side::kWest], 3);
 }
 
-TEST(ArrowMultipleCards, IsForTheRestOfTheGame) {
+TEST(TransitionMultipleCards, IsForTheRestOfTheGame) {
   StagedMachine game = in_2026();
   game.fouls_for_cards(Side::kWest, 3);
   game.wait(3600);
@@ -90,7 +90,7 @@ TEST(ArrowMultipleCards, IsForTheRestOfTheGame) {
   EXPECT_EQ(game.state.signal.robots_allowed, (PerSide<int>{{5, 6}}));
 }
 
-TEST(ArrowMultipleCardsStopped, IsTakenWhilePlayIsStopped) {
+TEST(TransitionMultipleCardsStopped, IsTakenWhilePlayIsStopped) {
   StagedMachine game = in_2026(State::kWaitStop);
   game.fouls_for_cards(Side::kEast, 2);
   for (int i = 0; i < 3; ++i) game.foul(Side::kEast);
@@ -99,7 +99,7 @@ TEST(ArrowMultipleCardsStopped, IsTakenWhilePlayIsStopped) {
 }
 
 // Two minutes of play (Laws 12; 2026).
-TEST(ArrowCardOver, IsTakenAfterTwoMinutesOfPlay) {
+TEST(TransitionCardOver, IsTakenAfterTwoMinutesOfPlay) {
   StagedMachine game = in_2026();
   game.fouls_for_cards(Side::kEast, 1);
   game.wait(119.9);
@@ -110,7 +110,7 @@ TEST(ArrowCardOver, IsTakenAfterTwoMinutesOfPlay) {
   EXPECT_EQ(game.state.signal.yellow_cards[Side::kEast], 1);  // shown so far
 }
 
-TEST(ArrowCardOver, DoesNotCountTheTimeInWhichPlayIsStopped) {
+TEST(TransitionCardOver, DoesNotCountTheTimeInWhichPlayIsStopped) {
   StagedMachine game = in_2026();
   game.fouls_for_cards(Side::kEast, 1);
   game.wait(100);

@@ -13,7 +13,7 @@ Configuration short_game() {
   return configuration;
 }
 
-TEST(ArrowHalfOver, SendsHaltAtHalfTime) {
+TEST(TransitionHalfOver, SendsHaltAtHalfTime) {
   ScriptedGame game(short_game());
   game.line_up().kick_off();
   const double began_s = game.now_s();
@@ -24,7 +24,7 @@ TEST(ArrowHalfOver, SendsHaltAtHalfTime) {
   EXPECT_EQ(game.signal.stage, Stage::kHalfTime);
 }
 
-TEST(ArrowNextHalf, WaitsForTheBreakThenPreparesTheOtherTeamsKickOff) {
+TEST(TransitionNextHalf, WaitsForTheBreakThenPreparesTheOtherTeamsKickOff) {
   Configuration configuration = short_game();
   configuration.break_s = 3;
   ScriptedGame game(configuration);
@@ -38,7 +38,7 @@ TEST(ArrowNextHalf, WaitsForTheBreakThenPreparesTheOtherTeamsKickOff) {
   EXPECT_EQ(game.signal.stage, Stage::kSecondHalf);
 }
 
-TEST(ArrowGameOver, HaltsForGoodAfterTheLastHalf) {
+TEST(TransitionGameOver, HaltsForGoodAfterTheLastHalf) {
   ScriptedGame game(short_game());
   game.line_up().kick_off();
   game.run_until("game_over");
@@ -57,7 +57,7 @@ Configuration endless() {
   return configuration;
 }
 
-TEST(ArrowGameOverNext, CountsTheGame) {
+TEST(TransitionGameOverNext, CountsTheGame) {
   ScriptedGame game(endless());
   game.line_up().kick_off();
   EXPECT_EQ(game.run_until("game_over_next").to, State::kDelayWait);
@@ -65,7 +65,7 @@ TEST(ArrowGameOverNext, CountsTheGame) {
   EXPECT_FALSE(game.referee.is_over());
 }
 
-TEST(ArrowNewGame, BeginsWithScoresAtZero) {
+TEST(TransitionNewGame, BeginsWithScoresAtZero) {
   ScriptedGame game(endless());
   game.line_up().kick_off();
   game.kick_from(Side::kWest, 1, {2.5, 0}, {6, 0});

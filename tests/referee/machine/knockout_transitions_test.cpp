@@ -24,7 +24,7 @@ ScriptedGame drawn_after_two_halves(const Configuration& configuration = knockou
   return game;
 }
 
-TEST(ArrowExtraTime, FollowsADrawOfTwoHalves) {
+TEST(TransitionExtraTime, FollowsADrawOfTwoHalves) {
   Configuration configuration = knockout();
   configuration.break_s = 3;
   ScriptedGame game = drawn_after_two_halves(configuration);
@@ -37,7 +37,7 @@ TEST(ArrowExtraTime, FollowsADrawOfTwoHalves) {
             (Command{CommandKind::kPrepareKickoff, Side::kWest}));
 }
 
-TEST(ArrowExtraTime, HasTwoHalvesOfItsOwnLength) {
+TEST(TransitionExtraTime, HasTwoHalvesOfItsOwnLength) {
   ScriptedGame game = drawn_after_two_halves();
   for (const Stage stage : {Stage::kExtraFirstHalf, Stage::kExtraSecondHalf}) {
     const double began_s = game.run_until("start").time_s;
@@ -47,7 +47,7 @@ TEST(ArrowExtraTime, HasTwoHalvesOfItsOwnLength) {
   }
 }
 
-TEST(ArrowExtraTime, FollowsNoWin) {
+TEST(TransitionExtraTime, FollowsNoWin) {
   ScriptedGame game(knockout());
   game.line_up().kick_off();
   score(game, Side::kEast);
@@ -55,7 +55,7 @@ TEST(ArrowExtraTime, FollowsNoWin) {
   EXPECT_EQ(game.count("extra_time"), 0);
 }
 
-TEST(ArrowExtraTime, FollowsASingleHalf) {
+TEST(TransitionExtraTime, FollowsASingleHalf) {
   Configuration configuration = knockout();
   configuration.halves = 1;
   ScriptedGame game = drawn_after_two_halves(configuration);
@@ -63,7 +63,7 @@ TEST(ArrowExtraTime, FollowsASingleHalf) {
   EXPECT_EQ(game.signal.stage, Stage::kExtraFirstHalf);
 }
 
-TEST(ArrowExtraTime, ComesWithTimeoutsOfItsOwn) {
+TEST(TransitionExtraTime, ComesWithTimeoutsOfItsOwn) {
   Configuration configuration = knockout();
   configuration.rules.extra_timeouts_s = 7;
   ScriptedGame game = drawn_after_two_halves(configuration);
@@ -78,13 +78,13 @@ ScriptedGame drawn_after_extra_time(const Configuration& configuration = knockou
   return game;
 }
 
-TEST(ArrowShootout, FollowsADrawOfExtraTime) {
+TEST(TransitionShootout, FollowsADrawOfExtraTime) {
   const ScriptedGame game = drawn_after_extra_time();
   EXPECT_EQ(game.signal.stage, Stage::kShootoutBreak);
   EXPECT_EQ(game.signal.command.kind, CommandKind::kHalt);
 }
 
-TEST(ArrowShootout, FollowsNoGoalInExtraTime) {
+TEST(TransitionShootout, FollowsNoGoalInExtraTime) {
   ScriptedGame game = drawn_after_two_halves();
   game.run_until("start");
   score(game, Side::kWest);
@@ -93,7 +93,7 @@ TEST(ArrowShootout, FollowsNoGoalInExtraTime) {
 }
 
 // Whoever kicked off the game begins; 750 mm from the goal line shot at (Laws 2014, single size).
-TEST(ArrowShootoutBegins, PreparesTheFirstKickAtTheMark) {
+TEST(TransitionShootoutBegins, PreparesTheFirstKickAtTheMark) {
   ScriptedGame game = drawn_after_extra_time();
   game.run_until("shootout_begins");
   EXPECT_EQ(game.signal.stage, Stage::kShootout);
@@ -118,7 +118,7 @@ ScriptedGame in_shootout(const Configuration& configuration = knockout()) {
   return game;
 }
 
-TEST(ArrowShootoutGoal, CountsApartFromTheScore) {
+TEST(TransitionShootoutGoal, CountsApartFromTheScore) {
   ScriptedGame game = in_shootout();
   shoot(game, true);
   EXPECT_EQ(game.signal.command, (Command{CommandKind::kGoal, Side::kWest}));
@@ -127,7 +127,7 @@ TEST(ArrowShootoutGoal, CountsApartFromTheScore) {
   EXPECT_EQ(game.referee.shootout_goals(), (PerSide<int>{{1, 0}}));
 }
 
-TEST(ArrowShootoutGoal, IsFollowedByTheOtherSidesKick) {
+TEST(TransitionShootoutGoal, IsFollowedByTheOtherSidesKick) {
   ScriptedGame game = in_shootout();
   shoot(game, true);
   EXPECT_EQ(game.run_until("prepare").command,
@@ -135,7 +135,7 @@ TEST(ArrowShootoutGoal, IsFollowedByTheOtherSidesKick) {
   EXPECT_NEAR(game.signal.placement->target_m.x(), -(3.025 - 0.75), 1e-9);
 }
 
-TEST(ArrowShootoutMiss, IsABallThatGoesOut) {
+TEST(TransitionShootoutMiss, IsABallThatGoesOut) {
   ScriptedGame game = in_shootout();
   shoot(game, false);
   EXPECT_EQ(game.signal.command.kind, CommandKind::kStop);
@@ -144,13 +144,13 @@ TEST(ArrowShootoutMiss, IsABallThatGoesOut) {
 }
 
 // "The attacking robot has 10 seconds to score."
-TEST(ArrowShootoutMiss, IsAKickThatTakesTooLong) {
+TEST(TransitionShootoutMiss, IsAKickThatTakesTooLong) {
   ScriptedGame game = in_shootout();
   const double began_s = game.run_until("start").time_s;
   EXPECT_NEAR(game.run_until("shootout_miss").time_s, began_s + 10, 1e-6);
 }
 
-TEST(ArrowShootoutMiss, IsABallThatTheKeeperTurnsBack) {
+TEST(TransitionShootoutMiss, IsABallThatTheKeeperTurnsBack) {
   ScriptedGame game = in_shootout();
   game.run_until("start");
   // The ball meets the keeper's plate after seven frames.
@@ -165,7 +165,7 @@ TEST(ArrowShootoutMiss, IsABallThatTheKeeperTurnsBack) {
 }
 
 // No kick that is left can change who wins: 3 to 0 after three of five each.
-TEST(ArrowShootoutOver, ComesAsSoonAsItIsDecided) {
+TEST(TransitionShootoutOver, ComesAsSoonAsItIsDecided) {
   ScriptedGame game = in_shootout();
   for (int i = 0; i < 6; ++i) shoot(game, i % 2 == 0);
   const Decision over = game.run_until("shootout_over", 1);
@@ -174,7 +174,7 @@ TEST(ArrowShootoutOver, ComesAsSoonAsItIsDecided) {
   EXPECT_EQ(game.referee.shootout_goals(), (PerSide<int>{{3, 0}}));
 }
 
-TEST(ArrowShootoutOver, ComesAfterOneMoreEachWhereFiveDoNotDecide) {
+TEST(TransitionShootoutOver, ComesAfterOneMoreEachWhereFiveDoNotDecide) {
   ScriptedGame game = in_shootout();
   for (int i = 0; i < 10; ++i) shoot(game, false);
   shoot(game, true);
@@ -184,7 +184,7 @@ TEST(ArrowShootoutOver, ComesAfterOneMoreEachWhereFiveDoNotDecide) {
   game.run_until("shootout_over", 1);
 }
 
-TEST(ArrowShootoutOverNext, LeadsToTheNextGame) {
+TEST(TransitionShootoutOverNext, LeadsToTheNextGame) {
   Configuration configuration = knockout();
   configuration.after_game = AfterGame::kNewGame;
   ScriptedGame game = in_shootout(configuration);

@@ -24,7 +24,7 @@ ScriptedGame stopped(const Configuration& configuration = by_book("2014")) {
   return game;
 }
 
-TEST(ArrowTimeout, IsTakenOnRequestWhilePlayIsStopped) {
+TEST(TransitionTimeout, IsTakenOnRequestWhilePlayIsStopped) {
   ScriptedGame game = stopped();
   game.requests[Side::kWest].timeout = true;
   const Decision timeout = game.run_until("timeout", 0.1);
@@ -33,7 +33,7 @@ TEST(ArrowTimeout, IsTakenOnRequestWhilePlayIsStopped) {
   EXPECT_EQ(timeout.command, (Command{CommandKind::kTimeout, Side::kWest}));
 }
 
-TEST(ArrowTimeout, WaitsForAStop) {
+TEST(TransitionTimeout, WaitsForAStop) {
   ScriptedGame game = in_play(by_book("2014"));
   game.requests[Side::kWest].timeout = true;
   game.run(5);
@@ -41,14 +41,14 @@ TEST(ArrowTimeout, WaitsForAStop) {
 }
 
 // "At the beginning of the match": before the first kick-off it has not begun.
-TEST(ArrowTimeout, IsNotTakenBeforeTheFirstKickOff) {
+TEST(TransitionTimeout, IsNotTakenBeforeTheFirstKickOff) {
   ScriptedGame game(by_book("2014"));
   game.requests[Side::kEast].timeout = true;
   game.line_up().kick_off();
   EXPECT_EQ(game.count("timeout"), 0);
 }
 
-TEST(ArrowTimeout, GoesFirstToTheSideThatTakesTheRestart) {
+TEST(TransitionTimeout, GoesFirstToTheSideThatTakesTheRestart) {
   ScriptedGame game = stopped();
   for (const Side side : kSides) game.requests[side].timeout = true;
   const Decision first = game.run_until("timeout", 0.1);
@@ -68,7 +68,7 @@ ScriptedGame before_force_start() {
   return game;
 }
 
-TEST(ArrowTimeout, BeforeAForceStartGoesFirstToTheSideThatHasUsedLess) {
+TEST(TransitionTimeout, BeforeAForceStartGoesFirstToTheSideThatHasUsedLess) {
   ScriptedGame game = before_force_start();
   game.requests[Side::kEast].timeout = true;
   game.run(1);
@@ -78,13 +78,13 @@ TEST(ArrowTimeout, BeforeAForceStartGoesFirstToTheSideThatHasUsedLess) {
   EXPECT_EQ(game.run_until("timeout", 0.1).command, (Command{CommandKind::kTimeout, Side::kWest}));
 }
 
-TEST(ArrowTimeout, BeforeAForceStartGoesFirstToTheSideThatDidNotKickOff) {
+TEST(TransitionTimeout, BeforeAForceStartGoesFirstToTheSideThatDidNotKickOff) {
   ScriptedGame game = before_force_start();
   for (const Side side : kSides) game.requests[side].timeout = true;
   EXPECT_EQ(game.run_until("timeout", 0.1).command, (Command{CommandKind::kTimeout, Side::kEast}));
 }
 
-TEST(ArrowTimeout, IsTakenFourTimesByATeam) {
+TEST(TransitionTimeout, IsTakenFourTimesByATeam) {
   ScriptedGame game = stopped();
   for (int i = 0; i < 6; ++i) {
     game.requests[Side::kWest].timeout = true;
@@ -96,7 +96,7 @@ TEST(ArrowTimeout, IsTakenFourTimesByATeam) {
 }
 
 // 2014 double size: six of 450 s; 2026: as in single size.
-TEST(ArrowTimeout, LastsAsLongAsTheBookAllows) {
+TEST(TransitionTimeout, LastsAsLongAsTheBookAllows) {
   for (const auto& [book, longest_s] :
        {std::pair("2014", 300.0), std::pair("2014-double", 450.0), std::pair("2026-b", 300.0)}) {
     ScriptedGame game = stopped(by_book(book));
@@ -108,7 +108,7 @@ TEST(ArrowTimeout, LastsAsLongAsTheBookAllows) {
   }
 }
 
-TEST(ArrowTimeoutOver, GoesOnWithTheSameRestart) {
+TEST(TransitionTimeoutOver, GoesOnWithTheSameRestart) {
   ScriptedGame game = stopped();
   const Vec2 position_m = game.signal.placement->target_m;
   game.requests[Side::kWest].timeout = true;
@@ -124,7 +124,7 @@ TEST(ArrowTimeoutOver, GoesOnWithTheSameRestart) {
   EXPECT_EQ(start.command, (Command{CommandKind::kIndirectFree, Side::kEast}));
 }
 
-TEST(ArrowTimeoutOver, PreparesAKickOffAnew) {
+TEST(TransitionTimeoutOver, PreparesAKickOffAnew) {
   ScriptedGame game = in_play(by_book("2014"));
   game.kick_from(Side::kWest, 1, {2.5, 0}, {6, 0});
   game.run_until("prepare");
@@ -137,7 +137,7 @@ TEST(ArrowTimeoutOver, PreparesAKickOffAnew) {
   EXPECT_EQ(game.run_until("start").command, (Command{CommandKind::kNormalStart, Side::kWest}));
 }
 
-TEST(ArrowTimeoutOver, FindsTheClockWhereItStood) {
+TEST(TransitionTimeoutOver, FindsTheClockWhereItStood) {
   ScriptedGame game = stopped();
   game.requests[Side::kWest].timeout = true;
   game.run_until("timeout", 0.1);

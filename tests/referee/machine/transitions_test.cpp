@@ -17,7 +17,7 @@ constexpr Command kForceStart{CommandKind::kForceStart, Side::kWest};
 constexpr Command kNormalStart{CommandKind::kNormalStart, Side::kWest};
 
 std::string suite_of(std::string_view label) {
-  std::string suite = "Arrow";
+  std::string suite = "Transition";
   bool upper = true;
   for (const char c : label) {
     if (c != '_') suite += upper ? static_cast<char>(std::toupper(c)) : c;
@@ -26,7 +26,7 @@ std::string suite_of(std::string_view label) {
   return suite;
 }
 
-TEST(EveryArrow, HasASuiteNamedAfterIt) {
+TEST(EveryTransition, HasASuiteNamedAfterIt) {
   std::set<std::string> suites;
   const testing::UnitTest& all = *testing::UnitTest::GetInstance();
   for (int i = 0; i < all.total_test_suite_count(); ++i) {
@@ -39,7 +39,7 @@ TEST(EveryArrow, HasASuiteNamedAfterIt) {
   }
 }
 
-TEST(ArrowBegin, LeadsToWaitStartAfterOneFrameWithStop) {
+TEST(TransitionBegin, LeadsToWaitStartAfterOneFrameWithStop) {
   ScriptedGame game;
   EXPECT_EQ(game.referee.state(), State::kInit);
   game.line_up().step();
@@ -48,7 +48,7 @@ TEST(ArrowBegin, LeadsToWaitStartAfterOneFrameWithStop) {
   EXPECT_EQ(game.signal.stage, Stage::kFirstHalfPre);
 }
 
-TEST(ArrowClientsMoved, PreparesTheKickOffOnceARobotOfEachTeamHasMoved) {
+TEST(TransitionClientsMoved, PreparesTheKickOffOnceARobotOfEachTeamHasMoved) {
   ScriptedGame game;
   game.line_up().step();
   game.robot(Side::kWest, 3).position_m.x() += 0.016;
@@ -60,7 +60,7 @@ TEST(ArrowClientsMoved, PreparesTheKickOffOnceARobotOfEachTeamHasMoved) {
   EXPECT_EQ(game.signal.next_command, kNormalStart);
 }
 
-TEST(ArrowClientsMoved, IsNotTakenWhileOneTeamStands) {
+TEST(TransitionClientsMoved, IsNotTakenWhileOneTeamStands) {
   ScriptedGame game;
   game.line_up().step();
   game.robot(Side::kWest, 3).position_m.x() += 0.5;
@@ -69,7 +69,7 @@ TEST(ArrowClientsMoved, IsNotTakenWhileOneTeamStands) {
   EXPECT_EQ(game.referee.state(), State::kWaitStart);
 }
 
-TEST(ArrowStartTimeout, IsTakenAfterTenSecondsWithoutMotion) {
+TEST(TransitionStartTimeout, IsTakenAfterTenSecondsWithoutMotion) {
   Configuration configuration;
   configuration.first_kickoff = Side::kEast;
   ScriptedGame game(configuration);
@@ -78,7 +78,7 @@ TEST(ArrowStartTimeout, IsTakenAfterTenSecondsWithoutMotion) {
   EXPECT_EQ(late.command, (Command{CommandKind::kPrepareKickoff, Side::kEast}));
 }
 
-TEST(ArrowPrepare, SendsThePreparationAndWaitsAnew) {
+TEST(TransitionPrepare, SendsThePreparationAndWaitsAnew) {
   ScriptedGame game;
   game.line_up().kick_off();
   game.kick_from(Side::kWest, 1, {2.5, 0}, {6, 0});
@@ -89,7 +89,7 @@ TEST(ArrowPrepare, SendsThePreparationAndWaitsAnew) {
   EXPECT_NEAR(game.run_until("start").time_s, prepared_s + 1, 1e-9);
 }
 
-TEST(ArrowPrepareLate, SendsThePreparationAfterTheTimeout) {
+TEST(TransitionPrepareLate, SendsThePreparationAfterTheTimeout) {
   ScriptedGame game;
   game.line_up().kick_off();
   game.kick_from(Side::kWest, 1, {2.5, 0}, {6, 0});
@@ -102,7 +102,7 @@ TEST(ArrowPrepareLate, SendsThePreparationAfterTheTimeout) {
   EXPECT_NEAR(game.decisions.back().time_s, stopped_s + 15, 1e-9);
 }
 
-TEST(ArrowStart, LeadsToRunWithTheNextCommand) {
+TEST(TransitionStart, LeadsToRunWithTheNextCommand) {
   ScriptedGame game;
   game.line_up().kick_off();
   EXPECT_EQ(game.referee.state(), State::kRun);
@@ -111,7 +111,7 @@ TEST(ArrowStart, LeadsToRunWithTheNextCommand) {
   EXPECT_FALSE(game.signal.next_command.has_value());
 }
 
-TEST(ArrowStartLate, LeadsToRunAfterTheTimeoutWithTheBallSetToItsPlace) {
+TEST(TransitionStartLate, LeadsToRunAfterTheTimeoutWithTheBallSetToItsPlace) {
   ScriptedGame game;
   game.line_up().kick_off();
   game.kick_from(Side::kWest, 1, {1, 1.8}, {0, 4});
@@ -130,7 +130,7 @@ TEST(ArrowStartLate, LeadsToRunAfterTheTimeoutWithTheBallSetToItsPlace) {
   EXPECT_NEAR((game.frame.ball->position_m - Vec2(1, 1.925)).norm(), 0, 1e-9);
 }
 
-TEST(ArrowGoal, ScoresAndSendsGoalForOneFrame) {
+TEST(TransitionGoal, ScoresAndSendsGoalForOneFrame) {
   ScriptedGame game;
   game.line_up().kick_off();
   game.kick_from(Side::kWest, 1, {2.5, 0}, {6, 0});
@@ -142,7 +142,7 @@ TEST(ArrowGoal, ScoresAndSendsGoalForOneFrame) {
   EXPECT_EQ(game.signal.next_command, (Command{CommandKind::kPrepareKickoff, Side::kEast}));
 }
 
-TEST(ArrowThrowIn, GivesTheBallToTheOthers) {
+TEST(TransitionThrowIn, GivesTheBallToTheOthers) {
   ScriptedGame game;
   game.line_up().kick_off();
   game.kick_from(Side::kEast, 1, {-1, -1.8}, {0, -4});
@@ -153,7 +153,7 @@ TEST(ArrowThrowIn, GivesTheBallToTheOthers) {
   EXPECT_NEAR((game.signal.placement->target_m - Vec2(-1, -1.925)).norm(), 0, 1e-9);
 }
 
-TEST(ArrowCornerKick, IsTakenWhenADefenderTouchedTheBallLast) {
+TEST(TransitionCornerKick, IsTakenWhenADefenderTouchedTheBallLast) {
   ScriptedGame game;
   game.line_up().kick_off();
   game.kick_from(Side::kWest, 1, {-2.8, 1.0}, {-4, 0});
@@ -162,7 +162,7 @@ TEST(ArrowCornerKick, IsTakenWhenADefenderTouchedTheBallLast) {
   EXPECT_NEAR((game.signal.placement->target_m - Vec2(-2.925, 1.925)).norm(), 0, 1e-9);
 }
 
-TEST(ArrowGoalKick, IsTakenWhenAnAttackerTouchedTheBallLast) {
+TEST(TransitionGoalKick, IsTakenWhenAnAttackerTouchedTheBallLast) {
   ScriptedGame game;
   game.line_up().kick_off();
   game.kick_from(Side::kEast, 1, {-2.8, 1.0}, {-4, 0});
@@ -171,7 +171,7 @@ TEST(ArrowGoalKick, IsTakenWhenAnAttackerTouchedTheBallLast) {
   EXPECT_NEAR((game.signal.placement->target_m - Vec2(-2.525, 1.925)).norm(), 0, 1e-9);
 }
 
-TEST(ArrowTouchLineUnknown, LeadsToAForceStartFrom100MillimetresInside) {
+TEST(TransitionTouchLineUnknown, LeadsToAForceStartFrom100MillimetresInside) {
   ScriptedGame game;
   game.line_up().kick_off();
   game.put_ball({0.5, 1.5});
@@ -182,7 +182,7 @@ TEST(ArrowTouchLineUnknown, LeadsToAForceStartFrom100MillimetresInside) {
   EXPECT_NEAR((game.signal.placement->target_m - Vec2(0.5, 1.925)).norm(), 0, 1e-9);
 }
 
-TEST(ArrowAttackerTooCloseToDefenseArea, GivesAnIndirectFreeKickToTheDefenders) {
+TEST(TransitionAttackerTooCloseToDefenseArea, GivesAnIndirectFreeKickToTheDefenders) {
   ScriptedGame game;
   game.line_up().kick_off();
   // The area's rim is 0.8 m from the goal line; the disc of 90 mm faces away.
@@ -195,7 +195,7 @@ TEST(ArrowAttackerTooCloseToDefenseArea, GivesAnIndirectFreeKickToTheDefenders) 
   EXPECT_EQ(game.signal.next_command, (Command{CommandKind::kIndirectFree, Side::kEast}));
 }
 
-TEST(ArrowSignalled, SendsStopOneFrameAfterTheGoal) {
+TEST(TransitionSignalled, SendsStopOneFrameAfterTheGoal) {
   ScriptedGame game;
   game.line_up().kick_off();
   game.kick_from(Side::kWest, 1, {2.5, 0}, {6, 0});
@@ -207,7 +207,7 @@ TEST(ArrowSignalled, SendsStopOneFrameAfterTheGoal) {
   EXPECT_EQ(game.signal.next_command, (Command{CommandKind::kPrepareKickoff, Side::kEast}));
 }
 
-TEST(ArrowRestartNotTaken, LeadsToAForceStartAfterTenSeconds) {
+TEST(TransitionRestartNotTaken, LeadsToAForceStartAfterTenSeconds) {
   ScriptedGame game;
   game.line_up().kick_off();
   const double started_s = game.now_s();
@@ -219,7 +219,7 @@ TEST(ArrowRestartNotTaken, LeadsToAForceStartAfterTenSeconds) {
   EXPECT_TRUE(game.referee.is_ball_in_play());
 }
 
-TEST(ArrowStuckBall, LeadsToANeutralPlaceAndAForceStart) {
+TEST(TransitionStuckBall, LeadsToANeutralPlaceAndAForceStart) {
   ScriptedGame game;
   game.line_up().kick_off();
   game.put_ball({2.6, 0.5});

@@ -8,7 +8,7 @@ namespace {
 
 // "When a team manages to shoot 10 goals, the match is automatically terminated as soon as the goal
 // difference is greater than one" (2026).
-TEST(ArrowGoalLead, EndsTheGameAtTenGoalsRightAfterTheTenth) {
+TEST(TransitionGoalLead, EndsTheGameAtTenGoalsRightAfterTheTenth) {
   ScriptedGame game = in_play(of_goals_only("2026-b", 600));
   score_times(game, Side::kEast, 9);
   game.run_until("start");
@@ -21,7 +21,7 @@ TEST(ArrowGoalLead, EndsTheGameAtTenGoalsRightAfterTheTenth) {
   EXPECT_EQ(game.signal.command.kind, CommandKind::kHalt);
 }
 
-TEST(ArrowGoalLead, NeedsALeadOfTwo) {
+TEST(TransitionGoalLead, NeedsALeadOfTwo) {
   ScriptedGame game = in_play(of_goals_only("2026-b", 600));
   score_times(game, Side::kEast, 9);
   game.run_until("start");
@@ -34,7 +34,7 @@ TEST(ArrowGoalLead, NeedsALeadOfTwo) {
   EXPECT_EQ(game.signal.goals, (PerSide<int>{{9, 11}}));
 }
 
-TEST(ArrowGoalLeadNext, LeadsToTheNextGame) {
+TEST(TransitionGoalLeadNext, LeadsToTheNextGame) {
   Configuration configuration = of_goals_only("2026-b", 600);
   configuration.after_game = AfterGame::kNewGame;
   ScriptedGame game = in_play(configuration);

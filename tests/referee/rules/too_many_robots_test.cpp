@@ -32,7 +32,7 @@ std::string_view look_for(StagedMachine& game, double seconds) {
   return {};
 }
 
-TEST(ArrowTooManyRobots, GivesAFreeKickTenSecondsAfterACard) {
+TEST(TransitionTooManyRobots, GivesAFreeKickTenSecondsAfterACard) {
   StagedMachine game = with_robots();
   game.fouls_for_cards(Side::kEast, 1);
   EXPECT_EQ(look_for(game, 9.9), "");
@@ -42,7 +42,7 @@ TEST(ArrowTooManyRobots, GivesAFreeKickTenSecondsAfterACard) {
   EXPECT_EQ(game.state.cards[Side::kEast].fouls, 4);
 }
 
-TEST(ArrowTooManyRobots, IsTakenOncePerCard) {
+TEST(TransitionTooManyRobots, IsTakenOncePerCard) {
   StagedMachine game = with_robots();
   game.fouls_for_cards(Side::kEast, 1);
   look_for(game, 10);
@@ -54,7 +54,7 @@ TEST(ArrowTooManyRobots, IsTakenOncePerCard) {
 }
 
 // Division B: 9 m long, so that a robot of 180 mm at 4.6 m is beyond the goal line.
-TEST(ArrowTooManyRobots, IsNotTakenWhereARobotHasLeft) {
+TEST(TransitionTooManyRobots, IsNotTakenWhereARobotHasLeft) {
   for (const double x_m : {4.58, 4.6}) {
     StagedMachine game = with_robots();
     game.fouls_for_cards(Side::kEast, 1);
@@ -63,7 +63,7 @@ TEST(ArrowTooManyRobots, IsNotTakenWhereARobotHasLeft) {
   }
 }
 
-TEST(ArrowTooManyRobots, LeadsToAForceStartWhereBothSidesAreAtFault) {
+TEST(TransitionTooManyRobots, LeadsToAForceStartWhereBothSidesAreAtFault) {
   StagedMachine game = with_robots();
   for (int i = 0; i < 3; ++i) game.foul(std::nullopt);
   game.look_for_cards();
@@ -71,7 +71,7 @@ TEST(ArrowTooManyRobots, LeadsToAForceStartWhereBothSidesAreAtFault) {
   EXPECT_EQ(game.state.signal.next_command->kind, CommandKind::kForceStart);
 }
 
-TEST(ArrowTooManyRobotsStopped, OnlyCountsTheFoul) {
+TEST(TransitionTooManyRobotsStopped, OnlyCountsTheFoul) {
   StagedMachine game = with_robots(State::kWaitStop);
   game.fouls_for_cards(Side::kWest, 1);
   EXPECT_EQ(look_for(game, 10), "too_many_robots");
