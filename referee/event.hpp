@@ -16,7 +16,7 @@ enum class Event : std::uint8_t {
 #undef AUTOREF_EVENT
 };
 
-#define AUTOREF_EVENT(...) +1
+#define AUTOREF_EVENT(...) +1  // NOLINT(bugprone-macro-parentheses): a sum
 inline constexpr int kEventCount = 0
 #include "referee/events.def"
     ;

@@ -17,7 +17,7 @@ enum class RuleId : std::uint8_t {
 #undef AUTOREF_RULE
 };
 
-#define AUTOREF_RULE(...) +1
+#define AUTOREF_RULE(...) +1  // NOLINT(bugprone-macro-parentheses): a sum
 inline constexpr int kRuleCount = 0
 #include "soccer/rules.def"
     ;
