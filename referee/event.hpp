@@ -27,7 +27,7 @@ std::string_view name_of(Card card);
 
 // What a call does to play that is on.
 enum class Effect : std::uint8_t {
-  kNone,         // it is no call on play or on robots
+  kNone,         // not a call on play or on robots
   kStopsPlay,    // and a restart follows
   kStopsByBook,  // the same where fouls stop play in the rule book; else it only counts
   kCounts,       // play goes on
