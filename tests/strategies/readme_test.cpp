@@ -1,6 +1,7 @@
 // What strategies/README.md says is so.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -11,7 +12,7 @@ namespace autoref::strategies {
 namespace {
 
 std::string text_of(const std::string& path) {
-  std::ifstream file(std::string(AUTOREF_SOURCE_DIR) + "/" + path);
+  std::ifstream file(std::filesystem::path(AUTOREF_SOURCE_DIR) / path);
   EXPECT_TRUE(file) << path;
   std::ostringstream text;
   text << file.rdbuf();

@@ -18,7 +18,7 @@
 namespace autoref::runner {
 namespace {
 
-const std::string kScenarios = std::string(AUTOREF_SOURCE_DIR) + "/scenarios/";
+const std::string kScenarios = AUTOREF_SOURCE_DIR "/scenarios/";
 const std::string kGame = kScenarios + "paper-game.yaml";
 const std::string kScene = kScenarios + "lab/chip.yaml";
 const std::string kSweep = kScenarios + "handicap-speed.yaml";

@@ -47,7 +47,7 @@ TEST_F(ViewVerb, RefusesALogWithoutFrames) {
 }
 
 TEST_F(ViewVerb, RefusesWhatIsNoLog) {
-  const Answer answer = view(std::string(AUTOREF_SOURCE_DIR) + "/README.md");
+  const Answer answer = view(AUTOREF_SOURCE_DIR "/README.md");
   EXPECT_EQ(answer.code, kBadInput);
   EXPECT_NE(answer.err.find("SSL_LOG_FILE"), std::string::npos) << answer.err;
 }
@@ -70,7 +70,7 @@ TEST_F(ViewVerb, NamesALineThatIsNoDecision) {
 
 // Its own decisions come with their reasons.
 TEST_F(ViewVerb, IsWhatPlayMakesInOneGo) {
-  const std::string game = std::string(AUTOREF_SOURCE_DIR) + "/scenarios/paper-game.yaml";
+  const std::string game = AUTOREF_SOURCE_DIR "/scenarios/paper-game.yaml";
   const Answer answer =
       answer_to({"play", game.c_str(), "--set", "match.half_s=3", "--view", page_.c_str()});
   EXPECT_EQ(answer.code, kDone) << answer.err;
