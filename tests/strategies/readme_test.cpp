@@ -7,12 +7,13 @@
 #include <string>
 
 #include "strategies/registry.hpp"
+#include "tests/checkout.hpp"
 
 namespace autoref::strategies {
 namespace {
 
 std::string text_of(const std::string& path) {
-  std::ifstream file(std::filesystem::path(AUTOREF_SOURCE_DIR) / path);
+  std::ifstream file(in_checkout(path));
   EXPECT_TRUE(file) << path;
   std::ostringstream text;
   text << file.rdbuf();

@@ -9,12 +9,13 @@
 
 #include "referee/machine/machine.hpp"
 #include "soccer/rule_table.hpp"
+#include "tests/checkout.hpp"
 
 namespace autoref::referee {
 namespace {
 
 std::string readme() {
-  std::ifstream file(AUTOREF_SOURCE_DIR "/referee/README.md");
+  std::ifstream file(in_checkout("referee/README.md"));
   std::stringstream text;
   text << file.rdbuf();
   return text.str();

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "soccer/rule_id.hpp"
+#include "tests/checkout.hpp"
 #include "tests/referee/rules/case_reader.hpp"
 #include "tests/referee/rules/staged_game.hpp"
 
@@ -17,8 +18,7 @@ namespace autoref::referee {
 namespace {
 
 const std::vector<Case>& all_cases() {
-  static const std::vector<Case> cases =
-      read_cases(AUTOREF_SOURCE_DIR "/tests/referee/rules/cases");
+  static const std::vector<Case> cases = read_cases(in_checkout("tests/referee/rules/cases"));
   return cases;
 }
 

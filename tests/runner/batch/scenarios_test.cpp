@@ -9,6 +9,7 @@
 #include "runner/experiments/scenario.hpp"
 #include "runner/experiments/schedule.hpp"
 #include "runner/judge/judge_games.hpp"
+#include "tests/checkout.hpp"
 #include "tests/runner/support/temporary_folder.hpp"
 
 namespace autoref::runner {
@@ -16,7 +17,7 @@ namespace {
 
 std::vector<std::string> scenario_files() {
   std::vector<std::string> files;
-  const std::filesystem::path folder = std::filesystem::path(AUTOREF_SOURCE_DIR) / "scenarios";
+  const std::filesystem::path folder = in_checkout("scenarios");
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() == ".yaml") files.push_back(entry.path().string());
   }

@@ -12,13 +12,14 @@
 #include <stdexcept>
 
 #include "runner/io/errors.hpp"
+#include "tests/checkout.hpp"
 #include "tests/runner/cli/answer.hpp"
 #include "tests/runner/support/temporary_folder.hpp"
 
 namespace autoref::runner {
 namespace {
 
-const std::string kScenarios = AUTOREF_SOURCE_DIR "/scenarios/";
+const std::string kScenarios = in_checkout("scenarios/");
 const std::string kGame = kScenarios + "paper-game.yaml";
 const std::string kScene = kScenarios + "lab/chip.yaml";
 const std::string kSweep = kScenarios + "handicap-speed.yaml";

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "runner/io/errors.hpp"
+#include "tests/checkout.hpp"
 #include "tests/runner/cli/answer.hpp"
 #include "tests/runner/support/short_log.hpp"
 #include "tests/runner/support/temporary_folder.hpp"
@@ -47,7 +48,7 @@ TEST_F(ViewVerb, RefusesALogWithoutFrames) {
 }
 
 TEST_F(ViewVerb, RefusesWhatIsNoLog) {
-  const Answer answer = view(AUTOREF_SOURCE_DIR "/README.md");
+  const Answer answer = view(in_checkout("README.md"));
   EXPECT_EQ(answer.code, kBadInput);
   EXPECT_NE(answer.err.find("SSL_LOG_FILE"), std::string::npos) << answer.err;
 }
@@ -70,7 +71,7 @@ TEST_F(ViewVerb, NamesALineThatIsNoDecision) {
 
 // Its own decisions come with their reasons.
 TEST_F(ViewVerb, IsWhatPlayMakesInOneGo) {
-  const std::string game = AUTOREF_SOURCE_DIR "/scenarios/paper-game.yaml";
+  const std::string game = in_checkout("scenarios/paper-game.yaml");
   const Answer answer =
       answer_to({"play", game.c_str(), "--set", "match.half_s=3", "--view", page_.c_str()});
   EXPECT_EQ(answer.code, kDone) << answer.err;

@@ -1,4 +1,5 @@
 #include "tests/runner/lab/lab_claims.hpp"
+#include "tests/checkout.hpp"
 
 #include <fmt/format.h>
 
@@ -109,7 +110,7 @@ const std::vector<Claim>& lab_claims() {
 }
 
 std::string lab_file(const std::string& scene) {
-  return AUTOREF_SOURCE_DIR "/scenarios/lab/" + scene + ".yaml";
+  return in_checkout("scenarios/lab/" + scene + ".yaml");
 }
 
 double measured(const Claim& claim) {

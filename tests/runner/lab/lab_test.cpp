@@ -10,6 +10,7 @@
 #include "runner/io/csv.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/files.hpp"
+#include "tests/checkout.hpp"
 #include "tests/runner/lab/lab_claims.hpp"
 
 namespace autoref::runner {
@@ -17,8 +18,7 @@ namespace {
 
 std::set<std::string> scenes() {
   std::set<std::string> names;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(AUTOREF_SOURCE_DIR "/scenarios/lab")) {
+  for (const auto& entry : std::filesystem::directory_iterator(in_checkout("scenarios/lab"))) {
     if (entry.path().extension() == ".yaml") names.insert(entry.path().stem());
   }
   return names;
@@ -35,17 +35,17 @@ INSTANTIATE_TEST_SUITE_P(Lab, LabClaim, testing::ValuesIn(lab_claims()),
 
 TEST(LabTable, InTheReadmeIsWhatTheScenesShow) {
   const std::string table = lab_table();
-  const std::string readme = read_file(AUTOREF_SOURCE_DIR "/sim/README.md").value_or("");
+  const std::string readme = read_file(in_checkout("sim/README.md")).value_or("");
   EXPECT_NE(readme.find(table), std::string::npos) << "sim/README.md should show this table:\n\n"
                                                    << table;
 }
 
 TEST(LabPlots, InTheReadmeShowEveryScene) {
-  const std::string readme = read_file(AUTOREF_SOURCE_DIR "/sim/README.md").value_or("");
+  const std::string readme = read_file(in_checkout("sim/README.md")).value_or("");
   for (const std::string& name : scenes()) {
     const std::string file = "lab/" + name + ".svg";
     EXPECT_NE(readme.find(file), std::string::npos) << name;
-    EXPECT_TRUE(std::filesystem::exists(AUTOREF_SOURCE_DIR "/sim/" + file)) << name;
+    EXPECT_TRUE(std::filesystem::exists(in_checkout("sim/" + file))) << name;
   }
 }
 
@@ -122,7 +122,7 @@ TEST(LabScene, GivesRobotsTheTypesItNamesBesideItself) {
       kLab +
           "sim: { robot: { mass_kg: 3 } }\n"
           "robots: [{ side: east, type: ../robots/slow.yaml }, { side: east }]\n",
-      AUTOREF_SOURCE_DIR "/scenarios/lab/x.yaml");
+      in_checkout("scenarios/lab/x.yaml"));
   EXPECT_EQ(scene.robots[0].spec.body.speed_mps, 2.2);
   EXPECT_EQ(scene.robots[0].spec.body.mass_kg, 3.0);
   EXPECT_EQ(scene.robots[1].spec.body.speed_mps, 3.0);

@@ -12,6 +12,7 @@
 #include "runner/io/errors.hpp"
 #include "runner/settings/fields.hpp"
 #include "runner/settings/robot_changes.hpp"
+#include "tests/checkout.hpp"
 #include "tests/runner/support/temporary_folder.hpp"
 
 namespace autoref::runner {
@@ -204,8 +205,7 @@ RobotChanges read_robot_type(const std::filesystem::path& file) {
 
 TEST(RobotTypes, OfTheRepositoryCanAllBeRead) {
   int types = 0;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(AUTOREF_SOURCE_DIR "/scenarios/robots")) {
+  for (const auto& entry : std::filesystem::directory_iterator(in_checkout("scenarios/robots"))) {
     EXPECT_FALSE(read_robot_type(entry.path()).empty()) << entry.path();
     ++types;
   }
@@ -213,7 +213,7 @@ TEST(RobotTypes, OfTheRepositoryCanAllBeRead) {
 }
 
 TEST(RobotTypes, PaperSpellsOutTheDefaults) {
-  const RobotChanges paper = read_robot_type(AUTOREF_SOURCE_DIR "/scenarios/robots/paper.yaml");
+  const RobotChanges paper = read_robot_type(in_checkout("scenarios/robots/paper.yaml"));
   sim::RobotSpec robot;
   std::size_t settings = 0;
   for (const Setting& setting : settings_of(robot, "")) {

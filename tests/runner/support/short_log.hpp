@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 
+#include "tests/checkout.hpp"
 #include "tests/runner/cli/answer.hpp"
 #include "tests/runner/support/temporary_folder.hpp"
 
@@ -14,7 +15,7 @@ namespace autoref::runner {
 // Two halves of 3 s each, after a wait for the teams and before the pauses; in `folder`.
 inline std::string write_short_log(const TemporaryFolder& folder, const std::string& rules) {
   const std::string path = folder / "game.log.gz";
-  const std::string game = AUTOREF_SOURCE_DIR "/scenarios/paper-game.yaml";
+  const std::string game = in_checkout("scenarios/paper-game.yaml");
   const std::string book = "match.rules=" + rules;
   // The book brings its own length, over which the last word is said.
   const Answer answer = answer_to({"play", game.c_str(), "--log", path.c_str(), "--set",
