@@ -25,6 +25,12 @@ std::string common_options(const SlurmArray& array) {
   return text;
 }
 
+std::string set_options(const SlurmArray& array) {
+  std::string text;
+  for (const std::string& set : array.sets) text += " --set " + shell_word(set);
+  return text;
+}
+
 // Signals end a wait at once: the second one waits for the run to end its games. A process that
 // was killed, or that finds its rows still held by one killed on another machine, is started
 // again, after 1, 4, 9 ... s: longer in all than the 90 s that NFS holds a dead machine's locks.
@@ -39,7 +45,7 @@ trap 'end asked' TERM  # cancelled, or pre-empted
 code=75
 for try in 1 2 3 4 5 6; do
   [[ -z $ending ]] || break
-  {program} run {file} -o {folder} --shard "$SLURM_ARRAY_TASK_ID/{tasks}" -j {workers} &
+  {program} run {file} -o {folder} --shard "$SLURM_ARRAY_TASK_ID/{tasks}" -j {workers}{sets} &
   run=$!
   wait "$run"; code=$?
   [[ -z $ending ]] || {{ wait "$run"; code=$?; }}
@@ -78,7 +84,8 @@ std::string array_script(const SlurmArray& array) {
   return text + fmt::format(kTask, fmt::arg("program", shell_word(array.program.string())),
                             fmt::arg("file", shell_word(array.file.string())),
                             fmt::arg("folder", shell_word(array.folder.string())),
-                            fmt::arg("tasks", array.tasks), fmt::arg("workers", array.workers));
+                            fmt::arg("tasks", array.tasks), fmt::arg("workers", array.workers),
+                            fmt::arg("sets", set_options(array)));
 }
 
 std::string merge_script(const SlurmArray& array) {

@@ -13,6 +13,7 @@ struct SlurmArray {
   std::filesystem::path program;  // autoref
   std::filesystem::path file;     // the experiment
   std::filesystem::path folder;   // of the results
+  std::vector<std::string> sets;  // "key=value", over the experiment's settings
   int tasks = 8;
   int workers = 1;                   // processors of each task
   std::string time;                  // HH:MM:SS for each task; empty: the partition's limit

@@ -18,12 +18,20 @@ std::filesystem::path BatchArguments::results_folder() const {
 
 int BatchArguments::worker_count() const { return workers > 0 ? workers : processors(); }
 
-Scenario read_experiment(const std::string& file) {
-  Scenario scenario = read_scenario(file);
+Scenario read_experiment(const BatchArguments& arguments) {
+  Scenario scenario = read_scenario(arguments.file, assignments_in(arguments.sets));
   if (is_experiment(scenario)) return scenario;
-  throw InputError({file}, "kind",
+  throw InputError({arguments.file}, "kind",
                    fmt::format("this is a {}, not an experiment; play it with: autoref {} {}",
-                               kind_of(scenario), verb_of(scenario), file));
+                               kind_of(scenario), verb_of(scenario), arguments.file));
+}
+
+void add_set_option(CLI::App& verb, std::vector<std::string>& sets) {
+  verb.add_option("--set", sets,
+                  "Change a setting, such as match.half_s=60 or b.robots=5 (of a team with a name: "
+                  "teams.NAME.robots=5). May be repeated.")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
 }
 
 void add_batch_options(CLI::App& verb, BatchArguments& arguments, const std::string& about_file) {
@@ -35,6 +43,7 @@ void add_batch_options(CLI::App& verb, BatchArguments& arguments, const std::str
                   "Games played at a time. Default: one per processor.")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
+  add_set_option(verb, arguments.sets);
 }
 
 void add_folder_options(CLI::App& verb, FolderArguments& arguments) {

@@ -29,7 +29,7 @@ std::string table_of(const std::vector<Rehearsal>& rehearsals) {
 }  // namespace
 
 int check_verb(const CheckArguments& arguments) {
-  const Scenario scenario = read_experiment(arguments.file);
+  const Scenario scenario = read_experiment(arguments);
   const std::vector<ScheduledGame> games = scheduled_games(scenario);
   if (arguments.games) {
     for (const ScheduledGame& game : games) fmt::print("{}\n", game.id);
@@ -60,6 +60,7 @@ void add_check_verb(CLI::App& app, Chosen& chosen) {
                    "Games that would be played at a time. Default: one per processor.")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
+  add_set_option(*verb, arguments->sets);
   verb->add_flag("--games", arguments->games, "Print the id of every game instead, play none.");
   verb->footer("Example:\n  autoref check scenarios/handicap-speed.yaml");
   verb->callback([arguments, &chosen] { chosen = [arguments] { return check_verb(*arguments); }; });

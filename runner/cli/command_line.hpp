@@ -25,8 +25,9 @@ struct PlayArguments {
 // What verbs that play many games are told.
 struct BatchArguments {
   std::string file;
-  std::string folder;  // empty: results/runs/<scenario>
-  int workers = 0;     // 0: one per processor
+  std::string folder;             // empty: results/runs/<scenario>
+  int workers = 0;                // 0: one per processor
+  std::vector<std::string> sets;  // "key=value"
 
   std::filesystem::path results_folder() const;
   int worker_count() const;
@@ -159,8 +160,9 @@ using Chosen = std::function<int()>;
 // Reads a whole log; a file that is none is an InputError.
 RecordedFacts read_facts(const std::string& log);
 // Reads an experiment; a scenario of another kind is refused with the verb that plays it.
-Scenario read_experiment(const std::string& file);
+Scenario read_experiment(const BatchArguments& arguments);
 // Adds the file and the options that all verbs of many games have.
+void add_set_option(CLI::App& verb, std::vector<std::string>& sets);
 void add_batch_options(CLI::App& verb, BatchArguments& arguments, const std::string& about_file);
 void add_play_verb(CLI::App& app, Chosen& chosen);
 void add_run_verb(CLI::App& app, Chosen& chosen);

@@ -27,7 +27,7 @@ void write(const fs::path& folder, const JudgeReport& report, const Scenario& sc
 }  // namespace
 
 int judge_verb(const JudgeArguments& arguments) {
-  const Scenario scenario = read_scenario(arguments.file);
+  const Scenario scenario = read_scenario(arguments.file, assignments_in(arguments.sets));
   const auto* schedule = std::get_if<JudgeSchedule>(&scenario.content);
   if (schedule == nullptr) {
     throw InputError({arguments.file}, "kind",

@@ -5,24 +5,23 @@
 
 #include "runner/cli/command_line.hpp"
 #include "runner/cli/play_one.hpp"
-#include "runner/cli/settings.hpp"
 #include "runner/experiments/reading/scenario_reader.hpp"
 #include "runner/experiments/scenario.hpp"
 #include "runner/io/errors.hpp"
+#include "runner/settings/assignments.hpp"
 #include "runner/settings/fields.hpp"
 
 namespace autoref::runner {
 namespace {
 
 GameConfiguration configured(const PlayArguments& arguments) {
-  Scenario scenario = read_scenario(arguments.file);
+  Scenario scenario = read_scenario(arguments.file, assignments_in(arguments.sets));
   auto* game = std::get_if<GameConfiguration>(&scenario.content);
   if (game == nullptr) {
     throw InputError({arguments.file}, "kind",
                      fmt::format("this is a {}, not a game; run it with: autoref {} {}",
                                  kind_of(scenario), verb_of(scenario), arguments.file));
   }
-  apply_sets(arguments.sets, *game);
   if (!arguments.seed.empty()) {
     blame("--seed", [&] { set_by_path(*game, "seed", arguments.seed); });
   }
@@ -43,9 +42,7 @@ void add_play_verb(CLI::App& app, Chosen& chosen) {
   auto arguments = std::make_shared<PlayArguments>();
   verb->add_option("FILE", arguments->file, "Scenario of kind game.")->required();
   verb->add_option("--seed", arguments->seed, "Seed instead of the scenario's.")->type_name("N");
-  verb->add_option("--set", arguments->sets, "Change a setting; may be given several times.")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
+  add_set_option(*verb, arguments->sets);
   add_output_options(*verb, arguments->output);
   verb->footer(
       "Example:\n  autoref play scenarios/paper-game.yaml --seed 7 --set b.robots=5 "

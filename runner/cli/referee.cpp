@@ -6,11 +6,11 @@
 #include <optional>
 
 #include "runner/cli/command_line.hpp"
-#include "runner/cli/settings.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/files.hpp"
 #include "runner/logs/log_report.hpp"
 #include "runner/logs/user_log.hpp"
+#include "runner/settings/assignments.hpp"
 #include "runner/settings/fields.hpp"
 #include "runner/settings/match_rules.hpp"
 
@@ -36,7 +36,7 @@ GameConfiguration game_of(const RefereeArguments& arguments, const RecordedFacts
   };
   set("--camera", "sim.camera", arguments.camera);
   set("--first-kickoff", "match.first_kickoff", arguments.first_kickoff);
-  apply_sets(arguments.sets, game);
+  assign_all(assignments_in(arguments.sets), game);
   return game;
 }
 
@@ -74,10 +74,7 @@ void add_referee_verb(CLI::App& app, Chosen& chosen) {
       ->type_name("west|east");
   verb->add_option("--camera", arguments->camera, "How noisy vision is, by a camera preset.")
       ->type_name("PRESET");
-  verb->add_option("--set", arguments->sets,
-                   "Another setting of the game; may be given several times.")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
+  add_set_option(*verb, arguments->sets);
   verb->add_option("--events", arguments->events,
                    "Write AutoRef's decisions to FILE, one JSON object a line.")
       ->type_name("FILE");

@@ -47,7 +47,7 @@ void print_results(const Scenario& scenario, const ExperimentReport& report,
 }  // namespace
 
 int run_verb(const RunArguments& arguments) {
-  const Scenario scenario = read_experiment(arguments.file);
+  const Scenario scenario = read_experiment(arguments);
   const ExperimentOptions options = options_of(arguments);
   const ExperimentReport report = run_experiment(scenario, options);
   if (report.is_interrupted) {

@@ -69,6 +69,7 @@ SlurmArray array_of(const SubmitArguments& arguments, std::size_t games) {
   array.program = plain_path("autoref", fs::read_symlink("/proc/self/exe"));
   array.file = plain_path("FILE", arguments.file);
   array.folder = plain_path("-o", arguments.results_folder());
+  array.sets = arguments.sets;
   array.tasks = tasks_for(arguments.tasks, games);
   array.workers = std::max(1, arguments.workers);
   array.time = arguments.time;
@@ -101,7 +102,7 @@ void print_commands(const std::string& scripts, const std::string& merging) {
 }  // namespace
 
 int submit_verb(const SubmitArguments& arguments) {
-  const Scenario scenario = read_experiment(arguments.file);
+  const Scenario scenario = read_experiment(arguments);
   const std::size_t games = scheduled_games(scenario).size();
   const SlurmArray array = array_of(arguments, games);
   const fs::path folder = arguments.results_folder();

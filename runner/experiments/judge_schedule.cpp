@@ -2,27 +2,18 @@
 
 #include <fmt/format.h>
 
+#include "runner/experiments/cells.hpp"
 #include "runner/experiments/schedule.hpp"
 #include "runner/settings/fields.hpp"
 
 namespace autoref::runner {
 namespace {
 
-// A book brings its own length of halves, which the base's replaces.
-void set_rules(GameConfiguration& game, const std::string& rules) {
-  const MatchConfiguration base = game.match;
-  set_by_path(game, "match.rules", rules);
-  game.match.half_s = base.half_s;
-  game.match.halves = base.halves;
-}
-
 JudgeGame game_of(const JudgeSchedule& schedule, const std::string& rules,
                   const std::string& camera, int number) {
   const int pair = (number + 1) / 2;
   const int leg = 2 - number % 2;
-  JudgeGame game{"", rules, camera, schedule.base};
-  set_rules(game.configuration, rules);
-  set_by_path(game.configuration, "sim.camera", camera);
+  JudgeGame game{"", rules, camera, configured(schedule, rules, camera)};
   if (!schedule.matchups.empty()) {
     const auto& matchup =
         schedule.matchups[static_cast<std::size_t>(pair - 1) % schedule.matchups.size()];

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "runner/settings/fields.hpp"
+#include "runner/experiments/cells.hpp"
 #include "soccer/random.hpp"
 
 namespace autoref::runner {
@@ -13,26 +13,9 @@ namespace {
 // As many rows are held in memory and written as one results.csv.
 constexpr int kMostGames = 100000;
 
-std::string name_of(const Sweep& sweep, const std::vector<std::string>& values) {
-  std::string id;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    id += fmt::format("{}{}={}", i == 0 ? "" : "+", sweep.factors[i].path, values[i]);
-  }
-  return id;
-}
-
-GameConfiguration configured(const Sweep& sweep, const std::vector<std::string>& values) {
-  GameConfiguration game = sweep.base;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    set_by_path(game, sweep.factors[i].path, values[i]);
-  }
-  check_game(game);
-  return game;
-}
-
 ScheduledGame scheduled(const Sweep& sweep, const std::vector<std::string>& values,
                         const GameConfiguration& configuration, int pair, int leg) {
-  ScheduledGame game{game_id(name_of(sweep, values), pair, leg),
+  ScheduledGame game{game_id(cell_name(sweep, values), pair, leg),
                      values,
                      pair,
                      leg,

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "runner/batch/experiment_kinds.hpp"
+#include "runner/experiments/cells.hpp"
 #include "runner/experiments/reading/factor_reader.hpp"
 #include "runner/settings/fields.hpp"
 
@@ -63,8 +64,15 @@ void compare_teams(const GameConfiguration& base, const Teams& teams,
   }
 }
 
-// A setting that a factor varies has no value of its own.
+// A setting that a factor varies has no value of its own, nor has one that a varied preset sets.
 void leave_out_factors(const Scenario& scenario, std::vector<DefaultDifference>& found) {
+  if (const auto* sweep = std::get_if<Sweep>(&scenario.content)) {
+    for (const auto& [value, settings] : set_by_values(*sweep)) {
+      std::erase_if(found, [&settings = settings](const auto& difference) {
+        return settings.contains(full_path(difference.path));
+      });
+    }
+  }
   for (const std::string& factor : value_columns(scenario)) {
     std::erase_if(found, [&](const auto& difference) { return difference.path == factor; });
   }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 
 #include "referee/referee.hpp"
@@ -62,6 +63,8 @@ struct GameConfiguration {
   sim::RobotSpec robot;  // every robot's body, kicker and dribbler unless its type says otherwise
   RobotTypes types;      // that teams and players may name
   std::uint64_t seed = 42;
+  // Full paths of the settings that the user has written one by one: no preset changes them.
+  std::set<std::string> given;
 };
 
 }  // namespace autoref::runner

@@ -39,17 +39,36 @@ std::string unknown_path_message(const std::vector<Setting>& settings, std::stri
       nearest.empty() ? "; expected a setting, such as b.handicap or match.half_s" : nearest);
 }
 
-// The setting at a full or short path, also one that another holds.
-Setting setting_at(const std::vector<Setting>& settings, std::string_view path) {
-  const std::string full = full_path(path);
+// The setting at a full path, also one that another holds.
+std::optional<Setting> single_setting(const std::vector<Setting>& settings,
+                                      const std::string& full) {
   const Setting* setting = find_setting(settings, full);
-  if (setting != nullptr && !holds_others(*setting)) return *setting;
+  if (setting != nullptr) return holds_others(*setting) ? std::nullopt : std::optional(*setting);
   const std::size_t dot = full.rfind('.');
   const Setting* holder = find_setting(settings, full.substr(0, dot));
-  if (setting == nullptr && holder != nullptr && dot != std::string::npos) {
-    if (const auto held = setting_in(*holder, full.substr(dot + 1))) return *held;
-  }
+  if (holder == nullptr || dot == std::string::npos) return std::nullopt;
+  return setting_in(*holder, full.substr(dot + 1));
+}
+
+Setting setting_at(const std::vector<Setting>& settings, std::string_view path) {
+  const std::optional<Setting> setting = single_setting(settings, full_path(path));
+  if (setting) return *setting;
   throw std::invalid_argument(unknown_path_message(settings, path));
+}
+
+// A setting and what the user wants it to be.
+struct Kept {
+  Setting setting;
+  std::string value;
+};
+
+std::vector<Kept> kept(const std::vector<Setting>& settings, const std::set<std::string>& given) {
+  std::vector<Kept> all;
+  for (const std::string& path : given) {
+    const std::optional<Setting> setting = single_setting(settings, path);
+    if (setting) all.push_back({*setting, value_of(*setting)});
+  }
+  return all;
 }
 
 // Makes the player that a path such as "b.players.3.handicap" speaks of, if it does.
@@ -67,6 +86,14 @@ void make_player_in(GameConfiguration& game, std::string_view path) {
 }  // namespace
 
 std::string_view branch_of(std::string_view path) { return path.substr(0, path.rfind('.')); }
+
+bool sets_same_number(std::string_view path, std::string_view other) {
+  const auto is_part = [](std::string_view part, std::string_view whole) {
+    return whole.ends_with(".handicap") && part.ends_with("_factor") &&
+           branch_of(part) == branch_of(whole);
+  };
+  return path == other || is_part(path, other) || is_part(other, path);
+}
 
 const Setting* find_setting(const std::vector<Setting>& settings, std::string_view path) {
   const auto found = std::find_if(settings.begin(), settings.end(),
@@ -144,9 +171,30 @@ PlayerConfiguration& player_of(Players& players, std::string_view number) {
   return players[*n];
 }
 
+void set_given(const std::vector<Setting>& settings, std::string_view path, std::string_view text,
+               std::set<std::string>& given) {
+  const Setting setting = setting_at(settings, path);
+  if (!is_preset(setting)) {
+    assign(setting, text);
+    if (!is_alias(setting)) given.insert(setting.path);
+    return;
+  }
+  const std::vector<Kept> others = kept(settings, given);
+  assign(setting, text);
+  for (const Kept& other : others) {
+    if (value_of(other.setting) != other.value) assign(other.setting, other.value);
+  }
+}
+
 void set_by_path(GameConfiguration& game, std::string_view path, std::string_view text) {
   make_player_in(game, path);
-  assign(setting_at(settings_of(game), path), text);
+  set_given(settings_of(game), path, text, game.given);
+}
+
+bool is_preset_at(const GameConfiguration& game, std::string_view path) {
+  GameConfiguration copy = game;
+  make_player_in(copy, path);
+  return is_preset(setting_at(settings_of(copy), path));
 }
 
 std::string value_at(const GameConfiguration& game, std::string_view path) {

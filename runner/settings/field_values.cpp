@@ -86,6 +86,14 @@ bool is_number(const Setting& setting) {
 
 bool is_alias(const Setting& setting) {
   return std::holds_alternative<BothFactors>(setting.target) ||
+         (is_preset(setting) && !std::holds_alternative<RulesChoice>(setting.target));
+}
+
+bool is_preset(const Setting& setting) {
+  if (const auto* change = std::get_if<Change>(&setting.target)) {
+    return last_name_in(change->path) == "preset";
+  }
+  return std::holds_alternative<RulesChoice>(setting.target) ||
          std::holds_alternative<BallPreset>(setting.target) ||
          std::holds_alternative<CameraPreset>(setting.target) ||
          std::holds_alternative<DribblerPreset>(setting.target);

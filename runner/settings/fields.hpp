@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -101,6 +102,10 @@ std::vector<Setting> settings_of(RobotChanges& changes);
 std::string full_path(std::string_view path);
 std::string short_path(std::string_view path);
 
+// Whether two full or two short paths set the same number: they are equal, or one is a handicap and
+// the other one of its two factors. (A preset leaves single settings alone.)
+bool sets_same_number(std::string_view path, std::string_view other);
+
 // The path without its last name.
 std::string_view branch_of(std::string_view path);
 
@@ -131,6 +136,10 @@ bool is_number(const Setting& setting);
 // Whether it only sets other settings, which speak for themselves.
 bool is_alias(const Setting& setting);
 
+// Whether it is one word for several other settings: a rule book, or a preset of a camera, a ball
+// or a dribbler.
+bool is_preset(const Setting& setting);
+
 // The settings or branches one step below `branch` ("" is the root).
 std::vector<std::string> names_below(const std::vector<Setting>& settings, std::string_view branch);
 
@@ -141,10 +150,19 @@ std::string unknown_key_message(std::string_view key, const std::vector<std::str
 // none from 0 to 15.
 PlayerConfiguration& player_of(Players& players, std::string_view number);
 
-// Sets the value at a full or short path; `a.params.NAME` names one of the team's parameters,
+// Sets the value at a full or short path of `settings` as a user does: a preset leaves alone what
+// is in `given`, a single setting joins it. So the order of the two does not matter. Throws
+// std::invalid_argument.
+void set_given(const std::vector<Setting>& settings, std::string_view path, std::string_view text,
+               std::set<std::string>& given);
+
+// set_given() for a whole game; `a.params.NAME` names one of the team's parameters,
 // `a.robot.NAME` a number of its robots, `a.players.3.` what differs in one of them. Throws
 // std::invalid_argument for an unknown path (naming the nearest known) or a wrong value.
 void set_by_path(GameConfiguration& game, std::string_view path, std::string_view text);
+
+// Whether a preset is at a path that set_by_path() takes.
+bool is_preset_at(const GameConfiguration& game, std::string_view path);
 
 // The value at a path that set_by_path() takes; 0 for a parameter that is not given.
 std::string value_at(const GameConfiguration& game, std::string_view path);

@@ -23,6 +23,11 @@ bool is_letter_or_digit(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
 
+// Whether it is the path of a team's or a player's type, if it is of either.
+bool names_type(std::string_view path) {
+  return path.ends_with(".type") && path.find(".params.") == std::string_view::npos;
+}
+
 std::string text_of_type(const fs::path& file) {
   try {
     return read_user_file(file);
@@ -82,9 +87,19 @@ void check_type_name(std::string_view name) {
 
 void set_by_path(GameConfiguration& game, std::string_view path, const std::string& text,
                  const fs::path& folder) {
-  const bool is_type = full_path(path).starts_with("teams.") && path.ends_with(".type") &&
-                       path.find(".params.") == std::string_view::npos;
+  const bool is_type = full_path(path).starts_with("teams.") && names_type(path);
   set_by_path(game, path, is_type ? take_type(text, folder, game.types) : text);
+}
+
+void set_by_path(TeamConfiguration& team, const std::string& prefix, GameConfiguration& game,
+                 std::string_view path, const std::string& text) {
+  const std::string players = prefix + "players.";
+  if (path.starts_with(players)) {
+    const std::string_view rest = path.substr(players.size());
+    player_of(team.players, rest.substr(0, rest.find('.')));
+  }
+  const std::string value = names_type(path) ? take_type(text, {}, game.types) : text;
+  set_given(settings_of(team, game.types, prefix), path, value, game.given);
 }
 
 }  // namespace autoref::runner

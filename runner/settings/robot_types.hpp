@@ -33,4 +33,9 @@ void check_type_name(std::string_view name);
 void set_by_path(GameConfiguration& game, std::string_view path, const std::string& text,
                  const std::filesystem::path& folder);
 
+// The same for a team whose settings are at `prefix`, such as "teams.bold."; its types, and what is
+// given, go into `game`.
+void set_by_path(TeamConfiguration& team, const std::string& prefix, GameConfiguration& game,
+                 std::string_view path, const std::string& text);
+
 }  // namespace autoref::runner

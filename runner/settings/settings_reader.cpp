@@ -191,6 +191,7 @@ void SettingsReader::read_type(const YamlEntry& entry, const Setting& setting) {
 void SettingsReader::read_value(const YamlEntry& entry, const Setting& setting) {
   locations_[setting.path] = entry.location;
   assign_entry(file_, entry, setting);
+  if (given_ != nullptr && !is_preset(setting) && !is_alias(setting)) given_->insert(setting.path);
 }
 
 }  // namespace autoref::runner

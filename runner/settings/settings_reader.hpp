@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,8 +31,8 @@ void refuse_unknown(const YamlFile& file, const std::vector<YamlEntry>& top,
 // Reads the entry's value into the setting. Throws InputError that says what was expected.
 void assign_entry(const YamlFile& file, const YamlEntry& entry, const Setting& setting);
 
-// Puts branches of a file into a game as strictly as `--set` would, and remembers their places.
-// What settings mean together is not checked here.
+// Puts branches of a file into a game as strictly as `--set` would, and remembers their locations
+// and which settings are given. What settings mean together is not checked here.
 class SettingsReader {
  public:
   using List = std::function<std::vector<Setting>()>;
@@ -39,14 +40,16 @@ class SettingsReader {
   // All three must outlive the reader; settings go into `game`, their places into `locations`.
   SettingsReader(const YamlFile& file, GameConfiguration& game, SettingLocations& locations)
       : SettingsReader(
-            file, [&game] { return settings_of(game); }, game.types, locations) {}
+            file, [&game] { return settings_of(game); }, game, locations) {}
 
-  // Reads the settings that `list` tells, which is asked again whenever there are new players or
-  // types; files of types that they name go into `types`.
-  SettingsReader(const YamlFile& file, List list, RobotTypes& types, SettingLocations& locations)
+  // Reads the settings that `list` returns, which is called again whenever there are new players or
+  // types; files of types that they name, and what is given, go into `game`.
+  SettingsReader(const YamlFile& file, List list, GameConfiguration& game,
+                 SettingLocations& locations)
       : file_(file),
         list_(std::move(list)),
-        types_(&types),
+        types_(&game.types),
+        given_(&game.given),
         settings_(list_()),
         locations_(locations) {}
 
@@ -78,6 +81,7 @@ class SettingsReader {
   const YamlFile& file_;
   List list_;
   RobotTypes* types_ = nullptr;
+  std::set<std::string>* given_ = nullptr;
   std::vector<std::string> hidden_;
   std::vector<Setting> settings_;
   SettingLocations& locations_;

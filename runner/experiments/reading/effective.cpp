@@ -1,6 +1,9 @@
 // Writing scenarios with every setting spelt out.
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "runner/experiments/cells.hpp"
 #include "runner/experiments/reading/effective.hpp"
 #include "runner/experiments/reading/factor_reader.hpp"
 #include "runner/experiments/scenario.hpp"
@@ -75,31 +78,62 @@ std::string body_of(const GameConfiguration& game) {
   return tree.text();
 }
 
-// Without what the plan decides, and without a branch that stands elsewhere.
-std::string base_of(const GameConfiguration& base, std::string_view elsewhere = "") {
+// Takes away what differs in some robots where it is at one of these paths.
+void leave_out_changes(const std::map<std::string, std::string>& values, GameConfiguration& game) {
+  const std::vector<Setting> settings = settings_of(game);
+  for (const auto& [path, value] : values) {
+    const Setting* holder = find_setting(settings, branch_of(path));
+    const auto* of = holder == nullptr ? nullptr : std::get_if<ChangesOf>(&holder->target);
+    if (of != nullptr) of->changes->erase(of->branch + path.substr(holder->path.size()));
+  }
+}
+
+bool is_among(const SetByValues& set_by_values, const std::string& path) {
+  return std::any_of(set_by_values.begin(), set_by_values.end(),
+                     [&path](const auto& value) { return value.second.contains(path); });
+}
+
+// Without what the schedule or varied values decide, and without a branch that stands elsewhere.
+std::string base_of(const GameConfiguration& base, std::string_view elsewhere = "",
+                    const SetByValues& set_by_values = {}) {
   GameConfiguration copy = base;
+  for (const auto& [value, settings] : set_by_values) leave_out_changes(settings, copy);
   Tree tree(1);
   for (const Setting& setting : settings_of(copy)) {
     if (is_alias(setting) || is_spelt_out(setting) || is_decided_by_schedule(setting.path))
       continue;
     if (!elsewhere.empty() && setting.path.starts_with(elsewhere)) continue;
+    if (is_among(set_by_values, setting.path)) continue;
     tree.add(setting);
   }
   return "base:\n" + tree.text();
 }
 
+std::string text_of(const SetByValues& set_by_values) {
+  if (set_by_values.empty()) return "";
+  std::string text = "set_by_values:  # what each value sets, beyond base; AutoRef writes it\n";
+  for (const auto& [name, values] : set_by_values) {
+    text += fmt::format("  {}:\n", json_text(name));
+    for (const auto& [path, value] : values) text += fmt::format("    {}: {}\n", path, value);
+  }
+  return text;
+}
+
 std::string body_of(const Sweep& sweep) {
-  std::string text = base_of(sweep.base) + "factors:\n";
+  const SetByValues by_values = set_by_values(sweep);
+  std::string text = base_of(sweep.base, "", by_values) + "factors:\n";
   for (const Factor& factor : sweep.factors) {
     text += fmt::format("  {}: [{}]\n", factor.path, listed(factor.values));
   }
-  return text + fmt::format("pairs: {}\nseed: {}\n", sweep.pairs, sweep.seed);
+  return text + text_of(by_values) + fmt::format("pairs: {}\nseed: {}\n", sweep.pairs, sweep.seed);
 }
 
 std::string body_of(const JudgeSchedule& schedule) {
-  std::string text =
-      base_of(schedule.base) +
-      fmt::format("rules: [{}]\ncameras: [{}]\n", listed(schedule.rules), listed(schedule.cameras));
+  const SetByValues by_values = set_by_values(schedule);
+  std::string text = base_of(schedule.base, "", by_values) +
+                     fmt::format("rules: [{}]\ncameras: [{}]\n", listed(schedule.rules),
+                                 listed(schedule.cameras)) +
+                     text_of(by_values);
   std::vector<std::string> matchups;
   for (const auto& matchup : schedule.matchups) matchups.push_back(name_of(matchup));
   if (!matchups.empty()) text += fmt::format("matchups: [{}]\n", listed(matchups));

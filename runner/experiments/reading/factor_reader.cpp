@@ -9,20 +9,6 @@
 #include "runner/settings/robot_types.hpp"
 
 namespace autoref::runner {
-namespace {
-
-// Whether setting `whole` sets `part` too.
-bool is_part(std::string_view part, std::string_view whole) {
-  if (whole == "sim.camera") {
-    return part.starts_with("sim.vision.") || part == "sim.radio.command_loss" ||
-           part == "sim.latency_s";
-  }
-  if (branch_of(part) != branch_of(whole)) return false;
-  return whole.ends_with(".preset") || (whole.ends_with(".handicap") && part.ends_with("_factor"));
-}
-
-}  // namespace
-
 bool is_decided_by_schedule(std::string_view path) {
   return path == "match.a_plays" || path == "match.first_kickoff" || path == "seed";
 }
@@ -39,7 +25,7 @@ void FactorReader::read(const YamlEntry& factors, Sweep& sweep) {
   for (const YamlEntry& entry : entries) {
     if (is_decided_by_schedule(entry.key)) refuse_decided(file_, entry.location, entry.key);
     sweep.factors.push_back(read_factor(entry, sweep.base));
-    refuse_overlap(entry, sweep.factors);
+    refuse_overlap(entry, sweep);
   }
 }
 
@@ -78,17 +64,22 @@ std::string FactorReader::read_value(const YamlLocation& location, const std::st
     file_.refuse(location, path, error.what());
   }
   base.types.insert(game.types.begin(), game.types.end());
-  return value_at(game, path);
+  return is_preset_at(game, path) ? text : value_at(game, path);
 }
 
-void FactorReader::refuse_overlap(const YamlEntry& entry,
-                                  const std::vector<Factor>& factors) const {
-  const std::string& last = factors.back().path;
-  for (std::size_t i = 0; i + 1 < factors.size(); ++i) {
-    const std::string& other = factors[i].path;
-    if (other == last || is_part(other, last) || is_part(last, other)) {
-      file_.refuse(entry.location, entry.key,
-                   fmt::format("'{}' sets the same number; leave one out", other));
+void FactorReader::refuse_overlap(const YamlEntry& entry, const Sweep& sweep) const {
+  const std::string& last = sweep.factors.back().path;
+  const auto refuse = [&](const std::string& other) {
+    file_.refuse(entry.location, entry.key,
+                 fmt::format("'{}' sets the same number; leave one out", other));
+  };
+  for (std::size_t i = 0; i + 1 < sweep.factors.size(); ++i) {
+    const std::string& other = sweep.factors[i].path;
+    if (sets_same_number(last, other)) refuse(other);
+  }
+  for (const std::string& given : sweep.base.given) {
+    if (last.ends_with(".handicap") && sets_same_number(full_path(last), given)) {
+      refuse("base." + given);
     }
   }
 }

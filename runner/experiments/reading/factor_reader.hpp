@@ -35,8 +35,8 @@ class FactorReader {
   Factor read_factor(const YamlEntry& entry, GameConfiguration& base);
   std::string read_value(const YamlLocation& location, const std::string& path,
                          const std::string& text, GameConfiguration& base) const;
-  // Two factors that set the same number would make the later one win unnoticed.
-  void refuse_overlap(const YamlEntry& entry, const std::vector<Factor>& factors) const;
+  // Two keys that set the same number would make the later one win unnoticed.
+  void refuse_overlap(const YamlEntry& entry, const Sweep& sweep) const;
 
   const YamlFile& file_;
   SettingLocations& locations_;

@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
+
+#include "runner/io/errors.hpp"
+#include "runner/settings/robot_types.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -21,6 +25,7 @@ void NamedTeamsReader::read(const YamlEntry& entry, Teams& teams, GameConfigurat
   for (const YamlEntry& team : file_.entries(entry, entry.key, {})) {
     read_team(team, entry.key, teams, base);
   }
+  refuse_other_teams(entry.key, teams);
   if (count.least <= teams.size() && teams.size() <= count.most) return;
   file_.refuse(entry.location, entry.key,
                fmt::format("expected {}, such as zone: {{ strategy: basic }}, found {}",
@@ -41,7 +46,29 @@ void NamedTeamsReader::read_team(const YamlEntry& entry, const std::string& bran
   const auto list = [&team, &base, prefix = path + "."] {
     return settings_of(team, base.types, prefix);
   };
-  SettingsReader(file_, list, base.types, locations_).read(entry, path);
+  SettingsReader(file_, list, base, locations_).read(entry, path);
+  assign(path, team, base);
+}
+
+void NamedTeamsReader::assign(const std::string& path, TeamConfiguration& team,
+                              GameConfiguration& base) const {
+  for (const Assignment& assignment : assignments_) {
+    if (!assignment.path.starts_with(path + ".")) continue;
+    blame(assignment.flag,
+          [&] { set_by_path(team, path + ".", base, assignment.path, assignment.value); });
+  }
+}
+
+void NamedTeamsReader::refuse_other_teams(const std::string& branch, const Teams& teams) const {
+  std::vector<std::string> known;
+  for (const auto& [name, team] : teams) known.push_back(fmt::format("{}.{}", branch, name));
+  for (const Assignment& assignment : assignments_) {
+    if (!assignment.path.starts_with(branch + ".")) continue;
+    const std::string path =
+        assignment.path.substr(0, assignment.path.find('.', branch.size() + 1));
+    if (std::find(known.begin(), known.end(), path) != known.end()) continue;
+    throw InputError({assignment.flag}, "", unknown_key_message(path, known));
+  }
 }
 
 }  // namespace autoref::runner

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "runner/experiments/named_teams.hpp"
+#include "runner/settings/assignments.hpp"
 #include "runner/settings/settings_reader.hpp"
 #include "runner/settings/yaml.hpp"
 
@@ -18,9 +19,11 @@ struct TeamCount {
 
 class NamedTeamsReader {
  public:
-  // Both must outlive the reader; the places of the teams' settings go into `locations`.
-  NamedTeamsReader(const YamlFile& file, SettingLocations& locations)
-      : file_(file), locations_(locations) {}
+  // All must outlive the reader; the places of the teams' settings go into `locations`.
+  // Assignments to teams.NAME. stand over the file.
+  NamedTeamsReader(const YamlFile& file, SettingLocations& locations,
+                   const Assignments& assignments)
+      : file_(file), locations_(locations), assignments_(assignments) {}
 
   // Adds the teams of an entry, and to `base`, which has been read, the types they name. Throws
   // InputError, also for fewer or more teams than these.
@@ -30,8 +33,12 @@ class NamedTeamsReader {
   void read_team(const YamlEntry& entry, const std::string& branch, Teams& teams,
                  GameConfiguration& base) const;
 
+  void assign(const std::string& path, TeamConfiguration& team, GameConfiguration& base) const;
+  void refuse_other_teams(const std::string& branch, const Teams& teams) const;
+
   const YamlFile& file_;
   SettingLocations& locations_;
+  const Assignments& assignments_;
 };
 
 }  // namespace autoref::runner

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "runner/experiments/cells.hpp"
 #include "runner/experiments/reading/base_reader.hpp"
 #include "runner/experiments/reading/factor_reader.hpp"
 #include "runner/experiments/reading/judge_reader.hpp"
@@ -19,11 +20,12 @@ namespace autoref::runner {
 namespace {
 
 constexpr int kMostJudged = 9999;
+constexpr const char* kSetByValues = "set_by_values";
 
 // Reads one document, top level first.
 class ScenarioReader {
  public:
-  explicit ScenarioReader(const YamlFile& file) : top_(file) {}
+  ScenarioReader(const YamlFile& file, const Assignments& assignments) : top_(file, assignments) {}
 
   Scenario read() {
     read_schema();
@@ -78,34 +80,55 @@ class ScenarioReader {
                        fmt::format("expected {}, found '{}'", expected, text));
   }
 
+  // AutoRef writes it into effective.yaml. A file that says something else is mistaken.
+  void check_set_by_values(const SetByValues& expected) const {
+    const YamlEntry* entry = top_.find(kSetByValues);
+    if (entry == nullptr) return;
+    SetByValues found;
+    for (const YamlEntry& value : top_.file().entries(*entry, kSetByValues, {})) {
+      for (const YamlEntry& setting : top_.file().entries(value, value.key, {})) {
+        found[value.key][setting.key] =
+            top_.file().scalar(setting, setting.key, "a plain value", false);
+      }
+    }
+    if (found == expected) return;
+    top_.file().refuse(entry->location, kSetByValues,
+                       "not what base and the varied values set; leave it out");
+  }
+
   GameConfiguration read_game() {
     GameConfiguration game;
     SettingsReader settings(top_.file(), game, top_.locations());
     top_.allow(settings.names());
     read_settings(top_.entries(), settings);
     top_.check([&game] { check_game(game); });
+    top_.assign_all(game);
     return game;
   }
 
   Sweep read_sweep() {
-    top_.allow({"base", "factors", "pairs", "seed"});
+    top_.allow({"base", "factors", kSetByValues, "pairs", "seed"});
     Sweep sweep;
     top_.read_base(sweep.base);
     FactorReader(top_.file(), top_.locations()).read(top_.required("factors"), sweep);
+    for (const Factor& factor : sweep.factors) top_.refuse_assignment(factor.path);
     sweep.pairs = top_.pairs();
     sweep.seed = top_.seed();
     top_.check([&sweep] { scheduled_games(sweep); });  // factors may only make a game together
+    check_set_by_values(set_by_values(sweep));
     return sweep;
   }
 
   JudgeSchedule read_judge() {
-    top_.allow({"base", "rules", "cameras", "matchups", "games", "seed"});
+    top_.allow({"base", "rules", "cameras", kSetByValues, "matchups", "games", "seed"});
     JudgeSchedule schedule;
     top_.read_base(schedule.base);
     JudgeReader(top_.file(), top_.locations()).read(top_.entries(), schedule);
     schedule.games = top_.whole_number("games", 1, kMostJudged);
     schedule.seed = top_.seed();
+    for (const char* varied : {"match.rules", "sim.camera"}) top_.refuse_assignment(varied);
     top_.check([&schedule] { games_of(schedule); });
+    check_set_by_values(set_by_values(schedule));
     return schedule;
   }
 
@@ -114,13 +137,14 @@ class ScenarioReader {
 
 }  // namespace
 
-Scenario read_scenario_text(const std::string& text, const std::string& file_name) {
+Scenario read_scenario_text(const std::string& text, const std::string& file_name,
+                            const Assignments& assignments) {
   const YamlFile file(text, file_name);
-  return ScenarioReader(file).read();
+  return ScenarioReader(file, assignments).read();
 }
 
-Scenario read_scenario(const std::filesystem::path& file) {
-  return read_scenario_text(read_user_file(file), file.string());
+Scenario read_scenario(const std::filesystem::path& file, const Assignments& assignments) {
+  return read_scenario_text(read_user_file(file), file.string(), assignments);
 }
 
 }  // namespace autoref::runner

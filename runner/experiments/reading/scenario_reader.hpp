@@ -5,12 +5,16 @@
 #include <string>
 
 #include "runner/experiments/scenario.hpp"
+#include "runner/settings/assignments.hpp"
 
 namespace autoref::runner {
 
 // Reads a scenario strictly: every key must be known and given once, every value in its range.
-// What is not given has its default. Throws InputError with file, line and key.
-Scenario read_scenario(const std::filesystem::path& file);
-Scenario read_scenario_text(const std::string& text, const std::string& file_name);
+// What is not given has its default. Assignments change settings of a game, of the base that all
+// games have in common, or of a team by its name (teams.NAME.robots). Throws InputError with file,
+// line and key, or with the flag.
+Scenario read_scenario(const std::filesystem::path& file, const Assignments& assignments = {});
+Scenario read_scenario_text(const std::string& text, const std::string& file_name,
+                            const Assignments& assignments = {});
 
 }  // namespace autoref::runner

@@ -20,12 +20,13 @@ void read_base(TopReader& top, NamedTeams& named) {
 
 void read_teams(TopReader& top, NamedTeams& named, TeamCount count = {}) {
   const YamlEntry& teams = top.required("teams");
-  NamedTeamsReader(top.file(), top.locations()).read(teams, named.teams, named.base, count);
+  NamedTeamsReader(top.file(), top.locations(), top.assignments())
+      .read(teams, named.teams, named.base, count);
 }
 
 void read_challengers(TopReader& top, Gauntlet& gauntlet) {
   const YamlEntry& entry = top.required("challengers");
-  NamedTeamsReader(top.file(), top.locations())
+  NamedTeamsReader(top.file(), top.locations(), top.assignments())
       .read(entry, gauntlet.challengers, gauntlet.base, {1, SIZE_MAX});
   for (const auto& [name, team] : gauntlet.challengers) {
     if (!gauntlet.teams.contains(name)) continue;
@@ -127,7 +128,7 @@ Knockout read_knockout(TopReader& top) {
   Knockout knockout;
   read_base(top, knockout);
   // Every book but the paper's has extra time and shoot-outs, which the base may switch off.
-  if (!top.locations().contains("match.knockout")) {
+  if (!knockout.base.given.contains("match.knockout")) {
     knockout.base.match.knockout = knockout.base.match.rules != "paper";
   }
   read_teams(top, knockout, {2, kMostInKnockout});

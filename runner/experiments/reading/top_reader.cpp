@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "runner/experiments/reading/factor_reader.hpp"
+#include "runner/io/errors.hpp"
 #include "runner/io/words.hpp"
 
 namespace autoref::runner {
@@ -55,6 +57,31 @@ void TopReader::read_base(GameConfiguration& game, const Elsewhere& elsewhere) {
   if (const YamlEntry* base = find("base"))
     BaseReader(file_, locations_, elsewhere).read(*base, game);
   check([&game] { check_game(game); });
+  for (const Assignment& assignment : assignments_) {
+    if (!is_decided_by_schedule(assignment.path)) continue;
+    throw InputError({assignment.flag}, "", "every game is given its own; leave it out");
+  }
+  std::vector<std::string> others = {elsewhere.branch};
+  if (find("challengers") != nullptr) others.emplace_back("challengers");
+  assign_all(game, others);
+}
+
+void TopReader::assign_all(GameConfiguration& game,
+                           const std::vector<std::string>& elsewhere) const {
+  Assignments here;
+  for (const Assignment& assignment : assignments_) {
+    const std::string branch = assignment.path.substr(0, assignment.path.find('.'));
+    if (std::find(elsewhere.begin(), elsewhere.end(), branch) != elsewhere.end()) continue;
+    here.push_back(assignment);
+  }
+  runner::assign_all(here, game);
+}
+
+void TopReader::refuse_assignment(const std::string& path) const {
+  for (const Assignment& assignment : assignments_) {
+    if (!sets_same_number(assignment.path, full_path(path))) continue;
+    throw InputError({assignment.flag}, "", "the file varies it; change it there");
+  }
 }
 
 void TopReader::check(const std::function<void()>& work) const {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "runner/experiments/reading/base_reader.hpp"
+#include "runner/settings/assignments.hpp"
 #include "runner/settings/settings_reader.hpp"
 #include "runner/settings/yaml.hpp"
 
@@ -17,8 +18,9 @@ namespace autoref::runner {
 // All that it reads throws InputError.
 class TopReader {
  public:
-  // `file` must outlive the reader.
-  explicit TopReader(const YamlFile& file) : file_(file), top_(file.top()) {}
+  // Both must outlive the reader.
+  TopReader(const YamlFile& file, const Assignments& assignments)
+      : file_(file), assignments_(assignments), top_(file.top()) {}
 
   const YamlFile& file() const { return file_; }
   const std::vector<YamlEntry>& entries() const { return top_; }
@@ -42,6 +44,15 @@ class TopReader {
   // stands elsewhere.
   void read_base(GameConfiguration& game, const Elsewhere& elsewhere = {});
 
+  // What the command line sets, which stands over the file.
+  const Assignments& assignments() const { return assignments_; }
+
+  // Applies the command line's settings to `game` but for those of the branches `elsewhere`.
+  void assign_all(GameConfiguration& game, const std::vector<std::string>& elsewhere = {}) const;
+
+  // Refuses the command line's setting at a short path, which the file varies.
+  void refuse_assignment(const std::string& path) const;
+
   // `work` throws std::invalid_argument where settings that are right alone make no game together.
   // Its message begins with the path of the one to mend, or of its branch.
   void check(const std::function<void()>& work) const;
@@ -55,6 +66,7 @@ class TopReader {
   YamlLocation location_of_first_path_in(std::string_view message) const;
 
   const YamlFile& file_;
+  const Assignments& assignments_;
   const std::vector<YamlEntry> top_;
   SettingLocations locations_;
 };

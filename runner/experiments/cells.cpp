@@ -1,0 +1,96 @@
+#include "runner/experiments/cells.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "runner/settings/fields.hpp"
+
+namespace autoref::runner {
+namespace {
+
+using SettingValues = std::map<std::string, std::string>;  // by full path
+
+// What differs in some robots, by full path.
+void add(const ChangesOf& of, const std::string& holder, SettingValues& values) {
+  for (const auto& [path, value] : *of.changes) {
+    if (branch_of(path) != of.branch) continue;
+    values[holder + path.substr(of.branch.size())] = value;
+  }
+}
+
+SettingValues values_in(GameConfiguration game) {
+  SettingValues values;
+  for (const Setting& setting : settings_of(game)) {
+    if (const auto* of = std::get_if<ChangesOf>(&setting.target)) add(*of, setting.path, values);
+    if (!is_alias(setting) && !holds_others(setting)) values[setting.path] = value_of(setting);
+  }
+  return values;
+}
+
+// What the values of one key set. Those of other keys are `varied`, too.
+void add(const GameConfiguration& base, const Factor& key, const std::set<std::string>& varied,
+         SetByValues& all) {
+  const SettingValues of_base = values_in(base);
+  std::map<std::string, SettingValues> found;
+  std::set<std::string> paths;
+  for (const std::string& value : key.values) {
+    GameConfiguration game = base;
+    set_by_path(game, key.path, value);
+    SettingValues& its = found[key.path + "=" + value] = values_in(game);
+    for (const auto& [path, text] : its) {
+      const auto there = of_base.find(path);
+      const bool is_same = there != of_base.end() && there->second == text;
+      if (!is_same && !varied.contains(path) && !base.given.contains(path)) paths.insert(path);
+    }
+  }
+  if (paths.empty()) return;
+  for (auto& [name, values] : found) {
+    std::erase_if(values, [&paths](const auto& value) { return !paths.contains(value.first); });
+    all[name] = values;
+  }
+}
+
+SetByValues set_by_values(const GameConfiguration& base, const std::vector<Factor>& keys) {
+  std::set<std::string> varied;
+  for (const Factor& key : keys) varied.insert(full_path(key.path));
+  SetByValues all;
+  for (const Factor& key : keys) add(base, key, varied, all);
+  return all;
+}
+
+}  // namespace
+
+std::string cell_name(const Sweep& sweep, const std::vector<std::string>& values) {
+  std::string name;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    name += fmt::format("{}{}={}", i == 0 ? "" : "+", sweep.factors[i].path, values[i]);
+  }
+  return name;
+}
+
+GameConfiguration configured(const Sweep& sweep, const std::vector<std::string>& values) {
+  GameConfiguration game = sweep.base;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    set_by_path(game, sweep.factors[i].path, values[i]);
+  }
+  check_game(game);
+  return game;
+}
+
+GameConfiguration configured(const JudgeSchedule& schedule, const std::string& rules,
+                             const std::string& camera) {
+  GameConfiguration game = schedule.base;
+  set_by_path(game, "match.rules", rules);
+  set_by_path(game, "sim.camera", camera);
+  return game;
+}
+
+SetByValues set_by_values(const Sweep& sweep) { return set_by_values(sweep.base, sweep.factors); }
+
+SetByValues set_by_values(const JudgeSchedule& schedule) {
+  return set_by_values(schedule.base,
+                       {{"match.rules", schedule.rules}, {"sim.camera", schedule.cameras}});
+}
+
+}  // namespace autoref::runner

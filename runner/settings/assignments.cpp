@@ -1,0 +1,53 @@
+#include "runner/settings/assignments.hpp"
+
+#include <fmt/format.h>
+
+#include "runner/settings/fields.hpp"
+#include "runner/settings/robot_types.hpp"
+
+namespace autoref::runner {
+namespace {
+
+Assignment assignment_in(const std::string& set) {
+  const std::string flag = "--set " + set;
+  const std::size_t equals = set.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    throw InputError({flag}, "", "expected KEY=VALUE, such as match.half_s=60");
+  }
+  return {flag, full_path(set.substr(0, equals)), set.substr(equals + 1)};
+}
+
+}  // namespace
+
+Assignments assignments_in(const std::vector<std::string>& sets) {
+  Assignments all;
+  for (const std::string& set : sets) {
+    Assignment next = assignment_in(set);
+    for (const Assignment& other : all) {
+      // Of one key the last value counts.
+      if (next.path == other.path || !sets_same_number(next.path, other.path)) continue;
+      throw InputError({next.flag}, "",
+                       fmt::format("{} sets the same number; leave one out", other.flag));
+    }
+    all.push_back(std::move(next));
+  }
+  return all;
+}
+
+std::string flags_of(const Assignments& assignments) {
+  std::vector<std::string> flags;
+  for (const Assignment& assignment : assignments) flags.push_back(assignment.flag);
+  return fmt::format("{}", fmt::join(flags, " "));
+}
+
+void assign(const Assignment& assignment, GameConfiguration& game) {
+  blame(assignment.flag, [&] { set_by_path(game, assignment.path, assignment.value, {}); });
+}
+
+void assign_all(const Assignments& assignments, GameConfiguration& game) {
+  for (const Assignment& assignment : assignments) assign(assignment, game);
+  // Only all of them together need to make a game.
+  blame(flags_of(assignments), [&] { check_game(game); });
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,318 @@
+// What a user writes stands over every preset: in a file, as a factor, by --set, in any order.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "runner/experiments/reading/effective.hpp"
+#include "runner/experiments/reading/scenario_reader.hpp"
+#include "runner/experiments/schedule.hpp"
+#include "runner/io/errors.hpp"
+#include "runner/settings/fields.hpp"
+
+namespace autoref::runner {
+namespace {
+
+using Values = std::map<std::string, std::string>;  // by full path
+
+// Everything that a game is played with, and what differs in its teams' robots.
+Values values_of(GameConfiguration game) {
+  Values values;
+  for (const Setting& setting : settings_of(game)) {
+    if (const auto* of = std::get_if<ChangesOf>(&setting.target)) {
+      for (const auto& [path, value] : *of->changes) {
+        if (branch_of(path) == of->branch) {
+          values[setting.path + path.substr(of->branch.size())] = value;
+        }
+      }
+    }
+    if (!is_alias(setting) && !holds_others(setting)) values[setting.path] = value_of(setting);
+  }
+  return values;
+}
+
+struct Preset {
+  std::string path;
+  std::vector<std::string> words;
+};
+
+// Every preset of a game, found in the list of settings.
+std::vector<Preset> presets() {
+  GameConfiguration game;
+  set_by_path(game, "b.players.2.handicap", "1");
+  std::vector<Preset> found;
+  for (const Setting& setting : settings_of(game)) {
+    if (is_preset(setting)) found.push_back({setting.path, setting.words});
+    for (const std::string& name : names_in(setting)) {
+      const Setting held = setting_in(setting, name).value();
+      if (is_preset(held)) found.push_back({held.path, held.words});
+    }
+  }
+  return found;
+}
+
+std::vector<Assignment> in_order(const std::string& path, const std::string& value,
+                                 const std::string& preset, const std::string& word,
+                                 bool preset_first) {
+  const Assignment own = {"", path, value};
+  const Assignment its = {"", preset, word};
+  return preset_first ? Assignments{its, own} : Assignments{own, its};
+}
+
+// What a preset's words set: the paths whose values differ between any two of them, or from what
+// they are by default.
+std::set<std::string> set_by(const Preset& preset) {
+  std::set<std::string> paths;
+  const Values defaults = values_of({});
+  for (const std::string& word : preset.words) {
+    GameConfiguration game;
+    set_by_path(game, preset.path, word);
+    for (const auto& [path, value] : values_of(game)) {
+      const auto usual = defaults.find(path);
+      const bool differs = usual == defaults.end() || usual->second != value;
+      if (differs && path != preset.path && !path.starts_with("teams.b.players.2.type") &&
+          !path.ends_with("_factor")) {
+        paths.insert(path);
+      }
+    }
+  }
+  return paths;
+}
+
+// A value of the setting other than the one that a preset gives it.
+std::string other_value(const std::string& path, const std::string& value) {
+  GameConfiguration game;
+  for (const char* text : {"1", "2", "0.5", "0.1", "5", "7", "12", "0.01", "0.05", "true", "false",
+                           "box", "quarter_circles"}) {
+    try {
+      set_by_path(game, path, text);
+    } catch (const std::invalid_argument&) {
+      continue;
+    }
+    if (value_at(game, path) != value) return value_at(game, path);
+  }
+  return "none found for " + path;
+}
+
+// Calls `check` for every setting of every word of every preset.
+template <typename Check>
+int for_each_setting(const Check& check) {
+  int count = 0;
+  for (const Preset& preset : presets()) {
+    const std::set<std::string> paths = set_by(preset);
+    EXPECT_FALSE(paths.empty()) << preset.path;
+    for (const std::string& word : preset.words) {
+      GameConfiguration game;
+      set_by_path(game, preset.path, word);
+      const Values alone = values_of(game);
+      for (const std::string& path : paths) {
+        check(preset.path, word, path, other_value(path, alone.at(path)), alone);
+        ++count;
+      }
+    }
+  }
+  return count;
+}
+
+// All that the preset sets is played but for the one setting that the user wrote.
+void expect_only_one_differs(const GameConfiguration& game, const std::string& path,
+                             const std::string& value, Values alone, const std::string& what) {
+  alone[path] = value;
+  EXPECT_EQ(values_of(game), alone) << what << " over " << path << " = " << value;
+}
+
+TEST(Presets, LeaveSingleSettingsAloneInAnyOrder) {
+  const int settings =
+      for_each_setting([](const std::string& preset, const std::string& word,
+                          const std::string& path, const std::string& value, const Values& alone) {
+        for (const bool preset_first : {true, false}) {
+          GameConfiguration game;
+          for (const Assignment& a : in_order(path, value, preset, word, preset_first)) {
+            set_by_path(game, a.path, a.value);
+          }
+          expect_only_one_differs(game, path, value, alone, preset + "=" + word);
+        }
+      });
+  EXPECT_GT(settings, 250);  // presets of cameras, balls, dribblers and rule books
+}
+
+TEST(Presets, LeaveTheFilesSettingsAloneWhenTheyAreSet) {
+  for_each_setting([](const std::string& preset, const std::string& word, const std::string& path,
+                      const std::string& value, const Values& alone) {
+    GameConfiguration written;
+    set_by_path(written, path, value);
+    const Scenario file = {"", written};
+    std::string text = "schema: 1\nkind: game\n";
+    std::string indent;
+    for (std::size_t from = 0; from != std::string::npos;) {
+      const std::size_t dot = path.find('.', from);
+      text += indent + path.substr(from, dot - from) + ":";
+      from = dot == std::string::npos ? dot : dot + 1;
+      text += dot == std::string::npos ? " " + value + "\n" : "\n";
+      indent += "  ";
+    }
+    try {
+      const Scenario scenario =
+          read_scenario_text(text, "x.yaml", {{"--set " + preset, preset, word}});
+      expect_only_one_differs(std::get<GameConfiguration>(scenario.content), path, value, alone,
+                              preset + "=" + word);
+    } catch (const InputError&) {
+      // Not every value makes a game with every preset: a robot may not fit the field, say.
+    }
+  });
+}
+
+Sweep sweep_of(const std::string& lines) {
+  const std::string text = "schema: 1\nkind: sweep\npairs: 1\nseed: 1\n" + lines;
+  return std::get<Sweep>(read_scenario_text(text, "x.yaml").content);
+}
+
+// The games' configurations by their cells' names.
+std::map<std::string, GameConfiguration> cells_of(const Sweep& sweep) {
+  std::map<std::string, GameConfiguration> cells;
+  for (const ScheduledGame& game : scheduled_games(sweep)) {
+    cells[game.id.substr(0, game.id.find("-p"))] = game.configuration;
+  }
+  return cells;
+}
+
+TEST(Presets, AsFactorsLeaveTheBaseAlone) {
+  const auto cells = cells_of(
+      sweep_of("base: { teams: { b: { robots: 3 } }, match: { half_s: 5 }, sim: { latency_s: 0.1 } "
+               "}\nfactors: { match.rules: [paper, \"2014\"], sim.camera: [none, realistic] }\n"));
+  ASSERT_EQ(cells.size(), 4U);
+  for (const auto& [name, game] : cells) {
+    EXPECT_EQ(game.b.robots, 3) << name;
+    EXPECT_EQ(game.a.robots, 6) << name;
+    EXPECT_EQ(game.match.half_s, 5) << name;
+    EXPECT_EQ(game.sim.latency_s, 0.1) << name;
+  }
+  EXPECT_EQ(cells.at("match.rules=2014+sim.camera=realistic").sim.vision.ball_noise_m, 0.0014);
+}
+
+TEST(Presets, AsFactorsLeaveOtherFactorsAloneInAnyOrder) {
+  for (const char* factors :
+       {"sim.camera: [none, realistic], sim.latency_s: [0.1, 0.2], match.half_s: [5, 7], "
+        "match.rules: [paper, \"2014\"]",
+        "match.rules: [paper, \"2014\"], match.half_s: [5, 7], sim.latency_s: [0.1, 0.2], "
+        "sim.camera: [none, realistic]"}) {
+    for (const auto& [name, game] :
+         cells_of(sweep_of("factors: { " + std::string(factors) + " }\n"))) {
+      const auto says = [&name = name](const std::string& cell) {
+        return name.find(cell) != std::string::npos;
+      };
+      EXPECT_EQ(game.sim.latency_s, says("latency_s=0.1") ? 0.1 : 0.2) << name;
+      EXPECT_EQ(game.match.half_s, says("half_s=5") ? 5 : 7) << name;
+      EXPECT_EQ(game.sim.vision.ball_noise_m, says("camera=none") ? 0 : 0.0014) << name;
+      EXPECT_EQ(game.match.rules, says("rules=2014") ? "2014" : "paper") << name;
+    }
+  }
+}
+
+TEST(Presets, AsFactorsKeepTheirNamesWhereSingleSettingsDiffer) {
+  const Sweep sweep = sweep_of(
+      "base: { sim: { vision: { reports_height: false } } }\n"
+      "factors: { sim.camera: [paper, none] }\n");
+  EXPECT_EQ(sweep.factors[0].values, (std::vector<std::string>{"paper", "none"}));
+}
+
+TEST(Presets, ReadTheSameFromTheEffectiveFile) {
+  for (const char* lines :
+       {"base: { teams: { b: { robots: 3 } }, match: { half_s: 5 } }\n"
+        "factors: { match.rules: [paper, \"2014\", 2026-b], sim.camera: [none, realistic] }\n",
+        "base: { sim: { camera: realistic, latency_s: 0.1 }, match: { rules: 2026-a } }\n"
+        "factors: { sim.camera: [realistic, none], sim.ball.preset: [tigers, default] }\n",
+        "base: { teams: { b: { dribbler: { force_n: 3 } } } }\n"
+        "factors: { b.dribbler.preset: [perfect, default], b.handicap: [1.0, 0.5] }\n",
+        "factors: { b.players.3.dribbler.preset: [perfect, default], b.robots: [6, 5] }\n"}) {
+    const Sweep sweep = sweep_of(lines);
+    const std::string text = effective_text({"A sweep.", sweep});
+    const auto again = std::get<Sweep>(read_scenario_text(text, "effective.yaml").content);
+    EXPECT_EQ(effective_text({"A sweep.", again}), text);
+    const auto cells = cells_of(sweep);
+    const auto cells_again = cells_of(again);
+    ASSERT_EQ(cells.size(), cells_again.size());
+    for (const auto& [name, game] : cells) {
+      EXPECT_EQ(values_of(cells_again.at(name)), values_of(game)) << name << "\n" << text;
+    }
+  }
+}
+
+TEST(Presets, AreSpeltOutByValueInTheEffectiveFile) {
+  const std::string text =
+      effective_text({"A sweep.", sweep_of("base: { match: { half_s: 5 } }\n"
+                                           "factors: { match.rules: [paper, \"2014\"] }\n")});
+  EXPECT_NE(text.find("    half_s: 5.0 "), std::string::npos) << text;
+  EXPECT_NE(text.find("\"match.rules=2014\":\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("    match.switch.bot_crash_unique: true\n"), std::string::npos) << text;
+  EXPECT_EQ(text.find("match.half_s"), std::string::npos) << text;
+}
+
+std::string refusal_of(const std::string& lines, const Assignments& assignments = {}) {
+  try {
+    read_scenario_text("schema: 1\nkind: sweep\npairs: 1\nseed: 1\n" + lines, "x.yaml",
+                       assignments);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Presets, MayNotBeContradictedInTheEffectiveFile) {
+  std::string text =
+      effective_text({"", sweep_of("factors: { match.rules: [paper, \"2014\"] }\n")});
+  const std::string line = "    match.switch.bot_crash_unique: true\n";
+  text.replace(text.find(line), line.size(), "    match.switch.bot_crash_unique: false\n");
+  try {
+    read_scenario_text(text, "effective.yaml");
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("set_by_values: "), std::string::npos) << error.what();
+  }
+}
+
+TEST(Handicap, IsRefusedBesideAPartOfItThatTheBaseGives) {
+  EXPECT_EQ(refusal_of("base: { teams: { b: { speed_factor: 0.8 } } }\n"
+                       "factors: { b.handicap: [1.0, 0.5] }\n"),
+            "x.yaml:6:12: b.handicap: 'base.teams.b.speed_factor' sets the same number; leave one "
+            "out");
+}
+
+TEST(Set, IsRefusedForWhatTheFileVaries) {
+  EXPECT_EQ(refusal_of("factors: { b.handicap: [1.0, 0.5] }\n",
+                       {{"--set b.handicap=1", "teams.b.handicap", "1"}}),
+            "--set b.handicap=1: the file varies it; change it there");
+  EXPECT_EQ(refusal_of("factors: { b.handicap: [1.0, 0.5] }\n", {{"--set seed=1", "seed", "1"}}),
+            "--set seed=1: every game is given its own; leave it out");
+}
+
+TEST(Set, ReachesTheBaseAndTeamsByName) {
+  const std::string text =
+      "schema: 1\nkind: roundrobin\npairs: 1\nseed: 1\n"
+      "teams: { one: { strategy: basic }, two: { strategy: basic, robots: 5 } }\n";
+  const Assignments sets =
+      assignments_in({"teams.one.players.2.handicap=0.5", "teams.two.params.shot_mps=5",
+                      "match.half_s=7", "match.rules=2026-a"});
+  const auto robin = std::get<RoundRobin>(read_scenario_text(text, "x.yaml", sets).content);
+  EXPECT_EQ(robin.base.match.half_s, 7);
+  EXPECT_EQ(robin.teams.at("one").robots, 11);
+  EXPECT_EQ(robin.teams.at("one").players.at(2).speed_factor, 0.5);
+  EXPECT_EQ(robin.teams.at("two").robots, 5);
+  EXPECT_EQ(robin.teams.at("two").params.at("shot_mps"), 5);
+  try {
+    read_scenario_text(text, "x.yaml", assignments_in({"teams.oen.robots=5"}));
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("did you mean 'teams.one'"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(Set, RefusesAHandicapAndAPartOfItInAnyOrder) {
+  for (const auto& sets : {std::vector<std::string>{"b.handicap=0.5", "b.speed_factor=0.8"},
+                           std::vector<std::string>{"b.speed_factor=0.8", "b.handicap=0.5"}}) {
+    EXPECT_THROW(assignments_in(sets), InputError);
+  }
+}
+
+}  // namespace
+}  // namespace autoref::runner
