@@ -32,9 +32,11 @@ struct Decision {
   Finding finding;                 // what was decided on
   LastTouch last_touch;
 
-  // What play goes on with after a call that stopped it.
+  // What play goes on with after a call that stopped it, or that changed the restart after a stop.
   std::optional<Command> restart() const {
-    return is_call(finding.event) && from != to ? std::optional(finding.restart) : std::nullopt;
+    const bool decides =
+        is_call(finding.event) && (from != to || finding.event == Event::kAttackerStaysNearArea);
+    return decides ? std::optional(finding.restart) : std::nullopt;
   }
 };
 

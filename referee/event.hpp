@@ -44,6 +44,8 @@ struct EventEntry {
   Effect effect = Effect::kNone;
   When when = When::kInPlay;             // of calls
   bool is_foul = false;                  // among a team's fouls in a game's row
+  bool counts_to_card = false;           // 2026: every third one is a yellow card
+  bool is_non_stopping = false;          // 2026: no goal by the team for 2 s
   bool is_exit = false;                  // the ball left the field: who touched it last decides
   Card card = Card::kNone;               // shown whatever the circumstances
   std::optional<CommandKind> restart{};  // that follows whatever the circumstances

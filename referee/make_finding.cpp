@@ -12,6 +12,7 @@ Finding finding_of(Event event, RuleId rule, const RuleBook& rules) {
   Finding finding;
   finding.event = event;
   finding.card = entry_of(event).card;
+  finding.is_foul = entry_of(event).counts_to_card && rules.fouls_per_card > 0;
   finding.restart.kind = entry_of(event).restart.value_or(finding.restart.kind);
   finding.rule = section_of(rules, rule);
   if (entry.threshold != nullptr) finding.threshold = rules.*entry.threshold;
@@ -44,7 +45,6 @@ Finding note_of(Event event, RuleId rule, const RuleBook& rules, RobotId robot,
   Finding finding = finding_of(event, rule, rules);
   finding.robots.push_back(robot);
   finding.offender = robot.side;
-  finding.is_foul = rules.fouls_per_card > 0;
   finding.position_m = where_m;
   return finding;
 }
@@ -53,7 +53,6 @@ Finding contact_foul_of(Event event, RuleId rule, const Configuration& configura
                         const Vec2& robot_m, const Vec2& where_m) {
   const Field& field = configuration.field;
   Finding finding = offence_of(event, rule, configuration, robot, where_m);
-  finding.is_foul = configuration.rules.fouls_per_card > 0;
   finding.restart.kind = CommandKind::kDirectFree;
   if (configuration.rules.edition != Edition::kRules2026 &&
       distance_to_defence_area(field, robot.side, robot_m) <= 0) {

@@ -50,9 +50,8 @@ struct RuleBook {
   double free_kick_timeout_s = 10_s;       // 2026 Division A: 5 s
   bool untaken_goes_to_opponents = false;  // 2026; else force start
   double opponents_to_ball_m = 500_mm;     // kept by the opponents at every restart
-  double restart_distance_grace_s = 2_s;   // 2026
   double attacker_to_area_m = 200_mm;      // paper, section 4.2, robot-related rules
-  double attacker_grace_s = 2_s;           // 2026
+  double attacker_grace_s = 2_s;           // 2026: since the stop began
 
   // Where a free kick is taken when it happened too near to an area (Laws 13).
   double own_area_kick_goal_inset_m = 600_mm;   // out of one's own area: from the goal line
@@ -79,7 +78,9 @@ struct RuleBook {
   double stop_grace_s = 2_s;              // 2026
   double placement_clearance_m = 500_mm;  // 2026: from the line between ball and target
   double placement_grace_s = 2_s;         // 2026
-  bool fouls_stop_play = true;            // robots' fouls; 2026: they are counted, play goes on
+  bool fouls_stop_play = true;            // 2026: some are only counted, play goes on
+  double foul_repeat_s = 2_s;             // 2026: before the same foul of a team counts again
+  double interference_s = 10_s;           // 2026: more to place the ball after an interference
 
   // Penalty kicks (Laws 14).
   double penalty_clearance_m = 400_mm;  // of the others, behind the mark; 2026: 1 m

@@ -14,6 +14,9 @@ constexpr Command kStop{CommandKind::kStop, Side::kWest};
 constexpr Command kHalt{CommandKind::kHalt, Side::kWest};
 constexpr Command kNormalStart{CommandKind::kNormalStart, Side::kWest};
 
+// Robots stop within 2 s of a HALT (2026, Halt).
+constexpr double kHaltLasts_s = 2;
+
 Command kickoff_of(Side side) { return {CommandKind::kPrepareKickoff, side}; }
 
 void send(RefereeState& state, const RefereeInput& input, const Command& command) {
@@ -44,6 +47,11 @@ void end_play(RefereeState& state) {
 void start_clock(RefereeState& state, const RefereeInput& input) {
   state.signal.stage = stage_of(state.half);
   state.half_began_s = clock_s(state, input.configuration.rules, input.time_s());
+}
+
+void give_restart(RefereeState& state, const Finding& finding) {
+  place_ball(state, finding.ball_to_m);
+  state.signal.next_command = finding.restart;
 }
 
 void begin_break(RefereeState& state, const RefereeInput& input) {
@@ -117,16 +125,42 @@ void award_goal(RefereeState& state, const RefereeInput& input, const Finding& f
 void stop_play(RefereeState& state, const RefereeInput& input, const Finding& finding) {
   book(state, input, finding);
   const Retakes retakes = retakes_after(state.retakes, finding);
+  const PerSide<int> fouls_near_area = state.watch.attacker_too_close_to_defense_area.fouls;
   end_play(state);
   state.retakes = retakes;
-  place_ball(state, finding.ball_to_m);
-  state.signal.next_command = finding.restart;
+  // The second foul of a team counts where the first one has stopped play.
+  if (finding.event == Event::kAttackerStaysNearArea) {
+    state.watch.attacker_too_close_to_defense_area.fouls = fouls_near_area;
+  }
+  give_restart(state, finding);
   send(state, input, kStop);
   wait_anew(state, input);
 }
 
 void note_foul(RefereeState& state, const RefereeInput& input, const Finding& finding) {
   book(state, input, finding);
+}
+
+void allow_more_time(RefereeState& state, const RefereeInput& input, const Finding& finding) {
+  book(state, input, finding);
+  state.wait_began_s += input.configuration.rules.interference_s;
+}
+
+void award_free_kick_in_stop(RefereeState& state, const RefereeInput& input,
+                             const Finding& finding) {
+  book(state, input, finding);
+  state.retakes = Retakes{};
+  give_restart(state, finding);
+  wait_anew(state, input);
+}
+
+// A person clears the field at a tournament; here the robots have time to stop.
+void halt_for_foul(RefereeState& state, const RefereeInput& input, const Finding& finding) {
+  book(state, input, finding);
+  end_play(state);
+  give_restart(state, finding);
+  send(state, input, kHalt);
+  state.delay_ends_s = input.time_s() + kHaltLasts_s;
 }
 
 void show_card(RefereeState& state, const RefereeInput& input, const Finding& finding) {

@@ -22,6 +22,10 @@ void send_preparation(RefereeState& state, const RefereeInput& input, const Find
 void start_play(RefereeState& state, const RefereeInput& input, const Finding& finding);
 void award_goal(RefereeState& state, const RefereeInput& input, const Finding& finding);
 void stop_play(RefereeState& state, const RefereeInput& input, const Finding& finding);
+void allow_more_time(RefereeState& state, const RefereeInput& input, const Finding& finding);
+void award_free_kick_in_stop(RefereeState& state, const RefereeInput& input,
+                             const Finding& finding);
+void halt_for_foul(RefereeState& state, const RefereeInput& input, const Finding& finding);
 void show_card(RefereeState& state, const RefereeInput& input, const Finding& finding);
 void end_card(RefereeState& state, const RefereeInput& input, const Finding& finding);
 void note_foul(RefereeState& state, const RefereeInput& input, const Finding& finding);
@@ -50,6 +54,13 @@ inline constexpr Action kAwardGoal{
 inline constexpr Action kStopPlay{"send STOP; place the ball; next = what the rule gives",
                                   stop_play};
 inline constexpr Action kNoteFoul{"the foul is counted", note_foul};
+inline constexpr Action kAllowMoreTime{"the foul is counted; 10 s more to place the ball",
+                                       allow_more_time};
+inline constexpr Action kAwardFreeKickInStop{
+    "the foul is counted; next = free kick of the others; restart the wait",
+    award_free_kick_in_stop};
+inline constexpr Action kHaltForFoul{
+    "the foul is counted; send HALT; next = free kick of the others", halt_for_foul};
 inline constexpr Action kShowCard{"one robot fewer is allowed", show_card};
 inline constexpr Action kEndCard{"one robot more is allowed", end_card};
 inline constexpr Action kStopAfterSignal{"send STOP", stop_after_signal};

@@ -36,10 +36,8 @@ void book(RefereeState& state, const RefereeInput& input, const Finding& finding
       finding.card != Card::kNone && input.configuration.rules.has(RuleId::kCards);
   for (const Side side : kSides) {
     if (!concerns(finding, side)) continue;
-    if (finding.is_foul) {
-      ++state.cards[side].fouls;
-      state.cards[side].fouled_s = input.time_s();
-    }
+    if (finding.is_foul) ++state.cards[side].fouls;
+    if (entry_of(finding.event).is_non_stopping) state.cards[side].fouled_s = input.time_s();
     if (finding.event == Event::kTooManyRobots) state.cards[side].too_many_called = true;
     if (gives_card) show(state, input, side, finding.card);
   }

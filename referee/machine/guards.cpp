@@ -50,6 +50,10 @@ bool fouls_stop_play(const RefereeState& /*state*/, const Configuration& configu
   return configuration.rules.fouls_stop_play;
 }
 
+bool is_second_near_area(const RefereeState& state, const Configuration& /*configuration*/) {
+  return state.watch.attacker_too_close_to_defense_area.is_second();
+}
+
 bool fouls_are_noted(const RefereeState& state, const Configuration& configuration) {
   return !fouls_stop_play(state, configuration);
 }

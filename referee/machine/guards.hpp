@@ -25,6 +25,7 @@ bool is_in_shootout(const RefereeState& state, const Configuration& configuratio
 bool game_was_last(const RefereeState& state, const Configuration& configuration);
 bool new_game_follows(const RefereeState& state, const Configuration& configuration);
 bool fouls_stop_play(const RefereeState& state, const Configuration& configuration);
+bool is_second_near_area(const RefereeState& state, const Configuration& configuration);
 bool fouls_are_noted(const RefereeState& state, const Configuration& configuration);
 
 inline constexpr Guard kAlways{"", holds_always};
@@ -38,6 +39,8 @@ inline constexpr Guard kInShootout{"in the shoot-out", is_in_shootout};
 inline constexpr Guard kGameWasLast{"no new game follows", game_was_last};
 inline constexpr Guard kNewGameFollows{"a new game follows", new_game_follows};
 inline constexpr Guard kFoulsStopPlay{"fouls stop play", fouls_stop_play};
+inline constexpr Guard kSecondNearArea{"a team's second in this stop or free kick",
+                                       is_second_near_area};
 inline constexpr Guard kFoulsAreNoted{"fouls only count", fouls_are_noted};
 
 }  // namespace autoref::referee

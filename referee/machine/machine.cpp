@@ -70,6 +70,12 @@ constexpr Trigger kCallThatCounts{"a call that only counts", counts_in_play};
 constexpr Trigger kCallInStop{"a call that may come in a stop", may_come_in_stop};
 
 constexpr std::array kBeyondPaper = {
+  Transition{"", std::nullopt, Event::kAttackerStaysNearArea, kSecondNearArea, kHaltForFoul,
+        State::kDelayWait, "2026", ""},
+  Transition{"", State::kWaitStop, Event::kAttackerStaysNearArea, kAlways, kAwardFreeKickInStop,
+        State::kWaitStop, "2026", ""},
+  Transition{"", State::kWaitStop, Event::kBotInterferedPlacement, kAlways, kAllowMoreTime,
+        State::kWaitStop, "2026", ""},
   Transition{"", State::kRun, kCallThatStopsPlay, kAlways, kStopPlay,
         State::kWaitStop, "rule book; goal_line_unknown: ours", "D14"},
   Transition{"", State::kRun, kCallByBook, kFoulsStopPlay, kStopPlay,

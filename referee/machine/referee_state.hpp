@@ -63,7 +63,7 @@ struct Stopwatch {
 struct CardBook {
   int fouls = 0;                   // that count towards a card
   int cards_for_fouls = 0;         // shown for them
-  std::optional<double> fouled_s;  // when the last of them was
+  std::optional<double> fouled_s;  // when the last non-stopping foul was called
   // When the active yellow cards are over, by the play clock; the oldest first.
   boost::container::static_vector<double, kMaxRobots> yellow_ends_s;
   std::optional<double> fewer_since_s;     // when fewer robots were allowed, the last time

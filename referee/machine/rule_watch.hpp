@@ -22,23 +22,6 @@ class RobotSet {
   PerSide<std::uint32_t> bits_;
 };
 
-// Since when each robot has done something without a pause.
-class RobotTimers {
- public:
-  // Takes in whether the robot does it in the frame at `now_s`, and says for how long it has: 0
-  // where it does not.
-  double update(RobotId robot, bool does_it, double now_s) {
-    std::optional<double>& since_s =
-        since_s_[robot.side].at(static_cast<std::size_t>(robot.number));
-    if (!does_it) since_s.reset();
-    if (does_it && !since_s) since_s = now_s;
-    return since_s ? now_s - *since_s : 0;
-  }
-
- private:
-  PerSide<std::array<std::optional<double>, kMaxRobots>> since_s_;
-};
-
 // Robots that stand where they must not, and what was measured of the one that is farthest wrong.
 struct PositionViolation {
   ConcernedRobots robots;
@@ -52,16 +35,30 @@ struct PositionViolation {
   }
 };
 
+// Of one stop and the free kick after it (2026).
 struct AttackerNearAreaWatch {
-  RobotTimers near;
-  RobotSet called;
+  PerSide<std::optional<double>> grace_from_s;  // when the stop began, or the team's first foul was
+  PerSide<int> fouls;
+
+  bool is_second() const { return fouls[Side::kWest] > 1 || fouls[Side::kEast] > 1; }
 };
 
 struct RestartDistanceWatch {
   PositionViolation before;  // opponents too near in the latest frame with the ball not in play
-  RobotTimers near;
-  RobotSet called;
-  std::optional<double> anew_s;  // the kicker's time runs from here
+  std::optional<double> called_s;  // the kicker's time runs from here (2026)
+};
+
+// The touch that a foul was called for that does not stop play (2026).
+struct CalledTouch {
+  std::optional<RobotId> robot;  // none: nothing has been called
+  double ended_s = 0;            // of the touch, as far as it is known
+  double called_s = 0;
+};
+
+// Robots too fast in a stop.
+struct StopSpeedWatch {
+  GraceTimer robots;
+  PerSide<std::optional<double>> called_s;
 };
 
 struct KickoffPositionsWatch {
@@ -99,19 +96,21 @@ struct RuleWatch {
   PushingWatch bot_pushed_bot;
   DribblingWatch bot_dribbled_ball_too_far;
   KeeperHoldingWatch keeper_held_ball;
-  GraceTimer bot_too_fast_in_stop;
+  StopSpeedWatch bot_too_fast_in_stop;
   GraceTimer stop_distance;
   GraceTimer bot_interfered_placement;
+  bool interference_is_called = false;  // of the placement that is on
   AttackerNearAreaWatch attacker_too_close_to_defense_area;
   RestartDistanceWatch defender_too_close_to_kick_point;
   KickoffPositionsWatch kickoff_positions;
   PenaltyPositionsWatch penalty_positions;
   KickSpeedWatch bot_kicked_ball_too_fast;
+  CalledTouch fast_kick;
+  CalledTouch touch_in_area;
   OffsideWatch offside;
 };
 
-// What is still of use when play starts: robots that have been near an area since play was stopped
-// go on being so.
+// What is still of use when play starts: a free kick belongs to the stop before it.
 inline RuleWatch kept_at_start(const RuleWatch& watch) {
   RuleWatch kept;
   kept.attacker_too_close_to_defense_area = watch.attacker_too_close_to_defense_area;

@@ -15,14 +15,14 @@ bool is_to_be_judged(const BallTouch& touch, const PlayState& play, double now_s
 
 }  // namespace
 
-std::optional<Finding> find_in_touches(const PlayState& play, const RefereeInput& input,
-                                       std::optional<Finding> (*check)(const BallTouch& touch,
-                                                                       const RefereeInput& input)) {
+std::optional<Finding> find_in_touches(RefereeState& state, const RefereeInput& input,
+                                       TouchCheck check) {
+  const PlayState& play = state.play;
   if (!play.in_play) return std::nullopt;
   for (int back = play.touches.kept() - 1; back >= 0; --back) {
     const BallTouch& touch = play.touches.at(back);
     if (!is_to_be_judged(touch, play, input.time_s())) continue;
-    if (std::optional<Finding> finding = check(touch, input)) return finding;
+    if (std::optional<Finding> finding = check(state, touch, input)) return finding;
   }
   return std::nullopt;
 }

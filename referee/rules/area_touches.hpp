@@ -11,8 +11,9 @@ namespace autoref::referee {
 
 // What `check` makes of the touches that have just become sure, the oldest first: touches of the
 // ball in play by a known robot whose place was seen then.
-std::optional<Finding> find_in_touches(const PlayState& play, const RefereeInput& input,
-                                       std::optional<Finding> (*check)(const BallTouch& touch,
-                                                                       const RefereeInput& input));
+using TouchCheck = std::optional<Finding> (*)(RefereeState& state, const BallTouch& touch,
+                                              const RefereeInput& input);
+std::optional<Finding> find_in_touches(RefereeState& state, const RefereeInput& input,
+                                       TouchCheck check);
 
 }  // namespace autoref::referee

@@ -5,9 +5,11 @@
 // would forbid attacking. The kicking side is judged first, so that the order of the sides never
 // decides between two offenders.
 //
-// During stop and free kicks robots keep 0.2 m away from the opponents' defence area, and have 2 s
-// to get away from it (2026, Attacker Too Close To Defense Area): a foul that is noted, once per
-// robot and stop. The free kick belongs to the stop before it.
+// During stop and free kicks robots keep 0.2 m away from the opponents' defence area. They have 2 s
+// to leave after the stop began; from then on the team fouls at once, and has 2 s again after its
+// first foul. A free kick for the opponents follows; a team's second foul in the same stop or free
+// kick halts the game (2026, Attacker Too Close To Defense Area). The free kick belongs to the stop
+// before it, until the ball is in play.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,6 +17,7 @@
 #include "referee/geometry/area.hpp"
 #include "referee/geometry/hull.hpp"
 #include "referee/geometry/restarts.hpp"
+#include "referee/machine/retakes.hpp"
 #include "referee/rules/rule.hpp"
 #include "referee/touch/touch_candidates.hpp"
 
@@ -25,19 +28,18 @@ struct Offence {
   RobotId robot;
   Vec2 position_m{0, 0};
   double distance_m = 0;
-  double lasted_s = 0;  // where that counts
 };
 
-// The robot of `side` nearest to the opponents' area, if it is too near.
-std::optional<Offence> nearest_of(Side side, const RefereeInput& input) {
+// The robot of `side` nearest to the opponents' area, if it is nearer than `least_m`.
+std::optional<Offence> nearest_of(Side side, double least_m, const RefereeInput& input) {
   const Configuration& c = input.configuration;
   std::optional<Offence> worst;
-  double nearest_m = c.rules.attacker_to_area_m;
+  double nearest_m = least_m;
   for (const RobotObservation& robot : input.frame.robots[side]) {
     const double distance_m = hull_to_area_m(c.field, opponent_of(side), robot);
     if (!(distance_m < nearest_m)) continue;
     nearest_m = distance_m;
-    worst = Offence{{side, robot.number}, robot.position_m, distance_m, 0};
+    worst = Offence{{side, robot.number}, robot.position_m, distance_m};
   }
   return worst;
 }
@@ -48,8 +50,9 @@ std::optional<Finding> find_attacker_too_close_to_defense_area(RefereeState& sta
   // A penalty kick is taken from where nobody else may be.
   if (!c.rules.fouls_stop_play || state.play.is_penalty()) return std::nullopt;
   if (!state.play.entered_now || !state.play.kicker) return std::nullopt;
-  std::optional<Offence> offence = nearest_of(*state.play.kicker, input);
-  if (!offence) offence = nearest_of(opponent_of(*state.play.kicker), input);
+  const double least_m = c.rules.attacker_to_area_m;
+  std::optional<Offence> offence = nearest_of(*state.play.kicker, least_m, input);
+  if (!offence) offence = nearest_of(opponent_of(*state.play.kicker), least_m, input);
   if (!offence) return std::nullopt;
   Finding finding =
       offence_of(Event::kAttackerTooCloseToDefenseArea, RuleId::kAttackerTooCloseToDefenseArea, c,
@@ -69,62 +72,67 @@ bool is_in_force(const RefereeState& state) {
   return !play.in_play && play.kicker && !play.is_kickoff() && !play.is_penalty();
 }
 
-// The robot of `side` that has been near for longest, of those that have been for too long.
-std::optional<Offence> longest_of(Side side, AttackerNearAreaWatch& watch,
-                                  const RefereeInput& input) {
-  const Configuration& c = input.configuration;
-  std::optional<Offence> worst;
-  for (int number = 0; number < kMaxRobots; ++number) {
-    const RobotId id{side, number};
-    const RobotObservation* robot = find_robot(input.frame.robots[side], number);
-    const double distance_m =
-        robot == nullptr ? 0 : hull_to_area_m(c.field, opponent_of(side), *robot);
-    const bool is_near = robot != nullptr && distance_m < c.rules.attacker_to_area_m;
-    const double lasted_s = watch.near.update(id, is_near, input.time_s());
-    const bool is_too_long = has_passed(0, c.rules.attacker_grace_s, lasted_s);
-    if (!is_near || watch.called.has(id) || !is_too_long) continue;
-    if (!worst || lasted_s > worst->lasted_s) {
-      worst = Offence{id, robot->position_m, distance_m, lasted_s};
-    }
-  }
-  return worst;
+// The robot of `side` that is nearest now, where the side has no time left to leave.
+std::optional<Offence> overdue(Side side, AttackerNearAreaWatch& watch, const RefereeInput& input) {
+  const RuleBook& rules = input.configuration.rules;
+  std::optional<double>& grace_from_s = watch.grace_from_s[side];
+  if (!grace_from_s) grace_from_s = input.time_s();
+  if (!has_passed(*grace_from_s, rules.attacker_grace_s, input.time_s())) return std::nullopt;
+  const double least_m = rules.attacker_to_area_m - robot_uncertainty_m(input.configuration.noise);
+  std::optional<Offence> found = nearest_of(side, least_m, input);
+  if (!found) return std::nullopt;
+  ++watch.fouls[side];
+  grace_from_s = input.time_s();
+  return found;
 }
 
-void add(Finding& finding, const Offence& offence) {
+void add(Finding& finding, const Offence& offence, int fouls) {
   finding.robots.push_back(offence.robot);
-  finding.evidence += fmt::format(
-      "{}For {:.2f} s the hull of {} has been near the opponents' area, now {:.0f} mm from it.",
-      finding.evidence.empty() ? "" : " ", offence.lasted_s, text_of(offence.robot),
-      1e3 * offence.distance_m);
+  finding.evidence += fmt::format("{}The hull of {} is {:.0f} mm from the opponents' area{}.",
+                                  finding.evidence.empty() ? "" : " ", text_of(offence.robot),
+                                  1e3 * offence.distance_m,
+                                  fouls > 1 ? ", the team's second such foul in this stop" : "");
 }
 
-// Nobody is the offender where both sides are.
-Finding found(const std::optional<Offence>& a, const std::optional<Offence>& b,
-              const RuleBook& rules) {
-  const Offence& worst = a && (!b || a->distance_m <= b->distance_m) ? *a : *b;
-  const bool both = a && b;
-  Finding finding =
-      finding_of(Event::kAttackerStaysNearArea, RuleId::kAttackerTooCloseToDefenseArea, rules);
-  finding.value = worst.distance_m;
-  finding.is_foul = rules.fouls_per_card > 0;
-  if (!both) finding.offender = worst.robot.side;
-  if (!both) finding.position_m = worst.position_m;
-  if (a) add(finding, *a);
-  if (b) add(finding, *b);
-  return finding;
+// The opponents' free kick from where the ball is. Where both sides foul, nobody gains.
+void set_restart(Finding& finding, const RefereeState& state, const RefereeInput& input) {
+  const Configuration& c = input.configuration;
+  const bool is_stopped = state.machine_state == State::kWaitStop;
+  if (finding.offender) {
+    const Side kicker = opponent_of(*finding.offender);
+    const Vec2 ball_m = input.ball ? input.ball->position_m : Vec2(0, 0);
+    finding.restart = {CommandKind::kDirectFree, kicker};
+    finding.ball_to_m = free_kick_position(c.field, c.rules, kicker, ball_m);
+  } else if (!is_stopped) {
+    take_again(finding, state.play);
+  } else if (state.signal.next_command && state.signal.placement) {
+    finding.restart = *state.signal.next_command;
+    finding.ball_to_m = state.signal.placement->target_m;
+  }
 }
 
 std::optional<Finding> find_attacker_stays_near_area(RefereeState& state,
                                                      const RefereeInput& input) {
   const RuleBook& rules = input.configuration.rules;
-  if (rules.fouls_stop_play || !is_in_force(state)) return std::nullopt;
+  if (rules.fouls_stop_play) return std::nullopt;
   AttackerNearAreaWatch& watch = state.watch.attacker_too_close_to_defense_area;
-  const std::optional<Offence> west = longest_of(Side::kWest, watch, input);
-  const std::optional<Offence> east = longest_of(Side::kEast, watch, input);
+  if (state.machine_state == State::kRun && state.play.in_play) watch = {};
+  if (!is_in_force(state)) return std::nullopt;
+  const std::optional<Offence> west = overdue(Side::kWest, watch, input);
+  const std::optional<Offence> east = overdue(Side::kEast, watch, input);
   if (!west && !east) return std::nullopt;
-  if (west) watch.called.add(west->robot);
-  if (east) watch.called.add(east->robot);
-  return found(west, east, rules);
+  const Offence& worst = west && (!east || west->distance_m <= east->distance_m) ? *west : *east;
+  Finding finding =
+      finding_of(Event::kAttackerStaysNearArea, RuleId::kAttackerTooCloseToDefenseArea, rules);
+  finding.value = worst.distance_m;
+  if (!west || !east) {
+    finding.offender = worst.robot.side;
+    finding.position_m = worst.position_m;
+  }
+  if (west) add(finding, *west, watch.fouls[Side::kWest]);
+  if (east) add(finding, *east, watch.fouls[Side::kEast]);
+  set_restart(finding, state, input);
+  return finding;
 }
 
 }  // namespace

@@ -160,7 +160,6 @@ void watch_robots(CrashWatch& watch, const RecentFrames& recent, const RefereeIn
 
 Finding drawn_finding(const Collision& crash, const RuleBook& rules) {
   Finding finding = finding_of(Event::kBotCrashDrawn, RuleId::kBotCrashUnique, rules);
-  finding.is_foul = rules.fouls_per_card > 0;
   finding.robots.push_back(crash.faster);
   finding.robots.push_back(crash.slower);
   finding.position_m = crash.position_m;

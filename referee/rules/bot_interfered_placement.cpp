@@ -1,5 +1,6 @@
 // While the ball is on its way to its place, robots of the side that does not take the restart keep
-// 0.5 m away from the line between both; 2 s of grace (2026). Each robot is told once in a stop.
+// 0.5 m away from the line between both; 2 s of grace (2026). One foul counts in a placement, and
+// the placement gets 10 s more.
 #include <fmt/format.h>
 
 #include "referee/rules/rule.hpp"
@@ -37,6 +38,7 @@ double gap_to_segment_m(const TrackedRobot& robot, const PlacementSegment& direc
 std::optional<Finding> find_bot_interfered_placement(RefereeState& state,
                                                      const RefereeInput& input) {
   if (!input.frame.ball) return std::nullopt;  // nobody knows where it is
+  if (state.watch.interference_is_called) return std::nullopt;
   const Configuration& c = input.configuration;
   const std::optional<PlacementSegment> direction = placement_segment(state, input);
   const double limit_m = c.rules.placement_clearance_m;
@@ -47,6 +49,7 @@ std::optional<Finding> find_bot_interfered_placement(RefereeState& state,
   const std::optional<GraceViolation> nearest =
       take_worst(state.watch.bot_interfered_placement, input, c.rules.placement_grace_s, excess_m);
   if (!nearest) return std::nullopt;
+  state.watch.interference_is_called = true;
   Finding finding = note_of(Event::kBotInterferedPlacement, RuleId::kBotInterferedPlacement,
                             c.rules, nearest->id, nearest->position_m);
   finding.value = limit_m - nearest->excess;

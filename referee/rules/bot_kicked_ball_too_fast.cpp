@@ -14,6 +14,7 @@
 #include <cmath>
 
 #include "referee/geometry/ball_out.hpp"
+#include "referee/rules/called_touch.hpp"
 #include "referee/rules/rule.hpp"
 #include "referee/touch/constant_acceleration_fit.hpp"
 #include "soccer/units.hpp"
@@ -180,6 +181,8 @@ std::optional<Finding> find_bot_kicked_ball_too_fast(RefereeState& state,
   if (kick.touch == nullptr || !kick.touch->robot || !(kick.speed_mps > c.rules.kick_limit_mps)) {
     return std::nullopt;
   }
+  if (is_called(state.watch.fast_kick, *kick.touch)) return std::nullopt;
+  state.watch.fast_kick = called_at(*kick.touch, input.time_s());
   const RobotId kicker = *kick.touch->robot;
   Finding finding = offence_of(Event::kBotKickedBallTooFast, RuleId::kBotKickedBallTooFast, c,
                                kicker, kick.touch->ended_m);

@@ -1,5 +1,7 @@
 // Robots are slow while play is stopped: 1 m/s (Laws 2014, single size) or 1.5 m/s, after 2 s of
-// grace. Who is faster for 0.1 s is told once in a stop.
+// grace. A robot that is faster for 0.1 s is called once in a stop. Of several robots of a team
+// within 2 s only the first counts, and none while the ball is being placed (2026, Fouls While Ball
+// Out Of Play).
 #include <fmt/format.h>
 
 #include "referee/rules/rule.hpp"
@@ -13,17 +15,36 @@ constexpr double kTooFastFor_s = 120_ms;
 // 0.05 m/s where a frame is by 1.3 mm.
 constexpr double kSpeedNoise_hz = 40;
 
+bool is_being_placed(const RefereeState& state, const RefereeInput& input) {
+  const RuleBook& rules = input.configuration.rules;
+  return rules.edition == Edition::kRules2026 && state.signal.placement && input.ball &&
+         (input.ball->position_m - state.signal.placement->target_m).norm() >
+             rules.ball_in_position_m + 3 * input.configuration.noise.ball_m;
+}
+
+bool has_just_been_called(const StopSpeedWatch& watch, Side side, const RefereeInput& input) {
+  const RuleBook& rules = input.configuration.rules;
+  return rules.edition == Edition::kRules2026 && watch.called_s[side] &&
+         !has_passed(*watch.called_s[side], rules.foul_repeat_s, input.time_s());
+}
+
 std::optional<Finding> find_bot_too_fast_in_stop(RefereeState& state, const RefereeInput& input) {
   const Configuration& c = input.configuration;
-  const bool holds = state.signal.command.kind == CommandKind::kStop &&
-                     has_passed(state.signal.command_time_s, c.rules.stop_grace_s, input.time_s());
+  const bool holds =
+      state.signal.command.kind == CommandKind::kStop &&
+      has_passed(state.signal.command_time_s, c.rules.stop_grace_s, input.time_s()) &&
+      !is_being_placed(state, input);
   const double limit_mps = c.rules.stop_speed_mps + kSpeedNoise_hz * c.noise.robot_m;
-  const auto excess_mps = [&](Side /*side*/, const TrackedRobot& robot) {
-    return holds ? robot.velocity_mps.norm() - limit_mps : 0.0;
+  StopSpeedWatch& watch = state.watch.bot_too_fast_in_stop;
+  const auto excess_mps = [&](Side side, const TrackedRobot& robot) {
+    return holds && !has_just_been_called(watch, side, input)
+               ? robot.velocity_mps.norm() - limit_mps
+               : 0.0;
   };
   const std::optional<GraceViolation> fastest =
-      take_worst(state.watch.bot_too_fast_in_stop, input, kTooFastFor_s, excess_mps);
+      take_worst(watch.robots, input, kTooFastFor_s, excess_mps);
   if (!fastest) return std::nullopt;
+  watch.called_s[fastest->id.side] = input.time_s();
   Finding finding = note_of(Event::kBotTooFastInStop, RuleId::kBotTooFastInStop, c.rules,
                             fastest->id, fastest->position_m);
   finding.value = fastest->excess + limit_mps;

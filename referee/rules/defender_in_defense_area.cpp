@@ -54,7 +54,8 @@ Finding partly(const BallTouch& touch, const RefereeInput& input, double distanc
   return finding;
 }
 
-std::optional<Finding> check_defender(const BallTouch& touch, const RefereeInput& input) {
+std::optional<Finding> check_defender(RefereeState& /*state*/, const BallTouch& touch,
+                                      const RefereeInput& input) {
   const Configuration& c = input.configuration;
   if (touch.robot->number == input.requests[*touch.side].keeper) return std::nullopt;
   const double distance_m = hull_to_area_m(c.field, *touch.side, *touch.toucher);
@@ -72,7 +73,7 @@ std::optional<Finding> check_defender(const BallTouch& touch, const RefereeInput
 
 std::optional<Finding> find_defender_in_defense_area(RefereeState& state,
                                                      const RefereeInput& input) {
-  return find_in_touches(state.play, input, check_defender);
+  return find_in_touches(state, input, check_defender);
 }
 
 }  // namespace

@@ -3,8 +3,8 @@
 //
 // By the Laws the restart is taken again; whoever was too near before then, too, sees a yellow
 // card. What counts are the robots in the last frame before the ball was in play: one that
-// starts when it sees the kick is not at fault. In 2026 it is a foul that is noted, once per robot
-// and restart, when it lasts longer than 2 s, and the time for the kick begins anew.
+// starts when it sees the kick is not at fault. In 2026 it is a foul at once, of the team, that
+// counts again after 2 s; the time for the kick starts again.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -68,42 +68,27 @@ std::optional<Finding> find_when_taken(RefereeState& state, const RefereeInput& 
   return taken_again(before, state, input);
 }
 
-Finding noted(const RobotObservation& robot, RobotId id, double lasted_s, const PlayState& play,
-              const RuleBook& rules) {
-  Finding finding =
-      finding_of(Event::kDefenderTooCloseToKickPoint, RuleId::kDefenderTooCloseToKickPoint, rules);
-  finding.value = distance_to_ball_m(robot, play);
-  finding.robots.push_back(id);
-  finding.offender = id.side;
-  finding.position_m = robot.position_m;
-  finding.is_foul = rules.fouls_per_card > 0;
-  finding.evidence = fmt::format(
-      "For {:.2f} s the hull of {} has been too near to a ball that is not in play, now {:.0f} mm.",
-      lasted_s, text_of(id), 1e3 * finding.value);
-  return finding;
-}
-
-// 2026: judged while the kick is waited for. Of several robots each is called in a frame of its
-// own.
+// 2026: judged while the kick is waited for.
 std::optional<Finding> find_while_waiting(RefereeState& state, const RefereeInput& input) {
   if (state.play.in_play) return std::nullopt;
   const RuleBook& rules = input.configuration.rules;
+  std::optional<double>& called_s = state.watch.defender_too_close_to_kick_point.called_s;
+  if (called_s && !has_passed(*called_s, rules.foul_repeat_s, input.time_s())) return std::nullopt;
   const Side side = opponent_of(*state.play.kicker);
-  RestartDistanceWatch& watch = state.watch.defender_too_close_to_kick_point;
-  std::optional<Finding> found;
-  for (int number = 0; number < kMaxRobots; ++number) {
-    const RobotId id{side, number};
-    const RobotObservation* robot = find_robot(input.frame.robots[side], number);
-    const bool is_near =
-        robot != nullptr && distance_to_ball_m(*robot, state.play) < rules.opponents_to_ball_m;
-    const double lasted_s = watch.near.update(id, is_near, input.time_s());
-    const bool is_too_long = is_near && has_passed(0, rules.restart_distance_grace_s, lasted_s);
-    if (found || !is_too_long || watch.called.has(id)) continue;
-    watch.called.add(id);
-    watch.anew_s = input.time_s();
-    found = noted(*robot, id, lasted_s, state.play, rules);
-  }
-  return found;
+  const PositionViolation near = too_near(side, state.play, input);
+  if (!near.any()) return std::nullopt;
+  called_s = input.time_s();
+  Finding finding =
+      finding_of(Event::kDefenderTooCloseToKickPoint, RuleId::kDefenderTooCloseToKickPoint, rules);
+  finding.value = near.worst_m;
+  finding.robots = near.robots;
+  finding.offender = side;
+  finding.position_m = state.play.ball_from_m;
+  finding.evidence =
+      fmt::format("The hull of {} is {:.0f} mm from a ball that is not yet in play.",
+                  near.robots.size() == 1 ? text_of(near.robots.front()) : "the nearest opponent",
+                  1e3 * near.worst_m);
+  return finding;
 }
 
 std::optional<Finding> find_defender_too_close_to_kick_point(RefereeState& state,

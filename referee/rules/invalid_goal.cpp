@@ -1,6 +1,7 @@
-// A goal counts only if the ball was at most 0.15 m high since the scorers' last touch, and they
-// have not fouled in the 2 s before; at penalties always (2026, Scoring Goals). Otherwise play goes
-// on as if the ball had crossed the goal line beside the goal.
+// A goal counts only if the ball was at most 0.15 m high since the scorers' last touch, if they
+// have committed no non-stopping foul in the 2 s before, and if they have no more robots on the
+// field than allowed; at penalties always (2026, Scoring Goals). Otherwise play goes on as if the
+// ball had crossed the goal line beside the goal.
 //
 // Heights that vision cannot tell count as on the ground, and where somebody unknown touched the
 // ball since, the goal stands. The height is that of the ball's top, as in the Laws.
@@ -10,6 +11,7 @@
 
 #include "referee/machine/ball_in_play.hpp"
 #include "referee/rules/in_goal.hpp"
+#include "referee/rules/robots_on_field.hpp"
 #include "referee/rules/rule.hpp"
 #include "soccer/robot_shape.hpp"
 
@@ -53,6 +55,16 @@ std::optional<Finding> find_invalid_goal(RefereeState& state, const RefereeInput
                                    1e3 * *top_m, name_of(scorer));
     return finding;
   }
+  const int robots = robots_on_field(input, scorer);
+  if (robots > state.signal.robots_allowed[scorer]) {
+    Finding finding = invalid(input, *conceded);
+    finding.value = robots;
+    finding.threshold = state.signal.robots_allowed[scorer];
+    finding.unit = "robots";
+    finding.evidence = fmt::format("{} had {} robots on the field, and {} were allowed.",
+                                   name_of(scorer), robots, state.signal.robots_allowed[scorer]);
+    return finding;
+  }
   const std::optional<double>& fouled_s = state.cards[scorer].fouled_s;
   if (!fouled_s || input.time_s() - *fouled_s > c.rules.goal_after_foul_s) return std::nullopt;
   Finding finding = invalid(input, *conceded);
@@ -60,7 +72,7 @@ std::optional<Finding> find_invalid_goal(RefereeState& state, const RefereeInput
   finding.threshold = c.rules.goal_after_foul_s;
   finding.unit = "s";
   finding.evidence =
-      fmt::format("{} had fouled {:.3f} s before the goal.", name_of(scorer), finding.value);
+      fmt::format("{} committed a foul {:.3f} s before the goal.", name_of(scorer), finding.value);
   return finding;
 }
 

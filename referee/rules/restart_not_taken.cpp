@@ -18,10 +18,10 @@ double limit_s(const PlayState& play, const RuleBook& rules) {
   return is_free_kick ? rules.free_kick_timeout_s : rules.restart_timeout_s;
 }
 
-// The time for the kick begins anew when an opponent stands too near for too long (2026).
+// The time for the kick starts again when an opponent is called for standing too near (2026).
 double waited_since_s(const RefereeState& state) {
   const double began_s = state.play.began_s;
-  return std::max(began_s, state.watch.defender_too_close_to_kick_point.anew_s.value_or(began_s));
+  return std::max(began_s, state.watch.defender_too_close_to_kick_point.called_s.value_or(began_s));
 }
 
 // A neutral restart, or the opponents' free kick.

@@ -1,5 +1,6 @@
-// More robots on the field than a side may have, too long after a card took one off (Laws 3 and 12;
-// 2026).
+// More robots on the field than a side may have, 10 s after a card took one off (Laws 3 and 12;
+// 2026, Yellow Card). In 2026 also without a card, 2 s after a start: the game goes on with a force
+// start, and the team is not penalised.
 //
 // A robot leaves by its own wheels: it is off the field once all of it is beyond the lines. Each
 // card is called once. Where both sides are at fault, the finding names none, and play goes on with
@@ -7,11 +8,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "referee/geometry/restarts.hpp"
+#include "referee/rules/robots_on_field.hpp"
 #include "referee/rules/rule.hpp"
-#include "soccer/robot_shape.hpp"
 #include "soccer/units.hpp"
 
 namespace autoref::referee {
@@ -20,20 +20,8 @@ namespace {
 // Vision takes other things for a robot's pattern at times, but not for so long; a robot that it no
 // longer sees is tracked for half a second.
 constexpr double kPatternLasts_s = 1_s;
-
-// Whether any of the circle around the robot is within the lines.
-bool reaches_field(const Field& field, const Vec2& position_m) {
-  return std::abs(position_m.x()) < field.half_length_m() + kRobotRadius_m &&
-         std::abs(position_m.y()) < field.half_width_m() + kRobotRadius_m;
-}
-
-int robots_on_field(const RefereeInput& input, Side side) {
-  const SeenRobots& robots = input.frame.robots[side];
-  return static_cast<int>(
-      std::count_if(robots.begin(), robots.end(), [&](const RobotObservation& robot) {
-        return reaches_field(input.configuration.field, robot.position_m);
-      }));
-}
+// What robots without a card have to leave after a start (2026).
+constexpr double kAfterStart_s = 2_s;
 
 bool is_at_fault(RefereeState& state, const RefereeInput& input, Side side) {
   CardBook& cards = state.cards[side];
@@ -43,23 +31,25 @@ bool is_at_fault(RefereeState& state, const RefereeInput& input, Side side) {
     return false;
   }
   if (!since_s) since_s = input.time_s();
-  if (!cards.fewer_since_s || cards.too_many_called) return false;
-  const double grace_s = input.configuration.rules.too_many_s;
-  return has_passed(*cards.fewer_since_s, grace_s, input.time_s()) &&
-         has_passed(*since_s, kPatternLasts_s, input.time_s());
+  if (cards.too_many_called || !has_passed(*since_s, kPatternLasts_s, input.time_s())) return false;
+  const RuleBook& rules = input.configuration.rules;
+  if (cards.fewer_since_s)
+    return has_passed(*cards.fewer_since_s, rules.too_many_s, input.time_s());
+  return rules.edition == Edition::kRules2026 && state.machine_state == State::kRun &&
+         has_passed(state.play.began_s, kAfterStart_s, input.time_s());
 }
 
 Finding fault_of(const PerSide<bool>& sides, const RefereeInput& input) {
   const Configuration& c = input.configuration;
   Finding finding = finding_of(Event::kTooManyRobots, RuleId::kTooManyRobots, c.rules);
-  finding.is_foul = true;
   const Vec2 ball_m = input.ball ? input.ball->position_m : Vec2(0, 0);
-  if (sides[Side::kWest] && sides[Side::kEast]) {
+  const bool both = sides[Side::kWest] && sides[Side::kEast];
+  if (!both) finding.offender = sides[Side::kWest] ? Side::kWest : Side::kEast;
+  if (both || c.rules.edition == Edition::kRules2026) {
     finding.restart = {CommandKind::kForceStart, Side::kWest};
     finding.ball_to_m = neutral_position(c.field, c.rules, ball_m);
     return finding;
   }
-  finding.offender = sides[Side::kWest] ? Side::kWest : Side::kEast;
   const Side kicker = opponent_of(*finding.offender);
   finding.restart = indirect_free_kick(c.rules, kicker);
   finding.ball_to_m = free_kick_position(c.field, c.rules, kicker, ball_m);
@@ -72,13 +62,13 @@ std::optional<Finding> find_too_many_robots(RefereeState& state, const RefereeIn
   for (const Side side : kSides) {
     sides[side] = is_at_fault(state, input, side);
     if (!sides[side]) continue;
-    since_s = std::min(since_s, *state.cards[side].fewer_since_s);
+    since_s = std::min(since_s, state.cards[side].fewer_since_s.value_or(state.play.began_s));
   }
   if (!sides[Side::kWest] && !sides[Side::kEast]) return std::nullopt;
   Finding finding = fault_of(sides, input);
   finding.value = input.time_s() - since_s;
   finding.evidence =
-      fmt::format("{:.1f} s after a card {} still has more robots on the field than allowed.",
+      fmt::format("{:.1f} s after a card or a start {} still has more robots than allowed.",
                   finding.value, finding.offender ? name_of(*finding.offender) : "each side");
   return finding;
 }

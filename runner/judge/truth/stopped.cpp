@@ -95,7 +95,7 @@ class OpponentsNearRestart final : public GroundTruthRule {
     for_each_robot(scene.now, opponent_of(*play.taker), [&](RobotId id, const auto& robot) {
       const double gap_m = to_ball_m(scene, robot);
       near_.watch(scene, id, robot, scene.rules.opponents_to_ball_m - gap_m,
-                  scene.rules.restart_distance_grace_s, all);
+                  scene.rules.foul_repeat_s, all);
     });
   }
 

@@ -29,8 +29,8 @@ class PenaltyGame {
         mark_m(configuration_.field.half_length_m() - configuration_.field.penalty_mark_m, 0) {
     frame_.ball = BallObservation{at(mark_m), 0.0};
     for (int i = 0; i < 4; ++i) {
-      add(kicker, i, {mark_m.x() - 1.5, -0.9 + 0.4 * i});
-      add(opponent_of(kicker), i, {mark_m.x() - 2.0, -0.9 + 0.4 * i});
+      add(kicker, i, {mark_m.x() - 1.2, -0.9 + 0.4 * i});
+      add(opponent_of(kicker), i, {mark_m.x() - 1.5, -0.9 + 0.4 * i});
     }
     put(opponent_of(kicker), 0, {configuration_.field.half_length_m() - 0.05, -0.2});
     award();

@@ -54,31 +54,76 @@ TEST(AttackerStaysNearArea, IsNotCalledOfARobotThatLeavesInTime) {
   EXPECT_EQ(fouls(game), 0);
 }
 
-TEST(AttackerStaysNearArea, IsCalledOncePerRobotAndStopWithTheFreeKickAfterIt) {
-  ScriptedGame game = stopped_game(by_book("2026-b"));
+TEST(AttackerStaysNearArea, GivesTheOthersAFreeKickFromWhereTheBallIs) {
+  ScriptedGame game = long_stop("2026-b");
   game.robot(Side::kWest, 2) = near_area(Side::kWest, 2, 0.1);
-  game.run_until("start");
-  game.run(5);
-  ASSERT_EQ(game.signal.command.kind, CommandKind::kDirectFree);
-  EXPECT_EQ(fouls(game), 1);
+  game.put_ball({0, -1});
+  const Decision foul = game.run_until("attacker_stays_near_area", 5);
+  EXPECT_EQ(foul.restart(), (Command{CommandKind::kDirectFree, Side::kEast}));
+  EXPECT_EQ(game.signal.next_command, (Command{CommandKind::kDirectFree, Side::kEast}));
+  EXPECT_NEAR((game.signal.placement->target_m - Vec2(0, -1)).norm(), 0, 1e-9);
 }
 
-TEST(AttackerStaysNearArea, OfBothSidesInOneFrameIsAFoulOfBoth) {
+TEST(AttackerStaysNearArea, IsCalledAtOnceInTheFreeKickAfterTheStop) {
+  ScriptedGame game = throw_in_game(by_book("2026-b"));
+  game.robot(Side::kWest, 2) = near_area(Side::kWest, 2, 0.1);
+  const double since_s = game.now_s();
+  const Decision foul = game.run_until("attacker_stays_near_area", 5);
+  EXPECT_NEAR(foul.time_s - since_s, 0, 0.05);
+  EXPECT_EQ(foul.from, State::kRun);
+  EXPECT_EQ(foul.to, State::kWaitStop);
+  EXPECT_EQ(game.signal.command.kind, CommandKind::kStop);
+}
+
+TEST(AttackerStaysNearArea, TheSecondTimeHaltsTheGameWhichThenGoesOn) {
+  ScriptedGame game = long_stop("2026-b");
+  game.robot(Side::kWest, 2) = near_area(Side::kWest, 2, 0.1);
+  const double first_s = game.run_until("attacker_stays_near_area", 5).time_s;
+  game.robot(Side::kWest, 2) = near_area(Side::kWest, 2, 1);
+  game.robot(Side::kWest, 3) = near_area(Side::kWest, 3, 0.1);
+  game.run(1.9);
+  EXPECT_EQ(fouls(game), 1);
+  game.run(0.2);
+  ASSERT_EQ(fouls(game), 2);
+  const Decision& second = game.decisions.back();
+  EXPECT_NEAR(second.time_s - first_s, 2, 0.05);
+  EXPECT_EQ(second.to, State::kDelayWait);
+  EXPECT_EQ(second.command, (Command{CommandKind::kHalt, Side::kWest}));
+  game.robot(Side::kWest, 3) = near_area(Side::kWest, 3, 1);
+  game.placement_works = true;
+  game.run_until("signalled", 3);
+  EXPECT_EQ(game.signal.command.kind, CommandKind::kStop);
+  EXPECT_EQ(game.run_until("start", 20).command, (Command{CommandKind::kDirectFree, Side::kEast}));
+}
+
+TEST(AttackerStaysNearArea, TheSecondCountsWhereTheFirstStoppedAFreeKick) {
+  ScriptedGame game = throw_in_game(by_book("2026-b"));
+  game.robot(Side::kWest, 2) = near_area(Side::kWest, 2, 0.1);
+  game.placement_works = false;
+  game.run_until("attacker_stays_near_area", 1);
+  game.run(2.2);
+  ASSERT_EQ(fouls(game), 2);
+  EXPECT_EQ(game.decisions.back().to, State::kDelayWait);
+}
+
+TEST(AttackerStaysNearArea, OfBothSidesInOneFrameIsAFoulOfBothAndChangesNoRestart) {
   ScriptedGame game = long_stop("2026-b");
   game.robot(Side::kWest, 2) = near_area(Side::kWest, 2, 0.1);
   game.robot(Side::kEast, 2) = near_area(Side::kEast, 2, 0.1);
+  const std::optional<Command> next = game.signal.next_command;
   const Decision foul = game.run_until("attacker_stays_near_area", 5);
   EXPECT_EQ(foul.to, State::kWaitStop);
   EXPECT_FALSE(foul.finding.offender.has_value());
   EXPECT_EQ(foul.finding.robots.size(), 2U);
-  game.run(3);
-  EXPECT_EQ(fouls(game), 1);
+  EXPECT_EQ(game.signal.next_command, next);
 }
 
 TEST(AttackerStaysNearArea, IsNoCallOnceTheBallIsInPlay) {
   ScriptedGame game = throw_in_game(by_book("2026-b"));
-  game.robot(Side::kWest, 2) = near_area(Side::kWest, 2, 0.1);
   game.kick(Side::kEast, 3, {0, -1});
+  game.run(0.2);
+  ASSERT_TRUE(game.referee.is_ball_in_play());
+  game.robot(Side::kWest, 2) = near_area(Side::kWest, 2, 0.1);
   game.run(3);
   EXPECT_EQ(fouls(game) + game.count("attacker_too_close_to_defense_area"), 0);
 }

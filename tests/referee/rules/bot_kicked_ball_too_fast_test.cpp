@@ -58,8 +58,11 @@ TEST(KickSpeed, IsLimitedTo6AndAHalfFrom2026) {
   ScriptedGame slow = shot(by_book("2026-b"), {6.4, 0});
   EXPECT_FALSE(is_called(slow, "bot_kicked_ball_too_fast"));
   ScriptedGame fast = shot(by_book("2026-b"), {6.6, 0});
-  EXPECT_EQ(fast.run_until("bot_kicked_ball_too_fast").restart(),
-            (Command{CommandKind::kDirectFree, Side::kEast}));
+  const Decision call = fast.run_until("bot_kicked_ball_too_fast");
+  EXPECT_EQ(call.to, State::kRun);
+  EXPECT_TRUE(call.finding.is_foul);
+  fast.run(1);
+  EXPECT_EQ(fast.count("bot_kicked_ball_too_fast"), 1);
 }
 
 TEST(KickSpeed, CountsTheChipsRiseFrom2026) {

@@ -124,16 +124,22 @@ TEST(GoalInvalid, IsNotCalledBelowTheHeight) {
   EXPECT_EQ(chip(by_book("2026-b"), 0.106, 12).count("goal"), 1);
 }
 
-// A ball in the east goal, 60 s into the game.
-std::optional<Finding> goal_after(const Configuration& configuration, RefereeState state) {
+// A ball in the east goal.
+std::optional<Finding> goal_in(const Frame& frame, const Configuration& configuration,
+                               RefereeState state) {
   state.machine_state = State::kRun;
-  Frame frame;
-  frame.time_s = 60;
   const std::optional<BallSight> ball = BallSight{Vec2(4.55, 0), Vec2(4.4, 0)};
   const LastTouch touch;
   const Tracks tracks;
   const PerSide<TeamRequests> requests;
   return kInvalidGoalRule.find(state, {configuration, frame, ball, touch, tracks, requests});
+}
+
+// The same, 60 s into the game.
+std::optional<Finding> goal_after(const Configuration& configuration, const RefereeState& state) {
+  Frame frame;
+  frame.time_s = 60;
+  return goal_in(frame, configuration, state);
 }
 
 TEST(GoalInvalid, WithinTwoSecondsOfTheScorersFoul) {
@@ -148,6 +154,20 @@ TEST(GoalInvalid, IsNotCalledForTheOthersFoul) {
   RefereeState state;
   state.cards[Side::kEast].fouled_s = 59;
   EXPECT_FALSE(goal_after(by_book("2026-b"), state));
+}
+
+TEST(GoalInvalid, WithMoreRobotsThanAllowed) {
+  RefereeState state;
+  state.signal.robots_allowed = {{1, 1}};
+  for (const int robots : {1, 2}) {
+    Frame frame;
+    frame.time_s = 60;
+    for (int i = 0; i < robots; ++i) {
+      frame.robots[Side::kWest].push_back({i, {1.0 * i, 0}, Vec2(1, 0)});
+    }
+    const std::optional<Finding> call = goal_in(frame, by_book("2026-b"), state);
+    EXPECT_EQ(call.has_value(), robots == 2);
+  }
 }
 
 TEST(GoalInvalid, IsNotCalledAtPenaltyKicks) {

@@ -32,14 +32,14 @@ std::string_view look_for(StagedMachine& game, double seconds) {
   return {};
 }
 
-TEST(TransitionTooManyRobots, GivesAFreeKickTenSecondsAfterACard) {
+TEST(TransitionTooManyRobots, GivesAForceStartTenSecondsAfterACardAndNoFoul) {
   StagedMachine game = with_robots();
   game.fouls_for_cards(Side::kEast, 1);
   EXPECT_EQ(look_for(game, 9.9), "");
   EXPECT_EQ(look_for(game, 0.1), "too_many_robots");
   EXPECT_EQ(game.state.machine_state, State::kWaitStop);
-  EXPECT_EQ(game.state.signal.next_command, (Command{CommandKind::kDirectFree, Side::kWest}));
-  EXPECT_EQ(game.state.cards[Side::kEast].fouls, 4);
+  EXPECT_EQ(game.state.signal.next_command->kind, CommandKind::kForceStart);
+  EXPECT_EQ(game.state.cards[Side::kEast].fouls, 3);
 }
 
 TEST(TransitionTooManyRobots, IsTakenOncePerCard) {
@@ -47,6 +47,7 @@ TEST(TransitionTooManyRobots, IsTakenOncePerCard) {
   game.fouls_for_cards(Side::kEast, 1);
   look_for(game, 10);
   EXPECT_EQ(look_for(game, 10), "");
+  game.foul(Side::kEast);
   game.foul(Side::kEast);
   game.foul(Side::kEast);
   ASSERT_EQ(game.look_for_cards(), "multiple_fouls");
@@ -71,11 +72,19 @@ TEST(TransitionTooManyRobots, LeadsToAForceStartWhereBothSidesAreAtFault) {
   EXPECT_EQ(game.state.signal.next_command->kind, CommandKind::kForceStart);
 }
 
-TEST(TransitionTooManyRobotsStopped, OnlyCountsTheFoul) {
+TEST(TransitionTooManyRobots, IsTakenTwoSecondsAfterAStartWithoutACard) {
+  StagedMachine game = with_robots();
+  game.line_up(7);
+  game.state.play.began_s = game.now_s();
+  EXPECT_EQ(look_for(game, 1.9), "");
+  EXPECT_EQ(look_for(game, 0.2), "too_many_robots");
+}
+
+TEST(TransitionTooManyRobotsStopped, LeavesTheRestartAsItIs) {
   StagedMachine game = with_robots(State::kWaitStop);
   game.fouls_for_cards(Side::kWest, 1);
   EXPECT_EQ(look_for(game, 10), "too_many_robots");
-  EXPECT_EQ(game.state.cards[Side::kWest].fouls, 4);
+  EXPECT_EQ(game.state.cards[Side::kWest].fouls, 3);
   EXPECT_FALSE(game.state.signal.next_command.has_value());
 }
 

@@ -80,11 +80,14 @@ TEST(DefenderInArea, IsAllowedWhereTheRuleIsNotInForce) {
 }
 
 // East's area of Division B begins at x = 3.5.
-TEST(AttackerInArea, PartlyInsideGivesAFreeKickToTheDefenders) {
+TEST(AttackerInArea, PartlyInsideIsAFoulThatDoesNotStopPlay) {
   ScriptedGame game = kicked(by_book("2026-b"), 3.5 + 0.0225 + 0.001);
   const Decision call = game.run_until("attacker_touched_ball_in_defense_area", 0.3);
   EXPECT_NEAR(call.finding.value, -0.001, 1e-6);
-  EXPECT_EQ(call.restart(), (Command{CommandKind::kDirectFree, Side::kEast}));
+  EXPECT_EQ(call.to, State::kRun);
+  EXPECT_TRUE(call.finding.is_foul);
+  game.run(1);
+  EXPECT_EQ(game.count("attacker_touched_ball_in_defense_area"), 1);
 }
 
 TEST(AttackerInArea, IsNotCalledOutsideTheLine) {
