@@ -30,6 +30,7 @@ class CallEvaluator final : public Observer {
     const referee::Event event = decision.finding.event;
     if (referee::entry_of(event).is_exit) exits_.push_back(decision.last_touch.side);
     if (observer_.play().is_on || referee::may_come_in_stop(event)) return;
+    if (!referee::is_call(event)) return;  // a card
     evaluation_.calls_in_stop.push_back(fmt::format("{} at {:.3f} s", call->name, call->time_s));
   }
 

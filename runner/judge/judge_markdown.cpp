@@ -25,7 +25,7 @@ std::string events_table(const JudgeReport& report, const std::string& rules) {
   std::vector<std::string> heads = {"event", "camera"};
   for (const Measure& measure : measures()) heads.emplace_back(measure.head);
   std::string text = markdown_head(heads, 2);
-  for (const std::string& name : call_names()) {
+  for (const std::string& name : judged_names()) {
     for (const CameraTally& tally : report.tallies) {
       const auto found = tally.events.find(name);
       if (tally.rules != rules || found == tally.events.end()) continue;
@@ -79,7 +79,7 @@ std::string scores_table(const JudgeReport& report, const std::vector<std::strin
   std::vector<std::string> heads = {"F1 of", "rules"};
   heads.insert(heads.end(), cameras.begin(), cameras.end());
   std::string text = markdown_head(heads, 2);
-  for (const std::string& name : call_names()) {
+  for (const std::string& name : judged_names()) {
     for (const std::string& rules : books) {
       std::vector<std::string> cells = {needs_height(name) ? name + " (height)" : name, rules};
       bool is_known = false;

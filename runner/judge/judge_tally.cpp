@@ -12,6 +12,14 @@ std::optional<double> share(int part, int whole) {
   return whole == 0 ? std::nullopt : std::optional(static_cast<double>(part) / whole);
 }
 
+std::vector<std::string> names_of(bool (*is_one)(referee::Event)) {
+  std::vector<std::string> names;
+  for (const referee::EventEntry& entry : referee::event_table()) {
+    if (is_one(entry.event)) names.emplace_back(entry.name);
+  }
+  return names;
+}
+
 }  // namespace
 
 std::optional<double> EventTally::precision() const { return share(right, calls()); }
@@ -63,13 +71,9 @@ void CameraTally::add(const CallEvaluation& evaluation) {
   }
 }
 
-std::vector<std::string> call_names() {
-  std::vector<std::string> names;
-  for (const referee::EventEntry& entry : referee::event_table()) {
-    if (is_call(entry.event)) names.emplace_back(entry.name);
-  }
-  return names;
-}
+std::vector<std::string> call_names() { return names_of(referee::is_call); }
+
+std::vector<std::string> judged_names() { return names_of(ground_truth::is_judged); }
 
 bool needs_height(std::string_view event) {
   return event == "chipped_goal" || event == "invalid_goal";

@@ -51,8 +51,9 @@ struct CameraTally {
   void add(const CallEvaluation& evaluation);
 };
 
-// The referee's names of calls, in the order of referee/decision.hpp.
+// The referee's names of calls, in the order of referee/event.hpp; and of all that is judged.
 std::vector<std::string> call_names();
+std::vector<std::string> judged_names();
 
 // Whether nobody can tell the event without knowing the ball's height.
 bool needs_height(std::string_view event);

@@ -156,8 +156,10 @@ class Matcher {
 
 }  // namespace
 
+bool is_judged(Event event) { return referee::is_call(event) || event == Event::kMultipleFouls; }
+
 std::optional<Call> call_of(const Decision& decision) {
-  if (!referee::is_call(decision.finding.event)) return std::nullopt;
+  if (!is_judged(decision.finding.event)) return std::nullopt;
   const bool ended_play =
       decision.from == referee::State::kRun && decision.to != referee::State::kRun;
   return Call{name_of(decision.finding.event),

@@ -34,7 +34,11 @@ struct Call {
   bool is_in_air = false;  // the ball, truly, when the call came
 };
 
-// What a decision says, in the truth's terms; none where it is no call.
+// Whether decisions on the event are held against the truth: calls, and the card for every third
+// foul.
+bool is_judged(referee::Event event);
+
+// What a decision says, in the truth's terms; none where it is not judged.
 std::optional<Call> call_of(const referee::Decision& decision);
 
 enum class Outcome : std::uint8_t {

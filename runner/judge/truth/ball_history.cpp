@@ -67,6 +67,11 @@ void BallHistory::note(const sim::Touch& touch, double time_s, double top_m) {
   }
 }
 
+bool BallHistory::has_contact(RobotId robot) const {
+  return std::any_of(contacts_.begin(), contacts_.end(),
+                     [robot](const Contact& contact) { return contact.robot == robot; });
+}
+
 void BallHistory::end_contacts(const sim::WorldState& now) {
   const auto over = [&now](const Contact& contact) {
     const sim::RobotState* robot = find_robot(now, contact.robot);

@@ -46,6 +46,7 @@ class BallHistory {
   const std::optional<BallTouch>& last() const { return last_; }
   bool has_second_robot_touched() const { return has_second_; }
   const Contacts& contacts() const { return contacts_; }
+  bool has_contact(RobotId robot) const;
   const Heights& heights(Side side) const { return heights_[side]; }
 
  private:

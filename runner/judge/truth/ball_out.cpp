@@ -4,6 +4,7 @@
 
 #include "runner/judge/truth/crossing.hpp"
 #include "runner/judge/truth/ground_truth_rules.hpp"
+#include "runner/judge/truth/surplus.hpp"
 #include "soccer/robot_shape.hpp"
 #include "soccer/units.hpp"
 
@@ -124,7 +125,8 @@ class BallOut final : public GroundTruthRule {
     const bool too_high = shot_height_m(scene, scorer).value_or(0.0) > scene.rules.chip_height_m;
     if (too_high && scene.rules.has(RuleId::kChippedGoal)) return "chipped_goal";
     const bool has_fouled = scene.time_s - scene.fouled_s[scorer] <= scene.rules.goal_after_foul_s;
-    if ((too_high || has_fouled) && !scene.play.is_penalty() &&
+    // "The restrictions defined for scoring goals ... do not apply here" (2026, Penalty Kick).
+    if ((too_high || has_fouled || has_surplus(scene, scorer)) && !scene.play.is_penalty() &&
         scene.rules.has(RuleId::kInvalidGoal)) {
       return "invalid_goal";
     }

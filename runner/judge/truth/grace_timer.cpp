@@ -14,8 +14,9 @@ bool GraceTimer::Watch::is_over(double time_s, bool offends, double grace_s, int
   return true;
 }
 
-void GraceTimer::watch(const Scene& scene, int spell, RobotId id, const sim::RobotState& robot,
-                       double excess, double grace_s, TrueEvents& all) {
+void GraceTimer::watch(const Scene& scene, RobotId id, const sim::RobotState& robot, double excess,
+                       double grace_s, TrueEvents& all) {
+  const int spell = scene.play.count;
   grace_s -= scene.frame_s / 2;  // frames are whole frames apart
   Watches& watches = watches_[id.side][id.number];
   if (watches.spell != spell) watches = {spell, {}, {}, {}};

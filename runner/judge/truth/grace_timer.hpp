@@ -17,14 +17,9 @@ class GraceTimer {
 
   // To be called for every robot in every frame in which the rule holds. `excess` is how far the
   // robot is beyond the threshold, in the margin's unit; it offends once it has been for longer
-  // than `grace_s`. `spell` tells one spell from the next.
-  void watch(const Scene& scene, int spell, RobotId id, const sim::RobotState& robot, double excess,
-             double grace_s, TrueEvents& all);
-  // Commands begin spells.
+  // than `grace_s`. Each command begins a spell.
   void watch(const Scene& scene, RobotId id, const sim::RobotState& robot, double excess,
-             double grace_s, TrueEvents& all) {
-    watch(scene, scene.play.count, id, robot, excess, grace_s, all);
-  }
+             double grace_s, TrueEvents& all);
 
  private:
   // Since when the robot has been so far beyond the threshold, and in which spell it was told.

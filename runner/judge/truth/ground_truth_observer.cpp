@@ -10,9 +10,10 @@ namespace {
 
 constexpr double kLongAgo_s = -1e9;
 
-// What counts as a foul for a goal's validity where fouls let play go on.
-constexpr std::array<std::string_view, 4> kFouls = {
-    "bot_crash_unique", "bot_crash_drawn", "bot_pushed_bot", "defender_too_close_to_kick_point"};
+// The non-stopping fouls of the rules of 2026: after one of its own a team's goal does not count.
+constexpr std::array<std::string_view, 4> kFouls = {"attacker_touched_ball_in_defense_area",
+                                                    "bot_kicked_ball_too_fast", "bot_crash_unique",
+                                                    "bot_crash_drawn"};
 
 }  // namespace
 

@@ -3,34 +3,39 @@
 namespace autoref::runner::ground_truth {
 namespace {
 
+using Maker = std::unique_ptr<GroundTruthRule> (*)();
+
 struct Entry {
   RuleId rule;
-  std::unique_ptr<GroundTruthRule> (*make)();
+  Maker make;
+  Maker make_2026;  // where the rules of 2026 read otherwise
 };
 
 // Fouls first: a goal may depend on them.
 constexpr Entry kEntries[] = {
-    {RuleId::kBotKickedBallTooFast, bot_kicked_ball_too_fast},
-    {RuleId::kAttackerDoubleTouchedBall, attacker_double_touched_ball},
-    {RuleId::kBotDribbledBallTooFar, bot_dribbled_ball_too_far},
-    {RuleId::kKeeperHeldBall, keeper_held_ball},
-    {RuleId::kBotCrashUnique, bot_crash_unique},
-    {RuleId::kBotPushedBot, bot_pushed_bot},
-    {RuleId::kRestartNotTaken, untaken_restart},
-    {RuleId::kBotTooFastInStop, bot_too_fast_in_stop},
-    {RuleId::kStopDistance, stop_distance},
-    {RuleId::kBotInterferedPlacement, bot_interfered_placement},
-    {RuleId::kTooManyRobots, too_many_robots},
+    {RuleId::kBotKickedBallTooFast, bot_kicked_ball_too_fast, nullptr},
+    {RuleId::kAttackerDoubleTouchedBall, attacker_double_touched_ball, nullptr},
+    {RuleId::kBotDribbledBallTooFar, bot_dribbled_ball_too_far, nullptr},
+    {RuleId::kKeeperHeldBall, keeper_held_ball, nullptr},
+    {RuleId::kBotCrashUnique, bot_crash_unique, nullptr},
+    {RuleId::kBotPushedBot, bot_pushed_bot, nullptr},
+    {RuleId::kRestartNotTaken, untaken_restart, nullptr},
+    {RuleId::kBotTooFastInStop, bot_too_fast_in_stop, bot_too_fast_in_stop_2026},
+    {RuleId::kStopDistance, stop_distance, nullptr},
+    {RuleId::kBotInterferedPlacement, bot_interfered_placement, nullptr},
+    {RuleId::kTooManyRobots, too_many_robots, too_many_robots_2026},
 };
 
 }  // namespace
 
 std::vector<std::unique_ptr<GroundTruthRule>> ground_truth_rules_of(const RuleBook& rules) {
   std::vector<std::unique_ptr<GroundTruthRule>> makers;
+  const bool is_2026 = rules.edition == Edition::kRules2026;
   for (const Entry& entry : kEntries) {
-    if (rules.has(entry.rule)) makers.push_back(entry.make());
+    if (!rules.has(entry.rule)) continue;
+    makers.push_back(is_2026 && entry.make_2026 != nullptr ? entry.make_2026() : entry.make());
   }
-  if (rules.edition == Edition::kRules2026) {
+  if (is_2026) {
     if (rules.has(RuleId::kAttackerTooCloseToDefenseArea)) makers.push_back(attacker_stays());
     if (rules.has(RuleId::kDefenderTooCloseToKickPoint)) makers.push_back(opponents_near_restart());
   }
@@ -46,6 +51,8 @@ std::vector<std::unique_ptr<GroundTruthRule>> ground_truth_rules_of(const RuleBo
   }
   makers.push_back(positions_at_entry());
   makers.push_back(ball_out());
+  // Last: it counts the fouls of the frame.
+  if (is_2026 && rules.has(RuleId::kCards)) makers.push_back(multiple_fouls());
   return makers;
 }
 

@@ -23,12 +23,15 @@ std::unique_ptr<GroundTruthRule> untaken_restart();
 std::unique_ptr<GroundTruthRule> penalty();     // penalty_kick_failed and penalty_positions
 std::unique_ptr<GroundTruthRule> stuck_ball();  // and no_progress_in_game
 std::unique_ptr<GroundTruthRule> bot_too_fast_in_stop();
+std::unique_ptr<GroundTruthRule> bot_too_fast_in_stop_2026();
 std::unique_ptr<GroundTruthRule> stop_distance();
 std::unique_ptr<GroundTruthRule> attacker_stays();  // near the area, rules of 2026
 std::unique_ptr<GroundTruthRule>
 opponents_near_restart();  // defender_too_close_to_kick_point, rules of 2026
 std::unique_ptr<GroundTruthRule> bot_interfered_placement();
 std::unique_ptr<GroundTruthRule> too_many_robots();
+std::unique_ptr<GroundTruthRule> too_many_robots_2026();
+std::unique_ptr<GroundTruthRule> multiple_fouls();  // the yellow cards of 2026
 
 // Those that the book has in force.
 std::vector<std::unique_ptr<GroundTruthRule>> ground_truth_rules_of(const RuleBook& rules);

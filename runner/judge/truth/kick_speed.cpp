@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "runner/judge/truth/ground_truth_rules.hpp"
+#include "runner/judge/truth/non_stopping.hpp"
 #include "soccer/units.hpp"
 
 namespace autoref::runner::ground_truth {
@@ -22,6 +23,9 @@ class KickSpeed final : public GroundTruthRule {
       if (after_mps > former_mps) evaluate(scene, touch, after_mps, all);
       former_mps = after_mps;
     }
+    const sim::BallState& ball = scene.now.ball;
+    const double now_mps = speed_mps(scene, ball.velocity_mps, ball.vertical_mps);
+    if (now_mps <= scene.rules.kick_limit_mps) fast_.clear();
   }
 
  private:
@@ -32,15 +36,26 @@ class KickSpeed final : public GroundTruthRule {
 
   void evaluate(const Scene& scene, const sim::Touch& touch, double speed_mps, TrueEvents& all) {
     const double excess_mps = speed_mps - scene.rules.kick_limit_mps;
-    if (excess_mps <= -kKickMargin_mps || scene.time_s - reported_s_ < kOneKick_s) return;
+    if (excess_mps <= -kKickMargin_mps || is_same(scene, touch.robot, excess_mps > 0)) return;
     reported_s_ = scene.time_s;
+    if (excess_mps > 0) kicker_ = touch.robot;
     TrueEvent kick{"bot_kicked_ball_too_fast", scene.time_s, touch.robot.side, touch.robot,
                    touch.ball_m};
     kick.is_in_air = touch.vertical_mps > 0;
     add_measured(all, kick, excess_mps, kKickMargin_mps);
   }
 
+  // The Laws' referee ends play with the kick. By the rules of 2026 play goes on: the same robot's
+  // kick is another one once the ball has been slow enough, or 2 s later.
+  bool is_same(const Scene& scene, RobotId kicker, bool is_foul) {
+    const bool is_one_kick = scene.time_s - reported_s_ < kOneKick_s;
+    if (scene.rules.edition != Edition::kRules2026 || !is_foul) return is_one_kick;
+    return (is_one_kick && kicker_ == kicker) || !fast_.is_raised(scene, kicker);
+  }
+
   double reported_s_ = -kOneKick_s;
+  std::optional<RobotId> kicker_;  // of the last foul
+  NonStopping fast_;               // kickers of the ball that is too fast still
 };
 
 }  // namespace

@@ -54,6 +54,10 @@ Reach reach_into_half(Side side, const sim::RobotState& robot) {
   return reach(robot, [side](const Vec2& at_m) { return goal_sign(side) * at_m.x(); });
 }
 
+double hull_to_ball_m(const sim::RobotState& robot, const sim::BallState& ball) {
+  return distance_to_hull(ball.position_m, robot.position_m, robot.heading);
+}
+
 bool are_in_contact(const sim::RobotState& a, const sim::RobotState& b) {
   return (a.position_m - b.position_m).norm() < 2 * kRobotRadius_m + kInContact_m;
 }

@@ -8,6 +8,10 @@ bool starts_play(CommandKind kind) {
          kind == CommandKind::kDirectFree || kind == CommandKind::kIndirectFree;
 }
 
+bool is_free_kick(CommandKind kind) {
+  return kind == CommandKind::kDirectFree || kind == CommandKind::kIndirectFree;
+}
+
 bool prepares(CommandKind kind) {
   return kind == CommandKind::kPrepareKickoff || kind == CommandKind::kPreparePenalty;
 }
@@ -40,6 +44,12 @@ void PlayFollower::obey(const sim::WorldState& now, double time_s, const Referee
   play_.count = before.count + 1;
   play_.stops = before.stops + (play_.is_stop ? 1 : 0);
   play_.stopped_s = time_s;
+  play_.stop_count = before.stop_count;
+  play_.stop_began_s = before.stop_began_s;
+  if (!before.is_stop && (play_.is_stop || is_free_kick(command.kind))) {
+    ++play_.stop_count;
+    play_.stop_began_s = time_s;
+  }
   if (!play_.is_on) return;
   play_.restart = command.kind == CommandKind::kNormalStart ? prepared_ : command;
   if (is_for_one_side(play_.restart.kind)) play_.taker = play_.restart.side;

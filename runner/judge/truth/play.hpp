@@ -24,6 +24,9 @@ struct Play {
   bool ends_now = false;  // the referee has just ended play
   int count = 0;          // commands obeyed: tells one restart or stop from the next
   int stops = 0;          // STOPs among them: tells a stop and the restart after it from the next
+  // A STOP that is sent again goes on with the stop; a free kick goes on with the one before it.
+  int stop_count = 0;
+  double stop_began_s = 0;
 
   bool is_kickoff() const { return restart.kind == CommandKind::kPrepareKickoff; }
   bool is_penalty() const { return restart.kind == CommandKind::kPreparePenalty; }

@@ -35,7 +35,8 @@ class Pushing final : public GroundTruthRule {
     for (PushContact& contact : contacts_) contact.lasts = false;
     for_each_robot(scene.now, Side::kWest, [&](RobotId west, const sim::RobotState& a) {
       for_each_robot(scene.now, Side::kEast, [&](RobotId east, const sim::RobotState& b) {
-        if (are_in_contact(a, b)) evaluate(scene, contact_of(scene, west, a, east, b), a, b, all);
+        if (has_contact(scene, west, a, east, b))
+          evaluate(scene, contact_of(scene, west, a, east, b), a, b, all);
       });
     });
     const auto over = [](const PushContact& contact) { return !contact.lasts; };
@@ -43,6 +44,14 @@ class Pushing final : public GroundTruthRule {
   }
 
  private:
+  // With each other; by the rules of 2026, or both with the ball.
+  static bool has_contact(const Scene& scene, RobotId west, const sim::RobotState& a, RobotId east,
+                          const sim::RobotState& b) {
+    if (are_in_contact(a, b)) return true;
+    return scene.rules.edition == Edition::kRules2026 && scene.ball.has_contact(west) &&
+           scene.ball.has_contact(east);
+  }
+
   PushContact& contact_of(const Scene& scene, RobotId west, const sim::RobotState& a, RobotId east,
                           const sim::RobotState& b) {
     for (PushContact& contact : contacts_) {

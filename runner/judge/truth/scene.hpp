@@ -26,9 +26,14 @@ struct Scene {
   const BallHistory& ball;
   const RefereeSignal& signal;  // what has been in force since the frame before
   PerSide<int> keepers;         // their numbers
-  PerSide<double> fouled_s;     // when each side last did what counts as a foul
+  PerSide<double> fouled_s;     // each side's last non-stopping foul of 2026
 
   bool is_keeper(RobotId robot) const { return keepers[robot.side] == robot.number; }
+  // Play is stopped, and the ball is not yet where the referee wants it.
+  bool is_ball_being_placed() const {
+    if (!play.is_stop || !signal.placement) return false;
+    return (signal.placement->target_m - now.ball.position_m).norm() > rules.ball_in_position_m;
+  }
 };
 
 // Tells one kind of event, or some that exclude each other. Asked once in every frame.

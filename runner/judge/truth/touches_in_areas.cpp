@@ -4,6 +4,7 @@
 #include <array>
 
 #include "runner/judge/truth/ground_truth_rules.hpp"
+#include "runner/judge/truth/non_stopping.hpp"
 #include "runner/judge/truth/outline.hpp"
 #include "soccer/robot_shape.hpp"
 #include "soccer/units.hpp"
@@ -18,15 +19,20 @@ class TouchesInAreas final : public GroundTruthRule {
   void watch(const Scene& scene, TrueEvents& all) override {
     for_each_robot(scene.now, [&](RobotId id, const sim::RobotState& robot) {
       watch_entry(scene, id, robot);
+      if (!scene.ball.has_contact(id) || inside_theirs_m(scene, id, robot) <= 0) attacks_.end(id);
     });
+    if (!scene.play.is_on) attacks_.clear();
     // The kick that brings the ball into play is none of a ball in play.
     if (!scene.play.is_on || !scene.play.in_play || scene.play.entered_now) return;
     for (const Contact& contact : scene.ball.contacts()) {
       const sim::RobotState* robot = find_robot(scene.now, contact.robot);
-      if (!contact.is_touching || robot == nullptr) continue;
-      if (scene.rules.has(RuleId::kDefenderInDefenseArea)) defending(scene, contact, *robot, all);
-      if (scene.rules.has(RuleId::kAttackerTouchedBallInDefenseArea))
+      if (robot == nullptr) continue;
+      if (contact.is_touching && scene.rules.has(RuleId::kDefenderInDefenseArea)) {
+        defending(scene, contact, *robot, all);
+      }
+      if (scene.rules.has(RuleId::kAttackerTouchedBallInDefenseArea)) {
         attacking(scene, contact, *robot, all);
+      }
     }
   }
 
@@ -49,10 +55,25 @@ class TouchesInAreas final : public GroundTruthRule {
     add(scene, contact, "defender_in_defense_area_partially", -reach.nearest_m, all);
   }
 
+  // How far the robot's hull is inside the opponents' area, partially or fully.
+  static double inside_theirs_m(const Scene& scene, RobotId id, const sim::RobotState& robot) {
+    return -reach_to_area(scene.field, opponent_of(id.side), robot).nearest_m;
+  }
+
+  // Play goes on: a touch that lasts is raised again.
   void attacking(const Scene& scene, const Contact& contact, const sim::RobotState& robot,
                  TrueEvents& all) {
-    const Reach reach = reach_to_area(scene.field, opponent_of(contact.robot.side), robot);
-    add(scene, contact, "attacker_touched_ball_in_defense_area", -reach.nearest_m, all);
+    constexpr std::string_view kName = "attacker_touched_ball_in_defense_area";
+    const double inside_m = inside_theirs_m(scene, contact.robot, robot);
+    if (inside_m <= 0) {
+      if (contact.is_touching) add(scene, contact, kName, inside_m, all);
+      return;
+    }
+    const bool has_touched = contact.is_touching || attacks_.lasts(contact.robot);
+    if (!has_touched || !attacks_.is_raised(scene, contact.robot)) return;
+    add_measured(
+        all, {kName, scene.time_s, contact.robot.side, contact.robot, scene.now.ball.position_m},
+        inside_m, kAreaMargin_m);
   }
 
   // How a robot came into its own area.
@@ -95,6 +116,7 @@ class TouchesInAreas final : public GroundTruthRule {
 
   static constexpr std::size_t kRemembered = 64;  // contacts that may last at a time, and names
   std::vector<Told> reported_;
+  NonStopping attacks_;
   PerSide<std::array<Entry, kMaxRobots>> entries_;
 };
 

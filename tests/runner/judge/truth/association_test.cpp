@@ -99,5 +99,30 @@ TEST(SprtMatch, FindsAnUnknownTouchRightAndTheThrowInMissed) {
   EXPECT_EQ(verdicts[1].outcome, Outcome::kMissed);
 }
 
+TEST(SprtMatch, HoldsTheCardForEveryThirdFoulAgainstTheTruth) {
+  referee::Decision card;
+  card.time_s = 10.0;
+  card.finding.event = referee::Event::kMultipleFouls;
+  card.finding.offender = kWest;
+  const std::optional<Call> shown = call_of(card);
+  ASSERT_TRUE(shown);
+  const std::vector<Verdict> verdicts = associate({event("multiple_fouls", 10.0, kWest)}, {*shown});
+  ASSERT_EQ(verdicts.size(), 1U);
+  EXPECT_EQ(verdicts[0].outcome, Outcome::kRight);
+}
+
+// Play goes on after it: what happens in the same moment is not overtaken.
+TEST(SprtMatch, DoesNotFindAnEventOvertakenByACallThatLetsPlayGoOn) {
+  referee::Decision fast;
+  fast.time_s = 10.0;
+  fast.from = fast.to = referee::State::kRun;
+  fast.finding.event = referee::Event::kBotKickedBallTooFast;
+  fast.finding.offender = kWest;
+  const TrueEvents both = {event("bot_kicked_ball_too_fast", 10.0, kWest),
+                           event("bot_crash_unique", 10.0, kEast)};
+  EXPECT_EQ(outcomes(both, {*call_of(fast)}),
+            (std::vector<Outcome>{Outcome::kRight, Outcome::kMissed}));
+}
+
 }  // namespace
 }  // namespace autoref::runner::ground_truth

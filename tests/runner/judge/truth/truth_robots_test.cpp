@@ -175,42 +175,6 @@ TEST(TrueRestart, IsNotTakenAfterTenSeconds) {
   EXPECT_EQ(game.first("restart_not_taken").offender, Side::kEast);
 }
 
-TEST(TrueRestart, HasItsTimeAnewWhereAnOpponentStoodTooNear) {
-  StagedGame game(book("2026-b"));
-  game.world.put_ball({0, 1});
-  game.world.put_robot(kEast1, {0.3, 1}, {-1, 0});
-  game.command(CommandKind::kDirectFree, Side::kWest);
-  game.seconds(11.8);
-  EXPECT_EQ(game.names(), std::vector<std::string>{"defender_too_close_to_kick_point"});
-  game.seconds(0.4);
-  EXPECT_TRUE(game.has("restart_not_taken"));
-}
-
-TEST(TrueGraceTimer, IsAnAttackersNearTheAreaForTwoSeconds) {
-  StagedGame game(book("2026-b"));
-  game.world.put_robot(kWest1, {3.025 - 0.8 - 0.15 - 0.09, 0}, {-1, 0});
-  game.seconds(1.9);
-  EXPECT_FALSE(game.has("attacker_stays_near_area"));
-  game.seconds(0.3);
-  EXPECT_TRUE(game.has("attacker_stays_near_area"));
-  game.seconds(5.0);
-  EXPECT_EQ(game.names().size(), 1U);  // once per stop
-}
-
-TEST(TrueGraceTimer, GoesOnIntoTheFreeKickAfterTheStop) {
-  StagedGame game(book("2026-b"));
-  game.world.put_robot(kWest1, {3.025 - 0.8 - 0.15 - 0.09, 0}, {-1, 0});
-  game.seconds(1.5);
-  game.command(CommandKind::kDirectFree, Side::kEast);
-  game.seconds(0.3);
-  EXPECT_FALSE(game.has("attacker_stays_near_area"));
-  game.seconds(5.0);
-  EXPECT_EQ(game.names().size(), 1U);
-  game.command(CommandKind::kStop);
-  game.seconds(2.3);
-  EXPECT_EQ(game.names().size(), 2U);  // another stop
-}
-
 TEST(TrueGraceTimer, IsInterferenceNearTheBallsWay) {
   StagedGame game(book("2026-b"));
   game.signal.placement = Placement{{1, 0}, false};

@@ -56,6 +56,14 @@ struct StagedGame {
     const std::vector<std::string> all = names();
     return std::find(all.begin(), all.end(), name) != all.end();
   }
+  // When it truly happened.
+  std::vector<double> times_s(std::string_view name) const {
+    std::vector<double> times_s;
+    for (const TrueEvent& event : observer.true_events()) {
+      if (event.standing == Standing::kTrue && event.name == name) times_s.push_back(event.time_s);
+    }
+    return times_s;
+  }
   // The first of that name; must be there.
   const TrueEvent& first(std::string_view name) const {
     return *std::find_if(

@@ -1,0 +1,25 @@
+// Since when each robot has been doing something, without a break.
+#pragma once
+
+#include <map>
+
+#include "soccer/side.hpp"
+
+namespace autoref::runner::ground_truth {
+
+class Lasting {
+ public:
+  // To be called for every robot in every frame; how long `does` has been true, negative while it
+  // is not.
+  double lasts_s(RobotId id, bool does, double time_s) {
+    if (does) return time_s - since_s_.try_emplace(id, time_s).first->second;
+    since_s_.erase(id);
+    return -1.0;
+  }
+  void clear() { since_s_.clear(); }
+
+ private:
+  std::map<RobotId, double> since_s_;
+};
+
+}  // namespace autoref::runner::ground_truth

@@ -1,0 +1,78 @@
+// Every third foul of a team is a yellow card (rules of 2026, "Offenses").
+#include <algorithm>
+#include <array>
+
+#include "runner/judge/truth/ground_truth_rules.hpp"
+#include "runner/judge/truth/team_foul.hpp"
+#include "soccer/units.hpp"
+
+namespace autoref::runner::ground_truth {
+namespace {
+
+// The offences that count: not the double touch, the defender in its own area, and too many robots
+// ("No penalty will be given", rules of 2026, Yellow Card).
+constexpr std::array<std::string_view, 11> kCounted = {"attacker_stays_near_area",
+                                                       "bot_pushed_bot",
+                                                       "keeper_held_ball",
+                                                       "bot_dribbled_ball_too_far",
+                                                       "attacker_touched_ball_in_defense_area",
+                                                       "bot_kicked_ball_too_fast",
+                                                       "bot_crash_unique",
+                                                       "bot_crash_drawn",
+                                                       "defender_too_close_to_kick_point",
+                                                       "bot_too_fast_in_stop",
+                                                       "bot_interfered_placement"};
+// A card shown so soon after its third foul is that foul's.
+constexpr double kShownWithin_s = 1_s;
+
+// A missed or wrong call shifts the referee's later cards. So a card that it shows, due or not,
+// begins the count again: each card is judged by the fouls since the one before.
+class MultipleFouls final : public GroundTruthRule {
+ public:
+  void watch(const Scene& scene, TrueEvents& all) override {
+    for (const Side side : kSides) note_card(scene, side);
+    const std::size_t end = all.size();
+    for (; next_ < end; ++next_) {
+      const TrueEvent event = all[next_];
+      if (event.standing != Standing::kTrue || !is_counted(event.name)) continue;
+      for (const Side side : kSides) {
+        if (event.offender.value_or(side) == side) count(scene, side, all);
+      }
+    }
+    next_ = all.size();
+  }
+
+ private:
+  static bool is_counted(std::string_view name) {
+    return std::find(kCounted.begin(), kCounted.end(), name) != kCounted.end();
+  }
+
+  void note_card(const Scene& scene, Side side) {
+    const int shown = scene.signal.yellow_cards[side] + scene.signal.red_cards[side];
+    const bool is_due = due_s_[side] && !has_passed(scene, *due_s_[side], kShownWithin_s);
+    if (!is_due) due_s_[side].reset();
+    if (shown > shown_[side]) {
+      if (!is_due) fouls_[side] = 0;
+      due_s_[side].reset();
+    }
+    shown_[side] = shown;
+  }
+
+  void count(const Scene& scene, Side side, TrueEvents& all) {
+    if (++fouls_[side] < scene.rules.fouls_per_card) return;
+    fouls_[side] = 0;
+    due_s_[side] = scene.time_s;
+    all.push_back({"multiple_fouls", scene.time_s, side});
+  }
+
+  std::size_t next_ = 0;  // event to look at
+  PerSide<int> fouls_;    // since the last card
+  PerSide<int> shown_;
+  PerSide<std::optional<double>> due_s_;
+};
+
+}  // namespace
+
+std::unique_ptr<GroundTruthRule> multiple_fouls() { return std::make_unique<MultipleFouls>(); }
+
+}  // namespace autoref::runner::ground_truth

@@ -1,0 +1,130 @@
+// What robots must not do while play is stopped, by the rules of 2026.
+#include <algorithm>
+#include <set>
+
+#include "runner/judge/truth/ground_truth_rules.hpp"
+#include "runner/judge/truth/lasting.hpp"
+#include "runner/judge/truth/outline.hpp"
+#include "runner/judge/truth/team_foul.hpp"
+#include "soccer/robot_shape.hpp"
+#include "soccer/units.hpp"
+
+namespace autoref::runner::ground_truth {
+namespace {
+
+constexpr double kFastMargin_mps = 0.1_mps;
+constexpr double kFastFor_s = 0.1;  // a shorter peak of speed is open to reading
+constexpr double kLaneMargin_m = 25_mm;
+
+// What a robot does for long enough to be at fault, or nearly does; nothing worth a note else.
+class LongEnough {
+ public:
+  explicit LongEnough(double margin) : margin_(margin) {}
+
+  void consider(const Scene& scene, RobotId id, const sim::RobotState& robot, double excess,
+                double for_s, WorstRobot& worst) {
+    for_s -= scene.frame_s / 2;  // frames are whole frames apart
+    const bool is_at_fault = truly_.lasts_s(id, excess > 0, scene.time_s) >= for_s;
+    if (nearly_.lasts_s(id, excess > -margin_, scene.time_s) < for_s) return;
+    worst.consider(id, robot, is_at_fault ? excess : std::min(excess, -margin_ / 2));
+  }
+  void clear() {
+    truly_.clear();
+    nearly_.clear();
+  }
+
+ private:
+  double margin_;
+  Lasting truly_;
+  Lasting nearly_;
+};
+
+// "Robot Stop Speed": after the grace that begins with the stop, not while the ball is being
+// placed; each robot once per stop.
+class StopSpeed2026 final : public GroundTruthRule {
+ public:
+  void watch(const Scene& scene, TrueEvents& all) override {
+    const Play& play = scene.play;
+    const bool has_grace = scene.time_s - play.stop_began_s <= scene.rules.stop_grace_s;
+    if (!play.is_stop || has_grace || scene.is_ball_being_placed()) {
+      fast_for_.clear();
+      return;
+    }
+    if (play.stop_count != stop_) counted_.clear();
+    stop_ = play.stop_count;
+    for (const Side side : kSides) {
+      const WorstRobot worst = fastest(scene, side);
+      if (fast_.watch(scene, side, worst, all)) counted_.insert(*worst.robot);
+    }
+  }
+
+ private:
+  WorstRobot fastest(const Scene& scene, Side side) {
+    WorstRobot worst;
+    for_each_robot(scene.now, side, [&](RobotId id, const sim::RobotState& robot) {
+      if (counted_.contains(id)) return;
+      const double excess_mps = robot.velocity_mps.norm() - scene.rules.stop_speed_mps;
+      fast_for_.consider(scene, id, robot, excess_mps, kFastFor_s, worst);
+    });
+    return worst;
+  }
+
+  int stop_ = -1;
+  std::set<RobotId> counted_;  // in this stop
+  LongEnough fast_for_{kFastMargin_mps};
+  TeamFoul fast_{"bot_too_fast_in_stop", kFastMargin_mps};
+};
+
+// "Ball Placement Interference": one is counted per placement.
+class PlacementInterference final : public GroundTruthRule {
+ public:
+  void watch(const Scene& scene, TrueEvents& all) override {
+    const auto& next = scene.signal.next_command;
+    if (!scene.is_ball_being_placed() || !next || !is_for_one_side(next->kind)) {
+      near_for_.clear();
+      return;
+    }
+    begin(scene);
+    const Side side = opponent_of(next->side);
+    WorstRobot worst;
+    for_each_robot(scene.now, side, [&](RobotId id, const sim::RobotState& robot) {
+      const double excess_m = scene.rules.placement_clearance_m - hull_to_lane_m(scene, robot);
+      near_for_.consider(scene, id, robot, excess_m, scene.rules.placement_grace_s, worst);
+    });
+    if (!is_counted_) is_counted_ = near_.watch(scene, side, worst, all);
+  }
+
+ private:
+  // A placement is another one in another stop, or with another target.
+  void begin(const Scene& scene) {
+    const Vec2& target_m = scene.signal.placement->target_m;
+    if (scene.play.stop_count == stop_ && target_m == target_m_) return;
+    stop_ = scene.play.stop_count;
+    target_m_ = target_m;
+    is_counted_ = false;
+    near_for_.clear();
+  }
+
+  static double hull_to_lane_m(const Scene& scene, const sim::RobotState& robot) {
+    const Vec2 nearest_m = nearest_on_segment(robot.position_m, scene.now.ball.position_m,
+                                              scene.signal.placement->target_m);
+    return distance_to_hull(nearest_m, robot.position_m, robot.heading);
+  }
+
+  int stop_ = -1;
+  Vec2 target_m_{0, 0};
+  bool is_counted_ = false;
+  LongEnough near_for_{kLaneMargin_m};
+  TeamFoul near_{"bot_interfered_placement", kLaneMargin_m};
+};
+
+}  // namespace
+
+std::unique_ptr<GroundTruthRule> bot_too_fast_in_stop_2026() {
+  return std::make_unique<StopSpeed2026>();
+}
+std::unique_ptr<GroundTruthRule> bot_interfered_placement() {
+  return std::make_unique<PlacementInterference>();
+}
+
+}  // namespace autoref::runner::ground_truth

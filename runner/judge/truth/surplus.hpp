@@ -1,0 +1,13 @@
+// How many robots a side has on the field.
+#pragma once
+
+#include "runner/judge/truth/scene.hpp"
+
+namespace autoref::runner::ground_truth {
+
+int robots_on_field(const Scene& scene, Side side);
+
+// More of them than the signal allows.
+bool has_surplus(const Scene& scene, Side side);
+
+}  // namespace autoref::runner::ground_truth

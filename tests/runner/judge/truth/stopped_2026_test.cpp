@@ -1,0 +1,126 @@
+// What robots must not do while play is stopped, and how many a side may have, by the rules of 2026
+// (league.md, section 7), told from staged worlds.
+#include <gtest/gtest.h>
+
+#include "tests/runner/judge/truth/truth_stage.hpp"
+
+namespace autoref::runner::ground_truth {
+namespace {
+
+constexpr const char* kTooFastInStop = "bot_too_fast_in_stop";
+constexpr const char* kInterference = "bot_interfered_placement";
+
+// These robots of the west drive at that speed for 0.2 s.
+void drive_west(StagedGame& game, const std::vector<RobotId>& ids, double speed_mps = 1.8) {
+  for (int frame = 0; frame < 12; ++frame) {
+    for (const RobotId id : ids) {
+      game.world.put_robot(id, {-2.0 + 0.03 * frame, -1.8 + 0.3 * id.number}, {1, 0},
+                           {speed_mps, 0});
+    }
+    game.frames(1);
+  }
+}
+
+TEST(Truth2026, SeveralRobotsTooFastInStopWithinTwoSecondsAreOneFoul) {
+  StagedGame game(book("2026-b"));
+  game.seconds(2.5);
+  drive_west(game, {kWest0, kWest1});
+  EXPECT_EQ(game.times_s(kTooFastInStop).size(), 1U);
+  game.seconds(1.0);
+  drive_west(game, {kWest0, kWest1});
+  EXPECT_EQ(game.times_s(kTooFastInStop).size(), 1U);
+  game.seconds(1.0);
+  drive_west(game, {kWest0, kWest1});  // the other one
+  EXPECT_EQ(game.times_s(kTooFastInStop).size(), 2U);
+}
+
+TEST(Truth2026, ARobotIsTooFastOncePerStopHoweverOftenStopIsSent) {
+  StagedGame game(book("2026-b"));
+  game.seconds(2.5);
+  drive_west(game, {kWest1});
+  game.command(CommandKind::kStop);
+  game.seconds(2.5);
+  drive_west(game, {kWest1});
+  EXPECT_EQ(game.times_s(kTooFastInStop).size(), 1U);
+}
+
+TEST(Truth2026, NoRobotIsTooFastWhileTheBallIsBeingPlaced) {
+  for (const double ball_x_m : {-1.0, 1.0}) {
+    StagedGame game(book("2026-b"));
+    game.world.put_ball({ball_x_m, 0});
+    game.signal.placement = Placement{{1, 0}, false};
+    game.seconds(2.5);
+    drive_west(game, {kWest1});
+    EXPECT_EQ(game.has(kTooFastInStop), ball_x_m == 1.0) << ball_x_m;
+  }
+}
+
+TEST(Truth2026, TooFastInStopIsAboveOneAndAHalfMetresPerSecond) {
+  for (const double speed_mps : {1.4, 1.6}) {
+    StagedGame game(book("2026-b"));
+    game.seconds(2.5);
+    drive_west(game, {kWest1}, speed_mps);
+    EXPECT_EQ(game.has(kTooFastInStop), speed_mps > 1.5) << speed_mps;
+  }
+}
+
+TEST(Truth2026, PlacementInterferenceIsCountedOncePerPlacement) {
+  StagedGame game(book("2026-b"));
+  game.signal.placement = Placement{{1, 0}, false};
+  game.signal.next_command = Command{CommandKind::kDirectFree, Side::kWest};
+  game.world.put_ball({-1, 0});
+  game.world.put_robot(kEast0, {0.4, 0.5}, {-1, 0});
+  game.world.put_robot(kEast1, {0, 0.5}, {-1, 0});
+  game.seconds(6.0);
+  EXPECT_EQ(game.times_s(kInterference).size(), 1U);
+  game.signal.placement = Placement{{1, 0.1}, false};
+  game.seconds(2.3);
+  EXPECT_EQ(game.times_s(kInterference).size(), 2U);
+}
+
+// The west may have one robot and has two; the second one is outside the lines at first.
+struct Surplus : StagedGame {
+  Surplus() : StagedGame(book("2026-b")) {
+    world.put_robot(kWest1, {-1.0, -2.3});
+    world.put_ball({0, 1.0});
+    signal.robots_allowed[Side::kWest] = 1;
+  }
+  void come_back() { world.put_robot(kWest1, {-1.0, -1.5}); }
+};
+
+TEST(Truth2026, TooManyRobotsIsCalledTwoSecondsAfterAStart) {
+  Surplus game;
+  game.seconds(15.0);
+  game.command(CommandKind::kForceStart);
+  game.come_back();
+  game.seconds(1.9);
+  EXPECT_FALSE(game.has("too_many_robots"));
+  game.seconds(0.2);
+  EXPECT_TRUE(game.has("too_many_robots"));
+}
+
+TEST(Truth2026, TooManyRobotsHasTenSecondsAfterACard) {
+  Surplus game;
+  game.come_back();
+  game.seconds(9.9);
+  EXPECT_FALSE(game.has("too_many_robots"));
+  game.seconds(0.3);
+  ASSERT_TRUE(game.has("too_many_robots"));
+  EXPECT_NEAR(game.first("too_many_robots").time_s, 10.0, 0.02);
+}
+
+TEST(Truth2026, EachCardGivesItsOwnRobotTenSeconds) {
+  Surplus game;
+  game.come_back();
+  game.seconds(5.0);
+  game.signal.robots_allowed[Side::kWest] = 0;
+  game.seconds(4.0);
+  game.world.put_robot(kWest1, {-1.0, -2.3});  // the first card's
+  game.seconds(5.9);
+  EXPECT_FALSE(game.has("too_many_robots"));
+  game.seconds(0.3);
+  EXPECT_TRUE(game.has("too_many_robots"));
+}
+
+}  // namespace
+}  // namespace autoref::runner::ground_truth
