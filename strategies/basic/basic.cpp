@@ -31,7 +31,8 @@ Basic::Basic(const TeamContext& context)
 // surface.
 double Basic::room_at_ball_m() const {
   const bool is_judged = context_.rules.has(RuleId::kDefenderTooCloseToKickPoint);
-  return context_.rules.opponents_to_ball_m + (is_judged ? kBallRadius_m : 0.0);
+  return context_.rules.opponents_to_ball_m + (is_judged ? kBallRadius_m : 0.0) +
+         room_for_error_m(context_.rules);
 }
 
 Limits Basic::limits_for(bool is_keeper) const {
@@ -42,7 +43,8 @@ Limits Basic::limits_for(bool is_keeper) const {
   limits.own_half_only = now_.play == Play::kPrepareKickoff || now_.play == Play::kKickoff;
   const bool may_come_near = now_.ours && is_restart(now_.play);
   limits.keep_from_ball_m = may_come_near ? 0 : room_at_ball_m() + kRobotRadius_m;
-  limits.keep_from_area_m = context_.rules.attacker_to_area_m + kRobotRadius_m;
+  limits.keep_from_area_m =
+      context_.rules.attacker_to_area_m + kRobotRadius_m + room_for_error_m(context_.rules);
   return limits;
 }
 

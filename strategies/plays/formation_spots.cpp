@@ -136,7 +136,8 @@ void send_ahead(PlayContext& book, RoleAssignment& assignment, int count) {
 
 Waypoint off_their_area(const PredictedState& predicted, const Vec2& position_m, double more_m) {
   Limits limits;
-  limits.keep_from_area_m = predicted.rules().attacker_to_area_m + kRobotRadius_m + more_m;
+  limits.keep_from_area_m = predicted.rules().attacker_to_area_m + kRobotRadius_m +
+                            room_for_error_m(predicted.rules()) + more_m;
   return facing_ball(predicted,
                      permitted(predicted.field(), position_m, predicted.position_m(), limits));
 }

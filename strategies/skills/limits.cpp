@@ -68,6 +68,10 @@ Vec2 pushed_into_bounds(const Field& field, Vec2 p, const Limits& limits) {
 
 }  // namespace
 
+double room_for_error_m(const RuleBook& rules) {
+  return rules.edition == Edition::kRules2026 ? 40_mm : 0.0;
+}
+
 Vec2 permitted(const Field& field, const Vec2& wanted_m, const Vec2& ball_m, const Limits& limits) {
   return pushed_into_bounds(field, pushed_off_ball(field, wanted_m, ball_m, limits), limits);
 }

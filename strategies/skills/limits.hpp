@@ -2,6 +2,7 @@
 #pragma once
 
 #include "soccer/field.hpp"
+#include "soccer/rule_book.hpp"
 #include "soccer/units.hpp"
 
 namespace autoref::strategies {
@@ -17,6 +18,9 @@ struct Limits {
   bool may_stay_behind_goal = false;
   double beyond_lines_m = 90_mm;  // of a robot's centre, outside the field: half of it
 };
+
+// What robots keep beyond a rule's distance where being too near counts at once (2026); else none.
+double room_for_error_m(const RuleBook& rules);
 
 // The permitted place nearest to `wanted_m`, or close to it. Where the half, an area or the field's
 // edge leaves no room between itself and the ball, they are kept to, and the ball's circle is not.

@@ -85,7 +85,8 @@ double PredictedState::room_at_ball_m() const {
   if (now_.play == Play::kRunning) return 0;
   if (now_.ours && is_restart(now_.play)) return 0;
   const bool is_judged = rules().has(RuleId::kDefenderTooCloseToKickPoint);
-  return rules().opponents_to_ball_m + (is_judged ? kBallRadius_m : 0.0);
+  return rules().opponents_to_ball_m + (is_judged ? kBallRadius_m : 0.0) +
+         room_for_error_m(rules());
 }
 
 Limits PredictedState::limits() const {
@@ -96,7 +97,8 @@ Limits PredictedState::limits() const {
   if (restart_is_ours()) limits.beyond_lines_m = style_.beyond_line_m;
   const double room_m = room_at_ball_m();
   limits.keep_from_ball_m = room_m > 0 ? room_m + kRobotRadius_m : style_.room_for_taker_m;
-  limits.keep_from_area_m = rules().attacker_to_area_m + kRobotRadius_m;
+  limits.keep_from_area_m =
+      rules().attacker_to_area_m + kRobotRadius_m + room_for_error_m(rules());
   return limits;
 }
 
