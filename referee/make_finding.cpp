@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "referee/geometry/restarts.hpp"
 #include "soccer/rule_table.hpp"
 
@@ -67,7 +70,16 @@ Command indirect_free_kick(const RuleBook& rules, Side kicker) {
 }
 
 std::string text_of(RobotId robot) {
-  return fmt::format("{} {}", name_of(robot.side), robot.number);
+  return fmt::format("{} {}", colour_of(robot.side), robot.number);
+}
+
+std::string mm_text(double distance_m) {
+  return fmt::format("{:.0f} mm", std::max(0.0, 1e3 * distance_m));
+}
+
+std::string gap_text(double signed_distance_m) {
+  const char* where = signed_distance_m < 0 ? "inside" : "from";
+  return fmt::format("{} {}", mm_text(std::abs(signed_distance_m)), where);
 }
 
 }  // namespace autoref::referee

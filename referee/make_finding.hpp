@@ -5,6 +5,7 @@
 
 #include "referee/configuration.hpp"
 #include "referee/finding.hpp"
+#include "soccer/colour.hpp"
 #include "soccer/rule_book.hpp"
 
 namespace autoref::referee {
@@ -36,7 +37,13 @@ Finding contact_foul_of(Event event, RuleId rule, const Configuration& configura
 // DIRECT_FREE or, where the book has them, INDIRECT_FREE for `kicker`.
 Command indirect_free_kick(const RuleBook& rules, Side kicker);
 
-// "west 3".
+// "yellow 3": texts name sides by their colours (soccer/colour.hpp).
 std::string text_of(RobotId robot);
+
+// "367 mm"; 0 where noise makes the distance of two bodies that touch negative.
+std::string mm_text(double distance_m);
+
+// "83 mm from" or, where the signed distance from an area is negative, "302 mm inside".
+std::string gap_text(double signed_distance_m);
 
 }  // namespace autoref::referee

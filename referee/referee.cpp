@@ -8,6 +8,7 @@
 
 #include "referee/geometry/ball_out.hpp"
 #include "referee/machine/ball_in_play.hpp"
+#include "referee/machine/decision_of.hpp"
 #include "referee/machine/machine.hpp"
 #include "referee/machine/readiness.hpp"
 #include "referee/machine/referee_state.hpp"
@@ -208,26 +209,13 @@ class Referee::Impl {
   void decide(const RefereeInput& input, const Finding& finding) {
     Step taken = step(state_, input, finding);
     if (taken.transition == nullptr) return;
-    log(input, finding, taken);
+    decisions_.push_back(decision_of(state_, input, finding, taken));
     const bool play_starts =
         state_.machine_state != State::kRun && taken.state.machine_state == State::kRun;
     state_ = std::move(taken.state);
     if (!play_starts) return;
     touch_.restart(input.frame, state_.play.ball_from_m);
     touch_detector_.restart(input.frame, state_.play.ball_from_m);
-  }
-
-  void log(const RefereeInput& input, const Finding& finding, const Step& taken) {
-    Decision decision;
-    decision.frame = input.frame.number;
-    decision.time_s = input.time_s();
-    decision.transition = taken.label;
-    decision.from = state_.machine_state;
-    decision.to = taken.state.machine_state;
-    decision.command = taken.sent;
-    decision.finding = finding;
-    decision.last_touch = input.last_touch;
-    decisions_.push_back(std::move(decision));
   }
 
   Configuration configuration_;

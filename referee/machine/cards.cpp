@@ -1,6 +1,9 @@
 #include "referee/machine/cards.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 
 namespace autoref::referee {
 namespace {
@@ -22,7 +25,44 @@ void show(RefereeState& state, const RefereeInput& input, Side side, Card card) 
   cards.yellow_ends_s.push_back(state.play_clock.at_s(input.time_s()) + rules.card_s);
 }
 
+// "1st", "2nd", "3rd", "4th" ... "11th".
+std::string ordinal(int number) {
+  constexpr std::array kEndings = {"th", "st", "nd", "rd"};
+  const bool is_teen = number % 100 / 10 == 1;
+  const int last = is_teen ? 0 : number % 10;
+  return fmt::format("{}{}", number, kEndings[last < 4 ? static_cast<std::size_t>(last) : 0]);
+}
+
+std::string offence_text(const Finding& finding, const RuleBook& rules) {
+  switch (finding.event) {
+    case Event::kMultipleFouls:
+    case Event::kMultipleCards:
+      return fmt::format("{} foul, and every {} gives a card",
+                         ordinal(static_cast<int>(finding.value)), ordinal(rules.fouls_per_card));
+    case Event::kDefenderInDefenseAreaPartially:
+      return "a defender played the ball partly inside its own area";
+    case Event::kDefenderTooCloseToKickPoint:
+      return "too near to the ball at two restarts in a row";
+    default: {
+      std::string name(name_of(finding.event));
+      std::replace(name.begin(), name.end(), '_', ' ');
+      return name;
+    }
+  }
+}
+
 }  // namespace
+
+std::string card_reason(const PerSide<CardBook>& before, const Finding& finding, Card shown,
+                        const RuleBook& rules) {
+  std::string text = offence_text(finding, rules);
+  if (shown == Card::kRed && rules.yellows_per_red > 0) {
+    const CardBook& cards = before[finding.offender.value_or(Side::kWest)];
+    text += fmt::format("; red because it is the {} active yellow card",
+                        ordinal(static_cast<int>(cards.yellow_ends_s.size()) + 1));
+  }
+  return text;
+}
 
 Card next_card(const CardBook& cards, const RuleBook& rules) {
   const auto active = static_cast<int>(cards.yellow_ends_s.size());

@@ -1,6 +1,8 @@
 // Fouls that count, yellow and red cards, and how many robots a side may have (Laws 12; 2026).
 #pragma once
 
+#include <string>
+
 #include "referee/finding.hpp"
 #include "referee/machine/referee_state.hpp"
 #include "referee/referee_input.hpp"
@@ -10,6 +12,11 @@ namespace autoref::referee {
 // What a side with these cards is shown next: where the book says so, the third active yellow card
 // is a red one instead (2026).
 Card next_card(const CardBook& cards, const RuleBook& rules);
+
+// Why a finding brings the offender, or both sides, that card: "6th foul, and every 3rd gives a
+// card". `before` are the cards until then.
+std::string card_reason(const PerSide<CardBook>& before, const Finding& finding, Card shown,
+                        const RuleBook& rules);
 
 // Counts the finding's foul against the offender, or against both sides where there is none, and
 // shows the card that it gives, if cards are in force.

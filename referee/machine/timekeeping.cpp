@@ -73,10 +73,16 @@ double clock_s(const RefereeState& state, const RuleBook& rules, double now_s) {
   return now_s - state.timeout_clock.at_s(now_s);
 }
 
-double time_left_s(const RefereeState& state, const Configuration& configuration, double now_s) {
-  if (!is_running(state.signal.stage)) return 0;
+std::optional<HalfClock> half_clock(const RefereeState& state, const Configuration& configuration,
+                                    double now_s) {
+  if (!is_running(state.signal.stage)) return std::nullopt;
   const double played_s = clock_s(state, configuration.rules, now_s) - state.half_began_s;
-  return std::max(0.0, length_s(configuration, state.half) - played_s);
+  return HalfClock{played_s, std::max(0.0, length_s(configuration, state.half) - played_s)};
+}
+
+double time_left_s(const RefereeState& state, const Configuration& configuration, double now_s) {
+  const std::optional<HalfClock> clock = half_clock(state, configuration, now_s);
+  return clock ? clock->left_s : 0;
 }
 
 std::optional<Finding> find_time_over(const RefereeState& state, const RefereeInput& input) {

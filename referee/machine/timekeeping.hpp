@@ -42,6 +42,10 @@ bool is_extra(const Configuration& configuration, int half);
 // What the game's clock shows, in seconds from anywhere.
 double clock_s(const RefereeState& state, const RuleBook& rules, double now_s);
 
+// The running half's clock; none in other stages.
+std::optional<HalfClock> half_clock(const RefereeState& state, const Configuration& configuration,
+                                    double now_s);
+
 // What is left of the running half, in seconds; 0 in other stages and never below.
 double time_left_s(const RefereeState& state, const Configuration& configuration, double now_s);
 

@@ -33,7 +33,8 @@ std::optional<Finding> find_aimless_kick(RefereeState& state, const RefereeInput
   finding.evidence = fmt::format(
       "{} kicked the ball {:.0f} mm inside its own half, and it went over the opponents' goal line "
       "untouched.",
-      kick->robot ? text_of(*kick->robot) : std::string(name_of(*kick->side)), 1e3 * finding.value);
+      kick->robot ? text_of(*kick->robot) : std::string(colour_of(*kick->side)),
+      1e3 * finding.value);
   return finding;
 }
 

@@ -58,9 +58,9 @@ std::optional<Finding> find_attacker_too_close_to_defense_area(RefereeState& sta
       offence_of(Event::kAttackerTooCloseToDefenseArea, RuleId::kAttackerTooCloseToDefenseArea, c,
                  offence->robot, offence->position_m);
   finding.value = offence->distance_m;
-  finding.evidence = fmt::format(
-      "When the ball entered play, the hull of {} was {:.0f} mm from the opponents' area.",
-      text_of(offence->robot), 1e3 * offence->distance_m);
+  finding.evidence =
+      fmt::format("When the ball entered play, the hull of {} was {} the opponents' area.",
+                  text_of(offence->robot), gap_text(offence->distance_m));
   return finding;
 }
 
@@ -88,9 +88,9 @@ std::optional<Offence> overdue(Side side, AttackerNearAreaWatch& watch, const Re
 
 void add(Finding& finding, const Offence& offence, int fouls) {
   finding.robots.push_back(offence.robot);
-  finding.evidence += fmt::format("{}The hull of {} is {:.0f} mm from the opponents' area{}.",
+  finding.evidence += fmt::format("{}The hull of {} is {} the opponents' area{}.",
                                   finding.evidence.empty() ? "" : " ", text_of(offence.robot),
-                                  1e3 * offence.distance_m,
+                                  gap_text(offence.distance_m),
                                   fouls > 1 ? ", the team's second such foul in this stop" : "");
 }
 

@@ -47,9 +47,8 @@ Award over_goal_line(const RefereeInput& input, const Vec2& exit_m) {
 
 std::string touched_by(const LastTouch& touch) {
   if (!touch.side) return "nobody knows who touched it last";
-  if (!touch.robot) return fmt::format("{} touched it last", name_of(*touch.side));
-  return fmt::format("{} {} touched it last, at {:.3f} s", name_of(*touch.side),
-                     touch.robot->number, touch.time_s);
+  if (!touch.robot) return fmt::format("{} touched it last", colour_of(*touch.side));
+  return fmt::format("{} touched it last, at {:.3f} s", text_of(*touch.robot), touch.time_s);
 }
 
 std::optional<Finding> find_ball_leaves_field(RefereeState& /*state*/, const RefereeInput& input) {

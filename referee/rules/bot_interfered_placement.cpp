@@ -54,8 +54,8 @@ std::optional<Finding> find_bot_interfered_placement(RefereeState& state,
                             c.rules, nearest->id, nearest->position_m);
   finding.value = limit_m - nearest->excess;
   finding.evidence = fmt::format(
-      "{} is {:.0f} mm from the line between the ball and its position, after {:.1f} s near it.",
-      text_of(nearest->id), 1e3 * finding.value, c.rules.placement_grace_s);
+      "{} is {} from the line between the ball and its position, after {:.1f} s near it.",
+      text_of(nearest->id), mm_text(finding.value), c.rules.placement_grace_s);
   return finding;
 }
 

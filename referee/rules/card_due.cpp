@@ -22,7 +22,7 @@ std::optional<Side> one_of(const PerSide<bool>& sides) {
 bool is_any(const PerSide<bool>& sides) { return sides[Side::kWest] || sides[Side::kEast]; }
 
 std::string name_or_both(const std::optional<Side>& side) {
-  return side ? std::string(name_of(*side)) : "each side";
+  return side ? std::string(colour_of(*side)) : "each side";
 }
 
 bool is_due(const CardBook& cards, const RuleBook& rules, Card card) {
@@ -48,8 +48,8 @@ std::optional<Finding> find_card(const RefereeState& state, const RefereeInput& 
   finding.threshold = rules.fouls_per_card;
   finding.unit = "fouls";
   finding.evidence =
-      fmt::format("A {} card for {} after {} fouls; one is given every {}.", name_of(card),
-                  name_or_both(finding.offender), fouls, rules.fouls_per_card);
+      fmt::format("{} card for {}: {}.", name_of(card), name_or_both(finding.offender),
+                  card_reason(state.cards, finding, card, rules));
   return finding;
 }
 

@@ -48,7 +48,7 @@ std::optional<Finding> find_chipped_goal(RefereeState& state, const RefereeInput
   finding.evidence = fmt::format(
       "The ball in the goal was up to {:.0f} mm high since {} touched it at {:.3f} s, and has not "
       "rolled since.",
-      1e3 * chip.top_m, name_of(scorer), chip.touch->ended_s);
+      1e3 * chip.top_m, colour_of(scorer), chip.touch->ended_s);
   return finding;
 }
 

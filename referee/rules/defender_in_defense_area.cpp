@@ -37,9 +37,9 @@ Finding entirely(const BallTouch& touch, const RefereeInput& input, double out_m
                                *touch.robot, touch.ended_m);
   finding.value = out_m;
   finding.ball_to_m = c.field.penalty_mark_at(*touch.side);
-  finding.evidence = fmt::format(
-      "{} touched the ball at {:.3f} s, its hull entirely inside its own area by {:.0f} mm.",
-      text_of(*touch.robot), touch.ended_s, -1e3 * out_m);
+  finding.evidence =
+      fmt::format("{} touched the ball at {:.3f} s, its hull entirely inside its own area by {}.",
+                  text_of(*touch.robot), touch.ended_s, mm_text(-out_m));
   return finding;
 }
 
@@ -49,8 +49,8 @@ Finding partly(const BallTouch& touch, const RefereeInput& input, double distanc
                  input.configuration, *touch.robot, touch.ended_m);
   finding.value = distance_m;
   finding.evidence =
-      fmt::format("{} touched the ball at {:.3f} s, its hull reaching {:.0f} mm into its own area.",
-                  text_of(*touch.robot), touch.ended_s, -1e3 * distance_m);
+      fmt::format("{} touched the ball at {:.3f} s, its hull reaching {} into its own area.",
+                  text_of(*touch.robot), touch.ended_s, mm_text(-distance_m));
   return finding;
 }
 

@@ -51,9 +51,10 @@ Finding taken_again(const PositionViolation& before, const RefereeState& state,
   if (is_repeated) finding.card = Card::kYellow;
   take_again(finding, play);
   finding.evidence = fmt::format(
-      "Just before the ball entered play, the hull of {} was {:.0f} mm from it{}: {} again.",
+      "Just before the ball entered play, the hull of {} was {} from it{}: {} again.",
       before.robots.size() == 1 ? text_of(before.robots.front()) : "the nearest opponent",
-      1e3 * before.worst_m, is_repeated ? ", as at the restart before" : "", name_of(play.restart));
+      mm_text(before.worst_m), is_repeated ? ", as at the restart before" : "",
+      name_of(play.restart));
   return finding;
 }
 
@@ -85,9 +86,9 @@ std::optional<Finding> find_while_waiting(RefereeState& state, const RefereeInpu
   finding.offender = side;
   finding.position_m = state.play.ball_from_m;
   finding.evidence =
-      fmt::format("The hull of {} is {:.0f} mm from a ball that is not yet in play.",
+      fmt::format("The hull of {} is {} from a ball that is not yet in play.",
                   near.robots.size() == 1 ? text_of(near.robots.front()) : "the nearest opponent",
-                  1e3 * near.worst_m);
+                  mm_text(near.worst_m));
   return finding;
 }
 

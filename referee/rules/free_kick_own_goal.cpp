@@ -22,7 +22,7 @@ std::optional<Finding> find_free_kick_own_goal(RefereeState& state, const Refere
   restart_with_corner_kick(finding, input, *conceded);
   finding.evidence = fmt::format(
       "The ball went from a restart of {} into its own goal, and no other robot touched it.",
-      name_of(*conceded));
+      colour_of(*conceded));
   return finding;
 }
 

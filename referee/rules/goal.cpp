@@ -26,8 +26,8 @@ std::optional<Finding> find_goal(RefereeState& /*state*/, const RefereeInput& in
   finding.restart.side = *conceded;
   finding.ball_to_m = Vec2(0, 0);
   finding.evidence = fmt::format(
-      "The ball is in the {} goal, {:.0f} mm from its middle and {:.0f} mm above the ground.",
-      name_of(*conceded), 1e3 * std::abs(ball_m.y()), 1e3 * input.ball->height_m);
+      "The ball is in the goal of {}, {} from its middle and {} above the ground.",
+      colour_of(*conceded), mm_text(std::abs(ball_m.y())), mm_text(input.ball->height_m));
   return finding;
 }
 

@@ -24,7 +24,7 @@ std::optional<Finding> find_indirect_goal(RefereeState& state, const RefereeInpu
   restart_with_goal_kick(finding, input, *conceded);
   finding.evidence = fmt::format(
       "The ball went from an indirect kick of {} into the goal, and no other robot touched it.",
-      name_of(*play.kicker));
+      colour_of(*play.kicker));
   return finding;
 }
 

@@ -52,7 +52,7 @@ std::optional<Finding> find_invalid_goal(RefereeState& state, const RefereeInput
     Finding finding = invalid(input, *conceded);
     finding.value = *top_m;
     finding.evidence = fmt::format("The ball was up to {:.0f} mm high since {} touched it.",
-                                   1e3 * *top_m, name_of(scorer));
+                                   1e3 * *top_m, colour_of(scorer));
     return finding;
   }
   const int robots = robots_on_field(input, scorer);
@@ -62,7 +62,7 @@ std::optional<Finding> find_invalid_goal(RefereeState& state, const RefereeInput
     finding.threshold = state.signal.robots_allowed[scorer];
     finding.unit = "robots";
     finding.evidence = fmt::format("{} had {} robots on the field, and {} were allowed.",
-                                   name_of(scorer), robots, state.signal.robots_allowed[scorer]);
+                                   colour_of(scorer), robots, state.signal.robots_allowed[scorer]);
     return finding;
   }
   const std::optional<double>& fouled_s = state.cards[scorer].fouled_s;
@@ -72,7 +72,7 @@ std::optional<Finding> find_invalid_goal(RefereeState& state, const RefereeInput
   finding.threshold = c.rules.goal_after_foul_s;
   finding.unit = "s";
   finding.evidence =
-      fmt::format("{} committed a foul {:.3f} s before the goal.", name_of(scorer), finding.value);
+      fmt::format("{} committed a foul {:.3f} s before the goal.", colour_of(scorer), finding.value);
   return finding;
 }
 

@@ -33,7 +33,7 @@ Finding holding_finding(const RefereeInput& input, Side side, double held_s) {
   finding.value = held_s;
   finding.evidence = c.rules.edition == Edition::kRules2026
                          ? fmt::format("The ball has been inside the area of {} for {:.2f} s.",
-                                       name_of(side), held_s)
+                                       colour_of(side), held_s)
                          : fmt::format("{} has held the ball inside its own area for {:.2f} s.",
                                        text_of(keeper), held_s);
   return finding;

@@ -86,12 +86,12 @@ std::string evidence_of(const PenaltyPositionsWatch& watch, bool is_goal, const 
   std::string text;
   for (Side side : kSides) {
     if (!watch.others[side].any()) continue;
-    text += fmt::format("a robot of {} was {:.0f} mm too far forward, ", name_of(side),
-                        1e3 * (rules.penalty_clearance_m - watch.others[side].worst_m));
+    text += fmt::format("a robot of {} was {} too far forward, ", colour_of(side),
+                        mm_text(rules.penalty_clearance_m - watch.others[side].worst_m));
   }
   if (watch.keeper.any()) {
-    text += fmt::format("the keeper {} was {:.0f} mm off its line, ",
-                        text_of(watch.keeper.robots.front()), 1e3 * watch.keeper.worst_m);
+    text += fmt::format("the keeper {} was {} off its line, ", text_of(watch.keeper.robots.front()),
+                        mm_text(watch.keeper.worst_m));
   }
   return fmt::format("Just before the penalty kick {}and the outcome is {}.", text,
                      is_goal ? "a goal" : "no goal");

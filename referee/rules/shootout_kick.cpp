@@ -45,7 +45,7 @@ std::optional<Finding> find_kick_over(RefereeState& state, const RefereeInput& i
   std::optional<Finding> goal = kGoalRule.find(state, input);
   if (goal && goal->restart.side == opponent_of(kicker)) {
     prepare_next_kick(*goal, input, kicker);
-    goal->evidence = fmt::format("Kick {} of {}: {}", number, name_of(kicker), goal->evidence);
+    goal->evidence = fmt::format("Kick {} of {}: {}", number, colour_of(kicker), goal->evidence);
     return goal;
   }
   const std::string failure = failure_of(state, input, kicker);
@@ -56,7 +56,7 @@ std::optional<Finding> find_kick_over(RefereeState& state, const RefereeInput& i
   if (input.ball) finding.position_m = input.ball->position_m;
   prepare_next_kick(finding, input, kicker);
   finding.evidence = fmt::format("Kick {} of {} is over after {:.2f} s: {}.", number,
-                                 name_of(kicker), finding.value, failure);
+                                 colour_of(kicker), finding.value, failure);
   return finding;
 }
 
@@ -69,7 +69,7 @@ std::optional<Finding> find_shootout_over(RefereeState& state, const RefereeInpu
   finding.event = Event::kShootoutOver;
   finding.rule = "Laws, appendix A; 2026, Shoot-Out";
   finding.evidence =
-      fmt::format("{} of {} kicks of west and {} of {} of east have scored{}.",
+      fmt::format("{} of {} kicks of yellow and {} of {} of blue have scored{}.",
                   book.goals[Side::kWest], book.kicks[Side::kWest], book.goals[Side::kEast],
                   book.kicks[Side::kEast], is_decided(book, kicks) ? "" : ": a draw after so many");
   return finding;

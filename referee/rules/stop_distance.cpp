@@ -39,9 +39,10 @@ std::optional<Finding> find_stop_distance(RefereeState& state, const RefereeInpu
                             nearest->position_m);
   finding.value = limit_m - nearest->excess;
   finding.evidence = fmt::format(
-      "{} is {:.0f} mm from the ball, which has been at its position for "
+      "{} is {} from the ball, which has been at its position for "
       "{:.1f} s.",
-      text_of(nearest->id), 1e3 * finding.value, input.time_s() - *state.ball_in_position_since_s);
+      text_of(nearest->id), mm_text(finding.value),
+      input.time_s() - *state.ball_in_position_since_s);
   return finding;
 }
 

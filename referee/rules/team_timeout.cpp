@@ -66,8 +66,9 @@ std::optional<Finding> find_timeout(RefereeState& state, const RefereeInput& inp
   finding.value = book.used_s;
   finding.threshold = allowed.time_s;
   finding.restart.side = *side;
-  finding.evidence = fmt::format("{} asks for timeout {} of {}; {:.1f} s are left.", name_of(*side),
-                                 book.taken + 1, allowed.timeouts, allowed.time_s - book.used_s);
+  finding.evidence =
+      fmt::format("{} asks for timeout {} of {}; {:.1f} s are left.", colour_of(*side),
+                  book.taken + 1, allowed.timeouts, allowed.time_s - book.used_s);
   return finding;
 }
 
@@ -82,7 +83,7 @@ std::optional<Finding> find_timeout_over(RefereeState& state, const RefereeInput
   finding.value = input.time_s() - began_s;
   finding.threshold = left_s;
   finding.evidence =
-      fmt::format("{} {}.", name_of(side), is_wanted ? "has no time left" : "needs no more");
+      fmt::format("{} {}.", colour_of(side), is_wanted ? "has no time left" : "needs no more");
   return finding;
 }
 

@@ -68,8 +68,8 @@ std::optional<Finding> find_too_many_robots(RefereeState& state, const RefereeIn
   Finding finding = fault_of(sides, input);
   finding.value = input.time_s() - since_s;
   finding.evidence =
-      fmt::format("{:.1f} s after a card or a start {} still has more robots than allowed.",
-                  finding.value, finding.offender ? name_of(*finding.offender) : "each side");
+      fmt::format("{} still has more robots than allowed, {:.1f} s after a card or a start.",
+                  finding.offender ? colour_of(*finding.offender) : "each side", finding.value);
   return finding;
 }
 

@@ -1,0 +1,67 @@
+#include "referee/machine/decision_of.hpp"
+
+#include <cctype>
+#include <string>
+
+#include "referee/machine/cards.hpp"
+#include "referee/machine/timekeeping.hpp"
+
+namespace autoref::referee {
+namespace {
+
+// The card that was shown, whatever the finding asked for.
+Card card_shown(const RefereeSignal& before, const RefereeSignal& after) {
+  for (const Side side : kSides) {
+    if (after.red_cards[side] > before.red_cards[side]) return Card::kRed;
+    if (after.yellow_cards[side] > before.yellow_cards[side]) return Card::kYellow;
+  }
+  return Card::kNone;
+}
+
+std::optional<ShootoutKick> kick_between(const ShootoutBook& before, const ShootoutBook& after) {
+  for (const Side side : kSides) {
+    if (after.kicks[side] <= before.kicks[side]) continue;
+    return ShootoutKick{side, after.kicks[side], after.goals[side] > before.goals[side]};
+  }
+  return std::nullopt;
+}
+
+// Texts begin with a colour at times.
+std::string sentence(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+void add_standing(Decision& decision, const RefereeState& before, const RefereeInput& input,
+                  const RefereeState& after) {
+  decision.stage = before.signal.stage;
+  decision.clock = half_clock(before, input.configuration, input.time_s());
+  decision.goals = after.signal.goals;
+  decision.shootout_goals = after.signal.shootout_goals;
+  decision.shootout_kick = kick_between(before.shootout, after.shootout);
+}
+
+}  // namespace
+
+Decision decision_of(const RefereeState& before, const RefereeInput& input, const Finding& finding,
+                     const Step& taken) {
+  Decision decision;
+  decision.frame = input.frame.number;
+  decision.time_s = input.time_s();
+  decision.transition = taken.label;
+  decision.from = before.machine_state;
+  decision.to = taken.state.machine_state;
+  decision.command = taken.sent;
+  decision.finding = finding;
+  decision.finding.evidence = sentence(finding.evidence);
+  decision.last_touch = input.last_touch;
+  add_standing(decision, before, input, taken.state);
+  const Card card = card_shown(before.signal, taken.state.signal);
+  decision.finding.card = card;
+  if (card != Card::kNone) {
+    decision.card_reason = card_reason(before.cards, finding, card, input.configuration.rules);
+  }
+  return decision;
+}
+
+}  // namespace autoref::referee
