@@ -10,9 +10,10 @@
 #include "runner/cli/output_file.hpp"
 #include "runner/game/event_log.hpp"
 #include "runner/io/build_id.hpp"
+#include "runner/io/checksum.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/results/game_report.hpp"
-#include "runner/settings/match_rules.hpp"
+#include "runner/settings/team_names.hpp"
 #include "runner/view/decision_lines.hpp"
 #include "runner/view/game_recording.hpp"
 #include "runner/view/page.hpp"
@@ -71,7 +72,7 @@ void open_files(GameFiles& files, const GameOutput& output, const std::string& s
 }
 
 league::LoggedTeam logged_team_on(const GameConfiguration& game, Side side) {
-  return {team_on(game, side).strategy};
+  return {shown_names(game)[side]};
 }
 
 void open_log(std::optional<league::GameLog>& log, const GameConfiguration& game,
@@ -84,11 +85,15 @@ void open_log(std::optional<league::GameLog>& log, const GameConfiguration& game
 }
 
 std::string view_of(const GameConfiguration& game, const GameRecording& recording,
-                    const std::string& decisions) {
+                    const std::string& decisions, const GameRecord& record) {
   return page_of({recording,
                   game.field,
-                  {{team_on(game, Side::kWest).strategy, team_on(game, Side::kEast).strategy}},
-                  decisions_for_page(decisions, "the decisions")});
+                  shown_names(game),
+                  decisions_for_page(decisions, "the decisions"),
+                  {{"rules", game.match.rules},
+                   {"seed", std::to_string(game.seed)},
+                   {"state", hash_text(record.state_hash)},
+                   {"build", std::string(build_id())}}});
 }
 
 }  // namespace
@@ -111,7 +116,7 @@ GameRecord play_one(const GameConfiguration& game, const GameOutput& output,
   open_files(files, output, source);
   std::optional<league::GameLog> log;
   open_log(log, game, output.log);
-  EventLog decisions;
+  EventLog decisions(event_teams_of(game));
   GameRecording recording;
   Watch watch(decisions, log ? &*log : nullptr, files.view ? &recording : nullptr);
   const auto start = std::chrono::steady_clock::now();
@@ -120,7 +125,7 @@ GameRecord play_one(const GameConfiguration& game, const GameOutput& output,
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (log) log->close();
   if (files.events) files.events->commit(decisions.text());
-  if (files.view) files.view->commit(view_of(game, recording, decisions.text()));
+  if (files.view) files.view->commit(view_of(game, recording, decisions.text(), record));
   const GameReport report{game, record, wall_s, build_id()};
   fmt::print("{}\n", output.json ? json_of(report) : text_of(report));
   return record;

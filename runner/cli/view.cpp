@@ -1,12 +1,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
 #include "league/referee_message.hpp"
 #include "runner/cli/command_line.hpp"
 #include "runner/cli/output_file.hpp"
+#include "runner/io/build_id.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/logs/user_log.hpp"
 #include "runner/view/decision_lines.hpp"
@@ -31,6 +33,10 @@ std::string decisions_in(const std::string& file) {
   return file.empty() ? "[]" : decisions_for_page(read_user_file(file), file);
 }
 
+std::string file_name_of(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
 std::string about(const GameRecording& recording, const std::string& path, std::size_t bytes) {
   return fmt::format("{}: {} frames, {:.1f} s, {:.1f} MB\n", path, recording.frames(),
                      recording.last_s() - recording.first_s(), static_cast<double>(bytes) / 1e6);
@@ -49,8 +55,12 @@ int view_verb(const ViewArguments& arguments) {
     write_message(stderr, fmt::format("autoref: {}: only the first {} frames are shown\n",
                                       arguments.log, recorder.recording.frames()));
   }
-  const std::string page =
-      page_of({recorder.recording, log.field.value_or(Field{}), recorder.names, decisions});
+  const std::string page = page_of(
+      {recorder.recording,
+       log.field.value_or(Field{}),
+       recorder.names,
+       decisions,
+       {{"log", file_name_of(arguments.log)}, {"page made by build", std::string(build_id())}}});
   file->commit(page);
   fmt::print("{}", about(recorder.recording, arguments.output, page.size()));
   return log.damage ? kBadInput : kDone;

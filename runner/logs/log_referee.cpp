@@ -16,7 +16,10 @@ Frame turned(const Frame& frame) {
 
 class LogReferee final : public league::LogVisitor {
  public:
-  explicit LogReferee(const referee::Configuration& configuration) : referee_(configuration) {}
+  LogReferee(const referee::Configuration& configuration, const PerSide<std::string>& names)
+      : referee_(configuration),
+        log_(PerSide<EventTeam>{
+            {EventTeam{"", names[Side::kWest]}, EventTeam{"", names[Side::kEast]}}}) {}
 
   void on_frame(const Frame& frame) override {
     if (referee_.is_over()) return;
@@ -54,7 +57,7 @@ class LogReferee final : public league::LogVisitor {
 
 LogRefereeResult referee_log(const std::filesystem::path& log, const RecordedFacts& facts,
                              const referee::Configuration& configuration) {
-  LogReferee judge(configuration);
+  LogReferee judge(configuration, facts.names);
   league::read_log(log, judge);
   CallMaker recorded;
   for (const RecordedCommand& command : facts.commands)

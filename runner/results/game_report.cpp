@@ -7,6 +7,9 @@
 #include "runner/io/checksum.hpp"
 #include "runner/io/json.hpp"
 #include "runner/results/rows.hpp"
+#include "runner/settings/match_rules.hpp"
+#include "runner/settings/team_names.hpp"
+#include "soccer/colour.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -72,6 +75,20 @@ std::string shootout_json(const GameRecord& record) {
   return json_list({std::to_string(a), std::to_string(b)});
 }
 
+std::string team_json(const GameConfiguration& game, Side side) {
+  return JsonObject()
+      .add("name", json_text(shown_names(game)[side]))
+      .add("strategy", json_text(team_on(game, side).strategy))
+      .add("colour", json_text(colour_of(side)))
+      .add("side", json_text(name_of(side)))
+      .text();
+}
+
+std::string teams_json(const GameConfiguration& game) {
+  const Side a = game.match.a_plays;
+  return JsonObject().add("a", team_json(game, a)).add("b", team_json(game, opponent_of(a))).text();
+}
+
 }  // namespace
 
 std::string json_of(const GameReport& report) {
@@ -88,6 +105,9 @@ std::string json_of(const GameReport& report) {
       .add("shootout", shootout_json(record))
       .add("status", json_text(name_of(record.status)))
       .add("void_reason", record.void_reason.empty() ? "null" : json_text(record.void_reason))
+      .add("rules", json_text(report.configuration.match.rules))
+      .add("seed", std::to_string(report.configuration.seed))
+      .add("teams", teams_json(report.configuration))
       .add("calls", calls_json(record));
   for (const NamedCount& member : named(record.counts)) json.add(member.name, member.value);
   return json.add("ball_in_play_s", json_number(record.ball_in_play_s))

@@ -54,6 +54,7 @@ void add_decision(const std::string& line, std::vector<std::string>& decisions) 
                           .add("reason", text_json(node["evidence"]))
                           .add("offender", text_json(node["offender"]))
                           .add("card", text_json(node["card"]))
+                          .add("card_reason", text_json(node["card_reason"]))
                           .add("restart", text_json(node["restart"]))
                           .add("position_m", position_json_of(node["position_m"]))
                           .text());

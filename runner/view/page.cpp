@@ -108,6 +108,10 @@ std::string robot_json(RobotId robot) {
   return json_list({robot.side == Side::kWest ? "0" : "1", std::to_string(robot.number)});
 }
 
+std::string fact_json(const PageFact& fact) {
+  return json_list({json_text(fact.what), json_text(fact.value)});
+}
+
 std::string game_json(const PageContent& content) {
   const GameRecording& recording = content.recording;
   return JsonObject()
@@ -119,6 +123,7 @@ std::string game_json(const PageContent& content) {
       .add("signals", list_json(recording.signals(), signal_json))
       .add("clock", list_json(recording.clock(), clock_json))
       .add("decisions", content.decisions)
+      .add("facts", list_json(content.facts, fact_json))
       .text();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "runner/view/game_recording.hpp"
 #include "soccer/field.hpp"
@@ -9,11 +10,17 @@
 
 namespace autoref::runner {
 
+struct PageFact {
+  std::string what;
+  std::string value;
+};
+
 struct PageContent {
   const GameRecording& recording;
   Field field;
-  PerSide<std::string> names;    // of the teams; empty where they are not known
-  std::string decisions = "[]";  // as decisions_for_page tells them
+  PerSide<std::string> names;     // of the teams; empty where they are not known
+  std::string decisions = "[]";   // as decisions_for_page writes them
+  std::vector<PageFact> facts{};  // shown below the game, such as {"build", "0.1.0-..."}
 };
 
 // The page: HTML with style, script (runner/view/page/) and the game's data.

@@ -4,37 +4,18 @@
 Needs Debian's chromium, chromium-driver and python3-selenium. With AUTOREF_SCREENSHOTS=FOLDER it
 leaves pictures there.
 """
-import json
-import os
-import pathlib
-import shutil
-import subprocess
+import re
 import sys
-import tempfile
 import unittest
 
+from browser import DESKTOP, PHONE, PROJECTOR
+from game_page import GamePage
 from selenium import webdriver
-from selenium.webdriver.chrome.options import Options
-from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
-from selenium.webdriver.support.ui import WebDriverWait
 
-WAIT_S = 20
 YELLOW, BLUE, BALL = (255, 212, 59), (74, 157, 255), (255, 123, 28)
-PHONE, DESKTOP, PROJECTOR = (390, 844), (1280, 800), (1920, 1080)
 
-COUNT_PIXELS = """
-const [red, green, blue] = arguments[0];
-const canvas = document.querySelector("canvas");
-const {data} = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
-let count = 0;
-for (let i = 0; i < data.length; i += 4) {
-  const far = Math.abs(data[i] - red) + Math.abs(data[i + 1] - green) + Math.abs(data[i + 2] - blue);
-  if (far < 12) ++count;
-}
-return count;
-"""
 COUNT_FRAMES = """
 const done = arguments[0];
 const begin = performance.now();
@@ -48,83 +29,24 @@ requestAnimationFrame(next);
 """
 
 
-def played_game(autoref, scenario, page):
-    """The record of a game in which cobalt scores now and then, its page being written."""
-    done = subprocess.run(
-        [autoref, "play", scenario, "--json", "--view", page, "--set", "a.strategy=cobalt",
-         "--set", "b.strategy=chaser", "--set", "match.half_s=120"],
-        check=True, capture_output=True, text=True, timeout=120)
-    return json.loads(done.stdout)
+AVERAGE_BRIGHTNESS = """
+const canvas = document.querySelector("canvas");
+const {data} = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+let sum = 0;
+for (let i = 0; i < data.length; i += 4) sum += data[i] + data[i + 1] + data[i + 2];
+return sum / (3 * data.length / 4);
+"""
 
 
-def start_browser():
-    options = Options()
-    options.binary_location = shutil.which("chromium")
-    for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars"):
-        options.add_argument(argument)
-    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-    browser = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
-    browser.set_page_load_timeout(60)
-    browser.set_script_timeout(30)
-    return browser
-
-
-class PageTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(cls.folder.cleanup)
-        cls.page = pathlib.Path(cls.folder.name) / "game.html"
-        cls.record = played_game(AUTOREF, SCENARIO, str(cls.page))
-        cls.browser = start_browser()
-        cls.addClassCleanup(cls.browser.quit)
-
-    def setUp(self):
-        self.show(DESKTOP)
-        self.browser.get(self.page.as_uri())
-
-    def show(self, size):
-        width, height = size
-        self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
-            "width": width, "height": height, "deviceScaleFactor": 1, "mobile": size == PHONE})
-
-    def press(self, keys):
-        self.browser.find_element(By.TAG_NAME, "body").send_keys(keys)
-        self.settle()
-
-    def settle(self):
-        """Waits until what was asked for has been drawn."""
-        self.browser.execute_async_script(
-            "const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(() => done()));")
-
-    def text(self, name):
-        return self.browser.find_element(By.ID, name).get_attribute("textContent")
-
-    def time_s(self):
-        minutes, seconds = self.text("time").split(":")
-        return 60 * int(minutes) + float(seconds)
-
-    def score(self):
-        return [int(self.text("goals0")), int(self.text("goals1"))]
-
-    def pixels(self, color):
-        return self.browser.execute_script(COUNT_PIXELS, list(color))
-
-    def wait_until(self, condition):
-        WebDriverWait(self.browser, WAIT_S, 0.05).until(lambda _: condition())
-
-    def leave_picture(self, name):
-        folder = os.environ.get("AUTOREF_SCREENSHOTS")
-        if folder:
-            self.browser.save_screenshot(str(pathlib.Path(folder) / f"{name}.png"))
+class PageTest(GamePage):
+    """A game in which cobalt scores now and then."""
+    settings = {"a__strategy": "cobalt", "b__strategy": "chaser", "match__half_s": 120}
 
     def test_loads_without_complaints(self):
         self.assertEqual(self.browser.get_log("browser"), [])
 
     def test_asks_no_network_for_anything(self):
-        messages = [json.loads(entry["message"])["message"] for entry in self.browser.get_log("performance")]
-        addresses = [message["params"]["request"]["url"] for message in messages
-                     if message["method"] == "Network.requestWillBeSent"]
+        addresses = self.addresses()
         self.assertIn(self.page.as_uri(), addresses)
         self.assertEqual([one for one in addresses if not one.startswith(("file:", "data:"))], [])
 
@@ -212,13 +134,128 @@ class PageTest(unittest.TestCase):
         for size, name in ((PHONE, "phone"), (PROJECTOR, "projector")):
             self.show(size)
             self.settle()
-            width = self.browser.execute_script("return document.documentElement.scrollWidth")
-            self.assertLessEqual(width, size[0])
+            self.assertLessEqual(self.scroll_width(), size[0])
+            self.assertEqual(self.cut_off(), [])
             self.leave_picture(name)
         self.assertLessEqual(
             self.browser.execute_script("return document.documentElement.scrollHeight"), PROJECTOR[1])
 
+    def test_links_to_nothing_and_needs_no_file(self):
+        self.assertEqual(self.browser.find_elements(By.CSS_SELECTOR, "a, iframe, object"), [])
+
+    def test_shows_the_whole_build(self):
+        for size in (PHONE, DESKTOP):
+            self.show(size)
+            self.settle()
+            self.assertIn(f"build {self.record['build']}", self.texts(".fact"))
+            fact = self.browser.find_element(By.CSS_SELECTOR, ".fact:last-child")
+            self.assertLessEqual(fact.rect["x"] + fact.rect["width"], size[0])
+            self.assertGreater(fact.rect["height"], 5)
+
+    def test_prints_all_events_on_white(self):
+        self.assertLess(self.browser.execute_script(AVERAGE_BRIGHTNESS), 100)
+        self.show_on_paper()
+        self.leave_picture("paper")
+        self.assertGreater(self.browser.execute_script(AVERAGE_BRIGHTNESS), 220)
+        self.assertEqual(self.cut_off(), [])
+        hidden = self.browser.execute_script(
+            "const list = document.getElementById('eventList'); return list.scrollHeight - list.clientHeight;")
+        self.assertLessEqual(hidden, 1)
+        breaks = self.browser.execute_script(
+            "return getComputedStyle(document.querySelector('#eventList li')).breakInside")
+        self.assertEqual(breaks, "avoid")
+        self.browser.execute_script("window.dispatchEvent(new Event('afterprint'))")
+        self.assertLess(self.browser.execute_script(AVERAGE_BRIGHTNESS), 100)
+
+
+class ShootoutPageTest(GamePage):
+    """A knockout game between two teams of the same strategy that ends in a shoot-out."""
+    settings = {"match__rules": "2026-b", "match__knockout": "true", "match__half_s": 20,
+                "match__extra_half_s": 10}
+
+    def setUp(self):
+        super().setUp()
+        self.assertIsNotNone(self.record["shootout"])
+
+    def kicks(self):
+        """Side, number, whether it scored, and the standing, as the list of events has them."""
+        pattern = re.compile(r"Kick (\d+) of (yellow|blue): (goal|no goal), (\d+)\s:\s(\d+)")
+        found = [pattern.fullmatch(title) for title in self.texts(".highlight .title")]
+        return [(one[2], int(one[1]), one[3] == "goal", (int(one[4]), int(one[5]))) for one in found if one]
+
+    def test_lists_who_kicked_whether_it_scored_and_the_standing(self):
+        numbers, goals = {"yellow": 0, "blue": 0}, {"yellow": 0, "blue": 0}
+        kicks = self.kicks()
+        for colour, number, has_scored, standing in kicks:
+            numbers[colour] += 1
+            goals[colour] += has_scored
+            self.assertEqual(number, numbers[colour])
+            self.assertEqual(standing, (goals["yellow"], goals["blue"]))
+        self.assertEqual([goals["yellow"], goals["blue"]], self.record["shootout"])
+        self.assertIn(False, [kick[2] for kick in kicks])
+
+    def test_has_the_goals_of_kicks_on_the_time_line(self):
+        score = self.record["goals_a"] + self.record["goals_b"] + sum(self.record["shootout"])
+        self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, ".mark.goal")), score)
+        self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, ".mark.miss")),
+                         len([kick for kick in self.kicks() if not kick[2]]))
+
+    def test_says_why_a_kick_has_not_scored(self):
+        reasons = self.texts(".highlight.miss .reason")
+        self.assertTrue(reasons and all(reasons))
+
+    def test_goes_to_a_kick_by_its_button_and_shows_the_standing(self):
+        buttons = self.browser.find_elements(By.CSS_SELECTOR, "#shootout .kick")
+        self.assertEqual(len(buttons), len(self.kicks()))
+        self.browser.find_elements(By.CSS_SELECTOR, "#shootout .kickRow:last-child .kick")[0].click()
+        self.settle()
+        self.assertEqual(self.text("callTitle").split("  ")[1], "Kick 1 of blue: goal, 1\u00a0:\u00a01")
+        self.assertEqual([self.text("goals0"), self.text("goals1")], ["0 (1)", "0 (1)"])
+        self.leave_picture("shootout")
+
+    def test_tells_two_teams_of_one_strategy_apart(self):
+        self.assertEqual([self.text("team0"), self.text("team1")], ["basic (a)", "basic (b)"])
+
+    def test_fits_a_phone(self):
+        self.show(PHONE)
+        self.settle()
+        self.assertLessEqual(self.scroll_width(), PHONE[0])
+        self.assertEqual(self.cut_off(), [])
+
+
+class FoulPageTest(GamePage):
+    """A game full of fouls and cards."""
+    settings = {"match__rules": "2026-b", "match__half_s": 120, "a__strategy": "rowdy", "seed": 2}
+
+    def test_names_sides_by_their_colours_only(self):
+        text = self.browser.execute_script("return document.body.innerText")
+        self.assertIsNone(re.search(r"\b(west|east)\b", text, re.IGNORECASE))
+        self.assertIn("blue", text)
+
+    def test_has_no_negative_distances(self):
+        text = " ".join(self.texts(".highlight"))
+        self.assertIsNone(re.search(r"-[\d.]+ mm", text))
+
+    def test_says_why_a_card_is_yellow_or_red(self):
+        titles = self.texts(".highlight.card .title")
+        self.assertTrue(titles)
+        for title in titles:
+            self.assertRegex(title, r"^(Yellow|Red) card for (yellow|blue|each side): \d+(st|nd|rd|th) foul")
+        for title in self.texts(".highlight.card[data-color=red] .title"):
+            self.assertTrue(title.endswith("red because it is the 3rd active yellow card"), title)
+
+    def test_shows_the_whole_reason_of_a_card_on_a_phone(self):
+        self.show(PHONE)
+        self.browser.execute_script("document.querySelector('.highlight.card[data-color=red]').click()")
+        self.settle()
+        self.leave_picture("card_phone")
+        self.assertEqual(self.cut_off(), [])
+        for name in ("call", "callTitle"):
+            box = self.browser.find_element(By.ID, name)
+            self.assertLessEqual(box.get_property("scrollHeight"), box.get_property("clientHeight") + 1)
+            self.assertLessEqual(box.get_property("scrollWidth"), PHONE[0])
+
 
 if __name__ == "__main__":
-    SCENARIO, AUTOREF = sys.argv.pop(), sys.argv.pop()
+    GamePage.scenario, GamePage.autoref = sys.argv.pop(), sys.argv.pop()
     unittest.main(verbosity=2)

@@ -9,7 +9,22 @@ const kColors = {
   ball: "#ff7b1c",
   watched: "rgba(255, 255, 255, 0.7)",
   broken: "#ff6b6b",
+  mark: "#ffffff",  // what is drawn on the carpet: the ball's target, speeds, calls
 };
+
+// On paper dark fields would swallow ink.
+const kPaperColors = {
+  carpet: "#ffffff",
+  runOff: "#f2f2f2",
+  line: "#555555",
+  watched: "#777777",
+  mark: "#000000",
+};
+const kScreenColors = {...kColors};
+
+function drawOnPaper(isPaper) {
+  Object.assign(kColors, isPaper ? kPaperColors : kScreenColors);
+}
 
 function tracePath(context, points) {
   context.beginPath();

@@ -1,11 +1,13 @@
-// Moments of a game that people want to find: goals, stops, cards.
+// Moments of a game that people want to find: goals, kicks of a shoot-out, stops, cards.
 
 // A goal and the call of it may be told apart by a packet or two.
 const kSameGoal_s = 1;
 const kMostHighlights = 4000;
 
+// Events name sides by colour; older event files say west for yellow and east for blue.
 function sideNamed(name) {
-  return name === "west" ? 0 : name === "east" ? 1 : null;
+  const side = Math.max(kSideNames.indexOf(name), ["west", "east"].indexOf(name));
+  return side < 0 ? null : side;
 }
 
 function goalsOf(signals) {
@@ -13,7 +15,7 @@ function goalsOf(signals) {
   let last = signals[0];
   for (const signal of signals) {
     for (const side of [0, 1]) {
-      if (signal.goals[side] <= last.goals[side]) continue;
+      if (signal.goals[side] <= last.goals[side] || signal.stage === "SHOOTOUT") continue;
       const title = `Goal for ${kSideNames[side]}, ${signal.goals[0]} : ${signal.goals[1]}`;
       goals.push({time_s: signal.time_s, kind: "goal", side, title, reason: ""});
     }
@@ -30,6 +32,7 @@ function stopsOf(signals) {
     if (!before || signal.command === before.command) return;
     if (signal.command !== "STOP" && signal.command !== "HALT") return;
     if (kindOfCommand(before.command) === "GOAL") return;
+    if (signal.stage === "SHOOTOUT" && before.command === "NORMAL_START") return;  // a kick is over
     const reason = signal.next ? `Next: ${commandTitle(signal.next)}` : "";
     stops.push({time_s: signal.time_s, kind: "stop", side: null, title: commandTitle(signal.command), reason});
   });
@@ -51,9 +54,14 @@ function cardsOf(signals) {
   return cards;
 }
 
-// The referee's sentences tell robots by their side.
 function byColor(text) {
-  return text.replace(/\b(west|east) (?=\d)/g, (_, side) => `${kSideNames[sideNamed(side)]} `);
+  return text.replace(/\b(west|east)\b/g, (_, side) => kSideNames[sideNamed(side)]);
+}
+
+// Says what the card is for.
+function cardTitle({card, card_reason}, side) {
+  const whose = side === null ? "each side" : kSideNames[side];
+  return `${capitalised(card)} card for ${whose}` + (card_reason ? `: ${card_reason}` : "");
 }
 
 function highlightOfDecision(decision) {
@@ -61,36 +69,49 @@ function highlightOfDecision(decision) {
   const restart = decision.restart ? `Then ${commandTitle(decision.restart).toLowerCase()}.` : "";
   const isCard = decision.card === "yellow" || decision.card === "red";
   const blame = side === null ? "" : `, by ${kSideNames[side]}`;
+  const title = isCard ? cardTitle(decision, side) : eventTitle(decision.event) + blame;
+  const evidence = byColor(decision.reason ?? "");
   return {
     time_s: decision.time_s,
     kind: isCard ? "card" : "stop",
     color: decision.card,
     side,
-    title: eventTitle(decision.event) + blame,
-    reason: [byColor(decision.reason ?? ""), restart].filter(Boolean).join(" "),
+    title,
+    reason: [evidence === `${title}.` ? "" : evidence, restart].filter(Boolean).join(" "),
     rule: decision.rule ?? "",
     position_m: decision.position_m,
   };
 }
 
-function addReasons(goals, decisions) {
-  const calls = decisions.filter((decision) => decision.event === "goal");
-  for (const goal of goals) {
-    const call = calls.find((one) => Math.abs(one.time_s - goal.time_s) <= kSameGoal_s);
+// Adds the referee's reasons to moments that the signals show; returns the calls that were used.
+function addReasons(moments, decisions, events) {
+  const calls = decisions.filter((decision) => events.includes(decision.event));
+  const used = new Set();
+  for (const moment of moments) {
+    const call = calls.find((one) => Math.abs(one.time_s - moment.time_s) <= kSameGoal_s && !used.has(one));
     if (!call) continue;
-    goal.reason = byColor(call.reason ?? "");
-    goal.rule = call.rule ?? "";
-    goal.position_m = call.position_m;
+    used.add(call);
+    moment.reason = byColor(call.reason ?? "");
+    moment.rule = call.rule ?? "";
+    moment.position_m = call.position_m;
   }
+  return used;
+}
+
+function highlightOfKick(kick) {
+  return {time_s: kick.time_s, kind: kick.scored ? "goal" : "miss", side: kick.side,
+          title: kickTitle(kick), reason: ""};
 }
 
 // All of them, by time. The score is the recorded one whatever the decisions say.
-function highlightsOf({signals, decisions}) {
+function highlightsOf({signals, decisions}, kicks) {
   if (signals.length === 0) return [];
   const goals = goalsOf(signals);
-  addReasons(goals, decisions);
+  addReasons(goals, decisions, ["goal"]);
+  const shots = kicks.map(highlightOfKick);
+  const shown = addReasons(shots, decisions, ["goal", "penalty_kick_failed"]);
   const others = decisions.length > 0
-    ? decisions.filter((decision) => decision.event !== "goal").map(highlightOfDecision)
+    ? decisions.filter((one) => one.event !== "goal" && !shown.has(one)).map(highlightOfDecision)
     : [...stopsOf(signals), ...cardsOf(signals)];
-  return [...goals, ...others].sort((a, b) => a.time_s - b.time_s).slice(0, kMostHighlights);
+  return [...goals, ...shots, ...others].sort((a, b) => a.time_s - b.time_s).slice(0, kMostHighlights);
 }

@@ -17,10 +17,13 @@ class Page {
     this.recording = recording;
     this.layers = {trails: true, speeds: false, distances: true, heat: false, list: true};
     this.player = new Player(recording, () => { this.isStale = true; });
-    const highlights = highlightsOf(game);
+    const kicks = kicksOf(game.signals);
+    const highlights = highlightsOf(game, kicks);
+    const names = shownNames(game.teams);
     const seek = (time_s) => this.player.seek(time_s);
     this.pitch = new Pitch(document.getElementById("pitch"), game, recording);
-    this.scoreboard = new Scoreboard(game);
+    this.shootout = new Shootout(kicks, names, seek);
+    this.scoreboard = new Scoreboard({...game, teams: names}, this.shootout);
     this.timeline = new Timeline(recording, highlights, seek);
     this.events = new EventList(highlights, seek);
     this.isStale = true;
@@ -28,7 +31,11 @@ class Page {
 
   begin() {
     this.setTitle();
+    this.showFacts();
     this.listen();
+    for (const [event, isPaper] of [["beforeprint", true], ["afterprint", false]]) {
+      window.addEventListener(event, () => this.print(isPaper));
+    }
     new ResizeObserver(() => this.resize()).observe(this.pitch.canvas);
     const frame = (now_ms) => {
       this.player.tick(now_ms);
@@ -42,6 +49,23 @@ class Page {
   setTitle() {
     const names = this.game.teams.filter(Boolean).join(" - ");
     if (names) document.title = `${names} \u00b7 AutoRef`;
+  }
+
+  // Draws for paper, or for the screen again.
+  print(isPaper) {
+    drawOnPaper(isPaper);
+    this.pitch.drawStill();
+    this.show();
+  }
+
+  // Which game this is, by which program.
+  showFacts() {
+    const facts = document.getElementById("facts");
+    for (const [what, value] of this.game.facts) {
+      const fact = textElement("span", "fact", `${what} `);
+      fact.append(textElement("code", "", value));
+      facts.append(fact);
+    }
   }
 
   resize() {

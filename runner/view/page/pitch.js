@@ -111,7 +111,7 @@ class Pitch {
   drawHeight(x, y, height, radius) {
     const {context} = this;
     const ring = radius + 0.25 * height + 5 * this.pixel_mm;
-    context.strokeStyle = "rgba(255, 255, 255, 0.85)";
+    context.strokeStyle = kColors.mark;
     context.lineWidth = 1.2 * this.pixel_mm;
     context.beginPath();
     context.arc(x, y, ring, 0, 2 * Math.PI);
@@ -156,7 +156,7 @@ class Pitch {
     const [x, y] = [track.x[index], track.y[index]];
     const [alongX, alongY] = [velocity.x / velocity.speed, velocity.y / velocity.speed];
     const length = clearance + velocity.speed * kAhead_s;
-    context.strokeStyle = "rgba(255, 255, 255, 0.9)";
+    context.strokeStyle = kColors.mark;
     context.lineWidth = 1.6 * this.pixel_mm;
     tracePath(context, [[x + alongX * clearance, y + alongY * clearance], [x + alongX * length, y + alongY * length]]);
     context.stroke();
@@ -199,7 +199,7 @@ class Pitch {
   drawTarget([x, y]) {
     const {context} = this;
     const arm = 7 * this.pixel_mm;
-    context.strokeStyle = "#ffffff";
+    context.strokeStyle = kColors.mark;
     context.lineWidth = 1.6 * this.pixel_mm;
     for (const sign of [-1, 1]) {
       tracePath(context, [[x - arm, y - sign * arm], [x + arm, y + sign * arm]]);
@@ -214,7 +214,7 @@ class Pitch {
     const {context} = this;
     const [x, y] = highlight.position_m.map((metres) => 1000 * metres);
     context.globalAlpha = 1 - age_s / kPulse_s;
-    context.strokeStyle = "#ffffff";
+    context.strokeStyle = kColors.mark;
     context.lineWidth = 2.5 * this.pixel_mm;
     context.beginPath();
     context.arc(x, y, this.robotRadius() * (1 + age_s), 0, 2 * Math.PI);

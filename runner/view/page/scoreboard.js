@@ -12,28 +12,28 @@ function signOf(signal) {
 }
 
 class Scoreboard {
-  constructor({teams, signals, clock}) {
+  constructor({teams, signals, clock}, shootout) {
+    this.shootout = shootout;
     this.signals = signals;
     this.clock = clock;
-    teams.forEach((name, side) => setText(`team${side}`, name || capitalised(kSideNames[side])));
+    teams.forEach((name, side) => {
+      setText(`team${side}`, name);
+      document.getElementById(`team${side}`).title = name;
+    });
   }
 
   show(time_s, signal) {
     setText("clock", this.clockAt(time_s));
     if (!signal) return;
+    const standing = this.shootout.standingAt(time_s);
     for (const side of [0, 1]) {
-      setText(`goals${side}`, this.goalsText(signal, side));
+      setText(`goals${side}`, signal.goals[side] + (standing ? ` (${standing[side]})` : ""));
       this.showCards(signal, side);
     }
     setText("stage", stageTitle(signal.stage));
     setText("command", commandTitle(signal.command));
     document.getElementById("command").dataset.sign = signOf(signal);
     document.getElementById("command").dataset.side = sideOfCommand(signal.command) ?? "";
-  }
-
-  goalsText(signal, side) {
-    const shootout = signal.shootoutGoals[0] + signal.shootoutGoals[1] > 0;
-    return signal.goals[side] + (shootout ? ` (${signal.shootoutGoals[side]})` : "");
   }
 
   showCards(signal, side) {
@@ -43,7 +43,7 @@ class Scoreboard {
     setText(`redCards${side}`, red > 0 ? String(red) : "");
   }
 
-  // What is left of the stage; empty where nobody tells.
+  // What is left of the stage; empty where nobody knows.
   clockAt(time_s) {
     const place = lastNotAfter(this.clock, time_s, ([since_s]) => since_s);
     if (place < 0) return "";

@@ -12,6 +12,9 @@ const kEventTitles = {
   game_over: "End of the game",
   bot_crash_unique: "Crash",
   bot_crash_drawn: "Crash, both at fault",
+  card_over: "Yellow card over",
+  shootout: "Shoot-out",
+  shootout_over: "End of the shoot-out",
 };
 
 function capitalised(text) {
@@ -44,8 +47,21 @@ function commandTitle(command) {
   return side === null ? kind : `${kind}, ${kSideNames[side]}`;
 }
 
+function kickTitle({number, side, scored, standing}) {
+  return `Kick ${number} of ${kSideNames[side]}: ${scored ? "goal" : "no goal"}, ${standing[0]}\u00a0:\u00a0${standing[1]}`;
+}
+
 function stageTitle(stage) {
+  if (stage === "SHOOTOUT") return "Shoot-out";
   return plain(stage.replace(/_PRE$/, "")) + (stage.endsWith("_PRE") ? ", about to begin" : "");
+}
+
+// The teams' names, or their colours; two of the same name are told apart by theirs.
+function shownNames(teams) {
+  return teams.map((name, side) => {
+    if (!name) return capitalised(kSideNames[side]);
+    return teams[0] === teams[1] ? `${name} (${kSideNames[side]})` : name;
+  });
 }
 
 function twoDigits(number) {

@@ -25,7 +25,7 @@ TEST_F(ViewVerb, MakesAPageOfALog) {
   const Answer answer = view(write_short_log(folder_, "paper"));
   EXPECT_EQ(answer.code, kDone) << answer.err;
   EXPECT_TRUE(answer.out.starts_with(page_)) << answer.out;
-  EXPECT_NE(content_of(page_).find(R"("teams": ["basic", "basic"])"), std::string::npos);
+  EXPECT_NE(content_of(page_).find(R"x("teams": ["basic (a)", "basic (b)"])x"), std::string::npos);
 }
 
 TEST_F(ViewVerb, ShowsWhatStandsBeforeDamageAndSaysWhereItIs) {
@@ -67,6 +67,13 @@ TEST_F(ViewVerb, NamesALineThatIsNoDecision) {
   const Answer answer = view(write_short_log(folder_, "paper"), {"--events", events.c_str()});
   EXPECT_EQ(answer.code, kBadInput);
   EXPECT_NE(answer.err.find("events.jsonl:1:1: "), std::string::npos) << answer.err;
+}
+
+TEST_F(ViewVerb, NamesTheLogAndTheBuildThatMadeThePage) {
+  view(write_short_log(folder_, "paper"));
+  EXPECT_NE(
+      content_of(page_).find(R"("facts": [["log", "game.log.gz"], ["page made by build", "0.)"),
+      std::string::npos);
 }
 
 // Its own decisions come with their reasons.

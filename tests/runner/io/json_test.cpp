@@ -23,13 +23,16 @@ TEST(DecisionJson, SaysNullForWhatIsNotKnown) {
   decision.finding.rule = "paper 4.2";
   EXPECT_EQ(
       decision_json(decision),
-      R"({"time_s": 0, "transition": "T1", "from": "INIT", "to": "INIT", "command": null, )"
+      R"({"time_s": 0, "stage": "FIRST_HALF_PRE", "clock_s": null, "clock_left_s": null, )"
+      R"("score": {"yellow": 0, "blue": 0}, "shootout": null, "transition": "T1", "from": "INIT", "to": "INIT", "command": null, )"
       R"("event": "begin", "league_event": null, "rule": "paper 4.2", "value": null, "threshold": null, )"
-      R"("unit": null, "robots": [], "offender": null, "card": null, )"
-      R"("position_m": null, "restart": null, "last_touch": null, "evidence": null})");
+      R"("unit": null, "robots": [], "offender": null, "card": null, "card_reason": null, )"
+      R"("position_m": null, "restart": null, "last_touch": null, "evidence": null, )"
+      R"("shootout_kick": null, "teams": {"yellow": {"team": null, "name": null}, )"
+      R"("blue": {"team": null, "name": null}}})");
 }
 
-TEST(DecisionJson, NamesRobotsBySideAndNumber) {
+TEST(DecisionJson, NamesRobotsByColourAndNumber) {
   referee::Decision decision;
   decision.command = Command{CommandKind::kDirectFree, Side::kEast};
   decision.finding.value = 0.25;
@@ -39,9 +42,9 @@ TEST(DecisionJson, NamesRobotsBySideAndNumber) {
   decision.last_touch.side = Side::kWest;
   const std::string json = decision_json(decision);
   EXPECT_NE(json.find(R"("command": "DIRECT_FREE_BLUE")"), std::string::npos);
-  EXPECT_NE(json.find(R"("robots": [{"side": "west", "number": 3}])"), std::string::npos);
+  EXPECT_NE(json.find(R"("robots": [{"colour": "yellow", "number": 3}])"), std::string::npos);
   EXPECT_NE(json.find(R"("position_m": [1.5, -2])"), std::string::npos);
-  EXPECT_NE(json.find(R"("last_touch": {"side": "west", "robot": null)"), std::string::npos);
+  EXPECT_NE(json.find(R"("last_touch": {"colour": "yellow", "robot": null)"), std::string::npos);
   EXPECT_NE(json.find(R"("value": 0.25)"), std::string::npos);
 }
 
@@ -49,7 +52,7 @@ TEST(DecisionJson, SaysUnknownOfATouchByNobodyKnowsWhom) {
   referee::Decision decision;
   decision.last_touch.time_s = 12.5;
   const std::string json = decision_json(decision);
-  EXPECT_NE(json.find(R"("last_touch": {"side": "unknown", "robot": null, "time_s": 12.5)"),
+  EXPECT_NE(json.find(R"("last_touch": {"colour": "unknown", "robot": null, "time_s": 12.5)"),
             std::string::npos)
       << json;
 }
@@ -73,6 +76,20 @@ TEST(GameReport, HasTheKeysOfAGame) {
   EXPECT_NE(json.find(R"("possession_s_b": 250.500, )"), std::string::npos);
   EXPECT_NE(json.find(R"("x_real_time": 600)"), std::string::npos);
   EXPECT_TRUE(json.ends_with(R"("state_hash": "0000000000000abc", "build": "0.1.0-x"})"));
+}
+
+TEST(GameReport, NamesTheTeamsTheSeedAndTheRuleBook) {
+  GameConfiguration game;
+  game.match.a_plays = Side::kEast;
+  game.match.rules = "2014";
+  game.seed = 7;
+  const std::string json = json_of({game, {}, 2.0, "x"});
+  EXPECT_NE(json.find(R"x("rules": "2014", "seed": 7, "teams": {"a": {"name": "basic (a)", )x"
+                      R"x("strategy": "basic", "colour": "blue", "side": "east"}, "b": {)x"
+                      R"x("name": "basic (b)", "strategy": "basic", "colour": "yellow", )x"
+                      R"x("side": "west"}})x"),
+            std::string::npos)
+      << json;
 }
 
 TEST(GameReport, TellsPeopleTheScore) {

@@ -15,6 +15,7 @@ std::string line_of(referee::Event event) {
   decision.finding.rule = "paper 4.2";
   decision.finding.offender = Side::kEast;
   decision.finding.card = referee::Card::kYellow;
+  decision.card_reason = "3rd foul";
   decision.finding.position_m = Vec2(1, -2);
   decision.finding.evidence = "He said \"no\" <twice>.";
   return decision_json(decision) + "\n";
@@ -32,8 +33,8 @@ std::string refusal_of(const std::string& lines) {
 TEST(DecisionLines, TellWhatAPageShows) {
   EXPECT_EQ(decisions_for_page(line_of(referee::Event::kBotPushedBot), "events.jsonl"),
             R"([{"time_s": 12.5, "event": "bot_pushed_bot", "rule": "paper 4.2", )"
-            R"("reason": "He said \"no\" <twice>.", "offender": "east", "card": "yellow", )"
-            R"("restart": null, "position_m": [1, -2]}])");
+            R"("reason": "He said \"no\" <twice>.", "offender": "blue", "card": "yellow", )"
+            R"("card_reason": "3rd foul", "restart": null, "position_m": [1, -2]}])");
 }
 
 TEST(DecisionLines, LeaveOutThatTheGameTakesItsCourse) {

@@ -28,6 +28,19 @@ TEST(Page, HasEverythingInItsPlace) {
     EXPECT_EQ(count_of(mark, page), 0U) << mark;
 }
 
+TEST(Page, ShowsWhichBuildPlayedTheGame) {
+  GameRecording recording;
+  recording.add(Frame{});
+  const std::string page =
+      page_of({recording, Field{}, {{"a", "b"}}, "[]", {{"build", "0.1.0-bc09b374e057"}}});
+  EXPECT_NE(page.find(R"("facts": [["build", "0.1.0-bc09b374e057"]])"), std::string::npos);
+}
+
+TEST(Page, LinksToNoFile) {
+  const std::string page = page_between("a", "b");
+  EXPECT_EQ(count_of("<a ", page), 0U);
+}
+
 TEST(Page, NeedsNothingFromANetwork) {
   const std::string page = page_between("a", "b");
   for (const char* sign : {"://", "@import", "url(", " src=", "fetch("})

@@ -1,0 +1,48 @@
+// The event log of a whole game, read back.
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "runner/game/event_log.hpp"
+#include "runner/game/game.hpp"
+#include "runner/settings/match_rules.hpp"
+
+namespace autoref::runner {
+
+struct PlayedEvents {
+  GameRecord record;
+  std::string text;               // one JSON object a line
+  std::vector<YAML::Node> lines;  // the same, read
+
+  std::vector<YAML::Node> of(const std::string& event) const {
+    std::vector<YAML::Node> found;
+    std::copy_if(lines.begin(), lines.end(), std::back_inserter(found),
+                 [&](const YAML::Node& one) { return one["event"].as<std::string>() == event; });
+    return found;
+  }
+};
+
+inline PlayedEvents played_events(const GameConfiguration& game) {
+  EventLog log(event_teams_of(game));
+  PlayedEvents events{play(game, &log), log.text(), {}};
+  std::istringstream text(events.text);
+  for (std::string line; std::getline(text, line);) events.lines.push_back(YAML::Load(line));
+  return events;
+}
+
+// `rowdy`, which breaks every rule now and then, against `basic`.
+inline GameConfiguration foul_game(const std::string& book, std::uint64_t seed, double half_s) {
+  GameConfiguration game;
+  choose_rules(book, game);
+  game.a.strategy = "rowdy";
+  game.match.half_s = half_s;
+  game.seed = seed;
+  return game;
+}
+
+}  // namespace autoref::runner

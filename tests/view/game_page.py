@@ -1,0 +1,63 @@
+"""What tests of the page that shows a game have in common."""
+import json
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+from browser import DESKTOP, BrowserTest
+from selenium.webdriver.common.by import By
+
+COUNT_PIXELS = """
+const [red, green, blue] = arguments[0];
+const canvas = document.querySelector("canvas");
+const {data} = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+let count = 0;
+for (let i = 0; i < data.length; i += 4) {
+  const far = Math.abs(data[i] - red) + Math.abs(data[i + 1] - green) + Math.abs(data[i + 2] - blue);
+  if (far < 12) ++count;
+}
+return count;
+"""
+
+
+def played_game(autoref, scenario, page, **settings):
+    """The record of a game, its page being written."""
+    chosen = [word for key, value in settings.items() for word in ("--set", f"{key.replace('__', '.')}={value}")]
+    done = subprocess.run([autoref, "play", scenario, "--json", "--view", page, *chosen],
+                          check=True, capture_output=True, text=True, timeout=120)
+    return json.loads(done.stdout)
+
+
+class GamePage(BrowserTest):
+    """The page of a game with the settings of the class."""
+    autoref, scenario = "", ""  # the program and a game file
+    settings = {}
+
+    @classmethod
+    def setUpClass(cls):
+        if cls is GamePage:
+            raise unittest.SkipTest("has no tests of its own")
+        super().setUpClass()
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.folder.cleanup)
+        cls.page = pathlib.Path(cls.folder.name) / "game.html"
+        cls.record = played_game(cls.autoref, cls.scenario, str(cls.page), **cls.settings)
+
+    def setUp(self):
+        self.show(DESKTOP)
+        self.browser.get(self.page.as_uri())
+
+    def press(self, keys):
+        self.browser.find_element(By.TAG_NAME, "body").send_keys(keys)
+        self.settle()
+
+    def time_s(self):
+        minutes, seconds = self.text("time").split(":")
+        return 60 * int(minutes) + float(seconds)
+
+    def score(self):
+        return [int(self.text("goals0")), int(self.text("goals1"))]
+
+    def pixels(self, color):
+        return self.browser.execute_script(COUNT_PIXELS, list(color))
