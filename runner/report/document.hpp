@@ -31,7 +31,7 @@ struct Verbatim {
   std::string text;
 };
 
-// A link to a file beside the report.
+// A file beside the report: a link in Markdown, its name in HTML, which is sent alone.
 struct Link {
   std::string file;
   std::string text;
@@ -56,7 +56,7 @@ struct Document {
 // ends within a text become spaces, but in Verbatim.
 std::string markdown_of(const Document& document);
 
-// One page that needs no other file and no network; its links lead to the files of the plots.
+// One page that needs no other file and no network, and links to none: files beside it are named.
 std::string html_of(const Document& document);
 
 }  // namespace autoref::runner

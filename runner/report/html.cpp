@@ -1,23 +1,52 @@
 // Documents as one HTML page.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <sstream>
+
+#include "runner/io/table.hpp"
 #include "runner/report/document.hpp"
 
 namespace autoref::runner {
 namespace {
 
+// Wide tables and plots scroll in a box of their own; on paper, where nothing scrolls, their
+// letters shrink until they fit. `--letters` is how many stand side by side (0.62 em each), 176 mm
+// is what A4 and Letter have between their margins.
 constexpr const char* kStyle =
-    "body{font:16px/1.5 system-ui,sans-serif;color:#222;max-width:60em;margin:2em auto;"
-    "padding:0 1em}\n"
+    "body{font:16px/1.5 system-ui,sans-serif;color:#222;background:#fff;max-width:60em;"
+    "margin:2em auto;padding:0 1em;overflow-wrap:anywhere}\n"
     "h1{font-size:1.5em}h2{font-size:1.15em;margin-top:2em;border-bottom:1px solid #ddd}\n"
-    "pre{background:#f6f6f6;padding:.8em;overflow-x:auto;font-size:13px;line-height:1.4}\n"
-    "div.wide{overflow-x:auto}\n"
+    "pre{background:#f6f6f6;padding:.8em;overflow-x:auto;overflow-wrap:normal;font-size:13px;"
+    "line-height:1.4}\n"
+    "code{font-size:.9em}\n"
+    ".wide{overflow-x:auto;overflow-wrap:normal;margin:1em 0}\n"
     "table{border-collapse:collapse;font-size:14px;font-variant-numeric:tabular-nums}\n"
-    "th,td{padding:.25em .7em;text-align:right;border-bottom:1px solid "
+    "th,td{padding:.25em .7em;text-align:right;vertical-align:top;border-bottom:1px solid "
     "#e4e4e4;white-space:nowrap}\n"
     ".name{text-align:left}\n"
+    ".words .name{white-space:normal;overflow-wrap:anywhere}\n"
     "figure{margin:2em 0}figcaption{font-size:14px;color:#555}\n"
-    "svg{max-width:100%;height:auto}\n";
+    "svg{max-width:100%;height:auto}\n"
+    "@media screen and (max-width:40em){\n"
+    "body{margin:1em auto}h1{font-size:1.3em}ul{padding-left:1.2em}\n"
+    "figure svg{max-width:none;width:38em}\n"
+    "tr>.name:first-child{position:sticky;left:0;background:#fff;max-width:8em;"
+    "white-space:normal;overflow-wrap:break-word}\n"
+    ".words tr>.name:first-child{position:static;max-width:none}\n"
+    "}\n"
+    "@media print{\n"
+    "body{max-width:none;margin:0;padding:0;font-size:11pt;color:#000}\n"
+    "pre{background:none;border:1px solid #ddd;padding:1mm;overflow:visible;"
+    "font-size:min(10pt,calc(174mm/(var(--letters)*.62)))}\n"
+    ".wide{overflow:visible}\n"
+    "table{font-size:min(10pt,calc(176mm/(var(--letters)*.62)))}\n"
+    "thead{display:table-header-group}\n"
+    "tr,figure,li{break-inside:avoid}\n"
+    "h1,h2,p:has(+.wide){break-after:avoid}\n"
+    "p,li{orphans:3;widows:3}\n"
+    "figure{margin:1em 0}svg{max-height:220mm;width:auto}\n"
+    "}\n";
 
 std::string escaped(const std::string& text) {
   std::string result;
@@ -74,27 +103,45 @@ std::string html_of(const List& list) {
   return text + "</ul>\n";
 }
 
+// Letters that stand side by side, with `apart` of them between two cells.
+std::size_t letters_of(const Table& table, std::size_t apart) {
+  std::size_t letters = 0;
+  for (std::size_t column = 0; column < table.rows.front().size(); ++column) {
+    std::size_t widest = 0;
+    for (const auto& row : table.rows) widest = std::max(widest, width_of(row[column]));
+    letters += widest + apart;
+  }
+  return letters;
+}
+
 std::string html_of(const Table& table) {
-  std::string text =
-      "<div class=\"wide\"><table>\n" + row_of(table.rows.front(), "th", table.names);
+  const bool is_words = table.names >= table.rows.front().size();
+  std::string text = fmt::format("<div class=\"wide{}\"><table style=\"--letters:{}\">\n<thead>{}",
+                                 is_words ? " words" : "", letters_of(table, 3),
+                                 row_of(table.rows.front(), "th", table.names));
+  text += "</thead>\n<tbody>\n";
   for (std::size_t i = 1; i < table.rows.size(); ++i) {
     text += row_of(table.rows[i], "td", table.names);
   }
-  return text + "</table></div>\n";
+  return text + "</tbody></table></div>\n";
 }
 
 std::string html_of(const Verbatim& verbatim) {
-  return fmt::format("<pre>{}</pre>\n", escaped(verbatim.text));
+  std::size_t widest = 1;
+  std::istringstream lines(verbatim.text);
+  for (std::string line; std::getline(lines, line);) widest = std::max(widest, width_of(line));
+  return fmt::format("<pre style=\"--letters:{}\">{}</pre>\n", widest, escaped(verbatim.text));
 }
 
+// Not a link: it would be dead wherever the page has come without its folder.
 std::string html_of(const Link& link) {
-  return fmt::format("<p><a href=\"{}\">{}</a></p>\n", escaped(link.file), escaped(link.text));
+  return fmt::format("<p>{}: <code>{}</code></p>\n", escaped(link.text), escaped(link.file));
 }
 
 std::string html_of(const Figure& figure) {
   return fmt::format(
-      "<figure>\n{0}<figcaption>{1} (<a href=\"{2}/{3}.csv\">data</a>, <a "
-      "href=\"{2}/{3}.gp\">script</a>)</figcaption>\n</figure>\n",
+      "<figure>\n<div class=\"wide\">{0}</div>\n<figcaption>{1} Data: <code>{2}/{3}.csv</code>, "
+      "script: <code>{2}/{3}.gp</code>.</figcaption>\n</figure>\n",
       element_of(figure.svg), escaped(figure.caption), figure.folder, figure.name);
 }
 
@@ -104,7 +151,8 @@ std::string html_of(const Document& document) {
   const std::string title = escaped(document.title);
   std::string text = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width\">\n<title>{0}</title>\n"
+      "<meta name=\"viewport\" content=\"width=device-width, "
+      "initial-scale=1\">\n<title>{0}</title>\n"
       "<style>\n{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n",
       title, kStyle);
   for (const Block& block : document.blocks) {

@@ -37,15 +37,40 @@ TEST(Html, TakesNoTextForMarkup) {
   const std::string text = html_of(kNasty);
   EXPECT_TRUE(has(text, "<title>a &lt;b&gt; &amp; *c*</title>")) << text;
   EXPECT_TRUE(has(text, "<td class=\"name\">&lt;script&gt;|&quot;&#39;</td><td>-1</td>")) << text;
-  EXPECT_TRUE(has(text, "<pre>```\n&lt;pre&gt;</pre>")) << text;
+  EXPECT_TRUE(has(text, ">```\n&lt;pre&gt;</pre>")) << text;
+}
+
+// It is sent alone, and then a link to a file beside it would be dead.
+TEST(Html, LinksToNoFileAndNamesItInstead) {
+  const std::string text = html_of({"t",
+                                    {Link{"effective.yaml", "Every setting"},
+                                     Figure{"plots", "scores", "Goals.", "<svg><g/></svg>"}}});
+  EXPECT_FALSE(has(text, "href"));
+  EXPECT_TRUE(has(text, "Every setting: <code>effective.yaml</code>")) << text;
+}
+
+TEST(Html, LetsLongWordsBreak) {
+  const std::string build(200, 'x');
+  const std::string text = html_of({"t", {Table{{{"experiment", ""}, {"build", build}}, 2}}});
+  EXPECT_TRUE(has(text, build));
+  EXPECT_TRUE(has(text, "class=\"wide words\""));
+  EXPECT_TRUE(has(text, ".words .name{white-space:normal;overflow-wrap:anywhere}"));
+}
+
+// On paper nothing scrolls: letters shrink by how many stand side by side.
+TEST(Html, SaysHowManyLettersATableAndItsLinesAreWide) {
+  EXPECT_TRUE(
+      has(html_of({"t", {Verbatim{"12345\n\xc2\xb1 1\n"}}}), "<pre style=\"--letters:5\">"));
+  EXPECT_TRUE(has(html_of({"t", {Table{{{"team", "n"}, {"x", "-1"}}, 1}}}),
+                  "<table style=\"--letters:12\">"));
 }
 
 TEST(Html, HasTheDrawingsOfFiguresInThePage) {
   const std::string text =
       html_of({"t", {Figure{"plots", "scores", "Goals.", "<?xml?>\n<svg><g/></svg>\n"}}});
-  EXPECT_TRUE(has(text, "<figure>\n<svg><g/></svg>\n<figcaption>Goals.")) << text;
+  EXPECT_TRUE(has(text, "<svg><g/></svg>\n</div>\n<figcaption>Goals.")) << text;
   EXPECT_FALSE(has(text, "<?xml"));
-  EXPECT_TRUE(has(text, "href=\"plots/scores.gp\""));
+  EXPECT_TRUE(has(text, "script: <code>plots/scores.gp</code>"));
 }
 
 }  // namespace
