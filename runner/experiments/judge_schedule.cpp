@@ -35,6 +35,9 @@ std::string name_of(const std::array<std::string, 2>& matchup) {
 }
 
 std::vector<JudgeGame> games_of(const JudgeSchedule& schedule) {
+  refuse_too_many(static_cast<double>(schedule.rules.size()) *
+                      static_cast<double>(schedule.cameras.size()) * schedule.games,
+                  "games");
   std::vector<JudgeGame> games;
   for (int number = 1; number <= schedule.games; ++number) {
     for (const std::string& rules : schedule.rules) {

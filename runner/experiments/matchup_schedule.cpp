@@ -46,6 +46,8 @@ ScheduledGame scheduled(const NamedTeams& named, const Matchup& matchup, int pai
 }
 
 std::vector<ScheduledGame> scheduled_games(const RoundRobin& robin) {
+  const auto teams = static_cast<double>(robin.teams.size());
+  refuse_too_many(robin.pairs * teams * (teams - 1));
   check(robin.base, robin.teams);
   return scheduled(robin, matchups_of(robin), robin.pairs);
 }
@@ -56,6 +58,8 @@ std::vector<ScheduledGame> scheduled_games(const SprtMatch& match) {
 }
 
 std::vector<ScheduledGame> scheduled_games(const Gauntlet& gauntlet) {
+  refuse_too_many(2.0 * gauntlet.pairs * static_cast<double>(gauntlet.teams.size()) *
+                  static_cast<double>(gauntlet.challengers.size()));
   check(gauntlet.base, gauntlet.teams);
   check(gauntlet.base, gauntlet.challengers, "challengers");
   return scheduled(everyone_in(gauntlet), matchups_of(gauntlet), gauntlet.pairs);

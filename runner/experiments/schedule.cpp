@@ -45,11 +45,11 @@ void set_leg(GameConfiguration& game, std::uint64_t master_seed, int pair, int l
   game.seed = seed_of(master_seed, pair, leg);
 }
 
-void refuse_too_many(double games) {
+void refuse_too_many(double games, std::string_view key) {
   if (games <= kMostGames) return;
   throw std::invalid_argument(
-      fmt::format("pairs: with these there are {:.0f} games; at most {} fit one experiment", games,
-                  kMostGames));
+      fmt::format("{}: with these there are {:.0f} games; at most {} fit one experiment", key,
+                  games, kMostGames));
 }
 
 std::uint64_t seed_of(std::uint64_t master_seed, int pair, int leg) {

@@ -36,8 +36,9 @@ std::string game_id(std::string_view played, int pair, int leg);
 // one leg of every pair, and over two pairs once from each side.
 void set_leg(GameConfiguration& game, std::uint64_t master_seed, int pair, int leg);
 
-// Throws std::invalid_argument where an experiment has more games than fit one.
-void refuse_too_many(double games);
+// Throws std::invalid_argument where an experiment has more games than fit one; `key` is the
+// setting that says how many.
+void refuse_too_many(double games, std::string_view key = "pairs");
 
 // The combinations of the factors' values, the last factor changing fastest.
 std::vector<std::vector<std::string>> combinations(const std::vector<Factor>& factors);

@@ -36,7 +36,22 @@ std::string text_of_type(const fs::path& file) {
   }
 }
 
+void add_files_in(const YAML::Node& node, const fs::path& folder, std::vector<std::string>& files) {
+  std::error_code error;
+  if (node.IsScalar() && is_path(node.Scalar()) &&
+      fs::is_regular_file(folder / node.Scalar(), error))
+    files.push_back((folder / node.Scalar()).string());
+  for (const auto& item : node) add_files_in(node.IsMap() ? item.second : item, folder, files);
+}
+
 }  // namespace
+
+std::vector<std::string> type_files_in(const fs::path& file) {
+  const YamlFile yaml(read_user_file(file), file.string());
+  std::vector<std::string> files;
+  for (const YamlEntry& entry : yaml.top()) add_files_in(entry.value, yaml.folder(), files);
+  return files;
+}
 
 RobotChanges read_robot_type_text(const std::string& text, const std::string& file_name) {
   const YamlFile file(text, file_name);
@@ -68,11 +83,18 @@ std::string take_type(const std::string& text, const fs::path& folder, RobotType
   }
   const RobotChanges changes = read_robot_type_text(text_of_type(file), file.string());
   const auto [there, is_new] = types.try_emplace(name, changes);
+  check_type_count(types);
   if (!is_new && there->second != changes) {
     throw std::invalid_argument(
         fmt::format("another type is called '{}' already; rename the file {}", name, text));
   }
   return name;
+}
+
+void check_type_count(const RobotTypes& types) {
+  if (types.size() <= kMostTypes) return;
+  throw std::invalid_argument(
+      fmt::format("there are more than {} types; at most so many fit one game", kMostTypes));
 }
 
 void check_type_name(std::string_view name) {

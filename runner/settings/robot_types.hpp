@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "runner/settings/configuration.hpp"
 
@@ -25,6 +26,15 @@ RobotChanges read_robot_type_text(const std::string& text, const std::string& fi
 // InputError for what is wrong inside it.
 std::string take_type(const std::string& text, const std::filesystem::path& folder,
                       RobotTypes& types);
+
+// The files that the values of a scenario or scene name as types, as far as they are there.
+std::vector<std::string> type_files_in(const std::filesystem::path& file);
+
+// A game has at most so many types.
+inline constexpr std::size_t kMostTypes = 1000;
+
+// Throws std::invalid_argument where there are more.
+void check_type_count(const RobotTypes& types);
 
 // Throws std::invalid_argument unless a type may be called so: letters, digits, - and _.
 void check_type_name(std::string_view name);

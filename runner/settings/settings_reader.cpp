@@ -169,10 +169,11 @@ void SettingsReader::read_types(const YamlEntry& entry, const std::string& path,
   for (const YamlEntry& type : file_.entries(entry, path, {})) {
     try {
       check_type_name(type.key);
+      types[type.key];
+      check_type_count(types);
     } catch (const std::invalid_argument& error) {
       file_.refuse(type.location, path, error.what());
     }
-    types[type.key];
     list_anew();
     read_branch(type, path + "." + type.key);
   }

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
 #include "runner/io/errors.hpp"
 #include "runner/io/words.hpp"
+#include "runner/io/yaml_bounds.hpp"
 #include "runner/settings/yaml_syntax.hpp"
 
 namespace autoref::runner {
@@ -14,8 +17,7 @@ YamlLocation location_of(const YAML::Mark& mark) {
   return {mark.line + 1, mark.column + 1};
 }
 
-// A scenario is a page of text; much more is some other file, and reading it would take for ever.
-constexpr std::size_t kMostBytes = 64 * 1024;
+constexpr std::size_t kLongestKey = 200;  // no setting's path is nearly as long
 
 // What a message quotes of a file: not too much of it, and nothing that drives a terminal.
 std::string for_message(std::string text) {
@@ -56,18 +58,7 @@ const YamlEntry* find_entry(const std::vector<YamlEntry>& entries, std::string_v
 }
 
 YamlFile::YamlFile(const std::string& text, std::string name) : name_(std::move(name)) {
-  if (text.size() > kMostBytes) {
-    refuse(
-        {}, "",
-        fmt::format("the file has {} bytes; a scenario has at most {}", text.size(), kMostBytes));
-  }
-  std::vector<YAML::Node> documents;
-  try {
-    documents = YAML::LoadAll(text);
-  } catch (const YAML::Exception& error) {
-    const SyntaxMistake mistake = syntax_mistake(text, location_of(error.mark), error.msg);
-    refuse(mistake.location, "", "invalid YAML: " + mistake.message);
-  }
+  const std::vector<YAML::Node> documents = documents_in(text);
   if (const std::optional<YamlLocation> quote = open_quote(text, documents)) {
     refuse(*quote, "", "invalid YAML: the quotes that open here are never closed");
   }
@@ -77,6 +68,19 @@ YamlFile::YamlFile(const std::string& text, std::string name) : name_(std::move(
            "expected one document, found a second one; leave out the line ---");
   }
   document_ = documents[0];
+}
+
+// Nothing walks a document whose bounds are not known.
+std::vector<YAML::Node> YamlFile::documents_in(const std::string& text) const {
+  try {
+    if (const std::optional<BeyondBounds> beyond = beyond_bounds(text)) {
+      refuse({beyond->line, beyond->column}, "", beyond->message);
+    }
+    return YAML::LoadAll(text);
+  } catch (const YAML::Exception& error) {
+    const SyntaxMistake mistake = syntax_mistake(text, location_of(error.mark), error.msg);
+    refuse(mistake.location, "", "invalid YAML: " + mistake.message);
+  }
 }
 
 std::vector<YamlEntry> YamlFile::top() const { return entries({"", {1, 1}, document_}, "", {}); }
@@ -89,14 +93,18 @@ std::vector<YamlEntry> YamlFile::entries(const YamlEntry& entry, std::string_vie
            fmt::format("expected a mapping ({}), found {}", keys, found(entry.value)));
   }
   std::vector<YamlEntry> entries;
+  std::map<std::string, int> lines;  // of the keys so far
   for (const auto& pair : entry.value) {
     const YamlLocation location = runner::location_of(pair.first);
     if (!pair.first.IsScalar()) refuse(location, path, "expected a word as key");
     const std::string key = pair.first.Scalar();
-    if (const YamlEntry* first = find_entry(entries, key)) {
+    if (key.size() > kLongestKey)
+      refuse(location, path, fmt::format("expected a word as key, found '{}'", for_message(key)));
+    const auto [first, is_new] = lines.try_emplace(key, location.line);
+    if (!is_new) {
       refuse(location, path,
-             fmt::format("the key '{}' is given twice, first in line {}; leave one out", key,
-                         first->location.line));
+             fmt::format("the key '{}' is given twice, first in line {}; leave one out",
+                         for_message(key), first->second));
     }
     entries.push_back({key, location, pair.second});
   }

@@ -33,7 +33,8 @@ const YamlEntry* find_entry(const std::vector<YamlEntry>& entries, std::string_v
 // One document of one file. All refusals are InputErrors with file, place and key.
 class YamlFile {
  public:
-  // Throws InputError for text that is invalid YAML, or not exactly one document.
+  // Throws InputError for text that is invalid YAML, not exactly one document, or beyond the bounds
+  // of its size, depth and aliases (yaml_bounds.hpp).
   YamlFile(const std::string& text, std::string name);
 
   // The entries of the document itself.
@@ -56,6 +57,8 @@ class YamlFile {
                            const std::string& message) const;
 
  private:
+  std::vector<YAML::Node> documents_in(const std::string& text) const;
+
   std::string name_;
   YAML::Node document_;
 };

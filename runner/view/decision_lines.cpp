@@ -10,11 +10,16 @@
 #include "runner/io/errors.hpp"
 #include "runner/io/json.hpp"
 #include "runner/io/words.hpp"
+#include "runner/io/yaml_bounds.hpp"
 
 namespace autoref::runner {
 namespace {
 
 using referee::Event;
+
+// A decision is a line of plain values, none of them repeated.
+constexpr YamlBounds kLineBounds{
+    .bytes = 1 << 16, .scalar_bytes = 1 << 14, .nodes = 1000, .depth = 4};
 
 bool is_of_interest(const std::string& event) {
   constexpr std::array kCourseOfTheGame = {Event::kBegin,        Event::kRobotsMoved,
@@ -42,6 +47,7 @@ std::string position_json_of(const YAML::Node& node) {
 
 // Throws YAML::Exception or std::invalid_argument for what is no decision.
 void add_decision(const std::string& line, std::vector<std::string>& decisions) {
+  if (beyond_bounds(line, kLineBounds)) throw std::invalid_argument("no decision");
   const YAML::Node node = YAML::Load(line);
   if (!node.IsMap() || !node["event"].IsDefined()) throw std::invalid_argument("no decision");
   const std::string event = node["event"].as<std::string>();

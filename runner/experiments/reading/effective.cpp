@@ -8,8 +8,10 @@
 #include "runner/experiments/reading/factor_reader.hpp"
 #include "runner/experiments/scenario.hpp"
 #include "runner/experiments/sprt_settings.hpp"
+#include "runner/io/errors.hpp"
 #include "runner/io/json.hpp"
 #include "runner/io/words.hpp"
+#include "runner/io/yaml_bounds.hpp"
 #include "runner/settings/fields.hpp"
 
 namespace autoref::runner {
@@ -180,9 +182,15 @@ std::string body_of(const Knockout& knockout) {
 }  // namespace
 
 std::string effective_text(const Scenario& scenario) {
-  return fmt::format("schema: 1\nkind: {}\nabout: {}\n", kind_of(scenario),
-                     json_text(scenario.about)) +
-         std::visit([](const auto& content) { return body_of(content); }, scenario.content);
+  std::string text =
+      fmt::format("schema: 1\nkind: {}\nabout: {}\n", kind_of(scenario),
+                  json_text(scenario.about)) +
+      std::visit([](const auto& content) { return body_of(content); }, scenario.content);
+  if (text.size() <= YamlBounds{}.bytes) return text;
+  throw InputError({}, "",
+                   fmt::format("the scenario has {} bytes once every setting is spelt out; at most "
+                               "{} can be read again: give it fewer teams",
+                               text.size(), YamlBounds{}.bytes));
 }
 
 }  // namespace autoref::runner

@@ -49,5 +49,15 @@ TEST(DecisionLines, AreRefusedWithFileAndLine) {
   }
 }
 
+TEST(DecisionsForThePage, RefuseALineThatUnfoldsWithoutEnd) {
+  for (const char* line : {"{event: &x [*x], time_s: 1}\n", "{event: goal, time_s: &x [*x]}\n",
+                           "[[[[[[[[event]]]]]]]]\n"}) {
+    EXPECT_TRUE(refusal_of(line).starts_with("events.jsonl:1:1: ")) << refusal_of(line);
+  }
+  const std::string huge =
+      "{event: goal, time_s: 1, evidence: " + std::string(100'000, 'a') + "}\n";
+  EXPECT_TRUE(refusal_of(huge).starts_with("events.jsonl:1:1: "));
+}
+
 }  // namespace
 }  // namespace autoref::runner

@@ -1,0 +1,147 @@
+// Files that would keep a careless reader busy for ever, or fill its memory: every reader of YAML
+// refuses them at once and says where.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <functional>
+
+#include "runner/experiments/reading/effective.hpp"
+#include "runner/experiments/reading/scenario_reader.hpp"
+#include "runner/io/errors.hpp"
+#include "runner/lab/lab.hpp"
+#include "runner/settings/robot_types.hpp"
+
+namespace autoref::runner {
+namespace {
+
+constexpr double kSoon_s = 10;  // under sanitizers and on a busy machine; else far below 1 s
+
+std::string repeated(const std::string& text, int times) {
+  std::string all;
+  for (int i = 0; i < times; ++i) all += text;
+  return all;
+}
+
+std::string laughs() {
+  std::string text = "a0: &a0 [ha, ha]\n";
+  for (int i = 1; i < 30; ++i) {
+    const std::string before = "*a" + std::to_string(i - 1);
+    text += "a" + std::to_string(i) + ": &a" + std::to_string(i) + " [" + before + ", " + before +
+            ", " + before + "]\n";
+  }
+  return text;
+}
+
+// `count` keys "NAME0: {}", separated by commas.
+std::string keys(const std::string& name, int count) {
+  std::string text;
+  for (int i = 0; i < count; ++i) text += name + std::to_string(i) + ": {}, ";
+  return text;
+}
+
+// What the reader says; "accepted" where it takes the text.
+std::string refusal_of(const std::function<void()>& read) {
+  const auto began = std::chrono::steady_clock::now();
+  std::string refusal = "accepted";
+  try {
+    read();
+  } catch (const InputError& error) {
+    refusal = error.what();
+  }
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+  EXPECT_LT(took.count(), kSoon_s);
+  return refusal;
+}
+
+struct Hostile {
+  const char* name;
+  std::string text;   // after the head
+  const char* start;  // of the message
+  const char* remedy;
+};
+
+class HostileFile : public testing::TestWithParam<Hostile> {
+ protected:
+  static void expect_refused(const std::string& refusal) {
+    EXPECT_TRUE(refusal.starts_with(GetParam().start)) << refusal;
+    EXPECT_NE(refusal.find(GetParam().remedy), std::string::npos) << refusal;
+    EXPECT_LT(refusal.size(), 300U);
+  }
+};
+
+TEST_P(HostileFile, IsRefusedAsAScenario) {
+  const std::string text = "schema: 1\nkind: game\n" + GetParam().text;
+  expect_refused(refusal_of([&] { read_scenario_text(text, "x.yaml"); }));
+}
+
+TEST_P(HostileFile, IsRefusedAsATypeOfRobots) {
+  const std::string text = "schema: 1\nkind: robot\n" + GetParam().text;
+  expect_refused(refusal_of([&] { read_robot_type_text(text, "x.yaml"); }));
+}
+
+TEST_P(HostileFile, IsRefusedAsASceneOfTheLaboratory) {
+  const std::string text = "schema: 1\nkind: lab\n" + GetParam().text;
+  expect_refused(refusal_of([&] { read_lab_scene_text(text, "x.yaml"); }));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Files, HostileFile,
+    testing::Values(
+        Hostile{"AliasInItsOwnList", "about: &x [*x]\n", "x.yaml:3:12: ", "write out"},
+        Hostile{"AliasInItsOwnMapping", "a: &x { b: *x }\n", "x.yaml:3:12: ", "write out"},
+        Hostile{"BillionLaughs", laughs(), "x.yaml:", "leave the aliases out"},
+        Hostile{"Brackets", "about: " + std::string(200'000, '[') + "\n", "x.yaml:3:", "closed"},
+        Hostile{"Braces", "about: " + repeated("{a: ", 50'000) + "\n", "x.yaml:3:", "closed"},
+        Hostile{"Dashes", "about:\n" + repeated("- ", 50'000) + "1\n", "x.yaml:4:", "closed"},
+        Hostile{"HugeText", "about: " + std::string(1'000'000, 'a') + "\n",
+                "x.yaml:3:8: ", "at most"},
+        Hostile{"HugeKey", std::string(1'000, 'k') + ": 1\n", "x.yaml:3:1: ", "kkk..."},
+        Hostile{"HugeFile", std::string(5'000'000, '\n'), "x.yaml: ", "at most"},
+        Hostile{"HugeList", "about: [" + repeated("1,", 400'000) + "]\n",
+                "x.yaml:3:", "write fewer"}),
+    [](const auto& hostile) { return std::string(hostile.param.name); });
+
+TEST(HostileScenario, OfTooManyTypesIsRefused) {
+  const std::string text = "schema: 1\nkind: game\ntypes: { " + keys("t", 1500) + "}\n";
+  EXPECT_NE(refusal_of([&] { read_scenario_text(text, "x.yaml"); }).find("more than 1000 types"),
+            std::string::npos);
+}
+
+TEST(HostileScenario, OfTooManyTeamsIsRefusedBeforeTheirMatchupsAreListed) {
+  const std::string head = "schema: 1\nkind: roundrobin\npairs: 1\nseed: 1\n";
+  const std::string text = head + "teams: { " + keys("t", 20'000) + "}\n";
+  EXPECT_NE(refusal_of([&] {
+              read_scenario_text(text, "x.yaml");
+            }).find("399980000 games; at most 100000 fit one experiment"),
+            std::string::npos);
+}
+
+TEST(HostileScenario, OfTooManyJudgedGamesIsRefused) {
+  const std::string text =
+      "schema: 1\nkind: judge\ngames: 9999\nseed: 1\nrules: [paper, 2014, 2014-double, 2026-b, "
+      "2026-a]\ncameras: [none, paper, realistic]\n";
+  EXPECT_NE(refusal_of([&] {
+              read_scenario_text(text, "x.yaml");
+            }).find("games: with these there are 149985 games; at most 100000"),
+            std::string::npos);
+}
+
+TEST(ManyTeams, AreReadBackFromTheFileThatSpellsThemOut) {
+  const std::string head = "schema: 1\nkind: roundrobin\npairs: 1\nseed: 1\n";
+  const Scenario scenario = read_scenario_text(head + "teams: { " + keys("t", 200) + "}\n", "x");
+  const std::string effective = effective_text(scenario);
+  EXPECT_GT(effective.size(), 64U * 1024);
+  EXPECT_EQ(effective_text(read_scenario_text(effective, "effective.yaml")), effective);
+}
+
+TEST(ManyTeams, ThatCouldNotBeReadBackAreRefused) {
+  RoundRobin robin;
+  for (int i = 0; i < 20'000; ++i) robin.teams["t" + std::to_string(i)] = {};
+  EXPECT_NE(refusal_of([&] {
+              effective_text({"", robin});
+            }).find("give it fewer teams"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace autoref::runner
