@@ -85,6 +85,19 @@ ResultFolder open_results(const fs::path& path, const std::string& build) {
   return folder;
 }
 
+std::vector<std::string> files_of_results(const fs::path& path) {
+  std::vector<std::string> files;
+  std::error_code error;
+  for (const fs::path& folder : {path, path / kGamesFolder}) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+      const fs::path name = entry.path().filename();
+      if (name == kEffectiveFile || name.extension() == ".csv")
+        files.push_back(entry.path().string());
+    }
+  }
+  return files;
+}
+
 ExperimentResults write_results(const fs::path& folder, const Scenario& scenario,
                                 const RowFormat& format, const RowsById& rows) {
   std::vector<Cells> cells;

@@ -40,6 +40,10 @@ std::set<std::string> builds_in(const std::filesystem::path& path);
 // throws.
 ResultFolder open_results(const std::filesystem::path& path, const std::string& build = {});
 
+// The files by which a folder of results is known, as far as they are there: what it was made from,
+// its rows, and what follows from them.
+std::vector<std::string> files_of_results(const std::filesystem::path& path);
+
 // Writes what follows from the rows: results.csv, sorted by game and without what may differ from
 // run to run, and the files of results_of(). The same rows give the same files, byte by byte.
 ExperimentResults write_results(const std::filesystem::path& folder, const Scenario& scenario,

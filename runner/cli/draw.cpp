@@ -109,7 +109,7 @@ void check_shown(const DrawArguments& arguments, const TimeSpan& interval,
 
 int draw_verb(const DrawArguments& arguments) {
   const TimeSpan interval = interval_in(arguments);
-  spare_source("-o", arguments.output, arguments.log);
+  check_outputs({{"-o", arguments.output}}, {arguments.log});
   std::optional<PendingFile> file;
   open_output(file, "-o", arguments.output);
   Collector collected(interval);

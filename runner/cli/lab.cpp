@@ -3,16 +3,22 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "runner/cli/command_line.hpp"
 #include "runner/cli/output_file.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/lab/lab.hpp"
+#include "runner/settings/robot_types.hpp"
 
 namespace autoref::runner {
 
 int lab_verb(const LabArguments& arguments) {
   const LabScene scene = read_lab_scene(arguments.file);
+  std::vector<std::string> inputs = type_files_in(arguments.file);
+  inputs.push_back(arguments.file);
+  check_outputs({{"--csv", arguments.csv}}, inputs);
   std::optional<PendingFile> csv;
   open_output(csv, "--csv", arguments.csv);
   const std::string text = csv_of(scene, play_lab_scene(scene));

@@ -1,17 +1,65 @@
 #include "runner/cli/output_file.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <filesystem>
+#include <utility>
 
 #include "runner/io/errors.hpp"
+#include "runner/io/same_file.hpp"
 
 namespace autoref::runner {
+namespace {
 
-void spare_source(const char* flag, const std::string& path, const std::string& source) {
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const std::string& flag, const std::string& message) {
+  throw InputError({flag}, "", message);
+}
+
+bool is_device(const std::string& path) {
   std::error_code none;
-  if (!std::filesystem::equivalent(path, source, none)) return;
-  throw InputError({flag}, "", fmt::format("this is {} itself, which would be lost", source));
+  return fs::is_character_file(path, none);
+}
+
+// An output is written under another name first, which must be free, too.
+bool meets(const std::string& output, const std::string& other) {
+  return is_same_file(output, other) || is_same_file(output + ".part", other);
+}
+
+void spare_inputs(const NamedFile& output, const std::vector<std::string>& inputs) {
+  for (const std::string& input : inputs) {
+    if (input.empty() || !meets(output.path, input)) continue;
+    refuse(output.flag, fmt::format("this is {} itself, which would be lost", input));
+  }
+}
+
+void spare_standard_streams(const NamedFile& output) {
+  for (const auto& [descriptor, name] :
+       {std::pair{STDOUT_FILENO, "output"}, {STDERR_FILENO, "error"}}) {
+    if (!is_open_as(output.path, descriptor)) continue;
+    refuse(output.flag, fmt::format("the standard {} goes to {}, too; give each its own file", name,
+                                    output.path));
+  }
+}
+
+}  // namespace
+
+void check_outputs(const std::vector<NamedFile>& outputs, const std::vector<std::string>& inputs) {
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const NamedFile& output = outputs[i];
+    if (output.path.empty() || is_device(output.path)) continue;
+    spare_inputs(output, inputs);
+    spare_standard_streams(output);
+    for (std::size_t before = 0; before < i; ++before) {
+      const NamedFile& other = outputs[before];
+      if (other.path.empty()) continue;
+      if (!meets(output.path, other.path) && !meets(other.path, output.path)) continue;
+      refuse(fmt::format("{} and {}", other.flag, output.flag),
+             fmt::format("both would write {}; give each its own file", output.path));
+    }
+  }
 }
 
 std::optional<PendingFile>& open_output(std::optional<PendingFile>& file, const char* flag,

@@ -10,6 +10,7 @@
 #include "runner/io/errors.hpp"
 #include "runner/settings/assignments.hpp"
 #include "runner/settings/fields.hpp"
+#include "runner/settings/robot_types.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -28,12 +29,20 @@ GameConfiguration configured(const PlayArguments& arguments) {
   return *game;
 }
 
+// The scenario, and the files of types that it or a --set names.
+std::vector<std::string> inputs_of(const PlayArguments& arguments) {
+  std::vector<std::string> inputs = type_files_in(arguments.file);
+  inputs.push_back(arguments.file);
+  for (const std::string& set : arguments.sets) inputs.push_back(set.substr(set.find('=') + 1));
+  return inputs;
+}
+
 }  // namespace
 
 int play_verb(const PlayArguments& arguments) {
   const GameConfiguration game = configured(arguments);
   GameRecord record;
-  blame(arguments.file, [&] { record = play_one(game, arguments.output, arguments.file); });
+  blame(arguments.file, [&] { record = play_one(game, arguments.output, inputs_of(arguments)); });
   return record.status == Status::kVoid ? kTooManyVoid : kDone;
 }
 

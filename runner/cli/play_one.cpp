@@ -63,10 +63,10 @@ class Watch final : public Observer {
   GameRecording* recording_;  // likewise
 };
 
-void open_files(GameFiles& files, const GameOutput& output, const std::string& source) {
-  spare_source("--events", output.events, source);
-  spare_source("--log", output.log, source);
-  spare_source("--view", output.view, source);
+void open_files(GameFiles& files, const GameOutput& output,
+                const std::vector<std::string>& inputs) {
+  check_outputs({{"--events", output.events}, {"--log", output.log}, {"--view", output.view}},
+                inputs);
   open_output(files.events, "--events", output.events);
   open_output(files.view, "--view", output.view);
 }
@@ -111,9 +111,9 @@ void add_output_options(CLI::App& verb, GameOutput& output) {
 }
 
 GameRecord play_one(const GameConfiguration& game, const GameOutput& output,
-                    const std::string& source) {
+                    const std::vector<std::string>& inputs) {
   GameFiles files;
-  open_files(files, output, source);
+  open_files(files, output, inputs);
   std::optional<league::GameLog> log;
   open_log(log, game, output.log);
   EventLog decisions(event_teams_of(game));

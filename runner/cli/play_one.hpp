@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
 
 #include "runner/game/game.hpp"
 
@@ -21,8 +22,9 @@ void add_output_options(CLI::App& verb, GameOutput& output);
 
 // Plays the game, prints its report, and writes its decisions and its page. Ctrl-C ends it: then,
 // Interrupted is thrown, neither is written, and the log holds the game so far.
-// `source` is the file that the game comes from, which must not be written over.
+// `inputs` are the files that the game comes from, which must not be written over. Throws
+// InputError before the game where an output is one of these, or the same file as another.
 GameRecord play_one(const GameConfiguration& game, const GameOutput& output,
-                    const std::string& source);
+                    const std::vector<std::string>& inputs);
 
 }  // namespace autoref::runner

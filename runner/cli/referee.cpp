@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "runner/cli/command_line.hpp"
+#include "runner/cli/output_file.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/files.hpp"
 #include "runner/logs/log_report.hpp"
@@ -43,8 +44,9 @@ GameConfiguration game_of(const RefereeArguments& arguments, const RecordedFacts
 }  // namespace
 
 int referee_verb(const RefereeArguments& arguments) {
+  check_outputs({{"--events", arguments.events}}, {arguments.log});
   std::optional<PendingFile> events;
-  if (!arguments.events.empty()) events.emplace(arguments.events);
+  open_output(events, "--events", arguments.events);
   const RecordedFacts facts = read_facts(arguments.log);
   if (facts.log.frames == 0) {
     throw InputError({arguments.log}, "", "holds no vision packets of 2014 to judge");

@@ -33,7 +33,7 @@ int replay_verb(const ReplayArguments& arguments) {
   const ResultFolder folder = open_results(arguments.folder, arguments.build);
   const ScheduledGame& game = game_named(folder, arguments.game);
   const GameRecord record =
-      play_one(game.configuration, arguments.output, (folder.path / kEffectiveFile).string());
+      play_one(game.configuration, arguments.output, files_of_results(folder.path));
   const auto row = folder.completed_games.done.find(game.id);
   if (row == folder.completed_games.done.end()) return kDone;
   const std::string& stored = row->second[folder.format.column("state_hash")];

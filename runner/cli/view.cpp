@@ -45,7 +45,7 @@ std::string about(const GameRecording& recording, const std::string& path, std::
 }  // namespace
 
 int view_verb(const ViewArguments& arguments) {
-  spare_source("-o", arguments.output, arguments.log);
+  check_outputs({{"-o", arguments.output}}, {arguments.log, arguments.events});
   std::optional<PendingFile> file;
   open_output(file, "-o", arguments.output);
   const std::string decisions = decisions_in(arguments.events);
