@@ -15,23 +15,25 @@ constexpr std::size_t kMostCameras = 64;
 constexpr float kFarthest_mm = 1e5F;
 constexpr float kWidest_rad = 100;
 constexpr double kLongestGame_s = 1e6;
+constexpr double kLate_s = 1;  // no packet of the same clock is so late
+constexpr int kStrays = 20;    // that agree make a new clock
 
 bool is_position(float x, float y) {
   return std::abs(x) <= kFarthest_mm && std::abs(y) <= kFarthest_mm;
 }
 
 bool is_robot(const DetectionRobot& seen) {
-  return seen.has_robot_id() && seen.robot_id() < kMaxRobots && is_position(seen.x(), seen.y()) &&
+  return seen.has_robot_id() && is_position(seen.x(), seen.y()) &&
          std::abs(seen.orientation()) <= kWidest_rad && !std::isnan(seen.confidence());
 }
 
 }  // namespace
 
-const Frame* DetectionMerger::add(const VisionPacket& packet) {
+const Frame* DetectionMerger::add(const VisionPacket& packet, double received_s) {
   if (packet.has_geometry()) read_geometry(packet.geometry());
   if (!packet.has_detection()) return nullptr;
   const DetectionFrame& detection = packet.detection();
-  if (!is_usable(detection)) {
+  if (!is_usable(detection) && !restarts_clock(detection, received_s)) {
     ++unusable_;
     return nullptr;
   }
@@ -44,7 +46,12 @@ const Frame* DetectionMerger::finish() { return in_frame_.empty() ? nullptr : co
 
 void DetectionMerger::read_geometry(const Geometry& geometry) {
   try {
-    field_ = field_of(geometry);
+    const Field field = field_of(geometry);
+    const bool is_other =
+        field_ && geometry.field().SerializeAsString() != geometry_.field().SerializeAsString();
+    field_changes_ += is_other ? 1 : 0;
+    field_ = field;
+    field_gaps_ = gaps_in(geometry);
     geometry_ = geometry;
   } catch (const std::invalid_argument&) {
     ++unusable_;
@@ -60,6 +67,26 @@ bool DetectionMerger::is_usable(const DetectionFrame& detection) const {
   return time_s > last_time_s_ && time_s <= kLongestGame_s;
 }
 
+// Asked of packets that are not usable. One that is late, or far ahead, is a stray; many in a row
+// that follow each other are a clock of their own.
+bool DetectionMerger::restarts_clock(const DetectionFrame& detection, double received_s) {
+  const double capture_s = detection.t_capture();
+  if (!std::isfinite(capture_s) || !first_capture_s_) return false;
+  const double time_s = capture_s - *first_capture_s_;
+  if (time_s > last_time_s_ - kLate_s && time_s <= kLongestGame_s) return false;
+  const bool follows = strays_ > 0 && std::abs(capture_s - stray_capture_s_) < kLate_s;
+  strays_ = follows ? strays_ + 1 : 1;
+  stray_capture_s_ = capture_s;
+  if (strays_ < kStrays) return false;
+  const double earliest_s = std::max(last_time_s_, time_s_) + 2 * kLongestFrame_s;
+  const double now_s = received_s <= kLongestGame_s ? std::max(earliest_s, received_s) : earliest_s;
+  if (now_s > kLongestGame_s) return false;
+  first_capture_s_ = capture_s - now_s;
+  strays_ = 0;
+  ++clock_restarts_;
+  return is_usable(detection);
+}
+
 bool DetectionMerger::starts_anew(const DetectionFrame& detection) const {
   if (in_frame_.empty()) return false;
   return in_frame_.contains(detection.camera_id()) ||
@@ -72,19 +99,26 @@ void DetectionMerger::collect(const DetectionFrame& detection) {
   time_s_ = in_frame_.empty() ? time_s : std::max(time_s_, time_s);
   cameras_.insert(detection.camera_id());
   in_frame_.insert(detection.camera_id());
-  for (const Side side : kSides) {
-    for (const DetectionRobot& seen :
-         side == Side::kWest ? detection.robots_yellow() : detection.robots_blue()) {
-      if (!is_robot(seen)) continue;
-      RobotDetection& best = robots_[side][seen.robot_id()];
-      if (seen.confidence() <= best.confidence) continue;
-      best = {{static_cast<int>(seen.robot_id()),
-               {to_m(seen.x()), to_m(seen.y())},
-               heading_of(static_cast<double>(seen.orientation()))},
-              seen.confidence()};
-    }
-  }
+  strays_ = 0;
+  for (const Side side : kSides) collect_robots(detection, side);
   for (const DetectionBall& ball : detection.balls()) collect_ball(ball, detection.camera_id());
+}
+
+void DetectionMerger::collect_robots(const DetectionFrame& detection, Side side) {
+  for (const DetectionRobot& seen :
+       side == Side::kWest ? detection.robots_yellow() : detection.robots_blue()) {
+    if (!is_robot(seen)) continue;
+    if (seen.robot_id() >= kMaxRobots) {
+      ++unnumbered_;
+      continue;
+    }
+    RobotDetection& best = robots_[side][seen.robot_id()];
+    if (seen.confidence() <= best.confidence) continue;
+    best = {{static_cast<int>(seen.robot_id()),
+             {to_m(seen.x()), to_m(seen.y())},
+             heading_of(static_cast<double>(seen.orientation()))},
+            seen.confidence()};
+  }
 }
 
 void DetectionMerger::collect_ball(const DetectionBall& seen, std::uint32_t camera) {

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "league/units.hpp"
 #include "soccer/robot_shape.hpp"
@@ -115,10 +117,36 @@ double length_m(std::string_view name, std::int32_t mm) {
   throw std::invalid_argument(fmt::format("{} is {} mm", name, mm));
 }
 
+// The areas' fronts, and the sides that only boxes have.
+constexpr std::string_view kFront = "LeftPenaltyStretch";
+constexpr std::string_view kBoxSide = "LeftFieldLeftPenaltyStretch";
+constexpr std::string_view kQuarterCircle = "LeftFieldLeftPenaltyArc";
+
+double extent_m(float one_mm, float other_mm) { return std::abs(to_m(one_mm) - to_m(other_mm)); }
+
+const FieldLine* line_called(std::string_view name, const FieldSize& size) {
+  for (const FieldLine& line : size.field_lines()) {
+    if (line.name() == name) return &line;
+  }
+  return nullptr;
+}
+
+bool has_box_sizes(const FieldSize& size) {
+  return size.has_penalty_area_depth() && size.has_penalty_area_width();
+}
+
 // Sizes that messages have only as the lines' middles, or in later years' fields.
-void read_line(const FieldLine& line, DefenceArea& area) {
-  if (line.name() != "LeftPenaltyStretch") return;
-  area.straight_m = std::abs(to_m(line.p2().y()) - to_m(line.p1().y()));
+void read_lines(const FieldSize& size, DefenceArea& area) {
+  const FieldLine* front = line_called(kFront, size);
+  if (front == nullptr) return;
+  area.straight_m = extent_m(front->p1().y(), front->p2().y());
+  const FieldLine* side = line_called(kBoxSide, size);
+  if (side == nullptr) return;
+  area = {DefenceArea::Shape::kBox,
+          extent_m(side->p1().x(), side->p2().x()) + to_m(front->thickness()) / 2,
+          area.straight_m + to_m(side->thickness())};
+  if (area.depth_m > 0 && area.depth_m <= kLongest_m && area.straight_m <= kLongest_m) return;
+  throw std::invalid_argument(fmt::format("{} is {} m long", kBoxSide, area.depth_m));
 }
 
 void read_arc(const FieldArc& arc, Field& field) {
@@ -127,7 +155,7 @@ void read_arc(const FieldArc& arc, Field& field) {
     throw std::invalid_argument(fmt::format("the radius of {} is {} mm", arc.name(), arc.radius()));
   }
   if (arc.name() == "CenterCircle") field.centre_circle_radius_m = outer_m;
-  if (arc.name() == "LeftFieldLeftPenaltyArc") field.defence_area.depth_m = outer_m;
+  if (arc.name() == kQuarterCircle) field.defence_area.depth_m = outer_m;
 }
 
 }  // namespace
@@ -167,8 +195,9 @@ Field field_of(const Geometry& geometry) {
   field.width_m = length_m("field_width", size.field_width());
   field.goal_width_m = length_m("goal_width", size.goal_width());
   field.goal_depth_m = length_m("goal_depth", size.goal_depth());
-  field.run_off_m = length_m("boundary_width", size.boundary_width());
-  for (const FieldLine& line : size.field_lines()) read_line(line, field.defence_area);
+  field.run_off_m =
+      size.boundary_width() == 0 ? 0 : length_m("boundary_width", size.boundary_width());
+  read_lines(size, field.defence_area);
   for (const FieldArc& arc : size.field_arcs()) read_arc(arc, field);
   if (size.has_line_thickness())
     field.line_width_m = length_m("line_thickness", size.line_thickness());
@@ -180,12 +209,22 @@ Field field_of(const Geometry& geometry) {
   }
   if (size.has_goal_height())
     field.goal_opening_height_m = length_m("goal_height", size.goal_height());
-  if (size.has_penalty_area_depth() && size.has_penalty_area_width()) {
+  if (has_box_sizes(size)) {
     field.defence_area = {DefenceArea::Shape::kBox,
                           length_m("penalty_area_depth", size.penalty_area_depth()),
                           length_m("penalty_area_width", size.penalty_area_width())};
   }
   return field;
+}
+
+FieldGaps gaps_in(const Geometry& geometry) {
+  const FieldSize& size = geometry.field();
+  const bool has_arc =
+      std::any_of(size.field_arcs().begin(), size.field_arcs().end(),
+                  [](const FieldArc& arc) { return arc.name() == kQuarterCircle; });
+  const bool has_front = line_called(kFront, size) != nullptr;
+  const bool has_lines = has_front && (has_arc || line_called(kBoxSide, size) != nullptr);
+  return {!size.has_goal_center_to_penalty_mark(), !has_box_sizes(size) && !has_lines};
 }
 
 CameraPosition camera_of(const Geometry& geometry, std::uint32_t id, const Vec2& below_m) {

@@ -8,6 +8,9 @@
 namespace autoref::league {
 namespace {
 
+constexpr double kOutOfOrder_s = 1;  // records of one log are never so far out of order
+constexpr double kLongestPause_s = 1e6;
+
 // Without protobuf's own messages on stderr.
 template <typename Message>
 bool parse(const std::string& bytes, Message& message) {
@@ -22,31 +25,45 @@ MessageKind kind_of(const LogRecord& record) {
 
 class Walk {
  public:
-  Walk(const std::filesystem::path& path, LogVisitor& visitor) : log_(path), visitor_(visitor) {}
+  Walk(const std::filesystem::path& path, LogVisitor& visitor, const LogLimits& limits)
+      : log_(path), visitor_(visitor), limits_(limits) {}
 
   LogSummary summary() {
-    while (frames_ < kMostFrames && log_.read(record_)) {
+    while (!beyond() && log_.read(record_)) {
       if (records_++ == 0) first_ns_ = record_.time_ns;
-      last_ns_ = record_.time_ns;
+      take_time();
       ++summary_.records[kind_of(record_)];
       if (!take()) note_unreadable();
     }
     show(merger_.finish());
-    summary_.length_s = since_first_s();
+    summary_.length_s = now_s_;
     summary_.frames = frames_;
     summary_.field = merger_.field();
-    summary_.damage = frames_ < kMostFrames ? log_.damage() : too_many_frames();
+    summary_.field_gaps = merger_.field_gaps();
+    summary_.field_changes = merger_.field_changes();
+    summary_.clock_restarts = merger_.clock_restarts();
+    summary_.unnumbered = merger_.unnumbered();
+    const std::optional<std::string> too_much = beyond();
+    summary_.damage = too_much ? LogDamage{log_.offset(), *too_much} : log_.damage();
     return summary_;
   }
 
  private:
+  // Where records' times leap, as where two logs have been joined, they go on from where they were.
   // Hostile times may lie farther apart than a difference of int64 can say.
-  double since_first_s() const {
-    return (static_cast<double>(last_ns_) - static_cast<double>(first_ns_)) / 1e9;
+  void take_time() {
+    const double since_first_s =
+        (static_cast<double>(record_.time_ns) - static_cast<double>(first_ns_)) / 1e9;
+    const double step_s = since_first_s + leaps_s_ - now_s_;
+    if (step_s < -kOutOfOrder_s || step_s > kLongestPause_s) leaps_s_ -= step_s;
+    now_s_ = since_first_s + leaps_s_;
   }
 
-  std::optional<LogDamage> too_many_frames() const {
-    return LogDamage{log_.offset(), fmt::format("more than {} frames", kMostFrames)};
+  std::optional<std::string> beyond() const {
+    if (frames_ >= limits_.frames) return fmt::format("more than {} frames", limits_.frames);
+    if (records_ >= limits_.records) return fmt::format("more than {} messages", limits_.records);
+    if (log_.offset() < limits_.bytes) return std::nullopt;
+    return fmt::format("more than {} bytes once decompressed", limits_.bytes);
   }
 
   bool take() {
@@ -58,16 +75,15 @@ class Walk {
   bool take_vision() {
     if (!parse(record_.message, vision_)) return false;
     const std::int64_t unusable = merger_.unusable();
-    show(merger_.add(vision_));
+    show(merger_.add(vision_, now_s_));
     if (merger_.unusable() != unusable) return false;
-    if (vision_.has_detection())
-      visitor_.on_camera(since_first_s(), vision_.detection().camera_id());
+    if (vision_.has_detection()) visitor_.on_camera(now_s_, vision_.detection().camera_id());
     return true;
   }
 
   bool take_referee() {
     if (!parse(record_.message, referee_)) return false;
-    visitor_.on_referee(since_first_s(), referee_);
+    visitor_.on_referee(now_s_, referee_);
     return true;
   }
 
@@ -83,6 +99,7 @@ class Walk {
 
   LogReader log_;
   LogVisitor& visitor_;
+  LogLimits limits_;
   LogRecord record_;
   DetectionMerger merger_;
   VisionPacket vision_;
@@ -91,13 +108,15 @@ class Walk {
   std::int64_t records_ = 0;
   std::int64_t frames_ = 0;
   std::int64_t first_ns_ = 0;
-  std::int64_t last_ns_ = 0;
+  double leaps_s_ = 0;  // that times are shifted by
+  double now_s_ = 0;    // of the record at hand, since the first
 };
 
 }  // namespace
 
-LogSummary read_log(const std::filesystem::path& path, LogVisitor& visitor) {
-  return Walk(path, visitor).summary();
+LogSummary read_log(const std::filesystem::path& path, LogVisitor& visitor,
+                    const LogLimits& limits) {
+  return Walk(path, visitor, limits).summary();
 }
 
 }  // namespace autoref::league

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "league/field_message.hpp"
 #include "league/log_file.hpp"
 #include "league/messages/referee.pb.h"
 #include "soccer/field.hpp"
@@ -33,17 +34,27 @@ struct LogSummary {
   std::map<MessageKind, std::int64_t> records;
   double length_s = 0;  // from the first record to the last
   std::int64_t frames = 0;
-  std::optional<Field> field;       // none where the log has no geometry
+  std::optional<Field> field;       // of the last geometry; none where the log has none
+  FieldGaps field_gaps;             // what that geometry leaves out
+  int field_changes = 0;            // other fields after the first
+  int clock_restarts = 0;           // of the cameras
+  std::int64_t unnumbered = 0;      // detections of robots numbered 16 and above
   std::int64_t unreadable = 0;      // messages that are none of their kind, or make no sense
   std::int64_t unreadable_at = 0;   // the first of these: where its record begins
   std::optional<LogDamage> damage;  // the log ends here, too early
 };
 
-// Nine hours at 60 frames a second: no game is longer, and what is made of a log stays bounded.
-inline constexpr std::int64_t kMostFrames = 2'000'000;
+// Nine hours at 60 frames a second of eight cameras: no game is longer, and what is made of a log,
+// and how long it takes, stays bounded.
+struct LogLimits {
+  std::int64_t frames = 2'000'000;
+  std::int64_t records = 20'000'000;
+  std::int64_t bytes = std::int64_t{32} << 30;  // uncompressed
+};
 
-// Reads the log of that name, in bounded memory. Throws LogError where it is none. A log of more
-// frames counts as damaged behind them.
-LogSummary read_log(const std::filesystem::path& path, LogVisitor& visitor);
+// Reads the log of that name, in bounded memory. Throws LogError where it is none. A log that goes
+// beyond the limits counts as damaged behind them.
+LogSummary read_log(const std::filesystem::path& path, LogVisitor& visitor,
+                    const LogLimits& limits = {});
 
 }  // namespace autoref::league

@@ -106,6 +106,7 @@ struct ViewArguments {
   std::string log;
   std::string output;
   std::string events;  // file with the referee's decisions; empty: none
+  std::string rules = "paper";
 };
 
 // What `autoref draw` is told: numbers as they were typed.
@@ -114,6 +115,7 @@ struct DrawArguments {
   std::string output;
   std::string at;     // seconds; empty: `trace` is given
   std::string trace;  // "from:to", in seconds
+  std::string rules = "paper";
 };
 
 // What `autoref rules` is told.

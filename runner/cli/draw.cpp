@@ -115,7 +115,7 @@ int draw_verb(const DrawArguments& arguments) {
   Collector collected(interval);
   const league::LogSummary log = read_user_log(arguments.log, collected);
   check_shown(arguments, interval, collected);
-  collected.game.field = log.field.value_or(Field{});
+  collected.game.field = field_shown(arguments.log, log, arguments.rules);
   file->commit(drawing_of(collected.game));
   return log.damage ? kBadInput : kDone;
 }
@@ -129,6 +129,10 @@ void add_draw_verb(CLI::App& app, Chosen& chosen) {
       ->type_name("SECONDS");
   verb->add_option("--trace", arguments->trace, "The paths from one instant to another instead.")
       ->type_name("FROM:TO");
+  verb->add_option("--rules", arguments->rules,
+                   "Rule book that gives the field of a log without geometry.")
+      ->type_name("BOOK")
+      ->capture_default_str();
   verb->footer(
       "Examples:\n  autoref draw game.log.gz --at 83.2 -o frame.svg\n"
       "  autoref draw game.log.gz --trace 80:95 -o trace.svg");

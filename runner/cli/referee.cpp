@@ -9,6 +9,7 @@
 #include "runner/cli/output_file.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/files.hpp"
+#include "runner/logs/log_game.hpp"
 #include "runner/logs/log_report.hpp"
 #include "runner/logs/user_log.hpp"
 #include "runner/settings/assignments.hpp"
@@ -18,46 +19,71 @@
 namespace autoref::runner {
 namespace {
 
-// What the log tells of the game; the rest is the rule book's.
-void take_over(const RecordedFacts& facts, GameConfiguration& game) {
-  if (facts.log.field) game.field = *facts.log.field;
-  if (facts.half_s) game.match.half_s = *facts.half_s;
-  if (facts.halves > 0) game.match.halves = facts.halves;
-  if (facts.first_kickoff) game.match.first_kickoff = *facts.first_kickoff;
-  game.a.robots = std::max(1, facts.robots[Side::kWest]);
-  game.b.robots = std::max(1, facts.robots[Side::kEast]);
+bool sets(const std::string& assignment, const std::string& path) {
+  return full_path(assignment.substr(0, assignment.find('='))) == path;
 }
 
-GameConfiguration game_of(const RefereeArguments& arguments, const RecordedFacts& facts) {
+// The book gives field, robots and lengths, over which the log's stand: it is chosen first.
+void refuse_book_among(const std::vector<std::string>& assignments) {
+  for (const std::string& assignment : assignments) {
+    if (sets(assignment, "match.rules"))
+      throw InputError({"--set " + assignment}, "", "choose the rule book with --rules");
+  }
+}
+
+GameConfiguration game_of(const RefereeArguments& arguments, const RecordedFacts& facts,
+                          const RecordedGame& recorded) {
   GameConfiguration game;
-  blame("--rules", [&] { choose_rules(arguments.rules, game); });
-  take_over(facts, game);
+  blame("--rules", [&] { game = logged_game(arguments.rules, facts, recorded); });
   const auto set = [&](const std::string& flag, const std::string& path, const std::string& value) {
     if (!value.empty()) blame(flag, [&] { set_by_path(game, path, value); });
   };
   set("--camera", "sim.camera", arguments.camera);
   set("--first-kickoff", "match.first_kickoff", arguments.first_kickoff);
-  assign_all(assignments_in(arguments.sets), game);
+  for (const Assignment& assignment : assignments_in(arguments.sets)) assign(assignment, game);
+  try {
+    check_judged(game);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(
+        {arguments.log}, "",
+        fmt::format("such a game cannot be judged: {}; --set changes it", error.what()));
+  }
   return game;
+}
+
+void say_gaps(const RefereeArguments& arguments, const RecordedFacts& facts,
+              const GameConfiguration& game) {
+  const auto is_set = [&arguments](const std::string& path) {
+    if (path == "match.first_kickoff" && !arguments.first_kickoff.empty()) return true;
+    return std::any_of(arguments.sets.begin(), arguments.sets.end(),
+                       [&path](const std::string& set) { return sets(set, path); });
+  };
+  for (const std::string& gap : gaps_of(facts, game, is_set))
+    write_message(stderr, fmt::format("autoref: {}: {}\n", arguments.log, gap));
 }
 
 }  // namespace
 
 int referee_verb(const RefereeArguments& arguments) {
+  refuse_book_among(arguments.sets);
   check_outputs({{"--events", arguments.events}}, {arguments.log});
   std::optional<PendingFile> events;
   open_output(events, "--events", arguments.events);
   const RecordedFacts facts = read_facts(arguments.log);
+  write_message(stderr, damage_text(arguments.log, facts));
   if (facts.log.frames == 0) {
     throw InputError({arguments.log}, "", "holds no vision packets of 2014 to judge");
   }
-  const GameConfiguration game = game_of(arguments, facts);
-  const LogRefereeResult evaluation =
-      referee_log(arguments.log, facts, referee_configuration(game));
+  std::vector<referee::Configuration> games;
+  for (const RecordedGame& recorded : facts.games) {
+    const GameConfiguration game = game_of(arguments, facts, recorded);
+    if (games.empty()) say_gaps(arguments, facts, game);
+    games.push_back(referee_configuration(game));
+  }
+  const LogRefereeResult evaluation = referee_log(arguments.log, facts, games);
   if (events) events->commit(evaluation.events);
   fmt::print("{}\n", arguments.json ? referee_log_json(evaluation, facts)
                                     : referee_log_text(evaluation, facts));
-  write_message(stderr, damage_text(arguments.log, facts.log));
   return facts.log.damage ? kBadInput : kDone;
 }
 
@@ -65,7 +91,7 @@ void add_referee_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb = app.add_subcommand(
       "referee", "Judge a recorded game from its vision packets, beside the recorded commands.");
   auto arguments = std::make_shared<RefereeArguments>();
-  verb->add_option("--log", arguments->log, "A .log or .log.gz file.")
+  verb->add_option("--log,LOG", arguments->log, "A .log or .log.gz file.")
       ->type_name("FILE")
       ->required();
   verb->add_option("--rules", arguments->rules, "Rule book (autoref rules lists them).")
@@ -82,7 +108,9 @@ void add_referee_verb(CLI::App& app, Chosen& chosen) {
       ->type_name("FILE");
   verb->add_flag("--json", arguments->json, "Print one JSON object.");
   verb->footer(
-      "Field, length of a half, first kick-off and robots come from the log where it has them.\n"
+      "Field, lengths of halves, first kick-off and robots come from the log where it has them;\n"
+      "what it leaves open is said once, with the option that sets it. A log of several games is\n"
+      "judged game by game.\n"
       "Yellow is west; where the log says that blue defends the goal at -x, it is turned round.\n\n"
       "Example:\n  autoref referee --log game.log.gz --camera paper --events events.jsonl");
   verb->callback(

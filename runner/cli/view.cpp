@@ -57,7 +57,7 @@ int view_verb(const ViewArguments& arguments) {
   }
   const std::string page = page_of(
       {recorder.recording,
-       log.field.value_or(Field{}),
+       field_shown(arguments.log, log, arguments.rules),
        recorder.names,
        decisions,
        {{"log", file_name_of(arguments.log)}, {"page made by build", std::string(build_id())}}});
@@ -76,6 +76,10 @@ void add_view_verb(CLI::App& app, Chosen& chosen) {
   verb->add_option("--events", arguments->events,
                    "The referee's decisions with their reasons, as play and referee write them.")
       ->type_name("FILE");
+  verb->add_option("--rules", arguments->rules,
+                   "Rule book that gives the field of a log without geometry.")
+      ->type_name("BOOK")
+      ->capture_default_str();
   verb->footer(
       "Of a damaged log the page shows what stands before the damage; exit code 2.\n\n"
       "Example:\n  autoref view game.log.gz -o game.html");

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "league/referee_message.hpp"
 #include "runner/game/event_log.hpp"
 
 namespace autoref::runner {
@@ -16,22 +17,25 @@ Frame turned(const Frame& frame) {
 
 class LogReferee final : public league::LogVisitor {
  public:
-  LogReferee(const referee::Configuration& configuration, const PerSide<std::string>& names)
-      : referee_(configuration),
+  LogReferee(const std::vector<referee::Configuration>& configurations,
+             const PerSide<std::string>& names)
+      : configurations_(configurations),
+        referee_(configurations.front()),
         log_(PerSide<EventTeam>{
             {EventTeam{"", names[Side::kWest]}, EventTeam{"", names[Side::kEast]}}}) {}
 
   void on_frame(const Frame& frame) override {
-    if (referee_.is_over()) return;
-    referee_.update(is_turned_ ? turned(frame) : frame, {});
-    for (const referee::Decision& decision : referee_.decisions()) {
-      ++decisions_;
-      log_.on_decision(decision);
-      if (decision.command) calls_.take(decision.time_s, *decision.command);
-    }
+    if (!referee_.is_over()) take(frame);
+    // A frame comes after what the recorded referee sent behind it: this one was of the game
+    // before.
+    if (is_next_game_) referee_ = referee::Referee(configurations_[++game_]);
+    is_next_game_ = false;
   }
 
   void on_referee(double /*time_s*/, const league::RefereePacket& packet) override {
+    const std::optional<RefereeSignal> signal = league::signal_of(packet);
+    if (signal && next_game_.begins_with(signal->stage))
+      is_next_game_ = game_ + 1 < configurations_.size();
     if (packet.has_blue_team_on_positive_half()) is_turned_ = !packet.blue_team_on_positive_half();
   }
 
@@ -46,6 +50,19 @@ class LogReferee final : public league::LogVisitor {
   const std::vector<Call>& calls() const { return calls_.calls(); }
 
  private:
+  void take(const Frame& frame) {
+    referee_.update(is_turned_ ? turned(frame) : frame, {});
+    for (const referee::Decision& decision : referee_.decisions()) {
+      ++decisions_;
+      log_.on_decision(decision);
+      if (decision.command) calls_.take(decision.time_s, *decision.command);
+    }
+  }
+
+  const std::vector<referee::Configuration>& configurations_;
+  std::size_t game_ = 0;
+  NextGame next_game_;
+  bool is_next_game_ = false;
   referee::Referee referee_;
   EventLog log_;
   CallMaker calls_;
@@ -56,8 +73,8 @@ class LogReferee final : public league::LogVisitor {
 }  // namespace
 
 LogRefereeResult referee_log(const std::filesystem::path& log, const RecordedFacts& facts,
-                             const referee::Configuration& configuration) {
-  LogReferee judge(configuration, facts.names);
+                             const std::vector<referee::Configuration>& configurations) {
+  LogReferee judge(configurations, facts.names);
   league::read_log(log, judge);
   CallMaker recorded;
   for (const RecordedCommand& command : facts.commands)

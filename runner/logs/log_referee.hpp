@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "referee/referee.hpp"
 #include "runner/logs/calls.hpp"
@@ -17,10 +18,13 @@ struct LogRefereeResult {
   int decisions = 0;
 };
 
-// Judges every frame of the log in order. Where the recorded referee says that blue defends the
+// Judges every frame of the log in order. Each of the log's games has its configuration and its own
+// referee; the last configuration serves those that have none. Goals are those of the last game.
+// Where the recorded referee says that blue defends the
 // goal at -x, frames are turned round, as AutoRef takes yellow to be west. Throws
-// league::LogError, and std::invalid_argument where the configuration makes no referee.
+// league::LogError, and std::invalid_argument where a configuration makes no referee. There is at
+// least one.
 LogRefereeResult referee_log(const std::filesystem::path& log, const RecordedFacts& facts,
-                             const referee::Configuration& configuration);
+                             const std::vector<referee::Configuration>& configurations);
 
 }  // namespace autoref::runner

@@ -18,13 +18,13 @@ int half_of(Stage stage) {
       return 1;
     case Stage::kSecondHalf:
       return 2;
-    case Stage::kExtraFirstHalf:
-      return 3;
-    case Stage::kExtraSecondHalf:
-      return 4;
     default:
       return 0;
   }
+}
+
+bool is_after_a_draw(Stage stage) {
+  return stage >= Stage::kExtraTimeBreak && stage <= Stage::kShootout;
 }
 
 // A name for people: at most 64 bytes, those that are not plain ASCII as question marks.
@@ -56,13 +56,19 @@ class FactFinder final : public league::LogVisitor {
 
   void on_referee(double time_s, const league::RefereePacket& packet) override {
     const std::optional<RefereeSignal> signal = league::signal_of(packet);
-    if (!signal) return;
+    if (!signal) {
+      ++facts.unknown_signals;
+      return;
+    }
+    if (next_game_.begins_with(signal->stage) && facts.games.size() < RecordedFacts::kMostGames)
+      facts.games.push_back({.begins_s = time_s});
     const bool is_new = !facts.last_signal ||
                         facts.last_signal->command_counter != signal->command_counter ||
                         facts.last_signal->command != signal->command;
     if (is_new) note_command(time_s, signal->command);
-    facts.halves = std::max(facts.halves, half_of(signal->stage));
-    if (signal->stage == Stage::kFirstHalf) note_clock(signal->stage_time_left_s);
+    note_stage(signal->stage);
+    // What is overtime, or not said, tells no length.
+    if (packet.stage_time_left() > 0) note_clock(signal->stage, signal->stage_time_left_s);
     facts.names = {{name_text(packet.yellow().name()), name_text(packet.blue().name())}};
     facts.last_signal = signal;
   }
@@ -71,8 +77,9 @@ class FactFinder final : public league::LogVisitor {
 
  private:
   void note_command(double time_s, Command command) {
-    if (command.kind == CommandKind::kPrepareKickoff && !facts.first_kickoff)
-      facts.first_kickoff = command.side;
+    RecordedGame& game = facts.games.back();
+    if (command.kind == CommandKind::kPrepareKickoff && !game.first_kickoff)
+      game.first_kickoff = command.side;
     if (facts.commands.size() < RecordedFacts::kMostCommands) {
       facts.commands.push_back({time_s, command});
     } else {
@@ -80,13 +87,32 @@ class FactFinder final : public league::LogVisitor {
     }
   }
 
-  void note_clock(double left_s) {
-    const double rounded_s = std::ceil(left_s / kClock_s - 0.01) * kClock_s;
-    facts.half_s = std::max(facts.half_s.value_or(0), rounded_s);
+  void note_stage(Stage stage) {
+    RecordedGame& game = facts.games.back();
+    game.halves = std::max(game.halves, half_of(stage));
+    game.is_knockout = game.is_knockout || is_after_a_draw(stage);
   }
+
+  void note_clock(Stage stage, double left_s) {
+    RecordedGame& game = facts.games.back();
+    const double rounded_s = std::ceil(left_s / kClock_s - 0.01) * kClock_s;
+    const auto note = [rounded_s](std::optional<double>& length_s) {
+      length_s = std::max(length_s.value_or(kClock_s), rounded_s);
+    };
+    if (stage == Stage::kFirstHalf) note(game.half_s);
+    if (stage == Stage::kExtraFirstHalf) note(game.extra_half_s);
+  }
+
+  NextGame next_game_;
 };
 
 }  // namespace
+
+bool NextGame::begins_with(Stage stage) {
+  const bool begins = stage <= Stage::kFirstHalf && latest_ >= Stage::kHalfTime;
+  latest_ = begins ? stage : std::max(latest_, stage);
+  return begins;
+}
 
 double RecordedCamera::rate_hz() const {
   return last_s > first_s ? static_cast<double>(packets - 1) / (last_s - first_s) : 0;

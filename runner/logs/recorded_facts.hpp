@@ -1,4 +1,4 @@
-// What a log tells of its game before anybody judges it.
+// What a log tells of its games before anybody judges them.
 #pragma once
 
 #include <array>
@@ -32,6 +32,25 @@ struct RecordedCamera {
   double rate_hz() const;
 };
 
+// What a log tells of one game before anybody judges it; mostly a log holds one.
+struct RecordedGame {
+  double begins_s = 0;
+  std::optional<double> half_s = {};        // from the clock of the first half
+  int halves = 0;                           // begun, without those of extra time
+  bool is_knockout = false;                 // it has gone on to extra time or a shoot-out
+  std::optional<double> extra_half_s = {};  // from the clock of extra time's first half
+  std::optional<Side> first_kickoff = {};
+};
+
+// Notices by the stages that a recorded referee sends where it begins another game.
+class NextGame {
+ public:
+  bool begins_with(Stage stage);
+
+ private:
+  Stage latest_ = Stage::kFirstHalfPre;  // of the game at hand
+};
+
 struct RecordedFacts {
   league::LogSummary log;
   std::vector<RecordedCommand> commands;            // at most kMostCommands
@@ -40,11 +59,11 @@ struct RecordedFacts {
   std::optional<RefereeSignal> last_signal;         // none where no referee is in the log
   std::map<std::uint32_t, RecordedCamera> cameras;  // by number
   PerSide<int> robots;                              // the most that a frame shows
-  std::optional<double> half_s;                     // from the clock of the first half
-  int halves = 0;                                   // begun
-  std::optional<Side> first_kickoff;
+  std::vector<RecordedGame> games = {{}};           // at least one, at most kMostGames
+  std::int64_t unknown_signals = 0;                 // packets whose stage or command nobody knows
 
   static constexpr std::size_t kMostCommands = 100'000;
+  static constexpr std::size_t kMostGames = 100;
 };
 
 // Reads the whole log. Throws league::LogError where it is none.

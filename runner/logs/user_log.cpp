@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "runner/io/errors.hpp"
+#include "runner/io/words.hpp"
+#include "soccer/rule_book.hpp"
 
 namespace autoref::runner {
 std::string damage_text(const std::string& path, const league::LogSummary& log) {
@@ -17,6 +19,35 @@ std::string damage_text(const std::string& path, const league::LogSummary& log) 
         "byte {}\n",
         path, log.unreadable, log.unreadable_at);
   }
+  const auto add = [&](const std::string& line) {
+    text += fmt::format("autoref: {}: {}\n", path, line);
+  };
+  if (log.unnumbered > 0) {
+    add(fmt::format("{} detections of robots numbered {} and above are left out", log.unnumbered,
+                    kMaxRobots));
+  }
+  if (log.field_changes > 0)
+    add(fmt::format("the field changes {} times; the last one counts", log.field_changes));
+  if (log.clock_restarts > 0) {
+    add(fmt::format("the cameras' clock begins anew {} times; times go on from where they were",
+                    log.clock_restarts));
+  }
+  return text;
+}
+
+std::string damage_text(const std::string& path, const RecordedFacts& facts) {
+  std::string text = damage_text(path, facts.log);
+  const auto add = [&](const std::string& line) {
+    text += fmt::format("autoref: {}: {}\n", path, line);
+  };
+  if (facts.unknown_signals > 0) {
+    add(fmt::format("{} packets of the referee have an unknown stage or command and are left out",
+                    facts.unknown_signals));
+  }
+  if (facts.games.size() > 1) {
+    add(fmt::format("there are {} games one after the other; the second begins at {:.1f} s",
+                    facts.games.size(), facts.games[1].begins_s));
+  }
   return text;
 }
 
@@ -30,6 +61,20 @@ league::LogSummary read_user_log(const std::string& path, league::LogVisitor& vi
   write_message(stderr, damage_text(path, log));
   if (log.frames > 0) return log;
   throw InputError({path}, "", "the log shows no frame of the field: nothing can be seen");
+}
+
+Field field_shown(const std::string& path, const league::LogSummary& log, const std::string& book) {
+  const std::optional<GameSetup> setup = find_game_setup(book);
+  if (!setup) {
+    throw InputError(
+        {"--rules"}, "",
+        fmt::format("unknown rule book '{}'; expected one of {}", book, listed(rule_book_names())));
+  }
+  if (log.field) return *log.field;
+  write_message(stderr, fmt::format("autoref: {}: the log has no geometry; the field is that of "
+                                    "the rules {} (--rules chooses others)\n",
+                                    path, book));
+  return setup->field;
 }
 
 }  // namespace autoref::runner

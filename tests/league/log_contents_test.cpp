@@ -73,5 +73,18 @@ TEST(ReadLog, TellsTheLengthFromTheRecordsTimes) {
   EXPECT_DOUBLE_EQ(read_log(file.path(), nobody).length_s, 0.004);
 }
 
+TEST(ReadLog, EndsAtItsLimits) {
+  const ScratchFile file(".log.gz");
+  written(file, MessageKind::kUnknown, std::vector<std::string>(1000, std::string(10'000, 'x')));
+  LogVisitor nobody;
+  const LogSummary few = read_log(file.path(), nobody, {.records = 100});
+  EXPECT_EQ(few.records.at(MessageKind::kUnknown), 100);
+  EXPECT_EQ(few.damage->what, "more than 100 messages");
+  const LogSummary small = read_log(file.path(), nobody, {.bytes = 1'000'000});
+  EXPECT_LE(small.records.at(MessageKind::kUnknown), 101);
+  EXPECT_EQ(small.damage->what, "more than 1000000 bytes once decompressed");
+  EXPECT_FALSE(read_log(file.path(), nobody).damage);
+}
+
 }  // namespace
 }  // namespace autoref::league

@@ -80,7 +80,7 @@ TEST(RefereedLog, GivesEveryDecisionOfTheLiveReferee) {
   const GameConfiguration game = short_game();
   const RecordedGame live = played(game, file.path());
   const RecordedFacts facts = facts_of(file.path());
-  const LogRefereeResult refereed = referee_log(file.path(), facts, referee_configuration(game));
+  const LogRefereeResult refereed = referee_log(file.path(), facts, {referee_configuration(game)});
   EXPECT_GT(refereed.decisions, 20);
   EXPECT_EQ(refereed.events, live.events);
   EXPECT_EQ(refereed.agreement.right, refereed.agreement.recorded);
@@ -93,9 +93,9 @@ TEST(RecordedFacts, AreThoseOfTheGame) {
   const RecordedGame live = played(game, file.path());
   const RecordedFacts facts = facts_of(file.path());
   EXPECT_EQ(facts.log.frames, live.record.frames + 1);
-  EXPECT_EQ(facts.half_s, 60);
-  EXPECT_EQ(facts.halves, 2);
-  EXPECT_EQ(facts.first_kickoff, Side::kEast);
+  EXPECT_EQ(facts.games.front().half_s, 60);
+  EXPECT_EQ(facts.games.front().halves, 2);
+  EXPECT_EQ(facts.games.front().first_kickoff, Side::kEast);
   EXPECT_EQ(facts.robots, (PerSide<int>{{6, 5}}));
   EXPECT_EQ(facts.last_signal->goals, (PerSide<int>{{live.record.goals_a, live.record.goals_b}}));
   EXPECT_EQ(facts.cameras.size(), 4U);

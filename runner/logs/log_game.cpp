@@ -1,0 +1,84 @@
+#include "runner/logs/log_game.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "runner/settings/match_rules.hpp"
+
+namespace autoref::runner {
+namespace {
+
+// What the geometry leaves out stays as the book has it.
+Field field_in(const league::LogSummary& log, const Field& of_book) {
+  if (!log.field) return of_book;
+  Field field = *log.field;
+  if (log.field_gaps.penalty_mark) field.penalty_mark_m = of_book.penalty_mark_m;
+  if (log.field_gaps.defence_area) field.defence_area = of_book.defence_area;
+  return field;
+}
+
+}  // namespace
+
+GameConfiguration logged_game(const std::string& book, const RecordedFacts& facts,
+                              const RecordedGame& recorded) {
+  GameConfiguration game;
+  choose_rules(book, game);
+  game.field = field_in(facts.log, game.field);
+  if (recorded.half_s) game.match.half_s = *recorded.half_s;
+  if (recorded.halves > 0) game.match.halves = recorded.halves;
+  if (recorded.extra_half_s) game.match.extra_half_s = *recorded.extra_half_s;
+  game.match.knockout = recorded.is_knockout;
+  if (recorded.first_kickoff) game.match.first_kickoff = *recorded.first_kickoff;
+  game.a.robots = std::max(1, facts.robots[Side::kWest]);
+  game.b.robots = std::max(1, facts.robots[Side::kEast]);
+  return game;
+}
+
+void check_judged(const GameConfiguration& game) {
+  constexpr double kAnyRunOff_m = 2;
+  Field field = game.field;
+  field.run_off_m = kAnyRunOff_m;
+  sim::validate(field);
+  referee::Referee{referee_configuration(game)};
+}
+
+std::vector<std::string> gaps_of(const RecordedFacts& facts, const GameConfiguration& game,
+                                 const std::function<bool(const std::string& path)>& is_set) {
+  std::vector<std::string> gaps;
+  const auto note = [&](bool is_missing, const std::string& path, const std::string& gap) {
+    if (is_missing && !is_set(path)) gaps.push_back(gap);
+  };
+  const Field& field = game.field;
+  const RecordedGame& recorded = facts.games.front();
+  const bool has_referee = facts.last_signal.has_value();
+  note(!facts.log.field, "field.length_m",
+       fmt::format("no geometry: the field is that of the rules {}, {} x {} m (--rules, or --set "
+                   "field.length_m=... and so on)",
+                   game.match.rules, field.length_m, field.width_m));
+  note(facts.log.field && facts.log.field_gaps.penalty_mark, "field.penalty_mark_m",
+       fmt::format("the geometry has no penalty mark: {} m from the goal shot at (--set "
+                   "field.penalty_mark_m=...)",
+                   field.penalty_mark_m));
+  note(facts.log.field && facts.log.field_gaps.defence_area, "field.defence_area.depth_m",
+       fmt::format("the geometry has no defence areas: they are {} m deep, as the rules {} have "
+                   "them (--set field.defence_area.depth_m=...)",
+                   field.defence_area.depth_m, game.match.rules));
+  note(!has_referee, "",
+       "no packet of a referee: nothing is there to compare AutoRef's calls with");
+  note(!recorded.half_s, "match.half_s",
+       fmt::format("the clock of the first half is missing: a half has {} s (--set "
+                   "match.half_s=...)",
+                   game.match.half_s));
+  note(!recorded.first_kickoff, "match.first_kickoff",
+       fmt::format("the first kick-off is missing: {} has it (--first-kickoff west|east)",
+                   name_of(game.match.first_kickoff)));
+  for (const Side side : kSides) {
+    note(facts.robots[side] == 0, "",
+         fmt::format("no robot of the {} team is ever seen",
+                     side == Side::kWest ? "yellow" : "blue"));
+  }
+  return gaps;
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,238 @@
+// Logs as others write them: whatever a valid log holds or leaves out, it is judged and shown, and
+// what is taken instead is said once.
+#include <gtest/gtest.h>
+
+#include "runner/io/errors.hpp"
+#include "tests/checkout.hpp"
+#include "tests/runner/cli/answer.hpp"
+#include "tests/runner/logs/sketched_log.hpp"
+#include "tests/runner/support/temporary_folder.hpp"
+
+namespace autoref::runner {
+namespace {
+
+int count_of(const std::string& what, const std::string& text) {
+  int count = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1))
+    ++count;
+  return count;
+}
+
+class ForeignLog : public testing::Test {
+ protected:
+  void write(const SketchedLog& sketch) { write_sketch(sketch, log_); }
+
+  Answer referee(std::vector<const char*> more = {}) const { return run("referee", more); }
+  Answer run(const char* verb, const std::vector<const char*>& more) const {
+    std::vector<const char*> arguments = {verb, log_.c_str()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return answer_to(arguments);
+  }
+
+  // Every verb of logs takes it; `said` is said once by the referee.
+  void expect_judged(const std::string& said = "") const {
+    const Answer answer = referee();
+    EXPECT_EQ(answer.code, kDone) << answer.err;
+    EXPECT_NE(answer.out.find("by AutoRef"), std::string::npos) << answer.out;
+    if (!said.empty()) {
+      EXPECT_EQ(count_of(said, answer.err), 1) << answer.err;
+    }
+    expect_shown();
+  }
+  void expect_shown() const {
+    const std::string page = folder_ / "game.html";
+    const std::string drawing = folder_ / "frame.svg";
+    EXPECT_EQ(run("info", {}).code, kDone);
+    const Answer viewed = run("view", {"-o", page.c_str()});
+    EXPECT_EQ(viewed.code, kDone) << viewed.err;
+    const Answer drawn = run("draw", {"--at", "1", "-o", drawing.c_str()});
+    EXPECT_EQ(drawn.code, kDone) << drawn.err;
+  }
+
+  TemporaryFolder folder_;
+  std::string log_ = folder_ / "game.log";
+};
+
+TEST_F(ForeignLog, WithTheLeaguesMarginOf300MillimetresIsJudged) {
+  write({.change_field = [](league::FieldSize& size) { size.set_boundary_width(300); }});
+  expect_judged();
+  write({.change_field = [](league::FieldSize& size) { size.set_boundary_width(0); }});
+  expect_judged();
+}
+
+TEST_F(ForeignLog, WithoutTheStagesClockIsJudgedByTheBooksHalf) {
+  write({.change_referee = [](double, league::RefereePacket& packet) {
+    packet.clear_stage_time_left();
+  }});
+  expect_judged("the clock of the first half is missing: a half has 600 s (--set match.half_s=");
+  EXPECT_EQ(referee({"--set", "match.half_s=300"}).err.find("the clock"), std::string::npos);
+  EXPECT_EQ(count_of("a half has 300 s", referee({"--rules", "2026-b"}).err), 1);
+}
+
+TEST_F(ForeignLog, InOvertimeIsJudged) {
+  write({.change_referee = [](double, league::RefereePacket& packet) {
+    packet.set_stage_time_left(-5'000'000);
+  }});
+  expect_judged("the clock of the first half is missing");
+}
+
+TEST_F(ForeignLog, WithoutGeometryIsJudgedOnTheBooksField) {
+  write({.has_geometry = false});
+  expect_judged("no geometry: the field is that of the rules paper, 6.05 x 4.05 m");
+  EXPECT_EQ(count_of("9 x 6 m", referee({"--rules", "2026-b"}).err), 1);
+  const std::string page = folder_ / "game.html";
+  const Answer viewed = run("view", {"-o", page.c_str(), "--rules", "2026-b"});
+  EXPECT_EQ(count_of("the field is that of the rules 2026-b", viewed.err), 1) << viewed.err;
+  EXPECT_NE(content_of(page).find("\"halfLength_mm\": 4500"), std::string::npos);
+  EXPECT_EQ(run("view", {"-o", page.c_str(), "--rules", "2027"}).code, kBadInput);
+}
+
+TEST_F(ForeignLog, WhoseGeometryLeavesOutAreasAndMarksTakesTheBooks) {
+  write({.change_field = [](league::FieldSize& size) {
+    size.clear_field_lines();
+    size.clear_field_arcs();
+    size.clear_goal_center_to_penalty_mark();
+  }});
+  expect_judged("the geometry has no defence areas: they are 0.8 m deep");
+  EXPECT_EQ(count_of("no penalty mark: 6 m from", referee({"--rules", "2026-b"}).err), 1);
+}
+
+TEST_F(ForeignLog, WhoseGeometryChangesIsJudgedOnTheLastField) {
+  write({.change_field_later = [](league::FieldSize& size) { size.set_field_length(9000); }});
+  expect_judged("the field changes 1 times; the last one counts");
+  EXPECT_NE(run("info", {}).out.find("field     9 x 4.05 m"), std::string::npos);
+}
+
+TEST_F(ForeignLog, WithoutARefereeIsJudged) {
+  write({.has_referee = false});
+  expect_judged("no packet of a referee");
+  EXPECT_EQ(count_of("the first kick-off is missing: west has it", referee().err), 1);
+  EXPECT_EQ(count_of("kick-off", referee({"--first-kickoff", "east"}).err), 0);
+}
+
+TEST_F(ForeignLog, WithoutRobotsOfOneTeamIsJudged) {
+  write({.robots = {{6, 0}}});
+  expect_judged("no robot of the blue team is ever seen");
+}
+
+TEST_F(ForeignLog, WithUnknownStagesAndCommandsIsJudged) {
+  write({.change_referee = [](double time_s, league::RefereePacket& packet) {
+    if (time_s > 3) packet.set_stage(14);
+    if (time_s > 2 && time_s <= 3) packet.set_command(99);
+  }});
+  expect_judged("packets of the referee have an unknown stage or command and are left out");
+}
+
+TEST_F(ForeignLog, WithRobotsNumberedBeyond15IsJudgedWithoutThem) {
+  write({.change_detection = [](league::DetectionFrame& detection) {
+    for (auto& robot : *detection.mutable_robots_blue()) robot.set_robot_id(robot.robot_id() + 14);
+  }});
+  expect_judged("detections of robots numbered 16 and above are left out");
+}
+
+TEST_F(ForeignLog, OfOneCameraIsJudged) {
+  write({.cameras = 1});
+  expect_judged();
+}
+
+TEST_F(ForeignLog, OfDivisionAAndOfHalfAFieldIsJudged) {
+  const Field division_a = find_game_setup("2026-a")->field;
+  write({.field = division_a, .robots = {{11, 11}}});
+  expect_judged();
+  Field half = division_a;
+  half.length_m /= 2;
+  write({.field = half});
+  expect_judged();
+}
+
+TEST_F(ForeignLog, OfAFieldThatIsNoneIsRefusedWithTheSettingToChange) {
+  write({.change_field = [](league::FieldSize& size) { size.set_field_length(100); }});
+  const Answer answer = referee();
+  EXPECT_EQ(answer.code, kBadInput);
+  EXPECT_NE(answer.err.find("cannot be judged: field.length_m is 0.1; it must be from 4 to 30; "
+                            "--set changes it"),
+            std::string::npos)
+      << answer.err;
+  EXPECT_EQ(referee({"--set", "field.length_m=6.05"}).code, kDone);
+  expect_shown();
+}
+
+TEST_F(ForeignLog, WhoseCamerasBeginTheirClockAnewIsJudgedThroughout) {
+  write({.length_s = 20, .capture_s = [](double time_s) {
+           return time_s < 5 ? 1.5e9 + time_s : time_s < 10 ? time_s - 5 : 3e9 + time_s;
+         }});
+  expect_judged("the cameras' clock begins anew 2 times");
+  const Answer info = run("info", {"--json"});
+  EXPECT_NE(info.out.find("\"frames\": 1192"), std::string::npos) << info.out;
+}
+
+TEST_F(ForeignLog, WithOnePacketOfAWrongTimeLosesThatPacketAlone) {
+  write({.length_s = 10,
+         .capture_s = [](double time_s) { return time_s == 5 ? 4e9 : 1.5e9 + time_s; }});
+  expect_judged();
+  EXPECT_EQ(referee().err.find("clock begins anew"), std::string::npos);
+}
+
+TEST_F(ForeignLog, WhoseRecordsAreOutOfOrderIsJudged) {
+  write({.record_s = [](double time_s) { return 100 - 10 * time_s; }});
+  expect_judged();
+}
+
+TEST_F(ForeignLog, WithoutVisionIsRefused) {
+  write({.has_vision = false});
+  EXPECT_EQ(run("info", {}).code, kDone);
+  const Answer answer = referee();
+  EXPECT_EQ(answer.code, kBadInput);
+  EXPECT_NE(answer.err.find("holds no vision packets of 2014 to judge"), std::string::npos);
+}
+
+TEST_F(ForeignLog, TakesItsRuleBookByTheFlagThatKeepsItsField) {
+  write({});
+  const Answer answer = referee({"--set", "match.rules=2026-b"});
+  EXPECT_EQ(answer.code, kBadInput);
+  EXPECT_NE(answer.err.find("choose the rule book with --rules"), std::string::npos) << answer.err;
+}
+
+// A game of one's own, by what `autoref play` writes.
+class OwnLog : public ForeignLog {
+ protected:
+  void play(const std::vector<const char*>& settings, const std::string& log) const {
+    const std::string game = in_checkout("scenarios/paper-game.yaml");
+    std::vector<const char*> arguments = {"play", game.c_str(), "--log", log.c_str()};
+    for (const char* setting : settings) arguments.insert(arguments.end(), {"--set", setting});
+    const Answer answer = answer_to(arguments);
+    EXPECT_EQ(answer.code, kDone) << answer.err;
+  }
+};
+
+TEST_F(OwnLog, OfAKnockoutGameWithAShootOutIsJudged) {
+  const std::string events = folder_ / "events.jsonl";
+  for (const char* book : {"match.rules=2014", "match.rules=2026-b"}) {
+    play({book, "match.knockout=true", "match.half_s=2", "match.extra_half_s=1", "a.strategy=basic",
+          "b.strategy=basic"},
+         log_);
+    EXPECT_NE(run("info", {}).out.find("POST_GAME"), std::string::npos) << book;
+    expect_judged();
+    const Answer answer =
+        referee({"--rules", book + std::string("match.rules=").size(), "--events", events.c_str()});
+    EXPECT_EQ(answer.code, kDone) << answer.err;
+    EXPECT_NE(answer.out.find("F1 1.000"), std::string::npos) << answer.out;
+    EXPECT_NE(content_of(events).find("\"shootout_over\""), std::string::npos) << book;
+  }
+}
+
+TEST_F(OwnLog, OfTwoGamesIsJudgedGameByGame) {
+  const std::string one = folder_ / "one.log";
+  const std::string two = folder_ / "two.log";
+  const std::string events = folder_ / "events.jsonl";
+  play({"match.half_s=5"}, one);
+  play({"match.half_s=7", "match.first_kickoff=east"}, two);
+  join_logs({one, two}, log_);
+  expect_judged("there are 2 games one after the other");
+  const Answer answer = referee({"--events", events.c_str()});
+  EXPECT_NE(answer.out.find("F1 1.000"), std::string::npos) << answer.out;
+  EXPECT_EQ(count_of("\"transition\": \"begin\"", content_of(events)), 2);
+}
+
+}  // namespace
+}  // namespace autoref::runner
