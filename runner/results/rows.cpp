@@ -8,6 +8,7 @@
 #include "referee/machine/machine.hpp"
 #include "runner/io/checksum.hpp"
 #include "runner/io/csv.hpp"
+#include "runner/io/words.hpp"
 #include "runner/settings/fields.hpp"
 
 namespace autoref::runner {
@@ -38,10 +39,14 @@ void append(Cells& cells, const Cells& more) {
 }
 
 RowFormat::RowFormat(const std::vector<std::string>& factors)
+    : RowFormat(factors, outcome_columns()) {}
+
+RowFormat::RowFormat(const std::vector<std::string>& factors, const Cells& outcome)
     : columns_({"game_id", "pair", "leg"}) {
   append(columns_, factors);
   append(columns_, {"team_a", "team_b", "side_a", "seed"});
-  append(columns_, outcome_columns());
+  first_outcome_ = columns_.size();
+  append(columns_, outcome);
   columns_.emplace_back("config_hash");
   reproducible_ = columns_.size();
   append(columns_, {"build", "host", "cpu", "wall_s", "attempt", "shard", "row_crc"});
@@ -75,7 +80,20 @@ std::optional<Cells> RowFormat::read(std::string_view line) const {
   if (comma == std::string_view::npos) return std::nullopt;
   if (line.substr(comma + 1) != crc_text(line.substr(0, comma))) return std::nullopt;
   std::optional<Cells> cells = csv_cells(line);
-  return cells && cells->size() == columns_.size() ? cells : std::nullopt;
+  const bool is_whole = cells && cells->size() == columns_.size() && has_scores(*cells);
+  return is_whole ? cells : std::nullopt;
+}
+
+// What is made of rows takes these for numbers.
+bool RowFormat::has_scores(const Cells& cells) const {
+  for (std::size_t i = first_outcome_; i < reproducible_; ++i) {
+    const std::string& name = columns_[i];
+    const bool is_goals = name == "goals_a" || name == "goals_b" || name == "goal_diff";
+    const bool is_shootout = name == "shootout_a" || name == "shootout_b";
+    if (!is_goals && !(is_shootout && !cells[i].empty())) continue;
+    if (!number_in(cells[i])) return false;
+  }
+  return true;
 }
 
 Cells RowFormat::reproducible(const Cells& cells) const {
@@ -94,6 +112,8 @@ Cells outcome_columns() {
                    "state_hash"});
   return columns;
 }
+
+Cells evaluation_columns() { return {"status", "void_reason", "state_hash", "evaluation"}; }
 
 Cells outcome_of(const GameRecord& record) {
   Cells cells = {std::to_string(record.goals_a),

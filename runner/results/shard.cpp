@@ -105,7 +105,12 @@ void Shard::append(const std::string& line) {
 StoredRows read_rows(const fs::path& games_folder, const RowFormat& format) {
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(games_folder)) {
-    if (entry.path().extension() == ".csv") files.push_back(entry.path());
+    if (entry.path().extension() != ".csv") continue;
+    if (entry.exists() && !entry.is_regular_file()) {
+      throw InputError({entry.path().string()}, "",
+                       "is no regular file: rows cannot be read from it; remove it");
+    }
+    files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
   const std::size_t build = format.column("build");

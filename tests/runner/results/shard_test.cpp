@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <csignal>
 
@@ -97,6 +98,25 @@ TEST(ReadRows, CountsDamagedLinesAndKeepsTheOthers) {
   ASSERT_EQ(stored.rows.size(), 1U);
   EXPECT_EQ(stored.rows[0].id, game.id);
   EXPECT_EQ(stored.damaged, 2);
+}
+
+TEST(ReadRows, RefusesAPipeThatNobodyWritesTo) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(mkfifo((folder / "shard-0-of-1.csv").c_str(), 0600), 0);
+  EXPECT_THROW(read_rows(folder.path(), RowFormat({})), InputError);
+}
+
+TEST(ReadRows, CountsALineWhoseGoalsAreNoNumbersAsDamaged) {
+  const TemporaryFolder folder;
+  const RowFormat format({"b.robots"});
+  const ScheduledGame game = scheduled_games(std::get<Sweep>(small_sweep().content)).front();
+  for (const char* column : {"goals_a", "goal_diff", "shootout_b"}) {
+    Cells outcome = outcome_of(fake_game(game.configuration));
+    outcome[format.column(column) - format.first_outcome()] = "many";
+    write_content(folder / "shard-0-of-1.csv",
+                  csv_line(format.columns()) + "\n" + format.line(game, outcome, {}) + "\n");
+    EXPECT_EQ(read_rows(folder.path(), format).damaged, 1) << column;
+  }
 }
 
 TEST(ReadRows, RefusesAFileWithOtherColumns) {
