@@ -33,7 +33,10 @@ GameConfiguration configured(const PlayArguments& arguments) {
 std::vector<std::string> inputs_of(const PlayArguments& arguments) {
   std::vector<std::string> inputs = type_files_in(arguments.file);
   inputs.push_back(arguments.file);
-  for (const std::string& set : arguments.sets) inputs.push_back(set.substr(set.find('=') + 1));
+  for (const std::string& set : arguments.sets) {
+    const std::string value = set.substr(set.find('=') + 1);
+    if (value.ends_with(".yaml") || value.find('/') != std::string::npos) inputs.push_back(value);
+  }
   return inputs;
 }
 

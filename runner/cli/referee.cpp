@@ -19,14 +19,14 @@
 namespace autoref::runner {
 namespace {
 
-bool sets(const std::string& assignment, const std::string& path) {
+bool assigns(const std::string& assignment, const std::string& path) {
   return full_path(assignment.substr(0, assignment.find('='))) == path;
 }
 
 // The book gives field, robots and lengths, over which the log's stand: it is chosen first.
 void refuse_book_among(const std::vector<std::string>& assignments) {
   for (const std::string& assignment : assignments) {
-    if (sets(assignment, "match.rules"))
+    if (assigns(assignment, "match.rules"))
       throw InputError({"--set " + assignment}, "", "choose the rule book with --rules");
   }
 }
@@ -56,7 +56,7 @@ void say_gaps(const RefereeArguments& arguments, const RecordedFacts& facts,
   const auto is_set = [&arguments](const std::string& path) {
     if (path == "match.first_kickoff" && !arguments.first_kickoff.empty()) return true;
     return std::any_of(arguments.sets.begin(), arguments.sets.end(),
-                       [&path](const std::string& set) { return sets(set, path); });
+                       [&path](const std::string& set) { return assigns(set, path); });
   };
   for (const std::string& gap : gaps_of(facts, game, is_set))
     write_message(stderr, fmt::format("autoref: {}: {}\n", arguments.log, gap));
