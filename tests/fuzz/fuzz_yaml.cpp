@@ -1,0 +1,35 @@
+// The readers of YAML on any text: scenarios, types of robots, scenes, and the referee's decisions.
+// They may refuse it, and nothing else. Scenarios of many games are left out: reading them lists up
+// to 100,000 games, which a fuzzer would find again and again.
+#include <cstdint>
+#include <string>
+
+#include "runner/experiments/reading/scenario_reader.hpp"
+#include "runner/io/errors.hpp"
+#include "runner/lab/lab.hpp"
+#include "runner/settings/robot_types.hpp"
+#include "runner/view/decision_lines.hpp"
+
+namespace {
+
+using namespace autoref::runner;
+
+template <typename Read>
+void expect_nothing_but_a_refusal(const Read& read) {
+  try {
+    read();
+  } catch (const InputError&) {  // what is wrong was said
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string text(reinterpret_cast<const char*>(data), size);
+  const bool is_game = text.find("kind: game") != std::string::npos;
+  if (is_game) expect_nothing_but_a_refusal([&] { read_scenario_text(text, "x.yaml"); });
+  expect_nothing_but_a_refusal([&] { read_robot_type_text(text, "x.yaml"); });
+  expect_nothing_but_a_refusal([&] { read_lab_scene_text(text, "x.yaml"); });
+  expect_nothing_but_a_refusal([&] { decisions_for_page(text, "x.jsonl"); });
+  return 0;
+}
