@@ -31,12 +31,23 @@ GameRecord void_record(const std::string& reason) {
   return record;
 }
 
+// What experiments of teams keep: the games' records.
+Outcomes outcomes_of_records(const Scenario& scenario, const ExperimentOptions& options,
+                             const RowFormat& format) {
+  const std::size_t goals_a = format.column("goals_a");
+  const std::size_t goals_b = format.column("goals_b");
+  return {[&options](const GameConfiguration& game) { return outcome_of(options.play(game)); },
+          [](const std::string& reason) { return outcome_of(void_record(reason)); },
+          [=](const Cells& row) { return row[goals_a] + ":" + row[goals_b]; },
+          [&](const std::vector<Cells>& rows) { return results_of(scenario, format, rows).table; }};
+}
+
 // A game that throws goes the same way each time: it is void at once.
-std::string played(const ExperimentOptions& options, const GameConfiguration& configuration) {
+std::string played(const Outcomes& outcomes, const GameConfiguration& configuration) {
   try {
-    return csv_line(outcome_of(options.play(configuration)));
+    return csv_line(outcomes.of_game(configuration));
   } catch (const std::exception& error) {
-    return csv_line(outcome_of(void_record(fmt::format("the game threw: {}", error.what()))));
+    return csv_line(outcomes.of_void(fmt::format("the game threw: {}", error.what())));
   }
 }
 
@@ -46,7 +57,11 @@ constexpr double kLookingShare = 0.01;
 class Experiment {
  public:
   Experiment(const Scenario& scenario, const ExperimentOptions& options)
-      : scenario_(scenario), options_(options), format_(value_columns(scenario)) {}
+      : scenario_(scenario),
+        options_(options),
+        format_(row_format(scenario)),
+        outcomes_(options.outcomes ? *options.outcomes
+                                   : outcomes_of_records(scenario, options, format_)) {}
 
   ExperimentReport run() {
     create_folder(options_.folder / kGamesFolder);
@@ -64,7 +79,7 @@ class Experiment {
       report.void_games += is_void(cells) ? 1 : 0;
     }
     report.is_waiting = schedule_.needed > schedule_.games.size() && !report.is_interrupted;
-    if (report.is_complete) conclude(report, rows);
+    if (report.is_complete && !options_.outcomes) conclude(report, rows);
     return report;
   }
 
@@ -158,8 +173,7 @@ class Experiment {
   std::string table_so_far() const {
     std::vector<Cells> rows;
     for (const auto& [id, cells] : counted(schedule_, rows_)) rows.push_back(cells);
-    return "so far; interim intervals are no reason to stop:\n\n" +
-           results_of(scenario_, format_, rows).table;
+    return "so far; interim intervals are no reason to stop:\n\n" + outcomes_.table(rows);
   }
 
   Ending play(const std::vector<std::size_t>& games, Shard& shard, int& played_games) {
@@ -168,7 +182,7 @@ class Experiment {
     const WorkerOptions workers{options_.workers, options_.attempts, options_.longest_game_s};
     return do_jobs(
         games, workers,
-        {[this](std::size_t i) { return played(options_, schedule_.games[i].configuration); },
+        {[this](std::size_t i) { return played(outcomes_, schedule_.games[i].configuration); },
          [&](const JobResult& result) {
            keep(shard, result, progress);
            ++played_games;
@@ -179,7 +193,7 @@ class Experiment {
   void keep(Shard& shard, const JobResult& result, Progress& progress) {
     const ScheduledGame& game = schedule_.games[result.job];
     const Cells outcome = result.failure.empty() ? csv_cells(result.payload).value()
-                                                 : outcome_of(void_record(result.failure));
+                                                 : outcomes_.of_void(result.failure);
     const std::string line = format_.line(
         game, outcome,
         {options_.build, host_, cpu_, result.wall_s, result.attempt, options_.shard.name()});
@@ -188,9 +202,7 @@ class Experiment {
     const std::string& reason = cells[format_.column("void_reason")];
     if (!reason.empty()) progress.say(fmt::format("{} is void: {}", game.id, reason));
     rows_[game.id] = cells;
-    progress.game_done(fmt::format("{} {}:{}", game.id, cells[format_.column("goals_a")],
-                                   cells[format_.column("goals_b")]),
-                       is_void(cells));
+    progress.game_done(fmt::format("{} {}", game.id, outcomes_.news(cells)), is_void(cells));
     if (!follows_its_rows(scenario_)) return;
     if (options_.shard.of > 1 && Clock::now() >= next_look_) look_around();
     is_decided_ = is_decided(scenario_, format_, rows_);
@@ -210,6 +222,7 @@ class Experiment {
   const Scenario& scenario_;
   const ExperimentOptions& options_;
   const RowFormat format_;
+  const Outcomes outcomes_;
   const std::string host_ = host_name();
   const std::string cpu_ = cpu_name();
   Schedule schedule_;  // stays as it is while workers play

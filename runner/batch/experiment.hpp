@@ -11,10 +11,12 @@
 #include <cstdio>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "runner/batch/experiment_kinds.hpp"
+#include "runner/batch/outcomes.hpp"
 #include "runner/experiments/scenario.hpp"
 #include "runner/game/game.hpp"
 #include "runner/results/shard.hpp"
@@ -28,10 +30,11 @@ struct ExperimentOptions {
   ShardIndex shard;                // plays its share of the games only
   bool allow_mixed_build = false;  // rows of other builds may stand in the folder; they stay apart
   std::function<GameRecord(const GameConfiguration&)> play;  // called in workers
-  std::FILE* progress = nullptr;                             // where to write progress, if anywhere
-  double longest_game_s = 600;                               // wall time, then it is void
-  int attempts = 3;       // for a game whose worker dies, until it is void
-  double patience_s = 2;  // for another run to let go of the folder
+  std::optional<Outcomes> outcomes = {};  // instead of what `play` comes to; write no results
+  std::FILE* progress = nullptr;          // where to write progress, if anywhere
+  double longest_game_s = 600;            // wall time, then it is void
+  int attempts = 3;                       // for a game whose worker dies, until it is void
+  double patience_s = 2;                  // for another run to let go of the folder
 };
 
 struct ExperimentReport {

@@ -29,6 +29,16 @@ Values values_of(const Sweep& sweep) {
   return values;
 }
 
+Values values_of(const JudgeSchedule& schedule) {
+  GameConfiguration base = schedule.base;
+  Values values = values_of(settings_of(base));
+  std::vector<std::string> matchups;
+  for (const auto& matchup : schedule.matchups) matchups.push_back(name_of(matchup));
+  values["matchups"] = listed(matchups);
+  values["seed"] = std::to_string(schedule.seed);
+  return values;
+}
+
 void add(const Teams& teams, std::string_view branch, const RobotTypes& types, Values& values) {
   for (auto [name, team] : teams) {
     values.merge(values_of(settings_of(team, types, fmt::format("{}.{}.", branch, name))));
@@ -64,6 +74,7 @@ void keep_teams_of_both(Teams& one, Teams& other) {
 }
 
 void keep_what_is_in_both(Sweep& /*here*/, Sweep& /*there*/) {}
+void keep_what_is_in_both(JudgeSchedule& /*here*/, JudgeSchedule& /*there*/) {}
 void keep_what_is_in_both(NamedTeams& here, NamedTeams& there) {
   keep_teams_of_both(here.teams, there.teams);
 }

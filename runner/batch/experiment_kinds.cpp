@@ -1,6 +1,7 @@
 #include "runner/batch/experiment_kinds.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "runner/analysis/knockout_report.hpp"
 #include "runner/analysis/sprt_match_report.hpp"
@@ -22,6 +23,9 @@ std::vector<std::string> value_columns(const Sweep& sweep) {
 }
 
 std::vector<std::string> value_columns(const NamedTeams& /*named*/) { return {}; }
+std::vector<std::string> value_columns(const JudgeSchedule& /*schedule*/) {
+  return {"rules", "camera"};
+}
 
 // Of the other kinds all games are needed.
 template <typename Experiment>
@@ -57,6 +61,11 @@ Schedule schedule_of(const Knockout& knockout, const RowFormat& format, const Ro
       std::count_if(ties.begin(), ties.end(), [](const Tie& tie) { return !tie.is_known(); });
   const std::size_t needed = games.size() + static_cast<std::size_t>(unknown);
   return {std::move(games), needed};
+}
+
+ExperimentResults results_of(const JudgeSchedule& /*schedule*/, const RowFormat& /*format*/,
+                             const std::vector<Cells>& /*rows*/) {
+  throw std::logic_error("what follows from judged games is in runner/judge");
 }
 
 ExperimentResults results_of(const Sweep& sweep, const RowFormat& format,
@@ -130,6 +139,15 @@ RowsById counted(const Schedule& schedule, const RowsById& rows) {
 }
 
 bool is_experiment(const Scenario& scenario) { return verb_of(scenario) == "run"; }
+
+bool keeps_rows(const Scenario& scenario) {
+  return !std::holds_alternative<GameConfiguration>(scenario.content);
+}
+
+RowFormat row_format(const Scenario& scenario) {
+  const bool is_judged = std::holds_alternative<JudgeSchedule>(scenario.content);
+  return RowFormat(value_columns(scenario), is_judged ? evaluation_columns() : outcome_columns());
+}
 
 std::vector<ScheduledGame> scheduled_games(const Scenario& scenario) {
   return with_kind(scenario, [](const auto& experiment) { return scheduled_games(experiment); });

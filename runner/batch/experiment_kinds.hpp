@@ -12,9 +12,12 @@
 
 namespace autoref::runner {
 
-// Whether the scenario is of many games whose rows are kept: all but a single
-// game and games for the referee. The other functions take no other.
+// Whether the scenario is an experiment of teams, which `autoref run` plays: all but a single game
+// and games for the referee.
 bool is_experiment(const Scenario& scenario);
+
+// Whether the rows of its games are kept: all but a single game. The other functions take no other.
+bool keeps_rows(const Scenario& scenario);
 
 // Its games in the order in which they are played, as far as they are known beforehand. Throws
 // std::invalid_argument where settings do not go together.
@@ -47,6 +50,9 @@ RowsById counted(const Schedule& schedule, const RowsById& rows);
 // The columns of its rows that hold the factors' values.
 std::vector<std::string> value_columns(const Scenario& scenario);
 
+// What its rows look like.
+RowFormat row_format(const Scenario& scenario);
+
 // The settings in which two experiments of one kind differ: "match.half_s is 60.0 here and 600.0
 // there; ...". Empty where there are none, or where the kinds are not the same. Factors' values,
 // and teams that one of them has not, make other games and do not count.
@@ -66,7 +72,8 @@ struct ExperimentResults {
   std::string table;  // for people
 };
 
-// `rows` are complete rows, each game once, in any order.
+// `rows` are complete rows, each game once, in any order. Not of judged games, whose results are
+// in runner/judge.
 ExperimentResults results_of(const Scenario& scenario, const RowFormat& format,
                              const std::vector<Cells>& rows);
 

@@ -13,20 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Scenario scenario_in(const fs::path& folder) {
-  const fs::path file = folder / kEffectiveFile;
-  if (!fs::exists(file) || !fs::is_directory(folder / kGamesFolder)) {
-    throw InputError({folder.string()}, "",
-                     fmt::format("holds no results: expected {} and a folder {}, as autoref run "
-                                 "leaves them",
-                                 kEffectiveFile, kGamesFolder));
-  }
-  Scenario scenario = read_scenario(file);
-  if (is_experiment(scenario)) return scenario;
-  throw InputError({file.string()}, "kind",
-                   fmt::format("this is a {}, not an experiment", kind_of(scenario)));
-}
-
 std::set<std::string> builds_of(const StoredRows& stored) {
   std::set<std::string> builds;
   for (const StoredRow& row : stored.rows) builds.insert(row.build);
@@ -47,6 +33,20 @@ std::string chosen_build(const StoredRows& stored, const std::string& wanted,
 
 }  // namespace
 
+Scenario scenario_in(const fs::path& folder) {
+  const fs::path file = folder / kEffectiveFile;
+  if (!fs::exists(file) || !fs::is_directory(folder / kGamesFolder)) {
+    throw InputError({folder.string()}, "",
+                     fmt::format("holds no results: expected {} and a folder {}, as autoref run "
+                                 "and autoref judge leave them",
+                                 kEffectiveFile, kGamesFolder));
+  }
+  Scenario scenario = read_scenario(file);
+  if (keeps_rows(scenario)) return scenario;
+  throw InputError({file.string()}, "kind",
+                   fmt::format("this is a {}, not an experiment", kind_of(scenario)));
+}
+
 int ResultFolder::void_games() const {
   const std::size_t status = format.column("status");
   int count = 0;
@@ -57,12 +57,12 @@ int ResultFolder::void_games() const {
 }
 
 std::set<std::string> builds_in(const fs::path& path) {
-  return builds_of(read_rows(path / kGamesFolder, RowFormat(value_columns(scenario_in(path)))));
+  return builds_of(read_rows(path / kGamesFolder, row_format(scenario_in(path))));
 }
 
 ResultFolder open_results(const fs::path& path, const std::string& build) {
   const Scenario scenario = scenario_in(path);
-  const RowFormat format(value_columns(scenario));
+  const RowFormat format = row_format(scenario);
   const StoredRows stored = read_rows(path / kGamesFolder, format);
   const std::string its_build = chosen_build(stored, build, path);
   RowInventory row_inventory =

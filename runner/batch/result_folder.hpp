@@ -1,4 +1,5 @@
-// A folder of results, as `autoref run` fills it: what was to be played, and what has been.
+// A folder of results, as `autoref run` and `autoref judge` fill it: what was to be played, and
+// what has been.
 #pragma once
 
 #include <filesystem>
@@ -30,6 +31,10 @@ struct ResultFolder {
   int void_games() const;
   bool is_complete() const { return completed_games.done.size() == needed; }
 };
+
+// The scenario that the folder's rows belong to. Throws InputError where the folder is none of
+// results.
+Scenario scenario_in(const std::filesystem::path& folder);
 
 // Whose rows a folder holds. Throws InputError where the folder is none of results.
 std::set<std::string> builds_in(const std::filesystem::path& path);

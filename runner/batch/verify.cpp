@@ -34,7 +34,7 @@ std::vector<std::size_t> spread_evenly(const std::vector<std::size_t>& all, int 
 void compare(const ResultFolder& folder, const std::string& id, const Cells& outcome,
              std::vector<Difference>& differences) {
   const Cells& row = folder.completed_games.done.at(id);
-  const std::size_t first = folder.format.column(outcome_columns().front());
+  const std::size_t first = folder.format.first_outcome();
   for (std::size_t i = 0; i < outcome.size(); ++i) {
     if (outcome[i] == row[first + i]) continue;
     differences.push_back({id, folder.format.columns()[first + i], row[first + i], outcome[i]});
@@ -45,7 +45,7 @@ void compare(const ResultFolder& folder, const std::string& id, const Cells& out
 }  // namespace
 
 Verification verify(const ResultFolder& folder, int sample, int workers,
-                    const std::function<GameRecord(const GameConfiguration&)>& play,
+                    const std::function<Cells(const GameConfiguration&)>& outcome,
                     std::FILE* progress) {
   const std::vector<std::size_t> games = spread_evenly(good_games(folder), sample);
   if (games.empty()) {
@@ -64,13 +64,21 @@ Verification verify(const ResultFolder& folder, int sample, int workers,
     bar.game_done(id);
   };
   const WorkerCalls calls{
-      [&](std::size_t i) { return csv_line(outcome_of(play(folder.games[i].configuration))); },
-      done, [&bar] { bar.tick(); }};
+      [&](std::size_t i) { return csv_line(outcome(folder.games[i].configuration)); }, done,
+      [&bar] { bar.tick(); }};
   WorkerOptions options;
   options.workers = workers;
   do_jobs(games, options, calls);
   if (verification.played < static_cast<int>(games.size())) throw Interrupted();
   return verification;
+}
+
+Verification verify(const ResultFolder& folder, int sample, int workers,
+                    const std::function<GameRecord(const GameConfiguration&)>& play,
+                    std::FILE* progress) {
+  const std::function<Cells(const GameConfiguration&)> outcome =
+      [&play](const GameConfiguration& game) { return outcome_of(play(game)); };
+  return verify(folder, sample, workers, outcome, progress);
 }
 
 }  // namespace autoref::runner

@@ -25,7 +25,13 @@ struct Verification {
 };
 
 // Up to `sample` games of the folder, spread evenly over its rows that are not void, in workers.
-// Throws Interrupted where the user does, and InputError where there are no such rows.
+// `outcome` gives what rows keep of a game. Throws Interrupted where the user does, and InputError
+// where there are no such rows.
+Verification verify(const ResultFolder& folder, int sample, int workers,
+                    const std::function<Cells(const GameConfiguration&)>& outcome,
+                    std::FILE* progress);
+
+// Likewise of games whose records are kept.
 Verification verify(const ResultFolder& folder, int sample, int workers,
                     const std::function<GameRecord(const GameConfiguration&)>& play,
                     std::FILE* progress);

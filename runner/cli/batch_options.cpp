@@ -47,7 +47,8 @@ void add_batch_options(CLI::App& verb, BatchArguments& arguments, const std::str
 }
 
 void add_folder_options(CLI::App& verb, FolderArguments& arguments) {
-  verb.add_option("DIR", arguments.folder, "Folder of results, as autoref run leaves it.")
+  verb.add_option("DIR", arguments.folder,
+                  "Folder of results, as autoref run and autoref judge leave it.")
       ->required();
   verb.add_option("--build", arguments.build,
                   "Build whose games count, where the folder holds games of several.")

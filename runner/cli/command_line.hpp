@@ -74,6 +74,7 @@ struct ReplayArguments : FolderArguments {
 
 // What `autoref judge` is told.
 struct JudgeArguments : BatchArguments {
+  bool allow_mixed_build = false;
   bool json = false;
 };
 

@@ -4,61 +4,78 @@
 #include <filesystem>
 #include <memory>
 
+#include "runner/batch/experiment.hpp"
 #include "runner/cli/command_line.hpp"
-#include "runner/experiments/reading/effective.hpp"
+#include "runner/cli/judged_results.hpp"
 #include "runner/experiments/reading/scenario_reader.hpp"
 #include "runner/experiments/scenario.hpp"
+#include "runner/io/build_id.hpp"
 #include "runner/io/errors.hpp"
-#include "runner/io/files.hpp"
-#include "runner/judge/judge_games.hpp"
-#include "runner/judge/judge_report.hpp"
+#include "runner/judge/judged_rows.hpp"
 
 namespace autoref::runner {
 namespace {
 
 namespace fs = std::filesystem;
 
-void write(const fs::path& folder, const JudgeReport& report, const Scenario& scenario) {
-  replace_file(folder / "judge.csv", csv_of(report));
-  replace_file(folder / "faults.csv", report.faults_csv);
-  replace_file(folder / "effective.yaml", effective_text(scenario));
+Scenario read_judge(const JudgeArguments& arguments) {
+  Scenario scenario = read_scenario(arguments.file, assignments_in(arguments.sets));
+  if (std::holds_alternative<JudgeSchedule>(scenario.content)) return scenario;
+  throw InputError({arguments.file}, "kind",
+                   fmt::format("this is a {}, not a judge; play it with: autoref {} {}",
+                               kind_of(scenario), verb_of(scenario), arguments.file));
+}
+
+ExperimentReport judge_all(const JudgeArguments& arguments, const Scenario& scenario) {
+  const RowFormat format = row_format(scenario);
+  ExperimentOptions options;
+  options.folder = arguments.results_folder();
+  options.build = build_id();
+  options.workers = arguments.worker_count();
+  options.allow_mixed_build = arguments.allow_mixed_build;
+  options.outcomes = judged_outcomes(std::get<JudgeSchedule>(scenario.content), format);
+  options.progress = stderr;
+  return run_experiment(scenario, options);
 }
 
 }  // namespace
 
 int judge_verb(const JudgeArguments& arguments) {
-  const Scenario scenario = read_scenario(arguments.file, assignments_in(arguments.sets));
-  const auto* schedule = std::get_if<JudgeSchedule>(&scenario.content);
-  if (schedule == nullptr) {
-    throw InputError({arguments.file}, "kind",
-                     fmt::format("this is a {}, not a judge; play it with: autoref {} {}",
-                                 kind_of(scenario), verb_of(scenario), arguments.file));
+  const Scenario scenario = read_judge(arguments);
+  const ExperimentReport run = judge_all(arguments, scenario);
+  if (run.is_interrupted) {
+    write_message(
+        stderr,
+        fmt::format("autoref: interrupted with {} of {} games done; the same command continues\n",
+                    run.done, run.games));
+    return kInterrupted;
   }
   const fs::path folder = arguments.results_folder();
-  create_folder(folder);
-  const std::vector<JudgeGame> games = games_of(*schedule);
-  const int workers = arguments.worker_count();
-  const JudgeReport report = report_of(*schedule, judge_games(games, workers, stderr));
-  write(folder, report, scenario);
+  const JudgeReport report = report_of(open_results(folder, std::string(build_id())));
+  write_judged(folder, report);
   if (arguments.json) {
     fmt::print("{}\n", json_of(report));
   } else {
-    fmt::print("{}\n{}\n{}   a row per missed event and wrong call\n", markdown_of(report),
-               (folder / "judge.csv").string(), (folder / "faults.csv").string());
+    fmt::print("{}\n", markdown_of(report));
+    print_judged_files(folder);
   }
-  const auto all = static_cast<double>(games.size());
-  return static_cast<double>(report.void_games.size()) <= kMostVoid * all ? kDone : kTooManyVoid;
+  return static_cast<double>(report.void_games.size()) <= kMostVoid * run.games ? kDone
+                                                                                : kTooManyVoid;
 }
 
 void add_judge_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb = app.add_subcommand("judge", "Hold the referee's calls against the truth.");
   auto arguments = std::make_shared<JudgeArguments>();
   add_batch_options(*verb, *arguments, "Scenario of kind judge.");
+  verb->add_flag("--allow-mixed-build", arguments->allow_mixed_build,
+                 "Go on in a folder that holds games of another build; those do not count.");
   verb->add_flag("--json", arguments->json, "Print one JSON object.");
   verb->footer(
       "A call is right where the same event truly happened by the same side's fault, at most 0.25 "
       "s\n"
-      "after the call and at most 1 s before it.\n\n"
+      "after the call and at most 1 s before it. Ctrl-C loses no game: the same command goes on.\n"
+      "faults.csv has an id for each missed event and wrong call: autoref replay DIR ID plays its\n"
+      "game again. The verbs status, report and verify take the folder, too.\n\n"
       "Example:\n  autoref judge scenarios/judge.yaml -o results/runs/judge");
   verb->callback([arguments, &chosen] { chosen = [arguments] { return judge_verb(*arguments); }; });
 }

@@ -6,14 +6,26 @@
 
 #include "runner/batch/result_folder.hpp"
 #include "runner/cli/command_line.hpp"
+#include "runner/cli/judged_results.hpp"
 #include "runner/cli/play_one.hpp"
 #include "runner/io/build_id.hpp"
 #include "runner/io/checksum.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/words.hpp"
+#include "runner/judge/judged_rows.hpp"
 
 namespace autoref::runner {
 namespace {
+
+// A judged game may be called by one of its faults, which is then said.
+std::string id_of_game(const ResultFolder& folder, const std::string& id) {
+  if (!is_judged(folder.scenario)) return id;
+  const std::optional<LookedUp> found = look_up(folder, id);
+  if (!found) return id;
+  if (!found->fault.empty())
+    write_message(stderr, fmt::format("autoref: {}: {}\n", id, found->fault));
+  return found->game_id;
+}
 
 const ScheduledGame& game_named(const ResultFolder& folder, const std::string& id) {
   const auto game = std::find_if(folder.games.begin(), folder.games.end(),
@@ -21,17 +33,19 @@ const ScheduledGame& game_named(const ResultFolder& folder, const std::string& i
   if (game != folder.games.end()) return *game;
   std::vector<std::string> ids;
   for (const ScheduledGame& one : folder.games) ids.push_back(one.id);
-  throw InputError({folder.path.string()}, "",
-                   fmt::format("has no game '{}'; did you mean '{}'? The first column of "
-                               "{} has all that were played",
-                               id, nearest_word(id, ids), kResultsFile));
+  const std::string where = is_judged(folder.scenario)
+                                ? "The last column of faults.csv has the ids of faults"
+                                : "The first column of results.csv has all that were played";
+  throw InputError(
+      {folder.path.string()}, "",
+      fmt::format("has no game '{}'; did you mean '{}'? {}", id, nearest_word(id, ids), where));
 }
 
 }  // namespace
 
 int replay_verb(const ReplayArguments& arguments) {
   const ResultFolder folder = open_results(arguments.folder, arguments.build);
-  const ScheduledGame& game = game_named(folder, arguments.game);
+  const ScheduledGame& game = game_named(folder, id_of_game(folder, arguments.game));
   const GameRecord record =
       play_one(game.configuration, arguments.output, files_of_results(folder.path));
   const auto row = folder.completed_games.done.find(game.id);
@@ -48,7 +62,8 @@ void add_replay_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb = app.add_subcommand("replay", "Play one game of a folder again.");
   auto arguments = std::make_shared<ReplayArguments>();
   add_folder_options(*verb, *arguments);
-  verb->add_option("GAME_ID", arguments->game, "As in the first column of results.csv.")
+  verb->add_option("GAME_ID", arguments->game,
+                   "As in the first column of results.csv, or a fault's id in faults.csv.")
       ->required();
   add_output_options(*verb, arguments->output);
   verb->footer(

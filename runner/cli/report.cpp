@@ -7,6 +7,7 @@
 
 #include "runner/batch/result_folder.hpp"
 #include "runner/cli/command_line.hpp"
+#include "runner/cli/judged_results.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/files.hpp"
 #include "runner/report/build_reports.hpp"
@@ -32,6 +33,7 @@ void print_files(const ExperimentResults& results, const WrittenReport& report,
 // Writes everything that follows from one build's rows into `into`, and says so. Gives its table.
 std::string report_build(const ResultFolder& folder, const fs::path& into) {
   create_folder(into);
+  if (is_judged(folder.scenario)) return report_judged(folder, into);
   const ExperimentResults results =
       write_results(into, folder.scenario, folder.format, folder.completed_games.done);
   const WrittenReport report = write_report(folder, results, into);

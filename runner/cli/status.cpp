@@ -5,7 +5,9 @@
 
 #include "runner/batch/result_folder.hpp"
 #include "runner/cli/command_line.hpp"
+#include "runner/cli/judged_results.hpp"
 #include "runner/io/errors.hpp"
+#include "runner/judge/judged_rows.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -37,6 +39,10 @@ std::vector<Cells> rows_of(const ResultFolder& folder) {
 int status_verb(const FolderArguments& arguments) {
   const ResultFolder folder = open_results(arguments.folder, arguments.build);
   print_counts(folder);
+  if (is_judged(folder.scenario)) {
+    fmt::print("\n{}", scores_markdown_of(report_of(folder)));
+    return kDone;
+  }
   const ExperimentResults results = results_of(folder.scenario, folder.format, rows_of(folder));
   fmt::print("\n{}", results.table);
   if (!folder.is_complete() && !results.groups.empty()) {

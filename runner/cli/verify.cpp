@@ -1,12 +1,15 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <memory>
 
 #include "runner/batch/verify.hpp"
 #include "runner/cli/command_line.hpp"
+#include "runner/cli/judged_results.hpp"
 #include "runner/io/build_id.hpp"
 #include "runner/io/errors.hpp"
+#include "runner/judge/judged_rows.hpp"
 #include "runner/processes/workers.hpp"
 
 namespace autoref::runner {
@@ -17,9 +20,11 @@ int verify_verb(const VerifyArguments& arguments) {
     fmt::print("the games were played by build {}, this is {}\n", folder.build, build_id());
   }
   const int workers = arguments.workers > 0 ? arguments.workers : processors();
-  const Verification verification = verify(
-      folder, arguments.sample, workers, [](const GameConfiguration& game) { return play(game); },
-      stderr);
+  const std::function<Cells(const GameConfiguration&)> outcome =
+      is_judged(folder.scenario) ? judged : [](const GameConfiguration& game) {
+        return outcome_of(play(game));
+      };
+  const Verification verification = verify(folder, arguments.sample, workers, outcome, stderr);
   for (const Difference& difference : verification.differences) {
     fmt::print("{}: {} was {}, is {}\n", difference.id, difference.column, difference.stored,
                difference.now);

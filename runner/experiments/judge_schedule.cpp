@@ -21,9 +21,12 @@ JudgeGame game_of(const JudgeSchedule& schedule, const std::string& rules,
     game.configuration.b.strategy = matchup[1];
   }
   set_leg(game.configuration, schedule.seed, pair, leg);
-  game.id =
-      fmt::format("{} {} {} {}", rules, camera,
-                  name_of({game.configuration.a.strategy, game.configuration.b.strategy}), number);
+  const std::string matchup =
+      name_of({game.configuration.a.strategy, game.configuration.b.strategy});
+  game.id = fmt::format("{} {} {} {}", rules, camera, matchup, number);
+  game.game_id = game_id(fmt::format("{}+{}+{}", rules, camera, matchup), pair, leg);
+  game.pair = pair;
+  game.leg = leg;
   check_game(game.configuration);
   return game;
 }
@@ -45,6 +48,22 @@ std::vector<JudgeGame> games_of(const JudgeSchedule& schedule) {
         games.push_back(game_of(schedule, rules, camera, number));
       }
     }
+  }
+  return games;
+}
+
+std::vector<ScheduledGame> scheduled_games(const JudgeSchedule& schedule) {
+  std::vector<ScheduledGame> games;
+  for (const JudgeGame& game : games_of(schedule)) {
+    const GameConfiguration& c = game.configuration;
+    games.push_back({game.game_id,
+                     {game.rules, game.camera},
+                     game.pair,
+                     game.leg,
+                     c,
+                     c.a.strategy,
+                     c.b.strategy,
+                     static_cast<std::size_t>(game.pair - 1)});
   }
   return games;
 }

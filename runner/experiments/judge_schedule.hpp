@@ -22,10 +22,13 @@ struct JudgeSchedule {
 };
 
 struct JudgeGame {
-  std::string id;  // "2014 realistic basic~basic 3"
+  std::string id;  // for people: "2014 realistic basic~basic 3"
   std::string rules;
   std::string camera;
   GameConfiguration configuration;
+  std::string game_id = {};  // of its row: "2014+realistic+basic~basic-p0002-1"
+  int pair = 1;
+  int leg = 1;
 };
 
 // "a~b", as in a file.

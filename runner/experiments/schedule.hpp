@@ -28,6 +28,9 @@ struct ScheduledGame {
 // game. Throws std::invalid_argument where values do not go together.
 std::vector<ScheduledGame> scheduled_games(const Sweep& sweep);
 
+// The games of games_of() (judge_schedule.hpp), whose values are the book and the camera.
+std::vector<ScheduledGame> scheduled_games(const JudgeSchedule& schedule);
+
 // "b.handicap=0.8-p0007-2" from what is played, the pair and the leg.
 std::string game_id(std::string_view played, int pair, int leg);
 

@@ -11,16 +11,15 @@
 
 namespace autoref::runner {
 
-// Calls the overload of `work` for the scenario's kind of experiment. A single game, and games to
-// judge the referee, are not experiments: std::logic_error.
+// Calls the overload of `work` for the scenario's kind of experiment. A single game is none:
+// std::logic_error.
 template <typename Work>
 auto with_kind(const Scenario& scenario, const Work& work) {
   using Result = decltype(work(std::declval<const Sweep&>()));
   return std::visit(
       [&](const auto& content) -> Result {
         using Content = std::decay_t<decltype(content)>;
-        if constexpr (std::is_same_v<Content, GameConfiguration> ||
-                      std::is_same_v<Content, JudgeSchedule>) {
+        if constexpr (std::is_same_v<Content, GameConfiguration>) {
           throw std::logic_error(fmt::format("a {} is not an experiment", kind_of(scenario)));
         } else {
           return work(content);

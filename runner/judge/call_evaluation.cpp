@@ -52,6 +52,7 @@ class CallEvaluator final : public Observer {
     evaluation_.verdicts = ground_truth::associate(observer_.true_events(), calls_);
     evaluation_.transitions.assign(record.transitions.begin(), record.transitions.end());
     evaluation_.void_reason = record.void_reason;
+    evaluation_.state_hash = record.state_hash;
     return std::move(evaluation_);
   }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,7 @@ struct CallEvaluation {
   std::vector<std::string> calls_in_stop;    // "goal at 12.350 s": calls that need play
   std::vector<std::string> transitions;      // that the referee's machine took
   std::string void_reason;                   // empty unless the game is void
+  std::uint64_t state_hash = 0;              // of the game; not in its text
 };
 
 // Plays a game and judges its referee. Throws as play() does.

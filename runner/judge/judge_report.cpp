@@ -17,13 +17,14 @@ namespace {
 using ground_truth::Outcome;
 using ground_truth::Verdict;
 
-std::string fault_line(const JudgeGame& game, const Verdict& verdict) {
+std::string fault_line(const JudgeGame& game, std::size_t number, const Verdict& verdict) {
   const bool is_missed = verdict.outcome == Outcome::kMissed;
   return csv_line({game.rules, game.camera, game.id, std::to_string(game.configuration.seed),
                    std::string(name_of(game.configuration.match.a_plays)), verdict.name,
                    is_missed ? "missed" : "wrong", fmt::format("{:.3f}", verdict.time_s),
                    verdict.offender ? std::string(name_of(*verdict.offender)) : "",
-                   verdict.is_borderline ? "yes" : "no"}) +
+                   verdict.is_borderline ? "yes" : "no",
+                   fmt::format("{}{}{}", game.game_id, kFaultMark, number)}) +
          "\n";
 }
 
@@ -34,10 +35,10 @@ void list_faults(const JudgeGame& game, const CallEvaluation& evaluation, JudgeR
       report.second_calls.push_back(
           fmt::format("{}: {} at {:.3f} s", game.id, verdict.name, verdict.time_s));
     }
-    if (verdict.outcome == Outcome::kMissed || verdict.outcome == Outcome::kWrong) {
-      report.faults_csv += fault_line(game, verdict);
-    }
   }
+  const std::vector<const Verdict*> faults = faults_in(evaluation);
+  for (std::size_t i = 0; i < faults.size(); ++i)
+    report.faults_csv += fault_line(game, i + 1, *faults[i]);
   for (const std::string& call : evaluation.calls_in_stop) {
     report.calls_in_stop.push_back(fmt::format("{}: {}", game.id, call));
   }
@@ -104,21 +105,30 @@ std::string texts_json(const std::vector<std::string>& lines) {
 
 }  // namespace
 
-JudgeReport report_of(const JudgeSchedule& schedule,
-                      const std::vector<CallEvaluation>& judgements) {
+std::vector<const Verdict*> faults_in(const CallEvaluation& evaluation) {
+  std::vector<const Verdict*> faults;
+  for (const Verdict& verdict : evaluation.verdicts) {
+    if (verdict.outcome == Outcome::kMissed || verdict.outcome == Outcome::kWrong)
+      faults.push_back(&verdict);
+  }
+  return faults;
+}
+
+JudgeReport report_of(const JudgeSchedule& schedule, const std::vector<JudgeGame>& games,
+                      const std::vector<CallEvaluation>& evaluations) {
   JudgeReport report;
-  report.faults_csv = "rules,camera,game,seed,a_plays,event,outcome,time_s,offender,borderline\n";
+  report.faults_csv =
+      "rules,camera,game,seed,a_plays,event,outcome,time_s,offender,borderline,id\n";
   for (const std::string& rules : schedule.rules) {
     for (const std::string& camera : schedule.cameras) {
       report.tallies.push_back({rules, camera, 0, 0, {}, {}});
     }
   }
   std::set<std::string, std::less<>> taken;
-  const std::vector<JudgeGame> games = games_of(schedule);
   for (std::size_t i = 0; i < games.size(); ++i) {
-    tally_of(report, games[i]).add(judgements[i]);
-    list_faults(games[i], judgements[i], report);
-    taken.insert(judgements[i].transitions.begin(), judgements[i].transitions.end());
+    tally_of(report, games[i]).add(evaluations[i]);
+    list_faults(games[i], evaluations[i], report);
+    taken.insert(evaluations[i].transitions.begin(), evaluations[i].transitions.end());
   }
   report.transitions_never_used = never_taken(taken);
   report.rules_never_seen = never_seen(report.tallies);

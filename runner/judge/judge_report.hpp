@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "runner/experiments/judge_schedule.hpp"
@@ -20,12 +21,22 @@ struct JudgeReport {
   std::string faults_csv;                     // a row per missed event and wrong call
 };
 
-// `judgements` are those of games_of(plan), in its order.
-JudgeReport report_of(const JudgeSchedule& schedule, const std::vector<CallEvaluation>& judgements);
+// Between a game's id and the number of a fault in it, from 1: "...-p0002-1-f3".
+inline constexpr std::string_view kFaultMark = "-f";
+
+// The missed events and wrong calls, in the order of their numbers.
+std::vector<const ground_truth::Verdict*> faults_in(const CallEvaluation& evaluation);
+
+// `games` are those of the schedule that were judged, in its order, and `evaluations` theirs.
+JudgeReport report_of(const JudgeSchedule& schedule, const std::vector<JudgeGame>& games,
+                      const std::vector<CallEvaluation>& evaluations);
 
 // Markdown: F1 of everything at a glance, last touches, the checks, and a table of all figures for
 // each rule book.
 std::string markdown_of(const JudgeReport& report);
+
+// F1 of everything alone.
+std::string scores_markdown_of(const JudgeReport& report);
 
 // judge.csv: rules, camera, event, and figures; cells without a value are empty.
 std::string csv_of(const JudgeReport& report);

@@ -4,8 +4,8 @@
 #include "runner/experiments/reading/scenario_reader.hpp"
 #include "runner/experiments/scenario.hpp"
 #include "runner/io/errors.hpp"
-#include "runner/judge/judge_games.hpp"
 #include "runner/judge/judge_report.hpp"
+#include "runner/judge/judged_rows.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -71,12 +71,34 @@ TEST(CallEvaluation, ReadsBackEqualFromItsText) {
   EXPECT_THROW(evaluation_in("q,1\n"), std::invalid_argument);
 }
 
-TEST(Judging, ComesOutTheSameOnAnyNumberOfWorkers) {
+TEST(JudgeReport, HasATableOfEveryBookAndCamera) {
   const JudgeSchedule the_schedule = schedule();
   const std::vector<JudgeGame> games = games_of(the_schedule);
-  const std::string one = csv_of(report_of(the_schedule, judge_games(games, 1, nullptr)));
-  EXPECT_EQ(csv_of(report_of(the_schedule, judge_games(games, 3, nullptr))), one);
-  EXPECT_NE(one.find("\npaper,none,throw_in,"), std::string::npos) << one;
+  std::vector<CallEvaluation> evaluations;
+  for (const JudgeGame& game : games) evaluations.push_back(evaluate_calls(game.configuration));
+  const std::string csv = csv_of(report_of(the_schedule, games, evaluations));
+  EXPECT_NE(csv.find("\npaper,none,throw_in,"), std::string::npos) << csv;
+}
+
+TEST(EvaluationCells, ReadBackEqualWhateverTheyHold) {
+  CallEvaluation evaluation;
+  evaluation.void_reason = "a \\n, \"b\"";
+  evaluation.calls_in_stop = {"goal at 1.000 s"};
+  const RowFormat format({}, evaluation_columns());
+  Cells row(format.columns().size());
+  const Cells cells = evaluation_cells(evaluation);
+  std::copy(cells.begin(), cells.end(),
+            row.begin() + static_cast<std::ptrdiff_t>(format.first_outcome()));
+  EXPECT_EQ(cells.back().find('\n'), std::string::npos);
+  EXPECT_EQ(text_of(evaluation_in_row(format, row)), text_of(evaluation));
+}
+
+TEST(EvaluationCells, OfMoreThanARowHoldsSayThatTheGameIsVoid) {
+  CallEvaluation evaluation;
+  evaluation.calls_in_stop.assign(5000, "throw_in at 1234.567 s");
+  const Cells cells = evaluation_cells(evaluation);
+  EXPECT_EQ(cells.front(), "void");
+  EXPECT_NE(cells[1].find("let halves be shorter"), std::string::npos) << cells[1];
 }
 
 // Over 40 games of 600 s under camera `none` the referee is right at all but a few in a thousand.

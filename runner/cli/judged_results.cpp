@@ -1,0 +1,50 @@
+#include "runner/cli/judged_results.hpp"
+
+#include <fmt/format.h>
+
+#include "runner/io/files.hpp"
+#include "runner/judge/judged_rows.hpp"
+#include "runner/report/judge_document.hpp"
+#include "runner/report/report.hpp"
+
+namespace autoref::runner {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kJudgeFile = "judge.csv";
+constexpr const char* kFaultsFile = "faults.csv";
+
+}  // namespace
+
+bool is_judged(const Scenario& scenario) {
+  return std::holds_alternative<JudgeSchedule>(scenario.content);
+}
+
+void write_judged(const fs::path& folder, const JudgeReport& report) {
+  replace_file(folder / kJudgeFile, csv_of(report));
+  replace_file(folder / kFaultsFile, report.faults_csv);
+}
+
+void print_judged_files(const fs::path& folder) {
+  fmt::print("{}\n{}   a row per missed event and wrong call\n", (folder / kJudgeFile).string(),
+             (folder / kFaultsFile).string());
+}
+
+std::string report_judged(const ResultFolder& folder, const fs::path& into) {
+  const JudgeReport report = report_of(folder);
+  write_judged(into, report);
+  const Document document = judge_document(folder, report, into == folder.path ? "." : "..");
+  replace_file(into / kMarkdownReport, markdown_of(document));
+  replace_file(into / kHtmlReport, html_of(document));
+  fmt::print("{}\n", markdown_of(report));
+  if (!folder.is_complete()) {
+    fmt::print("{} of {} games so far\n", folder.completed_games.done.size(), folder.needed);
+  }
+  print_judged_files(into);
+  fmt::print("{}   the report\n{}   the same, one page for a browser\n",
+             (into / kMarkdownReport).string(), (into / kHtmlReport).string());
+  return scores_markdown_of(report);
+}
+
+}  // namespace autoref::runner

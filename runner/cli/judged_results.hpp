@@ -1,0 +1,21 @@
+// What verbs write and print of judged games.
+#pragma once
+
+#include <filesystem>
+
+#include "runner/batch/result_folder.hpp"
+#include "runner/judge/judge_report.hpp"
+
+namespace autoref::runner {
+
+bool is_judged(const Scenario& scenario);
+
+// judge.csv and faults.csv.
+void write_judged(const std::filesystem::path& folder, const JudgeReport& report);
+void print_judged_files(const std::filesystem::path& folder);
+
+// These and report.md and report.html, into `into`; prints them and the tables. Gives the table of
+// scores.
+std::string report_judged(const ResultFolder& folder, const std::filesystem::path& into);
+
+}  // namespace autoref::runner

@@ -1,0 +1,67 @@
+#include "runner/report/judge_document.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "runner/judge/judge_tables.hpp"
+#include "runner/report/report.hpp"
+#include "runner/report/sections.hpp"
+
+namespace autoref::runner {
+namespace {
+
+constexpr std::size_t kMostListed = 20;
+
+void append(Document& document, const Section& section) {
+  document.blocks.insert(document.blocks.end(), section.begin(), section.end());
+}
+
+// Nothing where there are no lines.
+Section list_section(const std::string& heading, const std::vector<std::string>& lines) {
+  if (lines.empty()) return {};
+  List list;
+  const std::size_t shown = std::min(kMostListed, lines.size());
+  list.items.assign(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(shown));
+  if (lines.size() > shown) list.items.push_back(fmt::format("and {} more", lines.size() - shown));
+  return {Heading{heading}, list};
+}
+
+Section judge_commands_section(const ResultFolder& folder, const std::string& direction) {
+  const std::string build =
+      folder.completed_games.other_builds.empty() ? "" : " --build " + folder.build;
+  const std::string effective =
+      direction == "." ? kEffectiveFile : fmt::format("{}/{}", direction, kEffectiveFile);
+  return {
+      Heading{"To reproduce it"},
+      Paragraph{"In the folder of this report, these judge every game anew, play five again and "
+                "compare, and play the game of a fault again, by its id in faults.csv:"},
+      Verbatim{fmt::format("autoref judge {0} -o again\n"
+                           "autoref verify {1}{2} --sample 5\n"
+                           "autoref replay {1}{2} ID --view game.html --events events.jsonl\n",
+                           effective, direction, build)}};
+}
+
+}  // namespace
+
+Document judge_document(const ResultFolder& folder, const JudgeReport& report,
+                        const std::string& direction) {
+  Document document{title_of(folder.scenario), {}};
+  append(document, played_section(folder, {}));
+  append(document, {Heading{"F1 at a glance"},
+                    Paragraph{"F1 of an event's calls, of how many times it happened."},
+                    Table{scores_rows(report), 2}});
+  append(document, {Heading{"Last touch at exits"}, Table{last_touch_rows(report), 3}});
+  append(document, list_section("Events called twice", report.second_calls));
+  append(document, list_section("Calls that need play while there was none", report.calls_in_stop));
+  append(document, list_section("Void games", report.void_games));
+  append(document, list_section("Referee transitions never used", report.transitions_never_used));
+  append(document, list_section("Events never seen", report.rules_never_seen));
+  for (const std::string& rules : books_in(report))
+    append(document, {Heading{"Rules: " + rules}, Table{event_rows(report, rules), 2}});
+  append(document, settings_section(folder, direction));
+  append(document, judge_commands_section(folder, direction));
+  return document;
+}
+
+}  // namespace autoref::runner

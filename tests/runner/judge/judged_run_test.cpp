@@ -1,0 +1,203 @@
+// Judged games are kept as they end: what was judged is judged once, and looked up by its id.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <set>
+#include <thread>
+
+#include "runner/io/csv.hpp"
+#include "runner/io/errors.hpp"
+#include "tests/runner/cli/answer.hpp"
+#include "tests/runner/support/temporary_folder.hpp"
+
+namespace autoref::runner {
+namespace {
+
+class JudgedRun : public testing::Test {
+ protected:
+  void SetUp() override { write_file(""); }
+
+  // Four games of two cameras; `more` are further keys.
+  void write_file(const std::string& more, const char* seed = "3") const {
+    write_content(file_, std::string("schema: 1\nkind: judge\nbase: { match: { half_s: 40 } }\n"
+                                     "cameras: [none, realistic]\nmatchups: [rowdy~basic]\n"
+                                     "games: 2\nseed: ") +
+                             seed + "\n" + more);
+  }
+
+  std::string in(const std::string& name) const { return (folder_ / name).string(); }
+  Answer judge(const std::string& results, const char* workers = "2") const {
+    return answer_to({"judge", file_.c_str(), "-o", results.c_str(), "-j", workers});
+  }
+  static Answer ask(const char* verb, const std::string& results,
+                    const std::vector<const char*>& more = {}) {
+    std::vector<const char*> arguments = {verb, results.c_str()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return answer_to(arguments);
+  }
+  static std::string rows_file(const std::string& results) {
+    return results + "/games/shard-0-of-1.csv";
+  }
+  // Leaves the head and so many rows, and half of the next one.
+  static void tear(const std::string& results, int rows) {
+    const std::string text = content_of(rows_file(results));
+    std::size_t end = 0;
+    for (int line = 0; line <= rows; ++line) end = text.find('\n', end) + 1;
+    write_content(rows_file(results), text.substr(0, end + 100));
+    std::filesystem::remove(results + "/judge.csv");
+    std::filesystem::remove(results + "/faults.csv");
+  }
+  static std::vector<std::string> fault_ids(const std::string& results) {
+    const std::string text = content_of(results + "/faults.csv");
+    std::vector<std::string> ids;
+    for (const std::string_view line : complete_lines(text)) {
+      ids.push_back(csv_cells(line)->back());
+    }
+    return ids;
+  }
+  static void expect_same_results(const std::string& one, const std::string& other) {
+    for (const char* name : {"/judge.csv", "/faults.csv", "/effective.yaml"})
+      EXPECT_EQ(content_of(one + name), content_of(other + name)) << name;
+  }
+
+  TemporaryFolder folder_;
+  std::string file_ = in("judge.yaml");
+  std::string whole_ = in("whole");
+};
+
+TEST_F(JudgedRun, ComesOutTheSameOnAnyNumberOfWorkers) {
+  const Answer one = judge(whole_, "1");
+  EXPECT_EQ(one.code, kDone) << one.err;
+  const Answer three = judge(in("three"), "3");
+  expect_same_results(whole_, in("three"));
+  EXPECT_EQ(one.out.substr(0, one.out.find(whole_)), three.out.substr(0, three.out.find(in(""))));
+}
+
+TEST_F(JudgedRun, GoesOnWhereItStopped) {
+  const Answer whole = judge(whole_);
+  const std::string torn = in("torn");
+  judge(torn);
+  tear(torn, 1);
+  const Answer again = judge(torn, "1");
+  EXPECT_EQ(again.code, kDone) << again.err;
+  EXPECT_EQ(std::count(again.err.begin(), again.err.end(), '\n'), 3) << again.err;  // a line a game
+  expect_same_results(whole_, torn);
+  EXPECT_EQ(judge(torn).err.find("judged"), std::string::npos);  // nothing is played any more
+}
+
+TEST_F(JudgedRun, EndedByCtrlCSaysSoAndTheSameCommandContinues) {
+  judge(whole_);
+  const std::string ended = in("ended");
+  const pid_t child = fork();
+  if (child == 0) {
+    std::freopen("/dev/null", "w", stdout);
+    std::freopen("/dev/null", "w", stderr);
+    const std::vector<const char*> arguments = {
+        "autoref", "judge", file_.c_str(), "-o", ended.c_str(), "-j", "1"};
+    _exit(run_command_line(static_cast<int>(arguments.size()), arguments.data()));
+  }
+  const auto rows = [&ended] {
+    const std::string text = content_of(rows_file(ended));
+    return std::count(text.begin(), text.end(), '\n') - 1;
+  };
+  for (int i = 0; i < 6000 && rows() < 1; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  kill(child, SIGINT);
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(WEXITSTATUS(status), kInterrupted);
+  EXPECT_LT(rows(), 4);
+  EXPECT_FALSE(std::filesystem::exists(ended + "/judge.csv"));
+  EXPECT_EQ(judge(ended).code, kDone);
+  expect_same_results(whole_, ended);
+}
+
+TEST_F(JudgedRun, JudgesAGameWhoseRowIsDamagedAgain) {
+  judge(whole_);
+  const std::string damaged = in("damaged");
+  judge(damaged);
+  std::string text = content_of(rows_file(damaged));
+  text[text.find(",none,") + 1] = 'm';
+  write_content(rows_file(damaged), text);
+  const Answer again = judge(damaged);
+  EXPECT_NE(again.err.find("1 rows are damaged"), std::string::npos) << again.err;
+  expect_same_results(whole_, damaged);
+}
+
+TEST_F(JudgedRun, RefusesTheRowsOfAnotherSeed) {
+  judge(whole_);
+  write_file("", "4");
+  const Answer other = judge(whole_);
+  EXPECT_EQ(other.code, kBadInput);
+  EXPECT_NE(other.err.find("seed is 4 here and 3 there"), std::string::npos) << other.err;
+}
+
+TEST_F(JudgedRun, SaysHowFarItIs) {
+  judge(whole_);
+  EXPECT_TRUE(ask("status", whole_).out.starts_with(whole_ + "   4 of 4 games done, 0 void\n"));
+  tear(whole_, 2);
+  const Answer half = ask("status", whole_);
+  EXPECT_EQ(half.code, kDone) << half.err;
+  EXPECT_TRUE(half.out.starts_with(whole_ + "   2 of 4 games done, 0 void\n")) << half.out;
+  EXPECT_NE(half.out.find("| F1 of | rules | none | realistic |"), std::string::npos) << half.out;
+}
+
+TEST_F(JudgedRun, IsReportedAsAPage) {
+  const Answer judged = judge(whole_);
+  const std::string csv = content_of(whole_ + "/judge.csv");
+  std::filesystem::remove(whole_ + "/judge.csv");
+  const Answer answer = ask("report", whole_);
+  EXPECT_EQ(answer.code, kDone) << answer.err;
+  EXPECT_EQ(content_of(whole_ + "/judge.csv"), csv);
+  EXPECT_TRUE(answer.out.starts_with(judged.out.substr(0, judged.out.find(whole_))));
+  const std::string markdown = content_of(whole_ + "/report.md");
+  EXPECT_NE(markdown.find("## F1 at a glance"), std::string::npos);
+  EXPECT_NE(markdown.find("| games | 4 of 4 |"), std::string::npos) << markdown;
+  EXPECT_NE(content_of(whole_ + "/report.html").find("throw_in"), std::string::npos);
+  EXPECT_EQ(ask("report", whole_).code, kDone);
+  EXPECT_EQ(content_of(whole_ + "/report.md"), markdown);
+}
+
+TEST_F(JudgedRun, GivesEachFaultAnIdThatReplaysItsGame) {
+  judge(whole_);
+  const std::vector<std::string> ids = fault_ids(whole_);
+  ASSERT_GT(ids.size(), 1U);
+  EXPECT_EQ(ids.front(), "id");
+  EXPECT_EQ(std::set<std::string>(ids.begin(), ids.end()).size(), ids.size());
+  const std::string& id = ids.back();
+  const std::string events = in("events.jsonl");
+  const Answer answer = ask("replay", whole_, {id.c_str(), "--events", events.c_str()});
+  EXPECT_EQ(answer.code, kDone) << answer.err;
+  EXPECT_NE(answer.out.find("rowdy"), std::string::npos) << answer.out;
+  const bool says_fault = answer.err.starts_with("autoref: " + id + ": missed ") ||
+                          answer.err.starts_with("autoref: " + id + ": wrong ");
+  EXPECT_TRUE(says_fault) << answer.err;
+  EXPECT_NE(content_of(events).find("\"transition\": \"begin\""), std::string::npos);
+}
+
+TEST_F(JudgedRun, ReplaysAGameByItsNamesAndRefusesOthers) {
+  judge(whole_);
+  EXPECT_EQ(ask("replay", whole_, {"paper none rowdy~basic 2"}).code, kDone);
+  EXPECT_EQ(ask("replay", whole_, {"paper+none+rowdy~basic-p0001-2"}).code, kDone);
+  for (const char* id : {"paper+none+rowdy~basic-p0001-3", "paper+none+rowdy~basic-p0001-2-f999",
+                         "paper+none+rowdy~basic-p0001-2-f0"}) {
+    const Answer answer = ask("replay", whole_, {id});
+    EXPECT_EQ(answer.code, kBadInput) << id;
+    EXPECT_NE(answer.err.find("did you mean 'paper+none+rowdy~basic-p0001-"), std::string::npos)
+        << answer.err;
+  }
+}
+
+TEST_F(JudgedRun, IsVerifiedByPlayingItsGamesAgain) {
+  judge(whole_);
+  const Answer answer = ask("verify", whole_, {"--sample", "2", "-j", "1"});
+  EXPECT_EQ(answer.code, kDone) << answer.err;
+  EXPECT_NE(answer.out.find("2 of 2 games came out as their rows say"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace autoref::runner
