@@ -14,7 +14,7 @@ namespace {
 constexpr int kHistogramFrameHeight_px = 90;
 constexpr double kTallestBar = 0.85;  // of a row's height
 
-int row_height_px(std::size_t rows) {
+int bar_height_px(std::size_t rows) {
   return rows <= 3 ? 100 : rows <= 6 ? 60 : rows <= 12 ? 42 : 30;
 }
 
@@ -42,7 +42,7 @@ std::string rows_of(std::size_t row, const std::string& name, const GamesByDiffe
 
 std::string script_of(const Scenario& scenario, const std::vector<std::string>& names) {
   const int rows = static_cast<int>(names.size());
-  return script_head("histogram", kHistogramFrameHeight_px + rows * row_height_px(names.size())) +
+  return script_head("histogram", kHistogramFrameHeight_px + rows * bar_height_px(names.size())) +
          script_tics("y", names) +
          fmt::format(
              "set ylabel {}\n"
