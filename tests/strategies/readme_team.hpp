@@ -24,12 +24,15 @@ class Mine final : public Strategy {
 
   void decide(const TeamView& view, TeamCommands& commands) override {
     look_ahead(view, now_);  // the field as it will be when these commands take effect
+    if (!now_.own.empty()) requests_.keeper = now_.own.front().number;
     const int chaser = may_play() ? nearest_to_ball() : -1;
     for (int i = 0; i < static_cast<int>(now_.own.size()); ++i) {
       const TrackedRobot& robot = now_.own[i];
       commands[robot.number] = i == chaser ? shoot(robot) : drive_to(robot, waypoint_of(i), {}, {});
     }
   }
+
+  TeamRequests requests() const override { return requests_; }
 
  private:
   bool may_play() const {
@@ -50,7 +53,9 @@ class Mine final : public Strategy {
     return play_ball(robot, now_.ball, ball_m(), {goal_m, shot_mps_}, {}, {});
   }
 
-  // The keeper before its goal, the others in a row across the own half, all facing the ball.
+  // The keeper before its goal, the others in a row across the own half, all facing the ball. An
+  // index is not a number: with robot 0 off the field, index 0 is robot 1, which is then the
+  // keeper.
   Waypoint waypoint_of(int index) const {
     const double half_m = context_.field.half_length_m();
     const Vec2 wanted_m = index == 0 ? Vec2(0.15 - half_m, 0) : Vec2(-1, 0.4 * (index - 3));
@@ -66,6 +71,7 @@ class Mine final : public Strategy {
   TeamContext context_;
   double shot_mps_;
   TeamView now_;
+  TeamRequests requests_;
 };
 // [mine]
 

@@ -1,0 +1,98 @@
+// Teams without one of their robots: robot 0 may be off the field, too, and somebody else is the
+// keeper then. Only who the team says is its keeper goes into the own area.
+#include <gtest/gtest.h>
+
+#include "strategies/registry.hpp"
+#include "tests/strategies/readme_team.hpp"
+#include "tests/strategies/staged_world.hpp"
+
+namespace autoref::strategies {
+namespace {
+
+std::unique_ptr<Strategy> made(const std::string& name) {
+  const TeamContext context;
+  if (name == "readme_mine") return std::make_unique<readme::Mine>(context);
+  if (name == "readme_bus") return std::make_unique<Squad>(context, readme::bus_playbook());
+  return find_strategy(name)->make(context);
+}
+
+std::vector<std::string> names_of_teams() {
+  std::vector<std::string> names = {"readme_mine", "readme_bus"};
+  for (const Entry& entry : all_strategies()) {
+    if (entry.name != "dummy" && entry.name != "rowdy") names.emplace_back(entry.name);
+  }
+  return names;
+}
+
+class MissingRobot : public testing::TestWithParam<std::string> {};
+
+INSTANTIATE_TEST_SUITE_P(Of, MissingRobot, testing::ValuesIn(names_of_teams()),
+                         [](const auto& team) { return team.param; });
+
+StagedWorld without(int missing, Play play, bool ours, const Vec2& ball_m) {
+  StagedWorld world(play, ours);
+  world.six_against_six().ball(ball_m);
+  auto& own = world.view.own;
+  own.erase(std::find_if(own.begin(), own.end(),
+                         [missing](const TrackedRobot& robot) { return robot.number == missing; }));
+  return world;
+}
+
+// How deep the centre of a robot other than the declared keeper has been in the own area.
+double deepest_m(Strategy& team, StagedWorld& world, double seconds) {
+  const Field field;
+  double deepest_m = 0;
+  for (int frame = 0; frame < seconds / kStagedFrame_s; ++frame) {
+    world.step(team);
+    for (const TrackedRobot& robot : world.view.own) {
+      if (robot.number == team.requests().keeper) continue;
+      deepest_m =
+          std::max(deepest_m, -distance_to_defence_area(field, Side::kWest, robot.position_m));
+    }
+  }
+  return deepest_m;
+}
+
+TEST_P(MissingRobot, LeavesTheOwnAreaToTheDeclaredKeeper) {
+  for (int missing = 0; missing < 6; ++missing) {
+    for (const Vec2& ball_m : {Vec2(-2.7, 0.2), Vec2(-1.5, -0.5), Vec2(0.5, 1)}) {
+      for (const Play play : {Play::kRunning, Play::kStop, Play::kDirectFree}) {
+        const auto team = made(GetParam());
+        StagedWorld world = without(missing, play, false, ball_m);
+        EXPECT_EQ(deepest_m(*team, world, 4), 0)
+            << "without robot " << missing << ", ball " << ball_m.transpose() << ", play "
+            << static_cast<int>(play);
+      }
+    }
+  }
+}
+
+TEST_P(MissingRobot, DeclaresAKeeperThatIsOnTheField) {
+  for (int missing = 0; missing < 6; ++missing) {
+    const auto team = made(GetParam());
+    StagedWorld world = without(missing, Play::kRunning, true, {0, 0});
+    world.run(*team, 1);
+    const int keeper = team->requests().keeper;
+    EXPECT_NE(keeper, missing);
+    EXPECT_TRUE(
+        std::any_of(world.view.own.begin(), world.view.own.end(),
+                    [keeper](const TrackedRobot& robot) { return robot.number == keeper; }));
+  }
+}
+
+TEST_P(MissingRobot, StillGoesToTheBall) {
+  for (int missing = 0; missing < 6; ++missing) {
+    const auto team = made(GetParam());
+    StagedWorld world = without(missing, Play::kRunning, true, {0, 0});
+    double least_m = 9;
+    for (int frame = 0; frame < 240; ++frame) {
+      world.step(*team);
+      for (const TrackedRobot& robot : world.view.own)
+        least_m = std::min(least_m, robot.position_m.norm());
+    }
+    EXPECT_LT(least_m, 0.12) << "without robot " << missing;
+  }
+}
+
+}  // namespace
+}  // namespace autoref::strategies
