@@ -114,7 +114,7 @@ std::string difference_text(const std::vector<double>& differences,
 }
 
 std::string mean_text(double mean, const std::optional<Interval>& interval) {
-  if (!interval) return fmt::format("{:+.2f}", mean);
+  if (!interval) return fmt::format("{:+.2f} (too few games)", mean);
   return fmt::format("{:+.2f} [{:+.2f}, {:+.2f}]", mean, interval->low, interval->high);
 }
 
@@ -125,6 +125,8 @@ std::pair<std::optional<double>, std::optional<double>> bounds_of(
   if (!interval) return {};
   return {interval->low, interval->high};
 }
+
+std::string p_cell(std::optional<double> p) { return p ? fmt::format("{:.6g}", *p) : ""; }
 
 std::string number_cell(std::optional<double> number) {
   return number ? fmt::format("{:.4f}", *number) : "";

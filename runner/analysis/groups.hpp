@@ -60,7 +60,7 @@ Cells table_cells(const Group& group);
 std::string difference_text(const std::vector<double>& differences,
                             const std::vector<double>& pair_differences);
 
-// "+0.50 [-0.10, +1.10]", or without the interval where there is none.
+// "+0.50 [-0.10, +1.10]", or "+0.50 (too few games)" where there is no interval.
 std::string mean_text(double mean, const std::optional<Interval>& interval);
 
 // "0.032", or "<0.001".
@@ -69,6 +69,9 @@ std::string p_text(double p);
 // The bounds, each none where there is no interval.
 std::pair<std::optional<double>, std::optional<double>> bounds_of(
     const std::optional<Interval>& interval);
+
+// A p value of a CSV file, six digits of it however small it is; empty where there is none.
+std::string p_cell(std::optional<double> p);
 
 // A number of a CSV file; empty where there is none.
 std::string number_cell(std::optional<double> number);

@@ -14,20 +14,22 @@ namespace {
 std::string sentence(const SprtMatch& match, const SprtMatchState& state) {
   const Matchup matchup = matchup_of(match);
   const std::string goals =
-      fmt::format("goals a game of {} over {}", matchup.team_a, matchup.team_b);
+      fmt::format("the mean lead of {} over {} in goals a game", matchup.team_a, matchup.team_b);
   switch (state.test.verdict) {
     case Verdict::kAcceptD0:
-      return fmt::format("d0 is accepted: {} {}, not {}", match.sprt.d0, goals, match.sprt.d1);
+      return fmt::format("decided for d0: {} is nearer to {} than to {}", goals, match.sprt.d0,
+                         match.sprt.d1);
     case Verdict::kAcceptD1:
-      return fmt::format("d1 is accepted: {} {}, not {}", match.sprt.d1, goals, match.sprt.d0);
+      return fmt::format("decided for d1: {} is nearer to {} than to {}", goals, match.sprt.d1,
+                         match.sprt.d0);
     case Verdict::kUndecided:
-      return fmt::format("undecided between d0 = {} and d1 = {} {}", match.sprt.d0, match.sprt.d1,
-                         goals);
+      return fmt::format("undecided whether {} is nearer to d0 = {} or to d1 = {}", goals,
+                         match.sprt.d0, match.sprt.d1);
     case Verdict::kGoOn:
       break;
   }
-  return fmt::format("not yet decided between d0 = {} and d1 = {} {}", match.sprt.d0, match.sprt.d1,
-                     goals);
+  return fmt::format("not yet decided whether {} is nearer to d0 = {} or to d1 = {}", goals,
+                     match.sprt.d0, match.sprt.d1);
 }
 
 // As many digits as tell it, an infinite one as a word.

@@ -49,8 +49,8 @@ Cells difference_cells(const PairedDifference& from_first) {
   return {number_cell(from_first.mean),
           number_cell(low),
           number_cell(high),
-          number_cell(from_first.p),
-          number_cell(from_first.p_holm),
+          p_cell(from_first.p),
+          p_cell(from_first.p_holm),
           number_cell(from_first.effect_size)};
 }
 

@@ -25,7 +25,7 @@ students_t distribution_for(std::span<const double> sample) {
 
 std::optional<Interval> mean_interval(std::span<const double> sample) {
   const std::optional<double> error = standard_error(sample);
-  if (!error) return std::nullopt;
+  if (!error || !(*error > 0)) return std::nullopt;
   const double t = quantile(complement(distribution_for(sample), kMissedShare / 2));
   return Interval{mean(sample) - t * *error, mean(sample) + t * *error};
 }

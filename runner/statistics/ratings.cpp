@@ -92,8 +92,9 @@ void add_intervals(std::vector<Rating>& ratings, const std::vector<PairTotals>& 
   for (std::size_t i = 0; i < ratings.size(); ++i) {
     const Eigen::VectorXd row = outcomes.row(i);
     const std::vector<double> sample(row.begin(), row.end());
-    ratings[i].interval =
-        Interval{quantile_of(sample, kMissedShare / 2), quantile_of(sample, 1 - kMissedShare / 2)};
+    const Interval middle{quantile_of(sample, kMissedShare / 2),
+                          quantile_of(sample, 1 - kMissedShare / 2)};
+    if (middle.low < middle.high) ratings[i].interval = middle;
   }
 }
 
@@ -108,7 +109,7 @@ std::vector<Rating> ratings_of(std::vector<RatedMatchup> matchups, const RatingM
   for (std::size_t i = 0; i < teams.size(); ++i) ratings.push_back({teams[i], values(i), {}});
   const bool can_be_resampled =
       !games.empty() && std::all_of(games.begin(), games.end(),
-                                    [](const PairTotals& pairs) { return pairs.size() > 1; });
+                                    [](const PairTotals& pairs) { return pairs.size() >= kFewestPairs; });
   if (can_be_resampled) add_intervals(ratings, games, rate);
   return ratings;
 }

@@ -56,7 +56,7 @@ double share_held(const RatingMethod& rate, int games, int trials) {
 
 std::vector<Measured> rating_coverage(int trials) {
   std::vector<Measured> all;
-  for (const int games : {20, 60}) {
+  for (const int games : {10, 20, 60}) {
     const std::string where = fmt::format("4 equal teams, {} games a matchup", games);
     all.push_back(
         {"goal rating, " + where, share_held(runner::goal_rating, games, trials), 0.90, 0.98, ""});

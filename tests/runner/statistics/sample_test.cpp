@@ -27,6 +27,7 @@ TEST(StandardDeviation, OfStudentsSleepData) {
 TEST(StandardDeviation, NeedsTwoValues) {
   EXPECT_FALSE(standard_deviation(std::vector<double>{1.0}));
   EXPECT_FALSE(mean_interval(std::vector<double>{1.0}));
+  EXPECT_FALSE(mean_interval(std::vector<double>{-6.0, -6.0, -6.0}));
 }
 
 TEST(MeanInterval, OfStudentsSleepData) {
