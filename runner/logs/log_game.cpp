@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "runner/settings/match_rules.hpp"
 
@@ -16,6 +17,22 @@ Field field_in(const league::LogSummary& log, const Field& of_book) {
   if (log.field_gaps.penalty_mark) field.penalty_mark_m = of_book.penalty_mark_m;
   if (log.field_gaps.defence_area) field.defence_area = of_book.defence_area;
   return field;
+}
+
+// The command in force where the log begins, if play is on by it or a restart awaited.
+std::optional<Command> play_begun(const RecordedFacts& facts) {
+  if (facts.commands.empty()) return std::nullopt;
+  const Command first = facts.commands.front().command;
+  switch (first.kind) {
+    case CommandKind::kNormalStart:
+    case CommandKind::kForceStart:
+    case CommandKind::kPreparePenalty:
+    case CommandKind::kDirectFree:
+    case CommandKind::kIndirectFree:
+      return first;
+    default:
+      return std::nullopt;
+  }
 }
 
 }  // namespace
@@ -73,6 +90,13 @@ std::vector<std::string> gaps_of(const RecordedFacts& facts, const GameConfigura
   note(!recorded.first_kickoff, "match.first_kickoff",
        fmt::format("the first kick-off is missing: {} has it (--first-kickoff west|east)",
                    name_of(game.match.first_kickoff)));
+  const std::optional<Command> begun = play_begun(facts);
+  if (begun) {
+    note(true, "",
+         fmt::format("it begins in the middle of play ({}): AutoRef begins with a kick-off of its "
+                     "own, which counts as a wrong call",
+                     name_of(*begun)));
+  }
   for (const Side side : kSides) {
     note(facts.robots[side] == 0, "",
          fmt::format("no robot of the {} team is ever seen",

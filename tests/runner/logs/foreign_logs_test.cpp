@@ -130,6 +130,17 @@ TEST_F(ForeignLog, WithRobotsNumberedBeyond15IsJudgedWithoutThem) {
   expect_judged("detections of robots numbered 16 and above are left out");
 }
 
+TEST_F(ForeignLog, WhichBeginsInTheMiddleOfPlaySaysSo) {
+  write({.change_referee = [](double, league::RefereePacket& packet) {
+    packet.set_stage(static_cast<int>(Stage::kFirstHalf));
+    packet.set_command(league_number({CommandKind::kForceStart}));
+    packet.set_command_counter(1);
+  }});
+  expect_judged("it begins in the middle of play (FORCE_START)");
+  write({});
+  EXPECT_EQ(referee().err.find("middle of play"), std::string::npos);
+}
+
 TEST_F(ForeignLog, OfOneCameraIsJudged) {
   write({.cameras = 1});
   expect_judged();
