@@ -105,10 +105,11 @@ std::string texts_json(const std::vector<std::string>& lines) {
 
 }  // namespace
 
-std::vector<const Verdict*> faults_in(const CallEvaluation& evaluation) {
-  std::vector<const Verdict*> faults;
-  for (const Verdict& verdict : evaluation.verdicts) {
-    if (verdict.outcome == Outcome::kMissed || verdict.outcome == Outcome::kWrong)
+std::vector<const ground_truth::Verdict*> faults_in(const CallEvaluation& evaluation) {
+  std::vector<const ground_truth::Verdict*> faults;
+  for (const ground_truth::Verdict& verdict : evaluation.verdicts) {
+    if (verdict.outcome == ground_truth::Outcome::kMissed ||
+        verdict.outcome == ground_truth::Outcome::kWrong)
       faults.push_back(&verdict);
   }
   return faults;

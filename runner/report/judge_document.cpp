@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMostListed = 20;
 
-void append(Document& document, const Section& section) {
+void add_section(Document& document, const Section& section) {
   document.blocks.insert(document.blocks.end(), section.begin(), section.end());
 }
 
@@ -47,20 +47,22 @@ Section judge_commands_section(const ResultFolder& folder, const std::string& di
 Document judge_document(const ResultFolder& folder, const JudgeReport& report,
                         const std::string& direction) {
   Document document{title_of(folder.scenario), {}};
-  append(document, played_section(folder, {}));
-  append(document, {Heading{"F1 at a glance"},
-                    Paragraph{"F1 of an event's calls, of how many times it happened."},
-                    Table{scores_rows(report), 2}});
-  append(document, {Heading{"Last touch at exits"}, Table{last_touch_rows(report), 3}});
-  append(document, list_section("Events called twice", report.second_calls));
-  append(document, list_section("Calls that need play while there was none", report.calls_in_stop));
-  append(document, list_section("Void games", report.void_games));
-  append(document, list_section("Referee transitions never used", report.transitions_never_used));
-  append(document, list_section("Events never seen", report.rules_never_seen));
+  add_section(document, played_section(folder, {}));
+  add_section(document, {Heading{"F1 at a glance"},
+                         Paragraph{"F1 of an event's calls, of how many times it happened."},
+                         Table{scores_rows(report), 2}});
+  add_section(document, {Heading{"Last touch at exits"}, Table{last_touch_rows(report), 3}});
+  add_section(document, list_section("Events called twice", report.second_calls));
+  add_section(document,
+              list_section("Calls that need play while there was none", report.calls_in_stop));
+  add_section(document, list_section("Void games", report.void_games));
+  add_section(document,
+              list_section("Referee transitions never used", report.transitions_never_used));
+  add_section(document, list_section("Events never seen", report.rules_never_seen));
   for (const std::string& rules : books_in(report))
-    append(document, {Heading{"Rules: " + rules}, Table{event_rows(report, rules), 2}});
-  append(document, settings_section(folder, direction));
-  append(document, judge_commands_section(folder, direction));
+    add_section(document, {Heading{"Rules: " + rules}, Table{event_rows(report, rules), 2}});
+  add_section(document, settings_section(folder, direction));
+  add_section(document, judge_commands_section(folder, direction));
   return document;
 }
 
