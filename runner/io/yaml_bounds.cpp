@@ -26,7 +26,14 @@ class BoundsCheck final : public YAML::EventHandler {
  public:
   explicit BoundsCheck(const YamlBounds& bounds) : bounds_(bounds) {}
 
-  void OnDocumentStart(const Mark& /*mark*/) override { anchors_.clear(); }
+  // The parser finds empty documents without end where it cannot go on.
+  void OnDocumentStart(const Mark& mark) override {
+    if (mark.pos <= last_document_) {
+      refuse(mark, "no value begins like this; is a '[' or '{' before it missing, or are quotes?");
+    }
+    last_document_ = mark.pos;
+    anchors_.clear();
+  }
   void OnDocumentEnd() override {}
   void OnNull(const Mark& mark, anchor_t anchor) override { add_leaf(mark, anchor); }
   void OnScalar(const Mark& mark, const std::string& /*tag*/, anchor_t anchor,
@@ -110,6 +117,7 @@ class BoundsCheck final : public YAML::EventHandler {
   }
 
   YamlBounds bounds_;
+  int last_document_ = -1;  // where it begins, counted in bytes
   std::vector<Open> open_;
   std::map<anchor_t, Extent> anchors_;  // of this document, those that are complete
 };

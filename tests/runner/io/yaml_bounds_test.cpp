@@ -76,6 +76,19 @@ TEST(YamlBounds, RefuseHugeTextsAndHugeLists) {
   EXPECT_NE(refusal_of(list + "1]\n").find("more than 200000 values"), std::string::npos);
 }
 
+TEST(YamlBounds, RefuseWhatTheParserWouldNeverGetPast) {
+  for (const char* text : {", schema: 1\n", "}\n", "a: 1\n---\n, b\n", "] }\n"}) {
+    std::string refusal;
+    try {
+      refusal = refusal_of(text);
+    } catch (const YAML::Exception& error) {
+      refusal = error.what();
+    }
+    EXPECT_NE(refusal, "within bounds") << text;
+  }
+  EXPECT_TRUE(refusal_of(", schema: 1\n").starts_with("1:1: no value begins like this"));
+}
+
 TEST(YamlBounds, LeaveWhatIsInvalidToTheParser) {
   EXPECT_THROW(beyond_bounds("[1, 2\n"), YAML::Exception);
 }

@@ -84,6 +84,12 @@ TEST_P(HostileFile, IsRefusedAsASceneOfTheLaboratory) {
   expect_refused(refusal_of([&] { read_lab_scene_text(text, "x.yaml"); }));
 }
 
+TEST(HostileScenario, ThatBeginsWithACommaIsRefused) {
+  const std::string refusal =
+      refusal_of([] { read_scenario_text(", schema: 1\nkind: game\n", "x.yaml"); });
+  EXPECT_TRUE(refusal.starts_with("x.yaml:1:1: no value begins like this")) << refusal;
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Files, HostileFile,
     testing::Values(
