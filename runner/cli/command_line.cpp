@@ -9,9 +9,9 @@
 #include <system_error>
 
 #include "league/log_file.hpp"
+#include "runner/cli/mistyped.hpp"
 #include "runner/io/build_id.hpp"
 #include "runner/io/errors.hpp"
-#include "runner/settings/renamed.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -55,6 +55,7 @@ int run_command_line(int argc, const char* const* argv) {
   app.set_version_flag("--version", fmt::format("autoref {}", build_id()));
   app.require_subcommand(1);
   app.footer(
+      "`autoref help VERB` says how one is used.\n\n"
       "Example, an experiment of 72 games:\n  autoref run scenarios/first-look.yaml\n\n"
       "Exit codes: 0 done; 2 bad input; 3 too many void games; 4 a game came out differently;\n"
       "70 internal; 74 input/output; 75 interrupted, the same command continues.");
@@ -77,14 +78,19 @@ int run_command_line(int argc, const char* const* argv) {
   add_rules_verb(app, chosen);
   add_teams_verb(app, chosen);
   add_bench_verb(app, chosen);
-  const std::string_view verb = argc > 1 ? argv[1] : "";
-  if (const std::optional<std::string_view> now = new_verb_of(verb)) {
-    return fail(kBadInput, fmt::format("unknown verb '{}'; its name is '{}' now", verb, *now));
+  add_help_verb(app, chosen);
+  app.get_formatter()->label("SUBCOMMAND", "VERB");
+  for (CLI::App* verb : app.get_subcommands([](CLI::App*) { return true; })) verb->group("Verbs");
+  const std::string word = argc > 1 ? argv[1] : "";
+  if (argc == 1) return exit_code_of([&app] { return help_verb(app, ""); });
+  if (!word.starts_with('-') && !is_verb(app, word)) {
+    return fail(kBadInput, unknown_verb_message(app, word));
   }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return exit_code_of([&] { return app.exit(error) == 0 ? kDone : kBadInput; });
+    if (error.get_exit_code() != kDone) return fail(kBadInput, message_of(app, error));
+    return exit_code_of([&]() -> int { return app.exit(error); });
   }
   return exit_code_of(chosen);
 }

@@ -157,6 +157,7 @@ int draw_verb(const DrawArguments& arguments);
 int sample_size_verb(const SampleSizeArguments& arguments);
 int rules_verb(const RulesArguments& arguments);
 int teams_verb(const TeamsArguments& arguments);
+int help_verb(const CLI::App& app, const std::string& word);  // empty: lists the verbs
 
 // Adds a verb to the command line; parsing sets `chosen` to its work.
 using Chosen = std::function<int()>;
@@ -187,6 +188,7 @@ void add_sample_size_verb(CLI::App& app, Chosen& chosen);
 void add_rules_verb(CLI::App& app, Chosen& chosen);
 void add_teams_verb(CLI::App& app, Chosen& chosen);
 void add_bench_verb(CLI::App& app, Chosen& chosen);
+void add_help_verb(CLI::App& app, Chosen& chosen);
 
 // Does `work` and turns what it throws into a message on stderr and an exit code (errors.hpp).
 int exit_code_of(const Chosen& work);
