@@ -1,6 +1,7 @@
 // The plots of an experiment's results. Each function gives none where there is nothing to draw.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -9,6 +10,10 @@
 #include "runner/report/plot.hpp"
 
 namespace autoref::runner {
+
+// Every name that a plot of a report may have.
+inline constexpr std::array kPlotNames = {"scores",  "difference", "crosstable",
+                                          "ratings", "histogram",  "running_mean"};
 
 // All that fit the experiment, in the order of a report.
 std::vector<Plot> plots_of(const Scenario& scenario, const ExperimentResults& results);

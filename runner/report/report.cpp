@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "runner/io/errors.hpp"
 #include "runner/io/files.hpp"
 #include "runner/report/plots.hpp"
@@ -17,11 +19,21 @@ struct DrawnPlot {
   Drawing drawing;
 };
 
-void write_drawing(const fs::path& file, const std::string& svg) {
-  if (!svg.empty()) return replace_file(file, svg);
+void remove_file(const fs::path& file) {
   std::error_code error;
   fs::remove(file, error);
   if (error) throw InputOutputError(fmt::format("{}: {}", file.string(), error.message()));
+}
+
+// What an earlier report has drawn and this one does not. Files of other names are the user's.
+void remove_other_plots(const fs::path& folder, const std::vector<DrawnPlot>& plots) {
+  for (const std::string name : kPlotNames) {
+    const bool is_here = std::any_of(plots.begin(), plots.end(), [&name](const DrawnPlot& drawn) {
+      return drawn.plot.name == name;
+    });
+    if (is_here) continue;
+    for (const char* ending : {".csv", ".gp", ".svg"}) remove_file(folder / (name + ending));
+  }
 }
 
 // Asks no further for a gnuplot that is not there.
@@ -39,8 +51,10 @@ void write_plots(const fs::path& folder, const std::vector<DrawnPlot>& plots) {
   for (const auto& [plot, drawing] : plots) {
     replace_file(folder / (plot.name + ".csv"), plot.csv);
     replace_file(folder / (plot.name + ".gp"), plot.script);
-    write_drawing(folder / (plot.name + ".svg"), drawing.svg);
+    const fs::path svg = folder / (plot.name + ".svg");
+    drawing.svg.empty() ? remove_file(svg) : replace_file(svg, drawing.svg);
   }
+  remove_other_plots(folder, plots);
 }
 
 std::string missing_text(const std::string& direction) {

@@ -25,8 +25,9 @@ struct WrittenReport {
 
 // Writes report.md, report.html and plots/ into `into`, which is the folder of results or one
 // directly below it. A plot that cannot be drawn has its .csv and .gp all the same; a drawing of it
-// that is there from before is removed, since it would show something else. The same rows give the
-// same files, byte by byte, wherever the folder is.
+// that is there from before is removed, since it would show something else; so are the plots that
+// an earlier report wrote and this one does not have. The same rows give the same files, byte by
+// byte, wherever the folder is.
 WrittenReport write_report(const ResultFolder& folder, const ExperimentResults& results,
                            const std::filesystem::path& into);
 

@@ -127,6 +127,21 @@ TEST_F(Report, DoesWithoutGnuplot) {
   EXPECT_FALSE(fs::exists(folder_ / "plots/scores.svg"));
 }
 
+TEST_F(Report, RemovesPlotsOfAnEarlierReport) {
+  play();
+  reported(folder_.path());
+  for (const char* file : {"crosstable.svg", "crosstable.gp", "crosstable.csv", "ratings.svg"}) {
+    write_content(folder_ / "plots" / file, "of a round robin");
+  }
+  write_content(folder_ / "plots/my-crosstable.gp", "the user's own");
+  reported(folder_.path());
+  for (const char* file : {"crosstable.svg", "crosstable.gp", "crosstable.csv", "ratings.svg"}) {
+    EXPECT_FALSE(fs::exists(folder_ / "plots" / file)) << file;
+  }
+  EXPECT_EQ(content_of(folder_ / "plots/my-crosstable.gp"), "the user's own");
+  EXPECT_TRUE(fs::exists(folder_ / "plots/scores.gp"));
+}
+
 TEST_F(Report, LeavesDataAndScriptsWithoutGnuplot) {
   play();
   const Path path(folder_.path().string());
