@@ -2,12 +2,24 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <map>
+#include <numeric>
+#include <queue>
+
+#include "runner/io/errors.hpp"
+#include "runner/processes/workers.hpp"
 
 namespace autoref::runner {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kMostWholeGames = 6;  // of one combination
+constexpr double kShareOfFirst = 0.5;       // of the time, which the first seconds may take
+constexpr double kShareOfSecond = 0.9;      // of what is left
+constexpr double kGrace_s = 2;              // for games that are under way
+constexpr const char* kWell = "well";
 
 // The id without pair and leg: "b.handicap=0.8" of "b.handicap=0.8-p0007-2".
 std::string played_in(const ScheduledGame& game) {
@@ -15,44 +27,193 @@ std::string played_in(const ScheduledGame& game) {
   return game.id.substr(0, game.id.size() - ending.size());
 }
 
-double regular_s(const MatchConfiguration& match) { return match.half_s * match.halves; }
-
-Rehearsal rehearsed(const ScheduledGame& game,
-                    const std::function<GameRecord(const GameConfiguration&)>& play) {
-  GameConfiguration shortened = game.configuration;
-  shortened.match.half_s = std::min(shortened.match.half_s, kRehearsedHalf_s);
-  Rehearsal rehearsal{played_in(game), 0, {}, 0};
-  const auto start = Clock::now();
-  try {
-    const GameRecord record = play(shortened);
-    const double wall_s = std::chrono::duration<double>(Clock::now() - start).count();
-    rehearsal.void_reason = record.void_reason;
-    if (record.sim_s > 0)
-      rehearsal.wall_s_a_game = wall_s / record.sim_s * regular_s(game.configuration.match);
-  } catch (const std::exception& error) {
-    rehearsal.void_reason = error.what();
-  }
-  return rehearsal;
+// With halves of `share` of their length. Extra time, and shoot-outs, are for whole games.
+GameConfiguration part_of(const GameConfiguration& game, double share) {
+  GameConfiguration part = game;
+  if (share >= 1) return part;
+  part.match.half_s *= share;
+  part.match.knockout = false;
+  return part;
 }
+
+// Wall time of a part of a game.
+struct Sample {
+  double share = 0;
+  double wall_s = 0;
+};
+
+struct Entry {
+  Rehearsal rehearsal;
+  std::vector<const ScheduledGame*> games;  // the first ones
+  std::vector<Sample> samples;              // of parts that went well, the first seconds first
+
+  const MatchConfiguration& match() const { return games.front()->configuration.match; }
+  double first_share() const { return std::min(1.0, kRehearsedHalf_s / match().half_s); }
+  bool plays() const { return !samples.empty() && rehearsal.void_reason.empty(); }
+  double first_estimate_s() const { return samples.front().wall_s / samples.front().share; }
+};
+
+// The line through the first sample and the mean of the others, at a whole game.
+double estimate_s(const Entry& entry) {
+  if (entry.samples.size() == 1) return entry.first_estimate_s();
+  Sample longer;
+  const auto count = static_cast<double>(entry.samples.size() - 1);
+  for (std::size_t i = 1; i < entry.samples.size(); ++i) {
+    longer.share += entry.samples[i].share / count;
+    longer.wall_s += entry.samples[i].wall_s / count;
+  }
+  const Sample& first = entry.samples.front();
+  if (longer.share >= 1 || longer.share <= first.share) return longer.wall_s / longer.share;
+  const double slope = std::max(0.0, (longer.wall_s - first.wall_s) / (longer.share - first.share));
+  return longer.wall_s + slope * (1 - longer.share);
+}
+
+std::vector<Entry> entries_of(const std::vector<ScheduledGame>& games) {
+  std::vector<Entry> entries;
+  std::map<std::string, std::size_t> numbers;
+  for (const ScheduledGame& game : games) {
+    const auto [number, is_new] = numbers.try_emplace(played_in(game), entries.size());
+    if (is_new) {
+      entries.emplace_back();
+      entries.back().rehearsal.played = number->first;
+    }
+    Entry& entry = entries[number->second];
+    ++entry.rehearsal.games;
+    if (entry.games.size() < kMostWholeGames) entry.games.push_back(&game);
+  }
+  return entries;
+}
+
+// A part of an entry's game.
+struct Part {
+  std::size_t entry = 0;
+  const ScheduledGame* game = nullptr;
+  double share = 1;
+};
+
+class Rehearsals {
+ public:
+  Rehearsals(const std::vector<ScheduledGame>& games, const RehearsalOptions& options)
+      : options_(options), entries_(entries_of(games)) {}
+
+  std::vector<Rehearsal> run() {
+    play(first_parts(), kShareOfFirst * options_.longest_s);
+    play(longer_parts(), options_.longest_s);
+    return estimates();
+  }
+
+ private:
+  double elapsed_s() const { return std::chrono::duration<double>(Clock::now() - began_).count(); }
+
+  std::vector<Part> first_parts() const {
+    std::vector<Part> parts;
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+      parts.push_back({i, entries_[i].games.front(), entries_[i].first_share()});
+    }
+    return parts;
+  }
+
+  // Whole games, several of each where time allows; else the same share of a game of each.
+  std::vector<Part> longer_parts() const {
+    double whole_s = 0;
+    for (const Entry& entry : entries_) whole_s += entry.plays() ? entry.first_estimate_s() : 0;
+    if (whole_s <= 0) return {};
+    const double room_s =
+        kShareOfSecond * std::max(0.0, options_.longest_s - elapsed_s()) * options_.workers;
+    const double share = std::min(1.0, room_s / whole_s);
+    const auto times = static_cast<std::size_t>(
+        std::clamp(std::floor(room_s / whole_s), 1.0, static_cast<double>(kMostWholeGames)));
+    std::vector<Part> parts;
+    for (std::size_t k = 0; k < times; ++k) {
+      for (std::size_t i = 0; i < entries_.size(); ++i) {
+        const Entry& entry = entries_[i];
+        const bool is_longer = share > 2 * entry.first_share() || share >= 1;
+        if (entry.plays() && is_longer && k < entry.games.size())
+          parts.push_back({i, entry.games[k], share});
+      }
+    }
+    return parts;
+  }
+
+  std::string played(const Part& part) const {
+    try {
+      const GameRecord record = options_.play(part_of(part.game->configuration, part.share));
+      return record.void_reason.empty() ? kWell : "void: " + record.void_reason;
+    } catch (const std::exception& error) {
+      return std::string("void: ") + error.what();
+    }
+  }
+
+  void play(const std::vector<Part>& parts, double until_s) {
+    std::vector<std::size_t> jobs(parts.size());
+    std::iota(jobs.begin(), jobs.end(), std::size_t{0});
+    const WorkerOptions workers{options_.workers, 1,
+                                std::max(kGrace_s, options_.longest_s + kGrace_s - elapsed_s())};
+    const Ending ending =
+        do_jobs(jobs, workers,
+                {[&](std::size_t i) { return played(parts[i]); },
+                 [&](const JobResult& result) { note(parts[result.job], result); },
+                 {},
+                 [&] { return elapsed_s() > until_s; }});
+    if (ending == Ending::kInterrupted) throw Interrupted();
+  }
+
+  void note(const Part& part, const JobResult& result) {
+    Entry& entry = entries_[part.entry];
+    if (result.payload == kWell) {
+      entry.samples.push_back({part.share, result.wall_s});
+    } else if (!result.payload.empty()) {
+      entry.rehearsal.void_reason = result.payload.substr(std::string("void: ").size());
+    } else if (entry.samples.empty() || !result.is_late) {
+      entry.rehearsal.void_reason = result.failure;
+    }  // else a longer part had no time to end
+  }
+
+  std::vector<Rehearsal> estimates() const {
+    double sum_s = 0;
+    int tried = 0;
+    for (const Entry& entry : entries_) {
+      if (!entry.plays()) continue;
+      sum_s += estimate_s(entry);
+      ++tried;
+    }
+    std::vector<Rehearsal> rehearsals;
+    for (const Entry& entry : entries_) {
+      rehearsals.push_back(entry.rehearsal);
+      Rehearsal& rehearsal = rehearsals.back();
+      rehearsal.was_tried = !entry.samples.empty() || !rehearsal.void_reason.empty();
+      if (entry.plays()) rehearsal.wall_s_a_game = estimate_s(entry);
+      if (!rehearsal.was_tried && tried > 0) rehearsal.wall_s_a_game = sum_s / tried;
+    }
+    return rehearsals;
+  }
+
+  const RehearsalOptions& options_;
+  std::vector<Entry> entries_;
+  const Clock::time_point began_ = Clock::now();
+};
 
 }  // namespace
 
 std::vector<Rehearsal> rehearse(const std::vector<ScheduledGame>& games,
-                                const std::function<GameRecord(const GameConfiguration&)>& play) {
-  std::vector<Rehearsal> rehearsals;
-  std::map<std::string, std::size_t> entries;
-  for (const ScheduledGame& game : games) {
-    const auto [entry, is_new] = entries.try_emplace(played_in(game), rehearsals.size());
-    if (is_new) rehearsals.push_back(rehearsed(game, play));
-    ++rehearsals[entry->second].games;
-  }
-  return rehearsals;
+                                const RehearsalOptions& options) {
+  return Rehearsals(games, options).run();
 }
 
+// Each game goes to the worker that is free first.
 double duration_s(const std::vector<Rehearsal>& rehearsals, int workers) {
-  double all_s = 0;
-  for (const Rehearsal& rehearsal : rehearsals) all_s += rehearsal.games * rehearsal.wall_s_a_game;
-  return all_s / workers;
+  std::priority_queue<double, std::vector<double>, std::greater<>> free_s;
+  for (int i = 0; i < workers; ++i) free_s.push(0);
+  double end_s = 0;
+  for (const Rehearsal& rehearsal : rehearsals) {
+    for (int game = 0; game < rehearsal.games; ++game) {
+      const double done_s = free_s.top() + rehearsal.wall_s_a_game;
+      free_s.pop();
+      free_s.push(done_s);
+      end_s = std::max(end_s, done_s);
+    }
+  }
+  return end_s;
 }
 
 }  // namespace autoref::runner

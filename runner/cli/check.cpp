@@ -15,13 +15,16 @@
 namespace autoref::runner {
 namespace {
 
+std::string verdict_on(const Rehearsal& rehearsal) {
+  if (!rehearsal.void_reason.empty()) return "void: " + rehearsal.void_reason;
+  return rehearsal.was_tried ? "plays" : "not tried: it would take too long";
+}
+
 std::string table_of(const std::vector<Rehearsal>& rehearsals) {
   std::vector<Cells> rows = {{"what is played", "games", "about, s a game", ""}};
   for (const Rehearsal& rehearsal : rehearsals) {
-    const std::string verdict =
-        rehearsal.void_reason.empty() ? "plays" : "void: " + rehearsal.void_reason;
     rows.push_back({rehearsal.played, std::to_string(rehearsal.games),
-                    fmt::format("{:.1f}", rehearsal.wall_s_a_game), verdict});
+                    fmt::format("{:.1f}", rehearsal.wall_s_a_game), verdict_on(rehearsal)});
   }
   return aligned(rows, {Align::kLeft, Align::kRight, Align::kRight, Align::kLeft});
 }
@@ -35,9 +38,9 @@ int check_verb(const CheckArguments& arguments) {
     for (const ScheduledGame& game : games) fmt::print("{}\n", game.id);
     return kDone;
   }
-  const std::vector<Rehearsal> rehearsals =
-      rehearse(games, [](const GameConfiguration& game) { return play(game); });
   const int workers = arguments.worker_count();
+  const std::vector<Rehearsal> rehearsals =
+      rehearse(games, {[](const GameConfiguration& game) { return play(game); }, workers});
   fmt::print("{}\n{} games, about {} with {} at a time\n", table_of(rehearsals), games.size(),
              duration_text(duration_s(rehearsals, workers)), workers);
   const std::string caveat = caveat_of_schedule(scenario);
@@ -50,8 +53,7 @@ int check_verb(const CheckArguments& arguments) {
 
 void add_check_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb = app.add_subcommand(
-      "check",
-      "Read an experiment, play a few seconds of everything in it, say how long it takes.");
+      "check", "Read an experiment, play a little of everything in it, say how long it takes.");
   auto arguments = std::make_shared<CheckArguments>();
   verb->add_option("FILE", arguments->file,
                    "Scenario of kind sweep, roundrobin, gauntlet, sprt or knockout.")
@@ -62,7 +64,11 @@ void add_check_verb(CLI::App& app, Chosen& chosen) {
       ->check(CLI::Range(1, 1024));
   add_set_option(*verb, arguments->sets);
   verb->add_flag("--games", arguments->games, "Print the id of every game instead, play none.");
-  verb->footer("Example:\n  autoref check scenarios/handicap-speed.yaml");
+  verb->footer(
+      "Takes ten seconds at most. Of everything a few seconds are played, then whole games or as\n"
+      "much of them as there is time for; the estimate holds for a machine that is as busy "
+      "then.\n\n"
+      "Example:\n  autoref check scenarios/handicap-speed.yaml");
   verb->callback([arguments, &chosen] { chosen = [arguments] { return check_verb(*arguments); }; });
 }
 

@@ -82,7 +82,7 @@ class Pool {
     const double wall_s = worker.busy_s();
     worker.end();
     // What hangs once hangs again: another attempt would only cost as much time again.
-    give_up(job, fmt::format("it took longer than {} s", options_.longest_job_s), wall_s);
+    give_up(job, fmt::format("it took longer than {} s", options_.longest_job_s), wall_s, true);
   }
 
   void lose(const Job& job, const std::string& reason, double wall_s) {
@@ -93,9 +93,9 @@ class Pool {
     }
   }
 
-  void give_up(const Job& job, const std::string& reason, double wall_s) {
+  void give_up(const Job& job, const std::string& reason, double wall_s, bool is_late = false) {
     const std::string failure = fmt::format("{}, in attempt {}", reason, job.attempt);
-    calls_.done({job.number, "", failure, job.attempt, wall_s});
+    calls_.done({job.number, "", failure, job.attempt, wall_s, is_late});
   }
 
   const WorkerOptions& options_;

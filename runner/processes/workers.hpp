@@ -23,7 +23,8 @@ struct JobResult {
   std::string payload;  // what the work returned; never empty, at most 100 kB
   std::string failure;  // why the job was given up; empty where it was done
   int attempt = 1;      // counted from 1
-  double wall_s = 0;    // of this attempt
+  double wall_s = 0;     // of this attempt
+  bool is_late = false;  // given up because it took too long
 };
 
 struct WorkerCalls {

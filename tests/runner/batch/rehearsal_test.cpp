@@ -1,8 +1,11 @@
 #include "runner/batch/rehearsal.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <stdexcept>
+#include <thread>
 
 #include "runner/batch/experiment_kinds.hpp"
 #include "tests/runner/batch/fake_games.hpp"
@@ -10,49 +13,121 @@
 namespace autoref::runner {
 namespace {
 
-TEST(Rehearse, PlaysOneGameOfEachCombination) {
-  std::vector<int> robots;
-  const auto play = [&robots](const GameConfiguration& game) {
-    robots.push_back(game.b.robots);
-    return fake_game(game);
-  };
-  const std::vector<Rehearsal> rehearsals = rehearse(scheduled_games(small_sweep(3)), play);
-  EXPECT_EQ(robots, (std::vector<int>{6, 5}));
+using std::chrono::duration;
+
+// Plays in workers: what they are given is appended to a file, a line a game.
+class Rehearse : public testing::Test {
+ protected:
+  std::vector<Rehearsal> rehearsed(const Scenario& scenario, RehearsalOptions options) const {
+    options.play = [this, play = options.play](const GameConfiguration& game) {
+      write_content(folder_ / "games", fmt::format("{} {}\n", game.b.robots, game.match.half_s),
+                    std::ios::app);
+      return play(game);
+    };
+    return rehearse(scheduled_games(scenario), options);
+  }
+  std::string games() const { return content_of(folder_ / "games"); }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(Rehearse, PlaysAFewSecondsOfEachCombinationFirst) {
+  const std::vector<Rehearsal> rehearsals = rehearsed(small_sweep(3), {fake_game});
+  EXPECT_TRUE(games().starts_with("6 5\n5 5\n")) << games();
   ASSERT_EQ(rehearsals.size(), 2U);
   EXPECT_EQ(rehearsals[1].played, "b.robots=5");
   EXPECT_EQ(rehearsals[1].games, 6);
   EXPECT_EQ(rehearsals[1].void_reason, "");
 }
 
-TEST(Rehearse, PlaysShortHalvesAndNoLongerOnesThanTheGame) {
-  Scenario scenario = small_sweep(1);
-  std::vector<double> halves_s;
-  const auto play = [&halves_s](const GameConfiguration& game) {
-    halves_s.push_back(game.match.half_s);
-    return fake_game(game);
-  };
-  rehearse(scheduled_games(scenario), play);
-  std::get<Sweep>(scenario.content).base.match.half_s = 2;
-  rehearse(scheduled_games(scenario), play);
-  EXPECT_EQ(halves_s, (std::vector<double>{5, 5, 2, 2}));
+TEST_F(Rehearse, PlaysWholeGamesWhereThereIsTime) {
+  rehearsed(small_sweep(1), {fake_game});
+  EXPECT_TRUE(games().ends_with("6 600\n5 600\n6 600\n5 600\n")) << games();
 }
 
-TEST(Rehearse, SaysWhyAGameIsVoid) {
+TEST_F(Rehearse, PlaysNoLongerHalvesThanTheGame) {
+  Scenario scenario = small_sweep(1);
+  std::get<Sweep>(scenario.content).base.match.half_s = 2;
+  rehearsed(scenario, {fake_game});
+  EXPECT_TRUE(games().starts_with("6 2\n5 2\n")) << games();
+  EXPECT_EQ(games().find("5 5\n"), std::string::npos) << games();
+}
+
+// The first 10 s of the game take no time, the other 1190 s take 0.1 ms each.
+GameRecord play_with_a_cheap_start(const GameConfiguration& game) {
+  const double middle_s = std::max(0.0, game.match.half_s * game.match.halves - 10);
+  std::this_thread::sleep_for(duration<double>(1e-4 * middle_s));
+  return fake_game(game);
+}
+
+TEST_F(Rehearse, TakesTheMiddleOfAGameIntoAccount) {
+  const std::vector<Rehearsal> rehearsals = rehearsed(small_sweep(3), {play_with_a_cheap_start, 2});
+  for (const Rehearsal& rehearsal : rehearsals) {
+    EXPECT_GT(rehearsal.wall_s_a_game, 0.118);
+    EXPECT_LT(rehearsal.wall_s_a_game, 0.35);  // 0.119 s, on a busy machine
+  }
+}
+
+// 2 s a game: only a part of it fits.
+TEST_F(Rehearse, EstimatesAWholeGameFromAPart) {
+  const auto play = [](const GameConfiguration& game) {
+    std::this_thread::sleep_for(duration<double>(game.match.half_s / 300));
+    return fake_game(game);
+  };
+  const std::vector<Rehearsal> rehearsals = rehearsed(small_sweep(1), {play, 1, 1.5});
+  EXPECT_EQ(games().find(" 600\n"), std::string::npos) << games();
+  EXPECT_GT(rehearsals[0].wall_s_a_game, 1.9);
+  EXPECT_LT(rehearsals[0].wall_s_a_game, 4);
+}
+
+TEST_F(Rehearse, EndsInTime) {
+  Scenario scenario = small_sweep(1);
+  std::get<Sweep>(scenario.content).factors = {{"sim.vision.ball_noise_m", {}}};
+  for (int i = 0; i < 100; ++i) {
+    std::get<Sweep>(scenario.content).factors[0].values.push_back(fmt::format("0.0{:02}", i));
+  }
+  const auto play = [](const GameConfiguration& game) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    return fake_game(game);
+  };
+  const auto start = std::chrono::steady_clock::now();
+  const std::vector<Rehearsal> rehearsals = rehearsed(scenario, {play, 1, 1});
+  EXPECT_LT(duration<double>(std::chrono::steady_clock::now() - start).count(), 4);
+  EXPECT_TRUE(rehearsals.front().was_tried);
+  EXPECT_FALSE(rehearsals.back().was_tried);
+  EXPECT_GT(rehearsals.back().wall_s_a_game, 0);
+}
+
+TEST_F(Rehearse, SaysWhyAGameIsVoid) {
   const auto play = [](const GameConfiguration& game) {
     if (game.b.robots == 6) throw std::runtime_error("no such thing");
     GameRecord record = fake_game(game);
     record.void_reason = "a threw";
     return record;
   };
-  const std::vector<Rehearsal> rehearsals = rehearse(scheduled_games(small_sweep(1)), play);
+  const std::vector<Rehearsal> rehearsals = rehearsed(small_sweep(1), {play});
   EXPECT_EQ(rehearsals[0].void_reason, "no such thing");
   EXPECT_EQ(rehearsals[1].void_reason, "a threw");
 }
 
-TEST(Rehearse, SharesTheGamesBetweenTheWorkers) {
-  const std::vector<Rehearsal> rehearsals = {{"x", 10, "", 2.0}, {"y", 5, "", 4.0}};
-  EXPECT_DOUBLE_EQ(duration_s(rehearsals, 1), 40);
-  EXPECT_DOUBLE_EQ(duration_s(rehearsals, 2), 20);
+TEST_F(Rehearse, SaysThatAGameCrashesInItsMiddle) {
+  const auto play = [](const GameConfiguration& game) {
+    if (game.match.half_s > 100) std::abort();
+    return fake_game(game);
+  };
+  const std::vector<Rehearsal> rehearsals = rehearsed(small_sweep(1), {play});
+  EXPECT_NE(rehearsals[0].void_reason.find("signal 6 (Aborted)"), std::string::npos);
+}
+
+// 10 games of 2 s end after 10 s; then two workers have three games of 4 s each.
+TEST(RehearsedDuration, SharesTheGamesBetweenTheWorkers) {
+  const std::vector<Rehearsal> rehearsals = {{"x", 10, "", 2.0}, {"y", 6, "", 4.0}};
+  EXPECT_DOUBLE_EQ(duration_s(rehearsals, 1), 44);
+  EXPECT_DOUBLE_EQ(duration_s(rehearsals, 2), 22);
+}
+
+TEST(RehearsedDuration, IsThatOfTheLastWorker) {
+  EXPECT_DOUBLE_EQ(duration_s({{"x", 5, "", 2.0}}, 2), 6);
 }
 
 }  // namespace
