@@ -69,17 +69,23 @@ std::string ties_csv(const std::vector<Tie>& ties, const RowFormat& format, cons
   return csv;
 }
 
-std::string bracket_table(const std::vector<Tie>& ties, const RowFormat& format,
-                          const RowsById& rows) {
+std::vector<Cells> bracket_rows(const std::vector<Tie>& ties, const RowFormat& format,
+                                const RowsById& rows) {
   std::vector<Cells> lines = {{"", "a", "", "b", "goes on", "decided by"}};
-  std::string champion;
   for (const Tie& tie : ties) {
     lines.push_back({tie.name, tie.a.value_or("?"), text_of(score_of(tie, format, rows), tie),
                      tie.b.value_or("?"), winner_of(tie), decision_text(tie)});
+  }
+  return lines;
+}
+
+std::string bracket_table(const std::vector<Tie>& ties, const RowFormat& format,
+                          const RowsById& rows) {
+  std::string champion;
+  for (const Tie& tie : ties) {
     if (tie.name == "final") champion = winner_of(tie);
   }
-  const std::string table = aligned(
-      lines, {Align::kLeft, Align::kRight, Align::kLeft, Align::kLeft, Align::kLeft, Align::kLeft});
+  const std::string table = aligned(bracket_rows(ties, format, rows), kBracketColumns);
   return champion.empty() ? table : table + fmt::format("\nthe winner is {}\n", champion);
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "runner/analysis/played_bracket.hpp"
+#include "runner/io/table.hpp"
 
 namespace autoref::runner {
 
@@ -13,7 +14,13 @@ namespace autoref::runner {
 // Cells of what is not known yet are empty.
 std::string ties_csv(const std::vector<Tie>& ties, const RowFormat& format, const RowsById& rows);
 
-// The ties with their scores, then the winner; several lines.
+// The ties with their scores, the head first.
+std::vector<Cells> bracket_rows(const std::vector<Tie>& ties, const RowFormat& format,
+                                const RowsById& rows);
+inline const std::vector<Align> kBracketColumns = {Align::kLeft, Align::kRight, Align::kLeft,
+                                                   Align::kLeft, Align::kLeft,  Align::kLeft};
+
+// The same as text, then the winner; several lines.
 std::string bracket_table(const std::vector<Tie>& ties, const RowFormat& format,
                           const RowsById& rows);
 

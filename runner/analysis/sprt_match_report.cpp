@@ -67,20 +67,22 @@ std::string sprt_match_csv(const SprtMatch& match, const Group& matchup,
   return csv_line(columns) + "\n" + csv_line(cells) + "\n";
 }
 
-std::string sprt_match_table(const SprtMatch& match, const Group& matchup,
-                             const SprtMatchState& state) {
+std::string verdict_text(const SprtMatch& match, const SprtMatchState& state) {
   const SequentialTest& test = match.sprt;
-  std::string text =
-      matchups_table({matchup}) +
-      fmt::format(
-          "\n{}\nafter {} pairs of legs (of {} to {}): log likelihood ratio {:+.2f}, "
-          "bounds {:+.2f} and {:+.2f}\n",
-          sentence(match, state), state.test.pairs, test.min_pairs, test.max_pairs,
-          state.test.log_likelihood_ratio, bound_of_d0(test), bound_of_d1(test));
+  std::string text = fmt::format(
+      "{}\nafter {} pairs of legs (of {} to {}): log likelihood ratio {:+.2f}, "
+      "bounds {:+.2f} and {:+.2f}\n",
+      sentence(match, state), state.test.pairs, test.min_pairs, test.max_pairs,
+      state.test.log_likelihood_ratio, bound_of_d0(test), bound_of_d1(test));
   if (state.void_pairs > 0) {
     text += fmt::format("{} pairs with a void leg are left out of the test\n", state.void_pairs);
   }
   return text;
+}
+
+std::string sprt_match_table(const SprtMatch& match, const Group& matchup,
+                             const SprtMatchState& state) {
+  return matchups_table({matchup}) + "\n" + verdict_text(match, state);
 }
 
 }  // namespace autoref::runner

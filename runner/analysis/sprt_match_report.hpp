@@ -17,7 +17,10 @@ std::string name_of(Verdict verdict);
 std::string sprt_match_csv(const SprtMatch& match, const Group& matchup,
                            const SprtMatchState& state);
 
-// The matchup's table, and the verdict in a sentence.
+// The verdict in a sentence, and what it follows from.
+std::string verdict_text(const SprtMatch& match, const SprtMatchState& state);
+
+// The matchup's table, and the verdict.
 std::string sprt_match_table(const SprtMatch& match, const Group& matchup,
                              const SprtMatchState& state);
 

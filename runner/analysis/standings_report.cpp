@@ -105,7 +105,7 @@ std::string standings_csv(const std::vector<Standing>& standings) {
   return csv_of(rows);
 }
 
-std::string matchups_table(const std::vector<Group>& matchups) {
+std::vector<Cells> matchups_rows(const std::vector<Group>& matchups) {
   std::vector<Cells> rows = {{"a", "b"}};
   append(rows.front(), table_columns());
   append(rows.front(), {"a won", "drawn", "b won"});
@@ -114,10 +114,10 @@ std::string matchups_table(const std::vector<Group>& matchups) {
     append(rows.back(), table_cells(matchup));
     append(rows.back(), results_of(matchup));
   }
-  return aligned(rows, {Align::kLeft, Align::kLeft});
+  return rows;
 }
 
-std::string standings_table(const std::vector<Standing>& standings) {
+std::vector<Cells> standings_rows(const std::vector<Standing>& standings) {
   std::vector<Cells> rows = {{"", "team", "points", "games", "won", "drawn", "lost", "goals"}};
   append(rows.front(), are_rated(standings)
                            ? Cells{"rating in goals [95 %]", "Bradley-Terry [95 %]"}
@@ -130,7 +130,15 @@ std::string standings_table(const std::vector<Standing>& standings) {
                       : Cells{difference_text(standing.differences, standing.pair_differences)});
     rows.push_back(std::move(cells));
   }
-  return aligned(rows, {Align::kRight, Align::kLeft});
+  return rows;
+}
+
+std::string matchups_table(const std::vector<Group>& matchups) {
+  return aligned(matchups_rows(matchups), kMatchupsColumns);
+}
+
+std::string standings_table(const std::vector<Standing>& standings) {
+  return aligned(standings_rows(standings), kStandingsColumns);
 }
 
 }  // namespace autoref::runner

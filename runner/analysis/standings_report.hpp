@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "runner/analysis/standings.hpp"
+#include "runner/io/table.hpp"
 
 namespace autoref::runner {
 
@@ -22,7 +23,15 @@ std::string matchups_csv(const std::vector<Group>& matchups);
 // value are empty.
 std::string standings_csv(const std::vector<Standing>& standings);
 
-// The tables for people, several lines each.
+// The tables for people, the head first.
+std::vector<Cells> matchups_rows(const std::vector<Group>& matchups);
+std::vector<Cells> standings_rows(const std::vector<Standing>& standings);
+
+// How their columns are aligned.
+inline const std::vector<Align> kMatchupsColumns = {Align::kLeft, Align::kLeft};
+inline const std::vector<Align> kStandingsColumns = {Align::kRight, Align::kLeft};
+
+// The same as text, several lines each.
 std::string matchups_table(const std::vector<Group>& matchups);
 std::string standings_table(const std::vector<Standing>& standings);
 

@@ -104,7 +104,7 @@ std::string summary_csv(const Sweep& sweep, const std::vector<Group>& groups) {
   return csv;
 }
 
-std::string summary_table(const Sweep& sweep, const std::vector<Group>& groups) {
+std::vector<Cells> summary_rows(const Sweep& sweep, const std::vector<Group>& groups) {
   std::vector<Cells> rows = {factor_paths(sweep)};
   append(rows.front(), table_columns());
   if (groups.size() > 1) append(rows.front(), {"from the first [95 %]", "p"});
@@ -114,18 +114,23 @@ std::string summary_table(const Sweep& sweep, const std::vector<Group>& groups) 
     append(rows.back(), table_cells(groups[i]));
     if (groups.size() > 1) append(rows.back(), difference_texts(from_first[i]));
   }
-  std::string table = aligned(rows);
+  return rows;
+}
+
+std::string slope_text(const Sweep& sweep, const std::vector<Group>& groups) {
   const std::optional<Slope> slope = slope_over_factor(sweep, groups);
-  if (slope) {
-    table += fmt::format("\na minus b changes by {:+.2f} per unit of {}", slope->mean,
-                         sweep.factors.front().path);
-    if (slope->interval) {
-      table += fmt::format(" (95 % interval {:+.2f} to {:+.2f})", slope->interval->low,
-                           slope->interval->high);
-    }
-    table += '\n';
-  }
-  return table;
+  if (!slope) return {};
+  const std::string text = fmt::format("a minus b changes by {:+.2f} per unit of {}", slope->mean,
+                                       sweep.factors.front().path);
+  if (!slope->interval) return text + "\n";
+  return text + fmt::format(" (95 % interval {:+.2f} to {:+.2f})\n", slope->interval->low,
+                            slope->interval->high);
+}
+
+std::string summary_table(const Sweep& sweep, const std::vector<Group>& groups) {
+  const std::string table = aligned(summary_rows(sweep, groups));
+  const std::string slope = slope_text(sweep, groups);
+  return slope.empty() ? table : table + "\n" + slope;
 }
 
 }  // namespace autoref::runner

@@ -34,7 +34,11 @@ std::optional<Slope> slope_over_factor(const Sweep& sweep, const std::vector<Gro
 // (statistics/paired_difference.hpp); last the games won, drawn and lost with their shares.
 std::string summary_csv(const Sweep& sweep, const std::vector<Group>& groups);
 
-// The table for people, several lines.
+// The table for people, the head first, and the line on the slope; empty where there is none.
+std::vector<Cells> summary_rows(const Sweep& sweep, const std::vector<Group>& groups);
+std::string slope_text(const Sweep& sweep, const std::vector<Group>& groups);
+
+// Both as text, several lines.
 std::string summary_table(const Sweep& sweep, const std::vector<Group>& groups);
 
 }  // namespace autoref::runner

@@ -6,6 +6,7 @@
 
 #include "runner/io/checksum.hpp"
 #include "runner/io/errors.hpp"
+#include "runner/processes/workers.hpp"
 #include "runner/settings/fields.hpp"
 
 namespace autoref::runner {
@@ -41,7 +42,21 @@ void refuse_difference(const StoredRow& row, const Cells& first, const RowFormat
   }
 }
 
+// A game whose worker was killed is played again: then its other row counts, or the last of them.
+void add_another(const StoredRow& row, const RowFormat& format, Cells& cells) {
+  if (is_killed(cells, format)) {
+    cells = row.cells;
+  } else if (!is_killed(row.cells, format)) {
+    refuse_difference(row, cells, format);
+  }
+}
+
 }  // namespace
+
+bool is_killed(const Cells& row, const RowFormat& format) {
+  return row[format.column("status")] == name_of(Status::kVoid) &&
+         was_killed(row[format.column("void_reason")]);
+}
 
 CompletedGames sort_rows(const std::vector<StoredRow>& rows,
                          const std::vector<ScheduledGame>& games, const RowFormat& format,
@@ -60,7 +75,7 @@ CompletedGames sort_rows(const std::vector<StoredRow>& rows,
     } else {
       refuse_other_configuration(row, *game->second, folder, changes);
       const auto [entry, is_new] = completed_games.done.try_emplace(row.id, row.cells);
-      if (!is_new) refuse_difference(row, entry->second, format);
+      if (!is_new) add_another(row, format, entry->second);
     }
   }
   return completed_games;

@@ -18,10 +18,14 @@ struct CompletedGames {
   int other_games = 0;                      // rows of this build whose games are not in the plan
 };
 
+// Whether the game is void because its worker was killed from outside: the next run plays it again.
+bool is_killed(const Cells& row, const RowFormat& format);
+
 // Sorts rows into a stock. Throws InputError for rows of other builds unless those are allowed,
 // and for a game of the plan that was played with another configuration; std::logic_error
-// where two rows of a game differ in what must be reproducible. `folder` and `changes` (what
-// differs between the folder's scenario and this one) are for messages.
+// where two rows of a game differ in what must be reproducible, but for rows of killed games.
+// `folder` and `changes` (what differs between the folder's scenario and this one) are for
+// messages.
 CompletedGames sort_rows(const std::vector<StoredRow>& rows,
                          const std::vector<ScheduledGame>& games, const RowFormat& format,
                          const std::string& build, bool allow_mixed_build,

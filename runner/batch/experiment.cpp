@@ -1,13 +1,14 @@
 #include "runner/batch/experiment.hpp"
 #include "runner/experiments/reading/effective.hpp"
-#include "runner/experiments/reading/scenario_reader.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
+#include <set>
 
 #include "runner/batch/completed_games.hpp"
+#include "runner/batch/folder_changes.hpp"
 #include "runner/batch/result_folder.hpp"
 #include "runner/io/csv.hpp"
 #include "runner/io/errors.hpp"
@@ -34,12 +35,13 @@ GameRecord void_record(const std::string& reason) {
 // What experiments of teams keep: the games' records.
 Outcomes outcomes_of_records(const Scenario& scenario, const ExperimentOptions& options,
                              const RowFormat& format) {
-  const std::size_t goals_a = format.column("goals_a");
-  const std::size_t goals_b = format.column("goals_b");
   return {[&options](const GameConfiguration& game) { return outcome_of(options.play(game)); },
           [](const std::string& reason) { return outcome_of(void_record(reason)); },
-          [=](const Cells& row) { return row[goals_a] + ":" + row[goals_b]; },
-          [&](const std::vector<Cells>& rows) { return results_of(scenario, format, rows).table; }};
+          [&](const std::vector<Cells>& rows) {
+            ExperimentResults results = results_of(scenario, format, rows);
+            return ProgressView{"so far; interim intervals are no reason to stop:",
+                                std::move(results.shown), std::move(results.json)};
+          }};
 }
 
 // A game that throws goes the same way each time: it is void at once.
@@ -61,22 +63,32 @@ class Experiment {
         options_(options),
         format_(row_format(scenario)),
         outcomes_(options.outcomes ? *options.outcomes
-                                   : outcomes_of_records(scenario, options, format_)) {}
+                                   : outcomes_of_records(scenario, options, format_)),
+        there_(scenario_of_folder(options.folder)),
+        progress_(options.progress, options.style) {
+    progress_.show([this] { return view_so_far(); });
+  }
 
   ExperimentReport run() {
     create_folder(options_.folder / kGamesFolder);
     Shard shard(options_.folder / kGamesFolder / options_.shard.file_name(),
                 csv_line(format_.columns()), options_.patience_s);
     take_with_notes();
+    set_killed_games_aside();
+    is_decided_ = is_decided(scenario_, format_, rows_);
     replace_file(options_.folder / kEffectiveFile, effective_text(scenario_));
+    progress_.expect(counts());
     ExperimentReport report;
     report.is_interrupted = play_all(shard, report.played) == Ending::kInterrupted;
+    if (report.is_interrupted) progress_.keep_tables();
+    progress_.expect(counts());
     const RowsById rows = counted(schedule_, rows_);
     report.games = static_cast<int>(schedule_.needed);
     report.done = static_cast<int>(rows.size());
     report.is_complete = report.done == report.games;
     for (const auto& [id, cells] : rows) {
       report.void_games += is_void(cells) ? 1 : 0;
+      report.killed_games += is_killed(cells, format_) ? 1 : 0;
     }
     report.is_waiting = schedule_.needed > schedule_.games.size() && !report.is_interrupted;
     if (report.is_complete && !options_.outcomes) conclude(report, rows);
@@ -91,27 +103,50 @@ class Experiment {
 
   void take_with_notes() {
     const StoredRows stored = read_rows(options_.folder / kGamesFolder, format_);
+    if (there_ && !stored.rows.empty()) refuse_other_seed(scenario_, *there_, options_.folder);
     RowInventory row_inventory = take(stored);
     schedule_ = std::move(row_inventory.schedule);
     rows_ = std::move(row_inventory.completed_games.done);
-    is_decided_ = is_decided(scenario_, format_, rows_);
     if (stored.damaged > 0) {
-      say(fmt::format("{} rows are damaged and do not count; their games are played again",
-                      stored.damaged));
+      progress_.say(fmt::format(
+          "{} rows are damaged and do not count; their games are played again", stored.damaged));
     }
-    if (row_inventory.completed_games.other_games > 0) {
-      say(fmt::format("{} rows belong to games that the scenario does not have; they do not count",
-                      row_inventory.completed_games.other_games));
-    }
+    note_other_games(row_inventory.completed_games.other_games, !stored.rows.empty());
     for (const auto& [build, count] : row_inventory.completed_games.other_builds) {
-      say(fmt::format("{} rows are of build {}; they do not count", count, build));
+      progress_.say(fmt::format("{} rows are of build {}; they do not count", count, build));
     }
+  }
+
+  void note_other_games(int count, bool has_rows) {
+    const std::string pairs =
+        there_ && has_rows ? note_on_pairs(scenario_, *there_, count) : std::string();
+    if (!pairs.empty()) return progress_.say(pairs);
+    if (count == 0) return;
+    progress_.say(fmt::format(
+        "{} rows belong to games that the scenario does not have; they do not count", count));
+  }
+
+  // Games that are void because their workers were killed get another chance in each run.
+  void set_killed_games_aside() {
+    for (const ScheduledGame& game : schedule_.games) {
+      const auto row = rows_.find(game.id);
+      if (row == rows_.end() || !options_.shard.has(game.unit)) continue;
+      if (is_killed(row->second, format_)) again_.insert(game.id);
+    }
+    for (const std::string& id : again_) rows_.erase(id);
+    if (again_.empty()) return;
+    progress_.say(
+        fmt::format("{} games are void because their workers were killed; they are "
+                    "played again",
+                    again_.size()));
+    schedule_ = schedule_of(scenario_, format_, rows_);
   }
 
   // Other shards may have played meanwhile.
   void look_around() {
     const Clock::time_point began = Clock::now();
-    rows_.merge(take(read_rows(options_.folder / kGamesFolder, format_)).completed_games.done);
+    rows_ = take(read_rows(options_.folder / kGamesFolder, format_)).completed_games.done;
+    for (const std::string& id : again_) rows_.erase(id);
     const Clock::duration looking = Clock::now() - began;
     next_look_ =
         Clock::now() + std::chrono::duration_cast<Clock::duration>(looking / kLookingShare);
@@ -119,14 +154,7 @@ class Experiment {
 
   // What differs from the scenario that the folder was made with, as far as it can be told.
   std::string changes() const {
-    const fs::path file = options_.folder / kEffectiveFile;
-    try {
-      const std::optional<std::string> text = read_file(file);
-      if (!text) return {};
-      return changes_between(scenario_, read_scenario_text(*text, file.string()));
-    } catch (const InputError&) {
-      return {};
-    }
+    return there_ ? changes_between(scenario_, *there_) : std::string();
   }
 
   // Plays until no needed game is left to this shard that is known and has no row. Each round but
@@ -138,6 +166,7 @@ class Experiment {
       const Ending ending = play(missing, shard, played_games);
       if (options_.shard.of > 1) look_around();
       if (follows_its_rows(scenario_)) schedule_ = schedule_of(scenario_, format_, rows_);
+      progress_.expect(counts());
       if (ending == Ending::kInterrupted && !missing_games().empty()) return ending;
     }
   }
@@ -170,27 +199,33 @@ class Experiment {
     return row[format_.column("status")] == name_of(Status::kVoid);
   }
 
-  std::string table_so_far() const {
+  ProgressView view_so_far() const {
     std::vector<Cells> rows;
     for (const auto& [id, cells] : counted(schedule_, rows_)) rows.push_back(cells);
-    return "so far; interim intervals are no reason to stop:\n\n" + outcomes_.table(rows);
+    return outcomes_.view(rows);
+  }
+
+  void announce_ending(int running) {
+    progress_.say(
+        fmt::format("interrupted: {} running games end first; a second Ctrl-C stops at "
+                    "once",
+                    running));
   }
 
   Ending play(const std::vector<std::size_t>& games, Shard& shard, int& played_games) {
-    Progress progress(options_.progress, counts());
-    progress.show([this] { return table_so_far(); });
     const WorkerOptions workers{options_.workers, options_.attempts, options_.longest_game_s};
     return do_jobs(
         games, workers,
         {[this](std::size_t i) { return played(outcomes_, schedule_.games[i].configuration); },
          [&](const JobResult& result) {
-           keep(shard, result, progress);
+           keep(shard, result);
            ++played_games;
          },
-         [&progress] { progress.tick(); }, [this] { return is_decided_; }});
+         [this] { progress_.tick(); }, [this] { return is_decided_; },
+         [this](int running) { announce_ending(running); }});
   }
 
-  void keep(Shard& shard, const JobResult& result, Progress& progress) {
+  void keep(Shard& shard, const JobResult& result) {
     const ScheduledGame& game = schedule_.games[result.job];
     const Cells outcome = result.failure.empty() ? csv_cells(result.payload).value()
                                                  : outcomes_.of_void(result.failure);
@@ -200,9 +235,10 @@ class Experiment {
     shard.append(line);
     const Cells cells = format_.read(line).value();
     const std::string& reason = cells[format_.column("void_reason")];
-    if (!reason.empty()) progress.say(fmt::format("{} is void: {}", game.id, reason));
+    if (!reason.empty()) progress_.say(fmt::format("{} is void: {}", game.id, reason));
     rows_[game.id] = cells;
-    progress.game_done(fmt::format("{} {}", game.id, outcomes_.news(cells)), is_void(cells));
+    again_.erase(game.id);
+    progress_.game_done(is_void(cells));
     if (!follows_its_rows(scenario_)) return;
     if (options_.shard.of > 1 && Clock::now() >= next_look_) look_around();
     is_decided_ = is_decided(scenario_, format_, rows_);
@@ -215,20 +251,19 @@ class Experiment {
     report.transitions_never_used = transitions_never_used(format_, rows);
   }
 
-  void say(const std::string& message) const {
-    if (options_.progress != nullptr) write_message(options_.progress, message + "\n");
-  }
-
   const Scenario& scenario_;
   const ExperimentOptions& options_;
   const RowFormat format_;
   const Outcomes outcomes_;
   const std::string host_ = host_name();
   const std::string cpu_ = cpu_name();
-  Schedule schedule_;  // stays as it is while workers play
-  RowsById rows_;      // of its games, also those that are not needed
+  Schedule schedule_;            // stays as it is while workers play
+  RowsById rows_;                // of its games, also those that are not needed
+  std::set<std::string> again_;  // games with a row that are to be played again
   bool is_decided_ = false;
   Clock::time_point next_look_;
+  const std::optional<Scenario> there_;  // that the folder was filled with before
+  Progress progress_;                    // ends first: what it shows follows from the others
 };
 
 }  // namespace

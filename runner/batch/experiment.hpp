@@ -19,6 +19,7 @@
 #include "runner/batch/outcomes.hpp"
 #include "runner/experiments/scenario.hpp"
 #include "runner/game/game.hpp"
+#include "runner/processes/progress.hpp"
 #include "runner/results/shard.hpp"
 
 namespace autoref::runner {
@@ -30,11 +31,12 @@ struct ExperimentOptions {
   ShardIndex shard;                // plays its share of the games only
   bool allow_mixed_build = false;  // rows of other builds may stand in the folder; they stay apart
   std::function<GameRecord(const GameConfiguration&)> play;  // called in workers
-  std::optional<Outcomes> outcomes = {};  // instead of what `play` comes to; write no results
-  std::FILE* progress = nullptr;          // where to write progress, if anywhere
-  double longest_game_s = 600;            // wall time, then it is void
-  int attempts = 3;                       // for a game whose worker dies, until it is void
-  double patience_s = 2;                  // for another run to let go of the folder
+  std::optional<Outcomes> outcomes = {};       // instead of what `play` comes to; write no results
+  std::FILE* progress = nullptr;               // where to write progress, if anywhere
+  ProgressStyle style = ProgressStyle::kAuto;  // and how
+  double longest_game_s = 600;                 // wall time, then it is void
+  int attempts = 3;                            // for a game whose worker dies, until it is void
+  double patience_s = 2;                       // for another run to let go of the folder
 };
 
 struct ExperimentReport {
@@ -45,14 +47,15 @@ struct ExperimentReport {
   int done = 0;                 // so far, by this run and former ones
   int played = 0;               // by this run
   int void_games = 0;
+  int killed_games = 0;                             // of them, those that the next run plays again
   ExperimentResults results;                        // of a complete run
   std::vector<std::string> transitions_never_used;  // of the referee's machine, by a complete run
 };
 
-// Plays the games that have no row yet: none with the same id, configuration and build. Throws
-// InputError where the folder's rows do not belong to this scenario or this build, InputOutputError
-// where it cannot be written, and std::logic_error where two rows of one game and build differ in
-// what must be reproducible.
+// Plays the games that have no row yet: none with the same id, configuration and build; and those
+// that are void because their workers were killed. Throws InputError where the folder's rows do not
+// belong to this scenario, its seed or this build, InputOutputError where it cannot be written, and
+// std::logic_error where two rows of one game and build differ in what must be reproducible.
 ExperimentReport run_experiment(const Scenario& scenario, const ExperimentOptions& options);
 
 }  // namespace autoref::runner

@@ -8,6 +8,7 @@
 #include "runner/analysis/sprt_match_state.hpp"
 #include "runner/analysis/standings_report.hpp"
 #include "runner/analysis/summary.hpp"
+#include "runner/batch/results_json.hpp"
 #include "runner/experiments/knockout_schedule.hpp"
 #include "runner/experiments/matchup_schedule.hpp"
 #include "runner/experiments/with_kind.hpp"
@@ -68,12 +69,53 @@ ExperimentResults results_of(const JudgeSchedule& /*schedule*/, const RowFormat&
   throw std::logic_error("what follows from judged games is in runner/judge");
 }
 
+// Of table_columns().
+enum GroupColumn : std::size_t { kGames, kGoalsA, kGoalsB, kDifference, kVoid };
+
+// The columns of a table of groups that a narrow screen does without, behind `heads` columns of
+// names: goals, which their difference sums up, and void games, which the bar counts.
+std::vector<std::size_t> columns_to_spare(std::size_t heads) {
+  return {heads + kGoalsB, heads + kGoalsA, heads + kVoid};
+}
+
+// Games won, drawn and lost are at the right, and add up to the games.
+ProgressTable matchups_shown(const std::vector<Group>& matchups) {
+  ProgressTable table{matchups_rows(matchups), kMatchupsColumns, "matchups", columns_to_spare(2)};
+  table.dispensable.insert(table.dispensable.end(), {2 + kGames, 2 + kDifference});
+  return table;
+}
+
+// Standings first where a screen shows a part.
+void show_standings(ExperimentResults& results, const std::string& noun) {
+  results.table = matchups_table(results.groups) + "\n" + standings_table(results.standings);
+  // Ratings, or the goal difference, are the last columns; games played are the fourth.
+  std::vector<std::size_t> to_spare = {8, 3};
+  if (are_rated(results.standings)) to_spare = {9, 8, 3};
+  results.shown = {{standings_rows(results.standings), kStandingsColumns, noun, to_spare},
+                   matchups_shown(results.groups)};
+  results.json = {{"standings", json_of(results.standings)}, {"groups", json_of(results.groups)}};
+}
+
+// Without the rows of ties before the first that is still to be played.
+std::vector<Cells> rows_from_first_open_tie(const std::vector<Tie>& ties, std::vector<Cells> rows) {
+  const auto open =
+      std::find_if(ties.begin(), ties.end(), [](const Tie& tie) { return !tie.is_decided(); });
+  if (open != ties.end()) rows.erase(rows.begin() + 1, rows.begin() + 1 + (open - ties.begin()));
+  return rows;
+}
+
 ExperimentResults results_of(const Sweep& sweep, const RowFormat& format,
                              const std::vector<Cells>& rows) {
   ExperimentResults results;
   results.groups = grouped(sweep, format, rows);
   results.files = {{"summary.csv", "a row per value", summary_csv(sweep, results.groups)}};
   results.table = summary_table(sweep, results.groups);
+  results.shown = {{summary_rows(sweep, results.groups),
+                    {},
+                    "values",
+                    columns_to_spare(sweep.factors.size()),
+                    slope_text(sweep, results.groups)}};
+  results.json = {{"groups", json_of(results.groups)}};
   return results;
 }
 
@@ -84,7 +126,7 @@ ExperimentResults results_of(const RoundRobin& robin, const RowFormat& format,
   results.standings = standings_of(results.groups);
   results.files = {{"summary.csv", "a row per matchup", matchups_csv(results.groups)},
                    {"standings.csv", "a row per team", standings_csv(results.standings)}};
-  results.table = matchups_table(results.groups) + "\n" + standings_table(results.standings);
+  show_standings(results, "teams");
   return results;
 }
 
@@ -95,7 +137,7 @@ ExperimentResults results_of(const Gauntlet& gauntlet, const RowFormat& format,
   results.standings = standings_of_challengers(results.groups);
   results.files = {{"summary.csv", "a row per matchup", matchups_csv(results.groups)},
                    {"standings.csv", "a row per challenger", standings_csv(results.standings)}};
-  results.table = matchups_table(results.groups) + "\n" + standings_table(results.standings);
+  show_standings(results, "challengers");
   return results;
 }
 
@@ -114,6 +156,9 @@ ExperimentResults results_of(const SprtMatch& match, const RowFormat& format,
   results.files = {
       {"summary.csv", "the SPRT match and its verdict", sprt_match_csv(match, matchup, state)}};
   results.table = sprt_match_table(match, matchup, state);
+  results.shown = {matchups_shown(results.groups)};
+  results.shown.front().text = verdict_text(match, state);
+  results.json = {{"groups", json_of(results.groups)}, {"sprt", json_of(state)}};
   return results;
 }
 
@@ -124,6 +169,9 @@ ExperimentResults results_of(const Knockout& knockout, const RowFormat& format,
   ExperimentResults results;
   results.files = {{"summary.csv", "a row per tie", ties_csv(ties, format, games)}};
   results.table = bracket_table(ties, format, games);
+  results.shown = {
+      {rows_from_first_open_tie(ties, bracket_rows(ties, format, games)), kBracketColumns, "ties"}};
+  results.json = {{"ties", json_of(ties)}};
   return results;
 }
 

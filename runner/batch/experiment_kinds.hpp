@@ -8,6 +8,7 @@
 #include "runner/analysis/standings.hpp"
 #include "runner/experiments/scenario.hpp"
 #include "runner/experiments/schedule.hpp"
+#include "runner/processes/standings_table.hpp"
 #include "runner/results/rows.hpp"
 
 namespace autoref::runner {
@@ -69,11 +70,13 @@ struct ExperimentResults {
   std::vector<Group> groups;        // of a sweep's values, or of matchups; a knockout has none
   std::vector<Standing> standings;  // of a round robin or of challengers, best team first
   std::vector<ResultFile> files;
-  std::string table;  // for people
+  std::string table;                 // for people
+  std::vector<ProgressTable> shown;  // the same for a screen, as a run shows it
+  std::vector<std::pair<std::string, std::string>> json;  // and for programs: keys and values
 };
 
-// `rows` are complete rows, each game once, in any order. Not of judged games, whose results are
-// in runner/judge.
+// Made of the rows of games that count, each game once, in any order. Not of judged games, whose
+// results are in runner/judge.
 ExperimentResults results_of(const Scenario& scenario, const RowFormat& format,
                              const std::vector<Cells>& rows);
 

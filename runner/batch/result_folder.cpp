@@ -47,6 +47,12 @@ Scenario scenario_in(const fs::path& folder) {
                    fmt::format("this is a {}, not an experiment", kind_of(scenario)));
 }
 
+int ResultFolder::killed_games() const {
+  int count = 0;
+  for (const auto& [id, cells] : completed_games.done) count += is_killed(cells, format) ? 1 : 0;
+  return count;
+}
+
 int ResultFolder::void_games() const {
   const std::size_t status = format.column("status");
   int count = 0;

@@ -29,6 +29,7 @@ struct ResultFolder {
   std::map<std::string, int> by_shard;  // how many games each has played, "0/1"
 
   int void_games() const;
+  int killed_games() const;  // void ones that the next run plays again
   bool is_complete() const { return completed_games.done.size() == needed; }
 };
 

@@ -25,9 +25,9 @@ std::string common_options(const SlurmArray& array) {
   return text;
 }
 
-std::string set_options(const SlurmArray& array) {
+std::string words_of(const std::vector<std::string>& overrides) {
   std::string text;
-  for (const std::string& set : array.sets) text += " --set " + shell_word(set);
+  for (const std::string& option : overrides) text += " " + shell_word(option);
   return text;
 }
 
@@ -45,7 +45,7 @@ trap 'end asked' TERM  # cancelled, or pre-empted
 code=75
 for try in 1 2 3 4 5 6; do
   [[ -z $ending ]] || break
-  {program} run {file} -o {folder} --shard "$SLURM_ARRAY_TASK_ID/{tasks}" -j {workers}{sets} &
+  {program} run {file} -o {folder} --shard "$SLURM_ARRAY_TASK_ID/{tasks}" -j {workers}{overrides} &
   run=$!
   wait "$run"; code=$?
   [[ -z $ending ]] || {{ wait "$run"; code=$?; }}
@@ -85,7 +85,7 @@ std::string array_script(const SlurmArray& array) {
                             fmt::arg("file", shell_word(array.file.string())),
                             fmt::arg("folder", shell_word(array.folder.string())),
                             fmt::arg("tasks", array.tasks), fmt::arg("workers", array.workers),
-                            fmt::arg("sets", set_options(array)));
+                            fmt::arg("overrides", words_of(array.overrides)));
 }
 
 std::string merge_script(const SlurmArray& array) {

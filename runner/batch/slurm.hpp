@@ -10,10 +10,10 @@ namespace autoref::runner {
 
 struct SlurmArray {
   // Absolute paths, on a disk that all machines of the cluster share.
-  std::filesystem::path program;  // autoref
-  std::filesystem::path file;     // the experiment
-  std::filesystem::path folder;   // of the results
-  std::vector<std::string> sets;  // "key=value", over the experiment's settings
+  std::filesystem::path program;       // autoref
+  std::filesystem::path file;          // the experiment
+  std::filesystem::path folder;        // of the results
+  std::vector<std::string> overrides;  // further options of autoref run, such as "--seed=7"
   int tasks = 8;
   int workers = 1;                   // processors of each task
   std::string time;                  // HH:MM:SS for each task; empty: the partition's limit

@@ -61,7 +61,7 @@ Verification verify(const ResultFolder& folder, int sample, int workers,
     } else {
       verification.differences.push_back({id, "status", "ok", result.failure});
     }
-    bar.game_done(id);
+    bar.game_done();
   };
   const WorkerCalls calls{
       [&](std::size_t i) { return csv_line(outcome(folder.games[i].configuration)); }, done,

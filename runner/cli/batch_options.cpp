@@ -5,11 +5,38 @@
 
 #include "runner/batch/experiment_kinds.hpp"
 #include "runner/cli/command_line.hpp"
+#include "runner/experiments/overrides.hpp"
 #include "runner/experiments/reading/scenario_reader.hpp"
 #include "runner/io/errors.hpp"
+#include "runner/io/words.hpp"
 #include "runner/processes/workers.hpp"
+#include "runner/settings/assignments.hpp"
 
 namespace autoref::runner {
+namespace {
+
+void override_pairs(const std::string& text, Scenario& scenario) {
+  if (text.empty()) return;
+  const std::optional<int> pairs = whole_number_in(text);
+  if (!pairs) {
+    throw InputError(
+        {"--pairs"}, "",
+        fmt::format("expected a whole number from 1 to {}, found '{}'", kMostPairs, text));
+  }
+  blame("--pairs", [&] { set_pairs(scenario, *pairs); });
+}
+
+void override_seed(const std::string& text, Scenario& scenario) {
+  if (text.empty()) return;
+  const std::optional<std::uint64_t> seed = seed_in(text);
+  if (!seed) {
+    throw InputError({"--seed"}, "",
+                     fmt::format("expected a whole number from 0 to 2^64 - 1, found '{}'", text));
+  }
+  set_master_seed(scenario, *seed);
+}
+
+}  // namespace
 
 std::filesystem::path BatchArguments::results_folder() const {
   if (!folder.empty()) return folder;
@@ -19,11 +46,16 @@ std::filesystem::path BatchArguments::results_folder() const {
 int BatchArguments::worker_count() const { return workers > 0 ? workers : processors(); }
 
 Scenario read_experiment(const BatchArguments& arguments) {
-  Scenario scenario = read_scenario(arguments.file, assignments_in(arguments.sets));
-  if (is_experiment(scenario)) return scenario;
-  throw InputError({arguments.file}, "kind",
-                   fmt::format("this is a {}, not an experiment; play it with: autoref {} {}",
-                               kind_of(scenario), verb_of(scenario), arguments.file));
+  const std::string& file = arguments.file;
+  Scenario scenario = read_scenario(file, assignments_in(arguments.sets));
+  if (!is_experiment(scenario)) {
+    throw InputError({file}, "kind",
+                     fmt::format("this is a {}, not an experiment; play it with: autoref {} {}",
+                                 kind_of(scenario), verb_of(scenario), file));
+  }
+  override_pairs(arguments.pairs, scenario);
+  override_seed(arguments.seed, scenario);
+  return scenario;
 }
 
 void add_set_option(CLI::App& verb, std::vector<std::string>& sets) {
@@ -44,6 +76,14 @@ void add_batch_options(CLI::App& verb, BatchArguments& arguments, const std::str
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
   add_set_option(verb, arguments.sets);
+}
+
+void add_override_options(CLI::App& verb, BatchArguments& arguments) {
+  verb.add_option("--pairs", arguments.pairs,
+                  "Pairs of legs instead of the file's; of kind sprt, at most so many.")
+      ->type_name("N");
+  verb.add_option("--seed", arguments.seed, "Seed of the experiment instead of the file's.")
+      ->type_name("N");
 }
 
 void add_folder_options(CLI::App& verb, FolderArguments& arguments) {

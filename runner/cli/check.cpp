@@ -63,6 +63,7 @@ void add_check_verb(CLI::App& app, Chosen& chosen) {
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
   add_set_option(*verb, arguments->sets);
+  add_override_options(*verb, *arguments);
   verb->add_flag("--games", arguments->games, "Print the id of every game instead, play none.");
   verb->footer(
       "Takes ten seconds at most. Of everything a few seconds are played, then whole games or as\n"

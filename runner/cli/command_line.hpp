@@ -27,6 +27,8 @@ struct BatchArguments {
   std::string file;
   std::string folder;             // empty: results/runs/<scenario>
   int workers = 0;                // 0: one per processor
+  std::string pairs;              // instead of the file's; empty: those
+  std::string seed;               // likewise
   std::vector<std::string> sets;  // "key=value"
 
   std::filesystem::path results_folder() const;
@@ -37,6 +39,8 @@ struct BatchArguments {
 struct RunArguments : BatchArguments {
   std::string shard = "0/1";
   bool allow_mixed_build = false;
+  bool quiet = false;
+  std::string progress;  // "plain", "json" or "none"; empty: as suits the stream
 };
 
 // What `autoref submit` is told.
@@ -163,11 +167,14 @@ int help_verb(const CLI::App& app, const std::string& word);  // empty: lists th
 using Chosen = std::function<int()>;
 // Reads a whole log; a file that is none is an InputError.
 RecordedFacts read_facts(const std::string& log);
-// Reads an experiment; a scenario of another kind is refused with the verb that plays it.
+// Reads an experiment, with the settings, the pairs and the seed that flags give; a scenario of
+// another kind is refused with the verb that plays it.
 Scenario read_experiment(const BatchArguments& arguments);
 // Adds the file and the options that all verbs of many games have.
 void add_set_option(CLI::App& verb, std::vector<std::string>& sets);
 void add_batch_options(CLI::App& verb, BatchArguments& arguments, const std::string& about_file);
+// Adds --pairs and --seed, which all verbs of experiments have.
+void add_override_options(CLI::App& verb, BatchArguments& arguments);
 void add_play_verb(CLI::App& app, Chosen& chosen);
 void add_run_verb(CLI::App& app, Chosen& chosen);
 void add_submit_verb(CLI::App& app, Chosen& chosen);

@@ -26,7 +26,8 @@ ExperimentOptions options_of(const RunArguments& arguments) {
   }
   options.allow_mixed_build = arguments.allow_mixed_build;
   options.play = [](const GameConfiguration& game) { return play(game); };
-  options.progress = stderr;
+  options.progress = arguments.quiet ? nullptr : stderr;
+  if (!arguments.progress.empty()) options.style = progress_style_of(arguments.progress).value();
   return options;
 }
 
@@ -42,6 +43,29 @@ void print_results(const Scenario& scenario, const ExperimentReport& report,
     fmt::print("{}   {}\n", (folder / file.name).string(), file.about);
   }
   fmt::print("{}   every setting\n", (folder / "effective.yaml").string());
+  if (report.killed_games == 0) return;
+  fmt::print(
+      "\n{} games are void because their workers were killed; the same command plays them "
+      "again\n",
+      report.killed_games);
+}
+
+// What a run that was not interrupted has come to.
+void print_end(const Scenario& scenario, const ExperimentReport& report,
+               const ExperimentOptions& options) {
+  const std::string folder = options.folder.string();
+  if (report.is_complete) return print_results(scenario, report, options.folder);
+  if (report.is_waiting) {
+    fmt::print(
+        "shard {} has played what is known: {} of {} games are in {}; later ties follow from games "
+        "of other shards: when these are there, the same command goes on\n",
+        options.shard.name(), report.done, report.games, folder);
+  } else {
+    fmt::print(
+        "shard {} is done: {} of {} games are in {}; once all are there, merge them with: "
+        "autoref report {}\n",
+        options.shard.name(), report.done, report.games, folder, folder);
+  }
 }
 
 }  // namespace
@@ -57,23 +81,8 @@ int run_verb(const RunArguments& arguments) {
                     report.done, report.games));
     return kInterrupted;
   }
-  if (report.is_waiting) {
-    fmt::print(
-        "shard {} has played what is known: {} of {} games are in {}; later ties follow from games "
-        "of other shards: when these are there, the same command goes on\n",
-        options.shard.name(), report.done, report.games, options.folder.string());
-    return kDone;
-  }
-  if (!report.is_complete) {
-    fmt::print(
-        "shard {} is done: {} of {} games are in {}; once all are there, merge them with: "
-        "autoref report {}\n",
-        options.shard.name(), report.done, report.games, options.folder.string(),
-        options.folder.string());
-    return kDone;
-  }
-  print_results(scenario, report, options.folder);
-  if (report.void_games <= kMostVoid * report.games) return kDone;
+  if (!arguments.quiet) print_end(scenario, report, options);
+  if (!report.is_complete || report.void_games <= kMostVoid * report.games) return kDone;
   write_message(stderr, fmt::format("autoref: {} of {} games are void; {}'s void_reason says why\n",
                                     report.void_games, report.games,
                                     (options.folder / "results.csv").string()));
@@ -86,19 +95,36 @@ void add_run_verb(CLI::App& app, Chosen& chosen) {
   auto arguments = std::make_shared<RunArguments>();
   add_batch_options(*verb, *arguments,
                     "Scenario of kind sweep, roundrobin, gauntlet, sprt or knockout.");
+  add_override_options(*verb, *arguments);
   verb->add_option("--shard", arguments->shard,
                    "Play only share I (from 0) of N; other runs play the others.")
       ->type_name("I/N");
   verb->add_flag("--allow-mixed-build", arguments->allow_mixed_build,
                  "Go on in a folder that holds games of another build; those do not count.");
+  verb->add_option("--progress", arguments->progress,
+                   "Progress on stderr: plain lines, json lines, or none. Default: a table on a "
+                   "terminal, else plain.")
+      ->type_name("STYLE")
+      ->check(CLI::IsMember({"plain", "json", "none"}));
+  verb->add_flag("--quiet", arguments->quiet, "Print nothing but errors; the exit code says it.")
+      ->excludes("--progress");
   verb->footer(
       "Ctrl-C lets the running games end; a second one stops at once. The same command goes on\n"
-      "where the last one stopped. Shards may share a folder, or each fill one of its own, whose\n"
+      "where the last one stopped; games whose workers were killed are played again. More pairs "
+      "go\n"
+      "on in the same folder, of fewer the rows beyond do not count; another seed needs another\n"
+      "folder.\n\n"
+      "Shards may share a folder, or each fill one of its own, whose\n"
       "games/*.csv are then copied into one for autoref report. A match ends with the pair of "
       "games\n"
       "that decides it; shards of their own folders play all the pairs that it may have. A shard "
       "of\n"
       "a knockout ends where it waits for others' games; the same command then goes on.\n\n"
+      "--progress json: one object a line on stderr, every 5 s and in the end, with event "
+      "(progress,\n"
+      "end, or note with a text), done, total, void, played (by this run), elapsed_s, "
+      "games_per_min,\n"
+      "left_s, and by kind standings, groups, sprt or ties, with the columns of the CSVs.\n\n"
       "Example:\n  autoref run scenarios/handicap-speed.yaml -o results/runs/speed -j 2");
   verb->callback([arguments, &chosen] { chosen = [arguments] { return run_verb(*arguments); }; });
 }

@@ -15,6 +15,10 @@ namespace {
 void print_counts(const ResultFolder& folder) {
   fmt::print("{}   {} of {} games done, {} void\n", folder.path.string(),
              folder.completed_games.done.size(), folder.needed, folder.void_games());
+  if (folder.completed_games.other_games > 0) {
+    fmt::print("  {} rows of games that the experiment does not have; they do not count\n",
+               folder.completed_games.other_games);
+  }
   if (folder.beyond > 0) {
     fmt::print("  {} games were played beyond those that decided it; they do not count\n",
                folder.beyond);
@@ -24,6 +28,10 @@ void print_counts(const ResultFolder& folder) {
   }
   for (const auto& [build, count] : folder.completed_games.other_builds) {
     fmt::print("  build {}   {} rows that do not count here\n", build, count);
+  }
+  if (folder.killed_games() > 0) {
+    fmt::print("  {} void games had their workers killed; autoref run plays them again\n",
+               folder.killed_games());
   }
   if (folder.damaged > 0) fmt::print("  {} damaged rows that do not count\n", folder.damaged);
 }

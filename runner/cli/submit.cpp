@@ -69,7 +69,9 @@ SlurmArray array_of(const SubmitArguments& arguments, std::size_t games) {
   array.program = plain_path("autoref", fs::read_symlink("/proc/self/exe"));
   array.file = plain_path("FILE", arguments.file);
   array.folder = plain_path("-o", arguments.results_folder());
-  array.sets = arguments.sets;
+  for (const std::string& set : arguments.sets) array.overrides.push_back("--set=" + set);
+  if (!arguments.pairs.empty()) array.overrides.push_back("--pairs=" + arguments.pairs);
+  if (!arguments.seed.empty()) array.overrides.push_back("--seed=" + arguments.seed);
   array.tasks = tasks_for(arguments.tasks, games);
   array.workers = std::max(1, arguments.workers);
   array.time = arguments.time;
@@ -134,6 +136,7 @@ void add_submit_verb(CLI::App& app, Chosen& chosen) {
   auto arguments = std::make_shared<SubmitArguments>();
   add_batch_options(*verb, *arguments,
                     "Scenario of kind sweep, roundrobin, gauntlet, sprt or knockout.");
+  add_override_options(*verb, *arguments);
   verb->get_option("--workers")->description("Games played at a time in each task. Default: 1.");
   verb->add_flag("--slurm", arguments->slurm,
                  "The cluster is one of Slurm's; there is no other yet.")

@@ -91,15 +91,16 @@ CallEvaluation evaluation_in_row(const RowFormat& format, const Cells& row) {
 Cells judged(const GameConfiguration& game) { return evaluation_cells(evaluate_calls(game)); }
 
 Outcomes judged_outcomes(const JudgeSchedule& schedule, const RowFormat& format) {
-  const auto table = [&schedule, &format](const std::vector<Cells>& rows) {
+  const auto view = [&schedule, &format](const std::vector<Cells>& rows) {
     RowsById by_id;
     for (const Cells& row : rows) by_id[row.front()] = row;
-    return scores_markdown_of(report_of_rows(schedule, format, by_id));
+    const ProgressTable scores{scores_rows(report_of_rows(schedule, format, by_id)), {}, "events"};
+    return ProgressView{"so far:", {scores}, {}};
   };
   const auto voided = [](const std::string& reason) {
     return evaluation_cells(void_evaluation(reason));
   };
-  return {judged, voided, [](const Cells&) { return std::string("judged"); }, table};
+  return {judged, voided, view};
 }
 
 JudgeReport report_of(const ResultFolder& folder) {

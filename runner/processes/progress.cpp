@@ -9,16 +9,26 @@
 #include <string_view>
 
 #include "runner/io/errors.hpp"
-#include "runner/processes/standings_table.hpp"
+#include "runner/io/json.hpp"
 
 namespace autoref::runner {
 namespace {
+
+constexpr std::chrono::seconds kBetweenLines{5};
+constexpr std::chrono::seconds kBetweenDrawings{1};  // of the same
+constexpr int kRowsAfterwards = 3;  // of a screen, for a message of two lines and the prompt
 
 // Whether lines can be drawn over there.
 bool is_terminal(std::FILE* stream) {
   if (stream == nullptr || isatty(fileno(stream)) != 1) return false;
   const char* const name = std::getenv("TERM");
   return name == nullptr || std::string_view(name) != "dumb";
+}
+
+// Games a second; none before the first.
+std::optional<double> rate_of(const GameCounts& counts, double elapsed_s) {
+  if (counts.played == 0 || elapsed_s <= 0) return std::nullopt;
+  return counts.played / elapsed_s;
 }
 
 }  // namespace
@@ -32,62 +42,146 @@ std::string duration_text(double seconds) {
 
 std::string progress_text(const GameCounts& counts, double elapsed_s) {
   std::string text = fmt::format("{}/{} games", counts.done, counts.total);
-  if (counts.played > 0 && elapsed_s > 0) {
-    const double per_s = counts.played / elapsed_s;
+  if (const std::optional<double> per_s = rate_of(counts, elapsed_s)) {
     const int left = counts.total - counts.done;
-    text += fmt::format("   {:.0f} games/min", 60 * per_s);
-    if (left > 0) text += fmt::format("   {} left", duration_text(left / per_s));
+    text += fmt::format("   {:.0f} games/min", 60 * *per_s);
+    if (left > 0) text += fmt::format("   {} left", duration_text(left / *per_s));
   }
   if (counts.voids) text += fmt::format("   {} void", *counts.voids);
   return text;
 }
 
-Progress::Progress(std::FILE* stream, const GameCounts& counts)
-    : stream_(stream), is_terminal_(is_terminal(stream)), counts_(counts) {}
+std::optional<ProgressStyle> progress_style_of(std::string_view name) {
+  if (name == "plain") return ProgressStyle::kPlain;
+  if (name == "json") return ProgressStyle::kJson;
+  if (name == "none") return ProgressStyle::kNone;
+  return std::nullopt;
+}
 
-Progress::~Progress() { clear(); }
+std::string progress_json(std::string_view event, const GameCounts& counts, double elapsed_s,
+                          const ProgressView& view) {
+  const auto tenths = [](double number) { return fmt::format("{:.1f}", number); };
+  const std::optional<double> per_s = rate_of(counts, elapsed_s);
+  JsonObject json;
+  json.add("event", json_text(event))
+      .add("done", std::to_string(counts.done))
+      .add("total", std::to_string(counts.total))
+      .add("void", counts.voids ? std::to_string(*counts.voids) : "null")
+      .add("played", std::to_string(counts.played))
+      .add("elapsed_s", tenths(elapsed_s))
+      .add("games_per_min", per_s ? tenths(60 * *per_s) : "null")
+      .add("left_s", per_s ? tenths((counts.total - counts.done) / *per_s) : "null");
+  for (const auto& [key, value] : view.json) json.add(key, value);
+  return json.text();
+}
 
-void Progress::game_done(const std::string& news, bool is_void) {
+Progress::Progress(std::FILE* stream, ProgressStyle style) : stream_(stream), style_(style) {
+  if (style == ProgressStyle::kAuto && !is_terminal(stream)) style_ = ProgressStyle::kPlain;
+}
+
+Progress::Progress(std::FILE* stream, const GameCounts& counts, ProgressStyle style)
+    : Progress(stream, style) {
+  expect(counts);
+}
+
+Progress::~Progress() { end(); }
+
+void Progress::expect(const GameCounts& counts) {
+  const int played = counts_.played;
+  counts_ = counts;
+  counts_.played = played;
+  if (is_started_) return;
+  is_started_ = true;
+  began_ = Clock::now();
+  next_line_ = began_ + kBetweenLines;
+}
+
+void Progress::game_done(bool is_void) {
   ++counts_.done;
   ++counts_.played;
   if (counts_.voids && is_void) ++*counts_.voids;
-  if (stream_ == nullptr) return;
-  if (is_terminal_) {
-    tick();
-  } else {
-    say(fmt::format("{}   {}", progress_text(counts_, elapsed_s()), news));
-  }
+  tick();
 }
 
 void Progress::tick() {
-  if (!is_terminal_) return;
-  renew_table();
-  const std::string bar =
-      bar_text(counts_.done, counts_.total) + progress_text(counts_, elapsed_s());
-  write_message(stream_, standings_table(bar, table_, screen_of(stream_)));
+  if (stream_ == nullptr || !is_started_) return;
+  if (style_ == ProgressStyle::kAuto) {
+    draw();
+  } else if (style_ != ProgressStyle::kNone && Clock::now() >= next_line_) {
+    write_line("progress");
+  }
 }
 
-void Progress::renew_table() {
+void Progress::draw() {
+  renew_view();
+  const Screen screen = screen_of(stream_);
+  std::string text = standings_table(bar(screen), tables(screen), screen);
+  if (text == drawn_ && Clock::now() < next_drawing_) return;
+  write_message(stream_, text);
+  drawn_ = std::move(text);
+  next_drawing_ = Clock::now() + kBetweenDrawings;
+}
+
+std::string Progress::bar(const Screen& screen) const {
+  return bar_line(counts_.done, counts_.total, progress_text(counts_, elapsed_s()), screen.columns);
+}
+
+std::string Progress::tables(const Screen& screen) const {
+  const int lines = table_lines(screen) - (view_.heading.empty() ? 0 : 1);
+  const std::string text = fitted(view_.tables, lines, screen.columns);
+  return text.empty() || view_.heading.empty() ? text : view_.heading + "\n" + text;
+}
+
+void Progress::write_line(std::string_view event) {
+  next_line_ = Clock::now() + kBetweenLines;
+  done_in_line_ = counts_.done;
+  if (style_ == ProgressStyle::kJson) {
+    renew_view();
+    write_message(stream_, progress_json(event, counts_, elapsed_s(), view_) + "\n");
+  } else {
+    write_message(stream_, progress_text(counts_, elapsed_s()) + "\n");
+  }
+}
+
+void Progress::renew_view() {
   const Clock::time_point start = Clock::now();
-  if (!table_of_ || counts_.played == played_in_table_ || start < next_table_) return;
-  table_ = table_of_();
-  played_in_table_ = counts_.played;
+  if (!view_of_ || counts_.played == played_in_view_ || start < next_view_) return;
+  view_ = view_of_();
+  played_in_view_ = counts_.played;
   const Clock::time_point end = Clock::now();
-  next_table_ = end + std::max<Clock::duration>(std::chrono::seconds(1), 100 * (end - start));
+  next_view_ = end + std::max<Clock::duration>(std::chrono::seconds(1), 100 * (end - start));
 }
 
 void Progress::say(const std::string& message) {
   if (stream_ == nullptr) return;
-  clear();
-  write_message(stream_, message + "\n");
+  if (style_ == ProgressStyle::kJson) {
+    const std::string note =
+        JsonObject().add("event", json_text("note")).add("text", json_text(message)).text();
+    write_message(stream_, note + "\n");
+    return;
+  }
+  const std::string_view clear = style_ == ProgressStyle::kAuto ? kClearTable : "";
+  write_message(stream_, fmt::format("{}{}\n", clear, message));
+  drawn_.clear();
 }
 
 double Progress::elapsed_s() const {
   return std::chrono::duration<double>(Clock::now() - began_).count();
 }
 
-void Progress::clear() {
-  if (is_terminal_) write_message(stream_, kClearTable);
+// The last state, whatever was written before.
+void Progress::end() {
+  if (stream_ == nullptr || !is_started_ || style_ == ProgressStyle::kNone) return;
+  next_view_ = Clock::now();
+  if (style_ == ProgressStyle::kAuto) {
+    if (keeps_tables_) renew_view();
+    Screen screen = screen_of(stream_);
+    screen.rows -= kRowsAfterwards;
+    write_message(stream_,
+                  last_standings_table(bar(screen), keeps_tables_ ? tables(screen) : "", screen));
+  } else if (style_ == ProgressStyle::kJson || counts_.done != done_in_line_) {
+    write_line("end");
+  }
 }
 
 }  // namespace autoref::runner

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 
-#include <vector>
-
 namespace autoref::runner {
 namespace {
 
@@ -31,6 +29,27 @@ std::vector<std::string_view> lines_of(std::string_view text) {
   return lines;
 }
 
+struct Drawn {
+  std::string text;
+  std::size_t lines_below = 0;  // the bar
+};
+
+// A line that filled the last column, or the last row, could make the terminal scroll.
+Drawn drawn(std::string_view bar, std::string_view table, const Screen& screen) {
+  std::vector<std::string_view> lines = lines_of(table);
+  const auto most = static_cast<std::size_t>(table_lines(screen));
+  std::string more;
+  if (lines.size() > most) {
+    more = fmt::format("... {} more lines", lines.size() - most + 1);
+    lines.resize(most);
+    if (most > 0) lines.back() = more;
+  }
+  std::string view = fmt::format("{}{}", kClearTable, cut(bar, screen.columns - 1));
+  for (const std::string_view line : lines)
+    view += fmt::format("\n{}", cut(line, screen.columns - 1));
+  return {view, lines.size()};
+}
+
 }  // namespace
 
 Screen screen_of(std::FILE* stream) {
@@ -41,26 +60,30 @@ Screen screen_of(std::FILE* stream) {
   return {size.ws_row, size.ws_col};
 }
 
-std::string bar_text(int done, int total) {
-  constexpr int kWidth = 24;
-  const int filled = total == 0 ? kWidth : kWidth * done / total;
-  return fmt::format("[{:#<{}}{:.<{}}] ", "", filled, "", kWidth - filled);
+int table_lines(const Screen& screen) { return std::max(0, screen.rows - 2); }
+
+std::string bar_text(int done, int total, int width) {
+  const int filled = total == 0 ? width : width * done / total;
+  return fmt::format("[{:#<{}}{:.<{}}] ", "", filled, "", width - filled);
 }
 
-// A line that filled the last column, or the last row, could make the terminal scroll.
+std::string bar_line(int done, int total, const std::string& text, int columns) {
+  constexpr int kShortest = 4;
+  constexpr int kFrame = 4;  // brackets, a space, and the column that stays free
+  constexpr int kLongest = 24;
+  const int width = std::min(kLongest, columns - kFrame - static_cast<int>(text.size()));
+  return width < kShortest ? text : bar_text(done, total, width) + text;
+}
+
 std::string standings_table(std::string_view bar, std::string_view table, const Screen& screen) {
-  std::vector<std::string_view> lines = lines_of(table);
-  const auto most = static_cast<std::size_t>(std::max(0, screen.rows - 2));
-  std::string more;
-  if (lines.size() > most) {
-    more = fmt::format("... {} more lines", lines.size() - most + 1);
-    lines.resize(most);
-    if (most > 0) lines.back() = more;
-  }
-  std::string view = fmt::format("{}{}", kClearTable, cut(bar, screen.columns - 1));
-  for (const std::string_view line : lines)
-    view += fmt::format("\n{}", cut(line, screen.columns - 1));
-  return lines.empty() ? view : view + fmt::format("\r\033[{}A", lines.size());
+  const Drawn view = drawn(bar, table, screen);
+  if (view.lines_below == 0) return view.text;
+  return view.text + fmt::format("\r\033[{}A", view.lines_below);
+}
+
+std::string last_standings_table(std::string_view bar, std::string_view table,
+                                 const Screen& screen) {
+  return drawn(bar, table, screen).text + "\n";
 }
 
 }  // namespace autoref::runner

@@ -9,10 +9,12 @@
 
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <cstdint>
 #include <cstring>
 
 #include "runner/io/errors.hpp"
+#include "runner/processes/workers.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -46,15 +48,25 @@ constexpr std::size_t kLongestMessage = 128 * 1024;
   _exit(0);
 }
 
+constexpr std::string_view kEndedBySignal = "its process was ended by signal ";
+
 std::string death_of(int status) {
   if (WIFSIGNALED(status)) {
     const int signal = WTERMSIG(status);
-    return fmt::format("its process was ended by signal {} ({})", signal, strsignal(signal));
+    return fmt::format("{}{} ({})", kEndedBySignal, signal, strsignal(signal));
   }
   return fmt::format("its process ended with code {}", WEXITSTATUS(status));
 }
 
 }  // namespace
+
+bool was_killed(std::string_view failure) {
+  if (!failure.starts_with(kEndedBySignal)) return false;
+  int signal = 0;
+  failure.remove_prefix(kEndedBySignal.size());
+  std::from_chars(failure.data(), failure.data() + failure.size(), signal);
+  return signal == SIGKILL || signal == SIGTERM || signal == SIGHUP || signal == SIGINT;
+}
 
 EndSignals::EndSignals() {
   sigset_t set;

@@ -27,12 +27,13 @@ class Pool {
   Ending run() {
     while (true) {
       if (signals_.count() == 0 && !is_enough()) hand_out();
-      const bool is_busy =
-          std::any_of(workers_.begin(), workers_.end(),
-                      [](const WorkerProcess& worker) { return worker.is_busy(); });
-      if (!is_busy) return signals_.count() == 0 ? Ending::kDone : Ending::kInterrupted;
+      const auto running =
+          std::count_if(workers_.begin(), workers_.end(),
+                        [](const WorkerProcess& worker) { return worker.is_busy(); });
+      if (running == 0) return signals_.count() == 0 ? Ending::kDone : Ending::kInterrupted;
       wait();
       if (signals_.count() > 1) return Ending::kInterrupted;
+      if (signals_.count() == 1) announce_ending(static_cast<int>(running));
       for (WorkerProcess& worker : workers_) check_time(worker);
       if (calls_.tick) calls_.tick();
     }
@@ -40,6 +41,11 @@ class Pool {
 
  private:
   bool is_enough() const { return calls_.is_enough && calls_.is_enough(); }
+
+  void announce_ending(int running) {
+    if (calls_.ending && !is_ending_) calls_.ending(running);
+    is_ending_ = true;
+  }
 
   void hand_out() {
     for (WorkerProcess& worker : workers_) {
@@ -103,6 +109,7 @@ class Pool {
   EndSignals signals_;
   std::deque<Job> queue_;
   std::vector<WorkerProcess> workers_;
+  bool is_ending_ = false;
 };
 
 }  // namespace

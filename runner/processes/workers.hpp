@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace autoref::runner {
@@ -20,9 +21,9 @@ struct WorkerOptions {
 
 struct JobResult {
   std::size_t job = 0;
-  std::string payload;  // what the work returned; never empty, at most 100 kB
-  std::string failure;  // why the job was given up; empty where it was done
-  int attempt = 1;      // counted from 1
+  std::string payload;   // what the work returned; never empty, at most 100 kB
+  std::string failure;   // why the job was given up; empty where it was done
+  int attempt = 1;       // counted from 1
   double wall_s = 0;     // of this attempt
   bool is_late = false;  // given up because it took too long
 };
@@ -32,7 +33,12 @@ struct WorkerCalls {
   std::function<void(const JobResult& result)> done;  // here, as results come in; may throw
   std::function<void()> tick;                         // here, about four times a second
   std::function<bool()> is_enough = {};               // here: whether no further job is to begin
+  std::function<void(int running)> ending = {};       // here, once, after the first signal
 };
+
+// Whether a failure says that the worker was ended from outside, by the out-of-memory killer, say,
+// or by a user: the job itself may be well. A crash or a job that takes too long is the job's own.
+bool was_killed(std::string_view failure);
 
 enum class Ending { kDone, kInterrupted };
 

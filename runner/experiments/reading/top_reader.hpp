@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "runner/experiments/overrides.hpp"
 #include "runner/experiments/reading/base_reader.hpp"
 #include "runner/settings/assignments.hpp"
 #include "runner/settings/settings_reader.hpp"
@@ -56,8 +57,6 @@ class TopReader {
   // `work` throws std::invalid_argument where settings that are right alone make no game together.
   // Its message begins with the path of the one to mend, or of its branch.
   void check(const std::function<void()>& work) const;
-
-  static constexpr int kMostPairs = 9999;
 
  private:
   template <typename Number>

@@ -56,6 +56,19 @@ TEST(CompletedGames, CallsTwoDifferentRowsOfOneGameNondeterminism) {
   }
 }
 
+TEST(CompletedGames, LetsARowOfAKilledGameGiveWayToTheOther) {
+  const ScheduledGame game = scheduled_games()[0];
+  GameRecord killed;
+  killed.status = Status::kVoid;
+  killed.void_reason = "its process was ended by signal 9 (Killed), in attempt 3";
+  const StoredRow good = row_of(game);
+  const StoredRow gone = row_of(game, killed, "x");
+  for (const auto& rows :
+       {std::vector{gone, good}, std::vector{good, gone}, std::vector{gone, good, gone, good}}) {
+    EXPECT_EQ(completed_games_of(rows).done.at(game.id), good.cells);
+  }
+}
+
 TEST(CompletedGames, RefusesRowsOfAnotherBuild) {
   EXPECT_THROW(completed_games_of({row_of(scheduled_games()[0], "y")}), InputError);
 }

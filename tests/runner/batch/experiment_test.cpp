@@ -7,6 +7,7 @@
 
 #include <csignal>
 #include <stdexcept>
+#include <thread>
 
 #include "runner/io/errors.hpp"
 #include "runner/results/shard.hpp"
@@ -124,6 +125,71 @@ TEST(Experiment, MarksAGameVoidThatKillsEveryWorkerAndGoesOn) {
   EXPECT_EQ(report.results.groups.at(1).void_games, 3);
   EXPECT_EQ(report.results.groups.at(1).goals_a.size(), 3U);
   EXPECT_NE(content_of(folder / "results.csv").find("signal 6 (Aborted)"), std::string::npos);
+}
+
+// As the out-of-memory killer does.
+GameRecord killed_game(const GameConfiguration& game) {
+  if (game.b.robots == 5 && game.match.a_plays == Side::kEast) kill(getpid(), SIGKILL);
+  return fake_game(game);
+}
+
+TEST(Experiment, PlaysGamesAgainWhoseWorkersWereKilled) {
+  const TemporaryFolder folder;
+  ExperimentOptions options = fake_options(folder.path());
+  options.play = killed_game;
+  const ExperimentReport killed = run_experiment(small_sweep(), options);
+  EXPECT_EQ(killed.void_games, 3);
+  EXPECT_EQ(killed.killed_games, 3);
+  const ExperimentReport report = run_experiment(small_sweep(), fake_options(folder.path()));
+  EXPECT_EQ(report.played, 3);
+  EXPECT_EQ(report.void_games, 0);
+  EXPECT_EQ(results_in(folder), undisturbed_results(small_sweep()));
+  EXPECT_EQ(run_experiment(small_sweep(), fake_options(folder.path())).played, 0);
+}
+
+TEST(Experiment, PlaysKilledGamesOncePerRun) {
+  const TemporaryFolder folder;
+  ExperimentOptions options = fake_options(folder.path());
+  options.play = killed_game;
+  run_experiment(small_sweep(), options);
+  const ExperimentReport report = run_experiment(small_sweep(), options);
+  EXPECT_TRUE(report.is_complete);
+  EXPECT_EQ(report.played, 3);
+  EXPECT_EQ(report.killed_games, 3);
+}
+
+TEST(Experiment, SaysThatItPlaysKilledGamesAgain) {
+  const TemporaryFolder folder;
+  ExperimentOptions options = fake_options(folder.path());
+  options.play = killed_game;
+  run_experiment(small_sweep(), options);
+  options = fake_options(folder.path());
+  options.progress = stderr;
+  testing::internal::CaptureStderr();
+  run_experiment(small_sweep(), options);
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_NE(said.find("3 games are void because their workers were killed; they are played again"),
+            std::string::npos)
+      << said;
+}
+
+TEST(Experiment, LeavesGamesVoidThatFailByThemselves) {
+  for (const auto& play : std::vector<std::function<GameRecord(const GameConfiguration&)>>{
+           [](const GameConfiguration&) -> GameRecord { std::abort(); },
+           [](const GameConfiguration&) -> GameRecord { throw std::runtime_error("no"); },
+           [](const GameConfiguration& game) {
+             std::this_thread::sleep_for(std::chrono::seconds(60));
+             return fake_game(game);
+           }}) {
+    const TemporaryFolder folder;
+    ExperimentOptions options = fake_options(folder.path());
+    options.play = play;
+    options.longest_game_s = 0.1;
+    EXPECT_EQ(run_experiment(small_sweep(1), options).void_games, 4);
+    const ExperimentReport report = run_experiment(small_sweep(1), fake_options(folder.path()));
+    EXPECT_EQ(report.played, 0);
+    EXPECT_EQ(report.void_games, 4);
+  }
 }
 
 TEST(Experiment, MarksAGameVoidThatThrows) {

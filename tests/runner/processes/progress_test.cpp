@@ -3,11 +3,14 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -53,6 +56,10 @@ class Terminal {
   Terminal& operator=(const Terminal&) = delete;
 
   std::FILE* stream() const { return stream_; }
+  void resize(unsigned short rows, unsigned short columns) const {
+    const winsize size{rows, columns, 0, 0};
+    if (ioctl(master_, TIOCSWINSZ, &size) != 0) throw std::runtime_error("no size");
+  }
   void hang_up() {
     if (master_ >= 0) close(master_);
     master_ = -1;
@@ -75,44 +82,137 @@ class Terminal {
   std::FILE* stream_ = nullptr;
 };
 
-TEST(Progress, DrawsABarAndTheTableSoFar) {
+// A view of one small table.
+ProgressView small_view() { return {"so far:", {{{{"team", "points"}, {"zone", "3"}}}}, {}}; }
+
+TEST(Progress, DrawsABarAndTheTablesSoFar) {
   const Terminal terminal;
   Progress progress(terminal.stream(), {.total = 4, .done = 1});
-  progress.show([] { return "the table\n"; });
-  progress.game_done("1:0");
-  const std::string drawn = terminal.received("\033[1A");
+  progress.show(small_view);
+  progress.game_done();
+  const std::string drawn = terminal.received("\033[3A");
   EXPECT_TRUE(drawn.starts_with("\r\033[J[############............] 2/4 games")) << drawn;
-  EXPECT_TRUE(drawn.ends_with("\nthe table\r\033[1A")) << drawn;
+  EXPECT_TRUE(drawn.ends_with("\nso far:\r\nteam   points\r\nzone        3\r\033[3A")) << drawn;
 }
 
-TEST(Progress, MakesTheTableAtMostOnceASecond) {
+TEST(Progress, MakesTheTablesAtMostOnceASecond) {
   const Terminal terminal;
   Progress progress(terminal.stream(), {.total = 4});
-  int tables = 0;
-  progress.show([&tables] { return std::to_string(++tables); });
-  for (int i = 0; i < 4; ++i) progress.game_done("1:0");
-  EXPECT_EQ(tables, 1);
+  int views = 0;
+  progress.show([&views] {
+    ++views;
+    return small_view();
+  });
+  for (int i = 0; i < 4; ++i) progress.game_done();
+  EXPECT_EQ(views, 1);
 }
 
-TEST(Progress, ClearsTheScreenForAMessageAndInTheEnd) {
+TEST(Progress, ClearsTheScreenForAMessage) {
+  const Terminal terminal;
+  Progress progress(terminal.stream(), {.total = 2});
+  progress.say("a message");
+  EXPECT_EQ(terminal.received("\n"), "\r\033[Ja message\r\n");
+}
+
+TEST(Progress, LeavesTheBarInTheEnd) {
   const Terminal terminal;
   {
-    Progress progress(terminal.stream(), {.total = 2});
-    progress.say("a message");
-    EXPECT_EQ(terminal.received("\n"), "\r\033[Ja message\r\n");
+    Progress progress(terminal.stream(), {.total = 2, .done = 2});
+    progress.show(small_view);
   }
-  EXPECT_EQ(terminal.received("\033[J"), "\r\033[J");
+  EXPECT_EQ(terminal.received("\n"), "\r\033[J[########################] 2/2 games\r\n");
 }
 
-TEST(Progress, IsALinePerGameOnADumbTerminal) {
+TEST(Progress, LeavesTheTablesWhereItIsInterrupted) {
+  const Terminal terminal;
+  {
+    Progress progress(terminal.stream(), {.total = 2, .done = 1});
+    progress.show(small_view);
+    progress.keep_tables();
+  }
+  const std::string drawn = terminal.received("zone        3\r\n");
+  EXPECT_TRUE(drawn.ends_with("1/2 games\r\nso far:\r\nteam   points\r\nzone        3\r\n"))
+      << drawn;
+}
+
+TEST(Progress, FollowsTheSizeOfTheTerminal) {
+  const Terminal terminal;
+  Progress progress(terminal.stream(), {.total = 4});
+  progress.show(small_view);
+  progress.tick();
+  EXPECT_TRUE(terminal.received("\033[3A").ends_with("zone        3\r\033[3A"));
+  terminal.resize(20, 12);
+  progress.tick();
+  const std::string narrow = terminal.received("\033[3A");
+  EXPECT_EQ(narrow, "\r\033[J0/4 games\r\nso far:\r\nteam\r\nzone\r\033[3A");
+}
+
+// Whatever is written to a file or a pipe.
+std::string written(const std::function<void(std::FILE*)>& write) {
+  char* text = nullptr;
+  std::size_t size = 0;
+  std::FILE* const stream = open_memstream(&text, &size);
+  write(stream);
+  std::fclose(stream);
+  std::string all(text, size);
+  std::free(text);
+  return all;
+}
+
+TEST(Progress, IsALineEveryFewSecondsThroughAPipeNotOneAGame) {
+  const std::string lines = written([](std::FILE* stream) {
+    Progress progress(stream, {.total = 100});
+    for (int i = 0; i < 50; ++i) progress.game_done();
+    progress.tick();
+  });
+  EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 1) << lines;
+  EXPECT_TRUE(lines.starts_with("50/100 games   ")) << lines;  // the last state
+}
+
+TEST(Progress, WritesNothingButMessagesWhereNoneIsWanted) {
+  EXPECT_EQ(written([](std::FILE* stream) {
+              Progress progress(stream, {.total = 100}, ProgressStyle::kNone);
+              progress.game_done();
+              progress.say("a message");
+            }),
+            "a message\n");
+}
+
+TEST(Progress, HasOneJsonObjectALine) {
+  const std::string lines = written([](std::FILE* stream) {
+    Progress progress(stream, {.total = 3, .done = 1, .voids = 0}, ProgressStyle::kJson);
+    progress.show([] { return ProgressView{"", {}, {{"groups", "[]"}}}; });
+    progress.say("say \"x\"");
+    progress.game_done(true);
+  });
+  EXPECT_TRUE(
+      lines.starts_with("{\"event\": \"note\", \"text\": \"say \\\"x\\\"\"}\n"
+                        "{\"event\": \"end\", \"done\": 2, \"total\": 3, \"void\": 1, "
+                        "\"played\": 1, \"elapsed_s\": "))
+      << lines;
+  EXPECT_TRUE(lines.ends_with(", \"groups\": []}\n")) << lines;
+}
+
+TEST(ProgressJson, HasRateAndTimeLeftOnceTheyAreKnown) {
+  EXPECT_EQ(
+      progress_json("progress", {.total = 120, .done = 60, .played = 10}, 20, {}),
+      "{\"event\": \"progress\", \"done\": 60, \"total\": 120, \"void\": null, \"played\": 10, "
+      "\"elapsed_s\": 20.0, \"games_per_min\": 30.0, \"left_s\": 120.0}");
+  EXPECT_EQ(progress_json("progress", {.total = 2}, 0, {}),
+            "{\"event\": \"progress\", \"done\": 0, \"total\": 2, \"void\": null, \"played\": 0, "
+            "\"elapsed_s\": 0.0, \"games_per_min\": null, \"left_s\": null}");
+}
+
+TEST(Progress, IsPlainOnADumbTerminal) {
   const Terminal terminal;
   setenv("TERM", "dumb", 1);
-  Progress progress(terminal.stream(), {.total = 2});
-  progress.show([] { return "the table"; });
-  progress.game_done("1:0");
+  {
+    Progress progress(terminal.stream(), {.total = 2});
+    progress.show(small_view);
+    progress.game_done();
+  }
   const std::string line = terminal.received("\n");
   EXPECT_TRUE(line.starts_with("1/2 games")) << line;
-  EXPECT_TRUE(line.ends_with("   1:0\r\n")) << line;
   EXPECT_EQ(line.find('\033'), std::string::npos);
 }
 
@@ -120,7 +220,7 @@ TEST(Progress, IgnoresATerminalThatIsGone) {
   Terminal terminal;
   Progress progress(terminal.stream(), {.total = 2});
   terminal.hang_up();
-  progress.game_done("1:0");
+  progress.game_done();
   progress.say("a message");
   EXPECT_NE(std::ferror(terminal.stream()), 0);  // else nothing was tried
 }
@@ -128,7 +228,7 @@ TEST(Progress, IgnoresATerminalThatIsGone) {
 TEST(Progress, IgnoresAFullDisk) {
   std::FILE* full = std::fopen("/dev/full", "w");
   ASSERT_NE(full, nullptr);
-  Progress(full, {.total = 2}).game_done("1:0");
+  Progress(full, {.total = 2}).game_done();
   EXPECT_NE(std::ferror(full), 0);
   std::fclose(full);
 }

@@ -81,6 +81,16 @@ TEST(Workers, GiveAJobUpAfterThreeDeathsAndSayWhy) {
   EXPECT_EQ(outcome.results.at(2).payload, "fine");
 }
 
+TEST(Workers, TellAKillFromACrash) {
+  EXPECT_TRUE(was_killed("its process was ended by signal 9 (Killed), in attempt 3"));
+  EXPECT_TRUE(was_killed("its process was ended by signal 15 (Terminated), in attempt 3"));
+  EXPECT_FALSE(was_killed("its process was ended by signal 11 (Segmentation fault), in attempt 3"));
+  EXPECT_FALSE(was_killed("its process was ended by signal 6 (Aborted), in attempt 3"));
+  EXPECT_FALSE(was_killed("it took longer than 600 s, in attempt 1"));
+  EXPECT_FALSE(was_killed("the game threw: its process was ended by signal 9"));
+  EXPECT_FALSE(was_killed(""));
+}
+
 TEST(Workers, GiveAJobThatTakesTooLongUpAtItsFirstAttempt) {
   WorkerOptions options;
   options.attempts = 3;
@@ -111,6 +121,24 @@ TEST(Workers, FinishRunningJobsAfterTheFirstInterrupt) {
   EXPECT_EQ(ending, Ending::kInterrupted);
   EXPECT_GE(results, 2);
   EXPECT_LE(results, 4);
+}
+
+TEST(Workers, AnnounceTheEndOnceAfterAnInterrupt) {
+  int announced = 0;
+  do_jobs({0, 1, 2, 3}, {.workers = 2},
+          {[](std::size_t job) {
+             if (job == 0) kill(getppid(), SIGINT);
+             std::this_thread::sleep_for(std::chrono::milliseconds(600));
+             return std::string("fine");
+           },
+           [](const JobResult&) {},
+           {},
+           {},
+           [&announced](int running) {
+             ++announced;
+             EXPECT_EQ(running, 2);
+           }});
+  EXPECT_EQ(announced, 1);
 }
 
 TEST(Workers, BeginNoFurtherJobOnceItIsEnough) {

@@ -1,0 +1,64 @@
+#include "runner/batch/folder_changes.hpp"
+
+#include <fmt/format.h>
+
+#include "runner/batch/experiment_kinds.hpp"
+#include "runner/experiments/overrides.hpp"
+#include "runner/experiments/reading/scenario_reader.hpp"
+#include "runner/io/errors.hpp"
+#include "runner/io/files.hpp"
+#include "runner/results/shard.hpp"
+
+namespace autoref::runner {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string changes_besides_seed(Scenario here, const Scenario& there) {
+  set_master_seed(here, master_seed_of(there));
+  return changes_between(here, there);
+}
+
+}  // namespace
+
+std::optional<Scenario> scenario_of_folder(const fs::path& folder) {
+  const fs::path file = folder / kEffectiveFile;
+  try {
+    const std::optional<std::string> text = read_file(file);
+    if (!text) return std::nullopt;
+    Scenario scenario = read_scenario_text(*text, file.string());
+    return is_experiment(scenario) ? std::optional(scenario) : std::nullopt;
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+void refuse_other_seed(const Scenario& here, const Scenario& there, const fs::path& folder) {
+  const std::uint64_t seed = master_seed_of(here);
+  const std::uint64_t former = master_seed_of(there);
+  if (seed == former || kind_of(here) != kind_of(there)) return;
+  const std::string others = changes_besides_seed(here, there);
+  throw InputError(
+      {folder.string()}, "",
+      fmt::format("holds games of seed {0}, this is seed {1}{2}; go on with --seed {0} (or seed: "
+                  "{0} in the file), or give seed {1} a folder of its own, such as -o "
+                  "{3}-seed-{1}",
+                  former, seed, others.empty() ? "" : fmt::format(" (besides, {})", others),
+                  (folder / "").parent_path().string()));
+}
+
+std::string note_on_pairs(const Scenario& here, const Scenario& there, int beyond) {
+  const std::optional<int> pairs = pairs_of(here);
+  const std::optional<int> former = pairs_of(there);
+  if (!pairs || !former || *pairs == *former) return {};
+  if (*pairs > *former) {
+    return fmt::format("the folder had {} pairs, now {}: its games count, the others are played",
+                       *former, *pairs);
+  }
+  return fmt::format(
+      "the folder had {} pairs, now {}: {} rows beyond do not count; they stay in {}/, and count "
+      "again with --pairs {}",
+      *former, *pairs, beyond, kGamesFolder, *former);
+}
+
+}  // namespace autoref::runner

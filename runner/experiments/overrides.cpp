@@ -1,0 +1,65 @@
+#include "runner/experiments/overrides.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "runner/experiments/knockout_schedule.hpp"
+#include "runner/experiments/matchup_schedule.hpp"
+#include "runner/experiments/sprt_settings.hpp"
+#include "runner/experiments/with_kind.hpp"
+
+namespace autoref::runner {
+namespace {
+
+int* pairs_in(Sweep& sweep) { return &sweep.pairs; }
+int* pairs_in(RoundRobin& robin) { return &robin.pairs; }
+int* pairs_in(Gauntlet& gauntlet) { return &gauntlet.pairs; }
+int* pairs_in(SprtMatch& match) { return &match.sprt.max_pairs; }
+int* pairs_in(Knockout& /*knockout*/) { return nullptr; }
+
+// Throws where pairs and the other settings do not go together.
+template <typename Experiment>
+void check_pairs(const Experiment& experiment) {
+  if constexpr (std::is_same_v<Experiment, SprtMatch>) check_test(experiment.sprt);
+  scheduled_games(experiment);
+}
+
+}  // namespace
+
+std::optional<int> pairs_of(const Scenario& experiment) {
+  return with_kind(experiment, [](auto its) -> std::optional<int> {
+    const int* const pairs = pairs_in(its);
+    return pairs == nullptr ? std::nullopt : std::optional(*pairs);
+  });
+}
+
+std::uint64_t master_seed_of(const Scenario& experiment) {
+  return with_kind(experiment, [](const auto& its) { return its.seed; });
+}
+
+void set_pairs(Scenario& experiment, int pairs) {
+  if (pairs < 1 || pairs > kMostPairs) {
+    throw std::invalid_argument(
+        fmt::format("expected a whole number from 1 to {}, found {}", kMostPairs, pairs));
+  }
+  experiment.content = with_kind(experiment, [pairs](auto its) -> decltype(Scenario::content) {
+    int* const place = pairs_in(its);
+    if (place == nullptr) {
+      throw std::invalid_argument(
+          "a knockout has no pairs: each tie is one game, played again while it is drawn");
+    }
+    *place = pairs;
+    check_pairs(its);
+    return its;
+  });
+}
+
+void set_master_seed(Scenario& experiment, std::uint64_t seed) {
+  experiment.content = with_kind(experiment, [seed](auto its) -> decltype(Scenario::content) {
+    its.seed = seed;
+    return its;
+  });
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,167 @@
+// autoref run, on games of a few seconds: what its options change, and what it says of a folder
+// that has games already.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "runner/io/csv.hpp"
+#include "runner/io/errors.hpp"
+#include "tests/checkout.hpp"
+#include "tests/runner/cli/answer.hpp"
+#include "tests/runner/support/temporary_folder.hpp"
+
+namespace autoref::runner {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+class RunVerb : public testing::Test {
+ protected:
+  void SetUp() override { write_file("seed: 1\npairs: 1\n"); }
+  void write_file(const std::string& further) {
+    write_content(file_,
+                  "schema: 1\nkind: sweep\n"
+                  "base:\n  teams: { a: { strategy: dummy }, b: { strategy: dummy } }\n"
+                  "  match: { rules: paper, half_s: 1 }\n"
+                  "factors: { b.robots: [6, 5] }\n" +
+                      further);
+  }
+  Answer run(std::vector<const char*> further = {}) const {
+    std::vector<const char*> words = {"run", file_.c_str(), "-o", results_.c_str(), "-j", "1"};
+    words.insert(words.end(), further.begin(), further.end());
+    return answer_to(words);
+  }
+  std::string effective() const { return content_of(folder_ / "results/effective.yaml"); }
+
+  TemporaryFolder folder_;
+  std::string file_ = (folder_ / "short.yaml").string();
+  std::string results_ = (folder_ / "results").string();
+};
+
+TEST_F(RunVerb, PlaysSoManyPairsFromThatSeed) {
+  const Answer answer = run({"--pairs", "2", "--seed", "7"});
+  EXPECT_EQ(answer.code, kDone) << answer.err;
+  EXPECT_TRUE(holds(effective(), "pairs: 2\nseed: 7\n")) << effective();
+  write_file("seed: 7\npairs: 2\n");
+  const Answer same = run();  // nothing is left to play
+  EXPECT_TRUE(holds(same.err, "8/8 games   0 void")) << same.err;
+}
+
+TEST_F(RunVerb, RefusesWhatIsNoNumberOfPairsAndNoSeed) {
+  for (const char* pairs : {"0", "x", "10000", "1.5"}) {
+    const Answer answer = run({"--pairs", pairs});
+    EXPECT_EQ(answer.code, kBadInput);
+    EXPECT_TRUE(holds(answer.err, "--pairs: expected a whole number from 1 to 9999")) << answer.err;
+  }
+  EXPECT_TRUE(holds(run({"--seed", "x"}).err, "--seed: expected a whole number"));
+}
+
+TEST_F(RunVerb, RefusesPairsOfAKnockout) {
+  const std::string knockout = in_checkout("scenarios/knockout.yaml");
+  const Answer answer =
+      answer_to({"run", knockout.c_str(), "-o", results_.c_str(), "--pairs", "2"});
+  EXPECT_EQ(answer.code, kBadInput);
+  EXPECT_TRUE(holds(answer.err, "--pairs: a knockout has no pairs")) << answer.err;
+}
+
+TEST_F(RunVerb, TakesPairsForTheMostOfAnSprt) {
+  const std::string sprt = in_checkout("scenarios/sprt.yaml");
+  const Answer games = answer_to({"check", sprt.c_str(), "--games", "--pairs", "11"});
+  EXPECT_EQ(std::count(games.out.begin(), games.out.end(), '\n'), 22);
+  const Answer few = answer_to({"check", sprt.c_str(), "--pairs", "3"});
+  EXPECT_EQ(few.code, kBadInput);
+  EXPECT_TRUE(holds(few.err, "--pairs: sprt.max_pairs: must be at least min_pairs")) << few.err;
+}
+
+TEST_F(RunVerb, SharesItsPairsAndSeedWithCheckAndSubmit) {
+  const Answer games = answer_to({"check", file_.c_str(), "--games", "--pairs", "3"});
+  EXPECT_EQ(std::count(games.out.begin(), games.out.end(), '\n'), 12);
+  const Answer submitted = answer_to({"submit", file_.c_str(), "-o", results_.c_str(), "--slurm",
+                                      "--dry-run", "--pairs", "3", "--seed", "7"});
+  EXPECT_EQ(submitted.code, kDone) << submitted.err;
+  EXPECT_TRUE(holds(submitted.out, "12 games in 6 tasks")) << submitted.out;
+  const std::string script = content_of(folder_ / "results/submit.sbatch");
+  EXPECT_TRUE(holds(script, " -j 1 '--pairs=3' '--seed=7' &\n")) << script;
+}
+
+TEST_F(RunVerb, PrintsNothingWhenQuiet) {
+  const Answer answer = run({"--quiet"});
+  EXPECT_EQ(answer.code, kDone);
+  EXPECT_EQ(answer.out + answer.err, "");
+  EXPECT_TRUE(fs::exists(folder_ / "results/summary.csv"));
+}
+
+TEST_F(RunVerb, PrintsErrorsEvenWhenQuiet) {
+  run();
+  EXPECT_NE(run({"--quiet", "--seed", "2"}).err, "");
+}
+
+TEST_F(RunVerb, WritesNoProgressWhenNoneIsWanted) {
+  const Answer answer = run({"--progress", "none"});
+  EXPECT_EQ(answer.err, "");
+  EXPECT_TRUE(holds(answer.out, "b.robots"));
+}
+
+TEST_F(RunVerb, WritesProgressAsLinesOfJson) {
+  const std::string err = run({"--progress", "json"}).err;
+  const std::vector<std::string_view> lines = complete_lines(err);
+  ASSERT_FALSE(lines.empty());
+  for (const std::string_view line : lines) EXPECT_TRUE(line.starts_with("{\"event\": ")) << line;
+  const std::string last(lines.back());
+  EXPECT_TRUE(holds(last,
+                    "{\"event\": \"end\", \"done\": 4, \"total\": 4, \"void\": 0, "
+                    "\"played\": 4, \"elapsed_s\": "))
+      << last;
+  EXPECT_TRUE(holds(last, "\"groups\": [{\"values\": [\"6\"], \"games\": 2, ")) << last;
+}
+
+TEST_F(RunVerb, WritesNotesAsJsonToo) {
+  run();
+  const Answer answer = run({"--progress", "json", "--pairs", "2"});
+  EXPECT_TRUE(answer.err.starts_with("{\"event\": \"note\", \"text\": \"the folder had 1 pairs"))
+      << answer.err;
+}
+
+TEST_F(RunVerb, SaysThatMorePairsGoOn) {
+  run();
+  const Answer answer = run({"--pairs", "3"});
+  EXPECT_EQ(answer.code, kDone);
+  EXPECT_TRUE(answer.err.starts_with(
+      "the folder had 1 pairs, now 3: its games count, the others are played\n"))
+      << answer.err;
+}
+
+TEST_F(RunVerb, SaysWhichRowsFewerPairsLeaveOut) {
+  run({"--pairs", "3"});
+  const Answer answer = run();
+  EXPECT_EQ(answer.code, kDone);
+  EXPECT_TRUE(answer.err.starts_with("the folder had 3 pairs, now 1: 8 rows beyond do not count"))
+      << answer.err;
+  EXPECT_TRUE(holds(answer.err, "count again with --pairs 3")) << answer.err;
+  const Answer status = answer_to({"status", results_.c_str()});
+  EXPECT_TRUE(holds(status.out, "4 of 4 games done")) << status.out;
+  EXPECT_TRUE(holds(status.out, "8 rows of games that the experiment does not have")) << status.out;
+}
+
+TEST_F(RunVerb, SendsAnotherSeedToAnotherFolder) {
+  run();
+  const std::string rows = content_of(folder_ / "results/games/shard-0-of-1.csv");
+  const auto is_refused = [&](const Answer& answer) {
+    EXPECT_EQ(answer.code, kBadInput);
+    EXPECT_TRUE(holds(answer.err, "holds games of seed 1, this is seed 5; go on with --seed 1"))
+        << answer.err;
+    EXPECT_TRUE(holds(answer.err, fmt::format("-o {}-seed-5", results_))) << answer.err;
+    EXPECT_EQ(content_of(folder_ / "results/games/shard-0-of-1.csv"), rows);
+  };
+  is_refused(run({"--seed", "5"}));
+  is_refused(run({"--seed", "5", "--pairs", "4"}));
+  write_file("seed: 5\npairs: 1\n");
+  is_refused(run());
+  EXPECT_EQ(run({"--seed", "1"}).code, kDone);
+}
+
+}  // namespace
+}  // namespace autoref::runner
