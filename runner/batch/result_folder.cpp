@@ -104,16 +104,18 @@ std::vector<std::string> files_of_results(const fs::path& path) {
   return files;
 }
 
+std::string results_csv(const RowFormat& format, const RowsById& rows) {
+  std::string csv = csv_line(format.reproducible(format.columns())) + "\n";
+  for (const auto& [id, row] : rows) csv += csv_line(format.reproducible(row)) + "\n";
+  return csv;
+}
+
 ExperimentResults write_results(const fs::path& folder, const Scenario& scenario,
                                 const RowFormat& format, const RowsById& rows) {
   std::vector<Cells> cells;
-  std::string csv = csv_line(format.reproducible(format.columns())) + "\n";
-  for (const auto& [id, row] : rows) {
-    csv += csv_line(format.reproducible(row)) + "\n";
-    cells.push_back(row);
-  }
+  for (const auto& [id, row] : rows) cells.push_back(row);
   ExperimentResults results = results_of(scenario, format, cells);
-  replace_file(folder / kResultsFile, csv);
+  replace_file(folder / kResultsFile, results_csv(format, rows));
   for (const ResultFile& file : results.files) replace_file(folder / file.name, file.content);
   return results;
 }

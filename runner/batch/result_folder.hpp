@@ -50,6 +50,9 @@ ResultFolder open_results(const std::filesystem::path& path, const std::string& 
 // its rows, and what follows from them.
 std::vector<std::string> files_of_results(const std::filesystem::path& path);
 
+// results.csv: the rows that count, sorted by game and without what may differ from run to run.
+std::string results_csv(const RowFormat& format, const RowsById& rows);
+
 // Writes what follows from the rows: results.csv, sorted by game and without what may differ from
 // run to run, and the files of results_of(). The same rows give the same files, byte by byte.
 ExperimentResults write_results(const std::filesystem::path& folder, const Scenario& scenario,

@@ -4,6 +4,7 @@
 
 #include "runner/io/files.hpp"
 #include "runner/judge/judged_rows.hpp"
+#include "runner/report/build_reports.hpp"
 #include "runner/report/judge_document.hpp"
 #include "runner/report/report.hpp"
 
@@ -45,6 +46,25 @@ std::string report_judged(const ResultFolder& folder, const fs::path& into) {
   fmt::print("{}   the report\n{}   the same, one page for a browser\n",
              (into / kMarkdownReport).string(), (into / kHtmlReport).string());
   return scores_markdown_of(report);
+}
+
+void report_judged_builds(const fs::path& path, const std::string& build) {
+  const std::set<std::string> builds = builds_in(path);
+  if (!build.empty() || builds.size() <= 1) {
+    report_judged(open_results(path, build), path);
+    return;
+  }
+  std::vector<BuildReport> overview;
+  for (const std::string& each : builds) {
+    const fs::path into = build_folder(path, each);
+    create_folder(into);
+    fmt::print("build {}\n\n", each);
+    const ResultFolder folder = open_results(path, each);
+    overview.push_back({folder, report_judged(folder, into)});
+    fmt::print("\n");
+  }
+  write_overview(path, overview);
+  fmt::print("{}   where each build's report is\n", (path / kMarkdownReport).string());
 }
 
 }  // namespace autoref::runner

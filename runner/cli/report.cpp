@@ -2,15 +2,13 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <set>
 #include <vector>
 
 #include "runner/batch/result_folder.hpp"
 #include "runner/cli/command_line.hpp"
 #include "runner/cli/judged_results.hpp"
 #include "runner/io/errors.hpp"
-#include "runner/io/files.hpp"
-#include "runner/report/build_reports.hpp"
+#include "runner/report/folder_report.hpp"
 #include "runner/report/report.hpp"
 
 namespace autoref::runner {
@@ -30,47 +28,37 @@ void print_files(const ExperimentResults& results, const WrittenReport& report,
              report.drawn);
 }
 
-// Writes everything that follows from one build's rows into `into`, and says so. Gives its table.
-std::string report_build(const ResultFolder& folder, const fs::path& into) {
-  create_folder(into);
-  if (is_judged(folder.scenario)) return report_judged(folder, into);
-  const ExperimentResults results =
-      write_results(into, folder.scenario, folder.format, folder.completed_games.done);
-  const WrittenReport report = write_report(folder, results, into);
-  fmt::print("{}\n", results.table);
+void print_report(const FolderReport& written) {
+  const ResultFolder& folder = written.folder;
+  fmt::print("{}\n", written.results.table);
   if (!folder.is_complete()) {
     fmt::print("{} of {} games: interim intervals are no reason to stop\n",
                folder.completed_games.done.size(), folder.needed);
   }
-  print_files(results, report, into);
-  for (const std::string& trouble : report.troubles)
+  print_files(written.results, written.report, written.into);
+  for (const std::string& trouble : written.report.troubles)
     write_message(stderr, "autoref: " + trouble + "\n");
-  return results.table;
-}
-
-void report_each_build(const fs::path& path, const std::set<std::string>& builds) {
-  std::vector<BuildReport> reports;
-  for (const std::string& build : builds) {
-    fmt::print("build {}\n\n", build);
-    BuildReport report{open_results(path, build), {}};
-    report.table = report_build(report.folder, build_folder(path, build));
-    reports.push_back(std::move(report));
-    fmt::print("\n");
-  }
-  write_overview(path, reports);
-  fmt::print("{}   where each build's report is\n", (path / kMarkdownReport).string());
 }
 
 }  // namespace
 
 int report_verb(const FolderArguments& arguments) {
   const fs::path path = arguments.folder;
-  const std::set<std::string> builds = builds_in(path);
-  if (arguments.build.empty() && builds.size() > 1) {
-    report_each_build(path, builds);
-  } else {
-    report_build(open_results(path, arguments.build), path);
+  if (is_judged(scenario_in(path))) {
+    report_judged_builds(path, arguments.build);
+    return kDone;
   }
+  const std::vector<FolderReport> reports = write_folder_reports(path, arguments.build);
+  if (reports.size() == 1) {
+    print_report(reports.front());
+    return kDone;
+  }
+  for (const FolderReport& report : reports) {
+    fmt::print("build {}\n\n", report.folder.build);
+    print_report(report);
+    fmt::print("\n");
+  }
+  fmt::print("{}   where each build's report is\n", (path / kMarkdownReport).string());
   return kDone;
 }
 
@@ -82,7 +70,9 @@ void add_report_verb(CLI::App& app, Chosen& chosen) {
   verb->footer(
       "Safe while a run is filling the folder; the same rows give the same files. Plots need\n"
       "gnuplot (apt-get install gnuplot-nox); DIR/plots has their data and scripts in any case.\n"
-      "Games of several builds are reported apart, in folders DIR/build-...\n\n"
+      "Games of several builds are reported apart, in folders DIR/build-... A run that completes "
+      "the\n"
+      "folder later writes a report that is there again.\n\n"
       "Example:\n  autoref report results/runs/handicap-speed");
   verb->callback(
       [arguments, &chosen] { chosen = [arguments] { return report_verb(*arguments); }; });

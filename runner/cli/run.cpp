@@ -8,6 +8,7 @@
 #include "runner/cli/command_line.hpp"
 #include "runner/io/build_id.hpp"
 #include "runner/io/errors.hpp"
+#include "runner/report/folder_report.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -68,20 +69,38 @@ void print_end(const Scenario& scenario, const ExperimentReport& report,
   }
 }
 
+// A report that is there holds the games of its time. A complete run writes it again; others say
+// what it lacks. Returns the line that says it, if any.
+std::string mended_report(const ExperimentReport& report, const ExperimentOptions& options) {
+  if (report.done == 0 || !fs::exists(options.folder / kMarkdownReport)) return {};
+  const ResultFolder folder = open_results(options.folder, options.build);
+  if (!report.is_complete) {
+    const std::string shortfall = report_shortfall(folder);
+    return shortfall.empty() ? "" : shortfall + "\n";
+  }
+  const fs::path written = refresh_report(folder);
+  return written.empty() ? "" : fmt::format("{}   written again\n", written.string());
+}
+
 }  // namespace
 
 int run_verb(const RunArguments& arguments) {
   const Scenario scenario = read_experiment(arguments);
   const ExperimentOptions options = options_of(arguments);
   const ExperimentReport report = run_experiment(scenario, options);
+  const std::string about_report = mended_report(report, options);
   if (report.is_interrupted) {
     write_message(
         stderr,
         fmt::format("autoref: interrupted with {} of {} games done; the same command continues\n",
-                    report.done, report.games));
+                    report.done, report.games) +
+            about_report);
     return kInterrupted;
   }
-  if (!arguments.quiet) print_end(scenario, report, options);
+  if (!arguments.quiet) {
+    print_end(scenario, report, options);
+    fmt::print("{}", about_report);
+  }
   if (!report.is_complete || report.void_games <= kMostVoid * report.games) return kDone;
   write_message(stderr, fmt::format("autoref: {} of {} games are void; {}'s void_reason says why\n",
                                     report.void_games, report.games,
@@ -113,7 +132,7 @@ void add_run_verb(CLI::App& app, Chosen& chosen) {
       "where the last one stopped; games whose workers were killed are played again. More pairs "
       "go\n"
       "on in the same folder, of fewer the rows beyond do not count; another seed needs another\n"
-      "folder.\n\n"
+      "folder. A report that is in the folder is written again when all games are there.\n\n"
       "Shards may share a folder, or each fill one of its own, whose\n"
       "games/*.csv are then copied into one for autoref report. A match ends with the pair of "
       "games\n"

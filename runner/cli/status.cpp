@@ -8,6 +8,7 @@
 #include "runner/cli/judged_results.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/judge/judged_rows.hpp"
+#include "runner/report/folder_report.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -33,6 +34,8 @@ void print_counts(const ResultFolder& folder) {
     fmt::print("  {} void games had their workers killed; autoref run plays them again\n",
                folder.killed_games());
   }
+  const std::string shortfall = report_shortfall(folder);
+  if (!shortfall.empty()) fmt::print("  {}\n", shortfall);
   if (folder.damaged > 0) fmt::print("  {} damaged rows that do not count\n", folder.damaged);
 }
 

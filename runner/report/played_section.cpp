@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "runner/io/checksum.hpp"
 #include "runner/io/words.hpp"
 #include "runner/report/sections.hpp"
 
@@ -42,15 +43,23 @@ void add_rows_that_do_not_count(Table& table, const ResultFolder& folder) {
 
 }  // namespace
 
+std::string games_text(const ResultFolder& folder) {
+  return fmt::format("{} of {}", folder.completed_games.done.size(), folder.needed);
+}
+
+std::string rows_checksum(const ResultFolder& folder) {
+  return crc_text(results_csv(folder.format, folder.completed_games.done));
+}
+
 Section played_section(const ResultFolder& folder, const ExperimentResults& results) {
-  Table table{
-      {{"experiment", ""},
-       {"kind", kind_text(folder.scenario)},
-       {"games", fmt::format("{} of {}", folder.completed_games.done.size(), folder.needed)},
-       {"void games", std::to_string(folder.void_games())},
-       {"build", folder.build.empty() ? "none" : folder.build},
-       {"master seed", master_seed(folder.scenario)}},
-      2};
+  Table table{{{"experiment", ""},
+               {"kind", kind_text(folder.scenario)},
+               {kGamesRow, games_text(folder)},
+               {"void games", std::to_string(folder.void_games())},
+               {kBuildRow, folder.build.empty() ? "none" : folder.build},
+               {"master seed", master_seed(folder.scenario)},
+               {kChecksumRow, rows_checksum(folder)}},
+              2};
   if (!results.groups.empty()) {
     table.rows.push_back(
         {"pairs of legs without a void game", std::to_string(pairs_of(results.groups))});

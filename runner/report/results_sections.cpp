@@ -21,6 +21,11 @@ List meaning_of_intervals(const ResultFolder& folder, const ExperimentResults& r
   if (!results.standings.empty()) {
     list.items.emplace_back("A win is three points, a draw one.");
   }
+  if (!results.groups.empty()) {
+    list.items.emplace_back(
+        "The winner of a shoot-out has won the game. Its kicks are not goals of the game: goal "
+        "differences, ratings in goals and sequential tests take the game as drawn.");
+  }
   if (are_rated(results.standings)) {
     list.items.emplace_back("Ratings have intervals from resampled pairs of legs.");
   }

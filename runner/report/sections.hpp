@@ -11,6 +11,13 @@ namespace autoref::runner {
 
 using Section = std::vector<Block>;  // empty where there is nothing to say
 
+// Rows of what was played, by which a report can be compared with its folder; and their values.
+inline constexpr const char* kBuildRow = "build";
+inline constexpr const char* kGamesRow = "games";
+inline constexpr const char* kChecksumRow = "checksum of the rows";
+std::string games_text(const ResultFolder& folder);     // "12 of 24"
+std::string rows_checksum(const ResultFolder& folder);  // CRC-32 of results.csv
+
 // What was played, how much of it, and what with. Says that interim intervals are not for stopping
 // where games are missing.
 Section played_section(const ResultFolder& folder, const ExperimentResults& results);

@@ -205,5 +205,33 @@ TEST_F(Report, HasACrosstableOfARoundRobin) {
   EXPECT_TRUE(has(markdown(), "| team0 | 0 (-")) << markdown();
 }
 
+// Each game is drawn, and the shoot-out won by the team with more robots.
+GameRecord shoot_out(const GameConfiguration& game) {
+  GameRecord record = fake_game(game);
+  record.goals_a = record.goals_b = 1;
+  record.end_reason = EndReason::kShootout;
+  record.shootout = {
+      {game.a.robots > game.b.robots ? 3 : 2, game.a.robots > game.b.robots ? 2 : 3}};
+  return record;
+}
+
+TEST_F(Report, TakesTheWinnerOfAShootOutForTheWinnerEverywhere) {
+  ExperimentOptions options = fake_options(folder_.path());
+  options.play = shoot_out;
+  const ExperimentResults results = run_experiment(small_roundrobin({5, 6}, 2), options).results;
+  ASSERT_EQ(results.standings.size(), 2U);
+  EXPECT_EQ(results.standings[0].team, "team1");
+  EXPECT_EQ(results.standings[0].points(), 12);
+  EXPECT_EQ(results.standings[0].goals_for, 4);  // the kicks are not goals
+  EXPECT_EQ(results.shown[0].rows[1][4], "4");   // won, as the run shows it
+  ASSERT_FALSE(results.json.empty());
+  EXPECT_TRUE(has(results.json[0].second, "\"team\": \"team1\", \"points\": 12"));
+  reported(folder_.path());
+  EXPECT_TRUE(has(markdown(), "| team1 |  | 12 (+0.00) |")) << markdown();
+  EXPECT_TRUE(has(markdown(), "| team1 | 4 | 100 % \\[40, 100\\] | 0 % \\[0, 60\\] |"))
+      << markdown();
+  EXPECT_TRUE(has(markdown(), "The winner of a shoot-out has won the game."));
+}
+
 }  // namespace
 }  // namespace autoref::runner

@@ -163,5 +163,29 @@ TEST_F(RunVerb, SendsAnotherSeedToAnotherFolder) {
   EXPECT_EQ(run({"--seed", "1"}).code, kDone);
 }
 
+TEST_F(RunVerb, WritesAReportAgainThatItsGamesMadeStale) {
+  run();
+  EXPECT_FALSE(fs::exists(folder_ / "results/report.html"));  // nobody asked for one
+  answer_to({"report", results_.c_str()});
+  const Answer answer = run({"--pairs", "2"});
+  EXPECT_TRUE(holds(answer.out, "report.html   written again")) << answer.out;
+  EXPECT_TRUE(holds(content_of(folder_ / "results/report.md"), "| games | 8 of 8 |"));
+  EXPECT_TRUE(holds(content_of(folder_ / "results/report.html"), "8 of 8"));
+  EXPECT_FALSE(holds(run({"--pairs", "2"}).out, "written again"));
+  EXPECT_FALSE(holds(answer_to({"status", results_.c_str()}).out, "report.html"));
+}
+
+TEST_F(RunVerb, SaysWhatAReportLacksWhereGamesAreMissing) {
+  run();
+  answer_to({"report", results_.c_str()});
+  const Answer shard = run({"--pairs", "3", "--shard", "1/2"});
+  EXPECT_TRUE(holds(shard.out,
+                    "report.html lacks 4 of the 8 games; write it again with: autoref "
+                    "report"))
+      << shard.out << shard.err;
+  const Answer status = answer_to({"status", results_.c_str()});
+  EXPECT_TRUE(holds(status.out, "report.html lacks 4 of the 8 games")) << status.out;
+}
+
 }  // namespace
 }  // namespace autoref::runner

@@ -1,0 +1,100 @@
+#include "runner/report/folder_report.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "runner/io/checksum.hpp"
+#include "runner/io/files.hpp"
+#include "runner/io/words.hpp"
+#include "runner/report/build_reports.hpp"
+#include "runner/report/sections.hpp"
+
+namespace autoref::runner {
+namespace {
+
+namespace fs = std::filesystem;
+
+FolderReport write_one(ResultFolder folder, const fs::path& into) {
+  create_folder(into);
+  ExperimentResults results =
+      write_results(into, folder.scenario, folder.format, folder.completed_games.done);
+  const WrittenReport report = write_report(folder, results, into);
+  return {std::move(folder), into, std::move(results), report};
+}
+
+// The value of a row of two cells in report.md; empty where there is none.
+std::string cell_in(const std::string& markdown, std::string_view name) {
+  const std::string begin = fmt::format("\n| {} | ", name);
+  const std::size_t at = markdown.find(begin);
+  if (at == std::string::npos) return {};
+  const std::size_t value = at + begin.size();
+  return markdown.substr(value, markdown.find(" |\n", value) - value);
+}
+
+// What a report says of itself.
+struct ReportState {
+  fs::path into;
+  std::string build;
+  std::string games;     // "12 of 24"
+  std::string checksum;  // of its rows; empty in reports of earlier versions
+};
+
+// An overview of several builds is not one build's report.
+std::optional<ReportState> report_in(const fs::path& into, const std::string& build) {
+  const std::string text = read_file(into / kMarkdownReport).value_or("");
+  ReportState state{into, cell_in(text, kBuildRow), cell_in(text, kGamesRow),
+                    cell_in(text, kChecksumRow)};
+  return !state.games.empty() && state.build == build ? std::optional(state) : std::nullopt;
+}
+
+std::optional<ReportState> state_of_report(const ResultFolder& folder) {
+  if (const auto state = report_in(folder.path, folder.build)) return state;
+  return folder.build.empty() ? std::nullopt
+                              : report_in(build_folder(folder.path, folder.build), folder.build);
+}
+
+bool is_stale(const ReportState& state, const ResultFolder& folder) {
+  if (state.games != games_text(folder)) return true;
+  return !state.checksum.empty() && state.checksum != rows_checksum(folder);
+}
+
+}  // namespace
+
+std::vector<FolderReport> write_folder_reports(const fs::path& path, const std::string& build) {
+  std::vector<FolderReport> reports;
+  const std::set<std::string> builds = builds_in(path);
+  if (!build.empty() || builds.size() <= 1) {
+    reports.push_back(write_one(open_results(path, build), path));
+    return reports;
+  }
+  std::vector<BuildReport> overview;
+  for (const std::string& each : builds) {
+    reports.push_back(write_one(open_results(path, each), build_folder(path, each)));
+    overview.push_back({reports.back().folder, reports.back().results.table});
+  }
+  write_overview(path, overview);
+  return reports;
+}
+
+std::string report_shortfall(const ResultFolder& folder) {
+  const std::optional<ReportState> state = state_of_report(folder);
+  if (!state || !is_stale(*state, folder)) return {};
+  const auto done = static_cast<int>(folder.completed_games.done.size());
+  const int lacks =
+      done - whole_number_in(state->games.substr(0, state->games.find(' '))).value_or(0);
+  return fmt::format("{} {}; write it again with: autoref report {}",
+                     (state->into / kHtmlReport).string(),
+                     lacks > 0 ? fmt::format("lacks {} of the {} games", lacks, done)
+                               : std::string("is of other games than the folder holds now"),
+                     folder.path.string());
+}
+
+fs::path refresh_report(const ResultFolder& folder) {
+  const std::optional<ReportState> state = state_of_report(folder);
+  if (!state || !is_stale(*state, folder)) return {};
+  write_folder_reports(folder.path, state->into == folder.path ? folder.build : "");
+  return state->into / kHtmlReport;
+}
+
+}  // namespace autoref::runner
