@@ -15,9 +15,9 @@ namespace autoref::runner {
 namespace {
 
 using ground_truth::Outcome;
-using ground_truth::Verdict;
 
-std::string fault_line(const JudgeGame& game, std::size_t number, const Verdict& verdict) {
+std::string fault_line(const JudgeGame& game, std::size_t number,
+                       const ground_truth::Verdict& verdict) {
   const bool is_missed = verdict.outcome == Outcome::kMissed;
   return csv_line({game.rules, game.camera, game.id, std::to_string(game.configuration.seed),
                    std::string(name_of(game.configuration.match.a_plays)), verdict.name,
@@ -30,13 +30,13 @@ std::string fault_line(const JudgeGame& game, std::size_t number, const Verdict&
 
 // Adds one game to the lists of what is to be looked up.
 void list_faults(const JudgeGame& game, const CallEvaluation& evaluation, JudgeReport& report) {
-  for (const Verdict& verdict : evaluation.verdicts) {
+  for (const ground_truth::Verdict& verdict : evaluation.verdicts) {
     if (verdict.is_second) {
       report.second_calls.push_back(
           fmt::format("{}: {} at {:.3f} s", game.id, verdict.name, verdict.time_s));
     }
   }
-  const std::vector<const Verdict*> faults = faults_in(evaluation);
+  const std::vector<const ground_truth::Verdict*> faults = faults_in(evaluation);
   for (std::size_t i = 0; i < faults.size(); ++i)
     report.faults_csv += fault_line(game, i + 1, *faults[i]);
   for (const std::string& call : evaluation.calls_in_stop) {

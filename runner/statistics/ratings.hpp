@@ -26,13 +26,13 @@ struct Rating {
 inline constexpr int kResamples = 1000;
 
 // With fewer pairs in a matchup there are no intervals.
-inline constexpr std::size_t kFewestPairs = 5;
+inline constexpr std::size_t kFewestResampled = 5;
 
 // A rating for each team, by name. The intervals are bootstrap percentiles (Efron, Bootstrap
 // methods, Ann. Stat. 7, 1979): `kResamples` times as many pairs of legs as each matchup has are
 // drawn from it, with replacement, legs staying together, and the teams are rated anew; the
 // interval spans the middle 95 % of the outcomes. It is none where a matchup has fewer than
-// kFewestPairs pairs or all outcomes are the same, and too narrow where matchups have few: among
+// kFewestResampled pairs or all outcomes are the same, and too narrow where matchups have few: among
 // four equal teams it holds the truth in 91 % of round robins of 5 pairs a matchup, in 93 % of those
 // of 10, in 94 % of those of 30 (tests/coverage/). The draws come from a
 // fixed random stream and go through matchups and pairs by name, so that the order of `matchups`
