@@ -27,7 +27,7 @@ std::optional<Scenario> scenario_of_folder(const fs::path& folder) {
     const std::optional<std::string> text = read_file(file);
     if (!text) return std::nullopt;
     Scenario scenario = read_scenario_text(*text, file.string());
-    return is_experiment(scenario) ? std::optional(scenario) : std::nullopt;
+    return keeps_rows(scenario) ? std::optional(scenario) : std::nullopt;
   } catch (const InputError&) {
     return std::nullopt;
   }

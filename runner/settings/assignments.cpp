@@ -14,7 +14,7 @@ Assignment assignment_in(const std::string& set) {
   if (equals == std::string::npos || equals == 0) {
     throw InputError({flag}, "", "expected KEY=VALUE, such as match.half_s=60");
   }
-  return {flag, full_path(set.substr(0, equals)), set.substr(equals + 1)};
+  return {flag, set.substr(0, equals), set.substr(equals + 1)};
 }
 
 }  // namespace
@@ -25,7 +25,9 @@ Assignments assignments_in(const std::vector<std::string>& sets) {
     Assignment next = assignment_in(set);
     for (const Assignment& other : all) {
       // Of one key the last value counts.
-      if (next.path == other.path || !sets_same_number(next.path, other.path)) continue;
+      const std::string path = full_path(next.path);
+      const std::string others = full_path(other.path);
+      if (path == others || !sets_same_number(path, others)) continue;
       throw InputError({next.flag}, "",
                        fmt::format("{} sets the same number; leave one out", other.flag));
     }

@@ -116,7 +116,7 @@ def main():
         "frames": (story["frames"], set(range(frames + 1))),
         "commands": (story["commands"], sent),
         "goals": ([last.yellow.score, last.blue.score], [game["goals_a"], game["goals_b"]]),
-        "names": ([last.yellow.name, last.blue.name], ["basic", "basic"]),
+        "names": ([last.yellow.name, last.blue.name], ["basic (a)", "basic (b)"]),
         "robots": (len(story["robots"]), 10),
         "field": (story["field"], (6050, 4050)),
         "balls": (story["balls"] > 0.9 * frames, True),

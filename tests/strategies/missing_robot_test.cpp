@@ -38,14 +38,17 @@ StagedWorld without(int missing, Play play, bool ours, const Vec2& ball_m) {
   return world;
 }
 
-// How deep the centre of a robot other than the declared keeper has been in the own area.
+// How deep the centre of a robot other than the declared keeper has been in the own area. Whoever
+// stands there at the beginning has a second to leave.
 double deepest_m(Strategy& team, StagedWorld& world, double seconds) {
   const Field field;
   double deepest_m = 0;
+  world.run(team, 1);
   for (int frame = 0; frame < seconds / kStagedFrame_s; ++frame) {
     world.step(team);
     for (const TrackedRobot& robot : world.view.own) {
-      if (robot.number == team.requests().keeper) continue;
+      const bool is_on_field = std::abs(robot.position_m.x()) < field.half_length_m();
+      if (robot.number == team.requests().keeper || !is_on_field) continue;
       deepest_m =
           std::max(deepest_m, -distance_to_defence_area(field, Side::kWest, robot.position_m));
     }

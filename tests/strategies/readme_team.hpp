@@ -40,6 +40,8 @@ class Mine final : public Strategy {
   }
 
   int nearest_to_ball() const {
+    // In its own area only the keeper may play the ball.
+    if (distance_to_defence_area(context_.field, Side::kWest, ball_m()) < 0.1) return 0;
     int nearest = -1;
     for (int i = 1; i < static_cast<int>(now_.own.size()); ++i) {
       const auto path_m = [&](int k) { return (now_.own[k].position_m - ball_m()).norm(); };

@@ -209,8 +209,12 @@ class ShootoutPageTest(GamePage):
         self.assertEqual(len(buttons), len(self.kicks()))
         self.browser.find_elements(By.CSS_SELECTOR, "#shootout .kickRow:last-child .kick")[0].click()
         self.settle()
-        self.assertEqual(self.text("callTitle").split("  ")[1], "Kick 1 of blue: goal, 1\u00a0:\u00a01")
-        self.assertEqual([self.text("goals0"), self.text("goals1")], ["0 (1)", "0 (1)"])
+        _, _, has_scored, standing = next(kick for kick in self.kicks() if kick[:2] == ("blue", 1))
+        self.assertEqual(self.text("callTitle").split("  ")[1],
+                         f"Kick 1 of blue: {'goal' if has_scored else 'no goal'}, "
+                         f"{standing[0]}\u00a0:\u00a0{standing[1]}")
+        shown = [self.text("goals0"), self.text("goals1")]
+        self.assertEqual([one.split()[1] for one in shown], [f"({one})" for one in standing])
         self.leave_picture("shootout")
 
     def test_tells_two_teams_of_one_strategy_apart(self):

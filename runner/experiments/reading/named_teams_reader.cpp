@@ -53,9 +53,10 @@ void NamedTeamsReader::read_team(const YamlEntry& entry, const std::string& bran
 void NamedTeamsReader::assign(const std::string& path, TeamConfiguration& team,
                               GameConfiguration& base) const {
   for (const Assignment& assignment : assignments_) {
-    if (!assignment.path.starts_with(path + ".")) continue;
+    const std::string its_path = full_path(assignment.path);
+    if (!its_path.starts_with(path + ".")) continue;
     blame(assignment.flag,
-          [&] { set_by_path(team, path + ".", base, assignment.path, assignment.value); });
+          [&] { set_by_path(team, path + ".", base, its_path, assignment.value); });
   }
 }
 
@@ -63,9 +64,9 @@ void NamedTeamsReader::refuse_other_teams(const std::string& branch, const Teams
   std::vector<std::string> known;
   for (const auto& [name, team] : teams) known.push_back(fmt::format("{}.{}", branch, name));
   for (const Assignment& assignment : assignments_) {
-    if (!assignment.path.starts_with(branch + ".")) continue;
-    const std::string path =
-        assignment.path.substr(0, assignment.path.find('.', branch.size() + 1));
+    const std::string full = full_path(assignment.path);
+    if (!full.starts_with(branch + ".")) continue;
+    const std::string path = full.substr(0, full.find('.', branch.size() + 1));
     if (std::find(known.begin(), known.end(), path) != known.end()) continue;
     throw InputError({assignment.flag}, "", unknown_key_message(path, known));
   }

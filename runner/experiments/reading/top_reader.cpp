@@ -70,7 +70,8 @@ void TopReader::assign_all(GameConfiguration& game,
                            const std::vector<std::string>& elsewhere) const {
   Assignments here;
   for (const Assignment& assignment : assignments_) {
-    const std::string branch = assignment.path.substr(0, assignment.path.find('.'));
+    const std::string path = full_path(assignment.path);
+    const std::string branch = path.substr(0, path.find('.'));
     if (std::find(elsewhere.begin(), elsewhere.end(), branch) != elsewhere.end()) continue;
     here.push_back(assignment);
   }
@@ -79,7 +80,7 @@ void TopReader::assign_all(GameConfiguration& game,
 
 void TopReader::refuse_assignment(const std::string& path) const {
   for (const Assignment& assignment : assignments_) {
-    if (!sets_same_number(assignment.path, full_path(path))) continue;
+    if (!sets_same_number(full_path(assignment.path), full_path(path))) continue;
     throw InputError({assignment.flag}, "", "the file varies it; change it there");
   }
 }

@@ -52,7 +52,7 @@ TEST_P(DrawVerb, ShowsEveryRobotAndTheBallOnce) {
 
 TEST_P(DrawVerb, TellsTimeAndScore) {
   draw({"--at", "2.5"});
-  EXPECT_NE(content_of(drawing_).find(">2.50 s | basic 0 : 0 basic | "), std::string::npos);
+  EXPECT_NE(content_of(drawing_).find(">2.50 s | basic (a) 0 : 0 basic (b) | "), std::string::npos);
 }
 
 TEST_P(DrawVerb, TracesTheWaysOfAllWithTheirBegins) {

@@ -47,7 +47,8 @@ TEST(SprtMatchRun, EndsWithThePairThatDecidesIt) {
   const ExperimentReport report = run_experiment(small_sprt_match(), fake_options(folder.path()));
   EXPECT_TRUE(report.is_complete);
   EXPECT_EQ(report.played, 20);  // min_pairs pairs: the games speak clearly
-  EXPECT_NE(report.results.table.find("decided for d1: the mean lead of team0 over team1 in goals a game is nearer to -4 than to 0"),
+  EXPECT_NE(report.results.table.find("decided for d1: the mean lead of team0 over team1 in goals "
+                                      "a game is nearer to -4 than to 0"),
             std::string::npos)
       << report.results.table;
   EXPECT_NE(content_of(folder / "summary.csv").find(",d1,10,0,"), std::string::npos);

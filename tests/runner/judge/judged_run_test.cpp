@@ -84,9 +84,8 @@ TEST_F(JudgedRun, GoesOnWhereItStopped) {
   tear(torn, 1);
   const Answer again = judge(torn, "1");
   EXPECT_EQ(again.code, kDone) << again.err;
-  EXPECT_EQ(std::count(again.err.begin(), again.err.end(), '\n'), 3) << again.err;  // a line a game
+  EXPECT_NE(again.err.find("4/4 games"), std::string::npos) << again.err;
   expect_same_results(whole_, torn);
-  EXPECT_EQ(judge(torn).err.find("judged"), std::string::npos);  // nothing is played any more
 }
 
 TEST_F(JudgedRun, EndedByCtrlCSaysSoAndTheSameCommandContinues) {
@@ -133,7 +132,8 @@ TEST_F(JudgedRun, RefusesTheRowsOfAnotherSeed) {
   write_file("", "4");
   const Answer other = judge(whole_);
   EXPECT_EQ(other.code, kBadInput);
-  EXPECT_NE(other.err.find("seed is 4 here and 3 there"), std::string::npos) << other.err;
+  EXPECT_NE(other.err.find("holds games of seed 3, this is seed 4"), std::string::npos)
+      << other.err;
 }
 
 TEST_F(JudgedRun, SaysHowFarItIs) {

@@ -77,8 +77,8 @@ RatedMatchup matchup_of(const std::string& a, const std::string& b,
 }
 
 const std::vector<RatedMatchup> kRoundRobin = {
-    matchup_of("plain", "bold", {{1, 0}, {3, -1}, {-2, 0}, {0, 0}}),
-    matchup_of("plain", "zone", {{2, 1}, {0, -1}, {1}}),
+    matchup_of("plain", "bold", {{1, 0}, {3, -1}, {-2, 0}, {0, 0}, {2, 2}}),
+    matchup_of("plain", "zone", {{2, 1}, {0, -1}, {1}, {-2, 1}, {0, 3}}),
     matchup_of("bold", "zone", {{-1, -1}, {4, 2}, {0, 1}, {1, 1}, {-3, 0}})};
 
 TEST(RatingsOf, AreByTeamsNames) {
@@ -120,22 +120,37 @@ TEST(RatingsOf, HaveSciPysBootstrapInterval) {
   EXPECT_NEAR(rating.interval.value().high, 1.35 / 2, 0.03);
 }
 
+// Legs drawn apart would spread the ratings.
 TEST(RatingsOf, KeepTheLegsOfAPairTogether) {
   const std::vector<Rating> ratings =
-      ratings_of({matchup_of("a", "b", {{3, -3}, {-3, 3}, {2, -2}})}, goal_rating);
-  EXPECT_NEAR(ratings[0].interval.value().low, 0, 1e-12);
-  EXPECT_NEAR(ratings[0].interval.value().high, 0, 1e-12);
+      ratings_of({matchup_of("a", "b", {{3, -3}, {-3, 3}, {2, -2}, {1, -1}, {4, -4}, {0.5, -0.4}})},
+                 goal_rating);
+  EXPECT_NEAR(ratings[0].interval.value().low, 0, 0.02);
+  EXPECT_NEAR(ratings[0].interval.value().high, 0, 0.02);
 }
 
-TEST(RatingsOf, HaveNoIntervalWhereAMatchupHasASinglePair) {
-  const std::vector<Rating> ratings = ratings_of(
-      {matchup_of("a", "b", {{1, 2}, {0, 0}}), matchup_of("a", "c", {{1, 2}})}, goal_rating);
-  EXPECT_FALSE(ratings[0].interval || ratings[1].interval || ratings[2].interval);
+TEST(RatingsOf, HaveNoIntervalBelowFivePairsInAMatchup) {
+  const std::vector<std::vector<double>> few = {{1, 2}, {0, 0}, {3, 1}, {0, 2}};
+  std::vector<std::vector<double>> enough = few;
+  enough.push_back({1, 1});
+  EXPECT_FALSE(ratings_of({matchup_of("a", "b", enough), matchup_of("a", "c", few)}, goal_rating)
+                   .front()
+                   .interval);
+  EXPECT_TRUE(ratings_of({matchup_of("a", "b", enough), matchup_of("a", "c", enough)}, goal_rating)
+                  .front()
+                  .interval);
+}
+
+TEST(RatingsOf, HaveNoIntervalWhereAllPairsAreTheSame) {
+  const std::vector<std::vector<double>> same(10, {-6, -6});
+  EXPECT_FALSE(ratings_of({matchup_of("a", "b", same)}, goal_rating).front().interval);
+  EXPECT_FALSE(ratings_of({matchup_of("a", "b", same)}, bradley_terry).front().interval);
 }
 
 TEST(RatingsOf, LeaveAMatchupWithoutGamesOut) {
+  const std::vector<std::vector<double>> pairs = {{1, 1}, {1, 1}, {2, 0}, {0, 1}, {1, 2}};
   const std::vector<Rating> ratings =
-      ratings_of({matchup_of("a", "b", {{1, 1}, {1, 1}}), matchup_of("a", "c", {})}, goal_rating);
+      ratings_of({matchup_of("a", "b", pairs), matchup_of("a", "c", {})}, goal_rating);
   EXPECT_NEAR(ratings[0].value, 0.5, 1e-12);
   EXPECT_NEAR(ratings[2].value, 0, 1e-12);
   EXPECT_TRUE(ratings[0].interval);

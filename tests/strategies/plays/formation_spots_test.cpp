@@ -163,7 +163,8 @@ TEST(OffTheirArea, KeepsAPlaceSoFarOffTheAreaWithMoreWhereThatIsAskedFor) {
     StagedPrediction stage(Play::kRunning, false, team_context_of(rules));
     const PredictedState& predicted = stage.look();
     const Vec2 position_m = predicted.field().goal_centre_m(Side::kEast) - Vec2(0.5, 0.3);
-    const double least_m = predicted.rules().attacker_to_area_m + kRobotRadius_m;
+    const double least_m =
+        predicted.rules().attacker_to_area_m + kRobotRadius_m + room_for_error_m(predicted.rules());
     for (const double more_m : {0.0, 0.25}) {
       const Vec2 p = off_their_area(predicted, position_m, more_m).position_m;
       const double off_m = distance_to_defence_area(predicted.field(), Side::kEast, p);

@@ -196,11 +196,6 @@ INSTANTIATE_TEST_SUITE_P(
                 kSweep + "factors: { b.players.6.handicap: [1.0] }\n",
                 "x.yaml:5:12: teams.b.players.6: ",
                 {"numbered 0 to 5"}},
-        Mistake{"PresetOfAPlayerAndItsPart",
-                kSweep + "factors: { b.players.1.dribbler.preset: [perfect], "
-                         "b.players.1.dribbler.force_n: [1] }\n",
-                "x.yaml:5:52: ",
-                {"sets the same number"}},
         Mistake{"UnknownTypeAsFactor",
                 kSweep + "factors: { b.type: [slow] }\n",
                 "x.yaml:5:21: b.type: ",

@@ -43,12 +43,6 @@ TEST(ReadScenario, WritesTheNumbersOfAPresetIntoTheEffectiveText) {
   EXPECT_EQ(text.find("preset"), std::string::npos);
 }
 
-TEST(ReadScenario, RefusesAPresetAndItsNumbersAsFactors) {
-  EXPECT_THROW(
-      sweep_of(kSweep + "factors: { sim.ball.roll_mps2: [0.3], sim.ball.preset: [tigers] }\n"),
-      InputError);
-}
-
 TEST(ReadScenario, ReadsAGame) {
   const GameConfiguration game =
       game_of(kGame +
