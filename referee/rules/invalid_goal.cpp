@@ -71,8 +71,8 @@ std::optional<Finding> find_invalid_goal(RefereeState& state, const RefereeInput
   finding.value = input.time_s() - *fouled_s;
   finding.threshold = c.rules.goal_after_foul_s;
   finding.unit = "s";
-  finding.evidence =
-      fmt::format("{} committed a foul {:.3f} s before the goal.", colour_of(scorer), finding.value);
+  finding.evidence = fmt::format("{} committed a foul {:.3f} s before the goal.", colour_of(scorer),
+                                 finding.value);
   return finding;
 }
 

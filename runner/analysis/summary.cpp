@@ -46,12 +46,9 @@ Cells difference_columns() {
 
 Cells difference_cells(const PairedDifference& from_first) {
   const auto& [low, high] = bounds_of(from_first.interval);
-  return {number_cell(from_first.mean),
-          number_cell(low),
-          number_cell(high),
-          p_cell(from_first.p),
-          p_cell(from_first.p_holm),
-          number_cell(from_first.effect_size)};
+  return {
+      number_cell(from_first.mean), number_cell(low),          number_cell(high),
+      p_cell(from_first.p),         p_cell(from_first.p_holm), number_cell(from_first.effect_size)};
 }
 
 // "+2.10 [+1.50, +2.70]", and where there is one, the corrected p.

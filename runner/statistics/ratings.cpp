@@ -108,8 +108,9 @@ std::vector<Rating> ratings_of(std::vector<RatedMatchup> matchups, const RatingM
   std::vector<Rating> ratings;
   for (std::size_t i = 0; i < teams.size(); ++i) ratings.push_back({teams[i], values(i), {}});
   const bool can_be_resampled =
-      !games.empty() && std::all_of(games.begin(), games.end(),
-                                    [](const PairTotals& pairs) { return pairs.size() >= kFewestResampled; });
+      !games.empty() && std::all_of(games.begin(), games.end(), [](const PairTotals& pairs) {
+        return pairs.size() >= kFewestResampled;
+      });
   if (can_be_resampled) add_intervals(ratings, games, rate);
   return ratings;
 }

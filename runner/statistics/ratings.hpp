@@ -32,11 +32,11 @@ inline constexpr std::size_t kFewestResampled = 5;
 // methods, Ann. Stat. 7, 1979): `kResamples` times as many pairs of legs as each matchup has are
 // drawn from it, with replacement, legs staying together, and the teams are rated anew; the
 // interval spans the middle 95 % of the outcomes. It is none where a matchup has fewer than
-// kFewestResampled pairs or all outcomes are the same, and too narrow where matchups have few: among
-// four equal teams it holds the truth in 91 % of round robins of 5 pairs a matchup, in 93 % of those
-// of 10, in 94 % of those of 30 (tests/coverage/). The draws come from a
-// fixed random stream and go through matchups and pairs by name, so that the order of `matchups`
-// does not matter.
+// kFewestResampled pairs or all outcomes are the same, and too narrow where matchups have few:
+// among four equal teams it holds the truth in 91 % of round robins of 5 pairs a matchup, in 93 %
+// of those of 10, in 94 % of those of 30 (tests/coverage/). The draws come from a fixed random
+// stream and go through matchups and pairs by name, so that the order of `matchups` does not
+// matter.
 std::vector<Rating> ratings_of(std::vector<RatedMatchup> matchups, const RatingMethod& rate);
 
 // The value below which `share` (0 to 1) of the sample lies, between two values by the straight

@@ -97,8 +97,7 @@ Limits PredictedState::limits() const {
   if (restart_is_ours()) limits.beyond_lines_m = style_.beyond_line_m;
   const double room_m = room_at_ball_m();
   limits.keep_from_ball_m = room_m > 0 ? room_m + kRobotRadius_m : style_.room_for_taker_m;
-  limits.keep_from_area_m =
-      rules().attacker_to_area_m + kRobotRadius_m + room_for_error_m(rules());
+  limits.keep_from_area_m = rules().attacker_to_area_m + kRobotRadius_m + room_for_error_m(rules());
   return limits;
 }
 

@@ -59,7 +59,7 @@ double deepest_m(Strategy& team, StagedWorld& world, double seconds) {
 TEST_P(MissingRobot, LeavesTheOwnAreaToTheDeclaredKeeper) {
   for (int missing = 0; missing < 6; ++missing) {
     for (const Vec2& ball_m : {Vec2(-2.7, 0.2), Vec2(-1.5, -0.5), Vec2(0.5, 1)}) {
-      for (const Play play : {Play::kRunning, Play::kStop, Play::kDirectFree}) {
+      for (const Play play : {Play::kRunning, Play::kDirectFree}) {
         const auto team = made(GetParam());
         StagedWorld world = without(missing, play, false, ball_m);
         EXPECT_EQ(deepest_m(*team, world, 4), 0)
