@@ -156,7 +156,10 @@ class Matcher {
 
 }  // namespace
 
-bool is_judged(Event event) { return referee::is_call(event) || event == Event::kMultipleFouls; }
+bool is_judged(Event event) {
+  return referee::is_call(event) || event == Event::kMultipleFouls ||
+         event == Event::kMultipleCards;
+}
 
 std::optional<Call> call_of(const Decision& decision) {
   if (!is_judged(decision.finding.event)) return std::nullopt;

@@ -1,4 +1,5 @@
-// Every third foul of a team is a yellow card (rules of 2026, "Offenses").
+// Every third foul of a team is a yellow card, the third active one a red card (rules of 2026,
+// "Offenses").
 #include <algorithm>
 #include <array>
 
@@ -30,7 +31,11 @@ constexpr double kShownWithin_s = 1_s;
 class MultipleFouls final : public GroundTruthRule {
  public:
   void watch(const Scene& scene, TrueEvents& all) override {
-    for (const Side side : kSides) note_card(scene, side);
+    for (const Side side : kSides) {
+      note_card(scene, side);
+      const bool has_cards = scene.signal.yellow_cards[side] + scene.signal.red_cards[side] > 0;
+      if (!has_cards) allowed_without_cards_[side] = scene.signal.robots_allowed[side];
+    }
     const std::size_t end = all.size();
     for (; next_ < end; ++next_) {
       const TrueEvent event = all[next_];
@@ -62,12 +67,22 @@ class MultipleFouls final : public GroundTruthRule {
     if (++fouls_[side] < scene.rules.fouls_per_card) return;
     fouls_[side] = 0;
     due_s_[side] = scene.time_s;
-    all.push_back({"multiple_fouls", scene.time_s, side});
+    const std::string_view card = is_last_straw(scene, side) ? "multiple_cards" : "multiple_fouls";
+    all.push_back({card, scene.time_s, side});
+  }
+
+  // Whether one more yellow card would be the third active one. Active cards are the robots that a
+  // side lacks and that no red card took.
+  bool is_last_straw(const Scene& scene, Side side) const {
+    const int lacking = allowed_without_cards_[side] - scene.signal.robots_allowed[side];
+    const int active = lacking - scene.signal.red_cards[side];
+    return scene.rules.yellows_per_red > 0 && active + 1 >= scene.rules.yellows_per_red;
   }
 
   std::size_t next_ = 0;  // event to look at
   PerSide<int> fouls_;    // since the last card
   PerSide<int> shown_;
+  PerSide<int> allowed_without_cards_;
   PerSide<std::optional<double>> due_s_;
 };
 

@@ -144,6 +144,17 @@ TEST(Truth2026, EveryThirdFoulIsAYellowCard) {
   EXPECT_EQ(game.times_s("multiple_fouls").size(), 2U);
 }
 
+TEST(Truth2026, TheThirdActiveYellowCardIsARedOne) {
+  CrowdedFreeKick game;
+  game.seconds(0.1);
+  game.signal.yellow_cards[Side::kEast] = 2;
+  game.signal.robots_allowed[Side::kEast] -= 2;
+  game.seconds(7);
+  EXPECT_FALSE(game.has("multiple_fouls"));
+  ASSERT_TRUE(game.has("multiple_cards"));
+  EXPECT_EQ(game.first("multiple_cards").offender, Side::kEast);
+}
+
 // The card is judged by itself; those after it count on from there.
 TEST(Truth2026, ACardThatIsNotDueBeginsTheCountAgain) {
   CrowdedFreeKick game;
