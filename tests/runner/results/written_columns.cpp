@@ -1,0 +1,143 @@
+// The heads of CSV files of small experiments.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "runner/io/csv.hpp"
+#include "runner/judge/judge_report.hpp"
+#include "runner/lab/lab.hpp"
+#include "runner/report/plots.hpp"
+#include "tests/runner/batch/fake_games.hpp"
+#include "tests/runner/results/written_names.hpp"
+
+namespace autoref::runner {
+namespace {
+
+WrittenNames head_of(const std::string& csv) {
+  const std::vector<std::string_view> lines = complete_lines(csv);
+  return lines.empty() ? WrittenNames{} : csv_cells(lines.front()).value_or(WrittenNames{});
+}
+
+// Of a file in the folder of an experiment, with FACTOR for the path of a sweep's factor.
+WrittenNames head_in_folder(const Scenario& scenario, const std::string& file) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(run_experiment(scenario, fake_options(folder.path())).is_complete);
+  EXPECT_TRUE(std::filesystem::exists(folder / file)) << file;
+  WrittenNames names = head_of(content_of(folder / file));
+  for (const std::string& factor : value_columns(scenario)) {
+    std::replace(names.begin(), names.end(), factor, std::string("FACTOR"));
+  }
+  return names;
+}
+
+Scenario small_gauntlet() {
+  Gauntlet gauntlet;
+  gauntlet.challengers["bold"].robots = 6;
+  gauntlet.teams["zone"].robots = 5;
+  return {"A test.", gauntlet};
+}
+
+Scenario small_knockout() {
+  Knockout knockout;
+  knockout.order = {"zone", "bold"};
+  knockout.teams["zone"].robots = 6;
+  knockout.teams["bold"].robots = 5;
+  return {"A test.", knockout};
+}
+
+bool is_calls_column(const std::string& name) { return name.starts_with("calls_"); }
+
+WrittenNames results_columns() {
+  WrittenNames names = head_in_folder(small_sweep(), "results.csv");
+  const auto first = std::find_if(names.begin(), names.end(), is_calls_column);
+  if (first != names.end()) names.insert(first, "calls_EVENT");
+  std::erase_if(names, [](const std::string& name) {
+    return is_calls_column(name) && name != "calls_EVENT";
+  });
+  return names;
+}
+
+WrittenNames calls_columns() {
+  WrittenNames names = head_in_folder(small_sweep(), "results.csv");
+  std::erase_if(names, [](const std::string& name) { return !is_calls_column(name); });
+  return names;
+}
+
+// Those that games/*.csv has behind the columns of results.csv.
+WrittenNames circumstances_columns() {
+  const WrittenNames results = head_in_folder(small_sweep(), "results.csv");
+  WrittenNames names = head_in_folder(small_sweep(), "games/shard-0-of-1.csv");
+  const auto shared = std::mismatch(results.begin(), results.end(), names.begin(), names.end());
+  EXPECT_EQ(shared.first, results.end());
+  names.erase(names.begin(), shared.second);
+  return names;
+}
+
+WrittenNames lab_columns() {
+  const LabScene scene = read_lab_scene_text(
+      "schema: 1\nkind: lab\nduration_s: 0.02\nrobots: [{ side: west }]\n", "x.yaml");
+  WrittenNames names = head_of(csv_of(scene, play_lab_scene(scene)));
+  const std::string robot = "west0";
+  for (std::string& name : names) {
+    if (name.starts_with(robot)) name.replace(0, robot.size(), "ROBOT");
+  }
+  return names;
+}
+
+WrittenNames plot_columns(const Scenario& scenario, const std::string& name) {
+  const TemporaryFolder folder;
+  const auto results = run_experiment(scenario, fake_options(folder.path())).results;
+  for (const Plot& plot : plots_of(scenario, results)) {
+    if (plot.name == name) return head_of(plot.csv);
+  }
+  return {};
+}
+
+Scenario robin() { return small_roundrobin({6, 5, 4}); }
+
+}  // namespace
+
+std::vector<Artefact> written_csv() {
+  return {
+      {"results.csv", results_columns},
+      {"games/*.csv", circumstances_columns},
+      {"Calls", calls_columns},
+      {"games/*.csv of autoref judge",
+       [] {
+         return row_format({"A test.", JudgeSchedule{}}).columns();
+       }},
+      {"summary.csv of a sweep", [] { return head_in_folder(small_sweep(), "summary.csv"); }},
+      {"summary.csv of a round robin or gauntlet",
+       [] {
+         WrittenNames names = head_in_folder(robin(), "summary.csv");
+         EXPECT_EQ(names, head_in_folder(small_gauntlet(), "summary.csv"));
+         return names;
+       }},
+      {"summary.csv of an SPRT match",
+       [] { return head_in_folder(small_sprt_match(), "summary.csv"); }},
+      {"summary.csv of a knockout", [] { return head_in_folder(small_knockout(), "summary.csv"); }},
+      {"standings.csv of a round robin", [] { return head_in_folder(robin(), "standings.csv"); }},
+      {"standings.csv of a gauntlet",
+       [] { return head_in_folder(small_gauntlet(), "standings.csv"); }},
+      {"judge.csv", [] { return head_of(csv_of(JudgeReport{})); }},
+      {"faults.csv", [] { return head_of(report_of(JudgeSchedule{}, {}, {}).faults_csv); }},
+      {"lab --csv", lab_columns},
+  };
+}
+
+std::vector<Artefact> written_plots() {
+  return {
+      {"plots/scores.csv", [] { return plot_columns(small_sweep(), "scores"); }},
+      {"plots/difference.csv over a factor of numbers",
+       [] { return plot_columns(small_sweep(), "difference"); }},
+      {"plots/difference.csv of other experiments",
+       [] { return plot_columns(robin(), "difference"); }},
+      {"plots/crosstable.csv", [] { return plot_columns(robin(), "crosstable"); }},
+      {"plots/ratings.csv", [] { return plot_columns(robin(), "ratings"); }},
+      {"plots/histogram.csv", [] { return plot_columns(robin(), "histogram"); }},
+      {"plots/running_mean.csv", [] { return plot_columns(robin(), "running_mean"); }},
+  };
+}
+
+}  // namespace autoref::runner
