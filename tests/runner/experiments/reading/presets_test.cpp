@@ -247,16 +247,6 @@ TEST(Presets, AreSpeltOutByValueInTheEffectiveFile) {
   EXPECT_EQ(text.find("match.half_s"), std::string::npos) << text;
 }
 
-std::string refusal_of(const std::string& lines, const Assignments& assignments = {}) {
-  try {
-    read_scenario_text("schema: 1\nkind: sweep\npairs: 1\nseed: 1\n" + lines, "x.yaml",
-                       assignments);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
-}
-
 TEST(Presets, MayNotBeContradictedInTheEffectiveFile) {
   std::string text =
       effective_text({"", sweep_of("factors: { match.rules: [paper, \"2014\"] }\n")});
@@ -267,50 +257,6 @@ TEST(Presets, MayNotBeContradictedInTheEffectiveFile) {
     FAIL() << "accepted";
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("set_by_values: "), std::string::npos) << error.what();
-  }
-}
-
-TEST(Handicap, IsRefusedBesideAPartOfItThatTheBaseGives) {
-  EXPECT_EQ(refusal_of("base: { teams: { b: { speed_factor: 0.8 } } }\n"
-                       "factors: { b.handicap: [1.0, 0.5] }\n"),
-            "x.yaml:6:12: b.handicap: 'base.teams.b.speed_factor' sets the same number; leave one "
-            "out");
-}
-
-TEST(Set, IsRefusedForWhatTheFileVaries) {
-  EXPECT_EQ(refusal_of("factors: { b.handicap: [1.0, 0.5] }\n",
-                       {{"--set b.handicap=1", "teams.b.handicap", "1"}}),
-            "--set b.handicap=1: the file varies it; change it there");
-  EXPECT_EQ(refusal_of("factors: { b.handicap: [1.0, 0.5] }\n", {{"--set seed=1", "seed", "1"}}),
-            "--set seed=1: every game is given its own; leave it out");
-}
-
-TEST(Set, ReachesTheBaseAndTeamsByName) {
-  const std::string text =
-      "schema: 1\nkind: roundrobin\npairs: 1\nseed: 1\n"
-      "teams: { one: { strategy: basic }, two: { strategy: basic, robots: 5 } }\n";
-  const Assignments sets =
-      assignments_in({"teams.one.players.2.handicap=0.5", "teams.two.params.shot_mps=5",
-                      "match.half_s=7", "match.rules=2026-a"});
-  const auto robin = std::get<RoundRobin>(read_scenario_text(text, "x.yaml", sets).content);
-  EXPECT_EQ(robin.base.match.half_s, 7);
-  EXPECT_EQ(robin.teams.at("one").robots, 11);
-  EXPECT_EQ(robin.teams.at("one").players.at(2).speed_factor, 0.5);
-  EXPECT_EQ(robin.teams.at("two").robots, 5);
-  EXPECT_EQ(robin.teams.at("two").params.at("shot_mps"), 5);
-  try {
-    read_scenario_text(text, "x.yaml", assignments_in({"teams.oen.robots=5"}));
-    FAIL() << "accepted";
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("did you mean 'teams.one'"), std::string::npos)
-        << error.what();
-  }
-}
-
-TEST(Set, RefusesAHandicapAndAPartOfItInAnyOrder) {
-  for (const auto& sets : {std::vector<std::string>{"b.handicap=0.5", "b.speed_factor=0.8"},
-                           std::vector<std::string>{"b.speed_factor=0.8", "b.handicap=0.5"}}) {
-    EXPECT_THROW(assignments_in(sets), InputError);
   }
 }
 
