@@ -49,7 +49,7 @@ std::optional<ReportState> report_in(const fs::path& into, const std::string& bu
 }
 
 std::optional<ReportState> state_of_report(const ResultFolder& folder) {
-  if (const auto state = report_in(folder.path, folder.build)) return state;
+  if (auto state = report_in(folder.path, folder.build)) return state;
   return folder.build.empty() ? std::nullopt
                               : report_in(build_folder(folder.path, folder.build), folder.build);
 }
