@@ -72,7 +72,7 @@ int line_count(const std::string& text) {
 // The table in at most so many lines, of which there are at least two. Columns are as wide as for
 // all rows, so that they stay where they are when rows change places.
 std::string shortened(const ProgressTable& table, int lines) {
-  const std::string text = aligned(table.rows, table.columns);
+  std::string text = aligned(table.rows, table.columns);
   const auto most = static_cast<std::size_t>(lines);
   if (table.rows.size() <= most) return text;
   const std::size_t shown = most - 1;  // the head among them
