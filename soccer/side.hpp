@@ -38,7 +38,7 @@ inline constexpr int kMaxRobots = 16;
 struct RobotId {
   Side side = Side::kWest;
   int number = 0;
-  auto operator<=>(const RobotId&) const = default;
+  auto operator<=>(const RobotId&) const = default;  // NOLINT(modernize-use-nullptr): no pointer
 };
 
 }  // namespace autoref
