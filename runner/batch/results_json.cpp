@@ -19,6 +19,7 @@ std::string name_json(const std::optional<std::string>& name) {
 
 std::string texts_json(const std::vector<std::string>& texts) {
   std::vector<std::string> values;
+  values.reserve(texts.size());
   for (const std::string& text : texts) values.push_back(json_text(text));
   return json_list(values);
 }
@@ -31,6 +32,7 @@ std::optional<std::string> winner_in(const Tie& tie) {
 
 std::string json_of(const std::vector<Group>& groups) {
   std::vector<std::string> all;
+  all.reserve(groups.size());
   for (const Group& group : groups) {
     all.push_back(JsonObject()
                       .add("values", texts_json(group.values))
@@ -49,6 +51,7 @@ std::string json_of(const std::vector<Group>& groups) {
 
 std::string json_of(const std::vector<Standing>& standings) {
   std::vector<std::string> all;
+  all.reserve(standings.size());
   for (const Standing& standing : standings) {
     all.push_back(JsonObject()
                       .add("team", json_text(standing.team))
@@ -74,6 +77,7 @@ std::string json_of(const SprtMatchState& state) {
 
 std::string json_of(const std::vector<Tie>& ties) {
   std::vector<std::string> all;
+  all.reserve(ties.size());
   for (const Tie& tie : ties) {
     all.push_back(JsonObject()
                       .add("tie", json_text(tie.name))
