@@ -37,7 +37,7 @@ const Frame* DetectionMerger::add(const VisionPacket& packet, double received_s)
     ++unusable_;
     return nullptr;
   }
-  const Frame* done = starts_anew(detection) ? complete() : nullptr;
+  const Frame* done = restarts_clock(detection) ? complete() : nullptr;
   collect(detection);
   return done;
 }
@@ -87,7 +87,7 @@ bool DetectionMerger::restarts_clock(const DetectionFrame& detection, double rec
   return is_usable(detection);
 }
 
-bool DetectionMerger::starts_anew(const DetectionFrame& detection) const {
+bool DetectionMerger::restarts_clock(const DetectionFrame& detection) const {
   if (in_frame_.empty()) return false;
   return in_frame_.contains(detection.camera_id()) ||
          detection.t_capture() - *first_capture_s_ - time_s_ > kLongestFrame_s;

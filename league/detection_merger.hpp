@@ -17,7 +17,7 @@ namespace autoref::league {
 // after a gap of 0.1 s. Of a robot that several cameras see, the surest detection counts, and of
 // several balls the one nearest to where the ball was last. Left out are detections that are no
 // robots of the league, or no numbers or more than 100 m away, and frames a million seconds after
-// the first. Where the cameras' clock begins anew, in the middle of a log, times go on from where
+// the first. If the cameras' clock restarts in the middle of a log, times continue from where
 // they were once a row of packets agrees on the new clock.
 class DetectionMerger {
  public:
@@ -37,7 +37,7 @@ class DetectionMerger {
   const FieldGaps& field_gaps() const { return field_gaps_; }
   // How often another field came after the first.
   int field_changes() const { return field_changes_; }
-  // How often the cameras' clock began anew.
+  // How often the cameras' clock restarted.
   int clock_restarts() const { return clock_restarts_; }
   // Detections of robots with a number that the league does not have.
   std::int64_t unnumbered() const { return unnumbered_; }
@@ -58,7 +58,7 @@ class DetectionMerger {
   void read_geometry(const Geometry& geometry);
   bool is_usable(const DetectionFrame& detection) const;
   bool restarts_clock(const DetectionFrame& detection, double received_s);
-  bool starts_anew(const DetectionFrame& detection) const;
+  bool restarts_clock(const DetectionFrame& detection) const;
   void collect(const DetectionFrame& detection);
   void collect_robots(const DetectionFrame& detection, Side side);
   void collect_ball(const DetectionBall& ball, std::uint32_t camera);

@@ -60,7 +60,7 @@ Cells table_cells(const Group& group);
 std::string difference_text(const std::vector<double>& differences,
                             const std::vector<double>& pair_differences);
 
-// "+0.50 [-0.10, +1.10]", or "+0.50 (too few games)" where there is no interval.
+// The mean with its interval, "+0.50 [-0.10, +1.10]"; without an interval, "+0.50 (too few games)".
 std::string mean_text(double mean, const std::optional<Interval>& interval);
 
 // "0.032", or "<0.001".

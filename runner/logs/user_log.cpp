@@ -29,7 +29,7 @@ std::string damage_text(const std::string& path, const league::LogSummary& log) 
   if (log.field_changes > 0)
     add(fmt::format("the field changes {} times; the last one counts", log.field_changes));
   if (log.clock_restarts > 0) {
-    add(fmt::format("the cameras' clock begins anew {} times; times go on from where they were",
+    add(fmt::format("the cameras' clock restarts {} times; times continue from where they were",
                     log.clock_restarts));
   }
   return text;

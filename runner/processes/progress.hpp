@@ -62,8 +62,8 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // What there is to play, to begin with or anew; `played` is counted here. Before the first call
-  // only messages are written.
+  // What there is to play; may be called again when that changes. `played` is counted here. Before
+  // the first call only messages are written.
   void expect(const GameCounts& counts);
 
   // What is shown besides the counts. `view` is called at most once a second, and seldom enough to

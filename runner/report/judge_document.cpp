@@ -32,14 +32,13 @@ Section judge_commands_section(const ResultFolder& folder, const std::string& di
       folder.completed_games.other_builds.empty() ? "" : " --build " + folder.build;
   const std::string effective =
       direction == "." ? kEffectiveFile : fmt::format("{}/{}", direction, kEffectiveFile);
-  return {
-      Heading{"To reproduce it"},
-      Paragraph{"In the folder of this report, these judge every game anew, play five again and "
-                "compare, and play the game of a fault again, by its id in faults.csv:"},
-      Verbatim{fmt::format("autoref judge {0} -o again\n"
-                           "autoref verify {1}{2} --sample 5\n"
-                           "autoref replay {1}{2} ID --view game.html --events events.jsonl\n",
-                           effective, direction, build)}};
+  return {Heading{"To reproduce it"},
+          Paragraph{"In the folder of this report, these judge every game again, replay five and "
+                    "compare, and play the game of a fault again, by its id in faults.csv:"},
+          Verbatim{fmt::format("autoref judge {0} -o again\n"
+                               "autoref verify {1}{2} --sample 5\n"
+                               "autoref replay {1}{2} ID --view game.html --events events.jsonl\n",
+                               effective, direction, build)}};
 }
 
 }  // namespace

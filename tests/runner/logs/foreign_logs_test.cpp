@@ -172,7 +172,7 @@ TEST_F(ForeignLog, WhoseCamerasBeginTheirClockAnewIsJudgedThroughout) {
   write({.length_s = 20, .capture_s = [](double time_s) {
            return time_s < 5 ? 1.5e9 + time_s : time_s < 10 ? time_s - 5 : 3e9 + time_s;
          }});
-  expect_judged("the cameras' clock begins anew 2 times");
+  expect_judged("the cameras' clock restarts 2 times");
   const Answer info = run("info", {"--json"});
   EXPECT_NE(info.out.find("\"frames\": 1192"), std::string::npos) << info.out;
 }
@@ -181,7 +181,7 @@ TEST_F(ForeignLog, WithOnePacketOfAWrongTimeLosesThatPacketAlone) {
   write({.length_s = 10,
          .capture_s = [](double time_s) { return time_s == 5 ? 4e9 : 1.5e9 + time_s; }});
   expect_judged();
-  EXPECT_EQ(referee().err.find("clock begins anew"), std::string::npos);
+  EXPECT_EQ(referee().err.find("clock restarts"), std::string::npos);
 }
 
 TEST_F(ForeignLog, WhoseRecordsAreOutOfOrderIsJudged) {
