@@ -31,7 +31,7 @@ inline constexpr double kRehearsedHalf_s = 5;
 // One for each combination of values or matchup, in the plan's order. Each plays a few seconds
 // first, which shows whether it plays at all; then a whole game or several where there is time,
 // or else the longest part of one that fits. The start of a game costs less than its middle, and by
-// most rule books the clock stands while play is stopped: only the longer parts tell what a game
+// the rules of 2026 the clock stands while play is stopped, so only longer parts show what a game
 // takes. Throws Interrupted where the user does.
 std::vector<Rehearsal> rehearse(const std::vector<ScheduledGame>& games,
                                 const RehearsalOptions& options);

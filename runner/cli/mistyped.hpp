@@ -13,8 +13,8 @@ bool is_verb(const CLI::App& app, const std::string& word);
 // renamed is named as it is called today.
 std::string unknown_verb_message(const CLI::App& app, const std::string& word);
 
-// Of what parse() threw: which verb, what is wrong with its words, in the order in which they were
-// given, and which option may have been meant.
+// Explains an error that parse() threw: the verb, what is wrong with its arguments, in the order
+// given, and the option that was probably meant.
 std::string message_of(const CLI::App& app, const CLI::ParseError& error);
 
 }  // namespace autoref::runner

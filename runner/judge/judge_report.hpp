@@ -27,7 +27,7 @@ inline constexpr std::string_view kFaultMark = "-f";
 // The missed events and wrong calls, in the order of their numbers.
 std::vector<const ground_truth::Verdict*> faults_in(const CallEvaluation& evaluation);
 
-// `games` are those of the schedule that were judged, in its order, and `evaluations` theirs.
+// `games` are the judged games in the order of the schedule; `evaluations` has one for each.
 JudgeReport report_of(const JudgeSchedule& schedule, const std::vector<JudgeGame>& games,
                       const std::vector<CallEvaluation>& evaluations);
 

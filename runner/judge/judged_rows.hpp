@@ -13,7 +13,7 @@
 namespace autoref::runner {
 
 // The cells of evaluation_columns() (rows.hpp), and back. A row's game is void where it has a
-// reason, or where its text is too long for a row. Throws std::invalid_argument for what is no
+// reason, or where its text is too long for a row. Throws std::invalid_argument if it is not an
 // evaluation.
 Cells evaluation_cells(const CallEvaluation& evaluation);
 CallEvaluation evaluation_in_row(const RowFormat& format, const Cells& row);

@@ -20,8 +20,8 @@ GameConfiguration logged_game(const std::string& book, const RecordedFacts& fact
 // the setting that is wrong. Margins need no room for a simulated robot.
 void check_judged(const GameConfiguration& game);
 
-// What the log leaves open, what is taken instead, and how to say it; a line for each setting that
-// is not in `is_set`. `game` is what is judged.
+// A line for each setting that the log lacks and that is not in `is_set`: the value used instead,
+// and the option that sets it. `game` is the game to judge.
 std::vector<std::string> gaps_of(const RecordedFacts& facts, const GameConfiguration& game,
                                  const std::function<bool(const std::string& path)>& is_set);
 

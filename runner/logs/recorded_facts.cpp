@@ -67,7 +67,7 @@ class FactFinder final : public league::LogVisitor {
                         facts.last_signal->command != signal->command;
     if (is_new) note_command(time_s, signal->command);
     note_stage(signal->stage);
-    // What is overtime, or not said, tells no length.
+    // Overtime, or a missing clock, says nothing about the length.
     if (packet.stage_time_left() > 0) note_clock(signal->stage, signal->stage_time_left_s);
     facts.names = {{name_text(packet.yellow().name()), name_text(packet.blue().name())}};
     facts.last_signal = signal;

@@ -1,4 +1,4 @@
-// What a log tells of its games before anybody judges them.
+// Facts about the games in a log, read before they are judged.
 #pragma once
 
 #include <array>
@@ -32,7 +32,7 @@ struct RecordedCamera {
   double rate_hz() const;
 };
 
-// What a log tells of one game before anybody judges it; mostly a log holds one.
+// Facts about one game. Most logs hold one.
 struct RecordedGame {
   double begins_s = 0;
   std::optional<double> half_s = {};        // from the clock of the first half

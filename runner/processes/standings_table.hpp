@@ -18,7 +18,7 @@ struct Screen {
 // Of the terminal that the stream writes to; the usual size where it does not tell.
 Screen screen_of(std::FILE* stream);
 
-// A table of which a small screen shows a part.
+// A table; a small screen shows only part of it.
 struct ProgressTable {
   std::vector<std::vector<std::string>> rows;  // the head, then the most important first
   std::vector<Align> columns = {};

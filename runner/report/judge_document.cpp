@@ -17,7 +17,7 @@ void add_section(Document& document, const Section& section) {
   document.blocks.insert(document.blocks.end(), section.begin(), section.end());
 }
 
-// Nothing where there are no lines.
+// Empty without lines.
 Section list_section(const std::string& heading, const std::vector<std::string>& lines) {
   if (lines.empty()) return {};
   List list;

@@ -84,7 +84,7 @@ std::optional<Cells> RowFormat::read(std::string_view line) const {
   return is_whole ? cells : std::nullopt;
 }
 
-// What is made of rows takes these for numbers.
+// Results rely on these cells being numbers.
 bool RowFormat::has_scores(const Cells& cells) const {
   for (std::size_t i = first_outcome_; i < reproducible_; ++i) {
     const std::string& name = columns_[i];

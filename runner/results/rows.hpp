@@ -44,7 +44,7 @@ class RowFormat {
                    const Circumstances& circumstances) const;
 
   // The cells of a line; none where it is damaged: row_crc or the number of cells do not fit, or
-  // goals are no numbers.
+  // goals are not numbers.
   std::optional<Cells> read(std::string_view line) const;
 
   // The part of the cells that results.csv keeps.

@@ -13,7 +13,7 @@
 namespace autoref::runner {
 namespace {
 
-// Distances that the rules watch (league.md 2: Laws 2014, and 2026 alike).
+// Distances that the rules watch (Laws 2014 and rules of 2026 alike).
 constexpr double kToBallAtRestarts_m = 0.5;
 constexpr double kAttackerToArea_m = 0.2;
 

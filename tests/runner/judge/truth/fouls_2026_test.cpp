@@ -1,5 +1,5 @@
 // Fouls that let play go on, the goals that they make invalid, and pushing, by the rules of 2026
-// (league.md, section 7), told from staged worlds.
+// ("Offenses", "Scoring Goals"), in staged worlds.
 #include <gtest/gtest.h>
 
 #include "tests/runner/judge/truth/truth_stage.hpp"

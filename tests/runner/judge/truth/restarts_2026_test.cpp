@@ -1,5 +1,5 @@
-// Robots that stand too near until a restart is taken, by the rules of 2026 (league.md, section 7),
-// told from staged worlds.
+// Robots that stand too near until a restart is taken, by the rules of 2026 ("Offenses"),
+// in staged worlds.
 #include <gtest/gtest.h>
 
 #include "tests/runner/judge/truth/truth_stage.hpp"

@@ -1,5 +1,5 @@
 // What robots must not do while play is stopped, and how many a side may have, by the rules of 2026
-// (league.md, section 7), told from staged worlds.
+// ("Offenses", "Scoring Goals"), in staged worlds.
 #include <gtest/gtest.h>
 
 #include "tests/runner/judge/truth/truth_stage.hpp"
