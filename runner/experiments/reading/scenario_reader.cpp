@@ -81,7 +81,8 @@ class ScenarioReader {
   }
 
   // AutoRef writes it into effective.yaml. A file that says something else is mistaken.
-  void check_set_by_values(const SetByValues& expected) const {
+  template <typename Schedule>
+  void check_set_by_values(const Schedule& schedule) const {
     const YamlEntry* entry = top_.find(kSetByValues);
     if (entry == nullptr) return;
     SetByValues found;
@@ -91,7 +92,7 @@ class ScenarioReader {
             top_.file().scalar(setting, setting.key, "a plain value", false);
       }
     }
-    if (found == expected) return;
+    if (found == set_by_values(schedule)) return;
     top_.file().refuse(entry->location, kSetByValues,
                        "not what base and the varied values set; leave it out");
   }
@@ -115,7 +116,7 @@ class ScenarioReader {
     sweep.pairs = top_.pairs();
     sweep.seed = top_.seed();
     top_.check([&sweep] { scheduled_games(sweep); });  // factors may only make a game together
-    check_set_by_values(set_by_values(sweep));
+    check_set_by_values(sweep);
     return sweep;
   }
 
@@ -128,7 +129,7 @@ class ScenarioReader {
     schedule.seed = top_.seed();
     for (const char* varied : {"match.rules", "sim.camera"}) top_.refuse_assignment(varied);
     top_.check([&schedule] { games_of(schedule); });
-    check_set_by_values(set_by_values(schedule));
+    check_set_by_values(schedule);
     return schedule;
   }
 
