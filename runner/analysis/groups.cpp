@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "runner/io/words.hpp"
 #include "runner/results/scores.hpp"
 #include "runner/statistics/mean_interval.hpp"
 #include "runner/statistics/sample.hpp"
@@ -16,35 +15,27 @@ void count_result(Group& group, double lead) {
   ++(lead > 0 ? group.wins_a : lead < 0 ? group.wins_b : group.draws);
 }
 
-// Whether a row holds the values in these columns.
-bool has_values(const Cells& row, const std::vector<std::size_t>& columns, const Cells& values) {
-  return std::equal(values.begin(), values.end(), columns.begin(), columns.end(),
-                    [&row](const std::string& v, std::size_t column) { return v == row[column]; });
+void add_game(Group& group, const GameRow& row) {
+  if (is_void(row.record)) {
+    ++group.void_games;
+    return;
+  }
+  group.goals_a.push_back(row.record.goals_a);
+  group.goals_b.push_back(row.record.goals_b);
+  group.differences.push_back(group.goals_a.back() - group.goals_b.back());
+  const double lead = lead_of_a(row.record);
+  count_result(group, lead);
+  const double win = lead > 0 ? 1 : lead < 0 ? 0 : 0.5;
+  group.games_by_pair[row.pair].push_back({group.differences.back(), win});
 }
 
-Group group_of(const Cells& values, const std::vector<std::size_t>& columns, const ScoreColumns& at,
-               const std::vector<Cells>& rows) {
-  Group group;
-  group.values = values;
-  for (const Cells& row : rows) {
-    if (!has_values(row, columns, values)) continue;
-    if (is_void(row, at)) {
-      ++group.void_games;
-      continue;
-    }
-    group.goals_a.push_back(number_in(row[at.goals_a]).value());
-    group.goals_b.push_back(number_in(row[at.goals_b]).value());
-    group.differences.push_back(group.goals_a.back() - group.goals_b.back());
-    const double lead = lead_of_a(row, at);
-    count_result(group, lead);
-    const double win = lead > 0 ? 1 : lead < 0 ? 0 : 0.5;
-    group.games_by_pair[row[at.pair]].push_back({group.differences.back(), win});
-  }
+// Of pairs with both legs.
+DifferenceByPair pair_differences_of(const Group& group) {
+  DifferenceByPair differences;
   for (const auto& [number, legs] : group.games_by_pair) {
-    if (legs.size() == 2)
-      group.pair_differences[number] = (legs[0].difference + legs[1].difference) / 2;
+    if (legs.size() == 2) differences[number] = (legs[0].difference + legs[1].difference) / 2;
   }
-  return group;
+  return differences;
 }
 
 std::optional<double> mean_of(const std::vector<double>& sample) {
@@ -61,23 +52,27 @@ std::string score_text(const std::vector<double>& goals) {
 
 }  // namespace
 
-std::vector<Group> grouped(const std::vector<std::string>& columns,
-                           const std::vector<std::vector<std::string>>& values,
-                           const RowFormat& format, const std::vector<Cells>& rows) {
-  const ScoreColumns at(format);
-  std::vector<std::size_t> numbers;
-  numbers.reserve(columns.size());
-  for (const std::string& column : columns) numbers.push_back(format.column(column));
-  std::vector<Group> groups;
-  groups.reserve(values.size());
-  for (const Cells& group : values) groups.push_back(group_of(group, numbers, at, rows));
+std::vector<Group> grouped(const std::vector<std::vector<std::string>>& values,
+                           const std::function<std::vector<std::string>(const GameRow&)>& values_of,
+                           const RowsById& rows) {
+  std::vector<Group> groups(values.size());
+  std::map<std::vector<std::string>, Group*> by_values;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    groups[i].values = values[i];
+    by_values[values[i]] = &groups[i];
+  }
+  for (const auto& [id, row] : rows) {
+    const auto group = by_values.find(values_of(row));
+    if (group != by_values.end()) add_game(*group->second, row);
+  }
+  for (Group& group : groups) group.pair_differences = pair_differences_of(group);
   return groups;
 }
 
-std::vector<double> values_of(const std::map<std::string, double>& by_name) {
+std::vector<double> values_of(const DifferenceByPair& differences) {
   std::vector<double> values;
-  values.reserve(by_name.size());
-  for (const auto& [name, value] : by_name) values.push_back(value);
+  values.reserve(differences.size());
+  for (const auto& [pair, value] : differences) values.push_back(value);
   return values;
 }
 

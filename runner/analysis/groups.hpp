@@ -1,7 +1,7 @@
-// The scores of an experiment's games, group by group: of a sweep's values, of a round robin's
-// matchups.
+// The scores of an experiment's games, grouped by a sweep's values or by matchups.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -9,24 +9,25 @@
 #include <vector>
 
 #include "runner/analysis/result_shares.hpp"
-#include "runner/results/rows.hpp"
+#include "runner/io/csv.hpp"
+#include "runner/results/game_row.hpp"
 #include "runner/statistics/interval.hpp"
+#include "runner/statistics/paired_difference.hpp"
 #include "runner/statistics/rated_games.hpp"
 
 namespace autoref::runner {
 
-// The games whose rows hold the same values. Void games count only in `void_games`.
+// Games with the same values. Void games count only in `void_games`.
 struct Group {
   std::vector<std::string> values;
   std::vector<double> goals_a;  // of each game
   std::vector<double> goals_b;
   std::vector<double> differences;  // a minus b
   // By pair number: mean over the two legs, of pairs without a void leg.
-  std::map<std::string, double> pair_differences;
-  std::map<std::string, std::vector<RatedGame>>
-      games_by_pair;  // by pair number, void ones left out
+  DifferenceByPair pair_differences;
+  std::map<int, std::vector<RatedGame>> games_by_pair;  // by pair number, without void games
   int void_games = 0;
-  // By goals, or by its shoot-out where a game has one; a team that gives up has lost.
+  // By lead_of_a() (scores.hpp).
   int wins_a = 0;
   int draws = 0;
   int wins_b = 0;
@@ -34,14 +35,13 @@ struct Group {
   ResultCounts results() const { return {wins_a, draws, wins_b}; }
 };
 
-// A group for each of `values`, in their order; `columns` names the columns that hold them. `rows`
-// are complete rows, each game once, in any order.
-std::vector<Group> grouped(const std::vector<std::string>& columns,
-                           const std::vector<std::vector<std::string>>& values,
-                           const RowFormat& format, const std::vector<Cells>& rows);
+// Groups the rows by what `values_of` gives for each: a group for each of `values`, in their order.
+std::vector<Group> grouped(const std::vector<std::vector<std::string>>& values,
+                           const std::function<std::vector<std::string>(const GameRow&)>& values_of,
+                           const RowsById& rows);
 
-// The values of a map, in its order.
-std::vector<double> values_of(const std::map<std::string, double>& by_name);
+// The differences in the order of the pair numbers.
+std::vector<double> values_of(const DifferenceByPair& differences);
 
 // What summary.csv says of a group behind its values: games, means and standard deviations (over
 // games), and the 95 % interval of the mean difference (over pairs). Cells without a value are

@@ -9,20 +9,24 @@
 namespace autoref::runner {
 namespace {
 
-struct Score {
-  std::string a, b;                    // goals; empty where no game counts
-  std::string shootout_a, shootout_b;  // empty where there was none
-};
-
-Score score_of(const Tie& tie, const RowFormat& format, const RowsById& rows) {
-  const ScoreColumns at(format);
-  Score score;
+// The last game of the tie that is not void; null if there is none.
+const GameRecord* deciding_game(const Tie& tie, const RowsById& rows) {
+  const GameRecord* last = nullptr;
   for (const std::string& game : tie.games) {
-    const Cells& row = rows.at(game);
-    if (is_void(row, at)) continue;
-    score = {row[at.goals_a], row[at.goals_b], row[at.shootout_a], row[at.shootout_b]};
+    const GameRecord& record = rows.at(game).record;
+    if (!is_void(record)) last = &record;
   }
-  return score;
+  return last;
+}
+
+// Goals of both teams, then those of the shoot-out; empty cells for what there was not.
+Cells score_cells(const GameRecord* game) {
+  if (game == nullptr) return {"", "", "", ""};
+  Cells cells = {std::to_string(game->goals_a), std::to_string(game->goals_b), "", ""};
+  if (!game->shootout) return cells;
+  cells[2] = std::to_string((*game->shootout)[0]);
+  cells[3] = std::to_string((*game->shootout)[1]);
+  return cells;
 }
 
 std::string winner_of(const Tie& tie) {
@@ -30,13 +34,14 @@ std::string winner_of(const Tie& tie) {
   return tie.a_won ? *tie.a : *tie.b;
 }
 
-// "3:1", "1:1 (4:2)" with a shoot-out, "void" where no game counts, "-" before any.
-std::string text_of(const Score& score, const Tie& tie) {
+// "3:1", "1:1 (4:2)" with a shoot-out, "void" if all games were void, "-" before the first.
+std::string score_text(const Tie& tie, const RowsById& rows) {
   if (tie.games.empty()) return "-";
-  if (score.a.empty()) return "void";
-  std::string goals = fmt::format("{}:{}", score.a, score.b);
-  if (score.shootout_a.empty()) return goals;
-  return fmt::format("{} ({}:{})", goals, score.shootout_a, score.shootout_b);
+  const GameRecord* const game = deciding_game(tie, rows);
+  if (game == nullptr) return "void";
+  std::string goals = fmt::format("{}:{}", game->goals_a, game->goals_b);
+  if (!game->shootout) return goals;
+  return fmt::format("{} ({}:{})", goals, (*game->shootout)[0], (*game->shootout)[1]);
 }
 
 // "extra time", "goals in game 3", "better seed after 6 games, 1 void".
@@ -53,39 +58,36 @@ std::string decision_text(const Tie& tie) {
 
 }  // namespace
 
-std::string ties_csv(const std::vector<Tie>& ties, const RowFormat& format, const RowsById& rows) {
+std::string ties_csv(const std::vector<Tie>& ties, const RowsById& rows) {
   std::string csv =
       csv_line({"tie", "round", "team_a", "team_b", "goals_a", "goals_b", "shootout_a",
                 "shootout_b", "games", "void_games", "decided_by", "winner"}) +
       "\n";
   for (const Tie& tie : ties) {
-    const Score score = score_of(tie, format, rows);
-    csv += csv_line({std::to_string(tie.number), tie.name, tie.a.value_or(""), tie.b.value_or(""),
-                     score.a, score.b, score.shootout_a, score.shootout_b,
-                     std::to_string(tie.games.size()), std::to_string(tie.void_games),
-                     name_of(tie.decided_by), winner_of(tie)}) +
-           "\n";
+    Cells cells = {std::to_string(tie.number), tie.name, tie.a.value_or(""), tie.b.value_or("")};
+    append(cells, score_cells(deciding_game(tie, rows)));
+    append(cells, {std::to_string(tie.games.size()), std::to_string(tie.void_games),
+                   name_of(tie.decided_by), winner_of(tie)});
+    csv += csv_line(cells) + "\n";
   }
   return csv;
 }
 
-std::vector<Cells> bracket_rows(const std::vector<Tie>& ties, const RowFormat& format,
-                                const RowsById& rows) {
+std::vector<Cells> bracket_rows(const std::vector<Tie>& ties, const RowsById& rows) {
   std::vector<Cells> lines = {{"", "a", "", "b", "goes on", "decided by"}};
   for (const Tie& tie : ties) {
-    lines.push_back({tie.name, tie.a.value_or("?"), text_of(score_of(tie, format, rows), tie),
-                     tie.b.value_or("?"), winner_of(tie), decision_text(tie)});
+    lines.push_back({tie.name, tie.a.value_or("?"), score_text(tie, rows), tie.b.value_or("?"),
+                     winner_of(tie), decision_text(tie)});
   }
   return lines;
 }
 
-std::string bracket_table(const std::vector<Tie>& ties, const RowFormat& format,
-                          const RowsById& rows) {
+std::string bracket_table(const std::vector<Tie>& ties, const RowsById& rows) {
   std::string champion;
   for (const Tie& tie : ties) {
     if (tie.name == "final") champion = winner_of(tie);
   }
-  const std::string table = aligned(bracket_rows(ties, format, rows), kBracketColumns);
+  const std::string table = aligned(bracket_rows(ties, rows), kBracketColumns);
   return champion.empty() ? table : table + fmt::format("\nthe winner is {}\n", champion);
 }
 

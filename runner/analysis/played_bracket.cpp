@@ -1,8 +1,8 @@
 #include "runner/analysis/played_bracket.hpp"
 
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <string>
+#include <string_view>
 
 #include "runner/experiments/matchup_schedule.hpp"
 #include "runner/experiments/schedule.hpp"
@@ -11,29 +11,31 @@
 namespace autoref::runner {
 namespace {
 
-DecidedBy reason_of(const Cells& row, const ScoreColumns& at, std::size_t transitions) {
-  if (row[at.status] == name_of(Status::kForfeit)) return DecidedBy::kForfeit;
-  if (!row[at.shootout_a].empty()) return DecidedBy::kShootout;
-  const bool had_extra_time =
-      fmt::format("+{}+", row[transitions]).find("+extra_time+") != std::string::npos;
+// The transition into extra time (referee/machine/).
+constexpr std::string_view kExtraTime = "extra_time";
+
+DecidedBy reason_of(const GameRecord& record) {
+  if (record.status == Status::kForfeit) return DecidedBy::kForfeit;
+  if (record.shootout) return DecidedBy::kShootout;
+  const auto& taken = record.transitions;
+  const bool had_extra_time = std::find(taken.begin(), taken.end(), kExtraTime) != taken.end();
   return had_extra_time ? DecidedBy::kExtraTime : DecidedBy::kGoals;
 }
 
-// Goes through the tie's games until one decides it or has no row.
-void decide(Tie& tie, const RowFormat& format, const RowsById& rows) {
-  const ScoreColumns at(format);
+// Goes through the tie's games until one decides it or has not been played.
+void decide(Tie& tie, const RowsById& rows) {
   for (int attempt = 1; attempt <= kMostAttempts; ++attempt) {
     const std::string id = game_id(matchup_name({*tie.a, *tie.b}), tie.number, attempt);
     const auto row = rows.find(id);
     if (row == rows.end()) return;
     tie.games.push_back(id);
-    if (is_void(row->second, at)) {
+    if (is_void(row->second.record)) {
       ++tie.void_games;
       continue;
     }
-    const double lead = lead_of_a(row->second, at);
+    const double lead = lead_of_a(row->second.record);
     if (lead == 0) continue;
-    tie.decided_by = reason_of(row->second, at, format.column("transitions"));
+    tie.decided_by = reason_of(row->second.record);
     tie.a_won = lead > 0;
     return;
   }
@@ -43,9 +45,8 @@ void decide(Tie& tie, const RowFormat& format, const RowsById& rows) {
 
 }  // namespace
 
-std::vector<Tie> bracket_of(const Knockout& knockout, const RowFormat& format,
-                            const RowsById& rows) {
-  return bracket_of(knockout, [&](Tie& tie) { decide(tie, format, rows); });
+std::vector<Tie> bracket_of(const Knockout& knockout, const RowsById& rows) {
+  return bracket_of(knockout, [&rows](Tie& tie) { decide(tie, rows); });
 }
 
 }  // namespace autoref::runner

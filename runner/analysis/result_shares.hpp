@@ -4,7 +4,7 @@
 #include <array>
 #include <string>
 
-#include "runner/results/rows.hpp"
+#include "runner/io/csv.hpp"
 
 namespace autoref::runner {
 

@@ -4,13 +4,13 @@
 #include <optional>
 
 #include "runner/experiments/schedule.hpp"
-#include "runner/io/words.hpp"
+#include "runner/results/scores.hpp"
 
 namespace autoref::runner {
 namespace {
 
-// The rows of a pair's two legs; none where one is missing.
-using Legs = std::array<const Cells*, 2>;
+// The rows of a pair's two legs.
+using Legs = std::array<const GameRow*, 2>;
 
 std::optional<Legs> legs_of(const std::string& matchup, int pair, const RowsById& rows) {
   Legs legs{};
@@ -22,36 +22,25 @@ std::optional<Legs> legs_of(const std::string& matchup, int pair, const RowsById
   return legs;
 }
 
-// The mean goal difference of a pair; none where a leg is void.
-class PairDifference {
- public:
-  explicit PairDifference(const RowFormat& format)
-      : status_(format.column("status")), difference_(format.column("goal_diff")) {}
-
-  std::optional<double> operator()(const Legs& legs) const {
-    double sum = 0;
-    for (const Cells* leg : legs) {
-      if ((*leg)[status_] == name_of(Status::kVoid)) return std::nullopt;
-      sum += number_in((*leg)[difference_]).value();
-    }
-    return sum / 2;
+// The mean goal difference of a pair; nullopt if a leg is void.
+std::optional<double> difference_of(const Legs& legs) {
+  double sum = 0;
+  for (const GameRow* leg : legs) {
+    if (is_void(leg->record)) return std::nullopt;
+    sum += leg->record.goals_a - leg->record.goals_b;
   }
+  return sum / 2;
+}
 
- private:
-  std::size_t status_;
-  std::size_t difference_;
-};
-
-// What the first pairs say that have both rows, as far as they are there.
+// The pairs before the first one that lacks a row.
 struct FirstPairs {
-  std::vector<double> differences;
-  std::vector<int> numbers;  // of the pairs with a difference
-  int count = 0;             // with void ones
+  std::vector<double> differences;  // of the pairs without a void leg
+  std::vector<int> numbers;         // of those pairs
+  int count = 0;                    // of all of them
 };
 
-FirstPairs first_pairs(const SprtMatch& match, const RowFormat& format, const RowsById& rows) {
+FirstPairs first_pairs(const SprtMatch& match, const RowsById& rows) {
   const std::string matchup = matchup_name(matchup_of(match));
-  const PairDifference difference_of(format);
   FirstPairs first;
   for (int pair = 1; pair <= match.sprt.max_pairs; ++pair) {
     const std::optional<Legs> legs = legs_of(matchup, pair, rows);
@@ -67,8 +56,8 @@ FirstPairs first_pairs(const SprtMatch& match, const RowFormat& format, const Ro
 
 }  // namespace
 
-SprtMatchState state_of(const SprtMatch& match, const RowFormat& format, const RowsById& rows) {
-  const FirstPairs first = first_pairs(match, format, rows);
+SprtMatchState state_of(const SprtMatch& match, const RowsById& rows) {
+  const FirstPairs first = first_pairs(match, rows);
   SprtMatchState state{decided_by(match.sprt, first.differences), first.count};
   if (state.test.verdict != Verdict::kGoOn) {
     state.last_pair = first.numbers[static_cast<std::size_t>(state.test.pairs - 1)];

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "runner/experiments/sprt_match.hpp"
-#include "runner/results/rows.hpp"
+#include "runner/results/game_row.hpp"
 #include "runner/statistics/sequential_test.hpp"
 
 namespace autoref::runner {
@@ -17,6 +17,6 @@ struct SprtMatchState {
 // The pairs are taken in the order of their numbers, up to the first that has not both rows, or to
 // the one that decides: so that the verdict depends neither on the number of workers nor on games
 // that were played beyond it. A pair with a void leg is left out of the test.
-SprtMatchState state_of(const SprtMatch& match, const RowFormat& format, const RowsById& rows);
+SprtMatchState state_of(const SprtMatch& match, const RowsById& rows);
 
 }  // namespace autoref::runner

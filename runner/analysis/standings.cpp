@@ -84,12 +84,12 @@ std::vector<Standing> ordered(const std::map<std::string, Standing>& by_team) {
 
 }  // namespace
 
-std::vector<Group> grouped(const std::vector<Matchup>& matchups, const RowFormat& format,
-                           const std::vector<Cells>& rows) {
+std::vector<Group> grouped(const std::vector<Matchup>& matchups, const RowsById& rows) {
   std::vector<Cells> values;
   values.reserve(matchups.size());
   for (const Matchup& matchup : matchups) values.push_back({matchup.team_a, matchup.team_b});
-  return grouped({"team_a", "team_b"}, values, format, rows);
+  const auto teams_of = [](const GameRow& row) { return Cells{row.team_a, row.team_b}; };
+  return grouped(values, teams_of, rows);
 }
 
 std::vector<Standing> standings_of(const std::vector<Group>& matchups) {

@@ -7,14 +7,12 @@
 #include "runner/analysis/groups.hpp"
 #include "runner/analysis/result_shares.hpp"
 #include "runner/experiments/named_teams.hpp"
-#include "runner/results/rows.hpp"
 #include "runner/statistics/ratings.hpp"
 
 namespace autoref::runner {
 
 // A group for each matchup, in their order; its values are the two teams' names.
-std::vector<Group> grouped(const std::vector<Matchup>& matchups, const RowFormat& format,
-                           const std::vector<Cells>& rows);
+std::vector<Group> grouped(const std::vector<Matchup>& matchups, const RowsById& rows);
 
 // One team's results over all its matchups. Void games count only in `void_games`.
 struct Standing {

@@ -19,8 +19,7 @@ Cells factor_paths(const Sweep& sweep) {
 }
 
 // The differences of one pair number, value by value; none unless every value has them.
-std::optional<std::vector<double>> differences_of(const std::string& pair,
-                                                  const std::vector<Group>& groups) {
+std::optional<std::vector<double>> differences_of(int pair, const std::vector<Group>& groups) {
   std::vector<double> differences;
   for (const Group& group : groups) {
     const auto found = group.pair_differences.find(pair);
@@ -60,9 +59,9 @@ Cells difference_texts(const PairedDifference& from_first) {
 
 }  // namespace
 
-std::vector<Group> grouped(const Sweep& sweep, const RowFormat& format,
-                           const std::vector<Cells>& rows) {
-  return grouped(factor_paths(sweep), combinations(sweep.factors), format, rows);
+std::vector<Group> grouped(const Sweep& sweep, const RowsById& rows) {
+  return grouped(
+      combinations(sweep.factors), [](const GameRow& row) { return row.values; }, rows);
 }
 
 std::optional<Slope> slope_over_factor(const Sweep& sweep, const std::vector<Group>& groups) {

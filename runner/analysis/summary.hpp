@@ -11,10 +11,8 @@
 
 namespace autoref::runner {
 
-// The groups of the factors' values, in the sweep's order. `rows` are complete rows, each game
-// once, in any order.
-std::vector<Group> grouped(const Sweep& sweep, const RowFormat& format,
-                           const std::vector<Cells>& rows);
+// A group for each combination of the factors' values, in the sweep's order.
+std::vector<Group> grouped(const Sweep& sweep, const RowsById& rows);
 
 struct Slope {
   double mean = 0;

@@ -1,4 +1,4 @@
-// Which games of a plan are done, by the rows that a folder holds.
+// Which of the scheduled games a folder has rows of.
 #pragma once
 
 #include <filesystem>
@@ -13,31 +13,30 @@
 namespace autoref::runner {
 
 struct CompletedGames {
-  RowsById done;                            // the games of the plan
-  std::map<std::string, int> other_builds;  // how many rows of which
-  int other_games = 0;                      // rows of this build whose games are not in the plan
+  RowsById done;                            // of scheduled games
+  std::map<std::string, int> other_builds;  // number of rows by build
+  int other_games = 0;                      // rows of this build whose games are not scheduled
 };
 
-// Whether the game is void because its worker was killed from outside: the next run plays it again.
-bool is_killed(const Cells& row, const RowFormat& format);
+// Whether the game is void because its worker was killed from outside. The next run plays it again.
+bool is_killed(const GameRow& row);
 
-// Sorts rows into a stock. Throws InputError for rows of other builds unless those are allowed,
-// and for a game of the plan that was played with another configuration; std::logic_error
-// where two rows of a game differ in what must be reproducible, but for rows of killed games.
-// `folder` and `changes` (what differs between the folder's scenario and this one) are for
-// messages.
-CompletedGames sort_rows(const std::vector<StoredRow>& rows,
-                         const std::vector<ScheduledGame>& games, const RowFormat& format,
-                         const std::string& build, bool allow_mixed_build,
+// Sorts rows by whether they count. Throws InputError if there are rows of other builds and those
+// are not allowed, and for a scheduled game that was played with another configuration; throws
+// std::logic_error if two rows of a game differ in a reproducible column, unless one of them is of
+// a killed game. `folder` and `changes` (what differs between the folder's scenario and this one)
+// are for messages.
+CompletedGames sort_rows(const std::vector<GameRow>& rows, const std::vector<ScheduledGame>& games,
+                         const RowFormat& format, const std::string& build, bool allow_mixed_build,
                          const std::filesystem::path& folder, const std::string& changes);
 
 struct RowInventory {
   Schedule schedule;
-  CompletedGames completed_games;  // of all its games, also those that are not needed
+  CompletedGames completed_games;  // including games that are not needed
 };
 
-// A stock of the games that the scenario takes, which may follow from the rows. Throws likewise.
-RowInventory take_row_inventory(const Scenario& scenario, const std::vector<StoredRow>& rows,
+// The same for a scenario, whose schedule may depend on the rows. Throws as sort_rows() does.
+RowInventory take_row_inventory(const Scenario& scenario, const std::vector<GameRow>& rows,
                                 const RowFormat& format, const std::string& build,
                                 bool allow_mixed_build, const std::filesystem::path& folder,
                                 const std::string& changes);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <set>
+#include <stdexcept>
 
 #include "runner/batch/completed_games.hpp"
 #include "runner/batch/folder_changes.hpp"
@@ -16,6 +17,7 @@
 #include "runner/io/host.hpp"
 #include "runner/processes/progress.hpp"
 #include "runner/processes/workers.hpp"
+#include "runner/results/scores.hpp"
 #include "runner/results/shard.hpp"
 
 namespace autoref::runner {
@@ -24,33 +26,26 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-GameRecord void_record(const std::string& reason) {
-  GameRecord record;
-  record.status = Status::kVoid;
-  record.end_reason = EndReason::kVoid;
-  record.void_reason = reason;
-  return record;
+// Experiments of teams keep the games' records.
+Outcomes outcomes_of_records(const Scenario& scenario, const ExperimentOptions& options) {
+  return {
+      [&options](const GameConfiguration& game, GameRow& row) { row.record = options.play(game); },
+      [&scenario](const RowsById& rows) {
+        ExperimentResults results = results_of(scenario, rows);
+        return ProgressView{"so far; interim intervals are no reason to stop:",
+                            std::move(results.shown), std::move(results.json)};
+      }};
 }
 
-// What experiments of teams keep: the games' records.
-Outcomes outcomes_of_records(const Scenario& scenario, const ExperimentOptions& options,
-                             const RowFormat& format) {
-  return {[&options](const GameConfiguration& game) { return outcome_of(options.play(game)); },
-          [](const std::string& reason) { return outcome_of(void_record(reason)); },
-          [&](const std::vector<Cells>& rows) {
-            ExperimentResults results = results_of(scenario, format, rows);
-            return ProgressView{"so far; interim intervals are no reason to stop:",
-                                std::move(results.shown), std::move(results.json)};
-          }};
-}
-
-// A game that throws goes the same way each time: it is void at once.
-std::string played(const Outcomes& outcomes, const GameConfiguration& configuration) {
+// A game that throws would throw each time, so it is void at once.
+GameRow played(const Outcomes& outcomes, const ScheduledGame& game) {
+  GameRow row = row_of(game);
   try {
-    return csv_line(outcomes.of_game(configuration));
+    outcomes.play(game.configuration, row);
   } catch (const std::exception& error) {
-    return csv_line(outcomes.of_void(fmt::format("the game threw: {}", error.what())));
+    row.record = void_record(fmt::format("the game threw: {}", error.what()));
   }
+  return row;
 }
 
 // How long another look at the folder may take of all the time between two looks.
@@ -62,8 +57,7 @@ class Experiment {
       : scenario_(scenario),
         options_(options),
         format_(row_format(scenario)),
-        outcomes_(options.outcomes ? *options.outcomes
-                                   : outcomes_of_records(scenario, options, format_)),
+        outcomes_(options.outcomes ? *options.outcomes : outcomes_of_records(scenario, options)),
         there_(scenario_of_folder(options.folder)),
         progress_(options.progress, options.style) {
     progress_.show([this] { return view_so_far(); });
@@ -72,10 +66,10 @@ class Experiment {
   ExperimentReport run() {
     create_folder(options_.folder / kGamesFolder);
     Shard shard(options_.folder / kGamesFolder / options_.shard.file_name(),
-                csv_line(format_.columns()), options_.patience_s);
+                csv_line(format_.names()), options_.patience_s);
     take_with_notes();
     set_killed_games_aside();
-    is_decided_ = is_decided(scenario_, format_, rows_);
+    is_decided_ = is_decided(scenario_, rows_);
     replace_file(options_.folder / kEffectiveFile, effective_text(scenario_));
     progress_.expect(counts());
     ExperimentReport report;
@@ -86,9 +80,9 @@ class Experiment {
     report.games = static_cast<int>(schedule_.needed);
     report.done = static_cast<int>(rows.size());
     report.is_complete = report.done == report.games;
-    for (const auto& [id, cells] : rows) {
-      report.void_games += is_void(cells) ? 1 : 0;
-      report.killed_games += is_killed(cells, format_) ? 1 : 0;
+    for (const auto& [id, row] : rows) {
+      report.void_games += is_void(row.record) ? 1 : 0;
+      report.killed_games += is_killed(row) ? 1 : 0;
     }
     report.is_waiting = schedule_.needed > schedule_.games.size() && !report.is_interrupted;
     if (report.is_complete && !options_.outcomes) conclude(report, rows);
@@ -131,7 +125,7 @@ class Experiment {
     for (const ScheduledGame& game : schedule_.games) {
       const auto row = rows_.find(game.id);
       if (row == rows_.end() || !options_.shard.has(game.unit)) continue;
-      if (is_killed(row->second, format_)) again_.insert(game.id);
+      if (is_killed(row->second)) again_.insert(game.id);
     }
     for (const std::string& id : again_) rows_.erase(id);
     if (again_.empty()) return;
@@ -139,7 +133,7 @@ class Experiment {
         fmt::format("{} games are void because their workers were killed; they are "
                     "played again",
                     again_.size()));
-    schedule_ = schedule_of(scenario_, format_, rows_);
+    schedule_ = schedule_of(scenario_, rows_);
   }
 
   // Other shards may have played meanwhile.
@@ -165,7 +159,7 @@ class Experiment {
       if (missing.empty()) return Ending::kDone;
       const Ending ending = play(missing, shard, played_games);
       if (options_.shard.of > 1) look_around();
-      if (follows_its_rows(scenario_)) schedule_ = schedule_of(scenario_, format_, rows_);
+      if (follows_its_rows(scenario_)) schedule_ = schedule_of(scenario_, rows_);
       progress_.expect(counts());
       if (ending == Ending::kInterrupted && !missing_games().empty()) return ending;
     }
@@ -190,20 +184,12 @@ class Experiment {
       const auto row = rows_.find(game.id);
       ++counts.total;
       counts.done += row == rows_.end() ? 0 : 1;
-      *counts.voids += row != rows_.end() && is_void(row->second) ? 1 : 0;
+      *counts.voids += row != rows_.end() && is_void(row->second.record) ? 1 : 0;
     }
     return counts;
   }
 
-  bool is_void(const Cells& row) const {
-    return row[format_.column("status")] == name_of(Status::kVoid);
-  }
-
-  ProgressView view_so_far() const {
-    std::vector<Cells> rows;
-    for (const auto& [id, cells] : counted(schedule_, rows_)) rows.push_back(cells);
-    return outcomes_.view(rows);
-  }
+  ProgressView view_so_far() const { return outcomes_.view(counted(schedule_, rows_)); }
 
   void announce_ending(int running) {
     progress_.say(
@@ -216,7 +202,7 @@ class Experiment {
     const WorkerOptions workers{options_.workers, options_.attempts, options_.longest_game_s};
     return do_jobs(
         games, workers,
-        {[this](std::size_t i) { return played(outcomes_, schedule_.games[i].configuration); },
+        {[this](std::size_t i) { return format_.line(played(outcomes_, schedule_.games[i])); },
          [&](const JobResult& result) {
            keep(shard, result);
            ++played_games;
@@ -225,30 +211,36 @@ class Experiment {
          [this](int running) { announce_ending(running); }});
   }
 
+  // Throws std::logic_error if the worker sent something else than a row.
+  GameRow row_from(const JobResult& result) const {
+    if (!result.failure.empty()) {
+      GameRow row = row_of(schedule_.games[result.job]);
+      row.record = void_record(result.failure);
+      return row;
+    }
+    std::optional<GameRow> row = format_.read(result.payload);
+    if (!row) throw std::logic_error("a worker's answer is not a row: " + result.payload);
+    return std::move(*row);
+  }
+
   void keep(Shard& shard, const JobResult& result) {
-    const ScheduledGame& game = schedule_.games[result.job];
-    const Cells outcome = result.failure.empty() ? csv_cells(result.payload).value()
-                                                 : outcomes_.of_void(result.failure);
-    const std::string line = format_.line(
-        game, outcome,
-        {options_.build, host_, cpu_, result.wall_s, result.attempt, options_.shard.name()});
-    shard.append(line);
-    const Cells cells = format_.read(line).value();
-    const std::string& reason = cells[format_.column("void_reason")];
-    if (!reason.empty()) progress_.say(fmt::format("{} is void: {}", game.id, reason));
-    rows_[game.id] = cells;
-    again_.erase(game.id);
-    progress_.game_done(is_void(cells));
+    GameRow row = row_from(result);
+    row.circumstances = {options_.build, host_,          cpu_,
+                         result.wall_s,  result.attempt, options_.shard.name()};
+    shard.append(format_.line(row));
+    const std::string& reason = row.record.void_reason;
+    if (!reason.empty()) progress_.say(fmt::format("{} is void: {}", row.game_id, reason));
+    again_.erase(row.game_id);
+    progress_.game_done(is_void(row.record));
+    rows_[row.game_id] = std::move(row);
     if (!follows_its_rows(scenario_)) return;
     if (options_.shard.of > 1 && Clock::now() >= next_look_) look_around();
-    is_decided_ = is_decided(scenario_, format_, rows_);
+    is_decided_ = is_decided(scenario_, rows_);
   }
 
   void conclude(ExperimentReport& report, const RowsById& counted_rows) const {
     report.results = write_results(options_.folder, scenario_, format_, counted_rows);
-    std::vector<Cells> rows;
-    for (const auto& [id, cells] : counted_rows) rows.push_back(cells);
-    report.transitions_never_used = transitions_never_used(format_, rows);
+    report.transitions_never_used = transitions_never_used(counted_rows);
   }
 
   const Scenario& scenario_;

@@ -30,33 +30,31 @@ std::vector<std::string> value_columns(const JudgeSchedule& /*schedule*/) {
 
 // Of the other kinds all games are needed.
 template <typename Experiment>
-bool is_decided(const Experiment& /*experiment*/, const RowFormat& /*format*/,
-                const RowsById& /*rows*/) {
+bool is_decided(const Experiment& /*experiment*/, const RowsById& /*rows*/) {
   return false;
 }
 
-bool is_decided(const SprtMatch& match, const RowFormat& format, const RowsById& rows) {
-  return state_of(match, format, rows).is_decided;
+bool is_decided(const SprtMatch& match, const RowsById& rows) {
+  return state_of(match, rows).is_decided;
 }
 
 template <typename Experiment>
-Schedule schedule_of(const Experiment& experiment, const RowFormat& /*format*/,
-                     const RowsById& /*rows*/) {
+Schedule schedule_of(const Experiment& experiment, const RowsById& /*rows*/) {
   std::vector<ScheduledGame> games = scheduled_games(experiment);
   const std::size_t needed = games.size();
   return {std::move(games), needed};
 }
 
-Schedule schedule_of(const SprtMatch& match, const RowFormat& format, const RowsById& rows) {
-  const SprtMatchState state = state_of(match, format, rows);
+Schedule schedule_of(const SprtMatch& match, const RowsById& rows) {
+  const SprtMatchState state = state_of(match, rows);
   std::vector<ScheduledGame> games = scheduled_games(match);
   const std::size_t needed =
       state.is_decided ? 2 * static_cast<std::size_t>(state.last_pair) : games.size();
   return {std::move(games), needed};
 }
 
-Schedule schedule_of(const Knockout& knockout, const RowFormat& format, const RowsById& rows) {
-  const std::vector<Tie> ties = bracket_of(knockout, format, rows);
+Schedule schedule_of(const Knockout& knockout, const RowsById& rows) {
+  const std::vector<Tie> ties = bracket_of(knockout, rows);
   std::vector<ScheduledGame> games = games_of(knockout, ties);
   const auto unknown =
       std::count_if(ties.begin(), ties.end(), [](const Tie& tie) { return !tie.is_known(); });
@@ -64,8 +62,7 @@ Schedule schedule_of(const Knockout& knockout, const RowFormat& format, const Ro
   return {std::move(games), needed};
 }
 
-ExperimentResults results_of(const JudgeSchedule& /*schedule*/, const RowFormat& /*format*/,
-                             const std::vector<Cells>& /*rows*/) {
+ExperimentResults results_of(const JudgeSchedule& /*schedule*/, const RowsById& /*rows*/) {
   throw std::logic_error("what follows from judged games is in runner/judge");
 }
 
@@ -104,10 +101,9 @@ std::vector<Cells> rows_from_first_open_tie(const std::vector<Tie>& ties, std::v
   return rows;
 }
 
-ExperimentResults results_of(const Sweep& sweep, const RowFormat& format,
-                             const std::vector<Cells>& rows) {
+ExperimentResults results_of(const Sweep& sweep, const RowsById& rows) {
   ExperimentResults results;
-  results.groups = grouped(sweep, format, rows);
+  results.groups = grouped(sweep, rows);
   results.files = {{"summary.csv", "a row per value", summary_csv(sweep, results.groups)}};
   results.table = summary_table(sweep, results.groups);
   results.shown = {{summary_rows(sweep, results.groups),
@@ -119,10 +115,9 @@ ExperimentResults results_of(const Sweep& sweep, const RowFormat& format,
   return results;
 }
 
-ExperimentResults results_of(const RoundRobin& robin, const RowFormat& format,
-                             const std::vector<Cells>& rows) {
+ExperimentResults results_of(const RoundRobin& robin, const RowsById& rows) {
   ExperimentResults results;
-  results.groups = grouped(matchups_of(robin), format, rows);
+  results.groups = grouped(matchups_of(robin), rows);
   results.standings = standings_of(results.groups);
   results.files = {{"summary.csv", "a row per matchup", matchups_csv(results.groups)},
                    {"standings.csv", "a row per team", standings_csv(results.standings)}};
@@ -130,10 +125,9 @@ ExperimentResults results_of(const RoundRobin& robin, const RowFormat& format,
   return results;
 }
 
-ExperimentResults results_of(const Gauntlet& gauntlet, const RowFormat& format,
-                             const std::vector<Cells>& rows) {
+ExperimentResults results_of(const Gauntlet& gauntlet, const RowsById& rows) {
   ExperimentResults results;
-  results.groups = grouped(matchups_of(gauntlet), format, rows);
+  results.groups = grouped(matchups_of(gauntlet), rows);
   results.standings = standings_of_challengers(results.groups);
   results.files = {{"summary.csv", "a row per matchup", matchups_csv(results.groups)},
                    {"standings.csv", "a row per challenger", standings_csv(results.standings)}};
@@ -141,17 +135,10 @@ ExperimentResults results_of(const Gauntlet& gauntlet, const RowFormat& format,
   return results;
 }
 
-RowsById by_id(const std::vector<Cells>& rows) {
-  RowsById by_id;
-  for (const Cells& row : rows) by_id[row.front()] = row;
-  return by_id;
-}
-
-ExperimentResults results_of(const SprtMatch& match, const RowFormat& format,
-                             const std::vector<Cells>& rows) {
-  const SprtMatchState state = state_of(match, format, by_id(rows));
+ExperimentResults results_of(const SprtMatch& match, const RowsById& rows) {
+  const SprtMatchState state = state_of(match, rows);
   ExperimentResults results;
-  results.groups = grouped({matchup_of(match)}, format, rows);
+  results.groups = grouped({matchup_of(match)}, rows);
   const Group& matchup = results.groups.front();
   results.files = {
       {"summary.csv", "the SPRT match and its verdict", sprt_match_csv(match, matchup, state)}};
@@ -162,15 +149,13 @@ ExperimentResults results_of(const SprtMatch& match, const RowFormat& format,
   return results;
 }
 
-ExperimentResults results_of(const Knockout& knockout, const RowFormat& format,
-                             const std::vector<Cells>& rows) {
-  const RowsById games = by_id(rows);
-  const std::vector<Tie> ties = bracket_of(knockout, format, games);
+ExperimentResults results_of(const Knockout& knockout, const RowsById& rows) {
+  const std::vector<Tie> ties = bracket_of(knockout, rows);
   ExperimentResults results;
-  results.files = {{"summary.csv", "a row per tie", ties_csv(ties, format, games)}};
-  results.table = bracket_table(ties, format, games);
+  results.files = {{"summary.csv", "a row per tie", ties_csv(ties, rows)}};
+  results.table = bracket_table(ties, rows);
   results.shown = {
-      {rows_from_first_open_tie(ties, bracket_rows(ties, format, games)), kBracketColumns, "ties"}};
+      {rows_from_first_open_tie(ties, bracket_rows(ties, rows)), kBracketColumns, "ties"}};
   results.json = {{"ties", json_of(ties)}};
   return results;
 }
@@ -194,7 +179,7 @@ bool keeps_rows(const Scenario& scenario) {
 
 RowFormat row_format(const Scenario& scenario) {
   const bool is_judged = std::holds_alternative<JudgeSchedule>(scenario.content);
-  return RowFormat(value_columns(scenario), is_judged ? evaluation_columns() : outcome_columns());
+  return RowFormat(value_columns(scenario), is_judged ? RowKind::kJudged : RowKind::kPlayed);
 }
 
 std::vector<ScheduledGame> scheduled_games(const Scenario& scenario) {
@@ -212,24 +197,20 @@ bool follows_its_rows(const Scenario& scenario) {
          std::holds_alternative<Knockout>(scenario.content);
 }
 
-Schedule schedule_of(const Scenario& scenario, const RowFormat& format, const RowsById& rows) {
-  return with_kind(scenario,
-                   [&](const auto& experiment) { return schedule_of(experiment, format, rows); });
+Schedule schedule_of(const Scenario& scenario, const RowsById& rows) {
+  return with_kind(scenario, [&](const auto& experiment) { return schedule_of(experiment, rows); });
 }
 
-bool is_decided(const Scenario& scenario, const RowFormat& format, const RowsById& rows) {
-  return with_kind(scenario,
-                   [&](const auto& experiment) { return is_decided(experiment, format, rows); });
+bool is_decided(const Scenario& scenario, const RowsById& rows) {
+  return with_kind(scenario, [&](const auto& experiment) { return is_decided(experiment, rows); });
 }
 
 std::vector<std::string> value_columns(const Scenario& scenario) {
   return with_kind(scenario, [](const auto& experiment) { return value_columns(experiment); });
 }
 
-ExperimentResults results_of(const Scenario& scenario, const RowFormat& format,
-                             const std::vector<Cells>& rows) {
-  return with_kind(scenario,
-                   [&](const auto& experiment) { return results_of(experiment, format, rows); });
+ExperimentResults results_of(const Scenario& scenario, const RowsById& rows) {
+  return with_kind(scenario, [&](const auto& experiment) { return results_of(experiment, rows); });
 }
 
 }  // namespace autoref::runner

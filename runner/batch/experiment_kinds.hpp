@@ -9,7 +9,7 @@
 #include "runner/experiments/scenario.hpp"
 #include "runner/experiments/schedule.hpp"
 #include "runner/processes/standings_table.hpp"
-#include "runner/results/rows.hpp"
+#include "runner/results/row_format.hpp"
 
 namespace autoref::runner {
 
@@ -36,14 +36,14 @@ struct Schedule {
 };
 
 // `rows` are those of its games so far.
-Schedule schedule_of(const Scenario& scenario, const RowFormat& format, const RowsById& rows);
+Schedule schedule_of(const Scenario& scenario, const RowsById& rows);
 
 // Whether its course may change with its rows: a match ends with the pair that decides it, and who
 // meets whom in a knockout follows from the ties before.
 bool follows_its_rows(const Scenario& scenario);
 
 // Whether these rows make all games superfluous that are not played yet.
-bool is_decided(const Scenario& scenario, const RowFormat& format, const RowsById& rows);
+bool is_decided(const Scenario& scenario, const RowsById& rows);
 
 // The rows of needed games: those that results are made of.
 RowsById counted(const Schedule& schedule, const RowsById& rows);
@@ -75,9 +75,7 @@ struct ExperimentResults {
   std::vector<std::pair<std::string, std::string>> json;  // and for programs: keys and values
 };
 
-// Made of the rows of games that count, each game once, in any order. Not of judged games, whose
-// results are in runner/judge.
-ExperimentResults results_of(const Scenario& scenario, const RowFormat& format,
-                             const std::vector<Cells>& rows);
+// The results of the games that count. Not for judged games, whose results are in runner/judge.
+ExperimentResults results_of(const Scenario& scenario, const RowsById& rows);
 
 }  // namespace autoref::runner

@@ -1,20 +1,17 @@
-// What rows keep of a game, and how a run shows them.
+// How a run plays its games and shows them.
 #pragma once
 
 #include <functional>
-#include <string>
-#include <vector>
 
-#include "runner/game/game.hpp"
 #include "runner/processes/progress.hpp"
-#include "runner/results/rows.hpp"
+#include "runner/results/game_row.hpp"
 
 namespace autoref::runner {
 
 struct Outcomes {
-  std::function<Cells(const GameConfiguration&)> of_game;            // called in workers; may throw
-  std::function<Cells(const std::string& reason)> of_void;           // of a game that went wrong
-  std::function<ProgressView(const std::vector<Cells>& rows)> view;  // of the games so far
+  // Plays the game in a worker and fills the row's record (and evaluation). May throw.
+  std::function<void(const GameConfiguration& game, GameRow& row)> play;
+  std::function<ProgressView(const RowsById& rows)> view;  // of the games so far
 };
 
 }  // namespace autoref::runner

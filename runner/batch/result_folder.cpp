@@ -3,9 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "runner/io/csv.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/files.hpp"
+#include "runner/results/scores.hpp"
 #include "runner/results/shard.hpp"
 
 namespace autoref::runner {
@@ -15,7 +18,7 @@ namespace fs = std::filesystem;
 
 std::set<std::string> builds_of(const StoredRows& stored) {
   std::set<std::string> builds;
-  for (const StoredRow& row : stored.rows) builds.insert(row.build);
+  for (const GameRow& row : stored.rows) builds.insert(row.circumstances.build);
   return builds;
 }
 
@@ -48,18 +51,14 @@ Scenario scenario_in(const fs::path& folder) {
 }
 
 int ResultFolder::killed_games() const {
-  int count = 0;
-  for (const auto& [id, cells] : completed_games.done) count += is_killed(cells, format) ? 1 : 0;
-  return count;
+  return static_cast<int>(std::count_if(completed_games.done.begin(), completed_games.done.end(),
+                                        [](const auto& entry) { return is_killed(entry.second); }));
 }
 
 int ResultFolder::void_games() const {
-  const std::size_t status = format.column("status");
-  int count = 0;
-  for (const auto& [id, cells] : completed_games.done) {
-    count += cells[status] == name_of(Status::kVoid) ? 1 : 0;
-  }
-  return count;
+  return static_cast<int>(
+      std::count_if(completed_games.done.begin(), completed_games.done.end(),
+                    [](const auto& entry) { return is_void(entry.second.record); }));
 }
 
 std::set<std::string> builds_in(const fs::path& path) {
@@ -86,8 +85,8 @@ ResultFolder open_results(const fs::path& path, const std::string& build) {
                       beyond,
                       stored.damaged,
                       {}};
-  const std::size_t shard = format.column("shard");
-  for (const auto& [id, cells] : folder.completed_games.done) ++folder.by_shard[cells[shard]];
+  for (const auto& [id, row] : folder.completed_games.done)
+    ++folder.by_shard[row.circumstances.shard];
   return folder;
 }
 
@@ -105,16 +104,14 @@ std::vector<std::string> files_of_results(const fs::path& path) {
 }
 
 std::string results_csv(const RowFormat& format, const RowsById& rows) {
-  std::string csv = csv_line(format.reproducible(format.columns())) + "\n";
+  std::string csv = csv_line(format.reproducible_names()) + "\n";
   for (const auto& [id, row] : rows) csv += csv_line(format.reproducible(row)) + "\n";
   return csv;
 }
 
 ExperimentResults write_results(const fs::path& folder, const Scenario& scenario,
                                 const RowFormat& format, const RowsById& rows) {
-  std::vector<Cells> cells;
-  for (const auto& [id, row] : rows) cells.push_back(row);
-  ExperimentResults results = results_of(scenario, format, cells);
+  ExperimentResults results = results_of(scenario, rows);
   replace_file(folder / kResultsFile, results_csv(format, rows));
   for (const ResultFile& file : results.files) replace_file(folder / file.name, file.content);
   return results;

@@ -12,7 +12,7 @@
 #include "runner/batch/experiment_kinds.hpp"
 #include "runner/experiments/scenario.hpp"
 #include "runner/experiments/schedule.hpp"
-#include "runner/results/rows.hpp"
+#include "runner/results/row_format.hpp"
 
 namespace autoref::runner {
 

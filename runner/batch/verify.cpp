@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <stdexcept>
 
-#include "runner/io/csv.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/processes/progress.hpp"
 #include "runner/processes/workers.hpp"
@@ -12,13 +13,12 @@
 namespace autoref::runner {
 namespace {
 
-// Places in the plan of games with good rows.
+// Indices of the scheduled games that have good rows.
 std::vector<std::size_t> good_games(const ResultFolder& folder) {
-  const std::size_t status = folder.format.column("status");
   std::vector<std::size_t> good;
   for (std::size_t i = 0; i < folder.games.size(); ++i) {
     const auto row = folder.completed_games.done.find(folder.games[i].id);
-    if (row != folder.completed_games.done.end() && row->second[status] == name_of(Status::kOk))
+    if (row != folder.completed_games.done.end() && row->second.record.status == Status::kOk)
       good.push_back(i);
   }
   return good;
@@ -31,21 +31,21 @@ std::vector<std::size_t> spread_evenly(const std::vector<std::size_t>& all, int 
   return chosen;
 }
 
-void compare(const ResultFolder& folder, const std::string& id, const Cells& outcome,
-             std::vector<Difference>& differences) {
-  const Cells& row = folder.completed_games.done.at(id);
-  const std::size_t first = folder.format.first_outcome();
-  for (std::size_t i = 0; i < outcome.size(); ++i) {
-    if (outcome[i] == row[first + i]) continue;
-    differences.push_back({id, folder.format.columns()[first + i], row[first + i], outcome[i]});
-    return;
-  }
+// Compares how a game ended with its row. The configuration's hash is left out: it is of the build.
+std::optional<ColumnDifference> difference_from(const ResultFolder& folder,
+                                                const JobResult& result) {
+  if (!result.failure.empty()) return ColumnDifference{"status", "ok", result.failure};
+  std::optional<GameRow> now = folder.format.read(result.payload);
+  if (!now) throw std::logic_error("a worker's answer is not a row: " + result.payload);
+  const GameRow& stored = folder.completed_games.done.at(now->game_id);
+  now->config_hash = stored.config_hash;
+  return folder.format.first_difference(stored, *now);
 }
 
 }  // namespace
 
 Verification verify(const ResultFolder& folder, int sample, int workers,
-                    const std::function<Cells(const GameConfiguration&)>& outcome,
+                    const std::function<void(const GameConfiguration&, GameRow&)>& play,
                     std::FILE* progress) {
   const std::vector<std::size_t> games = spread_evenly(good_games(folder), sample);
   if (games.empty()) {
@@ -53,32 +53,22 @@ Verification verify(const ResultFolder& folder, int sample, int workers,
   }
   Verification verification;
   Progress bar(progress, {.total = static_cast<int>(games.size())});
+  const auto work = [&](std::size_t i) {
+    GameRow row = row_of(folder.games[i]);
+    play(folder.games[i].configuration, row);
+    return folder.format.line(row);
+  };
   const auto done = [&](const JobResult& result) {
-    const std::string& id = folder.games[result.job].id;
     ++verification.played;
-    if (result.failure.empty()) {
-      compare(folder, id, csv_cells(result.payload).value(), verification.differences);
-    } else {
-      verification.differences.push_back({id, "status", "ok", result.failure});
-    }
+    if (const auto difference = difference_from(folder, result))
+      verification.differences.push_back({folder.games[result.job].id, *difference});
     bar.game_done();
   };
-  const WorkerCalls calls{
-      [&](std::size_t i) { return csv_line(outcome(folder.games[i].configuration)); }, done,
-      [&bar] { bar.tick(); }};
   WorkerOptions options;
   options.workers = workers;
-  do_jobs(games, options, calls);
+  do_jobs(games, options, {work, done, [&bar] { bar.tick(); }});
   if (verification.played < static_cast<int>(games.size())) throw Interrupted();
   return verification;
-}
-
-Verification verify(const ResultFolder& folder, int sample, int workers,
-                    const std::function<GameRecord(const GameConfiguration&)>& play,
-                    std::FILE* progress) {
-  const std::function<Cells(const GameConfiguration&)> outcome =
-      [&play](const GameConfiguration& game) { return outcome_of(play(game)); };
-  return verify(folder, sample, workers, outcome, progress);
 }
 
 }  // namespace autoref::runner

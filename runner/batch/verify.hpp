@@ -1,4 +1,4 @@
-// Games of a folder played again, to see whether they come out as their rows say.
+// Plays games of a folder again and compares them with their rows.
 #pragma once
 
 #include <cstdio>
@@ -11,12 +11,10 @@
 
 namespace autoref::runner {
 
-// A game that did not come out as before, and the first column that tells.
+// A game that ended differently when it was played again, and the first column that differs.
 struct Difference {
   std::string id;
-  std::string column;
-  std::string stored;
-  std::string now;
+  ColumnDifference column;  // first: as stored; second: now
 };
 
 struct Verification {
@@ -24,16 +22,11 @@ struct Verification {
   std::vector<Difference> differences;
 };
 
-// Up to `sample` games of the folder, spread evenly over its rows that are not void, in workers.
-// `outcome` gives what rows keep of a game. Throws Interrupted where the user does, and InputError
-// where there are no such rows.
+// Plays up to `sample` games of the folder again, in workers: spread evenly over its rows that are
+// neither void nor forfeited. `play` fills the row's record (and evaluation). Throws Interrupted if
+// the user interrupts, and InputError if there are no such rows.
 Verification verify(const ResultFolder& folder, int sample, int workers,
-                    const std::function<Cells(const GameConfiguration&)>& outcome,
-                    std::FILE* progress);
-
-// Likewise of games whose records are kept.
-Verification verify(const ResultFolder& folder, int sample, int workers,
-                    const std::function<GameRecord(const GameConfiguration&)>& play,
+                    const std::function<void(const GameConfiguration&, GameRow&)>& play,
                     std::FILE* progress);
 
 }  // namespace autoref::runner

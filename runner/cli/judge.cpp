@@ -27,13 +27,12 @@ Scenario read_judge(const JudgeArguments& arguments) {
 }
 
 ExperimentReport judge_all(const JudgeArguments& arguments, const Scenario& scenario) {
-  const RowFormat format = row_format(scenario);
   ExperimentOptions options;
   options.folder = arguments.results_folder();
   options.build = build_id();
   options.workers = arguments.worker_count();
   options.allow_mixed_build = arguments.allow_mixed_build;
-  options.outcomes = judged_outcomes(std::get<JudgeSchedule>(scenario.content), format);
+  options.outcomes = judged_outcomes(std::get<JudgeSchedule>(scenario.content));
   options.progress = stderr;
   return run_experiment(scenario, options);
 }

@@ -50,11 +50,11 @@ int replay_verb(const ReplayArguments& arguments) {
       play_one(game.configuration, arguments.output, files_of_results(folder.path));
   const auto row = folder.completed_games.done.find(game.id);
   if (row == folder.completed_games.done.end()) return kDone;
-  const std::string& stored = row->second[folder.format.column("state_hash")];
-  if (stored == hash_text(record.state_hash)) return kDone;
+  const std::uint64_t stored = row->second.record.state_hash;
+  if (stored == record.state_hash) return kDone;
   write_message(stderr,
                 fmt::format("autoref: the row of build {} has the state {}; this is build {}\n",
-                            folder.build, stored, build_id()));
+                            folder.build, hash_text(stored), build_id()));
   return kDifferent;
 }
 

@@ -39,12 +39,6 @@ void print_counts(const ResultFolder& folder) {
   if (folder.damaged > 0) fmt::print("  {} damaged rows that do not count\n", folder.damaged);
 }
 
-std::vector<Cells> rows_of(const ResultFolder& folder) {
-  std::vector<Cells> rows;
-  for (const auto& [id, cells] : folder.completed_games.done) rows.push_back(cells);
-  return rows;
-}
-
 }  // namespace
 
 int status_verb(const FolderArguments& arguments) {
@@ -54,7 +48,7 @@ int status_verb(const FolderArguments& arguments) {
     fmt::print("\n{}", scores_markdown_of(report_of(folder)));
     return kDone;
   }
-  const ExperimentResults results = results_of(folder.scenario, folder.format, rows_of(folder));
+  const ExperimentResults results = results_of(folder.scenario, folder.completed_games.done);
   fmt::print("\n{}", results.table);
   if (!folder.is_complete() && !results.groups.empty()) {
     fmt::print(

@@ -20,14 +20,15 @@ int verify_verb(const VerifyArguments& arguments) {
     fmt::print("the games were played by build {}, this is {}\n", folder.build, build_id());
   }
   const int workers = arguments.workers > 0 ? arguments.workers : processors();
-  const std::function<Cells(const GameConfiguration&)> outcome =
-      is_judged(folder.scenario) ? judged : [](const GameConfiguration& game) {
-        return outcome_of(play(game));
-      };
-  const Verification verification = verify(folder, arguments.sample, workers, outcome, stderr);
+  const auto play_team_game = [](const GameConfiguration& game, GameRow& row) {
+    row.record = play(game);
+  };
+  const std::function<void(const GameConfiguration&, GameRow&)> play_again =
+      is_judged(folder.scenario) ? play_judged : play_team_game;
+  const Verification verification = verify(folder, arguments.sample, workers, play_again, stderr);
   for (const Difference& difference : verification.differences) {
-    fmt::print("{}: {} was {}, is {}\n", difference.id, difference.column, difference.stored,
-               difference.now);
+    const auto& [column, stored, now] = difference.column;
+    fmt::print("{}: {} was {}, is {}\n", difference.id, column, stored, now);
   }
   const auto different = static_cast<int>(verification.differences.size());
   fmt::print("{} of {} games came out as their rows say\n", verification.played - different,

@@ -127,7 +127,7 @@ class Game {
     ++record_.events[static_cast<std::size_t>(decision.finding.event)];
     if (std::find(record_.transitions.begin(), record_.transitions.end(), decision.transition) ==
         record_.transitions.end()) {
-      record_.transitions.push_back(decision.transition);
+      record_.transitions.emplace_back(decision.transition);
     }
     if (observer_ != nullptr) observer_->on_decision(decision);
   }

@@ -13,7 +13,7 @@ std::string quoted(const std::string& cell) {
   return text + "\"";
 }
 
-// Reads one cell from the start of `rest` and removes it; false where its quotes do not match.
+// Reads one cell from the start of `rest` and removes it; false if its quotes do not match.
 bool take_cell(std::string_view& rest, std::string& cell) {
   cell.clear();
   if (!rest.starts_with('"')) {
@@ -36,7 +36,11 @@ bool take_cell(std::string_view& rest, std::string& cell) {
 
 }  // namespace
 
-std::string csv_line(const std::vector<std::string>& cells) {
+void append(Cells& cells, const Cells& more) {
+  cells.insert(cells.end(), more.begin(), more.end());
+}
+
+std::string csv_line(const Cells& cells) {
   std::string line;
   for (const std::string& cell : cells) {
     if (&cell != &cells.front()) line += ',';
@@ -45,8 +49,8 @@ std::string csv_line(const std::vector<std::string>& cells) {
   return line;
 }
 
-std::optional<std::vector<std::string>> csv_cells(std::string_view line) {
-  std::vector<std::string> cells;
+std::optional<Cells> csv_cells(std::string_view line) {
+  Cells cells;
   while (true) {
     std::string cell;
     if (!take_cell(line, cell)) return std::nullopt;

@@ -10,6 +10,7 @@
 #include "runner/io/csv.hpp"
 #include "runner/io/json.hpp"
 #include "runner/judge/judge_measures.hpp"
+#include "runner/results/scores.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -29,7 +30,8 @@ std::string fault_line(const JudgeGame& game, std::size_t number,
 }
 
 // Adds one game to the lists of what is to be looked up.
-void list_faults(const JudgeGame& game, const CallEvaluation& evaluation, JudgeReport& report) {
+void list_faults(const JudgeGame& game, const GameRow& row, JudgeReport& report) {
+  const CallEvaluation& evaluation = row.evaluation;
   for (const ground_truth::Verdict& verdict : evaluation.verdicts) {
     if (verdict.is_second) {
       report.second_calls.push_back(
@@ -42,8 +44,8 @@ void list_faults(const JudgeGame& game, const CallEvaluation& evaluation, JudgeR
   for (const std::string& call : evaluation.calls_in_stop) {
     report.calls_in_stop.push_back(fmt::format("{}: {}", game.id, call));
   }
-  if (!evaluation.void_reason.empty()) {
-    report.void_games.push_back(fmt::format("{}: {}", game.id, evaluation.void_reason));
+  if (is_void(row.record)) {
+    report.void_games.push_back(fmt::format("{}: {}", game.id, row.record.void_reason));
   }
 }
 
@@ -115,8 +117,7 @@ std::vector<const ground_truth::Verdict*> faults_in(const CallEvaluation& evalua
   return faults;
 }
 
-JudgeReport report_of(const JudgeSchedule& schedule, const std::vector<JudgeGame>& games,
-                      const std::vector<CallEvaluation>& evaluations) {
+JudgeReport report_of(const JudgeSchedule& schedule, const RowsById& rows) {
   JudgeReport report;
   report.faults_csv =
       "rules,camera,game,seed,a_plays,event,outcome,time_s,offender,borderline,id\n";
@@ -126,10 +127,13 @@ JudgeReport report_of(const JudgeSchedule& schedule, const std::vector<JudgeGame
     }
   }
   std::set<std::string, std::less<>> taken;
-  for (std::size_t i = 0; i < games.size(); ++i) {
-    tally_of(report, games[i]).add(evaluations[i]);
-    list_faults(games[i], evaluations[i], report);
-    taken.insert(evaluations[i].transitions.begin(), evaluations[i].transitions.end());
+  for (const JudgeGame& game : games_of(schedule)) {
+    const auto row = rows.find(game.game_id);
+    if (row == rows.end()) continue;
+    const GameRecord& record = row->second.record;
+    tally_of(report, game).add(record, row->second.evaluation);
+    list_faults(game, row->second, report);
+    taken.insert(record.transitions.begin(), record.transitions.end());
   }
   report.transitions_never_used = never_taken(taken);
   report.rules_never_seen = never_seen(report.tallies);

@@ -7,6 +7,7 @@
 
 #include "runner/experiments/judge_schedule.hpp"
 #include "runner/judge/judge_tally.hpp"
+#include "runner/results/game_row.hpp"
 
 namespace autoref::runner {
 
@@ -27,9 +28,9 @@ inline constexpr std::string_view kFaultMark = "-f";
 // The missed events and wrong calls, in the order of their numbers.
 std::vector<const ground_truth::Verdict*> faults_in(const CallEvaluation& evaluation);
 
-// `games` are the judged games in the order of the schedule; `evaluations` has one for each.
-JudgeReport report_of(const JudgeSchedule& schedule, const std::vector<JudgeGame>& games,
-                      const std::vector<CallEvaluation>& evaluations);
+// The scheduled games that have rows, in the schedule's order: the same rows give the same report,
+// in whatever order they were played.
+JudgeReport report_of(const JudgeSchedule& schedule, const RowsById& rows);
 
 // Markdown: F1 of everything at a glance, last touches, the checks, and a table of all figures for
 // each rule book.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "referee/event.hpp"
+#include "runner/judge/truth/association.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -56,9 +57,9 @@ std::optional<double> quantile(std::vector<double> sample, double share) {
   return sample[static_cast<std::size_t>(std::max(1.0, rank)) - 1];
 }
 
-void CameraTally::add(const CallEvaluation& evaluation) {
+void CameraTally::add(const GameRecord& record, const CallEvaluation& evaluation) {
   ++games;
-  if (!evaluation.void_reason.empty()) {
+  if (record.status == Status::kVoid) {
     ++void_games;
     return;
   }

@@ -7,7 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "runner/judge/call_evaluation.hpp"
+#include "runner/game/game.hpp"
+#include "runner/results/call_evaluation.hpp"
 
 namespace autoref::runner {
 
@@ -48,7 +49,7 @@ struct CameraTally {
   std::map<std::string, EventTally> events;  // by name
   std::array<LastTouchTally, 2> last_touch;  // by the team that truly touched it
 
-  void add(const CallEvaluation& evaluation);
+  void add(const GameRecord& record, const CallEvaluation& evaluation);
 };
 
 // The referee's names of calls, in the order of referee/event.hpp; and of all that is judged.

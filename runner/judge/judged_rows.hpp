@@ -1,4 +1,4 @@
-// Judged games as rows of a folder of results: what a row keeps, and what follows from all of them.
+// Judged games as rows of a folder of results.
 #pragma once
 
 #include <optional>
@@ -8,27 +8,23 @@
 #include "runner/batch/outcomes.hpp"
 #include "runner/batch/result_folder.hpp"
 #include "runner/experiments/judge_schedule.hpp"
+#include "runner/judge/evaluate_calls.hpp"
 #include "runner/judge/judge_report.hpp"
 
 namespace autoref::runner {
 
-// The cells of evaluation_columns() (rows.hpp), and back. A row's game is void where it has a
-// reason, or where its text is too long for a row. Throws std::invalid_argument if it is not an
-// evaluation.
-Cells evaluation_cells(const CallEvaluation& evaluation);
-CallEvaluation evaluation_in_row(const RowFormat& format, const Cells& row);
+// Fills the row of a judged game. The game is void if its evaluation is too long for a row.
+void keep(JudgedGame judged, GameRow& row);
 
-// Plays a game and judges its referee.
-Cells judged(const GameConfiguration& game);
+// Plays a game, judges its referee and fills its row.
+void play_judged(const GameConfiguration& game, GameRow& row);
 
-// What `autoref judge` keeps of games, and the table that it shows meanwhile.
-Outcomes judged_outcomes(const JudgeSchedule& schedule, const RowFormat& format);
+// How `autoref judge` plays its games, and the table that it shows meanwhile.
+Outcomes judged_outcomes(const JudgeSchedule& schedule);
 
-// Of the games that have rows, in the schedule's order. The same rows give the same report, in
-// whatever order they came. Throws InputError where a row holds no evaluation.
 JudgeReport report_of(const ResultFolder& folder);
 
-// A game of a folder that somebody wants to see again.
+// A game found in a folder by look_up().
 struct LookedUp {
   std::string game_id;
   std::string fault;  // "missed throw_in of west at 12.345 s"; empty where a game was meant

@@ -2,6 +2,7 @@
 
 #include "runner/report/default_differences.hpp"
 #include "runner/report/sections.hpp"
+#include "runner/results/scores.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -15,16 +16,14 @@ std::string effective_file(const std::string& direction) {
 }  // namespace
 
 Section void_section(const ResultFolder& folder) {
-  const std::size_t status = folder.format.column("status");
-  const std::size_t reason = folder.format.column("void_reason");
   List list;
   std::size_t others = 0;
-  for (const auto& [id, cells] : folder.completed_games.done) {
-    if (cells[status] != name_of(Status::kVoid)) continue;
+  for (const auto& [id, row] : folder.completed_games.done) {
+    if (!is_void(row.record)) continue;
     if (list.items.size() == kMostVoidGames) {
       ++others;
     } else {
-      list.items.push_back(fmt::format("{}: {}", id, cells[reason]));
+      list.items.push_back(fmt::format("{}: {}", id, row.record.void_reason));
     }
   }
   if (list.items.empty()) return {};

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "runner/io/words.hpp"
 #include "runner/statistics/mean_interval.hpp"
 #include "runner/statistics/sample.hpp"
 
@@ -12,21 +11,10 @@ namespace {
 constexpr double kMeanMargin = 0.05;   // of the span, above and below
 constexpr std::size_t kWildPairs = 5;  // whose intervals may leave the axis
 
-std::vector<double> in_order_of_numbers(const std::map<std::string, double>& by_pair) {
-  std::map<int, double> by_number;
-  for (const auto& [pair, value] : by_pair) {
-    by_number[whole_number_in(pair).value_or(0)] = value;
-  }
-  std::vector<double> values;
-  values.reserve(by_number.size());
-  for (const auto& [number, value] : by_number) values.push_back(value);
-  return values;
-}
-
 }  // namespace
 
 std::vector<RunningMean> running_means(const Group& group) {
-  const std::vector<double> values = in_order_of_numbers(group.pair_differences);
+  const std::vector<double> values = values_of(group.pair_differences);
   std::vector<RunningMean> means;
   for (std::size_t n = 1; n <= values.size(); ++n) {
     const std::span<const double> first(values.data(), n);

@@ -6,7 +6,7 @@
 
 #include "runner/io/checksum.hpp"
 #include "runner/io/json.hpp"
-#include "runner/results/rows.hpp"
+#include "runner/results/game_row.hpp"
 #include "runner/settings/match_rules.hpp"
 #include "runner/settings/team_names.hpp"
 #include "soccer/colour.hpp"

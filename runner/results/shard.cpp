@@ -113,22 +113,20 @@ StoredRows read_rows(const fs::path& games_folder, const RowFormat& format) {
     files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
-  const std::size_t build = format.column("build");
-  const std::size_t config_hash = format.column("config_hash");
   StoredRows stored;
   for (const fs::path& file : files) {
     const std::string text = read_file(file).value_or("");
     const std::vector<std::string_view> lines = complete_lines(text);
     if (lines.empty()) continue;
-    if (lines.front() != csv_line(format.columns())) {
+    if (lines.front() != csv_line(format.names())) {
       throw InputError({file.string(), 1, 1}, "",
                        "these rows have other columns: they belong to another scenario or version; "
                        "choose another folder with -o, or remove this one");
     }
     for (std::size_t i = 1; i < lines.size(); ++i) {
-      std::optional<Cells> cells = format.read(lines[i]);
-      if (cells) {
-        stored.rows.push_back({cells->front(), (*cells)[build], (*cells)[config_hash], *cells});
+      std::optional<GameRow> row = format.read(lines[i]);
+      if (row) {
+        stored.rows.push_back(std::move(*row));
       } else {
         ++stored.damaged;
       }

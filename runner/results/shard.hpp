@@ -2,11 +2,10 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
-#include "runner/results/rows.hpp"
+#include "runner/results/row_format.hpp"
 
 namespace autoref::runner {
 
@@ -52,20 +51,12 @@ class Shard {
   int descriptor_ = -1;
 };
 
-// A row as it stands in a file.
-struct StoredRow {
-  std::string id;
-  std::string build;
-  std::string config_hash;
-  Cells cells;
-};
-
 struct StoredRows {
-  std::vector<StoredRow> rows;
-  int damaged = 0;  // lines whose row_crc does not fit; their games count as not played
+  std::vector<GameRow> rows;
+  int damaged = 0;  // lines that RowFormat::read() refused; their games count as not played
 };
 
-// Reads every .csv in the folder, in the order of their names. Throws InputError for a file whose
+// Reads every .csv file in the folder, in the order of their names. Throws InputError if a file's
 // columns are not those of `format`.
 StoredRows read_rows(const std::filesystem::path& games_folder, const RowFormat& format);
 

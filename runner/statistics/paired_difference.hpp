@@ -14,7 +14,7 @@
 namespace autoref::runner {
 
 // By pair number: mean goal difference over the pair's two legs.
-using DifferenceByPair = std::map<std::string, double>;
+using DifferenceByPair = std::map<int, double>;
 
 // A value's pair differences minus the baseline's, over the pair numbers that both have.
 struct PairedDifference {

@@ -17,7 +17,7 @@ struct RatedGame {
 struct RatedMatchup {
   std::string team_a;
   std::string team_b;
-  std::map<std::string, std::vector<RatedGame>> pairs;
+  std::map<int, std::vector<RatedGame>> pairs;
 };
 
 // Sums over games of two teams, which are numbered from 0.

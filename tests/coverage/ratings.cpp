@@ -25,7 +25,7 @@ RatedMatchup play_matchup(const std::string& a, const std::string& b, int games,
                           RandomStream& random) {
   RatedMatchup matchup{a, b, {}};
   for (int i = 0; i < games; ++i) {
-    matchup.pairs[fmt::format("{:04}", i / 2)].push_back(rated(play(kEqual, random)));
+    matchup.pairs[i / 2].push_back(rated(play(kEqual, random)));
   }
   return matchup;
 }

@@ -2,28 +2,35 @@
 
 #include <fmt/format.h>
 
-#include <string_view>
-
 namespace autoref::runner {
+namespace {
+
+constexpr std::array kCountFields = {
+    CountField{"shots", &PlayCounts::shots},
+    CountField{"shots_on_goal", &PlayCounts::shots_on_goal},
+    CountField{"passes_tried", &PlayCounts::passes_tried},
+    CountField{"passes_completed", &PlayCounts::passes_completed},
+    CountField{"possession_s", nullptr, &PlayCounts::possession_s},
+    CountField{"fouls", &PlayCounts::fouls},
+    CountField{"duels_won", &PlayCounts::duels_won},
+};
+
+std::string value_of(const PlayCounts& counts, const CountField& field) {
+  return field.count != nullptr ? std::to_string(counts.*field.count)
+                                : fmt::format("{:.3f}", counts.*field.seconds);
+}
+
+}  // namespace
+
+std::span<const CountField> count_fields() { return kCountFields; }
 
 std::vector<NamedCount> named(const std::array<PlayCounts, 2>& counts) {
-  const PlayCounts& a = counts[0];
-  const PlayCounts& b = counts[1];
   std::vector<NamedCount> all;
-  const auto add = [&](std::string_view name, const auto& of_a, const auto& of_b) {
-    all.push_back({fmt::format("{}_a", name), of_a});
-    all.push_back({fmt::format("{}_b", name), of_b});
-  };
-  const auto add_count = [&](std::string_view name, int PlayCounts::*count) {
-    add(name, std::to_string(a.*count), std::to_string(b.*count));
-  };
-  add_count("shots", &PlayCounts::shots);
-  add_count("shots_on_goal", &PlayCounts::shots_on_goal);
-  add_count("passes_tried", &PlayCounts::passes_tried);
-  add_count("passes_completed", &PlayCounts::passes_completed);
-  add("possession_s", fmt::format("{:.3f}", a.possession_s), fmt::format("{:.3f}", b.possession_s));
-  add_count("fouls", &PlayCounts::fouls);
-  add_count("duels_won", &PlayCounts::duels_won);
+  all.reserve(2 * kCountFields.size());
+  for (const CountField& field : kCountFields) {
+    all.push_back({fmt::format("{}_a", field.name), value_of(counts[0], field)});
+    all.push_back({fmt::format("{}_b", field.name), value_of(counts[1], field)});
+  }
   return all;
 }
 

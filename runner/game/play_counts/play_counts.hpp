@@ -13,7 +13,9 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "soccer/units.hpp"
@@ -82,13 +84,23 @@ struct PlayCounts {
   bool operator==(const PlayCounts&) const = default;
 };
 
-// A figure of a team as rows and JSON spell it: such as "shots_a", and its value.
+// A count's name, such as "shots", and the member that holds it: one of the two.
+struct CountField {
+  std::string_view name;
+  int PlayCounts::*count = nullptr;
+  double PlayCounts::*seconds = nullptr;
+};
+
+// Every member of PlayCounts, in the order in which rows and JSON have them.
+std::span<const CountField> count_fields();
+
+// A team's count as JSON spells it, such as "shots_a", and its value.
 struct NamedCount {
   std::string name;
   std::string value;
 };
 
-// All figures of the teams [a, b], always in the same order.
+// All counts of the teams [a, b], in the order of count_fields().
 std::vector<NamedCount> named(const std::array<PlayCounts, 2>& counts);
 
 }  // namespace autoref::runner

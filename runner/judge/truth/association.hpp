@@ -14,6 +14,7 @@
 
 #include "referee/decision.hpp"
 #include "runner/judge/truth/true_event.hpp"
+#include "runner/results/call_evaluation.hpp"
 
 namespace autoref::runner::ground_truth {
 
@@ -40,26 +41,6 @@ bool is_judged(referee::Event event);
 
 // What a decision says, in the truth's terms; none where it is not judged.
 std::optional<Call> call_of(const referee::Decision& decision);
-
-enum class Outcome : std::uint8_t {
-  kRight,      // happened and was called
-  kWrong,      // called, and did not happen
-  kMissed,     // happened and was not called
-  kOvertaken,  // happened, but another right call ended play in the same moment
-};
-
-struct Verdict {
-  std::string name;
-  Outcome outcome = Outcome::kRight;
-  double time_s = 0;  // of the event, else of the call
-  std::optional<Side> offender;
-  double delay_s = 0;             // of a right call
-  std::optional<double> error_m;  // of a right call's position
-  bool is_early = false;          // right, but nobody can know: the call came before the event
-  bool is_borderline = false;     // the truth was near the threshold
-  bool is_in_air = false;
-  bool is_second = false;  // wrong because another call has answered the event already
-};
 
 // In order of time.
 std::vector<Verdict> associate(const TrueEvents& true_events, const std::vector<Call>& calls,

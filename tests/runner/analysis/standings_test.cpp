@@ -1,5 +1,6 @@
 #include "runner/analysis/standings.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "runner/analysis/standings_report.hpp"
@@ -30,19 +31,22 @@ RoundRobin robin_of(const std::vector<Score>& scores) {
 }
 
 std::vector<Group> matchups_in(const std::vector<Score>& scores) {
-  const RowFormat format({});
-  std::vector<Cells> rows;
+  RowsById rows;
   for (const Score& score : scores) {
-    GameRecord record;
+    GameRow row;
+    GameRecord& record = row.record;
     record.goals_a = score.a;
     record.goals_b = score.b;
     record.end_reason = score.end;
     if (score.end == EndReason::kVoid) record.status = Status::kVoid;
     if (score.end == EndReason::kShootout) record.shootout = {{2, 3}};
-    const ScheduledGame game{"id", {}, score.pair, score.leg, {}, score.team_a, score.team_b};
-    rows.push_back(format.read(format.line(game, outcome_of(record), {})).value());
+    row.pair = score.pair;
+    row.leg = score.leg;
+    row.team_a = score.team_a;
+    row.team_b = score.team_b;
+    rows[fmt::format("game {:03}", rows.size())] = row;
   }
-  return grouped(matchups_of(robin_of(scores)), format, rows);
+  return grouped(matchups_of(robin_of(scores)), rows);
 }
 
 std::vector<Standing> standings_in(const std::vector<Score>& scores) {

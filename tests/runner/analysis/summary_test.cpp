@@ -1,5 +1,6 @@
 #include "runner/analysis/summary.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -21,17 +22,19 @@ struct Score {
 };
 
 std::vector<Group> groups_of(const std::vector<Score>& scores) {
-  const RowFormat format({"b.robots"});
-  std::vector<Cells> rows;
+  RowsById rows;
   for (const Score& score : scores) {
-    GameRecord record;
+    GameRow row;
+    GameRecord& record = row.record;
     record.goals_a = score.a;
     record.goals_b = score.b;
     record.status = score.is_void ? Status::kVoid : Status::kOk;
-    const ScheduledGame game{"id", {score.robots}, score.pair, score.leg, {}};
-    rows.push_back(format.read(format.line(game, outcome_of(record), {})).value());
+    row.pair = score.pair;
+    row.leg = score.leg;
+    row.values = {score.robots};
+    rows[fmt::format("game {:03}", rows.size())] = row;
   }
-  return grouped(std::get<Sweep>(small_sweep().content), format, rows);
+  return grouped(std::get<Sweep>(small_sweep().content), rows);
 }
 
 const Sweep kSweep = std::get<Sweep>(small_sweep().content);
@@ -40,7 +43,7 @@ TEST(Summary, TakesThePairOfLegsAsTheUnit) {
   const std::vector<Group> groups =
       groups_of({{1, 1, "6", 3, 1}, {1, 2, "6", 1, 1}, {2, 1, "6", 0, 2}, {2, 2, "6", 0, 4}});
   EXPECT_EQ(groups[0].differences, (std::vector<double>{2, 0, -2, -4}));
-  EXPECT_EQ(groups[0].pair_differences, (std::map<std::string, double>{{"1", 1}, {"2", -3}}));
+  EXPECT_EQ(groups[0].pair_differences, (DifferenceByPair{{1, 1}, {2, -3}}));
   EXPECT_TRUE(groups[1].differences.empty());
 }
 
@@ -49,7 +52,7 @@ TEST(Summary, LeavesVoidGamesAndTheirPairsOut) {
       groups_of({{1, 1, "6", 3, 1}, {1, 2, "6", 9, 9, true}, {2, 1, "6", 2, 0}, {2, 2, "6", 1, 1}});
   EXPECT_EQ(groups[0].void_games, 1);
   EXPECT_EQ(groups[0].differences.size(), 3U);
-  EXPECT_EQ(groups[0].pair_differences, (std::map<std::string, double>{{"2", 1}}));
+  EXPECT_EQ(groups[0].pair_differences, (DifferenceByPair{{2, 1}}));
 }
 
 TEST(Summary, HasARowPerValueWithMeansAndDeviations) {
@@ -113,7 +116,7 @@ TEST(Summary, FitsNoSlopeOverNamesOrSeveralFactors) {
   sweep.factors = {{"a.strategy", {"basic", "dummy"}}};
   Group basic;
   basic.values = {"basic"};
-  basic.pair_differences = {{"1", 1}};
+  basic.pair_differences = {{1, 1}};
   EXPECT_FALSE(slope_over_factor(sweep, {basic}));
   sweep.factors = {{"a.robots", {"6"}}, {"b.robots", {"6"}}};
   EXPECT_FALSE(slope_over_factor(sweep, {}));

@@ -8,7 +8,7 @@
 #include "runner/experiments/reading/scenario_reader.hpp"
 #include "runner/experiments/scenario.hpp"
 #include "runner/experiments/schedule.hpp"
-#include "runner/judge/call_evaluation.hpp"
+#include "runner/judge/evaluate_calls.hpp"
 #include "tests/checkout.hpp"
 #include "tests/runner/support/temporary_folder.hpp"
 
@@ -68,7 +68,7 @@ TEST_P(EveryScenario, CanBePlayedShortened) {
   }
   if (auto* schedule = std::get_if<JudgeSchedule>(&scenario.content)) {
     for (const JudgeGame& game : games_of(*schedule))
-      EXPECT_EQ(evaluate_calls(game.configuration).void_reason, "") << game.id;
+      EXPECT_EQ(evaluate_calls(game.configuration).record.void_reason, "") << game.id;
     return;
   }
   const TemporaryFolder folder;

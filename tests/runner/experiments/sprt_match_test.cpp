@@ -146,14 +146,12 @@ TEST(SprtMatchShards, LeaveTheSameResultsWhenTheirRowsAreCopiedTogether) {
 // The state by so many pairs, one of which is not there.
 SprtMatchState state_without(int missing_pair, int pairs) {
   const Scenario scenario = small_sprt_match();
-  const RowFormat format({});
   RowsById rows;
   for (const ScheduledGame& game : scheduled_games(scenario)) {
     if (game.pair == missing_pair || game.pair > pairs) continue;
-    const std::string line = format.line(game, outcome_of(fake_game(game.configuration)), {});
-    rows[game.id] = format.read(line).value();
+    rows[game.id].record = fake_game(game.configuration);
   }
-  return state_of(std::get<SprtMatch>(scenario.content), format, rows);
+  return state_of(std::get<SprtMatch>(scenario.content), rows);
 }
 
 TEST(SprtMatchState, GoesNoFurtherThanTheFirstPairThatIsMissing) {

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "runner/game/game.hpp"
+#include "runner/results/columns.hpp"
 #include "runner/results/game_report.hpp"
-#include "runner/results/rows.hpp"
 #include "runner/settings/fields.hpp"
 #include "tests/runner/support/short_game.hpp"
 
@@ -65,15 +65,15 @@ TEST(GameByTheClockOf2026, PlaysItsHalvesInFullAndEndsByItself) {
 }
 
 TEST(ShootoutInRows, StandsInColumnsOfItsOwn) {
-  GameRecord record;
-  const auto cell = [&](const char* name) {
-    const Cells columns = outcome_columns();
-    const auto at = std::find(columns.begin(), columns.end(), name) - columns.begin();
-    return outcome_of(record)[static_cast<std::size_t>(at)];
+  GameRow row;
+  const auto cell = [&row](const std::string& name) {
+    const std::vector<Column> columns = outcome_columns(RowKind::kPlayed);
+    const auto is_named = [&name](const Column& column) { return column.name == name; };
+    return std::find_if(columns.begin(), columns.end(), is_named)->text(row);
   };
   EXPECT_EQ(cell("shootout_a"), "");
-  record.shootout = {4, 2};
-  record.end_reason = EndReason::kShootout;
+  row.record.shootout = {4, 2};
+  row.record.end_reason = EndReason::kShootout;
   EXPECT_EQ(cell("shootout_a"), "4");
   EXPECT_EQ(cell("shootout_b"), "2");
   EXPECT_EQ(cell("end_reason"), "shootout");

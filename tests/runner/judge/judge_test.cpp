@@ -6,6 +6,8 @@
 #include "runner/io/errors.hpp"
 #include "runner/judge/judge_report.hpp"
 #include "runner/judge/judged_rows.hpp"
+#include "runner/results/evaluation_text.hpp"
+#include "runner/results/row_format.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -65,40 +67,46 @@ TEST(JudgeSchedule, RefusesAnUnknownCamera) {
 }
 
 TEST(CallEvaluation, ReadsBackEqualFromItsText) {
-  const CallEvaluation evaluation = evaluate_calls(games_of(schedule())[1].configuration);
+  const CallEvaluation evaluation =
+      evaluate_calls(games_of(schedule())[1].configuration).evaluation;
   EXPECT_FALSE(evaluation.verdicts.empty());
-  EXPECT_EQ(text_of(evaluation_in(text_of(evaluation))), text_of(evaluation));
-  EXPECT_THROW(evaluation_in("q,1\n"), std::invalid_argument);
+  EXPECT_EQ(text_of(evaluation_in(text_of(evaluation)).value()), text_of(evaluation));
+}
+
+TEST(CallEvaluation, IsRefusedIfTheTextIsNotOne) {
+  for (const char* text : {"q,1\\n", "v,goal,9,,1.0,,0.0,\\n", "t,a,1,2\\n", "t,a,1,2,x\\n"})
+    EXPECT_FALSE(evaluation_in(text)) << text;
 }
 
 TEST(JudgeReport, HasATableOfEveryBookAndCamera) {
   const JudgeSchedule the_schedule = schedule();
-  const std::vector<JudgeGame> games = games_of(the_schedule);
-  std::vector<CallEvaluation> evaluations;
-  for (const JudgeGame& game : games) evaluations.push_back(evaluate_calls(game.configuration));
-  const std::string csv = csv_of(report_of(the_schedule, games, evaluations));
+  RowsById rows;
+  for (const JudgeGame& game : games_of(the_schedule))
+    play_judged(game.configuration, rows[game.game_id]);
+  const std::string csv = csv_of(report_of(the_schedule, rows));
   EXPECT_NE(csv.find("\npaper,none,throw_in,"), std::string::npos) << csv;
 }
 
-TEST(EvaluationCells, ReadBackEqualWhateverTheyHold) {
-  CallEvaluation evaluation;
-  evaluation.void_reason = "a \\n, \"b\"";
-  evaluation.calls_in_stop = {"goal at 1.000 s"};
-  const RowFormat format({}, evaluation_columns());
-  Cells row(format.columns().size());
-  const Cells cells = evaluation_cells(evaluation);
-  std::copy(cells.begin(), cells.end(),
-            row.begin() + static_cast<std::ptrdiff_t>(format.first_outcome()));
-  EXPECT_EQ(cells.back().find('\n'), std::string::npos);
-  EXPECT_EQ(text_of(evaluation_in_row(format, row)), text_of(evaluation));
+TEST(JudgedRow, ReadsBackEqualWhateverItHolds) {
+  GameRow row;
+  row.record.void_reason = "a \\n, \"b\"";
+  row.record.transitions = {"begin", "goal"};
+  row.evaluation.calls_in_stop = {"goal at 1.000 s", "a \\n, \"b\""};
+  const RowFormat format({}, RowKind::kJudged);
+  const std::string line = format.line(row);
+  EXPECT_EQ(line.find('\n'), std::string::npos);
+  EXPECT_EQ(format.line(format.read(line).value()), line);
+  EXPECT_EQ(format.read(line)->evaluation.calls_in_stop, row.evaluation.calls_in_stop);
 }
 
-TEST(EvaluationCells, OfMoreThanARowHoldsSayThatTheGameIsVoid) {
-  CallEvaluation evaluation;
-  evaluation.calls_in_stop.assign(5000, "throw_in at 1234.567 s");
-  const Cells cells = evaluation_cells(evaluation);
-  EXPECT_EQ(cells.front(), "void");
-  EXPECT_NE(cells[1].find("let halves be shorter"), std::string::npos) << cells[1];
+TEST(JudgedRow, IsVoidIfItsEvaluationIsTooLong) {
+  JudgedGame judged;
+  judged.evaluation.calls_in_stop.assign(5000, "throw_in at 1234.567 s");
+  GameRow row;
+  keep(std::move(judged), row);
+  EXPECT_EQ(row.record.status, Status::kVoid);
+  EXPECT_TRUE(row.evaluation.calls_in_stop.empty());
+  EXPECT_NE(row.record.void_reason.find("let halves be shorter"), std::string::npos);
 }
 
 // Over 40 games of 600 s under camera `none` the referee is right at all but a few in a thousand.
@@ -107,7 +115,8 @@ TEST(Judging, FindsThePapersRefereeRightMostOfTheTimeWhereVisionIsExact) {
   game.match.half_s = 120;
   game.seed = 11;
   CameraTally tally;
-  tally.add(evaluate_calls(game));
+  const JudgedGame judged = evaluate_calls(game);
+  tally.add(judged.record, judged.evaluation);
   ASSERT_GT(tally.events["throw_in"].happened(), 10);
   EXPECT_GE(tally.events["throw_in"].f1().value(), 0.9);
 }

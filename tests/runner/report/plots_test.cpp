@@ -82,7 +82,7 @@ TEST(HistogramPlot, CountsTheGamesOfEachDifference) {
 
 TEST(RunningMeans, GoThroughPairsByTheirNumbers) {
   Group group;
-  group.pair_differences = {{"1", 1}, {"10", 9}, {"2", 2}};
+  group.pair_differences = {{1, 1}, {10, 9}, {2, 2}};
   const std::vector<RunningMean> means = running_means(group);
   ASSERT_EQ(means.size(), 3U);
   EXPECT_DOUBLE_EQ(means[1].mean, 1.5);

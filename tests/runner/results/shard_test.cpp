@@ -4,8 +4,10 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <csignal>
 
+#include "runner/io/checksum.hpp"
 #include "runner/io/csv.hpp"
 #include "runner/io/errors.hpp"
 #include "tests/runner/batch/fake_games.hpp"
@@ -85,18 +87,24 @@ TEST(Shard, LeavesNoPartOfARowOnAFullDisk) {
 
 TEST(Shard, IsNoDevice) { EXPECT_THROW(Shard("/dev/full", "head"), InputOutputError); }
 
+const RowFormat kShardFormat({"b.robots"});
+
+std::string row_line() {
+  const ScheduledGame game = scheduled_games(std::get<Sweep>(small_sweep().content)).front();
+  GameRow row = row_of(game);
+  row.record = fake_game(game.configuration);
+  return kShardFormat.line(row);
+}
+
 TEST(ReadRows, CountsDamagedLinesAndKeepsTheOthers) {
   const TemporaryFolder folder;
-  const RowFormat format({"b.robots"});
-  const ScheduledGame game = scheduled_games(std::get<Sweep>(small_sweep().content)).front();
-  const std::string line = format.line(game, outcome_of(fake_game(game.configuration)), {});
-  std::string damaged = line;
+  std::string damaged = row_line();
   damaged[0] ^= 1;
   write_content(folder / "shard-0-of-1.csv",
-                csv_line(format.columns()) + "\n" + damaged + "\n\n" + line + "\ntorn");
-  const StoredRows stored = read_rows(folder.path(), format);
+                csv_line(kShardFormat.names()) + "\n" + damaged + "\n\n" + row_line() + "\ntorn");
+  const StoredRows stored = read_rows(folder.path(), kShardFormat);
   ASSERT_EQ(stored.rows.size(), 1U);
-  EXPECT_EQ(stored.rows[0].id, game.id);
+  EXPECT_TRUE(row_line().starts_with(stored.rows[0].game_id + ","));
   EXPECT_EQ(stored.damaged, 2);
 }
 
@@ -106,22 +114,30 @@ TEST(ReadRows, RefusesAPipeThatNobodyWritesTo) {
   EXPECT_THROW(read_rows(folder.path(), RowFormat({})), InputError);
 }
 
-TEST(ReadRows, CountsALineWhoseGoalsAreNoNumbersAsDamaged) {
-  const TemporaryFolder folder;
-  const RowFormat format({"b.robots"});
-  const ScheduledGame game = scheduled_games(std::get<Sweep>(small_sweep().content)).front();
-  for (const char* column : {"goals_a", "goal_diff", "shootout_b"}) {
-    Cells outcome = outcome_of(fake_game(game.configuration));
-    outcome[format.column(column) - format.first_outcome()] = "many";
+// With a checksum that fits.
+std::string line_with(const char* column, const char* cell) {
+  const Cells names = kShardFormat.names();
+  Cells cells = csv_cells(row_line()).value();
+  const auto at = std::find(names.begin(), names.end(), column) - names.begin();
+  cells[static_cast<std::size_t>(at)] = cell;
+  cells.pop_back();
+  return csv_line(cells) + "," + crc_text(csv_line(cells));
+}
+
+TEST(ReadRows, CountsALineAsDamagedIfACellDoesNotFitItsColumn) {
+  for (const char* column :
+       {"pair", "side_a", "seed", "goals_a", "goal_diff", "end_reason", "status", "shots_a",
+        "shootout_b", "sim_s", "frames", "state_hash", "config_hash", "wall_s"}) {
+    const TemporaryFolder folder;
     write_content(folder / "shard-0-of-1.csv",
-                  csv_line(format.columns()) + "\n" + format.line(game, outcome, {}) + "\n");
-    EXPECT_EQ(read_rows(folder.path(), format).damaged, 1) << column;
+                  csv_line(kShardFormat.names()) + "\n" + line_with(column, "many") + "\n");
+    EXPECT_EQ(read_rows(folder.path(), kShardFormat).damaged, 1) << column;
   }
 }
 
 TEST(ReadRows, RefusesAFileWithOtherColumns) {
   const TemporaryFolder folder;
-  write_content(folder / "shard-0-of-1.csv", csv_line(RowFormat({"a.robots"}).columns()) + "\n");
+  write_content(folder / "shard-0-of-1.csv", csv_line(RowFormat({"a.robots"}).names()) + "\n");
   EXPECT_THROW(read_rows(folder.path(), RowFormat({"b.robots"})), InputError);
 }
 

@@ -105,7 +105,7 @@ std::vector<Artefact> written_csv() {
       {"Calls", calls_columns},
       {"games/*.csv of autoref judge",
        [] {
-         return row_format({"A test.", JudgeSchedule{}}).columns();
+         return row_format({"A test.", JudgeSchedule{}}).names();
        }},
       {"summary.csv of a sweep", [] { return head_in_folder(small_sweep(), "summary.csv"); }},
       {"summary.csv of a round robin or gauntlet",
@@ -121,7 +121,7 @@ std::vector<Artefact> written_csv() {
       {"standings.csv of a gauntlet",
        [] { return head_in_folder(small_gauntlet(), "standings.csv"); }},
       {"judge.csv", [] { return head_of(csv_of(JudgeReport{})); }},
-      {"faults.csv", [] { return head_of(report_of(JudgeSchedule{}, {}, {}).faults_csv); }},
+      {"faults.csv", [] { return head_of(report_of(JudgeSchedule{}, RowsById{}).faults_csv); }},
       {"lab --csv", lab_columns},
   };
 }

@@ -7,10 +7,8 @@
 namespace autoref::runner {
 namespace {
 
-const DifferenceByPair kBaseline = {{"1", 0.5},  {"2", 0.0}, {"3", 0.5},
-                                    {"4", -1.0}, {"5", 0.0}, {"6", 1.0}};
-const DifferenceByPair kValue = {{"1", 1.5}, {"2", -0.5}, {"3", 2.0},
-                                 {"4", 1.0}, {"5", 0.0},  {"6", 2.5}};
+const DifferenceByPair kBaseline = {{1, 0.5}, {2, 0.0}, {3, 0.5}, {4, -1.0}, {5, 0.0}, {6, 1.0}};
+const DifferenceByPair kValue = {{1, 1.5}, {2, -0.5}, {3, 2.0}, {4, 1.0}, {5, 0.0}, {6, 2.5}};
 
 // SciPy 1.10: scipy.stats.ttest_rel(value, baseline) and, with d their difference,
 // scipy.stats.t.interval(0.95, 5, d.mean(), scipy.stats.sem(d)), d.mean() / d.std(ddof=1).
@@ -26,13 +24,13 @@ TEST(PairedDifference, IsSciPys) {
 
 TEST(PairedDifference, ComparesOnlyPairsThatBothHave) {
   const PairedDifference difference =
-      paired_difference({{"1", 2.0}, {"2", 9.0}, {"4", 5.0}}, {{"1", 1.0}, {"3", 7.0}, {"4", 3.0}});
+      paired_difference({{1, 2.0}, {2, 9.0}, {4, 5.0}}, {{1, 1.0}, {3, 7.0}, {4, 3.0}});
   EXPECT_EQ(difference.pairs, 2);
   EXPECT_EQ(difference.mean, 1.5);
 }
 
 TEST(PairedDifference, TellsNothingWithoutCommonPairs) {
-  const PairedDifference difference = paired_difference({{"1", 2.0}}, {{"2", 1.0}});
+  const PairedDifference difference = paired_difference({{1, 2.0}}, {{2, 1.0}});
   EXPECT_EQ(difference.pairs, 0);
   EXPECT_FALSE(difference.mean || difference.interval || difference.p || difference.effect_size);
 }

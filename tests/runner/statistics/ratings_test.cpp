@@ -1,6 +1,5 @@
 #include "runner/statistics/ratings.hpp"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -67,10 +66,12 @@ TEST(BradleyTerry, CallsTeamsWithoutGamesEqual) {
 RatedMatchup matchup_of(const std::string& a, const std::string& b,
                         const std::vector<std::vector<double>>& pairs) {
   RatedMatchup matchup{a, b, {}};
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    for (const double difference : pairs[i]) {
+  int number = 0;
+  for (const std::vector<double>& differences : pairs) {
+    ++number;
+    for (const double difference : differences) {
       const double win = difference > 0 ? 1 : difference < 0 ? 0 : 0.5;
-      matchup.pairs[fmt::format("p{:04}", i)].push_back({difference, win});
+      matchup.pairs[number].push_back({difference, win});
     }
   }
   return matchup;

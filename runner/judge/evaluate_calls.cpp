@@ -1,0 +1,78 @@
+#include "runner/judge/evaluate_calls.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "runner/judge/truth/association.hpp"
+#include "runner/judge/truth/ground_truth_observer.hpp"
+#include "runner/settings/match_rules.hpp"
+
+namespace autoref::runner {
+namespace {
+
+using ground_truth::Call;
+using referee::Decision;
+
+class CallEvaluator final : public Observer {
+ public:
+  explicit CallEvaluator(const GameConfiguration& game)
+      : a_plays_(game.match.a_plays),
+        observer_(game.field, rules_of(game.match), game.sim.frame_rate_hz) {}
+
+  void on_decision(const Decision& decision) override {
+    const std::optional<Call> call = ground_truth::call_of(decision);
+    if (!call) return;
+    calls_.push_back(*call);
+    const referee::Event event = decision.finding.event;
+    if (referee::entry_of(event).is_exit) exits_.push_back(decision.last_touch.side);
+    if (observer_.play().is_on || referee::may_come_in_stop(event)) return;
+    if (!referee::is_call(event)) return;  // a card
+    evaluation_.calls_in_stop.push_back(fmt::format("{} at {:.3f} s", call->name, call->time_s));
+  }
+
+  void on_requests(const PerSide<TeamRequests>& requests) override {
+    for (const Side side : kSides) observer_.name_keeper(side, requests[side].keeper);
+  }
+
+  // Comes after the frame's decisions.
+  void on_frame(const Frame& /*frame*/, const RefereeSignal& signal,
+                const sim::World& world) override {
+    observer_.see(world, signal);
+    const bool is_in_air = world.state().ball.height_m > 0;
+    for (; judged_ < calls_.size(); ++judged_) calls_[judged_].is_in_air = is_in_air;
+    for (const std::optional<Side>& said : exits_) evaluate_last_touch(said);
+    exits_.clear();
+  }
+
+  // After the game.
+  CallEvaluation evaluation() {
+    evaluation_.verdicts = ground_truth::associate(observer_.true_events(), calls_);
+    return std::move(evaluation_);
+  }
+
+ private:
+  void evaluate_last_touch(const std::optional<Side>& said) {
+    if (!observer_.ball().last()) return;
+    const Side side = observer_.ball().last()->robot.side;
+    LastTouchTally& tally = evaluation_.last_touch[side == a_plays_ ? 0 : 1];
+    ++(!said ? tally.unknown : *said == side ? tally.right : tally.wrong);
+  }
+
+  Side a_plays_;
+  ground_truth::GroundTruthObserver observer_;
+  std::vector<Call> calls_;
+  std::size_t judged_ = 0;                  // of these, before this frame
+  std::vector<std::optional<Side>> exits_;  // who touched last, as called in this frame
+  CallEvaluation evaluation_;
+};
+
+}  // namespace
+
+JudgedGame evaluate_calls(const GameConfiguration& configuration, const TeamMaker& make_team) {
+  CallEvaluator evaluator(configuration);
+  GameRecord record = play(configuration, &evaluator, make_team);
+  return {std::move(record), evaluator.evaluation()};
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,271 @@
+#include "runner/results/columns.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "runner/game/play_counts/play_counts.hpp"
+#include "runner/io/checksum.hpp"
+#include "runner/io/words.hpp"
+#include "runner/results/evaluation_text.hpp"
+
+namespace autoref::runner {
+namespace {
+
+constexpr std::size_t kLongestReason = 300;  // characters
+
+template <typename Integer>
+bool read_integer(std::string_view cell, Integer& value, int base = 10) {
+  const char* const end = cell.data() + cell.size();
+  const auto [last, error] = std::from_chars(cell.data(), end, value, base);
+  return error == std::errc() && last == end;
+}
+
+// `at` gives the row's member, const or not as the row is.
+template <typename At>
+Column text_column(std::string name, At at) {
+  return {std::move(name), [at](const GameRow& row) { return at(row); },
+          [at](const std::string& cell, GameRow& row) {
+            at(row) = cell;
+            return true;
+          }};
+}
+
+template <typename At>
+Column integer_column(std::string name, At at) {
+  return {std::move(name), [at](const GameRow& row) { return std::to_string(at(row)); },
+          [at](const std::string& cell, GameRow& row) { return read_integer(cell, at(row)); }};
+}
+
+// With three decimals.
+template <typename At>
+Column seconds_column(std::string name, At at) {
+  return {std::move(name), [at](const GameRow& row) { return fmt::format("{:.3f}", at(row)); },
+          [at](const std::string& cell, GameRow& row) {
+            const std::optional<double> number = number_in(cell);
+            at(row) = number.value_or(0);
+            return number.has_value();
+          }};
+}
+
+template <typename At>
+Column hash_column(std::string name, At at) {
+  return {std::move(name), [at](const GameRow& row) { return hash_text(at(row)); },
+          [at](const std::string& cell, GameRow& row) { return read_integer(cell, at(row), 16); }};
+}
+
+// A value by its name, name_of(value).
+template <typename At, typename Value>
+Column named_column(std::string name, At at, std::span<const Value> values) {
+  return {std::move(name), [at](const GameRow& row) { return std::string(name_of(at(row))); },
+          [at, values](const std::string& cell, GameRow& row) {
+            const auto found = std::find_if(values.begin(), values.end(), [&cell](Value value) {
+              return name_of(value) == cell;
+            });
+            if (found == values.end()) return false;
+            at(row) = *found;
+            return true;
+          }};
+}
+
+// Empty if there was no shoot-out. Team a's cell is read first.
+Column shootout_column(std::string name, std::size_t team) {
+  return {std::move(name),
+          [team](const GameRow& row) {
+            const auto& shootout = row.record.shootout;
+            return shootout ? std::to_string((*shootout)[team]) : std::string();
+          },
+          [team](const std::string& cell, GameRow& row) {
+            auto& shootout = row.record.shootout;
+            if (team == 0 && !cell.empty()) shootout.emplace();
+            if (cell.empty() || !shootout) return cell.empty() && !shootout;
+            return read_integer(cell, (*shootout)[team]);
+          }};
+}
+
+Column first_half_column(std::string name, std::size_t team) {
+  return {std::move(name),
+          [team](const GameRow& row) {
+            const auto& halves = row.record.goals_by_half;
+            return std::to_string(halves.empty() ? 0 : halves.front()[team]);
+          },
+          [team](const std::string& cell, GameRow& row) {
+            row.record.goals_by_half.resize(1);
+            return read_integer(cell, row.record.goals_by_half.front()[team]);
+          }};
+}
+
+Column difference_column(std::string name) {
+  return {
+      std::move(name),
+      [](const GameRow& row) { return std::to_string(row.record.goals_a - row.record.goals_b); },
+      [](const std::string& cell, GameRow& row) {
+        return cell == std::to_string(row.record.goals_a - row.record.goals_b);
+      }};
+}
+
+Column reason_column() {
+  Column column = text_column(
+      "void_reason", [](auto& row) -> auto& { return row.record.void_reason; });
+  column.text = [](const GameRow& row) { return row.record.void_reason.substr(0, kLongestReason); };
+  return column;
+}
+
+// Labels joined by '+', sorted, so that the order in which the transitions came does not matter.
+Column transitions_column() {
+  return {"transitions",
+          [](const GameRow& row) {
+            std::vector<std::string> labels = row.record.transitions;
+            std::sort(labels.begin(), labels.end());
+            return fmt::format("{}", fmt::join(labels, "+"));
+          },
+          [](const std::string& cell, GameRow& row) {
+            row.record.transitions.clear();
+            for (std::size_t begin = 0; begin < cell.size();) {
+              const std::size_t end = std::min(cell.find('+', begin), cell.size());
+              row.record.transitions.push_back(cell.substr(begin, end - begin));
+              begin = end + 1;
+            }
+            return true;
+          }};
+}
+
+// One for each team, "_a" and "_b".
+void add_count_columns(std::vector<Column>& columns, const CountField& field) {
+  for (const std::size_t team : {0U, 1U}) {
+    const std::string name = fmt::format("{}_{}", field.name, team == 0 ? 'a' : 'b');
+    if (field.count != nullptr) {
+      columns.push_back(integer_column(
+          name, [ team, member = field.count ](auto& row) -> auto& {
+            return row.record.counts[team].*member;
+          }));
+    } else {
+      columns.push_back(seconds_column(
+          name, [ team, member = field.seconds ](auto& row) -> auto& {
+            return row.record.counts[team].*member;
+          }));
+    }
+  }
+}
+
+Column status_column() {
+  static constexpr std::array kAll = {Status::kOk, Status::kForfeit, Status::kVoid};
+  return named_column(
+      "status", [](auto& row) -> auto& { return row.record.status; },
+      std::span<const Status>(kAll));
+}
+
+Column end_reason_column() {
+  static constexpr std::array kAll = {EndReason::kTime,     EndReason::kGoals,
+                                      EndReason::kShootout, EndReason::kForfeitA,
+                                      EndReason::kForfeitB, EndReason::kVoid};
+  return named_column(
+      "end_reason", [](auto& row) -> auto& { return row.record.end_reason; },
+      std::span<const EndReason>(kAll));
+}
+
+Column side_column() {
+  static constexpr std::array kAll = {Side::kWest, Side::kEast};
+  return named_column(
+      "side_a", [](auto& row) -> auto& { return row.side_a; }, std::span<const Side>(kAll));
+}
+
+Column evaluation_column() {
+  return {"evaluation", [](const GameRow& row) { return text_of(row.evaluation); },
+          [](const std::string& cell, GameRow& row) {
+            std::optional<CallEvaluation> evaluation = evaluation_in(cell);
+            if (evaluation) row.evaluation = std::move(*evaluation);
+            return evaluation.has_value();
+          }};
+}
+
+std::vector<Column> played_columns() {
+  std::vector<Column> columns = {
+      integer_column(
+          "goals_a", [](auto& row) -> auto& { return row.record.goals_a; }),
+      integer_column(
+          "goals_b", [](auto& row) -> auto& { return row.record.goals_b; }),
+      difference_column("goal_diff"),
+      first_half_column("first_half_goals_a", 0),
+      first_half_column("first_half_goals_b", 1),
+      end_reason_column(),
+      status_column(),
+      reason_column()};
+  for (const referee::EventEntry& entry : referee::event_table()) {
+    if (!is_call(entry.event)) continue;
+    columns.push_back(integer_column(
+        fmt::format("calls_{}", entry.name),
+        [index = static_cast<std::size_t>(entry.event)](auto& row) -> auto& {
+          return row.record.events[index];
+        }));
+  }
+  for (const CountField& field : count_fields()) add_count_columns(columns, field);
+  columns.push_back(shootout_column("shootout_a", 0));
+  columns.push_back(shootout_column("shootout_b", 1));
+  columns.push_back(transitions_column());
+  columns.push_back(seconds_column(
+      "ball_in_play_s", [](auto& row) -> auto& { return row.record.ball_in_play_s; }));
+  columns.push_back(seconds_column(
+      "sim_s", [](auto& row) -> auto& { return row.record.sim_s; }));
+  columns.push_back(integer_column(
+      "frames", [](auto& row) -> auto& { return row.record.frames; }));
+  return columns;
+}
+
+std::vector<Column> judged_columns() {
+  return {status_column(), reason_column(), transitions_column(), evaluation_column()};
+}
+
+}  // namespace
+
+std::vector<Column> game_columns(const std::vector<std::string>& factors) {
+  std::vector<Column> columns = {text_column(
+                                     "game_id", [](auto& row) -> auto& { return row.game_id; }),
+                                 integer_column(
+                                     "pair", [](auto& row) -> auto& { return row.pair; }),
+                                 integer_column(
+                                     "leg", [](auto& row) -> auto& { return row.leg; })};
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    columns.push_back(text_column(
+        factors[i], [i](auto& row) -> auto& { return row.values[i]; }));
+  }
+  columns.push_back(text_column(
+      "team_a", [](auto& row) -> auto& { return row.team_a; }));
+  columns.push_back(text_column(
+      "team_b", [](auto& row) -> auto& { return row.team_b; }));
+  columns.push_back(side_column());
+  columns.push_back(integer_column(
+      "seed", [](auto& row) -> auto& { return row.seed; }));
+  return columns;
+}
+
+std::vector<Column> outcome_columns(RowKind kind) {
+  std::vector<Column> columns = kind == RowKind::kPlayed ? played_columns() : judged_columns();
+  columns.push_back(hash_column(
+      "state_hash", [](auto& row) -> auto& { return row.record.state_hash; }));
+  columns.push_back(hash_column(
+      "config_hash", [](auto& row) -> auto& { return row.config_hash; }));
+  return columns;
+}
+
+std::vector<Column> circumstance_columns() {
+  return {text_column(
+              "build", [](auto& row) -> auto& { return row.circumstances.build; }),
+          text_column(
+              "host", [](auto& row) -> auto& { return row.circumstances.host; }),
+          text_column(
+              "cpu", [](auto& row) -> auto& { return row.circumstances.cpu; }),
+          seconds_column(
+              "wall_s", [](auto& row) -> auto& { return row.circumstances.wall_s; }),
+          integer_column(
+              "attempt", [](auto& row) -> auto& { return row.circumstances.attempt; }),
+          text_column(
+              "shard", [](auto& row) -> auto& { return row.circumstances.shard; })};
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,131 @@
+#include "runner/results/evaluation_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "runner/io/csv.hpp"
+#include "runner/io/words.hpp"
+
+namespace autoref::runner {
+namespace {
+
+using ground_truth::Outcome;
+
+// Each entry is a CSV line whose first cell says what it is.
+constexpr std::string_view kVerdict = "v";
+constexpr std::string_view kLastTouch = "t";
+constexpr std::string_view kInStop = "s";
+
+// A row is one line, so the ends of the entries are escaped.
+std::string escaped(const std::string& lines) {
+  std::string text;
+  for (const char c : lines) {
+    if (c == '\\') text += '\\';
+    text += c == '\n' ? std::string("\\n") : std::string(1, c);
+  }
+  return text;
+}
+
+std::string unescaped(std::string_view text) {
+  std::string lines;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool is_escape = text[i] == '\\' && i + 1 < text.size();
+    if (is_escape) ++i;
+    lines += is_escape && text[i] == 'n' ? '\n' : text[i];
+  }
+  return lines;
+}
+
+std::string flags_of(const ground_truth::Verdict& verdict) {
+  std::string flags;
+  if (verdict.is_early) flags += 'e';
+  if (verdict.is_borderline) flags += 'b';
+  if (verdict.is_in_air) flags += 'h';
+  if (verdict.is_second) flags += '2';
+  return flags;
+}
+
+std::string line_of(const ground_truth::Verdict& verdict) {
+  return csv_line({std::string(kVerdict), verdict.name,
+                   std::to_string(static_cast<int>(verdict.outcome)), flags_of(verdict),
+                   fmt::format("{:.4f}", verdict.time_s),
+                   verdict.offender ? std::string(name_of(*verdict.offender)) : "",
+                   fmt::format("{:.4f}", verdict.delay_s),
+                   verdict.error_m ? fmt::format("{:.4f}", *verdict.error_m) : ""});
+}
+
+std::optional<Outcome> outcome_in(const std::string& cell) {
+  const std::optional<int> number = whole_number_in(cell);
+  if (!number || *number < 0 || *number > static_cast<int>(Outcome::kOvertaken))
+    return std::nullopt;
+  return static_cast<Outcome>(*number);
+}
+
+bool add_verdict(const Cells& cells, CallEvaluation& evaluation) {
+  const auto has = [&cells](char flag) { return cells[3].find(flag) != std::string::npos; };
+  const std::optional<Outcome> outcome = outcome_in(cells[2]);
+  const std::optional<double> time_s = number_in(cells[4]);
+  const std::optional<double> delay_s = number_in(cells[6]);
+  if (!outcome || !time_s || !delay_s) return false;
+  ground_truth::Verdict verdict;
+  verdict.name = cells[1];
+  verdict.outcome = *outcome;
+  verdict.is_early = has('e');
+  verdict.is_borderline = has('b');
+  verdict.is_in_air = has('h');
+  verdict.is_second = has('2');
+  verdict.time_s = *time_s;
+  for (const Side side : kSides) {
+    if (cells[5] == name_of(side)) verdict.offender = side;
+  }
+  verdict.delay_s = *delay_s;
+  verdict.error_m = number_in(cells[7]);
+  evaluation.verdicts.push_back(std::move(verdict));
+  return true;
+}
+
+bool add_last_touch(const Cells& cells, CallEvaluation& evaluation) {
+  const std::optional<int> right = whole_number_in(cells[2]);
+  const std::optional<int> wrong = whole_number_in(cells[3]);
+  const std::optional<int> unknown = whole_number_in(cells[4]);
+  if (!right || !wrong || !unknown) return false;
+  evaluation.last_touch[cells[1] == "a" ? 0 : 1] = {*right, *wrong, *unknown};
+  return true;
+}
+
+bool add_entry(const Cells& cells, CallEvaluation& evaluation) {
+  if (cells[0] == kVerdict && cells.size() == 8) return add_verdict(cells, evaluation);
+  if (cells[0] == kLastTouch && cells.size() == 5) return add_last_touch(cells, evaluation);
+  if (cells[0] != kInStop || cells.size() != 2) return false;
+  evaluation.calls_in_stop.push_back(cells[1]);
+  return true;
+}
+
+}  // namespace
+
+std::string text_of(const CallEvaluation& evaluation) {
+  std::string lines;
+  for (const ground_truth::Verdict& verdict : evaluation.verdicts) lines += line_of(verdict) + "\n";
+  for (std::size_t team = 0; team < 2; ++team) {
+    const LastTouchTally& tally = evaluation.last_touch[team];
+    lines += csv_line({std::string(kLastTouch), team == 0 ? "a" : "b", std::to_string(tally.right),
+                       std::to_string(tally.wrong), std::to_string(tally.unknown)}) +
+             "\n";
+  }
+  for (const std::string& call : evaluation.calls_in_stop)
+    lines += csv_line({std::string(kInStop), call}) + "\n";
+  return escaped(lines);
+}
+
+std::optional<CallEvaluation> evaluation_in(std::string_view text) {
+  const std::string lines = unescaped(text);
+  CallEvaluation evaluation;
+  for (const std::string_view line : complete_lines(lines)) {
+    const std::optional<Cells> cells = csv_cells(line);
+    if (!cells || !add_entry(*cells, evaluation)) return std::nullopt;
+  }
+  return evaluation;
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,60 @@
+// One game of an experiment: what was played, how it ended, and on which machine.
+//
+// A row stays a struct from the worker to the report. Its only text form is a line of a shard
+// (row_format.hpp), which is also how a worker hands it to the run.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runner/experiments/schedule.hpp"
+#include "runner/game/game.hpp"
+#include "runner/results/call_evaluation.hpp"
+
+namespace autoref::runner {
+
+// Where and how the game was played. May differ from run to run.
+struct Circumstances {
+  std::string build;
+  std::string host;
+  std::string cpu;
+  double wall_s = 0;
+  int attempt = 1;
+  std::string shard = "0/1";
+};
+
+struct GameRow {
+  std::string game_id;  // "b.handicap=0.8-p0007-2"
+  int pair = 1;         // counted from 1
+  int leg = 1;
+  std::vector<std::string> values;  // of the factors, as the scenario spells them
+  std::string team_a;
+  std::string team_b;
+  Side side_a = Side::kWest;  // where team a played the first half
+  std::uint64_t seed = 0;
+
+  // Read from a file, it holds what the columns keep: the events that are calls, the goals of the
+  // first half, times to the millisecond.
+  GameRecord record;
+  CallEvaluation evaluation;  // of a judged game
+
+  std::uint64_t config_hash = 0;
+  Circumstances circumstances;
+};
+
+using RowsById = std::map<std::string, GameRow>;
+
+// The row of a scheduled game that has not been played.
+GameRow row_of(const ScheduledGame& game);
+
+// The record of a game that could not be played to its end.
+GameRecord void_record(const std::string& reason);
+
+// The labels of the referee's transitions (referee/machine/machine.hpp) that none of the games
+// took, in the machine's order.
+std::vector<std::string> transitions_never_used(const RowsById& rows);
+
+}  // namespace autoref::runner

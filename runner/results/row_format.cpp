@@ -1,0 +1,78 @@
+#include "runner/results/row_format.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "runner/io/checksum.hpp"
+
+namespace autoref::runner {
+namespace {
+
+void add_columns(std::vector<Column>& columns, std::vector<Column> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(columns));
+}
+
+}  // namespace
+
+RowFormat::RowFormat(const std::vector<std::string>& factors, RowKind kind)
+    : factors_(factors.size()), columns_(game_columns(factors)) {
+  add_columns(columns_, outcome_columns(kind));
+  reproducible_ = columns_.size();
+  add_columns(columns_, circumstance_columns());
+}
+
+Cells RowFormat::names() const {
+  Cells names;
+  names.reserve(columns_.size() + 1);
+  for (const Column& column : columns_) names.push_back(column.name);
+  names.emplace_back("row_crc");
+  return names;
+}
+
+std::string RowFormat::line(const GameRow& row) const {
+  assert(row.values.size() == factors_);
+  Cells cells;
+  cells.reserve(columns_.size());
+  for (const Column& column : columns_) cells.push_back(column.text(row));
+  const std::string line = csv_line(cells);
+  return line + "," + crc_text(line);
+}
+
+std::optional<GameRow> RowFormat::read(std::string_view line) const {
+  const std::size_t comma = line.rfind(',');
+  if (comma == std::string_view::npos) return std::nullopt;
+  if (line.substr(comma + 1) != crc_text(line.substr(0, comma))) return std::nullopt;
+  const std::optional<Cells> cells = csv_cells(line.substr(0, comma));
+  if (!cells || cells->size() != columns_.size()) return std::nullopt;
+  GameRow row;
+  row.values.resize(factors_);
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (!columns_[i].read((*cells)[i], row)) return std::nullopt;
+  }
+  return row;
+}
+
+Cells RowFormat::reproducible_names() const {
+  Cells names = this->names();
+  names.resize(reproducible_);
+  return names;
+}
+
+Cells RowFormat::reproducible(const GameRow& row) const {
+  Cells cells;
+  cells.reserve(reproducible_);
+  for (std::size_t i = 0; i < reproducible_; ++i) cells.push_back(columns_[i].text(row));
+  return cells;
+}
+
+std::optional<ColumnDifference> RowFormat::first_difference(const GameRow& first,
+                                                            const GameRow& second) const {
+  for (std::size_t i = 0; i < reproducible_; ++i) {
+    const std::string of_first = columns_[i].text(first);
+    const std::string of_second = columns_[i].text(second);
+    if (of_first != of_second) return ColumnDifference{columns_[i].name, of_first, of_second};
+  }
+  return std::nullopt;
+}
+
+}  // namespace autoref::runner
