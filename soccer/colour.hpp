@@ -1,4 +1,4 @@
-// The colours of the sides, as people and the league name them.
+// The colours of the sides.
 #pragma once
 
 #include <string_view>
@@ -7,7 +7,7 @@
 
 namespace autoref {
 
-// "yellow" of the west, "blue" of the east.
+// "yellow" for west, "blue" for east.
 constexpr std::string_view colour_of(Side side) { return side == Side::kWest ? "yellow" : "blue"; }
 
 }  // namespace autoref

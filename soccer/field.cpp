@@ -7,7 +7,7 @@ namespace autoref {
 
 double distance_to_defence_area(const Field& field, Side side, const Vec2& point_m) {
   const DefenceArea& area = field.defence_area;
-  // Depth into the field from the goal line, and distance from the goal's axis.
+  // Depth into the field from the goal line, and lateral distance from the goal's centre.
   const double x = std::max(0.0, field.half_length_m() - goal_sign(side) * point_m.x());
   const double y = std::abs(point_m.y());
   if (area.shape == DefenceArea::Shape::kQuarterCircles) {

@@ -1,4 +1,4 @@
-// The field as data: lines, goals, areas. Origin at the centre, x towards the east goal.
+// The field's dimensions: lines, goals, areas. Origin at the centre, x towards the east goal.
 #pragma once
 
 #include "soccer/geometry.hpp"
@@ -7,8 +7,8 @@
 
 namespace autoref {
 
-// Shape of the area in front of a goal. Until 2017 two quarter circles joined by a straight line,
-// later a box.
+// Shape of the area in front of a goal: until 2017 two quarter circles joined by a straight line,
+// since then a box.
 struct DefenceArea {
   enum class Shape { kQuarterCircles, kBox };
   Shape shape = Shape::kQuarterCircles;
@@ -16,19 +16,19 @@ struct DefenceArea {
   double straight_m = 0.35_m;  // line between the quarter circles, or the box's size along y
 };
 
-// All lengths run to the outer edges of the lines. Defaults: the paper's field, section 3, and
-// Laws 2014 single size.
+// All lengths are measured to the outer edges of the lines. Defaults: the paper's field, section 3,
+// and Laws 2014 single size.
 struct Field {
   double length_m = 6.05_m;
   double width_m = 4.05_m;
   double run_off_m = 0.675_m;  // from the outer edge of the lines to the wall
   double line_width_m = 10_mm;
   double centre_circle_radius_m = 500_mm;
-  double penalty_mark_m = 750_mm;  // from the goal line shot at
+  double penalty_mark_m = 750_mm;  // from the goal line of the goal attacked
   DefenceArea defence_area;
   double goal_width_m = 700_mm;
   double goal_depth_m = 180_mm;
-  double goal_opening_height_m = 155_mm;  // under the bar: the paper's G_h
+  double goal_opening_height_m = 155_mm;  // to the underside of the bar: the paper's G_h
   double goal_bar_radius_m = 5_mm;        // a round bar of at most 10 mm (Laws 2014, law 1)
   double goal_wall_thickness_m = 20_mm;
 
@@ -38,14 +38,14 @@ struct Field {
   double wall_x_m() const { return half_length_m() + run_off_m; }
   double wall_y_m() const { return half_width_m() + run_off_m; }
   Vec2 goal_centre_m(Side side) const { return {goal_sign(side) * half_length_m(), 0.0}; }
-  // The mark from which the opponent of `side` takes a penalty kick.
+  // The mark for penalty kicks at the goal of `side`, taken by its opponent.
   Vec2 penalty_mark_at(Side side) const {
     return {goal_sign(side) * (half_length_m() - penalty_mark_m), 0.0};
   }
 };
 
-// Distance in metres from `point_m` to the defence area of `side`; negative inside, down to its
-// rim's depth. The area is taken to go on behind the goal line.
+// Distance in metres from `point_m` to the boundary of the defence area of `side`; negative inside.
+// The area is treated as if it continued behind the goal line.
 double distance_to_defence_area(const Field& field, Side side, const Vec2& point_m);
 
 // Whether the point lies within the outer edges of the lines.

@@ -11,42 +11,42 @@ using Vec2 = Eigen::Vector2d;
 
 inline double square(double x) { return x * x; }
 
-// The vector turned left by 90 degrees.
+// `v` rotated left by 90 degrees.
 inline Vec2 left_of(const Vec2& v) { return {-v.y(), v.x()}; }
 
-// z of the cross product; positive when `b` points to the left of `a`.
+// z component of the cross product; positive if `b` points to the left of `a`.
 inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-// `v`, given along and to the left of the unit vector `heading`, in the frame of `heading`.
+// Rotates `v` from the frame whose x axis is the unit vector `heading` into the world frame.
 inline Vec2 to_world(const Vec2& v, const Vec2& heading) {
   return {v.x() * heading.x() - v.y() * heading.y(), v.x() * heading.y() + v.y() * heading.x()};
 }
 
-// The parts of `v` along and to the left of the unit vector `heading`: to_world's inverse.
+// Inverse of to_world: the components of `v` along and to the left of the unit vector `heading`.
 inline Vec2 to_local(const Vec2& v, const Vec2& heading) {
   return {v.x() * heading.x() + v.y() * heading.y(), -v.x() * heading.y() + v.y() * heading.x()};
 }
 
-// Unit vector along `v`, or `otherwise` where `v` is shorter than 1e-9.
+// Unit vector along `v`, or `otherwise` if `v` is shorter than 1e-9.
 inline Vec2 direction_of(const Vec2& v, const Vec2& otherwise) {
   const double length = v.norm();
   return length < 1e-9 ? otherwise : Vec2(v / length);
 }
 
-// `v`, shortened to `limit` where it is longer.
+// `v`, scaled down to length `limit` if it is longer.
 inline Vec2 clamp_norm(const Vec2& v, double limit) {
   const double length2 = v.squaredNorm();
   return length2 <= limit * limit ? v : Vec2(v * (limit / std::sqrt(length2)));
 }
 
-// Unit vector at `angle_rad`, and back.
+// Converts an angle to a unit vector, and back.
 Vec2 heading_of(double angle_rad);
 double angle_of(const Vec2& v);
 
-// The angle in [-pi, pi] that turns `from` into the direction of `to`.
+// The signed angle from `from` to `to`, in [-pi, pi].
 double angle_between(const Vec2& from, const Vec2& to);
 
-// The point of the segment a-b nearest to `p`; `a` where the segment is a point.
+// The point of the segment a-b nearest to `p`; `a` if the segment is a single point.
 inline Vec2 nearest_on_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
   const Vec2 ab = b - a;
   const double length2 = ab.squaredNorm();

@@ -1,8 +1,9 @@
-// Random numbers that belong to one source each.
+// Independent random streams, one for each source of randomness.
 //
-// Every source of chance in a game (camera, the motors of a side, ...) has a stream of its own,
-// named by the game's seed, a purpose and a side, so that one drawing more numbers does not shift
-// another. A stream is counter-based: its n-th number is a hash of the stream's key and n.
+// Every source of randomness in a game (camera, the motors of a side, ...) has its own stream,
+// identified by the game's seed, a purpose and a side, so that drawing more numbers from one does
+// not shift another. A stream is counter-based: its n-th number is a hash of the stream's key and
+// n.
 #pragma once
 
 #include <boost/random/normal_distribution.hpp>
@@ -21,7 +22,7 @@ constexpr std::uint64_t mix_bits(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-// The numbers name streams: with another one, games change.
+// The values identify streams: changing one changes games.
 enum class RandomPurpose : std::uint8_t {
   kCamera = 0,
   kRadio = 2,
@@ -36,7 +37,7 @@ class RandomStream {
 
   explicit RandomStream(std::uint64_t key = 0) : key_(mix_bits(key + kStep)) {}
 
-  // The stream of a purpose that belongs to no side, or to `side`.
+  // The stream of a purpose, either shared by both sides or of `side`.
   static RandomStream of(std::uint64_t seed, RandomPurpose purpose) {
     return RandomStream(mix_bits(seed) + static_cast<std::uint64_t>(purpose) * 4);
   }

@@ -1,6 +1,6 @@
-// What the referee tells everybody: the league's referee commands and stages.
+// What the referee broadcasts: the league's referee commands and stages.
 //
-// Numbers are those of the league's SSL_Referee message (2013), so that logs need no second table.
+// Numbers are those of the league's SSL_Referee message (2013), so logs need no translation table.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ enum class CommandKind : std::uint8_t {
   kBallPlacement,
 };
 
-// A command; `side` means nothing for the first four kinds and is west there.
+// A command; `side` is unused in the first four kinds and set to west.
 struct Command {
   CommandKind kind = CommandKind::kHalt;
   Side side = Side::kWest;
@@ -37,15 +37,15 @@ struct Command {
 // Whether commands of this kind name a side.
 constexpr bool is_for_one_side(CommandKind kind) { return kind >= CommandKind::kPrepareKickoff; }
 
-// The command as seen from the other end of the field.
+// The command seen from the other end of the field.
 constexpr Command mirrored(Command command) {
   return {command.kind, is_for_one_side(command.kind) ? opponent_of(command.side) : command.side};
 }
 
-// The league's number: HALT 0 ... BALL_PLACEMENT_BLUE 17, where west is yellow.
+// The league's number, from HALT = 0 to BALL_PLACEMENT_BLUE = 17; west is yellow.
 int league_number(Command command);
 
-// The league's name, such as "PREPARE_KICKOFF_YELLOW".
+// The league's name, for example "PREPARE_KICKOFF_YELLOW".
 std::string name_of(Command command);
 std::string_view name_of(CommandKind kind);  // without the side
 
@@ -66,11 +66,11 @@ enum class Stage : std::uint8_t {
   kPostGame = 13,
 };
 
-// The league's name, such as "FIRST_HALF_PRE".
+// The league's name, for example "FIRST_HALF_PRE".
 std::string_view name_of(Stage stage);
 
-// Where the ball is to be put while play is stopped. `at_once` where there is no time left for
-// bringing it there smoothly.
+// Where the ball is to be placed while play is stopped. `at_once` means that there is no time to
+// bring it there smoothly.
 struct Placement {
   Vec2 target_m{0, 0};
   bool at_once = false;
@@ -83,12 +83,12 @@ struct RefereeSignal {
   Stage stage = Stage::kFirstHalfPre;
   double stage_time_left_s = 0;  // of a running half; 0 in other stages
   PerSide<int> goals;
-  PerSide<int> shootout_goals;  // after extra time; they are no goals of the game
-  PerSide<int> robots_allowed{{kMaxRobots, kMaxRobots}};  // on the field; cards lower it
+  PerSide<int> shootout_goals;  // after extra time; not included in `goals`
+  PerSide<int> robots_allowed{{kMaxRobots, kMaxRobots}};  // on the field; cards reduce it
   PerSide<int> yellow_cards;                              // shown so far
   PerSide<int> red_cards;
-  std::optional<Placement> placement;   // none while play is on
-  std::optional<Command> next_command;  // what follows when play can go on
+  std::optional<Placement> placement;   // nullopt unless play is stopped
+  std::optional<Command> next_command;  // the command that will resume play
 };
 
 }  // namespace autoref

@@ -13,8 +13,8 @@ namespace autoref {
 struct RobotCommand {
   Vec2 velocity_mps{0, 0};
   double angular_velocity_radps = 0;
-  double kick_mps = 0;  // speed over ground of a kick as soon as the ball is in the mouth; 0: none
-  bool chip = false;    // kick at 45 degrees upwards
+  double kick_mps = 0;  // speed over ground once the ball is in the dribbler zone; 0: no kick
+  bool chip = false;    // kick upwards at 45 degrees
   bool dribble = false;
 };
 
@@ -23,7 +23,7 @@ inline bool is_finite(const RobotCommand& c) {
          std::isfinite(c.kick_mps);
 }
 
-// Commands of a side, by robot number. A robot without a new order stands still.
+// Commands of a side, by robot number. A robot without a new command stands still.
 using TeamCommands = std::array<RobotCommand, kMaxRobots>;
 
 }  // namespace autoref

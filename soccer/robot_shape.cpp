@@ -12,7 +12,7 @@ double distance_to_hull(const Vec2& point_m, const Vec2& centre_m, const Vec2& h
   if (to_plate <= 0.0) return std::max(to_disc, to_plate);
   const double y = std::abs(p.y());
   if (y <= kHalfPlate_m) return to_plate;
-  // Beside the plate's corner the round hull is nearest, in front of it the corner itself.
+  // Beyond the plate's corner the nearest point is on the arc, or is the corner itself.
   if (y * kFrontDistance_m > p.x() * kHalfPlate_m) return to_disc;
   return std::sqrt(to_plate * to_plate + (y - kHalfPlate_m) * (y - kHalfPlate_m));
 }
@@ -22,7 +22,7 @@ bool meets_hull(const Vec2& a_m, const Vec2& b_m, const Vec2& centre_m, const Ve
   Vec2 far_m = to_local(b_m - centre_m, heading);
   if (near_m.x() > far_m.x()) std::swap(near_m, far_m);
   if (near_m.x() > kFrontDistance_m) return false;
-  // What is left of the way once the plate has cut it off.
+  // Clip the segment at the plate.
   if (far_m.x() > kFrontDistance_m) {
     const double kept = (kFrontDistance_m - near_m.x()) / (far_m.x() - near_m.x());
     far_m = near_m + (far_m - near_m) * kept;

@@ -13,17 +13,17 @@
 
 namespace autoref {
 
-// Which rules a book follows; its divisions differ in numbers.
+// Which edition a rule book follows; the divisions within an edition differ in numbers.
 enum class Edition : std::uint8_t { kPaper, kLaws2014, kRules2026 };
 
-// Those that the edition has, by rules.def. Of the paper, what it handles (section 4.2), and what
-// games need to come to an end.
+// The rules of an edition, from rules.def. For the paper: those it describes (section 4.2), and
+// those needed for games to end.
 RuleSet rules_of(Edition edition);
 
-// Defaults are `rules: paper`, and where the paper has no such rule, the Laws' single size. "Paper"
-// is Zhu, Biswas and Veloso, "AutoRef: Towards Real-Robot Soccer Complete Automated Refereeing";
+// Defaults are `rules: paper`; where the paper has no such rule, the Laws' single size. "Paper" is
+// Zhu, Biswas and Veloso, "AutoRef: Towards Real-Robot Soccer Complete Automated Refereeing";
 // "Laws" are the SSL's laws of 2014; "2016" is the authors' later public referee; "2026" are the
-// SSL's rules of that year, Division A and B.
+// SSL's rules of that year, Divisions A and B. "Our choice" has no such source.
 struct RuleBook {
   std::string name = "paper";
   Edition edition = Edition::kPaper;
@@ -31,11 +31,11 @@ struct RuleBook {
 
   // Readiness before a restart (paper, section 4.4).
   double stillness_m = 15_mm;          // the paper's epsilon
-  double readiness_period_s = 1_s;     // ours; the paper says "periodically"
+  double readiness_period_s = 1_s;     // our choice; the paper says "periodically"
   double ready_timeout_s = 15_s;       // 2016; the paper says "a fixed timeout"
-  double start_timeout_s = 10_s;       // ours: clients that never move must not hang a game
-  double ball_at_rest_mps = 0.05_mps;  // ours: "rests at its place"
-  double ball_in_position_m = 10_mm;   // ours: "rests at its place"
+  double start_timeout_s = 10_s;       // our choice: clients that never move must not stall a game
+  double ball_at_rest_mps = 0.05_mps;  // our choice: "rests at its place"
+  double ball_in_position_m = 10_mm;   // our choice: "rests at its place"
 
   // Where the ball is put (paper, section 4.2).
   double throw_in_inset_m = 100_mm;
@@ -44,84 +44,84 @@ struct RuleBook {
   double goal_kick_goal_inset_m = 500_mm;   // from the goal line
 
   // Restarts (Laws 8, 9, 13).
-  bool kicks_may_score = false;            // straight from every free kick (2026), else from direct
-  double in_play_m = 50_mm;                // also how far a kicker may have moved the ball
+  bool kicks_may_score = false;            // from any free kick (2026), else only from a direct one
+  double in_play_m = 50_mm;                // also how far the kicker may have moved the ball
   double restart_timeout_s = 10_s;         // kick-off and penalty
   double free_kick_timeout_s = 10_s;       // 2026 Division A: 5 s
   bool untaken_goes_to_opponents = false;  // 2026; else force start
-  double opponents_to_ball_m = 500_mm;     // kept by the opponents at every restart
+  double opponents_to_ball_m = 500_mm;     // for the opponents, at every restart
   double attacker_to_area_m = 200_mm;      // paper, section 4.2, robot-related rules
-  double attacker_grace_s = 2_s;           // 2026: since the stop began
+  double attacker_grace_s = 2_s;           // 2026: counted from the start of the stop
 
-  // Where a free kick is taken when it happened too near to an area (Laws 13).
-  double own_area_kick_goal_inset_m = 600_mm;   // out of one's own area: from the goal line
+  // Where a free kick is taken if the offence was too near to a defence area (Laws 13).
+  double own_area_kick_goal_inset_m = 600_mm;   // in one's own area: from the goal line
   double own_area_kick_touch_inset_m = 100_mm;  // and from the touch line
-  double free_kick_to_area_m = 700_mm;          // attackers: from the opponents' area; 2026: both
+  double free_kick_to_area_m = 700_mm;  // attackers: from the opponents' area; 2026: from both
 
-  // A ball that gets nowhere (2016; 2026: no progress).
+  // A ball that makes no progress (2016; 2026).
   double stuck_time_s = 10_s;
   double stuck_distance_m = 250_mm;
-  double neutral_to_area_m = 700_mm;  // from a neutral place to both areas
+  double neutral_to_area_m = 700_mm;  // from a neutral spot to both areas
 
   // The ball in play (Laws 12).
-  double kick_limit_mps = 8_mps;     // paper, section 3; kept by the teams; 2026: 6.5 in space
-  double chip_height_m = 150_mm;     // of the ball's top, from which a chip must not score
+  double kick_limit_mps = 8_mps;     // paper, section 3; the teams keep to it; 2026: 6.5 in space
+  double chip_height_m = 150_mm;     // of the ball's top; a higher chip must not score directly
   double dribbling_m = 500_mm;       // Laws 2014; 1000 mm from 2015
   double keeper_holding_s = 15_s;    // 2026: 10 s, Division A 5 s
-  double goal_after_foul_s = 2_s;    // 2026: no goal by who fouled so shortly before
+  double goal_after_foul_s = 2_s;    // 2026: no goal for a team that fouled within this time before
   double pushing_m = 200_mm;         // 2026
   double crash_mps = 1.5_mps;        // along the line between the robots
-  double crash_drawn_mps = 0.3_mps;  // speeds that differ by less: both are at fault
+  double crash_drawn_mps = 0.3_mps;  // both are at fault if their speeds differ by less
 
   // While play is stopped (Laws 12).
   double stop_speed_mps = 1.0_mps;        // single size; double size and later 1.5
   double stop_grace_s = 2_s;              // 2026
   double placement_clearance_m = 500_mm;  // 2026: from the line between ball and target
   double placement_grace_s = 2_s;         // 2026
-  bool fouls_stop_play = true;            // 2026: some are only counted, play goes on
-  double foul_repeat_s = 2_s;             // 2026: before the same foul of a team counts again
-  double interference_s = 10_s;           // 2026: more to place the ball after an interference
+  bool fouls_stop_play = true;            // 2026: some are only counted, and play continues
+  double foul_repeat_s = 2_s;             // 2026: until the same foul of a team counts again
+  double interference_s = 10_s;           // 2026: extra placement time after an interference
 
   // Penalty kicks (Laws 14).
-  double penalty_clearance_m = 400_mm;  // of the others, behind the mark; 2026: 1 m
-  double penalty_time_s = 10_s;         // 2026: to score; in shoot-outs of all books
-  double penalty_turn_deg = 90;         // 2026: failed once the keeper turns the ball by so much
+  double penalty_clearance_m = 400_mm;  // of the other robots, behind the mark; 2026: 1 m
+  double penalty_time_s = 10_s;         // 2026: to score; in all books for shoot-outs
+  double penalty_turn_deg = 90;  // 2026: failed once the keeper deflects the ball by this angle
 
   // Cards (Laws 12).
-  double card_s = 120_s;     // of play
+  double card_s = 120_s;     // of playing time
   int fouls_per_card = 0;    // 2026: every third foul; 0: none
-  int yellows_per_red = 0;   // 2026: the third active one; 0: none
-  double too_many_s = 10_s;  // 2026: to take robots off
+  int yellows_per_red = 0;   // 2026: the third active yellow card; 0: none
+  double too_many_s = 10_s;  // 2026: to remove a robot
 
   // Timeouts of each team (Laws 7).
   int timeouts = 4;
-  double timeouts_s = 300_s;  // together
-  int extra_timeouts = 2;     // in extra time, instead of what is left (Laws, appendix A)
+  double timeouts_s = 300_s;  // in total
+  int extra_timeouts = 2;     // in extra time, replacing unused ones (Laws, appendix A)
   double extra_timeouts_s = 300_s;
 
-  // The end (2026): so many goals with a lead of more than `goal_lead`; 0: none.
+  // The end (2026): a team wins with this many goals and a lead of more than `goal_lead`; 0: never.
   int goals_to_win = 0;
   int goal_lead = 1;
-  bool clock_stops = false;     // 2026: it stands in halt, stop, preparation and placement
-  double extra_half_s = 300_s;  // of knockout games (Laws, appendix A)
-  int shootout_kicks = 5;       // of each team, before one more each
+  bool clock_stops = false;     // 2026: during halt, stop, preparation and placement
+  double extra_half_s = 300_s;  // in knockout games (Laws, appendix A)
+  int shootout_kicks = 5;       // per team, before sudden death
 
   bool has(RuleId rule) const { return in_force.has(rule); }
   bool operator==(const RuleBook&) const = default;
 };
 
-// What a game by a book is played on and with, unless it says otherwise.
+// Default field, team size and half time for games under a rule book.
 struct GameSetup {
   Field field;
-  int robots = 6;  // of each team
+  int robots = 6;  // per team
   double half_s = 600;
 };
 
-// The rule book of that name, or none.
+// The rule book of that name; nullopt if there is none.
 std::optional<RuleBook> find_rule_book(std::string_view name);
 std::vector<std::string> rule_book_names();
 
-// The setup that belongs to the book of that name, or none.
+// The setup for the rule book of that name; nullopt if there is none.
 std::optional<GameSetup> find_game_setup(std::string_view name);
 
 }  // namespace autoref

@@ -1,4 +1,4 @@
-// The referee's rules by name: what a rule book holds and a game file switches.
+// The referee's rules by name: what a rule book contains and a game file switches on or off.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace autoref {
 
-// In the order in which the referee asks them.
+// In the order in which the referee checks them.
 enum class RuleId : std::uint8_t {
 #define AUTOREF_RULE(id, ...) id,
 #include "soccer/rules.def"
@@ -23,7 +23,7 @@ inline constexpr int kRuleCount = 0
     ;
 #undef AUTOREF_RULE
 
-// A short name in snake_case, as in game files: "attacker_double_touched_ball".
+// The name in snake_case, as in game files: "attacker_double_touched_ball".
 std::string_view name_of(RuleId rule);
 std::optional<RuleId> find_rule(std::string_view name);
 
@@ -36,7 +36,7 @@ class RuleSet {
   }
 
   constexpr bool has(RuleId rule) const { return in_force_[static_cast<std::size_t>(rule)]; }
-  // To switch a rule on or off.
+  // For switching a rule on or off.
   constexpr bool& operator[](RuleId rule) { return in_force_[static_cast<std::size_t>(rule)]; }
   bool operator==(const RuleSet&) const = default;
 

@@ -1,4 +1,4 @@
-// Every rule in one sentence, where each rule book has it, and its threshold: rules.def as a table.
+// Every rule in one sentence, its section in each edition, and its threshold: rules.def as a table.
 #pragma once
 
 #include <span>
@@ -12,15 +12,15 @@ namespace autoref {
 struct RuleEntry {
   RuleId rule;
   std::string_view name;   // in snake_case
-  std::string_view about;  // what it forbids or gives
-  // Where an edition has it, such as "Laws 12"; empty where it does not.
+  std::string_view about;  // what it forbids or grants
+  // Its section in each edition, for example "Laws 12"; empty if the edition lacks the rule.
   std::string_view paper;
   std::string_view laws_2014;
   std::string_view rules_2026;
-  double RuleBook::*threshold = nullptr;  // none for rules without one number
+  double RuleBook::*threshold = nullptr;  // nullptr for rules without a single number
   std::string_view unit;                  // of the threshold
 
-  // The section of an edition.
+  // Its section in the given edition.
   std::string_view section(Edition edition) const;
 };
 
@@ -28,8 +28,8 @@ struct RuleEntry {
 std::span<const RuleEntry> rule_table();
 const RuleEntry& entry_of(RuleId rule);
 
-// Where the book has the rule: its own edition's section, or "ours" for a rule that was switched on
-// in a book that has none.
+// The rule's section in the book's own edition, or "ours" if the rule was switched on although the
+// edition lacks it.
 std::string_view section_of(const RuleBook& rules, RuleId rule);
 
 }  // namespace autoref

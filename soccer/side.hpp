@@ -1,7 +1,7 @@
-// Who is who: the two sides of a game and the robots on them.
+// The two sides of a game, and robot identifiers.
 //
-// A side owns the goal at its end of the field, a colour, bodies and random streams. Which team
-// plays on which side is decided outside (`match.a_plays`).
+// A side has the goal at its end of the field, a colour, robots and random streams. Which team
+// plays on which side is decided elsewhere (`match.a_plays`).
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace autoref {
 
-// West defends the goal at -x and wears yellow, east the one at +x and wears blue.
+// West defends the goal at -x and wears yellow; east defends the goal at +x and wears blue.
 enum class Side : std::uint8_t { kWest, kEast };
 
 inline constexpr std::array<Side, 2> kSides = {Side::kWest, Side::kEast};
@@ -32,7 +32,7 @@ struct PerSide {
   bool operator==(const PerSide&) const = default;
 };
 
-// The league's patterns tell 16 robots of a side apart, numbers 0 to 15.
+// The league's patterns distinguish 16 robots per side, numbered 0 to 15.
 inline constexpr int kMaxRobots = 16;
 
 struct RobotId {

@@ -1,4 +1,4 @@
-// What the referee's commands mean for play: who may do what right now.
+// What the referee's commands mean for play: who may do what at the moment.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace autoref {
 
-// The first two allow no play; prepared restarts wait for their start; a restart lasts until the
-// ball is in play.
+// No play during halt and stop. A prepared restart waits for the start command; a restart lasts
+// until the ball is in play.
 enum class Play : std::uint8_t {
   kHalt,
   kStop,
@@ -25,7 +25,7 @@ enum class Play : std::uint8_t {
   kRunning,
 };
 
-// `side` takes the restart; it means nothing in halt, stop and running play.
+// `side` takes the restart; it is unused in halt, stop and running play.
 struct Situation {
   Play play = Play::kHalt;
   Side side = Side::kWest;
@@ -33,8 +33,8 @@ struct Situation {
 
 constexpr bool is_restart(Play play) { return play >= Play::kKickoff && play < Play::kRunning; }
 
-// Follows commands and ball to the situation. Called once per frame with the signal and the ball
-// (none while it was never seen).
+// Derives the situation from commands and ball. Call it once per frame with the signal and the ball
+// (nullopt until it has been seen).
 class SituationTracker {
  public:
   explicit SituationTracker(const RuleBook& rules) : in_play_m_(rules.in_play_m) {}
@@ -47,7 +47,7 @@ class SituationTracker {
   double in_play_m_;
   Situation situation_;
   std::uint32_t obeyed_counter_ = 0;
-  std::optional<Vec2> restart_from_m_;  // the ball's position when a restart was allowed
+  std::optional<Vec2> restart_from_m_;  // the ball's position when the restart was allowed
 };
 
 }  // namespace autoref

@@ -1,4 +1,4 @@
-// What a team may ask of the referee.
+// What a team may request from the referee.
 #pragma once
 
 #include <optional>
@@ -6,9 +6,9 @@
 namespace autoref {
 
 struct TeamRequests {
-  int keeper = 0;             // number of the robot that acts as goalkeeper
-  std::optional<int> leaves;  // the robot that leaves first after a card
-  bool timeout = false;       // wanted as soon as play is stopped, and for as long
+  int keeper = 0;             // number of the robot that acts as keeper
+  std::optional<int> leaves;  // the robot to remove first after a card
+  bool timeout = false;       // requested as soon as play is stopped, for as long as it is set
 };
 
 }  // namespace autoref

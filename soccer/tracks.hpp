@@ -1,4 +1,4 @@
-// Robots and ball in motion: what a tracker makes of frames.
+// Robots and ball with their velocities: a tracker's output.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -16,7 +16,7 @@ struct TrackedRobot {
   Vec2 heading{1, 0};
   Vec2 velocity_mps{0, 0};
   double angular_velocity_radps = 0;
-  bool is_seen = true;  // in the last frame; else where it was going
+  bool is_seen = true;  // in the last frame; otherwise extrapolated
 };
 
 struct TrackedBall {
@@ -24,20 +24,20 @@ struct TrackedBall {
   Vec2 velocity_mps{0, 0};
   double height_m = 0;            // of the lowest point, as reported or estimated
   double height_deviation_m = 0;  // standard deviation; 0 where the height is reported
-  bool is_height_known = true;    // false while vision cannot tell whether a kicked ball flies
+  bool is_height_known = true;    // false while vision cannot tell if the ball is in the air
 };
 
 using TrackedRobots = boost::container::static_vector<TrackedRobot, kMaxRobots>;
 
-// The field as last known, in the frame of the frames it came from.
+// The last known state of the field, in the coordinates of the frames.
 struct Tracks {
   std::int64_t frame = 0;           // number of the last frame
-  double time_s = 0;                // when it was taken
+  double time_s = 0;                // its capture time
   PerSide<TrackedRobots> robots;    // ordered by number
-  std::optional<TrackedBall> ball;  // none before the ball was first seen
+  std::optional<TrackedBall> ball;  // nullopt until the ball has been seen
 };
 
-// The tracks seen from the other end: turned by 180 degrees, the sides swapped.
+// The tracks seen from the other end: rotated by 180 degrees.
 TrackedRobot mirrored(const TrackedRobot& robot);
 TrackedBall mirrored(const TrackedBall& ball);
 

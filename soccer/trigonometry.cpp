@@ -8,12 +8,12 @@
 namespace autoref {
 namespace {
 
-// pi/2 in two parts (Cody and Waite): the first has 33 bits, so that its product with a small
+// pi/2 split in two (Cody and Waite): the high part has 33 bits, so its product with a small
 // integer is exact.
 constexpr double kHalfPiHigh = 1.57079632673412561417e+00;
 constexpr double kHalfPiLow = 6.07710050650619224932e-11;
 
-// Taylor series on [-pi/4, pi/4]; the first term left out is below 1e-17.
+// Taylor series on [-pi/4, pi/4]; the first omitted term is below 1e-17.
 double sin_series(double x) {
   const double s = x * x;
   double sum = 1.0 / 355687428096000.0;
@@ -61,8 +61,8 @@ SinCos sin_cos(double angle_rad) {
 
 double atan2_exact(double y, double x) {
   if (x == 0.0 && y == 0.0) return 0.0;
-  // A first guess in single precision (that function exists once, for all processors), then one
-  // Newton step: the rest angle is so small that its sine is the angle.
+  // Initial guess in single precision (atan2f has a single implementation for all processors), then
+  // one Newton step: the remaining angle is so small that it equals its sine.
   const double guess = std::atan2(static_cast<float>(y), static_cast<float>(x));
   const auto [s, c] = sin_cos(guess);
   return wrap_angle(guess + (y * c - x * s) / (x * c + y * s));

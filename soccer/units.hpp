@@ -1,4 +1,4 @@
-// Literals that keep the rule book's numbers readable in SI: `15_mm` is 0.015.
+// Literals for writing the rule book's numbers in SI units: `15_mm` is 0.015.
 #pragma once
 
 namespace autoref {

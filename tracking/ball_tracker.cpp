@@ -8,7 +8,7 @@
 namespace autoref {
 namespace {
 
-// Between the carpets of the league's simulators.
+// Mean values of the carpets modelled by the league's simulators.
 constexpr double kSlide_mps2 = 3.4;
 constexpr double kRoll_mps2 = 0.3;
 constexpr double kSwitchRatio = 0.67;
@@ -16,17 +16,17 @@ constexpr double kSwitchRatio = 0.67;
 constexpr double kBallLeastNoise_m = 0.05e-3;
 constexpr double kBallProcessNoise_m2ps3 = 0.1;
 constexpr double kBallAnySpeed_mps = 8.0;
-// Two axes: a right filter is surprised by more once in 3000 detections.
+// Chi-square with two degrees of freedom: a consistent filter exceeds it once in 3000 detections.
 constexpr double kBallInnovationGate = 16.0;
-constexpr double kFasterThanAnyBall_mps = 25.0;  // the ball was set elsewhere
-constexpr double kAtFront_m = 15_mm;             // between the ball's surface and the plate
+constexpr double kFasterThanAnyBall_mps = 25.0;  // the ball was moved by hand
+constexpr double kAtFront_m = 15_mm;             // maximum gap between ball and plate
 
 constexpr double kSlowestChip_mps = 1.0;
-constexpr double kNewKick_mps = 1.0;  // what a new kick changes at least
-constexpr double kKickTime = 0.6;  // how well its time is, in gaps; a late kick shows a frame later
-constexpr double kKickPosition_m = 5_mm;  // how well a kick's place is known
-constexpr double kLeastFlight_m = 1e-3;   // of a ball that flies, whatever the estimate's errors
-constexpr double kLongestKick_s = 4.0;    // a chip of 5.5 m/s has stopped hopping long before
+constexpr double kNewKick_mps = 1.0;  // minimum velocity change of a new kick
+constexpr double kKickTime = 0.6;     // deviation in frame gaps; a late kick shows one frame later
+constexpr double kKickPosition_m = 5_mm;  // deviation of a kick's position
+constexpr double kLeastFlight_m = 1e-3;   // minimum estimated height of a flying ball
+constexpr double kLongestKick_s = 4.0;    // a chip at 5.5 m/s has stopped bouncing long before
 
 }  // namespace
 
@@ -96,9 +96,9 @@ void BallTracker::fly_on(double duration_s) {
 }
 
 void BallTracker::correct(const BallObservation& seen, double gap_s) {
-  if (!seen.height_m && ball_->height_m > 0) return;  // it is not where it is seen
+  if (!seen.height_m && ball_->height_m > 0) return;  // it is not where the camera sees it
   if (!seen.height_m && follows_kick_ && seen.seen_from.position_m != camera_m_) {
-    // Another camera sees a ball that flies before another place.
+    // Another camera projects a flying ball to another point.
     motion_.set_position(seen.position_m);
     return;
   }
@@ -117,8 +117,8 @@ void BallTracker::correct(const BallObservation& seen, double gap_s) {
   if (!exceeds_gate) return;
   kicked_mps_ = motion_.velocity().norm();
   if (seen.height_m || kicked_mps_ < kSlowestChip_mps) return;
-  // A ball that may fly seems to bend a little on its way; a kick is more than that, and shows in
-  // the frame after it, too.
+  // A flying ball's apparent path curves slightly. A new kick changes the velocity more than that,
+  // and its effect persists in the next frame.
   const bool is_known =
       innovation_m.norm() < kNewKick_mps * gap_s || updated_s_ - kick_s_ < 2 * gap_s;
   if (follows_kick_ && is_known) return;
@@ -139,7 +139,7 @@ void BallTracker::follow_kick(const BallObservation& seen, double time_s) {
   if (flight.flight == BallFlight::kFlying) {
     take_over(flight);
   } else if (was_flying) {
-    start(seen);  // it has landed, or met something
+    start(seen);  // it has landed or hit something
   }
   if (flight.flight == BallFlight::kOnGround || time_s - kick_s_ > kLongestKick_s) {
     follows_kick_ = false;

@@ -1,16 +1,16 @@
-// The ball's motion through a sequence of detections, with gaps.
+// Estimates the ball's motion from a sequence of detections with gaps.
 //
-// A Kalman filter that knows how carpet slows a ball, sliding after a kick and rolling later
-// (the league's two-phase model, medium carpet). A detection too far from where the ball should be
-// means a kick or a bounce: the velocity is then learnt anew, within two frames.
+// A Kalman filter that models deceleration by the carpet, sliding after a kick and rolling later
+// (the league's two-phase model, medium carpet). A detection outside the innovation gate means a
+// kick or a bounce: the velocity covariance is inflated, and the new velocity is learnt within two
+// frames.
 //
-// Where vision reports no height, each kick is followed by a ChipFlight (chip_flight.hpp): once it
-// tells that the ball flies, place, velocity and height are those of the flight; until it can tell,
-// the height is unknown and the place is the one that vision reports.
+// If vision reports no height, each kick is followed by a ChipFlight (chip_flight.hpp). Once it
+// detects a flight, position, velocity and height are the flight's; until it decides, the height is
+// unknown and the position is the one vision reports.
 //
-// An unseen ball goes on along its way for half a second, then counts as lying where it got to. A
-// ball that was last seen at a robot's front, where the robot may hide it, moves along with the
-// robot until it is seen again.
+// An unseen ball keeps moving for half a second, then counts as stopped. A ball last seen at a
+// robot's front, where the robot may occlude it, moves with the robot until it is seen again.
 #pragma once
 
 #include <optional>
@@ -30,13 +30,13 @@ class BallTracker {
   // `noise_m`: standard deviation of a detection's coordinates.
   explicit BallTracker(double noise_m);
 
-  // `robots` are those of the same time. None before the ball was first seen.
+  // `robots` are the tracks at the same time. Returns nullopt until the ball has been seen.
   const std::optional<TrackedBall>& update(double time_s,
                                            const std::optional<BallObservation>& seen,
                                            const PerSide<TrackedRobots>& robots);
 
  private:
-  // The robot at whose front the ball is, and where it is in the robot's frame.
+  // The robot with the ball at its front, and the ball's position in the robot's frame.
   struct Holder {
     RobotId robot;
     Vec2 position_m{0, 0};
@@ -54,15 +54,15 @@ class BallTracker {
   double noise_m_;
   MotionFilter<2> motion_;
   ChipFlight chip_;
-  double kick_s_ = 0;          // when chip_ began
-  bool follows_kick_ = false;  // with chip_
-  double rise_mps_ = 0;        // of a flight that chip_ tells
+  double kick_s_ = 0;          // when chip_ was started
+  bool follows_kick_ = false;  // using chip_
+  double rise_mps_ = 0;        // vertical speed of the flight that chip_ detected
   std::optional<TrackedBall> ball_;
   std::optional<Holder> holder_;
-  double kicked_mps_ = 0;  // speed after the last change that was no carpet's; 0: rolls
+  double kicked_mps_ = 0;  // speed after the last change not caused by the carpet; 0: rolling
   double updated_s_ = 0;
   double seen_s_ = 0;
-  Vec2 camera_m_{0, 0};  // of the last detection
+  Vec2 camera_m_{0, 0};  // position of the camera of the last detection
 };
 
 }  // namespace autoref

@@ -14,7 +14,8 @@ double line_misfit(double n, double s1, double s2, const Vec2& values, double sq
   return squares - a * values[0] - b * values[1];
 }
 
-// Of a parabola, plus what it costs to bring its curvature to the nearest one allowed.
+// Residual of the parabola whose curvature is clamped to the allowed range: the unconstrained
+// residual plus the penalty for moving the curvature.
 double braking_misfit(const Eigen::Matrix3d& rows, const Eigen::Vector3d& values, double squares) {
   const Eigen::LLT<Eigen::Matrix3d> equations(rows);
   const Eigen::Vector3d fit = equations.solve(values);
@@ -31,7 +32,7 @@ void FlightSums::add(const FlightRow& row, double value, double weight) {
   squares += weight * value * value;
 }
 
-// place + slant * height = reported, linear in all unknowns; gravity's part is known.
+// position + slant * height = reported, linear in all unknowns; gravity's term is known.
 void FlightSums::add_detection(double t_s, const Vec2& reported_m, const Vec2& slant) {
   const Vec2 value = reported_m + slant * (kGravity_mps2 / 2 * t_s * t_s);
   FlightRow row;

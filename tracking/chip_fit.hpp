@@ -1,7 +1,7 @@
-// Least squares of a flight and of a way along the carpet through what vision reports: the sums
-// that chip_flight.hpp compares. Detections weigh 1, so that a misfit, the sum of squared
-// residuals, is chi-square times the variance of a reported coordinate. Places are relative to the
-// kick's.
+// Least-squares fits of a ballistic flight and of a path on the carpet to what vision reports: the
+// accumulated normal equations that chip_flight.hpp compares. Detections have weight 1, so a
+// misfit, the sum of squared residuals, is chi-square times the variance of a reported coordinate.
+// Positions are relative to the kick's.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -14,17 +14,17 @@ namespace autoref {
 
 struct BallDetection {
   double time_s = 0;
-  Vec2 reported_m{0, 0};  // on the plane of a lying ball's centre
+  Vec2 reported_m{0, 0};  // on the plane through the centre of a ball on the carpet
   Vec2 camera_m{0, 0};
   double camera_height_m = 4;  // above that plane
 };
 
-// The ball is at reported - slant * height: the slope of the ray through a place on the carpet.
+// Slope of the ray through a point on the carpet: the ball is at reported - slant * height.
 inline Vec2 slant_of(const Vec2& position_m, const BallDetection& seen) {
   return (position_m - seen.camera_m) / seen.camera_height_m;
 }
 
-// The unknowns of a flight at time 0: place (2), velocity (2), height, vertical speed.
+// The unknowns of a flight at time 0: position (2), velocity (2), height, vertical speed.
 using FlightRow = Eigen::Matrix<double, 6, 1>;
 
 struct FlightSums {
@@ -32,10 +32,10 @@ struct FlightSums {
   FlightRow values = FlightRow::Zero();
   double squares = 0;
 
-  // The equation row * unknowns = value.
+  // Adds the equation row * unknowns = value.
   void add(const FlightRow& row, double value, double weight);
 
-  // The ball at that time is on the ray with that slant through the reported place.
+  // Adds the equations for a ball on the ray with that slant through the reported position.
   void add_detection(double t_s, const Vec2& reported_m, const Vec2& slant);
 };
 
@@ -47,7 +47,7 @@ struct FlightFit {
   double height_at(double t_s) const {
     return unknowns[4] + t_s * unknowns[5] - kGravity_mps2 / 2 * t_s * t_s;
   }
-  double landing_mps() const {  // downwards; where the ball is ever up
+  double landing_mps() const {  // downwards; only if the flight ever rises above the carpet
     return std::sqrt(unknowns[5] * unknowns[5] + 2 * kGravity_mps2 * unknowns[4]);
   }
   double landing_s() const { return (unknowns[5] + landing_mps()) / kGravity_mps2; }
@@ -65,8 +65,8 @@ struct CarpetSums {
 
   void add_detection(double t_s, const Vec2& reported_m);
 
-  // Of the best straight way with a constant braking between 0 and 11 m/s²; it leads past the
-  // kick's place, which counts with `position_weight`. At least three detections.
+  // Misfit of the best straight path with a constant deceleration between 0 and 11 m/s² through the
+  // kick's position, which counts with `position_weight`. Needs at least three detections.
   double misfit(double position_weight) const;
 };
 

@@ -7,26 +7,28 @@
 namespace autoref {
 namespace {
 
-// A chip of up to 5.5 m/s at 45 degrees, told so loosely that detections soon count for more.
+// Prior: a chip of up to 5.5 m/s at 45 degrees, weak enough for detections to dominate soon.
 constexpr double kUsualSpeed_mps = 4_mps;
 constexpr double kUsualRise_mps = 2.5_mps;
 constexpr double kUsualRiseDeviation_mps = 1.25_mps;
 constexpr double kFastestRise_mps = 3.9_mps;
 
-// All hops together, in the first flight's time: the springiest of the league's models keeps 0.57.
+// Duration of all bounces relative to the first flight's: a geometric series with the largest
+// restitution of the league's models, 0.57.
 constexpr double kHopsPerFlight = 0.57 / (1 - 0.57);
 constexpr double kLongestChip_s = 2 * kFastestRise_mps / kGravity_mps2 * (1 + kHopsPerFlight);
 
-constexpr double kChipLeastNoise_m = 0.2_mm;  // rounding, and what the models leave out
-constexpr double kBend = 0.1;  // of the apparent way, while the kick's time is unsure
+constexpr double kChipLeastNoise_m = 0.2_mm;  // rounding and unmodelled effects
+constexpr double kBend = 0.1;  // lateral error, relative to the distance travelled during the
+                               // uncertainty of the kick's time
 constexpr int kLeastDetections = 3;
 
-// Limits of chi-square.
-constexpr double kConvinced = 11;           // difference of two models: e^5.5 times as likely
-constexpr double kChipInnovationGate = 20;  // one detection: happens to 5 in 100 000
-constexpr double kUnlikely_sd = 3.3;        // a whole fit: to 5 in 10 000
+// Chi-square thresholds.
+constexpr double kConvinced = 11;           // difference between the models: likelihood ratio e^5.5
+constexpr double kChipInnovationGate = 20;  // of one detection: exceeded by 5 in 100 000
+constexpr double kUnlikely_sd = 3.3;        // of a whole fit: exceeded by 5 in 10 000
 
-// Below chi-square's quantile after Wilson and Hilferty.
+// Whether chi-square is below the quantile, by the Wilson-Hilferty approximation.
 bool is_usual(double chi_square, int freedom) {
   const double k = 2.0 / (9.0 * freedom);
   const double root = 1 - k + kUnlikely_sd * std::sqrt(k);
@@ -43,10 +45,11 @@ double worst_deviation_of(const Eigen::Matrix<double, 6, 2>& spread) {
   return std::sqrt((c(0, 0) + c(1, 1)) / 2 + std::sqrt(half * half + square(c(0, 1))));
 }
 
-// Each column of `parts` is what a number's error is in terms of the unknowns'.
+// Propagates the covariance of the fit: each column of `parts` is one output's gradient with
+// respect to the unknowns.
 void add_deviations(const FlightFit& fit, double noise_m, double t_s, ChipEstimate& e) {
   const double lands_s = fit.landing_s();
-  const double later = 1 / fit.landing_mps();  // a higher flight lands later, and further on
+  const double later = 1 / fit.landing_mps();  // a higher ball lands later and farther away
   const Vec2 further = e.velocity_mps * later;
   Eigen::Matrix<double, 6, 6> parts;
   parts << 0, 0, 1, 0, 1, 0,                     //
@@ -98,7 +101,7 @@ void ChipFlight::begin(const KickGuess& kick) {
   believe(5, kUsualRise_mps, kUsualRiseDeviation_mps);
 }
 
-// Of an equation with this deviation, beside the detections' weight of 1.
+// Weight of an equation with this deviation, relative to 1 for a detection.
 double ChipFlight::weight_of(double deviation) const {
   return square(noise_m_ / std::max(deviation, kChipLeastNoise_m));
 }
@@ -120,8 +123,9 @@ const ChipEstimate& ChipFlight::add(const BallDetection& detection) {
   return estimate_;
 }
 
-// The flight began at the kick's place: across the apparent way that holds whenever the ball was
-// kicked. Along it, a ball that is still short of the place is as far below the carpet.
+// Constrains the flight to begin at the kick's position. The constraint across the apparent
+// direction does not depend on the kick's time. Along it, a ball that has not yet reached the
+// position is extrapolated below the carpet.
 FlightSums ChipFlight::from_position() const {
   const Vec2 velocity = fitted_.segment<2>(2);
   const double rise = fitted_[5];
@@ -175,7 +179,7 @@ void ChipFlight::follow(const BallDetection& detection) {
   const double deviation_s = estimate_.landing_deviation_s;
   if (!lost) {
     estimate_ = estimate_from(fit, noise_m_, kick_, t_s);
-  } else if (detection.time_s < estimate_.landing_s - 3 * deviation_s) {  // something in the way
+  } else if (detection.time_s < estimate_.landing_s - 3 * deviation_s) {  // it hit something
     settle(detection.time_s + kLongestChip_s);
   } else {
     const double flight_s = estimate_.landing_s + 2 * deviation_s - kick_.time_s;

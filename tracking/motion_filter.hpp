@@ -1,19 +1,18 @@
-// A Kalman filter for things that go on evenly but for accelerations nobody told it of.
+// Constant-velocity Kalman filter with white-noise acceleration.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace autoref {
 
-// How much to trust what is seen, and how much the motion.
+// Measurement noise and process noise.
 struct MotionNoise {
   double detection = 0;  // standard deviation of one coordinate of a detection; m or rad
-  double process_noise_density =
-      0;                  // how the velocity's variance grows with time; m2/s3 or rad2/s3
-  double any_change = 0;  // standard deviation of a velocity about which nothing is known
+  double process_noise_density = 0;  // growth rate of the velocity variance; m2/s3 or rad2/s3
+  double any_change = 0;             // standard deviation of an unknown velocity
 };
 
-// Position and velocity along `Axes` axes that are alike: they share one covariance.
+// Position and velocity along `Axes` identical axes, which share one covariance.
 template <int Axes>
 class MotionFilter {
  public:
@@ -21,7 +20,7 @@ class MotionFilter {
 
   explicit MotionFilter(const MotionNoise& noise) : noise_(noise) {}
 
-  // Begins at a detection, at rest, knowing nothing of the velocity.
+  // Starts at a detection, at rest, with unknown velocity.
   void start(const Axis& seen) {
     motion_.row(0) = seen;
     motion_.row(1).setZero();
@@ -30,7 +29,7 @@ class MotionFilter {
     speed_variance_ = noise_.any_change * noise_.any_change;
   }
 
-  // Goes on for `duration_s`, with the known part of the acceleration.
+  // Predicts `duration_s` ahead; `acceleration` is its known part.
   void predict(double duration_s, const Axis& acceleration) {
     const double t = duration_s;
     motion_.row(0) += t * motion_.row(1) + (t * t / 2) * acceleration;
@@ -41,7 +40,7 @@ class MotionFilter {
     speed_variance_ += noise_.process_noise_density * t;
   }
 
-  // The velocity may have become any other at the beginning of the last `duration_s`.
+  // For a velocity that may have changed arbitrarily `duration_s` ago.
   void inflate_velocity_covariance(double duration_s) {
     const double variance = noise_.any_change * noise_.any_change;
     position_variance_ += variance * duration_s * duration_s;
@@ -49,13 +48,12 @@ class MotionFilter {
     speed_variance_ += variance;
   }
 
-  // The square of a detection's distance from the prediction, in deviations: for a filter that is
-  // right, chi-squared with as many degrees of freedom as there are axes.
+  // For a consistent filter: chi-square distributed, with one degree of freedom per axis.
   double normalised_innovation_squared(const Axis& innovation) const {
     return innovation.squaredNorm() / innovation_variance();
   }
 
-  // Takes in a detection that was `innovation` beside the prediction.
+  // `innovation`: the detection minus the prediction.
   void correct(const Axis& innovation) {
     const double position_gain = position_variance_ / innovation_variance();
     const double speed_gain = covariance_ / innovation_variance();
@@ -80,7 +78,7 @@ class MotionFilter {
   Eigen::Matrix<double, 2, Axes> motion_ = Eigen::Matrix<double, 2, Axes>::Zero();
   double position_variance_ = 0;
   double speed_variance_ = 0;
-  double covariance_ = 0;  // of place and speed
+  double covariance_ = 0;  // of position and speed
 };
 
 }  // namespace autoref

@@ -9,25 +9,26 @@ namespace {
 
 constexpr double kRobotLeastNoise_m = 0.05e-3;
 constexpr double kLeastNoise_rad = 0.5e-3;
-// Robots speed up by 3 m/s2 or 40 rad/s2 for some tenths of a second.
+// Robots accelerate at 3 m/s2 or 40 rad/s2 for some tenths of a second.
 constexpr double kRobotProcessNoise_m2ps3 = 0.2;
 constexpr double kProcessNoise_rad2ps3 = 6.0;
 constexpr double kRobotAnySpeed_mps = 3.0;
-constexpr double kFasterThanAnyRobot_mps = 15.0;  // it was put elsewhere
+constexpr double kFasterThanAnyRobot_mps = 15.0;  // it was moved by hand
 constexpr double kAnyTurning_radps = 15.0;
-// A right filter is surprised by more once in 3000 detections (two axes).
+// Chi-square with two degrees of freedom: a consistent filter exceeds it once in 3000 detections.
 constexpr double kRobotInnovationGate = 16.0;
 
 using Angle = MotionFilter<1>::Axis;
 
-// The angle between two unit vectors; from frame to frame it is small, and the sine's series does.
+// The angle between two unit vectors. It is small from frame to frame, so a series in the sine
+// suffices.
 double turned_angle(const Vec2& from, const Vec2& to) {
   const double sine = cross(from, to);
   if (from.dot(to) < 0.95) return angle_between(from, to);
   return sine * (1.0 + sine * sine / 6.0);
 }
 
-// `heading` turned, to within 1e-5 rad; its length stays.
+// `heading` rotated with an error below 1e-5 rad; preserves its length.
 Vec2 turned_by(const Vec2& heading, double angle_rad) {
   if (std::abs(angle_rad) > 0.25) return to_world(heading_of(angle_rad), heading);
   const double tangent = angle_rad / 2 + angle_rad * angle_rad * angle_rad / 24;

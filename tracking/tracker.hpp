@@ -1,4 +1,4 @@
-// From single frames to motion: positions with velocities, held through short gaps.
+// From single frames to motion: positions with velocities, extrapolated through short gaps.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace autoref {
 
-// How well vision sees, as measured on things that stand still: standard deviations.
+// Vision noise as standard deviations, measured on stationary objects.
 struct VisionNoise {
   double ball_m = 0;
   double robot_m = 0;
@@ -35,13 +35,13 @@ class RobotTracker {
   void publish();
 
   MotionFilter<2> position_;
-  MotionFilter<1> turn_;  // its position is the angle from robot_.heading
+  MotionFilter<1> turn_;  // its position is the angle relative to robot_.heading
   TrackedRobot robot_;
 };
 
-// Turns a sequence of frames into tracks. One tracker per consumer, fed with frames in order; a
-// frame fed again changes nothing. Velocities come from a Kalman filter. What is not seen goes on
-// as it moved: a robot for 0.5 s, after which it counts as gone; the ball see ball_tracker.hpp.
+// Turns a sequence of frames into tracks. Each consumer has its own tracker and feeds it frames in
+// order; a repeated frame changes nothing. Velocities come from a Kalman filter. An unseen robot
+// keeps its velocity for 0.5 s and is then dropped; for the ball see ball_tracker.hpp.
 class Tracker {
  public:
   static constexpr double kForgetRobotAfter_s = 500_ms;
