@@ -15,8 +15,8 @@ constexpr std::size_t kMostCameras = 64;
 constexpr float kFarthest_mm = 1e5F;
 constexpr float kWidest_rad = 100;
 constexpr double kLongestGame_s = 1e6;
-constexpr double kLate_s = 1;  // no packet of the same clock is so late
-constexpr int kStrays = 20;    // that agree make a new clock
+constexpr double kLate_s = 1;  // no packet with the same clock is later than this
+constexpr int kStrays = 20;    // number of consecutive ones that establishes a new clock
 
 bool is_position(float x, float y) {
   return std::abs(x) <= kFarthest_mm && std::abs(y) <= kFarthest_mm;
@@ -67,8 +67,8 @@ bool DetectionMerger::is_usable(const DetectionFrame& detection) const {
   return time_s > last_time_s_ && time_s <= kLongestGame_s;
 }
 
-// Asked of packets that are not usable. One that is late, or far ahead, is a stray; many in a row
-// that follow each other are a clock of their own.
+// Called for unusable packets. A packet far in the past or future is a stray; many consecutive
+// strays with similar times mean that the clock restarted.
 bool DetectionMerger::restarts_clock(const DetectionFrame& detection, double received_s) {
   const double capture_s = detection.t_capture();
   if (!std::isfinite(capture_s) || !first_capture_s_) return false;

@@ -1,4 +1,4 @@
-// From the packets of several cameras to whole frames of the field.
+// Merges the packets of several cameras into frames of the whole field.
 #pragma once
 
 #include <array>
@@ -13,37 +13,38 @@
 
 namespace autoref::league {
 
-// A frame is made of one packet of each camera: the next begins when a camera comes again, or
-// after a gap of 0.1 s. Of a robot that several cameras see, the surest detection counts, and of
-// several balls the one nearest to where the ball was last. Left out are detections that are no
-// robots of the league, or no numbers or more than 100 m away, and frames a million seconds after
-// the first. If the cameras' clock restarts in the middle of a log, times continue from where
-// they were once a row of packets agrees on the new clock.
+// A frame consists of one packet per camera: the next one begins when a camera repeats or after a
+// gap of 0.1 s. If several cameras see a robot, the detection with the highest confidence counts;
+// of several balls, the one nearest to the last ball position. Ignored are detections that are not
+// robots of the league, not finite or more than 100 m away, and frames more than a million seconds
+// after the first. If the cameras' clock restarts within a log, times continue from the previous
+// ones once enough consecutive packets agree on the new clock.
 class DetectionMerger {
  public:
-  // Takes the next packet. The frame that it completes is returned; it is valid until the next
-  // call. Frames are numbered from 0 in the order in which they come, their times count from the
-  // first, in seconds, and grow: packets older than the last frame are left out. `received_s` is
-  // when the packet came, on the frames' clock: where a new clock of the cameras goes on.
+  // Adds the next packet. Returns the frame that it completes, or nullptr; the frame is valid until
+  // the next call. Frames are numbered from 0 in order of arrival. Their times are in seconds since
+  // the first frame and increase: packets older than the last frame are ignored. `received_s` is
+  // the packet's arrival time on the frames' clock, from which times continue if the cameras' clock
+  // restarts.
   const Frame* add(const VisionPacket& packet, double received_s = 0);
 
-  // The frame that is not complete yet; none where there is none.
+  // Completes the last frame; nullptr if there is none.
   const Frame* finish();
 
-  // As of the last geometry that made sense.
+  // From the last valid geometry.
   const std::optional<Field>& field() const { return field_; }
 
-  // What that geometry leaves out.
+  // What that geometry omits.
   const FieldGaps& field_gaps() const { return field_gaps_; }
-  // How often another field came after the first.
+  // How often the field changed after the first geometry.
   int field_changes() const { return field_changes_; }
   // How often the cameras' clock restarted.
   int clock_restarts() const { return clock_restarts_; }
-  // Detections of robots with a number that the league does not have.
+  // Detections of robots with a number outside the league's range.
   std::int64_t unnumbered() const { return unnumbered_; }
 
   int cameras() const { return static_cast<int>(cameras_.size()); }
-  std::int64_t unusable() const { return unusable_; }  // packets that were left out
+  std::int64_t unusable() const { return unusable_; }  // packets that were ignored
 
  private:
   struct RobotDetection {
@@ -68,18 +69,18 @@ class DetectionMerger {
   FieldGaps field_gaps_;
   int field_changes_ = 0;
   Geometry geometry_;
-  std::set<std::uint32_t> cameras_;   // all so far
-  std::set<std::uint32_t> in_frame_;  // those that the frame at hand has
+  std::set<std::uint32_t> cameras_;   // seen so far
+  std::set<std::uint32_t> in_frame_;  // that contributed to the current frame
   PerSide<std::array<RobotDetection, kMaxRobots>> robots_;
   std::optional<BallDetection> ball_;
   std::optional<Vec2> last_ball_m_;
   std::optional<double> first_capture_s_;
   double last_time_s_ = -1;
-  int strays_ = 0;  // packets in a row that agree on another clock
+  int strays_ = 0;  // consecutive packets that agree on another clock
   double stray_capture_s_ = 0;
   int clock_restarts_ = 0;
   std::int64_t unnumbered_ = 0;
-  double time_s_ = 0;  // of the frame at hand
+  double time_s_ = 0;  // of the current frame
   std::int64_t frames_ = 0;
   std::int64_t unusable_ = 0;
   Frame frame_;

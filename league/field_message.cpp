@@ -20,7 +20,7 @@ std::int32_t whole_mm(double metres) {
   return static_cast<std::int32_t>(std::llround(metres * 1000));
 }
 
-// Adds lines and arcs; what it is given runs along the lines' middles.
+// Adds lines and arcs; all coordinates are those of the lines' centres.
 class Painter {
  public:
   Painter(const Field& field, FieldSize& size)
@@ -68,7 +68,7 @@ void paint_outline(const Field& field, Painter& painter) {
               2 * kPi);
 }
 
-// `sign` is that of the goal's x, `name` the league's word for the end.
+// `sign` is the sign of the goal's x, `name` the league's word for that end.
 void paint_round_area(const Field& field, double sign, const std::string& name, Painter& painter) {
   const double goal_x = sign * field.half_length_m();
   const double depth_m = field.defence_area.depth_m - field.line_width_m / 2;
@@ -97,8 +97,8 @@ void fill_camera(std::uint32_t id, const CameraPosition& position, CameraCalibra
   camera.set_principal_point_x(0);
   camera.set_principal_point_y(0);
   camera.set_distortion(0);
-  // Upside down: it looks along -z. As the league's messages have it, (tx, ty, tz) is the field's
-  // origin as the camera sees it.
+  // Upside down: the camera looks along -z. In the league's messages (tx, ty, tz) is the field's
+  // origin in camera coordinates.
   camera.set_q0(1);
   camera.set_q1(0);
   camera.set_q2(0);
@@ -117,7 +117,7 @@ double length_m(std::string_view name, std::int32_t mm) {
   throw std::invalid_argument(fmt::format("{} is {} mm", name, mm));
 }
 
-// The areas' fronts, and the sides that only boxes have.
+// The fronts of the areas, and the sides, which only boxes have.
 constexpr std::string_view kFront = "LeftPenaltyStretch";
 constexpr std::string_view kBoxSide = "LeftFieldLeftPenaltyStretch";
 constexpr std::string_view kQuarterCircle = "LeftFieldLeftPenaltyArc";
@@ -135,7 +135,7 @@ bool has_box_sizes(const FieldSize& size) {
   return size.has_penalty_area_depth() && size.has_penalty_area_width();
 }
 
-// Sizes that messages have only as the lines' middles, or in later years' fields.
+// Sizes that older messages give only by the lines' centres.
 void read_lines(const FieldSize& size, DefenceArea& area) {
   const FieldLine* front = line_called(kFront, size);
   if (front == nullptr) return;

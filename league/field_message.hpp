@@ -1,4 +1,4 @@
-// The field as vision describes it.
+// The field as the league's vision describes it.
 #pragma once
 
 #include <span>
@@ -9,16 +9,16 @@
 
 namespace autoref::league {
 
-// Fills `geometry` with field and cameras; a camera's id is its place in `cameras`. The lines have
-// the names that the league's vision gives them.
+// Fills `geometry` with the field and the cameras; a camera's id is its index in `cameras`. Lines
+// are named as in the league's vision.
 void fill_geometry(const Field& field, std::span<const CameraPosition> cameras, Geometry& geometry);
 
-// The field of a message. What messages do not tell, such as the goals' walls, has Field's
-// defaults. Throws std::invalid_argument where a length is not positive (a margin of 0 is one) or
-// beyond 100 m.
+// The field described by a message. What messages do not contain, for example the thickness of the
+// goal walls, keeps Field's defaults. Throws std::invalid_argument if a length is not positive (a
+// margin may be 0) or exceeds 100 m.
 Field field_of(const Geometry& geometry);
 
-// What a message may leave out, and whether it does.
+// What a message may omit, and whether it does.
 struct FieldGaps {
   bool penalty_mark = false;
   bool defence_area = false;
@@ -26,7 +26,7 @@ struct FieldGaps {
 
 FieldGaps gaps_in(const Geometry& geometry);
 
-// Where the camera of that id hangs; above `below_m` where the message does not tell.
+// The position of the camera with that id; above `below_m` if the message does not contain it.
 CameraPosition camera_of(const Geometry& geometry, std::uint32_t id, const Vec2& below_m);
 
 }  // namespace autoref::league

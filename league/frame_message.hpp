@@ -1,4 +1,4 @@
-// A frame of the field as the league's cameras report it: each its part.
+// Splits a frame of the field into the packets of the league's cameras.
 #pragma once
 
 #include <span>
@@ -8,9 +8,9 @@
 
 namespace autoref::league {
 
-// Fills `packets` with what each of `cameras` sees of the frame: a robot or ball belongs to the
-// nearest camera, a ball whose height vision does not know to the one that saw it. West is yellow.
-// As many packets as cameras; nothing is allocated once they have been as full before.
+// Fills `packets` with the part of the frame that each of `cameras` sees: a robot or ball belongs
+// to the nearest camera, a ball of unknown height to the camera that saw it. West is yellow. Writes
+// one packet per camera, and allocates nothing once the packets have been as full before.
 void fill_detections(const Frame& frame, std::span<const CameraPosition> cameras,
                      std::span<VisionPacket> packets);
 

@@ -1,4 +1,4 @@
-// Writes a game as the league's log: what its cameras and its referee send.
+// Writes a game as an SSL log: the packets of its cameras and its referee.
 #pragma once
 
 #include <filesystem>
@@ -15,17 +15,16 @@
 
 namespace autoref::league {
 
-// Times count from the game's first frame. Every camera sends a packet per frame, the geometry
-// follows about once a second, the referee sends ten packets a second and one whenever its signal
-// changes.
+// Times count from the game's first frame. Every camera sends one packet per frame, the geometry
+// about once a second, and the referee ten packets a second plus one whenever its signal changes.
 class GameLog {
  public:
-  // Starts the file anew. Throws LogError.
+  // Creates or truncates the file. Throws LogError.
   GameLog(const std::filesystem::path& path, const Field& field,
           std::vector<CameraPosition> cameras, PerSide<LoggedTeam> teams);
 
-  // A command of the frame that is added next. Only where several are sent in one frame does it
-  // tell what the signal does not.
+  // Notes a command of the next frame. This matters only if one frame has several commands, since
+  // the signal contains just the last.
   void note(Command command) { sent_.push_back(command); }
 
   // Throws LogError.
@@ -45,9 +44,9 @@ class GameLog {
   std::vector<CameraPosition> cameras_;
   PerSide<LoggedTeam> teams_;
   VisionPacket geometry_;
-  std::vector<VisionPacket> packets_;  // of each camera
-  RefereePacket referee_;              // the last one
-  std::vector<Command> sent_;          // in the frame at hand
+  std::vector<VisionPacket> packets_;  // one per camera
+  RefereePacket referee_;              // the last one sent
+  std::vector<Command> sent_;          // during the current frame
   std::string bytes_;
   double geometry_due_s_ = 0;
   double referee_due_s_ = 0;

@@ -8,10 +8,10 @@
 namespace autoref::league {
 namespace {
 
-constexpr double kOutOfOrder_s = 1;  // records of one log are never so far out of order
+constexpr double kOutOfOrder_s = 1;  // limit within one log
 constexpr double kLongestPause_s = 1e6;
 
-// Without protobuf's own messages on stderr.
+// Partial parsing keeps protobuf from printing its own messages to stderr.
 template <typename Message>
 bool parse(const std::string& bytes, Message& message) {
   return message.ParsePartialFromString(bytes) && message.IsInitialized();
@@ -49,8 +49,8 @@ class Walk {
   }
 
  private:
-  // Where records' times leap, as where two logs have been joined, they go on from where they were.
-  // Hostile times may lie farther apart than a difference of int64 can say.
+  // If record times jump, as in two concatenated logs, they continue from the last one. Computed in
+  // double: the difference of malicious times may overflow int64.
   void take_time() {
     const double since_first_s =
         (static_cast<double>(record_.time_ns) - static_cast<double>(first_ns_)) / 1e9;
@@ -108,8 +108,8 @@ class Walk {
   std::int64_t records_ = 0;
   std::int64_t frames_ = 0;
   std::int64_t first_ns_ = 0;
-  double leaps_s_ = 0;  // that times are shifted by
-  double now_s_ = 0;    // of the record at hand, since the first
+  double leaps_s_ = 0;  // total shift of the times
+  double now_s_ = 0;    // of the current record, since the first
 };
 
 }  // namespace

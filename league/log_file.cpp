@@ -16,7 +16,7 @@ constexpr std::string_view kSignature = "SSL_LOG_FILE";
 constexpr std::uint32_t kVersion = 1;
 constexpr std::size_t kHeaderSize = 16;     // of a record, and of the file
 constexpr std::size_t kBuffer = 1U << 16;   // of zlib
-constexpr std::size_t kPortion = 1U << 16;  // a message grows by so much while it is read
+constexpr std::size_t kPortion = 1U << 16;  // step by which a message grows while it is read
 
 gzFile zlib_file(void* file) { return static_cast<gzFile>(file); }
 
@@ -92,9 +92,9 @@ LogReader::LogReader(const std::filesystem::path& path) : name_(path.string()) {
     mistake = "is empty";
   } else if (size < header.size() ||
              !std::equal(kSignature.begin(), kSignature.end(), header.begin())) {
-    mistake = fmt::format("is not an SSL log: its first bytes are not {}", kSignature);
+    mistake = fmt::format("is not an SSL log: the first bytes are not {}", kSignature);
   } else if (number_at<std::uint32_t>(version) != kVersion) {
-    mistake = fmt::format("is a log of version {}, at byte {}; only version {} can be read",
+    mistake = fmt::format("has version {}, at byte {}; only version {} is supported",
                           number_at<std::uint32_t>(version), kSignature.size(), kVersion);
   }
   if (mistake.empty()) return;
@@ -104,7 +104,7 @@ LogReader::LogReader(const std::filesystem::path& path) : name_(path.string()) {
 
 LogReader::~LogReader() { gzclose(zlib_file(file_)); }
 
-// As many bytes as there are, up to `count`.
+// Reads up to `count` bytes and returns how many it got.
 std::size_t LogReader::get(char* bytes, std::size_t count) {
   const int got = gzread(zlib_file(file_), bytes, static_cast<unsigned>(count));
   return got > 0 ? static_cast<std::size_t>(got) : 0;
@@ -124,14 +124,14 @@ bool LogReader::read(LogRecord& record) {
   gzerror(zlib_file(file_), &code);
   if (size < header.size()) {
     if (code != Z_OK) return fail(fmt::format("cannot be decompressed: {}", reason_of(file_)));
-    return size == 0 ? false : fail("ends in the middle of a record's head");
+    return size == 0 ? false : fail("ends in the middle of a record's header");
   }
   record.time_ns = static_cast<std::int64_t>(number_at<std::uint64_t>(header.data()));
   record.kind = static_cast<std::int32_t>(number_at<std::uint32_t>(header.data() + 8));
   const std::size_t length = number_at<std::uint32_t>(header.data() + 12);
   if (length > kLongestMessage) {
     return fail(
-        fmt::format("a message of {} bytes, where {} is the most", length, kLongestMessage));
+        fmt::format("a message of {} bytes exceeds the maximum of {}", length, kLongestMessage));
   }
   record.message.clear();
   while (record.message.size() < length) {

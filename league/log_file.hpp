@@ -1,8 +1,8 @@
-// The league's log files: messages as they came over the network, each with its time.
+// The league's log files: network messages with their times.
 //
-// A file begins with the 12 bytes "SSL_LOG_FILE" and an int32 version, 1. Then come records: int64
-// time in ns, int32 kind, int32 size, and the message; all numbers are big-endian. Files that end
-// in .gz are compressed by gzip; reading tells by the content.
+// A file begins with the 12 bytes "SSL_LOG_FILE" and an int32 version, 1. Records follow: int64
+// time in ns, int32 kind, int32 size, and the message; all numbers are big-endian. Files whose
+// names end in .gz are written gzip-compressed; the reader detects compression from the content.
 #pragma once
 
 #include <cstddef>
@@ -32,13 +32,13 @@ class LogError : public std::runtime_error {
 
 struct LogRecord {
   std::int64_t time_ns = 0;
-  std::int32_t kind = 0;  // a MessageKind, or a number that is not known here
+  std::int32_t kind = 0;  // a MessageKind, or an unknown number
   std::string message;
 };
 
 class LogWriter {
  public:
-  // Starts the file anew; compressed where its name ends in .gz. Throws LogError.
+  // Creates or truncates the file; compresses it if its name ends in .gz. Throws LogError.
   explicit LogWriter(const std::filesystem::path& path);
   ~LogWriter();
   LogWriter(const LogWriter&) = delete;
@@ -47,40 +47,40 @@ class LogWriter {
   // Throws LogError.
   void write(std::int64_t time_ns, MessageKind kind, std::string_view message);
 
-  // Everything is in the file when it returns; nothing can be written afterwards. Throws LogError.
+  // Flushes and closes the file; nothing can be written afterwards. Throws LogError.
   void close();
 
  private:
   void put(std::string_view bytes);
 
   std::string name_;
-  void* file_ = nullptr;  // zlib's
+  void* file_ = nullptr;  // a gzFile
 };
 
-// Where a file stops making sense. What stands before it is right.
+// Where a file becomes unreadable. Everything before it is valid.
 struct LogDamage {
-  std::int64_t offset = 0;  // in bytes, of the uncompressed content
+  std::int64_t offset = 0;  // in bytes of the uncompressed content
   std::string what;
 };
 
-// Reads records one by one, in bounded memory whatever the file holds.
+// Reads records one by one, in bounded memory whatever the file contains.
 class LogReader {
  public:
   static constexpr std::size_t kLongestMessage = std::size_t{1} << 20;  // UDP carries 64 KiB
 
-  // Throws LogError where the file cannot be read or is no log of version 1.
+  // Throws LogError if the file cannot be read or is not a log of version 1.
   explicit LogReader(const std::filesystem::path& path);
   ~LogReader();
   LogReader(const LogReader&) = delete;
   LogReader& operator=(const LogReader&) = delete;
 
-  // The next record into `record`; false at the end, and where the file is damaged.
+  // Reads the next record into `record`; returns false at the end, or if the file is damaged.
   bool read(LogRecord& record);
 
-  // Where the record that was read last begins.
+  // Offset of the last record read.
   std::int64_t offset() const { return offset_; }
 
-  // Why there are no more records; none while there may be, and at the end of a whole file.
+  // Why reading stopped; nullopt before that, and at the end of an intact file.
   const std::optional<LogDamage>& damage() const { return damage_; }
 
  private:
@@ -88,8 +88,8 @@ class LogReader {
   bool fail(const std::string& what);
 
   std::string name_;
-  void* file_ = nullptr;     // zlib's
-  std::int64_t offset_ = 0;  // of the record at hand
+  void* file_ = nullptr;     // a gzFile
+  std::int64_t offset_ = 0;  // of the current record
   std::optional<LogDamage> damage_;
 };
 

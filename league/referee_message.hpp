@@ -1,4 +1,4 @@
-// The referee's signal as the league sends it.
+// Conversion between the referee's signal and the league's message.
 #pragma once
 
 #include <optional>
@@ -12,18 +12,18 @@ namespace autoref::league {
 
 struct LoggedTeam {
   std::string name;
-  int keeper = 0;  // its robot's number
+  int keeper = 0;  // number of its robot
 };
 
-// Fills `packet`, sent at `time_s` of the game. West is yellow and defends the goal at -x.
+// Fills `packet`, sent at game time `time_s`. West is yellow and defends the goal at -x.
 void fill_referee(const RefereeSignal& signal, const PerSide<LoggedTeam>& teams, double time_s,
                   RefereePacket& packet);
 
-// The signal of a packet; its command counts as sent `since_us` after the log's first packet. None
-// where command or stage are none that the league's referee of 2013 sends.
+// The signal of a packet; nullopt if its command or stage is not one of the league's referee of
+// 2013.
 std::optional<RefereeSignal> signal_of(const RefereePacket& packet);
 
-// The command of that number; none where there is none.
+// The command with that number; nullopt if there is none.
 std::optional<Command> command_of(int league_number);
 
 }  // namespace autoref::league

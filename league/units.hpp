@@ -1,4 +1,4 @@
-// The league's units: millimetres as float, times as whole micro- or nanoseconds.
+// Conversion to the league's units: millimetres as float, times as whole micro- or nanoseconds.
 #pragma once
 
 #include <cmath>

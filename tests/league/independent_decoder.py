@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Reads a log of `autoref play` with nothing of this project and compares it with the game's record.
+"""Reads a log of `autoref play` without any of this project's code and compares it with the game.
 
 usage: independent_decoder.py AUTOREF SCENARIO
 
-The framing is taken apart with struct, the messages with descriptors that are spelt out below, in
+The framing is decoded with struct, the messages with the descriptors written out below, using
 the league's names and numbers. Needs Debian's python3-protobuf.
 """
 import gzip
@@ -110,7 +110,7 @@ def main():
         story = read(log)
     sent = [command for command in sent if command]
     last = story["last"]
-    # The last picture is judged and ends the game; nothing is played from it.
+    # The last frame is refereed and ends the game, but not simulated any further.
     frames = round(game["sim_s"] * 60)
     checks = {
         "frames": (story["frames"], set(range(frames + 1))),
@@ -123,7 +123,7 @@ def main():
     }
     wrong = {name: pair for name, pair in checks.items() if pair[0] != pair[1]}
     for name, (read_value, expected) in wrong.items():
-        print(f"{name}: the log says {str(read_value)[:300]}, the game {str(expected)[:300]}")
+        print(f"{name}: the log has {str(read_value)[:300]}, the game {str(expected)[:300]}")
     print(f"{len(story['frames'])} frames, {len(story['commands'])} commands read")
     return 1 if wrong else 0
 

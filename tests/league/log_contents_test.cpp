@@ -24,7 +24,7 @@ std::string packet_of(std::uint32_t camera, double capture_s) {
   return packet.SerializeAsString();
 }
 
-// The log of those messages, a millisecond from each to the next.
+// Writes the messages as a log, one millisecond apart.
 const ScratchFile& written(const ScratchFile& file, MessageKind kind,
                            const std::vector<std::string>& messages) {
   LogWriter writer(file.path());
@@ -34,7 +34,7 @@ const ScratchFile& written(const ScratchFile& file, MessageKind kind,
   return file;
 }
 
-TEST(ReadLog, CountsMessagesThatMakeNoSenseAndTellsWhereTheFirstIs) {
+TEST(ReadLog, CountsUnreadableMessagesAndReportsTheFirst) {
   const ScratchFile file(".log");
   const std::string sound = packet_of(0, 1);
   written(file, MessageKind::kVision2014, {sound, "no packet", packet_of(0, 2), "nor this"});
@@ -45,7 +45,7 @@ TEST(ReadLog, CountsMessagesThatMakeNoSenseAndTellsWhereTheFirstIs) {
   EXPECT_EQ(log.unreadable_at, static_cast<std::int64_t>(16 + 16 + sound.size()));
 }
 
-TEST(ReadLog, CountsKindsThatNobodyKnowsAsUnknown) {
+TEST(ReadLog, CountsUnrecognisedKindsAsUnknown) {
   const ScratchFile file(".log");
   written(file, static_cast<MessageKind>(1234), {"what", "is", "this"});
   LogVisitor nobody;
@@ -54,7 +54,7 @@ TEST(ReadLog, CountsKindsThatNobodyKnowsAsUnknown) {
   EXPECT_EQ(log.records.size(), 1U);
 }
 
-TEST(ReadLog, KeepsToABoundedNumberOfCameras) {
+TEST(ReadLog, LimitsTheNumberOfCameras) {
   const ScratchFile file(".log");
   std::vector<std::string> messages;
   for (std::uint32_t camera = 0; camera < 1000; ++camera)
@@ -66,14 +66,14 @@ TEST(ReadLog, KeepsToABoundedNumberOfCameras) {
   EXPECT_EQ(log.unreadable, 1000 - 64);
 }
 
-TEST(ReadLog, TellsTheLengthFromTheRecordsTimes) {
+TEST(ReadLog, ComputesTheLengthFromTheRecordsTimes) {
   const ScratchFile file(".log");
   written(file, MessageKind::kReferee2013, {"", "", "", "", ""});
   LogVisitor nobody;
   EXPECT_DOUBLE_EQ(read_log(file.path(), nobody).length_s, 0.004);
 }
 
-TEST(ReadLog, EndsAtItsLimits) {
+TEST(ReadLog, StopsAtItsLimits) {
   const ScratchFile file(".log.gz");
   written(file, MessageKind::kUnknown, std::vector<std::string>(1000, std::string(10'000, 'x')));
   LogVisitor nobody;

@@ -9,7 +9,7 @@ namespace {
 
 using namespace std::string_literals;
 
-// The format's description by hand: signature, version, and a record of 7 bytes.
+// The format written out by hand: signature, version, and a record of 7 bytes.
 const std::string kHead = "SSL_LOG_FILE\0\0\0\1"s;
 const std::string kRecord = "\0\0\0\0\0\0\1\2\0\0\0\4\0\0\0\7message"s;
 
@@ -51,7 +51,7 @@ TEST(LogWriter, WritesTheFormatByteByByte) {
   EXPECT_EQ(file.bytes(), kHead + kRecord);
 }
 
-TEST(LogWriter, CompressesWhereTheNameSaysSo) {
+TEST(LogWriter, CompressesFilesNamedGz) {
   const ScratchFile file(".log.gz");
   write_three(file.path());
   EXPECT_EQ(file.bytes().substr(0, 2), "\x1f\x8b");
@@ -74,7 +74,7 @@ TEST(LogReader, ReadsBackWhatWasWritten) {
   }
 }
 
-TEST(LogReader, KeepsWhatStandsBeforeACut) {
+TEST(LogReader, KeepsRecordsBeforeATruncation) {
   const ScratchFile file(".log");
   const std::string whole = kHead + kRecord + kRecord;
   for (std::size_t size = kHead.size(); size <= whole.size(); ++size) {
@@ -88,7 +88,7 @@ TEST(LogReader, KeepsWhatStandsBeforeACut) {
   }
 }
 
-TEST(LogReader, KeepsWhatStandsBeforeACutInACompressedLog) {
+TEST(LogReader, KeepsRecordsBeforeATruncationInACompressedLog) {
   const ScratchFile file(".log.gz");
   write_three(file.path());
   const std::string whole = file.bytes();
@@ -97,17 +97,18 @@ TEST(LogReader, KeepsWhatStandsBeforeACutInACompressedLog) {
   EXPECT_TRUE(hypothesis.damage.has_value());
 }
 
-TEST(LogReader, RefusesAGiganticLengthWithItsPlace) {
+TEST(LogReader, RefusesAnOversizedMessageAndReportsItsOffset) {
   const ScratchFile file(".log");
   const std::string gigantic = "\0\0\0\0\0\0\0\0\0\0\0\4\x7f\xff\xff\xff"s;
   const TouchHypothesis hypothesis = read_all(file.fill(kHead + kRecord + gigantic).path());
   EXPECT_EQ(hypothesis.records.size(), 1U);
   ASSERT_TRUE(hypothesis.damage.has_value());
   EXPECT_EQ(hypothesis.damage->offset, 39);
-  EXPECT_EQ(hypothesis.damage->what, "a message of 2147483647 bytes, where 1048576 is the most");
+  EXPECT_EQ(hypothesis.damage->what,
+            "a message of 2147483647 bytes exceeds the maximum of 1048576");
 }
 
-TEST(LogReader, SaysWhyAFileIsNoLog) {
+TEST(LogReader, SaysWhyAFileIsNotALog) {
   const ScratchFile file(".log");
   EXPECT_NE(error_of(file.fill("").path()).find(": is empty"), std::string::npos);
   EXPECT_NE(error_of(file.fill("SSL_LOG_FIL").path()).find("first bytes are not SSL_LOG_FILE"),

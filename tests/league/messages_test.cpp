@@ -11,7 +11,7 @@ namespace {
 
 const std::vector<CameraPosition> kCameras = {{{-1.5, -1}}, {{-1.5, 1}}, {{1.5, -1}}, {{1.5, 1}}};
 
-// Eighths of a millimetre are what a packet holds exactly.
+// Packets represent eighths of a millimetre exactly.
 Vec2 eighths(int x, int y) { return {x / 8.0 / 1000.0, y / 8.0 / 1000.0}; }
 
 Frame busy_frame(std::int64_t number = 0) {
@@ -29,7 +29,7 @@ Frame busy_frame(std::int64_t number = 0) {
   return frame;
 }
 
-// What is read of frames that are sent camera by camera.
+// The frames read back after sending them camera by camera.
 std::vector<Frame> sent_and_read(const std::vector<Frame>& frames) {
   std::vector<VisionPacket> packets(kCameras.size());
   DetectionMerger merger;
@@ -61,7 +61,7 @@ bool are_equal(const Frame& one, const Frame& other) {
                         one.ball->height_m == other.ball->height_m));
 }
 
-TEST(FrameHistory, ComeBackBitByBit) {
+TEST(FrameHistory, IsReadBackBitForBit) {
   std::vector<Frame> frames;
   for (int i = 0; i < 5; ++i) frames.push_back(busy_frame(i));
   frames[2].ball.reset();
@@ -71,7 +71,7 @@ TEST(FrameHistory, ComeBackBitByBit) {
   for (std::size_t i = 0; i < read.size(); ++i) EXPECT_TRUE(are_equal(read[i], frames[i])) << i;
 }
 
-TEST(FrameHistory, TellWhichCameraSawABallWithoutHeight) {
+TEST(FrameHistory, NamesTheCameraOfABallWithoutHeight) {
   Frame frame = busy_frame();
   frame.ball = BallObservation{{0.2, 0.1}, std::nullopt, kCameras[0]};
   const std::vector<Frame> read = sent_and_read({frame});
@@ -104,7 +104,7 @@ VisionPacket packet_of(const DetectionFrame& detection) {
   return packet;
 }
 
-TEST(DetectionMerger, TakesTheSurestDetectionOfARobotThatTwoCamerasSee) {
+TEST(DetectionMerger, TakesTheMostConfidentDetectionOfARobotSeenTwice) {
   DetectionFrame one = detection(0, 5);
   DetectionFrame other = detection(1, 5.003);
   add_robot(one, 3, 100, 0.7F);
@@ -118,7 +118,7 @@ TEST(DetectionMerger, TakesTheSurestDetectionOfARobotThatTwoCamerasSee) {
   EXPECT_DOUBLE_EQ(frame->robots[Side::kWest][0].position_m.x(), 0.2);
 }
 
-TEST(DetectionMerger, LeavesOutWhatIsNoRobotOfTheLeague) {
+TEST(DetectionMerger, IgnoresDetectionsThatAreNotLeagueRobots) {
   DetectionFrame one = detection(0, 5);
   add_robot(one, 16, 100, 1);
   add_robot(one, 2, std::nanf(""), 1);
@@ -127,7 +127,7 @@ TEST(DetectionMerger, LeavesOutWhatIsNoRobotOfTheLeague) {
   EXPECT_TRUE(merger.finish()->robots[Side::kWest].empty());
 }
 
-TEST(DetectionMerger, BeginsAFrameWhenACameraComesAgainOrAfterAGap) {
+TEST(DetectionMerger, BeginsAFrameWhenACameraRepeatsOrAfterAGap) {
   DetectionMerger merger;
   EXPECT_EQ(merger.add(packet_of(detection(0, 5))), nullptr);
   EXPECT_EQ(merger.add(packet_of(detection(1, 5.004))), nullptr);
@@ -136,7 +136,7 @@ TEST(DetectionMerger, BeginsAFrameWhenACameraComesAgainOrAfterAGap) {
   EXPECT_DOUBLE_EQ(merger.finish()->time_s, 1);
 }
 
-TEST(DetectionMerger, LeavesOutPacketsThatComeLate) {
+TEST(DetectionMerger, IgnoresLatePackets) {
   DetectionMerger merger;
   merger.add(packet_of(detection(0, 5)));
   merger.add(packet_of(detection(0, 6)));
@@ -145,7 +145,7 @@ TEST(DetectionMerger, LeavesOutPacketsThatComeLate) {
   EXPECT_EQ(merger.unusable(), 2);
 }
 
-TEST(Geometry, TellsTheFieldOfEveryRuleBook) {
+TEST(Geometry, DescribesTheFieldOfEveryRuleBook) {
   for (const std::string& book : rule_book_names()) {
     const Field field = find_game_setup(book)->field;
     Geometry geometry;
@@ -160,14 +160,14 @@ TEST(Geometry, TellsTheFieldOfEveryRuleBook) {
   }
 }
 
-TEST(Geometry, RefusesAFieldWithoutSize) {
+TEST(Geometry, RefusesAFieldOfZeroSize) {
   Geometry geometry;
   fill_geometry(Field{}, kCameras, geometry);
   geometry.mutable_field()->set_field_length(0);
   EXPECT_THROW(field_of(geometry), std::invalid_argument);
 }
 
-TEST(RefereeMessages, TellEveryCommand) {
+TEST(RefereeMessages, RepresentEveryCommand) {
   for (int number = 0; number <= 17; ++number) {
     ASSERT_TRUE(command_of(number).has_value()) << number;
     EXPECT_EQ(league_number(*command_of(number)), number);
@@ -176,7 +176,7 @@ TEST(RefereeMessages, TellEveryCommand) {
   EXPECT_FALSE(command_of(-1).has_value());
 }
 
-TEST(RefereeMessages, ComeBackAsTheyWereSent) {
+TEST(RefereeMessages, AreReadBackAsSent) {
   RefereeSignal signal;
   signal.command = {CommandKind::kDirectFree, Side::kEast};
   signal.command_counter = 7;
@@ -196,7 +196,7 @@ TEST(RefereeMessages, ComeBackAsTheyWereSent) {
   EXPECT_EQ(read.next_command, signal.next_command);
 }
 
-TEST(RefereeMessages, OfAnUnknownStageAreNone) {
+TEST(RefereeMessages, OfAnUnknownStageAreRejected) {
   RefereePacket packet;
   fill_referee({}, {}, 0, packet);
   packet.set_stage(14);

@@ -1,4 +1,4 @@
-// Log files that tests write, and the bytes in them.
+// Temporary log files for tests.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 
 namespace autoref::league {
 
-// A file's place that is free at the beginning and at the end of a test.
+// A path that does not exist when a test begins and is removed when it ends.
 class ScratchFile {
  public:
   explicit ScratchFile(const std::string& ending)

@@ -17,11 +17,11 @@ TEST(Field, HasThePapersSize) {
   EXPECT_DOUBLE_EQ(field.wall_y_m(), 2.7);
 }
 
-TEST(Field, PenaltyMarkLies750MmBeforeTheGoalShotAt) {
+TEST(Field, PenaltyMarkLies750MmInFrontOfTheGoal) {
   EXPECT_TRUE(Field().penalty_mark_at(Side::kEast).isApprox(Vec2(2.275, 0)));
 }
 
-TEST(DefenceArea, OfQuarterCirclesReaches800MmBeforeTheGoal) {
+TEST(DefenceArea, OfQuarterCirclesReaches800MmFromTheGoal) {
   const Field field;
   EXPECT_NEAR(distance_to_defence_area(field, Side::kWest, {-2.225, 0}), 0, 1e-12);
   EXPECT_NEAR(distance_to_defence_area(field, Side::kWest, {-2.025, 0.17}), 0.2, 1e-12);
@@ -29,7 +29,7 @@ TEST(DefenceArea, OfQuarterCirclesReaches800MmBeforeTheGoal) {
 }
 
 TEST(DefenceArea, OfQuarterCirclesIsRoundBesideTheStraightLine) {
-  const Field field;  // straight line of 350 mm: the circle's centre at y = 175 mm
+  const Field field;  // straight line of 350 mm: the circle's centre is at y = 175 mm
   const Vec2 rim_m(3.025 - 0.8 * 0.6, 0.175 + 0.8 * 0.8);
   EXPECT_NEAR(distance_to_defence_area(field, Side::kEast, rim_m), 0, 1e-12);
 }
@@ -52,7 +52,7 @@ TEST(RobotHull, IsFlatInFrontAndRoundBehind) {
   EXPECT_LT(distance_to_hull({1, 1.05}, centre_m, north), 0);
 }
 
-TEST(RobotHull, MeasuresToThePlatesCornerBesideIt) {
+TEST(RobotHull, MeasuresToThePlatesCornerOutsideThePlate) {
   const Vec2 corner_m(kFrontDistance_m, kHalfPlate_m);
   EXPECT_NEAR(corner_m.norm(), kRobotRadius_m, 1e-12);
   const Vec2 outside_m = corner_m + Vec2(0.03, 0.004);

@@ -14,7 +14,7 @@ TEST(RandomStream, GivesTheSameNumbersForTheSameKey) {
   for (int i = 0; i < 100; ++i) EXPECT_EQ(one(), two());
 }
 
-TEST(RandomStream, DiffersBySeedPurposeAndSide) {
+TEST(RandomStream, DependsOnSeedPurposeAndSide) {
   std::set<std::uint64_t> firsts;
   for (const std::uint64_t seed : {1, 2}) {
     for (const RandomPurpose purpose : {RandomPurpose::kCamera, RandomPurpose::kMotors}) {
@@ -25,11 +25,12 @@ TEST(RandomStream, DiffersBySeedPurposeAndSide) {
   EXPECT_EQ(firsts.size(), 12U);
 }
 
-TEST(RandomStream, UniformNumbersFillTheirIntervalEvenly) {
+TEST(RandomStream, UniformNumbersAreEvenlyDistributed) {
   RandomStream random(3);
   std::array<int, 10> counts{};
   for (int i = 0; i < 100000; ++i) ++counts[static_cast<std::size_t>(10 * random.uniform())];
-  // Each count is binomial with mean 10000 and standard deviation 95; five of them.
+  // Each count is binomial with mean 10000 and standard deviation 95; the tolerance is five of
+  // these.
   for (const int count : counts) EXPECT_NEAR(count, 10000, 475);
 }
 

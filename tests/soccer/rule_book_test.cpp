@@ -1,4 +1,4 @@
-// Numbers of the rule books, each against what the league has written.
+// The rule books' numbers, checked against the league's documents.
 #include "soccer/rule_book.hpp"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ TEST(RuleBooks, LetKeepersHoldTheBallFor15And10And5Seconds) {
   EXPECT_DOUBLE_EQ(book("2026-a").keeper_holding_s, 5);
 }
 
-TEST(RuleBooks, GiveTimeoutsByTheSizeOfTheField) {
+TEST(RuleBooks, GrantTimeoutsByTheSizeOfTheField) {
   EXPECT_EQ(book("2014").timeouts, 4);
   EXPECT_DOUBLE_EQ(book("2014").timeouts_s, 300);
   EXPECT_EQ(book("2014-double").timeouts, 6);
@@ -61,7 +61,7 @@ TEST(RuleBooks, HaveNoOffsideUnlessItIsSwitchedOn) {
   }
 }
 
-TEST(RuleBooks, OfThePaperHoldWhatItHandles) {
+TEST(RuleBooks, OfThePaperContainTheRulesItDescribes) {
   const RuleSet expected{RuleId::kGoal, RuleId::kBallLeavesField,
                          RuleId::kAttackerTooCloseToDefenseArea, RuleId::kRestartNotTaken,
                          RuleId::kStuckBall};
@@ -69,7 +69,7 @@ TEST(RuleBooks, OfThePaperHoldWhatItHandles) {
   EXPECT_EQ(book("paper"), RuleBook{});
 }
 
-TEST(GameSetups, AreThoseOfTheDivisions) {
+TEST(GameSetups, MatchTheDivisions) {
   const GameSetup a = find_game_setup("2026-a").value();
   EXPECT_DOUBLE_EQ(a.field.length_m, 12);
   EXPECT_DOUBLE_EQ(a.field.width_m, 9);
@@ -82,13 +82,13 @@ TEST(GameSetups, AreThoseOfTheDivisions) {
   EXPECT_DOUBLE_EQ(find_game_setup("paper").value().half_s, 600);
 }
 
-TEST(RuleTable, HasEveryRuleOnceInOrder) {
+TEST(RuleTable, ContainsEveryRuleOnceInOrder) {
   int next = 0;
   for (const RuleEntry& entry : rule_table()) EXPECT_EQ(static_cast<int>(entry.rule), next++);
   EXPECT_EQ(next, kRuleCount);
 }
 
-TEST(RuleTable, NamesASectionForEveryRuleThatABookHolds) {
+TEST(RuleTable, NamesASectionForEveryRuleInABook) {
   for (const std::string& name : rule_book_names()) {
     const RuleBook rules = book(name.c_str());
     for (const RuleEntry& entry : rule_table()) {

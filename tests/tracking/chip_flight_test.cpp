@@ -9,12 +9,12 @@
 namespace autoref {
 namespace {
 
-// The chip of the closed forms: 5 m/s at 45 degrees first lands v²/g = 2.548 m away.
+// A chip with a closed-form solution: 5 m/s at 45 degrees first lands v²/g = 2.548 m away.
 Kick chip_along(const Vec2& from_m, const Vec2& along) {
   return {0.01, from_m, along, 5 / std::sqrt(2.0), 5 / std::sqrt(2.0)};
 }
 
-// The estimate at `time_s`, by detections without noise that are never missing.
+// The estimate at `time_s` from noiseless detections without gaps.
 ChipEstimate clean_estimate(const Kick& kick, double time_s) {
   ChipFlight flight(0);
   flight.begin({kick.time_s, 5_mm, kick.from_m, 0});
@@ -22,7 +22,7 @@ ChipEstimate clean_estimate(const Kick& kick, double time_s) {
   return flight.estimate();
 }
 
-TEST(ChipFlight, FindsTheClosedFormsOfAFlight) {
+TEST(ChipFlight, MatchesTheClosedFormOfAFlight) {
   const ChipEstimate e = clean_estimate(chip_along({0.5, 0.5}, {0.8, 0.6}), 0.35);
   EXPECT_EQ(e.flight, BallFlight::kFlying);
   EXPECT_NEAR(e.height_m, 3.5355 * 0.34 - 4.905 * 0.34 * 0.34, 2_mm);
@@ -31,21 +31,21 @@ TEST(ChipFlight, FindsTheClosedFormsOfAFlight) {
   EXPECT_NEAR((e.landing_m - Vec2(0.5, 0.5)).norm(), 2.548, 5_mm);
 }
 
-TEST(ChipFlight, GoesOnWhereAnotherCameraTakesOver) {
-  const Kick kick = chip_along({-0.8, 0.7}, {1, 0});  // over the middle line after 0.23 s
+TEST(ChipFlight, ContinuesAcrossACameraHandover) {
+  const Kick kick = chip_along({-0.8, 0.7}, {1, 0});  // over the halfway line after 0.23 s
   const ChipEstimate e = clean_estimate(kick, 0.5);
   EXPECT_EQ(e.flight, BallFlight::kFlying);
   EXPECT_NEAR(e.height_m, 3.5355 * 0.49 - 4.905 * 0.49 * 0.49, 2_mm);
 }
 
-TEST(ChipFlight, PutsAStraightKickOnTheGroundForGood) {
+TEST(ChipFlight, ClassifiesAStraightKickAsOnTheGroundPermanently) {
   Kick kick = chip_along({0.5, 0.5}, {0.8, 0.6});
   kick.rise_mps = 0;
   EXPECT_EQ(clean_estimate(kick, 0.2).flight, BallFlight::kOnGround);
   EXPECT_EQ(clean_estimate(kick, 1.0).flight, BallFlight::kOnGround);
 }
 
-TEST(ChipFlight, IsUnknownWhileTheBallHopsThenOnTheGround) {
+TEST(ChipFlight, IsUnknownWhileTheBallBouncesThenOnTheGround) {
   const Kick kick = chip_along({-2, 0.5}, {1, 0});
   EXPECT_EQ(clean_estimate(kick, 0.80).flight, BallFlight::kUnknown);
   EXPECT_EQ(clean_estimate(kick, 1.35).flight, BallFlight::kUnknown);
@@ -61,8 +61,8 @@ TEST(ChipFlight, IsUnknownBeforeAKickAndAfterTheNext) {
   EXPECT_EQ(flight.estimate().flight, BallFlight::kUnknown);
 }
 
-// A robot in the way: the ball turns aside and falls.
-TEST(ChipFlight, GivesUpWhereTheBallIsHitInTheAir) {
+// A robot in the way deflects the ball, which then falls.
+TEST(ChipFlight, GivesUpIfTheBallIsHitInTheAir) {
   const Kick kick = chip_along({-2, 0.5}, {1, 0});
   ChipFlight flight(1_mm);
   flight.begin({kick.time_s, 5_ms, kick.from_m, 1_mm});
@@ -73,12 +73,12 @@ TEST(ChipFlight, GivesUpWhereTheBallIsHitInTheAir) {
     flight.add(seen({hit.position_m + Vec2(0, (n - 15) / 60.0), hit.height_m}, n / 60.0));
   }
   EXPECT_EQ(flight.estimate().flight, BallFlight::kUnknown);
-  const BallDetection later = seen({hit.position_m, 0}, 2.0);  // when the hops would be over
+  const BallDetection later = seen({hit.position_m, 0}, 2.0);  // when the bounces would have ended
   EXPECT_EQ(flight.add(later).flight, BallFlight::kUnknown);
 }
 
-// After three detections of a kick, a robot turns the ball aside, and the next one stops it.
-TEST(ChipFlight, BelievesNeitherOfTwoBadFitsUntilNothingCanFly) {
+// After three detections of a kick a robot deflects the ball, and the next robot stops it.
+TEST(ChipFlight, StaysUnknownBetweenTwoBadFitsUntilNothingCanFly) {
   ChipFlight flight(1.4_mm);
   flight.begin({0, 5_ms, {0.5, 0.5}, 1.4_mm});
   for (int n = 1; n <= 110; ++n) {
@@ -91,7 +91,7 @@ TEST(ChipFlight, BelievesNeitherOfTwoBadFitsUntilNothingCanFly) {
   EXPECT_EQ(flight.estimate().flight, BallFlight::kOnGround);
 }
 
-TEST(ChipFlight, SeesTheTurnedFlightTurned) {
+TEST(ChipFlight, IsEquivariantUnderRotation) {
   const Kick kick = chip_along({0.5, 0.5}, {0.8, 0.6});
   const Kick turned = chip_along({-0.5, -0.5}, {-0.8, -0.6});
   const ChipEstimate a = clean_estimate(kick, 0.3);

@@ -1,4 +1,4 @@
-// How often, how soon and how precisely chips are told under noise, over thousands of kicks.
+// How often, how soon and how precisely chips are detected under noise, over thousands of kicks.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ struct Tally {
   std::array<double, 5> detected{}, lasting{};
   int called_flying = 0;     // kicks
   int grounded_in_air = 0;   // kicks
-  int flying_after_all = 0;  // kicks, more than a frame after the landing
+  int flying_after_all = 0;  // kicks, more than a frame after landing
   Errors height, position, landing;
 
   double share_detected(std::size_t mark) const { return detected[mark] / lasting[mark]; }
@@ -79,7 +79,7 @@ Tally tally_of(Kick (*any)(RandomStream&), double noise_m) {
   return tally;
 }
 
-// What the header states.
+// The values stated in chip_flight.hpp.
 struct Figures {
   const char* name;
   double noise_m;
@@ -89,18 +89,18 @@ struct Figures {
 
 class ChipFlightInNoise : public testing::TestWithParam<Figures> {};
 
-TEST_P(ChipFlightInNoise, TellsChipsAsSoonAsStated) {
+TEST_P(ChipFlightInNoise, DetectsChipsAsSoonAsStated) {
   const Tally tally = tally_of(chip_inside_the_field, GetParam().noise_m);
   for (std::size_t i = 0; i < kMarks_s.size(); ++i) {
     EXPECT_NEAR(tally.share_detected(i), GetParam().detected[i], 0.02) << kMarks_s[i];
   }
 }
 
-TEST_P(ChipFlightInNoise, CallsHardlyAnyStraightKickFlying) {
+TEST_P(ChipFlightInNoise, RarelyDetectsAFlightForAStraightKick) {
   EXPECT_LE(tally_of(straight_kick, GetParam().noise_m).called_flying, 0.001 * kKicks);
 }
 
-TEST_P(ChipFlightInNoise, HardlyEverPutsAFlyingBallOnTheGround) {
+TEST_P(ChipFlightInNoise, RarelyReportsAFlyingBallOnTheGround) {
   EXPECT_LE(tally_of(chip_inside_the_field, GetParam().noise_m).grounded_in_air, 0.001 * kKicks);
 }
 
@@ -112,14 +112,14 @@ TEST_P(ChipFlightInNoise, IsAsPreciseAsStated) {
   EXPECT_NEAR(tally.landing.median(), GetParam().landing_median_m, 2_mm);
 }
 
-TEST_P(ChipFlightInNoise, StatesHonestDeviations) {
+TEST_P(ChipFlightInNoise, ReportsConsistentDeviations) {
   const Tally tally = tally_of(chip_inside_the_field, GetParam().noise_m);
   EXPECT_GE(tally.height.covered(), 0.95);
   EXPECT_GE(tally.position.covered(), 0.95);
   EXPECT_GE(tally.landing.covered(), 0.95);
 }
 
-TEST_P(ChipFlightInNoise, HardlyEverFliesOnAfterTheLanding) {
+TEST_P(ChipFlightInNoise, RarelyReportsAFlightAfterTheLanding) {
   EXPECT_LE(tally_of(chip_inside_the_field, GetParam().noise_m).flying_after_all, 0.01 * kKicks);
 }
 
@@ -132,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(
         Figures{"realistic", 1.4_mm, {0.01, 0.44, 0.88, 0.95, 1}, 32_mm, 9_mm, 137_mm, 14_mm}),
     [](const auto& row) { return row.param.name; });
 
-// Straight to or from the camera, where a flight looks most like a way along the carpet.
+// Straight towards or away from the camera, where a flight is hardest to tell from a roll.
 void aim_at_camera(Kick& kick, RandomStream& chance) {
   const Vec2 camera = seen({kick.from_m, 0}, 0).camera_m;
   const double sign = chance.uniform() < 0.5 ? 1 : -1;
@@ -151,7 +151,7 @@ Kick chip_along_the_ray(RandomStream& chance) {
   return kick;
 }
 
-TEST(ChipFlightTowardsTheCamera, TakesLongerToBeReportedAndIsStillHonest) {
+TEST(ChipFlightTowardsTheCamera, TakesLongerToDetectButStaysConsistent) {
   const Tally tally = tally_of(chip_along_the_ray, 1.4_mm);
   EXPECT_NEAR(tally.share_detected(2), 0.65, 0.03);
   EXPECT_LE(tally.grounded_in_air, 0.003 * kKicks);
@@ -159,7 +159,7 @@ TEST(ChipFlightTowardsTheCamera, TakesLongerToBeReportedAndIsStillHonest) {
   EXPECT_GE(tally.landing.covered(), 0.95);
 }
 
-TEST(ChipFlightTowardsTheCamera, CallsHardlyAnyStraightKickFlying) {
+TEST(ChipFlightTowardsTheCamera, RarelyDetectsAFlightForAStraightKick) {
   EXPECT_LE(tally_of(straight_kick_along_the_ray, 1.4_mm).called_flying, 0.003 * kKicks);
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 using Axis = MotionFilter<1>::Axis;
 
-// The textbook's filter in matrices, for one axis.
+// The textbook Kalman filter in matrix form, for one axis.
 struct Textbook {
   MotionNoise noise;
   Eigen::Vector2d motion{0, 0};
@@ -36,7 +36,7 @@ struct Textbook {
   }
 };
 
-TEST(MotionFilter, DoesAsTheTextbookWithMatrices) {
+TEST(MotionFilter, MatchesTheTextbookInMatrixForm) {
   const MotionNoise noise{0.002, 0.3, 4.0};
   MotionFilter<1> filter(noise);
   Textbook textbook{noise};
@@ -56,9 +56,9 @@ TEST(MotionFilter, DoesAsTheTextbookWithMatrices) {
   }
 }
 
-// Of a filter whose noise is as it was told, one detection in 55 is off by more than 8 square
-// deviations of two axes (chi-squared: exp(-4)).
-TEST(MotionFilter, IsSurprisedAsOftenAsItsNoiseSays) {
+// With a correct noise model, one detection in 55 has a normalised innovation squared above 8
+// (chi-square with two degrees of freedom: exp(-4)).
+TEST(MotionFilter, HasConsistentInnovations) {
   constexpr double kNoise_m = 0.0014;
   constexpr double kProcessNoise_m2ps3 = 0.2;
   constexpr double kFrame_s = 1.0 / 60.0;
@@ -75,7 +75,7 @@ TEST(MotionFilter, IsSurprisedAsOftenAsItsNoiseSays) {
   int innovations = 0;
   constexpr int kDetections = 20000;
   for (int i = 0; i < kDetections; ++i) {
-    // White acceleration: what a velocity does meanwhile, and its mean over the frame.
+    // White acceleration: the change of velocity in one frame, and its mean over the frame.
     const MotionFilter<2>::Axis jolt_mps = std::sqrt(kProcessNoise_m2ps3 * kFrame_s) * normal2();
     const MotionFilter<2>::Axis other_mps =
         std::sqrt(kProcessNoise_m2ps3 * kFrame_s / 12) * normal2();
@@ -91,7 +91,7 @@ TEST(MotionFilter, IsSurprisedAsOftenAsItsNoiseSays) {
   EXPECT_NEAR(share, std::exp(-4.0), 5 * std::sqrt(std::exp(-4.0) / kDetections));
 }
 
-TEST(MotionFilter, LearnsAInflatedVelocityFromOneDetection) {
+TEST(MotionFilter, LearnsTheVelocityFromOneDetectionAfterInflation) {
   MotionFilter<1> filter({0.0001, 0.1, 8.0});
   filter.start(Axis(0));
   for (int i = 0; i < 30; ++i) {

@@ -1,5 +1,5 @@
-// Kicks of balls as the league's simulators model them, and what vision without heights sees of
-// them.
+// Kicks simulated with the ball models of the league's simulators, and the detections of vision
+// without heights.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace autoref {
 
 inline constexpr double kCameraHeight_m = 4_m;
 
-// How balls slow down and hop in the league's simulators.
+// How balls decelerate and bounce in the league's simulators.
 struct BallModel {
   double slide_mps2, roll_mps2, rolls_below, along_first, along_later, upwards;
 };
@@ -51,7 +51,7 @@ inline double rolled_m(const Kick& kick, double t) {
          m.roll_mps2 / 2 * rolls_s * rolls_s;
 }
 
-// A flight, hops, and a ball that then goes on evenly.
+// A flight, bounces, and then a ball at constant velocity.
 inline Truth flight_at(const Kick& kick, double t) {
   double along_m = 0;
   double speed = kick.speed_mps;
@@ -76,7 +76,7 @@ inline Truth truth_at(const Kick& kick, double time_s) {
   return {kick.from_m + kick.along * rolled_m(kick, t), 0};
 }
 
-// Seen by the camera over the ball's quarter of a field of 9 x 6 m.
+// As detected by the camera above the ball's quarter of a 9 x 6 m field.
 inline BallDetection seen(const Truth& truth, double time_s) {
   const Vec2 camera(truth.position_m.x() < 0 ? -2.25 : 2.25, truth.position_m.y() < 0 ? -1.5 : 1.5);
   const double stretch = kCameraHeight_m / (kCameraHeight_m - truth.height_m);
@@ -124,7 +124,8 @@ inline Kick chip_inside_the_field(RandomStream& chance) {
   throw std::logic_error("no chip lands inside the field");
 }
 
-// Feeds one kick to an estimator, at 60 Hz; calls `look(time, truth, estimate)` at each detection.
+// Feeds one kick to an estimator at 60 Hz and calls `look(time, truth, estimate)` at each
+// detection.
 template <class Look>
 void follow(const Kick& kick, Vision& vision, double until_s, Look look) {
   ChipFlight flight(vision.noise_m);

@@ -20,20 +20,20 @@ Frame frame_at(int number, const Vec2& robot_m, const Vec2& ball_m) {
   return frame;
 }
 
-TEST(Tracker, TellsVelocitiesFromTwoDetections) {
+TEST(Tracker, EstimatesVelocitiesFromTwoDetections) {
   Tracker tracker;
   tracker.update(frame_at(0, {0, 0}, {1, 0}));
   const Tracks& tracks = tracker.update(frame_at(1, {0.02, 0}, {1, -0.1}));
   const TrackedRobot& robot = tracks.robots[Side::kWest][0];
   EXPECT_EQ(robot.number, 3);
-  // Beginning at rest, not quite: the noise of a detection is never taken to be nothing.
+  // Not exactly, since it starts at rest and assumes a minimum detection noise.
   EXPECT_LT((robot.velocity_mps - Vec2(1.2, 0)).norm(), 0.01);
   EXPECT_NEAR(robot.angular_velocity_radps, 3.0, 0.03);
   EXPECT_LT((tracks.ball->velocity_mps - Vec2(0, -6)).norm(), 0.01);
   EXPECT_EQ(tracks.ball->height_m, 0.25);
 }
 
-TEST(Tracker, ChangesNothingForAFrameFedAgain) {
+TEST(Tracker, IgnoresARepeatedFrame) {
   Tracker tracker;
   tracker.update(frame_at(0, {0, 0}, {1, 0}));
   const Frame frame = frame_at(1, {0.02, 0}, {1, -0.1});
@@ -43,7 +43,7 @@ TEST(Tracker, ChangesNothingForAFrameFedAgain) {
   EXPECT_EQ(twice.ball->position_m, once.ball->position_m);
 }
 
-TEST(Tracker, MeasuresOverAGapInTheDetections) {
+TEST(Tracker, EstimatesVelocityAcrossAGap) {
   Tracker tracker;
   tracker.update(frame_at(0, {0, 0}, {0, 0}));
   Frame blind = frame_at(1, {0, 0}, {0, 0});
@@ -53,7 +53,7 @@ TEST(Tracker, MeasuresOverAGapInTheDetections) {
   EXPECT_NEAR(tracks.ball->velocity_mps.x(), 3.0, 0.02);
 }
 
-TEST(Tracker, HoldsAnUnseenRobotForHalfASecondOnItsWay) {
+TEST(Tracker, ExtrapolatesAnUnseenRobotForHalfASecond) {
   Tracker tracker;
   for (int i = 0; i <= 10; ++i) tracker.update(frame_at(i, {0.02 * i, 0}, {0, 0}));
   for (int i = 11; i <= 40; ++i) {
@@ -69,7 +69,7 @@ TEST(Tracker, HoldsAnUnseenRobotForHalfASecondOnItsWay) {
   EXPECT_EQ(tracker.update(blind).robots[Side::kWest].size(), 0U);
 }
 
-// Detections as the preset `realistic` has them, of a robot and a ball that go on evenly.
+// Detections of a robot and a ball at constant velocity, with the noise of the preset `realistic`.
 TEST(Tracker, IsMuchBetterThanTheDifferenceOfTwoNoisyDetections) {
   const VisionNoise noise{0.0014, 0.0013, 0.01};
   Tracker tracker(noise);
@@ -94,14 +94,14 @@ TEST(Tracker, IsMuchBetterThanTheDifferenceOfTwoNoisyDetections) {
     ball_mps2 += (tracks.ball->velocity_mps - Vec2(3.0 - 0.3 * t_s, 0)).squaredNorm();
     robot_mps2 += (tracks.robots[Side::kWest][0].velocity_mps - Vec2(1.5, 0)).squaredNorm();
   }
-  // A difference of two detections has a deviation of noise times 60 times two. The ball, whose
-  // friction is known, is told four times as well, a robot two and a half times.
+  // Differencing two detections has a deviation of noise times 60 times two. The estimate is four
+  // times as good for the ball, whose friction is known, and two and a half times for a robot.
   EXPECT_LT(std::sqrt(ball_mps2 / (kFrames - kSettled)), noise.ball_m * 120 / 4);
   EXPECT_LT(std::sqrt(robot_mps2 / (kFrames - kSettled)), noise.robot_m * 120 / 2.5);
 }
 
-// A kick of 6 m/s seen with noise: the ball slides, then rolls, as the league's balls do.
-TEST(BallTracker, KnowsAKickAfterTwoFramesAndFollowsItsSlide) {
+// A kick at 6 m/s seen with noise: the ball slides, then rolls, as the league's balls do.
+TEST(BallTracker, DetectsAKickWithinTwoFramesAndFollowsItsSlide) {
   BallTracker tracker(0.0014);
   RandomStream random(6);
   const PerSide<TrackedRobots> nobody;
@@ -117,7 +117,7 @@ TEST(BallTracker, KnowsAKickAfterTwoFramesAndFollowsItsSlide) {
     seen.position_m.x() += 0.0014 * random.normal();
     seen.position_m.y() += 0.0014 * random.normal();
     const auto& ball = tracker.update(t_s + 1.0, seen, nobody);
-    // Before the kick noise is no motion, and two frames after it its speed is known.
+    // Before the kick noise is not taken for motion, and two frames after it the speed is known.
     const double error_mps = (ball->velocity_mps - Vec2(speed_mps, 0)).norm();
     worst_at_rest_mps = std::max(worst_at_rest_mps, i > -30 && i < 0 ? error_mps : 0);
     worst_soon_mps = std::max(worst_soon_mps, i >= 2 ? error_mps : 0);
@@ -128,7 +128,7 @@ TEST(BallTracker, KnowsAKickAfterTwoFramesAndFollowsItsSlide) {
   EXPECT_LT(worst_later_mps, 0.2);
 }
 
-TEST(BallTracker, LetsAnUnseenBallRollOnForHalfASecond) {
+TEST(BallTracker, ExtrapolatesAnUnseenBallForHalfASecond) {
   BallTracker tracker(0);
   const PerSide<TrackedRobots> nobody;
   for (int i = 0; i <= 30; ++i) {
@@ -144,7 +144,7 @@ TEST(BallTracker, LetsAnUnseenBallRollOnForHalfASecond) {
   EXPECT_EQ(ball->velocity_mps, Vec2(0, 0));
 }
 
-TEST(BallTracker, CarriesAHiddenBallAlongWithTheRobotAtWhoseFrontItWas) {
+TEST(BallTracker, MovesAnOccludedBallWithTheRobotThatHeldIt) {
   BallTracker tracker(0);
   PerSide<TrackedRobots> robots;
   robots[Side::kEast].push_back({7, {1, 0}, {0, 1}, {0, 0}, 0});
@@ -161,7 +161,7 @@ TEST(BallTracker, CarriesAHiddenBallAlongWithTheRobotAtWhoseFrontItWas) {
   }
 }
 
-TEST(TeamView, TurnsTheFieldForTheEasternTeamOnly) {
+TEST(TeamView, RotatesTheFieldForTheEasternTeamOnly) {
   Tracker tracker;
   const Tracks& tracks = tracker.update(frame_at(0, {1, 0.5}, {2, -1}));
   RefereeSignal signal;
