@@ -7,8 +7,9 @@
 
 namespace autoref::sim {
 
-// With friction a, a ball without spin slides as v - a t, its surface as inertia * a t; they meet
-// at v * inertia / (1 + inertia), which is to be switch_ratio * v. (A solid ball: 2.5, or 5/7.)
+// With deceleration a, a ball without spin slides at v - a t while its surface speed grows as
+// inertia * a t; they meet at v * inertia / (1 + inertia), which must equal switch_ratio * v.
+// (Solid sphere: inertia 2.5, ratio 5/7.)
 Ball::Ball(const BallParameters& parameters)
     : parameters_(parameters),
       inertia_(parameters.switch_ratio / (1.0 - parameters.switch_ratio)) {}
@@ -49,7 +50,7 @@ Vec2 Ball::slowed(const Vec2& velocity_mps, double duration_s) {
     spin_mps_ += inertia_ * change_mps;
     return velocity_mps - change_mps;
   }
-  // What sliding keeps: inertia * velocity + spin.
+  // Sliding friction conserves inertia * velocity + spin.
   const Vec2 rolling_mps = (inertia_ * velocity_mps + spin_mps_) / (1.0 + inertia_);
   const double speed = rolling_mps.norm();
   const double left = speed - parameters_.roll_mps2 * duration_s;

@@ -1,4 +1,4 @@
-// How the league's simulators model the ball, so that results can be compared with theirs.
+// The ball models of the league's simulators, for comparing results with theirs.
 #pragma once
 
 #include <optional>
@@ -10,12 +10,12 @@
 
 namespace autoref::sim {
 
-// Sets the numbers of the two-phase model and of the hops to those of the preset; leaves the
-// others (rest_mps, rolls_below_hop_m, net_mps2) alone. Throws std::invalid_argument that names
-// the known presets.
+// Sets the parameters of the two-phase model and of the bounces to the preset's; leaves the others
+// (rest_mps, rolls_below_hop_m, net_mps2) unchanged. Throws std::invalid_argument, listing the
+// known presets, if the name is unknown.
 void apply_ball_preset(std::string_view name, BallParameters& ball);
 
-// The preset whose numbers these are; none where some were changed.
+// The preset with these parameters; nullopt if some differ from every preset.
 std::optional<std::string> ball_preset_of(const BallParameters& ball);
 
 std::vector<std::string> ball_preset_names();

@@ -7,7 +7,8 @@
 namespace autoref::sim {
 namespace {
 
-// The first share of the way from `from_m` to `to_m` at which it is `near_m` from the origin.
+// The first fraction of the segment from `from_m` to `to_m` at which the distance to the origin is
+// `near_m`.
 std::optional<double> collision(const Vec2& from_m, const Vec2& to_m, double near_m) {
   const Vec2 path_m = to_m - from_m;
   const double towards = -from_m.dot(path_m);
@@ -26,7 +27,7 @@ std::optional<double> collision(const Vec2& from_m, const Vec2& to_m, double nea
 std::optional<BallState> bounced_off_bar(const Field& field, double restitution,
                                          const BallState& former, const BallState& now) {
   if (std::abs(now.position_m.y()) > field.half_goal_m()) return std::nullopt;
-  // Seen from the side, along the bar: x as on the field, then the height.
+  // Side view along the bar: x as on the field, then the height.
   const Vec2 bar_m(
       std::copysign(field.half_length_m() + field.goal_bar_radius_m, now.position_m.x()),
       field.goal_opening_height_m + field.goal_bar_radius_m);

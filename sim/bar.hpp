@@ -1,4 +1,4 @@
-// The bar over a goal's mouth, which a flying ball may hit.
+// The crossbar of a goal, which a flying ball may hit.
 #pragma once
 
 #include <optional>
@@ -8,10 +8,10 @@
 
 namespace autoref::sim {
 
-// A round bar from post to post above the goal's opening (Laws 2014, law 1). The state of a flying
-// ball that meets it between two states less than a frame apart: at the place where they meet,
-// thrown back along the line between their middles. Nothing where it does not meet the bar.
-// `restitution` is the share of the closing speed that is left.
+// Collides a flying ball with the bar, which is round and runs from post to post above the goal's
+// opening (Laws 2014, law 1). The two given states are less than a frame apart. Returns the ball's
+// state at the point of contact, reflected along the line between the centres; nullopt if it misses
+// the bar. `restitution`: ratio of separation to closing speed.
 std::optional<BallState> bounced_off_bar(const Field& field, double restitution,
                                          const BallState& former, const BallState& now);
 

@@ -25,7 +25,8 @@ constexpr float kKick_mps = 6.0F;
 
 b2Vec2 units(float x_m, float y_m) { return {x_m * kScale, y_m * kScale}; }
 
-// A disc of 90 mm with a front cut off flat at 75 mm, as the eight vertices that Box2D allows.
+// A disc of radius 90 mm with its front cut off flat at 75 mm, as the eight vertices that Box2D
+// allows.
 b2PolygonShape robot_shape() {
   constexpr double kFrontCorner_rad = 0.58568554;  // acos(75 / 90)
   constexpr double kArc_rad = 2 * (kPi - kFrontCorner_rad);
@@ -68,7 +69,7 @@ class BareBox2dBenchmark::Impl {
     ground.CreateFixture(&shape, 0);
   }
 
-  // Four walls and two goals of three edges.
+  // Four walls, and two goals of three edges each.
   void add_edges() {
     const b2BodyDef definition;
     b2Body& ground = *world_.CreateBody(&definition);
@@ -136,7 +137,7 @@ class BareBox2dBenchmark::Impl {
     return b2Abs(p.x) > kHalfLength_m * kScale || b2Abs(p.y) > kHalfWidth_m * kScale;
   }
 
-  // Beyond the lines no robot would ever reach it again.
+  // Robots could never reach it again beyond the lines.
   void place_ball_at_centre() {
     ball_->SetTransform(b2Vec2(0, 0), 0);
     ball_->SetLinearVelocity(b2Vec2(0, 0));

@@ -1,9 +1,10 @@
-// A fixed Box2D scene to measure whole games against: what bare physics of this size costs.
+// A fixed Box2D scene as the baseline for the speed of whole games: the cost of bare physics of
+// this size.
 //
 // 12 robots of eight vertices with a flat front on a 9 x 6 m field, velocities set each 60 Hz frame
 // towards random targets, one bullet ball that is kicked when reached, 10 static edges, 8 velocity
-// and 3 position iterations, 240 Hz, 10 units a metre, no clock reads. It must never change: its
-// only use is that figures stay comparable.
+// and 3 position iterations, 240 Hz, 10 units per metre, no clock reads. It must never change, so
+// that measurements stay comparable.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +22,7 @@ class BareBox2dBenchmark {
   // One 60 Hz frame: four steps of the world.
   void step_frame();
 
-  // Changes with every body's place, so that no compiler leaves the work out.
+  // Depends on every body's position, so that the compiler cannot optimise the simulation away.
   double checksum_m() const;
 
  private:

@@ -9,8 +9,8 @@
 #include "soccer/robot_shape.hpp"
 #include "soccer/trigonometry.hpp"
 
-// Box2D reads the clock many times a step to profile itself, which costs some 40 % of the step
-// (measured). The shared library finds these definitions first, and its clock stands still.
+// Box2D reads the clock many times per step to profile itself, which takes about 40 % of the step
+// (measured). These definitions, a clock that stands still, override the shared library's.
 b2Timer::b2Timer() { Reset(); }
 void b2Timer::Reset() {
   m_start_sec = 0;
@@ -25,16 +25,16 @@ using namespace box2d;
 
 static_assert(b2_maxTranslation == to_units(kLongestStep_m));
 
-// Box2D's usual figures.
+// Box2D's recommended values.
 constexpr int kVelocityIterations = 8;
 constexpr int kPositionIterations = 3;
 
-// Only the ball meets plates, and plates all over the field cost a quarter of a step. So a robot
-// has one while the ball is near: nearer than the two can come together in a step of 1/60 s.
+// Only the ball collides with plates, and giving every robot one costs a quarter of a step. So a
+// robot has a plate only while the ball is nearer than the two can close in a step of 1/60 s.
 constexpr double kPlateOn_m = 350_mm;
 constexpr double kPlateOff_m = 500_mm;
 
-// Decides what a contact between ball and robot does, and remembers it.
+// Decides and records what a contact between ball and robot does.
 class BallContacts final : public b2ContactListener {
  public:
   explicit BallContacts(const ContactParameters& parameters)
@@ -65,7 +65,7 @@ class BallContacts final : public b2ContactListener {
 
   boost::container::static_vector<int, 2 * kMaxRobots> touching;
   boost::container::static_vector<BodyCollision, 64> collisions;
-  std::uint32_t dribbling = 0;  // a bit per robot
+  std::uint32_t dribbling = 0;  // one bit per robot
 
  private:
   static int index_of(b2Body& robot) { return static_cast<int>(robot.GetUserData().pointer) - 1; }
@@ -79,7 +79,7 @@ class BallContacts final : public b2ContactListener {
             {from_units(one.GetPosition()), from_units(other.GetPosition())}};
   }
 
-  // Before the plate, the round hull is cut off: there only the plate counts.
+  // The round hull is cut off in front of the plate: only the plate counts there.
   static bool is_before_plate(const b2Body& robot, const b2Body& ball) {
     const b2Vec2 p = robot.GetLocalPoint(ball.GetPosition());
     return p.x > 0.0F && std::abs(p.y) * to_units(kFrontDistance_m) < p.x * to_units(kHalfPlate_m);
@@ -98,7 +98,7 @@ class BallContacts final : public b2ContactListener {
     }
   }
 
-  // Restitutions.
+  // Restitution coefficients.
   float body_;
   float plate_;
   float dribbling_plate_;
@@ -119,7 +119,8 @@ struct Box2dBridge::Bodies {
   Surfaces surfaces;
   std::array<b2Body*, 2 * kMaxRobots> robots{};
   std::array<b2Fixture*, 2 * kMaxRobots> plates{};  // of the robots near the ball
-  // What push_robot leaves for after the step: Box2D moves a body at the speed it has at the end.
+  // The second half of each push_robot force, applied after the step: Box2D moves a body at its
+  // speed at the end of the step.
   std::array<b2Vec2, 2 * kMaxRobots> half_forces;
   std::array<float, 2 * kMaxRobots> half_torques{};
   b2Body* ball = nullptr;
@@ -219,7 +220,7 @@ void Box2dBridge::fit_plates() {
     } else if (plate != nullptr && apart2_m2 > kPlateOff_m * kPlateOff_m) {
       body.DestroyFixture(plate);
       plate = nullptr;
-      set_robot_mass(body, masses_kg_[index]);  // Box2D has just worked it out anew, from nothing
+      set_robot_mass(body, masses_kg_[index]);  // Box2D has just recomputed it from the fixtures
     }
   }
 }
@@ -236,7 +237,7 @@ void Box2dBridge::step(double duration_s) {
   read_ball();
 }
 
-// The other half of a push, when the step has moved the robot.
+// Applies the second half of a push after the step has moved the robot.
 void Box2dBridge::push_on(int index, float duration_s) {
   const auto i = static_cast<std::size_t>(index);
   b2Vec2& force = bodies_->half_forces[i];
@@ -258,7 +259,7 @@ std::span<const BodyCollision> Box2dBridge::collisions() const {
 
 void Box2dBridge::read_robot(int index) {
   b2Body* body = bodies_->robots[static_cast<std::size_t>(index)];
-  // A float angle loses precision as a robot turns on and on.
+  // A float angle loses precision as it grows.
   if (std::abs(body->GetAngle()) > 16.0F) {
     const double angle_rad = wrap_angle(static_cast<double>(body->GetAngle()));
     body->SetTransform(body->GetPosition(), static_cast<float>(angle_rad));

@@ -6,8 +6,8 @@
 namespace autoref::sim::box2d {
 namespace {
 
-constexpr double kSkin_m = b2_polygonRadius / kUnitsPerMetre;  // Box2D's hull around polygons
-constexpr double kWallThickness_m = 1_m;  // of the walls around: too thick to be pushed through
+constexpr double kSkin_m = b2_polygonRadius / kUnitsPerMetre;  // Box2D's skin around polygons
+constexpr double kWallThickness_m = 1_m;  // of the outer walls: thick enough to prevent tunnelling
 
 b2FixtureDef fixture(const b2Shape& shape, const Surfaces& surfaces, std::uint16_t category,
                      int mask, float restitution) {
@@ -21,7 +21,7 @@ b2FixtureDef fixture(const b2Shape& shape, const Surfaces& surfaces, std::uint16
   return definition;
 }
 
-// A box from corner to corner, its skin included.
+// A box between two corners, including its skin.
 b2PolygonShape box(const Vec2& low_m, const Vec2& high_m) {
   b2PolygonShape shape;
   const Vec2 half = (high_m - low_m) / 2.0 - Vec2(kSkin_m, kSkin_m);
@@ -61,8 +61,8 @@ void add_end(b2Body& ground, const Surfaces& surfaces, const Field& field, doubl
   const double inner = field.half_goal_m();
   const double outer = inner + field.goal_wall_thickness_m;
   const auto at = [sign](double x, double y) { return Vec2(sign * x, sign * y); };
-  // The walls overlap at the corners, and none ends flush with the other's face: a ball along a
-  // wall would catch in the groove between two rounded edges there.
+  // The walls overlap at the corners, and none ends flush with another's face: a ball rolling along
+  // a wall would catch in the groove between two rounded edges.
   const double end = outside - kSkin_m;
   const double back_half = outer - kSkin_m;
   add_box(ground, surfaces, at(line, inner), at(end, outer), kGoals, surfaces.wall);

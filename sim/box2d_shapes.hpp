@@ -1,4 +1,4 @@
-// The bodies' shapes, masses and surfaces, in Box2D's terms. For box2d_bridge.cpp alone.
+// The bodies' shapes, masses and surfaces in Box2D's terms. Only for box2d_bridge.cpp.
 #pragma once
 
 #include <box2d/box2d.h>
@@ -20,25 +20,26 @@ inline Vec2 from_units(const b2Vec2& v) {
   return {static_cast<double>(v.x) / kUnitsPerMetre, static_cast<double>(v.y) / kUnitsPerMetre};
 }
 
-// What a fixture is, for the filter of contacts.
+// Category of a fixture, for contact filtering.
 enum Category : std::uint16_t { kRobots = 1, kPlates = 2, kBall = 4, kWalls = 8, kGoals = 16 };
 
-// What fixtures are given of the contacts' parameters. Box2D takes a pair's greater restitution;
-// that of a ball and a robot is decided at the contact.
+// The contact parameters used by fixtures. Box2D uses the greater restitution of a pair; for ball
+// and robot it is decided at the contact.
 struct Surfaces {
   explicit Surfaces(const ContactParameters& contacts);
 
-  float robot;  // restitutions
+  float robot;  // restitution coefficients
   float wall;
   float net;
   float friction;
-  float bounces_from;  // speed in units
+  float bounces_from;  // minimum speed of a bounce, in units
 };
 
-// Walls and goal at the end where x has this sign. Made for one end and turned for the other.
+// Adds walls and goal at the end where x has this sign. Shapes are built for one end and rotated
+// for the other.
 void add_end(b2Body& ground, const Surfaces& surfaces, const Field& field, double sign);
 
-// A robot without its plate. Its user data is `index` + 1.
+// Adds a robot without its plate. Its user data is `index` + 1.
 b2Body* add_robot(b2World& world, const Surfaces& surfaces, double mass_kg, int index);
 void set_robot_mass(b2Body& body, double mass_kg);
 b2Fixture* add_plate(b2Body& robot, const Surfaces& surfaces);

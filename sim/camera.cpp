@@ -20,7 +20,8 @@ Vec2 rounded_heading(const Vec2& heading, double noise_rad) {
   return heading_of(static_cast<double>(static_cast<float>(angle_of(heading) + noise_rad)));
 }
 
-// Where the camera's ray through the ball's middle meets the height of a lying ball's.
+// Where the camera's ray through the ball's centre intersects the plane of the centre of a ball on
+// the carpet.
 Vec2 seen_before_carpet(const BallState& ball, const CameraPosition& camera) {
   const double below_m = camera.height_m - kBallRadius_m;
   return camera.position_m +
@@ -50,7 +51,7 @@ bool hides_ball(const RobotState& robot, const Vec2& ball_m, double height_m,
                 const CameraPosition& camera) {
   const double middle_m = height_m + kBallRadius_m;
   if (middle_m >= kRobotHeight_m) return false;
-  // From there on the ray to the camera is above the robots.
+  // From that point on the ray to the camera is above the robots.
   const double over_robots = (kRobotHeight_m - middle_m) / (camera.height_m - middle_m);
   return meets_hull(ball_m, ball_m + (camera.position_m - ball_m) * over_robots, robot.position_m,
                     robot.heading);
@@ -103,7 +104,7 @@ void Camera::look_at_ball(const WorldState& world, Frame& frame) {
   frame.ball->position_m = rounded(with_noise(position_m, parameters_.ball_noise_m));
 }
 
-// The nearest of the cameras that have the ball in sight; null where none has.
+// The nearest camera with a clear view of the ball; nullptr if there is none.
 const CameraPosition* Camera::find_view(const WorldState& world) const {
   const CameraPosition* nearest = nullptr;
   double nearest_m2 = 0.0;
@@ -119,7 +120,7 @@ const CameraPosition* Camera::find_view(const WorldState& world) const {
 }
 
 bool Camera::covers(const CameraPosition& camera, const BallState& ball) const {
-  // What is beyond the lines is on the outer side of the camera, and in its sight.
+  // Beyond the lines, on the outer side of a camera, everything is in its view.
   const Vec2 inwards_m =
       ball.position_m.cwiseProduct(-camera.position_m.cwiseSign()) + camera.position_m.cwiseAbs();
   if (inwards_m.x() > sees_beside_m_.x() || inwards_m.y() > sees_beside_m_.y()) return false;

@@ -1,4 +1,4 @@
-// From the world's truth to what vision reports.
+// Converts ground truth to what vision reports.
 #pragma once
 
 #include <array>
@@ -12,24 +12,26 @@
 
 namespace autoref::sim {
 
-// The league's four cameras, so high above the middles of the field's quarters.
+// The positions of the league's four cameras, at height_m above the centres of the field's
+// quarters.
 std::array<CameraPosition, 4> camera_positions(const Field& field, double height_m);
 
-// Whether the robot stands between the camera and the middle of a ball whose lowest point is at
-// `height_m`. Robots are as high all over their outline as their cover.
+// Whether the robot occludes, for the camera, the centre of a ball whose lowest point is at
+// `height_m`. A robot has its full height everywhere within its outline.
 bool hides_ball(const RobotState& robot, const Vec2& ball_m, double height_m,
                 const CameraPosition& camera);
 
-// Takes one frame per frame, put together from four cameras: each sees its quarter and
-// camera_overlap_m beyond. Values are rounded to what a league vision packet holds (float
-// millimetres and radians), so that a recorded game shows the same as the live one.
+// Takes one merged frame of four cameras per step; each camera covers its quarter and
+// camera_overlap_m beyond. Values are rounded to the precision of a league vision packet (float
+// millimetres and radians), so that replaying a recorded game gives the same result as the live
+// one.
 class Camera {
  public:
-  // `seed` names the stream of noise and misses.
+  // `seed` selects the random stream for noise and missed detections.
   Camera(const VisionParameters& parameters, const Field& field, double frame_rate_hz,
          std::uint64_t seed);
 
-  // Fills `frame` in place: nothing is allocated.
+  // Fills `frame` in place; allocates nothing.
   void look(const WorldState& world, Frame& frame);
 
  private:
@@ -42,7 +44,7 @@ class Camera {
 
   VisionParameters parameters_;
   std::array<CameraPosition, 4> cameras_;
-  Vec2 sees_beside_m_;  // how far each sees along x and y from its own place
+  Vec2 sees_beside_m_;  // half extents of a camera's view along x and y
   double frame_rate_hz_;
   RandomStream chance_;
 };

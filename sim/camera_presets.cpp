@@ -14,9 +14,9 @@ struct CameraPreset {
   double latency_s;
 };
 
-// The paper's simulator reported the truth (section 3). The others are the kinds of realism of
-// ER-Force's simulator, whose robots hide the ball in all but the ideal one. Latencies are from
-// camera to team, plus those of deciding and of the radio.
+// The paper's simulator reported ground truth (section 3). The others match the realism levels of
+// ER-Force's simulator, where robots occlude the ball at every level except the ideal one.
+// Latencies include camera, vision, the team's decision and radio.
 constexpr std::array kCameraPresets = {
     CameraPreset{"paper", {0, 0, 0, 0, 0, true, false}, 0, 35_ms + 5_ms},
     CameraPreset{"none", {0, 0, 0, 0, 0, false, false}, 0, 35_ms + 5_ms},

@@ -1,4 +1,4 @@
-// Kinds of vision and radio by name, so that results can be compared with other simulators'.
+// Vision and radio presets, for comparing results with other simulators.
 #pragma once
 
 #include <optional>
@@ -10,11 +10,11 @@
 
 namespace autoref::sim {
 
-// Sets vision, the radio's losses and the latency to those of the preset; leaves the rest alone.
-// Throws std::invalid_argument that names the known presets.
+// Sets vision, radio losses and latency to the preset's; leaves the rest unchanged. Throws
+// std::invalid_argument, listing the known presets, if the name is unknown.
 void apply_camera_preset(std::string_view name, Configuration& configuration);
 
-// The preset whose numbers these are; none where some were changed.
+// The preset with these parameters; nullopt if some differ from every preset.
 std::optional<std::string> camera_preset_of(const Configuration& configuration);
 
 std::vector<std::string> camera_preset_names();

@@ -80,7 +80,7 @@ void validate(const DribblerParameters& dribbler) {
 }
 
 void validate(const LineUpParameters& line_up) {
-  // Eight robots in a row have room on the smallest field as well.
+  // Eight robots must fit in a row on the smallest field, too.
   check_range("line_up.gap_m", line_up.gap_m, 0.19, 1.0);
   check_range("line_up.from_halfway_line_m", line_up.from_halfway_line_m, 0.1, 0.35);
   check_range("line_up.from_touch_line_m", line_up.from_touch_line_m, 0.1, 0.5);
@@ -88,7 +88,7 @@ void validate(const LineUpParameters& line_up) {
 }
 
 void validate(const RobotParameters& robot) {
-  check_range("robot.mass_kg", robot.mass_kg, 0.001, 100.0);  // Box2D takes none for 1 kg
+  check_range("robot.mass_kg", robot.mass_kg, 0.001, 100.0);  // Box2D replaces a mass of 0 by 1 kg
   check_range("robot.speed_mps", robot.speed_mps, 0.01, 20.0);
   check_positive("robot.acceleration_mps2", robot.acceleration_mps2);
   check_positive("robot.braking_mps2", robot.braking_mps2);
@@ -163,10 +163,10 @@ void validate(const PerSide<TeamSpec>& specs) {
 }
 
 void validate(const Field& field) {
-  // Smaller fields have no room for 16 robots a side, larger ones do not fit Box2D's scale.
+  // Smaller fields have no room for 16 robots per side, larger ones exceed Box2D's range of sizes.
   check_range("field.length_m", field.length_m, 4.0, 30.0);
   check_range("field.width_m", field.width_m, 2.0, 20.0);
-  // Balls and robots go around a goal behind the goal line.
+  // Leaves room for balls and robots behind a goal.
   check_range("field.run_off_m", field.run_off_m,
               field.goal_depth_m + field.goal_wall_thickness_m + 0.2, 5.0);
   check_range("field.goal_width_m", field.goal_width_m, 0.2, field.width_m - 0.4);
@@ -177,7 +177,7 @@ void validate(const Field& field) {
   check_range("field.line_width_m", field.line_width_m, 0.0, 0.05);
   check_range("field.centre_circle_radius_m", field.centre_circle_radius_m, 0.1,
               field.half_width_m());
-  // Between the two areas there must be room for a neutral place (Laws: 700 mm from both).
+  // There must be room for a neutral spot between the two areas (Laws: 700 mm from both).
   check_range("field.defence_area.depth_m", field.defence_area.depth_m, 0.1,
               field.half_length_m() - 0.8);
   check_range("field.defence_area.straight_m", field.defence_area.straight_m, 0.0,

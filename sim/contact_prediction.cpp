@@ -9,7 +9,7 @@ namespace autoref::sim {
 namespace {
 
 constexpr double kSpare_m = 5_mm;    // well above Box2D's slop of half a millimetre
-constexpr double kGentle_mps = 0.5;  // robots that meet at less may do so in longer steps
+constexpr double kGentle_mps = 0.5;  // slower robot collisions may happen in longer steps
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// Whether physics may take a longer step, because nothing can meet anything before its end.
+// Decides whether physics may take a longer step because no contact can occur within it.
 #pragma once
 
 #include "sim/box2d_bridge.hpp"
@@ -8,17 +8,17 @@
 
 namespace autoref::sim {
 
-// A look ahead over a stretch of `duration_s`. It takes everything to move on as it does; what
-// the limits of acceleration let a robot stray from that is allowed for.
+// Looks `duration_s` ahead. Assumes constant velocities, with margins for what the acceleration
+// limits let a robot deviate from them.
 class ContactPrediction {
  public:
   ContactPrediction(const Field& field, const PerSide<TeamSpec>& specs, double duration_s);
 
-  // Whether the ball on the carpet stays away from every robot's hull and mouth, from walls and
-  // goals, and the robots from walls, goals and each other. Robots that touch or meet gently do no
-  // harm: longer steps show the same (tests/sim/contact_prediction_test.cpp). A ball in ball
-  // placement meets no robot, and a robot that is off meets nothing. What is too fast for one step
-  // of Box2D is not calm. `robots` counts those of the bridge.
+  // Whether the ball on the carpet stays away from every robot's hull and dribbler zone, from walls
+  // and goals, and the robots from walls, goals and each other. Robots that touch or collide gently
+  // are allowed: longer steps give the same result (tests/sim/contact_prediction_test.cpp). A ball
+  // in ball placement collides with no robot, and a disabled robot with nothing. Returns false if
+  // something is too fast for one Box2D step. `robots` is the bridge's number of robots.
   bool is_contact_free(const Box2dBridge& bodies, int robots, bool is_ball_held) const;
 
  private:
@@ -29,7 +29,7 @@ class ContactPrediction {
   Field field_;
   double duration_s_;
   double margin_m_;             // around each body
-  double dribbler_zone_m_ = 0;  // how far before a plate kicker and dribbler reach
+  double dribbler_zone_m_ = 0;  // reach of kicker and dribbler in front of a plate
 };
 
 }  // namespace autoref::sim

@@ -7,10 +7,10 @@
 namespace autoref::sim {
 namespace {
 
-// A ball that is held comes to the middle by this share of the way in each sub-step.
+// Fraction of the distance to the centre that a held ball is moved per sub-step.
 constexpr double kCentringShare = 0.25;
 
-// From the ball to where it rests against the plate's middle.
+// From the ball to its resting position at the plate's centre.
 Vec2 path_to_rest_m(const BodyState& robot, const Vec2& arm_m) {
   return robot.heading * (kFrontDistance_m + kBallRadius_m) - arm_m;
 }
@@ -22,7 +22,7 @@ Vec2 pull_n(const DribblerParameters& parameters, const BodyState& robot, const 
          parameters.damping_nspm * (there_mps - ball.velocity_mps);
 }
 
-// In a sub-step the plate's place goes along an arc; the ball follows along its chord.
+// Within a sub-step the plate moves along an arc; the ball follows its chord.
 Vec2 hold_n(const DribblerParameters& parameters, const BodyState& robot, const BodyState& ball,
             double ball_mass_kg, double duration_s) {
   const Vec2 arm_m = ball.position_m - robot.position_m;

@@ -7,13 +7,13 @@
 
 namespace autoref::sim {
 
-// The force in newtons, in the field's frame, with which a running dribbler acts during the next
-// `duration_s` on a ball in its mouth; zero for a ball out of reach. It is never more than force_n.
+// The force in newtons, in field coordinates, of a running dribbler on a ball in its dribbler zone
+// during the next `duration_s`; zero if the ball is out of reach. Its magnitude is at most force_n.
 //
-// A roller pulls the ball to the plate's middle and slows it relative to the plate, so that hard
-// turns and sideways jerks lose it. One that holds takes all of the ball's motion relative to the
-// plate at once, and brings it to the middle at centring_mps at most: the ball never gets faster
-// than the plate by more than that.
+// An ordinary dribbler pulls the ball towards the plate's centre and damps its motion relative to
+// the plate, so hard turns and sideways jerks lose it. A holding one cancels all relative motion at
+// once and centres the ball at centring_mps at most, so the ball never gets faster than the plate
+// by more than that.
 Vec2 dribbler_force_n(const DribblerParameters& parameters, const BodyState& robot,
                       const BodyState& ball, double ball_mass_kg, double ball_height_m,
                       double duration_s);

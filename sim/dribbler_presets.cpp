@@ -12,7 +12,7 @@ struct DribblerPreset {
   DribblerParameters numbers;
 };
 
-// 100 N stop a ball of 46 g at 8 m/s, the fastest, within a sub-step of 1/240 s.
+// 100 N stop a ball of 46 g at 8 m/s, the maximum, within a sub-step of 1/240 s.
 constexpr std::array kDribblerPresets = {DribblerPreset{"default", {}},
                                          DribblerPreset{"perfect", {100.0, 10_mm, true}}};
 

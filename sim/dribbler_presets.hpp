@@ -1,4 +1,4 @@
-// Dribblers by name.
+// Dribbler presets.
 #pragma once
 
 #include <optional>
@@ -10,11 +10,12 @@
 
 namespace autoref::sim {
 
-// Sets all numbers to those of the preset: `default` loses the ball in hard motion, `perfect` keeps
-// it in every motion of its robot. Throws std::invalid_argument that names the known presets.
+// Sets all parameters to the preset's: `default` loses the ball in hard motion, `perfect` keeps it
+// in any motion of its robot. Throws std::invalid_argument, listing the known presets, if the name
+// is unknown.
 void apply_dribbler_preset(std::string_view name, DribblerParameters& dribbler);
 
-// The preset whose numbers these are; none where some were changed.
+// The preset with these parameters; nullopt if some differ from every preset.
 std::optional<std::string> dribbler_preset_of(const DribblerParameters& dribbler);
 
 std::vector<std::string> dribbler_preset_names();

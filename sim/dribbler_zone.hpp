@@ -1,4 +1,4 @@
-// Where kicker and dribbler work: before the front plate.
+// Where kicker and dribbler act: in front of the front plate.
 #pragma once
 
 #include <cmath>
@@ -8,9 +8,9 @@
 
 namespace autoref::sim {
 
-// Whether a ball at `ball_m`, its lowest point at `height_m`, is in the robot's mouth: its surface
-// within `reach_m` of the plate, its centre within the mouth's width, and low enough for a bar at
-// the height of a lying ball's middle.
+// Whether a ball at `ball_m`, with its lowest point at `height_m`, is in the robot's dribbler zone:
+// its surface within `reach_m` of the plate, its centre within the zone's width, and low enough for
+// a roller at the height of the centre of a ball on the carpet.
 inline bool is_in_dribbler_zone(const BodyState& robot, const Vec2& ball_m, double height_m,
                                 double reach_m) {
   if (height_m > kBallRadius_m) return false;

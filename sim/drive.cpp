@@ -54,9 +54,8 @@ DriveForce Drive::force(const RobotCommand& aim, const BodyState& robot, double 
           angular_radps2 * (inertia_kgm2_ * share)};
 }
 
-// A row of the wheel matrix times the motion is a wheel's rim acceleration. Four equally scaled
-// wheels give the equally scaled motion, so that the way back through the pseudo-inverse of the
-// matrix is the scaling itself.
+// Each row of the wheel matrix maps the motion to a wheel's rim acceleration. Scaling all four
+// wheels equally scales the motion equally, so no pseudo-inverse is needed.
 double Drive::share_within_wheels(const Vec2& acceleration_mps2, double angular_radps2) const {
   double most_mps2 = 0.0;
   for (const Vec2& wheel : wheels_) {

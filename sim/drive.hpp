@@ -1,4 +1,4 @@
-// The omni-wheel drive: from an order and the robot's motion to a limited force.
+// The omni-wheel drive: computes a limited force from a command and the robot's motion.
 #pragma once
 
 #include <array>
@@ -11,32 +11,32 @@
 
 namespace autoref::sim {
 
-// What the drive does to a robot's body, in the field's frame.
+// Force and torque of the drive on a robot's body, in field coordinates.
 struct DriveForce {
   Vec2 force_n{0, 0};
   double torque_nm = 0;
 };
 
-// The drive of one robot. It never writes a velocity: robots that push each other are weighed by
-// their forces.
+// The drive of one robot. It only applies forces and never sets a velocity, so a pushing contest
+// depends on the robots' forces.
 class Drive {
  public:
   explicit Drive(const RobotSpec& spec);
 
-  // The speeds that `command` makes the robot aim at: limited, and off by the motors' noise.
+  // The target velocity for `command`: limited, and with the motors' noise.
   RobotCommand accept(const RobotCommand& command, RandomStream& noise) const;
 
-  // The force that brings the robot to `aim` (in its own frame) within `duration_s`, or as near as
-  // the limits let it: overall acceleration or braking, angular acceleration, and each wheel's
-  // tangential acceleration. A wheel at its limit slows the whole motion down, so that the
-  // direction is kept.
+  // The force that brings the robot to `aim` (in its own frame) within `duration_s`, or as close as
+  // the limits allow: overall acceleration or braking, angular acceleration, and each wheel's
+  // tangential acceleration. If a wheel reaches its limit, the whole acceleration is scaled down,
+  // which preserves its direction.
   DriveForce force(const RobotCommand& aim, const BodyState& robot, double duration_s) const;
 
  private:
   double share_within_wheels(const Vec2& acceleration_mps2, double angular_radps2) const;
 
-  std::array<Vec2, 4> wheels_;  // the direction each drives in, in the robot's frame
-  double wheel_distance_m_;     // from the centre
+  std::array<Vec2, 4> wheels_;  // drive direction of each, in the robot's frame
+  double wheel_distance_m_;     // from the robot's centre
   double mass_kg_;
   double inertia_kgm2_;
   double speed_mps_;

@@ -1,4 +1,4 @@
-// A robot's kicker, flat and chip.
+// A robot's kicker, straight and chip.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace autoref::sim {
 
-// The speed a kick gives the ball, over ground.
+// The ball's velocity over ground after a kick.
 struct Kick {
   Vec2 velocity_mps{0, 0};
   double vertical_mps = 0;
@@ -20,18 +20,18 @@ struct Kick {
 
 class Kicker {
  public:
-  // `substeps_per_s` is the rate of the calls to fire().
+  // `substeps_per_s` is the call rate of fire().
   Kicker(const KickerParameters& parameters, double substeps_per_s);
 
-  // Fires if it is ordered to, has the ball in its mouth, and is charged. A chip's speed is the
-  // total one, at the chip angle.
+  // Fires if commanded, with the ball in the dribbler zone and the kicker charged. A chip's
+  // commanded speed is its total speed, at the chip angle.
   std::optional<Kick> fire(const RobotCommand& command, const BodyState& robot, const Vec2& ball_m,
                            double ball_height_m, std::int64_t substep, RandomStream& noise);
 
   // Whether it fired less than its dead time ago.
   bool is_recharging(std::int64_t substep) const { return substep < ready_at_; }
 
-  // The most it gives a ball straight.
+  // The maximum ball speed of a straight kick.
   double speed_limit_mps() const { return parameters_.speed_limit_mps; }
 
  private:

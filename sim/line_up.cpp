@@ -5,7 +5,7 @@
 namespace autoref::sim {
 namespace {
 
-constexpr int kRow = 8;  // robots in a row; a full team makes two
+constexpr int kRow = 8;  // robots per row; a full team makes two
 
 }  // namespace
 
@@ -16,7 +16,7 @@ BodyState pose_in_line_up(const Field& field, const LineUpParameters& line_up, R
   const double x = -line_up.from_halfway_line_m - gap_m * (id.number % kRow);
   const int row = id.number / kRow;
   const double y = -field.half_width_m() + line_up.from_touch_line_m + line_up.gap_m * row;
-  const double turn = -goal_sign(id.side);  // 1 in the west, -1 in the east
+  const double turn = -goal_sign(id.side);  // 1 for west, -1 for east
   BodyState pose;
   pose.position_m = {turn * x, turn * y};
   pose.heading = {turn, 0.0};

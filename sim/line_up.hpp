@@ -1,4 +1,4 @@
-// Where the robots stand before the game.
+// Robot poses before the game.
 #pragma once
 
 #include "sim/box2d_bridge.hpp"
@@ -8,9 +8,9 @@
 
 namespace autoref::sim {
 
-// In a row in the own half, along the touch line to the right of the side's goal keeper, facing
-// the opponents' goal: no formation, so that teams have to move. The sides' places are each
-// other's, turned by 180 degrees.
+// In a row in their own half, along the touch line to the right of the side's keeper, facing the
+// opponents' goal. This is not a formation, so teams have to move. The two sides' positions are
+// 180-degree rotations of each other.
 BodyState pose_in_line_up(const Field& field, const LineUpParameters& line_up, RobotId id);
 
 }  // namespace autoref::sim

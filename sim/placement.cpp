@@ -9,8 +9,8 @@
 namespace autoref::sim {
 namespace {
 
-// The corners that lead from a place behind a goal line to the field before it; none from a place
-// on the field.
+// The corners between a position behind a goal line and the field; empty for a position on the
+// field.
 Route route_to_field(const Field& field, const Vec2& position_m, double clearance_m) {
   Route direction;
   const double before_line_m = field.half_length_m() - clearance_m;
@@ -25,7 +25,8 @@ Route route_to_field(const Field& field, const Vec2& position_m, double clearanc
   }
   const double beside_m = field.half_goal_m() + field.goal_wall_thickness_m + clearance_m;
   const double behind_m = field.half_length_m();
-  // From exactly behind the middle it goes to the left of who looks at the goal from the field.
+  // A ball exactly behind the goal's centre goes to the left as seen from the field, facing the
+  // goal.
   const double flank = position_m.y() == 0.0 ? end : std::copysign(1.0, position_m.y());
   const double y = flank * std::max(beside_m, std::abs(position_m.y()));
   if (y != position_m.y() && std::abs(position_m.x()) > behind_m)
@@ -65,8 +66,8 @@ Vec2 Carrier::carry(double duration_s) {
 
 double Carrier::leg_length_m() const { return (route_[next_] - from_m_).norm(); }
 
-// Speeding up and slowing down take as long as each other, in the middle the speed is the limit,
-// which a short leg does not reach.
+// Trapezoidal velocity profile with equal ramps; triangular if the leg is too short to reach the
+// top speed.
 double Carrier::leg_duration_s() const {
   const double ramp_s = parameters_.speed_mps / parameters_.acceleration_mps2;
   const double length_m = leg_length_m();

@@ -1,5 +1,5 @@
-// How ball placement brings the ball to where play goes on ("the simulator can then drag the
-// ball smoothly to the desired location", paper, section 4.1).
+// Moves the ball to the position of the next restart ("the simulator can then drag the ball
+// smoothly to the desired location", paper, section 4.1).
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -10,17 +10,17 @@
 
 namespace autoref::sim {
 
-// The way of a carried ball: corners to pass one by one, the target last.
+// The path of a carried ball: its corners in order, the target last.
 using Route = boost::container::static_vector<Vec2, 5>;
 
-// A way from `start_m` to `target_m` that never passes a goal's walls or net: into and out of a
-// goal it leads through the mouth, to and from a place behind a goal around its side, at
-// `clearance_m` from both.
+// A path from `start_m` to `target_m` that never crosses a goal's walls or net: into and out of a
+// goal it passes through the opening, to and from a position behind a goal around its side, at a
+// distance of `clearance_m`.
 Route route_between(const Field& field, const Vec2& start_m, const Vec2& target_m,
                     double clearance_m);
 
-// Carries a ball along a route at limited speed and acceleration. It starts from rest and comes to
-// rest at each corner and at the target.
+// Carries a ball along a route with limited speed and acceleration. It starts from rest and stops
+// at each corner and at the target.
 class Carrier {
  public:
   Carrier(const Field& field, const PlacementParameters& parameters)
@@ -28,19 +28,19 @@ class Carrier {
 
   void start(const Vec2& from_m, const Vec2& target_m);
 
-  // Goes on for `duration_s`; where the ball is then.
+  // Advances by `duration_s` and returns the ball's position.
   Vec2 carry(double duration_s);
 
  private:
   double leg_length_m() const;
   double leg_duration_s() const;
-  double path_m(double time_s) const;  // from the leg's begin
+  double path_m(double time_s) const;  // travelled since the start of the leg
 
   Field field_;
   PlacementParameters parameters_;
   Route route_;
-  std::size_t next_ = 0;  // corner ahead
-  Vec2 from_m_{0, 0};     // the leg's begin
+  std::size_t next_ = 0;  // index of the next corner
+  Vec2 from_m_{0, 0};     // start of the leg
   double time_s_ = 0;     // since then
 };
 

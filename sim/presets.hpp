@@ -1,4 +1,4 @@
-// Tables of presets: any range of structs with a `name`.
+// Lookup in tables of presets: any range of structs with a `name`.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,8 @@ std::vector<std::string> names_of(const Presets& presets) {
   return names;
 }
 
-// Throws std::invalid_argument that names the known presets; `kind` is what they are of.
+// Finds a preset by name. Throws std::invalid_argument that lists the known presets; `kind` names
+// what they apply to.
 template <typename Presets>
 const auto& preset_called(std::string_view name, const Presets& presets, const std::string& kind) {
   std::string known;
@@ -29,7 +30,7 @@ const auto& preset_called(std::string_view name, const Presets& presets, const s
                               "'; known: " + known);
 }
 
-// The name of the first preset of which `is_it` holds.
+// The name of the first preset that satisfies `is_it`.
 template <typename Presets, typename Is>
 std::optional<std::string> name_of_preset(const Presets& presets, Is is_it) {
   for (const auto& preset : presets) {

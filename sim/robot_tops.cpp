@@ -12,7 +12,8 @@ double bounced_vertical(const ContactParameters& contacts, const Ball& ball) {
   return std::max(contacts.top_leaving_mps, -contacts.top_restitution * ball.vertical_mps());
 }
 
-// `velocity_mps`, made at least `least_mps` along `outwards`, as seen from the top.
+// `velocity_mps`, with its component along `outwards` relative to the top raised to at least
+// `least_mps`.
 Vec2 leaving(const Vec2& velocity_mps, const Vec2& top_mps, const Vec2& outwards,
              double least_mps) {
   const double now = (velocity_mps - top_mps).dot(outwards);

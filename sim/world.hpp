@@ -1,8 +1,8 @@
 // The simulated world: robots, ball, goals and walls as rigid bodies in the plane.
 //
-// It owns the truth: exact positions, speeds and contacts. It knows no rules and takes no
-// decisions; the game loop feeds it commands and a placement once per camera frame. Everything is
-// in SI and in the field's frame (soccer/field.hpp).
+// It owns the ground truth: exact positions, speeds and contacts. It has no rules and makes no
+// decisions; the game loop passes it commands and a placement once per camera frame. Everything is
+// in SI units and field coordinates (soccer/field.hpp).
 #pragma once
 
 #include <array>
@@ -37,25 +37,25 @@ struct BallState {
 };
 
 struct WorldState {
-  std::int64_t frame = 0;  // frames stepped so far; time is frame / frame rate
-  // Those on the field, ordered by number.
+  std::int64_t frame = 0;  // number of frames stepped; time is frame / frame rate
+  // The robots on the field, ordered by number.
   PerSide<boost::container::static_vector<RobotState, kMaxRobots>> robots;
   BallState ball;
 };
 
-// A robot's hull met the ball, or its kicker fired at it: the ground truth of "who touched it".
+// A robot's hull touched the ball, or its kicker fired: the ground truth of who touched it.
 struct Touch {
-  std::int64_t frame = 0;  // state().frame once the frame in which it happened is stepped
+  std::int64_t frame = 0;  // state().frame after the step in which it happened
   int substep = 0;
   RobotId robot;
   Vec2 ball_m{0, 0};
   bool is_kick = false;
-  Vec2 ball_mps{0, 0};      // of the ball right after it, in the plane
-  double vertical_mps = 0;  // and upwards
+  Vec2 ball_mps{0, 0};      // velocity of the ball right after it, in the plane
+  double vertical_mps = 0;  // and its upward component
 };
 
-// The hulls of two robots met that had been apart. In the plane's physics a robot is a round disc
-// to other robots: its flat front does not count.
+// The hulls of two separate robots collided. For collisions between robots a robot is a round disc:
+// its flat front does not count.
 struct RobotCollision {
   std::int64_t frame = 0;  // as in Touch
   int substep = 0;
@@ -66,44 +66,45 @@ struct RobotCollision {
 
 class World {
  public:
-  // Robots start lined up in their own halves, the ball at the centre. `seed` names the streams
-  // of motors and kickers. Throws std::invalid_argument for a configuration out of range.
+  // Robots start lined up in their own halves, the ball at the centre. `seed` selects the random
+  // streams of motors and kickers. Throws std::invalid_argument if the configuration is out of
+  // range.
   World(const Field& field, const Configuration& configuration, const PerSide<TeamSpec>& specs,
         std::uint64_t seed);
   ~World();
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
 
-  // One camera frame of physics. The new commands take effect `command_delay_substeps` into it, the
-  // former ones until then. Commands for robots that do not exist or are off the
-  // field are ignored. Commands must be finite
-  // (asserted); they are limited to what the robots can do. With `placement` the ball is held by
-  // ball placement, which brings it to the target and keeps it there: it meets no robot, no
-  // kicker and no dribbler. Without, it is free, and a robot that stands on it pushes it out.
+  // Simulates one camera frame. The new commands take effect after `command_delay_substeps`, the
+  // former ones until then. Commands for robots that do not exist or are off the field are ignored.
+  // Commands must be finite (asserted); they are limited to what the robots can do. With
+  // `placement` the ball is held by ball placement, which brings it to the target and keeps it
+  // there; robots, kickers and dribblers do not affect it. Without, it is free, and a robot that
+  // overlaps it pushes it out.
   void step(const PerSide<TeamCommands>& commands, const std::optional<Placement>& placement);
 
   // The state after the last step.
   const WorldState& state() const;
 
-  // What touched the ball during the last step, in order; at most 256.
+  // Touches of the ball during the last step, in order; at most 256.
   std::span<const Touch> touches() const;
 
-  // Which robots met during the last step, in order; at most 64.
+  // Robot collisions during the last step, in order; at most 64.
   std::span<const RobotCollision> collisions() const;
 
   // Whether every position and speed is finite.
   bool is_finite() const;
 
-  // Takes a robot off the field: it is in no state, no camera sees it, nothing meets it, and its
-  // commands are ignored. Taking off what is off changes nothing.
+  // Takes a robot off the field: it is in no state, no camera sees it, nothing collides with it,
+  // and its commands are ignored. No effect if it is off already.
   void take_off(RobotId id);
-  // Puts a robot that is off (asserted) back, at rest. The place must be free (asserted).
+  // Puts a robot that is off (asserted) back, at rest. The position must be free (asserted).
   void put_on(RobotId id, const Vec2& position_m, const Vec2& heading);
   bool is_on(RobotId id) const;
-  // Whether a robot may be put there: no robot's hull and no ball is in its way.
+  // Whether a robot may be put there: no robot and no ball is in the way.
   bool is_free(const Vec2& position_m) const;
 
-  // Sets up a situation by hand, for tests and scenes. Robots must be on the field.
+  // Sets up a situation for tests and scenes. Robots must be on the field.
   void put_ball(const BallState& ball);
   void put_robot(RobotId id, const RobotState& state);
 
@@ -112,8 +113,8 @@ class World {
   std::unique_ptr<Impl> impl_;
 };
 
-// How the delay from frame to motion is shared: whole frames that the frame ages before a team
-// sees it, and the sub-steps after which the commands decided on it take effect.
+// Splits the delay from frame to motion into the whole frames that a team's view is late, and the
+// sub-steps after which the resulting commands take effect.
 struct LatencySplit {
   int frames = 0;
   int substeps = 0;

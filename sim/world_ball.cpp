@@ -1,5 +1,4 @@
-// What a world does to its ball: kicks, dribblers, ball placement, nets and the third
-// dimension.
+// The world's ball: kicks, dribblers, ball placement, nets and the third dimension.
 #include <algorithm>
 #include <cmath>
 
@@ -12,12 +11,12 @@
 namespace autoref::sim {
 namespace {
 
-// Less change of the ball's velocity is rounding, not a collision.
+// Smaller changes of the ball's velocity are rounding errors, not collisions.
 constexpr double kCollision_mps = 0.01;
 
 }  // namespace
 
-// The carried ball moves at the speed that brings it along its way, rather than by jumps.
+// Moves the carried ball by setting its velocity along the path rather than its position.
 void World::Impl::hold_ball() {
   ball_.hold(step_s_);
   const BodyState& ball = bodies_.ball();
@@ -44,8 +43,8 @@ void World::Impl::move_ball(int substep) {
   bodies_.set_ball_velocity(held_by_net(ball_.slowed(ball_mps, step_s_)));
 }
 
-// The ball's velocity after a kick, if there was one. Several kickers that fire at once push the
-// ball together, whoever is asked first.
+// The ball's velocity after a kick, if there was one. Kickers that fire simultaneously add up,
+// independent of their order.
 std::optional<Vec2> World::Impl::kicked(int substep) {
   const BodyState ball = bodies_.ball();
   Vec2 sum_mps{0.0, 0.0};
@@ -75,7 +74,7 @@ std::optional<Vec2> World::Impl::kicked(int substep) {
   return ball_mps;
 }
 
-// What all dribblers do to the ball. A robot that has just kicked lets go of a ball it held.
+// The forces of all dribblers on the ball. A robot that has just kicked releases a ball it held.
 World::Impl::Pulls World::Impl::pulls() {
   Pulls pulls;
   const BodyState& ball = bodies_.ball();
@@ -89,8 +88,8 @@ World::Impl::Pulls World::Impl::pulls() {
   return pulls;
 }
 
-// The ball's velocity after the pull of all dribblers. Those that hold it share it, or two of them
-// would throw it to and fro.
+// The ball's velocity after the pull of all dribblers. Those that hold it share the force;
+// otherwise two of them would make it oscillate.
 Vec2 World::Impl::dribbled(Vec2 ball_mps) {
   const Pulls all = pulls();
   const auto holders = std::count_if(all.begin(), all.end(), [](const Pull& p) { return p.holds; });
@@ -113,7 +112,7 @@ Vec2 World::Impl::held_by_net(Vec2 ball_mps) const {
   return ball_mps;
 }
 
-// What the plane's physics does not know: spin lost in collisions, and the third dimension.
+// Adds what the planar physics lacks: spin changes in collisions, and the third dimension.
 void World::Impl::follow_ball(const BodyState& former) {
   const Vec2 change_mps = bodies_.ball().velocity_mps - former.velocity_mps;
   if (change_mps.squaredNorm() > kCollision_mps * kCollision_mps) ball_.collide(change_mps);
@@ -137,7 +136,7 @@ void World::Impl::bounce_off_bar_and_tops(const BodyState& former, double former
   if (bounced_mps) bodies_.set_ball_velocity(*bounced_mps);
 }
 
-// The ball flies over robots and goals that are lower than it.
+// The ball flies over lower robots and goals.
 void World::Impl::let_ball_meet_what_is_as_high() {
   bodies_.let_ball_meet(ball_.height_m() < kRobotHeight_m,
                         ball_.height_m() < field_.goal_opening_height_m);

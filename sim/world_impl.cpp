@@ -11,7 +11,7 @@
 namespace autoref::sim {
 namespace {
 
-// The west's robots, then the east's.
+// West's robots, then east's.
 std::vector<double> masses_kg(const PerSide<TeamSpec>& specs) {
   std::vector<double> masses;
   masses.reserve(2 * kMaxRobots);
@@ -82,7 +82,7 @@ void World::Impl::accept(const PerSide<TeamCommands>& commands) {
   for_each_robot([&](RobotId id, Robot& robot, int index) {
     const RobotCommand& command = commands[id.side][static_cast<std::size_t>(id.number)];
     assert(autoref::is_finite(command));
-    // One that is off the field draws its numbers too, so that its mates' do not shift.
+    // A robot off the field draws its numbers too, which keeps the others' numbers unchanged.
     if (hears(robot, team(id.side).radio)) {
       robot.aim = robot.drive.accept(command, team(id.side).motors);
     } else if (robot.unheard_frames >= hold_frames_) {
@@ -93,7 +93,7 @@ void World::Impl::accept(const PerSide<TeamCommands>& commands) {
   });
 }
 
-// A robot goes on as last ordered until it has heard nothing for a while.
+// A robot keeps its last command until it has received none for a while.
 bool World::Impl::hears(Robot& robot, RandomStream& radio) const {
   const double loss = configuration_.radio.command_loss;
   const bool is_lost = loss > 0.0 && radio.uniform() < loss;
@@ -118,7 +118,7 @@ void World::Impl::obey(const std::optional<Placement>& placement) {
   ball_.set({});
 }
 
-// Commands take effect at their sub-step, which no longer step may pass over.
+// No longer step may pass over the sub-step in which commands take effect.
 bool World::Impl::may_step_long(int substep) const {
   const int end = substep + long_step_;
   if (long_step_ == 1 || end > configuration_.substeps) return false;

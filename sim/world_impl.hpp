@@ -1,4 +1,4 @@
-// World's inside: what happens in a frame, and in which order. For world.cpp alone.
+// World's implementation: what happens in a frame, in order. Only for the world's sources.
 #pragma once
 
 #include <array>
@@ -38,10 +38,10 @@ class World::Impl {
     Drive drive;
     Kicker kicker;
     DribblerParameters dribbler;
-    RobotCommand aim;        // order in force, limited to what the robot can do
-    int unheard_frames = 0;  // since the last order that arrived
+    RobotCommand aim;        // command in force, limited to what the robot can do
+    int unheard_frames = 0;  // since the last command received
   };
-  // A side's robots and what chance does to them.
+  // A side's robots and their random streams.
   struct Team {
     int first = 0;  // index of number 0 in the bridge
     boost::container::static_vector<Robot, kMaxRobots> robots;
@@ -49,14 +49,14 @@ class World::Impl {
     RandomStream kicks;
     RandomStream radio;
   };
-  // What a robot's dribbler does to the ball.
+  // The force of a robot's dribbler on the ball.
   struct Pull {
     int index;  // in the bridge
     bool holds;
     Vec2 force_n;
   };
   using Pulls = boost::container::static_vector<Pull, 2 * kMaxRobots>;
-  // Free, or in ball placement: being stopped, then on its way or at the target.
+  // Free, or held by ball placement: being stopped, then on its way or at the target.
   enum class Hold { kFree, kCatching, kCarrying };
 
   Team make_team(Side side, const TeamSpec& spec, std::uint64_t seed) const;
@@ -108,10 +108,10 @@ class World::Impl {
   Field field_;
   Configuration configuration_;
   double substep_s_;
-  int long_step_;      // sub-steps that one physics step takes where nothing can meet anything
-  double step_s_ = 0;  // of the physics step under way
+  int long_step_;      // sub-steps per physics step if no contact is possible
+  double step_s_ = 0;  // of the current physics step
   int command_delay_substeps_;
-  int hold_frames_;  // a robot stops after so many frames without an order
+  int hold_frames_;  // frames without a command after which a robot stops
   int robots_;
   std::array<Team, 2> teams_;
   Box2dBridge bodies_;
@@ -119,10 +119,10 @@ class World::Impl {
   Carrier carrier_;
   ContactPrediction contact_prediction_;
   Hold hold_ = Hold::kFree;
-  Placement placement_;                 // what the hand is doing
-  std::int64_t substeps_ = 0;           // since the beginning
-  std::uint32_t touching_ = 0;          // a bit per robot: met the ball in the last sub-step
-  std::uint32_t touched_in_frame_ = 0;  // and in this frame
+  Placement placement_;                 // the current placement
+  std::int64_t substeps_ = 0;           // since the start
+  std::uint32_t touching_ = 0;          // one bit per robot: touched the ball in the last sub-step
+  std::uint32_t touched_in_frame_ = 0;  // likewise, in this frame
   boost::container::static_vector<Touch, 256> touches_;
   boost::container::static_vector<RobotCollision, 64> collisions_;
   WorldState state_;
