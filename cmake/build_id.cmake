@@ -1,6 +1,6 @@
-# Writes the source that defines autoref::runner::build_id(), run at build time:
+# Generates the source of autoref::runner::build_id() at build time:
 #   cmake -DSOURCE_DIR=... -DVERSION=... -DOUTPUT=... -P build_id.cmake
-# The file is left alone where its content would not change.
+# The file is not touched if its content would stay the same.
 set(sources CMakeLists.txt)
 foreach(room IN ITEMS soccer tracking league sim referee strategies runner)
   file(GLOB_RECURSE found RELATIVE ${SOURCE_DIR}

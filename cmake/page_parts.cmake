@@ -1,6 +1,6 @@
-# Writes the source that defines what runner/view/page_parts.hpp declares:
+# Generates the source for runner/view/page_parts.hpp:
 #   cmake -DFOLDER=runner/view/page "-DSCRIPTS=a.js b.js" -DOUTPUT=... -P page_parts.cmake
-# SCRIPTS are joined in this order.
+# SCRIPTS are concatenated in this order.
 function(append_part name)
   set(literals "")
   foreach(file IN LISTS ARGN)

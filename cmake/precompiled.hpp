@@ -1,5 +1,5 @@
-// Headers that most sources include, compiled once (top-level CMakeLists.txt). A source still
-// includes what it uses: nothing may depend on this file.
+// Precompiled header with what most sources include (see the top-level CMakeLists.txt). Sources
+// must still include what they use and not depend on this file.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
-# A library of all sources below the given folders of the current one. Lists are globbed anew at each build, so that a new
-# file takes part without being named here. Twelve sources at a time are compiled as one (AUTOREF_UNITY), so that their common headers and
-# templates are compiled once: names in unnamed namespaces are unique in a room.
+# Adds a library of all sources below the given folders. The folders are globbed at each build, so new files need not be
+# listed. With AUTOREF_UNITY twelve sources at a time are compiled as one, which compiles their common headers and templates
+# only once; names in unnamed namespaces must therefore be unique in a room.
 #   autoref_room(TARGET FOLDER ...)
 function(autoref_room target)
   set(patterns ${ARGN})

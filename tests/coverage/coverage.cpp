@@ -1,9 +1,9 @@
-// Measures whether the statistics keep what they promise: how often intervals hold the truth, and
-// how often the sequential test errs, over simulated games whose truth is known.
+// Checks the statistics on simulated games with known parameters: the coverage of the intervals and
+// the error rates of the sequential test.
 //
-//     coverage [TRIALS]      20000 unless given; 100000 take some five minutes
+//     coverage [TRIALS]      default: 20000; 100000 take about five minutes
 //
-// Exit code 1 where a share is outside its bounds, 2 for a wrong argument.
+// Exit code 1 if a share is outside its bounds, 2 for an invalid argument.
 #include <fmt/format.h>
 
 #include "runner/io/words.hpp"
@@ -15,7 +15,7 @@ namespace {
 constexpr int kTrials = 20000;
 constexpr int kFewestTrials = 100;
 constexpr int kMostTrials = 10'000'000;
-// Rating a round robin takes a thousand resamples each time.
+// Rating a single round robin takes a thousand bootstrap resamples.
 constexpr int kTrialsPerRoundRobin = 40;
 
 // The number of lines outside their bounds.
@@ -30,13 +30,12 @@ int print(const std::vector<Measured>& lines) {
 }
 
 int measure(int trials) {
-  fmt::print("Share of {} trials in which 95 % intervals hold the truth:\n", trials);
+  fmt::print("Coverage of 95 % intervals in {} trials:\n", trials);
   int bad = print(interval_coverage(trials));
   const int round_robins = trials / kTrialsPerRoundRobin;
-  fmt::print("\nThe same for ratings, {} round robins:\n", round_robins);
+  fmt::print("\nCoverage for ratings, {} round robins:\n", round_robins);
   bad += print(rating_coverage(round_robins));
-  fmt::print("\nShare of {} sequential tests that err (d0 0, d1 1, alpha and beta 0.05):\n",
-             trials);
+  fmt::print("\nError rate of {} sequential tests (d0 0, d1 1, alpha and beta 0.05):\n", trials);
   bad += print(sequential_errors(trials));
   fmt::print("\n{} outside the bounds\n", bad);
   return bad == 0 ? 0 : 1;

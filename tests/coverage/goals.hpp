@@ -1,4 +1,4 @@
-// Games made of nothing but chance, whose truth is known.
+// Random games with known parameters.
 #pragma once
 
 #include <boost/random/poisson_distribution.hpp>
@@ -8,7 +8,7 @@
 
 namespace autoref::coverage {
 
-// The goals that two teams are expected to score in a game; both above 0.
+// Expected goals of both teams in a game; both above 0.
 struct Means {
   double a = 0;
   double b = 0;

@@ -12,7 +12,7 @@ namespace {
 
 using runner::Interval;
 
-// How many of the intervals held the truth.
+// How many of the intervals contained the true value.
 struct Tally {
   int held = 0;
   int trials = 0;
@@ -84,7 +84,7 @@ std::vector<Measured> interval_coverage(int trials) {
       }
     }
   }
-  // Few games with few goals: where all pairs are the same there is no interval, the others hold.
+  // Few games with few goals: if all pairs are equal there is no interval; the others are valid.
   for (const int games : {4, 10}) {
     for (const Means& means : {Means{0.3, 0.3}, Means{1, 1}, Means{2, 1}}) {
       Measured student = coverage_at(means, games, trials).front();

@@ -1,4 +1,4 @@
-// What the simulations found, line by line.
+// Results of the simulations, one line each.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace autoref::coverage {
 
-// A share of the trials, and between which bounds it has to be.
+// A share of the trials, with the bounds it must keep.
 struct Measured {
   std::string what;
   double share = 0;
@@ -17,17 +17,15 @@ struct Measured {
   bool is_good() const { return least <= share && share <= most; }
 };
 
-// How often 95 % intervals hold the truth, with goals that are Poisson: Student's for the mean goal
-// difference over pairs of legs, and, for a's share of the decided games (draws left out),
-// Wilson's, Clopper's and Pearson's, and the one that proportion_interval() picks. At 20 and at 60
-// games.
+// Coverage of 95 % intervals for Poisson-distributed goals, at 20 and at 60 games: Student's for
+// the mean goal difference over pairs of legs, and for a's share of the decided games (without
+// draws) Wilson's, Clopper-Pearson's and the one proportion_interval() selects.
 std::vector<Measured> interval_coverage(int trials);
 
-// How often the bootstrap intervals of ratings hold the truth, in a round robin of four equal
-// teams.
+// Coverage of the bootstrap intervals of ratings in a round robin of four equal teams.
 std::vector<Measured> rating_coverage(int trials);
 
-// How often the sequential test (d0 = 0, d1 = 1, alpha = beta = 0.05) takes the wrong side.
+// Error rate of the sequential test (d0 = 0, d1 = 1, alpha = beta = 0.05).
 std::vector<Measured> sequential_errors(int trials);
 
 }  // namespace autoref::coverage

@@ -40,7 +40,7 @@ std::vector<RatedMatchup> play_roundrobin(int games, RandomStream& random) {
   return matchups;
 }
 
-// The share of teams whose interval holds 0.
+// The share of teams whose interval contains 0.
 double share_held(const RatingMethod& rate, int games, int trials) {
   RandomStream random(static_cast<std::uint64_t>(games));
   int held = 0;

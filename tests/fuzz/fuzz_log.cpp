@@ -1,4 +1,4 @@
-// The log reader on any bytes, compressed or not: framing, packets, frames.
+// Fuzzes the log reader with arbitrary bytes, compressed or not: framing, packets, frames.
 #include <fmt/format.h>
 #include <sys/mman.h>
 #include <unistd.h>
@@ -10,7 +10,7 @@
 
 namespace {
 
-// A file in memory that holds the bytes, by the name under which this process may open it.
+// Writes the bytes to a file in memory and returns the path under which this process can open it.
 std::string as_file(const std::uint8_t* data, std::size_t size) {
   static const int file = memfd_create("log", 0);
   if (ftruncate(file, 0) != 0) std::abort();
@@ -24,7 +24,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   autoref::league::LogVisitor nobody;
   try {
     autoref::league::read_log(as_file(data, size), nobody);
-  } catch (const autoref::league::LogError&) {  // it is no log
+  } catch (const autoref::league::LogError&) {  // not a log
   }
   return 0;
 }

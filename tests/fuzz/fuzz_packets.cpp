@@ -1,5 +1,6 @@
-// Packets of vision and referee with any content, and AutoRef judging what comes of them. The input
-// is a row of packets: a byte for the kind, two for the length, then the packet.
+// Fuzzes vision and referee packets with arbitrary content, and AutoRef refereeing the resulting
+// frames. The input is a sequence of packets: one byte for the kind, two for the length, the
+// packet.
 #include <algorithm>
 #include <cstdint>
 

@@ -1,6 +1,6 @@
-// The readers of YAML on any text: scenarios, types of robots, scenes, and the referee's decisions.
-// They may refuse it, and nothing else. Scenarios of many games are left out: reading them lists up
-// to 100,000 games, which a fuzzer would find again and again.
+// Fuzzes the readers of scenarios, robot types, scenes and the referee's decisions with arbitrary
+// text, which they may only accept or reject. Scenarios with many games are excluded: reading one
+// expands up to 100,000 games, which the fuzzer would keep triggering.
 #include <cstdint>
 #include <string>
 
@@ -18,7 +18,7 @@ template <typename Read>
 void expect_nothing_but_a_refusal(const Read& read) {
   try {
     read();
-  } catch (const InputError&) {  // what is wrong was said
+  } catch (const InputError&) {  // rejected with a message
   }
 }
 

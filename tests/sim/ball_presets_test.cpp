@@ -12,7 +12,7 @@
 namespace autoref::sim {
 namespace {
 
-// The numbers as measured or published for each simulator.
+// The parameters measured or published for each simulator.
 struct Model {
   const char* name;
   double slide_mps2;
@@ -43,7 +43,7 @@ class BallPreset : public testing::TestWithParam<Model> {
   }
 };
 
-TEST_P(BallPreset, SlidesAndRollsAsFarAsItsNumbersSay) {
+TEST_P(BallPreset, SlidesAndRollsAsFarAsItsParametersImply) {
   const Model& model = GetParam();
   const double v = 4.0;
   const double rolls_at_mps = model.switch_ratio * v;
@@ -56,11 +56,11 @@ TEST_P(BallPreset, SlidesAndRollsAsFarAsItsNumbersSay) {
     const BallState& ball = world.state().ball;
     if (slid_m == 0.0 && ball.is_rolling) slid_m = ball.position_m.x() - kStart_m;
   }
-  EXPECT_NEAR(slid_m, slide_m, 0.01 * slide_m + v / 60);  // seen once per frame
+  EXPECT_NEAR(slid_m, slide_m, 0.01 * slide_m + v / 60);  // observed once per frame
   EXPECT_NEAR(world.state().ball.position_m.x() - kStart_m, slide_m + roll_m, 0.01 * roll_m);
 }
 
-TEST_P(BallPreset, HopsByItsOwnFactors) {
+TEST_P(BallPreset, BouncesByItsOwnFactors) {
   const Model& model = GetParam();
   World world = world_with_ball(2.0, 3.0);
   double peak_m[3] = {0, 0, 0};
@@ -78,7 +78,7 @@ TEST_P(BallPreset, HopsByItsOwnFactors) {
   }
   EXPECT_NEAR(speed_mps[1], 2.0 * model.first_xy, 1e-3);
   EXPECT_NEAR(speed_mps[2], speed_mps[1] * model.later_xy, 1e-3);
-  // Between two frames the ball falls at most g / 2 (1/120 s)^2 from its peak: 0.3 mm.
+  // Between two frames the ball is at most g / 2 (1/120 s)^2 = 0.3 mm below its peak.
   EXPECT_NEAR(std::sqrt(peak_m[1] / peak_m[0]), model.z, 0.01);
 }
 
@@ -96,7 +96,7 @@ TEST(BallPresets, LeaveTheNetAlone) {
   EXPECT_EQ(ball.net_mps2, 7.0);
 }
 
-TEST(BallPresets, NameTheKnownOnesForAnUnknownOne) {
+TEST(BallPresets, AreListedIfOneIsUnknown) {
   BallParameters ball;
   try {
     apply_ball_preset("tiger", ball);

@@ -8,7 +8,7 @@
 namespace autoref::sim {
 namespace {
 
-// A field on which no ball meets a wall.
+// A field so large that the ball never reaches a wall.
 struct WideScene {
   WideScene() : world(wide(), quiet(), specs(1, 1), 1) {}
   static Field wide() {
@@ -30,7 +30,7 @@ BallState kicked(double speed_mps, double vertical_mps = 0.0) {
 
 class KickedBall : public testing::TestWithParam<double> {};
 
-TEST_P(KickedBall, SlidesThenRollsAsFarAsTheClosedFormsSay) {
+TEST_P(KickedBall, SlidesThenRollsAsFarAsTheClosedFormsPredict) {
   WideScene scene;
   const double v = GetParam();
   const double rolls_at = 0.67 * v;
@@ -45,7 +45,7 @@ TEST_P(KickedBall, SlidesThenRollsAsFarAsTheClosedFormsSay) {
     }
   }
   const double path_m = scene.world.state().ball.position_m.x() + 14.0;
-  EXPECT_NEAR(slid_m, slide_m, 0.02 * slide_m + v / 60);  // seen once per frame
+  EXPECT_NEAR(slid_m, slide_m, 0.02 * slide_m + v / 60);  // observed once per frame
   EXPECT_NEAR(path_m, slide_m + roll_m, 0.01 * path_m);
   EXPECT_EQ(scene.world.state().ball.velocity_mps, Vec2(0, 0));
 }
@@ -80,7 +80,7 @@ TEST(ChippedBall, FirstLandsAfterTheSquareOfItsSpeedOverGravity) {
   EXPECT_NEAR(scene.world.state().ball.velocity_mps.x(), 0.75 * v / std::sqrt(2.0), 1e-3);
 }
 
-TEST(ChippedBall, RisesToTheHeightOfAThrowAndHopsHalfAsFast) {
+TEST(ChippedBall, RisesBallisticallyAndBouncesHalfAsFast) {
   WideScene scene;
   scene.world.put_ball(kicked(2.0, 3.0));
   double peak_m = 0.0;
@@ -95,9 +95,9 @@ TEST(ChippedBall, RisesToTheHeightOfAThrowAndHopsHalfAsFast) {
   EXPECT_NEAR(second_peak_m, 1.5 * 1.5 / (2 * 9.81), 0.005);
 }
 
-TEST(ChippedBall, RollsOnceAHopWouldStayBelowTenMillimetres) {
+TEST(ChippedBall, RollsOnceABounceWouldStayBelowTenMillimetres) {
   WideScene scene;
-  // Lands at 0.88 m/s and would hop at 0.44 m/s, 9.9 mm high.
+  // Lands at 0.88 m/s and would bounce at 0.44 m/s, 9.9 mm high.
   scene.world.put_ball(kicked(1.0, 0.88));
   for (int f = 0; f < 13; ++f) scene.world.step({}, {});
   EXPECT_EQ(scene.world.state().ball.height_m, 0.0);
@@ -124,7 +124,7 @@ TEST(ChippedBall, IsStoppedByARobotItDoesNotClear) {
   BallState ball;
   ball.position_m = {-0.2, 0.0};
   ball.velocity_mps = {2.0, 0.0};
-  ball.vertical_mps = 1.0;  // rises to 51 mm only
+  ball.vertical_mps = 1.0;  // rises to only 51 mm
   scene.world.put_ball(ball);
   scene.frames(30);
   EXPECT_LT(scene.ball().position_m.x(), -0.09);
@@ -147,7 +147,7 @@ TEST(FallingBall, DoesNotStayOnARobot) {
   }
 }
 
-TEST(FallingBall, LeavesTheRoofOfAGoalBehindTheGoal) {
+TEST(FallingBall, RollsOffTheRoofOfAGoalBehindIt) {
   Scene scene;
   BallState ball;
   ball.position_m = {scene.field.half_length_m() + 0.1, 0.1};

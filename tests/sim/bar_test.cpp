@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kLine_m = 3.025;  // half of the field's 6.05 m
 
-// A ball just before the east goal's middle that flies towards it, its lowest point at a height.
+// A ball at the given height of its lowest point, just in front of the east goal's centre and
+// flying towards it.
 BallState flying(double height_m, double vertical_mps = 0.0) {
   BallState ball;
   ball.position_m = {kLine_m - 0.1, 0.0};
@@ -31,21 +32,21 @@ BallState after_frames(const BallState& ball, int frames) {
   return scene.ball();
 }
 
-// 6 m/s pass the line after 17 ms, in which the ball falls by 1.4 mm. The bar is 155 to 165 mm
-// high, the ball 43 mm.
-TEST(Bar, IsMetByABallWhoseMiddleIsAsHigh) {
+// At 6 m/s the ball crosses the line after 17 ms, in which it falls by 1.4 mm. The bar is at 155 to
+// 165 mm, the ball is 43 mm high.
+TEST(Bar, IsHitByABallWithItsCentreAtBarHeight) {
   const BallState ball = after_frames(flying(0.140), 3);
   EXPECT_NEAR(ball.velocity_mps.x(), -0.3 * 6.0, 0.05);
   EXPECT_LT(ball.position_m.x(), kLine_m);
 }
 
-TEST(Bar, IsMetByTheUpperPartOfABall) {
+TEST(Bar, IsHitByTheUpperPartOfABall) {
   const BallState ball = after_frames(flying(0.125), 1);
   EXPECT_LT(ball.velocity_mps.x(), 2.0);
   EXPECT_LT(ball.vertical_mps, -1.0);  // deflected downwards
 }
 
-TEST(Bar, IsMetByTheLowerPartOfABall) {
+TEST(Bar, IsHitByTheLowerPartOfABall) {
   const BallState ball = after_frames(flying(0.160), 1);
   EXPECT_LT(ball.velocity_mps.x(), 4.0);
   EXPECT_GT(ball.vertical_mps, 1.0);  // deflected upwards
@@ -57,7 +58,7 @@ TEST(Bar, IsPassedBelowAndAbove) {
   EXPECT_GT(after_frames(flying(0.111), 2).position_m.x(), kLine_m + 0.05);
 }
 
-TEST(Bar, IsThereAtBothGoalsFromPostToPost) {
+TEST(Bar, ExtendsFromPostToPostAtBothGoals) {
   const Field field;
   for (const double side : {-1.0, 1.0}) {
     for (const double y : {-0.36, -0.34, 0.0, 0.34, 0.36}) {
@@ -71,7 +72,7 @@ TEST(Bar, IsThereAtBothGoalsFromPostToPost) {
   }
 }
 
-TEST(Bar, DoesNotHoldABallThatLeavesIt) {
+TEST(Bar, DoesNotDelayABallThatMovesAway) {
   BallState former = flying(0.140);
   former.position_m.x() = kLine_m - 0.02;
   former.velocity_mps.x() = -1.0;

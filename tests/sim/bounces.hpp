@@ -1,4 +1,5 @@
-// What must hold wherever the ball meets a robot or a wall, told from the states around a sub-step.
+// Invariants of the ball's collisions with robots and walls, checked on the states before and after
+// a sub-step.
 #pragma once
 
 #include <algorithm>
@@ -13,23 +14,23 @@ namespace autoref::sim {
 
 inline constexpr double kSubstep_s = 1.0 / 240;
 
-// The default world's sub-steps as frames of their own, so that each can be looked at.
+// Turns the default world's sub-steps into frames of their own, so that each can be inspected.
 inline Configuration every_substep(Configuration configuration) {
   configuration.substeps = 1;
   configuration.frame_rate_hz = 240.0;
   return configuration;
 }
 
-// Of a box with sides along the axes; negative inside.
+// Distance to an axis-aligned box; negative inside.
 inline double distance_to_box(const Vec2& point_m, const Vec2& low_m, const Vec2& high_m) {
   const Vec2 off_m = (low_m - point_m).cwiseMax(point_m - high_m);
   const double inside_m = std::min(0.0, off_m.maxCoeff());
   return off_m.cwiseMax(0.0).norm() + inside_m;
 }
 
-// To the nearest wall around the field, goal wall or goal back; negative inside it.
+// Distance to the nearest outer wall, goal wall or goal back; negative inside it.
 inline double distance_to_walls(const Field& field, const Vec2& point_m) {
-  const Vec2 p_m(std::abs(point_m.x()), std::abs(point_m.y()));  // all four quarters are alike
+  const Vec2 p_m(std::abs(point_m.x()), std::abs(point_m.y()));  // all four quarters are symmetric
   const double line = field.half_length_m();
   const double back = line + field.goal_depth_m;
   const double inner = field.half_goal_m();
@@ -44,22 +45,21 @@ inline double distance_to_robot(const RobotState& robot, const Vec2& point_m) {
   return distance_to_hull(point_m, robot.position_m, robot.heading);
 }
 
-// The robot after `time_s` at its present speeds.
+// The robot after `time_s` at constant velocity.
 inline RobotState moved_on(RobotState robot, double time_s) {
   robot.position_m += robot.velocity_mps * time_s;
   robot.heading = to_world(heading_of(robot.angular_velocity_radps * time_s), robot.heading);
   return robot;
 }
 
-// How fast the ball moves along `outwards`, as seen from the robot's surface at `arm_m` from its
-// centre.
+// The ball's speed along `outwards`, relative to the robot's surface at `arm_m` from its centre.
 inline double leaving_mps(const BallState& ball, const RobotState& robot, const Vec2& arm_m,
                           const Vec2& outwards) {
   const Vec2 surface_mps = robot.velocity_mps + robot.angular_velocity_radps * left_of(arm_m);
   return (ball.velocity_mps - surface_mps).dot(outwards);
 }
 
-// The direction in which `distance_m`, a function of a point, grows.
+// The gradient direction of `distance_m`, a function of a point.
 template <typename Distance>
 Vec2 outwards_at(const Vec2& point_m, Distance distance_m) {
   constexpr double kNear_m = 1e-6;
@@ -70,8 +70,8 @@ Vec2 outwards_at(const Vec2& point_m, Distance distance_m) {
                       {1, 0});
 }
 
-// The moment within the sub-step at which `gap_m`, a function of time, is first closed; where it
-// stays open, that of the least gap.
+// The time within the sub-step at which `gap_m`, a function of time, first closes; the time of its
+// minimum if it does not.
 template <typename Gap>
 double closing_time_s(Gap gap_m) {
   constexpr int kSamples = 16;
@@ -90,9 +90,9 @@ double closing_time_s(Gap gap_m) {
   return nearest_s;
 }
 
-// The ball's speed along the outward normal before and after a sub-step in which it met something.
+// The ball's speed along the outward normal before and after a sub-step with a collision.
 struct Bounce {
-  double before_mps = 0;  // negative while it closes in
+  double before_mps = 0;  // negative while approaching
   double after_mps = 0;
 };
 
@@ -119,8 +119,8 @@ inline Bounce bounce_off_walls(const Field& field, const BallState& former, cons
   return {former.velocity_mps.dot(outwards), ball.velocity_mps.dot(outwards)};
 }
 
-// What the forces of a sub-step may add to the speed at which the ball leaves a robot: its drive,
-// its turning at the plate's corner, the carpet, and the pull of a running dribbler.
+// The maximum effect of a sub-step's forces on the speed at which the ball leaves a robot: drive,
+// rotation at the plate's corner, carpet, and the pull of a running dribbler.
 inline double forced_mps(const BallParameters& ball, const RobotSpec& robot, bool dribbles) {
   const RobotParameters& body = robot.body;
   const double pull_mps2 = dribbles ? robot.dribbler.force_n / ball.mass_kg : 0.0;
@@ -128,9 +128,9 @@ inline double forced_mps(const BallParameters& ball, const RobotSpec& robot, boo
                        ball.slide_mps2 + pull_mps2);
 }
 
-// The least of `distance_m`, a function of a point and of the share of the way to it, on the
-// straight way between two places of the ball's centre. A ball that bounced off something convex
-// meanwhile kept to one side of it; so does the straight way.
+// The minimum of `distance_m`, a function of a point and of the fraction of the path to it, on the
+// straight line between two positions of the ball's centre. A ball that bounced off a convex body
+// meanwhile stayed on one side of it, and so does the line.
 template <typename Distance>
 double least_on_path_m(const Vec2& from_m, const Vec2& to_m, Distance distance_m) {
   constexpr int kSamples = 8;

@@ -12,7 +12,7 @@
 namespace autoref::sim {
 namespace {
 
-TEST(CameraPreset, IsRefusedWhereUnknownAndTheKnownAreNamed) {
+TEST(CameraPreset, IsRefusedIfUnknownAndTheKnownAreListed) {
   Configuration configuration;
   try {
     apply_camera_preset("sharp", configuration);
@@ -24,9 +24,9 @@ TEST(CameraPreset, IsRefusedWhereUnknownAndTheKnownAreNamed) {
   }
 }
 
-// What a preset's frames of a standing robot and a standing ball are like.
+// Statistics of a preset's frames of a robot and a ball at rest.
 struct Observed {
-  double ball_m2 = 0;  // mean square of an error's coordinate
+  double ball_m2 = 0;  // mean squared error of a coordinate
   double robot_m2 = 0;
   double robot_rad2 = 0;
   double ball_misses = 0;
@@ -69,11 +69,12 @@ struct Kind {
 
 class CameraKind : public testing::TestWithParam<Kind> {};
 
-TEST_P(CameraKind, HasTheNoiseAndTheMissesOfItsTable) {
+TEST_P(CameraKind, HasTheNoiseAndTheMissRatesOfTheTable) {
   constexpr int kFrames = 40000;
   const Kind& kind = GetParam();
   const Observed seen = observe(kind.name, kFrames);
-  // Five standard deviations of a variance from 40000 frames, two coordinates each; of a share.
+  // Five standard deviations: of a variance over 40000 frames with two coordinates each, and of a
+  // share.
   EXPECT_NEAR(std::sqrt(seen.ball_m2), kind.ball_m, 0.013 * kind.ball_m + 1e-7);
   EXPECT_NEAR(std::sqrt(seen.robot_m2), kind.robot_m, 0.013 * kind.robot_m + 1e-7);
   EXPECT_NEAR(std::sqrt(seen.robot_rad2), kind.robot_rad, 0.018 * kind.robot_rad + 1e-7);
@@ -82,7 +83,7 @@ TEST_P(CameraKind, HasTheNoiseAndTheMissesOfItsTable) {
   EXPECT_NEAR(seen.robot_misses, kind.robot_misses, tolerance(kind.robot_misses));
 }
 
-TEST_P(CameraKind, SetsRadioAndLatencyAndIsKnownByItsNumbers) {
+TEST_P(CameraKind, SetsRadioAndLatencyAndIsIdentifiedByItsParameters) {
   const Kind& kind = GetParam();
   Configuration configuration;
   apply_camera_preset(kind.name, configuration);
@@ -93,7 +94,7 @@ TEST_P(CameraKind, SetsRadioAndLatencyAndIsKnownByItsNumbers) {
   EXPECT_EQ(camera_preset_of(configuration), std::nullopt);
 }
 
-// ER-Force's kinds of realism.
+// The realism levels of ER-Force's simulator.
 INSTANTIATE_TEST_SUITE_P(
     Presets, CameraKind,
     testing::Values(Kind{"paper", 0, 0, 0, 0, 0, 0, 0.040}, Kind{"none", 0, 0, 0, 0, 0, 0, 0.040},

@@ -1,4 +1,4 @@
-// Cameras over the default field, and what they look at.
+// Cameras over the default field, and scenes in front of them.
 #pragma once
 
 #include "sim/camera.hpp"

@@ -11,7 +11,7 @@ namespace autoref::sim {
 namespace {
 
 bool is_float_mm(double metres) {
-  // volatile: the rounding must happen, whatever the compiler thinks of it.
+  // volatile prevents the compiler from skipping the rounding.
   volatile float millimetres = static_cast<float>(metres * 1000.0);
   return static_cast<double>(millimetres) / 1000.0 == metres;
 }
@@ -58,24 +58,24 @@ TEST(Camera, SeesAFlyingBallOnTheRayThatMeetsIt) {
   EXPECT_EQ(frame.ball->height_m, std::nullopt);
   const CameraPosition& from = frame.ball->seen_from;
   EXPECT_EQ(from.position_m, Vec2(Field{}.half_length_m() / 2, Field{}.half_width_m() / 2));
-  // Three points on one ray: the camera, the ball's middle, and what is reported, as high as the
-  // middle of a ball on the carpet.
+  // Three collinear points: the camera, the ball's centre, and the reported position at the height
+  // of the centre of a ball on the carpet.
   const double share = 0.6 / (from.height_m - kBallRadius_m);
   const Vec2 ball_m = frame.ball->position_m + share * (from.position_m - frame.ball->position_m);
   EXPECT_LT((ball_m - world.ball.position_m).norm(), 1e-6);
 }
 
-TEST(Camera, HidesABallInARobotsShadowOnly) {
+TEST(Camera, HidesABallOnlyBehindARobot) {
   const CameraPosition camera{{0, 0}, 4};
   RobotState robot;
   robot.position_m = {2, 0};
   robot.heading = {0, 1};
-  // Over the hull the ray of a lying ball rises by 125.5 mm; the hull begins 90 mm behind the
-  // robot's middle, and the shadow ends where the ray meets the far edge at robot's height.
+  // Across the hull the ray to a ball on the carpet rises by 125.5 mm. The hull begins 90 mm behind
+  // the robot's centre, and the shadow ends where the ray meets the far edge at robot height.
   const double end_m = 2.09 + 2.09 * (kRobotHeight_m - kBallRadius_m) / (4 - kRobotHeight_m);
   EXPECT_TRUE(hides_ball(robot, {end_m - 0.001, 0}, 0, camera));
   EXPECT_FALSE(hides_ball(robot, {end_m + 0.001, 0}, 0, camera));
-  EXPECT_FALSE(hides_ball(robot, {1.85, 0}, 0, camera)) << "before the robot";
+  EXPECT_FALSE(hides_ball(robot, {1.85, 0}, 0, camera)) << "in front of the robot";
   EXPECT_FALSE(hides_ball(robot, {2.1, 0.12}, 0, camera)) << "beside it";
   EXPECT_FALSE(hides_ball(robot, {end_m - 0.001, 0}, 0.02, camera)) << "too high for the shadow";
   robot.heading = {1, 0};  // the flat front is 15 mm nearer to the camera than the round back
@@ -83,7 +83,7 @@ TEST(Camera, HidesABallInARobotsShadowOnly) {
   EXPECT_TRUE(hides_ball(robot, {end_m - 0.017, 0}, 0, camera));
 }
 
-// A ray is followed in small steps, by other geometry than the camera's.
+// Samples the ray in small steps, independently of the camera's geometry.
 bool is_hidden_step_by_step(const RobotState& robot, const Vec2& ball_m, double height_m,
                             const CameraPosition& camera) {
   constexpr int kSteps = 4000;
@@ -99,7 +99,7 @@ bool is_hidden_step_by_step(const RobotState& robot, const Vec2& ball_m, double 
   return false;
 }
 
-TEST(Camera, HidesTheBallAsLongAsTheRayPassesThroughARobot) {
+TEST(Camera, HidesTheBallWhileTheRayPassesThroughARobot) {
   RandomStream random(3);
   int hidden = 0;
   int doubtful = 0;
@@ -113,7 +113,7 @@ TEST(Camera, HidesTheBallAsLongAsTheRayPassesThroughARobot) {
     const double height_m = random.uniform() < 0.5 ? 0.0 : 0.1 * random.uniform();
     const bool is_hidden = hides_ball(robot, ball_m, height_m, camera);
     hidden += is_hidden ? 1 : 0;
-    // The steps may just miss a corner of the hull.
+    // Sampling may just miss a corner of the hull.
     if (is_hidden != is_hidden_step_by_step(robot, ball_m, height_m, camera)) ++doubtful;
   }
   EXPECT_GT(hidden, 300);
@@ -128,7 +128,7 @@ TEST(Camera, DoesNotSeeAHiddenBallUntilTheRobotLeaves) {
   configuration.vision.robots_hide_ball = true;
   Camera hiding(configuration.vision, Field{}, 60, 1);
   const CameraPosition position = camera_positions(Field{}, 4)[3];
-  // Seen from the camera of its quarter only, behind a robot.
+  // Visible only to the camera of its quarter, behind a robot.
   const Vec2 outwards = position.position_m.normalized();
   const Vec2 robot_m = position.position_m + outwards * 1.5;
   WorldState world = world_with_robot_at(robot_m, robot_m + outwards * 0.115);
@@ -145,7 +145,7 @@ TEST(Camera, DoesNotSeeAHiddenBallUntilTheRobotLeaves) {
   EXPECT_TRUE(frame.ball);
 }
 
-TEST(Camera, SeesEveryPlaceInsideTheWallsWithSomeCamera) {
+TEST(Camera, CoversEveryPointInsideTheWalls) {
   Camera camera = camera_of("none");
   const Field field;
   WorldState world;
@@ -160,7 +160,7 @@ TEST(Camera, SeesEveryPlaceInsideTheWallsWithSomeCamera) {
   }
 }
 
-TEST(Camera, ShowsOtherNoiseForAnotherSeedAndTheSameForTheSame) {
+TEST(Camera, DrawsItsNoiseFromTheSeed) {
   Camera first = camera_of("realistic", 1);
   Camera again = camera_of("realistic", 1);
   Camera other = camera_of("realistic", 2);

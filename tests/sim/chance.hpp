@@ -1,11 +1,11 @@
-// Random numbers for scenes that try many cases.
+// Random numbers for tests that try many cases.
 #pragma once
 
 #include "soccer/random.hpp"
 
 namespace autoref::sim {
 
-// One draw, evenly spread.
+// One uniform draw.
 inline double between(RandomStream& random, double low, double high) {
   return low + (high - low) * random.uniform();
 }

@@ -1,5 +1,5 @@
-// Chips and straight kicks of the simulated robots, seen by simulated cameras without heights, and
-// what a tracker makes of them.
+// The tracker's estimates for chips and straight kicks of simulated robots, seen by simulated
+// cameras that report no heights.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,15 +14,15 @@
 namespace autoref::sim {
 namespace {
 
-// Sums over the frames of first flights in which the ball is higher than 50 mm, 150 ms and more
-// after the kick.
+// Sums over the frames of first flights from 150 ms after the kick, while the ball is higher than
+// 50 mm.
 struct Heights {
   int frames = 0;
   int detected = 0;  // as flying
   double error2_m2 = 0;
   double position_error2_m2 = 0;
-  int honest = 0;  // within two stated deviations
-  int wrong = 0;   // said to fly while on the carpet
+  int honest = 0;  // within two of the estimated deviations
+  int wrong = 0;   // reported in the air while on the carpet
 
   double rms_m() const { return std::sqrt(error2_m2 / detected); }
   double position_rms_m() const { return std::sqrt(position_error2_m2 / detected); }
@@ -42,12 +42,12 @@ void watch(const WorldState& world, const TrackedBall& ball, double since_kick_s
   sums.honest += std::abs(error_m) <= 2 * ball.height_deviation_m ? 1 : 0;
 }
 
-// One robot kicks from a random place, in a random direction over the field.
+// One robot kicks from a random position, in a random direction across the field.
 void kick_and_watch(RandomStream& random, std::uint64_t seed, bool chip, Heights& sums) {
   Configuration configuration = quiet();
   apply_camera_preset("realistic", configuration);
   configuration.radio.command_loss = 0.0;
-  configuration.latency_s = 0.05 * random.uniform();  // kicks fall anywhere between two frames
+  configuration.latency_s = 0.05 * random.uniform();  // kicks occur anywhere between two frames
   Scene scene(configuration, specs(1, 0), seed);
   Camera camera(configuration.vision, scene.field, 60, seed);
   Tracker tracker({configuration.vision.ball_noise_m, configuration.vision.robot_noise_m,
@@ -69,7 +69,7 @@ void kick_and_watch(RandomStream& random, std::uint64_t seed, bool chip, Heights
     camera.look(scene.world.state(), frame);
     const Tracks& tracks = tracker.update(frame);
     if (!scene.world.touches().empty()) kicked_s = std::min(kicked_s, frame.time_s);
-    // In the air the ball only ever rises more slowly.
+    // The vertical speed only decreases during the flight.
     const double rise_mps = scene.ball().vertical_mps;
     has_landed = has_landed || (frame.time_s > kicked_s && rise_mps > former_rise_mps);
     former_rise_mps = rise_mps;
@@ -86,11 +86,11 @@ TEST(ChipSeen, IsReportedWithItsHeightUnderRealisticVision) {
   EXPECT_GE(sums.detected, 0.90 * sums.frames) << sums.detected << " of " << sums.frames;
   EXPECT_LT(sums.rms_m(), 0.06);
   EXPECT_LT(sums.position_rms_m(), 0.06);
-  // Measured: 93 %, where 95 % would be right; kicks late between two frames are found late.
+  // Measured: 93 % instead of the nominal 95 %; kicks late between two frames are detected late.
   EXPECT_GE(sums.honest, 0.91 * sums.detected) << sums.honest << " of " << sums.detected;
 }
 
-TEST(ChipSeen, IsHardlyEverReportedOfAStraightKick) {
+TEST(ChipSeen, IsRarelyReportedForAStraightKick) {
   RandomStream random(4);
   Heights sums;
   constexpr int kKicks = 300;
@@ -99,7 +99,7 @@ TEST(ChipSeen, IsHardlyEverReportedOfAStraightKick) {
   }
   EXPECT_EQ(sums.frames, 0);
   // Measured: 35 of some 13500 frames after the kick.
-  EXPECT_LE(sums.wrong, 0.004 * kKicks * 45) << "frames of a ball said to fly";
+  EXPECT_LE(sums.wrong, 0.004 * kKicks * 45) << "frames with the ball reported in the air";
 }
 
 }  // namespace

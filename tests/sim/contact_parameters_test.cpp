@@ -1,5 +1,5 @@
-// Each number of a contact, of the ball and of the line-up does what it is named after: the default
-// and a value far from it are both seen in the world.
+// Each parameter of contacts, ball and line-up has its documented effect, at its default and at a
+// value far from it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kRebound_mps = 4.0;
 
-// The ball's speed away from what it hit at 4 m/s, along x, as the first frames show it; less what
-// the carpet takes, 3.4 m/s^2, in one or two frames.
+// The ball's rebound speed along x after an impact at 4 m/s, from the first frames after it:
+// reduced by what the carpet takes, 3.4 m/s^2 for one or two frames.
 double rebound_mps(Scene& scene) {
   double speed_mps = scene.ball().velocity_mps.x();
   const double towards = std::copysign(1.0, speed_mps);
@@ -39,7 +39,7 @@ double off_a_body_mps(const Configuration& configuration) {
 
 double off_a_plate_mps(const Configuration& configuration, bool dribbles) {
   RobotSpec robot = quiet_robot();
-  robot.dribbler.force_n = 0.0;  // the surface alone
+  robot.dribbler.force_n = 0.0;  // only the surface
   Scene scene(configuration, specs(1, 1, robot));
   scene.put_robot(kWest0, {0, 0});
   scene.command(kWest0).dribble = dribbles;
@@ -48,10 +48,10 @@ double off_a_plate_mps(const Configuration& configuration, bool dribbles) {
   return rebound_mps(scene);
 }
 
-// Both slide for up to 4 frames.
+// Tolerance: the carpet slows the ball for up to 4 frames.
 constexpr double kCarpet_mps = 4 * 3.4 / 60;
 
-TEST(ContactParameters, OfWallsAndRobotsAreTheSharesOfSpeedThatTheBallKeeps) {
+TEST(ContactParameters, OfWallsAndRobotsSetTheSpeedTheBallKeeps) {
   EXPECT_NEAR(off_the_wall_mps(quiet()), 0.3 * kRebound_mps, kCarpet_mps);
   EXPECT_NEAR(off_a_body_mps(quiet()), 0.55 * kRebound_mps, kCarpet_mps);
   EXPECT_NEAR(off_a_plate_mps(quiet(), false), 0.4 * kRebound_mps, kCarpet_mps);
@@ -70,7 +70,7 @@ TEST(ContactParameters, OfWallsAndRobotsCanBeSet) {
   EXPECT_NEAR(off_a_plate_mps(configuration, true), 0.6 * kRebound_mps, kCarpet_mps);
 }
 
-// How fast two equal robots that meet at 1 m/s each part.
+// The separation speed of each of two equal robots that collide at 1 m/s each.
 double parting_mps(const Configuration& configuration) {
   Scene scene(configuration);
   scene.put_robot(kWest0, {-0.1, 1}, {1, 0}, {1, 0});
@@ -84,30 +84,30 @@ double parting_mps(const Configuration& configuration) {
   return fastest_mps;
 }
 
-// They brake as well, at 5 m/s^2 each, for a frame at most.
-TEST(ContactParameters, OfTwoRobotsIsTheShareOfTheirClosingSpeed) {
+// They also brake, at 5 m/s^2 each, for at most one frame.
+TEST(ContactParameters, OfTwoRobotsSetsTheirSeparationSpeed) {
   EXPECT_NEAR(parting_mps(quiet()), 0.2 * 2.0, 0.17);
   Configuration configuration = quiet();
   configuration.contacts.robot_restitution = 0.8;
   EXPECT_NEAR(parting_mps(configuration), 0.8 * 2.0, 0.17);
 }
 
-// The ball's speed out of the goal at its first frame after the back wall.
+// The ball's speed out of the goal in the first frame after hitting the back wall.
 double off_the_net_mps(const Configuration& configuration) {
   Scene scene(configuration);
   scene.put_ball({scene.field.half_length_m() + 0.1, 0.0}, {kRebound_mps, 0.0});
   return rebound_mps(scene);
 }
 
-TEST(ContactParameters, OfTheGoalsBackIsTheShareOfSpeedThatTheBallKeeps) {
-  // The net takes 10 m/s^2 besides what the carpet takes: 0.22 m/s a frame.
+TEST(ContactParameters, OfTheGoalsBackSetsTheSpeedTheBallKeeps) {
+  // The net takes 10 m/s^2 in addition to the carpet's deceleration: 0.22 m/s per frame.
   EXPECT_NEAR(off_the_net_mps(quiet()), 0.1 * kRebound_mps - 0.11, 0.13);
   Configuration configuration = quiet();
   configuration.contacts.net_restitution = 0.8;
   EXPECT_NEAR(off_the_net_mps(configuration), 0.8 * kRebound_mps - 0.11, 0.23);
 }
 
-// A ball that flies at the bar with its middle as high as the bar's.
+// A ball flying at the bar with its centre at the height of the bar's.
 double off_the_bar_mps(const Configuration& configuration) {
   Scene scene(configuration);
   BallState ball;
@@ -119,15 +119,15 @@ double off_the_bar_mps(const Configuration& configuration) {
   return rebound_mps(scene);
 }
 
-TEST(ContactParameters, OfTheBarIsTheShareOfSpeedThatTheBallKeeps) {
+TEST(ContactParameters, OfTheBarSetsTheSpeedTheBallKeeps) {
   EXPECT_NEAR(off_the_bar_mps(quiet()), 0.3 * kRebound_mps, 0.05);
   Configuration configuration = quiet();
   configuration.contacts.bar_restitution = 0.9;
   EXPECT_NEAR(off_the_bar_mps(configuration), 0.9 * kRebound_mps, 0.05);
 }
 
-// A ball drops on the middle of a robot from so high that it comes down at `falls_mps`. How it has
-// left: upwards, and along the robot's heading.
+// Drops a ball on the centre of a robot, landing at `falls_mps`. Returns its speed afterwards:
+// upwards, and along the robot's heading.
 Vec2 off_a_robots_top_mps(const Configuration& configuration, double falls_mps) {
   Scene scene(configuration);
   scene.put_robot(kWest0, {0, 0});
@@ -141,8 +141,8 @@ Vec2 off_a_robots_top_mps(const Configuration& configuration, double falls_mps) 
   return {scene.ball().velocity_mps.x(), scene.ball().vertical_mps};
 }
 
-// Gravity takes 0.16 m/s of the upward speed in a frame.
-TEST(ContactParameters, OfARobotsTopAreWhatTheBallKeepsAndHowFastItLeaves) {
+// Gravity reduces the upward speed by 0.16 m/s in a frame.
+TEST(ContactParameters, OfARobotsTopSetTheRestitutionAndTheLeavingSpeed) {
   EXPECT_NEAR(off_a_robots_top_mps(quiet(), 3.0).y(), 0.5 * 3.0, 0.17);
   EXPECT_NEAR(off_a_robots_top_mps(quiet(), 0.1).y(), 0.5, 0.17);
   EXPECT_NEAR(off_a_robots_top_mps(quiet(), 0.1).x(), 0.5, 0.01);
@@ -154,7 +154,7 @@ TEST(ContactParameters, OfARobotsTopAreWhatTheBallKeepsAndHowFastItLeaves) {
   EXPECT_NEAR(off_a_robots_top_mps(configuration, 0.1).x(), 2.0, 0.01);
 }
 
-// How much of its speed along a wall a ball loses that hits the wall at 3 m/s, without the carpet.
+// The tangential speed lost by a ball that hits a wall at 3 m/s, without the carpet's friction.
 double lost_along_the_wall_mps(Configuration configuration) {
   configuration.ball.slide_mps2 = configuration.ball.roll_mps2 = 1e-6;
   Scene scene(configuration);
@@ -163,15 +163,15 @@ double lost_along_the_wall_mps(Configuration configuration) {
   return 5.0 - scene.ball().velocity_mps.x();
 }
 
-// Coulomb: friction times the change across the wall, (1 + 0.3) * 3 m/s.
-TEST(ContactParameters, OfFrictionIsTheShareOfAHitThatActsAlongTheSurface) {
+// Coulomb friction: the coefficient times the normal velocity change, (1 + 0.3) * 3 m/s.
+TEST(ContactParameters, OfFrictionSetsTheTangentialImpulse) {
   EXPECT_NEAR(lost_along_the_wall_mps(quiet()), 0.22 * 1.3 * 3.0, 0.03);
   Configuration configuration = quiet();
   configuration.contacts.friction = 0.1;
   EXPECT_NEAR(lost_along_the_wall_mps(configuration), 0.1 * 1.3 * 3.0, 0.03);
 }
 
-// A ball rolls at `speed_mps` against a robot's back: how fast it comes back.
+// The rebound speed of a ball that rolls at `speed_mps` against a robot's back.
 double slow_rebound_mps(const Configuration& configuration, double speed_mps) {
   Scene scene(configuration);
   scene.put_robot(kWest0, {0, 0}, {-1, 0});
@@ -184,7 +184,7 @@ double slow_rebound_mps(const Configuration& configuration, double speed_mps) {
   return fastest_mps;
 }
 
-TEST(ContactParameters, OfLeastBounceIsTheSpeedBelowWhichNothingComesBack) {
+TEST(ContactParameters, OfLeastBounceSetsTheMinimumSpeedOfABounce) {
   EXPECT_LT(slow_rebound_mps(quiet(), 0.028), 0.002);
   EXPECT_GT(slow_rebound_mps(quiet(), 0.06), 0.005);
   Configuration configuration = quiet();

@@ -1,4 +1,4 @@
-// Longer steps where nothing can meet anything: never over a collision, an order or dead time.
+// Longer steps while no contact is possible: they never skip a collision, a command or dead time.
 #include "sim/contact_prediction.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ Vec2 any_velocity(RandomStream& random, double most_mps) {
   return heading_of(angle_rad) * between(random, 0, most_mps);
 }
 
-// Two robots and a ball close together, somewhere on the field or at its walls.
+// Two robots and a ball close together, somewhere on the field or near its walls.
 class Crowd {
  public:
   explicit Crowd(RandomStream& random)
@@ -70,7 +70,7 @@ class Crowd {
   }
 };
 
-// The greatest change of a velocity while the crowd moves on without any drive.
+// The greatest velocity changes while the crowd moves without any drive.
 struct Changes {
   double ball_mps = 0;
   double robot_mps = 0;
@@ -86,7 +86,7 @@ Changes changes_within_a_long_step(Crowd& crowd) {
                    (crowd.bodies.robot(1).velocity_mps - other.velocity_mps).norm())};
 }
 
-TEST(ContactPrediction, HoldsNoCollisionButGentleOnesOfRobots) {
+TEST(ContactPrediction, MissesOnlyGentleCollisionsBetweenRobots) {
   RandomStream random(11);
   int contact_prediction = 0;
   int collisions = 0;
@@ -100,7 +100,7 @@ TEST(ContactPrediction, HoldsNoCollisionButGentleOnesOfRobots) {
     collisions += changes.ball_mps > 0.01 || changes.robot_mps > 0.5 ? 1 : 0;
     if (!is_contact_free) continue;
     ASSERT_LT(changes.ball_mps, 1e-6) << i;
-    ASSERT_LT(changes.robot_mps, 0.5) << i;  // less than they closed at
+    ASSERT_LT(changes.robot_mps, 0.5) << i;  // less than their closing speed
   }
   EXPECT_GT(contact_prediction, 1000);
   EXPECT_GT(collisions, 1000);
@@ -113,7 +113,7 @@ Configuration with(int substeps, int contact_free_substeps) {
   return configuration;
 }
 
-// A robot drives past a ball that rolls, both far from everything.
+// A robot drives past a rolling ball, both far from everything else.
 Scene far_apart(const Configuration& configuration) {
   Scene scene(configuration);
   scene.put_robot(kWest0, {-2, 1});
@@ -150,7 +150,7 @@ TEST(NearAContact, TheWorldTakesTheShortSteps) {
   EXPECT_EQ(adaptive.ball().velocity_mps, fine.ball().velocity_mps);
 }
 
-// One step of Box2D is 0.2 m long at most: 12 m/s with steps of 1/60 s.
+// A Box2D step covers 0.2 m at most: 12 m/s with steps of 1/60 s.
 TEST(AFastBall, IsNotSlowedDownByLongerSteps) {
   Scene scene(with(4, 1));
   scene.put_robot(kWest0, {-2, 1});
@@ -176,7 +176,8 @@ TEST_P(CommandDelay, IsTheSameWithLongerSteps) {
 
 INSTANTIATE_TEST_SUITE_P(Substeps, CommandDelay, testing::Values(0, 1, 2, 3));
 
-// The ball is far away for `frames` after a kick, then back in the mouth: does the next kick come?
+// Moves the ball away for `frames` after a kick, then back into the dribbler zone. Returns whether
+// the next kick occurs.
 bool is_kicked_again_after(int frames, int contact_free_substeps) {
   Scene scene(with(4, contact_free_substeps));
   scene.put_robot(kWest0, {-2, 1});
@@ -201,7 +202,7 @@ TEST(KickersDeadTime, IsTheSameWithLongerSteps) {
   }
 }
 
-// The speed that two robots have left of `closing_mps` once they have met.
+// The speed of two robots after colliding at `closing_mps`.
 double parting_mps(double closing_mps, int contact_free_substeps) {
   RobotSpec weak = quiet_robot();
   weak.body.acceleration_mps2 = 1e-6;
@@ -214,7 +215,7 @@ double parting_mps(double closing_mps, int contact_free_substeps) {
   return scene.robot(kEast0).velocity_mps.x() - scene.robot(kWest0).velocity_mps.x();
 }
 
-TEST(RobotsThatMeetGently, PartTheSameAfterLongerSteps) {
+TEST(RobotsThatMeetGently, SeparateTheSameAfterLongerSteps) {
   for (const double closing_mps : {0.1, 0.2, 0.3, 0.4, 0.49}) {
     EXPECT_NEAR(parting_mps(closing_mps, 2), parting_mps(closing_mps, 4), 1e-3) << closing_mps;
     EXPECT_NEAR(parting_mps(closing_mps, 4), 0.2 * closing_mps, 1e-3) << closing_mps;

@@ -66,7 +66,7 @@ TEST(RobotsBody, ReflectsAboutHalfOfTheSpeed) {
 TEST(SlowBallAgainstABody, StillBounces) {
   Scene scene;
   scene.put_robot(kWest0, {0, 0}, {-1, 0});
-  scene.put_ball({0.1125, 0.0}, {-0.09, 0.0});  // below Box2D's own threshold of 0.1 m/s
+  scene.put_ball({0.1125, 0.0}, {-0.09, 0.0});  // below Box2D's default threshold of 0.1 m/s
   double fastest_mps = 0.0;
   for (int f = 0; f < 6; ++f) {
     scene.frame();
@@ -96,7 +96,7 @@ TEST_P(HardKicks, NeverPassThroughARobot) {
       deepest_m = std::min(deepest_m, gap_to_hull_m(scene, kWest0));
     }
     ASSERT_GT(deepest_m, -0.01) << i;
-    // The robot's own disc blocks the way: what came through would be far behind it.
+    // The robot blocks the way: a ball that tunnelled would be far behind it.
     const double hits_m = distance_to_hull(off_m * left_of(direction), {0, 0}, robot_heading);
     if (hits_m < -0.01) {
       ASSERT_LT(scene.ball().position_m.dot(direction), 0.25) << i;
@@ -191,7 +191,7 @@ TEST(GoalPost, StopsABall) {
   }
 }
 
-// The places that a robot can press a ball against, and the direction it presses to.
+// The positions where a robot can press a ball against a wall, and the direction of pressing.
 TEST(RobotThatSqueezesTheBall, CannotPressItThroughAWall) {
   const Field field;
   struct Target {
@@ -200,7 +200,7 @@ TEST(RobotThatSqueezesTheBall, CannotPressItThroughAWall) {
   };
   const double line = field.half_length_m();
   const std::vector<Target> targets = {
-      {{line + 0.09, field.half_goal_m() - 0.03}, {0, 1}},   // goal's side wall from inside
+      {{line + 0.09, field.half_goal_m() - 0.03}, {0, 1}},   // goal's side wall, from inside
       {{line + 0.09, field.half_goal_m() + 0.05}, {0, -1}},  // and from outside
       {{line + 0.15, 0.1}, {1, 0}},                          // goal's back wall
       {{line + 0.24, 0.1}, {-1, 0}},                         // and from behind
@@ -237,7 +237,7 @@ TEST(TwoRobotsAtOneBall, KeepItBetweenThem) {
   }
 }
 
-TEST(Touches, NameTheRobotAndThePlaceWhenTheBallArrives) {
+TEST(Touches, NameTheRobotAndThePositionWhenTheBallArrives) {
   Scene scene;
   scene.put_robot(kWest0, {0, 1});
   scene.put_robot(kEast0, {0, 0}, {-1, 0});
@@ -279,11 +279,11 @@ TEST(Touches, CountABallThatStaysOncePerFrame) {
   for (int f = 0; f < 10; ++f) {
     scene.frame();
     EXPECT_GE(scene.world.touches().size(), 1U);
-    EXPECT_LE(scene.world.touches().size(), 2U);  // a second one only after it came off
+    EXPECT_LE(scene.world.touches().size(), 2U);  // a second one only after it separated
   }
 }
 
-TEST(Touches, AreNoneWhereTheBallOnlyEntersTheCutOffPartOfTheDisc) {
+TEST(Touches, IgnoreTheCutOffPartOfTheDisc) {
   Scene scene;
   scene.put_robot(kWest0, {0, 0});
   scene.put_ball({0.075 + 0.0215 + 0.005, -0.3}, {0, 2.0});

@@ -1,4 +1,4 @@
-// The dribbler that holds the ball in every motion of its robot.
+// The dribbler preset that holds the ball in any motion of its robot.
 #include "sim/dribbler.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace autoref::sim {
 namespace {
 
-// As quick as the league's robots get (3.5 m/s, braking at 6 m/s^2), wheels that never limit.
+// As fast as the league's robots (3.5 m/s, braking at 6 m/s^2), with wheels that never limit it.
 RobotSpec quick_holder() {
   RobotSpec robot = quiet_robot();
   robot.body.speed_mps = 3.5;
@@ -30,7 +30,7 @@ Configuration stepped(int substeps) {
   return configuration;
 }
 
-// A robot at the origin that holds the ball.
+// A robot at the origin holding the ball.
 struct Holder : Scene {
   explicit Holder(int substeps = 4) : Scene(stepped(substeps), specs(1, 1, quick_holder())) {
     put_robot(kEast0, {2.5, 1.8}, {-1, 0});
@@ -38,7 +38,7 @@ struct Holder : Scene {
     put_ball_at_plate(kWest0);
     command(kWest0).dribble = true;
   }
-  // The ball as seen from the plate's middle.
+  // The ball relative to its resting position at the plate's centre.
   Vec2 off_m() const {
     const RobotState& at = robot(kWest0);
     return to_local(ball().position_m - at.position_m, at.heading) -
@@ -62,8 +62,8 @@ struct Holder : Scene {
 
 class PerfectDribbler : public testing::TestWithParam<int> {};  // sub-steps
 
-// Changes of mind at any time, in all directions and both ways around, as hard as the robot can.
-TEST_P(PerfectDribbler, HoldsTheBallInEveryMotion) {
+// Random changes of direction and rotation at any time, as hard as the robot can.
+TEST_P(PerfectDribbler, HoldsTheBallInAnyMotion) {
   Holder holder(GetParam());
   RandomStream random(7);
   double farthest_m = 0;
@@ -91,8 +91,8 @@ TEST_P(PerfectDribbler, HoldsTheBallInAFullSpinAndWhenBraking) {
   }
 }
 
-// But for what the robot has just lost by braking at 6 m/s^2, which the ball notices a sub-step
-// later.
+// Except for the speed the robot has just lost by braking at 6 m/s^2, which reaches the ball one
+// sub-step later.
 TEST_P(PerfectDribbler, NeverMakesTheBallFasterThanThePlate) {
   Holder holder(GetParam());
   RandomStream random(8);
@@ -121,7 +121,7 @@ TEST(PerfectDribblerAtRest, LeavesTheBallAtRest) {
   EXPECT_LT(holder.robot(kWest0).velocity_mps.norm(), 1e-3);
 }
 
-TEST(PerfectDribblerAtRest, BringsABallFromTheMouthsEdgeToTheMiddleSlowly) {
+TEST(PerfectDribblerAtRest, CentresABallFromTheZonesEdgeSlowly) {
   Holder holder;
   holder.put_ball({kFrontDistance_m + kBallRadius_m + 0.005, 0.035});
   double fastest_mps = 0;
@@ -143,7 +143,7 @@ TEST(PerfectDribblerAtRest, TakesOnlyABallInItsDribblerZone) {
   }
 }
 
-TEST(PerfectDribblerAtRest, LetsTheBallGoWhenItIsSwitchedOff) {
+TEST(PerfectDribblerAtRest, ReleasesTheBallWhenSwitchedOff) {
   Holder holder;
   holder.command(kWest0).velocity_mps = {-1, 0};
   holder.frames(60);
@@ -154,8 +154,8 @@ TEST(PerfectDribblerAtRest, LetsTheBallGoWhenItIsSwitchedOff) {
   EXPECT_GT(holder.off_m().x(), 0.1);
 }
 
-// With 16 sub-steps the ball is still in the mouth in the sub-step after a slow kick.
-TEST(PerfectDribblerThatKicks, LetsTheBallGo) {
+// With 16 sub-steps the ball is still in the dribbler zone one sub-step after a slow kick.
+TEST(PerfectDribblerThatKicks, ReleasesTheBall) {
   for (const double kick_mps : {1.0, 4.0, 8.0}) {
     for (const int substeps : {2, 16}) {
       Holder holder(substeps);
@@ -170,7 +170,7 @@ TEST(PerfectDribblerThatKicks, LetsTheBallGo) {
   }
 }
 
-TEST(PerfectDribblerThatKicks, LetsAChipGo) {
+TEST(PerfectDribblerThatKicks, ReleasesAChip) {
   Holder holder;
   holder.command(kWest0).kick_mps = 2;
   holder.command(kWest0).chip = true;
@@ -189,7 +189,7 @@ TEST(TwoPerfectDribblers, ShareABallAtRest) {
   }
 }
 
-TEST(TwoPerfectDribblers, ThatPullApartGiveTheBallNoSpeedOfItsOwn) {
+TEST(TwoPerfectDribblers, ThatPullApartDoNotAccelerateTheBall) {
   Holder holder;
   holder.put_robot(kEast0, {2 * (kFrontDistance_m + kBallRadius_m), 0}, {-1, 0});
   holder.command(kEast0).dribble = true;
@@ -202,7 +202,7 @@ TEST(TwoPerfectDribblers, ThatPullApartGiveTheBallNoSpeedOfItsOwn) {
   }
 }
 
-TEST(DribblerPresets, HaveTheirNumbers) {
+TEST(DribblerPresets, HaveTheirParameters) {
   DribblerParameters dribbler;
   EXPECT_EQ(dribbler_preset_of(dribbler), "default");
   apply_dribbler_preset("perfect", dribbler);
@@ -213,7 +213,7 @@ TEST(DribblerPresets, HaveTheirNumbers) {
   EXPECT_EQ(dribbler_preset_of(dribbler), std::nullopt);
 }
 
-TEST(DribblerPresets, AreNamedWhereThereIsNoSuchPreset) {
+TEST(DribblerPresets, AreListedIfOneIsUnknown) {
   DribblerParameters dribbler;
   try {
     apply_dribbler_preset("sticky", dribbler);

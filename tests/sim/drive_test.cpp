@@ -7,7 +7,7 @@
 namespace autoref::sim {
 namespace {
 
-// A robot alone that starts from rest in the west.
+// A single robot that starts from rest in the west.
 struct Lane : Scene {
   explicit Lane(double speed_factor = 1.0, double acceleration_factor = 1.0)
       : Scene(quiet(), handicapped(speed_factor, acceleration_factor)) {
@@ -41,8 +41,8 @@ TEST(Robot, BrakesAtFiveMetresPerSecondSquared) {
   EXPECT_EQ(lane.speed_mps(), 0.0);
 }
 
-// The wheels at 35 degrees drive along 125 degrees; a robot that slows down in that direction is
-// held back by them at 4.5 m/s^2, before the overall limit of 5.
+// The wheels at 35 degrees drive along 125 degrees; they limit a robot braking in that direction to
+// 4.5 m/s^2, below the overall limit of 5.
 TEST(Robot, BrakesLessAlongAWheel) {
   Lane lane;
   const double angle_rad = 125.0 * kPi / 180.0;
@@ -81,7 +81,7 @@ TEST(Robot, MovesInItsOwnFrame) {
   EXPECT_GT(lane.robot(kWest0).position_m.y(), 0.7);
 }
 
-TEST(Robot, IsAsHeavyAsBeforeOnceTheBallHasLeft) {
+TEST(Robot, KeepsItsMassAfterTheBallHasLeft) {
   Lane lane;
   lane.put_ball({-2.2, 0});
   lane.frame();
@@ -114,7 +114,7 @@ TEST_P(Handicap, ScalesBraking) {
 
 INSTANTIATE_TEST_SUITE_P(Factors, Handicap, testing::Values(1.0, 0.8, 0.5));
 
-TEST(RobotsThatPushEachOther, AreInBalanceWhoeverCameFirst) {
+TEST(RobotsThatPushEachOther, AreBalancedWhicheverCameFirst) {
   Scene scene;
   scene.put_robot(kWest0, {-0.09, 0}, {1, 0});
   scene.put_robot(kEast0, {0.09, 0}, {-1, 0});
@@ -138,7 +138,7 @@ TEST(RobotsThatCollide, DoNotPassThroughEachOther) {
   }
 }
 
-TEST(Motors, MakeSpeedsDifferByAboutOnePercent) {
+TEST(Motors, VarySpeedsByAboutOnePercent) {
   RobotSpec noisy = quiet_robot();
   noisy.body.speed_noise = 0.01;
   Scene scene(quiet(), specs(1, 1, noisy));

@@ -7,7 +7,7 @@
 namespace autoref::sim {
 namespace {
 
-// A robot at the origin that looks east and wants to kick.
+// A robot at the origin that faces east and wants to kick.
 struct Shot : Scene {
   explicit Shot(const RobotSpec& robot = quiet_robot(),
                 const Configuration& configuration = quiet())
@@ -20,7 +20,7 @@ struct Shot : Scene {
   }
 };
 
-TEST(Kicker, GivesTheBallTheOrderedSpeedOverGroundAlongTheHeading) {
+TEST(Kicker, GivesTheBallTheCommandedSpeedOverGroundAlongTheHeading) {
   Shot shot;
   shot.put_ball_before(0.0, 0.0);
   shot.frame();
@@ -29,7 +29,7 @@ TEST(Kicker, GivesTheBallTheOrderedSpeedOverGroundAlongTheHeading) {
   EXPECT_FALSE(shot.ball().is_rolling);
 }
 
-TEST(Kicker, FiresWithinItsReachAndDribblerZoneOnly) {
+TEST(Kicker, FiresOnlyWithinItsReachAndDribblerZone) {
   struct Case {
     double gap_m;
     double aside_m;
@@ -44,7 +44,7 @@ TEST(Kicker, FiresWithinItsReachAndDribblerZoneOnly) {
   }
 }
 
-TEST(Kicker, DoesNotFireWithoutAnOrder) {
+TEST(Kicker, DoesNotFireWithoutACommand) {
   Shot shot;
   shot.command(kWest0).kick_mps = 0.0;
   shot.put_ball_before(0.0, 0.0);
@@ -53,7 +53,7 @@ TEST(Kicker, DoesNotFireWithoutAnOrder) {
   EXPECT_TRUE(shot.world.touches().empty() || !shot.world.touches()[0].is_kick);
 }
 
-TEST(Kicker, NeedsATenthOfASecondBetweenKicks) {
+TEST(Kicker, NeedsOneTenthOfASecondBetweenKicks) {
   Shot shot;
   int first_frames = 0;
   for (int f = 0; f < 12; ++f) {
@@ -134,7 +134,7 @@ TEST(Kicker, ScattersByTwoAndAHalfPercentAndOneAndAHalfDegrees) {
   EXPECT_NEAR(std::sqrt(angle2 / kKicks), 1.5, 0.2);
 }
 
-TEST(TwoKickersAtOnce, PushTheBallTogetherWhoeverIsAskedFirst) {
+TEST(TwoKickersAtOnce, AddUpInAnyOrder) {
   Shot shot;
   shot.put_ball({0, 0}, {0, 0}, true);
   shot.put_robot(kWest0, {-0.1, 0}, {1, 0});
@@ -159,9 +159,9 @@ TEST(Dribbler, HoldsTheBallInGentleMotion) {
   }
 }
 
-// Turning on the spot at w takes 46 g * 96.5 mm * w^2 to keep the ball on its circle: 0.16 N at 6
-// rad/s, 0.28 N at 8, and the carpet's friction of up to 0.16 N comes on top.
-TEST(Dribbler, LosesTheBallInAHardTurnOnly) {
+// Turning on the spot at w needs 46 g * 96.5 mm * w^2 to keep the ball on its circle: 0.16 N at 6
+// rad/s, 0.28 N at 8, plus the carpet's friction of up to 0.16 N.
+TEST(Dribbler, LosesTheBallOnlyInAHardTurn) {
   for (const double turn_radps : {6.0, 8.0}) {
     Shot shot;
     shot.command(kWest0).kick_mps = 0.0;
@@ -176,7 +176,7 @@ TEST(Dribbler, LosesTheBallInAHardTurnOnly) {
   }
 }
 
-TEST(Dribbler, TakesMoreOfAnArrivingBallsSpeed) {
+TEST(Dribbler, AbsorbsMoreOfAnArrivingBallsSpeed) {
   double rebound_mps[2];
   for (const bool dribbles : {false, true}) {
     RobotSpec weak = quiet_robot();

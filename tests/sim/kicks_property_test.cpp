@@ -15,7 +15,7 @@ namespace {
 constexpr double kKick_mps = 8.0;
 constexpr double kWatched_s = 0.5;  // after a kick
 
-// A ball on its way at something, and a robot that may be in the way.
+// A ball aimed at an obstacle, and a robot that may be the obstacle.
 struct Shot {
   Vec2 from_m{0, 0};
   Vec2 direction{1, 0};
@@ -42,7 +42,7 @@ Shot at_robot(RandomStream& random) {
   return shot;
 }
 
-// Driven so that it still meets the ball.
+// At a robot moving such that the ball still hits it.
 Shot at_driving_robot(RandomStream& random, double least_mps, double most_mps) {
   Shot shot = at_robot(random);
   const double path_s = shot.from_m.norm() / kKick_mps;
@@ -60,8 +60,8 @@ Shot at_spinning_robot(RandomStream& random) {
   return shot;
 }
 
-// From a random place in a box to one in another, in the quarter of the field where x and y are
-// positive, then in any quarter. The robot waits elsewhere.
+// From a random position in one box towards one in another, in the quarter of the field with
+// positive x and y, then mirrored to a random quarter. The robot is elsewhere.
 Shot from_box_to_box(RandomStream& random, const Vec2& from_low_m, const Vec2& from_high_m,
                      const Vec2& to_low_m, const Vec2& to_high_m) {
   const double turned_x = random.uniform() < 0.5 ? -1 : 1;
@@ -80,8 +80,8 @@ Shot from_box_to_box(RandomStream& random, const Vec2& from_low_m, const Vec2& f
   return shot;
 }
 
-// The field: lines at x 3.025 and y 2.025, walls at 3.7 and 2.7; the goal's side wall at y from
-// 0.35 to 0.37, its back at x from 3.205 to 3.225.
+// The field: lines at x = 3.025 and y = 2.025, walls at 3.7 and 2.7; the goal's side wall from y =
+// 0.35 to 0.37, its back from x = 3.205 to 3.225.
 Shot at_field_walls(RandomStream& random) {
   const bool along = random.uniform() < 0.5;
   return along ? from_box_to_box(random, {2, 0.5}, {3.6, 2.6}, {3.7, 0.5}, {3.7, 2.7})
@@ -105,8 +105,7 @@ Shot at_goal_backs(RandomStream& random) {
 struct Target {
   const char* name;
   int kicks;
-  double most_kept;  // of the normal speed: 0.55 of a body's, 0.3 of a wall's, and a little for the
-                     // normal's own error at corners
+  double most_kept;  // share of the normal speed: 0.55 at a body, 0.3 at a wall, plus a margin
   Shot (*shoot)(RandomStream& random);
 };
 
@@ -122,13 +121,13 @@ class HardShot : public Scene {
   }
 };
 
-// Of one kick, over all sub-steps or frames that were watched.
+// Extremes of one kick, over all observed sub-steps or frames.
 struct Seen {
-  double deepest_m = 0;  // the ball's surface in a body or wall
+  double deepest_m = 0;  // penetration of the ball's surface into a body or wall
   double least_path_m = std::numeric_limits<double>::infinity();  // its centre's, from them
   int hits = 0;
-  double gained_mps = -kKick_mps;  // along the normal, by hits, beyond what forces explain
-  double most_kept = 0;            // share of a normal speed above 1 m/s
+  double gained_mps = -kKick_mps;  // along the normal, by impacts, beyond the effect of forces
+  double most_kept = 0;            // share of a normal speed, if above 1 m/s
 };
 
 void note_depth(const HardShot& scene, Seen& seen) {
@@ -182,8 +181,8 @@ Seen watch_substeps(const Shot& shot) {
   return seen;
 }
 
-// Between frames a robot may turn by a quarter of a radian: its outline is taken to be a disc that
-// lies within the hull.
+// Between frames a robot may turn by a quarter of a radian, so its outline is approximated by a
+// disc inside the hull.
 Seen watch_frames(const Shot& shot) {
   constexpr double kWithin_m = kFrontDistance_m;
   HardShot scene(quiet(), shot);
@@ -205,11 +204,11 @@ Seen watch_frames(const Shot& shot) {
   return seen;
 }
 
-constexpr double kSunk_m = 3_mm;  // the solver works to within two
+constexpr double kSunk_m = 3_mm;  // the solver allows up to two
 
 class FourThousandKicks : public testing::TestWithParam<Target> {};
 
-// Nor is any stuck in one: none is deeper than 3 mm in at the end of any sub-step.
+// No ball gets stuck either: none is deeper than 3 mm at the end of any sub-step.
 TEST_P(FourThousandKicks, NeverPassThroughABodyOrWall) {
   RandomStream random(21);
   for (int i = 0; i < GetParam().kicks; ++i) {

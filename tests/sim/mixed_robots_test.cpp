@@ -1,4 +1,4 @@
-// Robots of one world that differ from each other.
+// Robots with different parameters in one world.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace {
 
 constexpr RobotId kWest1{Side::kWest, 1};
 
-// Two robots in the west, the first one changed by `change`.
+// Two robots in the west, the first one modified by `change`.
 template <typename Change>
 PerSide<TeamSpec> first_changed(Change change) {
   PerSide<TeamSpec> both = specs(2, 0);
@@ -72,7 +72,7 @@ TEST(MixedRobots, HaveTheirOwnKicker) {
   EXPECT_NEAR(speed_mps[1], 5.0, 0.01);
 }
 
-TEST(MixedRobots, ChargeTheirKickersApart) {
+TEST(MixedRobots, ChargeTheirKickersIndependently) {
   Pair pair([](RobotSpec& slow) { slow.kicker.dead_time_s = 10; });
   RobotCommand kick;
   kick.kick_mps = 5;
@@ -103,7 +103,7 @@ TEST(MixedRobots, HaveTheirOwnDribbler) {
   EXPECT_LT(moved_m[1], -0.3);
 }
 
-// 2.5 kg at 2 m/s meet 5 kg at rest; 0.2 of the speed between them is kept.
+// 2.5 kg at 2 m/s hits 5 kg at rest; 0.2 of the closing speed is kept.
 TEST(MixedRobots, HaveTheirOwnMass) {
   Pair pair([](RobotSpec& heavy) { heavy.body.mass_kg = 5; });
   pair.put_robot(kWest0, {0.3, 0});
@@ -118,8 +118,9 @@ TEST(MixedRobots, HaveTheirOwnMass) {
   EXPECT_NEAR(fastest_mps, after_mps, 0.07);
 }
 
-// A robot gets its plate when the ball comes near and loses it later; Box2D then forgets the mass.
-TEST(MixedRobots, KeepTheirMassWhenTheBallHasComeAndGone) {
+// A robot gets its plate when the ball comes near and loses it later; Box2D then recomputes the
+// mass.
+TEST(MixedRobots, KeepTheirMassAfterTheBallHasComeAndGone) {
   Pair pair([](RobotSpec& heavy) { heavy.body.mass_kg = 5; });
   pair.put_ball({-1.7, 1});
   pair.frame();

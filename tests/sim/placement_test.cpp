@@ -40,7 +40,7 @@ TEST(PlacedBall, StaysWithinTheLimitsOfSpeedAndAcceleration) {
   EXPECT_NEAR(top_mps, 3.0, 0.01);
 }
 
-TEST(PlacedBall, IsFirstStoppedWhereItIsMoving) {
+TEST(PlacedBall, IsFirstStoppedIfItIsMoving) {
   Scene scene;
   scene.put_ball({-2, 1.5}, {6.0, 0.0});
   scene.placement = Placement{{-2, 0.5}, false};
@@ -51,12 +51,12 @@ TEST(PlacedBall, IsFirstStoppedWhereItIsMoving) {
   EXPECT_LT((scene.ball().position_m - Vec2(-2, 0.5)).norm(), 1e-6);
 }
 
-TEST(PlacedBall, PushesNoRobotAndTouchesNone) {
+TEST(PlacedBall, NeitherPushesNorTouchesARobot) {
   Scene scene;
   scene.put_robot(kWest0, {0, 0});
   scene.put_robot(kEast0, {-1, 0}, {-1, 0});
   scene.put_ball({1, 0});
-  scene.placement = Placement{{-1, 0}, false};  // its target is where a robot stands
+  scene.placement = Placement{{-1, 0}, false};  // a robot stands on the target
   for (int f = 0; f < 180; ++f) {
     scene.frame();
     ASSERT_TRUE(scene.world.touches().empty());
@@ -100,7 +100,7 @@ TEST(BallPlacedAtOnce, CanFollowADragThatTookTooLong) {
   EXPECT_LT((scene.ball().position_m - Vec2(-1.5, -0.7)).norm(), 1e-6);
 }
 
-TEST(PlacedBall, TurnsToANewTargetWithoutAJump) {
+TEST(PlacedBall, ChangesToANewTargetWithoutAJump) {
   Scene scene;
   scene.put_ball({2, 0});
   scene.placement = Placement{{-2, 0}, false};
@@ -140,7 +140,7 @@ TEST(ReleasedBall, IsFreeAgain) {
   EXPECT_GT(scene.ball().velocity_mps.x(), 4.5);
 }
 
-// Distance of a point from the nearest part of a goal's walls; 0 inside them.
+// Distance of a point from the nearest wall of a goal; 0 inside a wall.
 double to_goal_walls_m(const Field& field, const Vec2& p) {
   const double line = field.half_length_m();
   const double back = line + field.goal_depth_m;
@@ -151,7 +151,7 @@ double to_goal_walls_m(const Field& field, const Vec2& p) {
   return std::min(side_m, back_m) - field.goal_wall_thickness_m / 2;
 }
 
-TEST(PlacedBall, NeverPassesAGoalsWalls) {
+TEST(PlacedBall, NeverCrossesAGoalsWalls) {
   const Field field;
   RandomStream random(9);
   for (int i = 0; i < 300; ++i) {
@@ -172,7 +172,7 @@ TEST(PlacedBall, NeverPassesAGoalsWalls) {
   }
 }
 
-TEST(PlacedBall, LeavesAGoalThroughItsDribblerZone) {
+TEST(PlacedBall, LeavesAGoalThroughItsOpening) {
   const Field field;
   Scene scene;
   scene.put_ball({field.half_length_m() + 0.15, 0.3});
@@ -187,7 +187,7 @@ TEST(PlacedBall, LeavesAGoalThroughItsDribblerZone) {
   EXPECT_LT((scene.ball().position_m - Vec2(0, 1.8)).norm(), 1e-6);
 }
 
-TEST(PlacedBall, HasTurnedRoutesForTurnedPlaces) {
+TEST(PlacedBall, HasRotatedRoutesForRotatedPositions) {
   const Field field;
   for (const Vec2& from : {Vec2(3.3, 0.0), Vec2(3.3, 0.2), Vec2(3.1, -0.3), Vec2(3.2, 1.0)}) {
     const Route route = route_between(field, from, {1, 0.5}, 0.05);

@@ -1,4 +1,4 @@
-// What a lossy radio does to commands.
+// The effect of a lossy radio on commands.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,8 +15,8 @@ Configuration lossy(double share) {
   return configuration;
 }
 
-// Commands to and fro by turns of one frame. An order that is lost leaves the robot's acceleration
-// as it was; how often that happens is counted from the robot's speed.
+// Commands alternate between opposite directions every frame. A lost command leaves the robot's
+// acceleration as it was; losses are counted from the robot's speed.
 double share_of_ignored_commands(double loss, int frames) {
   Scene scene(lossy(loss));
   scene.put_robot(kWest0, {-1, 0});
@@ -33,22 +33,22 @@ double share_of_ignored_commands(double loss, int frames) {
   return static_cast<double>(ignored) / frames;
 }
 
-TEST(Radio, LosesTheShareOfCommandsThatItSays) {
+TEST(Radio, LosesTheConfiguredShareOfCommands) {
   EXPECT_EQ(share_of_ignored_commands(0.0, 1200), 0.0);
-  // Two losses in a row repeat the order before last, the right one: lost minus lost squared, and
-  // so on, is 0.2 / 1.2. Five standard deviations of 6000 commands.
+  // Two consecutive losses repeat the command before last, which is the right one: lost minus lost
+  // squared, and so on, gives 0.2 / 1.2. Five standard deviations of 6000 commands.
   EXPECT_NEAR(share_of_ignored_commands(0.2, 6000), 0.2 / 1.2, 0.026);
 }
 
-// Nine of ten commands are lost. Which ones is told by the radio's own stream.
-TEST(Radio, LetsARobotGoOnForATenthOfASecondAndThenStopsIt) {
+// Nine of ten commands are lost. The radio's own stream predicts which ones.
+TEST(Radio, LetsARobotContinueForATenthOfASecondThenStopsIt) {
   constexpr double kLoss = 0.9;
   constexpr std::uint64_t kSeed = 1;
   constexpr double kFrame_s = 1.0 / 60.0;
   Scene scene(lossy(kLoss), specs(1, 1), kSeed);
   RandomStream radio = RandomStream::of(kSeed, RandomPurpose::kRadio, Side::kWest);
   scene.command(kWest0).velocity_mps = {1.0, 0.0};
-  int silent_frames = 1000;  // nothing was ever heard
+  int silent_frames = 1000;  // no command received yet
   double expected_mps = 0.0;
   int gone_on = 0;
   int stopped = 0;
@@ -61,7 +61,7 @@ TEST(Radio, LetsARobotGoOnForATenthOfASecondAndThenStopsIt) {
                            : std::max(0.0, expected_mps - 5.0 * kFrame_s);
     scene.put_robot(kWest0, {0, 0}, {1, 0}, scene.robot(kWest0).velocity_mps);
     scene.frame();
-    // A speed that ended a hair below zero is braked first, with 5 m/s2 for a sub-step.
+    // A speed slightly below zero is braked first, at 5 m/s2 for one sub-step.
     ASSERT_NEAR(scene.robot(kWest0).velocity_mps.x(), expected_mps, 0.0084) << f;
   }
   EXPECT_GT(gone_on, 100);

@@ -1,4 +1,4 @@
-// Robots that met, and the ball's velocity after a touch: truths for those who judge a referee.
+// Robot collisions and the ball's velocity after a touch: ground truth for evaluating referees.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -17,7 +17,7 @@ std::vector<RobotCollision> collisions_in(Scene& scene, int frames) {
   return met;
 }
 
-TEST(Meetings, TellWhoMetAndHowFastBothWereJustBefore) {
+TEST(RobotCollisions, ReportTheRobotsAndTheirVelocitiesJustBefore) {
   Scene scene;
   scene.put_ball({0, 1});
   scene.put_robot(kWest0, {-0.0925, 0}, {1, 0}, {1.0, 0});
@@ -31,14 +31,14 @@ TEST(Meetings, TellWhoMetAndHowFastBothWereJustBefore) {
   EXPECT_NEAR((met.front().centres_m[1] - met.front().centres_m[0]).norm(), 0.18, 0.01);
 }
 
-TEST(Meetings, AreNoneBetweenRobotsThatPassEachOther) {
+TEST(RobotCollisions, IgnoreRobotsThatPassEachOther) {
   Scene scene;
   scene.put_robot(kWest0, {-0.10, 0.10}, {1, 0}, {1.0, 0});
   scene.put_robot(kEast0, {0.10, -0.10}, {-1, 0}, {-1.0, 0});
   EXPECT_TRUE(collisions_in(scene, 10).empty());
 }
 
-TEST(Touches, TellTheBallsVelocityAfterAKick) {
+TEST(Touches, ReportTheBallsVelocityAfterAKick) {
   Scene scene;
   scene.put_robot(kWest0, {0, 0});
   scene.put_ball_at_plate(kWest0);

@@ -1,4 +1,4 @@
-// Small worlds for tests: quiet motors and kickers, robots out of the way.
+// Small worlds for tests: noiseless motors and kickers, robots out of the way.
 #pragma once
 
 #include <optional>
@@ -22,7 +22,7 @@ inline RobotSpec quiet_robot() {
   return robot;
 }
 
-// So many robots a side, all like `robot`.
+// Specs with this many robots per side, all like `robot`.
 inline PerSide<TeamSpec> specs(std::size_t west, std::size_t east,
                                const RobotSpec& robot = quiet_robot()) {
   return {{TeamSpec{TeamSpec::Robots(west, robot)}, TeamSpec{TeamSpec::Robots(east, robot)}}};
@@ -31,7 +31,7 @@ inline PerSide<TeamSpec> specs(std::size_t west, std::size_t east,
 inline constexpr RobotId kWest0{Side::kWest, 0};
 inline constexpr RobotId kEast0{Side::kEast, 0};
 
-// One robot a side unless told otherwise.
+// One robot per side by default.
 struct Scene {
   explicit Scene(const Configuration& configuration = quiet(),
                  const PerSide<TeamSpec>& teams = specs(1, 1), std::uint64_t seed = 1)
@@ -48,7 +48,7 @@ struct Scene {
     ball.is_rolling = rolls;
     world.put_ball(ball);
   }
-  // A ball against the middle of a resting robot's plate.
+  // Puts the ball at the centre of a resting robot's plate.
   void put_ball_at_plate(RobotId id, double gap_m = 0.0) {
     const RobotState& at = robot(id);
     put_ball(at.position_m + at.heading * (kFrontDistance_m + kBallRadius_m + gap_m), {0, 0}, true);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr RobotId kWest1{Side::kWest, 1};
 
-// A ball rolls along y = 0 at the east's robot, the west's is out of the way.
+// A ball rolls along y = 0 towards east's robot; west's robot is out of the way.
 Scene ball_at_a_robot() {
   Scene scene;
   scene.put_robot(kWest0, {-2, 1});
@@ -20,7 +20,7 @@ Scene ball_at_a_robot() {
   return scene;
 }
 
-TEST(ARobotOffTheField, LetsTheBallPassWhereItStood) {
+TEST(ARobotOffTheField, DoesNotBlockTheBall) {
   Scene scene = ball_at_a_robot();
   scene.world.take_off(kEast0);
   scene.frames(30);
@@ -30,7 +30,7 @@ TEST(ARobotOffTheField, LetsTheBallPassWhereItStood) {
   EXPECT_LT(still_there.ball().position_m.x(), 1.0);
 }
 
-TEST(ARobotOffTheField, CatchesNoBallThatComesDownOnIt) {
+TEST(ARobotOffTheField, DoesNotStopABallThatLandsThere) {
   Scene scene = ball_at_a_robot();
   scene.world.take_off(kEast0);
   BallState falling;
@@ -45,7 +45,7 @@ TEST(ARobotOffTheField, CatchesNoBallThatComesDownOnIt) {
   EXPECT_LT(lowest_m, 0.05);
 }
 
-TEST(ARobotOffTheField, IsInNoStateAndOnNoFrame) {
+TEST(ARobotOffTheField, IsMissingFromStateAndFrame) {
   Scene scene(quiet(), specs(3, 1));
   scene.world.take_off(kWest1);
   scene.frame();
@@ -73,8 +73,8 @@ TEST(ARobotOffTheField, NeitherDrivesNorKicks) {
   EXPECT_EQ(scene.robot(kWest0).velocity_mps, Vec2(0, 0));
 }
 
-// A robot at the ball would have the world take its short steps.
-TEST(ARobotOffTheField, DisturbsNoContactFreeStep) {
+// A robot next to the ball would make the world take short steps.
+TEST(ARobotOffTheField, DoesNotPreventLongerSteps) {
   Configuration coarse = quiet();
   coarse.substeps = 2;
   Scene adaptive = ball_at_a_robot();
@@ -89,7 +89,7 @@ TEST(ARobotOffTheField, DisturbsNoContactFreeStep) {
   EXPECT_EQ(adaptive.ball().position_m, always_long.ball().position_m);
 }
 
-TEST(ARobotOffTheField, ComesBackAndPlays) {
+TEST(ARobotOffTheField, CanReturnAndPlay) {
   Scene scene = ball_at_a_robot();
   scene.world.take_off(kEast0);
   scene.frames(60);
@@ -105,7 +105,7 @@ TEST(ARobotOffTheField, ComesBackAndPlays) {
   EXPECT_LT(scene.ball().velocity_mps.x(), -1.0);
 }
 
-TEST(ARobotOffTheField, ShiftsNoChanceOfItsMates) {
+TEST(ARobotOffTheField, DoesNotShiftItsTeammatesRandomNumbers) {
   const auto trajectory_of_second = [](bool first_leaves) {
     Scene scene(quiet(), specs(2, 0, RobotSpec{}), 7);
     scene.put_robot(kWest0, {-2, 1.5});
@@ -119,7 +119,7 @@ TEST(ARobotOffTheField, ShiftsNoChanceOfItsMates) {
   EXPECT_EQ(trajectory_of_second(true), trajectory_of_second(false));
 }
 
-// A crowd at the ball in which a robot comes and goes.
+// A crowd at the ball, with a robot leaving and returning.
 std::vector<Vec2> trajectories_with_changes() {
   Scene scene(quiet(), specs(3, 3, RobotSpec{}), 5);
   std::vector<Vec2> trajectory_m;
@@ -140,7 +140,7 @@ std::vector<Vec2> trajectories_with_changes() {
   return trajectory_m;
 }
 
-TEST(RobotsThatComeAndGo, MakeTheSameGameTwice) {
+TEST(RobotsThatComeAndGo, KeepTheGameReproducible) {
   EXPECT_EQ(trajectories_with_changes(), trajectories_with_changes());
 }
 

@@ -1,4 +1,4 @@
-// An hour of robots that drive at random, chase the ball, dribble and spin, but do not kick.
+// An hour of robots that drive randomly, chase the ball, dribble and spin, but do not kick.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
@@ -15,19 +15,18 @@
 namespace autoref::sim {
 namespace {
 
-constexpr int kRobots = 6;  // a side
-constexpr int kPlayed_s =
-    AUTOREF_TRAFFIC_S;  // an hour, or 1/30 of it where sanitizers slow it down
+constexpr int kRobots = 6;                    // per side
+constexpr int kPlayed_s = AUTOREF_TRAFFIC_S;  // an hour, or 1/30 of it if sanitizers slow it down
 
-// Robots without a plan: each chases the ball, drives to a place or spins, its dribbler on or off,
-// until it thinks of something else. A ball that lies at a wall or that nobody gets at is thrown in
-// anew.
+// Robots with random behaviour: each chases the ball, drives to a position or spins, with its
+// dribbler on or off, for a random time. A ball that lies at a wall or that no robot reaches is
+// replaced.
 class Traffic : public Scene {
  public:
   explicit Traffic(const Configuration& configuration)
       : Scene(configuration, specs(kRobots, kRobots)), rate_hz_(configuration.frame_rate_hz) {}
 
-  // New commands, and a new ball where the old one is lost.
+  // Gives new commands, and replaces a lost ball.
   void steer() {
     for (const Side side : kSides) {
       for (int n = 0; n < kRobots; ++n) decide({side, n});
@@ -97,7 +96,7 @@ class Traffic : public Scene {
   double idle_s_ = 0.0;
 };
 
-// How long something went on at most, in frames.
+// The longest duration of a condition, in frames.
 class Spell {
  public:
   void note(bool goes_on) {
@@ -111,7 +110,7 @@ class Spell {
   int longest_ = 0;
 };
 
-// The worst of a traffic's states.
+// The worst values over all states of the traffic.
 class Watch {
  public:
   void note(const Traffic& traffic) {
@@ -140,9 +139,9 @@ class Watch {
   bool is_finite = true;
   double nearest_wall_m = std::numeric_limits<double>::infinity();  // of the ball's centre
   double nearest_robot_m = std::numeric_limits<double>::infinity();
-  double robots_out_m = 0;  // their hulls, in walls
+  double robots_out_m = 0;  // penetration of their hulls into walls
   double most_overlap_m = 0;
-  int longest_overlap = 0;  // of more than 5 mm, in frames
+  int longest_overlap = 0;  // longer than 5 mm deep, in frames
 
  private:
   std::array<Spell, kRobots*(2 * kRobots - 1)> overlaps_;
@@ -152,7 +151,7 @@ const RobotState& robot_of(const WorldState& state, RobotId id) {
   return state.robots[id.side][static_cast<std::size_t>(id.number)];
 }
 
-// By the carpet and by the dribblers that may hold the ball, in a sub-step.
+// The maximum velocity change in a sub-step by the carpet and by dribblers that may hold the ball.
 double pulled_mps(const WorldState& former, const Traffic& traffic) {
   const Configuration configuration;
   double force_n = 0.0;
@@ -166,14 +165,14 @@ double pulled_mps(const WorldState& former, const Traffic& traffic) {
   return kSubstep_s * (configuration.ball.slide_mps2 + force_n / configuration.ball.mass_kg);
 }
 
-// How much the surface of a robot changed its speed.
+// The change of the velocity of a robot's surface.
 double surface_change_mps(const RobotState& before, const RobotState& after) {
   return (after.velocity_mps - before.velocity_mps).norm() +
          kRobotRadius_m * std::abs(after.angular_velocity_radps - before.angular_velocity_radps);
 }
 
-// How much of a ball's motion along a robot's outline turns into motion away from it, as both turn
-// within a sub-step.
+// How much of a ball's tangential motion along a robot becomes radial, as both rotate within a
+// sub-step.
 double turned_mps(const BallState& ball, const RobotState& robot) {
   const Vec2 arm_m = ball.position_m - robot.position_m;
   const Vec2 relative_mps =
@@ -183,7 +182,7 @@ double turned_mps(const BallState& ball, const RobotState& robot) {
          (std::abs(robot.angular_velocity_radps) + along_mps / kRobotRadius_m);
 }
 
-// How much the ball gained by hits beyond what is allowed; no more than 0 if all is well.
+// The ball's speed gains by impacts beyond what is allowed; at most 0 if all is well.
 class Gains {
  public:
   void note(const WorldState& former, const Traffic& traffic) {
@@ -211,13 +210,13 @@ class Gains {
   }
 
   int bounces = 0;            // at one robot or wall
-  int squeezes = 0;           // between several, or at a robot that is itself hit
-  double bounced_mps = -10;   // along the normal, beyond the speed it came with
+  int squeezes = 0;           // between several, or at a robot that was itself hit
+  double bounced_mps = -10;   // along the normal, in addition to its speed before
   double squeezed_mps = -10;  // over ground
 
  private:
-  // Twice braking at 5 m/s^2 and turning at 40 rad/s^2. What changes a robot's motion by more than
-  // this and the ball's recoil, thrice for what it turns it, is a hit.
+  // Twice the effect of braking at 5 m/s^2 and turning at 40 rad/s^2. A greater change of a robot's
+  // motion is a collision, allowing three times the ball's recoil to include rotation.
   static constexpr double kDriven_mps = 2 * kSubstep_s * (5.0 + 40.0 * kRobotRadius_m);
 
   void note_bounce(const Bounce& bounce, double allowed_mps) {
@@ -226,8 +225,8 @@ class Gains {
         std::max(bounced_mps, bounce.after_mps - std::abs(bounce.before_mps) - allowed_mps);
   }
 
-  // A surface that moves at s adds at most (1 + 0.55) s to the speed of a ball that it hits. Within
-  // a sub-step such a ball may be hit twice, by a robot that is itself hit as well.
+  // A surface moving at s adds at most (1 + 0.55) s to the speed of a ball it hits. Within a
+  // sub-step a ball may be hit twice, by a robot that is itself hit as well.
   void note_squeeze(const WorldState& former, const Traffic& traffic) {
     constexpr double kNear_m = 3 * kRobotRadius_m + kBallRadius_m + 30_mm;
     ++squeezes;
@@ -250,10 +249,10 @@ class Gains {
   }
 };
 
-constexpr double kSolver_mps = 0.01;  // it works in rounds, and ends near its aim
+constexpr double kSolver_mps = 0.01;  // residual error of the iterative solver
 
-// Squeezed by robots of 2.5 kg, the ball sinks in by up to 3 mm. Two robots that meet at 6 m/s may
-// overlap by the 25 mm that they close in a sub-step, and come apart within a few.
+// Squeezed by robots of 2.5 kg, the ball penetrates by up to 3 mm. Two robots that collide at 6 m/s
+// may overlap by the 25 mm that they travel in a sub-step, and separate within a few.
 void expect_bodies_apart(const Watch& watch, double rate_hz) {
   EXPECT_TRUE(watch.is_finite);
   EXPECT_GT(watch.nearest_wall_m, kBallRadius_m - 4_mm);

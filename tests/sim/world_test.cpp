@@ -34,8 +34,8 @@ std::uint64_t hash_of(const WorldState& state) {
   return hash;
 }
 
-// Everybody runs for the ball and kicks it, one robot of each side chips. `side` looks at its own
-// half and its own robots only, so that turned worlds get turned commands.
+// Every robot runs for the ball and kicks it, and one robot per side chips. `side` considers only
+// its own half and robots, so rotated worlds get rotated commands.
 void chase(const WorldState& state, PerSide<TeamCommands>& commands) {
   for (const Side side : kSides) {
     for (const RobotState& robot : state.robots[side]) {
@@ -65,11 +65,11 @@ std::uint64_t play_hash(std::uint64_t seed, const PerSide<TeamSpec>& teams, int 
   return hash;
 }
 
-TEST(World, GoesTheSameWayWithTheSameSeedAndCommands) {
+TEST(World, IsReproducibleWithTheSameSeedAndCommands) {
   EXPECT_EQ(play_hash(1, noisy_six(), 1200), play_hash(1, noisy_six(), 1200));
 }
 
-TEST(World, GoesAnotherWayWithAnotherSeed) {
+TEST(World, DiffersWithAnotherSeed) {
   EXPECT_NE(play_hash(1, noisy_six(), 300), play_hash(2, noisy_six(), 300));
 }
 
@@ -77,7 +77,7 @@ TEST(World, DoesNotDependOnTheSeedWithoutNoise) {
   EXPECT_EQ(play_hash(1, specs(6, 6), 300), play_hash(2, specs(6, 6), 300));
 }
 
-TEST(World, TurnedBy180DegreesStaysTurned) {
+TEST(World, IsEquivariantUnderRotationBy180Degrees) {
   World world(Field{}, quiet(), specs(6, 6), 1);
   World turned(Field{}, quiet(), specs(6, 6), 1);
   BallState ball;
@@ -119,14 +119,14 @@ TEST(World, StaysFiniteAndInsideItsWallsInACrowd) {
   }
 }
 
-TEST(World, NoticesANumberThatIsNotFinite) {
+TEST(World, DetectsNonFiniteValues) {
   Scene scene;
   EXPECT_TRUE(scene.world.is_finite());
   scene.put_ball({0, 0}, {std::numeric_limits<double>::quiet_NaN(), 0});
   EXPECT_FALSE(scene.world.is_finite());
 }
 
-TEST(LineUp, IsInTheOwnHalfAndTurnedForTheOtherSide) {
+TEST(LineUp, IsInTheOwnHalfAndRotatedForTheOtherSide) {
   World world(Field{}, Configuration{}, specs(16, 16), 1);
   const WorldState& state = world.state();
   for (std::size_t n = 0; n < 16; ++n) {
@@ -153,7 +153,7 @@ TEST(Latency, OfFortyMillisecondsIsTwoFramesAndTwoSubsteps) {
   EXPECT_EQ(split.substeps, 2);
 }
 
-TEST(Latency, HoldsTheFormerCommandsForTheSubstepsThatAreLeft) {
+TEST(Latency, KeepsTheFormerCommandsForTheRemainingSubsteps) {
   Configuration late = quiet();
   late.latency_s = 40_ms;
   Scene scene(late);
@@ -164,12 +164,12 @@ TEST(Latency, HoldsTheFormerCommandsForTheSubstepsThatAreLeft) {
 }
 
 TEST(Box2dClock, StandsStill) {
-  // Box2D profiles each step; with its own clock some part of 100 steps takes time.
+  // Box2D profiles each step; with its original clock, 100 steps would take measurable time.
   b2World world(b2Vec2(0.0F, -10.0F));
   b2BodyDef definition;
   definition.type = b2_dynamicBody;
   world.CreateBody(&definition);
-  Scene scene;  // links the bridge, and with it the replaced clock
+  Scene scene;  // links the bridge and with it the replacement clock
   for (int i = 0; i < 100; ++i) {
     world.Step(1.0F / 60.0F, 8, 3);
     ASSERT_EQ(world.GetProfile().step, 0.0F);
@@ -230,7 +230,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"ball.slide_mps2",
                 [](Configuration& c, PerSide<TeamSpec>&) { c.ball.slide_mps2 = 0; }}));
 
-TEST(ConfigurationError, SaysTheValueAndTheRange) {
+TEST(ConfigurationError, StatesTheValueAndTheRange) {
   try {
     Configuration configuration;
     configuration.substeps = 17;

@@ -1,4 +1,4 @@
-"""Debian's chromium without a window, for tests of pages."""
+"""Debian's headless chromium, for testing pages."""
 import json
 import os
 import pathlib
@@ -13,9 +13,9 @@ from selenium.webdriver.support.ui import WebDriverWait
 
 WAIT_S = 20
 PHONE, DESKTOP, PROJECTOR = (390, 844), (1280, 800), (1920, 1080)
-PAPER = (718, 1040)  # A4 within its margins, at 96 dots an inch
+PAPER = (718, 1040)  # A4 without margins, at 96 dpi
 
-# What reaches beyond the page, and no box of its own lets scroll.
+# Elements that extend beyond the page and are not inside a scrollable box.
 CUT_OFF = """
 const scrolls = (element) => element && element !== document.body &&
   (["auto", "scroll"].includes(getComputedStyle(element).overflowX) || scrolls(element.parentElement));
@@ -40,7 +40,7 @@ def start_browser():
 
 
 class BrowserTest(unittest.TestCase):
-    """A browser for all tests of the class, on screen sizes of choice."""
+    """One browser for all tests of a class, with selectable screen sizes."""
 
     @classmethod
     def setUpClass(cls):
@@ -59,7 +59,7 @@ class BrowserTest(unittest.TestCase):
         self.settle()
 
     def settle(self):
-        """Waits until what was asked for has been drawn."""
+        """Waits until the page has been redrawn."""
         self.browser.execute_async_script(
             "const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(() => done()));")
 
@@ -79,7 +79,7 @@ class BrowserTest(unittest.TestCase):
         WebDriverWait(self.browser, WAIT_S, 0.05).until(lambda _: condition())
 
     def addresses(self):
-        """Of everything that the page has asked for."""
+        """The URLs of all requests of the page."""
         messages = [json.loads(entry["message"])["message"] for entry in self.browser.get_log("performance")]
         return [message["params"]["request"]["url"] for message in messages
                 if message["method"] == "Network.requestWillBeSent"]

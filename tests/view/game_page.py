@@ -1,4 +1,4 @@
-"""What tests of the page that shows a game have in common."""
+"""Shared code for tests of the page that shows a game."""
 import json
 import pathlib
 import subprocess
@@ -22,7 +22,7 @@ return count;
 
 
 def played_game(autoref, scenario, page, **settings):
-    """The record of a game, its page being written."""
+    """Plays a game, writes its page and returns its record."""
     chosen = [word for key, value in settings.items() for word in ("--set", f"{key.replace('__', '.')}={value}")]
     done = subprocess.run([autoref, "play", scenario, "--json", "--view", page, *chosen],
                           check=True, capture_output=True, text=True, timeout=120)
@@ -30,7 +30,7 @@ def played_game(autoref, scenario, page, **settings):
 
 
 class GamePage(BrowserTest):
-    """The page of a game with the settings of the class."""
+    """The page of a game played with the settings of the class."""
     autoref, scenario = "", ""  # the program and a game file
     settings = {}
 

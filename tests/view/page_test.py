@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""The page of `autoref play --view` in a real browser: page_test.py AUTOREF SCENARIO.
+"""Tests the page of `autoref play --view` in a real browser: page_test.py AUTOREF SCENARIO.
 
-Needs Debian's chromium, chromium-driver and python3-selenium. With AUTOREF_SCREENSHOTS=FOLDER it
-leaves pictures there.
+Needs Debian's chromium, chromium-driver and python3-selenium. Saves screenshots if
+AUTOREF_SCREENSHOTS=FOLDER is set.
 """
 import re
 import sys
@@ -39,13 +39,13 @@ return sum / (3 * data.length / 4);
 
 
 class PageTest(GamePage):
-    """A game in which cobalt scores now and then."""
+    """A game in which cobalt scores several goals."""
     settings = {"a__strategy": "cobalt", "b__strategy": "chaser", "match__half_s": 120}
 
     def test_loads_without_complaints(self):
         self.assertEqual(self.browser.get_log("browser"), [])
 
-    def test_asks_no_network_for_anything(self):
+    def test_uses_no_network(self):
         addresses = self.addresses()
         self.assertIn(self.page.as_uri(), addresses)
         self.assertEqual([one for one in addresses if not one.startswith(("file:", "data:"))], [])
@@ -55,21 +55,21 @@ class PageTest(GamePage):
         for color in (YELLOW, BLUE, BALL):
             self.assertGreater(self.pixels(color), 10)
 
-    def test_plays_and_pauses_by_the_space_bar(self):
+    def test_plays_and_pauses_with_the_space_bar(self):
         self.press(" ")
         self.wait_until(lambda: self.time_s() > 0.3)
         self.press(" ")
         stands_at_s = self.time_s()
-        print(f"{self.browser.execute_async_script(COUNT_FRAMES):.0f} frames a second while it stands")
+        print(f"{self.browser.execute_async_script(COUNT_FRAMES):.0f} frames per second while paused")
         self.assertEqual(self.time_s(), stands_at_s)
 
-    def test_moves_many_frames_a_second(self):
+    def test_is_redrawn_while_playing(self):
         self.press("+ ")
         frames = self.browser.execute_async_script(COUNT_FRAMES)
-        print(f"{frames:.0f} frames a second while it plays")
-        self.assertGreater(frames, 0.5)  # of a busy machine without a graphics card
+        print(f"{frames:.0f} frames per second while playing")
+        self.assertGreater(frames, 0.5)  # even on a busy machine without a GPU
 
-    def test_steps_by_one_picture(self):
+    def test_steps_by_one_frame(self):
         self.press("....")
         self.assertAlmostEqual(self.time_s(), 4 / 60, delta=0.006)
         self.press(",")
@@ -84,14 +84,14 @@ class PageTest(GamePage):
             self.assertTrue(self.text("callTitle").find("Goal for") > 0)
         self.assertEqual(self.score(), [self.record["goals_a"], self.record["goals_b"]])
 
-    def test_comes_back_to_a_goal_by_steps(self):
+    def test_steps_back_before_a_goal_and_forward_again(self):
         self.press("g")
         self.press("," * 5)
         self.assertEqual(sum(self.score()), 0)
         self.press("." * 5)
         self.assertEqual(sum(self.score()), 1)
 
-    def test_goes_to_a_goal_by_its_mark(self):
+    def test_jumps_to_a_goal_when_its_mark_is_clicked(self):
         marks = self.browser.find_elements(By.CSS_SELECTOR, ".mark.goal")
         self.assertEqual(len(marks), self.record["goals_a"] + self.record["goals_b"])
         marks[-1].click()
@@ -99,7 +99,7 @@ class PageTest(GamePage):
         self.assertEqual(self.score(), [self.record["goals_a"], self.record["goals_b"]])
         self.leave_picture("desktop")
 
-    def test_goes_where_the_time_line_is_pointed_at(self):
+    def test_jumps_to_the_clicked_time(self):
         line = self.browser.find_element(By.ID, "timeline")
         webdriver.ActionChains(self.browser).move_to_element_with_offset(
             line, 0, line.size["height"] // 2 - 4).click().perform()
@@ -107,7 +107,7 @@ class PageTest(GamePage):
         minutes, seconds = self.text("length").split(":")
         self.assertAlmostEqual(self.time_s(), (60 * int(minutes) + int(seconds)) / 2, delta=2)
 
-    def test_tells_why_the_referee_stopped_play(self):
+    def test_shows_why_the_referee_stopped_play(self):
         stops = self.browser.find_elements(By.CSS_SELECTOR, ".highlight.stop .reason")
         self.assertGreater(len(stops), 0)
         self.press("n")
@@ -119,7 +119,7 @@ class PageTest(GamePage):
             before = self.browser.execute_script("return document.querySelector('canvas').toDataURL()")
             self.press(key)
             after = self.browser.execute_script("return document.querySelector('canvas').toDataURL()")
-            # Distances are watched only at restarts.
+            # Distances are checked only at restarts.
             if key != "3":
                 self.assertNotEqual(before, after, f"layer {key}")
 
@@ -140,7 +140,7 @@ class PageTest(GamePage):
         self.assertLessEqual(
             self.browser.execute_script("return document.documentElement.scrollHeight"), PROJECTOR[1])
 
-    def test_links_to_nothing_and_needs_no_file(self):
+    def test_has_no_links_and_needs_no_other_file(self):
         self.assertEqual(self.browser.find_elements(By.CSS_SELECTOR, "a, iframe, object"), [])
 
     def test_shows_the_whole_build(self):
@@ -178,12 +178,12 @@ class ShootoutPageTest(GamePage):
         self.assertIsNotNone(self.record["shootout"])
 
     def kicks(self):
-        """Side, number, whether it scored, and the standing, as the list of events has them."""
+        """Side, number, whether it scored, and the score, from the list of events."""
         pattern = re.compile(r"Kick (\d+) of (yellow|blue): (goal|no goal), (\d+)\s:\s(\d+)")
         found = [pattern.fullmatch(title) for title in self.texts(".highlight .title")]
         return [(one[2], int(one[1]), one[3] == "goal", (int(one[4]), int(one[5]))) for one in found if one]
 
-    def test_lists_who_kicked_whether_it_scored_and_the_standing(self):
+    def test_lists_kickers_results_and_the_score(self):
         numbers, goals = {"yellow": 0, "blue": 0}, {"yellow": 0, "blue": 0}
         kicks = self.kicks()
         for colour, number, has_scored, standing in kicks:
@@ -194,17 +194,17 @@ class ShootoutPageTest(GamePage):
         self.assertEqual([goals["yellow"], goals["blue"]], self.record["shootout"])
         self.assertIn(False, [kick[2] for kick in kicks])
 
-    def test_has_the_goals_of_kicks_on_the_time_line(self):
+    def test_shows_kicks_on_the_time_line(self):
         score = self.record["goals_a"] + self.record["goals_b"] + sum(self.record["shootout"])
         self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, ".mark.goal")), score)
         self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, ".mark.miss")),
                          len([kick for kick in self.kicks() if not kick[2]]))
 
-    def test_says_why_a_kick_has_not_scored(self):
+    def test_says_why_a_kick_did_not_score(self):
         reasons = self.texts(".highlight.miss .reason")
         self.assertTrue(reasons and all(reasons))
 
-    def test_goes_to_a_kick_by_its_button_and_shows_the_standing(self):
+    def test_jumps_to_a_kick_when_its_button_is_clicked_and_shows_the_score(self):
         buttons = self.browser.find_elements(By.CSS_SELECTOR, "#shootout .kick")
         self.assertEqual(len(buttons), len(self.kicks()))
         self.browser.find_elements(By.CSS_SELECTOR, "#shootout .kickRow:last-child .kick")[0].click()
@@ -217,7 +217,7 @@ class ShootoutPageTest(GamePage):
         self.assertEqual([one.split()[1] for one in shown], [f"({one})" for one in standing])
         self.leave_picture("shootout")
 
-    def test_tells_two_teams_of_one_strategy_apart(self):
+    def test_distinguishes_two_teams_with_the_same_strategy(self):
         self.assertEqual([self.text("team0"), self.text("team1")], ["basic (a)", "basic (b)"])
 
     def test_fits_a_phone(self):

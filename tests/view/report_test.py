@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Reports of `autoref report` in a real browser, on a phone and on paper: report_test.py AUTOREF.
+"""Tests reports of `autoref report` in a real browser, on a phone and on paper: report_test.py AUTOREF.
 
-Needs what page_test.py needs; plots are looked at where gnuplot is installed, too.
+Needs the packages of page_test.py; tests plots only if gnuplot is installed.
 """
 import pathlib
 import subprocess
@@ -15,7 +15,7 @@ from selenium.webdriver.common.by import By
 ROUND_ROBIN = """
 schema: 1
 kind: roundrobin
-about: Small.
+about: A small round robin.
 base: { match: { half_s: 5 } }
 teams:
   basic: { strategy: basic }
@@ -42,7 +42,7 @@ class ReportTest(BrowserTest):
                       ["report", str(folder / "results")]):
             subprocess.run([AUTOREF, *words], check=True, capture_output=True, timeout=120)
         cls.build = (folder / "results/report.md").read_text().split("| build | ")[1].split(" |")[0]
-        # As somebody gets it by mail: without its folder.
+        # As if received by mail: without its folder.
         cls.page = folder / "alone" / "report.html"
         cls.page.parent.mkdir()
         (folder / "results/report.html").rename(cls.page)
