@@ -1,4 +1,4 @@
-// What a referee is set up with: field, rules, lengths and limits.
+// The referee's configuration: field, rule book, robots per team, match length and vision noise.
 #pragma once
 
 #include <cstdint>
@@ -18,15 +18,15 @@ enum class AfterGame : std::uint8_t { kHalt, kNewGame };
 struct Configuration {
   Field field;
   RuleBook rules;
-  PerSide<int> robots{{kMaxRobots, kMaxRobots}};  // of each team at the beginning
+  PerSide<int> robots{{kMaxRobots, kMaxRobots}};  // per team, at the start
   double half_s = 600;                            // paper, section 4.2: ten minutes
-  int halves = 2;      // 1 to 4; the third and fourth are those of extra time
-  double break_s = 0;  // each break; the Laws have 300 s at half-time
+  int halves = 2;                                 // 1 to 4; the third and fourth are extra time
+  double break_s = 0;                             // each break; the Laws have 300 s at half-time
   Side first_kickoff = Side::kWest;
-  bool knockout = false;  // a draw after at most two halves leads to extra time and a shoot-out
+  bool knockout = false;  // a draw leads to extra time and a shoot-out; at most two halves
   AfterGame after_game = AfterGame::kHalt;
-  VisionNoise noise;      // of the frames
-  TouchParameters touch;  // how sure a touch must be
+  VisionNoise noise;      // in the frames
+  TouchParameters touch;  // thresholds of the touch detector
 };
 
 }  // namespace autoref::referee

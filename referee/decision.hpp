@@ -13,48 +13,48 @@
 
 namespace autoref::referee {
 
-// Who touched the ball last, as far as vision tells.
+// The robot that touched the ball last, as far as vision can tell.
 struct LastTouch {
-  std::optional<Side> side;          // none: unknown
-  std::optional<RobotId> robot;      // none: unknown, or one of several of that side
+  std::optional<Side> side;          // nullopt if unknown
+  std::optional<RobotId> robot;      // nullopt if unknown or ambiguous within the side
   double time_s = 0;                 // of the touch
-  double gap_m = 0;                  // from the ball's surface to that robot's hull at that time
-  double speed_change_mps = 0;       // of the ball, beyond what the carpet explains
+  double gap_m = 0;                  // between the ball's surface and the robot's hull at that time
+  double speed_change_mps = 0;       // of the ball, beyond what friction explains
   std::optional<RobotId> runner_up;  // the next best candidate
 };
 
-// The clock of a half: what was played of it and what is left, as the rule book counts.
+// A half's clock: time played and time left, as the rule book counts them.
 struct HalfClock {
   double played_s = 0;
   double left_s = 0;
 };
 
-// A kick of a shoot-out that is over.
+// A completed kick of a shoot-out.
 struct ShootoutKick {
   Side kicker = Side::kWest;
-  int number = 0;  // of the kicker's side, from 1
+  int number = 0;  // counted per side, from 1
   bool has_scored = false;
 };
 
 struct Decision {
   std::int64_t frame = 0;
   double time_s = 0;
-  std::string_view transition;  // label of the machine's transition, see referee/README.md
+  std::string_view transition;  // label of the machine's transition (referee/README.md)
   State from = State::kInit;
   State to = State::kInit;
-  std::optional<Command> command;  // sent with this decision; none where nothing was sent
-  Finding finding;                 // what was decided on; its card is the one that was shown
-  std::string card_reason;         // why that card, and not another or none; empty without one
+  std::optional<Command> command;  // sent with this decision, if any
+  Finding finding;                 // what led to it; `card` is the card actually shown
+  std::string card_reason;         // why that card was shown; empty without a card
   LastTouch last_touch;
 
-  // How the game stood.
-  Stage stage = Stage::kFirstHalfPre;         // when it was decided
-  std::optional<HalfClock> clock;             // likewise; none where no half is running
-  PerSide<int> goals;                         // after it
-  PerSide<int> shootout_goals;                // likewise
-  std::optional<ShootoutKick> shootout_kick;  // that it ended
+  // The state of the game.
+  Stage stage = Stage::kFirstHalfPre;         // before the decision
+  std::optional<HalfClock> clock;             // before the decision; nullopt if no half is running
+  PerSide<int> goals;                         // after the decision
+  PerSide<int> shootout_goals;                // after the decision
+  std::optional<ShootoutKick> shootout_kick;  // the kick that it ended
 
-  // What play goes on with after a call that stopped it, or that changed the restart after a stop.
+  // The restart after a call that stopped play, or that changed the restart during a stop.
   std::optional<Command> restart() const {
     const bool decides =
         is_call(finding.event) && (from != to || finding.event == Event::kAttackerStaysNearArea);

@@ -1,4 +1,4 @@
-// What happened on the field or on the clock that made the referee act.
+// The events on the field or on the clock that the referee acts on.
 #pragma once
 
 #include <cstdint>
@@ -25,42 +25,42 @@ inline constexpr int kEventCount = 0
 enum class Card : std::uint8_t { kNone, kYellow, kRed };
 std::string_view name_of(Card card);
 
-// What a call does to play that is on.
+// What a call does while the ball is in play.
 enum class Effect : std::uint8_t {
-  kNone,         // not a call on play or on robots
-  kStopsPlay,    // and a restart follows
-  kStopsByBook,  // the same where fouls stop play in the rule book; else it only counts
+  kNone,         // not a call
+  kStopsPlay,    // a restart follows
+  kStopsByBook,  // stops play if fouls do in this rule book; otherwise it only counts
   kCounts,       // play goes on
 };
 
-// When a call may come. Once play is stopped, every call only counts.
+// When a call may be made. While play is stopped, every call only counts.
 enum class When : std::uint8_t { kInPlay, kInStop, kAnyTime };
 
-// What is the same whenever the event occurs.
+// The properties that an event always has.
 struct EventEntry {
   Event event = Event::kBegin;
-  std::string_view name{};          // in snake_case, as in event logs and column heads: "throw_in"
-  std::string_view league_event{};  // the league's GameEvent.Type; empty where it has none
+  std::string_view name{};          // snake_case, as in event logs and column names: "throw_in"
+  std::string_view league_event{};  // the league's GameEvent.Type; empty if it has none
   Effect effect = Effect::kNone;
-  When when = When::kInPlay;             // of calls
-  bool is_foul = false;                  // among a team's fouls in a game's row
-  bool counts_to_card = false;           // 2026: every third one is a yellow card
-  bool is_non_stopping = false;          // 2026: no goal by the team for 2 s
-  bool is_exit = false;                  // the ball left the field: who touched it last decides
-  Card card = Card::kNone;               // shown whatever the circumstances
-  std::optional<CommandKind> restart{};  // that follows whatever the circumstances
+  When when = When::kInPlay;             // for calls only
+  bool is_foul = false;                  // counted among a team's fouls in the game's row
+  bool counts_to_card = false;           // 2026: every third one brings a yellow card
+  bool is_non_stopping = false;          // 2026: the team's goals do not count for 2 s
+  bool is_exit = false;                  // the ball left the field; the last touch decides
+  Card card = Card::kNone;               // always shown
+  std::optional<CommandKind> restart{};  // always follows
 };
 
-// In the order of their numbers.
+// Ordered by number.
 std::span<const EventEntry> event_table();
 const EventEntry& entry_of(Event event);
 
 std::string_view name_of(Event event);
 
-// Whether the event is a call on play or on robots; these are the kinds that a game's row counts.
+// Whether the event is a call. A game's row counts these events.
 bool is_call(Event event);
 
-// Whether the call may come while play is stopped.
+// Whether the call may be made while play is stopped.
 bool may_come_in_stop(Event event);
 
 }  // namespace autoref::referee

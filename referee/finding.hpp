@@ -15,21 +15,21 @@ namespace autoref::referee {
 
 using ConcernedRobots = boost::container::static_vector<RobotId, 4>;
 
-// Rules find, the machine decides: what follows depends on its state.
+// Rules report findings; the machine decides what follows, depending on its state.
 struct Finding {
   Event event = Event::kBegin;
-  std::string_view rule;  // what it rests on, such as "paper 4.2"
+  std::string_view rule;  // its source, such as "paper 4.2"
   double value = 0;       // measured, in the threshold's unit
   double threshold = 0;
-  std::string_view unit;  // of value and threshold; empty where nothing was measured
+  std::string_view unit;  // of value and threshold; empty if nothing was measured
   ConcernedRobots robots;
-  std::optional<Side> offender;    // the side at fault; none where nobody or both are
-  bool is_foul = false;            // counts towards a card of the offender; of both where none is
-  Card card = Card::kNone;         // shown to the offender at once, or to both
+  std::optional<Side> offender;    // the side at fault; nullopt if neither or both are
+  bool is_foul = false;            // counts towards the offender's card, or both sides' without one
+  Card card = Card::kNone;         // shown at once to the offender, or to both sides without one
   std::optional<Vec2> position_m;  // where it happened
-  Command restart;                 // what play goes on with; of stops only
-  Vec2 ball_to_m{0, 0};            // and from where
-  std::string evidence;            // one sentence for people
+  Command restart;                 // how play resumes; only for calls that stop play
+  Vec2 ball_to_m{0, 0};            // where the ball is placed for it
+  std::string evidence;            // one human-readable sentence
 };
 
 }  // namespace autoref::referee

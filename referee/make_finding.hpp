@@ -1,4 +1,4 @@
-// Findings as rules make them.
+// Helpers with which rules create their findings.
 #pragma once
 
 #include <string>
@@ -10,40 +10,40 @@
 
 namespace autoref::referee {
 
-// The event, with what is the same whenever it occurs: its card and restart (event.hpp), and the
-// rule's section, threshold and unit (soccer/rule_table.hpp).
+// A finding with the event's fixed card and restart (event.hpp) and the rule's section, threshold
+// and unit (soccer/rule_table.hpp).
 Finding finding_of(Event event, RuleId rule, const RuleBook& rules);
 
-// An offence of `robot` at `where_m`, with a free kick from there for its opponents: an indirect
-// one, or where all kicks may score (`RuleBook::kicks_may_score`) a direct one; or with the restart
-// that always follows the event.
+// An offence by `robot` at `where_m`. If the event has no fixed restart, the opponents get a free
+// kick from there: direct if all kicks may score (`RuleBook::kicks_may_score`), otherwise indirect.
 Finding offence_of(Event event, RuleId rule, const Configuration& configuration, RobotId robot,
                    const Vec2& where_m);
 
-// The same where it is not known which robot of the `offender` it was.
+// The same if it is not known which of the `offender`'s robots it was.
 Finding offence_of(Event event, RuleId rule, const Configuration& configuration, Side offender,
                    const Vec2& where_m);
 
-// An offence of `robot` at `where_m` that is noted only; where the book counts fouls, it counts.
+// An offence by `robot` at `where_m` that only counts towards a card, and only if the rule book
+// counts fouls.
 Finding note_of(Event event, RuleId rule, const RuleBook& rules, RobotId robot,
                 const Vec2& where_m);
 
-// A foul of `robot`, which is at `robot_m`, against an opponent at `where_m`, with a direct free
-// kick from there; by the Laws of 2014, inside the offender's own defence area, with a penalty
-// kick.
+// A foul by `robot`, located at `robot_m`, against an opponent at `where_m`. The opponents get a
+// direct free kick from there, or, by the Laws of 2014, a penalty kick if it happened inside the
+// offender's own defence area.
 Finding contact_foul_of(Event event, RuleId rule, const Configuration& configuration, RobotId robot,
                         const Vec2& robot_m, const Vec2& where_m);
 
-// DIRECT_FREE or, where the book has them, INDIRECT_FREE for `kicker`.
+// INDIRECT_FREE for `kicker` if the book has indirect free kicks, otherwise DIRECT_FREE.
 Command indirect_free_kick(const RuleBook& rules, Side kicker);
 
-// "yellow 3": texts name sides by their colours (soccer/colour.hpp).
+// "yellow 3". Texts name sides by colour (soccer/colour.hpp).
 std::string text_of(RobotId robot);
 
-// "367 mm"; 0 where noise makes the distance of two bodies that touch negative.
+// "367 mm"; "0 mm" if noise makes the distance between two touching bodies negative.
 std::string mm_text(double distance_m);
 
-// "83 mm from" or, where the signed distance from an area is negative, "302 mm inside".
+// "83 mm from", or "302 mm inside" if the signed distance to the area is negative.
 std::string gap_text(double signed_distance_m);
 
 }  // namespace autoref::referee

@@ -52,7 +52,7 @@ void validate(const Configuration& c) {
   require(rules.stuck_distance_m > 0, "stuck_distance_m must be positive", rules.stuck_distance_m);
 }
 
-// What happened by itself at the machine's beginning, or once a briefly sent command is out.
+// An event without evidence: the first frame, or the end of a briefly sent command.
 Finding passed_by_itself(Event event) {
   Finding finding;
   finding.event = event;
@@ -97,7 +97,7 @@ class Referee::Impl {
       touch_.update(frame);
       touch_detector_.update(frame);
     }
-    // The order of touches is told while play is on, not anew by what is known once it is over.
+    // Touches are ordered by what is known during play; hindsight does not reorder them.
     if (state_.machine_state == State::kRun)
       watch_play(state_.play, input_with(touch_.last(), frame));
     const LastTouch last_touch = evaluate_last_touch();
@@ -117,14 +117,15 @@ class Referee::Impl {
     return {configuration_, frame, ball_, last_touch, tracker_.tracks(), requests_};
   }
 
-  // Once the ball is out, all that it did since the touch is known.
+  // Once the ball is out, the whole path since the touch is known.
   LastTouch evaluate_last_touch() const {
     const bool is_out = state_.machine_state == State::kRun && ball_ &&
                         is_out_of_field(configuration_.field, ball_->position_m);
     return is_out ? touch_detector_.detect(touch_.last()) : touch_.last();
   }
 
-  // What vision missed is where the tracker takes it to be. Both lists are ordered by number.
+  // Robots missing from the frame are added at the tracker's estimate. Both lists are sorted by
+  // number.
   void add_unseen_robots(const Tracks& tracks) {
     for (const Side side : kSides) {
       SeenRobots& robots = seen_.robots[side];
@@ -139,9 +140,10 @@ class Referee::Impl {
     }
   }
 
-  // Where vision reports no height, a ball that flies is not where it is seen.
+  // Without a reported height, a flying ball is not where the camera projects it: use the
+  // tracker's.
   void lift_ball(const Tracks& tracks) {
-    // A frame no later than the one before brings the tracker no ball.
+    // If the frame is not newer than the last one, the tracker has no ball.
     if (!seen_.ball || seen_.ball->height_m || !tracks.ball) return;
     const bool flies = tracks.ball->height_m > 0;
     if (flies) {
@@ -155,7 +157,7 @@ class Referee::Impl {
     was_lifted_ = flies;
   }
 
-  // A frame without a ball leaves it where it was.
+  // A frame without a ball keeps the last known ball.
   void see(const Frame& frame) {
     if (!frame.ball) return;
     const Vec2& now_m = frame.ball->position_m;
@@ -184,7 +186,7 @@ class Referee::Impl {
     return std::nullopt;
   }
 
-  // Fouls that are only counted leave the state as it is, and the rules after them are asked, too.
+  // Counted fouls do not change the machine's state, so later rules still run.
   void apply_rules(const RefereeInput& input) {
     if (state_.signal.stage == Stage::kShootout) {
       ask(kShootoutRule, input);
@@ -195,7 +197,7 @@ class Referee::Impl {
     }
   }
 
-  // Says whether the state is what it was.
+  // Returns whether the machine's state is unchanged.
   bool ask(const Rule& rule, const RefereeInput& input) {
     const State state = state_.machine_state;
     for (const Watch& watch : rule.watches()) {
@@ -223,7 +225,7 @@ class Referee::Impl {
   RefereeState state_;
   Frame seen_;
   Tracker tracker_;
-  bool was_lifted_ = false;  // the ball, in the frame before
+  bool was_lifted_ = false;  // whether the last frame's ball was lifted
   LastTouchDetector touch_;
   RetrospectiveTouchDetector touch_detector_;
   std::optional<BallSight> ball_;

@@ -1,9 +1,9 @@
 // AutoRef: the referee of the paper, from vision frames to referee commands.
 //
-// It owns the state of the game: score, stage, clock, the next restart, the last touch. It sees
-// nothing but vision frames and the teams' requests ("operates based solely on vision
-// information", paper, section 4.1), keeps time by the frames, and draws no random numbers. The
-// game loop calls it once per frame.
+// It owns the state of the game: score, stage, clock, next restart and last touch. It sees only
+// vision frames and the teams' requests ("operates based solely on vision information", paper,
+// section 4.1), takes the time from the frames, and draws no random numbers. The game loop calls it
+// once per frame.
 #pragma once
 
 #include <cstdint>
@@ -23,32 +23,32 @@ namespace autoref::referee {
 
 class Referee {
  public:
-  // Throws std::invalid_argument for lengths or times that are not positive (a break may be 0 s)
-  // and for counts out of range.
+  // Throws std::invalid_argument if a length or time is not positive (a break may be 0 s) or a
+  // count is out of range.
   explicit Referee(const Configuration& configuration);
   ~Referee();
   Referee(Referee&&) noexcept;
   Referee& operator=(Referee&&) noexcept;
 
-  // Judges one frame and says what is in force from now on. Frames come in order. Robots and ball
-  // may be missing from a frame, or always; a robot not seen for less than half a second counts as
-  // where it was going. Numbers that are not finite count as not seen.
+  // Judges one frame and returns the signal now in force. Frames must be in order. Robots and ball
+  // may be missing; the position of a robot unseen for less than half a second is extrapolated.
+  // Objects with non-finite numbers count as unseen.
   const RefereeSignal& update(const Frame& frame, const PerSide<TeamRequests>& requests);
 
-  // The field as of the last update: what the referee makes of the frames. The league's referees
-  // send their tracks to the teams, too.
+  // The tracked robots and ball as of the last update. The league's referees publish their tracks,
+  // too.
   const Tracks& tracks() const;
 
-  // The decisions taken at the last update, in order; empty for most frames.
+  // The decisions of the last update, in order; usually empty.
   std::span<const Decision> decisions() const;
 
   State state() const;
   bool is_ball_in_play() const;
-  // Whether the last half is over and `after_game` is kHalt: no further command will come.
+  // Whether the last half is over and `after_game` is kHalt, so no further command will follow.
   bool is_over() const;
-  // Goals of each half so far, the running one included.
+  // Goals of each half so far, including the running one.
   std::span<const PerSide<int>> goals_by_half() const;
-  // Goals of the shoot-out's kicks so far; none where there has been none.
+  // Goals scored in the shoot-out so far; nullopt if there has been none.
   std::optional<PerSide<int>> shootout_goals() const;
   // Games finished so far, for AfterGame::kNewGame.
   int games_finished() const;

@@ -1,4 +1,4 @@
-// What the referee sees and is bound by in one frame: the input of its rules and of its machine.
+// The referee's input in one frame, for its rules and its machine.
 #pragma once
 
 #include <optional>
@@ -13,10 +13,10 @@
 
 namespace autoref::referee {
 
-// The ball as last seen. A frame without a ball changes nothing.
+// The ball as last seen. A frame without a ball does not change it.
 struct BallSight {
   Vec2 position_m{0, 0};
-  Vec2 before_m{0, 0};  // at the detection before: the paper's b'
+  Vec2 before_m{0, 0};  // in the previous detection: the paper's b'
   double height_m = 0;  // of the lowest point; Deviation D15: unknown counts as 0
   bool height_known = true;
 };
@@ -24,16 +24,17 @@ struct BallSight {
 struct RefereeInput {
   const Configuration& configuration;
   const Frame& frame;
-  const std::optional<BallSight>& ball;  // none before the ball was first seen
+  const std::optional<BallSight>& ball;  // nullopt until the ball is first seen
   const LastTouch& last_touch;           // the paper's c
-  const Tracks& tracks;                  // with velocities, and robots that this frame missed
+  const Tracks& tracks;                  // with velocities, including robots missing from the frame
   const PerSide<TeamRequests>& requests;
 
   double time_s() const { return frame.time_s; }
 };
 
-// Whether `duration_s` has passed since `since_s`. Times are quotients of frame numbers, so that
-// their differences are off by rounding; a microsecond is less than any camera's frame.
+// Whether `duration_s` has passed since `since_s`. Times are frame numbers divided by the rate, so
+// their differences have rounding errors; the tolerance is one microsecond, less than any frame
+// period.
 inline bool has_passed(double since_s, double duration_s, double now_s) {
   return now_s - since_s >= duration_s - 1e-6;
 }

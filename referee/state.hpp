@@ -7,8 +7,8 @@
 
 namespace autoref::referee {
 
-// States of the paper's machine (section 4.3, figure 3), the end, and a team's timeout. The numbers
-// are for ever: state hashes contain them.
+// The states of the paper's machine (section 4.3, figure 3), the end of the game, and a team's
+// timeout. Never change a number: state hashes contain them.
 enum class State : std::uint8_t {
   kInit = 0,
   kWaitStart = 1,
@@ -22,7 +22,7 @@ enum class State : std::uint8_t {
 // The paper's name, such as "WAIT_STOP".
 std::string_view name_of(State state);
 
-// Some of the machine's states.
+// A set of the machine's states.
 class States {
  public:
   constexpr States(std::initializer_list<State> states) {

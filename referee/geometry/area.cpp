@@ -14,7 +14,7 @@ Vec2 direction_to_area(const Field& field, Side side, const Vec2& point_m) {
   const DefenceArea& area = field.defence_area;
   const double half_m = area.straight_m / 2;
   const bool round = area.shape == DefenceArea::Shape::kQuarterCircles;
-  // Quarter circles are as far away as their centres on the goal line, but for their radius.
+  // A quarter circle is a point on the goal line, grown by its radius.
   const double depth_m = round ? 0.0 : area.depth_m;
   const double inwards = -goal_sign(side);
   const double from_line_m = (point_m.x() - field.goal_centre_m(side).x()) * inwards;
@@ -34,7 +34,8 @@ double out_of_round_area_m(const Field& field, Side side, const RobotObservation
   if (outwards.dot(robot.heading) * kRobotRadius_m < kFrontDistance_m) {
     return centre_m + kRobotRadius_m;
   }
-  // The plate cuts the farthest point off; then it is one of its corners.
+  // The flat front cuts off the farthest point of the circle; a corner of the front is then the
+  // farthest.
   return std::max(distance_to_defence_area(field, side, plate_corner_m(robot, 1)),
                   distance_to_defence_area(field, side, plate_corner_m(robot, -1)));
 }

@@ -1,4 +1,4 @@
-// Where a robot's hull lies in or before a defence area, whose lines belong to it.
+// Where a robot's hull lies relative to a defence area. The area's lines belong to it.
 #pragma once
 
 #include "soccer/field.hpp"
@@ -7,12 +7,12 @@
 
 namespace autoref::referee {
 
-// Distance in metres from the hull to the defence area of `side`; negative where it is partly
-// inside, by how far it reaches in.
+// Distance in metres from the hull to the defence area of `side`; if the hull is partly inside, the
+// negated depth.
 double hull_to_area_m(const Field& field, Side side, const RobotObservation& robot);
 
-// How far in metres the hull reaches out of that area into the field; negative where it is entirely
-// inside. As in soccer/field.hpp, the area goes on behind the goal line.
+// How far, in metres, the hull extends from that area into the field; negative if it is entirely
+// inside. As in soccer/field.hpp, the area continues behind the goal line.
 double hull_out_of_area_m(const Field& field, Side side, const RobotObservation& robot);
 
 }  // namespace autoref::referee

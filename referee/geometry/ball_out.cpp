@@ -20,7 +20,7 @@ double clamped(double value, double limit) {
   return std::clamp(value, -std::abs(limit), std::abs(limit));
 }
 
-// Nobody saw the crossing: the boundary that the ball is farther beyond.
+// The ball was already out: the boundary it is farther beyond.
 Exit exit_of_ball_out_before(const Vec2& l, const Vec2& b) {
   if (beyond_m(b.y(), l.y()) > beyond_m(b.x(), l.x())) {
     return {ExitLine::kTouch, {clamped(b.x(), l.x()), l.y()}};
@@ -44,8 +44,8 @@ std::optional<double> intersection(double along0, double across0, double along1,
 Exit find_exit(const Field& field, const Vec2& before_m, const Vec2& ball_m) {
   const Vec2 l = nearest_corner(field, ball_m);
   if (is_out_of_field(field, before_m)) return exit_of_ball_out_before(l, ball_m);
-  // Deviation D8: a boundary that the ball is not beyond has not been crossed, wherever the line
-  // of its way, drawn on backwards, meets it.
+  // Deviation D8: the ball cannot have crossed a boundary that it is not beyond, wherever the
+  // extended line of its path meets that boundary.
   const bool beyond_touch = beyond_m(ball_m.y(), l.y()) > 0;
   const bool beyond_goal = beyond_m(ball_m.x(), l.x()) > 0;
   const std::optional<double> c_x =

@@ -7,7 +7,8 @@
 namespace autoref::referee {
 namespace {
 
-constexpr double kHullDeviations = 3;  // of noise: one frame in several hundred is farther off
+constexpr double kHullDeviations =
+    3;  // standard deviations: exceeded in one of several hundred frames
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// How far a robot's hull reaches, and what may stand between what is seen and what is.
+// The extent of a robot's hull, and the uncertainty of its position.
 #pragma once
 
 #include "soccer/geometry.hpp"
@@ -6,11 +6,11 @@
 
 namespace autoref::referee {
 
-// How far the hull reaches from the robot's centre in the unit direction `direction`, in metres.
+// Distance in metres from the robot's centre to its hull in the unit direction `direction`.
 double reach_of_hull_m(const Vec2& heading, const Vec2& direction);
 
-// By how much noise may put a robot wrong, or a distance between robot and ball, in metres: what is
-// judged by a single frame must be beyond it. 0 where vision is exact.
+// Uncertainty in metres of a robot's position, or of a distance between robot and ball, from vision
+// noise. A call based on a single frame must exceed it. 0 if vision is exact.
 double robot_uncertainty_m(const VisionNoise& noise);
 double robot_to_ball_uncertainty_m(const VisionNoise& noise);
 

@@ -6,7 +6,7 @@
 namespace autoref::referee {
 namespace {
 
-// 1 where the touch line at +y is the nearest, -1 for the other one.
+// 1 if the touch line at +y is nearer, otherwise -1.
 double touch_line_sign(double y_m, Side kicker) {
   // The kicker's left is at +y for west, which attacks towards +x, and at -y for east.
   if (y_m == 0) return -goal_sign(kicker);
@@ -25,8 +25,8 @@ Vec2 position_before_goal_line(const Field& field, Side kicker, const Vec2& exit
           touch_line_sign(exit_m.y(), kicker) * (field.half_width_m() - touch_inset_m)};
 }
 
-// How far from the goal line a point at `y_m` must be to keep `clearance_m` from the area there; 0
-// where it may be on the goal line.
+// Distance from the goal line at which a point at `y_m` is `clearance_m` from the area; 0 if it may
+// be on the goal line.
 double depth_at_clearance_m(const DefenceArea& area, double y_m, double clearance_m) {
   const bool round = area.shape == DefenceArea::Shape::kQuarterCircles;
   const double beyond_m = std::max(0.0, std::abs(y_m) - area.straight_m / 2);
@@ -36,7 +36,7 @@ double depth_at_clearance_m(const DefenceArea& area, double y_m, double clearanc
   return round ? depth_m : area.depth_m + depth_m;
 }
 
-// `where_m`, moved along the field towards the centre until it is `clearance_m` from the area.
+// `where_m`, moved along x towards the centre until it is `clearance_m` from the area.
 Vec2 moved_clear(const Field& field, Side side, const Vec2& where_m, double clearance_m) {
   const double x_m =
       field.half_length_m() - depth_at_clearance_m(field.defence_area, where_m.y(), clearance_m);
@@ -44,8 +44,9 @@ Vec2 moved_clear(const Field& field, Side side, const Vec2& where_m, double clea
   return end * where_m.x() <= x_m ? where_m : Vec2(end * x_m, where_m.y());
 }
 
-// The point nearest to `where_m` that is `clearance_m` from the box of `side`, before it or beside
-// it, for rules that ask for "the closest valid position". Straight before the goal it stays there.
+// The point nearest to `where_m` that is `clearance_m` from the box of `side`, in front of or
+// beside it, for rules that ask for "the closest valid position". A point on the long axis of the
+// field stays on it.
 Vec2 nearest_clear_of_box(const Field& field, Side side, const Vec2& where_m, double clearance_m) {
   if (distance_to_defence_area(field, side, where_m) >= clearance_m) return where_m;
   const DefenceArea& area = field.defence_area;

@@ -76,7 +76,7 @@ std::optional<Side> kicker_of(const RefereeState& state, const Command& command)
 
 }  // namespace
 
-// Deviation D1: STOP tells the clients that they may move.
+// Deviation D1: STOP lets the clients move.
 void begin(RefereeState& state, const RefereeInput& input, const Finding& /*finding*/) {
   send(state, input, kStop);
   state.signal.next_command = kickoff_of(kickoff_side(input.configuration, state.half));
@@ -89,7 +89,7 @@ void prepare_first_kickoff(RefereeState& state, const RefereeInput& input, const
   send_preparation(state, input, finding);
 }
 
-// Deviation D3: a preparation is followed by a wait of its own, and then by the ready command.
+// Deviation D3: a preparation has its own wait, followed by the ready command.
 void send_preparation(RefereeState& state, const RefereeInput& input, const Finding& /*finding*/) {
   const Command preparation = *state.signal.next_command;
   send(state, input, preparation);
@@ -128,7 +128,7 @@ void stop_play(RefereeState& state, const RefereeInput& input, const Finding& fi
   const PerSide<int> fouls_near_area = state.watch.attacker_too_close_to_defense_area.fouls;
   end_play(state);
   state.retakes = retakes;
-  // The second foul of a team counts where the first one has stopped play.
+  // A team's second foul counts even if its first has already stopped play.
   if (finding.event == Event::kAttackerStaysNearArea) {
     state.watch.attacker_too_close_to_defense_area.fouls = fouls_near_area;
   }
@@ -154,7 +154,7 @@ void award_free_kick_in_stop(RefereeState& state, const RefereeInput& input,
   wait_anew(state, input);
 }
 
-// A person clears the field at a tournament; here the robots have time to stop.
+// At a tournament a person would clear the field; here the halt only gives the robots time to stop.
 void halt_for_foul(RefereeState& state, const RefereeInput& input, const Finding& finding) {
   book(state, input, finding);
   end_play(state);
@@ -206,7 +206,7 @@ void begin_timeout(RefereeState& state, const RefereeInput& input, const Finding
   state.timeout_side = finding.restart.side;
   ++state.timeouts[state.timeout_side].taken;
   state.timeout_clock.start(input.time_s());
-  // What was prepared is prepared again: STOP comes in between.
+  // A prepared kick-off or penalty is prepared again, because STOP cancels it.
   if (state.signal.next_command == kNormalStart) {
     state.signal.next_command = state.prepared;
   }

@@ -1,5 +1,5 @@
-// What is done on the transitions of the machine (referee/machine/machine.hpp): the assignments
-// below the line in the paper's figure 3.
+// The actions of the machine's transitions (referee/machine/machine.hpp): the assignments below the
+// line in the paper's figure 3.
 #pragma once
 
 #include <string_view>
@@ -10,7 +10,7 @@
 
 namespace autoref::referee {
 
-// An action and how the figure words it. It changes the memory and nothing else.
+// An action and its wording in the figure. It changes only the referee state.
 struct Action {
   std::string_view text;
   void (*take)(RefereeState& state, const RefereeInput& input, const Finding& finding);
@@ -50,36 +50,37 @@ inline constexpr Action kSendPreparation{"send next; next = NORMAL_START; restar
 inline constexpr Action kStartPlay{"send next; the clock starts with a half's first kick-off",
                                    start_play};
 inline constexpr Action kAwardGoal{
-    "score; send GOAL; ball to the centre; next = PREPARE_KICKOFF of who conceded", award_goal};
-inline constexpr Action kStopPlay{"send STOP; place the ball; next = what the rule gives",
+    "score; send GOAL; ball to the centre; next = PREPARE_KICKOFF for the conceding team",
+    award_goal};
+inline constexpr Action kStopPlay{"send STOP; place the ball; next = the rule's restart",
                                   stop_play};
 inline constexpr Action kNoteFoul{"the foul is counted", note_foul};
 inline constexpr Action kAllowMoreTime{"the foul is counted; 10 s more to place the ball",
                                        allow_more_time};
 inline constexpr Action kAwardFreeKickInStop{
-    "the foul is counted; next = free kick of the others; restart the wait",
+    "the foul is counted; next = free kick for the opponents; restart the wait",
     award_free_kick_in_stop};
 inline constexpr Action kHaltForFoul{
-    "the foul is counted; send HALT; next = free kick of the others", halt_for_foul};
+    "the foul is counted; send HALT; next = free kick for the opponents", halt_for_foul};
 inline constexpr Action kShowCard{"one robot fewer is allowed", show_card};
 inline constexpr Action kEndCard{"one robot more is allowed", end_card};
 inline constexpr Action kStopAfterSignal{"send STOP", stop_after_signal};
-inline constexpr Action kEndHalf{"send HALT; next = PREPARE_KICKOFF of the other team", end_half};
+inline constexpr Action kEndHalf{"send HALT; next = PREPARE_KICKOFF for the other team", end_half};
 inline constexpr Action kBeginNextHalf{"send STOP; ball to the centre", begin_next_half};
 inline constexpr Action kBeginTimeout{"send TIMEOUT; then prepare the restart again",
                                       begin_timeout};
 inline constexpr Action kEndTimeout{"send STOP; restart the wait", end_timeout};
 inline constexpr Action kBeginExtraTime{
-    "send HALT; reset the timeouts; next = PREPARE_KICKOFF of who kicked off first",
+    "send HALT; reset the timeouts; next = PREPARE_KICKOFF for the team that kicked off first",
     begin_extra_time};
-inline constexpr Action kEndForShootout{"send HALT; next = PREPARE_PENALTY of who kicked off first",
-                                        end_for_shootout};
+inline constexpr Action kEndForShootout{
+    "send HALT; next = PREPARE_PENALTY for the team that kicked off first", end_for_shootout};
 inline constexpr Action kBeginShootout{"send STOP; ball to the mark", begin_shootout};
 inline constexpr Action kCountShootoutGoal{
-    "count it; send GOAL; ball to the mark; next = PREPARE_PENALTY of the next kicker",
+    "count the goal; send GOAL; ball to the mark; next = PREPARE_PENALTY for the next kicker",
     count_shootout_goal};
 inline constexpr Action kCountShootoutMiss{
-    "count the kick; send STOP; ball to the mark; next = PREPARE_PENALTY of the next kicker",
+    "count the kick; send STOP; ball to the mark; next = PREPARE_PENALTY for the next kicker",
     count_shootout_miss};
 inline constexpr Action kEndGame{"send HALT", end_game};
 inline constexpr Action kBeginNewGame{

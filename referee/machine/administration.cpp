@@ -1,4 +1,4 @@
-// The transitions of what is neither play nor the paper's: cards, timeouts, knockout games.
+// Transitions outside play that the paper does not have: cards, timeouts and knockout games.
 #include <array>
 
 #include "referee/machine/machine.hpp"

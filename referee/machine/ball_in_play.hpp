@@ -1,5 +1,5 @@
-// From a restart's signal until the ball is in play ("once it has moved 50 mm", Laws 2014, laws 8,
-// 9 and 13), and what the ball has done since.
+// The time from a restart's signal until the ball is in play ("once it has moved 50 mm", Laws 2014,
+// laws 8, 9 and 13), and the ball's history since.
 #pragma once
 
 #include "referee/machine/referee_state.hpp"
@@ -7,19 +7,20 @@
 
 namespace autoref::referee {
 
-// Play has just been started with `command`, by `kicker` unless it is a force start.
+// The state of play right after `command` started it. `kicker` takes the restart; nullopt for a
+// force start.
 PlayState play_begun(Command command, std::optional<Side> kicker, const RefereeInput& input);
 
-// Follows the ball through one frame of RUN.
+// Updates the state with one frame of RUN.
 void watch_play(PlayState& play, const RefereeInput& input);
 
-// Whether the restart was a kick-off, or a penalty kick: NORMAL_START starts both, the one from the
-// centre.
+// Whether the restart was a kick-off or a penalty kick. NORMAL_START starts both; only the kick-off
+// is taken from the centre.
 bool began_with_kickoff(const PlayState& play, const Field& field);
 bool began_with_penalty(const PlayState& play, const Field& field);
 
-// Whether the ball comes straight from the restart: no robot but its kicker has touched it. A
-// touch by somebody unknown may be a second robot's.
+// Whether the ball comes straight from the restart: only its kicker has touched it. A touch by an
+// unknown robot may be a second robot's.
 bool is_straight_from_restart(const PlayState& play);
 
 }  // namespace autoref::referee

@@ -37,7 +37,7 @@ std::string offence_text(const Finding& finding, const RuleBook& rules) {
   switch (finding.event) {
     case Event::kMultipleFouls:
     case Event::kMultipleCards:
-      return fmt::format("{} foul, and every {} gives a card",
+      return fmt::format("{} foul (every {} brings a card)",
                          ordinal(static_cast<int>(finding.value)), ordinal(rules.fouls_per_card));
     case Event::kDefenderInDefenseAreaPartially:
       return "a defender played the ball partly inside its own area";
@@ -58,7 +58,7 @@ std::string card_reason(const PerSide<CardBook>& before, const Finding& finding,
   std::string text = offence_text(finding, rules);
   if (shown == Card::kRed && rules.yellows_per_red > 0) {
     const CardBook& cards = before[finding.offender.value_or(Side::kWest)];
-    text += fmt::format("; red because it is the {} active yellow card",
+    text += fmt::format("; red because it would be the {} active yellow card",
                         ordinal(static_cast<int>(cards.yellow_ends_s.size()) + 1));
   }
   return text;

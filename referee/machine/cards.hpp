@@ -1,4 +1,5 @@
-// Fouls that count, yellow and red cards, and how many robots a side may have (Laws 12; 2026).
+// Fouls that count, yellow and red cards, and the number of robots allowed per side (Laws 12;
+// 2026).
 #pragma once
 
 #include <string>
@@ -9,24 +10,24 @@
 
 namespace autoref::referee {
 
-// What a side with these cards is shown next: where the book says so, the third active yellow card
-// is a red one instead (2026).
+// The next card for a side with these cards. If the book says so, the third active yellow card
+// becomes a red one (2026).
 Card next_card(const CardBook& cards, const RuleBook& rules);
 
-// Why a finding brings the offender, or both sides, that card: "6th foul, and every 3rd gives a
-// card". `before` are the cards until then.
+// Why a finding brings `shown` to the offender, or to both sides: "6th foul (every 3rd brings a
+// card)". `before` holds the cards shown so far.
 std::string card_reason(const PerSide<CardBook>& before, const Finding& finding, Card shown,
                         const RuleBook& rules);
 
-// Counts the finding's foul against the offender, or against both sides where there is none, and
-// shows the card that it gives, if cards are in force.
+// Counts the finding's foul against the offender, or against both sides without one, and shows the
+// card that it brings if cards are in force.
 void book(RefereeState& state, const RefereeInput& input, const Finding& finding);
 
-// Takes the oldest yellow card off the finding's offender, or off both sides where there is none.
+// Ends the oldest yellow card of the finding's offender, or of both sides without one.
 void take_card_off(RefereeState& state, const Configuration& configuration, const Finding& finding);
 
-// Sets how many robots each side may have on the field: one fewer for each card in force, and
-// never fewer than one.
+// Sets the number of robots each side may have on the field: one fewer per card in force, but at
+// least one.
 void allow_robots(RefereeState& state, const Configuration& configuration);
 
 }  // namespace autoref::referee

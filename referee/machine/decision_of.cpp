@@ -9,7 +9,7 @@
 namespace autoref::referee {
 namespace {
 
-// The card that was shown, whatever the finding asked for.
+// The card actually shown, which may differ from the finding's.
 Card card_shown(const RefereeSignal& before, const RefereeSignal& after) {
   for (const Side side : kSides) {
     if (after.red_cards[side] > before.red_cards[side]) return Card::kRed;
@@ -26,7 +26,7 @@ std::optional<ShootoutKick> kick_between(const ShootoutBook& before, const Shoot
   return std::nullopt;
 }
 
-// Texts begin with a colour at times.
+// Capitalises the text, which may begin with a colour.
 std::string sentence(std::string text) {
   if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   return text;

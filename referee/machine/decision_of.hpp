@@ -1,4 +1,4 @@
-// A step of the machine as a row of the event log.
+// Turns a step of the machine into a row of the event log.
 #pragma once
 
 #include "referee/decision.hpp"
@@ -6,8 +6,8 @@
 
 namespace autoref::referee {
 
-// What was decided on `finding` in the state `before`, with the game's standing and the card that
-// it led to.
+// The decision that `finding` led to in the state `before`, with the state of the game and the card
+// shown.
 Decision decision_of(const RefereeState& before, const RefereeInput& input, const Finding& finding,
                      const Step& taken);
 

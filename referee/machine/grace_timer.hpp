@@ -1,4 +1,4 @@
-// Robots that do what they may do only for a while, each told once in a stop.
+// Offences that are allowed for a grace period. Each robot is reported once per stop.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@ namespace autoref::referee {
 
 class GraceTimer {
  public:
-  // Takes in whether the robot offends now. Answers whether it has done so for `grace_s` and has
-  // not been told.
+  // Records whether the robot offends now. Returns whether it has offended for `grace_s` and has
+  // not been reported.
   bool is_due(RobotId robot, bool offends, double grace_s, double now_s);
   void mark_reported(RobotId robot) { of(robot).is_reported = true; }
 
@@ -33,13 +33,13 @@ struct GraceViolation {
   double excess = 0;
 };
 
-// Whether `a` is told before `b`: the one farther beyond the limit; of two that are equal but for
-// rounding the one nearer to the centre, so that no side comes first.
+// Whether `a` is reported before `b`: the larger excess first; if they are equal up to rounding,
+// the robot nearer to the centre, so that neither side is favoured.
 bool goes_before(const GraceViolation& a, const GraceViolation& b);
 
-// The robot that has offended for `grace_s` and is beyond the limit most, of those not told yet; it
-// is told. `excess_of(side, robot)` says how far a robot is beyond the limit, in any unit; robots
-// up to it do not offend.
+// Returns the robot with the largest excess among those that have offended for `grace_s` and have
+// not been reported, and marks it reported. `excess_of(side, robot)` is how far a robot exceeds the
+// limit, in any unit; robots with at most 0 do not offend.
 template <typename ExcessOf>
 std::optional<GraceViolation> take_worst(GraceTimer& grace_timer, const RefereeInput& input,
                                          double grace_s, const ExcessOf& excess_of) {

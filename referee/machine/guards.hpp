@@ -1,4 +1,4 @@
-// The conditions on the transitions of the machine (referee/machine/machine.hpp).
+// The guards of the machine's transitions (referee/machine/machine.hpp).
 #pragma once
 
 #include <string_view>
@@ -8,7 +8,7 @@
 
 namespace autoref::referee {
 
-// A condition and how the figure words it; an empty text holds always.
+// A condition and its wording in the figure; the text is empty if it always holds.
 struct Guard {
   std::string_view text;
   bool (*holds)(const RefereeState& state, const Configuration& configuration);
@@ -30,16 +30,16 @@ bool fouls_are_noted(const RefereeState& state, const Configuration& configurati
 
 inline constexpr Guard kAlways{"", holds_always};
 inline constexpr Guard kNextIsPreparation{"next is a preparation", next_is_preparation};
-inline constexpr Guard kNextStartsPlay{"next is no preparation", next_starts_play};
-inline constexpr Guard kDuringGame{"a half is on", is_during_game};
-inline constexpr Guard kBetweenHalves{"half-time", is_between_halves};
+inline constexpr Guard kNextStartsPlay{"next is not a preparation", next_starts_play};
+inline constexpr Guard kDuringGame{"during a half", is_during_game};
+inline constexpr Guard kBetweenHalves{"between halves", is_between_halves};
 inline constexpr Guard kAfterGame{"after the game", is_after_game};
 inline constexpr Guard kBeforeShootout{"the break before the shoot-out", is_before_shootout};
 inline constexpr Guard kInShootout{"in the shoot-out", is_in_shootout};
 inline constexpr Guard kGameWasLast{"no new game follows", game_was_last};
 inline constexpr Guard kNewGameFollows{"a new game follows", new_game_follows};
 inline constexpr Guard kFoulsStopPlay{"fouls stop play", fouls_stop_play};
-inline constexpr Guard kSecondNearArea{"a team's second in this stop or free kick",
+inline constexpr Guard kSecondNearArea{"the team's second in this stop or free kick",
                                        is_second_near_area};
 inline constexpr Guard kFoulsAreNoted{"fouls only count", fouls_are_noted};
 

@@ -22,7 +22,7 @@ constexpr std::array kInFigure = {
   Transition{"clients_moved", State::kWaitStart, Event::kRobotsMoved, kAlways, kPrepareFirstKickoff,
         State::kWaitStop, "paper 4.3, 4.4", "D5"},
   Transition{"start_timeout", State::kWaitStart, Event::kStartTimeout, kAlways, kPrepareFirstKickoff,
-        State::kWaitStop, "ours", "D2"},
+        State::kWaitStop, "AutoRef", "D2"},
   Transition{"prepare", State::kWaitStop, Event::kReady, kNextIsPreparation, kSendPreparation,
         State::kWaitStop, "2016", "D3, D13"},
   Transition{"prepare_late", State::kWaitStop, Event::kReadyTimeout, kNextIsPreparation, kSendPreparation,
@@ -40,7 +40,7 @@ constexpr std::array kInFigure = {
   Transition{"goal_kick", State::kRun, Event::kGoalKick, kAlways, kStopPlay,
         State::kWaitStop, "paper 4.2", ""},
   Transition{"touch_line_unknown", State::kRun, Event::kTouchLineUnknown, kAlways, kStopPlay,
-        State::kWaitStop, "ours", "D14"},
+        State::kWaitStop, "AutoRef", "D14"},
   Transition{"attacker_too_close_to_defense_area", State::kRun, Event::kAttackerTooCloseToDefenseArea, kAlways, kStopPlay,
         State::kWaitStop, "paper 4.2; Laws", "D9"},
   Transition{"restart_not_taken", State::kRun, Event::kRestartNotTaken, kAlways, kStopPlay,
@@ -53,13 +53,13 @@ constexpr std::array kInFigure = {
 
 constexpr std::array kOutsideFigure = {
   Transition{"half_over", std::nullopt, Event::kHalfOver, kAlways, kEndHalf,
-        State::kDelayWait, "paper 4.2, 4.3; HALT: ours", "D12"},
+        State::kDelayWait, "paper 4.2, 4.3; HALT: AutoRef", "D12"},
   Transition{"next_half", State::kDelayWait, Event::kSignalled, kBetweenHalves, kBeginNextHalf,
         State::kWaitStop, "paper 4.2, 4.3; Laws", "D12"},
   Transition{"game_over", std::nullopt, Event::kGameOver, kGameWasLast, kEndGame,
         State::kOver, "paper 4.2", ""},
   Transition{"game_over_next", std::nullopt, Event::kGameOver, kNewGameFollows, kEndGame,
-        State::kDelayWait, "paper 4.2; HALT: ours", "D12"},
+        State::kDelayWait, "paper 4.2; HALT: AutoRef", "D12"},
   Transition{"new_game", State::kDelayWait, Event::kSignalled, kAfterGame, kBeginNewGame,
         State::kWaitStop, "paper 4.2", ""},
 };
@@ -67,7 +67,7 @@ constexpr std::array kOutsideFigure = {
 constexpr Trigger kCallThatStopsPlay{"a call that stops play", stops_play};
 constexpr Trigger kCallByBook{"a call that stops play by the book", stops_play_by_book};
 constexpr Trigger kCallThatCounts{"a call that only counts", counts_in_play};
-constexpr Trigger kCallInStop{"a call that may come in a stop", may_come_in_stop};
+constexpr Trigger kCallInStop{"a call that may be made in a stop", may_come_in_stop};
 
 constexpr std::array kBeyondPaper = {
   Transition{"", std::nullopt, Event::kAttackerStaysNearArea, kSecondNearArea, kHaltForFoul,
@@ -77,7 +77,7 @@ constexpr std::array kBeyondPaper = {
   Transition{"", State::kWaitStop, Event::kBotInterferedPlacement, kAlways, kAllowMoreTime,
         State::kWaitStop, "2026", ""},
   Transition{"", State::kRun, kCallThatStopsPlay, kAlways, kStopPlay,
-        State::kWaitStop, "rule book; goal_line_unknown: ours", "D14"},
+        State::kWaitStop, "rule book; goal_line_unknown: AutoRef", "D14"},
   Transition{"", State::kRun, kCallByBook, kFoulsStopPlay, kStopPlay,
         State::kWaitStop, "rule book", ""},
   Transition{"", State::kRun, kCallByBook, kFoulsAreNoted, kNoteFoul,

@@ -1,7 +1,7 @@
 // The paper's finite state machine (section 4.3, figure 3) as a table, one row per transition.
 //
-// It owns nothing. A step is pure: what follows depends on the memory, the frame and the finding
-// alone, and the memory is returned, not changed. The referee calls it once per finding.
+// It owns nothing. A step is pure: the result depends only on the state, the frame and the finding,
+// and the new state is returned. The referee calls it once per finding.
 #pragma once
 
 #include <array>
@@ -20,56 +20,56 @@
 
 namespace autoref::referee {
 
-// What an transition is taken for: one event, or all of a kind (event.hpp).
+// What triggers a transition: one event, or every event of a kind (event.hpp).
 struct Trigger {
-  constexpr Trigger(Event of) : event(of) {}  // implicit, so that a row names its event
+  constexpr Trigger(Event of) : event(of) {}  // implicit, so that a row can name its event
   constexpr Trigger(std::string_view words, bool (*of_kind)(Event))
       : text(words), includes(of_kind) {}
 
   bool has(Event found) const { return event ? *event == found : includes(found); }
 
   std::optional<Event> event{};
-  std::string_view text{};  // of a kind of events
+  std::string_view text{};  // wording of the kind
   bool (*includes)(Event) = nullptr;
 };
 
 struct Transition {
-  std::string_view label;     // empty: the event's name
-  std::optional<State> from;  // none: any state
+  std::string_view label;     // if empty, the event's name
+  std::optional<State> from;  // nullopt: any state
   Trigger trigger;
   Guard guard;
   Action action;
-  std::optional<State> to;      // none: the state stays as it is
-  std::string_view evidence;    // what the row rests on: the paper's section, or another source
-  std::string_view deviations;  // "D3, D13" in README.md; empty where the row is the paper's
+  std::optional<State> to;      // nullopt: the state does not change
+  std::string_view evidence;    // the row's source: a section of the paper or another document
+  std::string_view deviations;  // "D3, D13" (README.md); empty if the row is the paper's
 };
 
-// The transitions of the figure, and after them those of the game's time, which "operates outside
-// this diagram".
+// The transitions in the figure.
 std::span<const Transition> transitions_in_figure();
+// Those of the game's time, which "operates outside this diagram".
 std::span<const Transition> transitions_outside_figure();
 
-// Those of calls that the paper's referee does not have: they differ in nothing but the event.
+// Transitions for calls that the paper's referee lacks. They differ only in the event.
 std::span<const Transition> transitions_beyond_paper();
 
-// Those of cards, timeouts and knockout games (administration.cpp). They are tried first: what a
-// goal leads to in a shoot-out comes before what it leads to elsewhere.
+// Transitions for cards, timeouts and knockout games (administration.cpp). They are tried first,
+// because a goal in a shoot-out takes a transition of its own.
 std::span<const Transition> transitions_of_administration();
 
-// All of them, in the order in which they are tried.
+// All transitions, in the order in which they are tried.
 std::array<std::span<const Transition>, 4> all_transitions();
 
-// Every label that a step may have, in that order.
+// Every label a step may have, in the same order.
 std::vector<std::string_view> all_labels();
 
 struct Step {
-  RefereeState state;                      // unchanged where no transition leads from here
-  const Transition* transition = nullptr;  // taken; none where none leads from here
-  std::string_view label;  // of the transition, or the event's name where it has none of its own
-  std::optional<Command> sent;  // the command that went out with it
+  RefereeState state;                      // unchanged if no transition applies
+  const Transition* transition = nullptr;  // null if none applies
+  std::string_view label;                  // the transition's, or the event's name if it has none
+  std::optional<Command> sent;             // the command sent, if any
 };
 
-// Takes the transition that leads from the present state for what was found.
+// Takes the first transition from the current state that the finding triggers.
 Step step(const RefereeState& state, const RefereeInput& input, const Finding& finding);
 
 }  // namespace autoref::referee

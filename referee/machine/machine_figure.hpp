@@ -1,15 +1,15 @@
-// The machine's figure, printed from its table: what referee/README.md shows.
+// The machine's figure in referee/README.md, printed from the table.
 #pragma once
 
 #include <string>
 
 namespace autoref::referee {
 
-// A Mermaid state diagram of the transitions in the figure, and a Markdown table of all
-// transitions, those of the game's time apart. Ends with a newline.
+// A Mermaid state diagram of the transitions in the figure, followed by Markdown tables of all
+// transitions. Ends with a newline.
 std::string machine_figure();
 
-// A Markdown table of calls and cards: what the league calls them and what follows. It ends with a
+// A Markdown table of calls and cards, with the league's names and the consequences. Ends with a
 // newline.
 std::string event_figure();
 

@@ -14,16 +14,16 @@
 namespace autoref::referee {
 namespace {
 
-// The ball's ways before and after a touch are told from this length on: noise of a few
-// millimetres turns it by a few degrees only.
+// Shortest path of the ball before and after a touch from which its direction is measured: noise of
+// a few millimetres turns it by only a few degrees.
 constexpr double kShortest_m = 100_mm;
 
 bool is_by_keeper(const BallTouch& touch, Side side, const RefereeInput& input) {
   return touch.robot == RobotId{side, input.requests[side].keeper};
 }
 
-// The angle in degrees by which the newest touch has turned the ball's way, if that is the keeper's
-// and both ways are long enough to tell.
+// The angle in degrees by which the newest touch turned the ball's path, if it is the keeper's and
+// the path is long enough on both sides to measure.
 std::optional<double> turn_by_keeper_deg(const RefereeState& state, const RefereeInput& input) {
   const PlayState& play = state.play;
   const BallTouch* touch = play.touches.newest();
@@ -39,7 +39,7 @@ std::optional<double> turn_by_keeper_deg(const RefereeState& state, const Refere
 
 PenaltyFailure turned(double turn_deg, const RuleBook& rules) {
   return {turn_deg, rules.penalty_turn_deg, "deg",
-          fmt::format("The keeper has turned the ball's way by {:.0f} degrees.", turn_deg)};
+          fmt::format("The keeper turned the ball's path by {:.0f} degrees.", turn_deg)};
 }
 
 PenaltyFailure gone_out(const Field& field, const Vec2& ball_m) {
@@ -73,7 +73,7 @@ std::optional<PenaltyFailure> penalty_failure(const RefereeState& state,
     return std::nullopt;
   }
   return PenaltyFailure{lasted_s, c.rules.penalty_time_s, "s",
-                        fmt::format("{:.2f} s after the signal there is no goal.", lasted_s)};
+                        fmt::format("There was no goal within {:.2f} s of the signal.", lasted_s)};
 }
 
 }  // namespace autoref::referee

@@ -1,8 +1,8 @@
 // How a penalty kick ends.
 //
-// It fails when the ball goes out, when the keeper turns its way by 90 degrees or more, or when
-// 10 s have passed since the signal (2026, Penalty Kick; shoot-outs of all books). Where play goes
-// on after a penalty kick (Laws 14), the same says when its own rules have ended.
+// It fails if the ball goes out, if the keeper turns its path by 90 degrees or more, or 10 s after
+// the signal (2026, Penalty Kick; shoot-outs of all books). If play goes on after a penalty kick
+// (Laws 14), these conditions end the validity of its own rules.
 #pragma once
 
 #include <optional>
@@ -15,18 +15,17 @@
 namespace autoref::referee {
 
 struct PenaltyFailure {
-  double value = 0;  // measured, with its threshold and unit
+  double value = 0;  // measured; threshold and unit follow
   double threshold = 0;
   std::string_view unit;
   std::string evidence;
 };
 
-// Whether the ball is in the goal that the penalty kick is aimed at. The play must be a penalty
-// kick.
+// Whether the ball is in the goal that the penalty kick is aimed at. Play must be a penalty kick.
 bool is_penalty_goal(const RefereeState& state, const RefereeInput& input);
 
-// Why the penalty kick has failed, or none where it has not yet; never where it is a goal. The play
-// must be a penalty kick.
+// Why the penalty kick has failed; nullopt if it has not failed yet or is a goal. Play must be a
+// penalty kick.
 std::optional<PenaltyFailure> penalty_failure(const RefereeState& state, const RefereeInput& input);
 
 }  // namespace autoref::referee

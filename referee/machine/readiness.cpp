@@ -10,18 +10,18 @@
 namespace autoref::referee {
 namespace {
 
-// The ball is set to its place this long before the wait is over, so that it lies there when play
-// goes on: three frames of a 60 Hz camera.
+// The ball is set to its position this long before the timeout, so that it lies there when play
+// continues.
 constexpr double kSetBallBefore_s = 500_ms;
 
 bool is_look_due(const RefereeState& state, const RefereeInput& input) {
   return has_passed(state.checked_s, input.configuration.rules.readiness_period_s, input.time_s());
 }
 
-// Deviation D13: the ball must rest at its place, too.
+// Deviation D13: the ball must also rest at its position.
 //
-// A ball that stays within the tolerance for as long as it takes to cross it at the speed of a
-// resting ball is at rest, however noisy the single frames are.
+// It rests once it has stayed within the tolerance for as long as a ball at the resting speed would
+// need to cross it, however noisy single frames are.
 double rest_time_s(const RuleBook& rules) {
   return 2 * rules.ball_in_position_m / rules.ball_at_rest_mps;
 }
@@ -65,8 +65,7 @@ Finding timeout_finding(Event event, std::string_view rule, double waited_s, dou
   return finding;
 }
 
-// Deviation D5: one robot of each team is enough, as section 4.4 says; section 4.3 has "all
-// robots".
+// Deviation D5: one robot per team is enough, as section 4.4 says; section 4.3 has "all robots".
 bool is_more_on_both_sides(const LargestMoves& moves, double limit_m) {
   return std::all_of(kSides.begin(), kSides.end(),
                      [&](Side side) { return moves.robot[side] && moves.move_m[side] > limit_m; });
@@ -81,7 +80,7 @@ Finding robots_moved(const LargestMoves& moves, const RefereeInput& input) {
   Finding finding = moves_finding(Event::kRobotsMoved, "paper 4.4, WAIT_START", input, least_m);
   for (Side side : kSides) finding.robots.push_back(*moves.robot[side]);
   finding.evidence =
-      fmt::format("On each team a robot has moved by {:.1f} mm or more.", 1e3 * least_m);
+      fmt::format("On each team a robot has moved {:.1f} mm or more.", 1e3 * least_m);
   return finding;
 }
 
@@ -105,9 +104,8 @@ Finding ready_timeout(const RefereeState& state, const RefereeInput& input) {
   }
   if (input.ball) finding.position_m = input.ball->position_m;
   finding.evidence = fmt::format(
-      "After {:.2f} s the wait is over: since the last check robots have moved up to {:.1f} mm, "
-      "and "
-      "the ball {} at its position.",
+      "The wait timed out after {:.2f} s: since the last check robots have moved up to {:.1f} mm, "
+      "and the ball {} at its position.",
       finding.value, 1e3 * largest_move_m(moves),
       rests_in_position(state, input) ? "rests" : "did not rest");
   return finding;
@@ -144,10 +142,10 @@ std::optional<Finding> find_start(RefereeState& state, const RefereeInput& input
     return std::nullopt;
   }
   // Deviation D2: a team that never moves must not hang a batch of games.
-  Finding finding = timeout_finding(Event::kStartTimeout, "ours",
+  Finding finding = timeout_finding(Event::kStartTimeout, "AutoRef",
                                     input.time_s() - state.wait_began_s, rules.start_timeout_s);
   finding.evidence =
-      fmt::format("After {:.2f} s a team has still not moved any robot.", finding.value);
+      fmt::format("No robot of at least one team has moved for {:.2f} s.", finding.value);
   return finding;
 }
 
@@ -161,7 +159,7 @@ std::optional<Finding> find_ready(RefereeState& state, const RefereeInput& input
     if (most_m < rules.stillness_m && rests_in_position(state, input)) {
       return ready(most_m, state, input);
     }
-    // What is saved stays for the timeout's evidence.
+    // Keep the saved positions for the timeout's evidence.
     if (!is_late) state.saved = positions_in(input.frame);
     state.checked_s = now_s;
   }

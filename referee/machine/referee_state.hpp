@@ -1,4 +1,4 @@
-// Everything the referee's machine remembers from one frame to the next.
+// The machine's state: everything it remembers between frames.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -13,7 +13,8 @@
 
 namespace autoref::referee {
 
-inline constexpr int kMaxHalves = 4;  // two halves and two of extra time: more have no stage
+inline constexpr int kMaxHalves =
+    4;  // two halves and two of extra time; there are no stages for more
 
 // "AutoRef saves the current positions of the robots" (paper, section 4.4).
 struct SavedPositions {
@@ -21,35 +22,35 @@ struct SavedPositions {
   double time_s = 0;
 };
 
-// How the play that is on began. Means nothing outside RUN.
+// The current spell of play. Meaningless outside RUN.
 struct PlayState {
-  Command began_with;               // NORMAL_START after a preparation, a free kick, FORCE_START
-  Command restart;                  // the same, or that preparation: what takes it again
-  Vec2 position_m{0, 0};            // where the ball was to be put for it
-  std::optional<Side> kicker;       // who takes the restart; none after a force start
-  double began_s = 0;               // when it was signalled
-  std::optional<Vec2> ball_from_m;  // where the ball lay then; none while it was never seen
-  bool in_play = false;             // the ball has moved, or needs not
-  bool entered_now = false;         // in this frame, by the kicker's restart
-  double in_play_since_s = 0;       // means nothing before the ball is in play
-  TouchHistory touches;             // since it began
-  Vec2 stuck_at_m{0, 0};            // the ball has been about here
-  double stuck_since_s = 0;         // since then
+  Command began_with;               // NORMAL_START, a free kick or FORCE_START
+  Command restart;                  // repeats the restart: the same, or its preparation
+  Vec2 position_m{0, 0};            // where the ball was placed for it
+  std::optional<Side> kicker;       // takes the restart; nullopt after a force start
+  double began_s = 0;               // when the restart was signalled
+  std::optional<Vec2> ball_from_m;  // where the ball lay then; nullopt until it is seen
+  bool in_play = false;             // the ball has moved, or need not
+  bool entered_now = false;         // the ball entered play in this frame
+  double in_play_since_s = 0;       // meaningless until the ball is in play
+  TouchHistory touches;             // since play began
+  Vec2 stuck_at_m{0, 0};            // the ball has stayed near here
+  double stuck_since_s = 0;         // since this time
 
   bool is_kickoff() const { return restart.kind == CommandKind::kPrepareKickoff; }
   bool is_penalty() const { return restart.kind == CommandKind::kPreparePenalty; }
 };
 
-// Of one restart, as long as it is taken again for breaches of its own rules.
+// Retakes of one restart because of breaches of its own rules.
 struct Retakes {
-  int count = 0;      // how often it has been
-  RobotSet too_near;  // opponents who were too near to the ball then
+  int count = 0;      // number of retakes
+  RobotSet too_near;  // opponents who were too near to the ball
 };
 
-// Adds up spells of time.
+// Total of several time spans.
 struct Stopwatch {
-  double before_s = 0;            // of the spells that are over
-  std::optional<double> since_s;  // when the spell that is on began
+  double before_s = 0;            // total of the finished spans
+  std::optional<double> since_s;  // start of the running span, if any
 
   double at_s(double now_s) const { return before_s + (since_s ? now_s - *since_s : 0); }
   void start(double now_s) { since_s = now_s; }
@@ -61,20 +62,20 @@ struct Stopwatch {
 
 // A side's fouls and cards.
 struct CardBook {
-  int fouls = 0;                   // that count towards a card
-  int cards_for_fouls = 0;         // shown for them
+  int fouls = 0;                   // only those that count towards a card
+  int cards_for_fouls = 0;         // shown for these fouls
   std::optional<double> fouled_s;  // when the last non-stopping foul was called
-  // When the active yellow cards are over, by the play clock; the oldest first.
+  // When the active yellow cards end, by the play clock, oldest first.
   boost::container::static_vector<double, kMaxRobots> yellow_ends_s;
-  std::optional<double> fewer_since_s;     // when fewer robots were allowed, the last time
-  std::optional<double> too_many_since_s;  // seen on the field
-  bool too_many_called = false;            // since then
+  std::optional<double> fewer_since_s;     // when the number allowed last changed
+  std::optional<double> too_many_since_s;  // since when too many are on the field
+  bool too_many_called = false;            // since the number allowed last changed
 };
 
-// The timeouts that a side has had: since the game's beginning, or extra time's.
+// The timeouts that a side has taken since the start of the game, or of extra time.
 struct TimeoutBook {
   int taken = 0;
-  double used_s = 0;  // in those that are over
+  double used_s = 0;  // in finished timeouts
 };
 
 // The kicks of a shoot-out.
@@ -85,26 +86,26 @@ struct ShootoutBook {
 
 struct RefereeState {
   State machine_state = State::kInit;
-  RefereeSignal signal;  // in force: command, stage, score, placement, and the paper's `next`
+  RefereeSignal signal;  // in force: command, stage, score, placement and the paper's `next`
 
-  double wait_began_s = 0;  // in WAIT_START, WAIT_STOP: the timeout runs from here
-  SavedPositions saved;     // what the robots' position are compared with
-  double checked_s = 0;     // when they were compared last
+  double wait_began_s = 0;  // in WAIT_START and WAIT_STOP: start of the timeout
+  SavedPositions saved;     // reference for the robots' moves
+  double checked_s = 0;     // when they were last compared
   std::optional<double> ball_in_position_since_s;
   double delay_ends_s = 0;  // in DELAY_WAIT
   PlayState play;
-  RuleWatch watch;          // of the rules, since play last started or stopped
-  Stopwatch play_clock;     // the time spent in RUN, all halves together
-  Stopwatch timeout_clock;  // and in timeouts
+  RuleWatch watch;          // the rules' memory since play last started or stopped
+  Stopwatch play_clock;     // time spent in RUN, over all halves
+  Stopwatch timeout_clock;  // time spent in timeouts
   PerSide<CardBook> cards;
-  std::optional<Command> prepared;  // the kick-off or penalty that NORMAL_START starts
-  Retakes retakes;                  // of the restart that is on, or comes next
+  std::optional<Command> prepared;  // the kick-off or penalty that NORMAL_START will start
+  Retakes retakes;                  // of the current or next restart
   PerSide<TimeoutBook> timeouts;
-  Side timeout_side = Side::kWest;  // whose timeout is on; means nothing outside TIMEOUT
+  Side timeout_side = Side::kWest;  // meaningless outside TIMEOUT
   ShootoutBook shootout;
 
-  int half = 0;             // running or next, counted from 0
-  double half_began_s = 0;  // when its clock started, by clock_s() of timekeeping.hpp
+  int half = 0;             // current or next, counted from 0
+  double half_began_s = 0;  // its start, on the clock of clock_s() (timekeeping.hpp)
   int games_finished = 0;
   boost::container::static_vector<PerSide<int>, kMaxHalves> goals_by_half{PerSide<int>{}};
 };

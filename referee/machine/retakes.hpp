@@ -1,5 +1,5 @@
-// Restarts that are taken again because somebody broke their own rules: opponents too near, robots
-// in the wrong half, a penalty kick with robots out of place (Laws 8, 13 and 14).
+// Restarts that are retaken because their own rules were broken: opponents too near, robots in the
+// wrong half, robots out of position at a penalty kick (Laws 8, 13 and 14).
 #pragma once
 
 #include "referee/finding.hpp"
@@ -7,15 +7,14 @@
 
 namespace autoref::referee {
 
-// Whether the restart that is on may be taken once more. Ours: at most three times, so that a team
+// Whether the current restart may be retaken. AutoRef's own limit is three times, so that a team
 // that never learns cannot hang a game; then play goes on.
 bool may_be_taken_again(const RefereeState& state);
 
-// Makes the restart that is on what the finding leads to, from its own place.
+// Sets the finding's restart to the current one, from the same position.
 void take_again(Finding& finding, const PlayState& play);
 
-// What to remember of the next restart once the finding has stopped play: nothing where it is
-// another one.
+// The retakes to remember after the finding has stopped play; none if a different restart follows.
 Retakes retakes_after(const Retakes& before, const Finding& finding);
 
 }  // namespace autoref::referee

@@ -1,4 +1,4 @@
-// What the rules about robots have seen of them in earlier frames.
+// What rules about robots remember from earlier frames.
 #pragma once
 
 #include <array>
@@ -14,20 +14,20 @@ namespace autoref::referee {
 
 inline constexpr double kNever_s = -std::numeric_limits<double>::infinity();
 
-// Two robots of different sides that met.
+// A collision of two opponents.
 struct Collision {
   RobotId faster;
   RobotId slower;
-  double closing_mps = 0;  // along the line of their centres, just before
-  double lead_mps = 0;     // by how much the one was faster than the other
-  Vec2 position_m{0, 0};   // half-way between their centres
+  double closing_mps = 0;  // just before, along the line of their centres
+  double lead_mps = 0;     // difference of their speeds
+  Vec2 position_m{0, 0};   // midpoint of their centres
   Vec2 faster_m{0, 0};     // the faster one's centre
 };
 
 struct CrashWatch {
-  PerSide<TrackedRobots> before;  // in the frame before
+  PerSide<TrackedRobots> before;  // in the previous frame
   double before_s = kNever_s;
-  // When west robot [i] and east robot [j] were in contact last.
+  // When west robot [i] and east robot [j] were last in contact.
   std::array<std::array<double, kMaxRobots>, kMaxRobots> met_s = never_met();
   boost::container::static_vector<Collision, 8> unreported;
 
@@ -39,25 +39,25 @@ struct CrashWatch {
   }
 };
 
-// Two opponents that are near each other, by their numbers.
+// Two opponents close to each other, by number.
 struct PushContact {
   int west = 0;
   int east = 0;
   bool is_near = true;
-  bool is_followed = false;  // for a frame or more
+  bool is_followed = false;  // for at least one frame
   bool are_in_contact = false;
-  PerSide<Vec2> from_m{{Vec2(0, 0), Vec2(0, 0)}};      // where they were when that began
-  PerSide<Vec2> before_mps{{Vec2(0, 0), Vec2(0, 0)}};  // their velocities before it
+  PerSide<Vec2> from_m{{Vec2(0, 0), Vec2(0, 0)}};      // where they were when contact began
+  PerSide<Vec2> before_mps{{Vec2(0, 0), Vec2(0, 0)}};  // their velocities just before
 };
 
-// Round robots of two sides that touch make a planar graph without triangles: among 32 robots there
-// are at most 60 pairs in contact, and a few more that are near.
+// Contacts between round robots of two sides form a bipartite planar graph: 32 robots have at most
+// 60 pairs in contact, plus a few that are close.
 struct PushingWatch {
   boost::container::static_vector<PushContact, 3 * 2 * kMaxRobots> contacts;
 };
 
 struct DribblingWatch {
-  // Where the ball was when each robot that has it got it; none for the others.
+  // Where the ball was when the robot gained it; nullopt for robots without the ball.
   PerSide<std::array<std::optional<Vec2>, kMaxRobots>> ball_from_m;
 };
 

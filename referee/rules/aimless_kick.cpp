@@ -1,5 +1,6 @@
-// A kick from one's own half over the opponents' goal line outside the goal, untouched on its way,
-// is aimless, except from a kick-off (2026 Division B): a free kick from where it was kicked.
+// A kick from the own half that crosses the opponents' goal line outside the goal without another
+// touch is aimless, unless it was a kick-off (2026 Division B): a free kick from the position of
+// the kick.
 #include <fmt/format.h>
 
 #include "referee/geometry/ball_out.hpp"
@@ -31,7 +32,7 @@ std::optional<Finding> find_aimless_kick(RefereeState& state, const RefereeInput
   finding.value = own_end * kick->ended_m.x();
   finding.unit = "m";
   finding.evidence = fmt::format(
-      "{} kicked the ball {:.0f} mm inside its own half, and it went over the opponents' goal line "
+      "{} kicked the ball {:.0f} mm inside its own half, and it crossed the opponents' goal line "
       "untouched.",
       kick->robot ? text_of(*kick->robot) : std::string(colour_of(*kick->side)),
       1e3 * finding.value);

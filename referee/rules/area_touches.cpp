@@ -5,7 +5,7 @@
 namespace autoref::referee {
 namespace {
 
-// Touches are sure well within this time; those that ended before have been judged.
+// A touch is confirmed well within this time; a touch that ended earlier has already been judged.
 constexpr double kFresh_s = 200_ms;
 
 bool is_to_be_judged(const BallTouch& touch, const PlayState& play, double now_s) {

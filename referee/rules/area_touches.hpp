@@ -1,4 +1,4 @@
-// Touches of the ball in play that rules of the defence areas are to judge.
+// Touches of the ball in play for the rules on defence areas.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace autoref::referee {
 
-// What `check` makes of the touches that have just become sure, the oldest first: touches of the
-// ball in play by a known robot whose place was seen then.
+// A rule's verdict on a touch by a known robot whose position was seen at the time. `check` is
+// called for newly confirmed touches, oldest first.
 using TouchCheck = std::optional<Finding> (*)(RefereeState& state, const BallTouch& touch,
                                               const RefereeInput& input);
 std::optional<Finding> find_in_touches(RefereeState& state, const RefereeInput& input,

@@ -1,7 +1,7 @@
 // The kicker of a restart must not touch the ball again, once it is in play, before another robot
-// has (Laws 2014, laws 8 and 13 to 17; 2026, Double Touch). "Again" means that the ball has been
-// apart from the robot: bumps while the kick is being taken are one touch. A touch by somebody
-// unknown may be another robot's, and then nobody is blamed.
+// has (Laws 2014, laws 8 and 13 to 17; 2026, Double Touch). "Again" means after ball and robot have
+// separated: bumps during the kick are one touch. A touch by an unknown robot may be another
+// robot's, so nobody is blamed for it.
 #include <fmt/format.h>
 
 #include "referee/machine/ball_in_play.hpp"
@@ -38,7 +38,7 @@ std::optional<Finding> find_attacker_double_touched_ball(RefereeState& state,
                  input.configuration, *again.robot, again.ended_m);
   finding.value = (again.ended_m - *play.ball_from_m).norm();
   finding.evidence = fmt::format(
-      "{} took the restart and still touched the ball at {:.3f} s, {:.0f} mm away from there.",
+      "{} took the restart and touched the ball again at {:.3f} s, {:.0f} mm from its position.",
       text_of(*again.robot), again.ended_s, 1e3 * finding.value);
   return finding;
 }

@@ -1,15 +1,15 @@
 // "Each robot must be at least 200 mm away from the opposing team's defense area, or an indirect
 // free kick is awarded to the opposing team" (paper, section 4.2).
 //
-// Deviation D9: judged when the ball enters play from a restart, as in the Laws; always in force it
-// would forbid attacking. The kicking side is judged first, so that the order of the sides never
-// decides between two offenders.
+// Deviation D9: judged when the ball enters play from a restart, as in the Laws; a rule in force at
+// all times would forbid attacking. The kicking side is judged first, so that the order of the
+// sides never decides between two offenders.
 //
-// During stop and free kicks robots keep 0.2 m away from the opponents' defence area. They have 2 s
-// to leave after the stop began; from then on the team fouls at once, and has 2 s again after its
-// first foul. A free kick for the opponents follows; a team's second foul in the same stop or free
-// kick halts the game (2026, Attacker Too Close To Defense Area). The free kick belongs to the stop
-// before it, until the ball is in play.
+// 2026, Attacker Too Close To Defense Area: during stop and free kicks, robots keep 0.2 m away from
+// the opponents' defence area. They have 2 s to leave after the start of the stop. A violation
+// after that brings the opponents a free kick, and the team another 2 s; its second foul in the
+// same stop or free kick halts the game. A free kick belongs to the stop before it until the ball
+// is in play.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ struct Offence {
   double distance_m = 0;
 };
 
-// The robot of `side` nearest to the opponents' area, if it is nearer than `least_m`.
+// The robot of `side` nearest to the opponents' area, if it is closer than `least_m`.
 std::optional<Offence> nearest_of(Side side, double least_m, const RefereeInput& input) {
   const Configuration& c = input.configuration;
   std::optional<Offence> worst;
@@ -47,7 +47,7 @@ std::optional<Offence> nearest_of(Side side, double least_m, const RefereeInput&
 std::optional<Finding> find_attacker_too_close_to_defense_area(RefereeState& state,
                                                                const RefereeInput& input) {
   const Configuration& c = input.configuration;
-  // A penalty kick is taken from where nobody else may be.
+  // At a penalty kick, rule penalty_positions decides where robots may be.
   if (!c.rules.fouls_stop_play || state.play.is_penalty()) return std::nullopt;
   if (!state.play.entered_now || !state.play.kicker) return std::nullopt;
   const double least_m = c.rules.attacker_to_area_m;
@@ -64,7 +64,7 @@ std::optional<Finding> find_attacker_too_close_to_defense_area(RefereeState& sta
   return finding;
 }
 
-// Kick-offs and penalty kicks have places of their own for everybody.
+// Kick-offs and penalty kicks have their own position rules.
 bool is_in_force(const RefereeState& state) {
   if (state.machine_state == State::kWaitStop)
     return state.signal.command.kind == CommandKind::kStop;
@@ -72,7 +72,7 @@ bool is_in_force(const RefereeState& state) {
   return !play.in_play && play.kicker && !play.is_kickoff() && !play.is_penalty();
 }
 
-// The robot of `side` that is nearest now, where the side has no time left to leave.
+// The robot of `side` nearest to the area, if the side's grace period is over.
 std::optional<Offence> overdue(Side side, AttackerNearAreaWatch& watch, const RefereeInput& input) {
   const RuleBook& rules = input.configuration.rules;
   std::optional<double>& grace_from_s = watch.grace_from_s[side];
@@ -94,7 +94,8 @@ void add(Finding& finding, const Offence& offence, int fouls) {
                                   fouls > 1 ? ", the team's second such foul in this stop" : "");
 }
 
-// The opponents' free kick from where the ball is. Where both sides foul, nobody gains.
+// A free kick for the opponents from the ball's position. If both sides foul, the restart does not
+// change.
 void set_restart(Finding& finding, const RefereeState& state, const RefereeInput& input) {
   const Configuration& c = input.configuration;
   const bool is_stopped = state.machine_state == State::kWaitStop;

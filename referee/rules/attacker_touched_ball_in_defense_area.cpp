@@ -1,5 +1,5 @@
 // A robot must not touch the ball in play while it is partly or entirely inside the opponents'
-// defence area (2026, Attacker In Defense Area). Play goes on. A touch that lasts counts again
+// defence area (2026, Attacker In Defense Area). Play goes on. A continuing touch counts again
 // after 2 s.
 #include <fmt/format.h>
 
@@ -40,7 +40,7 @@ std::optional<Finding> check(RefereeState& state, const BallTouch& touch,
   return touched_inside(touch, *touch.toucher, distance_m, input);
 }
 
-// The touch that was called goes on, and the robot is still inside.
+// Finds a called touch that continues while the robot is still inside.
 std::optional<Finding> find_again(RefereeState& state, const RefereeInput& input) {
   CalledTouch& called = state.watch.touch_in_area;
   const BallTouch* touch = state.play.touches.newest();

@@ -1,10 +1,10 @@
 // "When the ball leaves the field without entering a goal, a free kick is awarded to the team which
 // touched the ball less recently" (paper, section 4.2): throw-in, corner kick or goal kick.
 //
-// Deviation D14: where the last touch is unknown, it is a goal kick behind a goal line, which is
-// the paper's "otherwise", and over a touch line a force start from the place of the throw-in.
-// Other books do not say "otherwise": there it is a force start from a neutral place behind a goal
-// line, too, so that a touch that nobody saw is no one's gain.
+// Deviation D14: if the last touch is unknown, the restart is a goal kick behind a goal line (the
+// paper's "otherwise") and a force start from the throw-in position over a touch line. Other books
+// have no "otherwise": behind a goal line they get a force start from a neutral position, so that
+// an unseen touch favours nobody.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ namespace {
 
 struct Award {
   Event event = Event::kThrowIn;
-  Side kicker = Side::kWest;  // west where neither side is
+  Side kicker = Side::kWest;  // west if neither side is
   Vec2 position_m{0, 0};
 };
 
@@ -46,7 +46,7 @@ Award over_goal_line(const RefereeInput& input, const Vec2& exit_m) {
 }
 
 std::string touched_by(const LastTouch& touch) {
-  if (!touch.side) return "nobody knows who touched it last";
+  if (!touch.side) return "the last touch is unknown";
   if (!touch.robot) return fmt::format("{} touched it last", colour_of(*touch.side));
   return fmt::format("{} touched it last, at {:.3f} s", text_of(*touch.robot), touch.time_s);
 }

@@ -1,11 +1,11 @@
-// Two opponents run into each other: substantial contact (Laws 12), crashing (2026).
+// Two opponents collide: substantial contact (Laws 12), crashing (2026).
 //
-// What counts is the difference of their velocities just before, along the line of their centres.
-// The faster robot is at fault. Where the speeds differ by less than 0.3 m/s, nobody is by the Laws
-// of 2014 (play goes on without a call), and both are by the rules of 2026.
+// The measured value is their relative velocity just before, along the line of their centres. The
+// faster robot is at fault. If the speeds differ by less than 0.3 m/s, nobody is at fault under the
+// Laws of 2014 (play goes on without a call), and both are under the rules of 2026.
 //
-// Robots meet when their cylinders of 180 mm do. Where both fronts are flat, hulls are up to 30 mm
-// apart then, but robots that close at 1.5 m/s need four times that to brake.
+// Robots collide when their 180 mm cylinders do. Between two flat fronts the hulls are then up to
+// 30 mm apart, but robots closing at 1.5 m/s need four times that to brake.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,21 +20,21 @@ namespace autoref::referee {
 namespace {
 
 constexpr double kTouching_m = 2 * kRobotRadius_m;  // between the centres
-// Robots that met are apart again once they have been farther apart than this for so long. Bodies
-// bounce off each other a few times.
+// Robots count as separated after more than this distance for kApart_s: bodies bounce off each
+// other a few times.
 constexpr double kApart_m = kTouching_m + 20_mm;
 constexpr double kApart_s = 200_ms;
-// Speeds that differ by no more are equal but for rounding.
+// Speeds this close are equal up to rounding.
 constexpr double kSame_mps = 1e-6;
-// Standard deviations of how robots speed up or brake, and of how fast they change that: at full
-// power in three frames.
+// Standard deviations of a robot's acceleration and jerk; the jerk reaches full power in three
+// frames.
 constexpr double kAcceleration_mps2 = 4;
 constexpr double kJerk_mps3 = 100;
-constexpr double kBumped_mps2 = 10;           // no robot brakes like this by itself
-constexpr int kCrashDetections = 4;           // tell a motion
-constexpr double kCrashRounding_m = 0.01e-3;  // of a camera without noise
+constexpr double kBumped_mps2 = 10;           // more than any robot's own brakes
+constexpr int kCrashDetections = 4;           // needed for a fit
+constexpr double kCrashRounding_m = 0.01e-3;  // position error of a noise-free camera
 
-// The robot as it was seen; null where it was not.
+// The robot's track; null if vision did not see it in this frame.
 const TrackedRobot* find_track(const TrackedRobots& robots, int number) {
   const auto found = std::find_if(
       robots.begin(), robots.end(),
@@ -42,8 +42,8 @@ const TrackedRobot* find_track(const TrackedRobots& robots, int number) {
   return found == robots.end() ? nullptr : &*found;
 }
 
-// When, from now on, two robots that go on evenly touch; at most `duration_s`, and none where they
-// do not within that time. `path_m` leads from one centre to the other.
+// Time until two robots with constant relative velocity touch; nullopt if they do not within
+// `duration_s`. `path_m` leads from one centre to the other.
 std::optional<double> time_to_touch_s(const Vec2& path_m, const Vec2& velocity_mps,
                                       double duration_s) {
   const double closing = -path_m.dot(velocity_mps);
@@ -56,15 +56,15 @@ std::optional<double> time_to_touch_s(const Vec2& path_m, const Vec2& velocity_m
   return time_s <= duration_s ? std::optional(time_s) : std::nullopt;
 }
 
-// A robot's motion at `now_s`, by its detections until then. Robots brake before they meet, and
-// begin to at any time: what was seen long ago tells little. The track, where it was hardly seen or
-// has just been bumped, and where vision is noisy: then a few detections tell less than the filter.
+// A robot's motion at `now_s`: a constant-acceleration fit to its recent detections. Old detections
+// get less weight, because robots may start to brake at any time. Falls back to the filtered track
+// if detections are few, the robot has just been hit, or vision is noisy.
 ConstantAcceleration motion_of(const RecentFrames& recent, Side side, const TrackedRobot& track,
                                double now_s, const VisionNoise& noise) {
   ConstantAccelerationFit fit(Vec2(0, 0), kAcceleration_mps2);
   int detections = 0;
   for (std::size_t back = 0; recent.ball(back) != nullptr; ++back) {
-    const double time_s = recent.ball(back)->time_s;  // of a frame
+    const double time_s = recent.ball(back)->time_s;  // of the frame
     if (time_s > now_s) continue;
     const PerSide<SeenRobots> robots = recent.robots_at(time_s);
     const RobotObservation* seen = find_robot(robots[side], track.number);
@@ -83,7 +83,7 @@ ConstantAcceleration motion_of(const RecentFrames& recent, Side side, const Trac
   return {track.position_m, track.velocity_mps, Vec2(0, 0), 0};
 }
 
-// How the two met, from their motion in the frame before, `at_s` after it.
+// The collision of two robots `at_s` after the last frame, from their motions there.
 Collision collision_of(const PerSide<ConstantAcceleration>& motions, int west, int east,
                        double at_s) {
   const Vec2 west_m = motions[Side::kWest].position_after(at_s);
@@ -103,7 +103,7 @@ Collision collision_of(const PerSide<ConstantAcceleration>& motions, int west, i
   return collision;
 }
 
-// The collision of two robots that meet in this frame; none where they do not, or did before.
+// The collision of two robots in this frame; nullopt if they do not collide or already have.
 std::optional<Collision> intersection(CrashWatch& watch, const RecentFrames& recent,
                                       const RefereeInput& input, const TrackedRobot& west,
                                       const TrackedRobot& east) {
@@ -146,7 +146,7 @@ void watch_robots(CrashWatch& watch, const RecentFrames& recent, const RefereeIn
   constexpr double kNear_m = 2 * kTouching_m;
   for (const TrackedRobot& west : input.tracks.robots[Side::kWest]) {
     for (const TrackedRobot& east : input.tracks.robots[Side::kEast]) {
-      // Where a robot that vision missed was going is no evidence that it met anybody.
+      // The extrapolated position of an unseen robot is no evidence of a collision.
       if (!west.is_seen || !east.is_seen) continue;
       if ((east.position_m - west.position_m).squaredNorm() > kNear_m * kNear_m) continue;
       const std::optional<Collision> met = intersection(watch, recent, input, west, east);
@@ -173,15 +173,16 @@ Finding crash_finding(const Collision& crash, const Configuration& configuration
   return finding;
 }
 
-// Of two that are as fast as each other, the one nearer to the centre comes first, not one side's.
+// Of two equally fast collisions, the one nearer to the centre comes first, so that neither side is
+// favoured.
 bool comes_after(const Collision& a, const Collision& b) {
   const double by_mps = b.closing_mps - a.closing_mps;
   if (std::abs(by_mps) > kSame_mps) return by_mps > 0;
   return a.position_m.squaredNorm() > b.position_m.squaredNorm();
 }
 
-// Takes the fastest of those not told yet. Where each side has one that is as fast, and only one
-// can stop play, nobody is favoured: none.
+// Takes the fastest unreported collision. If each side caused one equally fast, and only one can
+// stop play, neither is reported.
 std::optional<Collision> take_worst(CrashWatch& watch, const RuleBook& rules) {
   auto& unreported = watch.unreported;
   const auto worst = std::max_element(unreported.begin(), unreported.end(), comes_after);
@@ -198,7 +199,7 @@ std::optional<Collision> take_worst(CrashWatch& watch, const RuleBook& rules) {
   return std::nullopt;
 }
 
-// Told in the frame after: only then is it sure that they met.
+// Collisions are reported one frame late, when they are certain.
 std::optional<Finding> find_bot_crash_unique(RefereeState& state, const RefereeInput& input) {
   const RuleBook& rules = input.configuration.rules;
   const std::optional<Collision> worst = take_worst(state.watch.bot_crash_unique, rules);
@@ -209,7 +210,8 @@ std::optional<Finding> find_bot_crash_unique(RefereeState& state, const RefereeI
                                            : crash_finding(crash, input.configuration);
   finding.value = crash.closing_mps;
   finding.evidence = fmt::format(
-      "{} and {} met at {:.2f} m/s along the line of their centres; {} was faster by {:.2f} m/s.",
+      "{} and {} collided at {:.2f} m/s along the line of their centres; {} was faster by {:.2f} "
+      "m/s.",
       text_of(crash.faster), text_of(crash.slower), crash.closing_mps, text_of(crash.faster),
       crash.lead_mps);
   return finding;

@@ -1,6 +1,6 @@
-// A robot dribbles the ball over 500 mm, later 1 m, "measured linearly from the ball location where
-// the dribbling started" (Laws 12; 2026). It dribbles from the first contact to an observable
-// separation.
+// A robot dribbles the ball over more than 500 mm, later 1 m, "measured linearly from the ball
+// location where the dribbling started" (Laws 12; 2026). Dribbling lasts from the first contact to
+// an observable separation.
 #include <fmt/format.h>
 
 #include "referee/rules/rule.hpp"
@@ -9,7 +9,7 @@
 namespace autoref::referee {
 namespace {
 
-// Two sides have had the ball for as far as each other if their ways differ by rounding only.
+// Dribbles of two sides that differ less than this are equally long, up to rounding.
 constexpr double kSame_m = 1e-9;
 
 struct Dribble {
@@ -18,7 +18,7 @@ struct Dribble {
   bool is_tied = false;  // with a robot of the other side
 };
 
-// Takes note of where the ball was when the robots that have it got it.
+// Records where the ball was when each robot gained it.
 void watch_side(DribblingWatch& watch, const RefereeInput& input, Side side) {
   const auto former = watch.ball_from_m[side];
   auto& ball_from_m = watch.ball_from_m[side];
@@ -66,7 +66,7 @@ std::optional<Finding> find_bot_dribbled_ball_too_far(RefereeState& state,
   Finding finding = offence_of(Event::kBotDribbledBallTooFar, RuleId::kBotDribbledBallTooFar, c,
                                *dribble.robot, ball_m);
   finding.value = dribble.path_m;
-  finding.evidence = fmt::format("{} has had the ball at its hull for {:.0f} mm.",
+  finding.evidence = fmt::format("{} has dribbled the ball over {:.0f} mm.",
                                  text_of(*dribble.robot), 1e3 * dribble.path_m);
   return finding;
 }

@@ -1,6 +1,6 @@
-// While the ball is on its way to its place, robots of the side that does not take the restart keep
-// 0.5 m away from the line between both; 2 s of grace (2026). One foul counts in a placement, and
-// the placement gets 10 s more.
+// During ball placement, robots of the side that does not take the restart keep 0.5 m away from the
+// line between the ball and its target, after a grace period of 2 s (2026). One foul counts per
+// placement, and extends the placement by 10 s.
 #include <fmt/format.h>
 
 #include "referee/rules/rule.hpp"
@@ -12,10 +12,10 @@ namespace {
 struct PlacementSegment {
   Vec2 ball_m{0, 0};
   Vec2 target_m{0, 0};
-  Side kept_away = Side::kWest;  // who does not take the restart
+  Side kept_away = Side::kWest;  // the side that does not take the restart
 };
 
-// None while the ball is not on its way to a restart of one side.
+// nullopt unless the ball is being placed for one side's restart.
 std::optional<PlacementSegment> placement_segment(const RefereeState& state,
                                                   const RefereeInput& input) {
   const RefereeSignal& signal = state.signal;
@@ -37,7 +37,7 @@ double gap_to_segment_m(const TrackedRobot& robot, const PlacementSegment& direc
 
 std::optional<Finding> find_bot_interfered_placement(RefereeState& state,
                                                      const RefereeInput& input) {
-  if (!input.frame.ball) return std::nullopt;  // nobody knows where it is
+  if (!input.frame.ball) return std::nullopt;  // its position is unknown
   if (state.watch.interference_is_called) return std::nullopt;
   const Configuration& c = input.configuration;
   const std::optional<PlacementSegment> direction = placement_segment(state, input);
@@ -54,7 +54,7 @@ std::optional<Finding> find_bot_interfered_placement(RefereeState& state,
                             c.rules, nearest->id, nearest->position_m);
   finding.value = limit_m - nearest->excess;
   finding.evidence = fmt::format(
-      "{} is {} from the line between the ball and its position, after {:.1f} s near it.",
+      "{} is still {} from the line between the ball and its target position after {:.1f} s.",
       text_of(nearest->id), mm_text(finding.value), c.rules.placement_grace_s);
   return finding;
 }

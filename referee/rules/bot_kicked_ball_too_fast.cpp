@@ -1,12 +1,13 @@
-// No kick is faster than 8 m/s (Laws 2014, law 12), or 6.5 m/s in space (2026). The limit is that
-// of the kick: on the carpet, a fit of the ball's free way after a robot's touch, slowed evenly,
-// tells the speed at the touch. It is told after seven frames, or when the next touch ends that
-// way, or once it is beyond the limit by three standard deviations; at least four frames are
-// needed. In the air, three successive speeds count (2016), their mean beyond the noise.
+// A kick must not be faster than 8 m/s (Laws 2014, law 12), or 6.5 m/s in space (2026). The limit
+// is for the speed at the kick. On the carpet, a constant-deceleration fit to the ball's free path
+// after a robot's touch is extrapolated back to the touch. It is evaluated after seven frames, when
+// the next touch ends the path, or once it exceeds the limit by three standard deviations, with
+// four frames at least. In the air, three successive speeds must be above the limit (2016), and
+// their mean beyond the noise.
 //
-// Until vision can tell whether a kicked ball flies, its speed is unknown, too: a chip seems faster
-// than it is. The call waits for that, or until the ball is out; then it counts as on the ground,
-// as most kicks are. Nobody is blamed where nobody knows who kicked.
+// Until vision can tell whether a kicked ball flies, its speed is unknown as well: a chip seems
+// faster than it is. The call waits for that, or until the ball is out; then the ball counts as on
+// the ground, as most kicks are. Nobody is blamed if the kicker is unknown.
 #include <fmt/format.h>
 #include <boost/container/static_vector.hpp>
 
@@ -23,23 +24,24 @@ namespace autoref::referee {
 namespace {
 
 constexpr std::size_t kIntervals = 3;
-// After so many detections of the ball's free way its speed is told, however well it is known; and
-// before, once it is beyond the limit by so many standard deviations.
+// The speed is evaluated after this many detections of the free path, whatever its uncertainty, or
+// earlier once it exceeds the limit by kSure standard deviations.
 constexpr std::size_t kKickDetections = 7;
 constexpr double kSure = 3;
-// Standard deviations that the height's uncertainty must not explain.
+// Standard deviations by which the mean speed in the air must exceed the limit.
 constexpr double kBeyondNoise = 2;
-// What the league's carpets take from a kicked ball, which slides at first: 3.0 to 3.9 m/s2.
+// Deceleration of a kicked ball, which slides at first: 3.0 to 3.9 m/s2 on the league's carpets.
 constexpr double kCarpet_mps2 = 3.4;
 constexpr double kCarpetDeviation_mps2 = 0.4;
-constexpr double kKickRounding_m = 0.01e-3;  // of a camera without noise
+constexpr double kKickRounding_m = 0.01e-3;  // position error of a noise-free camera
 
 struct Speed {
   double mps = 0;
   double deviation_mps = 0;
 };
 
-// The mean speed between two detections; in space, the speed that the ball had on the ground.
+// The mean speed between two detections; in 2026, for a flying ball, the speed that it had at
+// ground level, by conservation of energy.
 Speed mean_speed(const RecentBall& from, const RecentBall& to, const Configuration& c) {
   const double duration_s = to.time_s - from.time_s;
   Speed speed{(to.position_m - from.position_m).norm() / duration_s,
@@ -53,7 +55,8 @@ Speed mean_speed(const RecentBall& from, const RecentBall& to, const Configurati
   return speed;
 }
 
-// The detections of the ball from `from_s` to `to_s`, the newest first, at most the oldest seven.
+// The ball's detections from `from_s` to `to_s`, newest first; if there are more than seven, the
+// oldest seven.
 using Detections = boost::container::static_vector<const RecentBall*, RecentFrames::kKept>;
 
 Detections detections_of(const RecentFrames& recent, double from_s, double to_s) {
@@ -66,7 +69,7 @@ Detections detections_of(const RecentFrames& recent, double from_s, double to_s)
   return seen;
 }
 
-// The speed that a ball had when it was kicked, by its way along the carpet.
+// The ball's speed when it was kicked, from a fit to its path along the carpet.
 Speed speed_on_carpet(const Detections& seen, double kicked_s, const Configuration& c) {
   const Vec2 direction =
       direction_of(seen.front()->position_m - seen.back()->position_m, Vec2(1, 0));
@@ -78,8 +81,8 @@ Speed speed_on_carpet(const Detections& seen, double kicked_s, const Configurati
   return {motion.velocity_mps.dot(direction), motion.velocity_deviation_mps};
 }
 
-// The mean speed of a ball in the air over the last three frames, if all of them are above the
-// limit, the mean beyond the noise.
+// The ball's mean speed in the air over the last three frames, if each exceeds the limit within the
+// noise and the mean exceeds it beyond the noise.
 std::optional<double> speeding_in_air_mps(const RecentFrames& recent, double kicked_s,
                                           const Configuration& c) {
   const RecentBall* oldest = recent.ball(kIntervals);
@@ -95,8 +98,9 @@ std::optional<double> speeding_in_air_mps(const RecentFrames& recent, double kic
   return mean.mps;
 }
 
-// A ball that was as fast before was made fast by somebody else; where its way before the touch is
-// not known any more, it may have been. Touches are told up to a frame late: two ways count.
+// If the ball was as fast before the touch, somebody else made it fast; if its earlier path is no
+// longer known, that may be so. Touches may be reported a frame late, so both preceding intervals
+// must be as fast.
 bool was_as_fast(const RecentFrames& recent, double kicked_s, double speed_mps,
                  const Configuration& c) {
   const RecentBall* before = recent.ball_before(kicked_s);
@@ -108,8 +112,8 @@ bool was_as_fast(const RecentFrames& recent, double kicked_s, double speed_mps,
   return true;
 }
 
-// The speed of a kick whose ball nobody has touched until `until_s`, once it is sure; `is_over`:
-// there will be no more detections of it. None where the ball was as fast before.
+// The speed of a kick whose ball nobody has touched until `until_s`, once it is certain. `is_over`:
+// no more detections will follow. Returns nullopt if the ball was already as fast before.
 std::optional<double> reported_speed_mps(const BallTouch& kick, const RecentFrames& recent,
                                          double until_s, bool is_over, const Configuration& c) {
   const Detections seen = detections_of(recent, kick.ended_s, until_s);
@@ -121,12 +125,12 @@ std::optional<double> reported_speed_mps(const BallTouch& kick, const RecentFram
   return speed.mps;
 }
 
-// Measures the newest kick, and remembers its speed while its height is unknown.
+// Measures the newest kick, and keeps its speed while the ball's height is unknown.
 void watch(KickSpeedWatch& kick, const BallTouch& touch, const RecentFrames& recent,
            const RefereeInput& input) {
   if (kick.kicked_s && *kick.kicked_s != touch.ended_s) kick = {};
   const RecentBall& newest = *recent.ball(0);
-  // What seemed fast while it might have been a chip counts anew once it is one.
+  // If the ball turns out to be a chip, the speed measured on the carpet is discarded.
   if (newest.height_known && newest.height_m > 0 && !kick.is_in_air) {
     kick = {};
     kick.is_in_air = true;
@@ -144,13 +148,13 @@ void watch(KickSpeedWatch& kick, const BallTouch& touch, const RecentFrames& rec
   kick.speed_mps = std::max(kick.speed_mps, *speed_mps);
 }
 
-// A kick, and its speed once that is sure.
+// A kick and its confirmed speed.
 struct ReportedKick {
   const BallTouch* touch = nullptr;
   double speed_mps = 0;
 };
 
-// The newest one, once it is known whether it flies, or the one before it.
+// The newest kick if it is known whether the ball flies, otherwise the one before it.
 ReportedKick reported_kick(KickSpeedWatch& kick, const TouchHistory& touches,
                            const RefereeInput& input) {
   const Configuration& c = input.configuration;
@@ -187,7 +191,7 @@ std::optional<Finding> find_bot_kicked_ball_too_fast(RefereeState& state,
   Finding finding = offence_of(Event::kBotKickedBallTooFast, RuleId::kBotKickedBallTooFast, c,
                                kicker, kick.touch->ended_m);
   finding.value = kick.speed_mps;
-  finding.evidence = fmt::format("{} kicked the ball at {:.3f} s, to {:.2f} m/s.", text_of(kicker),
+  finding.evidence = fmt::format("{} kicked the ball at {:.3f} s with {:.2f} m/s.", text_of(kicker),
                                  kick.touch->ended_s, kick.speed_mps);
   return finding;
 }

@@ -1,7 +1,7 @@
 // A robot drives an opponent back: holding (Laws 12), pushing (2026).
 //
-// Both travel towards the pushed one for more than 200 mm while they are in contact, whether or not
-// they have the ball. A robot that drove that way itself before was not pushed.
+// Both must travel in the pushed robot's direction for more than 200 mm while in contact, with or
+// without the ball. A robot that already drove that way itself was not pushed.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,15 +13,15 @@
 namespace autoref::referee {
 namespace {
 
-// Between the centres: robots in contact, and robots that may soon be. Robots do not overlap, but
-// frames may tell so.
+// Between the centres: robots in contact, and robots that may soon be. Real robots do not overlap,
+// but noisy detections may.
 constexpr double kInContact_m = 2 * kRobotRadius_m + 5_mm;
 constexpr double kNear_m = 2 * kRobotRadius_m + 60_mm;
-// And of the ball's surface from both hulls, where it is between them.
+// Largest gap between the ball's surface and each hull if the ball is between the robots.
 constexpr double kAtBall_m = 5_mm;
-// Who drove away from the pusher faster than this before was not pushed.
+// A robot that previously drove away from the pusher faster than this was not pushed.
 constexpr double kOwnSpeed_mps = 0.1_mps;
-// Ways that differ by no more are equal but for rounding.
+// Pushes that differ by less are equally long, up to rounding.
 constexpr double kPushSame_m = 1e-9;
 
 struct Push {
@@ -31,7 +31,7 @@ struct Push {
   Vec2 position_m{0, 0};
 };
 
-// None where so many are near each other that they cannot all be robots on a field.
+// Null if the watch is full: so many robots cannot be close to each other on a field.
 PushContact* contact_of(PushingWatch& watch, int west, int east) {
   const auto known = std::find_if(
       watch.contacts.begin(), watch.contacts.end(),
@@ -45,7 +45,7 @@ PushContact* contact_of(PushingWatch& watch, int west, int east) {
   return &watch.contacts.back();
 }
 
-// A contact begins where the robots are then, with their velocities in the frame before.
+// Starts the contact at the robots' current positions, with their velocities in the previous frame.
 void follow(PushContact& contact, const TrackedRobot& west, const TrackedRobot& east,
             bool are_in_contact) {
   const bool lasts = are_in_contact && contact.are_in_contact;
@@ -57,7 +57,7 @@ void follow(PushContact& contact, const TrackedRobot& west, const TrackedRobot& 
   if (!was_seen_to_begin) contact.before_mps = {{west.velocity_mps, east.velocity_mps}};
 }
 
-// How far `side`'s robot of the two has driven the other one back, if it has.
+// How far `side`'s robot has driven the other one back, if it has.
 std::optional<Push> push_by(Side side, const PushContact& contact, const TrackedRobot& pusher,
                             const TrackedRobot& pushed) {
   const Side other = opponent_of(side);
@@ -71,7 +71,7 @@ std::optional<Push> push_by(Side side, const PushContact& contact, const Tracked
               (pusher.position_m + pushed.position_m) / 2};
 }
 
-// The longest push of all; none where each side has one that is as long.
+// The longest push; nullopt if each side has one that is equally long.
 class LongestPush {
  public:
   void take_in(const std::optional<Push>& push) {
@@ -87,7 +87,7 @@ class LongestPush {
   bool is_tied_ = false;
 };
 
-// Two robots push each other with their hulls, or with the ball between them (2026: "if both robots
+// Robots push each other with their hulls, or through the ball between them (2026: "if both robots
 // keep contact to the ball").
 bool are_in_contact(const TrackedRobot& west, const TrackedRobot& east, const RefereeInput& input) {
   if ((east.position_m - west.position_m).norm() < kInContact_m) return true;
@@ -129,7 +129,7 @@ std::optional<Finding> find_bot_pushed_bot(RefereeState& state, const RefereeInp
                                     push->position_m, push->position_m);
   finding.robots.push_back(push->pushed);
   finding.value = push->path_m;
-  finding.evidence = fmt::format("{} has driven {} back by {:.0f} mm while they were in contact.",
+  finding.evidence = fmt::format("{} pushed {} back by {:.0f} mm while they were in contact.",
                                  text_of(push->pusher), text_of(push->pushed), 1e3 * push->path_m);
   return finding;
 }

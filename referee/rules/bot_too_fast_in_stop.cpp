@@ -1,7 +1,7 @@
-// Robots are slow while play is stopped: 1 m/s (Laws 2014, single size) or 1.5 m/s, after 2 s of
-// grace. A robot that is faster for 0.1 s is called once in a stop. Of several robots of a team
-// within 2 s only the first counts, and none while the ball is being placed (2026, Fouls While Ball
-// Out Of Play).
+// While play is stopped, robots drive slowly: at most 1 m/s (Laws 2014, single size), or 1.5 m/s
+// after 2 s of grace. A robot that is faster for 0.1 s is called once per stop. Only the first of
+// several robots of a team within 2 s counts, and none does during ball placement (2026, Fouls
+// While Ball Out Of Play).
 #include <fmt/format.h>
 
 #include "referee/rules/rule.hpp"
@@ -9,10 +9,10 @@
 namespace autoref::referee {
 namespace {
 
-// More than 0.1 s: tracked velocities lag behind robots that brake by a frame.
+// More than 0.1 s: tracked velocities of braking robots lag by a frame.
 constexpr double kTooFastFor_s = 120_ms;
-// Tracked velocities are wrong by so many deviations of a frame's place a second: by about
-// 0.05 m/s where a frame is by 1.3 mm.
+// Standard deviation of tracked velocities per standard deviation of detected positions: 0.05 m/s
+// for 1.3 mm.
 constexpr double kSpeedNoise_hz = 40;
 
 bool is_being_placed(const RefereeState& state, const RefereeInput& input) {

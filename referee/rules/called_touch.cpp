@@ -5,7 +5,7 @@
 namespace autoref::referee {
 namespace {
 
-// A touch's times are corrected by a few frames after it was first reported.
+// Touch times are corrected for a few frames after the first report.
 constexpr double kCorrected_s = 100_ms;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Touches that fouls were called for which do not stop play (2026, Non Stopping Fouls).
+// Touches for which non-stopping fouls were called (2026, Non Stopping Fouls).
 #pragma once
 
 #include "referee/machine/rule_watch.hpp"
@@ -6,10 +6,10 @@
 
 namespace autoref::referee {
 
-// Whether `touch` is the one that was called, or goes on from it.
+// Whether `touch` is the called one, or continues it.
 bool is_called(const CalledTouch& called, const BallTouch& touch);
 
-// Notes that `touch` is called for at `now_s`.
+// Records that `touch` was called at `now_s`.
 CalledTouch called_at(const BallTouch& touch, double now_s);
 
 }  // namespace autoref::referee

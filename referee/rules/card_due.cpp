@@ -1,8 +1,8 @@
-// Cards for fouls, and the end of yellow ones. "Every third foul of the same team results in a
-// yellow card"; a third active yellow card is a red one instead (2026). A yellow card lasts some
-// time of play (Laws 12).
+// Cards for fouls, and the end of yellow cards. "Every third foul of the same team results in a
+// yellow card"; a third active yellow card becomes a red one (2026). A yellow card lasts for a
+// fixed time of play (Laws 12).
 //
-// Where both sides are due in one frame, one finding without an offender stands for both.
+// If both sides are due in one frame, one finding without an offender covers both.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace autoref::referee {
 namespace {
 
-// The side concerned; none where both are.
+// The side concerned; nullopt if both are.
 std::optional<Side> one_of(const PerSide<bool>& sides) {
   if (sides[Side::kWest] && sides[Side::kEast]) return std::nullopt;
   return sides[Side::kWest] ? Side::kWest : Side::kEast;

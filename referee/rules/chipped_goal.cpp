@@ -1,9 +1,9 @@
 // A ball whose top has been above 150 mm since the attackers' last touch scores no goal, unless it
-// was rolling again (Laws 2014, law 12): an indirect free kick from where that attacker touched it.
+// has rolled since (Laws 2014, law 12): an indirect free kick from the position of that touch.
 //
-// Heights that vision cannot tell count as on the ground: most balls are. Where somebody unknown
-// touched the ball since, it may have been a team-mate, and the goal stands. A ball that a
-// defender lifts into its own goal after it has rolled is a goal, too.
+// Unknown heights count as on the ground, where most balls are. If an unknown robot has touched the
+// ball since, it may have been a team-mate, and the goal stands. A ball that a defender lifts into
+// its own goal after it has rolled is a goal, too.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,11 +16,11 @@ namespace autoref::referee {
 namespace {
 
 struct Chip {
-  const BallTouch* touch = nullptr;  // by the attackers; none: it was no chip
-  double top_m = 0;                  // the highest of the ball's top since
+  const BallTouch* touch = nullptr;  // by the attackers; null if it was not a chip
+  double top_m = 0;                  // greatest height of the ball's top since
 };
 
-// How high the ball has been since the attackers' last touch, while it has not rolled.
+// The attackers' last touch and the ball's greatest height since, if it has not rolled.
 Chip find_chip(const TouchHistory& touches, Side scorer, double limit_m) {
   double highest_m = 0;
   for (int back = 0; touches.has(back); ++back) {
@@ -46,7 +46,7 @@ std::optional<Finding> find_chipped_goal(RefereeState& state, const RefereeInput
   if (chip.touch->robot) finding.robots.push_back(*chip.touch->robot);
   finding.value = chip.top_m;
   finding.evidence = fmt::format(
-      "The ball in the goal was up to {:.0f} mm high since {} touched it at {:.3f} s, and has not "
+      "The ball in the goal rose to {:.0f} mm after {} touched it at {:.3f} s, and has not "
       "rolled since.",
       1e3 * chip.top_m, colour_of(scorer), chip.touch->ended_s);
   return finding;

@@ -1,9 +1,9 @@
 // A robot other than the keeper must not touch the ball in play inside its own defence area: a
-// penalty kick where it is entirely inside, and in the Laws of 2014 a yellow card and an indirect
-// free kick where it is partly inside (law 12; 2026, Defender In Defense Area).
+// penalty kick if it is entirely inside, and under the Laws of 2014 a yellow card and an indirect
+// free kick if it is partly inside (law 12; 2026, Defender In Defense Area).
 //
-// A defender that is in contact with an opponent then may have been shoved there, and vision cannot
-// tell who shoved: it is not blamed.
+// A defender in contact with an opponent may have been pushed there, and vision cannot tell who
+// pushed, so it is not blamed.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 namespace autoref::referee {
 namespace {
 
-// Bodies in contact are this near to each other, with three standard deviations of both places.
+// Largest gap between bodies in contact; three standard deviations of both positions are added.
 constexpr double kContact_m = 5_mm;
 constexpr double kSurely = 3;
 
@@ -37,9 +37,9 @@ Finding entirely(const BallTouch& touch, const RefereeInput& input, double out_m
                                *touch.robot, touch.ended_m);
   finding.value = out_m;
   finding.ball_to_m = c.field.penalty_mark_at(*touch.side);
-  finding.evidence =
-      fmt::format("{} touched the ball at {:.3f} s, its hull entirely inside its own area by {}.",
-                  text_of(*touch.robot), touch.ended_s, mm_text(-out_m));
+  finding.evidence = fmt::format(
+      "{} touched the ball at {:.3f} s with its hull entirely inside its own area, by {}.",
+      text_of(*touch.robot), touch.ended_s, mm_text(-out_m));
   return finding;
 }
 
@@ -49,7 +49,7 @@ Finding partly(const BallTouch& touch, const RefereeInput& input, double distanc
                  input.configuration, *touch.robot, touch.ended_m);
   finding.value = distance_m;
   finding.evidence =
-      fmt::format("{} touched the ball at {:.3f} s, its hull reaching {} into its own area.",
+      fmt::format("{} touched the ball at {:.3f} s with its hull reaching {} into its own area.",
                   text_of(*touch.robot), touch.ended_s, mm_text(-distance_m));
   return finding;
 }

@@ -1,10 +1,10 @@
 // Opponents keep 500 mm away from the ball until it is in play (Laws 8 and 13; 2026, Defender Too
-// Close To Ball). Penalty kicks have places of their own.
+// Close To Ball). Penalty kicks have their own position rules.
 //
-// By the Laws the restart is taken again; whoever was too near before then, too, sees a yellow
-// card. What counts are the robots in the last frame before the ball was in play: one that
-// starts when it sees the kick is not at fault. In 2026 it is a foul at once, of the team, that
-// counts again after 2 s; the time for the kick starts again.
+// Under the Laws the restart is retaken, and a robot that was also too near at the previous attempt
+// gets a yellow card. Positions are judged in the last frame before the ball is in play: a robot
+// that starts when it sees the kick is not at fault. In 2026 it is an immediate team foul that
+// counts again after 2 s; the time for the kick restarts.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +18,8 @@
 namespace autoref::referee {
 namespace {
 
-// From where the ball lay: a kick towards an opponent does not bring it nearer.
+// Measured from where the ball lay, so that a kick towards an opponent does not shorten the
+// distance.
 double distance_to_ball_m(const RobotObservation& robot, const PlayState& play) {
   return distance_to_hull(*play.ball_from_m, robot.position_m, robot.heading);
 }
@@ -51,7 +52,7 @@ Finding taken_again(const PositionViolation& before, const RefereeState& state,
   if (is_repeated) finding.card = Card::kYellow;
   take_again(finding, play);
   finding.evidence = fmt::format(
-      "Just before the ball entered play, the hull of {} was {} from it{}: {} again.",
+      "Just before the ball entered play, the hull of {} was {} from the ball{}: {} again.",
       before.robots.size() == 1 ? text_of(before.robots.front()) : "the nearest opponent",
       mm_text(before.worst_m), is_repeated ? ", as at the restart before" : "",
       name_of(play.restart));
@@ -69,7 +70,7 @@ std::optional<Finding> find_when_taken(RefereeState& state, const RefereeInput& 
   return taken_again(before, state, input);
 }
 
-// 2026: judged while the kick is waited for.
+// 2026: judged while waiting for the kick.
 std::optional<Finding> find_while_waiting(RefereeState& state, const RefereeInput& input) {
   if (state.play.in_play) return std::nullopt;
   const RuleBook& rules = input.configuration.rules;
@@ -86,7 +87,7 @@ std::optional<Finding> find_while_waiting(RefereeState& state, const RefereeInpu
   finding.offender = side;
   finding.position_m = state.play.ball_from_m;
   finding.evidence =
-      fmt::format("The hull of {} is {} from a ball that is not yet in play.",
+      fmt::format("The hull of {} is {} from the ball, which is not yet in play.",
                   near.robots.size() == 1 ? text_of(near.robots.front()) : "the nearest opponent",
                   mm_text(near.worst_m));
   return finding;

@@ -1,5 +1,5 @@
-// A ball straight from a side's own restart into its own goal is no goal, but a corner kick for the
-// opponents (Laws 2014, law 13; 2026, Free Kick). A touch by somebody unknown may be a second
+// A ball straight from a side's own restart into its own goal is not a goal but a corner kick for
+// the opponents (Laws 2014, law 13; 2026, Free Kick). A touch by an unknown robot may be a second
 // robot's. Penalty kicks are taken at the other end.
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // "When the ball enters one of the goals, a goal is awarded to the appropriate team, the ball is
-// placed in the center of the field, and a kickoff is signaled" (paper, section 4.2): of the team
-// that conceded. A ball in a goal counts for that goal's opponents, whoever touched it last.
+// placed in the center of the field, and a kickoff is signaled" (paper, section 4.2), here for the
+// team that conceded. A ball in a goal counts for that goal's opponents, whoever touched it last.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -26,7 +26,7 @@ std::optional<Finding> find_goal(RefereeState& /*state*/, const RefereeInput& in
   finding.restart.side = *conceded;
   finding.ball_to_m = Vec2(0, 0);
   finding.evidence = fmt::format(
-      "The ball is in the goal of {}, {} from its middle and {} above the ground.",
+      "The ball is in the goal of {}, {} from its centre and {} above the ground.",
       colour_of(*conceded), mm_text(std::abs(ball_m.y())), mm_text(input.ball->height_m));
   return finding;
 }

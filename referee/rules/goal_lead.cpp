@@ -1,5 +1,5 @@
 // Early termination: the game ends once a side has scored 10 goals and leads by more than one
-// (2026). Found right after the goal, so that its command has gone out.
+// (2026). Found after the GOAL command has been sent.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ std::optional<Finding> find_goal_lead(RefereeState& state, const RefereeInput& i
   finding.value = more;
   finding.threshold = rules.goals_to_win;
   finding.unit = "goals";
-  finding.evidence = fmt::format("{} goals against {}.", more, less);
+  finding.evidence = fmt::format("The score is {} to {}.", more, less);
   return finding;
 }
 

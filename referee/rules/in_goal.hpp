@@ -1,4 +1,4 @@
-// A ball in a goal: whose goal it is, and what follows where it does not count.
+// A ball in a goal: whose goal it is, and the restart if the goal does not count.
 #pragma once
 
 #include <optional>
@@ -8,11 +8,11 @@
 
 namespace autoref::referee {
 
-// The side whose goal the ball is in, if it is in one.
+// The side whose goal contains the ball, if any.
 std::optional<Side> conceding_side(const RefereeInput& input);
 
-// Play goes on with a goal kick of `defender`, or with a corner kick at its end: the free kick that
-// follows the finding's event is taken from there.
+// Sets kicker and position of the free kick that follows the finding's event: a goal kick for
+// `defender`, or a corner kick at its end.
 void restart_with_goal_kick(Finding& finding, const RefereeInput& input, Side defender);
 void restart_with_corner_kick(Finding& finding, const RefereeInput& input, Side defender);
 

@@ -1,5 +1,6 @@
-// No goal straight from an indirect free kick or a throw-in, which only the kicker has touched: a
-// goal kick (Laws 2014, laws 13 and 15). A touch by somebody unknown may be a second robot's.
+// A goal straight from an indirect free kick or a throw-in, touched only by the kicker, does not
+// count: a goal kick (Laws 2014, laws 13 and 15). A touch by an unknown robot may be a second
+// robot's.
 #include <fmt/format.h>
 
 #include "referee/machine/ball_in_play.hpp"

@@ -1,10 +1,10 @@
 // A goal counts only if the ball was at most 0.15 m high since the scorers' last touch, if they
 // have committed no non-stopping foul in the 2 s before, and if they have no more robots on the
-// field than allowed; at penalties always (2026, Scoring Goals). Otherwise play goes on as if the
-// ball had crossed the goal line beside the goal.
+// field than allowed; penalty goals always count (2026, Scoring Goals). Otherwise play goes on as
+// if the ball had crossed the goal line beside the goal.
 //
-// Heights that vision cannot tell count as on the ground, and where somebody unknown touched the
-// ball since, the goal stands. The height is that of the ball's top, as in the Laws.
+// Unknown heights count as on the ground, and if an unknown robot has touched the ball since, the
+// goal stands. The height is measured at the ball's top, as in the Laws.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +18,8 @@
 namespace autoref::referee {
 namespace {
 
-// The highest of the ball's top since the scorers' last touch; none where that is not known.
+// Greatest height of the ball's top since the scorers' last touch; nullopt if that touch is
+// unknown.
 std::optional<double> top_since_touch_m(const TouchHistory& touches, Side scorer) {
   double highest_m = 0;
   for (int back = 0; touches.has(back) && touches.at(back).side; ++back) {
@@ -51,8 +52,8 @@ std::optional<Finding> find_invalid_goal(RefereeState& state, const RefereeInput
   if (top_m && *top_m > c.rules.chip_height_m) {
     Finding finding = invalid(input, *conceded);
     finding.value = *top_m;
-    finding.evidence = fmt::format("The ball was up to {:.0f} mm high since {} touched it.",
-                                   1e3 * *top_m, colour_of(scorer));
+    finding.evidence = fmt::format("The ball rose to {:.0f} mm after {} touched it.", 1e3 * *top_m,
+                                   colour_of(scorer));
     return finding;
   }
   const int robots = robots_on_field(input, scorer);
@@ -61,7 +62,7 @@ std::optional<Finding> find_invalid_goal(RefereeState& state, const RefereeInput
     finding.value = robots;
     finding.threshold = state.signal.robots_allowed[scorer];
     finding.unit = "robots";
-    finding.evidence = fmt::format("{} had {} robots on the field, and {} were allowed.",
+    finding.evidence = fmt::format("{} had {} robots on the field, but only {} were allowed.",
                                    colour_of(scorer), robots, state.signal.robots_allowed[scorer]);
     return finding;
   }

@@ -1,10 +1,9 @@
-// At a kick-off every robot is in its own half; the kicker may leave it within the centre circle
-// (Laws 8; 2026, Kick-Off). Otherwise the kick-off is taken again.
+// At a kick-off every robot must be in its own half; the kicker may leave it within the centre
+// circle (Laws 8; 2026, Kick-Off). Otherwise the kick-off is retaken.
 //
-// What counts are the robots in the last frame before the ball was in play. A robot is wrong
-// where its whole hull is beyond the middle of the field; of the side that kicks off the one
-// nearest to the centre is the kicker, if it is inside the circle. Robots beside the field take no
-// part.
+// Positions are judged in the last frame before the ball is in play. A robot is wrong if its whole
+// hull is beyond the halfway line. The kicker is the robot of the kicking side nearest to the
+// centre, if it is inside the circle. Robots outside the field do not count.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,13 +15,13 @@
 namespace autoref::referee {
 namespace {
 
-// How far beyond the middle the hull's part nearest to its own goal is.
+// How far the hull's rearmost point is beyond the halfway line.
 double beyond_middle_m(Side side, const RobotObservation& robot) {
   const Vec2 home(goal_sign(side), 0);
   return -(robot.position_m.dot(home) + reach_of_hull_m(robot.heading, home));
 }
 
-// The number of the kicker, which may be beyond the middle.
+// The number of the kicker, which may be beyond the halfway line.
 std::optional<int> kicker_in_circle(const SeenRobots& robots, const Field& field) {
   std::optional<int> kicker;
   double nearest_m = field.centre_circle_radius_m;
@@ -64,8 +63,8 @@ Finding taken_again(const PerSide<PositionViolation>& before, const RefereeState
   finding.position_m = state.play.ball_from_m;
   take_again(finding, state.play);
   finding.evidence = fmt::format(
-      "Just before the kick-off {} was wholly in the opponents' half, up to {:.0f} mm beyond the "
-      "middle.",
+      "Just before the kick-off {} was entirely in the opponents' half, up to {:.0f} mm beyond the "
+      "halfway line.",
       text_of(finding.robots.front()), 1e3 * finding.value);
   return finding;
 }

@@ -1,6 +1,6 @@
-// A ball that both teams may play and that gets nowhere for 10 s, in Division A 5 s, is started
-// anew with a force start (2026, Lack Of Progress). One that rests in a defence area is the
-// keeper's to play: rule keeper_held_ball.
+// If the ball gets nowhere for 10 s (Division A: 5 s) although both teams may play it, the game
+// continues with a force start (2026, Lack Of Progress). A ball at rest in a defence area is the
+// keeper's: rule keeper_held_ball.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ std::optional<Finding> find_no_progress_in_game(RefereeState& state, const Refer
   finding.value = input.time_s() - play.stuck_since_s;
   finding.position_m = input.ball->position_m;
   finding.ball_to_m = neutral_position(c.field, c.rules, input.ball->position_m);
-  finding.evidence = fmt::format("Since {:.3f} s the ball has stayed within {:.0f} mm.",
+  finding.evidence = fmt::format("The ball has moved less than {1:.0f} mm since {0:.3f} s.",
                                  play.stuck_since_s, 1e3 * c.rules.stuck_distance_m);
   return finding;
 }

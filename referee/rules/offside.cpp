@@ -1,5 +1,5 @@
-// Offside, for experiments: no rule book of the league has it. The definition is ours, see
-// referee/README.md.
+// Offside, for experiments: it is in none of the league's rule books. referee/README.md has
+// AutoRef's definition.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,11 +11,11 @@
 namespace autoref::referee {
 namespace {
 
-// Standard deviations of both places by which a robot must be nearer to the goal line.
+// A robot must be nearer to the goal line by this many standard deviations of both positions.
 constexpr double kOffsideBeyondNoise = 3;
 
-// The second-largest distance of a side's robots from the halfway line towards their own goal; none
-// where fewer than two are seen.
+// The second-largest distance of a side's robots from the halfway line towards their own goal;
+// nullopt if fewer than two are seen.
 std::optional<double> second_last_m(const SeenRobots& robots, double end) {
   if (robots.size() < 2) return std::nullopt;
   boost::container::static_vector<double, kMaxRobots> depths_m;
@@ -41,7 +41,7 @@ RobotSet offside_robots(Side side, const PerSide<SeenRobots>& robots, const Vec2
   return offside;
 }
 
-// Remembers who is in an offside position at the newest touch, as long as it lasts.
+// Remembers which robots are in an offside position at the newest touch, for as long as it lasts.
 void watch(OffsideWatch& watch, const TouchHistory& touches, const RefereeInput& input) {
   const BallTouch& touch = *touches.newest();
   OffsideWatch::Pass& newest = watch.newest;
@@ -72,7 +72,7 @@ std::optional<Finding> find_offside(RefereeState& state, const RefereeInput& inp
                                *received.robot, received.began_m);
   finding.robots.push_back(*touches.at(1).robot);
   finding.evidence = fmt::format(
-      "{} got the ball from {} and was in an offside position at that touch, at {:.3f} s.",
+      "{} got the ball from {} and had been in an offside position at that touch, at {:.3f} s.",
       text_of(*received.robot), text_of(*touches.at(1).robot), pass.ended_s);
   return finding;
 }

@@ -1,13 +1,13 @@
-// At a penalty kick the keeper touches its goal line between the posts, and everybody else but the
-// kicker is behind the ball: 400 mm behind the penalty mark (Laws 14), 1 m behind the ball (2026,
-// Penalty Kick).
+// At a penalty kick the keeper touches its goal line between the posts, and everybody else except
+// the kicker is behind the ball: 400 mm behind the penalty mark (Laws 14), 1 m behind the ball
+// (2026, Penalty Kick).
 //
-// The kick proceeds, and its outcome decides: after a breach of the kicker's side a goal is not
-// given and the kick is taken again; after one of the defenders' side it is taken again without a
-// goal; after breaches of both in either case. What counts are the robots in the last frame
-// before the ball was in play. Simpler than the Laws: where the keeper faces, the kick's direction
-// and rebounds to robots that were wrong are not judged, and a kick has an outcome when it is a
-// goal or what rule penalty_kick_failed calls a failure.
+// The kick proceeds, and its outcome decides. After a breach by the kicker's side, a goal does not
+// count and the kick is retaken; after one by the defenders' side, it is retaken if there was no
+// goal; after breaches by both sides, in either case. Positions are judged in the last frame before
+// the ball is in play. Simpler than the Laws: the keeper's orientation, the kick's direction and
+// rebounds to offending robots are not judged, and a kick is complete when it is a goal or a
+// failure in the sense of rule penalty_kick_failed.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@
 namespace autoref::referee {
 namespace {
 
-// The robot of the kicker's side that is nearest to the ball.
+// The robot of the kicker's side nearest to the ball.
 std::optional<int> kicker_of(const SeenRobots& robots, const Vec2& ball_m) {
   const auto nearest = std::min_element(robots.begin(), robots.end(), [&](auto& a, auto& b) {
     return (a.position_m - ball_m).squaredNorm() < (b.position_m - ball_m).squaredNorm();
@@ -29,14 +29,14 @@ std::optional<int> kicker_of(const SeenRobots& robots, const Vec2& ball_m) {
   return nearest == robots.end() ? std::nullopt : std::optional(nearest->number);
 }
 
-// How far the whole hull is behind the ball, as seen from the goal of `goal`.
+// How far the whole hull is behind the ball, seen from the goal of `goal`.
 double behind_ball_m(Side goal, const RobotObservation& robot, const Vec2& ball_m) {
   const Vec2 towards_goal(goal_sign(goal), 0);
   return (ball_m - robot.position_m).dot(towards_goal) -
          reach_of_hull_m(robot.heading, towards_goal);
 }
 
-// The robots of `side` that are too near, but for one that may be.
+// The robots of `side` that are too near, except for one that may be.
 PositionViolation too_near(Side side, std::optional<int> may_be, const RefereeState& state,
                            const RefereeInput& input) {
   const Configuration& c = input.configuration;
@@ -51,7 +51,7 @@ PositionViolation too_near(Side side, std::optional<int> may_be, const RefereeSt
   return found;
 }
 
-// How far the keeper is off the line between the posts; 0 or less where its hull touches it.
+// Distance of the keeper from the line between the posts; 0 or less if its hull touches it.
 double off_line_m(Side side, const RobotObservation& keeper, const Field& field) {
   const double depth_m = field.half_length_m() - goal_sign(side) * keeper.position_m.x();
   const bool in_front = depth_m > 0;
@@ -86,7 +86,7 @@ std::string evidence_of(const PenaltyPositionsWatch& watch, bool is_goal, const 
   std::string text;
   for (Side side : kSides) {
     if (!watch.others[side].any()) continue;
-    text += fmt::format("a robot of {} was {} too far forward, ", colour_of(side),
+    text += fmt::format("a {} robot was {} too far forward, ", colour_of(side),
                         mm_text(rules.penalty_clearance_m - watch.others[side].worst_m));
   }
   if (watch.keeper.any()) {
@@ -115,7 +115,7 @@ Finding taken_again(const RefereeState& state, const RefereeInput& input, bool i
   return finding;
 }
 
-// What is measured is kept until the outcome.
+// The violations are kept until the outcome is known.
 std::optional<Finding> check(RefereeState& state, const RefereeInput& input) {
   PenaltyPositionsWatch& watch = state.watch.penalty_positions;
   const bool is_goal = is_penalty_goal(state, input);

@@ -1,7 +1,6 @@
-// Deviation D10: a restart whose ball is not in play 10 s after its signal is not taken any more:
-// play goes on with a force start (Laws 2014, laws 8 and 9; 2016). In 2026 the opponents have a
-// free kick from there, in Division A after 5 s for free kicks; penalty kicks: rule
-// penalty_kick_failed.
+// Deviation D10: if the ball of a restart is not in play 10 s after the signal, play continues with
+// a force start (Laws 2014, laws 8 and 9; 2016). In 2026 the opponents get a free kick from there
+// (in Division A after 5 s for free kicks); for penalty kicks see rule penalty_kick_failed.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,13 +17,13 @@ double limit_s(const PlayState& play, const RuleBook& rules) {
   return is_free_kick ? rules.free_kick_timeout_s : rules.restart_timeout_s;
 }
 
-// The time for the kick starts again when an opponent is called for standing too near (2026).
+// The time for the kick restarts when an opponent is called for standing too near (2026).
 double waited_since_s(const RefereeState& state) {
   const double began_s = state.play.began_s;
   return std::max(began_s, state.watch.defender_too_close_to_kick_point.called_s.value_or(began_s));
 }
 
-// A neutral restart, or the opponents' free kick.
+// Sets the next restart: neutral, or the opponents' free kick.
 void go_on(Finding& finding, const PlayState& play, const Configuration& c) {
   const Vec2 ball_m = play.ball_from_m.value_or(Vec2(0, 0));
   if (c.rules.untaken_goes_to_opponents && play.kicker) {
@@ -53,9 +52,9 @@ std::optional<Finding> find_restart_not_taken(RefereeState& state, const Referee
   finding.position_m = play.ball_from_m;
   go_on(finding, play, c);
   finding.evidence =
-      fmt::format("{} was signalled at {:.3f} s, and the ball has not moved {:.0f} mm{}.",
+      fmt::format("{} was signalled at {:.3f} s, but the ball has moved less than {:.0f} mm{}.",
                   name_of(play.began_with), play.began_s, 1e3 * c.rules.in_play_m,
-                  since_s > play.began_s ? fmt::format(" since {:.3f} s either", since_s) : "");
+                  since_s > play.began_s ? fmt::format(" since {:.3f} s", since_s) : "");
   return finding;
 }
 

@@ -8,7 +8,7 @@
 namespace autoref::referee {
 namespace {
 
-// Whether any of the circle around the robot is within the lines.
+// Whether any part of the circle around the robot is within the lines.
 bool reaches_field(const Field& field, const Vec2& position_m) {
   return std::abs(position_m.x()) < field.half_length_m() + kRobotRadius_m &&
          std::abs(position_m.y()) < field.half_width_m() + kRobotRadius_m;

@@ -1,11 +1,11 @@
-// How many robots a side has on the field.
+// The number of robots a side has on the field.
 #pragma once
 
 #include "referee/referee_input.hpp"
 
 namespace autoref::referee {
 
-// Those with any part within the lines.
+// Counts robots with any part within the lines.
 int robots_on_field(const RefereeInput& input, Side side);
 
 }  // namespace autoref::referee

@@ -1,4 +1,4 @@
-// What every rule has: the states in which it watches, and a search for a breach or an event.
+// A rule: the states in which it is active, and its search for a breach or an event.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@
 
 namespace autoref::referee {
 
-// What a rule finds in this frame, or none. It is asked once in every frame of its states that no
-// earlier rule has ended, and may keep what it has seen in `state.watch`, nothing else.
+// What a rule finds in this frame, if anything. Called once per frame in the rule's states, unless
+// an earlier rule has changed the state. It may change only its own memory in `state.watch`.
 using Search = std::optional<Finding> (*)(RefereeState& state, const RefereeInput& input);
 
 struct Watch {
@@ -28,14 +28,14 @@ struct Watch {
 class Rule {
  public:
   constexpr Rule(States active_in, Search search) : Rule({Watch{active_in, search}}) {}
-  // Some rules find several things, in this order; three at most.
+  // Some rules search for several things, three at most, in this order.
   constexpr Rule(std::initializer_list<Watch> watches) {
     for (const Watch& watch : watches) watches_.at(size_++) = watch;
   }
 
   constexpr std::span<const Watch> watches() const { return {watches_.data(), size_}; }
 
-  // What it finds first in the state that the memory is in.
+  // The first finding in the machine's current state, if any.
   std::optional<Finding> find(RefereeState& state, const RefereeInput& input) const;
 
  private:
@@ -43,12 +43,12 @@ class Rule {
   std::size_t size_ = 0;
 };
 
-// Every rule is defined in a file of its own: kGoalRule and so on.
+// Each rule is defined in its own file: kGoalRule and so on.
 #define AUTOREF_RULE(id, ...) extern const Rule id##Rule;
 #include "soccer/rules.def"
 #undef AUTOREF_RULE
 
-// What is asked in a shoot-out, instead of all others and whatever rules are in force.
+// Replaces all other rules in a shoot-out, whatever rules are in force.
 extern const Rule kShootoutRule;
 
 struct AskedRule {
@@ -56,8 +56,8 @@ struct AskedRule {
   const Rule* rule;
 };
 
-// All rules, in the order in which they are asked: that of rules.def. Those that the rule book does
-// not have in force are not asked.
+// All rules in the order of rules.def, in which they are called. Rules that are not in force are
+// skipped.
 std::span<const AskedRule> rules();
 
 }  // namespace autoref::referee

@@ -1,8 +1,8 @@
 // The kicks of a shoot-out (Laws 2014, appendix A; 2026), instead of all other rules.
 //
-// A kick is over with a goal, when its time is up, when the ball is out, or when a defender has
-// saved it: touched it last, and it moves away from the goal. It scores only in the goal that is
-// shot at. Fouls during a kick are not judged.
+// A kick ends with a goal, when its time is up, when the ball is out, or when a defender has saved
+// it: the defender touched it last, and it moves away from the goal. Only a goal at the target end
+// scores. Fouls during a kick are not judged.
 #include <fmt/format.h>
 
 #include "referee/geometry/ball_out.hpp"
@@ -13,7 +13,7 @@
 namespace autoref::referee {
 namespace {
 
-// A ball that is hardly faster moves nowhere, however noisy vision is.
+// A ball slower than this does not count as moving, because of vision noise.
 constexpr double kMoves_mps = 0.2_mps;
 
 bool is_saved(const RefereeInput& input, Side kicker) {
@@ -22,16 +22,17 @@ bool is_saved(const RefereeInput& input, Side kicker) {
   return goalwards * input.tracks.ball->velocity_mps.x() < -kMoves_mps;
 }
 
-// Why the kick has failed; empty while it goes on.
+// Why the kick has failed; empty while it continues.
 std::string failure_of(const RefereeState& state, const RefereeInput& input, Side kicker) {
   const Configuration& c = input.configuration;
-  if (input.ball && is_out_of_field(c.field, input.ball->position_m)) return "the ball is out";
-  if (is_saved(input, kicker)) return "it is saved";
+  if (input.ball && is_out_of_field(c.field, input.ball->position_m))
+    return "the ball left the field";
+  if (is_saved(input, kicker)) return "the kick was saved";
   const bool is_late = has_passed(state.play.began_s, c.rules.penalty_time_s, input.time_s());
-  return is_late ? "its time is up" : "";
+  return is_late ? "the time is up" : "";
 }
 
-// The other side's turn.
+// Prepares the next side's kick.
 void prepare_next_kick(Finding& finding, const RefereeInput& input, Side kicker) {
   finding.restart = {CommandKind::kPreparePenalty, opponent_of(kicker)};
   finding.ball_to_m = input.configuration.field.penalty_mark_at(kicker);
@@ -45,7 +46,7 @@ std::optional<Finding> find_kick_over(RefereeState& state, const RefereeInput& i
   std::optional<Finding> goal = kGoalRule.find(state, input);
   if (goal && goal->restart.side == opponent_of(kicker)) {
     prepare_next_kick(*goal, input, kicker);
-    goal->evidence = fmt::format("Kick {} of {}: {}", number, colour_of(kicker), goal->evidence);
+    goal->evidence = fmt::format("Kick {} by {}: {}", number, colour_of(kicker), goal->evidence);
     return goal;
   }
   const std::string failure = failure_of(state, input, kicker);
@@ -55,12 +56,12 @@ std::optional<Finding> find_kick_over(RefereeState& state, const RefereeInput& i
   finding.value = input.time_s() - state.play.began_s;
   if (input.ball) finding.position_m = input.ball->position_m;
   prepare_next_kick(finding, input, kicker);
-  finding.evidence = fmt::format("Kick {} of {} is over after {:.2f} s: {}.", number,
+  finding.evidence = fmt::format("Kick {} by {} ended after {:.2f} s: {}.", number,
                                  colour_of(kicker), finding.value, failure);
   return finding;
 }
 
-// kShootoutOver between two kicks, once nothing can change who wins.
+// kShootoutOver between two kicks, once the winner is certain.
 std::optional<Finding> find_shootout_over(RefereeState& state, const RefereeInput& input) {
   const ShootoutBook& book = state.shootout;
   const int kicks = input.configuration.rules.shootout_kicks;
@@ -69,9 +70,9 @@ std::optional<Finding> find_shootout_over(RefereeState& state, const RefereeInpu
   finding.event = Event::kShootoutOver;
   finding.rule = "Laws, appendix A; 2026, Shoot-Out";
   finding.evidence =
-      fmt::format("{} of {} kicks of yellow and {} of {} of blue have scored{}.",
+      fmt::format("Yellow scored with {} of {} kicks, blue with {} of {}{}.",
                   book.goals[Side::kWest], book.kicks[Side::kWest], book.goals[Side::kEast],
-                  book.kicks[Side::kEast], is_decided(book, kicks) ? "" : ": a draw after so many");
+                  book.kicks[Side::kEast], is_decided(book, kicks) ? "" : "; a draw at the limit");
   return finding;
 }
 

@@ -1,6 +1,6 @@
 // While play is stopped, every robot keeps 500 mm away from the ball (Laws 9). Judged once the ball
-// has been at its place for 2 s: until then it comes to robots that cannot know where it goes. Each
-// robot is told once in a stop.
+// has been at its position for 2 s, because robots cannot know where it is going to be placed. Each
+// robot is called once per stop.
 #include <fmt/format.h>
 
 #include "referee/geometry/hull.hpp"
@@ -19,13 +19,13 @@ bool is_judged(const RefereeState& state, const RefereeInput& input) {
          has_passed(*state.ball_in_position_since_s, kBallAtTargetFor_s, input.time_s());
 }
 
-// To the ball's centre, as at restarts.
+// Measured to the ball's centre, as at restarts.
 double distance_to_ball_m(const TrackedRobot& robot, const Vec2& ball_m) {
   return distance_to_hull(ball_m, robot.position_m, robot.heading);
 }
 
 std::optional<Finding> find_stop_distance(RefereeState& state, const RefereeInput& input) {
-  if (!input.frame.ball) return std::nullopt;  // nobody knows where it is
+  if (!input.frame.ball) return std::nullopt;  // its position is unknown
   const Configuration& c = input.configuration;
   const bool holds = is_judged(state, input);
   const double limit_m = c.rules.opponents_to_ball_m - robot_to_ball_uncertainty_m(c.noise);

@@ -1,5 +1,5 @@
 // Deviation D11: a ball in play that has moved less than 250 mm in 10 s is stuck: a force start
-// from a neutral place (2016; Laws 2014, law 9).
+// from a neutral position (2016; Laws 2014, law 9).
 #include <fmt/format.h>
 
 #include "referee/geometry/restarts.hpp"
@@ -19,7 +19,7 @@ std::optional<Finding> find_stuck_ball(RefereeState& state, const RefereeInput& 
   finding.value = (input.ball->position_m - play.stuck_at_m).norm();
   finding.position_m = input.ball->position_m;
   finding.ball_to_m = neutral_position(c.field, c.rules, input.ball->position_m);
-  finding.evidence = fmt::format("Since {:.3f} s the ball has stayed within {:.0f} mm.",
+  finding.evidence = fmt::format("The ball has moved less than {1:.0f} mm since {0:.3f} s.",
                                  play.stuck_since_s, 1e3 * c.rules.stuck_distance_m);
   return finding;
 }

@@ -1,9 +1,9 @@
-// Timeouts (Laws 7; 2026): on a team's request while play is stopped, so many and so long
-// altogether, and other ones in extra time. Not before the first kick-off, when the match has not
-// begun, and not in a shoot-out.
+// Timeouts (Laws 7; 2026), limited in number and total length, separately in extra time. A team
+// gets one on request while play is stopped, except before the first kick-off, when the match has
+// not begun, and in a shoot-out.
 //
-// A timeout lasts for as long as its team asks, or until its time is used up. Where both ask at
-// once, the side that takes the restart comes first; where neither does, the one that has used less
+// A timeout lasts until its team withdraws the request or has used up its time. If both teams ask
+// at once, the side that takes the restart comes first; if neither does, the one that has used less
 // time, then fewer timeouts, then the one that did not kick off this half.
 #include <fmt/format.h>
 
@@ -31,7 +31,7 @@ bool may_have_one(const RefereeState& state, const RefereeInput& input, Side sid
          !has_passed(0, allowed.time_s, book.used_s);
 }
 
-// Who takes the restart that play goes on with; none for a force start.
+// The side that takes the next restart; nullopt for a force start.
 std::optional<Side> restarts(const RefereeState& state) {
   const std::optional<Command>& next = state.signal.next_command;
   if (!next) return std::nullopt;
@@ -67,7 +67,7 @@ std::optional<Finding> find_timeout(RefereeState& state, const RefereeInput& inp
   finding.threshold = allowed.time_s;
   finding.restart.side = *side;
   finding.evidence =
-      fmt::format("{} asks for timeout {} of {}; {:.1f} s are left.", colour_of(*side),
+      fmt::format("{} requests timeout {} of {} with {:.1f} s left.", colour_of(*side),
                   book.taken + 1, allowed.timeouts, allowed.time_s - book.used_s);
   return finding;
 }
@@ -82,8 +82,8 @@ std::optional<Finding> find_timeout_over(RefereeState& state, const RefereeInput
   Finding finding = finding_of(Event::kTimeoutOver, RuleId::kTimeouts, input.configuration.rules);
   finding.value = input.time_s() - began_s;
   finding.threshold = left_s;
-  finding.evidence =
-      fmt::format("{} {}.", colour_of(side), is_wanted ? "has no time left" : "needs no more");
+  finding.evidence = fmt::format("{} {}.", colour_of(side),
+                                 is_wanted ? "has used up its time" : "ends its timeout");
   return finding;
 }
 

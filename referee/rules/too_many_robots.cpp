@@ -1,10 +1,10 @@
-// More robots on the field than a side may have, 10 s after a card took one off (Laws 3 and 12;
-// 2026, Yellow Card). In 2026 also without a card, 2 s after a start: the game goes on with a force
-// start, and the team is not penalised.
+// More robots on the field than a side may have, 10 s after a card removed one (Laws 3 and 12;
+// 2026, Yellow Card). In 2026 also without a card, 2 s after a start: the game continues with a
+// force start, and the team is not penalised.
 //
-// A robot leaves by its own wheels: it is off the field once all of it is beyond the lines. Each
-// card is called once. Where both sides are at fault, the finding names none, and play goes on with
-// a force start.
+// Robots leave by driving off: a robot is off the field once all of it is beyond the lines. Each
+// card is called once. If both sides are at fault, the finding names neither, and play continues
+// with a force start.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,10 +17,10 @@
 namespace autoref::referee {
 namespace {
 
-// Vision takes other things for a robot's pattern at times, but not for so long; a robot that it no
+// Vision sometimes detects robots that are not there, but not for this long; a robot that it no
 // longer sees is tracked for half a second.
 constexpr double kPatternLasts_s = 1_s;
-// What robots without a card have to leave after a start (2026).
+// Time to remove surplus robots after a start without a card (2026).
 constexpr double kAfterStart_s = 2_s;
 
 bool is_at_fault(RefereeState& state, const RefereeInput& input, Side side) {
@@ -68,7 +68,7 @@ std::optional<Finding> find_too_many_robots(RefereeState& state, const RefereeIn
   Finding finding = fault_of(sides, input);
   finding.value = input.time_s() - since_s;
   finding.evidence =
-      fmt::format("{} still has more robots than allowed, {:.1f} s after a card or a start.",
+      fmt::format("{} still has more robots than allowed {:.1f} s after a card or a start.",
                   finding.offender ? colour_of(*finding.offender) : "each side", finding.value);
   return finding;
 }

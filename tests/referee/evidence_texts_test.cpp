@@ -42,14 +42,15 @@ std::string reason_of(const Shown& shown) {
 }
 
 TEST(CardReason, SaysWhichFoulBroughtTheCard) {
-  EXPECT_EQ(reason_of({}), "3rd foul, and every 3rd gives a card");
-  EXPECT_EQ(reason_of({.fouls = 12}), "12th foul, and every 3rd gives a card");
-  EXPECT_EQ(reason_of({.fouls = 21}), "21st foul, and every 3rd gives a card");
+  EXPECT_EQ(reason_of({}), "3rd foul (every 3rd brings a card)");
+  EXPECT_EQ(reason_of({.fouls = 12}), "12th foul (every 3rd brings a card)");
+  EXPECT_EQ(reason_of({.fouls = 21}), "21st foul (every 3rd brings a card)");
 }
 
 TEST(CardReason, SaysWhichActiveYellowCardIsRed) {
-  EXPECT_EQ(reason_of({Event::kMultipleCards, 9, 2, Card::kRed}),
-            "9th foul, and every 3rd gives a card; red because it is the 3rd active yellow card");
+  EXPECT_EQ(
+      reason_of({Event::kMultipleCards, 9, 2, Card::kRed}),
+      "9th foul (every 3rd brings a card); red because it would be the 3rd active yellow card");
 }
 
 TEST(CardReason, NamesAnOffenceThatGivesACardByItself) {

@@ -246,7 +246,7 @@ class FoulPageTest(GamePage):
         for title in titles:
             self.assertRegex(title, r"^(Yellow|Red) card for (yellow|blue|each side): \d+(st|nd|rd|th) foul")
         for title in self.texts(".highlight.card[data-color=red] .title"):
-            self.assertTrue(title.endswith("red because it is the 3rd active yellow card"), title)
+            self.assertTrue(title.endswith("red because it would be the 3rd active yellow card"), title)
 
     def test_shows_the_whole_reason_of_a_card_on_a_phone(self):
         self.show(PHONE)

@@ -34,7 +34,7 @@ TEST(EventFigure, InTheReadmeIsPrintedFromTheTable) {
       << event_figure();
 }
 
-TEST(MachineFigure, EveryDeviationOfAnTransitionIsListed) {
+TEST(MachineFigure, EveryDeviationOfATransitionIsListed) {
   const std::string text = readme();
   for (const auto& transitions : all_transitions()) {
     for (const Transition& transition : transitions) {
@@ -47,7 +47,7 @@ TEST(MachineFigure, EveryDeviationOfAnTransitionIsListed) {
   }
 }
 
-TEST(Readme, SaysOfEveryRuleWhatItGives) {
+TEST(Readme, DescribesEveryRule) {
   const std::string text = readme();
   for (const RuleEntry& entry : rule_table()) {
     const std::string row = "\n| " + std::string(name_of(entry.rule)) + " | ";

@@ -73,11 +73,11 @@ TEST(EventCards, SayWhichFoulAndWhichActiveCardMakesOneRed) {
   const auto red = events.of("multiple_cards");
   ASSERT_FALSE(yellow.empty());
   ASSERT_FALSE(red.empty());
-  EXPECT_EQ(yellow.front()["card_reason"].as<std::string>(),
-            "3rd foul, and every 3rd gives a card");
+  EXPECT_EQ(yellow.front()["card_reason"].as<std::string>(), "3rd foul (every 3rd brings a card)");
   EXPECT_EQ(red.front()["card"].as<std::string>(), "red");
-  EXPECT_EQ(red.front()["card_reason"].as<std::string>(),
-            "9th foul, and every 3rd gives a card; red because it is the 3rd active yellow card");
+  EXPECT_EQ(
+      red.front()["card_reason"].as<std::string>(),
+      "9th foul (every 3rd brings a card); red because it would be the 3rd active yellow card");
 }
 
 }  // namespace
