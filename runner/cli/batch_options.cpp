@@ -1,4 +1,4 @@
-// What the verbs of many games have in common.
+// Options shared by the verbs that play many games.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -60,7 +60,7 @@ Scenario read_experiment(const BatchArguments& arguments) {
 
 void add_set_option(CLI::App& verb, std::vector<std::string>& sets) {
   verb.add_option("--set", sets,
-                  "Change a setting, such as match.half_s=60 or b.robots=5 (of a team with a name: "
+                  "Change a setting, such as match.half_s=60 or b.robots=5 (for a named team: "
                   "teams.NAME.robots=5). May be repeated.")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
@@ -72,7 +72,7 @@ void add_batch_options(CLI::App& verb, BatchArguments& arguments, const std::str
                   "Folder for the results. Default: results/runs/<scenario>.")
       ->type_name("DIR");
   verb.add_option("-j,--workers", arguments.workers,
-                  "Games played at a time. Default: one per processor.")
+                  "Games played in parallel. Default: one per processor.")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
   add_set_option(verb, arguments.sets);
@@ -80,18 +80,17 @@ void add_batch_options(CLI::App& verb, BatchArguments& arguments, const std::str
 
 void add_override_options(CLI::App& verb, BatchArguments& arguments) {
   verb.add_option("--pairs", arguments.pairs,
-                  "Pairs of legs instead of the file's; of kind sprt, at most so many.")
+                  "Pairs of legs, overriding the file; for kind sprt, the maximum.")
       ->type_name("N");
-  verb.add_option("--seed", arguments.seed, "Seed of the experiment instead of the file's.")
+  verb.add_option("--seed", arguments.seed, "Seed of the experiment, overriding the file.")
       ->type_name("N");
 }
 
 void add_folder_options(CLI::App& verb, FolderArguments& arguments) {
-  verb.add_option("DIR", arguments.folder,
-                  "Folder of results, as autoref run and autoref judge leave it.")
+  verb.add_option("DIR", arguments.folder, "Results folder of autoref run or autoref judge.")
       ->required();
   verb.add_option("--build", arguments.build,
-                  "Build whose games count, where the folder holds games of several.")
+                  "Count only this build's games, if the folder holds games of several.")
       ->type_name("BUILD");
 }
 

@@ -13,11 +13,12 @@ void add_bench_verb(CLI::App& app, Chosen& chosen) {
     bool json = false;
     bool workers = false;
   };
-  CLI::App* verb = app.add_subcommand("bench", "Measure how fast whole games are.");
+  CLI::App* verb = app.add_subcommand("bench", "Measure how fast whole games run.");
   auto arguments = std::make_shared<Arguments>();
   verb->add_flag("--json", arguments->json, "Print one JSON object.");
-  verb->add_flag("--workers", arguments->workers,
-                 "Measure two workers against one, and what handing games out costs, instead.");
+  verb->add_flag(
+      "--workers", arguments->workers,
+      "Instead, compare two workers with one and measure the cost of dispatching games.");
   verb->footer("Example:\n  autoref bench --json");
   verb->callback([arguments, &chosen] {
     chosen = [arguments] {

@@ -17,11 +17,11 @@ namespace {
 
 std::string verdict_on(const Rehearsal& rehearsal) {
   if (!rehearsal.void_reason.empty()) return "void: " + rehearsal.void_reason;
-  return rehearsal.was_tried ? "plays" : "not tried: it would take too long";
+  return rehearsal.was_tried ? "plays" : "not tried: would take too long";
 }
 
 std::string table_of(const std::vector<Rehearsal>& rehearsals) {
-  std::vector<Cells> rows = {{"what is played", "games", "about, s a game", ""}};
+  std::vector<Cells> rows = {{"variant", "games", "s per game (est.)", ""}};
   for (const Rehearsal& rehearsal : rehearsals) {
     rows.push_back({rehearsal.played, std::to_string(rehearsal.games),
                     fmt::format("{:.1f}", rehearsal.wall_s_a_game), verdict_on(rehearsal)});
@@ -52,23 +52,22 @@ int check_verb(const CheckArguments& arguments) {
 }
 
 void add_check_verb(CLI::App& app, Chosen& chosen) {
-  CLI::App* verb = app.add_subcommand(
-      "check", "Read an experiment, play a little of everything in it, say how long it takes.");
+  CLI::App* verb =
+      app.add_subcommand("check", "Validate an experiment and estimate how long it takes.");
   auto arguments = std::make_shared<CheckArguments>();
   verb->add_option("FILE", arguments->file,
                    "Scenario of kind sweep, roundrobin, gauntlet, sprt or knockout.")
       ->required();
   verb->add_option("-j,--workers", arguments->workers,
-                   "Games that would be played at a time. Default: one per processor.")
+                   "Parallel games to assume in the estimate. Default: one per processor.")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
   add_set_option(*verb, arguments->sets);
   add_override_options(*verb, *arguments);
-  verb->add_flag("--games", arguments->games, "Print the id of every game instead, play none.");
+  verb->add_flag("--games", arguments->games, "Only print the id of every game.");
   verb->footer(
-      "Takes ten seconds at most. Of everything a few seconds are played, then whole games or as\n"
-      "much of them as there is time for; the estimate holds for a machine that is as busy "
-      "then.\n\n"
+      "Takes at most ten seconds. Plays a few seconds of every variant, then as much more as time\n"
+      "allows. The estimate assumes that the machine stays as busy as it is now.\n\n"
       "Example:\n  autoref check scenarios/handicap-speed.yaml");
   verb->callback([arguments, &chosen] { chosen = [arguments] { return check_verb(*arguments); }; });
 }

@@ -16,7 +16,7 @@
 namespace autoref::runner {
 namespace {
 
-constexpr const char* kNoOutput = "the output cannot be written";
+constexpr const char* kNoOutput = "cannot write the output";
 
 int fail(ExitCode code, std::string_view message) {
   write_message(stderr, fmt::format("autoref: {}\n", message));
@@ -28,7 +28,7 @@ int fail(ExitCode code, std::string_view message) {
 int exit_code_of(const Chosen& work) {
   try {
     const int code = work();
-    // A full disk may show only now, or have shown before, where nobody looked.
+    // A full disk may only be noticed at this flush, or an earlier unchecked write may have failed.
     if (std::fflush(stdout) != 0) throw io_error(kNoOutput, errno);
     if (std::ferror(stdout) != 0) throw InputOutputError(kNoOutput);
     return code;
@@ -40,7 +40,7 @@ int exit_code_of(const Chosen& work) {
     return fail(kInputOutput, error.what());
   } catch (const Interrupted& error) {
     return fail(kInterrupted, error.what());
-  } catch (const std::system_error& error) {  // of printing, or of the file system
+  } catch (const std::system_error& error) {  // from printing or the file system
     return fail(kInputOutput, error.what());
   } catch (const std::exception& error) {
     return fail(kInternal, fmt::format("internal error: {}", error.what()));
@@ -49,16 +49,16 @@ int exit_code_of(const Chosen& work) {
 
 int run_command_line(int argc, const char* const* argv) {
   CLI::App app(
-      "Plays robot soccer without people: simulates the RoboCup Small Size League, referees\n"
-      "every game, and tells from hundreds of them which team, or which handicap, wins.",
+      "Simulates and referees robot soccer games of the RoboCup Small Size League, and finds out\n"
+      "over hundreds of games which team, or which handicap, wins.",
       "autoref");
   app.set_version_flag("--version", fmt::format("autoref {}", build_id()));
   app.require_subcommand(1);
   app.footer(
-      "`autoref help VERB` says how one is used.\n\n"
+      "`autoref help VERB` explains a verb.\n\n"
       "Example, an experiment of 72 games:\n  autoref run scenarios/first-look.yaml\n\n"
-      "Exit codes: 0 done; 2 bad input; 3 too many void games; 4 a game came out differently;\n"
-      "70 internal; 74 input/output; 75 interrupted, the same command continues.");
+      "Exit codes: 0 done; 2 bad input; 3 too many void games; 4 a replayed game differs;\n"
+      "70 internal error; 74 input/output error; 75 interrupted (repeat the command to continue).");
   Chosen chosen;
   add_play_verb(app, chosen);
   add_run_verb(app, chosen);

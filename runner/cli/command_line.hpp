@@ -1,4 +1,4 @@
-// The verbs of `autoref`: what each can be told on the command line, and what it does.
+// The verbs of `autoref` and their command-line arguments.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -14,128 +14,128 @@
 
 namespace autoref::runner {
 
-// What `autoref play` is told.
+// Arguments of `autoref play`.
 struct PlayArguments {
   std::string file;
-  std::string seed;               // empty: the scenario's
+  std::string seed;               // empty: the scenario's seed
   std::vector<std::string> sets;  // "key=value"
   GameOutput output;
 };
 
-// What verbs that play many games are told.
+// Arguments common to the verbs that play many games.
 struct BatchArguments {
   std::string file;
   std::string folder;             // empty: results/runs/<scenario>
   int workers = 0;                // 0: one per processor
-  std::string pairs;              // instead of the file's; empty: those
-  std::string seed;               // likewise
+  std::string pairs;              // overrides the file's pairs unless empty
+  std::string seed;               // overrides the file's seed unless empty
   std::vector<std::string> sets;  // "key=value"
 
   std::filesystem::path results_folder() const;
   int worker_count() const;
 };
 
-// What `autoref run` is told.
+// Arguments of `autoref run`.
 struct RunArguments : BatchArguments {
   std::string shard = "0/1";
   bool allow_mixed_build = false;
   bool quiet = false;
-  std::string progress;  // "plain", "json" or "none"; empty: as suits the stream
+  std::string progress;  // "plain", "json" or "none"; empty: depends on the stream
 };
 
-// What `autoref submit` is told.
+// Arguments of `autoref submit`.
 struct SubmitArguments : BatchArguments {
-  int tasks = 0;                     // 0: a few
-  std::string time;                  // limit of a task; empty: the partition's
-  std::string partition;             // empty: the cluster's
-  std::vector<std::string> options;  // further ones of sbatch
-  bool slurm = false;                // the only engine so far; has to be said
+  int tasks = 0;                     // 0: the default number
+  std::string time;                  // time limit of a task; empty: the partition's limit
+  std::string partition;             // empty: the cluster's default
+  std::vector<std::string> options;  // passed on to sbatch
+  bool slurm = false;                // required; Slurm is the only engine so far
   bool dry_run = false;
 };
 
-// What `autoref check` is told.
+// Arguments of `autoref check`.
 struct CheckArguments : BatchArguments {
   bool games = false;
 };
 
-// What the verbs are told that look at a folder of results.
+// Arguments common to the verbs that read a results folder.
 struct FolderArguments {
   std::string folder;
-  std::string build;  // whose rows count; empty: the only one's
+  std::string build;  // only this build's rows count; empty: the folder's only build
 };
 
-// What `autoref verify` is told.
+// Arguments of `autoref verify`.
 struct VerifyArguments : FolderArguments {
   int sample = 5;
   int workers = 0;  // 0: one per processor
 };
 
-// What `autoref replay` is told.
+// Arguments of `autoref replay`.
 struct ReplayArguments : FolderArguments {
   std::string game;
   GameOutput output;
 };
 
-// What `autoref judge` is told.
+// Arguments of `autoref judge`.
 struct JudgeArguments : BatchArguments {
   bool allow_mixed_build = false;
   bool json = false;
 };
 
-// What `autoref info` is told.
+// Arguments of `autoref info`.
 struct InfoArguments {
   std::string log;
   bool commands = false;
   bool json = false;
 };
 
-// What `autoref referee` is told.
+// Arguments of `autoref referee`.
 struct RefereeArguments {
   std::string log;
   std::string rules = "paper";
-  std::string first_kickoff;      // empty: the recorded one
-  std::string camera;             // preset; empty: the rounding of the packets is its only error
+  std::string first_kickoff;  // empty: as recorded
+  std::string camera;         // preset; empty: no vision error except the rounding of the packets
   std::vector<std::string> sets;  // "key=value"
-  std::string events;             // file for AutoRef's decisions; empty: none
+  std::string events;             // output file for AutoRef's decisions; empty: none
   bool json = false;
 };
 
-// What `autoref lab` is told.
+// Arguments of `autoref lab`.
 struct LabArguments {
   std::string file;
   std::string csv;  // empty: standard output
 };
 
-// What `autoref view` is told.
+// Arguments of `autoref view`.
 struct ViewArguments {
   std::string log;
   std::string output;
-  std::string events;  // file with the referee's decisions; empty: none
+  std::string events;  // file of the referee's decisions; empty: none
   std::string rules = "paper";
 };
 
-// What `autoref draw` is told: numbers as they were typed.
+// Arguments of `autoref draw`, numbers still unparsed.
 struct DrawArguments {
   std::string log;
   std::string output;
-  std::string at;     // seconds; empty: `trace` is given
+  std::string at;     // in seconds; empty if `trace` is given
   std::string trace;  // "from:to", in seconds
   std::string rules = "paper";
 };
 
-// What `autoref rules` is told.
+// Arguments of `autoref rules`.
 struct RulesArguments {
   std::string book;  // empty: list the books
   bool json = false;
 };
 
-// What `autoref teams` is told.
+// Arguments of `autoref teams`.
 struct TeamsArguments {
   std::string name;  // empty: list the teams
   bool json = false;
 };
 
-// What `autoref sample-size` is told: numbers as they were typed.
+// Arguments of `autoref sample-size`, numbers still unparsed.
 struct SampleSizeArguments {
   std::string delta;
   std::string sd;
@@ -143,7 +143,7 @@ struct SampleSizeArguments {
   bool json = false;
 };
 
-// Each does its verb's work and returns the exit code. Mistakes come as exceptions (errors.hpp).
+// Each runs its verb and returns the exit code. Errors are thrown (errors.hpp).
 int play_verb(const PlayArguments& arguments);
 int run_verb(const RunArguments& arguments);
 int submit_verb(const SubmitArguments& arguments);
@@ -163,23 +163,23 @@ int rules_verb(const RulesArguments& arguments);
 int teams_verb(const TeamsArguments& arguments);
 int help_verb(const CLI::App& app, const std::string& word);  // empty: lists the verbs
 
-// Adds a verb to the command line; parsing sets `chosen` to its work.
+// Adds a verb to the command line; parsing sets `chosen` to the work to do.
 using Chosen = std::function<int()>;
-// Reads a whole log; a file that is none is an InputError.
+// Reads a whole log. Throws InputError if the file is not a log.
 RecordedFacts read_facts(const std::string& log);
-// Reads an experiment, with the settings, the pairs and the seed that flags give; a scenario of
-// another kind is refused with the verb that plays it.
+// Reads an experiment and applies --set, --pairs and --seed. Throws InputError for a scenario of
+// another kind, naming the verb that plays it.
 Scenario read_experiment(const BatchArguments& arguments);
-// Adds the file and the options that all verbs of many games have.
+// Adds --set.
 void add_set_option(CLI::App& verb, std::vector<std::string>& sets);
 void add_batch_options(CLI::App& verb, BatchArguments& arguments, const std::string& about_file);
-// Adds --pairs and --seed, which all verbs of experiments have.
+// Adds --pairs and --seed.
 void add_override_options(CLI::App& verb, BatchArguments& arguments);
 void add_play_verb(CLI::App& app, Chosen& chosen);
 void add_run_verb(CLI::App& app, Chosen& chosen);
 void add_submit_verb(CLI::App& app, Chosen& chosen);
 void add_check_verb(CLI::App& app, Chosen& chosen);
-// Adds the folder and the build that all verbs of folders have.
+// Adds the folder and --build.
 void add_folder_options(CLI::App& verb, FolderArguments& arguments);
 void add_report_verb(CLI::App& app, Chosen& chosen);
 void add_status_verb(CLI::App& app, Chosen& chosen);
@@ -197,10 +197,10 @@ void add_teams_verb(CLI::App& app, Chosen& chosen);
 void add_bench_verb(CLI::App& app, Chosen& chosen);
 void add_help_verb(CLI::App& app, Chosen& chosen);
 
-// Does `work` and turns what it throws into a message on stderr and an exit code (errors.hpp).
+// Runs `work`; turns an exception into a message on stderr and an exit code (errors.hpp).
 int exit_code_of(const Chosen& work);
 
-// The whole program.
+// Parses the command line and runs the chosen verb. Returns the exit code.
 int run_command_line(int argc, const char* const* argv);
 
 }  // namespace autoref::runner

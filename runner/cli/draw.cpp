@@ -16,10 +16,10 @@
 namespace autoref::runner {
 namespace {
 
-constexpr double kLongestTrace_s = 120;  // longer ones show nothing but paint
-constexpr double kDensest_s = 0.01;      // between frames of a trace
+constexpr double kLongestTrace_s = 120;  // longer traces cover the whole field
+constexpr double kDensest_s = 0.01;      // minimum interval between the frames of a trace
 
-// What is asked for; both are the same for a moment.
+// `from` equals `to` for a single instant.
 struct TimeSpan {
   double from_s = 0;
   double to_s = 0;
@@ -28,7 +28,7 @@ struct TimeSpan {
 
 double seconds_in(const std::string& flag, const std::string& text) {
   if (const auto number = number_in(text)) return *number;
-  throw InputError({flag}, "", fmt::format("'{}' is no number of seconds", text));
+  throw InputError({flag}, "", fmt::format("'{}' is not a number of seconds", text));
 }
 
 TimeSpan trace_in(const std::string& text) {
@@ -41,22 +41,22 @@ TimeSpan trace_in(const std::string& text) {
   if (interval.to_s <= interval.from_s)
     throw InputError({flag}, "", fmt::format("'{}' ends before it begins", text));
   if (interval.to_s - interval.from_s > kLongestTrace_s) {
-    throw InputError({flag}, "",
-                     fmt::format("'{}' is longer than {} s, the most that a drawing can show", text,
-                                 kLongestTrace_s));
+    throw InputError(
+        {flag}, "",
+        fmt::format("'{}' is longer than {} s, the longest possible trace", text, kLongestTrace_s));
   }
   return interval;
 }
 
 TimeSpan interval_in(const DrawArguments& arguments) {
   if (arguments.at.empty() == arguments.trace.empty())
-    throw InputError({}, "", "one of --at and --trace says what to draw");
+    throw InputError({}, "", "give either --at or --trace");
   if (arguments.at.empty()) return trace_in(arguments.trace);
   const double at_s = seconds_in("--at", arguments.at);
   return {at_s, at_s};
 }
 
-// Keeps what is asked for, and little else.
+// Keeps only the frames to draw.
 class Collector final : public league::LogVisitor {
  public:
   explicit Collector(const TimeSpan& interval) : interval_(interval) {}
@@ -92,7 +92,7 @@ class Collector final : public league::LogVisitor {
   TimeSpan interval_;
 };
 
-// Throws InputError where the log does not show all of the interval.
+// Throws InputError if the log does not cover the whole interval.
 void check_shown(const DrawArguments& arguments, const TimeSpan& interval,
                  const Collector& collected) {
   const double first_s = collected.first_s.value_or(0);
@@ -101,7 +101,7 @@ void check_shown(const DrawArguments& arguments, const TimeSpan& interval,
   const bool is_instant = interval.is_instant();
   throw InputError(
       {is_instant ? "--at" : "--trace"}, "",
-      fmt::format("{} is not in the log, which shows {:.3f} to {:.3f} s",
+      fmt::format("{} is not in the log, which covers {:.3f} to {:.3f} s",
                   is_instant ? arguments.at : arguments.trace, first_s, collected.last_s));
 }
 
@@ -121,16 +121,20 @@ int draw_verb(const DrawArguments& arguments) {
 }
 
 void add_draw_verb(CLI::App& app, Chosen& chosen) {
-  CLI::App* verb = app.add_subcommand("draw", "Draw one instant of a recorded game, as SVG.");
+  CLI::App* verb =
+      app.add_subcommand("draw", "Draw one instant of a recorded game, or a trace, as SVG.");
   auto arguments = std::make_shared<DrawArguments>();
   verb->add_option("LOG", arguments->log, "A .log or .log.gz file.")->required();
-  verb->add_option("-o,--output", arguments->output, "The drawing.")->type_name("FILE")->required();
-  verb->add_option("--at", arguments->at, "The instant, in seconds from the log's beginning.")
+  verb->add_option("-o,--output", arguments->output, "The SVG file.")
+      ->type_name("FILE")
+      ->required();
+  verb->add_option("--at", arguments->at, "The instant, in seconds from the start of the log.")
       ->type_name("SECONDS");
-  verb->add_option("--trace", arguments->trace, "The paths from one instant to another instead.")
+  verb->add_option("--trace", arguments->trace,
+                   "Draw the paths of ball and robots between two instants instead.")
       ->type_name("FROM:TO");
   verb->add_option("--rules", arguments->rules,
-                   "Rule book that gives the field of a log without geometry.")
+                   "Rule book that defines the field if the log has no geometry.")
       ->type_name("BOOK")
       ->capture_default_str();
   verb->footer(

@@ -9,7 +9,7 @@
 
 namespace autoref::runner {
 
-// Not help(), which would describe the verb that was parsed: `help` itself.
+// Not named help(): that would describe the verb just parsed, which is `help` itself.
 int help_verb(const CLI::App& app, const std::string& word) {
   if (!word.empty() && !is_verb(app, word)) {
     throw InputError({"help"}, "", unknown_verb_message(app, word));
@@ -21,9 +21,9 @@ int help_verb(const CLI::App& app, const std::string& word) {
 }
 
 void add_help_verb(CLI::App& app, Chosen& chosen) {
-  CLI::App* verb = app.add_subcommand("help", "Print what verbs there are, or how one is used.");
+  CLI::App* verb = app.add_subcommand("help", "List the verbs, or explain one.");
   auto word = std::make_shared<std::string>();
-  verb->add_option("VERB", *word, "Name of a verb; none lists them.");
+  verb->add_option("VERB", *word, "Name of a verb. Default: list all verbs.");
   verb->footer("Example:\n  autoref help run");
   verb->callback(
       [&app, word, &chosen] { chosen = [&app, word] { return help_verb(app, *word); }; });

@@ -26,13 +26,14 @@ int info_verb(const InfoArguments& arguments) {
 }
 
 void add_info_verb(CLI::App& app, Chosen& chosen) {
-  CLI::App* verb = app.add_subcommand("info", "Say what a log of the league holds.");
+  CLI::App* verb = app.add_subcommand("info", "Summarise an SSL log.");
   auto arguments = std::make_shared<InfoArguments>();
   verb->add_option("LOG", arguments->log, "A .log or .log.gz file.")->required();
   verb->add_flag("--commands", arguments->commands, "List every command with its time.");
   verb->add_flag("--json", arguments->json, "Print one JSON object.");
   verb->footer(
-      "What stands before a damaged place is told, and the place on stderr; exit code 2.\n\n"
+      "If the log is damaged, reports what precedes the damage, names its position on stderr and\n"
+      "exits with code 2.\n\n"
       "Example:\n  autoref info game.log.gz --commands");
   verb->callback([arguments, &chosen] { chosen = [arguments] { return info_verb(*arguments); }; });
 }

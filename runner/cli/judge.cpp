@@ -63,18 +63,21 @@ int judge_verb(const JudgeArguments& arguments) {
 }
 
 void add_judge_verb(CLI::App& app, Chosen& chosen) {
-  CLI::App* verb = app.add_subcommand("judge", "Hold the referee's calls against the truth.");
+  CLI::App* verb =
+      app.add_subcommand("judge", "Compare the referee's calls with the ground truth.");
   auto arguments = std::make_shared<JudgeArguments>();
   add_batch_options(*verb, *arguments, "Scenario of kind judge.");
   verb->add_flag("--allow-mixed-build", arguments->allow_mixed_build,
-                 "Go on in a folder that holds games of another build; those do not count.");
+                 "Continue in a folder that holds games of another build; those do not count.");
   verb->add_flag("--json", arguments->json, "Print one JSON object.");
   verb->footer(
-      "A call is right where the same event truly happened by the same side's fault, at most 0.25 "
+      "A call is right if the same event truly happened, with the same side at fault, at most 0.25 "
       "s\n"
-      "after the call and at most 1 s before it. Ctrl-C loses no game: the same command goes on.\n"
-      "faults.csv has an id for each missed event and wrong call: autoref replay DIR ID plays its\n"
-      "game again. The verbs status, report and verify take the folder, too.\n\n"
+      "after the call and at most 1 s before it. You can stop with Ctrl-C; the same command "
+      "continues.\n"
+      "faults.csv lists every missed event and wrong call with an id: autoref replay DIR ID "
+      "replays\n"
+      "its game. The verbs status, report and verify also accept the folder.\n\n"
       "Example:\n  autoref judge scenarios/judge.yaml -o results/runs/judge");
   verb->callback([arguments, &chosen] { chosen = [arguments] { return judge_verb(*arguments); }; });
 }

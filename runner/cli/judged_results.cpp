@@ -28,7 +28,7 @@ void write_judged(const fs::path& folder, const JudgeReport& report) {
 }
 
 void print_judged_files(const fs::path& folder) {
-  fmt::print("{}\n{}   a row per missed event and wrong call\n", (folder / kJudgeFile).string(),
+  fmt::print("{}\n{}   one row per missed event or wrong call\n", (folder / kJudgeFile).string(),
              (folder / kFaultsFile).string());
 }
 
@@ -64,7 +64,8 @@ void report_judged_builds(const fs::path& path, const std::string& build) {
     fmt::print("\n");
   }
   write_overview(path, overview);
-  fmt::print("{}   where each build's report is\n", (path / kMarkdownReport).string());
+  fmt::print("{}   overview with links to each build's report\n",
+             (path / kMarkdownReport).string());
 }
 
 }  // namespace autoref::runner

@@ -1,4 +1,4 @@
-// What verbs write and print of judged games.
+// Output of the verbs that judge games or report on judged games.
 #pragma once
 
 #include <filesystem>
@@ -11,16 +11,16 @@ namespace autoref::runner {
 
 bool is_judged(const Scenario& scenario);
 
-// judge.csv and faults.csv.
+// Writes judge.csv and faults.csv.
 void write_judged(const std::filesystem::path& folder, const JudgeReport& report);
 void print_judged_files(const std::filesystem::path& folder);
 
-// These and report.md and report.html, into `into`; prints them and the tables. Gives the table of
-// scores.
+// Writes judge.csv, faults.csv, report.md and report.html into `into`, and prints their paths and
+// the tables. Returns the table of scores.
 std::string report_judged(const ResultFolder& folder, const std::filesystem::path& into);
 
-// report_judged() for a folder's rows of `build`; where that is empty, of the only build, or of
-// each into a folder of its own, with an overview.
+// report_judged() for the rows of `build`. If `build` is empty: for the folder's only build, or for
+// each of several builds in its own folder, with an overview.
 void report_judged_builds(const std::filesystem::path& path, const std::string& build);
 
 }  // namespace autoref::runner

@@ -31,13 +31,14 @@ int lab_verb(const LabArguments& arguments) {
 }
 
 void add_lab_verb(CLI::App& app, Chosen& chosen) {
-  CLI::App* verb = app.add_subcommand("lab", "Play a small experiment without teams and referee.");
+  CLI::App* verb =
+      app.add_subcommand("lab", "Simulate a small physics experiment, without teams or referee.");
   auto arguments = std::make_shared<LabArguments>();
   verb->add_option("FILE", arguments->file, "Scene of kind lab.")->required();
-  verb->add_option("--csv", arguments->csv, "Write the rows to FILE, not to the standard output.")
+  verb->add_option("--csv", arguments->csv, "Write the rows to FILE instead of standard output.")
       ->type_name("FILE");
   verb->footer(
-      "Writes a row per camera frame: time, and position, heading and speed of everything.\n\n"
+      "Writes one row per camera frame: time, and position, heading and speed of every object.\n\n"
       "Example:\n  autoref lab scenarios/lab/straight-kick.yaml --csv kick.csv");
   verb->callback([arguments, &chosen] { chosen = [arguments] { return lab_verb(*arguments); }; });
 }

@@ -1,4 +1,4 @@
-// The command line `autoref`.
+// The program `autoref`.
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -8,8 +8,8 @@
 
 namespace {
 
-// A shell may start a program with its standard streams closed; the next file opened would then
-// take their place, and progress lines would end up in a table of results.
+// A shell may start a program with its standard streams closed. The next file opened would then get
+// their descriptors, and progress lines would end up in a table of results.
 bool fill_standard_streams() {
   int descriptor = open("/dev/null", O_RDWR);
   while (descriptor >= 0 && descriptor <= STDERR_FILENO) descriptor = dup(descriptor);
@@ -20,7 +20,7 @@ bool fill_standard_streams() {
 
 int main(int argc, char** argv) {
   if (!fill_standard_streams()) return 74;
-  // A file that may not grow further is an error that is reported, not a sudden end.
+  // Report reaching the file size limit as an error instead of being killed by the signal.
   std::signal(SIGXFSZ, SIG_IGN);
   return autoref::runner::run_command_line(argc, argv);
 }

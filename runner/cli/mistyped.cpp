@@ -11,7 +11,7 @@
 namespace autoref::runner {
 namespace {
 
-// Without its dashes and its value: "seed" of "--seed=7"; empty for words that are not options.
+// Strips dashes and value: "seed" for "--seed=7". Empty if the word is not an option.
 std::string option_name(const std::string& word) {
   const std::size_t begin = word.find_first_not_of('-');
   if (begin == 0 || begin == std::string::npos) return {};
@@ -26,7 +26,7 @@ std::vector<std::string> long_options(const CLI::App& verb) {
   return names;
 }
 
-// "; did you mean '--seed'?"; empty where no option of the verb is close.
+// "; did you mean '--seed'?", or empty if none of the verb's options is close.
 std::string option_suggestion(const CLI::App& verb, const std::string& word) {
   const std::string name = option_name(word);
   const std::vector<std::string> known = long_options(verb);
@@ -38,7 +38,7 @@ std::string quoted(const std::vector<std::string>& words) {
   return fmt::format("'{}'", fmt::join(words, "', '"));
 }
 
-// CLI11's own message has them in reverse.
+// Replaces CLI11's own message, which lists the words in reverse.
 std::string extras_message(const CLI::App& verb, const std::vector<std::string>& extras) {
   const std::string& first = extras.front();
   if (!option_name(first).empty()) {
@@ -51,7 +51,7 @@ std::string extras_message(const CLI::App& verb, const std::vector<std::string>&
   return message;
 }
 
-// What leads on to the next thought.
+// Punctuation before the next clause.
 std::string_view end_of(std::string_view message) { return message.ends_with('?') ? "" : ";"; }
 
 }  // namespace
@@ -77,14 +77,14 @@ std::string unknown_verb_message(const CLI::App& app, const std::string& word) {
 std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<CLI::App*> parsed = app.get_subcommands();
   const CLI::App& verb = parsed.empty() ? app : *parsed.front();
-  // Words before the verb are the program's own extras.
+  // Unexpected words before the verb are extras of the program itself.
   const CLI::App& place = app.remaining().empty() ? verb : app;
   const std::vector<std::string> extras = place.remaining();
   const std::string message = extras.empty() ? error.what() : extras_message(place, extras);
   if (&place == &app)
     return fmt::format("{}{} `autoref help` lists the verbs", message, end_of(message));
-  return fmt::format("{0}: {1}{2} `autoref help {0}` lists what it takes", place.get_name(),
-                     message, end_of(message));
+  return fmt::format("{0}: {1}{2} `autoref help {0}` lists its options", place.get_name(), message,
+                     end_of(message));
 }
 
 }  // namespace autoref::runner

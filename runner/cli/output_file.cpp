@@ -23,7 +23,8 @@ bool is_device(const std::string& path) {
   return fs::is_character_file(path, none);
 }
 
-// An output is written under another name first, which must be free, too.
+// Whether writing `output` would overwrite `other`. Output goes to a temporary ".part" file first,
+// so that name must be free, too.
 bool meets(const std::string& output, const std::string& other) {
   return is_same_file(output, other) || is_same_file(output + ".part", other);
 }
@@ -31,7 +32,7 @@ bool meets(const std::string& output, const std::string& other) {
 void spare_inputs(const NamedFile& output, const std::vector<std::string>& inputs) {
   for (const std::string& input : inputs) {
     if (input.empty() || !meets(output.path, input)) continue;
-    refuse(output.flag, fmt::format("this is {} itself, which would be lost", input));
+    refuse(output.flag, fmt::format("this would overwrite {}", input));
   }
 }
 
@@ -39,8 +40,8 @@ void spare_standard_streams(const NamedFile& output) {
   for (const auto& [descriptor, name] :
        {std::pair{STDOUT_FILENO, "output"}, {STDERR_FILENO, "error"}}) {
     if (!is_open_as(output.path, descriptor)) continue;
-    refuse(output.flag, fmt::format("the standard {} goes to {}, too; give each its own file", name,
-                                    output.path));
+    refuse(output.flag, fmt::format("standard {} also goes to {}; use a separate file for each",
+                                    name, output.path));
   }
 }
 
@@ -57,7 +58,7 @@ void check_outputs(const std::vector<NamedFile>& outputs, const std::vector<std:
       if (other.path.empty()) continue;
       if (!meets(output.path, other.path) && !meets(other.path, output.path)) continue;
       refuse(fmt::format("{} and {}", other.flag, output.flag),
-             fmt::format("both would write {}; give each its own file", output.path));
+             fmt::format("both would write {}; use a separate file for each", output.path));
     }
   }
 }

@@ -29,7 +29,7 @@ GameConfiguration configured(const PlayArguments& arguments) {
   return *game;
 }
 
-// The scenario, and the files of types that it or a --set names.
+// The scenario, and the robot type files that it or a --set names.
 std::vector<std::string> inputs_of(const PlayArguments& arguments) {
   std::vector<std::string> inputs = type_files_in(arguments.file);
   inputs.push_back(arguments.file);
@@ -53,7 +53,7 @@ void add_play_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb = app.add_subcommand("play", "Play one refereed game.");
   auto arguments = std::make_shared<PlayArguments>();
   verb->add_option("FILE", arguments->file, "Scenario of kind game.")->required();
-  verb->add_option("--seed", arguments->seed, "Seed instead of the scenario's.")->type_name("N");
+  verb->add_option("--seed", arguments->seed, "Seed, overriding the scenario.")->type_name("N");
   add_set_option(*verb, arguments->sets);
   add_output_options(*verb, arguments->output);
   verb->footer(

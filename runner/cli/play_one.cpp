@@ -22,7 +22,7 @@
 namespace autoref::runner {
 namespace {
 
-// They appear when the game is over.
+// Files that appear when the game is over.
 struct GameFiles {
   std::optional<PendingFile> events;
   std::optional<PendingFile> view;
@@ -30,13 +30,13 @@ struct GameFiles {
 
 volatile std::sig_atomic_t interrupted = 0;
 
-// The second time ends the program at once: the game may hang.
+// Handles Ctrl-C: a second one ends the program at once, since the game may hang.
 void end_soon(int signal) {
   interrupted = 1;
   std::signal(signal, SIG_DFL);
 }
 
-// Ends the game at its next frame once the user has asked for it.
+// Ends the game at its next frame once the user has pressed Ctrl-C.
 class Watch final : public Observer {
  public:
   Watch(EventLog& events, league::GameLog* log, GameRecording* recording)
@@ -59,8 +59,8 @@ class Watch final : public Observer {
 
  private:
   EventLog& events_;
-  league::GameLog* log_;      // none where the game is not recorded
-  GameRecording* recording_;  // likewise
+  league::GameLog* log_;      // null unless a log is written
+  GameRecording* recording_;  // null unless a page is written
 };
 
 void open_files(GameFiles& files, const GameOutput& output,
@@ -100,12 +100,12 @@ std::string view_of(const GameConfiguration& game, const GameRecording& recordin
 
 void add_output_options(CLI::App& verb, GameOutput& output) {
   verb.add_option("--events", output.events,
-                  "Write the referee's decisions to FILE, one JSON object a line.")
+                  "Write the referee's decisions to FILE, one JSON object per line.")
       ->type_name("FILE");
   verb.add_option("--log", output.log,
-                  "Write the game to FILE as a log of the league; compressed if it ends in .gz.")
+                  "Write the game to FILE as an SSL log; compressed if FILE ends in .gz.")
       ->type_name("FILE");
-  verb.add_option("--view", output.view, "Write the game to FILE as a page for browsers.")
+  verb.add_option("--view", output.view, "Write the game to FILE as an HTML page.")
       ->type_name("FILE");
   verb.add_flag("--json", output.json, "Print one JSON object.");
 }

@@ -1,4 +1,4 @@
-// One game for people to look at, as `play` and `replay` print it.
+// A single game and its outputs, for `play` and `replay`.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -9,21 +9,21 @@
 
 namespace autoref::runner {
 
-// What is made of it, as flags tell.
+// Outputs of a game, as chosen by flags.
 struct GameOutput {
-  std::string events;  // file for the referee's decisions; empty: none
-  std::string log;     // file for what cameras and referee send (league/game_log.hpp); empty: none
-  std::string view;    // file for the page that shows it (view/page.hpp); empty: none
+  std::string events;  // output file for the referee's decisions; empty: none
+  std::string log;  // output file for vision and referee packets (league/game_log.hpp); empty: none
+  std::string view;  // output file for the page that shows the game (view/page.hpp); empty: none
   bool json = false;
 };
 
-// The flags of GameOutput.
+// Adds the flags of GameOutput.
 void add_output_options(CLI::App& verb, GameOutput& output);
 
-// Plays the game, prints its report, and writes its decisions and its page. Ctrl-C ends it: then,
-// Interrupted is thrown, neither is written, and the log holds the game so far.
-// `inputs` are the files that the game comes from, which must not be written over. Throws
-// InputError before the game where an output is one of these, or the same file as another.
+// Plays the game, prints its report, and writes its decisions and its page. After Ctrl-C it throws
+// Interrupted and writes neither; the log then holds the game so far. `inputs` are the files the
+// game was read from, which must not be overwritten. Throws InputError before the game if an output
+// is one of them or the same file as another output.
 GameRecord play_one(const GameConfiguration& game, const GameOutput& output,
                     const std::vector<std::string>& inputs);
 

@@ -23,11 +23,12 @@ bool assigns(const std::string& assignment, const std::string& path) {
   return full_path(assignment.substr(0, assignment.find('='))) == path;
 }
 
-// The book gives field, robots and lengths, over which the log's stand: it is chosen first.
+// The book must be chosen first: it provides field, robots and lengths, which the log then
+// overrides.
 void refuse_book_among(const std::vector<std::string>& assignments) {
   for (const std::string& assignment : assignments) {
     if (assigns(assignment, "match.rules"))
-      throw InputError({"--set " + assignment}, "", "choose the rule book with --rules");
+      throw InputError({"--set " + assignment}, "", "use --rules to choose the rule book");
   }
 }
 
@@ -46,7 +47,7 @@ GameConfiguration game_of(const RefereeArguments& arguments, const RecordedFacts
   } catch (const std::invalid_argument& error) {
     throw InputError(
         {arguments.log}, "",
-        fmt::format("such a game cannot be judged: {}; --set changes it", error.what()));
+        fmt::format("this game cannot be refereed: {}; use --set to change it", error.what()));
   }
   return game;
 }
@@ -72,7 +73,7 @@ int referee_verb(const RefereeArguments& arguments) {
   const RecordedFacts facts = read_facts(arguments.log);
   write_message(stderr, damage_text(arguments.log, facts));
   if (facts.log.frames == 0) {
-    throw InputError({arguments.log}, "", "holds no vision packets of 2014 to judge");
+    throw InputError({arguments.log}, "", "contains no 2014 vision packets to referee");
   }
   std::vector<referee::Configuration> games;
   for (const RecordedGame& recorded : facts.games) {
@@ -89,7 +90,8 @@ int referee_verb(const RefereeArguments& arguments) {
 
 void add_referee_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb = app.add_subcommand(
-      "referee", "Judge a recorded game from its vision packets, beside the recorded commands.");
+      "referee",
+      "Referee a recorded game from its vision packets and compare with the recorded commands.");
   auto arguments = std::make_shared<RefereeArguments>();
   verb->add_option("--log,LOG", arguments->log, "A .log or .log.gz file.")
       ->type_name("FILE")
@@ -98,20 +100,20 @@ void add_referee_verb(CLI::App& app, Chosen& chosen) {
       ->type_name("BOOK")
       ->capture_default_str();
   verb->add_option("--first-kickoff", arguments->first_kickoff,
-                   "Side of the first kick-off instead of the recorded one.")
+                   "Side of the first kick-off, overriding the log.")
       ->type_name("west|east");
-  verb->add_option("--camera", arguments->camera, "How noisy vision is, by a camera preset.")
+  verb->add_option("--camera", arguments->camera, "Camera preset that describes the vision noise.")
       ->type_name("PRESET");
   add_set_option(*verb, arguments->sets);
   verb->add_option("--events", arguments->events,
-                   "Write AutoRef's decisions to FILE, one JSON object a line.")
+                   "Write AutoRef's decisions to FILE, one JSON object per line.")
       ->type_name("FILE");
   verb->add_flag("--json", arguments->json, "Print one JSON object.");
   verb->footer(
-      "Field, lengths of halves, first kick-off and robots come from the log where it has them;\n"
-      "what it leaves open is said once, with the option that sets it. A log of several games is\n"
-      "judged game by game.\n"
-      "Yellow is west; where the log says that blue defends the goal at -x, it is turned round.\n\n"
+      "Field, lengths of halves, first kick-off and robots are taken from the log if it has them;\n"
+      "anything missing is reported once, with the option that sets it. A log of several games is\n"
+      "refereed game by game.\n"
+      "Yellow is west. If blue defends the goal at -x in the log, the field is rotated.\n\n"
       "Example:\n  autoref referee --log game.log.gz --camera paper --events events.jsonl");
   verb->callback(
       [arguments, &chosen] { chosen = [arguments] { return referee_verb(*arguments); }; });

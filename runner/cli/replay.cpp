@@ -17,7 +17,7 @@
 namespace autoref::runner {
 namespace {
 
-// A judged game may be called by one of its faults, which is then said.
+// Accepts a fault's id for a judged game, and reports that fault.
 std::string id_of_game(const ResultFolder& folder, const std::string& id) {
   if (!is_judged(folder.scenario)) return id;
   const std::optional<LookedUp> found = look_up(folder, id);
@@ -34,11 +34,11 @@ const ScheduledGame& game_named(const ResultFolder& folder, const std::string& i
   std::vector<std::string> ids;
   for (const ScheduledGame& one : folder.games) ids.push_back(one.id);
   const std::string where = is_judged(folder.scenario)
-                                ? "The last column of faults.csv has the ids of faults"
-                                : "The first column of results.csv has all that were played";
-  throw InputError(
-      {folder.path.string()}, "",
-      fmt::format("has no game '{}'; did you mean '{}'? {}", id, nearest_word(id, ids), where));
+                                ? "The last column of faults.csv lists the ids of faults"
+                                : "The first column of results.csv lists all games played";
+  throw InputError({folder.path.string()}, "",
+                   fmt::format("contains no game '{}'; did you mean '{}'? {}", id,
+                               nearest_word(id, ids), where));
 }
 
 }  // namespace
@@ -52,18 +52,21 @@ int replay_verb(const ReplayArguments& arguments) {
   if (row == folder.completed_games.done.end()) return kDone;
   const std::uint64_t stored = row->second.record.state_hash;
   if (stored == record.state_hash) return kDone;
-  write_message(stderr,
-                fmt::format("autoref: the row of build {} has the state {}; this is build {}\n",
-                            folder.build, hash_text(stored), build_id()));
+  write_message(
+      stderr,
+      fmt::format("autoref: the stored row has final state {1} of build {0}; this is build {2}
+",
+                  folder.build, hash_text(stored), build_id()));
   return kDifferent;
 }
 
 void add_replay_verb(CLI::App& app, Chosen& chosen) {
-  CLI::App* verb = app.add_subcommand("replay", "Play one game of a folder again.");
+  CLI::App* verb = app.add_subcommand("replay", "Play one game of a results folder again.");
   auto arguments = std::make_shared<ReplayArguments>();
   add_folder_options(*verb, *arguments);
-  verb->add_option("GAME_ID", arguments->game,
-                   "As in the first column of results.csv, or a fault's id in faults.csv.")
+  verb->add_option(
+          "GAME_ID", arguments->game,
+          "A game's id from the first column of results.csv, or a fault's id from faults.csv.")
       ->required();
   add_output_options(*verb, arguments->output);
   verb->footer(

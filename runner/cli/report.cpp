@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 void print_files(const ExperimentResults& results, const WrittenReport& report,
                  const fs::path& into) {
-  fmt::print("{}   a row per game\n", (into / kResultsFile).string());
+  fmt::print("{}   one row per game\n", (into / kResultsFile).string());
   for (const ResultFile& file : results.files) {
     fmt::print("{}   {}\n", (into / file.name).string(), file.about);
   }
@@ -32,7 +32,7 @@ void print_report(const FolderReport& written) {
   const ResultFolder& folder = written.folder;
   fmt::print("{}\n", written.results.table);
   if (!folder.is_complete()) {
-    fmt::print("{} of {} games: interim intervals are no reason to stop\n",
+    fmt::print("{} of {} games: do not stop early because of interim intervals\n",
                folder.completed_games.done.size(), folder.needed);
   }
   print_files(written.results, written.report, written.into);
@@ -58,21 +58,23 @@ int report_verb(const FolderArguments& arguments) {
     print_report(report);
     fmt::print("\n");
   }
-  fmt::print("{}   where each build's report is\n", (path / kMarkdownReport).string());
+  fmt::print("{}   overview with links to each build's report\n",
+             (path / kMarkdownReport).string());
   return kDone;
 }
 
 void add_report_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb = app.add_subcommand(
-      "report", "Merge a folder's rows, of all its shards, and write tables, report and plots.");
+      "report", "Merge the rows of all shards in a folder; write tables, report and plots.");
   auto arguments = std::make_shared<FolderArguments>();
   add_folder_options(*verb, *arguments);
   verb->footer(
-      "Safe while a run is filling the folder; the same rows give the same files. Plots need\n"
-      "gnuplot (apt-get install gnuplot-nox); DIR/plots has their data and scripts in any case.\n"
-      "Games of several builds are reported apart, in folders DIR/build-... A run that completes "
-      "the\n"
-      "folder later writes a report that is there again.\n\n"
+      "Safe to use while a run is filling the folder; the same rows give the same files. Plots "
+      "need\n"
+      "gnuplot (apt-get install gnuplot-nox); DIR/plots always has their data and scripts. Games "
+      "of\n"
+      "several builds are reported separately, in folders DIR/build-... An existing report is\n"
+      "updated when a run completes the folder.\n\n"
       "Example:\n  autoref report results/runs/handicap-speed");
   verb->callback(
       [arguments, &chosen] { chosen = [arguments] { return report_verb(*arguments); }; });

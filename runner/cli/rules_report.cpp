@@ -16,7 +16,7 @@ std::string threshold_text(const RuleBook& rules, const RuleEntry& entry) {
   return fmt::format("{:g} {}", rules.*entry.threshold, entry.unit);
 }
 
-// Columns as wide as their longest text.
+// Column widths: the length of the longest text.
 struct Widths {
   std::size_t name = 0;
   std::size_t section = 0;
@@ -59,7 +59,7 @@ std::string rules_text(const RuleBook& rules) {
                         section_of(rules, entry.rule), widths.section, threshold_text(rules, entry),
                         entry.about);
   }
-  return text + fmt::format("\nNot in force (match.switch.NAME: true puts one in force):\n{}\n",
+  return text + fmt::format("\nNot in force (enable one with match.switch.NAME: true):\n{}\n",
                             fmt::join(others, ", "));
 }
 
@@ -71,10 +71,10 @@ std::string rules_json(const RuleBook& rules) {
 }
 
 std::string books_text() {
-  std::string text = "Rule books (autoref rules NAME says what is in force):\n\n";
+  std::string text = "Rule books (autoref rules NAME lists the rules in force):\n\n";
   for (const std::string& name : rule_book_names()) {
     const GameSetup setup = *find_game_setup(name);
-    text += fmt::format("{:12} {:5} x {:4} m, {:2} robots a team, halves of {} s\n", name,
+    text += fmt::format("{:12} {:5} x {:4} m, {:2} robots per team, halves of {} s\n", name,
                         setup.field.length_m, setup.field.width_m, setup.robots, setup.half_s);
   }
   return text;

@@ -1,4 +1,4 @@
-// What a rule book has in force, for people and for scripts.
+// The rules of a rule book, as text and as JSON.
 #pragma once
 
 #include <string>
@@ -7,14 +7,14 @@
 
 namespace autoref::runner {
 
-// A line for each rule in force: name, section, threshold, and what it says; then the rules that
-// the book has not in force, which a game file may switch on.
+// One line per rule in force: name, section, threshold and description; then the rules not in
+// force, which a game file may enable.
 std::string rules_text(const RuleBook& rules);
 
 // The same as one JSON object.
 std::string rules_json(const RuleBook& rules);
 
-// The books that there are, a line for each, with their fields and robots.
+// One line per rule book, with its field and number of robots.
 std::string books_text();
 
 }  // namespace autoref::runner

@@ -39,38 +39,39 @@ void print_results(const Scenario& scenario, const ExperimentReport& report,
   const std::vector<std::string>& never = report.transitions_never_used;
   fmt::print("referee transitions never used in {} games: {}\n\n", report.games,
              never.empty() ? "none" : fmt::format("{}", fmt::join(never, ", ")));
-  fmt::print("{}   a row per game\n", (folder / "results.csv").string());
+  fmt::print("{}   one row per game\n", (folder / "results.csv").string());
   for (const ResultFile& file : report.results.files) {
     fmt::print("{}   {}\n", (folder / file.name).string(), file.about);
   }
-  fmt::print("{}   every setting\n", (folder / "effective.yaml").string());
+  fmt::print("{}   all settings\n", (folder / "effective.yaml").string());
   if (report.killed_games == 0) return;
   fmt::print(
-      "\n{} games are void because their workers were killed; the same command plays them "
+      "\n{} games are void because their workers were killed; repeat the command to play them "
       "again\n",
       report.killed_games);
 }
 
-// What a run that was not interrupted has come to.
+// Prints the outcome of a run that was not interrupted.
 void print_end(const Scenario& scenario, const ExperimentReport& report,
                const ExperimentOptions& options) {
   const std::string folder = options.folder.string();
   if (report.is_complete) return print_results(scenario, report, options.folder);
   if (report.is_waiting) {
     fmt::print(
-        "shard {} has played what is known: {} of {} games are in {}; later ties follow from games "
-        "of other shards: when these are there, the same command goes on\n",
+        "shard {} has played all ties known so far: {} of {} games are in {}; later ties depend on "
+        "games "
+        "of other shards; repeat the command once those are done\n",
         options.shard.name(), report.done, report.games, folder);
   } else {
     fmt::print(
-        "shard {} is done: {} of {} games are in {}; once all are there, merge them with: "
+        "shard {} is done: {} of {} games are in {}; once all are done, merge them with: "
         "autoref report {}\n",
         options.shard.name(), report.done, report.games, folder, folder);
   }
 }
 
-// A report that is there holds the games of its time. A complete run writes it again; others say
-// what it lacks. Returns the line that says it, if any.
+// A complete run updates an existing report, which covers only the games of its time; any other run
+// describes what the report lacks. Returns the line to print, if any.
 std::string mended_report(const ExperimentReport& report, const ExperimentOptions& options) {
   if (report.done == 0 || !fs::exists(options.folder / kMarkdownReport)) return {};
   const ResultFolder folder = open_results(options.folder, options.build);
@@ -79,7 +80,7 @@ std::string mended_report(const ExperimentReport& report, const ExperimentOption
     return shortfall.empty() ? "" : shortfall + "\n";
   }
   const fs::path written = refresh_report(folder);
-  return written.empty() ? "" : fmt::format("{}   written again\n", written.string());
+  return written.empty() ? "" : fmt::format("{}   updated\n", written.string());
 }
 
 }  // namespace
@@ -102,48 +103,50 @@ int run_verb(const RunArguments& arguments) {
     fmt::print("{}", about_report);
   }
   if (!report.is_complete || report.void_games <= kMostVoid * report.games) return kDone;
-  write_message(stderr, fmt::format("autoref: {} of {} games are void; {}'s void_reason says why\n",
-                                    report.void_games, report.games,
-                                    (options.folder / "results.csv").string()));
+  write_message(
+      stderr,
+      fmt::format("autoref: {} of {} games are void; see the column void_reason of {}\n",
+                  report.void_games, report.games, (options.folder / "results.csv").string()));
   return kTooManyVoid;
 }
 
 void add_run_verb(CLI::App& app, Chosen& chosen) {
-  CLI::App* verb = app.add_subcommand(
-      "run", "Run an experiment: all games of a sweep, of teams against each other, of a match.");
+  CLI::App* verb =
+      app.add_subcommand("run", "Run an experiment: a sweep, a tournament or a match.");
   auto arguments = std::make_shared<RunArguments>();
   add_batch_options(*verb, *arguments,
                     "Scenario of kind sweep, roundrobin, gauntlet, sprt or knockout.");
   add_override_options(*verb, *arguments);
   verb->add_option("--shard", arguments->shard,
-                   "Play only share I (from 0) of N; other runs play the others.")
+                   "Play only share I (from 0) of N; other runs play the rest.")
       ->type_name("I/N");
   verb->add_flag("--allow-mixed-build", arguments->allow_mixed_build,
-                 "Go on in a folder that holds games of another build; those do not count.");
-  verb->add_option("--progress", arguments->progress,
-                   "Progress on stderr: plain lines, json lines, or none. Default: a table on a "
-                   "terminal, else plain.")
+                 "Continue in a folder that holds games of another build; those do not count.");
+  verb->add_option(
+          "--progress", arguments->progress,
+          "Progress on stderr: plain text lines, JSON lines, or none. Default: a table on a "
+          "terminal, otherwise plain.")
       ->type_name("STYLE")
       ->check(CLI::IsMember({"plain", "json", "none"}));
-  verb->add_flag("--quiet", arguments->quiet, "Print nothing but errors; the exit code says it.")
+  verb->add_flag("--quiet", arguments->quiet,
+                 "Print only errors; check the exit code for the outcome.")
       ->excludes("--progress");
   verb->footer(
-      "Ctrl-C lets the running games end; a second one stops at once. The same command goes on\n"
-      "where the last one stopped; games whose workers were killed are played again. More pairs "
-      "go\n"
-      "on in the same folder, of fewer the rows beyond do not count; another seed needs another\n"
-      "folder. A report that is in the folder is written again when all games are there.\n\n"
-      "Shards may share a folder, or each fill one of its own, whose\n"
-      "games/*.csv are then copied into one for autoref report. A match ends with the pair of "
-      "games\n"
-      "that decides it; shards of their own folders play all the pairs that it may have. A shard "
-      "of\n"
-      "a knockout ends where it waits for others' games; the same command then goes on.\n\n"
-      "--progress json: one object a line on stderr, every 5 s and in the end, with event "
-      "(progress,\n"
-      "end, or note with a text), done, total, void, played (by this run), elapsed_s, "
-      "games_per_min,\n"
-      "left_s, and by kind standings, groups, sprt or ties, with the columns of the CSVs.\n\n"
+      "Ctrl-C lets the running games finish; a second one stops at once. The same command "
+      "continues\n"
+      "later; games of killed workers are played again. You can continue with more pairs in the "
+      "same\n"
+      "folder; with fewer, the surplus rows do not count. Another seed needs another folder.\n"
+      "An existing report in the folder is updated when all games are done.\n\n"
+      "Shards may share a folder, or each use its own; then copy all games/*.csv into one folder\n"
+      "for autoref report. An SPRT match ends with the pair of games that decides it; shards with\n"
+      "separate folders play all pairs the match may have. A shard of a knockout ends when it has\n"
+      "to wait for other shards' games; repeat the command to continue.\n\n"
+      "--progress json prints one object per line on stderr, every 5 s and at the end, with event\n"
+      "(progress, end, or note with a text), done, total, void, played (by this run), elapsed_s,\n"
+      "games_per_min, left_s and, depending on the kind, standings, groups, sprt or ties, with "
+      "the\n"
+      "columns of the CSV files.\n\n"
       "Example:\n  autoref run scenarios/handicap-speed.yaml -o results/runs/speed -j 2");
   verb->callback([arguments, &chosen] { chosen = [arguments] { return run_verb(*arguments); }; });
 }

@@ -13,7 +13,7 @@
 namespace autoref::runner {
 namespace {
 
-// A flag's number, which has to be above 0.
+// Parses a flag's value. Throws InputError unless it is above 0.
 double positive(const std::string& flag, const std::string& text) {
   const std::optional<double> number = number_in(text);
   if (number && *number > 0) return *number;
@@ -24,7 +24,7 @@ double share(const std::string& flag, const std::string& text) {
   const std::optional<double> number = number_in(text);
   if (number && *number > 0 && *number < 1) return *number;
   throw InputError({flag}, "",
-                   fmt::format("expected a number between 0 and 1, both excluded, such as 0.8, "
+                   fmt::format("expected a number strictly between 0 and 1, such as 0.8, "
                                "found '{}'",
                                text));
 }
@@ -32,19 +32,19 @@ double share(const std::string& flag, const std::string& text) {
 int games_for(const DifferenceSought& sought, double power) {
   if (const std::optional<int> games = games_needed(sought, power)) return *games;
   throw InputError({"--delta"}, "",
-                   fmt::format("noticing {} goals a game where a game's standard deviation is {} "
-                               "takes more than {} games; seek a larger difference, or be content "
-                               "with less power",
+                   fmt::format("detecting {} goals per game with a standard deviation of {} per "
+                               "game takes more than {} games; choose a larger difference or "
+                               "accept less power",
                                sought.delta, sought.sd, kMostScheduledGames));
 }
 
 std::string text_of(const DifferenceSought& sought, double power, int games) {
   return fmt::format(
-      "{} pairs of legs, {} games, notice a true difference of {} goals a game with probability\n"
-      "{:.3f} (at least {} was asked for).\n\n"
-      "--sd {} is the standard deviation of one game's goal difference. The unit of the test is\n"
-      "the pair of legs: its mean goal difference, legs taken as independent, has the standard\n"
-      "deviation {} / sqrt(2) = {:.4g}. The test is the two-sided t test of the pairs' mean\n"
+      "{} pairs of legs, {} games, detect a true difference of {} goals per game with probability\n"
+      "{:.3f} (requested: at least {}).\n\n"
+      "--sd {} is the standard deviation of a single game's goal difference. The unit of the test\n"
+      "is the pair of legs. With independent legs, its mean goal difference has the standard\n"
+      "deviation {} / sqrt(2) = {:.4g}. The test is the two-sided t test of the pairs' means\n"
       "against 0, at level {}.\n",
       games / 2, games, sought.delta, power_of(sought, games / 2), power, sought.sd, sought.sd,
       sought.sd / std::numbers::sqrt2, sought.alpha);
@@ -75,24 +75,24 @@ int sample_size_verb(const SampleSizeArguments& arguments) {
 }
 
 void add_sample_size_verb(CLI::App& app, Chosen& chosen) {
-  CLI::App* verb =
-      app.add_subcommand("sample-size", "Compute how many games it takes to notice a difference.");
+  CLI::App* verb = app.add_subcommand("sample-size",
+                                      "Compute how many games are needed to detect a difference.");
   auto arguments = std::make_shared<SampleSizeArguments>();
-  verb->add_option("--delta", arguments->delta, "Difference to notice, in goals a game.")
+  verb->add_option("--delta", arguments->delta, "Difference to detect, in goals per game.")
       ->required()
       ->type_name("GOALS");
   verb->add_option("--sd", arguments->sd,
-                   "Standard deviation of ONE GAME's goal difference (not of a pair's mean).")
+                   "Standard deviation of a SINGLE GAME's goal difference (not of a pair's mean).")
       ->required()
       ->type_name("GOALS");
   verb->add_option("--power", arguments->power,
-                   "Probability of noticing it, between 0 and 1 (default 0.8).")
+                   "Probability of detecting it, between 0 and 1. Default: 0.8.")
       ->type_name("SHARE");
   verb->add_flag("--json", arguments->json, "Print one JSON object.");
   verb->footer(
       "The unit of the test is the pair of legs, as in an experiment's intervals: a two-sided\n"
-      "t test (level 0.05) of the pairs' mean goal differences. Legs are taken as independent,\n"
-      "so that the standard deviation of a pair's mean is that of a game divided by sqrt(2).\n\n"
+      "t test (level 0.05) of the pairs' mean goal differences. Legs are assumed independent, so\n"
+      "the standard deviation of a pair's mean is that of a game divided by sqrt(2).\n\n"
       "Example:\n  autoref sample-size --delta 0.5 --sd 2 --power 0.8");
   verb->callback(
       [arguments, &chosen] { chosen = [arguments] { return sample_size_verb(*arguments); }; });

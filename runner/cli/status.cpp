@@ -17,26 +17,27 @@ void print_counts(const ResultFolder& folder) {
   fmt::print("{}   {} of {} games done, {} void\n", folder.path.string(),
              folder.completed_games.done.size(), folder.needed, folder.void_games());
   if (folder.completed_games.other_games > 0) {
-    fmt::print("  {} rows of games that the experiment does not have; they do not count\n",
+    fmt::print("  {} rows do not belong to any game of the experiment and do not count\n",
                folder.completed_games.other_games);
   }
   if (folder.beyond > 0) {
-    fmt::print("  {} games were played beyond those that decided it; they do not count\n",
+    fmt::print("  {} games were played after the match was decided and do not count\n",
                folder.beyond);
   }
   for (const auto& [shard, count] : folder.by_shard) {
     fmt::print("  shard {}   {} games\n", shard, count);
   }
   for (const auto& [build, count] : folder.completed_games.other_builds) {
-    fmt::print("  build {}   {} rows that do not count here\n", build, count);
+    fmt::print("  build {}   {} rows, not counted here\n", build, count);
   }
   if (folder.killed_games() > 0) {
-    fmt::print("  {} void games had their workers killed; autoref run plays them again\n",
-               folder.killed_games());
+    fmt::print(
+        "  {} games are void because their workers were killed; autoref run plays them again\n",
+        folder.killed_games());
   }
   const std::string shortfall = report_shortfall(folder);
   if (!shortfall.empty()) fmt::print("  {}\n", shortfall);
-  if (folder.damaged > 0) fmt::print("  {} damaged rows that do not count\n", folder.damaged);
+  if (folder.damaged > 0) fmt::print("  {} damaged rows, not counted\n", folder.damaged);
 }
 
 }  // namespace
@@ -52,14 +53,15 @@ int status_verb(const FolderArguments& arguments) {
   fmt::print("\n{}", results.table);
   if (!folder.is_complete() && !results.groups.empty()) {
     fmt::print(
-        "\nInterim intervals are no reason to stop: who stops at the first that pleases is "
+        "\nDo not stop early because of interim intervals: stopping at the first favourable one is "
         "wrong far more often than one time in twenty.\n");
   }
   return kDone;
 }
 
 void add_status_verb(CLI::App& app, Chosen& chosen) {
-  CLI::App* verb = app.add_subcommand("status", "Print how far an experiment is, and its table.");
+  CLI::App* verb =
+      app.add_subcommand("status", "Print an experiment's progress and its current table.");
   auto arguments = std::make_shared<FolderArguments>();
   add_folder_options(*verb, *arguments);
   verb->footer("Example:\n  autoref status results/runs/handicap-speed");

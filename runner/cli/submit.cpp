@@ -17,17 +17,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostTasks = 10000;  // as many as there may be shards
+constexpr int kMostTasks = 10000;  // the maximum number of shards
 constexpr int kDefaultTasks = 8;
-constexpr int kLeastTime_s = 300;  // of a task: its last minute is kept for ending its games
+constexpr int kLeastTime_s = 300;  // of a task, which uses its last minute to end its games
 
-// A line of a script would end in a path's line break.
+// Throws InputError for a path with a line break, which would end a line of the script.
 fs::path plain_path(const std::string& flag, const fs::path& path) {
   if (path.string().find('\n') == std::string::npos) return fs::absolute(path);
-  throw InputError({flag}, "", "the path has a line break, which batch scripts cannot hold");
+  throw InputError({flag}, "", "the path contains a line break, which batch scripts do not allow");
 }
 
-// Of "HH:MM:SS"; none for other texts.
+// Parses "HH:MM:SS"; nullopt for any other text.
 std::optional<int> seconds_of(const std::string& text) {
   std::vector<int> parts = {0};
   for (const char c : text) {
@@ -52,15 +52,16 @@ void check_time(const std::string& time) {
       fmt::format("expected HH:MM:SS of at least 00:05:00, such as 01:30:00; found '{}'", time));
 }
 
-// A share of the games is whole pairs of legs.
+// Each share consists of whole pairs of legs.
 int tasks_for(int wanted, std::size_t games) {
   const int pairs = static_cast<int>(games / 2);
   if (wanted == 0) return std::min(kDefaultTasks, pairs);
   if (wanted <= pairs) return wanted;
-  throw InputError({"--tasks"}, "",
-                   fmt::format("{} games are {} pairs of legs, which stay together: at most {} "
-                               "tasks have something to play",
-                               games, pairs, pairs));
+  throw InputError(
+      {"--tasks"}, "",
+      fmt::format("{} games are {} pairs of legs, which cannot be split: use at most {} "
+                  "tasks",
+                  games, pairs, pairs));
 }
 
 SlurmArray array_of(const SubmitArguments& arguments, std::size_t games) {
@@ -80,23 +81,24 @@ SlurmArray array_of(const SubmitArguments& arguments, std::size_t games) {
   return array;
 }
 
-// The number of the new job.
+// Submits a script with sbatch. Returns the number of the new job.
 std::string submit(const std::vector<std::string>& words) {
   const std::optional<CommandResult> result = run_command(words);
   if (!result) {
     throw InputError({}, "",
-                     "there is no sbatch in PATH: submit where Slurm is at hand, such as a "
-                     "cluster's login node, or write the scripts only, with --dry-run");
+                     "there is no sbatch in PATH: submit from a machine with Slurm, such as a "
+                     "cluster's login node, or only write the scripts with --dry-run");
   }
-  // With several clusters: "123;name".
+  // With several clusters, sbatch prints "123;name".
   std::string job = result->out.substr(0, result->out.find_first_of(";\n"));
   if (result->code == 0 && !job.empty()) return job;
-  throw InputOutputError(fmt::format("sbatch refused {} with code {}", words.back(), result->code));
+  throw InputOutputError(
+      fmt::format("sbatch rejected {} with code {}", words.back(), result->code));
 }
 
 void print_commands(const std::string& scripts, const std::string& merging) {
   fmt::print(
-      "\nnothing was submitted; to do so:\n  job=$(sbatch --parsable {})\n"
+      "\nnothing was submitted; to submit:\n  job=$(sbatch --parsable {})\n"
       "  sbatch --dependency=afterany:${{job%;*}} {}\n",
       shell_word(scripts), shell_word(merging));
 }
@@ -113,8 +115,8 @@ int submit_verb(const SubmitArguments& arguments) {
   const std::string merging = (folder / "merge.sbatch").string();
   replace_file(tasks, array_script(array));
   replace_file(merging, merge_script(array));
-  fmt::print("{}   {} games in {} tasks of {} at a time\n{}   merges their rows\n", tasks, games,
-             array.tasks, array.workers, merging);
+  fmt::print("{}   {} games in {} tasks, {} in parallel each\n{}   merges their rows\n", tasks,
+             games, array.tasks, array.workers, merging);
   if (arguments.dry_run) {
     print_commands(tasks, merging);
     return kDone;
@@ -123,42 +125,42 @@ int submit_verb(const SubmitArguments& arguments) {
   fmt::print("\nsubmitted as job {}\n", job);
   const std::string merge =
       submit({"sbatch", "--parsable", fmt::format("--dependency=afterany:{}", job), merging});
-  fmt::print("job {} writes the results when all its tasks have ended\n\n", merge);
-  fmt::print("squeue -j {},{}   how far Slurm is; its tasks write to {}\n", job, merge,
+  fmt::print("job {} writes the results after all tasks have ended\n\n", merge);
+  fmt::print("squeue -j {},{}   state of the jobs; the tasks log to {}\n", job, merge,
              (folder / kSlurmLogs).string());
-  fmt::print("autoref status {}   how far the games are\n", shell_word(folder.string()));
+  fmt::print("autoref status {}   progress of the games\n", shell_word(folder.string()));
   return kDone;
 }
 
 void add_submit_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb =
-      app.add_subcommand("submit", "Hand an experiment to a cluster: an array of Slurm.");
+      app.add_subcommand("submit", "Run an experiment on a cluster, as a Slurm job array.");
   auto arguments = std::make_shared<SubmitArguments>();
   add_batch_options(*verb, *arguments,
                     "Scenario of kind sweep, roundrobin, gauntlet, sprt or knockout.");
   add_override_options(*verb, *arguments);
-  verb->get_option("--workers")->description("Games played at a time in each task. Default: 1.");
-  verb->add_flag("--slurm", arguments->slurm,
-                 "The cluster is one of Slurm's; there is no other yet.")
+  verb->get_option("--workers")->description("Games played in parallel in each task. Default: 1.");
+  verb->add_flag("--slurm", arguments->slurm, "Use Slurm (required; the only supported scheduler).")
       ->required();
   verb->add_option("--tasks", arguments->tasks,
                    fmt::format("Tasks that share the games. Default: {}.", kDefaultTasks))
       ->type_name("N")
       ->check(CLI::Range(1, kMostTasks));
   verb->add_option("--time", arguments->time,
-                   "Time limit of a task; one that needs longer queues again and goes on.")
+                   "Time limit of a task; a task that needs longer requeues itself and continues.")
       ->type_name("HH:MM:SS");
-  verb->add_option("--partition", arguments->partition, "Where to run. Default: the cluster's.")
+  verb->add_option("--partition", arguments->partition,
+                   "Partition to run in. Default: the cluster's.")
       ->type_name("P");
   verb->add_option(
           "--sbatch", arguments->options,
-          "A further option of sbatch, such as --sbatch=--account=vision. May be repeated.")
+          "Option passed on to sbatch, such as --sbatch=--account=vision. May be repeated.")
       ->type_name("OPTION")
       ->allow_extra_args(false);
-  verb->add_flag("--dry-run", arguments->dry_run, "Write the scripts, submit nothing.");
+  verb->add_flag("--dry-run", arguments->dry_run, "Write the scripts without submitting them.");
   verb->footer(
-      "The folder of results has to be on a disk that all machines share. Submitting again plays\n"
-      "what is missing.\n\n"
+      "The results folder must be on a disk shared by all machines. Submitting again plays the\n"
+      "missing games.\n\n"
       "Example:\n  autoref submit scenarios/handicap-speed.yaml --slurm --tasks 20 --time "
       "01:00:00");
   verb->callback(

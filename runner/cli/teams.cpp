@@ -35,10 +35,9 @@ int teams_verb(const TeamsArguments& arguments) {
 }
 
 void add_teams_verb(CLI::App& app, Chosen& chosen) {
-  CLI::App* verb =
-      app.add_subcommand("teams", "Print which teams there are, and their parameters.");
+  CLI::App* verb = app.add_subcommand("teams", "List the teams, or the parameters of one.");
   auto arguments = std::make_shared<TeamsArguments>();
-  verb->add_option("NAME", arguments->name, "Name of a team; none lists them.");
+  verb->add_option("NAME", arguments->name, "Name of a team. Default: list all teams.");
   verb->add_flag("--json", arguments->json, "Print one JSON object.");
   verb->footer("Example:\n  autoref teams basic");
   verb->callback([arguments, &chosen] { chosen = [arguments] { return teams_verb(*arguments); }; });

@@ -49,8 +49,7 @@ std::string teams_text() {
   for (const Entry& team : strategies::all_strategies()) {
     rows.push_back({std::string(team.name), std::string(team.about)});
   }
-  return "Teams (autoref teams NAME says what one can be tuned with):\n\n" +
-         aligned(rows, kAllLeft);
+  return "Teams (autoref teams NAME lists a team's parameters):\n\n" + aligned(rows, kAllLeft);
 }
 
 std::string teams_json() {
@@ -61,7 +60,7 @@ std::string teams_json() {
 
 std::string team_text(const Entry& team) {
   const std::string head = fmt::format("{}: {}\n\n", team.name, team.about);
-  if (team.params.empty()) return head + "It has no parameters.\n";
+  if (team.params.empty()) return head + "This team has no parameters.\n";
   std::vector<std::vector<std::string>> rows = {{"parameter", "unit", "default", "range", ""}};
   for (const Parameter& parameter : team.params) rows.push_back(cells_of(parameter));
   return head + aligned(rows, kAllLeft) +

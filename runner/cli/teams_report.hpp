@@ -1,4 +1,4 @@
-// The registered teams and what they can be tuned with, for people and for scripts.
+// The registered teams and their tunable parameters, as text and as JSON.
 #pragma once
 
 #include <string>
@@ -7,13 +7,13 @@
 
 namespace autoref::runner {
 
-// A line for each team: name and sentence.
+// One line per team: name and description.
 std::string teams_text();
 
-// All teams as one JSON object, each as team_json() has it.
+// All teams as one JSON object, each in the format of team_json().
 std::string teams_json();
 
-// A team's sentence and a line for each of its parameters: name, unit, default, range, sentence.
+// A team's description and one line per parameter: name, unit, default, range, description.
 std::string team_text(const strategies::Entry& team);
 
 // The same as one JSON object.

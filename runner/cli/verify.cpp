@@ -17,7 +17,7 @@ namespace autoref::runner {
 int verify_verb(const VerifyArguments& arguments) {
   const ResultFolder folder = open_results(arguments.folder, arguments.build);
   if (folder.build != build_id()) {
-    fmt::print("the games were played by build {}, this is {}\n", folder.build, build_id());
+    fmt::print("the games were played by build {}; this is build {}\n", folder.build, build_id());
   }
   const int workers = arguments.workers > 0 ? arguments.workers : processors();
   const auto play_team_game = [](const GameConfiguration& game, GameRow& row) {
@@ -28,24 +28,25 @@ int verify_verb(const VerifyArguments& arguments) {
   const Verification verification = verify(folder, arguments.sample, workers, play_again, stderr);
   for (const Difference& difference : verification.differences) {
     const auto& [column, stored, now] = difference.column;
-    fmt::print("{}: {} was {}, is {}\n", difference.id, column, stored, now);
+    fmt::print("{}: {} was {}, is now {}\n", difference.id, column, stored, now);
   }
   const auto different = static_cast<int>(verification.differences.size());
-  fmt::print("{} of {} games came out as their rows say\n", verification.played - different,
+  fmt::print("{} of {} games match their rows\n", verification.played - different,
              verification.played);
   return different == 0 ? kDone : kDifferent;
 }
 
 void add_verify_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb = app.add_subcommand(
-      "verify", "Play some games of a folder again and compare them with their rows.");
+      "verify", "Replay some games of a folder and compare them with their stored rows.");
   auto arguments = std::make_shared<VerifyArguments>();
   add_folder_options(*verb, *arguments);
-  verb->add_option("--sample", arguments->sample, "How many games, spread evenly. Default: 5.")
+  verb->add_option("--sample", arguments->sample,
+                   "Number of games to replay, spread evenly over the folder. Default: 5.")
       ->type_name("N")
       ->check(CLI::Range(1, 1000000));
   verb->add_option("-j,--workers", arguments->workers,
-                   "Games played at a time. Default: one per processor.")
+                   "Games played in parallel. Default: one per processor.")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
   verb->footer("Example:\n  autoref verify results/runs/first-look --sample 5");

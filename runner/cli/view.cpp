@@ -52,7 +52,7 @@ int view_verb(const ViewArguments& arguments) {
   Recorder recorder;
   const league::LogSummary log = read_user_log(arguments.log, recorder);
   if (recorder.recording.is_full()) {
-    write_message(stderr, fmt::format("autoref: {}: only the first {} frames are shown\n",
+    write_message(stderr, fmt::format("autoref: {}: shows only the first {} frames\n",
                                       arguments.log, recorder.recording.frames()));
   }
   const std::string page = page_of(
@@ -67,21 +67,21 @@ int view_verb(const ViewArguments& arguments) {
 }
 
 void add_view_verb(CLI::App& app, Chosen& chosen) {
-  CLI::App* verb = app.add_subcommand("view", "Make a page that shows a recorded game.");
+  CLI::App* verb = app.add_subcommand("view", "Turn a recorded game into an HTML page.");
   auto arguments = std::make_shared<ViewArguments>();
   verb->add_option("LOG", arguments->log, "A .log or .log.gz file.")->required();
-  verb->add_option("-o,--output", arguments->output, "The page: one HTML file that needs no other.")
+  verb->add_option("-o,--output", arguments->output, "The page, a self-contained HTML file.")
       ->type_name("FILE")
       ->required();
   verb->add_option("--events", arguments->events,
-                   "The referee's decisions with their reasons, as play and referee write them.")
+                   "The referee's decisions, as written by play --events or referee --events.")
       ->type_name("FILE");
   verb->add_option("--rules", arguments->rules,
-                   "Rule book that gives the field of a log without geometry.")
+                   "Rule book that defines the field if the log has no geometry.")
       ->type_name("BOOK")
       ->capture_default_str();
   verb->footer(
-      "Of a damaged log the page shows what stands before the damage; exit code 2.\n\n"
+      "If the log is damaged, the page shows what precedes the damage; exit code 2.\n\n"
       "Example:\n  autoref view game.log.gz -o game.html");
   verb->callback([arguments, &chosen] { chosen = [arguments] { return view_verb(*arguments); }; });
 }

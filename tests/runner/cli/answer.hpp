@@ -1,4 +1,4 @@
-// What `autoref` answers to a command line.
+// Exit code and output of `autoref` for a command line.
 #pragma once
 
 #include <gtest/gtest.h>

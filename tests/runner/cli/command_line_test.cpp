@@ -34,13 +34,13 @@ TEST(CommandLine, ShowsAnExampleForEachVerb) {
   }
 }
 
-TEST(CommandLine, TellsItsVersion) {
+TEST(CommandLine, PrintsItsVersion) {
   const Answer answer = answer_to({"--version"});
   EXPECT_EQ(answer.code, kDone);
   EXPECT_TRUE(answer.out.starts_with("autoref 0.1.0-"));
 }
 
-TEST(CommandLine, CallsItsOwnMistakesBadInput) {
+TEST(CommandLine, ReportsUsageErrorsAsBadInput) {
   for (const auto& arguments :
        std::vector<std::vector<const char*>>{{"playy"},
                                              {"play"},
@@ -97,13 +97,13 @@ TEST(CommandLine, PrintsTeamsAndTheirParameters) {
   EXPECT_TRUE(answer_to({"teams", "basic", "--json"}).out.starts_with("{\"name\": \"basic\""));
 }
 
-TEST(CommandLine, CallsAFolderThatCannotBeWrittenInputOutput) {
+TEST(CommandLine, ReportsAFolderThatCannotBeWrittenAsInputOutput) {
   const Answer answer = answer_to({"run", kSweep.c_str(), "-o", "/proc/none"});
   EXPECT_EQ(answer.code, kInputOutput);
   EXPECT_NE(answer.err.find("/proc/none"), std::string::npos);
 }
 
-TEST(ExitCode, FollowsFromWhatIsThrown) {
+TEST(ExitCode, DependsOnTheException) {
   testing::internal::CaptureStderr();
   EXPECT_EQ(exit_code_of([]() -> int { throw InputError({"f"}, "k", "m"); }), 2);
   EXPECT_EQ(exit_code_of([]() -> int { throw std::logic_error("m"); }), 70);
@@ -112,7 +112,7 @@ TEST(ExitCode, FollowsFromWhatIsThrown) {
   testing::internal::GetCapturedStderr();
 }
 
-// The code of `work` where the standard output is a full disk.
+// Exit code of `work` if standard output is a full disk.
 int code_on_a_full_disk(const Chosen& work) {
   std::fflush(stdout);
   const int former = dup(STDOUT_FILENO);
@@ -141,7 +141,7 @@ TEST(ExitCode, IsInputOutputWhenTheOutputDoesNotFit) {
   EXPECT_EQ(code_on_a_full_disk([&] { return run_command_line(2, help); }), 74);
 }
 
-TEST(CommandLine, TakesSettingsInAnyOrder) {
+TEST(CommandLine, AcceptsSettingsInAnyOrder) {
   const char* goal = "field.goal_width_m=3.8";
   const char* field = "field.width_m=9";
   for (const auto& [first, second] : {std::pair(goal, field), std::pair(field, goal)}) {
@@ -151,7 +151,7 @@ TEST(CommandLine, TakesSettingsInAnyOrder) {
   }
 }
 
-TEST(CommandLine, EndsAHangingGameAtTheSecondInterrupt) {
+TEST(CommandLine, KillsAHangingGameAtTheSecondInterrupt) {
   const auto interrupt_twice = [] {
     const char* const play[] = {"autoref", "play", kGame.c_str(), "--set", "match.half_s=0.1"};
     run_command_line(5, play);

@@ -13,7 +13,7 @@ namespace {
 
 using Xml = boost::property_tree::ptree;
 
-// Throws where the text is not well-formed.
+// Throws if the text is not well-formed.
 Xml xml_of(const std::string& text) {
   std::istringstream stream(text);
   Xml xml;
@@ -21,7 +21,7 @@ Xml xml_of(const std::string& text) {
   return xml;
 }
 
-// Elements at any depth whose attribute has that value.
+// Counts the elements at any depth with this value of the attribute.
 int count_of(const Xml& xml, const std::string& attribute, const std::string& value) {
   int count = xml.get("<xmlattr>." + attribute, "") == value ? 1 : 0;
   for (const auto& [name, child] : xml)
@@ -50,12 +50,12 @@ TEST_P(DrawVerb, ShowsEveryRobotAndTheBallOnce) {
   EXPECT_EQ(count_of(xml, "class", "ball"), 1);
 }
 
-TEST_P(DrawVerb, TellsTimeAndScore) {
+TEST_P(DrawVerb, ShowsTimeAndScore) {
   draw({"--at", "2.5"});
   EXPECT_NE(content_of(drawing_).find(">2.50 s | basic (a) 0 : 0 basic (b) | "), std::string::npos);
 }
 
-TEST_P(DrawVerb, TracesTheWaysOfAllWithTheirBegins) {
+TEST_P(DrawVerb, TracesAllPathsAndMarksTheirStarts) {
   const Answer answer = draw({"--trace", "0.5:3"});
   ASSERT_EQ(answer.code, kDone) << answer.err;
   const Xml xml = xml_of(content_of(drawing_));
@@ -64,18 +64,18 @@ TEST_P(DrawVerb, TracesTheWaysOfAllWithTheirBegins) {
   EXPECT_GT(count_of(xml, "stroke-opacity", "1.00"), 0);
 }
 
-TEST_P(DrawVerb, NamesTheLogsRangeWhereATimeIsOutside) {
+TEST_P(DrawVerb, NamesTheLogsRangeIfATimeIsOutside) {
   for (const auto& what : std::vector<std::vector<const char*>>{
            {"--at", "1000"}, {"--at", "-1"}, {"--trace", "5:100"}}) {
     const Answer answer = draw(what);
     EXPECT_EQ(answer.code, kBadInput) << what[1];
-    EXPECT_NE(answer.err.find("is not in the log, which shows 0.000 to "), std::string::npos)
+    EXPECT_NE(answer.err.find("is not in the log, which covers 0.000 to "), std::string::npos)
         << answer.err;
   }
   EXPECT_FALSE(std::filesystem::exists(drawing_));
 }
 
-TEST_P(DrawVerb, RefusesTimesThatAreNone) {
+TEST_P(DrawVerb, RefusesInvalidTimes) {
   for (const auto& what : std::vector<std::vector<const char*>>{
            {"--at", "soon"}, {"--trace", "5"}, {"--trace", "3:2"}, {"--trace", "0:1e9"}, {}}) {
     EXPECT_EQ(draw(what).code, kBadInput);

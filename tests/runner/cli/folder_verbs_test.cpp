@@ -1,4 +1,4 @@
-// The verbs that look at a folder of results, on games of a few seconds.
+// The verbs that read a results folder, on games of a few seconds.
 #include <gtest/gtest.h>
 
 #include "runner/io/errors.hpp"
@@ -26,7 +26,7 @@ class FolderVerbs : public testing::Test {
   std::string results_ = (folder_ / "results").string();
 };
 
-TEST_F(FolderVerbs, CheckWhatWouldBePlayed) {
+TEST_F(FolderVerbs, CheckListsAndRehearsesTheGames) {
   const Answer games = answer_to({"check", file_.c_str(), "--games"});
   EXPECT_EQ(games.code, kDone);
   EXPECT_TRUE(games.out.starts_with("b.robots=6-p0001-1\nb.robots=6-p0001-2\n")) << games.out;
@@ -36,18 +36,18 @@ TEST_F(FolderVerbs, CheckWhatWouldBePlayed) {
   EXPECT_NE(checked.out.find("\n4 games, about "), std::string::npos) << checked.out;
 }
 
-TEST_F(FolderVerbs, TellHowFarAnExperimentIs) {
+TEST_F(FolderVerbs, StatusShowsProgress) {
   EXPECT_NE(run("0/2").out.find("shard 0/2 is done: 2 of 4 games"), std::string::npos);
   const std::string half = answer_to({"status", results_.c_str()}).out;
   EXPECT_NE(half.find("2 of 4 games done, 0 void"), std::string::npos) << half;
-  EXPECT_NE(half.find("Interim intervals are no reason to stop"), std::string::npos);
+  EXPECT_NE(half.find("because of interim intervals"), std::string::npos);
   run("1/2");
   const std::string whole = answer_to({"status", results_.c_str()}).out;
   EXPECT_NE(whole.find("4 of 4 games done, 0 void\n  shard 0/2   2 games\n"), std::string::npos);
-  EXPECT_EQ(whole.find("Interim"), std::string::npos);
+  EXPECT_EQ(whole.find("interim"), std::string::npos);
 }
 
-TEST_F(FolderVerbs, MergeTheRowsOfShards) {
+TEST_F(FolderVerbs, ReportMergesTheRowsOfShards) {
   run("0/2");
   run("1/2");
   const std::string merged = content_of(folder_ / "results/results.csv");
@@ -56,7 +56,7 @@ TEST_F(FolderVerbs, MergeTheRowsOfShards) {
   EXPECT_EQ(content_of(folder_ / "results/results.csv"), merged);
 }
 
-TEST_F(FolderVerbs, WriteAReport) {
+TEST_F(FolderVerbs, ReportWritesFiles) {
   run("0/1");
   const Answer answer = answer_to({"report", results_.c_str()});
   EXPECT_EQ(answer.code, kDone);
@@ -64,17 +64,17 @@ TEST_F(FolderVerbs, WriteAReport) {
   EXPECT_TRUE(content_of(folder_ / "results/report.md").starts_with("# A sweep\n"));
 }
 
-TEST_F(FolderVerbs, PlayGamesAgain) {
+TEST_F(FolderVerbs, VerifyAndReplayPlayGamesAgain) {
   run("0/1");
   const Answer verified = answer_to({"verify", results_.c_str(), "--sample", "3", "-j", "1"});
   EXPECT_EQ(verified.code, kDone);
-  EXPECT_NE(verified.out.find("3 of 3 games came out as their rows say"), std::string::npos);
+  EXPECT_NE(verified.out.find("3 of 3 games match their rows"), std::string::npos);
   const Answer replayed = answer_to({"replay", results_.c_str(), "b.robots=5-p0001-2"});
   EXPECT_EQ(replayed.code, kDone);
   EXPECT_NE(replayed.out.find("dummy, east"), std::string::npos) << replayed.out;
 }
 
-TEST_F(FolderVerbs, NameTheGameThatWasMeant) {
+TEST_F(FolderVerbs, ReplaySuggestsTheClosestGame) {
   run("0/1");
   const Answer answer = answer_to({"replay", results_.c_str(), "b.robots=5-p001-2"});
   EXPECT_EQ(answer.code, kBadInput);

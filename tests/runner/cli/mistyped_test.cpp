@@ -1,4 +1,4 @@
-// What people type who do not know the verbs by heart.
+// Mistyped verbs, options and arguments.
 #include "runner/cli/mistyped.hpp"
 
 #include <gtest/gtest.h>
@@ -16,14 +16,14 @@ bool says(const Answer& answer, const std::string& part) {
   return answer.err.find(part) != std::string::npos;
 }
 
-TEST(MistypedVerb, IsAnsweredWithTheOneThatWasMeant) {
+TEST(MistypedVerb, IsAnsweredWithTheClosestOne) {
   const Answer answer = answer_to({"plya"});
   EXPECT_EQ(answer.code, kBadInput);
   EXPECT_EQ(answer.err,
             "autoref: there is no verb 'plya'; did you mean 'play'? `autoref help` lists them\n");
 }
 
-TEST(MistypedVerb, GetsNoSuggestionWhereNoneIsClose) {
+TEST(MistypedVerb, GetsNoSuggestionIfNoneIsClose) {
   const Answer answer = answer_to({"nonsense"});
   EXPECT_EQ(answer.code, kBadInput);
   EXPECT_FALSE(says(answer, "did you mean")) << answer.err;
@@ -37,13 +37,13 @@ TEST(Help, IsPrintedWithoutArguments) {
   EXPECT_EQ(bare.out, answer_to({"help"}).out);
 }
 
-TEST(Help, IsThatOfTheVerb) {
+TEST(Help, OfAVerbIsThatOfItsHelpFlag) {
   const Answer answer = answer_to({"help", "run"});
   EXPECT_EQ(answer.code, kDone);
   EXPECT_EQ(answer.out, answer_to({"run", "--help"}).out);
 }
 
-TEST(Help, RefusesWhatIsNoVerbWithTheOneThatWasMeant) {
+TEST(Help, SuggestsTheClosestVerb) {
   const Answer answer = answer_to({"help", "repotr"});
   EXPECT_EQ(answer.code, kBadInput);
   EXPECT_TRUE(says(answer, "no verb 'repotr'; did you mean 'report'?")) << answer.err;
@@ -56,7 +56,7 @@ TEST(UnexpectedArguments, AreNamedInTheOrderGiven) {
   EXPECT_TRUE(says(answer, "play: unexpected arguments 'one', 'two', 'three';")) << answer.err;
 }
 
-TEST(UnknownOption, IsAnsweredWithTheOneThatWasMeant) {
+TEST(UnknownOption, IsAnsweredWithTheClosestOne) {
   const Answer play = answer_to({"play", kPaperGame.c_str(), "--sed", "1"});
   EXPECT_EQ(play.code, kBadInput);
   EXPECT_TRUE(says(play, "unknown option '--sed'; did you mean '--seed'?")) << play.err;

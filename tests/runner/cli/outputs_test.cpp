@@ -1,4 +1,4 @@
-// Outputs that would overwrite each other, or what they are made from, are refused before any work.
+// Outputs that would overwrite each other or an input are refused before any work.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -23,7 +23,7 @@ class Outputs : public testing::Test {
   }
   std::string in(const std::string& name) const { return (folder_ / name).string(); }
 
-  // Plays with two outputs, or with one where the second flag is empty.
+  // Plays with two outputs, or with one if the second flag is empty.
   Answer play(const char* flag, const std::string& path, const char* other = "",
               const std::string& its_path = "") const {
     std::vector<const char*> arguments = {"play", file_.c_str(), flag, path.c_str()};
@@ -41,7 +41,7 @@ class Outputs : public testing::Test {
   std::string file_ = in("game.yaml");
 };
 
-TEST_F(Outputs, ThatAreOneFileAreRefusedBeforeTheGame) {
+TEST_F(Outputs, ThatAreTheSameFileAreRefusedBeforeTheGame) {
   const std::string x = in("x");
   expect_refused(play("--log", x, "--view", x), "--log and --view");
   expect_refused(play("--events", x, "--log", x), "--events and --log");
@@ -49,12 +49,12 @@ TEST_F(Outputs, ThatAreOneFileAreRefusedBeforeTheGame) {
   EXPECT_FALSE(fs::exists(x));
 }
 
-TEST_F(Outputs, ThatAreOneFileSpeltDifferentlyAreRefused) {
+TEST_F(Outputs, ThatAreTheSameFileSpeltDifferentlyAreRefused) {
   const std::string x = in("x");
   fs::create_directory(in("sub"));
   for (const char* spelling : {"./x", "sub/../x", "sub/.././x"})
     expect_refused(play("--log", x, "--view", in(spelling)), "--log and --view");
-  fs::create_symlink("x", in("link"));  // leads to a file that does not exist
+  fs::create_symlink("x", in("link"));  // points to a file that does not exist
   expect_refused(play("--log", x, "--view", in("link")), "--log and --view");
   fs::create_directory_symlink(folder_.path(), in("here"));
   expect_refused(play("--log", x, "--view", in("here/x")), "--log and --view");
@@ -64,11 +64,11 @@ TEST_F(Outputs, ThatAreOneFileSpeltDifferentlyAreRefused) {
   EXPECT_EQ(content_of(x), "old");
 }
 
-TEST_F(Outputs, ThatAreWrittenFirstUnderTheNameOfAnotherAreRefused) {
+TEST_F(Outputs, WithATemporaryNameThatIsAnotherOutputAreRefused) {
   expect_refused(play("--log", in("x.part"), "--view", in("x")), "--log and --view");
 }
 
-TEST_F(Outputs, ThatAreWhatTheyAreMadeFromAreRefused) {
+TEST_F(Outputs, ThatAreInputsAreRefused) {
   const std::string scenario = content_of(file_);
   for (const char* flag : {"--events", "--log", "--view"}) {
     expect_refused(play(flag, in("./game.yaml")), flag);
@@ -77,7 +77,7 @@ TEST_F(Outputs, ThatAreWhatTheyAreMadeFromAreRefused) {
   EXPECT_EQ(content_of(file_), scenario);
 }
 
-TEST_F(Outputs, ThatTheStandardOutputGoesToAreRefused) {
+TEST_F(Outputs, ThatAreTheStandardOutputAreRefused) {
   const std::string x = in("x");
   const int file = open(x.c_str(), O_WRONLY | O_CREAT, 0600);
   const int terminal = dup(STDOUT_FILENO);
@@ -91,7 +91,7 @@ TEST_F(Outputs, ThatTheStandardOutputGoesToAreRefused) {
   close(terminal);
   close(file);
   EXPECT_EQ(code, kBadInput);
-  EXPECT_TRUE(error.starts_with("autoref: --view: the standard output goes to ")) << error;
+  EXPECT_TRUE(error.starts_with("autoref: --view: standard output also goes to ")) << error;
 }
 
 TEST_F(Outputs, ThatAreDifferentFilesAreWritten) {
@@ -102,7 +102,7 @@ TEST_F(Outputs, ThatAreDifferentFilesAreWritten) {
   EXPECT_EQ(play("--log", "/dev/null", "--view", "/dev/null").code, kDone);
 }
 
-TEST_F(Outputs, OfOtherVerbsSpareTheirInputs) {
+TEST_F(Outputs, OfOtherVerbsDoNotOverwriteTheirInputs) {
   const std::string log = in("game.log");
   ASSERT_EQ(play("--log", log, "--events", in("events.jsonl")).code, kDone);
   const std::string again = in("./game.log");
@@ -120,7 +120,7 @@ TEST_F(Outputs, OfOtherVerbsSpareTheirInputs) {
   EXPECT_TRUE(content_of(log).starts_with("SSL_LOG_FILE"));
 }
 
-TEST_F(Outputs, OfReplaySpareTheFolderOfResults) {
+TEST_F(Outputs, OfReplayDoNotOverwriteTheResults) {
   const std::string sweep = in("sweep.yaml");
   const std::string results = in("results");
   write_content(sweep,
@@ -135,7 +135,7 @@ TEST_F(Outputs, OfReplaySpareTheFolderOfResults) {
   }
 }
 
-TEST(SameFile, IsNotAnotherOne) {
+TEST(SameFile, IsRecognisedHoweverSpelt) {
   const TemporaryFolder folder;
   EXPECT_FALSE(is_same_file(folder / "x", folder / "y"));
   EXPECT_FALSE(is_same_file(folder / "x", folder / "sub/x"));

@@ -30,7 +30,7 @@ std::map<std::string, std::string> files_below(const fs::path& folder) {
   return files;
 }
 
-// PATH for as long as it lives.
+// Replaces PATH during its lifetime.
 class Path {
  public:
   explicit Path(const std::string& value) { setenv("PATH", value.c_str(), 1); }
@@ -44,7 +44,7 @@ class Path {
 
 class Report : public testing::Test {
  protected:
-  // Plays the games of a small sweep, of which `about` may say anything.
+  // Plays the games of a small sweep with this `about` text.
   void play(const std::string& about = "A test.", int pairs = 3) {
     Scenario sweep = small_sweep(pairs);
     sweep.about = about;
@@ -56,7 +56,7 @@ class Report : public testing::Test {
   TemporaryFolder folder_;
 };
 
-// Skipped only if gnuplot is missing, not if it fails; the other tests do without it.
+// Skipped only if gnuplot is missing, not if it fails; the other tests do not need it.
 class DrawnReport : public Report {
  protected:
   void SetUp() override {
@@ -69,7 +69,7 @@ class DrawnReport : public Report {
   }
 };
 
-TEST_F(DrawnReport, IsTheSameWhenWrittenAgain) {
+TEST_F(DrawnReport, IsReproducible) {
   const std::map<std::string, std::string> before = files_below(folder_.path());
   for (const auto& [file, content] : before) {
     if (!has(file, "/games/") && !has(file, kEffectiveFile)) fs::remove(file);
@@ -78,7 +78,7 @@ TEST_F(DrawnReport, IsTheSameWhenWrittenAgain) {
   EXPECT_EQ(files_below(folder_.path()), before);
 }
 
-TEST_F(DrawnReport, HasScriptsThatDrawThePlotsAgain) {
+TEST_F(DrawnReport, HasScriptsThatRedrawThePlots) {
   for (const char* name : {"scores", "difference", "histogram", "running_mean"}) {
     const fs::path svg = folder_ / (std::string("plots/") + name + ".svg");
     const std::string drawn = content_of(svg);
@@ -95,7 +95,7 @@ TEST_F(DrawnReport, HasItsPlotsInThePage) {
   EXPECT_FALSE(has(html(), "src="));
 }
 
-TEST_F(DrawnReport, DrawsNamesLetterByLetter) {
+TEST_F(DrawnReport, DrawsNamesVerbatim) {
   Plot plot{"x", "", "x,y\n1,2\n",
             script_head("x", 200) + "set title " + script_text("a_1^{b} <i> `date` it's") +
                 "\nplot data using 'x':'y' notitle\n"};
@@ -110,13 +110,13 @@ TEST_F(DrawnReport, SaysWhyAPlotIsNotDrawn) {
   EXPECT_TRUE(has(drawing.trouble, "x.gp")) << drawing.trouble;
 }
 
-TEST_F(DrawnReport, DoesNotWaitForAPlotForever) {
+TEST_F(DrawnReport, DoesNotWaitForeverForAPlot) {
   const Drawing drawing = draw({"x", "", "", "pause 60\n"}, 0.2);
   EXPECT_TRUE(drawing.svg.empty());
   EXPECT_TRUE(has(drawing.trouble, "took longer than 0.2 s")) << drawing.trouble;
 }
 
-TEST_F(Report, DoesWithoutGnuplot) {
+TEST_F(Report, WorksWithoutGnuplot) {
   play();
   write_content(folder_ / "plots/scores.svg", "of other rows");
   const Path path(folder_.path().string());
@@ -142,7 +142,7 @@ TEST_F(Report, RemovesPlotsOfAnEarlierReport) {
   EXPECT_TRUE(fs::exists(folder_ / "plots/scores.gp"));
 }
 
-TEST_F(Report, LeavesDataAndScriptsWithoutGnuplot) {
+TEST_F(Report, WritesDataAndScriptsWithoutGnuplot) {
   play();
   const Path path(folder_.path().string());
   reported(folder_.path());
@@ -152,7 +152,7 @@ TEST_F(Report, LeavesDataAndScriptsWithoutGnuplot) {
   EXPECT_FALSE(has(html(), "<figure>"));
 }
 
-TEST_F(Report, ShowsWhatTheScenarioSaysLetterByLetter) {
+TEST_F(Report, ShowsTheScenariosTextVerbatim) {
   play("<script>alert(1)</script> & \"x\"");
   reported(folder_.path());
   EXPECT_FALSE(has(html(), "<script>"));
@@ -168,7 +168,7 @@ TEST_F(Report, SaysWhichGamesAreMissing) {
   EXPECT_TRUE(has(markdown(), "games are missing. Interim intervals are no reason to stop"));
 }
 
-TEST_F(Report, SaysNothingOfStoppingWhenAllGamesAreThere) {
+TEST_F(Report, DoesNotWarnOfStoppingEarlyWhenAllGamesAreDone) {
   play();
   reported(folder_.path());
   EXPECT_TRUE(has(markdown(), "| games | 12 of 12 |\n")) << markdown();
@@ -198,14 +198,14 @@ TEST_F(Report, ListsWhatIsNotTheDefault) {
   EXPECT_FALSE(has(markdown(), "match.halves"));
 }
 
-TEST_F(Report, HasACrosstableOfARoundRobin) {
+TEST_F(Report, HasACrosstableForARoundRobin) {
   run_experiment(small_roundrobin({6, 16}, 1), fake_options(folder_.path()));
   reported(folder_.path());
   EXPECT_TRUE(has(markdown(), "| team1 |  | 6 (+")) << markdown();
   EXPECT_TRUE(has(markdown(), "| team0 | 0 (-")) << markdown();
 }
 
-// Each game is drawn, and the shoot-out won by the team with more robots.
+// Each game is drawn, and the team with more robots wins the shoot-out.
 GameRecord shoot_out(const GameConfiguration& game) {
   GameRecord record = fake_game(game);
   record.goals_a = record.goals_b = 1;
@@ -215,7 +215,7 @@ GameRecord shoot_out(const GameConfiguration& game) {
   return record;
 }
 
-TEST_F(Report, TakesTheWinnerOfAShootOutForTheWinnerEverywhere) {
+TEST_F(Report, CountsTheWinnerOfAShootOutAsTheWinnerEverywhere) {
   ExperimentOptions options = fake_options(folder_.path());
   options.play = shoot_out;
   const ExperimentResults results = run_experiment(small_roundrobin({5, 6}, 2), options).results;
@@ -223,7 +223,7 @@ TEST_F(Report, TakesTheWinnerOfAShootOutForTheWinnerEverywhere) {
   EXPECT_EQ(results.standings[0].team, "team1");
   EXPECT_EQ(results.standings[0].points(), 12);
   EXPECT_EQ(results.standings[0].goals_for, 4);  // the kicks are not goals
-  EXPECT_EQ(results.shown[0].rows[1][4], "4");   // won, as the run shows it
+  EXPECT_EQ(results.shown[0].rows[1][4], "4");   // won, as the run shows
   ASSERT_FALSE(results.json.empty());
   EXPECT_TRUE(has(results.json[0].second, "\"team\": \"team1\", \"points\": 12"));
   reported(folder_.path());

@@ -1,5 +1,5 @@
-// autoref run, on games of a few seconds: what its options change, and what it says of a folder
-// that has games already.
+// autoref run on games of a few seconds: the effects of its options, and its messages about a
+// folder that already contains games.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ class RunVerb : public testing::Test {
   std::string results_ = (folder_ / "results").string();
 };
 
-TEST_F(RunVerb, PlaysSoManyPairsFromThatSeed) {
+TEST_F(RunVerb, PlaysTheGivenNumberOfPairsFromTheGivenSeed) {
   const Answer answer = run({"--pairs", "2", "--seed", "7"});
   EXPECT_EQ(answer.code, kDone) << answer.err;
   EXPECT_TRUE(holds(effective(), "pairs: 2\nseed: 7\n")) << effective();
@@ -50,7 +50,7 @@ TEST_F(RunVerb, PlaysSoManyPairsFromThatSeed) {
   EXPECT_TRUE(holds(same.err, "8/8 games   0 void")) << same.err;
 }
 
-TEST_F(RunVerb, RefusesWhatIsNoNumberOfPairsAndNoSeed) {
+TEST_F(RunVerb, RefusesInvalidPairsAndSeeds) {
   for (const char* pairs : {"0", "x", "10000", "1.5"}) {
     const Answer answer = run({"--pairs", pairs});
     EXPECT_EQ(answer.code, kBadInput);
@@ -67,7 +67,7 @@ TEST_F(RunVerb, RefusesPairsOfAKnockout) {
   EXPECT_TRUE(holds(answer.err, "--pairs: a knockout has no pairs")) << answer.err;
 }
 
-TEST_F(RunVerb, TakesPairsForTheMostOfAnSprt) {
+TEST_F(RunVerb, UsesPairsAsTheMaximumOfAnSprt) {
   const std::string sprt = in_checkout("scenarios/sprt.yaml");
   const Answer games = answer_to({"check", sprt.c_str(), "--games", "--pairs", "11"});
   EXPECT_EQ(std::count(games.out.begin(), games.out.end(), '\n'), 22);
@@ -76,7 +76,7 @@ TEST_F(RunVerb, TakesPairsForTheMostOfAnSprt) {
   EXPECT_TRUE(holds(few.err, "--pairs: sprt.max_pairs: must be at least min_pairs")) << few.err;
 }
 
-TEST_F(RunVerb, SharesItsPairsAndSeedWithCheckAndSubmit) {
+TEST_F(RunVerb, HasPairsAndSeedInCommonWithCheckAndSubmit) {
   const Answer games = answer_to({"check", file_.c_str(), "--games", "--pairs", "3"});
   EXPECT_EQ(std::count(games.out.begin(), games.out.end(), '\n'), 12);
   const Answer submitted = answer_to({"submit", file_.c_str(), "-o", results_.c_str(), "--slurm",
@@ -99,13 +99,13 @@ TEST_F(RunVerb, PrintsErrorsEvenWhenQuiet) {
   EXPECT_NE(run({"--quiet", "--seed", "2"}).err, "");
 }
 
-TEST_F(RunVerb, WritesNoProgressWhenNoneIsWanted) {
+TEST_F(RunVerb, WritesNoProgressIfToldSo) {
   const Answer answer = run({"--progress", "none"});
   EXPECT_EQ(answer.err, "");
   EXPECT_TRUE(holds(answer.out, "b.robots"));
 }
 
-TEST_F(RunVerb, WritesProgressAsLinesOfJson) {
+TEST_F(RunVerb, WritesProgressAsJsonLines) {
   const std::string err = run({"--progress", "json"}).err;
   const std::vector<std::string_view> lines = complete_lines(err);
   ASSERT_FALSE(lines.empty());
@@ -125,7 +125,7 @@ TEST_F(RunVerb, WritesNotesAsJsonToo) {
       << answer.err;
 }
 
-TEST_F(RunVerb, SaysThatMorePairsGoOn) {
+TEST_F(RunVerb, ReportsThatMorePairsContinueTheFolder) {
   run();
   const Answer answer = run({"--pairs", "3"});
   EXPECT_EQ(answer.code, kDone);
@@ -134,7 +134,7 @@ TEST_F(RunVerb, SaysThatMorePairsGoOn) {
       << answer.err;
 }
 
-TEST_F(RunVerb, SaysWhichRowsFewerPairsLeaveOut) {
+TEST_F(RunVerb, ReportsTheRowsThatFewerPairsLeaveOut) {
   run({"--pairs", "3"});
   const Answer answer = run();
   EXPECT_EQ(answer.code, kDone);
@@ -143,10 +143,11 @@ TEST_F(RunVerb, SaysWhichRowsFewerPairsLeaveOut) {
   EXPECT_TRUE(holds(answer.err, "count again with --pairs 3")) << answer.err;
   const Answer status = answer_to({"status", results_.c_str()});
   EXPECT_TRUE(holds(status.out, "4 of 4 games done")) << status.out;
-  EXPECT_TRUE(holds(status.out, "8 rows of games that the experiment does not have")) << status.out;
+  EXPECT_TRUE(holds(status.out, "8 rows do not belong to any game of the experiment"))
+      << status.out;
 }
 
-TEST_F(RunVerb, SendsAnotherSeedToAnotherFolder) {
+TEST_F(RunVerb, RefusesAnotherSeedAndSuggestsAnotherFolder) {
   run();
   const std::string rows = content_of(folder_ / "results/games/shard-0-of-1.csv");
   const auto is_refused = [&](const Answer& answer) {
@@ -163,19 +164,19 @@ TEST_F(RunVerb, SendsAnotherSeedToAnotherFolder) {
   EXPECT_EQ(run({"--seed", "1"}).code, kDone);
 }
 
-TEST_F(RunVerb, WritesAReportAgainThatItsGamesMadeStale) {
+TEST_F(RunVerb, UpdatesAStaleReport) {
   run();
   EXPECT_FALSE(fs::exists(folder_ / "results/report.html"));  // nobody asked for one
   answer_to({"report", results_.c_str()});
   const Answer answer = run({"--pairs", "2"});
-  EXPECT_TRUE(holds(answer.out, "report.html   written again")) << answer.out;
+  EXPECT_TRUE(holds(answer.out, "report.html   updated")) << answer.out;
   EXPECT_TRUE(holds(content_of(folder_ / "results/report.md"), "| games | 8 of 8 |"));
   EXPECT_TRUE(holds(content_of(folder_ / "results/report.html"), "8 of 8"));
-  EXPECT_FALSE(holds(run({"--pairs", "2"}).out, "written again"));
+  EXPECT_FALSE(holds(run({"--pairs", "2"}).out, "updated"));
   EXPECT_FALSE(holds(answer_to({"status", results_.c_str()}).out, "report.html"));
 }
 
-TEST_F(RunVerb, SaysWhatAReportLacksWhereGamesAreMissing) {
+TEST_F(RunVerb, ReportsTheGamesMissingFromAReport) {
   run();
   answer_to({"report", results_.c_str()});
   const Answer shard = run({"--pairs", "3", "--shard", "1/2"});

@@ -13,18 +13,18 @@ Answer answer_to_sample_size(std::vector<const char*> arguments) {
   return answer_to(std::move(arguments));
 }
 
-// The pairs and their power are statsmodels' (sample_size_test.cpp).
-TEST(SampleSizeVerb, TellsGamesAndWhatItTakesForGranted) {
+// Pairs and power are those of statsmodels (sample_size_test.cpp).
+TEST(SampleSizeVerb, PrintsGamesAndAssumptions) {
   const Answer answer = answer_to_sample_size({"--delta", "0.5", "--sd", "2", "--power", "0.8"});
   EXPECT_EQ(answer.code, kDone);
   EXPECT_EQ(
       answer.out,
-      R"(65 pairs of legs, 130 games, notice a true difference of 0.5 goals a game with probability
-0.802 (at least 0.8 was asked for).
+      R"(65 pairs of legs, 130 games, detect a true difference of 0.5 goals per game with probability
+0.802 (requested: at least 0.8).
 
---sd 2 is the standard deviation of one game's goal difference. The unit of the test is
-the pair of legs: its mean goal difference, legs taken as independent, has the standard
-deviation 2 / sqrt(2) = 1.414. The test is the two-sided t test of the pairs' mean
+--sd 2 is the standard deviation of a single game's goal difference. The unit of the test
+is the pair of legs. With independent legs, its mean goal difference has the standard
+deviation 2 / sqrt(2) = 1.414. The test is the two-sided t test of the pairs' means
 against 0, at level 0.05.
 )");
 }
@@ -32,31 +32,31 @@ against 0, at level 0.05.
 TEST(SampleSizeVerb, ExplainsItself) {
   const Answer answer = answer_to_sample_size({"--help"});
   EXPECT_EQ(answer.code, kDone);
-  EXPECT_EQ(answer.out, R"(Compute how many games it takes to notice a difference.
+  EXPECT_EQ(answer.out, R"(Compute how many games are needed to detect a difference.
 Usage: autoref sample-size [OPTIONS]
 
 Options:
   -h,--help                   Print this help message and exit
-  --delta GOALS REQUIRED      Difference to notice, in goals a game.
-  --sd GOALS REQUIRED         Standard deviation of ONE GAME's goal difference (not of a pair's mean).
-  --power SHARE               Probability of noticing it, between 0 and 1 (default 0.8).
+  --delta GOALS REQUIRED      Difference to detect, in goals per game.
+  --sd GOALS REQUIRED         Standard deviation of a SINGLE GAME's goal difference (not of a pair's mean).
+  --power SHARE               Probability of detecting it, between 0 and 1. Default: 0.8.
   --json                      Print one JSON object.
 
 The unit of the test is the pair of legs, as in an experiment's intervals: a two-sided
-t test (level 0.05) of the pairs' mean goal differences. Legs are taken as independent,
-so that the standard deviation of a pair's mean is that of a game divided by sqrt(2).
+t test (level 0.05) of the pairs' mean goal differences. Legs are assumed independent, so
+the standard deviation of a pair's mean is that of a game divided by sqrt(2).
 
 Example:
   autoref sample-size --delta 0.5 --sd 2 --power 0.8
 )");
 }
 
-TEST(SampleSizeVerb, AsksForAPowerOfFourFifthsUnlessReported) {
+TEST(SampleSizeVerb, UsesAPowerOf80PercentByDefault) {
   EXPECT_EQ(answer_to_sample_size({"--delta", "0.5", "--sd", "2"}).out,
             answer_to_sample_size({"--delta", "0.5", "--sd", "2", "--power", "0.8"}).out);
 }
 
-TEST(SampleSizeVerb, TellsScriptsTheSame) {
+TEST(SampleSizeVerb, PrintsTheSameAsJson) {
   const Answer answer = answer_to_sample_size({"--delta", "0.5", "--sd", "2", "--json"});
   EXPECT_TRUE(answer.out.starts_with(
       R"({"delta": 0.5, "sd_of_a_game": 2, "alpha": 0.05, "power_asked": 0.8, "power": 0.80163163)"))
@@ -71,16 +71,16 @@ struct WrongNumbers {
   const char* message;
 };
 
-TEST(SampleSizeVerb, RefusesWhatIsNoQuestion) {
+TEST(SampleSizeVerb, RefusesInvalidArguments) {
   for (const WrongNumbers& wrong : std::vector<WrongNumbers>{
            {"0", "2", "0.8", "--delta: expected a number above 0, found '0'"},
            {"-1", "2", "0.8", "--delta: expected a number above 0, found '-1'"},
            {"nan", "2", "0.8", "--delta: expected a number above 0, found 'nan'"},
            {"1", "0", "0.8", "--sd: expected a number above 0, found '0'"},
            {"1", "inf", "0.8", "--sd: expected a number above 0, found 'inf'"},
-           {"1", "2", "0", "--power: expected a number between 0 and 1"},
-           {"1", "2", "1", "--power: expected a number between 0 and 1"},
-           {"1", "2", "80", "--power: expected a number between 0 and 1"},
+           {"1", "2", "0", "--power: expected a number strictly between 0 and 1"},
+           {"1", "2", "1", "--power: expected a number strictly between 0 and 1"},
+           {"1", "2", "80", "--power: expected a number strictly between 0 and 1"},
            {"0.001", "2", "0.8", "takes more than 1000000 games"}}) {
     const Answer answer = answer_to_sample_size({"--delta", wrong.delta, "--sd", wrong.sd,  //
                                                  "--power", wrong.power});

@@ -1,4 +1,4 @@
-// autoref submit, with a stand-in for sbatch: what it hands to Slurm. tests/slurm/ has a real one.
+// autoref submit with a fake sbatch: the arguments Slurm would get. tests/slurm/ uses a real one.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Stands in for PATH while it lives.
+// Replaces PATH during its lifetime.
 class Path {
  public:
   explicit Path(const fs::path& path) : former_(std::getenv("PATH")) {
@@ -36,7 +36,7 @@ class Submit : public testing::Test {
                   "schema: 1\nkind: sweep\nseed: 1\npairs: 5\nfactors: { b.robots: [6, 5] }\n");
   }
 
-  // An sbatch that notes its arguments in "said", line by line, and answers with a job's number.
+  // Installs an sbatch that writes its arguments to "said", one per line, and prints a job number.
   void put_sbatch(const std::string& answer) {
     const fs::path sbatch = folder_ / "sbatch";
     write_content(sbatch, fmt::format("#!/bin/sh\nprintf '%s\\n' \"$@\" >>'{}'\n{}\n",
@@ -58,7 +58,7 @@ class Submit : public testing::Test {
   std::string results_ = (folder_ / "my results").string();
 };
 
-TEST_F(Submit, HandsTheArrayToSlurmAndAJobThatMergesAfterIt) {
+TEST_F(Submit, SubmitsTheArrayAndAMergeJobAfterIt) {
   put_sbatch("echo '42;somewhere'");
   const Answer answer = submit({});
   EXPECT_EQ(answer.code, kDone) << answer.err;
@@ -69,7 +69,7 @@ TEST_F(Submit, HandsTheArrayToSlurmAndAJobThatMergesAfterIt) {
   EXPECT_NE(answer.out.find("submitted as job 42\n"), std::string::npos) << answer.out;
 }
 
-TEST_F(Submit, WritesTheScriptsOnlyWhenAskedTo) {
+TEST_F(Submit, OnlyWritesTheScriptsInADryRun) {
   const Answer answer = submit({"--dry-run"});
   EXPECT_EQ(answer.code, kDone) << answer.err;
   EXPECT_TRUE(fs::exists(folder_ / "my results/merge.sbatch"));
@@ -85,7 +85,7 @@ TEST_F(Submit, QuotesPaths) {
             std::string::npos);
 }
 
-TEST_F(Submit, PassesLimitsAndFurtherOptionsOn) {
+TEST_F(Submit, PassesOnLimitsAndOtherOptions) {
   submit({"--dry-run", "--tasks", "3", "-j", "2", "--time", "01:30:00", "--partition", "long",
           "--sbatch=--account=vision", "--sbatch=--mem=1G"});
   for (const char* line : {"--array=0-2", "--cpus-per-task=2", "--time=01:30:00", "--requeue",
@@ -94,7 +94,7 @@ TEST_F(Submit, PassesLimitsAndFurtherOptionsOn) {
   }
 }
 
-TEST_F(Submit, SharesPairsOfLegs) {
+TEST_F(Submit, DoesNotSplitPairsOfLegs) {
   EXPECT_EQ(submit({"--dry-run", "--tasks", "10"}).code, kDone);
   const Answer answer = submit({"--dry-run", "--tasks", "11"});
   EXPECT_EQ(answer.code, kBadInput);
@@ -102,7 +102,7 @@ TEST_F(Submit, SharesPairsOfLegs) {
       << answer.err;
 }
 
-TEST_F(Submit, RefusesWhatIsNoTime) {
+TEST_F(Submit, RefusesAnInvalidTime) {
   for (const char* time : {"90", "01:30", "1:2:3:4", "00:04:59", "01:60:00", "x", "-1:00:00"}) {
     const Answer answer = submit({"--dry-run", "--time", time});
     EXPECT_EQ(answer.code, kBadInput) << time;
@@ -110,14 +110,14 @@ TEST_F(Submit, RefusesWhatIsNoTime) {
   }
 }
 
-TEST_F(Submit, SaysWhatToDoWhereThereIsNoSlurm) {
+TEST_F(Submit, SaysWhatToDoWithoutSlurm) {
   const Answer answer = submit({});
   EXPECT_EQ(answer.code, kBadInput);
   EXPECT_NE(answer.err.find("no sbatch in PATH"), std::string::npos) << answer.err;
   EXPECT_NE(answer.err.find("--dry-run"), std::string::npos) << answer.err;
 }
 
-TEST_F(Submit, TellsWhenSlurmRefuses) {
+TEST_F(Submit, ReportsThatSlurmRejectsAJob) {
   put_sbatch("exit 1");
   const Answer answer = submit({});
   EXPECT_EQ(answer.code, kInputOutput);

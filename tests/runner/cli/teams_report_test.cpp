@@ -18,7 +18,7 @@ Entry team_of(std::vector<Parameter> params) {
 const Entry kBold = team_of({{"line_m", "m", -0.5, -4, 4, "How far it stays back."},
                              {"share", "1", 0.25, 0, 1, "Of its passes."}});
 
-TEST(TeamsReport, ListsEveryTeamWithItsSentence) {
+TEST(TeamsReport, ListsEveryTeamWithItsDescription) {
   const std::string text = teams_text();
   for (const Entry& team : all_strategies()) {
     EXPECT_NE(text.find("\n" + std::string(team.name) + " "), std::string::npos) << team.name;
@@ -27,7 +27,7 @@ TEST(TeamsReport, ListsEveryTeamWithItsSentence) {
   }
 }
 
-TEST(TeamsReport, TellsEachParametersUnitDefaultAndRange) {
+TEST(TeamsReport, ShowsEachParametersUnitDefaultAndRange) {
   EXPECT_EQ(team_text(kBold),
             "bold: Runs at the goal.\n"
             "\n"
@@ -38,15 +38,15 @@ TEST(TeamsReport, TellsEachParametersUnitDefaultAndRange) {
             "In a scenario: { strategy: bold, params: { line_m: -0.5 } }\n");
 }
 
-TEST(TeamsReport, TellsScriptsTheSame) {
+TEST(TeamsReport, PrintsTheSameAsJson) {
   EXPECT_EQ(team_json(team_of({{"line_m", "m", -0.5, -4, 4, "How far."}})),
             "{\"name\": \"bold\", \"about\": \"Runs at the goal.\", \"params\": [{\"name\": "
             "\"line_m\", \"unit\": \"m\", \"default\": -0.5, \"least\": -4, \"most\": 4, "
             "\"about\": \"How far.\"}]}\n");
 }
 
-TEST(TeamsReport, SaysSoWhereATeamHasNoParameters) {
-  EXPECT_EQ(team_text(team_of({})), "bold: Runs at the goal.\n\nIt has no parameters.\n");
+TEST(TeamsReport, SaysIfATeamHasNoParameters) {
+  EXPECT_EQ(team_text(team_of({})), "bold: Runs at the goal.\n\nThis team has no parameters.\n");
 }
 
 TEST(AllStrategies, AreOrderedByName) {
@@ -54,7 +54,7 @@ TEST(AllStrategies, AreOrderedByName) {
                              [](const Entry& x, const Entry& y) { return x.name < y.name; }));
 }
 
-TEST(AllStrategies, HaveTheirParametersDefaultsInTheirRanges) {
+TEST(AllStrategies, HaveParameterDefaultsWithinTheirRanges) {
   for (const Entry& team : all_strategies()) {
     for (const Parameter& parameter : team.params) {
       EXPECT_GE(parameter.standard, parameter.least) << team.name << " " << parameter.name;

@@ -21,14 +21,14 @@ class ViewVerb : public testing::Test {
   std::string page_ = folder_ / "game.html";
 };
 
-TEST_F(ViewVerb, MakesAPageOfALog) {
+TEST_F(ViewVerb, TurnsALogIntoAPage) {
   const Answer answer = view(write_short_log(folder_, "paper"));
   EXPECT_EQ(answer.code, kDone) << answer.err;
   EXPECT_TRUE(answer.out.starts_with(page_)) << answer.out;
   EXPECT_NE(content_of(page_).find(R"x("teams": ["basic (a)", "basic (b)"])x"), std::string::npos);
 }
 
-TEST_F(ViewVerb, ShowsWhatStandsBeforeDamageAndSaysWhereItIs) {
+TEST_F(ViewVerb, ShowsWhatPrecedesDamageAndSaysWhereItIs) {
   const std::string log = write_short_log(folder_, "paper");
   const std::string bytes = content_of(log);
   write_content(log, bytes.substr(0, bytes.size() / 2));
@@ -47,13 +47,13 @@ TEST_F(ViewVerb, RefusesALogWithoutFrames) {
   EXPECT_FALSE(std::filesystem::exists(page_));
 }
 
-TEST_F(ViewVerb, RefusesWhatIsNoLog) {
+TEST_F(ViewVerb, RefusesAFileThatIsNotALog) {
   const Answer answer = view(in_checkout("README.md"));
   EXPECT_EQ(answer.code, kBadInput);
   EXPECT_NE(answer.err.find("SSL_LOG_FILE"), std::string::npos) << answer.err;
 }
 
-TEST_F(ViewVerb, DoesNotWriteOverTheLog) {
+TEST_F(ViewVerb, DoesNotOverwriteTheLog) {
   const std::string log = write_short_log(folder_, "paper");
   const std::string bytes = content_of(log);
   page_ = log;
@@ -61,7 +61,7 @@ TEST_F(ViewVerb, DoesNotWriteOverTheLog) {
   EXPECT_EQ(content_of(log), bytes);
 }
 
-TEST_F(ViewVerb, NamesALineThatIsNoDecision) {
+TEST_F(ViewVerb, NamesALineThatIsNotADecision) {
   const std::string events = folder_ / "events.jsonl";
   write_content(events, "no decision\n");
   const Answer answer = view(write_short_log(folder_, "paper"), {"--events", events.c_str()});
@@ -76,8 +76,8 @@ TEST_F(ViewVerb, NamesTheLogAndTheBuildThatMadeThePage) {
       std::string::npos);
 }
 
-// Its own decisions come with their reasons.
-TEST_F(ViewVerb, IsWhatPlayMakesInOneGo) {
+// The page includes its own decisions with their reasons.
+TEST_F(ViewVerb, IsAlsoMadeByPlay) {
   const std::string game = in_checkout("scenarios/paper-game.yaml");
   const Answer answer =
       answer_to({"play", game.c_str(), "--set", "match.half_s=3", "--view", page_.c_str()});

@@ -196,7 +196,7 @@ TEST_F(JudgedRun, IsVerifiedByPlayingItsGamesAgain) {
   judge(whole_);
   const Answer answer = ask("verify", whole_, {"--sample", "2", "-j", "1"});
   EXPECT_EQ(answer.code, kDone) << answer.err;
-  EXPECT_NE(answer.out.find("2 of 2 games came out as their rows say"), std::string::npos);
+  EXPECT_NE(answer.out.find("2 of 2 games match their rows"), std::string::npos);
 }
 
 }  // namespace

@@ -160,8 +160,8 @@ TEST_F(ForeignLog, OfAFieldThatIsNoneIsRefusedWithTheSettingToChange) {
   write({.change_field = [](league::FieldSize& size) { size.set_field_length(100); }});
   const Answer answer = referee();
   EXPECT_EQ(answer.code, kBadInput);
-  EXPECT_NE(answer.err.find("cannot be judged: field.length_m is 0.1; it must be from 4 to 30; "
-                            "--set changes it"),
+  EXPECT_NE(answer.err.find("cannot be refereed: field.length_m is 0.1; it must be from 4 to 30; "
+                            "use --set to change it"),
             std::string::npos)
       << answer.err;
   EXPECT_EQ(referee({"--set", "field.length_m=6.05"}).code, kDone);
@@ -194,14 +194,15 @@ TEST_F(ForeignLog, WithoutVisionIsRefused) {
   EXPECT_EQ(run("info", {}).code, kDone);
   const Answer answer = referee();
   EXPECT_EQ(answer.code, kBadInput);
-  EXPECT_NE(answer.err.find("holds no vision packets of 2014 to judge"), std::string::npos);
+  EXPECT_NE(answer.err.find("contains no 2014 vision packets to referee"), std::string::npos);
 }
 
 TEST_F(ForeignLog, TakesItsRuleBookByTheFlagThatKeepsItsField) {
   write({});
   const Answer answer = referee({"--set", "match.rules=2026-b"});
   EXPECT_EQ(answer.code, kBadInput);
-  EXPECT_NE(answer.err.find("choose the rule book with --rules"), std::string::npos) << answer.err;
+  EXPECT_NE(answer.err.find("use --rules to choose the rule book"), std::string::npos)
+      << answer.err;
 }
 
 // A game of one's own, by what `autoref play` writes.
