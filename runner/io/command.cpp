@@ -14,7 +14,7 @@
 namespace autoref::runner {
 namespace {
 
-// The error's number; 0 when `pid` runs.
+// Starts the program. Returns 0 and sets `pid`, or returns the error number.
 int start(const std::vector<std::string>& words, int out, pid_t& pid) {
   std::vector<char*> arguments;
   arguments.reserve(words.size() + 1);

@@ -1,4 +1,4 @@
-// Programs that others wrote, run for what they print.
+// Runs external programs and collects their output.
 #pragma once
 
 #include <optional>
@@ -8,12 +8,12 @@
 namespace autoref::runner {
 
 struct CommandResult {
-  int code = 0;     // its exit code, or 128 and the signal that ended it
-  std::string out;  // what it wrote to stdout; its stderr is this program's
+  int code = 0;     // its exit code, or 128 plus the number of the signal that ended it
+  std::string out;  // its stdout; its stderr goes to this program's stderr
 };
 
-// Runs a program found in PATH, with the arguments as they are, to its end; none where there is no
-// such program. Throws InputOutputError where no process can be started.
+// Runs a program found in PATH to its end; the arguments are passed on without a shell. Returns
+// nullopt if there is no such program. Throws InputOutputError if no process can be started.
 std::optional<CommandResult> run_command(const std::vector<std::string>& words);
 
 }  // namespace autoref::runner

@@ -13,7 +13,7 @@ std::string quoted(const std::string& cell) {
   return text + "\"";
 }
 
-// Reads one cell from the start of `rest` and removes it; false if its quotes do not match.
+// Removes one cell from the start of `rest`. Returns false if its quotes do not match.
 bool take_cell(std::string_view& rest, std::string& cell) {
   cell.clear();
   if (!rest.starts_with('"')) {

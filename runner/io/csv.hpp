@@ -1,4 +1,4 @@
-// Comma-separated values as RFC 4180 has them, one row a line.
+// Comma-separated values as defined by RFC 4180, one row per line.
 #pragma once
 
 #include <optional>
@@ -11,14 +11,14 @@ namespace autoref::runner {
 using Cells = std::vector<std::string>;
 void append(Cells& cells, const Cells& more);
 
-// One line without its end. Cells with commas or quotes are quoted; line ends in cells become
-// spaces, so that a row is a line.
+// One row, without the line end. Cells with commas or quotes are quoted; line breaks in cells
+// become spaces so that each row is a single line.
 std::string csv_line(const Cells& cells);
 
-// The cells of one line; none where its quotes do not match.
+// Returns the cells of one line, or nullopt if its quotes do not match.
 std::optional<Cells> csv_cells(std::string_view line);
 
-// The complete lines of a text: what follows the last line end is left out.
+// Returns the complete lines of a text; anything after the last line end is dropped.
 std::vector<std::string_view> complete_lines(std::string_view text);
 
 }  // namespace autoref::runner

@@ -27,7 +27,7 @@ InputOutputError io_error(std::string_view what, int error_number) {
 }
 
 void write_message(std::FILE* stream, std::string_view text) {
-  // Whether it arrived does not matter to anybody who could still be told.
+  // A failed write is ignored: there is nobody left to report it to.
   std::fwrite(text.data(), 1, text.size(), stream);
   std::fflush(stream);
 }

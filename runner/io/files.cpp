@@ -22,13 +22,13 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kLongestUserFile = 10'000'000;
 constexpr std::size_t kLongestFile = 4'000'000'000;
-constexpr double kPatience_s = 60;  // many shards may end, and write their results, at once
+constexpr double kPatience_s = 60;  // many shards may end at once, and all write their results
 
 InputOutputError cannot_write(const fs::path& path) {
   return io_error(fmt::format("{} cannot be written", path.string()), errno);
 }
 
-// Whether that name still leads to the open file.
+// Returns whether `path` still names the open file.
 bool is_named(int descriptor, const fs::path& path) {
   struct stat opened {};
   struct stat named {};
@@ -36,7 +36,8 @@ bool is_named(int descriptor, const fs::path& path) {
          opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
 }
 
-// The content, or the error's number; EFBIG for more than `most` bytes, as from /dev/zero.
+// Returns the content. On failure, sets `error_number`; EFBIG if there are more than `most` bytes,
+// as from /dev/zero.
 std::string read_through(const fs::path& path, std::size_t most, int& error_number) {
   const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
   error_number = descriptor < 0 ? errno : 0;
@@ -94,8 +95,8 @@ PendingFile::PendingFile(fs::path path, double patience_s) : path_(std::move(pat
   }
 }
 
-// The part's name is always the same, so that what a killed process has left is written over; the
-// lock tells that from what another process is writing.
+// The temporary file always has the same name, so leftovers of a killed process are overwritten. A
+// lock (flock) distinguishes them from a file that another process is still writing.
 void PendingFile::wait_for_part(double patience_s) {
   const auto until = Clock::now() + std::chrono::duration<double>(patience_s);
   while (!take_part()) {
@@ -112,7 +113,7 @@ bool PendingFile::take_part() {
   if (descriptor_ < 0) throw cannot_write(path_);
   const bool is_locked = flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
   const bool is_busy = !is_locked && (errno == EWOULDBLOCK || errno == EINTR);
-  // Whoever held it until now has renamed it, or removed it.
+  // The previous holder of the lock may have renamed or removed the file in the meantime.
   const bool is_gone = is_locked && !is_named(descriptor_, part_);
   if (is_locked && !is_gone && ftruncate(descriptor_, 0) == 0) return true;
   const int error_number = errno;
@@ -141,7 +142,7 @@ void PendingFile::commit(std::string_view text) {
 void replace_file(const fs::path& path, std::string_view text) {
   if (read_file(path) == text) return;
   PendingFile file(path, kPatience_s);
-  // Another run of the same experiment may just have written the same.
+  // Another run of the same experiment may just have written the same content.
   if (read_file(path) != text) file.commit(text);
 }
 

@@ -1,4 +1,4 @@
-// Files that are read whole, and files that appear whole or not at all.
+// Files that are read as a whole, and files that appear complete or not at all.
 #pragma once
 
 #include <filesystem>
@@ -8,22 +8,23 @@
 
 namespace autoref::runner {
 
-// The content of a file that the user named. Throws InputError where it cannot be read.
+// Returns the content of a file named by the user. Throws InputError if it cannot be read.
 std::string read_user_file(const std::filesystem::path& path);
 
-// The content; none where there is no such file. Throws InputOutputError for other troubles.
+// Returns the content, or nullopt if the file does not exist. Throws InputOutputError on other
+// failures.
 std::optional<std::string> read_file(const std::filesystem::path& path);
 
-// Writes all of `text` to a descriptor; throws InputOutputError that names `path`.
+// Writes all of `text` to a descriptor. Throws InputOutputError naming `path`.
 void write_all(int descriptor, std::string_view text, const std::filesystem::path& path);
 
-// A new content for a file, which appears under its name by commit() and not before. What is no
-// regular file (a pipe, /dev/stdout) is written to directly at commit(). A process that is killed
-// before leaves `path`.part, which the next one writes over.
+// New content for a file, which appears under its name only at commit(). Anything but a regular
+// file (a pipe, /dev/stdout) is written directly at commit(). A process killed before that leaves
+// `path`.part, which the next one overwrites.
 class PendingFile {
  public:
-  // Throws InputOutputError where the file cannot be created, or where another process keeps
-  // writing it for longer than `patience_s`.
+  // Throws InputOutputError if the file cannot be created, or if another process is still writing
+  // it after `patience_s`.
   explicit PendingFile(std::filesystem::path path, double patience_s = 2);
   ~PendingFile();
   PendingFile(const PendingFile&) = delete;
@@ -34,17 +35,17 @@ class PendingFile {
  private:
   bool is_direct() const { return part_ == path_; }
   void wait_for_part(double patience_s);
-  bool take_part();  // false where another process has it
+  bool take_part();  // returns false if another process holds it
 
   std::filesystem::path path_;
-  std::filesystem::path part_;  // written first, then renamed
+  std::filesystem::path part_;  // temporary file, renamed at commit()
   int descriptor_ = -1;
 };
 
-// Replaces a file's content; a file that has this content already is left alone.
+// Replaces a file's content. Leaves a file alone that already has this content.
 void replace_file(const std::filesystem::path& path, std::string_view text);
 
-// Creates a folder and those above it. Throws InputOutputError.
+// Creates a folder and its parents. Throws InputOutputError.
 void create_folder(const std::filesystem::path& path);
 
 }  // namespace autoref::runner

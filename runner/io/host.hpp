@@ -1,14 +1,14 @@
-// The machine that the program runs on.
+// The machine the program runs on.
 #pragma once
 
 #include <string>
 
 namespace autoref::runner {
 
-// Its network name; "unknown" where it has none.
+// Its network name, or "unknown".
 std::string host_name();
 
-// The processor's model name, as Linux reports it; "unknown" elsewhere.
+// The processor's model name as Linux reports it; "unknown" on other systems.
 std::string cpu_name();
 
 }  // namespace autoref::runner

@@ -7,10 +7,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostLinks = 40;  // as many as Linux follows
+constexpr int kMostLinks = 40;  // the limit of Linux
 
-// The name without links, "." and ".."; also of a file that does not exist, where the last link
-// may lead to it.
+// Resolves links, "." and "..". The file need not exist; the last component may be a dangling link.
 fs::path resolved(fs::path path) {
   std::error_code error;
   for (int i = 0; i < kMostLinks && fs::is_symlink(fs::symlink_status(path, error)); ++i) {

@@ -1,4 +1,4 @@
-// Tables for people.
+// Text tables.
 #pragma once
 
 #include <cstddef>
@@ -9,11 +9,11 @@ namespace autoref::runner {
 
 enum class Align { kLeft, kRight };
 
-// How many letters of UTF-8 stand side by side.
+// Width of a UTF-8 text in characters.
 std::size_t width_of(const std::string& text);
 
-// A line per row, all rows having as many cells as the first; columns as wide as their widest cell.
-// Cells are put to the right, those of the columns that `columns` says to the left.
+// Formats one line per row. All rows must have as many cells as the first. A column is as wide as
+// its widest cell; cells are right-aligned unless `columns` says otherwise.
 std::string aligned(const std::vector<std::vector<std::string>>& rows,
                     const std::vector<Align>& columns = {});
 

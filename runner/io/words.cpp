@@ -19,7 +19,7 @@ std::optional<Number> parsed(std::string_view text) {
   return number;
 }
 
-// Levenshtein's distance, one row of the table at a time.
+// Levenshtein distance, computed one table row at a time.
 std::size_t edit_distance(std::string_view from, std::string_view to) {
   std::vector<std::size_t> row(to.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -61,7 +61,7 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
 
 std::string suggestion(std::string_view word, const std::vector<std::string>& words) {
   const std::string nearest = nearest_word(word, words);
-  // Begun, or with at most every other letter wrong.
+  // Accept prefixes, and words with at most every other letter wrong.
   const bool is_begun = !word.empty() && nearest.starts_with(word);
   if (!is_begun && 2 * edit_distance(word, nearest) > nearest.size()) return {};
   return fmt::format("; did you mean '{}'?", nearest);

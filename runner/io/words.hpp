@@ -9,22 +9,22 @@
 
 namespace autoref::runner {
 
-// The number that the whole of `text` spells, none where it spells none. Decimal, with a point
-// whatever the locale, and finite: "0.5", "-2", "1e-3", not "0x10", "inf", "1,5" or "1 ".
+// Parses the whole of `text` as a finite decimal number; nullopt otherwise. The decimal separator
+// is a point in every locale: "0.5", "-2", "1e-3", but not "0x10", "inf", "1,5" or "1 ".
 std::optional<double> number_in(std::string_view text);
 
-// Whole numbers, without point and exponent.
+// Parses a whole number, without point or exponent.
 std::optional<int> whole_number_in(std::string_view text);
 std::optional<std::uint64_t> seed_in(std::string_view text);
 
-// The shortest text that reads back as the same number; always with a point or an exponent.
+// Shortest text that reads back as the same number, always with a point or an exponent.
 std::string text_of(double number);
 
-// The word that takes the fewest letters inserted, removed or exchanged to reach; the first of
-// several. Empty where there are no words.
+// Returns the known word with the smallest edit distance, the first of several. Empty if `words` is
+// empty.
 std::string nearest_word(std::string_view word, const std::vector<std::string>& words);
 
-// "; did you mean 'robots'?" for a word that is close to one of the words; empty where none is.
+// "; did you mean 'robots'?" if the word is close to a known one, otherwise empty.
 std::string suggestion(std::string_view word, const std::vector<std::string>& words);
 
 // "a, b, c".

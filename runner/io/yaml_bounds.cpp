@@ -15,21 +15,23 @@ namespace {
 using YAML::anchor_t;
 using YAML::Mark;
 
-// How many nodes a value unfolds to, itself among them, and how deep it goes.
+// Number of nodes a value expands to, itself included, and its nesting depth.
 struct Extent {
   std::int64_t nodes = 1;
   std::size_t depth = 0;
 };
 
-// Counts nodes as a reader would meet them. Throws BeyondBounds.
+// Counts nodes as a reader of the document would visit them. Throws BeyondBounds.
 class BoundsCheck final : public YAML::EventHandler {
  public:
   explicit BoundsCheck(const YamlBounds& bounds) : bounds_(bounds) {}
 
-  // The parser finds empty documents without end where it cannot go on.
+  // The parser reports empty documents forever if it cannot make progress.
   void OnDocumentStart(const Mark& mark) override {
     if (mark.pos <= last_document_) {
-      refuse(mark, "no value begins like this; is a '[' or '{' before it missing, or are quotes?");
+      refuse(mark,
+             "no value can start like this; is a '[' or '{' missing before it, or are quotes "
+             "missing?");
     }
     last_document_ = mark.pos;
     anchors_.clear();
@@ -48,7 +50,7 @@ class BoundsCheck final : public YAML::EventHandler {
     const auto found = anchors_.find(anchor);
     if (found == anchors_.end()) {
       refuse(mark,
-             "this alias (*) stands inside the very value that it repeats, which would never end; "
+             "this alias (*) is inside the value it refers to, which would never end; "
              "write out what is meant instead");
     }
     add(mark, found->second);
@@ -96,7 +98,7 @@ class BoundsCheck final : public YAML::EventHandler {
     if (anchor != YAML::NullAnchor) anchors_[anchor] = extent;
   }
 
-  // To whatever is open.
+  // Adds to the innermost open list or mapping.
   void add(const Mark& mark, const Extent& extent) {
     check_depth(mark, open_.size() + extent.depth);
     if (open_.empty()) return;
@@ -104,22 +106,23 @@ class BoundsCheck final : public YAML::EventHandler {
     whole.nodes += extent.nodes;
     whole.depth = std::max(whole.depth, extent.depth + 1);
     if (whole.nodes <= bounds_.nodes) return;
-    refuse(mark, fmt::format("up to here there are more than {} values, counting what aliases (*) "
-                             "repeat; write fewer, or leave the aliases out",
-                             bounds_.nodes));
+    refuse(mark,
+           fmt::format("there are more than {} values up to here, counting those that aliases (*) "
+                       "repeat; write fewer, or leave the aliases out",
+                       bounds_.nodes));
   }
 
   void check_depth(const Mark& mark, std::size_t depth) const {
     if (depth <= bounds_.depth) return;
-    refuse(mark, fmt::format("lists and mappings stand in each other more than {} deep; is one "
-                             "before here not closed?",
+    refuse(mark, fmt::format("lists and mappings are nested more than {} deep; is one "
+                             "not closed before this?",
                              bounds_.depth));
   }
 
   YamlBounds bounds_;
-  int last_document_ = -1;  // where it begins, counted in bytes
+  int last_document_ = -1;  // byte at which it starts
   std::vector<Open> open_;
-  std::map<anchor_t, Extent> anchors_;  // of this document, those that are complete
+  std::map<anchor_t, Extent> anchors_;  // completed anchors of this document
 };
 
 }  // namespace
@@ -127,7 +130,8 @@ class BoundsCheck final : public YAML::EventHandler {
 std::optional<BeyondBounds> beyond_bounds(const std::string& text, const YamlBounds& bounds) {
   if (text.size() > bounds.bytes) {
     return BeyondBounds{
-        0, 0, fmt::format("there are {} bytes; at most {} can be read", text.size(), bounds.bytes)};
+        0, 0,
+        fmt::format("the text has {} bytes; at most {} can be read", text.size(), bounds.bytes)};
   }
   std::istringstream stream(text);
   YAML::Parser parser(stream);

@@ -1,4 +1,4 @@
-// Tables cut to a screen. Declared in standings_table.hpp.
+// Fits tables to a screen. Declared in standings_table.hpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ void remove_column(ProgressTable& table, std::size_t column) {
   for (std::size_t& other : table.dispensable) other -= other > column ? 1 : 0;
 }
 
-// The table with as many columns as fit.
+// Keeps as many columns as fit.
 ProgressTable narrowed(ProgressTable table, int columns) {
   const auto most = static_cast<std::size_t>(std::max(1, columns - 1));
   while (table.rows.front().size() > 1 && widest_line(aligned(table.rows, table.columns)) > most) {
@@ -42,12 +42,12 @@ ProgressTable narrowed(ProgressTable table, int columns) {
   return table;
 }
 
-// Lines that are too long are broken between words.
+// Breaks long lines between words.
 std::string wrapped(const std::string& text, int columns) {
   const auto most = static_cast<std::size_t>(std::max(1, columns - 1));
   std::string lines = text;
   std::size_t begin = 0;
-  std::size_t space = std::string::npos;  // the last one of the line
+  std::size_t space = std::string::npos;  // the last space of the line
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (lines[i] == '\n') {
       begin = i + 1;
@@ -69,13 +69,13 @@ int line_count(const std::string& text) {
   return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
 }
 
-// The table in at most so many lines, of which there are at least two. Columns are as wide as for
-// all rows, so that they stay where they are when rows change places.
+// Cuts the table to `lines` lines, at least two. Columns are as wide as for all rows, so they stay
+// in position when rows change places.
 std::string shortened(const ProgressTable& table, int lines) {
   std::string text = aligned(table.rows, table.columns);
   const auto most = static_cast<std::size_t>(lines);
   if (table.rows.size() <= most) return text;
-  const std::size_t shown = most - 1;  // the head among them
+  const std::size_t shown = most - 1;  // including the head
   std::size_t end = 0;
   for (std::size_t row = 0; row < shown; ++row) end = text.find('\n', end) + 1;
   return text.substr(0, end) +
@@ -85,7 +85,7 @@ std::string shortened(const ProgressTable& table, int lines) {
 }  // namespace
 
 std::string fitted(const std::vector<ProgressTable>& tables, int lines, int columns) {
-  constexpr int kLeastLines = 3;  // head, a row, and how many more
+  constexpr int kLeastLines = 3;  // head, one row, and the number of remaining rows
   std::string text;
   for (const ProgressTable& table : tables) {
     const int gap = text.empty() ? 0 : 1;

@@ -15,17 +15,17 @@ namespace autoref::runner {
 namespace {
 
 constexpr std::chrono::seconds kBetweenLines{5};
-constexpr std::chrono::seconds kBetweenDrawings{1};  // of the same
-constexpr int kRowsAfterwards = 3;  // of a screen, for a message of two lines and the prompt
+constexpr std::chrono::seconds kBetweenDrawings{1};  // of the terminal view
+constexpr int kRowsAfterwards = 3;  // screen rows left for a two-line message and the prompt
 
-// Whether lines can be drawn over there.
+// Whether the stream is a terminal on which lines can be redrawn.
 bool is_terminal(std::FILE* stream) {
   if (stream == nullptr || isatty(fileno(stream)) != 1) return false;
   const char* const name = std::getenv("TERM");
   return name == nullptr || std::string_view(name) != "dumb";
 }
 
-// Games a second; none before the first.
+// Games per second; nullopt before the first game.
 std::optional<double> rate_of(const GameCounts& counts, double elapsed_s) {
   if (counts.played == 0 || elapsed_s <= 0) return std::nullopt;
   return counts.played / elapsed_s;
@@ -169,7 +169,7 @@ double Progress::elapsed_s() const {
   return std::chrono::duration<double>(Clock::now() - began_).count();
 }
 
-// The last state, whatever was written before.
+// Writes the final state, whenever the last update was.
 void Progress::end() {
   if (stream_ == nullptr || !is_started_ || style_ == ProgressStyle::kNone) return;
   next_view_ = Clock::now();

@@ -1,4 +1,4 @@
-// How far an experiment is, on stderr.
+// Reports an experiment's progress on stderr.
 #pragma once
 
 #include <chrono>
@@ -15,70 +15,68 @@ namespace autoref::runner {
 
 struct GameCounts {
   int total = 0;
-  int done = 0;                   // of them, by this run and former ones
+  int done = 0;                   // by this run and earlier ones
   int played = 0;                 // by this run
-  std::optional<int> voids = {};  // of those done; none where nobody counts them
+  std::optional<int> voids = {};  // among those done; nullopt if not counted
 };
 
 // "1 h 05 min", "2 min 05 s", "9 s".
 std::string duration_text(double seconds);
 
-// "12/120 games   62 games/min   1 min 44 s left   0 void", `elapsed_s` after this run's begin. The
-// speed is left out until a game has been played.
+// "12/120 games   62 games/min   1 min 44 s left   0 void", `elapsed_s` after the start of this
+// run. The speed is omitted until a game has been played.
 std::string progress_text(const GameCounts& counts, double elapsed_s);
 
-// How progress is written.
+// Style of the progress output.
 enum class ProgressStyle {
-  kAuto,   // kPlain, but on a terminal a bar and tables that are drawn over; not if TERM is "dumb"
-  kPlain,  // a line every few seconds
-  kJson,   // likewise, each a JSON object
+  kAuto,   // on a terminal (unless TERM is "dumb") a redrawn bar and tables, otherwise kPlain
+  kPlain,  // one line every few seconds
+  kJson,   // the same as JSON objects
   kNone,   // messages only
 };
 
-// "plain", "json" or "none"; none for other words.
+// Parses "plain", "json" or "none"; nullopt for other words.
 std::optional<ProgressStyle> progress_style_of(std::string_view name);
 
-// What is known of the games so far, besides their counts.
+// Results so far, besides the counts.
 struct ProgressView {
-  std::string heading;                                    // a line above the tables
-  std::vector<ProgressTable> tables;                      // for a terminal
-  std::vector<std::pair<std::string, std::string>> json;  // further members and their values
+  std::string heading;                                    // line above the tables
+  std::vector<ProgressTable> tables;                      // shown on a terminal
+  std::vector<std::pair<std::string, std::string>> json;  // additional members and their values
 };
 
 // {"event": "progress", "done": 12, "total": 120, "void": 0, "played": 12, "elapsed_s": 11.6,
-//  "games_per_min": 62.1, "left_s": 104.3}, then the view's members. Numbers that are not known
-// are null.
+//  "games_per_min": 62.1, "left_s": 104.3}, then the view's members. Unknown numbers are null.
 std::string progress_json(std::string_view event, const GameCounts& counts, double elapsed_s,
                           const ProgressView& view);
 
-// Writes to a stream until it is destroyed; the last state is written in any case. There are no
-// colours.
+// Writes progress to a stream until destroyed; always writes the final state. Uses no colours.
 class Progress {
  public:
-  // Nothing is written where `stream` is null.
+  // Writes nothing if `stream` is null.
   explicit Progress(std::FILE* stream, ProgressStyle style = ProgressStyle::kAuto);
   Progress(std::FILE* stream, const GameCounts& counts, ProgressStyle style = ProgressStyle::kAuto);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // What there is to play; may be called again when that changes. `played` is counted here. Before
-  // the first call only messages are written.
+  // Sets the number of games; call again if it changes. The class counts `played` itself. Before
+  // the first call, only messages are written.
   void expect(const GameCounts& counts);
 
-  // What is shown besides the counts. `view` is called at most once a second, and seldom enough to
-  // take at most a hundredth of the time.
+  // Sets what to show besides the counts. `view` is called at most once a second, and rarely enough
+  // to take at most 1 % of the time.
   void show(std::function<ProgressView()> view) { view_of_ = std::move(view); }
 
   void game_done(bool is_void = false);
 
-  // Writes what is due; to be called several times a second.
+  // Writes an update if one is due. Call it several times a second.
   void tick();
 
-  // A message of its own line; {"event": "note", "text": "..."} as JSON.
+  // Writes a message on its own line; as JSON, {"event": "note", "text": "..."}.
   void say(const std::string& message);
 
-  // A terminal keeps the tables in the end, not the bar alone.
+  // Leaves the tables on a terminal at the end, not only the bar.
   void keep_tables() { keeps_tables_ = true; }
 
  private:
@@ -93,7 +91,7 @@ class Progress {
   void end();
 
   std::FILE* stream_;
-  ProgressStyle style_;  // kAuto on a terminal alone
+  ProgressStyle style_;  // kAuto only on a terminal
   GameCounts counts_;
   bool is_started_ = false;
   bool keeps_tables_ = false;

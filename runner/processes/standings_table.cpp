@@ -10,7 +10,7 @@ namespace {
 
 bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }
 
-// The first `columns` characters of a line of UTF-8, each of which takes one column.
+// Returns the first `columns` characters of a UTF-8 line, assuming one column per character.
 std::string_view cut(std::string_view line, int columns) {
   int characters = 0;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -31,10 +31,10 @@ std::vector<std::string_view> lines_of(std::string_view text) {
 
 struct Drawn {
   std::string text;
-  std::size_t lines_below = 0;  // the bar
+  std::size_t lines_below = 0;  // below the bar
 };
 
-// A line that filled the last column, or the last row, could make the terminal scroll.
+// Leaves the last column and the last row free: filling them could make the terminal scroll.
 Drawn drawn(std::string_view bar, std::string_view table, const Screen& screen) {
   std::vector<std::string_view> lines = lines_of(table);
   const auto most = static_cast<std::size_t>(table_lines(screen));
@@ -69,7 +69,7 @@ std::string bar_text(int done, int total, int width) {
 
 std::string bar_line(int done, int total, const std::string& text, int columns) {
   constexpr int kShortest = 4;
-  constexpr int kFrame = 4;  // brackets, a space, and the column that stays free
+  constexpr int kFrame = 4;  // brackets, a space and the free column
   constexpr int kLongest = 24;
   const int width = std::min(kLongest, columns - kFrame - static_cast<int>(text.size()));
   return width < kShortest ? text : bar_text(done, total, width) + text;

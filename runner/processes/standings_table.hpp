@@ -1,4 +1,4 @@
-// What a terminal shows of a run: a bar and tables of the games so far, drawn over by the next.
+// The terminal view of a run: a progress bar and tables of the games so far, redrawn in place.
 #pragma once
 
 #include <cstdio>
@@ -15,42 +15,42 @@ struct Screen {
   int columns = 80;
 };
 
-// Of the terminal that the stream writes to; the usual size where it does not tell.
+// Size of the terminal behind the stream; the usual size if unknown.
 Screen screen_of(std::FILE* stream);
 
-// A table; a small screen shows only part of it.
+// A table that can be shortened for small screens.
 struct ProgressTable {
-  std::vector<std::vector<std::string>> rows;  // the head, then the most important first
+  std::vector<std::vector<std::string>> rows;  // the head, then the rows by decreasing importance
   std::vector<Align> columns = {};
-  std::string noun = "rows";                  // what a row is, in the plural: "teams"
-  std::vector<std::size_t> dispensable = {};  // columns that go first where there is no room
-  std::string text = {};                      // lines below it, broken where they are too long
+  std::string noun = "rows";                  // what a row stands for, in the plural: "teams"
+  std::vector<std::size_t> dispensable = {};  // columns to drop first if space is short
+  std::string text = {};                      // text below the table, wrapped if too long
 };
 
-// As much of the tables as fits so many lines and columns, the most important table first. Columns
-// that do not fit are left out, first the dispensable ones, then those at the right; rows that do
-// not fit are counted in a last line, "... 12 more teams".
+// Fits the tables into this many lines and columns, the most important table first. Drops columns
+// that do not fit, first the dispensable ones, then the rightmost; a last line counts the rows left
+// out: "... 12 more teams".
 std::string fitted(const std::vector<ProgressTable>& tables, int lines, int columns);
 
-// "[######......] " for `done` of `total`, with a bar of so many characters.
+// "[######......] " for `done` of `total`, with a bar of `width` characters.
 std::string bar_text(int done, int total, int width = 24);
 
-// The same before `text`, with a bar as long as there is room for in one line of so many columns;
-// `text` alone where there is none.
+// The bar followed by `text` in one line of `columns` columns, the bar as long as space allows;
+// only `text` if there is no space for a bar.
 std::string bar_line(int done, int total, const std::string& text, int columns);
 
-// Makes the line that the cursor is in, and all below it, empty.
+// Clears the cursor's line and everything below it.
 inline constexpr std::string_view kClearTable = "\r\033[J";
 
-// Draws `bar` and below it `table`, whose lines may be none, where the cursor is; leaves the cursor
-// in the bar's line, for kClearTable or the next view. What does not fit the screen is cut off.
+// Draws `bar` at the cursor and `table` (possibly empty) below it, and leaves the cursor in the
+// bar's line, for kClearTable or the next view. Cuts off what does not fit the screen.
 std::string standings_table(std::string_view bar, std::string_view table, const Screen& screen);
 
-// The same to stay on the screen: the cursor ends in the line below.
+// The same for a final view: the cursor ends in the line below.
 std::string last_standings_table(std::string_view bar, std::string_view table,
                                  const Screen& screen);
 
-// How many lines there are below the bar.
+// Number of lines available below the bar.
 int table_lines(const Screen& screen);
 
 }  // namespace autoref::runner

@@ -23,15 +23,15 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kLongestMessage = 128 * 1024;
 
-// A worker's life: jobs in, results out, until the other end closes. Ctrl-C reaches the whole
-// group of processes; the parent alone decides what it means.
+// Main loop of a worker: reads jobs and writes results until the other end closes. Ctrl-C reaches
+// the whole process group; only the parent decides what to do about it.
 [[noreturn]] void live_as_worker(int socket, pid_t parent, const sigset_t& former_mask,
                                  const WorkerProcess::Work& work) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(1);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);
   sigprocmask(SIG_SETMASK, &former_mask, nullptr);
-  // Other descriptors are the parent's: the lock on its rows and its ends of other sockets.
+  // The other descriptors belong to the parent: the lock on its rows and its ends of other sockets.
   if (socket > 3) close_range(3, static_cast<unsigned>(socket - 1), 0);
   close_range(static_cast<unsigned>(socket + 1), ~0U, 0);
   std::uint64_t job = 0;

@@ -1,4 +1,4 @@
-// One worker process, and the signals that ask a run to end. For workers.cpp.
+// One worker process, and the signals that ask a run to end. Used by workers.cpp.
 #pragma once
 
 #include <sys/types.h>
@@ -11,7 +11,7 @@
 
 namespace autoref::runner {
 
-// Holds back SIGINT, SIGTERM and SIGHUP while it lives, and counts them.
+// Blocks SIGINT, SIGTERM and SIGHUP during its lifetime, and counts them.
 class EndSignals {
  public:
   EndSignals();
@@ -19,10 +19,10 @@ class EndSignals {
   EndSignals(const EndSignals&) = delete;
   EndSignals& operator=(const EndSignals&) = delete;
 
-  int descriptor() const { return descriptor_; }           // readable when one has come
-  const sigset_t& former_mask() const { return former_; }  // of signals, for workers
+  int descriptor() const { return descriptor_; }           // readable when a signal has arrived
+  const sigset_t& former_mask() const { return former_; }  // signal mask to restore in workers
 
-  // How many have come so far.
+  // Number of signals so far.
   int count();
 
  private:
@@ -36,7 +36,7 @@ struct Job {
   int attempt = 1;
 };
 
-// One process, or the place for one. It is killed with this object.
+// A process, or an empty slot for one. Destroying the object kills the process.
 class WorkerProcess {
  public:
   using Work = std::function<std::string(std::size_t job)>;
@@ -48,21 +48,23 @@ class WorkerProcess {
 
   bool is_busy() const { return job_.has_value(); }
   const Job& job() const { return *job_; }
-  int socket() const { return socket_; }  // readable when an answer is there, or none will come
+  int socket() const {
+    return socket_;
+  }  // readable when an answer has arrived or the worker has died
   double busy_s() const;
 
-  // Starts the process where there is none. Throws InputOutputError.
+  // Starts the process unless it is running. Throws InputOutputError.
   void start(const EndSignals& signals, const Work& work);
 
-  // Sending to a dead worker fails silently: its end is noticed when its answer is read.
+  // Sends a job. Fails silently if the worker is dead; that is noticed when its answer is read.
   void give(const Job& job);
 
-  // The answer to the job; none where the worker is dead.
+  // Returns the answer to the job, or nullopt if the worker is dead.
   std::optional<std::string> answer();
 
   void be_free() { job_.reset(); }
 
-  // Says how the process ended; one that is still there is killed.
+  // Ends the process, killing it if necessary, and says how it ended.
   std::string end();
 
  private:

@@ -87,7 +87,7 @@ class Pool {
     const Job job = worker.job();
     const double wall_s = worker.busy_s();
     worker.end();
-    // What hangs once hangs again: another attempt would only cost as much time again.
+    // A job that hangs once will hang again: a retry would only waste the same time.
     give_up(job, fmt::format("it took longer than {} s", options_.longest_job_s), wall_s, true);
   }
 

@@ -35,7 +35,7 @@ TEST(PendingFile, WritesToDevicesDirectlyAndReportsAFullDisk) {
   EXPECT_THROW(PendingFile("/dev/full").commit("x"), InputOutputError);
 }
 
-TEST(PendingFile, WritesOverWhatAKilledProcessHasLeft) {
+TEST(PendingFile, OverwritesWhatAKilledProcessLeft) {
   const TemporaryFolder folder;
   const pid_t child = fork();
   if (child == 0) {
@@ -43,7 +43,7 @@ TEST(PendingFile, WritesOverWhatAKilledProcessHasLeft) {
     std::raise(SIGKILL);
   }
   waitpid(child, nullptr, 0);
-  ASSERT_FALSE(std::filesystem::is_empty(folder.path()));  // else nothing was left
+  ASSERT_FALSE(std::filesystem::is_empty(folder.path()));  // otherwise nothing was left behind
   PendingFile(folder / "x").commit("new");
   EXPECT_EQ(content_of(folder / "x"), "new");
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
@@ -58,7 +58,7 @@ TEST(PendingFile, IsRefusedWhileAnotherWritesIt) {
   EXPECT_EQ(content_of(folder / "x"), "second");
 }
 
-TEST(ReplaceFile, IsSafeFromSeveralProcessesAtOnce) {
+TEST(ReplaceFile, IsSafeInSeveralProcessesAtOnce) {
   const TemporaryFolder folder;
   const auto write_often = [&folder](char letter) {
     for (int i = 0; i < 100; ++i) replace_file(folder / "x", std::string(10000, letter));
@@ -76,7 +76,7 @@ TEST(ReplaceFile, IsSafeFromSeveralProcessesAtOnce) {
   EXPECT_EQ(text, std::string(10000, text.at(0)));
 }
 
-TEST(ReplaceFile, LeavesAFileOfTheSameContentAlone) {
+TEST(ReplaceFile, LeavesAFileWithTheSameContentAlone) {
   const TemporaryFolder folder;
   replace_file(folder / "x", "same");
   const auto time = std::filesystem::last_write_time(folder / "x");

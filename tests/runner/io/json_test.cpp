@@ -12,12 +12,12 @@ namespace {
 
 TEST(Json, EscapesTexts) { EXPECT_EQ(json_text("a\"b\\c\n\x01"), "\"a\\\"b\\\\c\\n\\u0001\""); }
 
-TEST(Json, KnowsNoNumberThatIsNotFinite) {
+TEST(Json, WritesNullForNumbersThatAreNotFinite) {
   EXPECT_EQ(json_number(0.1), "0.1");
   EXPECT_EQ(json_number(std::numeric_limits<double>::quiet_NaN()), "null");
 }
 
-TEST(DecisionJson, SaysNullForWhatIsNotKnown) {
+TEST(DecisionJson, WritesNullForUnknownValues) {
   referee::Decision decision;
   decision.transition = "T1";
   decision.finding.rule = "paper 4.2";
@@ -48,7 +48,7 @@ TEST(DecisionJson, NamesRobotsByColourAndNumber) {
   EXPECT_NE(json.find(R"("value": 0.25)"), std::string::npos);
 }
 
-TEST(DecisionJson, SaysUnknownOfATouchByNobodyKnowsWhom) {
+TEST(DecisionJson, WritesUnknownIfTheToucherIsUnknown) {
   referee::Decision decision;
   decision.last_touch.time_s = 12.5;
   const std::string json = decision_json(decision);
@@ -92,7 +92,7 @@ TEST(GameReport, NamesTheTeamsTheSeedAndTheRuleBook) {
       << json;
 }
 
-TEST(GameReport, TellsPeopleTheScore) {
+TEST(GameReport, ShowsTheScore) {
   GameConfiguration game;
   game.match.a_plays = Side::kEast;
   GameRecord record;
@@ -101,7 +101,7 @@ TEST(GameReport, TellsPeopleTheScore) {
       text_of({game, record, 2.0, "x"}).starts_with("a (basic, east)  3 : 0  b (basic, west)"));
 }
 
-TEST(GameReport, ShowsPeopleWhatBothTeamsDid) {
+TEST(GameReport, ShowsThePlayCountsOfBothTeams) {
   GameConfiguration game;
   GameRecord record;
   record.counts[0] = {12, 7, 30, 21, 300, 3, 5};

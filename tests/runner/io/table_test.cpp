@@ -5,7 +5,7 @@
 namespace autoref::runner {
 namespace {
 
-TEST(Table, PutsCellsToTheRightUnlessReportedOtherwise) {
+TEST(Table, AlignsCellsRightByDefault) {
   EXPECT_EQ(aligned({{"a", "x"}, {"bcd", "100"}}, {Align::kLeft}), "a       x\nbcd   100\n");
 }
 

@@ -14,7 +14,7 @@ TEST(NumberIn, ReadsPlainDecimalNumbers) {
   EXPECT_EQ(number_in("1e-3"), 0.001);
 }
 
-TEST(NumberIn, RefusesWhatIsNotWhollyANumber) {
+TEST(NumberIn, RefusesTextThatIsNotEntirelyANumber) {
   for (const char* text : {"", " ", "1 ", " 1", "1,5", "1.5m", "0x10", "inf", "-inf", "nan",
                            "1e999", "ten", "+-1", "++1", "1_000"}) {
     EXPECT_FALSE(number_in(text)) << text;
@@ -23,7 +23,7 @@ TEST(NumberIn, RefusesWhatIsNotWhollyANumber) {
 
 TEST(NumberIn, DoesNotDependOnTheLocale) {
   const std::string former = std::setlocale(LC_ALL, nullptr);
-  std::setlocale(LC_ALL, "de_DE.UTF-8");  // where it exists, the decimal point is a comma
+  std::setlocale(LC_ALL, "de_DE.UTF-8");  // if this locale exists, its decimal separator is a comma
   EXPECT_EQ(number_in("0.5"), 0.5);
   EXPECT_EQ(text_of(0.5), "0.5");
   std::setlocale(LC_ALL, former.c_str());
@@ -50,18 +50,18 @@ TEST(TextOf, IsTheShortestThatReadsBackEqual) {
   }
 }
 
-TEST(NearestWord, TakesTheFewestChangedLetters) {
+TEST(NearestWord, HasTheSmallestEditDistance) {
   EXPECT_EQ(nearest_word("robot", {"strategy", "robots", "params"}), "robots");
   EXPECT_EQ(nearest_word("stratgey", {"strategy", "robots"}), "strategy");
   EXPECT_EQ(nearest_word("x", {}), "");
 }
 
-TEST(Suggestion, IsAWordThatIsClose) {
+TEST(Suggestion, NamesAWordThatIsClose) {
   EXPECT_EQ(suggestion("zoen", {"basic", "zone"}), "; did you mean 'zone'?");
   EXPECT_EQ(suggestion("shot", {"pass_mps", "shot_mps"}), "; did you mean 'shot_mps'?");
 }
 
-TEST(Suggestion, IsNothingWhereNoWordIsClose) {
+TEST(Suggestion, IsEmptyIfNoWordIsClose) {
   EXPECT_EQ(suggestion("factors", {"pairs", "seed"}), "");
   EXPECT_EQ(suggestion("c", {"a", "b"}), "");
   EXPECT_EQ(suggestion("", {"a"}), "");

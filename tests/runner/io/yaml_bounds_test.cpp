@@ -1,4 +1,4 @@
-// Texts whose values unfold without end, or nearly so, are noticed before anybody walks them.
+// Texts that expand endlessly, or nearly so, are refused before anything walks them.
 #include "runner/io/yaml_bounds.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ std::string refusal_of(const std::string& text, const YamlBounds& bounds = {}) {
          beyond->message;
 }
 
-// Each line holds the one before nine times.
+// "Billion laughs": each line refers nine times to the one before.
 std::string laughs(int lines) {
   std::string text = "a0: &a0 [ha]\n";
   for (int i = 1; i <= lines; ++i) {
@@ -26,26 +26,26 @@ std::string laughs(int lines) {
   return text;
 }
 
-TEST(YamlBounds, RefuseAnAliasInsideTheValueThatItRepeats) {
+TEST(YamlBounds, RefuseAnAliasInsideTheValueItRefersTo) {
   for (const char* text : {"about: &x [*x]\n", "a: &x { b: *x }\n", "&x [1, [2, [*x]]]\n"}) {
     EXPECT_NE(refusal_of(text).find("write out what is meant instead"), std::string::npos) << text;
   }
   EXPECT_TRUE(refusal_of("schema: 1\nabout: &x [*x]\n").starts_with("2:12: this alias"));
 }
 
-TEST(YamlBounds, RefuseAliasesThatUnfoldToMillions) {
+TEST(YamlBounds, RefuseAliasesThatExpandToMillions) {
   EXPECT_EQ(refusal_of(laughs(4)), "within bounds");
   EXPECT_NE(refusal_of(laughs(9)).find("more than 200000 values"), std::string::npos);
   EXPECT_NE(refusal_of(laughs(25)).find("more than 200000 values"), std::string::npos);
 }
 
-TEST(YamlBounds, AllowAliasesThatSaveWriting) {
+TEST(YamlBounds, AllowOrdinaryAliases) {
   EXPECT_EQ(refusal_of("a: &fast { speed: 3 }\nb: *fast\nc: [*fast, *fast]\n"), "within bounds");
   EXPECT_EQ(refusal_of("a: &x 1\nb: *x\nc: &x [2]\nd: *x\n"),
             "within bounds");  // two anchors, one name
 }
 
-TEST(YamlBounds, CountWhatAliasesRepeat) {
+TEST(YamlBounds, CountTheNodesOfAliases) {
   const YamlBounds five{.nodes = 5};
   EXPECT_EQ(refusal_of("[1, 2, 3, 4]\n", five), "within bounds");
   EXPECT_NE(refusal_of("[1, 2, 3, 4, 5]\n", five), "within bounds");
@@ -76,7 +76,7 @@ TEST(YamlBounds, RefuseHugeTextsAndHugeLists) {
   EXPECT_NE(refusal_of(list + "1]\n").find("more than 200000 values"), std::string::npos);
 }
 
-TEST(YamlBounds, RefuseWhatTheParserWouldNeverGetPast) {
+TEST(YamlBounds, RefuseTextOnWhichTheParserWouldLoop) {
   for (const char* text : {", schema: 1\n", "}\n", "a: 1\n---\n, b\n", "] }\n"}) {
     std::string refusal;
     try {
@@ -89,7 +89,7 @@ TEST(YamlBounds, RefuseWhatTheParserWouldNeverGetPast) {
   EXPECT_TRUE(refusal_of(", schema: 1\n").starts_with("1:1: no value begins like this"));
 }
 
-TEST(YamlBounds, LeaveWhatIsInvalidToTheParser) {
+TEST(YamlBounds, LeaveInvalidTextToTheParser) {
   EXPECT_THROW(beyond_bounds("[1, 2\n"), YAML::Exception);
 }
 

@@ -24,22 +24,22 @@ TEST(DurationText, FitsTheLength) {
   EXPECT_EQ(duration_text(3900), "1 h 05 min");
 }
 
-TEST(ProgressText, TellsSpeedAndTimeLeft) {
-  // 10 games in 20 s: half a game a second; 60 are left.
+TEST(ProgressText, ShowsSpeedAndTimeLeft) {
+  // 10 games in 20 s, or 0.5 games/s; 60 are left.
   EXPECT_EQ(progress_text({.total = 120, .done = 60, .played = 10}, 20),
             "60/120 games   30 games/min   2 min 00 s left");
 }
 
-TEST(ProgressText, TellsNoSpeedBeforeTheFirstGame) {
+TEST(ProgressText, ShowsNoSpeedBeforeTheFirstGame) {
   EXPECT_EQ(progress_text({.total = 120, .done = 60}, 20), "60/120 games");
 }
 
-TEST(ProgressText, CountsVoidGamesWhereTheyAreCounted) {
+TEST(ProgressText, ShowsVoidGamesIfTheyAreCounted) {
   EXPECT_EQ(progress_text({.total = 5, .done = 5, .played = 5, .voids = 2}, 10),
             "5/5 games   30 games/min   2 void");
 }
 
-// A terminal whose screen can be read.
+// A pseudoterminal whose output can be read.
 class Terminal {
  public:
   Terminal() : master_(posix_openpt(O_RDWR | O_NOCTTY)) {
@@ -64,7 +64,7 @@ class Terminal {
     if (master_ >= 0) close(master_);
     master_ = -1;
   }
-  // What has come since the last call; all of it is there when it ends with `end`.
+  // Returns the output since the last call, waiting until it ends with `end`.
   std::string received(std::string_view end) const {
     std::string text;
     std::array<char, 4096> buffer{};
@@ -95,7 +95,7 @@ TEST(Progress, DrawsABarAndTheTablesSoFar) {
   EXPECT_TRUE(drawn.ends_with("\nso far:\r\nteam   points\r\nzone        3\r\033[3A")) << drawn;
 }
 
-TEST(Progress, MakesTheTablesAtMostOnceASecond) {
+TEST(Progress, UpdatesTheTablesAtMostOnceASecond) {
   const Terminal terminal;
   Progress progress(terminal.stream(), {.total = 4});
   int views = 0;
@@ -114,7 +114,7 @@ TEST(Progress, ClearsTheScreenForAMessage) {
   EXPECT_EQ(terminal.received("\n"), "\r\033[Ja message\r\n");
 }
 
-TEST(Progress, LeavesTheBarInTheEnd) {
+TEST(Progress, LeavesTheBarAtTheEnd) {
   const Terminal terminal;
   {
     Progress progress(terminal.stream(), {.total = 2, .done = 2});
@@ -123,7 +123,7 @@ TEST(Progress, LeavesTheBarInTheEnd) {
   EXPECT_EQ(terminal.received("\n"), "\r\033[J[########################] 2/2 games\r\n");
 }
 
-TEST(Progress, LeavesTheTablesWhereItIsInterrupted) {
+TEST(Progress, LeavesTheTablesIfInterrupted) {
   const Terminal terminal;
   {
     Progress progress(terminal.stream(), {.total = 2, .done = 1});
@@ -147,7 +147,7 @@ TEST(Progress, FollowsTheSizeOfTheTerminal) {
   EXPECT_EQ(narrow, "\r\033[J0/4 games\r\nso far:\r\nteam\r\nzone\r\033[3A");
 }
 
-// Whatever is written to a file or a pipe.
+// Returns what `write` writes to a file.
 std::string written(const std::function<void(std::FILE*)>& write) {
   char* text = nullptr;
   std::size_t size = 0;
@@ -159,17 +159,17 @@ std::string written(const std::function<void(std::FILE*)>& write) {
   return all;
 }
 
-TEST(Progress, IsALineEveryFewSecondsThroughAPipeNotOneAGame) {
+TEST(Progress, WritesALineEveryFewSecondsToAPipe) {
   const std::string lines = written([](std::FILE* stream) {
     Progress progress(stream, {.total = 100});
     for (int i = 0; i < 50; ++i) progress.game_done();
     progress.tick();
   });
   EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 1) << lines;
-  EXPECT_TRUE(lines.starts_with("50/100 games   ")) << lines;  // the last state
+  EXPECT_TRUE(lines.starts_with("50/100 games   ")) << lines;  // the final state
 }
 
-TEST(Progress, WritesNothingButMessagesWhereNoneIsWanted) {
+TEST(Progress, WritesOnlyMessagesInStyleNone) {
   EXPECT_EQ(written([](std::FILE* stream) {
               Progress progress(stream, {.total = 100}, ProgressStyle::kNone);
               progress.game_done();
@@ -178,7 +178,7 @@ TEST(Progress, WritesNothingButMessagesWhereNoneIsWanted) {
             "a message\n");
 }
 
-TEST(Progress, HasOneJsonObjectALine) {
+TEST(Progress, WritesOneJsonObjectPerLine) {
   const std::string lines = written([](std::FILE* stream) {
     Progress progress(stream, {.total = 3, .done = 1, .voids = 0}, ProgressStyle::kJson);
     progress.show([] { return ProgressView{"", {}, {{"groups", "[]"}}}; });
@@ -222,7 +222,7 @@ TEST(Progress, IgnoresATerminalThatIsGone) {
   terminal.hang_up();
   progress.game_done();
   progress.say("a message");
-  EXPECT_NE(std::ferror(terminal.stream()), 0);  // else nothing was tried
+  EXPECT_NE(std::ferror(terminal.stream()), 0);  // otherwise nothing was tested
 }
 
 TEST(Progress, IgnoresAFullDisk) {

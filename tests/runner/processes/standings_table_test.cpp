@@ -7,13 +7,13 @@
 namespace autoref::runner {
 namespace {
 
-TEST(BarText, IsFullWhenAllIsDone) {
+TEST(BarText, IsFullWhenEverythingIsDone) {
   EXPECT_EQ(bar_text(0, 4), "[........................] ");
   EXPECT_EQ(bar_text(1, 4), "[######..................] ");
   EXPECT_EQ(bar_text(4, 4), "[########################] ");
 }
 
-TEST(StandingsTable, IsABarAloneWithoutATable) {
+TEST(StandingsTable, IsOnlyABarWithoutATable) {
   EXPECT_EQ(standings_table("the bar", "", {24, 80}), "\r\033[Jthe bar");
 }
 
@@ -22,12 +22,12 @@ TEST(StandingsTable, LeavesTheCursorInTheBarsLine) {
             "\r\033[Jthe bar\none\n\nthree\r\033[3A");
 }
 
-TEST(StandingsTable, KeepsToTheScreensHeight) {
+TEST(StandingsTable, FitsTheScreensHeight) {
   const std::string view = standings_table("the bar", "1\n2\n3\n4\n5\n6\n", {6, 80});
   EXPECT_EQ(view, "\r\033[Jthe bar\n1\n2\n3\n... 3 more lines\r\033[4A");
 }
 
-TEST(StandingsTable, KeepsToTheScreensWidth) {
+TEST(StandingsTable, FitsTheScreensWidth) {
   EXPECT_EQ(standings_table("0123456789", "±±±±±±±±±±\n", {24, 6}),
             "\r\033[J01234\n±±±±±\r\033[1A");
 }
@@ -36,17 +36,17 @@ TEST(StandingsTable, FitsTheSmallestScreen) {
   EXPECT_EQ(standings_table("the bar", "1\n2\n", {1, 4}), "\r\033[Jthe");
 }
 
-TEST(StandingsTable, EndsInTheLineBelowWhereItStays) {
+TEST(StandingsTable, EndsInTheLineBelowIfItStays) {
   EXPECT_EQ(last_standings_table("the bar", "one\n", {24, 80}), "\r\033[Jthe bar\none\n");
 }
 
-TEST(BarLine, GetsShorterWhereThereIsLittleRoom) {
+TEST(BarLine, GetsShorterIfSpaceIsShort) {
   EXPECT_EQ(bar_line(1, 2, "1/2 games", 80), "[############............] 1/2 games");
   EXPECT_EQ(bar_line(1, 2, "1/2 games", 23), "[#####.....] 1/2 games");
   EXPECT_EQ(bar_line(1, 2, "1/2 games", 16), "1/2 games");
 }
 
-// So many teams, the best first.
+// A table of `teams` teams, the best first.
 ProgressTable standings_of(int teams) {
   ProgressTable table{{{"", "team", "points", "games", "rating"}}, {}, "teams", {4, 3}};
   for (int i = 1; i <= teams; ++i) {
@@ -59,7 +59,7 @@ int lines_in(const std::string& text) {
   return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
 }
 
-TEST(FittedTables, ShowTheBestTeamsAndHowManyMoreThereAre) {
+TEST(FittedTables, ShowTheBestTeamsAndTheNumberOfOthers) {
   const std::string text = fitted({standings_of(40)}, 6, 80);
   EXPECT_EQ(lines_in(text), 6);
   EXPECT_NE(text.find("4    team4"), std::string::npos) << text;
@@ -75,7 +75,7 @@ TEST(FittedTables, ShowTheStandingsBeforeTheMatchups) {
   EXPECT_TRUE(text.ends_with("\n\na   b\nx   y\nx   y\n... 98 more matchups\n")) << text;
 }
 
-TEST(FittedTables, LeaveTheDispensableColumnsOutFirst) {
+TEST(FittedTables, DropTheDispensableColumnsFirst) {
   EXPECT_TRUE(
       fitted({standings_of(3)}, 20, 80).starts_with("     team   points   games   rating\n"));
   EXPECT_TRUE(fitted({standings_of(3)}, 20, 30).starts_with("     team   points   games\n"));
@@ -89,7 +89,7 @@ TEST(FittedTables, BreakLongLinesBetweenWords) {
   EXPECT_EQ(fitted({table}, 20, 12), "a\n1\n\nnot yet\ndecided\nafter 12\npairs\n");
 }
 
-TEST(FittedTables, NeverHaveMoreLinesThanThereAre) {
+TEST(FittedTables, NeverHaveMoreLinesThanTheScreen) {
   ProgressTable with_text = standings_of(8);
   with_text.text = "one\ntwo\n";
   for (int lines = -2; lines < 30; ++lines) {

@@ -43,7 +43,7 @@ TEST(Workers, DoEveryJobOnce) {
   }
 }
 
-TEST(Workers, AreProcessesOfTheirOwnThatDoSeveralJobs) {
+TEST(Workers, AreSeparateProcessesThatDoSeveralJobs) {
   const Outcome outcome = done_by(2, 20, [](std::size_t) {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
     return std::to_string(getpid());
@@ -54,7 +54,7 @@ TEST(Workers, AreProcessesOfTheirOwnThatDoSeveralJobs) {
   EXPECT_FALSE(pids.contains(std::to_string(getpid())));
 }
 
-TEST(Workers, DoAKilledWorkersJobAgain) {
+TEST(Workers, RetryTheJobOfAKilledWorker) {
   const TemporaryFolder folder;
   const Outcome outcome = done_by(2, 6, [&](std::size_t job) {
     const std::filesystem::path mark = folder / "killed";
@@ -70,7 +70,7 @@ TEST(Workers, DoAKilledWorkersJobAgain) {
   EXPECT_EQ(outcome.results.at(4).attempt, 1);
 }
 
-TEST(Workers, GiveAJobUpAfterThreeDeathsAndSayWhy) {
+TEST(Workers, GiveUpAJobAfterThreeDeathsAndSayWhy) {
   const Outcome outcome = done_by(1, 3, [](std::size_t job) {
     if (job == 1) kill(getpid(), SIGKILL);
     return std::string("fine");
@@ -81,7 +81,7 @@ TEST(Workers, GiveAJobUpAfterThreeDeathsAndSayWhy) {
   EXPECT_EQ(outcome.results.at(2).payload, "fine");
 }
 
-TEST(Workers, TellAKillFromACrash) {
+TEST(Workers, DistinguishAKillFromACrash) {
   EXPECT_TRUE(was_killed("its process was ended by signal 9 (Killed), in attempt 3"));
   EXPECT_TRUE(was_killed("its process was ended by signal 15 (Terminated), in attempt 3"));
   EXPECT_FALSE(was_killed("its process was ended by signal 11 (Segmentation fault), in attempt 3"));
@@ -91,7 +91,7 @@ TEST(Workers, TellAKillFromACrash) {
   EXPECT_FALSE(was_killed(""));
 }
 
-TEST(Workers, GiveAJobThatTakesTooLongUpAtItsFirstAttempt) {
+TEST(Workers, GiveUpAJobThatTakesTooLongAtItsFirstAttempt) {
   WorkerOptions options;
   options.attempts = 3;
   options.longest_job_s = 0.2;
@@ -141,7 +141,7 @@ TEST(Workers, AnnounceTheEndOnceAfterAnInterrupt) {
   EXPECT_EQ(announced, 1);
 }
 
-TEST(Workers, BeginNoFurtherJobOnceItIsEnough) {
+TEST(Workers, StartNoMoreJobsOnceItIsEnough) {
   int results = 0;
   const Ending ending = do_jobs({0, 1, 2, 3, 4, 5, 6, 7}, {.workers = 2},
                                 {[](std::size_t) { return std::string("fine"); },
@@ -169,7 +169,7 @@ TEST(Workers, StopAtOnceAfterTheSecondInterrupt) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
 }
 
-TEST(Workers, AreGoneWhenTheReceiverThrows) {
+TEST(Workers, AreKilledWhenTheReceiverThrows) {
   EXPECT_THROW(do_jobs({0, 1, 2}, {.workers = 2},
                        {[](std::size_t) { return std::string("fine"); },
                         [](const JobResult&) { throw std::runtime_error("disk full"); },
