@@ -41,7 +41,7 @@ int check_verb(const CheckArguments& arguments) {
   const int workers = arguments.worker_count();
   const std::vector<Rehearsal> rehearsals =
       rehearse(games, {[](const GameConfiguration& game) { return play(game); }, workers});
-  fmt::print("{}\n{} games, about {} with {} at a time\n", table_of(rehearsals), games.size(),
+  fmt::print("{}\n{} games, about {} with {} in parallel\n", table_of(rehearsals), games.size(),
              duration_text(duration_s(rehearsals, workers)), workers);
   const std::string caveat = caveat_of_schedule(scenario);
   if (!caveat.empty()) fmt::print("{}\n", caveat);

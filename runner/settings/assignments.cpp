@@ -24,7 +24,7 @@ Assignments assignments_in(const std::vector<std::string>& sets) {
   for (const std::string& set : sets) {
     Assignment next = assignment_in(set);
     for (const Assignment& other : all) {
-      // Of one key the last value counts.
+      // If a key is given twice, the last value counts.
       const std::string path = full_path(next.path);
       const std::string others = full_path(other.path);
       if (path == others || !sets_same_number(path, others)) continue;
@@ -48,7 +48,7 @@ void assign(const Assignment& assignment, GameConfiguration& game) {
 
 void assign_all(const Assignments& assignments, GameConfiguration& game) {
   for (const Assignment& assignment : assignments) assign(assignment, game);
-  // Only all of them together need to make a game.
+  // The settings only need to make a valid game together, not one by one.
   blame(flags_of(assignments), [&] { check_game(game); });
 }
 

@@ -1,4 +1,4 @@
-// Settings that the command line changes.
+// Settings given on the command line.
 #pragma once
 
 #include <stdexcept>
@@ -10,7 +10,7 @@
 
 namespace autoref::runner {
 
-// Does `change`; what is wrong with it is blamed on `location`, a flag or a file, by an InputError.
+// Runs `change` and turns its errors into InputErrors that blame `location`, a flag or a file.
 template <typename Change>
 void blame(const std::string& location, const Change& change) {
   try {
@@ -29,17 +29,17 @@ struct Assignment {
 
 using Assignments = std::vector<Assignment>;
 
-// Throws InputError where one is not KEY=VALUE, or where one sets a handicap and another a part of
-// it.
+// Throws InputError if a string is not KEY=VALUE, or if one sets a handicap and another one of its
+// factors.
 Assignments assignments_in(const std::vector<std::string>& sets);
 
-// All flags in one, for messages about what they mean together.
+// All flags in one string, for messages about their combined effect.
 std::string flags_of(const Assignments& assignments);
 
-// Throws InputError that names the flag.
+// Applies one assignment. Throws InputError naming the flag.
 void assign(const Assignment& assignment, GameConfiguration& game);
 
-// Applies them all and checks the game that comes of them. Throws InputError.
+// Applies all assignments and checks the resulting game. Throws InputError.
 void assign_all(const Assignments& assignments, GameConfiguration& game);
 
 }  // namespace autoref::runner

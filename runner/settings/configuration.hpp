@@ -1,4 +1,4 @@
-// One game as values: who plays, by which rules, in which world.
+// The configuration of one game: teams, rules and simulated world.
 #pragma once
 
 #include <cstdint>
@@ -14,27 +14,27 @@
 
 namespace autoref::runner {
 
-// What some robots have other than the game's: values by path below `sim.`, such as
-// "robot.speed_mps", spelt as value_of() spells them (fields.hpp).
+// Settings of a robot that differ from the game's: values by path below `sim.`, such as
+// "robot.speed_mps", in the format of value_of() (fields.hpp).
 using RobotChanges = std::map<std::string, std::string>;
 
 using RobotTypes = std::map<std::string, RobotChanges>;  // by name
 
 inline constexpr const char* kNoType = "none";
 
-// A robot that differs from its team's.
+// A robot that differs from the rest of its team.
 struct PlayerConfiguration {
   std::string type = kNoType;
-  RobotChanges changes;              // beside the type's
-  double speed_factor = 1.0;         // times the team's, (0, 2]
-  double acceleration_factor = 1.0;  // times the team's, (0, 2]
+  RobotChanges changes;              // override the type's
+  double speed_factor = 1.0;         // multiplied by the team's, (0, 2]
+  double acceleration_factor = 1.0;  // multiplied by the team's, (0, 2]
 };
 
 struct TeamConfiguration {
   std::string strategy = "basic";
   int robots = 6;                    // 1 to 16
-  std::string type = kNoType;        // of its robots
-  RobotChanges changes;              // beside the type's
+  std::string type = kNoType;        // type of its robots
+  RobotChanges changes;              // override the type's
   double speed_factor = 1.0;         // of the robots' top speed, (0, 2]
   double acceleration_factor = 1.0;  // of their acceleration and braking, (0, 2]
   std::map<std::string, double> params;
@@ -43,7 +43,7 @@ struct TeamConfiguration {
 
 struct MatchConfiguration {
   std::string rules = "paper";             // name of a rule book
-  RuleSet in_force = RuleBook{}.in_force;  // of its rules
+  RuleSet in_force = RuleBook{}.in_force;  // its rules in force
   double half_s = 600;
   int halves = 2;
   double break_s = 0;
@@ -60,10 +60,10 @@ struct GameConfiguration {
   MatchConfiguration match;
   Field field;
   sim::Configuration sim;
-  sim::RobotSpec robot;  // every robot's body, kicker and dribbler unless its type says otherwise
-  RobotTypes types;      // that teams and players may name
+  sim::RobotSpec robot;  // body, kicker and dribbler of every robot, unless its type overrides them
+  RobotTypes types;      // for teams and players
   std::uint64_t seed = 42;
-  // Full paths of the settings that the user has written one by one: no preset changes them.
+  // Full paths of the settings given explicitly; presets do not change them.
   std::set<std::string> given;
 };
 

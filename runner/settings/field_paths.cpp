@@ -1,4 +1,4 @@
-// Settings by their paths and names.
+// Finds settings by path and name.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace autoref::runner {
 namespace {
 
-// The path with every name in it as it is called today.
+// Replaces outdated names in the path by current ones.
 std::string renamed_path(std::string_view path) {
   const std::size_t dot = path.find('.');
   const std::string_view name = path.substr(0, dot);
@@ -39,7 +39,7 @@ std::string unknown_path_message(const std::vector<Setting>& settings, std::stri
       nearest.empty() ? "; expected a setting, such as b.handicap or match.half_s" : nearest);
 }
 
-// The setting at a full path, also one that another holds.
+// Returns the setting at a full path, including those inside another setting.
 std::optional<Setting> single_setting(const std::vector<Setting>& settings,
                                       const std::string& full) {
   const Setting* setting = find_setting(settings, full);
@@ -56,7 +56,7 @@ Setting setting_at(const std::vector<Setting>& settings, std::string_view path) 
   throw std::invalid_argument(unknown_path_message(settings, path));
 }
 
-// A setting and what the user wants it to be.
+// A setting with the value that the user has given it.
 struct Kept {
   Setting setting;
   std::string value;
@@ -71,7 +71,7 @@ std::vector<Kept> kept(const std::vector<Setting>& settings, const std::set<std:
   return all;
 }
 
-// Makes the player that a path such as "b.players.3.handicap" speaks of, if it does.
+// Creates the player named in a path such as "b.players.3.handicap", if there is one.
 void make_player_in(GameConfiguration& game, std::string_view path) {
   static constexpr std::string_view kPlayers = "teams.x.players.";
   const std::string full = full_path(path);

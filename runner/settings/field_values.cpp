@@ -1,4 +1,4 @@
-// Reading and writing single settings.
+// Reads and writes the values of settings.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ Number checked(const Setting& setting, std::string_view text, std::optional<Numb
   return *number;
 }
 
-// The place of `text` among the setting's words.
+// Index of `text` among the setting's words.
 std::size_t index_of_word(const Setting& setting, std::string_view text) {
   const auto found = std::find(setting.words.begin(), setting.words.end(), text);
   if (found == setting.words.end()) refuse(setting, text);

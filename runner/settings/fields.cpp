@@ -16,15 +16,15 @@ std::vector<std::string> strategy_names() {
 }
 
 void list_changes(RobotChanges& changes, Branch to) {
-  to.add("robot", ChangesOf{&changes, "robot"}, {}, "what differs from sim.robot");
-  to.add("kicker", ChangesOf{&changes, "kicker"}, {}, "what differs from sim.kicker");
-  to.add("dribbler", ChangesOf{&changes, "dribbler"}, {}, "what differs from sim.dribbler");
+  to.add("robot", ChangesOf{&changes, "robot"}, {}, "overrides of sim.robot");
+  to.add("kicker", ChangesOf{&changes, "kicker"}, {}, "overrides of sim.kicker");
+  to.add("dribbler", ChangesOf{&changes, "dribbler"}, {}, "overrides of sim.dribbler");
 }
 
-// What robots of a team are like, or one of them.
+// Settings common to a team's robots and a single robot.
 template <typename Of>
 void list_robots(Of& of, const RobotTypes& types, Branch to) {
-  to.add("type", TypeName{&of.type, &types}, {}, "type of robots");
+  to.add("type", TypeName{&of.type, &types}, {}, "robot type");
   to.number("speed_factor", of.speed_factor, positive(2), "", "scales the robots' top speed");
   to.number("acceleration_factor", of.acceleration_factor, positive(2), "",
             "scales their acceleration and braking");
@@ -34,35 +34,36 @@ void list_robots(Of& of, const RobotTypes& types, Branch to) {
 }
 
 void list_types(RobotTypes& types, Branch to) {
-  to.add("types", &types, {}, "types of robots by name");
+  to.add("types", &types, {}, "robot types by name");
   for (auto& [name, changes] : types) list_changes(changes, to.below("types").below(name));
 }
 
 void list_team(TeamConfiguration& team, const RobotTypes& types, Branch to) {
-  to.word("strategy", team.strategy, strategy_names(), "who plays");
-  to.number("robots", team.robots, {1, kMaxRobots}, "", "robots on the field");
+  to.word("strategy", team.strategy, strategy_names(), "the team's strategy");
+  to.number("robots", team.robots, {1, kMaxRobots}, "", "number of robots on the field");
   list_robots(team, types, to);
-  to.add("players", &team.players, {}, "robots that differ from the team's, by number");
+  to.add("players", &team.players, {}, "robots that differ from the team, by number");
   for (auto& [number, player] : team.players) {
     list_robots(player, types, to.below("players").below(std::to_string(number)));
   }
-  // check_team() knows the strategy, and with it each number's own range.
-  to.add("params", &team.params, {-1e9, 1e9}, "the strategy's own numbers, by name");
+  // The range depends on the strategy's parameter; check_team() checks it.
+  to.add("params", &team.params, {-1e9, 1e9}, "parameters of the strategy, by name");
 }
 
 void list_match(GameConfiguration& game, Branch to) {
   MatchConfiguration& match = game.match;
   const std::vector<std::string> sides = {"west", "east"};
   to.preset("rules", RulesChoice{&game}, rule_book_names(),
-            "rule book; sets switch, half_s, extra_half_s, field and both teams' robots");
+            "rule book; also sets switch, half_s, extra_half_s, field and robots of both teams");
   to.number("half_s", match.half_s, positive(36000), "s", "length of a half");
-  to.number("halves", match.halves, {1, 2}, "", "halves of a game");
+  to.number("halves", match.halves, {1, 2}, "", "number of halves");
   to.number("break_s", match.break_s, {0, 3600}, "s", "break between halves");
   to.yes_or_no("knockout", match.knockout, "extra time and a shoot-out after a draw");
   to.word("after_game", match.after_game, {"halt", "new_game"},
-          "at its end the referee halts, or begins a new game; the row ends there");
-  to.number("extra_half_s", match.extra_half_s, positive(36000), "s", "each of extra time's two");
-  to.word("a_plays", match.a_plays, sides, "side of team a; b has the other");
+          "what the referee does after the game; the result row ends there");
+  to.number("extra_half_s", match.extra_half_s, positive(36000), "s",
+            "length of each half of extra time");
+  to.word("a_plays", match.a_plays, sides, "side of team a; team b plays on the other");
   to.word("first_kickoff", match.first_kickoff, sides, "side that kicks off first");
   Branch switches = to.below("switch");
   for (const RuleEntry& entry : rule_table()) {
@@ -72,26 +73,30 @@ void list_match(GameConfiguration& game, Branch to) {
 
 void list_field(Field& field, Branch to) {
   const std::vector<std::string> shapes = {"quarter_circles", "box"};
-  to.number("length_m", field.length_m, {4, 30}, "m", "between the goal lines' outer edges");
-  to.number("width_m", field.width_m, {2, 20}, "m", "between the touch lines' outer edges");
-  to.number("run_off_m", field.run_off_m, {0.1, 5}, "m", "from the lines to the wall");
-  to.number("line_width_m", field.line_width_m, {0, 0.05}, "m", "of the lines");
+  to.number("length_m", field.length_m, {4, 30}, "m",
+            "distance between the outer edges of the goal lines");
+  to.number("width_m", field.width_m, {2, 20}, "m",
+            "distance between the outer edges of the touch lines");
+  to.number("run_off_m", field.run_off_m, {0.1, 5}, "m", "distance from the lines to the wall");
+  to.number("line_width_m", field.line_width_m, {0, 0.05}, "m", "width of the lines");
   to.number("centre_circle_radius_m", field.centre_circle_radius_m, {0.1, 5}, "m",
-            "to the line's outer edge");
-  to.number("penalty_mark_m", field.penalty_mark_m, positive(20), "m", "from the goal shot at");
-  to.word("defence_area.shape", field.defence_area.shape, shapes, "of the area before a goal");
+            "radius to the outer edge of the line");
+  to.number("penalty_mark_m", field.penalty_mark_m, positive(20), "m",
+            "distance from the goal line of the attacked goal");
+  to.word("defence_area.shape", field.defence_area.shape, shapes, "shape of the defence area");
   to.number("defence_area.depth_m", field.defence_area.depth_m, positive(5), "m",
-            "radius of the quarter circles, or the box's size along x");
+            "radius of the quarter circles, or extent of the box along x");
   to.number("defence_area.straight_m", field.defence_area.straight_m, {0, 10}, "m",
-            "line between the quarter circles, or the box's size along y");
-  to.number("goal_width_m", field.goal_width_m, {0.2, 5}, "m", "between the posts");
-  to.number("goal_depth_m", field.goal_depth_m, {0.05, 1}, "m", "from goal line to back wall");
+            "length between the quarter circles, or extent of the box along y");
+  to.number("goal_width_m", field.goal_width_m, {0.2, 5}, "m", "distance between the posts");
+  to.number("goal_depth_m", field.goal_depth_m, {0.05, 1}, "m",
+            "distance from the goal line to the back wall");
   to.number("goal_opening_height_m", field.goal_opening_height_m, positive(2), "m",
-            "under the bar");
+            "clear height under the bar");
   to.number("goal_bar_radius_m", field.goal_bar_radius_m, {0.001, 0.05}, "m",
-            "of the round bar over the goal");
+            "radius of the goal's round bar");
   to.number("goal_wall_thickness_m", field.goal_wall_thickness_m, {0.01, 0.1}, "m",
-            "of the goal walls");
+            "thickness of the goal walls");
 }
 
 }  // namespace

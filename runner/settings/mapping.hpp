@@ -1,4 +1,4 @@
-// Reads mappings of a file whose keys are no settings of a game.
+// Reads mappings whose keys are not settings of a game.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,7 +13,8 @@
 
 namespace autoref::runner {
 
-// One mapping, each of its keys known and given once. All that reads throws InputError.
+// A mapping in which each key must be known and given at most once. All functions that read throw
+// InputError.
 class Mapping {
  public:
   Mapping(const YamlFile& file, const YamlEntry& entry, std::string path,
@@ -27,7 +28,7 @@ class Mapping {
 
   const YamlEntry* find(std::string_view key) const { return find_entry(entries_, key); }
 
-  // Each leaves the value alone where the key is not given.
+  // These leave the value unchanged if the key is not given.
   void number(std::string_view key, double& value, Range range, std::string_view unit) const {
     read(key, {path_to(key), &value, range, {}, unit, ""});
   }

@@ -9,11 +9,12 @@
 namespace autoref::runner {
 namespace {
 
-// Beyond its halves and breaks a game may take this long: waiting for clients and restarts.
+// Extra time a game may take beyond its halves and breaks, for waiting for clients and restarts.
 constexpr double kSlack_s = 300;
 
-// Where the clock stands while play is stopped, a game may take this many times its halves. A stop
-// has two waits of 15 s at most, so that games whose plays last 3.3 s on average come to their end.
+// If the clock stops while play is stopped, a game may take this many times the length of its
+// halves. A stop has two waits of at most 15 s, so games with plays of 3.3 s on average still
+// finish.
 constexpr double kStandstill = 10;
 
 RuleBook book_of(const std::string& name) {

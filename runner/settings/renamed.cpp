@@ -13,7 +13,7 @@ struct Renamed {
   std::string_view now;
 };
 
-// Settings, and rules and events, which have the league's names today.
+// Settings, rules and events that now have the league's names.
 constexpr std::array kNames = {
     Renamed{"calm_substeps", "contact_free_substeps"},
     Renamed{"orders", "commands"},

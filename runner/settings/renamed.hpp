@@ -1,4 +1,4 @@
-// Names that users' files may still hold from earlier versions.
+// Names from earlier versions that users' files may still contain.
 #pragma once
 
 #include <optional>
@@ -7,11 +7,10 @@
 
 namespace autoref::runner {
 
-// What a setting, a rule or an event is called today; none for a name that was not changed.
+// The current name of a setting, rule or event; nullopt if it was not renamed.
 std::optional<std::string_view> new_name_of(std::string_view old_name);
 
-// What a verb of `autoref`, or a kind of scenario, is called today; none for one that was not
-// changed.
+// The current name of a verb of `autoref`, or of a kind of scenario; nullopt if it was not renamed.
 std::optional<std::string_view> new_verb_of(std::string_view old_verb);
 std::optional<std::string_view> new_kind_of(std::string_view old_kind);
 

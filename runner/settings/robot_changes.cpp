@@ -20,7 +20,7 @@ RobotChanges merged(const RobotTypes& types, const std::string& type, const Robo
   if (type == kNoType) return all;
   const auto found = types.find(type);
   if (found == types.end()) {
-    throw std::invalid_argument(fmt::format("type: there is no type of robots '{}'", type));
+    throw std::invalid_argument(fmt::format("type: there is no robot type '{}'", type));
   }
   all.insert(found->second.begin(), found->second.end());
   return all;

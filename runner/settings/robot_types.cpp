@@ -23,7 +23,7 @@ bool is_letter_or_digit(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
 
-// Whether it is the path of a team's or a player's type, if it is of either.
+// Returns whether the path is that of a team's or player's type.
 bool names_type(std::string_view path) {
   return path.ends_with(".type") && path.find(".params.") == std::string_view::npos;
 }
@@ -79,14 +79,14 @@ std::string take_type(const std::string& text, const fs::path& folder, RobotType
     check_type_name(name);
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(
-        fmt::format("the file gives the type its name: {}; rename the file", error.what()));
+        fmt::format("the type is named after its file: {}; rename the file", error.what()));
   }
   const RobotChanges changes = read_robot_type_text(text_of_type(file), file.string());
   const auto [there, is_new] = types.try_emplace(name, changes);
   check_type_count(types);
   if (!is_new && there->second != changes) {
     throw std::invalid_argument(
-        fmt::format("another type is called '{}' already; rename the file {}", name, text));
+        fmt::format("another type is already called '{}'; rename the file {}", name, text));
   }
   return name;
 }
@@ -94,7 +94,7 @@ std::string take_type(const std::string& text, const fs::path& folder, RobotType
 void check_type_count(const RobotTypes& types) {
   if (types.size() <= kMostTypes) return;
   throw std::invalid_argument(
-      fmt::format("there are more than {} types; at most so many fit one game", kMostTypes));
+      fmt::format("there are more than {} robot types, the maximum for one game", kMostTypes));
 }
 
 void check_type_name(std::string_view name) {
@@ -102,9 +102,9 @@ void check_type_name(std::string_view name) {
     return is_letter_or_digit(c) || c == '-' || c == '_';
   });
   if (is_word && name != kNoType) return;
-  throw std::invalid_argument(
-      fmt::format("a type's name must be of letters, digits, - and _, and not '{}'; found '{}'",
-                  kNoType, name));
+  throw std::invalid_argument(fmt::format(
+      "a type's name may only contain letters, digits, - and _, and may not be '{}'; found '{}'",
+      kNoType, name));
 }
 
 void set_by_path(GameConfiguration& game, std::string_view path, const std::string& text,

@@ -1,9 +1,9 @@
-// Types of robots: files that say what some robots have other than the game's.
+// Robot types: files that override some of the game's robot settings.
 //
 //   schema: 1
 //   kind: robot
 //   about: One sentence.
-//   robot: { speed_mps: 2.2 }       # keys as below `sim.`; what is not given stays as it is
+//   robot: { speed_mps: 2.2 }       # keys as below `sim.`; anything not given is unchanged
 //   kicker: { ... }
 //   dribbler: { ... }
 #pragma once
@@ -20,31 +20,31 @@ namespace autoref::runner {
 // Reads a type as strictly as a scenario. Throws InputError with file, line and key.
 RobotChanges read_robot_type_text(const std::string& text, const std::string& file_name);
 
-// The name in `types` of the type that a user gave as `text`: the name itself, or the path of a
-// file, relative to `folder`, that is read into `types`; "robots/slow.yaml" is called "slow".
-// Throws std::invalid_argument where the file cannot be read or another type has its name, and
-// InputError for what is wrong inside it.
+// Resolves a type that a user gave as `text` and returns its name in `types`. `text` is a name in
+// `types` or the path of a file relative to `folder`, which is then read into `types`;
+// "robots/slow.yaml" becomes "slow". Throws std::invalid_argument if the file cannot be read or
+// another type has that name, and InputError for errors inside the file.
 std::string take_type(const std::string& text, const std::filesystem::path& folder,
                       RobotTypes& types);
 
-// The files that the values of a scenario or scene name as types, as far as they are there.
+// The type files that the values of a scenario or scene name, as far as they exist.
 std::vector<std::string> type_files_in(const std::filesystem::path& file);
 
-// A game has at most so many types.
+// Maximum number of types of a game.
 inline constexpr std::size_t kMostTypes = 1000;
 
-// Throws std::invalid_argument where there are more.
+// Throws std::invalid_argument if there are more than kMostTypes.
 void check_type_count(const RobotTypes& types);
 
-// Throws std::invalid_argument unless a type may be called so: letters, digits, - and _.
+// Throws std::invalid_argument unless the name consists of letters, digits, - and _.
 void check_type_name(std::string_view name);
 
-// set_by_path() (fields.hpp) that also takes the path of a file for a type, relative to `folder`.
+// set_by_path() (fields.hpp) that also accepts, as a type, the path of a file relative to `folder`.
 void set_by_path(GameConfiguration& game, std::string_view path, const std::string& text,
                  const std::filesystem::path& folder);
 
-// The same for a team whose settings are at `prefix`, such as "teams.bold."; its types, and what is
-// given, go into `game`.
+// The same for a team with settings at `prefix`, such as "teams.bold.". Adds types and given
+// settings to `game`.
 void set_by_path(TeamConfiguration& team, const std::string& prefix, GameConfiguration& game,
                  std::string_view path, const std::string& text);
 

@@ -1,4 +1,4 @@
-// How the list of settings is written down. For fields.cpp and world_fields.cpp alone.
+// Helpers to write down the list of settings, used only by fields.cpp and world_fields.cpp.
 #pragma once
 
 #include <string>
@@ -48,7 +48,7 @@ class Branch {
   std::string path_;
 };
 
-// Above 0 and at most `high`.
+// Greater than 0 and at most `high`.
 constexpr Range positive(double high) { return {0, high, true}; }
 
 }  // namespace autoref::runner

@@ -13,13 +13,13 @@ namespace autoref::runner {
 
 namespace {
 
-// The setting that sets others of its branch.
+// Name of the setting that sets others of this branch.
 std::string_view name_of_preset_in(std::string_view branch) {
   if (branch == "sim") return "camera";
   return branch == "match" ? "rules" : "preset";
 }
 
-// What a line with that key may look like, where readers could not guess it.
+// An example of a line with this key, if readers could not guess it.
 std::string example_of(std::string_view key) {
   static const std::map<std::string_view, std::string_view> kExamples = {
       {"schema", "schema: 1"},
@@ -79,7 +79,7 @@ bool SettingsReader::is_hidden(const Setting& setting) const {
   });
 }
 
-// There is a new player or type.
+// Lists the settings again after a new player or type.
 void SettingsReader::list_anew() {
   assert(list_ != nullptr);
   settings_ = list_();
@@ -89,7 +89,7 @@ void SettingsReader::list_anew() {
 void SettingsReader::read(const YamlEntry& entry, const std::string& path) {
   const Setting* found = find_setting(settings_, path);
   if (found == nullptr) return read_branch(entry, path);
-  const Setting setting = *found;  // a copy: players and types make a new list
+  const Setting setting = *found;  // a copy, since reading players and types rebuilds the list
   if (const auto* players = std::get_if<Players*>(&setting.target)) {
     read_players(entry, path, **players);
   } else if (const auto* types = std::get_if<RobotTypes*>(&setting.target)) {
@@ -107,7 +107,7 @@ void SettingsReader::read_branch(const YamlEntry& branch, const std::string& pat
   const std::vector<std::string> known = names_below(settings_, path);
   const std::vector<YamlEntry> entries = file_.entries(branch, path, known);
   refuse_handicap_beside_its_factors(entries, path);
-  // Single numbers change a preset's, wherever they stand beside it.
+  // Read the preset first: single settings override it, wherever they appear.
   const YamlEntry* preset = find_entry(entries, name_of_preset_in(path));
   if (preset != nullptr && find_setting(settings_, path + "." + preset->key) != nullptr) {
     read(*preset, path + "." + preset->key);
@@ -141,7 +141,7 @@ void SettingsReader::read_held(const YamlEntry& entry, const Setting& setting) {
     }
     read_value(held, *its_setting);
   };
-  // Single numbers change a preset's, wherever they stand beside it.
+  // Read the preset first: single settings override it, wherever they appear.
   const YamlEntry* preset = known.empty() ? nullptr : find_entry(entries, "preset");
   if (preset != nullptr) read_one(*preset);
   for (const YamlEntry& held : entries) {

@@ -1,4 +1,4 @@
-// Reads the parts of a file that hold settings: of scenarios, scenes and types of robots.
+// Reads the settings in scenarios, scenes and robot types.
 #pragma once
 
 #include <functional>
@@ -13,37 +13,37 @@
 
 namespace autoref::runner {
 
-// Where settings stand in the file, by path.
+// Locations of settings in the file, by path.
 using SettingLocations = std::map<std::string, YamlLocation>;
 
-// The entry of a key that must be there. Throws InputError.
+// Returns the entry of a required key. Throws InputError if it is missing.
 const YamlEntry& required_entry(const YamlFile& file, const std::vector<YamlEntry>& top,
                                 std::string_view key);
 
-// Throws InputError unless the key is there and has this value.
+// Throws InputError unless the key is present and has this value.
 void expect_value(const YamlFile& file, const std::vector<YamlEntry>& top, std::string_view key,
                   const std::string& value);
 
-// Throws InputError for an entry with another key.
+// Throws InputError if there is an entry with another key.
 void refuse_unknown(const YamlFile& file, const std::vector<YamlEntry>& top,
                     const std::vector<std::string>& known);
 
-// Reads the entry's value into the setting. Throws InputError that says what was expected.
+// Parses the entry's value into the setting. Throws InputError saying what was expected.
 void assign_entry(const YamlFile& file, const YamlEntry& entry, const Setting& setting);
 
-// Puts branches of a file into a game as strictly as `--set` would, and remembers their locations
-// and which settings are given. What settings mean together is not checked here.
+// Reads branches of a file into a game as strictly as `--set`, and remembers their locations and
+// which settings are given. Does not check settings against each other.
 class SettingsReader {
  public:
   using List = std::function<std::vector<Setting>()>;
 
-  // All three must outlive the reader; settings go into `game`, their places into `locations`.
+  // All three must outlive the reader. Settings go into `game`, their locations into `locations`.
   SettingsReader(const YamlFile& file, GameConfiguration& game, SettingLocations& locations)
       : SettingsReader(
             file, [&game] { return settings_of(game); }, game, locations) {}
 
-  // Reads the settings that `list` returns, which is called again whenever there are new players or
-  // types; files of types that they name, and what is given, go into `game`.
+  // Reads the settings returned by `list`, which is called again after each new player or type.
+  // Types read from files, and the given settings, are added to `game`.
   SettingsReader(const YamlFile& file, List list, GameConfiguration& game,
                  SettingLocations& locations)
       : file_(file),
@@ -53,17 +53,17 @@ class SettingsReader {
         settings_(list_()),
         locations_(locations) {}
 
-  // Reads just these settings, none of which may name a type, players or types.
+  // Reads only these settings, none of which may be a type, players or types.
   SettingsReader(const YamlFile& file, std::vector<Setting> settings, SettingLocations& locations)
       : file_(file), settings_(std::move(settings)), locations_(locations) {}
 
-  // Makes a setting, or a branch of settings, unknown.
+  // Treats a setting, or a branch of settings, as unknown.
   void hide(std::string_view path);
 
-  // The names at the top of the tree of settings.
+  // The top-level names of the settings.
   std::vector<std::string> names() const { return names_below(settings_, ""); }
 
-  // Reads a setting, or the branch of settings, at `path`. Throws InputError.
+  // Reads the setting, or branch of settings, at `path`. Throws InputError.
   void read(const YamlEntry& entry, const std::string& path);
 
  private:

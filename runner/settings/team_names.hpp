@@ -1,4 +1,4 @@
-// What people call the teams of a game.
+// Display names of a game's teams.
 #pragma once
 
 #include <string>
@@ -8,8 +8,7 @@
 
 namespace autoref::runner {
 
-// The name of each side's team: its strategy, and where both have the same one, "basic (a)" and
-// "basic (b)".
+// The name of each side's team: its strategy, or "basic (a)" and "basic (b)" if both play the same.
 PerSide<std::string> shown_names(const GameConfiguration& game);
 
 }  // namespace autoref::runner

@@ -17,9 +17,9 @@ YamlLocation location_of(const YAML::Mark& mark) {
   return {mark.line + 1, mark.column + 1};
 }
 
-constexpr std::size_t kLongestKey = 200;  // no setting's path is nearly as long
+constexpr std::size_t kLongestKey = 200;  // much longer than any setting's path
 
-// What a message quotes of a file: not too much of it, and nothing that drives a terminal.
+// Makes a quotation from a file safe for messages: short, and without control characters.
 std::string for_message(std::string text) {
   constexpr std::size_t kMostQuoted = 60;
   for (char& c : text) {
@@ -60,7 +60,7 @@ const YamlEntry* find_entry(const std::vector<YamlEntry>& entries, std::string_v
 YamlFile::YamlFile(const std::string& text, std::string name) : name_(std::move(name)) {
   const std::vector<YAML::Node> documents = documents_in(text);
   if (const std::optional<YamlLocation> quote = open_quote(text, documents)) {
-    refuse(*quote, "", "invalid YAML: the quotes that open here are never closed");
+    refuse(*quote, "", "invalid YAML: the quotes opened here are never closed");
   }
   if (documents.empty()) refuse({}, "", "the file is empty; expected a scenario");
   if (documents.size() > 1) {
@@ -70,7 +70,7 @@ YamlFile::YamlFile(const std::string& text, std::string name) : name_(std::move(
   document_ = documents[0];
 }
 
-// Nothing walks a document whose bounds are not known.
+// No document is walked before its bounds have been checked.
 std::vector<YAML::Node> YamlFile::documents_in(const std::string& text) const {
   try {
     if (const std::optional<BeyondBounds> beyond = beyond_bounds(text)) {
@@ -93,7 +93,7 @@ std::vector<YamlEntry> YamlFile::entries(const YamlEntry& entry, std::string_vie
            fmt::format("expected a mapping ({}), found {}", keys, found(entry.value)));
   }
   std::vector<YamlEntry> entries;
-  std::map<std::string, int> lines;  // of the keys so far
+  std::map<std::string, int> lines;  // lines of the keys so far
   for (const auto& pair : entry.value) {
     const YamlLocation location = runner::location_of(pair.first);
     if (!pair.first.IsScalar()) refuse(location, path, "expected a word as key");

@@ -7,7 +7,7 @@
 namespace autoref::runner {
 namespace {
 
-// The first line up to that one which a tab indents.
+// Finds the first line up to `last_line` that is indented by a tab.
 std::optional<YamlLocation> tab_before(const std::string& text, int last_line) {
   std::size_t start = 0;
   for (int line = 1; line <= last_line && start < text.size(); ++line) {
@@ -22,16 +22,16 @@ std::optional<YamlLocation> tab_before(const std::string& text, int last_line) {
   return std::nullopt;
 }
 
-// The parser's complaints that people meet, and what to do.
+// Common complaints of the parser, each with a remedy.
 std::string remedy_of(const std::string& complaint) {
   static const std::map<std::string, std::string> kRemedies = {
-      {"illegal map value", "text that holds ': ' has to be put in quotes"},
+      {"illegal map value", "put text that contains ': ' in quotes"},
       {"illegal flow end", "a bracket before it is not closed, or of another kind"},
       {"end of map flow not found",
-       "a '{' before here is not closed by '}', or a ':' has no space behind it"},
+       "a '{' before here is not closed by '}', or a ':' has no space after it"},
       {"end of sequence flow not found", "a '[' before here is not closed by ']'"},
-      {"end of map not found", "indent this line like those it belongs to"},
-      {"end of sequence not found", "indent this line like those it belongs to"}};
+      {"end of map not found", "indent this line like the lines it belongs to"},
+      {"end of sequence not found", "indent this line like the lines it belongs to"}};
   const auto found = kRemedies.find(complaint);
   return found == kRemedies.end() ? "" : "; " + found->second;
 }
@@ -50,7 +50,7 @@ YAML::Node last_value_in(YAML::Node node) {
 SyntaxMistake syntax_mistake(const std::string& text, const YamlLocation& location,
                              const std::string& complaint) {
   if (const std::optional<YamlLocation> tab = tab_before(text, location.line)) {
-    return {*tab, "a tab indents this line; use spaces"};
+    return {*tab, "this line is indented with a tab; use spaces"};
   }
   return {location, complaint + remedy_of(complaint)};
 }

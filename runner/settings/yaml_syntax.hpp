@@ -1,4 +1,4 @@
-// What is wrong with text that is invalid YAML, in words that say what to do.
+// Explains YAML syntax errors in terms of a remedy.
 #pragma once
 
 #include <optional>
@@ -14,12 +14,13 @@ struct SyntaxMistake {
   std::string message;
 };
 
-// From where and what the parser complains, which is often a line too late and in its own terms.
+// Explains a parser error, given its location and text; the parser often reports it a line too late
+// and in its own terms.
 SyntaxMistake syntax_mistake(const std::string& text, const YamlLocation& location,
                              const std::string& complaint);
 
-// Where the quotes of the documents' last value open that are never closed, which the parser takes
-// to close at the end of the file. None where all is well.
+// Location of quotes in the documents' last value that are never closed (the parser takes them to
+// close at the end of the file). Returns nullopt if there are none.
 std::optional<YamlLocation> open_quote(const std::string& text,
                                        const std::vector<YAML::Node>& documents);
 

@@ -37,7 +37,7 @@ TEST(SetByPath, ReachesEachPartOfAGame) {
   EXPECT_EQ(value_at(game, "sim.camera"), "other");
 }
 
-TEST(SetByPath, TakesAAndBForTheTeams) {
+TEST(SetByPath, AcceptsAAndBForTheTeams) {
   GameConfiguration game;
   set_by_path(game, "a.robots", "4");
   set_by_path(game, "b.strategy", "dummy");
@@ -45,7 +45,7 @@ TEST(SetByPath, TakesAAndBForTheTeams) {
   EXPECT_EQ(game.b.strategy, "dummy");
 }
 
-TEST(SetByPath, SetsBothFactorsByAHandicap) {
+TEST(SetByPath, SetsBothFactorsWithAHandicap) {
   GameConfiguration game;
   set_by_path(game, "b.handicap", "0.8");
   EXPECT_EQ(game.b.speed_factor, 0.8);
@@ -53,7 +53,7 @@ TEST(SetByPath, SetsBothFactorsByAHandicap) {
   EXPECT_EQ(game.a.speed_factor, 1.0);
 }
 
-TEST(SetByPath, SetsTheBallsNumbersByAPreset) {
+TEST(SetByPath, SetsTheBallsValuesWithAPreset) {
   GameConfiguration game;
   set_by_path(game, "sim.ball.preset", "tigers");
   EXPECT_EQ(game.sim.ball.slide_mps2, 3.0);
@@ -64,7 +64,7 @@ TEST(SetByPath, SetsTheBallsNumbersByAPreset) {
       "expected one of default, erforce, tigers, grsim, found 'tiger'; did you mean 'tigers'?");
 }
 
-TEST(SetByPath, LetsSingleNumbersChangeAPreset) {
+TEST(SetByPath, LetsSingleSettingsOverrideAPreset) {
   GameConfiguration game;
   set_by_path(game, "sim.ball.preset", "grsim");
   set_by_path(game, "sim.ball.roll_mps2", "0.5");
@@ -73,7 +73,7 @@ TEST(SetByPath, LetsSingleNumbersChangeAPreset) {
   EXPECT_EQ(value_at(game, "sim.ball.preset"), "other");
 }
 
-TEST(SetByPath, SetsAStrategysOwnParameters) {
+TEST(SetByPath, SetsAStrategysParameters) {
   GameConfiguration game;
   set_by_path(game, "a.params.shot_mps", "6.5");
   EXPECT_EQ(game.a.params.at("shot_mps"), 6.5);
@@ -86,7 +86,7 @@ TEST(SetByPath, NamesTheNearestKeyForAnUnknownOne) {
   EXPECT_NE(refusal_of("a.params", "5").find("unknown key"), std::string::npos);
 }
 
-TEST(SetByPath, SetsWhatDiffersInATeamsRobotsOrInOneOfThem) {
+TEST(SetByPath, SetsOverridesOfATeamsRobotsOrOfOneRobot) {
   GameConfiguration game;
   set_by_path(game, "b.robot.speed_mps", "2");
   set_by_path(game, "b.players.3.dribbler.preset", "perfect");
@@ -97,7 +97,7 @@ TEST(SetByPath, SetsWhatDiffersInATeamsRobotsOrInOneOfThem) {
   EXPECT_TRUE(game.a.changes.empty());
 }
 
-TEST(SetByPath, NamesTheNearestOfAPlayersKeys) {
+TEST(SetByPath, NamesTheNearestKeyOfAPlayer) {
   EXPECT_NE(refusal_of("b.players.3.handicup", "1").find("'b.players.3.handicap'"),
             std::string::npos);
   EXPECT_NE(refusal_of("b.robot.speed", "1").find("'b.robot.speed_mps'"), std::string::npos);
@@ -147,7 +147,7 @@ TEST(CheckGame, RefusesParametersThatTheStrategyDoesNotHave) {
   }
 }
 
-// One step of Box2D is 0.2 m long at most, so that 30 a second carry nothing at 8 m/s.
+// Box2D moves a body at most 0.2 m per step, so 30 steps a second cannot carry 8 m/s.
 TEST(CheckGame, RefusesSubstepsTooFewForAKick) {
   GameConfiguration game;
   game.sim.frame_rate_hz = 30;
@@ -186,7 +186,7 @@ TEST(ConfigurationHash, ChangesWithEverySetting) {
   }
 }
 
-TEST(ConfigurationHash, TellsTeamsAndPlayersApart) {
+TEST(ConfigurationHash, DistinguishesTeamsFromPlayers) {
   std::set<std::uint64_t> hashes;
   for (const char* branch : {"a.", "b.", "a.players.1.", "a.players.2.", "b.players.1."}) {
     GameConfiguration game;
@@ -196,7 +196,7 @@ TEST(ConfigurationHash, TellsTeamsAndPlayersApart) {
   EXPECT_EQ(hashes.size(), 5U);
 }
 
-TEST(ConfigurationHash, TellsTheTeamsApart) {
+TEST(ConfigurationHash, DistinguishesTheTeams) {
   GameConfiguration left;
   left.a.params["shot_mps"] = 5;
   GameConfiguration right;
@@ -204,8 +204,8 @@ TEST(ConfigurationHash, TellsTheTeamsApart) {
   EXPECT_NE(configuration_hash(left), configuration_hash(right));
 }
 
-// The ranges that a user is told are within those that the world checks, and begin where they do.
-TEST(Settings, OfTheWorldAreTakenByTheWorldAtBothEndsOfTheirRanges) {
+// The world accepts both ends of the ranges documented for users, and refuses values below them.
+TEST(Settings, OfTheWorldAreValidAtBothEndsOfTheirRanges) {
   GameConfiguration game;
   int checked = 0;
   for (const Setting& setting : settings_of(game)) {

@@ -1,4 +1,4 @@
-// Which numbers each robot gets in the end.
+// The final values of each robot.
 #include "runner/settings/robot_changes.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ sim::RobotSpec robot_of_b(const std::string& text, std::size_t number) {
   return spec_of(game, game.b).robots.at(number);
 }
 
-TEST(SpecOf, GivesEveryRobotTheGamesNumbersUnlessReportedOtherwise) {
+TEST(SpecOf, GivesEveryRobotTheGamesValuesByDefault) {
   const GameConfiguration game = game_of("sim: { robot: { speed_mps: 2.5 } }\n");
   for (const TeamConfiguration* team : {&game.a, &game.b}) {
     const sim::TeamSpec spec = spec_of(game, *team);
@@ -35,8 +35,8 @@ TEST(SpecOf, GivesEveryRobotTheGamesNumbersUnlessReportedOtherwise) {
   }
 }
 
-// Each layer sets one number more than the one above it, and all of those below.
-TEST(SpecOf, LetsTheGameGiveWayToTeamsAndTheseToPlayersWhateverTheOrderOfKeys) {
+// Each layer sets one value more than the layer above it, and all values of the layers below.
+TEST(SpecOf, LetsTeamsOverrideTheGameAndPlayersOverrideTeamsInAnyOrderOfKeys) {
   const std::string types =
       "types:\n"
       "  team: { robot: { braking_mps2: 12, acceleration_mps2: 12, speed_mps: 12, mass_kg: 12 } }\n"
@@ -52,16 +52,16 @@ TEST(SpecOf, LetsTheGameGiveWayToTeamsAndTheseToPlayersWhateverTheOrderOfKeys) {
       "    type: team\n";
   for (const std::string& text : {types + sim + teams, teams + sim + types}) {
     const sim::RobotParameters robot = robot_of_b(text, 2).body;
-    EXPECT_EQ(robot.wheel_acceleration_mps2, 11);  // the game
-    EXPECT_EQ(robot.braking_mps2, 12);             // the team's type
-    EXPECT_EQ(robot.acceleration_mps2, 13);        // the team
-    EXPECT_EQ(robot.speed_mps, 14);                // the player's type
-    EXPECT_EQ(robot.mass_kg, 15);                  // the player
+    EXPECT_EQ(robot.wheel_acceleration_mps2, 11);  // set by the game
+    EXPECT_EQ(robot.braking_mps2, 12);             // set by the team's type
+    EXPECT_EQ(robot.acceleration_mps2, 13);        // set by the team
+    EXPECT_EQ(robot.speed_mps, 14);                // set by the player's type
+    EXPECT_EQ(robot.mass_kg, 15);                  // set by the player
     EXPECT_EQ(robot_of_b(text, 3).body.mass_kg, 13);
   }
 }
 
-TEST(SpecOf, LeavesTheOtherTeamAlone) {
+TEST(SpecOf, DoesNotAffectTheOtherTeam) {
   const GameConfiguration game =
       game_of("teams: { b: { robot: { mass_kg: 3 }, handicap: 0.5 } }\n");
   EXPECT_EQ(spec_of(game, game.a).robots[0].body.mass_kg, 2.5);
@@ -80,14 +80,14 @@ TEST(SpecOf, MultipliesTheTeamsFactorsWithThePlayers) {
   EXPECT_DOUBLE_EQ(robot_of_b(text, 5).speed_factor, 0.8);
 }
 
-TEST(SpecOf, LetsSingleNumbersChangeADribblersPresetWhereverTheyStand) {
+TEST(SpecOf, LetsSingleSettingsOverrideADribblersPresetInAnyOrder) {
   const sim::RobotSpec robot =
       robot_of_b("teams: { b: { dribbler: { force_n: 50, preset: perfect } } }\n", 0);
   EXPECT_TRUE(robot.dribbler.holds);
   EXPECT_EQ(robot.dribbler.force_n, 50);
 }
 
-TEST(SpecOf, ChangesKickersToo) {
+TEST(SpecOf, AlsoChangesKickers) {
   const std::string text = "teams: { b: { players: { 1: { kicker: { speed_limit_mps: 5 } } } } }\n";
   EXPECT_EQ(robot_of_b(text, 1).kicker.speed_limit_mps, 5);
   EXPECT_EQ(robot_of_b(text, 0).kicker.speed_limit_mps, 8);
@@ -105,13 +105,13 @@ TEST(SpecOf, RefusesATypeThatTheGameDoesNotHave) {
   EXPECT_THROW(spec_of(game, game.a), std::invalid_argument);
 }
 
-TEST(AssignChange, KeepsNothingOfAWrongValue) {
+TEST(AssignChange, KeepsNothingOfAnInvalidValue) {
   RobotChanges changes;
   EXPECT_THROW(assign_change({&changes, "robot.mass_kg"}, "-1"), std::invalid_argument);
   EXPECT_TRUE(changes.empty());
 }
 
-TEST(AssignChange, SpellsNumbersAlwaysTheSame) {
+TEST(AssignChange, AlwaysSpellsNumbersTheSame) {
   RobotChanges changes;
   assign_change({&changes, "robot.mass_kg"}, "2.50");
   EXPECT_EQ(changes.at("robot.mass_kg"), "2.5");

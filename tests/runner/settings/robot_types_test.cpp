@@ -1,4 +1,4 @@
-// Types of robots: their files, and how scenarios, sweeps and flags name them.
+// Robot types: their files, and how scenarios, sweeps and flags name them.
 #include "runner/settings/robot_types.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ const std::string kType = "schema: 1\nkind: robot\n";
 const std::string kGame = "schema: 1\nkind: game\n";
 const std::string kSweep = "schema: 1\nkind: sweep\npairs: 1\nseed: 1\n";
 
-// A folder with a scenario, and the types `slow` and `fast` in a folder below it.
+// A folder with a scenario, and the types `slow` and `fast` in a subfolder.
 class ScenarioWithTypes : public testing::Test {
  protected:
   ScenarioWithTypes() {
@@ -56,7 +56,7 @@ class ScenarioWithTypes : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(ScenarioWithTypes, FindsThemBesideItself) {
+TEST_F(ScenarioWithTypes, FindsThemRelativeToItself) {
   const GameConfiguration it = game(
       "teams: { b: { type: robots/slow.yaml, players: { 1: { type: robots/fast.yaml } } } }\n");
   EXPECT_EQ(speed_mps(it, 0), 2.2);
@@ -76,7 +76,7 @@ TEST_F(ScenarioWithTypes, VariesThemAsFactorsWithReadableIds) {
   EXPECT_EQ(spec_of(last, last.b).robots[2].speed_factor, 1.0);
 }
 
-TEST_F(ScenarioWithTypes, VariesATypeBesideTheTeamsOwnNumbers) {
+TEST_F(ScenarioWithTypes, VariesATypeTogetherWithTheTeamsValues) {
   const std::vector<ScheduledGame> games = scheduled_games(
       sweep("base: { teams: { b: { type: robots/fast.yaml, robot: { mass_kg: 3 } } } }\n"
             "factors: { b.type: [robots/slow.yaml] }\n"));
@@ -85,7 +85,7 @@ TEST_F(ScenarioWithTypes, VariesATypeBesideTheTeamsOwnNumbers) {
   EXPECT_EQ(spec_of(it, it.b).robots[0].body.mass_kg, 3);
 }
 
-TEST_F(ScenarioWithTypes, IsTheSameGameAgainFromItsEffectiveText) {
+TEST_F(ScenarioWithTypes, IsReproducedFromItsEffectiveText) {
   const Scenario scenario = read(kGame +
                                  "teams: { b: { type: robots/slow.yaml, players: { 1: { type: "
                                  "robots/fast.yaml, kicker: { reach_m: 0.02 } } } } }\n");
@@ -94,7 +94,7 @@ TEST_F(ScenarioWithTypes, IsTheSameGameAgainFromItsEffectiveText) {
             configuration_hash(std::get<GameConfiguration>(scenario.content)));
 }
 
-TEST_F(ScenarioWithTypes, HasTheSameGamesAgainFromASweepsEffectiveText) {
+TEST_F(ScenarioWithTypes, HasItsSweepReproducedFromTheEffectiveText) {
   const Scenario scenario = read(kSweep + "factors: { b.type: [none, robots/slow.yaml] }\n");
   const Scenario back = read_scenario_text(effective_text(scenario), "elsewhere/effective.yaml");
   const std::vector<ScheduledGame> games = scheduled_games(std::get<Sweep>(scenario.content));
@@ -107,7 +107,7 @@ TEST_F(ScenarioWithTypes, HasTheSameGamesAgainFromASweepsEffectiveText) {
   }
 }
 
-TEST_F(ScenarioWithTypes, HasAHashOverNumbersNotNames) {
+TEST_F(ScenarioWithTypes, HasAHashOfValuesNotNames) {
   const std::string text = "teams: { b: { type: robots/slow.yaml } }\n";
   const std::uint64_t slow = configuration_hash(game(text));
   write_content(folder_ / "robots/lame.yaml", content_of(folder_ / "robots/slow.yaml"));
@@ -117,41 +117,41 @@ TEST_F(ScenarioWithTypes, HasAHashOverNumbersNotNames) {
   EXPECT_NE(configuration_hash(game(text)), slow);
 }
 
-TEST_F(ScenarioWithTypes, NamesItsPlaceForATypeThatCannotBeRead) {
+TEST_F(ScenarioWithTypes, NamesItsOwnLocationForATypeThatCannotBeRead) {
   const std::string start = file("x.yaml") + ":3:21: teams.b.type: ";
   const std::string message = refusal(kGame + "teams: { b: { type: robots/lost.yaml } }\n");
   EXPECT_TRUE(message.starts_with(start)) << message;
   EXPECT_NE(message.find("robots/lost.yaml: the file cannot be read"), std::string::npos);
 }
 
-TEST_F(ScenarioWithTypes, RefusesAWordThatNamesNoType) {
+TEST_F(ScenarioWithTypes, RefusesAnUnknownType) {
   const std::string message = refusal(kGame + "teams: { b: { type: slow } }\n");
   EXPECT_TRUE(message.starts_with(file("x.yaml") + ":3:21: teams.b.type: ")) << message;
   EXPECT_NE(message.find("a file such as robots/slow.yaml, or one of none"), std::string::npos);
 }
 
-TEST_F(ScenarioWithTypes, NamesTheTypesPlaceForWhatIsWrongInIt) {
+TEST_F(ScenarioWithTypes, NamesTheTypesLocationForAnErrorInIt) {
   write_content(folder_ / "robots/slow.yaml", kType + "robot: { speed: 2 }\n");
   const std::string message = refusal(kGame + "teams: { b: { type: robots/slow.yaml } }\n");
   EXPECT_TRUE(message.starts_with(file("robots/slow.yaml") + ":3:10: robot: unknown key 'speed'"))
       << message;
 }
 
-TEST_F(ScenarioWithTypes, RefusesTwoTypesOfOneName) {
+TEST_F(ScenarioWithTypes, RefusesTwoTypesOfTheSameName) {
   std::filesystem::create_directory(folder_ / "other");
   write_content(folder_ / "other/slow.yaml", kType + "robot: { speed_mps: 1 }\n");
   const std::string message =
       refusal(kGame + "teams: { a: { type: robots/slow.yaml }, b: { type: other/slow.yaml } }\n");
-  EXPECT_NE(message.find("another type is called 'slow'"), std::string::npos) << message;
+  EXPECT_NE(message.find("another type is already called 'slow'"), std::string::npos) << message;
 }
 
-TEST_F(ScenarioWithTypes, SaysThatAFilesNameIsTheTypesName) {
+TEST_F(ScenarioWithTypes, SaysThatATypeIsNamedAfterItsFile) {
   const std::string message = refusal(kGame + "teams: { b: { type: robots/very slow.yaml } }\n");
   EXPECT_TRUE(message.starts_with(file("x.yaml") + ":3:21: teams.b.type: ")) << message;
   EXPECT_TRUE(message.ends_with("found 'very slow'; rename the file")) << message;
 }
 
-TEST_F(ScenarioWithTypes, TakesAFlagsPathFromTheFolderNamed) {
+TEST_F(ScenarioWithTypes, ResolvesAFlagsPathInTheGivenFolder) {
   GameConfiguration it;
   set_by_path(it, "b.type", "robots/slow.yaml", folder_.path());
   set_by_path(it, "b.players.2.type", "robots/fast.yaml", folder_.path());
@@ -164,12 +164,12 @@ TEST_F(ScenarioWithTypes, TakesAFlagsPathFromTheFolderNamed) {
 struct Mistake {
   const char* name;
   std::string text;
-  const char* message;  // its start
+  const char* message;  // start of the message
 };
 
 class WrongType : public testing::TestWithParam<Mistake> {};
 
-TEST_P(WrongType, IsRefusedWithItsPlace) {
+TEST_P(WrongType, IsRefusedWithItsLocation) {
   try {
     read_robot_type_text(GetParam().text, "t.yaml");
     FAIL() << "was accepted";
@@ -212,7 +212,7 @@ TEST(RobotTypes, OfTheRepositoryCanAllBeRead) {
   EXPECT_GE(types, 3);
 }
 
-TEST(RobotTypes, PaperSpellsOutTheDefaults) {
+TEST(RobotTypes, PaperHasTheDefaultValues) {
   const RobotChanges paper = read_robot_type(in_checkout("scenarios/robots/paper.yaml"));
   sim::RobotSpec robot;
   std::size_t settings = 0;

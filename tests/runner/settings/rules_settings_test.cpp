@@ -1,4 +1,4 @@
-// match.rules sets what belongs to a rule book; whatever else a file says stands over it.
+// match.rules applies a rule book; anything else in the file overrides it.
 #include <gtest/gtest.h>
 
 #include "runner/experiments/reading/effective.hpp"
@@ -14,7 +14,7 @@ GameConfiguration game_in(const std::string& lines) {
   return std::get<GameConfiguration>(read_scenario_text(text, "game.yaml").content);
 }
 
-TEST(MatchRules, SetFieldRobotsAndLengthOfTheBook) {
+TEST(MatchRules, SetTheBooksFieldRobotsAndLength) {
   const GameConfiguration game = game_in("match: { rules: 2026-a }\n");
   EXPECT_DOUBLE_EQ(game.field.length_m, 12);
   EXPECT_EQ(game.a.robots, 11);
@@ -22,7 +22,7 @@ TEST(MatchRules, SetFieldRobotsAndLengthOfTheBook) {
   EXPECT_DOUBLE_EQ(game.match.half_s, 300);
 }
 
-TEST(MatchRules, AreReadFirstWhereverTheyStand) {
+TEST(MatchRules, AreReadFirstWhateverTheirPosition) {
   const GameConfiguration game = game_in(
       "teams: { a: { robots: 4 } }\nfield: { length_m: 10 }\nmatch: { half_s: 60, rules: 2026-b "
       "}\n");
@@ -41,7 +41,7 @@ TEST(MatchRules, LetAFileSwitchSingleRules) {
   EXPECT_TRUE(game.match.in_force.has(RuleId::kBotKickedBallTooFast));
 }
 
-TEST(MatchRules, AreSpeltOutSoThatTheyReadTheSame) {
+TEST(MatchRules, AreReproducedFromTheEffectiveText) {
   const GameConfiguration game = game_in(
       "match: { rules: 2014-double, switch: { bot_pushed_bot: false } }\nteams: { b: { robots: 3 } "
       "}\n");
@@ -54,7 +54,7 @@ TEST(MatchRules, AreSpeltOutSoThatTheyReadTheSame) {
   EXPECT_FALSE(again.match.in_force.has(RuleId::kBotPushedBot));
 }
 
-TEST(MatchRules, TellConfigurationsApart) {
+TEST(MatchRules, DistinguishConfigurations) {
   const GameConfiguration game = game_in("match: { rules: 2014 }\n");
   GameConfiguration other = game;
   other.match.in_force[RuleId::kOffside] = true;
@@ -80,7 +80,7 @@ std::string refusal_of(const std::string& lines) {
   return "accepted";
 }
 
-TEST(MatchRules, NameWhatASwitchOfAnEarlierVersionIsCalledNow) {
+TEST(MatchRules, NameTheNewNameOfARenamedSwitch) {
   for (const auto& [before, now] :
        {std::pair{"kick_speed", "bot_kicked_ball_too_fast"}, std::pair{"crash", "bot_crash_unique"},
         std::pair{"dribbling", "bot_dribbled_ball_too_far"}}) {
@@ -91,7 +91,7 @@ TEST(MatchRules, NameWhatASwitchOfAnEarlierVersionIsCalledNow) {
   }
 }
 
-TEST(MatchRules, NameTheNewPathOfASwitchThatIsSetByItsOldOne) {
+TEST(MatchRules, NameTheNewPathOfARenamedSwitch) {
   GameConfiguration game;
   try {
     set_by_path(game, "match.switch.crash", "true");

@@ -18,7 +18,7 @@ TEST(ShownNames, AreTheStrategies) {
             (std::array<std::string, 2>{"basic", "zone"}));
 }
 
-TEST(ShownNames, HaveTheTeamsLettersWhereBothHaveOneStrategy) {
+TEST(ShownNames, IncludeTheTeamsLettersIfBothPlayTheSameStrategy) {
   EXPECT_EQ(names("basic", "basic", Side::kEast).values,
             (std::array<std::string, 2>{"basic (b)", "basic (a)"}));
 }

@@ -125,10 +125,8 @@ INSTANTIATE_TEST_SUITE_P(
                 {"unknown key 'mass'", "'mass_kg'"}},
         Mistake{
             "TypesName", kGame + "types: { none: {} }\n", "x.yaml:3:10: types: ", {"not 'none'"}},
-        Mistake{"TypeAsAScenario",
-                "schema: 1\nkind: robot\n",
-                "x.yaml:2:7: kind: ",
-                {"type of robots"}},
+        Mistake{
+            "TypeAsAScenario", "schema: 1\nkind: robot\n", "x.yaml:2:7: kind: ", {"robot type"}},
         Mistake{"GoalTooWide",
                 kGame + "field: { width_m: 2.5, goal_width_m: 3 }\n",
                 "x.yaml:3:24: ",
