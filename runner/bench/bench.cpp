@@ -34,7 +34,7 @@ GameConfiguration fixed_game(std::uint64_t seed) {
   return game;
 }
 
-// A game with every rule in force, whichever book has it.
+// A game with every rule of every rule book in force.
 GameConfiguration game_with_all_rules() {
   GameConfiguration game = fixed_game(kFirstSeed);
   game.match.rules = "2014";
@@ -42,7 +42,7 @@ GameConfiguration game_with_all_rules() {
   return game;
 }
 
-// Adds up the time between the ends of a frame's parts.
+// Sums up the duration of each phase of the frames.
 class Shares final : public Observer {
  public:
   void on_phase(Phase ended) override {
@@ -98,10 +98,10 @@ void print_json(const BenchResult& r) {
 }
 
 void print_table(const BenchResult& r) {
-  fmt::print("a whole game          {:9.0f} ns a frame, {:.0f} x real time on one core\n",
+  fmt::print("a whole game          {:9.0f} ns per frame, {:.0f} x real time on one core\n",
              r.ns_per_frame, r.x_real_time);
-  fmt::print("the bare Box2D scene  {:9.0f} ns a frame\n", r.bare_ns_per_frame);
-  fmt::print("the referee           {:9.0f} ns a frame, with every rule in force\n",
+  fmt::print("the bare Box2D scene  {:9.0f} ns per frame\n", r.bare_ns_per_frame);
+  fmt::print("the referee           {:9.0f} ns per frame, with every rule in force\n",
              r.referee_ns_per_frame);
   fmt::print("ratio                 {:9.3f}   (median of {} rounds)\n", r.ratio, kBenchRounds);
   fmt::print("signature             {:016x}\n", r.signature);
@@ -109,7 +109,7 @@ void print_table(const BenchResult& r) {
     fmt::print("  {:10} {:5.1f} %\n", kPhaseNames[i], 100 * r.shares[i]);
   }
   for (const TeamCost& team : r.teams) {
-    fmt::print("team {:16} {:9.2f} us a decision\n", team.name, team.ns_per_decision / 1000);
+    fmt::print("team {:16} {:9.2f} us per decision\n", team.name, team.ns_per_decision / 1000);
   }
 }
 

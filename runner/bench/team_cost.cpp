@@ -14,14 +14,14 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t kSeed = 1;
-constexpr double kHalf_s = 300;  // two of them make some 72000 decisions
+constexpr double kHalf_s = 300;  // two of them have about 72000 decisions
 
 struct Decisions {
   double ns = 0;
   std::int64_t count = 0;
 };
 
-// A team that plays as another one does, and has its decisions timed.
+// Wraps another strategy and times its decisions.
 class Timed final : public strategies::Strategy {
  public:
   Timed(std::unique_ptr<strategies::Strategy> team, Decisions& decisions)

@@ -1,4 +1,4 @@
-// How long teams think.
+// Measures how long teams take to decide.
 #pragma once
 
 #include <cstdint>
@@ -7,16 +7,16 @@
 
 namespace autoref::runner {
 
-// What one team's thinking costs.
+// Decision time of one team.
 struct TeamCost {
   std::string name;
   double ns_per_decision = 0;  // of the whole team, mean over a game against itself
   std::int64_t decisions = 0;  // of both teams in that game
 };
 
-// What that registered team's decisions take in a fixed game against itself, six against six, two
-// halves of 300 s; clock reads add some 30 ns. Throws std::invalid_argument for an unknown name,
-// and std::logic_error where its game is void.
+// Measures a registered team in a fixed game against itself: six against six, two halves of 300 s.
+// Reading the clock adds about 30 ns. Throws std::invalid_argument for an unknown name, and
+// std::logic_error if the game is void.
 TeamCost cost_of_team(std::string_view name);
 
 }  // namespace autoref::runner

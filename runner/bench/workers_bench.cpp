@@ -24,9 +24,9 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kWorkersRounds = 3;
 constexpr int kWorkers = 2;
-constexpr int kWorkersPairs = 6;  // 12 games a run
+constexpr int kWorkersPairs = 6;  // 12 games per run
 
-// Gone with this object.
+// Deleted with this object.
 class TemporaryFolder {
  public:
   TemporaryFolder() : name_((fs::temp_directory_path() / "autoref-bench-XXXXXX").string()) {
@@ -60,7 +60,7 @@ double cpu_s(int whose) {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-// All games of the experiment, from reading the folder to writing the results.
+// Plays all games of the experiment, from reading the folder to writing the results.
 Costs run_with(int workers) {
   const TemporaryFolder folder;
   Sweep sweep;
@@ -116,14 +116,14 @@ int run_workers_bench(bool json) {
     fmt::print("{}\n", json_of(result));
     return kDone;
   }
-  fmt::print("one worker            {:9.1f} games a minute\n", result.games_per_min_alone);
-  fmt::print("{} workers             {:9.1f} games a minute\n", result.workers,
+  fmt::print("one worker            {:9.1f} games per minute\n", result.games_per_min_alone);
+  fmt::print("{} workers             {:9.1f} games per minute\n", result.workers,
              result.games_per_min_together);
   fmt::print("ratio                 {:9.3f}   (median of {} rounds)\n", result.speedup,
              kWorkersRounds);
-  fmt::print("a game                {:9.3f} s of a worker's processor time\n",
+  fmt::print("workers               {:9.3f} s of processor time per game\n",
              result.workers_cpu_s_per_game);
-  fmt::print("what hands it out     {:9.3f} ms, {:.2f} % of it\n",
+  fmt::print("dispatching           {:9.3f} ms per game, {:.2f} % of that\n",
              1000 * result.parent_cpu_s_per_game, 100 * result.parent_share());
   return kDone;
 }

@@ -39,8 +39,8 @@ fs::path build_folder(const fs::path& path, const std::string& build) {
   }
   throw InputError(
       {(path / kGamesFolder).string()}, "build",
-      fmt::format("a row's build must be of letters, digits and .-_+; found '{}'; move "
-                  "the file that has it elsewhere",
+      fmt::format("a row's build may only contain letters, digits and .-_+; found '{}'; move "
+                  "the file with this row elsewhere",
                   build));
 }
 
@@ -48,9 +48,9 @@ void write_overview(const fs::path& path, const std::vector<BuildReport>& builds
   Document document{
       title_of(builds.front().folder.scenario),
       {Paragraph{"The folder holds games of several builds. Games of different builds "
-                 "are not the same experiment, so that each is reported apart. Tables "
-                 "and plots right beside this report, if any, are of one build: that which was "
-                 "written last."},
+                 "do not belong to the same experiment, so each build is reported separately. "
+                 "Tables and plots in the same folder as this report, if any, are those of the "
+                 "build reported last."},
        table_of(builds)}};
   for (const auto& [folder, text] : builds) {
     document.blocks.emplace_back(Heading{"Build " + folder.build});

@@ -1,4 +1,4 @@
-// Folders that hold games of several builds: each is reported apart, none is mixed with another.
+// Reports on folders with games of several builds: one report per build, never mixed.
 #pragma once
 
 #include <filesystem>
@@ -9,17 +9,17 @@
 
 namespace autoref::runner {
 
-// Where a build's report goes in the folder of results: "build-0.1.0-5bfc77ad2f0a". Throws
-// InputError where a row's build is no name that a folder may have.
+// Subfolder of the results folder for a build's report: "build-0.1.0-5bfc77ad2f0a". Throws
+// InputError if a row's build is not a valid folder name.
 std::filesystem::path build_folder(const std::filesystem::path& path, const std::string& build);
 
 struct BuildReport {
   ResultFolder folder;
-  std::string table;  // for people
+  std::string table;  // as text
 };
 
-// Writes report.md and report.html into the folder of results: how many games each build has, its
-// table, and where its report is. There is at least one build.
+// Writes report.md and report.html into the results folder: the number of games of each build, its
+// table, and the location of its report. `builds` must not be empty.
 void write_overview(const std::filesystem::path& path, const std::vector<BuildReport>& builds);
 
 }  // namespace autoref::runner

@@ -7,7 +7,7 @@
 namespace autoref::runner {
 namespace {
 
-constexpr std::size_t kMostVoidGames = 20;  // that are named
+constexpr std::size_t kMostVoidGames = 20;  // listed one by one
 
 std::string effective_file(const std::string& direction) {
   return direction == "." ? kEffectiveFile : fmt::format("{}/{}", direction, kEffectiveFile);
@@ -28,21 +28,22 @@ Section void_section(const ResultFolder& folder) {
   }
   if (list.items.empty()) return {};
   if (others > 0) list.items.push_back(fmt::format("and {} more, in results.csv", others));
-  return {Heading{"Void games"},
-          Paragraph{"They count in no mean and in no interval; the other leg of their pair counts "
-                    "in means, but not in intervals."},
-          list};
+  return {
+      Heading{"Void games"},
+      Paragraph{"Void games do not count in means or intervals; the other leg of their pair counts "
+                "in means, but not in intervals."},
+      list};
 }
 
 Section settings_section(const ResultFolder& folder, const std::string& direction) {
   const std::vector<DefaultDifference> differences = differences_from_defaults(folder.scenario);
-  Table table{{{"setting", "here", "default"}}, 3};
+  Table table{{{"setting", "value", "default"}}, 3};
   for (const DefaultDifference& difference : differences) {
     table.rows.push_back({difference.path, difference.here, difference.by_default});
   }
-  Section section = {Heading{"Settings"}, Link{effective_file(direction), "Every setting"}};
+  Section section = {Heading{"Settings"}, Link{effective_file(direction), "All settings"}};
   if (!differences.empty()) {
-    const Paragraph intro{"What differs from the defaults of its rule book:"};
+    const Paragraph intro{"Differences from the defaults of the rule book:"};
     section.emplace_back(intro);
     section.emplace_back(table);
   }
@@ -52,15 +53,15 @@ Section settings_section(const ResultFolder& folder, const std::string& directio
 Section commands_section(const ResultFolder& folder, const std::string& direction) {
   const std::string folder_and_build =
       direction + (folder.completed_games.other_builds.empty() ? "" : " --build " + folder.build);
-  return {
-      Heading{"To reproduce it"},
-      Paragraph{fmt::format("In the folder of this report, with build {}, these play every game "
-                            "anew, play five again and compare, and write the report again:",
-                            folder.build)},
-      Verbatim{fmt::format("autoref run {0} -o again\n"
-                           "autoref verify {1} --sample 5\n"
-                           "autoref report {1}\n",
-                           effective_file(direction), folder_and_build)}};
+  return {Heading{"How to reproduce"},
+          Paragraph{fmt::format(
+              "Run these in the folder of this report, with build {}, to play all games "
+              "again, to replay five and compare them, and to write the report again:",
+              folder.build)},
+          Verbatim{fmt::format("autoref run {0} -o again\n"
+                               "autoref verify {1} --sample 5\n"
+                               "autoref report {1}\n",
+                               effective_file(direction), folder_and_build)}};
 }
 
 }  // namespace autoref::runner

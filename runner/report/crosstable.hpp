@@ -1,4 +1,4 @@
-// Each team against each, from its own side.
+// Results of each team against each other team.
 #pragma once
 
 #include <optional>
@@ -9,24 +9,24 @@
 
 namespace autoref::runner {
 
-// What one team reached against another.
+// Results of one team against another.
 struct CrossCell {
   int wins = 0;
   int draws = 0;
   int losses = 0;
-  std::optional<double> mean_difference;  // none without games
+  std::optional<double> mean_difference;  // nullopt without games
 
   int points() const { return 3 * wins + draws; }
 };
 
-// cells[row][column] is the row's team against the column's; a team has none against itself, nor
-// against one that it did not meet.
+// cells[row][column] holds the row's team against the column's; nullopt on the diagonal and for
+// teams that did not meet.
 struct Crosstable {
   std::vector<std::string> teams;  // best first
   std::vector<std::vector<std::optional<CrossCell>>> cells;
 };
 
-// Of results with standings and groups of two teams each; none of others.
+// Returns the table for results with standings and groups of two teams each, otherwise nullopt.
 std::optional<Crosstable> crosstable_of(const ExperimentResults& results);
 
 }  // namespace autoref::runner

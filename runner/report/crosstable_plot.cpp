@@ -12,11 +12,11 @@ namespace autoref::runner {
 namespace {
 
 constexpr int kCrosstableFrameHeight_px = 130;
-constexpr std::size_t kMostTeams = 30;  // whose numbers can be read
+constexpr std::size_t kMostTeams = 30;  // with more, the numbers would be unreadable
 
 int row_height_px(std::size_t teams) { return teams <= 6 ? 56 : teams <= 12 ? 40 : 26; }
 
-// Font size and format of the numbers.
+// Font size by number of teams.
 const char* number_font(std::size_t teams) {
   return teams <= 10 ? ",13" : teams <= 18 ? ",10" : ",8";
 }
@@ -43,7 +43,7 @@ std::string csv_of(const Crosstable& table) {
   return csv;
 }
 
-// The greatest root of a difference: white lies at 0, and the colours reach as far on both sides.
+// Colour range: the largest square root of a difference. White is 0, and the range is symmetric.
 double reach_of(const Crosstable& table) {
   double reach = 0;
   for_each_result(table, [&reach](std::size_t, std::size_t, const CrossCell& cell) {

@@ -16,7 +16,7 @@ namespace {
 using Values = std::map<std::string, std::string>;  // by path
 using Teams = std::map<std::string, TeamConfiguration>;
 
-constexpr const char* kNothing = "{}";  // how a branch without changes is spelt
+constexpr const char* kNothing = "{}";  // the value of a branch without changes
 
 Values comparable_values(const std::vector<Setting>& settings) {
   Values values;
@@ -64,7 +64,7 @@ void compare_teams(const GameConfiguration& base, const Teams& teams,
   }
 }
 
-// A setting that a factor varies has no value of its own, nor has one that a varied preset sets.
+// A setting varied by a factor, or set by a varied preset, has no value of its own.
 void leave_out_factors(const Scenario& scenario, std::vector<DefaultDifference>& found) {
   if (const auto* sweep = std::get_if<Sweep>(&scenario.content)) {
     for (const auto& [value, settings] : set_by_values(*sweep)) {

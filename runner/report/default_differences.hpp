@@ -1,4 +1,4 @@
-// Which settings of an experiment are not the defaults.
+// Settings of an experiment that differ from the defaults.
 #pragma once
 
 #include <string>
@@ -14,8 +14,8 @@ struct DefaultDifference {
   std::string by_default;
 };
 
-// Of what all games have in common, and of each named team; the defaults are those of the
-// experiment's rule book. Without what factors and the plan decide.
+// Differences in the settings common to all games and in those of each named team, from the
+// defaults of the experiment's rule book. Excludes settings determined by factors or the schedule.
 std::vector<DefaultDifference> differences_from_defaults(const Scenario& scenario);
 
 }  // namespace autoref::runner

@@ -15,9 +15,9 @@ constexpr int kDifferenceRowHeight_px = 26;
 constexpr int kDifferenceFrameHeight_px = 90;
 
 constexpr const char* kWhatBarsAre =
-    "the bars are Student's 95 % intervals over pairs of legs. Above 0, team a is better.";
+    "bars: Student's 95 % intervals over pairs of legs. Above 0, team a is better.";
 
-// `value` is the factor's, or the row's number.
+// `value` is the value of the factor, or the row's number.
 std::string csv_of(const std::vector<Group>& groups, const std::vector<std::string>& names,
                    bool has_factor) {
   std::string csv = has_factor ? "value,pairs,mean_diff,low95,high95\n"
@@ -39,7 +39,7 @@ std::string slope_text(const Scenario& scenario, const std::vector<Group>& group
   const std::optional<Slope> slope =
       sweep == nullptr ? std::nullopt : slope_over_factor(*sweep, groups);
   if (!slope) return "";
-  return fmt::format(" Slope: {} goals a game per unit of {}.",
+  return fmt::format(" Slope: {} goals per game per unit of {}.",
                      mean_text(slope->mean, slope->interval), sweep->factors.front().path);
 }
 

@@ -1,4 +1,4 @@
-// A report as content, without a word of Markdown or HTML: each renderer knows how it looks.
+// The content of a report, independent of Markdown and HTML; renderers decide on the appearance.
 #pragma once
 
 #include <string>
@@ -19,19 +19,20 @@ struct List {
   std::vector<std::string> items;
 };
 
-// The first row is the head; all rows are as long. The first `names` columns are words and stand to
-// the left, the others are numbers.
+// The first row is the head; all rows have the same length. The first `names` columns are words and
+// left-aligned, the others numbers.
 struct Table {
   std::vector<std::vector<std::string>> rows;
   std::size_t names = 1;
 };
 
-// Lines that keep their spaces: commands, tables of the terminal.
+// Preformatted lines, such as commands and tables of the terminal.
 struct Verbatim {
   std::string text;
 };
 
-// A file beside the report: a link in Markdown, its name in HTML, which is sent alone.
+// A file next to the report: a link in Markdown; only its name in HTML, since that file may be sent
+// alone.
 struct Link {
   std::string file;
   std::string text;
@@ -42,7 +43,7 @@ struct Figure {
   std::string folder;
   std::string name;
   std::string caption;
-  std::string svg;  // the drawing itself
+  std::string svg;  // SVG source
 };
 
 using Block = std::variant<Heading, Paragraph, List, Table, Verbatim, Link, Figure>;
@@ -52,11 +53,12 @@ struct Document {
   std::vector<Block> blocks;
 };
 
-// Any text may hold any characters: they are shown as they are and never taken for markup. Line
-// ends within a text become spaces, but in Verbatim.
+// Texts may contain any characters: they are shown literally and never interpreted as markup. Line
+// breaks become spaces, except in Verbatim.
 std::string markdown_of(const Document& document);
 
-// One page that needs no other file and no network, and links to none: files beside it are named.
+// A self-contained page: it needs no other file and no network, and names neighbouring files
+// without linking to them.
 std::string html_of(const Document& document);
 
 }  // namespace autoref::runner

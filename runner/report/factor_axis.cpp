@@ -9,9 +9,9 @@
 namespace autoref::runner {
 namespace {
 
-constexpr double kAxisMargin = 0.06;   // of the values' span, on either side
-constexpr double kDodge = 0.004;       // of the span
-constexpr std::size_t kMostTics = 16;  // of values; more would overlap
+constexpr double kAxisMargin = 0.06;   // share of the values' span, on each side
+constexpr double kDodge = 0.004;       // share of the span
+constexpr std::size_t kMostTics = 16;  // for values; more would overlap
 
 struct Span {
   double low = 0;

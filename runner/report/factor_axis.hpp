@@ -1,4 +1,4 @@
-// The x axis of plots over a factor of numbers.
+// The x axis of plots over a numeric factor.
 #pragma once
 
 #include <string>
@@ -8,14 +8,13 @@
 
 namespace autoref::runner {
 
-// The lines of a script that label the axis with the factor's values and lay the baseline to the
-// left.
+// Script lines that label the axis with the factor's values, with the baseline on the left.
 std::string factor_axis(const NumericFactor& factor, const std::vector<Group>& groups);
 
-// How far two marks of one value stand apart from it, in the factor's unit.
+// Offset of two marks at the same value, in the factor's unit.
 double dodge_of(const NumericFactor& factor);
 
-// Whether any group has a game that is not void.
+// Returns whether any group has a game that is not void.
 bool has_games(const std::vector<Group>& groups);
 
 }  // namespace autoref::runner

@@ -23,7 +23,7 @@ FolderReport write_one(ResultFolder folder, const fs::path& into) {
   return {std::move(folder), into, std::move(results), report};
 }
 
-// The value of a row of two cells in report.md; empty where there is none.
+// The value in a two-cell row of report.md; empty if there is no such row.
 std::string cell_in(const std::string& markdown, std::string_view name) {
   const std::string begin = fmt::format("\n| {} | ", name);
   const std::size_t at = markdown.find(begin);
@@ -32,15 +32,15 @@ std::string cell_in(const std::string& markdown, std::string_view name) {
   return markdown.substr(value, markdown.find(" |\n", value) - value);
 }
 
-// What a report says of itself.
+// The state recorded in a report.
 struct ReportState {
   fs::path into;
   std::string build;
   std::string games;     // "12 of 24"
-  std::string checksum;  // of its rows; empty in reports of earlier versions
+  std::string checksum;  // of its rows; empty in reports by earlier versions
 };
 
-// An overview of several builds is not one build's report.
+// Reads the state of one build's report; an overview of several builds does not count.
 std::optional<ReportState> report_in(const fs::path& into, const std::string& build) {
   const std::string text = read_file(into / kMarkdownReport).value_or("");
   ReportState state{into, cell_in(text, kBuildRow), cell_in(text, kGamesRow),
@@ -83,10 +83,10 @@ std::string report_shortfall(const ResultFolder& folder) {
   const auto done = static_cast<int>(folder.completed_games.done.size());
   const int lacks =
       done - whole_number_in(state->games.substr(0, state->games.find(' '))).value_or(0);
-  return fmt::format("{} {}; write it again with: autoref report {}",
+  return fmt::format("{} {}; update it with: autoref report {}",
                      (state->into / kHtmlReport).string(),
                      lacks > 0 ? fmt::format("lacks {} of the {} games", lacks, done)
-                               : std::string("is of other games than the folder holds now"),
+                               : std::string("covers other games than the folder now contains"),
                      folder.path.string());
 }
 

@@ -1,5 +1,5 @@
-// The reports of a folder of results: of one build, or of each where there are several; and whether
-// those that are there still hold what the folder does.
+// Reports of a results folder (one per build if there are several), and whether existing reports
+// are up to date.
 #pragma once
 
 #include <filesystem>
@@ -11,25 +11,25 @@
 
 namespace autoref::runner {
 
-// One build's.
+// The report of one build.
 struct FolderReport {
   ResultFolder folder;
-  std::filesystem::path into;  // the folder of results, or one below it
+  std::filesystem::path into;  // the results folder, or a subfolder
   ExperimentResults results;
   WrittenReport report;
 };
 
-// Writes the report of `build` into the folder; where `build` is empty, of the only one that there
-// is, or of each of several into a folder of its own, and the overview of these.
+// Writes the report of `build`. If `build` is empty: the report of the only build, or one for each
+// of several builds in its own subfolder, with an overview.
 std::vector<FolderReport> write_folder_reports(const std::filesystem::path& path,
                                                const std::string& build);
 
-// "report.html lacks 3 of the 12 games; write it again with: autoref report DIR"; empty where no
-// report of this build is there, or where it holds the rows that count.
+// "report.html lacks 3 of the 12 games; update it with: autoref report DIR". Empty if this build
+// has no report, or one that covers the rows that count.
 std::string report_shortfall(const ResultFolder& folder);
 
-// Writes a report that is there again where report_shortfall() says so. Returns where it is; empty
-// where nothing was to be done.
+// Rewrites an existing report that is out of date according to report_shortfall(). Returns its
+// path, or an empty path if there was nothing to do.
 std::filesystem::path refresh_report(const ResultFolder& folder);
 
 }  // namespace autoref::runner

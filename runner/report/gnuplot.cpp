@@ -27,7 +27,7 @@ constexpr std::chrono::milliseconds kPause{2};
 constexpr std::size_t kLongestTrouble = 300;  // characters
 constexpr const char* kMessages = "messages.txt";
 
-// A folder that is gone with this object.
+// A temporary folder, deleted with this object.
 class Workplace {
  public:
   Workplace() {
@@ -49,7 +49,7 @@ class Workplace {
   fs::path path_;
 };
 
-// Where gnuplot runs, and that what it says goes to a file there.
+// Runs gnuplot in the temporary folder and redirects its output to a file there.
 class SpawnActions {
  public:
   explicit SpawnActions(const Workplace& workplace) {
@@ -70,7 +70,7 @@ class SpawnActions {
   posix_spawn_file_actions_t actions_{};
 };
 
-// 0, or the error's number, which is ENOENT where there is no gnuplot.
+// Returns 0 or the error number; ENOENT if gnuplot is not installed.
 int start(const Workplace& workplace, std::string script, pid_t& process) {
   const SpawnActions actions(workplace);
   std::string program = "gnuplot";
@@ -81,7 +81,7 @@ int start(const Workplace& workplace, std::string script, pid_t& process) {
                       environ);
 }
 
-// Why it did not end well; empty where it did.
+// Waits for the process. Returns why it failed, or an empty string.
 std::string end_of(pid_t process, double longest_s) {
   const auto deadline = Clock::now() + std::chrono::duration<double>(longest_s);
   int status = 0;

@@ -1,4 +1,4 @@
-// Runs gnuplot on a plot.
+// Runs gnuplot to draw a plot.
 #pragma once
 
 #include <string>
@@ -7,18 +7,18 @@
 
 namespace autoref::runner {
 
-// No drawing takes longer unless something is wrong.
+// Drawing takes longer only if something is wrong.
 inline constexpr double kLongestDrawing_s = 30;
 
 struct Drawing {
-  std::string svg;          // empty where it could not be drawn
-  std::string trouble;      // why not, in one line
+  std::string svg;          // empty if drawing failed
+  std::string trouble;      // why it failed, in one line
   bool is_missing = false;  // gnuplot is not installed
 };
 
-// Draws in a temporary folder of its own, with gnuplot's own settings instead of the user's, so
-// that a plot comes out the same for everybody. gnuplot is looked for in PATH and started without a
-// shell; it is ended after `longest_s`.
+// Draws in a temporary folder, with gnuplot's defaults instead of the user's settings, so the
+// result is the same for everybody. gnuplot is searched for in PATH, started without a shell, and
+// killed after `longest_s`.
 Drawing draw(const Plot& plot, double longest_s = kLongestDrawing_s);
 
 }  // namespace autoref::runner

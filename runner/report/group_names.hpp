@@ -1,4 +1,4 @@
-// What a report calls an experiment's groups.
+// Names for an experiment's groups in a report.
 #pragma once
 
 #include <optional>
@@ -11,25 +11,27 @@
 
 namespace autoref::runner {
 
-// What heads the values of each group: a sweep's paths, "a" and "b" over two teams.
+// Heads of the columns with the groups' values: a sweep's paths, or "a" and "b" for two teams.
 std::vector<std::string> value_heads(const Scenario& scenario, const std::vector<Group>& groups);
 
-// What is different between the groups, for an axis: "b.handicap", "a.robots, b.robots", "matchup".
+// Axis label for what distinguishes the groups: "b.handicap", "a.robots, b.robots", "matchup".
 std::string axis_name(const Scenario& scenario);
 
-// A name for each group: "0.75" of a single factor, "5, 6" of several, "bold : zone" of a matchup.
+// A name for each group: "0.75" for a single factor, "5, 6" for several, "bold : zone" for a
+// matchup.
 std::vector<std::string> names_of(const Scenario& scenario, const std::vector<Group>& groups);
 
-// A single factor over numbers.
+// A single factor with numeric values.
 struct NumericFactor {
   std::string path;
   std::vector<double> values;  // of each group
 
-  // The first value is the baseline and stands at the left, even where it is the greatest.
+  // The first value is the baseline and goes to the left, even if it is the largest.
   bool is_falling() const { return values.front() > values.back(); }
 };
 
-// None where there are several factors or none, fewer than two values, or one that is no number.
+// Returns nullopt if there is not exactly one factor, if it has fewer than two values, or if one is
+// not a number.
 std::optional<NumericFactor> numeric_factor(const Scenario& scenario,
                                             const std::vector<Group>& groups);
 

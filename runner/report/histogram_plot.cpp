@@ -12,7 +12,7 @@ namespace autoref::runner {
 namespace {
 
 constexpr int kHistogramFrameHeight_px = 90;
-constexpr double kTallestBar = 0.85;  // of a row's height
+constexpr double kTallestBar = 0.85;  // share of a row's height
 
 int bar_height_px(std::size_t rows) {
   return rows <= 3 ? 100 : rows <= 6 ? 60 : rows <= 12 ? 42 : 30;
@@ -65,7 +65,7 @@ std::optional<Plot> histogram_plot(const Scenario& scenario, const ExperimentRes
   if (!has_games(results.groups)) return std::nullopt;
   std::vector<std::string> names = names_of(scenario, results.groups);
   Plot plot{"histogram",
-            "How many games ended with which goal difference, each row to its own tallest bar.",
+            "Number of games by goal difference; each row is scaled to its tallest bar.",
             "row,name,goal_difference,games,share_of_tallest\n", ""};
   for (std::size_t i = 0; i < names.size(); ++i) {
     plot.csv += rows_of(i + 1, names[i], counted(results.groups[i]));

@@ -1,4 +1,4 @@
-// Documents as one HTML page.
+// Renders documents as a single HTML page.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,9 +10,9 @@
 namespace autoref::runner {
 namespace {
 
-// Wide tables and plots scroll in a box of their own; on paper, where nothing scrolls, their
-// letters shrink until they fit. `--letters` is how many stand side by side (0.62 em each), 176 mm
-// is what A4 and Letter have between their margins.
+// Wide tables and plots scroll in their own box. On paper, where nothing scrolls, the font shrinks
+// until they fit: `--letters` is the width in characters (0.62 em each), 176 mm the width of A4 and
+// Letter between the margins.
 constexpr const char* kStyle =
     "body{font:16px/1.5 system-ui,sans-serif;color:#222;background:#fff;max-width:60em;"
     "margin:2em auto;padding:0 1em;overflow-wrap:anywhere}\n"
@@ -83,7 +83,7 @@ std::string row_of(const std::vector<std::string>& cells, const char* tag, std::
   return row + "</tr>\n";
 }
 
-// Without what stands before the element, which has no place within a page.
+// The <svg> element without the prolog before it, which is not allowed inside a page.
 std::string_view element_of(const std::string& svg) {
   const std::size_t begin = svg.find("<svg");
   return begin == std::string::npos ? std::string_view() : std::string_view(svg).substr(begin);
@@ -103,7 +103,7 @@ std::string html_of(const List& list) {
   return text + "</ul>\n";
 }
 
-// Letters that stand side by side, with `apart` of them between two cells.
+// Width of the table in characters, with `apart` characters between two cells.
 std::size_t letters_of(const Table& table, std::size_t apart) {
   std::size_t letters = 0;
   for (std::size_t column = 0; column < table.rows.front().size(); ++column) {
@@ -133,7 +133,7 @@ std::string html_of(const Verbatim& verbatim) {
   return fmt::format("<pre style=\"--letters:{}\">{}</pre>\n", widest, escaped(verbatim.text));
 }
 
-// Not a link: it would be dead wherever the page has come without its folder.
+// Not a link, which would be dead if the page is sent without its folder.
 std::string html_of(const Link& link) {
   return fmt::format("<p>{}: <code>{}</code></p>\n", escaped(link.text), escaped(link.file));
 }

@@ -17,7 +17,7 @@ void add_section(Document& document, const Section& section) {
   document.blocks.insert(document.blocks.end(), section.begin(), section.end());
 }
 
-// Empty without lines.
+// Returns an empty section if there are no lines.
 Section list_section(const std::string& heading, const std::vector<std::string>& lines) {
   if (lines.empty()) return {};
   List list;
@@ -32,9 +32,10 @@ Section judge_commands_section(const ResultFolder& folder, const std::string& di
       folder.completed_games.other_builds.empty() ? "" : " --build " + folder.build;
   const std::string effective =
       direction == "." ? kEffectiveFile : fmt::format("{}/{}", direction, kEffectiveFile);
-  return {Heading{"To reproduce it"},
-          Paragraph{"In the folder of this report, these judge every game again, replay five and "
-                    "compare, and play the game of a fault again, by its id in faults.csv:"},
+  return {Heading{"How to reproduce"},
+          Paragraph{
+              "Run these in the folder of this report to judge all games again, to replay five and "
+              "compare them, and to replay the game of a fault, given its id in faults.csv:"},
           Verbatim{fmt::format("autoref judge {0} -o again\n"
                                "autoref verify {1}{2} --sample 5\n"
                                "autoref replay {1}{2} ID --view game.html --events events.jsonl\n",
@@ -48,12 +49,12 @@ Document judge_document(const ResultFolder& folder, const JudgeReport& report,
   Document document{title_of(folder.scenario), {}};
   add_section(document, played_section(folder, {}));
   add_section(document, {Heading{"F1 at a glance"},
-                         Paragraph{"F1 of an event's calls, of how many times it happened."},
+                         Paragraph{"F1 of each event's calls, and how often the event happened."},
                          Table{scores_rows(report), 2}});
   add_section(document, {Heading{"Last touch at exits"}, Table{last_touch_rows(report), 3}});
   add_section(document, list_section("Events called twice", report.second_calls));
-  add_section(document,
-              list_section("Calls that need play while there was none", report.calls_in_stop));
+  add_section(document, list_section("Calls that require play, made while play was stopped",
+                                     report.calls_in_stop));
   add_section(document, list_section("Void games", report.void_games));
   add_section(document,
               list_section("Referee transitions never used", report.transitions_never_used));

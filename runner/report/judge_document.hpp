@@ -1,4 +1,4 @@
-// The report of judged games.
+// The report on judged games.
 #pragma once
 
 #include "runner/batch/result_folder.hpp"
@@ -7,8 +7,8 @@
 
 namespace autoref::runner {
 
-// What was judged, F1 of everything, last touches, what is to be looked up, and all figures of each
-// rule book. `direction` leads from the report to the folder of results: "." or "..".
+// What was judged, F1 of all events, last touches, calls to inspect, and all figures by rule book.
+// `direction` is the path from the report to the results folder: "." or "..".
 Document judge_document(const ResultFolder& folder, const JudgeReport& report,
                         const std::string& direction);
 

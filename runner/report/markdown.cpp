@@ -1,4 +1,4 @@
-// Documents as Markdown, in GitHub's dialect for its tables.
+// Renders documents as Markdown; tables use GitHub's dialect.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ bool is_markup(char c) { return std::string_view("\\`*_[]<>|#~$&").find(c) != st
 
 bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
-// A line that begins so would be a list or a rule.
+// Returns whether a line starting with this text would be a list or a rule.
 bool begins_block(const std::string& text) {
   if (text.empty()) return false;
   if (text.front() == '-' || text.front() == '+' || text.front() == '=') return true;
@@ -29,7 +29,7 @@ std::string inline_text(const std::string& text) {
   return escaped;
 }
 
-// Text at the beginning of a line.
+// Escapes text at the start of a line.
 std::string escaped_line(const std::string& text) {
   std::string line = inline_text(text);
   line.erase(0, line.find_first_not_of(' '));
@@ -44,7 +44,7 @@ std::string row_of(const std::vector<std::string>& cells) {
   return fmt::format("| {} |\n", fmt::join(escaped, " | "));
 }
 
-// Longer than any run of backticks in the text.
+// A fence longer than any run of backticks in the text.
 std::string fence_for(const std::string& text) {
   std::size_t longest = 2;
   std::size_t run = 0;

@@ -26,18 +26,17 @@ std::size_t pairs_of(const std::vector<Group>& groups) {
   return pairs;
 }
 
-// What is there but does not count; rows only where there is any.
+// Adds a table row for each kind of rows that do not count, if there are any.
 void add_rows_that_do_not_count(Table& table, const ResultFolder& folder) {
   if (folder.damaged > 0) {
-    table.rows.push_back({"damaged rows, which do not count", std::to_string(folder.damaged)});
+    table.rows.push_back({"damaged rows (not counted)", std::to_string(folder.damaged)});
   }
   if (folder.completed_games.other_games > 0) {
-    table.rows.push_back({"rows of games that the experiment does not have",
+    table.rows.push_back({"rows that belong to no game of the experiment",
                           std::to_string(folder.completed_games.other_games)});
   }
   for (const auto& [build, count] : folder.completed_games.other_builds) {
-    table.rows.push_back(
-        {"rows of build " + build + ", which do not count here", std::to_string(count)});
+    table.rows.push_back({"rows of build " + build + " (not counted here)", std::to_string(count)});
   }
 }
 

@@ -41,8 +41,8 @@ double tic_step(double span) {
 
 std::string note_of_cut(std::size_t groups) {
   if (groups <= kMostGroupsInPlot) return "";
-  return fmt::format(" Only the first {} of {} are drawn; the data has all.", kMostGroupsInPlot,
-                     groups);
+  return fmt::format(" Only the first {} of {} are drawn; the data file has all.",
+                     kMostGroupsInPlot, groups);
 }
 
 std::string script_text(std::string_view text) {
@@ -66,7 +66,7 @@ std::string script_tics(std::string_view axis, const std::vector<std::string>& l
 
 std::string shortened(const std::string& text, std::size_t letters) {
   std::size_t count = 0;
-  std::size_t cut = 0;  // where the last letter that may stay before an ellipsis ends
+  std::size_t cut = 0;  // end of the last character that fits before an ellipsis
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (!begins_letter(text[i])) continue;
     if (++count == letters) cut = i;

@@ -1,4 +1,4 @@
-// A plot as a user may change and redraw it: numbers, and the gnuplot script that draws them.
+// A plot that users can change and redraw: data and a gnuplot script.
 #pragma once
 
 #include <string>
@@ -7,41 +7,41 @@
 
 namespace autoref::runner {
 
-// `gnuplot NAME.gp` beside NAME.csv draws NAME.svg.
+// `gnuplot NAME.gp` reads NAME.csv and draws NAME.svg.
 struct Plot {
   std::string name;
-  std::string about;  // what it shows and how to read it, a few sentences
+  std::string about;  // a few sentences on what it shows and how to read it
   std::string csv;
   std::string script;
 };
 
-// Groups that have a row or a panel in a plot; a plot of more would not be read.
+// Maximum number of groups with a row or a panel in a plot; more would be unreadable.
 inline constexpr std::size_t kMostGroupsInPlot = 45;
 
-inline constexpr std::size_t kLongestLabel = 34;  // letters; longer ones are cut
+inline constexpr std::size_t kLongestLabel = 34;  // characters; longer labels are cut
 
-// Okabe's and Ito's colours, which colour-blind people can tell apart.
+// Colours of Okabe and Ito, which colour-blind people can distinguish.
 inline constexpr const char* kBlue = "#0072b2";
 inline constexpr const char* kVermilion = "#d55e00";
 
-// What every script begins with: the terminal, its size in pixels, the file it draws, the name of
-// its data (`data`), light axes. Text is drawn letter by letter, without markup.
+// Common head of all scripts: terminal, size in pixels, output file, data file (`data`), light
+// axes. Text is drawn verbatim, without markup.
 std::string script_head(std::string_view name, int height_px);
 
-// The least of 1, 2 and 5 times powers of ten that divides a span into five parts or fewer.
+// The smallest of 1, 2 and 5 times a power of ten that divides the span into at most five parts.
 double tic_step(double span);
 
-// What a plot says of groups that it has no place for; empty where it shows all.
+// A note on groups that a plot leaves out; empty if it shows all.
 std::string note_of_cut(std::size_t groups);
 
-// `text` as a string of a script, in which nothing is replaced or carried out. Control characters
+// `text` as a string literal of a script, without substitution or execution. Control characters
 // become spaces.
 std::string script_text(std::string_view text);
 
-// The tics of the axis ("x", "y"), labelled, from 1 on; long labels are cut.
+// Labelled tics of an axis ("x" or "y"), from 1; long labels are cut.
 std::string script_tics(std::string_view axis, const std::vector<std::string>& labels);
 
-// At most `letters` of UTF-8, the last one an ellipsis where some are missing.
+// Cuts a UTF-8 text to `letters` characters; the last is an ellipsis if something was cut.
 std::string shortened(const std::string& text, std::size_t letters);
 
 }  // namespace autoref::runner

@@ -1,4 +1,4 @@
-// The plots of an experiment's results. Each function gives none where there is nothing to draw.
+// The plots of an experiment's results. Each function returns nullopt if there is nothing to draw.
 #pragma once
 
 #include <array>
@@ -11,31 +11,31 @@
 
 namespace autoref::runner {
 
-// Every name that a plot of a report may have.
+// Names of all plots that a report may contain.
 inline constexpr std::array kPlotNames = {"scores",  "difference", "crosstable",
                                           "ratings", "histogram",  "running_mean"};
 
-// All that fit the experiment, in the order of a report.
+// All plots that apply to the experiment, in the order of the report.
 std::vector<Plot> plots_of(const Scenario& scenario, const ExperimentResults& results);
 
-// The form of the paper's Fig. 5: mean and standard deviation of both teams' goals against the
-// value of a factor. Only over a single factor of numbers.
+// Mean and standard deviation of both teams' goals against the value of a factor, in the form of
+// the paper's Fig. 5. Only for a single numeric factor.
 std::optional<Plot> scores_plot(const Scenario& scenario, const ExperimentResults& results);
 
-// The mean goal difference of each group with its 95 % interval: a curve over a single factor of
-// numbers, else a row for each group.
+// Mean goal difference of each group with its 95 % interval: a curve for a single numeric factor,
+// otherwise one row per group.
 std::optional<Plot> difference_plot(const Scenario& scenario, const ExperimentResults& results);
 
-// How many games ended with which goal difference, a row of bars for each group.
+// Number of games by goal difference, one row of bars per group.
 std::optional<Plot> histogram_plot(const Scenario& scenario, const ExperimentResults& results);
 
-// The mean goal difference with its 95 % interval after each pair of legs, a panel for each group.
+// Mean goal difference with its 95 % interval after each pair of legs, one panel per group.
 std::optional<Plot> running_mean_plot(const Scenario& scenario, const ExperimentResults& results);
 
-// Of teams that have standings: the mean goal difference of each against each.
+// Mean goal difference of each team against each other team. Only with standings.
 std::optional<Plot> crosstable_plot(const ExperimentResults& results);
 
-// Of teams that have standings: both ratings with their 95 % intervals.
+// Both ratings of each team with their 95 % intervals. Only with standings.
 std::optional<Plot> ratings_plot(const ExperimentResults& results);
 
 }  // namespace autoref::runner

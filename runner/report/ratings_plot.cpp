@@ -31,7 +31,7 @@ std::string csv_of(const std::vector<Standing>& standings) {
   return csv;
 }
 
-// From the least to the greatest bound of the ratings, zero among them.
+// Range of the ratings and their intervals, including zero.
 double span_of(const std::vector<Standing>& standings, Rating Standing::*which) {
   Interval span;
   for (const Standing& standing : standings) {
@@ -43,7 +43,7 @@ double span_of(const std::vector<Standing>& standings, Rating Standing::*which) 
   return span.high > span.low ? span.high - span.low : 1;
 }
 
-// The teams' names stand at the first panel, and are as wide as the longest.
+// Share of the width taken by team names, which are left of the first panel.
 double names_share(const std::vector<std::string>& teams) {
   std::size_t longest = 0;
   for (const std::string& team : teams) longest = std::max(longest, team.size());
@@ -75,7 +75,7 @@ std::string script_of(const std::vector<Standing>& standings) {
              "set multiplot layout 1,2 margins screen {:.4f},0.98,{:.4f},0.97 spacing screen "
              "0.04\n",
              teams.size(), names_share(teams), kRatingsBottom_px / height_px) +
-         panel("goals", "goals a game above the average team", kBlue,
+         panel("goals", "goals per game above the average team", kBlue,
                span_of(standings, &Standing::goals)) +
          "unset ytics\n" +
          panel("bradley_terry", "Bradley-Terry strength", kVermilion,
@@ -89,8 +89,8 @@ std::optional<Plot> ratings_plot(const ExperimentResults& results) {
   if (!are_rated(results.standings) || !has_games(results.groups)) return std::nullopt;
   return Plot{
       "ratings",
-      "Ratings of the teams, best first: in goals a game (least squares), and Bradley's and "
-      "Terry's strength, by which a beats b with probability 1 / (1 + exp(b - a)). The bars "
+      "Ratings of the teams, best first: in goals per game (least squares), and Bradley-Terry "
+      "strength, where a beats b with probability 1 / (1 + exp(b - a)). The bars "
       "are 95 % intervals from resampled pairs of legs.",
       csv_of(results.standings), script_of(results.standings)};
 }

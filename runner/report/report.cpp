@@ -25,7 +25,8 @@ void remove_file(const fs::path& file) {
   if (error) throw InputOutputError(fmt::format("{}: {}", file.string(), error.message()));
 }
 
-// What an earlier report has drawn and this one does not. Files of other names are the user's.
+// Removes plots that an earlier report drew and this one does not. Files with other names belong to
+// the user.
 void remove_other_plots(const fs::path& folder, const std::vector<DrawnPlot>& plots) {
   for (const std::string name : kPlotNames) {
     const bool is_here = std::any_of(plots.begin(), plots.end(), [&name](const DrawnPlot& drawn) {
@@ -36,7 +37,7 @@ void remove_other_plots(const fs::path& folder, const std::vector<DrawnPlot>& pl
   }
 }
 
-// Asks no further for a gnuplot that is not there.
+// Stops trying as soon as gnuplot turns out to be missing.
 std::vector<DrawnPlot> drawn(const std::vector<Plot>& plots) {
   std::vector<DrawnPlot> all;
   for (const Plot& plot : plots) {
@@ -59,9 +60,9 @@ void write_plots(const fs::path& folder, const std::vector<DrawnPlot>& plots) {
 
 std::string missing_text(const std::string& direction) {
   return fmt::format(
-      "The plots are not drawn, because gnuplot is not installed: apt-get install gnuplot-nox, "
-      "then "
-      "autoref report {} again. Their data and scripts are in {}.",
+      "The plots are not drawn, because gnuplot is not installed. Run apt-get install "
+      "gnuplot-nox, then "
+      "autoref report {}. Their data and scripts are in {}.",
       direction, kPlotsFolder);
 }
 

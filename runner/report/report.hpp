@@ -1,4 +1,4 @@
-// Reports of experiments: one for people to read, one for a browser, and plots.
+// Reports of experiments as Markdown, HTML and plots.
 #pragma once
 
 #include <filesystem>
@@ -15,19 +15,18 @@ inline constexpr const char* kPlotsFolder = "plots";
 inline constexpr const char* kMarkdownReport = "report.md";
 inline constexpr const char* kHtmlReport = "report.html";
 
-// What the scenario says of itself, or else its kind.
+// The scenario's `about` text, or its kind.
 std::string title_of(const Scenario& scenario);
 
 struct WrittenReport {
-  int drawn = 0;                      // plots
-  std::vector<std::string> troubles;  // why others are not, a line each
+  int drawn = 0;                      // number of plots drawn
+  std::vector<std::string> troubles;  // one line per plot that was not drawn, with the reason
 };
 
-// Writes report.md, report.html and plots/ into `into`, which is the folder of results or one
-// directly below it. A plot that cannot be drawn has its .csv and .gp all the same; a drawing of it
-// that is there from before is removed, since it would show something else; so are the plots that
-// an earlier report wrote and this one does not have. The same rows give the same files, byte by
-// byte, wherever the folder is.
+// Writes report.md, report.html and plots/ into `into`, which is the results folder or a direct
+// subfolder. A plot that cannot be drawn still gets its .csv and .gp. Outdated drawings are
+// removed: those of plots that can no longer be drawn, and plots of an earlier report that this one
+// does not contain. Equal rows give identical files, wherever the folder is.
 WrittenReport write_report(const ResultFolder& folder, const ExperimentResults& results,
                            const std::filesystem::path& into);
 

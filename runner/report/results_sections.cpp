@@ -8,26 +8,25 @@ namespace autoref::runner {
 namespace {
 
 List meaning_of_intervals(const ResultFolder& folder, const ExperimentResults& results) {
-  List list{
-      {"Every interval is made by a rule that holds the true value in 95 % of experiments.",
-       "Goals are mean ± standard deviation of a game.",
-       "a minus b is the mean goal difference of a game. Its interval is Student's over pairs "
-       "of legs with the sides changed; a pair with a void game is left out."}};
+  List list{{"All intervals are 95 % confidence intervals.",
+             "Goals are mean ± standard deviation per game.",
+             "a minus b is the mean goal difference per game. Its interval is Student's over pairs "
+             "of legs with changed sides; a pair with a void game is left out."}};
   if (std::holds_alternative<Sweep>(folder.scenario.content) && results.groups.size() > 1) {
     list.items.emplace_back(
-        "From the first: how much more, pair by pair against the pairs of the same number at the "
-        "first value; p is that of the paired t test, with Holm's correction over the table.");
+        "From the first: the difference from the first value, over pairs with the same number; "
+        "p is that of the paired t test, with Holm's correction over the table.");
   }
   if (!results.standings.empty()) {
-    list.items.emplace_back("A win is three points, a draw one.");
+    list.items.emplace_back("A win gives three points, a draw one.");
   }
   if (!results.groups.empty()) {
     list.items.emplace_back(
-        "The winner of a shoot-out has won the game. Its kicks are not goals of the game: goal "
-        "differences, ratings in goals and sequential tests take the game as drawn.");
+        "The winner of a shoot-out wins the game. Shoot-out goals do not count as goals of the "
+        "game: goal differences, ratings in goals and sequential tests treat the game as drawn.");
   }
   if (are_rated(results.standings)) {
-    list.items.emplace_back("Ratings have intervals from resampled pairs of legs.");
+    list.items.emplace_back("Intervals of ratings come from resampled pairs of legs.");
   }
   return list;
 }
@@ -74,8 +73,8 @@ Section results_section(const ResultFolder& folder, const ExperimentResults& res
 Section shares_section(const ResultFolder& folder, const ExperimentResults& results) {
   if (results.groups.empty()) return {};
   Section section = {Heading{"Won, drawn, lost"},
-                     Paragraph{"Shares of games with Wilson's 95 % interval, Clopper's and "
-                               "Pearson's where it is none or all of them; games are taken as "
+                     Paragraph{"Shares of games with 95 % intervals: Wilson's, or Clopper and "
+                               "Pearson's for a share of 0 or 1. Games are assumed to be "
                                "independent."}};
   if (!results.standings.empty()) section.emplace_back(teams_shares(results.standings));
   section.emplace_back(groups_shares(folder.scenario, results.groups));
@@ -92,7 +91,7 @@ Section crosstable_section(const ExperimentResults& results) {
     for (const auto& cell : crosstable->cells[row]) table.rows.back().push_back(cross_text(cell));
   }
   return {Heading{"Crosstable"},
-          Paragraph{"Points that the row's team won against the column's, 3 for a win and 1 for a "
+          Paragraph{"Points of the row's team against the column's, 3 for a win and 1 for a "
                     "draw, and its mean goal difference."},
           table};
 }

@@ -1,4 +1,4 @@
-// How a mean settles as pairs are played. To look at, not to stop by.
+// How a mean converges as pairs are played. For inspection, not for deciding when to stop.
 #pragma once
 
 #include <optional>
@@ -9,17 +9,17 @@
 
 namespace autoref::runner {
 
-// Of the first pairs: their mean goal difference and Student's interval of it, none of one pair.
+// Mean goal difference of the first pairs and Student's interval of it; nullopt for one pair.
 struct RunningMean {
   double mean = 0;
   std::optional<Interval> interval;
 };
 
-// After the first pair, the first two and so on, in the order of their numbers. Pairs with a void
-// leg are left out.
+// Running means after the first pair, the first two and so on, in the order of the pair numbers.
+// Pairs with a void leg are left out.
 std::vector<RunningMean> running_means(const Group& group);
 
-// The goals that an axis should span: zero, every mean, and the intervals but for those of the
+// Range of goals for an axis: includes zero, every mean, and the intervals except those of the
 // first pairs, which would dwarf the rest.
 Interval span_to_show(const std::vector<RunningMean>& means);
 

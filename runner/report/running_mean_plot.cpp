@@ -10,17 +10,17 @@
 namespace autoref::runner {
 namespace {
 
-constexpr std::size_t kLongestTitle = 26;  // letters
-constexpr double kTop_px = 62;             // above the highest panel
-constexpr double kMeansBottom_px = 44;     // below the lowest
-constexpr double kBetween_px = 66;         // between one and the next
+constexpr std::size_t kLongestTitle = 26;  // characters
+constexpr double kTop_px = 62;             // above the top panel
+constexpr double kMeansBottom_px = 44;     // below the bottom panel
+constexpr double kBetween_px = 66;         // between panels
 
 struct Panel {
   std::string name;
   std::vector<RunningMean> means;
 };
 
-// Panels beside each other, how many rows of them, and how tall the frame is.
+// Number of panels in a row, number of rows, and height of the frame.
 struct Layout {
   int columns = 1;
   int rows = 1;
@@ -61,7 +61,7 @@ std::string csv_of(const std::vector<Panel>& panels) {
   return csv;
 }
 
-// An array of the script: `value` of each panel.
+// Script line for an array with `value` of each panel.
 template <typename Value>
 std::string array_of(const char* name, const std::vector<Panel>& panels, const Value& value) {
   std::vector<std::string> values;
@@ -93,13 +93,13 @@ std::string arrays_of(const std::vector<Panel>& panels) {
          array_of("x_step", panels, x_step) + array_of("y_step", panels, y_step);
 }
 
-// Where panels lie, in shares of the frame.
+// Position of the panels in the frame.
 std::string frame_of(const Layout& layout) {
   const double height = layout.height_px;
   return fmt::format(
       "set multiplot layout {},{} margins screen 0.07,0.985,{:.4f},{:.4f} spacing screen "
-      "0.075,{:.4f} title 'goals of a minus goals of b after so many pairs of legs, 95 % interval: "
-      "not for stopping' font ',13'\n",
+      "0.075,{:.4f} title 'goals of a minus goals of b by number of pairs of legs, 95 % interval: "
+      "not for stopping early' font ',13'\n",
       layout.rows, layout.columns, kMeansBottom_px / height, 1 - kTop_px / height,
       kBetween_px / height);
 }
@@ -134,9 +134,9 @@ std::optional<Plot> running_mean_plot(const Scenario& scenario, const Experiment
   std::vector<Panel> panels = panels_of(scenario, results.groups);
   if (panels.empty()) return std::nullopt;
   Plot plot{"running_mean",
-            "Mean goal difference (a minus b) after so many pairs of legs, with Student's 95 % "
-            "interval of these pairs. Not for stopping: of many intervals looked at in turn, some "
-            "leave the truth out far more often than one in twenty.",
+            "Mean goal difference (a minus b) by number of pairs of legs, with Student's 95 % "
+            "interval for these pairs. Not for stopping early: of many intervals looked at in "
+            "turn, some miss the truth far more often than one in twenty.",
             csv_of(panels), ""};
   plot.about += note_of_cut(panels.size());
   panels.resize(std::min(panels.size(), kMostGroupsInPlot));

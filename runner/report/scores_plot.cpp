@@ -23,7 +23,7 @@ std::string csv_of(const std::vector<Group>& groups) {
   return csv;
 }
 
-// Bars beside each other, so that none hides the other.
+// Draws a team's points shifted sideways, so neither team's bars hide the other's.
 std::string curve(char team, const char* colour, int point, char shift) {
   return fmt::format(
       "data using (column('value') {3} dodge):'mean_{0}':'sd_{0}' with yerrorbars pt -1 lw 1.5 lc "
@@ -36,7 +36,7 @@ std::string curve(char team, const char* colour, int point, char shift) {
 std::string script_of(const NumericFactor& factor, const std::vector<Group>& groups) {
   return script_head("scores", kHeight_px) + factor_axis(factor, groups) +
          fmt::format(
-             "set ylabel 'goals a game, mean and standard deviation'\n"
+             "set ylabel 'goals per game, mean and standard deviation'\n"
              "set yrange [*<0:*]\n"
              "set key top left reverse Left\n"
              "dodge = {}\n"
@@ -51,9 +51,9 @@ std::optional<Plot> scores_plot(const Scenario& scenario, const ExperimentResult
   const std::optional<NumericFactor> factor = numeric_factor(scenario, results.groups);
   if (!factor || !has_games(results.groups)) return std::nullopt;
   return Plot{"scores",
-              fmt::format("Goals of both teams against {}: mean of each value's games, and their "
-                          "standard deviation as bars (how much a single game varies, not what the "
-                          "mean is known to). The form of the AutoRef paper's Fig. 5.",
+              fmt::format("Goals of both teams against {}: the mean over each value's games; bars "
+                          "show the standard deviation of single games, not the uncertainty of "
+                          "the mean. The form of the AutoRef paper's Fig. 5.",
                           factor->path),
               csv_of(results.groups), script_of(*factor, results.groups)};
 }

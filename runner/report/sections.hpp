@@ -1,4 +1,4 @@
-// The sections of a report, in words.
+// The sections of a report.
 #pragma once
 
 #include <string>
@@ -9,41 +9,41 @@
 
 namespace autoref::runner {
 
-using Section = std::vector<Block>;  // empty where there is nothing to say
+using Section = std::vector<Block>;  // empty if there is nothing to report
 
-// Rows of what was played, by which a report can be compared with its folder; and their values.
+// Rows of the table of what was played that identify a report's state, and their values.
 inline constexpr const char* kBuildRow = "build";
 inline constexpr const char* kGamesRow = "games";
 inline constexpr const char* kChecksumRow = "checksum of the rows";
 std::string games_text(const ResultFolder& folder);     // "12 of 24"
 std::string rows_checksum(const ResultFolder& folder);  // CRC-32 of results.csv
 
-// What was played, how much of it, and what with. Says that interim intervals are not for stopping
-// where games are missing.
+// What was played, how much of it, and with which build. Warns of interim intervals if games are
+// missing.
 Section played_section(const ResultFolder& folder, const ExperimentResults& results);
 
-// The terminal's table, and what its intervals mean.
+// The terminal's table, and the meaning of its intervals.
 Section results_section(const ResultFolder& folder, const ExperimentResults& results);
 
-// Shares of games won, drawn and lost: of each group, and of each team that has a standing.
+// Shares of games won, drawn and lost, by group and by team in the standings.
 Section shares_section(const ResultFolder& folder, const ExperimentResults& results);
 
-// Points and goal difference of each team against each.
+// Points and goal difference of each team against each other team.
 Section crosstable_section(const ExperimentResults& results);
 
-// The games that count nowhere, and why.
+// Void games, with reasons.
 Section void_section(const ResultFolder& folder);
 
-// What a reader needs to know of the settings.
+// A link to all settings, and those that differ from the defaults.
 Section settings_section(const ResultFolder& folder, const std::string& direction);
 
-// Commands that play and check the same games; `direction` leads from the report to the folder of
-// results: "." or "..".
+// Commands that replay and verify the games. `direction` is the path from the report to the results
+// folder: "." or "..".
 Section commands_section(const ResultFolder& folder, const std::string& direction);
 
-// Said wherever an experiment is not complete.
+// Warning in every report of an incomplete experiment.
 inline constexpr const char* kInterimWarning =
-    "Interim intervals are no reason to stop: who stops at the first that pleases is wrong far "
-    "more often than one time in twenty.";
+    "Do not stop early because of interim intervals: stopping at the first favourable one is wrong "
+    "far more often than one time in twenty.";
 
 }  // namespace autoref::runner

@@ -52,7 +52,8 @@ VectorXd newton_step(const Totals& totals, const VectorXd& strengths) {
     curvature(matchup.a, matchup.b) -= weight;
     curvature(matchup.b, matchup.a) -= weight;
   }
-  // Of the steps, which differ by a constant, the shortest: the one whose sum is zero.
+  // The curvature is singular, since adding a constant to all strengths changes nothing. Take the
+  // minimum-norm step, whose sum is zero.
   return curvature.completeOrthogonalDecomposition().solve(slope);
 }
 

@@ -6,7 +6,7 @@
 namespace autoref::runner {
 
 Eigen::VectorXd goal_rating(std::size_t teams, std::span<const MatchupTotals> totals) {
-  // One equation a matchup, of its mean game, weighs as much as one for each game would.
+  // One equation per matchup, for its mean game, weighted like one equation per game.
   Eigen::MatrixXd equations = Eigen::MatrixXd::Zero(totals.size(), teams);
   Eigen::VectorXd differences = Eigen::VectorXd::Zero(totals.size());
   for (std::size_t i = 0; i < totals.size(); ++i) {
@@ -17,7 +17,7 @@ Eigen::VectorXd goal_rating(std::size_t teams, std::span<const MatchupTotals> to
     equations(i, matchup.b) = -weight;
     differences(i) = matchup.difference / weight;
   }
-  // Of the solutions, which differ by a constant, the shortest: the one whose sum is zero.
+  // Solutions differ by a constant; take the minimum-norm one, whose sum is zero.
   return equations.completeOrthogonalDecomposition().solve(differences);
 }
 

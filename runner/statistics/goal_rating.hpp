@@ -1,4 +1,4 @@
-// Teams' strengths in goals.
+// Team strengths estimated from goal differences.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,10 +8,10 @@
 
 namespace autoref::runner {
 
-// A rating for each of `teams` teams, such that a game between two is expected to end with the
-// difference of their ratings: least squares over all games. The ratings of teams that are linked
-// by games sum to zero; between groups of teams that are not, they tell nothing. `totals` hold each
-// matchup once; one without games changes nothing.
+// Ratings of `teams` teams such that the expected goal difference of a game is the difference of
+// the two ratings: least squares over all games. Ratings of teams linked by games sum to zero;
+// ratings of unlinked groups of teams cannot be compared. `totals` contains each matchup once; a
+// matchup without games has no effect.
 Eigen::VectorXd goal_rating(std::size_t teams, std::span<const MatchupTotals> totals);
 
 }  // namespace autoref::runner

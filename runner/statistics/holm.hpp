@@ -1,4 +1,4 @@
-// Several tests at once: the more comparisons, the more of them look remarkable by chance.
+// Correction for multiple comparisons: the more tests, the more look significant by chance.
 #pragma once
 
 #include <span>
@@ -7,8 +7,8 @@
 namespace autoref::runner {
 
 // Holm's step-down correction (Holm, A simple sequentially rejective multiple test procedure,
-// Scand. J. Stat. 6, 1979): the p values as they count among all of `p`, in the same order. Calling
-// remarkable what is at most 0.05 here calls anything so wrongly in at most 5 % of experiments,
+// Scand. J. Stat. 6, 1979). Returns the adjusted p values in the order of `p`. Rejecting hypotheses
+// with an adjusted p value of at most 0.05 makes any false rejection in at most 5 % of experiments,
 // however the tests depend on each other.
 std::vector<double> holm(std::span<const double> p);
 

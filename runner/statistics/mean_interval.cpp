@@ -10,7 +10,7 @@ namespace {
 
 using boost::math::students_t;
 
-// Of the mean of n values; none for fewer than two.
+// Standard error of the mean; nullopt for fewer than two values.
 std::optional<double> standard_error(std::span<const double> sample) {
   const std::optional<double> deviation = standard_deviation(sample);
   if (!deviation) return std::nullopt;

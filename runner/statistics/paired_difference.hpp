@@ -1,5 +1,5 @@
-// How much the values of an experiment differ from its baseline. Pairs of one number have the same
-// seeds at every value, so that values are compared pair by pair.
+// Differences between an experiment's values and its baseline. Pairs with the same number use the
+// same seeds for every value, so values are compared pair by pair.
 #pragma once
 
 #include <cstddef>
@@ -13,28 +13,28 @@
 
 namespace autoref::runner {
 
-// By pair number: mean goal difference over the pair's two legs.
+// Mean goal difference over the two legs of each pair, by pair number.
 using DifferenceByPair = std::map<int, double>;
 
 // A value's pair differences minus the baseline's, over the pair numbers that both have.
 struct PairedDifference {
   std::size_t pairs = 0;
-  std::optional<double> mean;        // none without pairs
-  std::optional<Interval> interval;  // Student's, of the mean; none for a single pair
-  // Two-sided, of the paired t test of "no difference"; none for a single pair, or where every pair
-  // differs by the same. `p_holm` is Holm's correction of it over all values with a p.
+  std::optional<double> mean;        // nullopt without pairs
+  std::optional<Interval> interval;  // Student's interval of the mean; nullopt for a single pair
+  // Two-sided p value of the paired t test of "no difference"; nullopt for a single pair, or if all
+  // pairs have the same difference. `p_holm` is its Holm correction over all values with a p.
   std::optional<double> p;
   std::optional<double> p_holm;
-  // Cohen's d_z: the mean in standard deviations of these differences themselves (Lakens, Front.
-  // Psychol. 4:863, 2013), not of the scores; none where `p` is none.
+  // Cohen's d_z: the mean divided by the standard deviation of these differences (not of the
+  // scores; Lakens, Front. Psychol. 4:863, 2013). nullopt if `p` is.
   std::optional<double> effect_size;
 };
 
-// Without p_holm.
+// Compares a value with the baseline. Does not set p_holm.
 PairedDifference paired_difference(const DifferenceByPair& value, const DifferenceByPair& baseline);
 
-// Of each value from the first one, which is the baseline and has no entry: entry i is of value
-// i + 1.
+// Compares each value with the first one, the baseline, which has no entry: entry i belongs to
+// value i + 1. Sets p_holm.
 std::vector<PairedDifference> differences_from_baseline(std::span<const DifferenceByPair> values);
 
 }  // namespace autoref::runner

@@ -22,7 +22,7 @@ std::optional<Interval> wilson_interval(int successes, int n) {
   const double shrink = 1 + z * z / n;
   const double centre = (share + z * z / (2.0 * n)) / shrink;
   const double half = z / shrink * std::sqrt(share * (1 - share) / n + z * z / (4.0 * n * n));
-  // Where nothing, or everything, succeeded, one end is exactly 0 or 1 but for rounding.
+  // Without successes (or failures), one end is exactly 0 (or 1); avoid the rounding error.
   return Interval{successes == 0 ? 0 : centre - half, successes == n ? 1 : centre + half};
 }
 

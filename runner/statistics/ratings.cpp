@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint64_t kStreamKey = 1979;
 
-// A matchup whose teams are numbered, with the sums of each of its pairs.
+// Sums of each pair of a matchup, with numbered teams.
 using PairTotals = std::vector<MatchupTotals>;
 
 std::vector<std::string> teams_of(const std::vector<RatedMatchup>& matchups) {
@@ -50,7 +50,7 @@ void add(MatchupTotals& sum, const MatchupTotals& pair) {
   sum.wins += pair.wins;
 }
 
-// Of all pairs, `pick` choosing the i-th of n.
+// Sums up each matchup over n of its pairs; `pick` chooses the i-th of them.
 template <typename Pick>
 std::vector<MatchupTotals> totals_of(const std::vector<PairTotals>& matchups, Pick pick) {
   std::vector<MatchupTotals> totals;
@@ -74,7 +74,7 @@ std::vector<PairTotals> played(std::vector<RatedMatchup>& matchups,
   return played;
 }
 
-// A column for each resample, a row for each team.
+// One column per resample, one row per team.
 Eigen::MatrixXd resampled(std::size_t teams, const std::vector<PairTotals>& matchups,
                           const RatingMethod& rate) {
   Eigen::MatrixXd outcomes(teams, kResamples);

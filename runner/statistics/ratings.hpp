@@ -1,4 +1,4 @@
-// Ratings of a round robin's teams, with what they are known to.
+// Ratings of a round robin's teams, with confidence intervals.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,7 +13,8 @@
 
 namespace autoref::runner {
 
-// From the number of teams and the sums of their matchups: goal_rating or bradley_terry.
+// Computes ratings from the number of teams and the totals of their matchups: goal_rating or
+// bradley_terry.
 using RatingMethod = std::function<Eigen::VectorXd(std::size_t, std::span<const MatchupTotals>)>;
 
 struct Rating {
@@ -22,25 +23,24 @@ struct Rating {
   std::optional<Interval> interval;
 };
 
-// How often the games are drawn anew for the intervals.
+// Number of bootstrap resamples for the intervals.
 inline constexpr int kResamples = 1000;
 
-// With fewer pairs in a matchup there are no intervals.
+// If a matchup has fewer pairs, there are no intervals.
 inline constexpr std::size_t kFewestResampled = 5;
 
 // A rating for each team, by name. The intervals are bootstrap percentiles (Efron, Bootstrap
-// methods, Ann. Stat. 7, 1979): `kResamples` times as many pairs of legs as each matchup has are
-// drawn from it, with replacement, legs staying together, and the teams are rated anew; the
-// interval spans the middle 95 % of the outcomes. It is none where a matchup has fewer than
-// kFewestResampled pairs or all outcomes are the same, and too narrow where matchups have few:
-// among four equal teams it holds the truth in 91 % of round robins of 5 pairs a matchup, in 93 %
-// of those of 10, in 94 % of those of 30 (tests/coverage/). The draws come from a fixed random
-// stream and go through matchups and pairs by name, so that the order of `matchups` does not
-// matter.
+// methods, Ann. Stat. 7, 1979): in each of kResamples resamples, every matchup's pairs of legs are
+// drawn with replacement (legs stay together) and the teams rated again; the interval spans the
+// middle 95 % of these ratings. It is nullopt if a matchup has fewer than kFewestResampled pairs or
+// all resamples agree, and too narrow for few pairs: for four equal teams it contains the true
+// value in 91 % of round robins with 5 pairs per matchup, in 93 % with 10 and in 94 % with 30
+// (tests/coverage/). The draws come from a fixed random stream and visit matchups and pairs by
+// name, so the order of `matchups` does not matter.
 std::vector<Rating> ratings_of(std::vector<RatedMatchup> matchups, const RatingMethod& rate);
 
-// The value below which `share` (0 to 1) of the sample lies, between two values by the straight
-// line (Hyndman's and Fan's type 7, R's default). Not for empty samples.
+// Quantile of a sample for `share` (0 to 1), with linear interpolation between two values (type 7
+// of Hyndman and Fan, the default of R). The sample must not be empty.
 double quantile_of(std::vector<double> sample, double share);
 
 }  // namespace autoref::runner

@@ -8,7 +8,7 @@
 namespace autoref::runner {
 namespace {
 
-// The sum of (x - mean(x)) (y - mean(y)).
+// Returns the sum of (x - mean(x)) (y - mean(y)).
 double sum_of_products(std::span<const double> x, std::span<const double> y) {
   const double mean_x = mean(x);
   const double mean_y = mean(y);

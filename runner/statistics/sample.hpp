@@ -1,4 +1,4 @@
-// What describes a sample of scores: mean, standard deviation, slope.
+// Descriptive statistics of a sample: mean, median, standard deviation, slope.
 #pragma once
 
 #include <optional>
@@ -7,17 +7,17 @@
 
 namespace autoref::runner {
 
-// Not for empty samples.
+// The sample must not be empty.
 double mean(std::span<const double> sample);
 
-// The upper one of an even number of values. Not for empty samples.
+// The upper median if the number of values is even. The sample must not be empty.
 double median(std::vector<double> sample);
 
-// With n - 1 in the denominator. None for fewer than two values.
+// With n - 1 in the denominator. Returns nullopt for fewer than two values.
 std::optional<double> standard_deviation(std::span<const double> sample);
 
-// Of the straight line of least squares through the points (x[i], y[i]). None where all x are
-// equal. The sizes must agree.
+// Slope of the least-squares line through the points (x[i], y[i]). Returns nullopt if all x are
+// equal. Both samples must have the same size.
 std::optional<double> slope_of(std::span<const double> x, std::span<const double> y);
 
 }  // namespace autoref::runner

@@ -14,8 +14,8 @@ constexpr int kLegs = 2;
 constexpr int kFewestPairs = 2;
 constexpr int kMostPairs = kMostScheduledGames / kLegs;
 
-// A mean of so many standard deviations two pairs do not miss; far beyond it Boost's noncentral
-// distribution gives up.
+// Two pairs suffice to detect an effect of this many standard deviations. For much larger effects,
+// Boost's noncentral t distribution fails.
 constexpr double kCertainEffect = 100;
 
 double effect_of(const DifferenceSought& sought) {

@@ -1,28 +1,28 @@
-// How many games it takes to see a difference.
+// Sample sizes: how many games are needed to detect a difference.
 #pragma once
 
 #include <optional>
 
 namespace autoref::runner {
 
-// A question to the two-sided one-sample t test of "the mean goal difference is 0", whose unit is
-// the pair of legs: would it notice a mean difference of `delta` goals a game, games having the
-// standard deviation `sd` in goals? Legs are taken as independent, so that a pair's mean has the
-// standard deviation sd / sqrt(2). `delta` is not 0, `sd` positive, `alpha` between 0 and 1.
+// Parameters of the two-sided one-sample t test of "the mean goal difference is 0", with the pair
+// of legs as the unit: a true mean difference of `delta` goals per game, and a standard deviation
+// of `sd` goals of a single game. Legs are assumed independent, so a pair's mean has the standard
+// deviation sd / sqrt(2). `delta` must not be 0, `sd` must be positive, `alpha` between 0 and 1.
 struct DifferenceSought {
   double delta = 0;
   double sd = 0;
-  double alpha = 0.05;  // how often the test may see a difference where there is none
+  double alpha = 0.05;  // probability of finding a difference where there is none
 };
 
-// How probably it notices with so many pairs, two at least: by Student's noncentral distribution.
+// Power of the test with this many pairs (at least two), from the noncentral t distribution.
 double power_of(const DifferenceSought& sought, int pairs);
 
-// More games than this nobody plays.
+// Upper limit of the search: nobody plays more games.
 inline constexpr int kMostScheduledGames = 1'000'000;
 
-// The least number of games, all in pairs of two legs, with which it notices with probability
-// `power` (between 0 and 1) at least; none where that is more than kMostScheduledGames.
+// Minimum number of games, in pairs of two legs, for at least this `power` (between 0 and 1);
+// nullopt if more than kMostScheduledGames are needed.
 std::optional<int> games_needed(const DifferenceSought& sought, double power);
 
 }  // namespace autoref::runner

@@ -165,7 +165,7 @@ TEST_F(Report, SaysWhichGamesAreMissing) {
   const std::string rows = content_of(shard_of(folder_.path()));
   write_content(shard_of(folder_.path()), rows.substr(0, rows.size() * 2 / 3));
   reported(folder_.path());
-  EXPECT_TRUE(has(markdown(), "games are missing. Interim intervals are no reason to stop"));
+  EXPECT_TRUE(has(markdown(), "games are missing. Do not stop early because of interim intervals"));
 }
 
 TEST_F(Report, DoesNotWarnOfStoppingEarlyWhenAllGamesAreDone) {
@@ -230,7 +230,7 @@ TEST_F(Report, CountsTheWinnerOfAShootOutAsTheWinnerEverywhere) {
   EXPECT_TRUE(has(markdown(), "| team1 |  | 12 (+0.00) |")) << markdown();
   EXPECT_TRUE(has(markdown(), "| team1 | 4 | 100 % \\[40, 100\\] | 0 % \\[0, 60\\] |"))
       << markdown();
-  EXPECT_TRUE(has(markdown(), "The winner of a shoot-out has won the game."));
+  EXPECT_TRUE(has(markdown(), "The winner of a shoot-out wins the game."));
 }
 
 }  // namespace

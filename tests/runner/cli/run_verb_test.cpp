@@ -181,7 +181,7 @@ TEST_F(RunVerb, ReportsTheGamesMissingFromAReport) {
   answer_to({"report", results_.c_str()});
   const Answer shard = run({"--pairs", "3", "--shard", "1/2"});
   EXPECT_TRUE(holds(shard.out,
-                    "report.html lacks 4 of the 8 games; write it again with: autoref "
+                    "report.html lacks 4 of the 8 games; update it with: autoref "
                     "report"))
       << shard.out << shard.err;
   const Answer status = answer_to({"status", results_.c_str()});

@@ -9,7 +9,7 @@
 namespace autoref::runner {
 namespace {
 
-// A folder with 12 games of each of two builds, which come out differently.
+// A folder with 12 games of each of two builds, with different results.
 class MixedBuilds : public testing::Test {
  protected:
   void SetUp() override {
@@ -29,7 +29,7 @@ class MixedBuilds : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(MixedBuilds, AreReportedApart) {
+TEST_F(MixedBuilds, AreReportedSeparately) {
   EXPECT_EQ(report().code, kDone);
   for (const char* build : {"build-0.1.0-test", "build-0.1.0-other"}) {
     EXPECT_EQ(line_count(content_of(folder_ / build / "results.csv")), 13) << build;
@@ -44,16 +44,16 @@ TEST_F(MixedBuilds, AreListedInOneOverview) {
   EXPECT_NE(overview.find("[report.md](build-0.1.0-other/report.md)"), std::string::npos);
 }
 
-TEST_F(MixedBuilds, AreOneReportForTheBuildThatIsAskedFor) {
+TEST_F(MixedBuilds, GiveOneReportForARequestedBuild) {
   const Answer answer = answer_to({"report", folder_.path().c_str(), "--build", "0.1.0-test"});
   EXPECT_EQ(answer.code, kDone);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "build-0.1.0-test"));
   EXPECT_NE(content_of(folder_ / "report.md")
-                .find("| rows of build 0.1.0-other, which do not count here | 12 |\n"),
+                .find("| rows of build 0.1.0-other (not counted here) | 12 |\n"),
             std::string::npos);
 }
 
-TEST(BuildFolder, IsBelowTheFolderOfResults) {
+TEST(BuildFolder, IsASubfolderOfTheResultsFolder) {
   EXPECT_EQ(build_folder("results", "0.1.0-5bf"), "results/build-0.1.0-5bf");
   EXPECT_THROW(build_folder("results", "/../../x"), InputError);
 }

@@ -13,35 +13,35 @@ const Document kNasty{"a <b> & *c*",
                       {Paragraph{"1. [x](y) `z` | _u_\n# next"},
                        Table{{{"team", "n"}, {"<script>|\"'", "-1"}}, 1}, Verbatim{"```\n<pre>"}}};
 
-TEST(Markdown, TakesNoTextForMarkup) {
+TEST(Markdown, EscapesMarkup) {
   const std::string text = markdown_of(kNasty);
   EXPECT_TRUE(text.starts_with("# a \\<b\\> \\& \\*c\\*\n")) << text;
   EXPECT_TRUE(has(text, "\n1\\. \\[x\\](y) \\`z\\` \\| \\_u\\_ \\# next\n")) << text;
   EXPECT_TRUE(has(text, "\n| \\<script\\>\\|\"' | -1 |\n")) << text;
 }
 
-TEST(Markdown, FencesVerbatimTextLongerThanWhatIsInIt) {
+TEST(Markdown, UsesALongerFenceThanAnyInVerbatimText) {
   EXPECT_TRUE(has(markdown_of(kNasty), "\n````\n```\n<pre>\n````\n")) << markdown_of(kNasty);
 }
 
-TEST(Markdown, PutsNumbersOfTablesToTheRight) {
+TEST(Markdown, AlignsNumbersInTablesRight) {
   EXPECT_TRUE(has(markdown_of(kNasty), "\n| team | n |\n|---|--:|\n"));
 }
 
-TEST(Markdown, BeginsNoListInAParagraph) {
+TEST(Markdown, StartsNoListInAParagraph) {
   EXPECT_EQ(markdown_of({"t", {Paragraph{"- 12 goals"}}}), "# t\n\n\\- 12 goals\n");
   EXPECT_EQ(markdown_of({"t", {Paragraph{"12 goals"}}}), "# t\n\n12 goals\n");
 }
 
-TEST(Html, TakesNoTextForMarkup) {
+TEST(Html, EscapesMarkup) {
   const std::string text = html_of(kNasty);
   EXPECT_TRUE(has(text, "<title>a &lt;b&gt; &amp; *c*</title>")) << text;
   EXPECT_TRUE(has(text, "<td class=\"name\">&lt;script&gt;|&quot;&#39;</td><td>-1</td>")) << text;
   EXPECT_TRUE(has(text, ">```\n&lt;pre&gt;</pre>")) << text;
 }
 
-// It is sent alone, and then a link to a file beside it would be dead.
-TEST(Html, LinksToNoFileAndNamesItInstead) {
+// The page is sent alone, so a link to a file beside it would be dead.
+TEST(Html, NamesFilesInsteadOfLinkingToThem) {
   const std::string text = html_of({"t",
                                     {Link{"effective.yaml", "Every setting"},
                                      Figure{"plots", "scores", "Goals.", "<svg><g/></svg>"}}});
@@ -57,15 +57,15 @@ TEST(Html, LetsLongWordsBreak) {
   EXPECT_TRUE(has(text, ".words .name{white-space:normal;overflow-wrap:anywhere}"));
 }
 
-// On paper nothing scrolls: letters shrink by how many stand side by side.
-TEST(Html, SaysHowManyLettersATableAndItsLinesAreWide) {
+// Nothing scrolls on paper: the font shrinks with the number of characters.
+TEST(Html, GivesTheWidthOfTablesAndLinesInCharacters) {
   EXPECT_TRUE(
       has(html_of({"t", {Verbatim{"12345\n\xc2\xb1 1\n"}}}), "<pre style=\"--letters:5\">"));
   EXPECT_TRUE(has(html_of({"t", {Table{{{"team", "n"}, {"x", "-1"}}, 1}}}),
                   "<table style=\"--letters:12\">"));
 }
 
-TEST(Html, HasTheDrawingsOfFiguresInThePage) {
+TEST(Html, EmbedsTheDrawingsOfFigures) {
   const std::string text =
       html_of({"t", {Figure{"plots", "scores", "Goals.", "<?xml?>\n<svg><g/></svg>\n"}}});
   EXPECT_TRUE(has(text, "<svg><g/></svg>\n</div>\n<figcaption>Goals.")) << text;

@@ -8,7 +8,7 @@
 namespace autoref::runner {
 namespace {
 
-// What a folder of fake games says.
+// Results of fake games.
 ExperimentResults played(const Scenario& scenario) {
   const TemporaryFolder folder;
   return run_experiment(scenario, fake_options(folder.path())).results;
@@ -47,13 +47,13 @@ TEST(Plots, OfChallengersHaveNoRatings) {
             (std::vector<std::string>{"difference", "histogram", "running_mean"}));
 }
 
-TEST(Plots, AreNoneBeforeTheFirstGame) {
+TEST(Plots, AreEmptyBeforeTheFirstGame) {
   ExperimentResults results;
   results.groups = {Group{{"6"}, {}, {}, {}, {}, {}, 1, 0, 0, 0}};
   EXPECT_TRUE(plots_of(small_sweep(), results).empty());
 }
 
-TEST(Plots, HaveColumnsThatSayWhatTheyHold) {
+TEST(Plots, HaveNamedColumns) {
   const std::vector<Plot> plots = plots_of(small_sweep(), played(small_sweep()));
   ASSERT_EQ(plots.size(), 4U);
   EXPECT_EQ(first_line(plots[0].csv), "value,games,mean_a,sd_a,mean_b,sd_b");
@@ -62,15 +62,15 @@ TEST(Plots, HaveColumnsThatSayWhatTheyHold) {
   EXPECT_EQ(first_line(plots[3].csv), "panel,name,pairs,mean_diff,low95,high95");
 }
 
-TEST(ScoresPlot, HasTheBaselineAtTheLeft) {
+TEST(ScoresPlot, HasTheBaselineOnTheLeft) {
   const std::optional<Plot> plot = scores_plot(small_sweep(), played(small_sweep()));
   EXPECT_TRUE(has(plot.value().script, "set xrange [6.06:4.94]")) << plot->script;
 }
 
-TEST(DifferencePlot, TellsTheSlope) {
+TEST(DifferencePlot, ShowsTheSlope) {
   const std::optional<Plot> plot = difference_plot(small_sweep(), played(small_sweep()));
   EXPECT_TRUE(has(plot.value().about, "Slope: ")) << plot->about;
-  EXPECT_TRUE(has(plot->about, "goals a game per unit of b.robots")) << plot->about;
+  EXPECT_TRUE(has(plot->about, "goals per game per unit of b.robots")) << plot->about;
 }
 
 TEST(HistogramPlot, CountsTheGamesOfEachDifference) {
@@ -80,14 +80,14 @@ TEST(HistogramPlot, CountsTheGamesOfEachDifference) {
             "row,name,goal_difference,games,share_of_tallest\n1,6,-2,1,0.5000\n1,6,1,2,1.0000\n");
 }
 
-TEST(RunningMeans, GoThroughPairsByTheirNumbers) {
+TEST(RunningMeans, FollowTheNumbersOfPairs) {
   Group group;
   group.pair_differences = {{1, 1}, {10, 9}, {2, 2}};
   const std::vector<RunningMean> means = running_means(group);
   ASSERT_EQ(means.size(), 3U);
   EXPECT_DOUBLE_EQ(means[1].mean, 1.5);
   EXPECT_FALSE(means[0].interval);
-  // 1 and 2: t(0.975, 1) = 12.7062 from tables, standard error 0.5.
+  // Values 1 and 2: t(0.975, 1) = 12.7062 from tables, standard error 0.5.
   EXPECT_NEAR(means[1].interval.value().high, 1.5 + 12.7062 / 2, 1e-4);
 }
 
@@ -99,23 +99,21 @@ TEST(CrosstablePlot, ShowsEachMatchupFromBothSides) {
   EXPECT_TRUE(has(csv, "\n2,1,team0,team1,0,0,2,-")) << csv;
 }
 
-TEST(Plots, SayWhatTheyHaveNoPlaceFor) {
+TEST(Plots, SayWhichGroupsTheyLeaveOut) {
   EXPECT_EQ(note_of_cut(45), "");
-  EXPECT_EQ(note_of_cut(66), " Only the first 45 of 66 are drawn; the data has all.");
+  EXPECT_EQ(note_of_cut(66), " Only the first 45 of 66 are drawn; the data file has all.");
 }
 
-TEST(TicStep, LeavesFivePartsAtMost) {
+TEST(TicStep, DividesIntoAtMostFiveParts) {
   EXPECT_DOUBLE_EQ(tic_step(5), 1);
   EXPECT_DOUBLE_EQ(tic_step(9), 2);
   EXPECT_DOUBLE_EQ(tic_step(19), 5);
   EXPECT_DOUBLE_EQ(tic_step(0.45), 0.1);
 }
 
-TEST(ScriptText, HoldsAnythingWithoutCarryingItOut) {
-  EXPECT_EQ(script_text("it's `x`\n$y"), "'it''s `x` $y'");
-}
+TEST(ScriptText, IsNeverExecuted) { EXPECT_EQ(script_text("it's `x`\n$y"), "'it''s `x` $y'"); }
 
-TEST(ScriptText, IsCutBetweenLetters) {
+TEST(ScriptText, IsCutBetweenCharacters) {
   EXPECT_EQ(shortened("äöü", 3), "äöü");
   EXPECT_EQ(shortened("äöüß", 3), "äö…");
 }

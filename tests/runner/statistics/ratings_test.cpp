@@ -11,7 +11,7 @@
 namespace autoref::runner {
 namespace {
 
-// Three teams, all against all: games, goal difference, wins of the first.
+// Three teams, each against each: games, goal difference, wins of the first.
 const std::vector<MatchupTotals> kThree = {{0, 1, 4, 3, 3}, {0, 2, 2, 5, 2}, {1, 2, 4, -2, 1.5}};
 
 void expect_near(const Eigen::VectorXd& found, const std::vector<double>& expected) {
@@ -19,31 +19,31 @@ void expect_near(const Eigen::VectorXd& found, const std::vector<double>& expect
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(found(i), expected[i], 5e-9) << i;
 }
 
-// NumPy 1.24, with X a row for each matchup (1, -1, 0; 1, 0, -1; 0, 1, -1), n games and d goals:
+// NumPy 1.24, with one row of X per matchup (1, -1, 0; 1, 0, -1; 0, 1, -1), n games and d goals:
 // numpy.linalg.lstsq(X * sqrt(n)[:, None], d / sqrt(n), rcond=None)[0].
-TEST(GoalRating, IsNumPysLeastSquares) {
+TEST(GoalRating, MatchesNumPysLeastSquares) {
   expect_near(goal_rating(3, kThree), {0.8958333333, -0.4166666667, -0.4791666667});
 }
 
-TEST(GoalRating, IsExactWhereGamesFitIt) {
+TEST(GoalRating, IsExactIfTheGamesAreConsistent) {
   expect_near(goal_rating(3, std::vector<MatchupTotals>{{0, 1, 2, 2, 0}, {2, 1, 4, 8, 0}}),
               {0, -1, 1});
 }
 
-TEST(GoalRating, RatesTeamsThatNeverMetAroundZeroEach) {
+TEST(GoalRating, CentresUnlinkedGroupsOfTeamsAtZero) {
   expect_near(
       goal_rating(5, std::vector<MatchupTotals>{{0, 1, 2, 4, 2}, {2, 3, 2, -12, 0}, {0, 4}}),
       {1, -1, -3, 3, 0});
 }
 
-// statsmodels 0.13, wins w of n games and a draw more, Z = X[:, :2] with -1 for the last team's:
+// statsmodels 0.13, with w wins in n games plus one draw, Z = X[:, :2] with -1 for the last team:
 // GLM(numpy.c_[w + 0.5, n + 0.5 - w], Z, family=Binomial()).fit(tol=1e-14).params.
-TEST(BradleyTerry, IsStatsmodelsLogit) {
+TEST(BradleyTerry, MatchesStatsmodelsLogit) {
   expect_near(bradley_terry(3, kThree), {0.72035287, -0.43819635, -0.28215651});
 }
 
-TEST(BradleyTerry, StaysFiniteWhereATeamWinsEverything) {
-  // Two teams: half the logarithm of the odds with half a win more for each.
+TEST(BradleyTerry, StaysFiniteIfATeamWinsEverything) {
+  // For two teams, half the log odds with half a win added for each.
   const double half = std::log(40.5 / 0.5) / 2;
   expect_near(bradley_terry(2, std::vector<MatchupTotals>{{0, 1, 40, 90, 40}}), {half, -half});
 }
@@ -57,12 +57,12 @@ TEST(BradleyTerry, FollowsAChainOfTeamsThatAlwaysWin) {
   }
 }
 
-TEST(BradleyTerry, CallsTeamsWithoutGamesEqual) {
+TEST(BradleyTerry, RatesTeamsWithoutGamesEqual) {
   expect_near(bradley_terry(2, std::vector<MatchupTotals>{{0, 1}}), {0, 0});
   expect_near(bradley_terry(2, {}), {0, 0});
 }
 
-// Of a against b, a leg for each difference.
+// Games of a against b, one leg per difference.
 RatedMatchup matchup_of(const std::string& a, const std::string& b,
                         const std::vector<std::vector<double>>& pairs) {
   RatedMatchup matchup{a, b, {}};
@@ -82,7 +82,7 @@ const std::vector<RatedMatchup> kRoundRobin = {
     matchup_of("plain", "zone", {{2, 1}, {0, -1}, {1}, {-2, 1}, {0, 3}}),
     matchup_of("bold", "zone", {{-1, -1}, {4, 2}, {0, 1}, {1, 1}, {-3, 0}})};
 
-TEST(RatingsOf, AreByTeamsNames) {
+TEST(RatingsOf, AreSortedByTeamName) {
   const std::vector<Rating> ratings = ratings_of(
       {matchup_of("plain", "bold", {{1, 3}}), matchup_of("zone", "bold", {{0, 4}})}, goal_rating);
   ASSERT_EQ(ratings.size(), 3);
@@ -112,16 +112,17 @@ const std::vector<std::vector<double>> kTwentyPairs = {
     {3, 1}, {0, -2}, {1, 1}, {2, 0},   {-1, 0}, {4, 2}, {0, 1},  {-3, 1}, {2, 2},  {1, 0},
     {0, 0}, {5, -1}, {1, 2}, {-2, -1}, {3, 0},  {0, 2}, {1, -1}, {2, 3},  {-1, 1}, {0, 4}};
 
-// SciPy 1.10: with x the means of the twenty pairs, half of scipy.stats.bootstrap((x,), numpy.mean,
-// n_resamples=200000, method='percentile').confidence_interval; a thousand draws come within 0.03.
-TEST(RatingsOf, HaveSciPysBootstrapInterval) {
+// SciPy 1.10, with x the means of the twenty pairs: half of scipy.stats.bootstrap((x,), numpy.mean,
+// n_resamples=200000, method='percentile').confidence_interval. A thousand resamples agree within
+// 0.03.
+TEST(RatingsOf, MatchSciPysBootstrapInterval) {
   const Rating rating = ratings_of({matchup_of("a", "b", kTwentyPairs)}, goal_rating).front();
   EXPECT_NEAR(rating.value, 0.4125, 1e-12);
   EXPECT_NEAR(rating.interval.value().low, 0.275 / 2, 0.03);
   EXPECT_NEAR(rating.interval.value().high, 1.35 / 2, 0.03);
 }
 
-// Legs drawn apart would spread the ratings.
+// Drawing legs separately would spread the ratings.
 TEST(RatingsOf, KeepTheLegsOfAPairTogether) {
   const std::vector<Rating> ratings =
       ratings_of({matchup_of("a", "b", {{3, -3}, {-3, 3}, {2, -2}, {1, -1}, {4, -4}, {0.5, -0.4}})},
@@ -142,13 +143,13 @@ TEST(RatingsOf, HaveNoIntervalBelowFivePairsInAMatchup) {
                   .interval);
 }
 
-TEST(RatingsOf, HaveNoIntervalWhereAllPairsAreTheSame) {
+TEST(RatingsOf, HaveNoIntervalIfAllPairsAreTheSame) {
   const std::vector<std::vector<double>> same(10, {-6, -6});
   EXPECT_FALSE(ratings_of({matchup_of("a", "b", same)}, goal_rating).front().interval);
   EXPECT_FALSE(ratings_of({matchup_of("a", "b", same)}, bradley_terry).front().interval);
 }
 
-TEST(RatingsOf, LeaveAMatchupWithoutGamesOut) {
+TEST(RatingsOf, LeaveOutAMatchupWithoutGames) {
   const std::vector<std::vector<double>> pairs = {{1, 1}, {1, 1}, {2, 0}, {0, 1}, {1, 2}};
   const std::vector<Rating> ratings =
       ratings_of({matchup_of("a", "b", pairs), matchup_of("a", "c", {})}, goal_rating);
@@ -157,10 +158,10 @@ TEST(RatingsOf, LeaveAMatchupWithoutGamesOut) {
   EXPECT_TRUE(ratings[0].interval);
 }
 
-TEST(RatingsOf, AreNoneWithoutTeams) { EXPECT_TRUE(ratings_of({}, bradley_terry).empty()); }
+TEST(RatingsOf, AreEmptyWithoutTeams) { EXPECT_TRUE(ratings_of({}, bradley_terry).empty()); }
 
 // NumPy 1.24: numpy.percentile([3, 1, 4, 1, 5, 9, 2, 6], [2.5, 50, 97.5]).
-TEST(QuantileOf, IsNumPys) {
+TEST(QuantileOf, MatchesNumPy) {
   const std::vector<double> sample = {3, 1, 4, 1, 5, 9, 2, 6};
   EXPECT_NEAR(quantile_of(sample, 0.025), 1.0, 1e-12);
   EXPECT_NEAR(quantile_of(sample, 0.5), 3.5, 1e-12);

@@ -1,4 +1,4 @@
-// Expected values from statsmodels 0.13: with effect = delta / (sd / sqrt(2)), pairs are
+// Expected values from statsmodels 0.13, with effect = delta / (sd / sqrt(2)): pairs are
 // ceil(TTestPower().solve_power(effect_size=effect, power=power, alpha=alpha)), and the power of n
 // pairs is TTestPower().power(effect, n, alpha).
 #include "runner/statistics/sample_size.hpp"
@@ -8,7 +8,7 @@
 namespace autoref::runner {
 namespace {
 
-TEST(PowerOf, IsStatsmodels) {
+TEST(PowerOf, MatchesStatsmodels) {
   EXPECT_NEAR(power_of({0.5, 2}, 65), 0.8016316375345813, 1e-9);
   EXPECT_NEAR(power_of({0.25, 3}, 759), 0.9002037675798475, 1e-9);
   EXPECT_NEAR(power_of({2, 1, 0.01}, 6), 0.9694026225833066, 1e-9);
@@ -31,7 +31,7 @@ TEST(GamesNeeded, AreTwoPairsForAnyLargeDifference) {
   EXPECT_EQ(games_needed({1e300, 1e-300}, 0.999), 4);
 }
 
-TEST(GamesNeeded, AreNoneWhereNobodyPlaysSoMany) {
+TEST(GamesNeeded, AreEmptyAboveTheLimit) {
   EXPECT_EQ(games_needed({0.004, 1}, 0.8), 490558);
   EXPECT_FALSE(games_needed({0.002, 1}, 0.8));
   EXPECT_FALSE(games_needed({1e-300, 1}, 0.8));

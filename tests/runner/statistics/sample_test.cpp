@@ -1,5 +1,5 @@
-// Expected values are published ones: R's documentation of its data sets `sleep` (Student 1908)
-// and `anscombe`, as its t.test() and lm() print them.
+// Published expected values: R's documentation of its data sets `sleep` (Student 1908) and
+// `anscombe`, as printed by t.test() and lm().
 #include "runner/statistics/sample.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace autoref::runner {
 namespace {
 
-// Extra hours of sleep, drug 2 minus drug 1, ten patients.
+// Extra hours of sleep of ten patients, drug 2 minus drug 1.
 const std::vector<double> kSleep = {1.2, 2.4, 1.3, 1.3, 0.0, 1.0, 1.8, 0.8, 4.6, 1.4};
 
 const std::vector<double> kAnscombeX = {10, 8, 13, 9, 11, 14, 6, 4, 12, 7, 5};
@@ -55,7 +55,7 @@ TEST(SlopeOf, AnscombesFirstSet) {
   EXPECT_NEAR(slope_of(kAnscombeX, kAnscombeY).value(), 0.5000909, 5e-8);
 }
 
-TEST(SlopeOf, NeedsTwoDifferentPlaces) {
+TEST(SlopeOf, NeedsTwoDifferentX) {
   EXPECT_FALSE(slope_of(std::vector<double>{1, 1}, std::vector<double>{1, 2}));
   EXPECT_EQ(slope_of(std::vector<double>{0, 2}, std::vector<double>{1, 5}), 2.0);
 }

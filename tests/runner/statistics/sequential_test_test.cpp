@@ -8,9 +8,9 @@
 namespace autoref::runner {
 namespace {
 
-// The ratios from SciPy 1.10, of the pair differences x:
-// norm.logpdf(x, 1, sqrt(((x - 1)**2).mean())).sum() - norm.logpdf(x, 0, sqrt((x**2).mean())).sum()
-// Wald's bounds for alpha = beta = 0.05 are -+log(19) = -+2.944439.
+// Ratios from SciPy 1.10, for the pair differences x: norm.logpdf(x, 1, sqrt(((x -
+// 1)**2).mean())).sum() - norm.logpdf(x, 0, sqrt((x**2).mean())).sum(). Wald's bounds for alpha =
+// beta = 0.05 are -+log(19) = -+2.944439.
 const std::vector<double> kNotQuiteEnough = {0.5, 1.5, 0, -0.5, 2, 1, 1, 0.5, 1.5, 0};
 constexpr double kNotQuiteEnoughRatio = 2.9389333245105953;
 const std::vector<double> kMuch = {2.5, 1.5, 0, 0.5, 2, 1, 1, 1.5, 1.5, 2};
@@ -25,7 +25,7 @@ std::vector<double> in_place_of(std::vector<double> differences, double d0_plus_
   return differences;
 }
 
-TEST(SequentialTest, GoesOnBetweenWaldsBounds) {
+TEST(SequentialTest, ContinuesBetweenWaldsBounds) {
   const SequentialState state = decided_by({}, kNotQuiteEnough);
   EXPECT_EQ(state.verdict, Verdict::kGoOn);
   EXPECT_NEAR(state.log_likelihood_ratio, kNotQuiteEnoughRatio, 1e-12);
@@ -43,19 +43,19 @@ TEST(SequentialTest, AcceptsD0BelowTheLowerBound) {
   EXPECT_NEAR(state.log_likelihood_ratio, -kMuchRatio, 1e-12);
 }
 
-TEST(SequentialTest, TakesBoundsFromTheErrorsThatAreAllowed) {
-  // log((1 - 0.05) / 0.06) = 2.76 is below the ratio, log((1 - 0.5) / 0.05) = 2.30 too.
+TEST(SequentialTest, DerivesBoundsFromTheErrorRates) {
+  // The bounds log((1 - 0.05) / 0.06) = 2.76 and log((1 - 0.5) / 0.05) = 2.30 are below the ratio.
   EXPECT_EQ(decided_by({.alpha = 0.06}, kNotQuiteEnough).verdict, Verdict::kAcceptD1);
   EXPECT_EQ(decided_by({.beta = 0.5}, kNotQuiteEnough).verdict, Verdict::kAcceptD1);
   EXPECT_EQ(decided_by({.alpha = 0.001}, kMuch).verdict, Verdict::kGoOn);
 }
 
-TEST(SequentialTest, DecidesNothingBeforeItsLeastPairs) {
+TEST(SequentialTest, DecidesNothingBeforeItsMinimumOfPairs) {
   EXPECT_EQ(decided_by({}, repeated(1, 9)).verdict, Verdict::kGoOn);
   EXPECT_EQ(decided_by({}, repeated(1, 10)).verdict, Verdict::kAcceptD1);
 }
 
-TEST(SequentialTest, StaysWithItsVerdictWhateverComesAfter) {
+TEST(SequentialTest, KeepsItsVerdictWhateverComesAfter) {
   std::vector<double> differences = kMuch;
   for (int i = 0; i < 30; ++i) differences.push_back(-3);
   const SequentialState state = decided_by({}, differences);
@@ -63,7 +63,7 @@ TEST(SequentialTest, StaysWithItsVerdictWhateverComesAfter) {
   EXPECT_EQ(state.pairs, 10);
 }
 
-TEST(SequentialTest, EndsUndecidedAtItsMostPairs) {
+TEST(SequentialTest, EndsUndecidedAtItsMaximumOfPairs) {
   const SequentialTest test{.max_pairs = 20};
   EXPECT_EQ(decided_by(test, repeated(0.5, 19)).verdict, Verdict::kGoOn);
   const SequentialState state = decided_by(test, repeated(0.5, 25));
@@ -71,23 +71,23 @@ TEST(SequentialTest, EndsUndecidedAtItsMostPairs) {
   EXPECT_EQ(state.pairs, 20);
 }
 
-TEST(SequentialTest, DecidesAtItsMostPairsWhereItCan) {
+TEST(SequentialTest, DecidesAtItsMaximumOfPairsIfItCan) {
   EXPECT_EQ(decided_by({.max_pairs = 10}, kMuch).verdict, Verdict::kAcceptD1);
 }
 
-TEST(SequentialTest, DecidesWhereAllPairsAreTheSame) {
+TEST(SequentialTest, DecidesIfAllPairsAreTheSame) {
   EXPECT_EQ(decided_by({}, repeated(0, 10)).verdict, Verdict::kAcceptD0);
   EXPECT_EQ(decided_by({}, repeated(1, 10)).verdict, Verdict::kAcceptD1);
   EXPECT_EQ(decided_by({}, repeated(0.5, 10)).log_likelihood_ratio, 0.0);
 }
 
-TEST(SequentialTest, GoesOnBeforeTheFirstPair) {
+TEST(SequentialTest, ContinuesBeforeTheFirstPair) {
   const SequentialState state = decided_by({}, {});
   EXPECT_EQ(state.verdict, Verdict::kGoOn);
   EXPECT_EQ(state.pairs, 0);
 }
 
-TEST(SequentialTest, MayAskForLess) {
+TEST(SequentialTest, CanTestForANegativeDifference) {
   EXPECT_EQ(decided_by({.d0 = 0, .d1 = -1}, in_place_of(kMuch, 0)).verdict, Verdict::kAcceptD1);
 }
 
