@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <optional>
-#include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "runner/game/play_counts/play_statistics.hpp"
 #include "runner/game/state_hash.hpp"
@@ -18,13 +17,16 @@
 #include "sim/camera.hpp"
 #include "soccer/situation.hpp"
 #include "soccer/tracks.hpp"
-#include "strategies/registry.hpp"
 
 namespace autoref::runner {
 namespace {
 
 PerSide<sim::TeamSpec> specs_of(const GameConfiguration& c) {
   return {{spec_of(c, team_on(c, Side::kWest)), spec_of(c, team_on(c, Side::kEast))}};
+}
+
+PerSide<int> robots_of(const GameConfiguration& c) {
+  return {{team_on(c, Side::kWest).robots, team_on(c, Side::kEast).robots}};
 }
 
 // Why the game ends with the event; none where it goes on.
@@ -41,50 +43,73 @@ std::optional<EndReason> reason_of(referee::Event event) {
   }
 }
 
-class Game {
- public:
-  Game(const GameConfiguration& c, Observer* observer, const TeamMaker& make_team)
-      : configuration_(c),
-        observer_(observer),
-        world_(c.field, c.sim, specs_of(c), c.seed),
-        camera_(c.sim.vision, c.field, c.sim.frame_rate_hz, c.seed),
-        referee_(referee_configuration(c)),
-        situation_(rules_of(c.match)),
-        substitution_controller_(
-            c.field, {{team_on(c, Side::kWest).robots, team_on(c, Side::kEast).robots}}),
-        tracks_(sim::split_latency(c.sim).frames),
-        statistics_(c.field, c.sim.ball, c.sim.frame_rate_hz),
-        players_{{TeamController(c, Side::kWest, make_team),
-                  TeamController(c, Side::kEast, make_team)}} {}
+}  // namespace
 
-  GameRecord play() {
-    const auto most_frames = static_cast<std::int64_t>(longest_s(configuration_.match) *
-                                                       configuration_.sim.frame_rate_hz);
-    while (!is_over() && record_.status == Status::kOk) {
-      if (record_.frames >= most_frames) {
-        void_game("the game did not come to its end");
-      } else {
-        play_frame();
-      }
+class Game::Impl {
+ public:
+  Impl(GameConfiguration configuration, Observer* observer, const TeamMaker& make_team)
+      : configuration_(std::move(configuration)),
+        observer_(observer),
+        most_frames_(static_cast<std::int64_t>(longest_s(configuration_.match) * rate_hz())),
+        world_(configuration_.field, configuration_.sim, specs_of(configuration_),
+               configuration_.seed),
+        camera_(configuration_.sim.vision, configuration_.field, rate_hz(), configuration_.seed),
+        referee_(referee_configuration(configuration_)),
+        situation_(rules_of(configuration_.match)),
+        substitution_controller_(configuration_.field, robots_of(configuration_)),
+        tracks_(sim::split_latency(configuration_.sim).frames),
+        statistics_(configuration_.field, configuration_.sim.ball, rate_hz()),
+        players_{{TeamController(configuration_, Side::kWest, make_team),
+                  TeamController(configuration_, Side::kEast, make_team)}} {}
+
+  bool step() {
+    if (is_over()) return false;
+    if (record_.frames < most_frames_) {
+      play_frame();
+    } else {
+      void_game("the game did not come to its end");
     }
-    finish();
-    return record_;
+    return !is_over();
+  }
+
+  bool is_over() const {
+    const bool is_new_game =
+        referee_.games_finished() > 0 && referee_.state() == referee::State::kWaitStop;
+    return referee_.is_over() || is_new_game || record_.status != Status::kOk;
+  }
+
+  const GameConfiguration& configuration() const { return configuration_; }
+  const Frame& frame() const { return frame_; }
+  const RefereeSignal& signal() const { return signal_; }
+  std::span<const referee::Decision> decisions() const { return referee_.decisions(); }
+  const sim::World& world() const { return world_; }
+
+  GameRecord record() const {
+    GameRecord record = record_;
+    // A void game has come to no end.
+    if (referee_.games_finished() == 0) take_result(record);
+    const PerSide<PlayCounts> counts = statistics_.counts();
+    record.counts = {counts[a()], counts[opponent_of(a())]};
+    record.sim_s = time_s();
+    record.ball_in_play_s = static_cast<double>(frames_in_play_) / rate_hz();
+    record.state_hash = hash_.value();
+    return record;
   }
 
  private:
   void play_frame() {
-    const RefereeSignal& signal = referee_frame();
+    referee_frame();
     if (is_over()) return;
     const Tracks& tracks = tracks_.oldest();
     const Situation situation = situation_.update(
-        signal, tracks.ball ? std::optional(tracks.ball->position_m) : std::nullopt);
+        signal_, tracks.ball ? std::optional(tracks.ball->position_m) : std::nullopt);
     for (Side side : kSides) {
-      const std::string fault = players_[side].decide(tracks, signal, situation, commands_[side]);
-      if (!fault.empty()) void_game(fmt::format("team {} {}", letter_of(side), fault));
+      const std::string fault = players_[side].decide(tracks, signal_, situation, commands_[side]);
+      if (!fault.empty()) void_game(fmt::format("team {} {}", side == a() ? 'a' : 'b', fault));
       ended(side == Side::kWest ? Phase::kTeamWest : Phase::kTeamEast);
     }
-    substitution_controller_.act(signal, requests(), frame_.time_s, world_);
-    world_.step(commands_, signal.placement);
+    substitution_controller_.act(signal_, requests(), frame_.time_s, world_);
+    world_.step(commands_, signal_.placement);
     if (!world_.is_finite()) void_game("a position in the world is not finite");
     ++record_.frames;
     ended(Phase::kPhysics);
@@ -93,20 +118,19 @@ class Game {
   }
 
   // Camera and referee; decisions go into the record.
-  const RefereeSignal& referee_frame() {
+  void referee_frame() {
     camera_.look(world_.state(), frame_);
     ended(Phase::kCamera);
     const PerSide<TeamRequests> asked = requests();
     if (observer_ != nullptr) observer_->on_requests(asked);
-    const RefereeSignal& signal = referee_.update(frame_, asked);
+    signal_ = referee_.update(frame_, asked);
     tracks_.push(referee_.tracks());
     for (const referee::Decision& decision : referee_.decisions()) note(decision);
     frames_in_play_ += referee_.is_ball_in_play() ? 1 : 0;
     ended(Phase::kReferee);
-    if (signal.stage != Stage::kShootout) count_play();
+    if (signal_.stage != Stage::kShootout) count_play();
     ended(Phase::kRecord);
-    if (observer_ != nullptr) observer_->on_frame(frame_, signal, world_);
-    return signal;
+    if (observer_ != nullptr) observer_->on_frame(frame_, signal_, world_);
   }
 
   void count_play() {
@@ -122,7 +146,7 @@ class Game {
     hash_.add(decision);
     if (const auto reason = reason_of(decision.finding.event)) {
       record_.end_reason = *reason;
-      take_result();
+      take_result(record_);
     }
     ++record_.events[static_cast<std::size_t>(decision.finding.event)];
     if (std::find(record_.transitions.begin(), record_.transitions.end(), decision.transition) ==
@@ -139,56 +163,36 @@ class Game {
     record_.void_reason = fmt::format("{} (at {:.3f} s)", reason, time_s());
   }
 
-  // Where a new game follows, the record ends once the referee has begun it.
-  bool is_over() const {
-    const bool is_new_game =
-        referee_.games_finished() > 0 && referee_.state() == referee::State::kWaitStop;
-    return referee_.is_over() || is_new_game;
-  }
-
-  void finish() {
-    // A void game has come to no end.
-    if (referee_.games_finished() == 0) take_result();
-    const Side a = configuration_.match.a_plays;
-    const PerSide<PlayCounts> counts = statistics_.counts();
-    record_.counts = {counts[a], counts[opponent_of(a)]};
-    record_.sim_s = time_s();
-    record_.ball_in_play_s =
-        static_cast<double>(frames_in_play_) / configuration_.sim.frame_rate_hz;
-    record_.state_hash = hash_.value();
-  }
-
   // Before the referee forgets it in a new game.
-  void take_result() {
-    const Side a = configuration_.match.a_plays;
+  void take_result(GameRecord& record) const {
     for (const PerSide<int>& goals : referee_.goals_by_half()) {
-      record_.goals_by_half.push_back({goals[a], goals[opponent_of(a)]});
-      record_.goals_a += goals[a];
-      record_.goals_b += goals[opponent_of(a)];
+      record.goals_by_half.push_back({goals[a()], goals[opponent_of(a())]});
+      record.goals_a += goals[a()];
+      record.goals_b += goals[opponent_of(a())];
     }
     if (const std::optional<PerSide<int>> goals = referee_.shootout_goals()) {
-      record_.shootout = {(*goals)[a], (*goals)[opponent_of(a)]};
+      record.shootout = {(*goals)[a()], (*goals)[opponent_of(a())]};
     }
   }
 
-  double time_s() const {
-    return static_cast<double>(record_.frames) / configuration_.sim.frame_rate_hz;
-  }
-
-  char letter_of(Side side) const { return side == configuration_.match.a_plays ? 'a' : 'b'; }
+  Side a() const { return configuration_.match.a_plays; }
+  double rate_hz() const { return configuration_.sim.frame_rate_hz; }
+  double time_s() const { return static_cast<double>(record_.frames) / rate_hz(); }
 
   void ended(Phase phase) {
     if (observer_ != nullptr) observer_->on_phase(phase);
   }
 
-  const GameConfiguration& configuration_;
+  GameConfiguration configuration_;
   Observer* observer_;
+  std::int64_t most_frames_;
   sim::World world_;
   sim::Camera camera_;
   referee::Referee referee_;
   SituationTracker situation_;
   SubstitutionController substitution_controller_;
   Frame frame_;
+  RefereeSignal signal_;
   DelayLine tracks_;
   PlayStatistics statistics_;
   PerSide<TeamController> players_;
@@ -198,29 +202,27 @@ class Game {
   GameRecord record_;
 };
 
-}  // namespace
+Game::Game(GameConfiguration configuration, Observer* observer, const TeamMaker& make_team)
+    : impl_(std::make_unique<Impl>(std::move(configuration), observer, make_team)) {}
+Game::~Game() = default;
+Game::Game(Game&&) noexcept = default;
+Game& Game::operator=(Game&&) noexcept = default;
 
-std::string_view name_of(EndReason reason) {
-  static constexpr std::array<std::string_view, 6> kNames = {"time",      "goals",     "shootout",
-                                                             "forfeit_a", "forfeit_b", "void"};
-  return kNames[static_cast<std::size_t>(reason)];
-}
-
-std::string_view name_of(Status status) {
-  static constexpr std::array<std::string_view, 3> kNames = {"ok", "forfeit", "void"};
-  return kNames[static_cast<std::size_t>(status)];
-}
-
-std::unique_ptr<strategies::Strategy> make_registered_team(const std::string& name,
-                                                           const strategies::TeamContext& context) {
-  const strategies::Entry* entry = strategies::find_strategy(name);
-  if (entry == nullptr) throw std::invalid_argument(fmt::format("unknown strategy '{}'", name));
-  return entry->make(context);
-}
+bool Game::step() { return impl_->step(); }
+bool Game::is_over() const { return impl_->is_over(); }
+const GameConfiguration& Game::configuration() const { return impl_->configuration(); }
+const Frame& Game::frame() const { return impl_->frame(); }
+const RefereeSignal& Game::signal() const { return impl_->signal(); }
+std::span<const referee::Decision> Game::decisions() const { return impl_->decisions(); }
+const sim::World& Game::world() const { return impl_->world(); }
+GameRecord Game::record() const { return impl_->record(); }
 
 GameRecord play(const GameConfiguration& configuration, Observer* observer,
                 const TeamMaker& make_team) {
-  return Game(configuration, observer, make_team).play();
+  Game game(configuration, observer, make_team);
+  while (game.step()) {
+  }
+  return game.record();
 }
 
 }  // namespace autoref::runner

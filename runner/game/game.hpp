@@ -1,80 +1,67 @@
-// The game loop: one refereed game from values to a record. Knows no files and no command line.
+// One simulated, refereed game, played frame by frame.
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <functional>
 #include <memory>
-#include <optional>
 #include <span>
-#include <string>
-#include <vector>
 
 #include "referee/decision.hpp"
-#include "runner/game/play_counts/play_counts.hpp"
+#include "runner/game/game_record.hpp"
+#include "runner/game/observer.hpp"
+#include "runner/game/team_maker.hpp"
 #include "runner/settings/configuration.hpp"
 #include "sim/world.hpp"
 #include "soccer/frame.hpp"
 #include "soccer/referee_signal.hpp"
-#include "soccer/team_requests.hpp"
-#include "strategies/strategy.hpp"
 
 namespace autoref::runner {
 
-enum class EndReason : std::uint8_t { kTime, kGoals, kShootout, kForfeitA, kForfeitB, kVoid };
-std::string_view name_of(EndReason reason);
-
-enum class Status : std::uint8_t { kOk, kForfeit, kVoid };
-std::string_view name_of(Status status);
-
-struct GameRecord {
-  int goals_a = 0;
-  int goals_b = 0;
-  std::vector<std::array<int, 2>> goals_by_half;  // [a, b] of each half
-  std::optional<std::array<int, 2>> shootout;     // [a, b] goals of its kicks; none without one
-  EndReason end_reason = EndReason::kTime;
-  Status status = Status::kOk;
-  std::string void_reason;                         // empty unless void
-  std::array<int, referee::kEventCount> events{};  // how often each event occurred
-  int count(referee::Event event) const { return events[static_cast<std::size_t>(event)]; }
-  std::vector<std::string> transitions;  // labels of the transitions taken, each once
-  std::array<PlayCounts, 2> counts{};    // [a, b]
-  double ball_in_play_s = 0;
-  double sim_s = 0;
-  std::int64_t frames = 0;
-  std::uint64_t state_hash = 0;  // over every frame's state and every decision
-};
-
-// The parts of one frame, in the order in which they come; the record is kept after the referee,
-// too.
-enum class Phase : std::uint8_t { kCamera, kReferee, kTeamWest, kTeamEast, kPhysics, kRecord };
-inline constexpr int kPhaseCount = 6;
-
-// Watches a game. All calls come from the game loop, in order.
-class Observer {
+// Owns the world, the camera, the referee and both teams, and calls them once a frame. It reads no
+// files, no clock and no command line: whoever drives it decides how fast it runs and what becomes
+// of it. play() below is such a driver. Games share nothing, so that one thread may step several of
+// them by turns; two threads must not, as Box2D keeps state of its own.
+class Game {
  public:
-  virtual ~Observer() = default;
-  // A part of the frame has ended.
-  virtual void on_phase(Phase /*ended*/) {}
-  // Once per frame, before the referee: what it is asked for.
-  virtual void on_requests(const PerSide<TeamRequests>& /*requests*/) {}
-  // Once per frame, after the referee and before the teams.
-  virtual void on_frame(const Frame& /*frame*/, const RefereeSignal& /*signal*/,
-                        const sim::World& /*world*/) {}
-  virtual void on_decision(const referee::Decision& /*decision*/) {}
+  // Sets up the game before its first frame. `observer`, if any, must outlive the game; `make_team`
+  // is called twice here and not kept. Throws std::invalid_argument for a configuration that no
+  // game can be made of (unknown strategy, rules or preset, numbers out of range).
+  explicit Game(GameConfiguration configuration, Observer* observer = nullptr,
+                const TeamMaker& make_team = make_registered_team);
+  ~Game();
+  Game(Game&&) noexcept;
+  Game& operator=(Game&&) noexcept;
+
+  // Plays one frame: the camera sees the world, the referee judges what it sees, the teams decide,
+  // and the world moves on to the next frame. Returns true while there is more to play. The frame
+  // in which the referee ends the game is its last, and the world stays where it was. Once the game
+  // is over, nothing happens.
+  //
+  // A strategy that throws or sends a number that is not finite makes the game void, and so over.
+  // What an observer throws comes out; step no further then.
+  bool step();
+
+  // Whether the referee has ended the game, or it is void. Where a new game follows
+  // (referee::AfterGame::kNewGame), the first one is over once the referee has begun the next.
+  bool is_over() const;
+
+  const GameConfiguration& configuration() const;
+
+  // Of the last step, until the next one. Before the first: an empty frame, HALT, no decisions.
+  const Frame& frame() const;                            // as the camera saw it
+  const RefereeSignal& signal() const;                   // given on that frame
+  std::span<const referee::Decision> decisions() const;  // the referee's on that frame, in order
+
+  // The true state: one frame after frame(), or the same once the referee has ended the game.
+  const sim::World& world() const;
+
+  // The record of the frames so far; final once the game is over. Collected anew at each call.
+  GameRecord record() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
-// Makes the team of that name. Throws std::invalid_argument where there is none.
-using TeamMaker = std::function<std::unique_ptr<strategies::Strategy>(
-    const std::string& name, const strategies::TeamContext& context)>;
-
-// The teams of strategies/registry.hpp.
-std::unique_ptr<strategies::Strategy> make_registered_team(const std::string& name,
-                                                           const strategies::TeamContext& context);
-
-// Plays one game to its end. Throws std::invalid_argument for a configuration that no game can be
-// made of (unknown strategy, rules or preset, numbers out of range). A strategy that throws or
-// sends a number that is not finite makes the game void, not the call fail.
+// Plays one game to its end. Throws as the constructor of Game does.
 GameRecord play(const GameConfiguration& configuration, Observer* observer = nullptr,
                 const TeamMaker& make_team = make_registered_team);
 

@@ -4,8 +4,12 @@
 #include <memory>
 #include <string>
 
-#include "runner/game/game.hpp"
+#include "runner/game/team_maker.hpp"
+#include "runner/settings/configuration.hpp"
+#include "soccer/referee_signal.hpp"
+#include "soccer/side.hpp"
 #include "soccer/situation.hpp"
+#include "soccer/team_requests.hpp"
 #include "soccer/team_view.hpp"
 #include "soccer/tracks.hpp"
 

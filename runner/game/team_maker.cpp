@@ -1,0 +1,18 @@
+#include "runner/game/team_maker.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "strategies/registry.hpp"
+
+namespace autoref::runner {
+
+std::unique_ptr<strategies::Strategy> make_registered_team(const std::string& name,
+                                                           const strategies::TeamContext& context) {
+  const strategies::Entry* entry = strategies::find_strategy(name);
+  if (entry == nullptr) throw std::invalid_argument(fmt::format("unknown strategy '{}'", name));
+  return entry->make(context);
+}
+
+}  // namespace autoref::runner

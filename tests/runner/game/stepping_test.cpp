@@ -1,0 +1,114 @@
+// A game that is driven from outside, frame by frame.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <stdexcept>
+#include <utility>
+
+#include "runner/game/game.hpp"
+#include "tests/runner/support/short_game.hpp"
+
+namespace autoref::runner {
+namespace {
+
+GameRecord stepped_to_its_end(Game& game) {
+  while (game.step()) {
+  }
+  return game.record();
+}
+
+void expect_same(const GameRecord& one, const GameRecord& other) {
+  EXPECT_EQ(one.state_hash, other.state_hash);
+  EXPECT_EQ(one.frames, other.frames);
+  EXPECT_EQ(one.sim_s, other.sim_s);
+  EXPECT_EQ(one.goals_by_half, other.goals_by_half);
+  EXPECT_EQ(one.events, other.events);
+  EXPECT_EQ(one.transitions, other.transitions);
+  EXPECT_EQ(one.counts, other.counts);
+  EXPECT_EQ(one.ball_in_play_s, other.ball_in_play_s);
+  EXPECT_EQ(one.end_reason, other.end_reason);
+  EXPECT_EQ(one.status, other.status);
+}
+
+TEST(SteppedGame, HasTheRecordOfAPlayedOne) {
+  Game game(short_game(30, 4));
+  expect_same(stepped_to_its_end(game), play(short_game(30, 4)));
+}
+
+TEST(SteppedGame, IsNotInfluencedByAnotherThatIsSteppedByTurns) {
+  Game one(short_game(20, 4));
+  Game other(short_game(25, 5));
+  while (!one.is_over() || !other.is_over()) {
+    one.step();
+    other.step();
+  }
+  expect_same(one.record(), play(short_game(20, 4)));
+  expect_same(other.record(), play(short_game(25, 5)));
+}
+
+TEST(SteppedGame, GoesOnAfterItHasBeenMoved) {
+  Game before(short_game(20, 6));
+  for (int i = 0; i < 600; ++i) before.step();
+  Game after(std::move(before));
+  expect_same(stepped_to_its_end(after), play(short_game(20, 6)));
+}
+
+TEST(SteppedGame, StaysAsItIsOnceItIsOver) {
+  Game game(short_game(10, 7));
+  const GameRecord record = stepped_to_its_end(game);
+  const std::int64_t last_frame = game.frame().number;
+  EXPECT_TRUE(game.is_over());
+  EXPECT_FALSE(game.step());
+  EXPECT_EQ(game.frame().number, last_frame);
+  expect_same(game.record(), record);
+}
+
+TEST(SteppedGame, ShowsWhatHappenedInTheLastFrame) {
+  Game game(short_game(10, 8));
+  EXPECT_TRUE(game.frame().robots[Side::kWest].empty());
+  EXPECT_TRUE(game.decisions().empty());
+  std::int64_t decisions = 0;
+  std::uint32_t commands = 0;
+  for (std::int64_t number = 0; !game.is_over(); ++number) {
+    game.step();
+    EXPECT_EQ(game.frame().number, number);
+    for (const referee::Decision& decision : game.decisions()) {
+      EXPECT_EQ(decision.frame, number);
+      ++decisions;
+    }
+    commands = game.signal().command_counter;
+  }
+  EXPECT_GT(decisions, 4);
+  EXPECT_GT(commands, 4U);
+  EXPECT_EQ(game.signal().command.kind, CommandKind::kHalt);
+}
+
+TEST(SteppedGame, HasARecordOfTheFramesSoFar) {
+  Game game(short_game(30, 4));
+  for (int i = 0; i < 1200; ++i) ASSERT_TRUE(game.step());
+  const GameRecord early = game.record();
+  EXPECT_EQ(early.frames, 1200);
+  EXPECT_EQ(early.sim_s, 20);
+  const GameRecord late = stepped_to_its_end(game);
+  EXPECT_GT(late.frames, early.frames);
+  EXPECT_NE(late.state_hash, early.state_hash);
+}
+
+// Ends the game from inside, as Ctrl-C does.
+class Interrupter final : public Observer {
+ public:
+  void on_frame(const Frame& frame, const RefereeSignal& /*signal*/,
+                const sim::World& /*world*/) override {
+    if (frame.number == 10) throw std::runtime_error("enough");
+  }
+};
+
+TEST(SteppedGame, LetsThroughWhatItsObserverThrows) {
+  Interrupter interrupter;
+  Game game(short_game(10, 9), &interrupter);
+  for (int i = 0; i < 10; ++i) game.step();
+  EXPECT_THROW(game.step(), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace autoref::runner
