@@ -19,6 +19,7 @@
 #include "runner/processes/workers.hpp"
 #include "runner/results/scores.hpp"
 #include "runner/results/shard.hpp"
+#include "runner/settings/resolved.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -41,7 +42,7 @@ Outcomes outcomes_of_records(const Scenario& scenario, const ExperimentOptions& 
 GameRow played(const Outcomes& outcomes, const ScheduledGame& game) {
   GameRow row = row_of(game);
   try {
-    outcomes.play(game.configuration, row);
+    outcomes.play(resolved(game.configuration), row);
   } catch (const std::exception& error) {
     row.record = void_record(fmt::format("the game threw: {}", error.what()));
   }

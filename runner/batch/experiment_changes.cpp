@@ -23,14 +23,14 @@ Values values_of(const std::vector<Setting>& settings) {
 }
 
 Values values_of(const Sweep& sweep) {
-  GameConfiguration base = sweep.base;
+  GameSettings base = sweep.base;
   Values values = values_of(settings_of(base));
   values["seed"] = std::to_string(sweep.seed);
   return values;
 }
 
 Values values_of(const JudgeSchedule& schedule) {
-  GameConfiguration base = schedule.base;
+  GameSettings base = schedule.base;
   Values values = values_of(settings_of(base));
   std::vector<std::string> matchups;
   for (const auto& matchup : schedule.matchups) matchups.push_back(name_of(matchup));
@@ -46,7 +46,7 @@ void add(const Teams& teams, std::string_view branch, const RobotTypes& types, V
 }
 
 Values values_of(const NamedTeams& named) {
-  GameConfiguration base = named.base;
+  GameSettings base = named.base;
   Values values = values_of(settings_of(base));
   std::erase_if(values, [](const auto& value) { return value.first.starts_with("teams."); });
   add(named.teams, "teams", named.base.types, values);

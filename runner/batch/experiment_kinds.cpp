@@ -174,7 +174,7 @@ RowsById counted(const Schedule& schedule, const RowsById& rows) {
 bool is_experiment(const Scenario& scenario) { return verb_of(scenario) == "run"; }
 
 bool keeps_rows(const Scenario& scenario) {
-  return !std::holds_alternative<GameConfiguration>(scenario.content);
+  return !std::holds_alternative<GameSettings>(scenario.content);
 }
 
 RowFormat row_format(const Scenario& scenario) {

@@ -9,6 +9,7 @@
 
 #include "runner/io/errors.hpp"
 #include "runner/processes/workers.hpp"
+#include "runner/settings/resolved.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -28,8 +29,8 @@ std::string played_in(const ScheduledGame& game) {
 }
 
 // With halves of `share` of their length. Extra time, and shoot-outs, are for whole games.
-GameConfiguration part_of(const GameConfiguration& game, double share) {
-  GameConfiguration part = game;
+GameSettings part_of(const GameSettings& game, double share) {
+  GameSettings part = game;
   if (share >= 1) return part;
   part.match.half_s *= share;
   part.match.knockout = false;
@@ -47,7 +48,7 @@ struct Entry {
   std::vector<const ScheduledGame*> games;  // the first ones
   std::vector<Sample> samples;              // of parts that went well, the first seconds first
 
-  const MatchConfiguration& match() const { return games.front()->configuration.match; }
+  const MatchSettings& match() const { return games.front()->configuration.match; }
   double first_share() const { return std::min(1.0, kRehearsedHalf_s / match().half_s); }
   bool plays() const { return !samples.empty() && rehearsal.void_reason.empty(); }
   double first_estimate_s() const { return samples.front().wall_s / samples.front().share; }
@@ -137,7 +138,8 @@ class Rehearsals {
 
   std::string played(const Part& part) const {
     try {
-      const GameRecord record = options_.play(part_of(part.game->configuration, part.share));
+      const GameRecord record =
+          options_.play(resolved(part_of(part.game->configuration, part.share)));
       return record.void_reason.empty() ? kWell : "void: " + record.void_reason;
     } catch (const std::exception& error) {
       return std::string("void: ") + error.what();

@@ -9,6 +9,7 @@
 #include "runner/io/errors.hpp"
 #include "runner/processes/progress.hpp"
 #include "runner/processes/workers.hpp"
+#include "runner/settings/resolved.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -55,7 +56,7 @@ Verification verify(const ResultFolder& folder, int sample, int workers,
   Progress bar(progress, {.total = static_cast<int>(games.size())});
   const auto work = [&](std::size_t i) {
     GameRow row = row_of(folder.games[i]);
-    play(folder.games[i].configuration, row);
+    play(resolved(folder.games[i].configuration), row);
     return folder.format.line(row);
   };
   const auto done = [&](const JobResult& result) {

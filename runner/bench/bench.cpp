@@ -37,8 +37,8 @@ GameConfiguration fixed_game(std::uint64_t seed) {
 // A game with every rule of every rule book in force.
 GameConfiguration game_with_all_rules() {
   GameConfiguration game = fixed_game(kFirstSeed);
-  game.match.rules = "2014";
-  for (const RuleEntry& entry : rule_table()) game.match.in_force[entry.rule] = true;
+  game.match.rules = *find_rule_book("2014");
+  for (const RuleEntry& entry : rule_table()) game.match.rules.in_force[entry.rule] = true;
   return game;
 }
 

@@ -10,14 +10,15 @@
 #include "runner/io/errors.hpp"
 #include "runner/settings/assignments.hpp"
 #include "runner/settings/fields.hpp"
+#include "runner/settings/resolved.hpp"
 #include "runner/settings/robot_types.hpp"
 
 namespace autoref::runner {
 namespace {
 
-GameConfiguration configured(const PlayArguments& arguments) {
+GameSettings configured(const PlayArguments& arguments) {
   Scenario scenario = read_scenario(arguments.file, assignments_in(arguments.sets));
-  auto* game = std::get_if<GameConfiguration>(&scenario.content);
+  auto* game = std::get_if<GameSettings>(&scenario.content);
   if (game == nullptr) {
     throw InputError({arguments.file}, "kind",
                      fmt::format("this is a {}, not a game; run it with: autoref {} {}",
@@ -43,9 +44,10 @@ std::vector<std::string> inputs_of(const PlayArguments& arguments) {
 }  // namespace
 
 int play_verb(const PlayArguments& arguments) {
-  const GameConfiguration game = configured(arguments);
+  const GameSettings game = configured(arguments);
   GameRecord record;
-  blame(arguments.file, [&] { record = play_one(game, arguments.output, inputs_of(arguments)); });
+  blame(arguments.file,
+        [&] { record = play_one(resolved(game), arguments.output, inputs_of(arguments)); });
   return record.status == Status::kVoid ? kTooManyVoid : kDone;
 }
 

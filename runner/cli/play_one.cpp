@@ -13,7 +13,6 @@
 #include "runner/io/checksum.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/results/game_report.hpp"
-#include "runner/settings/team_names.hpp"
 #include "runner/view/decision_lines.hpp"
 #include "runner/view/game_recording.hpp"
 #include "runner/view/page.hpp"
@@ -90,7 +89,7 @@ std::string view_of(const GameConfiguration& game, const GameRecording& recordin
                   game.field,
                   shown_names(game),
                   decisions_for_page(decisions, "the decisions"),
-                  {{"rules", game.match.rules},
+                  {{"rules", game.match.rules.name},
                    {"seed", std::to_string(game.seed)},
                    {"state", hash_text(record.state_hash)},
                    {"build", std::string(build_id())}}});

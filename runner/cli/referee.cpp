@@ -14,7 +14,7 @@
 #include "runner/logs/user_log.hpp"
 #include "runner/settings/assignments.hpp"
 #include "runner/settings/fields.hpp"
-#include "runner/settings/match_rules.hpp"
+#include "runner/settings/resolved.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -32,9 +32,9 @@ void refuse_book_among(const std::vector<std::string>& assignments) {
   }
 }
 
-GameConfiguration game_of(const RefereeArguments& arguments, const RecordedFacts& facts,
-                          const RecordedGame& recorded) {
-  GameConfiguration game;
+GameSettings game_of(const RefereeArguments& arguments, const RecordedFacts& facts,
+                     const RecordedGame& recorded) {
+  GameSettings game;
   blame("--rules", [&] { game = logged_game(arguments.rules, facts, recorded); });
   const auto set = [&](const std::string& flag, const std::string& path, const std::string& value) {
     if (!value.empty()) blame(flag, [&] { set_by_path(game, path, value); });
@@ -53,7 +53,7 @@ GameConfiguration game_of(const RefereeArguments& arguments, const RecordedFacts
 }
 
 void say_gaps(const RefereeArguments& arguments, const RecordedFacts& facts,
-              const GameConfiguration& game) {
+              const GameSettings& game) {
   const auto is_set = [&arguments](const std::string& path) {
     if (path == "match.first_kickoff" && !arguments.first_kickoff.empty()) return true;
     return std::any_of(arguments.sets.begin(), arguments.sets.end(),
@@ -77,9 +77,9 @@ int referee_verb(const RefereeArguments& arguments) {
   }
   std::vector<referee::Configuration> games;
   for (const RecordedGame& recorded : facts.games) {
-    const GameConfiguration game = game_of(arguments, facts, recorded);
+    const GameSettings game = game_of(arguments, facts, recorded);
     if (games.empty()) say_gaps(arguments, facts, game);
-    games.push_back(referee_configuration(game));
+    games.push_back(referee_configuration(resolved(game)));
   }
   const LogRefereeResult evaluation = referee_log(arguments.log, facts, games);
   if (events) events->commit(evaluation.events);

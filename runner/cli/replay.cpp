@@ -13,6 +13,7 @@
 #include "runner/io/errors.hpp"
 #include "runner/io/words.hpp"
 #include "runner/judge/judged_rows.hpp"
+#include "runner/settings/resolved.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -47,15 +48,14 @@ int replay_verb(const ReplayArguments& arguments) {
   const ResultFolder folder = open_results(arguments.folder, arguments.build);
   const ScheduledGame& game = game_named(folder, id_of_game(folder, arguments.game));
   const GameRecord record =
-      play_one(game.configuration, arguments.output, files_of_results(folder.path));
+      play_one(resolved(game.configuration), arguments.output, files_of_results(folder.path));
   const auto row = folder.completed_games.done.find(game.id);
   if (row == folder.completed_games.done.end()) return kDone;
   const std::uint64_t stored = row->second.record.state_hash;
   if (stored == record.state_hash) return kDone;
   write_message(
       stderr,
-      fmt::format("autoref: the stored row has final state {1} of build {0}; this is build {2}
-",
+      fmt::format("autoref: the stored row has final state {1} of build {0}; this is build {2}\n",
                   folder.build, hash_text(stored), build_id()));
   return kDifferent;
 }

@@ -19,7 +19,7 @@ void add(const ChangesOf& of, const std::string& holder, SettingValues& values) 
   }
 }
 
-SettingValues values_in(GameConfiguration game) {
+SettingValues values_in(GameSettings game) {
   SettingValues values;
   for (const Setting& setting : settings_of(game)) {
     if (const auto* of = std::get_if<ChangesOf>(&setting.target)) add(*of, setting.path, values);
@@ -29,13 +29,13 @@ SettingValues values_in(GameConfiguration game) {
 }
 
 // What the values of one key set. Those of other keys are `varied`, too.
-void add(const GameConfiguration& base, const Factor& key, const std::set<std::string>& varied,
+void add(const GameSettings& base, const Factor& key, const std::set<std::string>& varied,
          SetByValues& all) {
   const SettingValues of_base = values_in(base);
   std::map<std::string, SettingValues> found;
   std::set<std::string> paths;
   for (const std::string& value : key.values) {
-    GameConfiguration game = base;
+    GameSettings game = base;
     set_by_path(game, key.path, value);
     SettingValues& its = found[key.path + "=" + value] = values_in(game);
     for (const auto& [path, text] : its) {
@@ -51,7 +51,7 @@ void add(const GameConfiguration& base, const Factor& key, const std::set<std::s
   }
 }
 
-SetByValues set_by_values(const GameConfiguration& base, const std::vector<Factor>& keys) {
+SetByValues set_by_values(const GameSettings& base, const std::vector<Factor>& keys) {
   std::set<std::string> varied;
   for (const Factor& key : keys) varied.insert(full_path(key.path));
   SetByValues all;
@@ -69,8 +69,8 @@ std::string cell_name(const Sweep& sweep, const std::vector<std::string>& values
   return name;
 }
 
-GameConfiguration configured(const Sweep& sweep, const std::vector<std::string>& values) {
-  GameConfiguration game = sweep.base;
+GameSettings configured(const Sweep& sweep, const std::vector<std::string>& values) {
+  GameSettings game = sweep.base;
   for (std::size_t i = 0; i < values.size(); ++i) {
     set_by_path(game, sweep.factors[i].path, values[i]);
   }
@@ -78,9 +78,9 @@ GameConfiguration configured(const Sweep& sweep, const std::vector<std::string>&
   return game;
 }
 
-GameConfiguration configured(const JudgeSchedule& schedule, const std::string& rules,
-                             const std::string& camera) {
-  GameConfiguration game = schedule.base;
+GameSettings configured(const JudgeSchedule& schedule, const std::string& rules,
+                        const std::string& camera) {
+  GameSettings game = schedule.base;
   set_by_path(game, "match.rules", rules);
   set_by_path(game, "sim.camera", camera);
   return game;

@@ -7,20 +7,20 @@
 
 #include "runner/experiments/judge_schedule.hpp"
 #include "runner/experiments/scenario.hpp"
-#include "runner/settings/configuration.hpp"
+#include "runner/settings/game_settings.hpp"
 
 namespace autoref::runner {
 
 // A sweep's base with these values of its factors. Throws std::invalid_argument where they make no
 // game together.
-GameConfiguration configured(const Sweep& sweep, const std::vector<std::string>& values);
+GameSettings configured(const Sweep& sweep, const std::vector<std::string>& values);
 
 // The cell of these values, as in the ids of its games: "b.handicap=0.5+match.rules=2014".
 std::string cell_name(const Sweep& sweep, const std::vector<std::string>& values);
 
 // A judge's base under a rule book and a camera.
-GameConfiguration configured(const JudgeSchedule& schedule, const std::string& rules,
-                             const std::string& camera);
+GameSettings configured(const JudgeSchedule& schedule, const std::string& rules,
+                        const std::string& camera);
 
 // What presets and handicaps among the varied values set, without what the user has set singly: for
 // each value, such as "match.rules=2014", the settings by full path. The values of one key have the

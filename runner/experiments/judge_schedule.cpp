@@ -55,7 +55,7 @@ std::vector<JudgeGame> games_of(const JudgeSchedule& schedule) {
 std::vector<ScheduledGame> scheduled_games(const JudgeSchedule& schedule) {
   std::vector<ScheduledGame> games;
   for (const JudgeGame& game : games_of(schedule)) {
-    const GameConfiguration& c = game.configuration;
+    const GameSettings& c = game.configuration;
     games.push_back({game.game_id,
                      {game.rules, game.camera},
                      game.pair,

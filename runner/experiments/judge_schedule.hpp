@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "runner/settings/configuration.hpp"
+#include "runner/settings/game_settings.hpp"
 
 namespace autoref::runner {
 
 struct JudgeSchedule {
   // Each book brings its field, and each camera its radio and latency; the base gives the rest.
-  GameConfiguration base;
+  GameSettings base;
   std::vector<std::string> rules = {"paper"};
   std::vector<std::string> cameras;
   // Strategies of team a and b, by turns; where there are none, the base's teams play.
@@ -25,7 +25,7 @@ struct JudgeGame {
   std::string id;  // for people: "2014 realistic basic~basic 3"
   std::string rules;
   std::string camera;
-  GameConfiguration configuration;
+  GameSettings configuration;
   std::string game_id = {};  // of its row: "2014+realistic+basic~basic-p0002-1"
   int pair = 1;
   int leg = 1;

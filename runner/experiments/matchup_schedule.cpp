@@ -24,7 +24,7 @@ std::vector<ScheduledGame> scheduled(const NamedTeams& named, const std::vector<
 
 }  // namespace
 
-void check(const GameConfiguration& base, const Teams& teams, std::string_view branch) {
+void check(const GameSettings& base, const Teams& teams, std::string_view branch) {
   check_game(base);
   for (const auto& [name, team] : teams) {
     check_team(base, team, fmt::format("{}.{}", branch, name));

@@ -34,6 +34,6 @@ ScheduledGame scheduled(const NamedTeams& named, const Matchup& matchup, int pai
 
 // Throws std::invalid_argument where a setting is wrong of the base or of teams, which stand below
 // `branch` in a file.
-void check(const GameConfiguration& base, const Teams& teams, std::string_view branch = "teams");
+void check(const GameSettings& base, const Teams& teams, std::string_view branch = "teams");
 
 }  // namespace autoref::runner

@@ -6,15 +6,15 @@
 #include <string>
 #include <string_view>
 
-#include "runner/settings/configuration.hpp"
+#include "runner/settings/game_settings.hpp"
 
 namespace autoref::runner {
 
-using Teams = std::map<std::string, TeamConfiguration>;  // by the names that rows call them
+using Teams = std::map<std::string, TeamSettings>;  // by the names that rows call them
 
 // What all experiments between such teams have.
 struct NamedTeams {
-  GameConfiguration base;  // its teams do not count; its seed, a_plays and first_kickoff neither
+  GameSettings base;  // its teams do not count; its seed, a_plays and first_kickoff neither
   Teams teams;
   std::uint64_t seed = 1;  // of the whole experiment
 };

@@ -13,7 +13,7 @@
 #include "runner/experiments/knockout.hpp"
 #include "runner/experiments/roundrobin.hpp"
 #include "runner/experiments/sprt_match.hpp"
-#include "runner/settings/configuration.hpp"
+#include "runner/settings/game_settings.hpp"
 
 namespace autoref::runner {
 
@@ -27,7 +27,7 @@ struct Factor {
 
 // Every combination of the factors' values is played `pairs` times, two legs each.
 struct Sweep {
-  GameConfiguration base;  // its seed, a_plays and first_kickoff are given by the plan
+  GameSettings base;  // its seed, a_plays and first_kickoff are given by the plan
   std::vector<Factor> factors;
   int pairs = 1;           // of legs, per combination; 1 to 9999
   std::uint64_t seed = 1;  // of the whole sweep
@@ -35,7 +35,7 @@ struct Sweep {
 
 struct Scenario {
   std::string about;
-  std::variant<GameConfiguration, Sweep, JudgeSchedule, RoundRobin, SprtMatch, Gauntlet, Knockout>
+  std::variant<GameSettings, Sweep, JudgeSchedule, RoundRobin, SprtMatch, Gauntlet, Knockout>
       content;
 };
 

@@ -14,7 +14,7 @@ namespace {
 constexpr int kMostGames = 100000;
 
 ScheduledGame scheduled(const Sweep& sweep, const std::vector<std::string>& values,
-                        const GameConfiguration& configuration, int pair, int leg) {
+                        const GameSettings& configuration, int pair, int leg) {
   ScheduledGame game{game_id(cell_name(sweep, values), pair, leg),
                      values,
                      pair,
@@ -39,7 +39,7 @@ std::string game_id(std::string_view played, int pair, int leg) {
   return fmt::format("{}-p{:04}-{}", played, pair, leg);
 }
 
-void set_leg(GameConfiguration& game, std::uint64_t master_seed, int pair, int leg) {
+void set_leg(GameSettings& game, std::uint64_t master_seed, int pair, int leg) {
   game.match.a_plays = leg % 2 == 1 ? Side::kWest : Side::kEast;
   game.match.first_kickoff = pair % 2 == 1 ? Side::kWest : Side::kEast;
   game.seed = seed_of(master_seed, pair, leg);
@@ -75,7 +75,7 @@ std::vector<std::vector<std::string>> combinations(const std::vector<Factor>& fa
 std::vector<ScheduledGame> scheduled_games(const Sweep& sweep) {
   refuse_too_many(games_in(sweep));
   const std::vector<std::vector<std::string>> all = combinations(sweep.factors);
-  std::vector<GameConfiguration> configurations;
+  std::vector<GameSettings> configurations;
   configurations.reserve(all.size());
   for (const std::vector<std::string>& values : all) {
     configurations.push_back(configured(sweep, values));

@@ -15,7 +15,7 @@ struct ScheduledGame {
   std::vector<std::string> values;  // of the factors, in the sweep's order
   int pair = 1;                     // counted from 1
   int leg = 1;                      // odd: team a in the west; even: team a in the east
-  GameConfiguration configuration;
+  GameSettings configuration;
   std::string team_a = {};  // what rows call them: a sweep's by their strategies
   std::string team_b = {};
   std::size_t unit = 0;  // games of one unit go to the same shard: a pair's legs
@@ -37,7 +37,7 @@ std::string game_id(std::string_view played, int pair, int leg);
 // What a leg decides: who plays where, who kicks off first, and the seed. The side that kicks off
 // first is west in odd pairs and east in even ones, for both legs; so each team kicks off first in
 // one leg of every pair, and over two pairs once from each side.
-void set_leg(GameConfiguration& game, std::uint64_t master_seed, int pair, int leg);
+void set_leg(GameSettings& game, std::uint64_t master_seed, int pair, int leg);
 
 // Throws std::invalid_argument where an experiment has more games than fit one; `key` is the
 // setting that says how many.

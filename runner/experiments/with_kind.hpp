@@ -19,7 +19,7 @@ auto with_kind(const Scenario& scenario, const Work& work) {
   return std::visit(
       [&](const auto& content) -> Result {
         using Content = std::decay_t<decltype(content)>;
-        if constexpr (std::is_same_v<Content, GameConfiguration>) {
+        if constexpr (std::is_same_v<Content, GameSettings>) {
           throw std::logic_error(fmt::format("a {} is not an experiment", kind_of(scenario)));
         } else {
           return work(content);

@@ -1,8 +1,7 @@
 #include "runner/game/event_log.hpp"
 
+#include "runner/game/configuration.hpp"
 #include "runner/io/json.hpp"
-#include "runner/settings/match_rules.hpp"
-#include "runner/settings/team_names.hpp"
 #include "soccer/colour.hpp"
 
 namespace autoref::runner {

@@ -14,7 +14,7 @@ struct EventTeam {
   std::string name;
 };
 
-// The teams of a game, named as shown_names() (team_names.hpp) has them.
+// The teams of a game, named as shown_names() (configuration.hpp) has them.
 PerSide<EventTeam> event_teams_of(const GameConfiguration& game);
 
 // One line without its end. Every line has the same keys; what is unknown or does not apply is

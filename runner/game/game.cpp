@@ -12,8 +12,6 @@
 #include "runner/game/substitution.hpp"
 #include "runner/game/team_controller.hpp"
 #include "runner/game/vision_delay.hpp"
-#include "runner/settings/match_rules.hpp"
-#include "runner/settings/robot_changes.hpp"
 #include "sim/camera.hpp"
 #include "soccer/situation.hpp"
 #include "soccer/tracks.hpp"
@@ -22,11 +20,13 @@ namespace autoref::runner {
 namespace {
 
 PerSide<sim::TeamSpec> specs_of(const GameConfiguration& c) {
-  return {{spec_of(c, team_on(c, Side::kWest)), spec_of(c, team_on(c, Side::kEast))}};
+  return {{sim::TeamSpec{team_on(c, Side::kWest).robots},
+           sim::TeamSpec{team_on(c, Side::kEast).robots}}};
 }
 
 PerSide<int> robots_of(const GameConfiguration& c) {
-  return {{team_on(c, Side::kWest).robots, team_on(c, Side::kEast).robots}};
+  const auto count = [&c](Side side) { return static_cast<int>(team_on(c, side).robots.size()); };
+  return {{count(Side::kWest), count(Side::kEast)}};
 }
 
 // Why the game ends with the event; none where it goes on.
@@ -55,7 +55,7 @@ class Game::Impl {
                configuration_.seed),
         camera_(configuration_.sim.vision, configuration_.field, rate_hz(), configuration_.seed),
         referee_(referee_configuration(configuration_)),
-        situation_(rules_of(configuration_.match)),
+        situation_(configuration_.match.rules),
         substitution_controller_(configuration_.field, robots_of(configuration_)),
         tracks_(sim::split_latency(configuration_.sim).frames),
         statistics_(configuration_.field, configuration_.sim.ball, rate_hz()),

@@ -5,10 +5,10 @@
 #include <span>
 
 #include "referee/decision.hpp"
+#include "runner/game/configuration.hpp"
 #include "runner/game/game_record.hpp"
 #include "runner/game/observer.hpp"
 #include "runner/game/team_maker.hpp"
-#include "runner/settings/configuration.hpp"
 #include "sim/world.hpp"
 #include "soccer/frame.hpp"
 #include "soccer/referee_signal.hpp"
@@ -23,7 +23,7 @@ class Game {
  public:
   // Sets up the game before its first frame. `observer`, if any, must outlive the game; `make_team`
   // is called twice here and not kept. Throws std::invalid_argument for a configuration that no
-  // game can be made of (unknown strategy, rules or preset, numbers out of range).
+  // game can be made of (unknown strategy, numbers out of range).
   explicit Game(GameConfiguration configuration, Observer* observer = nullptr,
                 const TeamMaker& make_team = make_registered_team);
   ~Game();

@@ -30,7 +30,7 @@ struct GameRecord {
   std::array<int, referee::kEventCount> events{};  // how often each event occurred
   int count(referee::Event event) const { return events[static_cast<std::size_t>(event)]; }
   std::vector<std::string> transitions;  // labels of the transitions taken, each once
-  std::array<PlayCounts, 2> counts{};         // [a, b]
+  std::array<PlayCounts, 2> counts{};    // [a, b]
   double ball_in_play_s = 0;
   double sim_s = 0;
   std::int64_t frames = 0;

@@ -5,8 +5,6 @@
 #include <array>
 #include <exception>
 
-#include "runner/settings/match_rules.hpp"
-#include "runner/settings/robot_changes.hpp"
 #include "sim/world.hpp"
 #include "soccer/random.hpp"
 
@@ -16,9 +14,9 @@ namespace {
 // What the side's robots can do.
 std::array<strategies::Abilities, kMaxRobots> abilities_of(const GameConfiguration& c, Side side) {
   std::array<strategies::Abilities, kMaxRobots> all;
-  const sim::TeamSpec spec = spec_of(c, team_on(c, side));
-  for (std::size_t i = 0; i < spec.robots.size(); ++i) {
-    const sim::RobotSpec& robot = spec.robots[i];
+  const sim::TeamSpec::Robots& robots = team_on(c, side).robots;
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    const sim::RobotSpec& robot = robots[i];
     all[i] = {robot.body.speed_mps * robot.speed_factor,
               robot.body.acceleration_mps2 * robot.acceleration_factor,
               robot.body.braking_mps2 * robot.acceleration_factor, robot.kicker.speed_limit_mps,
@@ -30,7 +28,7 @@ std::array<strategies::Abilities, kMaxRobots> abilities_of(const GameConfigurati
 std::unique_ptr<strategies::Strategy> make_team_on(const GameConfiguration& c, Side side,
                                                    const TeamMaker& make_team) {
   const TeamConfiguration& team = team_on(c, side);
-  return make_team(team.strategy, {c.field, rules_of(c.match), c.sim.frame_rate_hz,
+  return make_team(team.strategy, {c.field, c.match.rules, c.sim.frame_rate_hz,
                                    RandomStream::of(c.seed, RandomPurpose::kStrategy, side),
                                    team.params, abilities_of(c, side)});
 }
@@ -46,7 +44,7 @@ double latency_s(const sim::Configuration& c) {
 TeamController::TeamController(const GameConfiguration& configuration, Side side,
                                const TeamMaker& make_team)
     : side_(side),
-      robots_(team_on(configuration, side).robots),
+      robots_(static_cast<int>(team_on(configuration, side).robots.size())),
       strategy_(make_team_on(configuration, side, make_team)) {
   view_.latency_s = latency_s(configuration.sim);
 }

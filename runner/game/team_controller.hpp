@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
+#include "runner/game/configuration.hpp"
 #include "runner/game/team_maker.hpp"
-#include "runner/settings/configuration.hpp"
 #include "soccer/referee_signal.hpp"
 #include "soccer/side.hpp"
 #include "soccer/situation.hpp"

@@ -6,7 +6,6 @@
 
 #include "runner/judge/truth/association.hpp"
 #include "runner/judge/truth/ground_truth_observer.hpp"
-#include "runner/settings/match_rules.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -18,7 +17,7 @@ class CallEvaluator final : public Observer {
  public:
   explicit CallEvaluator(const GameConfiguration& game)
       : a_plays_(game.match.a_plays),
-        observer_(game.field, rules_of(game.match), game.sim.frame_rate_hz) {}
+        observer_(game.field, game.match.rules, game.sim.frame_rate_hz) {}
 
   void on_decision(const Decision& decision) override {
     const std::optional<Call> call = ground_truth::call_of(decision);

@@ -51,7 +51,7 @@ class LabReader {
  private:
   // The branches that a game has too.
   void read_settings() {
-    GameConfiguration game;
+    GameSettings game;
     game.sim = scene_.sim;
     game.robot = scene_.robot;
     game.seed = scene_.seed;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "runner/settings/match_rules.hpp"
+#include "runner/settings/resolved.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -37,9 +37,9 @@ std::optional<Command> play_begun(const RecordedFacts& facts) {
 
 }  // namespace
 
-GameConfiguration logged_game(const std::string& book, const RecordedFacts& facts,
-                              const RecordedGame& recorded) {
-  GameConfiguration game;
+GameSettings logged_game(const std::string& book, const RecordedFacts& facts,
+                         const RecordedGame& recorded) {
+  GameSettings game;
   choose_rules(book, game);
   game.field = field_in(facts.log, game.field);
   if (recorded.half_s) game.match.half_s = *recorded.half_s;
@@ -52,15 +52,15 @@ GameConfiguration logged_game(const std::string& book, const RecordedFacts& fact
   return game;
 }
 
-void check_judged(const GameConfiguration& game) {
+void check_judged(const GameSettings& game) {
   constexpr double kAnyRunOff_m = 2;
   Field field = game.field;
   field.run_off_m = kAnyRunOff_m;
   sim::validate(field);
-  referee::Referee{referee_configuration(game)};
+  referee::Referee{referee_configuration(resolved(game))};
 }
 
-std::vector<std::string> gaps_of(const RecordedFacts& facts, const GameConfiguration& game,
+std::vector<std::string> gaps_of(const RecordedFacts& facts, const GameSettings& game,
                                  const std::function<bool(const std::string& path)>& is_set) {
   std::vector<std::string> gaps;
   const auto note = [&](bool is_missing, const std::string& path, const std::string& gap) {

@@ -14,7 +14,7 @@ namespace autoref::runner {
 namespace {
 
 using Values = std::map<std::string, std::string>;  // by path
-using Teams = std::map<std::string, TeamConfiguration>;
+using Teams = std::map<std::string, TeamSettings>;
 
 constexpr const char* kNothing = "{}";  // the value of a branch without changes
 
@@ -36,16 +36,15 @@ void compare(const Values& here, const Values& defaults, std::vector<DefaultDiff
   }
 }
 
-Values defaults_for(const GameConfiguration& game) {
-  GameConfiguration usual;
+Values defaults_for(const GameSettings& game) {
+  GameSettings usual;
   set_by_path(usual, "match.rules", game.match.rules);
   Values values = comparable_values(settings_of(usual));
-  values["match.rules"] = MatchConfiguration{}.rules;
+  values["match.rules"] = MatchSettings{}.rules;
   return values;
 }
 
-void compare_games(GameConfiguration game, bool has_named_teams,
-                   std::vector<DefaultDifference>& found) {
+void compare_games(GameSettings game, bool has_named_teams, std::vector<DefaultDifference>& found) {
   Values here = comparable_values(settings_of(game));
   if (has_named_teams) {
     std::erase_if(here, [](const auto& value) { return value.first.starts_with("teams."); });
@@ -53,9 +52,9 @@ void compare_games(GameConfiguration game, bool has_named_teams,
   compare(here, defaults_for(game), found);
 }
 
-void compare_teams(const GameConfiguration& base, const Teams& teams,
+void compare_teams(const GameSettings& base, const Teams& teams,
                    std::vector<DefaultDifference>& found) {
-  GameConfiguration usual;
+  GameSettings usual;
   set_by_path(usual, "match.rules", base.match.rules);
   for (auto [name, team] : teams) {
     const std::string prefix = fmt::format("teams.{}.", name);

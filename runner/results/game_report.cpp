@@ -7,8 +7,6 @@
 #include "runner/io/checksum.hpp"
 #include "runner/io/json.hpp"
 #include "runner/results/game_row.hpp"
-#include "runner/settings/match_rules.hpp"
-#include "runner/settings/team_names.hpp"
 #include "soccer/colour.hpp"
 
 namespace autoref::runner {
@@ -105,7 +103,7 @@ std::string json_of(const GameReport& report) {
       .add("shootout", shootout_json(record))
       .add("status", json_text(name_of(record.status)))
       .add("void_reason", record.void_reason.empty() ? "null" : json_text(record.void_reason))
-      .add("rules", json_text(report.configuration.match.rules))
+      .add("rules", json_text(report.configuration.match.rules.name))
       .add("seed", std::to_string(report.configuration.seed))
       .add("teams", teams_json(report.configuration))
       .add("calls", calls_json(record));

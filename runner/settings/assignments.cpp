@@ -42,11 +42,11 @@ std::string flags_of(const Assignments& assignments) {
   return fmt::format("{}", fmt::join(flags, " "));
 }
 
-void assign(const Assignment& assignment, GameConfiguration& game) {
+void assign(const Assignment& assignment, GameSettings& game) {
   blame(assignment.flag, [&] { set_by_path(game, assignment.path, assignment.value, {}); });
 }
 
-void assign_all(const Assignments& assignments, GameConfiguration& game) {
+void assign_all(const Assignments& assignments, GameSettings& game) {
   for (const Assignment& assignment : assignments) assign(assignment, game);
   // The settings only need to make a valid game together, not one by one.
   blame(flags_of(assignments), [&] { check_game(game); });

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "runner/io/errors.hpp"
-#include "runner/settings/configuration.hpp"
+#include "runner/settings/game_settings.hpp"
 
 namespace autoref::runner {
 
@@ -37,9 +37,9 @@ Assignments assignments_in(const std::vector<std::string>& sets);
 std::string flags_of(const Assignments& assignments);
 
 // Applies one assignment. Throws InputError naming the flag.
-void assign(const Assignment& assignment, GameConfiguration& game);
+void assign(const Assignment& assignment, GameSettings& game);
 
 // Applies all assignments and checks the resulting game. Throws InputError.
-void assign_all(const Assignments& assignments, GameConfiguration& game);
+void assign_all(const Assignments& assignments, GameSettings& game);
 
 }  // namespace autoref::runner

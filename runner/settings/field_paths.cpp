@@ -72,10 +72,10 @@ std::vector<Kept> kept(const std::vector<Setting>& settings, const std::set<std:
 }
 
 // Creates the player named in a path such as "b.players.3.handicap", if there is one.
-void make_player_in(GameConfiguration& game, std::string_view path) {
+void make_player_in(GameSettings& game, std::string_view path) {
   static constexpr std::string_view kPlayers = "teams.x.players.";
   const std::string full = full_path(path);
-  for (TeamConfiguration* team : {&game.a, &game.b}) {
+  for (TeamSettings* team : {&game.a, &game.b}) {
     const char letter = team == &game.a ? 'a' : 'b';
     if (!full.starts_with(fmt::format("teams.{}.players.", letter))) continue;
     const std::string rest = full.substr(kPlayers.size());
@@ -162,7 +162,7 @@ std::string unknown_key_message(std::string_view key, const std::vector<std::str
                      listed(known));
 }
 
-PlayerConfiguration& player_of(Players& players, std::string_view number) {
+PlayerSettings& player_of(Players& players, std::string_view number) {
   const std::optional<int> n = whole_number_in(number);
   if (!n || *n < 0 || *n >= kMaxRobots || std::to_string(*n) != number) {
     throw std::invalid_argument(
@@ -186,19 +186,19 @@ void set_given(const std::vector<Setting>& settings, std::string_view path, std:
   }
 }
 
-void set_by_path(GameConfiguration& game, std::string_view path, std::string_view text) {
+void set_by_path(GameSettings& game, std::string_view path, std::string_view text) {
   make_player_in(game, path);
   set_given(settings_of(game), path, text, game.given);
 }
 
-bool is_preset_at(const GameConfiguration& game, std::string_view path) {
-  GameConfiguration copy = game;
+bool is_preset_at(const GameSettings& game, std::string_view path) {
+  GameSettings copy = game;
   make_player_in(copy, path);
   return is_preset(setting_at(settings_of(copy), path));
 }
 
-std::string value_at(const GameConfiguration& game, std::string_view path) {
-  GameConfiguration copy = game;
+std::string value_at(const GameSettings& game, std::string_view path) {
+  GameSettings copy = game;
   make_player_in(copy, path);
   return value_of(setting_at(settings_of(copy), path));
 }

@@ -7,7 +7,7 @@
 #include "runner/io/json.hpp"
 #include "runner/io/words.hpp"
 #include "runner/settings/fields.hpp"
-#include "runner/settings/match_rules.hpp"
+#include "runner/settings/resolved.hpp"
 #include "runner/settings/robot_changes.hpp"
 #include "sim/ball_presets.hpp"
 #include "sim/camera_presets.hpp"

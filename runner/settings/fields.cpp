@@ -38,7 +38,7 @@ void list_types(RobotTypes& types, Branch to) {
   for (auto& [name, changes] : types) list_changes(changes, to.below("types").below(name));
 }
 
-void list_team(TeamConfiguration& team, const RobotTypes& types, Branch to) {
+void list_team(TeamSettings& team, const RobotTypes& types, Branch to) {
   to.word("strategy", team.strategy, strategy_names(), "the team's strategy");
   to.number("robots", team.robots, {1, kMaxRobots}, "", "number of robots on the field");
   list_robots(team, types, to);
@@ -50,8 +50,8 @@ void list_team(TeamConfiguration& team, const RobotTypes& types, Branch to) {
   to.add("params", &team.params, {-1e9, 1e9}, "parameters of the strategy, by name");
 }
 
-void list_match(GameConfiguration& game, Branch to) {
-  MatchConfiguration& match = game.match;
+void list_match(GameSettings& game, Branch to) {
+  MatchSettings& match = game.match;
   const std::vector<std::string> sides = {"west", "east"};
   to.preset("rules", RulesChoice{&game}, rule_book_names(),
             "rule book; also sets switch, half_s, extra_half_s, field and robots of both teams");
@@ -101,7 +101,7 @@ void list_field(Field& field, Branch to) {
 
 }  // namespace
 
-std::vector<Setting> settings_of(GameConfiguration& game) {
+std::vector<Setting> settings_of(GameSettings& game) {
   std::vector<Setting> list;
   list_types(game.types, Branch(list, ""));
   list_team(game.a, game.types, Branch(list, "teams.a."));
@@ -114,7 +114,7 @@ std::vector<Setting> settings_of(GameConfiguration& game) {
   return list;
 }
 
-std::vector<Setting> settings_of(TeamConfiguration& team, const RobotTypes& types,
+std::vector<Setting> settings_of(TeamSettings& team, const RobotTypes& types,
                                  const std::string& prefix) {
   std::vector<Setting> list;
   list_team(team, types, Branch(list, prefix));

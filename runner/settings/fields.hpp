@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "runner/settings/configuration.hpp"
+#include "runner/settings/game_settings.hpp"
 
 namespace autoref::runner {
 
@@ -39,7 +39,7 @@ struct DribblerPreset {
 // `match.rules`: the name of a rule book, which also sets its rules, field, robots and length of a
 // half.
 struct RulesChoice {
-  GameConfiguration* game = nullptr;
+  GameSettings* game = nullptr;
 };
 
 // `type`: the name of one of the game's robot types, or none.
@@ -61,9 +61,9 @@ struct Change {
 };
 
 using Params = std::map<std::string, double>;
-using Players = std::map<int, PlayerConfiguration>;
+using Players = std::map<int, PlayerSettings>;
 
-// Location of a setting's value in a GameConfiguration.
+// Location of a setting's value in a GameSettings.
 using Target =
     std::variant<double*, int*, bool*, std::uint64_t*, std::string*, Side*, DefenceArea::Shape*,
                  referee::AfterGame*, BothFactors, BallPreset, CameraPreset, DribblerPreset,
@@ -86,10 +86,10 @@ struct Setting {
 
 // All settings of `game`, grouped by branch. Includes the settings of the players and types that
 // the game has.
-std::vector<Setting> settings_of(GameConfiguration& game);
+std::vector<Setting> settings_of(GameSettings& game);
 
 // The settings of one team below `prefix`, such as "teams.a.".
-std::vector<Setting> settings_of(TeamConfiguration& team, const RobotTypes& types,
+std::vector<Setting> settings_of(TeamSettings& team, const RobotTypes& types,
                                  const std::string& prefix);
 
 // The settings of the world, below "sim.".
@@ -152,7 +152,7 @@ std::string unknown_key_message(std::string_view key, const std::vector<std::str
 
 // Returns the team's player with this number, creating it if necessary. Throws
 // std::invalid_argument unless `number` is from 0 to 15.
-PlayerConfiguration& player_of(Players& players, std::string_view number);
+PlayerSettings& player_of(Players& players, std::string_view number);
 
 // Sets the value at a full or short path of `settings` on behalf of the user. A preset leaves the
 // settings in `given` unchanged, and a single setting is added to `given`, so their order does not
@@ -163,24 +163,24 @@ void set_given(const std::vector<Setting>& settings, std::string_view path, std:
 // set_given() for a whole game. `a.params.NAME` is a parameter of the team, `a.robot.NAME` a value
 // of its robots, `a.players.3.` an override for one robot. Throws std::invalid_argument for an
 // unknown path (naming the nearest known one) or an invalid value.
-void set_by_path(GameConfiguration& game, std::string_view path, std::string_view text);
+void set_by_path(GameSettings& game, std::string_view path, std::string_view text);
 
 // Returns whether the path, as taken by set_by_path(), is that of a preset.
-bool is_preset_at(const GameConfiguration& game, std::string_view path);
+bool is_preset_at(const GameSettings& game, std::string_view path);
 
 // The value at a path taken by set_by_path(); 0 for a parameter that is not given.
-std::string value_at(const GameConfiguration& game, std::string_view path);
+std::string value_at(const GameSettings& game, std::string_view path);
 
 // Checks conditions across settings: a team's parameters belong to its strategy and are in range,
 // goals fit the field. Throws std::invalid_argument.
-void check_game(const GameConfiguration& game);
+void check_game(const GameSettings& game);
 
 // check_game() for a single team of the game. `path` is the path of the team's settings, such as
 // "teams.a"; messages begin with the path of the invalid setting.
-void check_team(const GameConfiguration& game, const TeamConfiguration& team,
+void check_team(const GameSettings& game, const TeamSettings& team,
                 std::string_view path);
 
 // A hash over all settings. Two games of one build with equal hashes are the same game.
-std::uint64_t configuration_hash(const GameConfiguration& game);
+std::uint64_t configuration_hash(const GameSettings& game);
 
 }  // namespace autoref::runner

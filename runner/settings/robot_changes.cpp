@@ -51,7 +51,7 @@ std::string changed_value(const Change& change) {
   return value_of(setting_at(settings_of(robot, ""), change.path));
 }
 
-sim::TeamSpec spec_of(const GameConfiguration& game, const TeamConfiguration& team) {
+sim::TeamSpec spec_of(const GameSettings& game, const TeamSettings& team) {
   sim::RobotSpec robot = game.robot;
   apply_changes(merged(game.types, team.type, team.changes), robot);
   robot.speed_factor = team.speed_factor;

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "runner/settings/configuration.hpp"
 #include "runner/settings/fields.hpp"
+#include "runner/settings/game_settings.hpp"
 
 namespace autoref::runner {
 
@@ -26,6 +26,6 @@ std::string changed_value(const Change& change);
 // the team's type, the team's changes, the player's type and the player's changes; a player's
 // factors are multiplied by the team's. Throws std::invalid_argument for an unknown type, and for a
 // player whose number the team does not have.
-sim::TeamSpec spec_of(const GameConfiguration& game, const TeamConfiguration& team);
+sim::TeamSpec spec_of(const GameSettings& game, const TeamSettings& team);
 
 }  // namespace autoref::runner

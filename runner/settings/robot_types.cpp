@@ -107,13 +107,13 @@ void check_type_name(std::string_view name) {
       kNoType, name));
 }
 
-void set_by_path(GameConfiguration& game, std::string_view path, const std::string& text,
+void set_by_path(GameSettings& game, std::string_view path, const std::string& text,
                  const fs::path& folder) {
   const bool is_type = full_path(path).starts_with("teams.") && names_type(path);
   set_by_path(game, path, is_type ? take_type(text, folder, game.types) : text);
 }
 
-void set_by_path(TeamConfiguration& team, const std::string& prefix, GameConfiguration& game,
+void set_by_path(TeamSettings& team, const std::string& prefix, GameSettings& game,
                  std::string_view path, const std::string& text) {
   const std::string players = prefix + "players.";
   if (path.starts_with(players)) {

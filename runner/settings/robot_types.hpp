@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "runner/settings/configuration.hpp"
+#include "runner/settings/game_settings.hpp"
 
 namespace autoref::runner {
 
@@ -40,12 +40,12 @@ void check_type_count(const RobotTypes& types);
 void check_type_name(std::string_view name);
 
 // set_by_path() (fields.hpp) that also accepts, as a type, the path of a file relative to `folder`.
-void set_by_path(GameConfiguration& game, std::string_view path, const std::string& text,
+void set_by_path(GameSettings& game, std::string_view path, const std::string& text,
                  const std::filesystem::path& folder);
 
 // The same for a team with settings at `prefix`, such as "teams.bold.". Adds types and given
 // settings to `game`.
-void set_by_path(TeamConfiguration& team, const std::string& prefix, GameConfiguration& game,
+void set_by_path(TeamSettings& team, const std::string& prefix, GameSettings& game,
                  std::string_view path, const std::string& text);
 
 }  // namespace autoref::runner

@@ -38,13 +38,13 @@ class SettingsReader {
   using List = std::function<std::vector<Setting>()>;
 
   // All three must outlive the reader. Settings go into `game`, their locations into `locations`.
-  SettingsReader(const YamlFile& file, GameConfiguration& game, SettingLocations& locations)
+  SettingsReader(const YamlFile& file, GameSettings& game, SettingLocations& locations)
       : SettingsReader(
             file, [&game] { return settings_of(game); }, game, locations) {}
 
   // Reads the settings returned by `list`, which is called again after each new player or type.
   // Types read from files, and the given settings, are added to `game`.
-  SettingsReader(const YamlFile& file, List list, GameConfiguration& game,
+  SettingsReader(const YamlFile& file, List list, GameSettings& game,
                  SettingLocations& locations)
       : file_(file),
         list_(std::move(list)),

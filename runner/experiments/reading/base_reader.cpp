@@ -20,7 +20,7 @@ void read_settings(const std::vector<YamlEntry>& entries, SettingsReader& settin
   }
 }
 
-void BaseReader::read(const YamlEntry& base, GameConfiguration& game) const {
+void BaseReader::read(const YamlEntry& base, GameSettings& game) const {
   SettingsReader settings(file_, game, locations_);
   settings.hide("seed");
   settings.hide(elsewhere_.branch);

@@ -27,7 +27,7 @@ class BaseReader {
       : file_(file), locations_(locations), elsewhere_(std::move(elsewhere)) {}
 
   // Throws InputError, also for what is decided by the plan.
-  void read(const YamlEntry& base, GameConfiguration& game) const;
+  void read(const YamlEntry& base, GameSettings& game) const;
 
  private:
   void refuse_misplaced(const YamlEntry& entry) const;

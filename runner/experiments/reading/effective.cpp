@@ -71,8 +71,8 @@ class Tree {
   std::string text_;
 };
 
-std::string body_of(const GameConfiguration& game) {
-  GameConfiguration copy = game;
+std::string body_of(const GameSettings& game) {
+  GameSettings copy = game;
   Tree tree(0);
   for (const Setting& setting : settings_of(copy)) {
     if (!is_alias(setting) && !is_spelt_out(setting)) tree.add(setting);
@@ -81,7 +81,7 @@ std::string body_of(const GameConfiguration& game) {
 }
 
 // Takes away what differs in some robots where it is at one of these paths.
-void leave_out_changes(const std::map<std::string, std::string>& values, GameConfiguration& game) {
+void leave_out_changes(const std::map<std::string, std::string>& values, GameSettings& game) {
   const std::vector<Setting> settings = settings_of(game);
   for (const auto& [path, value] : values) {
     const Setting* holder = find_setting(settings, branch_of(path));
@@ -96,9 +96,9 @@ bool is_among(const SetByValues& set_by_values, const std::string& path) {
 }
 
 // Without what the schedule or varied values decide, and without a branch that stands elsewhere.
-std::string base_of(const GameConfiguration& base, std::string_view elsewhere = "",
+std::string base_of(const GameSettings& base, std::string_view elsewhere = "",
                     const SetByValues& set_by_values = {}) {
-  GameConfiguration copy = base;
+  GameSettings copy = base;
   for (const auto& [value, settings] : set_by_values) leave_out_changes(settings, copy);
   Tree tree(1);
   for (const Setting& setting : settings_of(copy)) {

@@ -29,13 +29,13 @@ void FactorReader::read(const YamlEntry& factors, Sweep& sweep) {
   }
 }
 
-Factor FactorReader::read_factor(const YamlEntry& entry, GameConfiguration& base) {
+Factor FactorReader::read_factor(const YamlEntry& entry, GameSettings& base) {
   locations_[full_path(entry.key)] = entry.location;
   return {short_path(entry.key), values(entry, entry.key, base)};
 }
 
 std::vector<std::string> FactorReader::values(const YamlEntry& list, const std::string& path,
-                                              GameConfiguration& base) const {
+                                              GameSettings& base) const {
   std::vector<std::string> values;
   if (!list.value.IsSequence() || list.value.size() == 0) {
     file_.refuse(value_location(list), list.key,
@@ -56,8 +56,8 @@ std::vector<std::string> FactorReader::values(const YamlEntry& list, const std::
 }
 
 std::string FactorReader::read_value(const YamlLocation& location, const std::string& path,
-                                     const std::string& text, GameConfiguration& base) const {
-  GameConfiguration game = base;
+                                     const std::string& text, GameSettings& base) const {
+  GameSettings game = base;
   try {
     set_by_path(game, path, text, file_.folder());
   } catch (const std::invalid_argument& error) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "runner/experiments/scenario.hpp"
-#include "runner/settings/configuration.hpp"
+#include "runner/settings/game_settings.hpp"
 #include "runner/settings/settings_reader.hpp"
 #include "runner/settings/yaml.hpp"
 
@@ -29,12 +29,12 @@ class FactorReader {
   // A list of different values of the setting at `path`, as value_at() spells them; types that they
   // name go into `base`. Throws InputError.
   std::vector<std::string> values(const YamlEntry& list, const std::string& path,
-                                  GameConfiguration& base) const;
+                                  GameSettings& base) const;
 
  private:
-  Factor read_factor(const YamlEntry& entry, GameConfiguration& base);
+  Factor read_factor(const YamlEntry& entry, GameSettings& base);
   std::string read_value(const YamlLocation& location, const std::string& path,
-                         const std::string& text, GameConfiguration& base) const;
+                         const std::string& text, GameSettings& base) const;
   // Two keys that set the same number would make the later one win unnoticed.
   void refuse_overlap(const YamlEntry& entry, const Sweep& sweep) const;
 

@@ -17,7 +17,7 @@ void JudgeReader::read(const std::vector<YamlEntry>& top, JudgeSchedule& schedul
 
 std::vector<std::string> JudgeReader::values(const YamlEntry& entry,
                                              const std::string& path) const {
-  GameConfiguration any;
+  GameSettings any;
   return FactorReader(file_, locations_).values(entry, path, any);
 }
 
@@ -36,7 +36,7 @@ std::array<std::string, 2> JudgeReader::matchup_in(const YAML::Node& value) cons
   }
   std::array<std::string, 2> matchup = {text.substr(0, tilde), text.substr(tilde + 1)};
   try {
-    GameConfiguration any;
+    GameSettings any;
     set_by_path(any, "a.strategy", matchup[0]);
     set_by_path(any, "b.strategy", matchup[1]);
   } catch (const std::invalid_argument& error) {

@@ -20,7 +20,7 @@ std::string text_of(const TeamCount& count) {
 
 }  // namespace
 
-void NamedTeamsReader::read(const YamlEntry& entry, Teams& teams, GameConfiguration& base,
+void NamedTeamsReader::read(const YamlEntry& entry, Teams& teams, GameSettings& base,
                             TeamCount count) const {
   for (const YamlEntry& team : file_.entries(entry, entry.key, {})) {
     read_team(team, entry.key, teams, base);
@@ -33,14 +33,14 @@ void NamedTeamsReader::read(const YamlEntry& entry, Teams& teams, GameConfigurat
 }
 
 void NamedTeamsReader::read_team(const YamlEntry& entry, const std::string& branch, Teams& teams,
-                                 GameConfiguration& base) const {
+                                 GameSettings& base) const {
   try {
     check_team_name(entry.key);
   } catch (const std::invalid_argument& error) {
     file_.refuse(entry.location, branch, error.what());
   }
   // The base's rules tell how many robots a team has.
-  TeamConfiguration& team = teams[entry.key] = base.a;
+  TeamSettings& team = teams[entry.key] = base.a;
   const std::string path = fmt::format("{}.{}", branch, entry.key);
   locations_[path] = entry.location;
   const auto list = [&team, &base, prefix = path + "."] {
@@ -50,8 +50,8 @@ void NamedTeamsReader::read_team(const YamlEntry& entry, const std::string& bran
   assign(path, team, base);
 }
 
-void NamedTeamsReader::assign(const std::string& path, TeamConfiguration& team,
-                              GameConfiguration& base) const {
+void NamedTeamsReader::assign(const std::string& path, TeamSettings& team,
+                              GameSettings& base) const {
   for (const Assignment& assignment : assignments_) {
     const std::string its_path = full_path(assignment.path);
     if (!its_path.starts_with(path + ".")) continue;

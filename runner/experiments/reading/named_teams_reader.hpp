@@ -27,13 +27,13 @@ class NamedTeamsReader {
 
   // Adds the teams of an entry, and to `base`, which has been read, the types they name. Throws
   // InputError, also for fewer or more teams than these.
-  void read(const YamlEntry& entry, Teams& teams, GameConfiguration& base, TeamCount count) const;
+  void read(const YamlEntry& entry, Teams& teams, GameSettings& base, TeamCount count) const;
 
  private:
   void read_team(const YamlEntry& entry, const std::string& branch, Teams& teams,
-                 GameConfiguration& base) const;
+                 GameSettings& base) const;
 
-  void assign(const std::string& path, TeamConfiguration& team, GameConfiguration& base) const;
+  void assign(const std::string& path, TeamSettings& team, GameSettings& base) const;
   void refuse_other_teams(const std::string& branch, const Teams& teams) const;
 
   const YamlFile& file_;

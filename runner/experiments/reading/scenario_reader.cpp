@@ -97,8 +97,8 @@ class ScenarioReader {
                        "not what base and the varied values set; leave it out");
   }
 
-  GameConfiguration read_game() {
-    GameConfiguration game;
+  GameSettings read_game() {
+    GameSettings game;
     SettingsReader settings(top_.file(), game, top_.locations());
     top_.allow(settings.names());
     read_settings(top_.entries(), settings);

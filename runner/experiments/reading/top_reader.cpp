@@ -53,7 +53,7 @@ std::uint64_t TopReader::seed() const {
                                seed_in, 0, UINT64_MAX);
 }
 
-void TopReader::read_base(GameConfiguration& game, const Elsewhere& elsewhere) {
+void TopReader::read_base(GameSettings& game, const Elsewhere& elsewhere) {
   if (const YamlEntry* base = find("base"))
     BaseReader(file_, locations_, elsewhere).read(*base, game);
   check([&game] { check_game(game); });
@@ -66,8 +66,7 @@ void TopReader::read_base(GameConfiguration& game, const Elsewhere& elsewhere) {
   assign_all(game, others);
 }
 
-void TopReader::assign_all(GameConfiguration& game,
-                           const std::vector<std::string>& elsewhere) const {
+void TopReader::assign_all(GameSettings& game, const std::vector<std::string>& elsewhere) const {
   Assignments here;
   for (const Assignment& assignment : assignments_) {
     const std::string path = full_path(assignment.path);

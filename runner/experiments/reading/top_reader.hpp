@@ -43,13 +43,13 @@ class TopReader {
 
   // What all games have in common, where the file says so. `elsewhere` is a branch of it that
   // stands elsewhere.
-  void read_base(GameConfiguration& game, const Elsewhere& elsewhere = {});
+  void read_base(GameSettings& game, const Elsewhere& elsewhere = {});
 
   // What the command line sets, which stands over the file.
   const Assignments& assignments() const { return assignments_; }
 
   // Applies the command line's settings to `game` but for those of the branches `elsewhere`.
-  void assign_all(GameConfiguration& game, const std::vector<std::string>& elsewhere = {}) const;
+  void assign_all(GameSettings& game, const std::vector<std::string>& elsewhere = {}) const;
 
   // Refuses the command line's setting at a short path, which the file varies.
   void refuse_assignment(const std::string& path) const;

@@ -46,7 +46,7 @@ TEST(IsExperiment, HoldsForAllButSingleGamesAndTheReferees) {
   EXPECT_TRUE(is_experiment(small_sprt_match()));
   EXPECT_TRUE(is_experiment(small_sweep()));
   EXPECT_TRUE(is_experiment(small_roundrobin({6, 5})));
-  EXPECT_FALSE(is_experiment({"", GameConfiguration{}}));
+  EXPECT_FALSE(is_experiment({"", GameSettings{}}));
 }
 
 }  // namespace

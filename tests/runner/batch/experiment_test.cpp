@@ -116,7 +116,7 @@ TEST(Experiment, MarksAGameVoidThatKillsEveryWorkerAndGoesOn) {
   const TemporaryFolder folder;
   ExperimentOptions options = fake_options(folder.path());
   options.play = [](const GameConfiguration& game) {
-    if (game.b.robots == 5 && game.match.a_plays == Side::kEast) std::abort();
+    if (game.b.robots.size() == 5 && game.match.a_plays == Side::kEast) std::abort();
     return fake_game(game);
   };
   const ExperimentReport report = run_experiment(small_sweep(), options);
@@ -129,7 +129,7 @@ TEST(Experiment, MarksAGameVoidThatKillsEveryWorkerAndGoesOn) {
 
 // As the out-of-memory killer does.
 GameRecord killed_game(const GameConfiguration& game) {
-  if (game.b.robots == 5 && game.match.a_plays == Side::kEast) kill(getpid(), SIGKILL);
+  if (game.b.robots.size() == 5 && game.match.a_plays == Side::kEast) kill(getpid(), SIGKILL);
   return fake_game(game);
 }
 

@@ -16,11 +16,12 @@ namespace autoref::runner {
 inline GameRecord fake_game(const GameConfiguration& game) {
   GameRecord record;
   record.goals_a = static_cast<int>(game.seed % 7);
-  record.goals_b = static_cast<int>(game.seed / 7 % 5) + game.b.robots;
+  const std::size_t robots = game.b.robots.size();
+  record.goals_b = static_cast<int>(game.seed / 7 % 5 + robots);
   record.goals_by_half = {{record.goals_a, 0}, {0, record.goals_b}};
   record.frames = 72000;
   record.sim_s = 1200;
-  record.state_hash = game.seed * 31 + static_cast<std::uint64_t>(game.b.robots);
+  record.state_hash = game.seed * 31 + robots;
   return record;
 }
 

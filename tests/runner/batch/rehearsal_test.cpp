@@ -20,8 +20,8 @@ class Rehearse : public testing::Test {
  protected:
   std::vector<Rehearsal> rehearsed(const Scenario& scenario, RehearsalOptions options) const {
     options.play = [this, play = options.play](const GameConfiguration& game) {
-      write_content(folder_ / "games", fmt::format("{} {}\n", game.b.robots, game.match.half_s),
-                    std::ios::app);
+      write_content(folder_ / "games",
+                    fmt::format("{} {}\n", game.b.robots.size(), game.match.half_s), std::ios::app);
       return play(game);
     };
     return rehearse(scheduled_games(scenario), options);
@@ -100,7 +100,7 @@ TEST_F(Rehearse, EndsInTime) {
 
 TEST_F(Rehearse, SaysWhyAGameIsVoid) {
   const auto play = [](const GameConfiguration& game) {
-    if (game.b.robots == 6) throw std::runtime_error("no such thing");
+    if (game.b.robots.size() == 6) throw std::runtime_error("no such thing");
     GameRecord record = fake_game(game);
     record.void_reason = "a threw";
     return record;

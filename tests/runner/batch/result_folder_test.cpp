@@ -86,7 +86,7 @@ TEST(Verify, NamesWhatIsDifferent) {
   const Filled filled;
   const auto other_game = [](const GameConfiguration& game, GameRow& row) {
     play_fake_game(game, row);
-    row.record.state_hash += game.b.robots == 5 ? 1U : 0U;
+    row.record.state_hash += game.b.robots.size() == 5 ? 1U : 0U;
   };
   const Verification verification =
       verify(open_results(filled.folder.path()), 100, 2, other_game, nullptr);

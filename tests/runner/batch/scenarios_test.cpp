@@ -9,6 +9,7 @@
 #include "runner/experiments/scenario.hpp"
 #include "runner/experiments/schedule.hpp"
 #include "runner/judge/evaluate_calls.hpp"
+#include "runner/settings/resolved.hpp"
 #include "tests/checkout.hpp"
 #include "tests/runner/support/temporary_folder.hpp"
 
@@ -33,11 +34,11 @@ void make_few(RoundRobin& robin) { robin.pairs = 1; }
 void make_few(Gauntlet& gauntlet) { gauntlet.pairs = 1; }
 void make_few(SprtMatch& match) { match.sprt.min_pairs = match.sprt.max_pairs = 2; }
 void make_few(Knockout& /*knockout*/) {}
-void make_few(GameConfiguration& /*game*/) {}
+void make_few(GameSettings& /*game*/) {}
 void make_few(JudgeSchedule& schedule) { schedule.games = 2; }
 
-void shorten(MatchConfiguration& match) { match.half_s = match.extra_half_s = kShortHalf_s; }
-void shorten(GameConfiguration& game) { shorten(game.match); }
+void shorten(MatchSettings& match) { match.half_s = match.extra_half_s = kShortHalf_s; }
+void shorten(GameSettings& game) { shorten(game.match); }
 template <typename Many>
 void shorten(Many& many) {
   shorten(many.base);
@@ -62,13 +63,13 @@ TEST_P(EveryScenario, ReadsBackEqualFromItsEffectiveText) {
 TEST_P(EveryScenario, CanBePlayedShortened) {
   Scenario scenario = read_scenario(GetParam());
   shorten(scenario);
-  if (auto* game = std::get_if<GameConfiguration>(&scenario.content)) {
-    EXPECT_EQ(play(*game).status, Status::kOk);
+  if (auto* game = std::get_if<GameSettings>(&scenario.content)) {
+    EXPECT_EQ(play(resolved(*game)).status, Status::kOk);
     return;
   }
   if (auto* schedule = std::get_if<JudgeSchedule>(&scenario.content)) {
     for (const JudgeGame& game : games_of(*schedule))
-      EXPECT_EQ(evaluate_calls(game.configuration).record.void_reason, "") << game.id;
+      EXPECT_EQ(evaluate_calls(resolved(game.configuration)).record.void_reason, "") << game.id;
     return;
   }
   const TemporaryFolder folder;

@@ -179,7 +179,7 @@ TEST_F(Report, DoesNotWarnOfStoppingEarlyWhenAllGamesAreDone) {
 TEST_F(Report, NamesVoidGamesAndWhy) {
   ExperimentOptions options = fake_options(folder_.path());
   options.play = [](const GameConfiguration& game) {
-    if (game.b.robots == 5) throw std::runtime_error("the ball is gone");
+    if (game.b.robots.size() == 5) throw std::runtime_error("the ball is gone");
     return fake_game(game);
   };
   run_experiment(small_sweep(1), options);
@@ -210,8 +210,8 @@ GameRecord shoot_out(const GameConfiguration& game) {
   GameRecord record = fake_game(game);
   record.goals_a = record.goals_b = 1;
   record.end_reason = EndReason::kShootout;
-  record.shootout = {
-      {game.a.robots > game.b.robots ? 3 : 2, game.a.robots > game.b.robots ? 2 : 3}};
+  const bool a_wins = game.a.robots.size() > game.b.robots.size();
+  record.shootout = {{a_wins ? 3 : 2, a_wins ? 2 : 3}};
   return record;
 }
 

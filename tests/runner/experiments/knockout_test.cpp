@@ -32,7 +32,7 @@ Knockout knockout_of(int teams) {
 // The team of fewer robots, here the better seed, wins 2:1.
 GameRecord won_by_the_better(const GameConfiguration& game) {
   GameRecord record = fake_game(game);
-  record.goals_a = game.a.robots < game.b.robots ? 2 : 1;
+  record.goals_a = game.a.robots.size() < game.b.robots.size() ? 2 : 1;
   record.goals_b = 3 - record.goals_a;
   return record;
 }

@@ -23,29 +23,29 @@ class Labels final : public Observer {
   std::vector<std::string> lines;
 };
 
-GameConfiguration game_then(const std::string& after) {
+GameConfiguration game_then(referee::AfterGame after) {
   GameConfiguration game = short_game(20, 5);
-  set_by_path(game, "match.after_game", after);
+  game.match.after_game = after;
   return game;
 }
 
 TEST(AfterGame, IsHaltUnlessASettingSaysOtherwise) {
-  EXPECT_EQ(value_at(GameConfiguration{}, "match.after_game"), "halt");
-  GameConfiguration game;
+  EXPECT_EQ(value_at(GameSettings{}, "match.after_game"), "halt");
+  GameSettings game;
   set_by_path(game, "match.after_game", "new_game");
   EXPECT_EQ(game.match.after_game, referee::AfterGame::kNewGame);
 }
 
 TEST(AfterGame, WithHaltNothingFollowsTheEnd) {
   Labels seen;
-  const GameRecord record = play(game_then("halt"), &seen);
+  const GameRecord record = play(game_then(referee::AfterGame::kHalt), &seen);
   ASSERT_EQ(record.status, Status::kOk) << record.void_reason;
   EXPECT_EQ(seen.labels.back(), "game_over");
 }
 
 TEST(AfterGame, WithNewGameTheRefereeBeginsAnother) {
   Labels seen;
-  const GameRecord record = play(game_then("new_game"), &seen);
+  const GameRecord record = play(game_then(referee::AfterGame::kNewGame), &seen);
   ASSERT_EQ(record.status, Status::kOk) << record.void_reason;
   ASSERT_GE(seen.labels.size(), 2U);
   EXPECT_EQ(seen.labels[seen.labels.size() - 2], "game_over_next");
@@ -56,8 +56,8 @@ TEST(AfterGame, WithNewGameTheRefereeBeginsAnother) {
 
 // The row is about the game that is over.
 TEST(AfterGame, WithNewGameTheResultIsThatOfTheGameThatEnded) {
-  const GameRecord halted = play(game_then("halt"));
-  const GameRecord followed = play(game_then("new_game"));
+  const GameRecord halted = play(game_then(referee::AfterGame::kHalt));
+  const GameRecord followed = play(game_then(referee::AfterGame::kNewGame));
   EXPECT_EQ(followed.end_reason, EndReason::kTime);
   EXPECT_EQ(followed.goals_by_half, halted.goals_by_half);
   EXPECT_EQ(followed.goals_by_half.size(), 2U);
@@ -67,10 +67,10 @@ TEST(AfterGame, WithNewGameTheResultIsThatOfTheGameThatEnded) {
 }
 
 TEST(AfterGame, WithNewGameAShootoutKeepsItsResult) {
-  GameConfiguration game = game_then("new_game");
+  GameConfiguration game = game_then(referee::AfterGame::kNewGame);
   game.a.strategy = game.b.strategy = "dummy";
   game.match.half_s = 5;
-  game.match.extra_half_s = 4;
+  game.match.rules.extra_half_s = 4;
   game.match.knockout = true;
   const GameRecord record = play(game);
   EXPECT_EQ(record.end_reason, EndReason::kShootout);

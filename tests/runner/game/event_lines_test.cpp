@@ -23,7 +23,7 @@ GameConfiguration knockout(const std::string& strategy) {
   GameConfiguration game = short_game(5, 1);
   game.a.strategy = game.b.strategy = strategy;
   game.match.knockout = true;
-  game.match.extra_half_s = 5;
+  game.match.rules.extra_half_s = 5;
   return game;
 }
 

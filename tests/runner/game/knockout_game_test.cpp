@@ -6,7 +6,6 @@
 #include "runner/game/game.hpp"
 #include "runner/results/columns.hpp"
 #include "runner/results/game_report.hpp"
-#include "runner/settings/fields.hpp"
 #include "tests/runner/support/short_game.hpp"
 
 namespace autoref::runner {
@@ -21,7 +20,7 @@ GameRecord drawn_knockout() {
   GameConfiguration game = short_game(5, 3);
   game.a.strategy = game.b.strategy = "dummy";
   game.match.knockout = true;
-  game.match.extra_half_s = 4;
+  game.match.rules.extra_half_s = 4;
   return play(game);
 }
 
@@ -37,7 +36,7 @@ TEST(KnockoutGame, WithoutAGoalEndsByItselfInADrawnShootout) {
 TEST(KnockoutGame, ThatIsDrawnKicksPenaltiesUntilOneSideHasWon) {
   GameConfiguration game = short_game(5, 1);
   game.match.knockout = true;
-  game.match.extra_half_s = 5;
+  game.match.rules.extra_half_s = 5;
   const GameRecord record = play(game);
   ASSERT_EQ(record.status, Status::kOk) << record.void_reason;
   ASSERT_EQ(record.end_reason, EndReason::kShootout);
@@ -55,10 +54,7 @@ TEST(KnockoutGame, IsNoneUnlessAskedFor) {
 }
 
 TEST(GameByTheClockOf2026, PlaysItsHalvesInFullAndEndsByItself) {
-  GameConfiguration game = short_game(20, 4);
-  set_by_path(game, "match.rules", "2026-b");
-  game.match.half_s = 20;
-  const GameRecord record = play(game);
+  const GameRecord record = play(short_game_by("2026-b", 20, 4));
   EXPECT_EQ(record.status, Status::kOk) << record.void_reason;
   EXPECT_EQ(record.end_reason, EndReason::kTime);
   EXPECT_GT(record.sim_s, 45);  // two halves of 20 s of play, and the stops

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "runner/game/game.hpp"
-#include "runner/settings/match_rules.hpp"
 #include "sim/camera_presets.hpp"
 #include "soccer/rule_book.hpp"
 #include "tests/runner/support/short_game.hpp"
@@ -78,9 +77,7 @@ class MirroredGame : public testing::TestWithParam<Setup> {};
 // Four games each: twenty in all, of teams that break every rule.
 TEST_P(MirroredGame, GetsTheTurnedCallsInTheSameFrames) {
   for (std::uint64_t seed = 11; seed <= 14; ++seed) {
-    GameConfiguration game = short_game(40, seed);
-    choose_rules(GetParam().book, game);
-    game.match.half_s = 40;
+    GameConfiguration game = short_game_by(GetParam().book, 40, seed);
     game.a.strategy = game.b.strategy = "rowdy";
     sim::apply_camera_preset(GetParam().camera, game.sim);
     TurnedReferee turned(referee_configuration(game));

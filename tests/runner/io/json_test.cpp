@@ -81,7 +81,7 @@ TEST(GameReport, HasTheKeysOfAGame) {
 TEST(GameReport, NamesTheTeamsTheSeedAndTheRuleBook) {
   GameConfiguration game;
   game.match.a_plays = Side::kEast;
-  game.match.rules = "2014";
+  game.match.rules = *find_rule_book("2014");
   game.seed = 7;
   const std::string json = json_of({game, {}, 2.0, "x"});
   EXPECT_NE(json.find(R"x("rules": "2014", "seed": 7, "teams": {"a": {"name": "basic (a)", )x"

@@ -6,7 +6,6 @@
 #include "runner/game/event_log.hpp"
 #include "runner/logs/log_referee.hpp"
 #include "runner/logs/user_log.hpp"
-#include "runner/settings/match_rules.hpp"
 #include "sim/camera.hpp"
 #include "sim/camera_presets.hpp"
 #include "tests/league/scratch_log.hpp"
@@ -49,7 +48,7 @@ class Recorder final : public Observer {
 GameConfiguration short_game() {
   GameConfiguration game;
   game.a.strategy = game.b.strategy = "cobalt";
-  game.b.robots = 5;
+  game.b.robots.resize(5);
   game.match.half_s = 60;
   game.match.first_kickoff = Side::kEast;
   sim::apply_camera_preset("none", game.sim);

@@ -9,7 +9,7 @@ namespace autoref::runner {
 namespace {
 
 std::string refusal_of(std::string_view path, std::string_view text) {
-  GameConfiguration game;
+  GameSettings game;
   try {
     set_by_path(game, path, text);
   } catch (const std::invalid_argument& error) {
@@ -19,7 +19,7 @@ std::string refusal_of(std::string_view path, std::string_view text) {
 }
 
 TEST(SetByPath, ReachesEachPartOfAGame) {
-  GameConfiguration game;
+  GameSettings game;
   set_by_path(game, "match.half_s", "60");
   set_by_path(game, "teams.a.robots", "5");
   set_by_path(game, "sim.camera", "realistic");
@@ -38,7 +38,7 @@ TEST(SetByPath, ReachesEachPartOfAGame) {
 }
 
 TEST(SetByPath, AcceptsAAndBForTheTeams) {
-  GameConfiguration game;
+  GameSettings game;
   set_by_path(game, "a.robots", "4");
   set_by_path(game, "b.strategy", "dummy");
   EXPECT_EQ(game.a.robots, 4);
@@ -46,7 +46,7 @@ TEST(SetByPath, AcceptsAAndBForTheTeams) {
 }
 
 TEST(SetByPath, SetsBothFactorsWithAHandicap) {
-  GameConfiguration game;
+  GameSettings game;
   set_by_path(game, "b.handicap", "0.8");
   EXPECT_EQ(game.b.speed_factor, 0.8);
   EXPECT_EQ(game.b.acceleration_factor, 0.8);
@@ -54,7 +54,7 @@ TEST(SetByPath, SetsBothFactorsWithAHandicap) {
 }
 
 TEST(SetByPath, SetsTheBallsValuesWithAPreset) {
-  GameConfiguration game;
+  GameSettings game;
   set_by_path(game, "sim.ball.preset", "tigers");
   EXPECT_EQ(game.sim.ball.slide_mps2, 3.0);
   EXPECT_EQ(game.sim.ball.hop_later_xy, 0.85);
@@ -65,7 +65,7 @@ TEST(SetByPath, SetsTheBallsValuesWithAPreset) {
 }
 
 TEST(SetByPath, LetsSingleSettingsOverrideAPreset) {
-  GameConfiguration game;
+  GameSettings game;
   set_by_path(game, "sim.ball.preset", "grsim");
   set_by_path(game, "sim.ball.roll_mps2", "0.5");
   EXPECT_EQ(game.sim.ball.slide_mps2, 10.3);
@@ -74,7 +74,7 @@ TEST(SetByPath, LetsSingleSettingsOverrideAPreset) {
 }
 
 TEST(SetByPath, SetsAStrategysParameters) {
-  GameConfiguration game;
+  GameSettings game;
   set_by_path(game, "a.params.shot_mps", "6.5");
   EXPECT_EQ(game.a.params.at("shot_mps"), 6.5);
 }
@@ -87,7 +87,7 @@ TEST(SetByPath, NamesTheNearestKeyForAnUnknownOne) {
 }
 
 TEST(SetByPath, SetsOverridesOfATeamsRobotsOrOfOneRobot) {
-  GameConfiguration game;
+  GameSettings game;
   set_by_path(game, "b.robot.speed_mps", "2");
   set_by_path(game, "b.players.3.dribbler.preset", "perfect");
   EXPECT_EQ(value_at(game, "b.robot.speed_mps"), "2.0");
@@ -118,13 +118,13 @@ TEST(SetByPath, SaysWhatWasExpected) {
 }
 
 TEST(SetByPath, LeavesTheGameAloneWhenItRefuses) {
-  GameConfiguration game;
+  GameSettings game;
   EXPECT_THROW(set_by_path(game, "b.handicap", "3"), std::invalid_argument);
   EXPECT_EQ(game.b.speed_factor, 1.0);
 }
 
 TEST(Settings, HaveAPathOfTheirOwnAndDefaultsWithinTheirRanges) {
-  GameConfiguration game;
+  GameSettings game;
   std::set<std::string> paths;
   for (const Setting& setting : settings_of(game)) {
     EXPECT_TRUE(paths.insert(setting.path).second) << setting.path;
@@ -134,10 +134,10 @@ TEST(Settings, HaveAPathOfTheirOwnAndDefaultsWithinTheirRanges) {
   }
 }
 
-TEST(Settings, AcceptTheirDefaultsAsAWhole) { EXPECT_NO_THROW(check_game(GameConfiguration{})); }
+TEST(Settings, AcceptTheirDefaultsAsAWhole) { EXPECT_NO_THROW(check_game(GameSettings{})); }
 
 TEST(CheckGame, RefusesParametersThatTheStrategyDoesNotHave) {
-  GameConfiguration game;
+  GameSettings game;
   game.a.params["shot_mpss"] = 1;
   try {
     check_game(game);
@@ -149,7 +149,7 @@ TEST(CheckGame, RefusesParametersThatTheStrategyDoesNotHave) {
 
 // Box2D moves a body at most 0.2 m per step, so 30 steps a second cannot carry 8 m/s.
 TEST(CheckGame, RefusesSubstepsTooFewForAKick) {
-  GameConfiguration game;
+  GameSettings game;
   game.sim.frame_rate_hz = 30;
   game.sim.substeps = 2;
   EXPECT_NO_THROW(check_game(game));
@@ -163,7 +163,7 @@ TEST(CheckGame, RefusesSubstepsTooFewForAKick) {
 }
 
 TEST(ConfigurationHash, ChangesWithEverySetting) {
-  const std::uint64_t plain = configuration_hash(GameConfiguration{});
+  const std::uint64_t plain = configuration_hash(GameSettings{});
   for (const auto& [path, text] :
        std::map<std::string, std::string>{{"a.robots", "5"},
                                           {"b.robots", "5"},
@@ -180,7 +180,7 @@ TEST(ConfigurationHash, ChangesWithEverySetting) {
                                           {"a.params.shot_mps", "0"},
                                           {"b.params.shot_mps", "0"},
                                           {"seed", "43"}}) {
-    GameConfiguration game;
+    GameSettings game;
     set_by_path(game, path, text);
     EXPECT_NE(configuration_hash(game), plain) << path;
   }
@@ -189,7 +189,7 @@ TEST(ConfigurationHash, ChangesWithEverySetting) {
 TEST(ConfigurationHash, DistinguishesTeamsFromPlayers) {
   std::set<std::uint64_t> hashes;
   for (const char* branch : {"a.", "b.", "a.players.1.", "a.players.2.", "b.players.1."}) {
-    GameConfiguration game;
+    GameSettings game;
     set_by_path(game, std::string(branch) + "kicker.reach_m", "0.02");
     hashes.insert(configuration_hash(game));
   }
@@ -197,16 +197,16 @@ TEST(ConfigurationHash, DistinguishesTeamsFromPlayers) {
 }
 
 TEST(ConfigurationHash, DistinguishesTheTeams) {
-  GameConfiguration left;
+  GameSettings left;
   left.a.params["shot_mps"] = 5;
-  GameConfiguration right;
+  GameSettings right;
   right.b.params["shot_mps"] = 5;
   EXPECT_NE(configuration_hash(left), configuration_hash(right));
 }
 
 // The world accepts both ends of the ranges documented for users, and refuses values below them.
 TEST(Settings, OfTheWorldAreValidAtBothEndsOfTheirRanges) {
-  GameConfiguration game;
+  GameSettings game;
   int checked = 0;
   for (const Setting& setting : settings_of(game)) {
     auto* const* number = std::get_if<double*>(&setting.target);

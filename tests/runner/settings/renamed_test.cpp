@@ -26,7 +26,7 @@ TEST(RenamedKey, IsRefusedInAFileWithItsNewName) {
 }
 
 TEST(RenamedKey, IsRefusedOnTheCommandLineWithItsNewName) {
-  GameConfiguration game;
+  GameSettings game;
   try {
     set_by_path(game, "sim.calm_substeps", "4");
     FAIL() << "an old key was taken";
@@ -38,7 +38,7 @@ TEST(RenamedKey, IsRefusedOnTheCommandLineWithItsNewName) {
 }
 
 TEST(RenamedKey, HasANameThatIsKnown) {
-  GameConfiguration game;
+  GameSettings game;
   EXPECT_NO_THROW(set_by_path(game, "sim.contact_free_substeps", "4"));
 }
 

@@ -13,18 +13,18 @@ namespace {
 
 const std::string kGame = "schema: 1\nkind: game\n";
 
-GameConfiguration game_of(const std::string& text) {
-  return std::get<GameConfiguration>(read_scenario_text(kGame + text, "x.yaml").content);
+GameSettings game_of(const std::string& text) {
+  return std::get<GameSettings>(read_scenario_text(kGame + text, "x.yaml").content);
 }
 
 sim::RobotSpec robot_of_b(const std::string& text, std::size_t number) {
-  const GameConfiguration game = game_of(text);
+  const GameSettings game = game_of(text);
   return spec_of(game, game.b).robots.at(number);
 }
 
 TEST(SpecOf, GivesEveryRobotTheGamesValuesByDefault) {
-  const GameConfiguration game = game_of("sim: { robot: { speed_mps: 2.5 } }\n");
-  for (const TeamConfiguration* team : {&game.a, &game.b}) {
+  const GameSettings game = game_of("sim: { robot: { speed_mps: 2.5 } }\n");
+  for (const TeamSettings* team : {&game.a, &game.b}) {
     const sim::TeamSpec spec = spec_of(game, *team);
     ASSERT_EQ(spec.robots.size(), 6U);
     for (const sim::RobotSpec& robot : spec.robots) {
@@ -62,7 +62,7 @@ TEST(SpecOf, LetsTeamsOverrideTheGameAndPlayersOverrideTeamsInAnyOrderOfKeys) {
 }
 
 TEST(SpecOf, DoesNotAffectTheOtherTeam) {
-  const GameConfiguration game =
+  const GameSettings game =
       game_of("teams: { b: { robot: { mass_kg: 3 }, handicap: 0.5 } }\n");
   EXPECT_EQ(spec_of(game, game.a).robots[0].body.mass_kg, 2.5);
   EXPECT_EQ(spec_of(game, game.a).robots[0].speed_factor, 1.0);
@@ -94,13 +94,13 @@ TEST(SpecOf, AlsoChangesKickers) {
 }
 
 TEST(SpecOf, RefusesAPlayerThatTheTeamDoesNotHave) {
-  GameConfiguration game;
+  GameSettings game;
   game.b.players[6].speed_factor = 0.5;
   EXPECT_THROW(spec_of(game, game.b), std::invalid_argument);
 }
 
 TEST(SpecOf, RefusesATypeThatTheGameDoesNotHave) {
-  GameConfiguration game;
+  GameSettings game;
   game.a.type = "slow";
   EXPECT_THROW(spec_of(game, game.a), std::invalid_argument);
 }

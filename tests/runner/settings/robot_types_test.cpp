@@ -34,8 +34,8 @@ class ScenarioWithTypes : public testing::Test {
     write_content(folder_ / "x.yaml", text);
     return read_scenario(folder_ / "x.yaml");
   }
-  GameConfiguration game(const std::string& text) const {
-    return std::get<GameConfiguration>(read(kGame + text).content);
+  GameSettings game(const std::string& text) const {
+    return std::get<GameSettings>(read(kGame + text).content);
   }
   Sweep sweep(const std::string& text) const {
     return std::get<Sweep>(read(kSweep + text).content);
@@ -48,7 +48,7 @@ class ScenarioWithTypes : public testing::Test {
       return error.what();
     }
   }
-  static double speed_mps(const GameConfiguration& game, std::size_t number) {
+  static double speed_mps(const GameSettings& game, std::size_t number) {
     return spec_of(game, game.b).robots.at(number).body.speed_mps;
   }
   std::string file(const std::string& name) const { return (folder_ / name).string(); }
@@ -57,7 +57,7 @@ class ScenarioWithTypes : public testing::Test {
 };
 
 TEST_F(ScenarioWithTypes, FindsThemRelativeToItself) {
-  const GameConfiguration it = game(
+  const GameSettings it = game(
       "teams: { b: { type: robots/slow.yaml, players: { 1: { type: robots/fast.yaml } } } }\n");
   EXPECT_EQ(speed_mps(it, 0), 2.2);
   EXPECT_EQ(speed_mps(it, 1), 3.5);
@@ -71,7 +71,7 @@ TEST_F(ScenarioWithTypes, VariesThemAsFactorsWithReadableIds) {
   EXPECT_EQ(games.back().id, "b.type=slow+b.players.3.handicap=0.7-p0001-2");
   EXPECT_EQ(speed_mps(games.front().configuration, 3), 3.0);
   EXPECT_EQ(speed_mps(games.back().configuration, 3), 2.2);
-  const GameConfiguration& last = games.back().configuration;
+  const GameSettings& last = games.back().configuration;
   EXPECT_EQ(spec_of(last, last.b).robots[3].speed_factor, 0.7);
   EXPECT_EQ(spec_of(last, last.b).robots[2].speed_factor, 1.0);
 }
@@ -80,7 +80,7 @@ TEST_F(ScenarioWithTypes, VariesATypeTogetherWithTheTeamsValues) {
   const std::vector<ScheduledGame> games = scheduled_games(
       sweep("base: { teams: { b: { type: robots/fast.yaml, robot: { mass_kg: 3 } } } }\n"
             "factors: { b.type: [robots/slow.yaml] }\n"));
-  const GameConfiguration& it = games[0].configuration;
+  const GameSettings& it = games[0].configuration;
   EXPECT_EQ(speed_mps(it, 0), 2.2);
   EXPECT_EQ(spec_of(it, it.b).robots[0].body.mass_kg, 3);
 }
@@ -90,8 +90,8 @@ TEST_F(ScenarioWithTypes, IsReproducedFromItsEffectiveText) {
                                  "teams: { b: { type: robots/slow.yaml, players: { 1: { type: "
                                  "robots/fast.yaml, kicker: { reach_m: 0.02 } } } } }\n");
   const Scenario back = read_scenario_text(effective_text(scenario), "elsewhere/effective.yaml");
-  EXPECT_EQ(configuration_hash(std::get<GameConfiguration>(back.content)),
-            configuration_hash(std::get<GameConfiguration>(scenario.content)));
+  EXPECT_EQ(configuration_hash(std::get<GameSettings>(back.content)),
+            configuration_hash(std::get<GameSettings>(scenario.content)));
 }
 
 TEST_F(ScenarioWithTypes, HasItsSweepReproducedFromTheEffectiveText) {
@@ -152,7 +152,7 @@ TEST_F(ScenarioWithTypes, SaysThatATypeIsNamedAfterItsFile) {
 }
 
 TEST_F(ScenarioWithTypes, ResolvesAFlagsPathInTheGivenFolder) {
-  GameConfiguration it;
+  GameSettings it;
   set_by_path(it, "b.type", "robots/slow.yaml", folder_.path());
   set_by_path(it, "b.players.2.type", "robots/fast.yaml", folder_.path());
   EXPECT_EQ(speed_mps(it, 0), 2.2);

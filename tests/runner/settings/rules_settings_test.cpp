@@ -9,13 +9,13 @@
 namespace autoref::runner {
 namespace {
 
-GameConfiguration game_in(const std::string& lines) {
+GameSettings game_in(const std::string& lines) {
   const std::string text = "schema: 1\nkind: game\nabout: A game.\n" + lines;
-  return std::get<GameConfiguration>(read_scenario_text(text, "game.yaml").content);
+  return std::get<GameSettings>(read_scenario_text(text, "game.yaml").content);
 }
 
 TEST(MatchRules, SetTheBooksFieldRobotsAndLength) {
-  const GameConfiguration game = game_in("match: { rules: 2026-a }\n");
+  const GameSettings game = game_in("match: { rules: 2026-a }\n");
   EXPECT_DOUBLE_EQ(game.field.length_m, 12);
   EXPECT_EQ(game.a.robots, 11);
   EXPECT_EQ(game.b.robots, 11);
@@ -23,7 +23,7 @@ TEST(MatchRules, SetTheBooksFieldRobotsAndLength) {
 }
 
 TEST(MatchRules, AreReadFirstWhateverTheirPosition) {
-  const GameConfiguration game = game_in(
+  const GameSettings game = game_in(
       "teams: { a: { robots: 4 } }\nfield: { length_m: 10 }\nmatch: { half_s: 60, rules: 2026-b "
       "}\n");
   EXPECT_EQ(game.a.robots, 4);
@@ -34,7 +34,7 @@ TEST(MatchRules, AreReadFirstWhateverTheirPosition) {
 }
 
 TEST(MatchRules, LetAFileSwitchSingleRules) {
-  const GameConfiguration game =
+  const GameSettings game =
       game_in("match: { switch: { offside: true, bot_crash_unique: false }, rules: 2014 }\n");
   EXPECT_TRUE(game.match.in_force.has(RuleId::kOffside));
   EXPECT_FALSE(game.match.in_force.has(RuleId::kBotCrashUnique));
@@ -42,12 +42,11 @@ TEST(MatchRules, LetAFileSwitchSingleRules) {
 }
 
 TEST(MatchRules, AreReproducedFromTheEffectiveText) {
-  const GameConfiguration game = game_in(
+  const GameSettings game = game_in(
       "match: { rules: 2014-double, switch: { bot_pushed_bot: false } }\nteams: { b: { robots: 3 } "
       "}\n");
   const std::string text = effective_text({"A game.", game});
-  const auto again =
-      std::get<GameConfiguration>(read_scenario_text(text, "effective.yaml").content);
+  const auto again = std::get<GameSettings>(read_scenario_text(text, "effective.yaml").content);
   EXPECT_EQ(configuration_hash(again), configuration_hash(game));
   EXPECT_DOUBLE_EQ(again.field.length_m, 8.09);
   EXPECT_EQ(again.b.robots, 3);
@@ -55,8 +54,8 @@ TEST(MatchRules, AreReproducedFromTheEffectiveText) {
 }
 
 TEST(MatchRules, DistinguishConfigurations) {
-  const GameConfiguration game = game_in("match: { rules: 2014 }\n");
-  GameConfiguration other = game;
+  const GameSettings game = game_in("match: { rules: 2014 }\n");
+  GameSettings other = game;
   other.match.in_force[RuleId::kOffside] = true;
   EXPECT_NE(configuration_hash(game), configuration_hash(other));
 }
@@ -92,7 +91,7 @@ TEST(MatchRules, NameTheNewNameOfARenamedSwitch) {
 }
 
 TEST(MatchRules, NameTheNewPathOfARenamedSwitch) {
-  GameConfiguration game;
+  GameSettings game;
   try {
     set_by_path(game, "match.switch.crash", "true");
     FAIL() << "accepted";

@@ -10,7 +10,7 @@
 
 #include "runner/game/event_log.hpp"
 #include "runner/game/game.hpp"
-#include "runner/settings/match_rules.hpp"
+#include "tests/runner/support/short_game.hpp"
 
 namespace autoref::runner {
 
@@ -37,11 +37,8 @@ inline PlayedEvents played_events(const GameConfiguration& game) {
 
 // `rowdy`, which breaks every rule now and then, against `basic`.
 inline GameConfiguration foul_game(const std::string& book, std::uint64_t seed, double half_s) {
-  GameConfiguration game;
-  choose_rules(book, game);
+  GameConfiguration game = short_game_by(book, half_s, seed);
   game.a.strategy = "rowdy";
-  game.match.half_s = half_s;
-  game.seed = seed;
   return game;
 }
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
-#include "runner/settings/configuration.hpp"
+#include "runner/game/configuration.hpp"
+#include "runner/settings/resolved.hpp"
 
 namespace autoref::runner {
 
@@ -12,6 +14,15 @@ inline GameConfiguration short_game(double half_s, std::uint64_t seed) {
   game.match.half_s = half_s;
   game.seed = seed;
   return game;
+}
+
+// The same by a rule book and on its field.
+inline GameConfiguration short_game_by(const std::string& book, double half_s, std::uint64_t seed) {
+  GameSettings game;
+  choose_rules(book, game);
+  game.match.half_s = half_s;
+  game.seed = seed;
+  return resolved(game);
 }
 
 }  // namespace autoref::runner

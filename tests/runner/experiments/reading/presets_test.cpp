@@ -15,7 +15,7 @@ namespace {
 using Values = std::map<std::string, std::string>;  // by full path
 
 // Everything that a game is played with, and what differs in its teams' robots.
-Values values_of(GameConfiguration game) {
+Values values_of(GameSettings game) {
   Values values;
   for (const Setting& setting : settings_of(game)) {
     if (const auto* of = std::get_if<ChangesOf>(&setting.target)) {
@@ -37,7 +37,7 @@ struct Preset {
 
 // Every preset of a game, found in the list of settings.
 std::vector<Preset> presets() {
-  GameConfiguration game;
+  GameSettings game;
   set_by_path(game, "b.players.2.handicap", "1");
   std::vector<Preset> found;
   for (const Setting& setting : settings_of(game)) {
@@ -64,7 +64,7 @@ std::set<std::string> set_by(const Preset& preset) {
   std::set<std::string> paths;
   const Values defaults = values_of({});
   for (const std::string& word : preset.words) {
-    GameConfiguration game;
+    GameSettings game;
     set_by_path(game, preset.path, word);
     for (const auto& [path, value] : values_of(game)) {
       const auto usual = defaults.find(path);
@@ -80,7 +80,7 @@ std::set<std::string> set_by(const Preset& preset) {
 
 // A value of the setting other than the one that a preset gives it.
 std::string other_value(const std::string& path, const std::string& value) {
-  GameConfiguration game;
+  GameSettings game;
   for (const char* text : {"1", "2", "0.5", "0.1", "5", "7", "12", "0.01", "0.05", "true", "false",
                            "box", "quarter_circles"}) {
     try {
@@ -101,7 +101,7 @@ int for_each_setting(const Check& check) {
     const std::set<std::string> paths = set_by(preset);
     EXPECT_FALSE(paths.empty()) << preset.path;
     for (const std::string& word : preset.words) {
-      GameConfiguration game;
+      GameSettings game;
       set_by_path(game, preset.path, word);
       const Values alone = values_of(game);
       for (const std::string& path : paths) {
@@ -114,7 +114,7 @@ int for_each_setting(const Check& check) {
 }
 
 // All that the preset sets is played but for the one setting that the user wrote.
-void expect_only_one_differs(const GameConfiguration& game, const std::string& path,
+void expect_only_one_differs(const GameSettings& game, const std::string& path,
                              const std::string& value, Values alone, const std::string& what) {
   alone[path] = value;
   EXPECT_EQ(values_of(game), alone) << what << " over " << path << " = " << value;
@@ -125,7 +125,7 @@ TEST(Presets, LeaveSingleSettingsAloneInAnyOrder) {
       for_each_setting([](const std::string& preset, const std::string& word,
                           const std::string& path, const std::string& value, const Values& alone) {
         for (const bool preset_first : {true, false}) {
-          GameConfiguration game;
+          GameSettings game;
           for (const Assignment& a : in_order(path, value, preset, word, preset_first)) {
             set_by_path(game, a.path, a.value);
           }
@@ -138,7 +138,7 @@ TEST(Presets, LeaveSingleSettingsAloneInAnyOrder) {
 TEST(Presets, LeaveTheFilesSettingsAloneWhenTheyAreSet) {
   for_each_setting([](const std::string& preset, const std::string& word, const std::string& path,
                       const std::string& value, const Values& alone) {
-    GameConfiguration written;
+    GameSettings written;
     set_by_path(written, path, value);
     const Scenario file = {"", written};
     std::string text = "schema: 1\nkind: game\n";
@@ -153,7 +153,7 @@ TEST(Presets, LeaveTheFilesSettingsAloneWhenTheyAreSet) {
     try {
       const Scenario scenario =
           read_scenario_text(text, "x.yaml", {{"--set " + preset, preset, word}});
-      expect_only_one_differs(std::get<GameConfiguration>(scenario.content), path, value, alone,
+      expect_only_one_differs(std::get<GameSettings>(scenario.content), path, value, alone,
                               preset + "=" + word);
     } catch (const InputError&) {
       // Not every value makes a game with every preset: a robot may not fit the field, say.
@@ -167,8 +167,8 @@ Sweep sweep_of(const std::string& lines) {
 }
 
 // The games' configurations by their cells' names.
-std::map<std::string, GameConfiguration> cells_of(const Sweep& sweep) {
-  std::map<std::string, GameConfiguration> cells;
+std::map<std::string, GameSettings> cells_of(const Sweep& sweep) {
+  std::map<std::string, GameSettings> cells;
   for (const ScheduledGame& game : scheduled_games(sweep)) {
     cells[game.id.substr(0, game.id.find("-p"))] = game.configuration;
   }

@@ -13,8 +13,8 @@ namespace {
 const std::string kGame = "schema: 1\nkind: game\n";
 const std::string kSweep = "schema: 1\nkind: sweep\npairs: 2\nseed: 1\n";
 
-GameConfiguration game_of(const std::string& text) {
-  return std::get<GameConfiguration>(read_scenario_text(text, "x.yaml").content);
+GameSettings game_of(const std::string& text) {
+  return std::get<GameSettings>(read_scenario_text(text, "x.yaml").content);
 }
 
 Sweep sweep_of(const std::string& text) {
@@ -22,15 +22,14 @@ Sweep sweep_of(const std::string& text) {
 }
 
 TEST(ReadScenario, GivesDefaultsToWhatIsLeftOut) {
-  const GameConfiguration game = game_of(kGame);
+  const GameSettings game = game_of(kGame);
   EXPECT_EQ(game.a.robots, 6);
   EXPECT_EQ(game.match.rules, "paper");
   EXPECT_EQ(game.match.half_s, 600);  // the paper's ten minutes
 }
 
 TEST(ReadScenario, LetsSingleNumbersChangeAPresetWhereverTheyStand) {
-  const GameConfiguration game =
-      game_of(kGame + "sim: { ball: { roll_mps2: 0.5, preset: erforce } }\n");
+  const GameSettings game = game_of(kGame + "sim: { ball: { roll_mps2: 0.5, preset: erforce } }\n");
   EXPECT_EQ(game.sim.ball.slide_mps2, 3.92);
   EXPECT_EQ(game.sim.ball.roll_mps2, 0.5);
 }
@@ -44,7 +43,7 @@ TEST(ReadScenario, WritesTheNumbersOfAPresetIntoTheEffectiveText) {
 }
 
 TEST(ReadScenario, ReadsAGame) {
-  const GameConfiguration game =
+  const GameSettings game =
       game_of(kGame +
               "teams: { a: { strategy: dummy, robots: 3 }, b: { handicap: 0.8, params: { shot_mps: "
               "5 } } }\n"
@@ -69,7 +68,7 @@ TEST(ReadScenario, ReadsASweep) {
 }
 
 TEST(ReadScenario, TakesParametersBelowZeroWhereTheirRangeHasThem) {
-  const GameConfiguration game =
+  const GameSettings game =
       game_of(kGame + "teams: { a: { strategy: rowdy, params: { otherwise: -1 } } }\n");
   EXPECT_EQ(game.a.params.at("otherwise"), -1);
 }
@@ -81,7 +80,7 @@ TEST(ReadScenario, AcceptsFactorsThatOnlyTogetherMakeAGame) {
 }
 
 TEST(EffectiveConfiguration, OfAGameReadsBackEqual) {
-  GameConfiguration game;
+  GameSettings game;
   game.a.robots = 3;
   game.b.speed_factor = 1.0 / 3.0;
   game.a.params["shot_mps"] = 0.1;
@@ -91,8 +90,7 @@ TEST(EffectiveConfiguration, OfAGameReadsBackEqual) {
   const Scenario scenario{"A \"quoted\"\nsentence: #1", game};
   const Scenario back = read_scenario_text(effective_text(scenario), "effective.yaml");
   EXPECT_EQ(back.about, scenario.about);
-  EXPECT_EQ(configuration_hash(std::get<GameConfiguration>(back.content)),
-            configuration_hash(game));
+  EXPECT_EQ(configuration_hash(std::get<GameSettings>(back.content)), configuration_hash(game));
 }
 
 TEST(EffectiveConfiguration, OfASweepReadsBackEqual) {

@@ -6,7 +6,6 @@
 
 #include "runner/game/game.hpp"
 #include "runner/game/play_counts/play_statistics.hpp"
-#include "runner/settings/match_rules.hpp"
 #include "sim/camera_presets.hpp"
 #include "tests/runner/support/short_game.hpp"
 
@@ -95,9 +94,7 @@ struct Setup {
 class PlayCountsOfGames : public testing::TestWithParam<Setup> {
  protected:
   static GameConfiguration game(std::uint64_t seed) {
-    GameConfiguration game = short_game(120, seed);
-    choose_rules(GetParam().book, game);
-    game.match.half_s = 120;
+    GameConfiguration game = short_game_by(GetParam().book, 120, seed);
     game.a.strategy = GetParam().team;
     game.b.strategy = "basic";
     sim::apply_camera_preset(GetParam().camera, game.sim);
@@ -162,9 +159,7 @@ INSTANTIATE_TEST_SUITE_P(Books, PlayCountsOfGames,
                          name_of_setup);
 
 TEST(PlayCountsOfAGame, HaveTheFoulsOfWhoBreaksTheRules) {
-  GameConfiguration game = short_game(60, 25);
-  choose_rules("2026-b", game);
-  game.match.half_s = 60;
+  GameConfiguration game = short_game_by("2026-b", 60, 25);
   game.a.strategy = "rowdy";
   const GameRecord record = play(game);
   EXPECT_GT(record.counts[0].fouls, record.counts[1].fouls);
@@ -173,7 +168,7 @@ TEST(PlayCountsOfAGame, HaveTheFoulsOfWhoBreaksTheRules) {
 TEST(PlayCountsOfAGame, LeaveTheShootoutOut) {
   GameConfiguration game = short_game(5, 1);
   game.match.knockout = true;
-  game.match.extra_half_s = 5;
+  game.match.rules.extra_half_s = 5;
   Counters with_shootout(game);
   const GameRecord record = play(game, &with_shootout);
   ASSERT_TRUE(record.shootout);

@@ -1,4 +1,6 @@
-// The configuration of one game: teams, rules and simulated world.
+// A game as the user has set it: the names of rule book and robot types as they were written, and
+// what was set singly. Files and `--set` fill it, effective.yaml shows it, and games are told apart
+// by its hash; resolved() (resolved.hpp) makes the game of it that is played.
 #pragma once
 
 #include <cstdint>
@@ -23,14 +25,14 @@ using RobotTypes = std::map<std::string, RobotChanges>;  // by name
 inline constexpr const char* kNoType = "none";
 
 // A robot that differs from the rest of its team.
-struct PlayerConfiguration {
+struct PlayerSettings {
   std::string type = kNoType;
   RobotChanges changes;              // override the type's
   double speed_factor = 1.0;         // multiplied by the team's, (0, 2]
   double acceleration_factor = 1.0;  // multiplied by the team's, (0, 2]
 };
 
-struct TeamConfiguration {
+struct TeamSettings {
   std::string strategy = "basic";
   int robots = 6;                    // 1 to 16
   std::string type = kNoType;        // type of its robots
@@ -38,10 +40,10 @@ struct TeamConfiguration {
   double speed_factor = 1.0;         // of the robots' top speed, (0, 2]
   double acceleration_factor = 1.0;  // of their acceleration and braking, (0, 2]
   std::map<std::string, double> params;
-  std::map<int, PlayerConfiguration> players;  // by number
+  std::map<int, PlayerSettings> players;  // by number
 };
 
-struct MatchConfiguration {
+struct MatchSettings {
   std::string rules = "paper";             // name of a rule book
   RuleSet in_force = RuleBook{}.in_force;  // its rules in force
   double half_s = 600;
@@ -54,10 +56,10 @@ struct MatchConfiguration {
   Side first_kickoff = Side::kWest;
 };
 
-struct GameConfiguration {
-  TeamConfiguration a;
-  TeamConfiguration b;
-  MatchConfiguration match;
+struct GameSettings {
+  TeamSettings a;
+  TeamSettings b;
+  MatchSettings match;
   Field field;
   sim::Configuration sim;
   sim::RobotSpec robot;  // body, kicker and dribbler of every robot, unless its type overrides them

@@ -1,4 +1,4 @@
-#include "runner/settings/team_names.hpp"
+#include "runner/game/configuration.hpp"
 
 #include <gtest/gtest.h>
 

@@ -34,7 +34,7 @@ void check_range(const Parameter& parameter, const std::string& path, double val
                                           parameter.least, parameter.most, unit, value));
 }
 
-void check_params(const TeamConfiguration& team, std::string_view name) {
+void check_params(const TeamSettings& team, std::string_view name) {
   const strategies::Entry* strategy = strategies::find_strategy(team.strategy);
   if (strategy == nullptr) {
     throw std::invalid_argument(fmt::format("unknown strategy '{}'", team.strategy));
@@ -49,7 +49,7 @@ void check_params(const TeamConfiguration& team, std::string_view name) {
   }
 }
 
-void check_speeds(const GameConfiguration& game, const sim::TeamSpec& spec, std::string_view name) {
+void check_speeds(const GameSettings& game, const sim::TeamSpec& spec, std::string_view name) {
   const double most_mps = sim::fastest_mps(game.sim);
   for (const sim::RobotSpec& robot : spec.robots) {
     const double robot_mps = sim::fastest_mps(robot);
@@ -61,8 +61,7 @@ void check_speeds(const GameConfiguration& game, const sim::TeamSpec& spec, std:
   }
 }
 
-void check_robots(const GameConfiguration& game, const TeamConfiguration& team,
-                  std::string_view name) {
+void check_robots(const GameSettings& game, const TeamSettings& team, std::string_view name) {
   sim::TeamSpec spec;
   try {
     spec = spec_of(game, team);
@@ -89,7 +88,7 @@ bool is_given_by_changes(const Setting& setting) {
 
 // Of a team or a player: what its robots have other than the game's.
 template <typename Of>
-std::string robots_text(const GameConfiguration& game, std::string_view path, const Of& of) {
+std::string robots_text(const GameSettings& game, std::string_view path, const Of& of) {
   std::string text;
   for (const auto& [name, value] : merged(game.types, of.type, of.changes)) {
     text += fmt::format("{}.{}={}\n", path, name, value);
@@ -97,8 +96,7 @@ std::string robots_text(const GameConfiguration& game, std::string_view path, co
   return text;
 }
 
-std::string team_text(const GameConfiguration& game, std::string_view path,
-                      const TeamConfiguration& team) {
+std::string team_text(const GameSettings& game, std::string_view path, const TeamSettings& team) {
   std::string text = robots_text(game, path, team);
   for (const auto& [number, player] : team.players) {
     text += robots_text(game, fmt::format("{}.players.{}", path, number), player);
@@ -108,13 +106,12 @@ std::string team_text(const GameConfiguration& game, std::string_view path,
 
 }  // namespace
 
-void check_team(const GameConfiguration& game, const TeamConfiguration& team,
-                std::string_view path) {
+void check_team(const GameSettings& game, const TeamSettings& team, std::string_view path) {
   check_params(team, path);
   check_robots(game, team, path);
 }
 
-void check_game(const GameConfiguration& game) {
+void check_game(const GameSettings& game) {
   check_team(game, game.a, "teams.a");
   check_team(game, game.b, "teams.b");
   sim::validate(game.field);
@@ -126,8 +123,8 @@ void check_game(const GameConfiguration& game) {
   }
 }
 
-std::uint64_t configuration_hash(const GameConfiguration& game) {
-  GameConfiguration copy = game;
+std::uint64_t configuration_hash(const GameSettings& game) {
+  GameSettings copy = game;
   std::string text;
   for (const Setting& setting : settings_of(copy)) {
     if (is_alias(setting) || is_given_by_changes(setting)) continue;

@@ -1,0 +1,66 @@
+#include "runner/game/configuration.hpp"
+
+#include <fmt/format.h>
+
+#include "referee/machine/shootout.hpp"
+
+namespace autoref::runner {
+namespace {
+
+// Beyond its halves and breaks a game may take this long: waiting for clients and restarts.
+constexpr double kSlack_s = 300;
+
+// Where the clock stands while play is stopped, a game may take this many times its halves. A stop
+// has two waits of 15 s at most, so games whose plays last 3.3 s on average come to their end.
+constexpr double kStandstill = 10;
+
+double longest_shootout_s(const RuleBook& rules) {
+  const double kick_s = 2 * rules.ready_timeout_s + rules.penalty_time_s;
+  return 2 * referee::kMostShootoutKicks * kick_s;
+}
+
+}  // namespace
+
+const TeamConfiguration& team_on(const GameConfiguration& game, Side side) {
+  return side == game.match.a_plays ? game.a : game.b;
+}
+
+PerSide<std::string> shown_names(const GameConfiguration& game) {
+  PerSide<std::string> names;
+  for (const Side side : kSides) {
+    names[side] = team_on(game, side).strategy;
+    const char letter = side == game.match.a_plays ? 'a' : 'b';
+    if (game.a.strategy == game.b.strategy) names[side] += fmt::format(" ({})", letter);
+  }
+  return names;
+}
+
+referee::Configuration referee_configuration(const GameConfiguration& game) {
+  referee::Configuration configuration;
+  configuration.field = game.field;
+  configuration.rules = game.match.rules;
+  for (const Side side : kSides) {
+    configuration.robots[side] = static_cast<int>(team_on(game, side).robots.size());
+  }
+  configuration.half_s = game.match.half_s;
+  configuration.halves = game.match.halves;
+  configuration.break_s = game.match.break_s;
+  configuration.knockout = game.match.knockout;
+  configuration.after_game = game.match.after_game;
+  configuration.first_kickoff = game.match.first_kickoff;
+  configuration.noise = {game.sim.vision.ball_noise_m, game.sim.vision.robot_noise_m,
+                         game.sim.vision.robot_noise_rad};
+  return configuration;
+}
+
+double longest_s(const MatchConfiguration& match) {
+  const RuleBook& rules = match.rules;
+  const double stretch = rules.clock_stops ? kStandstill : 1;
+  double longest_s = match.halves * (match.half_s * stretch + match.break_s) + kSlack_s;
+  if (rules.has(RuleId::kTimeouts)) longest_s += 2 * (rules.timeouts_s + rules.extra_timeouts_s);
+  if (!match.knockout) return longest_s;
+  return longest_s + 2 * rules.extra_half_s * stretch + 3 * match.break_s +
+         longest_shootout_s(rules);
+}
+
+}  // namespace autoref::runner

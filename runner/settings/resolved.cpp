@@ -1,0 +1,59 @@
+#include "runner/settings/resolved.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "runner/settings/robot_changes.hpp"
+
+namespace autoref::runner {
+namespace {
+
+RuleBook book_of(const std::string& name) {
+  const std::optional<RuleBook> rules = find_rule_book(name);
+  if (!rules) throw std::invalid_argument(fmt::format("unknown rule book '{}'", name));
+  return *rules;
+}
+
+MatchConfiguration resolved(const MatchSettings& settings) {
+  MatchConfiguration match;
+  match.rules = book_of(settings.rules);
+  match.rules.in_force = settings.in_force;
+  match.rules.extra_half_s = settings.extra_half_s;
+  match.half_s = settings.half_s;
+  match.halves = settings.halves;
+  match.break_s = settings.break_s;
+  match.knockout = settings.knockout;
+  match.after_game = settings.after_game;
+  match.a_plays = settings.a_plays;
+  match.first_kickoff = settings.first_kickoff;
+  return match;
+}
+
+TeamConfiguration resolved(const GameSettings& game, const TeamSettings& team) {
+  return {team.strategy, team.params, spec_of(game, team).robots};
+}
+
+}  // namespace
+
+void choose_rules(const std::string& book, GameSettings& game) {
+  const RuleBook rules = book_of(book);
+  const GameSetup setup = *find_game_setup(book);
+  game.match.rules = book;
+  game.match.in_force = rules.in_force;
+  game.match.extra_half_s = rules.extra_half_s;
+  game.match.half_s = setup.half_s;
+  game.field = setup.field;
+  game.a.robots = game.b.robots = setup.robots;
+}
+
+GameConfiguration resolved(const GameSettings& settings) {
+  return {resolved(settings, settings.a),
+          resolved(settings, settings.b),
+          resolved(settings.match),
+          settings.field,
+          settings.sim,
+          settings.seed};
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,57 @@
+#include "runner/settings/resolved.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "runner/settings/fields.hpp"
+
+namespace autoref::runner {
+namespace {
+
+TEST(ResolvedGame, OfDefaultSettingsIsTheDefaultGame) {
+  const GameConfiguration game = resolved({});
+  EXPECT_EQ(game.match.rules, GameConfiguration{}.match.rules);
+  EXPECT_EQ(game.a.robots.size(), GameConfiguration{}.a.robots.size());
+  EXPECT_EQ(game.match.half_s, GameConfiguration{}.match.half_s);
+  EXPECT_EQ(game.seed, GameConfiguration{}.seed);
+}
+
+TEST(ResolvedGame, HasTheRuleBookWithItsRulesAsTheyAreSwitched) {
+  GameSettings settings;
+  set_by_path(settings, "match.rules", "2026-b");
+  set_by_path(settings, "match.switch.no_progress_in_game", "false");
+  set_by_path(settings, "match.extra_half_s", "120");
+  const RuleBook rules = resolved(settings).match.rules;
+  RuleBook expected = *find_rule_book("2026-b");
+  expected.in_force[RuleId::kNoProgressInGame] = false;
+  expected.extra_half_s = 120;
+  EXPECT_EQ(rules, expected);
+}
+
+TEST(ResolvedGame, HasEachRobotWithWhatItsTeamAndItsNumberChange) {
+  GameSettings settings;
+  set_by_path(settings, "b.robots", "5");
+  set_by_path(settings, "b.robot.speed_mps", "1.5");
+  set_by_path(settings, "b.players.3.speed_factor", "0.5");
+  const GameConfiguration game = resolved(settings);
+  ASSERT_EQ(game.b.robots.size(), 5U);
+  EXPECT_EQ(game.b.robots[0].body.speed_mps, 1.5);
+  EXPECT_EQ(game.b.robots[3].speed_factor, 0.5);
+  EXPECT_EQ(game.a.robots.size(), 6U);
+}
+
+TEST(ResolvedGame, RefusesAnUnknownRuleBook) {
+  GameSettings settings;
+  settings.match.rules = "none";
+  EXPECT_THROW(resolved(settings), std::invalid_argument);
+}
+
+TEST(ResolvedGame, RefusesAPlayerThatTheTeamDoesNotHave) {
+  GameSettings settings;
+  settings.a.players[6] = {};
+  EXPECT_THROW(resolved(settings), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace autoref::runner
