@@ -8,7 +8,7 @@
 namespace autoref {
 namespace {
 
-// Mean values of the carpets modelled by the league's simulators.
+// Between the carpet models of the league's simulators.
 constexpr double kSlide_mps2 = 3.4;
 constexpr double kRoll_mps2 = 0.3;
 constexpr double kSwitchRatio = 0.67;
