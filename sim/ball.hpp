@@ -26,7 +26,7 @@ class Ball {
   void set(const BallState& state);
   // Starts a kick, without spin; `vertical_mps` is positive for a chip.
   void kick(double vertical_mps);
-  // Moves a ball held by ball placement down to the carpet and stops its spin.
+  // Lets a ball held by ball placement fall to the carpet, without spin or bounces.
   void hold(double duration_s);
 
   // Returns the velocity after `duration_s` on the carpet; unchanged in the air.

@@ -7,8 +7,8 @@
 namespace autoref::sim {
 namespace {
 
-// The first fraction of the segment from `from_m` to `to_m` at which the distance to the origin is
-// `near_m`.
+// Segment-circle intersection: the first fraction of the segment from `from_m` to `to_m` at which
+// the distance to the origin is `near_m`.
 std::optional<double> collision(const Vec2& from_m, const Vec2& to_m, double near_m) {
   const Vec2 path_m = to_m - from_m;
   const double towards = -from_m.dot(path_m);

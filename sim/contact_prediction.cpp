@@ -41,6 +41,7 @@ bool ContactPrediction::is_contact_free(const Box2dBridge& bodies, int robots,
   return robots_keep_apart(bodies, robots);
 }
 
+// Radius of a disc that contains the body until the end of the step.
 double ContactPrediction::reach_m(const BodyState& body, double radius_m) const {
   return radius_m + margin_m_ + body.velocity_mps.norm() * duration_s_;
 }

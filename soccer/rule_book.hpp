@@ -1,4 +1,4 @@
-// The rules in force and their numbers, each with its source.
+// The rules in force and their parameters, each with its source.
 #pragma once
 
 #include <cstdint>
@@ -37,7 +37,7 @@ struct RuleBook {
   double ball_at_rest_mps = 0.05_mps;  // our choice: "rests at its place"
   double ball_in_position_m = 10_mm;   // our choice: "rests at its place"
 
-  // Where the ball is put (paper, section 4.2).
+  // Where the ball is placed (paper, section 4.2).
   double throw_in_inset_m = 100_mm;
   double corner_inset_m = 100_mm;           // from touch line and goal line
   double goal_kick_touch_inset_m = 100_mm;  // from the nearest touch line

@@ -7,6 +7,7 @@ namespace {
 
 constexpr double kHardestBraking_mps2 = 11;  // sliding: 3 to 10.3 in the league's models
 
+// Residual of a straight-line fit, with the normal equations solved by Cramer's rule.
 double line_misfit(double n, double s1, double s2, const Vec2& values, double squares) {
   const double determinant = n * s2 - s1 * s1;
   const double a = (s2 * values[0] - s1 * values[1]) / determinant;
@@ -54,6 +55,8 @@ void CarpetSums::add_detection(double t_s, const Vec2& reported_m) {
   squares += reported_m * reported_m.transpose();
 }
 
+// The direction of the path is the regression slope. Across it the model is a line through the
+// kick's position, along it a parabola with bounded deceleration.
 double CarpetSums::misfit(double position_weight) const {
   const Vec2 slope = rows(0, 0) * values.row(1) - rows(0, 1) * values.row(0);
   const Vec2 along = direction_of(slope, Vec2(1, 0));

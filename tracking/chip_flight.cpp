@@ -19,8 +19,7 @@ constexpr double kHopsPerFlight = 0.57 / (1 - 0.57);
 constexpr double kLongestChip_s = 2 * kFastestRise_mps / kGravity_mps2 * (1 + kHopsPerFlight);
 
 constexpr double kChipLeastNoise_m = 0.2_mm;  // rounding and unmodelled effects
-constexpr double kBend = 0.1;  // lateral error, relative to the distance travelled during the
-                               // uncertainty of the kick's time
+constexpr double kBend = 0.1;  // lateral error per distance travelled within the time's deviation
 constexpr int kLeastDetections = 3;
 
 // Chi-square thresholds.
@@ -39,6 +38,7 @@ bool is_up_at(double t_s, const FlightFit& fit) {
   return fit.rise_mps() > 0 && fit.height_at(t_s) > 0;
 }
 
+// Square root of the largest eigenvalue of the 2x2 covariance: the error ellipse's major semi-axis.
 double worst_deviation_of(const Eigen::Matrix<double, 6, 2>& spread) {
   const Eigen::Matrix2d c = spread.transpose() * spread;
   const double half = (c(0, 0) - c(1, 1)) / 2;

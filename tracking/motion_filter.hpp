@@ -29,7 +29,8 @@ class MotionFilter {
     speed_variance_ = noise_.any_change * noise_.any_change;
   }
 
-  // Predicts `duration_s` ahead; `acceleration` is its known part.
+  // Predicts `duration_s` ahead; `acceleration` is its known part. The covariance grows by the
+  // discretised white-noise acceleration, q [t³/3, t²/2; t²/2, t].
   void predict(double duration_s, const Axis& acceleration) {
     const double t = duration_s;
     motion_.row(0) += t * motion_.row(1) + (t * t / 2) * acceleration;

@@ -28,7 +28,8 @@ double turned_angle(const Vec2& from, const Vec2& to) {
   return sine * (1.0 + sine * sine / 6.0);
 }
 
-// `heading` rotated with an error below 1e-5 rad; preserves its length.
+// `heading` rotated by the half-angle tangent formulas, with an error below 1e-5 rad; preserves its
+// length.
 Vec2 turned_by(const Vec2& heading, double angle_rad) {
   if (std::abs(angle_rad) > 0.25) return to_world(heading_of(angle_rad), heading);
   const double tangent = angle_rad / 2 + angle_rad * angle_rad * angle_rad / 24;

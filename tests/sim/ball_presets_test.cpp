@@ -89,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(Models, BallPreset,
                                          Model{"grsim", 10.3, 0.70, 0.70, 0.59, 0.95, 0.49}),
                          [](const auto& test) { return std::string(test.param.name); });
 
-TEST(BallPresets, LeaveTheNetAlone) {
+TEST(BallPresets, DoNotChangeTheNet) {
   BallParameters ball;
   ball.net_mps2 = 7.0;
   apply_ball_preset("grsim", ball);

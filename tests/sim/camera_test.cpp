@@ -37,7 +37,7 @@ TEST(Camera, ReportsPositionsRoundedToFloatMillimetres) {
   }
 }
 
-TEST(Camera, StampsFramesWithTheirNumberOverTheRate) {
+TEST(Camera, StampsFramesWithNumberDividedByRate) {
   Camera camera = camera_of("paper");
   WorldState world;
   world.frame = 90;
@@ -47,7 +47,7 @@ TEST(Camera, StampsFramesWithTheirNumberOverTheRate) {
   EXPECT_EQ(frame.time_s, 1.5);
 }
 
-TEST(Camera, SeesAFlyingBallOnTheRayThatMeetsIt) {
+TEST(Camera, ReportsAFlyingBallOnTheRayThroughIt) {
   Camera camera = camera_of("none");
   WorldState world;
   world.ball.position_m = {1, 0.5};

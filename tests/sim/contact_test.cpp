@@ -269,7 +269,7 @@ TEST(Touches, CountAKickOnce) {
   EXPECT_TRUE(scene.world.touches().empty());
 }
 
-TEST(Touches, CountABallThatStaysOncePerFrame) {
+TEST(Touches, CountABallInContactOncePerFrame) {
   Scene scene;
   scene.put_robot(kWest0, {-1, 0});
   scene.put_ball_at_plate(kWest0);

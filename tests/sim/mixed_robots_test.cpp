@@ -18,7 +18,7 @@ PerSide<TeamSpec> first_changed(Change change) {
   return both;
 }
 
-// Both in the west, side by side, facing east; the ball out of the way.
+// Both robots in the west, side by side, facing east; the ball is out of the way.
 struct Pair : Scene {
   template <typename Change>
   explicit Pair(Change change) : Scene(quiet(), first_changed(change)) {

@@ -70,7 +70,7 @@ TEST(Tracker, ExtrapolatesAnUnseenRobotForHalfASecond) {
 }
 
 // Detections of a robot and a ball at constant velocity, with the noise of the preset `realistic`.
-TEST(Tracker, IsMuchBetterThanTheDifferenceOfTwoNoisyDetections) {
+TEST(Tracker, IsMuchBetterThanDifferencingNoisyDetections) {
   const VisionNoise noise{0.0014, 0.0013, 0.01};
   Tracker tracker(noise);
   RandomStream random(5);
