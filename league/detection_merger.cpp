@@ -16,7 +16,7 @@ constexpr float kFarthest_mm = 1e5F;
 constexpr float kWidest_rad = 100;
 constexpr double kLongestGame_s = 1e6;
 constexpr double kLate_s = 1;  // no packet with the same clock is later than this
-constexpr int kStrays = 20;    // number of consecutive ones that establishes a new clock
+constexpr int kStrays = 20;    // consecutive strays that establish a new clock
 
 bool is_position(float x, float y) {
   return std::abs(x) <= kFarthest_mm && std::abs(y) <= kFarthest_mm;

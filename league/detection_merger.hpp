@@ -15,10 +15,10 @@ namespace autoref::league {
 
 // A frame consists of one packet per camera: the next one begins when a camera repeats or after a
 // gap of 0.1 s. If several cameras see a robot, the detection with the highest confidence counts;
-// of several balls, the one nearest to the last ball position. Ignored are detections that are not
-// robots of the league, not finite or more than 100 m away, and frames more than a million seconds
-// after the first. If the cameras' clock restarts within a log, times continue from the previous
-// ones once enough consecutive packets agree on the new clock.
+// of several balls, the one nearest to the last ball position. Detections are ignored if they are
+// not robots of the league, not finite or more than 100 m away, and so are frames more than a
+// million seconds after the first. If the cameras' clock restarts within a log, times continue from
+// the previous ones once enough consecutive packets agree on the new clock.
 class DetectionMerger {
  public:
   // Adds the next packet. Returns the frame that it completes, or nullptr; the frame is valid until

@@ -20,7 +20,7 @@ std::int32_t whole_mm(double metres) {
   return static_cast<std::int32_t>(std::llround(metres * 1000));
 }
 
-// Adds lines and arcs; all coordinates are those of the lines' centres.
+// Adds lines and arcs; coordinates refer to the centres of the lines.
 class Painter {
  public:
   Painter(const Field& field, FieldSize& size)

@@ -10,7 +10,7 @@ namespace autoref::league {
 
 // Fills `packets` with the part of the frame that each of `cameras` sees: a robot or ball belongs
 // to the nearest camera, a ball of unknown height to the camera that saw it. West is yellow. Writes
-// one packet per camera, and allocates nothing once the packets have been as full before.
+// one packet per camera. Allocates nothing once the packets are large enough.
 void fill_detections(const Frame& frame, std::span<const CameraPosition> cameras,
                      std::span<VisionPacket> packets);
 

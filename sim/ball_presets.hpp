@@ -15,7 +15,7 @@ namespace autoref::sim {
 // known presets, if the name is unknown.
 void apply_ball_preset(std::string_view name, BallParameters& ball);
 
-// The preset with these parameters; nullopt if some differ from every preset.
+// The preset with exactly these parameters; nullopt if there is none.
 std::optional<std::string> ball_preset_of(const BallParameters& ball);
 
 std::vector<std::string> ball_preset_names();

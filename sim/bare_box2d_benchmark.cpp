@@ -20,7 +20,7 @@ constexpr float kHalfWidth_m = 3.0F;
 constexpr float kHalfGoal_m = 0.5F;
 constexpr float kGoalDepth_m = 0.18F;
 constexpr float kRobotSpeed_mps = 2.5F;
-constexpr float kReached_m = 0.15F;  // a target, or the ball, counts as reached
+constexpr float kReached_m = 0.15F;  // distance at which a target or the ball counts as reached
 constexpr float kKick_mps = 6.0F;
 
 b2Vec2 units(float x_m, float y_m) { return {x_m * kScale, y_m * kScale}; }

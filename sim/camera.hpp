@@ -16,8 +16,8 @@ namespace autoref::sim {
 // quarters.
 std::array<CameraPosition, 4> camera_positions(const Field& field, double height_m);
 
-// Whether the robot occludes, for the camera, the centre of a ball whose lowest point is at
-// `height_m`. A robot has its full height everywhere within its outline.
+// Whether the robot hides the centre of a ball, with its lowest point at `height_m`, from the
+// camera. A robot has its full height everywhere within its outline.
 bool hides_ball(const RobotState& robot, const Vec2& ball_m, double height_m,
                 const CameraPosition& camera);
 

@@ -14,7 +14,7 @@ namespace autoref::sim {
 // std::invalid_argument, listing the known presets, if the name is unknown.
 void apply_camera_preset(std::string_view name, Configuration& configuration);
 
-// The preset with these parameters; nullopt if some differ from every preset.
+// The preset with exactly these parameters; nullopt if there is none.
 std::optional<std::string> camera_preset_of(const Configuration& configuration);
 
 std::vector<std::string> camera_preset_names();

@@ -19,7 +19,7 @@ struct BallParameters {
   double hop_z = 0.5;                // share of the vertical speed kept at each landing
   double rest_mps = 0.010;           // below this speed the ball stops
   double rolls_below_hop_m = 0.010;  // a lower bounce ends the flight
-  double net_mps2 = 10.0;            // deceleration by the net, of a ball moving out of a goal
+  double net_mps2 = 10.0;            // deceleration by the net of a ball leaving a goal
   double mass_kg = 0.046;            // golf ball, 46 g (Laws 2014, law 2)
   // Friction between the ball and what it hits, which removes some of its spin; the league's
   // simulators use 0.2 to 0.35.
@@ -51,15 +51,15 @@ struct ContactParameters {
 struct RobotParameters {
   double mass_kg = 2.5;
   double speed_mps = 3.0;                // top speed (paper, section 3: up to 3 m/s)
-  double acceleration_mps2 = 3.0;        // overall limit when speeding up
-  double braking_mps2 = 5.0;             // overall limit when slowing down
+  double acceleration_mps2 = 3.0;        // overall limit when accelerating
+  double braking_mps2 = 5.0;             // overall limit when braking
   double wheel_acceleration_mps2 = 4.5;  // tangential limit of each wheel
   double angular_speed_radps = 15.0;
   double angular_acceleration_radps2 = 40.0;
   double front_wheels_deg = 35.0;  // wheels at plus and minus this angle from the front
   double back_wheels_deg = 135.0;
   double wheel_distance_m = 80_mm;  // from the centre to each wheel, inside the hull of 90 mm
-  double speed_noise = 0.01;        // standard deviation of each commanded speed, relative to it
+  double speed_noise = 0.01;        // relative standard deviation of each commanded speed
 };
 
 struct KickerParameters {
@@ -68,7 +68,7 @@ struct KickerParameters {
   double chip_limit_mps = 5.5;
   double chip_angle_deg = 45.0;
   double dead_time_s = 100_ms;       // between two kicks
-  double speed_noise = 0.025;        // standard deviation, relative to the speed
+  double speed_noise = 0.025;        // relative standard deviation of the ball's speed
   double direction_noise_deg = 1.5;  // standard deviation
 };
 
@@ -127,7 +127,7 @@ struct LineUpParameters {
 
 struct Configuration {
   int substeps = 4;               // physics steps per camera frame, 1 to 16
-  int contact_free_substeps = 2;  // while no contact is possible; if >= substeps, no effect
+  int contact_free_substeps = 2;  // while no contact is possible; no effect if >= substeps
   double frame_rate_hz = 60.0;
   VisionParameters vision;
   RadioParameters radio;

@@ -15,7 +15,7 @@ namespace autoref::sim {
 // is unknown.
 void apply_dribbler_preset(std::string_view name, DribblerParameters& dribbler);
 
-// The preset with these parameters; nullopt if some differ from every preset.
+// The preset with exactly these parameters; nullopt if there is none.
 std::optional<std::string> dribbler_preset_of(const DribblerParameters& dribbler);
 
 std::vector<std::string> dribbler_preset_names();

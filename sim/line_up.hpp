@@ -8,9 +8,9 @@
 
 namespace autoref::sim {
 
-// In a row in their own half, along the touch line to the right of the side's keeper, facing the
-// opponents' goal. This is not a formation, so teams have to move. The two sides' positions are
-// 180-degree rotations of each other.
+// The pose of a robot: in a row in its own half, along the touch line to the right of its keeper,
+// facing the opponents' goal. This is not a formation, so teams have to move. The two sides'
+// positions are 180-degree rotations of each other.
 BodyState pose_in_line_up(const Field& field, const LineUpParameters& line_up, RobotId id);
 
 }  // namespace autoref::sim

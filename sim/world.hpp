@@ -95,8 +95,8 @@ class World {
   // Whether every position and speed is finite.
   bool is_finite() const;
 
-  // Takes a robot off the field: it is in no state, no camera sees it, nothing collides with it,
-  // and its commands are ignored. No effect if it is off already.
+  // Takes a robot off the field: states and frames omit it, nothing collides with it, and its
+  // commands are ignored. No effect if it is off already.
   void take_off(RobotId id);
   // Puts a robot that is off (asserted) back, at rest. The position must be free (asserted).
   void put_on(RobotId id, const Vec2& position_m, const Vec2& heading);

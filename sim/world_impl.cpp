@@ -118,7 +118,7 @@ void World::Impl::obey(const std::optional<Placement>& placement) {
   ball_.set({});
 }
 
-// No longer step may pass over the sub-step in which commands take effect.
+// A longer step must not skip the sub-step in which commands take effect.
 bool World::Impl::may_step_long(int substep) const {
   const int end = substep + long_step_;
   if (long_step_ == 1 || end > configuration_.substeps) return false;

@@ -38,7 +38,7 @@ struct Field {
   double wall_x_m() const { return half_length_m() + run_off_m; }
   double wall_y_m() const { return half_width_m() + run_off_m; }
   Vec2 goal_centre_m(Side side) const { return {goal_sign(side) * half_length_m(), 0.0}; }
-  // The mark for penalty kicks at the goal of `side`, taken by its opponent.
+  // The penalty mark in front of the goal of `side`.
   Vec2 penalty_mark_at(Side side) const {
     return {goal_sign(side) * (half_length_m() - penalty_mark_m), 0.0};
   }

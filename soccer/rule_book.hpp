@@ -49,7 +49,7 @@ struct RuleBook {
   double restart_timeout_s = 10_s;         // kick-off and penalty
   double free_kick_timeout_s = 10_s;       // 2026 Division A: 5 s
   bool untaken_goes_to_opponents = false;  // 2026; else force start
-  double opponents_to_ball_m = 500_mm;     // for the opponents, at every restart
+  double opponents_to_ball_m = 500_mm;     // minimum, for opponents at every restart
   double attacker_to_area_m = 200_mm;      // paper, section 4.2, robot-related rules
   double attacker_grace_s = 2_s;           // 2026: counted from the start of the stop
 

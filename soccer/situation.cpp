@@ -43,7 +43,7 @@ Situation SituationTracker::update(const RefereeSignal& signal, const std::optio
   }
   if (!is_restart(situation_.play) || !ball_m) return situation_;
   if (!restart_from_m_) restart_from_m_ = *ball_m;
-  // A shoot-out kick stays a penalty kick until it is over, so the other robots keep out of it.
+  // A shoot-out kick stays a penalty kick until it is over, so the other robots stay out of it.
   if (signal.stage == Stage::kShootout) return situation_;
   if ((*ball_m - *restart_from_m_).norm() > in_play_m_) situation_.play = Play::kRunning;
   return situation_;

@@ -18,7 +18,7 @@ constexpr double kBallProcessNoise_m2ps3 = 0.1;
 constexpr double kBallAnySpeed_mps = 8.0;
 // Chi-square with two degrees of freedom: a consistent filter exceeds it once in 3000 detections.
 constexpr double kBallInnovationGate = 16.0;
-constexpr double kFasterThanAnyBall_mps = 25.0;  // the ball was moved by hand
+constexpr double kFasterThanAnyBall_mps = 25.0;  // at higher speeds the ball was relocated
 constexpr double kAtFront_m = 15_mm;             // maximum gap between ball and plate
 
 constexpr double kSlowestChip_mps = 1.0;

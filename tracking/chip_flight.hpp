@@ -13,7 +13,7 @@ struct KickGuess {
   double time_s = 0;            // the middle of the interval
   double time_deviation_s = 0;  // its length / sqrt(12)
   Vec2 position_m{0, 0};
-  double position_deviation_m = 0;  // per coordinate, beyond the effect of the time's deviation
+  double position_deviation_m = 0;  // per coordinate, without the time's effect
 };
 
 enum class BallFlight { kUnknown, kFlying, kOnGround };
@@ -29,7 +29,7 @@ struct ChipEstimate {
   double height_m = 0;  // of the lowest point; 0 on the carpet
   double height_deviation_m = 0;
   double vertical_speed_mps = 0;
-  double landing_s = 0;  // in the detections' time
+  double landing_s = 0;  // in the time of the detections
   double landing_deviation_s = 0;
   double landing_deviation_m = 0;
 };

@@ -13,7 +13,7 @@ constexpr double kLeastNoise_rad = 0.5e-3;
 constexpr double kRobotProcessNoise_m2ps3 = 0.2;
 constexpr double kProcessNoise_rad2ps3 = 6.0;
 constexpr double kRobotAnySpeed_mps = 3.0;
-constexpr double kFasterThanAnyRobot_mps = 15.0;  // it was moved by hand
+constexpr double kFasterThanAnyRobot_mps = 15.0;  // at higher speeds the robot was relocated
 constexpr double kAnyTurning_radps = 15.0;
 // Chi-square with two degrees of freedom: a consistent filter exceeds it once in 3000 detections.
 constexpr double kRobotInnovationGate = 16.0;

@@ -13,7 +13,7 @@ namespace {
 constexpr double kRebound_mps = 4.0;
 
 // The ball's rebound speed along x after an impact at 4 m/s, from the first frames after it:
-// reduced by what the carpet takes, 3.4 m/s^2 for one or two frames.
+// reduced by the carpet's friction, 3.4 m/s^2 for one or two frames.
 double rebound_mps(Scene& scene) {
   double speed_mps = scene.ball().velocity_mps.x();
   const double towards = std::copysign(1.0, speed_mps);

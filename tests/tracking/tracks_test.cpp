@@ -26,7 +26,7 @@ TEST(Tracker, EstimatesVelocitiesFromTwoDetections) {
   const Tracks& tracks = tracker.update(frame_at(1, {0.02, 0}, {1, -0.1}));
   const TrackedRobot& robot = tracks.robots[Side::kWest][0];
   EXPECT_EQ(robot.number, 3);
-  // Not exactly, since it starts at rest and assumes a minimum detection noise.
+  // Approximate, since the track starts at rest and assumes a minimum detection noise.
   EXPECT_LT((robot.velocity_mps - Vec2(1.2, 0)).norm(), 0.01);
   EXPECT_NEAR(robot.angular_velocity_radps, 3.0, 0.03);
   EXPECT_LT((tracks.ball->velocity_mps - Vec2(0, -6)).norm(), 0.01);
