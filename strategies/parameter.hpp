@@ -1,4 +1,4 @@
-// A number that a team can be tuned with, from a scenario's `params:`.
+// A tunable parameter of a team, set by a scenario's `params:`.
 #pragma once
 
 #include <map>
@@ -11,17 +11,17 @@ namespace autoref::strategies {
 
 struct Parameter {
   std::string_view name;  // as in `params:`
-  std::string_view unit;  // such as "m" or "m/s"; "1" for shares and counts
-  double standard = 0;    // the value without `params:`
+  std::string_view unit;  // such as "m" or "m/s"; "1" for fractions and counts
+  double standard = 0;    // the default
   double least = 0;
   double most = 0;
   std::string_view about;  // one sentence
 };
 
-// What `params` gives the parameter, or its standard.
+// The parameter's value in `params`, or its default.
 double value_of(const Parameter& parameter, const std::map<std::string, double>& params);
 
-// One number of a team's style, and what is said of it; the standard is the style's own.
+// One number of a team's style and its parameter, which takes its default from the style.
 template <typename Style>
 struct TunableOf {
   double Style::*number;
@@ -31,7 +31,7 @@ struct TunableOf {
 template <typename Style>
 using TunablesOf = std::span<const TunableOf<Style>>;
 
-// The numbers of `style` as a team's parameters, its own values being their standards.
+// The numbers of `style` as parameters, with the style's values as defaults.
 template <typename Style>
 std::vector<Parameter> parameters_of(TunablesOf<Style> tunables, const Style& style) {
   std::vector<Parameter> all;
@@ -42,7 +42,7 @@ std::vector<Parameter> parameters_of(TunablesOf<Style> tunables, const Style& st
   return all;
 }
 
-// `style` with the numbers that `params` gives.
+// `style` with the numbers in `params` replaced.
 template <typename Style>
 Style tuned(TunablesOf<Style> tunables, const Style& style,
             const std::map<std::string, double>& params) {

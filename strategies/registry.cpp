@@ -35,13 +35,15 @@ std::unique_ptr<Strategy> make_rowdy(const TeamContext& context) {
   return std::make_unique<rowdy::Rowdy>(context);
 }
 
-// basic's, and the share of each kind of foul behaviour.
+// basic's parameters, and the share of each foul behaviour.
 std::vector<Parameter> rowdy_params() {
   std::vector<Parameter> params = basic_params();
-  params.push_back({"otherwise", "1", -1, -1, 1,
-                    "Share of the chances that every other foul takes; below 0 its default."});
+  params.push_back(
+      {"otherwise", "1", -1, -1, 1,
+       "Share of opportunities taken by every foul that is not set itself; below 0, its default."});
   for (const rowdy::FoulBehaviour* kind : rowdy::all_kinds()) {
-    params.push_back({kind->name, "1", kind->share, 0, 1, "Share of its chances taken."});
+    params.push_back(
+        {kind->name, "1", kind->share, 0, 1, "Share of its opportunities that are taken."});
   }
   return params;
 }
@@ -50,26 +52,31 @@ std::vector<Parameter> rowdy_params() {
 
 const std::vector<Entry>& all_strategies() {
   static const std::vector<Entry> kEntries = {
-      {"basic", "Keeper, wall, markers, a supporter and an attacker who shoots at the open side.",
+      {"basic",
+       "Keeper, wall, markers, a supporter and an attacker that shoots at the open side of the "
+       "goal.",
        make_basic, basic_params()},
       {"chaser",
        "The simple baseline: one robot chases the ball and kicks at the goal, the rest stand.",
        make_chaser,
        {}},
-      {"cobalt", "Passes to where a first-time shot is open, and covers its goal's open angles.",
+      {"cobalt",
+       "Passes to positions with an open first-time shot, and covers the open angles of its goal.",
        make_squad<cobalt_playbook>, parameters_of(cobalt_playbook().style)},
-      {"counter", "Waits behind the ball in a deep block and sends it long to one or two ahead.",
+      {"counter",
+       "Defends in a deep block behind the ball and plays long balls to one or two forwards.",
        make_squad<counter_playbook>, parameters_of(counter_playbook().style)},
       {"dummy", "Does nothing: its robots stand where they are.", make_dummy, {}},
-      {"possession",
-       "Keeps the ball with short safe passes around it and waits for a clear chance.",
+      {"possession", "Keeps the ball with short, safe passes and waits for a clear chance.",
        make_squad<possession_playbook>, parameters_of(possession_playbook().style)},
-      {"rowdy", "Plays like basic and breaks rules on purpose now and then, to measure a referee.",
+      {"rowdy",
+       "Plays like basic, but breaks rules on purpose now and then, to evaluate a referee.",
        make_rowdy, rowdy_params()},
-      {"shadow", "Marks man to man all over the field; each follows its own opponent.",
+      {"shadow", "Marks man to man all over the field; each robot follows its own opponent.",
        make_squad<shadow_playbook>, parameters_of(shadow_playbook().style)},
       {"zone",
-       "A fixed formation that shifts with the ball; who is fastest leaves it for the ball.",
+       "A fixed formation that shifts with the ball; only the fastest robot leaves it for the "
+       "ball.",
        make_squad<zone_playbook>, parameters_of(zone_playbook().style)},
   };
   return kEntries;

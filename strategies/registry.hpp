@@ -1,4 +1,4 @@
-// The teams by name.
+// All teams by name.
 #pragma once
 
 #include <memory>
@@ -15,13 +15,13 @@ struct Entry {
   std::string_view name;   // as in a scenario's `strategy:`
   std::string_view about;  // one sentence
   std::unique_ptr<Strategy> (*make)(const TeamContext& context);
-  std::vector<Parameter> params;  // what `params:` may hold
+  std::vector<Parameter> params;  // allowed in `params:`
 };
 
 // All teams, ordered by name.
 const std::vector<Entry>& all_strategies();
 
-// The team of that name; nullptr where there is none.
+// The team with that name; nullptr if there is none.
 const Entry* find_strategy(std::string_view name);
 
 }  // namespace autoref::strategies

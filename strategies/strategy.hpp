@@ -1,4 +1,4 @@
-// What a team is: from its view of the game to its robots' commands, once per frame.
+// The interface of a team: from its view of the game to its robots' commands, once per frame.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace autoref::strategies {
 
-// What one of a team's robots can do, with its handicap. Defaults are the paper's robots.
+// What one of a team's robots can do, including its handicap. The defaults are the paper's robots.
 struct Abilities {
   double speed_mps = 3.0;
   double acceleration_mps2 = 3.0;
@@ -29,17 +29,17 @@ struct TeamContext {
   Field field;
   RuleBook rules;
   double frame_rate_hz = 60;
-  RandomStream random{0};                    // the side's own; the only source of chance allowed
-  std::map<std::string, double> params;      // the team's tunables by name
-  std::array<Abilities, kMaxRobots> robots;  // the team's own, by number
+  RandomStream random{0};                    // the side's own; the only randomness allowed
+  std::map<std::string, double> params;      // the team's parameters by name
+  std::array<Abilities, kMaxRobots> robots;  // the team's own robots, by number
 };
 
 class Strategy {
  public:
   virtual ~Strategy() = default;
 
-  // Decides on one view. `commands` comes in all zero: a robot that gets no order stands still. A
-  // strategy may keep memory, but reads no clock and shares nothing with other games.
+  // Decides on one view. `commands` is all zero on entry, so a robot without a command stands
+  // still. A strategy may keep state, but must not read a clock or share anything with other games.
   virtual void decide(const TeamView& view, TeamCommands& commands) = 0;
 
   virtual TeamRequests requests() const { return {}; }

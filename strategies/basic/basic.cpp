@@ -11,10 +11,10 @@
 namespace autoref::strategies::basic {
 namespace {
 
-constexpr int kSidesteps = 12;  // at most, from the ball's way to the goal
+constexpr int kSidesteps = 12;  // limit on sidesteps from the ball's path to the goal
 
-// Where faster kicks are fouls, kicks stay below the limit although kickers are off by a few
-// hundredths.
+// If faster kicks are fouls, kicks stay below the limit by more than the kickers' error of a few
+// per cent.
 Style within_the_rules(Style style, const RuleBook& rules) {
   const double share = rules.has(RuleId::kBotKickedBallTooFast) ? style.kick_caution : 1.0;
   style.shot_mps = std::min(style.shot_mps, rules.kick_limit_mps * share);
@@ -27,8 +27,8 @@ Style within_the_rules(Style style, const RuleBook& rules) {
 Basic::Basic(const TeamContext& context)
     : context_(context), style_(within_the_rules(tuned(context.params), context.rules)) {}
 
-// From a hull to the ball's centre at restarts. Referees who judge it measure to the ball's
-// surface.
+// From a hull to the ball's centre at restarts. If the rule is in force, referees measure to the
+// ball's surface.
 double Basic::room_at_ball_m() const {
   const bool is_judged = context_.rules.has(RuleId::kDefenderTooCloseToKickPoint);
   return context_.rules.opponents_to_ball_m + (is_judged ? kBallRadius_m : 0.0) +
@@ -86,13 +86,13 @@ bool Basic::is_pressed() const {
   });
 }
 
-// A pass that arrives at a speed that a robot can take.
+// Speed with which a pass arrives slowly enough to be received.
 double Basic::pass_speed_mps(double distance_m) const {
   return std::min(style_.pass_mps,
                   style_.slowest_pass_mps + style_.pass_per_metre_per_s * distance_m);
 }
 
-// The team-mate whom a pass reaches most safely, not behind the ball; or none.
+// The team-mate that a pass reaches most safely, not behind the ball; nullopt if there is none.
 std::optional<Aim> Basic::best_pass(int passer) const {
   std::optional<Aim> best;
   for (const TrackedRobot& mate : now_.own) {
@@ -107,10 +107,11 @@ std::optional<Aim> Basic::best_pass(int passer) const {
   return best;
 }
 
-// A shot where the goal is open, else a pass, else a push towards the goal that stays in play.
+// A shot if the goal is open, otherwise a pass, otherwise a push towards the goal that stays in
+// play.
 Intent Basic::attack_intent(const TrackedRobot& attacker) const {
   const Vec2& ball_m = now_.ball.position_m;
-  TrackedRobots others = now_.opponents;  // mates in the way stop a shot as well
+  TrackedRobots others = now_.opponents;  // team-mates also block shots
   for (const TrackedRobot& mate : now_.own) {
     if (mate.number != attacker.number && others.size() < others.capacity()) others.push_back(mate);
   }
@@ -155,7 +156,7 @@ RobotCommand Basic::keep(int index, const RoleAssignment& assignment) const {
   return drive_to(robot, waypoint_of(index, assignment), {}, driving_);
 }
 
-// Whether the attacker may go for the ball now, and can without breaking a rule.
+// Whether the attacker may go for the ball now without breaking a rule.
 bool Basic::may_play_ball() const {
   if (now_.play != Play::kRunning) return now_.ours && is_restart(now_.play);
   const double to_area_m =
@@ -187,8 +188,8 @@ void Basic::play(TeamCommands& commands) {
   }
 }
 
-// A place for each robot that depends on nothing but the ball's position, so that everybody comes
-// to rest and play can go on.
+// A separate position for each robot that depends only on the ball's position, so that everybody
+// comes to rest and play can continue.
 Waypoint Basic::formation_of(int index) const {
   const Field& field = context_.field;
   const bool alone = now_.own.size() == 1;
@@ -205,8 +206,8 @@ Waypoint Basic::formation_of(int index) const {
   return reserve_position(field, ball_target_m_, role - 4);
 }
 
-// The permitted place. Where the ball lies so near to the own area that nobody fits between, the
-// books that ask for the distance at restarts get it beside the straight way to the goal.
+// The permitted position. If the ball is so close to the own area that nobody fits between, the
+// robot steps beside the straight path to the goal, in books that require the distance at restarts.
 Vec2 Basic::allowed(const Vec2& wanted_m, const Vec2& ball_m, const Limits& limits) const {
   const Field& field = context_.field;
   Vec2 position_m = permitted(field, wanted_m, ball_m, limits);
@@ -220,7 +221,7 @@ Vec2 Basic::allowed(const Vec2& wanted_m, const Vec2& ball_m, const Limits& limi
   return position_m;
 }
 
-// Where a robot goes first that is too near to the ball in a stop, by books that forbid it.
+// Where a robot too close to the ball in a stop goes first, in books that forbid that.
 std::optional<Vec2> Basic::position_off_ball(const Vec2& from_m) const {
   const double keep_m = room_at_ball_m() + kRobotRadius_m + 10_mm;
   const Vec2 off_m = from_m - ball_target_m_;
@@ -254,7 +255,7 @@ void Basic::line_up(TeamCommands& commands) {
   }
 }
 
-// Until the ball is in play only kicker and keeper count; the others wait behind it.
+// Until the ball is in play only kicker and keeper matter; the others wait behind it.
 void Basic::stand_at_penalty(TeamCommands& commands) {
   const int kicker = now_.ours ? penalty_kicker(now_, ball_target_m_) : -1;
   for (int i = 0; i < static_cast<int>(now_.own.size()); ++i) {

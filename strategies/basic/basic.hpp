@@ -1,5 +1,6 @@
-// An honest simple team: a keeper, a wall, markers, an attacker who gets behind the ball and shoots
-// at the open side of the goal, a supporter. It takes every restart and keeps the rules' distances.
+// A simple, fair team: a keeper, a wall, markers, a supporter, and an attacker that gets behind the
+// ball and shoots at the open side of the goal. It takes every restart and keeps the required
+// distances.
 #pragma once
 
 #include <optional>
@@ -44,8 +45,8 @@ class Basic final : public Strategy {
   TeamContext context_;
   Style style_;
   DrivingStyle driving_;
-  TeamView now_;              // the view looked ahead to when commands take effect
-  Vec2 ball_target_m_{0, 0};  // the ball, or where the referee is about to put it
+  TeamView now_;              // the view, extrapolated to when commands take effect
+  Vec2 ball_target_m_{0, 0};  // the ball, or where the referee is about to place it
   int former_attacker_ = -1;
   TeamRequests requests_;
 };

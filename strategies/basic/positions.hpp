@@ -1,4 +1,4 @@
-// Where the robots of `basic` stand when they do not play the ball.
+// Positions of `basic`'s robots that do not play the ball.
 #pragma once
 
 #include "soccer/field.hpp"
@@ -8,23 +8,23 @@
 
 namespace autoref::strategies::basic {
 
-// The keeper: on the ball's way into the goal, else between the ball and the goal's middle.
+// The keeper: in the path of a shot, otherwise between the ball and the goal's centre.
 Waypoint keeper_position(const Field& field, const Style& style, const TrackedBall& ball);
 
-// In front of the own area, on the line from the ball to the goal's middle; the second robot
+// In front of the own area, on the line from the ball to the goal's centre; the second robot
 // (`order` 1) beside the first.
 Waypoint wall_position(const Field& field, const Style& style, const Vec2& ball_m, int order);
 
-// Beside an opponent, on its way to the own goal, facing the ball.
+// Beside an opponent, on its path to the own goal, facing the ball.
 Waypoint marker_position(const Field& field, const Style& style, const TrackedRobot& opponent,
                          const Vec2& ball_m);
 
-// Ready for a pass or a rebound: the first on the side away from the ball, the others spread up and
-// across the field. `order` counts from 0.
+// Ready for a pass or a rebound: the first on the side away from the ball, the others spread along
+// and across the field. `order` counts from 0.
 Waypoint supporter_position(const Field& field, const Style& style, const Vec2& ball_m, int order);
 
-// A place of its own for each robot beyond the first four while play is stopped, `index` counting
-// from 0, across the own half.
+// A separate position in the own half for each robot beyond the first four while play is stopped.
+// `index` counts from 0.
 Waypoint reserve_position(const Field& field, const Vec2& ball_m, int index);
 
 }  // namespace autoref::strategies::basic

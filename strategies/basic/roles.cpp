@@ -8,7 +8,7 @@ namespace {
 
 using Taken = std::array<bool, kMaxRobots>;
 
-// Seconds to the ball and behind it, seen from the opponents' goal.
+// Time in seconds to get to the ball and behind it, as seen from the opponents' goal.
 double time_behind_ball_s(const TrackedRobot& robot, const Interception& interception,
                           const Vec2& goal_m, double go_round_s) {
   const Vec2 aim = direction_of(goal_m - interception.point_m, Vec2(1, 0));
@@ -46,8 +46,8 @@ int nearest_free(const TeamView& view, const Taken& taken, const Vec2& point_m) 
   return best;
 }
 
-// The opponent in the own half nearest to the own goal that nobody marks yet, the one at the ball
-// left out; or -1.
+// The unmarked opponent in the own half nearest to the own goal, excluding the one at the ball; or
+// -1.
 int most_dangerous(const TeamView& view, const Style& style, const Taken& marked,
                    const Vec2& goal_m) {
   int best = -1;

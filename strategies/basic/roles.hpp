@@ -1,4 +1,4 @@
-// Who does what in `basic`.
+// Role assignment of `basic`.
 #pragma once
 
 #include <array>
@@ -12,24 +12,25 @@ namespace autoref::strategies::basic {
 
 enum class Role : std::uint8_t { kKeeper, kAttacker, kWall, kSupporter, kMarker };
 
-// One robot's part: for markers the opponent (index in the view) they mark.
+// One robot's role. For markers, also the opponent (index in the view).
 struct AssignedRole {
   Role role = Role::kSupporter;
   int marks = -1;
-  int rank = 0;  // counts the supporters
+  int rank = 0;  // number among the supporters, from 0
 };
 
-// Parts by index in the view's own robots.
+// Roles by index in the view's own robots.
 struct RoleAssignment {
   std::array<AssignedRole, kMaxRobots> roles;
-  int attacker = -1;          // index in the view; -1 where there is none
+  int attacker = -1;          // index in the view; -1 if there is none
   Interception interception;  // the attacker's with the ball
 };
 
-// Gives out the parts. The lowest number keeps the goal, except alone. The robot that meets the
-// ball first attacks; `former_attacker`, a robot's number, goes on unless another is clearly
-// faster. The next nearest to the own goal is the wall. One robot supports; of the others each
-// marks an opponent in the own half while there are such, and supports else.
+// Assigns the roles. The lowest number keeps the goal, unless it is alone. The robot that meets the
+// ball first attacks; `former_attacker`, a robot's number, continues unless another is clearly
+// faster. The robot nearest to the own goal forms the wall, with five or more robots also the
+// second-nearest. One robot supports. Each of the others marks an opponent in the own half, or
+// supports if there is none left.
 RoleAssignment assign_roles(const TeamView& view, const Field& field, const Style& style,
                             int former_attacker);
 

@@ -1,4 +1,4 @@
-// What `basic` can be tuned with.
+// The tunables of `basic`.
 #pragma once
 
 #include <map>
@@ -10,7 +10,7 @@
 
 namespace autoref::strategies::basic {
 
-// Each number's unit, range and meaning stand in its Parameter, in style.cpp.
+// The Parameter of each number, in style.cpp, gives its unit, range and meaning.
 struct Style {
   double shot_mps = 6.5;
   double pass_mps = 4.0;
@@ -46,7 +46,7 @@ struct Style {
   double go_round_s = 0.8;
 };
 
-// The numbers as parameters, and those that a scenario's `params` give in their places.
+// The numbers as parameters; and the style with the numbers in a scenario's `params` replaced.
 std::vector<Parameter> parameters();
 Style tuned(const std::map<std::string, double>& params);
 

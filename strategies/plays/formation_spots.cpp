@@ -13,7 +13,7 @@ class Roster {
   Roster(PlayContext& book, const RoleAssignment& assignment, const FormationSpots& spots)
       : predicted_(book.predicted), assignment_(assignment), spots_(spots), keys_(book.spots) {}
 
-  // Keeps who has one of the posts and may keep it.
+  // Keeps the current owners of the spots who may keep them, and clears all others.
   template <typename MayKeep>
   void forget(MayKeep may_keep) {
     std::array<int, kMaxRobots> kept{};
@@ -23,7 +23,7 @@ class Roster {
     keys_ = kept;
   }
 
-  // The robot at the ball is taken to be at the post that is nearest to it.
+  // The robot at the ball is assigned the nearest vacant spot.
   void count_in_at_ball() {
     for (int i = 0; i < predicted_.robots(); ++i) {
       if (assignment_.task(i).role != Role::kBall || key_of(i) != 0) continue;

@@ -1,4 +1,5 @@
-// Posts: places that a play wants filled, each by the same robot for as long as that makes sense.
+// Formation spots: positions that a play wants filled, each by the same robot for as long as
+// possible.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -8,26 +9,26 @@
 namespace autoref::strategies {
 
 struct FormationSpot {
-  int key = 1;  // names the post from frame to frame, from 1 on: a zone's number, an opponent's
+  int key = 1;  // identifies the spot across frames, from 1: a zone's or an opponent's number
   Waypoint waypoint;
 };
 using FormationSpots =
-    boost::container::static_vector<FormationSpot, kMaxRobots>;  // the most important first
+    boost::container::static_vector<FormationSpot, kMaxRobots>;  // most important first
 
-// Gives each post a robot: the one that had it, else the nearest without one; two change where
-// that shortens their ways clearly. Who has another part now gives its post up.
+// Assigns a robot to each spot: its previous owner, otherwise the nearest free robot. Two robots
+// swap spots if that clearly shortens their paths. A robot with another role loses its spot.
 void fill_spots(PlayContext& book, RoleAssignment& assignment, const FormationSpots& spots);
 
-// The same, but the robot at the ball keeps its post, which stays empty meanwhile. Those of the
-// first `count` posts go there; the others' robots stay free for something else.
+// The same, but the robot at the ball keeps its spot, which stays empty meanwhile. Only the owners
+// of the first `count` spots go there; the others stay free for other roles.
 void fill_own_spots(PlayContext& book, RoleAssignment& assignment, const FormationSpots& spots,
                     int count = kMaxRobots);
 
-// Those `count` of the free robots that are farthest ahead run for passes.
+// The `count` free robots farthest ahead run for passes.
 void send_ahead(PlayContext& book, RoleAssignment& assignment, int count);
 
-// `position_m`, far enough from the opponents' area for every rule, and `more_m` farther; facing
-// the ball.
+// `position_m`, moved far enough from the opponents' area for every rule, plus `more_m`; facing the
+// ball.
 Waypoint off_their_area(const PredictedState& predicted, const Vec2& position_m, double more_m = 0);
 
 }  // namespace autoref::strategies

@@ -11,14 +11,14 @@ namespace {
 
 int count_of(double wanted) { return static_cast<int>(std::lround(wanted)); }
 
-// The lowest number keeps the goal, unless it is alone and its team gets the ball first.
+// The lowest number keeps the goal, unless it is alone and its team reaches the ball first.
 void give_goal(const PredictedState& predicted, RoleAssignment& assignment) {
   if (predicted.robots() == 0) return;
   if (predicted.robots() == 1 && predicted.is_ours()) return;
   assignment.give(0, is_keepers_ball(predicted) ? Role::kBall : Role::kKeeper);
 }
 
-// Whether the opponents could have the ball the next moment.
+// Whether the opponents could have the ball in a moment.
 bool is_contested(const PredictedState& predicted) {
   return predicted.theirs().time_s < predicted.style().contested_s;
 }
@@ -47,7 +47,7 @@ int choose_for_ball(const PlayContext& book, const RoleAssignment& assignment) {
 
 namespace {
 
-// The ball's part, or where the rules forbid to touch the ball, a place as near as may be.
+// Assigns the ball, or, if the rules forbid touching it, a position close to it.
 void give_ball(PlayContext& book, RoleAssignment& assignment) {
   const PredictedState& predicted = book.predicted;
   const int chosen = choose_for_ball(book, assignment);

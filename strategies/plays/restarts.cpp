@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kPassedOver_m = 10;
 
-// Before a kick-off, as shares of the half's length and width, in the order in which they are
-// filled.
+// Positions before a kick-off, as fractions of half the field's length and width, in order of
+// priority.
 constexpr std::array<std::array<double, 2>, kMaxRobots - 1> kKickoffPositions = {{{0.30, 0.0},
                                                                                   {0.12, 0.55},
                                                                                   {0.12, -0.55},
@@ -35,7 +35,7 @@ void give_keeper(const PredictedState& predicted, RoleAssignment& assignment) {
   if (predicted.robots() > 1) assignment.give(0, Role::kKeeper);
 }
 
-// The nearest but the keeper; one that is shut in in a goal, or gets nowhere, is passed over.
+// The nearest robot except the keeper. Robots behind a goal, or stuck ones, are avoided.
 int choose_taker(const PlayContext& book) {
   const PredictedState& predicted = book.predicted;
   int taker = -1;
@@ -55,7 +55,7 @@ int choose_taker(const PlayContext& book) {
   return taker;
 }
 
-// Behind the ball, seen from where it is meant to go.
+// Behind the ball, as seen from the target.
 Waypoint taker_position(const PredictedState& predicted, const Vec2& target_m) {
   const Vec2 aim = direction_of(target_m - predicted.position_m(), Vec2(1, 0));
   return {predicted.position_m() - aim * predicted.style().taker_back_m, aim};
@@ -65,7 +65,7 @@ Vec2 default_target_m(const PredictedState& predicted) {
   return predicted.field().goal_centre_m(Side::kEast) - Vec2(predicted.style().before_goal_m, 0);
 }
 
-// The place of the receiver whom a pass serves best.
+// The position of the receiver with the best pass.
 Vec2 best_target_m(const PredictedState& predicted, const RoleAssignment& assignment) {
   Vec2 best_m = default_target_m(predicted);
   double best = 0;

@@ -1,4 +1,4 @@
-// Who does what: the parts that a play gives to the robots.
+// The assignment of roles to robots.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@ namespace autoref::strategies {
 
 enum class Role : std::uint8_t { kNone, kKeeper, kBall, kReceiver, kStands, kTaker };
 
-// A robot's part, and where it is to be for it, if that is a place.
+// A robot's role, and its target position if the role has one.
 struct Task {
   Role role = Role::kNone;
   Waypoint waypoint;
@@ -26,10 +26,11 @@ class RoleAssignment {
 
   void give(int index, Role role, const Waypoint& waypoint = {});
 
-  // The free robot that is soonest at the place; -1 without free robots.
+  // The free robot nearest to the position, extrapolated by the style's moves_on_s; -1 if there is
+  // none.
   int nearest_free(const Vec2& position_m) const;
 
-  // Makes the places permitted, and moves those apart where two robots could not stand both.
+  // Moves all positions to permitted ones, and apart where two robots would not fit.
   void spread();
 
   // Sends the nearest free robot to stand there, if there is one.

@@ -50,7 +50,7 @@ void Squad::decide(const TeamView& view, TeamCommands& commands) {
   }
 }
 
-// Who has taken a restart must not touch the ball again before another robot has.
+// The taker of a restart must not touch the ball again before another robot has.
 void Squad::note_restarter() {
   const TeamView& now = predicted_.now();
   if (is_restart(now.play)) {
@@ -81,7 +81,7 @@ void Squad::note_stop() {
   former_play_ = now.play;
   former_robots_ = predicted_.robots();
   const double waited_s = now.time_s - since_s_;
-  // Later the places are kept, so that the robots come to rest.
+  // Later the positions are kept, so that the robots come to rest.
   const bool chooses = waited_s < predicted_.style().choosing_s;
   book_.waited_s = waited_s;
   book_.is_settled = predicted_.is_waiting() && !chooses;
@@ -92,7 +92,7 @@ void Squad::keep(const RoleAssignment& assignment) {
   kept_robots_ = predicted_.robots();
 }
 
-// Whether the ball waits for this team to take its restart.
+// Whether this team may take its restart now.
 bool Squad::may_take() const { return is_restart(predicted_.now().play) && predicted_.now().ours; }
 
 void Squad::choose_play(RoleAssignment& assignment) {

@@ -1,4 +1,4 @@
-// A team made of skills, tactics and plays: what it does in which situation is its plan.
+// A team built from skills, tactics and plays. Its playbook decides what it does in each situation.
 #pragma once
 
 #include "strategies/plays/plays.hpp"
@@ -7,7 +7,7 @@
 
 namespace autoref::strategies {
 
-// What teams of this kind differ in: their numbers, and their plays where they have their own.
+// What distinguishes teams of this kind: their style, and plays of their own if they have any.
 struct TeamPlaybook {
   Style style;
   void (*open_play)(PlayContext& book, RoleAssignment& assignment) = strategies::open_play;
@@ -16,7 +16,7 @@ struct TeamPlaybook {
 
 class Squad final : public Strategy {
  public:
-  // Numbers of the style that `context.params` names are taken from there.
+  // The style's numbers can be overridden by `context.params`.
   Squad(const TeamContext& context, const TeamPlaybook& playbook);
   Squad(const Squad&) = delete;
   Squad& operator=(const Squad&) = delete;
@@ -37,7 +37,7 @@ class Squad final : public Strategy {
   PassField field_;
   BallHandler handler_;
   PlayContext book_;
-  RoleAssignment kept_;  // while play is stopped, and by who does not take the restart
+  RoleAssignment kept_;  // while play is stopped, and at a restart by the other robots
   int kept_robots_ = 0;
   Play former_play_ = Play::kHalt;
   int former_robots_ = 0;

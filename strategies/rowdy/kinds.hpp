@@ -1,4 +1,4 @@
-// All the foul behaviour that `rowdy` knows, one file each in kinds/.
+// All foul behaviours of `rowdy`, one file each in kinds/.
 #pragma once
 
 #include <span>
@@ -33,7 +33,7 @@ extern const FoulBehaviour kTimeout;
 
 inline constexpr int kKindCount = 23;
 
-// In the order in which chances of the same frame are asked about.
+// In the order in which opportunities in the same frame are considered.
 std::span<const FoulBehaviour* const, kKindCount> all_kinds();
 
 }  // namespace autoref::strategies::rowdy

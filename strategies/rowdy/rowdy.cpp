@@ -7,7 +7,7 @@
 namespace autoref::strategies::rowdy {
 namespace {
 
-// An opportunity is a new one, and the dice are thrown again, when there was none for so long.
+// After this long without an opportunity, the next one is new and gets a new random draw.
 constexpr double kBetweenChances_s = 1.0;
 
 double share_of(const FoulBehaviour& kind, const std::map<std::string, double>& params) {
@@ -41,7 +41,7 @@ void Rowdy::look_for_chances(const Scene& scene) {
   for (Habit& habit : habits_) consider(habit, scene);
 }
 
-// A chance that comes while another foul behaviour is under way is missed.
+// An opportunity during another foul behaviour is missed.
 void Rowdy::consider(Habit& habit, const Scene& scene) {
   const std::optional<ActiveFoul> chance = habit.kind->find_chance(scene);
   if (!chance) return;
@@ -54,7 +54,7 @@ void Rowdy::consider(Habit& habit, const Scene& scene) {
   active_foul_.begun_s = now_.time_s;
 }
 
-// False once the foul behaviour is over, done or given up; then the team does as it should.
+// Returns false once the foul behaviour is over; the team then plays normally.
 bool Rowdy::go_on(const Scene& scene, TeamCommands& commands) {
   if (now_.time_s - active_foul_.begun_s > under_way_->longest_s) return false;
   if (active_foul_.robot >= 0 && find(now_.own, active_foul_.robot) == nullptr) return false;

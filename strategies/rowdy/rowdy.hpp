@@ -1,9 +1,9 @@
-// `basic` with bad manners: now and then it breaks a rule on purpose, so that a referee can be
-// measured.
+// `basic`, but it breaks rules on purpose now and then, so that a referee can be evaluated.
 //
-// Each kind of foul behaviour (kinds.hpp) has a parameter of its name: the share of its
-// opportunities that the team takes, from 0 (never) to 1 (always). `otherwise` is the share of all
-// kinds that are not named; without it they have their defaults. One foul behaviour at a time.
+// Each foul behaviour (kinds.hpp) has a parameter with its name: the share of its opportunities
+// that the team takes, from 0 (never) to 1 (always). `otherwise` is the share for all kinds that
+// are not set themselves; without it they use their defaults. There is one foul behaviour at a
+// time.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ class Rowdy final : public Strategy {
   TeamRequests requests() const override { return requests_; }
 
  private:
-  // A kind, how often it is done, and when there was last an opportunity.
+  // A foul behaviour, its share, and when there was last an opportunity.
   struct Habit {
     const FoulBehaviour* kind = nullptr;
     double share = 0;

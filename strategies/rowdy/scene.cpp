@@ -9,10 +9,10 @@ namespace autoref::strategies::rowdy {
 namespace {
 
 constexpr double kSceneClearance_m = 2 * kRobotRadius_m + 20_mm;
-constexpr double kSceneLane_m = 250_mm;  // half as wide as a cleared way
+constexpr double kSceneLane_m = 250_mm;  // half the width of a cleared path
 constexpr double kSceneTouch_m = kFrontDistance_m + kBallRadius_m;
 
-// The robot nearest to a point and within `reach_m`, number `except` left out.
+// The robot nearest to a point and within `reach_m`, excluding number `except`.
 const TrackedRobot* nearest(const TrackedRobots& robots, int except, const Vec2& point_m,
                             double reach_m) {
   const TrackedRobot* best = nullptr;

@@ -1,4 +1,4 @@
-// What the foul behaviour of `rowdy` sees, and how it moves robots.
+// The view of the game for foul behaviours of `rowdy`, and robot motions for them.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace autoref::strategies::rowdy {
 
-// The game in the team's frame, looked ahead to when commands take effect.
+// The game in the team's frame, extrapolated to when commands take effect.
 struct Scene {
   const Field& field;
   const RuleBook& rules;
@@ -19,42 +19,43 @@ struct Scene {
   int keeper = 0;  // number of the own keeper
 };
 
-// The robot of that number, or nullptr.
+// The robot with that number, or nullptr.
 const TrackedRobot* find(const TrackedRobots& robots, int number);
 
-// The own robot nearest to a point, the keeper left out; nullptr where none is within `reach_m`.
+// The own robot nearest to a point, excluding the keeper; nullptr if none is within `reach_m`.
 const TrackedRobot* nearest_mate(const Scene& scene, const Vec2& point_m, double reach_m);
 
-// The nearest opponent, likewise.
+// The same for opponents.
 const TrackedRobot* nearest_opponent(const Scene& scene, const Vec2& point_m, double reach_m);
 
-// Whether the robot has the ball before its plate, at most some 15 mm away.
+// Whether the robot has the ball at its front plate, within about 15 mm.
 bool has_ball(const TrackedRobot& robot, const TrackedBall& ball);
 
 bool is_running(const Scene& scene);
-// Whether the team is to take, or the opponents are about to take, a restart other than a penalty.
+// Whether the team takes, or the opponents are about to take, a restart other than a penalty.
 bool is_own_restart(const Scene& scene);
 bool is_opponents_restart(const Scene& scene);
 bool is_free_kick(Play play);
 
-// Commands that bring the robot to a place around everybody else, facing the ball.
+// Commands that drive the robot to a position around everybody else, facing the ball.
 RobotCommand go_to(const Scene& scene, const TrackedRobot& robot, const Vec2& position_m);
 
-// Commands that move the robot straight on at that velocity, facing where it goes.
+// Commands that drive the robot straight with that velocity, facing its direction of motion.
 RobotCommand charge(const TrackedRobot& robot, const Vec2& velocity_mps);
 
-// The same, towards a point.
+// The same towards a point.
 RobotCommand charge_at(const TrackedRobot& robot, const Vec2& point_m, double speed_mps);
 
-// Commands that take the robot behind the ball and kick it straight at the target.
+// Commands that drive the robot behind the ball and kick it straight at the target.
 RobotCommand kick_at(const Scene& scene, const TrackedRobot& robot, const Vec2& target_m,
                      double kick_mps);
 
-// Lets the mates of robot `number` stand where they are within `reach_m` of a point.
+// Stops the team-mates of robot `number` that are within `reach_m` of a point.
 void hold_back(const Scene& scene, int number, const Vec2& point_m, double reach_m,
                TeamCommands& commands);
 
-// Sends mates of robot `number` out of the way from `from_m` to `to_m`, the keeper too.
+// Sends team-mates of robot `number`, including the keeper, out of the path from `from_m` to
+// `to_m`.
 void clear_lane(const Scene& scene, int number, const Vec2& from_m, const Vec2& to_m,
                 TeamCommands& commands);
 

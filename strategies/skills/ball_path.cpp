@@ -10,12 +10,12 @@ namespace {
 
 constexpr double kSlide_mps2 = 3.4;
 constexpr double kRoll_mps2 = 0.30;
-constexpr double kRollsFrom = 0.67;  // share of the kick's speed
+constexpr double kRollsFrom = 0.67;  // fraction of the kick speed
 constexpr double kPathStill_mps = 0.03;
-constexpr double kPeak_mps = 0.15;  // a speed that grows by so much between frames was kicked
+constexpr double kPeak_mps = 0.15;  // speed gain per frame that indicates a kick
 constexpr double kNever_s = 10;
 
-// Time and way of the sliding phase from `speed_mps` down to `rolls_mps`.
+// Duration and length of the sliding phase from `speed_mps` down to `rolls_mps`.
 struct Phase {
   double time_s = 0;
   double path_m = 0;
@@ -49,7 +49,7 @@ double speed_after_mps(double speed_mps, double rolls_mps, double time_s) {
 void BallPath::follow(const TrackedBall& ball, double latency_s) {
   const double seen_mps = ball.velocity_mps.norm();
   if (seen_mps > last_mps_ + kPeak_mps || seen_mps > kick_mps_) kick_mps_ = seen_mps;
-  if (seen_mps < kRollsFrom * kick_mps_) kick_mps_ = seen_mps / kRollsFrom;  // it rolls
+  if (seen_mps < kRollsFrom * kick_mps_) kick_mps_ = seen_mps / kRollsFrom;  // it is rolling
   last_mps_ = seen_mps;
   direction_ = direction_of(ball.velocity_mps, direction_);
   const double rolls_mps = kRollsFrom * kick_mps_;

@@ -1,4 +1,4 @@
-// Where the ball will be, phase by phase: after a kick it slides, then it rolls.
+// Two-phase prediction of the ball's path: after a kick it slides, then it rolls.
 #pragma once
 
 #include <array>
@@ -7,20 +7,20 @@
 
 namespace autoref::strategies {
 
-// The way of a ball on the carpet that nothing meets. The decelerations are those that teams
-// measure on their carpet (sim/README.md): 3.4 m/s^2 sliding until 0.67 of the kick's speed is
-// left, then 0.30 m/s^2 rolling.
+// The path of a free ball on the carpet. The decelerations are those that teams measure on their
+// carpet (sim/README.md): 3.4 m/s^2 while sliding, down to 0.67 of the kick speed, then 0.30 m/s^2
+// while rolling.
 class BallPath {
  public:
   static constexpr int kSteps = 20;
   static constexpr double kStep_s = 0.1;
   static constexpr double kLongest_s = kSteps * kStep_s;
 
-  // Takes the next frame of the ball, moved on by the `latency_s` until commands take effect. Kicks
-  // are told from the speed's peaks, so that it must be called for every frame.
+  // Updates the path from the ball in the next frame, extrapolated by `latency_s`, when commands
+  // take effect. Call it for every frame, because kicks are detected from jumps of the speed.
   void follow(const TrackedBall& ball, double latency_s);
 
-  // Where the ball is at a step of the table, from 0 (now) to kSteps.
+  // The ball's position at a step of the table, from 0 (now) to kSteps.
   const Vec2& at_step(int step) const { return table_[static_cast<std::size_t>(step)]; }
   const Vec2& now_m() const { return table_[0]; }
   const Vec2& end_m() const { return table_[kSteps]; }
@@ -30,17 +30,17 @@ class BallPath {
   Vec2 velocity_mps() const { return direction_ * speed_mps_; }
 
  private:
-  double kick_mps_ = 0;  // the speed's last peak
+  double kick_mps_ = 0;  // speed at the last detected kick
   double last_mps_ = 0;
   double speed_mps_ = 0;
   Vec2 direction_{1, 0};
   std::array<Vec2, kSteps + 1> table_;
 };
 
-// The speed that a kick needs to arrive after `distance_m` with `arrival_mps`.
+// Kick speed with which the ball arrives after `distance_m` at `arrival_mps`.
 double kick_for_mps(double distance_m, double arrival_mps);
 
-// Seconds that a ball kicked with `kick_mps` needs for `distance_m`; 10 where it does not get
+// Time in seconds that a ball kicked with `kick_mps` takes for `distance_m`; 10 if it never gets
 // there.
 double roll_time_s(double kick_mps, double distance_m);
 

@@ -9,13 +9,14 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kLimitMargin_m = 30_mm;  // more than a rule asks for, for the robots' own errors
-constexpr int kTurns = 36;                // tried to each side of a place in the ball's circle
+constexpr double kLimitMargin_m =
+    30_mm;                  // added to the rules' distances for the robots' own errors
+constexpr int kTurns = 36;  // directions tried to each side of a position inside the ball's circle
 
-// Moves `p` by the shortest way until it is `distance_m` off the area of `side`.
+// Moves `p` the shortest way until it is `distance_m` from the area of `side`.
 //
-// Both shapes are all that lies within a radius of a strip that goes on behind the goal; a box's
-// radius is nought.
+// Both shapes are the set of points within a radius of a strip that continues behind the goal; for
+// a box the radius is zero.
 Vec2 pushed_out_of_area(const Field& field, Side side, const Vec2& p, double distance_m,
                         bool may_stay_behind_goal) {
   const double missing_m = distance_m - distance_to_defence_area(field, side, p);
@@ -43,14 +44,14 @@ Vec2 back_from(const Field& field, const Vec2& ball_m) {
 
 Vec2 pushed_off_ball(const Field& field, const Vec2& p, const Vec2& ball_m, const Limits& limits) {
   if (limits.keep_from_ball_m <= 0 || (p - ball_m).norm() >= limits.keep_from_ball_m) return p;
-  // Towards the own goal, where a robot that must give way is of most use.
+  // Towards the own goal, where a robot that must give way is most useful.
   const Vec2 back = back_from(field, ball_m);
   const Vec2 away = direction_of(p - ball_m, back);
   const Vec2 bent = away.dot(back) < 0 ? direction_of(away + 1.5 * back, back) : away;
   return ball_m + bent * (limits.keep_from_ball_m + kLimitMargin_m);
 }
 
-// Into the half, off the areas, into the field: what does not depend on the ball.
+// Applies the limits that do not depend on the ball: own half, areas, field.
 Vec2 pushed_into_bounds(const Field& field, Vec2 p, const Limits& limits) {
   if (limits.own_half_only) p.x() = std::min(p.x(), -kRobotRadius_m - kLimitMargin_m);
   if (!limits.may_enter_own_area) {

@@ -6,10 +6,10 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kMotionLookAhead_m = 1.5;  // obstacles farther along the way do not matter yet
-constexpr double kGoalClearance_m = 30_mm;  // from a goal's wall to a robot that passes it
+constexpr double kMotionLookAhead_m = 1.5;  // obstacles farther along the path are ignored
+constexpr double kGoalClearance_m = 30_mm;  // between a goal's wall and a passing robot
 
-// The first obstacle on the way from `from_m` along the unit vector `direction`, or nullptr.
+// The first obstacle on the path from `from_m` along the unit vector `direction`, or nullptr.
 const Obstacle* first_on_path(const Vec2& from_m, const Vec2& direction, double length_m,
                               const Obstacles& obstacles) {
   const Obstacle* first = nullptr;
@@ -34,7 +34,7 @@ Vec2 steer_around(const Vec2& from_m, const Vec2& target_m, const Obstacles& obs
   const Vec2 direction = offset / length_m;
   const Obstacle* obstacle = first_on_path(from_m, direction, length_m, obstacles);
   if (obstacle == nullptr) return target_m;
-  // Pass on the side on which the straight way already runs by.
+  // Pass on the side where the straight path already runs.
   const double side = cross(direction, obstacle->position_m - from_m) > 0 ? -1.0 : 1.0;
   return obstacle->position_m + left_of(direction) * (side * obstacle->clearance_m * 1.1);
 }

@@ -1,4 +1,4 @@
-// Driving: from a robot and a place to be, to the robot's next order.
+// Driving: commands that bring a robot to a position.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -11,15 +11,15 @@
 
 namespace autoref::strategies {
 
-// How a team drives: less than its robots can do, so that plans hold.
+// A team's driving limits, below what its robots can do, so that planned motions are feasible.
 struct DrivingStyle {
   double speed_mps = 3.0;       // paper, section 3: robots travel up to 3 m/s
   double braking_mps2 = 2.3;    // planned; robots brake with up to 5 m/s^2
-  double approach_per_s = 6.0;  // speed per distance on the last centimetres
-  double turn_per_s = 8.0;      // angular speed per angle left
+  double approach_per_s = 6.0;  // speed per distance, for the last centimetres
+  double turn_per_s = 8.0;      // angular speed per remaining angle
   double turn_limit_radps = 10.0;
-  double turn_braking_radps2 = 1e3;  // planned; a robot at its wheels' limits turns worse
-  double arrived_m = 4_mm;           // nearer than this the robot stands still
+  double turn_braking_radps2 = 1e3;  // planned; robots near their wheels' limits turn worse
+  double arrived_m = 4_mm;           // the robot stops within this distance
 };
 
 struct Waypoint {
@@ -27,26 +27,26 @@ struct Waypoint {
   Vec2 heading{1, 0};  // unit vector to face
 };
 
-// Discs to keep clear of, given by centre and the distance a robot's centre keeps from it.
+// Discs to avoid: centre, and minimum distance of a robot's centre from it.
 struct Obstacle {
   Vec2 position_m{0, 0};
   double clearance_m = 0;
 };
 using Obstacles = boost::container::static_vector<Obstacle, 2 * kMaxRobots + 4>;
 
-// The point to steer for on the way to `target_m`: the target itself where the straight way is
-// free, else a point beside the first obstacle on it.
+// The point to steer for on the way to `target_m`: the target itself if the straight path is free,
+// otherwise a point beside the first obstacle.
 Vec2 steer_around(const Vec2& from_m, const Vec2& target_m, const Obstacles& obstacles);
 
-// Where to steer for from behind a goal or from close beside it, where the straight way to the
-// field leads against its walls: first to the side, then past the goal line. None elsewhere.
+// The point to steer for from behind a goal or close beside it, if the straight path to the field
+// hits its walls: first sideways, then past the goal line. Returns nullopt elsewhere.
 std::optional<Vec2> exit_from_behind_goal(const Field& field, const Vec2& from_m);
 
-// Commands that bring `robot` to `goal` around the obstacles and to rest there.
+// Commands that drive `robot` around the obstacles to `goal` and stop it there.
 RobotCommand drive_to(const TrackedRobot& robot, const Waypoint& goal, const Obstacles& obstacles,
                       const DrivingStyle& style);
 
-// The same by way of `steer_m`, the next point of a way that leads around whatever is between.
+// The same via `steer_m`, the next point of a path around the obstacles.
 RobotCommand drive_via(const TrackedRobot& robot, const Vec2& steer_m, const Waypoint& goal,
                        const DrivingStyle& style);
 

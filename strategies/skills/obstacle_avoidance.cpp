@@ -6,12 +6,12 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kAvoidanceLookAhead_m = 1.6;  // obstacles farther along the way do not matter yet
-constexpr double kMovesOn_s = 0.25;            // a robot is met about so much later
+constexpr double kAvoidanceLookAhead_m = 1.6;  // obstacles farther along the path are ignored
+constexpr double kMovesOn_s = 0.25;            // robots are extrapolated by this
 constexpr double kRoom_m = 30_mm;              // between hulls
-constexpr double kAvoidanceBeside_m = 20_mm;   // more than that, where the way leads past
-constexpr double kBlockedLeg_m = 0.5;          // what an obstacle on a detour counts as
-constexpr double kTurning_s = 0.15;            // what the present motion counts for
+constexpr double kAvoidanceBeside_m = 20_mm;   // additional clearance of the detour point
+constexpr double kBlockedLeg_m = 0.5;          // extra length for an obstacle on the detour
+constexpr double kTurning_s = 0.15;  // weight of the current velocity, as a length per speed
 
 // The first obstacle on the segment, or nullptr.
 const Obstacle* first_on(const Vec2& from_m, const Vec2& to_m, const Obstacles& obstacles) {
@@ -42,7 +42,7 @@ void find_obstacles(const Surroundings& all, const TrackedRobot& robot, const Ve
   const auto add = [&](const TrackedRobot& other) {
     const Vec2 there_m = other.position_m + other.velocity_mps * kMovesOn_s;
     if ((there_m - middle_m).squaredNorm() > reach_m * reach_m) return;
-    // Where the target lies beside the other robot, only its hull is kept clear of.
+    // If the target is right beside the other robot, avoid only its hull.
     const double to_target_m = (target_m - there_m).norm();
     const double clearance_m = 2 * kRobotRadius_m + kRoom_m;
     if (to_target_m > 2 * kRobotRadius_m || to_target_m > (robot.position_m - there_m).norm())

@@ -1,4 +1,4 @@
-// Ways around robots, ball and areas: where to steer for now on the way to somewhere.
+// Paths around robots, ball and areas: the point to steer for on the way to a target.
 #pragma once
 
 #include "soccer/field.hpp"
@@ -6,22 +6,22 @@
 
 namespace autoref::strategies {
 
-// What a robot of the team drives around, moved on to where it will be met.
+// The obstacles for a robot of the team; moving ones are extrapolated.
 struct Surroundings {
   const TrackedRobots& own;
   const TrackedRobots& opponents;
   double ball_room_m =
-      0;  // from the ball's centre to the robot's hull; 0: the ball is no hindrance
+      0;  // from the ball's centre to the robot's hull; 0: the ball is not an obstacle
   Vec2 ball_m{0, 0};
 };
 
-// Fills `obstacles` with what is near enough to matter to `robot` on its way to `target_m`.
+// Fills `obstacles` with everything close enough to `robot` or its path to `target_m` to matter.
 void find_obstacles(const Surroundings& all, const TrackedRobot& robot, const Vec2& target_m,
                     Obstacles& obstacles);
 
-// The point to steer for: the target where the straight way is free; else the better of the two
-// points beside the first obstacle, by the length of the detour, what stands in its way, and how
-// the robot already moves.
+// The point to steer for: the target if the straight path is free; otherwise the better of the two
+// points beside the first obstacle, judged by the length of the detour, the obstacles on it, and
+// the robot's current velocity.
 Vec2 steer_for(const TrackedRobot& robot, const Vec2& target_m, const Obstacles& obstacles);
 
 }  // namespace autoref::strategies

@@ -10,13 +10,13 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kKickError_rad = 0.03;  // 1.5 degrees of the kicker, and the heading's own
-constexpr double kReaction_s = 0.08;     // from a kick until a robot moves
-constexpr double kReach_mps2 = 3.0;      // how it speeds up then
+constexpr double kKickError_rad = 0.03;  // 1.5 degrees from the kicker, plus the heading's error
+constexpr double kReaction_s = 0.08;     // delay before a robot reacts to a kick
+constexpr double kReach_mps2 = 3.0;      // its acceleration then
 constexpr double kLongestReach_m = 0.5;
 constexpr double kBlock_m = kRobotRadius_m + kBallRadius_m;
-constexpr double kNarrowest_m = 20_mm;  // before the ball a robot so near covers everything
-constexpr double kSafe_m = 150_mm;      // a lane with so much room to spare is safe
+constexpr double kNarrowest_m = 20_mm;  // closer obstacles are ignored
+constexpr double kSafe_m = 150_mm;      // a lane with this much spare room is safe
 
 double reach_m(double time_s) {
   const double t = std::max(0.0, time_s - kReaction_s);
@@ -30,7 +30,8 @@ struct Span {
 };
 using Spans = boost::container::static_vector<Span, 2 * kMaxRobots>;
 
-// The shadow of a robot on the goal line, for a ball from `from_m`; `grown_m` is what it can move.
+// Adds the robot's shadow on the goal line, for a ball from `from_m`. `grown_m` is how far it can
+// move.
 void add_shadow(double goal_x, const Vec2& from_m, const Vec2& robot_m, double grown_m,
                 Spans& shadows) {
   const double to_robot_m = robot_m.x() - from_m.x();
@@ -56,7 +57,8 @@ Span widest_gap(Spans& shadows, double low_m, double high_m) {
   return best;
 }
 
-// Share of a bell curve within `z` standard deviations of its middle, to a few hundredths.
+// Approximate probability that a normal variable is within `z` standard deviations, to a few
+// hundredths.
 double share_within(double z) { return z / std::sqrt(z * z + 1.1); }
 
 }  // namespace
@@ -78,7 +80,7 @@ Opening widest_opening(const Field& field, const Vec2& from_m, const TrackedRobo
   const Vec2 target_m(goal_x, (gap.low_m + gap.high_m) / 2);
   const Vec2 direction = target_m - from_m;
   const double distance_m = direction.norm();
-  // Seen at an angle, and the ball's own width does not shrink with it.
+  // The gap is seen at an angle, but the ball's own width is not foreshortened.
   const double sine = direction.x() / distance_m;
   const double half_m =
       std::max(0.0, (gap.high_m - gap.low_m) / 2 * sine - kBallRadius_m * (1 - sine));

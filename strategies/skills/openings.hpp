@@ -1,4 +1,4 @@
-// How open a goal is, and how safe a pass: what a kick can be expected to come to.
+// Estimates how open the goal is for a shot, and how safe a pass is.
 #pragma once
 
 #include "soccer/field.hpp"
@@ -6,25 +6,25 @@
 
 namespace autoref::strategies {
 
-// The widest free part of the opponents' goal mouth, seen from a point.
+// The widest free part of the opponents' goal, seen from a point.
 struct Opening {
-  Vec2 target_m{0, 0};  // its middle
+  Vec2 target_m{0, 0};  // its centre
   double half_width_m = 0;
-  double chance = 0;  // that a shot at it scores, 0 to 1
+  double chance = 0;  // probability that a shot at it scores
 };
 
-// What the shot is taken with, and who is left out of the blockers.
+// The kick speed, and the robot that does not count as a blocker.
 struct ShotTerms {
   double kick_mps = 8.0;
   int but_mate = -1;  // number of the own robot that shoots
 };
 
-// Opponents cover what they can step into while the ball comes, own robots what they stand in.
+// Opponents cover what they can reach while the ball is moving, own robots only where they stand.
 Opening widest_opening(const Field& field, const Vec2& from_m, const TrackedRobots& opponents,
                        const TrackedRobots& own, const ShotTerms& terms);
 
-// How safely a ball kicked along the ground gets from one point to the other, 0 to 1: whether an
-// opponent is on its way or can get there in time.
+// How safely a ball kicked along the ground gets from one point to the other, 0 to 1, given the
+// opponents in its path and those that can reach it in time.
 double pass_safety(const Vec2& from_m, const Vec2& to_m, double kick_mps,
                    const TrackedRobots& opponents);
 

@@ -6,14 +6,15 @@
 namespace autoref::strategies {
 namespace {
 
-// From the robot's centre to the ball's centre when the ball touches the plate.
+// Distance from the robot's centre to the ball's centre when the ball touches the front plate.
 constexpr double kPlayTouch_m = kFrontDistance_m + kBallRadius_m;
-constexpr double kPlayRunUp_m = 60_mm;     // free way in front of the plate before the run through
-constexpr double kPlayBeside_m = 170_mm;   // distance from the ball while going round it
-constexpr double kPlayLane_m = 35_mm;      // run through the ball when this well behind it
-constexpr double kFastBall_mps = 1.2_mps;  // a slower ball is played as it rolls
-constexpr double kReachAside_m = 600_mm;   // from its way to a robot that can still step in
-constexpr double kThrough_mps = 1.0_mps;   // faster than the ball by this on the run
+constexpr double kPlayRunUp_m = 60_mm;     // gap in front of the plate before the final run
+constexpr double kPlayBeside_m = 170_mm;   // distance from the ball while driving around it
+constexpr double kPlayLane_m = 35_mm;      // lateral error allowed for the run through the ball
+constexpr double kFastBall_mps = 1.2_mps;  // slower balls are played without being stopped
+constexpr double kReachAside_m =
+    600_mm;  // distance from its path at which a robot can still intercept
+constexpr double kThrough_mps = 1.0_mps;  // speed above the ball's during the run
 
 }  // namespace
 
@@ -22,12 +23,12 @@ RobotCommand play_ball(const TrackedRobot& robot, const TrackedBall& ball,
                        const DrivingStyle& style) {
   const Vec2 aim = direction_of(intent.target_m - interception_m, robot.heading);
   const Vec2 to_ball = interception_m - robot.position_m;
-  const double behind_m = to_ball.dot(aim);     // positive: the ball lies ahead
-  const double beside_m = cross(aim, to_ball);  // positive: the ball lies to the left of the lane
+  const double behind_m = to_ball.dot(aim);     // positive: the ball is ahead
+  const double beside_m = cross(aim, to_ball);  // positive: the ball is left of the lane
   const Vec2 run_up_m = interception_m - aim * (kPlayTouch_m + kPlayRunUp_m);
 
   if (behind_m < kPlayTouch_m * 0.6) {
-    // In front of or level with the ball: go round it, on the side the robot is on.
+    // In front of the ball or level with it: drive around it on the nearer side.
     const double side = beside_m > 0 ? -1.0 : 1.0;
     const Vec2 round_m =
         interception_m - aim * kPlayTouch_m + left_of(aim) * (side * kPlayBeside_m);
@@ -63,7 +64,7 @@ RobotCommand receive_ball(const TrackedRobot& robot, const TrackedBall& ball,
                           const Vec2& interception_m, const Obstacles& obstacles,
                           const DrivingStyle& style) {
   const Vec2 direction = direction_of(ball.velocity_mps, -robot.heading);
-  // Not beyond where the robot is: it would run away from the ball.
+  // Not beyond the robot's own position: it would drive away from the ball.
   const double along_m = std::min((interception_m - ball.position_m).dot(direction),
                                   (robot.position_m - ball.position_m).dot(direction));
   const Vec2 stand_m = ball.position_m + direction * std::max(along_m, kPlayTouch_m);

@@ -1,4 +1,4 @@
-// Getting at the ball: behind it first, then through it, and a kick once it goes where it should.
+// Playing the ball: get behind it, run through it, and kick when the aim is right.
 #pragma once
 
 #include "soccer/field.hpp"
@@ -7,25 +7,25 @@
 
 namespace autoref::strategies {
 
-// Where the ball is to go, and how.
+// The target of a kick, and how to kick.
 struct Intent {
   Vec2 target_m{0, 0};
   double kick_mps = 6.5;
-  double tolerance_rad = 0.12;  // kick once the heading is this near to the target
-  double hasty_mps = 0;         // a softer kick, in a duel, within the wider tolerance; 0: none
+  double tolerance_rad = 0.12;  // largest heading error for a kick
+  double hasty_mps = 0;         // speed of a softer kick with a wider tolerance, in a duel; 0: none
   double hasty_tolerance_rad = 0.7;
 };
 
-// Commands for `robot` to meet the ball and send it to the intent's target. `interception_m` is
-// where it can meet the ball. `obstacles` are robots only; the ball is kept clear of here.
+// Commands for `robot` to reach the ball and kick it to the intent's target. `interception_m` is
+// where it can meet the ball. `obstacles` contains robots only; the ball is avoided here.
 RobotCommand play_ball(const TrackedRobot& robot, const TrackedBall& ball,
                        const Vec2& interception_m, const Intent& intent, const Obstacles& obstacles,
                        const DrivingStyle& style);
 
-// Whether the ball comes at `robot` so fast that it should be stopped before it is played.
+// Whether the ball comes towards `robot` so fast that it should be stopped first.
 bool comes_at(const TrackedRobot& robot, const TrackedBall& ball);
 
-// Commands for `robot` to stand on the ball's way, at `interception_m`, and take it with the
+// Commands for `robot` to stand in the ball's path at `interception_m` and stop it with the
 // dribbler.
 RobotCommand receive_ball(const TrackedRobot& robot, const TrackedBall& ball,
                           const Vec2& interception_m, const Obstacles& obstacles,

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kBallSlowing_mps2 = 0.5;
 constexpr double kLongestWait_s = 2.0;
-constexpr int kTimeSteps = 20;  // up to then
+constexpr int kTimeSteps = 20;  // up to kLongestWait_s
 constexpr double kCruise_mps = 2.2;
 constexpr double kPredictedStill_mps = 0.1;
 constexpr double kStartUp_s = 0.25;
@@ -16,7 +16,7 @@ constexpr double kStartUp_s = 0.25;
 void move_on(TrackedRobots& robots, double ahead_s) {
   for (TrackedRobot& robot : robots) {
     robot.position_m += robot.velocity_mps * ahead_s;
-    // A small turn: the sine is the angle, and the length stays one to second order.
+    // Small-angle approximation: the vector keeps its length to second order.
     robot.heading = direction_of(
         robot.heading + left_of(robot.heading) * (robot.angular_velocity_radps * ahead_s),
         robot.heading);

@@ -1,27 +1,27 @@
-// Where things will be: what a team plans with instead of the delayed frame.
+// Simple prediction of robots and ball, to compensate for the view's latency.
 #pragma once
 
 #include "soccer/team_view.hpp"
 
 namespace autoref::strategies {
 
-// The ball's position `ahead_s` from now, rolling on straight and slowing down evenly; a mean
-// between the carpet's sliding and rolling deceleration.
+// The ball's position `ahead_s` from now, at a constant deceleration between the carpet's sliding
+// and rolling values.
 Vec2 ball_after(const TrackedBall& ball, double ahead_s);
 
-// `view` as it will be when commands given now take effect: all moved on by its latency.
+// `view` extrapolated by its latency, to when commands given now take effect.
 void look_ahead(const TeamView& view, TeamView& ahead);
 
-// Seconds a robot needs to a point, from rest to rest at team speeds; a rough estimate.
+// Rough estimate of the time in seconds that a robot needs to reach a point, from rest to rest at
+// team speeds.
 double travel_time_s(const TrackedRobot& robot, const Vec2& point_m);
 
 struct Interception {
   Vec2 point_m{0, 0};
-  double time_s = 0;  // until the robot is there
+  double time_s = 0;  // until the robot arrives
 };
 
-// Where `robot` can first meet the rolling ball; where it cannot catch up, the ball's position in 2
-// s.
+// Where `robot` can first meet the rolling ball; if it cannot catch up, the ball's position in 2 s.
 Interception intercept(const TrackedRobot& robot, const TrackedBall& ball);
 
 }  // namespace autoref::strategies

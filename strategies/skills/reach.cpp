@@ -8,14 +8,15 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kUsableBraking = 0.75;  // of what the robot can; the wheels take their share
+constexpr double kUsableBraking = 0.75;  // of the robot's braking; the wheels limit it further
 constexpr double kReachTouch_m = kFrontDistance_m + kBallRadius_m;
-constexpr double kBeyond_m = 100_mm;  // outside the field where a robot may still save a ball
+constexpr double kBeyond_m = 100_mm;  // outside the field, where a robot may still save a ball
 
-// Seconds for `distance_m` on a line from the speed `along_mps` to rest.
+// Time in seconds for `distance_m` along a line, from the speed `along_mps` to rest: a trapezoidal
+// velocity profile.
 double line_time_s(double distance_m, double along_mps, const Abilities& a) {
   const double brake_mps2 = kUsableBraking * a.braking_mps2;
-  if (along_mps < 0) {  // first stops, then has farther to go
+  if (along_mps < 0) {  // it must stop first and then drive farther
     const double stop_s = -along_mps / brake_mps2;
     return stop_s + line_time_s(distance_m - along_mps * stop_s / 2, 0, a);
   }
@@ -43,7 +44,7 @@ double time_to_s(const TrackedRobot& robot, const Vec2& point_m, const Abilities
   const Vec2 direction = offset / distance_m;
   const double along_mps = robot.velocity_mps.dot(direction);
   const double aside_mps = std::abs(cross(direction, robot.velocity_mps));
-  // Sideways motion is braked on the way; it costs about half of what it takes alone.
+  // Lateral velocity is braked on the way, at about half of its separate cost.
   return line_time_s(distance_m, along_mps, abilities) + 0.5 * aside_mps / abilities.braking_mps2;
 }
 
@@ -63,7 +64,7 @@ BallInterception intercept(const TrackedRobot& robot, const BallPath& path,
     if (path.speed_mps() <= 0) return {ball_m, needed_s};
     const double late_s = needed_s - ball_s;
     if (late_s <= 0 && step == 0) return {ball_m, 0};
-    if (late_s <= 0) {  // between this step and the one before
+    if (late_s <= 0) {  // interpolate between this step and the previous one
       const double share = last_late_s / (last_late_s - late_s);
       return {last.point_m + share * (ball_m - last.point_m),
               ball_s - (1 - share) * stride * BallPath::kStep_s};

@@ -1,4 +1,4 @@
-// How soon robots get where: times to points and to the moving ball.
+// Estimated times for robots to reach points and the moving ball.
 #pragma once
 
 #include "soccer/tracks.hpp"
@@ -7,17 +7,17 @@
 
 namespace autoref::strategies {
 
-// Seconds until `robot` can stand at `point_m`: speeds up, travels, brakes; from its present
-// velocity along the straight way.
+// Time in seconds until `robot` can stand at `point_m`: accelerate, cruise and brake along the
+// straight path, starting from its current velocity.
 double time_to_s(const TrackedRobot& robot, const Vec2& point_m, const Abilities& abilities);
 
-// Where and when a robot can first have the ball.
+// Where and when a robot can first reach the ball.
 struct BallInterception {
   Vec2 point_m{0, 0};
-  double time_s = 0;  // from now until robot and ball are there
+  double time_s = 0;  // from now until both are there
 };
 
-// The first point of the ball's way that `robot` reaches no later than the ball; where it cannot
+// The first point of the ball's path that `robot` reaches no later than the ball; if it cannot
 // catch up, the end of the path. Points outside the field do not count.
 BallInterception intercept(const TrackedRobot& robot, const BallPath& path,
                            const Abilities& abilities, const Field& field);

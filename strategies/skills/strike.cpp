@@ -10,34 +10,35 @@ namespace autoref::strategies {
 namespace {
 
 constexpr double kStrikeTouch_m = kFrontDistance_m + kBallRadius_m;
-constexpr double kInDribblerZone_m = 18_mm;  // from touching the plate to the ball it still holds
+constexpr double kInDribblerZone_m =
+    18_mm;  // largest gap from the plate to a ball that it still holds
 constexpr double kIncoming_mps = 1.8;
-constexpr double kBesideLine_m = 0.7;  // from the ball's line to a robot that can step onto it
+constexpr double kBesideLine_m = 0.7;  // largest distance from the ball's line to step onto it
 constexpr double kFrame_s = 1.0 / 60;
 
-// The dribbler holds a ball that is turned at up to 10 rad/s in a steady turn (sim/README.md).
+// In a steady turn the dribbler holds the ball up to 10 rad/s (sim/README.md).
 constexpr double kTurnWithBall_radps = 6.0;
 constexpr double kTurnBraking_radps2 = 16.0;
-constexpr double kPress_mps = 0.25;  // forwards, so that the ball stays at the plate
+constexpr double kPress_mps = 0.25;  // forward speed that keeps the ball at the plate
 
-constexpr double kStrikeLane_m = 30_mm;   // the ball is straight ahead when less aside than this
-constexpr double kNear_m = 0.35;          // from here on it moves with the ball
-constexpr double kStrikeRunUp_m = 50_mm;  // between plate and ball before the last run
-constexpr double kExact_m = 30_mm;        // aside of a ball that is taken from a restart
+constexpr double kStrikeLane_m = 30_mm;   // lateral offset up to which the ball is straight ahead
+constexpr double kNear_m = 0.35;          // within this, the robot moves with the ball
+constexpr double kStrikeRunUp_m = 50_mm;  // gap between plate and ball before the final run
+constexpr double kExact_m = 30_mm;        // allowed lateral offset at a restart
 constexpr double kClearOfBall_m = 25_mm;
-constexpr double kCarefulFrom_m = 0.35;  // going round a ball that is to lie still
+constexpr double kCarefulFrom_m = 0.35;  // slow down near a ball that must not be moved
 constexpr double kCareful_mps = 1.2;
-constexpr double kRun_mps = 0.7;  // into the ball
+constexpr double kRun_mps = 0.7;  // speed into the ball
 constexpr double kRunBraking_mps2 = 3.0;
 constexpr double kWideFirstTouch =
-    0.45;  // cosine between the ball's way back and a first-time kick
+    0.45;  // least cosine between kick and direction back along the ball's path
 
 double turn_rate_radps(double error_rad) {
   const double rate = std::sqrt(2 * kTurnBraking_radps2 * std::abs(error_rad));
   return std::copysign(std::min({rate, 12 * std::abs(error_rad), kTurnWithBall_radps}), error_rad);
 }
 
-// Kicks where the heading is, or turns within this frame to be, near enough to the target.
+// Kicks if the heading error, allowing for the turn within this frame, is small enough.
 void kick_if_aligned(const TrackedRobot& robot, const Vec2& aim, const Strike& strike,
                      RobotCommand& command) {
   const double error_rad = std::abs(angle_between(robot.heading, aim));
@@ -56,7 +57,7 @@ RobotCommand turn_and_kick(const TrackedRobot& robot, const Vec2& aim, const Str
   return command;
 }
 
-// Stands on the ball's line; sends the ball on where it comes at a fit angle, else stops it.
+// Stands in the ball's path; kicks it first-time if the angle allows, otherwise stops it.
 RobotCommand intercept_pass(const TrackedRobot& robot, const BallPath& path,
                             const BallInterception& interception, const Strike& strike,
                             const Vec2& aim, const Obstacles& obstacles,
@@ -65,7 +66,7 @@ RobotCommand intercept_pass(const TrackedRobot& robot, const BallPath& path,
   const bool sends_on = strike.first_touch && aim.dot(back) > kWideFirstTouch;
   const Vec2 heading = sends_on ? aim : back;
   const Vec2 front_m = robot.position_m + heading * kStrikeTouch_m;
-  // Where it stands if that is on the line already, else where it can be in time.
+  // Stay if already on the line, otherwise go to the earliest interception.
   const double to_front_m = (front_m - path.now_m()).dot(path.direction());
   const double to_interception_m = (interception.point_m - path.now_m()).dot(path.direction());
   const double aside_m = std::abs(cross(path.direction(), front_m - path.now_m()));
@@ -88,13 +89,13 @@ RobotCommand fetch(const TrackedRobot& robot, const BallPath& path,
   const Vec2 straight = direction_of(to_ball, aim);
   const double bend_rad =
       std::clamp(angle_between(straight, aim), -strike.bend_rad, strike.bend_rad);
-  Vec2 from = to_world(heading_of(bend_rad), straight);  // the way through the ball
+  Vec2 from = to_world(heading_of(bend_rad), straight);  // direction through the ball
   const double outwards = from.dot(strike.keep_off);
   if (outwards > 0) from = direction_of(from - strike.keep_off * outwards, aim);
   const double ahead_m = to_ball.dot(from) - kStrikeTouch_m;
   const double aside_m = cross(from, to_ball);
   RobotCommand command;
-  if (is_near) {  // with the ball's motion, and into it once it lies straight ahead
+  if (is_near) {  // move with the ball, and into it once it is straight ahead
     const bool in_lane = std::abs(aside_m) < kStrikeLane_m + 0.25 * std::max(0.0, ahead_m);
     const double left_m = ahead_m - (in_lane ? 0.0 : kStrikeRunUp_m);
     const double run_mps = in_lane
@@ -124,7 +125,7 @@ RobotCommand take_kick(const TrackedRobot& robot, const Vec2& ball_m, const Stri
   if (is_behind && std::abs(aside_m) < kExact_m + 0.3 * std::max(0.0, ahead_m - kStrikeRunUp_m)) {
     const bool is_aligned = std::abs(angle_between(robot.heading, aim)) < strike.tolerance_rad &&
                             std::abs(aside_m) < kExact_m;
-    // Up to the ball, and into it once the kick will go where it should.
+    // Up to the ball, and into it once the robot is aligned.
     const double left_m = ahead_m - (is_aligned ? 0.0 : kClearOfBall_m);
     const double run_mps = (is_aligned ? kRun_mps : 0.0) + style.approach_per_s * left_m;
     RobotCommand command = drive_with(

@@ -1,4 +1,4 @@
-// Getting the ball and sending it on: fetching it, taking a pass, turning with it, kicking.
+// Getting the ball and kicking it: fetch it, receive a pass, turn with it, kick.
 #pragma once
 
 #include "soccer/tracks.hpp"
@@ -8,37 +8,37 @@
 
 namespace autoref::strategies {
 
-// Where the ball is to go, and how.
+// The target of a kick, and how to kick.
 struct Strike {
   Vec2 target_m{0, 0};
   double kick_mps = 6;
   bool chip = false;
-  double tolerance_rad = 0.06;  // kick once the heading is this near to the target
-  bool first_touch = true;      // a ball that comes may be sent on without stopping it
-  Vec2 keep_off{0, 0};    // unit vector out of the field where the ball lies near a line, else zero
-  double bend_rad = 1.0;  // how far from the straight way to the ball the robot swings out, at most
+  double tolerance_rad = 0.06;  // largest heading error for a kick
+  bool first_touch = true;      // an incoming ball may be kicked without stopping it
+  Vec2 keep_off{0, 0};    // unit vector out of the field if the ball is near a line, else zero
+  double bend_rad = 1.0;  // largest deviation from the straight path to the ball
 };
 
-// Whether the ball lies in the robot's mouth, to a few millimetres.
+// Whether the ball is in the robot's dribbler zone, to a few millimetres.
 bool has_ball(const TrackedRobot& robot, const Vec2& ball_m);
 
-// Whether the ball comes along at more than a walking speed and `robot` stands before it.
+// Whether the ball comes at more than 1.8 m/s and `robot` is in its path or close beside it.
 bool comes_towards(const TrackedRobot& robot, const BallPath& path);
 
-// Commands for `robot` to get the ball where it meets it and to strike it. With the ball it turns,
-// held by the dribbler, and kicks; a ball that comes is met on its line; any other is fetched from
-// a side that needs little turning. `obstacles` are robots only.
+// Commands for `robot` to get the ball at the interception and kick it. With the ball, it turns
+// using the dribbler and kicks; an incoming ball is met on its path; any other is fetched from a
+// side that needs little turning. `obstacles` contains robots only.
 RobotCommand strike_ball(const TrackedRobot& robot, const BallPath& path,
                          const BallInterception& interception, const Strike& strike,
                          const Obstacles& obstacles, const DrivingStyle& style);
 
-// Commands for `robot` to kick a ball that lies still, in one touch: it goes behind the ball, lines
-// up and runs into it. Before that it keeps clear of the ball.
+// Commands for `robot` to kick a ball at rest with one touch: it drives behind the ball, aligns and
+// runs into it. Until then it keeps clear of the ball.
 RobotCommand take_kick(const TrackedRobot& robot, const Vec2& ball_m, const Strike& strike,
                        const Obstacles& obstacles, const DrivingStyle& style);
 
-// Commands for a robot that has the ball to take it along with `velocity_mps` (in the view's
-// frame), so that the dribbler can follow, while it turns to `heading`.
+// Commands for a robot with the ball to dribble it with `velocity_mps` (in the view's frame),
+// slowly enough for the dribbler, while turning to `heading`.
 RobotCommand carry_ball(const TrackedRobot& robot, const Vec2& velocity_mps, const Vec2& heading);
 
 }  // namespace autoref::strategies

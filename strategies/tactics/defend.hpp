@@ -1,19 +1,18 @@
-// Where defenders stand: the wall before the own area, and beside opponents.
+// Positions of defenders: the wall in front of the own area, and markers.
 #pragma once
 
 #include "strategies/tactics/predicted_state.hpp"
 
 namespace autoref::strategies {
 
-// The place of the robot number `order` of `count` in the wall: side by side across the ball's way
-// to the goal, just outside the own area.
+// Position of the wall's robot number `order` of `count`: side by side across the ball's path to
+// the goal, just outside the own area.
 Waypoint wall_position(const PredictedState& predicted, int order, int count);
 
-// Between an opponent (index in the view) and the own goal, on the ball's side of it.
+// Between an opponent (index in the view) and the own goal, shifted towards the ball.
 Waypoint mark_position(const PredictedState& predicted, int opponent);
 
-// Opponents by how dangerous they are without the ball, the most dangerous first; those in the
-// other half behind the ball are left out.
+// Opponents without the ball, the most dangerous first. Those far in the other half are left out.
 boost::container::static_vector<int, kMaxRobots> dangerous_opponents(
     const PredictedState& predicted);
 

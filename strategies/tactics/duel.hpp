@@ -1,4 +1,4 @@
-// Fighting for a ball that an opponent has, too.
+// Fighting for a ball that an opponent also has.
 #pragma once
 
 #include "soccer/random.hpp"
@@ -6,15 +6,15 @@
 
 namespace autoref::strategies {
 
-// Whether the opponent that is first at the ball has it in its mouth.
+// Whether the opponent that reaches the ball first has it in its dribbler zone.
 bool opponent_has_ball(const PredictedState& predicted);
 
-// Commands for the robot of that index to get between the ball that an opponent has and the own
-// goal, front to the ball, and to press against it there.
+// Commands for the robot with that index to get between an opponent's ball and the own goal, facing
+// the ball, and to press against it.
 RobotCommand block_ball(const PredictedState& predicted, int index);
 
-// A face-off: the ball is held from both sides. To one side with it, by chance, and after a while
-// to the other or the same again.
+// A face-off: robots of both sides hold the ball. Pulls it to a random side, and chooses a side
+// again after a while.
 class FaceOff {
  public:
   explicit FaceOff(const PredictedState& predicted)

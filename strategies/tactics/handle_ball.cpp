@@ -8,7 +8,8 @@
 namespace autoref::strategies {
 namespace {
 
-// Out of the field where a push that way would bring the ball over the line, else zero.
+// Unit vector out of the field if the ball is so close to a line that a push could move it out,
+// else zero.
 Vec2 out_of_field(const Field& field, const Vec2& ball_m, double near_line_m) {
   if (std::abs(ball_m.y()) > field.half_width_m() - near_line_m)
     return {0, std::copysign(1.0, ball_m.y())};
@@ -22,7 +23,7 @@ Vec2 out_of_field(const Field& field, const Vec2& ball_m, double near_line_m) {
 BallHandler::BallHandler(const PredictedState& predicted)
     : predicted_(predicted), face_off_(predicted) {}
 
-// One mate's place is valued anew in each frame.
+// Only one team-mate's chance is updated per frame.
 void BallHandler::update() {
   const TeamView& now = predicted_.now();
   if (now.own.empty()) return;
@@ -34,7 +35,7 @@ void BallHandler::update() {
   if (now.play != Play::kRunning && !is_restart(now.play)) receiver_.reset();
 }
 
-// An open goal is shot at; else the best of what can be done, with less turning under pressure.
+// A clear shot is taken; otherwise the best option, with less turning under pressure.
 Choice BallHandler::choose(int index, const Vec2& from_m) const {
   const TrackedRobot& robot = predicted_.robot(index);
   const double pressure = pressure_at(predicted_, from_m);
@@ -131,7 +132,7 @@ RobotCommand BallHandler::strike(int index) const {
   const BallPath& path = predicted_.path();
   const BallInterception& interception = predicted_.interception(index);
   Obstacles obstacles;
-  // Close to the ball it fights for it instead of going round whoever is there as well.
+  // Close to the ball, the robot fights for it instead of driving around others.
   if ((interception.point_m - robot.position_m).norm() > predicted_.style().fight_m)
     robots_around(predicted_, index, interception.point_m, obstacles);
   const DrivingStyle style = predicted_.driving(index);
@@ -143,7 +144,7 @@ RobotCommand BallHandler::strike(int index) const {
   return strike_ball(robot, path, interception, now, obstacles, style);
 }
 
-// Whether the ball has been taken nearly as far as dribbling is allowed.
+// Whether the ball has been dribbled nearly as far as allowed.
 bool BallHandler::must_release() const {
   if (!predicted_.rules().has(RuleId::kBotDribbledBallTooFar)) return false;
   const double path_m = (predicted_.path().now_m() - taken_from_m_).norm();

@@ -1,4 +1,4 @@
-// What the robot at the ball does with it: shoot, pass, carry it on, clear it, or fight for it.
+// Decisions of the robot at the ball: shoot, pass, carry, clear, or fight for the ball.
 #pragma once
 
 #include <array>
@@ -10,18 +10,18 @@
 
 namespace autoref::strategies {
 
-// The robot at the ball. Remembers what it is about to do, and for whom a pass on its way is.
+// The robot at the ball. Remembers its last choice, and the receiver of a pass under way.
 class BallHandler {
  public:
   explicit BallHandler(const PredictedState& predicted);
 
-  // Keeps the memory up to date; for every view, before play().
+  // Updates the memory. Call it for every view, before play().
   void update();
 
-  // Commands for the robot of that index to go for the ball and make the best of it.
+  // Commands for the robot with that index to go for the ball and use it.
   RobotCommand play(int index);
 
-  // For whom the pass under way is, by number.
+  // Number of the robot that is to receive the pass under way.
   std::optional<int> receiver() const { return receiver_; }
   const Choice& choice() const { return choice_; }
 
@@ -35,11 +35,11 @@ class BallHandler {
   const PredictedState& predicted_;
   FaceOff face_off_;
   Choice choice_;
-  int holder_ = -1;          // number of the robot that has the ball; -1: nobody
-  Vec2 taken_from_m_{0, 0};  // where it got it
+  int holder_ = -1;          // number of the robot that has the ball; -1: none
+  Vec2 taken_from_m_{0, 0};  // where it gained the ball
   std::optional<int> receiver_;
   double receiver_until_s_ = 0;
-  std::array<double, kMaxRobots> chances_{};  // of a mate's shot from where it is, by number
+  std::array<double, kMaxRobots> chances_{};  // of each mate's shot from its position, by number
 };
 
 }  // namespace autoref::strategies

@@ -15,8 +15,8 @@ Vec2 on_goal_line(const Field& field, const Vec2& from_m, const Vec2& direction)
   return {-field.half_length_m(), from_m.y() + share * direction.y()};
 }
 
-// Where the keeper expects a shot to cross its line: in the middle of the angle, and nearer to
-// where an opponent with the ball faces, if that is the goal.
+// Where the keeper expects a shot to cross its line: in the middle of the open angle, shifted
+// towards the aim of an opponent with the ball if that is at the goal.
 Vec2 expected_at(const PredictedState& predicted, const Vec2& halving) {
   const Field& field = predicted.field();
   Vec2 middle_m = on_goal_line(field, predicted.position_m(), halving);
@@ -30,7 +30,7 @@ Vec2 expected_at(const PredictedState& predicted, const Vec2& halving) {
   return middle_m + (aim_m - middle_m) * predicted.style().keeper_aim_trust;
 }
 
-// Where the ball will cross the own goal line, if it comes to be in the goal or near it.
+// Where the ball will cross the own goal line, if it is going to reach it in the goal or near it.
 std::optional<Vec2> shot_at(const PredictedState& predicted) {
   const BallPath& path = predicted.path();
   const double goal_x = -predicted.field().half_length_m();
@@ -41,7 +41,7 @@ std::optional<Vec2> shot_at(const PredictedState& predicted) {
   const double y = path.now_m().y() + share * path.direction().y();
   if (std::abs(y) > predicted.field().half_goal_m() + predicted.style().keeper_beside_post_m)
     return std::nullopt;
-  if (path.end_m().x() > goal_x + 0.3) return std::nullopt;  // it will not get there
+  if (path.end_m().x() > goal_x + 0.3) return std::nullopt;  // it stops before
   return Vec2(goal_x, y);
 }
 
@@ -52,7 +52,7 @@ Waypoint keeper_position(const PredictedState& predicted, const TrackedRobot& ke
   const double least_x =
       -field.half_length_m() + kRobotRadius_m + predicted.style().keeper_off_line_m;
   if (const auto crossing_m = shot_at(predicted)) {
-    // The nearest point of the ball's way, but before the line and not beyond the ball.
+    // The nearest point of the ball's path, but in front of the line and not behind the ball.
     Vec2 position_m = nearest_on_segment(keeper.position_m, *crossing_m, predicted.path().now_m());
     if (position_m.x() < least_x) {
       const Vec2 direction = predicted.path().direction();
@@ -69,7 +69,7 @@ Waypoint keeper_position(const PredictedState& predicted, const TrackedRobot& ke
   const double out_m = predicted.style().keeper_out_m;
   const double stand_x = -field.half_length_m() +
                          std::max(out_m, kRobotRadius_m + predicted.style().keeper_off_line_m);
-  if (halving.x() > -0.25) {  // from beside the goal: the near post
+  if (halving.x() > -0.25) {  // the ball is beside the goal: cover the near post
     const double y = std::copysign(field.half_goal_m() - kRobotRadius_m, ball_m.y());
     return facing_ball(predicted, {least_x, y});
   }

@@ -30,7 +30,7 @@ Choice pass_for(const PredictedState& predicted, int mate, Choice::Kind kind) {
   return pass;
 }
 
-// What a pass that safe is worth; `share` of the chance is left once it has come.
+// Value of a pass with that safety; `share` is the fraction of the chance that remains after it.
 double worth_of_pass(const PredictedState& predicted, const Choice& pass, double chance,
                      const Vec2& from_m, double safety, double share) {
   const Style& style = predicted.style();
@@ -42,7 +42,7 @@ double worth_of_pass(const PredictedState& predicted, const Choice& pass, double
   return share * safety * there + safety * liked - (1 - safety) * lost;
 }
 
-// As pass_safety, for a ball that flies over whoever is well between kick and landing.
+// Like pass_safety, for a ball that flies over robots well between kick and landing.
 double chip_safety(const PredictedState& predicted, const Vec2& from_m, const Vec2& landing_m,
                    const Vec2& to_m) {
   const Vec2 direction = direction_of(landing_m - from_m, Vec2(1, 0));

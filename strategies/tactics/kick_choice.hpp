@@ -1,4 +1,4 @@
-// What can be done with a ball: the options of who has it, each with what it is worth.
+// The options of the robot with the ball, each with its value.
 #pragma once
 
 #include <cstdint>
@@ -8,32 +8,32 @@
 
 namespace autoref::strategies {
 
-// An option. Worths compare options of one moment: about the chance, 0 to 1, that a goal comes of
-// it, less what is lost where it fails.
+// An option. Values compare options at one moment: roughly the chance, 0 to 1, of a goal, minus the
+// expected loss if the option fails.
 struct Choice {
   enum class Kind : std::uint8_t { kShot, kPass, kChip, kCarry, kClear };
   Kind kind = Kind::kClear;
   Strike strike;
   double worth = -1;
-  int receiver = -1;  // number of the robot a pass is for
+  int receiver = -1;  // number of the robot that a pass is for
 };
 
-// A shot at the widest opening of the goal, by the robot of that number.
+// A shot at the widest opening of the goal, by the robot with that number.
 Choice shot_from(const PredictedState& predicted, int number, const Vec2& from_m);
 
-// A pass along the ground, or chipped over who stands between, to the mate of that index; `chance`
-// is that of a shot from where the mate is. Worth -1 where it is too near, too far for a chip, or
-// in an area where field players may not touch the ball.
+// A pass along the ground, or chipped over robots in between, to the team-mate with that index.
+// `chance` is the chance of a shot from the mate's position. The value is -1 if the mate is too
+// near, too far for a chip, or in an area where field players must not touch the ball.
 Choice pass_to(const PredictedState& predicted, int mate, double chance, const Vec2& from_m);
 Choice chip_to(const PredictedState& predicted, int mate, double chance, const Vec2& from_m);
 
-// Keeping the ball at the foot.
+// Carrying the ball.
 Choice carry_from(const PredictedState& predicted, const Vec2& from_m);
 
-// A push to where there is most room without turning far from `heading`; never back.
+// A kick to where there is most room without turning far from `heading`; never backwards.
 Choice clear_from(const PredictedState& predicted, const Vec2& from_m, const Vec2& heading);
 
-// How little time there is, 0 to 1: how near an opponent is to a ball at that place.
+// Pressure on a ball at that position, 0 to 1: how near an opponent is.
 double pressure_at(const PredictedState& predicted, const Vec2& ball_m);
 
 }  // namespace autoref::strategies

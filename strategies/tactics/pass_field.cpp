@@ -9,7 +9,7 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr int kPerFrame = 4;  // cells valued in a frame
+constexpr int kPerFrame = 4;  // cells updated per frame
 
 }  // namespace
 
@@ -70,7 +70,7 @@ double PassField::value_for(
     int index, int cell, const boost::container::static_vector<Vec2, kMaxRobots>& taken_m) const {
   const Vec2& cell_m = cells_m_[static_cast<std::size_t>(cell)];
   const TrackedRobot& robot = predicted_.robot(index);
-  // While play is stopped, everybody waits for who has the longest way.
+  // While play is stopped, everybody waits for the robot with the longest path.
   const double far_per_m = predicted_.is_waiting() ? predicted_.style().far_cost_in_stop_per_m
                                                    : predicted_.style().far_cost_per_m;
   double value =
@@ -89,7 +89,8 @@ double PassField::value_for(
 
 void PassField::send(const boost::container::static_vector<int, kMaxRobots>& receivers) {
   const bool was_sent = settle_frame_ >= 0;
-  if (is_restart(predicted_.now().play) && was_sent) return;  // nobody runs before the ball does
+  if (is_restart(predicted_.now().play) && was_sent)
+    return;  // nobody runs before the ball is in play
   const auto held_frames = std::llround(predicted_.style().receiver_hold_frames);
   if (predicted_.now().frame - settle_frame_ < held_frames) return;
   settle_frame_ = predicted_.now().frame;

@@ -1,4 +1,5 @@
-// A field of pass values: what a ball would be worth at places ahead, and whether it gets there.
+// A grid of pass values: the value of having the ball at each position, and whether a pass reaches
+// it.
 #pragma once
 
 #include <array>
@@ -11,8 +12,8 @@ namespace autoref::strategies {
 // would take it, or -1.
 double chance_at(const PredictedState& predicted, const Vec2& point_m, int mate);
 
-// What a ball passed from `from_m` to `point_m` is worth there, 0 to 1, with that chance of a shot:
-// most where it can be sent on at the goal without stopping it first, a little for being far ahead.
+// Value, 0 to 1, of a ball passed from `from_m` to `point_m`, given the chance of a shot from
+// there: largest if a first-time shot is possible, with a small bonus for being far ahead.
 double worth_of(const PredictedState& predicted, double chance, const Vec2& point_m,
                 const Vec2& from_m);
 
@@ -24,14 +25,14 @@ class PassField {
 
   explicit PassField(const PredictedState& predicted);
 
-  // Values the next few cells, so that all are valued anew every few frames.
+  // Updates the next few cells, so that every cell is updated once in a few frames.
   void update();
 
-  // A place for each of the receivers, given by their indices, one after the other: the best cell
-  // that is near enough to the robot and far enough from the others' places. Held for a while.
+  // Chooses a position for each receiver (given by index), one after the other: the best cell that
+  // is near the robot and far from the other positions. Kept for a while.
   void send(const boost::container::static_vector<int, kMaxRobots>& receivers);
 
-  // The place last given to the robot of that number.
+  // The position last assigned to the robot with that number.
   const Vec2& position_of(int number) const {
     return positions_m_[static_cast<std::size_t>(number)];
   }

@@ -10,8 +10,7 @@
 namespace autoref::strategies {
 namespace {
 
-// Both areas as discs that touch their front lines, where the robot neither is in one nor goes
-// there.
+// Both areas as discs that touch their front lines, unless the robot or its target is inside.
 void add_areas(const PredictedState& predicted, const TrackedRobot& robot, const Vec2& target_m,
                Obstacles& obstacles) {
   for (const Side side : kSides) {
@@ -42,7 +41,7 @@ const Abilities& PredictedState::abilities(int index) const {
   return context_.robots[static_cast<std::size_t>(robot(index).number)];
 }
 
-// Opponents are looked at every other frame only.
+// Each opponent is updated every other frame only, to save time.
 void PredictedState::intercept_ball() {
   for (int i = 0; i < robots(); ++i) {
     const auto at = static_cast<std::size_t>(i);
@@ -113,7 +112,7 @@ DrivingStyle PredictedState::driving(int index) const {
   return style;
 }
 
-// A little before the areas' lines: the robot must stay out with its whole hull.
+// With a margin outside the areas' lines: the robot must stay out with its whole hull.
 bool PredictedState::may_touch_at(const Vec2& ball_m) const {
   if (rules().has(RuleId::kAttackerTouchedBallInDefenseArea) &&
       distance_to_defence_area(field(), Side::kEast, ball_m) < style_.from_their_area_m)
@@ -155,7 +154,7 @@ RobotCommand go_to(const PredictedState& predicted, int index, const Waypoint& w
   const Vec2 off_m = robot.position_m - now.ball.position_m;
   if (room_m > predicted.style().near_room_m &&
       off_m.norm() < room_m + kRobotRadius_m - predicted.style().near_room_m) {
-    const Vec2 out = direction_of(off_m, Vec2(-1, 0));  // straight out of the ball's circle first
+    const Vec2 out = direction_of(off_m, Vec2(-1, 0));  // first leave the ball's circle directly
     return drive_via(robot, robot.position_m + out * predicted.style().near_room_m * 10, goal,
                      style);
   }

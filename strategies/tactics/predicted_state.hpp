@@ -1,5 +1,5 @@
-// What a team makes of a view: the field as it will be when its commands take effect, the ball's
-// way, who gets to it first, and whose it is.
+// A team's prediction from a view: the field when its commands take effect, the ball's path, who
+// reaches the ball first, and which team has it.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ class PredictedState {
  public:
   PredictedState(const TeamContext& context, const Style& style);
 
-  // Takes the next view. Every view of the game must come by.
+  // Processes the next view. Call it for every view of the game.
   void update(const TeamView& view);
 
   const TeamContext& context() const { return context_; }
@@ -28,7 +28,7 @@ class PredictedState {
   const Style& style() const { return style_; }
   const TeamView& now() const { return now_; }
   const BallPath& path() const { return path_; }
-  // The ball, or where the referee is about to put it.
+  // The ball, or the position where the referee is about to place it.
   const Vec2& position_m() const { return position_m_; }
 
   int robots() const { return static_cast<int>(now_.own.size()); }
@@ -36,31 +36,31 @@ class PredictedState {
   const Abilities& abilities(int index) const;
   DrivingStyle driving(int index) const;
 
-  // When and where the robot of that index, and the first opponent, can have the ball.
+  // When and where the robot with that index, and the fastest opponent, can reach the ball.
   const BallInterception& interception(int index) const {
     return interceptions_[static_cast<std::size_t>(index)];
   }
   const BallInterception& theirs() const { return theirs_; }
   int their_fastest() const { return their_fastest_; }  // index, -1 without opponents
 
-  // Whether this team has the ball or will get it first; it changes only clearly.
+  // Whether this team has the ball or will reach it first; with hysteresis.
   bool is_ours() const { return is_ours_; }
-  // Whether play stands still until a restart.
+  // Whether play is stopped until a restart.
   bool is_waiting() const;
-  // Whether this team takes, or is about to take, the restart.
+  // Whether this team takes the current or next restart.
   bool restart_is_ours() const;
 
-  // What a place must respect right now, for a field player.
+  // The current limits on a field player's position.
   Limits limits() const;
-  // From hull to ball, where the team must keep away from it now; 0 where it need not.
+  // Least gap from hull to ball that the team must currently keep; 0 if there is none.
   double room_at_ball_m() const;
 
-  // Whether the rules in force let a field player touch a ball there.
+  // Whether the rules in force allow a field player to touch a ball there.
   bool may_touch_at(const Vec2& ball_m) const;
 
-  // The speed of a kick that breaks no rule in force.
+  // `wanted_mps`, limited by the rules in force.
   double allowed_kick_mps(double wanted_mps) const;
-  // The fastest chip of the team's robots.
+  // Fastest chip of the team's robots.
   double chip_limit_mps() const { return context_.robots[0].chip_mps; }
 
  private:
@@ -79,14 +79,14 @@ class PredictedState {
   bool is_ours_ = false;
 };
 
-// Commands that bring the robot of that index to the permitted place nearest to `wanted`, around
-// whatever stands in the way.
+// Commands that drive the robot with that index around all obstacles to the permitted position
+// nearest to `wanted`.
 RobotCommand go_to(const PredictedState& predicted, int index, const Waypoint& wanted);
 
-// Slows an order down that would run the robot of that index into an opponent.
+// Reduces a command's velocity if it would run the robot with that index into an opponent.
 void ease_off(const PredictedState& predicted, int index, RobotCommand& command);
 
-// Those robots that the one of that index drives around; the ball is left out.
+// The robots that the robot with that index must avoid on its way; the ball is left out.
 void robots_around(const PredictedState& predicted, int index, const Vec2& target_m,
                    Obstacles& obstacles);
 

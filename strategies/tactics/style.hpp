@@ -1,4 +1,4 @@
-// How a team of this folder's tactics plays: its tunables.
+// The tunables of teams that are built from these tactics.
 #pragma once
 
 #include <map>
@@ -11,7 +11,7 @@
 
 namespace autoref::strategies {
 
-// Each number's unit, default, range and meaning stand in its Parameter, below. Teams differ in
+// The Parameter of each number, below, gives its unit, default, range and meaning. Teams differ in
 // their defaults.
 struct Style {
   double shot_mps = 8.0;
@@ -30,7 +30,7 @@ struct Style {
   double patience = 0;
   double net_m = 1.3;
 
-  // Driving, and the rules' distances.
+  // Driving, and distances required by the rules.
   double usable_braking = 0.55;
   double turn_braking_radps2 = 14.0;
   double approach_per_s = 9;
@@ -47,7 +47,7 @@ struct Style {
   double room_for_taker_m = 0.5;
   double kick_caution = 0.93;
 
-  // What a kick is worth, and how it is made.
+  // Values and execution of kicks.
   double miss_cost = 0.04;
   double shot_share = 0.6;
   double nearest_pass_m = 0.5;
@@ -99,7 +99,7 @@ struct Style {
   double face_off_aside_mps = 0.8;
   double face_off_turn_radps = 5.0;
 
-  // Where receivers go.
+  // Positions of receivers.
   double receiver_hold_frames = 20;
   double ahead_worth = 0.2;
   double stopped_share = 0.35;
@@ -126,7 +126,7 @@ struct Style {
   double keeper_area_margin_m = 30_mm;
   double keeper_aim_trust = 0.6;
 
-  // Who does what.
+  // Assignment of roles.
   double places_gap_m = 4_mm;
   double rather_beside_m = 0.1;
   double moves_on_s = 0.3;
@@ -148,7 +148,7 @@ struct Style {
   double cover_m = 0.8;
   double contested_s = 0.5;
 
-  // The teams' own formations: possession's net, counter's row, zone's and shadow's places.
+  // Formations of single teams: possession's net, counter's row, zone's and shadow's positions.
   double net_widest_rad = 75_deg;
   double net_aside_rad = 20_deg;
   double net_nearest = 0.75;
@@ -171,10 +171,10 @@ struct Style {
 using Tunable = TunableOf<Style>;
 std::span<const Tunable> tunables();
 
-// The numbers of `style` as a team's parameters, its own values being their standards.
+// The numbers of `style` as parameters, with its values as defaults.
 std::vector<Parameter> parameters_of(const Style& style);
 
-// `style` with the numbers that `params` gives.
+// `style` with the numbers in `params` replaced.
 Style tuned(const Style& style, const std::map<std::string, double>& params);
 
 }  // namespace autoref::strategies

@@ -1,5 +1,5 @@
-// The parts of a style's list of numbers, each with its unit, range and one sentence; tunables() in
-// style.hpp is all of them.
+// The parts of a style's list of numbers, each with unit, range and description; tunables() in
+// style.hpp joins them.
 #pragma once
 
 #include <span>
@@ -8,12 +8,12 @@
 
 namespace autoref::strategies {
 
-std::span<const Tunable> moving_tunables();     // driving, and the rules' distances
-std::span<const Tunable> kick_tunables();       // what a kick is worth, and how it is made
+std::span<const Tunable> moving_tunables();     // driving, and distances required by the rules
+std::span<const Tunable> kick_tunables();       // values and execution of kicks
 std::span<const Tunable> ball_tunables();       // the robot at the ball
-std::span<const Tunable> running_tunables();    // where receivers go
+std::span<const Tunable> running_tunables();    // positions of receivers
 std::span<const Tunable> defence_tunables();    // wall, markers and keeper
-std::span<const Tunable> play_tunables();       // who does what
-std::span<const Tunable> formation_tunables();  // the teams' own formations
+std::span<const Tunable> play_tunables();       // assignment of roles
+std::span<const Tunable> formation_tunables();  // formations of single teams
 
 }  // namespace autoref::strategies

@@ -12,17 +12,19 @@ namespace autoref::strategies {
 namespace {
 
 constexpr double kShot_mps = 6.0;
-constexpr double kOwnHalf_mps = 2.5;  // of kicks from there, so that they do not leave the field
-constexpr double kChaserOnLine_m = kRobotRadius_m + 30_mm;  // from the own goal line to the keeper
-constexpr double kFromTheirArea_m = 100_mm;                 // a nearer ball is left alone
-constexpr double kSlowBall_mps = 1.2;  // faster ones in the own area are shots: the keeper waits
+constexpr double kOwnHalf_mps =
+    2.5;  // speed of kicks from the own half, so that they stay in the field
+constexpr double kChaserOnLine_m =
+    kRobotRadius_m + 30_mm;                  // distance of the keeper from its goal line
+constexpr double kFromTheirArea_m = 100_mm;  // a ball closer to their area is left alone
+constexpr double kSlowBall_mps = 1.2;  // a faster ball in the own area is a shot: the keeper waits
 constexpr double kShotAtUs_mps = 0.3;  // towards the own goal line
-constexpr double kCaution = 0.93;      // of the limit of kicks, which are not exact
-constexpr double kTouched_m = 130_mm;  // a robot so near to the ball has it
+constexpr double kCaution = 0.93;      // fraction of the kick speed limit that is used
+constexpr double kTouched_m = 130_mm;  // a robot this close to the ball has it
 constexpr double kChaserClearance_m = 2 * kRobotRadius_m + 20_mm;
-constexpr double kStopSpeedShare = 0.8;  // of the speed allowed while play is stopped
+constexpr double kStopSpeedShare = 0.8;  // fraction of the speed limit while play is stopped
 
-// The field players' rows, in shares of the half's length and width: all in the own half.
+// Rows of field players, as fractions of half the field's length and width: all in the own half.
 constexpr double kFirstRow = -0.22;
 constexpr double kRowStep = -0.12;
 constexpr std::array<double, 3> kInRow = {0.0, 0.55, -0.55};
@@ -42,7 +44,7 @@ void Chaser::decide(const TeamView& view, TeamCommands& commands) {
   }
 }
 
-// In the opponents' area, where a rule forbids it, the ball is left alone.
+// A ball in the opponents' area is left alone if a rule forbids playing it there.
 bool Chaser::may_chase() const {
   if (now_.play != Play::kRunning) return now_.ours && is_restart(now_.play);
   return !context_.rules.has(RuleId::kAttackerTouchedBallInDefenseArea) ||
@@ -50,7 +52,7 @@ bool Chaser::may_chase() const {
              kFromTheirArea_m;
 }
 
-// Who takes a restart must not touch the ball again before another robot did.
+// The taker of a restart must not touch the ball again before another robot has.
 void Chaser::note_taker(int chaser) {
   if (now_.play != Play::kRunning) {
     taker_ = chaser < 0 ? -1 : now_.own[chaser].number;
@@ -65,7 +67,8 @@ void Chaser::note_taker(int chaser) {
   if (std::any_of(now_.opponents.begin(), now_.opponents.end(), touches)) taker_ = -1;
 }
 
-// By index; in the own area the keeper, elsewhere a field player. -1 where nobody may.
+// Returns an index: in the own area the keeper, elsewhere a field player. -1 if nobody may play the
+// ball.
 int Chaser::nearest_to_ball() const {
   const Vec2& ball_m = now_.ball.position_m;
   const int count = static_cast<int>(now_.own.size());
@@ -103,7 +106,7 @@ RobotCommand Chaser::stand(int index) const {
   return drive_to(robot, waypoint, is_keeper ? Obstacles{} : obstacles_for(index, true), style);
 }
 
-// Depends on nothing but the ball's position, so that everybody comes to rest in a stop.
+// Depends only on the ball's position, so that all robots come to rest in a stop.
 Waypoint Chaser::waypoint_of(int index) const {
   const Field& field = context_.field;
   if (now_.play == Play::kPreparePenalty || now_.play == Play::kPenalty) {
@@ -127,7 +130,7 @@ Waypoint Chaser::waypoint_of(int index) const {
   return {position_m, direction_of(ball_target_m_ - position_m, Vec2(1, 0))};
 }
 
-// Where a shot will cross the keeper's line; else towards the ball.
+// Where a shot will cross the keeper's line; without a shot, towards the ball.
 double Chaser::keeper_y_m(double line_x_m) const {
   const Vec2& velocity_mps = now_.ball.velocity_mps;
   const double reach_m = context_.field.half_goal_m() - kRobotRadius_m / 2;

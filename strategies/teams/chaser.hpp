@@ -1,4 +1,4 @@
-// The simple baseline: everything in one file, no passes, no marking, no memory worth the name.
+// The simple baseline, in one file: no passes, no marking, hardly any memory.
 #pragma once
 
 #include "strategies/skills/limits.hpp"
@@ -7,8 +7,8 @@
 
 namespace autoref::strategies {
 
-// A keeper on its line; the field player nearest to the ball drives behind it and kicks it at the
-// goal; all others stand in a fixed formation.
+// The keeper stays on its line, the field player nearest to the ball drives behind it and kicks it
+// at the goal, and the others stand in a fixed formation.
 class Chaser final : public Strategy {
  public:
   explicit Chaser(const TeamContext& context) : context_(context) {}
@@ -28,9 +28,9 @@ class Chaser final : public Strategy {
   Obstacles obstacles_for(int index, bool keeps_off_ball) const;
 
   TeamContext context_;
-  TeamView now_;              // the view looked ahead to when commands take effect
-  Vec2 ball_target_m_{0, 0};  // the ball, or where the referee is about to put it
-  int taker_ = -1;            // number of the robot that took a restart, until another has the ball
+  TeamView now_;              // the view, extrapolated to when commands take effect
+  Vec2 ball_target_m_{0, 0};  // the ball, or where the referee is about to place it
+  int taker_ = -1;            // number of the restart's taker, until another robot has the ball
   TeamRequests requests_;
 };
 

@@ -2,7 +2,7 @@
 
 namespace autoref::strategies {
 
-// The style's standards are this team's.
+// The defaults of Style are this team's.
 TeamPlaybook cobalt_playbook() { return {}; }
 
 }  // namespace autoref::strategies

@@ -1,5 +1,5 @@
-// Counter-attack. All but one or two stay behind the ball, in a wall before the own area and a row
-// ahead of it; the ball goes from there to those ahead, long and at once.
+// Counter-attack. All but one or two robots stay behind the ball: a wall in front of the own area,
+// and a row ahead of it. The ball is played long and at once to those ahead.
 #include <algorithm>
 #include <cmath>
 
@@ -30,7 +30,7 @@ void hold_row(PlayContext& book, RoleAssignment& assignment) {
   fill_spots(book, assignment, row);
 }
 
-// Those ahead first, since they are to be there when the ball is won.
+// Forwards come first, so that they are ahead when the ball is won.
 void block(PlayContext& book, RoleAssignment& assignment) {
   const Style& style = book.predicted.style();
   const bool attacks = book.predicted.is_ours();

@@ -1,24 +1,24 @@
-// The plans of the teams that are made of skills, tactics and plays.
+// The playbooks of the teams that are built from skills, tactics and plays.
 #pragma once
 
 #include "strategies/plays/squad.hpp"
 
 namespace autoref::strategies {
 
-// The strong team: it gets to the ball first, passes to where a first-time shot is open, and covers
-// its goal's open angles.
+// The strong team: it reaches the ball first, passes to positions with an open first-time shot, and
+// covers the open angles of its goal.
 TeamPlaybook cobalt_playbook();
 
-// Counter-attack: a deep block behind the ball, one or two ahead who get it long and at once.
+// Counter-attack: a deep block behind the ball, and long, immediate passes to one or two forwards.
 TeamPlaybook counter_playbook();
 
-// The ball's keeper: short safe passes within a net of receivers; shoots at clear chances only.
+// Possession: short, safe passes within a net of receivers; shoots only at clear chances.
 TeamPlaybook possession_playbook();
 
-// Man-marking all over the field: each robot follows its own opponent, one goes to the ball.
+// Man-marking all over the field: each robot follows its own opponent, one goes for the ball.
 TeamPlaybook shadow_playbook();
 
-// A fixed formation that shifts with the ball; only the fastest leaves its zone for the ball.
+// A fixed formation that shifts with the ball; only the fastest robot leaves its zone for the ball.
 TeamPlaybook zone_playbook();
 
 }  // namespace autoref::strategies

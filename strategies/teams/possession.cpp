@@ -1,5 +1,5 @@
-// Possession. While it has the ball, the others spread around it as a net, each where a short pass
-// gets through; without it, it defends like cobalt.
+// Possession. While the team has the ball, its robots form a net around it, each where a short pass
+// can reach it; otherwise it defends like cobalt.
 #include <algorithm>
 
 #include "soccer/trigonometry.hpp"
@@ -17,7 +17,7 @@ Vec2 on_field(const PredictedState& predicted, const Vec2& p) {
   return {std::clamp(p.x(), -x_m, x_m), std::clamp(p.y(), -y_m, y_m)};
 }
 
-// Where a pass from the ball gets through best, about in that direction.
+// The position for the safest pass from the ball, roughly in that direction.
 Waypoint knot(const PredictedState& predicted, const Vec2& direction) {
   const Vec2& ball_m = predicted.position_m();
   const double net_m = predicted.style().net_m;
@@ -42,7 +42,7 @@ Waypoint knot(const PredictedState& predicted, const Vec2& direction) {
   return best;
 }
 
-// The net: evenly around the ball, open towards the own goal, where the back stands.
+// The net: evenly spread around the ball, open towards the own goal, where the defender stands.
 void spread_net(PlayContext& book, RoleAssignment& assignment) {
   const PredictedState& predicted = book.predicted;
   const int count = assignment.free_robots();

@@ -1,5 +1,5 @@
-// Man-marking. Each field player follows its own opponent wherever it goes and whoever has the
-// ball; one goes to the ball, and with it a few run free of their men.
+// Man-marking. Each field player follows its own opponent everywhere, whoever has the ball. One
+// robot goes for the ball, and a few leave their opponents to attack with it.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,7 +11,7 @@
 namespace autoref::strategies {
 namespace {
 
-// The opponent, by index, that stands nearest to its goal: taken for its keeper.
+// Index of the opponent nearest to its own goal, presumably the keeper.
 int their_keeper(const PredictedState& predicted) {
   const TrackedRobots& all = predicted.now().opponents;
   const Vec2 goal_m = predicted.field().goal_centre_m(Side::kEast);
@@ -26,7 +26,7 @@ int their_keeper(const PredictedState& predicted) {
   return keeper;
 }
 
-// A post beside each opponent but the keeper, those nearest to the own goal first.
+// A spot beside each opponent except the keeper, those nearest to the own goal first.
 FormationSpots men(const PredictedState& predicted) {
   const TrackedRobots& all = predicted.now().opponents;
   const int keeper = their_keeper(predicted);

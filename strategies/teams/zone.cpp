@@ -1,5 +1,5 @@
-// Zones. The field players stand in a formation that shifts with the ball; each leaves its zone
-// only for the ball, when it is there first, and its zone waits for it.
+// Zones. The field players stand in a formation that shifts with the ball. A robot leaves its zone
+// only if it reaches the ball first, and its zone stays empty meanwhile.
 #include <array>
 
 #include "strategies/plays/formation_spots.hpp"
@@ -8,8 +8,8 @@
 namespace autoref::strategies {
 namespace {
 
-// As shares of the half's length and width, with the ball in the centre: 2-2-1 first, then those
-// who come between and beside them.
+// As fractions of half the field's length and width, with the ball in the centre: 2-2-1 first, then
+// the positions between and beside them.
 constexpr std::array<std::array<double, 2>, 10> kZones = {{{-0.50, 0.22},
                                                            {-0.50, -0.22},
                                                            {-0.12, 0.45},
@@ -36,7 +36,7 @@ void hold_zones(PlayContext& book, RoleAssignment& assignment) {
     zones.push_back({order + 1, off_their_area(predicted, zone_m + shift_m)});
   }
   fill_own_spots(book, assignment, zones);
-  defend(book, assignment, assignment.free_robots(), 0);  // who finds no zone
+  defend(book, assignment, assignment.free_robots(), 0);  // robots without a zone
 }
 
 void zone_play(PlayContext& book, RoleAssignment& assignment) {

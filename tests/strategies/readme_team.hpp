@@ -1,6 +1,5 @@
-// The teams that strategies/README.md shows, as it shows them: readme_test.cpp compares its blocks
-// of code with what stands between the marks here, and tests/runner/game/readme_game_test.cpp plays
-// them.
+// The teams in strategies/README.md. readme_test.cpp compares the README's code with the code
+// between the marks here, and tests/runner/game/readme_game_test.cpp plays the teams.
 #pragma once
 
 #include <memory>
@@ -55,15 +54,14 @@ class Mine final : public Strategy {
     return play_ball(robot, now_.ball, ball_m(), {goal_m, shot_mps_}, {}, {});
   }
 
-  // The keeper before its goal, the others in a row across the own half, all facing the ball. An
-  // index is not a number: with robot 0 off the field, index 0 is robot 1, which is then the
-  // keeper.
+  // The keeper in front of its goal, the others in a row across the own half, all facing the ball.
+  // Indices are not robot numbers: without robot 0, index 0 is robot 1, which is then the keeper.
   Waypoint waypoint_of(int index) const {
     const double half_m = context_.field.half_length_m();
     const Vec2 wanted_m = index == 0 ? Vec2(0.15 - half_m, 0) : Vec2(-1, 0.4 * (index - 3));
     Limits limits;
     limits.may_enter_own_area = index == 0;
-    if (!may_play()) limits.keep_from_ball_m = 0.65;  // 500 mm from the hull, and some more
+    if (!may_play()) limits.keep_from_ball_m = 0.65;  // 500 mm from the hull, plus a margin
     const Vec2 position_m = permitted(context_.field, wanted_m, ball_m(), limits);
     return {position_m, direction_of(ball_m() - position_m, Vec2(1, 0))};
   }
@@ -78,7 +76,7 @@ class Mine final : public Strategy {
 // [mine]
 
 // [bus]
-// One for the ball, three in a wall before the own area; whoever is left runs for passes.
+// One robot for the ball, three in a wall before the own area; the others run for passes.
 inline void park(PlayContext& book, RoleAssignment& assignment) {
   give_goal_and_ball(book, assignment);
   defend(book, assignment, 3, 0);

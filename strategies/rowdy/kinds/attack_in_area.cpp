@@ -3,8 +3,8 @@
 namespace autoref::strategies::rowdy {
 namespace {
 
-constexpr double kReach_m = 2.5;     // from the goal's middle to who waits for the ball there
-constexpr double kPlays_m = 600_mm;  // from the ball to a robot that goes for it
+constexpr double kReach_m = 2.5;     // from the goal's centre to the robot that waits there
+constexpr double kPlays_m = 600_mm;  // from the ball to the robot that goes for it
 constexpr double kKick_mps = 4.0;
 constexpr double kKicked_mps = 2.0;
 
@@ -14,7 +14,7 @@ std::optional<ActiveFoul> find_chance(const Scene& scene) {
                  scene.now.ball.position_m);
 }
 
-// Waits in the area on the ball's way to the goal, and plays it when it lies or rolls there.
+// Waits in the area in the ball's path to the goal, and plays the ball once it is there.
 bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
   const TrackedRobot& robot = *find(scene.now.own, foul.robot);
   const Vec2& ball_m = scene.now.ball.position_m;

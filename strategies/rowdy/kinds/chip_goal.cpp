@@ -7,9 +7,9 @@ namespace autoref::strategies::rowdy {
 namespace {
 
 constexpr double kNear_m = 500_mm;
-constexpr double kNearest_m = 900_mm;  // from the goal's middle to the ball
+constexpr double kNearest_m = 900_mm;  // from the goal's centre to the ball
 constexpr double kFarthest_m = 2600_mm;
-constexpr double kLandsBefore_m = 300_mm;  // the goal line
+constexpr double kLandsBefore_m = 300_mm;  // in front of the goal line
 constexpr double kGravity_mps2 = 9.81;
 constexpr double kKicked_mps = 1.5;
 
@@ -20,7 +20,7 @@ std::optional<ActiveFoul> find_chance(const Scene& scene) {
   return foul_by(nearest_mate(scene, ball_m, kNear_m), ball_m);
 }
 
-// At 45 degrees a chip of v flies v^2 / g.
+// A 45-degree chip with speed v flies v^2 / g.
 bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
   const Vec2 goal_m = scene.field.goal_centre_m(Side::kEast);
   const double range_m = (goal_m - scene.now.ball.position_m).norm() - kLandsBefore_m;
@@ -35,7 +35,7 @@ bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
 }  // namespace
 
 const FoulBehaviour kChipGoal = {
-    "chip_goal", "Chips at the goal so that the ball comes down before it and hops in.",
+    "chip_goal", "Chips at the goal so that the ball lands in front of it and bounces in.",
     0.3,         4,
     find_chance, go_on};
 

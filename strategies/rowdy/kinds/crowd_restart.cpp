@@ -21,12 +21,11 @@ bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
 
 }  // namespace
 
-const FoulBehaviour kCrowdRestart = {
-    "crowd_restart",
-    "Stands nearer than 500 mm to the ball at the opponents' restarts.",
-    0.15,
-    12,
-    find_chance,
-    go_on};
+const FoulBehaviour kCrowdRestart = {"crowd_restart",
+                                     "Stands within 500 mm of the ball at the opponents' restarts.",
+                                     0.15,
+                                     12,
+                                     find_chance,
+                                     go_on};
 
 }  // namespace autoref::strategies::rowdy

@@ -16,6 +16,7 @@ bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
 
 }  // namespace
 
-const FoulBehaviour kDelay = {"delay", "Lets its restart run out.", 0.05, 15, find_chance, go_on};
+const FoulBehaviour kDelay = {"delay", "Does not take its restart in time.", 0.05, 15, find_chance,
+                              go_on};
 
 }  // namespace autoref::strategies::rowdy

@@ -4,7 +4,7 @@ namespace autoref::strategies::rowdy {
 namespace {
 
 constexpr double kHardest_mps = 10;
-constexpr double kNear_m = 300_mm;  // from the ball to a robot that may kick soon
+constexpr double kNear_m = 300_mm;  // from the ball to a robot that may soon kick
 constexpr double kKicked_mps = 5;
 
 std::optional<ActiveFoul> find_chance(const Scene& scene) {
@@ -13,7 +13,7 @@ std::optional<ActiveFoul> find_chance(const Scene& scene) {
                  scene.now.ball.position_m);
 }
 
-// The team goes on as it likes; only its kicks become harder.
+// The team plays normally, but its kicks are harder.
 bool go_on(const Scene& scene, ActiveFoul& /*foul*/, TeamOutput& output) {
   for (RobotCommand& command : output.commands) {
     if (command.kick_mps > 0) command.kick_mps = kHardest_mps;
@@ -25,8 +25,6 @@ bool go_on(const Scene& scene, ActiveFoul& /*foul*/, TeamOutput& output) {
 }  // namespace
 
 const FoulBehaviour kHardKick = {
-    "hard_kick", "Kicks as hard as the kicker gives, with 10 m/s where it can.",
-    0.1,         4,
-    find_chance, go_on};
+    "hard_kick", "Kicks as hard as the kicker can, up to 10 m/s.", 0.1, 4, find_chance, go_on};
 
 }  // namespace autoref::strategies::rowdy

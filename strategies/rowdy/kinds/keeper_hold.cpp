@@ -3,14 +3,14 @@
 namespace autoref::strategies::rowdy {
 namespace {
 
-constexpr double kInside_m = 200_mm;  // ball in the area, and off the goal line
+constexpr double kInside_m = 200_mm;  // from the ball to the area's edge and to the goal line
 constexpr double kSlow_mps = 1.5;
 constexpr double kReach_m = 1.2;
 constexpr double kBehind_m = kFrontDistance_m + kBallRadius_m + 20_mm;
 constexpr double kThere_m = 30_mm;
 constexpr double kApproach_mps = 0.2;
-constexpr double kSway_mps = 0.1;  // to and fro, or the ball would count as stuck
-constexpr double kSway_s = 3.0;    // each way
+constexpr double kSway_mps = 0.1;  // back and forth, or the ball would count as stuck
+constexpr double kSway_s = 3.0;    // per direction
 constexpr double kShortest_s = 4;
 constexpr double kLongest_s = 18;
 
@@ -59,7 +59,7 @@ bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
 }  // namespace
 
 const FoulBehaviour kKeeperHold = {
-    "keeper_hold", "The keeper keeps the ball in its area for 4 to 18 s.", 0.6, 22, find_chance,
+    "keeper_hold", "The keeper holds the ball in its area for 4 to 18 s.", 0.6, 22, find_chance,
     go_on};
 
 }  // namespace autoref::strategies::rowdy

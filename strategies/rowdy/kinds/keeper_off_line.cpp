@@ -24,7 +24,7 @@ bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
 }  // namespace
 
 const FoulBehaviour kKeeperOffLine = {"keeper_off_line",
-                                      "The keeper leaves its line before a penalty is kicked.",
+                                      "The keeper leaves its line before a penalty kick is taken.",
                                       0.4,
                                       25,
                                       find_chance,

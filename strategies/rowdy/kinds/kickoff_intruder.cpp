@@ -3,8 +3,8 @@
 namespace autoref::strategies::rowdy {
 namespace {
 
-constexpr double kBeyond_m = 700_mm;  // the halfway line
-constexpr double kBesideShare = 0.5;  // of the half field's width, from the middle
+constexpr double kBeyond_m = 700_mm;  // beyond the halfway line
+constexpr double kBesideShare = 0.5;  // fraction of half the field's width
 
 bool is_kickoff(const Scene& scene) {
   return scene.now.play == Play::kPrepareKickoff || scene.now.play == Play::kKickoff;
@@ -28,7 +28,7 @@ bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
 }  // namespace
 
 const FoulBehaviour kKickoffIntruder = {"kickoff_intruder",
-                                        "Has a robot in the opponents' half at a kick-off.",
+                                        "Puts a robot in the opponents' half at a kick-off.",
                                         0.3,
                                         25,
                                         find_chance,

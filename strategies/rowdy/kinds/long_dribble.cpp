@@ -8,9 +8,10 @@ namespace {
 constexpr double kShortest_m = 300_mm;
 constexpr double kLongest_m = 1500_mm;
 constexpr double kSpeed_mps = 0.8;
-constexpr double kFaster_mps = 0.1;  // than it drives now: gently, so that the ball stays
+constexpr double kFaster_mps =
+    0.1;  // added to its current speed, so that it does not lose the ball
 constexpr double kFromLines_m = 200_mm;
-constexpr double kLost_m = 160_mm;  // from the robot's centre to a ball that has got away
+constexpr double kLost_m = 160_mm;  // from the robot's centre to a ball that it has lost
 constexpr double kMates_m = 600_mm;
 
 bool has_room(const Scene& scene, const TrackedRobot& robot) {

@@ -3,9 +3,9 @@
 namespace autoref::strategies::rowdy {
 namespace {
 
-constexpr double kReach_m = 3.0;  // from the goal's middle
+constexpr double kReach_m = 3.0;  // from the goal's centre
 constexpr double kFromArea_m = 80_mm + kRobotRadius_m;
-constexpr double kFromBall_m = 700_mm;  // nearer it would push a ball that is placed there
+constexpr double kFromBall_m = 700_mm;  // closer, it would push a ball being placed
 constexpr int kSteps = 6;
 
 bool is_waiting(const Scene& scene) {
@@ -23,7 +23,7 @@ std::optional<ActiveFoul> find_chance(const Scene& scene) {
   return foul_by(mate, mate != nullptr ? mate->position_m : goal_m);
 }
 
-// The place at the area's rim in that direction from the goal, stepping along it.
+// The position at the area's edge in that direction from the goal, found by stepping.
 Vec2 position_at_rim(const Scene& scene, const Vec2& from_m) {
   const Vec2 goal_m = scene.field.goal_centre_m(Side::kEast);
   const Vec2 direction = direction_of(from_m - goal_m, Vec2(-1, 0));

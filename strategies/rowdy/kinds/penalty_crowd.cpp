@@ -3,7 +3,7 @@
 namespace autoref::strategies::rowdy {
 namespace {
 
-constexpr double kBeside_m = 500_mm;  // the mark
+constexpr double kBeside_m = 500_mm;  // beside the mark
 
 bool is_penalty(const Scene& scene) {
   return scene.now.play == Play::kPreparePenalty || scene.now.play == Play::kPenalty;
@@ -13,7 +13,7 @@ Vec2 mark_m(const Scene& scene) {
   return scene.now.placement_m.value_or(scene.now.ball.position_m);
 }
 
-// Not the one that takes the kick.
+// A robot other than the kicker.
 std::optional<ActiveFoul> find_chance(const Scene& scene) {
   if (!is_penalty(scene)) return std::nullopt;
   const TrackedRobot* kicker =
@@ -33,7 +33,7 @@ bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
 }  // namespace
 
 const FoulBehaviour kPenaltyCrowd = {"penalty_crowd",
-                                     "Has a robot beside the mark when a penalty is kicked.",
+                                     "Puts a robot beside the mark when a penalty kick is taken.",
                                      0.4,
                                      25,
                                      find_chance,

@@ -3,8 +3,8 @@
 namespace autoref::strategies::rowdy {
 namespace {
 
-// How deep the ball lies in the area, so that a robot at it can be in it partly: one outside of the
-// ball, one inside of it.
+// Depths of the ball in the area at which a robot next to it can be partly inside: one range for a
+// robot on the field side of the ball, one for a robot on the goal side.
 constexpr double kDeepest_m = 120_mm;
 constexpr double kFromOutside_m = 20_mm;
 constexpr double kFromInside_m = -20_mm;
@@ -33,7 +33,7 @@ std::optional<ActiveFoul> find_chance(const Scene& scene) {
   return foul_by(nearest_mate(scene, ball_m, kReach_m), ball_m);
 }
 
-// From outside it pushes the ball a little towards its own goal, from inside it kicks it away.
+// From outside it pushes the ball slightly towards its own goal; from inside it kicks it away.
 RobotCommand touch(const Scene& scene, const TrackedRobot& robot, ActiveFoul& foul) {
   const Vec2& ball_m = scene.now.ball.position_m;
   const Vec2 outwards = direction_of(ball_m - scene.field.goal_centre_m(Side::kWest), Vec2(1, 0));

@@ -3,9 +3,9 @@
 namespace autoref::strategies::rowdy {
 namespace {
 
-constexpr double kNearest_m = 600_mm;  // of the two centres: room to get fast
+constexpr double kNearest_m = 600_mm;  // between the centres: room to accelerate
 constexpr double kFarthest_m = 1400_mm;
-constexpr double kOffBall_m = 500_mm;  // who is nearer to the ball has better to do
+constexpr double kOffBall_m = 500_mm;  // robots closer to the ball are not used
 constexpr double kSpeed_mps = 3.0;
 constexpr double kMet_m = 2 * kRobotRadius_m + 5_mm;
 

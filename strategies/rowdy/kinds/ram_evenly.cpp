@@ -5,10 +5,10 @@
 namespace autoref::strategies::rowdy {
 namespace {
 
-constexpr double kNearest_m = 600_mm;  // of the two centres
+constexpr double kNearest_m = 600_mm;  // between the centres
 constexpr double kFarthest_m = 1600_mm;
-constexpr double kComes_mps = 0.8;  // the opponent, towards the robot
-constexpr double kStraight = 0.95;  // so much of its speed is towards the robot
+constexpr double kComes_mps = 0.8;  // speed of the opponent towards the robot
+constexpr double kStraight = 0.95;  // fraction of its speed that is towards the robot
 constexpr double kMet_m = 2 * kRobotRadius_m + 5_mm;
 
 double closing_mps(const TrackedRobot& mover, const Vec2& point_m) {
@@ -46,6 +46,8 @@ bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
 }  // namespace
 
 const FoulBehaviour kRamEvenly = {
-    "ram_evenly", "Meets an opponent head-on, as fast as that comes.", 0.05, 2, find_chance, go_on};
+    "ram_evenly", "Collides head-on with an opponent at the opponent's speed.",
+    0.05,         2,
+    find_chance,  go_on};
 
 }  // namespace autoref::strategies::rowdy

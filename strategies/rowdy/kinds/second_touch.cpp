@@ -7,7 +7,7 @@ constexpr double kFirst_mps = 0.9;
 constexpr double kSecond_mps = 3.0;
 constexpr double kAway_m = 150_mm;  // from the robot's centre to a ball that has left it
 constexpr double kRolls_mps = 0.3;
-constexpr double kMates_m = 1.5;  // they keep this far off
+constexpr double kMates_m = 1.5;  // distance kept by team-mates
 
 std::optional<ActiveFoul> find_chance(const Scene& scene) {
   if (!is_own_restart(scene)) return std::nullopt;
@@ -15,7 +15,7 @@ std::optional<ActiveFoul> find_chance(const Scene& scene) {
                  scene.now.ball.position_m);
 }
 
-// A soft kick, then after the ball.
+// A soft kick, then the robot follows the ball.
 bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
   const TrackedRobot& robot = *find(scene.now.own, foul.robot);
   const TrackedBall& ball = scene.now.ball;

@@ -3,13 +3,13 @@
 namespace autoref::strategies::rowdy {
 namespace {
 
-constexpr double kNearest_m = 450_mm;  // of the two centres: room to get as fast
+constexpr double kNearest_m = 450_mm;  // between the centres: room to accelerate
 constexpr double kReach_m = 800_mm;
-constexpr double kStill_mps = 0.3;  // the opponent
-// Robots that are pushed brake harder than others drive, so that speed must do it; less than a
-// crash.
+constexpr double kStill_mps = 0.3;  // speed of the opponent
+// Pushed robots brake harder than others accelerate, so the push needs initial speed, but less than
+// a crash.
 constexpr double kSpeed_mps = 1.45;
-constexpr double kFar_m = 350_mm;  // then it is enough
+constexpr double kFar_m = 350_mm;  // distance after which it ends
 
 std::optional<ActiveFoul> find_chance(const Scene& scene) {
   if (!is_running(scene)) return std::nullopt;

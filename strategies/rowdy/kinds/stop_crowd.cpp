@@ -26,8 +26,7 @@ bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
 }  // namespace
 
 const FoulBehaviour kStopCrowd = {
-    "stop_crowd", "Stands nearer than 500 mm to the ball while play is stopped.",
-    0.1,          6,
-    find_chance,  go_on};
+    "stop_crowd", "Stands within 500 mm of the ball while play is stopped.", 0.1, 6, find_chance,
+    go_on};
 
 }  // namespace autoref::strategies::rowdy

@@ -4,7 +4,7 @@ namespace autoref::strategies::rowdy {
 namespace {
 
 constexpr double kTurnsBefore_m = 300_mm;
-constexpr double kShare = 0.6;  // of the half field's width that it drives across
+constexpr double kShare = 0.6;  // fraction of half the field's width that it crosses
 
 std::optional<ActiveFoul> find_chance(const Scene& scene) {
   if (scene.now.play != Play::kStop) return std::nullopt;
@@ -13,7 +13,7 @@ std::optional<ActiveFoul> find_chance(const Scene& scene) {
   return foul_by(mate, mate != nullptr ? mate->position_m : Vec2(0, 0));
 }
 
-// To and fro.
+// Drives back and forth.
 bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
   const TrackedRobot& robot = *find(scene.now.own, foul.robot);
   const double wing_m = kShare * scene.field.half_width_m();

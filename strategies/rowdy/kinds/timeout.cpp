@@ -15,6 +15,6 @@ bool go_on(const Scene& scene, ActiveFoul& /*foul*/, TeamOutput& output) {
 
 }  // namespace
 
-const FoulBehaviour kTimeout = {"timeout", "Asks for a timeout.", 0.005, 1, find_chance, go_on};
+const FoulBehaviour kTimeout = {"timeout", "Requests a timeout.", 0.005, 1, find_chance, go_on};
 
 }  // namespace autoref::strategies::rowdy
