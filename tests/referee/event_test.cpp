@@ -16,7 +16,8 @@ constexpr bool are_numbered_from_0(Values... values) {
   return ((static_cast<int>(values) == next++) && ...);
 }
 
-// Written out here and in events.def alike: a state hash of today must be that of years ago.
+// Numbers are listed here as well as in events.def, because state hashes must stay comparable for
+// years.
 static_assert(are_numbered_from_0(
     Event::kBegin, Event::kRobotsMoved, Event::kStartTimeout, Event::kReady, Event::kReadyTimeout,
     Event::kGoal, Event::kThrowIn, Event::kCornerKick, Event::kGoalKick, Event::kTouchLineUnknown,
@@ -36,7 +37,7 @@ static_assert(are_numbered_from_0(
 static_assert(are_numbered_from_0(State::kInit, State::kWaitStart, State::kWaitStop, State::kRun,
                                   State::kDelayWait, State::kOver, State::kTimeout));
 
-TEST(Events, HaveNamesOfTheirOwn) {
+TEST(Events, HaveUniqueNames) {
   std::set<std::string_view> names;
   for (const EventEntry& entry : event_table()) {
     EXPECT_FALSE(entry.name.empty()) << static_cast<int>(entry.event);
@@ -44,16 +45,16 @@ TEST(Events, HaveNamesOfTheirOwn) {
   }
 }
 
-// Where exactly one event of the league means the same, its name is ours in small letters.
-TEST(Events, AreCalledAsTheLeagueCallsThem) {
+// If exactly one league event means the same, the names differ only in case.
+TEST(Events, UseTheLeaguesNames) {
   EXPECT_EQ(name_of(Event::kBotCrashUnique), "bot_crash_unique");
   EXPECT_EQ(entry_of(Event::kBotCrashUnique).league_event, "BOT_CRASH_UNIQUE");
   EXPECT_EQ(entry_of(Event::kThrowIn).league_event, "BALL_LEFT_FIELD_TOUCH_LINE");
   EXPECT_EQ(entry_of(Event::kOffside).league_event, "");
 }
 
-// Calls are what happens on the field, not the course of the game and not what cards follow.
-TEST(Events, AreCallsWhereTheyAreAboutPlayOrRobots) {
+// Calls are made for play and robots, not for the course of the game or the cards that follow.
+TEST(Events, AreCallsIfTheyConcernPlayOrRobots) {
   EXPECT_TRUE(is_call(Event::kGoal));
   EXPECT_TRUE(is_call(Event::kBotCrashDrawn));
   EXPECT_FALSE(is_call(Event::kReady));
@@ -61,7 +62,7 @@ TEST(Events, AreCallsWhereTheyAreAboutPlayOrRobots) {
   EXPECT_FALSE(is_call(Event::kMultipleFouls));
 }
 
-TEST(Events, MayComeInAStopWhereRobotsAreWatchedThen) {
+TEST(Events, MayComeInAStopIfTheirRuleIsActiveThen) {
   std::set<std::string_view> names;
   for (const EventEntry& entry : event_table()) {
     if (may_come_in_stop(entry.event)) names.insert(entry.name);
@@ -71,8 +72,8 @@ TEST(Events, MayComeInAStopWhereRobotsAreWatchedThen) {
                                                "too_many_robots"}));
 }
 
-// A ball that leaves the field, that does not count as a goal or that nobody moves is no foul.
-TEST(Events, AreFoulsWhereARobotBreaksARule) {
+// A ball that leaves the field, is not a valid goal or is not moved is not a foul.
+TEST(Events, AreFoulsIfARobotBreaksARule) {
   for (const Event event : {Event::kGoal, Event::kThrowIn, Event::kChippedGoal, Event::kStuckBall,
                             Event::kNoProgressInGame, Event::kAimlessKick,
                             Event::kPenaltyKickFailed, Event::kRestartNotTaken}) {

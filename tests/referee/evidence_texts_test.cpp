@@ -1,4 +1,4 @@
-// Distances and cards in the sentences of findings.
+// Distances and cards in the evidence of findings.
 #include <gtest/gtest.h>
 
 #include "referee/machine/cards.hpp"
@@ -17,7 +17,7 @@ TEST(EvidenceTexts, SayInsideInsteadOfANegativeDistance) {
   EXPECT_EQ(gap_text(-0.367), "367 mm inside");
 }
 
-TEST(EvidenceTexts, TakeBodiesThatTouchForNoDistanceApart) {
+TEST(EvidenceTexts, ShowZeroForBodiesThatTouch) {
   EXPECT_EQ(mm_text(0.5), "500 mm");
   EXPECT_EQ(mm_text(-0.005), "0 mm");
   EXPECT_EQ(mm_text(-0.0002), "0 mm");
@@ -53,7 +53,7 @@ TEST(CardReason, SaysWhichActiveYellowCardIsRed) {
       "9th foul (every 3rd brings a card); red because it would be the 3rd active yellow card");
 }
 
-TEST(CardReason, NamesAnOffenceThatGivesACardByItself) {
+TEST(CardReason, NamesAnOffenceThatBringsACardByItself) {
   EXPECT_EQ(reason_of({.event = Event::kDefenderInDefenseAreaPartially}),
             "a defender played the ball partly inside its own area");
   EXPECT_EQ(reason_of({.event = Event::kTooManyRobots}), "too many robots");

@@ -1,4 +1,4 @@
-// The referee has no favourite side: frames turned by 180 degrees with the sides swapped give the
+// The referee favours neither side: frames turned by 180 degrees with the sides swapped give the
 // turned calls in the same frames.
 #include <gtest/gtest.h>
 
@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kFrame_s = 1.0 / 60;
 
-// A rough game without strategy: robots chase the ball or wander, whoever is at it kicks it
-// anywhere, and ball placement obeys one of the two referees.
+// A rough game without strategy: robots chase the ball or wander, a robot at the ball kicks it
+// anywhere, and ball placement follows one of the two referees.
 class RoughGame {
  public:
   explicit RoughGame(std::uint64_t seed) : random_(seed) {
@@ -47,7 +47,7 @@ class RoughGame {
         const Vec2 goal = robot.number < 3 ? frame_.ball->position_m : wander * 6;
         const Vec2 direction = direction_of(goal - robot.position_m, robot.heading);
         robot.heading = direction_of(robot.heading + direction * 0.2, direction);
-        // Bodies in one place at one speed would be a tie in all respects.
+        // Slightly different speeds, so that two robots never tie in every respect.
         const double own_mps = side == Side::kWest ? 0 : 0.03;
         robot.position_m += direction * (1.5 + 0.5 * robot.number / 6 + own_mps) * kFrame_s;
       }
@@ -177,7 +177,7 @@ Configuration rough_configuration(const RoughSetup& setup, Side first_kickoff) {
   return configuration;
 }
 
-// Cards, timeouts and knockout games by the clock of 2026; teams ask for timeouts by chance.
+// Cards, timeouts and knockout games with the clock of 2026; teams request timeouts at random.
 Configuration rough_knockout(const RoughSetup& setup, Side first_kickoff) {
   Configuration configuration = rough_configuration(setup, first_kickoff);
   for (const RuleId rule : {RuleId::kCards, RuleId::kTimeouts, RuleId::kTooManyRobots}) {
@@ -197,10 +197,10 @@ std::vector<std::string_view> transitions_of(const Referee& referee) {
   return transitions;
 }
 
-// Two referees see the same game, one of them turned.
+// Two referees see the same game, one of them turned by 180 degrees.
 class Pair {
  public:
-  // `turned_configuration` has the sides of `configuration` swapped.
+  // `turned_configuration` is `configuration` with the sides swapped.
   Pair(const Configuration& configuration, const Configuration& turned_configuration)
       : referee_(configuration), other_(turned_configuration) {}
 
@@ -238,7 +238,7 @@ TEST_P(Mirrored, FramesGiveMirroredCallsInTheSameFrames) {
   Pair referees(rough_configuration(GetParam(), Side::kWest),
                 rough_configuration(GetParam(), Side::kEast));
   for (int i = 0; i < 12000 && !HasFailure(); ++i) referees.judge(game, {});
-  EXPECT_GT(referees.calls(), 8);  // or nothing was tested
+  EXPECT_GT(referees.calls(), 8);  // otherwise nothing was tested
 }
 
 TEST_P(Mirrored, FramesAndRequestsGiveMirroredTimeoutsAndShootouts) {

@@ -1,4 +1,4 @@
-// What the referee does with frames in which something is missing or wrong.
+// How the referee handles frames with missing or wrong content.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-TEST(Robustness, AGameWithoutRobotsAndBallComesToItsEnd) {
+TEST(Robustness, AGameWithoutRobotsAndBallEnds) {
   Configuration configuration;
   configuration.half_s = 30;
   ScriptedGame game(configuration);
@@ -21,7 +21,7 @@ TEST(Robustness, AGameWithoutRobotsAndBallComesToItsEnd) {
   EXPECT_EQ(game.signal.goals, (PerSide<int>{}));
 }
 
-TEST(Robustness, AFrameWithoutABallHoldsTheLastOne) {
+TEST(Robustness, AFrameWithoutABallKeepsTheLastBall) {
   ScriptedGame game;
   game.line_up().kick_off();
   game.put_ball({1, 0});
@@ -32,7 +32,7 @@ TEST(Robustness, AFrameWithoutABallHoldsTheLastOne) {
   EXPECT_TRUE(game.referee.is_ball_in_play());
 }
 
-TEST(Robustness, ABallInAFrameOfTheSameTimeAsTheOneBeforeDoesNoHarm) {
+TEST(Robustness, AFrameWithARepeatedTimestampIsHarmless) {
   Referee referee{Configuration{}};
   Frame frame;
   referee.update(frame, {});
@@ -58,7 +58,7 @@ TEST(Robustness, ABallThatComesBackOutsideIsOut) {
   EXPECT_EQ(game.decisions.back().transition, "touch_line_unknown");
 }
 
-TEST(Robustness, NumbersThatAreNotFiniteCountAsNotSeen) {
+TEST(Robustness, NonFiniteNumbersCountAsUnseen) {
   ScriptedGame game;
   game.line_up().kick_off();
   game.put_ball({kNan, kNan});
@@ -70,7 +70,7 @@ TEST(Robustness, NumbersThatAreNotFiniteCountAsNotSeen) {
   EXPECT_EQ(game.referee.state(), State::kWaitStop);
 }
 
-TEST(Robustness, ARobotWithoutAPlaceHidesNoOtherOfItsSide) {
+TEST(Robustness, ARobotWithoutAPositionDoesNotHideItsTeamMates) {
   for (const Side side : kSides) {
     ScriptedGame game;
     game.line_up().kick_off();
@@ -96,7 +96,7 @@ TEST(Robustness, AGoalOfABallOfUnknownHeightCounts) {
   EXPECT_EQ(game.decisions.back().finding.event, Event::kGoal);
 }
 
-TEST(Robustness, ARobotThatDisappearsDoesNotHoldUpPlay) {
+TEST(Robustness, ARobotThatDisappearsDoesNotDelayPlay) {
   ScriptedGame game;
   game.line_up().kick_off();
   game.put_ball({1, 2.2});
@@ -140,7 +140,7 @@ TEST(Robustness, OneEventIsCalledOnce) {
   EXPECT_EQ(game.count("throw_in"), 1);
 }
 
-TEST(Robustness, ABallStillOutsideWhenPlayGoesOnIsOutAgain) {
+TEST(Robustness, ABallStillOutsideWhenPlayResumesIsOutAgain) {
   ScriptedGame game;
   game.line_up().kick_off();
   game.kick_from(Side::kWest, 1, {1, 1.8}, {0, 4});
@@ -150,7 +150,7 @@ TEST(Robustness, ABallStillOutsideWhenPlayGoesOnIsOutAgain) {
   EXPECT_EQ(game.referee.state(), State::kWaitStop);
 }
 
-TEST(Configured, RefusesWhatNoGameCanBeMadeOf) {
+TEST(Configured, RefusesAnImpossibleConfiguration) {
   for (const double half_s : {0.0, -1.0, kNan}) {
     Configuration configuration;
     configuration.half_s = half_s;
@@ -166,7 +166,7 @@ TEST(Configured, RefusesWhatNoGameCanBeMadeOf) {
   EXPECT_THROW(Referee{configuration}, std::invalid_argument);
 }
 
-TEST(Configured, HalvesAlternateTheirKickOffs) {
+TEST(Configured, HalvesAlternateTheKickOff) {
   Configuration configuration;
   configuration.half_s = 2;
   configuration.halves = 4;
@@ -182,7 +182,7 @@ TEST(Configured, HalvesAlternateTheirKickOffs) {
   EXPECT_EQ(kickers, (std::vector<Side>{Side::kEast, Side::kWest, Side::kEast, Side::kWest}));
 }
 
-TEST(Configured, NumbersOfTheRuleBookAreTheOnesOfThePaperAndTheLaws) {
+TEST(Configured, RuleBookNumbersAreThoseOfThePaperAndTheLaws) {
   const RuleBook rules;
   EXPECT_EQ(rules.stillness_m, 0.015);
   EXPECT_EQ(rules.attacker_to_area_m, 0.2);
@@ -204,7 +204,7 @@ TEST(BallInPlay, IsOnlyAfter50Millimetres) {
   EXPECT_TRUE(game.referee.is_ball_in_play());
 }
 
-TEST(StuckBall, IsNotCalledForABallThatMoves250MillimetresInTenSeconds) {
+TEST(StuckBall, IsNotCalledIfTheBallMoves250MillimetresInTenSeconds) {
   ScriptedGame game;
   game.line_up().kick_off();
   game.put_ball({0.3, 0.3});

@@ -23,53 +23,53 @@ TEST(BallLeftField, IsCalledAtAllFourLines) {
 }
 
 TEST(Intersection, IsThePapersFormula) {
-  // From (1, 2) to (3, 6) the line x = 2 is met at y = 4.
+  // The line from (1, 2) to (3, 6) meets x = 2 at y = 4.
   EXPECT_DOUBLE_EQ(*intersection(1, 2, 3, 6, 2), 4);
   EXPECT_FALSE(intersection(1, 2, 1, 6, 2).has_value());
 }
 
-TEST(Exit, IsOverTheTouchLineWhereCxIsInside) {
-  // Figure 4a: straight over the touch line, then over the corner of the expanded field.
+TEST(Exit, IsOverTheTouchLineIfCxIsInside) {
+  // Figure 4a: over the touch line first, then past the corner of the expanded field.
   const Exit exit = find_exit(kField, {2.95, 2.00}, {3.06, 2.11});
   EXPECT_EQ(exit.line, ExitLine::kTouch);
   EXPECT_NEAR(exit.point_m.x(), 2.9965, 1e-12);
   EXPECT_NEAR(exit.point_m.y(), kOutY_m, 1e-12);
 }
 
-TEST(Exit, IsOverTheGoalLineWhereCxIsNot) {
+TEST(Exit, IsOverTheGoalLineIfCxIsOutside) {
   const Exit exit = find_exit(kField, {3.00, 1.95}, {3.11, 2.06});  // figure 4b
   EXPECT_EQ(exit.line, ExitLine::kGoal);
   EXPECT_NEAR(exit.point_m.x(), kOutX_m, 1e-12);
   EXPECT_NEAR(exit.point_m.y(), 1.9965, 1e-12);
 }
 
-TEST(Exit, OfAWayStraightAlongXIsOverTheGoalLine) {
+TEST(Exit, AlongXIsOverTheGoalLine) {
   const Exit exit = find_exit(kField, {-3.00, 0.8}, {-3.10, 0.8});
   EXPECT_EQ(exit.line, ExitLine::kGoal);
   EXPECT_EQ(exit.point_m, Vec2(-kOutX_m, 0.8));
 }
 
-TEST(Exit, OfAWayStraightAlongYIsOverTheTouchLine) {
+TEST(Exit, AlongYIsOverTheTouchLine) {
   const Exit exit = find_exit(kField, {1.5, -2.00}, {1.5, -2.10});
   EXPECT_EQ(exit.line, ExitLine::kTouch);
   EXPECT_EQ(exit.point_m, Vec2(1.5, -kOutY_m));
 }
 
-TEST(Exit, DoesNotCountALineThatTheWayMeetsOnlyBackwards) {
-  // The ball rolls inwards along y and out over the goal line; drawn on backwards its way meets
-  // the touch line at c_x = 2.97, inside.
+TEST(Exit, IgnoresALineThatOnlyTheExtendedPathMeets) {
+  // The ball rolls inwards along y and leaves over the goal line; extended backwards, its path
+  // meets the touch line at c_x = 2.97, inside.
   const Exit exit = find_exit(kField, {3.03, 0.9}, {3.05, 0.5});
   EXPECT_EQ(exit.line, ExitLine::kGoal);
 }
 
-TEST(Exit, OfABallFirstSeenOutsideIsWhereItIsFartherBeyond) {
+TEST(Exit, OfABallFirstSeenOutsideIsOverTheLineItIsFartherBeyond) {
   EXPECT_EQ(find_exit(kField, {3.10, 2.40}, {3.11, 2.41}).line, ExitLine::kTouch);
   EXPECT_EQ(find_exit(kField, {3.40, 2.10}, {3.41, 2.11}).line, ExitLine::kGoal);
   const Exit exit = find_exit(kField, {3.4, 0.5}, {3.4, 0.5});
   EXPECT_EQ(exit.point_m, Vec2(kOutX_m, 0.5));
 }
 
-TEST(Exit, IsTurnedWithTheField) {
+TEST(Exit, TurnsWithTheField) {
   const Exit exit = find_exit(kField, {2.95, 2.00}, {3.06, 2.11});
   const Exit turned = find_exit(kField, {-2.95, -2.00}, {-3.06, -2.11});
   EXPECT_EQ(turned.line, exit.line);
@@ -88,8 +88,8 @@ TEST(BallInGoal, NeedsTheBallBetweenThePosts) {
   EXPECT_FALSE(is_in_goal(kField, {3.1, -0.351}, 0));
 }
 
-TEST(BallInGoal, NeedsTheBallsCentreUnderTheBar) {
-  // G_h = 155 mm above the ground, the centre 21.5 mm above the lowest point.
+TEST(BallInGoal, NeedsTheBallsCentreBelowTheBar) {
+  // The bar is at G_h = 155 mm, and the ball's centre 21.5 mm above its lowest point.
   EXPECT_TRUE(is_in_goal(kField, {3.1, 0}, 0.133));
   EXPECT_FALSE(is_in_goal(kField, {3.1, 0}, 0.134));
 }

@@ -17,7 +17,7 @@ Configuration by_book(std::string_view book) {
 StagedMachine in_2026(State state = State::kRun) { return StagedMachine(by_book("2026-b"), state); }
 
 // "Every third foul of the same team results in a yellow card" (2026).
-TEST(TransitionMultipleFouls, IsTakenAtTheThirdFoulAndLeavesPlayOn) {
+TEST(TransitionMultipleFouls, IsTakenAtTheThirdFoulWithoutStoppingPlay) {
   StagedMachine game = in_2026();
   for (int i = 0; i < 2; ++i) {
     EXPECT_EQ(game.foul(Side::kEast), "bot_crash_unique");
@@ -38,13 +38,13 @@ TEST(TransitionMultipleFouls, IsTakenOnceForThreeFouls) {
   EXPECT_EQ(game.state.signal.yellow_cards[Side::kWest], 1);
 }
 
-TEST(TransitionMultipleFouls, CountsEachSidesFoulsApart) {
+TEST(TransitionMultipleFouls, CountsEachSidesFoulsSeparately) {
   StagedMachine game = in_2026();
   for (const Side side : {Side::kWest, Side::kEast, Side::kWest, Side::kEast}) game.foul(side);
   EXPECT_EQ(game.look_for_cards(), "");
 }
 
-// A drawn crash may be the third foul of both sides: neither is first.
+// A drawn crash may be the third foul of both sides: neither comes first.
 TEST(TransitionMultipleFouls, IsTakenForBothSidesAtOnce) {
   StagedMachine game = in_2026();
   for (int i = 0; i < 3; ++i) game.foul(std::nullopt);
@@ -73,7 +73,7 @@ TEST(TransitionMultipleCards, IsTakenForTheThirdActiveYellowCard) {
   EXPECT_EQ(game.state.signal.robots_allowed, (PerSide<int>{{3, 6}}));
 }
 
-TEST(TransitionMultipleCards, IsNotTakenWhereAnEarlierYellowCardIsOver) {
+TEST(TransitionMultipleCards, IsNotTakenIfAnEarlierYellowCardIsOver) {
   StagedMachine game = in_2026();
   game.fouls_for_cards(Side::kWest, 1);
   game.wait(120);
@@ -82,7 +82,7 @@ TEST(TransitionMultipleCards, IsNotTakenWhereAnEarlierYellowCardIsOver) {
   EXPECT_EQ(game.state.signal.yellow_cards[Side::kWest], 3);
 }
 
-TEST(TransitionMultipleCards, IsForTheRestOfTheGame) {
+TEST(TransitionMultipleCards, LastsForTheRestOfTheGame) {
   StagedMachine game = in_2026();
   game.fouls_for_cards(Side::kWest, 3);
   game.wait(3600);
@@ -110,7 +110,7 @@ TEST(TransitionCardOver, IsTakenAfterTwoMinutesOfPlay) {
   EXPECT_EQ(game.state.signal.yellow_cards[Side::kEast], 1);  // shown so far
 }
 
-TEST(TransitionCardOver, DoesNotCountTheTimeInWhichPlayIsStopped) {
+TEST(TransitionCardOver, DoesNotCountTimeWhilePlayIsStopped) {
   StagedMachine game = in_2026();
   game.fouls_for_cards(Side::kEast, 1);
   game.wait(100);
@@ -137,14 +137,14 @@ Finding carded_foul(Card card) {
   return finding;
 }
 
-TEST(Cards, OfARuleTakeARobotOff) {
+TEST(Cards, ShownByARuleRemoveARobot) {
   StagedMachine game(by_book("2014"));
   game.put(carded_foul(Card::kYellow));
   EXPECT_EQ(game.state.signal.robots_allowed, (PerSide<int>{{5, 6}}));
   EXPECT_EQ(game.state.signal.yellow_cards, (PerSide<int>{{1, 0}}));
 }
 
-TEST(Cards, AreNotShownWhereTheirRuleIsSwitchedOff) {
+TEST(Cards, AreNotShownIfTheirRuleIsSwitchedOff) {
   Configuration configuration = by_book("2014");
   configuration.rules.in_force[RuleId::kCards] = false;
   StagedMachine game(configuration);

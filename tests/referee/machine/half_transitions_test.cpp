@@ -1,5 +1,4 @@
-// One test suite per transition that the paper's figure leaves out: those of halves and of games'
-// ends.
+// One test suite per transition that the paper's figure leaves out: the ends of halves and games.
 #include <gtest/gtest.h>
 
 #include "tests/referee/support/scripted_game.hpp"
@@ -38,7 +37,7 @@ TEST(TransitionNextHalf, WaitsForTheBreakThenPreparesTheOtherTeamsKickOff) {
   EXPECT_EQ(game.signal.stage, Stage::kSecondHalf);
 }
 
-TEST(TransitionGameOver, HaltsForGoodAfterTheLastHalf) {
+TEST(TransitionGameOver, HaltsPermanentlyAfterTheLastHalf) {
   ScriptedGame game(short_game());
   game.line_up().kick_off();
   game.run_until("game_over");

@@ -37,7 +37,7 @@ TEST(TransitionExtraTime, FollowsADrawOfTwoHalves) {
             (Command{CommandKind::kPrepareKickoff, Side::kWest}));
 }
 
-TEST(TransitionExtraTime, HasTwoHalvesOfItsOwnLength) {
+TEST(TransitionExtraTime, HasTwoHalvesWithTheirOwnLength) {
   ScriptedGame game = drawn_after_two_halves();
   for (const Stage stage : {Stage::kExtraFirstHalf, Stage::kExtraSecondHalf}) {
     const double began_s = game.run_until("start").time_s;
@@ -47,7 +47,7 @@ TEST(TransitionExtraTime, HasTwoHalvesOfItsOwnLength) {
   }
 }
 
-TEST(TransitionExtraTime, FollowsNoWin) {
+TEST(TransitionExtraTime, DoesNotFollowAWin) {
   ScriptedGame game(knockout());
   game.line_up().kick_off();
   score(game, Side::kEast);
@@ -63,7 +63,7 @@ TEST(TransitionExtraTime, FollowsASingleHalf) {
   EXPECT_EQ(game.signal.stage, Stage::kExtraFirstHalf);
 }
 
-TEST(TransitionExtraTime, ComesWithTimeoutsOfItsOwn) {
+TEST(TransitionExtraTime, HasItsOwnTimeouts) {
   Configuration configuration = knockout();
   configuration.rules.extra_timeouts_s = 7;
   ScriptedGame game = drawn_after_two_halves(configuration);
@@ -84,7 +84,7 @@ TEST(TransitionShootout, FollowsADrawOfExtraTime) {
   EXPECT_EQ(game.signal.command.kind, CommandKind::kHalt);
 }
 
-TEST(TransitionShootout, FollowsNoGoalInExtraTime) {
+TEST(TransitionShootout, DoesNotFollowAGoalInExtraTime) {
   ScriptedGame game = drawn_after_two_halves();
   game.run_until("start");
   score(game, Side::kWest);
@@ -92,7 +92,8 @@ TEST(TransitionShootout, FollowsNoGoalInExtraTime) {
   EXPECT_EQ(game.count("shootout"), 0);
 }
 
-// Whoever kicked off the game begins; 750 mm from the goal line shot at (Laws 2014, single size).
+// The side that kicked off the game begins, 750 mm from the target goal line (Laws 2014, single
+// size).
 TEST(TransitionShootoutBegins, PreparesTheFirstKickAtTheMark) {
   ScriptedGame game = drawn_after_extra_time();
   game.run_until("shootout_begins");
@@ -103,7 +104,7 @@ TEST(TransitionShootoutBegins, PreparesTheFirstKickAtTheMark) {
   EXPECT_EQ(game.run_until("start").command, (Command{CommandKind::kNormalStart, Side::kWest}));
 }
 
-// The side whose turn it is shoots into the empty goal, or beside it.
+// The next kicker shoots into the empty goal, or beside it.
 void shoot(ScriptedGame& game, bool scores) {
   game.run_until("start");
   const double direction = game.frame.ball->position_m.x() > 0 ? 1 : -1;
@@ -118,7 +119,7 @@ ScriptedGame in_shootout(const Configuration& configuration = knockout()) {
   return game;
 }
 
-TEST(TransitionShootoutGoal, CountsApartFromTheScore) {
+TEST(TransitionShootoutGoal, IsNotAddedToTheScore) {
   ScriptedGame game = in_shootout();
   shoot(game, true);
   EXPECT_EQ(game.signal.command, (Command{CommandKind::kGoal, Side::kWest}));
@@ -135,7 +136,7 @@ TEST(TransitionShootoutGoal, IsFollowedByTheOtherSidesKick) {
   EXPECT_NEAR(game.signal.placement->target_m.x(), -(3.025 - 0.75), 1e-9);
 }
 
-TEST(TransitionShootoutMiss, IsABallThatGoesOut) {
+TEST(TransitionShootoutMiss, FollowsABallThatGoesOut) {
   ScriptedGame game = in_shootout();
   shoot(game, false);
   EXPECT_EQ(game.signal.command.kind, CommandKind::kStop);
@@ -144,16 +145,16 @@ TEST(TransitionShootoutMiss, IsABallThatGoesOut) {
 }
 
 // "The attacking robot has 10 seconds to score."
-TEST(TransitionShootoutMiss, IsAKickThatTakesTooLong) {
+TEST(TransitionShootoutMiss, FollowsAKickThatTakesTooLong) {
   ScriptedGame game = in_shootout();
   const double began_s = game.run_until("start").time_s;
   EXPECT_NEAR(game.run_until("shootout_miss").time_s, began_s + 10, 1e-6);
 }
 
-TEST(TransitionShootoutMiss, IsABallThatTheKeeperTurnsBack) {
+TEST(TransitionShootoutMiss, FollowsABallThatTheKeeperTurnsBack) {
   ScriptedGame game = in_shootout();
   game.run_until("start");
-  // The ball meets the keeper's plate after seven frames.
+  // The ball reaches the keeper's plate after seven frames.
   const double touched_x_m = game.frame.ball->position_m.x() + 7 * 4.0 / 60;
   const double keeper_x_m = touched_x_m + kBallRadius_m + kFrontDistance_m + 0.001;
   game.robot(Side::kEast, 0) = {0, Vec2(keeper_x_m, 0), Vec2(-1, 0)};
@@ -164,8 +165,8 @@ TEST(TransitionShootoutMiss, IsABallThatTheKeeperTurnsBack) {
   game.run_until("shootout_miss", 0.5);
 }
 
-// No kick that is left can change who wins: 3 to 0 after three of five each.
-TEST(TransitionShootoutOver, ComesAsSoonAsItIsDecided) {
+// The remaining kicks cannot change the winner: 3 to 0 after three of five kicks each.
+TEST(TransitionShootoutOver, IsTakenAsSoonAsTheWinnerIsCertain) {
   ScriptedGame game = in_shootout();
   for (int i = 0; i < 6; ++i) shoot(game, i % 2 == 0);
   const Decision over = game.run_until("shootout_over", 1);
@@ -174,12 +175,12 @@ TEST(TransitionShootoutOver, ComesAsSoonAsItIsDecided) {
   EXPECT_EQ(game.referee.shootout_goals(), (PerSide<int>{{3, 0}}));
 }
 
-TEST(TransitionShootoutOver, ComesAfterOneMoreEachWhereFiveDoNotDecide) {
+TEST(TransitionShootoutOver, IsTakenAfterOneMoreEachIfFiveDoNotDecide) {
   ScriptedGame game = in_shootout();
   for (int i = 0; i < 10; ++i) shoot(game, false);
   shoot(game, true);
   game.run(0.5);
-  EXPECT_FALSE(game.referee.is_over());  // the other side still has its sixth
+  EXPECT_FALSE(game.referee.is_over());  // the other side still has its sixth kick
   shoot(game, false);
   game.run_until("shootout_over", 1);
 }
@@ -194,21 +195,21 @@ TEST(TransitionShootoutOverNext, LeadsToTheNextGame) {
   EXPECT_FALSE(game.referee.shootout_goals().has_value());
 }
 
-TEST(Shootout, OfTeamsThatCannotShootIsADrawAfterFiftyKicksEach) {
+TEST(Shootout, IsADrawAfterFiftyGoallessKicksEach) {
   EXPECT_FALSE(is_over({{{50, 49}}, {{0, 0}}}, 5));
   EXPECT_TRUE(is_over({{{50, 50}}, {{0, 0}}}, 5));
   EXPECT_FALSE(is_decided({{{50, 50}}, {{0, 0}}}, 5));
 }
 
-TEST(Shootout, IsDecidedWhenTheOtherSideCannotDrawLevel) {
+TEST(Shootout, IsDecidedOnceTheOtherSideCannotDrawLevel) {
   EXPECT_FALSE(is_decided({{{3, 3}}, {{2, 0}}}, 5));
   EXPECT_TRUE(is_decided({{{4, 3}}, {{3, 0}}}, 5));
   EXPECT_TRUE(is_decided({{{4, 4}}, {{0, 2}}}, 5));
   EXPECT_FALSE(is_decided({{{5, 4}}, {{3, 3}}}, 5));
 }
 
-// Others keep out of a kick of the shoot-out until it is over.
-TEST(Shootout, IsAPenaltyKickForTheTeamsAfterTheBallHasMoved) {
+// Other robots keep away from a kick of the shoot-out until it is over.
+TEST(Shootout, StaysAPenaltyKickForTheTeamsAfterTheBallHasMoved) {
   SituationTracker tracker{RuleBook{}};
   RefereeSignal signal;
   signal.stage = Stage::kShootout;
@@ -220,7 +221,7 @@ TEST(Shootout, IsAPenaltyKickForTheTeamsAfterTheBallHasMoved) {
   EXPECT_EQ(tracker.update(signal, Vec2(2.5, 0)).play, Play::kPenalty);
 }
 
-TEST(Knockout, OfMoreThanTwoHalvesIsRefused) {
+TEST(Knockout, RefusesMoreThanTwoHalves) {
   Configuration configuration = knockout();
   configuration.halves = 3;
   EXPECT_THROW(Referee{configuration}, std::invalid_argument);

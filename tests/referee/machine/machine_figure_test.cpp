@@ -78,7 +78,7 @@ TEST(Machine, StepLeavesItsInputUntouched) {
   EXPECT_EQ(first.sent, again.sent);
 }
 
-TEST(Machine, StaysWhereNoTransitionLeadsOn) {
+TEST(Machine, DoesNotChangeIfNoTransitionApplies) {
   const Configuration configuration;
   const Frame frame;
   const std::optional<BallSight> ball;

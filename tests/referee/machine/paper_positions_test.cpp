@@ -9,7 +9,7 @@ namespace autoref::referee {
 namespace {
 
 // "When entering the WAIT_STOP state, AutoRef saves the current positions of the robots"; "every i"
-TEST(Paper44RobotPositions, TheFarthestMoveOfAnyRobotCounts) {
+TEST(Paper44RobotPositions, TheLargestMoveOfAnyRobotCounts) {
   ScriptedGame game;
   game.line_up();
   const SavedPositions saved = positions_in(game.frame);
@@ -40,12 +40,12 @@ TEST(Paper44RobotPositions, NewPositionsAreSavedWhenARobotHasMoved) {
   ScriptedGame game = in_play();
   game.kick_from(Side::kWest, 1, {1, 1.8}, {0, 4});
   const double stopped_s = game.run_until("throw_in").time_s;
-  game.robot(Side::kEast, 4).position_m.x() += 1;  // far from the first saved place, but at rest
+  game.robot(Side::kEast, 4).position_m.x() += 1;  // far from the first saved position, but at rest
   EXPECT_NEAR(game.run_until("start").time_s, stopped_s + 2, 1e-9);
 }
 
-// Ours: the ball must rest at its place too.
-TEST(Paper44RobotPositions, PlayWaitsForTheBallAtItsPlace) {
+// AutoRef's own rule: the ball must also rest at its position.
+TEST(Paper44RobotPositions, PlayWaitsForTheBallAtItsPosition) {
   ScriptedGame game = in_play();
   game.kick_from(Side::kWest, 1, {1, 1.8}, {0, 4});
   game.placement_works = false;
@@ -59,7 +59,7 @@ TEST(Paper44RobotPositions, PlayWaitsForTheBallAtItsPlace) {
 
 // "it leaves the state when at least one robot on each team has moved a distance greater than
 // epsilon"
-TEST(Paper44RobotPositions, WaitStartComparesWithThePlacesSavedAtTheBeginning) {
+TEST(Paper44RobotPositions, WaitStartComparesWithThePositionsSavedAtTheBeginning) {
   ScriptedGame game;
   game.line_up().step();
   for (int i = 0; i < 240; ++i) {
@@ -84,7 +84,7 @@ TEST(Paper44BallPosition, ABallOnTheLineIsIn) {
 
 // "compare the current and last positions of the ball to determine where it first was located
 // entirely outside the field"
-TEST(Paper44BallPosition, AThrowInNearTheCornerIsReportedFromACornerKick) {
+TEST(Paper44BallPosition, AThrowInNearTheCornerIsNotACornerKick) {
   ScriptedGame game = in_play();
   game.kick_from(Side::kEast, 1, {2.80, 1.85}, {5, 5});
   game.run_until("throw_in", 1);
@@ -92,7 +92,7 @@ TEST(Paper44BallPosition, AThrowInNearTheCornerIsReportedFromACornerKick) {
 }
 
 // "AutoRef judges that the ball is in a goal if the following conditions hold": the height
-TEST(Paper44BallPosition, ABallOverTheBarIsNoGoal) {
+TEST(Paper44BallPosition, ABallOverTheBarIsNotAGoal) {
   ScriptedGame game = in_play();
   game.kick_from(Side::kWest, 1, {2.5, 0}, {6, 0});
   game.frame.ball->height_m = 0.2;

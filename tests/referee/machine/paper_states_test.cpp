@@ -16,7 +16,7 @@ TEST(Paper43States, RunLastsUntilSomethingHappens) {
 }
 
 // "WAIT_STOP: In this state, AutoRef waits for all robots to stop moving"
-TEST(Paper43States, WaitStopTakesOneLookPeriodWhenAllStandStill) {
+TEST(Paper43States, WaitStopLastsOneCheckPeriodIfAllRobotsStandStill) {
   ScriptedGame game = in_play();
   game.kick_from(Side::kWest, 1, {1, 1.8}, {0, 4});
   const double stopped_s = game.run_until("throw_in").time_s;
@@ -36,7 +36,7 @@ TEST(Paper43States, InitOccursOnce) {
 }
 
 // "once all robots have moved, it signals a kickoff and enters WAIT_STOP"; Deviation D5: one robot
-// of each team is enough.
+// per team is enough.
 TEST(Paper43States, WaitStartEndsWithAKickOff) {
   ScriptedGame game;
   game.line_up().kick_off();

@@ -1,6 +1,6 @@
-// A penalty kick from the whistle on, without physics: the machine, its rules and its readiness are
-// asked frame by frame as the referee does, with a memory of the test's own, in which a penalty
-// kick has just been awarded.
+// A penalty kick from the whistle, without physics. Calls the machine, its rules and its readiness
+// checks frame by frame, as the referee does, on the test's own state, in which a penalty kick has
+// just been awarded.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@
 
 namespace autoref::referee {
 
-// Places are given as west sees them that attacks to the east, whoever kicks.
+// Positions are given as if west kicked, attacking towards the east.
 class PenaltyGame {
  public:
   PenaltyGame(std::string_view book, Side kicker)
@@ -36,7 +36,7 @@ class PenaltyGame {
     award();
   }
 
-  // Until NORMAL_START, with the kicker behind the ball.
+  // Runs until NORMAL_START, with the kicker behind the ball.
   PenaltyGame& whistle() {
     run_until("prepare");
     put(kicker_, 1, mark_m - Vec2(kFrontDistance_m + kBallRadius_m + 0.001, 0));
@@ -44,7 +44,7 @@ class PenaltyGame {
     return *this;
   }
 
-  // The referee has never seen the ball, and does not from now on.
+  // The referee never sees the ball.
   void hide_ball() {
     is_ball_hidden_ = true;
     ball_.reset();
@@ -61,7 +61,7 @@ class PenaltyGame {
     ball_mps_ = at(velocity_mps);
   }
 
-  // The ball's new way once it is within `gap_m` of the keeper's hull.
+  // Sets the ball's new velocity once it is within `gap_m` of the keeper's hull.
   void save(const Vec2& velocity_mps) {
     const RobotObservation& keeper = frame_.robots[opponent_of(kicker_)].front();
     for (int i = 0; i < 60; ++i) {
@@ -106,7 +106,7 @@ class PenaltyGame {
   }
 
   double now_s() const { return frame_.time_s; }
-  // Turned to where the kicker's side attacks.
+  // Turned to the end that the kicking side attacks.
   Vec2 at(const Vec2& v) const { return kicker_ == Side::kWest ? v : Vec2(-v); }
   const Field& field() const { return configuration_.field; }
 
@@ -140,7 +140,7 @@ class PenaltyGame {
     ball_ = BallSight{now_m, ball_ ? ball_->position_m : now_m};
   }
 
-  // Whether one of them changed the state.
+  // Returns whether a rule changed the state.
   bool ask_rules(const RefereeInput& now) {
     const State machine_state = state.machine_state;
     for (const AskedRule& asked : rules()) {
@@ -159,7 +159,7 @@ class PenaltyGame {
 
   void decide(const RefereeInput& now, const Finding& finding) {
     Step taken = referee::step(state, now, finding);
-    if (taken.transition == nullptr) throw std::runtime_error("no transition leads on");
+    if (taken.transition == nullptr) throw std::runtime_error("no transition applies");
     const bool starts =
         state.machine_state != State::kRun && taken.state.machine_state == State::kRun;
     state = taken.state;
@@ -173,7 +173,7 @@ class PenaltyGame {
   LastTouchDetector touch_;
   Frame frame_;
   Tracks tracks_;
-  PerSide<TeamRequests> requests_;  // keepers have number 0
+  PerSide<TeamRequests> requests_;  // both keepers are number 0
   std::optional<BallSight> ball_;
   Vec2 ball_mps_{0, 0};
   bool is_ball_hidden_ = false;

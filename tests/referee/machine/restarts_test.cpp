@@ -31,7 +31,7 @@ TEST(GoalKick, IsTaken500MillimetresFromTheGoalLineAnd100FromTheTouchLine) {
   expect_at(goal_kick_position(kField, kRules, Side::kEast, {3.0465, -0.9}), {2.525, -1.925});
 }
 
-TEST(GoalKick, FromExactlyTheMiddleTurnsWithTheField) {
+TEST(GoalKick, FromTheExactMiddleTurnsWithTheField) {
   const Vec2 east = goal_kick_position(kField, kRules, Side::kEast, {3.0465, 0});
   const Vec2 west = goal_kick_position(kField, kRules, Side::kWest, {-3.0465, 0});
   expect_at(west, -east);
@@ -62,11 +62,11 @@ TEST(NeutralPosition, Is700MillimetresFromBothAreas) {
   }
 }
 
-TEST(NeutralPosition, IsWhereTheBallIsIfThatIsNeutral) {
+TEST(NeutralPosition, IsTheBallsPositionIfThatIsNeutral) {
   expect_at(neutral_position(kField, kRules, {0.3, -1.0}), {0.3, -1.0});
 }
 
-TEST(NeutralPosition, OnABoxFieldKeepsClearOfTheBoxes) {
+TEST(NeutralPosition, KeepsClearOfBoxAreas) {
   Field field;
   field.length_m = 9;
   field.width_m = 6;
@@ -79,7 +79,7 @@ TEST(NeutralPosition, OnABoxFieldKeepsClearOfTheBoxes) {
 // area", or "the closest valid position"; Division B: areas 1 m deep and 2 m wide.
 class FreeKick2026 : public testing::TestWithParam<Side> {
  protected:
-  // The place for a kick by either side, turned so that the east area is the one nearby.
+  // The position for a kick by either side, turned so that the nearby area is the east one.
   Vec2 position(const Vec2& where_m) const {
     const double turn = GetParam() == Side::kEast ? 1 : -1;
     return turn * free_kick_position(field, rules, Side::kEast, turn * where_m);
@@ -88,13 +88,13 @@ class FreeKick2026 : public testing::TestWithParam<Side> {
   const Field field = find_game_setup("2026-b")->field;
 };
 
-// East's own area, and the opponents'.
+// East's own area, and the opponents' area.
 INSTANTIATE_TEST_SUITE_P(Areas, FreeKick2026, testing::ValuesIn(kSides));
 
-TEST_P(FreeKick2026, IsOneMetreBeforeTheArea) { expect_at(position({3.0, 0.4}), {2.5, 0.4}); }
+TEST_P(FreeKick2026, IsOneMetreInFrontOfTheArea) { expect_at(position({3.0, 0.4}), {2.5, 0.4}); }
 TEST_P(FreeKick2026, OrBesideIt) { expect_at(position({4.2, -1.9}), {4.2, -2.0}); }
 TEST_P(FreeKick2026, OrOffItsCorner) { expect_at(position({3.2, 1.4}), {2.9, 1.8}); }
-TEST_P(FreeKick2026, OutOfTheAreaGoesTheShortestWay) {
+TEST_P(FreeKick2026, LeavesTheAreaTheShortestWay) {
   expect_at(position({3.7, 0.5}), {2.5, 0.5});
   expect_at(position({4.3, -0.9}), {4.3, -2.0});
 }

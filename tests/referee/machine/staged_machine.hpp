@@ -1,4 +1,4 @@
-// The machine without the referee around it: fouls are put to it by hand, and cards looked for
+// The machine without the referee around it: tests pass fouls to it directly and look for cards
 // frame by frame, at 60 Hz.
 #pragma once
 
@@ -18,7 +18,7 @@ class StagedMachine {
     state.signal.robots_allowed = configuration.robots;
   }
 
-  // What was found is put to the machine; returns the transition's label, empty where none was
+  // Passes a finding to the machine. Returns the transition's label, or an empty text if none was
   // taken.
   std::string_view put(const Finding& finding) {
     const Step taken = step(state, input(), finding);
@@ -27,7 +27,7 @@ class StagedMachine {
     return label_ = taken.label;
   }
 
-  // A foul that is only counted; without an offender it counts against both.
+  // A foul that only counts; without an offender, against both sides.
   std::string_view foul(std::optional<Side> offender) {
     Finding finding;
     finding.event =
@@ -37,10 +37,10 @@ class StagedMachine {
     return put(finding);
   }
 
-  // Looks for cards as the referee does; the label of the last transition taken.
+  // Looks for cards as the referee does. Returns the label of the last transition taken.
   std::string_view look_for_cards() { return look_for(kCardsRule); }
 
-  // The label of the last transition taken for what the rule finds; empty where there is none.
+  // The label of the last transition taken for the rule's findings; empty if there is none.
   std::string_view look_for(const Rule& rule) {
     std::string_view taken;
     for (const Watch& watch : rule.watches()) {
@@ -51,7 +51,7 @@ class StagedMachine {
     return taken;
   }
 
-  // Fouls until `count` cards have been shown for them.
+  // Commits fouls until `count` cards have been shown for them.
   void fouls_for_cards(Side side, int count) {
     for (int i = 0; i < count * configuration_.rules.fouls_per_card; ++i) {
       foul(side);
@@ -59,7 +59,7 @@ class StagedMachine {
     }
   }
 
-  // Robots 0 to `count` - 1 of each side, in its own half.
+  // Puts robots 0 to `count` - 1 of each side in its own half.
   void line_up(int count) {
     for (const Side side : kSides) {
       for (int i = 0; i < count; ++i) {
@@ -81,7 +81,7 @@ class StagedMachine {
  private:
   RefereeInput input() const { return {configuration_, frame_, ball_, touch_, tracks_, requests_}; }
 
-  std::string_view label_;  // of the transition taken last
+  std::string_view label_;  // of the last transition taken
   Configuration configuration_;
   Frame frame_;
   std::optional<BallSight> ball_;

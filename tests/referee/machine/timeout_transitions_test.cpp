@@ -1,4 +1,4 @@
-// One test suite per transition of timeouts (Laws 2014, 7: four of 300 s together; 2026).
+// One test suite per transition of timeouts (Laws 2014, law 7: four with 300 s in total; 2026).
 #include <gtest/gtest.h>
 
 #include "tests/referee/support/scripted_game.hpp"
@@ -9,14 +9,14 @@ namespace {
 Configuration by_book(std::string_view book) {
   Configuration configuration;
   configuration.rules = *find_rule_book(book);
-  // The scripted robots stand where they like.
+  // Position rules are off, because the scripted robots do not follow them.
   configuration.rules.in_force = {RuleId::kGoal, RuleId::kBallLeavesField, RuleId::kTimeouts};
   configuration.robots = {{6, 6}};
   configuration.half_s = 600;
   return configuration;
 }
 
-// A throw-in for east has just been given.
+// A throw-in for east has just been awarded.
 ScriptedGame stopped(const Configuration& configuration = by_book("2014")) {
   ScriptedGame game = in_play(configuration);
   game.kick_from(Side::kWest, 1, {1, 1.8}, {0, 4});
@@ -40,7 +40,7 @@ TEST(TransitionTimeout, WaitsForAStop) {
   EXPECT_EQ(game.referee.state(), State::kRun);
 }
 
-// "At the beginning of the match": before the first kick-off it has not begun.
+// "At the beginning of the match": the match has not begun before the first kick-off.
 TEST(TransitionTimeout, IsNotTakenBeforeTheFirstKickOff) {
   ScriptedGame game(by_book("2014"));
   game.requests[Side::kEast].timeout = true;
@@ -48,7 +48,7 @@ TEST(TransitionTimeout, IsNotTakenBeforeTheFirstKickOff) {
   EXPECT_EQ(game.count("timeout"), 0);
 }
 
-TEST(TransitionTimeout, GoesFirstToTheSideThatTakesTheRestart) {
+TEST(TransitionTimeout, IsGrantedFirstToTheSideThatTakesTheRestart) {
   ScriptedGame game = stopped();
   for (const Side side : kSides) game.requests[side].timeout = true;
   const Decision first = game.run_until("timeout", 0.1);
@@ -58,7 +58,7 @@ TEST(TransitionTimeout, GoesFirstToTheSideThatTakesTheRestart) {
   EXPECT_EQ(second.command, (Command{CommandKind::kTimeout, Side::kWest}));
 }
 
-// 10 s without a kick lead to a force start here, which is nobody's.
+// After 10 s without a kick there is a force start, which belongs to neither side.
 ScriptedGame before_force_start() {
   Configuration configuration = by_book("2014");
   configuration.rules.in_force[RuleId::kRestartNotTaken] = true;
@@ -68,7 +68,7 @@ ScriptedGame before_force_start() {
   return game;
 }
 
-TEST(TransitionTimeout, BeforeAForceStartGoesFirstToTheSideThatHasUsedLess) {
+TEST(TransitionTimeout, BeforeAForceStartIsGrantedFirstToTheSideThatHasUsedLess) {
   ScriptedGame game = before_force_start();
   game.requests[Side::kEast].timeout = true;
   game.run(1);
@@ -78,7 +78,7 @@ TEST(TransitionTimeout, BeforeAForceStartGoesFirstToTheSideThatHasUsedLess) {
   EXPECT_EQ(game.run_until("timeout", 0.1).command, (Command{CommandKind::kTimeout, Side::kWest}));
 }
 
-TEST(TransitionTimeout, BeforeAForceStartGoesFirstToTheSideThatDidNotKickOff) {
+TEST(TransitionTimeout, BeforeAForceStartIsGrantedFirstToTheSideThatDidNotKickOff) {
   ScriptedGame game = before_force_start();
   for (const Side side : kSides) game.requests[side].timeout = true;
   EXPECT_EQ(game.run_until("timeout", 0.1).command, (Command{CommandKind::kTimeout, Side::kEast}));
@@ -95,7 +95,7 @@ TEST(TransitionTimeout, IsTakenFourTimesByATeam) {
   EXPECT_EQ(game.count("timeout"), 4);
 }
 
-// 2014 double size: six of 450 s; 2026: as in single size.
+// 2014 double size: six with 450 s in total; 2026: as in single size.
 TEST(TransitionTimeout, LastsAsLongAsTheBookAllows) {
   for (const auto& [book, longest_s] :
        {std::pair("2014", 300.0), std::pair("2014-double", 450.0), std::pair("2026-b", 300.0)}) {
@@ -108,7 +108,7 @@ TEST(TransitionTimeout, LastsAsLongAsTheBookAllows) {
   }
 }
 
-TEST(TransitionTimeoutOver, GoesOnWithTheSameRestart) {
+TEST(TransitionTimeoutOver, ContinuesWithTheSameRestart) {
   ScriptedGame game = stopped();
   const Vec2 position_m = game.signal.placement->target_m;
   game.requests[Side::kWest].timeout = true;
@@ -118,13 +118,13 @@ TEST(TransitionTimeoutOver, GoesOnWithTheSameRestart) {
   EXPECT_EQ(over.to, State::kWaitStop);
   EXPECT_EQ(over.command, (Command{CommandKind::kStop, Side::kWest}));
   EXPECT_EQ(game.signal.placement->target_m, position_m);
-  // The wait begins anew: one look period.
+  // The wait starts again: one check period.
   const Decision start = game.run_until("start");
   EXPECT_NEAR(start.time_s, over.time_s + 1, 1e-6);
   EXPECT_EQ(start.command, (Command{CommandKind::kIndirectFree, Side::kEast}));
 }
 
-TEST(TransitionTimeoutOver, PreparesAKickOffAnew) {
+TEST(TransitionTimeoutOver, PreparesAKickOffAgain) {
   ScriptedGame game = in_play(by_book("2014"));
   game.kick_from(Side::kWest, 1, {2.5, 0}, {6, 0});
   game.run_until("prepare");
@@ -137,7 +137,7 @@ TEST(TransitionTimeoutOver, PreparesAKickOffAnew) {
   EXPECT_EQ(game.run_until("start").command, (Command{CommandKind::kNormalStart, Side::kWest}));
 }
 
-TEST(TransitionTimeoutOver, FindsTheClockWhereItStood) {
+TEST(TransitionTimeoutOver, ContinuesTheClock) {
   ScriptedGame game = stopped();
   game.requests[Side::kWest].timeout = true;
   game.run_until("timeout", 0.1);

@@ -1,5 +1,5 @@
-// One test suite per transition of the machine, named after it: every row of the transition table.
-// Here those of the figure; halves and the ends of games are in half_transitions_test.cpp.
+// One test suite per transition, named after it, for every row of the transition table. This file
+// covers the figure; half_transitions_test.cpp covers the ends of halves and games.
 #include <gtest/gtest.h>
 
 #include <cctype>
@@ -39,7 +39,7 @@ TEST(EveryTransition, HasASuiteNamedAfterIt) {
   }
 }
 
-TEST(TransitionBegin, LeadsToWaitStartAfterOneFrameWithStop) {
+TEST(TransitionBegin, SendsStopAndEntersWaitStartAfterOneFrame) {
   ScriptedGame game;
   EXPECT_EQ(game.referee.state(), State::kInit);
   game.line_up().step();
@@ -60,7 +60,7 @@ TEST(TransitionClientsMoved, PreparesTheKickOffOnceARobotOfEachTeamHasMoved) {
   EXPECT_EQ(game.signal.next_command, kNormalStart);
 }
 
-TEST(TransitionClientsMoved, IsNotTakenWhileOneTeamStands) {
+TEST(TransitionClientsMoved, IsNotTakenWhileOneTeamStandsStill) {
   ScriptedGame game;
   game.line_up().step();
   game.robot(Side::kWest, 3).position_m.x() += 0.5;
@@ -78,7 +78,7 @@ TEST(TransitionStartTimeout, IsTakenAfterTenSecondsWithoutMotion) {
   EXPECT_EQ(late.command, (Command{CommandKind::kPrepareKickoff, Side::kEast}));
 }
 
-TEST(TransitionPrepare, SendsThePreparationAndWaitsAnew) {
+TEST(TransitionPrepare, SendsThePreparationAndWaitsAgain) {
   ScriptedGame game;
   game.line_up().kick_off();
   game.kick_from(Side::kWest, 1, {2.5, 0}, {6, 0});
@@ -102,7 +102,7 @@ TEST(TransitionPrepareLate, SendsThePreparationAfterTheTimeout) {
   EXPECT_NEAR(game.decisions.back().time_s, stopped_s + 15, 1e-9);
 }
 
-TEST(TransitionStart, LeadsToRunWithTheNextCommand) {
+TEST(TransitionStart, SendsTheNextCommandAndEntersRun) {
   ScriptedGame game;
   game.line_up().kick_off();
   EXPECT_EQ(game.referee.state(), State::kRun);
@@ -111,11 +111,11 @@ TEST(TransitionStart, LeadsToRunWithTheNextCommand) {
   EXPECT_FALSE(game.signal.next_command.has_value());
 }
 
-TEST(TransitionStartLate, LeadsToRunAfterTheTimeoutWithTheBallSetToItsPlace) {
+TEST(TransitionStartLate, EntersRunAfterTheTimeoutWithTheBallSetToItsPosition) {
   ScriptedGame game;
   game.line_up().kick_off();
   game.kick_from(Side::kWest, 1, {1, 1.8}, {0, 4});
-  game.placement_works = false;  // nobody drags the ball
+  game.placement_works = false;  // the ball is not moved there
   game.run_until("throw_in");
   bool was_set_at_once = false;
   while (game.count("start_late") == 0 && game.now_s() < 60) {
@@ -142,7 +142,7 @@ TEST(TransitionGoal, ScoresAndSendsGoalForOneFrame) {
   EXPECT_EQ(game.signal.next_command, (Command{CommandKind::kPrepareKickoff, Side::kEast}));
 }
 
-TEST(TransitionThrowIn, GivesTheBallToTheOthers) {
+TEST(TransitionThrowIn, GivesTheBallToTheOpponents) {
   ScriptedGame game;
   game.line_up().kick_off();
   game.kick_from(Side::kEast, 1, {-1, -1.8}, {0, -4});
@@ -185,7 +185,7 @@ TEST(TransitionTouchLineUnknown, LeadsToAForceStartFrom100MillimetresInside) {
 TEST(TransitionAttackerTooCloseToDefenseArea, GivesAnIndirectFreeKickToTheDefenders) {
   ScriptedGame game;
   game.line_up().kick_off();
-  // The area's rim is 0.8 m from the goal line; the disc of 90 mm faces away.
+  // The area's edge is 0.8 m from the goal line; the robot's round back, 90 mm, faces it.
   game.robot(Side::kWest, 2) = {2, {3.025 - 0.8 - 0.19 - 0.09, 0}, Vec2(-1, 0)};
   game.kick(Side::kWest, 1, {-3, 0});
   const Decision call = game.run_until("attacker_too_close_to_defense_area", 1);
@@ -219,7 +219,7 @@ TEST(TransitionRestartNotTaken, LeadsToAForceStartAfterTenSeconds) {
   EXPECT_TRUE(game.referee.is_ball_in_play());
 }
 
-TEST(TransitionStuckBall, LeadsToANeutralPlaceAndAForceStart) {
+TEST(TransitionStuckBall, LeadsToAForceStartFromANeutralPosition) {
   ScriptedGame game;
   game.line_up().kick_off();
   game.put_ball({2.6, 0.5});

@@ -6,7 +6,8 @@
 namespace autoref::referee {
 namespace {
 
-// In play, and no more straight from the kick-off.
+// In play, after a second robot's touch, so that the ball no longer comes straight from the
+// kick-off.
 ScriptedGame after_a_touch(const Configuration& configuration) {
   ScriptedGame game = in_play(configuration);
   game.kick_from(Side::kEast, 5, {0, 1}, {0, 1});
@@ -32,7 +33,7 @@ TEST(AimlessKick, FromTheOpponentsHalfIsAGoalKick) {
   EXPECT_TRUE(is_called(game, "goal_kick"));
 }
 
-TEST(AimlessKick, ThatAnotherRobotTouchesIsNone) {
+TEST(AimlessKick, IsNotCalledIfAnotherRobotTouchesTheBall) {
   ScriptedGame game = long_kick(by_book("2026-b"), {-1, 2});
   game.run(0.3);
   game.ball_mps = Vec2(0, 0);
@@ -46,10 +47,10 @@ TEST(AimlessKick, OverTheOwnGoalLineIsACornerKick) {
   EXPECT_TRUE(is_called(game, "corner_kick"));
 }
 
-TEST(AimlessKick, FromAKickOffIsNone) {
+TEST(AimlessKick, IsNotCalledFromAKickOff) {
   ScriptedGame game(by_book("2026-b"));
   game.line_up().kick_off();
-  game.put_ball({-0.01, 0});  // vision sees the ball a little beside its place
+  game.put_ball({-0.01, 0});  // vision sees the ball slightly off its position
   game.kick(Side::kWest, 1, 6 * Vec2(4.5, 1).normalized());
   EXPECT_TRUE(is_called(game, "goal_kick"));
 }

@@ -6,7 +6,7 @@
 namespace autoref::referee {
 namespace {
 
-// West 1 kicks off with a soft kick of `path_m`, after which the ball lies still.
+// West 1 kicks off with a soft kick over `path_m`, and then the ball lies still.
 ScriptedGame kicked_off(const Configuration& configuration, double path_m) {
   ScriptedGame game(configuration);
   game.line_up().kick_off();
@@ -28,7 +28,7 @@ TEST(DoubleTouch, ByTheKickerGivesAnIndirectFreeKickThere) {
   EXPECT_NEAR(call.finding.position_m->x(), 0.3, 0.02);
 }
 
-TEST(DoubleTouch, IsADirectFreeKickWhereAllMayScore) {
+TEST(DoubleTouch, IsADirectFreeKickIfAllKicksMayScore) {
   ScriptedGame game = kicked_off(by_book("2026-b"), 0.3);
   game.kick(Side::kWest, 1, {0, 1});
   EXPECT_EQ(game.run_until("attacker_double_touched_ball", 0.5).restart(),
@@ -55,15 +55,15 @@ TEST(DoubleTouch, IsAllowedOnceAnotherRobotHasTouchedTheBall) {
   }
 }
 
-TEST(DoubleTouch, ByATeamMateIsNone) {
+TEST(DoubleTouch, IsNotCalledForATeamMate) {
   ScriptedGame game = kicked_off(by_book("2014"), 0.3);
   game.robot(Side::kWest, 1).position_m = Vec2(-0.5, 1);
   game.kick(Side::kWest, 2, {0, 1});
   EXPECT_FALSE(is_called(game, "attacker_double_touched_ball"));
 }
 
-// The robot drives on after its kick, and the ball is faster.
-TEST(DoubleTouch, IsNotCalledForOneKickThatTheRobotFollows) {
+// The robot keeps driving after its kick, slower than the ball.
+TEST(DoubleTouch, IsNotCalledIfTheRobotFollowsItsKick) {
   ScriptedGame game(by_book("2014"));
   game.line_up().kick_off();
   game.kick(Side::kWest, 1, {2, 0});
@@ -88,7 +88,7 @@ TEST(DoubleTouch, IsAllowedAfterAForceStart) {
   EXPECT_EQ(game.count("attacker_double_touched_ball"), 0);
 }
 
-TEST(DoubleTouch, IsAllowedWhereTheRuleIsNotInForce) {
+TEST(DoubleTouch, IsAllowedIfTheRuleIsNotInForce) {
   ScriptedGame game = kicked_off(without(by_book("2014"), RuleId::kAttackerDoubleTouchedBall), 0.3);
   game.kick(Side::kWest, 1, {0, 1});
   EXPECT_FALSE(is_called(game, "attacker_double_touched_ball"));

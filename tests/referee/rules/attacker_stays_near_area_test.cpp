@@ -11,13 +11,13 @@ constexpr RobotId kWest2{Side::kWest, 2};
 // Division B: goal lines at 4.5 m, areas 1 m deep.
 constexpr double kAreaEdge_m = 4.5 - 1.0;
 
-// A robot that faces its own goal, its round back `gap_m` from the opponents' area.
+// A robot facing its own goal, with its round back `gap_m` from the opponents' area.
 RobotObservation near_area(Side side, int number, double gap_m) {
   const double towards = -goal_sign(side);
   return {number, {towards * (kAreaEdge_m - gap_m - kRobotRadius_m), 0}, Vec2(-towards, 0)};
 }
 
-// Nobody brings the ball to its place, so that the stop lasts.
+// The ball is never placed, so the stop lasts.
 ScriptedGame long_stop(std::string_view book) {
   ScriptedGame game = stopped_game(by_book(book));
   game.placement_works = false;
@@ -45,7 +45,7 @@ TEST(AttackerStaysNearArea, IsNotCalledAt210Millimetres) {
   EXPECT_EQ(fouls(game), 0);
 }
 
-TEST(AttackerStaysNearArea, IsNotCalledOfARobotThatLeavesInTime) {
+TEST(AttackerStaysNearArea, IsNotCalledForARobotThatLeavesInTime) {
   ScriptedGame game = long_stop("2026-b");
   game.robot(Side::kWest, 2) = near_area(Side::kWest, 2, 0.1);
   game.run(1.9);
@@ -54,7 +54,7 @@ TEST(AttackerStaysNearArea, IsNotCalledOfARobotThatLeavesInTime) {
   EXPECT_EQ(fouls(game), 0);
 }
 
-TEST(AttackerStaysNearArea, GivesTheOthersAFreeKickFromWhereTheBallIs) {
+TEST(AttackerStaysNearArea, GivesTheOpponentsAFreeKickFromTheBallsPosition) {
   ScriptedGame game = long_stop("2026-b");
   game.robot(Side::kWest, 2) = near_area(Side::kWest, 2, 0.1);
   game.put_ball({0, -1});
@@ -75,7 +75,7 @@ TEST(AttackerStaysNearArea, IsCalledAtOnceInTheFreeKickAfterTheStop) {
   EXPECT_EQ(game.signal.command.kind, CommandKind::kStop);
 }
 
-TEST(AttackerStaysNearArea, TheSecondTimeHaltsTheGameWhichThenGoesOn) {
+TEST(AttackerStaysNearArea, HaltsTheGameBrieflyTheSecondTime) {
   ScriptedGame game = long_stop("2026-b");
   game.robot(Side::kWest, 2) = near_area(Side::kWest, 2, 0.1);
   const double first_s = game.run_until("attacker_stays_near_area", 5).time_s;
@@ -96,7 +96,7 @@ TEST(AttackerStaysNearArea, TheSecondTimeHaltsTheGameWhichThenGoesOn) {
   EXPECT_EQ(game.run_until("start", 20).command, (Command{CommandKind::kDirectFree, Side::kEast}));
 }
 
-TEST(AttackerStaysNearArea, TheSecondCountsWhereTheFirstStoppedAFreeKick) {
+TEST(AttackerStaysNearArea, CountsTheSecondFoulAfterTheFirstStoppedAFreeKick) {
   ScriptedGame game = throw_in_game(by_book("2026-b"));
   game.robot(Side::kWest, 2) = near_area(Side::kWest, 2, 0.1);
   game.placement_works = false;
@@ -106,7 +106,7 @@ TEST(AttackerStaysNearArea, TheSecondCountsWhereTheFirstStoppedAFreeKick) {
   EXPECT_EQ(game.decisions.back().to, State::kDelayWait);
 }
 
-TEST(AttackerStaysNearArea, OfBothSidesInOneFrameIsAFoulOfBothAndChangesNoRestart) {
+TEST(AttackerStaysNearArea, IsAFoulByBothSidesInOneFrameWithoutChangingTheRestart) {
   ScriptedGame game = long_stop("2026-b");
   game.robot(Side::kWest, 2) = near_area(Side::kWest, 2, 0.1);
   game.robot(Side::kEast, 2) = near_area(Side::kEast, 2, 0.1);
@@ -118,7 +118,7 @@ TEST(AttackerStaysNearArea, OfBothSidesInOneFrameIsAFoulOfBothAndChangesNoRestar
   EXPECT_EQ(game.signal.next_command, next);
 }
 
-TEST(AttackerStaysNearArea, IsNoCallOnceTheBallIsInPlay) {
+TEST(AttackerStaysNearArea, IsNotCalledOnceTheBallIsInPlay) {
   ScriptedGame game = throw_in_game(by_book("2026-b"));
   game.kick(Side::kEast, 3, {0, -1});
   game.run(0.2);
@@ -128,7 +128,7 @@ TEST(AttackerStaysNearArea, IsNoCallOnceTheBallIsInPlay) {
   EXPECT_EQ(fouls(game) + game.count("attacker_too_close_to_defense_area"), 0);
 }
 
-TEST(AttackerStaysNearArea, IsNoRuleOfTheLaws) {
+TEST(AttackerStaysNearArea, IsNotARuleOfTheLaws) {
   ScriptedGame game = long_stop("2014");
   game.robot(Side::kWest, 2).position_m = Vec2(2.1, 0);
   game.run(4);

@@ -1,4 +1,4 @@
-// What other books than the paper's say of a ball that leaves the field.
+// Balls that leave the field under books other than the paper's.
 #include <gtest/gtest.h>
 
 #include "tests/referee/support/booked_game.hpp"
@@ -19,7 +19,7 @@ TEST(BallLeavesField, OverATouchLineIsAnIndirectFreeKickByTheLaws) {
 }
 
 // Deviation D14
-TEST(BallLeavesField, OverAGoalLineAndNobodyKnowsByWhomIsAForceStart) {
+TEST(BallLeavesField, OverAGoalLineAfterAnUnknownTouchIsAForceStart) {
   for (const char* book : {"2014", "2026-b"}) {
     const Configuration configuration = by_book(book);
     ScriptedGame game = in_play(configuration);

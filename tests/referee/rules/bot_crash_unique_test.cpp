@@ -1,4 +1,4 @@
-// Crashes: Laws 2014, law 12, decision 1 (in the words of 2018), and "Crashing" of 2026.
+// Crashes: Laws 2014, law 12, decision 1 (in the wording of 2018), and "Crashing" of 2026.
 #include <gtest/gtest.h>
 
 #include "tests/referee/rules/driven_game.hpp"
@@ -9,14 +9,14 @@ namespace {
 constexpr RobotId kWest{Side::kWest, 0};
 constexpr RobotId kEast{Side::kEast, 0};
 
-// West 0 runs into east 0 along x. From 0.3 m before they meet, at the speeds given; both stand
+// West 0 runs into east 0 along x, at the given speeds, starting 0.3 m before they meet. Both stop
 // where they met.
 struct Approach {
   double west_mps = 0;
   double east_mps = 0;
   double noise_m = 0;
   Vec2 met_m{-0.4, -0.8};
-  double lateral_m = 0;  // between the centres, across the way
+  double lateral_m = 0;  // between the centres, across the path
 };
 
 DrivenGame crash(const char* book, const Approach& run, double start = 0.0) {
@@ -34,7 +34,7 @@ DrivenGame crash(const char* book, const Approach& run, double start = 0.0) {
   return game;
 }
 
-TEST(Crash, IsTheFastersFaultAboveOnePointFiveMetresPerSecond) {
+TEST(Crash, IsTheFasterRobotsFaultAboveOnePointFiveMetresPerSecond) {
   const DrivenGame game = crash("2014", {1.55, 0});
   ASSERT_EQ(game.calls(Event::kBotCrashUnique).size(), 1U);
   const Decision call = game.calls(Event::kBotCrashUnique).front();
@@ -46,12 +46,12 @@ TEST(Crash, IsTheFastersFaultAboveOnePointFiveMetresPerSecond) {
   EXPECT_LE((*call.finding.position_m - Vec2(-0.4, -0.8)).norm(), 0.02);
 }
 
-TEST(Crash, IsNoneBelowIt) {
+TEST(Crash, IsNotCalledBelowTheLimit) {
   EXPECT_TRUE(crash("2014", {1.45, 0}).calls(Event::kBotCrashUnique).empty());
 }
 
-// It has been faster than 1.5 m/s until the frame before.
-TEST(Crash, CountsTheSpeedAtTheMeetingOfARobotThatBrakes) {
+// The robot was faster than 1.5 m/s until the previous frame.
+TEST(Crash, UsesABrakingRobotsSpeedAtTheCollision) {
   for (const double last_mps : {1.46, 1.56}) {
     DrivenGame game(by_book("2014"));
     constexpr double kFrame_s = 1 / ScriptedGame::kRate_hz;
@@ -70,20 +70,20 @@ TEST(Crash, CountsTheSpeedAtTheMeetingOfARobotThatBrakes) {
   }
 }
 
-TEST(Crash, CountsTheSpeedsOfBothTogether) {
+TEST(Crash, AddsTheSpeedsOfBothRobots) {
   const DrivenGame game = crash("2014", {0.5, 1.1});
   ASSERT_EQ(game.calls(Event::kBotCrashUnique).size(), 1U);
   EXPECT_EQ(game.calls(Event::kBotCrashUnique).front().finding.offender, Side::kEast);
 }
 
-TEST(Crash, CountsOnlyThePartAlongTheLineOfTheCentres) {
-  // 0.16 m aside of 0.18 m: 2.5 m/s is 1.15 m/s along the line.
+TEST(Crash, CountsOnlyTheComponentAlongTheLineOfTheCentres) {
+  // With 0.16 m of lateral offset out of 0.18 m, 2.5 m/s is 1.15 m/s along the line.
   Approach aside{2.5, 0};
   aside.lateral_m = 0.16;
   EXPECT_TRUE(crash("2014", aside).calls(Event::kBotCrashUnique).empty());
 }
 
-TEST(Crash, IsSeenWhereverBetweenTwoFramesRobotsMeet) {
+TEST(Crash, IsSeenAtAnyMomentBetweenTwoFrames) {
   for (const double start : {-0.9, -0.6, -0.3, 0.0, 0.3, 0.6, 0.9}) {
     const DrivenGame game = crash("2014", {3.0, 0.5}, start);
     ASSERT_EQ(game.calls(Event::kBotCrashUnique).size(), 1U) << start;
@@ -91,13 +91,13 @@ TEST(Crash, IsSeenWhereverBetweenTwoFramesRobotsMeet) {
   }
 }
 
-TEST(Crash, IsNobodysFaultByTheLawsWhereSpeedsDifferLittle) {
+TEST(Crash, IsNobodysFaultByTheLawsIfSpeedsDifferLittle) {
   const DrivenGame game = crash("2014", {1.0, 0.75});
   EXPECT_TRUE(game.calls(Event::kBotCrashUnique).empty());
   EXPECT_TRUE(game.calls(Event::kBotCrashDrawn).empty());
 }
 
-TEST(Crash, IsBothSidesFoulBy2026WhereSpeedsDifferLittle) {
+TEST(Crash, IsAFoulByBothSidesIn2026IfSpeedsDifferLittle) {
   const DrivenGame game = crash("2026-b", {1.0, 0.75});
   ASSERT_EQ(game.calls(Event::kBotCrashDrawn).size(), 1U);
   EXPECT_EQ(game.calls(Event::kBotCrashDrawn).front().finding.offender, std::nullopt);
@@ -105,7 +105,7 @@ TEST(Crash, IsBothSidesFoulBy2026WhereSpeedsDifferLittle) {
   EXPECT_TRUE(crash("2026-b", {1.2, 0.85}).calls(Event::kBotCrashDrawn).empty());
 }
 
-TEST(Crash, DoesNotStopPlayBy2026) {
+TEST(Crash, DoesNotStopPlayIn2026) {
   const DrivenGame game = crash("2026-b", {2.0, 0});
   EXPECT_EQ(game.calls(Event::kBotCrashUnique).size(), 1U);
   EXPECT_EQ(game.game.referee.state(), State::kRun);
@@ -146,11 +146,11 @@ TEST(Crash, IsNeitherMissedNorInventedUnderNoise) {
   }
 }
 
-TEST(Crash, IsNoFoulByThePaper) {
+TEST(Crash, IsNotAFoulInThePaper) {
   EXPECT_TRUE(crash("paper", {3.0, 0}).calls(Event::kBotCrashUnique).empty());
 }
 
-TEST(Crash, OfEachSideAtOnceFavoursNobody) {
+TEST(Crash, IsNotCalledIfBothSidesCauseOneAtOnce) {
   DrivenGame game(by_book("2014"));
   game.put(kWest, {-0.6, -0.8}, {2.0, 0});
   game.put(kEast, {0.0, -0.8}, {0, 0});

@@ -8,8 +8,8 @@ namespace {
 
 constexpr RobotId kEast{Side::kEast, 0};
 
-// East 0 comes to the ball and takes it along for `path_m` to the west, in one go or with the ball
-// 30 mm ahead half-way.
+// East 0 drives to the ball and dribbles it for `path_m` to the west, continuously or with the ball
+// 30 mm ahead halfway.
 DrivenGame dribble(const char* book, double path_m, double noise_m = 0, bool loses_it = false) {
   Configuration configuration = by_book(book);
   configuration.noise.robot_m = configuration.noise.ball_m = noise_m;
@@ -40,11 +40,11 @@ TEST(Dribbling, IsCalledOverFiveHundredMillimetresByTheLaws) {
   EXPECT_LE((*call.finding.position_m - Vec2(0.1, -0.8)).norm(), 0.03);
 }
 
-TEST(Dribbling, IsNoneUpToFiveHundredMillimetres) {
+TEST(Dribbling, IsNotCalledUpToFiveHundredMillimetres) {
   EXPECT_TRUE(dribble("2014", 0.48).calls(Event::kBotDribbledBallTooFar).empty());
 }
 
-TEST(Dribbling, MayGoOnForAMetreBy2026) {
+TEST(Dribbling, IsAllowedForAMetreIn2026) {
   EXPECT_TRUE(dribble("2026-b", 0.97).calls(Event::kBotDribbledBallTooFar).empty());
   const DrivenGame game = dribble("2026-b", 1.05);
   ASSERT_EQ(game.calls(Event::kBotDribbledBallTooFar).size(), 1U);
@@ -52,7 +52,7 @@ TEST(Dribbling, MayGoOnForAMetreBy2026) {
             (Command{CommandKind::kDirectFree, Side::kWest}));
 }
 
-TEST(Dribbling, EndsWhereBallAndRobotSeparate) {
+TEST(Dribbling, EndsWhenBallAndRobotSeparate) {
   EXPECT_TRUE(dribble("2014", 0.8, 0, true).calls(Event::kBotDribbledBallTooFar).empty());
   EXPECT_FALSE(dribble("2014", 0.8, 0, false).calls(Event::kBotDribbledBallTooFar).empty());
 }
@@ -63,11 +63,11 @@ TEST(Dribbling, IsTheSameUnderNoise) {
   EXPECT_TRUE(dribble("2014", 0.8, 0.0014, true).calls(Event::kBotDribbledBallTooFar).empty());
 }
 
-TEST(Dribbling, IsNoFoulByThePaper) {
+TEST(Dribbling, IsNotAFoulInThePaper) {
   EXPECT_TRUE(dribble("paper", 0.9).calls(Event::kBotDribbledBallTooFar).empty());
 }
 
-TEST(Dribbling, IsNoneOfABallThatFliesOverARobot) {
+TEST(Dribbling, IsNotCalledForABallThatFliesOverARobot) {
   DrivenGame game(by_book("2014"));
   game.put(kEast, {0.6, -0.8}, {-1, 0}, {-1, 0});
   game.carry(kEast);

@@ -24,13 +24,13 @@ TEST(KickSpeed, OfMoreThan8MetresPerSecondGivesAnIndirectFreeKick) {
   EXPECT_LE((*call.finding.position_m - Vec2(-1, 1.2)).norm(), 1e-6);
 }
 
-TEST(KickSpeed, OfALittleLessIsAllowed) {
+TEST(KickSpeed, SlightlyBelowTheLimitIsAllowed) {
   ScriptedGame game = shot(by_book("2014"), {7.9, 0});
   EXPECT_FALSE(is_called(game, "bot_kicked_ball_too_fast"));
 }
 
-// The carpet takes 0.06 m/s from frame to frame.
-TEST(KickSpeed, IsTheSpeedAtTheKickItself) {
+// The carpet slows the ball by 0.06 m/s per frame.
+TEST(KickSpeed, IsMeasuredAtTheKickItself) {
   for (const double carpet_mps2 : {3.0, 3.9}) {
     for (const double speed_mps : {7.95, 8.05}) {
       ScriptedGame game = in_play(by_book("2014"));
@@ -41,7 +41,7 @@ TEST(KickSpeed, IsTheSpeedAtTheKickItself) {
   }
 }
 
-TEST(KickSpeed, IsTheSpeedAtAKickThatIsSoonTouchedAgain) {
+TEST(KickSpeed, IsMeasuredEvenIfTheBallIsSoonTouchedAgain) {
   for (const double speed_mps : {7.9, 8.1}) {
     ScriptedGame game = shot(by_book("2014"), {speed_mps, 0});
     game.run(0.1);
@@ -54,7 +54,7 @@ TEST(KickSpeed, IsTheSpeedAtAKickThatIsSoonTouchedAgain) {
   }
 }
 
-TEST(KickSpeed, IsLimitedTo6AndAHalfFrom2026) {
+TEST(KickSpeed, IsLimitedTo6AndAHalfMetresPerSecondIn2026) {
   ScriptedGame slow = shot(by_book("2026-b"), {6.4, 0});
   EXPECT_FALSE(is_called(slow, "bot_kicked_ball_too_fast"));
   ScriptedGame fast = shot(by_book("2026-b"), {6.6, 0});
@@ -65,7 +65,7 @@ TEST(KickSpeed, IsLimitedTo6AndAHalfFrom2026) {
   EXPECT_EQ(fast.count("bot_kicked_ball_too_fast"), 1);
 }
 
-TEST(KickSpeed, CountsTheChipsRiseFrom2026) {
+TEST(KickSpeed, IncludesAChipsVerticalSpeedIn2026) {
   for (const double rise_mps : {4.0, 4.3}) {  // with 5 m/s along the carpet 6.40 and 6.59 m/s
     ScriptedGame game = shot(by_book("2026-b"), {5, 0});
     for (int i = 0; i < 12; ++i) {
@@ -77,7 +77,7 @@ TEST(KickSpeed, CountsTheChipsRiseFrom2026) {
   }
 }
 
-TEST(KickSpeed, IsNobodysWhereNobodyKicked) {
+TEST(KickSpeed, IsNotCalledIfNobodyKicked) {
   ScriptedGame game = in_play(by_book("2014"));
   game.put_ball({0, 1.2});
   game.run(0.1);
@@ -85,12 +85,12 @@ TEST(KickSpeed, IsNobodysWhereNobodyKicked) {
   EXPECT_FALSE(is_called(game, "bot_kicked_ball_too_fast"));
 }
 
-TEST(KickSpeed, IsNotASlowerRobotsThatTheBallGlancedOff) {
+TEST(KickSpeed, IsNotBlamedOnARobotThatTheBallGlancesOff) {
   ScriptedGame game = in_play(by_book("2014"));
   game.carpet_mps2 = 3.4;
   game.put_ball({-1.9, 1.5});
   game.run(0.1);
-  game.ball_mps = {9.2, 0};  // nobody knows by whom
+  game.ball_mps = {9.2, 0};  // kicked by an unknown robot
   game.run(0.2);
   RobotObservation& east = game.robot(Side::kEast, 1);
   east.heading = Vec2(-1, 0);
@@ -99,15 +99,15 @@ TEST(KickSpeed, IsNotASlowerRobotsThatTheBallGlancedOff) {
   EXPECT_FALSE(is_called(game, "bot_kicked_ball_too_fast"));
 }
 
-// Where the height is unknown, the call waits until a chip is out of the question.
-TEST(KickSpeed, IsCalledWithoutHeightsToo) {
+// If the height is unknown, the call waits until a chip can be ruled out.
+TEST(KickSpeed, IsAlsoCalledWithoutHeights) {
   ScriptedGame game = in_play(by_book("2014"));
   game.frame.ball->height_m.reset();
   game.kick_from(Side::kWest, 1, {-1, 1.2}, {8.6, 0});
   EXPECT_TRUE(is_called(game, "bot_kicked_ball_too_fast", 0.4));
 }
 
-TEST(KickSpeed, IsNotMadeByNoise) {
+TEST(KickSpeed, IsNotCalledBecauseOfNoise) {
   Configuration configuration = without(by_book("2014"), RuleId::kAttackerDoubleTouchedBall);
   configuration.noise.ball_m = 0.0014;
   ScriptedGame game = in_play(configuration);
@@ -127,7 +127,7 @@ TEST(KickSpeed, IsNotMadeByNoise) {
   EXPECT_EQ(game.count("bot_kicked_ball_too_fast"), 0);
 }
 
-TEST(KickSpeed, IsAllowedWhereTheRuleIsNotInForce) {
+TEST(KickSpeed, IsAllowedIfTheRuleIsNotInForce) {
   ScriptedGame game = shot(without(by_book("2014"), RuleId::kBotKickedBallTooFast), {9, 0});
   EXPECT_FALSE(is_called(game, "bot_kicked_ball_too_fast"));
 }

@@ -10,8 +10,8 @@ namespace {
 constexpr RobotId kWest{Side::kWest, 0};
 constexpr RobotId kEast{Side::kEast, 0};
 
-// West 0 drives away at `own_mps` until east 0 reaches it at 0.5 m/s. Then both go on so for
-// `path_m`, in contact, and east 0 backs off.
+// West 0 drives away at `own_mps` until east 0 reaches it at 0.5 m/s. Both then drive on for
+// `path_m` in contact, and east 0 backs off.
 DrivenGame push(const char* book, double path_m, double own_mps = 0, double noise_m = 0) {
   Configuration configuration = by_book(book);
   configuration.noise.robot_m = noise_m;
@@ -27,7 +27,7 @@ DrivenGame push(const char* book, double path_m, double own_mps = 0, double nois
   return game;
 }
 
-TEST(Pushing, IsTheFaultOfWhoDrivesAnOpponentBackMoreThanTwoHundredMillimetres) {
+TEST(Pushing, IsCalledForPushingAnOpponentMoreThanTwoHundredMillimetres) {
   const DrivenGame game = push("2014", 0.225);
   ASSERT_EQ(game.calls(Event::kBotPushedBot).size(), 1U);
   const Decision call = game.calls(Event::kBotPushedBot).front();
@@ -39,15 +39,15 @@ TEST(Pushing, IsTheFaultOfWhoDrivesAnOpponentBackMoreThanTwoHundredMillimetres) 
   EXPECT_LT(call.finding.value, 0.21);
 }
 
-TEST(Pushing, IsNoneUpToTwoHundredMillimetres) {
+TEST(Pushing, IsNotCalledUpToTwoHundredMillimetres) {
   EXPECT_TRUE(push("2014", 0.175).calls(Event::kBotPushedBot).empty());
 }
 
-TEST(Pushing, IsNoneOfARobotThatDrivesAwayItself) {
+TEST(Pushing, IsNotCalledIfTheOpponentDrivesAwayItself) {
   EXPECT_TRUE(push("2014", 0.4, 0.3).calls(Event::kBotPushedBot).empty());
 }
 
-TEST(Pushing, EndsWhereRobotsSeparate) {
+TEST(Pushing, EndsWhenTheRobotsSeparate) {
   DrivenGame game(by_book("2014"));
   game.put(kWest, {0.3, -0.8}, {0, 0});
   game.put(kEast, {0.3 + 0.181, -0.8}, {0, 0});
@@ -84,7 +84,7 @@ TEST(Pushing, InsideTheOffendersOwnAreaIsAPenaltyKickByTheLaws) {
             (Command{CommandKind::kPreparePenalty, Side::kWest}));
 }
 
-TEST(Pushing, StopsPlayBy2026AndIsNoFoulByThePaper) {
+TEST(Pushing, StopsPlayIn2026AndIsNotAFoulInThePaper) {
   EXPECT_EQ(push("2026-b", 0.225).calls(Event::kBotPushedBot).size(), 1U);
   EXPECT_TRUE(push("paper", 0.4).calls(Event::kBotPushedBot).empty());
 }

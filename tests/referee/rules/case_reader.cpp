@@ -13,12 +13,12 @@
 namespace autoref::referee {
 namespace {
 
-// What all cases of a file have in common.
+// The common properties of a file's cases.
 struct FileHead {
   std::string file;
   std::string rule;
   std::string book;
-  std::vector<Event> events;  // the rule's
+  std::vector<Event> events;  // of the rule
 };
 
 void read_side(YamlKeys& keys, Side side, std::vector<StagedRobot>& robots) {
@@ -88,7 +88,8 @@ void read_opening(YamlKeys& keys, Case& it) {
   if (it.opening != Opening::kKickoff) it.ball_m = keys.vector("ball_m");
 }
 
-// Exactly one of: calls that must come and no others, calls that must not, none at all.
+// Exactly one of three: calls that must come and no others, calls that must not come, or no calls
+// at all.
 void read_outcome(YamlKeys& keys, const FileHead& head, Case& it) {
   if (keys.has("expect")) {
     for (const YAML::Node& node : keys.child("expect")) {
@@ -101,10 +102,10 @@ void read_outcome(YamlKeys& keys, const FileHead& head, Case& it) {
   it.others_allowed = keys.has("never");
   const bool nothing = keys.has("nothing") && keys.yes_or_no("nothing");
   if (it.expected.empty() && it.never.empty() && !nothing) {
-    keys.refuse("expect", "a case says what comes, what never does, or nothing: true");
+    keys.refuse("expect", "a case needs `expect`, `never` or `nothing: true`");
   }
   if (nothing && (it.others_allowed || !it.expected.empty())) {
-    keys.refuse("nothing", "stands alone");
+    keys.refuse("nothing", "excludes `expect` and `never`");
   }
   if (it.expected.empty() || keys.has("until_s")) it.until_s = keys.number("until_s");
   if (keys.has("goals")) it.goals = read_numbers(keys, "goals");

@@ -5,7 +5,7 @@
 namespace autoref::referee {
 namespace {
 
-// What is wrong with a file of one case that has the given lines besides the necessary ones.
+// The error of a file with one case that has the given lines in addition to the required ones.
 std::string error_of(const std::string& lines, const std::string& head = "") {
   const std::string text = "rule: goal\nrules: paper\nevents: [goal]\n" + head +
                            "cases:\n"
@@ -32,12 +32,12 @@ TEST(CaseReader, RefusesAKeyGivenTwice) {
 }
 
 TEST(CaseReader, RefusesACaseWithoutAnOutcome) {
-  EXPECT_NE(error_of("    until_s: 1\n").find("a case says what comes"), std::string::npos);
+  EXPECT_NE(error_of("    until_s: 1\n").find("a case needs `expect`"), std::string::npos);
 }
 
 TEST(CaseReader, RefusesAnUnknownEvent) {
   EXPECT_EQ(error_of("    never: [gaol]\n    until_s: 1\n"),
-            "goal.yaml:9: never: 'gaol' is no event");
+            "goal.yaml:9: never: 'gaol' is not an event");
 }
 
 TEST(CaseReader, RefusesACueThatLacksItsNumbers) {
@@ -49,7 +49,7 @@ TEST(CaseReader, RefusesCuesOutOfOrder) {
   EXPECT_EQ(error_of("    script:\n      - { at_s: 2, ball_seen: false }\n"
                      "      - { at_s: 1, ball_seen: true }\n" +
                      kNothing),
-            "goal.yaml:11: at_s: earlier than the cue before");
+            "goal.yaml:11: at_s: earlier than the previous cue");
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ Event event_of(YamlKeys& keys, const std::string& key, const std::string& word) 
   for (int i = 0; i < kEventCount; ++i) {
     if (name_of(static_cast<Event>(i)) == word) return static_cast<Event>(i);
   }
-  keys.refuse(key, "'" + word + "' is no event");
+  keys.refuse(key, "'" + word + "' is not an event");
 }
 
 std::vector<Event> events_of(YamlKeys& keys, const std::string& key) {
@@ -54,7 +54,7 @@ Command command_of(YamlKeys& keys, const std::string& key) {
                             {"prepare_penalty", CommandKind::kPreparePenalty},
                             {"direct_free", CommandKind::kDirectFree},
                             {"indirect_free", CommandKind::kIndirectFree}});
-  if (is_for_one_side(command) && !(in >> side)) keys.refuse(key, "for which side?");
+  if (is_for_one_side(command) && !(in >> side)) keys.refuse(key, "a side is missing");
   return {command, side_of(keys, key, side)};
 }
 

@@ -1,4 +1,4 @@
-// The words of a case: what a text after a key stands for.
+// Parses the words used in cases.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace autoref::referee {
 
-// All of them read the text after `key`, or `word` where it is given, and throw CaseError for a
-// text that is none of the known ones.
+// All functions parse the text of `key`, or `word` if given. They throw CaseError if the text is
+// unknown.
 template <typename T>
 T word_in(YamlKeys& keys, const std::string& key, const std::string& word,
           const std::vector<std::pair<std::string, T>>& words) {
@@ -20,7 +20,7 @@ T word_in(YamlKeys& keys, const std::string& key, const std::string& word,
     if (name == word) return value;
     known += (known.empty() ? "" : ", ") + name;
   }
-  keys.refuse(key, "'" + word + "' is none of " + known);
+  keys.refuse(key, "'" + word + "' is not one of " + known);
 }
 
 Event event_of(YamlKeys& keys, const std::string& key, const std::string& word);

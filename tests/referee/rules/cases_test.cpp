@@ -1,4 +1,4 @@
-// The referee against the rule books: every case of cases/*.yaml, as it stands there and turned by
+// Tests the referee against the rule books: every case of cases/*.yaml, as written and turned by
 // 180 degrees with the sides swapped.
 #include <gtest/gtest.h>
 
@@ -73,7 +73,7 @@ bool is_as_expected(const Call& call, const Expected& expected) {
           (call.ball_m && (*call.ball_m - *expected.ball_m).norm() <= expected.within_m));
 }
 
-// Takes the expected calls out of `calls`; says which are missing.
+// Removes the expected calls from `calls`. Returns the missing ones.
 std::string take_expected(const Case& it, std::vector<Call>& calls) {
   std::string missing;
   for (const Expected& expected : it.expected) {
@@ -119,8 +119,8 @@ void play(const Case& it, bool turned) {
 
 class RuleCase : public testing::TestWithParam<Case> {};
 
-TEST_P(RuleCase, IsCalledByTheBook) { play(GetParam(), false); }
-TEST_P(RuleCase, IsCalledByTheBookWhenTurned) { play(GetParam(), true); }
+TEST_P(RuleCase, FollowsTheRuleBook) { play(GetParam(), false); }
+TEST_P(RuleCase, FollowsTheRuleBookWhenTurned) { play(GetParam(), true); }
 
 std::string name_of_parameter(const testing::TestParamInfo<Case>& info) {
   return test_name(info.param);
@@ -142,14 +142,14 @@ std::map<std::string, Counted> count_by_rule() {
   return counted;
 }
 
-TEST(RuleCases, AreThreeAtLeastForEachRule) {
+TEST(RuleCases, ExistAtLeastThreePerRule) {
   for (int i = 0; i < kRuleCount; ++i) {
     const std::string rule(name_of(static_cast<RuleId>(i)));
     EXPECT_GE(count_by_rule()[rule].all, 3) << rule;
   }
 }
 
-TEST(RuleCases, AThirdOfEachRulesCasesExpectsNoCallOfIt) {
+TEST(RuleCases, AThirdPerRuleExpectNoCall) {
   for (const auto& [rule, counted] : count_by_rule()) {
     EXPECT_GE(counted.negative * 3, counted.all) << rule;
   }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr RobotId kWest2{Side::kWest, 2};
 
-// Puts west 2 south of the ball, its back `gap_m` from it.
+// Puts west 2 south of the ball, with its back `gap_m` from it.
 void come_near(ScriptedGame& game, double gap_m) {
   const Vec2 from_ball_m(0, -gap_m - kRobotRadius_m);
   game.robot(Side::kWest, 2) = {2, game.frame.ball->position_m + from_ball_m, Vec2(0, -1)};
@@ -21,7 +21,7 @@ void take_kick(ScriptedGame& game) {
   game.run(0.2);
 }
 
-TEST(RestartDistance, At490MillimetresTheKickIsTakenAgain) {
+TEST(RestartDistance, At490MillimetresTheKickIsRetaken) {
   ScriptedGame game = throw_in_game(by_book("2014"));
   const Vec2 ball_m = game.frame.ball->position_m;
   come_near(game, 0.49);
@@ -43,7 +43,8 @@ TEST(RestartDistance, At510MillimetresPlayGoesOn) {
   EXPECT_EQ(game.count("defender_too_close_to_kick_point"), 0);
 }
 
-// What is judged by a single frame must be beyond three deviations of the noise: here 15 mm.
+// A violation seen in a single frame must exceed three standard deviations of the noise: here 15
+// mm.
 TEST(RestartDistance, WithinTheNoiseOfVisionPlayGoesOn) {
   for (const double gap_m : {0.48, 0.49}) {
     Configuration configuration = by_book("2014");
@@ -55,7 +56,7 @@ TEST(RestartDistance, WithinTheNoiseOfVisionPlayGoesOn) {
   }
 }
 
-TEST(RestartDistance, ARobotThatComesNearOnceTheBallIsInPlayIsRight) {
+TEST(RestartDistance, ARobotMayComeNearOnceTheBallIsInPlay) {
   ScriptedGame game = throw_in_game(by_book("2014"));
   take_kick(game);
   come_near(game, 0.1);
@@ -70,8 +71,8 @@ TEST(RestartDistance, TheKickersTeamMatesMayBeNear) {
   EXPECT_EQ(game.count("defender_too_close_to_kick_point"), 0);
 }
 
-// The Laws' card for whoever does not keep the distance when the restart is taken again.
-TEST(RestartDistance, TheSameRobotOnceMoreSeesAYellowCard) {
+// The Laws' card for a robot that does not keep its distance when the restart is retaken.
+TEST(RestartDistance, TheSameRobotGetsAYellowCardTheSecondTime) {
   ScriptedGame game = throw_in_game(by_book("2014"));
   come_near(game, 0.3);
   take_kick(game);
@@ -82,7 +83,7 @@ TEST(RestartDistance, TheSameRobotOnceMoreSeesAYellowCard) {
   EXPECT_EQ(game.signal.robots_allowed[Side::kWest], kMaxRobots - 1);
 }
 
-TEST(RestartDistance, AnotherRobotOnceMoreSeesNoCard) {
+TEST(RestartDistance, AnotherRobotGetsNoCardTheSecondTime) {
   ScriptedGame game = throw_in_game(by_book("2014"));
   come_near(game, 0.3);
   take_kick(game);
@@ -94,8 +95,8 @@ TEST(RestartDistance, AnotherRobotOnceMoreSeesNoCard) {
   EXPECT_EQ(game.signal.yellow_cards[Side::kWest], 0);
 }
 
-// Ours: a team that never learns cannot hang a game.
-TEST(RestartDistance, ARestartIsTakenAgainThreeTimesAtMost) {
+// AutoRef's own limit: a team that never learns cannot hang a game.
+TEST(RestartDistance, ARestartIsRetakenAtMostThreeTimes) {
   ScriptedGame game = throw_in_game(by_book("2014"));
   come_near(game, 0.3);
   for (int i = 0; i < 3; ++i) {
@@ -117,7 +118,7 @@ TEST(RestartDistance, AKickOffIsPreparedAgain) {
   EXPECT_EQ(game.run_until("prepare").command, again.restart());
 }
 
-TEST(RestartDistance, In2026IsAFoulAtOnceAndAgainAfterTwoSeconds) {
+TEST(RestartDistance, In2026ItIsAFoulAtOnceAndAgainAfterTwoSeconds) {
   ScriptedGame game = throw_in_game(by_book("2026-b"));
   come_near(game, 0.49);
   const double since_s = game.now_s();
@@ -131,14 +132,14 @@ TEST(RestartDistance, In2026IsAFoulAtOnceAndAgainAfterTwoSeconds) {
   EXPECT_EQ(game.referee.state(), State::kRun);
 }
 
-TEST(RestartDistance, In2026IsNoFoulAt510Millimetres) {
+TEST(RestartDistance, In2026ItIsNotAFoulAt510Millimetres) {
   ScriptedGame game = throw_in_game(by_book("2026-b"));
   come_near(game, 0.51);
   game.run(4);
   EXPECT_EQ(game.count("defender_too_close_to_kick_point"), 0);
 }
 
-TEST(RestartDistance, In2026TheTimeForTheKickStartsAgain) {
+TEST(RestartDistance, In2026TheTimeForTheKickRestarts) {
   ScriptedGame game = throw_in_game(by_book("2026-b"));
   game.run(5);
   come_near(game, 0.3);
@@ -147,7 +148,7 @@ TEST(RestartDistance, In2026TheTimeForTheKickStartsAgain) {
   EXPECT_NEAR(game.run_until("restart_not_taken", 30).time_s, noted_s + 10, 1e-6);
 }
 
-TEST(RestartDistance, IsNoRuleOfThePaper) {
+TEST(RestartDistance, IsNotARuleOfThePaper) {
   ScriptedGame game = throw_in_game(Configuration{});
   come_near(game, 0.1);
   game.run(3);

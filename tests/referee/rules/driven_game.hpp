@@ -1,4 +1,4 @@
-// Games by a rule book, with robots that drive by hand, for tests of single rules.
+// Games under a rule book with robots driven by the test, for tests of single rules.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ inline Configuration by_book(std::string_view book) {
   return configuration;
 }
 
-// Moves robots evenly and shows the referee frames of them, with or without noise.
+// Moves robots at constant velocity and passes frames to the referee, with or without noise.
 class DrivenGame {
  public:
   explicit DrivenGame(const Configuration& configuration) : game(in_play(configuration)) {}
@@ -40,13 +40,13 @@ class DrivenGame {
     }
   }
 
-  // The ball stays at the front of that robot, `gap_m` away; without a robot it lies where it is.
+  // The ball stays `gap_m` in front of that robot; without a robot it stays where it is.
   void carry(std::optional<RobotId> id, double gap_m = 0) {
     carrier_ = id;
     gap_m_ = gap_m;
   }
 
-  // Frames of `seconds`, each coordinate wrong by a normal error.
+  // Runs for `seconds`, with a normally distributed error on each coordinate.
   void run(double seconds, double noise_m = 0) {
     const int frames = static_cast<int>(seconds * ScriptedGame::kRate_hz + 0.5);
     for (int i = 0; i < frames; ++i) {
@@ -62,7 +62,7 @@ class DrivenGame {
     }
   }
 
-  // The decisions with that event.
+  // All decisions with that event.
   std::vector<Decision> calls(Event event) const {
     std::vector<Decision> found;
     for (const Decision& decision : game.decisions) {

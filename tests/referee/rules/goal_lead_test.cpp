@@ -1,4 +1,4 @@
-// Games that end early, and the clock that stops with play (2026).
+// Early termination of games, and the clock that stops with play (2026).
 #include <gtest/gtest.h>
 
 #include "tests/referee/rules/goals_only.hpp"
@@ -57,7 +57,7 @@ TEST(ClockStops, WhilePlayIsStopped) {
   EXPECT_NEAR(game.signal.stage_time_left_s, left_s, 1e-6);
 }
 
-TEST(ClockStops, NotInTheLawsOf2014) {
+TEST(ClockStops, DoesNotStopUnderTheLawsOf2014) {
   ScriptedGame game = in_play(of_goals_only("2014", 600));
   score(game, Side::kEast);
   const double left_s = game.signal.stage_time_left_s;

@@ -1,4 +1,4 @@
-// Games in which nothing but goals counts.
+// Games in which only the rules on goals are in force.
 #pragma once
 
 #include <string_view>
@@ -16,7 +16,7 @@ inline Configuration of_goals_only(std::string_view book, double half_s) {
   return configuration;
 }
 
-// Play is on; the ball is put into the goal at the end of `conceded`.
+// During play, puts the ball into the goal of `conceded`.
 inline void score(ScriptedGame& game, Side conceded) {
   game.kick_from(opponent_of(conceded), 1, {goal_sign(conceded) * 2.5, 0},
                  {goal_sign(conceded) * 6, 0});

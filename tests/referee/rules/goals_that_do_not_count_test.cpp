@@ -1,4 +1,4 @@
-// Balls in a goal that score nothing: rules indirect_goal, free_kick_own_goal, chipped_goal,
+// Balls in a goal that do not score: rules indirect_goal, free_kick_own_goal, chipped_goal and
 // invalid_goal.
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 namespace autoref::referee {
 namespace {
 
-// A throw-in for west, whose robot 1 shoots from there into the goal of `end` at 5 m/s.
+// A throw-in for west; its robot 1 shoots from there at 5 m/s into the goal of `end`.
 ScriptedGame throw_in_shot(const Configuration& configuration, Side end) {
   ScriptedGame game = in_play(configuration);
   game.kick_from(Side::kEast, 1, {0.5, 1.8}, {0, 4});
@@ -37,12 +37,12 @@ TEST(IndirectGoal, CountsOnceASecondRobotHasTouchedTheBall) {
   EXPECT_EQ(game.count("indirect_goal"), 0);
 }
 
-TEST(IndirectGoal, CountsWhereAllKicksMayScore) {
+TEST(IndirectGoal, CountsIfAllKicksMayScore) {
   ScriptedGame game = throw_in_shot(by_book("2026-b"), Side::kEast);
   EXPECT_TRUE(is_called(game, "goal", 1.5));
 }
 
-TEST(IndirectGoal, CountsWhereTheRuleIsNotInForce) {
+TEST(IndirectGoal, CountsIfTheRuleIsNotInForce) {
   ScriptedGame game = throw_in_shot(without(by_book("2014"), RuleId::kIndirectGoal), Side::kEast);
   EXPECT_TRUE(is_called(game, "goal", 1.5));
 }
@@ -66,8 +66,8 @@ TEST(FreeKickOwnGoal, CountsOnceASecondRobotHasTouchedTheBall) {
   EXPECT_EQ(game.signal.goals[Side::kEast], 1);
 }
 
-// West 1 shoots at 5 m/s from 1.5 m before the goal; a little later the ball's lowest point is
-// at `height_m` for `up_frames` frames, then it rolls.
+// West 1 shoots at 5 m/s from 1.5 m in front of the goal. Shortly afterwards the ball's lowest
+// point is at `height_m` for `up_frames` frames, then it rolls.
 ScriptedGame chip(const Configuration& configuration, double height_m, int up_frames) {
   ScriptedGame game = in_play(configuration);
   game.kick_from(Side::kWest, 1, {configuration.field.half_length_m() - 1.5, 0}, {5, 0});
@@ -79,7 +79,7 @@ ScriptedGame chip(const Configuration& configuration, double height_m, int up_fr
 }
 
 // The ball's top is 43 mm above its lowest point.
-TEST(ChipGoal, WhoseTopWasAbove150MillimetresIsAnIndirectFreeKick) {
+TEST(ChipGoal, WithItsTopAbove150MillimetresIsAnIndirectFreeKick) {
   ScriptedGame game = chip(by_book("2014"), 0.108, 12);
   const Decision& call = game.decisions.back();
   EXPECT_EQ(call.transition, "chipped_goal");
@@ -95,7 +95,7 @@ TEST(ChipGoal, IsAGoalAfterTheBallHasRolled) {
   EXPECT_EQ(chip(by_book("2014"), 0.3, 6).count("goal"), 1);
 }
 
-TEST(ChipGoal, IsAGoalWhereATeamMateTouchedTheBallLow) {
+TEST(ChipGoal, IsAGoalIfATeamMateTouchedTheBallLow) {
   ScriptedGame game = in_play(by_book("2014"));
   game.kick_from(Side::kWest, 1, {0, 0}, {5, 0});
   for (int i = 0; i < 5; ++i) {
@@ -108,7 +108,7 @@ TEST(ChipGoal, IsAGoalWhereATeamMateTouchedTheBallLow) {
   EXPECT_TRUE(is_called(game, "goal", 0.8));
 }
 
-TEST(ChipGoal, CountsWhereTheRuleIsNotInForce) {
+TEST(ChipGoal, CountsIfTheRuleIsNotInForce) {
   EXPECT_EQ(chip(without(by_book("2014"), RuleId::kChippedGoal), 0.108, 12).count("goal"), 1);
 }
 
@@ -150,7 +150,7 @@ TEST(GoalInvalid, WithinTwoSecondsOfTheScorersFoul) {
   EXPECT_FALSE(goal_after(by_book("2026-b"), state));
 }
 
-TEST(GoalInvalid, IsNotCalledForTheOthersFoul) {
+TEST(GoalInvalid, IsNotCalledForTheOpponentsFoul) {
   RefereeState state;
   state.cards[Side::kEast].fouled_s = 59;
   EXPECT_FALSE(goal_after(by_book("2026-b"), state));

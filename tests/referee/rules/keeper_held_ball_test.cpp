@@ -1,4 +1,4 @@
-// The keeper holds the ball: 15 s (Laws 12); the ball stays in an area: 10 s, Division A 5 s
+// The keeper holds the ball: 15 s (Laws 12). The ball stays in an area: 10 s, in Division A 5 s
 // (2026).
 #include <gtest/gtest.h>
 
@@ -9,11 +9,11 @@
 namespace autoref::referee {
 namespace {
 
-constexpr RobotId kKeeper{Side::kWest, 0};  // number 0, as the default request says
+constexpr RobotId kKeeper{Side::kWest, 0};  // number 0, the default
 constexpr RobotId kOther{Side::kWest, 1};
 
-// A robot of west, who defends the left goal, has the ball at that distance from its goal line, and
-// drives to and fro along it; at last it drives away, and the ball stays.
+// A robot of west, which defends the left goal, has the ball at that distance from its goal line
+// and drives back and forth along it. In the end it drives away and leaves the ball.
 DrivenGame hold(const char* book, RobotId robot, double seconds, double from_line_m = 0.4) {
   const Configuration configuration = by_book(book);
   DrivenGame game(configuration);
@@ -40,7 +40,7 @@ TEST(KeeperHolding, IsCalledAfterFifteenSecondsByTheLaws) {
   EXPECT_EQ(call.restart(), (Command{CommandKind::kIndirectFree, Side::kEast}));
 }
 
-TEST(KeeperHolding, BeginsAnewOnceTheKeeperLetsTheBallGo) {
+TEST(KeeperHolding, RestartsOnceTheKeeperReleasesTheBall) {
   DrivenGame game = hold("2014", kKeeper, 10);
   game.carry(kKeeper, 0.03);
   game.run(0.1);
@@ -49,19 +49,19 @@ TEST(KeeperHolding, BeginsAnewOnceTheKeeperLetsTheBallGo) {
   EXPECT_TRUE(game.calls(Event::kKeeperHeldBall).empty());
 }
 
-TEST(KeeperHolding, IsOnlyOfTheKeeperAndOnlyInsideTheAreaByTheLaws) {
+TEST(KeeperHolding, ConcernsOnlyTheKeeperInsideItsAreaByTheLaws) {
   EXPECT_TRUE(hold("2014", kOther, 16).calls(Event::kKeeperHeldBall).empty());
   EXPECT_TRUE(hold("2014", kKeeper, 16, 1.0).calls(Event::kKeeperHeldBall).empty());
 }
 
-TEST(KeeperHolding, IsTenSecondsInDivisionBAndFiveInDivisionA) {
+TEST(KeeperHolding, IsLimitedToTenSecondsInDivisionBAndFiveInDivisionA) {
   EXPECT_TRUE(hold("2026-b", kKeeper, 9.8).calls(Event::kKeeperHeldBall).empty());
   EXPECT_EQ(hold("2026-b", kKeeper, 10.2).calls(Event::kKeeperHeldBall).size(), 1U);
   EXPECT_TRUE(hold("2026-a", kKeeper, 4.8).calls(Event::kKeeperHeldBall).empty());
   EXPECT_EQ(hold("2026-a", kKeeper, 5.2).calls(Event::kKeeperHeldBall).size(), 1U);
 }
 
-TEST(KeeperHolding, By2026ItIsEnoughThatTheBallStaysInsideTheArea) {
+TEST(KeeperHolding, In2026ItIsEnoughThatTheBallStaysInsideTheArea) {
   DrivenGame game = hold("2026-b", kKeeper, 2);
   game.carry(std::nullopt);
   game.drive(kKeeper, {-0.5, 0});
@@ -73,7 +73,7 @@ TEST(KeeperHolding, By2026ItIsEnoughThatTheBallStaysInsideTheArea) {
             (Command{CommandKind::kDirectFree, Side::kEast}));
 }
 
-TEST(KeeperHolding, IsNoFoulByThePaper) {
+TEST(KeeperHolding, IsNotAFoulInThePaper) {
   EXPECT_TRUE(hold("paper", kKeeper, 16).calls(Event::kKeeperHeldBall).empty());
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 class KickoffPositions : public testing::TestWithParam<const char*> {
  protected:
-  // A kick-off by west, up to the frames after the kick, with one robot at `position_m`.
+  // A kick-off by west, until a few frames after the kick, with one robot at `position_m`.
   ScriptedGame kicked_off(Side side, int number, const Vec2& position_m) {
     ScriptedGame game(by_book(GetParam()));
     game.line_up().kick_off();
@@ -27,7 +27,7 @@ INSTANTIATE_TEST_SUITE_P(Books, KickoffPositions, testing::Values("2014", "2026-
                            return name;
                          });
 
-TEST_P(KickoffPositions, ARobotWhollyInTheOpponentsHalfHasTheKickOffTakenAgain) {
+TEST_P(KickoffPositions, TheKickOffIsRetakenIfARobotIsEntirelyInTheOpponentsHalf) {
   for (const Side side : kSides) {
     const ScriptedGame game = kicked_off(side, 2, {-goal_sign(side) * 0.095, 1.2});
     ASSERT_EQ(game.count("kickoff_positions"), 1);
@@ -39,7 +39,7 @@ TEST_P(KickoffPositions, ARobotWhollyInTheOpponentsHalfHasTheKickOffTakenAgain) 
   }
 }
 
-TEST_P(KickoffPositions, ARobotPartlyInItsOwnHalfIsRight) {
+TEST_P(KickoffPositions, ARobotMayBePartlyInItsOwnHalf) {
   const ScriptedGame game = kicked_off(Side::kEast, 2, {-0.085, 1.2});
   EXPECT_EQ(game.count("kickoff_positions"), 0);
 }
@@ -53,7 +53,7 @@ TEST_P(KickoffPositions, TheKickerMayLeaveItsHalfInTheCircle) {
   EXPECT_EQ(game.count("kickoff_positions"), 0);
 }
 
-TEST_P(KickoffPositions, AnotherRobotOfTheKickersSideMayNot) {
+TEST_P(KickoffPositions, AnotherRobotOfTheKickersSideMayNotLeaveItsHalf) {
   ScriptedGame game(by_book(GetParam()));
   game.line_up().kick_off();
   game.robot(Side::kWest, 2) = {2, {0.3, 0.3}, Vec2(0, 1)};
@@ -62,7 +62,7 @@ TEST_P(KickoffPositions, AnotherRobotOfTheKickersSideMayNot) {
   EXPECT_EQ(game.count("kickoff_positions"), 1);
 }
 
-TEST_P(KickoffPositions, OfBothSidesNobodyIsTheOffender) {
+TEST_P(KickoffPositions, IfBothSidesAreWrongNeitherIsTheOffender) {
   ScriptedGame game(by_book(GetParam()));
   game.line_up().kick_off();
   game.robot(Side::kWest, 2) = {2, {1, 1.2}, Vec2(0, 1)};
@@ -71,7 +71,7 @@ TEST_P(KickoffPositions, OfBothSidesNobodyIsTheOffender) {
   EXPECT_FALSE(game.run_until("kickoff_positions", 1).finding.offender.has_value());
 }
 
-TEST(KickoffPositionsRule, IsOfKickOffsOnly) {
+TEST(KickoffPositionsRule, AppliesOnlyToKickOffs) {
   ScriptedGame game = throw_in_game(by_book("2014"));
   game.robot(Side::kEast, 4).position_m = Vec2(-1.5, 0);
   game.kick(Side::kEast, 3, {-1, 0});

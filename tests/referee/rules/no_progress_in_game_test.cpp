@@ -22,17 +22,17 @@ TEST(NoProgress, IsAForceStartAfterFiveSecondsInDivisionA) {
   EXPECT_NEAR(seconds_to_no_progress("2026-a"), 5, 0.05);
 }
 
-TEST(NoProgress, GoesOnFromOneMetreOffTheAreas) {
+TEST(NoProgress, RestartsOneMetreFromTheAreas) {
   ScriptedGame game(by_book("2026-b"));
   game.line_up().kick_off();
-  game.put_ball({3.3, 0.2});  // 0.2 m before the area
+  game.put_ball({3.3, 0.2});  // 0.2 m in front of the area
   game.run_until("no_progress_in_game");
   EXPECT_EQ(game.signal.next_command->kind, CommandKind::kForceStart);
   const Vec2& position_m = game.signal.placement->target_m;
   EXPECT_NEAR(distance_to_defence_area(by_book("2026-b").field, Side::kEast, position_m), 1, 1e-9);
 }
 
-TEST(NoProgress, IsNoneWhileTheBallMovesOn) {
+TEST(NoProgress, IsNotCalledWhileTheBallMoves) {
   ScriptedGame game(by_book("2026-b"));
   game.line_up().kick_off();
   game.put_ball({-0.8, 2.0});
@@ -41,7 +41,7 @@ TEST(NoProgress, IsNoneWhileTheBallMovesOn) {
   EXPECT_EQ(game.count("no_progress_in_game"), 0);
 }
 
-TEST(NoProgress, InAnAreaIsTheKeepersAffair) {
+TEST(NoProgress, IsNotCalledInAnArea) {
   ScriptedGame game(by_book("2026-b"));
   game.line_up().kick_off();
   game.put_ball({4.0, 0.2});
@@ -49,7 +49,7 @@ TEST(NoProgress, InAnAreaIsTheKeepersAffair) {
   EXPECT_EQ(game.count("no_progress_in_game"), 0);
 }
 
-TEST(NoProgress, IsNoRuleOfThePaper) {
+TEST(NoProgress, IsNotARuleOfThePaper) {
   ScriptedGame game = in_play();
   EXPECT_NO_THROW(game.run_until("stuck_ball", 11));
   EXPECT_EQ(game.count("no_progress_in_game"), 0);

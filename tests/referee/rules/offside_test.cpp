@@ -12,8 +12,8 @@ Configuration with_offside() {
   return configuration;
 }
 
-// West 2 passes along x from `ball_x_m` to west 3, whose centre is at `receiver_x_m`. East's robots
-// are at x = 1.75 and 2.0, three of them each. The pass is the second touch of play.
+// West 2 passes along x from `ball_x_m` to west 3, whose centre is at `receiver_x_m`. East has
+// three robots each at x = 1.75 and 2.0. The pass is the second touch of play.
 ScriptedGame passed(ScriptedGame game, double ball_x_m, double receiver_x_m) {
   game.kick_from(Side::kEast, 5, {0, 1.2}, {0, 0.5});
   game.run(0.2);
@@ -31,7 +31,7 @@ ScriptedGame passed(ScriptedGame game, double ball_x_m, double receiver_x_m) {
   return game;
 }
 
-TEST(Offside, IsAPassToARobotBeyondTheSecondLastOpponent) {
+TEST(Offside, IsCalledForAPassBeyondTheSecondLastOpponent) {
   const ScriptedGame game = passed(in_play(with_offside()), 1, 2.01);
   ASSERT_EQ(game.count("offside"), 1);
   const Decision& call = game.decisions.back();
@@ -67,7 +67,7 @@ TEST(Offside, IsNotCalledBehindTheBall) {
 
 TEST(Offside, IsNotCalledWithinTheNoise) {
   Configuration configuration = with_offside();
-  configuration.noise.robot_m = 0.005;  // three deviations of two places: 21 mm
+  configuration.noise.robot_m = 0.005;  // three standard deviations of two positions: 21 mm
   EXPECT_EQ(passed(in_play(configuration), 1, 2.02).count("offside"), 0);
   EXPECT_EQ(passed(in_play(configuration), 1, 2.03).count("offside"), 1);
 }

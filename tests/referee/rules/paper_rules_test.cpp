@@ -13,7 +13,7 @@ constexpr Command kIndirectFreeEast{CommandKind::kIndirectFree, Side::kEast};
 TEST(Paper42TimeRules, HalvesLastTenMinutesByDefault) { EXPECT_EQ(Configuration{}.half_s, 600); }
 
 // "AutoRef keeps track of the elapsed time in the game and ends the current half when appropriate"
-TEST(Paper42TimeRules, TheHalfEndsWhenItsTimeIsOverWhateverHappens) {
+TEST(Paper42TimeRules, TheHalfEndsWhenItsTimeIsOver) {
   Configuration configuration;
   configuration.half_s = 20;
   ScriptedGame game(configuration);
@@ -21,7 +21,7 @@ TEST(Paper42TimeRules, TheHalfEndsWhenItsTimeIsOverWhateverHappens) {
   const double began_s = game.now_s();
   EXPECT_NEAR(game.signal.stage_time_left_s, 20, 1e-9);
   game.kick_from(Side::kWest, 1, {1, 1.8}, {0, 4});
-  game.placement_works = false;  // play never goes on before the end
+  game.placement_works = false;  // play does not resume before the end
   EXPECT_NEAR(game.run_until("half_over").time_s, began_s + 20, 1e-9);
 }
 
@@ -37,13 +37,13 @@ TEST(Paper42TimeRules, TheClockStartsWithNormalStart) {
   EXPECT_EQ(game.signal.stage_time_left_s, 600);
 }
 
-// "... when the ready command is sent": later ready commands do not start it anew.
+// "... when the ready command is sent": later ready commands do not restart it.
 TEST(Paper42TimeRules, TheClockRunsOnThroughStops) {
   ScriptedGame game = in_play();
   game.kick_from(Side::kWest, 1, {2.5, 0}, {6, 0});
   game.run_until("goal");
   const double left_s = game.signal.stage_time_left_s;
-  game.run_until("start");  // two looks later: one before the preparation, one after
+  game.run_until("start");  // two checks later: one before the preparation, one after
   EXPECT_LT(game.signal.stage_time_left_s, left_s - 2);
 }
 
@@ -78,7 +78,7 @@ TEST(Paper42BallRules, AnOwnGoalCountsForTheOpponents) {
 }
 
 // "... the ball is placed in the center of the field, and a kickoff is signaled"
-TEST(Paper42BallRules, AfterAGoalTheOthersKickOffFromTheCentre) {
+TEST(Paper42BallRules, AfterAGoalTheOpponentsKickOffFromTheCentre) {
   ScriptedGame game = in_play();
   game.kick_from(Side::kEast, 1, {-2.5, 0}, {-6, 0});
   game.run_until("goal");
@@ -127,7 +127,7 @@ TEST(Paper42BallRules, AGoalKickIsTaken500MillimetresFromTheGoalLine) {
   EXPECT_NEAR((game.signal.placement->target_m - Vec2(2.525, -1.925)).norm(), 0, 1e-9);
 }
 
-TEST(Paper42BallRules, OtherwiseIncludesABallThatNobodyKnowsToHaveTouched) {
+TEST(Paper42BallRules, OtherwiseIncludesAnUnknownLastTouch) {
   ScriptedGame game = in_play();
   game.put_ball({2.8, -1.0});
   game.ball_mps = {4, 0};
@@ -149,7 +149,7 @@ TEST(Paper42BallRules, PlayWaitsWhileARobotMoves) {
   EXPECT_LT(game.run_until("start").time_s, stopped_s + 7.1);
 }
 
-TEST(Paper42BallRules, PlayGoesOnAfterTheTimeout) {
+TEST(Paper42BallRules, PlayResumesAfterTheTimeout) {
   ScriptedGame game = in_play();
   game.kick_from(Side::kWest, 1, {1, 1.8}, {0, 4});
   const double stopped_s = game.run_until("throw_in").time_s;
@@ -162,7 +162,7 @@ TEST(Paper42BallRules, PlayGoesOnAfterTheTimeout) {
 
 // "Each robot must be at least 200 mm away from the opposing team's defense area, or an indirect
 // free kick is awarded to the opposing team"
-TEST(Paper42RobotRules, ARobotAt210MillimetresIsRight) {
+TEST(Paper42RobotRules, ARobotMayBe210MillimetresAway) {
   ScriptedGame game;
   game.line_up().kick_off();
   game.robot(Side::kEast, 2) = {2, {-3.025 + 0.8 + 0.21 + 0.09, 0}, Vec2(1, 0)};
@@ -171,7 +171,7 @@ TEST(Paper42RobotRules, ARobotAt210MillimetresIsRight) {
   EXPECT_EQ(game.count("attacker_too_close_to_defense_area"), 0);
 }
 
-TEST(Paper42RobotRules, ARobotAt190MillimetresIsWrongOnBothSides) {
+TEST(Paper42RobotRules, ARobotMustNotBe190MillimetresAwayOnEitherSide) {
   for (const Side attacker : kSides) {
     ScriptedGame game;
     game.line_up().kick_off();
@@ -184,7 +184,7 @@ TEST(Paper42RobotRules, ARobotAt190MillimetresIsWrongOnBothSides) {
   }
 }
 
-TEST(Paper42RobotRules, OfTwoOffendersTheKickersIsJudged) {
+TEST(Paper42RobotRules, OfTwoOffendersTheKickingSidesIsJudged) {
   for (Side kicker : kSides) {
     Configuration configuration;
     configuration.first_kickoff = kicker;
@@ -198,8 +198,8 @@ TEST(Paper42RobotRules, OfTwoOffendersTheKickersIsJudged) {
   }
 }
 
-// Deviation D9: in running play attackers may come as near as they like.
-TEST(Paper42RobotRules, AnAttackerMayComeNearOncePlayRuns) {
+// Deviation D9: while the ball is in play, attackers may come as near as they like.
+TEST(Paper42RobotRules, AnAttackerMayComeNearOnceTheBallIsInPlay) {
   ScriptedGame game = in_play();
   game.robot(Side::kWest, 2) = {2, {2.4, 0}, Vec2(1, 0)};
   game.run(2);
@@ -209,7 +209,8 @@ TEST(Paper42RobotRules, AnAttackerMayComeNearOncePlayRuns) {
 TEST(Paper42RobotRules, TheFlatFrontIsNearerToTheCentreThanTheBack) {
   ScriptedGame game;
   game.line_up().kick_off();
-  // Facing the area the hull begins 75 mm from the centre: at 205 mm, where the back would be 190.
+  // Facing the area, the hull begins 75 mm from the centre: it is 205 mm away; the back would be at
+  // 190.
   game.robot(Side::kEast, 2) = {2, {-3.025 + 0.8 + 0.205 + 0.075, 0}, Vec2(-1, 0)};
   game.kick(Side::kWest, 1, {3, 0});
   game.run(0.5);

@@ -1,4 +1,4 @@
-// Penalty kicks from the whistle to the result (Laws 14; 2026, Penalty Kick), for either side.
+// Penalty kicks from the whistle to the outcome (Laws 14; 2026, Penalty Kick), for either side.
 #include <gtest/gtest.h>
 
 #include "tests/referee/machine/penalty_game.hpp"
@@ -6,7 +6,7 @@
 namespace autoref::referee {
 namespace {
 
-const Vec2 kPastTheKeeper_mps(4, 1.0);  // into the goal from either book's mark of 0.75 m
+const Vec2 kPastTheKeeper_mps(4, 1.0);  // scores from the 0.75 m mark of either book
 const Vec2 kPastTheGoal_mps(3, 3);
 
 class PenaltyKick : public testing::TestWithParam<Side> {
@@ -32,7 +32,7 @@ TEST_P(PenaltyKick, IsPreparedAtTheMarkStartedAndScored) {
   EXPECT_EQ(game.state.signal.next_command, (Command{CommandKind::kPrepareKickoff, defender()}));
 }
 
-TEST_P(PenaltyKick, ThatIsSavedGoesOnByTheLaws) {
+TEST_P(PenaltyKick, ThatIsSavedDoesNotStopPlayByTheLaws) {
   PenaltyGame game("2014", kicker());
   game.put(defender(), 0, {3.025 - 0.05, 0});
   game.whistle().kick({3, 0});
@@ -42,7 +42,7 @@ TEST_P(PenaltyKick, ThatIsSavedGoesOnByTheLaws) {
   EXPECT_EQ(game.transitions.back(), "start");
 }
 
-TEST_P(PenaltyKick, ThatIsNotTakenIsANeutralRestartByTheLaws) {
+TEST_P(PenaltyKick, ThatIsNotTakenLeadsToANeutralRestartByTheLaws) {
   PenaltyGame game("2014", kicker());
   const double since_s = game.whistle().now_s();
   const Finding untaken = game.run_until("restart_not_taken");
@@ -63,7 +63,7 @@ TEST_P(PenaltyKick, HasFailedAfterTenSecondsIn2026) {
   EXPECT_NEAR(std::abs(failed.ball_to_m.y()), 3 - 0.2, 1e-12);
 }
 
-TEST_P(PenaltyKick, HasFailedAfterTenSecondsIn2026WithABallThatIsNeverSeen) {
+TEST_P(PenaltyKick, HasFailedAfterTenSecondsIn2026IfTheBallIsNeverSeen) {
   PenaltyGame game("2026-b", kicker());
   game.hide_ball();
   game.run_until("start_late", 40);
@@ -90,7 +90,7 @@ TEST_P(PenaltyKick, HasFailedIn2026WhenTheKeeperTurnsTheBallBack) {
   EXPECT_NEAR(failed.value, 153, 5);
 }
 
-TEST_P(PenaltyKick, GoesOnIn2026WhenTheKeeperTurnsTheBallByLess) {
+TEST_P(PenaltyKick, ContinuesIn2026WhenTheKeeperTurnsTheBallByLess) {
   PenaltyGame game("2026-b", kicker());
   game.put(defender(), 0, {4.2, 0});
   game.whistle().kick({6, 0});
@@ -108,7 +108,7 @@ TEST_P(PenaltyKick, ThatScoresIsAGoalIn2026) {
 }
 
 // "behind a line parallel to the goal line and 400 mm behind the penalty mark"
-// The kicker's robots face the goal with their plates, the defenders turn their backs on it.
+// The kicker's robots face the goal with their plates, the defenders face away from it.
 Vec2 behind_mark(const PenaltyGame& game, double gap_m, double reach_m = kRobotRadius_m) {
   return game.mark_m - Vec2(gap_m + reach_m, 0.8);
 }

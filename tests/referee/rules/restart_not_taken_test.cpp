@@ -1,5 +1,5 @@
-// The paper's and the Laws' force start is tested with the machine's transitions; here what the
-// rules of 2026 say otherwise: the opponents have the next free kick.
+// The force start of the paper and the Laws is tested with the machine's transitions. Here are the
+// rules of 2026, which give the opponents a free kick.
 #include <gtest/gtest.h>
 
 #include "tests/referee/support/booked_game.hpp"
@@ -30,7 +30,7 @@ TEST(RestartNotTaken, InDivisionAFreeKicksHaveFiveSecondsAndKickOffsTen) {
   EXPECT_EQ(other.signal.placement->target_m, Vec2(0, 0));
 }
 
-TEST(RestartNotTaken, ByTheLawsIsANeutralRestart) {
+TEST(RestartNotTaken, ByTheLawsLeadsToANeutralRestart) {
   ScriptedGame game = throw_in_game(by_book("2014"));
   EXPECT_EQ(game.run_until("restart_not_taken").restart()->kind, CommandKind::kForceStart);
 }

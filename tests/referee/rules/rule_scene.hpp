@@ -1,4 +1,4 @@
-// Scripted games under other rule books than the paper's.
+// Scripted games under rule books other than the paper's.
 #pragma once
 
 #include "tests/referee/support/booked_game.hpp"
@@ -11,7 +11,7 @@ inline Configuration without(Configuration configuration, RuleId rule) {
   return configuration;
 }
 
-// Whether a call of that event is made within the next seconds of play.
+// Whether the event is called within the next seconds of play.
 inline bool is_called(ScriptedGame& game, std::string_view transition, double seconds = 1.0) {
   game.run(seconds);
   return game.count(transition) > 0;

@@ -44,7 +44,7 @@ void read_request(YamlKeys& keys, Cue& cue) {
   cue.on = keys.yes_or_no("asked");
 }
 
-// One key says what kind of cue it is; the others belong to it.
+// One key determines the kind of cue; the other keys belong to it.
 struct CueWord {
   const char* key;
   Kind kind;
@@ -72,7 +72,7 @@ Cue read_cue(YamlKeys& keys) {
     keys.finish();
     return cue;
   }
-  keys.refuse("at_s", "and what happens then?");
+  keys.refuse("at_s", "the cue has no action");
 }
 
 }  // namespace
@@ -84,7 +84,7 @@ std::vector<Cue> read_script(YamlKeys& keys) {
     YamlKeys cue(node, keys.file());
     script.push_back(read_cue(cue));
     if (script.size() > 1 && script.back().at_s < script[script.size() - 2].at_s) {
-      cue.refuse("at_s", "earlier than the cue before");
+      cue.refuse("at_s", "earlier than the previous cue");
     }
   }
   return script;

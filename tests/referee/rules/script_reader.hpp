@@ -1,4 +1,4 @@
-// Reads what happens in a case.
+// Reads the script of a case.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace autoref::referee {
 
-// The cues under the key `script`, none where it is not given. Throws CaseError, also for cues that
-// are not in the order of time.
+// The cues under the key `script`, empty without it. Throws CaseError for invalid cues and for cues
+// out of order.
 std::vector<Cue> read_script(YamlKeys& keys);
 
 }  // namespace autoref::referee

@@ -14,17 +14,18 @@ namespace {
 
 constexpr double kGap_m = 1_mm;
 constexpr double kCarriedGap_m = 0.5_mm;
-constexpr double kReach_m = 5_mm;        // a kicker farther from the ball is a mistake of the case
-constexpr double kRestitution = 0.5;     // of ball and robot
-constexpr double kGroundBounce = 0.5;    // of the upwards speed
+constexpr double kReach_m = 5_mm;        // a kicker farther from the ball is an error in the case
+constexpr double kRestitution = 0.5;     // between ball and robot
+constexpr double kGroundBounce = 0.5;    // of the vertical speed
 constexpr double kRollsBelow_mps = 0.3;  // upwards speed at which the ball stops bouncing
-constexpr double kSliding_mps2 = 3.5;    // balls on the league's carpets lose 3.0 to 3.9
-constexpr double kRollingShare = 5.0 / 7;  // of its speed, at which a sliding ball begins to roll
+constexpr double kSliding_mps2 = 3.5;    // 3.0 to 3.9 on the league's carpets
+constexpr double kRollingShare =
+    5.0 / 7;  // fraction of the kick speed at which the ball begins to roll
 constexpr int kSubsteps = 8;
 
 Vec2 rotated(const Vec2& v, double angle_rad) { return to_world(v, heading_of(angle_rad)); }
 
-// Away from the hull.
+// Outward normal of the hull.
 Vec2 normal_at(const Vec2& point_m, const Vec2& centre_m, const Vec2& heading) {
   constexpr double kStep_m = 1e-5;
   const auto gap = [&](const Vec2& p) { return distance_to_hull(p, centre_m, heading); };
@@ -97,7 +98,7 @@ void Stage::obey(const Cue& cue) {
       ball_.is_seen = cue.on;
       break;
     case Cue::Kind::kRequest:
-      break;  // nothing on the field
+      break;  // no effect on the field
   }
 }
 

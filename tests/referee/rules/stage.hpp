@@ -1,5 +1,5 @@
-// The bodies of a case: robots that drive as told, and a ball that rolls, flies, bounces off robots
-// and stays with a robot that carries it. No physics engine: as much of it as a rule looks at.
+// The bodies of a case: robots that follow the script, and a ball that rolls, flies, bounces off
+// robots and sticks to a robot that carries it. Not a physics engine: only what the rules need.
 #pragma once
 
 #include <map>
@@ -18,19 +18,19 @@ class Stage {
   void put(const RobotId& id, const Vec2& at_m, const Vec2& heading) {
     robots_[id] = {at_m, heading, at_m, 0, heading, 0, true, Vec2(0, 0)};
   }
-  // With its plate a millimetre behind the ball.
+  // Puts its plate a millimetre behind the ball.
   void put_behind_ball(const RobotId& id, const Vec2& heading);
   void put_ball(const Vec2& at_m);
   void clear_robots() { robots_.clear(); }
   void show_ball(bool seen) { ball_.is_seen = seen; }
-  // Moves a resting ball towards the place, at most so far.
+  // Moves a resting ball towards the position by at most `at_most_m`.
   void place_ball(const Vec2& to_m, double at_most_m);
 
-  // Throws std::runtime_error for a kick by a robot that is not at the ball, and an unknown robot.
+  // Throws std::runtime_error if a kicking robot is not at the ball, or a robot is unknown.
   void obey(const Cue& cue);
   void advance(double duration_s);
 
-  // What vision sees, without noise.
+  // The frame that vision sees, without noise.
   Frame look() const;
   Vec2 ball_m() const { return ball_.at_m; }
 
@@ -51,7 +51,7 @@ class Stage {
     double height_m = 0;  // of the lowest point
     double upwards_mps = 0;
     bool is_seen = true;
-    double rolls_below_mps = 0;  // a kicked ball slides until it is as slow as that
+    double rolls_below_mps = 0;  // a kicked ball slides until it is this slow
   };
 
   Robot& robot(const RobotId& id);
@@ -59,7 +59,7 @@ class Stage {
   void kick(const Cue& cue);
   void step(double duration_s);
   void drive(Robot& robot, double duration_s) const;
-  double carpet_mps2(double speed_mps) const;  // what it takes from a ball on the ground
+  double carpet_mps2(double speed_mps) const;  // deceleration of a ball on the ground
   void fly(double duration_s);
   void meet(const RobotId& id, const Robot& robot);
 

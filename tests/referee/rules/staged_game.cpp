@@ -30,7 +30,7 @@ Configuration configuration_of(const Case& it, bool turned) {
   return configuration;
 }
 
-// Of the machine's own course: nothing that a rule found.
+// Whether the event belongs to the machine's own procedure, not to a rule.
 bool is_procedure(Event event) {
   switch (event) {
     case Event::kBegin:
@@ -93,7 +93,7 @@ void StagedGame::step() {
   place_ball();
 }
 
-// The noise is drawn before a frame is turned, so that turned frames have the turned noise.
+// The noise is drawn before a frame is turned, so turned frames have the turned noise.
 void StagedGame::look(Frame& frame) {
   if (case_.noise_m == 0) return;
   const auto off_m = [&] {

@@ -1,4 +1,4 @@
-// Plays a case: brings a referee to where it begins, feeds it the frames, and keeps its calls.
+// Plays a case: brings a referee to its starting point, feeds it the frames, and records its calls.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace autoref::referee {
 
-// A decision, with what it led to. Times count from the case's beginning.
+// A decision and its consequences. Times count from the start of the case.
 struct Call {
   Decision decision;
   double at_s = 0;
@@ -20,17 +20,17 @@ struct Call {
   std::optional<Vec2> ball_m;
 };
 
-// Turned, the referee sees everything from the other end of the field, with the sides swapped; what
-// it says is turned back, so that a case expects the same of both.
+// If turned, the referee sees everything from the other end of the field with the sides swapped,
+// and its calls are turned back, so that a case expects the same of both.
 class StagedGame {
  public:
   StagedGame(const Case& it, bool turned);
 
-  // Plays the whole case. Throws std::runtime_error where the beginning cannot be reached, and for
-  // cues that cannot be followed.
+  // Plays the whole case. Throws std::runtime_error if the starting point cannot be reached or a
+  // cue cannot be followed.
   void play();
 
-  // Since the case's beginning, without those of the machine's own course.
+  // All calls since the start of the case, without the machine's own procedure.
   const std::vector<Call>& calls() const { return calls_; }
   PerSide<int> goals() const;
 

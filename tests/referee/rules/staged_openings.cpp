@@ -1,8 +1,8 @@
-// How a staged game comes to where its case begins.
+// How a staged game reaches the starting point of its case.
 //
-// What has to happen before is played by robots of its own, numbers 14 and 15, so that nothing of
-// it is held against the robots of the case: a ball that comes back outside the field, touched by
-// nobody, gives a force start; kicks over the lines and a foul give the other restarts.
+// Additional robots, numbers 14 and 15, play what must happen before, so that it does not affect
+// the robots of the case. A ball that comes back outside the field, touched by nobody, gives a
+// force start; kicks over the lines and a foul give the other restarts.
 #include <stdexcept>
 
 #include "soccer/robot_shape.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kCastNumber = 15;
 constexpr double kLongest_s = 60;
-constexpr double kUnseen_s = 1.0;  // longer than any tracker remembers robots
+constexpr double kUnseen_s = 1.0;  // longer than the tracker keeps unseen robots
 constexpr double kOutside_m = 0.1;
 constexpr double kAtPosition_m = 0.02;
 
@@ -26,10 +26,10 @@ void StagedGame::run_until(State state, double limit_s) {
     step();
     if (referee_.state() == state) return;
   }
-  throw std::runtime_error("the beginning was not reached: no " + std::string(name_of(state)));
+  throw std::runtime_error("the starting point was not reached: no " + std::string(name_of(state)));
 }
 
-// Nothing is seen for a while, as when somebody stands before the camera.
+// Hides everything for a while, as if somebody stood in front of the camera.
 void StagedGame::curtain(double seconds) {
   stage_.clear_robots();
   stage_.show_ball(false);
@@ -88,7 +88,7 @@ void StagedGame::play_on_from_force_start() {
   line_up_assignment();
   run_until(State::kWaitStop, 1);
   if (all_.back().decision.finding.event != Event::kTouchLineUnknown) {
-    throw std::runtime_error("a ball out that nobody touched: expected touch_line_unknown, got " +
+    throw std::runtime_error("the ball went out untouched: expected touch_line_unknown, got " +
                              std::string(name_of(all_.back().decision.finding.event)));
   }
   run_until(State::kRun, kLongest_s);
@@ -100,7 +100,7 @@ void StagedGame::score_goals() {
   }
 }
 
-// The ball enters play in the middle first, while nobody is near an area.
+// The ball first enters play in the middle, where nobody is near an area.
 void StagedGame::score_goal(Side scorer) {
   curtain(kUnseen_s);
   stage_.put_ball({0.6, 0.6});
@@ -118,7 +118,7 @@ void StagedGame::kick_out(const Vec2& from_m, RobotId kicker, const Vec2& direct
   curtain(kUnseen_s);
   stage_.put_ball(from_m);
   stage_.put_behind_ball(kicker, direction);
-  if (case_.from_the_stop) show_robots();  // readiness compares with where they were
+  if (case_.from_the_stop) show_robots();  // readiness compares with their last positions
   run(0.2);
   Cue kick;
   kick.kind = Cue::Kind::kKick;
@@ -127,7 +127,7 @@ void StagedGame::kick_out(const Vec2& from_m, RobotId kicker, const Vec2& direct
   stage_.obey(kick);
 }
 
-// A defender that is not the keeper sends the ball back from inside its own area.
+// A defender other than the keeper kicks the ball back from inside its own area.
 void StagedGame::foul_for_penalty() {
   const double sign = goal_sign(opponent_of(case_.taken_by));
   const double goal_x_m = sign * field_.half_length_m();
@@ -164,12 +164,12 @@ void StagedGame::check_beginning() const {
   const Event event = all_.back().decision.finding.event;
   const std::optional<Command> next = all_.back().next;
   if (!next || next->side != case_.taken_by) {
-    throw std::runtime_error("the beginning was not reached: " + std::string(name_of(event)) +
+    throw std::runtime_error("the starting point was not reached: " + std::string(name_of(event)) +
                              " gives the restart to the other side");
   }
   const std::optional<Vec2> ball_m = all_.back().ball_m;
   if (!ball_m || (*ball_m - case_.ball_m).norm() > kAtPosition_m) {
-    throw std::runtime_error("the referee has the ball placed elsewhere");
+    throw std::runtime_error("the referee places the ball elsewhere");
   }
 }
 

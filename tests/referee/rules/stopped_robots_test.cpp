@@ -1,4 +1,4 @@
-// What robots must not do while play is stopped: drive fast, be near the ball, or in its way.
+// What robots must not do while play is stopped: drive fast, be near the ball, or be in its way.
 #include <gtest/gtest.h>
 
 #include "tests/referee/rules/driven_game.hpp"
@@ -9,8 +9,8 @@ namespace {
 constexpr RobotId kWest{Side::kWest, 0};
 constexpr RobotId kEast{Side::kEast, 0};
 
-// Play is stopped: the ball went over the touch line at (`x_m`, below the field), last touched by
-// nobody known. West 5 and east 5 drive about so that the wait does not end.
+// Play is stopped: the ball went out over the touch line at (`x_m`, below the field) after an
+// unknown touch. West 5 and east 5 keep driving so that the wait does not end.
 DrivenGame stopped(const Configuration& configuration, double noise_m = 0) {
   Configuration noisy = configuration;
   noisy.noise.robot_m = noisy.noise.ball_m = noise_m;
@@ -24,7 +24,7 @@ DrivenGame stopped(const Configuration& configuration, double noise_m = 0) {
   return game;
 }
 
-// A robot drives along x at that speed from 2.5 s after the stop on, for that long.
+// A robot drives along x at that speed, starting 2.5 s after the stop, for that long.
 DrivenGame fast(const char* book, double speed_mps, double seconds = 1, double noise_m = 0,
                 double wait_s = 2.5) {
   DrivenGame game = stopped(by_book(book), noise_m);
@@ -51,11 +51,11 @@ TEST(StopSpeed, IsNotedAboveTheBooksLimit) {
   EXPECT_TRUE(fast("2026-b", 1.45).calls(Event::kBotTooFastInStop).empty());
 }
 
-TEST(StopSpeed, HasTwoSecondsOfGrace) {
+TEST(StopSpeed, IsNotCalledWithinTwoSecondsOfTheStop) {
   EXPECT_TRUE(fast("2014", 2.0, 1.0, 0, 0.8).calls(Event::kBotTooFastInStop).empty());
 }
 
-TEST(StopSpeed, IsNotCalledForASingleJerk) {
+TEST(StopSpeed, IsNotCalledForAShortJerk) {
   EXPECT_TRUE(fast("2014", 2.0, 0.05).calls(Event::kBotTooFastInStop).empty());
 }
 
@@ -74,12 +74,11 @@ TEST(StopSpeed, IsTheSameUnderNoise) {
   EXPECT_EQ(fast("2014", 1.2, 0.5, 0.0013).calls(Event::kBotTooFastInStop).size(), 1U);
 }
 
-TEST(StopSpeed, IsNotMeasuredByThePaper) {
+TEST(StopSpeed, IsNotCalledInThePaper) {
   EXPECT_TRUE(fast("paper", 2.0, 0.5).calls(Event::kBotTooFastInStop).empty());
 }
 
-// A robot stands with its hull at that distance from the centre of the ball, which lies at its
-// place.
+// A robot stands with its hull at that distance from the centre of the ball, which is in position.
 DrivenGame near(const char* book, double gap_m, double seconds, double noise_m = 0) {
   DrivenGame game = stopped(by_book(book), noise_m);
   const Vec2 ball_m = game.game.frame.ball->position_m;
@@ -88,7 +87,7 @@ DrivenGame near(const char* book, double gap_m, double seconds, double noise_m =
   return game;
 }
 
-TEST(StopDistance, IsFiveHundredMillimetresFromTheBall) {
+TEST(StopDistance, IsCalledWithinFiveHundredMillimetresOfTheBall) {
   const DrivenGame game = near("2014", 0.49, 6);
   ASSERT_EQ(game.calls(Event::kStopDistance).size(), 1U);
   const Decision note = game.calls(Event::kStopDistance).front();
@@ -98,7 +97,7 @@ TEST(StopDistance, IsFiveHundredMillimetresFromTheBall) {
   EXPECT_TRUE(near("2014", 0.51, 6).calls(Event::kStopDistance).empty());
 }
 
-TEST(StopDistance, IsJudgedOnceTheBallHasBeenAtItsPlaceForTwoSeconds) {
+TEST(StopDistance, IsJudgedOnceTheBallHasBeenInPositionForTwoSeconds) {
   EXPECT_TRUE(near("2014", 0.1, 1.9).calls(Event::kStopDistance).empty());
   EXPECT_EQ(near("2014", 0.1, 2.3).calls(Event::kStopDistance).size(), 1U);
 }
@@ -108,12 +107,12 @@ TEST(StopDistance, IsTheSameUnderNoise) {
   EXPECT_EQ(near("2014", 0.48, 8, 0.0014).calls(Event::kStopDistance).size(), 1U);
 }
 
-TEST(StopDistance, IsNotNotedByTheRulesOf2026) {
+TEST(StopDistance, IsNotCalledIn2026) {
   EXPECT_TRUE(near("2026-b", 0.1, 6).calls(Event::kStopDistance).empty());
 }
 
-// Play is stopped after a goal, so that east kicks off; the ball is on its way from (-1, 0.3), and
-// a robot stands at that distance from the line.
+// Play is stopped after a goal, so that east kicks off. The ball is being placed from (-1, 0.3),
+// and a robot stands at that distance from its path.
 DrivenGame in_the_way(const char* book, RobotId robot, double gap_m, double seconds) {
   Configuration configuration = by_book(book);
   DrivenGame game(configuration);
@@ -129,7 +128,7 @@ DrivenGame in_the_way(const char* book, RobotId robot, double gap_m, double seco
   return game;
 }
 
-TEST(PlacementInterference, IsOfTheSideThatDoesNotTakeTheRestartForMoreThanTwoSeconds) {
+TEST(PlacementInterference, IsCalledForTheOpponentsOfTheKickerAfterTwoSeconds) {
   const DrivenGame game = in_the_way("2026-b", kWest, 0.49, 2.2);
   ASSERT_EQ(game.calls(Event::kBotInterferedPlacement).size(), 1U);
   EXPECT_EQ(game.calls(Event::kBotInterferedPlacement).front().finding.offender, Side::kWest);
@@ -138,18 +137,18 @@ TEST(PlacementInterference, IsOfTheSideThatDoesNotTakeTheRestartForMoreThanTwoSe
   EXPECT_TRUE(in_the_way("2026-b", kEast, 0.3, 4).calls(Event::kBotInterferedPlacement).empty());
 }
 
-TEST(PlacementInterference, IsNoneFiveHundredMillimetresAway) {
+TEST(PlacementInterference, IsNotCalledFiveHundredMillimetresAway) {
   EXPECT_TRUE(in_the_way("2026-b", kWest, 0.51, 4).calls(Event::kBotInterferedPlacement).empty());
 }
 
-TEST(PlacementInterference, EndsWithTheBallAtItsPlace) {
+TEST(PlacementInterference, EndsOnceTheBallIsInPosition) {
   DrivenGame game = in_the_way("2026-b", kWest, 0.1, 1.5);
   game.game.put_ball({0, 0});
   game.run(3);
   EXPECT_TRUE(game.calls(Event::kBotInterferedPlacement).empty());
 }
 
-TEST(PlacementInterference, IsReportedOnceAndOnlyByTheRulesOf2026) {
+TEST(PlacementInterference, IsCalledOnceAndOnlyIn2026) {
   EXPECT_EQ(in_the_way("2026-b", kWest, 0.1, 8).calls(Event::kBotInterferedPlacement).size(), 1U);
   EXPECT_TRUE(in_the_way("2014", kWest, 0.1, 8).calls(Event::kBotInterferedPlacement).empty());
 }

@@ -21,7 +21,8 @@ StagedMachine with_robots(State state = State::kRun) {
   return game;
 }
 
-// Looks ten times a second; the label of the first transition taken, empty where none was.
+// Looks ten times a second. Returns the label of the first transition taken, empty if there was
+// none.
 std::string_view look_for(StagedMachine& game, double seconds) {
   const double end_s = game.now_s() + seconds - 1e-9;
   while (game.now_s() < end_s) {
@@ -54,8 +55,8 @@ TEST(TransitionTooManyRobots, IsTakenOncePerCard) {
   EXPECT_EQ(look_for(game, 10), "too_many_robots");
 }
 
-// Division B: 9 m long, so that a robot of 180 mm at 4.6 m is beyond the goal line.
-TEST(TransitionTooManyRobots, IsNotTakenWhereARobotHasLeft) {
+// Division B: the field is 9 m long, so a robot of 180 mm at 4.6 m is beyond the goal line.
+TEST(TransitionTooManyRobots, IsNotTakenIfARobotHasLeft) {
   for (const double x_m : {4.58, 4.6}) {
     StagedMachine game = with_robots();
     game.fouls_for_cards(Side::kEast, 1);
@@ -64,7 +65,7 @@ TEST(TransitionTooManyRobots, IsNotTakenWhereARobotHasLeft) {
   }
 }
 
-TEST(TransitionTooManyRobots, LeadsToAForceStartWhereBothSidesAreAtFault) {
+TEST(TransitionTooManyRobots, LeadsToAForceStartIfBothSidesAreAtFault) {
   StagedMachine game = with_robots();
   for (int i = 0; i < 3; ++i) game.foul(std::nullopt);
   game.look_for_cards();

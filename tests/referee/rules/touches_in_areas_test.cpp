@@ -1,6 +1,6 @@
 // Touches of the ball in the defence areas: rules defender_in_defense_area and
 // attacker_touched_ball_in_defense_area. A robot that kicks along x has its plate 22.5 mm behind
-// the ball's centre, the scripted millimetre included, and its back 187.5 + 1 mm behind.
+// the ball's centre, including the scripted millimetre, and its back 187.5 + 1 mm behind.
 #include <gtest/gtest.h>
 
 #include "referee/rules/rule.hpp"
@@ -9,14 +9,14 @@
 namespace autoref::referee {
 namespace {
 
-// West 1 kicks the ball in play from there, along x.
+// West 1 kicks the ball in play from that position, along x.
 ScriptedGame kicked(const Configuration& configuration, double ball_x_m) {
   ScriptedGame game = in_play(configuration);
   game.kick_from(Side::kWest, 1, {ball_x_m, 0}, {2, 0});
   return game;
 }
 
-// West's area of 2014 ends at x = -2.225, where the way to the goal is straight.
+// West's area of 2014 ends at x = -2.225 in front of the goal, where the line is straight.
 TEST(DefenderInArea, EntirelyInsideGivesAPenaltyKick) {
   ScriptedGame game = kicked(by_book("2014"), -2.225 + 0.0225 - 0.001);
   const Decision call = game.run_until("defender_in_defense_area", 0.3);
@@ -43,14 +43,14 @@ TEST(DefenderInArea, IsNotCalledOutsideTheLine) {
   EXPECT_EQ(game.count("defender_in_defense_area_partially"), 0);
 }
 
-TEST(DefenderInArea, IsNotCalledOfTheKeeper) {
+TEST(DefenderInArea, IsNotCalledForTheKeeper) {
   ScriptedGame game = in_play(by_book("2014"));
   game.requests[Side::kWest].keeper = 1;
   game.kick_from(Side::kWest, 1, {-2.5, 0}, {2, 0});
   EXPECT_FALSE(is_called(game, "defender_in_defense_area", 0.5));
 }
 
-TEST(DefenderInArea, PartlyIsAllowedFrom2026) {
+TEST(DefenderInArea, PartlyInsideIsAllowedIn2026) {
   ScriptedGame partly = kicked(by_book("2026-b"), -3.5 + 0.0225 + 0.001);
   partly.run(0.5);
   EXPECT_EQ(partly.count("defender_in_defense_area_partially"), 0);
@@ -58,7 +58,7 @@ TEST(DefenderInArea, PartlyIsAllowedFrom2026) {
   EXPECT_TRUE(is_called(entirely, "defender_in_defense_area", 0.5));
 }
 
-TEST(DefenderInArea, IsNotCalledWhereAnOpponentMayHaveShoved) {
+TEST(DefenderInArea, IsNotCalledIfAnOpponentMayHavePushed) {
   ScriptedGame game = in_play(by_book("2014"));
   RobotObservation& opponent = game.robot(Side::kEast, 3);
   opponent.position_m = Vec2(-2.5 - 0.0975, 0.18 + 0.002);
@@ -69,12 +69,12 @@ TEST(DefenderInArea, IsNotCalledWhereAnOpponentMayHaveShoved) {
 TEST(DefenderInArea, CountsWhereTheRobotWasAtTheTouch) {
   ScriptedGame game = kicked(by_book("2014"), -2.225 + 0.1885 + 0.003);
   game.run(1 / ScriptedGame::kRate_hz);
-  game.robot(Side::kWest, 1).position_m.x() -= 0.05;  // only then it enters, at 3 m/s
+  game.robot(Side::kWest, 1).position_m.x() -= 0.05;  // enters only now, at 3 m/s
   game.run(0.5);
   EXPECT_EQ(game.count("defender_in_defense_area_partially"), 0);
 }
 
-TEST(DefenderInArea, IsAllowedWhereTheRuleIsNotInForce) {
+TEST(DefenderInArea, IsAllowedIfTheRuleIsNotInForce) {
   ScriptedGame game = kicked(without(by_book("2014"), RuleId::kDefenderInDefenseArea), -2.5);
   EXPECT_FALSE(is_called(game, "defender_in_defense_area", 0.5));
 }

@@ -1,4 +1,4 @@
-// Strict reading of one mapping: each key is known and given once.
+// Strict reader of one mapping: every key must be known and given once.
 #pragma once
 
 #include <yaml-cpp/yaml.h>
@@ -17,8 +17,8 @@ struct CaseError : std::runtime_error {
       : std::runtime_error(file + ":" + std::to_string(node.Mark().line + 1) + ": " + message) {}
 };
 
-// Keys are asked for one by one; finish() refuses those that nobody asked for. All functions throw
-// CaseError for what is missing, or not of the kind that was asked for.
+// Keys are read one by one; finish() rejects all others. All functions throw CaseError if something
+// is missing or has the wrong type.
 class YamlKeys {
  public:
   YamlKeys(const YAML::Node& node, std::string file) : node_(node), file_(std::move(file)) {

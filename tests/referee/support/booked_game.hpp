@@ -1,4 +1,4 @@
-// Scripted games by the rule books beyond the paper's.
+// Scripted games under rule books other than the paper's.
 #pragma once
 
 #include <string_view>
@@ -7,7 +7,7 @@
 
 namespace autoref::referee {
 
-// A game by that book, on the field that belongs to it.
+// A configuration with that book and the field that belongs to it.
 inline Configuration by_book(std::string_view book) {
   Configuration configuration;
   configuration.rules = find_rule_book(book).value();
@@ -15,8 +15,8 @@ inline Configuration by_book(std::string_view book) {
   return configuration;
 }
 
-// West put the ball out over the touch line at y > 0, and play was stopped in this frame: throw-in
-// for east at x = 0.4.
+// West put the ball out over the touch line at y > 0, and play was stopped in this frame: a
+// throw-in for east at x = 0.4.
 inline ScriptedGame stopped_game(const Configuration& configuration) {
   ScriptedGame game(configuration);
   game.line_up().kick_off();
@@ -25,7 +25,7 @@ inline ScriptedGame stopped_game(const Configuration& configuration) {
   return game;
 }
 
-// The same once east's throw-in was signalled; the ball waits for east 3.
+// The same after the throw-in was signalled; the ball waits for east 3.
 inline ScriptedGame throw_in_game(const Configuration& configuration) {
   ScriptedGame game = stopped_game(configuration);
   game.robot(Side::kWest, 1).position_m = Vec2(-1, 0);

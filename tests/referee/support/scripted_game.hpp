@@ -19,7 +19,8 @@ class ScriptedGame {
     frame.ball = BallObservation{Vec2(0, 0), 0.0};
   }
 
-  // Robots 0 to `count` - 1 of each side, in columns near their own goal line and off the centre.
+  // Puts robots 0 to `count` - 1 of each side in columns near their own goal line, away from the
+  // centre.
   ScriptedGame& line_up(int count = 6) {
     for (Side side : kSides) {
       for (int i = 0; i < count; ++i) {
@@ -42,7 +43,8 @@ class ScriptedGame {
     ball_mps = Vec2(0, 0);
   }
 
-  // One frame: judged, then the ball rolls on, or ball placement puts it to its place.
+  // One frame: the referee judges it, then the ball rolls on, or ball placement puts it in
+  // position.
   const RefereeSignal& step() {
     frame.number = next_number_++;
     frame.time_s = static_cast<double>(frame.number) / kRate_hz;
@@ -61,7 +63,7 @@ class ScriptedGame {
     for (int i = 0; i < frames; ++i) step();
   }
 
-  // Runs until an transition of that label is taken; throws if none is within `limit_s`.
+  // Runs until a transition with that label is taken; throws if none is within `limit_s`.
   Decision run_until(std::string_view transition, double limit_s = 40) {
     for (int i = 0; i < limit_s * kRate_hz; ++i) {
       const std::size_t former = decisions.size();
@@ -83,7 +85,7 @@ class ScriptedGame {
     return *this;
   }
 
-  // The robot comes up behind the ball with its plate one millimetre away, and kicks it.
+  // The robot appears behind the ball, with its plate one millimetre away, and kicks it.
   void kick(Side side, int number, const Vec2& velocity_mps) {
     const Vec2 direction = velocity_mps.normalized();
     RobotObservation& kicker = robot(side, number);
@@ -94,7 +96,7 @@ class ScriptedGame {
     ball_mps = velocity_mps;
   }
 
-  // Kicks the ball from `from_m` once play is on and it is in play already.
+  // Kicks the ball from `from_m` once it is in play.
   void kick_from(Side side, int number, const Vec2& from_m, const Vec2& velocity_mps) {
     put_ball(from_m);
     run(0.1);
@@ -112,7 +114,7 @@ class ScriptedGame {
   Frame frame;
   PerSide<TeamRequests> requests;
   Vec2 ball_mps{0, 0};
-  double carpet_mps2 = 0;  // what the ball loses
+  double carpet_mps2 = 0;  // deceleration of the ball
   bool placement_works = true;
   Referee referee;
   RefereeSignal signal;
@@ -122,7 +124,7 @@ class ScriptedGame {
   std::int64_t next_number_ = 0;
 };
 
-// A game after its kick-off, the ball in play near the centre.
+// A game after its kick-off, with the ball in play near the centre.
 inline ScriptedGame in_play(const Configuration& configuration = {}) {
   ScriptedGame game(configuration);
   game.line_up().kick_off();
