@@ -30,7 +30,7 @@ class BoundsCheck final : public YAML::EventHandler {
   void OnDocumentStart(const Mark& mark) override {
     if (mark.pos <= last_document_) {
       refuse(mark,
-             "no value can start like this; is a '[' or '{' missing before it, or are quotes "
+             "no value begins like this; is a '[' or '{' missing before it, or are quotes "
              "missing?");
     }
     last_document_ = mark.pos;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kLabSameTime_s = 1e-9;
 
-// `timed` at `time_s`, on its way from the speeds of the `former` one.
+// The command `timed` at `time_s`, interpolated from the speeds of the `former` command.
 RobotCommand eased(const TimedCommand& timed, const RobotCommand& former, double time_s) {
   RobotCommand command = timed.command;
   if (time_s + kLabSameTime_s >= timed.at_s + timed.over_s) return command;
@@ -25,7 +25,7 @@ RobotCommand eased(const TimedCommand& timed, const RobotCommand& former, double
   return command;
 }
 
-// The order in force for frames taken at `time_s`.
+// The command in force for frames taken at `time_s`.
 RobotCommand command_at(const LabRobot& robot, double time_s) {
   RobotCommand command;
   RobotCommand former;
@@ -71,7 +71,7 @@ std::vector<std::string> columns_of(const LabScene& scene) {
   return columns;
 }
 
-// Finer than anything the league measures, and the same text from every compiler.
+// More digits than the league can measure, and the same text with every compiler.
 std::string cell(double value) {
   const std::string text = fmt::format("{:.6f}", value);
   return text == "-0.000000" ? "0.000000" : text;
@@ -110,7 +110,7 @@ LabScene::LabScene() {
 LabRecord play_lab_scene(const LabScene& scene) {
   sim::World world = world_of(scene);
   LabRecord record{scene.sim.frame_rate_hz, {world.state()}};
-  // As in a game: the frame ages whole frames, the radio link delays by the sub-steps left.
+  // As in a game: the frame is delayed by whole frames, the radio link by the remaining sub-steps.
   const int old_frames = sim::split_latency(scene.sim).frames;
   const auto frames = static_cast<int>(std::lround(scene.duration_s * scene.sim.frame_rate_hz));
   for (int f = 0; f < frames; ++f) {

@@ -1,4 +1,4 @@
-// The laboratory: small experiments with robots and ball, without teams and without a referee.
+// The laboratory: small experiments with robots and ball, without teams or referee.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace autoref::runner {
 
-// Replaces a robot's former order from that time on. The speeds change evenly from the former
-// order's to its own within `over_s`.
+// Replaces a robot's previous command from `at_s` on. Speeds change linearly from the previous
+// command's to its own within `over_s`.
 struct TimedCommand {
   double at_s = 0;
   double over_s = 0;
@@ -20,10 +20,10 @@ struct TimedCommand {
 };
 
 struct LabRobot {
-  RobotId id;  // numbered from 0 on each side, in the file's order
+  RobotId id;  // numbered from 0 on each side, in the order of the file
   sim::RobotSpec spec;
   sim::RobotState start;
-  std::vector<TimedCommand> commands;  // by rising time
+  std::vector<TimedCommand> commands;  // in order of time
 };
 
 // Motors, kickers, camera and radio are exact and without delay unless the scene says otherwise.
@@ -34,13 +34,13 @@ struct LabScene {
   double duration_s = 1;
   Field field;
   sim::Configuration sim;
-  sim::RobotSpec robot;  // what a robot has unless its type says otherwise
+  sim::RobotSpec robot;  // for robots without a type
   std::uint64_t seed = 1;
   sim::BallState ball;
   std::vector<LabRobot> robots;
 };
 
-// What happened: the world's state at the start and after each camera frame.
+// Recorded states of the world: at the start and after each camera frame.
 struct LabRecord {
   double frame_rate_hz = 60;
   std::vector<sim::WorldState> states;
@@ -50,11 +50,11 @@ struct LabRecord {
 LabScene read_lab_scene(const std::filesystem::path& file);
 LabScene read_lab_scene_text(const std::string& text, const std::string& file_name);
 
-// Plays the scene. An order moves its robot `sim.latency_s` after its time.
+// Simulates the scene. A command takes effect `sim.latency_s` after its time.
 LabRecord play_lab_scene(const LabScene& scene);
 
-// A row per frame: time, then position, heading and speed of everything, in SI units, headings in
-// degrees. Robots are called by side and number, such as west0.
+// One row per frame: time, then position, heading and speed of every object, in SI units, headings
+// in degrees. Robots are named by side and number, such as west0.
 std::string csv_of(const LabScene& scene, const LabRecord& record);
 
 }  // namespace autoref::runner

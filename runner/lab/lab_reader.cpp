@@ -1,4 +1,4 @@
-// Reading scenes of the laboratory.
+// Reads laboratory scenes.
 #include <fmt/format.h>
 
 #include <stdexcept>
@@ -49,7 +49,7 @@ class LabReader {
   }
 
  private:
-  // The branches that a game has too.
+  // Reads the branches that games also have.
   void read_settings() {
     GameSettings game;
     game.sim = scene_.sim;
@@ -77,7 +77,7 @@ class LabReader {
     assign_entry(file_, entry, {"duration_s", &scene_.duration_s, {0, 600, true}, {}, "s", ""});
   }
 
-  // Inside the walls around the field.
+  // The position must be inside the walls around the field.
   void read_position(const Mapping& from, Vec2& position_m) const {
     const double x = scene_.field.wall_x_m();
     const double y = scene_.field.wall_y_m();
@@ -115,7 +115,7 @@ class LabReader {
       robot.id.number = count[robot.id.side]++;
       if (robot.id.number == kMaxRobots) {
         file_.refuse(entry.location, entry.key,
-                     fmt::format("expected at most {} robots a side", kMaxRobots));
+                     fmt::format("expected at most {} robots per side", kMaxRobots));
       }
       read_robot(from, robot);
       scene_.robots.push_back(robot);
@@ -152,7 +152,8 @@ class LabReader {
       robot.commands.push_back(read_command(entry));
       if (robot.commands.size() > 1 &&
           robot.commands.end()[-2].at_s >= robot.commands.back().at_s) {
-        file_.refuse(entry.location, entry.key, "expected a time after the previous command's");
+        file_.refuse(entry.location, entry.key,
+                     "expected a time after that of the previous command");
       }
     }
   }
@@ -175,7 +176,7 @@ class LabReader {
     return timed;
   }
 
-  // The elements of a list, each named by its place such as "robots[0]".
+  // The elements of a list, named by their index, such as "robots[0]".
   Entries elements(const YamlEntry& list, const std::string& path) const {
     if (!list.value.IsSequence()) file_.refuse(value_location(list), path, "expected a list");
     Entries entries;

@@ -46,7 +46,7 @@ Agreement agreement_of(std::span<const Call> recorded, std::span<const Call> ref
                        double lead_s) {
   Agreement agreement{{}, 0, static_cast<int>(recorded.size()), static_cast<int>(refereed.size())};
   std::vector<bool> is_taken(refereed.size(), false);
-  std::size_t first = 0;  // those before are over before anything that is still to come
+  std::size_t first = 0;  // calls before this index end too early to match any later recorded call
   for (const Call& call : recorded) {
     while (first < refereed.size() && refereed[first].restart_s < call.stop_s - lead_s) ++first;
     CallPair pair{call, std::nullopt};

@@ -1,4 +1,4 @@
-// Calls of a referee, told from the commands that it sends, and how well two referees agree.
+// A referee's calls, derived from its commands, and the agreement between two referees.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace autoref::runner {
 
-// Play is stopped, and later goes on with a restart: the league's evaluation of 2016 calls that an
+// Play is stopped and later resumes with a restart; the league's evaluation of 2016 calls that an
 // event.
 struct Call {
   double stop_s = 0;
@@ -17,8 +17,8 @@ struct Call {
   Command restart;
 };
 
-// Makes calls of commands as they come: a STOP, and the restart that follows it. Halts and timeouts
-// between them change nothing; a second STOP neither.
+// Derives calls from a stream of commands: a STOP and the restart after it. Halts, timeouts and
+// further STOPs in between are ignored.
 class CallMaker {
  public:
   void take(double time_s, Command command);
@@ -29,7 +29,7 @@ class CallMaker {
   std::vector<Call> calls_;
 };
 
-// A recorded call and the judge's, or one of them alone.
+// A recorded call and the matching AutoRef call, or one of them alone.
 struct CallPair {
   std::optional<Call> recorded;
   std::optional<Call> refereed;
@@ -37,22 +37,22 @@ struct CallPair {
 };
 
 struct Agreement {
-  std::vector<CallPair> pairs;  // by time
+  std::vector<CallPair> pairs;  // in order of time
   int right = 0;
   int recorded = 0;
   int refereed = 0;
 
-  // Shares of the judge's and of the recorded calls that are right; 0 where there are none.
+  // Precision and recall of AutoRef's calls; 0 if there are none.
   double precision() const;
   double recall() const;
   double f1() const;
-  // The technical challenge of 2016: 1 for a right call, -2 for a wrong one.
+  // Score in the technical challenge of 2016: 1 for a right call, -2 for a wrong one.
   int challenge_score() const { return right - 2 * (refereed - right); }
 };
 
-// A judge's call is right where its restart is the recorded one's and they overlap in time, the
-// judge being up to `lead_s` ahead. Both are ordered by time; each call is paired once, with the
-// first that fits.
+// Matches AutoRef's calls with the recorded ones. A call is right if a recorded call has the same
+// restart and they overlap in time; AutoRef may be up to `lead_s` early. Both lists must be in
+// order of time; each call is matched once, with the first that fits.
 Agreement agreement_of(std::span<const Call> recorded, std::span<const Call> refereed,
                        double lead_s = 2.0);
 

@@ -10,7 +10,7 @@
 namespace autoref::runner {
 namespace {
 
-// What the geometry leaves out stays as the book has it.
+// The field of the log's geometry; the rule book's values fill gaps.
 Field field_in(const league::LogSummary& log, const Field& of_book) {
   if (!log.field) return of_book;
   Field field = *log.field;
@@ -19,7 +19,7 @@ Field field_in(const league::LogSummary& log, const Field& of_book) {
   return field;
 }
 
-// The command in force where the log begins, if play is on by it or a restart awaited.
+// The command in force at the start of the log, if play is on or a restart is pending.
 std::optional<Command> play_begun(const RecordedFacts& facts) {
   if (facts.commands.empty()) return std::nullopt;
   const Command first = facts.commands.front().command;
@@ -70,36 +70,40 @@ std::vector<std::string> gaps_of(const RecordedFacts& facts, const GameSettings&
   const RecordedGame& recorded = facts.games.front();
   const bool has_referee = facts.last_signal.has_value();
   note(!facts.log.field, "field.length_m",
-       fmt::format("no geometry: the field is that of the rules {}, {} x {} m (--rules, or --set "
-                   "field.length_m=... and so on)",
-                   game.match.rules, field.length_m, field.width_m));
+       fmt::format(
+           "no geometry: using the field of the rules {}, {} x {} m (change with --rules or --set "
+           "field.length_m=... etc.)",
+           game.match.rules, field.length_m, field.width_m));
   note(facts.log.field && facts.log.field_gaps.penalty_mark, "field.penalty_mark_m",
-       fmt::format("the geometry has no penalty mark: {} m from the goal shot at (--set "
-                   "field.penalty_mark_m=...)",
-                   field.penalty_mark_m));
+       fmt::format(
+           "the geometry has no penalty mark: using {} m from the goal line (change with --set "
+           "field.penalty_mark_m=...)",
+           field.penalty_mark_m));
   note(facts.log.field && facts.log.field_gaps.defence_area, "field.defence_area.depth_m",
-       fmt::format("the geometry has no defence areas: they are {} m deep, as the rules {} have "
-                   "them (--set field.defence_area.depth_m=...)",
+       fmt::format("the geometry has no defence areas: using a depth of {} m as in the rules {} "
+                   "(change with --set field.defence_area.depth_m=...)",
                    field.defence_area.depth_m, game.match.rules));
-  note(!has_referee, "",
-       "no packet of a referee: nothing is there to compare AutoRef's calls with");
-  note(!recorded.half_s, "match.half_s",
-       fmt::format("the clock of the first half is missing: a half has {} s (--set "
-                   "match.half_s=...)",
-                   game.match.half_s));
+  note(!has_referee, "", "no referee packets: nothing to compare AutoRef's calls with");
+  note(
+      !recorded.half_s, "match.half_s",
+      fmt::format("the clock of the first half is missing: using halves of {} s (change with --set "
+                  "match.half_s=...)",
+                  game.match.half_s));
   note(!recorded.first_kickoff, "match.first_kickoff",
-       fmt::format("the first kick-off is missing: {} has it (--first-kickoff west|east)",
-                   name_of(game.match.first_kickoff)));
+       fmt::format(
+           "the first kick-off is missing: giving it to {} (change with --first-kickoff west|east)",
+           name_of(game.match.first_kickoff)));
   const std::optional<Command> begun = play_begun(facts);
   if (begun) {
     note(true, "",
-         fmt::format("it begins in the middle of play ({}): AutoRef begins with a kick-off of its "
-                     "own, which counts as a wrong call",
-                     name_of(*begun)));
+         fmt::format(
+             "the log starts in the middle of play ({}): AutoRef starts with a kick-off of its "
+             "own, which counts as a wrong call",
+             name_of(*begun)));
   }
   for (const Side side : kSides) {
     note(facts.robots[side] == 0, "",
-         fmt::format("no robot of the {} team is ever seen",
+         fmt::format("no robot of the {} team is ever detected",
                      side == Side::kWest ? "yellow" : "blue"));
   }
   return gaps;

@@ -8,7 +8,7 @@
 namespace autoref::runner {
 namespace {
 
-// The same robots with the same colours, from the other end.
+// The frame rotated by half a turn: same robots and colours, other end of the field.
 Frame turned(const Frame& frame) {
   Frame other = mirrored(frame);
   std::swap(other.robots[Side::kWest], other.robots[Side::kEast]);
@@ -26,8 +26,8 @@ class LogReferee final : public league::LogVisitor {
 
   void on_frame(const Frame& frame) override {
     if (!referee_.is_over()) take(frame);
-    // A frame comes after what the recorded referee sent behind it: this one was of the game
-    // before.
+    // The log holds a referee packet before the frame it belongs to, so this frame was still part
+    // of the previous game.
     if (is_next_game_) referee_ = referee::Referee(configurations_[++game_]);
     is_next_game_ = false;
   }

@@ -1,4 +1,4 @@
-// AutoRef judges a recorded game from its vision packets alone.
+// Lets AutoRef referee a recorded game from its vision packets alone.
 #pragma once
 
 #include <filesystem>
@@ -12,18 +12,17 @@
 namespace autoref::runner {
 
 struct LogRefereeResult {
-  Agreement agreement;  // of AutoRef's calls with the recorded referee's
-  PerSide<int> goals;   // by AutoRef
-  std::string events;   // its decisions, a JSON object a line (event_log.hpp)
+  Agreement agreement;  // between AutoRef's calls and those of the recorded referee
+  PerSide<int> goals;   // as counted by AutoRef
+  std::string events;   // AutoRef's decisions, one JSON object per line (event_log.hpp)
   int decisions = 0;
 };
 
-// Judges every frame of the log in order. Each of the log's games has its configuration and its own
-// referee; the last configuration serves those that have none. Goals are those of the last game.
-// Where the recorded referee says that blue defends the
-// goal at -x, frames are turned round, as AutoRef takes yellow to be west. Throws
-// league::LogError, and std::invalid_argument where a configuration makes no referee. There is at
-// least one.
+// Judges every frame of the log in order. Each game of the log has its own configuration and
+// referee; the last configuration is reused if there are more games. Goals are those of the last
+// game. If the recorded referee says that blue defends the goal at -x, frames are rotated, since
+// AutoRef assumes that yellow is west. Throws league::LogError, and std::invalid_argument if a
+// configuration is not valid for a referee. `configurations` must not be empty.
 LogRefereeResult referee_log(const std::filesystem::path& log, const RecordedFacts& facts,
                              const std::vector<referee::Configuration>& configurations);
 

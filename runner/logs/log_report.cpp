@@ -46,7 +46,7 @@ std::string field_text(const std::optional<Field>& field) {
 }
 
 std::string score_text(const RecordedFacts& facts) {
-  if (!facts.last_signal) return "no referee in this log";
+  if (!facts.last_signal) return "no referee packets";
   const RefereeSignal& signal = *facts.last_signal;
   return fmt::format("{} (yellow) {} : {} {} (blue), {}", facts.names[Side::kWest],
                      signal.goals[Side::kWest], signal.goals[Side::kEast], facts.names[Side::kEast],
@@ -54,7 +54,7 @@ std::string score_text(const RecordedFacts& facts) {
 }
 
 std::string cameras_table(const RecordedFacts& facts) {
-  Rows rows = {{"camera", "packets", "a second", "gaps over 0.1 s", "longest"}};
+  Rows rows = {{"camera", "packets", "per second", "gaps over 0.1 s", "longest"}};
   for (const auto& [number, camera] : facts.cameras) {
     rows.push_back({std::to_string(number), std::to_string(camera.packets),
                     fmt::format("{:.1f}", camera.rate_hz()), std::to_string(camera.gaps),

@@ -1,4 +1,4 @@
-// What `autoref info` and `autoref referee` say of a log.
+// Reports of `autoref info` and `autoref referee` on a log.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace autoref::runner {
 
-// Length, kinds of messages, field, cameras, score, and how often each command was sent; with
-// `lists_commands` each with its time.
+// Length, message types, field, cameras, score, and how often each command was sent; with
+// `lists_commands`, each command with its time instead.
 std::string info_text(const RecordedFacts& facts, bool lists_commands);
 
-// The same as one JSON object on one line, with every command.
+// The same as a single-line JSON object, with all commands.
 std::string info_json(const RecordedFacts& facts);
 
-// AutoRef's calls beside the recorded ones, and how well they agree.
+// AutoRef's calls next to the recorded ones, and their agreement.
 std::string referee_log_text(const LogRefereeResult& evaluation, const RecordedFacts& facts);
 std::string referee_log_json(const LogRefereeResult& evaluation, const RecordedFacts& facts);
 

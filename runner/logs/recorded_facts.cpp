@@ -10,7 +10,7 @@ namespace autoref::runner {
 namespace {
 
 constexpr double kGap_s = 0.1;
-constexpr double kClock_s = 0.1;  // a half's length is a multiple of this
+constexpr double kClock_s = 0.1;  // resolution of a half's length
 
 int half_of(Stage stage) {
   switch (stage) {
@@ -27,7 +27,7 @@ bool is_after_a_draw(Stage stage) {
   return stage >= Stage::kExtraTimeBreak && stage <= Stage::kShootout;
 }
 
-// A name for people: at most 64 bytes, those that are not plain ASCII as question marks.
+// A name safe for display: at most 64 bytes, with question marks for anything but printable ASCII.
 std::string name_text(std::string_view bytes) {
   constexpr std::size_t kLongest = 64;
   std::string text(bytes.substr(0, kLongest));
@@ -67,7 +67,7 @@ class FactFinder final : public league::LogVisitor {
                         facts.last_signal->command != signal->command;
     if (is_new) note_command(time_s, signal->command);
     note_stage(signal->stage);
-    // Overtime, or a missing clock, says nothing about the length.
+    // Overtime or a missing clock does not reveal the length.
     if (packet.stage_time_left() > 0) note_clock(signal->stage, signal->stage_time_left_s);
     facts.names = {{name_text(packet.yellow().name()), name_text(packet.blue().name())}};
     facts.last_signal = signal;

@@ -1,4 +1,4 @@
-// Facts about the games in a log, read before they are judged.
+// Facts about the games in a log, collected before they are refereed.
 #pragma once
 
 #include <array>
@@ -15,9 +15,9 @@
 
 namespace autoref::runner {
 
-// A command as it stands in the log for the first time.
+// The first occurrence of a command in the log.
 struct RecordedCommand {
-  double time_s = 0;  // from the log's beginning
+  double time_s = 0;  // from the start of the log
   Command command;
 };
 
@@ -26,47 +26,47 @@ struct RecordedCamera {
   double first_s = 0;
   double last_s = 0;
   double longest_gap_s = 0;
-  int gaps = 0;  // of 0.1 s and more
+  int gaps = 0;  // of at least 0.1 s
 
-  // Packets a second; 0 where there are fewer than two.
+  // Packets per second; 0 if there are fewer than two.
   double rate_hz() const;
 };
 
-// Facts about one game. Most logs hold one.
+// Facts about one game. Most logs contain one.
 struct RecordedGame {
   double begins_s = 0;
   std::optional<double> half_s = {};        // from the clock of the first half
-  int halves = 0;                           // begun, without those of extra time
-  bool is_knockout = false;                 // it has gone on to extra time or a shoot-out
+  int halves = 0;                           // started, without extra time
+  bool is_knockout = false;                 // it went to extra time or a shoot-out
   std::optional<double> extra_half_s = {};  // from the clock of extra time's first half
   std::optional<Side> first_kickoff = {};
 };
 
-// Notices by the stages that a recorded referee sends where it begins another game.
+// Detects, from the stages of a recorded referee, the start of another game.
 class NextGame {
  public:
   bool begins_with(Stage stage);
 
  private:
-  Stage latest_ = Stage::kFirstHalfPre;  // of the game at hand
+  Stage latest_ = Stage::kFirstHalfPre;  // of the current game
 };
 
 struct RecordedFacts {
   league::LogSummary log;
   std::vector<RecordedCommand> commands;            // at most kMostCommands
-  std::int64_t commands_left_out = 0;               // beyond that
-  PerSide<std::string> names;                       // empty where the log does not tell
-  std::optional<RefereeSignal> last_signal;         // none where no referee is in the log
+  std::int64_t commands_left_out = 0;               // number of further commands
+  PerSide<std::string> names;                       // empty if unknown
+  std::optional<RefereeSignal> last_signal;         // nullopt without referee packets
   std::map<std::uint32_t, RecordedCamera> cameras;  // by number
-  PerSide<int> robots;                              // the most that a frame shows
+  PerSide<int> robots;                              // maximum number in a frame
   std::vector<RecordedGame> games = {{}};           // at least one, at most kMostGames
-  std::int64_t unknown_signals = 0;                 // packets whose stage or command nobody knows
+  std::int64_t unknown_signals = 0;                 // packets with an unknown stage or command
 
   static constexpr std::size_t kMostCommands = 100'000;
   static constexpr std::size_t kMostGames = 100;
 };
 
-// Reads the whole log. Throws league::LogError where it is none.
+// Reads the whole log. Throws league::LogError if the file is not a log.
 RecordedFacts facts_of(const std::filesystem::path& log);
 
 }  // namespace autoref::runner

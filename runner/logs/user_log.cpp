@@ -10,12 +10,12 @@ namespace autoref::runner {
 std::string damage_text(const std::string& path, const league::LogSummary& log) {
   std::string text;
   if (log.damage) {
-    text = fmt::format("autoref: {}: the log is read up to byte {}: {}\n", path, log.damage->offset,
-                       log.damage->what);
+    text = fmt::format("autoref: {}: the log is only readable up to byte {}: {}\n", path,
+                       log.damage->offset, log.damage->what);
   }
   if (log.unreadable > 0) {
     text += fmt::format(
-        "autoref: {}: {} messages make no sense and are left out, the first at "
+        "autoref: {}: {} messages are invalid and ignored, the first at "
         "byte {}\n",
         path, log.unreadable, log.unreadable_at);
   }
@@ -23,13 +23,13 @@ std::string damage_text(const std::string& path, const league::LogSummary& log) 
     text += fmt::format("autoref: {}: {}\n", path, line);
   };
   if (log.unnumbered > 0) {
-    add(fmt::format("{} detections of robots numbered {} and above are left out", log.unnumbered,
+    add(fmt::format("{} detections of robots with numbers from {} are ignored", log.unnumbered,
                     kMaxRobots));
   }
   if (log.field_changes > 0)
-    add(fmt::format("the field changes {} times; the last one counts", log.field_changes));
+    add(fmt::format("the field changes {} times; using the last one", log.field_changes));
   if (log.clock_restarts > 0) {
-    add(fmt::format("the cameras' clock restarts {} times; times continue from where they were",
+    add(fmt::format("the cameras' clock restarts {} times; adjusted to continue",
                     log.clock_restarts));
   }
   return text;
@@ -41,12 +41,12 @@ std::string damage_text(const std::string& path, const RecordedFacts& facts) {
     text += fmt::format("autoref: {}: {}\n", path, line);
   };
   if (facts.unknown_signals > 0) {
-    add(fmt::format("{} packets of the referee have an unknown stage or command and are left out",
+    add(fmt::format("{} referee packets have an unknown stage or command and are ignored",
                     facts.unknown_signals));
   }
   if (facts.games.size() > 1) {
-    add(fmt::format("there are {} games one after the other; the second begins at {:.1f} s",
-                    facts.games.size(), facts.games[1].begins_s));
+    add(fmt::format("the log contains {} games; the second starts at {:.1f} s", facts.games.size(),
+                    facts.games[1].begins_s));
   }
   return text;
 }
@@ -60,7 +60,7 @@ league::LogSummary read_user_log(const std::string& path, league::LogVisitor& vi
   }
   write_message(stderr, damage_text(path, log));
   if (log.frames > 0) return log;
-  throw InputError({path}, "", "the log shows no frame of the field: nothing can be seen");
+  throw InputError({path}, "", "the log contains no vision frame: there is nothing to show");
 }
 
 Field field_shown(const std::string& path, const league::LogSummary& log, const std::string& book) {
@@ -71,8 +71,8 @@ Field field_shown(const std::string& path, const league::LogSummary& log, const 
         fmt::format("unknown rule book '{}'; expected one of {}", book, listed(rule_book_names())));
   }
   if (log.field) return *log.field;
-  write_message(stderr, fmt::format("autoref: {}: the log has no geometry; the field is that of "
-                                    "the rules {} (--rules chooses others)\n",
+  write_message(stderr, fmt::format("autoref: {}: the log has no geometry; using the field of "
+                                    "the rules {} (change with --rules)\n",
                                     path, book));
   return setup->field;
 }

@@ -1,4 +1,4 @@
-// A log of the league that the user named.
+// Reads an SSL log named by the user and reports its oddities.
 #pragma once
 
 #include <string>
@@ -8,18 +8,18 @@
 
 namespace autoref::runner {
 
-// Where the log stops making sense, how many of its messages make none, and what is odd about it;
-// lines for stderr, empty where all is well.
+// Lines for stderr: where the log is damaged, how many of its messages are invalid, and other
+// oddities. Empty if everything is fine.
 std::string damage_text(const std::string& path, const league::LogSummary& log);
 
-// The same, and what is odd about its games.
+// The same, with oddities of its games.
 std::string damage_text(const std::string& path, const RecordedFacts& facts);
 
-// Shows the log to `visitor`. Says on stderr where the log is damaged or makes no sense. Throws
-// InputError where it is no log or shows no frame.
+// Feeds the log to `visitor`. Reports damage and invalid messages on stderr. Throws InputError if
+// the file is not a log or contains no frame.
 league::LogSummary read_user_log(const std::string& path, league::LogVisitor& visitor);
 
-// The log's field; where it has none that of the rule book, which is said on stderr. Throws
+// The log's field, or that of the rule book (reported on stderr) if the log has no geometry. Throws
 // InputError for an unknown book.
 Field field_shown(const std::string& path, const league::LogSummary& log, const std::string& book);
 

@@ -1,4 +1,4 @@
-// What the scenes of scenarios/lab claim about the simulated world, as numbers of others.
+// Claims of the scenes in scenarios/lab about the simulated world, with independent numbers.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 namespace autoref::runner {
 
 struct Claim {
-  std::string name;  // the test's
+  std::string name;  // of the test
   std::string what;
   std::string scene;
   double claimed = 0;
@@ -22,11 +22,11 @@ struct Claim {
 const std::vector<Claim>& lab_claims();
 
 std::string lab_file(const std::string& scene);
-// In the default world, and in one that takes as many sub-steps in every frame.
+// Measures the claim in the default world, and in one with this many sub-steps in every frame.
 double measured(const Claim& claim);
 double measured_with(const Claim& claim, int substeps);
 
-// The table in sim/README.md: what is claimed, what the scenes show, whose number it is.
+// The table in sim/README.md: claims, measurements and sources.
 std::string lab_table();
 
 }  // namespace autoref::runner

@@ -12,10 +12,11 @@ namespace {
 
 constexpr double kSlide_mps2 = 3.4;
 constexpr double kRoll_mps2 = 0.30;
-constexpr double kNet_mps2 = 10.0;  // what the net takes besides
+constexpr double kNet_mps2 = 10.0;  // deceleration in the net, on top of the carpet's
 constexpr double kG_mps2 = 9.81;
 
-// Where and how fast the ball began to roll, between the frames that show it sliding and rolling.
+// Position and speed at which the ball starts to roll, interpolated between the last frame that
+// shows it sliding and the first that shows it rolling.
 struct Switch {
   double path_m = 0;
   double speed_mps = 0;
@@ -35,12 +36,12 @@ Switch switch_of(const LabRecord& record) {
           v_mps - kSlide_mps2 * after_s};
 }
 
-// The speed with which a flying ball meets the carpet, or left it.
+// Vertical speed of a flying ball at carpet level, before landing or after take-off.
 double carpet_mps(const BallState& ball) {
   return std::sqrt(ball.vertical_mps * ball.vertical_mps + 2 * kG_mps2 * ball.height_m);
 }
 
-// The frame after landing number `count`, from 1.
+// The frame after landing `count`, counting from 1.
 std::size_t frame_after_landing(const LabRecord& record, int count) {
   return first_frame(record, [&count](const WorldState& former, const WorldState& now) {
     const bool lands = former.ball.vertical_mps < 0.0 && now.ball.vertical_mps > 0.0;
@@ -53,8 +54,8 @@ double kept_xy(const LabRecord& record, int landing) {
   return record.states[f].ball.velocity_mps.x() / record.states[f - 1].ball.velocity_mps.x();
 }
 
-// Share of its speed that a ball keeps: from the frames around the bounce, less what the carpet
-// takes before it and `loses_mps2` after it.
+// Restitution of a bounce: computed from the frames around it, corrected for the carpet's
+// deceleration before and `loses_mps2` after it.
 double rebound(const LabRecord& record, int axis, double loses_mps2 = kSlide_mps2) {
   const std::size_t f =
       first_frame(record, [axis](const WorldState& former, const WorldState& now) {
@@ -69,17 +70,17 @@ double rebound(const LabRecord& record, int axis, double loses_mps2 = kSlide_mps
   return (-from_mps + loses_mps2 * (kFrame_s - after_s)) / (to_mps - kSlide_mps2 * after_s);
 }
 
-// From the plate's middle to where a ball lies at it.
+// Distance of the ball from its resting position at the plate's middle.
 double off_plate_mm(const WorldState& state, std::size_t robot) {
   const RobotState& its = west(state, robot);
   const Vec2 position_m = its.position_m + its.heading * (kFrontDistance_m + kBallRadius_m);
   return 1000 * (state.ball.position_m - position_m).norm();
 }
 
-constexpr std::size_t kHardTurn = 360;     // frame of the order to turn hard, at 6 s
-constexpr std::size_t kEvenPull = 36;      // frame in the midst of the gentle pull, at 0.6 s
-constexpr std::size_t kHardPull = 108;     // frame of the order to pull hard, at 1.8 s
-constexpr std::size_t kKickCommand = 348;  // frame of the order to kick, at 5.8 s
+constexpr std::size_t kHardTurn = 360;     // frame of the command to turn hard, at 6 s
+constexpr std::size_t kEvenPull = 36;      // frame in the middle of the gentle pull, at 0.6 s
+constexpr std::size_t kHardPull = 108;     // frame of the command to pull hard, at 1.8 s
+constexpr std::size_t kKickCommand = 348;  // frame of the command to kick, at 5.8 s
 
 double plate_mps(const WorldState& state) {
   const RobotState& its = west(state);
@@ -116,7 +117,7 @@ double rebound_x(const LabRecord& record) { return rebound(record, 0); }
 double rebound_net(const LabRecord& record) { return rebound(record, 0, kSlide_mps2 + kNet_mps2); }
 double rebound_y(const LabRecord& record) { return rebound(record, 1); }
 
-// The same in the air, where nothing else slows the ball.
+// The same in the air, where nothing else slows the ball down.
 double rebound_flying(const LabRecord& record) {
   const std::size_t f = first_frame(record, [](const WorldState& former, const WorldState& now) {
     return former.ball.velocity_mps.x() > 0.0 && now.ball.velocity_mps.x() < 0.0;
@@ -136,7 +137,7 @@ double most_off_in_slow_turn_mm(const LabRecord& record) {
   return most;
 }
 
-// How fast the robot turned when the ball had left the reach of the dribbler.
+// Turning rate when the ball had left the dribbler's reach.
 double loses_at_radps(const LabRecord& record) {
   std::size_t f = kHardTurn;
   while (off_plate_mm(record.states.at(f), 0) < 10.0) ++f;
@@ -147,7 +148,8 @@ double off_in_slow_pull_mm(const LabRecord& record) {
   return off_plate_mm(record.states[kEvenPull], 0);
 }
 
-// Of the ball, where the dribbler pulls as hard as it can: from 5 mm off to the end of its reach.
+// Acceleration of the ball where the dribbler pulls with full force: from 5 mm off the plate to the
+// end of its reach.
 double most_pull_mps2(const LabRecord& record) {
   std::size_t f = kHardPull;
   while (off_plate_mm(record.states.at(f), 0) < 5.0) ++f;
@@ -169,7 +171,7 @@ double most_off_when_held_mm(const LabRecord& record) {
   return most;
 }
 
-// How much faster than the plate the ball gets, now or a frame ago.
+// How much faster than the plate, now or a frame ago, the ball gets.
 double most_faster_when_held_mps(const LabRecord& record) {
   double most = 0.0;
   for (std::size_t f = 1; f <= kKickCommand; ++f) {

@@ -1,5 +1,5 @@
-// What is measured in the scenes of scenarios/lab, by the name of the quantity. Each throws
-// std::out_of_range or std::runtime_error where the scene does not show what it looks for.
+// Quantities measured in the scenes of scenarios/lab. Each function throws std::out_of_range or
+// std::runtime_error if the scene does not show what it measures.
 #pragma once
 
 #include "runner/lab/lab.hpp"

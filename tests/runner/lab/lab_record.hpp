@@ -1,4 +1,4 @@
-// Looking things up in what a lab scene recorded.
+// Helpers to search the recording of a lab scene.
 #pragma once
 
 #include <functional>
@@ -20,7 +20,7 @@ inline const RobotState& west(const WorldState& state, std::size_t number = 0) {
 
 inline const RobotState& east(const WorldState& state) { return state.robots[Side::kEast][0]; }
 
-// The first frame, from the second on, for which `holds`.
+// The first frame, from the second on, for which `holds` returns true.
 inline std::size_t first_frame(
     const LabRecord& record,
     const std::function<bool(const WorldState&, const WorldState&)>& holds) {

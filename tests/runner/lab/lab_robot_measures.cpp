@@ -1,4 +1,4 @@
-// What is measured of robots that drive, turn, push and meet.
+// Measurements of robots that drive, turn, push and collide.
 #include <algorithm>
 
 #include "tests/runner/lab/lab_measures.hpp"
@@ -7,7 +7,7 @@
 namespace autoref::runner::lab_measures {
 namespace {
 
-constexpr std::size_t kStopCommand = 75;  // frame of the order to stop, at 1.25 s
+constexpr std::size_t kStopCommand = 75;  // frame of the command to stop, at 1.25 s
 
 double path_m(const LabRecord& record, std::size_t robot) {
   return (west(record.states.back(), robot).position_m - west(record.states[0], robot).position_m)
@@ -16,7 +16,7 @@ double path_m(const LabRecord& record, std::size_t robot) {
 
 }  // namespace
 
-// From the first motion to the first frame at the speed, by the speed in the frame before.
+// Time from the first motion to 3 m/s, extrapolated from the frame before.
 double to_three_s(const LabRecord& record) {
   const std::size_t f = first_frame(record, [](const WorldState&, const WorldState& now) {
     return west(now).velocity_mps.norm() > 2.999;
@@ -53,7 +53,7 @@ double turning_radps(const LabRecord& record) {
   return west(record.states[60]).angular_velocity_radps;
 }
 
-// A robot that speeds up evenly began to move where its speed, drawn backwards, is zero.
+// Delay until a uniformly accelerating robot starts to move: its speed extrapolated back to zero.
 double delay_ms(const LabRecord& record) {
   const std::size_t last = record.states.size() - 1;
   const double first_mps = west(record.states[last - 6]).velocity_mps.x();
@@ -62,7 +62,7 @@ double delay_ms(const LabRecord& record) {
   return 1000 * (static_cast<double>(last) * kFrame_s - mps / mps2 - 0.1);
 }
 
-// Both robots once they are together, by their mean speed from 0.95 to 1.15 s.
+// Deceleration of two robots in contact, from their mean speed at 0.95 s and 1.15 s.
 double pair_mps2(const LabRecord& record) {
   const auto mean_mps = [&](std::size_t f) {
     const WorldState& state = record.states[f];
@@ -71,7 +71,8 @@ double pair_mps2(const LabRecord& record) {
   return (mean_mps(57) - mean_mps(69)) / (12 * kFrame_s);
 }
 
-// Of the speed towards each other. Both brake at once, at 5 m/s^2, what throws them apart.
+// Restitution of two robots, from their approach speeds. Corrects for their braking with 5 m/s^2
+// immediately after the collision.
 double robots_rebound(const LabRecord& record) {
   const std::size_t f = first_frame(record, [](const WorldState& former, const WorldState& now) {
     return west(former).velocity_mps.x() > 0.0 && west(now).velocity_mps.x() < 0.0;

@@ -49,13 +49,13 @@ TEST(LabPlots, InTheReadmeShowEveryScene) {
   }
 }
 
-TEST(LabClaims, AreMadeOfEveryScene) {
+TEST(LabClaims, CoverEveryScene) {
   std::set<std::string> claimed;
   for (const Claim& claim : lab_claims()) claimed.insert(claim.scene);
   EXPECT_EQ(claimed, scenes());
 }
 
-TEST(LabCsv, HasARowPerFrameWithEverythingInIt) {
+TEST(LabCsv, HasARowPerFrameWithEveryObject) {
   for (const std::string& name : scenes()) {
     const LabScene scene = read_lab_scene(lab_file(name));
     const LabRecord record = play_lab_scene(scene);
@@ -94,7 +94,7 @@ TEST(LabScene, ReadsRobotsWithTheirCommands) {
   EXPECT_EQ(scene.robots[2].id, (RobotId{Side::kEast, 1}));
 }
 
-TEST(LabScene, ChangesSpeedsEvenlyOverTheTimeOfAnOrder) {
+TEST(LabScene, ChangesSpeedsLinearlyOverTheTimeOfACommand) {
   const LabScene scene = read_lab_scene_text(
       kLab +
           "sim: { robot: { acceleration_mps2: 20, wheel_acceleration_mps2: 20 } }\n"
@@ -112,12 +112,12 @@ TEST(LabScene, ChangesSpeedsEvenlyOverTheTimeOfAnOrder) {
     return record.states.at(frame).robots[Side::kWest][0].velocity_mps.norm();
   };
   EXPECT_NEAR(speed_mps(12), 1.0, 0.01);
-  EXPECT_NEAR(speed_mps(28), 1.5, 0.01);  // ordered half of the way in frame 27
+  EXPECT_NEAR(speed_mps(28), 1.5, 0.01);  // commanded halfway in frame 27
   EXPECT_NEAR(speed_mps(60), 2.0, 0.01);
   EXPECT_NEAR(record.states[28].robots[Side::kEast][0].angular_velocity_radps, 2.0, 0.02);
 }
 
-TEST(LabScene, GivesRobotsTheTypesItNamesBesideItself) {
+TEST(LabScene, ReadsRobotTypesRelativeToItself) {
   const LabScene scene = read_lab_scene_text(
       kLab +
           "sim: { robot: { mass_kg: 3 } }\n"
@@ -137,7 +137,7 @@ struct Mistake {
 
 class WrongLabScene : public testing::TestWithParam<Mistake> {};
 
-TEST_P(WrongLabScene, IsRefusedWithItsPlaceAndARemedy) {
+TEST_P(WrongLabScene, IsRefusedWithItsLocationAndARemedy) {
   try {
     read_lab_scene_text(GetParam().text, "x.yaml");
     FAIL() << "was accepted";

@@ -1,5 +1,5 @@
-// Logs as others write them: whatever a valid log holds or leaves out, it is judged and shown, and
-// what is taken instead is said once.
+// Logs by other programs: whatever a valid log contains or lacks, it can be refereed and shown, and
+// any value used instead is reported once.
 #include <gtest/gtest.h>
 
 #include "runner/io/errors.hpp"
@@ -29,7 +29,7 @@ class ForeignLog : public testing::Test {
     return answer_to(arguments);
   }
 
-  // Every verb of logs takes it; `said` is said once by the referee.
+  // Every verb that reads logs accepts it, and the referee reports `said` once.
   void expect_judged(const std::string& said = "") const {
     const Answer answer = referee();
     EXPECT_EQ(answer.code, kDone) << answer.err;
@@ -60,13 +60,15 @@ TEST_F(ForeignLog, WithTheLeaguesMarginOf300MillimetresIsJudged) {
   expect_judged();
 }
 
-TEST_F(ForeignLog, WithoutTheStagesClockIsJudgedByTheBooksHalf) {
+TEST_F(ForeignLog, WithoutTheStagesClockIsJudgedWithTheBooksHalf) {
   write({.change_referee = [](double, league::RefereePacket& packet) {
     packet.clear_stage_time_left();
   }});
-  expect_judged("the clock of the first half is missing: a half has 600 s (--set match.half_s=");
+  expect_judged(
+      "the clock of the first half is missing: using halves of 600 s (change with --set "
+      "match.half_s=");
   EXPECT_EQ(referee({"--set", "match.half_s=300"}).err.find("the clock"), std::string::npos);
-  EXPECT_EQ(count_of("a half has 300 s", referee({"--rules", "2026-b"}).err), 1);
+  EXPECT_EQ(count_of("halves of 300 s", referee({"--rules", "2026-b"}).err), 1);
 }
 
 TEST_F(ForeignLog, InOvertimeIsJudged) {
@@ -78,11 +80,11 @@ TEST_F(ForeignLog, InOvertimeIsJudged) {
 
 TEST_F(ForeignLog, WithoutGeometryIsJudgedOnTheBooksField) {
   write({.has_geometry = false});
-  expect_judged("no geometry: the field is that of the rules paper, 6.05 x 4.05 m");
+  expect_judged("no geometry: using the field of the rules paper, 6.05 x 4.05 m");
   EXPECT_EQ(count_of("9 x 6 m", referee({"--rules", "2026-b"}).err), 1);
   const std::string page = folder_ / "game.html";
   const Answer viewed = run("view", {"-o", page.c_str(), "--rules", "2026-b"});
-  EXPECT_EQ(count_of("the field is that of the rules 2026-b", viewed.err), 1) << viewed.err;
+  EXPECT_EQ(count_of("using the field of the rules 2026-b", viewed.err), 1) << viewed.err;
   EXPECT_NE(content_of(page).find("\"halfLength_mm\": 4500"), std::string::npos);
   EXPECT_EQ(run("view", {"-o", page.c_str(), "--rules", "2027"}).code, kBadInput);
 }
@@ -93,26 +95,26 @@ TEST_F(ForeignLog, WhoseGeometryLeavesOutAreasAndMarksTakesTheBooks) {
     size.clear_field_arcs();
     size.clear_goal_center_to_penalty_mark();
   }});
-  expect_judged("the geometry has no defence areas: they are 0.8 m deep");
-  EXPECT_EQ(count_of("no penalty mark: 6 m from", referee({"--rules", "2026-b"}).err), 1);
+  expect_judged("the geometry has no defence areas: using a depth of 0.8 m");
+  EXPECT_EQ(count_of("no penalty mark: using 6 m from", referee({"--rules", "2026-b"}).err), 1);
 }
 
 TEST_F(ForeignLog, WhoseGeometryChangesIsJudgedOnTheLastField) {
   write({.change_field_later = [](league::FieldSize& size) { size.set_field_length(9000); }});
-  expect_judged("the field changes 1 times; the last one counts");
+  expect_judged("the field changes 1 times; using the last one");
   EXPECT_NE(run("info", {}).out.find("field     9 x 4.05 m"), std::string::npos);
 }
 
 TEST_F(ForeignLog, WithoutARefereeIsJudged) {
   write({.has_referee = false});
-  expect_judged("no packet of a referee");
-  EXPECT_EQ(count_of("the first kick-off is missing: west has it", referee().err), 1);
+  expect_judged("no referee packets: nothing to compare");
+  EXPECT_EQ(count_of("the first kick-off is missing: giving it to west", referee().err), 1);
   EXPECT_EQ(count_of("kick-off", referee({"--first-kickoff", "east"}).err), 0);
 }
 
 TEST_F(ForeignLog, WithoutRobotsOfOneTeamIsJudged) {
   write({.robots = {{6, 0}}});
-  expect_judged("no robot of the blue team is ever seen");
+  expect_judged("no robot of the blue team is ever detected");
 }
 
 TEST_F(ForeignLog, WithUnknownStagesAndCommandsIsJudged) {
@@ -120,14 +122,14 @@ TEST_F(ForeignLog, WithUnknownStagesAndCommandsIsJudged) {
     if (time_s > 3) packet.set_stage(14);
     if (time_s > 2 && time_s <= 3) packet.set_command(99);
   }});
-  expect_judged("packets of the referee have an unknown stage or command and are left out");
+  expect_judged("referee packets have an unknown stage or command and are ignored");
 }
 
 TEST_F(ForeignLog, WithRobotsNumberedBeyond15IsJudgedWithoutThem) {
   write({.change_detection = [](league::DetectionFrame& detection) {
     for (auto& robot : *detection.mutable_robots_blue()) robot.set_robot_id(robot.robot_id() + 14);
   }});
-  expect_judged("detections of robots numbered 16 and above are left out");
+  expect_judged("detections of robots with numbers from 16 are ignored");
 }
 
 TEST_F(ForeignLog, WhichBeginsInTheMiddleOfPlaySaysSo) {
@@ -136,7 +138,7 @@ TEST_F(ForeignLog, WhichBeginsInTheMiddleOfPlaySaysSo) {
     packet.set_command(league_number({CommandKind::kForceStart}));
     packet.set_command_counter(1);
   }});
-  expect_judged("it begins in the middle of play (FORCE_START)");
+  expect_judged("the log starts in the middle of play (FORCE_START)");
   write({});
   EXPECT_EQ(referee().err.find("middle of play"), std::string::npos);
 }
@@ -240,7 +242,7 @@ TEST_F(OwnLog, OfTwoGamesIsJudgedGameByGame) {
   play({"match.half_s=5"}, one);
   play({"match.half_s=7", "match.first_kickoff=east"}, two);
   join_logs({one, two}, log_);
-  expect_judged("there are 2 games one after the other");
+  expect_judged("the log contains 2 games; the second starts at");
   const Answer answer = referee({"--events", events.c_str()});
   EXPECT_NE(answer.out.find("F1 1.000"), std::string::npos) << answer.out;
   EXPECT_EQ(count_of("\"transition\": \"begin\"", content_of(events)), 2);

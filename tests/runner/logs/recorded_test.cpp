@@ -19,7 +19,7 @@ constexpr Command kStop{CommandKind::kStop};
 constexpr Command kThrowIn{CommandKind::kIndirectFree, Side::kEast};
 constexpr Command kCorner{CommandKind::kDirectFree, Side::kWest};
 
-// Writes a game's log and keeps what its referee decided.
+// Writes the log of a game and keeps the decisions of its referee.
 class Recorder final : public Observer {
  public:
   Recorder(const std::filesystem::path& path, const GameConfiguration& game)
@@ -74,7 +74,7 @@ std::vector<Call> calls_of(const std::vector<std::pair<double, Command>>& comman
   return maker.calls();
 }
 
-TEST(RefereedLog, GivesEveryDecisionOfTheLiveReferee) {
+TEST(RefereedLog, YieldsEveryDecisionOfTheLiveReferee) {
   const ScratchFile file(".log");
   const GameConfiguration game = short_game();
   const RecordedGame live = played(game, file.path());
@@ -108,8 +108,9 @@ TEST(RecordedFacts, OfADamagedLogAreThoseBeforeTheDamage) {
   const RecordedFacts facts = facts_of(file.fill(whole.substr(0, whole.size() / 2)).path());
   EXPECT_GT(facts.log.frames, 1000);
   ASSERT_TRUE(facts.log.damage.has_value());
-  EXPECT_NE(damage_text("game.log", facts.log).find("game.log: the log is read up to byte"),
-            std::string::npos);
+  EXPECT_NE(
+      damage_text("game.log", facts.log).find("game.log: the log is only readable up to byte"),
+      std::string::npos);
 }
 
 TEST(CallMaker, MakesACallOfAStopAndTheRestartAfterIt) {

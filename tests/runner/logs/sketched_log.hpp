@@ -1,4 +1,4 @@
-// Logs of a made-up game with the oddities that a test asks for.
+// Logs of a made-up game with the oddities that a test needs.
 #pragma once
 
 #include <filesystem>
@@ -14,8 +14,8 @@
 
 namespace autoref::runner {
 
-// The first seconds of a game: robots move about, the ball rolls over a touch line, the referee
-// sends STOP, a kick-off and NORMAL_START.
+// The first seconds of a game: robots move, the ball rolls over a touch line, and the referee sends
+// STOP, a kick-off and NORMAL_START.
 struct SketchedLog {
   double length_s = 6;
   Field field = {};
@@ -24,18 +24,18 @@ struct SketchedLog {
   bool has_geometry = true;
   bool has_referee = true;
   bool has_vision = true;
-  // Each changes what would have been written; none where it is empty.
+  // Each of these modifies what is written, unless it is empty.
   std::function<void(league::FieldSize&)> change_field = {};
-  std::function<void(league::FieldSize&)> change_field_later = {};  // from the middle on
+  std::function<void(league::FieldSize&)> change_field_later = {};  // from the middle of the log on
   std::function<void(double time_s, league::RefereePacket&)> change_referee = {};
   std::function<void(league::DetectionFrame&)> change_detection = {};
-  std::function<double(double time_s)> capture_s = {};  // by the cameras' clock
-  std::function<double(double time_s)> record_s = {};   // of the log's records
+  std::function<double(double time_s)> capture_s = {};  // in the clock of the cameras
+  std::function<double(double time_s)> record_s = {};   // timestamps of the log's records
 };
 
 void write_sketch(const SketchedLog& sketch, const std::filesystem::path& log);
 
-// The records of all logs, one log after the other, with the times that they have.
+// Concatenates the records of all logs without changing their times.
 void join_logs(const std::vector<std::string>& logs, const std::filesystem::path& log);
 
 }  // namespace autoref::runner

@@ -1,4 +1,4 @@
-// The event log of a whole game, read back.
+// Reads back the event log of a whole game.
 #pragma once
 
 #include <yaml-cpp/yaml.h>
@@ -16,8 +16,8 @@ namespace autoref::runner {
 
 struct PlayedEvents {
   GameRecord record;
-  std::string text;               // one JSON object a line
-  std::vector<YAML::Node> lines;  // the same, read
+  std::string text;               // one JSON object per line
+  std::vector<YAML::Node> lines;  // parsed
 
   std::vector<YAML::Node> of(const std::string& event) const {
     std::vector<YAML::Node> found;
@@ -35,7 +35,7 @@ inline PlayedEvents played_events(const GameConfiguration& game) {
   return events;
 }
 
-// `rowdy`, which breaks every rule now and then, against `basic`.
+// A game of `rowdy`, which occasionally breaks every rule, against `basic`.
 inline GameConfiguration foul_game(const std::string& book, std::uint64_t seed, double half_s) {
   GameConfiguration game = short_game_by(book, half_s, seed);
   game.a.strategy = "rowdy";

@@ -1,4 +1,4 @@
-// docs/schemas.md, read: the names of columns and keys that its tables describe.
+// Reads the names of columns and keys described in the tables of docs/schemas.md.
 #pragma once
 
 #include <sstream>
@@ -13,13 +13,14 @@ namespace autoref::runner {
 
 struct SchemaSection {
   std::string title;
-  std::vector<std::vector<std::string>> rows;  // cells of its table's rows, without its head
+  std::vector<std::vector<std::string>> rows;  // cells of the table's rows, without the head
 
-  // In the table's order. A row's first cell may hold several names, each in backticks.
+  // Names in the order of the table. A row's first cell may contain several names, each in
+  // backticks.
   std::vector<std::string> names() const;
 };
 
-// The cells of "| a | b |".
+// Splits "| a | b |" into its cells.
 inline std::vector<std::string> cells_of_table_row(const std::string& line) {
   std::vector<std::string> cells;
   std::istringstream text(line.substr(1));
@@ -42,7 +43,7 @@ inline std::vector<std::string> SchemaSection::names() const {
   return names;
 }
 
-// Each "## " with the rows below it.
+// Every "## " section with the rows below it.
 inline std::vector<SchemaSection> schema_sections() {
   std::vector<SchemaSection> sections;
   std::istringstream text(content_of(in_checkout("docs/schemas.md")));

@@ -1,4 +1,4 @@
-// The game of most tests: basic against itself with halves of `half_s`.
+// The game used by most tests: basic against itself with halves of `half_s`.
 #pragma once
 
 #include <cstdint>

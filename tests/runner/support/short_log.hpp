@@ -1,4 +1,4 @@
-// A log of a short game, as `autoref play` writes it.
+// The log of a short game, as written by `autoref play`.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -12,12 +12,13 @@
 
 namespace autoref::runner {
 
-// Two halves of 3 s each, after a wait for the teams and before the pauses; in `folder`.
+// Writes the log of a game with two halves of 3 s into `folder`; the log also contains the waiting
+// time before the game and the breaks.
 inline std::string write_short_log(const TemporaryFolder& folder, const std::string& rules) {
   const std::string path = folder / "game.log.gz";
   const std::string game = in_checkout("scenarios/paper-game.yaml");
   const std::string book = "match.rules=" + rules;
-  // The book brings its own length, over which the last word is said.
+  // The book sets its own half length, so half_s is set after it.
   const Answer answer = answer_to({"play", game.c_str(), "--log", path.c_str(), "--set",
                                    book.c_str(), "--set", "match.half_s=3"});
   EXPECT_EQ(answer.code, 0) << answer.err;

@@ -1,5 +1,4 @@
-// A game whose referee is the test: teams, tracker and physics are real, commands are given by
-// hand.
+// A game refereed by the test: teams, tracker and physics are real, commands are given by hand.
 #pragma once
 
 #include <memory>
@@ -23,7 +22,7 @@ struct StagedTeam {
   std::map<std::string, double> params;
 };
 
-// Exact, without delay: what happens is the teams' doing.
+// Exact and without delay, so everything that happens is the teams' doing.
 class StagedGame {
  public:
   static constexpr double kRate_hz = 60;
@@ -73,7 +72,7 @@ class StagedGame {
   void run(double seconds) {
     for (int f = 0; f < seconds * kRate_hz; ++f) frame();
   }
-  // Whether `is_so` holds in a frame of the next `seconds`; stops there.
+  // Runs until `is_so` returns true, for at most `seconds`. Returns whether it did.
   template <typename Condition>
   bool happens(double seconds, Condition is_so) {
     for (int f = 0; f < seconds * kRate_hz; ++f) {
