@@ -113,7 +113,7 @@ TEST(RecordedFacts, OfADamagedLogAreThoseBeforeTheDamage) {
       std::string::npos);
 }
 
-TEST(CallMaker, MakesACallOfAStopAndTheRestartAfterIt) {
+TEST(CallMaker, TurnsAStopAndTheRestartAfterItIntoACall) {
   const std::vector<Call> calls = calls_of({{1, kStop},
                                             {2, {CommandKind::kGoal, Side::kWest}},
                                             {3, {CommandKind::kPrepareKickoff, Side::kEast}},
@@ -125,7 +125,7 @@ TEST(CallMaker, MakesACallOfAStopAndTheRestartAfterIt) {
   EXPECT_EQ(calls[0].restart.kind, CommandKind::kPrepareKickoff);
 }
 
-TEST(Agreement, IsRightForTheSameRestartUpToTwoSecondsAhead) {
+TEST(Agreement, AcceptsTheSameRestartUpToTwoSecondsEarly) {
   const std::vector<Call> recorded = calls_of({{10, kStop}, {14, kThrowIn}});
   for (const auto& [ahead_s, right] :
        {std::pair{0.0, 1}, {5.9, 1}, {6.1, 0}, {-3.9, 1}, {-4.1, 0}}) {
@@ -148,7 +148,7 @@ TEST(Agreement, CountsWrongAndMissedCalls) {
   EXPECT_EQ(agreement.pairs.size(), 4U);
 }
 
-TEST(Agreement, PairsEachCallOnce) {
+TEST(Agreement, MatchesEachCallOnce) {
   const std::vector<Call> recorded = calls_of({{10, kStop}, {14, kThrowIn}});
   const std::vector<Call> refereed =
       calls_of({{10, kStop}, {11, kThrowIn}, {12, kStop}, {13, kThrowIn}});
