@@ -8,7 +8,7 @@ namespace {
 constexpr std::string_view kLetters =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-// Up to three bytes as one number; those beyond the end count as 0.
+// Up to three bytes as one number; bytes beyond the end count as 0.
 std::uint32_t three_bytes(std::string_view bytes, std::size_t begin) {
   std::uint32_t number = 0;
   for (std::size_t i = begin; i < begin + 3; ++i)
@@ -25,7 +25,7 @@ std::string base64_of(std::string_view bytes) {
     const std::uint32_t number = three_bytes(bytes, i);
     for (const unsigned shift : {18U, 12U, 6U, 0U}) text += kLetters[number >> shift & 63U];
   }
-  // Letters that stand for no byte are told by '='.
+  // Characters without a byte are replaced by '='.
   for (std::size_t i = 0; i < (3 - bytes.size() % 3) % 3; ++i) text[text.size() - 1 - i] = '=';
   return text;
 }

@@ -1,4 +1,4 @@
-// Bytes as letters that may stand in a page (RFC 4648, section 4).
+// Base64 encoding (RFC 4648, section 4).
 #pragma once
 
 #include <string>

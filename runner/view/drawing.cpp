@@ -14,17 +14,17 @@
 namespace autoref::runner {
 namespace {
 
-constexpr double kCaption_m = 0.12;           // size of its letters
-constexpr double kShownBallRadius_m = 0.035;  // larger than it is, so that it is seen
-constexpr double kFarthestStep_m = 0.4;       // beyond it, something was put, and did not run
+constexpr double kCaption_m = 0.12;           // font size
+constexpr double kShownBallRadius_m = 0.035;  // larger than in reality, to be visible
+constexpr double kFarthestStep_m = 0.4;       // a larger step is a placement, not motion
 constexpr double kShortestStep_m = 0.015;
-constexpr int kStrengths = 12;  // of a way, from its begin to its end
+constexpr int kStrengths = 12;  // opacity levels along a path
 
 constexpr std::string_view kBallColor = "#ff7b1c";
 
 std::string_view color_of(Side side) { return side == Side::kWest ? "#ffd43b" : "#4a9dff"; }
 
-// One thing's places in the frames; none where it was not seen.
+// Positions of an object in the frames; nullopt if it was not seen.
 using Track = std::vector<std::optional<Vec2>>;
 
 Track ball_track(const std::vector<Frame>& frames) {
@@ -45,7 +45,7 @@ Track robot_track(const std::vector<Frame>& frames, RobotId robot) {
   return track;
 }
 
-// The piece of a way that has one strength, thinned.
+// Draws the part of a path that has one opacity, thinned out.
 void draw_piece(const Track& track, std::size_t begin, std::size_t end, Svg& svg,
                 std::string_view look) {
   std::vector<Vec2> points;
@@ -116,7 +116,7 @@ void draw_robot(Side side, const RobotObservation& robot, Svg& svg) {
   svg.line(std::array<Vec2, 2>{robot.position_m + kRobotRadius_m * heading_of(round.from_rad),
                                robot.position_m + kRobotRadius_m * heading_of(round.to_rad)},
            R"(stroke="#ffffff" stroke-width="16" stroke-linecap="round")");
-  // A text stands on its place: lowered by a third of its size, it is in the middle.
+  // Shift the text down by a third of its size to centre it.
   svg.text(robot.position_m - Vec2(0, 0.04), std::to_string(robot.number),
            R"(fill="#0b1a12" font-size="115" font-weight="bold" text-anchor="middle")");
   svg.end_group();

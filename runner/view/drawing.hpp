@@ -1,4 +1,4 @@
-// A moment of a game, or the ways of some seconds, as a frame for documents.
+// Draws an instant of a game, or the paths over some seconds, as a figure for documents.
 #pragma once
 
 #include <optional>
@@ -14,13 +14,13 @@ namespace autoref::runner {
 
 struct DrawnGame {
   Field field;
-  PerSide<std::string> names;           // of the teams; empty where they are not known
-  std::optional<RefereeSignal> signal;  // at the last frame; none where the log has none
-  std::vector<Frame> frames;            // by time, at least one
+  PerSide<std::string> names;           // of the teams; empty if unknown
+  std::optional<RefereeSignal> signal;  // at the last frame; nullopt if the log has none
+  std::vector<Frame> frames;            // in order of time, at least one
 };
 
-// The field, with robots and ball as the last frame shows them. Where there are several, also
-// the ways until then, the older the fainter, and rings where they began. SVG.
+// SVG of the field with robots and ball as in the last frame. With several frames, also the paths
+// up to then, fading with age, with rings where they start.
 std::string drawing_of(const DrawnGame& game);
 
 }  // namespace autoref::runner

@@ -25,8 +25,8 @@ Outline field_lines(const Field& field) {
   return outline;
 }
 
-// Both shapes are what lies within some distance of a core: of the line between the circles'
-// middles, or of the box itself.
+// Both shapes consist of the points within some distance of a core: the segment between the centres
+// of the circles, or the box itself.
 Outline around_defence_area(const Field& field, Side side, double distance_m) {
   const DefenceArea& area = field.defence_area;
   const bool is_box = area.shape == DefenceArea::Shape::kBox;

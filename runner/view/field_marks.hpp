@@ -1,4 +1,4 @@
-// What is painted on the field, as lines and arcs: for pages and frames.
+// Field markings as lines and arcs, for pages and drawings.
 #pragma once
 
 #include <array>
@@ -27,13 +27,13 @@ struct Outline {
   std::vector<MarkArc> arcs;
 };
 
-// The field's lines along their middles, as the league's vision tells them.
+// The centre lines of the field's lines, as in the league's vision geometry.
 Outline field_lines(const Field& field);
 
-// The points on the field that are `distance_m` away from the defence area of `side`.
+// The points on the field at a distance of `distance_m` from the defence area of `side`.
 Outline around_defence_area(const Field& field, Side side, double distance_m);
 
-// The goal's inner walls: from post to post by way of its back.
+// The goal's inner walls: from post to post along the back.
 std::array<Vec2, 4> goal_walls_m(const Field& field, Side side);
 
 }  // namespace autoref::runner

@@ -1,4 +1,4 @@
-// Many small whole numbers that change little from one to the next, in few bytes.
+// Compresses a sequence of integers with small differences.
 #pragma once
 
 #include <cstdint>
@@ -7,16 +7,15 @@
 
 namespace autoref::runner {
 
-// Each number is one byte, its difference from the one before (the first from kNothing) as int8.
-// Where that does not fit into -127 to 127 there stands -128 instead, and then the number itself as
-// int16, the lower byte first.
+// Stores each number as one byte, the difference from the previous one (initially kNothing) as
+// int8. If it is outside -127 to 127, stores -128 followed by the number as int16, little-endian.
 class PackedColumn {
  public:
-  // Stands for "not seen".
+  // Means "not seen".
   static constexpr std::int16_t kNothing = std::numeric_limits<std::int16_t>::min();
 
   void add(std::int16_t number);
-  // Begins with `count` times kNothing; nothing may have been added before.
+  // Starts with `count` times kNothing; nothing may have been added before.
   void begin_with_nothing(std::size_t count) { bytes_.assign(count, '\0'); }
 
   const std::string& bytes() const { return bytes_; }
@@ -26,7 +25,7 @@ class PackedColumn {
   std::string bytes_;
 };
 
-// The nearest number that a column can hold and that is not kNothing.
+// The nearest number that a column can store, other than kNothing.
 std::int16_t packed(double number);
 
 }  // namespace autoref::runner

@@ -13,7 +13,7 @@
 namespace autoref::runner {
 namespace {
 
-// Distances that the rules watch (Laws 2014 and rules of 2026 alike).
+// Distances checked by the rules (both Laws 2014 and rules of 2026).
 constexpr double kToBallAtRestarts_m = 0.5;
 constexpr double kAttackerToArea_m = 0.2;
 
@@ -75,7 +75,7 @@ std::string field_json(const Field& field) {
       .text();
 }
 
-// What does not change and belongs to ball and robots.
+// Shape constants of ball and robots, the same for all games.
 std::string shapes_json() {
   return JsonObject()
       .add("ballRadius_mm", mm_json(kBallRadius_m))
@@ -127,7 +127,7 @@ std::string game_json(const PageContent& content) {
       .text();
 }
 
-// JSON as the content of a script element: there, "<" could end it. It stands in texts only.
+// Escapes JSON for a script element, which "<" could end. In JSON, "<" only occurs in strings.
 std::string escaped_for_script(const std::string& json) {
   std::string escaped;
   escaped.reserve(json.size());
@@ -141,7 +141,8 @@ std::string escaped_for_script(const std::string& json) {
   return escaped;
 }
 
-// Takes the frame's text before `mark` off `rest`.
+// Removes the template's text up to and including `mark` from `rest`; returns the part before
+// `mark`.
 std::string_view text_before(std::string_view mark, std::string_view& rest) {
   const std::size_t index = rest.find(mark);
   if (index == std::string_view::npos)

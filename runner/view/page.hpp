@@ -1,4 +1,4 @@
-// A game as one page for browsers that needs nothing besides itself.
+// Renders a game as a self-contained HTML page.
 #pragma once
 
 #include <string>
@@ -18,8 +18,8 @@ struct PageFact {
 struct PageContent {
   const GameRecording& recording;
   Field field;
-  PerSide<std::string> names;     // of the teams; empty where they are not known
-  std::string decisions = "[]";   // as decisions_for_page writes them
+  PerSide<std::string> names;     // of the teams; empty if unknown
+  std::string decisions = "[]";   // in the format of decisions_for_page
   std::vector<PageFact> facts{};  // shown below the game, such as {"build", "0.1.0-..."}
 };
 

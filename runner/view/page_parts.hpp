@@ -1,11 +1,11 @@
-// The files of runner/view/page/, as cmake/page_parts.cmake puts them into the program.
+// The files of runner/view/page/, embedded into the program by cmake/page_parts.cmake.
 #pragma once
 
 #include <string_view>
 
 namespace autoref::runner {
 
-// The page with a line "@NAME@" for each of STYLE, SCRIPT, GAME and PICTURES.
+// The HTML template, with the placeholders @STYLE@, @GAME@, @FRAMES@ and @SCRIPT@.
 std::string_view page_frame();
 std::string_view page_style();
 std::string_view page_script();

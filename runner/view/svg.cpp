@@ -8,7 +8,8 @@ namespace autoref::runner {
 namespace {
 
 constexpr double kSvgWidth_px = 960;
-constexpr double kFullTurn_rad = 2 * kPi - 1e-3;  // ends of messages' arcs are floats
+constexpr double kFullTurn_rad =
+    2 * kPi - 1e-3;  // a little less than a full turn, since arc ends in messages are floats
 
 long mm(double metres) { return std::lround(metres * 1000); }
 
@@ -16,7 +17,7 @@ std::string point(const Vec2& position_m) {
   return fmt::format("{} {}", mm(position_m.x()), mm(-position_m.y()));
 }
 
-// Control characters have no place in XML, not even escaped.
+// XML does not allow control characters, not even escaped.
 std::string escaped(std::string_view text) {
   std::string escaped;
   for (const char letter : text) {
@@ -33,7 +34,7 @@ std::string escaped(std::string_view text) {
   return escaped;
 }
 
-// The arc as a path, counterclockwise.
+// The arc as an SVG path, counterclockwise.
 std::string path_of(const MarkArc& arc) {
   const Vec2 from = arc.centre_m + arc.radius_m * heading_of(arc.from_rad);
   const Vec2 to = arc.centre_m + arc.radius_m * heading_of(arc.to_rad);

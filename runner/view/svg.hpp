@@ -1,4 +1,4 @@
-// A frame as SVG whose lengths are the field's millimetres.
+// An SVG drawing in the field's millimetres.
 #pragma once
 
 #include <span>
@@ -10,21 +10,21 @@
 
 namespace autoref::runner {
 
-// Places are in metres in the field's frame, y upwards. `look` is what else an element is told,
-// such as `fill="red"`.
+// Positions are in metres in the field's frame, y upwards. `look` adds SVG attributes to an
+// element, such as `fill="red"`.
 class Svg {
  public:
-  // Shows what lies within `half_size_m` of the field's middle.
+  // Shows everything within `half_size_m` of the field's centre.
   explicit Svg(const Vec2& half_size_m);
 
   void line(std::span<const Vec2> points_m, std::string_view look);
   void arc(const MarkArc& arc, std::string_view look);
   void disc(const Vec2& centre_m, double radius_m, std::string_view look);
   void box(const Vec2& half_size_m, std::string_view look);
-  // Part of a disc, cut off straight between the ends of the arc.
+  // A disc cut off along the chord between the ends of the arc.
   void cut_disc(const MarkArc& arc, std::string_view look);
   void text(const Vec2& position_m, std::string_view text, std::string_view look);
-  // What follows until end_group() has the same look.
+  // Starts a group: all elements until end_group() share the look.
   void begin_group(std::string_view look);
   void end_group() { body_ += "</g>\n"; }
 

@@ -1,4 +1,4 @@
-// The list of moments with their reasons, and the line that tells the last one.
+// The list of highlights with their reasons, and the line showing the latest one.
 
 function textElement(tag, className, text) {
   const element = document.createElement(tag);
@@ -34,7 +34,7 @@ class EventList {
     if (highlights.length === 0) this.list.append(textElement("li", "none", "The log contains no events."));
   }
 
-  // The last moment until then.
+  // The latest highlight at this time.
   highlightAt(time_s) {
     return this.highlights[this.indexAt(time_s)] ?? null;
   }
@@ -43,7 +43,7 @@ class EventList {
     return lastNotAfter(this.highlights, time_s + 1e-6, (highlight) => highlight.time_s);
   }
 
-  // The next moment of that kind, forwards (1) or backwards (-1); all kinds where there is none.
+  // The next highlight of this kind, forwards (1) or backwards (-1); of any kind if `kind` is null.
   neighbour(time_s, direction, kind = null) {
     const fits = (highlight) => kind === null || highlight.kind === kind;
     const lies = (highlight) => direction * (highlight.time_s - time_s) > 1e-3;
@@ -62,7 +62,7 @@ class EventList {
     this.reveal();
   }
 
-  // Scrolls the list, and nothing else, to the current moment.
+  // Scrolls only the list, to the current highlight.
   reveal() {
     const {list} = this;
     const item = list.children[this.current];

@@ -1,4 +1,4 @@
-// The field with its lines, as the data tells them; drawn once for each size of the window.
+// The field with its lines, as given in the data; redrawn only when the window size changes.
 
 const kColors = {
   carpet: "#1c5b40",
@@ -9,10 +9,10 @@ const kColors = {
   ball: "#ff7b1c",
   watched: "rgba(255, 255, 255, 0.7)",
   broken: "#ff6b6b",
-  mark: "#ffffff",  // what is drawn on the carpet: the ball's target, speeds, calls
+  mark: "#ffffff",  // drawings on the carpet: the ball's target, speeds, calls
 };
 
-// On paper dark fields would swallow ink.
+// Dark fields would waste ink on paper.
 const kPaperColors = {
   carpet: "#ffffff",
   runOff: "#f2f2f2",
@@ -58,7 +58,7 @@ function drawGoals(context, field, thin) {
   });
 }
 
-// In millimetres, y upwards; `thin` is how many of them make a pixel.
+// Draws in millimetres, y upwards; `thin` is the size of a pixel in millimetres.
 function drawField(context, field, thin) {
   const {halfLength_mm: x, halfWidth_mm: y} = field;
   context.fillStyle = kColors.carpet;

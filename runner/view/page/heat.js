@@ -1,8 +1,8 @@
-// Where the ball rolled while play was on.
+// Heat map of where the ball rolled while play was on.
 
 const kCell_mm = 150;
-const kHottestShare = 0.99;  // of the cells: hotter ones look alike
-const kRolls_mm = 3;         // from frame to frame; a ball that waits for its kick does not count
+const kHottestShare = 0.99;  // quantile of the cells; hotter ones look the same
+const kRolls_mm = 3;         // minimum per frame; a ball waiting for its kick does not count
 
 function isRolling(ball, i) {
   if (i === 0 || !hasRun(ball, i - 1, i)) return false;
@@ -21,7 +21,8 @@ function countBall(recording, signals, columns, rows, cellOf) {
   return counts;
 }
 
-// Each cell as the mean of itself (twice) and its neighbours in the row or column beside it.
+// Blurs along rows, then columns: each cell becomes the mean of itself (weighted twice) and its two
+// neighbours.
 function blurred(counts, columns, rows) {
   const along = (values, step, placeOf, length) => values.map((value, i) => {
     const before = placeOf(i) > 0 ? values[i - step] : value;
@@ -32,7 +33,7 @@ function blurred(counts, columns, rows) {
   return along(inRows, columns, (i) => Math.floor(i / columns), rows);
 }
 
-// From clear over yellow to red.
+// From transparent over yellow to red.
 function paintHeat(counts, pixels) {
   const sorted = [...counts].sort((a, b) => a - b);
   const hottest = Math.max(sorted[Math.floor((sorted.length - 1) * kHottestShare)], 1);
@@ -42,7 +43,7 @@ function paintHeat(counts, pixels) {
   });
 }
 
-// An image of the whole carpet, a pixel a cell.
+// An image of the whole carpet, one pixel per cell.
 function heatImage(recording, signals, {halfLength_mm, halfWidth_mm}) {
   const columns = Math.ceil(2 * halfLength_mm / kCell_mm);
   const rows = Math.ceil(2 * halfWidth_mm / kCell_mm);

@@ -1,10 +1,10 @@
-// Moments of a game that people want to find: goals, kicks of a shoot-out, stops, cards.
+// Highlights of a game: goals, kicks of a shoot-out, stops, cards.
 
-// A goal and the call of it may be told apart by a packet or two.
+// A goal and its call may be a packet or two apart.
 const kSameGoal_s = 1;
 const kMostHighlights = 4000;
 
-// Events name sides by colour; older event files say west for yellow and east for blue.
+// Events name sides by colour; older event files use west for yellow and east for blue.
 function sideNamed(name) {
   const side = Math.max(kSideNames.indexOf(name), ["west", "east"].indexOf(name));
   return side < 0 ? null : side;
@@ -24,7 +24,7 @@ function goalsOf(signals) {
   return goals;
 }
 
-// Where nobody tells the referee's reasons, commands and counts must do.
+// Without the referee's reasons, derive stops from commands and counters.
 function stopsOf(signals) {
   const stops = [];
   signals.forEach((signal, i) => {
@@ -58,7 +58,7 @@ function byColor(text) {
   return text.replace(/\b(west|east)\b/g, (_, side) => kSideNames[sideNamed(side)]);
 }
 
-// Says what the card is for.
+// Says what the card was shown for.
 function cardTitle({card, card_reason}, side) {
   const whose = side === null ? "each side" : kSideNames[side];
   return `${capitalised(card)} card for ${whose}` + (card_reason ? `: ${card_reason}` : "");
@@ -83,7 +83,8 @@ function highlightOfDecision(decision) {
   };
 }
 
-// Adds the referee's reasons to moments that the signals show; returns the calls that were used.
+// Adds the referee's reasons to highlights found in the signals; returns the decisions that were
+// used.
 function addReasons(moments, decisions, events) {
   const calls = decisions.filter((decision) => events.includes(decision.event));
   const used = new Set();
@@ -103,7 +104,8 @@ function highlightOfKick(kick) {
           title: kickTitle(kick), reason: ""};
 }
 
-// All of them, by time. The score is the recorded one whatever the decisions say.
+// All highlights in order of time. The score is always the recorded one, whatever the decisions
+// say.
 function highlightsOf({signals, decisions}, kicks) {
   if (signals.length === 0) return [];
   const goals = goalsOf(signals);

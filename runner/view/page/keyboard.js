@@ -1,4 +1,4 @@
-// Keys. `actions` has a function for each name of kKeys.
+// Keyboard control. `actions` has a function for each name in kKeys.
 
 const kKeys = {
   " ": "toggle", k: "toggle",
@@ -19,7 +19,7 @@ function actionFor(event) {
   return kKeys[event.key] ?? null;
 }
 
-// A button that has the focus takes the space bar itself.
+// A focused button handles the space bar itself.
 function isForButton(event) {
   return event.key === " " && event.target instanceof HTMLButtonElement;
 }

@@ -1,6 +1,6 @@
-// The kicks of a shoot-out, from what the referee signalled.
+// The kicks of a shoot-out, derived from the referee's signals.
 
-// What a kick is until it is over: who takes it, and when it began.
+// A kick in progress: who takes it, and when it began.
 function begunKick(signals, index) {
   const {stage, command, time_s} = signals[index];
   if (stage !== "SHOOTOUT" || command !== "NORMAL_START" || index === 0) return null;
@@ -8,8 +8,8 @@ function begunKick(signals, index) {
   return side === null ? null : {side, began_s: time_s, before: signals[index - 1]};
 }
 
-// Whether the kick has scored; null while it is on. Logs of the league have no count of these goals,
-// but the command that signals one.
+// Whether the kick scored; null while it is in progress. SSL logs do not count these goals but
+// contain the command that signals one.
 function outcomeOf(kick, signal) {
   const counts = (which) => signal[which][kick.side] > kick.before[which][kick.side];
   if (kindOfCommand(signal.command) === "GOAL") return sideOfCommand(signal.command) === kick.side;
@@ -17,8 +17,8 @@ function outcomeOf(kick, signal) {
   return signal.command === "NORMAL_START" ? null : false;
 }
 
-// In order, each with its side, number, outcome, time and the standing after it. A kick that the
-// same side takes again does not count.
+// The kicks in order, each with its side, number, outcome, time and the score after it. A kick that
+// the same side retakes does not count.
 function kicksOf(signals) {
   const kicks = [];
   let kick = null;

@@ -1,4 +1,4 @@
-// Puts the page together.
+// Assembles the page.
 
 const kJump_s = 5;
 const kLayers = ["trails", "speeds", "distances", "heat", "list"];
@@ -7,7 +7,7 @@ function readGame() {
   const game = JSON.parse(document.getElementById("game").textContent);
   const element = document.getElementById("frames");
   const recording = new Recording(game, element.textContent);
-  element.remove();  // it is long, and not needed any more
+  element.remove();  // it is long and no longer needed
   return {game, recording};
 }
 
@@ -51,14 +51,14 @@ class Page {
     if (names) document.title = `${names} \u00b7 AutoRef`;
   }
 
-  // Draws for paper, or for the screen again.
+  // Redraws for paper, or for the screen again.
   print(isPaper) {
     drawOnPaper(isPaper);
     this.pitch.drawStill();
     this.show();
   }
 
-  // Which game this is, by which program.
+  // Shows which game this is and which program made the page.
   showFacts() {
     const facts = document.getElementById("facts");
     for (const [what, value] of this.game.facts) {
@@ -135,7 +135,7 @@ class Page {
     return actions;
   }
 
-  // A button says by data-action what it does.
+  // A button's data-action names its action.
   listen() {
     const actions = this.actions();
     for (const button of document.querySelectorAll("[data-action]")) {

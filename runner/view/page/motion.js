@@ -1,10 +1,10 @@
-// How things move: speeds and trails, told from the frames.
+// Speeds and trails, computed from the frames.
 
-const kSpeedPictures = 3;  // before and after; fewer would show vision's noise
+const kSpeedPictures = 3;  // frames before and after; fewer would show vision noise
 const kTrailPictures = 90;
-const kTrailParts = 9;  // each of one strength
+const kTrailParts = 9;  // opacity levels
 
-// In mm/s; null where it cannot be told.
+// In mm/s; null if unknown.
 function velocityAt(recording, track, index) {
   const from = Math.max(0, index - kSpeedPictures);
   const to = Math.min(recording.count - 1, index + kSpeedPictures);
@@ -21,7 +21,7 @@ function hasRun(track, from, to) {
   return Math.hypot(track.x[to] - track.x[from], track.y[to] - track.y[from]) <= kFarthestStep_mm;
 }
 
-// Adds the way from one frame to another to the context's path.
+// Adds the track between two frames to the context's path.
 function traceWay(context, track, from, to) {
   let isDrawing = false;
   for (let i = Math.max(1, from + 1); i <= to; ++i) {

@@ -1,9 +1,9 @@
-// The canvas: field, robots, ball, and the layers over them.
+// The canvas: field, robots, ball and overlays.
 
 const kSmallestRobot_px = 7.5;
 const kSmallestBall_px = 4.4;
-const kSlowest_mmps = 150;  // whose speed is shown
-const kAhead_s = 0.3;       // how far arrows of speed point
+const kSlowest_mmps = 150;  // slower speeds are not shown
+const kAhead_s = 0.3;       // how far ahead speed arrows point
 const kFlying_mm = 30;
 const kPulse_s = 3;
 
@@ -15,11 +15,11 @@ class Pitch {
     this.shapes = game.shapes;
     this.signals = game.signals;
     this.recording = recording;
-    this.still = document.createElement("canvas");  // the field without anything that moves
-    this.heat = null;  // counted when it is asked for
+    this.still = document.createElement("canvas");  // the static field
+    this.heat = null;  // computed on first use
   }
 
-  // Fits the field into the canvas' place on the page.
+  // Fits the field into the canvas area on the page.
   resize() {
     const {clientWidth, clientHeight} = this.canvas;
     const ratio = window.devicePixelRatio || 1;
@@ -31,11 +31,11 @@ class Pitch {
     }
     this.scale = Math.min(this.canvas.width / (2 * (this.field.halfLength_mm + margin_mm)),
                           this.canvas.height / (2 * (this.field.halfWidth_mm + margin_mm)));
-    this.pixel_mm = ratio / this.scale;  // millimetres that one pixel of the page shows
+    this.pixel_mm = ratio / this.scale;  // millimetres per pixel of the page
     this.drawStill();
   }
 
-  // From here on, lengths are millimetres and y points upwards.
+  // From here on, lengths are in millimetres and y points upwards.
   useField(context) {
     context.setTransform(this.scale, 0, 0, -this.scale, this.canvas.width / 2, this.canvas.height / 2);
   }
@@ -49,7 +49,7 @@ class Pitch {
     drawField(context, this.field, this.pixel_mm);
   }
 
-  // `layers` tells by name which are on, `highlight` what was called last, if anything.
+  // `layers` maps layer names to whether they are on; `highlight` is the latest call, if any.
   draw(scene, signalIndex, layers, highlight) {
     const {context} = this;
     context.setTransform(1, 0, 0, 1, 0, 0);
@@ -85,7 +85,7 @@ class Pitch {
     this.write(String(number), x, y, {size_mm: 1.25 * radius, color: kColors.onSides[side], isBold: true});
   }
 
-  // The flat front, so that the eye finds it.
+  // Highlights the flat front of the robot.
   drawFront(x, y, heading_rad, radius, half_rad) {
     const {context} = this;
     context.strokeStyle = "#ffffff";
@@ -107,7 +107,7 @@ class Pitch {
     context.stroke();
   }
 
-  // A ring that grows with the height, and the height beside it.
+  // A ring that grows with the height, and the height next to it.
   drawHeight(x, y, height, radius) {
     const {context} = this;
     const ring = radius + 0.25 * height + 5 * this.pixel_mm;
@@ -195,7 +195,7 @@ class Pitch {
     this.label(`${Math.round(distance)} mm`, (scene.ball.x + robot.x) / 2, (scene.ball.y + robot.y) / 2);
   }
 
-  // Where the ball is to be put.
+  // The target of ball placement.
   drawTarget([x, y]) {
     const {context} = this;
     const arm = 7 * this.pixel_mm;
@@ -207,7 +207,7 @@ class Pitch {
     }
   }
 
-  // Where the referee saw what it called last.
+  // Position of the referee's latest call.
   drawPosition(scene, highlight) {
     const age_s = highlight ? scene.time_s - highlight.time_s : kPulse_s;
     if (!highlight?.position_m || age_s >= kPulse_s) return;
@@ -233,12 +233,12 @@ class Pitch {
     context.restore();
   }
 
-  // Small text with a dark edge, readable on everything.
+  // Small text with a dark edge, readable on any background.
   label(text, x, y) {
     this.write(text, x, y, {size_mm: 11.5 * this.pixel_mm, color: "#ffffff", edge: "rgba(8, 30, 20, 0.85)"});
   }
 
-  // Text with its middle at x, y.
+  // Text centred at x, y.
   write(text, x, y, {size_mm, color, edge = null, isBold = false}) {
     const {context} = this;
     context.save();

@@ -1,10 +1,10 @@
-// Time: playing, speed, steps. Knows nothing of the page.
+// Time control: playing, speed, steps. Independent of the page.
 
 const kSpeeds = [0.25, 0.5, 1, 2, 4, 8, 16];
-const kLongestTick_s = 0.25;  // a page that was hidden does not leap
+const kLongestTick_s = 0.25;  // longest step, so a hidden page does not jump
 
 class Player {
-  // `onChange()` is called whenever time, speed or playing have changed.
+  // `onChange()` is called whenever time, speed or the play state has changed.
   constructor(recording, onChange) {
     this.recording = recording;
     this.onChange = onChange;
@@ -35,7 +35,7 @@ class Player {
     this.onChange();
   }
 
-  // By whole frames, standing.
+  // Pauses and moves by this many frames.
   step(frames) {
     this.pause();
     const {times_s, count} = this.recording;

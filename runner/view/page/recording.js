@@ -1,10 +1,10 @@
-// The game as it was packed (runner/view/game_recording.hpp), and what it shows at any time.
+// Unpacks the recorded game (runner/view/game_recording.hpp) and interpolates between its frames.
 "use strict";
 
 const kNothing = -32768;
 const kWholeNumberFollows = 0x80;
 const kTicksPerSecond = 10000;
-// Farther apart than this, two frames tell nothing of what was between them.
+// Do not interpolate across a longer gap between frames.
 const kLongestGap_s = 0.12;
 const kFarthestStep_mm = 400;
 
@@ -15,7 +15,7 @@ function bytesOf(base64) {
   return bytes;
 }
 
-// Reads what PackedColumn and GameRecording wrote, from the first byte to the last.
+// Decodes the output of PackedColumn and GameRecording, from the first byte to the last.
 class Unpacker {
   constructor(bytes) {
     this.bytes = bytes;
@@ -54,7 +54,7 @@ function mix(from, to, share) {
   return from + (to - from) * share;
 }
 
-// The way from one angle to the other, the shorter way round, in tenths of degrees.
+// Interpolates between angles along the shorter arc, in tenths of a degree.
 function mixAngles(from, to, share) {
   const way = ((to - from + 5400) % 3600) - 1800;
   return from + way * share;
@@ -82,12 +82,12 @@ class Recording {
     this.length_s = this.last_s - this.first_s;
   }
 
-  // The last frame that is not later, as far as ticks can tell.
+  // Index of the last frame that is not later, up to one tick.
   indexAt(time_s) {
     return Math.max(0, lastNotAfter(this.times_s, time_s + 1 / kTicksPerSecond, (frame_s) => frame_s));
   }
 
-  // Everything on the field at that time, told from the frames before and after it.
+  // Everything on the field at this time, interpolated between the frames before and after it.
   sceneAt(time_s) {
     const index = this.indexAt(time_s);
     const next = Math.min(index + 1, this.count - 1);
@@ -104,7 +104,7 @@ class Recording {
   }
 }
 
-// The last of the sorted `list` whose time is not after `time_s`; -1 where there is none.
+// Index of the last element of the sorted `list` whose time is not after `time_s`, or -1.
 function lastNotAfter(list, time_s, timeOf) {
   let low = 0;
   let high = list.length;
@@ -116,7 +116,7 @@ function lastNotAfter(list, time_s, timeOf) {
   return low - 1;
 }
 
-// What moved too far in one frame did not run: it was put there.
+// Share to interpolate by; 0 if the object moved too far in one frame, since it was then placed.
 function shareFor(track, {index, next, share}) {
   if (track.x[next] === kNothing) return 0;
   const step = Math.hypot(track.x[next] - track.x[index], track.y[next] - track.y[index]);

@@ -1,6 +1,6 @@
-// What the rules watch at restarts: who must keep away from the ball, and until when.
+// What the rules require at restarts: who must keep away from the ball, and until when.
 
-const kInPlay_mm = 50;  // the ball is in play once it has moved so far (Laws 13)
+const kInPlay_mm = 50;  // the ball is in play once it has moved this far (Laws 13)
 const kRestarts = ["DIRECT_FREE", "INDIRECT_FREE", "PREPARE_KICKOFF", "NORMAL_START"];
 const kRunning = ["NORMAL_START", "FORCE_START", "DIRECT_FREE", "INDIRECT_FREE"];
 
@@ -8,14 +8,14 @@ function isRunning(signal) {
   return kRunning.includes(kindOfCommand(signal.command));
 }
 
-// The side that takes the restart at hand, from the command or the one before it; null: nobody.
+// The side taking the current restart, from the command or the one before it, or null.
 function takerOf(signals, index) {
   const side = sideOfCommand(signals[index].command);
   if (side !== null || signals[index].command !== "NORMAL_START" || index === 0) return side;
   return sideOfCommand(signals[index - 1].command);
 }
 
-// The first frame at which the ball had left its place; told once for each signal.
+// The first frame with the ball in play after the signal; cached in the signal.
 function freedAt(recording, signal) {
   if (signal.freedAt !== undefined) return signal.freedAt;
   const {x, y} = recording.ball;
@@ -26,7 +26,7 @@ function freedAt(recording, signal) {
   return i;
 }
 
-// Which sides must keep away from the ball now: none while play is on.
+// The sides that must now keep away from the ball; empty while play is on.
 function sidesKeptAway(recording, signals, index, frame) {
   const signal = signals[index];
   if (!signal) return [];
@@ -38,7 +38,7 @@ function sidesKeptAway(recording, signals, index, frame) {
   return taker === null || isFreed ? [] : [1 - taker];
 }
 
-// The robot of those sides that is nearest to the ball, measured to its hull; null: none.
+// The robot of these sides nearest to the ball, measured to its hull, or null.
 function nearestToBall(scene, sides, robotRadius_mm) {
   let nearest = null;
   for (const robot of scene.robots) {

@@ -1,4 +1,4 @@
-// Who plays, the score, the clock, and what the referee says.
+// Team names, score, clock, and the referee's command.
 
 function setText(id, text) {
   const element = document.getElementById(id);
@@ -43,7 +43,7 @@ class Scoreboard {
     setText(`redCards${side}`, red > 0 ? String(red) : "");
   }
 
-  // What is left of the stage; empty where nobody knows.
+  // Remaining time of the stage; empty if unknown.
   clockAt(time_s) {
     const place = lastNotAfter(this.clock, time_s, ([since_s]) => since_s);
     if (place < 0) return "";

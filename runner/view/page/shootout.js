@@ -1,6 +1,6 @@
-// The table of a shoot-out's kicks: a row for each side, a button for each kick.
+// The table of shoot-out kicks: one row per side, one button per kick.
 
-const kMostKicksInLine = 16;  // of both sides; more stand below the names
+const kMostKicksInLine = 16;  // of both sides; a longer list goes below the names
 
 function kickButton(kick, seek) {
   const button = document.createElement("button");
@@ -35,7 +35,7 @@ class Shootout {
     }
   }
 
-  // The goals of both sides' kicks until then; null before the first.
+  // Goals of both sides in the kicks so far; null before the first kick.
   standingAt(time_s) {
     const index = lastNotAfter(this.kicks, time_s + 1e-6, (kick) => kick.time_s);
     return index < 0 ? null : this.kicks[index].standing;

@@ -1,7 +1,7 @@
-// The time line: a slider with a mark for each moment.
+// The timeline: a slider with a mark for each highlight.
 
 class Timeline {
-  // `seek(time_s)` is called where somebody points at a time.
+  // `seek(time_s)` is called when the user points at a time.
   constructor(recording, highlights, seek) {
     this.recording = recording;
     this.seek = seek;
@@ -23,7 +23,7 @@ class Timeline {
     for (const highlight of highlights) {
       const mark = document.createElement("button");
       mark.type = "button";
-      mark.tabIndex = -1;  // the list of events is the way there by keys
+      mark.tabIndex = -1;  // keyboard users reach events through the list
       mark.className = `mark ${highlight.kind}`;
       mark.dataset.side = highlight.side ?? "";
       mark.dataset.color = highlight.color ?? "";

@@ -1,12 +1,12 @@
-// What commands, stages and events are called for people.
+// Display names of commands, stages and events.
 
 const kSideNames = ["yellow", "blue"];
 
 const kEventTitles = {
   goal: "Goal",
   throw_in: "Throw-in",
-  touch_line_unknown: "Over the touch line, by nobody knows whom",
-  goal_line_unknown: "Over the goal line, by nobody knows whom",
+  touch_line_unknown: "Over the touch line, last touch unknown",
+  goal_line_unknown: "Over the goal line, last touch unknown",
   restart_not_taken: "Restart not taken in time",
   half_over: "End of the half",
   game_over: "End of the game",
@@ -21,7 +21,7 @@ function capitalised(text) {
   return text.charAt(0).toUpperCase() + text.slice(1);
 }
 
-// "CORNER_KICK" or "corner_kick" as "Corner kick".
+// "CORNER_KICK" or "corner_kick" becomes "Corner kick".
 function plain(word) {
   return capitalised(word.toLowerCase().replaceAll("_", " "));
 }
@@ -30,7 +30,7 @@ function eventTitle(event) {
   return kEventTitles[event] ?? plain(event);
 }
 
-// The side that a command is for: 0 yellow, 1 blue, null for both.
+// The side of a command: 0 yellow, 1 blue, null for both.
 function sideOfCommand(command) {
   if (command.endsWith("_YELLOW")) return 0;
   return command.endsWith("_BLUE") ? 1 : null;
@@ -40,7 +40,7 @@ function kindOfCommand(command) {
   return command.replace(/_(YELLOW|BLUE)$/, "");
 }
 
-// "DIRECT_FREE_BLUE" as "Direct free, blue".
+// "DIRECT_FREE_BLUE" becomes "Direct free kick, blue".
 function commandTitle(command) {
   const side = sideOfCommand(command);
   const kind = plain(kindOfCommand(command)).replace("free", "free kick").replace("kickoff", "kick-off");
@@ -56,7 +56,7 @@ function stageTitle(stage) {
   return plain(stage.replace(/_PRE$/, "")) + (stage.endsWith("_PRE") ? ", about to begin" : "");
 }
 
-// The teams' names, or their colours; two of the same name are told apart by theirs.
+// The teams' names, or their colours if unknown; colours distinguish two teams of the same name.
 function shownNames(teams) {
   return teams.map((name, side) => {
     if (!name) return capitalised(kSideNames[side]);
@@ -68,13 +68,13 @@ function twoDigits(number) {
   return String(number).padStart(2, "0");
 }
 
-// 83.25 as "1:23".
+// 83.25 becomes "1:23".
 function minutesAndSeconds(time_s) {
   const whole = Math.max(0, Math.floor(time_s + 1e-9));
   return `${Math.floor(whole / 60)}:${twoDigits(whole % 60)}`;
 }
 
-// 83.25 as "1:23.25".
+// 83.25 becomes "1:23.25".
 function hundredths(time_s) {
   const all = Math.max(0, Math.round(time_s * 100));
   return `${minutesAndSeconds(Math.floor(all / 100))}.${twoDigits(all % 100)}`;

@@ -6,7 +6,7 @@ namespace autoref::runner {
 namespace {
 
 // RFC 4648, section 10.
-TEST(Base64, IsThatOfTheStandardsExamples) {
+TEST(Base64, MatchesTheStandardsExamples) {
   EXPECT_EQ(base64_of(""), "");
   EXPECT_EQ(base64_of("f"), "Zg==");
   EXPECT_EQ(base64_of("fo"), "Zm8=");
@@ -14,7 +14,7 @@ TEST(Base64, IsThatOfTheStandardsExamples) {
   EXPECT_EQ(base64_of("foobar"), "Zm9vYmFy");
 }
 
-TEST(Base64, TakesBytesAsTheyAre) { EXPECT_EQ(base64_of("\xff\xfe\xfd"), "//79"); }
+TEST(Base64, AcceptsAnyBytes) { EXPECT_EQ(base64_of("\xff\xfe\xfd"), "//79"); }
 
 }  // namespace
 }  // namespace autoref::runner

@@ -9,7 +9,7 @@ namespace {
 
 Field field_of_book(const char* name) { return find_game_setup(name)->field; }
 
-// Places all along the outline.
+// Sample points along the outline.
 std::vector<Vec2> positions_on(const Outline& outline) {
   std::vector<Vec2> points;
   for (int i = 0; i <= 10; ++i) {
@@ -25,7 +25,7 @@ std::vector<Vec2> positions_on(const Outline& outline) {
 
 class AroundDefenceArea : public testing::TestWithParam<const char*> {};
 
-TEST_P(AroundDefenceArea, IsEverywhereAsFarFromTheAreaAsAsked) {
+TEST_P(AroundDefenceArea, HasTheRequestedDistanceEverywhere) {
   const Field field = field_of_book(GetParam());
   for (const Side side : kSides) {
     const Outline outline = around_defence_area(field, side, 0.2);
@@ -35,7 +35,7 @@ TEST_P(AroundDefenceArea, IsEverywhereAsFarFromTheAreaAsAsked) {
   }
 }
 
-TEST_P(AroundDefenceArea, LiesBeforeTheGoalLine) {
+TEST_P(AroundDefenceArea, LiesInFrontOfTheGoalLine) {
   const Field field = field_of_book(GetParam());
   for (const Side side : kSides) {
     for (const Vec2& position_m : positions_on(around_defence_area(field, side, 0.2)))
@@ -48,15 +48,15 @@ INSTANTIATE_TEST_SUITE_P(Books, AroundDefenceArea, testing::Values("2014", "2026
                            return std::string(book.param) == "2014" ? "RoundArea" : "BoxArea";
                          });
 
-TEST(FieldLines, AreThoseOfTheLeaguesVision) {
-  // Four sides, two lines through the middle, and an area at each end; the centre circle.
+TEST(FieldLines, MatchTheLeaguesVision) {
+  // Four sides, two lines through the centre and both defence areas; the centre circle.
   EXPECT_EQ(field_lines(field_of_book("2014")).lines.size(), 8U);
   EXPECT_EQ(field_lines(field_of_book("2014")).arcs.size(), 5U);
   EXPECT_EQ(field_lines(field_of_book("2026-b")).lines.size(), 12U);
   EXPECT_EQ(field_lines(field_of_book("2026-b")).arcs.size(), 1U);
 }
 
-TEST(GoalWalls, RunFromPostToPostRoundTheBack) {
+TEST(GoalWalls, RunFromPostToPostAlongTheBack) {
   const auto walls_m = goal_walls_m(Field{}, Side::kWest);
   EXPECT_EQ(walls_m[0], Vec2(-3.025, 0.35));
   EXPECT_NEAR(walls_m[1].x(), -3.205, 1e-9);

@@ -20,7 +20,7 @@ std::size_t count_of(const std::string& part, const std::string& text) {
   return count;
 }
 
-TEST(Page, HasEverythingInItsPlace) {
+TEST(Page, ContainsAllParts) {
   const std::string page = page_between("cobalt", "counter");
   EXPECT_TRUE(page.starts_with("<!DOCTYPE html>"));
   EXPECT_NE(page.find(R"("teams": ["cobalt", "counter"])"), std::string::npos);
@@ -41,13 +41,13 @@ TEST(Page, LinksToNoFile) {
   EXPECT_EQ(count_of("<a ", page), 0U);
 }
 
-TEST(Page, NeedsNothingFromANetwork) {
+TEST(Page, NeedsNoNetwork) {
   const std::string page = page_between("a", "b");
   for (const char* sign : {"://", "@import", "url(", " src=", "fetch("})
     EXPECT_EQ(count_of(sign, page), 0U) << sign;
 }
 
-TEST(Page, IsNotEndedByWhatALogTells) {
+TEST(Page, IsNotBrokenByTextsInALog) {
   const std::string harmless = page_between("a", "b");
   const std::string page = page_between("</script><script>alert(1)</script>", "<!--<script>");
   EXPECT_EQ(count_of("<script", page), count_of("<script", harmless));
