@@ -10,10 +10,10 @@ namespace {
 using referee::Decision;
 using referee::Event;
 
-constexpr double kAssociationSameTime_s =
-    0.05;  // three frames: as long as a fast kick takes to be sure
+// Three frames: the time it takes to confirm a fast kick.
+constexpr double kAssociationSameTime_s = 0.05;
 
-// What a call of an unknown last touch may have been.
+// Returns whether a call may be right for an event; a call with unknown last touch fits several.
 bool may_be(std::string_view call, std::string_view event) {
   if (call == "touch_line_unknown") return event == "throw_in";
   if (call == "goal_line_unknown") return event == "corner_kick" || event == "goal_kick";
@@ -63,8 +63,8 @@ class Matcher {
   }
 
  private:
-  // A call of an unknown touch claims no more than that the ball left over such a line: the event
-  // itself stays missed.
+  // A call with unknown last touch only claims that the ball left over this line, so the event
+  // itself still counts as missed.
   void evaluate(const Call& call) {
     for (const Standing standing : {Standing::kTrue, Standing::kPrevented}) {
       const std::optional<std::size_t> found = nearest(call, standing, false);
@@ -92,7 +92,7 @@ class Matcher {
     return call.robot && call.robot == event.robot;
   }
 
-  // The lower the better.
+  // Lower is better: first the same robot, then the nearest in time.
   static std::pair<bool, double> rank(const Call& call, const TrueEvent& event) {
     return {!is_same_robot(call, event), std::abs(call.time_s - event.time_s)};
   }

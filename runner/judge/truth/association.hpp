@@ -1,9 +1,8 @@
-// Holds a referee's calls against what truly happened.
+// Evaluates a referee's calls against the ground truth.
 //
-// A call is right where the same event happened, by the same side's fault, at about the same time:
-// at most `lead_s` after the call and at most `lag_s` before it. Each event makes one call right,
-// and each call answers one event: one of the same robot where there is one, else the nearest in
-// time.
+// A call is right if the same event happened at about the same time with the same side at fault: at
+// most `lead_s` after the call and at most `lag_s` before it. Events and calls are matched one to
+// one, preferably with the same robot, otherwise with the event nearest in time.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +17,8 @@
 
 namespace autoref::runner::ground_truth {
 
-// The league's evaluation of 2016 let the referee lead by 2 s; an exact truth allows less. Vision
-// of 60 Hz and a touch that is sure after four frames explain 0.1 s.
+// The league's evaluation of 2016 let the referee be up to 2 s early; with an exact ground truth,
+// less is enough. Vision at 60 Hz and a touch confirmed after four frames explain a delay of 0.1 s.
 struct Window {
   double lead_s = 0.25;
   double lag_s = 1.0;
@@ -28,21 +27,20 @@ struct Window {
 struct Call {
   std::string_view name;
   double time_s = 0;
-  std::optional<Side> offender;  // as in Happening; none: the call does not say
+  std::optional<Side> offender;  // as in TrueEvent; nullopt if the call does not say
   std::optional<RobotId> robot;
   std::optional<Vec2> position_m;
   bool ended_play = false;
-  bool is_in_air = false;  // the ball, truly, when the call came
+  bool is_in_air = false;  // true state of the ball at the time of the call
 };
 
-// Whether decisions on the event are held against the truth: calls, and the card for every third
-// foul.
+// Returns whether decisions on this event are evaluated: calls, and cards for every third foul.
 bool is_judged(referee::Event event);
 
-// What a decision says, in the truth's terms; none where it is not judged.
+// Converts a decision to a call; nullopt if it is not evaluated.
 std::optional<Call> call_of(const referee::Decision& decision);
 
-// In order of time.
+// Returns the verdicts in order of time.
 std::vector<Verdict> associate(const TrueEvents& true_events, const std::vector<Call>& calls,
                                const Window& window = {});
 

@@ -1,4 +1,4 @@
-// Who touched the ball since play began, for how long, and how high it has been.
+// Tracks who has touched the ball since play began, for how long, and how high the ball has been.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -16,22 +16,22 @@ struct BallTouch {
   Vec2 ball_m{0, 0};
 };
 
-// A robot has the ball at its hull: from a touch until the gap between them is 20 mm.
+// A robot is in contact with the ball from a touch until the gap between them exceeds 20 mm.
 struct Contact {
   RobotId robot;
   double since_s = 0;
   Vec2 ball_from_m{0, 0};
-  bool is_new = false;       // began in this frame
-  bool is_touching = false;  // really met the ball in this frame
-  int count = 0;             // tells one contact from the next
+  bool is_new = false;       // started in this frame
+  bool is_touching = false;  // actually touched the ball in this frame
+  int count = 0;             // identifies the contact
 };
 
 using Contacts = boost::container::static_vector<Contact, 2 * kMaxRobots>;
 
-// How high the ball's top has been since a side's last touch; none before its first.
+// Maximum height of the ball's top since a side's last touch; nullopt before the first.
 struct Heights {
   std::optional<double> since_touch_m;
-  // The same, but a ball that rolls, or that a robot of that side met low enough, begins anew.
+  // The same, but restarted when the ball rolls or a robot of this side touches it low enough.
   std::optional<double> of_shot_m;
 };
 
@@ -39,7 +39,7 @@ class BallHistory {
  public:
   explicit BallHistory(const RuleBook& rules) : chip_height_m_(rules.chip_height_m) {}
 
-  void begin();  // play has just been started
+  void begin();  // call when play starts
   void update(const sim::WorldState& now, std::span<const sim::Touch> touches, double time_s);
 
   const std::optional<BallTouch>& first() const { return first_; }
@@ -62,7 +62,7 @@ class BallHistory {
   int count_ = 0;
 };
 
-// The robot of that name; none where there is none.
+// Returns the robot with this id, or null.
 const sim::RobotState* find_robot(const sim::WorldState& world, RobotId id);
 
 }  // namespace autoref::runner::ground_truth

@@ -1,4 +1,4 @@
-// The ball leaves the field: goals, goals that do not count, and exits.
+// The ball leaves the field: goals, invalid goals and exits.
 #include <algorithm>
 #include <cmath>
 
@@ -11,9 +11,9 @@
 namespace autoref::runner::ground_truth {
 namespace {
 
-// A ball that will be out within this time, moving on as it does, has been called early.
+// If the ball at constant velocity leaves the field within this time, the call was early.
 constexpr double kExitLead_s = 0.1;
-// A ball whose far edge came so near to being out is a near miss.
+// If the ball's far edge comes this close to leaving the field, it is a near miss.
 constexpr double kNearlyOut_m = 10_mm;
 constexpr double kNearHeight_m = 20_mm;
 
@@ -22,7 +22,7 @@ class BallOut final : public GroundTruthRule {
   void watch(const Scene& scene, TrueEvents& all) override {
     if (!scene.play.is_on) return;
     if (const auto crossing = find_crossing(scene.field, scene.before.ball, scene.now.ball)) {
-      // A penalty kick that is no goal has failed: another truth tells that.
+      // A penalty kick that does not score has failed, which another rule reports.
       const bool is_failed = scene.play.is_penalty() && !crossing->into_goal &&
                              scene.rules.has(RuleId::kPenaltyKickFailed);
       if (!is_failed) all.push_back(event(scene, *crossing));
@@ -48,7 +48,7 @@ class BallOut final : public GroundTruthRule {
     all.push_back(soon_out);
   }
 
-  // The crossing of a ball a little farther out than it is.
+  // The crossing of the ball if it were a little farther out.
   static std::optional<Crossing> nearly(const Scene& scene) {
     sim::BallState beyond = scene.now.ball;
     const Vec2& at_m = beyond.position_m;
@@ -64,7 +64,7 @@ class BallOut final : public GroundTruthRule {
     TrueEvent event = crossing.into_goal        ? goal(scene, crossing)
                       : crossing.over_goal_line ? over_goal_line(scene, crossing)
                                                 : over_touch_line(scene);
-    // A frame's way back to the crossing.
+    // Interpolate back to the time of the crossing within the frame.
     event.time_s = scene.time_s - (1 - crossing.share) * scene.frame_s;
     if (!event.position_m) event.position_m = crossing.point_m;
     event.is_in_air = crossing.height_m > 0;

@@ -1,4 +1,4 @@
-// What a robot does that has the ball at its hull: double touch, dribbling, holding.
+// Fouls of a robot in contact with the ball: double touch, dribbling, holding.
 #include <algorithm>
 
 #include "runner/judge/truth/ground_truth_rules.hpp"
@@ -8,12 +8,12 @@
 namespace autoref::runner::ground_truth {
 namespace {
 
-constexpr double kDribblingMargin_m = 50_mm;  // where a contact began is as open as that
+constexpr double kDribblingMargin_m = 50_mm;  // uncertainty of a contact's starting point
 constexpr double kHoldingMargin_s = 0.2;
-// A ball that gets too far so soon after play has ended was called early.
+// If the ball would have got too far within this time after the end of play, the call was early.
 constexpr double kContactLead_s = 0.05;
 
-// "Touches again": the ball has been away from the hull since.
+// "Touches again" requires that the ball has left the hull in between.
 class DoubleTouch final : public GroundTruthRule {
  public:
   void watch(const Scene& scene, TrueEvents& all) override {
@@ -21,9 +21,9 @@ class DoubleTouch final : public GroundTruthRule {
     if (!play.is_on || !play.taker || !play.in_play || play.count == reported_) return;
     if (!scene.ball.first() || scene.ball.has_second_robot_touched()) return;
     for (const Contact& contact : scene.ball.contacts()) {
-      if (play.entered_now) continue;  // it may be the touch that moved the ball far enough
+      if (play.entered_now) continue;  // may be the touch that moved the ball far enough
       const bool is_again = contact.is_new && contact.since_s > scene.ball.first()->time_s;
-      // 2026: "remaining in contact" after that counts, too.
+      // 2026: "remaining in contact" also counts.
       const bool goes_on = scene.rules.edition == Edition::kRules2026 && contact.is_touching;
       if (!is_again && !goes_on) continue;
       reported_ = play.count;
@@ -59,7 +59,7 @@ class Dribbling final : public GroundTruthRule {
   }
 
  private:
-  // The referee has just ended play while the ball was about to get so far.
+  // Whether the referee has just ended play while the ball was about to get too far.
   static bool is_prevented(const Scene& scene, const Contact& contact, double excess_m) {
     const Vec2 path_m = scene.now.ball.position_m - contact.ball_from_m;
     const double away_mps = scene.now.ball.velocity_mps.dot(direction_of(path_m, Vec2(1.0, 0.0)));
@@ -70,7 +70,8 @@ class Dribbling final : public GroundTruthRule {
   int nearly_reported_ = 0;
 };
 
-// Laws 2014: in contact with its keeper, inside the area. 2026: inside the area, however it stays.
+// Laws 2014: the ball is inside the area in contact with its keeper. 2026: the ball is inside the
+// area, for whatever reason.
 class KeeperHolding final : public GroundTruthRule {
  public:
   void watch(const Scene& scene, TrueEvents& all) override {

@@ -1,4 +1,4 @@
-// Two robots of different sides meet too fast.
+// Collisions of two opponents at too high a relative speed.
 #include <cmath>
 
 #include "runner/judge/truth/ground_truth_rules.hpp"
@@ -10,9 +10,9 @@ namespace {
 
 constexpr double kCrashMargin_mps = 0.2_mps;
 constexpr double kDrawnMargin_mps = 0.1_mps;
-// Hulls that come so near have all but met.
+// Robots whose hulls come this close are a near miss.
 constexpr double kNearlyMet_m = 8_mm;
-// Robots that will meet so soon after play has ended were called early.
+// If robots would have collided within this time after the end of play, the call was early.
 constexpr double kCrashLead_s = 0.05;
 
 class Crash final : public GroundTruthRule {
@@ -41,7 +41,7 @@ class Crash final : public GroundTruthRule {
     return (met.velocities_mps[0] - met.velocities_mps[1]).dot(line);
   }
 
-  // Robots that have not met, but are about to.
+  // Reports robots that have not collided but are about to.
   static void foresee(const Scene& scene, const sim::RobotCollision& met, TrueEvents& all) {
     const double gap_m = (met.centres_m[1] - met.centres_m[0]).norm() - 2 * kRobotRadius_m;
     const double closes_mps = closing_mps(met);
@@ -73,7 +73,7 @@ class Crash final : public GroundTruthRule {
     if (is_drawn || lead_mps < kDrawnMargin_mps) add_drawn(crash, is_drawn, all);
   }
 
-  // What is nearly the one and nearly the other is a near miss of what it is not.
+  // A crash that is nearly unique and nearly drawn is a near miss of the one it is not.
   static void add_crash(TrueEvent crash, bool is_drawn, TrueEvents& all) {
     crash.name = "bot_crash_unique";
     crash.offender = crash.robot->side;

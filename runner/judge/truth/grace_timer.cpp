@@ -2,7 +2,7 @@
 
 namespace autoref::runner::ground_truth {
 
-// Whether the grace is over just now.
+// Returns true in the frame in which the grace period ends.
 bool GraceTimer::Watch::is_over(double time_s, bool offends, double grace_s, int spell) {
   if (!offends) {
     since_s.reset();
@@ -17,7 +17,7 @@ bool GraceTimer::Watch::is_over(double time_s, bool offends, double grace_s, int
 void GraceTimer::watch(const Scene& scene, RobotId id, const sim::RobotState& robot, double excess,
                        double grace_s, TrueEvents& all) {
   const int spell = scene.play.count;
-  grace_s -= scene.frame_s / 2;  // frames are whole frames apart
+  grace_s -= scene.frame_s / 2;  // half a frame of tolerance, since time is quantised to frames
   Watches& watches = watches_[id.side][id.number];
   if (watches.spell != spell) watches = {spell, {}, {}, {}};
   TrueEvent is_due{name_, scene.time_s, id.side, id, robot.position_m};

@@ -1,4 +1,4 @@
-// How long robots have been doing what they may do only for a while.
+// Reports robots that do for too long what is allowed only for a while.
 #pragma once
 
 #include <map>
@@ -10,26 +10,27 @@
 
 namespace autoref::runner::ground_truth {
 
-// Watches one kind of offence of each robot, once per robot and spell: a restart or stop.
+// Detects one kind of offence, at most once per robot and spell. Each restart or stop starts a
+// spell.
 class GraceTimer {
  public:
   GraceTimer(std::string_view name, double margin) : name_(name), margin_(margin) {}
 
-  // To be called for every robot in every frame in which the rule holds. `excess` is how far the
-  // robot is beyond the threshold, in the margin's unit; it offends once it has been for longer
-  // than `grace_s`. Each command begins a spell.
+  // Call for every robot in every frame in which the rule applies. `excess` is how far the robot is
+  // beyond the threshold, in the unit of the margin; it commits an offence if it stays beyond for
+  // longer than `grace_s`. Each command starts a spell.
   void watch(const Scene& scene, RobotId id, const sim::RobotState& robot, double excess,
              double grace_s, TrueEvents& all);
 
  private:
-  // Since when the robot has been so far beyond the threshold, and in which spell it was told.
+  // Start of the current offence, and the spell in which it was reported.
   struct Watch {
     std::optional<double> since_s;
     int reported = -1;
     bool is_over(double time_s, bool offends, double grace_s, int spell);
   };
   struct Watches {
-    int spell = -1;  // that they belong to
+    int spell = -1;  // current spell
     Watch nearly;
     Watch truly;
     Watch clearly;

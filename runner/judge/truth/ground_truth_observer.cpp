@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kLongAgo_s = -1e9;
 
-// The non-stopping fouls of the rules of 2026: after one of its own a team's goal does not count.
+// The non-stopping fouls of the 2026 rules that invalidate a later goal of the same team.
 constexpr std::array<std::string_view, 4> kFouls = {"attacker_touched_ball_in_defense_area",
                                                     "bot_kicked_ball_too_fast", "bot_crash_unique",
                                                     "bot_crash_drawn"};

@@ -1,7 +1,7 @@
-// Sees a whole game as it truly is, and tells what happened in it by the rules.
+// Observes the exact state of a game and reports what happened according to the rules.
 //
-// It follows the referee's commands, since they decide what is play and who takes a restart, but
-// none of its calls: the field and the ball are the world's own.
+// It follows the referee's commands, which decide what is play and who takes a restart, but ignores
+// its calls. Field and ball are those of the simulated world.
 #pragma once
 
 #include <memory>
@@ -15,16 +15,16 @@ class GroundTruthObserver {
  public:
   GroundTruthObserver(const Field& field, const RuleBook& rules, double frame_rate_hz);
 
-  // Number 0 until named otherwise.
+  // Sets the keeper's number; initially 0.
   void name_keeper(Side side, int number) { keepers_[side] = number; }
 
-  // To be called once per frame, after the referee: `signal` is what it has just said.
+  // Call once per frame, after the referee; `signal` is its latest signal.
   void see(const sim::World& world, const RefereeSignal& signal);
-  // The same with touches and meetings apart, for staged games.
+  // The same with separate touches and collisions, for staged games.
   void see(const sim::WorldState& now, std::span<const sim::Touch> touches,
            std::span<const sim::RobotCollision> collisions, const RefereeSignal& signal);
 
-  // All so far, in the order of frames.
+  // All events so far, in order of frames.
   const TrueEvents& true_events() const { return true_events_; }
   const Play& play() const { return play_.play(); }
   const BallHistory& ball() const { return ball_; }
@@ -40,7 +40,7 @@ class GroundTruthObserver {
   BallHistory ball_;
   std::vector<std::unique_ptr<GroundTruthRule>> rules_of_truth_;
   sim::WorldState before_;
-  RefereeSignal signal_;  // in force since the frame before
+  RefereeSignal signal_;  // in force since the previous frame
   bool has_begun_ = false;
   PerSide<int> keepers_;
   PerSide<double> fouled_s_;

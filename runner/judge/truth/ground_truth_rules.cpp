@@ -8,10 +8,10 @@ using Maker = std::unique_ptr<GroundTruthRule> (*)();
 struct Entry {
   RuleId rule;
   Maker make;
-  Maker make_2026;  // where the rules of 2026 read otherwise
+  Maker make_2026;  // replacement if the 2026 rules differ
 };
 
-// Fouls first: a goal may depend on them.
+// Fouls come first, since a goal may depend on them.
 constexpr Entry kEntries[] = {
     {RuleId::kBotKickedBallTooFast, bot_kicked_ball_too_fast, nullptr},
     {RuleId::kAttackerDoubleTouchedBall, attacker_double_touched_ball, nullptr},
@@ -51,7 +51,7 @@ std::vector<std::unique_ptr<GroundTruthRule>> ground_truth_rules_of(const RuleBo
   }
   makers.push_back(positions_at_entry());
   makers.push_back(ball_out());
-  // Last: it counts the fouls of the frame.
+  // Cards come last, since they count the fouls of the frame.
   if (is_2026 && rules.has(RuleId::kCards)) makers.push_back(multiple_fouls());
   return makers;
 }

@@ -1,4 +1,4 @@
-// The truths, one maker each; which rules they tell stands in their files.
+// Factories of the ground-truth rules; each file documents the events it reports.
 #pragma once
 
 #include <memory>
@@ -8,8 +8,7 @@
 
 namespace autoref::runner::ground_truth {
 
-std::unique_ptr<GroundTruthRule>
-ball_out();  // goals, goals that do not count, exits, aimless kicks
+std::unique_ptr<GroundTruthRule> ball_out();  // goals, invalid goals, exits, aimless kicks
 std::unique_ptr<GroundTruthRule> bot_kicked_ball_too_fast();
 std::unique_ptr<GroundTruthRule> attacker_double_touched_ball();
 std::unique_ptr<GroundTruthRule> bot_dribbled_ball_too_far();
@@ -18,22 +17,22 @@ std::unique_ptr<GroundTruthRule> touches_in_areas();  // defender (partly) in ar
 std::unique_ptr<GroundTruthRule> bot_crash_unique();  // and bot_crash_drawn
 std::unique_ptr<GroundTruthRule> bot_pushed_bot();
 std::unique_ptr<GroundTruthRule>
-positions_at_entry();  // robots misplaced when the ball enters play
+positions_at_entry();  // robots at illegal positions when the ball enters play
 std::unique_ptr<GroundTruthRule> untaken_restart();
 std::unique_ptr<GroundTruthRule> penalty();     // penalty_kick_failed and penalty_positions
 std::unique_ptr<GroundTruthRule> stuck_ball();  // and no_progress_in_game
 std::unique_ptr<GroundTruthRule> bot_too_fast_in_stop();
 std::unique_ptr<GroundTruthRule> bot_too_fast_in_stop_2026();
 std::unique_ptr<GroundTruthRule> stop_distance();
-std::unique_ptr<GroundTruthRule> attacker_stays();  // near the area, rules of 2026
+std::unique_ptr<GroundTruthRule> attacker_stays();  // near the defence area, 2026 rules
 std::unique_ptr<GroundTruthRule>
-opponents_near_restart();  // defender_too_close_to_kick_point, rules of 2026
+opponents_near_restart();  // defender_too_close_to_kick_point, 2026 rules
 std::unique_ptr<GroundTruthRule> bot_interfered_placement();
 std::unique_ptr<GroundTruthRule> too_many_robots();
 std::unique_ptr<GroundTruthRule> too_many_robots_2026();
-std::unique_ptr<GroundTruthRule> multiple_fouls();  // the yellow cards of 2026
+std::unique_ptr<GroundTruthRule> multiple_fouls();  // yellow cards of 2026
 
-// Those that the book has in force.
+// The rules in force in the book.
 std::vector<std::unique_ptr<GroundTruthRule>> ground_truth_rules_of(const RuleBook& rules);
 
 }  // namespace autoref::runner::ground_truth

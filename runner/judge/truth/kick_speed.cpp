@@ -1,4 +1,4 @@
-// The ball is faster than allowed after a robot's kick or touch.
+// The ball is too fast after a robot's kick or touch.
 #include <cmath>
 
 #include "runner/judge/truth/ground_truth_rules.hpp"
@@ -9,7 +9,7 @@ namespace autoref::runner::ground_truth {
 namespace {
 
 constexpr double kKickMargin_mps = 0.2_mps;
-constexpr double kOneKick_s = 0.2;  // a kick that is still at the hull is not a second one
+constexpr double kOneKick_s = 0.2;  // a kick that is still touching the hull is not a second one
 
 class KickSpeed final : public GroundTruthRule {
  public:
@@ -19,7 +19,7 @@ class KickSpeed final : public GroundTruthRule {
         speed_mps(scene, scene.before.ball.velocity_mps, scene.before.ball.vertical_mps);
     for (const sim::Touch& touch : scene.touches) {
       const double after_mps = speed_mps(scene, touch.ball_mps, touch.vertical_mps);
-      // A fast ball that merely glances off was made fast by somebody else.
+      // A fast ball that only glances off was not accelerated by this robot.
       if (after_mps > former_mps) evaluate(scene, touch, after_mps, all);
       former_mps = after_mps;
     }
@@ -45,8 +45,8 @@ class KickSpeed final : public GroundTruthRule {
     add_measured(all, kick, excess_mps, kKickMargin_mps);
   }
 
-  // The Laws' referee ends play with the kick. By the rules of 2026 play goes on: the same robot's
-  // kick is another one once the ball has been slow enough, or 2 s later.
+  // Under the Laws, the referee ends play with the kick. Under the 2026 rules play continues:
+  // another kick by the same robot counts once the ball has been slow enough, or after 2 s.
   bool is_same(const Scene& scene, RobotId kicker, bool is_foul) {
     const bool is_one_kick = scene.time_s - reported_s_ < kOneKick_s;
     if (scene.rules.edition != Edition::kRules2026 || !is_foul) return is_one_kick;
@@ -54,8 +54,8 @@ class KickSpeed final : public GroundTruthRule {
   }
 
   double reported_s_ = -kOneKick_s;
-  std::optional<RobotId> kicker_;  // of the last foul
-  NonStopping fast_;               // kickers of the ball that is too fast still
+  std::optional<RobotId> kicker_;  // of the latest foul
+  NonStopping fast_;               // robots whose kick is still too fast
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Since when each robot has been doing something, without a break.
+// Measures how long each robot has continuously been doing something.
 #pragma once
 
 #include <map>
@@ -9,8 +9,8 @@ namespace autoref::runner::ground_truth {
 
 class Lasting {
  public:
-  // To be called for every robot in every frame; how long `does` has been true, negative while it
-  // is not.
+  // Call for every robot in every frame. Returns how long `does` has been true, or a negative value
+  // if it is false.
   double lasts_s(RobotId id, bool does, double time_s) {
     if (does) return time_s - since_s_.try_emplace(id, time_s).first->second;
     since_s_.erase(id);

@@ -1,5 +1,5 @@
-// Every third foul of a team is a yellow card, the third active one a red card (rules of 2026,
-// "Offenses").
+// Every third foul of a team is a yellow card, and the third active yellow card a red card (2026
+// rules, "Offenses").
 #include <algorithm>
 #include <array>
 
@@ -10,8 +10,8 @@
 namespace autoref::runner::ground_truth {
 namespace {
 
-// The offences that count: not the double touch, the defender in its own area, and too many robots
-// ("No penalty will be given", rules of 2026, Yellow Card).
+// The fouls that count: all except the double touch, the defender in its own area, and too many
+// robots ("No penalty will be given", 2026 rules, Yellow Card).
 constexpr std::array<std::string_view, 11> kCounted = {"attacker_stays_near_area",
                                                        "bot_pushed_bot",
                                                        "keeper_held_ball",
@@ -23,11 +23,11 @@ constexpr std::array<std::string_view, 11> kCounted = {"attacker_stays_near_area
                                                        "defender_too_close_to_kick_point",
                                                        "bot_too_fast_in_stop",
                                                        "bot_interfered_placement"};
-// A card shown so soon after its third foul is that foul's.
+// A card shown this soon after a third foul belongs to that foul.
 constexpr double kShownWithin_s = 1_s;
 
-// A missed or wrong call shifts the referee's later cards. So a card that it shows, due or not,
-// begins the count again: each card is judged by the fouls since the one before.
+// A missed or wrong call would shift all later cards of the referee. Therefore each card shown, due
+// or not, restarts the count: a card is judged only by the fouls since the previous one.
 class MultipleFouls final : public GroundTruthRule {
  public:
   void watch(const Scene& scene, TrueEvents& all) override {
@@ -71,16 +71,16 @@ class MultipleFouls final : public GroundTruthRule {
     all.push_back({card, scene.time_s, side});
   }
 
-  // Whether one more yellow card would be the third active one. Active cards are the robots that a
-  // side lacks and that no red card took.
+  // Whether one more yellow card would be the third active one. The number of active cards is the
+  // number of robots that the side lacks other than by red cards.
   bool is_last_straw(const Scene& scene, Side side) const {
     const int lacking = allowed_without_cards_[side] - scene.signal.robots_allowed[side];
     const int active = lacking - scene.signal.red_cards[side];
     return scene.rules.yellows_per_red > 0 && active + 1 >= scene.rules.yellows_per_red;
   }
 
-  std::size_t next_ = 0;  // event to look at
-  PerSide<int> fouls_;    // since the last card
+  std::size_t next_ = 0;  // index of the next event to look at
+  PerSide<int> fouls_;    // since the previous card
   PerSide<int> shown_;
   PerSide<int> allowed_without_cards_;
   PerSide<std::optional<double>> due_s_;

@@ -1,4 +1,4 @@
-// Robots of the rules of 2026 that stand too near until a restart is taken.
+// Robots too close to the ball or the defence area before a restart is taken (2026 rules).
 #include "runner/judge/truth/ground_truth_rules.hpp"
 #include "runner/judge/truth/outline.hpp"
 #include "runner/judge/truth/team_foul.hpp"
@@ -7,14 +7,14 @@
 namespace autoref::runner::ground_truth {
 namespace {
 
-// Also the ball's radius: whether distances end at its centre or its surface is open to reading.
+// The ball's radius: the rules leave open whether distances end at its centre or its surface.
 constexpr double kRestartMargin_m = 25_mm;
-// Play is halted at a team's second foul near the area in the same stop or free kick.
+// Play is halted at a team's second such foul in the same stop or free kick.
 constexpr int kMostNearArea = 2;
 
-// Rules of 2026, "Attacker Too Close To Defense Area": during stop, and during free kicks until the
-// ball is in play. A team's grace begins with the stop, however late its robot comes, and again
-// with the team's first foul. Kick-offs and penalty kicks have positions of their own.
+// 2026 rules, "Attacker Too Close To Defense Area": during stop, and during free kicks until the
+// ball is in play. A team's grace period starts with the stop, however late a robot arrives, and
+// again with the team's first foul. Kick-offs and penalty kicks have their own positions.
 class AttackersNearArea final : public GroundTruthRule {
  public:
   void watch(const Scene& scene, TrueEvents& all) override {
@@ -46,11 +46,11 @@ class AttackersNearArea final : public GroundTruthRule {
   }
 
   int stop_ = -1;
-  PerSide<int> fouls_;  // in this stop and the free kick after it
+  PerSide<int> fouls_;  // in this stop and the following free kick
   TeamFoul near_{"attacker_stays_near_area", kRestartMargin_m};
 };
 
-// Rules of 2026, "Defender Too Close To Kick Point": during the opponents' kick-off or free kick,
+// 2026 rules, "Defender Too Close To Kick Point": during the opponents' kick-off or free kick,
 // until the ball is in play.
 class OpponentsNearRestart final : public GroundTruthRule {
  public:

@@ -13,7 +13,7 @@ namespace {
 constexpr int kPoints = 256;
 constexpr double kInContact_m = 5_mm;
 
-// The round hull's points, those before the plate moved back onto it, and the plate's corners.
+// Points of the round hull, cut off at the front plate, and the plate's corners.
 using Outline = std::array<Vec2, kPoints + 2>;
 
 Outline outline() {
@@ -43,7 +43,7 @@ Reach reach(const sim::RobotState& robot, const Distance& distance_m) {
 }  // namespace
 
 Reach reach_to_area(const Field& field, Side side, const sim::RobotState& robot) {
-  // Far from the area nobody asks for more than that it is far.
+  // Far from the area a bound is enough.
   const double centre_m = distance_to_defence_area(field, side, robot.position_m);
   if (centre_m > 0.5) return {centre_m - kRobotRadius_m, centre_m + kRobotRadius_m};
   return reach(robot,

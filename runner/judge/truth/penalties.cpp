@@ -1,4 +1,4 @@
-// Penalty kicks: what comes of them, and who stood where he must not.
+// Penalty kicks: their outcome, and robots at illegal positions.
 #include <algorithm>
 #include <cmath>
 
@@ -11,12 +11,13 @@ namespace autoref::runner::ground_truth {
 namespace {
 
 constexpr double kPenaltyMargin_m = 20_mm;
-constexpr double kPushed_mps = 0.2_mps;  // slower balls have no direction to be turned from
+constexpr double kPushed_mps = 0.2_mps;  // the direction of slower balls is undefined
 
-// How far the worst of each side's robots was beyond what is allowed, just before the kick.
+// By how much each side's worst robot violated its position just before the kick.
 using Breaches = PerSide<double>;
 
-// From the goal line to the front of the keeper's hull, or from the post to its centre.
+// How far the keeper is off its goal line, measured to the front of its hull, or beside the goal,
+// measured to its centre.
 double off_its_line_m(const Field& field, Side side, const sim::RobotState& keeper) {
   const double in_front_m = field.half_length_m() - reach_into_half(side, keeper).farthest_m;
   const double behind_m = reach_into_half(side, keeper).nearest_m - field.half_length_m();
@@ -67,7 +68,7 @@ class Penalty final : public GroundTruthRule {
       TrueEvent again;
       again.name = "penalty_positions";
       again.time_s = scene.time_s;
-      // Where both sides were wrong, neither is at fault alone.
+      // If both sides were wrong, neither is solely at fault.
       if (!(others_m > 0 && excess_m > 0)) again.offender = side;
       again.position_m = scene.play.ball_from_m;
       add_measured(all, again, excess_m, kPenaltyMargin_m);
@@ -77,7 +78,7 @@ class Penalty final : public GroundTruthRule {
         {"penalty_kick_failed", scene.time_s, attacker, std::nullopt, scene.now.ball.position_m});
   }
 
-  // By a right angle or more: what is left of the ball's way leads back.
+  // Turned by at least a right angle: the rest of the ball's path leads back.
   static bool is_turned(const Scene& scene) {
     const Vec2& former_mps = scene.before.ball.velocity_mps;
     if (former_mps.norm() < kPushed_mps) return false;

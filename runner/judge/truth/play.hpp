@@ -1,4 +1,4 @@
-// What the referee's commands allow, and how the true ball comes into play.
+// What the referee's commands allow, and how the true ball enters play.
 #pragma once
 
 #include <optional>
@@ -9,22 +9,23 @@
 
 namespace autoref::runner::ground_truth {
 
-// `restart` is what play was started with: a kick-off or penalty by its preparation.
+// `restart` is the command that started play; for a kick-off or penalty its preparation.
 struct Play {
-  bool is_on = false;    // from a restart's signal until play is stopped
+  bool is_on = false;    // from the restart's signal until play is stopped
   bool is_stop = false;  // STOP is in force
   Command restart;
-  std::optional<Side> taker;  // none after a force start
-  double began_s = 0;         // of the restart's signal
-  Vec2 ball_from_m{0, 0};     // where the ball was then
+  std::optional<Side> taker;  // nullopt after a force start
+  double began_s = 0;         // time of the restart's signal
+  Vec2 ball_from_m{0, 0};     // position of the ball at that time
   bool in_play = false;       // it has moved far enough (RuleBook::in_play_m)
-  bool entered_now = false;   // in this very frame
+  bool entered_now = false;   // in this frame
   double entered_s = 0;
   double stopped_s = 0;   // when STOP was sent
   bool ends_now = false;  // the referee has just ended play
-  int count = 0;          // commands obeyed: tells one restart or stop from the next
-  int stops = 0;          // STOPs among them: tells a stop and the restart after it from the next
-  // A STOP that is sent again goes on with the stop; a free kick goes on with the one before it.
+  int count = 0;          // number of commands obeyed; identifies a restart or stop
+  int stops =
+      0;  // number of STOPs among them; identifies a stop together with the following restart
+  // A repeated STOP continues the same stop; a free kick continues the stop before it.
   int stop_count = 0;
   double stop_began_s = 0;
 
@@ -32,13 +33,13 @@ struct Play {
   bool is_penalty() const { return restart.kind == CommandKind::kPreparePenalty; }
 };
 
-// Follows a game. What is in force in a frame was sent before it; what the referee sends in that
-// frame is obeyed after it.
+// Follows a game. Commands sent before a frame are in force in it; commands sent in a frame are
+// obeyed after it.
 class PlayFollower {
  public:
   explicit PlayFollower(const RuleBook& rules) : in_play_m_(rules.in_play_m) {}
 
-  // To be called before the frame's truths are told, and `obey` after them.
+  // Call `update` before a frame's rules are evaluated, and `obey` afterwards.
   const Play& update(const sim::WorldState& now, double time_s, const RefereeSignal& signal);
   void obey(const sim::WorldState& now, double time_s, const RefereeSignal& signal);
   const Play& play() const { return play_; }

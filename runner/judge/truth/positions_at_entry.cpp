@@ -1,4 +1,4 @@
-// Robots that stand where they must not when the ball enters play from a restart.
+// Robots at illegal positions when the ball enters play from a restart.
 #include <algorithm>
 #include <cmath>
 
@@ -10,10 +10,10 @@
 namespace autoref::runner::ground_truth {
 namespace {
 
-// Also the ball's radius: whether distances end at its centre or its surface is open to reading.
+// The ball's radius: the rules leave open whether distances end at its centre or its surface.
 constexpr double kEntryMargin_m = 25_mm;
 
-// The robot that is farthest beyond what is allowed.
+// The robot that violates its position most.
 struct Worst {
   std::optional<RobotId> robot;
   Vec2 position_m{0, 0};
@@ -27,8 +27,8 @@ struct Worst {
   }
 };
 
-// How often the restart that is on has been taken again, in a row. Games here take it again three
-// times at most; then play goes on, wherever robots stood.
+// Counts how often the current restart has been retaken in a row. A restart is retaken at most
+// three times here; then play continues wherever robots are.
 class Retakes {
  public:
   void enter(const Play& play) {
@@ -44,7 +44,7 @@ class Retakes {
  private:
   static constexpr int kMost = 3;
   int count_ = 0;
-  int stops_ = 0;  // when it was taken
+  int stops_ = 0;  // stop in which it was last taken
   Command restart_;
   bool was_wrong_ = false;
 };
@@ -66,7 +66,8 @@ class PositionsAtEntry final : public GroundTruthRule {
   }
 
  private:
-  // From `reported` on, what has this restart taken again; nothing where it may not be.
+  // Looks for violations from index `reported` on that cause a retake; removes them if no more
+  // retakes are allowed.
   void note_breaches(std::size_t reported, TrueEvents& all) {
     const auto is_breach = [](const TrueEvent& event) {
       return event.standing == Standing::kTrue &&
@@ -88,7 +89,7 @@ class PositionsAtEntry final : public GroundTruthRule {
                  worst.excess_m, kEntryMargin_m);
   }
 
-  // One call is enough for both sides; the side that kicks is judged first.
+  // One call is enough for both sides; the side taking the kick is checked first.
   static void near_area(const Scene& scene, Side taker, TrueEvents& all) {
     for (const Side side : {taker, opponent_of(taker)}) {
       Worst worst;
@@ -101,7 +102,7 @@ class PositionsAtEntry final : public GroundTruthRule {
     }
   }
 
-  // Just before the kick, from the ball's centre where it lay.
+  // Just before the kick, measured from the ball's original position.
   static void near_ball(const Scene& scene, Side taker, TrueEvents& all) {
     Worst worst;
     for_each_robot(scene.before, opponent_of(taker), [&](RobotId id, const auto& robot) {
@@ -113,7 +114,7 @@ class PositionsAtEntry final : public GroundTruthRule {
     add(scene, "defender_too_close_to_kick_point", worst, all);
   }
 
-  // The kicker may be beyond the middle. Where both sides are wrong, neither is at fault alone.
+  // The kicker may be beyond the halfway line. If both sides are wrong, neither is solely at fault.
   static void half(const Scene& scene, TrueEvents& all) {
     Worst worst;
     PerSide<bool> is_wrong;

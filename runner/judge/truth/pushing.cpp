@@ -1,4 +1,4 @@
-// A robot drives an opponent back.
+// A robot pushes an opponent back.
 #include <algorithm>
 
 #include "runner/judge/truth/ground_truth_rules.hpp"
@@ -9,11 +9,11 @@ namespace autoref::runner::ground_truth {
 namespace {
 
 constexpr double kPushMargin_m = 20_mm;
-// A robot that drove away from the pusher itself faster than this was not pushed.
+// A robot that was moving away from the pusher faster than this was not pushed.
 constexpr double kOwnSpeed_mps = 0.1_mps;
 constexpr double kOwnMargin_mps = 0.1_mps;
 
-// Two opponents in contact, since when and from where. First the west's robot.
+// Two opponents in contact, with start time and positions. The first robot is west's.
 struct PushContact {
   RobotId west;
   RobotId east;
@@ -44,7 +44,7 @@ class Pushing final : public GroundTruthRule {
   }
 
  private:
-  // With each other; by the rules of 2026, or both with the ball.
+  // In contact with each other or, under the 2026 rules, both with the ball.
   static bool has_contact(const Scene& scene, RobotId west, const sim::RobotState& a, RobotId east,
                           const sim::RobotState& b) {
     if (are_in_contact(a, b)) return true;
@@ -60,7 +60,7 @@ class Pushing final : public GroundTruthRule {
       return contact;
     }
     contacts_.push_back({west, east, a.position_m, b.position_m, a.velocity_mps, b.velocity_mps});
-    // Who has just come onto the field was not there a frame ago.
+    // A robot that has just been put on the field was not there a frame ago.
     if (const sim::RobotState* before = find_robot(scene.before, west)) {
       contacts_.back().west_mps = before->velocity_mps;
     }

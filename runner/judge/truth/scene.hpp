@@ -1,4 +1,4 @@
-// All that a truth is told from, in one frame.
+// The input of the ground-truth rules in one frame.
 #pragma once
 
 #include <span>
@@ -17,16 +17,16 @@ struct Scene {
   const Field& field;
   const RuleBook& rules;
   double time_s = 0;
-  double frame_s = 0;             // from `before` to `now`
-  const sim::WorldState& before;  // one frame earlier
+  double frame_s = 0;             // time from `before` to `now`
+  const sim::WorldState& before;  // the previous frame
   const sim::WorldState& now;
   std::span<const sim::Touch> touches;
   std::span<const sim::RobotCollision> collisions;
   const Play& play;
   const BallHistory& ball;
-  const RefereeSignal& signal;  // what has been in force since the frame before
+  const RefereeSignal& signal;  // in force since the previous frame
   PerSide<int> keepers;         // their numbers
-  PerSide<double> fouled_s;     // each side's last non-stopping foul of 2026
+  PerSide<double> fouled_s;     // time of each side's latest non-stopping foul (2026)
 
   bool is_keeper(RobotId robot) const { return keepers[robot.side] == robot.number; }
   // Play is stopped, and the ball is not yet where the referee wants it.
@@ -36,14 +36,14 @@ struct Scene {
   }
 };
 
-// Tells one kind of event, or some that exclude each other. Asked once in every frame.
+// Detects one kind of event, or several that exclude each other. Called once per frame.
 class GroundTruthRule {
  public:
   virtual ~GroundTruthRule() = default;
   virtual void watch(const Scene& scene, TrueEvents& all) = 0;
 };
 
-// Calls act(id, robot) for every robot of a side, or of both.
+// Calls act(id, robot) for every robot of one or both sides.
 template <typename Act>
 void for_each_robot(const sim::WorldState& world, Side side, const Act& act) {
   for (const sim::RobotState& robot : world.robots[side]) act(RobotId{side, robot.number}, robot);

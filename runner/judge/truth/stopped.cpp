@@ -1,4 +1,4 @@
-// What robots must not do while play is stopped, by the Laws of 2014.
+// Offences while play is stopped, by the Laws of 2014.
 #include <optional>
 
 #include "runner/judge/truth/grace_timer.hpp"
@@ -9,7 +9,7 @@
 namespace autoref::runner::ground_truth {
 namespace {
 
-// Also the ball's radius: whether distances end at its centre or its surface is open to reading.
+// The ball's radius: the rules leave open whether distances end at its centre or its surface.
 constexpr double kStopMargin_m = 25_mm;
 constexpr double kStopMargin_mps = 0.1_mps;
 constexpr double kTooFastFor_s = 0.1;

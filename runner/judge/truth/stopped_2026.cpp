@@ -1,4 +1,4 @@
-// What robots must not do while play is stopped, by the rules of 2026.
+// Offences while play is stopped, by the 2026 rules.
 #include <algorithm>
 #include <set>
 
@@ -13,17 +13,18 @@ namespace autoref::runner::ground_truth {
 namespace {
 
 constexpr double kFastMargin_mps = 0.1_mps;
-constexpr double kFastFor_s = 0.1;  // a shorter peak of speed is open to reading
+constexpr double kFastFor_s = 0.1;  // the rules leave open whether a shorter peak counts
 constexpr double kLaneMargin_m = 25_mm;
 
-// What a robot does for long enough to be at fault, or nearly does; nothing worth a note else.
+// Selects robots that do something for long enough to be at fault or nearly at fault; ignores the
+// others.
 class LongEnough {
  public:
   explicit LongEnough(double margin) : margin_(margin) {}
 
   void consider(const Scene& scene, RobotId id, const sim::RobotState& robot, double excess,
                 double for_s, WorstRobot& worst) {
-    for_s -= scene.frame_s / 2;  // frames are whole frames apart
+    for_s -= scene.frame_s / 2;  // half a frame of tolerance, since time is quantised to frames
     const bool is_at_fault = truly_.lasts_s(id, excess > 0, scene.time_s) >= for_s;
     if (nearly_.lasts_s(id, excess > -margin_, scene.time_s) < for_s) return;
     worst.consider(id, robot, is_at_fault ? excess : std::min(excess, -margin_ / 2));
@@ -39,8 +40,8 @@ class LongEnough {
   Lasting nearly_;
 };
 
-// "Robot Stop Speed": after the grace that begins with the stop, not while the ball is being
-// placed; each robot once per stop.
+// "Robot Stop Speed": after the grace period at the start of the stop, not during ball placement;
+// each robot once per stop.
 class StopSpeed2026 final : public GroundTruthRule {
  public:
   void watch(const Scene& scene, TrueEvents& all) override {
@@ -75,7 +76,7 @@ class StopSpeed2026 final : public GroundTruthRule {
   TeamFoul fast_{"bot_too_fast_in_stop", kFastMargin_mps};
 };
 
-// "Ball Placement Interference": one is counted per placement.
+// "Ball Placement Interference": counted once per placement.
 class PlacementInterference final : public GroundTruthRule {
  public:
   void watch(const Scene& scene, TrueEvents& all) override {
@@ -95,7 +96,7 @@ class PlacementInterference final : public GroundTruthRule {
   }
 
  private:
-  // A placement is another one in another stop, or with another target.
+  // A new stop or another target starts a new placement.
   void begin(const Scene& scene) {
     const Vec2& target_m = scene.signal.placement->target_m;
     if (scene.play.stop_count == stop_ && target_m == target_m_) return;

@@ -10,10 +10,10 @@
 namespace autoref::runner::ground_truth {
 namespace {
 
-// Rules of 2026, "Number Of Robots": after a start, when play goes on with too many.
+// 2026 rules, "Number Of Robots": grace period when play is started with too many robots.
 constexpr double kStartGrace_s = 2_s;
 
-// Laws of 2014: a surplus that has lasted.
+// Laws of 2014: reports a surplus once it has lasted for a while.
 class TooManyRobots final : public GroundTruthRule {
  public:
   void watch(const Scene& scene, TrueEvents& all) override {
@@ -33,8 +33,8 @@ class TooManyRobots final : public GroundTruthRule {
   PerSide<bool> is_reported_;
 };
 
-// Rules of 2026: each card gives its robot some time to leave; who has more robots than that has
-// too many, but for a while after a start.
+// 2026 rules: each card gives a robot some time to leave. More robots than that are too many,
+// except for a while after a start.
 class TooManyRobots2026 final : public GroundTruthRule {
  public:
   void watch(const Scene& scene, TrueEvents& all) override {
@@ -50,7 +50,7 @@ class TooManyRobots2026 final : public GroundTruthRule {
   }
 
  private:
-  // So many were allowed until a card.
+  // The number of robots allowed until a card.
   struct Former {
     int allowed = 0;
     double until_s = 0;
@@ -62,11 +62,11 @@ class TooManyRobots2026 final : public GroundTruthRule {
     return has_just_started || !has_passed(scene, raised_s_[side], kTeamGrace_s);
   }
 
-  // The most that the side was allowed within the grace of its cards.
+  // The maximum number allowed during the grace periods of the side's cards.
   int tolerated(const Scene& scene, Side side) {
     const int allowed = scene.signal.robots_allowed[side];
     std::vector<Former>& formers = formers_[side];
-    // The signal is the one of the frame before.
+    // The signal is that of the previous frame.
     const double shown_s = scene.time_s - scene.frame_s;
     if (allowed < allowed_[side]) formers.push_back({allowed_[side], shown_s});
     allowed_[side] = allowed;

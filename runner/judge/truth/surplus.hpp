@@ -1,4 +1,4 @@
-// How many robots a side has on the field.
+// Number of robots that a side has on the field.
 #pragma once
 
 #include "runner/judge/truth/scene.hpp"
@@ -7,7 +7,7 @@ namespace autoref::runner::ground_truth {
 
 int robots_on_field(const Scene& scene, Side side);
 
-// More of them than the signal allows.
+// Returns whether the side has more robots on the field than the signal allows.
 bool has_surplus(const Scene& scene, Side side);
 
 }  // namespace autoref::runner::ground_truth

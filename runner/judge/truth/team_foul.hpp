@@ -1,4 +1,4 @@
-// A foul by the rules of 2026 that counts for a team, whichever of its robots commits it.
+// A foul of the 2026 rules that is counted per team, whichever of its robots commits it.
 #pragma once
 
 #include <optional>
@@ -9,13 +9,13 @@
 
 namespace autoref::runner::ground_truth {
 
-// Rules of 2026, "Offenses": a team's grace until the same foul is raised again.
+// 2026 rules, "Offenses": a team's grace period before the same foul is raised again.
 inline constexpr double kTeamGrace_s = 2_s;
 
-// To half a frame: times are whole frames apart.
+// With a tolerance of half a frame, since time is quantised to frames.
 bool has_passed(const Scene& scene, double since_s, double duration_s);
 
-// The robot of a team that is farthest beyond a threshold, `excess` in the threshold's unit.
+// The robot of a team farthest beyond a threshold; `excess` is in the threshold's unit.
 struct WorstRobot {
   std::optional<RobotId> robot;
   Vec2 position_m{0, 0};
@@ -24,23 +24,25 @@ struct WorstRobot {
   void consider(RobotId id, const sim::RobotState& state, double its_excess);
 };
 
-// Several robots of a team within the grace commit one foul; after the grace the same foul is
-// raised again, at once, if the team still or again commits it.
+// Several offending robots of a team within the grace period are a single foul. After it, the foul
+// is raised again as soon as the team still or again commits it.
 class TeamFoul {
  public:
-  // `margin`: how near to the threshold a foul is open to reading, in the threshold's unit.
+  // `margin`: distance to the threshold within which the rules leave a foul open to interpretation,
+  // in the threshold's unit.
   TeamFoul(std::string_view name, double margin) : name_(name), margin_(margin) {}
 
-  // To be called in every frame in which the rule holds. Whether the foul is raised in this one.
+  // Call in every frame in which the rule applies. Returns whether the foul is raised in this
+  // frame.
   bool watch(const Scene& scene, Side side, const WorstRobot& worst, TrueEvents& all);
-  // As if the team's foul had been raised at that time.
+  // Starts the grace period as if the team's foul had been raised at that time.
   void begin_grace(Side side, double time_s) { raised_s_[side] = nearly_s_[side] = time_s; }
 
  private:
   std::string_view name_;
   double margin_;
   PerSide<double> raised_s_{{-1e9, -1e9}};
-  PerSide<double> nearly_s_{{-1e9, -1e9}};  // the same of fouls and near misses
+  PerSide<double> nearly_s_{{-1e9, -1e9}};  // latest foul or near miss
 };
 
 }  // namespace autoref::runner::ground_truth

@@ -1,5 +1,5 @@
-// Robots that touch the ball in an area where they must not: defenders other than the keeper in
-// their own one, attackers in the opponents'.
+// Robots that illegally touch the ball in a defence area: defenders other than the keeper in their
+// own area, attackers in the opponents' area.
 #include <algorithm>
 #include <array>
 
@@ -22,7 +22,7 @@ class TouchesInAreas final : public GroundTruthRule {
       if (!scene.ball.has_contact(id) || inside_theirs_m(scene, id, robot) <= 0) attacks_.end(id);
     });
     if (!scene.play.is_on) attacks_.clear();
-    // The kick that brings the ball into play is none of a ball in play.
+    // The touch that brings the ball into play does not count.
     if (!scene.play.is_on || !scene.play.in_play || scene.play.entered_now) return;
     for (const Contact& contact : scene.ball.contacts()) {
       const sim::RobotState* robot = find_robot(scene.now, contact.robot);
@@ -37,7 +37,7 @@ class TouchesInAreas final : public GroundTruthRule {
   }
 
  private:
-  // Once per contact and name.
+  // Each is reported once per contact and name.
   struct Told {
     int contact = 0;
     std::string_view name;
@@ -55,12 +55,12 @@ class TouchesInAreas final : public GroundTruthRule {
     add(scene, contact, "defender_in_defense_area_partially", -reach.nearest_m, all);
   }
 
-  // How far the robot's hull is inside the opponents' area, partially or fully.
+  // How far the robot's hull extends into the opponents' area.
   static double inside_theirs_m(const Scene& scene, RobotId id, const sim::RobotState& robot) {
     return -reach_to_area(scene.field, opponent_of(id.side), robot).nearest_m;
   }
 
-  // Play goes on: a touch that lasts is raised again.
+  // Play continues, so a lasting touch is raised again.
   void attacking(const Scene& scene, const Contact& contact, const sim::RobotState& robot,
                  TrueEvents& all) {
     constexpr std::string_view kName = "attacker_touched_ball_in_defense_area";
@@ -76,10 +76,10 @@ class TouchesInAreas final : public GroundTruthRule {
         inside_m, kAreaMargin_m);
   }
 
-  // How a robot came into its own area.
+  // How a robot entered its own area.
   struct Entry {
     bool is_inside = false;
-    bool was_shoved = false;  // an opponent was in contact with it as it came in
+    bool was_shoved = false;  // an opponent was in contact with it when it entered
   };
 
   Entry& entry_of(RobotId id) { return entries_[id.side][static_cast<std::size_t>(id.number)]; }
@@ -114,7 +114,7 @@ class TouchesInAreas final : public GroundTruthRule {
                  excess_m, kAreaMargin_m);
   }
 
-  static constexpr std::size_t kRemembered = 64;  // contacts that may last at a time, and names
+  static constexpr std::size_t kRemembered = 64;  // bound on simultaneous contacts and names
   std::vector<Told> reported_;
   NonStopping attacks_;
   PerSide<std::array<Entry, kMaxRobots>> entries_;

@@ -1,4 +1,4 @@
-// What truly happened on the field: one event by the rules, told from the exact world.
+// An event that truly happened according to the rules, derived from the exact state of the world.
 #pragma once
 
 #include <cstdint>
@@ -11,28 +11,28 @@
 
 namespace autoref::runner::ground_truth {
 
-// How surely it happened.
+// How certain it is that the event happened.
 enum class Standing : std::uint8_t {
   kTrue,
-  kPrevented,  // was about to happen when the referee ended play: nobody can tell any more
-  kNearMiss,   // did not happen, but within the margin that the rule's truth names
+  kPrevented,  // was about to happen when the referee ended play, so it cannot be verified
+  kNearMiss,   // did not happen, but was within the margin given in the rule's file
 };
 
 struct TrueEvent {
   std::string_view name;  // as in referee/decision.hpp
   double time_s = 0;
-  std::optional<Side> offender{};  // at fault; none where nobody or both are
+  std::optional<Side> offender{};  // at fault; nullopt if nobody or both are
   std::optional<RobotId> robot{};
   std::optional<Vec2> position_m{};
   Standing standing = Standing::kTrue;
-  bool is_borderline = false;  // true, but within the same margin
-  bool is_in_air = false;      // the ball flew: who sees no height must guess
+  bool is_borderline = false;  // happened, but within the same margin
+  bool is_in_air = false;      // the ball was in the air: a referee without heights must guess
 };
 
 using TrueEvents = std::vector<TrueEvent>;
 
-// Adds `event` by how far it is beyond its threshold (`excess`, in the threshold's unit): true
-// above 0, a near miss down to `-margin`, nothing below.
+// Adds `event` depending on how far it is beyond its threshold (`excess`, in the threshold's unit):
+// as true above 0, as a near miss above `-margin`, otherwise not at all.
 inline void add_measured(TrueEvents& all, TrueEvent event, double excess, double margin) {
   if (!(excess > -margin)) return;
   event.standing = excess > 0 ? Standing::kTrue : Standing::kNearMiss;

@@ -1,4 +1,4 @@
-// Time runs out: restarts not taken, balls that get nowhere.
+// Timeouts: restarts not taken, and balls without progress.
 #include <algorithm>
 #include <deque>
 
@@ -8,10 +8,10 @@
 namespace autoref::runner::ground_truth {
 namespace {
 
-// Play that ends so shortly before the time is up was stopped early.
+// If play ends this soon before the time is up, the call was early.
 constexpr double kWaitLead_s = 0.2;
 
-// Adds the event once its time is up, or about to be up as play ends.
+// Adds the event once its time is up, or if it was about to be up when play ended.
 bool add_timed(const Scene& scene, TrueEvent event, double excess_s, TrueEvents& all) {
   const double half_frame_s = scene.frame_s / 2;
   if (excess_s < -half_frame_s && !(scene.play.ends_now && excess_s > -kWaitLead_s)) return false;
@@ -35,7 +35,7 @@ class UntakenRestart final : public GroundTruthRule {
   }
 
  private:
-  // Rules of 2026: an opponent who stands too near for too long gives the kicker its time anew.
+  // 2026 rules: an opponent too close to the ball for too long resets the kicker's time.
   static double waits_since_s(const Play& play, const TrueEvents& all) {
     for (auto it = all.rbegin(); it != all.rend() && it->time_s > play.began_s; ++it) {
       if (it->name == "defender_too_close_to_kick_point" && it->standing == Standing::kTrue)
@@ -47,8 +47,8 @@ class UntakenRestart final : public GroundTruthRule {
   int reported_ = -1;
 };
 
-// In some stretch of `stuck_time_s` the ball stayed within `stuck_distance_m` of where it was at
-// the beginning.
+// The ball is stuck if it stays for `stuck_time_s` within `stuck_distance_m` of its initial
+// position.
 class StuckBall final : public GroundTruthRule {
  public:
   void watch(const Scene& scene, TrueEvents& all) override {
@@ -71,14 +71,14 @@ class StuckBall final : public GroundTruthRule {
                     std::nullopt, scene.now.ball.position_m};
     if (!is_reported_) {
       is_reported_ = add_timed(scene, stuck, excess_s, all);
-    } else if (scene.play.ends_now) {  // it is stuck still: who calls it now is merely late
+    } else if (scene.play.ends_now) {  // still stuck: a call now is merely late
       stuck.standing = Standing::kNearMiss;
       all.push_back(stuck);
     }
   }
 
  private:
-  // In an area it is the keeper's time that counts, where there is such a rule for any ball there.
+  // If there is a rule on holding the ball in the area, only the keeper's time counts there.
   static bool is_held(const Scene& scene) {
     return scene.rules.has(RuleId::kNoProgressInGame) && scene.rules.has(RuleId::kKeeperHeldBall) &&
            std::any_of(kSides.begin(), kSides.end(), [&scene](Side side) {

@@ -1,4 +1,4 @@
-// Judging a referee over games: tallies, reports, and that all of it is reproducible.
+// Judging a referee over games: tallies, reports and reproducibility.
 #include <gtest/gtest.h>
 
 #include "runner/experiments/reading/scenario_reader.hpp"
@@ -38,13 +38,13 @@ TEST(EventTally, GivesPrecisionRecallAndTheLeaguesScore) {
   EXPECT_EQ(tally.score(), 6 - 2 * 2);
 }
 
-TEST(Quantile, IsTheSmallestValueThatTheShareDoesNotExceed) {
+TEST(Quantile, IsTheSmallestValueNotExceededByTheShare) {
   EXPECT_EQ(quantile({3, 1, 2, 4}, 0.5), 2);
   EXPECT_EQ(quantile({3, 1, 2, 4}, 0.95), 4);
   EXPECT_FALSE(quantile({}, 0.5));
 }
 
-TEST(JudgeSchedule, PlaysTheSameSeedsUnderEachCameraAndChangesEnds) {
+TEST(JudgeSchedule, PlaysTheSameSeedsWithEachCameraAndChangesSides) {
   const std::vector<JudgeGame> games = games_of(schedule());
   ASSERT_EQ(games.size(), 4U);
   EXPECT_EQ(games[0].configuration.seed, games[1].configuration.seed);
@@ -78,7 +78,7 @@ TEST(CallEvaluation, IsRefusedIfTheTextIsNotOne) {
     EXPECT_FALSE(evaluation_in(text)) << text;
 }
 
-TEST(JudgeReport, HasATableOfEveryBookAndCamera) {
+TEST(JudgeReport, HasATableForEveryBookAndCamera) {
   const JudgeSchedule the_schedule = schedule();
   RowsById rows;
   for (const JudgeGame& game : games_of(the_schedule))
@@ -109,8 +109,9 @@ TEST(JudgedRow, IsVoidIfItsEvaluationIsTooLong) {
   EXPECT_NE(row.record.void_reason.find("let halves be shorter"), std::string::npos);
 }
 
-// Over 40 games of 600 s under camera `none` the referee is right at all but a few in a thousand.
-TEST(Judging, FindsThePapersRefereeRightMostOfTheTimeWhereVisionIsExact) {
+// Over 40 games of 600 s with camera `none`, the referee is right in all but a few per thousand
+// calls.
+TEST(Judging, FindsThePapersRefereeMostlyRightWithExactVision) {
   GameConfiguration game;
   game.match.half_s = 120;
   game.seed = 11;

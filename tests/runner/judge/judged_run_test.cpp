@@ -1,4 +1,4 @@
-// Judged games are kept as they end: what was judged is judged once, and looked up by its id.
+// Judged games are saved as they end: each game is judged once and can be looked up by its id.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -21,7 +21,7 @@ class JudgedRun : public testing::Test {
  protected:
   void SetUp() override { write_file(""); }
 
-  // Four games of two cameras; `more` are further keys.
+  // Four games with two cameras; `more` is additional YAML.
   void write_file(const std::string& more, const char* seed = "3") const {
     write_content(file_, std::string("schema: 1\nkind: judge\nbase: { match: { half_s: 40 } }\n"
                                      "cameras: [none, realistic]\nmatchups: [rowdy~basic]\n"
@@ -42,7 +42,7 @@ class JudgedRun : public testing::Test {
   static std::string rows_file(const std::string& results) {
     return results + "/games/shard-0-of-1.csv";
   }
-  // Leaves the head and so many rows, and half of the next one.
+  // Truncates the file to the head, `rows` rows and half of the next row.
   static void tear(const std::string& results, int rows) {
     const std::string text = content_of(rows_file(results));
     std::size_t end = 0;
@@ -69,7 +69,7 @@ class JudgedRun : public testing::Test {
   std::string whole_ = in("whole");
 };
 
-TEST_F(JudgedRun, ComesOutTheSameOnAnyNumberOfWorkers) {
+TEST_F(JudgedRun, HasTheSameResultWithAnyNumberOfWorkers) {
   const Answer one = judge(whole_, "1");
   EXPECT_EQ(one.code, kDone) << one.err;
   const Answer three = judge(in("three"), "3");
@@ -77,7 +77,7 @@ TEST_F(JudgedRun, ComesOutTheSameOnAnyNumberOfWorkers) {
   EXPECT_EQ(one.out.substr(0, one.out.find(whole_)), three.out.substr(0, three.out.find(in(""))));
 }
 
-TEST_F(JudgedRun, GoesOnWhereItStopped) {
+TEST_F(JudgedRun, ContinuesWhereItStopped) {
   const Answer whole = judge(whole_);
   const std::string torn = in("torn");
   judge(torn);
@@ -88,7 +88,7 @@ TEST_F(JudgedRun, GoesOnWhereItStopped) {
   expect_same_results(whole_, torn);
 }
 
-TEST_F(JudgedRun, EndedByCtrlCSaysSoAndTheSameCommandContinues) {
+TEST_F(JudgedRun, ReportsCtrlCAndContinuesWithTheSameCommand) {
   judge(whole_);
   const std::string ended = in("ended");
   const pid_t child = fork();
@@ -115,7 +115,7 @@ TEST_F(JudgedRun, EndedByCtrlCSaysSoAndTheSameCommandContinues) {
   expect_same_results(whole_, ended);
 }
 
-TEST_F(JudgedRun, JudgesAGameWhoseRowIsDamagedAgain) {
+TEST_F(JudgedRun, JudgesAGameAgainIfItsRowIsDamaged) {
   judge(whole_);
   const std::string damaged = in("damaged");
   judge(damaged);
@@ -136,7 +136,7 @@ TEST_F(JudgedRun, RefusesTheRowsOfAnotherSeed) {
       << other.err;
 }
 
-TEST_F(JudgedRun, SaysHowFarItIs) {
+TEST_F(JudgedRun, ShowsItsProgress) {
   judge(whole_);
   EXPECT_TRUE(ask("status", whole_).out.starts_with(whole_ + "   4 of 4 games done, 0 void\n"));
   tear(whole_, 2);
@@ -179,7 +179,7 @@ TEST_F(JudgedRun, GivesEachFaultAnIdThatReplaysItsGame) {
   EXPECT_NE(content_of(events).find("\"transition\": \"begin\""), std::string::npos);
 }
 
-TEST_F(JudgedRun, ReplaysAGameByItsNamesAndRefusesOthers) {
+TEST_F(JudgedRun, ReplaysAGameByEitherIdAndRefusesUnknownIds) {
   judge(whole_);
   EXPECT_EQ(ask("replay", whole_, {"paper none rowdy~basic 2"}).code, kDone);
   EXPECT_EQ(ask("replay", whole_, {"paper+none+rowdy~basic-p0001-2"}).code, kDone);
@@ -192,7 +192,7 @@ TEST_F(JudgedRun, ReplaysAGameByItsNamesAndRefusesOthers) {
   }
 }
 
-TEST_F(JudgedRun, IsVerifiedByPlayingItsGamesAgain) {
+TEST_F(JudgedRun, IsVerifiedByReplayingItsGames) {
   judge(whole_);
   const Answer answer = ask("verify", whole_, {"--sample", "2", "-j", "1"});
   EXPECT_EQ(answer.code, kDone) << answer.err;

@@ -1,4 +1,4 @@
-// The referee's last touch, from vision alone, held against the simulator's contacts.
+// The referee's last touch, from vision alone, compared with the simulator's contacts.
 #include <gtest/gtest.h>
 
 #include <optional>

@@ -1,4 +1,4 @@
-// A referee's calls held against the truth, with lists made by hand.
+// Compares a referee's calls with the ground truth, using lists made by hand.
 #include <gtest/gtest.h>
 
 #include "runner/judge/truth/association.hpp"
@@ -29,7 +29,7 @@ std::vector<Outcome> outcomes(const TrueEvents& true_events, const std::vector<C
 constexpr Side kWest = Side::kWest;
 constexpr Side kEast = Side::kEast;
 
-TEST(SprtMatch, FindsACallRightByNameSideAndTime) {
+TEST(Association, FindsACallRightByNameSideAndTime) {
   TrueEvent goal = event("goal", 10.0, kWest);
   goal.position_m = Vec2(1, 0.1);
   const std::vector<Verdict> verdicts = associate({goal}, {call("goal", 10.1, kWest)});
@@ -39,13 +39,13 @@ TEST(SprtMatch, FindsACallRightByNameSideAndTime) {
   EXPECT_NEAR(verdicts[0].error_m.value(), 0.1, 1e-9);
 }
 
-TEST(SprtMatch, FindsTheOtherSidesFaultMissedAndWrong) {
+TEST(Association, FindsAnEventMissedAndTheCallWrongIfTheSideIsWrong) {
   EXPECT_EQ(
       outcomes({event("bot_crash_unique", 10.0, kWest)}, {call("bot_crash_unique", 10.1, kEast)}),
       (std::vector<Outcome>{Outcome::kMissed, Outcome::kWrong}));
 }
 
-TEST(SprtMatch, FindsACallTooLateOrTooEarlyWrong) {
+TEST(Association, FindsACallTooLateOrTooEarlyWrong) {
   for (const double time_s : {9.7, 11.1}) {
     EXPECT_EQ(outcomes({event("bot_crash_unique", 10.0, kWest)},
                        {call("bot_crash_unique", time_s, kWest)})
@@ -54,7 +54,7 @@ TEST(SprtMatch, FindsACallTooLateOrTooEarlyWrong) {
   }
 }
 
-TEST(SprtMatch, LetsOneEventMakeOneCallRight) {
+TEST(Association, MatchesAnEventWithOnlyOneCall) {
   const std::vector<Verdict> verdicts =
       associate({event("bot_crash_unique", 10.0, kWest)},
                 {call("bot_crash_unique", 10.0, kWest), call("bot_crash_unique", 10.2, kWest)});
@@ -64,7 +64,7 @@ TEST(SprtMatch, LetsOneEventMakeOneCallRight) {
   EXPECT_TRUE(verdicts[1].is_second);
 }
 
-TEST(SprtMatch, CountsAPreventedEventOnlyWhereItWasCalled) {
+TEST(Association, CountsAPreventedEventOnlyIfItWasCalled) {
   const TrueEvents prevented = {event("throw_in", 10.0, kWest, Standing::kPrevented)};
   EXPECT_TRUE(outcomes(prevented, {}).empty());
   const std::vector<Verdict> verdicts = associate(prevented, {call("throw_in", 10.0, kWest)});
@@ -73,7 +73,7 @@ TEST(SprtMatch, CountsAPreventedEventOnlyWhereItWasCalled) {
   EXPECT_TRUE(verdicts[0].is_early);
 }
 
-TEST(SprtMatch, FindsACallOfANearMissWrongButBorderline) {
+TEST(Association, FindsACallOfANearMissWrongButBorderline) {
   const std::vector<Verdict> verdicts =
       associate({event("bot_crash_unique", 10.0, kWest, Standing::kNearMiss)},
                 {call("bot_crash_unique", 10.0, kWest)});
@@ -82,7 +82,7 @@ TEST(SprtMatch, FindsACallOfANearMissWrongButBorderline) {
   EXPECT_TRUE(verdicts[0].is_borderline);
 }
 
-TEST(SprtMatch, FindsAnEventOvertakenByAnotherRightCall) {
+TEST(Association, FindsAnEventOvertakenByAnotherRightCall) {
   const TrueEvents both = {event("bot_crash_unique", 10.0, kWest), event("goal", 10.0, kEast)};
   EXPECT_EQ(outcomes(both, {call("goal", 10.0, kEast)}),
             (std::vector<Outcome>{Outcome::kRight, Outcome::kOvertaken}));
@@ -90,7 +90,7 @@ TEST(SprtMatch, FindsAnEventOvertakenByAnotherRightCall) {
             (std::vector<Outcome>{Outcome::kWrong, Outcome::kMissed, Outcome::kMissed}));
 }
 
-TEST(SprtMatch, FindsAnUnknownTouchRightAndTheThrowInMissed) {
+TEST(Association, FindsACallWithUnknownTouchRightAndTheThrowInMissed) {
   const std::vector<Verdict> verdicts =
       associate({event("throw_in", 10.0, kWest)}, {call("touch_line_unknown", 10.0, std::nullopt)});
   ASSERT_EQ(verdicts.size(), 2U);
@@ -99,7 +99,7 @@ TEST(SprtMatch, FindsAnUnknownTouchRightAndTheThrowInMissed) {
   EXPECT_EQ(verdicts[1].outcome, Outcome::kMissed);
 }
 
-TEST(SprtMatch, HoldsTheCardForEveryThirdFoulAgainstTheTruth) {
+TEST(Association, EvaluatesTheCardForEveryThirdFoul) {
   referee::Decision card;
   card.time_s = 10.0;
   card.finding.event = referee::Event::kMultipleFouls;
@@ -111,8 +111,8 @@ TEST(SprtMatch, HoldsTheCardForEveryThirdFoulAgainstTheTruth) {
   EXPECT_EQ(verdicts[0].outcome, Outcome::kRight);
 }
 
-// Play goes on after it: what happens in the same moment is not overtaken.
-TEST(SprtMatch, DoesNotFindAnEventOvertakenByACallThatLetsPlayGoOn) {
+// Play continues after it, so another event at the same time is not overtaken.
+TEST(Association, DoesNotFindAnEventOvertakenByACallThatLetsPlayGoOn) {
   referee::Decision fast;
   fast.time_s = 10.0;
   fast.from = fast.to = referee::State::kRun;

@@ -1,5 +1,5 @@
-// Fouls that let play go on, the goals that they make invalid, and pushing, by the rules of 2026
-// ("Offenses", "Scoring Goals"), in staged worlds.
+// Non-stopping fouls, the goals they invalidate, and pushing, by the 2026 rules ("Offenses",
+// "Scoring Goals"), in staged worlds.
 #include <gtest/gtest.h>
 
 #include "tests/runner/judge/truth/truth_stage.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* kKickTooFast = "bot_kicked_ball_too_fast";
 
-// A limit that the kicker can break in a small field.
+// A rule book with a limit that the kicker can exceed on a small field.
 RuleBook slow_book() {
   RuleBook rules = book("2026-b");
   rules.kick_limit_mps = 4.0;
@@ -28,7 +28,7 @@ void kick_ball(StagedGame& game, double speed_mps, bool chip = false) {
   game.world.command(kWest1).kick_mps = 0;
 }
 
-// West's robot 1 meets the ball again, which has that speed, and kicks it.
+// The ball comes back to west's robot 1 at this speed and is kicked again.
 void kick_again(StagedGame& game, double ball_mps) {
   const sim::RobotState& kicker = game.world.robot(kWest1);
   game.world.put_ball(kicker.position_m + Vec2(kFrontDistance_m + kBallRadius_m, 0), {ball_mps, 0});
@@ -76,7 +76,7 @@ TEST(Truth2026, AGoalByAKickThatIsTooFastIsInvalid) {
   }
 }
 
-TEST(Truth2026, AGoalFromATouchInTheOpponentsAreaIsInvalid) {
+TEST(Truth2026, AGoalAfterATouchInTheOpponentsAreaIsInvalid) {
   StagedGame game(book("2026-b"));
   put_kicker(game, {2.4, 0});
   game.command(CommandKind::kForceStart);
@@ -85,7 +85,7 @@ TEST(Truth2026, AGoalFromATouchInTheOpponentsAreaIsInvalid) {
   EXPECT_TRUE(game.has("invalid_goal"));
 }
 
-TEST(Truth2026, AGoalByMoreRobotsThanAllowedIsInvalid) {
+TEST(Truth2026, AGoalWithTooManyRobotsIsInvalid) {
   for (const int allowed : {1, 2}) {
     StagedGame game(book("2026-b"));
     game.signal.robots_allowed[Side::kWest] = allowed;
@@ -109,7 +109,7 @@ TEST(Truth2026, AHighBallFromThePenaltyMarkIsAGoal) {
   EXPECT_TRUE(game.has("goal"));
 }
 
-// Drives the west's robot 1 and the east's to the east for a second, so far apart.
+// Drives robot 1 of both sides eastwards for a second, `apart_m` apart.
 void push_east(StagedGame& game, double apart_m, bool with_ball) {
   for (int frame = 0; frame < 60; ++frame) {
     const double x_m = 0.005 * frame;
@@ -120,7 +120,7 @@ void push_east(StagedGame& game, double apart_m, bool with_ball) {
   }
 }
 
-TEST(Truth2026, PushingIsAlsoThroughTheBallThatBothAreInContactWith) {
+TEST(Truth2026, PushingIncludesPushingThroughTheBall) {
   StagedGame game(book("2026-b"));
   game.command(CommandKind::kForceStart);
   push_east(game, 2 * (kFrontDistance_m + kBallRadius_m), true);
@@ -128,8 +128,8 @@ TEST(Truth2026, PushingIsAlsoThroughTheBallThatBothAreInContactWith) {
   EXPECT_EQ(game.first("bot_pushed_bot").robot, kWest1);
 }
 
-// It stops play; where the referee does not see it, the goal counts.
-TEST(Truth2026, AGoalAfterAFoulThatStopsPlayIsNotInvalid) {
+// Such a foul stops play; if the referee misses it, the goal counts.
+TEST(Truth2026, AGoalAfterAStoppingFoulIsNotInvalid) {
   StagedGame game(book("2026-b"));
   game.world.put_ball({0, 1});
   game.command(CommandKind::kForceStart);

@@ -1,5 +1,4 @@
-// Robots that stand too near until a restart is taken, by the rules of 2026 ("Offenses"),
-// in staged worlds.
+// Robots too close until a restart is taken, by the 2026 rules ("Offenses"), in staged worlds.
 #include <gtest/gtest.h>
 
 #include "tests/runner/judge/truth/truth_stage.hpp"
@@ -20,7 +19,7 @@ struct CrowdedFreeKick : StagedGame {
   }
 };
 
-// How a robot of the west stands 0.15 m from the east's area: 0.8 m deep, at a line at 3.025 m.
+// Puts a robot of west 0.15 m from east's area, which is 0.8 m deep from the line at 3.025 m.
 void put_near_area(StagedGame& game, RobotId id, double y_m = 0) {
   game.world.put_robot(id, {3.025 - 0.8 - 0.15 - 0.09, y_m}, {-1, 0});
 }
@@ -49,7 +48,7 @@ TEST(Truth2026, SeveralRobotsTooCloseToTheKickPointAreOneFoul) {
   EXPECT_EQ(game.times_s(kTooCloseToBall).size(), 1U);
 }
 
-TEST(Truth2026, TheGraceAtTheKickPointOutlastsTheRestart) {
+TEST(Truth2026, TheGracePeriodAtTheKickPointOutlastsTheRestart) {
   CrowdedFreeKick game;
   game.seconds(0.5);
   game.command(CommandKind::kStop);
@@ -61,9 +60,9 @@ TEST(Truth2026, TheGraceAtTheKickPointOutlastsTheRestart) {
   EXPECT_EQ(game.times_s(kTooCloseToBall).size(), 2U);
 }
 
-TEST(Truth2026, TooCloseToTheKickPointGivesTheKickerItsTimeAnew) {
+TEST(Truth2026, TooCloseToTheKickPointResetsTheKickersTime) {
   CrowdedFreeKick game;
-  game.seconds(5.0);  // the last of three fouls after 4 s
+  game.seconds(5.0);  // the last of three fouls happens after 4 s
   game.world.put_robot(kEast1, {1.0, -1.9}, {-1, 0});
   game.seconds(8.8);
   EXPECT_FALSE(game.has("restart_not_taken"));
@@ -80,7 +79,7 @@ TEST(Truth2026, TooCloseToTheAreaHasTwoSecondsFromTheStop) {
   EXPECT_TRUE(game.has(kTooCloseToArea));
 }
 
-TEST(Truth2026, TooCloseToTheAreaCountsAtOnceOnceTheGraceIsOver) {
+TEST(Truth2026, TooCloseToTheAreaCountsAtOnceAfterTheGracePeriod) {
   StagedGame game(book("2026-b"));
   game.seconds(3.0);
   put_near_area(game, kWest1);
@@ -88,7 +87,7 @@ TEST(Truth2026, TooCloseToTheAreaCountsAtOnceOnceTheGraceIsOver) {
   EXPECT_TRUE(game.has(kTooCloseToArea));
 }
 
-TEST(Truth2026, TooCloseToTheAreaIsTheTeamsNotEachRobots) {
+TEST(Truth2026, TooCloseToTheAreaCountsPerTeamNotPerRobot) {
   StagedGame game(book("2026-b"));
   put_near_area(game, kWest0, -0.1);
   put_near_area(game, kWest1, 0.1);
@@ -96,7 +95,7 @@ TEST(Truth2026, TooCloseToTheAreaIsTheTeamsNotEachRobots) {
   EXPECT_EQ(game.times_s(kTooCloseToArea).size(), 1U);
 }
 
-// The second one halts the game.
+// The second foul halts the game.
 TEST(Truth2026, TooCloseToTheAreaIsRaisedTwiceInAStopTwoSecondsApart) {
   StagedGame game(book("2026-b"));
   put_near_area(game, kWest1);
@@ -107,7 +106,7 @@ TEST(Truth2026, TooCloseToTheAreaIsRaisedTwiceInAStopTwoSecondsApart) {
   EXPECT_NEAR(times_s[1], 4.0, kToAFrame_s);
 }
 
-TEST(Truth2026, TooCloseToTheAreaGoesOnFromTheStopIntoItsFreeKick) {
+TEST(Truth2026, TooCloseToTheAreaContinuesFromTheStopIntoTheFreeKick) {
   StagedGame game(book("2026-b"));
   put_near_area(game, kWest1);
   game.seconds(1.5);
@@ -123,7 +122,7 @@ TEST(Truth2026, TooCloseToTheAreaGoesOnFromTheStopIntoItsFreeKick) {
   EXPECT_EQ(game.times_s(kTooCloseToArea).size(), 3U);
 }
 
-TEST(Truth2026, AStopThatIsSentAgainGivesNoOtherGrace) {
+TEST(Truth2026, ARepeatedStopGivesNoNewGracePeriod) {
   StagedGame game(book("2026-b"));
   put_near_area(game, kWest1);
   game.seconds(1.5);
@@ -140,11 +139,11 @@ TEST(Truth2026, EveryThirdFoulIsAYellowCard) {
   ASSERT_TRUE(game.has("multiple_fouls"));
   EXPECT_EQ(game.first("multiple_fouls").offender, Side::kEast);
   game.signal.yellow_cards[Side::kEast] = 1;
-  game.seconds(6.2);  // fouls after 6, 8 and 10 s
+  game.seconds(6.2);  // fouls happen after 6, 8 and 10 s
   EXPECT_EQ(game.times_s("multiple_fouls").size(), 2U);
 }
 
-TEST(Truth2026, TheThirdActiveYellowCardIsARedOne) {
+TEST(Truth2026, TheThirdActiveYellowCardIsARedCard) {
   CrowdedFreeKick game;
   game.seconds(0.1);
   game.signal.yellow_cards[Side::kEast] = 2;
@@ -155,8 +154,8 @@ TEST(Truth2026, TheThirdActiveYellowCardIsARedOne) {
   EXPECT_EQ(game.first("multiple_cards").offender, Side::kEast);
 }
 
-// The card is judged by itself; those after it count on from there.
-TEST(Truth2026, ACardThatIsNotDueBeginsTheCountAgain) {
+// This card is judged separately; later cards count from it.
+TEST(Truth2026, ACardThatIsNotDueRestartsTheCount) {
   CrowdedFreeKick game;
   game.seconds(3.0);  // two fouls
   game.signal.yellow_cards[Side::kEast] = 1;

@@ -1,5 +1,5 @@
-// What robots must not do while play is stopped, and how many a side may have, by the rules of 2026
-// ("Offenses", "Scoring Goals"), in staged worlds.
+// Offences while play is stopped, and the number of robots allowed, by the 2026 rules ("Offenses",
+// "Scoring Goals"), in staged worlds.
 #include <gtest/gtest.h>
 
 #include "tests/runner/judge/truth/truth_stage.hpp"
@@ -10,7 +10,7 @@ namespace {
 constexpr const char* kTooFastInStop = "bot_too_fast_in_stop";
 constexpr const char* kInterference = "bot_interfered_placement";
 
-// These robots of the west drive at that speed for 0.2 s.
+// Drives these robots of west at this speed for 0.2 s.
 void drive_west(StagedGame& game, const std::vector<RobotId>& ids, double speed_mps = 1.8) {
   for (int frame = 0; frame < 12; ++frame) {
     for (const RobotId id : ids) {
@@ -30,11 +30,11 @@ TEST(Truth2026, SeveralRobotsTooFastInStopWithinTwoSecondsAreOneFoul) {
   drive_west(game, {kWest0, kWest1});
   EXPECT_EQ(game.times_s(kTooFastInStop).size(), 1U);
   game.seconds(1.0);
-  drive_west(game, {kWest0, kWest1});  // the other one
+  drive_west(game, {kWest0, kWest1});  // the other robot
   EXPECT_EQ(game.times_s(kTooFastInStop).size(), 2U);
 }
 
-TEST(Truth2026, ARobotIsTooFastOncePerStopHoweverOftenStopIsSent) {
+TEST(Truth2026, ARobotIsTooFastOncePerStopEvenIfStopIsRepeated) {
   StagedGame game(book("2026-b"));
   game.seconds(2.5);
   drive_west(game, {kWest1});
@@ -55,7 +55,7 @@ TEST(Truth2026, NoRobotIsTooFastWhileTheBallIsBeingPlaced) {
   }
 }
 
-TEST(Truth2026, TooFastInStopIsAboveOneAndAHalfMetresPerSecond) {
+TEST(Truth2026, TooFastInStopStartsAtOneAndAHalfMetresPerSecond) {
   for (const double speed_mps : {1.4, 1.6}) {
     StagedGame game(book("2026-b"));
     game.seconds(2.5);
@@ -78,7 +78,7 @@ TEST(Truth2026, PlacementInterferenceIsCountedOncePerPlacement) {
   EXPECT_EQ(game.times_s(kInterference).size(), 2U);
 }
 
-// The west may have one robot and has two; the second one is outside the lines at first.
+// West may have one robot and has two; the second one starts outside the field lines.
 struct Surplus : StagedGame {
   Surplus() : StagedGame(book("2026-b")) {
     world.put_robot(kWest1, {-1.0, -2.3});
@@ -99,7 +99,7 @@ TEST(Truth2026, TooManyRobotsIsCalledTwoSecondsAfterAStart) {
   EXPECT_TRUE(game.has("too_many_robots"));
 }
 
-TEST(Truth2026, TooManyRobotsHasTenSecondsAfterACard) {
+TEST(Truth2026, TooManyRobotsAreToleratedForTenSecondsAfterACard) {
   Surplus game;
   game.come_back();
   game.seconds(9.9);
@@ -109,13 +109,13 @@ TEST(Truth2026, TooManyRobotsHasTenSecondsAfterACard) {
   EXPECT_NEAR(game.first("too_many_robots").time_s, 10.0, 0.02);
 }
 
-TEST(Truth2026, EachCardGivesItsOwnRobotTenSeconds) {
+TEST(Truth2026, EachCardGivesItsRobotTenSeconds) {
   Surplus game;
   game.come_back();
   game.seconds(5.0);
   game.signal.robots_allowed[Side::kWest] = 0;
   game.seconds(4.0);
-  game.world.put_robot(kWest1, {-1.0, -2.3});  // the first card's
+  game.world.put_robot(kWest1, {-1.0, -2.3});  // the robot of the first card
   game.seconds(5.9);
   EXPECT_FALSE(game.has("too_many_robots"));
   game.seconds(0.3);

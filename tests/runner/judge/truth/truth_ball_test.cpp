@@ -1,4 +1,4 @@
-// What truly happens to the ball, told from staged worlds.
+// True events of the ball in staged worlds.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace autoref::runner::ground_truth {
 namespace {
 
-// West's robot 1 stands behind the ball, ready to kick it along `heading`.
+// Puts west's robot 1 behind the ball, ready to kick it along `heading`.
 void stage_kick(StagedGame& game, const Vec2& from_m, const Vec2& heading) {
   game.world.put_robot(kWest1, from_m, heading);
   game.world.put_ball_at_plate(kWest1);
@@ -21,7 +21,7 @@ void kick(StagedGame& game, double speed_mps, bool chip = false) {
   game.world.command(kWest1).kick_mps = 0;
 }
 
-TEST(TrueExit, IsAThrowInByWhoTouchedTheBallLast) {
+TEST(TrueExit, IsAThrowInByTheLastToucher) {
   StagedGame game;
   stage_kick(game, {0, 1.5}, {0, 1});
   game.command(CommandKind::kForceStart);
@@ -32,7 +32,7 @@ TEST(TrueExit, IsAThrowInByWhoTouchedTheBallLast) {
   EXPECT_NEAR(game.first("throw_in").position_m->y(), 2.025 + 0.0215, 1e-6);
 }
 
-TEST(TrueExit, IsACornerKickOffTheDefendersAndAGoalKickOffTheAttackers) {
+TEST(TrueExit, IsACornerKickAfterDefendersAndAGoalKickAfterAttackers) {
   for (const double towards : {-1.0, 1.0}) {
     StagedGame game;
     stage_kick(game, {towards * 2.5, 1.0}, {towards, 0});
@@ -43,13 +43,13 @@ TEST(TrueExit, IsACornerKickOffTheDefendersAndAGoalKickOffTheAttackers) {
   }
 }
 
-TEST(TrueExit, IsForeseenWhereTheRefereeEndsPlayJustBefore) {
+TEST(TrueExit, IsForeseenIfTheRefereeEndsPlayJustBefore) {
   StagedGame game;
   game.world.put_ball({0, 2.025}, {0, 2.0});
   game.command(CommandKind::kForceStart);
   game.signal.placement = Placement{{0, 1.9}, false};
   game.command(CommandKind::kStop);
-  // The command comes in the frame in which play is still on.
+  // The command is sent in a frame in which play is still on.
   ASSERT_FALSE(game.observer.true_events().empty());
   EXPECT_EQ(game.observer.true_events().back().standing, Standing::kPrevented);
 }
@@ -67,7 +67,7 @@ TEST(TrueGoal, IsScoredByTheAttackers) {
 TEST(TrueGoal, DoesNotCountAfterAChipThatHasNotRolled) {
   for (const char* rules : {"paper", "2014"}) {
     StagedGame game(book(rules));
-    stage_kick(game, {0.25, 0}, {1, 0});  // flies 2.1 m, then hops low
+    stage_kick(game, {0.25, 0}, {1, 0});  // flies 2.1 m, then makes low hops
     game.command(CommandKind::kForceStart);
     kick(game, 4.5, true);
     game.seconds(1.5);
@@ -84,7 +84,7 @@ TEST(TrueGoal, DoesNotCountStraightFromAnIndirectFreeKick) {
   EXPECT_TRUE(game.has("indirect_goal"));
 }
 
-TEST(TrueGoal, StraightIntoOnesOwnGoalIsACorner) {
+TEST(TrueGoal, DirectlyIntoTheOwnGoalIsACorner) {
   StagedGame game;
   stage_kick(game, {-2.0, 0}, {-1, 0});
   game.command(CommandKind::kDirectFree, Side::kWest);
@@ -94,7 +94,7 @@ TEST(TrueGoal, StraightIntoOnesOwnGoalIsACorner) {
   EXPECT_EQ(game.first("free_kick_own_goal").offender, Side::kWest);
 }
 
-TEST(TrueKick, IsTooFastAboveTheLimitOnly) {
+TEST(TrueKick, IsTooFastOnlyAboveTheLimit) {
   RuleBook rules = book("2014");
   rules.kick_limit_mps = 4.0;
   for (const double speed_mps : {3.0, 5.0}) {
@@ -106,13 +106,13 @@ TEST(TrueKick, IsTooFastAboveTheLimitOnly) {
   }
 }
 
-TEST(TrueKick, IsMeasuredInSpaceByTheRulesOf2026) {
+TEST(TrueKick, IsMeasuredInThreeDimensionsByTheRulesOf2026) {
   RuleBook rules = book("2026-b");
   rules.kick_limit_mps = 4.0;
   StagedGame game(rules);
   stage_kick(game, {0, 0}, {1, 0});
   game.command(CommandKind::kForceStart);
-  kick(game, 5.0, true);  // 3.5 m/s over ground and as much upwards
+  kick(game, 5.0, true);  // 3.5 m/s horizontally and vertically
   EXPECT_TRUE(game.has("bot_kicked_ball_too_fast"));
 }
 
@@ -141,7 +141,7 @@ TEST(TrueDribbling, IsTooLongAfterFiftyCentimetres) {
   EXPECT_EQ(game.first("bot_dribbled_ball_too_far").robot, kWest1);
 }
 
-TEST(TrueDribbling, IsForeseenWhereTheRefereeEndsPlayJustBefore) {
+TEST(TrueDribbling, IsForeseenIfTheRefereeEndsPlayJustBefore) {
   for (const double short_of_m : {0.03, 0.2}) {
     StagedGame game;
     stage_kick(game, {-1, 0}, {1, 0});
@@ -160,7 +160,7 @@ TEST(TrueDribbling, IsForeseenWhereTheRefereeEndsPlayJustBefore) {
   }
 }
 
-TEST(TrueHolding, IsTheKeepersForFifteenSecondsInItsArea) {
+TEST(TrueHolding, IsCalledAfterFifteenSecondsInTheKeepersArea) {
   StagedGame game;
   game.world.put_robot(kWest0, {-2.9, 0});
   game.world.put_ball_at_plate(kWest0);
@@ -173,7 +173,7 @@ TEST(TrueHolding, IsTheKeepersForFifteenSecondsInItsArea) {
   EXPECT_TRUE(game.has("keeper_held_ball"));
 }
 
-TEST(TrueStuckBall, HasStayedForTenSeconds) {
+TEST(TrueStuckBall, IsCalledAfterTenSeconds) {
   StagedGame game;
   game.world.put_ball({0, 0.5});
   game.command(CommandKind::kForceStart);
@@ -183,7 +183,7 @@ TEST(TrueStuckBall, HasStayedForTenSeconds) {
   EXPECT_TRUE(game.has("stuck_ball"));
 }
 
-TEST(TrueAimlessKick, GoesOutFromTheOwnHalfUntouched) {
+TEST(TrueAimlessKick, LeavesTheFieldUntouchedFromTheOwnHalf) {
   for (const double from_x_m : {-0.5, 0.5}) {
     StagedGame game(book("2026-b"));
     stage_kick(game, {from_x_m, 1.0}, {1, 0});

@@ -1,4 +1,4 @@
-// What robots truly do, told from staged worlds.
+// True events of robots in staged worlds.
 #include <gtest/gtest.h>
 
 #include "tests/runner/judge/truth/truth_stage.hpp"
@@ -6,7 +6,7 @@
 namespace autoref::runner::ground_truth {
 namespace {
 
-TEST(TrueAreaTouch, IsADefendersWhoIsNotTheKeeper) {
+TEST(TrueAreaTouch, IsThatOfADefenderOtherThanTheKeeper) {
   for (const RobotId id : {kWest0, kWest1}) {
     StagedGame game;
     game.world.put_robot(id, {-2.7, 0.3});
@@ -18,7 +18,7 @@ TEST(TrueAreaTouch, IsADefendersWhoIsNotTheKeeper) {
 }
 
 // The area's front line is 0.8 m from the goal line at 3.025 m.
-TEST(TrueAreaTouch, IsPartlyInsideWhereTheHullCutsTheLine) {
+TEST(TrueAreaTouch, IsPartialIfTheHullIsOnTheLine) {
   StagedGame game;
   game.world.put_robot(kWest1, {-2.225, 0});
   game.world.put_ball({-1.9, 0}, {-3.0, 0});
@@ -28,7 +28,7 @@ TEST(TrueAreaTouch, IsPartlyInsideWhereTheHullCutsTheLine) {
   EXPECT_FALSE(game.has("defender_in_defense_area"));
 }
 
-TEST(TrueAreaTouch, IsAnAttackersByTheRulesOf2026) {
+TEST(TrueAreaTouch, IsThatOfAnAttackerByTheRulesOf2026) {
   StagedGame game(book("2026-b"));
   game.world.put_robot(kEast1, {-2.7, 0.3}, {1, 0});
   game.world.put_ball({-2.4, 0.3}, {-3.0, 0});
@@ -37,7 +37,7 @@ TEST(TrueAreaTouch, IsAnAttackersByTheRulesOf2026) {
   EXPECT_TRUE(game.has("attacker_touched_ball_in_defense_area"));
 }
 
-// Both coast for so short a time that they hardly brake.
+// Both drive without commands for so short a time that they hardly brake.
 void stage_crash(StagedGame& game, double west_mps, double east_mps) {
   game.world.put_ball({0, 1});
   game.command(CommandKind::kForceStart);
@@ -46,27 +46,27 @@ void stage_crash(StagedGame& game, double west_mps, double east_mps) {
   game.frames(3);
 }
 
-TEST(TrueCrash, IsTheFastersFault) {
+TEST(TrueCrash, IsTheFasterRobotsFault) {
   StagedGame game;
   stage_crash(game, 0.5, 2.0);
   ASSERT_TRUE(game.has("bot_crash_unique"));
   EXPECT_EQ(game.first("bot_crash_unique").robot, kEast1);
 }
 
-TEST(TrueCrash, IsNoneWhereRobotsMeetSlowly) {
+TEST(TrueCrash, NeedsEnoughSpeed) {
   StagedGame game;
   stage_crash(game, 0.2, 1.0);
   EXPECT_FALSE(game.has("bot_crash_unique"));
 }
 
-TEST(TrueCrash, IsDrawnWhereBothAreAsFast) {
+TEST(TrueCrash, IsDrawnIfBothAreEquallyFast) {
   StagedGame game(book("2026-b"));
   stage_crash(game, 1.2, 1.2);
   EXPECT_TRUE(game.has("bot_crash_drawn"));
   EXPECT_FALSE(game.has("bot_crash_unique"));
 }
 
-TEST(TruePushing, IsTwentyCentimetresInContact) {
+TEST(TruePushing, RequiresTwentyCentimetresInContact) {
   StagedGame game;
   game.world.put_ball({0, 1});
   game.world.put_robot(kWest1, {-0.2, 0});
@@ -82,7 +82,7 @@ TEST(TruePushing, IsTwentyCentimetresInContact) {
   EXPECT_EQ(game.first("bot_pushed_bot").robot, kWest1);
 }
 
-TEST(TrueStopSpeed, IsTooFastAfterTheGrace) {
+TEST(TrueStopSpeed, IsTooFastAfterTheGracePeriod) {
   StagedGame game;
   game.world.command(kWest1).velocity_mps = {1.4, 0};
   game.seconds(1.9);
@@ -93,7 +93,7 @@ TEST(TrueStopSpeed, IsTooFastAfterTheGrace) {
   EXPECT_EQ(game.first("bot_too_fast_in_stop").robot, kWest1);
 }
 
-TEST(TrueStopDistance, IsMeasuredOnceTheBallLiesAtItsPlace) {
+TEST(TrueStopDistance, IsMeasuredOnceTheBallIsPlaced) {
   StagedGame game;
   game.signal.placement = Placement{{0, 0}, false};
   game.world.put_ball({0, 0});
@@ -115,7 +115,7 @@ TEST(TrueStopDistance, IsFromTheHullToTheBallsCentre) {
   }
 }
 
-// West kicks the ball away as a restart.
+// West kicks the ball away to take a restart.
 void take_restart(StagedGame& game, CommandKind kind) {
   game.command(kind, Side::kWest);
   if (kind == CommandKind::kPrepareKickoff) game.command(CommandKind::kNormalStart);
@@ -124,7 +124,7 @@ void take_restart(StagedGame& game, CommandKind kind) {
   game.frames(1);
 }
 
-TEST(TrueRestart, IsWrongWithAnOpponentTooNearToTheBall) {
+TEST(TrueRestart, IsWrongWithAnOpponentTooCloseToTheBall) {
   for (const double gap_m : {0.45, 0.55}) {
     StagedGame game;
     game.world.put_ball({0, 0});
@@ -134,7 +134,7 @@ TEST(TrueRestart, IsWrongWithAnOpponentTooNearToTheBall) {
   }
 }
 
-TEST(TrueRestart, IsWrongWithAnAttackerTooNearToTheArea) {
+TEST(TrueRestart, IsWrongWithAnAttackerTooCloseToTheArea) {
   for (const double gap_m : {0.15, 0.25}) {
     StagedGame game;
     game.world.put_ball({0, 1});
@@ -152,7 +152,7 @@ TEST(TrueRestart, IsWrongWithARobotInTheOtherHalfAtKickOff) {
   EXPECT_TRUE(game.has("kickoff_positions"));
 }
 
-TEST(TrueRestart, IsTakenAgainThreeTimesAtMost) {
+TEST(TrueRestart, IsRetakenAtMostThreeTimes) {
   StagedGame game;
   game.world.put_robot(kEast1, {-0.5, 1}, {-1, 0});
   for (int kickoff = 0; kickoff < 5; ++kickoff) {
@@ -175,7 +175,7 @@ TEST(TrueRestart, IsNotTakenAfterTenSeconds) {
   EXPECT_EQ(game.first("restart_not_taken").offender, Side::kEast);
 }
 
-TEST(TrueGraceTimer, IsInterferenceNearTheBallsWay) {
+TEST(TrueGraceTimer, ReportsInterferenceNearThePlacementLane) {
   StagedGame game(book("2026-b"));
   game.signal.placement = Placement{{1, 0}, false};
   game.signal.next_command = Command{CommandKind::kDirectFree, Side::kWest};

@@ -1,5 +1,4 @@
-// A world staged by hand, a referee's commands given by hand, and the ground-truth observer who
-// sees both.
+// A staged world with hand-made referee commands, and the ground-truth observer that sees both.
 #pragma once
 
 #include <algorithm>
@@ -18,11 +17,11 @@ inline constexpr RobotId kEast1{Side::kEast, 1};
 
 inline RuleBook book(const char* name) { return *find_rule_book(name); }
 
-// Two robots a side on the paper's field. Number 0 is the keeper.
+// Two robots per side on the paper's field. Number 0 is the keeper.
 struct StagedGame {
   explicit StagedGame(const RuleBook& rules = book("2014"))
       : world(sim::quiet(), sim::specs(2, 2)), observer(world.field, rules, 60.0) {
-    // Out of the way.
+    // Moved aside.
     world.put_robot(kWest0, {-2.9, -0.5});
     world.put_robot(kWest1, {-1.0, -1.9});
     world.put_robot(kEast0, {2.9, -0.5}, {-1, 0});
@@ -30,7 +29,7 @@ struct StagedGame {
     command(CommandKind::kStop);
   }
 
-  // The referee sends it, at once.
+  // Sends a referee command immediately.
   void command(CommandKind kind, Side side = Side::kWest) {
     signal.command = {kind, side};
     ++signal.command_counter;
@@ -44,7 +43,7 @@ struct StagedGame {
   }
   void seconds(double s) { frames(static_cast<int>(s * 60 + 0.5)); }
 
-  // What truly happened, by name.
+  // Names of the true events.
   std::vector<std::string> names() const {
     std::vector<std::string> names;
     for (const TrueEvent& event : observer.true_events()) {
@@ -56,7 +55,7 @@ struct StagedGame {
     const std::vector<std::string> all = names();
     return std::find(all.begin(), all.end(), name) != all.end();
   }
-  // When it truly happened.
+  // Times of the true events with this name.
   std::vector<double> times_s(std::string_view name) const {
     std::vector<double> times_s;
     for (const TrueEvent& event : observer.true_events()) {
@@ -64,7 +63,7 @@ struct StagedGame {
     }
     return times_s;
   }
-  // The first of that name; must be there.
+  // The first event with this name, which must exist.
   const TrueEvent& first(std::string_view name) const {
     return *std::find_if(
         observer.true_events().begin(), observer.true_events().end(),
