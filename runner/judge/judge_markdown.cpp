@@ -1,4 +1,4 @@
-// The judge's report for people.
+// Renders the judge's report as Markdown.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -44,13 +44,13 @@ std::string markdown_of(const JudgeReport& report) {
   std::string text =
       scores_markdown_of(report) + "\n" + markdown_table(last_touch_rows(report), 3) + "\n";
   text += list("events called twice", report.second_calls);
-  text += list("calls that need play while there was none", report.calls_in_stop);
+  text += list("calls that require play, made while play was stopped", report.calls_in_stop);
   text += list("void games", report.void_games);
   text +=
       fmt::format("referee transitions never used: {}\n", joined(report.transitions_never_used));
   text += fmt::format("events never seen: {}\n", joined(report.rules_never_seen));
   for (const std::string& rules : books_in(report)) {
-    text += fmt::format("\nrules: {}, {} games under each camera\n\n{}", rules,
+    text += fmt::format("\nrules: {}, {} games with each camera\n\n{}", rules,
                         report.tallies.front().games, markdown_table(event_rows(report, rules), 2));
   }
   return text;

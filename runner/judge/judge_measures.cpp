@@ -7,7 +7,7 @@
 namespace autoref::runner {
 namespace {
 
-// Right calls of this part come no later.
+// Share of right calls that come within the reported upper delay.
 constexpr double kMostCalls = 0.95;
 
 std::string count(int number) { return std::to_string(number); }

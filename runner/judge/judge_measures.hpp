@@ -1,4 +1,4 @@
-// The figures that tell how well an event was judged.
+// Measures of how well an event was called.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace autoref::runner {
 
-// A figure of an event: how a table and how a program names it.
+// A measure of an event, with its names in tables and in files.
 struct Measure {
-  const char* head;  // of the table's column; nullptr: in CSV and JSON only
+  const char* head;  // heading of the table's column; nullptr: only in CSV and JSON
   const char* name;
   std::string (*text)(const EventTally& tally);
 };
 
-// In the order of the tables' columns.
+// All measures in the order of the tables' columns.
 const std::vector<Measure>& measures();
 
 }  // namespace autoref::runner

@@ -29,7 +29,7 @@ std::string fault_line(const JudgeGame& game, std::size_t number,
          "\n";
 }
 
-// Adds one game to the lists of what is to be looked up.
+// Adds a game's faults to the lists of calls to inspect.
 void list_faults(const JudgeGame& game, const GameRow& row, JudgeReport& report) {
   const CallEvaluation& evaluation = row.evaluation;
   for (const ground_truth::Verdict& verdict : evaluation.verdicts) {

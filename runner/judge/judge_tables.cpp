@@ -30,7 +30,7 @@ const EventTally* find_tally(const JudgeReport& report, const std::string& rules
   return nullptr;
 }
 
-// "0.987 of 120": F1, and how often the event happened.
+// "0.987 of 120": F1, and the number of events.
 std::string score_cell(const EventTally* tally) {
   if (tally == nullptr) return "";
   const std::optional<double> f1 = tally->f1();
@@ -51,7 +51,7 @@ std::vector<std::string> books_in(const JudgeReport& report) {
   return books;
 }
 
-// The events of a book in the referee's order, each with its cameras below each other.
+// The events of a book in the referee's order, with one row per camera.
 TableRows event_rows(const JudgeReport& report, const std::string& rules) {
   TableRows rows = {{"event", "camera"}};
   for (const Measure& measure : measures()) rows.front().emplace_back(measure.head);
@@ -68,7 +68,7 @@ TableRows event_rows(const JudgeReport& report, const std::string& rules) {
   return rows;
 }
 
-// Every event at a glance: books below, cameras beside each other.
+// F1 of all events: one row per event and book, one column per camera.
 TableRows scores_rows(const JudgeReport& report) {
   const std::vector<std::string> cameras = cameras_in(report);
   const std::vector<std::string> books = books_in(report);

@@ -1,4 +1,4 @@
-// The judge's tables, as rows of cells; each begins with its heads.
+// The judge's tables as rows of cells, starting with the headings.
 #pragma once
 
 #include <string>
@@ -12,13 +12,13 @@ using TableRows = std::vector<std::vector<std::string>>;
 
 std::vector<std::string> books_in(const JudgeReport& report);
 
-// F1 of every event under each book, the cameras beside each other. Two columns of names.
+// F1 of every event by book, one column per camera. The first two columns are names.
 TableRows scores_rows(const JudgeReport& report);
 
-// How often the last touch at exits was right. Three columns of names.
+// How often the last touch at exits was right. The first three columns are names.
 TableRows last_touch_rows(const JudgeReport& report);
 
-// All figures of a book's events. Two columns of names.
+// All measures of a book's events. The first two columns are names.
 TableRows event_rows(const JudgeReport& report, const std::string& rules);
 
 }  // namespace autoref::runner

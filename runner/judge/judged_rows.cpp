@@ -38,8 +38,8 @@ void keep(JudgedGame judged, GameRow& row) {
   if (size <= kLongestText) return;
   row.evaluation = {};
   row.record = void_record(
-      fmt::format("its evaluation has {} bytes, of which {} fit a row: let halves be shorter", size,
-                  kLongestText));
+      fmt::format("its evaluation has {} bytes, but a row holds at most {}: use shorter halves",
+                  size, kLongestText));
 }
 
 void play_judged(const GameConfiguration& game, GameRow& row) { keep(evaluate_calls(game), row); }

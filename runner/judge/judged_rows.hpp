@@ -1,4 +1,4 @@
-// Judged games as rows of a folder of results.
+// Judged games as rows of a results folder.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ namespace autoref::runner {
 // Fills the row of a judged game. The game is void if its evaluation is too long for a row.
 void keep(JudgedGame judged, GameRow& row);
 
-// Plays a game, judges its referee and fills its row.
+// Plays a game, evaluates its referee and fills its row.
 void play_judged(const GameConfiguration& game, GameRow& row);
 
 // How `autoref judge` plays its games, and the table that it shows meanwhile.
@@ -27,11 +27,12 @@ JudgeReport report_of(const ResultFolder& folder);
 // A game found in a folder by look_up().
 struct LookedUp {
   std::string game_id;
-  std::string fault;  // "missed throw_in of west at 12.345 s"; empty where a game was meant
+  std::string fault;  // "missed throw_in of west at 12.345 s"; empty if a game was requested
 };
 
-// By a fault's id or game in faults.csv, such as "2014+none+basic~basic-p0002-1-f3" or "2014 none
-// basic~basic 3"; none where the folder has no such game or fault.
+// Finds a game by a fault's id or by its name in faults.csv, such as
+// "2014+none+basic~basic-p0002-1-f3" or "2014 none basic~basic 3"; nullopt if the folder has no
+// such game or fault.
 std::optional<LookedUp> look_up(const ResultFolder& folder, const std::string& id);
 
 }  // namespace autoref::runner
