@@ -15,7 +15,8 @@
 #include "referee/machine/timekeeping.hpp"
 #include "referee/referee_input.hpp"
 #include "referee/rules/rule.hpp"
-#include "referee/touch/last_touch.hpp"
+#include "referee/touch/frame_history.hpp"
+#include "referee/touch/online_touch_detector.hpp"
 #include "referee/touch/retrospective_touch_detector.hpp"
 #include "referee/touch/touch_candidates.hpp"
 
@@ -67,8 +68,9 @@ class Referee::Impl {
   explicit Impl(const Configuration& configuration)
       : configuration_(configuration),
         tracker_(configuration.noise),
-        touch_(configuration.field, configuration.touch, configuration.noise),
-        touch_detector_(configuration.field, TouchHypothesisParameters{}, configuration.noise) {
+        online_touch_(frames_, configuration.field, configuration.touch, configuration.noise),
+        retrospective_touch_(frames_, configuration.field, TouchHypothesisParameters{},
+                             configuration.noise) {
     validate(configuration);
     state_.signal.next_command =
         Command{CommandKind::kPrepareKickoff, kickoff_side(configuration, 0)};
@@ -94,12 +96,12 @@ class Referee::Impl {
     decisions_.clear();
     see(frame);
     if (state_.machine_state == State::kRun) {
-      touch_.update(frame);
-      touch_detector_.update(frame);
+      frames_.push(frame, tracker_.tracks().ball);
+      online_touch_.update();
     }
     // Touches are ordered by what is known during play; hindsight does not reorder them.
     if (state_.machine_state == State::kRun)
-      watch_play(state_.play, input_with(touch_.last(), frame));
+      watch_play(state_.play, input_with(online_touch_.last(), frame));
     const LastTouch last_touch = evaluate_last_touch();
     const RefereeInput input = input_with(last_touch, frame);
     const State state = state_.machine_state;
@@ -114,14 +116,14 @@ class Referee::Impl {
   }
 
   RefereeInput input_with(const LastTouch& last_touch, const Frame& frame) const {
-    return {configuration_, frame, ball_, last_touch, tracker_.tracks(), requests_};
+    return {configuration_, frame, ball_, last_touch, tracker_.tracks(), requests_, frames_};
   }
 
   // Once the ball is out, the whole path since the touch is known.
   LastTouch evaluate_last_touch() const {
     const bool is_out = state_.machine_state == State::kRun && ball_ &&
                         is_out_of_field(configuration_.field, ball_->position_m);
-    return is_out ? touch_detector_.detect(touch_.last()) : touch_.last();
+    return is_out ? retrospective_touch_.detect(online_touch_.last()) : online_touch_.last();
   }
 
   // Robots missing from the frame are added at the tracker's estimate. Both lists are sorted by
@@ -150,10 +152,7 @@ class Referee::Impl {
       seen_.ball->position_m = tracks.ball->position_m;
       seen_.ball->height_m = tracks.ball->height_m;
     }
-    if (flies != was_lifted_) {
-      touch_.lose_sight();
-      touch_detector_.lose_sight();
-    }
+    if (flies != was_lifted_) frames_.lose_sight();
     was_lifted_ = flies;
   }
 
@@ -216,8 +215,8 @@ class Referee::Impl {
         state_.machine_state != State::kRun && taken.state.machine_state == State::kRun;
     state_ = std::move(taken.state);
     if (!play_starts) return;
-    touch_.restart(input.frame, state_.play.ball_from_m);
-    touch_detector_.restart(input.frame, state_.play.ball_from_m);
+    frames_.restart(input.frame, state_.play.ball_from_m);
+    online_touch_.restart();
   }
 
   Configuration configuration_;
@@ -225,9 +224,10 @@ class Referee::Impl {
   RefereeState state_;
   Frame seen_;
   Tracker tracker_;
-  bool was_lifted_ = false;  // whether the last frame's ball was lifted
-  LastTouchDetector touch_;
-  RetrospectiveTouchDetector touch_detector_;
+  bool was_lifted_ = false;  // the ball, in the previous frame
+  FrameHistory frames_;      // of the current play
+  OnlineTouchDetector online_touch_;
+  RetrospectiveTouchDetector retrospective_touch_;
   std::optional<BallSight> ball_;
   std::vector<Decision> decisions_;
 };

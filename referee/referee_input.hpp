@@ -13,7 +13,9 @@
 
 namespace autoref::referee {
 
-// The ball as last seen. A frame without a ball does not change it.
+class FrameHistory;  // touch/frame_history.hpp
+
+// The ball as last seen. A frame without a ball changes nothing.
 struct BallSight {
   Vec2 position_m{0, 0};
   Vec2 before_m{0, 0};  // in the previous detection: the paper's b'
@@ -28,6 +30,7 @@ struct RefereeInput {
   const LastTouch& last_touch;           // the paper's c
   const Tracks& tracks;                  // with velocities, including robots missing from the frame
   const PerSide<TeamRequests>& requests;
+  const FrameHistory& frames;  // of this play so far, with this frame
 
   double time_s() const { return frame.time_s; }
 };

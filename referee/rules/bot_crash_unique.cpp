@@ -13,6 +13,7 @@
 
 #include "referee/rules/rule.hpp"
 #include "referee/touch/constant_acceleration_fit.hpp"
+#include "referee/touch/frame_history.hpp"
 #include "referee/touch/touch_candidates.hpp"
 #include "soccer/robot_shape.hpp"
 
@@ -59,14 +60,14 @@ std::optional<double> time_to_touch_s(const Vec2& path_m, const Vec2& velocity_m
 // A robot's motion at `now_s`: a constant-acceleration fit to its recent detections. Old detections
 // get less weight, because robots may start to brake at any time. Falls back to the filtered track
 // if detections are few, the robot has just been hit, or vision is noisy.
-ConstantAcceleration motion_of(const RecentFrames& recent, Side side, const TrackedRobot& track,
+ConstantAcceleration motion_of(const FrameHistory& frames, Side side, const TrackedRobot& track,
                                double now_s, const VisionNoise& noise) {
   ConstantAccelerationFit fit(Vec2(0, 0), kAcceleration_mps2);
   int detections = 0;
-  for (std::size_t back = 0; recent.ball(back) != nullptr; ++back) {
-    const double time_s = recent.ball(back)->time_s;  // of the frame
+  for (std::size_t back = 0; frames.ball(back) != nullptr; ++back) {
+    const double time_s = frames.ball(back)->time_s;  // of the frame
     if (time_s > now_s) continue;
-    const PerSide<SeenRobots> robots = recent.robots_at(time_s);
+    const PerSide<SeenRobots> robots = frames.robots_at(time_s);
     const RobotObservation* seen = find_robot(robots[side], track.number);
     if (seen == nullptr) continue;
     const double ago_s = now_s - time_s;
@@ -104,7 +105,7 @@ Collision collision_of(const PerSide<ConstantAcceleration>& motions, int west, i
 }
 
 // The collision of two robots in this frame; nullopt if they do not collide or already have.
-std::optional<Collision> intersection(CrashWatch& watch, const RecentFrames& recent,
+std::optional<Collision> intersection(CrashWatch& watch, const FrameHistory& frames,
                                       const RefereeInput& input, const TrackedRobot& west,
                                       const TrackedRobot& east) {
   double& met_s =
@@ -128,8 +129,8 @@ std::optional<Collision> intersection(CrashWatch& watch, const RecentFrames& rec
   if (is_new) return std::nullopt;
   const VisionNoise& noise = input.configuration.noise;
   const PerSide<ConstantAcceleration> motions{
-      {motion_of(recent, Side::kWest, *west_before, watch.before_s, noise),
-       motion_of(recent, Side::kEast, *east_before, watch.before_s, noise)}};
+      {motion_of(frames, Side::kWest, *west_before, watch.before_s, noise),
+       motion_of(frames, Side::kEast, *east_before, watch.before_s, noise)}};
   return collision_of(motions, west.number, east.number, at_s.value_or(duration_s));
 }
 
@@ -142,14 +143,14 @@ bool is_foul(const Collision& collision, const RuleBook& rules) {
   return is_called && collision.closing_mps > rules.crash_mps;
 }
 
-void watch_robots(CrashWatch& watch, const RecentFrames& recent, const RefereeInput& input) {
+void watch_robots(CrashWatch& watch, const FrameHistory& frames, const RefereeInput& input) {
   constexpr double kNear_m = 2 * kTouching_m;
   for (const TrackedRobot& west : input.tracks.robots[Side::kWest]) {
     for (const TrackedRobot& east : input.tracks.robots[Side::kEast]) {
       // The extrapolated position of an unseen robot is no evidence of a collision.
       if (!west.is_seen || !east.is_seen) continue;
       if ((east.position_m - west.position_m).squaredNorm() > kNear_m * kNear_m) continue;
-      const std::optional<Collision> met = intersection(watch, recent, input, west, east);
+      const std::optional<Collision> met = intersection(watch, frames, input, west, east);
       if (!met || !is_foul(*met, input.configuration.rules)) continue;
       if (watch.unreported.size() < watch.unreported.capacity()) watch.unreported.push_back(*met);
     }
@@ -203,7 +204,7 @@ std::optional<Collision> take_worst(CrashWatch& watch, const RuleBook& rules) {
 std::optional<Finding> find_bot_crash_unique(RefereeState& state, const RefereeInput& input) {
   const RuleBook& rules = input.configuration.rules;
   const std::optional<Collision> worst = take_worst(state.watch.bot_crash_unique, rules);
-  watch_robots(state.watch.bot_crash_unique, state.play.touches.recent(), input);
+  watch_robots(state.watch.bot_crash_unique, input.frames, input);
   if (!worst) return std::nullopt;
   const Collision& crash = *worst;
   Finding finding = is_drawn(crash, rules) ? drawn_finding(crash, rules)

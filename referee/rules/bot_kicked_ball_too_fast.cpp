@@ -18,6 +18,7 @@
 #include "referee/rules/called_touch.hpp"
 #include "referee/rules/rule.hpp"
 #include "referee/touch/constant_acceleration_fit.hpp"
+#include "referee/touch/frame_history.hpp"
 #include "soccer/units.hpp"
 
 namespace autoref::referee {
@@ -42,7 +43,7 @@ struct Speed {
 
 // The mean speed between two detections; in 2026, for a flying ball, the speed that it had at
 // ground level, by conservation of energy.
-Speed mean_speed(const RecentBall& from, const RecentBall& to, const Configuration& c) {
+Speed mean_speed(const BallDetection& from, const BallDetection& to, const Configuration& c) {
   const double duration_s = to.time_s - from.time_s;
   Speed speed{(to.position_m - from.position_m).norm() / duration_s,
               std::sqrt(2.0) * c.noise.ball_m / duration_s};
@@ -57,12 +58,12 @@ Speed mean_speed(const RecentBall& from, const RecentBall& to, const Configurati
 
 // The ball's detections from `from_s` to `to_s`, newest first; if there are more than seven, the
 // oldest seven.
-using Detections = boost::container::static_vector<const RecentBall*, RecentFrames::kKept>;
+using Detections = boost::container::static_vector<const BallDetection*, FrameHistory::kRecent>;
 
-Detections detections_of(const RecentFrames& recent, double from_s, double to_s) {
+Detections detections_of(const FrameHistory& frames, double from_s, double to_s) {
   Detections seen;
-  for (std::size_t back = 0; recent.ball(back) != nullptr; ++back) {
-    const RecentBall* ball = recent.ball(back);
+  for (std::size_t back = 0; frames.ball(back) != nullptr; ++back) {
+    const BallDetection* ball = frames.ball(back);
     if (ball->time_s >= from_s && ball->time_s <= to_s) seen.push_back(ball);
   }
   while (seen.size() > kKickDetections) seen.erase(seen.begin());
@@ -74,7 +75,7 @@ Speed speed_on_carpet(const Detections& seen, double kicked_s, const Configurati
   const Vec2 direction =
       direction_of(seen.front()->position_m - seen.back()->position_m, Vec2(1, 0));
   ConstantAccelerationFit fit(-kCarpet_mps2 * direction, kCarpetDeviation_mps2);
-  for (const RecentBall* ball : seen) {
+  for (const BallDetection* ball : seen) {
     fit.add(ball->time_s - kicked_s, ball->position_m, std::max(c.noise.ball_m, kKickRounding_m));
   }
   const ConstantAcceleration motion = fit.motion();
@@ -83,17 +84,17 @@ Speed speed_on_carpet(const Detections& seen, double kicked_s, const Configurati
 
 // The ball's mean speed in the air over the last three frames, if each exceeds the limit within the
 // noise and the mean exceeds it beyond the noise.
-std::optional<double> speeding_in_air_mps(const RecentFrames& recent, double kicked_s,
+std::optional<double> speeding_in_air_mps(const FrameHistory& frames, double kicked_s,
                                           const Configuration& c) {
-  const RecentBall* oldest = recent.ball(kIntervals);
+  const BallDetection* oldest = frames.ball(kIntervals);
   if (oldest == nullptr || oldest->time_s < kicked_s) return std::nullopt;
   for (std::size_t back = 0; back < kIntervals; ++back) {
-    const Speed speed = mean_speed(*recent.ball(back + 1), *recent.ball(back), c);
+    const Speed speed = mean_speed(*frames.ball(back + 1), *frames.ball(back), c);
     if (!(speed.mps + kBeyondNoise * speed.deviation_mps > c.rules.kick_limit_mps)) {
       return std::nullopt;
     }
   }
-  const Speed mean = mean_speed(*oldest, *recent.ball(0), c);
+  const Speed mean = mean_speed(*oldest, *frames.ball(0), c);
   if (!(mean.mps - kBeyondNoise * mean.deviation_mps > c.rules.kick_limit_mps)) return std::nullopt;
   return mean.mps;
 }
@@ -101,35 +102,35 @@ std::optional<double> speeding_in_air_mps(const RecentFrames& recent, double kic
 // If the ball was as fast before the touch, somebody else made it fast; if its earlier path is no
 // longer known, that may be so. Touches may be reported a frame late, so both preceding intervals
 // must be as fast.
-bool was_as_fast(const RecentFrames& recent, double kicked_s, double speed_mps,
+bool was_as_fast(const FrameHistory& frames, double kicked_s, double speed_mps,
                  const Configuration& c) {
-  const RecentBall* before = recent.ball_before(kicked_s);
-  for (std::size_t back = 0; recent.ball(back + 2) != nullptr; ++back) {
-    if (recent.ball(back) != before) continue;
-    return mean_speed(*recent.ball(back + 1), *before, c).mps >= speed_mps &&
-           mean_speed(*recent.ball(back + 2), *recent.ball(back + 1), c).mps >= speed_mps;
+  const BallDetection* before = frames.ball_before(kicked_s);
+  for (std::size_t back = 0; frames.ball(back + 2) != nullptr; ++back) {
+    if (frames.ball(back) != before) continue;
+    return mean_speed(*frames.ball(back + 1), *before, c).mps >= speed_mps &&
+           mean_speed(*frames.ball(back + 2), *frames.ball(back + 1), c).mps >= speed_mps;
   }
   return true;
 }
 
 // The speed of a kick whose ball nobody has touched until `until_s`, once it is certain. `is_over`:
 // no more detections will follow. Returns nullopt if the ball was already as fast before.
-std::optional<double> reported_speed_mps(const BallTouch& kick, const RecentFrames& recent,
+std::optional<double> reported_speed_mps(const BallTouch& kick, const FrameHistory& frames,
                                          double until_s, bool is_over, const Configuration& c) {
-  const Detections seen = detections_of(recent, kick.ended_s, until_s);
+  const Detections seen = detections_of(frames, kick.ended_s, until_s);
   if (seen.size() <= kIntervals) return std::nullopt;
   const Speed speed = speed_on_carpet(seen, kick.ended_s, c);
   const bool is_sure = is_over || seen.size() == kKickDetections ||
                        speed.mps - c.rules.kick_limit_mps > kSure * speed.deviation_mps;
-  if (!is_sure || was_as_fast(recent, kick.ended_s, speed.mps, c)) return std::nullopt;
+  if (!is_sure || was_as_fast(frames, kick.ended_s, speed.mps, c)) return std::nullopt;
   return speed.mps;
 }
 
 // Measures the newest kick, and keeps its speed while the ball's height is unknown.
-void watch(KickSpeedWatch& kick, const BallTouch& touch, const RecentFrames& recent,
+void watch(KickSpeedWatch& kick, const BallTouch& touch, const FrameHistory& frames,
            const RefereeInput& input) {
   if (kick.kicked_s && *kick.kicked_s != touch.ended_s) kick = {};
-  const RecentBall& newest = *recent.ball(0);
+  const BallDetection& newest = *frames.ball(0);
   // If the ball turns out to be a chip, the speed measured on the carpet is discarded.
   if (newest.height_known && newest.height_m > 0 && !kick.is_in_air) {
     kick = {};
@@ -138,10 +139,10 @@ void watch(KickSpeedWatch& kick, const BallTouch& touch, const RecentFrames& rec
   const Configuration& c = input.configuration;
   std::optional<double> speed_mps;
   if (kick.is_in_air) {
-    speed_mps = speeding_in_air_mps(recent, touch.ended_s, c);
-    if (speed_mps && was_as_fast(recent, touch.ended_s, *speed_mps, c)) speed_mps.reset();
+    speed_mps = speeding_in_air_mps(frames, touch.ended_s, c);
+    if (speed_mps && was_as_fast(frames, touch.ended_s, *speed_mps, c)) speed_mps.reset();
   } else if (!kick.kicked_s) {
-    speed_mps = reported_speed_mps(touch, recent, input.time_s(), false, c);
+    speed_mps = reported_speed_mps(touch, frames, input.time_s(), false, c);
   }
   if (!speed_mps) return;
   kick.kicked_s = touch.ended_s;
@@ -158,16 +159,16 @@ struct ReportedKick {
 ReportedKick reported_kick(KickSpeedWatch& kick, const TouchHistory& touches,
                            const RefereeInput& input) {
   const Configuration& c = input.configuration;
-  const RecentFrames& recent = touches.recent();
+  const FrameHistory& frames = input.frames;
   if (touches.has(1) && !kick.is_in_air && !(touches.at(1).highest_m > 0)) {
     const BallTouch& before = touches.at(1);
     const bool is_measured = kick.kicked_s && *kick.kicked_s == before.ended_s;
     const std::optional<double> speed_mps =
         is_measured ? std::optional(kick.speed_mps)
-                    : reported_speed_mps(before, recent, touches.newest()->began_s, true, c);
+                    : reported_speed_mps(before, frames, touches.newest()->began_s, true, c);
     if (speed_mps && *speed_mps > c.rules.kick_limit_mps) return {&before, *speed_mps};
   }
-  watch(kick, *touches.newest(), recent, input);
+  watch(kick, *touches.newest(), frames, input);
   const BallSight& ball = *input.ball;
   const bool is_known = ball.height_known || is_out_of_field(c.field, ball.position_m);
   if (!kick.kicked_s || !is_known) return {};
@@ -177,7 +178,7 @@ ReportedKick reported_kick(KickSpeedWatch& kick, const TouchHistory& touches,
 std::optional<Finding> find_bot_kicked_ball_too_fast(RefereeState& state,
                                                      const RefereeInput& input) {
   const TouchHistory& touches = state.play.touches;
-  if (touches.newest() == nullptr || !input.frame.ball || !touches.recent().ball(0)) {
+  if (touches.newest() == nullptr || !input.frame.ball || !input.frames.ball(0)) {
     return std::nullopt;
   }
   const Configuration& c = input.configuration;

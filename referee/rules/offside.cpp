@@ -50,8 +50,8 @@ void watch(OffsideWatch& watch, const TouchHistory& touches, const RefereeInput&
   newest = {touches.count(), touch.ended_s, Side::kWest, {}};
   if (!touch.side) return;
   newest.side = *touch.side;
-  newest.offside = offside_robots(*touch.side, touches.recent().robots_at(touch.ended_s),
-                                  touch.ended_m, input.configuration.noise);
+  newest.offside = offside_robots(*touch.side, input.frames.robots_at(touch.ended_s), touch.ended_m,
+                                  input.configuration.noise);
 }
 
 std::optional<Finding> find_offside(RefereeState& state, const RefereeInput& input) {

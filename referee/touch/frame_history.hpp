@@ -1,57 +1,103 @@
-// The last frames of play, for whoever judges it in hindsight.
+// The last frames of the play that is on.
+//
+// One bounded history serves everything that looks back: both touch detectors
+// (online_touch_detector.hpp, retrospective_touch_detector.hpp), the order of touches
+// (touch_history.hpp) and the rules. The referee owns it, restarts it when play starts and pushes
+// each frame of play; everybody else reads it.
 #pragma once
 
 #include <array>
-#include <boost/container/static_vector.hpp>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "soccer/frame.hpp"
 #include "soccer/geometry.hpp"
 #include "soccer/side.hpp"
+#include "soccer/tracks.hpp"
 
 namespace autoref::referee {
 
-// What is kept of a frame.
-struct StoredFrame {
-  struct Robot {
-    RobotId id;
-    Vec2 position_m{0, 0};
-    Vec2 heading{1, 0};
-  };
+struct BallDetection {
   double time_s = 0;
-  bool has_ball = false;
-  bool jumps =
-      false;          // whether the ball's position is not to be compared with the detection before
-  Vec2 ball_m{0, 0};  // where it was last seen, without one; the centre before it ever was
-  double height_m = 0;                                            // of the lowest point
-  boost::container::static_vector<Robot, 2 * kMaxRobots> robots;  // within a metre of the ball
+  Vec2 position_m{0, 0};
+  double height_m = 0;            // of the lowest point
+  double height_deviation_m = 0;  // standard deviation; 0 if vision reports heights
+  bool height_known = true;
+  bool jumps = false;       // the ball has just begun or ceased to be tracked as flying
+  double duration_s = 0;    // since the previous detection; 0 if it jumps or is the first
+  Vec2 velocity_mps{0, 0};  // mean over `duration_s`
 };
 
-// Frames by number. Numbers count from 0; the last kKept are kept, in memory of their own.
+struct StoredFrame {
+  double time_s = 0;
+  bool has_ball = false;
+  BallDetection ball;  // without a ball in this frame, the last detection before it
+  PerSide<SeenRobots> robots;
+};
+
+// Whether the robot is within a metre of the ball's last detection. One farther away cannot have
+// touched the ball since: the ball moves 0.1 m per frame, and 1 m while hidden for ten.
+bool is_near_ball(const StoredFrame& frame, const RobotObservation& robot);
+
+// A ring buffer; nothing is allocated. Frame 0 is the one in which play started, the frames of play
+// count from 1.
 class FrameHistory {
  public:
-  static constexpr int kKept = 256;  // 4 s of a 60 Hz camera, 2.5 s of one of 100 Hz
+  static constexpr int kKept = 256;       // 4 s at 60 Hz, 2.5 s at 100 Hz
+  static constexpr int kDetections = 16;  // detections that can be looked up by their order
+  // Frames and detections that touch history and rules look back at: 0.15 s at 60 Hz. Touches are
+  // reported within 0.1 s.
+  static constexpr int kRecent = 10;
 
-  void clear();
+  FrameHistory();
 
-  // The next detection's `jumps` will be set.
+  // Play starts in this frame with the ball at rest at `ball_m`, or with a ball never seen so far.
+  void restart(const Frame& frame, const std::optional<Vec2>& ball_m);
+
+  // Marks the next detection with `jumps`.
   void lose_sight() { jumps_ = true; }
 
-  // Takes in a frame; one that is not later than the one before is skipped.
-  void push(const Frame& frame);
+  // Appends a frame of play, dropping the oldest one. Skips frames that are not later than the
+  // newest one. `track` is the tracked ball, which knows how well a flying ball's height is known.
+  void push(const Frame& frame, const std::optional<TrackedBall>& track = std::nullopt);
 
-  bool empty() const { return newest_ < 0; }
   std::int64_t newest() const { return newest_; }
-  // The first detection of the ball that is kept and not before `since_s`; a number after the
-  // newest one where there is none.
-  std::int64_t first_detection(double since_s) const;
   const StoredFrame& operator[](std::int64_t number) const {
-    return kept_[static_cast<std::size_t>(number % kKept)];
+    return kept_[static_cast<std::size_t>(number) % kKept];
   }
 
+  // Detections of the ball since the restart, the ball at rest included.
+  std::int64_t detections() const { return detections_; }
+  // The frame of the `back`-th detection before the newest one; `back` must be below kDetections
+  // and below detections().
+  const StoredFrame& detection(int back) const { return (*this)[number_of_detection(back)]; }
+  // The number of the first detection still kept and not before `since_s`; newest() + 1 if none.
+  std::int64_t first_detection(double since_s) const;
+
+  // The `back`-th detection before the newest one; null unless it is one of the last kRecent of
+  // this play, the ball at rest excluded.
+  const BallDetection* ball(std::size_t back) const;
+
+  // The newest of those detections that is not after `time_s`, or else the oldest; null without
+  // any. Positions between detections are not interpolated, since a touch bends the path.
+  const BallDetection* ball_before(double time_s) const;
+
+  // The robots at that time, linearly interpolated between the last kRecent frames; the nearest
+  // frame's outside of these.
+  PerSide<SeenRobots> robots_at(double time_s) const;
+
  private:
+  std::int64_t number_of_detection(std::int64_t back) const {
+    return detection_numbers_[static_cast<std::size_t>(detections_ - 1 - back) % kDetections];
+  }
+  StoredFrame& append(double time_s, const PerSide<SeenRobots>& robots);
+  void add_detection(StoredFrame& frame);
+
   std::array<StoredFrame, kKept> kept_;
-  std::int64_t newest_ = -1;
+  std::int64_t newest_ = 0;
+  std::array<std::int64_t, kDetections> detection_numbers_{};  // a ring, too
+  std::int64_t detections_ = 0;
   bool jumps_ = false;
 };
 

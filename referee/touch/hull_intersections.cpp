@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "referee/touch/touch_candidates.hpp"
 #include "soccer/geometry.hpp"
 #include "soccer/robot_shape.hpp"
 
@@ -51,24 +52,32 @@ class Walker {
 
   void look(const StoredFrame& from, const StoredFrame& to, double share, const Sample& sample) {
     double through_nll = walk_.through_nll;
-    for (const StoredFrame::Robot& robot : from.robots) {
-      if ((robot.position_m - sample.ball_m).squaredNorm() > square(kPathNear_m)) continue;
-      const PathPose pose = pose_of(robot, to, share);
-      const double gap_m =
-          distance_to_hull(sample.ball_m, pose.position_m, pose.heading) - kBallRadius_m;
-      HullIntersection* intersection = intersection_with(robot.id, gap_m);
-      if (intersection == nullptr) continue;
-      weigh(*intersection, pose, gap_m, sample);
-      const double inside_m = std::max(0.0, -gap_m - parameters_.slack_m);
-      through_nll = std::max(through_nll, square(inside_m) / sample.variance_m2);
+    for (const Side side : kSides) {
+      for (const RobotObservation& robot : from.robots[side]) {
+        if ((robot.position_m - sample.ball_m).squaredNorm() > square(kPathNear_m)) continue;
+        if (!is_near_ball(from, robot)) continue;
+        const PathPose pose = pose_of(robot, find_robot(to.robots[side], robot.number), to, share);
+        through_nll = std::max(through_nll, weigh({side, robot.number}, pose, sample));
+      }
     }
     walk_.through_nll = through_nll;
   }
 
-  static PathPose pose_of(const StoredFrame::Robot& robot, const StoredFrame& to, double share) {
-    const auto other = std::find_if(to.robots.begin(), to.robots.end(),
-                                    [&robot](const auto& r) { return r.id == robot.id; });
-    if (other == to.robots.end()) return {robot.position_m, robot.heading};
+  // Weighs a touch of that robot; returns what going through its hull costs.
+  double weigh(RobotId id, const PathPose& pose, const Sample& sample) {
+    const double gap_m =
+        distance_to_hull(sample.ball_m, pose.position_m, pose.heading) - kBallRadius_m;
+    HullIntersection* intersection = intersection_with(id, gap_m);
+    if (intersection == nullptr) return 0;
+    weigh(*intersection, pose, gap_m, sample);
+    const double inside_m = std::max(0.0, -gap_m - parameters_.slack_m);
+    return square(inside_m) / sample.variance_m2;
+  }
+
+  // `other` is the robot in the frame `to`; null if it is not in it.
+  static PathPose pose_of(const RobotObservation& robot, const RobotObservation* other,
+                          const StoredFrame& to, double share) {
+    if (other == nullptr || !is_near_ball(to, *other)) return {robot.position_m, robot.heading};
     const Vec2 heading = robot.heading + (other->heading - robot.heading) * share;
     return {robot.position_m + (other->position_m - robot.position_m) * share,
             direction_of(heading, robot.heading)};

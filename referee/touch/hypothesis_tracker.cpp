@@ -37,7 +37,7 @@ void HypothesisTracker::begin(const SideMinima& minima) {
   hypotheses_.clear();
   hypotheses_.emplace_back();
   TouchHypothesis& hypothesis = hypotheses_.back();
-  hypothesis.motion.start(now().ball_m, basis_.parameters.motion);
+  hypothesis.motion.start(now().ball.position_m, basis_.parameters.motion);
   hypothesis.start = hypothesis.before = now_;
   hypothesis.detections = 1;
   hypothesis.untouched = hypothesis.minima = minima;
@@ -103,9 +103,9 @@ void HypothesisTracker::add_touch() {
   onwards.predict(since_former_s(), parameters);
   const Vec2 onwards_m = onwards.position_after(0);
   const double variance_m2 = onwards.position_variance_after(0) + square(parameters.detection_m);
-  const bool turns =
-      (now().ball_m - onwards_m).squaredNorm() > square(basis_.parameters.surely) * variance_m2;
-  if (!turns && !now().jumps && !may_be_touched(basis_, former_, now_, onwards_m)) return;
+  const bool turns = (now().ball.position_m - onwards_m).squaredNorm() >
+                     square(basis_.parameters.surely) * variance_m2;
+  if (!turns && !now().ball.jumps && !may_be_touched(basis_, former_, now_, onwards_m)) return;
   TouchHypothesis hypothesis = hypothesis_of_touch(motion, onwards_m);
   hypothesis.is_soft = true;
   hypotheses_.push_back(hypothesis);
@@ -121,16 +121,17 @@ TouchHypothesis HypothesisTracker::hypothesis_of_touch(const BallMotionFilter& m
   hypothesis.before = former_;
   hypothesis.before_mps = motion.velocity_mps();
   hypothesis.goal_nll = goal_nll_of(basis_, former_, now_, onwards_m);
-  hypothesis.jumps = now().jumps;
+  hypothesis.jumps = now().ball.jumps;
   hypothesis.minima = hypothesis.untouched = best_minima();
   hypothesis.nll_until_touch = hypothesis.minima.least() + basis_.parameters.touch_nll;
-  const double lowest_m = std::min(now().height_m, basis_.frame_history[former_].height_m);
+  const double lowest_m =
+      std::min(now().ball.height_m, basis_.frame_history[former_].ball.height_m);
   if (lowest_m <= kRobotHeight_m) find_touch_sources(hypothesis, basis_);
   return hypothesis;
 }
 
 void HypothesisTracker::follow() {
-  if (now().jumps) {
+  if (now().ball.jumps) {
     follow_jump();
     return;
   }
@@ -152,7 +153,7 @@ void HypothesisTracker::follow() {
 void HypothesisTracker::follow_jump() {
   hypotheses_.erase(hypotheses_.begin(), hypotheses_.end() - 1);
   TouchHypothesis& hypothesis = hypotheses_.back();
-  hypothesis.motion.jump(now().ball_m, basis_.parameters.motion);
+  hypothesis.motion.jump(now().ball.position_m, basis_.parameters.motion);
   ++hypothesis.detections;
   weigh_sources(hypothesis, now_, basis_);
 }
@@ -168,7 +169,7 @@ void HypothesisTracker::follow(TouchHypothesis& hypothesis) const {
   }
   hypothesis.motion.predict(since_former_s(), p.motion);
   if (is_new) hypothesis.motion.touch(since_former_s(), hypothesis.is_soft, p.motion);
-  hypothesis.motion_nll += hypothesis.motion.correct(now().ball_m, p.motion);
+  hypothesis.motion_nll += hypothesis.motion.correct(now().ball.position_m, p.motion);
   ++hypothesis.detections;
 }
 

@@ -20,38 +20,29 @@ LastTouch unknown_touch(const LastTouch& west, const LastTouch& east) {
 
 }  // namespace
 
-RetrospectiveTouchDetector::RetrospectiveTouchDetector(const Field& field,
+RetrospectiveTouchDetector::RetrospectiveTouchDetector(const FrameHistory& frames,
+                                                       const Field& field,
                                                        const TouchHypothesisParameters& parameters,
                                                        const VisionNoise& noise)
-    : field_(field), parameters_(parameters) {
+    : frames_(frames), field_(field), parameters_(parameters) {
   parameters_.motion.detection_m = std::max(noise.ball_m, parameters.motion.detection_m);
   parameters_.intersection.robot_m = noise.robot_m;
   parameters_.intersection.robot_rad = noise.robot_rad;
   parameters_.near_m += 3 * noise.ball_m;
 }
 
-void RetrospectiveTouchDetector::restart(const Frame& frame, const std::optional<Vec2>& ball_m) {
-  frame_history_.clear();
-  if (!ball_m) return;
-  Frame still = frame;
-  still.ball = BallObservation{*ball_m, 0.0};
-  frame_history_.push(still);
-}
-
 double RetrospectiveTouchDetector::window_start_s(const LastTouch& reported) const {
-  if (frame_history_.empty()) return 0;
-  const double now_s = frame_history_[frame_history_.newest()].time_s;
+  const double now_s = frames_[frames_.newest()].time_s;
   return std::min(now_s - parameters_.window_s, reported.time_s - parameters_.before_reported_s);
 }
 
 LastTouch RetrospectiveTouchDetector::detect(const LastTouch& reported) const {
-  const std::int64_t first = frame_history_.first_detection(window_start_s(reported));
-  if (first > frame_history_.newest()) return reported;
-  const bool is_reported_before = reported.side && reported.time_s < frame_history_[first].time_s;
+  const std::int64_t first = frames_.first_detection(window_start_s(reported));
+  if (first > frames_.newest()) return reported;
+  const bool is_reported_before = reported.side && reported.time_s < frames_[first].time_s;
   SideMinima before;
   before.offer(is_reported_before ? toucher_of(*reported.side) : kNobody, 0, reported);
-  const SideMinima best =
-      HypothesisTracker({field_, parameters_, frame_history_}).track(first, before);
+  const SideMinima best = HypothesisTracker({field_, parameters_, frames_}).track(first, before);
   if (best.nll[kNobody] <= std::min(best.nll[kWest], best.nll[kEast])) return reported;
   const double lead = best.nll[kEast] - best.nll[kWest];
   if (std::abs(lead) < parameters_.lead_nll) {

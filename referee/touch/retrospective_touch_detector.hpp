@@ -14,31 +14,21 @@
 // play starts, feeds it each frame of play, and asks it when the ball has left the field.
 #pragma once
 
-#include <optional>
-
 #include "referee/decision.hpp"
 #include "referee/touch/frame_history.hpp"
 #include "referee/touch/touch_hypothesis_parameters.hpp"
 #include "soccer/field.hpp"
-#include "soccer/frame.hpp"
 #include "tracking/tracker.hpp"
 
 namespace autoref::referee {
 
 class RetrospectiveTouchDetector {
  public:
-  // `noise` is vision's, of the frames to come.
-  RetrospectiveTouchDetector(const Field& field, const TouchHypothesisParameters& parameters,
-                             const VisionNoise& noise);
-
-  // Play starts: nobody has touched the ball, which lies still at `ball_m`, if it was ever seen.
-  void restart(const Frame& frame, const std::optional<Vec2>& ball_m);
-
-  // The ball's position jumps: vision takes it to fly, or no longer does.
-  void lose_sight() { frame_history_.lose_sight(); }
-
-  // Takes in one frame of play. Frames not later than the one before are skipped.
-  void update(const Frame& frame) { frame_history_.push(frame); }
+  // Keeps a reference to the history. `noise` is vision's.
+  RetrospectiveTouchDetector(const FrameHistory& frames, const Field& field,
+                             const TouchHypothesisParameters& parameters, const VisionNoise& noise);
+  RetrospectiveTouchDetector(const RetrospectiveTouchDetector&) = delete;
+  RetrospectiveTouchDetector& operator=(const RetrospectiveTouchDetector&) = delete;
 
   // The last touch; of nobody's side where either side's may have been. `reported` is what was told
   // while play was on (last_touch.hpp): it is the answer where nobody touched the ball during the
@@ -48,9 +38,9 @@ class RetrospectiveTouchDetector {
  private:
   double window_start_s(const LastTouch& reported) const;
 
+  const FrameHistory& frames_;
   Field field_;
   TouchHypothesisParameters parameters_;
-  FrameHistory frame_history_;
 };
 
 }  // namespace autoref::referee

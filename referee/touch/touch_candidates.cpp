@@ -120,11 +120,11 @@ Vec2 push_direction(const RobotObservation& robot, const Vec2& ball_m) {
   return hull_normal({robot.position_m, robot.heading}, ball_m);
 }
 
-Candidates candidates_on(const BallSegment& segment, const Detection& before,
-                         const Detection& after, const Impulse& impulse,
+Candidates candidates_on(const BallSegment& segment, const StoredFrame& before,
+                         const StoredFrame& after, const Impulse& impulse,
                          const TouchParameters& parameters) {
   Candidates found;
-  if (std::min(before.height_m, after.height_m) > kRobotHeight_m) return found;
+  if (std::min(before.ball.height_m, after.ball.height_m) > kRobotHeight_m) return found;
   for (Side side : kSides) {
     for (const RobotObservation& robot : after.robots[side]) {
       const RobotObservation* former = find_robot(before.robots[side], robot.number);

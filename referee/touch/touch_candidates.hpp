@@ -4,6 +4,7 @@
 #include <boost/container/static_vector.hpp>
 #include <optional>
 
+#include "referee/touch/frame_history.hpp"
 #include "referee/touch_parameters.hpp"
 #include "soccer/field.hpp"
 #include "soccer/frame.hpp"
@@ -11,16 +12,6 @@
 #include "soccer/side.hpp"
 
 namespace autoref::referee {
-
-// One frame with a ball, and how the ball came there.
-struct Detection {
-  double time_s = 0;
-  Vec2 ball_m{0, 0};
-  double height_m = 0;      // of the lowest point
-  double duration_s = 0;    // since the detection before
-  Vec2 velocity_mps{0, 0};  // mean since the detection before
-  PerSide<SeenRobots> robots;
-};
 
 // A straight way of the ball during a part of the time between two detections; the shares of that
 // time run from 0 to 1.
@@ -48,8 +39,8 @@ using Candidates = boost::container::static_vector<Candidate, 2 * kMaxRobots>;
 
 // The robots within reach of the ball on its way between two detections. Robots move evenly between
 // them. Balls that fly over a robot are out of its reach.
-Candidates candidates_on(const BallSegment& segment, const Detection& before,
-                         const Detection& after, const Impulse& impulse,
+Candidates candidates_on(const BallSegment& segment, const StoredFrame& before,
+                         const StoredFrame& after, const Impulse& impulse,
                          const TouchParameters& parameters);
 
 // Distance in metres from the ball's surface to the nearest goal post or side wall of a goal,

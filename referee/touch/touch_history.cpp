@@ -40,13 +40,29 @@ bool is_apart(const BallTouch& touch, const RefereeInput& input) {
   return gap_to_robot_m(*robot, input.ball->position_m) > kHistoryApart_m + noise_m;
 }
 
+void locate_end(BallTouch& touch, const FrameHistory& frames) {
+  const BallDetection* ball = frames.ball_before(touch.ended_s);
+  if (ball != nullptr) touch.ended_m = ball->position_m;
+  touch.toucher.reset();
+  if (!touch.robot) return;
+  const PerSide<SeenRobots> robots = frames.robots_at(touch.ended_s);
+  const RobotObservation* robot = find_robot(robots[touch.robot->side], touch.robot->number);
+  if (robot == nullptr) return;
+  touch.toucher = *robot;
+  if (ball == nullptr) return;
+  // A touch is told up to a frame late, when the ball may be off already.
+  const Vec2& before_m = frames.ball_before(ball->time_s - kNoTime_s)->position_m;
+  if (gap_to_robot_m(*robot, before_m) < gap_to_robot_m(*robot, touch.ended_m)) {
+    touch.ended_m = before_m;
+  }
+}
+
 }  // namespace
 
 void TouchHistory::update(const RefereeInput& input, double began_s) {
-  recent_.add(input);
   const LastTouch& reported = input.last_touch;
   if (reported.time_s > began_s) {
-    take_in(reported, input.time_s());
+    take_in(input);
   } else if (!kept_.empty()) {
     withdraw();  // nobody has touched the ball after all
   }
@@ -60,48 +76,52 @@ bool TouchHistory::is_one_robots() const {
   });
 }
 
-void TouchHistory::take_in(const LastTouch& reported, double now_s) {
+void TouchHistory::take_in(const RefereeInput& input) {
+  const LastTouch& reported = input.last_touch;
   if (kept_.empty()) {
-    begin(reported, now_s);
+    begin(input);
     return;
   }
   BallTouch& newest = kept_.back();
   if (is_by(newest, reported)) {
     if (reported.time_s == newest.ended_s) return;
-    is_another(newest, reported.time_s) ? begin(reported, now_s) : extend(newest, reported);
+    is_another(newest, reported.time_s) ? begin(input) : extend(newest, input);
   } else {
     // What was before the frame that told of a touch is that touch, known better.
-    reported.time_s > newest.reported_s ? begin(reported, now_s) : correct(reported, now_s);
+    reported.time_s > newest.reported_s ? begin(input) : correct(input);
   }
 }
 
-void TouchHistory::begin(const LastTouch& reported, double now_s) {
+void TouchHistory::begin(const RefereeInput& input) {
+  const LastTouch& reported = input.last_touch;
   if (kept_.size() == kKept) kept_.erase(kept_.begin());
   BallTouch touch;
   touch.side = reported.side;
   touch.robot = reported.robot;
   touch.began_s = touch.ended_s = reported.time_s;
-  touch.reported_s = now_s;
-  locate_end(touch);
+  touch.reported_s = input.time_s();
+  locate_end(touch, input.frames);
   touch.began_m = touch.ended_m;
   kept_.push_back(touch);
   on_carpet_since_s_.reset();
   ++count_;
 }
 
-void TouchHistory::extend(BallTouch& touch, const LastTouch& reported) {
+void TouchHistory::extend(BallTouch& touch, const RefereeInput& input) {
+  const LastTouch& reported = input.last_touch;
   const bool is_moved = reported.time_s <= touch.reported_s && touch.began_s == touch.ended_s;
   touch.ended_s = is_moved ? reported.time_s : std::max(touch.ended_s, reported.time_s);
-  locate_end(touch);
+  locate_end(touch, input.frames);
   if (!is_moved) return;
   touch.began_s = touch.ended_s;
   touch.began_m = touch.ended_m;
 }
 
-void TouchHistory::correct(const LastTouch& reported, double now_s) {
+void TouchHistory::correct(const RefereeInput& input) {
+  const LastTouch& reported = input.last_touch;
   if (kept_.size() > 1 && is_by(kept_[kept_.size() - 2], reported)) {
     withdraw();
-    take_in(reported, now_s);
+    take_in(input);
     return;
   }
   BallTouch& touch = kept_.back();
@@ -109,7 +129,7 @@ void TouchHistory::correct(const LastTouch& reported, double now_s) {
   touch.robot = reported.robot;
   touch.began_s = touch.ended_s = reported.time_s;
   touch.apart_s.reset();
-  locate_end(touch);
+  locate_end(touch, input.frames);
   touch.began_m = touch.ended_m;
 }
 
@@ -121,23 +141,6 @@ void TouchHistory::withdraw() {
   BallTouch& newest = kept_.back();
   newest.highest_m = std::max(newest.highest_m, taken_back.highest_m);
   newest.height_known = newest.height_known && taken_back.height_known;
-}
-
-void TouchHistory::locate_end(BallTouch& touch) {
-  const RecentBall* ball = recent_.ball_before(touch.ended_s);
-  if (ball != nullptr) touch.ended_m = ball->position_m;
-  touch.toucher.reset();
-  if (!touch.robot) return;
-  const PerSide<SeenRobots> robots = recent_.robots_at(touch.ended_s);
-  const RobotObservation* robot = find_robot(robots[touch.robot->side], touch.robot->number);
-  if (robot == nullptr) return;
-  touch.toucher = *robot;
-  if (ball == nullptr) return;
-  // A touch is told up to a frame late, when the ball may be off already.
-  const Vec2& before_m = recent_.ball_before(ball->time_s - kNoTime_s)->position_m;
-  if (gap_to_robot_m(*robot, before_m) < gap_to_robot_m(*robot, touch.ended_m)) {
-    touch.ended_m = before_m;
-  }
 }
 
 void TouchHistory::follow_ball(BallTouch& touch, const RefereeInput& input) {

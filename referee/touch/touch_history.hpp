@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "referee/referee_input.hpp"
-#include "referee/touch/recent_frames.hpp"
+#include "referee/touch/frame_history.hpp"
 #include "soccer/geometry.hpp"
 #include "soccer/side.hpp"
 
@@ -48,22 +48,18 @@ class TouchHistory {
   // robot's.
   bool is_one_robots() const;
 
-  const RecentFrames& recent() const { return recent_; }
-
  private:
-  void take_in(const LastTouch& reported, double now_s);
-  void begin(const LastTouch& reported, double now_s);
-  void extend(BallTouch& touch, const LastTouch& reported);
-  void correct(const LastTouch& reported, double now_s);
+  void take_in(const RefereeInput& input);
+  void begin(const RefereeInput& input);
+  void extend(BallTouch& touch, const RefereeInput& input);
+  void correct(const RefereeInput& input);
   void withdraw();
-  void locate_end(BallTouch& touch);
   void follow_ball(BallTouch& touch, const RefereeInput& input);
 
   static constexpr std::size_t kKept = 4;
   boost::container::static_vector<BallTouch, kKept> kept_;
   int count_ = 0;
   std::optional<double> on_carpet_since_s_;  // since the newest touch
-  RecentFrames recent_;
 };
 
 // Whether the detector will not tell the touch otherwise any more, but for rare cases.

@@ -20,11 +20,9 @@ constexpr double kLandedAcross = 0.1;
 
 // From the ball's surface to the robot in that frame; kNever where it is not in it.
 double seen_gap_m(const StoredFrame& frame, RobotId id) {
-  for (const StoredFrame::Robot& robot : frame.robots) {
-    if (robot.id != id) continue;
-    return distance_to_hull(frame.ball_m, robot.position_m, robot.heading) - kBallRadius_m;
-  }
-  return kNever;
+  const RobotObservation* robot = find_robot(frame.robots[id.side], id.number);
+  if (robot == nullptr || !is_near_ball(frame, *robot)) return kNever;
+  return gap_to_robot_m(*robot, frame.ball.position_m);
 }
 
 // The way's first detections, taken in backwards: where and how fast it began.
@@ -37,13 +35,13 @@ BallMotionFilter motion_from_start(const TouchHypothesis& hypothesis, std::int64
     n += frame_history[++last].has_ball ? 1 : 0;
   while (!frame_history[last].has_ball) --last;
   BallMotionFilter motion;
-  motion.start(frame_history[last].ball_m, parameters);
+  motion.start(frame_history[last].ball.position_m, parameters);
   double time_s = frame_history[last].time_s;
   for (std::int64_t i = last - 1; i >= hypothesis.start; --i) {
     if (!frame_history[i].has_ball) continue;
     motion.predict(frame_history[i].time_s - time_s, parameters);
     time_s = frame_history[i].time_s;
-    motion.correct(frame_history[i].ball_m, parameters);
+    motion.correct(frame_history[i].ball.position_m, parameters);
   }
   return motion;
 }
@@ -64,8 +62,8 @@ double nll_without_robot(const TouchHypothesis& hypothesis, const BallMotionFilt
                          const HypothesisContext& basis) {
   const TouchHypothesisParameters& p = basis.parameters;
   const FrameHistory& frame_history = basis.frame_history;
-  const bool in_air = std::max(frame_history[hypothesis.start].height_m,
-                               frame_history[hypothesis.before].height_m) > 0;
+  const bool in_air = std::max(frame_history[hypothesis.start].ball.height_m,
+                               frame_history[hypothesis.before].ball.height_m) > 0;
   const double goal_nll = p.touch_nll + hypothesis.goal_nll;
   if (!goes_on(hypothesis, motion, p.surely)) return std::min(p.nobody_nll, goal_nll);
   if (hypothesis.jumps) return std::min(p.jump_nll, goal_nll);
@@ -125,20 +123,24 @@ bool may_be_touched(const HypothesisContext& basis, std::int64_t former, std::in
                     const Vec2& onwards_m) {
   const StoredFrame& seen = basis.frame_history[now];
   const StoredFrame& before = basis.frame_history[former];
-  if (seen.ball_m.cwiseAbs().x() > basis.field.half_length_m() - kNearGoal_m) return true;
+  const Vec2& before_m = before.ball.position_m;
+  if (seen.ball.position_m.cwiseAbs().x() > basis.field.half_length_m() - kNearGoal_m) return true;
   const double reach_m = kRobotRadius_m + kBallRadius_m + basis.parameters.near_m +
                          kFastestRobot_mps * (seen.time_s - before.time_s);
-  const auto is_near = [&](const StoredFrame::Robot& robot) {
-    return distance_to_segment(robot.position_m, before.ball_m, onwards_m) <= reach_m ||
-           distance_to_segment(robot.position_m, before.ball_m, seen.ball_m) <= reach_m;
+  const auto is_near = [&](const RobotObservation& robot) {
+    if (!is_near_ball(seen, robot)) return false;
+    return distance_to_segment(robot.position_m, before_m, onwards_m) <= reach_m ||
+           distance_to_segment(robot.position_m, before_m, seen.ball.position_m) <= reach_m;
   };
-  return std::any_of(seen.robots.begin(), seen.robots.end(), is_near);
+  return std::any_of(kSides.begin(), kSides.end(), [&](Side side) {
+    return std::any_of(seen.robots[side].begin(), seen.robots[side].end(), is_near);
+  });
 }
 
 double goal_nll_of(const HypothesisContext& basis, std::int64_t former, std::int64_t now,
                    const Vec2& onwards_m) {
-  const Vec2& now_m = basis.frame_history[now].ball_m;
-  const Vec2& before_m = basis.frame_history[former].ball_m;
+  const Vec2& now_m = basis.frame_history[now].ball.position_m;
+  const Vec2& before_m = basis.frame_history[former].ball.position_m;
   if (now_m.cwiseAbs().x() <= basis.field.half_length_m() - kNearGoal_m) return kNever;
   const double gap_m = std::min(gap_to_goals_m(basis.field, {before_m, now_m}),
                                 gap_to_goals_m(basis.field, {before_m, onwards_m}));

@@ -16,26 +16,24 @@ VelocityChangeDetector::Line VelocityChangeDetector::line_through(int newest_bac
   const double count = oldest_back - newest_back + 1;
   Line line;
   for (int back = newest_back; back <= oldest_back; ++back) {
-    line.middle_s += detection(back).time_s / count;
-    line.middle_m += detection(back).ball_m / count;
+    line.middle_s += ball(back).time_s / count;
+    line.middle_m += ball(back).position_m / count;
   }
   double spread_s2 = 0;
   Vec2 slope_ms(0, 0);
   for (int back = newest_back; back <= oldest_back; ++back) {
-    const double away_s = detection(back).time_s - line.middle_s;
+    const double away_s = ball(back).time_s - line.middle_s;
     spread_s2 += away_s * away_s;
-    slope_ms += away_s * (detection(back).ball_m - line.middle_m);
+    slope_ms += away_s * (ball(back).position_m - line.middle_m);
   }
   line.velocity_mps = slope_ms / spread_s2;
   line.variance_m2ps2 = parameters_.position_noise_m * parameters_.position_noise_m / spread_s2;
   return line;
 }
 
-std::optional<VelocityChange> VelocityChangeDetector::update(const Detection& now) {
-  newest_ = (newest_ + 1) % kKept;
-  detections_[static_cast<std::size_t>(newest_)] = now;
-  known_ = std::min(known_ + 1, kKept);
-  if (known_ < kKept) {
+std::optional<VelocityChange> VelocityChangeDetector::update() {
+  known_ = std::min(known_ + 1, kUsed);
+  if (known_ < kUsed) {
     former_excess_ = 0;
     return std::nullopt;
   }
@@ -48,11 +46,11 @@ std::optional<VelocityChange> VelocityChangeDetector::update(const Detection& no
   std::optional<VelocityChange> found;
   if (is_past_peak) {
     found = former_;
-    found->before = &detection(kHalf + 2);
-    found->after = &detection(kHalf);
+    found->before = &frames_.detection(kHalf + 2);
+    found->after = &frames_.detection(kHalf);
   }
-  former_.since_s = detection(2 * kHalf).time_s;
-  former_.segment = {before.at(detection(kHalf + 1).time_s), after.at(detection(kHalf - 1).time_s)};
+  former_.since_s = ball(2 * kHalf).time_s;
+  former_.segment = {before.at(ball(kHalf + 1).time_s), after.at(ball(kHalf - 1).time_s)};
   former_.impulse = {change_mps, after.velocity_mps};
   former_excess_ = is_past_peak ? 0 : excess;
   return found;

@@ -5,18 +5,17 @@
 // the ball met something there. It is known some frames later.
 #pragma once
 
-#include <array>
 #include <optional>
 
+#include "referee/touch/frame_history.hpp"
 #include "referee/touch/touch_candidates.hpp"
 #include "referee/touch_parameters.hpp"
 
 namespace autoref::referee {
 
 struct VelocityChange {
-  const Detection* before =
-      nullptr;  // the detections beside the velocity change; valid until the next one
-  const Detection* after = nullptr;
+  const StoredFrame* before = nullptr;  // the detections beside it; valid until the next frame
+  const StoredFrame* after = nullptr;
   double since_s = 0;  // time of the oldest detection that tells of it
   BallSegment segment;
   Impulse impulse;
@@ -24,17 +23,19 @@ struct VelocityChange {
 
 class VelocityChangeDetector {
  public:
-  explicit VelocityChangeDetector(const TouchParameters& parameters) : parameters_(parameters) {}
+  // Keeps a reference to the history.
+  VelocityChangeDetector(const FrameHistory& frames, const TouchParameters& parameters)
+      : frames_(frames), parameters_(parameters) {}
 
   // Forgets all detections.
   void restart() { known_ = 0; }
 
   // Takes in a detection; the velocity change that it completes, if there is one.
-  std::optional<VelocityChange> update(const Detection& detection);
+  std::optional<VelocityChange> update();
 
  private:
   static constexpr int kHalf = 4;  // intervals on either side
-  static constexpr int kKept = 2 * kHalf + 2;
+  static constexpr int kUsed = 2 * kHalf + 2;
 
   // A straight, even way fitted to detections.
   struct Line {
@@ -45,16 +46,13 @@ class VelocityChangeDetector {
     Vec2 at(double time_s) const { return middle_m + velocity_mps * (time_s - middle_s); }
   };
 
-  const Detection& detection(int back) const {
-    return detections_[static_cast<std::size_t>((newest_ + kKept - back) % kKept)];
-  }
+  const BallDetection& ball(int back) const { return frames_.detection(back).ball; }
   Line line_through(int newest_back, int oldest_back) const;
   Vec2 unexplained_change_mps(const Line& before, const Line& after) const;
 
+  const FrameHistory& frames_;
   TouchParameters parameters_;
-  std::array<Detection, kKept> detections_;
-  int newest_ = 0;
-  int known_ = 0;
+  int known_ = 0;             // detections since the restart, up to kUsed
   double former_excess_ = 0;  // of the change, in what is explained, at the middle before
   VelocityChange former_;     // there, but for the detections
 };

@@ -68,11 +68,13 @@ TEST(Machine, StepLeavesItsInputUntouched) {
   const LastTouch touch;
   const Tracks tracks;
   const PerSide<TeamRequests> requests;
+  const FrameHistory frames;
   const RefereeState state;
   Finding finding;
   finding.event = Event::kBegin;
-  const Step first = step(state, {configuration, frame, ball, touch, tracks, requests}, finding);
-  const Step again = step(state, {configuration, frame, ball, touch, tracks, requests}, finding);
+  const RefereeInput input{configuration, frame, ball, touch, tracks, requests, frames};
+  const Step first = step(state, input, finding);
+  const Step again = step(state, input, finding);
   EXPECT_EQ(first.state.machine_state, State::kWaitStart);
   EXPECT_EQ(first.transition, again.transition);
   EXPECT_EQ(first.sent, again.sent);
@@ -85,11 +87,13 @@ TEST(Machine, DoesNotChangeIfNoTransitionApplies) {
   const LastTouch touch;
   const Tracks tracks;
   const PerSide<TeamRequests> requests;
+  const FrameHistory frames;
   RefereeState state;
   state.machine_state = State::kWaitStop;
   Finding goal;
   goal.event = Event::kGoal;
-  const Step taken = step(state, {configuration, frame, ball, touch, tracks, requests}, goal);
+  const Step taken =
+      step(state, {configuration, frame, ball, touch, tracks, requests, frames}, goal);
   EXPECT_EQ(taken.transition, nullptr);
   EXPECT_EQ(taken.state.signal.goals[Side::kWest], 0);
   EXPECT_FALSE(taken.sent.has_value());

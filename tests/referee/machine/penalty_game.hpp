@@ -13,7 +13,7 @@
 #include "referee/machine/machine.hpp"
 #include "referee/machine/readiness.hpp"
 #include "referee/rules/rule.hpp"
-#include "referee/touch/last_touch.hpp"
+#include "referee/touch/online_touch_detector.hpp"
 #include "soccer/robot_shape.hpp"
 #include "tests/referee/support/booked_game.hpp"
 
@@ -25,7 +25,7 @@ class PenaltyGame {
   PenaltyGame(std::string_view book, Side kicker)
       : configuration_(by_book(book)),
         kicker_(kicker),
-        touch_(configuration_.field, configuration_.touch),
+        touch_(frames_, configuration_.field, configuration_.touch),
         mark_m(configuration_.field.half_length_m() - configuration_.field.penalty_mark_m, 0) {
     frame_.ball = BallObservation{at(mark_m), 0.0};
     for (int i = 0; i < 4; ++i) {
@@ -75,7 +75,10 @@ class PenaltyGame {
     frame_.number = ++number_;
     frame_.time_s = static_cast<double>(number_) / 60;
     see();
-    if (state.machine_state == State::kRun) touch_.update(frame_);
+    if (state.machine_state == State::kRun) {
+      frames_.push(frame_);
+      touch_.update();
+    }
     const RefereeInput now = input();
     if (state.machine_state == State::kRun) watch_play(state.play, now);
     if (!ask_rules(now) && state.machine_state == State::kWaitStop) {
@@ -120,7 +123,7 @@ class PenaltyGame {
   }
 
   RefereeInput input() const {
-    return {configuration_, frame_, ball_, touch_.last(), tracks_, requests_};
+    return {configuration_, frame_, ball_, touch_.last(), tracks_, requests_, frames_};
   }
 
   void award() {
@@ -165,12 +168,15 @@ class PenaltyGame {
     state = taken.state;
     transitions.emplace_back(taken.label);
     last = finding;
-    if (starts) touch_.restart(frame_, state.play.ball_from_m);
+    if (!starts) return;
+    frames_.restart(frame_, state.play.ball_from_m);
+    touch_.restart();
   }
 
   Configuration configuration_;
   Side kicker_;
-  LastTouchDetector touch_;
+  FrameHistory frames_;
+  OnlineTouchDetector touch_;
   Frame frame_;
   Tracks tracks_;
   PerSide<TeamRequests> requests_;  // both keepers are number 0

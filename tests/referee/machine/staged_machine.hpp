@@ -79,7 +79,9 @@ class StagedMachine {
   RefereeState state;
 
  private:
-  RefereeInput input() const { return {configuration_, frame_, ball_, touch_, tracks_, requests_}; }
+  RefereeInput input() const {
+    return {configuration_, frame_, ball_, touch_, tracks_, requests_, frames_};
+  }
 
   std::string_view label_;  // of the last transition taken
   Configuration configuration_;
@@ -88,6 +90,7 @@ class StagedMachine {
   LastTouch touch_;
   Tracks tracks_;
   PerSide<TeamRequests> requests_;
+  FrameHistory frames_;
 };
 
 }  // namespace autoref::referee

@@ -132,7 +132,9 @@ std::optional<Finding> goal_in(const Frame& frame, const Configuration& configur
   const LastTouch touch;
   const Tracks tracks;
   const PerSide<TeamRequests> requests;
-  return kInvalidGoalRule.find(state, {configuration, frame, ball, touch, tracks, requests});
+  const FrameHistory frames;
+  return kInvalidGoalRule.find(state,
+                               {configuration, frame, ball, touch, tracks, requests, frames});
 }
 
 // The same, 60 s into the game.

@@ -52,8 +52,8 @@ class Passage {
       motion.predict(sign * kFrame_s, kMotion);
       motion.correct(ball_at(i), kMotion);
     }
-    return sign > 0 ? walk(motion, frame_history, 0, 1, parameters)
-                    : walk(motion, frame_history, 1, 0, parameters);
+    return sign > 0 ? walk(motion, frame_history, 1, 2, parameters)
+                    : walk(motion, frame_history, 2, 1, parameters);
   }
   void push(FrameHistory& frame_history, int index) {
     Frame frame;
@@ -173,7 +173,7 @@ TEST(Walk, FollowsRobotsThatMove) {
     }
     BallMotionFilter motion;
     motion.start({0, 0}, kMotion);
-    return walk(motion, frame_history, 0, 1, kIntersection).intersections.at(0).least_gap_m;
+    return walk(motion, frame_history, 1, 2, kIntersection).intersections.at(0).least_gap_m;
   };
   EXPECT_NEAR(gap_with(0.0), 0.030, 1e-6);
   EXPECT_NEAR(gap_with(0.02), 0.010, 1e-6);

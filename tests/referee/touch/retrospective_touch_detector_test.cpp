@@ -21,7 +21,7 @@ class TouchScene {
   explicit TouchScene(const VisionNoise& noise = {}, std::uint64_t seed = 1)
       : noise_(noise),
         random_(seed),
-        touch_detector_(Field{}, TouchHypothesisParameters{}, noise) {}
+        touch_detector_(frames_, Field{}, TouchHypothesisParameters{}, noise) {}
 
   TouchScene& robot(Side side, int number, const Vec2& at_m, const Vec2& heading) {
     robots_[side].push_back({number, at_m, heading});
@@ -30,7 +30,7 @@ class TouchScene {
   void start(const Vec2& ball_m) {
     ball_m_ = ball_m;
     take_frame();
-    touch_detector_.restart(frame_, ball_m);
+    frames_.restart(frame_, ball_m);
     go({0, 0}, 10);
   }
   // The ball goes on from where it is.
@@ -39,7 +39,7 @@ class TouchScene {
       ball_m_ += velocity_mps * kFrame_s;
       take_frame();
       if (!is_seen) frame_.ball.reset();
-      touch_detector_.update(frame_);
+      frames_.push(frame_);
     }
   }
   // The velocity changes after `share` of a frame.
@@ -77,6 +77,7 @@ class TouchScene {
   PerSide<SeenRobots> robots_;
   Vec2 ball_m_{0, 0};
   Frame frame_;
+  FrameHistory frames_;
   RetrospectiveTouchDetector touch_detector_;
 };
 
@@ -108,15 +109,14 @@ LastTouch touch_by(RobotId robot, double time_s) {
 }
 
 // A ball that rolls along x at 0.5 m/s, long after a kick that was told while play was on.
-TouchScene long_rolling(const Vec2& robot_m) {
-  TouchScene scene;
+void roll_for_long(TouchScene& scene, const Vec2& robot_m) {
   scene.robot(Side::kEast, 2, robot_m, {-1, 0}).start({-2, 0});
   scene.go({0.5, 0}, 400);
-  return scene;
 }
 
 TEST(RetrospectiveTouchDetector, AreOfWhatWasReportedWhereNobodyTouchedTheBallSince) {
-  const TouchScene scene = long_rolling({3, 2});
+  TouchScene scene;
+  roll_for_long(scene, {3, 2});
   const RobotId kicker{Side::kWest, 5};
   const LastTouch last = scene.last(touch_by(kicker, 11 * kFrame_s));
   EXPECT_EQ(last.robot, kicker);
@@ -126,7 +126,8 @@ TEST(RetrospectiveTouchDetector, AreOfWhatWasReportedWhereNobodyTouchedTheBallSi
 
 TEST(RetrospectiveTouchDetector, KnowWhoTouchedTheBallAfterWhatWasReported) {
   const RobotId kicker{Side::kWest, 5};
-  TouchScene scene = long_rolling({-2 + 400 * 0.5 * kFrame_s + kTouch_m + 0.002, 0});
+  TouchScene scene;
+  roll_for_long(scene, {-2 + 400 * 0.5 * kFrame_s + kTouch_m + 0.002, 0});
   scene.go({-0.3, 0.4}, 10);
   const LastTouch last = scene.last(touch_by(kicker, 11 * kFrame_s));
   EXPECT_EQ(last.robot, (RobotId{Side::kEast, 2}));

@@ -28,7 +28,8 @@ class History {
     frame.number += 1;
     frame.time_s = static_cast<double>(frame.number) * kFrame_s;
     frame.ball = BallObservation{ball->position_m, ball->height_m};
-    const RefereeInput input{configuration, frame, ball, reported, tracks, requests};
+    frame_history.push(frame);
+    const RefereeInput input{configuration, frame, ball, reported, tracks, requests, frame_history};
     touches.update(input, 0.0);
   }
   void report(RobotId robot, double ago_s = 0.01) {
@@ -49,6 +50,7 @@ class History {
   LastTouch reported;
   Tracks tracks;
   PerSide<TeamRequests> requests;
+  FrameHistory frame_history;
   TouchHistory touches;
 };
 

@@ -1,4 +1,4 @@
-#include "referee/touch/last_touch.hpp"
+#include "referee/touch/online_touch_detector.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,30 +15,27 @@ constexpr double kCertainDeviations = 5;
 
 }  // namespace
 
-void LastTouchDetector::restart(const Frame& frame, const std::optional<Vec2>& ball_m) {
+void OnlineTouchDetector::restart() {
   last_ = settled_ = LastTouch{};
-  known_ = 0;
-  velocity_changes_.restart();
-  changed_s_ = frame.time_s;
-  is_open_ = false;
-  if (!ball_m) return;
-  newest_ = 0;
-  known_ = 1;
-  detections_[0] = Detection{frame.time_s, *ball_m, 0, 0, Vec2(0, 0), frame.robots};
+  forget_detections();
+  changed_s_ = frames_[frames_.newest()].time_s;
+  judged_ = frames_.detections();
+  known_ = judged_ > 0 ? 1 : 0;
 }
 
-void LastTouchDetector::lose_sight() {
+void OnlineTouchDetector::forget_detections() {
   known_ = 0;
   is_open_ = false;
   velocity_changes_.restart();
 }
 
-void LastTouchDetector::update(const Frame& frame) {
-  if (!frame.ball || !is_finite(frame.ball->position_m)) return;
-  if (known_ > 0 && !(frame.time_s > detection(0).time_s)) return;
-  push(frame);
+void OnlineTouchDetector::update() {
+  if (frames_.detections() == judged_) return;
+  judged_ = frames_.detections();
+  if (ball(0).jumps) forget_detections();
+  known_ = std::min(known_ + 1, kUsed);
   if (known_ < 2) return;
-  if (detection(0).duration_s > parameters_.longest_gap_s) {
+  if (ball(0).duration_s > parameters_.longest_gap_s) {
     resume_after_gap();
     return;
   }
@@ -48,45 +45,28 @@ void LastTouchDetector::update(const Frame& frame) {
   if (!is_open_) settled_ = last_;
 }
 
-void LastTouchDetector::push(const Frame& frame) {
-  const bool is_first = known_ == 0;
-  const Detection& former = detection(0);
-  const double duration_s = is_first ? 0 : frame.time_s - former.time_s;
-  const Vec2 velocity_mps =
-      is_first ? Vec2(0, 0) : Vec2((frame.ball->position_m - former.ball_m) / duration_s);
-  newest_ = (newest_ + 1) % kKept;
-  known_ = std::min(known_ + 1, kKept);
-  Detection& now = detections_[static_cast<std::size_t>(newest_)];
-  now.time_s = frame.time_s;
-  now.ball_m = frame.ball->position_m;
-  now.height_m = frame.ball->height_m.value_or(0.0);
-  now.duration_s = duration_s;
-  now.velocity_mps = velocity_mps;
-  now.robots = frame.robots;
-}
-
-// Nobody saw the ball for a while. Unless it went on as before, somebody unknown touched it.
-void LastTouchDetector::resume_after_gap() {
-  const Detection& now = detection(0);
-  const Detection& before = detection(1);
-  const Vec2 straight_m = before.ball_m + before.velocity_mps * now.duration_s;
+// The ball was unseen for a while. Unless it moved on as before, somebody unknown touched it.
+void OnlineTouchDetector::resume_after_gap() {
+  const BallDetection& now = ball(0);
+  const BallDetection& before = frames_[frames_.newest() - 1].ball;
+  const Vec2 straight_m = before.position_m + before.velocity_mps * now.duration_s;
   const double slowed_m = parameters_.carpet_mps2 * now.duration_s * now.duration_s / 2;
   const double stopped_m = before.velocity_mps.norm() * now.duration_s;
   const double explained_m = std::min(slowed_m, stopped_m) + parameters_.reach_m;
-  if ((now.ball_m - straight_m).norm() > explained_m) {
+  const double off_m = (now.position_m - straight_m).norm();
+  if (off_m > explained_m) {
     last_ = LastTouch{};
     last_.time_s = now.time_s;
-    last_.speed_change_mps = (now.ball_m - straight_m).norm() / now.duration_s;
+    last_.speed_change_mps = off_m / now.duration_s;
   }
   settled_ = last_;
-  is_open_ = false;
+  forget_detections();
   known_ = 1;
-  velocity_changes_.restart();
 }
 
-bool LastTouchDetector::is_sudden_change() const {
-  const Detection& now = detection(0);
-  const Detection& before = detection(1);
+bool OnlineTouchDetector::is_sudden_change() const {
+  const BallDetection& now = ball(0);
+  const BallDetection& before = ball(1);
   const double between_s = (now.duration_s + before.duration_s) / 2;
   // Three positions enter the change with weights 1, -2, 1: their deviations add up to sqrt(6).
   const double noise_mps =
@@ -96,18 +76,18 @@ bool LastTouchDetector::is_sudden_change() const {
 }
 
 // A flying ball that touches down loses speed, a quarter at the first hop, and keeps its direction.
-bool LastTouchDetector::is_landing() const {
-  const bool in_air = detection(0).height_m > 0 || detection(1).height_m > 0 ||
-                      (known_ > 2 && detection(2).height_m > 0);
-  const Vec2& before = detection(1).velocity_mps;
+bool OnlineTouchDetector::is_landing() const {
+  const bool in_air =
+      ball(0).height_m > 0 || ball(1).height_m > 0 || (known_ > 2 && ball(2).height_m > 0);
+  const Vec2& before = ball(1).velocity_mps;
   if (!in_air || before.isZero(0)) return false;
-  const Vec2& after = detection(0).velocity_mps;
+  const Vec2& after = ball(0).velocity_mps;
   const double along = after.dot(before);
   return along <= before.squaredNorm() && along >= 0.4 * before.squaredNorm() &&
          std::abs(cross(before, after)) <= 0.1 * before.squaredNorm();
 }
 
-void LastTouchDetector::detect_sudden_change() {
+void OnlineTouchDetector::detect_sudden_change() {
   const bool was_open = is_open_;
   is_open_ = false;
   if (!is_sudden_change()) return;
@@ -119,18 +99,18 @@ void LastTouchDetector::detect_sudden_change() {
     detect_onwards();
     is_open_ = true;
   }
-  changed_s_ = detection(0).time_s;
+  changed_s_ = ball(0).time_s;
 }
 
 // Two velocity changes in a row come from one touch between them where the mean velocity in between
 // is made of the velocities before and after: when the touch was, as a share of that time.
-std::optional<double> LastTouchDetector::share_of_single_touch() const {
+std::optional<double> OnlineTouchDetector::share_of_single_touch() const {
   const Vec2 jump_mps = change_mps(2, 0);
   const double length2 = jump_mps.squaredNorm();
   if (length2 == 0) return std::nullopt;
   const Vec2 first_mps = change_mps(2, 1);
   const double after = std::clamp(first_mps.dot(jump_mps) / length2, 0.0, 1.0);
-  const double duration_s = detection(1).duration_s;
+  const double duration_s = ball(1).duration_s;
   const double off_m = (first_mps - jump_mps * after).norm() * duration_s;
   const double explained_m = parameters_.carpet_mps2 * duration_s * duration_s +
                              parameters_.intersection_tolerance_m +
@@ -139,11 +119,11 @@ std::optional<double> LastTouchDetector::share_of_single_touch() const {
   return 1.0 - after;
 }
 
-void LastTouchDetector::detect_single_touch(double share) {
-  const Detection& before = detection(2);
-  const Vec2 met_m = before.ball_m + before.velocity_mps * (share * detection(1).duration_s);
+void OnlineTouchDetector::detect_single_touch(double share) {
+  const BallDetection& before = ball(2);
+  const Vec2 met_m = before.position_m + before.velocity_mps * (share * ball(1).duration_s);
   const BallSegment segment{met_m, met_m, share, share};
-  const Verdict verdict = verdict_on(segment, 1, {change_mps(2, 0), detection(0).velocity_mps});
+  const Verdict verdict = verdict_on(segment, 1, {change_mps(2, 0), ball(0).velocity_mps});
   // With nobody there, not even a goal, it was more than one touch: the first impression stays.
   if (!verdict.is_touch && gap_to_goals_m(field_, segment) > parameters_.reach_m) return;
   last_ = settled_;
@@ -151,54 +131,54 @@ void LastTouchDetector::detect_single_touch(double share) {
 }
 
 // The velocity change has just begun to show: the ball went on as before until it met somebody.
-void LastTouchDetector::detect_onwards() {
-  const Detection& before = detection(1);
-  const BallSegment segment{before.ball_m,
-                            before.ball_m + before.velocity_mps * detection(0).duration_s};
+void OnlineTouchDetector::detect_onwards() {
+  const BallDetection& before = ball(1);
+  const BallSegment segment{before.position_m,
+                            before.position_m + before.velocity_mps * ball(0).duration_s};
   conclude(verdict_on(segment, 0, {change_mps(1, 0), std::nullopt}), 0, change_mps(1, 0));
 }
 
-Verdict LastTouchDetector::verdict_on(const BallSegment& segment, int interval,
-                                      const Impulse& impulse) const {
-  const Candidates candidates =
-      candidates_on(segment, detection(interval + 1), detection(interval), impulse, parameters_);
+Verdict OnlineTouchDetector::verdict_on(const BallSegment& segment, int interval,
+                                        const Impulse& impulse) const {
+  const Candidates candidates = candidates_on(segment, frames_.detection(interval + 1),
+                                              frames_.detection(interval), impulse, parameters_);
   return attribute_touch(candidates, gap_to_goals_m(field_, segment), last_.side, parameters_);
 }
 
-void LastTouchDetector::conclude(const Verdict& verdict, int interval, const Vec2& change) {
+void OnlineTouchDetector::conclude(const Verdict& verdict, int interval, const Vec2& change) {
   if (!verdict.is_touch) return;
-  const Detection& end = detection(interval);
+  const BallDetection& end = ball(interval);
   const double carpet_mps = parameters_.carpet_mps2 * end.duration_s;
   take(verdict, end.time_s - (1 - verdict.share) * end.duration_s,
        std::max(0.0, change.norm() - carpet_mps));
 }
 
-void LastTouchDetector::take(const Verdict& verdict, double time_s, double speed_change_mps) {
+void OnlineTouchDetector::take(const Verdict& verdict, double time_s, double speed_change_mps) {
   last_ = {verdict.side, verdict.robot, time_s, verdict.gap_m, speed_change_mps, verdict.runner_up};
 }
 
 // A hull that merely passes the ball is at it for a moment, one that pushes or carries it for as
 // long as detections are kept.
-bool LastTouchDetector::carries_ball(RobotId id) const {
-  if (detection(0).velocity_mps.norm() < parameters_.carried_mps) return false;
+bool OnlineTouchDetector::carries_ball(RobotId id) const {
+  if (ball(0).velocity_mps.norm() < parameters_.carried_mps) return false;
   // Both places are off: their deviations add up to sqrt(2).
-  const double moved_m = (detection(0).ball_m - detection(kKept - 1).ball_m).norm();
+  const double moved_m = (ball(0).position_m - ball(kUsed - 1).position_m).norm();
   if (moved_m < kCertainDeviations * 1.41 * parameters_.position_noise_m) return false;
-  for (int back = 0; back < kKept; ++back) {
-    const RobotObservation* robot = find_robot(detection(back).robots[id.side], id.number);
+  for (int back = 0; back < kUsed; ++back) {
+    const RobotObservation* robot = find_robot(frames_.detection(back).robots[id.side], id.number);
     if (robot == nullptr) return false;
-    if (!(gap_to_robot_m(*robot, detection(back).ball_m) <= touching_m())) return false;
+    if (!(gap_to_robot_m(*robot, ball(back).position_m) <= touching_m())) return false;
   }
   return true;
 }
 
 // Too soft for a velocity change: the ball got faster away from a hull at it, whether the carpet
 // went on as it did just before, or left off because the ball began to roll.
-bool LastTouchDetector::pushed_softly(const RobotObservation& robot) const {
-  if (!(gap_to_robot_m(robot, detection(1).ball_m) <= touching_m())) return false;
-  const double duration_s = detection(0).duration_s;
+bool OnlineTouchDetector::pushed_softly(const RobotObservation& robot) const {
+  if (!(gap_to_robot_m(robot, ball(1).position_m) <= touching_m())) return false;
+  const double duration_s = ball(0).duration_s;
   const Vec2 carpet_mps = 2 * clamp_norm(change_mps(3, 2), parameters_.carpet_mps2 * duration_s);
-  const Vec2 push = push_direction(robot, detection(1).ball_m);
+  const Vec2 push = push_direction(robot, ball(1).position_m);
   const double push_mps = change_mps(2, 0).dot(push);
   // Positions enter with weights up to 5: their deviations add up to about eight.
   const double noise_mps = kCertainDeviations * 8 * parameters_.position_noise_m / duration_s;
@@ -206,14 +186,14 @@ bool LastTouchDetector::pushed_softly(const RobotObservation& robot) const {
          parameters_.soft_push_mps + noise_mps;
 }
 
-double LastTouchDetector::touching_m() const {
+double OnlineTouchDetector::touching_m() const {
   return parameters_.touching_m + kMaybe * parameters_.position_noise_m;
 }
 
 // Where the noise hides soft touches from frame to frame, they show a little later.
-void LastTouchDetector::detect_velocity_change() {
+void OnlineTouchDetector::detect_velocity_change() {
   if (parameters_.position_noise_m <= 0) return;
-  const std::optional<VelocityChange> change = velocity_changes_.update(detection(0));
+  const std::optional<VelocityChange> change = velocity_changes_.update();
   if (!change || change->since_s <= changed_s_) return;
   const Candidates candidates =
       candidates_on(change->segment, *change->before, *change->after, change->impulse, parameters_);
@@ -224,8 +204,8 @@ void LastTouchDetector::detect_velocity_change() {
   settled_ = last_;
 }
 
-TouchParameters LastTouchDetector::with_noise(TouchParameters parameters,
-                                              const VisionNoise& noise) {
+TouchParameters OnlineTouchDetector::with_noise(TouchParameters parameters,
+                                                const VisionNoise& noise) {
   parameters.position_noise_m = noise.ball_m;
   const double noise_m = kMaybe * noise.ball_m;
   parameters.contact_m += noise_m;
@@ -234,16 +214,16 @@ TouchParameters LastTouchDetector::with_noise(TouchParameters parameters,
   return parameters;
 }
 
-void LastTouchDetector::detect_contacts() {
-  const Detection& before = detection(1);
-  if (known_ < kKept || detection(0).height_m > kRobotHeight_m) return;
+void OnlineTouchDetector::detect_contacts() {
+  const StoredFrame& before = frames_.detection(1);
+  if (known_ < kUsed || ball(0).height_m > kRobotHeight_m) return;
   const double near_m = kRobotRadius_m + kBallRadius_m + parameters_.pinned_m;
   Candidates at_ball;
   bool is_touch = false;
   for (Side side : kSides) {
     for (const RobotObservation& robot : before.robots[side]) {
-      if (!((robot.position_m - before.ball_m).squaredNorm() <= near_m * near_m)) continue;
-      const double gap_m = gap_to_robot_m(robot, before.ball_m);
+      if (!((robot.position_m - before.ball.position_m).squaredNorm() <= near_m * near_m)) continue;
+      const double gap_m = gap_to_robot_m(robot, before.ball.position_m);
       if (!(gap_m <= parameters_.pinned_m)) continue;
       at_ball.push_back({{side, robot.number}, std::max(0.0, gap_m), 1, true});
       is_touch = is_touch || pushed_softly(robot) || carries_ball({side, robot.number});

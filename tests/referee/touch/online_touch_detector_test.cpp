@@ -1,4 +1,4 @@
-#include "referee/touch/last_touch.hpp"
+#include "referee/touch/online_touch_detector.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,8 @@ class TouchScene {
   }
   // Play starts; then the ball rests for a few frames, or moves at `velocity_mps`.
   TouchScene& start(const Vec2& velocity_mps = Vec2(0, 0)) {
-    detector.restart(frame, ball_m);
+    history.restart(frame, ball_m);
+    detector.restart();
     ball_mps = Vec2(0, 0);
     roll(4);
     ball_mps = velocity_mps;
@@ -32,7 +33,8 @@ class TouchScene {
     frame.time_s = static_cast<double>(frame.number) * kFrame_s;
     frame.ball.reset();
     if (is_seen) frame.ball = BallObservation{ball_m, height_m};
-    detector.update(frame);
+    history.push(frame);
+    detector.update();
   }
   void roll(int frames) {
     for (int i = 0; i < frames; ++i) {
@@ -53,7 +55,8 @@ class TouchScene {
   Vec2 ball_mps{0, 0};
   double height_m = 0;
   bool is_seen = true;
-  LastTouchDetector detector{Field{}, TouchParameters{}};
+  FrameHistory history;
+  OnlineTouchDetector detector{history, Field{}, TouchParameters{}};
 };
 
 TEST(LastTouch, IsUnknownBeforeAnyTouch) {

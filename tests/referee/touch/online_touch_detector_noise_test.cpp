@@ -1,7 +1,7 @@
 // Who touched the ball last, where vision is as noisy as in the preset `realistic`.
 #include <gtest/gtest.h>
 
-#include "referee/touch/last_touch.hpp"
+#include "referee/touch/online_touch_detector.hpp"
 #include "soccer/random.hpp"
 #include "soccer/robot_shape.hpp"
 #include "soccer/trigonometry.hpp"
@@ -24,7 +24,8 @@ class NoisyScene {
   }
   void start(const Vec2& ball_m) {
     see(ball_m);
-    detector_.restart(frame_, ball_m);
+    frames_.restart(frame_, ball_m);
+    detector_.restart();
   }
   void see(const Vec2& ball_m) {
     ++frame_.number;
@@ -42,7 +43,8 @@ class NoisyScene {
     if (random_.uniform() >= kMissed) {
       frame_.ball = BallObservation{noisy(ball_m, kNoise.ball_m), std::nullopt};
     }
-    detector_.update(frame_);
+    frames_.push(frame_);
+    detector_.update();
   }
   // A ball that rolls from `from_m` for some frames; where it is then.
   Vec2 roll(const Vec2& from_m, const Vec2& velocity_mps, int frames) {
@@ -61,7 +63,8 @@ class NoisyScene {
   RandomStream random_;
   Frame frame_;
   PerSide<SeenRobots> robots_;
-  LastTouchDetector detector_{Field{}, TouchParameters{}, kNoise};
+  FrameHistory frames_;
+  OnlineTouchDetector detector_{frames_, Field{}, TouchParameters{}, kNoise};
 };
 
 // A ball of 1.2 m/s brushes a robot and is turned by 30 degrees: a change of 0.6 m/s, which the

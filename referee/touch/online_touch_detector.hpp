@@ -1,0 +1,87 @@
+// Who touched the ball last while play is on: the paper's input c (table 1), from vision alone.
+//
+// Deviation D16: the paper's AutoRef takes c as given.
+//
+// The online one of the two touch detectors (docs/touch-detection.md): it judges each frame from
+// the last few detections of the ball. A touch shows in the ball's motion: its velocity or position
+// changes by more than carpet and noise explain while a robot's hull is at the ball, or the ball
+// stays at a moving hull and moves along with it. A robot that is merely near did not touch the
+// ball, and a velocity change with no robot near (a post, a wall) is not a touch. If robots of both
+// sides explain a velocity change about equally well, the last touch is unknown.
+//
+// The referee restarts the detector when play starts and updates it after each frame of play.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "referee/decision.hpp"
+#include "referee/touch/frame_history.hpp"
+#include "referee/touch/touch_candidates.hpp"
+#include "referee/touch/velocity_change_detector.hpp"
+#include "referee/touch/verdict.hpp"
+#include "referee/touch_parameters.hpp"
+#include "soccer/field.hpp"
+#include "tracking/tracker.hpp"
+
+namespace autoref::referee {
+
+class OnlineTouchDetector {
+ public:
+  // Keeps a reference to the history. `noise` is vision's.
+  OnlineTouchDetector(const FrameHistory& frames, const Field& field,
+                      const TouchParameters& parameters, const VisionNoise& noise = {})
+      : frames_(frames),
+        field_(field),
+        parameters_(with_noise(parameters, noise)),
+        velocity_changes_(frames, parameters_) {}
+  OnlineTouchDetector(const OnlineTouchDetector&) = delete;
+  OnlineTouchDetector& operator=(const OnlineTouchDetector&) = delete;
+
+  // Call after FrameHistory::restart(): nobody has touched the ball yet.
+  void restart();
+
+  // Judges the newest frame of the history, if it has a ball.
+  void update();
+
+  const LastTouch& last() const { return last_; }
+
+ private:
+  static TouchParameters with_noise(TouchParameters parameters, const VisionNoise& noise);
+  void forget_detections();
+  void resume_after_gap();
+  void detect_sudden_change();
+  void detect_contacts();
+  void detect_velocity_change();
+  bool carries_ball(RobotId id) const;
+  bool pushed_softly(const RobotObservation& robot) const;
+  double touching_m() const;
+  bool is_sudden_change() const;
+  bool is_landing() const;
+  std::optional<double> share_of_single_touch() const;
+  void detect_single_touch(double share);
+  void detect_onwards();
+  Verdict verdict_on(const BallSegment& segment, int interval, const Impulse& impulse) const;
+  void conclude(const Verdict& verdict, int interval, const Vec2& change_mps);
+  void take(const Verdict& verdict, double time_s, double speed_change_mps);
+
+  const BallDetection& ball(int back) const { return frames_.detection(back).ball; }
+  Vec2 change_mps(int from_back, int to_back) const {
+    return ball(to_back).velocity_mps - ball(from_back).velocity_mps;
+  }
+
+  static constexpr int kUsed = 4;  // detections that a frame is judged by
+
+  const FrameHistory& frames_;
+  Field field_;
+  TouchParameters parameters_;
+  std::int64_t judged_ = 0;  // detections of the history
+  int known_ = 0;            // detections since play started or the ball was lost, up to kUsed
+  bool is_open_ = false;     // the next frame may revise the newest velocity change
+  LastTouch settled_;        // before that velocity change
+  VelocityChangeDetector velocity_changes_;
+  double changed_s_ = 0;  // time of the last velocity change seen from frame to frame
+  LastTouch last_;
+};
+
+}  // namespace autoref::referee
