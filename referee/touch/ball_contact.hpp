@@ -1,4 +1,4 @@
-// Which robots have the ball at their hull.
+// Which robots are in contact with the ball.
 #pragma once
 
 #include "soccer/tracks.hpp"
@@ -6,10 +6,10 @@
 
 namespace autoref::referee {
 
-// Whether the robot has the ball: contact begins where hull and ball touch, to within 1 mm and what
-// `noise` explains, and ends with "an observable separation between the ball and the robot" (Laws
-// 12; 2026, Dribbling), which is 20 mm; `had` tells whether it had the ball in the frame before. A
-// ball above the robot is none that it has.
+// Whether the robot is in contact with the ball. Contact begins when the gap between hull and ball
+// is below 1 mm plus one standard deviation of `noise`, and ends with "an observable separation
+// between the ball and the robot" (Laws 12; 2026, Dribbling), taken as 20 mm. `had` says whether
+// it was in contact in the previous frame. A ball above the robot is not in contact.
 bool has_ball(const TrackedRobot& robot, const TrackedBall& ball, bool had,
               const VisionNoise& noise);
 

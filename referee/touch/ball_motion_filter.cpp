@@ -6,14 +6,15 @@
 namespace autoref::referee {
 namespace {
 
-constexpr double kAnySpeed_mps = 4.0;  // standard deviation where nothing is known
+constexpr double kAnySpeed_mps = 4.0;  // prior standard deviation of an unknown velocity
 constexpr double kMillimetre2 = 1e-6;
 
-// Within 1e-7. The C library's logarithm differs from machine to machine in its last bit.
+// Accurate to 1e-7: the series of 2 artanh(z). The C library's logarithm differs between machines
+// in its last bit.
 double natural_log(double x) {
   constexpr double kLog2 = 0.69314718055994531;
   int exponent = 0;
-  const double part = std::frexp(x, &exponent);  // from a half to one
+  const double part = std::frexp(x, &exponent);  // from 0.5 to 1
   const double z = (part - 0.75) / (part + 0.75);
   constexpr double kLogOfThreeQuarters = -0.28768207245178090;
   const double z2 = z * z;
@@ -46,14 +47,16 @@ void BallMotionFilter::predict(double duration_s, const BallMotionParameters& pa
   pa_ += t * va_ + h * aa_;
   vv_ += 2 * t * va_ + t * t * aa_;
   va_ += t * aa_;
+  // White-noise jerk, discretised to first order in the step.
   aa_ += (rolls_ ? parameters.rolls_change_m2ps5 : parameters.slides_change_m2ps5) * std::abs(t);
   if (rolls_ && t > 0 && velocity_mps_.dot(acceleration_mps2_) > 0) {
-    velocity_mps_ = acceleration_mps2_ = Vec2(0, 0);  // it has come to rest
+    velocity_mps_ = acceleration_mps2_ = Vec2(0, 0);  // friction has stopped it
   }
 }
 
 void BallMotionFilter::touch(double duration_s, bool is_soft,
                              const BallMotionParameters& parameters) {
+  // A velocity jump at a time uniformly distributed over the interval.
   const double variance = square(is_soft ? parameters.soft_mps : parameters.hard_mps);
   pp_ += variance * square(duration_s) / 3;
   pv_ += variance * duration_s / 2;

@@ -1,5 +1,6 @@
-// Place, velocity and acceleration of what speeds up or slows down evenly, by some detections:
-// least squares, all weighted by their variances. Both coordinates share one covariance.
+// Position, velocity and acceleration of a body with constant acceleration, estimated from
+// detections: weighted least squares with a Gaussian prior on the acceleration. Both coordinates
+// share one covariance.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,7 +14,7 @@ struct ConstantAcceleration {
   Vec2 position_m{0, 0};
   Vec2 velocity_mps{0, 0};
   Vec2 acceleration_mps2{0, 0};
-  double velocity_deviation_mps = 0;  // standard deviation of each coordinate
+  double velocity_deviation_mps = 0;  // standard deviation per coordinate
 
   Vec2 position_after(double duration_s) const {
     return position_m + duration_s * velocity_mps + duration_s * duration_s / 2 * acceleration_mps2;
@@ -25,13 +26,14 @@ struct ConstantAcceleration {
 
 class ConstantAccelerationFit {
  public:
-  // What is known of the acceleration beforehand, and its standard deviation in each coordinate.
+  // Prior mean of the acceleration, and its standard deviation per coordinate.
   ConstantAccelerationFit(const Vec2& acceleration_mps2, double deviation_mps2);
 
-  // Where it was at that time. `deviation_m`, of each coordinate, must be above 0.
+  // Adds a detection. `deviation_m`, the position's standard deviation per coordinate, must be
+  // positive.
   void add(double time_s, const Vec2& position_m, double deviation_m);
 
-  // Needs two detections of different times.
+  // Requires two detections at different times.
   ConstantAcceleration motion() const;
 
  private:

@@ -10,14 +10,14 @@
 namespace autoref::referee {
 namespace {
 
-constexpr double kPathNear_m = 0.3;  // robots farther from the ball need no look
-constexpr int kPathSamples = 16;     // of the time between frames
+constexpr double kPathNear_m = 0.3;  // robots farther from the path are skipped
+constexpr int kPathSamples = 16;     // between two frames
 constexpr int kSamplesUnseen = 6;
 
 struct Sample {
   Vec2 ball_m{0, 0};
   double time_s = 0;
-  double variance_m2 = 0;  // of a gap
+  double variance_m2 = 0;  // of the gap to a hull
 };
 
 struct PathPose {
@@ -31,7 +31,7 @@ class Walker {
          const HullIntersectionParameters& parameters)
       : motion_(motion), goes_back_(goes_back), parameters_(parameters) {}
 
-  // From one frame to the next; without its beginning, unless it is the first.
+  // Samples from one frame to the next; their common end only once.
   void go(const StoredFrame& from, const StoredFrame& to, int samples, double start_s,
           bool is_first) {
     for (int i = is_first ? 0 : 1; i <= samples; ++i) {
@@ -51,19 +51,19 @@ class Walker {
   }
 
   void look(const StoredFrame& from, const StoredFrame& to, double share, const Sample& sample) {
-    double through_nll = walk_.through_nll;
+    double through_deviance = walk_.through_deviance;
     for (const Side side : kSides) {
       for (const RobotObservation& robot : from.robots[side]) {
         if ((robot.position_m - sample.ball_m).squaredNorm() > square(kPathNear_m)) continue;
         if (!is_near_ball(from, robot)) continue;
         const PathPose pose = pose_of(robot, find_robot(to.robots[side], robot.number), to, share);
-        through_nll = std::max(through_nll, weigh({side, robot.number}, pose, sample));
+        through_deviance = std::max(through_deviance, weigh({side, robot.number}, pose, sample));
       }
     }
-    walk_.through_nll = through_nll;
+    walk_.through_deviance = through_deviance;
   }
 
-  // Weighs a touch of that robot; returns what going through its hull costs.
+  // Weighs a touch of that robot; returns the deviance of passing through its hull.
   double weigh(RobotId id, const PathPose& pose, const Sample& sample) {
     const double gap_m =
         distance_to_hull(sample.ball_m, pose.position_m, pose.heading) - kBallRadius_m;
@@ -103,18 +103,18 @@ class Walker {
     const bool crosses = (gap_m > 0) != (former_gap_m > 0);
     former_gap_m = gap_m;
     intersection.least_gap_m = std::min(intersection.least_gap_m, gap_m);
-    const double least = std::min(intersection.bounce_nll, intersection.kick_nll);
+    const double least = std::min(intersection.bounce_deviance, intersection.kick_deviance);
     const double off_m = crosses ? 0 : std::max(0.0, std::abs(gap_m) - parameters_.slack_m);
-    const double bounce_nll = walk_.through_nll + square(off_m) / sample.variance_m2;
-    const double kick_nll = walk_.through_nll + kick_nll_of(pose, sample);
-    intersection.bounce_nll = std::min(intersection.bounce_nll, bounce_nll);
-    intersection.kick_nll = std::min(intersection.kick_nll, kick_nll);
-    if (std::min(bounce_nll, kick_nll) >= least) return;
+    const double bounce_deviance = walk_.through_deviance + square(off_m) / sample.variance_m2;
+    const double kick_deviance = walk_.through_deviance + kick_deviance_of(pose, sample);
+    intersection.bounce_deviance = std::min(intersection.bounce_deviance, bounce_deviance);
+    intersection.kick_deviance = std::min(intersection.kick_deviance, kick_deviance);
+    if (std::min(bounce_deviance, kick_deviance) >= least) return;
     intersection.time_s = sample.time_s;
     intersection.gap_m = std::max(0.0, gap_m);
   }
 
-  double kick_nll_of(const PathPose& pose, const Sample& sample) const {
+  double kick_deviance_of(const PathPose& pose, const Sample& sample) const {
     const Vec2 local_m = to_local(sample.ball_m - pose.position_m, pose.heading);
     const double off_m = 3 * std::sqrt(sample.variance_m2);
     const double before_m = local_m.x() - kFrontDistance_m - kBallRadius_m;

@@ -9,14 +9,14 @@
 namespace autoref::referee {
 namespace {
 
-// A ball that rolls rather than slides, or the other way, by so much less cost does so surely.
+// If rolling and sliding differ by this deviance, only the likelier is kept.
 constexpr double kRollsSurely = 20;
-// A hypothesis that costs so much more than the cheapest does not catch up; twice what a touch by
-// nobody costs.
+// Hypotheses with this much more deviance than the best are pruned: they cannot catch up. Twice
+// the deviance of a velocity change with nobody near.
 constexpr double kTooUnlikely = 60;
-constexpr double kLeastSliding_mps2 = 3.0;  // what sliding takes on the slickest carpet
-constexpr double kBeforeKnown_s = 50_ms;    // a new way's speed is not known sooner
-constexpr std::int64_t kLongestGap = 64;    // frames, 1 s; more tell nothing of what was before
+constexpr double kLeastSliding_mps2 = 3.0;  // friction on the slickest carpet
+constexpr double kBeforeKnown_s = 50_ms;    // the speed after a touch is not known sooner
+constexpr std::int64_t kLongestGap = 64;    // frames; after 1 s unseen, tracking starts over
 
 }  // namespace
 
@@ -32,7 +32,7 @@ SideMinima HypothesisTracker::track(std::int64_t first, const SideMinima& before
   return best_minima();
 }
 
-// Nothing is known of the ball but this detection, and what was before.
+// Starts over at this detection, with the minima until then.
 void HypothesisTracker::begin(const SideMinima& minima) {
   hypotheses_.clear();
   hypotheses_.emplace_back();
@@ -54,12 +54,12 @@ void HypothesisTracker::go_on() {
   forget_unlikely();
 }
 
-// The cheapest hypothesis in which the ball slides goes on with a ball that rolls; in those in
-// which it would have slid for too long it rolls anyway.
+// Branches the likeliest sliding hypothesis into one in which the ball begins to roll. Where it has
+// slid for as long as possible, it rolls without branching.
 void HypothesisTracker::add_rolling() {
   const auto roll = [this](TouchHypothesis& hypothesis) {
     hypothesis.motion.begin_to_roll(basis_.parameters.motion);
-    hypothesis.motion_nll += basis_.parameters.roll_nll;
+    hypothesis.motion_deviance += basis_.parameters.roll_deviance;
   };
   for (TouchHypothesis& hypothesis : hypotheses_) {
     if (!hypothesis.motion.rolls() && !slides_still(hypothesis)) roll(hypothesis);
@@ -75,12 +75,13 @@ const TouchHypothesis* HypothesisTracker::cheapest_sliding() const {
   const TouchHypothesis* cheapest = nullptr;
   for (const TouchHypothesis& hypothesis : hypotheses_) {
     if (hypothesis.motion.rolls() || hypothesis.detections < 2) continue;
-    if (cheapest == nullptr || hypothesis.nll() < cheapest->nll()) cheapest = &hypothesis;
+    if (cheapest == nullptr || hypothesis.deviance() < cheapest->deviance()) cheapest = &hypothesis;
   }
   return cheapest;
 }
 
-// A ball slides for at most a third of its speed and its spin's, and spins as it rolled before.
+// A solid sphere rolls once sliding has taken 2/7 (here 0.3) of the difference between its speed
+// and its spin; the spin is at most that of rolling before the touch.
 bool HypothesisTracker::slides_still(const TouchHypothesis& hypothesis) const {
   const double former_mps = hypothesis.before_mps.norm();
   const double at_first_mps = 1.5 * hypothesis.motion.velocity_mps().norm();
@@ -89,13 +90,15 @@ bool HypothesisTracker::slides_still(const TouchHypothesis& hypothesis) const {
 }
 
 const TouchHypothesis& HypothesisTracker::cheapest() const {
-  return *std::min_element(
-      hypotheses_.begin(), hypotheses_.end(),
-      [](const TouchHypothesis& a, const TouchHypothesis& b) { return a.nll() < b.nll(); });
+  return *std::min_element(hypotheses_.begin(), hypotheses_.end(),
+                           [](const TouchHypothesis& a, const TouchHypothesis& b) {
+                             return a.deviance() < b.deviance();
+                           });
 }
 
-// The hypotheses until now go on with a touch since the detection before: a soft one and a hard
-// one.
+// Gates the detection by the likeliest hypothesis. If it is outside the gate, or if somebody was
+// near enough, branches off a soft and a hard touch since the previous detection. They start from
+// the per-side minima of all hypotheses, which merges these.
 void HypothesisTracker::add_touch() {
   const BallMotionParameters& parameters = basis_.parameters.motion;
   const BallMotionFilter& motion = cheapest().motion;
@@ -120,10 +123,10 @@ TouchHypothesis HypothesisTracker::hypothesis_of_touch(const BallMotionFilter& m
   hypothesis.start = now_;
   hypothesis.before = former_;
   hypothesis.before_mps = motion.velocity_mps();
-  hypothesis.goal_nll = goal_nll_of(basis_, former_, now_, onwards_m);
+  hypothesis.goal_deviance = goal_deviance_of(basis_, former_, now_, onwards_m);
   hypothesis.jumps = now().ball.jumps;
   hypothesis.minima = hypothesis.untouched = best_minima();
-  hypothesis.nll_until_touch = hypothesis.minima.least() + basis_.parameters.touch_nll;
+  hypothesis.deviance_until_touch = hypothesis.minima.least() + basis_.parameters.touch_deviance;
   const double lowest_m =
       std::min(now().ball.height_m, basis_.frame_history[former_].ball.height_m);
   if (lowest_m <= kRobotHeight_m) find_touch_sources(hypothesis, basis_);
@@ -137,7 +140,7 @@ void HypothesisTracker::follow() {
   }
   for (TouchHypothesis& hypothesis : hypotheses_) {
     follow(hypothesis);
-    // Who sent the ball on its way is the same whether it then slid or rolled.
+    // The touch before is the same whether the ball then slid or rolled.
     const auto twin = std::find_if(
         hypotheses_.begin(), hypotheses_.end(),
         [&hypothesis](const TouchHypothesis& other) { return other.start == hypothesis.start; });
@@ -149,7 +152,7 @@ void HypothesisTracker::follow() {
   }
 }
 
-// All but the newest hypothesis have lost the ball.
+// A jump ends all hypotheses except the newest, which starts at it.
 void HypothesisTracker::follow_jump() {
   hypotheses_.erase(hypotheses_.begin(), hypotheses_.end() - 1);
   TouchHypothesis& hypothesis = hypotheses_.back();
@@ -162,14 +165,14 @@ void HypothesisTracker::follow(TouchHypothesis& hypothesis) const {
   const TouchHypothesisParameters& p = basis_.parameters;
   const bool is_new = hypothesis.start == now_;
   if (!is_new && now_ - former_ > 1) {
-    // A ball unseen goes through nobody either.
+    // An unseen ball cannot pass through robots either.
     const Walk unseen =
         walk(hypothesis.motion, basis_.frame_history, former_, now_, p.intersection);
-    hypothesis.motion_nll += std::min(unseen.through_nll, p.unlikely_nll);
+    hypothesis.motion_deviance += std::min(unseen.through_deviance, p.unlikely_deviance);
   }
   hypothesis.motion.predict(since_former_s(), p.motion);
   if (is_new) hypothesis.motion.touch(since_former_s(), hypothesis.is_soft, p.motion);
-  hypothesis.motion_nll += hypothesis.motion.correct(now().ball.position_m, p.motion);
+  hypothesis.motion_deviance += hypothesis.motion.correct(now().ball.position_m, p.motion);
   ++hypothesis.detections;
 }
 
@@ -177,7 +180,7 @@ SideMinima HypothesisTracker::best_minima() const {
   SideMinima best;
   for (const TouchHypothesis& hypothesis : hypotheses_) {
     for (const Toucher toucher : {kNobody, kWest, kEast}) {
-      best.offer(toucher, hypothesis.minima.nll[toucher] + hypothesis.motion_nll,
+      best.offer(toucher, hypothesis.minima.deviance[toucher] + hypothesis.motion_deviance,
                  hypothesis.minima.touch[toucher]);
     }
   }
@@ -185,35 +188,35 @@ SideMinima HypothesisTracker::best_minima() const {
 }
 
 void HypothesisTracker::forget_unlikely() {
-  Nlls nlls;
-  for (const TouchHypothesis& hypothesis : hypotheses_) nlls.push_back(hypothesis.nll());
-  double most = *std::min_element(nlls.begin(), nlls.end()) + kTooUnlikely;
-  strike_twins(nlls);
-  if (nlls.size() > kMostHypotheses) {
-    Nlls sorted = nlls;
+  Deviances deviances;
+  for (const TouchHypothesis& hypothesis : hypotheses_) deviances.push_back(hypothesis.deviance());
+  double most = *std::min_element(deviances.begin(), deviances.end()) + kTooUnlikely;
+  strike_twins(deviances);
+  if (deviances.size() > kMostHypotheses) {
+    Deviances sorted = deviances;
     std::nth_element(sorted.begin(), sorted.begin() + kMostHypotheses - 1, sorted.end());
     most = std::min(most, sorted[kMostHypotheses - 1]);
   }
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < nlls.size(); ++i) {
-    if (nlls[i] > most || kept == kMostHypotheses) continue;
+  for (std::size_t i = 0; i < deviances.size(); ++i) {
+    if (deviances[i] > most || kept == kMostHypotheses) continue;
     if (kept != i) hypotheses_[kept] = hypotheses_[i];
     ++kept;
   }
   hypotheses_.resize(kept);
 }
 
-// Of hypotheses that begin with the same touch one is enough once the ball rolls in both, or surely
-// in one.
-void HypothesisTracker::strike_twins(Nlls& nlls) const {
-  for (std::size_t i = 0; i < nlls.size(); ++i) {
+// Merges hypotheses that begin with the same touch: the likelier one is enough once the ball rolls
+// in both, or once their deviances differ clearly.
+void HypothesisTracker::strike_twins(Deviances& deviances) const {
+  for (std::size_t i = 0; i < deviances.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       const TouchHypothesis& a = hypotheses_[i];
       const TouchHypothesis& b = hypotheses_[j];
       if (a.start != b.start || a.is_soft != b.is_soft) continue;
       const bool both_roll = a.motion.rolls() && b.motion.rolls();
-      if (!both_roll && std::abs(nlls[i] - nlls[j]) < kRollsSurely) continue;
-      nlls[nlls[i] < nlls[j] ? j : i] = kNever;
+      if (!both_roll && std::abs(deviances[i] - deviances[j]) < kRollsSurely) continue;
+      deviances[deviances[i] < deviances[j] ? j : i] = kNever;
     }
   }
 }

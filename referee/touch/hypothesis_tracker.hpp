@@ -1,7 +1,8 @@
-// Tells the hypotheses of what was seen of the ball, and keeps the cheapest.
+// Runs a multiple-hypothesis tracker over the detections of the ball (Reid 1979).
 //
-// Whenever the ball comes near a robot, or turns, a new hypothesis tells that it was touched there;
-// the others go on without. So a touch is weighed with what the ball did long after it.
+// Whenever the ball is near a robot, or an innovation is outside the gate, new hypotheses branch
+// off in which it was touched there; the others continue without a touch. The decision about a
+// touch is thus deferred to what the ball did long after it. The likeliest ten hypotheses are kept.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -14,19 +15,19 @@ namespace autoref::referee {
 
 class HypothesisTracker {
  public:
-  // Keeps a reference to what the basis refers to.
+  // Keeps the references of the context.
   explicit HypothesisTracker(const HypothesisContext& basis) : basis_(basis) {}
 
-  // Tells what happened from the frame `first`, a detection of the ball, to the newest one. The
-  // ball's velocity at `first` is unknown; `before` says who may have touched it last until then.
-  // Returns who may have touched it last until now.
+  // Processes the frames from `first`, a detection of the ball, to the newest one. The ball's
+  // velocity at `first` is unknown. `before` are the minima of touches before `first`; returns
+  // those until the newest frame.
   SideMinima track(std::int64_t first, const SideMinima& before);
 
  private:
-  static constexpr std::size_t kMostHypotheses = 10;  // more change no call, fewer do
-  // One detection adds a hypothesis of rolling and two of a touch.
+  static constexpr std::size_t kMostHypotheses = 10;  // more do not change any call, fewer do
+  // A detection adds one hypothesis of rolling and two of a touch.
   using TouchHypotheses = boost::container::static_vector<TouchHypothesis, kMostHypotheses + 4>;
-  using Nlls = boost::container::static_vector<double, TouchHypotheses::static_capacity>;
+  using Deviances = boost::container::static_vector<double, TouchHypotheses::static_capacity>;
 
   void begin(const SideMinima& minima);
   void go_on();
@@ -41,14 +42,14 @@ class HypothesisTracker {
   void follow(TouchHypothesis& hypothesis) const;
   SideMinima best_minima() const;
   void forget_unlikely();
-  void strike_twins(Nlls& nlls) const;
+  void strike_twins(Deviances& deviances) const;
 
   const StoredFrame& now() const { return basis_.frame_history[now_]; }
   double since_former_s() const { return now().time_s - basis_.frame_history[former_].time_s; }
 
   HypothesisContext basis_;
-  std::int64_t now_ = 0;     // the detection told of
-  std::int64_t former_ = 0;  // and the one before it
+  std::int64_t now_ = 0;     // the current detection
+  std::int64_t former_ = 0;  // the previous one
   TouchHypotheses hypotheses_;
 };
 

@@ -9,7 +9,7 @@
 namespace autoref::referee {
 namespace {
 
-// Standard deviations: where a place may still be, and beyond which a change is not by chance.
+// Standard deviations: of a position that is still possible, and of a change that is not noise.
 constexpr double kMaybe = 3;
 constexpr double kCertainDeviations = 5;
 
@@ -68,14 +68,14 @@ bool OnlineTouchDetector::is_sudden_change() const {
   const BallDetection& now = ball(0);
   const BallDetection& before = ball(1);
   const double between_s = (now.duration_s + before.duration_s) / 2;
-  // Three positions enter the change with weights 1, -2, 1: their deviations add up to sqrt(6).
+  // Second difference of positions, weights 1, -2, 1: sqrt(6) times their standard deviation.
   const double noise_mps =
       kCertainDeviations * 2.45 * parameters_.position_noise_m / now.duration_s;
   const double explained_mps = parameters_.carpet_mps2 * between_s + parameters_.jump_mps;
   return change_mps(1, 0).norm() > explained_mps + noise_mps && !is_landing();
 }
 
-// A flying ball that touches down loses speed, a quarter at the first hop, and keeps its direction.
+// A landing ball loses speed, a quarter at the first hop, and keeps its direction.
 bool OnlineTouchDetector::is_landing() const {
   const bool in_air =
       ball(0).height_m > 0 || ball(1).height_m > 0 || (known_ > 2 && ball(2).height_m > 0);
@@ -102,8 +102,9 @@ void OnlineTouchDetector::detect_sudden_change() {
   changed_s_ = ball(0).time_s;
 }
 
-// Two velocity changes in a row come from one touch between them where the mean velocity in between
-// is made of the velocities before and after: when the touch was, as a share of that time.
+// Two successive velocity changes come from a single touch in between if the mean velocity between
+// them is a weighted mean of those before and after. Returns the time of that touch as a share of
+// the interval, or nullopt.
 std::optional<double> OnlineTouchDetector::share_of_single_touch() const {
   const Vec2 jump_mps = change_mps(2, 0);
   const double length2 = jump_mps.squaredNorm();
@@ -124,13 +125,13 @@ void OnlineTouchDetector::detect_single_touch(double share) {
   const Vec2 met_m = before.position_m + before.velocity_mps * (share * ball(1).duration_s);
   const BallSegment segment{met_m, met_m, share, share};
   const Verdict verdict = verdict_on(segment, 1, {change_mps(2, 0), ball(0).velocity_mps});
-  // With nobody there, not even a goal, it was more than one touch: the first impression stays.
+  // If nobody was there, not even a goal, there was more than one touch: keep the first verdict.
   if (!verdict.is_touch && gap_to_goals_m(field_, segment) > parameters_.reach_m) return;
   last_ = settled_;
   conclude(verdict, 1, change_mps(2, 0));
 }
 
-// The velocity change has just begun to show: the ball went on as before until it met somebody.
+// The velocity change is new: assume that the ball moved on as before until somebody touched it.
 void OnlineTouchDetector::detect_onwards() {
   const BallDetection& before = ball(1);
   const BallSegment segment{before.position_m,
@@ -157,11 +158,11 @@ void OnlineTouchDetector::take(const Verdict& verdict, double time_s, double spe
   last_ = {verdict.side, verdict.robot, time_s, verdict.gap_m, speed_change_mps, verdict.runner_up};
 }
 
-// A hull that merely passes the ball is at it for a moment, one that pushes or carries it for as
-// long as detections are kept.
+// A hull that merely passes the ball touches it for a moment; one that pushes or carries it stays
+// at the ball in all detections used.
 bool OnlineTouchDetector::carries_ball(RobotId id) const {
   if (ball(0).velocity_mps.norm() < parameters_.carried_mps) return false;
-  // Both places are off: their deviations add up to sqrt(2).
+  // The difference of two positions has sqrt(2) times their standard deviation.
   const double moved_m = (ball(0).position_m - ball(kUsed - 1).position_m).norm();
   if (moved_m < kCertainDeviations * 1.41 * parameters_.position_noise_m) return false;
   for (int back = 0; back < kUsed; ++back) {
@@ -172,15 +173,15 @@ bool OnlineTouchDetector::carries_ball(RobotId id) const {
   return true;
 }
 
-// Too soft for a velocity change: the ball got faster away from a hull at it, whether the carpet
-// went on as it did just before, or left off because the ball began to roll.
+// A push too soft for a sudden change: the ball accelerated away from a hull that touched it, both
+// if friction continued as just before and if it ceased because the ball began to roll.
 bool OnlineTouchDetector::pushed_softly(const RobotObservation& robot) const {
   if (!(gap_to_robot_m(robot, ball(1).position_m) <= touching_m())) return false;
   const double duration_s = ball(0).duration_s;
   const Vec2 carpet_mps = 2 * clamp_norm(change_mps(3, 2), parameters_.carpet_mps2 * duration_s);
   const Vec2 push = push_direction(robot, ball(1).position_m);
   const double push_mps = change_mps(2, 0).dot(push);
-  // Positions enter with weights up to 5: their deviations add up to about eight.
+  // Positions enter with weights up to 5, which gives about 8 times their standard deviation.
   const double noise_mps = kCertainDeviations * 8 * parameters_.position_noise_m / duration_s;
   return std::min(push_mps, push_mps - carpet_mps.dot(push)) >=
          parameters_.soft_push_mps + noise_mps;
@@ -190,7 +191,7 @@ double OnlineTouchDetector::touching_m() const {
   return parameters_.touching_m + kMaybe * parameters_.position_noise_m;
 }
 
-// Where the noise hides soft touches from frame to frame, they show a little later.
+// Soft touches that noise hides from frame to frame are detected a few frames later.
 void OnlineTouchDetector::detect_velocity_change() {
   if (parameters_.position_noise_m <= 0) return;
   const std::optional<VelocityChange> change = velocity_changes_.update();

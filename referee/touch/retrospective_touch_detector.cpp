@@ -9,7 +9,7 @@
 namespace autoref::referee {
 namespace {
 
-// Of two robots, one of each side.
+// The last touch if either side may have made it.
 LastTouch unknown_touch(const LastTouch& west, const LastTouch& east) {
   LastTouch touch;
   touch.time_s = std::max(west.time_s, east.time_s);
@@ -43,9 +43,10 @@ LastTouch RetrospectiveTouchDetector::detect(const LastTouch& reported) const {
   SideMinima before;
   before.offer(is_reported_before ? toucher_of(*reported.side) : kNobody, 0, reported);
   const SideMinima best = HypothesisTracker({field_, parameters_, frames_}).track(first, before);
-  if (best.nll[kNobody] <= std::min(best.nll[kWest], best.nll[kEast])) return reported;
-  const double lead = best.nll[kEast] - best.nll[kWest];
-  if (std::abs(lead) < parameters_.lead_nll) {
+  if (best.deviance[kNobody] <= std::min(best.deviance[kWest], best.deviance[kEast]))
+    return reported;
+  const double lead = best.deviance[kEast] - best.deviance[kWest];
+  if (std::abs(lead) < parameters_.lead_deviance) {
     return unknown_touch(best.touch[kWest], best.touch[kEast]);
   }
   LastTouch last = best.touch[lead > 0 ? kWest : kEast];

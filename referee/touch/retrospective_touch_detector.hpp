@@ -1,17 +1,17 @@
-// Who touched the ball last, judged in hindsight.
+// Who touched the ball last, judged in hindsight once the ball has left the field.
 //
-// What was seen of the ball in the last seconds is explained by hypotheses (touch_hypothesis.hpp):
-// chains of free ways (ball_motion_filter.hpp), joined by touches. Each costs minus twice the
-// logarithm of its likelihood: of the detections along each way, of each touch at all, and of its
-// robot (hull_intersections.hpp): the way before must lead to that robot's hull, and the way after
-// must come from there, or out of its mouth along its heading, without going through anybody. So
-// one that noise hid at first shows by where the ball went later.
+// The retrospective one of the two touch detectors (docs/touch-detection.md). It explains the
+// detections of the last seconds by hypotheses (touch_hypothesis.hpp): free motion of the ball
+// (ball_motion_filter.hpp), with touches in between. A hypothesis is scored by its likelihood: of
+// the detections, of each touch at all, and of the robot that made it (hull_intersections.hpp). The
+// path before must lead to that robot's hull; the path after must come from there, or out of its
+// dribbler zone along its heading, without passing through other robots. A touch that noise hides
+// at first is thus revealed by where the ball went later.
 //
-// The side whose cheapest hypothesis costs less touched the ball last; where both cost about the
-// same, nobody knows.
+// The side with the likelier hypothesis touched the ball last; if both are about equally likely,
+// the last touch is unknown.
 //
-// It owns the last frames; the hypotheses are told when asked for. The referee restarts it when
-// play starts, feeds it each frame of play, and asks it when the ball has left the field.
+// It has no state: every call processes the history from the start of its window.
 #pragma once
 
 #include "referee/decision.hpp"
@@ -30,9 +30,9 @@ class RetrospectiveTouchDetector {
   RetrospectiveTouchDetector(const RetrospectiveTouchDetector&) = delete;
   RetrospectiveTouchDetector& operator=(const RetrospectiveTouchDetector&) = delete;
 
-  // The last touch; of nobody's side where either side's may have been. `reported` is what was told
-  // while play was on (last_touch.hpp): it is the answer where nobody touched the ball during the
-  // seconds that are looked at, `TouchHypothesisParameters::window_s`.
+  // The last touch; its side is empty if either side may have made it. `reported` is the online
+  // detector's last touch: the answer if nobody touched the ball within the window
+  // (TouchHypothesisParameters::window_s).
   LastTouch detect(const LastTouch& reported) const;
 
  private:

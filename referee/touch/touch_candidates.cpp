@@ -8,15 +8,15 @@
 namespace autoref::referee {
 namespace {
 
-constexpr int kCandidateSamples = 16;   // of a way; a fast ball moves 8 mm from one to the next
-constexpr double kNormalStep_m = 1e-4;  // for the direction in which the hull's distance grows
+constexpr int kCandidateSamples = 16;   // per segment; a fast ball moves 8 mm from one to the next
+constexpr double kNormalStep_m = 1e-4;  // of the central differences for the normal
 
 struct CandidatePose {
   Vec2 position_m{0, 0};
   Vec2 heading{1, 0};
 };
 
-// A robot during the time between two detections.
+// A robot between two detections.
 class Motion {
  public:
   Motion(const RobotObservation& before, const RobotObservation& after)
@@ -55,10 +55,10 @@ double share_on(const BallSegment& segment, double part) {
 
 struct Approach {
   double gap_m = 0;
-  double part = 0;  // of the way
+  double part = 0;  // of the segment, from 0 to 1
 };
 
-// The first contact on the way, or the nearest approach where there is none.
+// The first contact on the segment, or else the closest approach.
 Approach approach_on(const BallSegment& segment, const Motion& motion) {
   Approach best{gap_m(motion.at(share_on(segment, 0)), on_segment(segment, 0)), 0};
   for (int i = 1; i <= kCandidateSamples && best.gap_m > 0; ++i) {
@@ -90,7 +90,7 @@ bool explains(const CandidatePose& pose, const Vec2& ball_m, double gap, const I
   return bounced || kicked;
 }
 
-// Whether the robot is so far from the whole way that no sample of it needs a look.
+// Whether the robot is too far from the whole segment to reach the ball.
 bool is_far(const BallSegment& segment, const RobotObservation& before,
             const RobotObservation& after, double reach_m) {
   const double near_m =

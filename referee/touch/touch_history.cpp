@@ -10,14 +10,14 @@
 namespace autoref::referee {
 namespace {
 
-// A ball so far from the hull is apart from it, with three standard deviations of both places.
+// A ball farther from the hull than this plus three standard deviations of the gap is apart.
 constexpr double kHistoryApart_m = 20_mm;
 constexpr double kSureDeviations = 3;
-// Touches by one of several robots, or by unknown ones, are one without a pause: three frames.
+// Touches by unknown robots are one unless this long passes between them: three frames.
 constexpr double kPause_s = 60_ms;
-// The frame after the next one tells whether a touch was one: two frames of a 60 Hz camera.
+// A touch may be revised in the next two frames of a 60 Hz camera.
 constexpr double kSettles_s = 30_ms;
-// A ball on the carpet for so long rolls; landings of a hopping ball are shorter.
+// A ball on the carpet for this long rolls; a hopping ball stays down for less.
 constexpr double kRolls_s = 100_ms;
 constexpr double kOnCarpet_m = 5_mm;
 constexpr double kNoTime_s = 1e-6;  // less than any camera's frame
@@ -50,7 +50,7 @@ void locate_end(BallTouch& touch, const FrameHistory& frames) {
   if (robot == nullptr) return;
   touch.toucher = *robot;
   if (ball == nullptr) return;
-  // A touch is told up to a frame late, when the ball may be off already.
+  // A touch is reported up to a frame late, when the ball may have left the robot.
   const Vec2& before_m = frames.ball_before(ball->time_s - kNoTime_s)->position_m;
   if (gap_to_robot_m(*robot, before_m) < gap_to_robot_m(*robot, touch.ended_m)) {
     touch.ended_m = before_m;
@@ -64,7 +64,7 @@ void TouchHistory::update(const RefereeInput& input, double began_s) {
   if (reported.time_s > began_s) {
     take_in(input);
   } else if (!kept_.empty()) {
-    withdraw();  // nobody has touched the ball after all
+    withdraw();  // the detector has revised the first touch away
   }
   if (!kept_.empty() && input.ball) follow_ball(kept_.back(), input);
 }
@@ -87,7 +87,7 @@ void TouchHistory::take_in(const RefereeInput& input) {
     if (reported.time_s == newest.ended_s) return;
     is_another(newest, reported.time_s) ? begin(input) : extend(newest, input);
   } else {
-    // What was before the frame that told of a touch is that touch, known better.
+    // A touch before the frame that reported the newest one is a revision of it.
     reported.time_s > newest.reported_s ? begin(input) : correct(input);
   }
 }

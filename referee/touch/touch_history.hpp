@@ -1,8 +1,8 @@
-// Who touched the ball since play was started, in order, and what the ball did between the touches.
+// The touches of the ball since play was started, in order, and what the ball did between them.
 //
-// It is made of the last touch as the detector tells it from frame to frame. Touches by one robot
-// are one until the ball has been apart from its hull. What the detector tells otherwise a moment
-// later is changed, too: who it was, when it was, or that it was no touch at all.
+// Built from the last touch that the online detector reports in each frame. Touches by one robot
+// count as one until the ball has been apart from its hull. When the detector revises a touch a
+// moment later (its robot, its time, or that there was one), the history follows.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -19,23 +19,23 @@ struct BallTouch {
   std::optional<Side> side;      // none: unknown
   std::optional<RobotId> robot;  // none: unknown, or one of several of that side
   double began_s = 0;
-  double ended_s = 0;                       // so far, of the newest
-  double reported_s = 0;                    // time of the frame that first told of it
-  Vec2 began_m{0, 0};                       // the ball as seen nearest to it
-  Vec2 ended_m{0, 0};                       // and to its end
-  std::optional<RobotObservation> toucher;  // where the robot was when it ended; none: not seen
-  std::optional<double> apart_s;            // since when the ball has been away from that robot
-  double highest_m = 0;                     // the ball's lowest point, from the touch to the next
-  bool height_known = true;                 // during all of that
-  bool rolled = false;                      // it has been on the carpet for 0.1 s, and still is
+  double ended_s = 0;                       // the newest touch may go on
+  double reported_s = 0;                    // time of the frame that first reported it
+  Vec2 began_m{0, 0};                       // the detection of the ball nearest to `began_s`
+  Vec2 ended_m{0, 0};                       // and to `ended_s`
+  std::optional<RobotObservation> toucher;  // the robot when it ended; none: not seen
+  std::optional<double> apart_s;            // when the ball separated from that robot
+  double highest_m = 0;      // greatest height of the ball's lowest point until the next touch
+  bool height_known = true;  // during all that time
+  bool rolled = false;       // the ball has been on the carpet for the last 0.1 s
 };
 
 class TouchHistory {
  public:
-  // Takes in one frame of play that was started at `began_s`.
+  // Updates the history by one frame of the play that was started at `began_s`.
   void update(const RefereeInput& input, double began_s);
 
-  // Touches so far; only the newest of them are kept.
+  // Number of touches so far; only the newest are kept.
   int count() const { return count_; }
   int kept() const { return static_cast<int>(kept_.size()); }
   bool has(int back) const { return back < kept(); }
@@ -44,8 +44,7 @@ class TouchHistory {
     return kept_[kept_.size() - 1 - static_cast<std::size_t>(back)];
   }
   const BallTouch* newest() const { return kept_.empty() ? nullptr : &kept_.back(); }
-  // Whether no second robot has touched the ball; a touch by somebody unknown may be a second
-  // robot's.
+  // Whether at most one robot has touched the ball; an unknown toucher counts as a second robot.
   bool is_one_robots() const;
 
  private:
@@ -62,7 +61,7 @@ class TouchHistory {
   std::optional<double> on_carpet_since_s_;  // since the newest touch
 };
 
-// Whether the detector will not tell the touch otherwise any more, but for rare cases.
+// Whether the detector will no longer revise the touch, except in rare cases.
 bool is_settled(const BallTouch& touch, double now_s);
 
 }  // namespace autoref::referee

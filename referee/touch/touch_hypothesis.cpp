@@ -4,11 +4,13 @@
 
 namespace autoref::referee {
 
-double SideMinima::least() const { return std::min({nll[kNobody], nll[kWest], nll[kEast]}); }
+double SideMinima::least() const {
+  return std::min({deviance[kNobody], deviance[kWest], deviance[kEast]});
+}
 
-void SideMinima::offer(Toucher toucher, double offered_nll, const LastTouch& offered_touch) {
-  if (offered_nll >= nll[toucher]) return;
-  nll[toucher] = offered_nll;
+void SideMinima::offer(Toucher toucher, double offered_deviance, const LastTouch& offered_touch) {
+  if (offered_deviance >= deviance[toucher]) return;
+  deviance[toucher] = offered_deviance;
   touch[toucher] = offered_touch;
 }
 

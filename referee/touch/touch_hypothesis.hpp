@@ -1,7 +1,8 @@
-// A hypothesis of what the ball did: free ways joined by touches.
+// A hypothesis about what the ball did: free motion, with touches in between.
 //
-// Its costs are minus twice the logarithms of likelihoods, up to a constant that all hypotheses
-// share; they have no unit.
+// A deviance is minus twice a log-likelihood, up to a constant that all hypotheses share: the sum
+// of normalised innovations squared and log-determinants. It has no unit; the difference of two is
+// twice the log-likelihood ratio.
 #pragma once
 
 #include <array>
@@ -18,52 +19,52 @@
 
 namespace autoref::referee {
 
-// What hypotheses are told of.
+// What all hypotheses refer to.
 struct HypothesisContext {
   const Field& field;
   const TouchHypothesisParameters& parameters;
   const FrameHistory& frame_history;
 };
 
-// Whose touch was the last.
+// The side of the last touch.
 enum Toucher : std::size_t { kNobody, kWest, kEast };
 inline Toucher toucher_of(Side side) { return side == Side::kWest ? kWest : kEast; }
 
-// The cheapest explanations by whose touch was the last.
+// For each side, the likeliest last touch by it: a minimum of the deviance.
 struct SideMinima {
-  std::array<double, 3> nll{kNever, kNever, kNever};
+  std::array<double, 3> deviance{kNever, kNever, kNever};
   std::array<LastTouch, 3> touch;
 
   double least() const;
-  void offer(Toucher toucher, double offered_nll, const LastTouch& offered_touch);
+  void offer(Toucher toucher, double offered_deviance, const LastTouch& offered_touch);
 };
 
-// A robot that may have sent the ball on its way.
+// A robot whose touch may have started the ball's present motion.
 struct TouchSource {
   RobotId robot;
-  double seen_gap_m = 1;  // to the ball's first detection on its way
-  double bounce_nll = 0;  // of the way before, for a bounce and for a kick
-  double kick_nll = 0;
-  double time_s = 0;  // of the likeliest touch, and the gap then
+  double seen_gap_m = 1;       // at the first detection after the touch
+  double bounce_deviance = 0;  // of the path before the touch, for a bounce and for a kick
+  double kick_deviance = 0;
+  double time_s = 0;  // of the likeliest touch
   double gap_m = 0;
 };
 
 struct TouchHypothesis {
   BallMotionFilter motion;
-  std::int64_t start = 0;    // the first frame of the way
-  std::int64_t before = 0;   // the one with a ball before it; the same where nothing is known of it
-  int detections = 0;        // of the way
-  bool is_soft = false;      // whether the touch that the way begins with was
-  bool jumps = false;        // or the ball's position jumped instead
-  double motion_nll = 0;     // of the way's detections
-  Vec2 before_mps{0, 0};     // velocity before the touch
-  double goal_nll = kNever;  // of the way before, for a goal's post or wall
-  double nll_until_touch = 0;  // of the way before, and of a robot's touch at all
-  SideMinima untouched;        // where no robot sent the ball on this way
+  std::int64_t start = 0;           // the first frame after the last touch
+  std::int64_t before = 0;          // the detection before it; equals `start` if there is none
+  int detections = 0;               // since the last touch
+  bool is_soft = false;             // whether the last touch was a brush
+  bool jumps = false;               // instead of a touch, the ball's position jumped
+  double motion_deviance = 0;       // of the detections since the last touch
+  Vec2 before_mps{0, 0};            // velocity before the touch
+  double goal_deviance = kNever;    // of a bounce off a goal, by the path before
+  double deviance_until_touch = 0;  // of all before, with the prior of a touch
+  SideMinima untouched;             // if no robot made the last touch
   boost::container::static_vector<TouchSource, 2 * kMaxRobots> sources;
-  SideMinima minima;  // until this way, with who sent the ball on it
+  SideMinima minima;  // with all that may have made the last touch
 
-  double nll() const { return minima.least() + motion_nll; }
+  double deviance() const { return minima.least() + motion_deviance; }
 };
 
 }  // namespace autoref::referee

@@ -1,5 +1,4 @@
-// What tells who touched the ball last from hypotheses of its ways
-// (retrospective_touch_detector.hpp).
+// Parameters of the retrospective touch detector (retrospective_touch_detector.hpp).
 #pragma once
 
 #include "referee/touch/ball_motion_filter.hpp"
@@ -8,29 +7,29 @@
 
 namespace autoref::referee {
 
-// Costs are minus twice the logarithms of likelihoods, and squares of deviations. They were tuned
-// on games of basic against basic, seeds 5001 to 5020.
+// Deviances are minus twice log-likelihoods: priors of events, and caps that make the likelihoods
+// robust against outliers. Tuned on games of basic against basic, seeds 5001 to 5020.
 struct TouchHypothesisParameters {
-  // What is looked at: the last seconds before the ball was out, and from before the touch that was
-  // told while play was on.
+  // The window covers the last `window_s` before the ball was out, and in any case all since
+  // `before_reported_s` before the online detector's last touch.
   double window_s = 2.0;
   double before_reported_s = 0.5;
   BallMotionParameters motion;
   HullIntersectionParameters intersection;
-  double surely = 4;      // deviations beyond which a change is not by chance
-  double near_m = 30_mm;  // a robot farther from the ball's ways did not touch it
-  double touch_nll = 5;   // a ball near a robot is touched in one of ten frames
-  double kick_nll = 2;
-  double second_touch_nll = 1.9;  // of another robot's, or the goal's, between two frames
-  double unlikely_nll = 30;       // robots cost no more than this for the way before
-  double at_hull_nll = 15;        // nor more than this in all where the ball was at their hull,
-  double off_hull_nll = 50;       // and this where it was not
-  double nobody_nll = 25;         // of a ball that turns with nobody near
-  double jump_nll = 10;           // of a ball that jumps because it flies or lands
-  double landing_nll = 4;         // of a ball in the air that loses speed
-  double roll_nll = 4;            // of beginning to roll just now
-  double post_off_m = 3_mm;       // standard deviation of the gap of a ball that met a goal
-  double lead_nll = 1;            // a side that leads by less is not known to have touched the ball
+  double surely = 4;          // gate of the innovation, in standard deviations
+  double near_m = 30_mm;      // a robot farther from the ball's path did not touch it
+  double touch_deviance = 5;  // near a robot: one frame in ten, -2 log 0.1
+  double kick_deviance = 2;
+  double second_touch_deviance = 1.9;  // of another robot or a goal between two frames
+  double unlikely_deviance = 30;       // cap for the path before a robot's touch
+  double at_hull_deviance = 15;        // cap for all of a touch, if the ball was at the hull
+  double off_hull_deviance = 50;       // and if it was not
+  double nobody_deviance = 25;         // a velocity change with nobody near
+  double jump_deviance = 10;           // a jump of a ball that takes off or lands
+  double landing_deviance = 4;         // a flying ball that loses speed
+  double roll_deviance = 4;            // the ball begins to roll in this frame
+  double post_off_m = 3_mm;            // standard deviation of the gap at a bounce off a goal
+  double lead_deviance = 1;            // with a smaller lead, the side is unknown
 };
 
 }  // namespace autoref::referee

@@ -9,23 +9,23 @@
 namespace autoref::referee {
 namespace {
 
-constexpr double kFastestRobot_mps = 4.0;  // somewhat more than the league's reach
-constexpr double kNearGoal_m = 0.5;        // a ball farther from the goal lines meets no post
-// Detections that tell where a way comes from. With more, the carpet and others bend it.
+constexpr double kFastestRobot_mps = 4.0;  // above the fastest of the league
+constexpr double kNearGoal_m = 0.5;        // from the goal line; farther away there are no posts
+// Detections that the path after a touch is estimated from; friction and touches bend more.
 constexpr int kTellingDetections = 8;
-// What a landing leaves of the ball's speed along its way, and may add across: as in the running
-// detector, 0.75 at the first hop and 0.5 where it began to spin.
+// Least share of its speed that a landing ball keeps, and most that it may gain across: it keeps
+// 0.75 at the first hop and 0.5 where it starts to spin. As in the online detector.
 constexpr double kLandedAlong = 0.4;
 constexpr double kLandedAcross = 0.1;
 
-// From the ball's surface to the robot in that frame; kNever where it is not in it.
+// From the ball's surface to the robot in that frame; kNever if it was not near.
 double seen_gap_m(const StoredFrame& frame, RobotId id) {
   const RobotObservation* robot = find_robot(frame.robots[id.side], id.number);
   if (robot == nullptr || !is_near_ball(frame, *robot)) return kNever;
   return gap_to_robot_m(*robot, frame.ball.position_m);
 }
 
-// The way's first detections, taken in backwards: where and how fast it began.
+// The motion right after the touch: the filter runs backwards over the first detections.
 BallMotionFilter motion_from_start(const TouchHypothesis& hypothesis, std::int64_t now,
                                    const HypothesisContext& basis) {
   const FrameHistory& frame_history = basis.frame_history;
@@ -46,7 +46,7 @@ BallMotionFilter motion_from_start(const TouchHypothesis& hypothesis, std::int64
   return motion;
 }
 
-// Whether a ball that nobody touched may go on like this after it landed.
+// Whether an untouched ball may move like this after a landing.
 bool goes_on(const TouchHypothesis& hypothesis, const BallMotionFilter& motion, double surely) {
   const Vec2& before_mps = hypothesis.before_mps;
   const double along = motion.velocity_mps().dot(before_mps);
@@ -57,17 +57,17 @@ bool goes_on(const TouchHypothesis& hypothesis, const BallMotionFilter& motion, 
          std::abs(across) <= (kLandedAcross * speed_mps + off_mps) * speed_mps;
 }
 
-// A ball that flies may seem to jump, and loses up to half of its speed when it lands.
-double nll_without_robot(const TouchHypothesis& hypothesis, const BallMotionFilter& motion,
-                         const HypothesisContext& basis) {
+// A flying ball may seem to jump, and loses up to half of its speed when it lands.
+double deviance_without_robot(const TouchHypothesis& hypothesis, const BallMotionFilter& motion,
+                              const HypothesisContext& basis) {
   const TouchHypothesisParameters& p = basis.parameters;
   const FrameHistory& frame_history = basis.frame_history;
   const bool in_air = std::max(frame_history[hypothesis.start].ball.height_m,
                                frame_history[hypothesis.before].ball.height_m) > 0;
-  const double goal_nll = p.touch_nll + hypothesis.goal_nll;
-  if (!goes_on(hypothesis, motion, p.surely)) return std::min(p.nobody_nll, goal_nll);
-  if (hypothesis.jumps) return std::min(p.jump_nll, goal_nll);
-  return std::min(in_air ? p.landing_nll : p.nobody_nll, goal_nll);
+  const double goal_deviance = p.touch_deviance + hypothesis.goal_deviance;
+  if (!goes_on(hypothesis, motion, p.surely)) return std::min(p.nobody_deviance, goal_deviance);
+  if (hypothesis.jumps) return std::min(p.jump_deviance, goal_deviance);
+  return std::min(in_air ? p.landing_deviance : p.nobody_deviance, goal_deviance);
 }
 
 const HullIntersection* intersection_with(const HullIntersections& intersections, RobotId robot) {
@@ -77,18 +77,18 @@ const HullIntersection* intersection_with(const HullIntersections& intersections
   return found == intersections.end() ? nullptr : &*found;
 }
 
-// What the ways before and after cost together, and the touch. It was this robot's alone, or the
-// second between two frames: then the way after may come from the first one's place.
-double nll_of(const TouchSource& source, const HullIntersection* after, double goal_nll,
-              const TouchHypothesisParameters& p) {
-  double nll =
-      std::min(source.bounce_nll, source.kick_nll) + p.second_touch_nll + p.touch_nll + goal_nll;
+// Deviance of a touch by that robot, with the paths before and after. It was the only touch between
+// the two frames or the second of two; then the path after need not fit.
+double deviance_of(const TouchSource& source, const HullIntersection* after, double goal_deviance,
+                   const TouchHypothesisParameters& p) {
+  double deviance = std::min(source.bounce_deviance, source.kick_deviance) +
+                    p.second_touch_deviance + p.touch_deviance + goal_deviance;
   if (after != nullptr) {
-    nll = std::min({nll, source.bounce_nll + after->bounce_nll,
-                    source.kick_nll + after->kick_nll + p.kick_nll});
+    deviance = std::min({deviance, source.bounce_deviance + after->bounce_deviance,
+                         source.kick_deviance + after->kick_deviance + p.kick_deviance});
   }
   const bool is_at_hull = source.seen_gap_m <= p.intersection.slack_m;
-  return std::min(nll, is_at_hull ? p.at_hull_nll : p.off_hull_nll);
+  return std::min(deviance, is_at_hull ? p.at_hull_deviance : p.off_hull_deviance);
 }
 
 LastTouch touch_of(const TouchSource& source, const HullIntersection* after,
@@ -111,8 +111,9 @@ void offer_sources(TouchHypothesis& hypothesis, const BallMotionFilter& motion,
   const double change_mps = (motion.velocity_mps() - hypothesis.before_mps).norm();
   for (const TouchSource& source : hypothesis.sources) {
     const HullIntersection* after = intersection_with(intersections, source.robot);
-    const double nll = hypothesis.nll_until_touch + nll_of(source, after, hypothesis.goal_nll, p);
-    hypothesis.minima.offer(toucher_of(source.robot.side), nll,
+    const double deviance =
+        hypothesis.deviance_until_touch + deviance_of(source, after, hypothesis.goal_deviance, p);
+    hypothesis.minima.offer(toucher_of(source.robot.side), deviance,
                             touch_of(source, after, change_mps));
   }
 }
@@ -137,8 +138,8 @@ bool may_be_touched(const HypothesisContext& basis, std::int64_t former, std::in
   });
 }
 
-double goal_nll_of(const HypothesisContext& basis, std::int64_t former, std::int64_t now,
-                   const Vec2& onwards_m) {
+double goal_deviance_of(const HypothesisContext& basis, std::int64_t former, std::int64_t now,
+                        const Vec2& onwards_m) {
   const Vec2& now_m = basis.frame_history[now].ball.position_m;
   const Vec2& before_m = basis.frame_history[former].ball.position_m;
   if (now_m.cwiseAbs().x() <= basis.field.half_length_m() - kNearGoal_m) return kNever;
@@ -155,23 +156,23 @@ void find_touch_sources(TouchHypothesis& hypothesis, const HypothesisContext& ba
                                               .intersections;
   double least = kNever;
   for (const HullIntersection& m : intersections)
-    least = std::min({least, m.bounce_nll, m.kick_nll});
-  // The first of two touches may have been another's.
-  const double most = std::min(least + p.second_touch_nll, p.unlikely_nll);
+    least = std::min({least, m.bounce_deviance, m.kick_deviance});
+  // If there were two touches, another robot may have made the first.
+  const double most = std::min(least + p.second_touch_deviance, p.unlikely_deviance);
   for (const HullIntersection& m : intersections) {
     const double gap_m = seen_gap_m(basis.frame_history[hypothesis.start], m.robot);
     if (std::min(m.least_gap_m, gap_m) > p.near_m) continue;
-    hypothesis.sources.push_back({m.robot, gap_m, std::min(m.bounce_nll, most),
-                                  std::min(m.kick_nll, most), m.time_s, m.gap_m});
+    hypothesis.sources.push_back({m.robot, gap_m, std::min(m.bounce_deviance, most),
+                                  std::min(m.kick_deviance, most), m.time_s, m.gap_m});
   }
 }
 
 void weigh_sources(TouchHypothesis& hypothesis, std::int64_t now, const HypothesisContext& basis) {
   if (hypothesis.detections > kTellingDetections || hypothesis.start == hypothesis.before) return;
   const BallMotionFilter motion = motion_from_start(hypothesis, now, basis);
-  const double turn_nll = nll_without_robot(hypothesis, motion, basis);
+  const double turn_deviance = deviance_without_robot(hypothesis, motion, basis);
   hypothesis.minima = hypothesis.untouched;
-  for (double& nll : hypothesis.minima.nll) nll += turn_nll;
+  for (double& deviance : hypothesis.minima.deviance) deviance += turn_deviance;
   if (!hypothesis.sources.empty()) offer_sources(hypothesis, motion, basis);
 }
 

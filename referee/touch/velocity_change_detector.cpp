@@ -6,7 +6,8 @@
 namespace autoref::referee {
 namespace {
 
-// A change of two coordinates by chance exceeds this many deviations once in 270 000 detections.
+// Noise in two coordinates exceeds this many standard deviations once in 270 000 detections: the
+// Rayleigh tail exp(-5^2 / 2).
 constexpr double kChangeDeviations = 5.0;
 
 }  // namespace
@@ -56,7 +57,7 @@ std::optional<VelocityChange> VelocityChangeDetector::update() {
   return found;
 }
 
-// Beyond what friction may have taken, against the ball's way.
+// The change without what friction may have taken against the direction of motion.
 Vec2 VelocityChangeDetector::unexplained_change_mps(const Line& before, const Line& after) const {
   const Vec2 change_mps = after.velocity_mps - before.velocity_mps;
   const double carpet_mps = parameters_.carpet_mps2 * (after.middle_s - before.middle_s);

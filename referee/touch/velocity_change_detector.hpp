@@ -1,8 +1,9 @@
-// Changes of the ball's velocity that noise hides from frame to frame, but not over a few frames.
+// Changes of the ball's velocity that noise hides from frame to frame, but not over several frames.
 //
-// Straight lines are fitted to the ball's way before and after each detection. Where they differ by
-// more than the carpet and the noise of both explain, and by more than at the detections beside,
-// the ball met something there. It is known some frames later.
+// A two-window change detector (Gustafsson 2000; docs/touch-detection.md): least-squares lines are
+// fitted to the five detections that end with each detection and to the five that begin with it. If
+// their velocities differ by more than friction and noise explain, and the difference is at its
+// peak, the ball hit something there. The delay is five detections.
 #pragma once
 
 #include <optional>
@@ -16,7 +17,7 @@ namespace autoref::referee {
 struct VelocityChange {
   const StoredFrame* before = nullptr;  // the detections beside it; valid until the next frame
   const StoredFrame* after = nullptr;
-  double since_s = 0;  // time of the oldest detection that tells of it
+  double since_s = 0;  // time of the oldest detection used
   BallSegment segment;
   Impulse impulse;
 };
@@ -30,19 +31,19 @@ class VelocityChangeDetector {
   // Forgets all detections.
   void restart() { known_ = 0; }
 
-  // Takes in a detection; the velocity change that it completes, if there is one.
+  // Judges the newest detection of the history; returns the velocity change that it completes.
   std::optional<VelocityChange> update();
 
  private:
   static constexpr int kHalf = 4;  // intervals on either side
   static constexpr int kUsed = 2 * kHalf + 2;
 
-  // A straight, even way fitted to detections.
+  // A constant velocity fitted to detections.
   struct Line {
     double middle_s = 0;
     Vec2 middle_m{0, 0};
     Vec2 velocity_mps{0, 0};
-    double variance_m2ps2 = 0;  // of each coordinate of the velocity
+    double variance_m2ps2 = 0;  // of the velocity, per coordinate
     Vec2 at(double time_s) const { return middle_m + velocity_mps * (time_s - middle_s); }
   };
 
@@ -53,8 +54,8 @@ class VelocityChangeDetector {
   const FrameHistory& frames_;
   TouchParameters parameters_;
   int known_ = 0;             // detections since the restart, up to kUsed
-  double former_excess_ = 0;  // of the change, in what is explained, at the middle before
-  VelocityChange former_;     // there, but for the detections
+  double former_excess_ = 0;  // the change over the threshold, one detection ago
+  VelocityChange former_;     // one detection ago, without its frames
 };
 
 }  // namespace autoref::referee

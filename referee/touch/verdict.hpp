@@ -1,4 +1,4 @@
-// Which of several candidates touched the ball, or that nobody can know.
+// Decides which of several candidates touched the ball, or that it cannot be known.
 #pragma once
 
 #include <optional>
@@ -18,11 +18,11 @@ struct Verdict {
   double share = 0;
 };
 
-// Candidates that explain the change of velocity go before those that do not, unless these have the
-// ball pinned against them. Among equals the side
-// that is nearer by a clear lead touched the ball; without a lead nobody knows. A goal that is as
-// near as the best robot makes the touch unknown, unless that robot's side had it before, and one
-// that is clearly nearer makes it no touch.
+// Candidates that explain the velocity change come before those that do not, unless the ball is
+// pinned against one of the latter. Among equals, the side that is nearer by `lead_m` touched the
+// ball; otherwise the side is unknown. If a goal is about as near as the best robot, the touch is
+// unknown, unless that robot's side touched the ball before (`had_it`); if a goal is clearly
+// nearer, there was no touch.
 Verdict attribute_touch(const Candidates& candidates, double gap_to_goals_m,
                         std::optional<Side> had_it, const TouchParameters& parameters);
 

@@ -82,7 +82,7 @@ TEST(Walk, MeetsAHullThatItGrazesAtNoCost) {
   const Walk walk = passing(0);
   ASSERT_EQ(walk.intersections.size(), 1U);
   EXPECT_EQ(walk.intersections[0].robot, kRobot);
-  EXPECT_LT(walk.intersections[0].bounce_nll, 0.1);
+  EXPECT_LT(walk.intersections[0].bounce_deviance, 0.1);
   EXPECT_LE(walk.intersections[0].gap_m, kIntersection.slack_m);
 }
 
@@ -92,24 +92,24 @@ TEST(Walk, TellsTheLeastGap) {
 
 // Physics leaves half a millimetre between bodies that touch.
 TEST(Walk, TouchesAtAGapThatPhysicsLeaves) {
-  EXPECT_LT(passing(0.0005).intersections[0].bounce_nll, 0.1);
+  EXPECT_LT(passing(0.0005).intersections[0].bounce_deviance, 0.1);
 }
 
 // 4 mm beyond the slack, at a deviation of 1 mm for contact.
 TEST(Walk, CostsTheSquareOfTheGap) {
-  EXPECT_NEAR(passing(0.005).intersections[0].bounce_nll, 16, 2);
+  EXPECT_NEAR(passing(0.005).intersections[0].bounce_deviance, 16, 2);
 }
 
 TEST(Walk, CostsLessWhereRobotsAreSeenBadly) {
   HullIntersectionParameters noisy = kIntersection;
   noisy.robot_m = 2_mm;  // with the contact's 1 mm, a variance of 5 mm2
-  EXPECT_NEAR(passing(0.005, noisy).intersections[0].bounce_nll, 16.0 / 5, 0.5);
+  EXPECT_NEAR(passing(0.005, noisy).intersections[0].bounce_deviance, 16.0 / 5, 0.5);
 }
 
 TEST(Walk, GoesThroughAHullThatStandsInItsWay) {
   // 5 mm into the hull, of which the slack is 1 mm.
-  EXPECT_NEAR(passing(-0.005).through_nll, 16, 2);
-  EXPECT_LT(passing(-0.0008).through_nll, 0.01);
+  EXPECT_NEAR(passing(-0.005).through_deviance, 16, 2);
+  EXPECT_LT(passing(-0.0008).through_deviance, 0.01);
 }
 
 // Between two frames the ball goes from one side of the hull to the other: 0.3 frames after it
@@ -118,7 +118,7 @@ TEST(Walk, MeetsAHullThatItCrosses) {
   const double away_m = kRobotRadius_m + kBallRadius_m;
   const Walk walk = Passage({3, 0}).robot({0.015 + away_m, 0}, {1, 0}).forwards();
   ASSERT_EQ(walk.intersections.size(), 1U);
-  EXPECT_LT(walk.intersections[0].bounce_nll, 0.1);
+  EXPECT_LT(walk.intersections[0].bounce_deviance, 0.1);
   EXPECT_NEAR(walk.intersections[0].time_s, 0.8 * kFrame_s, 0.1 * kFrame_s);
 }
 
@@ -133,31 +133,31 @@ Walk kicked(double gap_m, double off_rad,
 }
 
 TEST(Walk, ComesOutOfAKickersDribblerZone) {
-  EXPECT_LT(kicked(0.005, 0).intersections[0].kick_nll, 0.1);
+  EXPECT_LT(kicked(0.005, 0).intersections[0].kick_deviance, 0.1);
 }
 
 // Kickers reach 15 mm beyond the plate.
 TEST(Walk, ComesFromNoKickerOutOfReach) {
-  EXPECT_LT(kicked(0.012, 0).intersections[0].kick_nll, 0.1);
-  EXPECT_EQ(kicked(0.025, 0).intersections[0].kick_nll, kNever);
+  EXPECT_LT(kicked(0.012, 0).intersections[0].kick_deviance, 0.1);
+  EXPECT_EQ(kicked(0.025, 0).intersections[0].kick_deviance, kNever);
 }
 
 // Three times 0.08 rad: nine.
 TEST(Walk, ComesFromAKickAlongTheRobotsHeading) {
-  EXPECT_NEAR(kicked(0.005, 0.24).intersections[0].kick_nll, 9, 1.5);
+  EXPECT_NEAR(kicked(0.005, 0.24).intersections[0].kick_deviance, 9, 1.5);
 }
 
 TEST(Walk, AllowsForHeadingsThatAreSeenBadly) {
   HullIntersectionParameters noisy = kIntersection;
   noisy.robot_rad = 0.08;
-  EXPECT_NEAR(kicked(0.005, 0.24, noisy).intersections[0].kick_nll, 4.5, 0.8);
+  EXPECT_NEAR(kicked(0.005, 0.24, noisy).intersections[0].kick_deviance, 4.5, 0.8);
 }
 
 TEST(Walk, ComesFromNoKickBackwards) {
   // It would have been kicked towards the robot.
   const Walk walk = Passage({-4, 0}).robot({-kTouch_m - 0.005 - 0.033, 0}, {1, 0}).backwards();
   ASSERT_FALSE(walk.intersections.empty());
-  EXPECT_GT(walk.intersections[0].kick_nll, 100);
+  EXPECT_GT(walk.intersections[0].kick_deviance, 100);
 }
 
 TEST(Walk, FollowsRobotsThatMove) {
