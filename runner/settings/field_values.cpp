@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "runner/io/json.hpp"
 #include "runner/io/words.hpp"
+#include "runner/io/yaml_scalar.hpp"
 #include "runner/settings/fields.hpp"
 #include "runner/settings/resolved.hpp"
 #include "runner/settings/robot_changes.hpp"
@@ -66,7 +66,7 @@ std::string changes_text(const ChangesOf& of) {
 std::string params_text(const Params& params) {
   std::string text;
   for (const auto& [name, value] : params) {
-    text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", json_text(name), text_of(value));
+    text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", quoted_scalar(name), text_of(value));
   }
   return "{" + text + "}";
 }

@@ -9,9 +9,9 @@
 #include "runner/experiments/scenario.hpp"
 #include "runner/experiments/sprt_settings.hpp"
 #include "runner/io/errors.hpp"
-#include "runner/io/json.hpp"
 #include "runner/io/words.hpp"
 #include "runner/io/yaml_bounds.hpp"
+#include "runner/io/yaml_scalar.hpp"
 #include "runner/settings/fields.hpp"
 
 namespace autoref::runner {
@@ -115,7 +115,7 @@ std::string text_of(const SetByValues& set_by_values) {
   if (set_by_values.empty()) return "";
   std::string text = "set_by_values:  # what each value sets, beyond base; AutoRef writes it\n";
   for (const auto& [name, values] : set_by_values) {
-    text += fmt::format("  {}:\n", json_text(name));
+    text += fmt::format("  {}:\n", quoted_scalar(name));
     for (const auto& [path, value] : values) text += fmt::format("    {}: {}\n", path, value);
   }
   return text;
@@ -184,7 +184,7 @@ std::string body_of(const Knockout& knockout) {
 std::string effective_text(const Scenario& scenario) {
   std::string text =
       fmt::format("schema: 1\nkind: {}\nabout: {}\n", kind_of(scenario),
-                  json_text(scenario.about)) +
+                  quoted_scalar(scenario.about)) +
       std::visit([](const auto& content) { return body_of(content); }, scenario.content);
   if (text.size() <= YamlBounds{}.bytes) return text;
   throw InputError({}, "",
