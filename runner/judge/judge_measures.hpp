@@ -1,6 +1,7 @@
 // Measures of how well an event was called.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,15 @@ namespace autoref::runner {
 struct Measure {
   const char* head;  // heading of the table's column; nullptr: only in CSV and JSON
   const char* name;
-  std::string (*text)(const EventTally& tally);
+  // nullopt if there is nothing to measure.
+  std::optional<double> (*value)(const EventTally& tally);
+  int decimals = 0;  // shown
 };
 
-// All measures in the order of the tables' columns.
+// A measure's value as a cell of a table; empty if there is no value.
+std::string text_of(const Measure& measure, const EventTally& tally);
+
+// All measures, in the order of the tables' columns.
 const std::vector<Measure>& measures();
 
 }  // namespace autoref::runner

@@ -80,7 +80,7 @@ std::string json_of(const CameraTally& tally, const std::string& name, const Eve
       .add("camera", json_text(tally.camera))
       .add("event", json_text(name));
   for (const Measure& measure : measures()) {
-    const std::string text = measure.text(event);
+    const std::string text = text_of(measure, event);
     object.add(measure.name, text.empty() ? "null" : text);
   }
   return object.text();
@@ -147,7 +147,7 @@ std::string csv_of(const JudgeReport& report) {
   for (const CameraTally& tally : report.tallies) {
     for (const auto& [name, event] : tally.events) {
       std::vector<std::string> cells = {tally.rules, tally.camera, name};
-      for (const Measure& measure : measures()) cells.push_back(measure.text(event));
+      for (const Measure& measure : measures()) cells.push_back(text_of(measure, event));
       text += csv_line(cells) + "\n";
     }
   }

@@ -61,7 +61,7 @@ TableRows event_rows(const JudgeReport& report, const std::string& rules) {
       if (tally.rules != rules || found == tally.events.end()) continue;
       std::vector<std::string> cells = {needs_height(name) ? name + " (height)" : name,
                                         tally.camera};
-      for (const Measure& measure : measures()) cells.push_back(measure.text(found->second));
+      for (const Measure& measure : measures()) cells.push_back(text_of(measure, found->second));
       rows.push_back(cells);
     }
   }
