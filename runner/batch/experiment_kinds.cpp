@@ -1,6 +1,7 @@
 #include "runner/batch/experiment_kinds.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "runner/analysis/knockout_report.hpp"
@@ -90,7 +91,8 @@ void show_standings(ExperimentResults& results, const std::string& noun) {
   if (are_rated(results.standings)) to_spare = {9, 8, 3};
   results.shown = {{standings_rows(results.standings), kStandingsColumns, noun, to_spare},
                    matchups_shown(results.groups)};
-  results.json = {{"standings", json_of(results.standings)}, {"groups", json_of(results.groups)}};
+  results.json = std::make_shared<Json>(
+      Json{{"standings", json_of(results.standings)}, {"groups", json_of(results.groups)}});
 }
 
 // Without the rows of ties before the first that is still to be played.
@@ -111,7 +113,7 @@ ExperimentResults results_of(const Sweep& sweep, const RowsById& rows) {
                     "values",
                     columns_to_spare(sweep.factors.size()),
                     slope_text(sweep, results.groups)}};
-  results.json = {{"groups", json_of(results.groups)}};
+  results.json = std::make_shared<Json>(Json{{"groups", json_of(results.groups)}});
   return results;
 }
 
@@ -145,7 +147,8 @@ ExperimentResults results_of(const SprtMatch& match, const RowsById& rows) {
   results.table = sprt_match_table(match, matchup, state);
   results.shown = {matchups_shown(results.groups)};
   results.shown.front().text = verdict_text(match, state);
-  results.json = {{"groups", json_of(results.groups)}, {"sprt", json_of(state)}};
+  results.json =
+      std::make_shared<Json>(Json{{"groups", json_of(results.groups)}, {"sprt", json_of(state)}});
   return results;
 }
 
@@ -156,7 +159,7 @@ ExperimentResults results_of(const Knockout& knockout, const RowsById& rows) {
   results.table = bracket_table(ties, rows);
   results.shown = {
       {rows_from_first_open_tie(ties, bracket_rows(ties, rows)), kBracketColumns, "ties"}};
-  results.json = {{"ties", json_of(ties)}};
+  results.json = std::make_shared<Json>(Json{{"ties", json_of(ties)}});
   return results;
 }
 

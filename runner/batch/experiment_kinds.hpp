@@ -1,6 +1,7 @@
 // What differs between the kinds of experiments: which games they play, and what their rows say.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "runner/analysis/standings.hpp"
 #include "runner/experiments/scenario.hpp"
 #include "runner/experiments/schedule.hpp"
+#include "runner/io/json.hpp"
 #include "runner/processes/standings_table.hpp"
 #include "runner/results/row_format.hpp"
 
@@ -72,7 +74,7 @@ struct ExperimentResults {
   std::vector<ResultFile> files;
   std::string table;                 // for people
   std::vector<ProgressTable> shown;  // the same for a screen, as a run shows it
-  std::vector<std::pair<std::string, std::string>> json;  // and for programs: keys and values
+  std::shared_ptr<const Json> json;  // and for programs: an object
 };
 
 // The results of the games that count. Not for judged games, whose results are in runner/judge.

@@ -2,29 +2,29 @@
 // standings.csv.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "runner/analysis/groups.hpp"
 #include "runner/analysis/sprt_match_state.hpp"
 #include "runner/analysis/standings.hpp"
 #include "runner/experiments/bracket.hpp"
+#include "runner/io/json.hpp"
 
 namespace autoref::runner {
 
 // [{"values": ["1.0"], "games": 24, "void_games": 0, "mean_a": 4.54, "mean_b": 3.33,
 //   "mean_diff": 1.21, "wins_a": 14, "draws": 2, "wins_b": 8}, ...]; means are null without games.
-std::string json_of(const std::vector<Group>& groups);
+Json json_of(const std::vector<Group>& groups);
 
 // [{"team": "cobalt", "points": 20, "games": 8, "wins": 6, "draws": 2, "losses": 0,
 //   "goals_for": 18, "goals_against": 0}, ...], best team first.
-std::string json_of(const std::vector<Standing>& standings);
+Json json_of(const std::vector<Standing>& standings);
 
 // {"verdict": "none", "test_pairs": 12, "log_likelihood_ratio": 0.5}.
-std::string json_of(const SprtMatchState& state);
+Json json_of(const SprtMatchState& state);
 
 // [{"tie": "final", "team_a": "cobalt", "team_b": null, "games": 1, "decided_by": "goals",
 //   "winner": "cobalt"}, ...]; teams and winners that are not known are null.
-std::string json_of(const std::vector<Tie>& ties);
+Json json_of(const std::vector<Tie>& ties);
 
 }  // namespace autoref::runner

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "runner/game/state_hash.hpp"
@@ -77,24 +79,19 @@ double bare_ns(std::uint64_t seed, std::int64_t frames) {
 }
 
 void print_json(const BenchResult& r) {
-  JsonObject shares;
-  for (int i = 0; i < kPhaseCount; ++i) {
-    shares.add(kPhaseNames[i], fmt::format("{:.4f}", r.shares[i]));
-  }
-  JsonObject teams;
-  for (const TeamCost& team : r.teams) {
-    teams.add(team.name, fmt::format("{:.1f}", team.ns_per_decision));
-  }
-  fmt::print("{}\n", JsonObject()
-                         .add("ns_per_frame", fmt::format("{:.1f}", r.ns_per_frame))
-                         .add("referee_ns_per_frame", fmt::format("{:.1f}", r.referee_ns_per_frame))
-                         .add("bare_ns_per_frame", fmt::format("{:.1f}", r.bare_ns_per_frame))
-                         .add("ratio", fmt::format("{:.4f}", r.ratio))
-                         .add("x_real_time", fmt::format("{:.1f}", r.x_real_time))
-                         .add("signature", json_text(fmt::format("{:016x}", r.signature)))
-                         .add("shares", shares.text())
-                         .add("team_ns_per_decision", teams.text())
-                         .text());
+  Json shares;
+  for (int i = 0; i < kPhaseCount; ++i) shares[kPhaseNames[i]] = rounded(r.shares[i], 4);
+  Json teams;
+  for (const TeamCost& team : r.teams) teams[team.name] = rounded(team.ns_per_decision, 1);
+  const Json json = {{"ns_per_frame", rounded(r.ns_per_frame, 1)},
+                     {"referee_ns_per_frame", rounded(r.referee_ns_per_frame, 1)},
+                     {"bare_ns_per_frame", rounded(r.bare_ns_per_frame, 1)},
+                     {"ratio", rounded(r.ratio, 4)},
+                     {"x_real_time", rounded(r.x_real_time, 1)},
+                     {"signature", fmt::format("{:016x}", r.signature)},
+                     {"shares", std::move(shares)},
+                     {"team_ns_per_decision", std::move(teams)}};
+  fmt::print("{}\n", json_text(json));
 }
 
 void print_table(const BenchResult& r) {

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <chrono>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -82,15 +83,13 @@ Costs run_with(int workers) {
 double games_per_min(const Costs& costs) { return 60 * 2 * kWorkersPairs / costs.wall_s; }
 
 std::string json_of(const WorkersBench& result) {
-  return JsonObject()
-      .add("workers", std::to_string(result.workers))
-      .add("games_per_min_alone", fmt::format("{:.1f}", result.games_per_min_alone))
-      .add("games_per_min_together", fmt::format("{:.1f}", result.games_per_min_together))
-      .add("speedup", fmt::format("{:.3f}", result.speedup))
-      .add("parent_cpu_s_per_game", fmt::format("{:.5f}", result.parent_cpu_s_per_game))
-      .add("workers_cpu_s_per_game", fmt::format("{:.5f}", result.workers_cpu_s_per_game))
-      .add("parent_share", fmt::format("{:.5f}", result.parent_share()))
-      .text();
+  return json_text({{"workers", result.workers},
+                    {"games_per_min_alone", rounded(result.games_per_min_alone, 1)},
+                    {"games_per_min_together", rounded(result.games_per_min_together, 1)},
+                    {"speedup", rounded(result.speedup, 3)},
+                    {"parent_cpu_s_per_game", rounded(result.parent_cpu_s_per_game, 5)},
+                    {"workers_cpu_s_per_game", rounded(result.workers_cpu_s_per_game, 5)},
+                    {"parent_share", rounded(result.parent_share(), 5)}});
 }
 
 }  // namespace

@@ -13,9 +13,9 @@
 #include "runner/io/checksum.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/results/game_report.hpp"
-#include "runner/view/decision_lines.hpp"
 #include "runner/view/game_recording.hpp"
 #include "runner/view/page.hpp"
+#include "runner/view/recorded_decision.hpp"
 #include "sim/camera.hpp"
 
 namespace autoref::runner {
@@ -38,7 +38,7 @@ void end_soon(int signal) {
 // Ends the game at its next frame once the user has pressed Ctrl-C.
 class Watch final : public Observer {
  public:
-  Watch(EventLog& events, league::GameLog* log, GameRecording* recording)
+  Watch(EventLog* events, league::GameLog* log, GameRecording* recording)
       : events_(events), log_(log), recording_(recording) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, end_soon);
   }
@@ -52,12 +52,13 @@ class Watch final : public Observer {
     if (interrupted != 0) throw Interrupted();
   }
   void on_decision(const referee::Decision& decision) override {
-    events_.on_decision(decision);
+    if (events_ != nullptr) events_->on_decision(decision);
     if (log_ != nullptr && decision.command) log_->note(*decision.command);
+    if (recording_ != nullptr) recording_->add(recorded(decision));
   }
 
  private:
-  EventLog& events_;
+  EventLog* events_;          // null unless events are written
   league::GameLog* log_;      // null unless a log is written
   GameRecording* recording_;  // null unless a page is written
 };
@@ -84,11 +85,10 @@ void open_log(std::optional<league::GameLog>& log, const GameConfiguration& game
 }
 
 std::string view_of(const GameConfiguration& game, const GameRecording& recording,
-                    const std::string& decisions, const GameRecord& record) {
+                    const GameRecord& record) {
   return page_of({recording,
                   game.field,
                   shown_names(game),
-                  decisions_for_page(decisions, "the decisions"),
                   {{"rules", game.match.rules.name},
                    {"seed", std::to_string(game.seed)},
                    {"state", hash_text(record.state_hash)},
@@ -115,16 +115,17 @@ GameRecord play_one(const GameConfiguration& game, const GameOutput& output,
   open_files(files, output, inputs);
   std::optional<league::GameLog> log;
   open_log(log, game, output.log);
-  EventLog decisions(event_teams_of(game));
+  EventLog events(event_teams_of(game));
   GameRecording recording;
-  Watch watch(decisions, log ? &*log : nullptr, files.view ? &recording : nullptr);
+  Watch watch(files.events ? &events : nullptr, log ? &*log : nullptr,
+              files.view ? &recording : nullptr);
   const auto start = std::chrono::steady_clock::now();
   GameRecord record = play(game, &watch);
   const double wall_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (log) log->close();
-  if (files.events) files.events->commit(decisions.text());
-  if (files.view) files.view->commit(view_of(game, recording, decisions.text(), record));
+  if (files.events) files.events->commit(events.text());
+  if (files.view) files.view->commit(view_of(game, recording, record));
   const GameReport report{game, record, wall_s, build_id()};
   fmt::print("{}\n", output.json ? json_of(report) : text_of(report));
   return record;

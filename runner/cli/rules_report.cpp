@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
+#include <utility>
 #include <vector>
 
 #include "runner/io/json.hpp"
@@ -32,16 +34,14 @@ Widths widths_of(const RuleBook& rules) {
   return widths;
 }
 
-std::string json_of(const RuleBook& rules, const RuleEntry& entry) {
+Json json_of(const RuleBook& rules, const RuleEntry& entry) {
   const bool has_threshold = entry.threshold != nullptr;
-  return JsonObject()
-      .add("rule", json_text(entry.name))
-      .add("in_force", rules.has(entry.rule) ? "true" : "false")
-      .add("section", json_text(section_of(rules, entry.rule)))
-      .add("threshold", has_threshold ? json_number(rules.*entry.threshold) : "null")
-      .add("unit", has_threshold ? json_text(entry.unit) : "null")
-      .add("about", json_text(entry.about))
-      .text();
+  return {{"rule", entry.name},
+          {"in_force", rules.has(entry.rule)},
+          {"section", section_of(rules, entry.rule)},
+          {"threshold", has_threshold ? Json(rules.*entry.threshold) : Json()},
+          {"unit", has_threshold ? Json(entry.unit) : Json()},
+          {"about", entry.about}};
 }
 
 }  // namespace
@@ -64,10 +64,9 @@ std::string rules_text(const RuleBook& rules) {
 }
 
 std::string rules_json(const RuleBook& rules) {
-  std::vector<std::string> entries;
+  Json entries = Json::array();
   for (const RuleEntry& entry : rule_table()) entries.push_back(json_of(rules, entry));
-  return JsonObject().add("name", json_text(rules.name)).add("rules", json_list(entries)).text() +
-         "\n";
+  return json_text({{"name", rules.name}, {"rules", std::move(entries)}}) + "\n";
 }
 
 std::string books_text() {

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "runner/cli/command_line.hpp"
@@ -51,15 +52,13 @@ std::string text_of(const DifferenceSought& sought, double power, int games) {
 }
 
 std::string json_of(const DifferenceSought& sought, double power, int games) {
-  return JsonObject()
-             .add("delta", json_number(sought.delta))
-             .add("sd_of_a_game", json_number(sought.sd))
-             .add("alpha", json_number(sought.alpha))
-             .add("power_asked", json_number(power))
-             .add("power", json_number(power_of(sought, games / 2)))
-             .add("pairs", std::to_string(games / 2))
-             .add("games", std::to_string(games))
-             .text() +
+  return json_text({{"delta", sought.delta},
+                    {"sd_of_a_game", sought.sd},
+                    {"alpha", sought.alpha},
+                    {"power_asked", power},
+                    {"power", power_of(sought, games / 2)},
+                    {"pairs", games / 2},
+                    {"games", games}}) +
          "\n";
 }
 

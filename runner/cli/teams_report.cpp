@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+#include <utility>
 #include <vector>
 
 #include "runner/io/json.hpp"
@@ -21,25 +23,15 @@ std::vector<std::string> cells_of(const Parameter& parameter) {
           fmt::format("{} to {}", parameter.least, parameter.most), std::string(parameter.about)};
 }
 
-std::string json_of(const Parameter& parameter) {
-  return JsonObject()
-      .add("name", json_text(parameter.name))
-      .add("unit", json_text(parameter.unit))
-      .add("default", json_number(parameter.standard))
-      .add("least", json_number(parameter.least))
-      .add("most", json_number(parameter.most))
-      .add("about", json_text(parameter.about))
-      .text();
+Json json_of(const Parameter& parameter) {
+  return {{"name", parameter.name},   {"unit", parameter.unit}, {"default", parameter.standard},
+          {"least", parameter.least}, {"most", parameter.most}, {"about", parameter.about}};
 }
 
-std::string json_of(const Entry& team) {
-  std::vector<std::string> parameters;
+Json json_of(const Entry& team) {
+  Json parameters = Json::array();
   for (const Parameter& parameter : team.params) parameters.push_back(json_of(parameter));
-  return JsonObject()
-      .add("name", json_text(team.name))
-      .add("about", json_text(team.about))
-      .add("params", json_list(parameters))
-      .text();
+  return {{"name", team.name}, {"about", team.about}, {"params", std::move(parameters)}};
 }
 
 }  // namespace
@@ -53,9 +45,9 @@ std::string teams_text() {
 }
 
 std::string teams_json() {
-  std::vector<std::string> teams;
+  Json teams = Json::array();
   for (const Entry& team : strategies::all_strategies()) teams.push_back(json_of(team));
-  return JsonObject().add("teams", json_list(teams)).text() + "\n";
+  return json_text({{"teams", std::move(teams)}}) + "\n";
 }
 
 std::string team_text(const Entry& team) {
@@ -68,6 +60,6 @@ std::string team_text(const Entry& team) {
                      team.params.front().name, team.params.front().standard);
 }
 
-std::string team_json(const Entry& team) { return json_of(team) + "\n"; }
+std::string team_json(const Entry& team) { return json_text(json_of(team)) + "\n"; }
 
 }  // namespace autoref::runner

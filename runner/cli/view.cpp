@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "league/referee_message.hpp"
 #include "runner/cli/command_line.hpp"
@@ -29,8 +30,10 @@ class Recorder final : public league::LogVisitor {
   PerSide<std::string> names;
 };
 
-std::string decisions_in(const std::string& file) {
-  return file.empty() ? "[]" : decisions_for_page(read_user_file(file), file);
+void add_decisions(const std::string& file, GameRecording& recording) {
+  if (file.empty()) return;
+  for (RecordedDecision& decision : decisions_in(read_user_file(file), file))
+    recording.add(std::move(decision));
 }
 
 std::string file_name_of(const std::string& path) {
@@ -48,8 +51,8 @@ int view_verb(const ViewArguments& arguments) {
   check_outputs({{"-o", arguments.output}}, {arguments.log, arguments.events});
   std::optional<PendingFile> file;
   open_output(file, "-o", arguments.output);
-  const std::string decisions = decisions_in(arguments.events);
   Recorder recorder;
+  add_decisions(arguments.events, recorder.recording);
   const league::LogSummary log = read_user_log(arguments.log, recorder);
   if (recorder.recording.is_full()) {
     write_message(stderr, fmt::format("autoref: {}: shows only the first {} frames\n",
@@ -59,7 +62,6 @@ int view_verb(const ViewArguments& arguments) {
       {recorder.recording,
        field_shown(arguments.log, log, arguments.rules),
        recorder.names,
-       decisions,
        {{"log", file_name_of(arguments.log)}, {"page made by build", std::string(build_id())}}});
   file->commit(page);
   fmt::print("{}", about(recorder.recording, arguments.output, page.size()));

@@ -3,48 +3,46 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace autoref::runner {
 namespace {
 
-std::string escaped(char letter) {
-  switch (letter) {
-    case '"':
-      return "\\\"";
-    case '\\':
-      return "\\\\";
-    case '\n':
-      return "\\n";
-    case '\t':
-      return "\\t";
-    case '\r':
-      return "\\r";
-    default:
-      break;
+std::string number_text(double number) {
+  return std::isfinite(number) ? fmt::format("{}", number) : "null";
+}
+
+std::string scalar_text(const Json& value) {
+  if (value.is_number_float()) return number_text(value.get<double>());
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+void append(const Json& value, std::string& text) {
+  if (!value.is_structured()) {
+    text += scalar_text(value);
+    return;
   }
-  const auto code = static_cast<unsigned char>(letter);
-  return code < 0x20 ? fmt::format("\\u{:04x}", code) : std::string(1, letter);
+  text += value.is_object() ? '{' : '[';
+  const std::size_t begin = text.size();
+  for (const auto& member : value.items()) {
+    if (text.size() > begin) text += ", ";
+    if (value.is_object()) text.append(scalar_text(member.key())).append(": ");
+    append(member.value(), text);
+  }
+  text += value.is_object() ? '}' : ']';
 }
 
 }  // namespace
 
-std::string json_text(std::string_view text) {
-  std::string quoted = "\"";
-  for (const char letter : text) quoted += escaped(letter);
-  return quoted + "\"";
+std::string json_text(const Json& value) {
+  std::string text;
+  append(value, text);
+  return text;
 }
 
-std::string json_number(double number) {
-  return std::isfinite(number) ? fmt::format("{}", number) : "null";
-}
-
-std::string json_list(const std::vector<std::string>& values) {
-  return fmt::format("[{}]", fmt::join(values, ", "));
-}
-
-JsonObject& JsonObject::add(std::string_view key, std::string_view value) {
-  members_ += fmt::format("{}{}: {}", members_.empty() ? "" : ", ", json_text(key), value);
-  return *this;
+double rounded(double number, int decimals) {
+  const double scale = std::pow(10.0, decimals);
+  return std::round(number * scale) / scale;
 }
 
 }  // namespace autoref::runner

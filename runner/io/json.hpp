@@ -1,30 +1,21 @@
-// Writing JSON: just what the command line prints.
+// How AutoRef prints JSON. nlohmann-json holds the values; sources that make them include
+// <nlohmann/json.hpp>, which takes long to compile.
 #pragma once
 
-#include <cstdint>
-#include <optional>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
-#include <string_view>
-#include <vector>
 
 namespace autoref::runner {
 
-// `text` in quotes, escaped; also a valid double-quoted YAML scalar.
-std::string json_text(std::string_view text);
+// Members keep the order in which they are added.
+using Json = nlohmann::ordered_json;
 
-// The shortest spelling that reads back equal; null for what is not finite.
-std::string json_number(double number);
+// `value` on one line, with a space after each comma and colon. A number gets the shortest text
+// that reads back equal (2 rather than 2.0), or null if it is not finite. Bytes that are not UTF-8
+// become U+FFFD.
+std::string json_text(const Json& value);
 
-std::string json_list(const std::vector<std::string>& values);
-
-// An object on one line, its keys in the order in which they are added. Values are JSON already.
-class JsonObject {
- public:
-  JsonObject& add(std::string_view key, std::string_view value);
-  std::string text() const { return "{" + members_ + "}"; }
-
- private:
-  std::string members_;
-};
+// `number` to that many decimals: JSON shows no more of it.
+double rounded(double number, int decimals);
 
 }  // namespace autoref::runner

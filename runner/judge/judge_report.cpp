@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "referee/machine/machine.hpp"
 #include "runner/io/csv.hpp"
@@ -74,35 +76,19 @@ std::vector<std::string> never_seen(const std::vector<CameraTally>& tallies) {
   return never;
 }
 
-std::string json_of(const CameraTally& tally, const std::string& name, const EventTally& event) {
-  JsonObject object;
-  object.add("rules", json_text(tally.rules))
-      .add("camera", json_text(tally.camera))
-      .add("event", json_text(name));
+Json json_of(const CameraTally& tally, const std::string& name, const EventTally& event) {
+  Json object = {{"rules", tally.rules}, {"camera", tally.camera}, {"event", name}};
   for (const Measure& measure : measures()) {
-    const std::string text = text_of(measure, event);
-    object.add(measure.name, text.empty() ? "null" : text);
+    const std::optional<double> value = measure.value(event);
+    object[measure.name] = value ? Json(rounded(*value, measure.decimals)) : Json();
   }
-  return object.text();
+  return object;
 }
 
-std::string last_touch_json(const CameraTally& tally, std::size_t team) {
+Json last_touch_json(const CameraTally& tally, std::size_t team) {
   const LastTouchTally& touch = tally.last_touch[team];
-  return JsonObject()
-      .add("rules", json_text(tally.rules))
-      .add("camera", json_text(tally.camera))
-      .add("touched_by", json_text(team == 0 ? "a" : "b"))
-      .add("right", std::to_string(touch.right))
-      .add("wrong", std::to_string(touch.wrong))
-      .add("unknown", std::to_string(touch.unknown))
-      .text();
-}
-
-std::string texts_json(const std::vector<std::string>& lines) {
-  std::vector<std::string> texts;
-  texts.reserve(lines.size());
-  for (const std::string& line : lines) texts.push_back(json_text(line));
-  return json_list(texts);
+  return {{"rules", tally.rules}, {"camera", tally.camera}, {"touched_by", team == 0 ? "a" : "b"},
+          {"right", touch.right}, {"wrong", touch.wrong},   {"unknown", touch.unknown}};
 }
 
 }  // namespace
@@ -155,21 +141,19 @@ std::string csv_of(const JudgeReport& report) {
 }
 
 std::string json_of(const JudgeReport& report) {
-  std::vector<std::string> events;
-  std::vector<std::string> touches;
+  Json events = Json::array();
+  Json touches = Json::array();
   for (const CameraTally& tally : report.tallies) {
     for (const auto& [name, event] : tally.events) events.push_back(json_of(tally, name, event));
     for (const std::size_t team : {0U, 1U}) touches.push_back(last_touch_json(tally, team));
   }
-  return JsonObject()
-      .add("events", json_list(events))
-      .add("last_touch", json_list(touches))
-      .add("second_calls", texts_json(report.second_calls))
-      .add("calls_in_stop", texts_json(report.calls_in_stop))
-      .add("void_games", texts_json(report.void_games))
-      .add("transitions_never_used", texts_json(report.transitions_never_used))
-      .add("events_never_seen", texts_json(report.rules_never_seen))
-      .text();
+  return json_text({{"events", std::move(events)},
+                    {"last_touch", std::move(touches)},
+                    {"second_calls", report.second_calls},
+                    {"calls_in_stop", report.calls_in_stop},
+                    {"void_games", report.void_games},
+                    {"transitions_never_used", report.transitions_never_used},
+                    {"events_never_seen", report.rules_never_seen}});
 }
 
 }  // namespace autoref::runner

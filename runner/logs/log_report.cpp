@@ -4,7 +4,9 @@
 
 #include <array>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <string_view>
+#include <utility>
 
 #include "runner/io/json.hpp"
 #include "runner/io/table.hpp"
@@ -86,21 +88,46 @@ std::string verdict_of(const CallPair& pair) {
   return pair.recorded ? "missed" : "wrong";
 }
 
-std::string json_of(const std::optional<Call>& call) {
-  if (!call) return "null";
-  return JsonObject()
-      .add("stop_s", json_number(call->stop_s))
-      .add("restart_s", json_number(call->restart_s))
-      .add("restart", json_text(autoref::name_of(call->restart)))
-      .text();
+Json json_of(const std::optional<Call>& call) {
+  if (!call) return {};
+  return {{"stop_s", call->stop_s},
+          {"restart_s", call->restart_s},
+          {"restart", autoref::name_of(call->restart)}};
 }
 
-std::string json_of(const PerSide<int>& goals) {
-  return json_list({std::to_string(goals[Side::kWest]), std::to_string(goals[Side::kEast])});
+Json json_of(const PerSide<int>& goals) {
+  return Json::array({goals[Side::kWest], goals[Side::kEast]});
 }
 
-std::string recorded_score(const RecordedFacts& facts) {
-  return facts.last_signal ? json_of(facts.last_signal->goals) : "null";
+Json recorded_score(const RecordedFacts& facts) {
+  return facts.last_signal ? json_of(facts.last_signal->goals) : Json();
+}
+
+Json records_json(const league::LogSummary& log) {
+  Json records = Json::object();
+  for (const auto& [kind, count] : log.records) records[name_of(kind)] = count;
+  return records;
+}
+
+Json cameras_json(const RecordedFacts& facts) {
+  Json cameras = Json::array();
+  for (const auto& [number, camera] : facts.cameras) {
+    cameras.push_back({{"camera", number},
+                       {"packets", camera.packets},
+                       {"rate_hz", camera.rate_hz()},
+                       {"gaps", camera.gaps},
+                       {"longest_gap_s", camera.longest_gap_s}});
+  }
+  return cameras;
+}
+
+Json commands_json(const RecordedFacts& facts) {
+  Json commands = Json::array();
+  for (const RecordedCommand& command : facts.commands) {
+    commands.push_back(
+        {{"time_s", command.time_s}, {"command", autoref::name_of(command.command)}});
+  }
+  return commands;
 }
 
 }  // namespace
@@ -118,38 +145,16 @@ std::string info_text(const RecordedFacts& facts, bool lists_commands) {
 }
 
 std::string info_json(const RecordedFacts& facts) {
-  std::vector<std::string> commands;
-  for (const RecordedCommand& command : facts.commands) {
-    commands.push_back(JsonObject()
-                           .add("time_s", json_number(command.time_s))
-                           .add("command", json_text(autoref::name_of(command.command)))
-                           .text());
-  }
-  std::vector<std::string> cameras;
-  for (const auto& [number, camera] : facts.cameras) {
-    cameras.push_back(JsonObject()
-                          .add("camera", std::to_string(number))
-                          .add("packets", std::to_string(camera.packets))
-                          .add("rate_hz", json_number(camera.rate_hz()))
-                          .add("gaps", std::to_string(camera.gaps))
-                          .add("longest_gap_s", json_number(camera.longest_gap_s))
-                          .text());
-  }
-  JsonObject records;
-  for (const auto& [kind, count] : facts.log.records)
-    records.add(name_of(kind), std::to_string(count));
-  return JsonObject()
-      .add("length_s", json_number(facts.log.length_s))
-      .add("records", records.text())
-      .add("frames", std::to_string(facts.log.frames))
-      .add("goals", recorded_score(facts))
-      .add("teams",
-           json_list({json_text(facts.names[Side::kWest]), json_text(facts.names[Side::kEast])}))
-      .add("cameras", json_list(cameras))
-      .add("commands", json_list(commands))
-      .add("unreadable", std::to_string(facts.log.unreadable))
-      .add("damaged_at", facts.log.damage ? std::to_string(facts.log.damage->offset) : "null")
-      .text();
+  const league::LogSummary& log = facts.log;
+  return json_text({{"length_s", log.length_s},
+                    {"records", records_json(log)},
+                    {"frames", log.frames},
+                    {"goals", recorded_score(facts)},
+                    {"teams", facts.names.values},
+                    {"cameras", cameras_json(facts)},
+                    {"commands", commands_json(facts)},
+                    {"unreadable", log.unreadable},
+                    {"damaged_at", log.damage ? Json(log.damage->offset) : Json()}});
 }
 
 std::string referee_log_text(const LogRefereeResult& evaluation, const RecordedFacts& facts) {
@@ -176,25 +181,19 @@ std::string referee_log_text(const LogRefereeResult& evaluation, const RecordedF
 
 std::string referee_log_json(const LogRefereeResult& evaluation, const RecordedFacts& facts) {
   const Agreement& all = evaluation.agreement;
-  std::vector<std::string> calls;
-  for (const CallPair& pair : all.pairs) {
-    calls.push_back(JsonObject()
-                        .add("recorded", json_of(pair.recorded))
-                        .add("autoref", json_of(pair.refereed))
-                        .text());
-  }
-  return JsonObject()
-      .add("recorded_goals", recorded_score(facts))
-      .add("goals", json_of(evaluation.goals))
-      .add("recorded", std::to_string(all.recorded))
-      .add("judged", std::to_string(all.refereed))
-      .add("right", std::to_string(all.right))
-      .add("precision", json_number(all.precision()))
-      .add("recall", json_number(all.recall()))
-      .add("f1", json_number(all.f1()))
-      .add("challenge_score", std::to_string(all.challenge_score()))
-      .add("calls", json_list(calls))
-      .text();
+  Json calls = Json::array();
+  for (const CallPair& pair : all.pairs)
+    calls.push_back({{"recorded", json_of(pair.recorded)}, {"autoref", json_of(pair.refereed)}});
+  return json_text({{"recorded_goals", recorded_score(facts)},
+                    {"goals", json_of(evaluation.goals)},
+                    {"recorded", all.recorded},
+                    {"judged", all.refereed},
+                    {"right", all.right},
+                    {"precision", all.precision()},
+                    {"recall", all.recall()},
+                    {"f1", all.f1()},
+                    {"challenge_score", all.challenge_score()},
+                    {"calls", std::move(calls)}});
 }
 
 }  // namespace autoref::runner

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "runner/io/errors.hpp"
-#include "runner/io/json.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -60,19 +60,18 @@ std::optional<ProgressStyle> progress_style_of(std::string_view name) {
 
 std::string progress_json(std::string_view event, const GameCounts& counts, double elapsed_s,
                           const ProgressView& view) {
-  const auto tenths = [](double number) { return fmt::format("{:.1f}", number); };
   const std::optional<double> per_s = rate_of(counts, elapsed_s);
-  JsonObject json;
-  json.add("event", json_text(event))
-      .add("done", std::to_string(counts.done))
-      .add("total", std::to_string(counts.total))
-      .add("void", counts.voids ? std::to_string(*counts.voids) : "null")
-      .add("played", std::to_string(counts.played))
-      .add("elapsed_s", tenths(elapsed_s))
-      .add("games_per_min", per_s ? tenths(60 * *per_s) : "null")
-      .add("left_s", per_s ? tenths((counts.total - counts.done) / *per_s) : "null");
-  for (const auto& [key, value] : view.json) json.add(key, value);
-  return json.text();
+  const int left = counts.total - counts.done;
+  Json json = {{"event", event},
+               {"done", counts.done},
+               {"total", counts.total},
+               {"void", counts.voids ? Json(*counts.voids) : Json()},
+               {"played", counts.played},
+               {"elapsed_s", rounded(elapsed_s, 1)},
+               {"games_per_min", per_s ? Json(rounded(60 * *per_s, 1)) : Json()},
+               {"left_s", per_s ? Json(rounded(left / *per_s, 1)) : Json()}};
+  if (view.json) json.update(*view.json);
+  return json_text(json);
 }
 
 Progress::Progress(std::FILE* stream, ProgressStyle style) : stream_(stream), style_(style) {
@@ -155,9 +154,7 @@ void Progress::renew_view() {
 void Progress::say(const std::string& message) {
   if (stream_ == nullptr) return;
   if (style_ == ProgressStyle::kJson) {
-    const std::string note =
-        JsonObject().add("event", json_text("note")).add("text", json_text(message)).text();
-    write_message(stream_, note + "\n");
+    write_message(stream_, json_text({{"event", "note"}, {"text", message}}) + "\n");
     return;
   }
   const std::string_view clear = style_ == ProgressStyle::kAuto ? kClearTable : "";

@@ -4,11 +4,13 @@
 #include <chrono>
 #include <cstdio>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "runner/io/json.hpp"
 #include "runner/processes/standings_table.hpp"
 
 namespace autoref::runner {
@@ -40,9 +42,9 @@ std::optional<ProgressStyle> progress_style_of(std::string_view name);
 
 // Results so far, besides the counts.
 struct ProgressView {
-  std::string heading;                                    // line above the tables
-  std::vector<ProgressTable> tables;                      // shown on a terminal
-  std::vector<std::pair<std::string, std::string>> json;  // additional members and their values
+  std::string heading;                // line above the tables
+  std::vector<ProgressTable> tables;  // shown on a terminal
+  std::shared_ptr<const Json> json;   // an object with additional members; null without any
 };
 
 // {"event": "progress", "done": 12, "total": 120, "void": 0, "played": 12, "elapsed_s": 11.6,

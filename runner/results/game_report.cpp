@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "runner/io/checksum.hpp"
 #include "runner/io/json.hpp"
@@ -16,12 +17,12 @@ double x_real_time(const GameReport& report) {
   return report.wall_s > 0 ? report.record.sim_s / report.wall_s : 0;
 }
 
-std::string calls_json(const GameRecord& record) {
-  JsonObject calls;
+Json calls_json(const GameRecord& record) {
+  Json calls;
   for (const referee::EventEntry& entry : referee::event_table()) {
-    if (is_call(entry.event)) calls.add(entry.name, std::to_string(record.count(entry.event)));
+    if (is_call(entry.event)) calls[entry.name] = record.count(entry.event);
   }
-  return calls.text();
+  return calls;
 }
 
 // "24 throw in, 3 goal": what occurred, spelt for people.
@@ -67,54 +68,51 @@ std::string counts_text(const GameRecord& record) {
          count("duels won", &PlayCounts::duels_won);
 }
 
-std::string shootout_json(const GameRecord& record) {
-  if (!record.shootout) return "null";
-  const auto& [a, b] = *record.shootout;
-  return json_list({std::to_string(a), std::to_string(b)});
+Json team_json(const GameConfiguration& game, Side side) {
+  return {{"name", shown_names(game)[side]},
+          {"strategy", team_on(game, side).strategy},
+          {"colour", colour_of(side)},
+          {"side", name_of(side)}};
 }
 
-std::string team_json(const GameConfiguration& game, Side side) {
-  return JsonObject()
-      .add("name", json_text(shown_names(game)[side]))
-      .add("strategy", json_text(team_on(game, side).strategy))
-      .add("colour", json_text(colour_of(side)))
-      .add("side", json_text(name_of(side)))
-      .text();
-}
-
-std::string teams_json(const GameConfiguration& game) {
+Json teams_json(const GameConfiguration& game) {
   const Side a = game.match.a_plays;
-  return JsonObject().add("a", team_json(game, a)).add("b", team_json(game, opponent_of(a))).text();
+  return {{"a", team_json(game, a)}, {"b", team_json(game, opponent_of(a))}};
+}
+
+// The team's count; seconds to the millisecond.
+Json count_json(const PlayCounts& team, const CountField& field) {
+  return field.count != nullptr ? Json(team.*field.count) : Json(rounded(team.*field.seconds, 3));
+}
+
+void add_counts(Json& json, const GameRecord& record, const CountField& field) {
+  json[fmt::format("{}_a", field.name)] = count_json(record.counts[0], field);
+  json[fmt::format("{}_b", field.name)] = count_json(record.counts[1], field);
 }
 
 }  // namespace
 
 std::string json_of(const GameReport& report) {
   const GameRecord& record = report.record;
-  std::vector<std::string> halves;
-  for (const std::array<int, 2>& goals : record.goals_by_half) {
-    halves.push_back(json_list({std::to_string(goals[0]), std::to_string(goals[1])}));
-  }
-  JsonObject json;
-  json.add("goals_a", std::to_string(record.goals_a))
-      .add("goals_b", std::to_string(record.goals_b))
-      .add("goals_by_half", json_list(halves))
-      .add("end_reason", json_text(name_of(record.end_reason)))
-      .add("shootout", shootout_json(record))
-      .add("status", json_text(name_of(record.status)))
-      .add("void_reason", record.void_reason.empty() ? "null" : json_text(record.void_reason))
-      .add("rules", json_text(report.configuration.match.rules.name))
-      .add("seed", std::to_string(report.configuration.seed))
-      .add("teams", teams_json(report.configuration))
-      .add("calls", calls_json(record));
-  for (const NamedCount& member : named(record.counts)) json.add(member.name, member.value);
-  return json.add("ball_in_play_s", json_number(record.ball_in_play_s))
-      .add("sim_s", json_number(record.sim_s))
-      .add("wall_s", json_number(report.wall_s))
-      .add("x_real_time", json_number(x_real_time(report)))
-      .add("state_hash", json_text(hash_text(record.state_hash)))
-      .add("build", json_text(report.build))
-      .text();
+  Json json = {{"goals_a", record.goals_a},
+               {"goals_b", record.goals_b},
+               {"goals_by_half", record.goals_by_half},
+               {"end_reason", name_of(record.end_reason)},
+               {"shootout", record.shootout ? Json(*record.shootout) : Json()},
+               {"status", name_of(record.status)},
+               {"void_reason", record.void_reason.empty() ? Json() : Json(record.void_reason)},
+               {"rules", report.configuration.match.rules.name},
+               {"seed", report.configuration.seed},
+               {"teams", teams_json(report.configuration)},
+               {"calls", calls_json(record)}};
+  for (const CountField& field : count_fields()) add_counts(json, record, field);
+  json.update({{"ball_in_play_s", record.ball_in_play_s},
+               {"sim_s", record.sim_s},
+               {"wall_s", report.wall_s},
+               {"x_real_time", x_real_time(report)},
+               {"state_hash", hash_text(record.state_hash)},
+               {"build", report.build}});
+  return json_text(json);
 }
 
 std::string text_of(const GameReport& report) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "soccer/units.hpp"
 
@@ -101,6 +102,10 @@ void GameRecording::add(double time_s, const RefereeSignal& signal) {
     signals_.push_back({time_s, signal});
   const int left_s = shown_seconds(signal.stage_time_left_s);
   if (clock_.empty() || clock_.back().left_s != left_s) clock_.push_back({time_s, left_s});
+}
+
+void GameRecording::add(RecordedDecision decision) {
+  if (is_shown(decision.event)) decisions_.push_back(std::move(decision));
 }
 
 std::vector<RobotId> GameRecording::robots() const {

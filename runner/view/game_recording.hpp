@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "runner/view/packed_column.hpp"
+#include "runner/view/recorded_decision.hpp"
 #include "soccer/field.hpp"
 #include "soccer/frame.hpp"
 #include "soccer/referee_signal.hpp"
@@ -37,11 +38,15 @@ class GameRecording {
   // Keeps the signal where it shows something else than the last one. Times that fall are raised.
   void add(double time_s, const RefereeSignal& signal);
 
+  // Keeps the decision if pages show it.
+  void add(RecordedDecision decision);
+
   std::size_t frames() const { return frames_; }
   double first_s() const { return first_s_; }
   double last_s() const { return last_s_; }
   const std::vector<RecordedSignal>& signals() const { return signals_; }
   const std::vector<ClockMark>& clock() const { return clock_; }
+  const std::vector<RecordedDecision>& decisions() const { return decisions_; }
   bool is_full() const { return is_full_; }  // something was left out
 
   // Those who were ever seen, in the order of their columns.
@@ -68,6 +73,7 @@ class GameRecording {
   Triple ball_;
   std::vector<RecordedSignal> signals_;
   std::vector<ClockMark> clock_;
+  std::vector<RecordedDecision> decisions_;
   bool is_full_ = false;
 };
 

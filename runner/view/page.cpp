@@ -1,6 +1,6 @@
 #include "runner/view/page.hpp"
 
-#include <cmath>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <vector>
 
@@ -17,114 +17,107 @@ namespace {
 constexpr double kToBallAtRestarts_m = 0.5;
 constexpr double kAttackerToArea_m = 0.2;
 
-std::string mm_json(double metres) { return json_number(std::round(metres * 10'000) / 10); }
+// To a tenth of a millimetre.
+Json mm_json(double metres) { return rounded(metres * 1000, 1); }
 
-std::string position_json(const Vec2& position_m) {
-  return json_list({mm_json(position_m.x()), mm_json(position_m.y())});
+Json position_json(const Vec2& position_m) {
+  return Json::array({mm_json(position_m.x()), mm_json(position_m.y())});
 }
 
-template <typename T, typename Text>
-std::string list_json(const T& values, const Text& text_of) {
-  std::vector<std::string> texts;
-  texts.reserve(std::size(values));
-  for (const auto& value : values) texts.push_back(text_of(value));
-  return json_list(texts);
+template <typename T, typename Make>
+Json list_json(const T& values, const Make& json_of) {
+  Json list = Json::array();
+  for (const auto& value : values) list.push_back(json_of(value));
+  return list;
 }
 
-std::string pair_json(const PerSide<int>& counts) {
-  return list_json(counts.values, [](int count) { return std::to_string(count); });
-}
-
-std::string outline_json(const Outline& outline) {
+Json outline_json(const Outline& outline) {
   const auto line_json = [](const MarkLine& line) {
-    return json_list({position_json(line.from_m), position_json(line.to_m)});
+    return Json::array({position_json(line.from_m), position_json(line.to_m)});
   };
-  const auto arc_json = [](const MarkArc& arc) {
-    return JsonObject()
-        .add("centre_mm", position_json(arc.centre_m))
-        .add("radius_mm", mm_json(arc.radius_m))
-        .add("from_rad", json_number(arc.from_rad))
-        .add("to_rad", json_number(arc.to_rad))
-        .text();
+  const auto arc_json = [](const MarkArc& arc) -> Json {
+    return {{"centre_mm", position_json(arc.centre_m)},
+            {"radius_mm", mm_json(arc.radius_m)},
+            {"from_rad", arc.from_rad},
+            {"to_rad", arc.to_rad}};
   };
-  return JsonObject()
-      .add("lines", list_json(outline.lines, line_json))
-      .add("arcs", list_json(outline.arcs, arc_json))
-      .text();
+  return {{"lines", list_json(outline.lines, line_json)},
+          {"arcs", list_json(outline.arcs, arc_json)}};
 }
 
-std::string field_json(const Field& field) {
-  return JsonObject()
-      .add("halfLength_mm", mm_json(field.half_length_m()))
-      .add("halfWidth_mm", mm_json(field.half_width_m()))
-      .add("runOff_mm", mm_json(field.run_off_m))
-      .add("lineWidth_mm", mm_json(field.line_width_m))
-      .add("marks", outline_json(field_lines(field)))
-      .add("penaltyMarks",
-           list_json(kSides, [&](Side side) { return position_json(field.penalty_mark_at(side)); }))
-      .add("goals", list_json(kSides,
-                              [&](Side side) {
-                                return list_json(goal_walls_m(field, side), position_json);
-                              }))
-      .add("nearAreas",
-           list_json(kSides,
-                     [&](Side side) {
-                       return outline_json(around_defence_area(field, side, kAttackerToArea_m));
-                     }))
-      .add("toBall_mm", mm_json(kToBallAtRestarts_m))
-      .text();
+Json field_json(const Field& field) {
+  const auto penalty_mark = [&](Side side) { return position_json(field.penalty_mark_at(side)); };
+  const auto goal = [&](Side side) { return list_json(goal_walls_m(field, side), position_json); };
+  const auto near_area = [&](Side side) {
+    return outline_json(around_defence_area(field, side, kAttackerToArea_m));
+  };
+  return {{"halfLength_mm", mm_json(field.half_length_m())},
+          {"halfWidth_mm", mm_json(field.half_width_m())},
+          {"runOff_mm", mm_json(field.run_off_m)},
+          {"lineWidth_mm", mm_json(field.line_width_m)},
+          {"marks", outline_json(field_lines(field))},
+          {"penaltyMarks", list_json(kSides, penalty_mark)},
+          {"goals", list_json(kSides, goal)},
+          {"nearAreas", list_json(kSides, near_area)},
+          {"toBall_mm", mm_json(kToBallAtRestarts_m)}};
 }
 
 // Shape constants of ball and robots, the same for all games.
-std::string shapes_json() {
-  return JsonObject()
-      .add("ballRadius_mm", mm_json(kBallRadius_m))
-      .add("robotRadius_mm", mm_json(kRobotRadius_m))
-      .add("robotFront_mm", mm_json(kFrontDistance_m))
-      .text();
+Json shapes_json() {
+  return {{"ballRadius_mm", mm_json(kBallRadius_m)},
+          {"robotRadius_mm", mm_json(kRobotRadius_m)},
+          {"robotFront_mm", mm_json(kFrontDistance_m)}};
 }
 
-std::string signal_json(const RecordedSignal& recorded) {
+Json signal_json(const RecordedSignal& recorded) {
   const RefereeSignal& signal = recorded.signal;
-  return JsonObject()
-      .add("time_s", json_number(recorded.time_s))
-      .add("command", json_text(name_of(signal.command)))
-      .add("counter", std::to_string(signal.command_counter))
-      .add("stage", json_text(name_of(signal.stage)))
-      .add("goals", pair_json(signal.goals))
-      .add("shootoutGoals", pair_json(signal.shootout_goals))
-      .add("yellowCards", pair_json(signal.yellow_cards))
-      .add("redCards", pair_json(signal.red_cards))
-      .add("target_mm", signal.placement ? position_json(signal.placement->target_m) : "null")
-      .add("next", signal.next_command ? json_text(name_of(*signal.next_command)) : "null")
-      .text();
+  return {{"time_s", recorded.time_s},
+          {"command", name_of(signal.command)},
+          {"counter", signal.command_counter},
+          {"stage", name_of(signal.stage)},
+          {"goals", signal.goals.values},
+          {"shootoutGoals", signal.shootout_goals.values},
+          {"yellowCards", signal.yellow_cards.values},
+          {"redCards", signal.red_cards.values},
+          {"target_mm", signal.placement ? position_json(signal.placement->target_m) : Json()},
+          {"next", signal.next_command ? Json(name_of(*signal.next_command)) : Json()}};
 }
 
-std::string clock_json(const ClockMark& mark) {
-  return json_list({json_number(mark.time_s), std::to_string(mark.left_s)});
+Json decision_json(const RecordedDecision& decision) {
+  const auto text_or_null = [](const std::string& text) {
+    return text.empty() ? Json() : Json(text);
+  };
+  const auto& at_m = decision.position_m;
+  return {{"time_s", decision.time_s},
+          {"event", decision.event},
+          {"rule", text_or_null(decision.rule)},
+          {"reason", text_or_null(decision.reason)},
+          {"offender", text_or_null(decision.offender)},
+          {"card", text_or_null(decision.card)},
+          {"card_reason", text_or_null(decision.card_reason)},
+          {"restart", text_or_null(decision.restart)},
+          {"position_m", at_m ? Json::array({at_m->x(), at_m->y()}) : Json()}};
 }
 
-std::string robot_json(RobotId robot) {
-  return json_list({robot.side == Side::kWest ? "0" : "1", std::to_string(robot.number)});
+Json clock_json(const ClockMark& mark) { return Json::array({mark.time_s, mark.left_s}); }
+
+Json robot_json(RobotId robot) {
+  return Json::array({robot.side == Side::kWest ? 0 : 1, robot.number});
 }
 
-std::string fact_json(const PageFact& fact) {
-  return json_list({json_text(fact.what), json_text(fact.value)});
-}
+Json fact_json(const PageFact& fact) { return Json::array({fact.what, fact.value}); }
 
 std::string game_json(const PageContent& content) {
   const GameRecording& recording = content.recording;
-  return JsonObject()
-      .add("teams", list_json(content.names.values, json_text))
-      .add("field", field_json(content.field))
-      .add("shapes", shapes_json())
-      .add("frames", std::to_string(recording.frames()))
-      .add("robots", list_json(recording.robots(), robot_json))
-      .add("signals", list_json(recording.signals(), signal_json))
-      .add("clock", list_json(recording.clock(), clock_json))
-      .add("decisions", content.decisions)
-      .add("facts", list_json(content.facts, fact_json))
-      .text();
+  return json_text({{"teams", content.names.values},
+                    {"field", field_json(content.field)},
+                    {"shapes", shapes_json()},
+                    {"frames", recording.frames()},
+                    {"robots", list_json(recording.robots(), robot_json)},
+                    {"signals", list_json(recording.signals(), signal_json)},
+                    {"clock", list_json(recording.clock(), clock_json)},
+                    {"decisions", list_json(recording.decisions(), decision_json)},
+                    {"facts", list_json(content.facts, fact_json)}});
 }
 
 // Escapes JSON for a script element, which "<" could end. In JSON, "<" only occurs in strings.

@@ -19,7 +19,6 @@ struct PageContent {
   const GameRecording& recording;
   Field field;
   PerSide<std::string> names;     // of the teams; empty if unknown
-  std::string decisions = "[]";   // in the format of decisions_for_page
   std::vector<PageFact> facts{};  // shown below the game, such as {"build", "0.1.0-..."}
 };
 

@@ -30,6 +30,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (is_game) expect_nothing_but_a_refusal([&] { read_scenario_text(text, "x.yaml"); });
   expect_nothing_but_a_refusal([&] { read_robot_type_text(text, "x.yaml"); });
   expect_nothing_but_a_refusal([&] { read_lab_scene_text(text, "x.yaml"); });
-  expect_nothing_but_a_refusal([&] { decisions_for_page(text, "x.jsonl"); });
+  expect_nothing_but_a_refusal([&] { decisions_in(text, "x.jsonl"); });
   return 0;
 }

@@ -14,9 +14,7 @@
 
 #include <array>
 #include <span>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "soccer/units.hpp"
 
@@ -93,14 +91,5 @@ struct CountField {
 
 // Every member of PlayCounts, in the order in which rows and JSON have them.
 std::span<const CountField> count_fields();
-
-// A team's count as JSON spells it, such as "shots_a", and its value.
-struct NamedCount {
-  std::string name;
-  std::string value;
-};
-
-// All counts of the teams [a, b], in the order of count_fields().
-std::vector<NamedCount> named(const std::array<PlayCounts, 2>& counts);
 
 }  // namespace autoref::runner

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 
 #include "tests/runner/batch/fake_games.hpp"
 
@@ -224,8 +225,10 @@ TEST_F(Report, CountsTheWinnerOfAShootOutAsTheWinnerEverywhere) {
   EXPECT_EQ(results.standings[0].points(), 12);
   EXPECT_EQ(results.standings[0].goals_for, 4);  // the kicks are not goals
   EXPECT_EQ(results.shown[0].rows[1][4], "4");   // won, as the run shows
-  ASSERT_FALSE(results.json.empty());
-  EXPECT_TRUE(has(results.json[0].second, "\"team\": \"team1\", \"points\": 12"));
+  ASSERT_NE(results.json, nullptr);
+  const Json& first = results.json->at("standings").at(0);
+  EXPECT_EQ(first.at("team"), "team1");
+  EXPECT_EQ(first.at("points"), 12);
   reported(folder_.path());
   EXPECT_TRUE(has(markdown(), "| team1 |  | 12 (+0.00) |")) << markdown();
   EXPECT_TRUE(has(markdown(), "| team1 | 4 | 100 % \\[40, 100\\] | 0 % \\[0, 60\\] |"))

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "runner/game/event_log.hpp"
 #include "runner/results/game_report.hpp"
@@ -10,11 +11,30 @@
 namespace autoref::runner {
 namespace {
 
-TEST(Json, EscapesTexts) { EXPECT_EQ(json_text("a\"b\\c\n\x01"), "\"a\\\"b\\\\c\\n\\u0001\""); }
+TEST(Json, EscapesTexts) { EXPECT_EQ(json_text("a\"b\\c\n\x01"), R"("a\"b\\c\n\u0001")"); }
+
+TEST(Json, ReplacesWhatIsNotUtf8) { EXPECT_EQ(json_text("a\xff"), "\"a\xef\xbf\xbd\""); }
+
+TEST(Json, IsOneLineInTheOrderOfItsMembers) {
+  EXPECT_EQ(json_text({{"z", {1, true, nullptr}}, {"a", Json::object()}}),
+            R"({"z": [1, true, null], "a": {}})");
+}
+
+TEST(Json, WritesTheShortestNumberThatReadsBackEqual) {
+  for (const double number : {0.1, 1.0 / 3, -2e-300, 5e-324, 1.7976931348623157e308, 123456789.0})
+    EXPECT_EQ(Json::parse(json_text(number)).get<double>(), number);
+  EXPECT_EQ(json_text(0.1), "0.1");
+  EXPECT_EQ(json_text(2.0), "2");
+}
 
 TEST(Json, WritesNullForNumbersThatAreNotFinite) {
-  EXPECT_EQ(json_number(0.1), "0.1");
-  EXPECT_EQ(json_number(std::numeric_limits<double>::quiet_NaN()), "null");
+  EXPECT_EQ(json_text(std::numeric_limits<double>::quiet_NaN()), "null");
+  EXPECT_EQ(json_text(-std::numeric_limits<double>::infinity()), "null");
+}
+
+TEST(Json, RoundsToDecimals) {
+  EXPECT_EQ(json_text(rounded(12.3456, 2)), "12.35");
+  EXPECT_EQ(json_text(rounded(-0.75, 0)), "-1");
 }
 
 TEST(DecisionJson, WritesNullForUnknownValues) {
@@ -73,7 +93,7 @@ TEST(GameReport, HasTheKeysOfAGame) {
       R"({"goals_a": 3, "goals_b": 1, "goals_by_half": [[1, 0], [2, 1]], "end_reason": "time", )"));
   EXPECT_NE(json.find(R"("throw_in": 4)"), std::string::npos);
   EXPECT_NE(json.find(R"("shots_a": 0, "shots_b": 5, )"), std::string::npos);
-  EXPECT_NE(json.find(R"("possession_s_b": 250.500, )"), std::string::npos);
+  EXPECT_NE(json.find(R"("possession_s_b": 250.5, )"), std::string::npos);
   EXPECT_NE(json.find(R"("x_real_time": 600)"), std::string::npos);
   EXPECT_TRUE(json.ends_with(R"("state_hash": "0000000000000abc", "build": "0.1.0-x"})"));
 }

@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -181,7 +182,9 @@ TEST(Progress, WritesOnlyMessagesInStyleNone) {
 TEST(Progress, WritesOneJsonObjectPerLine) {
   const std::string lines = written([](std::FILE* stream) {
     Progress progress(stream, {.total = 3, .done = 1, .voids = 0}, ProgressStyle::kJson);
-    progress.show([] { return ProgressView{"", {}, {{"groups", "[]"}}}; });
+    progress.show([] {
+      return ProgressView{"", {}, std::make_shared<Json>(Json{{"groups", Json::array()}})};
+    });
     progress.say("say \"x\"");
     progress.game_done(true);
   });
@@ -197,10 +200,10 @@ TEST(ProgressJson, HasRateAndTimeLeftOnceTheyAreKnown) {
   EXPECT_EQ(
       progress_json("progress", {.total = 120, .done = 60, .played = 10}, 20, {}),
       "{\"event\": \"progress\", \"done\": 60, \"total\": 120, \"void\": null, \"played\": 10, "
-      "\"elapsed_s\": 20.0, \"games_per_min\": 30.0, \"left_s\": 120.0}");
+      "\"elapsed_s\": 20, \"games_per_min\": 30, \"left_s\": 120}");
   EXPECT_EQ(progress_json("progress", {.total = 2}, 0, {}),
             "{\"event\": \"progress\", \"done\": 0, \"total\": 2, \"void\": null, \"played\": 0, "
-            "\"elapsed_s\": 0.0, \"games_per_min\": null, \"left_s\": null}");
+            "\"elapsed_s\": 0, \"games_per_min\": null, \"left_s\": null}");
 }
 
 TEST(Progress, IsPlainOnADumbTerminal) {

@@ -32,8 +32,28 @@ TEST(Page, ShowsWhichBuildPlayedTheGame) {
   GameRecording recording;
   recording.add(Frame{});
   const std::string page =
-      page_of({recording, Field{}, {{"a", "b"}}, "[]", {{"build", "0.1.0-bc09b374e057"}}});
+      page_of({recording, Field{}, {{"a", "b"}}, {{"build", "0.1.0-bc09b374e057"}}});
   EXPECT_NE(page.find(R"("facts": [["build", "0.1.0-bc09b374e057"]])"), std::string::npos);
+}
+
+TEST(Page, HasTheDecisionsOfTheRecording) {
+  RecordedDecision decision;
+  decision.time_s = 12.5;
+  decision.event = "bot_pushed_bot";
+  decision.rule = "paper 4.2";
+  decision.reason = "He said \"no\" <twice>.";
+  decision.offender = "blue";
+  decision.card = "yellow";
+  decision.card_reason = "3rd foul";
+  decision.position_m = Vec2(1, -2);
+  GameRecording recording;
+  recording.add(decision);
+  EXPECT_NE(page_of({recording, Field{}, {}})
+                .find(R"("decisions": [{"time_s": 12.5, "event": "bot_pushed_bot", )"
+                      R"("rule": "paper 4.2", "reason": "He said \"no\" \u003ctwice>.", )"
+                      R"("offender": "blue", "card": "yellow", "card_reason": "3rd foul", )"
+                      R"("restart": null, "position_m": [1, -2]}])"),
+            std::string::npos);
 }
 
 TEST(Page, LinksToNoFile) {
