@@ -71,13 +71,11 @@ void add_judge_verb(CLI::App& app, Chosen& chosen) {
                  "Continue in a folder that holds games of another build; those do not count.");
   verb->add_flag("--json", arguments->json, "Print one JSON object.");
   verb->footer(
-      "A call is right if the same event truly happened, with the same side at fault, at most 0.25 "
-      "s\n"
-      "after the call and at most 1 s before it. You can stop with Ctrl-C; the same command "
-      "continues.\n"
-      "faults.csv lists every missed event and wrong call with an id: autoref replay DIR ID "
-      "replays\n"
-      "its game. The verbs status, report and verify also accept the folder.\n\n"
+      "A call is right if the same event truly happened, with the same side at fault, at most\n"
+      "0.25 s after the call and at most 1 s before it. You can stop with Ctrl-C; the same\n"
+      "command continues. faults.csv lists every missed event and wrong call with an id: autoref\n"
+      "replay DIR ID replays its game. The verbs status, report and verify also accept the\n"
+      "folder.\n\n"
       "Example:\n  autoref judge scenarios/judge.yaml -o results/runs/judge");
   verb->callback([arguments, &chosen] { chosen = [arguments] { return judge_verb(*arguments); }; });
 }

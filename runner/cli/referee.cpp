@@ -112,8 +112,8 @@ void add_referee_verb(CLI::App& app, Chosen& chosen) {
   verb->footer(
       "Field, lengths of halves, first kick-off and robots are taken from the log if it has them;\n"
       "anything missing is reported once, with the option that sets it. A log of several games is\n"
-      "refereed game by game.\n"
-      "Yellow is west. If blue defends the goal at -x in the log, the field is rotated.\n\n"
+      "refereed game by game. Yellow is west. If blue defends the goal at -x in the log, the\n"
+      "field is rotated.\n\n"
       "Example:\n  autoref referee --log game.log.gz --camera paper --events events.jsonl");
   verb->callback(
       [arguments, &chosen] { chosen = [arguments] { return referee_verb(*arguments); }; });

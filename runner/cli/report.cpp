@@ -69,12 +69,10 @@ void add_report_verb(CLI::App& app, Chosen& chosen) {
   auto arguments = std::make_shared<FolderArguments>();
   add_folder_options(*verb, *arguments);
   verb->footer(
-      "Safe to use while a run is filling the folder; the same rows give the same files. Plots "
-      "need\n"
-      "gnuplot (apt-get install gnuplot-nox); DIR/plots always has their data and scripts. Games "
-      "of\n"
-      "several builds are reported separately, in folders DIR/build-... An existing report is\n"
-      "updated when a run completes the folder.\n\n"
+      "Safe to use while a run is filling the folder; the same rows give the same files. Plots\n"
+      "need gnuplot (apt-get install gnuplot-nox); DIR/plots always has their data and scripts.\n"
+      "Games of several builds are reported separately, in folders DIR/build-... An existing\n"
+      "report is updated when a run completes the folder.\n\n"
       "Example:\n  autoref report results/runs/handicap-speed");
   verb->callback(
       [arguments, &chosen] { chosen = [arguments] { return report_verb(*arguments); }; });

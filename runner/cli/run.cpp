@@ -132,21 +132,18 @@ void add_run_verb(CLI::App& app, Chosen& chosen) {
                  "Print only errors; check the exit code for the outcome.")
       ->excludes("--progress");
   verb->footer(
-      "Ctrl-C lets the running games finish; a second one stops at once. The same command "
-      "continues\n"
-      "later; games of killed workers are played again. You can continue with more pairs in the "
-      "same\n"
-      "folder; with fewer, the surplus rows do not count. Another seed needs another folder.\n"
-      "An existing report in the folder is updated when all games are done.\n\n"
+      "Ctrl-C lets the running games finish; a second one stops at once. The same command\n"
+      "continues later; games of killed workers are played again. You can continue with more\n"
+      "pairs in the same folder; with fewer, the surplus rows do not count. Another seed needs\n"
+      "another folder. An existing report in the folder is updated when all games are done.\n\n"
       "Shards may share a folder, or each use its own; then copy all games/*.csv into one folder\n"
       "for autoref report. An SPRT match ends with the pair of games that decides it; shards with\n"
       "separate folders play all pairs the match may have. A shard of a knockout ends when it has\n"
       "to wait for other shards' games; repeat the command to continue.\n\n"
       "--progress json prints one object per line on stderr, every 5 s and at the end, with event\n"
       "(progress, end, or note with a text), done, total, void, played (by this run), elapsed_s,\n"
-      "games_per_min, left_s and, depending on the kind, standings, groups, sprt or ties, with "
-      "the\n"
-      "columns of the CSV files.\n\n"
+      "games_per_min, left_s and, depending on the kind, standings, groups, sprt or ties, with\n"
+      "the columns of the CSV files.\n\n"
       "Example:\n  autoref run scenarios/handicap-speed.yaml -o results/runs/speed -j 2");
   verb->callback([arguments, &chosen] { chosen = [arguments] { return run_verb(*arguments); }; });
 }

@@ -42,6 +42,7 @@ double Agreement::precision() const { return share(right, refereed); }
 double Agreement::recall() const { return share(right, recorded); }
 double Agreement::f1() const { return share(2 * right, recorded + refereed); }
 
+// Greedy matching in order of time: each recorded call takes the first free call that fits.
 Agreement agreement_of(std::span<const Call> recorded, std::span<const Call> refereed,
                        double lead_s) {
   Agreement agreement{{}, 0, static_cast<int>(recorded.size()), static_cast<int>(refereed.size())};

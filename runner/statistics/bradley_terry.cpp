@@ -38,6 +38,7 @@ double log_likelihood(const Totals& totals, const VectorXd& strengths) {
   return sum;
 }
 
+// Solves H step = g with the gradient g of the log-likelihood and its negated Hessian H.
 VectorXd newton_step(const Totals& totals, const VectorXd& strengths) {
   VectorXd slope = VectorXd::Zero(strengths.size());
   Eigen::MatrixXd curvature = Eigen::MatrixXd::Zero(strengths.size(), strengths.size());
@@ -52,7 +53,7 @@ VectorXd newton_step(const Totals& totals, const VectorXd& strengths) {
     curvature(matchup.a, matchup.b) -= weight;
     curvature(matchup.b, matchup.a) -= weight;
   }
-  // The curvature is singular, since adding a constant to all strengths changes nothing. Take the
+  // H is singular, since adding a constant to all strengths changes nothing. Take the
   // minimum-norm step, whose sum is zero.
   return curvature.completeOrthogonalDecomposition().solve(slope);
 }

@@ -35,6 +35,7 @@ double power_of(const DifferenceSought& sought, int pairs) {
   return cdf(complement(with, bound)) + cdf(with, -bound);
 }
 
+// The power grows with the number of pairs: double it until it is enough, then bisect.
 std::optional<int> games_needed(const DifferenceSought& sought, double power) {
   assert(0 < power && power < 1);
   const auto is_enough = [&](int pairs) { return power_of(sought, pairs) >= power; };

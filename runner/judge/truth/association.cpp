@@ -52,6 +52,7 @@ class Matcher {
         window_(window),
         answered_(true_events.size(), false) {}
 
+  // Greedy matching: each call, in order, takes the best event that is still free.
   std::vector<Verdict> associate() {
     for (const Call& call : calls_) evaluate(call);
     for (std::size_t i = 0; i < true_events_.size(); ++i) {

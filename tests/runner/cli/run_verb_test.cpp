@@ -166,7 +166,7 @@ TEST_F(RunVerb, RefusesAnotherSeedAndSuggestsAnotherFolder) {
 
 TEST_F(RunVerb, UpdatesAStaleReport) {
   run();
-  EXPECT_FALSE(fs::exists(folder_ / "results/report.html"));  // nobody asked for one
+  EXPECT_FALSE(fs::exists(folder_ / "results/report.html"));  // no report was requested
   answer_to({"report", results_.c_str()});
   const Answer answer = run({"--pairs", "2"});
   EXPECT_TRUE(holds(answer.out, "report.html   updated")) << answer.out;
