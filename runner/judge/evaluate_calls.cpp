@@ -26,7 +26,7 @@ class CallEvaluator final : public Observer {
     const referee::Event event = decision.finding.event;
     if (referee::entry_of(event).is_exit) exits_.push_back(decision.last_touch.side);
     if (observer_.play().is_on || referee::may_come_in_stop(event)) return;
-    if (!referee::is_call(event)) return;  // a card
+    if (!referee::is_call(event)) return;  // excludes cards
     evaluation_.calls_in_stop.push_back(fmt::format("{} at {:.3f} s", call->name, call->time_s));
   }
 
@@ -34,7 +34,7 @@ class CallEvaluator final : public Observer {
     for (const Side side : kSides) observer_.name_keeper(side, requests[side].keeper);
   }
 
-  // Comes after the frame's decisions.
+  // Called after the frame's decisions.
   void on_frame(const Frame& /*frame*/, const RefereeSignal& signal,
                 const sim::World& world) override {
     observer_.see(world, signal);
@@ -61,8 +61,8 @@ class CallEvaluator final : public Observer {
   Side a_plays_;
   ground_truth::GroundTruthObserver observer_;
   std::vector<Call> calls_;
-  std::size_t judged_ = 0;                  // of these, before this frame
-  std::vector<std::optional<Side>> exits_;  // who touched last, as called in this frame
+  std::size_t judged_ = 0;                  // number of calls judged before this frame
+  std::vector<std::optional<Side>> exits_;  // last touchers, as called in this frame
   CallEvaluation evaluation_;
 };
 

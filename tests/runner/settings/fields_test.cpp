@@ -147,7 +147,7 @@ TEST(CheckGame, RefusesParametersThatTheStrategyDoesNotHave) {
   }
 }
 
-// Box2D moves a body at most 0.2 m per step, so 30 steps a second cannot carry 8 m/s.
+// Box2D moves a body at most 0.2 m per step, so 30 steps per second cannot carry 8 m/s.
 TEST(CheckGame, RefusesSubstepsTooFewForAKick) {
   GameSettings game;
   game.sim.frame_rate_hz = 30;
