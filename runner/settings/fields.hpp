@@ -177,8 +177,7 @@ void check_game(const GameSettings& game);
 
 // check_game() for a single team of the game. `path` is the path of the team's settings, such as
 // "teams.a"; messages begin with the path of the invalid setting.
-void check_team(const GameSettings& game, const TeamSettings& team,
-                std::string_view path);
+void check_team(const GameSettings& game, const TeamSettings& team, std::string_view path);
 
 // A hash over all settings. Two games of one build with equal hashes are the same game.
 std::uint64_t configuration_hash(const GameSettings& game);

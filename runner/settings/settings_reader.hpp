@@ -44,8 +44,7 @@ class SettingsReader {
 
   // Reads the settings returned by `list`, which is called again after each new player or type.
   // Types read from files, and the given settings, are added to `game`.
-  SettingsReader(const YamlFile& file, List list, GameSettings& game,
-                 SettingLocations& locations)
+  SettingsReader(const YamlFile& file, List list, GameSettings& game, SettingLocations& locations)
       : file_(file),
         list_(std::move(list)),
         types_(&game.types),

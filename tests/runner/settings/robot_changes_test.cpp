@@ -62,8 +62,7 @@ TEST(SpecOf, LetsTeamsOverrideTheGameAndPlayersOverrideTeamsInAnyOrderOfKeys) {
 }
 
 TEST(SpecOf, DoesNotAffectTheOtherTeam) {
-  const GameSettings game =
-      game_of("teams: { b: { robot: { mass_kg: 3 }, handicap: 0.5 } }\n");
+  const GameSettings game = game_of("teams: { b: { robot: { mass_kg: 3 }, handicap: 0.5 } }\n");
   EXPECT_EQ(spec_of(game, game.a).robots[0].body.mass_kg, 2.5);
   EXPECT_EQ(spec_of(game, game.a).robots[0].speed_factor, 1.0);
   EXPECT_EQ(spec_of(game, game.b).robots[5].body.mass_kg, 3.0);

@@ -30,8 +30,8 @@ std::string refusal_of(const std::string& lines) {
   return "accepted";
 }
 
-// What a page shows is the same from the event log as from the decision itself.
-TEST(DecisionLines, AreReadBackAsTheyWere) {
+// A page shows the same from the event log as from the decision itself.
+TEST(DecisionLines, AreReadBackUnchanged) {
   referee::Decision bare;
   bare.finding.rule = "paper 4.2";
   for (const referee::Decision& decision : {push(), bare}) {
@@ -64,7 +64,7 @@ TEST(DecisionLines, AreRefusedWithFileAndLine) {
   }
 }
 
-TEST(DecisionLines, AreRefusedWhereTheyAreNestedWithoutEnd) {
+TEST(DecisionLines, AreRefusedIfNestedTooDeeply) {
   EXPECT_TRUE(refusal_of(std::string(100'000, '[')).starts_with("events.jsonl:1:1: "));
 }
 

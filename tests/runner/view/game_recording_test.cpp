@@ -31,7 +31,7 @@ TEST(GameRecording, WritesTimesRobotsAndBallAsDocumented) {
             "\x80\x00\x01\x80\x00\x00\x80\x64\x00"s);  // 256 mm, 0 mm, 100 mm high
 }
 
-TEST(GameRecording, KnowsRobotsThatComeLateOrLeave) {
+TEST(GameRecording, HandlesRobotsThatArriveLateOrLeave) {
   GameRecording recording;
   recording.add(frame_at(0));
   Frame frame = frame_at(0.1);
@@ -40,11 +40,11 @@ TEST(GameRecording, KnowsRobotsThatComeLateOrLeave) {
   recording.add(frame_at(0.2));
   ASSERT_EQ(recording.robots().size(), 1U);
   EXPECT_EQ(recording.robots().front(), (RobotId{Side::kWest, 7}));
-  // Times; then of each column nothing, 0, nothing; the ball is never seen.
+  // Times; then nothing, 0, nothing in each column; the ball is never seen.
   EXPECT_EQ(recording.bytes().size(), 3U * 4 + 3 * (1 + 3 + 3) + 3 * 3);
 }
 
-TEST(GameRecording, WritesAnUnknownHeightAsNothing) {
+TEST(GameRecording, StoresAnUnknownHeightAsNothing) {
   GameRecording recording;
   Frame frame = frame_at(0);
   frame.ball = BallObservation{{0, 0}, std::nullopt, {}};
@@ -52,7 +52,7 @@ TEST(GameRecording, WritesAnUnknownHeightAsNothing) {
   EXPECT_EQ(recording.bytes().substr(4), "\x80\0\0\x80\0\0\0"s);
 }
 
-TEST(GameRecording, KeepsASignalOnlyWhereItChanges) {
+TEST(GameRecording, KeepsASignalOnlyIfItChanges) {
   GameRecording recording;
   RefereeSignal signal = stopped();
   for (int i = 0; i < 10; ++i) recording.add(0.1 * i, signal);
@@ -74,7 +74,7 @@ TEST(GameRecording, KeepsTheClocksWholeSeconds) {
   EXPECT_NEAR(recording.clock()[1].time_s, 1.0, 1e-9);
 }
 
-TEST(GameRecording, RaisesTimesThatFall) {
+TEST(GameRecording, MakesTimesMonotonic) {
   GameRecording recording;
   recording.add(5, stopped());
   recording.add(-1e300, RefereeSignal{});
