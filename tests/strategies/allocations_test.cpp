@@ -10,8 +10,8 @@ namespace {
 std::size_t allocations = 0;
 }  // namespace
 
-// Every allocation of this test program is counted. Not inlined: compilers would take new and
-// delete for a mismatched pair.
+// Counts every allocation of this test program. Not inlined, because compilers would report new and
+// delete as mismatched.
 [[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocations;
   if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
@@ -25,7 +25,7 @@ std::size_t allocations = 0;
 namespace autoref::strategies {
 namespace {
 
-// Lets a team play through every situation and counts what it allocates in its decisions.
+// Makes a team decide in every state of play and counts its allocations.
 std::size_t allocated_by(Strategy& team) {
   std::size_t allocated = 0;
   StagedWorld world(Play::kHalt);
@@ -50,11 +50,11 @@ TEST(Allocations, AreCounted) {
   EXPECT_EQ(allocations, before + 1) << *number;
 }
 
-TEST(Allocations, AreNotMadeByAnyTeamsDecisions) {
+TEST(Allocations, AreNotMadeWhenTeamsDecide) {
   for (const Entry& entry : all_strategies()) {
     const std::unique_ptr<Strategy> team = entry.make(TeamContext{});
     StagedWorld first(Play::kRunning);
-    first.six_against_six().step(*team);  // what is made once may be made here
+    first.six_against_six().step(*team);  // one-time allocations are allowed here
     EXPECT_EQ(allocated_by(*team), 0U) << entry.name;
   }
 }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kBallGap_m = 0.5 + kRobotRadius_m;  // Laws: 500 mm from hull to ball
 
-// What every team that plays by the rules must do, whatever its style.
+// Requirements for every team that follows the rules, whatever its style.
 class EveryTeam : public testing::TestWithParam<std::string_view> {
  protected:
   static std::unique_ptr<Strategy> make(const TeamContext& context = {}) {
@@ -80,7 +80,7 @@ TEST_P(EveryTeam, GoesToTheBallInOpenPlayAndAtItsRestarts) {
   }
 }
 
-TEST_P(EveryTeam, CopesWithAnyNumberOfRobotsInEveryPlay) {
+TEST_P(EveryTeam, PlaysWithAnyNumberOfRobotsInEveryPlay) {
   for (int play = 0; play <= static_cast<int>(Play::kRunning); ++play) {
     for (const int robots : {0, 1, 2, 3, kMaxRobots}) {
       const auto team = make();

@@ -1,4 +1,4 @@
-// What strategies/README.md says is so.
+// Tests the statements of strategies/README.md.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -20,7 +20,7 @@ std::string text_of(const std::string& path) {
   return text.str();
 }
 
-// What stands between the two marks, from line to line.
+// The text between the two marks.
 std::string between(const std::string& text, const std::string& mark) {
   const std::size_t first = text.find(mark);
   const std::size_t from = first == std::string::npos ? first : first + mark.size();
@@ -34,7 +34,7 @@ TEST(StrategiesReadme, ShowsTheTeamThatIsPlayed) {
   EXPECT_NE(text_of("strategies/README.md").find("```cpp\n" + code + "```\n"), std::string::npos);
 }
 
-TEST(StrategiesReadme, ShowsThePlanThatIsPlayed) {
+TEST(StrategiesReadme, ShowsThePlaybookThatIsPlayed) {
   const std::string code = between(text_of("tests/strategies/readme_team.hpp"), "// [bus]\n");
   EXPECT_NE(text_of("strategies/README.md").find("```cpp\n" + code + "```\n"), std::string::npos);
 }

@@ -1,4 +1,4 @@
-// A staged world with all that plays look at.
+// A staged world with everything that plays need.
 #pragma once
 
 #include "strategies/plays/plays.hpp"
@@ -9,7 +9,7 @@ namespace autoref::strategies {
 struct StagedPlay : StagedPrediction {
   using StagedPrediction::StagedPrediction;
 
-  // Looks at the world for so many frames.
+  // Observes the world for a number of frames.
   void watch(int frames = 12) {
     for (int i = 0; i < frames; ++i) {
       look(1);
@@ -17,7 +17,7 @@ struct StagedPlay : StagedPrediction {
       handler.update();
     }
   }
-  // The parts that a play gives, after a few frames of looking.
+  // The assignment that a play makes after a few frames of observation.
   RoleAssignment assignment(void (*play)(PlayContext&, RoleAssignment&)) {
     watch();
     RoleAssignment assignment(predicted);

@@ -1,5 +1,5 @@
-// A world without physics for tests of teams: robots do at once what they are told, the ball stays
-// or goes its way untouched.
+// A world without physics for tests of teams: robots follow their commands instantly, and the ball
+// stays or moves freely.
 #pragma once
 
 #include <optional>
@@ -16,8 +16,8 @@ namespace autoref::strategies {
 inline constexpr double kStagedFrame_s = 1.0 / 60;
 inline constexpr double kHeldBall_m = kFrontDistance_m + kBallRadius_m;  // from robot to ball
 
-// A ball kicked over the carpet of sim/README.md: it slides, slowed down by 3.4 m/s^2, until 0.67
-// of its speed is left, then it rolls, slowed down by 0.30 m/s^2.
+// A ball kicked over the carpet of sim/README.md: it slides with 3.4 m/s^2 of deceleration until
+// 0.67 of its speed is left, then it rolls with 0.30 m/s^2.
 struct CarpetBall {
   static constexpr double kSlide_mps2 = 3.4;
   static constexpr double kRoll_mps2 = 0.30;
@@ -45,7 +45,7 @@ struct CarpetBall {
   }
 };
 
-// Moves a robot for one frame exactly as ordered.
+// Moves a robot for one frame exactly as commanded.
 inline void obey(TrackedRobot& robot, const RobotCommand& command) {
   robot.velocity_mps = to_world(command.velocity_mps, robot.heading);
   robot.angular_velocity_radps = command.angular_velocity_radps;
@@ -77,7 +77,7 @@ class StagedWorld {
     return *this;
   }
 
-  // One frame of 1/60 s in which every robot moves exactly as ordered.
+  // One frame of 1/60 s in which every robot moves exactly as commanded.
   const TeamCommands& step(Strategy& team) {
     commands.fill(RobotCommand{});
     team.decide(view, commands);
@@ -92,7 +92,7 @@ class StagedWorld {
     for (int i = 0; i < seconds * 60; ++i) step(team);
   }
 
-  // Time goes on by a frame; a kicked ball goes on its way.
+  // Advances time by a frame; a kicked ball moves on.
   void pass_frame() {
     ++view.frame;
     view.time_s += kStagedFrame_s;
@@ -126,14 +126,14 @@ class StagedWorld {
   double kicked_at_s = 0;
 };
 
-// A staged world, and what a team makes of it.
+// A staged world and a team's prediction of it.
 struct StagedPrediction {
   explicit StagedPrediction(Play play, bool ours = false, const TeamContext& context = {},
                             const Style& style = {})
       : world(play, ours), predicted(context, style) {}
 
-  // Looks at the world for so many frames in which no robot moves. Opponents are looked at in turn,
-  // so that one frame is not enough for all of them.
+  // Observes the world for a number of frames in which no robot moves. Opponents are updated
+  // alternately, so one frame is not enough for all of them.
   const PredictedState& look(int frames = 4) {
     for (int i = 0; i < frames; ++i) {
       predicted.update(world.view);
@@ -146,7 +146,7 @@ struct StagedPrediction {
   PredictedState predicted;
 };
 
-// The game of the rule book of that name.
+// The team context for a game under that rule book.
 inline TeamContext team_context_of(const char* rules) {
   TeamContext context;
   context.rules = find_rule_book(rules).value();

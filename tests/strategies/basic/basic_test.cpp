@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kBallGap_m = 0.5 + kRobotRadius_m;  // Laws: 500 mm from hull to ball
 
-TEST(Basic, StaysHalfAMetreOffTheBallWhilePlayIsStopped) {
+TEST(Basic, StaysHalfAMetreFromTheBallWhilePlayIsStopped) {
   Basic team{TeamContext{}};
   for (const Vec2& ball_m : {Vec2(0, 0), Vec2(-2.925, 1.925), Vec2(2.925, -1.925), Vec2(-1, 1)}) {
     StagedWorld world(Play::kStop);
@@ -38,7 +38,7 @@ TEST(Basic, ComesToRestWhilePlayIsStopped) {
   }
 }
 
-// Whether a robot there would stand in the goal's walls or its net.
+// Whether a robot there would overlap the goal's walls or its net.
 bool is_in_goal_walls(const Field& field, const Vec2& robot_m) {
   const double x = std::abs(robot_m.x());
   const double back_m = field.half_length_m() + field.goal_depth_m + field.goal_wall_thickness_m;
@@ -109,7 +109,7 @@ TEST(Basic, GetsBehindTheBallAndKicksItAtTheGoal) {
   EXPECT_LT(std::abs(y_at_goal), 0.35);
 }
 
-TEST(Basic, KeeperStandsWhereTheBallWillCrossItsLine) {
+TEST(Basic, KeeperStandsWhereTheBallWillCrossTheLine) {
   Basic team{TeamContext{}};
   StagedWorld world(Play::kRunning);
   world.own(0, {-2.9, 0}).own(1, {2, 0});
@@ -118,7 +118,7 @@ TEST(Basic, KeeperStandsWhereTheBallWillCrossItsLine) {
   EXPECT_NEAR(world.robot(0).position_m.y(), 0.24, 0.03);
 }
 
-TEST(Basic, TakesItsRestartAloneToo) {
+TEST(Basic, TakesItsRestartEvenWithASingleRobot) {
   Basic team{TeamContext{}};
   StagedWorld world(Play::kIndirectFree, true);
   world.own(4, {-2, -1});
@@ -131,7 +131,7 @@ TEST(Basic, TakesItsRestartAloneToo) {
   EXPECT_LT(nearest_m, 0.1);
 }
 
-// By that book; the fastest a robot of it is ordered to be in a stop of 5 s.
+// Under that book: the largest speed commanded in a stop of 5 s.
 double fastest_in_stop_mps(const char* rules) {
   TeamContext context;
   context.rules = find_rule_book(rules).value();
@@ -148,14 +148,14 @@ double fastest_in_stop_mps(const char* rules) {
   return fastest_mps;
 }
 
-TEST(Basic, KeepsTheSpeedLimitOfAStopWhereThereIsOne) {
+TEST(Basic, KeepsTheSpeedLimitInAStopIfThereIsOne) {
   EXPECT_LT(fastest_in_stop_mps("2014"), 1.0);
   EXPECT_LT(fastest_in_stop_mps("2026-b"), 1.5);
   EXPECT_GT(fastest_in_stop_mps("paper"), 1.5);
 }
 
-// The ball lies 700 mm before the own area: a hull and 500 mm do not fit between.
-TEST(Basic, KeepsItsDistanceAtAFreeKickBeforeItsArea) {
+// The ball is 700 mm in front of the own area: a hull and 500 mm do not fit between.
+TEST(Basic, KeepsItsDistanceAtAFreeKickInFrontOfItsArea) {
   TeamContext context;
   context.rules = find_rule_book("2014").value();
   Basic team{context};
@@ -167,7 +167,7 @@ TEST(Basic, KeepsItsDistanceAtAFreeKickBeforeItsArea) {
   }
 }
 
-TEST(Basic, ClearsAStoppedBallWithinTwoSeconds) {
+TEST(Basic, LeavesAStoppedBallWithinTwoSeconds) {
   TeamContext context;
   context.rules = find_rule_book("2014").value();
   Basic team{context};
@@ -181,7 +181,7 @@ TEST(Basic, ClearsAStoppedBallWithinTwoSeconds) {
   }
 }
 
-// How near its robots come to a ball at rest in the opponents' area.
+// How close its robots come to a ball at rest in the opponents' area.
 double nearest_to_ball_in_their_area_m(const char* rules) {
   TeamContext context;
   context.rules = find_rule_book(rules).value();
@@ -198,7 +198,7 @@ double nearest_to_ball_in_their_area_m(const char* rules) {
   return nearest_m;
 }
 
-TEST(Basic, LeavesABallInTheOpponentsAreaAloneWhereARuleAsksForIt) {
+TEST(Basic, LeavesABallInTheOpponentsAreaAloneIfARuleRequiresIt) {
   EXPECT_GT(nearest_to_ball_in_their_area_m("2026-b"), 0.2);
   EXPECT_LT(nearest_to_ball_in_their_area_m("2014"), 0.12);
 }
@@ -213,7 +213,7 @@ TEST(Basic, StandsStillInHalt) {
   }
 }
 
-TEST(Basic, CopesWithNoRobotsAndWithSixteen) {
+TEST(Basic, PlaysWithNoRobotsAndWithSixteen) {
   Basic team{TeamContext{}};
   StagedWorld empty(Play::kRunning);
   empty.step(team);

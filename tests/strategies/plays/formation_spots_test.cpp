@@ -9,7 +9,7 @@ namespace {
 
 FormationSpot spot(int key, const Vec2& position_m) { return {key, {position_m, Vec2(1, 0)}}; }
 
-// Which robot the cast sends to the place, by index; -1: none.
+// Index of the robot that the assignment sends to the position; -1: none.
 int who_goes_to(const StagedPlay& stage, const RoleAssignment& assignment, const Vec2& position_m) {
   for (int i = 0; i < stage.predicted.robots(); ++i) {
     const Task& task = assignment.task(i);
@@ -22,7 +22,7 @@ const Vec2 kNorth_m(0, 1);
 const Vec2 kSouth_m(0, -1);
 const FormationSpots kNorthAndSouth = {spot(1, kNorth_m), spot(2, kSouth_m)};
 
-// Robots at the two posts, and the ball far from both.
+// Two robots at the two spots, with the ball far away.
 struct TwoRobots : StagedPlay {
   TwoRobots() : StagedPlay(Play::kRunning) {
     world.own(3, {0, 0.9}).own(5, {0, -0.9}).ball({-2, 0});
@@ -39,14 +39,14 @@ struct TwoRobots : StagedPlay {
   }
 };
 
-TEST(FillSpots, SendsTheNearestRobotToEachPost) {
+TEST(FillSpots, SendsTheNearestRobotToEachSpot) {
   TwoRobots stage;
   const RoleAssignment assignment = stage.man();
   EXPECT_EQ(who_goes_to(stage, assignment, kNorth_m), 0);
   EXPECT_EQ(who_goes_to(stage, assignment, kSouth_m), 1);
 }
 
-TEST(FillSpots, FillsTheMostImportantPostsFirst) {
+TEST(FillSpots, FillsTheMostImportantSpotsFirst) {
   TwoRobots stage;
   const RoleAssignment assignment =
       stage.man({spot(1, {2, 0}), spot(2, {1, 0}), spot(3, kNorth_m)});
@@ -55,15 +55,15 @@ TEST(FillSpots, FillsTheMostImportantPostsFirst) {
   EXPECT_EQ(who_goes_to(stage, assignment, kNorth_m), -1);
 }
 
-TEST(FillSpots, LeavesRobotsAtTheirPostsWhereAChangeWouldSaveLittle) {
+TEST(FillSpots, LeavesRobotsAtTheirSpotsIfASwapWouldSaveLittle) {
   TwoRobots stage;
   stage.man();
   stage.move(0, {0, -0.1});
-  stage.move(1, {0, 0.1});  // 0.4 m less for both together
+  stage.move(1, {0, 0.1});  // a swap would save 0.4 m in total
   EXPECT_EQ(who_goes_to(stage, stage.man(), kNorth_m), 0);
 }
 
-TEST(FillSpots, ChangesRobotsWhereThatSavesALongWay) {
+TEST(FillSpots, SwapsRobotsIfThatSavesALongPath) {
   TwoRobots stage;
   stage.man();
   stage.move(0, kSouth_m);
@@ -71,15 +71,15 @@ TEST(FillSpots, ChangesRobotsWhereThatSavesALongWay) {
   EXPECT_EQ(who_goes_to(stage, stage.man(), kNorth_m), 1);
 }
 
-TEST(FillSpots, LetsARobotFollowItsPostPastTheOthers) {
+TEST(FillSpots, LetsARobotFollowItsSpotPastTheOthers) {
   TwoRobots stage;
   stage.man();
-  const Vec2 moved_m(0.2, -1.2);  // nearer to the other robot
+  const Vec2 moved_m(0.2, -1.2);  // closer to the other robot
   const RoleAssignment assignment = stage.man({spot(1, moved_m), spot(2, {0.2, -0.6})});
   EXPECT_EQ(who_goes_to(stage, assignment, moved_m), 0);
 }
 
-TEST(FillSpots, TakesThePostFromWhoHasAnotherPartAndGivesItToWhoIsFree) {
+TEST(FillSpots, GivesTheSpotOfARobotWithAnotherRoleToAFreeRobot) {
   TwoRobots stage;
   stage.world.own(7, {0, 1.8});
   stage.man();
@@ -90,7 +90,7 @@ TEST(FillSpots, TakesThePostFromWhoHasAnotherPartAndGivesItToWhoIsFree) {
   EXPECT_EQ(who_goes_to(stage, stage.man(), kNorth_m), 2);  // also when the other is free again
 }
 
-TEST(FillOwnSpots, KeepsThePostOfTheRobotAtTheBallAndLeavesItEmpty) {
+TEST(FillOwnSpots, KeepsTheSpotOfTheRobotAtTheBallAndLeavesItEmpty) {
   TwoRobots stage;
   stage.world.own(7, {0, 1.8});
   RoleAssignment before(stage.look());
@@ -103,7 +103,7 @@ TEST(FillOwnSpots, KeepsThePostOfTheRobotAtTheBallAndLeavesItEmpty) {
   EXPECT_TRUE(assignment.is_free(2));
 }
 
-TEST(FillOwnSpots, HasTheRobotFromTheBallBackAtItsOwnPost) {
+TEST(FillOwnSpots, ReturnsTheRobotFromTheBallToItsOwnSpot) {
   TwoRobots stage;
   const FormationSpots spots = {spot(1, kNorth_m), spot(2, kSouth_m), spot(3, {1, 0})};
   RoleAssignment before(stage.look());
@@ -117,7 +117,7 @@ TEST(FillOwnSpots, HasTheRobotFromTheBallBackAtItsOwnPost) {
   EXPECT_EQ(who_goes_to(stage, after, kNorth_m), 0);
 }
 
-TEST(FillOwnSpots, GivesTheRobotAtTheBallThePostNearestToItFromTheStart) {
+TEST(FillOwnSpots, GivesTheRobotAtTheBallTheNearestSpotFromTheStart) {
   TwoRobots stage;
   stage.world.own(7, {0, -1.8});
   RoleAssignment first(stage.look());
@@ -128,7 +128,7 @@ TEST(FillOwnSpots, GivesTheRobotAtTheBallThePostNearestToItFromTheStart) {
   EXPECT_TRUE(first.is_free(2));
 }
 
-TEST(FillOwnSpots, LeavesTheRobotsOfTheLastPostsFree) {
+TEST(FillOwnSpots, LeavesTheRobotsOfTheLastSpotsFree) {
   TwoRobots stage;
   RoleAssignment assignment(stage.look());
   fill_own_spots(stage.book, assignment, kNorthAndSouth, 1);
@@ -136,7 +136,7 @@ TEST(FillOwnSpots, LeavesTheRobotsOfTheLastPostsFree) {
   EXPECT_TRUE(assignment.is_free(1));
 }
 
-TEST(SendAhead, LetsThoseRunForPassesWhoAreFarthestAhead) {
+TEST(SendAhead, LetsTheRobotsFarthestAheadRunForPasses) {
   StagedPlay stage(Play::kRunning);
   stage.world.own(1, {-1, 1}).own(2, {1, 1}).own(3, {-2, 0}).own(4, {0.5, -1}).ball({-1.5, 0});
   stage.watch();
@@ -147,7 +147,7 @@ TEST(SendAhead, LetsThoseRunForPassesWhoAreFarthestAhead) {
   EXPECT_EQ(assignment.free_robots(), 2);
 }
 
-TEST(SendAhead, SendsAllFreeRobotsWhereThereAreFewerThanWanted) {
+TEST(SendAhead, SendsAllFreeRobotsIfThereAreTooFew) {
   StagedPlay stage(Play::kRunning);
   stage.world.own(1, {-1, 1}).own(2, {1, 1}).ball({-1.5, 0});
   stage.watch();
@@ -158,7 +158,7 @@ TEST(SendAhead, SendsAllFreeRobotsWhereThereAreFewerThanWanted) {
   EXPECT_EQ(assignment.task(1).role, Role::kReceiver);
 }
 
-TEST(OffTheirArea, KeepsAPlaceSoFarOffTheAreaWithMoreWhereThatIsAskedFor) {
+TEST(OffTheirArea, KeepsAPositionThisFarFromTheAreaPlusAnExtraDistance) {
   for (const char* rules : {"paper", "2026-b"}) {
     StagedPrediction stage(Play::kRunning, false, team_context_of(rules));
     const PredictedState& predicted = stage.look();

@@ -22,7 +22,7 @@ int count_of(const Staged& stage, const RoleAssignment& assignment, Role role) {
   return count;
 }
 
-TEST(RoleAssignment, GivesAPlaceToTheNearestFreeRobot) {
+TEST(RoleAssignment, GivesAPositionToTheNearestFreeRobot) {
   Staged stage(Play::kRunning);
   stage.world.own(0, {-2, 0}).own(1, {0, 1}).own(2, {1, 0});
   RoleAssignment assignment(stage.look());
@@ -33,14 +33,14 @@ TEST(RoleAssignment, GivesAPlaceToTheNearestFreeRobot) {
   EXPECT_EQ(assignment.free_robots(), 1);
 }
 
-TEST(RoleAssignment, LeavesAPlaceEmptyWhereNobodyIsFree) {
+TEST(RoleAssignment, LeavesAPositionEmptyIfNoRobotIsFree) {
   Staged stage(Play::kRunning);
   RoleAssignment assignment(stage.look());
   assignment.send_nearest({{0, 0}, {1, 0}});
   EXPECT_EQ(assignment.nearest_free({0, 0}), -1);
 }
 
-TEST(OpenPlay, GivesEveryRobotAPartForTeamsOfAllSizes) {
+TEST(OpenPlay, GivesEveryRobotARoleForTeamsOfAllSizes) {
   for (const double ball_x : {-1.5, 0.5, 2.0}) {
     for (int robots = 2; robots <= kMaxRobots; ++robots) {
       Staged stage(Play::kRunning);
@@ -54,7 +54,7 @@ TEST(OpenPlay, GivesEveryRobotAPartForTeamsOfAllSizes) {
   }
 }
 
-TEST(OpenPlay, KeepsTheKeeperAndThenTheOneAtTheBallAsRobotsLeave) {
+TEST(OpenPlay, KeepsTheKeeperAndTheRobotAtTheBallAsRobotsLeave) {
   for (int robots = 6; robots >= 2; --robots) {
     Staged stage(Play::kRunning);
     stage.robots(robots);
@@ -65,7 +65,7 @@ TEST(OpenPlay, KeepsTheKeeperAndThenTheOneAtTheBallAsRobotsLeave) {
   }
 }
 
-TEST(OpenPlay, SendsALoneRobotToTheBallOnlyWhereItIsThereFirst) {
+TEST(OpenPlay, SendsALoneRobotToTheBallOnlyIfItIsThereFirst) {
   Staged ours(Play::kRunning);
   ours.world.own(3, {0, 0}).opponent(0, {2.5, 1}).ball({0.4, 0});
   EXPECT_EQ(ours.assignment(open_play).task(0).role, Role::kBall);
@@ -83,7 +83,7 @@ TEST(OpenPlay, SendsTheKeeperToASlowBallInItsArea) {
   EXPECT_EQ(count_of(stage, assignment, Role::kBall), 1);
 }
 
-TEST(OpenPlay, RunsForPassesWithTheBallAndStaysBackWithoutIt) {
+TEST(OpenPlay, RunsForPassesInPossessionAndStaysBackOtherwise) {
   Staged ours(Play::kRunning);
   ours.robots(6);
   ours.world.opponent(0, {-2.5, -1.5}).ball({1, -0.8});
@@ -95,7 +95,7 @@ TEST(OpenPlay, RunsForPassesWithTheBallAndStaysBackWithoutIt) {
   EXPECT_GT(with_ball, without_ball);
 }
 
-TEST(OpenPlay, CoversTheWayToTheOwnGoalWithWhoFindsNobodyToMark) {
+TEST(OpenPlay, CoversTheOwnGoalWithRobotsThatHaveNobodyToMark) {
   Staged stage(Play::kRunning);
   stage.robots(6);
   stage.world.ball({1.5, 0.5}).opponent(1, {1.59, 0.5});
@@ -108,14 +108,14 @@ TEST(OpenPlay, CoversTheWayToTheOwnGoalWithWhoFindsNobodyToMark) {
   }
 }
 
-TEST(ChooseForBall, IsWhoGetsThereFirst) {
+TEST(ChooseForBall, ChoosesTheRobotThatGetsThereFirst) {
   Staged stage(Play::kRunning);
   stage.world.own(0, {-2.8, 0}).own(1, {-1, 1}).own(2, {1, 1}).ball({1, 0});
   const RoleAssignment assignment(stage.look());
   EXPECT_EQ(choose_for_ball(stage.book, assignment), 2);
 }
 
-TEST(ChooseForBall, KeepsToTheFormerOneWhereBothAreAboutAsNear) {
+TEST(ChooseForBall, KeepsThePreviousRobotIfBothAreAboutAsNear) {
   Staged stage(Play::kRunning);
   stage.world.own(0, {-2.8, 0}).own(1, {0, 1.02}).own(2, {0, -1}).ball({0, 0});
   const RoleAssignment assignment(stage.look());
@@ -124,7 +124,7 @@ TEST(ChooseForBall, KeepsToTheFormerOneWhereBothAreAboutAsNear) {
   EXPECT_EQ(choose_for_ball(stage.book, assignment), 1);
 }
 
-TEST(ChooseForBall, SparesARobotThatMustNotTouchTheBallAgain) {
+TEST(ChooseForBall, AvoidsARobotThatMustNotTouchTheBallAgain) {
   Staged stage(Play::kRunning);
   stage.world.own(0, {-2.8, 0}).own(1, {0.2, 0}).own(2, {-1, 0}).ball({0, 0});
   const RoleAssignment assignment(stage.look());
@@ -152,7 +152,7 @@ TEST(Defend, SendsTheWallAndThenAMarkerToEachDangerousOpponent) {
   EXPECT_TRUE(has_marker({0, 1.5}));
 }
 
-TEST(TakeRestart, IsForTheFieldPlayerNearestToTheBall) {
+TEST(TakeRestart, IsGivenToTheFieldPlayerNearestToTheBall) {
   Staged stage(Play::kIndirectFree, true);
   stage.world.own(0, {1.1, 1}).own(1, {0, 0}).own(4, {0.7, 0.4}).own(5, {2, -1}).ball({1, 1});
   const RoleAssignment assignment = stage.assignment(take_restart);
@@ -160,13 +160,13 @@ TEST(TakeRestart, IsForTheFieldPlayerNearestToTheBall) {
   EXPECT_EQ(count_of(stage, assignment, Role::kBall), 1);
 }
 
-TEST(TakeRestart, IsForTheKeeperWhereItIsAlone) {
+TEST(TakeRestart, IsGivenToTheKeeperIfItIsAlone) {
   Staged stage(Play::kDirectFree, true);
   stage.world.own(5, {-2.8, 0}).ball({0, 1});
   EXPECT_EQ(stage.assignment(take_restart).task(0).role, Role::kBall);
 }
 
-TEST(AwaitRestart, BlocksTheBallOnTheWayToTheOwnGoal) {
+TEST(AwaitRestart, BlocksTheBallsPathToTheOwnGoal) {
   Staged stage(Play::kDirectFree, false);
   stage.robots(6);
   const Vec2 ball_m(-0.5, 1.2);
@@ -183,7 +183,7 @@ TEST(AwaitRestart, BlocksTheBallOnTheWayToTheOwnGoal) {
   EXPECT_EQ(assignment.free_robots(), 0);
 }
 
-TEST(AwaitKickoff, GivesEverybodyAPlaceOfItsOwnInTheOwnHalf) {
+TEST(AwaitKickoff, GivesEveryRobotASeparatePositionInTheOwnHalf) {
   for (const bool ours : {true, false}) {
     for (int robots = 1; robots <= 8; ++robots) {
       Staged stage(Play::kPrepareKickoff, ours);
@@ -198,7 +198,7 @@ TEST(AwaitKickoff, GivesEverybodyAPlaceOfItsOwnInTheOwnHalf) {
   }
 }
 
-TEST(Penalty, SendsOneToTheBallOnlyOnceItMayBeTaken) {
+TEST(Penalty, SendsARobotToTheBallOnlyOnceThePenaltyMayBeTaken) {
   for (const Play play : {Play::kPreparePenalty, Play::kPenalty}) {
     Staged stage(play, true);
     stage.robots(6);

@@ -46,7 +46,7 @@ TEST(Squad, ComesToRestWhilePlayIsStopped) {
   }
 }
 
-TEST(Squad, ClearsAStoppedBallWithinTwoSeconds) {
+TEST(Squad, LeavesAStoppedBallWithinTwoSeconds) {
   Squad team(team_context_of("2014"), TeamPlaybook{});
   StagedWorld world(Play::kStop);
   world.six_against_six().ball({1, 1});
@@ -70,7 +70,7 @@ TEST(Squad, KeepsItsHullClearOfTheOpponentsAreaBeforeARestart) {
   }
 }
 
-// The fastest that a robot is in a stop of 4 s by that book.
+// The largest speed of a robot in a stop of 4 s under that book.
 double fastest_in_stop_mps(const char* rules) {
   Squad team(team_context_of(rules), TeamPlaybook{});
   StagedWorld world(Play::kStop);
@@ -84,14 +84,14 @@ double fastest_in_stop_mps(const char* rules) {
   return fastest_mps;
 }
 
-TEST(Squad, KeepsTheSpeedLimitOfAStopWhereThereIsOne) {
+TEST(Squad, KeepsTheSpeedLimitInAStopIfThereIsOne) {
   EXPECT_LT(fastest_in_stop_mps("2014"), 1.0);
   EXPECT_LT(fastest_in_stop_mps("2026-b"), 1.5);
   EXPECT_GT(fastest_in_stop_mps("paper"), 1.5);
 }
 
-// A stop, then the restart: by the field player nearest to the ball, and only by that one.
-TEST(Squad, TakesItsRestartByTheNearestRobotAlone) {
+// A stop, then the restart, which only the field player nearest to the ball takes.
+TEST(Squad, TakesItsRestartWithTheNearestRobotOnly) {
   const Vec2 ball_m(1, 1.9);
   Squad team(TeamContext{}, TeamPlaybook{});
   StagedWorld world(Play::kStop);
@@ -117,8 +117,8 @@ TEST(Squad, TakesItsRestartByTheNearestRobotAlone) {
   }
 }
 
-// A robot that cannot move, as if shut in: somebody else takes the restart in its place.
-TEST(Squad, TakesItsRestartByAnotherRobotWhereTheNearestGetsNowhere) {
+// A robot that cannot move, as if it were trapped: another robot takes the restart instead.
+TEST(Squad, TakesItsRestartWithAnotherRobotIfTheNearestIsStuck) {
   const Vec2 ball_m(1, 1);
   Squad team(TeamContext{}, TeamPlaybook{});
   StagedWorld world(Play::kDirectFree, true);
@@ -132,7 +132,7 @@ TEST(Squad, TakesItsRestartByAnotherRobotWhereTheNearestGetsNowhere) {
   EXPECT_LT(least_m, 0.12);
 }
 
-// Laws 2014: who took the restart must not touch the ball again before another robot has.
+// Laws 2014: the taker of a restart must not touch the ball again before another robot has.
 TEST(Squad, DoesNotPlayTheBallTwiceAfterItsRestart) {
   Squad team(team_context_of("2014"), TeamPlaybook{});
   StagedWorld world(Play::kDirectFree, true);
@@ -147,7 +147,7 @@ TEST(Squad, DoesNotPlayTheBallTwiceAfterItsRestart) {
   }
 }
 
-TEST(Squad, TakesItsRestartAloneToo) {
+TEST(Squad, TakesItsRestartEvenWithASingleRobot) {
   Squad team(TeamContext{}, TeamPlaybook{});
   StagedWorld world(Play::kIndirectFree, true);
   world.own(4, {-2, -1}).ball({1, 1.925});
@@ -170,17 +170,16 @@ TEST(Squad, StandsStillInHalt) {
   }
 }
 
-TEST(Squad, NamesItsLowestNumberAsKeeper) {
+TEST(Squad, DeclaresItsLowestNumberAsKeeper) {
   Squad team(TeamContext{}, TeamPlaybook{});
   StagedWorld world(Play::kRunning);
   world.own(3, {-2, 0}).own(7, {0, 0}).step(team);
   EXPECT_EQ(team.requests().keeper, 3);
 }
 
-// Two teams in a game that is the same when it is turned by 180 degrees: what one commands, the
-// other commands too. Each robot moves in the frame in which it was ordered about, so that the
-// turned game stays the same to the last bit.
-TEST(Squad, DoesTheTurnedThingFromTheOtherEnd) {
+// Two teams in a game that looks the same when turned by 180 degrees must give the same commands.
+// Each robot moves in its own team's frame, so that the symmetry is exact to the last bit.
+TEST(Squad, PlaysSymmetricallyFromTheOtherEnd) {
   PerSide<std::unique_ptr<Squad>> teams;
   PerSide<StagedWorld> ends{{StagedWorld(Play::kRunning), StagedWorld(Play::kRunning)}};
   for (const Side side : kSides) {

@@ -8,7 +8,8 @@
 namespace autoref::strategies {
 namespace {
 
-// 3 m/s: slides 0.729 m in 0.291 s, then rolls from 2.01 m/s for the 1.709 s that are left of 2 s.
+// A kick at 3 m/s slides 0.729 m in 0.291 s, then rolls from 2.01 m/s for the remaining 1.709 s of
+// 2 s.
 TEST(BallPath, SlidesAndRollsAfterAKick) {
   BallPath path;
   path.follow({{-2, 1}, {0, 3}}, 0);
@@ -17,15 +18,15 @@ TEST(BallPath, SlidesAndRollsAfterAKick) {
   EXPECT_NEAR(path.end_m().x(), -2, 1e-9);
 }
 
-TEST(BallPath, EndsWhereASlowBallComesToRest) {
-  const CarpetBall ball{{0, 0}, {1, 0}, 0.6};  // rests after 1.4 s
+TEST(BallPath, EndsWhereASlowBallStops) {
+  const CarpetBall ball{{0, 0}, {1, 0}, 0.6};  // stops after 1.4 s
   BallPath path;
   path.follow(ball.at(0), 0);
   EXPECT_NEAR(path.end_m().x(), ball.longest_m(), 0.05 * ball.longest_m());
   EXPECT_EQ(path.at_step(18), path.end_m());
 }
 
-TEST(BallPath, TellsTheLaterPlacesOfABallItHasFollowed) {
+TEST(BallPath, PredictsTheLaterPositionsOfABallItHasFollowed) {
   for (const double kick_mps : {1.5, 4.0, 8.0}) {
     const CarpetBall ball{{0, 0}, {0.6, -0.8}, kick_mps};
     BallPath path;
@@ -39,7 +40,7 @@ TEST(BallPath, TellsTheLaterPlacesOfABallItHasFollowed) {
   }
 }
 
-TEST(BallPath, BeginsWhereTheBallIsWhenCommandsTakeEffect) {
+TEST(BallPath, StartsWhereTheBallIsWhenCommandsTakeEffect) {
   const CarpetBall ball{{1, 1}, {-1, 0}, 4};
   BallPath path;
   path.follow(ball.at(0), 0.1);
@@ -47,9 +48,8 @@ TEST(BallPath, BeginsWhereTheBallIsWhenCommandsTakeEffect) {
   EXPECT_NEAR(path.at_step(5).x(), ball.at(0.6).position_m.x(), 0.1);
 }
 
-// The ball of a kick at 0.507 s, between two frames, as the tracker tells it: from its second
-// frame on.
-TEST(BallPath, ForetellsAFastKickWithinSevenCentimetresPerSecond) {
+// A kick at 0.507 s, between two frames, as reported by the tracker from its second frame on.
+TEST(BallPath, PredictsAFastKickWithinSevenCentimetresPerSecond) {
   const CarpetBall kick{{-2, 0}, {1, 0}, 6};
   const auto at = [&](double time_s) { return kick.at(std::max(0.0, time_s - 0.507)); };
   BallTracker tracker(0);
@@ -65,7 +65,7 @@ TEST(BallPath, ForetellsAFastKickWithinSevenCentimetresPerSecond) {
   }
 }
 
-TEST(BallPath, TellsTheSpeedThatTheBallHasWhenCommandsTakeEffect) {
+TEST(BallPath, PredictsTheBallsSpeedWhenCommandsTakeEffect) {
   for (const double kick_mps : {1.5, 4.0, 8.0}) {
     const CarpetBall ball{{0, 0}, {0, 1}, kick_mps};
     BallPath path;
@@ -78,7 +78,7 @@ TEST(BallPath, TellsTheSpeedThatTheBallHasWhenCommandsTakeEffect) {
   }
 }
 
-TEST(BallPath, KeepsAStillBallWhereItIs) {
+TEST(BallPath, KeepsABallAtRestWhereItIs) {
   BallPath path;
   path.follow({{0.3, -0.4}, {0, 0}}, 0.05);
   EXPECT_EQ(path.now_m(), Vec2(0.3, -0.4));
@@ -86,7 +86,7 @@ TEST(BallPath, KeepsAStillBallWhereItIs) {
   EXPECT_EQ(path.speed_mps(), 0);
 }
 
-TEST(BallPath, NoticesThatARollingBallIsKickedAgain) {
+TEST(BallPath, DetectsThatARollingBallIsKickedAgain) {
   const CarpetBall first{{0, 0}, {1, 0}, 3};
   const CarpetBall second{first.at(1).position_m, {0, 1}, 5};
   BallPath path;
@@ -95,7 +95,7 @@ TEST(BallPath, NoticesThatARollingBallIsKickedAgain) {
   EXPECT_LT((path.end_m() - second.at(2).position_m).norm(), 0.3);
 }
 
-// The speed that is left of a kick after `distance_m`.
+// The remaining speed of a kick after `distance_m`.
 double left_mps(const CarpetBall& kick, double distance_m) {
   const double slid_m = std::min(distance_m, kick.slide_m());
   const double rolled_m = distance_m - slid_m;
@@ -103,7 +103,7 @@ double left_mps(const CarpetBall& kick, double distance_m) {
   return std::sqrt(std::max(0.0, slid2 - 2 * CarpetBall::kRoll_mps2 * rolled_m));
 }
 
-TEST(KickFor, GivesTheSpeedThatIsAskedForOnArrival) {
+TEST(KickFor, ArrivesWithTheRequestedSpeed) {
   for (const double distance_m : {0.2, 1.0, 3.0, 6.0}) {
     for (const double arrival_mps : {1.0, 2.0, 4.0}) {
       const CarpetBall kick{{0, 0}, {1, 0}, kick_for_mps(distance_m, arrival_mps)};
@@ -112,7 +112,7 @@ TEST(KickFor, GivesTheSpeedThatIsAskedForOnArrival) {
   }
 }
 
-TEST(RollTime, IsWhenTheBallHasGoneThatFar) {
+TEST(RollTime, IsTheTimeForThatDistance) {
   for (const double kick_mps : {2.0, 5.0, 8.0}) {
     for (const double distance_m : {0.1, 0.5, 2.0}) {
       const CarpetBall kick{{0, 0}, {1, 0}, kick_mps};
@@ -122,7 +122,7 @@ TEST(RollTime, IsWhenTheBallHasGoneThatFar) {
   }
 }
 
-TEST(RollTime, IsTenSecondsForWhatABallNeverReaches) {
+TEST(RollTime, IsTenSecondsIfTheBallNeverGetsThere) {
   const CarpetBall kick{{0, 0}, {1, 0}, 1};
   EXPECT_LT(roll_time_s(1, 0.9 * kick.longest_m()), 5);
   EXPECT_EQ(roll_time_s(1, 1.1 * kick.longest_m()), 10);

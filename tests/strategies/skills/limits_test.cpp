@@ -10,9 +10,9 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kFarBall_m = 100;  // where the ball does not matter
+constexpr double kFarBall_m = 100;  // so far away that the ball does not matter
 
-// Places all over the field and so far beyond its lines, 0.13 m apart.
+// Positions 0.13 m apart all over the field and up to `beyond_m` outside it.
 std::vector<Vec2> positions_on(const Field& field, double beyond_m = 0) {
   const double x_m = field.half_length_m() + beyond_m;
   const double y_m = field.half_width_m() + beyond_m;
@@ -23,7 +23,7 @@ std::vector<Vec2> positions_on(const Field& field, double beyond_m = 0) {
   return positions_m;
 }
 
-// What both areas ask for.
+// The distances that both areas require.
 constexpr double kOffTheirs_m = 0.29;
 Limits off_both_areas() {
   Limits limits;
@@ -32,7 +32,8 @@ Limits off_both_areas() {
 }
 double wanted_off_m(Side side) { return side == Side::kWest ? kRobotRadius_m : kOffTheirs_m; }
 
-// Whether some place `path_m` from `position_m` is as far off the area of `side` as wanted.
+// Whether a position `path_m` from `position_m` is outside the area of `side` by the required
+// distance.
 bool is_out_within(const Field& field, Side side, const Vec2& position_m, double path_m) {
   constexpr int kDirections = 48;
   for (int i = 0; i < kDirections; ++i) {
@@ -44,7 +45,7 @@ bool is_out_within(const Field& field, Side side, const Vec2& position_m, double
 
 class PermittedOnFieldOf : public testing::TestWithParam<const char*> {};
 
-TEST_P(PermittedOnFieldOf, LeavesPlacesAloneThatBreakNoLimit) {
+TEST_P(PermittedOnFieldOf, LeavesPermittedPositionsUnchanged) {
   const Field field = team_context_of(GetParam()).field;
   Limits limits;
   limits.keep_from_ball_m = 0.6;
@@ -68,7 +69,7 @@ TEST_P(PermittedOnFieldOf, LetsTheKeeperIntoItsArea) {
   }
 }
 
-TEST_P(PermittedOnFieldOf, KeepsRobotsOffBothAreasWhereverTheyWantToBe) {
+TEST_P(PermittedOnFieldOf, KeepsRobotsOutOfBothAreasWhereverTheyWantToBe) {
   const Field field = team_context_of(GetParam()).field;
   for (const Vec2& position_m : positions_on(field, field.run_off_m)) {
     const Vec2 p = permitted(field, position_m, {kFarBall_m, 0}, off_both_areas());
@@ -78,8 +79,9 @@ TEST_P(PermittedOnFieldOf, KeepsRobotsOffBothAreasWhereverTheyWantToBe) {
   }
 }
 
-// The areas are convex: if no place on a circle around the wanted one is out, none within it is.
-TEST_P(PermittedOnFieldOf, MovesAPlaceOutOfAnAreaNoFartherThanItMust) {
+// The areas are convex: if no position on a circle around the wanted one is outside, none within it
+// is.
+TEST_P(PermittedOnFieldOf, MovesAPositionOutOfAnAreaNoFartherThanNecessary) {
   const Field field = team_context_of(GetParam()).field;
   Limits limits = off_both_areas();
   limits.beyond_lines_m = field.run_off_m;
@@ -100,8 +102,8 @@ std::string name_of_book(const testing::TestParamInfo<const char*>& book) {
 
 INSTANTIATE_TEST_SUITE_P(Books, PermittedOnFieldOf,
                          testing::Values("paper", "2014-double", "2026-b", "2026-a"), name_of_book);
-// 0.9 m before the west goal line and 0.3 m inside a side of the 2 m wide box.
-TEST(Permitted, MovesAPlaceInABoxToItsNearestSide) {
+// 0.9 m in front of the west goal line and 0.3 m inside a side of the 2 m wide box.
+TEST(Permitted, MovesAPositionInABoxToItsNearestSide) {
   const Field field = team_context_of("2026-b").field;
   const Vec2 goal_m = field.goal_centre_m(Side::kWest);
   const Vec2 near_side_m = goal_m + Vec2(0.5, -0.7);
@@ -134,7 +136,7 @@ TEST(Permitted, SendsARobotAtTheBallTowardsItsOwnGoal) {
   EXPECT_LT(permitted(Field{}, {0, 0}, {0, 0}, limits).x(), -0.5);
 }
 
-// Balls beside which somewhere no robot fits: before, beside and behind areas, at lines and
+// Balls with no room for a robot on some side: in front of, beside and behind areas, at lines and
 // corners.
 std::vector<Vec2> narrow_balls_of(const Field& field) {
   const Vec2 goal_m = field.goal_centre_m(Side::kWest);
@@ -149,7 +151,7 @@ std::vector<Vec2> narrow_balls_of(const Field& field) {
   return balls_m;
 }
 
-TEST_P(PermittedOnFieldOf, ByAllKeepsTheBallsCircleAndTheAreasAtOnce) {
+TEST_P(PermittedOnFieldOf, ByAllRespectsTheBallsCircleAndTheAreasAtOnce) {
   const Field field = team_context_of(GetParam()).field;
   Limits limits = off_both_areas();
   limits.keep_from_ball_m = 0.61;
@@ -162,7 +164,7 @@ TEST_P(PermittedOnFieldOf, ByAllKeepsTheBallsCircleAndTheAreasAtOnce) {
   }
 }
 
-TEST_P(PermittedOnFieldOf, ByAllIsWhatIsPermittedWhereThatKeepsOffTheBall) {
+TEST_P(PermittedOnFieldOf, ByAllEqualsPermittedIfThatRespectsTheBallsCircle) {
   const Field field = team_context_of(GetParam()).field;
   Limits limits = off_both_areas();
   limits.keep_from_ball_m = 0.61;
@@ -175,8 +177,9 @@ TEST_P(PermittedOnFieldOf, ByAllIsWhatIsPermittedWhereThatKeepsOffTheBall) {
   }
 }
 
-// 0.3 m before the area's front there is no room behind the ball: beside it then, not before it.
-TEST(PermittedByAll, GoesRoundTheBallNoFartherThanItMust) {
+// 0.3 m in front of the area there is no room behind the ball: the position is beside it, not in
+// front of it.
+TEST(PermittedByAll, GoesAroundTheBallNoFartherThanNecessary) {
   const Field field;
   Limits limits;
   limits.keep_from_ball_m = 0.61;
@@ -186,7 +189,7 @@ TEST(PermittedByAll, GoesRoundTheBallNoFartherThanItMust) {
   EXPECT_LT(distance_to_defence_area(field, Side::kWest, p), 0.2);
 }
 
-TEST(PermittedByAll, KeepsTheOwnHalfAndTheBallsCircleBeforeAKickoff) {
+TEST(PermittedByAll, RespectsTheOwnHalfAndTheBallsCircleBeforeAKickoff) {
   Limits limits;
   limits.own_half_only = true;
   limits.keep_from_ball_m = 0.61;

@@ -15,7 +15,7 @@ TrackedRobot robot_at(const Vec2& position_m, const Vec2& velocity_mps = {0, 0})
   return {0, position_m, Vec2(1, 0), velocity_mps, 0};
 }
 
-TEST(SteerFor, GoesStraightWhereTheWayIsFree) {
+TEST(SteerFor, GoesStraightIfThePathIsFree) {
   const Obstacles beside = {{{0.5, 0.5}, kClear_m}, {{-0.4, 0}, kClear_m}, {{1.6, 0}, kClear_m}};
   EXPECT_EQ(steer_for(robot_at({0, 0}), {1, 0}, beside), Vec2(1, 0));
   EXPECT_EQ(steer_for(robot_at({0, 0}), {1, 0}, {}), Vec2(1, 0));
@@ -31,13 +31,13 @@ TEST(SteerFor, PassesARobotOnTheNearerSideWithRoom) {
   }
 }
 
-TEST(SteerFor, GoesOnOnTheSideOnWhichTheRobotAlreadyMoves) {
+TEST(SteerFor, ContinuesOnTheSideOnWhichTheRobotAlreadyMoves) {
   const Obstacles ahead = {{{0.7, 0}, kClear_m}};
   EXPECT_GT(steer_for(robot_at({0, 0}, {1.5, 1.5}), {1.5, 0}, ahead).y(), 0);
   EXPECT_LT(steer_for(robot_at({0, 0}, {1.5, -1.5}), {1.5, 0}, ahead).y(), 0);
 }
 
-// From 0.4 m away there is a tangent past a robot that does not touch it.
+// From 0.4 m away there is a tangent past a robot without contact.
 TEST(SteerFor, NeverLeadsThroughALoneRobot) {
   RandomStream random(1);
   for (int i = 0; i < 3000; ++i) {
@@ -52,7 +52,7 @@ TEST(SteerFor, NeverLeadsThroughALoneRobot) {
   }
 }
 
-TEST(FindObstacles, TakesEverybodyNearTheWayButTheRobotItself) {
+TEST(FindObstacles, FindsEveryOtherRobotNearThePath) {
   const TrackedRobots own = {robot_at({0, 0}), {1, {1, 0.1}, {1, 0}, {0, 0}, 0}};
   const TrackedRobots opponents = {{0, {0.5, 0}, {1, 0}, {0, 0}, 0},
                                    {1, {0.5, 1.7}, {1, 0}, {0, 0}, 0}};
@@ -61,7 +61,7 @@ TEST(FindObstacles, TakesEverybodyNearTheWayButTheRobotItself) {
   EXPECT_EQ(obstacles.size(), 2U);
 }
 
-TEST(FindObstacles, KeepsTheAskedRoomFromHullToBall) {
+TEST(FindObstacles, KeepsTheRequestedDistanceFromHullToBall) {
   const TrackedRobots own = {robot_at({0, 0})};
   Obstacles obstacles;
   find_obstacles({own, {}, 0.5, {1, 0}}, own[0], {2, 0}, obstacles);
@@ -70,7 +70,7 @@ TEST(FindObstacles, KeepsTheAskedRoomFromHullToBall) {
   EXPECT_NEAR(obstacles[0].clearance_m, 0.5 + kRobotRadius_m, 1e-9);
 }
 
-TEST(FindObstacles, MovesARobotOnToWhereItWillBeMet) {
+TEST(FindObstacles, ExtrapolatesAMovingRobot) {
   const TrackedRobots own = {robot_at({0, 0})};
   const TrackedRobots opponents = {{0, {1, -0.5}, {1, 0}, {0, 2}, 0}};
   Obstacles obstacles;
@@ -79,7 +79,8 @@ TEST(FindObstacles, MovesARobotOnToWhereItWillBeMet) {
   EXPECT_GT(obstacles[0].position_m.y(), -0.3);
 }
 
-// Drives a robot step by step; how near it came to anybody, and how far from the target it ended.
+// Simulates the drive of a robot: its smallest distance to any robot, and its final distance from
+// the target.
 struct Drive {
   double nearest_m = 10;
   double left_m = 0;
@@ -108,8 +109,8 @@ TEST(Schedule, LeadsPastTwoRobotsBesideEachOther) {
   EXPECT_LT(result.left_m, 10_mm);
 }
 
-// Robots stand so far apart that there is a way between any two of them.
-TEST(Schedule, ArrivesWithoutTouchingAnybodyWhoStands) {
+// The robots are so far apart that there is a path between any two of them.
+TEST(Schedule, ArrivesWithoutTouchingStationaryRobots) {
   RandomStream random(2);
   for (int run = 0; run < 200; ++run) {
     const Vec2 target_m(2, 2 * random.uniform() - 1);

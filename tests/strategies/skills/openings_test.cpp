@@ -26,7 +26,7 @@ TEST(WidestOpening, IsTheWholeOfAnEmptyGoal) {
   EXPECT_GT(opening.chance, 0.95);
 }
 
-// The keeper stands so far to the left that the right post is open; its hull ends at y = -0.04.
+// The keeper is so far to the left that the right post is open; its hull ends at y = -0.04.
 TEST(WidestOpening, IsBesideARobotInTheGoal) {
   const Opening opening = opening_from({1, 0}, {{2.9, 0.05}});
   EXPECT_LT(opening.target_m.y(), -0.12);
@@ -39,7 +39,7 @@ TEST(WidestOpening, HasNoChanceThroughAFullWall) {
   EXPECT_LT(opening.chance, 0.02);
 }
 
-TEST(WidestOpening, IsAlmostNothingFromTheGoalLinesEnd) {
+TEST(WidestOpening, IsAlmostClosedFromTheEndOfTheGoalLine) {
   EXPECT_LT(opening_from({2.9, 1.9}, {}).chance, 0.1);
   EXPECT_LT(opening_from({3.0, 1.9}, {}).chance, 0.1);
 }
@@ -49,30 +49,30 @@ TEST(WidestOpening, GetsSmallerWithTheDistance) {
   EXPECT_GT(opening_from({0, 0}, {}).chance, opening_from({-2.5, 0}, {}).chance);
 }
 
-TEST(WidestOpening, IsTheMirroredOneInAMirroredWorld) {
+TEST(WidestOpening, IsMirroredInAMirroredWorld) {
   const Opening left = opening_from({1, 0.4}, {{2.9, 0.1}, {2, 0.5}, {2.2, -0.3}});
   const Opening right = opening_from({1, -0.4}, {{2.9, -0.1}, {2, -0.5}, {2.2, 0.3}});
   EXPECT_NEAR(left.target_m.y(), -right.target_m.y(), 1e-9);
   EXPECT_NEAR(left.chance, right.chance, 1e-9);
 }
 
-// So far away that half the goal is seen under the 1.5 degrees by which kicks stray: two out of
-// three.
-TEST(WidestOpening, HasTheChanceOfAKickThatStraysByOneAndAHalfDegrees) {
+// At this distance half the goal spans the 1.5 degrees of the kick error: two kicks out of three
+// score.
+TEST(WidestOpening, HasTheChanceOfAKickWithOneAndAHalfDegreesOfError) {
   const double away_m = (Field{}.half_goal_m() - kBallRadius_m) / 0.0262;
   const double chance = opening_from({Field{}.half_length_m() - away_m, 0}, {}).chance;
   EXPECT_GT(chance, 0.5);
   EXPECT_LT(chance, 0.78);
 }
 
-// Nobody can step aside before a shot that has 0.3 m to go, but from 2 m before it.
-TEST(WidestOpening, CountsHowFarAnOpponentCanStepWhileTheBallComes) {
+// An opponent cannot step into a shot over 0.3 m, but can into one over 2 m.
+TEST(WidestOpening, CountsHowFarAnOpponentCanMoveMeanwhile) {
   const double near = opening_from({2.5, 0}, {{2.9, 0.2}}).half_width_m;
   const double far = opening_from({0, 0}, {{2.9, 0.2}}).half_width_m;
   EXPECT_GT(near, 1.3 * far);
 }
 
-TEST(WidestOpening, IsCoveredByMatesButNotByTheShooter) {
+TEST(WidestOpening, IsCoveredByTeamMatesButNotByTheShooter) {
   const TrackedRobots own = robots_at({{2.0, 0}});
   const Vec2 from_m(1.8, 0);
   const double mate = widest_opening(Field{}, from_m, {}, own, {8, -1}).half_width_m;
@@ -85,12 +85,12 @@ TEST(PassSafety, IsOneWithNobodyThere) {
   EXPECT_EQ(pass_safety({-2, 0}, {2, 0}, 5, robots_at({{0, 1.8}, {-2.9, 0}, {0, -1.8}})), 1);
 }
 
-TEST(PassSafety, IsNothingWithAnOpponentOnTheWay) {
+TEST(PassSafety, IsZeroWithAnOpponentInThePath) {
   for (const double x : {-1.5, 0.0, 1.0})
     EXPECT_EQ(pass_safety({-2, 0}, {2, 0}, 5, robots_at({{x, 0.05}})), 0) << x;
 }
 
-TEST(PassSafety, GrowsWithTheDistanceOfAnOpponentFromTheWay) {
+TEST(PassSafety, GrowsWithTheDistanceOfAnOpponentFromThePath) {
   double last = 0;
   for (const double aside_m : {0.1, 0.3, 0.5, 0.7, 0.9}) {
     const double safety = pass_safety({-2, 0}, {2, 0}, 5, robots_at({{0, aside_m}}));
@@ -100,9 +100,9 @@ TEST(PassSafety, GrowsWithTheDistanceOfAnOpponentFromTheWay) {
   EXPECT_EQ(last, 1);
 }
 
-// 2 m take a ball kicked with 5 m/s 0.48 s. Who starts 0.08 s after the kick with 3 m/s^2 gets 0.23
-// m far in that time.
-TEST(PassSafety, CountsHowFarAnOpponentGetsWhileTheBallRolls) {
+// A ball kicked at 5 m/s takes 0.48 s for 2 m. An opponent that starts 0.08 s after the kick with 3
+// m/s^2 moves 0.23 m in that time.
+TEST(PassSafety, CountsHowFarAnOpponentMovesWhileTheBallRolls) {
   const double block_m = kRobotRadius_m + kBallRadius_m;
   const auto safety = [](double aside_m) {
     return pass_safety({-2, 0}, {0.2, 0}, 5, robots_at({{0, aside_m}}));
@@ -111,7 +111,7 @@ TEST(PassSafety, CountsHowFarAnOpponentGetsWhileTheBallRolls) {
   EXPECT_EQ(safety(block_m + 0.45), 1);
 }
 
-TEST(PassSafety, IsLessWhereAnOpponentHasTimeToStepIn) {
+TEST(PassSafety, IsLessIfAnOpponentHasTimeToIntercept) {
   const double at_start = pass_safety({-2, 0}, {2, 0}, 5, robots_at({{-1.7, 0.3}}));
   const double at_end = pass_safety({-2, 0}, {2, 0}, 5, robots_at({{1.7, 0.3}}));
   EXPECT_GT(at_start, at_end + 0.3);

@@ -17,7 +17,8 @@ BallPath path_of(const TrackedBall& ball) {
   return path;
 }
 
-// Seconds from rest to rest over `distance_m`, braking with that share of what the robot can.
+// Time in seconds from rest to rest over `distance_m`, braking with that fraction of the robot's
+// braking.
 double trapezoid_s(double distance_m, double braking_share) {
   const Abilities a;
   const double brake_mps2 = braking_share * a.braking_mps2;
@@ -27,8 +28,9 @@ double trapezoid_s(double distance_m, double braking_share) {
   return distance_m / a.speed_mps + a.speed_mps / 2 * per_peak;
 }
 
-// How hard a team plans to brake is its choice: at most fully, and more than half.
-TEST(TimeTo, IsTheTrapezoidsFromRest) {
+// The fraction of braking that a team plans with is its choice: more than half, and at most all of
+// it.
+TEST(TimeTo, IsTheTimeOfATrapezoidalProfileFromRest) {
   for (const double distance_m : {0.1, 0.5, 1.0, 3.0, 8.0}) {
     const double time_s = time_to_s(robot_at({1, 1}), Vec2(1, 1 - distance_m), Abilities{});
     EXPECT_GE(time_s, trapezoid_s(distance_m, 1.0) - 1e-9) << distance_m;
@@ -36,11 +38,11 @@ TEST(TimeTo, IsTheTrapezoidsFromRest) {
   }
 }
 
-TEST(TimeTo, IsNothingForARobotAtRestThere) {
+TEST(TimeTo, IsZeroForARobotAtRestThere) {
   EXPECT_NEAR(time_to_s(robot_at({1, 1}), {1, 1}, Abilities{}), 0, 1e-9);
 }
 
-TEST(TimeTo, IsLessOnTheMoveThereAndMoreOnTheMoveAway) {
+TEST(TimeTo, IsLessWhenMovingThereAndMoreWhenMovingAway) {
   const double rest_s = time_to_s(robot_at({0, 0}), {2, 0}, Abilities{});
   EXPECT_LT(time_to_s(robot_at({0, 0}, {1.5, 0}), {2, 0}, Abilities{}), rest_s - 0.1);
   EXPECT_GT(time_to_s(robot_at({0, 0}, {-1.5, 0}), {2, 0}, Abilities{}), rest_s + 0.3);
@@ -57,7 +59,7 @@ TEST(TimeTo, IsLongerForSlowerRobots) {
   EXPECT_GT(time_to_s(robot_at({0, 0}), {4, 0}, lazy), usual_s + 0.2);
 }
 
-TEST(InterceptBall, IsAtAStillBallOnceTheRobotCanTouchIt) {
+TEST(InterceptBall, IsAtABallAtRestOnceTheRobotCanTouchIt) {
   const BallInterception interception =
       intercept(robot_at({-1, 0}), path_of({{1, 0}, {0, 0}}), Abilities{}, Field{});
   EXPECT_EQ(interception.point_m, Vec2(1, 0));
@@ -65,13 +67,13 @@ TEST(InterceptBall, IsAtAStillBallOnceTheRobotCanTouchIt) {
   EXPECT_LE(interception.time_s, trapezoid_s(2 - kHeldBall_m, 0.5));
 }
 
-TEST(InterceptBall, IsNowForARobotThatHasTheBall) {
+TEST(InterceptBall, IsImmediateForARobotThatHasTheBall) {
   const BallInterception interception =
       intercept(robot_at({0, 0}), path_of({{kHeldBall_m, 0}, {0, 0}}), Abilities{}, Field{});
   EXPECT_NEAR(interception.time_s, 0, 0.02);
 }
 
-TEST(InterceptBall, IsWhereTheRobotComesNoLaterThanARollingBall) {
+TEST(InterceptBall, IsWhereTheRobotArrivesNoLaterThanARollingBall) {
   const CarpetBall ball{{-2, 0}, {1, 0}, 3};
   const BallPath path = path_of(ball.at(0));
   for (const Vec2& from_m : {Vec2(0, 1), Vec2(-1, -1), Vec2(1, 0.3)}) {
@@ -83,7 +85,7 @@ TEST(InterceptBall, IsWhereTheRobotComesNoLaterThanARollingBall) {
   }
 }
 
-TEST(InterceptBall, IsEarlyOnTheWayForARobotNearIt) {
+TEST(InterceptBall, IsEarlyOnThePathForARobotNearIt) {
   const BallPath path = path_of({{-2, 0}, {2, 0}});
   const BallInterception near = intercept(robot_at({-1.5, 0.2}), path, Abilities{}, Field{});
   const BallInterception far = intercept(robot_at({0.5, 1.5}), path, Abilities{}, Field{});
@@ -91,7 +93,7 @@ TEST(InterceptBall, IsEarlyOnTheWayForARobotNearIt) {
   EXPECT_LT(near.time_s, far.time_s);
 }
 
-TEST(InterceptBall, IsAtThePathsEndWhereTheRobotCannotCatchUp) {
+TEST(InterceptBall, IsAtThePathsEndIfTheRobotCannotCatchUp) {
   const Field field = team_context_of("2026-a").field;
   const BallPath path = path_of({{-5, 0}, {6, 0}});
   const BallInterception interception = intercept(robot_at({-5.8, 0}), path, Abilities{}, field);

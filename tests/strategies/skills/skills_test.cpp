@@ -9,7 +9,7 @@
 namespace autoref::strategies {
 namespace {
 
-TEST(DriveTo, StopsAtItsGoalFacingAsAsked) {
+TEST(DriveTo, StopsAtItsGoalWithTheRequestedHeading) {
   StagedWorld world(Play::kRunning);
   world.own(0, {0, 0});
   TrackedRobot& robot = world.view.own[0];
@@ -22,7 +22,7 @@ TEST(DriveTo, StopsAtItsGoalFacingAsAsked) {
   EXPECT_GT(robot.heading.y(), 0.999);
 }
 
-TEST(SteerAround, GoesStraightWhereNothingIsInTheWay) {
+TEST(SteerAround, GoesStraightIfNothingIsInTheWay) {
   const Obstacles beside = {{{0.5, 0.4}, 0.2}, {{-0.3, 0}, 0.2}, {{3, 0}, 0.2}};
   EXPECT_EQ(steer_around({0, 0}, {1, 0}, beside), Vec2(1, 0));
 }
@@ -40,7 +40,7 @@ TEST(BallAfter, SlowsDownAndStops) {
   EXPECT_NEAR(ball_after(ball, 10).x(), 1.0, 1e-12);  // v^2 / (2 a)
 }
 
-TEST(Intercept, MeetsARollingBallAheadOfIt) {
+TEST(Intercept, MeetsARollingBallAheadOfItsPosition) {
   const TrackedRobot robot{0, {2, 1}, {1, 0}, {0, 0}, 0};
   const Interception interception = intercept(robot, {{0, 0}, {2, 0}, 0});
   EXPECT_GT(interception.point_m.x(), 0.5);
@@ -55,7 +55,7 @@ TEST(BestShot, AimsAtTheSideThatTheKeeperLeavesOpen) {
   EXPECT_GT(aim.clearance_m, kRobotRadius_m + kBallRadius_m);
 }
 
-TEST(Registry, FindsTeamsByNameAndSaysWhenThereIsNone) {
+TEST(Registry, FindsTeamsByNameOrReturnsNull) {
   ASSERT_NE(find_strategy("basic"), nullptr);
   ASSERT_NE(find_strategy("dummy"), nullptr);
   EXPECT_EQ(find_strategy("nobody"), nullptr);

@@ -29,35 +29,35 @@ Strike strike_at(const Vec2& target_m) {
   return strike;
 }
 
-TEST(HasBall, IsSoForABallAtThePlate) {
+TEST(HasBall, IsTrueForABallAtThePlate) {
   EXPECT_TRUE(has_ball(robot_at({1, 1}), {1 + kHeldBall_m, 1}));
   EXPECT_TRUE(has_ball(robot_at({1, 1}, {0, -1}), {1, 1 - kHeldBall_m}));
   EXPECT_TRUE(has_ball(robot_at({0, 0}), {kHeldBall_m + 5_mm, kDribblerZoneWidth_m / 4}));
 }
 
-TEST(HasBall, IsNotSoForABallAheadBesideOrBehind) {
+TEST(HasBall, IsFalseForABallAheadBesideOrBehind) {
   EXPECT_FALSE(has_ball(robot_at({0, 0}), {kHeldBall_m + 30_mm, 0}));
   EXPECT_FALSE(has_ball(robot_at({0, 0}), {kHeldBall_m, kDribblerZoneWidth_m / 2 + 20_mm}));
   EXPECT_FALSE(has_ball(robot_at({0, 0}), {0, kHeldBall_m}));
   EXPECT_FALSE(has_ball(robot_at({0, 0}), {-kHeldBall_m, 0}));
 }
 
-TEST(ComesTowards, IsSoForAPassThatArrivesHere) {
+TEST(ComesTowards, IsTrueForAPassThatArrivesHere) {
   EXPECT_TRUE(comes_towards(robot_at({2, 0.1}), path_of({{0, 0}, {3, 0}})));
 }
 
-TEST(ComesTowards, IsNotSoForSlowBallsAndThoseThatGoElsewhere) {
+TEST(ComesTowards, IsFalseForSlowBallsAndBallsThatGoElsewhere) {
   EXPECT_FALSE(comes_towards(robot_at({2, 0.1}), path_of({{0, 0}, {0.5, 0}})));
   EXPECT_FALSE(comes_towards(robot_at({2, 0.1}), path_of({{0, 0}, {-3, 0}})));
   EXPECT_FALSE(comes_towards(robot_at({2, 1.1}), path_of({{0, 0}, {3, 0}})));
 }
 
-// Radians from the robot's heading to the target, seen from the ball.
+// Angle in radians from the robot's heading to the target, seen from the ball.
 double error_rad(const TrackedRobot& robot, const Vec2& ball_m, const Vec2& target_m) {
   return std::abs(angle_between(robot.heading, target_m - ball_m));
 }
 
-TEST(StrikeBall, KicksAStillBallOnlyWhereItFacesTheTarget) {
+TEST(StrikeBall, KicksABallAtRestOnlyWhenItFacesTheTarget) {
   const Vec2 target_m(3, 0.5);
   for (const Vec2& from_m : {Vec2(-1, 0.3), Vec2(-0.8, -0.9), Vec2(0.1, 1.2)}) {
     TrackedRobot robot = robot_at(from_m, {0, 1});
@@ -74,8 +74,8 @@ TEST(StrikeBall, KicksAStillBallOnlyWhereItFacesTheTarget) {
   }
 }
 
-// The dribbler holds the ball, so that it goes round with the robot.
-TEST(StrikeBall, TurnsRoundWithTheBallBeforeItKicks) {
+// The dribbler holds the ball, so the ball turns with the robot.
+TEST(StrikeBall, TurnsAroundWithTheBallBeforeItKicks) {
   TrackedRobot robot = robot_at({0, 0}, {-1, 0.1});
   robot.heading.normalize();
   int frame = 0;
@@ -86,13 +86,13 @@ TEST(StrikeBall, TurnsRoundWithTheBallBeforeItKicks) {
     if (command.kick_mps > 0) break;
     obey(robot, command);
   }
-  EXPECT_GT(frame, 15);  // nobody turns by half a turn in 0.25 s
+  EXPECT_GT(frame, 15);  // no robot makes half a turn in 0.25 s
   EXPECT_LT(frame, 120);
   EXPECT_LT(error_rad(robot, robot.position_m, {3, 0}), 2 * Strike{}.tolerance_rad);
 }
 
-// The dribbler holds a ball that is turned at up to 10 rad/s (sim/README.md).
-TEST(StrikeBall, PressesGentlyAgainstTheBallThatItTurnsWith) {
+// In a steady turn the dribbler holds the ball up to 10 rad/s (sim/README.md).
+TEST(StrikeBall, PressesGentlyAgainstTheBallWhileTurning) {
   const RobotCommand command =
       strike(robot_at({0, 0}, {-1, 0}), {{-kHeldBall_m, 0}, {0, 0}}, strike_at({3, 0.5}));
   EXPECT_GT(command.velocity_mps.x(), 0.1);
@@ -100,7 +100,7 @@ TEST(StrikeBall, PressesGentlyAgainstTheBallThatItTurnsWith) {
   EXPECT_LT(std::abs(command.angular_velocity_radps), 9);
 }
 
-TEST(StrikeBall, SendsAPassThatComesAtAFitAngleOnAtOnce) {
+TEST(StrikeBall, KicksAPassFirstTimeIfTheAngleAllows) {
   const TrackedRobot robot = robot_at({1, 0});
   const Vec2 dribbler_zone_m = robot.position_m + Vec2(kHeldBall_m, 0);
   const Vec2 direction = Vec2(-2, -1).normalized();
@@ -111,7 +111,7 @@ TEST(StrikeBall, SendsAPassThatComesAtAFitAngleOnAtOnce) {
   EXPECT_NEAR(command.angular_velocity_radps, 0, 0.5);
 }
 
-TEST(StrikeBall, TurnsToTheTargetForAPassThatComesAtAFitAngle) {
+TEST(StrikeBall, TurnsToTheTargetForAPassIfTheAngleAllows) {
   TrackedRobot robot = robot_at({1, 0}, {0, 1});
   const Vec2 direction = Vec2(-2, -1).normalized();
   const RobotCommand command =
@@ -125,10 +125,10 @@ TEST(StrikeBall, StopsAPassFromBehindWithTheDribbler) {
   const RobotCommand command = strike(robot, {{-1, 0.3}, Vec2(3, -0.45)}, strike_at({3, 0}));
   EXPECT_EQ(command.kick_mps, 0);
   EXPECT_TRUE(command.dribble);
-  EXPECT_GT(std::abs(command.angular_velocity_radps), 1);  // its front to the ball
+  EXPECT_GT(std::abs(command.angular_velocity_radps), 1);  // turns its front to the ball
 }
 
-TEST(StrikeBall, StopsAPassWhereTheFirstTouchIsNotToBeAKick) {
+TEST(StrikeBall, StopsAPassIfTheFirstTouchMustNotBeAKick) {
   Strike calm = strike_at({3, 0});
   calm.first_touch = false;
   const RobotCommand command = strike(robot_at({1, 0}), {{2.5, 0}, {-3, 0}}, calm);
@@ -136,7 +136,7 @@ TEST(StrikeBall, StopsAPassWhereTheFirstTouchIsNotToBeAKick) {
   EXPECT_TRUE(command.dribble);
 }
 
-TEST(StrikeBall, ChipsWhereItIsReportedTo) {
+TEST(StrikeBall, ChipsIfItIsCommandedTo) {
   Strike over = strike_at({3, 0});
   over.chip = true;
   over.kick_mps = 4;
@@ -145,9 +145,9 @@ TEST(StrikeBall, ChipsWhereItIsReportedTo) {
   EXPECT_EQ(command.kick_mps, 4);
 }
 
-// From beside, behind and before the ball; where it comes nearer than to touch the ball before its
-// kick, it would have taken the restart by mistake.
-TEST(TakeKick, GoesRoundAStillBallAndKicksItInOneTouch) {
+// From beside, behind and in front of the ball. A robot that touched the ball before its kick would
+// have taken the restart by mistake.
+TEST(TakeKick, GoesAroundABallAtRestAndKicksItInOneTouch) {
   for (const Vec2& from_m : {Vec2(-0.6, 0), Vec2(0, 0.7), Vec2(0.65, 0.05), Vec2(0.3, -0.5)}) {
     TrackedRobot robot = robot_at(from_m, {0, 1});
     bool is_kicked = false;
@@ -165,7 +165,7 @@ TEST(TakeKick, GoesRoundAStillBallAndKicksItInOneTouch) {
   }
 }
 
-// Where a robot that comes from the field's middle faces when it gets a ball near the touch line.
+// The heading of a robot coming from the field's middle when it gets a ball near the touch line.
 Vec2 heading_at_ball(const Vec2& keep_off) {
   const Vec2 ball_m(0, Field{}.half_width_m() - 0.1);
   Strike to_goal = strike_at({3, 0});
@@ -179,17 +179,18 @@ Vec2 heading_at_ball(const Vec2& keep_off) {
 
 TEST(StrikeBall, DoesNotFaceOutOfTheFieldAtABallNearTheLine) {
   EXPECT_LT(heading_at_ball({0, 1}).y(), 0.3);
-  EXPECT_GT(heading_at_ball({0, 0}).y(), 0.7);  // else straight on
+  EXPECT_GT(heading_at_ball({0, 0}).y(), 0.7);  // otherwise straight on
 }
 
 TEST(CarryBall, KeepsTheDribblerOnAndDoesNotKick) {
   const RobotCommand command = carry_ball(robot_at({0, 0}, {0, 1}), {0, 0.8}, {1, 0});
   EXPECT_TRUE(command.dribble);
   EXPECT_EQ(command.kick_mps, 0);
-  EXPECT_NEAR((command.velocity_mps - Vec2(0.8, 0)).norm(), 0, 1e-9);  // ahead, as it faces +y
+  EXPECT_NEAR((command.velocity_mps - Vec2(0.8, 0)).norm(), 0,
+              1e-9);  // forwards, because it faces +y
 }
 
-TEST(CarryBall, TurnsTheShortWay) {
+TEST(CarryBall, TurnsInTheShorterDirection) {
   EXPECT_LT(carry_ball(robot_at({0, 0}, {0, 1}), {0, 0}, {1, 0}).angular_velocity_radps, -1);
   EXPECT_GT(carry_ball(robot_at({0, 0}, {0, -1}), {0, 0}, {1, 0}).angular_velocity_radps, 1);
 }

@@ -17,7 +17,7 @@ StagedPrediction staged(const Vec2& ball_m, const TeamContext& context = {}) {
   return stage;
 }
 
-TEST(WallPosition, OfOneIsOnTheLineFromTheBallToTheGoalsMiddle) {
+TEST(WallPosition, OfOneRobotIsOnTheLineFromTheBallToTheGoalsCentre) {
   for (const Vec2& ball_m : kBallPositions_m) {
     const Vec2 position_m = wall_position(staged(ball_m).predicted, 0, 1).position_m;
     EXPECT_LT(distance_to_segment(position_m, ball_m, Field{}.goal_centre_m(Side::kWest)), 20_mm)
@@ -25,7 +25,7 @@ TEST(WallPosition, OfOneIsOnTheLineFromTheBallToTheGoalsMiddle) {
   }
 }
 
-TEST(WallPosition, OfTwoIsOnBothSidesOfThatLine) {
+TEST(WallPosition, OfTwoRobotsIsOnBothSidesOfThatLine) {
   for (const Vec2& ball_m : kBallPositions_m) {
     const StagedPrediction stage = staged(ball_m);
     const Vec2 goal_m = Field{}.goal_centre_m(Side::kWest);
@@ -37,7 +37,7 @@ TEST(WallPosition, OfTwoIsOnBothSidesOfThatLine) {
   }
 }
 
-TEST(WallPosition, LeavesNoBallThroughBetweenNeighboursWhoDoNotTouch) {
+TEST(WallPosition, LetsNoBallThroughBetweenNeighboursThatDoNotTouch) {
   for (const Vec2& ball_m : kBallPositions_m) {
     const StagedPrediction stage = staged(ball_m);
     for (const int count : {2, 3}) {
@@ -81,12 +81,12 @@ TEST(MarkPosition, IsBetweenTheOpponentAndTheGoalOnTheBallsSide) {
   const Vec2 off = mark_position(stage.look(), 0).position_m - opponent_m;
   const Vec2 to_goal = (Field{}.goal_centre_m(Side::kWest) - opponent_m).normalized();
   EXPECT_GT(off.normalized().dot(to_goal), 0.7);
-  EXPECT_GT(cross(to_goal, off), 0);  // the ball lies to the left of the way to the goal
+  EXPECT_GT(cross(to_goal, off), 0);  // the ball is to the left of the path to the goal
   EXPECT_GT(off.norm(), 2 * kRobotRadius_m);
   EXPECT_LT(off.norm(), 0.5);
 }
 
-TEST(DangerousOpponents, BeginWithTheOneNearestToTheGoal) {
+TEST(DangerousOpponents, StartWithTheOneNearestToTheGoal) {
   StagedPrediction stage(Play::kRunning);
   stage.world.ball({1.5, 0}).opponent(0, {-0.5, 1}).opponent(1, {-2, -1}).opponent(2, {-1.2, 0.5});
   stage.world.opponent(3, {1.6, 0});
@@ -97,7 +97,7 @@ TEST(DangerousOpponents, BeginWithTheOneNearestToTheGoal) {
   EXPECT_EQ(order[2], 0);
 }
 
-TEST(DangerousOpponents, LeaveOutTheOneAtTheBallAndTheirKeeper) {
+TEST(DangerousOpponents, ExcludeTheOneAtTheBallAndTheirKeeper) {
   StagedPrediction stage(Play::kRunning);
   stage.world.ball({-1, 0}).opponent(0, {2.9, 0}).opponent(1, {-0.8, 0}).opponent(2, {-1, 1.3});
   const auto order = dangerous_opponents(stage.look());

@@ -7,11 +7,11 @@
 namespace autoref::strategies {
 namespace {
 
-// A staged world and who handles the ball in it.
+// A staged world and the ball handler in it.
 struct Staged : StagedPrediction {
   using StagedPrediction::StagedPrediction;
 
-  // Decides often enough for all mates to have been looked at.
+  // Decides often enough for all team-mates to be evaluated.
   RobotCommand play(int index, int frames = 12) {
     RobotCommand command;
     for (int i = 0; i < frames; ++i) {
@@ -21,7 +21,7 @@ struct Staged : StagedPrediction {
     }
     return command;
   }
-  // The same with the robot doing as told, for a ball that stays.
+  // The same with the robot following its commands, for a ball that stays.
   RobotCommand drive(int index, double seconds) {
     RobotCommand command;
     for (int i = 0; i < seconds * 60; ++i) {
@@ -48,14 +48,14 @@ TEST(BallHandler, ShootsAtAnOpenGoal) {
   EXPECT_GT(command.kick_mps, 4);
 }
 
-TEST(BallHandler, KeepsTheSpeedLimitOfKicksWhereThereIsOne) {
+TEST(BallHandler, KeepsTheKickSpeedLimitIfThereIsOne) {
   Staged stage(Play::kRunning, false, team_context_of("2026-b"));
   stage.world.own(0, {-4, 0}).own(1, {3, 0}).ball(ball_held_by({3, 0}));
   EXPECT_LE(stage.play(1).kick_mps, 6.5);
 }
 
-// Two opponents close the goal for robot 1, which has the ball, a third one its way to robot 3;
-// robot 2 has the goal open before it.
+// Two opponents block the goal for robot 1, which has the ball, and a third its lane to robot 3;
+// robot 2 has an open goal.
 void stage_a_pass(StagedWorld& world) {
   const Vec2 robot_m(1.5, -1.2);
   world.own(0, {-2.8, 0}).own(1, robot_m).own(2, {1.5, 0.9}).own(3, {0, -1.1});
@@ -64,7 +64,7 @@ void stage_a_pass(StagedWorld& world) {
   world.ball(robot_m + Vec2(0, kHeldBall_m));
 }
 
-TEST(BallHandler, PassesToAFreeMateWhereTheGoalIsClosed) {
+TEST(BallHandler, PassesToAFreeMateIfTheGoalIsBlocked) {
   Staged stage(Play::kRunning);
   stage_a_pass(stage.world);
   const RobotCommand command = stage.play(1);
@@ -73,7 +73,7 @@ TEST(BallHandler, PassesToAFreeMateWhereTheGoalIsClosed) {
   EXPECT_GT(command.kick_mps, 1);
 }
 
-// Opponents press robot 1, shut the goal, and the lane to its only mate.
+// Opponents press robot 1 and block the goal and the lane to its only team-mate.
 void stage_a_chip(StagedWorld& world) {
   const Vec2 lane(0.96, 0.28);
   const Vec2 ball_m = Vec2(0, 0.8) + kHeldBall_m * lane;
@@ -92,7 +92,7 @@ TEST(BallHandler, ChipsOverARobotInTheLane) {
   EXPECT_TRUE(command.chip);
 }
 
-TEST(BallHandler, DoesNotChipWithRobotsThatCannot) {
+TEST(BallHandler, DoesNotChipWithRobotsThatCannotChip) {
   TeamContext context;
   for (Abilities& robot : context.robots) robot.chip_mps = 0;
   Staged stage(Play::kRunning, false, context);
@@ -115,14 +115,14 @@ int receiver_in_area(const TeamContext& context) {
   return stage.handler.choice().receiver;
 }
 
-TEST(BallHandler, PassesToNobodyWhoMayNotTouchTheBall) {
+TEST(BallHandler, DoesNotPassToARobotThatMustNotTouchTheBall) {
   TeamContext context = team_context_of("2026-b");
   EXPECT_NE(receiver_in_area(context), 2);
   context.rules.in_force[RuleId::kAttackerTouchedBallInDefenseArea] = false;
   EXPECT_EQ(receiver_in_area(context), 2);
 }
 
-TEST(BallHandler, ForgetsWhomAPassWasForOnceItMustHaveArrived) {
+TEST(BallHandler, ForgetsTheReceiverOnceThePassMustHaveArrived) {
   Staged stage(Play::kRunning);
   stage_a_pass(stage.world);
   stage.play(1);
@@ -134,7 +134,7 @@ TEST(BallHandler, ForgetsWhomAPassWasForOnceItMustHaveArrived) {
   EXPECT_FALSE(stage.handler.receiver().has_value());
 }
 
-TEST(BallHandler, ClearsAwayFromItsGoalUnderPressureWithNobodyToPassTo) {
+TEST(BallHandler, ClearsTheBallUnderPressureWithNobodyToPassTo) {
   Staged stage(Play::kRunning);
   const Vec2 robot_m(-2.2, 0.2);
   stage.world.own(3, robot_m).ball(ball_held_by(robot_m));
@@ -147,7 +147,7 @@ TEST(BallHandler, ClearsAwayFromItsGoalUnderPressureWithNobodyToPassTo) {
   EXPECT_GT(choice.strike.kick_mps, 1);
 }
 
-TEST(BallHandler, CarriesTheBallWhereItIsFreeButCannotShootOrPass) {
+TEST(BallHandler, CarriesTheBallIfItIsFreeButCannotShootOrPass) {
   Staged stage(Play::kRunning);
   stage.world.own(1, {-1, 0.5}).ball(ball_held_by({-1, 0.5}));
   stage.world.opponent(0, {2.9, -0.1}).opponent(1, {2.9, 0.1}).opponent(2, {1, 1.5});
@@ -157,7 +157,7 @@ TEST(BallHandler, CarriesTheBallWhereItIsFreeButCannotShootOrPass) {
   EXPECT_EQ(command.kick_mps, 0);
 }
 
-TEST(BallHandler, StandsBetweenItsGoalAndAnOpponentThatHasTheBall) {
+TEST(BallHandler, StandsBetweenItsGoalAndAnOpponentWithTheBall) {
   Staged stage(Play::kRunning);
   stage.world.own(0, {-2.9, 0}).own(1, {-1, 0.8}).opponent(0, {0, 0}).ball({-kHeldBall_m, 0});
   stage.drive(1, 3);
@@ -167,7 +167,7 @@ TEST(BallHandler, StandsBetweenItsGoalAndAnOpponentThatHasTheBall) {
   EXPECT_LT((robot_m - ball_m).norm(), 0.25);
 }
 
-TEST(BallHandler, LeavesAFaceOffToASide) {
+TEST(BallHandler, LeavesAFaceOffSideways) {
   Staged stage(Play::kRunning);
   stage.world.own(0, {-2.9, 0}).own(1, {0, 0}).opponent(0, {2 * kHeldBall_m, 0});
   stage.world.ball({kHeldBall_m, 0});
@@ -178,7 +178,7 @@ TEST(BallHandler, LeavesAFaceOffToASide) {
   EXPECT_GT(command.velocity_mps.y() * next.velocity_mps.y(), 0);  // the same side for a while
 }
 
-TEST(BallHandler, FetchesAStillBallAndKicksItAtTheGoal) {
+TEST(BallHandler, FetchesABallAtRestAndKicksItAtTheGoal) {
   Staged stage(Play::kRunning);
   stage.world.own(0, {-2.9, 0}).own(1, {0.9, 0.9}).ball({0.5, 0});
   RobotCommand command;

@@ -10,7 +10,7 @@ namespace {
 const Field kField;
 constexpr double kGoal_x = -3.025;
 
-// A keeper in its goal and the ball there, moving or not.
+// A keeper in its goal, and a ball with that position and velocity.
 StagedPrediction staged(const Vec2& ball_m, const Vec2& velocity_mps = {0, 0}) {
   StagedPrediction stage(Play::kRunning);
   stage.world.own(0, {-2.8, 0}).opponent(0, {1, 0});
@@ -24,7 +24,7 @@ Vec2 position_for(const Vec2& ball_m, const Vec2& velocity_mps = {0, 0}) {
   return keeper_position(stage.predicted, stage.predicted.robot(0)).position_m;
 }
 
-TEST(KeeperPosition, HalvesTheAngleOfTheGoalSeenFromTheBall) {
+TEST(KeeperPosition, BisectsTheAngleOfTheGoalSeenFromTheBall) {
   for (const Vec2& ball_m : {Vec2(-1, 0.8), Vec2(0, -1), Vec2(-2, 0.2), Vec2(2, 1.5)}) {
     const Vec2 to_keeper = position_for(ball_m) - ball_m;
     const Vec2 to_left = Vec2(kGoal_x, kField.half_goal_m()) - ball_m;
@@ -38,7 +38,7 @@ TEST(KeeperPosition, IsAheadOfTheLineByTheStylesDistance) {
   EXPECT_NEAR(position_for({0, 0}).x(), kGoal_x + Style{}.keeper_out_m, 0.05);
 }
 
-TEST(KeeperPosition, IsAtTheNearPostForABallFromBeside) {
+TEST(KeeperPosition, IsAtTheNearPostForABallBesideTheGoal) {
   for (const double side : {1.0, -1.0}) {
     const Vec2 position_m = position_for({kGoal_x + 0.1, 1.6 * side});
     EXPECT_NEAR(position_m.y() * side, kField.half_goal_m() - kRobotRadius_m, 0.05);
@@ -46,7 +46,7 @@ TEST(KeeperPosition, IsAtTheNearPostForABallFromBeside) {
   }
 }
 
-// A keeper in its goal, and an opponent with the ball at its foot that faces a place.
+// A keeper in its goal, and an opponent with the ball that faces a point.
 Vec2 position_before(const Vec2& faced_m) {
   const Vec2 ball_m(-1, 0);
   StagedPrediction stage = staged(ball_m);
@@ -57,7 +57,7 @@ Vec2 position_before(const Vec2& faced_m) {
   return keeper_position(predicted, predicted.robot(0)).position_m;
 }
 
-TEST(KeeperPosition, LeansToWhereAnOpponentWithTheBallFaces) {
+TEST(KeeperPosition, ShiftsTowardsTheAimOfAnOpponentWithTheBall) {
   const Vec2 middle_m = position_before({kGoal_x, 0});
   for (const double y : {-0.3, 0.3}) {
     const Vec2 faced_m(kGoal_x, y);
@@ -66,14 +66,14 @@ TEST(KeeperPosition, LeansToWhereAnOpponentWithTheBallFaces) {
   }
 }
 
-TEST(KeeperPosition, StaysInTheMiddleForAnOpponentThatFacesElsewhere) {
+TEST(KeeperPosition, StaysInTheMiddleIfAnOpponentFacesElsewhere) {
   const Vec2 middle_m = position_before({kGoal_x, 0});
   for (const Vec2& faced_m : {Vec2(kGoal_x, 1), Vec2(-1, 2), Vec2(0, 0.1)}) {
     EXPECT_LT((position_before(faced_m) - middle_m).norm(), 1_mm) << faced_m.transpose();
   }
 }
 
-TEST(KeeperPosition, IsOnTheWayOfAShot) {
+TEST(KeeperPosition, IsInThePathOfAShot) {
   for (const double y : {-0.3, -0.1, 0.25}) {
     const Vec2 ball_m(-1, 0.5);
     const Vec2 direction = (Vec2(kGoal_x, y) - ball_m).normalized();
@@ -82,8 +82,8 @@ TEST(KeeperPosition, IsOnTheWayOfAShot) {
   }
 }
 
-// Else it would let itself be drawn away by every pass.
-TEST(KeeperPosition, DoesNotGoAfterAShotThatGoesWide) {
+// Otherwise every pass would draw it away.
+TEST(KeeperPosition, DoesNotFollowAShotThatGoesWide) {
   const Vec2 still_m = position_for({-1, 0.5});
   const Vec2 wide_m =
       position_for({-1, 0.5}, (Vec2(kGoal_x, 0.6) - Vec2(-1, 0.5)).normalized() * 4);
@@ -101,17 +101,17 @@ TEST(KeeperPosition, IsNeverBehindItsLine) {
   }
 }
 
-TEST(IsKeepersBall, IsSoForASlowBallInItsAreaOnly) {
+TEST(IsKeepersBall, IsTrueOnlyForASlowBallInItsArea) {
   EXPECT_TRUE(is_keepers_ball(staged({-2.6, 0.2}).predicted));
   EXPECT_TRUE(is_keepers_ball(staged({-2.6, 0.2}, {0.8, 0}).predicted));
   EXPECT_FALSE(is_keepers_ball(staged({-2.6, 0.2}, {2, 0}).predicted));
   EXPECT_FALSE(is_keepers_ball(staged({-2, 0.2}).predicted));
   EXPECT_FALSE(is_keepers_ball(staged({2.6, 0.2}).predicted));
-  EXPECT_FALSE(is_keepers_ball(staged({-3.1, 0.2}).predicted));  // it is in the goal
+  EXPECT_FALSE(is_keepers_ball(staged({-3.1, 0.2}).predicted));  // in the goal
 }
 
-// 4 m/s from 2 m: it has about 0.7 s for 0.25 m.
-TEST(KeepGoal, IsInTheWayOfAShotAtACornerInTime) {
+// 4 m/s from 2 m: it has about 0.7 s to move 0.25 m.
+TEST(KeepGoal, ReachesAShotAtACornerInTime) {
   StagedPrediction stage(Play::kRunning);
   stage.world.own(0, {-2.8, 0}).ball({-1, 0});
   const Vec2 corner_m(kGoal_x, 0.28);

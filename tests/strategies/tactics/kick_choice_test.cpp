@@ -8,7 +8,7 @@ namespace autoref::strategies {
 namespace {
 
 constexpr double kGoal_m = 3.025;    // x of their goal line
-constexpr double kSomeChance = 0.3;  // of a mate's shot
+constexpr double kSomeChance = 0.3;  // of a team-mate's shot
 constexpr double kWorthNothing = -1;
 
 TEST(ShotFrom, AimsAtTheLargerOpeningBesideTheKeeper) {
@@ -21,20 +21,20 @@ TEST(ShotFrom, AimsAtTheLargerOpeningBesideTheKeeper) {
   }
 }
 
-TEST(ShotFrom, IsWorthLessThanNothingWhereTheGoalIsShut) {
+TEST(ShotFrom, HasANegativeValueIfTheGoalIsBlocked) {
   StagedPrediction stage(Play::kRunning);
   stage.world.own(1, {1, 0}).opponent(0, {1.35, 0.08}).opponent(1, {1.35, -0.08});
   EXPECT_LE(shot_from(stage.look(), 1, {1.1, 0}).worth, 0);
 }
 
-TEST(ShotFrom, IsWorthMoreThanAnyPassWhereTheGoalIsOpen) {
+TEST(ShotFrom, IsWorthMoreThanAnyPassIfTheGoalIsOpen) {
   StagedPrediction stage(Play::kRunning);
   stage.world.own(1, {1.5, 0}).own(2, {1.5, 1.2}).opponent(0, {0, -1.5});
   const PredictedState& predicted = stage.look();
   EXPECT_GT(shot_from(predicted, 1, {1.6, 0}).worth, pass_to(predicted, 1, 1.0, {1.6, 0}).worth);
 }
 
-// From robot 1's ball at the origin to robot 2.
+// A pass from robot 1's ball at the origin to robot 2.
 struct PassOver : StagedPrediction {
   explicit PassOver(const Vec2& mate_m, const TeamContext& context = {})
       : StagedPrediction(Play::kRunning, false, context) {
@@ -44,7 +44,7 @@ struct PassOver : StagedPrediction {
   double chip_worth() { return chip_to(look(), 1, kSomeChance, {0, 0}).worth; }
 };
 
-TEST(PassTo, IsWorthLessWhereARobotIsInTheLane) {
+TEST(PassTo, IsWorthLessIfARobotIsInTheLane) {
   PassOver open({2, 0});
   PassOver shut({2, 0});
   shut.world.opponent(1, {0.8, 0});
@@ -52,19 +52,19 @@ TEST(PassTo, IsWorthLessWhereARobotIsInTheLane) {
   EXPECT_LT(shut.pass_worth(), 0);
 }
 
-TEST(PassTo, IsNothingForAMateWhoIsTooNear) {
+TEST(PassTo, IsRejectedForAMateThatIsTooNear) {
   PassOver near({0.3, 0.2});
   EXPECT_EQ(near.pass_worth(), kWorthNothing);
 }
 
-TEST(PassTo, ArrivesAsFastAsTheStyleWants) {
+TEST(PassTo, ArrivesWithTheStylesSpeed) {
   PassOver stage({2, 0});
   const Choice pass = pass_to(stage.look(), 1, kSomeChance, {0, 0});
   EXPECT_NEAR(pass.strike.kick_mps, kick_for_mps(2, Style{}.pass_arrival_mps), 0.01);
   EXPECT_EQ(pass.receiver, 2);
 }
 
-TEST(PassTo, IsNothingForAMateWhoMayNotTouchTheBallThere) {
+TEST(PassTo, IsRejectedForAMateThatMustNotTouchTheBallThere) {
   for (const double x_m : {-4.0, 4.0}) {  // in the areas of that book
     PassOver stage({x_m, 0.5}, team_context_of("2026-b"));
     EXPECT_EQ(stage.pass_worth(), kWorthNothing) << x_m;
@@ -80,14 +80,14 @@ TEST(ChipTo, FliesOverARobotThatStopsAPass) {
 }
 
 TEST(ChipTo, DoesNotFlyOverARobotAtTheBallOrWhereItLands) {
-  for (const double x_m : {0.25, 1.2}) {  // the mate is 1 m behind where it comes down
+  for (const double x_m : {0.25, 1.2}) {  // the mate is 1 m behind the landing point
     PassOver stage({2.2, 0});
     stage.world.opponent(1, {x_m, 0});
     EXPECT_LT(stage.chip_worth(), 0) << x_m;
   }
 }
 
-// 45 degrees: lands after v^2/g, and is to land 1 m before the mate.
+// At 45 degrees the chip lands after v^2/g, which should be 1 m before the mate.
 TEST(ChipTo, LandsAMetreBeforeTheMate) {
   PassOver stage({2.2, 0});
   const Choice chip = chip_to(stage.look(), 1, kSomeChance, {0, 0});
@@ -95,12 +95,12 @@ TEST(ChipTo, LandsAMetreBeforeTheMate) {
   EXPECT_NEAR(chip.strike.kick_mps * chip.strike.kick_mps / 9.81, 1.2, 0.01);
 }
 
-TEST(ChipTo, IsNothingWhereTheRobotsCannotChipSoFarOrAtAll) {
+TEST(ChipTo, IsRejectedIfTheRobotsCannotChipThatFarOrAtAll) {
   TeamContext weak;
   for (Abilities& robot : weak.robots) robot.chip_mps = 0;
   PassOver with_weak_robots({2.2, 0}, weak);
   EXPECT_EQ(with_weak_robots.chip_worth(), kWorthNothing);
-  PassOver far({5, 0});  // 5.5 m/s land after 3.1 m
+  PassOver far({5, 0});  // a 5.5 m/s chip lands after 3.1 m
   EXPECT_EQ(far.chip_worth(), kWorthNothing);
 }
 
@@ -115,7 +115,7 @@ TEST(CarryFrom, IsWorthLessTheNearerAnOpponentIs) {
   }
 }
 
-TEST(ClearFrom, GoesWhereNobodyIsButNeverBack) {
+TEST(ClearFrom, GoesWhereThereIsRoomButNeverBack) {
   for (const double side : {1.0, -1.0}) {
     StagedPrediction stage(Play::kRunning);
     stage.world.own(1, {-1.1, 0}).opponent(1, {-0.4, 0}).opponent(2, {-0.5, side * 0.6});

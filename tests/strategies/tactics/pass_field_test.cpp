@@ -9,7 +9,7 @@ namespace {
 
 using Receivers = boost::container::static_vector<int, kMaxRobots>;
 
-// Looks at the world for so many frames and sends the receivers in each of them.
+// Observes the world for a number of frames and sends the receivers in each of them.
 void send(StagedPrediction& stage, PassField& field, const Receivers& receivers, int frames = 60) {
   for (int i = 0; i < frames; ++i) {
     stage.look(1);
@@ -22,7 +22,7 @@ TEST(PassField, SendsAReceiverToTheSideThatNobodyCovers) {
   for (const double side : {1.0, -1.0}) {
     StagedPrediction stage(Play::kRunning);
     stage.world.ball({-0.5, 0}).own(0, {-2.8, 0}).own(1, {0.5, 0});
-    for (int i = 0; i < 4; ++i) {  // a fan that no ball gets through
+    for (int i = 0; i < 4; ++i) {  // a fan of robots that no ball gets through
       const Vec2 direction = heading_of(side * (15_deg + i * 25_deg));
       stage.world.opponent(i, Vec2(-0.5, 0) + 0.5 * direction);
     }
@@ -33,7 +33,7 @@ TEST(PassField, SendsAReceiverToTheSideThatNobodyCovers) {
   }
 }
 
-TEST(PassField, SendsNobodyAlongAWayThatAnOpponentBlocks) {
+TEST(PassField, SendsNobodyBehindAnOpponentThatBlocksThePass) {
   StagedPrediction stage(Play::kRunning);
   stage.world.ball({0, 0}).own(0, {-2.8, 0}).own(1, {1, 0}).opponent(0, {0.3, 0});
   PassField field(stage.predicted);
@@ -51,7 +51,7 @@ TEST(PassField, KeepsReceiversApart) {
     EXPECT_GT((field.position_of(a) - field.position_of(b)).norm(), 0.55) << a << ", " << b;
 }
 
-TEST(PassField, LeavesReceiversRoomFromTheBall) {
+TEST(PassField, KeepsReceiversAwayFromTheBall) {
   StagedPrediction stage(Play::kRunning);
   stage.world.ball({1.5, 0}).own(0, {-2.8, 0}).own(1, {1.4, 0.3});
   PassField field(stage.predicted);
@@ -59,7 +59,7 @@ TEST(PassField, LeavesReceiversRoomFromTheBall) {
   EXPECT_GT((field.position_of(1) - Vec2(1.5, 0)).norm(), 0.5);
 }
 
-TEST(PassField, KeepsPlacesWhereNothingChanges) {
+TEST(PassField, KeepsPositionsIfNothingChanges) {
   StagedPrediction stage(Play::kRunning);
   stage.world.six_against_six().ball({-0.2, 0.3});
   PassField field(stage.predicted);
@@ -73,7 +73,7 @@ TEST(PassField, KeepsPlacesWhereNothingChanges) {
   }
 }
 
-TEST(PassField, SendsNobodyAnewDuringARestart) {
+TEST(PassField, ChangesNoPositionDuringARestart) {
   StagedPrediction stage(Play::kStop);
   stage.world.own(0, {-2.8, 0}).own(1, {1, 0}).opponent(0, {0.5, 0.7}).ball({-0.5, 0});
   PassField field(stage.predicted);
@@ -88,7 +88,7 @@ TEST(PassField, SendsNobodyAnewDuringARestart) {
   EXPECT_NE(field.position_of(1), before_m);
 }
 
-TEST(PassField, GivesPlacesOnTheFieldOutsideTheOpponentsArea) {
+TEST(PassField, ChoosesPositionsOnTheFieldOutsideTheOpponentsArea) {
   for (const char* rules : {"paper", "2014-double"}) {
     const TeamContext context = team_context_of(rules);
     StagedPrediction stage(Play::kRunning, false, context);
@@ -103,7 +103,7 @@ TEST(PassField, GivesPlacesOnTheFieldOutsideTheOpponentsArea) {
   }
 }
 
-TEST(WorthOf, IsMoreWhereThePassCanBeSentOnAtTheGoal) {
+TEST(WorthOf, IsLargerIfThePassAllowsAFirstTimeShot) {
   StagedPrediction stage(Play::kRunning);
   const PredictedState& predicted = stage.look();
   const Vec2 point_m(2, 1);

@@ -14,14 +14,14 @@ TEST(PenaltyKicker, IsTheFieldPlayerNearestToTheMark) {
   EXPECT_EQ(penalty_kicker(world.view, mark_m), 2);
 }
 
-TEST(PenaltyKicker, IsTheLastRobotWhereItIsAloneAndNobodyWithoutRobots) {
+TEST(PenaltyKicker, IsTheOnlyRobotOrNobodyWithoutRobots) {
   StagedWorld world(Play::kPreparePenalty, true);
   EXPECT_EQ(penalty_kicker(world.view, {2, 0}), -1);
   world.own(4, {0, 0});
   EXPECT_EQ(penalty_kicker(world.view, {2, 0}), 0);
 }
 
-TEST(PenaltyRunUp, IsBehindTheBallOutOfItsReach) {
+TEST(PenaltyRunUp, IsBehindTheBallWithoutTouchingIt) {
   const Waypoint waypoint = penalty_run_up({2, 0});
   EXPECT_LT(waypoint.position_m.x(), 2 - kHeldBall_m);
   EXPECT_GT(waypoint.position_m.x(), 1.5);
@@ -37,7 +37,7 @@ TEST(PenaltyKeeper, TouchesItsLineInTheMiddle) {
   EXPECT_GT(waypoint.heading.x(), 0.99);
 }
 
-TEST(PenaltySpectators, KeepTheirHullsTheClearanceBehindTheMark) {
+TEST(PenaltySpectators, KeepTheirHullsBehindTheMarkByTheClearance) {
   const Field field;
   for (const double clearance_m : {0.4, 1.0}) {
     for (int order = 0; order < 10; ++order) {
@@ -53,7 +53,7 @@ TEST(PenaltySpectators, KeepTheirHullsTheClearanceBehindTheMark) {
 }
 
 // Both teams' rows at once: the defenders see the mark turned by 180 degrees.
-TEST(PenaltySpectators, DoNotStandInEachOthersPlaces) {
+TEST(PenaltySpectators, DoNotOverlap) {
   const Field field;
   std::vector<Vec2> positions_m;
   for (int order = 0; order < 5; ++order) {

@@ -7,7 +7,7 @@
 namespace autoref::strategies {
 namespace {
 
-TEST(PredictedState, SaysThatTheBallIsOursWhereOneOfOursIsThereFirst) {
+TEST(PredictedState, AssignsPossessionToTheTeamThatReachesTheBallFirst) {
   StagedPrediction stage(Play::kRunning);
   stage.world.own(0, {0.5, 0}).opponent(0, {2, 0}).ball({0, 0});
   EXPECT_TRUE(stage.look().is_ours());
@@ -16,8 +16,8 @@ TEST(PredictedState, SaysThatTheBallIsOursWhereOneOfOursIsThereFirst) {
   EXPECT_FALSE(stage.look().is_ours());
 }
 
-// Else a team would change its mind in every frame of an even race.
-TEST(PredictedState, KeepsItsMindWhereBothAreAboutAsNear) {
+// Without hysteresis a team would change its mind in every frame of an even race.
+TEST(PredictedState, KeepsPossessionIfBothTeamsAreAboutAsNear) {
   for (const bool first_ours : {true, false}) {
     StagedPrediction stage(Play::kRunning);
     stage.world.own(0, {first_ours ? 0.5 : 2.0, 0}).ball({0, 0});
@@ -29,27 +29,27 @@ TEST(PredictedState, KeepsItsMindWhereBothAreAboutAsNear) {
   }
 }
 
-TEST(PredictedState, MovesRobotsOnToWhenCommandsTakeEffect) {
+TEST(PredictedState, ExtrapolatesRobotsToWhenCommandsTakeEffect) {
   StagedPrediction stage(Play::kRunning);
   stage.world.own(0, {0, 0}).view.own[0].velocity_mps = {2, 0};
   stage.world.view.latency_s = 0.05;
   EXPECT_NEAR(stage.look(1).robot(0).position_m.x(), 0.1, 0.01);
 }
 
-TEST(PredictedState, PlansForWhereTheRefereeIsAboutToPutTheBall) {
+TEST(PredictedState, PlansForWhereTheRefereeIsAboutToPlaceTheBall) {
   StagedPrediction stage(Play::kStop);
   stage.world.ball({2, 1}).view.placement_m = Vec2(-1, 0.5);
   EXPECT_EQ(stage.look().position_m(), Vec2(-1, 0.5));
 }
 
-TEST(PredictedState, FindsTheOpponentThatIsFirstAtTheBall) {
+TEST(PredictedState, FindsTheOpponentThatReachesTheBallFirst) {
   StagedPrediction stage(Play::kRunning);
   stage.world.own(0, {-2, 0}).opponent(0, {2, 0}).opponent(3, {0.4, 0.2}).ball({0, 0});
   EXPECT_EQ(stage.look().their_fastest(), 1);
   EXPECT_LT(stage.predicted.theirs().time_s, 1);
 }
 
-TEST(PredictedState, KeepsOffTheBallAtTheirRestartsAndNotAtOurs) {
+TEST(PredictedState, KeepsAwayFromTheBallOnlyAtTheOpponentsRestarts) {
   StagedPrediction theirs(Play::kDirectFree, false);
   EXPECT_GE(theirs.look().room_at_ball_m(), RuleBook{}.opponents_to_ball_m);
   EXPECT_GE(theirs.predicted.limits().keep_from_ball_m, 0.5 + kRobotRadius_m);
@@ -69,7 +69,7 @@ TEST(PredictedState, StaysInItsOwnHalfOnlyForAKickoff) {
   EXPECT_FALSE(free_kick.look().limits().own_half_only);
 }
 
-TEST(PredictedState, KicksSlowerThanTheLimitOnlyWhereARuleAsksForIt) {
+TEST(PredictedState, KicksBelowTheLimitOnlyIfARuleRequiresIt) {
   StagedPrediction paper(Play::kRunning);
   EXPECT_EQ(paper.look().allowed_kick_mps(8), 8);
   StagedPrediction strict(Play::kRunning, false, team_context_of("2026-b"));
@@ -78,7 +78,7 @@ TEST(PredictedState, KicksSlowerThanTheLimitOnlyWhereARuleAsksForIt) {
   EXPECT_EQ(strict.predicted.allowed_kick_mps(3), 3);
 }
 
-TEST(PredictedState, MayNotTouchTheBallInEitherAreaWhereTheRulesForbidIt) {
+TEST(PredictedState, MustNotTouchTheBallInEitherAreaIfTheRulesForbidIt) {
   StagedPrediction strict(Play::kRunning, false, team_context_of("2026-b"));
   strict.world.own(0, {0, 0}).own(1, {1, 0});
   strict.look();
@@ -90,7 +90,7 @@ TEST(PredictedState, MayNotTouchTheBallInEitherAreaWhereTheRulesForbidIt) {
   EXPECT_TRUE(paper.look().may_touch_at({2.8, 0}));
 }
 
-TEST(EaseOff, SlowsARobotDownThatWouldRunIntoAnOpponent) {
+TEST(EaseOff, SlowsDownARobotThatWouldRunIntoAnOpponent) {
   StagedPrediction stage(Play::kRunning);
   stage.world.own(0, {0, 0}).opponent(0, {2 * kRobotRadius_m + 0.05, 0});
   RobotCommand command;
@@ -100,7 +100,7 @@ TEST(EaseOff, SlowsARobotDownThatWouldRunIntoAnOpponent) {
   EXPECT_NEAR(command.velocity_mps.y(), 0.5, 1e-9);
 }
 
-TEST(EaseOff, LeavesCommandsAloneThatLeadPastOpponentsOrAway) {
+TEST(EaseOff, DoesNotChangeCommandsThatLeadPastOpponentsOrAway) {
   StagedPrediction stage(Play::kRunning);
   stage.world.own(0, {0, 0}).opponent(0, {0.3, 0}).opponent(1, {2, 0});
   for (const Vec2& velocity_mps : {Vec2(-3, 0), Vec2(0, 3), Vec2(0.3, 0)}) {
@@ -111,7 +111,7 @@ TEST(EaseOff, LeavesCommandsAloneThatLeadPastOpponentsOrAway) {
   }
 }
 
-TEST(GoTo, LeavesTheBallsCircleStraightAway) {
+TEST(GoTo, LeavesTheBallsCircleDirectly) {
   StagedPrediction stage(Play::kStop);
   stage.world.own(0, {-2.8, 0}).own(1, {0.2, 0.1}).ball({0, 0});
   TrackedRobot& robot = stage.world.view.own[1];

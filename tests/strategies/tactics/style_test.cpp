@@ -14,7 +14,7 @@ TEST(Style, HasATunableForEveryNumber) {
   }
 }
 
-TEST(Style, HasStandardsWithinTheirRanges) {
+TEST(Style, HasDefaultsWithinTheirRanges) {
   for (const Parameter& parameter : parameters_of(Style{})) {
     EXPECT_GE(parameter.standard, parameter.least) << parameter.name;
     EXPECT_LE(parameter.standard, parameter.most) << parameter.name;
@@ -23,7 +23,7 @@ TEST(Style, HasStandardsWithinTheirRanges) {
   }
 }
 
-TEST(Style, TakesTheNumbersThatParamsGiveAndKeepsTheOthers) {
+TEST(Style, ReplacesOnlyTheNumbersInParams) {
   Style own;
   own.width = 0.5;
   const Style style = tuned(own, {{"wall", 3}, {"line_m", 0.25}});

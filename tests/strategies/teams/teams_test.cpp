@@ -1,4 +1,4 @@
-// What makes each team different in kind, and what all have in common.
+// The characteristic behaviour of each team.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 std::unique_ptr<Strategy> make(std::string_view name) { return find_strategy(name)->make({}); }
 
-// Six against six; the opponents have the ball, and robot 1 is the one who is nearest to it.
+// Six against six; the opponents have the ball, and robot 1 is the nearest to it.
 StagedWorld theirs_at(const Vec2& ball_m) {
   StagedWorld world(Play::kRunning);
   world.own(0, {-2.9, 0}).own(1, ball_m - Vec2(0.5, 0));
@@ -28,7 +28,7 @@ double distance_m(const TrackedRobot& robot, const Vec2& point_m) {
   return (robot.position_m - point_m).norm();
 }
 
-// The same with the ball at robot 1's front, and no opponent near.
+// The same with the ball at robot 1's front, and no opponent nearby.
 StagedWorld ours_at(const Vec2& ball_m) {
   StagedWorld world = theirs_at(ball_m);
   world.view.opponents[1].position_m = {2, 1.7};
@@ -36,15 +36,15 @@ StagedWorld ours_at(const Vec2& ball_m) {
   return world;
 }
 
-// How many of the team's robots are that far ahead.
+// The number of the team's robots ahead of `x_m`.
 auto ahead_of(const StagedWorld& world, double x_m) {
   const auto& own = world.view.own;
   return std::count_if(own.begin(), own.end(),
                        [&](const TrackedRobot& robot) { return robot.position_m.x() > x_m; });
 }
 
-// Whom of its mates, by number, a robot of that plan passes to: robot 2 is safe beside it, robot 3
-// is far ahead, and an opponent not far from the way there. Nobody can chip.
+// Number of the team-mate to which a robot with that playbook passes: robot 2 is safe beside it;
+// robot 3 is far ahead, with an opponent near the lane. Nobody can chip.
 int passes_to(const TeamPlaybook& playbook) {
   TeamContext context;
   for (Abilities& robot : context.robots) robot.chip_mps = 0;
@@ -62,7 +62,7 @@ int passes_to(const TeamPlaybook& playbook) {
   return handler.choice().receiver;
 }
 
-// The robot of the team nearest to the point, by number.
+// Number of the team's robot nearest to the point.
 int nearest_to(const StagedWorld& world, const Vec2& point_m) {
   const auto& own = world.view.own;
   return std::min_element(own.begin(), own.end(),
@@ -72,7 +72,7 @@ int nearest_to(const StagedWorld& world, const Vec2& point_m) {
       ->number;
 }
 
-constexpr double kBeside_m = 0.35;  // 300 mm are wanted between a marker and its opponent
+constexpr double kBeside_m = 0.35;  // a marker stands 300 mm from its opponent
 
 StagedWorld four_to_mark() {
   StagedWorld world = theirs_at({0.5, 0});
@@ -80,7 +80,7 @@ StagedWorld four_to_mark() {
   return world.opponent(5, {1.4, -1.0});
 }
 
-TEST(Shadow, StandsBesideEveryOpponentWithoutTheBallAllOverTheField) {
+TEST(Shadow, MarksEveryOpponentWithoutTheBallAllOverTheField) {
   const auto team = make("shadow");
   StagedWorld world = four_to_mark();
   world.run(*team, 4);
@@ -97,7 +97,7 @@ TEST(Shadow, FollowsItsOwnOpponentsWhenTheyCrossEachOther) {
   TrackedRobots& opponents = world.view.opponents;
   const int second = nearest_to(world, opponents[2].position_m);
   const int third = nearest_to(world, opponents[3].position_m);
-  for (int f = 0; f < 180; ++f) {  // one comes to where the other was, 100 mm aside, and back
+  for (int f = 0; f < 180; ++f) {  // they swap positions, 100 mm apart, and return
     opponents[2].position_m += Vec2(0.9, -2.1) / 180;
     opponents[3].position_m += Vec2(-0.9, 2.1) / 180;
     world.step(*team);
@@ -119,7 +119,7 @@ TEST(Shadow, StandsBetweenItsOpponentsAndItsGoal) {
   }
 }
 
-TEST(Shadow, MarksInAStopAsWell) {
+TEST(Shadow, AlsoMarksInAStop) {
   const auto team = make("shadow");
   StagedWorld world = four_to_mark();
   world.view.play = Play::kStop;
@@ -131,7 +131,7 @@ TEST(Shadow, MarksInAStopAsWell) {
   }
 }
 
-TEST(Shadow, LetsTwoRunFreeOfTheirMenWithTheBall) {
+TEST(Shadow, ReleasesTwoMarkersInPossession) {
   const auto team = make("shadow");
   StagedWorld world = four_to_mark();
   world.ball({-0.5, 0});
@@ -152,12 +152,12 @@ TEST(Zone, KeepsItsShapeAndShiftsWithTheBall) {
   const TeamView before = world.view;
   const Vec2 moved_m(0.8, 0.6);
   world.view.ball.position_m += moved_m;
-  world.view.own[1].position_m += moved_m;  // stays the one at the ball, as does their robot
+  world.view.own[1].position_m += moved_m;  // stays at the ball, as does their robot
   world.view.opponents[1].position_m += moved_m;
   world.run(*team, 4);
   for (std::size_t i = 2; i < 6; ++i) {
     const Vec2 shift_m = world.view.own[i].position_m - before.own[i].position_m;
-    EXPECT_NEAR(shift_m.x(), 0.36, 0.02) << i;  // 0.45 of the ball's way
+    EXPECT_NEAR(shift_m.x(), 0.36, 0.02) << i;  // 0.45 of the ball's displacement
     EXPECT_NEAR(shift_m.y(), 0.21, 0.02) << i;  // 0.35 of it
   }
 }
@@ -170,7 +170,7 @@ TEST(Zone, SendsOnlyTheFastestToTheBall) {
   for (int i = 2; i < 6; ++i) EXPECT_GT(distance_m(world.robot(i), {0, 0}), 0.5) << i;
 }
 
-TEST(Zone, ComesUpWithItsOwnBall) {
+TEST(Zone, MovesUpInPossession) {
   const auto without = make("zone");
   const auto with = make("zone");
   StagedWorld theirs = theirs_at({0, 0});
@@ -179,7 +179,7 @@ TEST(Zone, ComesUpWithItsOwnBall) {
   ours.run(*with, 4);
   for (int i = 2; i < 6; ++i) {
     const Vec2 up_m = ours.robot(i).position_m - theirs.robot(i).position_m;
-    EXPECT_NEAR(up_m.x(), 0.12 * 3.025, 0.02) << i;  // of the half's length
+    EXPECT_NEAR(up_m.x(), 0.12 * 3.025, 0.02) << i;  // of half the field's length
     EXPECT_NEAR(up_m.y(), 0, 0.02) << i;
   }
 }
@@ -196,7 +196,7 @@ TEST(Zone, HoldsItsZonesInAStop) {
     EXPECT_LT(distance_m(world.view.own[i], before.own[i].position_m), 0.05) << i;
 }
 
-TEST(Counter, KeepsAllButOneBehindTheBallWhenItIsTheirs) {
+TEST(Counter, KeepsAllButOneBehindTheBallOutOfPossession) {
   for (const Vec2& ball_m : {Vec2(0.3, 0), Vec2(-0.6, 1.2), Vec2(1.2, -1.5)}) {
     const auto team = make("counter");
     StagedWorld world = theirs_at(ball_m);
@@ -217,7 +217,7 @@ TEST(Counter, LeavesOneOrTwoInTheOpponentsHalf) {
   EXPECT_LE(ahead_of(world, 0.5), 2);
 }
 
-TEST(Counter, HasTwoAheadOfItsOwnBallAndTheOthersBehind) {
+TEST(Counter, HasTwoAheadOfTheBallAndTheOthersBehindInPossession) {
   const auto team = make("counter");
   StagedWorld world = ours_at({-1, 0.5});
   world.run(*team, 4);
@@ -225,15 +225,16 @@ TEST(Counter, HasTwoAheadOfItsOwnBallAndTheOthersBehind) {
   EXPECT_EQ(ahead_of(world, -0.7), 2);  // a quarter of the half: nobody between
 }
 
-// Up to a quarter of its half: all but the one at the ball and the one ahead.
-TEST(Counter, DoesNotComeUpBehindABallFarAhead) {
+// The row moves up to at most a quarter of its half: all robots except the one at the ball and the
+// one ahead.
+TEST(Counter, DoesNotMoveUpBehindABallFarAhead) {
   const auto team = make("counter");
   StagedWorld world = theirs_at({2, 1});
   world.run(*team, 4);
   EXPECT_EQ(ahead_of(world, -0.7), 2);
 }
 
-TEST(Counter, LeavesSomebodyAheadInAStop) {
+TEST(Counter, LeavesAForwardAheadInAStop) {
   const auto team = make("counter");
   StagedWorld world = theirs_at({-1, 0.5});
   world.view.play = Play::kStop;
@@ -246,7 +247,7 @@ TEST(Counter, PassesFarAheadRatherThanSafely) { EXPECT_EQ(passes_to(counter_play
 
 TEST(Possession, PassesSafelyRatherThanFarAhead) { EXPECT_EQ(passes_to(possession_playbook()), 2); }
 
-// The robots beyond the first two, who are at passing distance from the ball.
+// The number of robots, other than the first two, at passing distance from the ball.
 int around_ball(const StagedWorld& world) {
   int around = 0;
   for (int i = 2; i < 6; ++i) {
@@ -256,14 +257,14 @@ int around_ball(const StagedWorld& world) {
   return around;
 }
 
-TEST(Possession, SpreadsAroundItsBallAtPassingDistance) {
+TEST(Possession, SpreadsAroundTheBallAtPassingDistanceInPossession) {
   const auto team = make("possession");
   StagedWorld world = ours_at({0.2, 0.3});
   world.run(*team, 4);
   EXPECT_GE(around_ball(world), 3);  // the fourth stays back
 }
 
-TEST(Possession, SpreadsAroundTheBallOfItsOwnRestartBeforeIt) {
+TEST(Possession, SpreadsAroundTheBallBeforeItsOwnRestart) {
   const auto team = make("possession");
   StagedWorld world = ours_at({0.2, 0.3});
   world.view.play = Play::kStop;
@@ -272,7 +273,7 @@ TEST(Possession, SpreadsAroundTheBallOfItsOwnRestartBeforeIt) {
   EXPECT_GE(around_ball(world), 3);
 }
 
-TEST(Chaser, SendsOneToTheBallAndKeepsTheOthersInFormation) {
+TEST(Chaser, SendsOneRobotToTheBallAndKeepsTheOthersInFormation) {
   const auto team = make("chaser");
   StagedWorld world = theirs_at({1.5, 0.5});
   world.run(*team, 3);
