@@ -2,7 +2,7 @@
 //
 // It fails if the ball goes out, if the keeper turns its path by 90 degrees or more, or 10 s after
 // the signal (2026, Penalty Kick; shoot-outs of all books). If play goes on after a penalty kick
-// (Laws 14), these conditions end the validity of its own rules.
+// (Laws 14), the same conditions decide when the rules on penalty kicks no longer apply.
 #pragma once
 
 #include <optional>

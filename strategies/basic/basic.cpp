@@ -221,7 +221,8 @@ Vec2 Basic::allowed(const Vec2& wanted_m, const Vec2& ball_m, const Limits& limi
   return position_m;
 }
 
-// Where a robot too close to the ball in a stop goes first, in books that forbid that.
+// The first target of a robot that is too close to the ball in a stop; nullopt if it is not, or if
+// the book allows that.
 std::optional<Vec2> Basic::position_off_ball(const Vec2& from_m) const {
   const double keep_m = room_at_ball_m() + kRobotRadius_m + 10_mm;
   const Vec2 off_m = from_m - ball_target_m_;

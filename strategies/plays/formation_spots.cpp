@@ -48,6 +48,7 @@ class Roster {
     }
   }
 
+  // Pairwise exchange: swaps two robots if that clearly shortens the sum of their paths.
   void change_where_better() {
     for (int i = 0; i < predicted_.robots(); ++i) {
       for (int k = i + 1; k < predicted_.robots(); ++k) {

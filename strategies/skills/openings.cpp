@@ -63,6 +63,8 @@ double share_within(double z) { return z / std::sqrt(z * z + 1.1); }
 
 }  // namespace
 
+// Projects the robots' shadows from the ball onto the goal line, and takes the widest gap between
+// them.
 Opening widest_opening(const Field& field, const Vec2& from_m, const TrackedRobots& opponents,
                        const TrackedRobots& own, const ShotTerms& terms) {
   const double goal_x = field.half_length_m();

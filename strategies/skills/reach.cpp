@@ -48,6 +48,8 @@ double time_to_s(const TrackedRobot& robot, const Vec2& point_m, const Abilities
   return line_time_s(distance_m, along_mps, abilities) + 0.5 * aside_mps / abilities.braking_mps2;
 }
 
+// Steps along the ball's predicted path to the first step at which the robot is no later than the
+// ball, and interpolates linearly between that step and the previous one.
 BallInterception intercept(const TrackedRobot& robot, const BallPath& path,
                            const Abilities& abilities, const Field& field) {
   const double x_m = field.half_length_m() + kBeyond_m;

@@ -86,7 +86,7 @@ RobotCommand go_to(const PredictedState& predicted, int index, const Waypoint& w
 // Reduces a command's velocity if it would run the robot with that index into an opponent.
 void ease_off(const PredictedState& predicted, int index, RobotCommand& command);
 
-// The robots that the robot with that index must avoid on its way; the ball is left out.
+// The robots that the robot with that index must avoid on its way, without the ball.
 void robots_around(const PredictedState& predicted, int index, const Vec2& target_m,
                    Obstacles& obstacles);
 

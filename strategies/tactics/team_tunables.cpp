@@ -90,7 +90,7 @@ constexpr std::array kPlays = std::to_array<Tunable>({
       "Distance from the ball of the robot that will take the restart."}},
     {&Style::before_goal_m,
      {"before_goal_m", "m", 0, 0.2, 4,
-      "Distance before the goal at which passes into the middle are aimed."}},
+      "Distance in front of the goal at which passes into the middle are aimed."}},
     {&Style::restart_pass_mps,
      {"restart_pass_mps", "m/s", 0, 0.5, 8,
       "Speed of a pass from a restart, for estimating its safety."}},
