@@ -25,7 +25,7 @@ const RuleEntry& entry_of(RuleId rule) { return kTable[static_cast<std::size_t>(
 
 std::string_view section_of(const RuleBook& rules, RuleId rule) {
   const std::string_view section = entry_of(rule).section(rules.edition);
-  return section.empty() ? "ours" : section;
+  return section.empty() ? "AutoRef" : section;
 }
 
 std::string_view name_of(RuleId rule) { return entry_of(rule).name; }

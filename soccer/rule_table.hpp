@@ -28,8 +28,8 @@ struct RuleEntry {
 std::span<const RuleEntry> rule_table();
 const RuleEntry& entry_of(RuleId rule);
 
-// The rule's section in the book's own edition, or "ours" if the rule was switched on although the
-// edition lacks it.
+// The rule's section in the book's own edition, or "AutoRef" if the rule was switched on although
+// the edition lacks it.
 std::string_view section_of(const RuleBook& rules, RuleId rule);
 
 }  // namespace autoref
