@@ -20,8 +20,7 @@ std::string text_of(double value) {
 }
 
 [[noreturn]] void refuse(const char* name, double value, const std::string& allowed) {
-  throw std::invalid_argument(std::string(name) + " is " + text_of(value) + "; it must be " +
-                              allowed);
+  throw OutOfRange(name, " is " + text_of(value) + "; it must be " + allowed);
 }
 
 void check_range(const char* name, double value, double low, double high) {

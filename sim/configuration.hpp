@@ -2,6 +2,8 @@
 #pragma once
 
 #include <boost/container/static_vector.hpp>
+#include <stdexcept>
+#include <string>
 
 #include "soccer/field.hpp"
 #include "soccer/side.hpp"
@@ -153,8 +155,24 @@ struct TeamSpec {
   Robots robots;
 };
 
-// Throw std::invalid_argument that names the field, its value and the allowed range; for a robot
-// also its side and number, for example "east robot 3: robot.mass_kg is 0; ...".
+// A number outside its allowed range.
+class OutOfRange : public std::invalid_argument {
+ public:
+  // what() is the name followed by `text`, such as "ball.hop_z" and " is 2; it must be from 0 to
+  // 0.95".
+  OutOfRange(const std::string& name, const std::string& text)
+      : std::invalid_argument(name + text), name_(name), text_(text) {}
+
+  const std::string& name() const { return name_; }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string name_;
+  std::string text_;
+};
+
+// Throw OutOfRange for the first invalid number; for robots of two sides, std::invalid_argument
+// that also names side and number, for example "east robot 3: robot.mass_kg is 0; ...".
 void validate(const Configuration& configuration);
 void validate(const RobotSpec& robot);
 void validate(const PerSide<TeamSpec>& specs);

@@ -16,8 +16,8 @@
 namespace autoref::runner {
 namespace {
 
-GameSettings configured(const PlayArguments& arguments) {
-  Scenario scenario = read_scenario(arguments.file, assignments_in(arguments.sets));
+GameSettings configured(const PlayArguments& arguments, const Assignments& assignments) {
+  Scenario scenario = read_scenario(arguments.file, assignments);
   auto* game = std::get_if<GameSettings>(&scenario.content);
   if (game == nullptr) {
     throw InputError({arguments.file}, "kind",
@@ -31,12 +31,11 @@ GameSettings configured(const PlayArguments& arguments) {
 }
 
 // The scenario, and the robot type files that it or a --set names.
-std::vector<std::string> inputs_of(const PlayArguments& arguments) {
-  std::vector<std::string> inputs = type_files_in(arguments.file);
-  inputs.push_back(arguments.file);
-  for (const std::string& set : arguments.sets) {
-    const std::string value = set.substr(set.find('=') + 1);
-    if (value.ends_with(".yaml") || value.find('/') != std::string::npos) inputs.push_back(value);
+std::vector<std::string> inputs_of(const std::string& file, const Assignments& assignments) {
+  std::vector<std::string> inputs = type_files_in(file);
+  inputs.push_back(file);
+  for (const Assignment& assignment : assignments) {
+    if (is_type_file(assignment.value)) inputs.push_back(assignment.value);
   }
   return inputs;
 }
@@ -44,10 +43,12 @@ std::vector<std::string> inputs_of(const PlayArguments& arguments) {
 }  // namespace
 
 int play_verb(const PlayArguments& arguments) {
-  const GameSettings game = configured(arguments);
+  const Assignments assignments = assignments_in(arguments.sets);
+  const GameSettings game = configured(arguments, assignments);
   GameRecord record;
-  blame(arguments.file,
-        [&] { record = play_one(resolved(game), arguments.output, inputs_of(arguments)); });
+  blame(arguments.file, [&] {
+    record = play_one(resolved(game), arguments.output, inputs_of(arguments.file, assignments));
+  });
   return record.status == Status::kVoid ? kTooManyVoid : kDone;
 }
 

@@ -19,21 +19,23 @@
 namespace autoref::runner {
 namespace {
 
-bool assigns(const std::string& assignment, const std::string& path) {
-  return full_path(assignment.substr(0, assignment.find('='))) == path;
+bool assigns(const Assignments& assignments, const std::string& path) {
+  return std::any_of(assignments.begin(), assignments.end(), [&path](const Assignment& assignment) {
+    return full_path(assignment.path) == path;
+  });
 }
 
 // The book must be chosen first: it provides field, robots and lengths, which the log then
 // overrides.
-void refuse_book_among(const std::vector<std::string>& assignments) {
-  for (const std::string& assignment : assignments) {
-    if (assigns(assignment, "match.rules"))
-      throw InputError({"--set " + assignment}, "", "use --rules to choose the rule book");
+void refuse_book_among(const Assignments& assignments) {
+  for (const Assignment& assignment : assignments) {
+    if (full_path(assignment.path) == "match.rules")
+      throw InputError({assignment.flag}, "", "use --rules to choose the rule book");
   }
 }
 
-GameSettings game_of(const RefereeArguments& arguments, const RecordedFacts& facts,
-                     const RecordedGame& recorded) {
+GameSettings game_of(const RefereeArguments& arguments, const Assignments& assignments,
+                     const RecordedFacts& facts, const RecordedGame& recorded) {
   GameSettings game;
   blame("--rules", [&] { game = logged_game(arguments.rules, facts, recorded); });
   const auto set = [&](const std::string& flag, const std::string& path, const std::string& value) {
@@ -41,7 +43,7 @@ GameSettings game_of(const RefereeArguments& arguments, const RecordedFacts& fac
   };
   set("--camera", "sim.camera", arguments.camera);
   set("--first-kickoff", "match.first_kickoff", arguments.first_kickoff);
-  for (const Assignment& assignment : assignments_in(arguments.sets)) assign(assignment, game);
+  for (const Assignment& assignment : assignments) assign(assignment, game);
   try {
     check_judged(game);
   } catch (const std::invalid_argument& error) {
@@ -52,12 +54,11 @@ GameSettings game_of(const RefereeArguments& arguments, const RecordedFacts& fac
   return game;
 }
 
-void say_gaps(const RefereeArguments& arguments, const RecordedFacts& facts,
-              const GameSettings& game) {
-  const auto is_set = [&arguments](const std::string& path) {
+void say_gaps(const RefereeArguments& arguments, const Assignments& assignments,
+              const RecordedFacts& facts, const GameSettings& game) {
+  const auto is_set = [&](const std::string& path) {
     if (path == "match.first_kickoff" && !arguments.first_kickoff.empty()) return true;
-    return std::any_of(arguments.sets.begin(), arguments.sets.end(),
-                       [&path](const std::string& set) { return assigns(set, path); });
+    return assigns(assignments, path);
   };
   for (const std::string& gap : gaps_of(facts, game, is_set))
     write_message(stderr, fmt::format("autoref: {}: {}\n", arguments.log, gap));
@@ -66,7 +67,8 @@ void say_gaps(const RefereeArguments& arguments, const RecordedFacts& facts,
 }  // namespace
 
 int referee_verb(const RefereeArguments& arguments) {
-  refuse_book_among(arguments.sets);
+  const Assignments assignments = assignments_in(arguments.sets);
+  refuse_book_among(assignments);
   check_outputs({{"--events", arguments.events}}, {arguments.log});
   std::optional<PendingFile> events;
   open_output(events, "--events", arguments.events);
@@ -77,8 +79,8 @@ int referee_verb(const RefereeArguments& arguments) {
   }
   std::vector<referee::Configuration> games;
   for (const RecordedGame& recorded : facts.games) {
-    const GameSettings game = game_of(arguments, facts, recorded);
-    if (games.empty()) say_gaps(arguments, facts, game);
+    const GameSettings game = game_of(arguments, assignments, facts, recorded);
+    if (games.empty()) say_gaps(arguments, assignments, facts, game);
     games.push_back(referee_configuration(resolved(game)));
   }
   const LogRefereeResult evaluation = referee_log(arguments.log, facts, games);

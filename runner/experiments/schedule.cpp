@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <stdexcept>
-
 #include "runner/experiments/cells.hpp"
+#include "runner/settings/setting_error.hpp"
 #include "soccer/random.hpp"
 
 namespace autoref::runner {
@@ -47,9 +46,10 @@ void set_leg(GameSettings& game, std::uint64_t master_seed, int pair, int leg) {
 
 void refuse_too_many(double games, std::string_view key) {
   if (games <= kMostGames) return;
-  throw std::invalid_argument(
-      fmt::format("{}: with these there are {:.0f} games; at most {} fit one experiment", key,
-                  games, kMostGames));
+  throw SettingError(
+      std::string(key),
+      fmt::format(": with these there are {:.0f} games; at most {} fit one experiment", games,
+                  kMostGames));
 }
 
 std::uint64_t seed_of(std::uint64_t master_seed, int pair, int leg) {

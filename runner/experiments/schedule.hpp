@@ -39,8 +39,8 @@ std::string game_id(std::string_view played, int pair, int leg);
 // one leg of every pair, and over two pairs once from each side.
 void set_leg(GameSettings& game, std::uint64_t master_seed, int pair, int leg);
 
-// Throws std::invalid_argument where an experiment has more games than fit one; `key` is the
-// setting that says how many.
+// Throws SettingError where an experiment has more games than fit one; `key` is the setting that
+// says how many.
 void refuse_too_many(double games, std::string_view key = "pairs");
 
 // The combinations of the factors' values, the last factor changing fastest.

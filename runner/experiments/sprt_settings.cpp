@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <stdexcept>
+#include "runner/settings/setting_error.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -31,13 +31,15 @@ std::vector<Setting> settings_of(SequentialTest& test) {
 
 void check_test(const SequentialTest& test) {
   if (test.d0 == test.d1) {
-    throw std::invalid_argument(fmt::format(
-        "sprt.d1: must differ from d0, or there is nothing to tell apart; both are {}", test.d1));
+    throw SettingError(
+        "sprt.d1",
+        fmt::format(": must differ from d0, or there is nothing to tell apart; both are {}",
+                    test.d1));
   }
   if (test.max_pairs < test.min_pairs) {
-    throw std::invalid_argument(
-        fmt::format("sprt.max_pairs: must be at least min_pairs, which is {}; found {}",
-                    test.min_pairs, test.max_pairs));
+    throw SettingError("sprt.max_pairs",
+                       fmt::format(": must be at least min_pairs, which is {}; found {}",
+                                   test.min_pairs, test.max_pairs));
   }
 }
 

@@ -11,8 +11,7 @@ namespace autoref::runner {
 // Each by its path, "sprt.d0" and so on.
 std::vector<Setting> settings_of(SequentialTest& test);
 
-// Throws std::invalid_argument where settings that are right alone make no test together; the
-// message begins with the path of one.
+// Throws SettingError where settings that are right alone make no test together.
 void check_test(const SequentialTest& test);
 
 }  // namespace autoref::runner

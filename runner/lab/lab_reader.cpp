@@ -8,6 +8,7 @@
 #include "runner/settings/mapping.hpp"
 #include "runner/settings/robot_changes.hpp"
 #include "runner/settings/robot_types.hpp"
+#include "runner/settings/setting_error.hpp"
 #include "runner/settings/settings_reader.hpp"
 #include "runner/settings/yaml.hpp"
 #include "soccer/trigonometry.hpp"
@@ -64,8 +65,8 @@ class LabReader {
     }
     try {
       check_game(game);
-    } catch (const std::invalid_argument& error) {
-      file_.refuse({1, 1}, "", error.what());
+    } catch (const SettingError& error) {
+      file_.refuse(location_in(locations, error.path()), "", error.what());
     }
     scene_.field = game.field;
     scene_.sim = game.sim;

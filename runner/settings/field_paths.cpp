@@ -50,12 +50,6 @@ std::optional<Setting> single_setting(const std::vector<Setting>& settings,
   return setting_in(*holder, full.substr(dot + 1));
 }
 
-Setting setting_at(const std::vector<Setting>& settings, std::string_view path) {
-  const std::optional<Setting> setting = single_setting(settings, full_path(path));
-  if (setting) return *setting;
-  throw std::invalid_argument(unknown_path_message(settings, path));
-}
-
 // A setting with the value that the user has given it.
 struct Kept {
   Setting setting;
@@ -101,6 +95,12 @@ const Setting* find_setting(const std::vector<Setting>& settings, std::string_vi
   return found == settings.end() ? nullptr : &*found;
 }
 
+Setting setting_at(const std::vector<Setting>& settings, std::string_view path) {
+  const std::optional<Setting> setting = single_setting(settings, full_path(path));
+  if (setting) return *setting;
+  throw std::invalid_argument(unknown_path_message(settings, path));
+}
+
 std::string full_path(std::string_view path) {
   const bool is_short = path.starts_with("a.") || path.starts_with("b.");
   return is_short ? fmt::format("teams.{}", path) : std::string(path);
@@ -131,7 +131,7 @@ std::optional<Setting> setting_in(const Setting& setting, const std::string& nam
   if (changed == nullptr) return std::nullopt;
   Setting change = *changed;
   change.path = path;
-  change.target = Change{of->changes, changed->path};
+  change.target = Change{of->changes, changed->path, is_preset(*changed)};
   return change;
 }
 
@@ -186,21 +186,23 @@ void set_given(const std::vector<Setting>& settings, std::string_view path, std:
   }
 }
 
-void set_by_path(GameSettings& game, std::string_view path, std::string_view text) {
+std::vector<Setting> settings_with(GameSettings& game, std::string_view path) {
   make_player_in(game, path);
-  set_given(settings_of(game), path, text, game.given);
+  return settings_of(game);
+}
+
+void set_by_path(GameSettings& game, std::string_view path, std::string_view text) {
+  set_given(settings_with(game, path), path, text, game.given);
 }
 
 bool is_preset_at(const GameSettings& game, std::string_view path) {
   GameSettings copy = game;
-  make_player_in(copy, path);
-  return is_preset(setting_at(settings_of(copy), path));
+  return is_preset(setting_at(settings_with(copy, path), path));
 }
 
 std::string value_at(const GameSettings& game, std::string_view path) {
   GameSettings copy = game;
-  make_player_in(copy, path);
-  return value_of(setting_at(settings_of(copy), path));
+  return value_of(setting_at(settings_with(copy, path), path));
 }
 
 }  // namespace autoref::runner

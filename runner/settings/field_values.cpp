@@ -90,9 +90,7 @@ bool is_alias(const Setting& setting) {
 }
 
 bool is_preset(const Setting& setting) {
-  if (const auto* change = std::get_if<Change>(&setting.target)) {
-    return last_name_in(change->path) == "preset";
-  }
+  if (const auto* change = std::get_if<Change>(&setting.target)) return change->is_preset;
   return std::holds_alternative<RulesChoice>(setting.target) ||
          std::holds_alternative<BallPreset>(setting.target) ||
          std::holds_alternative<CameraPreset>(setting.target) ||

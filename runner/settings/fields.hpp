@@ -58,6 +58,7 @@ struct ChangesOf {
 struct Change {
   RobotChanges* changes = nullptr;
   std::string path;  // such as "robot.speed_mps"
+  bool is_preset = false;
 };
 
 using Params = std::map<std::string, double>;
@@ -114,6 +115,10 @@ std::string_view branch_of(std::string_view path);
 // Returns the setting with exactly this path, or null.
 const Setting* find_setting(const std::vector<Setting>& settings, std::string_view path);
 
+// Returns the setting at a full or short path, also one inside another. Throws
+// std::invalid_argument naming the nearest known path.
+Setting setting_at(const std::vector<Setting>& settings, std::string_view path);
+
 // Describes a valid value, such as "a whole number from 1 to 16".
 std::string expected_of(const Setting& setting);
 
@@ -160,6 +165,10 @@ PlayerSettings& player_of(Players& players, std::string_view number);
 void set_given(const std::vector<Setting>& settings, std::string_view path, std::string_view text,
                std::set<std::string>& given);
 
+// Returns the settings of `game`. If `path` is of a player, as "b.players.3.handicap" is, that
+// player is added to the game first.
+std::vector<Setting> settings_with(GameSettings& game, std::string_view path);
+
 // set_given() for a whole game. `a.params.NAME` is a parameter of the team, `a.robot.NAME` a value
 // of its robots, `a.players.3.` an override for one robot. Throws std::invalid_argument for an
 // unknown path (naming the nearest known one) or an invalid value.
@@ -172,11 +181,11 @@ bool is_preset_at(const GameSettings& game, std::string_view path);
 std::string value_at(const GameSettings& game, std::string_view path);
 
 // Checks conditions across settings: a team's parameters belong to its strategy and are in range,
-// goals fit the field. Throws std::invalid_argument.
+// goals fit the field. Throws SettingError (setting_error.hpp).
 void check_game(const GameSettings& game);
 
 // check_game() for a single team of the game. `path` is the path of the team's settings, such as
-// "teams.a"; messages begin with the path of the invalid setting.
+// "teams.a".
 void check_team(const GameSettings& game, const TeamSettings& team, std::string_view path);
 
 // A hash over all settings. Two games of one build with equal hashes are the same game.

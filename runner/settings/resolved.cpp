@@ -30,8 +30,9 @@ MatchConfiguration resolved(const MatchSettings& settings) {
   return match;
 }
 
-TeamConfiguration resolved(const GameSettings& game, const TeamSettings& team) {
-  return {team.strategy, team.params, spec_of(game, team).robots};
+TeamConfiguration resolved(const GameSettings& game, const TeamSettings& team,
+                           std::string_view path) {
+  return {team.strategy, team.params, spec_of(game, team, path).robots};
 }
 
 }  // namespace
@@ -48,8 +49,8 @@ void choose_rules(const std::string& book, GameSettings& game) {
 }
 
 GameConfiguration resolved(const GameSettings& settings) {
-  return {resolved(settings, settings.a),
-          resolved(settings, settings.b),
+  return {resolved(settings, settings.a, "teams.a"),
+          resolved(settings, settings.b, "teams.b"),
           resolved(settings.match),
           settings.field,
           settings.sim,

@@ -4,10 +4,12 @@
 
 #include <stdexcept>
 
+#include "runner/settings/setting_error.hpp"
+
 namespace autoref::runner {
 namespace {
 
-const Setting& setting_at(const std::vector<Setting>& settings, const std::string& path) {
+const Setting& robot_setting(const std::vector<Setting>& settings, const std::string& path) {
   const Setting* found = find_setting(settings, path);
   if (found == nullptr) throw std::logic_error("a robot has no setting " + path);
   return *found;
@@ -20,7 +22,7 @@ RobotChanges merged(const RobotTypes& types, const std::string& type, const Robo
   if (type == kNoType) return all;
   const auto found = types.find(type);
   if (found == types.end()) {
-    throw std::invalid_argument(fmt::format("type: there is no robot type '{}'", type));
+    throw SettingError("type", fmt::format(": there is no robot type '{}'", type));
   }
   all.insert(found->second.begin(), found->second.end());
   return all;
@@ -29,14 +31,14 @@ RobotChanges merged(const RobotTypes& types, const std::string& type, const Robo
 void apply_changes(const RobotChanges& changes, sim::RobotSpec& robot) {
   if (changes.empty()) return;
   const std::vector<Setting> settings = settings_of(robot, "");
-  for (const auto& [path, value] : changes) assign(setting_at(settings, path), value);
+  for (const auto& [path, value] : changes) assign(robot_setting(settings, path), value);
 }
 
 void assign_change(const Change& change, std::string_view text) {
   sim::RobotSpec robot;
   apply_changes(*change.changes, robot);
   const std::vector<Setting> settings = settings_of(robot, "");
-  const Setting& changed = setting_at(settings, change.path);
+  const Setting& changed = robot_setting(settings, change.path);
   assign(changed, text);
   for (const Setting& setting : settings) {
     const bool is_set = is_alias(changed) ? branch_of(setting.path) == branch_of(change.path)
@@ -48,8 +50,10 @@ void assign_change(const Change& change, std::string_view text) {
 std::string changed_value(const Change& change) {
   sim::RobotSpec robot;
   apply_changes(*change.changes, robot);
-  return value_of(setting_at(settings_of(robot, ""), change.path));
+  return value_of(robot_setting(settings_of(robot, ""), change.path));
 }
+
+namespace {
 
 sim::TeamSpec spec_of(const GameSettings& game, const TeamSettings& team) {
   sim::RobotSpec robot = game.robot;
@@ -59,8 +63,8 @@ sim::TeamSpec spec_of(const GameSettings& game, const TeamSettings& team) {
   sim::TeamSpec spec{sim::TeamSpec::Robots(static_cast<std::size_t>(team.robots), robot)};
   for (const auto& [number, player] : team.players) {
     if (number >= team.robots) {
-      throw std::invalid_argument(fmt::format("players.{}: the team's robots are numbered 0 to {}",
-                                              number, team.robots - 1));
+      throw SettingError(fmt::format("players.{}", number),
+                         fmt::format(": the team's robots are numbered 0 to {}", team.robots - 1));
     }
     sim::RobotSpec& own = spec.robots[static_cast<std::size_t>(number)];
     apply_changes(merged(game.types, player.type, player.changes), own);
@@ -68,6 +72,16 @@ sim::TeamSpec spec_of(const GameSettings& game, const TeamSettings& team) {
     own.acceleration_factor *= player.acceleration_factor;
   }
   return spec;
+}
+
+}  // namespace
+
+sim::TeamSpec spec_of(const GameSettings& game, const TeamSettings& team, std::string_view path) {
+  try {
+    return spec_of(game, team);
+  } catch (const SettingError& error) {
+    throw error.below(path);
+  }
 }
 
 }  // namespace autoref::runner

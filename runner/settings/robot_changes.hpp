@@ -8,8 +8,8 @@
 
 namespace autoref::runner {
 
-// The overrides of the named type, themselves overridden by `changes`. Throws std::invalid_argument
-// if there is no such type.
+// The overrides of the named type, themselves overridden by `changes`. Throws SettingError for the
+// path `type` if there is no such type.
 RobotChanges merged(const RobotTypes& types, const std::string& type, const RobotChanges& changes);
 
 // Applies the changes to a robot.
@@ -24,8 +24,8 @@ std::string changed_value(const Change& change);
 
 // The robots of a team of `game`. Their values come from, in increasing priority, the game's robot,
 // the team's type, the team's changes, the player's type and the player's changes; a player's
-// factors are multiplied by the team's. Throws std::invalid_argument for an unknown type, and for a
-// player whose number the team does not have.
-sim::TeamSpec spec_of(const GameSettings& game, const TeamSettings& team);
+// factors are multiplied by the team's. Throws SettingError for an unknown type, and for a player
+// whose number the team does not have; `path` is that of the team's settings, such as "teams.a".
+sim::TeamSpec spec_of(const GameSettings& game, const TeamSettings& team, std::string_view path);
 
 }  // namespace autoref::runner

@@ -15,19 +15,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_path(std::string_view text) {
-  return text.find('/') != std::string_view::npos || text.ends_with(".yaml");
-}
-
 bool is_letter_or_digit(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
 
-// Returns whether the path is that of a team's or player's type.
-bool names_type(std::string_view path) {
-  return path.ends_with(".type") && path.find(".params.") == std::string_view::npos;
+// Returns whether the setting at the path names a robot type.
+bool names_type(const std::vector<Setting>& settings, std::string_view path) {
+  return std::holds_alternative<TypeName>(setting_at(settings, path).target);
 }
 
+// A file that cannot be read is an error of the setting that names it.
 std::string text_of_type(const fs::path& file) {
   try {
     return read_user_file(file);
@@ -38,13 +35,17 @@ std::string text_of_type(const fs::path& file) {
 
 void add_files_in(const YAML::Node& node, const fs::path& folder, std::vector<std::string>& files) {
   std::error_code error;
-  if (node.IsScalar() && is_path(node.Scalar()) &&
+  if (node.IsScalar() && is_type_file(node.Scalar()) &&
       fs::is_regular_file(folder / node.Scalar(), error))
     files.push_back((folder / node.Scalar()).string());
   for (const auto& item : node) add_files_in(node.IsMap() ? item.second : item, folder, files);
 }
 
 }  // namespace
+
+bool is_type_file(std::string_view text) {
+  return text.find('/') != std::string_view::npos || text.ends_with(".yaml");
+}
 
 std::vector<std::string> type_files_in(const fs::path& file) {
   const YamlFile yaml(read_user_file(file), file.string());
@@ -72,14 +73,12 @@ RobotChanges read_robot_type_text(const std::string& text, const std::string& fi
 }
 
 std::string take_type(const std::string& text, const fs::path& folder, RobotTypes& types) {
-  if (!is_path(text)) return text;
+  if (!is_type_file(text)) return text;
   const fs::path file = folder / text;
   std::string name = file.stem();
-  try {
-    check_type_name(name);
-  } catch (const std::invalid_argument& error) {
+  if (const std::optional<std::string> fault = fault_in_type_name(name)) {
     throw std::invalid_argument(
-        fmt::format("the type is named after its file: {}; rename the file", error.what()));
+        fmt::format("the type is named after its file: {}; rename the file", *fault));
   }
   const RobotChanges changes = read_robot_type_text(text_of_type(file), file.string());
   const auto [there, is_new] = types.try_emplace(name, changes);
@@ -97,19 +96,19 @@ void check_type_count(const RobotTypes& types) {
       fmt::format("there are more than {} robot types, the maximum for one game", kMostTypes));
 }
 
-void check_type_name(std::string_view name) {
+std::optional<std::string> fault_in_type_name(std::string_view name) {
   const bool is_word = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
     return is_letter_or_digit(c) || c == '-' || c == '_';
   });
-  if (is_word && name != kNoType) return;
-  throw std::invalid_argument(fmt::format(
+  if (is_word && name != kNoType) return std::nullopt;
+  return fmt::format(
       "a type's name may only contain letters, digits, - and _, and may not be '{}'; found '{}'",
-      kNoType, name));
+      kNoType, name);
 }
 
 void set_by_path(GameSettings& game, std::string_view path, const std::string& text,
                  const fs::path& folder) {
-  const bool is_type = full_path(path).starts_with("teams.") && names_type(path);
+  const bool is_type = names_type(settings_with(game, path), path);
   set_by_path(game, path, is_type ? take_type(text, folder, game.types) : text);
 }
 
@@ -120,7 +119,8 @@ void set_by_path(TeamSettings& team, const std::string& prefix, GameSettings& ga
     const std::string_view rest = path.substr(players.size());
     player_of(team.players, rest.substr(0, rest.find('.')));
   }
-  const std::string value = names_type(path) ? take_type(text, {}, game.types) : text;
+  const bool is_type = names_type(settings_of(team, game.types, prefix), path);
+  const std::string value = is_type ? take_type(text, {}, game.types) : text;
   set_given(settings_of(team, game.types, prefix), path, value, game.given);
 }
 

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,9 @@ namespace autoref::runner {
 
 // Reads a type as strictly as a scenario. Throws InputError with file, line and key.
 RobotChanges read_robot_type_text(const std::string& text, const std::string& file_name);
+
+// Returns whether a user's `text` for a type is the path of a file, not a name.
+bool is_type_file(std::string_view text);
 
 // Resolves a type that a user gave as `text` and returns its name in `types`. `text` is a name in
 // `types` or the path of a file relative to `folder`, which is then read into `types`;
@@ -36,8 +40,8 @@ inline constexpr std::size_t kMostTypes = 1000;
 // Throws std::invalid_argument if there are more than kMostTypes.
 void check_type_count(const RobotTypes& types);
 
-// Throws std::invalid_argument unless the name consists of letters, digits, - and _.
-void check_type_name(std::string_view name);
+// What is wrong with the name of a type; nullopt if it consists of letters, digits, - and _.
+std::optional<std::string> fault_in_type_name(std::string_view name);
 
 // set_by_path() (fields.hpp) that also accepts, as a type, the path of a file relative to `folder`.
 void set_by_path(GameSettings& game, std::string_view path, const std::string& text,

@@ -68,6 +68,13 @@ void assign_entry(const YamlFile& file, const YamlEntry& entry, const Setting& s
   }
 }
 
+YamlLocation location_in(const SettingLocations& locations, const std::string& path) {
+  const auto found = locations.lower_bound(path);
+  const bool is_there =
+      found != locations.end() && (found->first == path || found->first.starts_with(path + "."));
+  return is_there ? found->second : YamlLocation{};
+}
+
 void SettingsReader::hide(std::string_view path) {
   hidden_.emplace_back(path);
   std::erase_if(settings_, [this](const Setting& s) { return is_hidden(s); });
@@ -167,8 +174,10 @@ void SettingsReader::read_players(const YamlEntry& entry, const std::string& pat
 void SettingsReader::read_types(const YamlEntry& entry, const std::string& path,
                                 RobotTypes& types) {
   for (const YamlEntry& type : file_.entries(entry, path, {})) {
+    if (const std::optional<std::string> fault = fault_in_type_name(type.key)) {
+      file_.refuse(type.location, path, *fault);
+    }
     try {
-      check_type_name(type.key);
       types[type.key];
       check_type_count(types);
     } catch (const std::invalid_argument& error) {

@@ -16,6 +16,10 @@ namespace autoref::runner {
 // Locations of settings in the file, by path.
 using SettingLocations = std::map<std::string, YamlLocation>;
 
+// Returns the location of the setting at `path`, or of the first one below that branch; {} if the
+// file has neither.
+YamlLocation location_in(const SettingLocations& locations, const std::string& path);
+
 // Returns the entry of a required key. Throws InputError if it is missing.
 const YamlEntry& required_entry(const YamlFile& file, const std::vector<YamlEntry>& top,
                                 std::string_view key);

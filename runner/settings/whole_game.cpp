@@ -7,6 +7,7 @@
 #include "runner/io/words.hpp"
 #include "runner/settings/fields.hpp"
 #include "runner/settings/robot_changes.hpp"
+#include "runner/settings/setting_error.hpp"
 #include "soccer/random.hpp"
 #include "strategies/registry.hpp"
 
@@ -18,20 +19,20 @@ using strategies::Parameter;
 [[noreturn]] void refuse_unknown_param(const strategies::Entry& strategy, const std::string& path,
                                        const std::string& param) {
   const std::string what =
-      fmt::format("{}: strategy '{}' has no parameter '{}'", path, strategy.name, param);
-  if (strategy.params.empty()) throw std::invalid_argument(what + "; it has none");
+      fmt::format(": strategy '{}' has no parameter '{}'", strategy.name, param);
+  if (strategy.params.empty()) throw SettingError(path, what + "; it has none");
   std::vector<std::string> known;
   for (const Parameter& parameter : strategy.params) known.emplace_back(parameter.name);
   const std::string nearest = suggestion(param, known);
-  throw std::invalid_argument(
-      fmt::format("{}{} Known here: {}", what, nearest.empty() ? "." : nearest, listed(known)));
+  throw SettingError(path, fmt::format("{}{} Known here: {}", what, nearest.empty() ? "." : nearest,
+                                       listed(known)));
 }
 
 void check_range(const Parameter& parameter, const std::string& path, double value) {
   if (value >= parameter.least && value <= parameter.most) return;
   const std::string unit = parameter.unit == "1" ? "" : fmt::format(" {}", parameter.unit);
-  throw std::invalid_argument(fmt::format("{}: expected a number from {} to {}{}, found '{}'", path,
-                                          parameter.least, parameter.most, unit, value));
+  throw SettingError(path, fmt::format(": expected a number from {} to {}{}, found '{}'",
+                                       parameter.least, parameter.most, unit, value));
 }
 
 void check_params(const TeamSettings& team, std::string_view name) {
@@ -54,29 +55,35 @@ void check_speeds(const GameSettings& game, const sim::TeamSpec& spec, std::stri
   for (const sim::RobotSpec& robot : spec.robots) {
     const double robot_mps = sim::fastest_mps(robot);
     if (robot_mps <= most_mps) continue;
-    throw std::invalid_argument(
-        fmt::format("sim.substeps: with {} at {} frames a second nothing gets faster than {:.4g} "
-                    "m/s, but robots of {} drive or kick at up to {:.4g}; give more",
+    throw SettingError(
+        "sim.substeps",
+        fmt::format(": with {} at {} frames a second nothing gets faster than {:.4g} m/s, but "
+                    "robots of {} drive or kick at up to {:.4g}; give more",
                     game.sim.substeps, game.sim.frame_rate_hz, most_mps, name, robot_mps));
   }
 }
 
 void check_robots(const GameSettings& game, const TeamSettings& team, std::string_view name) {
-  sim::TeamSpec spec;
-  try {
-    spec = spec_of(game, team);
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(fmt::format("{}.{}", name, error.what()));
-  }
+  const sim::TeamSpec spec = spec_of(game, team, name);
   for (const auto& [number, player] : team.players) {
     try {
       sim::validate(spec.robots[static_cast<std::size_t>(number)]);
-    } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(
-          fmt::format("{}.players.{}: with the team's, {}", name, number, error.what()));
+    } catch (const sim::OutOfRange& error) {
+      throw SettingError(fmt::format("{}.players.{}", name, number),
+                         fmt::format(": with the team's, {}", error.what()));
     }
   }
   check_speeds(game, spec, name);
+}
+
+// What of the world is below `branch` of the settings.
+template <typename Part>
+void check_world(const std::string& branch, const Part& part) {
+  try {
+    sim::validate(part);
+  } catch (const sim::OutOfRange& error) {
+    throw SettingError(branch + error.name(), error.text());
+  }
 }
 
 // Names of types do not matter, only what they change.
@@ -114,13 +121,9 @@ void check_team(const GameSettings& game, const TeamSettings& team, std::string_
 void check_game(const GameSettings& game) {
   check_team(game, game.a, "teams.a");
   check_team(game, game.b, "teams.b");
-  sim::validate(game.field);
-  try {
-    sim::validate(game.sim);
-    sim::validate(game.robot);
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(fmt::format("sim.{}", error.what()));
-  }
+  check_world("", game.field);
+  check_world("sim.", game.sim);
+  check_world("sim.", game.robot);
 }
 
 std::uint64_t configuration_hash(const GameSettings& game) {

@@ -25,13 +25,13 @@ std::optional<YamlLocation> tab_before(const std::string& text, int last_line) {
 // Common complaints of the parser, each with a remedy.
 std::string remedy_of(const std::string& complaint) {
   static const std::map<std::string, std::string> kRemedies = {
-      {"illegal map value", "put text that contains ': ' in quotes"},
-      {"illegal flow end", "a bracket before it is not closed, or of another kind"},
-      {"end of map flow not found",
+      {YAML::ErrorMsg::MAP_VALUE, "put text that contains ': ' in quotes"},
+      {YAML::ErrorMsg::FLOW_END, "a bracket before it is not closed, or of another kind"},
+      {YAML::ErrorMsg::END_OF_MAP_FLOW,
        "a '{' before here is not closed by '}', or a ':' has no space after it"},
-      {"end of sequence flow not found", "a '[' before here is not closed by ']'"},
-      {"end of map not found", "indent this line like the lines it belongs to"},
-      {"end of sequence not found", "indent this line like the lines it belongs to"}};
+      {YAML::ErrorMsg::END_OF_SEQ_FLOW, "a '[' before here is not closed by ']'"},
+      {YAML::ErrorMsg::END_OF_MAP, "indent this line like the lines it belongs to"},
+      {YAML::ErrorMsg::END_OF_SEQ, "indent this line like the lines it belongs to"}};
   const auto found = kRemedies.find(complaint);
   return found == kRemedies.end() ? "" : "; " + found->second;
 }

@@ -236,8 +236,9 @@ TEST(ConfigurationError, StatesTheValueAndTheRange) {
     configuration.substeps = 17;
     validate(configuration);
     FAIL() << "accepted";
-  } catch (const std::invalid_argument& error) {
+  } catch (const OutOfRange& error) {
     EXPECT_STREQ(error.what(), "substeps is 17; it must be from 1 to 16");
+    EXPECT_EQ(error.name(), "substeps");
   }
 }
 

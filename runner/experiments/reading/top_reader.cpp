@@ -8,6 +8,7 @@
 #include "runner/experiments/reading/factor_reader.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/words.hpp"
+#include "runner/settings/setting_error.hpp"
 
 namespace autoref::runner {
 
@@ -87,17 +88,11 @@ void TopReader::refuse_assignment(const std::string& path) const {
 void TopReader::check(const std::function<void()>& work) const {
   try {
     work();
+  } catch (const SettingError& error) {
+    file_.refuse(location_in(locations_, error.path()), "", error.what());
   } catch (const std::invalid_argument& error) {
-    file_.refuse(location_of_first_path_in(error.what()), "", error.what());
+    file_.refuse({}, "", error.what());
   }
-}
-
-YamlLocation TopReader::location_of_first_path_in(std::string_view message) const {
-  const std::string path(message.substr(0, message.find_first_of(": ")));
-  const auto found = locations_.lower_bound(path);
-  const bool is_path =
-      found != locations_.end() && (found->first == path || found->first.starts_with(path + "."));
-  return is_path ? found->second : YamlLocation{};
 }
 
 }  // namespace autoref::runner

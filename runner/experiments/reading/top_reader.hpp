@@ -54,15 +54,14 @@ class TopReader {
   // Refuses the command line's setting at a short path, which the file varies.
   void refuse_assignment(const std::string& path) const;
 
-  // `work` throws std::invalid_argument where settings that are right alone make no game together.
-  // Its message begins with the path of the one to mend, or of its branch.
+  // Calls `work`, which throws SettingError where settings that are right alone make no game
+  // together: the message says where the one to mend stands.
   void check(const std::function<void()>& work) const;
 
  private:
   template <typename Number>
   Number number(const YamlEntry& entry, std::string_view key, const std::string& expected,
                 std::optional<Number> (*parse)(std::string_view), Number low, Number high) const;
-  YamlLocation location_of_first_path_in(std::string_view message) const;
 
   const YamlFile& file_;
   const Assignments& assignments_;

@@ -19,13 +19,13 @@ GameSettings game_of(const std::string& text) {
 
 sim::RobotSpec robot_of_b(const std::string& text, std::size_t number) {
   const GameSettings game = game_of(text);
-  return spec_of(game, game.b).robots.at(number);
+  return spec_of(game, game.b, "teams.b").robots.at(number);
 }
 
 TEST(SpecOf, GivesEveryRobotTheGamesValuesByDefault) {
   const GameSettings game = game_of("sim: { robot: { speed_mps: 2.5 } }\n");
   for (const TeamSettings* team : {&game.a, &game.b}) {
-    const sim::TeamSpec spec = spec_of(game, *team);
+    const sim::TeamSpec spec = spec_of(game, *team, "teams.x");
     ASSERT_EQ(spec.robots.size(), 6U);
     for (const sim::RobotSpec& robot : spec.robots) {
       EXPECT_EQ(robot.body.speed_mps, 2.5);
@@ -63,9 +63,9 @@ TEST(SpecOf, LetsTeamsOverrideTheGameAndPlayersOverrideTeamsInAnyOrderOfKeys) {
 
 TEST(SpecOf, DoesNotAffectTheOtherTeam) {
   const GameSettings game = game_of("teams: { b: { robot: { mass_kg: 3 }, handicap: 0.5 } }\n");
-  EXPECT_EQ(spec_of(game, game.a).robots[0].body.mass_kg, 2.5);
-  EXPECT_EQ(spec_of(game, game.a).robots[0].speed_factor, 1.0);
-  EXPECT_EQ(spec_of(game, game.b).robots[5].body.mass_kg, 3.0);
+  EXPECT_EQ(spec_of(game, game.a, "teams.a").robots[0].body.mass_kg, 2.5);
+  EXPECT_EQ(spec_of(game, game.a, "teams.a").robots[0].speed_factor, 1.0);
+  EXPECT_EQ(spec_of(game, game.b, "teams.b").robots[5].body.mass_kg, 3.0);
 }
 
 TEST(SpecOf, MultipliesTheTeamsFactorsWithThePlayers) {
@@ -95,13 +95,13 @@ TEST(SpecOf, AlsoChangesKickers) {
 TEST(SpecOf, RefusesAPlayerThatTheTeamDoesNotHave) {
   GameSettings game;
   game.b.players[6].speed_factor = 0.5;
-  EXPECT_THROW(spec_of(game, game.b), std::invalid_argument);
+  EXPECT_THROW(spec_of(game, game.b, "teams.b"), std::invalid_argument);
 }
 
 TEST(SpecOf, RefusesATypeThatTheGameDoesNotHave) {
   GameSettings game;
   game.a.type = "slow";
-  EXPECT_THROW(spec_of(game, game.a), std::invalid_argument);
+  EXPECT_THROW(spec_of(game, game.a, "teams.a"), std::invalid_argument);
 }
 
 TEST(AssignChange, KeepsNothingOfAnInvalidValue) {

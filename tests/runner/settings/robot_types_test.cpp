@@ -49,7 +49,7 @@ class ScenarioWithTypes : public testing::Test {
     }
   }
   static double speed_mps(const GameSettings& game, std::size_t number) {
-    return spec_of(game, game.b).robots.at(number).body.speed_mps;
+    return spec_of(game, game.b, "teams.b").robots.at(number).body.speed_mps;
   }
   std::string file(const std::string& name) const { return (folder_ / name).string(); }
 
@@ -72,8 +72,8 @@ TEST_F(ScenarioWithTypes, VariesThemAsFactorsWithReadableIds) {
   EXPECT_EQ(speed_mps(games.front().configuration, 3), 3.0);
   EXPECT_EQ(speed_mps(games.back().configuration, 3), 2.2);
   const GameSettings& last = games.back().configuration;
-  EXPECT_EQ(spec_of(last, last.b).robots[3].speed_factor, 0.7);
-  EXPECT_EQ(spec_of(last, last.b).robots[2].speed_factor, 1.0);
+  EXPECT_EQ(spec_of(last, last.b, "teams.b").robots[3].speed_factor, 0.7);
+  EXPECT_EQ(spec_of(last, last.b, "teams.b").robots[2].speed_factor, 1.0);
 }
 
 TEST_F(ScenarioWithTypes, VariesATypeTogetherWithTheTeamsValues) {
@@ -82,7 +82,7 @@ TEST_F(ScenarioWithTypes, VariesATypeTogetherWithTheTeamsValues) {
             "factors: { b.type: [robots/slow.yaml] }\n"));
   const GameSettings& it = games[0].configuration;
   EXPECT_EQ(speed_mps(it, 0), 2.2);
-  EXPECT_EQ(spec_of(it, it.b).robots[0].body.mass_kg, 3);
+  EXPECT_EQ(spec_of(it, it.b, "teams.b").robots[0].body.mass_kg, 3);
 }
 
 TEST_F(ScenarioWithTypes, IsReproducedFromItsEffectiveText) {
