@@ -61,7 +61,7 @@ Cells difference_texts(const PairedDifference& from_first) {
 
 std::vector<Group> grouped(const Sweep& sweep, const RowsById& rows) {
   return grouped(
-      combinations(sweep.factors), [](const GameRow& row) { return row.values; }, rows);
+      spelt(combinations(sweep.factors)), [](const GameRow& row) { return row.values; }, rows);
 }
 
 std::optional<Slope> slope_over_factor(const Sweep& sweep, const std::vector<Group>& groups) {

@@ -65,7 +65,7 @@ double cpu_s(int whose) {
 Costs run_with(int workers) {
   const TemporaryFolder folder;
   Sweep sweep;
-  sweep.factors = {{"b.handicap", {"1.0"}}};
+  sweep.factors = {{"b.handicap", {1.0}}};
   sweep.pairs = kWorkersPairs;
   sweep.seed = 1;
   ExperimentOptions options;

@@ -9,18 +9,18 @@
 namespace autoref::runner {
 namespace {
 
-using SettingValues = std::map<std::string, std::string>;  // by full path
+using SpeltValues = std::map<std::string, std::string>;  // values by full path
 
 // What differs in some robots, by full path.
-void add(const ChangesOf& of, const std::string& holder, SettingValues& values) {
+void add(const ChangesOf& of, const std::string& holder, SpeltValues& values) {
   for (const auto& [path, value] : *of.changes) {
     if (branch_of(path) != of.branch) continue;
-    values[holder + path.substr(of.branch.size())] = value;
+    values[holder + path.substr(of.branch.size())] = spelt(value);
   }
 }
 
-SettingValues values_in(GameSettings game) {
-  SettingValues values;
+SpeltValues values_in(GameSettings game) {
+  SpeltValues values;
   for (const Setting& setting : settings_of(game)) {
     if (const auto* of = std::get_if<ChangesOf>(&setting.target)) add(*of, setting.path, values);
     if (!is_alias(setting) && !holds_others(setting)) values[setting.path] = value_of(setting);
@@ -31,13 +31,13 @@ SettingValues values_in(GameSettings game) {
 // What the values of one key set. Those of other keys are `varied`, too.
 void add(const GameSettings& base, const Factor& key, const std::set<std::string>& varied,
          SetByValues& all) {
-  const SettingValues of_base = values_in(base);
-  std::map<std::string, SettingValues> found;
+  const SpeltValues of_base = values_in(base);
+  std::map<std::string, SpeltValues> found;
   std::set<std::string> paths;
-  for (const std::string& value : key.values) {
+  for (const SettingValue& value : key.values) {
     GameSettings game = base;
-    set_by_path(game, key.path, value);
-    SettingValues& its = found[key.path + "=" + value] = values_in(game);
+    set_value_at(game, key.path, value);
+    SpeltValues& its = found[key.path + "=" + spelt(value)] = values_in(game);
     for (const auto& [path, text] : its) {
       const auto there = of_base.find(path);
       const bool is_same = there != of_base.end() && there->second == text;
@@ -61,18 +61,18 @@ SetByValues set_by_values(const GameSettings& base, const std::vector<Factor>& k
 
 }  // namespace
 
-std::string cell_name(const Sweep& sweep, const std::vector<std::string>& values) {
+std::string cell_name(const Sweep& sweep, const std::vector<SettingValue>& values) {
   std::string name;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    name += fmt::format("{}{}={}", i == 0 ? "" : "+", sweep.factors[i].path, values[i]);
+    name += fmt::format("{}{}={}", i == 0 ? "" : "+", sweep.factors[i].path, spelt(values[i]));
   }
   return name;
 }
 
-GameSettings configured(const Sweep& sweep, const std::vector<std::string>& values) {
+GameSettings configured(const Sweep& sweep, const std::vector<SettingValue>& values) {
   GameSettings game = sweep.base;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    set_by_path(game, sweep.factors[i].path, values[i]);
+    set_value_at(game, sweep.factors[i].path, values[i]);
   }
   check_game(game);
   return game;
@@ -81,8 +81,8 @@ GameSettings configured(const Sweep& sweep, const std::vector<std::string>& valu
 GameSettings configured(const JudgeSchedule& schedule, const std::string& rules,
                         const std::string& camera) {
   GameSettings game = schedule.base;
-  set_by_path(game, "match.rules", rules);
-  set_by_path(game, "sim.camera", camera);
+  set_value_at(game, "match.rules", rules);
+  set_value_at(game, "sim.camera", camera);
   return game;
 }
 
@@ -90,7 +90,8 @@ SetByValues set_by_values(const Sweep& sweep) { return set_by_values(sweep.base,
 
 SetByValues set_by_values(const JudgeSchedule& schedule) {
   return set_by_values(schedule.base,
-                       {{"match.rules", schedule.rules}, {"sim.camera", schedule.cameras}});
+                       {{"match.rules", {schedule.rules.begin(), schedule.rules.end()}},
+                        {"sim.camera", {schedule.cameras.begin(), schedule.cameras.end()}}});
 }
 
 }  // namespace autoref::runner

@@ -13,10 +13,10 @@ namespace autoref::runner {
 
 // A sweep's base with these values of its factors. Throws std::invalid_argument where they make no
 // game together.
-GameSettings configured(const Sweep& sweep, const std::vector<std::string>& values);
+GameSettings configured(const Sweep& sweep, const std::vector<SettingValue>& values);
 
 // The cell of these values, as in the ids of its games: "b.handicap=0.5+match.rules=2014".
-std::string cell_name(const Sweep& sweep, const std::vector<std::string>& values);
+std::string cell_name(const Sweep& sweep, const std::vector<SettingValue>& values);
 
 // A judge's base under a rule book and a camera.
 GameSettings configured(const JudgeSchedule& schedule, const std::string& rules,

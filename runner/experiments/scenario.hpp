@@ -17,11 +17,11 @@
 
 namespace autoref::runner {
 
-// A key that a sweep varies, by its short path ("b.handicap"), and its values as assign() reads
-// them. The first value is the baseline.
+// A key that a sweep varies, by its short path ("b.handicap"), and its values. The first value is
+// the baseline.
 struct Factor {
   std::string path;
-  std::vector<std::string> values;
+  std::vector<SettingValue> values;
   bool operator==(const Factor&) const = default;
 };
 

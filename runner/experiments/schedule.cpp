@@ -12,10 +12,10 @@ namespace {
 // As many rows are held in memory and written as one results.csv.
 constexpr int kMostGames = 100000;
 
-ScheduledGame scheduled(const Sweep& sweep, const std::vector<std::string>& values,
+ScheduledGame scheduled(const Sweep& sweep, const std::vector<SettingValue>& values,
                         const GameSettings& configuration, int pair, int leg) {
   ScheduledGame game{game_id(cell_name(sweep, values), pair, leg),
-                     values,
+                     spelt(values),
                      pair,
                      leg,
                      configuration,
@@ -57,12 +57,12 @@ std::uint64_t seed_of(std::uint64_t master_seed, int pair, int leg) {
   return mix_bits(of_pair + static_cast<std::uint64_t>(leg)) >> 11;
 }
 
-std::vector<std::vector<std::string>> combinations(const std::vector<Factor>& factors) {
-  std::vector<std::vector<std::string>> all = {{}};
+std::vector<std::vector<SettingValue>> combinations(const std::vector<Factor>& factors) {
+  std::vector<std::vector<SettingValue>> all = {{}};
   for (const Factor& factor : factors) {
-    std::vector<std::vector<std::string>> longer;
-    for (const std::vector<std::string>& start : all) {
-      for (const std::string& value : factor.values) {
+    std::vector<std::vector<SettingValue>> longer;
+    for (const std::vector<SettingValue>& start : all) {
+      for (const SettingValue& value : factor.values) {
         longer.push_back(start);
         longer.back().push_back(value);
       }
@@ -74,10 +74,10 @@ std::vector<std::vector<std::string>> combinations(const std::vector<Factor>& fa
 
 std::vector<ScheduledGame> scheduled_games(const Sweep& sweep) {
   refuse_too_many(games_in(sweep));
-  const std::vector<std::vector<std::string>> all = combinations(sweep.factors);
+  const std::vector<std::vector<SettingValue>> all = combinations(sweep.factors);
   std::vector<GameSettings> configurations;
   configurations.reserve(all.size());
-  for (const std::vector<std::string>& values : all) {
+  for (const std::vector<SettingValue>& values : all) {
     configurations.push_back(configured(sweep, values));
   }
   std::vector<ScheduledGame> games;

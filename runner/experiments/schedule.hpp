@@ -12,7 +12,7 @@ namespace autoref::runner {
 
 struct ScheduledGame {
   std::string id;                   // "b.handicap=0.8-p0007-2": values, pair, leg
-  std::vector<std::string> values;  // of the factors, in the sweep's order
+  std::vector<std::string> values;  // of the factors, in the sweep's order, spelt
   int pair = 1;                     // counted from 1
   int leg = 1;                      // odd: team a in the west; even: team a in the east
   GameSettings configuration;
@@ -44,7 +44,7 @@ void set_leg(GameSettings& game, std::uint64_t master_seed, int pair, int leg);
 void refuse_too_many(double games, std::string_view key = "pairs");
 
 // The combinations of the factors' values, the last factor changing fastest.
-std::vector<std::vector<std::string>> combinations(const std::vector<Factor>& factors);
+std::vector<std::vector<SettingValue>> combinations(const std::vector<Factor>& factors);
 
 // A game's seed, below 2^53 so that every program reads it exactly. It does not depend on the
 // factors' values: the same pair meets the same chances under each value.

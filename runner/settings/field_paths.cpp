@@ -53,14 +53,14 @@ std::optional<Setting> single_setting(const std::vector<Setting>& settings,
 // A setting with the value that the user has given it.
 struct Kept {
   Setting setting;
-  std::string value;
+  SettingValue value;
 };
 
 std::vector<Kept> kept(const std::vector<Setting>& settings, const std::set<std::string>& given) {
   std::vector<Kept> all;
   for (const std::string& path : given) {
     const std::optional<Setting> setting = single_setting(settings, path);
-    if (setting) all.push_back({*setting, value_of(*setting)});
+    if (setting) all.push_back({*setting, current_value(*setting)});
   }
   return all;
 }
@@ -171,18 +171,17 @@ PlayerSettings& player_of(Players& players, std::string_view number) {
   return players[*n];
 }
 
-void set_given(const std::vector<Setting>& settings, std::string_view path, std::string_view text,
-               std::set<std::string>& given) {
-  const Setting setting = setting_at(settings, path);
+void set_given(const std::vector<Setting>& settings, const Setting& setting,
+               const SettingValue& value, std::set<std::string>& given) {
   if (!is_preset(setting)) {
-    assign(setting, text);
+    set_value(setting, value);
     if (!is_alias(setting)) given.insert(setting.path);
     return;
   }
   const std::vector<Kept> others = kept(settings, given);
-  assign(setting, text);
+  set_value(setting, value);
   for (const Kept& other : others) {
-    if (value_of(other.setting) != other.value) assign(other.setting, other.value);
+    if (current_value(other.setting) != other.value) set_value(other.setting, other.value);
   }
 }
 
@@ -192,12 +191,14 @@ std::vector<Setting> settings_with(GameSettings& game, std::string_view path) {
 }
 
 void set_by_path(GameSettings& game, std::string_view path, std::string_view text) {
-  set_given(settings_with(game, path), path, text, game.given);
+  const std::vector<Setting> settings = settings_with(game, path);
+  const Setting setting = setting_at(settings, path);
+  set_given(settings, setting, value_in(text, setting), game.given);
 }
 
-bool is_preset_at(const GameSettings& game, std::string_view path) {
-  GameSettings copy = game;
-  return is_preset(setting_at(settings_with(copy, path), path));
+void set_value_at(GameSettings& game, std::string_view path, const SettingValue& value) {
+  const std::vector<Setting> settings = settings_with(game, path);
+  set_given(settings, setting_at(settings, path), value, game.given);
 }
 
 std::string value_at(const GameSettings& game, std::string_view path) {

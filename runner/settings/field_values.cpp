@@ -58,7 +58,7 @@ std::string changes_text(const ChangesOf& of) {
   std::string text;
   for (const auto& [path, value] : *of.changes) {
     if (!path.starts_with(of.branch + ".")) continue;
-    text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", last_name_in(path), value);
+    text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", last_name_in(path), spelt(value));
   }
   return "{" + text + "}";
 }
@@ -129,70 +129,102 @@ std::string expected_of(const Setting& setting) {
       setting.target);
 }
 
-void assign(const Setting& setting, std::string_view text) {
+SettingValue value_in(std::string_view text, const Setting& setting) {
   const auto number = [&] { return checked(setting, text, number_in(text)); };
+  const auto word = [&] { return setting.words[index_of_word(setting, text)]; };
+  const auto none = [&]() -> SettingValue { refuse(setting, text); };
+  return std::visit(
+      Overloaded{
+          [&](double*) -> SettingValue { return number(); },
+          [&](int*) -> SettingValue { return checked(setting, text, whole_number_in(text)); },
+          [&](std::uint64_t*) -> SettingValue { return checked(setting, text, seed_in(text)); },
+          [&](BothFactors) -> SettingValue { return number(); },
+          [&](const TypeName& type) -> SettingValue {
+            std::string name(text);
+            return name == kNoType || type.types->contains(name) ? name : none();
+          },
+          [&](const Change&) -> SettingValue {
+            if (setting.words.empty()) return number();
+            return word();
+          },
+          [&](const ChangesOf&) { return none(); },
+          [&](Params*) { return none(); },
+          [&](Players*) { return none(); },
+          [&](RobotTypes*) { return none(); },
+          [&](const auto&) -> SettingValue { return word(); },
+      },
+      setting.target);
+}
+
+void set_value(const Setting& setting, const SettingValue& value) {
+  const auto word = [&value]() -> const std::string& { return std::get<std::string>(value); };
+  const auto none = [&setting] { throw std::logic_error(setting.path + " has no value"); };
   std::visit(
       Overloaded{
-          [&](double* value) { *value = number(); },
-          [&](int* value) { *value = checked(setting, text, whole_number_in(text)); },
-          [&](std::uint64_t* value) { *value = checked(setting, text, seed_in(text)); },
-          [&](BothFactors both) { *both.speed = *both.acceleration = number(); },
-          [&](TypeName type) {
-            if (text != kNoType && !type.types->contains(std::string(text))) {
-              refuse(setting, text);
-            }
-            *type.name = text;
-          },
-          [&](const Change& change) { assign_change(change, text); },
-          [&](const ChangesOf&) { refuse(setting, text); },
-          [&](Params*) { refuse(setting, text); },
-          [&](Players*) { refuse(setting, text); },
-          [&](RobotTypes*) { refuse(setting, text); },
-          [&](DribblerPreset preset) {
-            sim::apply_dribbler_preset(setting.words[index_of_word(setting, text)],
-                                       *preset.dribbler);
-          },
-          [&](BallPreset preset) {
-            sim::apply_ball_preset(setting.words[index_of_word(setting, text)], *preset.ball);
-          },
-          [&](CameraPreset preset) {
-            sim::apply_camera_preset(setting.words[index_of_word(setting, text)], *preset.sim);
-          },
-          [&](RulesChoice choice) {
-            choose_rules(setting.words[index_of_word(setting, text)], *choice.game);
-          },
-          [&](std::string* value) { *value = setting.words[index_of_word(setting, text)]; },
-          [&](auto* value) {
-            using Enumeration = std::remove_pointer_t<decltype(value)>;
-            *value = static_cast<Enumeration>(index_of_word(setting, text));
+          [&](double* number) { *number = std::get<double>(value); },
+          [&](int* number) { *number = std::get<int>(value); },
+          [&](std::uint64_t* number) { *number = std::get<std::uint64_t>(value); },
+          [&](BothFactors both) { *both.speed = *both.acceleration = std::get<double>(value); },
+          [&](const TypeName& type) { *type.name = word(); },
+          [&](const Change& change) { set_change(change, value); },
+          [&](const ChangesOf&) { none(); },
+          [&](Params*) { none(); },
+          [&](Players*) { none(); },
+          [&](RobotTypes*) { none(); },
+          [&](DribblerPreset preset) { sim::apply_dribbler_preset(word(), *preset.dribbler); },
+          [&](BallPreset preset) { sim::apply_ball_preset(word(), *preset.ball); },
+          [&](CameraPreset preset) { sim::apply_camera_preset(word(), *preset.sim); },
+          [&](RulesChoice choice) { choose_rules(word(), *choice.game); },
+          [&](std::string* text) { *text = word(); },
+          [&](auto* enumerator) {
+            using Enumeration = std::remove_pointer_t<decltype(enumerator)>;
+            *enumerator = static_cast<Enumeration>(index_of_word(setting, word()));
           },
       },
       setting.target);
 }
 
+void assign(const Setting& setting, std::string_view text) {
+  set_value(setting, value_in(text, setting));
+}
+
+SettingValue current_value(const Setting& setting) {
+  const auto none = [&setting]() -> SettingValue {
+    throw std::logic_error(setting.path + " has no value");
+  };
+  return std::visit(Overloaded{
+                        [](double* number) -> SettingValue { return *number; },
+                        [](int* number) -> SettingValue { return *number; },
+                        [](std::uint64_t* number) -> SettingValue { return *number; },
+                        [](std::string* word) -> SettingValue { return *word; },
+                        [](BothFactors both) -> SettingValue { return *both.speed; },
+                        [](BallPreset preset) -> SettingValue {
+                          return sim::ball_preset_of(*preset.ball).value_or("other");
+                        },
+                        [](CameraPreset preset) -> SettingValue {
+                          return sim::camera_preset_of(*preset.sim).value_or("other");
+                        },
+                        [](DribblerPreset preset) -> SettingValue {
+                          return sim::dribbler_preset_of(*preset.dribbler).value_or("other");
+                        },
+                        [](RulesChoice choice) -> SettingValue { return choice.game->match.rules; },
+                        [](const TypeName& type) -> SettingValue { return *type.name; },
+                        [](const Change& change) { return changed_value(change); },
+                        [&](const ChangesOf&) { return none(); },
+                        [&](Params*) { return none(); },
+                        [&](Players*) { return none(); },
+                        [&](RobotTypes*) { return none(); },
+                        [&](auto* enumerator) -> SettingValue {
+                          return setting.words[static_cast<std::size_t>(*enumerator)];
+                        },
+                    },
+                    setting.target);
+}
+
 std::string value_of(const Setting& setting) {
-  return std::visit(
-      Overloaded{
-          [](double* value) { return text_of(*value); },
-          [](int* value) { return std::to_string(*value); },
-          [](std::uint64_t* value) { return std::to_string(*value); },
-          [](std::string* value) { return *value; },
-          [](BothFactors both) { return text_of(*both.speed); },
-          [](BallPreset preset) { return sim::ball_preset_of(*preset.ball).value_or("other"); },
-          [](CameraPreset preset) { return sim::camera_preset_of(*preset.sim).value_or("other"); },
-          [](DribblerPreset preset) {
-            return sim::dribbler_preset_of(*preset.dribbler).value_or("other");
-          },
-          [](RulesChoice choice) { return choice.game->match.rules; },
-          [](TypeName type) { return *type.name; },
-          [](const Change& change) { return changed_value(change); },
-          [](const ChangesOf& of) { return changes_text(of); },
-          [](Params* params) { return params_text(*params); },
-          [](Players*) { return std::string("{}"); },
-          [](RobotTypes*) { return std::string("{}"); },
-          [&](auto* value) { return setting.words[static_cast<std::size_t>(*value)]; },
-      },
-      setting.target);
+  if (const auto* of = std::get_if<ChangesOf>(&setting.target)) return changes_text(*of);
+  if (const auto* params = std::get_if<Params*>(&setting.target)) return params_text(**params);
+  return holds_others(setting) ? "{}" : spelt(current_value(setting));
 }
 
 }  // namespace autoref::runner

@@ -122,8 +122,18 @@ Setting setting_at(const std::vector<Setting>& settings, std::string_view path);
 // Describes a valid value, such as "a whole number from 1 to 16".
 std::string expected_of(const Setting& setting);
 
-// Parses `text` into the setting. Throws std::invalid_argument saying what was expected.
+// Parses `text` as a value of the setting. Throws std::invalid_argument saying what was expected.
+SettingValue value_in(std::string_view text, const Setting& setting);
+
+// Sets a value that value_in() or current_value() returned for this setting.
+void set_value(const Setting& setting, const SettingValue& value);
+
+// Parses `text` into the setting. Throws like value_in().
 void assign(const Setting& setting, std::string_view text);
+
+// Returns the value of a setting that contains no others. A preset is "other" if its numbers are
+// not those of a known one.
+SettingValue current_value(const Setting& setting);
 
 // The value in the format that assign() reads, always spelt the same; a mapping for a setting that
 // contains others.
@@ -159,23 +169,22 @@ std::string unknown_key_message(std::string_view key, const std::vector<std::str
 // std::invalid_argument unless `number` is from 0 to 15.
 PlayerSettings& player_of(Players& players, std::string_view number);
 
-// Sets the value at a full or short path of `settings` on behalf of the user. A preset leaves the
-// settings in `given` unchanged, and a single setting is added to `given`, so their order does not
-// matter. Throws std::invalid_argument.
-void set_given(const std::vector<Setting>& settings, std::string_view path, std::string_view text,
-               std::set<std::string>& given);
+// Sets one of `settings` on behalf of the user. A preset leaves the settings in `given` unchanged,
+// and a single setting is added to `given`, so their order does not matter.
+void set_given(const std::vector<Setting>& settings, const Setting& setting,
+               const SettingValue& value, std::set<std::string>& given);
 
 // Returns the settings of `game`. If `path` is of a player, as "b.players.3.handicap" is, that
 // player is added to the game first.
 std::vector<Setting> settings_with(GameSettings& game, std::string_view path);
 
-// set_given() for a whole game. `a.params.NAME` is a parameter of the team, `a.robot.NAME` a value
-// of its robots, `a.players.3.` an override for one robot. Throws std::invalid_argument for an
-// unknown path (naming the nearest known one) or an invalid value.
+// set_given() for a path of a whole game. `a.params.NAME` is a parameter of the team,
+// `a.robot.NAME` a value of its robots, `a.players.3.` an override for one robot. Throws
+// std::invalid_argument for an unknown path (naming the nearest known one) or an invalid value.
 void set_by_path(GameSettings& game, std::string_view path, std::string_view text);
 
-// Returns whether the path, as taken by set_by_path(), is that of a preset.
-bool is_preset_at(const GameSettings& game, std::string_view path);
+// The same with a value that value_in() has already parsed.
+void set_value_at(GameSettings& game, std::string_view path, const SettingValue& value);
 
 // The value at a path taken by set_by_path(); 0 for a parameter that is not given.
 std::string value_at(const GameSettings& game, std::string_view path);

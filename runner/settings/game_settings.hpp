@@ -9,6 +9,7 @@
 #include <string>
 
 #include "referee/referee.hpp"
+#include "runner/settings/setting_value.hpp"
 #include "sim/configuration.hpp"
 #include "soccer/field.hpp"
 #include "soccer/rule_book.hpp"
@@ -17,8 +18,8 @@
 namespace autoref::runner {
 
 // Settings of a robot that differ from the game's: values by path below `sim.`, such as
-// "robot.speed_mps", in the format of value_of() (fields.hpp).
-using RobotChanges = std::map<std::string, std::string>;
+// "robot.speed_mps".
+using RobotChanges = std::map<std::string, SettingValue>;
 
 using RobotTypes = std::map<std::string, RobotChanges>;  // by name
 

@@ -31,26 +31,26 @@ RobotChanges merged(const RobotTypes& types, const std::string& type, const Robo
 void apply_changes(const RobotChanges& changes, sim::RobotSpec& robot) {
   if (changes.empty()) return;
   const std::vector<Setting> settings = settings_of(robot, "");
-  for (const auto& [path, value] : changes) assign(robot_setting(settings, path), value);
+  for (const auto& [path, value] : changes) set_value(robot_setting(settings, path), value);
 }
 
-void assign_change(const Change& change, std::string_view text) {
+void set_change(const Change& change, const SettingValue& value) {
   sim::RobotSpec robot;
   apply_changes(*change.changes, robot);
   const std::vector<Setting> settings = settings_of(robot, "");
   const Setting& changed = robot_setting(settings, change.path);
-  assign(changed, text);
+  set_value(changed, value);
   for (const Setting& setting : settings) {
     const bool is_set = is_alias(changed) ? branch_of(setting.path) == branch_of(change.path)
                                           : setting.path == change.path;
-    if (is_set && !is_alias(setting)) (*change.changes)[setting.path] = value_of(setting);
+    if (is_set && !is_alias(setting)) (*change.changes)[setting.path] = current_value(setting);
   }
 }
 
-std::string changed_value(const Change& change) {
+SettingValue changed_value(const Change& change) {
   sim::RobotSpec robot;
   apply_changes(*change.changes, robot);
-  return value_of(robot_setting(settings_of(robot, ""), change.path));
+  return current_value(robot_setting(settings_of(robot, ""), change.path));
 }
 
 namespace {

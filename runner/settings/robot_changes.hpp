@@ -15,12 +15,11 @@ RobotChanges merged(const RobotTypes& types, const std::string& type, const Robo
 // Applies the changes to a robot.
 void apply_changes(const RobotChanges& changes, sim::RobotSpec& robot);
 
-// Parses `text` into one change, or into all changes that an alias such as a preset stands for.
-// Throws std::invalid_argument saying what was expected.
-void assign_change(const Change& change, std::string_view text);
+// Sets one change, or all changes that an alias such as a preset stands for.
+void set_change(const Change& change, const SettingValue& value);
 
 // The value after the changes, or a robot's default if it is not changed.
-std::string changed_value(const Change& change);
+SettingValue changed_value(const Change& change);
 
 // The robots of a team of `game`. Their values come from, in increasing priority, the game's robot,
 // the team's type, the team's changes, the player's type and the player's changes; a player's

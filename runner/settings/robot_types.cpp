@@ -19,11 +19,6 @@ bool is_letter_or_digit(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
 
-// Returns whether the setting at the path names a robot type.
-bool names_type(const std::vector<Setting>& settings, std::string_view path) {
-  return std::holds_alternative<TypeName>(setting_at(settings, path).target);
-}
-
 // A file that cannot be read is an error of the setting that names it.
 std::string text_of_type(const fs::path& file) {
   try {
@@ -108,7 +103,8 @@ std::optional<std::string> fault_in_type_name(std::string_view name) {
 
 void set_by_path(GameSettings& game, std::string_view path, const std::string& text,
                  const fs::path& folder) {
-  const bool is_type = names_type(settings_with(game, path), path);
+  const Setting setting = setting_at(settings_with(game, path), path);
+  const bool is_type = std::holds_alternative<TypeName>(setting.target);
   set_by_path(game, path, is_type ? take_type(text, folder, game.types) : text);
 }
 
@@ -119,9 +115,11 @@ void set_by_path(TeamSettings& team, const std::string& prefix, GameSettings& ga
     const std::string_view rest = path.substr(players.size());
     player_of(team.players, rest.substr(0, rest.find('.')));
   }
-  const bool is_type = names_type(settings_of(team, game.types, prefix), path);
+  const std::vector<Setting> settings = settings_of(team, game.types, prefix);
+  const Setting setting = setting_at(settings, path);
+  const bool is_type = std::holds_alternative<TypeName>(setting.target);
   const std::string value = is_type ? take_type(text, {}, game.types) : text;
-  set_given(settings_of(team, game.types, prefix), path, value, game.given);
+  set_given(settings, setting, value_in(value, setting), game.given);
 }
 
 }  // namespace autoref::runner

@@ -98,7 +98,7 @@ template <typename Of>
 std::string robots_text(const GameSettings& game, std::string_view path, const Of& of) {
   std::string text;
   for (const auto& [name, value] : merged(game.types, of.type, of.changes)) {
-    text += fmt::format("{}.{}={}\n", path, name, value);
+    text += fmt::format("{}.{}={}\n", path, name, spelt(value));
   }
   return text;
 }

@@ -125,7 +125,7 @@ std::string body_of(const Sweep& sweep) {
   const SetByValues by_values = set_by_values(sweep);
   std::string text = base_of(sweep.base, "", by_values) + "factors:\n";
   for (const Factor& factor : sweep.factors) {
-    text += fmt::format("  {}: [{}]\n", factor.path, listed(factor.values));
+    text += fmt::format("  {}: [{}]\n", factor.path, listed(spelt(factor.values)));
   }
   return text + text_of(by_values) + fmt::format("pairs: {}\nseed: {}\n", sweep.pairs, sweep.seed);
 }

@@ -34,9 +34,9 @@ Factor FactorReader::read_factor(const YamlEntry& entry, GameSettings& base) {
   return {short_path(entry.key), values(entry, entry.key, base)};
 }
 
-std::vector<std::string> FactorReader::values(const YamlEntry& list, const std::string& path,
-                                              GameSettings& base) const {
-  std::vector<std::string> values;
+std::vector<SettingValue> FactorReader::values(const YamlEntry& list, const std::string& path,
+                                               GameSettings& base) const {
+  std::vector<SettingValue> values;
   if (!list.value.IsSequence() || list.value.size() == 0) {
     file_.refuse(value_location(list), list.key,
                  "expected a list of values, at least one, such as [1.0, 0.9]");
@@ -45,18 +45,18 @@ std::vector<std::string> FactorReader::values(const YamlEntry& list, const std::
     const YamlLocation location = location_of(value);
     if (!value.IsScalar())
       file_.refuse(location, list.key, "expected plain values, such as [1.0, 0.9]");
-    const std::string text = read_value(location, path, value.Scalar(), base);
-    if (std::find(values.begin(), values.end(), text) != values.end()) {
+    SettingValue read = read_value(location, path, value.Scalar(), base);
+    if (std::find(values.begin(), values.end(), read) != values.end()) {
       file_.refuse(location, list.key,
-                   fmt::format("the value {} is given twice; leave one out", text));
+                   fmt::format("the value {} is given twice; leave one out", spelt(read)));
     }
-    values.push_back(text);
+    values.push_back(std::move(read));
   }
   return values;
 }
 
-std::string FactorReader::read_value(const YamlLocation& location, const std::string& path,
-                                     const std::string& text, GameSettings& base) const {
+SettingValue FactorReader::read_value(const YamlLocation& location, const std::string& path,
+                                      const std::string& text, GameSettings& base) const {
   GameSettings game = base;
   try {
     set_by_path(game, path, text, file_.folder());
@@ -64,7 +64,8 @@ std::string FactorReader::read_value(const YamlLocation& location, const std::st
     file_.refuse(location, path, error.what());
   }
   base.types.insert(game.types.begin(), game.types.end());
-  return is_preset_at(game, path) ? text : value_at(game, path);
+  const Setting setting = setting_at(settings_with(game, path), path);
+  return is_preset(setting) ? text : current_value(setting);
 }
 
 void FactorReader::refuse_overlap(const YamlEntry& entry, const Sweep& sweep) const {

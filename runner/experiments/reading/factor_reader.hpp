@@ -26,15 +26,15 @@ class FactorReader {
   // Adds the factors to `sweep`, and the types they name to its base. Throws InputError.
   void read(const YamlEntry& factors, Sweep& sweep);
 
-  // A list of different values of the setting at `path`, as value_at() spells them; types that they
-  // name go into `base`. Throws InputError.
-  std::vector<std::string> values(const YamlEntry& list, const std::string& path,
-                                  GameSettings& base) const;
+  // A list of different values of the setting at `path`; types that they name go into `base`.
+  // Throws InputError.
+  std::vector<SettingValue> values(const YamlEntry& list, const std::string& path,
+                                   GameSettings& base) const;
 
  private:
   Factor read_factor(const YamlEntry& entry, GameSettings& base);
-  std::string read_value(const YamlLocation& location, const std::string& path,
-                         const std::string& text, GameSettings& base) const;
+  SettingValue read_value(const YamlLocation& location, const std::string& path,
+                          const std::string& text, GameSettings& base) const;
   // Two keys that set the same number would make the later one win unnoticed.
   void refuse_overlap(const YamlEntry& entry, const Sweep& sweep) const;
 

@@ -18,7 +18,7 @@ void JudgeReader::read(const std::vector<YamlEntry>& top, JudgeSchedule& schedul
 std::vector<std::string> JudgeReader::values(const YamlEntry& entry,
                                              const std::string& path) const {
   GameSettings any;
-  return FactorReader(file_, locations_).values(entry, path, any);
+  return spelt(FactorReader(file_, locations_).values(entry, path, any));
 }
 
 void JudgeReader::read_matchups(const YamlEntry& entry, JudgeSchedule& schedule) const {

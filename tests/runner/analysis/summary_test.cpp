@@ -118,7 +118,7 @@ TEST(Summary, FitsNoSlopeOverNamesOrSeveralFactors) {
   basic.values = {"basic"};
   basic.pair_differences = {{1, 1}};
   EXPECT_FALSE(slope_over_factor(sweep, {basic}));
-  sweep.factors = {{"a.robots", {"6"}}, {"b.robots", {"6"}}};
+  sweep.factors = {{"a.robots", {6}}, {"b.robots", {6}}};
   EXPECT_FALSE(slope_over_factor(sweep, {}));
 }
 

@@ -33,7 +33,7 @@ inline GameRecord slow_fake_game(const GameConfiguration& game) {
 // b.robots over 6 and 5, `pairs` pairs each.
 inline Scenario small_sweep(int pairs = 3) {
   Sweep sweep;
-  sweep.factors = {{"b.robots", {"6", "5"}}};
+  sweep.factors = {{"b.robots", {6, 5}}};
   sweep.pairs = pairs;
   sweep.seed = 2014;
   return {"A test.", sweep};

@@ -84,7 +84,7 @@ TEST_F(Rehearse, EndsInTime) {
   Scenario scenario = small_sweep(1);
   std::get<Sweep>(scenario.content).factors = {{"sim.vision.ball_noise_m", {}}};
   for (int i = 0; i < 100; ++i) {
-    std::get<Sweep>(scenario.content).factors[0].values.push_back(fmt::format("0.0{:02}", i));
+    std::get<Sweep>(scenario.content).factors[0].values.emplace_back(i / 1000.0);
   }
   const auto play = [](const GameConfiguration& game) {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));

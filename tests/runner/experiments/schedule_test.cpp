@@ -10,7 +10,7 @@
 namespace autoref::runner {
 namespace {
 
-Sweep handicap_sweep(std::vector<std::string> values, int pairs) {
+Sweep handicap_sweep(std::vector<SettingValue> values, int pairs) {
   Sweep sweep;
   sweep.factors = {{"b.handicap", std::move(values)}};
   sweep.pairs = pairs;
@@ -27,7 +27,7 @@ std::map<std::string, std::uint64_t> hashes_of(const Sweep& sweep) {
 }
 
 TEST(Schedule, NamesGamesByValuePairAndLeg) {
-  const std::vector<ScheduledGame> games = scheduled_games(handicap_sweep({"1.0", "0.8"}, 7));
+  const std::vector<ScheduledGame> games = scheduled_games(handicap_sweep({1.0, 0.8}, 7));
   ASSERT_EQ(games.size(), 28U);
   EXPECT_EQ(games.front().id, "b.handicap=1.0-p0001-1");
   EXPECT_EQ(games.back().id, "b.handicap=0.8-p0007-2");
@@ -35,7 +35,7 @@ TEST(Schedule, NamesGamesByValuePairAndLeg) {
 }
 
 TEST(Schedule, PlaysTheLegsBackToBackAndPairByPairOverAllValues) {
-  const std::vector<ScheduledGame> games = scheduled_games(handicap_sweep({"1.0", "0.8"}, 2));
+  const std::vector<ScheduledGame> games = scheduled_games(handicap_sweep({1.0, 0.8}, 2));
   std::vector<std::string> ids;
   for (const ScheduledGame& game : games) ids.push_back(game.id.substr(game.id.find('=') + 1));
   const std::vector<std::string> expected = {"1.0-p0001-1", "1.0-p0001-2", "0.8-p0001-1",
@@ -46,7 +46,7 @@ TEST(Schedule, PlaysTheLegsBackToBackAndPairByPairOverAllValues) {
 
 TEST(Schedule, GivesEachTeamEachSideAndTheFirstKickOffEquallyOften) {
   std::map<std::pair<Side, bool>, int> counts;  // side of a, whether a kicks off
-  for (const ScheduledGame& game : scheduled_games(handicap_sweep({"1.0"}, 10))) {
+  for (const ScheduledGame& game : scheduled_games(handicap_sweep({1.0}, 10))) {
     const MatchSettings& match = game.configuration.match;
     EXPECT_EQ(match.a_plays, game.leg == 1 ? Side::kWest : Side::kEast);
     ++counts[{match.a_plays, match.a_plays == match.first_kickoff}];
@@ -56,15 +56,15 @@ TEST(Schedule, GivesEachTeamEachSideAndTheFirstKickOffEquallyOften) {
 }
 
 TEST(Schedule, ChangesNoGameWhenValuesOrPairsAreAdded) {
-  const auto few = hashes_of(handicap_sweep({"1.0", "0.8"}, 2));
-  const auto many = hashes_of(handicap_sweep({"0.9", "0.8", "1.0"}, 5));
+  const auto few = hashes_of(handicap_sweep({1.0, 0.8}, 2));
+  const auto many = hashes_of(handicap_sweep({0.9, 0.8, 1.0}, 5));
   for (const auto& [id, hash] : few) EXPECT_EQ(many.at(id), hash) << id;
 }
 
 TEST(Schedule, GivesEveryLegASeedOfItsOwnThatDoesNotDependOnTheValue) {
   std::map<std::pair<int, int>, std::set<std::uint64_t>> by_leg;
   std::set<std::uint64_t> all;
-  for (const ScheduledGame& game : scheduled_games(handicap_sweep({"1.0", "0.8"}, 50))) {
+  for (const ScheduledGame& game : scheduled_games(handicap_sweep({1.0, 0.8}, 50))) {
     by_leg[{game.pair, game.leg}].insert(game.configuration.seed);
     all.insert(game.configuration.seed);
   }
@@ -73,8 +73,8 @@ TEST(Schedule, GivesEveryLegASeedOfItsOwnThatDoesNotDependOnTheValue) {
 }
 
 TEST(Schedule, CombinesAllValuesOfSeveralFactors) {
-  Sweep sweep = handicap_sweep({"1.0", "0.8"}, 1);
-  sweep.factors.push_back({"a.robots", {"6", "5", "4"}});
+  Sweep sweep = handicap_sweep({1.0, 0.8}, 1);
+  sweep.factors.push_back({"a.robots", {6, 5, 4}});
   const std::vector<ScheduledGame> games = scheduled_games(sweep);
   ASSERT_EQ(games.size(), 12U);
   EXPECT_EQ(games[2].id, "b.handicap=1.0+a.robots=5-p0001-1");
@@ -83,7 +83,7 @@ TEST(Schedule, CombinesAllValuesOfSeveralFactors) {
 
 TEST(Schedule, SweepsATeamsParameter) {
   Sweep sweep;
-  sweep.factors = {{"a.params.shot_mps", {"6.5", "4.0"}}};
+  sweep.factors = {{"a.params.shot_mps", {6.5, 4.0}}};
   const std::vector<ScheduledGame> games = scheduled_games(sweep);
   ASSERT_EQ(games.size(), 4U);
   EXPECT_EQ(games[2].id, "a.params.shot_mps=4.0-p0001-1");

@@ -104,16 +104,18 @@ TEST(SpecOf, RefusesATypeThatTheGameDoesNotHave) {
   EXPECT_THROW(spec_of(game, game.a, "teams.a"), std::invalid_argument);
 }
 
-TEST(AssignChange, KeepsNothingOfAnInvalidValue) {
-  RobotChanges changes;
-  EXPECT_THROW(assign_change({&changes, "robot.mass_kg"}, "-1"), std::invalid_argument);
-  EXPECT_TRUE(changes.empty());
+TEST(RobotChanges, KeepNothingOfAnInvalidValue) {
+  GameSettings game;
+  EXPECT_THROW(set_by_path(game, "a.robot.mass_kg", "-1"), std::invalid_argument);
+  EXPECT_TRUE(game.a.changes.empty());
 }
 
-TEST(AssignChange, AlwaysSpellsNumbersTheSame) {
-  RobotChanges changes;
-  assign_change({&changes, "robot.mass_kg"}, "2.50");
-  EXPECT_EQ(changes.at("robot.mass_kg"), "2.5");
+TEST(RobotChanges, AreNumbersAndWords) {
+  GameSettings game;
+  set_by_path(game, "a.robot.mass_kg", "2.50");
+  set_by_path(game, "a.dribbler.holds", "true");
+  const RobotChanges expected = {{"robot.mass_kg", 2.5}, {"dribbler.holds", "true"}};
+  EXPECT_EQ(game.a.changes, expected);
 }
 
 }  // namespace

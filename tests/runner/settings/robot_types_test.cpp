@@ -220,7 +220,7 @@ TEST(RobotTypes, PaperHasTheDefaultValues) {
     if (is_alias(setting)) continue;
     ++settings;
     ASSERT_TRUE(paper.contains(setting.path)) << setting.path;
-    EXPECT_EQ(paper.at(setting.path), value_of(setting)) << setting.path;
+    EXPECT_EQ(paper.at(setting.path), current_value(setting)) << setting.path;
   }
   EXPECT_EQ(paper.size(), settings);
 }

@@ -21,7 +21,7 @@ Values values_of(GameSettings game) {
     if (const auto* of = std::get_if<ChangesOf>(&setting.target)) {
       for (const auto& [path, value] : *of->changes) {
         if (branch_of(path) == of->branch) {
-          values[setting.path + path.substr(of->branch.size())] = value;
+          values[setting.path + path.substr(of->branch.size())] = spelt(value);
         }
       }
     }
@@ -212,7 +212,7 @@ TEST(Presets, AsFactorsKeepTheirNamesWhereSingleSettingsDiffer) {
   const Sweep sweep = sweep_of(
       "base: { sim: { vision: { reports_height: false } } }\n"
       "factors: { sim.camera: [paper, none] }\n");
-  EXPECT_EQ(sweep.factors[0].values, (std::vector<std::string>{"paper", "none"}));
+  EXPECT_EQ(sweep.factors[0].values, (std::vector<SettingValue>{"paper", "none"}));
 }
 
 TEST(Presets, ReadTheSameFromTheEffectiveFile) {

@@ -47,7 +47,7 @@ TEST(ReadRoundRobin, TakesTypesOfRobotsFromFilesAndFromTheBase) {
                                         "teams: { zone: { type: fast }, bold: { type: slow.yaml, "
                                         "players: { 2: { type: fast } } } }\n",
                                     folder / "x.yaml");
-  EXPECT_EQ(robin.base.types.at("slow").at("robot.speed_mps"), "1.5");
+  EXPECT_EQ(robin.base.types.at("slow").at("robot.speed_mps"), SettingValue(1.5));
   EXPECT_EQ(robin.teams.at("bold").type, "slow");
   EXPECT_EQ(robin.teams.at("bold").players.at(2).type, "fast");
 }
@@ -55,7 +55,7 @@ TEST(ReadRoundRobin, TakesTypesOfRobotsFromFilesAndFromTheBase) {
 TEST(EffectiveConfiguration, OfARoundRobinReadsBackEqual) {
   RoundRobin robin = robin_of(kTop + kTeams);
   robin.base.match.half_s = 60;
-  robin.base.types["slow"] = {{"robot.speed_mps", "1.5"}};
+  robin.base.types["slow"] = {{"robot.speed_mps", 1.5}};
   robin.teams["zone"].params["shot_mps"] = 0.1;
   robin.teams["zone"].players[3].type = "slow";
   const std::vector<ScheduledGame> there = scheduled_games(robin);

@@ -63,7 +63,7 @@ TEST(ReadScenario, ReadsASweep) {
                                "factors: { b.handicap: [1, 0.50], teams.b.robots: [6, 5] }\n");
   EXPECT_EQ(sweep.base.match.half_s, 60);
   EXPECT_EQ(sweep.pairs, 2);
-  const std::vector<Factor> expected = {{"b.handicap", {"1.0", "0.5"}}, {"b.robots", {"6", "5"}}};
+  const std::vector<Factor> expected = {{"b.handicap", {1.0, 0.5}}, {"b.robots", {6, 5}}};
   EXPECT_EQ(sweep.factors, expected);
 }
 
@@ -96,7 +96,7 @@ TEST(EffectiveConfiguration, OfAGameReadsBackEqual) {
 TEST(EffectiveConfiguration, OfASweepReadsBackEqual) {
   Sweep sweep;
   sweep.base.match.half_s = 60;
-  sweep.factors = {{"b.handicap", {"1.0", "0.5"}}, {"a.strategy", {"basic", "dummy"}}};
+  sweep.factors = {{"b.handicap", {1.0, 0.5}}, {"a.strategy", {"basic", "dummy"}}};
   sweep.pairs = 30;
   sweep.seed = 7;
   const Sweep back = sweep_of(effective_text({"", sweep}));
