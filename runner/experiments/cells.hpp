@@ -1,4 +1,4 @@
-// What the values of an experiment's varied keys set.
+// The games that an experiment's varied values make.
 #pragma once
 
 #include <map>
@@ -11,8 +11,8 @@
 
 namespace autoref::runner {
 
-// A sweep's base with these values of its factors. Throws std::invalid_argument where they make no
-// game together.
+// A sweep's base with these values of its factors. Throws SettingError where they do not go
+// together.
 GameSettings configured(const Sweep& sweep, const std::vector<SettingValue>& values);
 
 // The cell of these values, as in the ids of its games: "b.handicap=0.5+match.rules=2014".

@@ -1,4 +1,4 @@
-// From an experiment to its list of games: a sweep's, and what others share with it.
+// The list of a sweep's games, and what the schedules of other experiments share with it.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ struct ScheduledGame {
 // pair over all values, so that a run that is cut short is balanced.
 //
 // A game depends on its own values, pair and leg only: adding values or pairs changes no other
-// game. Throws std::invalid_argument where values do not go together.
+// game. Throws SettingError where values do not go together.
 std::vector<ScheduledGame> scheduled_games(const Sweep& sweep);
 
 // The games of games_of() (judge_schedule.hpp), whose values are the book and the camera.
@@ -34,9 +34,9 @@ std::vector<ScheduledGame> scheduled_games(const JudgeSchedule& schedule);
 // "b.handicap=0.8-p0007-2" from what is played, the pair and the leg.
 std::string game_id(std::string_view played, int pair, int leg);
 
-// What a leg decides: who plays where, who kicks off first, and the seed. The side that kicks off
-// first is west in odd pairs and east in even ones, for both legs; so each team kicks off first in
-// one leg of every pair, and over two pairs once from each side.
+// Sets what depends on the leg: who plays where, who kicks off first, and the seed. In both legs of
+// a pair the same side kicks off first, west in odd pairs and east in even ones. So each team kicks
+// off first in one leg of every pair, and over two pairs once from each side.
 void set_leg(GameSettings& game, std::uint64_t master_seed, int pair, int leg);
 
 // Throws SettingError where an experiment has more games than fit one; `key` is the setting that
@@ -47,7 +47,7 @@ void refuse_too_many(double games, std::string_view key = "pairs");
 std::vector<std::vector<SettingValue>> combinations(const std::vector<Factor>& factors);
 
 // A game's seed, below 2^53 so that every program reads it exactly. It does not depend on the
-// factors' values: the same pair meets the same chances under each value.
+// factors' values, so that the same pair has the same random numbers under each value.
 std::uint64_t seed_of(std::uint64_t master_seed, int pair, int leg);
 
 }  // namespace autoref::runner

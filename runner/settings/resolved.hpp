@@ -8,13 +8,13 @@
 
 namespace autoref::runner {
 
-// Takes what belongs to the rule book of that name: its rules, field, robots and length of a half.
-// Throws std::invalid_argument where there is none.
+// Sets what belongs to the rule book of that name: rules, field, robots and length of a half.
+// Throws std::invalid_argument for an unknown name.
 void choose_rules(const std::string& book, GameSettings& game);
 
-// The game that the settings describe: the rule book with its rules as they are switched, and each
-// robot with all that its team, its type and its number change. Only names and numbers are looked
-// up here; check_game() (fields.hpp) says whether the values go together. Throws
+// The game that the settings describe: the rule book with its rules switched on and off, and each
+// robot with the changes of its type, its team and its number. Names are looked up, values are not
+// checked; check_game() (fields.hpp) does that. Throws
 // std::invalid_argument for an unknown rule book, and SettingError for an unknown type of robots
 // and for a player with a number that its team does not have.
 GameConfiguration resolved(const GameSettings& settings);

@@ -1,4 +1,4 @@
-// Reads the factors of a sweep. For scenario.cpp.
+// Reads the factors of a sweep. For scenario_reader.cpp.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace autoref::runner {
 
-// Whether the plan gives every game its own value, so that neither base nor factors may.
+// Whether the schedule gives every game its own value, so that neither base nor factors may.
 bool is_decided_by_schedule(std::string_view path);
 [[noreturn]] void refuse_decided(const YamlFile& file, const YamlLocation& location,
                                  std::string_view path);
@@ -35,7 +35,7 @@ class FactorReader {
   Factor read_factor(const YamlEntry& entry, GameSettings& base);
   SettingValue read_value(const YamlLocation& location, const std::string& path,
                           const std::string& text, GameSettings& base) const;
-  // Two keys that set the same number would make the later one win unnoticed.
+  // Of two keys that set the same number, the later one would win unnoticed.
   void refuse_overlap(const YamlEntry& entry, const Sweep& sweep) const;
 
   const YamlFile& file_;

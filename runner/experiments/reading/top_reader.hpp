@@ -1,4 +1,4 @@
-// Reads the top level of a scenario file: what several kinds have there. For scenario.cpp.
+// Reads the parts of a scenario file's top level that several kinds share. For scenario_reader.cpp.
 #pragma once
 
 #include <cstdint>
@@ -25,37 +25,37 @@ class TopReader {
 
   const YamlFile& file() const { return file_; }
   const std::vector<YamlEntry>& entries() const { return top_; }
-  // Where settings stand, by their paths: for check().
+  // Where settings stand in the file. check() looks them up.
   SettingLocations& locations() { return locations_; }
 
   const YamlEntry* find(std::string_view key) const { return find_entry(top_, key); }
   const YamlEntry& required(std::string_view key) const { return required_entry(file_, top_, key); }
 
-  // Refuses other keys than these, those that every file has, and those beside.
+  // Refuses every key but these and those that every file has.
   void allow(const std::vector<std::string>& keys) const;
 
   std::string word(const YamlEntry& entry, std::string_view key,
                    const std::vector<std::string>& known) const;
-  // A whole number of a key that must be there; remembers its place.
+  // A whole number at a key that must be there. Its location is remembered.
   int whole_number(std::string_view key, int low, int high);
   int pairs() { return whole_number("pairs", 1, kMostPairs); }
   std::uint64_t seed() const;
 
-  // What all games have in common, where the file says so. `elsewhere` is a branch of it that
-  // stands elsewhere.
+  // Reads `base`, if there is one: what all games have in common. `elsewhere` is a branch of
+  // settings that does not belong there.
   void read_base(GameSettings& game, const Elsewhere& elsewhere = {});
 
-  // What the command line sets, which stands over the file.
+  // The command line's settings, which override the file.
   const Assignments& assignments() const { return assignments_; }
 
-  // Applies the command line's settings to `game` but for those of the branches `elsewhere`.
+  // Applies the command line's settings to `game`, except those of the branches `elsewhere`.
   void assign_all(GameSettings& game, const std::vector<std::string>& elsewhere = {}) const;
 
   // Refuses the command line's setting at a short path, which the file varies.
   void refuse_assignment(const std::string& path) const;
 
-  // Calls `work`, which throws SettingError where settings that are right alone make no game
-  // together: the message says where the one to mend stands.
+  // Calls `work`. Where it throws a SettingError, the InputError says where in the file that
+  // setting stands.
   void check(const std::function<void()>& work) const;
 
  private:
