@@ -4,6 +4,7 @@
 
 #include "runner/io/errors.hpp"
 #include "runner/settings/fields.hpp"
+#include "runner/settings/resolved.hpp"
 #include "tests/runner/batch/fake_games.hpp"
 
 namespace autoref::runner {
@@ -23,7 +24,7 @@ GameRow played(const ScheduledGame& game, const GameRecord& record, const std::s
 }
 
 GameRow played(const ScheduledGame& game, const std::string& build = "x") {
-  return played(game, fake_game(game.configuration), build);
+  return played(game, fake_game(resolved(game.configuration)), build);
 }
 
 CompletedGames completed_games_of(const std::vector<GameRow>& rows,
@@ -45,7 +46,7 @@ TEST(CompletedGames, TakesTheSameRowTwiceForOne) {
 
 TEST(CompletedGames, CallsTwoDifferentRowsOfOneGameNondeterminism) {
   const ScheduledGame game = scheduled_games()[0];
-  GameRecord other = fake_game(game.configuration);
+  GameRecord other = fake_game(resolved(game.configuration));
   ++other.state_hash;
   try {
     completed_games_of({played(game), played(game, other, "x")});

@@ -13,6 +13,7 @@
 #include "runner/batch/result_folder.hpp"
 #include "runner/experiments/matchup_schedule.hpp"
 #include "runner/settings/fields.hpp"
+#include "runner/settings/resolved.hpp"
 #include "tests/runner/batch/fake_games.hpp"
 #include "tests/runner/experiments/reading/mistake.hpp"
 
@@ -149,7 +150,7 @@ SprtMatchState state_without(int missing_pair, int pairs) {
   RowsById rows;
   for (const ScheduledGame& game : scheduled_games(scenario)) {
     if (game.pair == missing_pair || game.pair > pairs) continue;
-    rows[game.id].record = fake_game(game.configuration);
+    rows[game.id].record = fake_game(resolved(game.configuration));
   }
   return state_of(std::get<SprtMatch>(scenario.content), rows);
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "runner/settings/resolved.hpp"
 #include "tests/runner/batch/fake_games.hpp"
 
 namespace autoref::runner {
@@ -14,7 +15,7 @@ const RowFormat kFormat({"b.robots"});
 GameRow sample_row() {
   const ScheduledGame game = scheduled_games(std::get<Sweep>(small_sweep().content)).front();
   GameRow row = row_of(game);
-  row.record = fake_game(game.configuration);
+  row.record = fake_game(resolved(game.configuration));
   row.circumstances = {"build", "host", "A, \"fast\" CPU", 1.5, 2, "0/1"};
   return row;
 }

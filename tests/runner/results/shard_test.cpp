@@ -10,6 +10,7 @@
 #include "runner/io/checksum.hpp"
 #include "runner/io/csv.hpp"
 #include "runner/io/errors.hpp"
+#include "runner/settings/resolved.hpp"
 #include "tests/runner/batch/fake_games.hpp"
 
 namespace autoref::runner {
@@ -92,7 +93,7 @@ const RowFormat kShardFormat({"b.robots"});
 std::string row_line() {
   const ScheduledGame game = scheduled_games(std::get<Sweep>(small_sweep().content)).front();
   GameRow row = row_of(game);
-  row.record = fake_game(game.configuration);
+  row.record = fake_game(resolved(game.configuration));
   return kShardFormat.line(row);
 }
 
