@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string_view>
+
 #include "runner/game/configuration.hpp"
 #include "runner/io/json.hpp"
 #include "soccer/colour.hpp"
