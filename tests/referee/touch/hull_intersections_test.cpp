@@ -1,4 +1,4 @@
-// Where a way of the ball meets the hulls of robots.
+// Intersections of the ball's path with the hulls of robots.
 #include "referee/touch/hull_intersections.hpp"
 
 #include <gtest/gtest.h>
@@ -19,8 +19,8 @@ constexpr RobotId kRobot{Side::kEast, 4};
 constexpr BallMotionParameters kMotion;
 constexpr HullIntersectionParameters kIntersection;
 
-// A ball that passes the origin evenly between two frames, and a robot that stands. Its way is
-// known from the detections before, or, backwards, from those after.
+// A ball that passes the origin at constant velocity between two frames, and a resting robot. Its
+// path is estimated from the detections before, or, backwards, from those after.
 class Passage {
  public:
   explicit Passage(const Vec2& velocity_mps) : velocity_mps_(velocity_mps) {}
@@ -67,18 +67,18 @@ class Passage {
   PerSide<SeenRobots> robots_;
 };
 
-// A robot beside a ball that passes along x, with its round back `gap_m` off the ball's way.
+// A robot beside a ball that passes along x, with its round back `gap_m` off the ball's path.
 Walk passing(double gap_m, const HullIntersectionParameters& parameters = kIntersection) {
   const Vec2 at_m(0, kRobotRadius_m + kBallRadius_m + gap_m);
   return Passage({1, 0}).robot(at_m, {0, 1}).forwards(parameters);
 }
 
-TEST(Walk, MeetsNobodyWhereNobodyIs) {
+TEST(Walk, MeetsNobodyIfNobodyIsThere) {
   EXPECT_TRUE(Passage({1, 0}).forwards().intersections.empty());
   EXPECT_TRUE(Passage({1, 0}).robot({2, 0}, {1, 0}).forwards().intersections.empty());
 }
 
-TEST(Walk, MeetsAHullThatItGrazesAtNoCost) {
+TEST(Walk, MeetsAHullThatItGrazesWithoutDeviance) {
   const Walk walk = passing(0);
   ASSERT_EQ(walk.intersections.size(), 1U);
   EXPECT_EQ(walk.intersections[0].robot, kRobot);
@@ -86,7 +86,7 @@ TEST(Walk, MeetsAHullThatItGrazesAtNoCost) {
   EXPECT_LE(walk.intersections[0].gap_m, kIntersection.slack_m);
 }
 
-TEST(Walk, TellsTheLeastGap) {
+TEST(Walk, ReportsTheLeastGap) {
   EXPECT_NEAR(passing(0.012).intersections[0].least_gap_m, 0.012, 2e-4);
 }
 
@@ -96,17 +96,17 @@ TEST(Walk, TouchesAtAGapThatPhysicsLeaves) {
 }
 
 // 4 mm beyond the slack, at a deviation of 1 mm for contact.
-TEST(Walk, CostsTheSquareOfTheGap) {
+TEST(Walk, HasTheSquareOfTheGapAsDeviance) {
   EXPECT_NEAR(passing(0.005).intersections[0].bounce_deviance, 16, 2);
 }
 
-TEST(Walk, CostsLessWhereRobotsAreSeenBadly) {
+TEST(Walk, HasLessDevianceUnderNoise) {
   HullIntersectionParameters noisy = kIntersection;
   noisy.robot_m = 2_mm;  // with the contact's 1 mm, a variance of 5 mm2
   EXPECT_NEAR(passing(0.005, noisy).intersections[0].bounce_deviance, 16.0 / 5, 0.5);
 }
 
-TEST(Walk, GoesThroughAHullThatStandsInItsWay) {
+TEST(Walk, GoesThroughAHullOnItsPath) {
   // 5 mm into the hull, of which the slack is 1 mm.
   EXPECT_NEAR(passing(-0.005).through_deviance, 16, 2);
   EXPECT_LT(passing(-0.0008).through_deviance, 0.01);
@@ -122,8 +122,8 @@ TEST(Walk, MeetsAHullThatItCrosses) {
   EXPECT_NEAR(walk.intersections[0].time_s, 0.8 * kFrame_s, 0.1 * kFrame_s);
 }
 
-// Backwards along the way of a ball that left the origin along x: a kicker behind it, with its
-// plate `gap_m` from the ball and turned by `off_rad` against the way.
+// Backwards along the path of a ball that left the origin along x: a kicker behind it, with its
+// plate `gap_m` from the ball and turned by `off_rad` from it.
 Walk kicked(double gap_m, double off_rad,
             const HullIntersectionParameters& parameters = kIntersection) {
   const Vec2 heading = heading_of(off_rad);
@@ -147,7 +147,7 @@ TEST(Walk, ComesFromAKickAlongTheRobotsHeading) {
   EXPECT_NEAR(kicked(0.005, 0.24).intersections[0].kick_deviance, 9, 1.5);
 }
 
-TEST(Walk, AllowsForHeadingsThatAreSeenBadly) {
+TEST(Walk, AllowsForNoisyHeadings) {
   HullIntersectionParameters noisy = kIntersection;
   noisy.robot_rad = 0.08;
   EXPECT_NEAR(kicked(0.005, 0.24, noisy).intersections[0].kick_deviance, 4.5, 0.8);

@@ -1,4 +1,4 @@
-// Who touched the ball last, where vision is as noisy as in the preset `realistic`.
+// The online detector with the vision noise of the preset `realistic`.
 #include <gtest/gtest.h>
 
 #include "referee/touch/online_touch_detector.hpp"
@@ -14,7 +14,7 @@ constexpr VisionNoise kNoise{0.0014, 0.0013, 0.01};
 constexpr double kFrame_s = 1.0 / 60;
 constexpr double kMissed = 0.05;
 
-// A ball on a given way past robots that stand, seen with noise; one detection in twenty is missed.
+// A ball on a given path past resting robots, seen with noise; one detection in twenty is missed.
 class NoisyScene {
  public:
   explicit NoisyScene(std::uint64_t seed) : random_(seed) {}
@@ -46,7 +46,7 @@ class NoisyScene {
     frames_.push(frame_);
     detector_.update();
   }
-  // A ball that rolls from `from_m` for some frames; where it is then.
+  // Rolls the ball from `from_m` for some frames; returns its last position.
   Vec2 roll(const Vec2& from_m, const Vec2& velocity_mps, int frames) {
     for (int i = 1; i <= frames; ++i) see(from_m + velocity_mps * (i * kFrame_s));
     return from_m + velocity_mps * (frames * kFrame_s);
@@ -90,7 +90,7 @@ TEST(NoisyTouch, IsKnownForSoftTouchesWithinTenFrames) {
 }
 
 // A ball rolls past three robots, 12 mm from their hulls and nearer than a kicker reaches.
-TEST(NoisyTouch, IsNotSeenWhereABallPassesRobotsClosely) {
+TEST(NoisyTouch, IsNotSeenWhenABallPassesRobotsClosely) {
   constexpr int kTries = 1000;
   int claimed = 0;
   for (int i = 0; i < kTries; ++i) {
@@ -110,7 +110,7 @@ TEST(NoisyTouch, IsNotSeenWhereABallPassesRobotsClosely) {
       speed_mps -= slows_mps2 * kFrame_s;
       scene.see(ball_m);
     }
-    // The start from rest is somebody's kick, and nobody is there.
+    // The start from rest looks like a kick, but nobody is there.
     claimed += scene.last().side ? 1 : 0;
   }
   EXPECT_LE(claimed, 0.01 * kTries) << claimed;

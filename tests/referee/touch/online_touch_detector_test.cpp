@@ -10,7 +10,7 @@ namespace {
 constexpr double kFrame_s = 1.0 / 60;
 constexpr double kTouch_m = kFrontDistance_m + kBallRadius_m;  // centre to centre, at the plate
 
-// A ball with exact ways between touches, and robots, seen at 60 Hz.
+// A ball that moves at constant velocity between touches, and robots, seen at 60 Hz without noise.
 class TouchScene {
  public:
   explicit TouchScene(const Vec2& at_m) : ball_m(at_m) {}
@@ -106,7 +106,7 @@ TEST(LastTouch, SurvivesAFastBallsBounceWithinAFrame) {
   EXPECT_EQ(scene.side(), Side::kEast);
 }
 
-TEST(LastTouch, ARobot144MillimetresFromTheBallsWayDidNotTouchIt) {
+TEST(LastTouch, IsNotByARobot144MillimetresFromTheBallsPath) {
   TouchScene scene({0, 0});
   scene.robot(Side::kWest, 1, {-kTouch_m - 0.002, 0}, {1, 0});
   scene.robot(Side::kEast, 4, {1.0, 0.144}, {0, 1}).start();
@@ -116,7 +116,7 @@ TEST(LastTouch, ARobot144MillimetresFromTheBallsWayDidNotTouchIt) {
   EXPECT_EQ(scene.detector.last().robot->number, 1);
 }
 
-TEST(LastTouch, ARobotThatTheBallPassesWithinTwoMillimetresDidNotTouchIt) {
+TEST(LastTouch, IsNotByARobotThatTheBallPassesAtTwoMillimetres) {
   TouchScene scene({0, 0});
   scene.robot(Side::kWest, 1, {-kTouch_m - 0.002, 0}, {1, 0});
   scene.robot(Side::kEast, 4, {1.0, 0.1135}, {0, 1}).start();
@@ -125,7 +125,7 @@ TEST(LastTouch, ARobotThatTheBallPassesWithinTwoMillimetresDidNotTouchIt) {
   EXPECT_EQ(scene.side(), Side::kWest);
 }
 
-TEST(LastTouch, CarpetFrictionIsNoTouch) {
+TEST(LastTouch, IsNotCausedByFriction) {
   TouchScene scene({0, 0});
   scene.robot(Side::kEast, 4, {0.5, 0.115}, {0, 1}).start({3, 0});
   scene.roll(2);
@@ -136,7 +136,7 @@ TEST(LastTouch, CarpetFrictionIsNoTouch) {
   EXPECT_FALSE(scene.side().has_value());
 }
 
-TEST(LastTouch, ABounceOffAPostIsNoTouch) {
+TEST(LastTouch, IsNotCausedByAPost) {
   TouchScene scene({2.0, 0.361});
   scene.robot(Side::kEast, 0, {2.9, 0.1}, {-1, 0}).start({6, 0});
   scene.roll(9);
@@ -156,7 +156,7 @@ TEST(LastTouch, ABallThatFliesOverARobotIsNotTouched) {
   EXPECT_FALSE(scene.side().has_value());
 }
 
-TEST(LastTouch, ALandingIsNoTouch) {
+TEST(LastTouch, IsNotCausedByALanding) {
   TouchScene scene({0, 0});
   scene.robot(Side::kEast, 4, {0.5, 0.118}, {0, 1}).start({4, 0});
   scene.height_m = 0.05;
@@ -188,7 +188,7 @@ TEST(LastTouch, IsUnknownWhenBothSidesAreEquallyNear) {
   EXPECT_GT(scene.detector.last().time_s, 0);
 }
 
-TEST(LastTouch, TheDirectionOfTheKickTellsWhoOfTwoKicked) {
+TEST(LastTouch, IsByTheRobotThatFacesTheKicksDirection) {
   TouchScene scene({0, 0});
   scene.robot(Side::kWest, 1, {-kTouch_m - 0.004, 0}, {1, 0});
   scene.robot(Side::kEast, 5, {kTouch_m + 0.004, 0}, {-1, 0}).start();
@@ -248,7 +248,7 @@ TEST(LastTouch, ASoftTouchIsNoticed) {
   EXPECT_EQ(scene.side(), Side::kWest);
 }
 
-TEST(LastTouch, StandingNextToTheBallIsNoTouch) {
+TEST(LastTouch, IsNotByARobotThatStandsNextToTheBall) {
   TouchScene scene({0, 0});
   scene.robot(Side::kWest, 3, {-kTouch_m - 0.0005, 0}, {1, 0}).start();
   scene.roll(120);

@@ -15,7 +15,7 @@ constexpr double kFrame_s = 1.0 / 60;
 constexpr double kTouch_m = kFrontDistance_m + kBallRadius_m;  // centre to centre, at the plate
 constexpr VisionNoise kRealistic{0.0014, 0.0013, 0.01};
 
-// A ball that slides or rolls between touches, and robots that stand, seen at 60 Hz.
+// A ball that slides or rolls between touches, and resting robots, seen at 60 Hz.
 class TouchScene {
  public:
   explicit TouchScene(const VisionNoise& noise = {}, std::uint64_t seed = 1)
@@ -33,7 +33,7 @@ class TouchScene {
     frames_.restart(frame_, ball_m);
     go({0, 0}, 10);
   }
-  // The ball goes on from where it is.
+  // Moves the ball on.
   void go(const Vec2& velocity_mps, int frames, bool is_seen = true) {
     for (int i = 0; i < frames; ++i) {
       ball_m_ += velocity_mps * kFrame_s;
@@ -47,7 +47,7 @@ class TouchScene {
     ball_m_ += before_mps * (share * kFrame_s);
     go(after_mps * (1 - share), 1);
   }
-  // `reported` is what was told while play was on.
+  // `reported` is the answer of the online detector.
   LastTouch last(const LastTouch& reported = {}) const { return touch_detector_.detect(reported); }
   std::optional<Side> side() const { return last().side; }
   double time_s() const { return frame_.time_s; }
@@ -108,13 +108,13 @@ LastTouch touch_by(RobotId robot, double time_s) {
   return touch;
 }
 
-// A ball that rolls along x at 0.5 m/s, long after a kick that was told while play was on.
+// A ball that rolls along x at 0.5 m/s, long after a kick that was reported while play was on.
 void roll_for_long(TouchScene& scene, const Vec2& robot_m) {
   scene.robot(Side::kEast, 2, robot_m, {-1, 0}).start({-2, 0});
   scene.go({0.5, 0}, 400);
 }
 
-TEST(RetrospectiveTouchDetector, AreOfWhatWasReportedWhereNobodyTouchedTheBallSince) {
+TEST(RetrospectiveTouchDetector, KeepsTheReportedTouchIfNobodyTouchedTheBallSince) {
   TouchScene scene;
   roll_for_long(scene, {3, 2});
   const RobotId kicker{Side::kWest, 5};
@@ -124,7 +124,7 @@ TEST(RetrospectiveTouchDetector, AreOfWhatWasReportedWhereNobodyTouchedTheBallSi
   EXPECT_FALSE(last.runner_up.has_value());
 }
 
-TEST(RetrospectiveTouchDetector, KnowWhoTouchedTheBallAfterWhatWasReported) {
+TEST(RetrospectiveTouchDetector, KnowsWhoTouchedTheBallAfterTheReportedTouch) {
   const RobotId kicker{Side::kWest, 5};
   TouchScene scene;
   roll_for_long(scene, {-2 + 400 * 0.5 * kFrame_s + kTouch_m + 0.002, 0});
@@ -136,7 +136,7 @@ TEST(RetrospectiveTouchDetector, KnowWhoTouchedTheBallAfterWhatWasReported) {
   EXPECT_NEAR(last.speed_change_mps, 0.9, 0.1);
 }
 
-TEST(RetrospectiveTouchDetector, NameTheOtherSidesBestRobot) {
+TEST(RetrospectiveTouchDetector, NamesTheOtherSidesBestRobot) {
   TouchScene scene;
   scene.robot(Side::kWest, 3, {-kTouch_m - 0.008, 0}, {1, 0});
   scene.robot(Side::kEast, 6, {0, kRobotRadius_m + kBallRadius_m + 0.004}, {0, 1});
@@ -174,7 +174,7 @@ TEST(RetrospectiveTouchDetector, IsNotTouchedByARobotThatAHiddenBallPasses) {
   EXPECT_EQ(scene.side(), Side::kWest);
 }
 
-TEST(RetrospectiveTouchDetector, IsUnknownWhereTwoSidesStandAtTheSamePlace) {
+TEST(RetrospectiveTouchDetector, IsUnknownIfRobotsOfBothSidesStandAtTheSamePosition) {
   TouchScene scene;
   scene.robot(Side::kWest, 1, {-kTouch_m - 0.004, 0}, {1, 0});
   scene.robot(Side::kEast, 1, {-kTouch_m - 0.004, 0}, {1, 0});
@@ -220,7 +220,7 @@ TEST(RetrospectiveTouchDetector, KnowsABrushThatNoiseHidesAtFirst) {
   EXPECT_GE(known, 47);
 }
 
-TEST(RetrospectiveTouchDetector, IsTurnedWhereEverythingIs) {
+TEST(RetrospectiveTouchDetector, IsSymmetricUnderATurnOfTheField) {
   EXPECT_EQ(side_of_brush({}, 0, false), Side::kEast);
   EXPECT_EQ(side_of_brush({}, 0, true), Side::kWest);
 }

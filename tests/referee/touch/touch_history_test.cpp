@@ -13,7 +13,7 @@ constexpr RobotId kEast4{Side::kEast, 4};
 
 LastTouch touch_by(RobotId robot, double time_s) { return {robot.side, robot, time_s, 0, 1, {}}; }
 
-// A detector that says what it is told to say, a ball, and two robots far from it.
+// A scripted detector, a ball, and two robots far from it.
 class History {
  public:
   History() {
@@ -23,7 +23,7 @@ class History {
   }
   RobotObservation& west() { return frame.robots[Side::kWest].front(); }
 
-  // One frame, `tells` of which the detector has told the last touch.
+  // One frame, with `reported` as the detector's last touch.
   void step() {
     frame.number += 1;
     frame.time_s = static_cast<double>(frame.number) * kFrame_s;
@@ -69,9 +69,9 @@ TEST(TouchHistory, ATouchThatIsReportedForLongIsOne) {
   EXPECT_EQ(history.touches.newest()->robot, kWest3);
 }
 
-TEST(TouchHistory, AKickWhoseTimeIsReportedAnewAfterTheBallHasLeftIsOne) {
+TEST(TouchHistory, AKickWhoseTimeIsRevisedAfterTheBallHasLeftIsOne) {
   History history;
-  history.west_at_gap(0.05);  // 50 mm away in the frame that first tells of the kick
+  history.west_at_gap(0.05);  // 50 mm away in the frame that first reports the kick
   history.report(kWest3, 0.002);
   const double kicked_s = history.reported.time_s - 0.009;
   history.reported = touch_by(kWest3, kicked_s);
