@@ -1,4 +1,4 @@
-// The ball's way while nothing but the carpet acts on it.
+// The Kalman filter of the ball's motion.
 #include "referee/touch/ball_motion_filter.hpp"
 
 #include <gtest/gtest.h>
@@ -13,12 +13,12 @@ namespace {
 constexpr double kFrame_s = 1.0 / 60;
 constexpr BallMotionParameters kParameters;
 
-// A ball that moves along x from the origin and is slowed evenly, seen without noise.
+// The position of a ball that moves along x from the origin with constant deceleration.
 Vec2 slowed(double speed_mps, double slowed_by_mps2, double time_s) {
   return {speed_mps * time_s - slowed_by_mps2 / 2 * time_s * time_s, 0};
 }
 
-// A way that has taken in that ball, a detection a frame, the last at `frames`.
+// The filter after noiseless detections of that ball in each frame, the last in frame `frames`.
 BallMotionFilter motion_of(double speed_mps, double slowed_by_mps2, int frames,
                            bool rolls = false) {
   BallMotionFilter motion;
@@ -38,19 +38,19 @@ double position_off_m(const BallMotionFilter& motion) {
   return std::sqrt(motion.position_variance_after(0));
 }
 
-TEST(BallMotionFilter, BeginsWithAVelocityThatMayBeAKicks) {
+TEST(BallMotionFilter, StartsWithAVelocityPriorThatCoversKicks) {
   BallMotionFilter motion;
   motion.start({1, 2}, kParameters);
   EXPECT_EQ(motion.position_after(0), Vec2(1, 2));
   EXPECT_EQ(motion.velocity_mps(), Vec2(0, 0));
-  // A kick of 8 m/s (Laws) is two deviations of it, or a little more.
+  // A kick of 8 m/s (Laws) is about two standard deviations.
   EXPECT_NEAR(velocity_off_mps(motion), 4, 2);
 }
 
 TEST(BallMotionFilter, KnowsTheVelocityFromTwoDetections) {
   const BallMotionFilter motion = motion_of(3, 0, 1);
   EXPECT_NEAR(motion.velocity_mps().x(), 3, 0.02);
-  // Two detections of 0.2 mm, and half a frame's friction: 17 mm/s each.
+  // Two detections with 0.2 mm, and the friction of half a frame: 17 mm/s each.
   EXPECT_NEAR(velocity_off_mps(motion), 0.025, 0.01);
 }
 
@@ -62,8 +62,8 @@ TEST(BallMotionFilter, LearnsHowTheBallIsSlowedWhileItSlides) {
               0.003);
 }
 
-// A ball is slowed by 3.0 to 3.9 m/s2 while it slides: after ten frames the place is off by about
-// half of that times the time squared, 30 to 55 mm, in two deviations.
+// Friction slows a sliding ball by 3.0 to 3.9 m/s2: after ten frames, two standard deviations of
+// the position are about half of that times the time squared, 30 to 55 mm.
 TEST(BallMotionFilter, IsUncertainByWhatSlidingMayTake) {
   BallMotionFilter motion = motion_of(4, 0, 1);
   const BallMotionFilter known = motion;
@@ -74,21 +74,21 @@ TEST(BallMotionFilter, IsUncertainByWhatSlidingMayTake) {
   EXPECT_LT(2 * off_m, 0.12);
 }
 
-// Goes on unseen, frame by frame.
+// Predicts frame by frame without detections.
 void go_unseen(BallMotionFilter& motion, double duration_s) {
   const int frames = static_cast<int>(duration_s / kFrame_s + 0.5);
   for (int i = 0; i < frames; ++i) motion.predict(kFrame_s, kParameters);
 }
 
-// Within a second sliding may end, or the spin turn: friction becomes another one by 1 m/s2. Summed
-// over that second, the velocity is off by that divided by the root of three.
+// White-noise jerk changes the friction by 1 m/s2 within a second, because sliding may end or the
+// spin turn. Integrated over that second, the velocity deviates by 1 m/s over the root of three.
 TEST(BallMotionFilter, ForgetsHowTheBallWasSlowed) {
   BallMotionFilter motion = motion_of(4, 3.5, 60);
   go_unseen(motion, 1);
   EXPECT_NEAR(velocity_off_mps(motion), 1 / std::sqrt(3.0), 0.25);
 }
 
-// Carpets are even: within 4 s rolling is slowed by another 0.14 m/s2.
+// Carpets are uniform: within 4 s the rolling friction changes by 0.14 m/s2.
 TEST(BallMotionFilter, HardlyForgetsHowTheBallWasSlowedWhileItRolled) {
   BallMotionFilter motion = motion_of(3, 0.3, 120, true);
   go_unseen(motion, 4);
@@ -104,16 +104,16 @@ TEST(BallMotionFilter, RollsOnSlowedByTheCarpet) {
 }
 
 // On the league's carpets a ball that rolls loses 0.1 to 0.5 m/s each second.
-TEST(BallMotionFilter, TakesABallThatBeginsToRollToBeSlowedAsOnAnyCarpet) {
+TEST(BallMotionFilter, AssumesTypicalFrictionWhenTheBallBeginsToRoll) {
   BallMotionFilter motion = motion_of(2, 0, 30);
   motion.begin_to_roll(kParameters);
   motion.predict(1, kParameters);
   EXPECT_NEAR(motion.velocity_mps().x(), 2 - 0.3, 0.02);
-  // 0.2 m/s2 off for a second, and 20 mm/s by which sliding ended within a frame.
+  // 0.2 m/s2 for a second, and 20 mm/s because sliding ends within a frame.
   EXPECT_NEAR(velocity_off_mps(motion), 0.2, 0.08);
 }
 
-TEST(BallMotionFilter, IsLittleChangedWhereRollingBegins) {
+TEST(BallMotionFilter, ChangesLittleWhenRollingBegins) {
   BallMotionFilter motion = motion_of(2, 0, 60);
   const double before_mps = velocity_off_mps(motion);
   motion.begin_to_roll(kParameters);
@@ -123,7 +123,7 @@ TEST(BallMotionFilter, IsLittleChangedWhereRollingBegins) {
   EXPECT_NEAR(grown_mps, 0.02, 0.01);
 }
 
-TEST(BallMotionFilter, ComesToRestWhereItRolls) {
+TEST(BallMotionFilter, StopsARollingBall) {
   BallMotionFilter motion = motion_of(0.1, 0.3, 12, true);
   motion.predict(2, kParameters);
   const Vec2 rests_m = motion.position_after(0);
@@ -148,8 +148,8 @@ TEST(BallMotionFilter, RollsOnAfterASoftTouch) {
   EXPECT_NEAR(velocity_off_mps(motion), 0.14, 0.06);
 }
 
-// A touch was at any time of the frame: the place is off by the new velocity for a part of it.
-TEST(BallMotionFilter, IsOffByATouchDuringTheFrame) {
+// The time of the touch within the frame is unknown, so the velocity jump also moves the position.
+TEST(BallMotionFilter, IsUncertainOfTheTimeOfATouchWithinTheFrame) {
   BallMotionFilter motion = motion_of(1, 0, 30);
   const double before_m = position_off_m(motion);
   motion.touch(kFrame_s, false, kParameters);
@@ -157,7 +157,7 @@ TEST(BallMotionFilter, IsOffByATouchDuringTheFrame) {
   EXPECT_NEAR(grown_m, 1.5 * kFrame_s / std::sqrt(3.0), 1e-3);
 }
 
-TEST(BallMotionFilter, KnowsThePlaceOfABallThatBeginsToFlyToACentimetre) {
+TEST(BallMotionFilter, KnowsThePositionOfABallThatTakesOffToACentimetre) {
   BallMotionFilter motion;
   motion.jump({0, 0}, kParameters);
   EXPECT_NEAR(position_off_m(motion), 0.01, 0.005);
@@ -174,7 +174,7 @@ TEST(BallMotionFilter, IsTheSameBackwards) {
   EXPECT_NEAR(motion.position_after(0).x(), 0, 1e-3);
 }
 
-TEST(BallMotionFilter, IsMetBadlyByDetectionsBesideIt) {
+TEST(BallMotionFilter, HasALargeDevianceForDetectionsFarFromThePrediction) {
   BallMotionFilter on = motion_of(2, 0, 30);
   BallMotionFilter off = on;
   const Vec2 next_m = slowed(2, 0, 31 * kFrame_s);
@@ -186,9 +186,8 @@ TEST(BallMotionFilter, IsMetBadlyByDetectionsBesideIt) {
   EXPECT_NEAR(more, 25, 2);  // five deviations, squared
 }
 
-// Minus twice the logarithm of two coordinates' density falls by 4 log 10 where all is ten times as
-// exact.
-TEST(BallMotionFilter, IsLikelierTheMoreExactItIs) {
+// The deviance of two coordinates falls by 4 log 10 if all standard deviations are a tenth.
+TEST(BallMotionFilter, HasALowerDevianceTheMorePreciseItIs) {
   BallMotionParameters coarse = kParameters;
   coarse.detection_m = 10 * kParameters.detection_m;
   BallMotionFilter fine_motion;
@@ -200,7 +199,7 @@ TEST(BallMotionFilter, IsLikelierTheMoreExactItIs) {
   EXPECT_NEAR(more, 4 * std::log(10.0), 1e-5);
 }
 
-TEST(BallMotionFilter, KeepsWithinWhatItKnowsUnderNoise) {
+TEST(BallMotionFilter, IsConsistentUnderNoise) {
   BallMotionParameters noisy = kParameters;
   noisy.detection_m = 0.0014;
   RandomStream random(1);
