@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "runner/batch/experiment.hpp"
+#include "runner/settings/resolved.hpp"
 #include "tests/runner/support/temporary_folder.hpp"
 
 namespace autoref::runner {

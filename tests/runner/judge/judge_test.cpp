@@ -8,6 +8,7 @@
 #include "runner/judge/judged_rows.hpp"
 #include "runner/results/evaluation_text.hpp"
 #include "runner/results/row_format.hpp"
+#include "runner/settings/resolved.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -68,7 +69,7 @@ TEST(JudgeSchedule, RefusesAnUnknownCamera) {
 
 TEST(CallEvaluation, ReadsBackEqualFromItsText) {
   const CallEvaluation evaluation =
-      evaluate_calls(games_of(schedule())[1].configuration).evaluation;
+      evaluate_calls(resolved(games_of(schedule())[1].configuration)).evaluation;
   EXPECT_FALSE(evaluation.verdicts.empty());
   EXPECT_EQ(text_of(evaluation_in(text_of(evaluation)).value()), text_of(evaluation));
 }
@@ -82,7 +83,7 @@ TEST(JudgeReport, HasATableForEveryBookAndCamera) {
   const JudgeSchedule the_schedule = schedule();
   RowsById rows;
   for (const JudgeGame& game : games_of(the_schedule))
-    play_judged(game.configuration, rows[game.game_id]);
+    play_judged(resolved(game.configuration), rows[game.game_id]);
   const std::string csv = csv_of(report_of(the_schedule, rows));
   EXPECT_NE(csv.find("\npaper,none,throw_in,"), std::string::npos) << csv;
 }
