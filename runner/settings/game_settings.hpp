@@ -1,6 +1,6 @@
-// A game as the user has set it: the names of rule book and robot types as they were written, and
-// what was set singly. Files and `--set` fill it, effective.yaml shows it, and games are told apart
-// by its hash; resolved() (resolved.hpp) makes the game of it that is played.
+// A game as the user has set it, with the names of its rule book and robot types. Files and `--set`
+// fill it, effective.yaml shows it, and config_hash is its hash. resolved() (resolved.hpp) turns it
+// into the values that a game is played with.
 #pragma once
 
 #include <cstdint>

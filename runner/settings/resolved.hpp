@@ -13,10 +13,10 @@ namespace autoref::runner {
 void choose_rules(const std::string& book, GameSettings& game);
 
 // The game that the settings describe: the rule book with its rules switched on and off, and each
-// robot with the changes of its type, its team and its number. Names are looked up, values are not
-// checked; check_game() (fields.hpp) does that. Throws
-// std::invalid_argument for an unknown rule book, and SettingError for an unknown type of robots
-// and for a player with a number that its team does not have.
+// robot with the changes of its type, its team and its number. Names are looked up, but values are
+// not checked; check_game() (fields.hpp) does that. Throws std::invalid_argument for an unknown
+// rule book, and SettingError for an unknown robot type and for a player whose number the team does
+// not have.
 GameConfiguration resolved(const GameSettings& settings);
 
 }  // namespace autoref::runner

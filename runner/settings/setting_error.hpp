@@ -1,4 +1,4 @@
-// What is wrong with which setting.
+// Errors that know which setting is wrong.
 #pragma once
 
 #include <stdexcept>
@@ -8,8 +8,8 @@
 
 namespace autoref::runner {
 
-// Settings that may each be right alone but make no game together. People read what(); a reader
-// that wants the place in its file looks path() up.
+// Thrown for settings that may each be valid alone but make no game together. what() is for people;
+// the reader of a file looks up the location of path().
 class SettingError : public std::invalid_argument {
  public:
   // what() is the path followed by `text`, such as ": must differ from d0" or " is 0; it must be
@@ -22,7 +22,7 @@ class SettingError : public std::invalid_argument {
     return {std::string(branch) + "." + path_, text_};
   }
 
-  // The setting to mend, or its branch.
+  // The setting to correct, or its branch.
   const std::string& path() const { return path_; }
 
  private:
