@@ -67,7 +67,7 @@ class ScenarioReader {
     }
     if (text == "robot") {
       top_.file().refuse(value_location(kind), "kind",
-                         "this is a type of robots; name it in a scenario as a team's type");
+                         "this is a robot type; name it in a scenario as a team's type");
     }
   }
 

@@ -109,8 +109,9 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(HostileScenario, OfTooManyTypesIsRefused) {
   const std::string text = "schema: 1\nkind: game\ntypes: { " + keys("t", 1500) + "}\n";
-  EXPECT_NE(refusal_of([&] { read_scenario_text(text, "x.yaml"); }).find("more than 1000 types"),
-            std::string::npos);
+  EXPECT_NE(
+      refusal_of([&] { read_scenario_text(text, "x.yaml"); }).find("more than 1000 robot types"),
+      std::string::npos);
 }
 
 TEST(HostileScenario, OfTooManyTeamsIsRefusedBeforeTheirMatchupsAreListed) {

@@ -123,8 +123,10 @@ INSTANTIATE_TEST_SUITE_P(
                 kGame + "teams: { b: { robot: { mass: 3 } } }\n",
                 "x.yaml:3:24: teams.b.robot: ",
                 {"unknown key 'mass'", "'mass_kg'"}},
-        Mistake{
-            "TypesName", kGame + "types: { none: {} }\n", "x.yaml:3:10: types: ", {"not 'none'"}},
+        Mistake{"TypesName",
+                kGame + "types: { none: {} }\n",
+                "x.yaml:3:10: types: ",
+                {"not be 'none'"}},
         Mistake{
             "TypeAsAScenario", "schema: 1\nkind: robot\n", "x.yaml:2:7: kind: ", {"robot type"}},
         Mistake{"GoalTooWide",
