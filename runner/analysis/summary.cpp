@@ -4,7 +4,6 @@
 
 #include "runner/io/csv.hpp"
 #include "runner/io/table.hpp"
-#include "runner/io/words.hpp"
 #include "runner/statistics/mean_interval.hpp"
 #include "runner/statistics/paired_difference.hpp"
 #include "runner/statistics/sample.hpp"
@@ -65,18 +64,14 @@ std::vector<Group> grouped(const Sweep& sweep, const RowsById& rows) {
 }
 
 std::optional<Slope> slope_over_factor(const Sweep& sweep, const std::vector<Group>& groups) {
-  if (sweep.factors.size() != 1 || groups.empty()) return std::nullopt;
-  std::vector<double> values;
-  for (const Group& group : groups) {
-    const std::optional<double> value = number_in(group.values.front());
-    if (!value) return std::nullopt;
-    values.push_back(*value);
-  }
+  if (sweep.factors.size() != 1) return std::nullopt;
+  const std::optional<std::vector<double>> values = numbers_of(sweep.factors.front());
+  if (!values) return std::nullopt;
   std::vector<double> slopes;
   for (const auto& [pair, first] : groups.front().pair_differences) {
     const std::optional<std::vector<double>> differences = differences_of(pair, groups);
     if (!differences) continue;
-    const std::optional<double> slope = slope_of(values, *differences);
+    const std::optional<double> slope = slope_of(*values, *differences);
     if (slope) slopes.push_back(*slope);
   }
   if (slopes.empty()) return std::nullopt;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -24,6 +25,9 @@ struct Factor {
   std::vector<SettingValue> values;
   bool operator==(const Factor&) const = default;
 };
+
+// The factor's values as numbers; nullopt if one of them is a word.
+std::optional<std::vector<double>> numbers_of(const Factor& factor);
 
 // Every combination of the factors' values is played `pairs` times, two legs each.
 struct Sweep {

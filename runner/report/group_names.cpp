@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "runner/io/words.hpp"
-
 namespace autoref::runner {
 std::vector<std::string> value_heads(const Scenario& scenario, const std::vector<Group>& groups) {
   std::vector<std::string> heads = value_columns(scenario);
@@ -30,15 +28,12 @@ std::vector<std::string> names_of(const Scenario& scenario, const std::vector<Gr
 
 std::optional<NumericFactor> numeric_factor(const Scenario& scenario,
                                             const std::vector<Group>& groups) {
-  const std::vector<std::string> paths = value_columns(scenario);
-  if (paths.size() != 1 || groups.size() < 2) return std::nullopt;
-  NumericFactor factor{paths.front(), {}};
-  for (const Group& group : groups) {
-    const std::optional<double> value = number_in(group.values.front());
-    if (!value) return std::nullopt;
-    factor.values.push_back(*value);
-  }
-  return factor;
+  const auto* sweep = std::get_if<Sweep>(&scenario.content);
+  if (sweep == nullptr || sweep->factors.size() != 1 || groups.size() < 2) return std::nullopt;
+  const Factor& factor = sweep->factors.front();
+  const std::optional<std::vector<double>> values = numbers_of(factor);
+  if (!values) return std::nullopt;
+  return NumericFactor{factor.path, *values};
 }
 
 }  // namespace autoref::runner

@@ -32,7 +32,7 @@ TEST_F(FolderVerbs, CheckListsAndRehearsesTheGames) {
   EXPECT_TRUE(games.out.starts_with("b.robots=6-p0001-1\nb.robots=6-p0001-2\n")) << games.out;
   const Answer checked = answer_to({"check", file_.c_str(), "-j", "1"});
   EXPECT_EQ(checked.code, kDone);
-  EXPECT_NE(checked.out.find("b.robots=5           2"), std::string::npos) << checked.out;
+  EXPECT_NE(checked.out.find("b.robots=5       2"), std::string::npos) << checked.out;
   EXPECT_NE(checked.out.find("\n4 games, about "), std::string::npos) << checked.out;
 }
 
