@@ -17,8 +17,8 @@ void refuse_other_builds(const std::vector<GameRow>& rows, const std::string& bu
   for (const GameRow& row : rows) {
     if (row.circumstances.build == build) continue;
     throw InputError({folder.string()}, "",
-                     fmt::format("holds games of build {}, this is {}; choose another folder with "
-                                 "-o, or keep both apart with --allow-mixed-build",
+                     fmt::format("holds games of build {}, but this is build {}; choose another "
+                                 "folder with -o, or mix builds with --allow-mixed-build",
                                  row.circumstances.build, build));
   }
 }
@@ -27,21 +27,20 @@ void refuse_other_configuration(const GameRow& row, const ScheduledGame& game,
                                 const std::filesystem::path& folder, const std::string& changes) {
   if (row.config_hash == configuration_hash(game.configuration)) return;
   throw InputError({folder.string()}, "",
-                   fmt::format("holds the game {} with another configuration ({}); choose another "
+                   fmt::format("holds game {} with another configuration ({}); choose another "
                                "folder with -o",
-                               row.game_id, changes.empty() ? "which is not known" : changes));
+                               row.game_id, changes.empty() ? "differences unknown" : changes));
 }
 
 void refuse_difference(const GameRow& first, const GameRow& second, const RowFormat& format) {
   const std::optional<ColumnDifference> difference = format.first_difference(first, second);
   if (!difference) return;
   throw std::logic_error(fmt::format(
-      "nondeterminism: the game {} has two rows of the same build; {} is {} in one and {} in the "
-      "other",
+      "nondeterminism: game {} has two rows of the same build; {} is {} in one and {} in the other",
       first.game_id, difference->column, difference->first, difference->second));
 }
 
-// A game whose worker was killed is played again: then its other row counts, or the last of them.
+// Handles a second row of a game. Killed games are replayed, so a row of a killed game is replaced.
 void add_another(const GameRow& row, const RowFormat& format, GameRow& kept) {
   if (is_killed(kept)) {
     kept = row;
@@ -90,7 +89,7 @@ RowInventory take_row_inventory(const Scenario& scenario, const std::vector<Game
     const std::size_t known = row_inventory.schedule.games.size();
     row_inventory.schedule = schedule_of(scenario, row_inventory.completed_games.done);
     if (row_inventory.schedule.games.size() == known)
-      return row_inventory;  // else more rows belong to it
+      return row_inventory;  // otherwise, more rows may belong to the longer schedule
   }
 }
 

@@ -1,4 +1,4 @@
-// Which of the scheduled games a folder has rows of.
+// The scheduled games that a folder already has rows for.
 #pragma once
 
 #include <filesystem>
@@ -13,19 +13,19 @@
 namespace autoref::runner {
 
 struct CompletedGames {
-  RowsById done;                            // of scheduled games
+  RowsById done;                            // rows of scheduled games
   std::map<std::string, int> other_builds;  // number of rows by build
-  int other_games = 0;                      // rows of this build whose games are not scheduled
+  int other_games = 0;                      // number of this build's rows of unscheduled games
 };
 
-// Whether the game is void because its worker was killed from outside. The next run plays it again.
+// Whether the game is void because its worker was killed from outside. The next run replays it.
 bool is_killed(const GameRow& row);
 
-// Sorts rows by whether they count. Throws InputError if there are rows of other builds and those
-// are not allowed, and for a scheduled game that was played with another configuration; throws
-// std::logic_error if two rows of a game differ in a reproducible column, unless one of them is of
-// a killed game. `folder` and `changes` (what differs between the folder's scenario and this one)
-// are for messages.
+// Separates the rows that count from the others. Throws InputError if there are rows of other
+// builds and those are not allowed, or if a scheduled game was played with another configuration;
+// throws std::logic_error if two rows of a game differ in a reproducible column, unless one of them
+// is of a killed game. `folder` and `changes` (the differences between the folder's scenario and
+// this one) are for messages.
 CompletedGames sort_rows(const std::vector<GameRow>& rows, const std::vector<ScheduledGame>& games,
                          const RowFormat& format, const std::string& build, bool allow_mixed_build,
                          const std::filesystem::path& folder, const std::string& changes);
@@ -35,7 +35,7 @@ struct RowInventory {
   CompletedGames completed_games;  // including games that are not needed
 };
 
-// The same for a scenario, whose schedule may depend on the rows. Throws as sort_rows() does.
+// The same for a scenario; its schedule may depend on the rows. Throws like sort_rows().
 RowInventory take_row_inventory(const Scenario& scenario, const std::vector<GameRow>& rows,
                                 const RowFormat& format, const std::string& build,
                                 bool allow_mixed_build, const std::filesystem::path& folder,

@@ -27,18 +27,18 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-// Experiments of teams keep the games' records.
+// For experiments with teams: rows store the games' records.
 Outcomes outcomes_of_records(const Scenario& scenario, const ExperimentOptions& options) {
   return {
       [&options](const GameConfiguration& game, GameRow& row) { row.record = options.play(game); },
       [&scenario](const RowsById& rows) {
         ExperimentResults results = results_of(scenario, rows);
-        return ProgressView{"so far; interim intervals are no reason to stop:",
+        return ProgressView{"so far; do not stop early because of these intervals:",
                             std::move(results.shown), std::move(results.json)};
       }};
 }
 
-// A game that throws would throw each time, so it is void at once.
+// A game that throws is void at once: games are deterministic, so it would throw again.
 GameRow played(const Outcomes& outcomes, const ScheduledGame& game) {
   GameRow row = row_of(game);
   try {
@@ -49,7 +49,7 @@ GameRow played(const Outcomes& outcomes, const ScheduledGame& game) {
   return row;
 }
 
-// How long another look at the folder may take of all the time between two looks.
+// Rereading the folder may take up this share of the time.
 constexpr double kLookingShare = 0.01;
 
 class Experiment {
@@ -104,7 +104,7 @@ class Experiment {
     rows_ = std::move(row_inventory.completed_games.done);
     if (stored.damaged > 0) {
       progress_.say(fmt::format(
-          "{} rows are damaged and do not count; their games are played again", stored.damaged));
+          "{} rows are damaged and do not count; their games will be replayed", stored.damaged));
     }
     note_other_games(row_inventory.completed_games.other_games, !stored.rows.empty());
     for (const auto& [build, count] : row_inventory.completed_games.other_builds) {
@@ -117,11 +117,11 @@ class Experiment {
         there_ && has_rows ? note_on_pairs(scenario_, *there_, count) : std::string();
     if (!pairs.empty()) return progress_.say(pairs);
     if (count == 0) return;
-    progress_.say(fmt::format(
-        "{} rows belong to games that the scenario does not have; they do not count", count));
+    progress_.say(
+        fmt::format("{} rows are of games that are not in the scenario; they do not count", count));
   }
 
-  // Games that are void because their workers were killed get another chance in each run.
+  // Every run replays the games that are void because their workers were killed.
   void set_killed_games_aside() {
     for (const ScheduledGame& game : schedule_.games) {
       const auto row = rows_.find(game.id);
@@ -132,12 +132,12 @@ class Experiment {
     if (again_.empty()) return;
     progress_.say(
         fmt::format("{} games are void because their workers were killed; they are "
-                    "played again",
+                    "replayed",
                     again_.size()));
     schedule_ = schedule_of(scenario_, rows_);
   }
 
-  // Other shards may have played meanwhile.
+  // Rereads the folder, since other shards may have played games in the meantime.
   void look_around() {
     const Clock::time_point began = Clock::now();
     rows_ = take(read_rows(options_.folder / kGamesFolder, format_)).completed_games.done;
@@ -147,13 +147,13 @@ class Experiment {
         Clock::now() + std::chrono::duration_cast<Clock::duration>(looking / kLookingShare);
   }
 
-  // What differs from the scenario that the folder was made with, as far as it can be told.
+  // Differences from the scenario the folder was created with; empty if that is unknown.
   std::string changes() const {
     return there_ ? changes_between(scenario_, *there_) : std::string();
   }
 
-  // Plays until no needed game is left to this shard that is known and has no row. Each round but
-  // the last adds rows, so that it ends.
+  // Plays until every needed game of this shard that is already known has a row. Terminates because
+  // every round except the last adds rows.
   Ending play_all(Shard& shard, int& played_games) {
     while (true) {
       const std::vector<std::size_t> missing = missing_games();
@@ -175,7 +175,7 @@ class Experiment {
     return missing;
   }
 
-  // Of this shard's needed games, and of those that nobody knows yet.
+  // Counts this shard's needed games, and all games that are not known yet.
   GameCounts counts() const {
     const std::size_t known = std::min(schedule_.needed, schedule_.games.size());
     GameCounts counts{.total = static_cast<int>(schedule_.needed - known), .voids = 0};
@@ -194,7 +194,7 @@ class Experiment {
 
   void announce_ending(int running) {
     progress_.say(
-        fmt::format("interrupted: {} running games end first; a second Ctrl-C stops at "
+        fmt::format("interrupted: waiting for {} running games; press Ctrl-C again to stop at "
                     "once",
                     running));
   }
@@ -212,7 +212,7 @@ class Experiment {
          [this](int running) { announce_ending(running); }});
   }
 
-  // Throws std::logic_error if the worker sent something else than a row.
+  // Throws std::logic_error if the worker sent anything other than a row.
   GameRow row_from(const JobResult& result) const {
     if (!result.failure.empty()) {
       GameRow row = row_of(schedule_.games[result.job]);
@@ -250,13 +250,13 @@ class Experiment {
   const Outcomes outcomes_;
   const std::string host_ = host_name();
   const std::string cpu_ = cpu_name();
-  Schedule schedule_;            // stays as it is while workers play
-  RowsById rows_;                // of its games, also those that are not needed
-  std::set<std::string> again_;  // games with a row that are to be played again
+  Schedule schedule_;            // unchanged while workers play
+  RowsById rows_;                // of scheduled games, including those that are not needed
+  std::set<std::string> again_;  // ids of killed games still to be replayed
   bool is_decided_ = false;
   Clock::time_point next_look_;
-  const std::optional<Scenario> there_;  // that the folder was filled with before
-  Progress progress_;                    // ends first: what it shows follows from the others
+  const std::optional<Scenario> there_;  // the scenario of earlier runs in this folder
+  Progress progress_;                    // last, so destroyed first: it displays the other members
 };
 
 }  // namespace

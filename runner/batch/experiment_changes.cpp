@@ -1,4 +1,4 @@
-// What differs between two experiments of one kind. Declared in experiment_kinds.hpp.
+// Compares the settings of two experiments of one kind. Declared in experiment_kinds.hpp.
 #include <fmt/format.h>
 
 #include <map>
@@ -13,7 +13,7 @@ namespace {
 
 using Values = std::map<std::string, std::string>;  // by path
 
-// Without those that only set others.
+// Leaves out aliases, which only set other settings.
 Values values_of(const std::vector<Setting>& settings) {
   Values values;
   for (const Setting& setting : settings) {
@@ -60,14 +60,14 @@ Values values_of(const Gauntlet& gauntlet) {
   return values;
 }
 
-// The seeds tell who meets whom in which tie.
+// The seeding decides which teams meet in which tie.
 Values values_of(const Knockout& knockout) {
   Values values = values_of(static_cast<const NamedTeams&>(knockout));
   values["order"] = listed(knockout.order);
   return values;
 }
 
-// What both have: a team that only one has changes no game of the others.
+// Ignores teams that only one side has: they do not affect the other teams' games.
 void keep_teams_of_both(Teams& one, Teams& other) {
   std::erase_if(one, [&other](const auto& team) { return !other.contains(team.first); });
   std::erase_if(other, [&one](const auto& team) { return !one.contains(team.first); });

@@ -29,7 +29,7 @@ std::vector<std::string> value_columns(const JudgeSchedule& /*schedule*/) {
   return {"rules", "camera"};
 }
 
-// Of the other kinds all games are needed.
+// All other kinds need all their games.
 template <typename Experiment>
 bool is_decided(const Experiment& /*experiment*/, const RowsById& /*rows*/) {
   return false;
@@ -64,26 +64,26 @@ Schedule schedule_of(const Knockout& knockout, const RowsById& rows) {
 }
 
 ExperimentResults results_of(const JudgeSchedule& /*schedule*/, const RowsById& /*rows*/) {
-  throw std::logic_error("what follows from judged games is in runner/judge");
+  throw std::logic_error("results of judged games are computed in runner/judge");
 }
 
-// Of table_columns().
+// Indices into table_columns().
 enum GroupColumn : std::size_t { kGames, kGoalsA, kGoalsB, kDifference, kVoid };
 
-// The columns of a table of groups that a narrow screen does without, behind `heads` columns of
-// names: goals, which their difference sums up, and void games, which the bar counts.
+// Columns of a table of groups to drop on a narrow screen: goals, since their difference is shown,
+// and void games, since the progress bar counts them. `heads` is the number of name columns.
 std::vector<std::size_t> columns_to_spare(std::size_t heads) {
   return {heads + kGoalsB, heads + kGoalsA, heads + kVoid};
 }
 
-// Games won, drawn and lost are at the right, and add up to the games.
+// The number of games can be dropped too: games won, drawn and lost, at the right, add up to it.
 ProgressTable matchups_shown(const std::vector<Group>& matchups) {
   ProgressTable table{matchups_rows(matchups), kMatchupsColumns, "matchups", columns_to_spare(2)};
   table.dispensable.insert(table.dispensable.end(), {2 + kGames, 2 + kDifference});
   return table;
 }
 
-// Standings first where a screen shows a part.
+// Puts standings first, since a small screen shows only the first part.
 void show_standings(ExperimentResults& results, const std::string& noun) {
   results.table = matchups_table(results.groups) + "\n" + standings_table(results.standings);
   // Ratings, or the goal difference, are the last columns; games played are the fourth.
@@ -95,7 +95,7 @@ void show_standings(ExperimentResults& results, const std::string& noun) {
       Json{{"standings", json_of(results.standings)}, {"groups", json_of(results.groups)}});
 }
 
-// Without the rows of ties before the first that is still to be played.
+// Drops the rows of the ties before the first undecided one.
 std::vector<Cells> rows_from_first_open_tie(const std::vector<Tie>& ties, std::vector<Cells> rows) {
   const auto open =
       std::find_if(ties.begin(), ties.end(), [](const Tie& tie) { return !tie.is_decided(); });
@@ -192,7 +192,7 @@ std::vector<ScheduledGame> scheduled_games(const Scenario& scenario) {
 std::string caveat_of_schedule(const Scenario& scenario) {
   if (std::holds_alternative<SprtMatch>(scenario.content)) return "at most: it ends when decided";
   if (!std::holds_alternative<Knockout>(scenario.content)) return "";
-  return "the better seed taken to win every tie; drawn ties are played again";
+  return "assuming that the better seed wins every tie; drawn ties are replayed";
 }
 
 bool follows_its_rows(const Scenario& scenario) {

@@ -1,4 +1,5 @@
-// What differs between the kinds of experiments: which games they play, and what their rows say.
+// Everything that depends on an experiment's kind: which games it plays and how its rows are
+// summarised.
 #pragma once
 
 #include <memory>
@@ -15,69 +16,72 @@
 
 namespace autoref::runner {
 
-// Whether the scenario is an experiment of teams, which `autoref run` plays: all but a single game
-// and games for the referee.
+// Whether the scenario is an experiment with teams, to be played by `autoref run`: every kind
+// except single games and `kind: judge`.
 bool is_experiment(const Scenario& scenario);
 
-// Whether the rows of its games are kept: all but a single game. The other functions take no other.
+// Whether the scenario's games are stored as rows: every kind except single games. The functions
+// below require this.
 bool keeps_rows(const Scenario& scenario);
 
-// Its games in the order in which they are played, as far as they are known beforehand. Throws
-// std::invalid_argument where settings do not go together.
+// The games in playing order, as far as they are known in advance. Throws std::invalid_argument if
+// the settings contradict each other.
 std::vector<ScheduledGame> scheduled_games(const Scenario& scenario);
 
-// In which way the games may yet be others than plan() says; empty where they may not.
+// How the games actually played may differ from scheduled_games(), for messages; empty if they
+// cannot differ.
 std::string caveat_of_schedule(const Scenario& scenario);
 
-// Which games an experiment takes, as far as its rows tell.
+// The games an experiment needs, given its rows so far.
 struct Schedule {
-  std::vector<ScheduledGame> games;  // in the order in which they are played
-  // How many it takes: the first of `games`, so that others do not count; or more than `games`,
-  // where those to come are not known yet.
+  std::vector<ScheduledGame> games;  // in playing order
+  // Number of games needed. If less than games.size(), only the first ones count; if more, some of
+  // the games to come are not known yet.
   std::size_t needed = 0;
 };
 
-// `rows` are those of its games so far.
+// `rows` are those of the games played so far.
 Schedule schedule_of(const Scenario& scenario, const RowsById& rows);
 
-// Whether its course may change with its rows: a match ends with the pair that decides it, and who
-// meets whom in a knockout follows from the ties before.
+// Whether the schedule depends on the rows: an SPRT match ends with the pair that decides it, and
+// the pairings of a knockout depend on earlier ties.
 bool follows_its_rows(const Scenario& scenario);
 
-// Whether these rows make all games superfluous that are not played yet.
+// Whether these rows make all remaining games unnecessary.
 bool is_decided(const Scenario& scenario, const RowsById& rows);
 
-// The rows of needed games: those that results are made of.
+// The rows of needed games, which the results are computed from.
 RowsById counted(const Schedule& schedule, const RowsById& rows);
 
-// The columns of its rows that hold the factors' values.
+// Names of the row columns with the factors' values.
 std::vector<std::string> value_columns(const Scenario& scenario);
 
-// What its rows look like.
+// The format of the scenario's rows.
 RowFormat row_format(const Scenario& scenario);
 
 // The settings in which two experiments of one kind differ: "match.half_s is 60.0 here and 600.0
-// there; ...". Empty where there are none, or where the kinds are not the same. Factors' values,
-// and teams that one of them has not, make other games and do not count.
+// there; ...". Empty if nothing differs or the kinds do. Ignores factors' values and teams that
+// only one of the experiments has: those belong to different games.
 std::string changes_between(const Scenario& here, const Scenario& there);
 
-// A file that a complete experiment leaves beside results.csv.
+// A file that a complete experiment writes in addition to results.csv.
 struct ResultFile {
   std::string name;   // such as "summary.csv"
-  std::string about;  // what a row is
+  std::string about;  // description of its rows
   std::string content;
 };
 
 struct ExperimentResults {
-  std::vector<Group> groups;        // of a sweep's values, or of matchups; a knockout has none
+  std::vector<Group> groups;        // per value of a sweep or per matchup; empty for a knockout
   std::vector<Standing> standings;  // of a round robin or of challengers, best team first
   std::vector<ResultFile> files;
-  std::string table;                 // for people
-  std::vector<ProgressTable> shown;  // the same for a screen, as a run shows it
-  std::shared_ptr<const Json> json;  // and for programs: an object
+  std::string table;                 // as text
+  std::vector<ProgressTable> shown;  // the same for the terminal while the experiment runs
+  std::shared_ptr<const Json> json;  // the same as a JSON object
 };
 
-// The results of the games that count. Not for judged games, whose results are in runner/judge.
+// Computes the results from the rows that count. Throws std::logic_error for `kind: judge`; its
+// results are computed in runner/judge.
 ExperimentResults results_of(const Scenario& scenario, const RowsById& rows);
 
 }  // namespace autoref::runner

@@ -40,10 +40,10 @@ void refuse_other_seed(const Scenario& here, const Scenario& there, const fs::pa
   const std::string others = changes_besides_seed(here, there);
   throw InputError(
       {folder.string()}, "",
-      fmt::format("holds games of seed {0}, this is seed {1}{2}; go on with --seed {0} (or seed: "
-                  "{0} in the file), or give seed {1} a folder of its own, such as -o "
+      fmt::format("holds games of seed {0}, but this is seed {1}{2}; continue with --seed {0} (or "
+                  "seed: {0} in the file), or choose another folder for seed {1}, such as -o "
                   "{3}-seed-{1}",
-                  former, seed, others.empty() ? "" : fmt::format(" (besides, {})", others),
+                  former, seed, others.empty() ? "" : fmt::format(" (also, {})", others),
                   (folder / "").parent_path().string()));
 }
 
@@ -52,11 +52,12 @@ std::string note_on_pairs(const Scenario& here, const Scenario& there, int beyon
   const std::optional<int> former = pairs_of(there);
   if (!pairs || !former || *pairs == *former) return {};
   if (*pairs > *former) {
-    return fmt::format("the folder had {} pairs, now {}: its games count, the others are played",
-                       *former, *pairs);
+    return fmt::format(
+        "the folder had {} pairs, now {}: its games count, only the new ones are played", *former,
+        *pairs);
   }
   return fmt::format(
-      "the folder had {} pairs, now {}: {} rows beyond do not count; they stay in {}/, and count "
+      "the folder had {} pairs, now {}: {} surplus rows do not count; they stay in {}/ and count "
       "again with --pairs {}",
       *former, *pairs, beyond, kGamesFolder, *former);
 }

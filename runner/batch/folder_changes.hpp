@@ -1,4 +1,4 @@
-// What an experiment changes of the folder that it is to go on in.
+// Compares an experiment with the folder it continues in.
 #pragma once
 
 #include <filesystem>
@@ -9,15 +9,15 @@
 
 namespace autoref::runner {
 
-// The scenario that a folder was filled with last; none where that is not known.
+// The scenario of the last run in a folder; nullopt if unknown.
 std::optional<Scenario> scenario_of_folder(const std::filesystem::path& folder);
 
-// Throws InputError that says how to go on where the folder's games have another seed.
+// Throws InputError, with advice on how to continue, if the folder's games have another seed.
 void refuse_other_seed(const Scenario& here, const Scenario& there,
                        const std::filesystem::path& folder);
 
-// "6 pairs so far, 12 now: only the games that are new are played"; empty where there are as many
-// as before. `beyond` counts rows of games that the scenario does not have.
+// "the folder had 6 pairs, now 12: its games count, only the new ones are played"; empty if the
+// number has not changed. `beyond` is the number of rows of games that are not in the scenario.
 std::string note_on_pairs(const Scenario& here, const Scenario& there, int beyond);
 
 }  // namespace autoref::runner

@@ -1,4 +1,4 @@
-// How a run plays its games and shows them.
+// How a run plays its games and displays its results so far.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@ namespace autoref::runner {
 struct Outcomes {
   // Plays the game in a worker and fills the row's record (and evaluation). May throw.
   std::function<void(const GameConfiguration& game, GameRow& row)> play;
-  std::function<ProgressView(const RowsById& rows)> view;  // of the games so far
+  std::function<ProgressView(const RowsById& rows)> view;  // of the rows so far
 };
 
 }  // namespace autoref::runner

@@ -16,19 +16,19 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kMostWholeGames = 6;  // of one combination
-constexpr double kShareOfFirst = 0.5;       // of the time, which the first seconds may take
-constexpr double kShareOfSecond = 0.9;      // of what is left
-constexpr double kGrace_s = 2;              // for games that are under way
+constexpr std::size_t kMostWholeGames = 6;  // per combination
+constexpr double kShareOfFirst = 0.5;       // of the time, for the first seconds of each
+constexpr double kShareOfSecond = 0.9;      // of the remaining time, for longer parts
+constexpr double kGrace_s = 2;              // for running games to end
 constexpr const char* kWell = "well";
 
-// The id without pair and leg: "b.handicap=0.8" of "b.handicap=0.8-p0007-2".
+// The id without pair and leg: "b.handicap=0.8" for "b.handicap=0.8-p0007-2".
 std::string played_in(const ScheduledGame& game) {
   const std::string ending = game_id("", game.pair, game.leg);
   return game.id.substr(0, game.id.size() - ending.size());
 }
 
-// With halves of `share` of their length. Extra time, and shoot-outs, are for whole games.
+// Shortens the halves to `share` of their length. Only whole games have extra time and shoot-outs.
 GameSettings part_of(const GameSettings& game, double share) {
   GameSettings part = game;
   if (share >= 1) return part;
@@ -45,8 +45,8 @@ struct Sample {
 
 struct Entry {
   Rehearsal rehearsal;
-  std::vector<const ScheduledGame*> games;  // the first ones
-  std::vector<Sample> samples;              // of parts that went well, the first seconds first
+  std::vector<const ScheduledGame*> games;  // the first kMostWholeGames
+  std::vector<Sample> samples;              // of parts that were not void, the shortest first
 
   const MatchSettings& match() const { return games.front()->configuration.match; }
   double first_share() const { return std::min(1.0, kRehearsedHalf_s / match().half_s); }
@@ -54,7 +54,7 @@ struct Entry {
   double first_estimate_s() const { return samples.front().wall_s / samples.front().share; }
 };
 
-// The line through the first sample and the mean of the others, at a whole game.
+// Extrapolates linearly, through the first sample and the mean of the others, to a whole game.
 double estimate_s(const Entry& entry) {
   if (entry.samples.size() == 1) return entry.first_estimate_s();
   Sample longer;
@@ -114,7 +114,7 @@ class Rehearsals {
     return parts;
   }
 
-  // Whole games, several of each where time allows; else the same share of a game of each.
+  // Whole games, several of each if there is time; otherwise the same share of one game of each.
   std::vector<Part> longer_parts() const {
     double whole_s = 0;
     for (const Entry& entry : entries_) whole_s += entry.plays() ? entry.first_estimate_s() : 0;
@@ -168,7 +168,7 @@ class Rehearsals {
       entry.rehearsal.void_reason = result.payload.substr(std::string("void: ").size());
     } else if (entry.samples.empty() || !result.is_late) {
       entry.rehearsal.void_reason = result.failure;
-    }  // else a longer part had no time to end
+    }  // otherwise, a longer part ran out of time
   }
 
   std::vector<Rehearsal> estimates() const {
@@ -202,7 +202,7 @@ std::vector<Rehearsal> rehearse(const std::vector<ScheduledGame>& games,
   return Rehearsals(games, options).run();
 }
 
-// Each game goes to the worker that is free first.
+// List scheduling: each game goes to the worker that becomes free first.
 double duration_s(const std::vector<Rehearsal>& rehearsals, int workers) {
   std::priority_queue<double, std::vector<double>, std::greater<>> free_s;
   for (int i = 0; i < workers; ++i) free_s.push(0);

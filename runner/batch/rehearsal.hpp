@@ -1,4 +1,4 @@
-// A look at an experiment before it is run: do its teams play, and how long will it take?
+// Tries out an experiment before it is run: do its teams play, and how long will it take?
 #pragma once
 
 #include <functional>
@@ -10,33 +10,33 @@
 
 namespace autoref::runner {
 
-// Games that stand for all that differ from them in pair and leg only.
+// Trial games of one combination of values or one matchup.
 struct Rehearsal {
-  std::string played;  // what the games' ids begin with, such as "b.handicap=0.8"
-  int games = 0;
-  std::string void_reason;   // empty where it went well
-  double wall_s_a_game = 0;  // about; 0 where it went wrong
-  bool was_tried = true;     // else there was no time, and the others' mean stands for it
+  std::string played;        // prefix of the games' ids, such as "b.handicap=0.8"
+  int games = 0;             // in the experiment
+  std::string void_reason;   // empty unless void
+  double wall_s_a_game = 0;  // estimate; 0 if void
+  bool was_tried = true;     // false if there was no time; the estimate is then the others' mean
 };
 
 struct RehearsalOptions {
   std::function<GameRecord(const GameConfiguration&)> play;  // called in workers
-  int workers = 1;       // as many as the experiment is to have: they share caches and processors
-  double longest_s = 8;  // of all rehearsals together, about
+  int workers = 1;       // as many as the experiment will have: they share caches and processors
+  double longest_s = 8;  // approximate wall-clock limit for all rehearsals together
 };
 
-// Simulated seconds of each half of the first rehearsal, of games that are not shorter.
+// Simulated length of each half in the first rehearsal, unless the game's halves are shorter.
 inline constexpr double kRehearsedHalf_s = 5;
 
-// One for each combination of values or matchup, in the plan's order. Each plays a few seconds
-// first, which shows whether it plays at all; then a whole game or several where there is time,
-// or else the longest part of one that fits. The start of a game costs less than its middle, and by
-// the rules of 2026 the clock stands while play is stopped, so only longer parts show what a game
-// takes. Throws Interrupted where the user does.
+// Returns one rehearsal per combination of values or matchup, in the schedule's order. Each first
+// plays a few seconds, which shows whether its teams play at all; then one or more whole games if
+// there is time, otherwise the longest part of a game that fits. The start of a game costs less
+// than its middle, and under the 2026 rules the clock stops when play does, so only longer parts
+// show how long a game takes. Throws Interrupted if the user interrupts.
 std::vector<Rehearsal> rehearse(const std::vector<ScheduledGame>& games,
                                 const RehearsalOptions& options);
 
-// Wall seconds of all the games, so many at a time.
+// Estimated wall time of all games with this number of workers, in s.
 double duration_s(const std::vector<Rehearsal>& rehearsals, int workers);
 
 }  // namespace autoref::runner

@@ -22,15 +22,15 @@ std::set<std::string> builds_of(const StoredRows& stored) {
   return builds;
 }
 
-// The build that was asked for, or the only one.
+// The wanted build, or the only one if `wanted` is empty.
 std::string chosen_build(const StoredRows& stored, const std::string& wanted,
                          const fs::path& folder) {
   const std::set<std::string> builds = builds_of(stored);
   if (wanted.empty() && builds.size() <= 1) return builds.empty() ? "" : *builds.begin();
   if (builds.contains(wanted)) return wanted;
   throw InputError({folder.string()}, "",
-                   fmt::format("{}holds games of the builds {}; choose one with --build",
-                               wanted.empty() ? "" : fmt::format("has none of {}: ", wanted),
+                   fmt::format("{}holds games of builds {}; choose one with --build",
+                               wanted.empty() ? "" : fmt::format("has no games of {}: ", wanted),
                                fmt::join(builds, ", ")));
 }
 
@@ -40,8 +40,8 @@ Scenario scenario_in(const fs::path& folder) {
   const fs::path file = folder / kEffectiveFile;
   if (!fs::exists(file) || !fs::is_directory(folder / kGamesFolder)) {
     throw InputError({folder.string()}, "",
-                     fmt::format("holds no results: expected {} and a folder {}, as autoref run "
-                                 "and autoref judge leave them",
+                     fmt::format("holds no results: expected {} and a folder {}, as written by "
+                                 "autoref run and autoref judge",
                                  kEffectiveFile, kGamesFolder));
   }
   Scenario scenario = read_scenario(file);

@@ -1,5 +1,5 @@
-// A folder of results, as `autoref run` and `autoref judge` fill it: what was to be played, and
-// what has been.
+// A results folder, as filled by `autoref run` and `autoref judge`: the scheduled games and those
+// played so far.
 #pragma once
 
 #include <filesystem>
@@ -18,43 +18,42 @@ namespace autoref::runner {
 
 struct ResultFolder {
   std::filesystem::path path;
-  Scenario scenario;  // of effective.yaml
+  Scenario scenario;  // from effective.yaml
   RowFormat format;
-  std::vector<ScheduledGame> games;     // that it takes, as far as they are known
-  std::size_t needed = 0;               // how many of them, from the first
-  std::string build;                    // whose rows count
-  CompletedGames completed_games;       // its `done` holds only what counts
-  int beyond = 0;                       // rows of games that turned out not to be needed
-  int damaged = 0;                      // rows that do not count
-  std::map<std::string, int> by_shard;  // how many games each has played, "0/1"
+  std::vector<ScheduledGame> games;     // as in Schedule
+  std::size_t needed = 0;               // as in Schedule
+  std::string build;                    // only its rows count
+  CompletedGames completed_games;       // `done` has only rows that count
+  int beyond = 0;                       // number of rows of games that turned out not to be needed
+  int damaged = 0;                      // number of damaged rows, which do not count
+  std::map<std::string, int> by_shard;  // games played by each shard, such as "0/1"
 
   int void_games() const;
-  int killed_games() const;  // void ones that the next run plays again
+  int killed_games() const;  // void games that the next run replays
   bool is_complete() const { return completed_games.done.size() == needed; }
 };
 
-// The scenario that the folder's rows belong to. Throws InputError where the folder is none of
-// results.
+// The scenario that the folder's rows belong to. Throws InputError if the folder is not a results
+// folder.
 Scenario scenario_in(const std::filesystem::path& folder);
 
-// Whose rows a folder holds. Throws InputError where the folder is none of results.
+// The builds that have rows in a folder. Throws InputError if it is not a results folder.
 std::set<std::string> builds_in(const std::filesystem::path& path);
 
-// Reads a folder, whether or not a run is still filling it. Only rows of one build count: of
-// `build`, or where that is empty of the only one that there is. Throws InputError where the folder
-// is none of results, where several builds' rows leave the choice open, and what sort_rows()
-// throws.
+// Reads a folder, even while a run is writing to it. Only rows of `build` count; if that is empty,
+// those of the only build in the folder. Throws InputError if the folder is not a results folder or
+// if `build` is empty and there are several; also whatever sort_rows() throws.
 ResultFolder open_results(const std::filesystem::path& path, const std::string& build = {});
 
-// The files by which a folder of results is known, as far as they are there: what it was made from,
-// its rows, and what follows from them.
+// The existing files of a results folder: effective.yaml, its rows and its results.
 std::vector<std::string> files_of_results(const std::filesystem::path& path);
 
-// results.csv: the rows that count, sorted by game and without what may differ from run to run.
+// results.csv: the rows that count, sorted by game id, without columns that may differ from run to
+// run.
 std::string results_csv(const RowFormat& format, const RowsById& rows);
 
-// Writes what follows from the rows: results.csv, sorted by game and without what may differ from
-// run to run, and the files of results_of(). The same rows give the same files, byte by byte.
+// Writes results.csv and the files of results_of(). The same rows give the same files, byte for
+// byte.
 ExperimentResults write_results(const std::filesystem::path& folder, const Scenario& scenario,
                                 const RowFormat& format, const RowsById& rows);
 

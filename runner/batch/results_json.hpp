@@ -1,4 +1,4 @@
-// Results as JSON, as a run's progress has them. Keys are the columns of summary.csv and
+// Results as JSON, for a run's progress output. The keys are the columns of summary.csv and
 // standings.csv.
 #pragma once
 
@@ -13,7 +13,7 @@
 namespace autoref::runner {
 
 // [{"values": ["1.0"], "games": 24, "void_games": 0, "mean_a": 4.54, "mean_b": 3.33,
-//   "mean_diff": 1.21, "wins_a": 14, "draws": 2, "wins_b": 8}, ...]; means are null without games.
+//   "mean_diff": 1.21, "wins_a": 14, "draws": 2, "wins_b": 8}, ...]; without games, means are null.
 Json json_of(const std::vector<Group>& groups);
 
 // [{"team": "cobalt", "points": 20, "games": 8, "wins": 6, "draws": 2, "losses": 0,
@@ -24,7 +24,7 @@ Json json_of(const std::vector<Standing>& standings);
 Json json_of(const SprtMatchState& state);
 
 // [{"tie": "final", "team_a": "cobalt", "team_b": null, "games": 1, "decided_by": "goals",
-//   "winner": "cobalt"}, ...]; teams and winners that are not known are null.
+//   "winner": "cobalt"}, ...]; unknown teams and winners are null.
 Json json_of(const std::vector<Tie>& ties);
 
 }  // namespace autoref::runner

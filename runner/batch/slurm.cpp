@@ -7,7 +7,7 @@ namespace {
 
 std::string option(const std::string& text) { return fmt::format("#SBATCH {}\n", text); }
 
-// A file for a job's output; `name` may hold % and a letter, which Slurm replaces.
+// The option for a job's output file. Slurm replaces patterns such as %j in `name`.
 std::string output_option(const SlurmArray& array, const std::string& name) {
   std::string path;
   for (const char c : (array.folder / kSlurmLogs).string())
@@ -15,7 +15,7 @@ std::string output_option(const SlurmArray& array, const std::string& name) {
   return option(shell_word(fmt::format("--output={}/{}", path, name)));
 }
 
-// What both jobs are told.
+// The options of both jobs.
 std::string common_options(const SlurmArray& array) {
   std::string text = option("--open-mode=append");
   if (!array.partition.empty()) {
@@ -31,9 +31,9 @@ std::string words_of(const std::vector<std::string>& overrides) {
   return text;
 }
 
-// Signals end a wait at once: the second one waits for the run to end its games. A process that
-// was killed, or that finds its rows still held by one killed on another machine, is started
-// again, after 1, 4, 9 ... s: longer in all than the 90 s that NFS holds a dead machine's locks.
+// A trapped signal interrupts `wait`, so a second `wait` lets the run finish its games. A process
+// that was killed, or whose rows are still locked by one killed on another node, is restarted after
+// 1, 4, 9 ... s; the total exceeds the 90 s for which NFS keeps a dead node's locks.
 constexpr const char* kTask = R"(
 set -u
 run=
@@ -71,8 +71,9 @@ std::string array_script(const SlurmArray& array) {
   const std::string name = array.file.stem().string();
   std::string text =
       "#!/bin/bash\n"
-      "# Plays an experiment as an array of Slurm, each task its share of the games. Written by\n"
-      "# autoref submit. Submitting it again plays what is missing.\n";
+      "# Plays an experiment as a Slurm job array; each task plays its share of the games. "
+      "Written\n"
+      "# by autoref submit. Submit it again to play the missing games.\n";
   text += option(shell_word("--job-name=" + name));
   text += option(fmt::format("--array=0-{}", array.tasks - 1));
   text += option(fmt::format("--cpus-per-task={}", array.workers));

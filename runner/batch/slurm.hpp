@@ -1,5 +1,5 @@
-// Batch scripts for Slurm, the engine of clusters: an experiment as an array of tasks, a shard
-// each, and the job that merges their rows.
+// Batch scripts for Slurm, the cluster workload manager: a job array with one task per shard of an
+// experiment, and the job that merges their rows.
 #pragma once
 
 #include <filesystem>
@@ -9,29 +9,29 @@
 namespace autoref::runner {
 
 struct SlurmArray {
-  // Absolute paths, on a disk that all machines of the cluster share.
+  // Absolute paths on a file system shared by all nodes of the cluster.
   std::filesystem::path program;       // autoref
   std::filesystem::path file;          // the experiment
   std::filesystem::path folder;        // of the results
-  std::vector<std::string> overrides;  // further options of autoref run, such as "--seed=7"
+  std::vector<std::string> overrides;  // additional options of autoref run, such as "--seed=7"
   int tasks = 8;
-  int workers = 1;                   // processors of each task
-  std::string time;                  // HH:MM:SS for each task; empty: the partition's limit
-  std::string partition;             // empty: the cluster's default
-  std::vector<std::string> options;  // further ones of sbatch, such as "--account=vision"
+  int workers = 1;                   // processors per task
+  std::string time;                  // HH:MM:SS per task; if empty, the partition's limit
+  std::string partition;             // if empty, the cluster's default
+  std::vector<std::string> options;  // additional sbatch options, such as "--account=vision"
 };
 
-// Where the scripts' output goes, below the folder of results. Slurm does not create it.
+// Subfolder of the results folder for the scripts' output. Slurm does not create it.
 inline constexpr const char* kSlurmLogs = "slurm";
 
-// The script of the array. A task that is killed, pre-empted, or about to meet its time limit goes
-// on where it stopped: its process is started again, or the task goes back to the queue.
+// The job array's script. A task that is killed, pre-empted or about to reach its time limit
+// resumes where it stopped: its process is restarted or the task is requeued.
 std::string array_script(const SlurmArray& array);
 
-// The script of the job that writes the results of whatever rows are there.
+// The script of the job that writes the results from all rows present.
 std::string merge_script(const SlurmArray& array);
 
-// Text as one word of a shell, and of a line of #SBATCH.
+// Quotes text as a single word for the shell and for #SBATCH lines.
 std::string shell_word(const std::string& text);
 
 }  // namespace autoref::runner

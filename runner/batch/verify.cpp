@@ -14,7 +14,7 @@
 namespace autoref::runner {
 namespace {
 
-// Indices of the scheduled games that have good rows.
+// Indices of the scheduled games with rows that are neither void nor forfeited.
 std::vector<std::size_t> good_games(const ResultFolder& folder) {
   std::vector<std::size_t> good;
   for (std::size_t i = 0; i < folder.games.size(); ++i) {
@@ -32,7 +32,8 @@ std::vector<std::size_t> spread_evenly(const std::vector<std::size_t>& all, int 
   return chosen;
 }
 
-// Compares how a game ended with its row. The configuration's hash is left out: it is of the build.
+// Compares a replayed game with its row. Ignores the configuration's hash, which depends on the
+// build.
 std::optional<ColumnDifference> difference_from(const ResultFolder& folder,
                                                 const JobResult& result) {
   if (!result.failure.empty()) return ColumnDifference{"status", "ok", result.failure};
@@ -50,7 +51,7 @@ Verification verify(const ResultFolder& folder, int sample, int workers,
                     std::FILE* progress) {
   const std::vector<std::size_t> games = spread_evenly(good_games(folder), sample);
   if (games.empty()) {
-    throw InputError({folder.path.string()}, "", "holds no finished game that could be verified");
+    throw InputError({folder.path.string()}, "", "holds no completed games to verify");
   }
   Verification verification;
   Progress bar(progress, {.total = static_cast<int>(games.size())});

@@ -1,4 +1,4 @@
-// Plays games of a folder again and compares them with their rows.
+// Replays games of a results folder and compares them with their rows.
 #pragma once
 
 #include <cstdio>
@@ -11,10 +11,10 @@
 
 namespace autoref::runner {
 
-// A game that ended differently when it was played again, and the first column that differs.
+// A game that ended differently when replayed, and the first column that differs.
 struct Difference {
   std::string id;
-  ColumnDifference column;  // first: as stored; second: now
+  ColumnDifference column;  // first: as stored; second: as replayed
 };
 
 struct Verification {
@@ -22,7 +22,7 @@ struct Verification {
   std::vector<Difference> differences;
 };
 
-// Plays up to `sample` games of the folder again, in workers: spread evenly over its rows that are
+// Replays up to `sample` games of the folder in workers, spread evenly over its rows that are
 // neither void nor forfeited. `play` fills the row's record (and evaluation). Throws Interrupted if
 // the user interrupts, and InputError if there are no such rows.
 Verification verify(const ResultFolder& folder, int sample, int workers,

@@ -32,19 +32,19 @@ CompletedGames completed_games_of(const std::vector<GameRow>& rows,
   return sort_rows(rows, scheduled_games(), kFormat, "x", allow_mixed_build, "DIR", "");
 }
 
-TEST(CompletedGames, HoldsTheGamesOfThePlan) {
+TEST(CompletedGames, ContainsScheduledGames) {
   const std::vector<ScheduledGame> games = scheduled_games();
   const CompletedGames completed_games = completed_games_of({played(games[0]), played(games[5])});
   EXPECT_EQ(completed_games.done.size(), 2U);
   EXPECT_TRUE(completed_games.done.contains(games[5].id));
 }
 
-TEST(CompletedGames, TakesTheSameRowTwiceForOne) {
+TEST(CompletedGames, CountsDuplicateRowsOnce) {
   const ScheduledGame game = scheduled_games()[0];
   EXPECT_EQ(completed_games_of({played(game), played(game)}).done.size(), 1U);
 }
 
-TEST(CompletedGames, CallsTwoDifferentRowsOfOneGameNondeterminism) {
+TEST(CompletedGames, ReportsNondeterminismIfTwoRowsOfOneGameDiffer) {
   const ScheduledGame game = scheduled_games()[0];
   GameRecord other = fake_game(resolved(game.configuration));
   ++other.state_hash;
@@ -52,12 +52,12 @@ TEST(CompletedGames, CallsTwoDifferentRowsOfOneGameNondeterminism) {
     completed_games_of({played(game), played(game, other, "x")});
     FAIL();
   } catch (const std::logic_error& error) {
-    EXPECT_TRUE(std::string(error.what()).starts_with("nondeterminism: the game " + game.id));
+    EXPECT_TRUE(std::string(error.what()).starts_with("nondeterminism: game " + game.id));
     EXPECT_NE(std::string(error.what()).find("state_hash"), std::string::npos);
   }
 }
 
-TEST(CompletedGames, LetsARowOfAKilledGameGiveWayToTheOther) {
+TEST(CompletedGames, PrefersTheOtherRowToThatOfAKilledGame) {
   const ScheduledGame game = scheduled_games()[0];
   GameRecord killed;
   killed.status = Status::kVoid;
@@ -75,7 +75,7 @@ TEST(CompletedGames, RefusesRowsOfAnotherBuild) {
   EXPECT_THROW(completed_games_of({played(scheduled_games()[0], "y")}), InputError);
 }
 
-TEST(CompletedGames, KeepsAllowedRowsOfAnotherBuildApart) {
+TEST(CompletedGames, CountsAllowedRowsOfAnotherBuildSeparately) {
   const ScheduledGame game = scheduled_games()[0];
   const CompletedGames completed_games = completed_games_of({played(game, "y")}, true);
   EXPECT_TRUE(completed_games.done.empty());
@@ -88,7 +88,7 @@ TEST(CompletedGames, RefusesAGameOfAnotherConfiguration) {
   EXPECT_THROW(completed_games_of({played(game)}), InputError);
 }
 
-TEST(CompletedGames, CountsGamesThatThePlanDoesNotHave) {
+TEST(CompletedGames, CountsUnscheduledGamesSeparately) {
   ScheduledGame game = scheduled_games()[0];
   game.id = "b.robots=1-p0001-1";
   const CompletedGames completed_games = completed_games_of({played(game)});

@@ -35,11 +35,11 @@ TEST(ChangesBetween, LeavesOutTeamsThatOnlyOneOfThemHas) {
             "teams.team1.robots is 5 here and 4 there");
 }
 
-TEST(ChangesBetween, KnowsNothingOfAnotherKind) {
+TEST(ChangesBetween, AreEmptyForDifferentKinds) {
   EXPECT_EQ(changes_between(small_roundrobin({6, 5}), small_sweep()), "");
 }
 
-TEST(IsExperiment, HoldsForAllButSingleGamesAndTheReferees) {
+TEST(IsExperiment, IsFalseOnlyForSingleGamesAndJudgeSchedules) {
   EXPECT_FALSE(is_experiment({"", JudgeSchedule{}}));
   EXPECT_TRUE(is_experiment({"", Gauntlet{}}));
   EXPECT_TRUE(is_experiment({"", Knockout{}}));

@@ -16,7 +16,7 @@
 namespace autoref::runner {
 namespace {
 
-// What an undisturbed run leaves in results.csv and summary.csv.
+// results.csv and summary.csv of an undisturbed run.
 std::string undisturbed_results(const Scenario& scenario) {
   const TemporaryFolder folder;
   run_experiment(scenario, fake_options(folder.path()));
@@ -27,7 +27,7 @@ std::string results_in(const TemporaryFolder& folder) {
   return content_of(folder / "results.csv") + content_of(folder / "summary.csv");
 }
 
-TEST(Experiment, LeavesAllItsFiles) {
+TEST(Experiment, WritesAllItsFiles) {
   const TemporaryFolder folder;
   const ExperimentReport report = run_experiment(small_sweep(), fake_options(folder / "deep/er"));
   EXPECT_TRUE(report.is_complete);
@@ -46,7 +46,7 @@ TEST(Experiment, SortsItsResultsByGame) {
   EXPECT_LT(results.find("b.robots=5-p0003-2"), results.find("b.robots=6-p0001-1"));
 }
 
-TEST(Experiment, ComesOutTheSameForEveryNumberOfWorkers) {
+TEST(Experiment, HasTheSameResultsForAnyNumberOfWorkers) {
   const std::string expected = undisturbed_results(small_sweep());
   for (const int workers : {2, 5}) {
     const TemporaryFolder folder;
@@ -58,7 +58,7 @@ TEST(Experiment, ComesOutTheSameForEveryNumberOfWorkers) {
   }
 }
 
-TEST(Experiment, DoesNothingWhenItIsFinished) {
+TEST(Experiment, PlaysNothingIfAlreadyComplete) {
   const TemporaryFolder folder;
   ExperimentOptions options = fake_options(folder.path());
   run_experiment(small_sweep(), options);
@@ -71,14 +71,14 @@ TEST(Experiment, DoesNothingWhenItIsFinished) {
   EXPECT_EQ(std::filesystem::last_write_time(folder / "results.csv"), time);
 }
 
-TEST(Experiment, PlaysOnlyWhatIsNewWhenPairsAreAdded) {
+TEST(Experiment, PlaysOnlyTheNewGamesIfPairsAreAdded) {
   const TemporaryFolder folder;
   run_experiment(small_sweep(3), fake_options(folder.path()));
   EXPECT_EQ(run_experiment(small_sweep(5), fake_options(folder.path())).played, 8);
   EXPECT_EQ(results_in(folder), undisturbed_results(small_sweep(5)));
 }
 
-TEST(Experiment, PlaysTheGameOfATornRowAgain) {
+TEST(Experiment, ReplaysTheGameOfATruncatedRow) {
   const TemporaryFolder folder;
   run_experiment(small_sweep(), fake_options(folder.path()));
   const std::string rows = content_of(shard_of(folder.path()));
@@ -87,7 +87,7 @@ TEST(Experiment, PlaysTheGameOfATornRowAgain) {
   EXPECT_EQ(results_in(folder), undisturbed_results(small_sweep()));
 }
 
-TEST(Experiment, PlaysTheGameOfADamagedRowAgain) {
+TEST(Experiment, ReplaysTheGameOfADamagedRow) {
   const TemporaryFolder folder;
   run_experiment(small_sweep(), fake_options(folder.path()));
   std::string rows = content_of(shard_of(folder.path()));
@@ -97,7 +97,7 @@ TEST(Experiment, PlaysTheGameOfADamagedRowAgain) {
   EXPECT_EQ(results_in(folder), undisturbed_results(small_sweep()));
 }
 
-TEST(Experiment, PlaysTheGameOfAKilledWorkerAgain) {
+TEST(Experiment, RetriesTheGameOfAKilledWorker) {
   const TemporaryFolder folder;
   ExperimentOptions options = fake_options(folder.path());
   options.play = [&folder](const GameConfiguration& game) {
@@ -112,7 +112,7 @@ TEST(Experiment, PlaysTheGameOfAKilledWorkerAgain) {
   EXPECT_EQ(results_in(folder), undisturbed_results(small_sweep()));
 }
 
-TEST(Experiment, MarksAGameVoidThatKillsEveryWorkerAndGoesOn) {
+TEST(Experiment, MarksAGameThatCrashesEveryWorkerVoidAndContinues) {
   const TemporaryFolder folder;
   ExperimentOptions options = fake_options(folder.path());
   options.play = [](const GameConfiguration& game) {
@@ -127,13 +127,13 @@ TEST(Experiment, MarksAGameVoidThatKillsEveryWorkerAndGoesOn) {
   EXPECT_NE(content_of(folder / "results.csv").find("signal 6 (Aborted)"), std::string::npos);
 }
 
-// As the out-of-memory killer does.
+// Killed as by the out-of-memory killer.
 GameRecord killed_game(const GameConfiguration& game) {
   if (game.b.robots.size() == 5 && game.match.a_plays == Side::kEast) kill(getpid(), SIGKILL);
   return fake_game(game);
 }
 
-TEST(Experiment, PlaysGamesAgainWhoseWorkersWereKilled) {
+TEST(Experiment, ReplaysKilledGamesInTheNextRun) {
   const TemporaryFolder folder;
   ExperimentOptions options = fake_options(folder.path());
   options.play = killed_game;
@@ -147,7 +147,7 @@ TEST(Experiment, PlaysGamesAgainWhoseWorkersWereKilled) {
   EXPECT_EQ(run_experiment(small_sweep(), fake_options(folder.path())).played, 0);
 }
 
-TEST(Experiment, PlaysKilledGamesOncePerRun) {
+TEST(Experiment, ReplaysKilledGamesOncePerRun) {
   const TemporaryFolder folder;
   ExperimentOptions options = fake_options(folder.path());
   options.play = killed_game;
@@ -158,7 +158,7 @@ TEST(Experiment, PlaysKilledGamesOncePerRun) {
   EXPECT_EQ(report.killed_games, 3);
 }
 
-TEST(Experiment, SaysThatItPlaysKilledGamesAgain) {
+TEST(Experiment, ReportsThatItReplaysKilledGames) {
   const TemporaryFolder folder;
   ExperimentOptions options = fake_options(folder.path());
   options.play = killed_game;
@@ -168,12 +168,12 @@ TEST(Experiment, SaysThatItPlaysKilledGamesAgain) {
   testing::internal::CaptureStderr();
   run_experiment(small_sweep(), options);
   const std::string said = testing::internal::GetCapturedStderr();
-  EXPECT_NE(said.find("3 games are void because their workers were killed; they are played again"),
+  EXPECT_NE(said.find("3 games are void because their workers were killed; they are replayed"),
             std::string::npos)
       << said;
 }
 
-TEST(Experiment, LeavesGamesVoidThatFailByThemselves) {
+TEST(Experiment, DoesNotReplayGamesThatFailByThemselves) {
   for (const auto& play : std::vector<std::function<GameRecord(const GameConfiguration&)>>{
            [](const GameConfiguration&) -> GameRecord { std::abort(); },
            [](const GameConfiguration&) -> GameRecord { throw std::runtime_error("no"); },
@@ -192,7 +192,7 @@ TEST(Experiment, LeavesGamesVoidThatFailByThemselves) {
   }
 }
 
-TEST(Experiment, MarksAGameVoidThatThrows) {
+TEST(Experiment, MarksAGameThatThrowsVoid) {
   const TemporaryFolder folder;
   ExperimentOptions options = fake_options(folder.path());
   options.play = [](const GameConfiguration&) -> GameRecord { throw std::runtime_error("oh, no"); };
@@ -201,7 +201,7 @@ TEST(Experiment, MarksAGameVoidThatThrows) {
             std::string::npos);
 }
 
-TEST(Experiment, GoesOnAfterAnInterrupt) {
+TEST(Experiment, ContinuesAfterAnInterrupt) {
   const TemporaryFolder folder;
   ExperimentOptions options = fake_options(folder.path());
   const pid_t runner = getpid();
@@ -216,14 +216,14 @@ TEST(Experiment, GoesOnAfterAnInterrupt) {
   EXPECT_EQ(results_in(folder), undisturbed_results(small_sweep()));
 }
 
-TEST(Experiment, IsRefusedWhereAnotherRunWrites) {
+TEST(Experiment, IsRefusedWhileAnotherRunWritesToTheFolder) {
   const TemporaryFolder folder;
   run_experiment(small_sweep(), fake_options(folder.path()));
   const Shard other(shard_of(folder.path()), "");
   EXPECT_THROW(run_experiment(small_sweep(), fake_options(folder.path())), InputOutputError);
 }
 
-TEST(Experiment, IsRefusedInAFolderOfAnotherConfigurationWithWhatDiffers) {
+TEST(Experiment, IsRefusedInAFolderOfAnotherConfigurationNamingTheDifferences) {
   const TemporaryFolder folder;
   run_experiment(small_sweep(), fake_options(folder.path()));
   Scenario changed = small_sweep();
@@ -249,7 +249,7 @@ TEST(Experiment, IsRefusedInAFolderOfAnotherBuildUnlessAllowed) {
   EXPECT_EQ(results_in(folder), undisturbed_results(small_sweep()));
 }
 
-TEST(Experiment, PlaysOnlyTheNewTeamsGamesWhenATeamIsAdded) {
+TEST(Experiment, PlaysOnlyTheNewTeamsGamesIfATeamIsAdded) {
   const TemporaryFolder folder;
   const ExperimentReport two =
       run_experiment(small_roundrobin({6, 5}), fake_options(folder.path()));
@@ -261,7 +261,7 @@ TEST(Experiment, PlaysOnlyTheNewTeamsGamesWhenATeamIsAdded) {
   EXPECT_EQ(results_in(folder), undisturbed_results(three));
 }
 
-TEST(Experiment, LeavesTheStandingsOfARoundRobin) {
+TEST(Experiment, WritesTheStandingsOfARoundRobin) {
   const TemporaryFolder folder;
   run_experiment(small_roundrobin({6, 5, 4}), fake_options(folder.path()));
   EXPECT_EQ(line_count(content_of(folder / "results.csv")), 13);
@@ -269,7 +269,7 @@ TEST(Experiment, LeavesTheStandingsOfARoundRobin) {
   EXPECT_EQ(line_count(content_of(folder / "standings.csv")), 4);
 }
 
-TEST(Experiment, SaysWhichTeamOfARoundRobinIsAnother) {
+TEST(Experiment, ReportsWhichTeamOfARoundRobinDiffers) {
   const TemporaryFolder folder;
   run_experiment(small_roundrobin({6, 5}), fake_options(folder.path()));
   try {
@@ -282,7 +282,7 @@ TEST(Experiment, SaysWhichTeamOfARoundRobinIsAnother) {
   }
 }
 
-TEST(Experiment, SaysWhichFolderCannotBeCreated) {
+TEST(Experiment, ThrowsIfItsFolderCannotBeCreated) {
   const TemporaryFolder folder;
   write_content(folder / "file", "");
   EXPECT_THROW(run_experiment(small_sweep(), fake_options(folder / "file/x")), InputOutputError);

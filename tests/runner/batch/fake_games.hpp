@@ -1,4 +1,4 @@
-// Experiments with made-up games, so that tests of the machinery take milliseconds.
+// Experiments with fake games, which keep the tests fast.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,7 @@ inline GameRecord slow_fake_game(const GameConfiguration& game) {
   return fake_game(game);
 }
 
-// b.robots over 6 and 5, `pairs` pairs each.
+// Values 6 and 5 of b.robots, with `pairs` pairs each.
 inline Scenario small_sweep(int pairs = 3) {
   Sweep sweep;
   sweep.factors = {{"b.robots", {6, 5}}};
@@ -40,7 +40,7 @@ inline Scenario small_sweep(int pairs = 3) {
   return {"A test.", sweep};
 }
 
-// team0, team1 ... of so many robots each, `pairs` pairs each.
+// Teams team0, team1 ... with these numbers of robots; `pairs` pairs per matchup.
 inline Scenario small_roundrobin(const std::vector<int>& robots, int pairs = 2) {
   RoundRobin robin;
   for (const int count : robots) {
@@ -51,7 +51,7 @@ inline Scenario small_roundrobin(const std::vector<int>& robots, int pairs = 2) 
   return {"A test.", robin};
 }
 
-// One that b's five robots decide after the fewest pairs: fake games differ by -4 goals on average.
+// Decided after min_pairs: with five robots for b, fake games differ by -4 goals on average.
 inline Scenario small_sprt_match(int max_pairs = 40) {
   SprtMatch match;
   match.teams["team0"].robots = 6;

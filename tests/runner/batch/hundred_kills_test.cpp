@@ -1,5 +1,5 @@
-// A hundred times kill -9 while an experiment runs, at random moments, of runs and of their
-// workers: the results are those of an undisturbed run.
+// Kills runs and their workers (kill -9) a hundred times at random moments of an experiment: the
+// results are those of an undisturbed run.
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
@@ -25,10 +25,10 @@ using std::chrono::milliseconds;
 
 constexpr int kKills = 100;
 constexpr int kMostGamesBetweenKills = 4;
-constexpr int kPairs = 110;  // of two values: 440 games, more than can end between the kills
+constexpr int kPairs = 110;  // for each of two values: 440 games, more than can end between kills
 
-// How many games may still end, for all processes: games go on as fast as kills come, so that no
-// machine is too fast or too slow for this test.
+// Semaphore shared by all processes: the number of games that may still end. It ties the pace of
+// the games to that of the kills, so the test does not depend on the machine's speed.
 class Gate {
  public:
   Gate() {
@@ -64,7 +64,7 @@ std::vector<pid_t> children_of(pid_t parent) {
   return children;
 }
 
-// One experiment, played by several runs that share a folder.
+// One experiment played by several runs in the same folder.
 class KilledRuns {
  public:
   KilledRuns(const fs::path& folder, int shards) : folder_(folder), runs_(shards) {
@@ -79,20 +79,20 @@ class KilledRuns {
   Gate& gate() { return gate_; }
   int count() const { return static_cast<int>(runs_.size()); }
 
-  // Whether it was still running.
+  // Restarts the run. Returns whether it was still running.
   bool kill_run(int i) {
     const bool was_running = WIFSIGNALED(end(runs_[i]));
     start(i);
     return was_running;
   }
 
-  // Whether it had a worker just then.
+  // Returns whether the run had a worker at that moment.
   bool kill_worker(int i, std::size_t chance) {
     const std::vector<pid_t> workers = children_of(runs_[i]);
     return !workers.empty() && kill(workers[chance % workers.size()], SIGKILL) == 0;
   }
 
-  // Waits for all of them to end well.
+  // Returns whether all runs exit with status 0 in time.
   bool end_well(std::chrono::seconds patience) {
     const auto until = std::chrono::steady_clock::now() + patience;
     for (pid_t& run : runs_) {
@@ -116,7 +116,8 @@ class KilledRuns {
     options.workers = count() == 1 ? 2 : 1;
     options.shard = {i, count()};
     options.patience_s = 20;
-    options.attempts = 1000;  // in a real run three deaths of one game's workers tell of the game
+    options.attempts =
+        1000;  // in a real run, three deaths of one game's workers mean that the game is at fault
     options.play = [this](const GameConfiguration& game) {
       gate_.pass();
       return fake_game(game);
@@ -138,7 +139,7 @@ class KilledRuns {
   std::vector<pid_t> runs_;
 };
 
-// Returns how many kills have hit. Bounded, should none find a worker.
+// Returns the number of kills that hit a process. The number of tries is limited.
 int hundred_kills(KilledRuns& runs, unsigned seed) {
   std::mt19937 random(seed);
   int kills = 0;
@@ -179,7 +180,7 @@ TEST_P(HundredKills, LeaveTheResultsOfAnUndisturbedRun) {
   const TemporaryFolder folder;
   KilledRuns runs(folder.path(), GetParam());
   ASSERT_EQ(hundred_kills(runs, 2014), kKills);
-  ASSERT_LT(rows_in(folder.path()), 4 * kPairs);  // else the last ones came too late
+  ASSERT_LT(rows_in(folder.path()), 4 * kPairs);  // otherwise, the last kills came too late
   runs.gate().let_through(1000 * kPairs);
   ASSERT_TRUE(runs.end_well(std::chrono::seconds(60)));
   EXPECT_EQ(rows_in(folder.path()), 4 * kPairs);

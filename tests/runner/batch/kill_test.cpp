@@ -1,4 +1,4 @@
-// kill -9 of a whole run: its workers end with it. What it leaves behind: hundred_kills_test.cpp.
+// kill -9 of a whole run ends its workers too. For its results, see hundred_kills_test.cpp.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -30,7 +30,7 @@ int lines_in(const std::filesystem::path& path) {
   return lines;
 }
 
-// Runs the experiment in a process that is killed once the file has two lines, or after 30 s.
+// Runs the experiment in a process and kills that once `pids` has two lines, or after 30 s.
 void run_and_kill(const ExperimentOptions& options, const std::filesystem::path& pids) {
   const pid_t child = fork();
   if (child == 0) {
@@ -43,14 +43,14 @@ void run_and_kill(const ExperimentOptions& options, const std::filesystem::path&
   waitpid(child, nullptr, 0);
 }
 
-// Neither gone nor a zombie.
+// Whether the process exists and is not a zombie.
 bool is_running(const std::string& pid) {
   std::ifstream file("/proc/" + pid + "/stat");
   std::string number, name, state;
   return static_cast<bool>(file >> number >> name >> state) && state != "Z" && state != "X";
 }
 
-TEST(KilledRun, TakesItsWorkersAlong) {
+TEST(KilledRun, EndsItsWorkers) {
   const TemporaryFolder folder;
   ExperimentOptions options = slow_options(folder / "run");
   options.play = [&folder](const GameConfiguration& game) {

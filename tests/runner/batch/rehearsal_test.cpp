@@ -15,7 +15,7 @@ namespace {
 
 using std::chrono::duration;
 
-// Plays in workers: what they are given is appended to a file, a line a game.
+// Plays in workers, which append each game's number of robots and half length to a file.
 class Rehearse : public testing::Test {
  protected:
   std::vector<Rehearsal> rehearsed(const Scenario& scenario, RehearsalOptions options) const {
@@ -40,7 +40,7 @@ TEST_F(Rehearse, PlaysAFewSecondsOfEachCombinationFirst) {
   EXPECT_EQ(rehearsals[1].void_reason, "");
 }
 
-TEST_F(Rehearse, PlaysWholeGamesWhereThereIsTime) {
+TEST_F(Rehearse, PlaysWholeGamesIfThereIsTime) {
   rehearsed(small_sweep(1), {fake_game});
   EXPECT_TRUE(games().ends_with("6 600\n5 600\n6 600\n5 600\n")) << games();
 }
@@ -53,7 +53,7 @@ TEST_F(Rehearse, PlaysNoLongerHalvesThanTheGame) {
   EXPECT_EQ(games().find("5 5\n"), std::string::npos) << games();
 }
 
-// The first 10 s of the game take no time, the other 1190 s take 0.1 ms each.
+// The first 10 s of the game take no wall time, the other 1190 s take 0.1 ms per second.
 GameRecord play_with_a_cheap_start(const GameConfiguration& game) {
   const double middle_s = std::max(0.0, game.match.half_s * game.match.halves - 10);
   std::this_thread::sleep_for(duration<double>(1e-4 * middle_s));
@@ -64,11 +64,11 @@ TEST_F(Rehearse, TakesTheMiddleOfAGameIntoAccount) {
   const std::vector<Rehearsal> rehearsals = rehearsed(small_sweep(3), {play_with_a_cheap_start, 2});
   for (const Rehearsal& rehearsal : rehearsals) {
     EXPECT_GT(rehearsal.wall_s_a_game, 0.118);
-    EXPECT_LT(rehearsal.wall_s_a_game, 0.35);  // 0.119 s, on a busy machine
+    EXPECT_LT(rehearsal.wall_s_a_game, 0.35);  // 0.119 s, with slack for a busy machine
   }
 }
 
-// 2 s a game: only a part of it fits.
+// A game takes 2 s, so only part of it fits.
 TEST_F(Rehearse, EstimatesAWholeGameFromAPart) {
   const auto play = [](const GameConfiguration& game) {
     std::this_thread::sleep_for(duration<double>(game.match.half_s / 300));
@@ -98,7 +98,7 @@ TEST_F(Rehearse, EndsInTime) {
   EXPECT_GT(rehearsals.back().wall_s_a_game, 0);
 }
 
-TEST_F(Rehearse, SaysWhyAGameIsVoid) {
+TEST_F(Rehearse, ReportsWhyAGameIsVoid) {
   const auto play = [](const GameConfiguration& game) {
     if (game.b.robots.size() == 6) throw std::runtime_error("no such thing");
     GameRecord record = fake_game(game);
@@ -110,7 +110,7 @@ TEST_F(Rehearse, SaysWhyAGameIsVoid) {
   EXPECT_EQ(rehearsals[1].void_reason, "a threw");
 }
 
-TEST_F(Rehearse, SaysThatAGameCrashesInItsMiddle) {
+TEST_F(Rehearse, ReportsAGameThatCrashesInTheMiddle) {
   const auto play = [](const GameConfiguration& game) {
     if (game.match.half_s > 100) std::abort();
     return fake_game(game);
@@ -119,7 +119,7 @@ TEST_F(Rehearse, SaysThatAGameCrashesInItsMiddle) {
   EXPECT_NE(rehearsals[0].void_reason.find("signal 6 (Aborted)"), std::string::npos);
 }
 
-// 10 games of 2 s end after 10 s; then two workers have three games of 4 s each.
+// With two workers, 10 games of 2 s end after 10 s; then each worker has three games of 4 s.
 TEST(RehearsedDuration, SharesTheGamesBetweenTheWorkers) {
   const std::vector<Rehearsal> rehearsals = {{"x", 10, "", 2.0}, {"y", 6, "", 4.0}};
   EXPECT_DOUBLE_EQ(duration_s(rehearsals, 1), 44);

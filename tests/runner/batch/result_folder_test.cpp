@@ -16,7 +16,7 @@ struct Filled {
   TemporaryFolder folder;
 };
 
-// What opening the folder is refused with; empty where it is not.
+// The error message when opening the folder; empty if there is none.
 std::string refusal(const std::filesystem::path& folder, const std::string& build = {}) {
   try {
     open_results(folder, build);
@@ -26,7 +26,7 @@ std::string refusal(const std::filesystem::path& folder, const std::string& buil
   return {};
 }
 
-TEST(ResultFolder, HoldsWhatWasPlanned) {
+TEST(ResultFolder, HasTheScheduledGames) {
   const Filled filled;
   const ResultFolder folder = open_results(filled.folder.path());
   EXPECT_EQ(folder.games.size(), 12U);
@@ -35,7 +35,7 @@ TEST(ResultFolder, HoldsWhatWasPlanned) {
   EXPECT_EQ(folder.by_shard, (std::map<std::string, int>{{"0/1", 12}}));
 }
 
-TEST(ResultFolder, MayStillBeFilling) {
+TEST(ResultFolder, CanBeReadBeforeItIsComplete) {
   const Filled filled;
   const std::string rows = content_of(shard_of(filled.folder.path()));
   write_content(shard_of(filled.folder.path()), rows.substr(0, rows.size() * 2 / 3));
@@ -45,7 +45,7 @@ TEST(ResultFolder, MayStillBeFilling) {
   EXPECT_EQ(folder.damaged, 0);
 }
 
-TEST(ResultFolder, IsWrittenTheSameAgain) {
+TEST(ResultFolder, IsRewrittenIdentically) {
   const Filled filled;
   const std::string before = content_of(filled.folder / "results.csv");
   const ResultFolder folder = open_results(filled.folder.path());
@@ -54,13 +54,13 @@ TEST(ResultFolder, IsWrittenTheSameAgain) {
   EXPECT_EQ(content_of(filled.folder / "results.csv"), before);
 }
 
-TEST(ResultFolder, IsNoOtherFolder) {
+TEST(ResultFolder, RefusesAFolderWithoutResults) {
   const TemporaryFolder folder;
   EXPECT_NE(refusal(folder.path()).find("holds no results: expected effective.yaml"),
             std::string::npos);
 }
 
-TEST(ResultFolder, AsksWhichOfSeveralBuildsCounts) {
+TEST(ResultFolder, RequiresAChoiceBetweenSeveralBuilds) {
   const Filled filled;
   ExperimentOptions options = fake_options(filled.folder.path());
   options.build = "0.1.0-other";
@@ -68,7 +68,7 @@ TEST(ResultFolder, AsksWhichOfSeveralBuildsCounts) {
   run_experiment(small_sweep(1), options);
   EXPECT_NE(refusal(filled.folder.path()).find("0.1.0-other, 0.1.0-test; choose one"),
             std::string::npos);
-  EXPECT_NE(refusal(filled.folder.path(), "0.2").find("has none of 0.2"), std::string::npos);
+  EXPECT_NE(refusal(filled.folder.path(), "0.2").find("has no games of 0.2"), std::string::npos);
   EXPECT_EQ(open_results(filled.folder.path(), "0.1.0-other").completed_games.done.size(), 4U);
 }
 
@@ -82,7 +82,7 @@ TEST(Verify, FindsNoDifferenceIfGamesEndAsBefore) {
   EXPECT_TRUE(verification.differences.empty());
 }
 
-TEST(Verify, NamesWhatIsDifferent) {
+TEST(Verify, ReportsTheColumnThatDiffers) {
   const Filled filled;
   const auto other_game = [](const GameConfiguration& game, GameRow& row) {
     play_fake_game(game, row);
@@ -95,7 +95,7 @@ TEST(Verify, NamesWhatIsDifferent) {
   EXPECT_EQ(verification.differences.front().column.column, "state_hash");
 }
 
-TEST(Verify, HasNothingToDoWithoutGoodGames) {
+TEST(Verify, ThrowsIfAllGamesAreVoid) {
   const TemporaryFolder folder;
   ExperimentOptions options = fake_options(folder.path());
   options.play = [](const GameConfiguration&) -> GameRecord { throw std::runtime_error("no"); };

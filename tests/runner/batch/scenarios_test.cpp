@@ -1,4 +1,4 @@
-// Every scenario file can be read, and its games can be played, shortened.
+// Every scenario file can be read, and shortened games of it can be played.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ std::vector<std::string> scenario_files() {
 
 constexpr double kShortHalf_s = 5;
 
-// As few pairs as there may be of each kind.
+// The fewest pairs that each kind allows.
 void make_few(Sweep& sweep) { sweep.pairs = 1; }
 void make_few(RoundRobin& robin) { robin.pairs = 1; }
 void make_few(Gauntlet& gauntlet) { gauntlet.pairs = 1; }
@@ -60,7 +60,7 @@ TEST_P(EveryScenario, ReadsBackEqualFromItsEffectiveText) {
   EXPECT_EQ(effective_text(read_scenario_text(text, "effective.yaml")), text);
 }
 
-TEST_P(EveryScenario, CanBePlayedShortened) {
+TEST_P(EveryScenario, PlaysShortenedGames) {
   Scenario scenario = read_scenario(GetParam());
   shorten(scenario);
   if (auto* game = std::get_if<GameSettings>(&scenario.content)) {

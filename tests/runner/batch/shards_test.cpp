@@ -1,4 +1,4 @@
-// An experiment shared between several runs.
+// An experiment divided among several runs.
 #include <gtest/gtest.h>
 
 #include <stdexcept>
@@ -30,7 +30,7 @@ class Shards : public testing::TestWithParam<int> {
   TemporaryFolder folder_;
 };
 
-TEST_P(Shards, LeaveTheSameResultsInOneFolder) {
+TEST_P(Shards, WriteTheSameResultsInOneFolder) {
   for (int i = GetParam() - 1; i > 0; --i) {
     const ExperimentReport report = run_shard(folder_.path(), i, GetParam());
     EXPECT_FALSE(report.is_complete);
@@ -40,7 +40,7 @@ TEST_P(Shards, LeaveTheSameResultsInOneFolder) {
   EXPECT_EQ(results_in(folder_.path()), results_in(whole_.path()));
 }
 
-TEST_P(Shards, LeaveTheSameResultsWhenTheirRowsAreCopiedTogether) {
+TEST_P(Shards, GiveTheSameResultsIfTheirRowsAreCopiedTogether) {
   for (int i = 0; i < GetParam(); ++i) {
     const TemporaryFolder own;
     run_shard(own.path(), i, GetParam());
@@ -54,14 +54,14 @@ TEST_P(Shards, LeaveTheSameResultsWhenTheirRowsAreCopiedTogether) {
 
 INSTANTIATE_TEST_SUITE_P(All, Shards, testing::Values(1, 2, 5));
 
-TEST(ScheduledGames, AreOfOneUnitWhereTheyAreLegsOfAPair) {
+TEST(ScheduledGames, AreOneUnitIfTheyAreLegsOfAPair) {
   for (const Scenario& scenario : {small_sweep(), small_roundrobin({6, 5, 4})}) {
     const std::vector<ScheduledGame> games = scheduled_games(scenario);
     for (std::size_t i = 0; i < games.size(); ++i) EXPECT_EQ(games[i].unit, i / 2);
   }
 }
 
-TEST(ShardIndex, GivesEveryUnitToOneShard) {
+TEST(ShardIndex, AssignsEveryUnitToOneShard) {
   for (std::size_t unit = 0; unit < 40; ++unit) {
     int shards = 0;
     for (int i = 0; i < 3; ++i) shards += ShardIndex{i, 3}.has(unit) ? 1 : 0;
@@ -69,13 +69,13 @@ TEST(ShardIndex, GivesEveryUnitToOneShard) {
   }
 }
 
-TEST(ShardIndex, IsReadFromItsName) {
+TEST(ShardIndex, IsParsedFromItsName) {
   EXPECT_EQ(shard_index_of("3/12").number, 3);
   EXPECT_EQ(shard_index_of("3/12").of, 12);
   EXPECT_EQ(shard_index_of("3/12").name(), "3/12");
 }
 
-TEST(ShardIndex, IsNothingElse) {
+TEST(ShardIndex, RefusesOtherText) {
   for (const char* text : {"", "1", "1/", "/2", "2/2", "-1/2", "0/0", "1/2x", "0/10001", "a/b",
                            "99999999999/2", "0 /2"})
     EXPECT_THROW(shard_index_of(text), std::invalid_argument) << text;

@@ -130,7 +130,7 @@ TEST_F(RunVerb, ReportsThatMorePairsContinueTheFolder) {
   const Answer answer = run({"--pairs", "3"});
   EXPECT_EQ(answer.code, kDone);
   EXPECT_TRUE(answer.err.starts_with(
-      "the folder had 1 pairs, now 3: its games count, the others are played\n"))
+      "the folder had 1 pairs, now 3: its games count, only the new ones are played\n"))
       << answer.err;
 }
 
@@ -138,7 +138,7 @@ TEST_F(RunVerb, ReportsTheRowsThatFewerPairsLeaveOut) {
   run({"--pairs", "3"});
   const Answer answer = run();
   EXPECT_EQ(answer.code, kDone);
-  EXPECT_TRUE(answer.err.starts_with("the folder had 3 pairs, now 1: 8 rows beyond do not count"))
+  EXPECT_TRUE(answer.err.starts_with("the folder had 3 pairs, now 1: 8 surplus rows do not count"))
       << answer.err;
   EXPECT_TRUE(holds(answer.err, "count again with --pairs 3")) << answer.err;
   const Answer status = answer_to({"status", results_.c_str()});
@@ -152,7 +152,8 @@ TEST_F(RunVerb, RefusesAnotherSeedAndSuggestsAnotherFolder) {
   const std::string rows = content_of(folder_ / "results/games/shard-0-of-1.csv");
   const auto is_refused = [&](const Answer& answer) {
     EXPECT_EQ(answer.code, kBadInput);
-    EXPECT_TRUE(holds(answer.err, "holds games of seed 1, this is seed 5; go on with --seed 1"))
+    EXPECT_TRUE(
+        holds(answer.err, "holds games of seed 1, but this is seed 5; continue with --seed 1"))
         << answer.err;
     EXPECT_TRUE(holds(answer.err, fmt::format("-o {}-seed-5", results_))) << answer.err;
     EXPECT_EQ(content_of(folder_ / "results/games/shard-0-of-1.csv"), rows);

@@ -132,7 +132,7 @@ TEST_F(JudgedRun, RefusesTheRowsOfAnotherSeed) {
   write_file("", "4");
   const Answer other = judge(whole_);
   EXPECT_EQ(other.code, kBadInput);
-  EXPECT_NE(other.err.find("holds games of seed 3, this is seed 4"), std::string::npos)
+  EXPECT_NE(other.err.find("holds games of seed 3, but this is seed 4"), std::string::npos)
       << other.err;
 }
 
