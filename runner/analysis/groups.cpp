@@ -29,7 +29,7 @@ void add_game(Group& group, const GameRow& row) {
   group.games_by_pair[row.pair].push_back({group.differences.back(), win});
 }
 
-// Of pairs with both legs.
+// Pairs with a missing leg are left out.
 DifferenceByPair pair_differences_of(const Group& group) {
   DifferenceByPair differences;
   for (const auto& [number, legs] : group.games_by_pair) {
@@ -42,7 +42,7 @@ std::optional<double> mean_of(const std::vector<double>& sample) {
   return sample.empty() ? std::nullopt : std::optional(mean(sample));
 }
 
-// "1.50 ± 1.00", the mean and the standard deviation; "-" where there are no games.
+// "1.50 ± 1.00": mean and standard deviation; "-" without games.
 std::string score_text(const std::vector<double>& goals) {
   if (goals.empty()) return "-";
   const std::optional<double> deviation = standard_deviation(goals);

@@ -1,4 +1,4 @@
-// The scores of an experiment's games, grouped by a sweep's values or by matchups.
+// Scores of an experiment's games, grouped by a sweep's values or by matchup.
 #pragma once
 
 #include <functional>
@@ -20,10 +20,10 @@ namespace autoref::runner {
 // Games with the same values. Void games count only in `void_games`.
 struct Group {
   std::vector<std::string> values;
-  std::vector<double> goals_a;  // of each game
+  std::vector<double> goals_a;  // per game
   std::vector<double> goals_b;
   std::vector<double> differences;  // a minus b
-  // By pair number: mean over the two legs, of pairs without a void leg.
+  // By pair number: mean over the two legs. Pairs with a void leg are left out.
   DifferenceByPair pair_differences;
   std::map<int, std::vector<RatedGame>> games_by_pair;  // by pair number, without void games
   int void_games = 0;
@@ -35,7 +35,7 @@ struct Group {
   ResultCounts results() const { return {wins_a, draws, wins_b}; }
 };
 
-// Groups the rows by what `values_of` gives for each: a group for each of `values`, in their order.
+// Groups the rows by `values_of(row)`. Returns one group per entry of `values`, in that order.
 std::vector<Group> grouped(const std::vector<std::vector<std::string>>& values,
                            const std::function<std::vector<std::string>(const GameRow&)>& values_of,
                            const RowsById& rows);
@@ -43,20 +43,20 @@ std::vector<Group> grouped(const std::vector<std::vector<std::string>>& values,
 // The differences in the order of the pair numbers.
 std::vector<double> values_of(const DifferenceByPair& differences);
 
-// What summary.csv says of a group behind its values: games, means and standard deviations (over
-// games), and the 95 % interval of the mean difference (over pairs). Cells without a value are
-// empty.
+// A group's columns in summary.csv after its values: games, means and standard deviations (over
+// games), and the 95 % interval of the mean difference (over pairs). Missing values are empty
+// cells.
 Cells summary_columns();
 Cells summary_cells(const Group& group);
 
-// And of its results: team a's wins, draws and losses, with their shares (result_shares.hpp).
+// Columns for the results: team a's wins, draws and losses with their shares (result_shares.hpp).
 inline Cells result_columns() { return share_columns({"wins_a", "draws", "wins_b"}); }
 
-// The same for people: games, goals, the mean difference with its interval, void games.
+// A group's columns in text tables: games, goals, mean difference with its interval, void games.
 Cells table_columns();
 Cells table_cells(const Group& group);
 
-// "+0.50 [-0.10, +1.10]": the mean over games, and its 95 % interval over pairs where there is one.
+// "+0.50 [-0.10, +1.10]": the mean over games with its 95 % interval over pairs, if there is one.
 std::string difference_text(const std::vector<double>& differences,
                             const std::vector<double>& pair_differences);
 
@@ -66,14 +66,14 @@ std::string mean_text(double mean, const std::optional<Interval>& interval);
 // "0.032", or "<0.001".
 std::string p_text(double p);
 
-// The bounds, each none where there is no interval.
+// The interval's bounds; both nullopt if there is no interval.
 std::pair<std::optional<double>, std::optional<double>> bounds_of(
     const std::optional<Interval>& interval);
 
-// A p value of a CSV file, six digits of it however small it is; empty where there is none.
+// A p value as a CSV cell, with six significant digits; empty if nullopt.
 std::string p_cell(std::optional<double> p);
 
-// A number of a CSV file; empty where there is none.
+// A number as a CSV cell; empty if nullopt.
 std::string number_cell(std::optional<double> number);
 
 }  // namespace autoref::runner

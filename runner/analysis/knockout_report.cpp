@@ -19,7 +19,8 @@ const GameRecord* deciding_game(const Tie& tie, const RowsById& rows) {
   return last;
 }
 
-// Goals of both teams, then those of the shoot-out; empty cells for what there was not.
+// Goals of both teams, then those of the shoot-out; cells are empty if there was no game or
+// shoot-out.
 Cells score_cells(const GameRecord* game) {
   if (game == nullptr) return {"", "", "", ""};
   Cells cells = {std::to_string(game->goals_a), std::to_string(game->goals_b), "", ""};
@@ -34,7 +35,7 @@ std::string winner_of(const Tie& tie) {
   return tie.a_won ? *tie.a : *tie.b;
 }
 
-// "3:1", "1:1 (4:2)" with a shoot-out, "void" if all games were void, "-" before the first.
+// "3:1", "1:1 (4:2)" with a shoot-out, "void" if all games were void, "-" before the first game.
 std::string score_text(const Tie& tie, const RowsById& rows) {
   if (tie.games.empty()) return "-";
   const GameRecord* const game = deciding_game(tie, rows);
@@ -74,7 +75,7 @@ std::string ties_csv(const std::vector<Tie>& ties, const RowsById& rows) {
 }
 
 std::vector<Cells> bracket_rows(const std::vector<Tie>& ties, const RowsById& rows) {
-  std::vector<Cells> lines = {{"", "a", "", "b", "goes on", "decided by"}};
+  std::vector<Cells> lines = {{"", "a", "", "b", "winner", "decided by"}};
   for (const Tie& tie : ties) {
     lines.push_back({tie.name, tie.a.value_or("?"), score_text(tie, rows), tie.b.value_or("?"),
                      winner_of(tie), decision_text(tie)});

@@ -1,4 +1,4 @@
-// A knockout's results as a CSV file and as a table.
+// A knockout's results as a CSV file and as a text table.
 #pragma once
 
 #include <string>
@@ -9,17 +9,17 @@
 
 namespace autoref::runner {
 
-// summary.csv: a row per tie with its teams, the score of its last game that is not void, its
-// shoot-out, how many games it took, how many of them were void, what decided it and who goes on.
-// Cells of what is not known yet are empty.
+// summary.csv: one row per tie with its teams, the score and shoot-out of its last game that is not
+// void, its number of games, how many of them were void, what decided it and the winner. Cells that
+// are not known yet are empty.
 std::string ties_csv(const std::vector<Tie>& ties, const RowsById& rows);
 
-// The ties with their scores, the head first.
+// The ties with their scores; the first row is the header.
 std::vector<Cells> bracket_rows(const std::vector<Tie>& ties, const RowsById& rows);
 inline const std::vector<Align> kBracketColumns = {Align::kLeft, Align::kRight, Align::kLeft,
                                                    Align::kLeft, Align::kLeft,  Align::kLeft};
 
-// The same as text, then the winner; several lines.
+// The same as lines of text, followed by the winner.
 std::string bracket_table(const std::vector<Tie>& ties, const RowsById& rows);
 
 }  // namespace autoref::runner

@@ -1,4 +1,4 @@
-// A knockout's bracket as its games decide it.
+// A knockout's bracket, with the results of its games.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace autoref::runner {
 
-// The ties with the games played so far, and who won them.
+// The ties with their winners and the games played so far.
 std::vector<Tie> bracket_of(const Knockout& knockout, const RowsById& rows);
 
 }  // namespace autoref::runner

@@ -1,4 +1,4 @@
-// Games won, drawn and lost as shares, with what those are known to.
+// Shares of games won, drawn and lost, with confidence intervals.
 #pragma once
 
 #include <array>
@@ -8,17 +8,17 @@
 
 namespace autoref::runner {
 
-// Of games won, drawn and lost.
+// Numbers of games won, drawn and lost.
 using ResultCounts = std::array<int, 3>;
 
-// What a CSV says of three counts whose columns have these names: first the counts, then for each
-// its share of all games and the 95 % interval of that (proportion_interval(), games taken as
-// independent), such as "wins_a_share", "wins_a_low95" and "wins_a_high95". Cells are empty where
-// there are no games.
+// CSV columns for three counts with these names: first the counts, then for each its share of all
+// games and the share's 95 % interval, such as "wins_a_share", "wins_a_low95" and "wins_a_high95".
+// The intervals are those of proportion_interval(), which assumes independent games. Shares and
+// intervals are empty without games.
 Cells share_columns(const std::array<std::string, 3>& names);
 Cells share_cells(const ResultCounts& counts);
 
-// "63 % [52, 73]" for people; "-" for none of none.
+// "63 % [52, 73]": the share with its 95 % interval; "-" if `whole` is 0.
 std::string share_text(int part, int whole);
 
 }  // namespace autoref::runner

@@ -32,7 +32,7 @@ std::string sentence(const SprtMatch& match, const SprtMatchState& state) {
                      match.sprt.d0, match.sprt.d1);
 }
 
-// As many digits as tell it, an infinite one as a word.
+// With four decimals; "inf" or "-inf" if infinite.
 std::string ratio_text(double ratio) {
   if (std::isinf(ratio)) return ratio > 0 ? "inf" : "-inf";
   return fmt::format("{:.4f}", ratio);
@@ -70,12 +70,12 @@ std::string sprt_match_csv(const SprtMatch& match, const Group& matchup,
 std::string verdict_text(const SprtMatch& match, const SprtMatchState& state) {
   const SequentialTest& test = match.sprt;
   std::string text = fmt::format(
-      "{}\nafter {} pairs of legs (of {} to {}): log likelihood ratio {:+.2f}, "
+      "{}\nafter {} pairs of legs (minimum {}, maximum {}): log-likelihood ratio {:+.2f}, "
       "bounds {:+.2f} and {:+.2f}\n",
       sentence(match, state), state.test.pairs, test.min_pairs, test.max_pairs,
       state.test.log_likelihood_ratio, bound_of_d0(test), bound_of_d1(test));
   if (state.void_pairs > 0) {
-    text += fmt::format("{} pairs with a void leg are left out of the test\n", state.void_pairs);
+    text += fmt::format("the test leaves out {} pairs with a void leg\n", state.void_pairs);
   }
   return text;
 }

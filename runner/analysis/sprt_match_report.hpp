@@ -1,4 +1,4 @@
-// What is told of a match: a row for programs, a table for people.
+// An SPRT match's results as a CSV file and as a text table.
 #pragma once
 
 #include <string>
@@ -8,19 +8,19 @@
 
 namespace autoref::runner {
 
-// "d0", "d1", "undecided", or "none" as long as more pairs are needed.
+// "d0", "d1", "undecided", or "none" while more pairs are needed.
 std::string name_of(Verdict verdict);
 
-// summary.csv: the matchup's row as a round robin has it, then the test: its verdict, how many
-// pairs it took, how many of the first were left out as void, the log likelihood ratio of d1 to d0,
-// and the test's settings.
+// summary.csv: the matchup's row as in a round robin, then the test: its verdict, the number of
+// pairs used, the number of pairs left out because of a void leg, the log-likelihood ratio of d1 to
+// d0, and the test's settings.
 std::string sprt_match_csv(const SprtMatch& match, const Group& matchup,
                            const SprtMatchState& state);
 
-// The verdict in a sentence, and what it follows from.
+// The verdict as a sentence, then the number of pairs, the log-likelihood ratio and its bounds.
 std::string verdict_text(const SprtMatch& match, const SprtMatchState& state);
 
-// The matchup's table, and the verdict.
+// The matchup's table, followed by the verdict.
 std::string sprt_match_table(const SprtMatch& match, const Group& matchup,
                              const SprtMatchState& state);
 

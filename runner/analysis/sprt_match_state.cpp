@@ -32,11 +32,11 @@ std::optional<double> difference_of(const Legs& legs) {
   return sum / 2;
 }
 
-// The pairs before the first one that lacks a row.
+// The pairs before the first that lacks a row.
 struct FirstPairs {
   std::vector<double> differences;  // of the pairs without a void leg
-  std::vector<int> numbers;         // of those pairs
-  int count = 0;                    // of all of them
+  std::vector<int> numbers;         // of the same pairs
+  int count = 0;                    // including pairs with a void leg
 };
 
 FirstPairs first_pairs(const SprtMatch& match, const RowsById& rows) {
@@ -61,7 +61,7 @@ SprtMatchState state_of(const SprtMatch& match, const RowsById& rows) {
   SprtMatchState state{decided_by(match.sprt, first.differences), first.count};
   if (state.test.verdict != Verdict::kGoOn) {
     state.last_pair = first.numbers[static_cast<std::size_t>(state.test.pairs - 1)];
-  } else if (first.count == match.sprt.max_pairs) {  // some of them void
+  } else if (first.count == match.sprt.max_pairs) {  // fewer than max_pairs without a void leg
     state.test.verdict = Verdict::kUndecided;
   }
   state.is_decided = state.test.verdict != Verdict::kGoOn;

@@ -16,7 +16,7 @@ double sum_of(const std::vector<double>& sample) {
   return std::accumulate(sample.begin(), sample.end(), 0.0);
 }
 
-// `sign` is -1 where the team is the matchup's b.
+// `sign` is -1 if the team is b in the matchup.
 void add_differences(Standing& standing, const Group& matchup, double sign) {
   for (const double difference : matchup.differences) {
     standing.differences.push_back(sign * difference);

@@ -23,7 +23,7 @@ std::string csv_of(const std::vector<Cells>& rows) {
   return csv;
 }
 
-// The part of a team's row that both, programs and people, are told.
+// The first cells of a team's row, both in standings.csv and in the text table.
 Cells record_of(const Standing& standing, std::size_t rank) {
   return {std::to_string(rank),
           standing.team,
@@ -60,7 +60,7 @@ Cells rating_texts(const Standing& standing) {
           mean_text(standing.strength.value, standing.strength.interval)};
 }
 
-// The counts themselves stand further to the left.
+// Drops the counts, which have their own columns further left.
 Cells shares_only(const Cells& cells) {
   return {cells.begin() + std::tuple_size_v<ResultCounts>, cells.end()};
 }

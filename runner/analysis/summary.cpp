@@ -17,7 +17,7 @@ Cells factor_paths(const Sweep& sweep) {
   return paths;
 }
 
-// The differences of one pair number, value by value; none unless every value has them.
+// One pair number's difference at each value; nullopt if any is missing.
 std::optional<std::vector<double>> differences_of(int pair, const std::vector<Group>& groups) {
   std::vector<double> differences;
   for (const Group& group : groups) {
@@ -28,7 +28,7 @@ std::optional<std::vector<double>> differences_of(int pair, const std::vector<Gr
   return differences;
 }
 
-// Of each value from the first; that one's own entry has no values.
+// Each value's difference from the first value; the first entry is empty.
 std::vector<PairedDifference> differences_from_first(const std::vector<Group>& groups) {
   std::vector<DifferenceByPair> values;
   values.reserve(groups.size());
@@ -49,7 +49,7 @@ Cells difference_cells(const PairedDifference& from_first) {
       p_cell(from_first.p),         p_cell(from_first.p_holm), number_cell(from_first.effect_size)};
 }
 
-// "+2.10 [+1.50, +2.70]", and where there is one, the corrected p.
+// "+2.10 [+1.50, +2.70]" and the corrected p, if there is one.
 Cells difference_texts(const PairedDifference& from_first) {
   if (!from_first.mean) return {"", ""};
   return {mean_text(*from_first.mean, from_first.interval),

@@ -1,4 +1,4 @@
-// What a sweep's rows say, value by value.
+// A sweep's results for each of its values.
 #pragma once
 
 #include <optional>
@@ -11,32 +11,32 @@
 
 namespace autoref::runner {
 
-// A group for each combination of the factors' values, in the sweep's order.
+// One group per combination of the factors' values, in the sweep's order.
 std::vector<Group> grouped(const Sweep& sweep, const RowsById& rows);
 
 struct Slope {
   double mean = 0;
-  std::optional<Interval> interval;  // none for a single pair
+  std::optional<Interval> interval;  // nullopt for a single pair
 };
 
-// How much the score difference changes per unit of the factor. Pairs of one number have the same
-// seeds at every value, so their games are not independent: each pair number gives one slope, by
-// least squares over the values, and those slopes are the independent sample whose mean and
-// Student interval these are. Pair numbers without two good legs at every value are left out. None
-// where the sweep has not exactly one factor with at least two values, all numbers.
+// Slope of the score difference over the factor's value. Pairs with the same number have the same
+// seeds at every value, so their games are not independent. Each pair number therefore gives one
+// slope, by least squares over the values; these slopes are an independent sample, and its mean and
+// Student interval are returned. Pair numbers with a void or missing leg at any value are left out.
+// Returns nullopt unless the sweep has exactly one factor, with at least two values, all numbers.
 std::optional<Slope> slope_over_factor(const Sweep& sweep, const std::vector<Group>& groups);
 
-// summary.csv: per combination what summary_cells() says, then how much "a minus b" differs from
-// the first combination's, over the pair numbers that both have: mean, interval, p of no
-// difference, that p with Holm's correction over all rows, and effect size
-// (statistics/paired_difference.hpp); last the games won, drawn and lost with their shares.
+// summary.csv: one row per combination with summary_cells(), then the difference of "a minus b"
+// from the first combination over the pair numbers that both have: mean, interval, p value, p value
+// with Holm's correction over all rows, and effect size (statistics/paired_difference.hpp); finally
+// the games won, drawn and lost with their shares.
 std::string summary_csv(const Sweep& sweep, const std::vector<Group>& groups);
 
-// The table for people, the head first, and the line on the slope; empty where there is none.
+// The text table, starting with its header, and the line about the slope, empty if there is none.
 std::vector<Cells> summary_rows(const Sweep& sweep, const std::vector<Group>& groups);
 std::string slope_text(const Sweep& sweep, const std::vector<Group>& groups);
 
-// Both as text, several lines.
+// Both as lines of text.
 std::string summary_table(const Sweep& sweep, const std::vector<Group>& groups);
 
 }  // namespace autoref::runner

@@ -13,9 +13,9 @@ TEST(ResultShares, AreNamedAfterTheirCounts) {
             "draws_high95,losses_share,losses_low95,losses_high95");
 }
 
-// Wilson's interval for 8 and 12 of 20 by its formula in Python; Clopper's and Pearson's for 0 of
-// 20 ends at 1 - 0.025^(1/20) = 0.1684.
-TEST(ResultShares, HaveIntervalsThatFitTheirCounts) {
+// Wilson intervals for 8 and 12 of 20, computed from the formula in Python; the Clopper-Pearson
+// interval for 0 of 20 ends at 1 - 0.025^(1/20) = 0.1684.
+TEST(ResultShares, HaveTheIntervalsOfTheirCounts) {
   EXPECT_EQ(csv_line(share_cells({8, 0, 12})),
             "8,0,12,0.4000,0.2188,0.6134,0.0000,0.0000,0.1684,0.6000,0.3866,0.7812");
 }
@@ -25,7 +25,7 @@ TEST(ResultShares, AreEmptyWithoutGames) {
   EXPECT_EQ(share_text(0, 0), "-");
 }
 
-TEST(ResultShares, ReadAsPercentForPeople) { EXPECT_EQ(share_text(8, 20), "40 % [22, 61]"); }
+TEST(ResultShares, ArePrintedInPercent) { EXPECT_EQ(share_text(8, 20), "40 % [22, 61]"); }
 
 }  // namespace
 }  // namespace autoref::runner

@@ -53,7 +53,7 @@ std::vector<Standing> standings_in(const std::vector<Score>& scores) {
   return standings_of(matchups_in(scores));
 }
 
-// By hand: bold beats calm 2:0 and 1:0, draws 1:1 and loses 0:1 with zone; calm and zone 0:0 twice.
+// Bold beats calm 2:0 and 1:0, draws 1:1 with and loses 0:1 to zone; calm and zone draw 0:0 twice.
 const std::vector<Score> kThreeTeams = {{"bold", "calm", 1, 1, 2, 0}, {"bold", "calm", 1, 2, 1, 0},
                                         {"bold", "zone", 1, 1, 1, 1}, {"bold", "zone", 1, 2, 0, 1},
                                         {"calm", "zone", 1, 1, 0, 0}, {"calm", "zone", 1, 2, 0, 0}};
@@ -69,7 +69,7 @@ TEST(Standings, GivesThreePointsForAWinAndOneForADraw) {
   EXPECT_EQ(standings[2].points(), 2);
 }
 
-TEST(Standings, SeesGoalsFromEitherTeamsSide) {
+TEST(Standings, CountsGoalsForAndAgainstEachTeam) {
   const Standing bold = standings_in(kThreeTeams)[0];
   EXPECT_EQ(bold.goals_for, 4);
   EXPECT_EQ(bold.goals_against, 2);
@@ -79,7 +79,7 @@ TEST(Standings, SeesGoalsFromEitherTeamsSide) {
   EXPECT_EQ(zone.pair_differences, (std::vector<double>{0.5, 0}));
 }
 
-TEST(Standings, DecidesEqualPointsByGoalDifferenceThenByName) {
+TEST(Standings, RanksEqualPointsByGoalDifferenceThenByName) {
   const std::vector<Standing> standings =
       standings_in({{"b", "d", 1, 1, 1, 0}, {"c", "d", 1, 1, 3, 0}, {"a", "d", 1, 1, 1, 0}});
   ASSERT_EQ(standings.size(), 4U);
@@ -97,14 +97,14 @@ TEST(Standings, LeavesVoidGamesAndTheirPairsOut) {
   EXPECT_TRUE(standings[0].pair_differences.empty());
 }
 
-TEST(Standings, TakesAForfeitForALossWhateverTheGoals) {
+TEST(Standings, CountsAForfeitAsALossWhateverTheScore) {
   const std::vector<Standing> standings =
       standings_in({{"a", "b", 1, 1, 3, 0, EndReason::kForfeitA}});
   EXPECT_EQ(standings[0].team, "b");
   EXPECT_EQ(standings[0].points(), 3);
 }
 
-TEST(Standings, TakesTheWinnerOfAShootOutForTheGames) {
+TEST(Standings, CountsAShootOutWinAsAWin) {
   const std::vector<Group> matchups = matchups_in({{"a", "b", 1, 1, 1, 1, EndReason::kShootout}});
   EXPECT_EQ(matchups[0].wins_b, 1);
   EXPECT_EQ(matchups[0].draws, 0);
@@ -126,9 +126,9 @@ TEST(StandingsReport, HasARowPerMatchupWithItsResults) {
                 csv_line(share_cells({0, 2, 0})) + "\n");
 }
 
-// Every team has met every other twice, so that its rating is the sum of its differences over
-// three times two: bold (3 - 1) / 6. Bradley's and Terry's by Hunter's iteration, elsewhere.
-// bold's pairs 1.5 and -0.5: mean 0.5, t(0.975, 1) = 12.7062 from tables, standard error 1.
+// All three teams have met twice, so a team's goal rating is the sum of its differences divided by
+// 3 * 2: (3 - 1) / 6 for bold. Bradley-Terry ratings: Hunter's iteration, computed independently.
+// bold's pairs are 1.5 and -0.5: mean 0.5, t(0.975, 1) = 12.7062 from tables, standard error 1.
 TEST(StandingsReport, HasARowPerTeamWithTheIntervalOverItsPairs) {
   EXPECT_EQ(standings_csv(standings_in(kThreeTeams)),
             "rank,team,points,games,wins,draws,losses,void_games,goals_for,goals_against,mean_diff,"
@@ -144,7 +144,7 @@ TEST(StandingsReport, HasARowPerTeamWithTheIntervalOverItsPairs) {
             "0.0000,0.0000,0.6024,0.5000,0.1500,0.8500,0.5000,0.1500,0.8500\n");
 }
 
-TEST(StandingsReport, ShowsTeamsAndMatchupsToPeople) {
+TEST(StandingsReport, PrintsTablesOfTeamsAndMatchups) {
   const std::string table = standings_table(standings_in(kThreeTeams));
   EXPECT_NE(table.find("\n1   bold        7       4     2       1      1     4:2"),
             std::string::npos)

@@ -39,7 +39,7 @@ std::vector<Group> groups_of(const std::vector<Score>& scores) {
 
 const Sweep kSweep = std::get<Sweep>(small_sweep().content);
 
-TEST(Summary, TakesThePairOfLegsAsTheUnit) {
+TEST(Summary, AveragesDifferencesOverThePairOfLegs) {
   const std::vector<Group> groups =
       groups_of({{1, 1, "6", 3, 1}, {1, 2, "6", 1, 1}, {2, 1, "6", 0, 2}, {2, 2, "6", 0, 4}});
   EXPECT_EQ(groups[0].differences, (std::vector<double>{2, 0, -2, -4}));
@@ -58,7 +58,7 @@ TEST(Summary, LeavesVoidGamesAndTheirPairsOut) {
 TEST(Summary, HasARowPerValueWithMeansAndDeviations) {
   const std::vector<Group> groups =
       groups_of({{1, 1, "6", 1, 1}, {1, 2, "6", 3, 1}, {1, 1, "5", 4, 0}, {1, 2, "5", 4, 0}});
-  // The deviation of 1 and 3 is sqrt(2).
+  // The standard deviation of 1 and 3 is sqrt(2).
   EXPECT_EQ(summary_csv(kSweep, groups),
             "b.robots,games,void_games,mean_a,sd_a,mean_b,sd_b,mean_diff,sd_diff,pairs,diff_low95,"
             "diff_high95,from_first,from_first_low95,from_first_high95,p,p_holm,effect_size," +
@@ -77,7 +77,7 @@ TEST(Summary, FitsTheSlopeOverThePairs) {
   EXPECT_NEAR(slope_over_factor(kSweep, groups).value().mean, -3.0, 1e-12);
 }
 
-TEST(Summary, TakesTheSlopesOfPairNumbersAsTheSampleOfTheInterval) {
+TEST(Summary, ComputesTheSlopesIntervalOverPairNumbers) {
   const std::vector<Group> groups = groups_of({{1, 1, "6", 1, 0},
                                                {1, 2, "6", 1, 0},
                                                {2, 1, "6", 9, 0},
@@ -92,7 +92,7 @@ TEST(Summary, TakesTheSlopesOfPairNumbersAsTheSampleOfTheInterval) {
                                                {3, 2, "5", 7, 0}});
   const Slope slope = slope_over_factor(kSweep, groups).value();
   EXPECT_NEAR(slope.mean, -2.0, 1e-12);
-  // Slopes -3, -1, -2: deviation 1, t(0.975, 2) = 4.302653 from tables.
+  // Slopes -3, -1, -2: standard deviation 1, t(0.975, 2) = 4.302653 from tables.
   EXPECT_NEAR(slope.interval.value().low, -2 - 4.302653 / std::sqrt(3.0), 1e-6);
   EXPECT_NEAR(slope.interval.value().high, -2 + 4.302653 / std::sqrt(3.0), 1e-6);
 }
@@ -111,7 +111,7 @@ TEST(Summary, LeavesAPairNumberWithAVoidLegOutOfTheSlope) {
   EXPECT_FALSE(slope.interval);
 }
 
-TEST(Summary, FitsNoSlopeOverNamesOrSeveralFactors) {
+TEST(Summary, DoesNotFitASlopeOverNamesOrSeveralFactors) {
   Sweep sweep;
   sweep.factors = {{"a.strategy", {"basic", "dummy"}}};
   Group basic;
@@ -122,8 +122,8 @@ TEST(Summary, FitsNoSlopeOverNamesOrSeveralFactors) {
   EXPECT_FALSE(slope_over_factor(sweep, {}));
 }
 
-// Differences from 6 robots, pair by pair: 3, 1 and 2. Mean 2, deviation 1, t = 2 sqrt(3), whose
-// two-sided p with two degrees of freedom is 0.0742 (scipy.stats.ttest_1samp([3, 1, 2], 0)).
+// Paired differences from 6 robots: 3, 1 and 2. Mean 2, standard deviation 1, t = 2 sqrt(3); with
+// two degrees of freedom, the two-sided p is 0.0742 (scipy.stats.ttest_1samp([3, 1, 2], 0)).
 TEST(SummaryTable, ComparesEachValueWithTheFirst) {
   std::vector<Score> scores;
   for (const auto& [pair, six, five] : {std::array{1, 1, 4}, {2, 5, 6}, {3, 0, 2}}) {
@@ -136,13 +136,13 @@ TEST(SummaryTable, ComparesEachValueWithTheFirst) {
   EXPECT_NE(table.find("+2.00 [-0.48, +4.48]   0.074\n"), std::string::npos) << table;
 }
 
-TEST(SummaryTable, ShowsScoresDifferencesAndVoidGames) {
+TEST(SummaryTable, HasScoresDifferencesAndVoidGames) {
   const std::string table = summary_table(kSweep, groups_of({{1, 1, "6", 1, 1},
                                                              {1, 2, "6", 3, 1},
                                                              {2, 1, "6", 1, 1},
                                                              {2, 2, "6", 1, 1},
                                                              {1, 1, "5", 4, 0, true}}));
-  // Pairs 1 and 0: mean 0.5, t(0.975, 1) = 12.706, standard error 0.5.
+  // Pairs' differences 1 and 0: mean 0.5, t(0.975, 1) = 12.706, standard error 0.5.
   EXPECT_NE(table.find("+0.50 [-5.85, +6.85]"), std::string::npos) << table;
   EXPECT_NE(table.find("1.50 ± 1.00"), std::string::npos) << table;
 }
