@@ -1,5 +1,5 @@
-// How AutoRef prints JSON. nlohmann-json holds the values; sources that make them include
-// <nlohmann/json.hpp>, which takes long to compile.
+// Printing of JSON values. Sources that create values include <nlohmann/json.hpp>; this header does
+// not, because that one is slow to compile.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,7 +7,7 @@
 
 namespace autoref::runner {
 
-// Members keep the order in which they are added.
+// Members keep their insertion order.
 using Json = nlohmann::ordered_json;
 
 // `value` on one line, with a space after each comma and colon. A number gets the shortest text
@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 // become U+FFFD.
 std::string json_text(const Json& value);
 
-// `number` to that many decimals: JSON shows no more of it.
+// Rounds to that many decimals, for shorter JSON.
 double rounded(double number, int decimals);
 
 }  // namespace autoref::runner

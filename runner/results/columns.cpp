@@ -26,7 +26,7 @@ bool read_integer(std::string_view cell, Integer& value, int base = 10) {
   return error == std::errc() && last == end;
 }
 
-// `at` gives the row's member, const or not as the row is.
+// `at` returns a reference to the row's member, const if the row is.
 template <typename At>
 Column text_column(std::string name, At at) {
   return {std::move(name), [at](const GameRow& row) { return at(row); },
@@ -59,7 +59,7 @@ Column hash_column(std::string name, At at) {
           [at](const std::string& cell, GameRow& row) { return read_integer(cell, at(row), 16); }};
 }
 
-// A value by its name, name_of(value).
+// Writes a value as name_of(value).
 template <typename At, typename Value>
 Column named_column(std::string name, At at, std::span<const Value> values) {
   return {std::move(name), [at](const GameRow& row) { return std::string(name_of(at(row))); },
@@ -116,7 +116,7 @@ Column reason_column() {
   return column;
 }
 
-// Labels joined by '+', sorted, so that the order in which the transitions came does not matter.
+// Labels joined by '+', sorted, which makes the cell independent of the transitions' order.
 Column transitions_column() {
   return {"transitions",
           [](const GameRow& row) {
@@ -135,7 +135,7 @@ Column transitions_column() {
           }};
 }
 
-// One for each team, "_a" and "_b".
+// Adds a column per team, with the suffixes "_a" and "_b".
 void add_count_columns(std::vector<Column>& columns, const CountField& field) {
   for (const std::size_t team : {0U, 1U}) {
     const std::string name = fmt::format("{}_{}", field.name, team == 0 ? 'a' : 'b');

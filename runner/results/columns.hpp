@@ -1,5 +1,5 @@
-// The columns of a game's row: how each is written and read. A new column is an entry here beside
-// its member in the row's structs.
+// The columns of a game's row: how each is written and read. To add a column, add an entry in
+// columns.cpp and a member to the row's structs.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace autoref::runner {
 struct Column {
   std::string name;
   std::function<std::string(const GameRow&)> text;
-  // Returns false if the cell does not hold what the column holds.
+  // Returns false if the cell is not a valid value of the column.
   std::function<bool(const std::string& cell, GameRow& row)> read;
 };
 
@@ -23,14 +23,14 @@ enum class RowKind : std::uint8_t {
   kJudged,  // what the referee got right and wrong
 };
 
-// What was played: the game's name, the factors' values, the teams, the seed. A row that is read
-// must have room for the values.
+// What was played: the game's id, the factors' values, the teams, the seed. `values` of a row to be
+// read must have the size of `factors`.
 std::vector<Column> game_columns(const std::vector<std::string>& factors);
 
-// How it ended, and the hash of its configuration.
+// The game's outcome and the hash of its configuration.
 std::vector<Column> outcome_columns(RowKind kind);
 
-// The circumstances.
+// Columns of Circumstances.
 std::vector<Column> circumstance_columns();
 
 }  // namespace autoref::runner

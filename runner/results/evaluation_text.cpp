@@ -12,12 +12,12 @@ namespace {
 
 using ground_truth::Outcome;
 
-// Each entry is a CSV line whose first cell says what it is.
+// Each entry is a CSV line; its first cell is the entry's type.
 constexpr std::string_view kVerdict = "v";
 constexpr std::string_view kLastTouch = "t";
 constexpr std::string_view kInStop = "s";
 
-// A row is one line, so the ends of the entries are escaped.
+// Escapes line ends: a row is a single line, while each entry is one of its own.
 std::string escaped(const std::string& lines) {
   std::string text;
   for (const char c : lines) {

@@ -1,4 +1,4 @@
-// A judged game's evaluation as the text of one cell of its row.
+// A judged game's evaluation as the text of a cell in its row.
 #pragma once
 
 #include <optional>

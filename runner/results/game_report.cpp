@@ -25,7 +25,7 @@ Json calls_json(const GameRecord& record) {
   return calls;
 }
 
-// "24 throw in, 3 goal": what occurred, spelt for people.
+// "24 throw in, 3 goal": events that occurred, with spaces instead of underscores.
 std::string calls_text(const GameRecord& record) {
   std::string text;
   for (const referee::EventEntry& entry : referee::event_table()) {
@@ -50,7 +50,7 @@ std::string line_of(std::string_view what, const std::string& a, const std::stri
   return fmt::format("\n{:16}{:>7}{:>7}", what, a, b);
 }
 
-// A line per figure, a column per team.
+// One line per count, one column per team.
 std::string counts_text(const GameRecord& record) {
   const auto& [a, b] = record.counts;
   const auto count = [&a = a, &b = b](std::string_view what, int PlayCounts::*member) {
@@ -80,7 +80,7 @@ Json teams_json(const GameConfiguration& game) {
   return {{"a", team_json(game, a)}, {"b", team_json(game, opponent_of(a))}};
 }
 
-// The team's count; seconds to the millisecond.
+// A team's count; seconds are rounded to milliseconds.
 Json count_json(const PlayCounts& team, const CountField& field) {
   return field.count != nullptr ? Json(team.*field.count) : Json(rounded(team.*field.seconds, 3));
 }

@@ -1,4 +1,4 @@
-// What `autoref play` says about a game.
+// The report of a game, as printed by `autoref play`.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ struct GameReport {
 // One JSON object on one line.
 std::string json_of(const GameReport& report);
 
-// A few lines for people.
+// A few lines of text.
 std::string text_of(const GameReport& report);
 
 }  // namespace autoref::runner

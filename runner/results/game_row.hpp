@@ -1,7 +1,7 @@
 // One game of an experiment: what was played, how it ended, and on which machine.
 //
-// A row stays a struct from the worker to the report. Its only text form is a line of a shard
-// (row_format.hpp), which is also how a worker hands it to the run.
+// Rows are passed around as structs. Their only text form is a line of a shard (row_format.hpp),
+// which workers also use to send rows to the run.
 #pragma once
 
 #include <cstdint>
@@ -36,8 +36,8 @@ struct GameRow {
   Side side_a = Side::kWest;  // where team a played the first half
   std::uint64_t seed = 0;
 
-  // Read from a file, it holds what the columns keep: the events that are calls, the goals of the
-  // first half, times to the millisecond.
+  // If read from a file, it has only what the columns store: events that are calls, the first
+  // half's goals, and times rounded to milliseconds.
   GameRecord record;
   CallEvaluation evaluation;  // of a judged game
 
@@ -50,11 +50,11 @@ using RowsById = std::map<std::string, GameRow>;
 // The row of a scheduled game that has not been played.
 GameRow row_of(const ScheduledGame& game);
 
-// The record of a game that could not be played to its end.
+// The record of a game that could not be completed.
 GameRecord void_record(const std::string& reason);
 
-// The labels of the referee's transitions (referee/machine/machine.hpp) that none of the games
-// took, in the machine's order.
+// Labels of the referee's transitions (referee/machine/machine.hpp) that occurred in none of the
+// games, in the state machine's order.
 std::vector<std::string> transitions_never_used(const RowsById& rows);
 
 }  // namespace autoref::runner

@@ -1,4 +1,4 @@
-// A game's row as a line of a CSV file, the one text form that rows have.
+// A game's row as a line of a CSV file, the only text form of rows.
 #pragma once
 
 #include <cstddef>
@@ -20,24 +20,24 @@ struct ColumnDifference {
   std::string second;
 };
 
-// The columns of an experiment's rows. A row holds first what is reproducible, then its
-// circumstances, then `row_crc`, the CRC-32 of everything before it.
+// The columns of an experiment's rows: first the reproducible ones, then the circumstances, then
+// `row_crc`, the CRC-32 of everything before it.
 class RowFormat {
  public:
-  // `factors` are the paths that head the columns of the factors' values.
+  // `factors` are paths, used as names of the columns with the factors' values.
   explicit RowFormat(const std::vector<std::string>& factors, RowKind kind = RowKind::kPlayed);
 
-  // The names of all columns.
+  // Names of all columns.
   Cells names() const;
 
-  // The row as a line without its end. The row's values must be as many as the factors.
+  // The row as a line without line end. It must have one value per factor.
   std::string line(const GameRow& row) const;
 
-  // Returns nullopt if the line is damaged: its checksum or the number of its cells is wrong, or a
-  // cell does not hold what its column holds.
+  // Returns nullopt if the line is damaged: if its checksum or number of cells is wrong, or if a
+  // cell is not a valid value of its column.
   std::optional<GameRow> read(std::string_view line) const;
 
-  // The part of the columns, and of a row's cells, that results.csv keeps.
+  // Names of the columns in results.csv, and a row's cells in them.
   Cells reproducible_names() const;
   Cells reproducible(const GameRow& row) const;
 
@@ -47,7 +47,7 @@ class RowFormat {
 
  private:
   std::size_t factors_;
-  std::vector<Column> columns_;  // all but row_crc
+  std::vector<Column> columns_;  // all except row_crc
   std::size_t reproducible_ = 0;
 };
 

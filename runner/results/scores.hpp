@@ -8,7 +8,7 @@ namespace autoref::runner {
 bool is_void(const GameRecord& record);
 
 // Positive if team a won, negative if team b did: by goals, or by the shoot-out if there was one. A
-// forfeit is a loss whatever the goals. Not meaningful for void games.
+// forfeit is a loss whatever the score. Not meaningful for void games.
 double lead_of_a(const GameRecord& record);
 
 }  // namespace autoref::runner

@@ -55,7 +55,7 @@ Shard::Shard(fs::path path, const std::string& header, double patience_s) : path
   if (descriptor_ < 0) throw cannot_write(path_);
   try {
     if (!fs::is_regular_file(path_)) {
-      throw InputOutputError(fmt::format("{} is no regular file", path_.string()));
+      throw InputOutputError(fmt::format("{} is not a regular file", path_.string()));
     }
     lock(patience_s);
     cut_torn_line();
@@ -68,16 +68,17 @@ Shard::Shard(fs::path path, const std::string& header, double patience_s) : path
 
 Shard::~Shard() { close(descriptor_); }
 
-// A run that was just killed may take a moment to let go.
+// Retries, since the lock of a run that was just killed may take a moment to be released.
 void Shard::lock(double patience_s) {
   const auto until = Clock::now() + std::chrono::duration<double>(patience_s);
   while (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
     if (errno != EWOULDBLOCK && errno != EINTR) throw cannot_write(path_);
     if (Clock::now() > until) {
-      throw InputOutputError(fmt::format(
-          "{} is in use: another autoref run writes to this folder; wait for it, or choose another "
-          "folder with -o",
-          path_.string()));
+      throw InputOutputError(
+          fmt::format("{} is in use: another autoref run is writing to this folder; wait for it or "
+                      "choose another "
+                      "folder with -o",
+                      path_.string()));
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
@@ -97,7 +98,7 @@ void Shard::append(const std::string& line) {
   const ssize_t count = write(descriptor_, text.data(), text.size());
   if (count == static_cast<ssize_t>(text.size()) && fdatasync(descriptor_) == 0) return;
   const int error_number = count >= 0 && count < static_cast<ssize_t>(text.size()) ? ENOSPC : errno;
-  // Should this fail too, the next run cuts the torn line off.
+  // If this fails too, the next run truncates the incomplete line.
   [[maybe_unused]] const int ignored = ftruncate(descriptor_, end);
   throw io_error(fmt::format("{} cannot be written", path_.string()), error_number);
 }
@@ -108,7 +109,7 @@ StoredRows read_rows(const fs::path& games_folder, const RowFormat& format) {
     if (entry.path().extension() != ".csv") continue;
     if (entry.exists() && !entry.is_regular_file()) {
       throw InputError({entry.path().string()}, "",
-                       "is no regular file: rows cannot be read from it; remove it");
+                       "is not a regular file, so rows cannot be read from it; remove it");
     }
     files.push_back(entry.path());
   }
@@ -120,7 +121,7 @@ StoredRows read_rows(const fs::path& games_folder, const RowFormat& format) {
     if (lines.empty()) continue;
     if (lines.front() != csv_line(format.names())) {
       throw InputError({file.string(), 1, 1}, "",
-                       "these rows have other columns: they belong to another scenario or version; "
+                       "these rows have other columns, so they are of another scenario or version; "
                        "choose another folder with -o, or remove this one");
     }
     for (std::size_t i = 1; i < lines.size(); ++i) {

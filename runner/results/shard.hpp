@@ -1,4 +1,4 @@
-// The file that one run appends its rows to, and everything that a folder's files hold.
+// The file a run appends its rows to, and reading all rows of a results folder.
 #pragma once
 
 #include <filesystem>
@@ -9,38 +9,39 @@
 
 namespace autoref::runner {
 
-// What a folder of results holds.
-inline constexpr const char* kGamesFolder = "games";             // a .csv of rows per shard
-inline constexpr const char* kEffectiveFile = "effective.yaml";  // the scenario, spelt out
+// Contents of a results folder.
+inline constexpr const char* kGamesFolder = "games";             // one .csv of rows per shard
+inline constexpr const char* kEffectiveFile = "effective.yaml";  // scenario with all settings
 inline constexpr const char* kResultsFile = "results.csv";
 
-// One of several runs that share an experiment's games between them, on one machine or many.
+// One of several runs that share an experiment's games, on one machine or several.
 struct ShardIndex {
   int number = 0;  // from 0
   int of = 1;
 
   std::string name() const;       // "0/1"
   std::string file_name() const;  // "shard-0-of-1.csv"
-  // Whether the games of that unit (schedule.hpp) are this shard's.
+  // Whether this shard plays the games of that unit (schedule.hpp).
   bool has(std::size_t unit) const;
 };
 
-// Of "0/4". Throws std::invalid_argument that says what is expected.
+// Parses text such as "0/4". Throws std::invalid_argument, with the expected format, if it is
+// invalid.
 ShardIndex shard_index_of(const std::string& text);
 
-// An append-only file of lines, held by one process at a time. A line is written at once and is on
-// the disk when append() returns.
+// An append-only file of lines, locked by one process at a time. append() returns once the line is
+// on the disk.
 class Shard {
  public:
-  // Creates the file where there is none, locks it, and cuts off a last line without end, which a
-  // killed run leaves behind. Writes `header` into an empty file. Throws InputOutputError where
-  // that fails, or where another run holds the file for longer than `patience_s`.
+  // Creates the file if there is none, locks it, and truncates an incomplete last line, which a
+  // killed run may leave behind. Writes `header` to an empty file. Throws InputOutputError if that
+  // fails or if another run keeps the file locked for longer than `patience_s`.
   Shard(std::filesystem::path path, const std::string& header, double patience_s = 2.0);
   ~Shard();
   Shard(const Shard&) = delete;
   Shard& operator=(const Shard&) = delete;
 
-  // Throws InputOutputError; then the file ends where it ended before.
+  // Throws InputOutputError if the line cannot be written; the file is then unchanged.
   void append(const std::string& line);
 
  private:
@@ -53,11 +54,11 @@ class Shard {
 
 struct StoredRows {
   std::vector<GameRow> rows;
-  int damaged = 0;  // lines that RowFormat::read() refused; their games count as not played
+  int damaged = 0;  // lines rejected by RowFormat::read(); their games count as not played
 };
 
-// Reads every .csv file in the folder, in the order of their names. Throws InputError if a file's
-// columns are not those of `format`.
+// Reads every .csv file in the folder, in order of file name. Throws InputError if a file's columns
+// are not those of `format`.
 StoredRows read_rows(const std::filesystem::path& games_folder, const RowFormat& format);
 
 }  // namespace autoref::runner

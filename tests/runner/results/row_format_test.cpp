@@ -20,7 +20,7 @@ GameRow sample_row() {
   return row;
 }
 
-// A row with something else than a default in every column.
+// A row with a value other than the default in every column.
 GameRow full_row() {
   GameRow row = sample_row();
   GameRecord& record = row.record;
@@ -37,7 +37,7 @@ GameRow full_row() {
   return row;
 }
 
-// The row's cells by the names of their columns.
+// The row's cells by column name.
 std::map<std::string, std::string> cells_by_name(const GameRow& row) {
   const Cells names = kFormat.names();
   const Cells cells = csv_cells(kFormat.line(row)).value();
@@ -46,7 +46,7 @@ std::map<std::string, std::string> cells_by_name(const GameRow& row) {
   return by_name;
 }
 
-TEST(Csv, QuotesWhatNeedsQuotes) {
+TEST(Csv, QuotesCellsWithCommasOrQuotes) {
   const std::vector<std::string> cells = {"plain", "a,b", "say \"hi\"", ""};
   EXPECT_EQ(csv_line(cells), "plain,\"a,b\",\"say \"\"hi\"\"\",");
   EXPECT_EQ(csv_cells(csv_line(cells)), cells);
@@ -54,7 +54,7 @@ TEST(Csv, QuotesWhatNeedsQuotes) {
 
 TEST(Csv, KeepsARowOnOneLine) { EXPECT_EQ(csv_line({"a\nb"}), "\"a b\""); }
 
-TEST(Csv, RefusesQuotesThatDoNotMatch) {
+TEST(Csv, RefusesUnbalancedQuotes) {
   for (const char* line : {"\"a", "a\"b", "\"a\"b"}) EXPECT_FALSE(csv_cells(line)) << line;
 }
 
@@ -69,7 +69,7 @@ TEST(RowFormat, HasTheColumnsOfAGameWithTheChecksumLast) {
                      "wall_s,attempt,shard,row_crc"));
 }
 
-TEST(RowFormat, HasTheCountsOfBothTeamsInEveryRow) {
+TEST(RowFormat, HasBothTeamsPlayCounts) {
   std::map<std::string, std::string> cells = cells_by_name(full_row());
   const Cells names = {"shots",        "shots_on_goal", "passes_tried", "passes_completed",
                        "possession_s", "fouls",         "duels_won"};
@@ -113,13 +113,13 @@ TEST(RowFormat, KeepsAReasonOnOneLine) {
   EXPECT_EQ(kFormat.read(kFormat.line(row))->record.void_reason, "team a threw: \"x\", then more");
 }
 
-TEST(RowFormat, HasTheTransitionsInAnOrderOfTheirOwn) {
+TEST(RowFormat, SortsTransitions) {
   GameRow row = sample_row();
   row.record.transitions = {"start", "begin", "goal"};
   EXPECT_EQ(cells_by_name(row)["transitions"], "begin+goal+start");
 }
 
-TEST(TransitionsNeverUsed, AreThoseThatNoRowHas) {
+TEST(TransitionsNeverUsed, AreMissingFromEveryRow) {
   GameRow row;
   row.record.transitions = {"begin", "start_late", "goal_kick"};
   const std::vector<std::string> never = transitions_never_used({{"x", row}});
@@ -127,7 +127,7 @@ TEST(TransitionsNeverUsed, AreThoseThatNoRowHas) {
     return std::find(never.begin(), never.end(), label) != never.end();
   };
   for (const char* taken : {"begin", "start_late", "goal_kick"}) EXPECT_FALSE(has(taken)) << taken;
-  // Parts of a label that was taken, and one outside the figure.
+  // Two are substrings of labels that were taken; the third is not in the paper's figure.
   for (const char* other : {"start", "goal", "half_over"}) EXPECT_TRUE(has(other)) << other;
 }
 
@@ -140,7 +140,7 @@ TEST(RowFormat, DetectsEveryChangedCharacter) {
   }
 }
 
-TEST(RowFormat, KeepsInTheResultsOnlyWhatIsReproducible) {
+TEST(RowFormat, LeavesCircumstancesOutOfTheResults) {
   EXPECT_EQ(kFormat.reproducible_names().back(), "config_hash");
   GameRow other = full_row();
   other.circumstances = {};

@@ -1,4 +1,4 @@
-// docs/schemas.md describes every column and key that the program writes, and no others.
+// docs/schemas.md describes exactly the columns and keys that the program writes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ WrittenNames described_names(const Artefact& artefact) {
   return {};
 }
 
-// "results.csv" as a test's name: "ResultsCsv".
+// Turns a section's title into a test name: "results.csv" into "ResultsCsv".
 std::string test_name(const std::string& section) {
   std::string name;
   bool starts_word = true;
@@ -43,7 +43,7 @@ std::string test_name(const std::string& section) {
 
 class Schema : public testing::TestWithParam<Artefact> {};
 
-TEST_P(Schema, IsDescribedAsItIsWritten) {
+TEST_P(Schema, DescribesWhatTheProgramWrites) {
   const WrittenNames written = GetParam().names();
   ASSERT_FALSE(written.empty());
   EXPECT_EQ(described_names(GetParam()), written)
@@ -53,12 +53,12 @@ TEST_P(Schema, IsDescribedAsItIsWritten) {
 INSTANTIATE_TEST_SUITE_P(Of, Schema, testing::ValuesIn(artefacts()),
                          [](const auto& test) { return test_name(test.param.section); });
 
-TEST(Schemas, HaveNoSectionThatIsNotCompared) {
+TEST(Schemas, HaveATestForEverySection) {
   std::set<std::string> compared;
   for (const Artefact& artefact : artefacts()) compared.insert(artefact.section);
   std::set<std::string> described;
   for (const SchemaSection& section : schema_sections()) {
-    EXPECT_TRUE(described.insert(section.title).second) << section.title << " is there twice";
+    EXPECT_TRUE(described.insert(section.title).second) << section.title << " appears twice";
   }
   EXPECT_EQ(described, compared);
 }

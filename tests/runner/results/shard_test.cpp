@@ -16,21 +16,21 @@
 namespace autoref::runner {
 namespace {
 
-TEST(Shard, BeginsWithTheHeader) {
+TEST(Shard, StartsWithASingleHeader) {
   const TemporaryFolder folder;
   Shard(folder / "s.csv", "head").append("row");
   Shard(folder / "s.csv", "head").append("more");
   EXPECT_EQ(content_of(folder / "s.csv"), "head\nrow\nmore\n");
 }
 
-TEST(Shard, CutsOffALineThatAKilledRunLeftWithoutItsEnd) {
+TEST(Shard, TruncatesAnIncompleteLastLine) {
   const TemporaryFolder folder;
   write_content(folder / "s.csv", "head\nrow\nto");
   Shard(folder / "s.csv", "head").append("more");
   EXPECT_EQ(content_of(folder / "s.csv"), "head\nrow\nmore\n");
 }
 
-TEST(Shard, WritesATornHeaderAnew) {
+TEST(Shard, RewritesAnIncompleteHeader) {
   const TemporaryFolder folder;
   write_content(folder / "s.csv", "he");
   const Shard shard(folder / "s.csv", "head");
@@ -46,7 +46,7 @@ TEST(Shard, BelongsToOneRunAtATime) {
   EXPECT_NO_THROW(Shard(folder / "s.csv", "head", 0.05));
 }
 
-TEST(Shard, SaysWhyAFileCannotBeWritten) {
+TEST(Shard, ReportsWhyAFileCannotBeWritten) {
   try {
     const Shard shard("/nonexistent/s.csv", "head");
     FAIL();
@@ -55,7 +55,7 @@ TEST(Shard, SaysWhyAFileCannotBeWritten) {
   }
 }
 
-// Files of this process may not grow beyond `bytes` while this lives: like a disk that is full.
+// Simulates a full disk: limits the size of this process's files to `bytes` during its lifetime.
 class SmallDisk {
  public:
   explicit SmallDisk(rlim_t bytes) {
@@ -74,7 +74,7 @@ class SmallDisk {
   void (*handler_)(int) = nullptr;
 };
 
-TEST(Shard, LeavesNoPartOfARowOnAFullDisk) {
+TEST(Shard, RemovesAnIncompleteRowIfTheDiskIsFull) {
   const TemporaryFolder folder;
   Shard shard(folder / "s.csv", "head");
   {
@@ -86,7 +86,7 @@ TEST(Shard, LeavesNoPartOfARowOnAFullDisk) {
   EXPECT_EQ(content_of(folder / "s.csv"), "head\nrow\n");
 }
 
-TEST(Shard, IsNoDevice) { EXPECT_THROW(Shard("/dev/full", "head"), InputOutputError); }
+TEST(Shard, RefusesDevices) { EXPECT_THROW(Shard("/dev/full", "head"), InputOutputError); }
 
 const RowFormat kShardFormat({"b.robots"});
 
@@ -115,7 +115,7 @@ TEST(ReadRows, RefusesAPipeThatNobodyWritesTo) {
   EXPECT_THROW(read_rows(folder.path(), RowFormat({})), InputError);
 }
 
-// With a checksum that fits.
+// A line with one cell replaced and a valid checksum.
 std::string line_with(const char* column, const char* cell) {
   const Cells names = kShardFormat.names();
   Cells cells = csv_cells(row_line()).value();
@@ -125,7 +125,7 @@ std::string line_with(const char* column, const char* cell) {
   return csv_line(cells) + "," + crc_text(csv_line(cells));
 }
 
-TEST(ReadRows, CountsALineAsDamagedIfACellDoesNotFitItsColumn) {
+TEST(ReadRows, CountsALineAsDamagedIfACellIsInvalid) {
   for (const char* column :
        {"pair", "side_a", "seed", "goals_a", "goal_diff", "end_reason", "status", "shots_a",
         "shootout_b", "sim_s", "frames", "state_hash", "config_hash", "wall_s"}) {

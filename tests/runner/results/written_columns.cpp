@@ -1,4 +1,4 @@
-// The heads of CSV files of small experiments.
+// The headers of CSV files of small experiments.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ WrittenNames head_of(const std::string& csv) {
   return lines.empty() ? WrittenNames{} : csv_cells(lines.front()).value_or(WrittenNames{});
 }
 
-// Of a file in the folder of an experiment, with FACTOR for the path of a sweep's factor.
+// The header of a file in an experiment's folder; the path of a sweep's factor becomes FACTOR.
 WrittenNames head_in_folder(const Scenario& scenario, const std::string& file) {
   const TemporaryFolder folder;
   EXPECT_TRUE(run_experiment(scenario, fake_options(folder.path())).is_complete);
@@ -64,7 +64,7 @@ WrittenNames calls_columns() {
   return names;
 }
 
-// Those that games/*.csv has behind the columns of results.csv.
+// The columns of games/*.csv after those of results.csv.
 WrittenNames circumstances_columns() {
   const WrittenNames results = head_in_folder(small_sweep(), "results.csv");
   WrittenNames names = head_in_folder(small_sweep(), "games/shard-0-of-1.csv");

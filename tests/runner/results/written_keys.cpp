@@ -18,7 +18,7 @@ namespace {
 
 using Paths = std::set<std::string>;
 
-// Adds the paths of all members, those that hold others included.
+// Adds the paths of all members, including objects and arrays.
 void add_paths(const YAML::Node& node, const std::string& prefix, Paths& paths) {
   if (node.IsSequence()) {
     for (const auto& element : node) add_paths(element, prefix + "[]", paths);
@@ -41,7 +41,7 @@ Paths paths_in(const std::string& lines) {
 
 WrittenNames sorted(const Paths& paths) { return {paths.begin(), paths.end()}; }
 
-// A line in which nothing is null that holds further keys.
+// The keys of an event line that has every optional object.
 WrittenNames event_keys() {
   referee::Decision decision;
   const RobotId robot{Side::kWest, 1};
@@ -83,7 +83,7 @@ std::string read_back(std::FILE* stream) {
   return text;
 }
 
-// What a run of the experiment writes, and a message.
+// The progress output of a run of the experiment, followed by a message.
 std::string progress_lines(const Scenario& scenario) {
   const TemporaryFolder folder;
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::tmpfile(), std::fclose);

@@ -1,4 +1,4 @@
-// The columns and keys that the program writes, from what it writes.
+// The columns and keys that the program writes, taken from its output.
 #pragma once
 
 #include <ostream>
@@ -12,11 +12,11 @@ using WrittenNames = std::vector<std::string>;
 // One section of docs/schemas.md.
 struct Artefact {
   std::string section;
-  WrittenNames (*names)();  // of columns in their order, of keys sorted
+  WrittenNames (*names)();  // columns in order, or sorted keys
   bool is_json = false;
 };
 
-// How a failed test names it.
+// Prints the artefact's name if a test fails.
 inline void PrintTo(const Artefact& artefact, std::ostream* out) { *out << artefact.section; }
 
 std::vector<Artefact> written_csv();
