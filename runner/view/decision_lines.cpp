@@ -9,20 +9,21 @@
 namespace autoref::runner {
 namespace {
 
-// Empty where there is no such text.
+// Empty if there is no such text.
 std::string text_at(const Json& decision, const char* key) {
   const auto found = decision.find(key);
   return found != decision.end() && found->is_string() ? found->get<std::string>() : "";
 }
 
-// None where there is no such position. Throws Json::exception where its numbers are not numbers.
+// Returns nullopt if there is no such position. Throws Json::exception if a coordinate is not a
+// number.
 std::optional<Vec2> position_at(const Json& decision, const char* key) {
   const auto found = decision.find(key);
   if (found == decision.end() || !found->is_array() || found->size() != 2) return std::nullopt;
   return Vec2((*found)[0].get<double>(), (*found)[1].get<double>());
 }
 
-// Throws Json::exception where the line is not a decision.
+// Throws Json::exception if the line is not a decision.
 RecordedDecision decision_in(const std::string& line) {
   const Json json = Json::parse(line);
   return {json.at("time_s").get<double>(), json.at("event").get<std::string>(),
@@ -44,7 +45,7 @@ std::vector<RecordedDecision> decisions_in(std::string_view lines, const std::st
       decisions.push_back(decision_in(line));
     } catch (const Json::exception&) {
       throw InputError({file, number, 1}, "",
-                       "this is not a referee's decision as `autoref play --events` writes them");
+                       "this is not a referee's decision as written by `autoref play --events`");
     }
   }
   return decisions;

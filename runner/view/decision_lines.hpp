@@ -1,4 +1,4 @@
-// Reads an event log, as `autoref play --events` writes it (event_log.hpp), for a page.
+// Reads an event log, as written by `autoref play --events` (event_log.hpp), for a page.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace autoref::runner {
 
-// The decisions in `lines`, one JSON object a line. Throws InputError with `file` and the line's
-// number where a line is not a decision.
+// Parses `lines`, one JSON object per line. Throws InputError with `file` and the line's number if
+// a line is not a decision.
 std::vector<RecordedDecision> decisions_in(std::string_view lines, const std::string& file);
 
 }  // namespace autoref::runner

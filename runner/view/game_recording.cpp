@@ -52,7 +52,7 @@ bool show_the_same(const RefereeSignal& one, const RefereeSignal& other) {
          target(one) == target(other);
 }
 
-// What is left, rounded up as clocks do; hostile times stay within a day.
+// The time left, rounded up as clocks do; limited to a day, in case the input is invalid.
 int shown_seconds(double left_s) {
   return static_cast<int>(std::ceil(std::clamp(left_s, -86'400.0, 86'400.0) - 1e-6));
 }

@@ -1,4 +1,4 @@
-// A game as a recording: every frame and what the referee said, packed for a page (page.hpp).
+// A recording of a game: every frame and the referee's signals, packed for a page (page.hpp).
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ struct RecordedSignal {
   RefereeSignal signal;
 };
 
-// The stage's clock showed `left_s` from `time_s` on.
+// From `time_s` on, the stage's clock showed `left_s`.
 struct ClockMark {
   double time_s = 0;
   int left_s = 0;
@@ -28,17 +28,19 @@ struct ClockMark {
 
 class GameRecording {
  public:
-  // What comes beyond is left out: 4.6 hours at 60 frames a second, and no game.
+  // Frames and signals beyond these limits are left out. No game is that long: kMostFrames are
+  // 4.6 hours at 60 frames per second.
   static constexpr std::size_t kMostFrames = 1'000'000;
   static constexpr std::size_t kMostSignals = 100'000;
 
-  // Times must grow.
+  // Times must increase.
   void add(const Frame& frame);
 
-  // Keeps the signal where it shows something else than the last one. Times that fall are raised.
+  // Stores the signal if it differs visibly from the last one. A time earlier than the last one is
+  // replaced by that.
   void add(double time_s, const RefereeSignal& signal);
 
-  // Keeps the decision if pages show it.
+  // Stores the decision if pages show it.
   void add(RecordedDecision decision);
 
   std::size_t frames() const { return frames_; }
@@ -49,18 +51,18 @@ class GameRecording {
   const std::vector<RecordedDecision>& decisions() const { return decisions_; }
   bool is_full() const { return is_full_; }  // something was left out
 
-  // Those who were ever seen, in the order of their columns.
+  // Robots that were ever seen, in the order of their columns.
   std::vector<RobotId> robots() const;
 
-  // Per frame its time in 0.1 ms as uint32, the lowest byte first. Then columns
-  // (packed_column.hpp): of each robot x and y in mm and its heading in 0.1 degrees, counter-
-  // clockwise from x; last of the ball x, y and height in mm, the height kNothing where vision
-  // cannot tell it.
+  // Each frame's time in units of 0.1 ms as a little-endian uint32, then columns
+  // (packed_column.hpp): for each robot x and y in mm and heading in 0.1 degrees, counter-clockwise
+  // from x; finally the ball's x, y and height in mm. The height is kNothing if vision does not
+  // provide it.
   std::string bytes() const;
 
  private:
   using Triple = std::array<PackedColumn, 3>;
-  using Columns = std::array<std::optional<Triple>, kMaxRobots>;  // by number; none: never seen
+  using Columns = std::array<std::optional<Triple>, kMaxRobots>;  // by number; nullopt: never seen
 
   void add_time(double time_s);
   void add_robots(const SeenRobots& robots, Columns& columns);

@@ -1,4 +1,4 @@
-// What a page shows of one of the referee's decisions.
+// A decision of the referee, as shown on a page.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace autoref::runner {
 
-// Texts are words of the event log (event_log.hpp), empty where it has null.
+// Texts are those of the event log (event_log.hpp); empty if it has null.
 struct RecordedDecision {
   double time_s = 0;
   std::string event;
@@ -23,8 +23,8 @@ struct RecordedDecision {
   bool operator==(const RecordedDecision&) const = default;
 };
 
-// Whether pages show such an event. They leave out what every game goes through, such as robots
-// that are ready for a restart.
+// Whether pages show such an event. They omit routine events, such as robots being ready for a
+// restart.
 bool is_shown(const std::string& event);
 
 RecordedDecision recorded(const referee::Decision& decision);
