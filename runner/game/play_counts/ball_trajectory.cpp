@@ -27,7 +27,7 @@ double BallTrajectory::Phase::speed_at_mps(double path_m) const {
   return std::sqrt(std::max(0.0, speed_mps * speed_mps - 2 * slowing_mps2 * path_m));
 }
 
-// By the mean speed, which evenly slowed balls have.
+// With constant deceleration, the mean speed is the average of the first and the last one.
 double BallTrajectory::Phase::time_at_s(double path_m) const {
   return path_m <= 0 ? 0 : 2 * path_m / (speed_mps + speed_at_mps(path_m));
 }

@@ -1,4 +1,4 @@
-// The straight way of a kicked ball that nobody meets, by the closed forms of sim::BallParameters.
+// The straight path of a kicked ball that nobody meets, in closed form from sim::BallParameters.
 #pragma once
 
 #include <array>
@@ -8,8 +8,8 @@
 
 namespace autoref::runner {
 
-// A flat kick slides and then rolls. A chip flies and then rolls: its later hops are left out,
-// which makes it a few hundredths too far.
+// After a flat kick the ball slides, then rolls. After a chip kick it flies, then rolls; later hops
+// are neglected, which makes the path a few hundredths too long.
 class BallTrajectory {
  public:
   // From `from_m` at `velocity_mps` in the plane and `vertical_mps` upwards.
@@ -19,18 +19,18 @@ class BallTrajectory {
   Vec2 point_m(double path_m) const { return from_m_ + path_m * direction_; }
   const Vec2& from_m() const { return from_m_; }
   const Vec2& direction() const { return direction_; }  // unit vector
-  double flight_m() const { return flight_m_; }         // the first one's length; 0 for a flat kick
-  double reach_m() const { return phases_[0].length_m + phases_[1].length_m; }  // until it rests
+  double flight_m() const { return flight_m_; }         // length of the first; 0 for a flat kick
+  double reach_m() const { return phases_[0].length_m + phases_[1].length_m; }  // until at rest
 
-  // At `path_m` from the kick, which must be from 0 to reach_m().
+  // At distance `path_m` along the path, from 0 to reach_m().
   double speed_mps(double path_m) const;
   double time_s(double path_m) const;
-  double height_m(double path_m) const;  // of the lowest point, in the first flight
+  double height_m(double path_m) const;  // of the ball's lowest point, in the first flight
 
  private:
-  // Slows down evenly.
+  // Constant deceleration.
   struct Phase {
-    double speed_mps = 0;  // at its beginning
+    double speed_mps = 0;  // initial
     double slowing_mps2 = 0;
     double length_m = 0;
 

@@ -11,7 +11,7 @@ Duels::Duels(double frame_rate_hz)
     : begin_frames_(static_cast<int>(std::lround(kDuelBegins_s * frame_rate_hz))),
       most_frames_(static_cast<int>(std::lround(kLongestDuel_s * frame_rate_hz))) {}
 
-// The hull is looked at only where its disc is near: most robots are far away in most frames.
+// Computes the distance to the hull only if the robot's disc is near: most robots are far away.
 Duels::Nearness Duels::nearness(const sim::WorldState& now, Side side) {
   constexpr double kReach_m = kRobotRadius_m + kBallRadius_m + kDuelOver_m;
   Nearness nearness;

@@ -1,4 +1,4 @@
-// Who wins the ball where robots of both teams want it. The definition is in play_counts.hpp.
+// Detects who wins duels for the ball, as defined in play_counts.hpp.
 #pragma once
 
 #include <optional>
@@ -12,14 +12,14 @@ class Duels {
  public:
   explicit Duels(double frame_rate_hz);
 
-  // One frame of play; `touched`: by which sides the ball was; `kicked`: whose kick away is under
-  // way. Returns who has just won a duel.
+  // Processes a frame of play. `touched`: the sides that touched the ball; `kicked`: the side with
+  // a kick away in progress. Returns the winner if a duel has just been won.
   std::optional<Side> update(const sim::WorldState& now, const PerSide<bool>& touched,
                              std::optional<Side> kicked);
   void stop();  // play has stopped
 
  private:
-  // Of the side's robot nearest to the ball.
+  // How near any of a side's robots is to the ball.
   struct Nearness {
     bool is_at_ball = false;  // within kDuel_m
     bool is_in_it = false;    // within kDuelOver_m
@@ -27,12 +27,12 @@ class Duels {
   static Nearness nearness(const sim::WorldState& now, Side side);
   void await(bool both_at_ball);
 
-  enum class Stage { kNone, kOn, kDrawn };  // drawn: until they part
+  enum class Stage { kNone, kOn, kDrawn };  // kDrawn lasts until the robots part
 
   int begin_frames_;
   int most_frames_;
   Stage stage_ = Stage::kNone;
-  int frames_ = 0;  // both at the ball, or of the duel
+  int frames_ = 0;  // with both sides at the ball, or of the current duel
 };
 
 }  // namespace autoref::runner

@@ -11,7 +11,7 @@
 namespace autoref::runner {
 namespace {
 
-// The kicker's own; at rest if it has just been taken off.
+// The robot's velocity; zero if it has just been removed.
 Vec2 velocity_mps(RobotId id, const sim::WorldState& now) {
   for (const sim::RobotState& robot : now.robots[id.side]) {
     if (robot.number == id.number) return robot.velocity_mps;
@@ -34,13 +34,13 @@ void assess_shot(const BallTrajectory& trajectory, const Field& field, KickAway&
       trajectory.height_m(to_line_m) + kBallRadius_m < field.goal_opening_height_m;
 }
 
-// How far a coordinate may go until it is outside of +-limit_m.
+// The distance along a path with this direction component until the coordinate leaves +-limit_m.
 double inside_m(double from_m, double direction, double limit_m) {
   if (direction == 0) return std::numeric_limits<double>::infinity();
   return std::max(0.0, (std::copysign(limit_m, direction) - from_m) / direction);
 }
 
-// The way's length until the ball stops or leaves the field.
+// The path's length until the ball stops or leaves the field.
 double length_on_field_m(const BallTrajectory& trajectory, const Field& field) {
   return std::min(
       {trajectory.reach_m(),

@@ -1,14 +1,13 @@
-// What a team did in a game, in the figures that people know from football.
+// A team's statistics in a game, as known from football: shots, passes, possession and so on.
 //
-// They are told from the true world and the referee's signals, as somebody on the stands would tell
-// them who sees everything and knows nobody's plans. Play is on from a restart's signal until the
-// referee ends it, so that the restart's own kick counts; a shoot-out is no part of it.
+// They come from ground truth and the referee's signals and cannot see intentions. Play is on from
+// a restart's signal until the referee ends it, so the restart's kick counts; shoot-outs do not.
 //
-// A *kick away* is a fired kicker whose ball leaves the robot at kAway_mps or more and gets kAway_m
-// far. It is judged once, by what becomes of it: when another robot touches the ball, a goal is
-// given, or play stops. If the kicker touches the ball again first (later than kSameKick_s), it was
-// a push ahead and counts for nothing. So do kicks of both teams in the same sub-step. "Its way" is
-// the straight one that the ball would roll or fly from the kick on if nobody met it
+// A *kick away* is a kick after which the ball leaves the robot at kAway_mps or more and gets
+// kAway_m away. It is classified once, when another robot touches the ball, a goal is given or play
+// stops. If the kicker touches the ball first (later than kSameKick_s), it has only pushed the ball
+// ahead, and the kick does not count. Nor do kicks of both teams in the same sub-step. A kick's
+// path is the straight one that the ball would roll or fly along if nobody met it
 // (ball_trajectory.hpp).
 #pragma once
 
@@ -20,76 +19,77 @@
 
 namespace autoref::runner {
 
-// Relative to the robot, which only nudges a slower ball ahead of itself.
+// Relative to the robot. A slower ball is only nudged ahead.
 inline constexpr double kAway_mps = 1.0_mps;
-// A ball that somebody else meets earlier was kicked against a robot already there: a duel.
+// If another robot touches the ball earlier, the ball was kicked against it, in a duel.
 inline constexpr double kAway_m = 200_mm;
-// A kicker needs 100 ms for its next kick; until then the hull may still meet the leaving ball.
+// A kicker needs 100 ms before its next kick; until then the hull may still touch the departing
+// ball.
 inline constexpr double kSameKick_s = 100_ms;
 
-// A shot may miss a post by so much: more than kickers' noise (1.5 degrees from 6 m: 160 mm).
+// How far a shot may miss a post: more than the kicker's noise (1.5 degrees from 6 m: 160 mm).
 inline constexpr double kShotMiss_m = 250_mm;
-// Where a shot or pass gets to. A slower ball was pushed ahead, and is anybody's.
+// Minimum speed on arrival of a shot or pass. A slower ball was pushed ahead and is anybody's.
 inline constexpr double kArrival_mps = 1.0_mps;
-// From the own third of the field a kick at the goal is a clearance.
+// A kick at the goal from a team's own third of the field is a clearance.
 inline constexpr double kClearanceShare = 1.0 / 3.0;
 
-// Nearer mates stand beside the kicker, and every kick's way begins near them.
+// Nearer team-mates stand beside the kicker, so every kick's path starts near them.
 inline constexpr double kShortestPass_m = 500_mm;
-// A pass may lead so far past where a mate is now: that is one step aside for the mate.
+// How far a pass may miss a team-mate's current position: a short move for the team-mate.
 inline constexpr double kPassMiss_m = 500_mm;
-// And farther where the ball gives it time. From rest at 3 m/s^2 that is the mean speed of the
-// first 0.67 s.
+// The team-mate can get farther if the ball takes longer. This is the mean speed over the first
+// 0.67 s when accelerating from rest at 3 m/s^2.
 inline constexpr double kMate_mps = 1.0_mps;
-// But not farther than this: anybody reaches any ball in the end.
+// Upper limit of that distance: given enough time, anybody can reach any ball.
 inline constexpr double kFarthestMate_m = 1.0_m;
 
-// From hulls to the ball's surface. Less than its diameter and a bit: nobody fits in between.
+// From hulls to the ball's surface. Slightly more than the ball's diameter: nobody fits between.
 inline constexpr double kDuel_m = 50_mm;
-inline constexpr double kDuelBegins_s = 100_ms;  // for so long at once
-// The loser is out of it: from robots' full discs, more than a robot is wide (0.18 m), and a bit.
+inline constexpr double kDuelBegins_s = 100_ms;  // how long both sides must be that near
+// Distance of the loser, from the robot's full disc: more than a robot's width (0.18 m).
 inline constexpr double kDuelOver_m = 300_mm;
-inline constexpr double kLongestDuel_s = 3.0_s;  // then nobody has won it
+inline constexpr double kLongestDuel_s = 3.0_s;  // longer duels are drawn
 
 struct PlayCounts {
-  // Kicks away from outside the own third of the field whose way crosses the opponents' goal line
-  // at kArrival_mps or faster, at most kShotMiss_m outside the posts, at whatever height. Not
-  // those that a team-mate touches next, if they are passes by the definition below. And every
-  // goal that the team's own touch made is a shot, however it came.
+  // Kicks away, taken outside the team's own third of the field, with a path that crosses the
+  // opponents' goal line at kArrival_mps or faster and at most kShotMiss_m outside the posts, at
+  // any height. Excludes passes (see passes_tried) that a team-mate touches next. Every other goal
+  // from the team's own touch also counts as a shot.
   int shots = 0;
-  // Those of them that became a goal, and those whose way led between the posts and under the bar
-  // and that an opponent touched next: saved or blocked.
+  // Shots that became goals, and shots that were saved or blocked: their path led between the posts
+  // and under the bar, and an opponent touched the ball next.
   int shots_on_goal = 0;
-  // Kicks away, other than shots, with a team-mate that may meet them: at the point of their way
-  // nearest to it, at least kShortestPass_m from the kick and not in a chip's first flight, the
-  // ball is no slower than kArrival_mps, and the mate at most kPassMiss_m away, or as far as it
-  // comes at kMate_mps in the ball's time, up to kFarthestMate_m. Their way ends where the ball
-  // stops or leaves the field.
+  // Kicks away, other than shots, that a team-mate can reach: at the point of the path nearest to
+  // it (at least kShortestPass_m from the kick and not in a chip's first flight), the ball is at
+  // least as fast as kArrival_mps, and the team-mate is at most kPassMiss_m away, or as far as it
+  // gets at kMate_mps in the ball's time, up to kFarthestMate_m. The path ends where the ball stops
+  // or leaves the field.
   int passes_tried = 0;
-  // Those of them that a team-mate touches next, and no opponent in the same sub-step.
+  // Passes that a team-mate touches next, without an opponent in the same sub-step.
   int passes_completed = 0;
-  // Of the ball's time in play (GameRecord::ball_in_play_s): from a touch of this team until one of
-  // the other. Where both touch it in the same sub-step, it stays with who had it.
+  // Time that the ball is in play (GameRecord::ball_in_play_s) from this team's touch until one of
+  // the other team. If both touch it in the same sub-step, possession does not change.
   double possession_s = 0;
-  // Calls for what robots of the team did wrong, in play or while it was stopped: one for each
-  // team where both are at fault. Not exits, aimless kicks, goals that do not count, restarts not
-  // taken, penalties that failed.
+  // Calls of fouls by the team's robots, during play or while it is stopped; if both teams are at
+  // fault, one for each. Excludes exits, aimless kicks, disallowed goals, restarts not taken and
+  // failed penalties.
   int fouls = 0;
   // A duel begins when robots of both teams have been within kDuel_m of the ball for kDuelBegins_s.
-  // It is won by who touches the ball once all opponents are farther from it than kDuelOver_m, or
-  // whose kick away has brought it so far; by nobody if play stops first, or after kLongestDuel_s.
+  // A team wins it by touching the ball, or having kicked it away, once all opponents are farther
+  // from it than kDuelOver_m. Nobody wins if play stops first or after kLongestDuel_s.
   int duels_won = 0;
   bool operator==(const PlayCounts&) const = default;
 };
 
-// A count's name, such as "shots", and the member that holds it: one of the two.
+// A count's name, such as "shots", and its member; the other member pointer is null.
 struct CountField {
   std::string_view name;
   int PlayCounts::*count = nullptr;
   double PlayCounts::*seconds = nullptr;
 };
 
-// Every member of PlayCounts, in the order in which rows and JSON have them.
+// Every member of PlayCounts, in the order used in rows and JSON.
 std::span<const CountField> count_fields();
 
 }  // namespace autoref::runner

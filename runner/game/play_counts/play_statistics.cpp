@@ -8,7 +8,7 @@ namespace autoref::runner {
 struct PlayStatistics::TouchGroup {
   std::span<const sim::Touch> touches;
 
-  // Those that come first and at once.
+  // The earliest group of simultaneous touches.
   static TouchGroup first_of(std::span<const sim::Touch> touches) {
     const auto end = std::find_if(touches.begin(), touches.end(), [&](const sim::Touch& touch) {
       return touch.substep != touches[0].substep || touch.is_kick != touches[0].is_kick;
@@ -23,7 +23,7 @@ struct PlayStatistics::TouchGroup {
     return std::all_of(touches.begin(), touches.end(),
                        [=](const sim::Touch& touch) { return touch.robot == robot; });
   }
-  // None where both sides touch at once.
+  // Returns nullopt if both sides touch simultaneously.
   std::optional<Side> side() const {
     const Side side = touches[0].robot.side;
     return has(opponent_of(side)) ? std::nullopt : std::optional(side);
@@ -38,7 +38,7 @@ PlayStatistics::PlayStatistics(const Field& field, const sim::BallParameters& ba
       same_kick_frames_(std::lround(kSameKick_s * frame_rate_hz)),
       duels_(frame_rate_hz) {}
 
-// What happened since the frame before happened in the play that was on then.
+// Touches since the last frame happened while play was in its previous state, so they come first.
 void PlayStatistics::update(const FrameSummary& summary) {
   if (is_on_) touch(summary);
   for (const referee::Decision& decision : summary.decisions) note(decision);
@@ -78,7 +78,7 @@ void PlayStatistics::touch(const TouchGroup& group, const sim::WorldState& now) 
   if (first.is_kick) kick_ = kick_away(first, now, field_, ball_);
 }
 
-// The kick under way comes to others, or to its own kicker.
+// Handles a touch while a kick is in progress, by the kicker or by other robots.
 void PlayStatistics::meet(const TouchGroup& group) {
   if (!kick_) return;
   const sim::Touch& first = group.touches[0];

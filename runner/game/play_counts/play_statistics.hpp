@@ -1,7 +1,7 @@
-// Counts a game's figures (play_counts.hpp) while it is played.
+// Updates the play counts (play_counts.hpp) of a running game.
 //
-// It owns what a kick under way, a duel and possession need to be remembered for. The game loop
-// feeds it once per frame; it changes nothing and allocates nothing.
+// Owns the state of the current kick, duel and possession. The game loop calls update() once per
+// frame. Does not affect the game and does not allocate.
 #pragma once
 
 #include <cstdint>
@@ -19,12 +19,12 @@ namespace autoref::runner {
 
 class PlayStatistics {
  public:
-  // One frame, after the referee has judged it.
+  // A frame after the referee's update.
   struct FrameSummary {
     const sim::WorldState& now;
-    std::span<const sim::Touch> touches;             // of the step that led here
+    std::span<const sim::Touch> touches;             // of the last step
     std::span<const referee::Decision> decisions{};  // of this frame
-    bool is_play_on = false;  // from now on: signalled and not ended (referee::State::kRun)
+    bool is_play_on = false;  // from now on; signalled and not ended (referee::State::kRun)
     bool is_ball_in_play = false;
   };
 
@@ -32,11 +32,11 @@ class PlayStatistics {
 
   void update(const FrameSummary& summary);
 
-  // Of the frames so far; a kick under way is not yet among them.
+  // The counts so far, without a kick in progress.
   PerSide<PlayCounts> counts() const;
 
  private:
-  // What touched the ball at the same time: all kicks of a sub-step, or all hulls met in it.
+  // Simultaneous touches: all kicks of a sub-step, or all hull contacts in it.
   struct TouchGroup;
   enum class Next : std::uint8_t { kMate, kOpponent, kGoal, kStop };
 
@@ -53,9 +53,9 @@ class PlayStatistics {
   double frame_rate_hz_;
   std::int64_t same_kick_frames_;
   Duels duels_;
-  bool is_on_ = false;              // play, until this frame
-  std::optional<KickAway> kick_;    // under way
-  std::optional<Side> last_touch_;  // since play began
+  bool is_on_ = false;              // whether play was on before this frame
+  std::optional<KickAway> kick_;    // in progress
+  std::optional<Side> last_touch_;  // since play started
   PerSide<PlayCounts> counts_;
   PerSide<std::int64_t> possession_frames_;
 };

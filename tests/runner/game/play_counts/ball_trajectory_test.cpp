@@ -1,4 +1,4 @@
-// The foretold way of a kicked ball against the simulated one.
+// Compares a kicked ball's predicted path with the simulated one.
 #include "runner/game/play_counts/ball_trajectory.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace autoref::runner {
 namespace {
 
-// A ball that slides from the middle of the west goal line, on a long field.
+// A ball kicked eastwards from near the west goal line.
 struct Kicked : sim::Scene {
   explicit Kicked(double kick_mps)
       : trajectory({-2.5, 0.1}, {kick_mps, 0}, 0, sim::BallParameters{}) {
@@ -20,7 +20,7 @@ struct Kicked : sim::Scene {
   BallTrajectory trajectory;
 };
 
-TEST(BallTrajectory, ForetellsTimeAndSpeedOfAFlatKick) {
+TEST(BallTrajectory, PredictsTimeAndSpeedOfAFlatKick) {
   for (const double kick_mps : {1.5, 3.0, 6.0}) {
     for (const int frames : {6, 20, 45}) {
       Kicked kicked(kick_mps);
@@ -41,8 +41,8 @@ TEST(BallTrajectory, EndsWhereTheBallStops) {
               kicked.ball().position_m.x(), 0.02);
 }
 
-// 2 * 3 * 4 / 9.81 = 2.446 m; at the top 4^2 / (2 * 9.81) = 0.815 m.
-TEST(BallTrajectory, FliesFirstWhereTheKickIsAChip) {
+// Length of the flight 2 * 3 * 4 / 9.81 = 2.446 m; apex at 4^2 / (2 * 9.81) = 0.815 m.
+TEST(BallTrajectory, StartsWithAFlightAfterAChipKick) {
   const BallTrajectory trajectory({0, 0}, {0, 3}, 4, {});
   EXPECT_NEAR(trajectory.flight_m(), 2.446, 0.001);
   EXPECT_NEAR(trajectory.height_m(1.223), 0.815, 0.001);

@@ -1,4 +1,4 @@
-// A stretch of play written by hand: where everybody is, who touches the ball, when play ends.
+// A scripted stretch of play: robots' positions, touches of the ball, stops and goals.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ inline constexpr RobotId kEast1{Side::kEast, 1};
 inline constexpr RobotId kEast2{Side::kEast, 2};
 
 // On the paper's field: goals at x = +-3.025 m, posts at y = +-0.35 m, touch lines at
-// y = +-2.025 m. Robots look towards the opponents' goal.
+// y = +-2.025 m. Robots face the opponents' goal.
 class PlaySequence {
  public:
   PlaySequence() { signal_play(); }
@@ -27,7 +27,7 @@ class PlaySequence {
     robots.push_back({id.number, position_m, {-goal_sign(id.side), 0}, velocity_mps, 0});
   }
 
-  // In the coming frame, in this order.
+  // Added to the next frame, in the order of the calls.
   void kick(RobotId id, const Vec2& ball_m, const Vec2& ball_mps, double vertical_mps = 0) {
     add({now.frame + 1, substep, id, ball_m, true, ball_mps, vertical_mps});
   }
@@ -46,7 +46,7 @@ class PlaySequence {
     for (int i = 0; i < count; ++i) frame();
   }
 
-  // A kick at once and, a second later, what becomes of it.
+  // A kick now and, a second later, a touch by `next` at `to_m`.
   void kick_to(RobotId kicker, const Vec2& from_m, const Vec2& ball_mps, RobotId next,
                const Vec2& to_m) {
     kick(kicker, from_m, ball_mps);
@@ -78,7 +78,7 @@ class PlaySequence {
   PlayStatistics statistics{Field{}, sim::BallParameters{}, 60.0};
   bool is_on = false;
   bool is_in_play = false;
-  int substep = 0;  // of the touches that are added
+  int substep = 0;  // of touches added from now on
 
  private:
   void add(const sim::Touch& touch) {

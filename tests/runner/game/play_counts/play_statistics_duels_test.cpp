@@ -1,4 +1,4 @@
-// Who wins a duel for the ball.
+// Duels for the ball: their beginning, end and winner.
 #include <gtest/gtest.h>
 
 #include "tests/runner/game/play_counts/play_sequence.hpp"
@@ -13,7 +13,7 @@ struct Duel : PlaySequence {
     put(kEast1, {0.11, 0});
     frames(frames_of_it);
   }
-  // The robot has the ball at its plate at `x_m`, the other one stays where it is.
+  // Moves the robot, with the ball at its plate, to `x_m`; the other one stays.
   void lead_away(RobotId id, double x_m) {
     put(id, {x_m + 0.1 * goal_sign(id.side), 0});
     hull(id, {x_m, 0});
@@ -22,39 +22,39 @@ struct Duel : PlaySequence {
   int won() const { return west().duels_won + east().duels_won; }
 };
 
-TEST(Duel, IsWonByWhoHasTheBallWhenTheOtherIsFarAway) {
+TEST(Duel, IsWonByTakingTheBallFarAway) {
   Duel duel;
   duel.lead_away(kWest1, -0.6);
   EXPECT_EQ(duel.west().duels_won, 1);
   EXPECT_EQ(duel.east().duels_won, 0);
 }
 
-TEST(Duel, IsWonByTheEastJustAsWell) {
+TEST(Duel, CanBeWonByEitherSide) {
   Duel duel;
   duel.lead_away(kEast1, 0.6);
   EXPECT_EQ(duel.east().duels_won, 1);
   EXPECT_EQ(duel.west().duels_won, 0);
 }
 
-TEST(Duel, GoesOnWhileTheOtherIsNear) {
+TEST(Duel, LastsWhileTheOpponentIsNear) {
   Duel duel;
   duel.lead_away(kWest1, -0.25);
   EXPECT_EQ(duel.won(), 0);
 }
 
-TEST(Duel, IsWonOnce) {
+TEST(Duel, IsWonOnlyOnce) {
   Duel duel;
   for (int i = 0; i < 20; ++i) duel.lead_away(kWest1, -0.6 - 0.01 * i);
   EXPECT_EQ(duel.won(), 1);
 }
 
-TEST(Duel, IsNoneBeforeATenthOfASecond) {
+TEST(Duel, DoesNotBeginBeforeATenthOfASecond) {
   Duel duel(3);
   duel.lead_away(kWest1, -0.6);
   EXPECT_EQ(duel.won(), 0);
 }
 
-TEST(Duel, IsNoneWhereOneStandsOff) {
+TEST(Duel, DoesNotBeginIfOneRobotKeepsItsDistance) {
   PlaySequence play;
   play.put(kWest1, {-0.1, 0});
   play.put(kEast1, {0.18, 0});  // 83 mm from the ball
@@ -64,7 +64,7 @@ TEST(Duel, IsNoneWhereOneStandsOff) {
   EXPECT_EQ(play.west().duels_won, 0);
 }
 
-TEST(Duel, IsWonByTheMateWhoGetsTheBall) {
+TEST(Duel, IsWonByATeamMateWhoGetsTheBall) {
   Duel duel;
   duel.now.ball.position_m = {0, 1};
   duel.frame();
@@ -73,7 +73,7 @@ TEST(Duel, IsWonByTheMateWhoGetsTheBall) {
   EXPECT_EQ(duel.east().duels_won, 1);
 }
 
-TEST(Duel, IsWonByWhoKicksTheBallOutOfIt) {
+TEST(Duel, IsWonByKickingTheBallAway) {
   Duel duel;
   duel.kick(kWest1, {0, 0}, {0, 5});
   duel.frame();
@@ -85,7 +85,7 @@ TEST(Duel, IsWonByWhoKicksTheBallOutOfIt) {
   EXPECT_EQ(duel.east().duels_won, 0);
 }
 
-TEST(Duel, IsNobodysIfPlayStopsFirst) {
+TEST(Duel, IsDrawnIfPlayStopsFirst) {
   Duel duel;
   duel.stop();
   duel.signal_play();
@@ -93,7 +93,7 @@ TEST(Duel, IsNobodysIfPlayStopsFirst) {
   EXPECT_EQ(duel.won(), 0);
 }
 
-TEST(Duel, IsNobodysAfterThreeSeconds) {
+TEST(Duel, IsDrawnAfterThreeSeconds) {
   for (const int frames : {170, 200}) {
     Duel duel(frames);
     duel.lead_away(kWest1, -0.6);
@@ -101,7 +101,7 @@ TEST(Duel, IsNobodysAfterThreeSeconds) {
   }
 }
 
-TEST(Duel, DrawnBeginsAnewOnceTheTwoHaveParted) {
+TEST(Duel, CanBeginAgainAfterADrawOnceTheRobotsHaveParted) {
   Duel duel(200);
   duel.put(kEast1, {1, 0});
   duel.frame();
@@ -111,7 +111,7 @@ TEST(Duel, DrawnBeginsAnewOnceTheTwoHaveParted) {
   EXPECT_EQ(duel.west().duels_won, 1);
 }
 
-TEST(Duel, IsNotForABallThatFliesOverThem) {
+TEST(Duel, DoesNotBeginIfTheBallFliesOverTheRobots) {
   PlaySequence play;
   play.put(kWest1, {-0.1, 0});
   play.put(kEast1, {0.1, 0});

@@ -1,4 +1,4 @@
-// The figures of whole games: what must hold between them, and that no side is favoured.
+// Play counts of whole games: their consistency and their symmetry between the sides.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ sim::WorldState turned(const sim::WorldState& state) {
   return turned;
 }
 
-// As the turned world would have reported them: within a sub-step kicks first, then west first.
+// As the rotated world would report them: in each sub-step kicks before hulls, west before east.
 std::vector<sim::Touch> turned(std::span<const sim::Touch> touches) {
   std::vector<sim::Touch> turned(touches.begin(), touches.end());
   for (sim::Touch& touch : turned) {
@@ -48,7 +48,8 @@ referee::Decision turned(referee::Decision decision) {
   return decision;
 }
 
-// Counts along, once upright and once with the field turned. Play is in play from its signal on.
+// Counts during the game, once as it is and once with the field rotated by 180 degrees. The ball
+// counts as in play from the signal on.
 class Counters final : public Observer {
  public:
   explicit Counters(const GameConfiguration& game)
@@ -71,7 +72,7 @@ class Counters final : public Observer {
 
   PlayStatistics upright;
   PlayStatistics upside_down;
-  PerSide<int> own_goals;  // given to a side that did not touch the ball last
+  PerSide<int> own_goals;  // goals of a side that did not touch the ball last
 
  private:
   void note_own_goal(const referee::Decision& decision) {
@@ -102,7 +103,7 @@ class PlayCountsOfGames : public testing::TestWithParam<Setup> {
   }
 };
 
-TEST_P(PlayCountsOfGames, FitEachOther) {
+TEST_P(PlayCountsOfGames, AreConsistent) {
   for (std::uint64_t seed = 21; seed <= 22; ++seed) {
     const GameConfiguration configuration = game(seed);
     Counters counters(configuration);
@@ -120,7 +121,7 @@ TEST_P(PlayCountsOfGames, FitEachOther) {
   }
 }
 
-TEST_P(PlayCountsOfGames, AreSwappedWhereTheFieldIsTurned) {
+TEST_P(PlayCountsOfGames, AreSwappedIfTheFieldIsRotated) {
   const GameConfiguration configuration = game(23);
   Counters counters(configuration);
   play(configuration, &counters);
@@ -131,14 +132,14 @@ TEST_P(PlayCountsOfGames, AreSwappedWhereTheFieldIsTurned) {
   EXPECT_GT(counts[Side::kWest].shots + counts[Side::kEast].shots, 0) << "nothing was compared";
 }
 
-TEST_P(PlayCountsOfGames, AreThoseOfTheGameLoopsOwnCount) {
+TEST_P(PlayCountsOfGames, EqualThoseOfTheGameLoop) {
   const GameConfiguration configuration = game(24);
   Counters counters(configuration);
   const GameRecord record = play(configuration, &counters);
   for (const Side side : kSides) {
     PlayCounts own = counters.upright.counts()[side];
     const PlayCounts& recorded = record.counts[side == configuration.match.a_plays ? 0 : 1];
-    own.possession_s = recorded.possession_s;  // the ball is in play later than the signal
+    own.possession_s = recorded.possession_s;  // in the game, the ball is in play after the signal
     EXPECT_EQ(recorded, own);
   }
 }
@@ -158,14 +159,14 @@ INSTANTIATE_TEST_SUITE_P(Books, PlayCountsOfGames,
                                          Setup{"2026-a", "paper", "rowdy"}),
                          name_of_setup);
 
-TEST(PlayCountsOfAGame, HaveTheFoulsOfWhoBreaksTheRules) {
+TEST(PlayCountsOfAGame, HaveMoreFoulsForARowdyTeam) {
   GameConfiguration game = short_game_by("2026-b", 60, 25);
   game.a.strategy = "rowdy";
   const GameRecord record = play(game);
   EXPECT_GT(record.counts[0].fouls, record.counts[1].fouls);
 }
 
-TEST(PlayCountsOfAGame, LeaveTheShootoutOut) {
+TEST(PlayCountsOfAGame, ExcludeTheShootout) {
   GameConfiguration game = short_game(5, 1);
   game.match.knockout = true;
   game.match.rules.extra_half_s = 5;

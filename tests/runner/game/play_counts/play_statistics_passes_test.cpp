@@ -1,4 +1,4 @@
-// Which kicks are passes, and which of them are completed.
+// Which kicks are passes and which passes are completed.
 #include <gtest/gtest.h>
 
 #include "tests/runner/game/play_counts/play_sequence.hpp"
@@ -17,7 +17,7 @@ std::ostream& operator<<(std::ostream& out, const Mate& mate) { return out << ma
 
 class KickWithAMate : public testing::TestWithParam<Mate> {};
 
-TEST_P(KickWithAMate, IsAPassIfItsWayLeadsToOrNearTheMate) {
+TEST_P(KickWithAMate, IsAPassIfItsPathLeadsToOrNearTheMate) {
   PlaySequence play;
   play.put(kWest2, GetParam().mate_m);
   play.kick(kWest1, {0, 0}, GetParam().ball_mps);
@@ -27,23 +27,24 @@ TEST_P(KickWithAMate, IsAPassIfItsWayLeadsToOrNearTheMate) {
   EXPECT_EQ(play.west().passes_completed, 0);
 }
 
-// Northwards, so that none is a shot. At 4 m/s the ball passes y = 1.5 m in 0.44 s, at 2 m/s in
-// 1.2 s, at 1.04 m/s, and is down to 1 m/s after 1.65 m. It leaves the field at y = 2.025 m.
+// Kicks go north, so none is a shot. Kicked at 4 m/s, the ball passes y = 1.5 m after 0.44 s.
+// Kicked at 2 m/s, it passes y = 1.5 m after 1.2 s at 1.04 m/s, and slows down to 1 m/s after
+// 1.65 m. It leaves the field at y = 2.025 m.
 INSTANTIATE_TEST_SUITE_P(
     PlayStatistics, KickWithAMate,
-    testing::Values(Mate{"on the way", {0, 1.5}, {0, 4}, true},
+    testing::Values(Mate{"on the path", {0, 1.5}, {0, 4}, true},
                     Mate{"a step aside", {0.45, 1.5}, {0, 4}, true},
                     Mate{"too far aside", {0.6, 1.5}, {0, 4}, false},
                     Mate{"in reach of a slow ball", {0.9, 1.5}, {0, 2}, true},
-                    Mate{"out of reach of a slow ball, too", {1.05, 1.5}, {0, 2}, false},
+                    Mate{"out of reach even of a slow ball", {1.05, 1.5}, {0, 2}, false},
                     Mate{"beside the kicker", {0.2, 0.3}, {0, 4}, false},
                     Mate{"behind the kicker", {0, -1}, {0, 4}, false},
-                    Mate{"where a slow ball still gets to", {0, 1.6}, {0, 2}, true},
-                    Mate{"where a slow ball hardly gets to", {0, 1.8}, {0, 2}, false},
-                    Mate{"a step outside of the field", {0, 2.3}, {0, 4}, true},
-                    Mate{"far outside of the field", {0, 3.1}, {0, 4}, false}));
+                    Mate{"where a slow ball still arrives", {0, 1.6}, {0, 2}, true},
+                    Mate{"where a slow ball arrives too slowly", {0, 1.8}, {0, 2}, false},
+                    Mate{"a step outside the field", {0, 2.3}, {0, 4}, true},
+                    Mate{"far outside the field", {0, 3.1}, {0, 4}, false}));
 
-TEST(Pass, ThatAMateTouchesNextIsCompleted) {
+TEST(Pass, IsCompletedIfAMateTouchesTheBallNext) {
   PlaySequence play;
   play.put(kWest2, {0, 1.5});
   play.kick_to(kWest1, {0, 0}, {0, 4}, kWest2, {0, 1.4});
@@ -52,7 +53,7 @@ TEST(Pass, ThatAMateTouchesNextIsCompleted) {
   EXPECT_EQ(play.east().passes_tried, 0);
 }
 
-TEST(Pass, ThatAMateKicksOnAtOnceIsCompleted) {
+TEST(Pass, IsCompletedIfAMateKicksTheBallFirstTime) {
   PlaySequence play;
   play.put(kWest2, {0, 1.5});
   play.kick(kWest1, {0, 0}, {0, 4});
@@ -62,7 +63,7 @@ TEST(Pass, ThatAMateKicksOnAtOnceIsCompleted) {
   EXPECT_EQ(play.west().passes_completed, 1);
 }
 
-TEST(Pass, ThatAnOpponentTouchesFirstIsNotCompleted) {
+TEST(Pass, IsNotCompletedIfAnOpponentTouchesTheBallFirst) {
   PlaySequence play;
   play.put(kWest2, {0, 1.5});
   play.kick_to(kWest1, {0, 0}, {0, 4}, kEast1, {0, 1.0});
@@ -72,7 +73,7 @@ TEST(Pass, ThatAnOpponentTouchesFirstIsNotCompleted) {
   EXPECT_EQ(play.west().passes_completed, 0);
 }
 
-TEST(Pass, ThatBothTeamsTouchInTheSameSubstepIsNotCompleted) {
+TEST(Pass, IsNotCompletedIfBothTeamsTouchTheBallInTheSameSubstep) {
   PlaySequence play;
   play.put(kWest2, {0, 1.5});
   play.kick(kWest1, {0, 0}, {0, 4});
@@ -84,7 +85,7 @@ TEST(Pass, ThatBothTeamsTouchInTheSameSubstepIsNotCompleted) {
   EXPECT_EQ(play.west().passes_completed, 0);
 }
 
-TEST(Pass, IsCompletedByAMateWhoIsASubstepAhead) {
+TEST(Pass, IsCompletedIfTheMateIsASubstepAhead) {
   PlaySequence play;
   play.put(kWest2, {0, 1.5});
   play.kick(kWest1, {0, 0}, {0, 4});
@@ -96,7 +97,7 @@ TEST(Pass, IsCompletedByAMateWhoIsASubstepAhead) {
   EXPECT_EQ(play.west().passes_completed, 1);
 }
 
-TEST(Pass, AheadThatTheKickerRunsAfterItselfIsNone) {
+TEST(Pass, IsNotCountedIfTheKickerTouchesTheBallNext) {
   PlaySequence play;
   play.put(kWest2, {0, 1.5});
   play.kick_to(kWest1, {0, 0}, {0, 4}, kWest1, {0, 0.8});
@@ -105,7 +106,7 @@ TEST(Pass, AheadThatTheKickerRunsAfterItselfIsNone) {
   EXPECT_EQ(play.west().passes_tried, 0);
 }
 
-TEST(Pass, IsNoneWhereNoMateCouldBeMeant) {
+TEST(Pass, IsNotCountedIfNoMateIsNearThePath) {
   PlaySequence play;
   play.put(kWest2, {0, -1.5});
   play.kick_to(kWest1, {0, 0}, {0, 4}, kWest2, {0, 1.4});
@@ -113,7 +114,7 @@ TEST(Pass, IsNoneWhereNoMateCouldBeMeant) {
   EXPECT_EQ(play.west().passes_completed, 0);
 }
 
-TEST(Pass, BeforeTheGoalThatAMateTouchesIsNoShot) {
+TEST(Pass, IsNotAShotIfAMateTouchesTheBallInFrontOfTheGoal) {
   PlaySequence play;
   play.put(kWest2, {2, 0});
   play.kick_to(kWest1, {0.5, 0}, {5, 0}, kWest2, {1.9, 0});
@@ -121,7 +122,7 @@ TEST(Pass, BeforeTheGoalThatAMateTouchesIsNoShot) {
   EXPECT_EQ(play.west().shots, 0);
 }
 
-TEST(Pass, BeforeTheGoalThatNoMateTouchesWasAShot) {
+TEST(Pass, CountsAsAShotAtTheGoalIfNoMateTouchesTheBall) {
   PlaySequence play;
   play.put(kWest2, {2, 0.3});
   play.kick_to(kWest1, {0.5, 0}, {5, 0}, kEast1, {2.8, 0});
@@ -129,8 +130,8 @@ TEST(Pass, BeforeTheGoalThatNoMateTouchesWasAShot) {
   EXPECT_EQ(play.west().passes_tried, 0);
 }
 
-// At 45 degrees and 3.5 m/s each way the ball lands after 2.5 m.
-TEST(Pass, ThroughTheAirIsForMatesWhereItLandsAndNotBelow) {
+// At 3.5 m/s both forwards and upwards, the ball lands after 2.5 m.
+TEST(Pass, ThroughTheAirReachesMatesWhereItLandsButNotUnderItsFlight) {
   for (const double mate_x_m : {1.0, 2.8}) {
     PlaySequence play;
     play.put(kWest2, {mate_x_m - 2.9, 1.5});
@@ -141,7 +142,7 @@ TEST(Pass, ThroughTheAirIsForMatesWhereItLandsAndNotBelow) {
   }
 }
 
-TEST(Pass, HasTheBallLeaveItsKickerAndNotJustRunAlong) {
+TEST(Pass, RequiresTheBallToBeFasterThanItsKicker) {
   for (const double robot_mps : {0.0, 2.0}) {
     PlaySequence play;
     play.put(kWest1, {0, -0.1}, {0, robot_mps});

@@ -1,4 +1,4 @@
-// Whose ball it is, and whose fouls they are.
+// Which team has possession, and which team's fouls are counted.
 #include <gtest/gtest.h>
 
 #include "tests/runner/game/play_counts/play_sequence.hpp"
@@ -8,7 +8,7 @@ namespace {
 
 using referee::Event;
 
-TEST(Possession, RunsFromATeamsTouchUntilTheOthers) {
+TEST(Possession, LastsFromATeamsTouchUntilTheOtherTeams) {
   PlaySequence play;
   play.hull(kWest1, {0, 0});
   play.frames(90);
@@ -18,7 +18,7 @@ TEST(Possession, RunsFromATeamsTouchUntilTheOthers) {
   EXPECT_DOUBLE_EQ(play.east().possession_s, 0.5);
 }
 
-TEST(Possession, IsNobodysBeforeTheFirstTouchOfPlay) {
+TEST(Possession, BelongsToNobodyBeforeTheFirstTouch) {
   PlaySequence play;
   play.hull(kWest1, {0, 0});
   play.frames(60);
@@ -29,7 +29,7 @@ TEST(Possession, IsNobodysBeforeTheFirstTouchOfPlay) {
   EXPECT_DOUBLE_EQ(play.east().possession_s, 0.0);
 }
 
-TEST(Possession, DoesNotRunBeforeTheBallIsInPlay) {
+TEST(Possession, IsNotCountedBeforeTheBallIsInPlay) {
   PlaySequence play;
   play.stop();
   play.is_on = true;
@@ -42,7 +42,7 @@ TEST(Possession, DoesNotRunBeforeTheBallIsInPlay) {
   EXPECT_DOUBLE_EQ(play.west().possession_s, 1.0);
 }
 
-TEST(Possession, OfABallThatBothTouchAtOnceStaysWithWhoHadIt) {
+TEST(Possession, DoesNotChangeIfBothTeamsTouchTheBallSimultaneously) {
   for (const RobotId had_it : {kWest1, kEast1}) {
     PlaySequence play;
     play.hull(had_it, {0, 0});
@@ -54,7 +54,7 @@ TEST(Possession, OfABallThatBothTouchAtOnceStaysWithWhoHadIt) {
   }
 }
 
-TEST(Possession, GoesToWhoTouchesASubstepLater) {
+TEST(Possession, GoesToTheTeamThatTouchesTheBallASubstepLater) {
   PlaySequence play;
   play.hull(kEast1, {0, 0});
   play.substep = 1;
@@ -80,7 +80,7 @@ TEST(Fouls, CountForTheSideAtFault) {
   EXPECT_EQ(play.west().fouls, 1);
 }
 
-TEST(Fouls, CountForBothWhereBothAreAtFault) {
+TEST(Fouls, CountForBothSidesIfBothAreAtFault) {
   PlaySequence play;
   play.decide(call(Event::kBotCrashDrawn, std::nullopt));
   play.frame();
@@ -96,7 +96,7 @@ TEST(Fouls, CountWhilePlayIsStopped) {
   EXPECT_EQ(play.west().fouls, 1);
 }
 
-TEST(Fouls, AreNotWhatTheBallDidNorAdministration) {
+TEST(Fouls, ExcludeExitsGoalsAndOtherEventsThatAreNotFouls) {
   PlaySequence play;
   for (const Event event :
        {Event::kThrowIn, Event::kGoal, Event::kAimlessKick, Event::kChippedGoal,

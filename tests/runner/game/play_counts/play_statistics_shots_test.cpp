@@ -1,4 +1,4 @@
-// Which kicks are shots, and which of them are on goal.
+// Which kicks are shots and which shots are on goal.
 #include <gtest/gtest.h>
 
 #include "tests/runner/game/play_counts/play_sequence.hpp"
@@ -17,7 +17,7 @@ std::ostream& operator<<(std::ostream& out, const Kick& kick) { return out << ki
 
 class KickOfWest : public testing::TestWithParam<Kick> {};
 
-TEST_P(KickOfWest, IsAShotIfItsWayLeadsAboutBetweenThePostsFastEnough) {
+TEST_P(KickOfWest, IsAShotIfItCrossesTheGoalLineNearTheGoalFastEnough) {
   PlaySequence play;
   play.kick(kWest1, GetParam().from_m, GetParam().ball_mps);
   play.frame();
@@ -26,14 +26,14 @@ TEST_P(KickOfWest, IsAShotIfItsWayLeadsAboutBetweenThePostsFastEnough) {
   EXPECT_EQ(play.east().shots, 0);
 }
 
-// Of a kick at 2 m/s the ball slides for 0.324 m and then rolls at 1.34 m/s; after 1.3 m more it is
-// down to 1 m/s. In the own third x is less than -1.008 m.
+// Kicked at 2 m/s, the ball slides for 0.324 m, then rolls at 1.34 m/s and slows down to 1 m/s
+// after another 1.3 m. West's own third ends at x = -1.008 m.
 INSTANTIATE_TEST_SUITE_P(
     PlayStatistics, KickOfWest,
     testing::Values(Kick{"straight", {1, 0}, {6, 0}, true},
                     Kick{"wide by 0.2 m", {1, 0.55}, {6, 0}, true},
                     Kick{"wide by 0.3 m", {1, 0.65}, {6, 0}, false},
-                    Kick{"slanting in from the wing", {1, 1.5}, {4, -3}, true},
+                    Kick{"diagonally from the wing", {1, 1.5}, {4, -3}, true},
                     Kick{"at the own goal", {1, 0}, {-6, 0}, false},
                     Kick{"along the goal line", {3, 0}, {0, 6}, false},
                     Kick{"from the halfway line", {-0.1, 0}, {6, 0}, true},
@@ -41,9 +41,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Kick{"from the own third", {-1.02, 0}, {6.5, 0}, false},
                     Kick{"slow but near", {1.5, 0}, {2, 0}, true},
                     Kick{"slow and too far", {1.3, 0}, {2, 0}, false},
-                    Kick{"no more than a nudge", {2.9, 0}, {0.9, 0}, false}));
+                    Kick{"just a nudge", {2.9, 0}, {0.9, 0}, false}));
 
-TEST(Shot, CountsOnceForTheTeamThatTookIt) {
+TEST(Shot, CountsOnceForTheTeamThatKicked) {
   PlaySequence play;
   play.kick(kEast1, {-1, 0}, {-6, 0});
   play.frame();
@@ -52,21 +52,21 @@ TEST(Shot, CountsOnceForTheTeamThatTookIt) {
   EXPECT_EQ(play.west().shots, 0);
 }
 
-TEST(Shot, BetweenThePostsThatAnOpponentTouchesIsOnGoal) {
+TEST(Shot, IsOnGoalIfAnOpponentTouchesItBetweenThePosts) {
   PlaySequence play;
   play.kick_to(kWest1, {1, 0}, {6, 0.5}, kEast1, {2.9, 0.2});
   EXPECT_EQ(play.west().shots, 1);
   EXPECT_EQ(play.west().shots_on_goal, 1);
 }
 
-TEST(Shot, WideOfThePostIsNotOnGoalWhoeverTouchesIt) {
+TEST(Shot, IsNotOnGoalIfItIsWideOfThePost) {
   PlaySequence play;
   play.kick_to(kWest1, {1, 0.5}, {6, 0}, kEast1, {2.9, 0.5});
   EXPECT_EQ(play.west().shots, 1);
   EXPECT_EQ(play.west().shots_on_goal, 0);
 }
 
-TEST(Shot, ThatNobodyTouchesBeforePlayStopsIsNotOnGoal) {
+TEST(Shot, IsNotOnGoalIfNobodyTouchesItBeforePlayStops) {
   PlaySequence play;
   play.kick(kWest1, {1, 0}, {6, 0});
   play.frame();
@@ -74,7 +74,7 @@ TEST(Shot, ThatNobodyTouchesBeforePlayStopsIsNotOnGoal) {
   EXPECT_EQ(play.west().shots_on_goal, 0);
 }
 
-TEST(Shot, ThatBecomesAGoalIsOnGoalWhereverItsWaySeemedToLead) {
+TEST(Shot, IsOnGoalIfItBecomesAGoalWhateverItsPredictedPath) {
   PlaySequence play;
   play.kick(kWest1, {-2, 0}, {6.5, 3});
   play.frame();
@@ -84,9 +84,9 @@ TEST(Shot, ThatBecomesAGoalIsOnGoalWhereverItsWaySeemedToLead) {
   EXPECT_EQ(play.west().passes_tried, 0);
 }
 
-// Up at 4 m/s and 1.5 m/s forward the ball has fallen after 0.815 s and 1.22 m; at 0.6 m it is at
-// the top, 0.8 m high.
-TEST(Shot, ThatFliesOverTheBarIsNotOnGoal) {
+// At 4 m/s upwards and 1.5 m/s forwards, the ball lands after 0.815 s and 1.22 m; its apex is 0.8 m
+// high, at 0.6 m.
+TEST(Shot, IsNotOnGoalIfItFliesOverTheBar) {
   PlaySequence play;
   play.kick(kWest1, {2.4, 0}, {1.5, 0}, 4.0);
   play.frame();
@@ -96,7 +96,7 @@ TEST(Shot, ThatFliesOverTheBarIsNotOnGoal) {
   EXPECT_EQ(play.west().shots_on_goal, 0);
 }
 
-TEST(Shot, IsAlsoABallCarriedOverTheLine) {
+TEST(Shot, CanBeABallCarriedOverTheLine) {
   PlaySequence play;
   play.hull(kWest1, {3.0, 0});
   play.frame();
@@ -105,7 +105,7 @@ TEST(Shot, IsAlsoABallCarriedOverTheLine) {
   EXPECT_EQ(play.west().shots_on_goal, 1);
 }
 
-TEST(Shot, IsNoneOfTheTeamThatGetsAGoalByAnOwnGoal) {
+TEST(Shot, IsNotCountedForAnOwnGoal) {
   PlaySequence play;
   play.kick(kEast1, {2.5, 1}, {3, -6});
   play.frame();
@@ -114,14 +114,14 @@ TEST(Shot, IsNoneOfTheTeamThatGetsAGoalByAnOwnGoal) {
   EXPECT_EQ(play.east().shots, 0);
 }
 
-TEST(Shot, IsNoneWhereTheKickerItselfTouchesTheBallNext) {
+TEST(Shot, IsNotCountedIfTheKickerTouchesTheBallNext) {
   PlaySequence play;
   play.kick_to(kWest1, {2, 0}, {3, 0}, kWest1, {2.4, 0});
   play.stop();
   EXPECT_EQ(play.west().shots, 0);
 }
 
-TEST(Shot, IsStillOneWhenTheHullMeetsTheBallWhileItLeaves) {
+TEST(Shot, IsCountedIfTheKickersHullTouchesTheDepartingBall) {
   PlaySequence play;
   play.kick(kWest1, {2, 0}, {6, 0});
   play.frames(3);
@@ -132,14 +132,14 @@ TEST(Shot, IsStillOneWhenTheHullMeetsTheBallWhileItLeaves) {
   EXPECT_EQ(play.west().shots_on_goal, 1);
 }
 
-TEST(Shot, IsNoneAgainstAnOpponentWhoIsAtTheBallAlready) {
+TEST(Shot, IsNotCountedIfAnOpponentIsAlreadyAtTheBall) {
   PlaySequence play;
   play.kick_to(kWest1, {2, 0}, {6, 0}, kEast1, {2.1, 0});
   play.stop();
   EXPECT_EQ(play.west().shots, 0);
 }
 
-TEST(Shot, IsNoneWhereBothTeamsKickAtOnce) {
+TEST(Shot, IsNotCountedIfBothTeamsKickSimultaneously) {
   PlaySequence play;
   play.kick(kWest1, {2, 0}, {6, 0});
   play.kick(kEast1, {2, 0}, {6, 0});
@@ -148,7 +148,7 @@ TEST(Shot, IsNoneWhereBothTeamsKickAtOnce) {
   EXPECT_EQ(play.west().shots + play.east().shots, 0);
 }
 
-TEST(Shot, OutsidePlayIsNone) {
+TEST(Shot, IsNotCountedOutsidePlay) {
   PlaySequence play;
   play.stop();
   play.kick(kWest1, {1, 0}, {6, 0});
