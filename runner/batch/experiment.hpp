@@ -29,7 +29,7 @@ struct ExperimentOptions {
   std::string build;  // this program's; rows of other builds do not count
   int workers = 1;
   ShardIndex shard;                // only this shard's share of the games is played
-  bool allow_mixed_build = false;  // accept rows of other builds in the folder, without counting
+  bool allow_mixed_build = false;  // accept rows of other builds without counting them
   std::function<GameRecord(const GameConfiguration&)> play;  // called in workers
   std::optional<Outcomes> outcomes = {};       // replaces `play`; then no results are written
   std::FILE* progress = nullptr;               // no progress output if null

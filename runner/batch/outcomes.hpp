@@ -11,7 +11,7 @@ namespace autoref::runner {
 struct Outcomes {
   // Plays the game in a worker and fills the row's record (and evaluation). May throw.
   std::function<void(const GameConfiguration& game, GameRow& row)> play;
-  std::function<ProgressView(const RowsById& rows)> view;  // of the rows so far
+  std::function<ProgressView(const RowsById& rows)> view;  // of the results so far
 };
 
 }  // namespace autoref::runner

@@ -51,7 +51,8 @@ Verification verify(const ResultFolder& folder, int sample, int workers,
                     std::FILE* progress) {
   const std::vector<std::size_t> games = spread_evenly(good_games(folder), sample);
   if (games.empty()) {
-    throw InputError({folder.path.string()}, "", "holds no completed games to verify");
+    throw InputError({folder.path.string()}, "",
+                     "holds no games that ended normally, so there is nothing to verify");
   }
   Verification verification;
   Progress bar(progress, {.total = static_cast<int>(games.size())});
