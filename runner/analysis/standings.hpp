@@ -42,7 +42,7 @@ std::vector<Standing> standings_of(const std::vector<Group>& matchups);
 // met the same opponents, so ratings would add nothing to the mean goal difference.
 std::vector<Standing> standings_of_challengers(const std::vector<Group>& matchups);
 
-// Whether the teams have ratings: either all of them do or none.
+// Whether the teams have ratings; either all of them do or none.
 bool are_rated(const std::vector<Standing>& standings);
 
 }  // namespace autoref::runner

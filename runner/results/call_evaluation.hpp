@@ -31,12 +31,13 @@ struct Verdict {
   bool is_early = false;          // right by luck: the call came before the event
   bool is_borderline = false;     // the truth was near the threshold
   bool is_in_air = false;         // the ball was in the air
-  bool is_second = false;         // wrong because another call had already answered the event
+  bool is_second = false;         // wrong because there already was a call for the event
 };
 
 }  // namespace ground_truth
 
-// Who touched the ball last, as the referee said at the calls that depend on it.
+// How often the referee named the right team as the last to touch the ball, in calls that depend on
+// it.
 struct LastTouchTally {
   int right = 0;
   int wrong = 0;
@@ -45,7 +46,7 @@ struct LastTouchTally {
 
 struct CallEvaluation {
   std::vector<ground_truth::Verdict> verdicts;  // in order of time
-  std::array<LastTouchTally, 2> last_touch;     // by the team that truly touched it: a, b
+  std::array<LastTouchTally, 2> last_touch;     // by the team that actually touched it: a, b
   std::vector<std::string> calls_in_stop;       // "goal at 12.350 s": calls that require play
 };
 

@@ -23,8 +23,8 @@ enum class RowKind : std::uint8_t {
   kJudged,  // what the referee got right and wrong
 };
 
-// What was played: the game's id, the factors' values, the teams, the seed. `values` of a row to be
-// read must have the size of `factors`.
+// What was played: the game's id, the factors' values, the teams, the seed. Before a row is read,
+// its `values` must have the size of `factors`.
 std::vector<Column> game_columns(const std::vector<std::string>& factors);
 
 // The game's outcome and the hash of its configuration.

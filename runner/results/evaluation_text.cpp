@@ -17,7 +17,7 @@ constexpr std::string_view kVerdict = "v";
 constexpr std::string_view kLastTouch = "t";
 constexpr std::string_view kInStop = "s";
 
-// Escapes line ends: a row is a single line, while each entry is one of its own.
+// Escapes line ends: a row must be a single line, but each entry is a line.
 std::string escaped(const std::string& lines) {
   std::string text;
   for (const char c : lines) {

@@ -1,4 +1,4 @@
-// The file a run appends its rows to, and reading all rows of a results folder.
+// Appends a run's rows to its file, and reads all rows of a results folder.
 #pragma once
 
 #include <filesystem>
