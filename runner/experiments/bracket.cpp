@@ -10,10 +10,10 @@ namespace {
 
 using Seed = std::size_t;  // 0 is the best
 
-// Where a tie's winner, or a team without one, goes on from.
+// A position in the bracket, filled by a first-round team or by the winner of an earlier tie.
 struct Slot {
-  bool is_empty = false;     // nobody: who would meet it goes on without a game
-  std::optional<Seed> seed;  // none as long as it is not known
+  bool is_empty = false;     // the opponent gets a bye
+  std::optional<Seed> seed;  // nullopt until it is known
 };
 
 struct Pairing {
@@ -21,7 +21,7 @@ struct Pairing {
   Slot b;
 };
 
-// The seeds in the order of the first round's slots: 0, 3, 1, 2 of four.
+// Standard seeding: the seeds in the order of the first round's slots, such as 0, 3, 1, 2 for four.
 std::vector<Seed> order_of_slots(std::size_t size) {
   std::vector<Seed> order = {0};
   while (order.size() < size) {
@@ -83,7 +83,7 @@ class Bracket {
     return winners;
   }
 
-  // Winner and loser.
+  // Returns the winner's and the loser's slot.
   std::pair<Slot, Slot> play(Pairing pairing, std::string name) {
     Tie& tie = ties_.emplace_back();
     tie.number = static_cast<int>(ties_.size());

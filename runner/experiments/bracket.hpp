@@ -1,4 +1,4 @@
-// The bracket of a knockout: which ties there are, who meets in them and who goes on.
+// The bracket of a knockout: its ties, their teams and who advances.
 #pragma once
 
 #include <functional>
@@ -12,16 +12,16 @@ namespace autoref::runner {
 
 enum class DecidedBy { kNothing, kGoals, kExtraTime, kShootout, kForfeit, kSeed };
 
-// "goals", "extra time", "shoot-out", "forfeit", "better seed"; "" as long as nothing decided it.
+// "goals", "extra time", "shoot-out", "forfeit", "better seed"; "" if undecided.
 std::string name_of(DecidedBy decided_by);
 
 struct Tie {
-  int number = 1;    // over all rounds, counted from 1
+  int number = 1;    // counted from 1 over all rounds
   std::string name;  // "quarter-final 2", "final", "third place"
-  // The better seed is a; none as long as the ties before are not decided.
+  // The better seed is a. Nullopt until the preceding ties are decided.
   std::optional<std::string> a;
   std::optional<std::string> b;
-  std::vector<std::string> games;  // ids of those that are played, in their order
+  std::vector<std::string> games;  // ids of the games played so far, in order
   int void_games = 0;
   DecidedBy decided_by = DecidedBy::kNothing;
   bool a_won = false;
@@ -30,10 +30,10 @@ struct Tie {
   bool is_decided() const { return decided_by != DecidedBy::kNothing; }
 };
 
-// The ties round by round, the final and after it the third place's at their end. Seeds are placed
-// as is usual: were each tie won by the better seed, the first would meet the last in the first
-// round, the two best in the final. Where the number of teams is no power of two, the best have no
-// tie in the first round. `decide` is called for each tie whose teams are known.
+// Returns the ties round by round; the final comes last, followed only by the tie for third place.
+// Standard seeding: the best seed meets the worst in the first round, and if the better seed wins
+// every tie, the two best meet in the final. If the number of teams is not a power of two, the best
+// seeds get a bye in the first round. `decide` is called for each tie with two known teams.
 std::vector<Tie> bracket_of(const Knockout& knockout, const std::function<void(Tie&)>& decide);
 
 }  // namespace autoref::runner

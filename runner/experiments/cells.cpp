@@ -11,7 +11,7 @@ namespace {
 
 using SpeltValues = std::map<std::string, std::string>;  // values by full path
 
-// What differs in some robots, by full path.
+// Adds the overrides of some robots to `values`, by full path.
 void add(const ChangesOf& of, const std::string& holder, SpeltValues& values) {
   for (const auto& [path, value] : *of.changes) {
     if (branch_of(path) != of.branch) continue;
@@ -28,7 +28,7 @@ SpeltValues values_in(GameSettings game) {
   return values;
 }
 
-// What the values of one key set. Those of other keys are `varied`, too.
+// Adds what each value of one key sets, except keys in `varied` and settings given in the base.
 void add(const GameSettings& base, const Factor& key, const std::set<std::string>& varied,
          SetByValues& all) {
   const SpeltValues of_base = values_in(base);

@@ -1,4 +1,4 @@
-// The games that an experiment's varied values make.
+// The cells of an experiment: its base combined with each combination of the varied values.
 #pragma once
 
 #include <map>
@@ -11,20 +11,20 @@
 
 namespace autoref::runner {
 
-// A sweep's base with these values of its factors. Throws SettingError where they do not go
-// together.
+// A sweep's base with these values of its factors. Throws SettingError if they contradict each
+// other.
 GameSettings configured(const Sweep& sweep, const std::vector<SettingValue>& values);
 
-// The cell of these values, as in the ids of its games: "b.handicap=0.5+match.rules=2014".
+// The name of a cell, as used in its games' ids: "b.handicap=0.5+match.rules=2014".
 std::string cell_name(const Sweep& sweep, const std::vector<SettingValue>& values);
 
-// A judge's base under a rule book and a camera.
+// A judge's base with a rule book and a camera.
 GameSettings configured(const JudgeSchedule& schedule, const std::string& rules,
                         const std::string& camera);
 
-// What presets and handicaps among the varied values set, without what the user has set singly: for
-// each value, such as "match.rules=2014", the settings by full path. The values of one key have the
-// same paths; the paths of two keys differ, so that a cell plays what its values set.
+// The settings implied by presets and handicaps among the varied values, except those the user set
+// explicitly. Maps each value, such as "match.rules=2014", to settings by full path. All values of
+// one key set the same paths, and no two keys set the same path, so a cell's values never conflict.
 using SetByValues = std::map<std::string, std::map<std::string, std::string>>;
 SetByValues set_by_values(const Sweep& sweep);
 SetByValues set_by_values(const JudgeSchedule& schedule);

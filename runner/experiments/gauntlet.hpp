@@ -7,16 +7,16 @@
 
 namespace autoref::runner {
 
-struct Gauntlet : NamedTeams {  // its teams are the field
-  Teams challengers;            // of other names than the field's
-  int pairs = 1;                // of legs, per matchup; 1 to 9999
+struct Gauntlet : NamedTeams {  // `teams` is the field
+  Teams challengers;            // no names in common with the field
+  int pairs = 1;                // pairs of legs per matchup, 1 to 9999
 };
 
-// Every challenger, as team a, with every team of the field; both ordered by their names. Neither
-// challengers nor teams of the field meet among themselves.
+// Pairs every challenger, as team a, with every team of the field, in the order of their names.
+// Challengers do not play each other, nor do the teams of the field.
 std::vector<Matchup> matchups_of(const Gauntlet& gauntlet);
 
-// Challengers and field in one.
+// The challengers and the field combined.
 NamedTeams everyone_in(const Gauntlet& gauntlet);
 
 }  // namespace autoref::runner

@@ -1,4 +1,4 @@
-// Which games are played to judge the referee.
+// The games played to evaluate the referee.
 #pragma once
 
 #include <array>
@@ -11,31 +11,32 @@
 namespace autoref::runner {
 
 struct JudgeSchedule {
-  // Each book brings its field, and each camera its radio and latency; the base gives the rest.
+  // Each rule book sets its field, and each camera its radio and latency; the rest is from here.
   GameSettings base;
   std::vector<std::string> rules = {"paper"};
   std::vector<std::string> cameras;
-  // Strategies of team a and b, by turns; where there are none, the base's teams play.
+  // Strategies of teams a and b, used in turn; if empty, the base's teams play.
   std::vector<std::array<std::string, 2>> matchups;
-  int games = 2;           // under each book and camera; 1 to 9999
-  std::uint64_t seed = 1;  // of all games
+  int games = 2;           // per rule book and camera, 1 to 9999
+  std::uint64_t seed = 1;  // master seed of all games
 };
 
 struct JudgeGame {
-  std::string id;  // for people: "2014 realistic basic~basic 3"
+  std::string id;  // for display: "2014 realistic basic~basic 3"
   std::string rules;
   std::string camera;
   GameSettings configuration;
-  std::string game_id = {};  // of its row: "2014+realistic+basic~basic-p0002-1"
+  std::string game_id = {};  // id of its row: "2014+realistic+basic~basic-p0002-1"
   int pair = 1;
   int leg = 1;
 };
 
-// "a~b", as in a file.
+// "a~b", as written in scenario files.
 std::string name_of(const std::array<std::string, 2>& matchup);
 
-// Game by game over all books and cameras: a game number has the same seed under each. Odd and even
-// games change ends. Throws std::invalid_argument where values do not go together.
+// Lists each game number under every rule book and camera, with the same seed under each. The teams
+// change ends between odd and even games. Throws std::invalid_argument if values contradict each
+// other.
 std::vector<JudgeGame> games_of(const JudgeSchedule& schedule);
 
 }  // namespace autoref::runner

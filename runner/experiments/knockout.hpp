@@ -1,4 +1,4 @@
-// Knockouts: the winner of a tie goes on, the loser is out.
+// Knockouts: the winner of a tie advances, the loser is eliminated.
 #pragma once
 
 #include <string>
@@ -8,14 +8,15 @@
 
 namespace autoref::runner {
 
-// A tie is one game by the base's rules. Where it is drawn, which knockout games (`match.knockout`)
-// hardly ever are, or void, it is played again; where that does not help, the better seed goes on.
+// A tie is one game played by the base's rules. It is replayed if it is void or drawn, which is
+// rare with `match.knockout`. If it is still undecided after kMostAttempts games, the better seed
+// advances.
 struct Knockout : NamedTeams {     // 2 to 64 teams
-  std::vector<std::string> order;  // all of them, the best seed first
-  bool third_place = false;        // whether the losers of the semi-finals play for it
+  std::vector<std::string> order;  // all teams, the best seed first
+  bool third_place = false;        // whether the losers of the semi-finals play for third place
 };
 
 inline constexpr std::size_t kMostInKnockout = 64;
-inline constexpr int kMostAttempts = 6;  // games of one tie: five times again
+inline constexpr int kMostAttempts = 6;  // games of one tie, including five replays
 
 }  // namespace autoref::runner

@@ -1,4 +1,4 @@
-// From a knockout to its list of games.
+// Schedules the games of a knockout.
 #pragma once
 
 #include <vector>
@@ -9,18 +9,17 @@
 
 namespace autoref::runner {
 
-// The games that it comes to where the better seed wins each tie at once: as many as there are,
-// were none played again. Throws std::invalid_argument where a setting is wrong.
+// The games if the better seed wins every tie in the first game, so without replays. Throws
+// std::invalid_argument if a setting is invalid.
 std::vector<ScheduledGame> scheduled_games(const Knockout& knockout);
 
-// The games that are known by these ties: those that are played, and the next one of each tie whose
-// teams are known and that is not decided.
+// The games known from these ties: those already played, and the next game of each undecided tie
+// with two known teams.
 //
-// In ids, rows and seeds the tie's number stands where other experiments have the pair's, and how
-// many times it is played where they have the leg: "cobalt~zone-p0007-1", then
-// "cobalt~zone-p0007-2" after a draw. The better seed is team a; it plays in the west first, and
-// each further time both change ends, and with them the first kick-off. All games of a tie go to
-// the same shard.
+// In ids, rows and seeds, the tie's number replaces the pair, and the attempt replaces the leg:
+// "cobalt~zone-p0007-1", then "cobalt~zone-p0007-2" after a draw. The better seed is team a and
+// starts in the west; in each replay the teams change ends, and the other team kicks off first. All
+// games of a tie belong to the same shard.
 std::vector<ScheduledGame> games_of(const Knockout& knockout, const std::vector<Tie>& ties);
 
 }  // namespace autoref::runner

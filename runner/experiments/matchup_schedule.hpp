@@ -1,4 +1,4 @@
-// From teams with names to their lists of games.
+// Schedules the games of experiments between named teams.
 #pragma once
 
 #include <string_view>
@@ -11,29 +11,29 @@
 
 namespace autoref::runner {
 
-// The games in the order in which they are played: both legs of a pair back to back, and pair by
-// pair over all matchups, so that a run that is cut short is balanced. Ids are such as
+// The games in playing order: the two legs of a pair back to back, and each pair number for all
+// matchups before the next, so that an interrupted run is balanced. Ids look like
 // "bold~zone-p0007-2".
 //
-// A game depends on its two teams, the pair within its matchup and its leg only: adding teams or
-// pairs changes no other game. Sides, first kick-off and seed are as set_leg() has them; pairs of
-// one number have the same seeds in every matchup. Throws std::invalid_argument where a setting is
-// wrong; it begins with the setting's path, such as "teams.bold.params.pass_risk".
+// A game depends only on its two teams, its pair and its leg, so adding teams or pairs changes no
+// other game. set_leg() sets sides, first kick-off and seed; equal pair numbers have equal seeds in
+// every matchup. Throws std::invalid_argument if a setting is invalid; the message starts with the
+// setting's path, such as "teams.bold.params.pass_risk".
 std::vector<ScheduledGame> scheduled_games(const RoundRobin& robin);
 
-// Likewise: the games of a match are those of a round robin of its two teams. These are all the
-// pairs that there may be; the test mostly ends the match before (sprt_match_state.hpp).
+// The games of a round robin of the two teams, for the maximum number of pairs. The test usually
+// ends the match earlier (sprt_match_state.hpp).
 std::vector<ScheduledGame> scheduled_games(const SprtMatch& match);
 
-// Likewise: games equal those of a round robin where a challenger's name comes before that of its
-// opponent, as bytes; else a and b are exchanged.
+// A game equals that of a round robin if the challenger's name sorts before its opponent's
+// (compared as bytes); otherwise teams a and b are swapped.
 std::vector<ScheduledGame> scheduled_games(const Gauntlet& gauntlet);
 
-// One game of two of the teams, whatever their settings.
+// One game between two of the teams. Does not check their settings.
 ScheduledGame scheduled(const NamedTeams& named, const Matchup& matchup, int pair, int leg);
 
-// Throws std::invalid_argument where a setting is wrong of the base or of teams, which stand below
-// `branch` in a file.
+// Throws std::invalid_argument if a setting of the base or of a team is invalid. `branch` is the
+// path of the teams in the file.
 void check(const GameSettings& base, const Teams& teams, std::string_view branch = "teams");
 
 }  // namespace autoref::runner

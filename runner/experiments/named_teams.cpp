@@ -21,8 +21,8 @@ void check_team_name(std::string_view name) {
   const bool is_word = !name.empty() && std::all_of(name.begin(), name.end(), is_letter_of_names);
   if (is_word && name.find("-p") == std::string_view::npos) return;
   throw std::invalid_argument(
-      fmt::format("a team's name must be of letters, digits, - and _, without '-p', which tells "
-                  "the pair in a game's id (write _p); found '{}'",
+      fmt::format("a team's name must consist of letters, digits, - and _, without '-p', which "
+                  "marks the pair in a game's id (write _p); found '{}'",
                   name));
 }
 

@@ -1,4 +1,4 @@
-// Teams that play against each other under names of their own.
+// Experiments between named teams.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,16 @@
 
 namespace autoref::runner {
 
-using Teams = std::map<std::string, TeamSettings>;  // by the names that rows call them
+using Teams = std::map<std::string, TeamSettings>;  // by name, as in result rows
 
-// What all experiments between such teams have.
+// What all experiments between named teams share.
 struct NamedTeams {
-  GameSettings base;  // its teams do not count; its seed, a_plays and first_kickoff neither
+  GameSettings base;  // its teams, seed, a_plays and first_kickoff are ignored
   Teams teams;
-  std::uint64_t seed = 1;  // of the whole experiment
+  std::uint64_t seed = 1;  // master seed of the experiment
 };
 
-// Two of the teams by their names, the first being team a.
+// The names of two teams that play each other.
 struct Matchup {
   std::string team_a;
   std::string team_b;
@@ -29,8 +29,8 @@ struct Matchup {
 // "bold~zone".
 std::string matchup_name(const Matchup& matchup);
 
-// Throws std::invalid_argument unless a team may be called so: letters, digits, - and _, without
-// "-p", by which game ids tell the pair.
+// Throws std::invalid_argument unless the name consists of letters, digits, - and _, without "-p",
+// which marks the pair in game ids.
 void check_team_name(std::string_view name);
 
 }  // namespace autoref::runner

@@ -17,9 +17,9 @@ int* pairs_in(RoundRobin& robin) { return &robin.pairs; }
 int* pairs_in(Gauntlet& gauntlet) { return &gauntlet.pairs; }
 int* pairs_in(SprtMatch& match) { return &match.sprt.max_pairs; }
 int* pairs_in(Knockout& /*knockout*/) { return nullptr; }
-int* pairs_in(JudgeSchedule& /*schedule*/) { return nullptr; }  // has a number of games
+int* pairs_in(JudgeSchedule& /*schedule*/) { return nullptr; }  // counts games instead
 
-// Throws where pairs and the other settings do not go together.
+// Throws if the number of pairs contradicts other settings.
 template <typename Experiment>
 void check_pairs(const Experiment& experiment) {
   if constexpr (std::is_same_v<Experiment, SprtMatch>) check_test(experiment.sprt);
@@ -48,7 +48,7 @@ void set_pairs(Scenario& experiment, int pairs) {
     int* const place = pairs_in(its);
     if (place == nullptr) {
       throw std::invalid_argument(
-          "a knockout has no pairs: each tie is one game, played again while it is drawn");
+          "a knockout has no pairs: each tie is one game, replayed if it is drawn");
     }
     *place = pairs;
     check_pairs(its);

@@ -1,4 +1,4 @@
-// What a command line may change of an experiment's file: how many pairs, and the seed.
+// Command-line overrides of an experiment's number of pairs and seed.
 #pragma once
 
 #include <cstdint>
@@ -8,16 +8,16 @@
 
 namespace autoref::runner {
 
-inline constexpr int kMostPairs = 9999;  // of legs
+inline constexpr int kMostPairs = 9999;  // pairs of legs
 
-// The pairs of legs of each combination or matchup; an SPRT match's max_pairs. None of a knockout,
-// which has none.
+// The number of pairs of legs per combination or matchup, or the max_pairs of an SPRT match.
+// Nullopt for a knockout and for kind judge.
 std::optional<int> pairs_of(const Scenario& experiment);
 
-// The seed of the whole experiment.
+// The experiment's master seed.
 std::uint64_t master_seed_of(const Scenario& experiment);
 
-// Throws std::invalid_argument that says why the experiment cannot have so many.
+// Throws std::invalid_argument if the experiment cannot have this many pairs.
 void set_pairs(Scenario& experiment, int pairs);
 
 void set_master_seed(Scenario& experiment, std::uint64_t seed);

@@ -1,4 +1,4 @@
-// Round robins: each of several teams plays against each other.
+// Round robins: every team plays every other team.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 namespace autoref::runner {
 
 struct RoundRobin : NamedTeams {
-  int pairs = 1;  // of legs, per matchup; 1 to 9999
+  int pairs = 1;  // pairs of legs per matchup, 1 to 9999
 };
 
-// Every two different teams, once: both ordered by their names, byte by byte.
+// Every pair of different teams once, ordered by name (compared as bytes).
 std::vector<Matchup> matchups_of(const RoundRobin& robin);
 
 }  // namespace autoref::runner

@@ -21,7 +21,7 @@ std::optional<std::vector<double>> numbers_of(const Factor& factor) {
   return numbers;
 }
 
-// Both in the order of the variant's types.
+// Like kVerbs below, in the order of the variant's types.
 const std::vector<std::string>& kinds() {
   static const std::vector<std::string> kKinds = {"game", "sweep",    "judge",   "roundrobin",
                                                   "sprt", "gauntlet", "knockout"};

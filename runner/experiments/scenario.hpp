@@ -1,5 +1,5 @@
-// Scenario files: one game, a sweep of games over values of factors, a round robin, a gauntlet, a
-// knockout or a match of teams, or games to judge the referee.
+// Scenarios: one game, a sweep of factors, a round robin, a gauntlet, a knockout or an SPRT match
+// of teams, or games to evaluate the referee.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@
 
 namespace autoref::runner {
 
-// A key that a sweep varies, by its short path ("b.handicap"), and its values. The first value is
+// A setting varied by a sweep, by its short path ("b.handicap"), and its values. The first value is
 // the baseline.
 struct Factor {
   std::string path;
@@ -29,12 +29,12 @@ struct Factor {
 // The factor's values as numbers; nullopt if one of them is a word.
 std::optional<std::vector<double>> numbers_of(const Factor& factor);
 
-// Every combination of the factors' values is played `pairs` times, two legs each.
+// Plays every combination of the factors' values for `pairs` pairs of legs.
 struct Sweep {
-  GameSettings base;  // its seed, a_plays and first_kickoff are given by the plan
+  GameSettings base;  // its seed, a_plays and first_kickoff are set by the schedule
   std::vector<Factor> factors;
-  int pairs = 1;           // of legs, per combination; 1 to 9999
-  std::uint64_t seed = 1;  // of the whole sweep
+  int pairs = 1;           // pairs of legs per combination, 1 to 9999
+  std::uint64_t seed = 1;  // master seed of the sweep
 };
 
 struct Scenario {
@@ -43,13 +43,13 @@ struct Scenario {
       content;
 };
 
-// Every kind, as `kind:` spells it.
+// All values of `kind:`.
 const std::vector<std::string>& kinds();
 
-// The kind as `kind:` spells it.
+// The scenario's value of `kind:`.
 std::string_view kind_of(const Scenario& scenario);
 
-// The verb of `autoref` that plays it.
+// The verb of `autoref` that runs the scenario.
 std::string_view verb_of(const Scenario& scenario);
 
 }  // namespace autoref::runner

@@ -9,7 +9,7 @@
 namespace autoref::runner {
 namespace {
 
-// As many rows are held in memory and written as one results.csv.
+// Limits the rows held in memory and written to one results.csv.
 constexpr int kMostGames = 100000;
 
 ScheduledGame scheduled(const Sweep& sweep, const std::vector<SettingValue>& values,
@@ -25,7 +25,7 @@ ScheduledGame scheduled(const Sweep& sweep, const std::vector<SettingValue>& val
   return game;
 }
 
-// Counted in floating point: a product of many factors must not overflow.
+// Counts in floating point, since the product of many factors could overflow an integer.
 double games_in(const Sweep& sweep) {
   double games = 2.0 * sweep.pairs;
   for (const Factor& factor : sweep.factors) games *= static_cast<double>(factor.values.size());
@@ -48,7 +48,7 @@ void refuse_too_many(double games, std::string_view key) {
   if (games <= kMostGames) return;
   throw SettingError(
       std::string(key),
-      fmt::format(": with these there are {:.0f} games; at most {} fit one experiment", games,
+      fmt::format(": these settings make {:.0f} games; one experiment may have at most {}", games,
                   kMostGames));
 }
 

@@ -1,4 +1,4 @@
-// The list of a sweep's games, and what the schedules of other experiments share with it.
+// The schedule of a sweep, and helpers shared with the schedules of other experiments.
 #pragma once
 
 #include <cstdint>
@@ -12,42 +12,42 @@ namespace autoref::runner {
 
 struct ScheduledGame {
   std::string id;                   // "b.handicap=0.8-p0007-2": values, pair, leg
-  std::vector<std::string> values;  // of the factors, in the sweep's order, spelt
+  std::vector<std::string> values;  // text of the factors' values, in the sweep's order
   int pair = 1;                     // counted from 1
   int leg = 1;                      // odd: team a in the west; even: team a in the east
   GameSettings configuration;
-  std::string team_a = {};  // what rows call them: a sweep's by their strategies
+  std::string team_a = {};  // the team's name in result rows; its strategy in a sweep
   std::string team_b = {};
-  std::size_t unit = 0;  // games of one unit go to the same shard: a pair's legs
+  std::size_t unit = 0;  // games of one unit, such as a pair's legs, go to the same shard
 };
 
-// The games in the order in which they are played: both legs of a pair back to back, and pair by
-// pair over all values, so that a run that is cut short is balanced.
+// The games in playing order: the two legs of a pair back to back, and each pair number for all
+// values before the next, so that an interrupted run is balanced.
 //
-// A game depends on its own values, pair and leg only: adding values or pairs changes no other
-// game. Throws SettingError where values do not go together.
+// A game depends only on its own values, pair and leg, so adding values or pairs changes no other
+// game. Throws SettingError if values contradict each other.
 std::vector<ScheduledGame> scheduled_games(const Sweep& sweep);
 
-// The games of games_of() (judge_schedule.hpp), whose values are the book and the camera.
+// The games of games_of() (judge_schedule.hpp); their values are the rule book and the camera.
 std::vector<ScheduledGame> scheduled_games(const JudgeSchedule& schedule);
 
-// "b.handicap=0.8-p0007-2" from what is played, the pair and the leg.
+// "b.handicap=0.8-p0007-2" for `played` "b.handicap=0.8", pair 7 and leg 2.
 std::string game_id(std::string_view played, int pair, int leg);
 
-// Sets what depends on the leg: who plays where, who kicks off first, and the seed. In both legs of
-// a pair the same side kicks off first, west in odd pairs and east in even ones. So each team kicks
-// off first in one leg of every pair, and over two pairs once from each side.
+// Sets what depends on the leg: the teams' sides, the first kick-off and the seed. The same side
+// kicks off first in both legs of a pair, west in odd pairs and east in even ones. So each team
+// kicks off first in one leg of every pair, and once from each side over two pairs.
 void set_leg(GameSettings& game, std::uint64_t master_seed, int pair, int leg);
 
-// Throws SettingError where an experiment has more games than fit one; `key` is the setting that
-// says how many.
+// Throws SettingError if there are too many games for one experiment; `key` is the setting to
+// blame.
 void refuse_too_many(double games, std::string_view key = "pairs");
 
-// The combinations of the factors' values, the last factor changing fastest.
+// All combinations of the factors' values; the last factor changes fastest.
 std::vector<std::vector<SettingValue>> combinations(const std::vector<Factor>& factors);
 
-// A game's seed, below 2^53 so that every program reads it exactly. It does not depend on the
-// factors' values, so that the same pair has the same random numbers under each value.
+// A game's seed, below 2^53 so that programs that read numbers as doubles get it exactly. It does
+// not depend on the factors' values: common random numbers pair the games of different values.
 std::uint64_t seed_of(std::uint64_t master_seed, int pair, int leg);
 
 }  // namespace autoref::runner

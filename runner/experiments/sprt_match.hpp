@@ -1,4 +1,4 @@
-// Matches: two teams play until a sequential test tells which of two claims holds.
+// SPRT matches: two teams play until a sequential test accepts one of two hypotheses.
 #pragma once
 
 #include "runner/experiments/named_teams.hpp"
@@ -7,10 +7,10 @@
 namespace autoref::runner {
 
 struct SprtMatch : NamedTeams {  // two teams
-  SequentialTest sprt;           // about the goals of the first team by name minus the other's
+  SequentialTest sprt;           // of the goal difference, team a minus team b
 };
 
-// Both teams, the first by name, byte by byte, being team a: as in a round robin.
+// Both teams, as in a round robin: team a is the first by name (compared as bytes).
 Matchup matchup_of(const SprtMatch& match);
 
 }  // namespace autoref::runner

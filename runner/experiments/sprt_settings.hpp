@@ -1,4 +1,4 @@
-// What a user can set of a match's sequential test: for its reader and its writer.
+// The settings of an SPRT match's sequential test, for reading and writing.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace autoref::runner {
 
-// Each by its path, "sprt.d0" and so on.
+// Paths are "sprt.d0" and so on.
 std::vector<Setting> settings_of(SequentialTest& test);
 
-// Throws SettingError where settings that are right alone make no test together.
+// Throws SettingError if individually valid settings contradict each other.
 void check_test(const SequentialTest& test);
 
 }  // namespace autoref::runner

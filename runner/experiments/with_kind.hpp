@@ -1,4 +1,4 @@
-// Telling the kinds of experiments apart.
+// Dispatches on the kind of an experiment.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,8 +11,8 @@
 
 namespace autoref::runner {
 
-// Calls the overload of `work` for the scenario's kind of experiment. A single game is none:
-// std::logic_error.
+// Calls the overload of `work` for the scenario's kind of experiment. Throws std::logic_error for a
+// single game.
 template <typename Work>
 auto with_kind(const Scenario& scenario, const Work& work) {
   using Result = decltype(work(std::declval<const Sweep&>()));

@@ -1,4 +1,4 @@
-// Reads `base:`, what all games of an experiment have in common. For scenario.cpp.
+// Reads `base:`, the settings shared by all games of an experiment.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@
 
 namespace autoref::runner {
 
-// Reads settings in an order in which none undoes another: teams name types, and rules set other
-// branches, wherever these stand beside them. Other keys than settings' are left alone.
+// Reads types and rules first, since teams refer to types and rules set other branches; the order
+// in the file does not matter. Keys that are not settings are ignored.
 void read_settings(const std::vector<YamlEntry>& entries, SettingsReader& settings);
 
-// A branch of settings that stands elsewhere in a kind of file; `remedy` says where.
+// A branch of settings that does not belong in `base`; `remedy` says where it belongs.
 struct Elsewhere {
   std::string branch;
   std::string remedy;
@@ -22,11 +22,11 @@ struct Elsewhere {
 
 class BaseReader {
  public:
-  // Both must outlive the reader; the places of settings go into `locations`.
+  // Both must outlive the reader. Records the settings' locations in `locations`.
   BaseReader(const YamlFile& file, SettingLocations& locations, Elsewhere elsewhere = {})
       : file_(file), locations_(locations), elsewhere_(std::move(elsewhere)) {}
 
-  // Throws InputError, also for what is decided by the plan.
+  // Throws InputError, also for settings decided by the schedule.
   void read(const YamlEntry& base, GameSettings& game) const;
 
  private:

@@ -1,4 +1,4 @@
-// Writing scenarios with every setting spelt out.
+// Writes scenarios with every setting spelt out.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,14 +21,15 @@ std::string comment_on(const Setting& setting) {
   return fmt::format("  # {}; {}", setting.about, expected_of(setting));
 }
 
-// Players and types, where there are any: their own settings are in the list too.
+// Whether the setting is a non-empty list of players or types, whose own settings are listed too.
 bool is_spelt_out(const Setting& setting) {
   if (const auto* players = std::get_if<Players*>(&setting.target)) return !(**players).empty();
   if (const auto* types = std::get_if<RobotTypes*>(&setting.target)) return !(**types).empty();
   return false;
 }
 
-// Opens the branches that lead from one setting's path to the next one's.
+// Writes settings as nested YAML, opening only the branches that differ from the previous
+// setting's.
 class Tree {
  public:
   explicit Tree(int depth) : depth_(depth) {}
@@ -80,7 +81,7 @@ std::string body_of(const GameSettings& game) {
   return tree.text();
 }
 
-// Takes away what differs in some robots where it is at one of these paths.
+// Removes the robot overrides at these paths.
 void leave_out_changes(const std::map<std::string, std::string>& values, GameSettings& game) {
   const std::vector<Setting> settings = settings_of(game);
   for (const auto& [path, value] : values) {
@@ -95,7 +96,7 @@ bool is_among(const SetByValues& set_by_values, const std::string& path) {
                      [&path](const auto& value) { return value.second.contains(path); });
 }
 
-// Without what the schedule or varied values decide, and without a branch that stands elsewhere.
+// Leaves out settings decided by the schedule or by varied values, and the branch `elsewhere`.
 std::string base_of(const GameSettings& base, std::string_view elsewhere = "",
                     const SetByValues& set_by_values = {}) {
   GameSettings copy = base;
@@ -113,7 +114,7 @@ std::string base_of(const GameSettings& base, std::string_view elsewhere = "",
 
 std::string text_of(const SetByValues& set_by_values) {
   if (set_by_values.empty()) return "";
-  std::string text = "set_by_values:  # what each value sets, beyond base; AutoRef writes it\n";
+  std::string text = "set_by_values:  # what each value sets beyond base; written by AutoRef\n";
   for (const auto& [name, values] : set_by_values) {
     text += fmt::format("  {}:\n", quoted_scalar(name));
     for (const auto& [path, value] : values) text += fmt::format("    {}: {}\n", path, value);
@@ -187,10 +188,11 @@ std::string effective_text(const Scenario& scenario) {
                   quoted_scalar(scenario.about)) +
       std::visit([](const auto& content) { return body_of(content); }, scenario.content);
   if (text.size() <= YamlBounds{}.bytes) return text;
-  throw InputError({}, "",
-                   fmt::format("the scenario has {} bytes once every setting is spelt out; at most "
-                               "{} can be read again: give it fewer teams",
-                               text.size(), YamlBounds{}.bytes));
+  throw InputError(
+      {}, "",
+      fmt::format("the scenario has {} bytes with every setting spelt out, but at most "
+                  "{} can be read back; use fewer teams",
+                  text.size(), YamlBounds{}.bytes));
 }
 
 }  // namespace autoref::runner

@@ -1,4 +1,4 @@
-// Writes a scenario with every setting spelt out: what `effective.yaml` holds.
+// Writes effective.yaml.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace autoref::runner {
 
-// The scenario with every setting spelt out, each with its meaning as a comment. Reading it gives
-// the same scenario again. Throws InputError where that would be more text than can be read.
+// The scenario with every setting spelt out and explained in a comment. Reading it back yields the
+// same scenario. Throws InputError if the text would be too long to read back.
 std::string effective_text(const Scenario& scenario);
 
 }  // namespace autoref::runner

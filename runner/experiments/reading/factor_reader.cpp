@@ -14,7 +14,7 @@ bool is_decided_by_schedule(std::string_view path) {
 }
 
 void refuse_decided(const YamlFile& file, const YamlLocation& location, std::string_view path) {
-  file.refuse(location, path, "every game is given its own; leave it out here");
+  file.refuse(location, path, "set automatically for each game; leave it out here");
 }
 
 void FactorReader::read(const YamlEntry& factors, Sweep& sweep) {

@@ -1,4 +1,4 @@
-// Reads the factors of a sweep. For scenario_reader.cpp.
+// Reads the factors of a sweep.
 #pragma once
 
 #include <string>
@@ -12,22 +12,22 @@
 
 namespace autoref::runner {
 
-// Whether the schedule gives every game its own value, so that neither base nor factors may.
+// Whether the schedule sets this value for each game, so that neither base nor factors may.
 bool is_decided_by_schedule(std::string_view path);
 [[noreturn]] void refuse_decided(const YamlFile& file, const YamlLocation& location,
                                  std::string_view path);
 
 class FactorReader {
  public:
-  // Both must outlive the reader; the places of factors go into `locations`.
+  // Both must outlive the reader. Records the factors' locations in `locations`.
   FactorReader(const YamlFile& file, SettingLocations& locations)
       : file_(file), locations_(locations) {}
 
-  // Adds the factors to `sweep`, and the types they name to its base. Throws InputError.
+  // Adds the factors to `sweep`, and the robot types they name to its base. Throws InputError.
   void read(const YamlEntry& factors, Sweep& sweep);
 
-  // A list of different values of the setting at `path`; types that they name go into `base`.
-  // Throws InputError.
+  // Reads a list of distinct values of the setting at `path`. Adds the robot types they name to
+  // `base`. Throws InputError.
   std::vector<SettingValue> values(const YamlEntry& list, const std::string& path,
                                    GameSettings& base) const;
 
@@ -35,7 +35,7 @@ class FactorReader {
   Factor read_factor(const YamlEntry& entry, GameSettings& base);
   SettingValue read_value(const YamlLocation& location, const std::string& path,
                           const std::string& text, GameSettings& base) const;
-  // Of two keys that set the same number, the later one would win unnoticed.
+  // If two keys set the same number, the later one would silently win.
   void refuse_overlap(const YamlEntry& entry, const Sweep& sweep) const;
 
   const YamlFile& file_;

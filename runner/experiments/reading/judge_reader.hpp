@@ -1,4 +1,4 @@
-// Reads what a file of kind judge has beside its base. For scenario.cpp.
+// Reads the keys specific to `kind: judge`.
 #pragma once
 
 #include <array>

@@ -39,7 +39,7 @@ void NamedTeamsReader::read_team(const YamlEntry& entry, const std::string& bran
   } catch (const std::invalid_argument& error) {
     file_.refuse(entry.location, branch, error.what());
   }
-  // The base's rules tell how many robots a team has.
+  // The base's rules determine the default number of robots.
   TeamSettings& team = teams[entry.key] = base.a;
   const std::string path = fmt::format("{}.{}", branch, entry.key);
   locations_[path] = entry.location;

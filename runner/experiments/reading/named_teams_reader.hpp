@@ -1,4 +1,4 @@
-// Reads teams that have names of their own. For experiment readers.
+// Reads named teams, for the readers of experiments.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace autoref::runner {
 
-// How many teams an experiment may have.
+// The range of team counts that an experiment accepts.
 struct TeamCount {
   std::size_t least = 2;
   std::size_t most = SIZE_MAX;
@@ -19,14 +19,14 @@ struct TeamCount {
 
 class NamedTeamsReader {
  public:
-  // All must outlive the reader; the places of the teams' settings go into `locations`.
-  // Assignments to teams.NAME. stand over the file.
+  // All must outlive the reader. Records the locations of the teams' settings in `locations`.
+  // Assignments to teams.NAME. override the file.
   NamedTeamsReader(const YamlFile& file, SettingLocations& locations,
                    const Assignments& assignments)
       : file_(file), locations_(locations), assignments_(assignments) {}
 
-  // Adds the teams of an entry, and to `base`, which has been read, the types they name. Throws
-  // InputError, also for fewer or more teams than these.
+  // Adds the entry's teams to `teams`, and the robot types they name to `base`, which must already
+  // be read. Throws InputError, also if the number of teams is outside `count`.
   void read(const YamlEntry& entry, Teams& teams, GameSettings& base, TeamCount count) const;
 
  private:

@@ -80,7 +80,7 @@ class ScenarioReader {
                        fmt::format("expected {}, found '{}'", expected, text));
   }
 
-  // AutoRef writes it into effective.yaml. A file that says something else is mistaken.
+  // Refuses a file whose set_by_values, which AutoRef writes to effective.yaml, has been changed.
   template <typename Schedule>
   void check_set_by_values(const Schedule& schedule) const {
     const YamlEntry* entry = top_.find(kSetByValues);
@@ -94,7 +94,7 @@ class ScenarioReader {
     }
     if (found == set_by_values(schedule)) return;
     top_.file().refuse(entry->location, kSetByValues,
-                       "not what base and the varied values set; leave it out");
+                       "does not match what base and the varied values set; leave it out");
   }
 
   GameSettings read_game() {
@@ -115,7 +115,7 @@ class ScenarioReader {
     for (const Factor& factor : sweep.factors) top_.refuse_assignment(factor.path);
     sweep.pairs = top_.pairs();
     sweep.seed = top_.seed();
-    top_.check([&sweep] { scheduled_games(sweep); });  // factors may only make a game together
+    top_.check([&sweep] { scheduled_games(sweep); });  // factors may be valid only in combination
     check_set_by_values(sweep);
     return sweep;
   }

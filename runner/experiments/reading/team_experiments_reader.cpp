@@ -14,7 +14,7 @@ namespace autoref::runner {
 namespace {
 
 void read_base(TopReader& top, NamedTeams& named) {
-  top.read_base(named.base, {"teams", "its teams stand beside the base, by their names"});
+  top.read_base(named.base, {"teams", "list teams by name under `teams`, beside the base"});
   named.seed = top.seed();
 }
 
@@ -32,11 +32,11 @@ void read_challengers(TopReader& top, Gauntlet& gauntlet) {
     if (!gauntlet.teams.contains(name)) continue;
     const std::string path = "challengers." + name;
     top.file().refuse(top.locations()[path], path,
-                      "a team of the field has this name too; give one of them another");
+                      "a team of the field already has this name; rename one of them");
   }
 }
 
-// The names as the file lists them; else as they are ordered.
+// Reads `order`, the teams from best to worst seed; by name if it is not given.
 void read_command(TopReader& top, Knockout& knockout) {
   for (const auto& [name, team] : knockout.teams) knockout.order.push_back(name);
   const YamlEntry* entry = top.find("order");
@@ -51,7 +51,7 @@ void read_command(TopReader& top, Knockout& knockout) {
   for (const YAML::Node& node : entry->value) {
     const std::string name = node.IsScalar() ? node.Scalar() : "";
     if (!knockout.teams.contains(name))
-      refuse(location_of(node), fmt::format("{}; found '{}', which is no team", expected, name));
+      refuse(location_of(node), fmt::format("{}; found '{}', which is not a team", expected, name));
     if (std::find(order.begin(), order.end(), name) != order.end())
       refuse(location_of(node), fmt::format("{}; found '{}' twice", expected, name));
     order.push_back(name);
@@ -74,7 +74,7 @@ void read_third_place(TopReader& top, Knockout& knockout) {
                   knockout.teams.size()));
 }
 
-// A test needs its claims and its end; how often it may err, and when it may end, have defaults.
+// Requires d0, d1 and max_pairs; the error rates and min_pairs have defaults.
 void read_sprt(TopReader& top, SequentialTest& test) {
   const YamlEntry& entry = top.required("sprt");
   SettingsReader settings(top.file(), settings_of(test), top.locations());
@@ -83,8 +83,8 @@ void read_sprt(TopReader& top, SequentialTest& test) {
   for (const char* key : {"d0", "d1", "max_pairs"}) {
     if (find_entry(given, key) != nullptr) continue;
     top.file().refuse(entry.location, "sprt",
-                      fmt::format("the key '{}' is missing; expected such as {{ d0: 0, d1: 1, "
-                                  "max_pairs: 200 }}",
+                      fmt::format("the key '{}' is missing; expected something like {{ d0: 0, d1: "
+                                  "1, max_pairs: 200 }}",
                                   key));
   }
   top.check([&test] { check_test(test); });
@@ -127,7 +127,7 @@ Knockout read_knockout(TopReader& top) {
   top.allow({"teams", "order", "third_place", "base", "seed"});
   Knockout knockout;
   read_base(top, knockout);
-  // Every book but the paper's has extra time and shoot-outs, which the base may switch off.
+  // Every rule book except the paper's has extra time and shoot-outs; the base may disable them.
   if (!knockout.base.given.contains("match.knockout")) {
     knockout.base.match.knockout = knockout.base.match.rules != "paper";
   }

@@ -1,4 +1,4 @@
-// Reads the experiments between teams that have names. For scenario.cpp.
+// Reads experiments between named teams.
 #pragma once
 
 #include "runner/experiments/gauntlet.hpp"

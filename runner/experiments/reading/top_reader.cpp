@@ -60,7 +60,7 @@ void TopReader::read_base(GameSettings& game, const Elsewhere& elsewhere) {
   check([&game] { check_game(game); });
   for (const Assignment& assignment : assignments_) {
     if (!is_decided_by_schedule(assignment.path)) continue;
-    throw InputError({assignment.flag}, "", "every game is given its own; leave it out");
+    throw InputError({assignment.flag}, "", "set automatically for each game; leave it out");
   }
   std::vector<std::string> others = {elsewhere.branch};
   if (find("challengers") != nullptr) others.emplace_back("challengers");
@@ -81,7 +81,7 @@ void TopReader::assign_all(GameSettings& game, const std::vector<std::string>& e
 void TopReader::refuse_assignment(const std::string& path) const {
   for (const Assignment& assignment : assignments_) {
     if (!sets_same_number(full_path(assignment.path), full_path(path))) continue;
-    throw InputError({assignment.flag}, "", "the file varies it; change it there");
+    throw InputError({assignment.flag}, "", "the file varies this setting; change it there");
   }
 }
 

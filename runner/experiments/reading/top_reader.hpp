@@ -1,4 +1,4 @@
-// Reads the parts of a scenario file's top level that several kinds share. For scenario_reader.cpp.
+// Reads the top-level keys that several kinds of scenario share.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace autoref::runner {
 
-// All that it reads throws InputError.
+// All reading functions throw InputError.
 class TopReader {
  public:
   // Both must outlive the reader.
@@ -25,24 +25,24 @@ class TopReader {
 
   const YamlFile& file() const { return file_; }
   const std::vector<YamlEntry>& entries() const { return top_; }
-  // Where settings stand in the file. check() looks them up.
+  // Locations of settings in the file, which check() reports.
   SettingLocations& locations() { return locations_; }
 
   const YamlEntry* find(std::string_view key) const { return find_entry(top_, key); }
   const YamlEntry& required(std::string_view key) const { return required_entry(file_, top_, key); }
 
-  // Refuses every key but these and those that every file has.
+  // Refuses all keys except these and those common to all scenarios.
   void allow(const std::vector<std::string>& keys) const;
 
   std::string word(const YamlEntry& entry, std::string_view key,
                    const std::vector<std::string>& known) const;
-  // A whole number at a key that must be there. Its location is remembered.
+  // Reads a required whole number and records its location.
   int whole_number(std::string_view key, int low, int high);
   int pairs() { return whole_number("pairs", 1, kMostPairs); }
   std::uint64_t seed() const;
 
-  // Reads `base`, if there is one: what all games have in common. `elsewhere` is a branch of
-  // settings that does not belong there.
+  // Reads `base`, the settings shared by all games, if present. `elsewhere` is a branch of settings
+  // that does not belong there.
   void read_base(GameSettings& game, const Elsewhere& elsewhere = {});
 
   // The command line's settings, which override the file.
@@ -51,11 +51,10 @@ class TopReader {
   // Applies the command line's settings to `game`, except those of the branches `elsewhere`.
   void assign_all(GameSettings& game, const std::vector<std::string>& elsewhere = {}) const;
 
-  // Refuses the command line's setting at a short path, which the file varies.
+  // Refuses a command-line setting of `path`, a short path that the file varies.
   void refuse_assignment(const std::string& path) const;
 
-  // Calls `work`. Where it throws a SettingError, the InputError says where in the file that
-  // setting stands.
+  // Calls `work`. Turns a SettingError into an InputError with the setting's location in the file.
   void check(const std::function<void()>& work) const;
 
  private:

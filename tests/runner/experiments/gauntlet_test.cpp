@@ -1,4 +1,4 @@
-// Challengers against a field.
+// Gauntlets, with made-up games.
 #include "runner/experiments/gauntlet.hpp"
 #include "runner/experiments/reading/effective.hpp"
 #include "runner/experiments/reading/scenario_reader.hpp"
@@ -15,7 +15,7 @@
 namespace autoref::runner {
 namespace {
 
-// team0 and team1 against team2 and team3, each with robots of its own.
+// team0 and team1 challenge team2 and team3. All differ in their number of robots.
 Gauntlet small_gauntlet() {
   Gauntlet gauntlet;
   gauntlet.challengers["team0"].robots = 6;
@@ -27,7 +27,7 @@ Gauntlet small_gauntlet() {
   return gauntlet;
 }
 
-TEST(Gauntlet, HasEachChallengerMeetEachTeamOfTheField) {
+TEST(Gauntlet, PairsEachChallengerWithEachTeamOfTheField) {
   const std::vector<Matchup> expected = {
       {"team0", "team2"}, {"team0", "team3"}, {"team1", "team2"}, {"team1", "team3"}};
   EXPECT_EQ(matchups_of(small_gauntlet()), expected);
@@ -53,7 +53,7 @@ TEST(Gauntlet, MakesTheChallengerTeamAWhateverItsName) {
   EXPECT_EQ(scheduled_games(gauntlet).front().team_a, "zone");
 }
 
-TEST(GauntletRun, RanksTheChallengersOnlyAndDoesNotRateThem) {
+TEST(GauntletRun, RanksOnlyTheChallengersAndDoesNotRateThem) {
   const TemporaryFolder folder;
   const ExperimentReport report =
       run_experiment({"A test.", small_gauntlet()}, fake_options(folder.path()));
@@ -73,7 +73,7 @@ TEST(GauntletRun, PlaysOnlyTheNewGamesWhenAChallengerIsAdded) {
   EXPECT_EQ(run_experiment({"A test.", gauntlet}, fake_options(folder.path())).played, 8);
 }
 
-TEST(ChangesBetween, SaysWhichChallengerIsAnother) {
+TEST(ChangesBetween, NamesTheChallengerThatDiffers) {
   Gauntlet other = small_gauntlet();
   other.challengers["team1"].robots = 4;
   other.challengers["team5"].robots = 4;
@@ -90,7 +90,7 @@ const std::string kTop = "schema: 1\nkind: gauntlet\npairs: 2\nseed: 7\n";
 
 class WrongGauntlet : public testing::TestWithParam<Mistake> {};
 
-TEST_P(WrongGauntlet, IsRefusedWithItsPlaceAndARemedy) { expect_refused(GetParam()); }
+TEST_P(WrongGauntlet, IsRefusedWithItsLocationAndARemedy) { expect_refused(GetParam()); }
 
 INSTANTIATE_TEST_SUITE_P(
     Files, WrongGauntlet,
@@ -107,7 +107,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"ChallengerOfTheField",
                 kTop + "teams: { zone: {}, bold: {} }\nchallengers: { zone: {} }\n",
                 "x.yaml:6:16: challengers.zone: ",
-                {"has this name too"}},
+                {"already has this name"}},
         Mistake{"WrongSettingOfAChallenger",
                 kTop + "teams: { zone: {} }\nchallengers: { bold: { robots: 17 } }\n",
                 "x.yaml:6:32: challengers.bold.robots: ",

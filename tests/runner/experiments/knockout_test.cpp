@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// team0 is the best seed; each has so many robots as its name says, and one.
+// team0 is the best seed. Each team has one robot more than its number.
 Knockout knockout_of(int teams) {
   Knockout knockout;
   for (int i = 0; i < teams; ++i) {
@@ -29,7 +29,7 @@ Knockout knockout_of(int teams) {
   return knockout;
 }
 
-// The team of fewer robots, here the better seed, wins 2:1.
+// The team with fewer robots, here the better seed, wins 2:1.
 GameRecord won_by_the_better(const GameConfiguration& game) {
   GameRecord record = fake_game(game);
   record.goals_a = game.a.robots.size() < game.b.robots.size() ? 2 : 1;
@@ -74,14 +74,14 @@ std::vector<std::string> ids_of(const std::vector<ScheduledGame>& games) {
   return ids;
 }
 
-TEST(Bracket, OfEightTeamsKeepsTheBestApart) {
+TEST(Bracket, OfEightTeamsKeepsTheBestSeedsApart) {
   const std::vector<std::string> expected = {
       "team0~team7-p0001-1", "team3~team4-p0002-1", "team1~team6-p0003-1", "team2~team5-p0004-1",
       "team0~team3-p0005-1", "team1~team2-p0006-1", "team0~team1-p0007-1"};
   EXPECT_EQ(ids_of(scheduled_games(knockout_of(8))), expected);
 }
 
-TEST(Bracket, OfFiveTeamsHasTheThreeBestWaitForTheSecondRound) {
+TEST(Bracket, OfFiveTeamsGivesTheThreeBestAByeInTheFirstRound) {
   const std::vector<std::string> expected = {"team3~team4-p0001-1", "team0~team3-p0002-1",
                                              "team1~team2-p0003-1", "team0~team1-p0004-1"};
   EXPECT_EQ(ids_of(scheduled_games(knockout_of(5))), expected);
@@ -93,7 +93,7 @@ TEST(Bracket, OfTwoTeamsIsAFinal) {
   EXPECT_EQ(ties[0].name, "final");
 }
 
-TEST(Bracket, HasATieLessThanTeams) {
+TEST(Bracket, HasOneTieFewerThanTeams) {
   for (const int teams : {2, 3, 5, 6, 11, 16, 33, 64}) {
     EXPECT_EQ(scheduled_games([teams] {
                 Knockout knockout = knockout_of(teams);
@@ -105,7 +105,7 @@ TEST(Bracket, HasATieLessThanTeams) {
   }
 }
 
-TEST(Bracket, KnowsOnlyTheTiesThatNoOtherComesBefore) {
+TEST(Bracket, KnowsOnlyTheTiesThatDependOnNoOther) {
   const std::vector<Tie> ties = bracket_of(knockout_of(5), [](Tie&) {});
   EXPECT_EQ(ids_of(games_of(knockout_of(5), ties)),
             (std::vector<std::string>{"team3~team4-p0001-1", "team1~team2-p0003-1"}));
@@ -114,7 +114,7 @@ TEST(Bracket, KnowsOnlyTheTiesThatNoOtherComesBefore) {
   EXPECT_EQ(ties[0].name, "quarter-final 1");
 }
 
-TEST(KnockoutGames, ChangeEndsAndSeedWhenPlayedAgain) {
+TEST(KnockoutGames, ChangeEndsAndSeedWhenReplayed) {
   std::vector<Tie> ties = bracket_of(knockout_of(2), [](Tie&) {});
   ties[0].games = {"team0~team1-p0001-1"};
   const std::vector<ScheduledGame> games = games_of(knockout_of(2), ties);
@@ -125,7 +125,7 @@ TEST(KnockoutGames, ChangeEndsAndSeedWhenPlayedAgain) {
   EXPECT_EQ(games[0].unit, games[1].unit);
 }
 
-TEST(KnockoutRun, PlaysOnUntilTheFinalIsWon) {
+TEST(KnockoutRun, PlaysUntilTheFinalIsWon) {
   const TemporaryFolder folder;
   const ExperimentReport report = run(knockout_of(5), folder.path(), won_by_the_worse);
   EXPECT_TRUE(report.is_complete);
@@ -136,7 +136,7 @@ TEST(KnockoutRun, PlaysOnUntilTheFinalIsWon) {
   EXPECT_NE(report.results.table.find("the winner is team4"), std::string::npos);
 }
 
-TEST(KnockoutRun, LeavesTheSameResultsForEveryNumberOfWorkers) {
+TEST(KnockoutRun, GivesTheSameResultsForEveryNumberOfWorkers) {
   const std::string expected = undisturbed_results(knockout_of(7));
   const TemporaryFolder folder;
   ExperimentOptions options = fake_options(folder.path());
@@ -146,20 +146,20 @@ TEST(KnockoutRun, LeavesTheSameResultsForEveryNumberOfWorkers) {
   EXPECT_EQ(results_in(folder.path()), expected);
 }
 
-TEST(KnockoutRun, GoesOnAfterAnInterrupt) {
+TEST(KnockoutRun, ResumesAfterAnInterrupt) {
   const TemporaryFolder folder;
   const pid_t runner = getpid();
   const auto interrupted = [runner](const GameConfiguration& game) {
     kill(runner, SIGINT);
     return won_by_the_worse(game);
   };
-  // One game each time: also the last of a round ends the run.
+  // One game per run, so some runs stop after the last game of a round.
   EXPECT_TRUE(run(knockout_of(3), folder.path(), interrupted).is_interrupted);
   EXPECT_EQ(run(knockout_of(3), folder.path(), won_by_the_worse).played, 1);
   EXPECT_EQ(results_in(folder.path()), undisturbed_results(knockout_of(3)));
 }
 
-TEST(KnockoutRun, PlaysADrawnTieAgain) {
+TEST(KnockoutRun, ReplaysADrawnTie) {
   const TemporaryFolder folder;
   const auto drawn_at_first = [](const GameConfiguration& game) {
     return game.match.a_plays == Side::kWest ? drawn(game) : won_by_the_worse(game);
@@ -171,7 +171,7 @@ TEST(KnockoutRun, PlaysADrawnTieAgain) {
       << report.results.table;
 }
 
-TEST(KnockoutRun, SendsTheBetterSeedOnAfterSixDraws) {
+TEST(KnockoutRun, AdvancesTheBetterSeedAfterSixDraws) {
   const TemporaryFolder folder;
   const ExperimentReport report = run(knockout_of(2), folder.path(), drawn);
   EXPECT_EQ(report.played, 6);
@@ -179,7 +179,7 @@ TEST(KnockoutRun, SendsTheBetterSeedOnAfterSixDraws) {
   EXPECT_NE(report.results.table.find("better seed after 6 games"), std::string::npos);
 }
 
-TEST(KnockoutRun, TakesAVoidGameForADraw) {
+TEST(KnockoutRun, TreatsAVoidGameAsADraw) {
   const TemporaryFolder folder;
   const ExperimentReport report =
       run(knockout_of(2), folder.path(),
@@ -189,7 +189,7 @@ TEST(KnockoutRun, TakesAVoidGameForADraw) {
       << report.results.table;
 }
 
-TEST(KnockoutRun, TellsHowATieWasDecided) {
+TEST(KnockoutRun, ReportsHowATieWasDecided) {
   const TemporaryFolder folder;
   const auto shot_out = [](const GameConfiguration& game) {
     GameRecord record = drawn(game);
@@ -203,7 +203,7 @@ TEST(KnockoutRun, TellsHowATieWasDecided) {
   EXPECT_NE(report.results.table.find("1:1 (2:4)"), std::string::npos);
 }
 
-TEST(KnockoutRun, HasTheLosersOfTheSemiFinalsPlayForTheThirdPlace) {
+TEST(KnockoutRun, LetsTheLosersOfTheSemiFinalsPlayForThirdPlace) {
   Knockout knockout = knockout_of(4);
   knockout.third_place = true;
   const TemporaryFolder folder;
@@ -214,7 +214,7 @@ TEST(KnockoutRun, HasTheLosersOfTheSemiFinalsPlayForTheThirdPlace) {
       << content_of(folder / "summary.csv");
 }
 
-TEST(KnockoutRun, PlaysOneGameMoreWhenTheThirdPlaceIsAdded) {
+TEST(KnockoutRun, PlaysOneMoreGameWhenThirdPlaceIsAdded) {
   const TemporaryFolder folder;
   Knockout knockout = knockout_of(4);
   run(knockout, folder.path(), won_by_the_better);
@@ -222,7 +222,7 @@ TEST(KnockoutRun, PlaysOneGameMoreWhenTheThirdPlaceIsAdded) {
   EXPECT_EQ(run(knockout, folder.path(), won_by_the_better).played, 1);
 }
 
-TEST(KnockoutShards, WaitForEachOtherAndLeaveTheSameResults) {
+TEST(KnockoutShards, WaitForEachOtherAndGiveTheSameResults) {
   const TemporaryFolder folder;
   ExperimentReport report = run(knockout_of(8), folder.path(), won_by_the_worse, {0, 2});
   EXPECT_TRUE(report.is_waiting);
@@ -235,7 +235,7 @@ TEST(KnockoutShards, WaitForEachOtherAndLeaveTheSameResults) {
   EXPECT_EQ(results_in(folder.path()), undisturbed_results(knockout_of(8)));
 }
 
-TEST(KnockoutFolder, IsReadAsFarAsItGoes) {
+TEST(KnockoutFolder, IsReadEvenIfUnfinished) {
   const TemporaryFolder folder;
   run(knockout_of(8), folder.path(), won_by_the_worse, {0, 2});
   const ResultFolder results = open_results(folder.path());

@@ -11,7 +11,7 @@
 namespace autoref::runner {
 namespace {
 
-// Teams that differ in their robots.
+// Teams that differ in their number of robots.
 RoundRobin robin_of(const std::vector<std::string>& names, int pairs) {
   RoundRobin robin;
   for (const std::string& name : names) {
@@ -28,7 +28,7 @@ std::vector<std::string> ids_of(const RoundRobin& robin) {
   return ids;
 }
 
-TEST(Matchups, AreEveryTwoTeamsInAlphabeticalOrder) {
+TEST(Matchups, PairAllTeamsInAlphabeticalOrder) {
   const std::vector<Matchup> expected = {{"bold", "calm"}, {"bold", "zone"}, {"calm", "zone"}};
   EXPECT_EQ(matchups_of(robin_of({"zone", "bold", "calm"}, 1)), expected);
 }
@@ -51,7 +51,7 @@ TEST(RoundRobinSchedule, GivesEachTeamItsOwnSettingsAndName) {
   EXPECT_EQ(game.configuration.match.half_s, 60);
 }
 
-TEST(RoundRobinSchedule, TakesSeedAndSidesFromMasterSeedPairAndLegOnly) {
+TEST(RoundRobinSchedule, DerivesSeedAndSidesFromMasterSeedPairAndLegOnly) {
   std::map<std::pair<int, int>, std::set<std::uint64_t>> seeds;
   for (const ScheduledGame& game : scheduled_games(robin_of({"zone", "bold", "calm"}, 4))) {
     seeds[{game.pair, game.leg}].insert(game.configuration.seed);
@@ -63,7 +63,7 @@ TEST(RoundRobinSchedule, TakesSeedAndSidesFromMasterSeedPairAndLegOnly) {
   }
 }
 
-TEST(RoundRobinSchedule, ChangesNoGameWhenTeamsOrPairsAreAdded) {
+TEST(RoundRobinSchedule, KeepsAllGamesWhenTeamsOrPairsAreAdded) {
   std::map<std::string, std::uint64_t> hashes;
   RoundRobin many = robin_of({"zone", "bold"}, 5);
   many.teams["calm"] = {};
@@ -75,7 +75,7 @@ TEST(RoundRobinSchedule, ChangesNoGameWhenTeamsOrPairsAreAdded) {
   }
 }
 
-TEST(RoundRobinSchedule, NamesTheSettingThatIsWrong) {
+TEST(RoundRobinSchedule, NamesTheInvalidSetting) {
   RoundRobin robin = robin_of({"zone", "bold"}, 1);
   robin.teams["bold"].params["shots"] = 1;
   try {

@@ -55,13 +55,13 @@ TEST(Schedule, GivesEachTeamEachSideAndTheFirstKickOffEquallyOften) {
   for (const auto& [what, count] : counts) EXPECT_EQ(count, 5);
 }
 
-TEST(Schedule, ChangesNoGameWhenValuesOrPairsAreAdded) {
+TEST(Schedule, KeepsAllGamesWhenValuesOrPairsAreAdded) {
   const auto few = hashes_of(handicap_sweep({1.0, 0.8}, 2));
   const auto many = hashes_of(handicap_sweep({0.9, 0.8, 1.0}, 5));
   for (const auto& [id, hash] : few) EXPECT_EQ(many.at(id), hash) << id;
 }
 
-TEST(Schedule, GivesEveryLegASeedOfItsOwnThatDoesNotDependOnTheValue) {
+TEST(Schedule, GivesEveryLegItsOwnSeedIndependentOfTheValue) {
   std::map<std::pair<int, int>, std::set<std::uint64_t>> by_leg;
   std::set<std::uint64_t> all;
   for (const ScheduledGame& game : scheduled_games(handicap_sweep({1.0, 0.8}, 50))) {

@@ -1,4 +1,4 @@
-// Matches that end when they are decided, with made-up games.
+// SPRT matches, with made-up games.
 #include "runner/experiments/sprt_match.hpp"
 #include "runner/experiments/reading/effective.hpp"
 #include "runner/experiments/reading/scenario_reader.hpp"
@@ -47,7 +47,7 @@ TEST(SprtMatchRun, EndsWithThePairThatDecidesIt) {
   const TemporaryFolder folder;
   const ExperimentReport report = run_experiment(small_sprt_match(), fake_options(folder.path()));
   EXPECT_TRUE(report.is_complete);
-  EXPECT_EQ(report.played, 20);  // min_pairs pairs: the games speak clearly
+  EXPECT_EQ(report.played, 20);  // min_pairs pairs: the evidence is clear
   EXPECT_NE(report.results.table.find("decided for d1: the mean lead of team0 over team1 in goals "
                                       "a game is nearer to -4 than to 0"),
             std::string::npos)
@@ -55,7 +55,7 @@ TEST(SprtMatchRun, EndsWithThePairThatDecidesIt) {
   EXPECT_NE(content_of(folder / "summary.csv").find(",d1,10,0,"), std::string::npos);
 }
 
-TEST(SprtMatchRun, LeavesTheSameResultsForEveryNumberOfWorkers) {
+TEST(SprtMatchRun, GivesTheSameResultsForEveryNumberOfWorkers) {
   const std::string expected = undisturbed_results();
   for (const int workers : {1, 2, 5}) {
     const TemporaryFolder folder;
@@ -67,7 +67,7 @@ TEST(SprtMatchRun, LeavesTheSameResultsForEveryNumberOfWorkers) {
   }
 }
 
-TEST(SprtMatchRun, GoesOnAfterAnInterrupt) {
+TEST(SprtMatchRun, ResumesAfterAnInterrupt) {
   const TemporaryFolder folder;
   ExperimentOptions options = fake_options(folder.path());
   const pid_t runner = getpid();
@@ -80,7 +80,7 @@ TEST(SprtMatchRun, GoesOnAfterAnInterrupt) {
   EXPECT_EQ(results_in(folder.path()), undisturbed_results());
 }
 
-TEST(SprtMatchRun, DoesNothingWhenItIsDecided) {
+TEST(SprtMatchRun, PlaysNothingOnceItIsDecided) {
   const TemporaryFolder folder;
   run_experiment(small_sprt_match(), fake_options(folder.path()));
   const ExperimentReport report = run_experiment(small_sprt_match(), fake_options(folder.path()));
@@ -120,7 +120,7 @@ ExperimentReport run_shard(const fs::path& folder, int number) {
   return run_experiment(small_sprt_match(), options);
 }
 
-TEST(SprtMatchShards, StopWhenTheRowsOfAllDecideIt) {
+TEST(SprtMatchShards, StopOnceTheirCombinedRowsDecideTheMatch) {
   const TemporaryFolder folder;
   EXPECT_FALSE(run_shard(folder.path(), 1).is_complete);
   const ExperimentReport report = run_shard(folder.path(), 0);
@@ -129,7 +129,7 @@ TEST(SprtMatchShards, StopWhenTheRowsOfAllDecideIt) {
   EXPECT_EQ(results_in(folder.path()), undisturbed_results());
 }
 
-TEST(SprtMatchShards, LeaveTheSameResultsWhenTheirRowsAreCopiedTogether) {
+TEST(SprtMatchShards, GiveTheSameResultsWhenTheirRowsAreMerged) {
   const TemporaryFolder folder;
   for (const int number : {0, 1}) {
     const TemporaryFolder own;
@@ -144,7 +144,7 @@ TEST(SprtMatchShards, LeaveTheSameResultsWhenTheirRowsAreCopiedTogether) {
   EXPECT_EQ(results_in(folder.path()), undisturbed_results());
 }
 
-// The state by so many pairs, one of which is not there.
+// The state after this many pairs, of which one is missing.
 SprtMatchState state_without(int missing_pair, int pairs) {
   const Scenario scenario = small_sprt_match();
   RowsById rows;
@@ -155,14 +155,14 @@ SprtMatchState state_without(int missing_pair, int pairs) {
   return state_of(std::get<SprtMatch>(scenario.content), rows);
 }
 
-TEST(SprtMatchState, GoesNoFurtherThanTheFirstPairThatIsMissing) {
+TEST(SprtMatchState, StopsAtTheFirstMissingPair) {
   EXPECT_EQ(state_without(5, 40).test.pairs, 4);
   EXPECT_FALSE(state_without(5, 40).is_decided);
   EXPECT_EQ(state_without(12, 40).last_pair, 10);
   EXPECT_TRUE(state_without(12, 40).is_decided);
 }
 
-TEST(SprtMatchState, IsOpenBeforeTheFirstPair) {
+TEST(SprtMatchState, IsUndecidedBeforeTheFirstPair) {
   const SprtMatchState state = state_without(0, 0);
   EXPECT_EQ(state.last_pair, 0);
   EXPECT_EQ(name_of(state.test.verdict), "none");
@@ -171,7 +171,7 @@ TEST(SprtMatchState, IsOpenBeforeTheFirstPair) {
 const std::string kTop = "schema: 1\nkind: sprt\nseed: 7\n";
 const std::string kTeams = "teams: { zone: {}, bold: { strategy: dummy } }\n";
 
-TEST(ReadSprtMatch, ReadsItsTestWhoseErrorRatesHaveDefaults) {
+TEST(ReadSprtMatch, ReadsItsTestWithDefaultErrorRates) {
   const SprtMatch match = std::get<SprtMatch>(
       read_scenario_text(kTop + kTeams + "sprt: { d0: -1, d1: 0.5, max_pairs: 60 }\n", "x.yaml")
           .content);
@@ -190,7 +190,7 @@ TEST(EffectiveConfiguration, OfAMatchReadsBackEqual) {
 
 class WrongSprtMatch : public testing::TestWithParam<Mistake> {};
 
-TEST_P(WrongSprtMatch, IsRefusedWithItsPlaceAndARemedy) { expect_refused(GetParam()); }
+TEST_P(WrongSprtMatch, IsRefusedWithItsLocationAndARemedy) { expect_refused(GetParam()); }
 
 INSTANTIATE_TEST_SUITE_P(
     Files, WrongSprtMatch,
@@ -208,7 +208,7 @@ INSTANTIATE_TEST_SUITE_P(
                 kTop + kTeams + "sprt: { d0: 0, d1: 1 }\n",
                 "x.yaml:5:1: sprt: ",
                 {"'max_pairs' is missing"}},
-        Mistake{"EqualClaims",
+        Mistake{"EqualHypotheses",
                 kTop + kTeams + "sprt: { d0: 1, d1: 1, max_pairs: 20 }\n",
                 "x.yaml:5:16: sprt.d1: ",
                 {"must differ from d0"}},
@@ -216,7 +216,7 @@ INSTANTIATE_TEST_SUITE_P(
                 kTop + kTeams + "sprt: { d0: 0, d1: 1, alpha: 0.5, max_pairs: 20 }\n",
                 "x.yaml:5:30: sprt.alpha: ",
                 {"above 0 and at most 0.49", "found '0.5'"}},
-        Mistake{"LastPairBeforeTheFirstVerdict",
+        Mistake{"MaximumBelowTheMinimum",
                 kTop + kTeams + "sprt: { d0: 0, d1: 1, max_pairs: 5 }\n",
                 "x.yaml:5:23: sprt.max_pairs: ",
                 {"at least min_pairs, which is 10", "found 5"}},

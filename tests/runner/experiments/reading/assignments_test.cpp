@@ -1,4 +1,4 @@
-// What --set changes in scenarios, and what it may not.
+// What --set can and cannot change in scenarios.
 #include <gtest/gtest.h>
 
 #include "runner/experiments/reading/scenario_reader.hpp"
@@ -17,19 +17,19 @@ std::string refusal_of(const std::string& lines, const Assignments& assignments 
   return "accepted";
 }
 
-TEST(Handicap, IsRefusedBesideAPartOfItThatTheBaseGives) {
+TEST(Handicap, IsRefusedAsAFactorIfTheBaseSetsOneOfItsFactors) {
   EXPECT_EQ(refusal_of("base: { teams: { b: { speed_factor: 0.8 } } }\n"
                        "factors: { b.handicap: [1.0, 0.5] }\n"),
             "x.yaml:6:12: b.handicap: 'base.teams.b.speed_factor' sets the same number; leave one "
             "out");
 }
 
-TEST(Set, IsRefusedForWhatTheFileVaries) {
+TEST(Set, IsRefusedForSettingsThatTheFileVaries) {
   EXPECT_EQ(refusal_of("factors: { b.handicap: [1.0, 0.5] }\n",
                        {{"--set b.handicap=1", "teams.b.handicap", "1"}}),
-            "--set b.handicap=1: the file varies it; change it there");
+            "--set b.handicap=1: the file varies this setting; change it there");
   EXPECT_EQ(refusal_of("factors: { b.handicap: [1.0, 0.5] }\n", {{"--set seed=1", "seed", "1"}}),
-            "--set seed=1: every game is given its own; leave it out");
+            "--set seed=1: set automatically for each game; leave it out");
 }
 
 TEST(Set, ReachesTheBaseAndTeamsByName) {
@@ -54,7 +54,7 @@ TEST(Set, ReachesTheBaseAndTeamsByName) {
   }
 }
 
-TEST(Set, RefusesAHandicapAndAPartOfItInAnyOrder) {
+TEST(Set, RefusesAHandicapTogetherWithOneOfItsFactorsInAnyOrder) {
   for (const auto& sets : {std::vector<std::string>{"b.handicap=0.5", "b.speed_factor=0.8"},
                            std::vector<std::string>{"b.speed_factor=0.8", "b.handicap=0.5"}}) {
     EXPECT_THROW(assignments_in(sets), InputError);

@@ -1,5 +1,5 @@
-// Files that would keep a careless reader busy for ever, or fill its memory: every reader of YAML
-// refuses them at once and says where.
+// Files that would make a careless reader loop forever or exhaust its memory: every YAML reader
+// refuses them promptly and reports the location.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -14,7 +14,7 @@
 namespace autoref::runner {
 namespace {
 
-constexpr double kSoon_s = 10;  // under sanitizers and on a busy machine; else far below 1 s
+constexpr double kSoon_s = 10;  // for sanitizers on a busy machine; normally far below 1 s
 
 std::string repeated(const std::string& text, int times) {
   std::string all;
@@ -39,7 +39,7 @@ std::string keys(const std::string& name, int count) {
   return text;
 }
 
-// What the reader says; "accepted" where it takes the text.
+// The reader's error message, or "accepted".
 std::string refusal_of(const std::function<void()>& read) {
   const auto began = std::chrono::steady_clock::now();
   std::string refusal = "accepted";
@@ -55,8 +55,8 @@ std::string refusal_of(const std::function<void()>& read) {
 
 struct Hostile {
   const char* name;
-  std::string text;   // after the head
-  const char* start;  // of the message
+  std::string text;   // after schema and kind
+  const char* start;  // start of the message
   const char* remedy;
 };
 
@@ -74,17 +74,17 @@ TEST_P(HostileFile, IsRefusedAsAScenario) {
   expect_refused(refusal_of([&] { read_scenario_text(text, "x.yaml"); }));
 }
 
-TEST_P(HostileFile, IsRefusedAsATypeOfRobots) {
+TEST_P(HostileFile, IsRefusedAsARobotType) {
   const std::string text = "schema: 1\nkind: robot\n" + GetParam().text;
   expect_refused(refusal_of([&] { read_robot_type_text(text, "x.yaml"); }));
 }
 
-TEST_P(HostileFile, IsRefusedAsASceneOfTheLaboratory) {
+TEST_P(HostileFile, IsRefusedAsALabScene) {
   const std::string text = "schema: 1\nkind: lab\n" + GetParam().text;
   expect_refused(refusal_of([&] { read_lab_scene_text(text, "x.yaml"); }));
 }
 
-TEST(HostileScenario, ThatBeginsWithACommaIsRefused) {
+TEST(HostileScenario, IsRefusedIfItBeginsWithAComma) {
   const std::string refusal =
       refusal_of([] { read_scenario_text(", schema: 1\nkind: game\n", "x.yaml"); });
   EXPECT_TRUE(refusal.starts_with("x.yaml:1:1: no value begins like this")) << refusal;
@@ -107,33 +107,34 @@ INSTANTIATE_TEST_SUITE_P(
                 "x.yaml:3:", "write fewer"}),
     [](const auto& hostile) { return std::string(hostile.param.name); });
 
-TEST(HostileScenario, OfTooManyTypesIsRefused) {
+TEST(HostileScenario, IsRefusedIfItHasTooManyTypes) {
   const std::string text = "schema: 1\nkind: game\ntypes: { " + keys("t", 1500) + "}\n";
   EXPECT_NE(
       refusal_of([&] { read_scenario_text(text, "x.yaml"); }).find("more than 1000 robot types"),
       std::string::npos);
 }
 
-TEST(HostileScenario, OfTooManyTeamsIsRefusedBeforeTheirMatchupsAreListed) {
+TEST(HostileScenario, IsRefusedIfItHasTooManyTeamsBeforeTheirMatchupsAreListed) {
   const std::string head = "schema: 1\nkind: roundrobin\npairs: 1\nseed: 1\n";
   const std::string text = head + "teams: { " + keys("t", 20'000) + "}\n";
   EXPECT_NE(refusal_of([&] {
               read_scenario_text(text, "x.yaml");
-            }).find("399980000 games; at most 100000 fit one experiment"),
+            }).find("399980000 games; one experiment may have at most 100000"),
             std::string::npos);
 }
 
-TEST(HostileScenario, OfTooManyJudgedGamesIsRefused) {
+TEST(HostileScenario, IsRefusedIfItHasTooManyJudgedGames) {
   const std::string text =
       "schema: 1\nkind: judge\ngames: 9999\nseed: 1\nrules: [paper, 2014, 2014-double, 2026-b, "
       "2026-a]\ncameras: [none, paper, realistic]\n";
-  EXPECT_NE(refusal_of([&] {
-              read_scenario_text(text, "x.yaml");
-            }).find("games: with these there are 149985 games; at most 100000"),
-            std::string::npos);
+  EXPECT_NE(
+      refusal_of([&] {
+        read_scenario_text(text, "x.yaml");
+      }).find("games: these settings make 149985 games; one experiment may have at most 100000"),
+      std::string::npos);
 }
 
-TEST(ManyTeams, AreReadBackFromTheFileThatSpellsThemOut) {
+TEST(ManyTeams, AreReadBackFromTheEffectiveFile) {
   const std::string head = "schema: 1\nkind: roundrobin\npairs: 1\nseed: 1\n";
   const Scenario scenario = read_scenario_text(head + "teams: { " + keys("t", 200) + "}\n", "x");
   const std::string effective = effective_text(scenario);
@@ -141,12 +142,12 @@ TEST(ManyTeams, AreReadBackFromTheFileThatSpellsThemOut) {
   EXPECT_EQ(effective_text(read_scenario_text(effective, "effective.yaml")), effective);
 }
 
-TEST(ManyTeams, ThatCouldNotBeReadBackAreRefused) {
+TEST(ManyTeams, AreRefusedIfTheyCouldNotBeReadBack) {
   RoundRobin robin;
   for (int i = 0; i < 20'000; ++i) robin.teams["t" + std::to_string(i)] = {};
   EXPECT_NE(refusal_of([&] {
               effective_text({"", robin});
-            }).find("give it fewer teams"),
+            }).find("use fewer teams"),
             std::string::npos);
 }
 

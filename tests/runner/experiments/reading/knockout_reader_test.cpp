@@ -1,4 +1,3 @@
-// Reading knockouts.
 #include <gtest/gtest.h>
 
 #include "runner/experiments/knockout.hpp"
@@ -16,13 +15,13 @@ Knockout read(const std::string& text) {
   return std::get<Knockout>(read_scenario_text(kTop + kTeams + text, "x.yaml").content);
 }
 
-TEST(ReadKnockout, SeedsTeamsByTheirNamesUnlessItIsReported) {
+TEST(ReadKnockout, SeedsTeamsByNameUnlessAnOrderIsGiven) {
   EXPECT_EQ(read("").order, (std::vector<std::string>{"bold", "calm", "zone"}));
   EXPECT_EQ(read("order: [zone, bold, calm]\n").order,
             (std::vector<std::string>{"zone", "bold", "calm"}));
 }
 
-TEST(ReadKnockout, PlaysExtraTimeWhereTheRulesHaveItUnlessItIsReported) {
+TEST(ReadKnockout, EnablesExtraTimeIfTheRulesHaveItUnlessTheBaseDisablesIt) {
   EXPECT_FALSE(read("").base.match.knockout);
   EXPECT_TRUE(read("base: { match: { rules: 2026-b } }\n").base.match.knockout);
   EXPECT_FALSE(read("base: { match: { rules: 2026-b, knockout: false } }\n").base.match.knockout);
@@ -39,42 +38,41 @@ TEST(EffectiveConfiguration, OfAKnockoutReadsBackEqual) {
 
 class WrongKnockout : public testing::TestWithParam<Mistake> {};
 
-TEST_P(WrongKnockout, IsRefusedWithItsPlaceAndARemedy) { expect_refused(GetParam()); }
+TEST_P(WrongKnockout, IsRefusedWithItsLocationAndARemedy) { expect_refused(GetParam()); }
 
-INSTANTIATE_TEST_SUITE_P(Files, WrongKnockout,
-                         testing::Values(Mistake{"OneTeam",
-                                                 kTop + "teams: { zone: {} }\n",
-                                                 "x.yaml:4:1: teams: ",
-                                                 {"expected 2 to 64 teams", "found 1"}},
-                                         Mistake{"OrderIsAWord",
-                                                 kTop + kTeams + "order: zone\n",
-                                                 "x.yaml:5:8: order: ",
-                                                 {"every team once", "bold, calm, zone"}},
-                                         Mistake{"UnknownTeamInTheOrder",
-                                                 kTop + kTeams + "order: [zone, bold, clam]\n",
-                                                 "x.yaml:5:21: order: ",
-                                                 {"bold, calm, zone", "'clam', which is no team"}},
-                                         Mistake{"TeamTwiceInTheOrder",
-                                                 kTop + kTeams + "order: [zone, bold, zone]\n",
-                                                 "x.yaml:5:21: order: ",
-                                                 {"'zone' twice"}},
-                                         Mistake{"TeamMissingInTheOrder",
-                                                 kTop + kTeams + "order: [zone, bold]\n",
-                                                 "x.yaml:5:8: order: ",
-                                                 {"'calm' is missing"}},
-                                         Mistake{"ThirdPlaceOfThree",
-                                                 kTop + kTeams + "third_place: true\n",
-                                                 "x.yaml:5:14: third_place: ",
-                                                 {"at least 4 teams", "leave it out"}},
-                                         Mistake{"ThirdPlaceIsAWord",
-                                                 kTop + kTeams + "third_place: maybe\n",
-                                                 "x.yaml:5:14: third_place: ",
-                                                 {"true, false"}},
-                                         Mistake{"Pairs",
-                                                 kTop + kTeams + "pairs: 5\n",
-                                                 "x.yaml:5:1: ",
-                                                 {"unknown key 'pairs'"}}),
-                         [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Files, WrongKnockout,
+    testing::Values(
+        Mistake{"OneTeam",
+                kTop + "teams: { zone: {} }\n",
+                "x.yaml:4:1: teams: ",
+                {"expected 2 to 64 teams", "found 1"}},
+        Mistake{"OrderIsAWord",
+                kTop + kTeams + "order: zone\n",
+                "x.yaml:5:8: order: ",
+                {"every team once", "bold, calm, zone"}},
+        Mistake{"UnknownTeamInTheOrder",
+                kTop + kTeams + "order: [zone, bold, clam]\n",
+                "x.yaml:5:21: order: ",
+                {"bold, calm, zone", "'clam', which is not a team"}},
+        Mistake{"TeamTwiceInTheOrder",
+                kTop + kTeams + "order: [zone, bold, zone]\n",
+                "x.yaml:5:21: order: ",
+                {"'zone' twice"}},
+        Mistake{"TeamMissingInTheOrder",
+                kTop + kTeams + "order: [zone, bold]\n",
+                "x.yaml:5:8: order: ",
+                {"'calm' is missing"}},
+        Mistake{"ThirdPlaceOfThree",
+                kTop + kTeams + "third_place: true\n",
+                "x.yaml:5:14: third_place: ",
+                {"at least 4 teams", "leave it out"}},
+        Mistake{"ThirdPlaceIsAWord",
+                kTop + kTeams + "third_place: maybe\n",
+                "x.yaml:5:14: third_place: ",
+                {"true, false"}},
+        Mistake{"Pairs", kTop + kTeams + "pairs: 5\n", "x.yaml:5:1: ", {"unknown key 'pairs'"}}),
+    [](const auto& test) { return test.param.name; });
 
 }  // namespace
 }  // namespace autoref::runner

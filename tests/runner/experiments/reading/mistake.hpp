@@ -15,8 +15,8 @@ namespace autoref::runner {
 struct Mistake {
   const char* name;
   std::string text;
-  const char* start;                   // of the message: file, line, column
-  std::vector<const char*> fragments;  // key and remedy
+  const char* start;                   // start of the message: file, line, column
+  std::vector<const char*> fragments;  // parts of the message: key and remedy
 };
 
 inline void expect_refused(const Mistake& mistake) {

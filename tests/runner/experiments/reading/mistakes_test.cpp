@@ -1,5 +1,5 @@
-// What people get wrong in an experiment's file, one mistake at a time: each is refused with file,
-// line, key and what to do.
+// Common mistakes in scenario files, one at a time: each is refused with file, line, key and a
+// remedy.
 #include <gtest/gtest.h>
 
 #include <stdexcept>
@@ -31,7 +31,7 @@ const std::string kGame =
     "teams: { a: { strategy: basic }, b: { strategy: zone } }\n"
     "match: { rules: paper, half_s: 60 }\n";
 
-// `text` with `what` replaced once.
+// `text` with the first occurrence of `what` replaced.
 std::string changed(std::string text, const std::string& what, const std::string& by) {
   const std::size_t index = text.find(what);
   if (index == std::string::npos) throw std::logic_error("there is no " + what);
@@ -46,7 +46,7 @@ TEST(Mistakes, AreTheOnlyReasonForRefusal) {
 
 class Mistakes : public testing::TestWithParam<Mistake> {};
 
-TEST_P(Mistakes, AreRefusedWithPlaceKeyAndRemedy) { expect_refused(GetParam()); }
+TEST_P(Mistakes, AreRefusedWithLocationKeyAndRemedy) { expect_refused(GetParam()); }
 
 INSTANTIATE_TEST_SUITE_P(
     Sweeps, Mistakes,
@@ -162,7 +162,7 @@ INSTANTIATE_TEST_SUITE_P(
                 {"found 1"}},
         Mistake{"NameOfATeam",
                 changed(kRobin, "bold", "b~old"),
-                "x.yaml:5:10: teams: a team's name must be of letters",
+                "x.yaml:5:10: teams: a team's name must consist of letters",
                 {"'b~old'"}},
         Mistake{"UnknownTeam",
                 changed(kRobin, "zone", "zoen"),

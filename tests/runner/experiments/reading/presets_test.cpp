@@ -1,4 +1,5 @@
-// What a user writes stands over every preset: in a file, as a factor, by --set, in any order.
+// A setting that the user gives overrides every preset: in a file, as a factor or by --set, in any
+// order.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -14,7 +15,7 @@ namespace {
 
 using Values = std::map<std::string, std::string>;  // by full path
 
-// Everything that a game is played with, and what differs in its teams' robots.
+// All settings of a game and the overrides of its teams' robots.
 Values values_of(GameSettings game) {
   Values values;
   for (const Setting& setting : settings_of(game)) {
@@ -58,8 +59,8 @@ std::vector<Assignment> in_order(const std::string& path, const std::string& val
   return preset_first ? Assignments{its, own} : Assignments{own, its};
 }
 
-// What a preset's words set: the paths whose values differ between any two of them, or from what
-// they are by default.
+// The paths that a preset sets: those with values that differ between any two of its words, or from
+// the default.
 std::set<std::string> set_by(const Preset& preset) {
   std::set<std::string> paths;
   const Values defaults = values_of({});
@@ -78,7 +79,7 @@ std::set<std::string> set_by(const Preset& preset) {
   return paths;
 }
 
-// A value of the setting other than the one that a preset gives it.
+// A value of the setting that differs from the preset's.
 std::string other_value(const std::string& path, const std::string& value) {
   GameSettings game;
   for (const char* text : {"1", "2", "0.5", "0.1", "5", "7", "12", "0.01", "0.05", "true", "false",
@@ -113,7 +114,7 @@ int for_each_setting(const Check& check) {
   return count;
 }
 
-// All that the preset sets is played but for the one setting that the user wrote.
+// Expects all values of the preset except for the one that the user gave.
 void expect_only_one_differs(const GameSettings& game, const std::string& path,
                              const std::string& value, Values alone, const std::string& what) {
   alone[path] = value;
@@ -135,7 +136,7 @@ TEST(Presets, LeaveSingleSettingsAloneInAnyOrder) {
   EXPECT_GT(settings, 250);  // presets of cameras, balls, dribblers and rule books
 }
 
-TEST(Presets, LeaveTheFilesSettingsAloneWhenTheyAreSet) {
+TEST(Presets, LeaveTheFilesSettingsAloneIfChosenOnTheCommandLine) {
   for_each_setting([](const std::string& preset, const std::string& word, const std::string& path,
                       const std::string& value, const Values& alone) {
     GameSettings written;
@@ -156,7 +157,7 @@ TEST(Presets, LeaveTheFilesSettingsAloneWhenTheyAreSet) {
       expect_only_one_differs(std::get<GameSettings>(scenario.content), path, value, alone,
                               preset + "=" + word);
     } catch (const InputError&) {
-      // Not every value makes a game with every preset: a robot may not fit the field, say.
+      // Some values contradict some presets; for example, the robots may not fit on the field.
     }
   });
 }
@@ -166,7 +167,7 @@ Sweep sweep_of(const std::string& lines) {
   return std::get<Sweep>(read_scenario_text(text, "x.yaml").content);
 }
 
-// The games' configurations by their cells' names.
+// The games' configurations by cell name.
 std::map<std::string, GameSettings> cells_of(const Sweep& sweep) {
   std::map<std::string, GameSettings> cells;
   for (const ScheduledGame& game : scheduled_games(sweep)) {
@@ -208,7 +209,7 @@ TEST(Presets, AsFactorsLeaveOtherFactorsAloneInAnyOrder) {
   }
 }
 
-TEST(Presets, AsFactorsKeepTheirNamesWhereSingleSettingsDiffer) {
+TEST(Presets, AsFactorsKeepTheirNamesIfSingleSettingsDiffer) {
   const Sweep sweep = sweep_of(
       "base: { sim: { vision: { reports_height: false } } }\n"
       "factors: { sim.camera: [paper, none] }\n");
@@ -237,7 +238,7 @@ TEST(Presets, ReadTheSameFromTheEffectiveFile) {
   }
 }
 
-TEST(Presets, AreSpeltOutByValueInTheEffectiveFile) {
+TEST(Presets, AreSpeltOutForEachValueInTheEffectiveFile) {
   const std::string text =
       effective_text({"A sweep.", sweep_of("base: { match: { half_s: 5 } }\n"
                                            "factors: { match.rules: [paper, \"2014\"] }\n")});
@@ -247,7 +248,7 @@ TEST(Presets, AreSpeltOutByValueInTheEffectiveFile) {
   EXPECT_EQ(text.find("match.half_s"), std::string::npos) << text;
 }
 
-TEST(Presets, MayNotBeContradictedInTheEffectiveFile) {
+TEST(Presets, CannotBeContradictedInTheEffectiveFile) {
   std::string text =
       effective_text({"", sweep_of("factors: { match.rules: [paper, \"2014\"] }\n")});
   const std::string line = "    match.switch.bot_crash_unique: true\n";

@@ -33,13 +33,13 @@ TEST(ReadRoundRobin, ReadsTeamsBasePairsAndSeed) {
   EXPECT_EQ(robin.seed, 7U);
 }
 
-// 2026, Division A: eleven robots a team.
-TEST(ReadRoundRobin, GivesTeamsTheRobotsOfTheBasesRulesWhereverItStands) {
+// 2026, Division A: eleven robots per team.
+TEST(ReadRoundRobin, TakesTheNumberOfRobotsFromTheBasesRulesInAnyOrder) {
   const RoundRobin robin = robin_of(kTop + kTeams + "base: { match: { rules: 2026-a } }\n");
   EXPECT_EQ(robin.teams.at("zone").robots, 11);
 }
 
-TEST(ReadRoundRobin, TakesTypesOfRobotsFromFilesAndFromTheBase) {
+TEST(ReadRoundRobin, TakesRobotTypesFromFilesAndFromTheBase) {
   const TemporaryFolder folder;
   write_content(folder / "slow.yaml", "schema: 1\nkind: robot\nrobot: { speed_mps: 1.5 }\n");
   const RoundRobin robin = robin_of(kTop +
@@ -70,7 +70,7 @@ TEST(EffectiveConfiguration, OfARoundRobinReadsBackEqual) {
 
 class WrongRoundRobin : public testing::TestWithParam<Mistake> {};
 
-TEST_P(WrongRoundRobin, IsRefusedWithItsPlaceAndARemedy) { expect_refused(GetParam()); }
+TEST_P(WrongRoundRobin, IsRefusedWithItsLocationAndARemedy) { expect_refused(GetParam()); }
 
 INSTANTIATE_TEST_SUITE_P(
     Files, WrongRoundRobin,

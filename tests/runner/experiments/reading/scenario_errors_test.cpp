@@ -1,4 +1,4 @@
-// What is said of wrong scenarios: file, line, key, and what was expected.
+// Error messages for invalid scenarios name file, line, key and what was expected.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -16,7 +16,7 @@ const std::string kSweep = "schema: 1\nkind: sweep\npairs: 2\nseed: 1\n";
 
 class WrongScenario : public testing::TestWithParam<Mistake> {};
 
-TEST_P(WrongScenario, IsRefusedWithItsPlaceAndARemedy) { expect_refused(GetParam()); }
+TEST_P(WrongScenario, IsRefusedWithItsLocationAndARemedy) { expect_refused(GetParam()); }
 
 INSTANTIATE_TEST_SUITE_P(
     Files, WrongScenario,

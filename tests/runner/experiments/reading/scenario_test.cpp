@@ -21,14 +21,14 @@ Sweep sweep_of(const std::string& text) {
   return std::get<Sweep>(read_scenario_text(text, "x.yaml").content);
 }
 
-TEST(ReadScenario, GivesDefaultsToWhatIsLeftOut) {
+TEST(ReadScenario, KeepsDefaultsForMissingKeys) {
   const GameSettings game = game_of(kGame);
   EXPECT_EQ(game.a.robots, 6);
   EXPECT_EQ(game.match.rules, "paper");
   EXPECT_EQ(game.match.half_s, 600);  // the paper's ten minutes
 }
 
-TEST(ReadScenario, LetsSingleNumbersChangeAPresetWhereverTheyStand) {
+TEST(ReadScenario, LetsSingleNumbersOverrideAPresetInAnyOrder) {
   const GameSettings game = game_of(kGame + "sim: { ball: { roll_mps2: 0.5, preset: erforce } }\n");
   EXPECT_EQ(game.sim.ball.slide_mps2, 3.92);
   EXPECT_EQ(game.sim.ball.roll_mps2, 0.5);
@@ -67,13 +67,13 @@ TEST(ReadScenario, ReadsASweep) {
   EXPECT_EQ(sweep.factors, expected);
 }
 
-TEST(ReadScenario, TakesParametersBelowZeroWhereTheirRangeHasThem) {
+TEST(ReadScenario, AcceptsNegativeParametersIfTheirRangeIncludesThem) {
   const GameSettings game =
       game_of(kGame + "teams: { a: { strategy: rowdy, params: { otherwise: -1 } } }\n");
   EXPECT_EQ(game.a.params.at("otherwise"), -1);
 }
 
-TEST(ReadScenario, AcceptsFactorsThatOnlyTogetherMakeAGame) {
+TEST(ReadScenario, AcceptsFactorsThatAreValidOnlyInCombination) {
   const Sweep sweep =
       sweep_of(kSweep + "factors: { field.goal_width_m: [3.8], field.width_m: [9] }\n");
   EXPECT_EQ(sweep.factors.size(), 2U);
