@@ -7,11 +7,12 @@
 namespace autoref::runner {
 namespace {
 
-// Beyond its halves and breaks a game may take this long: waiting for clients and restarts.
+// Maximum time beyond halves and breaks, for waiting for clients and restarts.
 constexpr double kSlack_s = 300;
 
-// Where the clock stands while play is stopped, a game may take this many times its halves. A stop
-// has two waits of 15 s at most, so games whose plays last 3.3 s on average come to their end.
+// If the clock stops while play is stopped, the halves may take this many times their length. A
+// stop contains at most two waits of 15 s, so a game ends in time if play lasts 3.3 s on average
+// between stops.
 constexpr double kStandstill = 10;
 
 double longest_shootout_s(const RuleBook& rules) {

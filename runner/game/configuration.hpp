@@ -1,5 +1,5 @@
-// One game as values: who plays, by which rules, in which world. Nothing in it has to be looked up
-// or read once more, except for the names of the teams' strategies (team_maker.hpp).
+// The complete configuration of one game: teams, rules and world. Only the names of the teams'
+// strategies remain to be looked up (team_maker.hpp).
 #pragma once
 
 #include <cstdint>
@@ -16,12 +16,12 @@ namespace autoref::runner {
 
 struct TeamConfiguration {
   std::string strategy = "basic";
-  std::map<std::string, double> params;                     // the strategy's own numbers, by name
+  std::map<std::string, double> params;                     // the strategy's parameters, by name
   sim::TeamSpec::Robots robots = sim::TeamSpec::Robots(6);  // by number, 1 to 16
 };
 
 struct MatchConfiguration {
-  RuleBook rules;  // with the length of extra time, and the rules that are in force
+  RuleBook rules;  // includes the length of extra time and the rules in force
   double half_s = 600;
   int halves = 2;
   double break_s = 0;
@@ -42,14 +42,14 @@ struct GameConfiguration {
 
 const TeamConfiguration& team_on(const GameConfiguration& game, Side side);
 
-// How people call each side's team: by its strategy, and where both have the same one, "basic (a)"
-// and "basic (b)".
+// The display name of each side's team: its strategy, or "basic (a)" and "basic (b)" if both play
+// the same one.
 PerSide<std::string> shown_names(const GameConfiguration& game);
 
-// What the referee has to know of the game.
+// The referee's part of the configuration.
 referee::Configuration referee_configuration(const GameConfiguration& game);
 
-// A game that takes longer will not come to its end.
+// Longest plausible duration of a game, in s; a game that takes longer is stuck.
 double longest_s(const MatchConfiguration& match);
 
 }  // namespace autoref::runner

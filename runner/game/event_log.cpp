@@ -10,7 +10,7 @@
 namespace autoref::runner {
 namespace {
 
-// Null where there is nothing to say.
+// Null if the text is empty.
 Json text_or_null(std::string_view text) { return text.empty() ? Json() : Json(text); }
 
 Json json_of(RobotId robot) {
@@ -21,7 +21,7 @@ Json json_of(const std::optional<RobotId>& robot) { return robot ? json_of(*robo
 
 Json json_of(const std::optional<Vec2>& v) { return v ? Json::array({v->x(), v->y()}) : Json(); }
 
-// Null before anybody has touched the ball; "unknown" where nobody knows who has.
+// Null before the first touch; colour "unknown" if it is not known who touched the ball.
 Json json_of(const referee::LastTouch& touch) {
   if (!touch.side && touch.time_s == 0) return {};
   return {{"colour", touch.side ? colour_of(*touch.side) : "unknown"},

@@ -1,4 +1,4 @@
-// The referee's decisions of a game, one JSON object a line.
+// The referee's decisions in a game, one JSON object per line.
 #pragma once
 
 #include <string>
@@ -8,17 +8,17 @@
 
 namespace autoref::runner {
 
-// Who plays in a colour: the letter of its team ("a" or "b") and its name; empty where not known.
+// The team that plays in a colour: its letter ("a" or "b") and name; empty if unknown.
 struct EventTeam {
   std::string letter;
   std::string name;
 };
 
-// The teams of a game, named as shown_names() (configuration.hpp) has them.
+// The teams of a game, with the names of shown_names() (configuration.hpp).
 PerSide<EventTeam> event_teams_of(const GameConfiguration& game);
 
-// One line without its end. Every line has the same keys; what is unknown or does not apply is
-// null. Sides are named by their colours, "yellow" and "blue", as the commands are.
+// One line, without the newline. Every line has the same keys; unknown or inapplicable values are
+// null. Sides are identified by their colours, "yellow" and "blue", as in the commands.
 std::string decision_json(const referee::Decision& decision, const PerSide<EventTeam>& teams = {});
 
 // Collects the lines of a game.

@@ -29,7 +29,7 @@ PerSide<int> robots_of(const GameConfiguration& c) {
   return {{count(Side::kWest), count(Side::kEast)}};
 }
 
-// Why the game ends with the event; none where it goes on.
+// The reason if this event ends the game, else nullopt.
 std::optional<EndReason> reason_of(referee::Event event) {
   switch (event) {
     case referee::Event::kGameOver:
@@ -67,7 +67,7 @@ class Game::Impl {
     if (record_.frames < most_frames_) {
       play_frame();
     } else {
-      void_game("the game did not come to its end");
+      void_game("the game exceeded its time limit");
     }
     return !is_over();
   }
@@ -86,7 +86,7 @@ class Game::Impl {
 
   GameRecord record() const {
     GameRecord record = record_;
-    // A void game has come to no end.
+    // A void game may have no final result yet.
     if (referee_.games_finished() == 0) take_result(record);
     const PerSide<PlayCounts> counts = statistics_.counts();
     record.counts = {counts[a()], counts[opponent_of(a())]};
@@ -117,7 +117,7 @@ class Game::Impl {
     ended(Phase::kRecord);
   }
 
-  // Camera and referee; decisions go into the record.
+  // Runs the camera and the referee, and records the decisions.
   void referee_frame() {
     camera_.look(world_.state(), frame_);
     ended(Phase::kCamera);
@@ -163,7 +163,7 @@ class Game::Impl {
     record_.void_reason = fmt::format("{} (at {:.3f} s)", reason, time_s());
   }
 
-  // Before the referee forgets it in a new game.
+  // Takes the score from the referee, which resets it when a new game begins.
   void take_result(GameRecord& record) const {
     for (const PerSide<int>& goals : referee_.goals_by_half()) {
       record.goals_by_half.push_back({goals[a()], goals[opponent_of(a())]});

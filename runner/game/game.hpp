@@ -15,15 +15,15 @@
 
 namespace autoref::runner {
 
-// Owns the world, the camera, the referee and both teams, and calls them once a frame. It reads no
-// files, no clock and no command line: whoever drives it decides how fast it runs and what becomes
-// of it. play() below is such a driver. Games share nothing, so that one thread may step several of
-// them by turns; two threads must not, as Box2D keeps state of its own.
+// Owns the world, the camera, the referee and both teams, and calls them once per frame. It reads
+// no files, clock or command line: the caller decides how fast it runs and what to do with the
+// results; see play() below. Games share nothing, so one thread can step several games alternately.
+// Two threads must not, because Box2D has global state.
 class Game {
  public:
   // Sets up the game before its first frame. `observer`, if any, must outlive the game; `make_team`
-  // is called twice here and not kept. Throws std::invalid_argument for a configuration that no
-  // game can be made of (unknown strategy, numbers out of range).
+  // is called twice here and not stored. Throws std::invalid_argument if the configuration is
+  // invalid (unknown strategy, numbers out of range).
   explicit Game(GameConfiguration configuration, Observer* observer = nullptr,
                 const TeamMaker& make_team = make_registered_team);
   ~Game();
@@ -31,29 +31,30 @@ class Game {
   Game& operator=(Game&&) noexcept;
 
   // Plays one frame: the camera sees the world, the referee judges what it sees, the teams decide,
-  // and the world moves on to the next frame. Returns true while there is more to play. The frame
-  // in which the referee ends the game is its last, and the world stays where it was. Once the game
-  // is over, nothing happens.
+  // and the world advances to the next frame. Returns true while there is more to play. The frame
+  // in which the referee ends the game is its last, and the world does not advance in it. Does
+  // nothing once the game is over.
   //
-  // A strategy that throws or sends a number that is not finite makes the game void, and so over.
-  // What an observer throws comes out; step no further then.
+  // A strategy that throws or sends a non-finite number makes the game void, which ends it.
+  // Exceptions of an observer are passed on; do not step the game after one.
   bool step();
 
-  // Whether the referee has ended the game, or it is void. Where a new game follows
-  // (referee::AfterGame::kNewGame), the first one is over once the referee has begun the next.
+  // Whether the referee has ended the game, or it is void. If a new game follows
+  // (referee::AfterGame::kNewGame), the first is over once the referee has begun the next.
   bool is_over() const;
 
   const GameConfiguration& configuration() const;
 
-  // Of the last step, until the next one. Before the first: an empty frame, HALT, no decisions.
-  const Frame& frame() const;                            // as the camera saw it
-  const RefereeSignal& signal() const;                   // given on that frame
-  std::span<const referee::Decision> decisions() const;  // the referee's on that frame, in order
+  // Results of the last step, valid until the next one. Before the first step: an empty frame, HALT
+  // and no decisions.
+  const Frame& frame() const;                            // as seen by the camera
+  const RefereeSignal& signal() const;                   // the referee's signal for that frame
+  std::span<const referee::Decision> decisions() const;  // made in that frame, in order
 
-  // The true state: one frame after frame(), or the same once the referee has ended the game.
+  // The true state, one frame after frame(), or at frame() once the referee has ended the game.
   const sim::World& world() const;
 
-  // The record of the frames so far; final once the game is over. Collected anew at each call.
+  // The record of the frames so far; final once the game is over. Recomputed at each call.
   GameRecord record() const;
 
  private:
@@ -61,7 +62,7 @@ class Game {
   std::unique_ptr<Impl> impl_;
 };
 
-// Plays one game to its end. Throws as the constructor of Game does.
+// Plays one game to its end. Throws like the constructor of Game.
 GameRecord play(const GameConfiguration& configuration, Observer* observer = nullptr,
                 const TeamMaker& make_team = make_registered_team);
 

@@ -1,4 +1,4 @@
-// What is kept of a game: its result, how it ended, and what happened in it.
+// The record of a game: its result, how it ended and what happened in it.
 #pragma once
 
 #include <array>
@@ -23,18 +23,18 @@ struct GameRecord {
   int goals_a = 0;
   int goals_b = 0;
   std::vector<std::array<int, 2>> goals_by_half;  // [a, b] of each half
-  std::optional<std::array<int, 2>> shootout;     // [a, b] goals of its kicks; none without one
+  std::optional<std::array<int, 2>> shootout;     // [a, b] goals; nullopt without a shoot-out
   EndReason end_reason = EndReason::kTime;
   Status status = Status::kOk;
   std::string void_reason;                         // empty unless void
   std::array<int, referee::kEventCount> events{};  // how often each event occurred
   int count(referee::Event event) const { return events[static_cast<std::size_t>(event)]; }
-  std::vector<std::string> transitions;  // labels of the transitions taken, each once
+  std::vector<std::string> transitions;  // labels of the transitions taken, without duplicates
   std::array<PlayCounts, 2> counts{};    // [a, b]
   double ball_in_play_s = 0;
   double sim_s = 0;
   std::int64_t frames = 0;
-  std::uint64_t state_hash = 0;  // over every frame's state and every decision
+  std::uint64_t state_hash = 0;  // of every frame's state and every decision
 };
 
 }  // namespace autoref::runner

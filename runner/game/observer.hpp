@@ -1,4 +1,4 @@
-// Watches a game from inside its loop.
+// Callbacks from a game's loop.
 #pragma once
 
 #include <cstdint>
@@ -11,17 +11,17 @@
 
 namespace autoref::runner {
 
-// The parts of a frame, in their order. The record is kept after the referee, too.
+// The phases of a frame, in order. kRecord also occurs after the referee.
 enum class Phase : std::uint8_t { kCamera, kReferee, kTeamWest, kTeamEast, kPhysics, kRecord };
 inline constexpr int kPhaseCount = 6;
 
-// All calls come from Game::step(), in the order of what happens in a frame.
+// All functions are called by Game::step(), in the order of events in a frame.
 class Observer {
  public:
   virtual ~Observer() = default;
-  // A part of the frame has ended.
+  // A phase of the frame has ended.
   virtual void on_phase(Phase /*ended*/) {}
-  // Once per frame, before the referee: what it is asked for.
+  // The teams' requests to the referee. Once per frame, before the referee.
   virtual void on_requests(const PerSide<TeamRequests>& /*requests*/) {}
   // Once per frame, after the referee and before the teams.
   virtual void on_frame(const Frame& /*frame*/, const RefereeSignal& /*signal*/,

@@ -1,4 +1,4 @@
-// One number that two games share only if they went the same way, bit for bit.
+// A hash of the course of a game, equal for two games only if they are identical bit for bit.
 #pragma once
 
 #include <bit>
@@ -10,7 +10,7 @@
 
 namespace autoref::runner {
 
-// Takes fields in order, never bytes of structs: padding must not count.
+// Hashes fields in order, never the bytes of structs, which may include padding.
 class StateHash {
  public:
   void add(std::uint64_t value) { hash_ = std::rotl((hash_ ^ value) * kPrime, 29); }
@@ -20,7 +20,7 @@ class StateHash {
     add(v.y());
   }
 
-  // Place and direction of every robot, and the ball.
+  // Position and heading of every robot, and the ball's position and height.
   void add(const sim::WorldState& world) {
     for (Side side : kSides) {
       for (const sim::RobotState& robot : world.robots[side]) {
@@ -43,7 +43,7 @@ class StateHash {
   std::uint64_t value() const { return mix_bits(hash_); }
 
  private:
-  static constexpr std::uint64_t kPrime = 0x9fb21c651e98df25ULL;  // odd, bits well mixed
+  static constexpr std::uint64_t kPrime = 0x9fb21c651e98df25ULL;  // odd, with well-mixed bits
   std::uint64_t hash_ = 0;
 };
 

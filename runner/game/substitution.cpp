@@ -8,11 +8,11 @@
 namespace autoref::runner {
 namespace {
 
-constexpr double kNotice_s = 1.0;              // for the team to say who leaves
-constexpr double kFromHalfwayLine_m = 200_mm;  // of the first place for those who come back
-constexpr double kNextPosition_m = 200_mm;     // and from one to the next
-constexpr double kFromWall_m = 20_mm;          // of a hull
-constexpr double kFromBall_m = 500_mm;         // from hull to ball, as at every restart
+constexpr double kNotice_s = 1.0;              // time for the team to choose who leaves
+constexpr double kFromHalfwayLine_m = 200_mm;  // distance to the first return position
+constexpr double kNextPosition_m = 200_mm;     // distance between return positions
+constexpr double kFromWall_m = 20_mm;          // distance from hull to wall
+constexpr double kFromBall_m = 500_mm;         // distance from hull to ball, as at every restart
 
 bool is_stopped(CommandKind command) {
   switch (command) {
@@ -30,7 +30,7 @@ int count_on(const sim::World& world, Side side) {
   return static_cast<int>(world.state().robots[side].size());
 }
 
-// Who leaves; the side has a robot on the field.
+// The number of the robot that leaves. The side must have a robot on the field.
 int leaver(const sim::World& world, Side side, const TeamRequests& requests) {
   const auto& robots = world.state().robots[side];
   const auto is_named = [&](const sim::RobotState& r) { return r.number == requests.leaves; };
@@ -53,7 +53,7 @@ bool is_off_ball(const Vec2& position_m, const RefereeSignal& signal, const sim:
 std::optional<Vec2> return_position(const Field& field, Side side, const RefereeSignal& signal,
                                     const sim::World& world) {
   const double turn = -goal_sign(side);  // 1 in the west, -1 in the east
-  // In the middle of the run-off, or nearer to the field where the wall leaves no room.
+  // In the middle of the run-off, or nearer to the field if the wall is too close.
   const double off_line_m =
       std::min(field.run_off_m / 2, field.run_off_m - kRobotRadius_m - kFromWall_m);
   const double beside_m = field.half_width_m() + off_line_m;

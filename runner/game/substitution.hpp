@@ -1,4 +1,4 @@
-// The assistant at the touch line: robots leave the field and come back as the referee allows.
+// Takes robots off the field and puts them back according to the number the referee allows.
 #pragma once
 
 #include "sim/world.hpp"
@@ -11,14 +11,14 @@ namespace autoref::runner {
 
 class SubstitutionController {
  public:
-  // `robots` a side has in all.
+  // `robots` is the size of each side's team.
   SubstitutionController(const Field& field, const PerSide<int>& robots)
       : field_(field), robots_(robots) {}
 
-  // Once per frame, before the world moves on. While play is stopped a side with more robots than
-  // allowed loses one after the other: the one it names, else its highest number but the keeper;
-  // the first leaves 1 s after the allowance fell. A side that may have more gets its lowest number
-  // back at once.
+  // Call once per frame, before the world advances. While play is stopped, a side with too many
+  // robots loses one per frame, starting 1 s after the allowance fell: the one it names, else its
+  // highest number except the keeper. A side with too few gets its lowest missing number back at
+  // once.
   void act(const RefereeSignal& signal, const PerSide<TeamRequests>& requests, double time_s,
            sim::World& world);
 
@@ -32,9 +32,10 @@ class SubstitutionController {
   PerSide<double> fell_s_{};  // when the allowance last fell
 };
 
-// A free place in the run-off for a robot of `side` that comes back: as near as can be to the
-// halfway line, in its own half, first at the touch line to the right of its goal keeper; its hull
-// more than 500 mm from the ball and from where the ball is to be placed. None where all is taken.
+// Returns a free position in the run-off for a returning robot of `side`: in its own half, as near
+// as possible to the halfway line, trying the touch line to the right of its goalkeeper first. Its
+// hull is more than 500 mm from the ball and from the ball placement target. Returns nullopt if
+// every position is taken.
 std::optional<Vec2> return_position(const Field& field, Side side, const RefereeSignal& signal,
                                     const sim::World& world);
 

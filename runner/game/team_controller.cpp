@@ -11,7 +11,7 @@
 namespace autoref::runner {
 namespace {
 
-// What the side's robots can do.
+// The abilities of the side's robots, by number.
 std::array<strategies::Abilities, kMaxRobots> abilities_of(const GameConfiguration& c, Side side) {
   std::array<strategies::Abilities, kMaxRobots> all;
   const sim::TeamSpec::Robots& robots = team_on(c, side).robots;
@@ -33,7 +33,7 @@ std::unique_ptr<strategies::Strategy> make_team_on(const GameConfiguration& c, S
                                    team.params, abilities_of(c, side)});
 }
 
-// From a frame until the commands decided on it move a robot.
+// Time from a frame until the commands decided on it move a robot.
 double latency_s(const sim::Configuration& c) {
   const sim::LatencySplit split = sim::split_latency(c);
   return (split.frames + static_cast<double>(split.substeps) / c.substeps) / c.frame_rate_hz;
@@ -61,7 +61,7 @@ std::string TeamController::decide(const Tracks& tracks, const RefereeSignal& si
   } catch (const std::exception& error) {
     fault = fmt::format("threw: {}", error.what());
   } catch (...) {
-    fault = "threw something that is no std::exception";
+    fault = "threw something other than a std::exception";
   }
   if (!fault.empty()) commands.fill(RobotCommand{});
   return fault;
@@ -70,7 +70,7 @@ std::string TeamController::decide(const Tracks& tracks, const RefereeSignal& si
 std::string TeamController::fault_in(const TeamCommands& commands) const {
   for (int number = 0; number < robots_; ++number) {
     if (!is_finite(commands[static_cast<std::size_t>(number)])) {
-      return fmt::format("ordered a number that is not finite for robot {}", number);
+      return fmt::format("sent a number that is not finite to robot {}", number);
     }
   }
   return {};

@@ -1,4 +1,4 @@
-// A team on the field of a simulated game.
+// Runs one side's strategy in a simulated game.
 #pragma once
 
 #include <memory>
@@ -15,17 +15,18 @@
 
 namespace autoref::runner {
 
-// Owns a side's strategy and what it sees. The game gives it delayed tracks; what goes wrong in the
-// strategy ends the game as void.
+// Owns a side's strategy and its view of the game. The game supplies delayed tracks; any fault of
+// the strategy makes the game void.
 class TeamController {
  public:
   TeamController(const GameConfiguration& configuration, Side side, const TeamMaker& make_team);
 
-  // Fills `commands`; returns what went wrong, empty where nothing did. Then all commands are zero.
+  // Fills `commands`. Returns a description of the strategy's fault, with all commands zero, or an
+  // empty string.
   std::string decide(const Tracks& tracks, const RefereeSignal& signal, const Situation& situation,
                      TeamCommands& commands);
 
-  // What the team asked for with its last decision.
+  // The requests of the team's last decision.
   const TeamRequests& requests() const { return requests_; }
 
  private:

@@ -1,4 +1,4 @@
-// Where a game's teams come from.
+// Creates a game's teams.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace autoref::runner {
 
-// Makes the team of that name. Throws std::invalid_argument where there is none.
+// Creates the team of that name. Throws std::invalid_argument if the name is unknown.
 using TeamMaker = std::function<std::unique_ptr<strategies::Strategy>(
     const std::string& name, const strategies::TeamContext& context)>;
 

@@ -1,4 +1,4 @@
-// How late teams see the field.
+// Vision latency of the teams.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace autoref::runner {
 
-// The tracks of the last few frames, so that teams see the field as it was.
+// Delays tracks by a fixed number of frames.
 class DelayLine {
  public:
   explicit DelayLine(int frames) : tracks_(static_cast<std::size_t>(frames) + 1) {}
@@ -17,7 +17,7 @@ class DelayLine {
     tracks_[taken_ % tracks_.size()] = tracks;
     ++taken_;
   }
-  // As many frames back as the line is long; the first one until there are that many.
+  // The tracks delayed by `frames` frames; the first tracks until enough have been pushed.
   const Tracks& oldest() const {
     return taken_ < tracks_.size() ? tracks_.front() : tracks_[taken_ % tracks_.size()];
   }

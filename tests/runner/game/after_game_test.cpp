@@ -29,14 +29,14 @@ GameConfiguration game_then(referee::AfterGame after) {
   return game;
 }
 
-TEST(AfterGame, IsHaltUnlessASettingSaysOtherwise) {
+TEST(AfterGame, IsHaltByDefault) {
   EXPECT_EQ(value_at(GameSettings{}, "match.after_game"), "halt");
   GameSettings game;
   set_by_path(game, "match.after_game", "new_game");
   EXPECT_EQ(game.match.after_game, referee::AfterGame::kNewGame);
 }
 
-TEST(AfterGame, WithHaltNothingFollowsTheEnd) {
+TEST(AfterGame, WithHaltStopsAtTheEnd) {
   Labels seen;
   const GameRecord record = play(game_then(referee::AfterGame::kHalt), &seen);
   ASSERT_EQ(record.status, Status::kOk) << record.void_reason;
@@ -54,8 +54,7 @@ TEST(AfterGame, WithNewGameTheRefereeBeginsAnother) {
       << seen.lines.back();
 }
 
-// The row is about the game that is over.
-TEST(AfterGame, WithNewGameTheResultIsThatOfTheGameThatEnded) {
+TEST(AfterGame, WithNewGameTheResultIsThatOfTheFinishedGame) {
   const GameRecord halted = play(game_then(referee::AfterGame::kHalt));
   const GameRecord followed = play(game_then(referee::AfterGame::kNewGame));
   EXPECT_EQ(followed.end_reason, EndReason::kTime);

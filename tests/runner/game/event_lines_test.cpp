@@ -1,4 +1,4 @@
-// What the lines of an event log hold: the same keys everywhere, and how the game stands.
+// The lines of an event log: identical keys, and the state of the game.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -36,7 +36,7 @@ TEST(EventLines, AllHaveTheSameKeys) {
   }
 }
 
-TEST(EventLines, CarryTheScoreAfterTheEvent) {
+TEST(EventLines, ContainTheScoreAfterTheEvent) {
   const PlayedEvents events = played_events(foul_game("paper", 3, 300));
   PerSide<int> goals;
   for (const YAML::Node& line : events.lines) {
@@ -49,7 +49,7 @@ TEST(EventLines, CarryTheScoreAfterTheEvent) {
   EXPECT_GT(goals[Side::kWest] + goals[Side::kEast], 0);
 }
 
-TEST(EventLines, CarryTheStageAndItsClock) {
+TEST(EventLines, ContainTheStageAndItsClock) {
   const PlayedEvents events = played_events(short_game(30, 1));
   EXPECT_EQ(events.lines.front()["stage"].as<std::string>(), "FIRST_HALF_PRE");
   EXPECT_TRUE(events.lines.front()["clock_s"].IsNull());
@@ -74,13 +74,13 @@ TEST(EventLines, NameTheTeams) {
   EXPECT_EQ(teams["yellow"]["name"].as<std::string>(), "basic");
 }
 
-TEST(EventLines, TellTwoTeamsOfOneStrategyApart) {
+TEST(EventLines, DistinguishTwoTeamsWithTheSameStrategy) {
   const YAML::Node teams = played_events(short_game(5, 1)).lines.front()["teams"];
   EXPECT_EQ(teams["yellow"]["name"].as<std::string>(), "basic (a)");
   EXPECT_EQ(teams["blue"]["name"].as<std::string>(), "basic (b)");
 }
 
-TEST(EventLines, ListTheKicksOfAShootoutWithItsStanding) {
+TEST(EventLines, ListTheKicksOfAShootoutWithItsScore) {
   const PlayedEvents events = played_events(knockout("basic"));
   std::map<std::string, int> kicks;
   PerSide<int> goals;
@@ -98,7 +98,7 @@ TEST(EventLines, ListTheKicksOfAShootoutWithItsStanding) {
   EXPECT_GE(kicks["yellow"], 3);
 }
 
-TEST(EventLines, SayThatAKickHasNotScored) {
+TEST(EventLines, ReportAMissedKick) {
   const PlayedEvents events = played_events(knockout("dummy"));
   const auto misses = events.of("penalty_kick_failed");
   ASSERT_EQ(misses.size(), 100U);

@@ -1,4 +1,4 @@
-// What the sentences of an event log say, and in which words.
+// The wording of an event log's sentences.
 #include <gtest/gtest.h>
 #include <regex.h>
 
@@ -24,7 +24,7 @@ class EventTexts : public testing::TestWithParam<const char*> {
   const PlayedEvents events_ = played_events(foul_game(GetParam(), 2, 120));
 };
 
-TEST_P(EventTexts, NameSidesByTheirColoursOnly) {
+TEST_P(EventTexts, NameSidesOnlyByTheirColours) {
   ASSERT_GT(events_.lines.size(), 50U);
   EXPECT_FALSE(has_match(events_.text, R"(\b([Ww]est|[Ee]ast)\b)"));
   EXPECT_TRUE(has_match(events_.text, R"(\b([Yy]ellow|[Bb]lue) [0-9])"));
@@ -34,7 +34,7 @@ TEST_P(EventTexts, HaveNoNegativeDistances) {
   EXPECT_FALSE(has_match(events_.text, R"( -[0-9.]+ mm\b)")) << events_.text;
 }
 
-TEST_P(EventTexts, SayGoalLineAndTouchLine) {
+TEST_P(EventTexts, UseTheTermsGoalLineAndTouchLine) {
   EXPECT_EQ(events_.text.find("boundary"), std::string::npos);
   EXPECT_NE(events_.text.find("crossed a touch line"), std::string::npos);
 }
@@ -54,8 +54,8 @@ INSTANTIATE_TEST_SUITE_P(OfEachBook, EventTexts, testing::Values("paper", "2014"
                            return name;
                          });
 
-// Every card comes with the reason for it, and nothing else does.
-TEST(EventCards, SayWhyTheyAreShown) {
+// Exactly the lines with a card have a reason for it.
+TEST(EventCards, HaveAReason) {
   int cards = 0;
   for (const char* book : {"2014", "2026-b"}) {
     const PlayedEvents events = played_events(foul_game(book, 2, 300));
@@ -67,7 +67,7 @@ TEST(EventCards, SayWhyTheyAreShown) {
   EXPECT_GT(cards, 5);
 }
 
-TEST(EventCards, SayWhichFoulAndWhichActiveCardMakesOneRed) {
+TEST(EventCards, NameTheFoulAndTheActiveCardThatCauseARedCard) {
   const PlayedEvents events = played_events(foul_game("2026-b", 2, 120));
   const auto yellow = events.of("multiple_fouls");
   const auto red = events.of("multiple_cards");

@@ -12,7 +12,7 @@
 namespace autoref::runner {
 namespace {
 
-TEST(Game, OfBasicAgainstItselfEndsByTimeWithBothHalvesPlayed) {
+TEST(Game, OfBasicAgainstItselfEndsByTimeAfterBothHalves) {
   const GameRecord record = play(short_game(60, 1));
   EXPECT_EQ(record.status, Status::kOk) << record.void_reason;
   EXPECT_EQ(record.end_reason, EndReason::kTime);
@@ -40,13 +40,13 @@ TEST(Game, OfTwoDummiesStartsAndEndsByItselfWithoutAGoal) {
   EXPECT_GT(record.events[static_cast<int>(referee::Event::kRestartNotTaken)], 0);
 }
 
-TEST(Game, WithTheSameSeedIsTheSameAndWithAnotherIsNot) {
+TEST(Game, IsIdenticalForTheSameSeedAndDiffersForAnother) {
   const std::uint64_t hash = play(short_game(30, 4)).state_hash;
   EXPECT_EQ(play(short_game(30, 4)).state_hash, hash);
   EXPECT_NE(play(short_game(30, 5)).state_hash, hash);
 }
 
-TEST(Game, OfATeamAgainstItselfScoresTheOppositeWithTheEndsChanged) {
+TEST(Game, OfATeamAgainstItselfHasTheOppositeScoreWithEndsChanged) {
   int goals = 0;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     GameConfiguration game = short_game(120, seed);
@@ -60,10 +60,10 @@ TEST(Game, OfATeamAgainstItselfScoresTheOppositeWithTheEndsChanged) {
     EXPECT_EQ(west.state_hash, east.state_hash);
     goals += west.goals_a + west.goals_b;
   }
-  EXPECT_GT(goals, 0) << "no goal fell, so nothing was compared";
+  EXPECT_GT(goals, 0) << "no goals were scored, so nothing was compared";
 }
 
-// Faulty teams, as a user may write them.
+// Faulty teams, as a user might write them.
 class Thrower final : public strategies::Strategy {
  public:
   void decide(const TeamView& view, TeamCommands& /*commands*/) override {
@@ -90,7 +90,7 @@ GameRecord play_with_faulty_b() {
               });
 }
 
-TEST(Game, IsVoidAndSaysWhoWhenAStrategyThrows) {
+TEST(Game, IsVoidAndNamesTheTeamIfAStrategyThrows) {
   const GameRecord record = play_with_faulty_b<Thrower>();
   EXPECT_EQ(record.status, Status::kVoid);
   EXPECT_EQ(record.end_reason, EndReason::kVoid);
@@ -98,10 +98,10 @@ TEST(Game, IsVoidAndSaysWhoWhenAStrategyThrows) {
       << record.void_reason;
 }
 
-TEST(Game, IsVoidAndNamesTheRobotWhenAnOrderIsNotFinite) {
+TEST(Game, IsVoidAndNamesTheRobotIfACommandIsNotFinite) {
   const GameRecord record = play_with_faulty_b<NotANumber>();
   EXPECT_EQ(record.status, Status::kVoid);
-  EXPECT_NE(record.void_reason.find("team b ordered a number that is not finite for robot 2"),
+  EXPECT_NE(record.void_reason.find("team b sent a number that is not finite to robot 2"),
             std::string::npos)
       << record.void_reason;
 }
@@ -115,7 +115,7 @@ TEST(Game, RefusesUnknownNamesAndNumbersOutOfRange) {
   EXPECT_THROW(play(game), std::invalid_argument);
 }
 
-TEST(Game, IsPlayedWithOneRobotASideAndWithSixteen) {
+TEST(Game, IsPlayedWithOneRobotPerSideAndWithSixteen) {
   for (const std::size_t robots : {1U, 16U}) {
     GameConfiguration game = short_game(20, 7);
     game.a.robots.resize(robots);

@@ -1,4 +1,4 @@
-// What must hold in every frame of every game: always, never, eventually.
+// Invariants of every frame and liveness of every game: always, never, eventually.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ class Watch final : public Observer {
   double waiting_since_s_ = 0;
 };
 
-TEST(GameTrace, AHundredGamesEndWithAResultAndKeepTheirBounds) {
+TEST(GameTrace, AHundredGamesEndWithAResultAndStayWithinBounds) {
   Watch watch;
   int goals = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
@@ -51,7 +51,7 @@ TEST(GameTrace, AHundredGamesEndWithAResultAndKeepTheirBounds) {
   EXPECT_LT(watch.farthest_x_m, 0) << "the ball left the walls";
   EXPECT_LT(watch.farthest_y_m, 0) << "the ball left the walls";
   EXPECT_TRUE(watch.all_finite);
-  // Goal and stop last a frame each beyond the 15 s of the ready timeout.
+  // GOAL and STOP each last one frame in addition to the ready timeout of 15 s.
   EXPECT_LE(watch.longest_wait_s, RuleBook().ready_timeout_s + 0.1);
 }
 

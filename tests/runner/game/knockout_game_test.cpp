@@ -1,4 +1,5 @@
-// Games that do not end with their halves, and games whose clock stands, in the record and in rows.
+// Games with extra time and shoot-outs, and games with a stopping clock, in records and result
+// rows.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +25,7 @@ GameRecord drawn_knockout() {
   return play(game);
 }
 
-TEST(KnockoutGame, WithoutAGoalEndsByItselfInADrawnShootout) {
+TEST(KnockoutGame, WithoutAGoalEndsInADrawnShootout) {
   const GameRecord record = drawn_knockout();
   EXPECT_EQ(record.status, Status::kOk) << record.void_reason;
   EXPECT_EQ(record.end_reason, EndReason::kShootout);
@@ -33,7 +34,7 @@ TEST(KnockoutGame, WithoutAGoalEndsByItselfInADrawnShootout) {
   EXPECT_EQ(count(record, referee::Event::kPenaltyKickFailed), 100);  // fifty kicks each
 }
 
-TEST(KnockoutGame, ThatIsDrawnKicksPenaltiesUntilOneSideHasWon) {
+TEST(KnockoutGame, ContinuesAShootoutUntilOneSideHasWon) {
   GameConfiguration game = short_game(5, 1);
   game.match.knockout = true;
   game.match.rules.extra_half_s = 5;
@@ -45,7 +46,7 @@ TEST(KnockoutGame, ThatIsDrawnKicksPenaltiesUntilOneSideHasWon) {
   EXPECT_EQ(record.goals_a, record.goals_b);
 }
 
-TEST(KnockoutGame, IsNoneUnlessAskedFor) {
+TEST(KnockoutGame, IsOffByDefault) {
   GameConfiguration game = short_game(5, 3);
   game.a.strategy = game.b.strategy = "dummy";
   const GameRecord record = play(game);
@@ -57,10 +58,10 @@ TEST(GameByTheClockOf2026, PlaysItsHalvesInFullAndEndsByItself) {
   const GameRecord record = play(short_game_by("2026-b", 20, 4));
   EXPECT_EQ(record.status, Status::kOk) << record.void_reason;
   EXPECT_EQ(record.end_reason, EndReason::kTime);
-  EXPECT_GT(record.sim_s, 45);  // two halves of 20 s of play, and the stops
+  EXPECT_GT(record.sim_s, 45);  // two halves with 20 s of play each, plus the stops
 }
 
-TEST(ShootoutInRows, StandsInColumnsOfItsOwn) {
+TEST(ShootoutInRows, HasItsOwnColumns) {
   GameRow row;
   const auto cell = [&row](const std::string& name) {
     const std::vector<Column> columns = outcome_columns(RowKind::kPlayed);
@@ -75,7 +76,7 @@ TEST(ShootoutInRows, StandsInColumnsOfItsOwn) {
   EXPECT_EQ(cell("end_reason"), "shootout");
 }
 
-TEST(ShootoutInReports, IsReportedToPeopleAndMachines) {
+TEST(ShootoutInReports, AppearsInTextAndJson) {
   const GameConfiguration game;
   GameRecord record;
   record.goals_by_half = {{1, 1}};

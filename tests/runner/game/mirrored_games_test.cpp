@@ -1,5 +1,6 @@
-// Frames of whole games, turned by 180 degrees with the colours swapped, give the turned and
-// swapped calls in the same frames: the best detector of a referee that favours a side.
+// Metamorphic test: if every frame of a game is rotated by 180 degrees and the colours are swapped,
+// the referee must make the rotated and swapped calls in the same frames. This detects a referee
+// that favours a side.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +20,7 @@ struct Setup {
   const char* camera;
 };
 
-// A second referee that sees every frame turned, and what both decide.
+// Compares the game's referee with a second one that sees every frame rotated.
 class TurnedReferee final : public Observer {
  public:
   explicit TurnedReferee(referee::Configuration configuration)
@@ -74,15 +75,15 @@ class TurnedReferee final : public Observer {
 
 class MirroredGame : public testing::TestWithParam<Setup> {};
 
-// Four games each: twenty in all, of teams that break every rule.
-TEST_P(MirroredGame, GetsTheTurnedCallsInTheSameFrames) {
+// Four games per parameter, twenty in total, by teams that break every rule.
+TEST_P(MirroredGame, GetsTheRotatedCallsInTheSameFrames) {
   for (std::uint64_t seed = 11; seed <= 14; ++seed) {
     GameConfiguration game = short_game_by(GetParam().book, 40, seed);
     game.a.strategy = game.b.strategy = "rowdy";
     sim::apply_camera_preset(GetParam().camera, game.sim);
     TurnedReferee turned(referee_configuration(game));
     play(game, &turned);
-    EXPECT_TRUE(turned.is_same) << "seed " << seed << ": no longer after " << turned.last_same_s
+    EXPECT_TRUE(turned.is_same) << "seed " << seed << ": calls differ after " << turned.last_same_s
                                 << " s";
     EXPECT_GT(turned.decisions, 10U) << "hardly anything was compared";
   }

@@ -1,4 +1,4 @@
-// basic at penalties, with a referee played by the test.
+// `basic` at penalties; the test gives the referee's commands.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +11,8 @@ namespace {
 
 constexpr RobotId kEastKeeper{Side::kEast, 0};
 
-// basic against basic, the ball on the mark before the east's goal, the west's kick prepared.
+// `basic` against itself, with the ball on the mark before the east goal and a kick prepared for
+// the west.
 struct Penalty : StagedGame {
   explicit Penalty(std::size_t robots = 6, const std::string& rules = "2014")
       : StagedGame({"basic", robots, {}}, {"basic", robots, {}}, find_rule_book(rules).value(), 1,
@@ -26,7 +27,7 @@ struct Penalty : StagedGame {
     command(CommandKind::kNormalStart);
     signal.placement.reset();
   }
-  // Robots with a part of their hull less than `room_m` behind the mark's line.
+  // Counts robots with part of their hull less than `room_m` behind the mark's line.
   int too_near(double room_m) const {
     int count = 0;
     for (const Side side : kSides) {
@@ -38,7 +39,7 @@ struct Penalty : StagedGame {
   }
 };
 
-TEST(BasicAtAPenalty, LeavesNobodyNearTheMarkButKickerAndKeeper) {
+TEST(BasicAtAPenalty, LeavesOnlyKickerAndKeeperNearTheMark) {
   for (const auto& [rules, room_m] : {std::pair("2014", 0.4), std::pair("2026-b", 1.0)}) {
     Penalty penalty(6, rules);
     EXPECT_EQ(penalty.too_near(room_m), 2) << rules;
@@ -73,7 +74,7 @@ TEST(BasicAtAPenalty, ShootsAtTheGoalWithinTenSeconds) {
   EXPECT_LT(std::abs(y), penalty.field.half_goal_m());
 }
 
-TEST(BasicAtAPenalty, ComesToRest) {
+TEST(BasicAtAPenalty, StandsStillOnceItIsPrepared) {
   Penalty penalty;
   const auto before = penalty.world.state();
   penalty.run(1);
@@ -85,7 +86,7 @@ TEST(BasicAtAPenalty, ComesToRest) {
   }
 }
 
-TEST(BasicAtAPenalty, IsPlayedByOneAgainstOne) {
+TEST(BasicAtAPenalty, WorksWithOneRobotPerSide) {
   Penalty penalty(1);
   penalty.start();
   EXPECT_TRUE(penalty.happens(10, [&] { return penalty.ball().velocity_mps.norm() > 3; }));

@@ -1,4 +1,4 @@
-// The teams of strategies/README.md play: what a reader copies from there works.
+// The teams in strategies/README.md can play, so code copied from there works.
 #include <gtest/gtest.h>
 
 #include "runner/game/game.hpp"

@@ -14,8 +14,8 @@ GameConfiguration realistic_game(double half_s, std::uint64_t seed) {
   return game;
 }
 
-// Over 100 games of 20 minutes 3.1 goals fell a game, 8 at most, and the ball was in play for 53 %
-// of the time.
+// Over 100 games of 20 minutes, there were 3.1 goals per game on average and 8 at most, and the
+// ball was in play for 53 % of the time.
 TEST(RealisticGame, EndsWithAPlausibleScore) {
   int goals = 0;
   double in_play_s = 0;
@@ -32,7 +32,7 @@ TEST(RealisticGame, EndsWithAPlausibleScore) {
   EXPECT_GT(in_play_s, 0.35 * played_s);
 }
 
-TEST(RealisticGame, IsTheSameForTheSameSeedAndAnotherForAnother) {
+TEST(RealisticGame, IsIdenticalForTheSameSeedAndDiffersForAnother) {
   const std::uint64_t first = play(realistic_game(20, 1)).state_hash;
   EXPECT_EQ(play(realistic_game(20, 1)).state_hash, first);
   EXPECT_NE(play(realistic_game(20, 2)).state_hash, first);

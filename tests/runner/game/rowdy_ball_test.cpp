@@ -1,4 +1,4 @@
-// What `rowdy` does wrong with the ball really happens in the simulated world.
+// The ball fouls of `rowdy` really happen in the simulated world.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ TEST(Rowdy, ChipsIntoTheGoal) {
 
 TEST(Rowdy, ShootsStraightAtTheGoalFromAnIndirectFreeKick) {
   FoulBehaviour game("indirect_shot");
-  game.put_robot(kSecond, {2.0, -0.9});  // to whom basic might pass
+  game.put_robot(kSecond, {2.0, -0.9});  // a pass option for `basic`
   game.put_ball({0.8, 1.2});
   game.restart(CommandKind::kIndirectFree, Side::kWest);
   EXPECT_TRUE(game.happens(
@@ -84,7 +84,7 @@ TEST(Rowdy, PlaysTheBallInTheOpponentsArea) {
   }));
 }
 
-// How far the first of the west's robots carries the ball in one go.
+// Distance that the west's first robot dribbles the ball before losing it.
 double dribbled_m(std::uint64_t seed) {
   FoulBehaviour game("long_dribble", {"dummy", 2, {}}, seed);
   game.put_robot(kFirst, {-1.2, 0});

@@ -23,7 +23,7 @@ TEST(Rowdy, PlaysGamesThatEnd) {
   }
 }
 
-TEST(Rowdy, WithoutFoulsPlaysAsBasic) {
+TEST(Rowdy, WithoutFoulsPlaysLikeBasic) {
   GameConfiguration game = rowdy_game(30);
   game.a.params = game.b.params = {{"otherwise", 0}};
   const std::uint64_t hash = play(game).state_hash;

@@ -1,4 +1,4 @@
-// What `rowdy` does wrong at restarts and in stops really happens in the simulated world.
+// The fouls of `rowdy` at restarts and in stops really happen in the simulated world.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +10,8 @@
 namespace autoref::runner {
 namespace {
 
-// Touches of the kicker that begin after the ball has moved 50 mm, up to anybody else's.
+// Counts the kicker's touches that begin after the ball has moved 50 mm, until another robot's
+// touch.
 TEST(Rowdy, TouchesTheBallTwiceAtARestart) {
   for (const CommandKind kind : {CommandKind::kDirectFree, CommandKind::kIndirectFree}) {
     FoulBehaviour game("second_touch");
@@ -26,7 +27,7 @@ TEST(Rowdy, TouchesTheBallTwiceAtARestart) {
   }
 }
 
-TEST(Rowdy, StandsTooNearAtTheOpponentsRestarts) {
+TEST(Rowdy, StandsTooCloseAtTheOpponentsRestarts) {
   FoulBehaviour game("crowd_restart");
   game.put_ball({0.5, 1});
   game.restart(CommandKind::kDirectFree, Side::kEast);
@@ -71,8 +72,8 @@ TEST(Rowdy, WaitsNearTheOpponentsAreaAtARestart) {
   EXPECT_GT(to_hull_m, 0);
 }
 
-// A free kick that its own robot caused is taken from where that stands.
-TEST(Rowdy, GivesWayToABallThatIsPlacedWhereItWaits) {
+// A free kick against the side may be taken from the position of the offending robot.
+TEST(Rowdy, MakesRoomForABallPlacedWhereItWaits) {
   FoulBehaviour game("near_area");
   game.put_robot(kFirst, {1.2, 0.4});
   game.put_ball({1, 1.9});
@@ -128,7 +129,7 @@ TEST(Rowdy, HasARobotBesideTheMarkAtPenalties) {
   }
 }
 
-TEST(Rowdy, AsksForATimeoutInAStopOnly) {
+TEST(Rowdy, RequestsATimeoutOnlyInAStop) {
   FoulBehaviour game("timeout");
   EXPECT_TRUE(game.happens(1, [&] { return game.teams[Side::kWest]->requests().timeout; }));
   game.start();

@@ -1,4 +1,4 @@
-// What `rowdy` does wrong to opponents really happens in the simulated world.
+// The fouls of `rowdy` against opponents really happen in the simulated world.
 #include <gtest/gtest.h>
 
 #include "tests/runner/game/foul_behaviour.hpp"
@@ -6,7 +6,7 @@
 namespace autoref::runner {
 namespace {
 
-// How fast the two closed in the frame before their hulls met; 0 if they never did.
+// Closing speed in the frame before the two hulls touch; 0 if they never touch.
 double met_at_mps(StagedGame& game, RobotId one, RobotId other) {
   double before_mps = 0;
   const bool met = game.happens(5, [&] {
@@ -22,12 +22,12 @@ double met_at_mps(StagedGame& game, RobotId one, RobotId other) {
 TEST(Rowdy, RunsIntoAnOpponentAtSpeed) {
   FoulBehaviour game("ram");
   game.put_ball({2, 1.5});
-  game.put_robot(kOpponent, {-0.1, -1.0});  // 0.9 m before kSecond
+  game.put_robot(kOpponent, {-0.1, -1.0});  // 0.9 m in front of kSecond
   game.start();
   EXPECT_GT(met_at_mps(game, kSecond, kOpponent), 1.6);
 }
 
-// An opponent that drives at 1.5 m/s towards the last of the others.
+// An opponent that drives at 1.5 m/s towards the other side's last robot.
 struct Chaser final : strategies::Strategy {
   void decide(const TeamView& view, TeamCommands& commands) override {
     if (view.own.empty() || view.opponents.empty()) return;
@@ -36,7 +36,7 @@ struct Chaser final : strategies::Strategy {
   }
 };
 
-TEST(Rowdy, MeetsAnOpponentHeadOnAtEqualSpeeds) {
+TEST(Rowdy, CrashesHeadOnIntoAnOpponentAtEqualSpeeds) {
   FoulBehaviour game("ram_evenly");
   game.teams[Side::kEast] = std::make_unique<Chaser>();
   game.put_ball({2, 1.5});

@@ -1,4 +1,4 @@
-// A game that is driven from outside, frame by frame.
+// Stepping a game frame by frame.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -30,12 +30,12 @@ void expect_same(const GameRecord& one, const GameRecord& other) {
   EXPECT_EQ(one.status, other.status);
 }
 
-TEST(SteppedGame, HasTheRecordOfAPlayedOne) {
+TEST(SteppedGame, HasTheSameRecordAsAPlayedGame) {
   Game game(short_game(30, 4));
   expect_same(stepped_to_its_end(game), play(short_game(30, 4)));
 }
 
-TEST(SteppedGame, IsNotInfluencedByAnotherThatIsSteppedByTurns) {
+TEST(SteppedGame, IsNotInfluencedByAnotherGameSteppedAlternately) {
   Game one(short_game(20, 4));
   Game other(short_game(25, 5));
   while (!one.is_over() || !other.is_over()) {
@@ -46,14 +46,14 @@ TEST(SteppedGame, IsNotInfluencedByAnotherThatIsSteppedByTurns) {
   expect_same(other.record(), play(short_game(25, 5)));
 }
 
-TEST(SteppedGame, GoesOnAfterItHasBeenMoved) {
+TEST(SteppedGame, ContinuesAfterAMove) {
   Game before(short_game(20, 6));
   for (int i = 0; i < 600; ++i) before.step();
   Game after(std::move(before));
   expect_same(stepped_to_its_end(after), play(short_game(20, 6)));
 }
 
-TEST(SteppedGame, StaysAsItIsOnceItIsOver) {
+TEST(SteppedGame, DoesNotChangeOnceItIsOver) {
   Game game(short_game(10, 7));
   const GameRecord record = stepped_to_its_end(game);
   const std::int64_t last_frame = game.frame().number;
@@ -103,7 +103,7 @@ class Interrupter final : public Observer {
   }
 };
 
-TEST(SteppedGame, LetsThroughWhatItsObserverThrows) {
+TEST(SteppedGame, PassesOnItsObserversExceptions) {
   Interrupter interrupter;
   Game game(short_game(10, 9), &interrupter);
   for (int i = 0; i < 10; ++i) game.step();

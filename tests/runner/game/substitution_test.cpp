@@ -17,7 +17,7 @@ std::vector<int> numbers(const StagedGame& game, Side side) {
   return all;
 }
 
-// What a team of dummies asks for.
+// Requests of a team of dummies.
 struct Asking final : strategies::Strategy {
   explicit Asking(const TeamRequests& asks) : wishes(asks) {}
   void decide(const TeamView& /*view*/, TeamCommands& /*commands*/) override {}
@@ -25,7 +25,7 @@ struct Asking final : strategies::Strategy {
   TeamRequests wishes;
 };
 
-// Six dummies a side; the west asks as given.
+// Six dummies per side; the west makes the given requests.
 StagedGame dummies(const TeamRequests& west = {}) {
   StagedGame game({}, {});
   game.teams[Side::kWest] = std::make_unique<Asking>(west);
@@ -39,7 +39,7 @@ TeamRequests naming(int keeper, std::optional<int> leaves) {
   return requests;
 }
 
-TEST(SubstitutionController, TakesTheHighestNumberOffASecondAfterTheAllowanceFell) {
+TEST(SubstitutionController, TakesOffTheHighestNumberASecondAfterTheAllowanceFalls) {
   StagedGame game = dummies();
   game.run(0.5);
   game.signal.robots_allowed[Side::kWest] = 5;
@@ -50,7 +50,7 @@ TEST(SubstitutionController, TakesTheHighestNumberOffASecondAfterTheAllowanceFel
   EXPECT_EQ(game.robots(Side::kEast).size(), 6U);
 }
 
-TEST(SubstitutionController, TakesTheOneTheTeamNamesAndThenTheHighestButTheKeeper) {
+TEST(SubstitutionController, TakesOffTheNamedRobotAndThenTheHighestExceptTheKeeper) {
   StagedGame game = dummies(naming(5, 2));
   game.signal.robots_allowed[Side::kWest] = 4;
   game.run(1.2);
@@ -90,13 +90,13 @@ TEST(SubstitutionController, PutsRobotsBackWhenTheyAreAllowedAgain) {
   EXPECT_EQ(numbers(game, Side::kEast), (std::vector{0, 1, 2, 3, 4, 5}));
 }
 
-TEST(SubstitutionController, TakesNobodyBackWhoNeverWas) {
+TEST(SubstitutionController, NeverAddsMoreRobotsThanTheTeamHas) {
   StagedGame game = dummies();
   game.run(2);
   EXPECT_EQ(game.robots(Side::kWest).size(), 6U);
 }
 
-TEST(SubstitutionController, CopesWithAnAllowanceOfNobody) {
+TEST(SubstitutionController, HandlesAnAllowanceOfZero) {
   StagedGame game = dummies();
   game.signal.robots_allowed = {{0, 0}};
   game.run(2);
@@ -104,7 +104,7 @@ TEST(SubstitutionController, CopesWithAnAllowanceOfNobody) {
   EXPECT_TRUE(game.robots(Side::kEast).empty());
 }
 
-TEST(ReturnPosition, IsInTheRunOffOfTheOwnHalfNearTheHalfwayLine) {
+TEST(ReturnPosition, IsInTheRunOffOfItsOwnHalfNearTheHalfwayLine) {
   const StagedGame game = dummies();
   const Vec2 west_m = return_position(game.field, Side::kWest, {}, game.world).value();
   EXPECT_LT(west_m.x(), -kRobotRadius_m);
@@ -114,7 +114,7 @@ TEST(ReturnPosition, IsInTheRunOffOfTheOwnHalfNearTheHalfwayLine) {
   EXPECT_EQ(return_position(game.field, Side::kEast, {}, game.world).value(), -west_m);
 }
 
-TEST(ReturnPosition, KeepsOffTheBallAndOffWhereItIsToBePlaced) {
+TEST(ReturnPosition, KeepsItsDistanceFromTheBallAndThePlacementTarget) {
   StagedGame game = dummies();
   const Vec2 first_m = return_position(game.field, Side::kWest, {}, game.world).value();
   RefereeSignal signal;
@@ -125,7 +125,7 @@ TEST(ReturnPosition, KeepsOffTheBallAndOffWhereItIsToBePlaced) {
   EXPECT_GT((position_m - signal.placement->target_m).norm(), 0.5 + kRobotRadius_m);
 }
 
-TEST(ReturnPosition, IsBesideARobotThatStandsThere) {
+TEST(ReturnPosition, IsBesideARobotIfTheFirstPositionIsTaken) {
   StagedGame game = dummies();
   const Vec2 first_m = return_position(game.field, Side::kWest, {}, game.world).value();
   game.put_robot({Side::kEast, 3}, first_m);
@@ -134,8 +134,7 @@ TEST(ReturnPosition, IsBesideARobotThatStandsThere) {
   EXPECT_LT((position_m - first_m).norm(), 0.45);
 }
 
-// Plays `seconds` of stop and running play by turns, the allowance of both sides falling and
-// rising.
+// Alternates between stops and running play while the allowance of both sides falls and rises.
 TEST(Basic, PlaysOnWithFewerRobotsAndNamesItsKeeper) {
   StagedGame game({"basic", 6, {}}, {"basic", 6, {}});
   for (const int allowed : {4, 2, 1, 0, 1, 3, 6}) {
@@ -156,7 +155,7 @@ TEST(Basic, NamesTheRobotThatKeepsItsGoal) {
   StagedGame game({"basic", 6, {}}, {});
   game.signal.robots_allowed[Side::kWest] = 5;
   game.world.take_off({Side::kWest, 0});
-  game.run(4);  // the tracker forgets it, and the next one goes to the goal
+  game.run(4);  // the tracker drops the keeper's track, and another robot takes over the goal
   const int keeper = game.teams[Side::kWest]->requests().keeper;
   EXPECT_EQ(keeper, 1);
   EXPECT_NEAR(game.robot({Side::kWest, 1}).position_m.x(), -game.field.half_length_m(), 0.2);

@@ -1,4 +1,4 @@
-// A short real game of every team that plays by the rules.
+// A short full game of every team that plays by the rules.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ TEST_P(EveryTeam, PlaysAGameInWhichEveryRestartIsTaken) {
   EXPECT_EQ(record.events[static_cast<int>(referee::Event::kRestartNotTaken)], 0);
 }
 
-TEST_P(EveryTeam, ComesToRestInStopsSoThatMostOfTheTimeTheBallIsInPlay) {
+TEST_P(EveryTeam, KeepsTheBallInPlayMostOfTheTimeByStandingStillInStops) {
   const GameRecord record = play(game_against(GetParam(), "basic"));
   EXPECT_GT(record.ball_in_play_s, 0.3 * record.sim_s);
 }
