@@ -1,6 +1,6 @@
-// A game as the user has set it, with the names of its rule book and robot types. Files and `--set`
-// fill it, effective.yaml shows it, and config_hash is its hash. resolved() (resolved.hpp) turns it
-// into the values that a game is played with.
+// A game as the user configured it: rule book and robot types by name, and the settings given
+// explicitly. Filled from files and `--set`, written to effective.yaml, and identified by its hash.
+// resolved() (resolved.hpp) turns it into the configuration that is played.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Errors that know which setting is wrong.
+// An error about a setting, identified by its path.
 #pragma once
 
 #include <stdexcept>
@@ -8,8 +8,8 @@
 
 namespace autoref::runner {
 
-// Thrown for settings that may each be valid alone but make no game together. what() is for people;
-// the reader of a file looks up the location of path().
+// Settings that may be valid individually but contradict each other. what() is the message; path()
+// lets a reader look up the setting's location in its file.
 class SettingError : public std::invalid_argument {
  public:
   // what() is the path followed by `text`, such as ": must differ from d0" or " is 0; it must be
@@ -17,7 +17,7 @@ class SettingError : public std::invalid_argument {
   SettingError(std::string path, std::string text)
       : std::invalid_argument(path + text), path_(std::move(path)), text_(std::move(text)) {}
 
-  // The same error for those who know the setting by a longer path.
+  // The same error with the path relative to the parent of `branch`.
   SettingError below(std::string_view branch) const {
     return {std::string(branch) + "." + path_, text_};
   }

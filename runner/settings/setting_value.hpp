@@ -1,4 +1,4 @@
-// The value of a setting once it has been read.
+// The parsed value of a setting.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@
 
 namespace autoref::runner {
 
-// A number of the setting's kind, or one of its words, such as a strategy or a rule book.
+// A number of the setting's type, or one of its words, such as a strategy or a rule book.
 using SettingValue = std::variant<double, int, std::uint64_t, std::string>;
 
-// As files spell it, always the same.
+// The canonical text of the value, as written to files.
 std::string spelt(const SettingValue& value);
 std::vector<std::string> spelt(const std::vector<SettingValue>& values);
 std::vector<std::vector<std::string>> spelt(const std::vector<std::vector<SettingValue>>& rows);

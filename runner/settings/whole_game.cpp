@@ -1,4 +1,4 @@
-// What concerns all settings of a game at once.
+// Checks and hashes all settings of a game.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -57,8 +57,8 @@ void check_speeds(const GameSettings& game, const sim::TeamSpec& spec, std::stri
     if (robot_mps <= most_mps) continue;
     throw SettingError(
         "sim.substeps",
-        fmt::format(": with {} at {} frames a second nothing gets faster than {:.4g} m/s, but "
-                    "robots of {} drive or kick at up to {:.4g}; give more",
+        fmt::format(": {} at {} frames per second limit all speeds to {:.4g} m/s, but robots of "
+                    "{} drive or kick at up to {:.4g} m/s; use more substeps",
                     game.sim.substeps, game.sim.frame_rate_hz, most_mps, name, robot_mps));
   }
 }
@@ -70,13 +70,13 @@ void check_robots(const GameSettings& game, const TeamSettings& team, std::strin
       sim::validate(spec.robots[static_cast<std::size_t>(number)]);
     } catch (const sim::OutOfRange& error) {
       throw SettingError(fmt::format("{}.players.{}", name, number),
-                         fmt::format(": with the team's, {}", error.what()));
+                         fmt::format(": combined with the team's, {}", error.what()));
     }
   }
   check_speeds(game, spec, name);
 }
 
-// What of the world is below `branch` of the settings.
+// Validates the part of the world with settings below `branch`.
 template <typename Part>
 void check_world(const std::string& branch, const Part& part) {
   try {
@@ -86,14 +86,14 @@ void check_world(const std::string& branch, const Part& part) {
   }
 }
 
-// Names of types do not matter, only what they change.
+// The hash covers what types change, not their names.
 bool is_given_by_changes(const Setting& setting) {
   return std::holds_alternative<TypeName>(setting.target) ||
          std::holds_alternative<ChangesOf>(setting.target) ||
          std::holds_alternative<RobotTypes*>(setting.target);
 }
 
-// Of a team or a player: what its robots have other than the game's.
+// The values of a team's or a player's robots that differ from the game's.
 template <typename Of>
 std::string robots_text(const GameSettings& game, std::string_view path, const Of& of) {
   std::string text;
@@ -134,7 +134,7 @@ std::uint64_t configuration_hash(const GameSettings& game) {
     text += fmt::format("{}={}\n", setting.path, value_of(setting));
   }
   text += team_text(game, "teams.a", game.a) + team_text(game, "teams.b", game.b);
-  // FNV-1a over the letters, spread over the word.
+  // FNV-1a, followed by a bit mixer.
   std::uint64_t hash = 0xcbf29ce484222325ULL;
   for (const char letter : text) {
     hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3ULL;

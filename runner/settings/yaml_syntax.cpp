@@ -26,7 +26,7 @@ std::optional<YamlLocation> tab_before(const std::string& text, int last_line) {
 std::string remedy_of(const std::string& complaint) {
   static const std::map<std::string, std::string> kRemedies = {
       {YAML::ErrorMsg::MAP_VALUE, "put text that contains ': ' in quotes"},
-      {YAML::ErrorMsg::FLOW_END, "a bracket before it is not closed, or of another kind"},
+      {YAML::ErrorMsg::FLOW_END, "a bracket before it is not closed, or does not match"},
       {YAML::ErrorMsg::END_OF_MAP_FLOW,
        "a '{' before here is not closed by '}', or a ':' has no space after it"},
       {YAML::ErrorMsg::END_OF_SEQ_FLOW, "a '[' before here is not closed by ']'"},

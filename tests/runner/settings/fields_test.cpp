@@ -18,7 +18,7 @@ std::string refusal_of(std::string_view path, std::string_view text) {
   return "";
 }
 
-TEST(SetByPath, ReachesEachPartOfAGame) {
+TEST(SetByPath, ReachesEveryPartOfAGame) {
   GameSettings game;
   set_by_path(game, "match.half_s", "60");
   set_by_path(game, "teams.a.robots", "5");
@@ -117,13 +117,13 @@ TEST(SetByPath, SaysWhatWasExpected) {
   EXPECT_EQ(refusal_of("match.a_plays", "north"), "expected one of west, east, found 'north'");
 }
 
-TEST(SetByPath, LeavesTheGameAloneWhenItRefuses) {
+TEST(SetByPath, LeavesTheGameUnchangedIfItThrows) {
   GameSettings game;
   EXPECT_THROW(set_by_path(game, "b.handicap", "3"), std::invalid_argument);
   EXPECT_EQ(game.b.speed_factor, 1.0);
 }
 
-TEST(Settings, HaveAPathOfTheirOwnAndDefaultsWithinTheirRanges) {
+TEST(Settings, HaveUniquePathsAndDefaultsWithinTheirRanges) {
   GameSettings game;
   std::set<std::string> paths;
   for (const Setting& setting : settings_of(game)) {
@@ -148,7 +148,7 @@ TEST(CheckGame, RefusesParametersThatTheStrategyDoesNotHave) {
 }
 
 // Box2D moves a body at most 0.2 m per step, so 30 steps per second cannot carry 8 m/s.
-TEST(CheckGame, RefusesSubstepsTooFewForAKick) {
+TEST(CheckGame, RefusesTooFewSubstepsForAKick) {
   GameSettings game;
   game.sim.frame_rate_hz = 30;
   game.sim.substeps = 2;

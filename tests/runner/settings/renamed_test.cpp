@@ -29,7 +29,7 @@ TEST(RenamedKey, IsRefusedOnTheCommandLineWithItsNewName) {
   GameSettings game;
   try {
     set_by_path(game, "sim.calm_substeps", "4");
-    FAIL() << "an old key was taken";
+    FAIL() << "an old key was accepted";
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(),
                  "unknown key 'sim.calm_substeps'; its name is "
@@ -37,7 +37,7 @@ TEST(RenamedKey, IsRefusedOnTheCommandLineWithItsNewName) {
   }
 }
 
-TEST(RenamedKey, HasANameThatIsKnown) {
+TEST(RenamedKey, HasAKnownNewName) {
   GameSettings game;
   EXPECT_NO_THROW(set_by_path(game, "sim.contact_free_substeps", "4"));
 }

@@ -17,7 +17,7 @@ TEST(ResolvedGame, OfDefaultSettingsIsTheDefaultGame) {
   EXPECT_EQ(game.seed, GameConfiguration{}.seed);
 }
 
-TEST(ResolvedGame, HasTheRuleBookWithItsRulesAsTheyAreSwitched) {
+TEST(ResolvedGame, HasTheRuleBookWithItsRulesSwitchedAsSet) {
   GameSettings settings;
   set_by_path(settings, "match.rules", "2026-b");
   set_by_path(settings, "match.switch.no_progress_in_game", "false");
@@ -29,7 +29,7 @@ TEST(ResolvedGame, HasTheRuleBookWithItsRulesAsTheyAreSwitched) {
   EXPECT_EQ(rules, expected);
 }
 
-TEST(ResolvedGame, HasEachRobotWithWhatItsTeamAndItsNumberChange) {
+TEST(ResolvedGame, AppliesTheOverridesOfTeamAndNumberToEachRobot) {
   GameSettings settings;
   set_by_path(settings, "b.robots", "5");
   set_by_path(settings, "b.robot.speed_mps", "1.5");

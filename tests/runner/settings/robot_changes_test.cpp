@@ -104,7 +104,7 @@ TEST(SpecOf, RefusesATypeThatTheGameDoesNotHave) {
   EXPECT_THROW(spec_of(game, game.a, "teams.a"), std::invalid_argument);
 }
 
-TEST(RobotChanges, KeepNothingOfAnInvalidValue) {
+TEST(RobotChanges, DoNotKeepAnInvalidValue) {
   GameSettings game;
   EXPECT_THROW(set_by_path(game, "a.robot.mass_kg", "-1"), std::invalid_argument);
   EXPECT_TRUE(game.a.changes.empty());

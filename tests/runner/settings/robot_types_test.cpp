@@ -137,7 +137,7 @@ TEST_F(ScenarioWithTypes, NamesTheTypesLocationForAnErrorInIt) {
       << message;
 }
 
-TEST_F(ScenarioWithTypes, RefusesTwoTypesOfTheSameName) {
+TEST_F(ScenarioWithTypes, RefusesTwoTypesWithTheSameName) {
   std::filesystem::create_directory(folder_ / "other");
   write_content(folder_ / "other/slow.yaml", kType + "robot: { speed_mps: 1 }\n");
   const std::string message =

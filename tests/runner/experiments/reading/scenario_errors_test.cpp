@@ -118,7 +118,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"FactorsBeyondTheirRange",
                 kGame + "teams:\n  b: { speed_factor: 2, players: { 1: { speed_factor: 1.5 } } }\n",
                 "x.yaml:4:36: teams.b.players.1: ",
-                {"with the team's, speed_factor is 3"}},
+                {"combined with the team's, speed_factor is 3"}},
         Mistake{"TeamsUnknownRobotKey",
                 kGame + "teams: { b: { robot: { mass: 3 } } }\n",
                 "x.yaml:3:24: teams.b.robot: ",
