@@ -17,7 +17,7 @@ class SettingError : public std::invalid_argument {
   SettingError(std::string path, std::string text)
       : std::invalid_argument(path + text), path_(std::move(path)), text_(std::move(text)) {}
 
-  // The same error with the path relative to the parent of `branch`.
+  // The same error with `branch` prepended to the path.
   SettingError below(std::string_view branch) const {
     return {std::string(branch) + "." + path_, text_};
   }

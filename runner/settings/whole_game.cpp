@@ -57,8 +57,8 @@ void check_speeds(const GameSettings& game, const sim::TeamSpec& spec, std::stri
     if (robot_mps <= most_mps) continue;
     throw SettingError(
         "sim.substeps",
-        fmt::format(": {} at {} frames per second limit all speeds to {:.4g} m/s, but robots of "
-                    "{} drive or kick at up to {:.4g} m/s; use more substeps",
+        fmt::format(": a value of {} at {} frames per second limits all speeds to {:.4g} m/s, but "
+                    "robots of {} drive or kick at up to {:.4g} m/s; use more substeps",
                     game.sim.substeps, game.sim.frame_rate_hz, most_mps, name, robot_mps));
   }
 }
