@@ -1,4 +1,4 @@
-// The Kalman filter of the ball's motion.
+// The ball's motion while only the carpet acts on it.
 #include "referee/touch/ball_motion_filter.hpp"
 
 #include <gtest/gtest.h>
@@ -13,12 +13,12 @@ namespace {
 constexpr double kFrame_s = 1.0 / 60;
 constexpr BallMotionParameters kParameters;
 
-// The position of a ball that moves along x from the origin with constant deceleration.
+// Position of a ball that moves along x from the origin with constant deceleration.
 Vec2 slowed(double speed_mps, double slowed_by_mps2, double time_s) {
   return {speed_mps * time_s - slowed_by_mps2 / 2 * time_s * time_s, 0};
 }
 
-// The filter after noiseless detections of that ball in each frame, the last in frame `frames`.
+// The filter after tracking that ball without noise for `frames` frames.
 BallMotionFilter motion_of(double speed_mps, double slowed_by_mps2, int frames,
                            bool rolls = false) {
   BallMotionFilter motion;
@@ -47,14 +47,14 @@ TEST(BallMotionFilter, StartsWithAVelocityPriorThatCoversKicks) {
   EXPECT_NEAR(velocity_off_mps(motion), 4, 2);
 }
 
-TEST(BallMotionFilter, KnowsTheVelocityFromTwoDetections) {
+TEST(BallMotionFilter, EstimatesTheVelocityFromTwoDetections) {
   const BallMotionFilter motion = motion_of(3, 0, 1);
   EXPECT_NEAR(motion.velocity_mps().x(), 3, 0.02);
-  // Two detections with 0.2 mm, and the friction of half a frame: 17 mm/s each.
+  // Noise of 0.2 mm in two detections, and friction for half a frame: 17 mm/s each.
   EXPECT_NEAR(velocity_off_mps(motion), 0.025, 0.01);
 }
 
-TEST(BallMotionFilter, LearnsHowTheBallIsSlowedWhileItSlides) {
+TEST(BallMotionFilter, EstimatesTheDecelerationOfASlidingBall) {
   const BallMotionFilter motion = motion_of(4, 3.5, 15);
   EXPECT_NEAR(motion.velocity_mps().x(), 4 - 3.5 * 15 * kFrame_s, 0.02);
   const double ahead_s = 0.1;
@@ -62,9 +62,9 @@ TEST(BallMotionFilter, LearnsHowTheBallIsSlowedWhileItSlides) {
               0.003);
 }
 
-// Friction slows a sliding ball by 3.0 to 3.9 m/s2: after ten frames, two standard deviations of
-// the position are about half of that times the time squared, 30 to 55 mm.
-TEST(BallMotionFilter, IsUncertainByWhatSlidingMayTake) {
+// A sliding ball decelerates by 3.0 to 3.9 m/s2. Half of that times the time squared, 30 to 55 mm
+// after ten frames, should be about two standard deviations of the position.
+TEST(BallMotionFilter, AllowsForTheDecelerationOfSliding) {
   BallMotionFilter motion = motion_of(4, 0, 1);
   const BallMotionFilter known = motion;
   motion.predict(10 * kFrame_s, kParameters);
@@ -74,28 +74,28 @@ TEST(BallMotionFilter, IsUncertainByWhatSlidingMayTake) {
   EXPECT_LT(2 * off_m, 0.12);
 }
 
-// Predicts frame by frame without detections.
+// Predicts frame by frame, without detections.
 void go_unseen(BallMotionFilter& motion, double duration_s) {
   const int frames = static_cast<int>(duration_s / kFrame_s + 0.5);
   for (int i = 0; i < frames; ++i) motion.predict(kFrame_s, kParameters);
 }
 
-// White-noise jerk changes the friction by 1 m/s2 within a second, because sliding may end or the
-// spin turn. Integrated over that second, the velocity deviates by 1 m/s over the root of three.
-TEST(BallMotionFilter, ForgetsHowTheBallWasSlowed) {
+// Within a second sliding may end or the spin may change direction, which changes the deceleration
+// by 1 m/s2. Integrated over that second, the velocity error is 1 m/s divided by the root of three.
+TEST(BallMotionFilter, ForgetsTheDecelerationOfASlidingBall) {
   BallMotionFilter motion = motion_of(4, 3.5, 60);
   go_unseen(motion, 1);
   EXPECT_NEAR(velocity_off_mps(motion), 1 / std::sqrt(3.0), 0.25);
 }
 
-// Carpets are uniform: within 4 s the rolling friction changes by 0.14 m/s2.
-TEST(BallMotionFilter, HardlyForgetsHowTheBallWasSlowedWhileItRolled) {
+// Carpets are uniform: the deceleration of a rolling ball drifts by 0.14 m/s2 in 4 s.
+TEST(BallMotionFilter, HardlyForgetsTheDecelerationOfARollingBall) {
   BallMotionFilter motion = motion_of(3, 0.3, 120, true);
   go_unseen(motion, 4);
   EXPECT_NEAR(velocity_off_mps(motion), 0.14 * 4 / std::sqrt(3.0), 0.15);
 }
 
-TEST(BallMotionFilter, RollsOnSlowedByTheCarpet) {
+TEST(BallMotionFilter, KeepsRollingWithTheCarpetsDeceleration) {
   const BallMotionFilter motion = motion_of(1, 0.3, 30, true);
   ASSERT_TRUE(motion.rolls());
   const double ahead_s = 1;
@@ -103,17 +103,17 @@ TEST(BallMotionFilter, RollsOnSlowedByTheCarpet) {
               0.02);
 }
 
-// On the league's carpets a ball that rolls loses 0.1 to 0.5 m/s each second.
-TEST(BallMotionFilter, AssumesTypicalFrictionWhenTheBallBeginsToRoll) {
+// On the league's carpets, a rolling ball decelerates by 0.1 to 0.5 m/s2.
+TEST(BallMotionFilter, AssumesATypicalCarpetWhenTheBallBeginsToRoll) {
   BallMotionFilter motion = motion_of(2, 0, 30);
   motion.begin_to_roll(kParameters);
   motion.predict(1, kParameters);
   EXPECT_NEAR(motion.velocity_mps().x(), 2 - 0.3, 0.02);
-  // 0.2 m/s2 for a second, and 20 mm/s because sliding ends within a frame.
+  // An error of 0.2 m/s2 for a second, and 20 mm/s from sliding for part of a frame.
   EXPECT_NEAR(velocity_off_mps(motion), 0.2, 0.08);
 }
 
-TEST(BallMotionFilter, ChangesLittleWhenRollingBegins) {
+TEST(BallMotionFilter, ChangesVelocityOnlySlightlyWhenRollingBegins) {
   BallMotionFilter motion = motion_of(2, 0, 60);
   const double before_mps = velocity_off_mps(motion);
   motion.begin_to_roll(kParameters);
@@ -132,24 +132,25 @@ TEST(BallMotionFilter, StopsARollingBall) {
   EXPECT_EQ(motion.position_after(0), rests_m);
 }
 
-TEST(BallMotionFilter, MayBeKickedByAHardTouch) {
+TEST(BallMotionFilter, AllowsForAKickAtAHardTouch) {
   BallMotionFilter motion = motion_of(1, 0, 30);
   motion.touch(kFrame_s, false, kParameters);
   EXPECT_FALSE(motion.rolls());
-  // Bounces change about 1 m/s, kicks up to 8: those are five deviations.
+  // Bounces change the velocity by about 1 m/s, kicks by up to 8 m/s, five standard deviations.
   EXPECT_NEAR(velocity_off_mps(motion), 1.5, 0.8);
 }
 
-TEST(BallMotionFilter, RollsOnAfterASoftTouch) {
+TEST(BallMotionFilter, KeepsRollingAfterASoftTouch) {
   BallMotionFilter motion = motion_of(1, 0.3, 30, true);
   motion.touch(kFrame_s, true, kParameters);
   EXPECT_TRUE(motion.rolls());
-  // A ball of 1 m/s that is turned by 8 degrees.
+  // A ball at 1 m/s that is deflected by 8 degrees.
   EXPECT_NEAR(velocity_off_mps(motion), 0.14, 0.06);
 }
 
-// The time of the touch within the frame is unknown, so the velocity jump also moves the position.
-TEST(BallMotionFilter, IsUncertainOfTheTimeOfATouchWithinTheFrame) {
+// The touch may be at any time within the frame, so the new velocity acts for an unknown part of
+// it.
+TEST(BallMotionFilter, AllowsForAnUnknownTimeOfTheTouch) {
   BallMotionFilter motion = motion_of(1, 0, 30);
   const double before_m = position_off_m(motion);
   motion.touch(kFrame_s, false, kParameters);
@@ -157,13 +158,13 @@ TEST(BallMotionFilter, IsUncertainOfTheTimeOfATouchWithinTheFrame) {
   EXPECT_NEAR(grown_m, 1.5 * kFrame_s / std::sqrt(3.0), 1e-3);
 }
 
-TEST(BallMotionFilter, KnowsThePositionOfABallThatTakesOffToACentimetre) {
+TEST(BallMotionFilter, AllowsForAPositionErrorOfACentimetreAtTakeoff) {
   BallMotionFilter motion;
   motion.jump({0, 0}, kParameters);
   EXPECT_NEAR(position_off_m(motion), 0.01, 0.005);
 }
 
-TEST(BallMotionFilter, IsTheSameBackwards) {
+TEST(BallMotionFilter, RunsBackwardsLikeForwards) {
   BallMotionFilter motion;
   motion.start(slowed(3, 3.5, 10 * kFrame_s), kParameters);
   for (int i = 9; i >= 0; --i) {
@@ -174,7 +175,7 @@ TEST(BallMotionFilter, IsTheSameBackwards) {
   EXPECT_NEAR(motion.position_after(0).x(), 0, 1e-3);
 }
 
-TEST(BallMotionFilter, HasALargeDevianceForDetectionsFarFromThePrediction) {
+TEST(BallMotionFilter, HasADevianceThatGrowsWithTheSquaredInnovation) {
   BallMotionFilter on = motion_of(2, 0, 30);
   BallMotionFilter off = on;
   const Vec2 next_m = slowed(2, 0, 31 * kFrame_s);
@@ -183,11 +184,12 @@ TEST(BallMotionFilter, HasALargeDevianceForDetectionsFarFromThePrediction) {
   const double off_m = 5 * std::sqrt(off.position_variance_after(0) + std::pow(0.2e-3, 2));
   const double more =
       off.correct(next_m + Vec2(0, off_m), kParameters) - on.correct(next_m, kParameters);
-  EXPECT_NEAR(more, 25, 2);  // five deviations, squared
+  EXPECT_NEAR(more, 25, 2);  // five standard deviations, squared
 }
 
-// The deviance of two coordinates falls by 4 log 10 if all standard deviations are a tenth.
-TEST(BallMotionFilter, HasALowerDevianceTheMorePreciseItIs) {
+// If all standard deviations are ten times smaller, the deviance of an exact hit in two coordinates
+// is smaller by 4 log 10.
+TEST(BallMotionFilter, HasADevianceThatGrowsWithTheVariance) {
   BallMotionParameters coarse = kParameters;
   coarse.detection_m = 10 * kParameters.detection_m;
   BallMotionFilter fine_motion;
@@ -199,7 +201,7 @@ TEST(BallMotionFilter, HasALowerDevianceTheMorePreciseItIs) {
   EXPECT_NEAR(more, 4 * std::log(10.0), 1e-5);
 }
 
-TEST(BallMotionFilter, IsConsistentUnderNoise) {
+TEST(BallMotionFilter, HasErrorsConsistentWithItsCovariance) {
   BallMotionParameters noisy = kParameters;
   noisy.detection_m = 0.0014;
   RandomStream random(1);

@@ -1,4 +1,4 @@
-// The last frames of the play that is on.
+// The history of recent frames of play.
 #include "referee/touch/frame_history.hpp"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ TEST(FrameHistory, KeepsTheLastFramesAndDropsTheOldest) {
 // Two seconds at 100 Hz, the rate of the league's fastest cameras.
 TEST(FrameHistory, CoversTwoSecondsOfAFastCamera) { EXPECT_GE(FrameHistory::kKept, 200); }
 
-TEST(FrameHistory, NeedsNoMemoryBeyondItsOwn) {
+TEST(FrameHistory, AllocatesNoMemory) {
   EXPECT_GE(sizeof(FrameHistory), FrameHistory::kKept * sizeof(StoredFrame));
 }
 
@@ -54,7 +54,7 @@ TEST(FrameHistory, SkipsAFrameThatIsNotLater) {
   EXPECT_EQ(frames[1].ball.position_m, Vec2(1, 0));
 }
 
-TEST(FrameHistory, TakesABallThatIsNotFiniteForUnseen) {
+TEST(FrameHistory, TreatsANonFiniteBallAsUnseen) {
   FrameHistory frames;
   frames.push(frame_with(1, Vec2(1, std::nan(""))));
   EXPECT_FALSE(frames[1].has_ball);
@@ -70,7 +70,7 @@ TEST(FrameHistory, KeepsTheLastDetectionOfAHiddenBall) {
   EXPECT_EQ(frames[700].ball.time_s, kFrame_s);
 }
 
-TEST(FrameHistory, MeasuresTheBallFromDetectionToDetection) {
+TEST(FrameHistory, MeasuresTheVelocityBetweenDetections) {
   FrameHistory frames;
   push_rolling(frames, 1, 2);
   push_hidden(frames, 3, 4);
@@ -93,7 +93,7 @@ TEST(FrameHistory, StartsWithTheBallAtRest) {
   EXPECT_NEAR(frames[1].ball.duration_s, kFrame_s, 1e-12);
 }
 
-TEST(FrameHistory, StartsWithoutABallThatWasNeverSeen) {
+TEST(FrameHistory, StartsWithoutABallIfItWasNeverSeen) {
   FrameHistory frames;
   frames.restart(frame_with(20, std::nullopt), std::nullopt);
   EXPECT_EQ(frames.detections(), 0);

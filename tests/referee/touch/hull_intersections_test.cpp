@@ -19,8 +19,8 @@ constexpr RobotId kRobot{Side::kEast, 4};
 constexpr BallMotionParameters kMotion;
 constexpr HullIntersectionParameters kIntersection;
 
-// A ball that passes the origin at constant velocity between two frames, and a resting robot. Its
-// path is estimated from the detections before, or, backwards, from those after.
+// A ball that passes the origin at constant velocity between two frames, and a stationary robot.
+// The path is estimated from the detections before or, backwards, from those after.
 class Passage {
  public:
   explicit Passage(const Vec2& velocity_mps) : velocity_mps_(velocity_mps) {}
@@ -37,7 +37,7 @@ class Passage {
   }
 
  private:
-  // Frames -20 to 20; the origin is passed half a frame after frame -1 and before frame 0.
+  // Frames -20 to 20; the ball passes the origin midway between frames -1 and 0.
   Vec2 ball_at(int index) const { return velocity_mps_ * ((index + 0.5) * kFrame_s); }
 
   Walk walk_along(int from, const HullIntersectionParameters& parameters) {
@@ -67,18 +67,18 @@ class Passage {
   PerSide<SeenRobots> robots_;
 };
 
-// A robot beside a ball that passes along x, with its round back `gap_m` off the ball's path.
+// The ball passes along x; the round back of a robot is `gap_m` from its path.
 Walk passing(double gap_m, const HullIntersectionParameters& parameters = kIntersection) {
   const Vec2 at_m(0, kRobotRadius_m + kBallRadius_m + gap_m);
   return Passage({1, 0}).robot(at_m, {0, 1}).forwards(parameters);
 }
 
-TEST(Walk, MeetsNobodyIfNobodyIsThere) {
+TEST(Walk, FindsNoIntersectionIfNoRobotIsNear) {
   EXPECT_TRUE(Passage({1, 0}).forwards().intersections.empty());
   EXPECT_TRUE(Passage({1, 0}).robot({2, 0}, {1, 0}).forwards().intersections.empty());
 }
 
-TEST(Walk, MeetsAHullThatItGrazesWithoutDeviance) {
+TEST(Walk, HasNoDevianceForAGrazedHull) {
   const Walk walk = passing(0);
   ASSERT_EQ(walk.intersections.size(), 1U);
   EXPECT_EQ(walk.intersections[0].robot, kRobot);
@@ -90,31 +90,31 @@ TEST(Walk, ReportsTheLeastGap) {
   EXPECT_NEAR(passing(0.012).intersections[0].least_gap_m, 0.012, 2e-4);
 }
 
-// Physics leaves half a millimetre between bodies that touch.
-TEST(Walk, TouchesAtAGapThatPhysicsLeaves) {
+// The physics engine leaves half a millimetre between touching bodies.
+TEST(Walk, HasNoDevianceForTheGapsOfThePhysicsEngine) {
   EXPECT_LT(passing(0.0005).intersections[0].bounce_deviance, 0.1);
 }
 
-// 4 mm beyond the slack, at a deviation of 1 mm for contact.
-TEST(Walk, HasTheSquareOfTheGapAsDeviance) {
+// 4 mm beyond the slack; the standard deviation of contact is 1 mm.
+TEST(Walk, HasADevianceOfTheSquaredGap) {
   EXPECT_NEAR(passing(0.005).intersections[0].bounce_deviance, 16, 2);
 }
 
-TEST(Walk, HasLessDevianceUnderNoise) {
+TEST(Walk, HasASmallerDevianceIfRobotDetectionsAreNoisy) {
   HullIntersectionParameters noisy = kIntersection;
   noisy.robot_m = 2_mm;  // with the contact's 1 mm, a variance of 5 mm2
   EXPECT_NEAR(passing(0.005, noisy).intersections[0].bounce_deviance, 16.0 / 5, 0.5);
 }
 
-TEST(Walk, GoesThroughAHullOnItsPath) {
-  // 5 mm into the hull, of which the slack is 1 mm.
+TEST(Walk, AddsTheDepthOfPassingThroughAHull) {
+  // 5 mm into the hull, including 1 mm of slack.
   EXPECT_NEAR(passing(-0.005).through_deviance, 16, 2);
   EXPECT_LT(passing(-0.0008).through_deviance, 0.01);
 }
 
-// Between two frames the ball goes from one side of the hull to the other: 0.3 frames after it
-// passed the origin it is at the robot's back.
-TEST(Walk, MeetsAHullThatItCrosses) {
+// The ball crosses the hull between two frames; it reaches the robot's back 0.3 frames after
+// passing the origin.
+TEST(Walk, FindsAHullThatItCrossesBetweenFrames) {
   const double away_m = kRobotRadius_m + kBallRadius_m;
   const Walk walk = Passage({3, 0}).robot({0.015 + away_m, 0}, {1, 0}).forwards();
   ASSERT_EQ(walk.intersections.size(), 1U);
@@ -122,8 +122,8 @@ TEST(Walk, MeetsAHullThatItCrosses) {
   EXPECT_NEAR(walk.intersections[0].time_s, 0.8 * kFrame_s, 0.1 * kFrame_s);
 }
 
-// Backwards along the path of a ball that left the origin along x: a kicker behind it, with its
-// plate `gap_m` from the ball and turned by `off_rad` from it.
+// Backwards along the path of a ball that left the origin along x. A kicker is behind it, with the
+// plate `gap_m` from the ball and its heading rotated by `off_rad` from the path.
 Walk kicked(double gap_m, double off_rad,
             const HullIntersectionParameters& parameters = kIntersection) {
   const Vec2 heading = heading_of(off_rad);
@@ -137,12 +137,12 @@ TEST(Walk, ComesOutOfAKickersDribblerZone) {
 }
 
 // Kickers reach 15 mm beyond the plate.
-TEST(Walk, ComesFromNoKickerOutOfReach) {
+TEST(Walk, DoesNotComeFromAKickerOutOfReach) {
   EXPECT_LT(kicked(0.012, 0).intersections[0].kick_deviance, 0.1);
   EXPECT_EQ(kicked(0.025, 0).intersections[0].kick_deviance, kNever);
 }
 
-// Three times 0.08 rad: nine.
+// Three standard deviations of 0.08 rad, squared: 9.
 TEST(Walk, ComesFromAKickAlongTheRobotsHeading) {
   EXPECT_NEAR(kicked(0.005, 0.24).intersections[0].kick_deviance, 9, 1.5);
 }
@@ -153,14 +153,13 @@ TEST(Walk, AllowsForNoisyHeadings) {
   EXPECT_NEAR(kicked(0.005, 0.24, noisy).intersections[0].kick_deviance, 4.5, 0.8);
 }
 
-TEST(Walk, ComesFromNoKickBackwards) {
-  // It would have been kicked towards the robot.
+TEST(Walk, DoesNotComeFromAKickTowardsTheRobot) {
   const Walk walk = Passage({-4, 0}).robot({-kTouch_m - 0.005 - 0.033, 0}, {1, 0}).backwards();
   ASSERT_FALSE(walk.intersections.empty());
   EXPECT_GT(walk.intersections[0].kick_deviance, 100);
 }
 
-TEST(Walk, FollowsRobotsThatMove) {
+TEST(Walk, FollowsMovingRobots) {
   const auto gap_with = [](double moved_m) {
     FrameHistory frame_history;
     for (int i = 0; i < 2; ++i) {

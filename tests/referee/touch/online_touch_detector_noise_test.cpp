@@ -1,4 +1,4 @@
-// The online detector with the vision noise of the preset `realistic`.
+// Online touch detection with the vision noise of the preset `realistic`.
 #include <gtest/gtest.h>
 
 #include "referee/touch/online_touch_detector.hpp"
@@ -14,7 +14,8 @@ constexpr VisionNoise kNoise{0.0014, 0.0013, 0.01};
 constexpr double kFrame_s = 1.0 / 60;
 constexpr double kMissed = 0.05;
 
-// A ball on a given path past resting robots, seen with noise; one detection in twenty is missed.
+// A ball on a given path past stationary robots, seen with noise; one detection in twenty is
+// missed.
 class NoisyScene {
  public:
   explicit NoisyScene(std::uint64_t seed) : random_(seed) {}
@@ -46,7 +47,7 @@ class NoisyScene {
     frames_.push(frame_);
     detector_.update();
   }
-  // Rolls the ball from `from_m` for some frames; returns its last position.
+  // Moves the ball from `from_m` for `frames` frames; returns its final position.
   Vec2 roll(const Vec2& from_m, const Vec2& velocity_mps, int frames) {
     for (int i = 1; i <= frames; ++i) see(from_m + velocity_mps * (i * kFrame_s));
     return from_m + velocity_mps * (frames * kFrame_s);
@@ -67,8 +68,8 @@ class NoisyScene {
   OnlineTouchDetector detector_{frames_, Field{}, TouchParameters{}, kNoise};
 };
 
-// A ball of 1.2 m/s brushes a robot and is turned by 30 degrees: a change of 0.6 m/s, which the
-// noise of single velocities hides.
+// A ball at 1.2 m/s brushes a robot and is deflected by 30 degrees, a velocity change of 0.6 m/s
+// that is hidden by the noise between single frames.
 bool knows_soft_touch(std::uint64_t seed) {
   NoisyScene scene(seed);
   const double reach_m = kRobotRadius_m + kBallRadius_m;
@@ -82,15 +83,15 @@ bool knows_soft_touch(std::uint64_t seed) {
   return scene.last().side == Side::kEast;
 }
 
-TEST(NoisyTouch, IsKnownForSoftTouchesWithinTenFrames) {
+TEST(NoisyTouch, IsDetectedWithinTenFramesIfSoft) {
   constexpr int kTries = 400;
   int known = 0;
   for (int i = 0; i < kTries; ++i) known += knows_soft_touch(static_cast<std::uint64_t>(i)) ? 1 : 0;
   EXPECT_GE(known, 0.95 * kTries) << known;
 }
 
-// A ball rolls past three robots, 12 mm from their hulls and nearer than a kicker reaches.
-TEST(NoisyTouch, IsNotSeenWhenABallPassesRobotsClosely) {
+// A ball rolls past three robots, 12 mm from their hulls and within a kicker's reach.
+TEST(NoisyTouch, IsNotDetectedIfABallPassesRobotsClosely) {
   constexpr int kTries = 1000;
   int claimed = 0;
   for (int i = 0; i < kTries; ++i) {
@@ -110,13 +111,13 @@ TEST(NoisyTouch, IsNotSeenWhenABallPassesRobotsClosely) {
       speed_mps -= slows_mps2 * kFrame_s;
       scene.see(ball_m);
     }
-    // The start from rest looks like a kick, but nobody is there.
+    // The start from rest is a kick by an unknown robot, since none is near.
     claimed += scene.last().side ? 1 : 0;
   }
   EXPECT_LE(claimed, 0.01 * kTries) << claimed;
 }
 
-TEST(NoisyTouch, OfABallThatRestsAtARobotIsNobodys) {
+TEST(NoisyTouch, IsNotDetectedForABallAtRestNextToARobot) {
   constexpr int kTries = 50;
   int claimed = 0;
   for (int i = 0; i < kTries; ++i) {

@@ -10,7 +10,7 @@ namespace {
 constexpr double kFrame_s = 1.0 / 60;
 constexpr double kTouch_m = kFrontDistance_m + kBallRadius_m;  // centre to centre, at the plate
 
-// A ball that moves at constant velocity between touches, and robots, seen at 60 Hz without noise.
+// A ball on exact paths between touches, and robots, seen at 60 Hz.
 class TouchScene {
  public:
   explicit TouchScene(const Vec2& at_m) : ball_m(at_m) {}
@@ -79,7 +79,7 @@ TEST(LastTouch, IsTheKickersWithinOneFrame) {
 TEST(LastTouch, KnowsTheTimeOfABounceOnceTheBallIsFree) {
   TouchScene scene({0, 0});
   scene.robot(Side::kEast, 2, {1 + kTouch_m, 0}, {-1, 0}).start({3, 0});
-  scene.roll(19);  // at 0.95 m; it meets the plate at 1 m, at the frame's end
+  scene.roll(19);  // at 0.95 m; it reaches the plate at 1 m, at the end of the frame
   scene.roll(1);
   scene.turn({-1, 0}, 0.0);
   scene.roll(1);
@@ -125,7 +125,7 @@ TEST(LastTouch, IsNotByARobotThatTheBallPassesAtTwoMillimetres) {
   EXPECT_EQ(scene.side(), Side::kWest);
 }
 
-TEST(LastTouch, IsNotCausedByFriction) {
+TEST(LastTouch, IsNotChangedByCarpetFriction) {
   TouchScene scene({0, 0});
   scene.robot(Side::kEast, 4, {0.5, 0.115}, {0, 1}).start({3, 0});
   scene.roll(2);
@@ -136,7 +136,7 @@ TEST(LastTouch, IsNotCausedByFriction) {
   EXPECT_FALSE(scene.side().has_value());
 }
 
-TEST(LastTouch, IsNotCausedByAPost) {
+TEST(LastTouch, IsNotChangedByABounceOffAPost) {
   TouchScene scene({2.0, 0.361});
   scene.robot(Side::kEast, 0, {2.9, 0.1}, {-1, 0}).start({6, 0});
   scene.roll(9);
@@ -145,7 +145,7 @@ TEST(LastTouch, IsNotCausedByAPost) {
   EXPECT_FALSE(scene.side().has_value());
 }
 
-TEST(LastTouch, ABallThatFliesOverARobotIsNotTouched) {
+TEST(LastTouch, IsNotByARobotThatTheBallFliesOver) {
   TouchScene scene({0, 0});
   scene.robot(Side::kEast, 4, {0.5, 0.0}, {-1, 0});
   scene.height_m = 0.3;
@@ -156,19 +156,19 @@ TEST(LastTouch, ABallThatFliesOverARobotIsNotTouched) {
   EXPECT_FALSE(scene.side().has_value());
 }
 
-TEST(LastTouch, IsNotCausedByALanding) {
+TEST(LastTouch, IsNotChangedByALanding) {
   TouchScene scene({0, 0});
   scene.robot(Side::kEast, 4, {0.5, 0.118}, {0, 1}).start({4, 0});
   scene.height_m = 0.05;
   scene.roll(7);
   scene.height_m = 0.0;
-  scene.turn({3, 0}, 0.5);  // the first hop keeps three quarters
+  scene.turn({3, 0}, 0.5);  // the first hop keeps three quarters of the speed
   scene.roll(10);
   EXPECT_FALSE(scene.side().has_value());
 }
 
-// It was taken for a landing: of a resting ball every direction is the former one.
-TEST(LastTouch, AChipKickOfARestingBallIsATouch) {
+// This was once mistaken for a landing, because a ball at rest has no direction that could change.
+TEST(LastTouch, IncludesAChipKickOfABallAtRest) {
   TouchScene scene({0, 0});
   scene.robot(Side::kWest, 3, {-kTouch_m - 0.001, 0}, {1, 0}).start();
   scene.height_m = 0.05;
@@ -188,7 +188,7 @@ TEST(LastTouch, IsUnknownWhenBothSidesAreEquallyNear) {
   EXPECT_GT(scene.detector.last().time_s, 0);
 }
 
-TEST(LastTouch, IsByTheRobotThatFacesTheKicksDirection) {
+TEST(LastTouch, IsByTheRobotWhoseHeadingFitsTheKick) {
   TouchScene scene({0, 0});
   scene.robot(Side::kWest, 1, {-kTouch_m - 0.004, 0}, {1, 0});
   scene.robot(Side::kEast, 5, {kTouch_m + 0.004, 0}, {-1, 0}).start();
@@ -196,7 +196,7 @@ TEST(LastTouch, IsByTheRobotThatFacesTheKicksDirection) {
   EXPECT_EQ(scene.side(), Side::kEast);
 }
 
-TEST(LastTouch, TwoRobotsOfOneSideLeaveTheSideKnown) {
+TEST(LastTouch, HasAKnownSideIfBothCandidatesAreTeamMates) {
   TouchScene scene({0, 0});
   scene.robot(Side::kWest, 1, {-kTouch_m - 0.004, 0.0}, {1, 0});
   scene.robot(Side::kWest, 2, {-kTouch_m - 0.004, 0.0}, {1, 0}).start();
@@ -228,7 +228,7 @@ TEST(LastTouch, IsThatOfTheSecondOfTwoTouchesWithinAFrame) {
   EXPECT_EQ(scene.side(), Side::kEast);
 }
 
-TEST(LastTouch, APushingRobotTouchesTheBall) {
+TEST(LastTouch, IncludesPushes) {
   TouchScene scene({0, 0});
   scene.robot(Side::kEast, 3, {kTouch_m + 0.0005, 0}, {-1, 0}).start();
   for (int i = 0; i < 30; ++i) {  // slowly away, too soft for a velocity change
@@ -239,7 +239,7 @@ TEST(LastTouch, APushingRobotTouchesTheBall) {
   EXPECT_EQ(scene.side(), Side::kEast);
 }
 
-TEST(LastTouch, ASoftTouchIsNoticed) {
+TEST(LastTouch, IncludesSoftTouches) {
   TouchScene scene({0, 0});
   scene.robot(Side::kWest, 3, {0.5, 0.1115}, {0, 1}).start({0.5, 0});
   scene.roll(60);  // at 0.5 m, at the hull
@@ -248,7 +248,7 @@ TEST(LastTouch, ASoftTouchIsNoticed) {
   EXPECT_EQ(scene.side(), Side::kWest);
 }
 
-TEST(LastTouch, IsNotByARobotThatStandsNextToTheBall) {
+TEST(LastTouch, IsNotByARobotThatOnlyStandsNextToTheBall) {
   TouchScene scene({0, 0});
   scene.robot(Side::kWest, 3, {-kTouch_m - 0.0005, 0}, {1, 0}).start();
   scene.roll(120);
@@ -267,7 +267,7 @@ TEST(LastTouch, FollowsTheBallThroughMissedFrames) {
   EXPECT_EQ(scene.side(), Side::kEast);
 }
 
-TEST(LastTouch, IsUnknownWhenTheBallComesBackElsewhereAfterAGap) {
+TEST(LastTouch, IsUnknownWhenTheBallReappearsElsewhereAfterAGap) {
   TouchScene scene({0, 0});
   scene.robot(Side::kWest, 3, {-kTouch_m - 0.008, 0}, {1, 0}).start();
   scene.turn({2, 0}, 0.5);
@@ -278,7 +278,7 @@ TEST(LastTouch, IsUnknownWhenTheBallComesBackElsewhereAfterAGap) {
   EXPECT_FALSE(scene.side().has_value());
 }
 
-TEST(LastTouch, IsForgottenAtARestart) {
+TEST(LastTouch, IsResetAtARestart) {
   TouchScene scene({0, 0});
   scene.robot(Side::kWest, 3, {-kTouch_m - 0.008, 0}, {1, 0}).start();
   scene.turn({2, 0}, 0.5);

@@ -15,7 +15,7 @@ constexpr double kFrame_s = 1.0 / 60;
 constexpr double kTouch_m = kFrontDistance_m + kBallRadius_m;  // centre to centre, at the plate
 constexpr VisionNoise kRealistic{0.0014, 0.0013, 0.01};
 
-// A ball that slides or rolls between touches, and resting robots, seen at 60 Hz.
+// A ball that slides or rolls between touches, and stationary robots, seen at 60 Hz.
 class TouchScene {
  public:
   explicit TouchScene(const VisionNoise& noise = {}, std::uint64_t seed = 1)
@@ -33,7 +33,7 @@ class TouchScene {
     frames_.restart(frame_, ball_m);
     go({0, 0}, 10);
   }
-  // Moves the ball on.
+  // Moves the ball on from its position.
   void go(const Vec2& velocity_mps, int frames, bool is_seen = true) {
     for (int i = 0; i < frames; ++i) {
       ball_m_ += velocity_mps * kFrame_s;
@@ -47,7 +47,7 @@ class TouchScene {
     ball_m_ += before_mps * (share * kFrame_s);
     go(after_mps * (1 - share), 1);
   }
-  // `reported` is the answer of the online detector.
+  // `reported` is the online detector's last touch.
   LastTouch last(const LastTouch& reported = {}) const { return touch_detector_.detect(reported); }
   std::optional<Side> side() const { return last().side; }
   double time_s() const { return frame_.time_s; }
@@ -81,7 +81,7 @@ class TouchScene {
   RetrospectiveTouchDetector touch_detector_;
 };
 
-TEST(RetrospectiveTouchDetector, KnowsOfNoTouchWhileTheBallRests) {
+TEST(RetrospectiveTouchDetector, FindsNoTouchOfABallAtRest) {
   TouchScene scene;
   scene.robot(Side::kWest, 3, {-kTouch_m - 0.002, 0}, {1, 0}).start({0, 0});
   scene.go({0, 0}, 60);
@@ -89,7 +89,7 @@ TEST(RetrospectiveTouchDetector, KnowsOfNoTouchWhileTheBallRests) {
   EXPECT_EQ(scene.last().time_s, 0);
 }
 
-TEST(RetrospectiveTouchDetector, KnowsTheKicker) {
+TEST(RetrospectiveTouchDetector, FindsTheKicker) {
   TouchScene scene;
   scene.robot(Side::kWest, 3, {-kTouch_m - 0.008, 0}, {1, 0}).start({0, 0});
   scene.turn({0, 0}, {4, 0}, 0.5);
@@ -108,13 +108,13 @@ LastTouch touch_by(RobotId robot, double time_s) {
   return touch;
 }
 
-// A ball that rolls along x at 0.5 m/s, long after a kick that was reported while play was on.
+// A ball that rolls along x at 0.5 m/s, long after a kick that the online detector reported.
 void roll_for_long(TouchScene& scene, const Vec2& robot_m) {
   scene.robot(Side::kEast, 2, robot_m, {-1, 0}).start({-2, 0});
   scene.go({0.5, 0}, 400);
 }
 
-TEST(RetrospectiveTouchDetector, KeepsTheReportedTouchIfNobodyTouchedTheBallSince) {
+TEST(RetrospectiveTouchDetector, ReturnsTheReportedTouchIfNobodyTouchedTheBallSince) {
   TouchScene scene;
   roll_for_long(scene, {3, 2});
   const RobotId kicker{Side::kWest, 5};
@@ -124,7 +124,7 @@ TEST(RetrospectiveTouchDetector, KeepsTheReportedTouchIfNobodyTouchedTheBallSinc
   EXPECT_FALSE(last.runner_up.has_value());
 }
 
-TEST(RetrospectiveTouchDetector, KnowsWhoTouchedTheBallAfterTheReportedTouch) {
+TEST(RetrospectiveTouchDetector, FindsATouchAfterTheReportedOne) {
   const RobotId kicker{Side::kWest, 5};
   TouchScene scene;
   roll_for_long(scene, {-2 + 400 * 0.5 * kFrame_s + kTouch_m + 0.002, 0});
@@ -136,7 +136,7 @@ TEST(RetrospectiveTouchDetector, KnowsWhoTouchedTheBallAfterTheReportedTouch) {
   EXPECT_NEAR(last.speed_change_mps, 0.9, 0.1);
 }
 
-TEST(RetrospectiveTouchDetector, NamesTheOtherSidesBestRobot) {
+TEST(RetrospectiveTouchDetector, NamesTheOtherSidesLikeliestRobot) {
   TouchScene scene;
   scene.robot(Side::kWest, 3, {-kTouch_m - 0.008, 0}, {1, 0});
   scene.robot(Side::kEast, 6, {0, kRobotRadius_m + kBallRadius_m + 0.004}, {0, 1});
@@ -147,8 +147,8 @@ TEST(RetrospectiveTouchDetector, NamesTheOtherSidesBestRobot) {
   EXPECT_EQ(scene.last().runner_up, (RobotId{Side::kEast, 6}));
 }
 
-// Nobody saw the ball for 150 ms, but only one robot was there.
-TEST(RetrospectiveTouchDetector, KnowsWhoTurnedAHiddenBall) {
+// The ball is unseen for 150 ms, but only one robot is near.
+TEST(RetrospectiveTouchDetector, FindsWhoDeflectedAHiddenBall) {
   TouchScene scene;
   scene.robot(Side::kWest, 1, {-kTouch_m - 0.002, 0}, {1, 0});
   scene.robot(Side::kEast, 2, {1 + kTouch_m, 0}, {-1, 0});
@@ -162,7 +162,7 @@ TEST(RetrospectiveTouchDetector, KnowsWhoTurnedAHiddenBall) {
   EXPECT_EQ(scene.side(), Side::kEast);
 }
 
-TEST(RetrospectiveTouchDetector, IsNotTouchedByARobotThatAHiddenBallPasses) {
+TEST(RetrospectiveTouchDetector, IgnoresARobotThatAHiddenBallPasses) {
   TouchScene scene;
   scene.robot(Side::kWest, 1, {-kTouch_m - 0.002, 0}, {1, 0});
   scene.robot(Side::kEast, 2, {0.7, 0.125}, {0, 1});
@@ -174,7 +174,7 @@ TEST(RetrospectiveTouchDetector, IsNotTouchedByARobotThatAHiddenBallPasses) {
   EXPECT_EQ(scene.side(), Side::kWest);
 }
 
-TEST(RetrospectiveTouchDetector, IsUnknownIfRobotsOfBothSidesStandAtTheSamePosition) {
+TEST(RetrospectiveTouchDetector, IsUndecidedIfBothSidesAreAtTheSamePosition) {
   TouchScene scene;
   scene.robot(Side::kWest, 1, {-kTouch_m - 0.004, 0}, {1, 0});
   scene.robot(Side::kEast, 1, {-kTouch_m - 0.004, 0}, {1, 0});
@@ -185,7 +185,7 @@ TEST(RetrospectiveTouchDetector, IsUnknownIfRobotsOfBothSidesStandAtTheSamePosit
   EXPECT_FALSE(scene.side().has_value());
 }
 
-TEST(RetrospectiveTouchDetector, IsThatOfTheSecondOfTwoTouchesWithinAFrame) {
+TEST(RetrospectiveTouchDetector, FindsTheSecondOfTwoTouchesWithinAFrame) {
   TouchScene scene;
   scene.robot(Side::kWest, 1, {-kTouch_m - 0.004, 0}, {1, 0});
   scene.robot(Side::kEast, 2, {0.05 + kTouch_m, 0.0}, {-1, 0});
@@ -196,7 +196,7 @@ TEST(RetrospectiveTouchDetector, IsThatOfTheSecondOfTwoTouchesWithinAFrame) {
   EXPECT_EQ(scene.side(), Side::kEast);
 }
 
-// A touch by which a ball of 1 m/s is turned by 8 degrees, 1 mm off a robot's hull.
+// The side found for a brush that deflects a ball at 1 m/s by 8 degrees, 1 mm from a robot's hull.
 std::optional<Side> side_of_brush(const VisionNoise& noise, std::uint64_t seed, bool is_turned) {
   TouchScene scene(noise, seed);
   const Vec2 normal = heading_of(to_radians(94));
@@ -212,7 +212,7 @@ std::optional<Side> side_of_brush(const VisionNoise& noise, std::uint64_t seed, 
   return scene.side();
 }
 
-TEST(RetrospectiveTouchDetector, KnowsABrushThatNoiseHidesAtFirst) {
+TEST(RetrospectiveTouchDetector, FindsABrushThatNoiseHidesAtFirst) {
   int known = 0;
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     known += side_of_brush(kRealistic, seed, false) == Side::kEast ? 1 : 0;
@@ -220,7 +220,7 @@ TEST(RetrospectiveTouchDetector, KnowsABrushThatNoiseHidesAtFirst) {
   EXPECT_GE(known, 47);
 }
 
-TEST(RetrospectiveTouchDetector, IsSymmetricUnderATurnOfTheField) {
+TEST(RetrospectiveTouchDetector, SwapsSidesIfTheSceneIsRotated) {
   EXPECT_EQ(side_of_brush({}, 0, false), Side::kEast);
   EXPECT_EQ(side_of_brush({}, 0, true), Side::kWest);
 }

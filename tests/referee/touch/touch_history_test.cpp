@@ -13,7 +13,7 @@ constexpr RobotId kEast4{Side::kEast, 4};
 
 LastTouch touch_by(RobotId robot, double time_s) { return {robot.side, robot, time_s, 0, 1, {}}; }
 
-// A scripted detector, a ball, and two robots far from it.
+// A touch history fed with given reports of a detector, a ball, and two robots far from it.
 class History {
  public:
   History() {
@@ -23,7 +23,7 @@ class History {
   }
   RobotObservation& west() { return frame.robots[Side::kWest].front(); }
 
-  // One frame, with `reported` as the detector's last touch.
+  // Processes one frame with the detector's last touch `reported`.
   void step() {
     frame.number += 1;
     frame.time_s = static_cast<double>(frame.number) * kFrame_s;
@@ -39,7 +39,7 @@ class History {
   void run(int frames) {
     for (int i = 0; i < frames; ++i) step();
   }
-  // The robot's plate is that far from the ball's surface.
+  // Puts the west robot's plate at this distance from the ball's surface.
   void west_at_gap(double gap_m) {
     west().position_m = ball->position_m - Vec2(kFrontDistance_m + kBallRadius_m + gap_m, 0);
   }
@@ -61,7 +61,7 @@ TEST(TouchHistory, IsEmptyBeforeAnyTouch) {
   EXPECT_EQ(history.touches.newest(), nullptr);
 }
 
-TEST(TouchHistory, ATouchThatIsReportedForLongIsOne) {
+TEST(TouchHistory, CountsATouchReportedInManyFramesOnce) {
   History history;
   history.report(kWest3);
   history.run(60);
@@ -69,7 +69,7 @@ TEST(TouchHistory, ATouchThatIsReportedForLongIsOne) {
   EXPECT_EQ(history.touches.newest()->robot, kWest3);
 }
 
-TEST(TouchHistory, AKickWhoseTimeIsRevisedAfterTheBallHasLeftIsOne) {
+TEST(TouchHistory, CountsAKickWithALaterRevisedTimeOnce) {
   History history;
   history.west_at_gap(0.05);  // 50 mm away in the frame that first reports the kick
   history.report(kWest3, 0.002);
@@ -80,7 +80,7 @@ TEST(TouchHistory, AKickWhoseTimeIsRevisedAfterTheBallHasLeftIsOne) {
   EXPECT_EQ(history.touches.newest()->began_s, kicked_s);
 }
 
-TEST(TouchHistory, TouchesByOneRobotAreOneWhileTheBallStaysWithin20Millimetres) {
+TEST(TouchHistory, MergesTouchesByOneRobotWhileTheBallStaysWithin20Millimetres) {
   History history;
   history.west_at_gap(0.019);
   history.report(kWest3);
@@ -91,7 +91,7 @@ TEST(TouchHistory, TouchesByOneRobotAreOneWhileTheBallStaysWithin20Millimetres) 
               1e-9);
 }
 
-TEST(TouchHistory, ATouchAfterTheBallWas21MillimetresAwayIsAnother) {
+TEST(TouchHistory, CountsANewTouchAfterTheBallWas21MillimetresAway) {
   History history;
   history.west_at_gap(0);
   history.report(kWest3);
@@ -102,7 +102,7 @@ TEST(TouchHistory, ATouchAfterTheBallWas21MillimetresAwayIsAnother) {
   EXPECT_TRUE(history.touches.is_one_robots());
 }
 
-TEST(TouchHistory, ATouchReportedOtherwiseInTheNextFrameIsThatOtherRobots) {
+TEST(TouchHistory, FollowsARevisionOfTheRobotInTheNextFrame) {
   History history;
   history.report(kWest3, 0.002);
   history.reported = touch_by(kEast4, history.reported.time_s - 0.004);
@@ -111,7 +111,7 @@ TEST(TouchHistory, ATouchReportedOtherwiseInTheNextFrameIsThatOtherRobots) {
   EXPECT_EQ(history.touches.newest()->robot, kEast4);
 }
 
-TEST(TouchHistory, ATouchTakenBackLeavesTheOneBefore) {
+TEST(TouchHistory, RevertsToThePreviousTouchIfOneIsWithdrawn) {
   History history;
   history.report(kWest3);
   const LastTouch former = history.reported;
@@ -124,7 +124,7 @@ TEST(TouchHistory, ATouchTakenBackLeavesTheOneBefore) {
   EXPECT_EQ(history.touches.newest()->robot, kWest3);
 }
 
-TEST(TouchHistory, TheOnlyTouchTakenBackLeavesNone) {
+TEST(TouchHistory, IsEmptyIfTheOnlyTouchIsWithdrawn) {
   History history;
   history.report(kWest3);
   history.reported = LastTouch{};
@@ -132,7 +132,7 @@ TEST(TouchHistory, TheOnlyTouchTakenBackLeavesNone) {
   EXPECT_EQ(history.touches.count(), 0);
 }
 
-TEST(TouchHistory, TouchesInSuccessiveFramesAreTwo) {
+TEST(TouchHistory, CountsTouchesByTwoRobotsInSuccessiveFramesSeparately) {
   History history;
   history.report(kWest3);
   history.report(kEast4);
@@ -141,7 +141,7 @@ TEST(TouchHistory, TouchesInSuccessiveFramesAreTwo) {
   EXPECT_FALSE(history.touches.is_one_robots());
 }
 
-TEST(TouchHistory, AnUnknownTouchMayBeASecondRobots) {
+TEST(TouchHistory, CountsAnUnknownToucherAsASecondRobot) {
   History history;
   history.report(kWest3);
   history.run(10);
@@ -152,7 +152,7 @@ TEST(TouchHistory, AnUnknownTouchMayBeASecondRobots) {
   EXPECT_FALSE(history.touches.is_one_robots());
 }
 
-TEST(TouchHistory, KnowsWhereRobotAndBallWereAtATouchThatIsReportedLate) {
+TEST(TouchHistory, KnowsThePositionsOfRobotAndBallAtATouchReportedLate) {
   History history;
   history.west().position_m = Vec2(1, 0);
   for (int i = 0; i < 8; ++i) {
@@ -167,7 +167,7 @@ TEST(TouchHistory, KnowsWhereRobotAndBallWereAtATouchThatIsReportedLate) {
   EXPECT_NEAR(touch.began_m.x(), 0.3, 1e-9);
 }
 
-TEST(TouchHistory, AKickReportedAFrameLateWasWhereTheBallLay) {
+TEST(TouchHistory, LocatesAKickReportedAFrameLateWhereTheBallLay) {
   History history;
   history.west_at_gap(0.01);
   history.run(3);
@@ -176,7 +176,7 @@ TEST(TouchHistory, AKickReportedAFrameLateWasWhereTheBallLay) {
   EXPECT_EQ(history.touches.newest()->began_m, Vec2(0, 0));
 }
 
-TEST(TouchHistory, KnowsHowHighTheBallHasBeenAndThatItRollsAgain) {
+TEST(TouchHistory, KnowsTheGreatestHeightAndThatTheBallRollsAgain) {
   History history;
   history.report(kWest3);
   for (const double height_m : {0.1, 0.2, 0.1}) {
