@@ -8,8 +8,8 @@ namespace autoref::referee {
 
 // Whether the robot is in contact with the ball. Contact begins when the gap between hull and ball
 // is below 1 mm plus one standard deviation of `noise`, and ends with "an observable separation
-// between the ball and the robot" (Laws 12; 2026, Dribbling), taken as 20 mm. `had` says whether
-// it was in contact in the previous frame. A ball above the robot is not in contact.
+// between the ball and the robot" (Laws 12; 2026, Dribbling), taken as 20 mm. `had` is whether it
+// was in contact in the previous frame. A ball above the robot is not in contact.
 bool has_ball(const TrackedRobot& robot, const TrackedBall& ball, bool had,
               const VisionNoise& noise);
 

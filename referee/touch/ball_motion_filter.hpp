@@ -1,4 +1,4 @@
-// The ball's motion while nothing but the carpet acts on it.
+// The ball's motion while only the carpet acts on it.
 //
 // A Kalman filter of position, velocity and acceleration with white-noise jerk (Bar-Shalom, Li and
 // Kirubarajan 2001, chapter 6; docs/touch-detection.md). Both axes are independent and share one
@@ -12,8 +12,8 @@ namespace autoref::referee {
 
 // Measurement and process noise. Standard deviations are per coordinate.
 struct BallMotionParameters {
-  // Measurement noise. The detector raises it to vision's noise; it is never less than this, since
-  // a ball begins to roll between detections.
+  // Measurement noise. The detector raises it to vision's noise, but never lowers it, since a ball
+  // may begin to roll between detections.
   double detection_m = 0.2e-3;
   // Prior deviation of a sliding ball's acceleration: friction is 3.0 to 3.9 m/s2, its direction
   // depends on the unknown spin.
@@ -24,7 +24,8 @@ struct BallMotionParameters {
   double rolls_off_mps2 = 0.2;
   double rolls_change_m2ps5 = 0.005;
   double begins_to_roll_mps = 0.02;  // velocity change by sliding for a part of the frame
-  // Velocity change by a touch: a kick or a bounce, or a brush after which a rolling ball rolls on.
+  // Velocity change by a touch: a kick or bounce, or a brush after which a rolling ball keeps
+  // rolling.
   double hard_mps = 1.5;
   double soft_mps = 0.12;
   double jump_m = 10_mm;  // position error of a ball that begins or ceases to fly

@@ -9,7 +9,7 @@
 
 namespace autoref::referee {
 
-// At the time 0.
+// At time 0.
 struct ConstantAcceleration {
   Vec2 position_m{0, 0};
   Vec2 velocity_mps{0, 0};

@@ -1,9 +1,9 @@
-// The last frames of the play that is on.
+// The history of recent frames of play.
 //
 // One bounded history serves everything that looks back: both touch detectors
 // (online_touch_detector.hpp, retrospective_touch_detector.hpp), the order of touches
 // (touch_history.hpp) and the rules. The referee owns it, restarts it when play starts and pushes
-// each frame of play; everybody else reads it.
+// each frame of play; everything else only reads it.
 #pragma once
 
 #include <array>
@@ -59,7 +59,7 @@ class FrameHistory {
   void lose_sight() { jumps_ = true; }
 
   // Appends a frame of play, dropping the oldest one. Skips frames that are not later than the
-  // newest one. `track` is the tracked ball, which knows how well a flying ball's height is known.
+  // newest one. `track` is the tracked ball, for the uncertainty of a flying ball's height.
   void push(const Frame& frame, const std::optional<TrackedBall>& track = std::nullopt);
 
   std::int64_t newest() const { return newest_; }
@@ -96,7 +96,7 @@ class FrameHistory {
 
   std::array<StoredFrame, kKept> kept_;
   std::int64_t newest_ = 0;
-  std::array<std::int64_t, kDetections> detection_numbers_{};  // a ring, too
+  std::array<std::int64_t, kDetections> detection_numbers_{};  // also a ring buffer
   std::int64_t detections_ = 0;
   bool jumps_ = false;
 };

@@ -31,7 +31,7 @@ class Walker {
          const HullIntersectionParameters& parameters)
       : motion_(motion), goes_back_(goes_back), parameters_(parameters) {}
 
-  // Samples from one frame to the next; their common end only once.
+  // Samples from one frame to the next, counting shared end points once.
   void go(const StoredFrame& from, const StoredFrame& to, int samples, double start_s,
           bool is_first) {
     for (int i = is_first ? 0 : 1; i <= samples; ++i) {
@@ -74,7 +74,7 @@ class Walker {
     return square(inside_m) / sample.variance_m2;
   }
 
-  // `other` is the robot in the frame `to`; null if it is not in it.
+  // `other` is the robot in the frame `to`, or null if it is missing there.
   static PathPose pose_of(const RobotObservation& robot, const RobotObservation* other,
                           const StoredFrame& to, double share) {
     if (other == nullptr || !is_near_ball(to, *other)) return {robot.position_m, robot.heading};

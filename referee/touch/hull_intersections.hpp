@@ -1,4 +1,4 @@
-// Where the ball's path intersects the hulls of robots.
+// Intersections of the ball's path with the hulls of robots.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -23,14 +23,14 @@ struct HullIntersectionParameters {
 
 inline constexpr double kNever = 1e9;  // deviance of the impossible
 
-// Of a path and one robot's hull.
+// The intersection of a path with one robot's hull.
 struct HullIntersection {
   RobotId robot;
   double bounce_deviance = kNever;  // of a touch by the hull
   double kick_deviance = kNever;    // of a kick
   double least_gap_m = 1;           // from the ball's surface to the hull
   double time_s = 0;                // of the likeliest touch
-  double gap_m = 0;                 // then
+  double gap_m = 0;                 // at that time
 };
 using HullIntersections = boost::container::static_vector<HullIntersection, 2 * kMaxRobots>;
 

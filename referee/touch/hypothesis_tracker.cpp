@@ -54,8 +54,8 @@ void HypothesisTracker::go_on() {
   forget_unlikely();
 }
 
-// Branches the likeliest sliding hypothesis into one in which the ball begins to roll. Where it has
-// slid for as long as possible, it rolls without branching.
+// Branches the likeliest sliding hypothesis into one in which the ball begins to roll. If it has
+// slid for as long as possible, it begins to roll without branching.
 void HypothesisTracker::add_rolling() {
   const auto roll = [this](TouchHypothesis& hypothesis) {
     hypothesis.motion.begin_to_roll(basis_.parameters.motion);
@@ -96,9 +96,9 @@ const TouchHypothesis& HypothesisTracker::cheapest() const {
                            });
 }
 
-// Gates the detection by the likeliest hypothesis. If it is outside the gate, or if somebody was
-// near enough, branches off a soft and a hard touch since the previous detection. They start from
-// the per-side minima of all hypotheses, which merges these.
+// Gates the detection by the likeliest hypothesis. If it is outside the gate, or if a robot or goal
+// was near enough, branches off a soft and a hard touch since the previous detection. They start
+// from the per-side minima of all hypotheses, which merges these.
 void HypothesisTracker::add_touch() {
   const BallMotionParameters& parameters = basis_.parameters.motion;
   const BallMotionFilter& motion = cheapest().motion;

@@ -9,7 +9,7 @@
 namespace autoref::referee {
 namespace {
 
-// Standard deviations: of a position that is still possible, and of a change that is not noise.
+// In standard deviations: plausible position errors, and changes too large for noise.
 constexpr double kMaybe = 3;
 constexpr double kCertainDeviations = 5;
 
@@ -125,7 +125,7 @@ void OnlineTouchDetector::detect_single_touch(double share) {
   const Vec2 met_m = before.position_m + before.velocity_mps * (share * ball(1).duration_s);
   const BallSegment segment{met_m, met_m, share, share};
   const Verdict verdict = verdict_on(segment, 1, {change_mps(2, 0), ball(0).velocity_mps});
-  // If nobody was there, not even a goal, there was more than one touch: keep the first verdict.
+  // If neither a robot nor a goal was near, there was more than one touch: keep the first verdict.
   if (!verdict.is_touch && gap_to_goals_m(field_, segment) > parameters_.reach_m) return;
   last_ = settled_;
   conclude(verdict, 1, change_mps(2, 0));
@@ -174,7 +174,7 @@ bool OnlineTouchDetector::carries_ball(RobotId id) const {
 }
 
 // A push too soft for a sudden change: the ball accelerated away from a hull that touched it, both
-// if friction continued as just before and if it ceased because the ball began to roll.
+// if friction continued as just before and if it ended because the ball began to roll.
 bool OnlineTouchDetector::pushed_softly(const RobotObservation& robot) const {
   if (!(gap_to_robot_m(robot, ball(1).position_m) <= touching_m())) return false;
   const double duration_s = ball(0).duration_s;

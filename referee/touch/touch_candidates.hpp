@@ -38,7 +38,7 @@ struct Candidate {
 using Candidates = boost::container::static_vector<Candidate, 2 * kMaxRobots>;
 
 // Returns the robots within reach of the segment, with their poses interpolated linearly between
-// the two detections. None if the ball flies above the robots.
+// the two detections. Empty if the ball flies above the robots.
 Candidates candidates_on(const BallSegment& segment, const StoredFrame& before,
                          const StoredFrame& after, const Impulse& impulse,
                          const TouchParameters& parameters);

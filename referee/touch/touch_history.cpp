@@ -13,11 +13,11 @@ namespace {
 // A ball farther from the hull than this plus three standard deviations of the gap is apart.
 constexpr double kHistoryApart_m = 20_mm;
 constexpr double kSureDeviations = 3;
-// Touches by unknown robots are one unless this long passes between them: three frames.
+// Touches by unknown robots count as one unless they are this far apart: three frames.
 constexpr double kPause_s = 60_ms;
 // A touch may be revised in the next two frames of a 60 Hz camera.
 constexpr double kSettles_s = 30_ms;
-// A ball on the carpet for this long rolls; a hopping ball stays down for less.
+// A ball on the carpet for this long is rolling; a hopping ball leaves it sooner.
 constexpr double kRolls_s = 100_ms;
 constexpr double kOnCarpet_m = 5_mm;
 constexpr double kNoTime_s = 1e-6;  // less than any camera's frame
@@ -64,7 +64,7 @@ void TouchHistory::update(const RefereeInput& input, double began_s) {
   if (reported.time_s > began_s) {
     take_in(input);
   } else if (!kept_.empty()) {
-    withdraw();  // the detector has revised the first touch away
+    withdraw();  // the detector has withdrawn the first touch
   }
   if (!kept_.empty() && input.ball) follow_ball(kept_.back(), input);
 }

@@ -19,7 +19,7 @@
 
 namespace autoref::referee {
 
-// What all hypotheses refer to.
+// Data shared by all hypotheses.
 struct HypothesisContext {
   const Field& field;
   const TouchHypothesisParameters& parameters;
@@ -59,10 +59,10 @@ struct TouchHypothesis {
   double motion_deviance = 0;       // of the detections since the last touch
   Vec2 before_mps{0, 0};            // velocity before the touch
   double goal_deviance = kNever;    // of a bounce off a goal, by the path before
-  double deviance_until_touch = 0;  // of all before, with the prior of a touch
+  double deviance_until_touch = 0;  // of everything before, including the touch's prior
   SideMinima untouched;             // if no robot made the last touch
   boost::container::static_vector<TouchSource, 2 * kMaxRobots> sources;
-  SideMinima minima;  // with all that may have made the last touch
+  SideMinima minima;  // over everything that may have made the last touch
 
   double deviance() const { return minima.least() + motion_deviance; }
 };

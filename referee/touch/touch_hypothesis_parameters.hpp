@@ -10,15 +10,15 @@ namespace autoref::referee {
 // Deviances are minus twice log-likelihoods: priors of events, and caps that make the likelihoods
 // robust against outliers. Tuned on games of basic against basic, seeds 5001 to 5020.
 struct TouchHypothesisParameters {
-  // The window covers the last `window_s` before the ball was out, and in any case all since
+  // The window covers the last `window_s` before the ball was out, and at least everything since
   // `before_reported_s` before the online detector's last touch.
   double window_s = 2.0;
   double before_reported_s = 0.5;
   BallMotionParameters motion;
   HullIntersectionParameters intersection;
-  double surely = 4;          // gate of the innovation, in standard deviations
+  double surely = 4;          // gate for the innovation, in standard deviations
   double near_m = 30_mm;      // a robot farther from the ball's path did not touch it
-  double touch_deviance = 5;  // near a robot: one frame in ten, -2 log 0.1
+  double touch_deviance = 5;  // touch near a robot: one frame in ten, -2 log 0.1
   double kick_deviance = 2;
   double second_touch_deviance = 1.9;  // of another robot or a goal between two frames
   double unlikely_deviance = 30;       // cap for the path before a robot's touch

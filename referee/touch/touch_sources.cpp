@@ -13,8 +13,8 @@ constexpr double kFastestRobot_mps = 4.0;  // above the fastest of the league
 constexpr double kNearGoal_m = 0.5;        // from the goal line; farther away there are no posts
 // Detections that the path after a touch is estimated from; friction and touches bend more.
 constexpr int kTellingDetections = 8;
-// Least share of its speed that a landing ball keeps, and most that it may gain across: it keeps
-// 0.75 at the first hop and 0.5 where it starts to spin. As in the online detector.
+// Minimum share of its speed that a landing ball keeps, and maximum share gained sideways: it keeps
+// 0.75 at the first hop, and 0.5 if it starts to spin. As in the online detector.
 constexpr double kLandedAlong = 0.4;
 constexpr double kLandedAcross = 0.1;
 
@@ -46,7 +46,7 @@ BallMotionFilter motion_from_start(const TouchHypothesis& hypothesis, std::int64
   return motion;
 }
 
-// Whether an untouched ball may move like this after a landing.
+// Whether a landing without a touch explains this motion.
 bool goes_on(const TouchHypothesis& hypothesis, const BallMotionFilter& motion, double surely) {
   const Vec2& before_mps = hypothesis.before_mps;
   const double along = motion.velocity_mps().dot(before_mps);

@@ -1,4 +1,4 @@
-// Changes of the ball's velocity that noise hides from frame to frame, but not over several frames.
+// Changes of the ball's velocity that noise hides between two frames, but not over several frames.
 //
 // A two-window change detector (Gustafsson 2000; docs/touch-detection.md): least-squares lines are
 // fitted to the five detections that end with each detection and to the five that begin with it. If
@@ -31,7 +31,7 @@ class VelocityChangeDetector {
   // Forgets all detections.
   void restart() { known_ = 0; }
 
-  // Judges the newest detection of the history; returns the velocity change that it completes.
+  // Processes the newest detection of the history; returns the velocity change that it completes.
   std::optional<VelocityChange> update();
 
  private:
@@ -43,7 +43,7 @@ class VelocityChangeDetector {
     double middle_s = 0;
     Vec2 middle_m{0, 0};
     Vec2 velocity_mps{0, 0};
-    double variance_m2ps2 = 0;  // of the velocity, per coordinate
+    double variance_m2ps2 = 0;  // variance of the velocity, per coordinate
     Vec2 at(double time_s) const { return middle_m + velocity_mps * (time_s - middle_s); }
   };
 
@@ -54,7 +54,7 @@ class VelocityChangeDetector {
   const FrameHistory& frames_;
   TouchParameters parameters_;
   int known_ = 0;             // detections since the restart, up to kUsed
-  double former_excess_ = 0;  // the change over the threshold, one detection ago
+  double former_excess_ = 0;  // ratio of change to threshold, one detection ago
   VelocityChange former_;     // one detection ago, without its frames
 };
 

@@ -1,4 +1,4 @@
-// Decides which of several candidates touched the ball, or that it cannot be known.
+// Decides which of several candidates touched the ball, if that can be decided.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@ namespace autoref::referee {
 
 struct Verdict {
   bool is_touch = false;             // whether a robot touched the ball at all
-  std::optional<Side> side;          // none: unknown
-  std::optional<RobotId> robot;      // none: unknown, or one of several of that side
+  std::optional<Side> side;          // nullopt if unknown
+  std::optional<RobotId> robot;      // nullopt if unknown, or one of several of that side
   std::optional<RobotId> runner_up;  // the best of the other side, or else of the same
   double gap_m = 0;
   double share = 0;

@@ -24,7 +24,7 @@
 namespace autoref::referee {
 namespace {
 
-constexpr double kBefore_s = 0.5;  // the tables begin so long before the online detector's touch
+constexpr double kBefore_s = 0.5;  // the tables begin this long before the online detector's touch
 
 bool is_play(CommandKind kind) {
   return kind == CommandKind::kNormalStart || kind == CommandKind::kForceStart ||
@@ -143,10 +143,10 @@ class TouchExample final : public runner::Observer {
   TouchHypothesisParameters parameters_;
   FrameHistory history_;
   OnlineTouchDetector online_;
-  std::vector<Frame> frames_;  // of the play that is on
+  std::vector<Frame> frames_;  // of the current play
   bool is_play_ = false;
-  bool is_exit_ = false;        // the referee has just called one,
-  std::optional<Side> called_;  // with this side's touch as the last one
+  bool is_exit_ = false;        // whether the referee has just called an exit of the ball
+  std::optional<Side> called_;  // side of the last touch in that call
   bool is_written_ = false;
   sim::Touch true_touch_;
 };
