@@ -6,7 +6,7 @@
 // the detections, of each touch at all, and of the robot that made it (hull_intersections.hpp). The
 // path before must lead to that robot's hull; the path after must come from there, or out of its
 // dribbler zone along its heading, without passing through other robots. A touch that noise hides
-// at first is thus revealed by where the ball went later.
+// at first is thus revealed by the ball's later path.
 //
 // The side with the likelier hypothesis touched the ball last; if both are about equally likely,
 // the last touch is unknown.

@@ -1,6 +1,6 @@
 // What caused the touch that a hypothesis begins with: a robot, a goal's post or wall, or nothing.
 //
-// A robot's hull must lie where the path before leads to and where the path after comes from
+// The path before must lead to the robot's hull, and the path after must come from it
 // (hull_intersections.hpp). The path before is known when the hypothesis begins, the path after
 // from the detections that follow.
 #pragma once

@@ -188,7 +188,7 @@ TEST(LastTouch, IsUnknownWhenBothSidesAreEquallyNear) {
   EXPECT_GT(scene.detector.last().time_s, 0);
 }
 
-TEST(LastTouch, IsByTheRobotWhoseHeadingFitsTheKick) {
+TEST(LastTouch, IsByTheRobotHeadingInTheKicksDirection) {
   TouchScene scene({0, 0});
   scene.robot(Side::kWest, 1, {-kTouch_m - 0.004, 0}, {1, 0});
   scene.robot(Side::kEast, 5, {kTouch_m + 0.004, 0}, {-1, 0}).start();

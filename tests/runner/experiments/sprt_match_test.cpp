@@ -144,7 +144,7 @@ TEST(SprtMatchShards, GiveTheSameResultsWhenTheirRowsAreMerged) {
   EXPECT_EQ(results_in(folder.path()), undisturbed_results());
 }
 
-// The state after this many pairs, of which one is missing.
+// The state after this many pairs, with one missing.
 SprtMatchState state_without(int missing_pair, int pairs) {
   const Scenario scenario = small_sprt_match();
   RowsById rows;
