@@ -22,10 +22,10 @@ struct SavedPositions {
   double time_s = 0;
 };
 
-// The current spell of play. Meaningless outside RUN.
+// The current phase of play. Meaningless outside RUN.
 struct PlayState {
   Command began_with;               // NORMAL_START, a free kick or FORCE_START
-  Command restart;                  // repeats the restart: the same, or its preparation
+  Command restart;                  // repeats the restart: itself or its PREPARE command
   Vec2 position_m{0, 0};            // where the ball was placed for it
   std::optional<Side> kicker;       // takes the restart; nullopt after a force start
   double began_s = 0;               // when the restart was signalled

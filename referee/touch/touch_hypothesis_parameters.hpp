@@ -10,8 +10,8 @@ namespace autoref::referee {
 // Deviances are minus twice log-likelihoods: priors of events, and caps that make the likelihoods
 // robust against outliers. Tuned on games of basic against basic, seeds 5001 to 5020.
 struct TouchHypothesisParameters {
-  // The window covers the last `window_s` before the ball was out, and at least everything since
-  // `before_reported_s` before the online detector's last touch.
+  // The window starts `window_s` before the ball left the field, or `before_reported_s` before the
+  // online detector's last touch, whichever is earlier.
   double window_s = 2.0;
   double before_reported_s = 0.5;
   BallMotionParameters motion;

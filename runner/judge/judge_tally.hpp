@@ -17,7 +17,7 @@ struct EventTally {
   int right = 0;
   int missed = 0;  // happened but was not called
   int wrong = 0;   // called but did not happen
-  int early = 0;  // among the right ones: called before the event, which then could not be observed
+  int early = 0;   // right calls that came before the event
   int borderline_missed = 0;
   int borderline_wrong = 0;
   int overtaken = 0;  // happened when another right call ended play; not counted elsewhere

@@ -32,7 +32,7 @@ struct WorkerCalls {
   std::function<std::string(std::size_t job)> work;   // runs in a worker
   std::function<void(const JobResult& result)> done;  // runs here for each result; may throw
   std::function<void()> tick;                         // runs here, about four times a second
-  std::function<bool()> is_enough = {};               // runs here: whether to start no more jobs
+  std::function<bool()> is_enough = {};               // runs here; true stops new jobs
   std::function<void(int running)> ending = {};       // runs here once, after the first signal
 };
 

@@ -206,8 +206,9 @@ Waypoint Basic::formation_of(int index) const {
   return reserve_position(field, ball_target_m_, role - 4);
 }
 
-// The permitted position. If the ball is so close to the own area that nobody fits between, the
-// robot steps beside the straight path to the goal, in books that require the distance at restarts.
+// The permitted position. If the ball is so close to the team's own area that nobody fits between,
+// the robot steps beside the straight path to the goal, in books that require the distance at
+// restarts.
 Vec2 Basic::allowed(const Vec2& wanted_m, const Vec2& ball_m, const Limits& limits) const {
   const Field& field = context_.field;
   Vec2 position_m = permitted(field, wanted_m, ball_m, limits);

@@ -51,7 +51,7 @@ Waypoint supporter_position(const Field& field, const Style& style, const Vec2& 
   const double away = ball_m.y() > 0 ? -1.0 : 1.0;
   const double ahead = std::clamp(ball_m.x() / field.half_length_m() + style.supporter_ahead,
                                   style.supporter_back, style.supporter_front);
-  // Pairs of positions on both wings, each pair a row nearer to the own goal than the last.
+  // Pairs of positions on both wings, each pair a row nearer to the team's own goal than the last.
   const int row = order / 2;
   const double wing = order % 2 == 0 ? away : -away;
   const double x = std::max(ahead - style.supporter_row * row, -0.5) * field.half_length_m();

@@ -11,11 +11,11 @@ namespace autoref::strategies::basic {
 // The keeper: in the path of a shot, otherwise between the ball and the goal's centre.
 Waypoint keeper_position(const Field& field, const Style& style, const TrackedBall& ball);
 
-// In front of the own area, on the line from the ball to the goal's centre; the second robot
+// In front of the team's own area, on the line from the ball to the goal's centre; the second robot
 // (`order` 1) beside the first.
 Waypoint wall_position(const Field& field, const Style& style, const Vec2& ball_m, int order);
 
-// Beside an opponent, on its path to the own goal, facing the ball.
+// Beside an opponent, on its path to the team's own goal, facing the ball.
 Waypoint marker_position(const Field& field, const Style& style, const TrackedRobot& opponent,
                          const Vec2& ball_m);
 
@@ -23,8 +23,8 @@ Waypoint marker_position(const Field& field, const Style& style, const TrackedRo
 // and across the field. `order` counts from 0.
 Waypoint supporter_position(const Field& field, const Style& style, const Vec2& ball_m, int order);
 
-// A separate position in the own half for each robot beyond the first four while play is stopped.
-// `index` counts from 0.
+// A separate position in the team's own half for each robot beyond the first four while play is
+// stopped. `index` counts from 0.
 Waypoint reserve_position(const Field& field, const Vec2& ball_m, int index);
 
 }  // namespace autoref::strategies::basic

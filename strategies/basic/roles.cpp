@@ -46,8 +46,8 @@ int nearest_free(const TeamView& view, const Taken& taken, const Vec2& point_m) 
   return best;
 }
 
-// The unmarked opponent in the own half nearest to the own goal, excluding the one at the ball; or
-// -1.
+// The unmarked opponent in the team's own half nearest to the team's own goal, excluding the one at
+// the ball; or -1.
 int most_dangerous(const TeamView& view, const Style& style, const Taken& marked,
                    const Vec2& goal_m) {
   int best = -1;

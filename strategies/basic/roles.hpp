@@ -28,9 +28,9 @@ struct RoleAssignment {
 
 // Assigns the roles. The lowest number keeps the goal, unless it is alone. The robot that meets the
 // ball first attacks; `former_attacker`, a robot's number, continues unless another is clearly
-// faster. The robot nearest to the own goal forms the wall, with five or more robots also the
-// second-nearest. One robot supports. Each of the others marks an opponent in the own half, or
-// supports if there is none left.
+// faster. The robot nearest to the team's own goal forms the wall, with five or more robots also
+// the second-nearest. One robot supports. Each of the others marks an opponent in the team's own
+// half, or supports if there is none left.
 RoleAssignment assign_roles(const TeamView& view, const Field& field, const Style& style,
                             int former_attacker);
 

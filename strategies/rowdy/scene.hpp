@@ -16,13 +16,14 @@ struct Scene {
   const Field& field;
   const RuleBook& rules;
   const TeamView& now;
-  int keeper = 0;  // number of the own keeper
+  int keeper = 0;  // number of the team's keeper
 };
 
 // The robot with that number, or nullptr.
 const TrackedRobot* find(const TrackedRobots& robots, int number);
 
-// The own robot nearest to a point, excluding the keeper; nullptr if none is within `reach_m`.
+// The team's own robot nearest to a point, excluding the keeper; nullptr if none is within
+// `reach_m`.
 const TrackedRobot* nearest_mate(const Scene& scene, const Vec2& point_m, double reach_m);
 
 // The same for opponents.

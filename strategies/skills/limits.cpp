@@ -44,7 +44,7 @@ Vec2 back_from(const Field& field, const Vec2& ball_m) {
 
 Vec2 pushed_off_ball(const Field& field, const Vec2& p, const Vec2& ball_m, const Limits& limits) {
   if (limits.keep_from_ball_m <= 0 || (p - ball_m).norm() >= limits.keep_from_ball_m) return p;
-  // Towards the own goal, where a robot that must give way is most useful.
+  // Towards the team's own goal, where a robot that must give way is most useful.
   const Vec2 back = back_from(field, ball_m);
   const Vec2 away = direction_of(p - ball_m, back);
   const Vec2 bent = away.dot(back) < 0 ? direction_of(away + 1.5 * back, back) : away;

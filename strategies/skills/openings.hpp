@@ -16,7 +16,7 @@ struct Opening {
 // The kick speed, and the robot that does not count as a blocker.
 struct ShotTerms {
   double kick_mps = 8.0;
-  int but_mate = -1;  // number of the own robot that shoots
+  int but_mate = -1;  // number of the team's robot that shoots
 };
 
 // Opponents cover what they can reach while the ball is moving, own robots only where they stand.

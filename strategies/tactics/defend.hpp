@@ -1,4 +1,4 @@
-// Positions of defenders: the wall in front of the own area, and markers.
+// Positions of defenders: the wall in front of the team's own area, and markers.
 #pragma once
 
 #include "strategies/tactics/predicted_state.hpp"
@@ -6,10 +6,10 @@
 namespace autoref::strategies {
 
 // Position of the wall's robot number `order` of `count`: side by side across the ball's path to
-// the goal, just outside the own area.
+// the goal, just outside the team's own area.
 Waypoint wall_position(const PredictedState& predicted, int order, int count);
 
-// Between an opponent (index in the view) and the own goal, shifted towards the ball.
+// Between an opponent (index in the view) and the team's own goal, shifted towards the ball.
 Waypoint mark_position(const PredictedState& predicted, int opponent);
 
 // Opponents without the ball, the most dangerous first. Those far in the other half are left out.

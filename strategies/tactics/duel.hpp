@@ -9,8 +9,8 @@ namespace autoref::strategies {
 // Whether the opponent that reaches the ball first has it in its dribbler zone.
 bool opponent_has_ball(const PredictedState& predicted);
 
-// Commands for the robot with that index to get between an opponent's ball and the own goal, facing
-// the ball, and to press against it.
+// Commands for the robot with that index to get between an opponent's ball and the team's own goal,
+// facing the ball, and to press against it.
 RobotCommand block_ball(const PredictedState& predicted, int index);
 
 // A face-off: robots of both sides hold the ball. Pulls it to a random side, and chooses a side

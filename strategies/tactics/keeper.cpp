@@ -30,7 +30,8 @@ Vec2 expected_at(const PredictedState& predicted, const Vec2& halving) {
   return middle_m + (aim_m - middle_m) * predicted.style().keeper_aim_trust;
 }
 
-// Where the ball will cross the own goal line, if it is going to reach it in the goal or near it.
+// Where the ball will cross the team's own goal line, if it is going to reach it in the goal or
+// near it.
 std::optional<Vec2> shot_at(const PredictedState& predicted) {
   const BallPath& path = predicted.path();
   const double goal_x = -predicted.field().half_length_m();

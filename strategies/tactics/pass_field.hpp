@@ -8,7 +8,7 @@
 
 namespace autoref::strategies {
 
-// The chance that a shot from there scores, 0 to 1. `mate` is the number of the own robot that
+// The chance that a shot from there scores, 0 to 1. `mate` is the number of the team's robot that
 // would take it, or -1.
 double chance_at(const PredictedState& predicted, const Vec2& point_m, int mate);
 

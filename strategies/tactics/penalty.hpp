@@ -14,7 +14,7 @@ int penalty_kicker(const TeamView& view, const Vec2& mark_m);
 // Behind the ball, facing the opponents' goal.
 Waypoint penalty_run_up(const Vec2& mark_m);
 
-// On the own goal line between the posts, facing the ball.
+// On the team's own goal line between the posts, facing the ball.
 Waypoint penalty_keeper(const Field& field, const Vec2& mark_m);
 
 // Behind the line through the mark, away from the target goal, with a hull slightly farther than

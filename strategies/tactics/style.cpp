@@ -18,7 +18,8 @@ constexpr std::array kTeam = std::to_array<Tunable>({
      {"pass_risk", "1", 0, 0, 1, "Willingness to risk losing a pass: 0 least, 1 most."}},
     {&Style::carry, {"carry", "1", 0, 0, 2, "Preference for carrying the ball over passing it."}},
     {&Style::wall,
-     {"wall", "1", 0, 0, 6, "Number of robots in the wall before the own area while defending."}},
+     {"wall", "1", 0, 0, 6,
+      "Number of robots in the wall before the team's own area while defending."}},
     {&Style::markers,
      {"markers", "1", 0, 0, 6, "Number of robots that mark an opponent while defending."}},
     {&Style::forwards,
@@ -36,7 +37,7 @@ constexpr std::array kTeam = std::to_array<Tunable>({
     {&Style::patience,
      {"patience", "1", 0, 0, 1, "Value of a safe pass merely for keeping the ball."}},
     {&Style::net_m,
-     {"net_m", "m", 0, 0.6, 3, "Distance from the ball of the receivers around it."}},
+     {"net_m", "m", 0, 0.6, 3, "Distance of the receivers around the ball from it."}},
 });
 
 }  // namespace

@@ -41,7 +41,7 @@ constexpr std::array kDefence = std::to_array<Tunable>({
     {&Style::wall_gap_m,
      {"wall_gap_m", "m", 0, 0, 1, "Gap between the hulls of neighbours in the wall."}},
     {&Style::wall_off_area_m,
-     {"wall_off_area_m", "m", 0, 0, 1, "Gap between the own area and the wall's hulls."}},
+     {"wall_off_area_m", "m", 0, 0, 1, "Gap between the team's own area and the wall's hulls."}},
     {&Style::mark_m,
      {"mark_m", "m", 0, 0.18, 2, "Distance between the centres of an opponent and its marker."}},
     {&Style::mark_ball_side,

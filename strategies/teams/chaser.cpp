@@ -13,18 +13,20 @@ namespace {
 
 constexpr double kShot_mps = 6.0;
 constexpr double kOwnHalf_mps =
-    2.5;  // speed of kicks from the own half, so that they stay in the field
+    2.5;  // speed of kicks from the team's own half, so that they stay in the field
 constexpr double kChaserOnLine_m =
     kRobotRadius_m + 30_mm;                  // distance of the keeper from its goal line
 constexpr double kFromTheirArea_m = 100_mm;  // a ball closer to their area is left alone
-constexpr double kSlowBall_mps = 1.2;  // a faster ball in the own area is a shot: the keeper waits
-constexpr double kShotAtUs_mps = 0.3;  // towards the own goal line
+constexpr double kSlowBall_mps =
+    1.2;  // a faster ball in the team's own area is a shot: the keeper waits
+constexpr double kShotAtUs_mps = 0.3;  // towards the team's own goal line
 constexpr double kCaution = 0.93;      // fraction of the kick speed limit that is used
 constexpr double kTouched_m = 130_mm;  // a robot this close to the ball has it
 constexpr double kChaserClearance_m = 2 * kRobotRadius_m + 20_mm;
 constexpr double kStopSpeedShare = 0.8;  // fraction of the speed limit while play is stopped
 
-// Rows of field players, as fractions of half the field's length and width: all in the own half.
+// Rows of field players, as fractions of half the field's length and width: all in the team's own
+// half.
 constexpr double kFirstRow = -0.22;
 constexpr double kRowStep = -0.12;
 constexpr std::array<double, 3> kInRow = {0.0, 0.55, -0.55};
@@ -67,8 +69,8 @@ void Chaser::note_taker(int chaser) {
   if (std::any_of(now_.opponents.begin(), now_.opponents.end(), touches)) taker_ = -1;
 }
 
-// Returns an index: in the own area the keeper, elsewhere a field player. -1 if nobody may play the
-// ball.
+// Returns an index: in the team's own area the keeper, elsewhere a field player. -1 if nobody may
+// play the ball.
 int Chaser::nearest_to_ball() const {
   const Vec2& ball_m = now_.ball.position_m;
   const int count = static_cast<int>(now_.own.size());

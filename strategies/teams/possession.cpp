@@ -42,7 +42,8 @@ Waypoint knot(const PredictedState& predicted, const Vec2& direction) {
   return best;
 }
 
-// The net: evenly spread around the ball, open towards the own goal, where the defender stands.
+// The net: evenly spread around the ball, open towards the team's own goal, where the defender
+// stands.
 void spread_net(PlayContext& book, RoleAssignment& assignment) {
   const PredictedState& predicted = book.predicted;
   const int count = assignment.free_robots();

@@ -73,8 +73,8 @@ TEST_P(CameraKind, HasTheNoiseAndTheMissRatesOfTheTable) {
   constexpr int kFrames = 40000;
   const Kind& kind = GetParam();
   const Observed seen = observe(kind.name, kFrames);
-  // Five standard deviations: of a variance over 40000 frames with two coordinates each, and of a
-  // share.
+  // Tolerances are five standard deviations of the estimated variance (40000 frames, two
+  // coordinates each) and of the estimated proportion.
   EXPECT_NEAR(std::sqrt(seen.ball_m2), kind.ball_m, 0.013 * kind.ball_m + 1e-7);
   EXPECT_NEAR(std::sqrt(seen.robot_m2), kind.robot_m, 0.013 * kind.robot_m + 1e-7);
   EXPECT_NEAR(std::sqrt(seen.robot_rad2), kind.robot_rad, 0.018 * kind.robot_rad + 1e-7);

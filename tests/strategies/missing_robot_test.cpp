@@ -1,5 +1,5 @@
 // Teams without one of their robots: even robot 0 may be off the field, and another robot is then
-// the keeper. Only the keeper that the team declares enters the own area.
+// the keeper. Only the keeper that the team declares enters the team's own area.
 #include <gtest/gtest.h>
 
 #include "strategies/registry.hpp"
@@ -38,8 +38,8 @@ StagedWorld without(int missing, Play play, bool ours, const Vec2& ball_m) {
   return world;
 }
 
-// The greatest depth in the own area of the centre of any robot other than the declared keeper. A
-// robot that starts there has a second to leave.
+// The greatest depth in the team's own area of the centre of any robot other than the declared
+// keeper. A robot that starts there has a second to leave.
 double deepest_m(Strategy& team, StagedWorld& world, double seconds) {
   const Field field;
   double deepest_m = 0;

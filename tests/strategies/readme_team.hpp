@@ -54,8 +54,9 @@ class Mine final : public Strategy {
     return play_ball(robot, now_.ball, ball_m(), {goal_m, shot_mps_}, {}, {});
   }
 
-  // The keeper in front of its goal, the others in a row across the own half, all facing the ball.
-  // Indices are not robot numbers: without robot 0, index 0 is robot 1, which is then the keeper.
+  // The keeper in front of its goal, the others in a row across the team's own half, all facing the
+  // ball. Indices are not robot numbers: without robot 0, index 0 is robot 1, which is then the
+  // keeper.
   Waypoint waypoint_of(int index) const {
     const double half_m = context_.field.half_length_m();
     const Vec2 wanted_m = index == 0 ? Vec2(0.15 - half_m, 0) : Vec2(-1, 0.4 * (index - 3));
@@ -76,7 +77,7 @@ class Mine final : public Strategy {
 // [mine]
 
 // [bus]
-// One robot for the ball, three in a wall before the own area; the others run for passes.
+// One robot for the ball, three in a wall before the team's own area; the others run for passes.
 inline void park(PlayContext& book, RoleAssignment& assignment) {
   give_goal_and_ball(book, assignment);
   defend(book, assignment, 3, 0);

@@ -154,7 +154,7 @@ TEST(Basic, KeepsTheSpeedLimitInAStopIfThereIsOne) {
   EXPECT_GT(fastest_in_stop_mps("paper"), 1.5);
 }
 
-// The ball is 700 mm in front of the own area: a hull and 500 mm do not fit between.
+// The ball is 700 mm in front of the team's own area: a hull and 500 mm do not fit between.
 TEST(Basic, KeepsItsDistanceAtAFreeKickInFrontOfItsArea) {
   TeamContext context;
   context.rules = find_rule_book("2014").value();
