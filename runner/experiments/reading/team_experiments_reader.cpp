@@ -37,7 +37,7 @@ void read_challengers(TopReader& top, Gauntlet& gauntlet) {
 }
 
 // Reads `order`, the teams from best to worst seed; by name if it is not given.
-void read_order(TopReader& top, Knockout& knockout) {
+void read_bracket_order(TopReader& top, Knockout& knockout) {
   for (const auto& [name, team] : knockout.teams) knockout.order.push_back(name);
   const YamlEntry* entry = top.find("order");
   if (entry == nullptr) return;
@@ -132,7 +132,7 @@ Knockout read_knockout(TopReader& top) {
     knockout.base.match.knockout = knockout.base.match.rules != "paper";
   }
   read_teams(top, knockout, {2, kMostInKnockout});
-  read_order(top, knockout);
+  read_bracket_order(top, knockout);
   read_third_place(top, knockout);
   top.check([&knockout] { scheduled_games(knockout); });
   return knockout;
