@@ -34,11 +34,15 @@ void Ball::hold(double duration_s) {
   is_rolling_ = true;
   has_landed_ = false;
   if (!is_in_air()) return;
+  // Semi-implicit Euler; a rising ball starts to fall at once.
   vertical_mps_ = std::min(vertical_mps_, 0.0) - kGravity_mps2 * duration_s;
   height_m_ = std::max(0.0, height_m_ + vertical_mps_ * duration_s);
   if (height_m_ == 0.0) vertical_mps_ = 0.0;
 }
 
+// One step of Coulomb friction. Sliding removes (1 + inertia) * lost from the slip: friction slows
+// the ball by `lost` and spins it up by inertia * lost. If the slip is smaller than that, it
+// vanishes within the step and the ball rolls.
 Vec2 Ball::slowed(const Vec2& velocity_mps, double duration_s) {
   if (is_in_air()) return velocity_mps;
   const double lost_mps = parameters_.slide_mps2 * duration_s;
@@ -50,7 +54,8 @@ Vec2 Ball::slowed(const Vec2& velocity_mps, double duration_s) {
     spin_mps_ += inertia_ * change_mps;
     return velocity_mps - change_mps;
   }
-  // Sliding friction conserves inertia * velocity + spin.
+  // Sliding friction acts at the contact point, so it conserves the angular momentum about that
+  // point, which is proportional to inertia * velocity + spin.
   const Vec2 rolling_mps = (inertia_ * velocity_mps + spin_mps_) / (1.0 + inertia_);
   const double speed = rolling_mps.norm();
   const double left = speed - parameters_.roll_mps2 * duration_s;
@@ -58,6 +63,8 @@ Vec2 Ball::slowed(const Vec2& velocity_mps, double duration_s) {
   return spin_mps_;
 }
 
+// Exact ballistic flight. If the parabola reaches the carpet within the step, the ball lands there
+// and flies on for the rest of the step; a second landing waits for the next step.
 Vec2 Ball::flown(const Vec2& velocity_mps, double duration_s) {
   if (!is_in_air()) return velocity_mps;
   Vec2 flying_mps = velocity_mps;
@@ -81,6 +88,8 @@ Vec2 Ball::flown(const Vec2& velocity_mps, double duration_s) {
 Vec2 Ball::land(const Vec2& velocity_mps) {
   const double kept = has_landed_ ? parameters_.hop_later_xy : parameters_.hop_first_xy;
   has_landed_ = true;
+  // Restitution upwards, a fixed loss along the carpet; afterwards the ball spins as fast as it
+  // moves.
   vertical_mps_ *= -parameters_.hop_z;
   const double hop_m = vertical_mps_ * vertical_mps_ / (2.0 * kGravity_mps2);
   spin_mps_ = kept * velocity_mps;
@@ -91,6 +100,8 @@ Vec2 Ball::land(const Vec2& velocity_mps) {
 void Ball::collide(const Vec2& change_mps) {
   const double change = change_mps.norm();
   if (change < 1e-9) return;
+  // Takes the change as the normal impulse per mass. By Coulomb's law, friction at the contact is
+  // at most contact_friction times that; it brakes the spin along the normal and never reverses it.
   const Vec2 along = change_mps / change;
   const double spin = spin_mps_.dot(along);
   const double lost = std::min(std::abs(spin), inertia_ * parameters_.contact_friction * change);

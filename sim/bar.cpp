@@ -43,6 +43,7 @@ std::optional<BallState> bounced_off_bar(const Field& field, double restitution,
   const Vec2 outwards = from_bar_m(met).normalized();
   const double closing_mps = -Vec2(now.velocity_mps.x(), now.vertical_mps).dot(outwards);
   if (closing_mps <= 0.0) return std::nullopt;
+  // Newton's law of restitution along the line of centres, without friction.
   met.velocity_mps.x() += (1.0 + restitution) * closing_mps * outwards.x();
   met.vertical_mps += (1.0 + restitution) * closing_mps * outwards.y();
   return met;

@@ -30,7 +30,8 @@ constexpr int kVelocityIterations = 8;
 constexpr int kPositionIterations = 3;
 
 // Only the ball collides with plates, and giving every robot one costs a quarter of a step. So a
-// robot has a plate only while the ball is nearer than the two can close in a step of 1/60 s.
+// robot has a plate only while the ball is nearer than the two can close in a step of 1/60 s. The
+// two thresholds form a hysteresis: a ball at the limit does not toggle the plate.
 constexpr double kPlateOn_m = 350_mm;
 constexpr double kPlateOff_m = 500_mm;
 
@@ -42,6 +43,8 @@ class BallContacts final : public b2ContactListener {
         plate_(static_cast<float>(parameters.plate_restitution)),
         dribbling_plate_(static_cast<float>(parameters.dribbling_restitution)) {}
 
+  // Box2D calls this before it solves a touching contact, so the restitution can depend on the part
+  // of the robot that is touched and on its dribbler.
   void PreSolve(b2Contact* contact, const b2Manifold* /*old*/) override {
     b2Fixture* a = contact->GetFixtureA();
     b2Fixture* b = contact->GetFixtureB();
@@ -79,7 +82,8 @@ class BallContacts final : public b2ContactListener {
             {from_units(one.GetPosition()), from_units(other.GetPosition())}};
   }
 
-  // The round hull is cut off in front of the plate: only the plate counts there.
+  // The round hull is cut off in front of the plate: only the plate counts there, in the wedge from
+  // the centre through the plate's two corners.
   static bool is_before_plate(const b2Body& robot, const b2Body& ball) {
     const b2Vec2 p = robot.GetLocalPoint(ball.GetPosition());
     return p.x > 0.0F && std::abs(p.y) * to_units(kFrontDistance_m) < p.x * to_units(kHalfPlate_m);
@@ -120,7 +124,7 @@ struct Box2dBridge::Bodies {
   std::array<b2Body*, 2 * kMaxRobots> robots{};
   std::array<b2Fixture*, 2 * kMaxRobots> plates{};  // of the robots near the ball
   // The second half of each push_robot force, applied after the step: Box2D moves a body at its
-  // speed at the end of the step.
+  // speed at the end of the step (semi-implicit Euler).
   std::array<b2Vec2, 2 * kMaxRobots> half_forces;
   std::array<float, 2 * kMaxRobots> half_torques{};
   b2Body* ball = nullptr;
@@ -198,6 +202,7 @@ void Box2dBridge::let_ball_meet(bool robots, bool goals) {
   b2Fixture* ball = bodies_->ball->GetFixtureList();
   b2Filter filter = ball->GetFilterData();
   const int mask = kWalls | (robots ? kRobots | kPlates : 0) | (goals ? kGoals : 0);
+  // Skipped if nothing changes: a new filter makes Box2D check all of the ball's contacts again.
   if (filter.maskBits == mask) return;
   filter.maskBits = static_cast<std::uint16_t>(mask);
   ball->SetFilterData(filter);

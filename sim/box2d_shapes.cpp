@@ -60,6 +60,8 @@ void add_end(b2Body& ground, const Surfaces& surfaces, const Field& field, doubl
   const double outside = back + field.goal_wall_thickness_m;
   const double inner = field.half_goal_m();
   const double outer = inner + field.goal_wall_thickness_m;
+  // The other end is this one rotated by 180 degrees, so each end also adds one of the two long
+  // walls.
   const auto at = [sign](double x, double y) { return Vec2(sign * x, sign * y); };
   // The walls overlap at the corners, and none ends flush with another's face: a ball rolling along
   // a wall would catch in the groove between two rounded edges.
@@ -103,11 +105,15 @@ b2Fixture* add_plate(b2Body& robot, const Surfaces& surfaces) {
 b2Body* add_ball(b2World& world, const Surfaces& surfaces, double mass_kg) {
   b2BodyDef definition;
   definition.type = b2_dynamicBody;
+  // Continuous collision detection, against moving robots too. Box2D does not turn the ball:
+  // ball.hpp models its spin.
   definition.bullet = true;
   definition.fixedRotation = true;
   b2Body* body = world.CreateBody(&definition);
   b2CircleShape shape;
   shape.m_radius = to_units(kBallRadius_m);
+  // Box2D takes the larger restitution of two fixtures, so walls and nets decide. The contact
+  // listener sets that of robots.
   const b2FixtureDef round =
       fixture(shape, surfaces, kBall, kWalls | kGoals | kRobots | kPlates, 0.0F);
   body->CreateFixture(&round);

@@ -20,8 +20,8 @@ Vec2 rounded_heading(const Vec2& heading, double noise_rad) {
   return heading_of(static_cast<double>(static_cast<float>(angle_of(heading) + noise_rad)));
 }
 
-// Where the camera's ray through the ball's centre intersects the plane of the centre of a ball on
-// the carpet.
+// Parallax of a flying ball: where the camera's ray through the ball's centre intersects the plane
+// of the centre of a ball on the carpet.
 Vec2 seen_before_carpet(const BallState& ball, const CameraPosition& camera) {
   const double below_m = camera.height_m - kBallRadius_m;
   return camera.position_m +
@@ -51,7 +51,8 @@ bool hides_ball(const RobotState& robot, const Vec2& ball_m, double height_m,
                 const CameraPosition& camera) {
   const double middle_m = height_m + kBallRadius_m;
   if (middle_m >= kRobotHeight_m) return false;
-  // From that point on the ray to the camera is above the robots.
+  // Only the part of the line of sight below the robots' tops can be blocked, so its projection
+  // onto the carpet is tested against the hull.
   const double over_robots = (kRobotHeight_m - middle_m) / (camera.height_m - middle_m);
   return meets_hull(ball_m, ball_m + (camera.position_m - ball_m) * over_robots, robot.position_m,
                     robot.heading);
@@ -120,10 +121,12 @@ const CameraPosition* Camera::find_view(const WorldState& world) const {
 }
 
 bool Camera::covers(const CameraPosition& camera, const BallState& ball) const {
-  // Beyond the lines, on the outer side of a camera, everything is in its view.
+  // Distances from the camera towards the field's two axes. Beyond the lines, on the outer side of
+  // a camera, everything is in its view.
   const Vec2 inwards_m =
       ball.position_m.cwiseProduct(-camera.position_m.cwiseSign()) + camera.position_m.cwiseAbs();
   if (inwards_m.x() > sees_beside_m_.x() || inwards_m.y() > sees_beside_m_.y()) return false;
+  // The projection onto the carpet diverges as the ball nears the camera's height.
   return parameters_.reports_height || ball.height_m <= 0.9 * camera.height_m;
 }
 
@@ -131,6 +134,8 @@ bool Camera::misses(double share) { return share > 0.0 && chance_.uniform() < sh
 
 Vec2 Camera::with_noise(const Vec2& position_m, double noise_m) {
   if (noise_m <= 0.0) return position_m;
+  // Drawn in separate statements, because C++ does not fix the order in which arguments are
+  // evaluated.
   const double x_m = noise_m * chance_.normal();
   const double y_m = noise_m * chance_.normal();
   return position_m + Vec2(x_m, y_m);

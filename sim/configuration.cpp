@@ -9,6 +9,7 @@
 namespace autoref::sim {
 namespace {
 
+// std::to_string prints six decimals; strips the trailing zeros.
 std::string text_of(double value) {
   std::string text = std::to_string(value);
   while (text.find('.') != std::string::npos && (text.back() == '0' || text.back() == '.')) {
@@ -24,6 +25,7 @@ std::string text_of(double value) {
 }
 
 void check_range(const char* name, double value, double low, double high) {
+  // Every comparison with NaN is false, so NaN is refused.
   if (value >= low && value <= high) return;
   refuse(name, value, "from " + text_of(low) + " to " + text_of(high));
 }

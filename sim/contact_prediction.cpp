@@ -20,6 +20,7 @@ ContactPrediction::ContactPrediction(const Field& field, const PerSide<TeamSpec>
     for (const RobotSpec& robot : spec.robots) {
       const double most_mps2 = robot.acceleration_factor *
                                std::max(robot.body.acceleration_mps2, robot.body.braking_mps2);
+      // Twice the a t^2 / 2 by which acceleration can move a body off its predicted path.
       margin_m_ = std::max(margin_m_, kSpare_m + most_mps2 * duration_s * duration_s);
       dribbler_zone_m_ = std::max({dribbler_zone_m_, robot.kicker.reach_m, robot.dribbler.reach_m});
     }
@@ -46,6 +47,8 @@ double ContactPrediction::reach_m(const BodyState& body, double radius_m) const 
   return radius_m + margin_m_ + body.velocity_mps.norm() * duration_s_;
 }
 
+// Conservative: behind the goal line, everything between the goal's outer walls counts as blocked,
+// even its opening.
 bool ContactPrediction::keeps_off_walls(const Vec2& at_m, double reach_m) const {
   const double x = std::abs(at_m.x()) + reach_m;
   const double y = std::abs(at_m.y());
@@ -54,6 +57,8 @@ bool ContactPrediction::keeps_off_walls(const Vec2& at_m, double reach_m) const 
   return x < field_.half_length_m() || y - reach_m > goal_y_m;
 }
 
+// Pairwise test of the discs that contain each robot's motion during the step. Overlapping discs
+// are allowed if the robots close in slowly.
 bool ContactPrediction::robots_keep_apart(const Box2dBridge& bodies, int robots) const {
   std::array<double, 2 * kMaxRobots> reaches_m;
   for (int i = 0; i < robots; ++i) {
@@ -70,6 +75,7 @@ bool ContactPrediction::robots_keep_apart(const Box2dBridge& bodies, int robots)
       const Vec2 apart_m = other.position_m - robot.position_m;
       const double apart2_m2 = apart_m.squaredNorm();
       if (apart2_m2 >= near_m * near_m) continue;
+      // Closing speed times distance, to be compared without a division.
       const double closing = (robot.velocity_mps - other.velocity_mps).dot(apart_m);
       if (closing > kGentle_mps * std::sqrt(apart2_m2)) return false;
     }

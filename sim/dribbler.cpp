@@ -15,6 +15,8 @@ Vec2 path_to_rest_m(const BodyState& robot, const Vec2& arm_m) {
   return robot.heading * (kFrontDistance_m + kBallRadius_m) - arm_m;
 }
 
+// Spring and damper. The damper acts on the motion relative to the turning robot, whose velocity at
+// the ball is v + omega x r.
 Vec2 pull_n(const DribblerParameters& parameters, const BodyState& robot, const BodyState& ball) {
   const Vec2 arm_m = ball.position_m - robot.position_m;
   const Vec2 there_mps = robot.velocity_mps + robot.angular_velocity_radps * left_of(arm_m);
@@ -22,7 +24,8 @@ Vec2 pull_n(const DribblerParameters& parameters, const BodyState& robot, const 
          parameters.damping_nspm * (there_mps - ball.velocity_mps);
 }
 
-// Within a sub-step the plate moves along an arc; the ball follows its chord.
+// The force that gives the ball the plate's velocity within this sub-step (deadbeat control), plus
+// a slow drift to the centre. The plate moves along an arc; the ball follows its chord.
 Vec2 hold_n(const DribblerParameters& parameters, const BodyState& robot, const BodyState& ball,
             double ball_mass_kg, double duration_s) {
   const Vec2 arm_m = ball.position_m - robot.position_m;

@@ -11,6 +11,7 @@ namespace autoref::sim {
 
 Kicker::Kicker(const KickerParameters& parameters, double substeps_per_s)
     : parameters_(parameters),
+      // The 1e-9 absorbs rounding, which could otherwise add a sub-step.
       dead_substeps_(
           static_cast<std::int64_t>(std::ceil(parameters.dead_time_s * substeps_per_s - 1e-9))),
       chip_sin_(sin_cos(to_radians(parameters.chip_angle_deg)).sin),

@@ -56,6 +56,7 @@ void Carrier::start(const Vec2& from_m, const Vec2& target_m) {
 
 Vec2 Carrier::carry(double duration_s) {
   time_s_ += duration_s;
+  // Time left over at a corner counts towards the next leg.
   while (time_s_ >= leg_duration_s()) {
     if (next_ + 1 == route_.size()) return route_.back();
     time_s_ -= leg_duration_s();
@@ -76,6 +77,7 @@ double Carrier::leg_duration_s() const {
   return 2.0 * ramp_s + (length_m - ramps_m) / parameters_.speed_mps;
 }
 
+// Integral of the velocity profile; the ramp down is the ramp up seen from the end.
 double Carrier::path_m(double time_s) const {
   const double a = parameters_.acceleration_mps2;
   const double total_s = leg_duration_s();

@@ -60,6 +60,7 @@ std::optional<Vec2> World::Impl::kicked(int substep) {
     limit_mps = std::max(limit_mps, robot.kicker.speed_limit_mps());
     sum_mps += kick->velocity_mps;
     vertical_mps = std::max(vertical_mps, kick->vertical_mps);
+    // Recoil, by conservation of momentum.
     bodies_.strike_robot(index,
                          configuration_.ball.mass_kg * (ball.velocity_mps - kick->velocity_mps));
     note({state_.frame + 1, substep, id, ball.position_m, true, {0.0, 0.0}, 0.0});
@@ -97,11 +98,13 @@ Vec2 World::Impl::dribbled(Vec2 ball_mps) {
     const Vec2 force_n =
         pull.holds ? Vec2(pull.force_n / static_cast<double>(holders)) : pull.force_n;
     ball_mps += force_n * (step_s_ / configuration_.ball.mass_kg);
+    // The reaction acts at the ball, so it also turns the robot.
     bodies_.push_robot_at(pull.index, -force_n, bodies_.ball().position_m);
   }
   return ball_mps;
 }
 
+// A net brakes the ball in its goal, but only its motion back towards the field.
 Vec2 World::Impl::held_by_net(Vec2 ball_mps) const {
   const Vec2& at_m = bodies_.ball().position_m;
   const double outwards = -std::copysign(1.0, at_m.x());
@@ -114,6 +117,7 @@ Vec2 World::Impl::held_by_net(Vec2 ball_mps) const {
 
 // Adds what the planar physics lacks: spin changes in collisions, and the third dimension.
 void World::Impl::follow_ball(const BodyState& former) {
+  // Box2D applies no forces to the ball, so only a collision changes its velocity in a step.
   const Vec2 change_mps = bodies_.ball().velocity_mps - former.velocity_mps;
   if (change_mps.squaredNorm() > kCollision_mps * kCollision_mps) ball_.collide(change_mps);
   if (!ball_.is_in_air()) return;

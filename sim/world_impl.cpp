@@ -45,6 +45,7 @@ World::Impl::Impl(const Field& field, const Configuration& configuration,
       substep_s_(1.0 / (configuration.frame_rate_hz * configuration.substeps)),
       long_step_(std::max(1, configuration.substeps / configuration.contact_free_substeps)),
       command_delay_substeps_(split_latency(configuration).substeps),
+      // The 1e-9 absorbs rounding, which could otherwise add a frame.
       hold_frames_(static_cast<int>(
           std::ceil(configuration.radio.hold_s * configuration.frame_rate_hz - 1e-9))),
       robots_(
@@ -127,6 +128,8 @@ bool World::Impl::may_step_long(int substep) const {
          contact_prediction_.is_contact_free(bodies_, robots_, hold_ != Hold::kFree);
 }
 
+// Operator splitting: first drives, kicks and carpet, then Box2D's contacts, then the effects that
+// planar physics lacks.
 void World::Impl::advance(int substep, int substeps) {
   step_s_ = substeps * substep_s_;
   drive();
@@ -150,6 +153,7 @@ void World::Impl::drive() {
   });
 }
 
+// A new contact is noted when it begins, a lasting one once per frame.
 void World::Impl::note_contacts(int substep) {
   std::uint32_t now = 0;
   for (const int index : bodies_.touching()) {
@@ -233,6 +237,7 @@ void World::Impl::publish() {
   for (const Side side : kSides) state_.robots[side].clear();
   for_each_on_field([this](RobotId id, Robot&, int index) {
     const BodyState& body = bodies_.robot(index);
+    // Box2D's float sine and cosine are not exactly a unit vector.
     state_.robots[id.side].push_back({id.number, body.position_m, body.heading.normalized(),
                                       body.velocity_mps, body.angular_velocity_radps});
   });
