@@ -9,6 +9,8 @@ double distance_to_hull(const Vec2& point_m, const Vec2& centre_m, const Vec2& h
   const Vec2 p = to_local(point_m - centre_m, heading);
   const double to_disc = p.norm() - kRobotRadius_m;
   const double to_plate = p.x() - kFrontDistance_m;
+  // A disc cut by a half-plane: behind the cut, the signed distance to the intersection is the
+  // larger of the two.
   if (to_plate <= 0.0) return std::max(to_disc, to_plate);
   const double y = std::abs(p.y());
   if (y <= kHalfPlate_m) return to_plate;

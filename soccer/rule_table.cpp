@@ -6,6 +6,7 @@
 namespace autoref {
 namespace {
 
+// X macro: rules.def expands to one row per rule.
 constexpr std::array<RuleEntry, kRuleCount> kTable = {{
 #define AUTOREF_RULE(id, ...) {RuleId::id, __VA_ARGS__},
 #include "soccer/rules.def"

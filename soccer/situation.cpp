@@ -42,6 +42,8 @@ Situation SituationTracker::update(const RefereeSignal& signal, const std::optio
     obey(signal.command);
   }
   if (!is_restart(situation_.play) || !ball_m) return situation_;
+  // The ball is in play once it has moved far enough from where it was first seen after the
+  // command.
   if (!restart_from_m_) restart_from_m_ = *ball_m;
   // A shoot-out kick stays a penalty kick until it is over, so the other robots stay out of it.
   if (signal.stage == Stage::kShootout) return situation_;

@@ -13,7 +13,7 @@ namespace {
 constexpr double kHalfPiHigh = 1.57079632673412561417e+00;
 constexpr double kHalfPiLow = 6.07710050650619224932e-11;
 
-// Taylor series on [-pi/4, pi/4]; the first omitted term is below 1e-17.
+// Taylor series on [-pi/4, pi/4] in Horner's form; the first omitted term is below 1e-17.
 double sin_series(double x) {
   const double s = x * x;
   double sum = 1.0 / 355687428096000.0;
@@ -42,6 +42,7 @@ double cos_series(double x) {
 
 }  // namespace
 
+// Reduces the angle to the nearest multiple of pi/2; that multiple modulo 4 is the quadrant.
 SinCos sin_cos(double angle_rad) {
   const double quarters = std::nearbyint(angle_rad * (2.0 / kPi));
   const double rest = (angle_rad - quarters * kHalfPiHigh) - quarters * kHalfPiLow;
