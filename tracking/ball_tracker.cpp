@@ -75,6 +75,8 @@ void BallTracker::start(const BallObservation& seen) {
   kicked_mps_ = 0;
 }
 
+// The carpet's deceleration enters the filter as a known acceleration (control input), limited so
+// that it cannot reverse the ball.
 void BallTracker::predict(double duration_s) {
   const Vec2 velocity_mps = motion_.velocity();
   const double speed_mps = velocity_mps.norm();
@@ -89,6 +91,7 @@ void BallTracker::predict(double duration_s) {
   motion_.predict(duration_s, velocity_mps * (-lost_mps / (speed_mps * duration_s)));
 }
 
+// Ballistic extrapolation of an unseen flight.
 void BallTracker::fly_on(double duration_s) {
   ball_->height_m += duration_s * (rise_mps_ - kGravity_mps2 * duration_s / 2);
   rise_mps_ -= kGravity_mps2 * duration_s;
@@ -122,6 +125,7 @@ void BallTracker::correct(const BallObservation& seen, double gap_s) {
   const bool is_known =
       innovation_m.norm() < kNewKick_mps * gap_s || updated_s_ - kick_s_ < 2 * gap_s;
   if (follows_kick_ && is_known) return;
+  // The best estimate of the time of a kick between two detections is halfway.
   kick_s_ = updated_s_ - gap_s / 2;
   chip_.begin({kick_s_, kKickTime * gap_s, from_m, std::max(noise_m_, kKickPosition_m)});
   follows_kick_ = true;
@@ -155,6 +159,7 @@ void BallTracker::take_over(const ChipEstimate& flight) {
   ball_->height_deviation_m = flight.height_deviation_m;
 }
 
+// Rigid-body motion: the ball stays where it is in the robot's frame, with velocity v + omega x r.
 void BallTracker::move_with_holder(const PerSide<TrackedRobots>& robots) {
   for (const TrackedRobot& robot : robots[holder_->robot.side]) {
     if (robot.number != holder_->robot.number) continue;

@@ -16,7 +16,9 @@ double line_misfit(double n, double s1, double s2, const Vec2& values, double sq
 }
 
 // Residual of the parabola whose curvature is clamped to the allowed range: the unconstrained
-// residual plus the penalty for moving the curvature.
+// residual plus the penalty for moving the curvature. The penalty's weight is the last diagonal
+// entry of the Cholesky factor, squared: the curvature's information once the other unknowns are
+// eliminated (Schur complement).
 double braking_misfit(const Eigen::Matrix3d& rows, const Eigen::Vector3d& values, double squares) {
   const Eigen::LLT<Eigen::Matrix3d> equations(rows);
   const Eigen::Vector3d fit = equations.solve(values);
@@ -43,6 +45,8 @@ void FlightSums::add_detection(double t_s, const Vec2& reported_m, const Vec2& s
   add(row, value.y(), 1);
 }
 
+// Weighted least squares by the normal equations. The residual follows from the sums alone, so no
+// detection is stored.
 FlightFit::FlightFit(const FlightSums& sums)
     : equations(sums.rows),
       unknowns(equations.solve(sums.values)),

@@ -45,8 +45,9 @@ double worst_deviation_of(const Eigen::Matrix<double, 6, 2>& spread) {
   return std::sqrt((c(0, 0) + c(1, 1)) / 2 + std::sqrt(half * half + square(c(0, 1))));
 }
 
-// Propagates the covariance of the fit: each column of `parts` is one output's gradient with
-// respect to the unknowns.
+// Propagates the covariance of the fit, (L L^T)^-1 times the noise variance: each column of `parts`
+// is one output's gradient g with respect to the unknowns, and noise_m * |L^-1 g| is that output's
+// standard deviation.
 void add_deviations(const FlightFit& fit, double noise_m, double t_s, ChipEstimate& e) {
   const double lands_s = fit.landing_s();
   const double later = 1 / fit.landing_mps();  // a higher ball lands later and farther away
@@ -89,6 +90,7 @@ void ChipFlight::begin(const KickGuess& kick) {
   kick_ = kick;
   stage_ = Stage::kUndecided;
   settled_s_ = kick.time_s + kLongestChip_s;
+  // A Gaussian prior, entered as one pseudo-observation per unknown.
   const auto believe = [this](int unknown, double value, double deviation) {
     flight_.add(FlightRow::Unit(unknown), value, weight_of(deviation));
   };
@@ -125,7 +127,7 @@ const ChipEstimate& ChipFlight::add(const BallDetection& detection) {
 
 // Constrains the flight to begin at the kick's position. The constraint across the apparent
 // direction does not depend on the kick's time. Along it, a ball that has not yet reached the
-// position is extrapolated below the carpet.
+// position is extrapolated below the carpet. Both are linearised at the last fit (Gauss-Newton).
 FlightSums ChipFlight::from_position() const {
   const Vec2 velocity = fitted_.segment<2>(2);
   const double rise = fitted_[5];
@@ -143,6 +145,9 @@ FlightSums ChipFlight::from_position() const {
   return sums;
 }
 
+// Likelihood-ratio test between a flight and a path on the carpet, repeated with each detection.
+// Each model must also pass a chi-square test of its own; if neither does, the height stays unknown
+// until no chip could still be bouncing.
 void ChipFlight::decide(const BallDetection& detection) {
   const double t_s = detection.time_s - kick_.time_s;
   carpet_.add_detection(t_s, detection.reported_m - kick_.position_m);
@@ -172,6 +177,7 @@ void ChipFlight::follow(const BallDetection& detection) {
   const double t_s = detection.time_s - kick_.time_s;
   const FlightFit fit(from_position());
   fitted_ = fit.unknowns;
+  // What the newest detection adds to the fit's chi-square.
   const double normalised_innovation_squared = fit.misfit / square(noise_m_) - misfit_;
   misfit_ += normalised_innovation_squared;
   const bool lost = normalised_innovation_squared > kChipInnovationGate ||
@@ -187,6 +193,7 @@ void ChipFlight::follow(const BallDetection& detection) {
   }
 }
 
+// Stops estimating; the height is unknown until `settled_s`, then the ball counts as on the ground.
 void ChipFlight::settle(double settled_s) {
   stage_ = Stage::kSettling;
   settled_s_ = settled_s;
