@@ -78,6 +78,7 @@ bool DetectionMerger::restarts_clock(const DetectionFrame& detection, double rec
   strays_ = follows ? strays_ + 1 : 1;
   stray_capture_s_ = capture_s;
   if (strays_ < kStrays) return false;
+  // The new clock continues at the arrival time, but clearly after the last frame.
   const double earliest_s = std::max(last_time_s_, time_s_) + 2 * kLongestFrame_s;
   const double now_s = received_s <= kLongestGame_s ? std::max(earliest_s, received_s) : earliest_s;
   if (now_s > kLongestGame_s) return false;
@@ -87,6 +88,7 @@ bool DetectionMerger::restarts_clock(const DetectionFrame& detection, double rec
   return is_usable(detection);
 }
 
+// Whether the packet begins the next frame.
 bool DetectionMerger::restarts_clock(const DetectionFrame& detection) const {
   if (in_frame_.empty()) return false;
   return in_frame_.contains(detection.camera_id()) ||
@@ -126,6 +128,7 @@ void DetectionMerger::collect_ball(const DetectionBall& seen, std::uint32_t came
   BallDetection found{{{to_m(seen.x()), to_m(seen.y())}, std::nullopt, {}}, seen.confidence()};
   if (seen.has_z()) found.ball.height_m = to_m(seen.z());
   if (!seen.has_z()) found.ball.seen_from = camera_of(geometry_, camera, found.ball.position_m);
+  // Nearest-neighbour association; confidence decides only until a frame has contained a ball.
   const auto is_better = [&](const BallDetection& one, const BallDetection& other) {
     if (!last_ball_m_) return one.confidence > other.confidence;
     return (one.ball.position_m - *last_ball_m_).squaredNorm() <

@@ -97,8 +97,8 @@ void fill_camera(std::uint32_t id, const CameraPosition& position, CameraCalibra
   camera.set_principal_point_x(0);
   camera.set_principal_point_y(0);
   camera.set_distortion(0);
-  // Upside down: the camera looks along -z. In the league's messages (tx, ty, tz) is the field's
-  // origin in camera coordinates.
+  // The quaternion, scalar last, is a half-turn about x: the camera looks along -z. In the league's
+  // messages (tx, ty, tz) is the field's origin in camera coordinates.
   camera.set_q0(1);
   camera.set_q1(0);
   camera.set_q2(0);
@@ -233,6 +233,8 @@ CameraPosition camera_of(const Geometry& geometry, std::uint32_t id, const Vec2&
     return {{to_m(camera.derived_camera_world_tx()), to_m(camera.derived_camera_world_ty())},
             to_m(camera.derived_camera_world_tz())};
   }
+  // Without a calibration, assume that the camera is right above: then a flying ball has no
+  // parallax.
   return {below_m};
 }
 

@@ -20,6 +20,7 @@ constexpr std::size_t kPortion = 1U << 16;  // step by which a message grows whi
 
 gzFile zlib_file(void* file) { return static_cast<gzFile>(file); }
 
+// Big-endian on every machine.
 template <typename Number>
 void put_number(char* bytes, Number number) {
   for (std::size_t i = 0; i < sizeof(Number); ++i)
@@ -44,6 +45,7 @@ std::string reason_of(void* file) {
 
 LogWriter::LogWriter(const std::filesystem::path& path) : name_(path.string()) {
   const bool is_compressed = path.extension() == ".gz";
+  // zlib's modes: 1 is the fastest level, T writes without compression.
   file_ = gzopen(name_.c_str(), is_compressed ? "wb1" : "wbT");
   if (file_ == nullptr) throw LogError(fmt::format("{}: {}", name_, std::strerror(errno)));
   gzbuffer(zlib_file(file_), kBuffer);
@@ -54,6 +56,7 @@ LogWriter::LogWriter(const std::filesystem::path& path) : name_(path.string()) {
 }
 
 LogWriter::~LogWriter() {
+  // Only close() reports errors: a destructor must not throw.
   if (file_ != nullptr) gzclose(zlib_file(file_));
 }
 
@@ -133,6 +136,7 @@ bool LogReader::read(LogRecord& record) {
     return fail(
         fmt::format("a message of {} bytes exceeds the maximum of {}", length, kLongestMessage));
   }
+  // Grows with the data actually read, so a damaged length does not allocate memory in vain.
   record.message.clear();
   while (record.message.size() < length) {
     const std::size_t had = record.message.size();

@@ -49,6 +49,7 @@ void fill_referee(const RefereeSignal& signal, const PerSide<LoggedTeam>& teams,
   if (signal.next_command) packet.set_next_command(league_number(*signal.next_command));
 }
 
+// The inverse of league_number.
 std::optional<Command> command_of(int number) {
   const int first_pair = static_cast<int>(CommandKind::kPrepareKickoff);
   const int kinds = static_cast<int>(CommandKind::kBallPlacement) + 1;
