@@ -14,7 +14,7 @@ namespace {
 std::string sentence(const SprtMatch& match, const SprtMatchState& state) {
   const Matchup matchup = matchup_of(match);
   const std::string goals =
-      fmt::format("the mean lead of {} over {} in goals a game", matchup.team_a, matchup.team_b);
+      fmt::format("the mean lead of {} over {} in goals per game", matchup.team_a, matchup.team_b);
   switch (state.test.verdict) {
     case Verdict::kAcceptD0:
       return fmt::format("decided for d0: {} is nearer to {} than to {}", goals, match.sprt.d0,

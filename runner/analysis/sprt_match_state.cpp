@@ -32,7 +32,7 @@ std::optional<double> difference_of(const Legs& legs) {
   return sum / 2;
 }
 
-// The pairs before the first that lacks a row.
+// The pairs before the first one with a missing row.
 struct FirstPairs {
   std::vector<double> differences;  // of the pairs without a void leg
   std::vector<int> numbers;         // of the same pairs

@@ -40,7 +40,7 @@ void refuse_difference(const GameRow& first, const GameRow& second, const RowFor
       first.game_id, difference->column, difference->first, difference->second));
 }
 
-// Handles a second row of a game. Killed games are replayed, so a row of a killed game is replaced.
+// Handles a second row of a game. Killed games are replayed, so a killed game's row is replaced.
 void add_another(const GameRow& row, const RowFormat& format, GameRow& kept) {
   if (is_killed(kept)) {
     kept = row;

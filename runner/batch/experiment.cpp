@@ -49,7 +49,7 @@ GameRow played(const Outcomes& outcomes, const ScheduledGame& game) {
   return row;
 }
 
-// Rereading the folder may take up this share of the time.
+// Maximum fraction of the time spent rereading the folder.
 constexpr double kLookingShare = 0.01;
 
 class Experiment {
@@ -108,7 +108,7 @@ class Experiment {
     }
     note_other_games(row_inventory.completed_games.other_games, !stored.rows.empty());
     for (const auto& [build, count] : row_inventory.completed_games.other_builds) {
-      progress_.say(fmt::format("{} rows are of build {}; they do not count", count, build));
+      progress_.say(fmt::format("{} rows are from build {}; they do not count", count, build));
     }
   }
 
@@ -117,8 +117,8 @@ class Experiment {
         there_ && has_rows ? note_on_pairs(scenario_, *there_, count) : std::string();
     if (!pairs.empty()) return progress_.say(pairs);
     if (count == 0) return;
-    progress_.say(
-        fmt::format("{} rows are of games that are not in the scenario; they do not count", count));
+    progress_.say(fmt::format(
+        "{} rows belong to games that are not in the scenario; they do not count", count));
   }
 
   // Every run replays the games that are void because their workers were killed.

@@ -28,14 +28,14 @@ struct ExperimentOptions {
   std::filesystem::path folder;
   std::string build;  // this program's; rows of other builds do not count
   int workers = 1;
-  ShardIndex shard;                // only this shard's share of the games is played
+  ShardIndex shard;                // only this shard's games are played
   bool allow_mixed_build = false;  // accept rows of other builds without counting them
   std::function<GameRecord(const GameConfiguration&)> play;  // called in workers
   std::optional<Outcomes> outcomes = {};       // replaces `play`; then no results are written
   std::FILE* progress = nullptr;               // no progress output if null
   ProgressStyle style = ProgressStyle::kAuto;  // of the progress output
   double longest_game_s = 600;                 // wall-clock limit; longer games are void
-  int attempts = 3;                            // if its worker dies this often, a game is void
+  int attempts = 3;                            // a game is void if its worker dies this often
   double patience_s = 2;                       // how long to wait while another run locks the shard
 };
 

@@ -76,7 +76,7 @@ std::vector<std::size_t> columns_to_spare(std::size_t heads) {
   return {heads + kGoalsB, heads + kGoalsA, heads + kVoid};
 }
 
-// The number of games can be dropped too: games won, drawn and lost, at the right, add up to it.
+// The number of games can be dropped too: it is the sum of the wins, draws and losses on the right.
 ProgressTable matchups_shown(const std::vector<Group>& matchups) {
   ProgressTable table{matchups_rows(matchups), kMatchupsColumns, "matchups", columns_to_spare(2)};
   table.dispensable.insert(table.dispensable.end(), {2 + kGames, 2 + kDifference});
@@ -190,7 +190,8 @@ std::vector<ScheduledGame> scheduled_games(const Scenario& scenario) {
 }
 
 std::string caveat_of_schedule(const Scenario& scenario) {
-  if (std::holds_alternative<SprtMatch>(scenario.content)) return "at most: it ends when decided";
+  if (std::holds_alternative<SprtMatch>(scenario.content))
+    return "at most, since the match ends once it is decided";
   if (!std::holds_alternative<Knockout>(scenario.content)) return "";
   return "assuming that the better seed wins every tie; drawn ties are replayed";
 }

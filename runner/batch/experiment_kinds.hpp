@@ -24,8 +24,8 @@ bool is_experiment(const Scenario& scenario);
 // below require this.
 bool keeps_rows(const Scenario& scenario);
 
-// The games in playing order, as far as they are known in advance. Throws std::invalid_argument if
-// the settings contradict each other.
+// The games known in advance, in playing order. Throws std::invalid_argument if the settings
+// contradict each other.
 std::vector<ScheduledGame> scheduled_games(const Scenario& scenario);
 
 // How the games actually played may differ from scheduled_games(), for messages; empty if they
@@ -35,8 +35,8 @@ std::string caveat_of_schedule(const Scenario& scenario);
 // The games an experiment needs, given its rows so far.
 struct Schedule {
   std::vector<ScheduledGame> games;  // in playing order
-  // Number of games needed. If less than games.size(), only the first ones count; if more, some of
-  // the games to come are not known yet.
+  // Number of games needed. If less than games.size(), only the first ones count; if more, some
+  // future games are not known yet.
   std::size_t needed = 0;
 };
 
@@ -60,8 +60,8 @@ std::vector<std::string> value_columns(const Scenario& scenario);
 RowFormat row_format(const Scenario& scenario);
 
 // The settings in which two experiments of one kind differ: "match.half_s is 60.0 here and 600.0
-// there; ...". Empty if nothing differs or the kinds do. Ignores factors' values and teams that
-// only one of the experiments has: those belong to different games.
+// there; ...". Empty if no setting differs or if the kinds differ. Ignores factor values and teams
+// that occur in only one of the experiments, since they belong to different games.
 std::string changes_between(const Scenario& here, const Scenario& there);
 
 // A file that a complete experiment writes in addition to results.csv.

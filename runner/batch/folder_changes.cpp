@@ -53,8 +53,8 @@ std::string note_on_pairs(const Scenario& here, const Scenario& there, int beyon
   if (!pairs || !former || *pairs == *former) return {};
   if (*pairs > *former) {
     return fmt::format(
-        "the folder had {} pairs, now {}: its games count, only the new ones are played", *former,
-        *pairs);
+        "the folder had {} pairs, now {}; its games count, and only the new ones are played",
+        *former, *pairs);
   }
   return fmt::format(
       "the folder had {} pairs, now {}: {} surplus rows do not count; they stay in {}/ and count "

@@ -16,7 +16,7 @@ std::optional<Scenario> scenario_of_folder(const std::filesystem::path& folder);
 void refuse_other_seed(const Scenario& here, const Scenario& there,
                        const std::filesystem::path& folder);
 
-// "the folder had 6 pairs, now 12: its games count, only the new ones are played"; empty if the
+// "the folder had 6 pairs, now 12; its games count, and only the new ones are played"; empty if the
 // number has not changed. `beyond` is the number of rows of games that are not in the scenario.
 std::string note_on_pairs(const Scenario& here, const Scenario& there, int beyond);
 

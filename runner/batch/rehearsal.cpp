@@ -17,8 +17,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kMostWholeGames = 6;  // per combination
-constexpr double kShareOfFirst = 0.5;       // of the time, for the first seconds of each
-constexpr double kShareOfSecond = 0.9;      // of the remaining time, for longer parts
+constexpr double kShareOfFirst = 0.5;       // fraction of the time, for the first seconds of each
+constexpr double kShareOfSecond = 0.9;      // fraction of the remaining time, for longer parts
 constexpr double kGrace_s = 2;              // for running games to end
 constexpr const char* kWell = "well";
 
@@ -114,7 +114,8 @@ class Rehearsals {
     return parts;
   }
 
-  // Whole games, several of each if there is time; otherwise the same share of one game of each.
+  // Plays whole games, several of each if there is time; otherwise the same fraction of one game of
+  // each.
   std::vector<Part> longer_parts() const {
     double whole_s = 0;
     for (const Entry& entry : entries_) whole_s += entry.plays() ? entry.first_estimate_s() : 0;

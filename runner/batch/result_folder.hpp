@@ -40,9 +40,9 @@ Scenario scenario_in(const std::filesystem::path& folder);
 // The builds that have rows in a folder. Throws InputError if it is not a results folder.
 std::set<std::string> builds_in(const std::filesystem::path& path);
 
-// Reads a folder, even while a run is writing to it. Only rows of `build` count; if that is empty,
-// those of the only build in the folder. Throws InputError if the folder is not a results folder or
-// if `build` is empty and there are several; also whatever sort_rows() throws.
+// Reads a folder, even while a run is writing to it. Only rows of `build` count; if `build` is
+// empty, the folder must have rows of one build only. Throws InputError if that is not so or if the
+// folder is not a results folder, and whatever sort_rows() throws.
 ResultFolder open_results(const std::filesystem::path& path, const std::string& build = {});
 
 // The existing files of a results folder: effective.yaml, its rows and its results.

@@ -28,7 +28,8 @@ SpeltValues values_in(GameSettings game) {
   return values;
 }
 
-// Adds what each value of one key sets, except keys in `varied` and settings given in the base.
+// Adds the settings implied by each value of one key, except keys in `varied` and settings given in
+// the base.
 void add(const GameSettings& base, const Factor& key, const std::set<std::string>& varied,
          SetByValues& all) {
   const SpeltValues of_base = values_in(base);

@@ -11,11 +11,12 @@
 namespace autoref::runner {
 
 struct JudgeSchedule {
-  // Each rule book sets its field, and each camera its radio and latency; the rest is from here.
+  // All other settings; each rule book sets its field, and each camera sets its radio and latency.
   GameSettings base;
   std::vector<std::string> rules = {"paper"};
   std::vector<std::string> cameras;
-  // Strategies of teams a and b, used in turn; if empty, the base's teams play.
+  // Strategies of teams a and b. The games cycle through the matchups; if there are none, the
+  // base's teams play.
   std::vector<std::array<std::string, 2>> matchups;
   int games = 2;           // per rule book and camera, 1 to 9999
   std::uint64_t seed = 1;  // master seed of all games
@@ -34,7 +35,7 @@ struct JudgeGame {
 // "a~b", as written in scenario files.
 std::string name_of(const std::array<std::string, 2>& matchup);
 
-// Lists each game number under every rule book and camera, with the same seed under each. The teams
+// Returns every game number under every rule book and camera, always with the same seed. The teams
 // change ends between odd and even games. Throws std::invalid_argument if values contradict each
 // other.
 std::vector<JudgeGame> games_of(const JudgeSchedule& schedule);

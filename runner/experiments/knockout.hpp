@@ -8,8 +8,8 @@
 
 namespace autoref::runner {
 
-// A tie is one game played by the base's rules. It is replayed if it is void or drawn, which is
-// rare with `match.knockout`. If it is still undecided after kMostAttempts games, the better seed
+// A tie is one game under the base's rules. It is replayed if it is void or drawn, which is rare
+// with `match.knockout`. If it is still undecided after kMostAttempts games, the better seed
 // advances.
 struct Knockout : NamedTeams {     // 2 to 64 teams
   std::vector<std::string> order;  // all teams, the best seed first

@@ -9,12 +9,12 @@
 
 namespace autoref::runner {
 
-// The games if the better seed wins every tie in the first game, so without replays. Throws
+// The games played if the better seed wins every tie in its first game, without replays. Throws
 // std::invalid_argument if a setting is invalid.
 std::vector<ScheduledGame> scheduled_games(const Knockout& knockout);
 
-// The games known from these ties: those already played, and the next game of each undecided tie
-// with two known teams.
+// The games known so far: those that these ties have already played, and the next game of each
+// undecided tie with two known teams.
 //
 // In ids, rows and seeds, the tie's number replaces the pair, and the attempt replaces the leg:
 // "cobalt~zone-p0007-1", then "cobalt~zone-p0007-2" after a draw. The better seed is team a and

@@ -11,8 +11,8 @@
 
 namespace autoref::runner {
 
-// The games in playing order: the two legs of a pair back to back, and each pair number for all
-// matchups before the next, so that an interrupted run is balanced. Ids look like
+// The games in playing order. The two legs of a pair are adjacent, and all matchups play a pair
+// number before any plays the next, so an interrupted run is balanced. Ids look like
 // "bold~zone-p0007-2".
 //
 // A game depends only on its two teams, its pair and its leg, so adding teams or pairs changes no
@@ -21,12 +21,12 @@ namespace autoref::runner {
 // setting's path, such as "teams.bold.params.pass_risk".
 std::vector<ScheduledGame> scheduled_games(const RoundRobin& robin);
 
-// The games of a round robin of the two teams, for the maximum number of pairs. The test usually
-// ends the match earlier (sprt_match_state.hpp).
+// The games of a round robin between the two teams with the maximum number of pairs. The test
+// usually ends the match earlier (sprt_match_state.hpp).
 std::vector<ScheduledGame> scheduled_games(const SprtMatch& match);
 
-// A game equals that of a round robin if the challenger's name sorts before its opponent's
-// (compared as bytes); otherwise teams a and b are swapped.
+// A game equals the corresponding round-robin game if the challenger's name sorts before its
+// opponent's (compared as bytes); otherwise teams a and b are swapped.
 std::vector<ScheduledGame> scheduled_games(const Gauntlet& gauntlet);
 
 // One game between two of the teams. Does not check their settings.

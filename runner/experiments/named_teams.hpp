@@ -12,7 +12,7 @@ namespace autoref::runner {
 
 using Teams = std::map<std::string, TeamSettings>;  // by name, as in result rows
 
-// What all experiments between named teams share.
+// Settings shared by all experiments between named teams.
 struct NamedTeams {
   GameSettings base;  // its teams, seed, a_plays and first_kickoff are ignored
   Teams teams;

@@ -21,8 +21,8 @@ struct ScheduledGame {
   std::size_t unit = 0;  // games of one unit, such as a pair's legs, go to the same shard
 };
 
-// The games in playing order: the two legs of a pair back to back, and each pair number for all
-// values before the next, so that an interrupted run is balanced.
+// The games in playing order. The two legs of a pair are adjacent, and all values play a pair
+// number before any plays the next, so an interrupted run is balanced.
 //
 // A game depends only on its own values, pair and leg, so adding values or pairs changes no other
 // game. Throws SettingError if values contradict each other.

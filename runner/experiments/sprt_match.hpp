@@ -7,7 +7,7 @@
 namespace autoref::runner {
 
 struct SprtMatch : NamedTeams {  // two teams
-  SequentialTest sprt;           // of the goal difference, team a minus team b
+  SequentialTest sprt;           // tests the goal difference, team a minus team b
 };
 
 // Both teams, as in a round robin: team a is the first by name (compared as bytes).

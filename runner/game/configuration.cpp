@@ -7,7 +7,7 @@
 namespace autoref::runner {
 namespace {
 
-// Maximum time beyond halves and breaks, for waiting for clients and restarts.
+// Maximum time spent outside halves and breaks, waiting for clients and restarts.
 constexpr double kSlack_s = 300;
 
 // If the clock stops while play is stopped, the halves may take this many times their length. A

@@ -34,7 +34,7 @@ struct GameRecord {
   double ball_in_play_s = 0;
   double sim_s = 0;
   std::int64_t frames = 0;
-  std::uint64_t state_hash = 0;  // of every frame's state and every decision
+  std::uint64_t state_hash = 0;  // hash of every frame's state and every decision
 };
 
 }  // namespace autoref::runner

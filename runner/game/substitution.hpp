@@ -33,9 +33,9 @@ class SubstitutionController {
 };
 
 // Returns a free position in the run-off for a returning robot of `side`: in its own half, as near
-// as possible to the halfway line, trying the touch line to the right of its goalkeeper first. Its
-// hull is more than 500 mm from the ball and from the ball placement target. Returns nullopt if
-// every position is taken.
+// as possible to the halfway line, trying the touch line to the right of its goalkeeper first. At
+// that position, the robot's hull is more than 500 mm from the ball and from the ball placement
+// target. Returns nullopt if every position is taken.
 std::optional<Vec2> return_position(const Field& field, Side side, const RefereeSignal& signal,
                                     const sim::World& world);
 

@@ -36,8 +36,8 @@ struct GameRow {
   Side side_a = Side::kWest;  // where team a played the first half
   std::uint64_t seed = 0;
 
-  // If read from a file, it has only what the columns store: events that are calls, the first
-  // half's goals, and times rounded to milliseconds.
+  // A record read from a file contains only what the columns store: events that are calls, the
+  // first half's goals, and times rounded to milliseconds.
   GameRecord record;
   CallEvaluation evaluation;  // of a judged game
 

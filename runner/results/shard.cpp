@@ -120,9 +120,10 @@ StoredRows read_rows(const fs::path& games_folder, const RowFormat& format) {
     const std::vector<std::string_view> lines = complete_lines(text);
     if (lines.empty()) continue;
     if (lines.front() != csv_line(format.names())) {
-      throw InputError({file.string(), 1, 1}, "",
-                       "these rows have other columns, so they are of another scenario or version; "
-                       "choose another folder with -o, or remove this one");
+      throw InputError(
+          {file.string(), 1, 1}, "",
+          "these rows have other columns, so they belong to another scenario or version; "
+          "choose another folder with -o, or remove this one");
     }
     for (std::size_t i = 1; i < lines.size(); ++i) {
       std::optional<GameRow> row = format.read(lines[i]);

@@ -33,7 +33,7 @@ ShardIndex shard_index_of(const std::string& text);
 // on the disk.
 class Shard {
  public:
-  // Creates the file if there is none, locks it, and truncates an incomplete last line, which a
+  // Creates the file if it does not exist, locks it, and truncates an incomplete last line, which a
   // killed run may leave behind. Writes `header` to an empty file. Throws InputOutputError if that
   // fails or if another run keeps the file locked for longer than `patience_s`.
   Shard(std::filesystem::path path, const std::string& header, double patience_s = 2.0);

@@ -60,7 +60,7 @@ void list_match(GameSettings& game, Branch to) {
   to.number("break_s", match.break_s, {0, 3600}, "s", "break between halves");
   to.yes_or_no("knockout", match.knockout, "extra time and a shoot-out after a draw");
   to.word("after_game", match.after_game, {"halt", "new_game"},
-          "what the referee does after the game; the result row ends there");
+          "what the referee does after the game; the result row covers one game only");
   to.number("extra_half_s", match.extra_half_s, positive(36000), "s",
             "length of each half of extra time");
   to.word("a_plays", match.a_plays, sides, "side of team a; team b plays on the other");

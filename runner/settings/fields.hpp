@@ -115,7 +115,7 @@ std::string_view branch_of(std::string_view path);
 // Returns the setting with exactly this path, or null.
 const Setting* find_setting(const std::vector<Setting>& settings, std::string_view path);
 
-// Returns the setting at a full or short path, also one inside another. Throws
+// Returns the setting at a full or short path, including settings inside another one. Throws
 // std::invalid_argument naming the nearest known path.
 Setting setting_at(const std::vector<Setting>& settings, std::string_view path);
 
@@ -131,8 +131,8 @@ void set_value(const Setting& setting, const SettingValue& value);
 // Parses `text` into the setting. Throws like value_in().
 void assign(const Setting& setting, std::string_view text);
 
-// Returns the value of a setting that contains no others. A preset is "other" if its numbers are
-// not those of a known one.
+// Returns the value of a setting that contains no others. A preset is "other" if its numbers match
+// no known preset.
 SettingValue current_value(const Setting& setting);
 
 // The value in the format that assign() reads, always spelt the same; a mapping for a setting that
@@ -174,8 +174,8 @@ PlayerSettings& player_of(Players& players, std::string_view number);
 void set_given(const std::vector<Setting>& settings, const Setting& setting,
                const SettingValue& value, std::set<std::string>& given);
 
-// Returns the settings of `game`. If `path` is of a player, as "b.players.3.handicap" is, that
-// player is added to the game first.
+// Returns the settings of `game`. If `path` names a player's setting, such as
+// "b.players.3.handicap", adds that player to the game first.
 std::vector<Setting> settings_with(GameSettings& game, std::string_view path);
 
 // set_given() for a path of a whole game. `a.params.NAME` is a parameter of the team,
@@ -186,7 +186,7 @@ void set_by_path(GameSettings& game, std::string_view path, std::string_view tex
 // The same with a value that value_in() has already parsed.
 void set_value_at(GameSettings& game, std::string_view path, const SettingValue& value);
 
-// The value at a path taken by set_by_path(); 0 for a parameter that is not given.
+// The value at a path that set_by_path() accepts; 0 for a parameter that is not given.
 std::string value_at(const GameSettings& game, std::string_view path);
 
 // Checks conditions across settings: a team's parameters belong to its strategy and are in range,

@@ -38,8 +38,8 @@ struct TeamSettings {
   int robots = 6;                    // 1 to 16
   std::string type = kNoType;        // type of its robots
   RobotChanges changes;              // override the type's
-  double speed_factor = 1.0;         // of the robots' top speed, (0, 2]
-  double acceleration_factor = 1.0;  // of their acceleration and braking, (0, 2]
+  double speed_factor = 1.0;         // scales the robots' top speed, (0, 2]
+  double acceleration_factor = 1.0;  // scales their acceleration and braking, (0, 2]
   std::map<std::string, double> params;
   std::map<int, PlayerSettings> players;  // by number
 };
@@ -51,7 +51,7 @@ struct MatchSettings {
   int halves = 2;
   double break_s = 0;
   bool knockout = false;
-  double extra_half_s = 300;  // of knockout games
+  double extra_half_s = 300;  // in knockout games
   referee::AfterGame after_game = referee::AfterGame::kHalt;
   Side a_plays = Side::kWest;
   Side first_kickoff = Side::kWest;

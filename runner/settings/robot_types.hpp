@@ -31,16 +31,16 @@ bool is_type_file(std::string_view text);
 std::string take_type(const std::string& text, const std::filesystem::path& folder,
                       RobotTypes& types);
 
-// The type files that the values of a scenario or scene name, as far as they exist.
+// The existing type files named by the values of a scenario or scene.
 std::vector<std::string> type_files_in(const std::filesystem::path& file);
 
-// Maximum number of types of a game.
+// Maximum number of types per game.
 inline constexpr std::size_t kMostTypes = 1000;
 
 // Throws std::invalid_argument if there are more than kMostTypes.
 void check_type_count(const RobotTypes& types);
 
-// What is wrong with the name of a type; nullopt if it consists of letters, digits, - and _.
+// Describes what is wrong with a type's name; nullopt if it consists of letters, digits, - and _.
 std::optional<std::string> fault_in_type_name(std::string_view name);
 
 // set_by_path() (fields.hpp) that also accepts, as a type, the path of a file relative to `folder`.

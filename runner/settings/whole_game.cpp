@@ -86,7 +86,7 @@ void check_world(const std::string& branch, const Part& part) {
   }
 }
 
-// The hash covers what types change, not their names.
+// The hash covers the values that types change, but not the types' names.
 bool is_given_by_changes(const Setting& setting) {
   return std::holds_alternative<TypeName>(setting.target) ||
          std::holds_alternative<ChangesOf>(setting.target) ||

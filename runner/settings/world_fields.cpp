@@ -27,7 +27,7 @@ void list_robot(sim::RobotParameters& robot, Branch to) {
   to.number("wheel_distance_m", robot.wheel_distance_m, {0.01, 0.09}, "m",
             "distance from the robot's centre to each wheel");
   to.number("speed_noise", robot.speed_noise, {0, 0.5}, "",
-            "standard deviation as a share of the speed");
+            "standard deviation as a fraction of the speed");
 }
 
 void list_ball(sim::BallParameters& ball, Branch to) {
@@ -36,12 +36,12 @@ void list_ball(sim::BallParameters& ball, Branch to) {
   to.number("slide_mps2", ball.slide_mps2, positive(100), "m/s^2", "deceleration when sliding");
   to.number("roll_mps2", ball.roll_mps2, positive(100), "m/s^2", "deceleration when rolling");
   to.number("switch_ratio", ball.switch_ratio, {0.05, 0.95}, "",
-            "rolls below this share of the kick's speed");
+            "rolls below this fraction of the kick's speed");
   to.number("hop_first_xy", ball.hop_first_xy, {0, 1}, "",
-            "share of horizontal speed kept at the first landing");
+            "fraction of horizontal speed kept at the first landing");
   to.number("hop_later_xy", ball.hop_later_xy, {0, 1}, "",
-            "share of horizontal speed kept at later landings");
-  to.number("hop_z", ball.hop_z, {0, 0.95}, "", "share of vertical speed kept at a landing");
+            "fraction of horizontal speed kept at later landings");
+  to.number("hop_z", ball.hop_z, {0, 0.95}, "", "fraction of vertical speed kept at a landing");
   to.number("rest_mps", ball.rest_mps, {0, 1}, "m/s", "at rest below this speed");
   to.number("rolls_below_hop_m", ball.rolls_below_hop_m, positive(1), "m",
             "a lower hop ends the flight");
@@ -62,7 +62,7 @@ void list_contacts(sim::ContactParameters& contacts, Branch to) {
   to.number("net_restitution", contacts.net_restitution, {0, 1}, "", "back wall of a goal");
   to.number("bar_restitution", contacts.bar_restitution, {0, 1}, "", "ball and goal bar");
   to.number("top_restitution", contacts.top_restitution, {0, 0.95}, "",
-            "share of vertical speed kept on top of a robot or goal");
+            "fraction of vertical speed kept on top of a robot or goal");
   to.number("top_leaving_mps", contacts.top_leaving_mps, {0.05, 5}, "m/s",
             "minimum speed of a ball leaving the top of a robot or goal");
   to.number("friction", contacts.friction, {0, 2}, "", "between bodies");
@@ -88,7 +88,7 @@ void list_kicker(sim::KickerParameters& kicker, Branch to) {
   to.number("chip_angle_deg", kicker.chip_angle_deg, {5, 85}, "deg", "elevation of chip kicks");
   to.number("dead_time_s", kicker.dead_time_s, {0, 60}, "s", "minimum time between two kicks");
   to.number("speed_noise", kicker.speed_noise, {0, 0.5}, "",
-            "standard deviation as a share of the speed");
+            "standard deviation as a fraction of the speed");
   to.number("direction_noise_deg", kicker.direction_noise_deg, {0, 45}, "deg",
             "standard deviation");
 }
@@ -99,8 +99,9 @@ void list_vision(sim::VisionParameters& vision, Branch to) {
             "standard deviation along x and y");
   to.number("robot_noise_rad", vision.robot_noise_rad, {0, 0.5}, "rad",
             "standard deviation of the heading");
-  to.number("ball_misses", vision.ball_misses, {0, 0.9}, "", "share of frames without the ball");
-  to.number("robot_misses", vision.robot_misses, {0, 0.9}, "", "share of frames without a robot");
+  to.number("ball_misses", vision.ball_misses, {0, 0.9}, "", "fraction of frames without the ball");
+  to.number("robot_misses", vision.robot_misses, {0, 0.9}, "",
+            "fraction of frames without a robot");
   to.yes_or_no("reports_height", vision.reports_height,
                "report the ball's height; otherwise it appears on the ground");
   to.yes_or_no("robots_hide_ball", vision.robots_hide_ball,
@@ -146,7 +147,7 @@ std::vector<Setting> settings_of(sim::Configuration& sim, sim::RobotSpec& robot)
   to.number("latency_s", sim.latency_s, {0, 0.5}, "s", "delay from a frame to the robots' motion");
   list_vision(sim.vision, Branch(list, "sim.vision."));
   Branch radio(list, "sim.radio.");
-  radio.number("command_loss", sim.radio.command_loss, {0, 0.9}, "", "share of commands lost");
+  radio.number("command_loss", sim.radio.command_loss, {0, 0.9}, "", "fraction of commands lost");
   radio.number("hold_s", sim.radio.hold_s, {0, 10}, "s",
                "a robot without a command for this long stops");
   list_ball(sim.ball, Branch(list, "sim.ball."));

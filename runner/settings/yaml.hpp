@@ -1,5 +1,4 @@
-// YAML with locations: a thin layer over yaml-cpp that rejects what a strict reader should not
-// accept.
+// YAML with locations: a thin, strict layer over yaml-cpp.
 #pragma once
 
 #include <yaml-cpp/yaml.h>

@@ -19,8 +19,8 @@ struct SyntaxMistake {
 SyntaxMistake syntax_mistake(const std::string& text, const YamlLocation& location,
                              const std::string& complaint);
 
-// Location of quotes in the documents' last value that are never closed (the parser takes them to
-// close at the end of the file). Returns nullopt if there are none.
+// Location of quotes in the documents' last value that are never closed (the parser assumes that
+// they close at the end of the file). Returns nullopt if there are none.
 std::optional<YamlLocation> open_quote(const std::string& text,
                                        const std::vector<YAML::Node>& documents);
 

@@ -124,6 +124,7 @@ Intent Basic::attack_intent(const TrackedRobot& attacker) const {
   }
   Intent intent{aim.target_m, kick_mps};
   const double distance_m = std::max(0.1, (aim.target_m - ball_m).norm());
+  // A share of the angle that the free lane subtends at the target's distance.
   intent.tolerance_rad = std::clamp(
       style_.aim_share * std::min(aim.clearance_m, style_.free_lane_m) / distance_m, 0.04, 0.2);
   if (is_pressed() && now_.play == Play::kRunning) intent.hasty_mps = style_.push_mps;

@@ -17,6 +17,8 @@ Vec2 own_goal_m(const Field& field) { return field.goal_centre_m(Side::kWest); }
 Waypoint keeper_position(const Field& field, const Style& style, const TrackedBall& ball) {
   const double line_x = -field.half_length_m() + kRobotRadius_m + style.margin_m;
   const double reach_m = field.half_goal_m() - kRobotRadius_m / 2;
+  // A shot is extended in a straight line to the keeper's line; otherwise the offset from the
+  // middle grows with the sine of the ball's direction.
   double y = 0;
   if (ball.velocity_mps.x() < -style.keeper_shot_mps && ball.position_m.x() > line_x) {
     y = ball.position_m.y() +
@@ -32,6 +34,8 @@ Waypoint keeper_position(const Field& field, const Style& style, const TrackedBa
 Waypoint wall_position(const Field& field, const Style& style, const Vec2& ball_m, int order) {
   const Vec2 goal_m = own_goal_m(field);
   const Vec2 direction = direction_of(ball_m - goal_m, Vec2(1, 0));
+  // Approximate distance from the goal to the area's edge: the depth straight ahead, more to the
+  // sides.
   const double off_m = field.defence_area.depth_m +
                        field.defence_area.straight_m / 2 * std::abs(direction.y()) +
                        kRobotRadius_m + 2 * style.margin_m;

@@ -13,6 +13,7 @@ double time_behind_ball_s(const TrackedRobot& robot, const Interception& interce
                           const Vec2& goal_m, double go_round_s) {
   const Vec2 aim = direction_of(goal_m - interception.point_m, Vec2(1, 0));
   const Vec2 approach = direction_of(interception.point_m - robot.position_m, aim);
+  // With c the cosine between approach and aim, (1 - c) / 2 is 0 behind the ball and 1 in front.
   return interception.time_s + go_round_s * (1 - approach.dot(aim)) / 2;
 }
 
@@ -22,6 +23,7 @@ void choose_attacker(const TeamView& view, const Field& field, const Style& styl
   for (int i = 0; i < static_cast<int>(view.own.size()); ++i) {
     if (taken[i]) continue;
     const Interception interception = intercept(view.own[i], view.ball);
+    // Hysteresis, so that two robots equally near do not alternate.
     const double bonus_s = view.own[i].number == former_attacker ? style.loyalty_s : 0.0;
     const double time_s = time_behind_ball_s(view.own[i], interception,
                                              field.goal_centre_m(Side::kEast), style.go_round_s) -
@@ -72,6 +74,7 @@ void give(RoleAssignment& assignment, Taken& taken, int index, const AssignedRol
 
 }  // namespace
 
+// Greedy assignment: roles in order of importance, each to the robot that suits it best.
 RoleAssignment assign_roles(const TeamView& view, const Field& field, const Style& style,
                             int former_attacker) {
   RoleAssignment assignment;

@@ -36,6 +36,7 @@ class Roster {
     }
   }
 
+  // Greedy assignment: the most important spot chooses first, and takes the nearest robot.
   void fill_vacant() {
     for (const FormationSpot& spot : spots_) {
       if (owner_of(spot) >= 0) continue;
@@ -48,7 +49,8 @@ class Roster {
     }
   }
 
-  // Pairwise exchange: swaps two robots if that clearly shortens the sum of their paths.
+  // Local search by pairwise exchange: swaps two robots if that clearly shortens the sum of their
+  // paths.
   void change_where_better() {
     for (int i = 0; i < predicted_.robots(); ++i) {
       for (int k = i + 1; k < predicted_.robots(); ++k) {

@@ -35,7 +35,8 @@ void give_keeper(const PredictedState& predicted, RoleAssignment& assignment) {
   if (predicted.robots() > 1) assignment.give(0, Role::kKeeper);
 }
 
-// The nearest robot except the keeper. Robots behind a goal, or stuck ones, are avoided.
+// The nearest robot except the keeper. Robots behind a goal, or stuck ones, are avoided. The
+// previous taker gets a bonus, so that two robots do not alternate.
 int choose_taker(const PlayContext& book) {
   const PredictedState& predicted = book.predicted;
   int taker = -1;

@@ -41,7 +41,8 @@ void Rowdy::look_for_chances(const Scene& scene) {
   for (Habit& habit : habits_) consider(habit, scene);
 }
 
-// An opportunity during another foul behaviour is missed.
+// One draw per opportunity, however many frames it lasts. An opportunity during another foul
+// behaviour is missed.
 void Rowdy::consider(Habit& habit, const Scene& scene) {
   const std::optional<ActiveFoul> chance = habit.kind->find_chance(scene);
   if (!chance) return;
@@ -58,6 +59,7 @@ void Rowdy::consider(Habit& habit, const Scene& scene) {
 bool Rowdy::go_on(const Scene& scene, TeamCommands& commands) {
   if (now_.time_s - active_foul_.begun_s > under_way_->longest_s) return false;
   if (active_foul_.robot >= 0 && find(now_.own, active_foul_.robot) == nullptr) return false;
+  // Copies, discarded if the behaviour ends in this frame.
   TeamCommands wanted = commands;
   TeamRequests asked = requests_;
   TeamOutput output{wanted, asked};

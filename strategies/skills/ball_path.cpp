@@ -48,6 +48,8 @@ double speed_after_mps(double speed_mps, double rolls_mps, double time_s) {
 
 void BallPath::follow(const TrackedBall& ball, double latency_s) {
   const double seen_mps = ball.velocity_mps.norm();
+  // The kick speed decides when sliding ends. A jump of the speed is a new kick. Once the ball
+  // rolls, kick_mps_ shrinks with its speed, so a softer kick counts as well.
   if (seen_mps > last_mps_ + kPeak_mps || seen_mps > kick_mps_) kick_mps_ = seen_mps;
   if (seen_mps < kRollsFrom * kick_mps_) kick_mps_ = seen_mps / kRollsFrom;  // it is rolling
   last_mps_ = seen_mps;
@@ -70,6 +72,7 @@ double kick_for_mps(double distance_m, double arrival_mps) {
   return std::sqrt(arrival_mps * arrival_mps + 2 * kSlide_mps2 * distance_m);  // still sliding
 }
 
+// Solves s = v t - a t^2 / 2 for t in the phase in which the ball covers the distance.
 double roll_time_s(double kick_mps, double distance_m) {
   const double rolls_mps = kRollsFrom * kick_mps;
   const Phase slide = sliding(kick_mps, rolls_mps);

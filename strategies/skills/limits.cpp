@@ -83,6 +83,7 @@ Vec2 permitted_by_all(const Field& field, const Vec2& wanted_m, const Vec2& ball
   if ((p - ball_m).norm() >= limits.keep_from_ball_m) return p;
   const Vec2 off_m = direction_of(p - ball_m, back_from(field, ball_m)) *
                      (limits.keep_from_ball_m + kLimitMargin_m);
+  // Searches the ball's circle at growing angles to both sides, so the first hit is the nearest.
   for (int i = 1; i <= kTurns; ++i) {
     for (const double side : {1.0, -1.0}) {
       Vec2 turned_m = ball_m + to_world(off_m, heading_of(side * i * kPi / kTurns));

@@ -57,6 +57,8 @@ RobotCommand drive_with(const TrackedRobot& robot, const Vec2& velocity_mps, con
   RobotCommand command;
   command.velocity_mps = to_local(velocity_mps, robot.heading);
   const double error_rad = angle_between(robot.heading, heading);
+  // Time-optimal braking curve, sqrt(2 a e) for an error e, replaced near the target by a
+  // proportional controller, because the curve's slope is unbounded there.
   const double rate_radps =
       std::min({style.turn_per_s * std::abs(error_rad), style.turn_limit_radps,
                 std::sqrt(2 * style.turn_braking_radps2 * std::abs(error_rad))});
@@ -69,6 +71,7 @@ RobotCommand drive_via(const TrackedRobot& robot, const Vec2& steer_m, const Way
   const double left_m = (goal.position_m - robot.position_m).norm();
   if (left_m < style.arrived_m) return drive_with(robot, Vec2(0, 0), goal.heading, style);
   const Vec2 direction = direction_of(steer_m - robot.position_m, goal.heading);
+  // The same braking curve along the path, with the same proportional end.
   const double speed_mps = std::min(
       {style.speed_mps, style.approach_per_s * left_m, std::sqrt(2 * style.braking_mps2 * left_m)});
   return drive_with(robot, direction * speed_mps, goal.heading, style);

@@ -72,6 +72,7 @@ Vec2 steer_for(const TrackedRobot& robot, const Vec2& target_m, const Obstacles&
         next != nullptr && next != hit)
       cost_m += kBlockedLeg_m;
     if (first_on(beside_m, target_m, obstacles) != nullptr) cost_m += kBlockedLeg_m / 2;
+    // Favours the side to which the robot already moves, so the choice does not flip.
     cost_m -= kTurning_s * robot.velocity_mps.dot(direction_of(leg, direction));
     if (cost_m >= best_cost_m) continue;
     best_cost_m = cost_m;

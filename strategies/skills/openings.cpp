@@ -36,6 +36,8 @@ void add_shadow(double goal_x, const Vec2& from_m, const Vec2& robot_m, double g
                 Spans& shadows) {
   const double to_robot_m = robot_m.x() - from_m.x();
   if (to_robot_m < kNarrowest_m || robot_m.x() > goal_x + kBlock_m) return;
+  // Similar triangles: the shadow grows with the distance, and with the secant of the angle at
+  // which the rays meet the goal line.
   const double stretch = (goal_x - from_m.x()) / to_robot_m;
   const double slope = (robot_m.y() - from_m.y()) / to_robot_m;
   const double half_m = (kBlock_m + grown_m) * stretch * std::sqrt(1 + slope * slope);
@@ -43,6 +45,7 @@ void add_shadow(double goal_x, const Vec2& from_m, const Vec2& robot_m, double g
   shadows.push_back({middle_m - half_m, middle_m + half_m});
 }
 
+// Sweeps over the intervals in order of their lower ends; the gaps are what no interval covers.
 Span widest_gap(Spans& shadows, double low_m, double high_m) {
   std::sort(shadows.begin(), shadows.end(),
             [](const Span& a, const Span& b) { return a.low_m < b.low_m; });
@@ -89,6 +92,7 @@ Opening widest_opening(const Field& field, const Vec2& from_m, const TrackedRobo
   return {target_m, half_m, share_within(half_m / (kKickError_rad * distance_m))};
 }
 
+// Each opponent covers a disc around its position, which grows until the ball passes.
 double pass_safety(const Vec2& from_m, const Vec2& to_m, double kick_mps,
                    const TrackedRobots& opponents) {
   double least_m = kSafe_m;

@@ -37,6 +37,8 @@ RobotCommand play_ball(const TrackedRobot& robot, const TrackedBall& ball,
   const bool in_lane = std::abs(beside_m) < kPlayLane_m && robot.heading.dot(aim) > 0.9;
   if (!in_lane) return drive_to(robot, {run_up_m, aim}, obstacles, style);
 
+  // Follows the ball sideways, runs through it along the aim, and closes the lateral error in
+  // proportion to its size.
   const double along_mps = std::clamp(ball.velocity_mps.dot(aim), 0.0, 1.5) + kThrough_mps;
   const Vec2 velocity_mps = ball.velocity_mps - aim * ball.velocity_mps.dot(aim) + aim * along_mps +
                             left_of(aim) * (style.approach_per_s * beside_m);

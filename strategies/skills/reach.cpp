@@ -21,6 +21,8 @@ double line_time_s(double distance_m, double along_mps, const Abilities& a) {
     return stop_s + line_time_s(distance_m - along_mps * stop_s / 2, 0, a);
   }
   const double speed2 = along_mps * along_mps;
+  // Triangular profile: (peak^2 - v^2) / (2 a) + peak^2 / (2 b) = distance, with accelerations a up
+  // and b down.
   const double peak2 =
       (2 * distance_m + speed2 / a.acceleration_mps2) / (1 / a.acceleration_mps2 + 1 / brake_mps2);
   if (peak2 <= speed2) return 2 * distance_m / std::max(0.1, along_mps);  // overshoots a little

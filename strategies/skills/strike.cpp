@@ -33,6 +33,7 @@ constexpr double kRunBraking_mps2 = 3.0;
 constexpr double kWideFirstTouch =
     0.45;  // least cosine between kick and direction back along the ball's path
 
+// Time-optimal braking curve, limited near the target, and by what the dribbler can hold.
 double turn_rate_radps(double error_rad) {
   const double rate = std::sqrt(2 * kTurnBraking_radps2 * std::abs(error_rad));
   return std::copysign(std::min({rate, 12 * std::abs(error_rad), kTurnWithBall_radps}), error_rad);
@@ -87,9 +88,12 @@ RobotCommand fetch(const TrackedRobot& robot, const BallPath& path,
   const Vec2& ball_m = is_near ? path.now_m() : interception.point_m;
   const Vec2 to_ball = ball_m - robot.position_m;
   const Vec2 straight = direction_of(to_ball, aim);
+  // The direction of approach lies between the straight path and the aim; the larger the bend, the
+  // less the robot has to turn with the ball.
   const double bend_rad =
       std::clamp(angle_between(straight, aim), -strike.bend_rad, strike.bend_rad);
   Vec2 from = to_world(heading_of(bend_rad), straight);  // direction through the ball
+  // Removes the component that would push the ball out of the field.
   const double outwards = from.dot(strike.keep_off);
   if (outwards > 0) from = direction_of(from - strike.keep_off * outwards, aim);
   const double ahead_m = to_ball.dot(from) - kStrikeTouch_m;

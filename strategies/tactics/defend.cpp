@@ -10,7 +10,8 @@ namespace {
 
 constexpr int kSteps = 5;  // to the area's edge; each at least halves the distance
 
-// The point on the ray from the goal's centre that is this far outside the team's own area.
+// The point on the ray from the goal's centre that is this far outside the team's own area. Sphere
+// tracing: each step moves along the ray by the distance still missing.
 Vec2 on_rim(const Field& field, const Vec2& direction, double off_m) {
   const Vec2 goal_m = field.goal_centre_m(Side::kWest);
   Vec2 p = goal_m + direction * (field.defence_area.depth_m + off_m);

@@ -39,6 +39,7 @@ void BallHandler::update() {
 Choice BallHandler::choose(int index, const Vec2& from_m) const {
   const TrackedRobot& robot = predicted_.robot(index);
   const double pressure = pressure_at(predicted_, from_m);
+  // (1 - cosine) / 2 is 0 if the robot already faces the target, and 1 if it faces away.
   const auto less_turning = [&](Choice option) {
     const Vec2 aim = direction_of(option.strike.target_m - from_m, robot.heading);
     option.worth -= predicted_.style().turn_nll * pressure * (1 - robot.heading.dot(aim)) / 2;
@@ -74,6 +75,8 @@ Choice BallHandler::choose(int index, const Vec2& from_m) const {
   return best;
 }
 
+// Potential field: the opponents' goal attracts, opponents and lines repel with a force that grows
+// linearly as they get nearer.
 RobotCommand BallHandler::carry(int index) const {
   const TrackedRobot& robot = predicted_.robot(index);
   const Vec2& goal_m = predicted_.field().goal_centre_m(Side::kEast);

@@ -66,6 +66,7 @@ Waypoint keeper_position(const PredictedState& predicted, const TrackedRobot& ke
   const Vec2 right_post_m(-field.half_length_m(), -field.half_goal_m());
   const Vec2 to_left = direction_of(left_post_m - ball_m, Vec2(-1, 0));
   const Vec2 to_right = direction_of(right_post_m - ball_m, Vec2(-1, 0));
+  // The sum of two unit vectors points along the bisector of their angle.
   const Vec2 halving = direction_of(to_left + to_right, Vec2(-1, 0));
   const double out_m = predicted.style().keeper_out_m;
   const double stand_x = -field.half_length_m() +

@@ -30,7 +30,8 @@ Choice pass_for(const PredictedState& predicted, int mate, Choice::Kind kind) {
   return pass;
 }
 
-// Value of a pass with that safety; `share` is the fraction of the chance that remains after it.
+// Value of a pass with that safety, as an expected value over the pass arriving or being lost.
+// `share` is the fraction of the chance that remains after it.
 double worth_of_pass(const PredictedState& predicted, const Choice& pass, double chance,
                      const Vec2& from_m, double safety, double share) {
   const Style& style = predicted.style();
@@ -93,7 +94,8 @@ Choice chip_to(const PredictedState& predicted, int mate, double chance, const V
   const Vec2 offset = chip.strike.target_m - from_m;
   const double distance_m = offset.norm();
   const double flight_m = distance_m - predicted.style().chip_hops_m;
-  const double kick_mps = std::sqrt(kGravity_mps2 * std::max(0.0, flight_m));  // at 45 degrees
+  // The ballistic range of a 45-degree chip at speed v is v^2 / g.
+  const double kick_mps = std::sqrt(kGravity_mps2 * std::max(0.0, flight_m));
   if (flight_m < predicted.style().shortest_chip_m || kick_mps > predicted.chip_limit_mps())
     return chip;
   if (!predicted.may_touch_at(chip.strike.target_m)) return chip;

@@ -75,6 +75,7 @@ double PassField::value_for(
                                                    : predicted_.style().far_cost_per_m;
   double value =
       values_[static_cast<std::size_t>(cell)] - far_per_m * (cell_m - robot.position_m).norm();
+  // Soft constraints: the penalty grows linearly the nearer another receiver or the ball is.
   for (const Vec2& other_m : taken_m) {
     const double near = 1 - (cell_m - other_m).norm() / predicted_.style().receivers_apart_m;
     if (near > 0) value -= near;

@@ -67,6 +67,7 @@ void PredictedState::settle_possession() {
   }
   double ours_s = std::numeric_limits<double>::infinity();
   for (int i = 0; i < robots(); ++i) ours_s = std::min(ours_s, interception(i).time_s);
+  // The margin favours the team that has the ball (hysteresis).
   is_ours_ = ours_s <
              theirs_.time_s + (is_ours_ ? style_.possession_margin_s : -style_.possession_margin_s);
 }
@@ -162,6 +163,8 @@ RobotCommand go_to(const PredictedState& predicted, int index, const Waypoint& w
   return drive_via(robot, steer_m, goal, style);
 }
 
+// Limits the closing speed towards each nearby opponent to a braking curve over the gap. Only the
+// component towards the opponent is reduced, so the robot can still slide past it.
 void ease_off(const PredictedState& predicted, int index, RobotCommand& command) {
   const TrackedRobot& robot = predicted.robot(index);
   Vec2 velocity_mps = to_world(command.velocity_mps, robot.heading);

@@ -17,7 +17,8 @@ Vec2 on_field(const PredictedState& predicted, const Vec2& p) {
   return {std::clamp(p.x(), -x_m, x_m), std::clamp(p.y(), -y_m, y_m)};
 }
 
-// The position for the safest pass from the ball, roughly in that direction.
+// The position for the safest pass from the ball, roughly in that direction: the best of six
+// candidates, three directions at two distances each.
 Waypoint knot(const PredictedState& predicted, const Vec2& direction) {
   const Vec2& ball_m = predicted.position_m();
   const double net_m = predicted.style().net_m;

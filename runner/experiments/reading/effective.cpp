@@ -114,7 +114,7 @@ std::string base_of(const GameSettings& base, std::string_view elsewhere = "",
 
 std::string text_of(const SetByValues& set_by_values) {
   if (set_by_values.empty()) return "";
-  std::string text = "set_by_values:  # what each value sets beyond base; written by AutoRef\n";
+  std::string text = "set_by_values:  # settings implied by each value; written by AutoRef\n";
   for (const auto& [name, values] : set_by_values) {
     text += fmt::format("  {}:\n", quoted_scalar(name));
     for (const auto& [path, value] : values) text += fmt::format("    {}: {}\n", path, value);

@@ -39,7 +39,7 @@ std::vector<SettingValue> FactorReader::values(const YamlEntry& list, const std:
   std::vector<SettingValue> values;
   if (!list.value.IsSequence() || list.value.size() == 0) {
     file_.refuse(value_location(list), list.key,
-                 "expected a list of values, at least one, such as [1.0, 0.9]");
+                 "expected a non-empty list of values, such as [1.0, 0.9]");
   }
   for (const YAML::Node& value : list.value) {
     const YamlLocation location = location_of(value);

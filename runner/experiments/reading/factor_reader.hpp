@@ -12,7 +12,7 @@
 
 namespace autoref::runner {
 
-// Whether the schedule sets this value for each game, so that neither base nor factors may.
+// Whether the schedule sets this value for each game. If so, base and factors must not set it.
 bool is_decided_by_schedule(std::string_view path);
 [[noreturn]] void refuse_decided(const YamlFile& file, const YamlLocation& location,
                                  std::string_view path);
@@ -35,7 +35,7 @@ class FactorReader {
   Factor read_factor(const YamlEntry& entry, GameSettings& base);
   SettingValue read_value(const YamlLocation& location, const std::string& path,
                           const std::string& text, GameSettings& base) const;
-  // If two keys set the same number, the later one would silently win.
+  // Refuses two keys that set the same number, since the later one would silently win.
   void refuse_overlap(const YamlEntry& entry, const Sweep& sweep) const;
 
   const YamlFile& file_;

@@ -17,7 +17,7 @@ class JudgeReader {
   JudgeReader(const YamlFile& file, SettingLocations& locations)
       : file_(file), locations_(locations) {}
 
-  // Rules, cameras and matchups. Throws InputError.
+  // Read the rules, cameras and matchups. Throw InputError.
   void read(const std::vector<YamlEntry>& top, JudgeSchedule& schedule) const;
 
  private:

@@ -1,4 +1,4 @@
-// The straight path of a kicked ball that nobody meets, in closed form from sim::BallParameters.
+// The straight path of a kicked ball that nobody touches, in closed form from sim::BallParameters.
 #pragma once
 
 #include <array>
@@ -19,16 +19,16 @@ class BallTrajectory {
   Vec2 point_m(double path_m) const { return from_m_ + path_m * direction_; }
   const Vec2& from_m() const { return from_m_; }
   const Vec2& direction() const { return direction_; }  // unit vector
-  double flight_m() const { return flight_m_; }         // length of the first; 0 for a flat kick
+  double flight_m() const { return flight_m_; }         // first flight; 0 for a flat kick
   double reach_m() const { return phases_[0].length_m + phases_[1].length_m; }  // until at rest
 
   // At distance `path_m` along the path, from 0 to reach_m().
   double speed_mps(double path_m) const;
   double time_s(double path_m) const;
-  double height_m(double path_m) const;  // of the ball's lowest point, in the first flight
+  double height_m(double path_m) const;  // bottom of the ball, during its first flight
 
  private:
-  // Constant deceleration.
+  // A phase with constant deceleration.
   struct Phase {
     double speed_mps = 0;  // initial
     double slowing_mps2 = 0;

@@ -19,7 +19,7 @@ class Duels {
   void stop();  // play has stopped
 
  private:
-  // How near any of a side's robots is to the ball.
+  // How close a side's nearest robot is to the ball.
   struct Nearness {
     bool is_at_ball = false;  // within kDuel_m
     bool is_in_it = false;    // within kDuelOver_m
@@ -27,12 +27,12 @@ class Duels {
   static Nearness nearness(const sim::WorldState& now, Side side);
   void await(bool both_at_ball);
 
-  enum class Stage { kNone, kOn, kDrawn };  // kDrawn lasts until the robots part
+  enum class Stage { kNone, kOn, kDrawn };  // kDrawn lasts until the robots separate
 
   int begin_frames_;
   int most_frames_;
   Stage stage_ = Stage::kNone;
-  int frames_ = 0;  // with both sides at the ball, or of the current duel
+  int frames_ = 0;  // since both sides reached the ball, or since the duel began
 };
 
 }  // namespace autoref::runner

@@ -1,13 +1,14 @@
 // A team's statistics in a game, as known from football: shots, passes, possession and so on.
 //
-// They come from ground truth and the referee's signals and cannot see intentions. Play is on from
-// a restart's signal until the referee ends it, so the restart's kick counts; shoot-outs do not.
+// They come from ground truth and the referee's signals and cannot see intentions. Play lasts from
+// a restart's signal until the referee ends it, so the restart's kick counts. Shoot-outs do not
+// count.
 //
 // A *kick away* is a kick after which the ball leaves the robot at kAway_mps or more and gets
 // kAway_m away. It is classified once, when another robot touches the ball, a goal is given or play
 // stops. If the kicker touches the ball first (later than kSameKick_s), it has only pushed the ball
-// ahead, and the kick does not count. Nor do kicks of both teams in the same sub-step. A kick's
-// path is the straight one that the ball would roll or fly along if nobody met it
+// ahead, and the kick does not count. Kicks by both teams in the same sub-step do not count either.
+// A kick's path is the straight line along which the ball would roll or fly if nobody touched it
 // (ball_trajectory.hpp).
 #pragma once
 
@@ -29,25 +30,27 @@ inline constexpr double kSameKick_s = 100_ms;
 
 // How far a shot may miss a post: more than the kicker's noise (1.5 degrees from 6 m: 160 mm).
 inline constexpr double kShotMiss_m = 250_mm;
-// Minimum speed on arrival of a shot or pass. A slower ball was pushed ahead and is anybody's.
+// Minimum speed on arrival of a shot or pass. A slower ball was pushed ahead and is a loose ball.
 inline constexpr double kArrival_mps = 1.0_mps;
 // A kick at the goal from a team's own third of the field is a clearance.
 inline constexpr double kClearanceShare = 1.0 / 3.0;
 
-// Nearer team-mates stand beside the kicker, so every kick's path starts near them.
+// Nearer team-mates do not count: they are beside the kicker, so every kick's path starts near
+// them.
 inline constexpr double kShortestPass_m = 500_mm;
 // How far a pass may miss a team-mate's current position: a short move for the team-mate.
 inline constexpr double kPassMiss_m = 500_mm;
-// The team-mate can get farther if the ball takes longer. This is the mean speed over the first
+// The team-mate can move farther if the ball takes longer. This is the mean speed over the first
 // 0.67 s when accelerating from rest at 3 m/s^2.
 inline constexpr double kMate_mps = 1.0_mps;
 // Upper limit of that distance: given enough time, anybody can reach any ball.
 inline constexpr double kFarthestMate_m = 1.0_m;
 
-// From hulls to the ball's surface. Slightly more than the ball's diameter: nobody fits between.
+// Distance from a hull to the ball's surface: slightly more than the ball's diameter, so nothing
+// else fits in between.
 inline constexpr double kDuel_m = 50_mm;
-inline constexpr double kDuelBegins_s = 100_ms;  // how long both sides must be that near
-// Distance of the loser, from the robot's full disc: more than a robot's width (0.18 m).
+inline constexpr double kDuelBegins_s = 100_ms;  // how long both sides must be that close
+// Distance from the ball to the loser's full disc: more than a robot's width (0.18 m).
 inline constexpr double kDuelOver_m = 300_mm;
 inline constexpr double kLongestDuel_s = 3.0_s;  // longer duels are drawn
 
@@ -63,13 +66,13 @@ struct PlayCounts {
   // Kicks away, other than shots, that a team-mate can reach: at the point of the path nearest to
   // it (at least kShortestPass_m from the kick and not in a chip's first flight), the ball is at
   // least as fast as kArrival_mps, and the team-mate is at most kPassMiss_m away, or as far as it
-  // gets at kMate_mps in the ball's time, up to kFarthestMate_m. The path ends where the ball stops
-  // or leaves the field.
+  // can move at kMate_mps until the ball arrives, up to kFarthestMate_m. The path ends where the
+  // ball stops or leaves the field.
   int passes_tried = 0;
   // Passes that a team-mate touches next, without an opponent in the same sub-step.
   int passes_completed = 0;
-  // Time that the ball is in play (GameRecord::ball_in_play_s) from this team's touch until one of
-  // the other team. If both touch it in the same sub-step, possession does not change.
+  // Time that the ball is in play (GameRecord::ball_in_play_s) from this team's touch until the
+  // other team's next one. If both touch it in the same sub-step, possession does not change.
   double possession_s = 0;
   // Calls of fouls by the team's robots, during play or while it is stopped; if both teams are at
   // fault, one for each. Excludes exits, aimless kicks, disallowed goals, restarts not taken and

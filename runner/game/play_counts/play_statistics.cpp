@@ -38,7 +38,8 @@ PlayStatistics::PlayStatistics(const Field& field, const sim::BallParameters& ba
       same_kick_frames_(std::lround(kSameKick_s * frame_rate_hz)),
       duels_(frame_rate_hz) {}
 
-// Touches since the last frame happened while play was in its previous state, so they come first.
+// Handle touches first: they happened since the previous frame, while play was in its previous
+// state.
 void PlayStatistics::update(const FrameSummary& summary) {
   if (is_on_) touch(summary);
   for (const referee::Decision& decision : summary.decisions) note(decision);

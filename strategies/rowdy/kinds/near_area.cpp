@@ -23,7 +23,8 @@ std::optional<ActiveFoul> find_chance(const Scene& scene) {
   return foul_by(mate, mate != nullptr ? mate->position_m : goal_m);
 }
 
-// The position at the area's edge in that direction from the goal, found by stepping.
+// The position at the area's edge in that direction from the goal, by sphere tracing: each step
+// moves along the ray by the distance still missing.
 Vec2 position_at_rim(const Scene& scene, const Vec2& from_m) {
   const Vec2 goal_m = scene.field.goal_centre_m(Side::kEast);
   const Vec2 direction = direction_of(from_m - goal_m, Vec2(-1, 0));

@@ -1,5 +1,5 @@
-// Kills runs and their workers (kill -9) a hundred times at random moments of an experiment: the
-// results are those of an undisturbed run.
+// Kills runs and their workers (kill -9) a hundred times at random moments of an experiment. The
+// results must equal those of an undisturbed run.
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>

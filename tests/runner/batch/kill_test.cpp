@@ -1,4 +1,4 @@
-// kill -9 of a whole run ends its workers too. For its results, see hundred_kills_test.cpp.
+// kill -9 of a whole run ends its workers too. hundred_kills_test.cpp tests the results.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -30,7 +30,7 @@ int lines_in(const std::filesystem::path& path) {
   return lines;
 }
 
-// Runs the experiment in a process and kills that once `pids` has two lines, or after 30 s.
+// Runs the experiment in a process and kills the process once `pids` has two lines, or after 30 s.
 void run_and_kill(const ExperimentOptions& options, const std::filesystem::path& pids) {
   const pid_t child = fork();
   if (child == 0) {

@@ -28,7 +28,7 @@ std::vector<std::string> scenario_files() {
 
 constexpr double kShortHalf_s = 5;
 
-// The fewest pairs that each kind allows.
+// The minimum number of pairs that each kind allows.
 void make_few(Sweep& sweep) { sweep.pairs = 1; }
 void make_few(RoundRobin& robin) { robin.pairs = 1; }
 void make_few(Gauntlet& gauntlet) { gauntlet.pairs = 1; }

@@ -130,7 +130,7 @@ TEST_F(RunVerb, ReportsThatMorePairsContinueTheFolder) {
   const Answer answer = run({"--pairs", "3"});
   EXPECT_EQ(answer.code, kDone);
   EXPECT_TRUE(answer.err.starts_with(
-      "the folder had 1 pairs, now 3: its games count, only the new ones are played\n"))
+      "the folder had 1 pairs, now 3; its games count, and only the new ones are played\n"))
       << answer.err;
 }
 

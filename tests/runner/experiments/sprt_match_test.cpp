@@ -49,7 +49,7 @@ TEST(SprtMatchRun, EndsWithThePairThatDecidesIt) {
   EXPECT_TRUE(report.is_complete);
   EXPECT_EQ(report.played, 20);  // min_pairs pairs: the evidence is clear
   EXPECT_NE(report.results.table.find("decided for d1: the mean lead of team0 over team1 in goals "
-                                      "a game is nearer to -4 than to 0"),
+                                      "per game is nearer to -4 than to 0"),
             std::string::npos)
       << report.results.table;
   EXPECT_NE(content_of(folder / "summary.csv").find(",d1,10,0,"), std::string::npos);

@@ -54,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(OfEachBook, EventTexts, testing::Values("paper", "2014"
                            return name;
                          });
 
-// Exactly the lines with a card have a reason for it.
+// A line gives the reason for a card if and only if it has a card.
 TEST(EventCards, HaveAReason) {
   int cards = 0;
   for (const char* book : {"2014", "2026-b"}) {

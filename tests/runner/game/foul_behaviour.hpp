@@ -1,5 +1,5 @@
-// A staged game in which the west does one kind of foul behaviour of `rowdy`, whenever it can, and
-// nothing else that is wrong; the east stands still unless told otherwise.
+// A staged game in which the west commits a single kind of foul of `rowdy` whenever it can; the
+// east stands still unless a test says otherwise.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ inline constexpr RobotId kFirst{Side::kWest, 1};
 inline constexpr RobotId kSecond{Side::kWest, 2};
 inline constexpr RobotId kOpponent{Side::kEast, 0};
 
-// A keeper and two field players who do nothing wrong but `kind`, and that always.
+// A keeper and two field players that commit `kind` whenever possible, and no other foul.
 inline StagedTeam only(const std::string& kind) {
   return {"rowdy", 3, {{"otherwise", 0}, {kind, 1}}};
 }
@@ -36,9 +36,9 @@ struct FoulBehaviour : StagedGame {
     const sim::RobotState& its = robot(id);
     return distance_to_hull(ball().position_m, its.position_m, its.heading) - kBallRadius_m;
   }
-  // Of the nearest of the two field players.
+  // Distance from the nearer of the two field players to the ball.
   double nearest_to_ball_m() const { return std::min(to_ball_m(kFirst), to_ball_m(kSecond)); }
-  // Of a robot's centre to the area of `side`; hulls reach 90 mm farther.
+  // Distance from a robot's centre to the defence area of `side`; hulls reach 90 mm farther.
   double to_area_m(Side side, RobotId id) const {
     return distance_to_defence_area(field, side, robot(id).position_m);
   }
@@ -51,7 +51,7 @@ struct FoulBehaviour : StagedGame {
   double ball_mps() const { return ball().velocity_mps.norm(); }
 };
 
-// The least and the most that `measured` comes to with the seeds 1 to 20.
+// Minimum and maximum of `measured` over the seeds 1 to 20.
 struct Spread {
   double least = std::numeric_limits<double>::infinity();
   double most = -std::numeric_limits<double>::infinity();

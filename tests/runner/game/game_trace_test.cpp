@@ -1,4 +1,4 @@
-// Invariants of every frame and liveness of every game: always, never, eventually.
+// Invariants of every frame and liveness of every game.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -51,7 +51,7 @@ TEST(GameTrace, AHundredGamesEndWithAResultAndStayWithinBounds) {
   EXPECT_LT(watch.farthest_x_m, 0) << "the ball left the walls";
   EXPECT_LT(watch.farthest_y_m, 0) << "the ball left the walls";
   EXPECT_TRUE(watch.all_finite);
-  // GOAL and STOP each last one frame in addition to the ready timeout of 15 s.
+  // GOAL and STOP each add one frame to the ready timeout of 15 s.
   EXPECT_LE(watch.longest_wait_s, RuleBook().ready_timeout_s + 0.1);
 }
 

@@ -103,7 +103,7 @@ TEST(Rowdy, DribblesTheBallNearAndFar) {
   EXPECT_LT(dribbled.most, 1.8);
 }
 
-// The longest time for which the ball stays at the keeper inside its area.
+// The longest time that the ball stays with the keeper inside its area.
 double held_s(std::uint64_t seed) {
   FoulBehaviour game("keeper_hold", {"dummy", 2, {}}, seed);
   game.put_ball({-2.6, 0.1});

@@ -35,7 +35,8 @@ TEST(SpecOf, GivesEveryRobotTheGamesValuesByDefault) {
   }
 }
 
-// Each layer sets one value more than the layer above it, and all values of the layers below.
+// In order of increasing priority, each layer sets one value fewer than the one before, so every
+// layer decides exactly one value.
 TEST(SpecOf, LetsTeamsOverrideTheGameAndPlayersOverrideTeamsInAnyOrderOfKeys) {
   const std::string types =
       "types:\n"

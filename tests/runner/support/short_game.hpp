@@ -16,7 +16,7 @@ inline GameConfiguration short_game(double half_s, std::uint64_t seed) {
   return game;
 }
 
-// The same by a rule book and on its field.
+// The same game under a rule book, on its field.
 inline GameConfiguration short_game_by(const std::string& book, double half_s, std::uint64_t seed) {
   GameSettings game;
   choose_rules(book, game);

@@ -18,7 +18,7 @@ inline std::string write_short_log(const TemporaryFolder& folder, const std::str
   const std::string path = folder / "game.log.gz";
   const std::string game = in_checkout("scenarios/paper-game.yaml");
   const std::string book = "match.rules=" + rules;
-  // The book sets its own half length, so half_s is set after it.
+  // The rule book sets its own half length, so half_s is set after it.
   const Answer answer = answer_to({"play", game.c_str(), "--log", path.c_str(), "--set",
                                    book.c_str(), "--set", "match.half_s=3"});
   EXPECT_EQ(answer.code, 0) << answer.err;

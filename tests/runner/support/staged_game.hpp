@@ -22,7 +22,7 @@ struct StagedTeam {
   std::map<std::string, double> params;
 };
 
-// Exact and without delay, so everything that happens is the teams' doing.
+// Vision is exact and has no delay, so the teams alone cause what happens.
 class StagedGame {
  public:
   static constexpr double kRate_hz = 60;

@@ -27,7 +27,8 @@ sim::WorldState turned(const sim::WorldState& state) {
   return turned;
 }
 
-// As the rotated world would report them: in each sub-step kicks before hulls, west before east.
+// Sorts touches as the rotated world would report them: in each sub-step, kicks come before hull
+// contacts and west before east.
 std::vector<sim::Touch> turned(std::span<const sim::Touch> touches) {
   std::vector<sim::Touch> turned(touches.begin(), touches.end());
   for (sim::Touch& touch : turned) {
@@ -49,7 +50,7 @@ referee::Decision turned(referee::Decision decision) {
 }
 
 // Counts during the game, once as it is and once with the field rotated by 180 degrees. The ball
-// counts as in play from the signal on.
+// counts as in play from the restart's signal.
 class Counters final : public Observer {
  public:
   explicit Counters(const GameConfiguration& game)
