@@ -45,6 +45,8 @@ double out_of_box_m(const Field& field, Side side, const RobotObservation& robot
   const double inwards = -goal_sign(side);
   const double aside = std::copysign(1.0, robot.position_m.y());
   const double depth_m = (robot.position_m.x() - field.goal_centre_m(side).x()) * inwards;
+  // The hull is inside the box if its extreme points in both outward directions are: the support
+  // function gives them without computing the outline.
   const double over_front_m =
       depth_m + reach_of_hull_m(robot.heading, Vec2(inwards, 0)) - area.depth_m;
   const double over_side_m = std::abs(robot.position_m.y()) +
@@ -55,6 +57,8 @@ double out_of_box_m(const Field& field, Side side, const RobotObservation& robot
 }  // namespace
 
 double hull_to_area_m(const Field& field, Side side, const RobotObservation& robot) {
+  // The supporting line at the area's nearest point separates the two, so the hull's reach towards
+  // that point is the part of the distance it covers.
   return distance_to_defence_area(field, side, robot.position_m) -
          reach_of_hull_m(robot.heading, direction_to_area(field, side, robot.position_m));
 }

@@ -96,12 +96,14 @@ bool leads_on(const Transition& transition, const RefereeState& state, const Ref
          transition.guard.holds(state, input.configuration);
 }
 
+// The clock of actual play runs in RUN only; a transition from RUN to RUN leaves it alone.
 void follow_play(RefereeState& state, State before, double now_s) {
   if (before == state.machine_state) return;
   if (before == State::kRun) state.play_clock.stop(now_s);
   if (state.machine_state == State::kRun) state.play_clock.start(now_s);
 }
 
+// Returns the first that matches, so the order of the tables sets the priority.
 const Transition* find_transition(const RefereeState& state, const RefereeInput& input,
                                   Event event) {
   for (const std::span<const Transition> transitions : all_transitions()) {

@@ -47,6 +47,8 @@ const TrackedRobot* find_track(const TrackedRobots& robots, int number) {
 // `duration_s`. `path_m` leads from one centre to the other.
 std::optional<double> time_to_touch_s(const Vec2& path_m, const Vec2& velocity_mps,
                                       double duration_s) {
+  // Smaller root of |path + velocity t| = kTouching_m. This form of it does not subtract nearly
+  // equal numbers, and needs no division by a relative speed of zero.
   const double closing = -path_m.dot(velocity_mps);
   const double left_m2 = path_m.squaredNorm() - kTouching_m * kTouching_m;
   if (left_m2 <= 0) return 0.0;

@@ -27,6 +27,7 @@ void watch_side(DribblingWatch& watch, const RefereeInput& input, Side side) {
   for (const TrackedRobot& robot : input.tracks.robots[side]) {
     const auto number = static_cast<std::size_t>(robot.number);
     const bool had = former[number].has_value();
+    // has_ball() has hysteresis: `had` widens its limits, so noise does not end a dribble.
     if (!has_ball(robot, ball, had, input.configuration.noise)) continue;
     ball_from_m[number] = had ? former[number] : ball.position_m;
   }

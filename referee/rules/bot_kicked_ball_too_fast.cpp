@@ -74,6 +74,7 @@ Detections detections_of(const FrameHistory& frames, double from_s, double to_s)
 Speed speed_on_carpet(const Detections& seen, double kicked_s, const Configuration& c) {
   const Vec2 direction =
       direction_of(seen.front()->position_m - seen.back()->position_m, Vec2(1, 0));
+  // The carpet's deceleration is a prior of the fit: a few frames alone do not determine it.
   ConstantAccelerationFit fit(-kCarpet_mps2 * direction, kCarpetDeviation_mps2);
   for (const BallDetection* ball : seen) {
     fit.add(ball->time_s - kicked_s, ball->position_m, std::max(c.noise.ball_m, kKickRounding_m));

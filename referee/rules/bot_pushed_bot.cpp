@@ -63,6 +63,7 @@ std::optional<Push> push_by(Side side, const PushContact& contact, const Tracked
   const Side other = opponent_of(side);
   const Vec2 line = direction_of(pushed.position_m - pusher.position_m, Vec2(1, 0));
   if (contact.before_mps[other].dot(line) > kOwnSpeed_mps) return std::nullopt;
+  // The lesser of the two: a push moves both robots along the line of their centres.
   const double path_m = std::min((pusher.position_m - contact.from_m[side]).dot(line),
                                  (pushed.position_m - contact.from_m[other]).dot(line));
   return Push{{side, pusher.number},

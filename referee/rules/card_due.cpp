@@ -27,6 +27,7 @@ std::string name_or_both(const std::optional<Side>& side) {
 
 bool is_due(const CardBook& cards, const RuleBook& rules, Card card) {
   if (rules.fouls_per_card == 0) return false;
+  // Integer division: cards earned so far, compared with cards shown.
   if (cards.fouls / rules.fouls_per_card <= cards.cards_for_fouls) return false;
   return next_card(cards, rules) == card;
 }

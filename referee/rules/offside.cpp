@@ -46,6 +46,8 @@ void watch(OffsideWatch& watch, const TouchHistory& touches, const RefereeInput&
   const BallTouch& touch = *touches.newest();
   OffsideWatch::Pass& newest = watch.newest;
   if (newest.touch == touches.count() && newest.ended_s == touch.ended_s) return;
+  // A pass is judged when it is received, which is the next touch: keep the newest and the one
+  // before.
   if (newest.touch < touches.count()) watch.before = newest;
   newest = {touches.count(), touch.ended_s, Side::kWest, {}};
   if (!touch.side) return;

@@ -57,6 +57,7 @@ double off_line_m(Side side, const RobotObservation& keeper, const Field& field)
   const bool in_front = depth_m > 0;
   const double reach_m =
       reach_of_hull_m(keeper.heading, Vec2(goal_sign(side) * (in_front ? 1 : -1), 0));
+  // In front of the goal line, the line's width counts as touching it.
   const double line_m = in_front ? depth_m - field.line_width_m : -depth_m;
   const double beside_m = std::abs(keeper.position_m.y()) - field.half_goal_m();
   return std::max(line_m - reach_m, beside_m);

@@ -33,6 +33,7 @@ void add_game(Group& group, const GameRow& row) {
 DifferenceByPair pair_differences_of(const Group& group) {
   DifferenceByPair differences;
   for (const auto& [number, legs] : group.games_by_pair) {
+    // The two legs share the pair's luck; their mean is one independent value.
     if (legs.size() == 2) differences[number] = (legs[0].difference + legs[1].difference) / 2;
   }
   return differences;

@@ -82,6 +82,8 @@ RowInventory take_row_inventory(const Scenario& scenario, const std::vector<Game
                                 bool allow_mixed_build, const std::filesystem::path& folder,
                                 const std::string& changes) {
   RowInventory row_inventory{schedule_of(scenario, {}), {}};
+  // Iterates to a fixed point: rows can extend the schedule (of a knockout), and a longer schedule
+  // can claim more rows.
   while (true) {
     row_inventory.completed_games = sort_rows(rows, row_inventory.schedule.games, format, build,
                                               allow_mixed_build, folder, changes);

@@ -46,6 +46,8 @@ Schedule schedule_of(const Experiment& experiment, const RowsById& /*rows*/) {
   return {std::move(games), needed};
 }
 
+// Pairs that other workers finished after the deciding one are not needed, so the result does not
+// depend on the number of workers.
 Schedule schedule_of(const SprtMatch& match, const RowsById& rows) {
   const SprtMatchState state = state_of(match, rows);
   std::vector<ScheduledGame> games = scheduled_games(match);
@@ -54,6 +56,8 @@ Schedule schedule_of(const SprtMatch& match, const RowsById& rows) {
   return {std::move(games), needed};
 }
 
+// Each tie without known teams counts as one needed game, so the experiment cannot be complete
+// before the bracket is.
 Schedule schedule_of(const Knockout& knockout, const RowsById& rows) {
   const std::vector<Tie> ties = bracket_of(knockout, rows);
   std::vector<ScheduledGame> games = games_of(knockout, ties);

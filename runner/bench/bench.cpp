@@ -74,6 +74,7 @@ double bare_ns(std::uint64_t seed, std::int64_t frames) {
   const Clock::time_point start = Clock::now();
   for (std::int64_t i = 0; i < frames; ++i) bare.step_frame();
   const double ns = ns_since(start);
+  // Uses the result, so the compiler cannot remove the work; also fails for NaN.
   if (!(bare.checksum_m() < 1e9)) throw std::logic_error("the bare Box2D benchmark has diverged");
   return ns;
 }
@@ -122,9 +123,12 @@ BenchResult bench(int rounds) {
     const auto frames = static_cast<double>(record.frames);
     game_ns.push_back(ns_since(start) / frames);
     bare_frame_ns.push_back(bare_ns(seed, record.frames) / frames);
+    // Both are measured in turns and the ratio is taken per round, so a machine that slows down
+    // meanwhile affects both. The median ignores a disturbed round.
     ratios.push_back(game_ns.back() / bare_frame_ns.back());
     signature.add(record.state_hash);
   }
+  // Measured in games of their own, since reading the clock in every phase costs time.
   Shares shares;
   play(fixed_game(kFirstSeed), &shares);
   Shares with_all_rules;

@@ -73,6 +73,8 @@ Costs run_with(int workers) {
   options.build = build_id();
   options.workers = workers;
   options.play = [](const GameConfiguration& game) { return play(game); };
+  // RUSAGE_CHILDREN counts only children that have ended and been waited for, which is true of all
+  // workers once the experiment returns.
   const Costs before{0, cpu_s(RUSAGE_SELF), cpu_s(RUSAGE_CHILDREN)};
   const Clock::time_point start = Clock::now();
   if (!run_experiment({"", sweep}, options).is_complete) throw Interrupted();

@@ -28,6 +28,7 @@ int start(const std::vector<std::string>& words, int out, pid_t& pid) {
   return error;
 }
 
+// Must finish before the process is waited for: a child blocks when the pipe is full.
 std::string read_to_end(int descriptor) {
   std::string text;
   std::array<char, 4096> buffer{};
@@ -43,6 +44,7 @@ int code_of(pid_t pid) {
   int status = 0;
   while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
   }
+  // Shell convention for a program that a signal has ended.
   return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
@@ -50,6 +52,8 @@ int code_of(pid_t pid) {
 
 std::optional<CommandResult> run_command(const std::vector<std::string>& words) {
   std::array<int, 2> ends{};
+  // The program inherits only its standard output: dup2() clears the close-on-exec flag on the
+  // copy.
   if (pipe2(ends.data(), O_CLOEXEC) != 0) throw io_error("cannot open a pipe", errno);
   pid_t pid = -1;
   const int error = start(words, ends[1], pid);

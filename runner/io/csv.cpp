@@ -8,6 +8,7 @@ std::string quoted(const std::string& cell) {
   std::string text = "\"";
   for (const char letter : cell) {
     if (letter == '"') text += '"';
+    // A row must stay on one line, so that a torn row can be told from a complete one.
     text += letter == '\n' || letter == '\r' ? ' ' : letter;
   }
   return text + "\"";
@@ -22,6 +23,7 @@ bool take_cell(std::string_view& rest, std::string& cell) {
     return cell.find('"') == std::string::npos;
   }
   for (std::size_t i = 1; i < rest.size(); ++i) {
+    // Two quotes inside a quoted cell stand for one (RFC 4180).
     if (rest[i] == '"') {
       if (i + 1 == rest.size() || rest[i + 1] != '"') {
         rest.remove_prefix(i + 1);

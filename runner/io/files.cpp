@@ -125,6 +125,7 @@ bool PendingFile::take_part() {
 
 PendingFile::~PendingFile() {
   if (descriptor_ < 0) return;
+  // Unlink while the lock is held: afterwards the name may already belong to another process.
   if (!is_direct()) unlink(part_.c_str());
   close(descriptor_);
 }
@@ -132,6 +133,8 @@ PendingFile::~PendingFile() {
 void PendingFile::commit(std::string_view text) {
   write_all(descriptor_, text, path_);
   if (is_direct()) return;
+  // rename() replaces the file atomically: readers see the old content or the new, never a part.
+  // Without fsync() a power failure could leave the new name with empty content.
   if (fsync(descriptor_) != 0 || rename(part_.c_str(), path_.c_str()) != 0) {
     throw cannot_write(path_);
   }

@@ -25,6 +25,8 @@ fs::path resolved(fs::path path) {
 
 bool is_same_file(const fs::path& one, const fs::path& other) {
   std::error_code error;
+  // equivalent() compares device and inode, so it also recognises hard links, but fails for files
+  // that do not exist yet.
   return fs::equivalent(one, other, error) || resolved(one) == resolved(other);
 }
 

@@ -12,6 +12,7 @@ namespace {
 
 template <typename Number>
 std::optional<Number> parsed(std::string_view text) {
+  // from_chars() accepts a minus sign but not a plus sign.
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   Number number{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);

@@ -53,6 +53,8 @@ class BoundsCheck final : public YAML::EventHandler {
              "this alias (*) is inside the value it refers to, which would never end; "
              "write out what is meant instead");
     }
+    // Adds the anchor's extent without expanding it, so nested aliases that would grow
+    // exponentially ("billion laughs") are refused in time linear in the text.
     add(mark, found->second);
   }
   void OnSequenceStart(const Mark& mark, const std::string& /*tag*/, anchor_t anchor,

@@ -18,6 +18,7 @@ constexpr double kLabSameTime_s = 1e-9;
 RobotCommand eased(const TimedCommand& timed, const RobotCommand& former, double time_s) {
   RobotCommand command = timed.command;
   if (time_s + kLabSameTime_s >= timed.at_s + timed.over_s) return command;
+  // Linear ramp from the former command's speeds.
   const double left = 1.0 - (time_s - timed.at_s) / timed.over_s;
   command.velocity_mps += left * (former.velocity_mps - command.velocity_mps);
   command.angular_velocity_radps +=

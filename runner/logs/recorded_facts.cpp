@@ -95,6 +95,7 @@ class FactFinder final : public league::LogVisitor {
 
   void note_clock(Stage stage, double left_s) {
     RecordedGame& game = facts.games.back();
+    // The first packet of a half may come a little late: round up to the clock's resolution.
     const double rounded_s = std::ceil(left_s / kClock_s - 0.01) * kClock_s;
     const auto note = [rounded_s](std::optional<double>& length_s) {
       length_s = std::max(length_s.value_or(kClock_s), rounded_s);
@@ -109,6 +110,8 @@ class FactFinder final : public league::LogVisitor {
 }  // namespace
 
 bool NextGame::begins_with(Stage stage) {
+  // Hysteresis: only a stage from half-time on arms the detector, so a correction from the first
+  // half back to its preparation does not begin a new game.
   const bool begins = stage <= Stage::kFirstHalf && latest_ >= Stage::kHalfTime;
   latest_ = begins ? stage : std::max(latest_, stage);
   return begins;

@@ -27,6 +27,8 @@ constexpr std::size_t kLongestMessage = 128 * 1024;
 // the whole process group; only the parent decides what to do about it.
 [[noreturn]] void live_as_worker(int socket, pid_t parent, const sigset_t& former_mask,
                                  const WorkerProcess::Work& work) {
+  // The kernel kills the worker when its parent dies, however that happens. If the parent died
+  // before this call, the signal never comes, hence the check.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(1);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);
@@ -69,6 +71,8 @@ bool was_killed(std::string_view failure) {
 }
 
 EndSignals::EndSignals() {
+  // Signals are blocked and read from a signalfd, so poll() sees them beside the workers' answers
+  // and no code has to be async-signal-safe.
   sigset_t set;
   sigemptyset(&set);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&set, signal);
@@ -78,6 +82,7 @@ EndSignals::EndSignals() {
 }
 
 EndSignals::~EndSignals() {
+  // Drains pending signals: unblocking them would terminate the process.
   count();
   close(descriptor_);
   sigprocmask(SIG_SETMASK, &former_, nullptr);
@@ -95,6 +100,9 @@ double WorkerProcess::busy_s() const {
 
 void WorkerProcess::start(const EndSignals& signals, const Work& work) {
   if (pid_ > 0) return;
+  // SOCK_SEQPACKET keeps message boundaries, so one recv() returns one whole answer, and reports
+  // the end of the connection when the worker dies. The jobs themselves need no transfer: fork()
+  // has copied the parent's memory.
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) {
     throw io_error("cannot open a socket to a worker", errno);
@@ -131,6 +139,7 @@ std::string WorkerProcess::end() {
   kill(pid_, SIGKILL);
   close(socket_);
   int status = 0;
+  // Without this wait the worker would remain a zombie.
   while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
   }
   pid_ = -1;

@@ -32,6 +32,8 @@ class Pool {
                         [](const WorkerProcess& worker) { return worker.is_busy(); });
       if (running == 0) return signals_.count() == 0 ? Ending::kDone : Ending::kInterrupted;
       wait();
+      // The first signal lets running jobs finish; the second abandons them. Their workers are
+      // killed with the pool.
       if (signals_.count() > 1) return Ending::kInterrupted;
       if (signals_.count() == 1) announce_ending(static_cast<int>(running));
       for (WorkerProcess& worker : workers_) check_time(worker);
@@ -56,6 +58,7 @@ class Pool {
     }
   }
 
+  // Waits for an answer or a signal, at most one tick, so that time limits are checked regularly.
   void wait() {
     std::vector<pollfd> watched = {{signals_.descriptor(), POLLIN, 0}};
     std::vector<WorkerProcess*> busy;
@@ -93,6 +96,7 @@ class Pool {
 
   void lose(const Job& job, const std::string& reason, double wall_s) {
     if (job.attempt < options_.attempts) {
+      // Retry at once, so that jobs keep their order as far as possible.
       queue_.push_front({job.number, job.attempt + 1});
     } else {
       give_up(job, reason, wall_s);

@@ -51,6 +51,7 @@ ShardIndex shard_index_of(const std::string& text) {
 }
 
 Shard::Shard(fs::path path, const std::string& header, double patience_s) : path_(std::move(path)) {
+  // O_APPEND: every write goes to the end, wherever a torn line was cut off.
   descriptor_ = open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (descriptor_ < 0) throw cannot_write(path_);
   try {
@@ -84,6 +85,7 @@ void Shard::lock(double patience_s) {
   }
 }
 
+// A run that was killed during a write leaves a line without an end. Its game will be replayed.
 void Shard::cut_torn_line() {
   const std::string text = read_file(path_).value_or("");
   const std::size_t last_end = text.rfind('\n');
@@ -95,6 +97,8 @@ void Shard::cut_torn_line() {
 void Shard::append(const std::string& line) {
   const off_t end = lseek(descriptor_, 0, SEEK_END);
   const std::string text = line + "\n";
+  // One write() per row, so a crash can tear only the last one. fdatasync() makes a row durable
+  // before its game counts as played.
   const ssize_t count = write(descriptor_, text.data(), text.size());
   if (count == static_cast<ssize_t>(text.size()) && fdatasync(descriptor_) == 0) return;
   const int error_number = count >= 0 && count < static_cast<ssize_t>(text.size()) ? ENOSPC : errno;
@@ -118,6 +122,8 @@ StoredRows read_rows(const fs::path& games_folder, const RowFormat& format) {
   for (const fs::path& file : files) {
     const std::string text = read_file(file).value_or("");
     const std::vector<std::string_view> lines = complete_lines(text);
+    // Only complete lines are read, so a row that another process is writing is merely not there
+    // yet.
     if (lines.empty()) continue;
     if (lines.front() != csv_line(format.names())) {
       throw InputError(

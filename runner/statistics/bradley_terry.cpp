@@ -58,6 +58,7 @@ VectorXd newton_step(const Totals& totals, const VectorXd& strengths) {
   return curvature.completeOrthogonalDecomposition().solve(slope);
 }
 
+// Backtracking line search. The negated comparison also rejects a likelihood that is not a number.
 VectorXd improved(const Totals& totals, const VectorXd& strengths, VectorXd step) {
   const double before = log_likelihood(totals, strengths);
   for (int i = 0; i < kMostHalvings && !(log_likelihood(totals, strengths + step) >= before); ++i) {

@@ -7,6 +7,7 @@
 namespace autoref::runner {
 namespace {
 
+// Pairs with the same number play with the same seeds, so their difference cancels common luck.
 std::vector<double> common_differences(const DifferenceByPair& value,
                                        const DifferenceByPair& baseline) {
   std::vector<double> differences;
@@ -40,6 +41,7 @@ PairedDifference paired_difference(const DifferenceByPair& value,
   difference.mean = mean(sample);
   difference.interval = mean_interval(sample);
   difference.p = p_of_zero_mean(sample);
+  // Cohen's d for paired samples: the mean difference in units of the differences' own spread.
   if (difference.p) difference.effect_size = *difference.mean / *standard_deviation(sample);
   return difference;
 }

@@ -19,6 +19,7 @@ std::optional<Interval> wilson_interval(int successes, int n) {
   if (n == 0) return std::nullopt;
   const double z = quantile(complement(boost::math::normal(), kMissedShare / 2));
   const double share = static_cast<double>(successes) / n;
+  // Solves |share - p| = z sqrt(p (1 - p) / n) for p; the two roots are centre -+ half.
   const double shrink = 1 + z * z / n;
   const double centre = (share + z * z / (2.0 * n)) / shrink;
   const double half = z / shrink * std::sqrt(share * (1 - share) / n + z * z / (4.0 * n * n));

@@ -79,6 +79,7 @@ Eigen::MatrixXd resampled(std::size_t teams, const std::vector<PairTotals>& matc
                           const RatingMethod& rate) {
   Eigen::MatrixXd outcomes(teams, kResamples);
   RandomStream random(kStreamKey);
+  // Drawing with replacement: ignores which pair it replaces.
   const auto any = [&random](std::size_t, std::size_t n) {
     return static_cast<std::size_t>(random.uniform() * static_cast<double>(n));
   };

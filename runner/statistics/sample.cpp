@@ -35,6 +35,7 @@ std::optional<double> standard_deviation(std::span<const double> sample) {
   return std::sqrt(sum_of_products(sample, sample) / static_cast<double>(sample.size() - 1));
 }
 
+// Ordinary least squares: covariance over variance; the factors n - 1 cancel.
 std::optional<double> slope_of(std::span<const double> x, std::span<const double> y) {
   assert(x.size() == y.size());
   if (x.empty()) return std::nullopt;

@@ -29,6 +29,8 @@ double power_of(const DifferenceSought& sought, int pairs) {
   assert(sought.delta != 0 && sought.sd > 0 && 0 < sought.alpha && sought.alpha < 1);
   assert(pairs >= kFewestPairs);
   const double degrees_of_freedom = pairs - 1;
+  // The t statistic follows the central distribution if there is no difference, and the noncentral
+  // one if there is; the power is the mass of the latter beyond either critical value.
   const boost::math::students_t without(degrees_of_freedom);
   const boost::math::non_central_t with(degrees_of_freedom, effect_of(sought) * std::sqrt(pairs));
   const double bound = quantile(complement(without, sought.alpha / 2));

@@ -68,6 +68,7 @@ void draw_piece(const Track& track, std::size_t begin, std::size_t end, Svg& svg
 void draw_path(const Track& track, std::string_view color, double width_m, Svg& svg) {
   const std::size_t steps = track.size() - 1;
   for (std::size_t piece = 0; piece < kStrengths; ++piece) {
+    // A path has one opacity in SVG, so a fading path is drawn in pieces; neighbours share a point.
     const std::size_t begin = steps * piece / kStrengths;
     const std::size_t end = steps * (piece + 1) / kStrengths;
     draw_piece(track, begin, end + 1, svg,
@@ -106,6 +107,7 @@ void draw_field(const Field& field, Svg& svg) {
 }
 
 void draw_robot(Side side, const RobotObservation& robot, Svg& svg) {
+  // The front plate is a chord at this distance from the centre; the arc is the rest of the circle.
   const double half_rad = std::acos(kFrontDistance_m / kRobotRadius_m);
   const double heading_rad = angle_of(robot.heading);
   const MarkArc round{robot.position_m, kRobotRadius_m, heading_rad + half_rad,

@@ -75,6 +75,7 @@ void GameRecording::add(const Frame& frame) {
 void GameRecording::add_time(double time_s) {
   const double ticks = std::clamp(time_s * kTicksPerSecond, 0.0, kMostTicks);
   const auto bits = static_cast<std::uint32_t>(std::llround(ticks));
+  // Little-endian, whatever the machine's byte order.
   for (const unsigned shift : {0U, 8U, 16U, 24U})
     times_ += static_cast<char>(bits >> shift & 0xffU);
 }
@@ -85,6 +86,7 @@ void GameRecording::add_robots(const SeenRobots& robots, Columns& columns) {
   for (const RobotObservation& robot : robots) {
     const auto number = static_cast<std::size_t>(robot.number);
     seen[number] = numbers_of(robot);
+    // Columns are created when a robot first appears, and padded to the length of the others.
     if (!columns[number]) columns[number] = unseen_for(frames_);
   }
   for (std::size_t number = 0; number < seen.size(); ++number)

@@ -14,6 +14,8 @@ constexpr double kFullTurn_rad =
 long mm(double metres) { return std::lround(metres * 1000); }
 
 std::string point(const Vec2& position_m) {
+  // SVG's y axis points down. Whole millimetres keep the text short and the same with every
+  // compiler.
   return fmt::format("{} {}", mm(position_m.x()), mm(-position_m.y()));
 }
 

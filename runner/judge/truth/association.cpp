@@ -124,12 +124,15 @@ class Matcher {
     verdict.is_in_air = call.is_in_air;
     verdict.is_borderline = nearest(call, Standing::kNearMiss, false).has_value();
     const std::optional<std::size_t> answered = nearest(call, Standing::kTrue, true);
+    // A call that fits an event already answered is a second call for it, not a false alarm.
     verdict.is_second = answered && (!call.robot || !true_events_[*answered].robot ||
                                      is_same_robot(call, true_events_[*answered]));
     verdicts_.push_back(verdict);
   }
 
   void miss(const TrueEvent& event) {
+    // An event at the moment when a right call ended play for another reason could not be called
+    // any more.
     const bool is_overtaken = std::any_of(
         right_ends_s_.begin(), right_ends_s_.end(),
         [&](double end_s) { return std::abs(end_s - event.time_s) <= kAssociationSameTime_s; });

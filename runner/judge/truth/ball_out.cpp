@@ -33,6 +33,7 @@ class BallOut final : public GroundTruthRule {
 
  private:
   static void foresee(const Scene& scene, TrueEvents& all) {
+    // Dead reckoning: play has ended, so the true crossing will never be seen.
     sim::BallState soon = scene.now.ball;
     soon.position_m += kExitLead_s * soon.velocity_mps;
     std::optional<Crossing> crossing = find_crossing(scene.field, scene.now.ball, soon);

@@ -33,6 +33,7 @@ std::optional<Crossing> find_crossing(const Field& field, const sim::BallState& 
   const auto goal = share_at(a.x(), b.x(), field.half_length_m() + kBallRadius_m);
   const auto touch = share_at(a.y(), b.y(), field.half_width_m() + kBallRadius_m);
   Crossing crossing;
+  // The ball leaves over the line it reaches first on the straight path between the two frames.
   crossing.over_goal_line = goal && (!touch || *goal <= *touch);
   crossing.share = crossing.over_goal_line ? *goal : *touch;
   crossing.point_m = a + crossing.share * (b - a);

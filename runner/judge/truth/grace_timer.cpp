@@ -18,6 +18,9 @@ void GraceTimer::watch(const Scene& scene, RobotId id, const sim::RobotState& ro
                        double grace_s, TrueEvents& all) {
   const int spell = scene.play.count;
   grace_s -= scene.frame_s / 2;  // half a frame of tolerance, since time is quantised to frames
+  // Three timers per robot, for the limit and for the limit shifted by the margin either way: a
+  // true event is borderline if the strict one has not expired, and there is a near miss if only
+  // the lenient one has.
   Watches& watches = watches_[id.side][id.number];
   if (watches.spell != spell) watches = {spell, {}, {}, {}};
   TrueEvent is_due{name_, scene.time_s, id.side, id, robot.position_m};

@@ -30,6 +30,7 @@ Outline outline() {
 
 template <typename Distance>
 Reach reach(const sim::RobotState& robot, const Distance& distance_m) {
+  // Brute force over sampled points: independent of the referee's closed formulas.
   static const Outline kOutline = outline();
   Reach reach{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (const Vec2& point : kOutline) {

@@ -88,6 +88,7 @@ class TouchesInAreas final : public GroundTruthRule {
     Entry& entry = entry_of(id);
     const bool is_inside =
         distance_to_defence_area(scene.field, id.side, robot.position_m) < kRobotRadius_m;
+    // Decided once, when the robot enters, and kept until it leaves.
     if (is_inside && !entry.is_inside) entry.was_shoved = has_opponent_at(scene, id, robot);
     entry.is_inside = is_inside;
     if (!is_inside) entry.was_shoved = false;

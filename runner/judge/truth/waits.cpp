@@ -60,6 +60,8 @@ class StuckBall final : public GroundTruthRule {
     positions_m_.push_back(scene.now.ball.position_m);
     const double limit_s = scene.rules.stuck_time_s;
     const auto frames = static_cast<std::size_t>(limit_s / scene.frame_s + 1.5);
+    // A sliding window as long as the limit: the ball is stuck if the whole window is near its
+    // first position.
     if (positions_m_.size() > frames) positions_m_.pop_front();
     const double excess_s = static_cast<double>(positions_m_.size() - 1) * scene.frame_s - limit_s;
     if (excess_s < -kWaitLead_s || !has_stayed(scene.rules.stuck_distance_m)) {
