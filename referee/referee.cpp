@@ -107,6 +107,8 @@ class Referee::Impl {
     const State state = state_.machine_state;
     const std::uint32_t sent = state_.signal.command_counter;
     apply_rules(input);
+    // At most one change of state per frame: the machine's own events wait if a rule has just made
+    // one.
     if (state_.machine_state == state && state_.signal.command_counter == sent) {
       if (const std::optional<Finding> found = find(input)) decide(input, *found);
     }
@@ -152,6 +154,7 @@ class Referee::Impl {
       seen_.ball->position_m = tracks.ball->position_m;
       seen_.ball->height_m = tracks.ball->height_m;
     }
+    // The source of the positions changes here, so a velocity across the change would be wrong.
     if (flies != was_lifted_) frames_.lose_sight();
     was_lifted_ = flies;
   }
@@ -210,6 +213,7 @@ class Referee::Impl {
   void decide(const RefereeInput& input, const Finding& finding) {
     Step taken = step(state_, input, finding);
     if (taken.transition == nullptr) return;
+    // The step is pure: `state_` still is the state before it.
     decisions_.push_back(decision_of(state_, input, finding, taken));
     const bool play_starts =
         state_.machine_state != State::kRun && taken.state.machine_state == State::kRun;

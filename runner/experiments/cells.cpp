@@ -34,6 +34,7 @@ void add(const GameSettings& base, const Factor& key, const std::set<std::string
          SetByValues& all) {
   const SpeltValues of_base = values_in(base);
   std::map<std::string, SpeltValues> found;
+  // A path that one value changes is listed for every value, so that the columns are complete.
   std::set<std::string> paths;
   for (const SettingValue& value : key.values) {
     GameSettings game = base;

@@ -53,6 +53,8 @@ void refuse_too_many(double games, std::string_view key) {
 }
 
 std::uint64_t seed_of(std::uint64_t master_seed, int pair, int leg) {
+  // A chain of hashes instead of a stream of random numbers: each game's seed can be computed
+  // alone, and similar numbers give unrelated seeds. The shift leaves 53 bits.
   const std::uint64_t of_pair = mix_bits(mix_bits(master_seed) + static_cast<std::uint64_t>(pair));
   return mix_bits(of_pair + static_cast<std::uint64_t>(leg)) >> 11;
 }
@@ -60,6 +62,7 @@ std::uint64_t seed_of(std::uint64_t master_seed, int pair, int leg) {
 std::vector<std::vector<SettingValue>> combinations(const std::vector<Factor>& factors) {
   std::vector<std::vector<SettingValue>> all = {{}};
   for (const Factor& factor : factors) {
+    // Cartesian product, built up one factor at a time.
     std::vector<std::vector<SettingValue>> longer;
     for (const std::vector<SettingValue>& start : all) {
       for (const SettingValue& value : factor.values) {

@@ -60,6 +60,7 @@ std::optional<Vec2> return_position(const Field& field, Side side, const Referee
   const int positions = static_cast<int>(field.half_length_m() / kNextPosition_m);
   for (const double y_m : {-beside_m, beside_m}) {
     for (int i = 0; i < positions; ++i) {
+      // Turning by 180 degrees gives both sides the same positions, seen from their own goals.
       const Vec2 position_m = turn * Vec2(-kFromHalfwayLine_m - kNextPosition_m * i, y_m);
       if (world.is_free(position_m) && is_off_ball(position_m, signal, world)) return position_m;
     }

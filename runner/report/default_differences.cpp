@@ -38,6 +38,7 @@ void compare(const Values& here, const Values& defaults, std::vector<DefaultDiff
 
 Values defaults_for(const GameSettings& game) {
   GameSettings usual;
+  // The rule book sets other values too; only deviations from these are of interest.
   set_by_path(usual, "match.rules", game.match.rules);
   Values values = comparable_values(settings_of(usual));
   values["match.rules"] = MatchSettings{}.rules;

@@ -56,6 +56,7 @@ std::optional<ReportState> state_of_report(const ResultFolder& folder) {
 
 bool is_stale(const ReportState& state, const ResultFolder& folder) {
   if (state.games != games_text(folder)) return true;
+  // The number of games alone does not change when games are replaced by others.
   return !state.checksum.empty() && state.checksum != rows_checksum(folder);
 }
 

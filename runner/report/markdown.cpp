@@ -34,6 +34,7 @@ std::string escaped_line(const std::string& text) {
   std::string line = inline_text(text);
   line.erase(0, line.find_first_not_of(' '));
   if (!begins_block(line)) return line;
+  // In a numbered list, it is the full stop after the number that must be escaped, not the digits.
   const std::size_t mark = line.find_first_not_of("0123456789");
   return line.insert(mark, "\\");
 }

@@ -32,6 +32,7 @@ std::string script_head(std::string_view name, int height_px) {
 }
 
 double tic_step(double span) {
+  // The factors lead from 1 to 2, 5 and 10 times a power of ten.
   double step = std::pow(10.0, std::floor(std::log10(span / 5)));
   for (const double factor : {2.0, 2.5, 2.0}) {
     if (span / step > 5) step *= factor;
@@ -48,6 +49,7 @@ std::string note_of_cut(std::size_t groups) {
 std::string script_text(std::string_view text) {
   std::string quoted = "'";
   for (const char c : text) {
+    // In gnuplot's single quotes nothing is special except the quote itself, which is doubled.
     if (c == '\'') quoted += '\'';
     quoted += is_control(c) ? ' ' : c;
   }

@@ -31,6 +31,7 @@ Interval span_to_show(const std::vector<RunningMean>& means) {
   const std::size_t wild = std::min(kWildPairs, means.size() - 1);
   for (std::size_t i = 0; i < means.size(); ++i) {
     include(means[i].mean);
+    // With few pairs Student's t is so wide that it would flatten the rest of the curve.
     if (i < wild || !means[i].interval) continue;
     include(means[i].interval->low);
     include(means[i].interval->high);

@@ -164,6 +164,7 @@ std::string unknown_key_message(std::string_view key, const std::vector<std::str
 
 PlayerSettings& player_of(Players& players, std::string_view number) {
   const std::optional<int> n = whole_number_in(number);
+  // Comparing the text refuses other spellings such as "03", which could name one robot twice.
   if (!n || *n < 0 || *n >= kMaxRobots || std::to_string(*n) != number) {
     throw std::invalid_argument(
         fmt::format("expected a robot's number from 0 to {}, found '{}'", kMaxRobots - 1, number));
@@ -178,6 +179,8 @@ void set_given(const std::vector<Setting>& settings, const Setting& setting,
     if (!is_alias(setting)) given.insert(setting.path);
     return;
   }
+  // What the user gave explicitly wins over a preset, in whichever order they come: save it, apply
+  // the preset, restore it.
   const std::vector<Kept> others = kept(settings, given);
   set_value(setting, value);
   for (const Kept& other : others) {

@@ -41,6 +41,8 @@ void set_change(const Change& change, const SettingValue& value) {
   const Setting& changed = robot_setting(settings, change.path);
   set_value(changed, value);
   for (const Setting& setting : settings) {
+    // A preset sets several numbers. Record its whole branch, also values that a default robot has
+    // anyway: the changes will be applied to another robot.
     const bool is_set = is_alias(changed) ? branch_of(setting.path) == branch_of(change.path)
                                           : setting.path == change.path;
     if (is_set && !is_alias(setting)) (*change.changes)[setting.path] = current_value(setting);

@@ -129,6 +129,8 @@ void check_game(const GameSettings& game) {
 std::uint64_t configuration_hash(const GameSettings& game) {
   GameSettings copy = game;
   std::string text;
+  // Hashes a canonical text, one line per setting, so the hash depends neither on memory layout nor
+  // on how the settings were given.
   for (const Setting& setting : settings_of(copy)) {
     if (is_alias(setting) || is_given_by_changes(setting)) continue;
     text += fmt::format("{}={}\n", setting.path, value_of(setting));

@@ -59,6 +59,8 @@ std::optional<YamlLocation> open_quote(const std::string& text,
                                        const std::vector<YAML::Node>& documents) {
   if (documents.empty()) return std::nullopt;
   const YAML::Node last = last_value_in(documents.back());
+  // The parser reads an unclosed quotation to the end of the file without complaint, so it can only
+  // be the last value; the tag "!" marks a quoted scalar.
   if (!last.IsScalar() || last.Tag() != "!") return std::nullopt;
   const auto start = static_cast<std::size_t>(last.Mark().pos);
   if (start >= text.size() || text.find(text[start], start + 1) != std::string::npos) {

@@ -21,6 +21,7 @@ Duels::Nearness Duels::nearness(const sim::WorldState& now, Side side) {
     nearness.is_in_it = true;
     const double gap_m =
         distance_to_hull(now.ball.position_m, robot.position_m, robot.heading) - kBallRadius_m;
+    // Hysteresis: a robot joins a duel at a small gap and leaves it at a larger one.
     if (gap_m <= kDuel_m && now.ball.height_m < kRobotHeight_m) nearness.is_at_ball = true;
   }
   return nearness;
