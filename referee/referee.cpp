@@ -107,8 +107,8 @@ class Referee::Impl {
     const State state = state_.machine_state;
     const std::uint32_t sent = state_.signal.command_counter;
     apply_rules(input);
-    // At most one change of state per frame: the machine's own events wait if a rule has just made
-    // one.
+    // The machine's own events wait for the next frame if a rule has just changed its state or sent
+    // a command.
     if (state_.machine_state == state && state_.signal.command_counter == sent) {
       if (const std::optional<Finding> found = find(input)) decide(input, *found);
     }

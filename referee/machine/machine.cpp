@@ -103,7 +103,6 @@ void follow_play(RefereeState& state, State before, double now_s) {
   if (state.machine_state == State::kRun) state.play_clock.start(now_s);
 }
 
-// Returns the first that matches, so the order of the tables sets the priority.
 const Transition* find_transition(const RefereeState& state, const RefereeInput& input,
                                   Event event) {
   for (const std::span<const Transition> transitions : all_transitions()) {

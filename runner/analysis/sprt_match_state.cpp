@@ -44,8 +44,6 @@ FirstPairs first_pairs(const SprtMatch& match, const RowsById& rows) {
   FirstPairs first;
   for (int pair = 1; pair <= match.sprt.max_pairs; ++pair) {
     const std::optional<Legs> legs = legs_of(matchup, pair, rows);
-    // A sequential test needs its pairs in order, though workers finish them in any order: stop at
-    // the first gap.
     if (!legs) break;
     first.count = pair;
     const std::optional<double> difference = difference_of(*legs);

@@ -67,6 +67,7 @@ double mean_difference(const Standing& standing) {
 bool is_better(const Standing& left, const Standing& right) {
   const double of_left = mean_difference(left);
   const double of_right = mean_difference(right);
+  // Lexicographic; names break ties, so the order is always the same.
   return std::tuple(-left.points(), -of_left, left.team) <
          std::tuple(-right.points(), -of_right, right.team);
 }

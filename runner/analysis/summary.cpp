@@ -67,8 +67,6 @@ std::optional<Slope> slope_over_factor(const Sweep& sweep, const std::vector<Gro
   if (sweep.factors.size() != 1) return std::nullopt;
   const std::optional<std::vector<double>> values = numbers_of(sweep.factors.front());
   if (!values) return std::nullopt;
-  // One regression line per pair: pairs are independent, but the values of one pair share its
-  // seeds, so the interval is that of the mean of the pairs' slopes.
   std::vector<double> slopes;
   for (const auto& [pair, first] : groups.front().pair_differences) {
     const std::optional<std::vector<double>> differences = differences_of(pair, groups);

@@ -46,8 +46,6 @@ Schedule schedule_of(const Experiment& experiment, const RowsById& /*rows*/) {
   return {std::move(games), needed};
 }
 
-// Pairs that other workers finished after the deciding one are not needed, so the result does not
-// depend on the number of workers.
 Schedule schedule_of(const SprtMatch& match, const RowsById& rows) {
   const SprtMatchState state = state_of(match, rows);
   std::vector<ScheduledGame> games = scheduled_games(match);

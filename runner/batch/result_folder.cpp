@@ -104,8 +104,6 @@ std::vector<std::string> files_of_results(const fs::path& path) {
 }
 
 std::string results_csv(const RowFormat& format, const RowsById& rows) {
-  // Rows are sorted by id and leave out their circumstances (host, time, attempt), so every run of
-  // an experiment writes the same bytes.
   std::string csv = csv_line(format.reproducible_names()) + "\n";
   for (const auto& [id, row] : rows) csv += csv_line(format.reproducible(row)) + "\n";
   return csv;

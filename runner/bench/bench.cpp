@@ -123,8 +123,6 @@ BenchResult bench(int rounds) {
     const auto frames = static_cast<double>(record.frames);
     game_ns.push_back(ns_since(start) / frames);
     bare_frame_ns.push_back(bare_ns(seed, record.frames) / frames);
-    // Both are measured in turns and the ratio is taken per round, so a machine that slows down
-    // meanwhile affects both. The median ignores a disturbed round.
     ratios.push_back(game_ns.back() / bare_frame_ns.back());
     signature.add(record.state_hash);
   }

@@ -49,6 +49,8 @@ class Watch final : public Observer {
       recording_->add(frame);
       recording_->add(frame.time_s, signal);
     }
+    // Little is allowed in a signal handler, so it only sets a flag, which is read here. Unwinding
+    // then removes the unfinished files.
     if (interrupted != 0) throw Interrupted();
   }
   void on_decision(const referee::Decision& decision) override {

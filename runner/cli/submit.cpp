@@ -67,6 +67,7 @@ int tasks_for(int wanted, std::size_t games) {
 SlurmArray array_of(const SubmitArguments& arguments, std::size_t games) {
   check_time(arguments.time);
   SlurmArray array;
+  // Tasks must run this very build, whatever PATH finds on their machine.
   array.program = plain_path("autoref", fs::read_symlink("/proc/self/exe"));
   array.file = plain_path("FILE", arguments.file);
   array.folder = plain_path("-o", arguments.results_folder());

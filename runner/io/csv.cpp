@@ -8,7 +8,6 @@ std::string quoted(const std::string& cell) {
   std::string text = "\"";
   for (const char letter : cell) {
     if (letter == '"') text += '"';
-    // A row must stay on one line, so that a torn row can be told from a complete one.
     text += letter == '\n' || letter == '\r' ? ' ' : letter;
   }
   return text + "\"";

@@ -9,7 +9,6 @@ namespace autoref::runner {
 namespace {
 
 std::string number_text(double number) {
-  // JSON has neither infinity nor NaN.
   return std::isfinite(number) ? fmt::format("{}", number) : "null";
 }
 

@@ -53,7 +53,7 @@ void EventTally::add(const ground_truth::Verdict& verdict) {
 std::optional<double> quantile(std::vector<double> sample, double share) {
   if (sample.empty()) return std::nullopt;
   std::sort(sample.begin(), sample.end());
-  // Nearest-rank method: always one of the sample's values.
+  // The nearest-rank method.
   const auto rank = std::ceil(share * static_cast<double>(sample.size()));
   return sample[static_cast<std::size_t>(std::max(1.0, rank)) - 1];
 }

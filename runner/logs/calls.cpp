@@ -32,7 +32,6 @@ double share(int part, int whole) { return whole > 0 ? static_cast<double>(part)
 }  // namespace
 
 void CallMaker::take(double time_s, Command command) {
-  // A call is one interval from the first STOP to the command that restarts play.
   if (command.kind == CommandKind::kStop && !stopped_s_) stopped_s_ = time_s;
   if (!is_restart(command.kind) || !stopped_s_) return;
   calls_.push_back({*stopped_s_, time_s, command});

@@ -36,7 +36,6 @@ class LogReferee final : public league::LogVisitor {
     const std::optional<RefereeSignal> signal = league::signal_of(packet);
     if (signal && next_game_.begins_with(signal->stage))
       is_next_game_ = game_ + 1 < configurations_.size();
-    // AutoRef expects yellow in the west; the teams change ends at half-time.
     if (packet.has_blue_team_on_positive_half()) is_turned_ = !packet.blue_team_on_positive_half();
   }
 

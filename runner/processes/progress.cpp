@@ -148,7 +148,6 @@ void Progress::renew_view() {
   view_ = view_of_();
   played_in_view_ = counts_.played;
   const Clock::time_point end = Clock::now();
-  // Computing the view may take at most 1 % of the time.
   next_view_ = end + std::max<Clock::duration>(std::chrono::seconds(1), 100 * (end - start));
 }
 

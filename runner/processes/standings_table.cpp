@@ -78,6 +78,7 @@ std::string bar_line(int done, int total, const std::string& text, int columns) 
 std::string standings_table(std::string_view bar, std::string_view table, const Screen& screen) {
   const Drawn view = drawn(bar, table, screen);
   if (view.lines_below == 0) return view.text;
+  // Moves the cursor back up to the bar, where the next drawing or message begins.
   return view.text + fmt::format("\r\033[{}A", view.lines_below);
 }
 

@@ -139,7 +139,6 @@ std::string WorkerProcess::end() {
   kill(pid_, SIGKILL);
   close(socket_);
   int status = 0;
-  // Without this wait the worker would remain a zombie.
   while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
   }
   pid_ = -1;

@@ -119,6 +119,8 @@ class Pool {
 }  // namespace
 
 int processors() {
+  // Unlike the machine's number of processors, the affinity mask respects taskset and what a batch
+  // system has allotted.
   cpu_set_t set;
   CPU_ZERO(&set);
   return sched_getaffinity(0, sizeof set, &set) == 0 ? std::max(1, CPU_COUNT(&set)) : 1;

@@ -55,7 +55,7 @@ class SpawnActions {
   explicit SpawnActions(const Workplace& workplace) {
     posix_spawn_file_actions_init(&actions_);
     posix_spawn_file_actions_addchdir_np(&actions_, workplace.path().c_str());
-    // At the end of its script, or after an error, gnuplot must not wait for input.
+    // gnuplot must never wait for input.
     posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, kMessages,
                                      O_WRONLY | O_CREAT | O_APPEND, 0600);
@@ -121,7 +121,7 @@ Drawing draw(const Plot& plot, double longest_s) {
   }
   const std::string trouble = end_of(process, longest_s);
   const std::string svg = read_file(workplace / (plot.name + ".svg")).value_or("");
-  // gnuplot may exit with code 0 without having finished the drawing.
+  // A complete drawing ends with this tag, which exit code 0 alone does not guarantee.
   if (trouble.empty() && svg.find("</svg>") != std::string::npos) return {svg, "", false};
   const std::string messages = one_line(read_file(workplace / kMessages).value_or(""));
   return {"", fmt::format("{}: {}", trouble.empty() ? "gnuplot drew nothing" : trouble, messages),

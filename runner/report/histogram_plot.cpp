@@ -23,7 +23,6 @@ using GamesByDifference = std::map<int, int>;
 GamesByDifference counted(const Group& group) {
   GamesByDifference games;
   for (const double difference : group.differences) {
-    // Goal differences are whole numbers: one bin each.
     ++games[static_cast<int>(std::lround(difference))];
   }
   return games;

@@ -41,7 +41,7 @@ std::string RowFormat::line(const GameRow& row) const {
 std::optional<GameRow> RowFormat::read(std::string_view line) const {
   const std::size_t comma = line.rfind(',');
   if (comma == std::string_view::npos) return std::nullopt;
-  // A checksum per row detects rows torn or altered in the middle, which no count of cells can.
+  // The checksum detects rows that were torn or altered anywhere.
   if (line.substr(comma + 1) != crc_text(line.substr(0, comma))) return std::nullopt;
   const std::optional<Cells> cells = csv_cells(line.substr(0, comma));
   if (!cells || cells->size() != columns_.size()) return std::nullopt;

@@ -85,7 +85,6 @@ void Shard::lock(double patience_s) {
   }
 }
 
-// A run that was killed during a write leaves a line without an end. Its game will be replayed.
 void Shard::cut_torn_line() {
   const std::string text = read_file(path_).value_or("");
   const std::size_t last_end = text.rfind('\n');

@@ -69,7 +69,6 @@ void assign_entry(const YamlFile& file, const YamlEntry& entry, const Setting& s
 }
 
 YamlLocation location_in(const SettingLocations& locations, const std::string& path) {
-  // Paths are sorted, so the first one not before `path` is `path` itself or something below it.
   const auto found = locations.lower_bound(path);
   const bool is_there =
       found != locations.end() && (found->first == path || found->first.starts_with(path + "."));

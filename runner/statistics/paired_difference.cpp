@@ -7,7 +7,8 @@
 namespace autoref::runner {
 namespace {
 
-// Pairs with the same number play with the same seeds, so their difference cancels common luck.
+// Common random numbers: games with the same pair number have the same seeds, so the luck they
+// share cancels in the difference.
 std::vector<double> common_differences(const DifferenceByPair& value,
                                        const DifferenceByPair& baseline) {
   std::vector<double> differences;

@@ -79,7 +79,7 @@ Eigen::MatrixXd resampled(std::size_t teams, const std::vector<PairTotals>& matc
                           const RatingMethod& rate) {
   Eigen::MatrixXd outcomes(teams, kResamples);
   RandomStream random(kStreamKey);
-  // Drawing with replacement: ignores which pair it replaces.
+  // Drawing with replacement: any pair may stand in for the i-th.
   const auto any = [&random](std::size_t, std::size_t n) {
     return static_cast<std::size_t>(random.uniform() * static_cast<double>(n));
   };

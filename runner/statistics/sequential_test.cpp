@@ -32,8 +32,6 @@ SequentialState decided_by(const SequentialTest& test, std::span<const double> p
   double squares_from_d1 = 0;
   for (const double difference : pair_differences) {
     assert(std::isfinite(difference));
-    // The maximum-likelihood variance under a hypothesis is the mean square about its mean, and all
-    // else in the normal likelihood cancels, so two running sums suffice.
     squares_from_d0 += (difference - test.d0) * (difference - test.d0);
     squares_from_d1 += (difference - test.d1) * (difference - test.d1);
     ++state.pairs;

@@ -75,7 +75,6 @@ void GameRecording::add(const Frame& frame) {
 void GameRecording::add_time(double time_s) {
   const double ticks = std::clamp(time_s * kTicksPerSecond, 0.0, kMostTicks);
   const auto bits = static_cast<std::uint32_t>(std::llround(ticks));
-  // Little-endian, whatever the machine's byte order.
   for (const unsigned shift : {0U, 8U, 16U, 24U})
     times_ += static_cast<char>(bits >> shift & 0xffU);
 }

@@ -75,7 +75,6 @@ bool BallHistory::has_contact(RobotId robot) const {
 void BallHistory::end_contacts(const sim::WorldState& now) {
   const auto over = [&now](const Contact& contact) {
     const sim::RobotState* robot = find_robot(now, contact.robot);
-    // A contact ends only once the gap is clearly visible, so bumps during one contact stay one.
     return !contact.is_new && (robot == nullptr || is_separate(*robot, now.ball));
   };
   contacts_.erase(std::remove_if(contacts_.begin(), contacts_.end(), over), contacts_.end());

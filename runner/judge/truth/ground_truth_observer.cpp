@@ -42,7 +42,6 @@ void GroundTruthObserver::see(const sim::WorldState& now, std::span<const sim::T
   }
   has_begun_ = true;
   const int count = play_.play().count;
-  // After the rules: a command takes effect from the next frame on.
   play_.obey(now, time_s, signal);
   if (play_.play().count != count && play_.play().is_on) ball_.begin();
   before_ = now;

@@ -46,7 +46,6 @@ void PlayFollower::obey(const sim::WorldState& now, double time_s, const Referee
   play_.stopped_s = time_s;
   play_.stop_count = before.stop_count;
   play_.stop_began_s = before.stop_began_s;
-  // A free kick directly after a stop continues that stop; any other begins its own.
   if (!before.is_stop && (play_.is_stop || is_free_kick(command.kind))) {
     ++play_.stop_count;
     play_.stop_began_s = time_s;

@@ -3,7 +3,6 @@
 namespace autoref::runner::ground_truth {
 
 bool has_passed(const Scene& scene, double since_s, double duration_s) {
-  // Half a frame of tolerance, since time is quantised to frames.
   return scene.time_s - since_s >= duration_s - scene.frame_s / 2;
 }
 
