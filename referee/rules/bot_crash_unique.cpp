@@ -73,6 +73,7 @@ ConstantAcceleration motion_of(const FrameHistory& frames, Side side, const Trac
     const RobotObservation* seen = find_robot(robots[side], track.number);
     if (seen == nullptr) continue;
     const double ago_s = now_s - time_s;
+    // The model's error: a jerk j that the fit does not know displaces the robot by j t^3 / 6.
     const double strayed_m = kJerk_mps3 * ago_s * ago_s * ago_s / 6;
     const double deviation_m = std::sqrt(strayed_m * strayed_m + noise.robot_m * noise.robot_m +
                                          kCrashRounding_m * kCrashRounding_m);

@@ -45,6 +45,7 @@ struct Speed {
 // ground level, by conservation of energy.
 Speed mean_speed(const BallDetection& from, const BallDetection& to, const Configuration& c) {
   const double duration_s = to.time_s - from.time_s;
+  // Two independent detections: their variances add, hence the square root of 2.
   Speed speed{(to.position_m - from.position_m).norm() / duration_s,
               std::sqrt(2.0) * c.noise.ball_m / duration_s};
   if (c.rules.edition != Edition::kRules2026) return speed;

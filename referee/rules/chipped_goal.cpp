@@ -23,6 +23,7 @@ struct Chip {
 // The attackers' last touch and the ball's greatest height since, if it has not rolled.
 Chip find_chip(const TouchHistory& touches, Side scorer, double limit_m) {
   double highest_m = 0;
+  // From the newest touch backwards, across those of the defenders.
   for (int back = 0; touches.has(back); ++back) {
     const BallTouch& touch = touches.at(back);
     if (!touch.side || touch.rolled) return {};

@@ -66,11 +66,13 @@ class Experiment {
 
   ExperimentReport run() {
     create_folder(options_.folder / kGamesFolder);
+    // Locks before the rows are read: no other run of this shard can add any afterwards.
     Shard shard(options_.folder / kGamesFolder / options_.shard.file_name(),
                 csv_line(format_.names()), options_.patience_s);
     take_with_notes();
     set_killed_games_aside();
     is_decided_ = is_decided(scenario_, rows_);
+    // Only now, since taking the rows throws if they were played with other settings.
     replace_file(options_.folder / kEffectiveFile, effective_text(scenario_));
     progress_.expect(counts());
     ExperimentReport report;
@@ -228,6 +230,7 @@ class Experiment {
     GameRow row = row_from(result);
     row.circumstances = {options_.build, host_,          cpu_,
                          result.wall_s,  result.attempt, options_.shard.name()};
+    // On disk before it counts: a game shown as done is never lost.
     shard.append(format_.line(row));
     const std::string& reason = row.record.void_reason;
     if (!reason.empty()) progress_.say(fmt::format("{} is void: {}", row.game_id, reason));

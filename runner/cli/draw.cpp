@@ -62,6 +62,7 @@ class Collector final : public league::LogVisitor {
   explicit Collector(const TimeSpan& interval) : interval_(interval) {}
 
   void on_referee(double time_s, const league::RefereePacket& packet) override {
+    // Later signals do not belong to the drawing, unless none has come before.
     if (time_s > interval_.to_s && game.signal) return;
     if (const auto signal = league::signal_of(packet)) game.signal = *signal;
     game.names = {{packet.yellow().name(), packet.blue().name()}};

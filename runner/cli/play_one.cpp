@@ -50,7 +50,7 @@ class Watch final : public Observer {
       recording_->add(frame.time_s, signal);
     }
     // Little is allowed in a signal handler, so it only sets a flag, which is read here. Unwinding
-    // then removes the unfinished files.
+    // then removes pending files.
     if (interrupted != 0) throw Interrupted();
   }
   void on_decision(const referee::Decision& decision) override {

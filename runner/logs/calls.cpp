@@ -40,6 +40,7 @@ void CallMaker::take(double time_s, Command command) {
 
 double Agreement::precision() const { return share(right, refereed); }
 double Agreement::recall() const { return share(right, recorded); }
+// The harmonic mean of precision and recall.
 double Agreement::f1() const { return share(2 * right, recorded + refereed); }
 
 // Greedy matching in order of time: each recorded call takes the first free call that fits.

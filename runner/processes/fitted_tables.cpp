@@ -9,6 +9,7 @@ namespace autoref::runner {
 namespace {
 
 std::size_t width_of_line(std::string_view line) {
+  // In UTF-8, bytes of the form 10xxxxxx continue a character.
   return static_cast<std::size_t>(std::count_if(line.begin(), line.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
   }));

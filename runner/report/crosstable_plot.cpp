@@ -43,7 +43,8 @@ std::string csv_of(const Crosstable& table) {
   return csv;
 }
 
-// Colour range: the largest square root of a difference. White is 0, and the range is symmetric.
+// Colour range: the largest square root of a difference, which keeps small differences visible.
+// White is 0, and the range is symmetric.
 double reach_of(const Crosstable& table) {
   double reach = 0;
   for_each_result(table, [&reach](std::size_t, std::size_t, const CrossCell& cell) {

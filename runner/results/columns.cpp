@@ -100,6 +100,7 @@ Column first_half_column(std::string name, std::size_t team) {
           }};
 }
 
+// A derived column: nothing to read, but a row that contradicts itself is refused.
 Column difference_column(std::string name) {
   return {
       std::move(name),

@@ -41,6 +41,7 @@ Outline around_defence_area(const Field& field, Side side, double distance_m) {
   outline.lines.push_back({{front_x, -half_m}, {front_x, half_m}});
   for (const double y : {half_m + radius_m, -half_m - radius_m})
     if (is_box) outline.lines.push_back({{goal_x, y}, {core_x, y}});
+  // Each corner is a quarter of a circle, counter-clockwise from the smaller angle.
   const double north_rad = inwards > 0 ? 0 : kPi / 2;
   const double south_rad = inwards > 0 ? 1.5 * kPi : kPi;
   outline.arcs.push_back({{core_x, half_m}, radius_m, north_rad, north_rad + kPi / 2});

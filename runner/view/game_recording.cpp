@@ -41,6 +41,7 @@ Triple unseen_for(std::size_t frames) {
   return columns;
 }
 
+// Signals arrive with every frame, but only a few change what a page shows.
 bool show_the_same(const RefereeSignal& one, const RefereeSignal& other) {
   const auto target = [](const RefereeSignal& signal) {
     return signal.placement ? std::optional(signal.placement->target_m) : std::nullopt;
