@@ -1,6 +1,6 @@
 # Adds a library of all sources below the given folders. The folders are globbed at each build, so new files need not be
 # listed. With AUTOREF_UNITY twelve sources at a time are compiled as one, which compiles their common headers and templates
-# only once; names in unnamed namespaces must therefore be unique in a room.
+# only once; names in unnamed namespaces must therefore be unique within a target.
 #   autoref_room(TARGET FOLDER ...)
 function(autoref_room target)
   set(patterns ${ARGN})

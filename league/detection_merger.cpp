@@ -15,7 +15,7 @@ constexpr std::size_t kMostCameras = 64;
 constexpr float kFarthest_mm = 1e5F;
 constexpr float kWidest_rad = 100;
 constexpr double kLongestGame_s = 1e6;
-constexpr double kLate_s = 1;  // no packet with the same clock is later than this
+constexpr double kLate_s = 1;  // maximum delay of a packet on the same clock
 constexpr int kStrays = 20;    // consecutive strays that establish a new clock
 
 bool is_position(float x, float y) {

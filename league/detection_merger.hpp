@@ -14,11 +14,11 @@
 namespace autoref::league {
 
 // A frame consists of one packet per camera: the next one begins when a camera repeats or after a
-// gap of 0.1 s. If several cameras see a robot, the detection with the highest confidence counts;
-// of several balls, the one nearest to the last ball position. Detections are ignored if they are
-// not robots of the league, not finite or more than 100 m away, and so are frames more than a
-// million seconds after the first. If the cameras' clock restarts within a log, times continue from
-// the previous ones once enough consecutive packets agree on the new clock.
+// gap of 0.1 s. If several cameras see a robot, the most confident detection is used; if several
+// balls are seen, the one nearest to the previous ball position. Ignores robots with a number
+// outside the league's range, detections that are not finite or more than 100 m away, and frames
+// more than a million seconds after the first. If the cameras' clock restarts within a log, times
+// continue from the previous ones once enough consecutive packets agree on the new clock.
 class DetectionMerger {
  public:
   // Adds the next packet. Returns the frame that it completes, or nullptr; the frame is valid until
@@ -31,10 +31,10 @@ class DetectionMerger {
   // Completes the last frame; nullptr if there is none.
   const Frame* finish();
 
-  // From the last valid geometry.
+  // The field of the most recent valid geometry.
   const std::optional<Field>& field() const { return field_; }
 
-  // What that geometry omits.
+  // What the most recent valid geometry omits.
   const FieldGaps& field_gaps() const { return field_gaps_; }
   // How often the field changed after the first geometry.
   int field_changes() const { return field_changes_; }
@@ -70,7 +70,7 @@ class DetectionMerger {
   int field_changes_ = 0;
   Geometry geometry_;
   std::set<std::uint32_t> cameras_;   // seen so far
-  std::set<std::uint32_t> in_frame_;  // that contributed to the current frame
+  std::set<std::uint32_t> in_frame_;  // cameras that contributed to the current frame
   PerSide<std::array<RobotDetection, kMaxRobots>> robots_;
   std::optional<BallDetection> ball_;
   std::optional<Vec2> last_ball_m_;
@@ -80,7 +80,7 @@ class DetectionMerger {
   double stray_capture_s_ = 0;
   int clock_restarts_ = 0;
   std::int64_t unnumbered_ = 0;
-  double time_s_ = 0;  // of the current frame
+  double time_s_ = 0;  // time of the current frame
   std::int64_t frames_ = 0;
   std::int64_t unusable_ = 0;
   Frame frame_;

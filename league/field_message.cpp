@@ -117,7 +117,7 @@ double length_m(std::string_view name, std::int32_t mm) {
   throw std::invalid_argument(fmt::format("{} is {} mm", name, mm));
 }
 
-// The fronts of the areas, and the sides, which only boxes have.
+// Line names: the fronts of the areas and, for boxes only, their sides.
 constexpr std::string_view kFront = "LeftPenaltyStretch";
 constexpr std::string_view kBoxSide = "LeftFieldLeftPenaltyStretch";
 constexpr std::string_view kQuarterCircle = "LeftFieldLeftPenaltyArc";
@@ -135,7 +135,7 @@ bool has_box_sizes(const FieldSize& size) {
   return size.has_penalty_area_depth() && size.has_penalty_area_width();
 }
 
-// Sizes that older messages give only by the lines' centres.
+// Reads sizes that older messages give only as the centres of lines.
 void read_lines(const FieldSize& size, DefenceArea& area) {
   const FieldLine* front = line_called(kFront, size);
   if (front == nullptr) return;

@@ -13,12 +13,12 @@ namespace autoref::league {
 // are named as in the league's vision.
 void fill_geometry(const Field& field, std::span<const CameraPosition> cameras, Geometry& geometry);
 
-// The field described by a message. What messages do not contain, for example the thickness of the
-// goal walls, keeps Field's defaults. Throws std::invalid_argument if a length is not positive (a
-// margin may be 0) or exceeds 100 m.
+// The field described by a message. Values that messages do not contain, for example the thickness
+// of the goal walls, keep Field's defaults. Throws std::invalid_argument if a length is not
+// positive (a margin may be 0) or exceeds 100 m.
 Field field_of(const Geometry& geometry);
 
-// What a message may omit, and whether it does.
+// Which optional parts a message omits.
 struct FieldGaps {
   bool penalty_mark = false;
   bool defence_area = false;

@@ -27,7 +27,7 @@ void GameLog::write(double time_s, MessageKind kind, const Message& message) {
   file_.write(to_ns(time_s), kind, bytes_);
 }
 
-// Ignoring the clock.
+// Whether anything except the clock has changed.
 bool GameLog::has_changed(const RefereeSignal& signal) const {
   return referee_.command_counter() != signal.command_counter ||
          referee_.stage() != static_cast<int>(signal.stage) ||
@@ -46,7 +46,7 @@ void GameLog::add(const Frame& frame, const RefereeSignal& signal) {
   if (has_changed(signal) || frame.time_s >= referee_due_s_) write_signal(signal, frame.time_s);
 }
 
-// Commands already superseded within the same frame.
+// Writes commands that were superseded within the same frame.
 void GameLog::write_commands_before(const RefereeSignal& signal, double time_s) {
   RefereeSignal before = signal;
   for (std::size_t i = 0; i + 1 < sent_.size(); ++i) {

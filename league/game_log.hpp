@@ -16,7 +16,7 @@
 namespace autoref::league {
 
 // Times count from the game's first frame. Every camera sends one packet per frame, the geometry
-// about once a second, and the referee ten packets a second plus one whenever its signal changes.
+// about once a second, and the referee ten packets per second plus one whenever its signal changes.
 class GameLog {
  public:
   // Creates or truncates the file. Throws LogError.

@@ -28,7 +28,7 @@ class LogVisitor {
   virtual void on_camera(double /*time_s*/, std::uint32_t /*camera*/) {}
 };
 
-// What a log contains apart from what visitors receive.
+// Summary of a log, in addition to what visitors receive.
 struct LogSummary {
   // Indexed by MessageKind; unknown numbers count as kUnknown.
   std::map<MessageKind, std::int64_t> records;
@@ -37,15 +37,15 @@ struct LogSummary {
   std::optional<Field> field;       // from the last geometry; nullopt if the log has none
   FieldGaps field_gaps;             // what that geometry omits
   int field_changes = 0;            // changes after the first geometry
-  int clock_restarts = 0;           // of the cameras
+  int clock_restarts = 0;           // restarts of the cameras' clock
   std::int64_t unnumbered = 0;      // detections of robots numbered 16 and above
   std::int64_t unreadable = 0;      // messages that cannot be parsed or used
   std::int64_t unreadable_at = 0;   // offset of the first such record
   std::optional<LogDamage> damage;  // set if the log ends prematurely
 };
 
-// Nine hours of eight cameras at 60 frames a second, longer than any game. This bounds the time and
-// the memory spent on a log.
+// Nine hours of eight cameras at 60 frames per second, longer than any game. This bounds the time
+// and the memory spent on a log.
 struct LogLimits {
   std::int64_t frames = 2'000'000;
   std::int64_t records = 20'000'000;

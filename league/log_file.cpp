@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::string_view kSignature = "SSL_LOG_FILE";
 constexpr std::uint32_t kVersion = 1;
-constexpr std::size_t kHeaderSize = 16;     // of a record, and of the file
-constexpr std::size_t kBuffer = 1U << 16;   // of zlib
+constexpr std::size_t kHeaderSize = 16;     // bytes, for both a record and the file
+constexpr std::size_t kBuffer = 1U << 16;   // zlib's buffer size
 constexpr std::size_t kPortion = 1U << 16;  // step by which a message grows while it is read
 
 gzFile zlib_file(void* file) { return static_cast<gzFile>(file); }

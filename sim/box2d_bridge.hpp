@@ -68,7 +68,8 @@ class Box2dBridge {
   void strike_robot(int index, const Vec2& impulse_ns);
   void set_ball_velocity(const Vec2& velocity_mps);
 
-  // What the ball collides with in addition to the walls around the field, which always confine it.
+  // Sets what the ball collides with in addition to the walls around the field, which always
+  // confine it.
   void let_ball_meet(bool robots, bool goals);
   // A running dribbler absorbs more of an arriving ball's speed.
   void set_dribbling(int index, bool dribbles);

@@ -13,13 +13,13 @@ namespace autoref::sim {
 
 // Two-phase ball model on carpet: the ball slides after a kick, then rolls.
 struct BallParameters {
-  double slide_mps2 = 3.4;           // deceleration while sliding
-  double roll_mps2 = 0.30;           // deceleration while rolling
-  double switch_ratio = 0.67;        // speed at which rolling starts, relative to the kick's speed
-  double hop_first_xy = 0.75;        // share of the horizontal speed kept at a chip's first landing
-  double hop_later_xy = 0.95;        // and at later ones
-  double hop_z = 0.5;                // share of the vertical speed kept at each landing
-  double rest_mps = 0.010;           // below this speed the ball stops
+  double slide_mps2 = 3.4;     // deceleration while sliding
+  double roll_mps2 = 0.30;     // deceleration while rolling
+  double switch_ratio = 0.67;  // speed at which rolling starts, relative to the kick's speed
+  double hop_first_xy = 0.75;  // fraction of the horizontal speed kept at a chip's first landing
+  double hop_later_xy = 0.95;  // fraction kept at later landings
+  double hop_z = 0.5;          // fraction of the vertical speed kept at each landing
+  double rest_mps = 0.010;     // below this speed the ball stops
   double rolls_below_hop_m = 0.010;  // a lower bounce ends the flight
   double net_mps2 = 10.0;            // deceleration by the net of a ball leaving a goal
   double mass_kg = 0.046;            // golf ball, 46 g (Laws 2014, law 2)
@@ -39,8 +39,8 @@ struct ContactParameters {
   double wall_restitution = 0.3;       // outer walls and sides of the goals
   double net_restitution = 0.1;        // a goal's back
   double bar_restitution = 0.3;        // ball against the crossbar, as for the goal's sides
-  // Share of the vertical speed that a ball keeps when it lands on a robot or on a goal's net, as
-  // on the carpet.
+  // Fraction of the vertical speed that a ball keeps when it lands on a robot or on a goal's net,
+  // as on the carpet.
   double top_restitution = 0.5;
   // Minimum speed at which it leaves them, upwards and outwards, so that no ball stays up there.
   double top_leaving_mps = 0.5;
@@ -102,7 +102,7 @@ struct VisionParameters {
   double ball_noise_m = 0.0;  // standard deviation of each coordinate
   double robot_noise_m = 0.0;
   double robot_noise_rad = 0.0;
-  double ball_misses = 0.0;    // share of frames in which a visible ball is missed
+  double ball_misses = 0.0;    // proportion of frames in which a visible ball is missed
   double robot_misses = 0.0;   // likewise for each robot
   bool reports_height = true;  // false: reports a flying ball at its projection on the carpet
   bool robots_hide_ball = false;
@@ -114,7 +114,7 @@ struct VisionParameters {
 };
 
 struct RadioParameters {
-  double command_loss = 0.0;  // share of commands that are lost, per robot and frame
+  double command_loss = 0.0;  // proportion of commands lost, per robot and frame
   double hold_s = 100_ms;     // a robot that receives no command for this time stops
 };
 
@@ -122,9 +122,9 @@ struct RadioParameters {
 // are between robots' centres.
 struct LineUpParameters {
   double gap_m = 300_mm;                // between neighbours; less on short fields
-  double from_halfway_line_m = 300_mm;  // of the first robot in a row
+  double from_halfway_line_m = 300_mm;  // distance of the first robot in a row
   double from_touch_line_m = 200_mm;
-  double from_goal_line_m = 150_mm;  // minimum, of the last robot in a row
+  double from_goal_line_m = 150_mm;  // minimum distance of the last robot in a row
 };
 
 struct Configuration {
@@ -171,8 +171,9 @@ class OutOfRange : public std::invalid_argument {
   std::string text_;
 };
 
-// Throw OutOfRange for the first invalid number; for robots of two sides, std::invalid_argument
-// that also names side and number, for example "east robot 3: robot.mass_kg is 0; ...".
+// Throw OutOfRange for the first invalid number. If both sides' robots are checked,
+// std::invalid_argument also names side and number, for example "east robot 3: robot.mass_kg is 0;
+// ...".
 void validate(const Configuration& configuration);
 void validate(const RobotSpec& robot);
 void validate(const PerSide<TeamSpec>& specs);

@@ -50,7 +50,7 @@ struct Touch {
   RobotId robot;
   Vec2 ball_m{0, 0};
   bool is_kick = false;
-  Vec2 ball_mps{0, 0};      // velocity of the ball right after it, in the plane
+  Vec2 ball_mps{0, 0};      // the ball's velocity right after the touch, in the plane
   double vertical_mps = 0;  // and its upward component
 };
 
@@ -76,11 +76,11 @@ class World {
   World& operator=(World&&) noexcept;
 
   // Simulates one camera frame. The new commands take effect after `command_delay_substeps`, the
-  // former ones until then. Commands for robots that do not exist or are off the field are ignored.
-  // Commands must be finite (asserted); they are limited to what the robots can do. With
-  // `placement` the ball is held by ball placement, which brings it to the target and keeps it
-  // there; robots, kickers and dribblers do not affect it. Without, it is free, and a robot that
-  // overlaps it pushes it out.
+  // previous commands apply until then. Commands for robots that do not exist or are off the field
+  // are ignored. Commands must be finite (asserted); they are limited to what the robots can do.
+  // With `placement` the ball is held by ball placement, which brings it to the target and keeps it
+  // there; robots, kickers and dribblers do not affect it. Without it, the ball is free, and a
+  // robot that overlaps it pushes it out.
   void step(const PerSide<TeamCommands>& commands, const std::optional<Placement>& placement);
 
   // The state after the last step.

@@ -43,7 +43,7 @@ class World::Impl {
   };
   // A side's robots and their random streams.
   struct Team {
-    int first = 0;  // index of number 0 in the bridge
+    int first = 0;  // index of robot 0 in the bridge
     boost::container::static_vector<Robot, kMaxRobots> robots;
     RandomStream motors;
     RandomStream kicks;

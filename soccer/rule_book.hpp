@@ -16,14 +16,15 @@ namespace autoref {
 // Which edition a rule book follows; the divisions within an edition differ in numbers.
 enum class Edition : std::uint8_t { kPaper, kLaws2014, kRules2026 };
 
-// The rules of an edition, from rules.def. For the paper: those it describes (section 4.2), and
+// The rules of an edition, from rules.def. For the paper: the rules it describes (section 4.2) and
 // those needed for games to end.
 RuleSet rules_of(Edition edition);
 
-// Defaults are `rules: paper`; where the paper has no such rule, the Laws' single size. "Paper" is
+// Defaults are `rules: paper`; if the paper lacks a rule, the Laws' single size. "Paper" is
 // Zhu, Biswas and Veloso, "AutoRef: Towards Real-Robot Soccer Complete Automated Refereeing";
 // "Laws" are the SSL's laws of 2014; "2016" is the authors' later public referee; "2026" are the
-// SSL's rules of that year, Divisions A and B. "Our choice" has no such source.
+// SSL's rules of that year, Divisions A and B. "Our choice" marks numbers without a published
+// source.
 struct RuleBook {
   std::string name = "paper";
   Edition edition = Edition::kPaper;
@@ -64,17 +65,17 @@ struct RuleBook {
   double neutral_to_area_m = 700_mm;  // from a neutral spot to both areas
 
   // The ball in play (Laws 12).
-  double kick_limit_mps = 8_mps;     // paper, section 3; the teams keep to it; 2026: 6.5 in space
-  double chip_height_m = 150_mm;     // of the ball's top; a higher chip must not score directly
-  double dribbling_m = 500_mm;       // Laws 2014; 1000 mm from 2015
-  double keeper_holding_s = 15_s;    // 2026: 10 s, Division A 5 s
-  double goal_after_foul_s = 2_s;    // 2026: no goal for a team that fouled within this time before
-  double pushing_m = 200_mm;         // 2026
-  double crash_mps = 1.5_mps;        // along the line between the robots
+  double kick_limit_mps = 8_mps;  // paper, section 3; the teams keep to it; 2026: 6.5 in space
+  double chip_height_m = 150_mm;  // height of the ball's top; a higher chip must not score directly
+  double dribbling_m = 500_mm;    // Laws 2014; 1000 mm from 2015
+  double keeper_holding_s = 15_s;  // 2026: 10 s, Division A 5 s
+  double goal_after_foul_s = 2_s;  // 2026: a goal within this time after its team fouls is invalid
+  double pushing_m = 200_mm;       // 2026
+  double crash_mps = 1.5_mps;      // along the line between the robots
   double crash_drawn_mps = 0.3_mps;  // both are at fault if their speeds differ by less
 
   // While play is stopped (Laws 12).
-  double stop_speed_mps = 1.0_mps;        // single size; double size and later 1.5
+  double stop_speed_mps = 1.0_mps;        // single size; double size and later editions: 1.5
   double stop_grace_s = 2_s;              // 2026
   double placement_clearance_m = 500_mm;  // 2026: from the line between ball and target
   double placement_grace_s = 2_s;         // 2026
@@ -83,12 +84,12 @@ struct RuleBook {
   double interference_s = 10_s;           // 2026: extra placement time after an interference
 
   // Penalty kicks (Laws 14).
-  double penalty_clearance_m = 400_mm;  // of the other robots, behind the mark; 2026: 1 m
-  double penalty_time_s = 10_s;         // 2026: to score; in all books for shoot-outs
+  double penalty_clearance_m = 400_mm;  // from the mark back to the other robots; 2026: 1 m
+  double penalty_time_s = 10_s;         // 2026: to score; in shoot-outs, all rule books
   double penalty_turn_deg = 90;  // 2026: failed once the keeper deflects the ball by this angle
 
   // Cards (Laws 12).
-  double card_s = 120_s;     // of playing time
+  double card_s = 120_s;     // counted in playing time
   int fouls_per_card = 0;    // 2026: every third foul; 0: none
   int yellows_per_red = 0;   // 2026: the third active yellow card; 0: none
   double too_many_s = 10_s;  // 2026: to remove a robot
@@ -117,11 +118,11 @@ struct GameSetup {
   double half_s = 600;
 };
 
-// The rule book of that name; nullopt if there is none.
+// The rule book of that name; nullopt if the name is unknown.
 std::optional<RuleBook> find_rule_book(std::string_view name);
 std::vector<std::string> rule_book_names();
 
-// The setup for the rule book of that name; nullopt if there is none.
+// The setup for the rule book of that name; nullopt if the name is unknown.
 std::optional<GameSetup> find_game_setup(std::string_view name);
 
 }  // namespace autoref

@@ -24,7 +24,7 @@ struct TrackedBall {
   Vec2 velocity_mps{0, 0};
   double height_m = 0;            // of the lowest point, as reported or estimated
   double height_deviation_m = 0;  // standard deviation; 0 if the height is reported
-  bool is_height_known = true;    // false while vision cannot tell if the ball is in the air
+  bool is_height_known = true;    // false while the ball may or may not be in the air
 };
 
 using TrackedRobots = boost::container::static_vector<TrackedRobot, kMaxRobots>;

@@ -23,7 +23,7 @@ constexpr double kAtFront_m = 15_mm;             // maximum gap between ball and
 
 constexpr double kSlowestChip_mps = 1.0;
 constexpr double kNewKick_mps = 1.0;  // minimum velocity change of a new kick
-constexpr double kKickTime = 0.6;     // deviation in frame gaps; a late kick shows one frame later
+constexpr double kKickTime = 0.6;     // deviation in frames; a late kick appears one frame later
 constexpr double kKickPosition_m = 5_mm;  // deviation of a kick's position
 constexpr double kLeastFlight_m = 1e-3;   // minimum estimated height of a flying ball
 constexpr double kLongestKick_s = 4.0;    // a chip at 5.5 m/s has stopped bouncing long before

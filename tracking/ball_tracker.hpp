@@ -6,8 +6,8 @@
 // frames.
 //
 // If vision reports no height, each kick is followed by a ChipFlight (chip_flight.hpp). Once it
-// detects a flight, position, velocity and height are the flight's; until it decides, the height is
-// unknown and the position is the one vision reports.
+// detects a flight, it supplies position, velocity and height; until it decides, the height is
+// unknown and the position is as reported by vision.
 //
 // An unseen ball keeps moving for half a second, then counts as stopped. A ball last seen at a
 // robot's front, where the robot may occlude it, moves with the robot until it is seen again.

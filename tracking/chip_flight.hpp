@@ -38,8 +38,8 @@ struct ChipEstimate {
 // carpet fit the detections (a likelihood-ratio test). `kUnknown` until one is e^5.5 times as
 // likely, while the ball may bounce after landing, and for 1.9 s if neither fits; the caller then
 // restarts it if there was a new kick. Measured on chips of 2 to 5.5 m/s below cameras 4 m above
-// the quarters of a 9 x 6 m field: share detected within 50, 100, 150, 200, 300 ms, then errors
-// until landing (RMS, median):
+// the quarters of a 9 x 6 m field: percentage detected within 50, 100, 150, 200, 300 ms, then
+// errors until landing (RMS, median):
 //   noise 0        39  96  99 100 100 %   height   4, 0.3 mm   landing  47, 0.3 mm
 //   noise 0.4 mm    8  90  97  99 100 %           16, 3                110, 5
 //   noise 1.0 mm    2  64  92  97 100 %           26, 7                130, 11

@@ -41,7 +41,7 @@ class MotionFilter {
     speed_variance_ += noise_.process_noise_density * t;
   }
 
-  // For a velocity that may have changed arbitrarily `duration_s` ago.
+  // Accounts for an arbitrary change of velocity `duration_s` ago.
   void inflate_velocity_covariance(double duration_s) {
     const double variance = noise_.any_change * noise_.any_change;
     position_variance_ += variance * duration_s * duration_s;
@@ -49,7 +49,7 @@ class MotionFilter {
     speed_variance_ += variance;
   }
 
-  // For a consistent filter: chi-square distributed, with one degree of freedom per axis.
+  // Chi-square distributed for a consistent filter, with one degree of freedom per axis.
   double normalised_innovation_squared(const Axis& innovation) const {
     return innovation.squaredNorm() / innovation_variance();
   }

@@ -1,4 +1,4 @@
-// From single frames to motion: positions with velocities, extrapolated through short gaps.
+// Estimates positions and velocities from single frames and extrapolates through short gaps.
 #pragma once
 
 #include <array>

@@ -3,7 +3,7 @@
 //
 //     coverage [TRIALS]      default: 20000; 100000 take about five minutes
 //
-// Exit code 1 if a share is outside its bounds, 2 for an invalid argument.
+// Exit code 1 if a proportion is outside its bounds, 2 for an invalid argument.
 #include <fmt/format.h>
 
 #include "runner/io/words.hpp"

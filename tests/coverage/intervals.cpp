@@ -32,7 +32,7 @@ struct Tallies {
   Tally picked;
 };
 
-// The true probability that a decided game is a's.
+// The true probability that team a wins a decided game.
 double share_of_a(const Means& means) {
   constexpr int kMostGoals = 100;
   const boost::math::poisson of_a(means.a);

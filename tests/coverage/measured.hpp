@@ -6,7 +6,7 @@
 
 namespace autoref::coverage {
 
-// A share of the trials, with the bounds it must keep.
+// A measured proportion of the trials, and its bounds.
 struct Measured {
   std::string what;
   double share = 0;

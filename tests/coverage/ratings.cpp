@@ -40,7 +40,7 @@ std::vector<RatedMatchup> play_roundrobin(int games, RandomStream& random) {
   return matchups;
 }
 
-// The share of teams whose interval contains 0.
+// The proportion of teams whose interval contains 0.
 double share_held(const RatingMethod& rate, int games, int trials) {
   RandomStream random(static_cast<std::uint64_t>(games));
   int held = 0;
@@ -57,7 +57,7 @@ double share_held(const RatingMethod& rate, int games, int trials) {
 std::vector<Measured> rating_coverage(int trials) {
   std::vector<Measured> all;
   for (const int games : {10, 20, 60}) {
-    const std::string where = fmt::format("4 equal teams, {} games a matchup", games);
+    const std::string where = fmt::format("4 equal teams, {} games per matchup", games);
     all.push_back(
         {"goal rating, " + where, share_held(runner::goal_rating, games, trials), 0.90, 0.98, ""});
     all.push_back({"Bradley-Terry, " + where, share_held(runner::bradley_terry, games, trials),

@@ -21,7 +21,7 @@ struct Heights {
   int detected = 0;  // as flying
   double error2_m2 = 0;
   double position_error2_m2 = 0;
-  int honest = 0;  // within two of the estimated deviations
+  int honest = 0;  // error within two estimated deviations
   int wrong = 0;   // reported in the air while on the carpet
 
   double rms_m() const { return std::sqrt(error2_m2 / detected); }

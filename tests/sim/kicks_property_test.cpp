@@ -105,7 +105,7 @@ Shot at_goal_backs(RandomStream& random) {
 struct Target {
   const char* name;
   int kicks;
-  double most_kept;  // share of the normal speed: 0.55 at a body, 0.3 at a wall, plus a margin
+  double most_kept;  // fraction of the normal speed: 0.55 at a body, 0.3 at a wall, plus a margin
   Shot (*shoot)(RandomStream& random);
 };
 
@@ -127,7 +127,7 @@ struct Seen {
   double least_path_m = std::numeric_limits<double>::infinity();  // distance of the ball's centre
   int hits = 0;
   double gained_mps = -kKick_mps;  // along the normal, by impacts, beyond the effect of forces
-  double most_kept = 0;            // share of a normal speed, if above 1 m/s
+  double most_kept = 0;            // fraction of the normal speed kept, if above 1 m/s
 };
 
 void note_depth(const HardShot& scene, Seen& seen) {

@@ -141,7 +141,7 @@ class Watch {
   double nearest_robot_m = std::numeric_limits<double>::infinity();
   double robots_out_m = 0;  // penetration of their hulls into walls
   double most_overlap_m = 0;
-  int longest_overlap = 0;  // longer than 5 mm deep, in frames
+  int longest_overlap = 0;  // deeper than 5 mm, in frames
 
  private:
   std::array<Spell, kRobots*(2 * kRobots - 1)> overlaps_;
@@ -182,7 +182,7 @@ double turned_mps(const BallState& ball, const RobotState& robot) {
          (std::abs(robot.angular_velocity_radps) + along_mps / kRobotRadius_m);
 }
 
-// The ball's speed gains by impacts beyond what is allowed; at most 0 if all is well.
+// The ball's speed gains from impacts beyond the allowed limits; at most 0 if correct.
 class Gains {
  public:
   void note(const WorldState& former, const Traffic& traffic) {

@@ -117,7 +117,7 @@ TEST(BallTracker, DetectsAKickWithinTwoFramesAndFollowsItsSlide) {
     seen.position_m.x() += 0.0014 * random.normal();
     seen.position_m.y() += 0.0014 * random.normal();
     const auto& ball = tracker.update(t_s + 1.0, seen, nobody);
-    // Before the kick noise is not taken for motion, and two frames after it the speed is known.
+    // Before the kick, noise is not mistaken for motion; two frames after it, the speed is known.
     const double error_mps = (ball->velocity_mps - Vec2(speed_mps, 0)).norm();
     worst_at_rest_mps = std::max(worst_at_rest_mps, i > -30 && i < 0 ? error_mps : 0);
     worst_soon_mps = std::max(worst_soon_mps, i >= 2 ? error_mps : 0);
