@@ -31,7 +31,7 @@ class DetectionMerger {
   // Completes the last frame; nullptr if there is none.
   const Frame* finish();
 
-  // The field of the most recent valid geometry.
+  // The field in the most recent valid geometry.
   const std::optional<Field>& field() const { return field_; }
 
   // What the most recent valid geometry omits.

@@ -27,7 +27,7 @@ void GameLog::write(double time_s, MessageKind kind, const Message& message) {
   file_.write(to_ns(time_s), kind, bytes_);
 }
 
-// Whether anything except the clock has changed.
+// Ignores the clock.
 bool GameLog::has_changed(const RefereeSignal& signal) const {
   return referee_.command_counter() != signal.command_counter ||
          referee_.stage() != static_cast<int>(signal.stage) ||

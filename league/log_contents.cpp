@@ -109,7 +109,7 @@ class Walk {
   std::int64_t frames_ = 0;
   std::int64_t first_ns_ = 0;
   double leaps_s_ = 0;  // total shift of the times
-  double now_s_ = 0;    // of the current record, since the first
+  double now_s_ = 0;    // time of the current record since the first
 };
 
 }  // namespace

@@ -59,7 +59,7 @@ class LogWriter {
 
 // Where a file becomes unreadable. Everything before it is valid.
 struct LogDamage {
-  std::int64_t offset = 0;  // in bytes of the uncompressed content
+  std::int64_t offset = 0;  // in bytes, in the uncompressed content
   std::string what;
 };
 
@@ -89,7 +89,7 @@ class LogReader {
 
   std::string name_;
   void* file_ = nullptr;     // a gzFile
-  std::int64_t offset_ = 0;  // of the current record
+  std::int64_t offset_ = 0;  // offset of the current record
   std::optional<LogDamage> damage_;
 };
 

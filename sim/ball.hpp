@@ -17,7 +17,7 @@ class Ball {
  public:
   explicit Ball(const BallParameters& parameters);
 
-  double height_m() const { return height_m_; }  // of the lowest point
+  double height_m() const { return height_m_; }  // height of the lowest point
   double vertical_mps() const { return vertical_mps_; }
   bool is_rolling() const { return is_rolling_; }
   bool is_in_air() const { return height_m_ > 0.0 || vertical_mps_ != 0.0; }

@@ -137,7 +137,7 @@ class BareBox2dBenchmark::Impl {
     return b2Abs(p.x) > kHalfLength_m * kScale || b2Abs(p.y) > kHalfWidth_m * kScale;
   }
 
-  // Robots could never reach it again beyond the lines.
+  // Called when the ball leaves the field, where no robot could reach it.
   void place_ball_at_centre() {
     ball_->SetTransform(b2Vec2(0, 0), 0);
     ball_->SetLinearVelocity(b2Vec2(0, 0));

@@ -10,7 +10,7 @@
 #include "soccer/trigonometry.hpp"
 
 // Box2D reads the clock many times per step to profile itself, which takes about 40 % of the step
-// (measured). These definitions, a clock that stands still, override the shared library's.
+// (measured). These definitions of a stopped clock override the shared library's.
 b2Timer::b2Timer() { Reset(); }
 void b2Timer::Reset() {
   m_start_sec = 0;
@@ -82,8 +82,8 @@ class BallContacts final : public b2ContactListener {
             {from_units(one.GetPosition()), from_units(other.GetPosition())}};
   }
 
-  // The round hull is cut off in front of the plate: only the plate counts there, in the wedge from
-  // the centre through the plate's two corners.
+  // In front of the plate the round hull is cut off, so only the plate collides there, in the
+  // wedge from the centre through the plate's two corners.
   static bool is_before_plate(const b2Body& robot, const b2Body& ball) {
     const b2Vec2 p = robot.GetLocalPoint(ball.GetPosition());
     return p.x > 0.0F && std::abs(p.y) * to_units(kFrontDistance_m) < p.x * to_units(kHalfPlate_m);
@@ -122,7 +122,7 @@ struct Box2dBridge::Bodies {
   BallContacts contacts;
   Surfaces surfaces;
   std::array<b2Body*, 2 * kMaxRobots> robots{};
-  std::array<b2Fixture*, 2 * kMaxRobots> plates{};  // of the robots near the ball
+  std::array<b2Fixture*, 2 * kMaxRobots> plates{};  // set for robots near the ball
   // The second half of each push_robot force, applied after the step: Box2D moves a body at its
   // speed at the end of the step (semi-implicit Euler).
   std::array<b2Vec2, 2 * kMaxRobots> half_forces;

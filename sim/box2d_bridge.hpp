@@ -54,8 +54,7 @@ class Box2dBridge {
   void place_robot(int index, const BodyState& state);
   void place_ball(const Vec2& position_m, const Vec2& velocity_mps);
 
-  // A disabled robot collides with nothing and stays where it was, at rest. All are enabled at
-  // first.
+  // A disabled robot collides with nothing and rests where it was. All are enabled initially.
   void set_on(int index, bool is_on);
   bool is_on(int index) const { return ((off_ >> index) & 1U) == 0; }
 

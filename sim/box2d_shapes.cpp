@@ -7,7 +7,7 @@ namespace autoref::sim::box2d {
 namespace {
 
 constexpr double kSkin_m = b2_polygonRadius / kUnitsPerMetre;  // Box2D's skin around polygons
-constexpr double kWallThickness_m = 1_m;  // of the outer walls: thick enough to prevent tunnelling
+constexpr double kWallThickness_m = 1_m;  // outer walls: thick enough to prevent tunnelling
 
 b2FixtureDef fixture(const b2Shape& shape, const Surfaces& surfaces, std::uint16_t category,
                      int mask, float restitution) {

@@ -167,7 +167,7 @@ void validate(const Field& field) {
   // Smaller fields have no room for 16 robots per side, larger ones exceed Box2D's range of sizes.
   check_range("field.length_m", field.length_m, 4.0, 30.0);
   check_range("field.width_m", field.width_m, 2.0, 20.0);
-  // Leaves room for balls and robots behind a goal.
+  // Leaves space for balls and robots behind a goal.
   check_range("field.run_off_m", field.run_off_m,
               field.goal_depth_m + field.goal_wall_thickness_m + 0.2, 5.0);
   check_range("field.goal_width_m", field.goal_width_m, 0.2, field.width_m - 0.4);

@@ -89,7 +89,7 @@ struct DribblerParameters {
 
 // Ball placement: first stops the ball, then carries it over the robots without pushing any.
 struct PlacementParameters {
-  double speed_mps = 3.0;  // of the ball while it is dragged
+  double speed_mps = 3.0;  // speed of the dragged ball
   double acceleration_mps2 = 4.0;
   double catch_mps2 = 20.0;  // deceleration of a moving ball before it is carried
   // Minimum distance of the ball's centre from the goals: its radius and a margin.

@@ -41,7 +41,7 @@ class Carrier {
   Route route_;
   std::size_t next_ = 0;  // index of the next corner
   Vec2 from_m_{0, 0};     // start of the leg
-  double time_s_ = 0;     // since then
+  double time_s_ = 0;     // since the start of the leg
 };
 
 }  // namespace autoref::sim

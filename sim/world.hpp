@@ -31,7 +31,7 @@ struct RobotState {
 struct BallState {
   Vec2 position_m{0, 0};
   Vec2 velocity_mps{0, 0};
-  double height_m = 0;  // of the lowest point
+  double height_m = 0;  // height of the lowest point
   double vertical_mps = 0;
   bool is_rolling = true;
 };

@@ -89,8 +89,8 @@ World::Impl::Pulls World::Impl::pulls() {
   return pulls;
 }
 
-// The ball's velocity after the pull of all dribblers. Those that hold it share the force;
-// otherwise two of them would make it oscillate.
+// The ball's velocity after the pull of all dribblers. Holding dribblers share the force; otherwise
+// two of them would make the ball oscillate.
 Vec2 World::Impl::dribbled(Vec2 ball_mps) {
   const Pulls all = pulls();
   const auto holders = std::count_if(all.begin(), all.end(), [](const Pull& p) { return p.holds; });

@@ -51,7 +51,7 @@ class World::Impl {
   };
   // The force of a robot's dribbler on the ball.
   struct Pull {
-    int index;  // in the bridge
+    int index;  // of the robot in the bridge
     bool holds;
     Vec2 force_n;
   };
@@ -109,7 +109,7 @@ class World::Impl {
   Configuration configuration_;
   double substep_s_;
   int long_step_;      // sub-steps per physics step if no contact is possible
-  double step_s_ = 0;  // of the current physics step
+  double step_s_ = 0;  // duration of the current physics step
   int command_delay_substeps_;
   int hold_frames_;  // frames without a command after which a robot stops
   int robots_;

@@ -81,7 +81,7 @@ struct RefereeSignal {
   std::uint32_t command_counter = 0;  // grows by one with each command sent
   double command_time_s = 0;          // when `command` was sent
   Stage stage = Stage::kFirstHalfPre;
-  double stage_time_left_s = 0;  // of a running half; 0 in other stages
+  double stage_time_left_s = 0;  // in a running half; 0 in other stages
   PerSide<int> goals;
   PerSide<int> shootout_goals;  // after extra time; not included in `goals`
   PerSide<int> robots_allowed{{kMaxRobots, kMaxRobots}};  // on the field; cards reduce it

@@ -55,7 +55,7 @@ struct RuleBook {
   double attacker_grace_s = 2_s;           // 2026: counted from the start of the stop
 
   // Where a free kick is taken if the offence was too near to a defence area (Laws 13).
-  double own_area_kick_goal_inset_m = 600_mm;   // in one's own area: from the goal line
+  double own_area_kick_goal_inset_m = 600_mm;   // in the team's own area: from the goal line
   double own_area_kick_touch_inset_m = 100_mm;  // and from the touch line
   double free_kick_to_area_m = 700_mm;  // attackers: from the opponents' area; 2026: from both
 

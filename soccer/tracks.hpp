@@ -16,13 +16,13 @@ struct TrackedRobot {
   Vec2 heading{1, 0};
   Vec2 velocity_mps{0, 0};
   double angular_velocity_radps = 0;
-  bool is_seen = true;  // in the last frame; otherwise extrapolated
+  bool is_seen = true;  // in the most recent frame; otherwise extrapolated
 };
 
 struct TrackedBall {
   Vec2 position_m{0, 0};
   Vec2 velocity_mps{0, 0};
-  double height_m = 0;            // of the lowest point, as reported or estimated
+  double height_m = 0;            // height of the lowest point, reported or estimated
   double height_deviation_m = 0;  // standard deviation; 0 if the height is reported
   bool is_height_known = true;    // false while the ball may or may not be in the air
 };
@@ -31,8 +31,8 @@ using TrackedRobots = boost::container::static_vector<TrackedRobot, kMaxRobots>;
 
 // The last known state of the field, in the coordinates of the frames.
 struct Tracks {
-  std::int64_t frame = 0;           // number of the last frame
-  double time_s = 0;                // its capture time
+  std::int64_t frame = 0;           // number of the most recent frame
+  double time_s = 0;                // capture time of that frame
   PerSide<TrackedRobots> robots;    // ordered by number
   std::optional<TrackedBall> ball;  // nullopt until the ball has been seen
 };

@@ -55,7 +55,7 @@ class BallTracker {
   MotionFilter<2> motion_;
   ChipFlight chip_;
   double kick_s_ = 0;          // when chip_ was started
-  bool follows_kick_ = false;  // using chip_
+  bool follows_kick_ = false;  // chip_ is in use
   double rise_mps_ = 0;        // vertical speed of the flight that chip_ detected
   std::optional<TrackedBall> ball_;
   std::optional<Holder> holder_;

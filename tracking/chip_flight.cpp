@@ -24,8 +24,8 @@ constexpr int kLeastDetections = 3;
 
 // Chi-square thresholds.
 constexpr double kConvinced = 11;           // difference between the models: likelihood ratio e^5.5
-constexpr double kChipInnovationGate = 20;  // of one detection: exceeded by 5 in 100 000
-constexpr double kUnlikely_sd = 3.3;        // of a whole fit: exceeded by 5 in 10 000
+constexpr double kChipInnovationGate = 20;  // for one detection: exceeded by 5 in 100 000
+constexpr double kUnlikely_sd = 3.3;        // for a whole fit: exceeded by 5 in 10 000
 
 // Whether chi-square is below the quantile, by the Wilson-Hilferty approximation.
 bool is_usual(double chi_square, int freedom) {

@@ -11,7 +11,7 @@ namespace autoref {
 // A sudden change of the ball's velocity between two detections.
 struct KickGuess {
   double time_s = 0;            // the middle of the interval
-  double time_deviation_s = 0;  // its length / sqrt(12)
+  double time_deviation_s = 0;  // the interval's length / sqrt(12)
   Vec2 position_m{0, 0};
   double position_deviation_m = 0;  // per coordinate, without the time's effect
 };
@@ -26,10 +26,10 @@ struct ChipEstimate {
   Vec2 velocity_mps{0, 0};
   Vec2 landing_m{0, 0};
   double position_deviation_m = 0;
-  double height_m = 0;  // of the lowest point; 0 on the carpet
+  double height_m = 0;  // height of the lowest point; 0 on the carpet
   double height_deviation_m = 0;
   double vertical_speed_mps = 0;
-  double landing_s = 0;  // in the time of the detections
+  double landing_s = 0;  // on the detections' clock
   double landing_deviation_s = 0;
   double landing_deviation_m = 0;
 };
@@ -70,7 +70,7 @@ class ChipFlight {
   Stage stage_ = Stage::kIdle;
   int detections_ = 0;
   double settled_s_ = 0;  // when every possible bounce has ended
-  Vec2 slant_{0, 0};      // of the ray through the kick's position
+  Vec2 slant_{0, 0};      // slant of the ray through the kick's position
   FlightSums flight_;
   CarpetSums carpet_;
   FlightRow fitted_ = FlightRow::Zero();

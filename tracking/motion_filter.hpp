@@ -79,7 +79,7 @@ class MotionFilter {
   Eigen::Matrix<double, 2, Axes> motion_ = Eigen::Matrix<double, 2, Axes>::Zero();
   double position_variance_ = 0;
   double speed_variance_ = 0;
-  double covariance_ = 0;  // of position and speed
+  double covariance_ = 0;  // between position and speed
 };
 
 }  // namespace autoref

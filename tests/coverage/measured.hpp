@@ -18,8 +18,8 @@ struct Measured {
 };
 
 // Coverage of 95 % intervals for Poisson-distributed goals, at 20 and at 60 games: Student's for
-// the mean goal difference over pairs of legs, and for a's share of the decided games (without
-// draws) Wilson's, Clopper-Pearson's and the one proportion_interval() selects.
+// the mean goal difference over pairs of legs, and, for team a's share of the decided games
+// (without draws), Wilson's, Clopper-Pearson's and the interval that proportion_interval() selects.
 std::vector<Measured> interval_coverage(int trials);
 
 // Coverage of the bootstrap intervals of ratings in a round robin of four equal teams.

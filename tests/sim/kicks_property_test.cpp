@@ -208,7 +208,7 @@ constexpr double kSunk_m = 3_mm;  // the solver allows up to two
 
 class FourThousandKicks : public testing::TestWithParam<Target> {};
 
-// No ball gets stuck either: none is deeper than 3 mm at the end of any sub-step.
+// Nor does any ball get stuck: at the end of every sub-step it is at most 3 mm deep.
 TEST_P(FourThousandKicks, NeverPassThroughABodyOrWall) {
   RandomStream random(21);
   for (int i = 0; i < GetParam().kicks; ++i) {

@@ -132,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(
         Figures{"realistic", 1.4_mm, {0.01, 0.44, 0.88, 0.95, 1}, 32_mm, 9_mm, 137_mm, 14_mm}),
     [](const auto& row) { return row.param.name; });
 
-// Straight towards or away from the camera, where a flight is hardest to tell from a roll.
+// Straight towards or away from the camera, where a flight is hardest to distinguish from a roll.
 void aim_at_camera(Kick& kick, RandomStream& chance) {
   const Vec2 camera = seen({kick.from_m, 0}, 0).camera_m;
   const double sign = chance.uniform() < 0.5 ? 1 : -1;

@@ -94,7 +94,7 @@ TEST(Tracker, IsMuchBetterThanDifferencingNoisyDetections) {
     ball_mps2 += (tracks.ball->velocity_mps - Vec2(3.0 - 0.3 * t_s, 0)).squaredNorm();
     robot_mps2 += (tracks.robots[Side::kWest][0].velocity_mps - Vec2(1.5, 0)).squaredNorm();
   }
-  // Differencing two detections has a deviation of noise times 60 times two. The estimate is four
+  // Differencing two detections gives a deviation of 2 * 60 * noise. The estimate is four
   // times as good for the ball, whose friction is known, and two and a half times for a robot.
   EXPECT_LT(std::sqrt(ball_mps2 / (kFrames - kSettled)), noise.ball_m * 120 / 4);
   EXPECT_LT(std::sqrt(robot_mps2 / (kFrames - kSettled)), noise.robot_m * 120 / 2.5);
