@@ -233,7 +233,7 @@ CameraPosition camera_of(const Geometry& geometry, std::uint32_t id, const Vec2&
     return {{to_m(camera.derived_camera_world_tx()), to_m(camera.derived_camera_world_ty())},
             to_m(camera.derived_camera_world_tz())};
   }
-  // Without a calibration, assume that the camera is right above: then a flying ball has no
+  // Without a calibration, the camera is assumed to be right above, so that a flying ball has no
   // parallax.
   return {below_m};
 }

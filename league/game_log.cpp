@@ -51,7 +51,7 @@ void GameLog::write_commands_before(const RefereeSignal& signal, double time_s) 
   RefereeSignal before = signal;
   for (std::size_t i = 0; i + 1 < sent_.size(); ++i) {
     before.command = sent_[i];
-    // Every command raised the counter by one.
+    // Every command increments the counter.
     before.command_counter =
         signal.command_counter - static_cast<std::uint32_t>(sent_.size() - 1 - i);
     before.stage = static_cast<Stage>(referee_.stage());

@@ -40,8 +40,8 @@ RobotCommand Drive::accept(const RobotCommand& command, RandomStream& noise) con
   return aim;
 }
 
-// Deadbeat velocity control: asks for the whole velocity error within this step. The limits turn
-// that into ramps of constant acceleration.
+// Deadbeat velocity control: corrects the whole velocity error within this step; the limits turn
+// this into ramps of constant acceleration.
 DriveForce Drive::force(const RobotCommand& aim, const BodyState& robot, double duration_s) const {
   const Vec2 now_mps = to_local(robot.velocity_mps, robot.heading);
   const Vec2 change_mps = aim.velocity_mps - now_mps;

@@ -36,8 +36,8 @@ bool is_in_goal(const Field& field, const Vec2& point_m) {
 std::optional<Vec2> bounced_off_top(const Field& field, const ContactParameters& contacts,
                                     const Box2dBridge& bodies, int robots, double former_height_m,
                                     Ball& ball) {
-  // The ball hits a top if its height crosses the top's within the step. A step is short, so the
-  // position at its end stands for that of the crossing.
+  // The ball hits a top if its height crosses the top's within the step. A step is short, so its
+  // end approximates the position of the crossing.
   const double height_m = ball.height_m();
   const BodyState& body = bodies.ball();
   const double net_m = field.goal_opening_height_m;

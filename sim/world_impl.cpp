@@ -153,7 +153,7 @@ void World::Impl::drive() {
   });
 }
 
-// A new contact is noted when it begins, a lasting one once per frame.
+// A new contact is noted when it begins, a continuing one once per frame.
 void World::Impl::note_contacts(int substep) {
   std::uint32_t now = 0;
   for (const int index : bodies_.touching()) {
