@@ -23,9 +23,9 @@ struct Configuration {
   int halves = 2;                                 // 1 to 4; the third and fourth are extra time
   double break_s = 0;                             // each break; the Laws have 300 s at half-time
   Side first_kickoff = Side::kWest;
-  bool knockout = false;  // a draw leads to extra time and a shoot-out; at most two halves
+  bool knockout = false;  // a draw leads to extra time and a shoot-out; allows at most two halves
   AfterGame after_game = AfterGame::kHalt;
-  VisionNoise noise;      // in the frames
+  VisionNoise noise;      // noise in the vision frames
   TouchParameters touch;  // thresholds of the touch detector
 };
 

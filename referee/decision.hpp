@@ -15,11 +15,11 @@ namespace autoref::referee {
 
 // The robot that touched the ball last, as far as vision can tell.
 struct LastTouch {
-  std::optional<Side> side;          // nullopt if unknown
-  std::optional<RobotId> robot;      // nullopt if unknown or ambiguous within the side
-  double time_s = 0;                 // of the touch
-  double gap_m = 0;                  // between the ball's surface and the robot's hull at that time
-  double speed_change_mps = 0;       // of the ball, beyond what friction explains
+  std::optional<Side> side;      // nullopt if unknown
+  std::optional<RobotId> robot;  // nullopt if unknown or ambiguous within the side
+  double time_s = 0;             // time of the touch
+  double gap_m = 0;              // gap between the ball's surface and the robot's hull at that time
+  double speed_change_mps = 0;   // velocity change of the ball that friction does not explain
   std::optional<RobotId> runner_up;  // the next best candidate
 };
 
@@ -43,7 +43,7 @@ struct Decision {
   State from = State::kInit;
   State to = State::kInit;
   std::optional<Command> command;  // sent with this decision, if any
-  Finding finding;                 // what led to it; `card` is the card actually shown
+  Finding finding;                 // why it was decided; `card` is the card actually shown
   std::string card_reason;         // why that card was shown; empty without a card
   LastTouch last_touch;
 
@@ -52,7 +52,7 @@ struct Decision {
   std::optional<HalfClock> clock;             // before the decision; nullopt if no half is running
   PerSide<int> goals;                         // after the decision
   PerSide<int> shootout_goals;                // after the decision
-  std::optional<ShootoutKick> shootout_kick;  // the kick that it ended
+  std::optional<ShootoutKick> shootout_kick;  // the kick that the decision ended
 
   // The restart after a call that stopped play, or that changed the restart during a stop.
   std::optional<Command> restart() const {

@@ -29,8 +29,8 @@ std::string_view name_of(Card card);
 enum class Effect : std::uint8_t {
   kNone,         // not a call
   kStopsPlay,    // a restart follows
-  kStopsByBook,  // stops play if fouls do in this rule book; otherwise it only counts
-  kCounts,       // play goes on
+  kStopsByBook,  // stops play if the rule book says that fouls do; otherwise only counts
+  kCounts,       // play continues
 };
 
 // When a call may be made. While play is stopped, every call only counts.

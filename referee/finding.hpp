@@ -21,14 +21,15 @@ struct Finding {
   std::string_view rule;  // its source, such as "paper 4.2"
   double value = 0;       // measured, in the threshold's unit
   double threshold = 0;
-  std::string_view unit;  // of value and threshold; empty if nothing was measured
+  std::string_view unit;  // unit of value and threshold; empty if nothing was measured
   ConcernedRobots robots;
-  std::optional<Side> offender;    // the side at fault; nullopt if neither or both are
-  bool is_foul = false;            // counts towards the offender's card, or both sides' without one
-  Card card = Card::kNone;         // shown at once to the offender, or to both sides without one
+  std::optional<Side> offender;  // the side at fault; nullopt if neither or both are
+  bool is_foul = false;          // a foul of the offender, or of both sides if there is no offender
+  Card card =
+      Card::kNone;  // shown at once to the offender, or to both sides if there is no offender
   std::optional<Vec2> position_m;  // where it happened
   Command restart;                 // how play resumes; only for calls that stop play
-  Vec2 ball_to_m{0, 0};            // where the ball is placed for it
+  Vec2 ball_to_m{0, 0};            // where the ball is placed for the restart
   std::string evidence;            // one human-readable sentence
 };
 

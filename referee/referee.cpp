@@ -99,7 +99,8 @@ class Referee::Impl {
       frames_.push(frame, tracker_.tracks().ball);
       online_touch_.update();
     }
-    // Touches are ordered by what is known during play; hindsight does not reorder them.
+    // Touches are ordered as the online detector reports them; the retrospective detector does not
+    // reorder them.
     if (state_.machine_state == State::kRun)
       watch_play(state_.play, input_with(online_touch_.last(), frame));
     const LastTouch last_touch = evaluate_last_touch();
@@ -144,8 +145,8 @@ class Referee::Impl {
     }
   }
 
-  // Without a reported height, a flying ball is not where the camera projects it: use the
-  // tracker's.
+  // Without a reported height, a flying ball is not where the camera projects it: use the tracker's
+  // position.
   void lift_ball(const Tracks& tracks) {
     // If the frame is not newer than the last one, the tracker has no ball.
     if (!seen_.ball || seen_.ball->height_m || !tracks.ball) return;

@@ -35,8 +35,8 @@ class Referee {
   // Objects with non-finite numbers count as unseen.
   const RefereeSignal& update(const Frame& frame, const PerSide<TeamRequests>& requests);
 
-  // The tracked robots and ball as of the last update. The league's referees publish their tracks,
-  // too.
+  // The tracked robots and ball as of the last update. The league's referees also publish their
+  // tracks.
   const Tracks& tracks() const;
 
   // The decisions of the last update, in order; usually empty.

@@ -13,13 +13,13 @@
 
 namespace autoref::referee {
 
-class FrameHistory;  // touch/frame_history.hpp
+class FrameHistory;  // see touch/frame_history.hpp
 
 // The ball as last seen. A frame without a ball changes nothing.
 struct BallSight {
   Vec2 position_m{0, 0};
   Vec2 before_m{0, 0};  // in the previous detection: the paper's b'
-  double height_m = 0;  // of the lowest point; Deviation D15: unknown counts as 0
+  double height_m = 0;  // height of the lowest point; Deviation D15: unknown counts as 0
   bool height_known = true;
 };
 
@@ -30,7 +30,7 @@ struct RefereeInput {
   const LastTouch& last_touch;           // the paper's c
   const Tracks& tracks;                  // with velocities, including robots missing from the frame
   const PerSide<TeamRequests>& requests;
-  const FrameHistory& frames;  // of this play so far, with this frame
+  const FrameHistory& frames;  // of the current play so far, including this frame
 
   double time_s() const { return frame.time_s; }
 };

@@ -8,10 +8,10 @@ namespace autoref::referee {
 // The defaults suit a camera whose only error is rounding to float millimetres.
 struct TouchParameters {
   // Largest deceleration that the carpet causes. Sliding balls lose 3.0 to 3.9 m/s2 on the league's
-  // carpets; smaller values take friction for touches, larger ones miss soft touches.
+  // carpets; smaller values mistake friction for touches, larger values miss soft touches.
   double carpet_mps2 = 5.0;
-  // Velocity changes between frames are ignored up to this, beyond the carpet's: camera rounding
-  // causes 0.001 m/s at 60 Hz.
+  // Velocity changes between frames up to this limit, beyond those that the carpet causes, are
+  // ignored: camera rounding causes 0.001 m/s at 60 Hz.
   double jump_mps = 0.02;
   // Standard deviation of the camera's ball positions. The detector sets it to the configured noise
   // and widens the distances below by three of them.
@@ -28,11 +28,12 @@ struct TouchParameters {
   // Of two robots from different sides, the one nearer by more than this touched the ball;
   // otherwise the touch is unknown.
   double lead_m = 5_mm;
-  // A push moves the ball along the hull's normal, within 45 degrees: friction deflects it by 13.
+  // A push moves the ball along the hull's normal, within 45 degrees: friction deflects it by 13
+  // degrees.
   double bounce_cos = 0.7;
   // A kick moves the ball along the robot's front, within 25 degrees.
   double kick_cos = 0.9;
-  // Largest gap between bodies in contact: the physics leaves half a millimetre.
+  // Largest gap between bodies in contact. The physics engine leaves gaps of half a millimetre.
   double touching_m = 1_mm;
   // Two hulls this close to the ball pin it between them: if one moves it, so may the other.
   double pinned_m = 2_mm;

@@ -11,8 +11,8 @@ namespace autoref::referee {
 // negated depth.
 double hull_to_area_m(const Field& field, Side side, const RobotObservation& robot);
 
-// How far, in metres, the hull extends from that area into the field; negative if it is entirely
-// inside. As in soccer/field.hpp, the area continues behind the goal line.
+// How far, in metres, the hull extends from the defence area into the field; negative if it is
+// entirely inside. As in soccer/field.hpp, the area continues behind the goal line.
 double hull_out_of_area_m(const Field& field, Side side, const RobotObservation& robot);
 
 }  // namespace autoref::referee

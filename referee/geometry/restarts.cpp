@@ -25,7 +25,7 @@ Vec2 position_before_goal_line(const Field& field, Side kicker, const Vec2& exit
           touch_line_sign(exit_m.y(), kicker) * (field.half_width_m() - touch_inset_m)};
 }
 
-// Distance from the goal line at which a point at `y_m` is `clearance_m` from the area; 0 if it may
+// Distance from the goal line at which a point at `y_m` is `clearance_m` from the area; 0 if it can
 // be on the goal line.
 double depth_at_clearance_m(const DefenceArea& area, double y_m, double clearance_m) {
   const bool round = area.shape == DefenceArea::Shape::kQuarterCircles;

@@ -128,7 +128,7 @@ void stop_play(RefereeState& state, const RefereeInput& input, const Finding& fi
   const PerSide<int> fouls_near_area = state.watch.attacker_too_close_to_defense_area.fouls;
   end_play(state);
   state.retakes = retakes;
-  // A team's second foul counts even if its first has already stopped play.
+  // A team's second foul counts even if its first foul has already stopped play.
   if (finding.event == Event::kAttackerStaysNearArea) {
     state.watch.attacker_too_close_to_defense_area.fouls = fouls_near_area;
   }

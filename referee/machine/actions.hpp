@@ -44,29 +44,30 @@ void begin_new_game(RefereeState& state, const RefereeInput& input, const Findin
 
 inline constexpr Action kBeginGames{"save positions; send STOP", begin};
 inline constexpr Action kPrepareFirstKickoff{
-    "ball to the centre; send PREPARE_KICKOFF; next = NORMAL_START", prepare_first_kickoff};
+    "place the ball at the centre; send PREPARE_KICKOFF; next = NORMAL_START",
+    prepare_first_kickoff};
 inline constexpr Action kSendPreparation{"send next; next = NORMAL_START; restart the wait",
                                          send_preparation};
 inline constexpr Action kStartPlay{"send next; the clock starts with a half's first kick-off",
                                    start_play};
 inline constexpr Action kAwardGoal{
-    "score; send GOAL; ball to the centre; next = PREPARE_KICKOFF for the conceding team",
+    "score; send GOAL; place the ball at the centre; next = PREPARE_KICKOFF for the conceding team",
     award_goal};
 inline constexpr Action kStopPlay{"send STOP; place the ball; next = the rule's restart",
                                   stop_play};
-inline constexpr Action kNoteFoul{"the foul is counted", note_foul};
-inline constexpr Action kAllowMoreTime{"the foul is counted; 10 s more to place the ball",
+inline constexpr Action kNoteFoul{"count the foul", note_foul};
+inline constexpr Action kAllowMoreTime{"count the foul; allow 10 s more to place the ball",
                                        allow_more_time};
 inline constexpr Action kAwardFreeKickInStop{
-    "the foul is counted; next = free kick for the opponents; restart the wait",
+    "count the foul; next = free kick for the opponents; restart the wait",
     award_free_kick_in_stop};
 inline constexpr Action kHaltForFoul{
-    "the foul is counted; send HALT; next = free kick for the opponents", halt_for_foul};
-inline constexpr Action kShowCard{"one robot fewer is allowed", show_card};
-inline constexpr Action kEndCard{"one robot more is allowed", end_card};
+    "count the foul; send HALT; next = free kick for the opponents", halt_for_foul};
+inline constexpr Action kShowCard{"allow one robot fewer", show_card};
+inline constexpr Action kEndCard{"allow one robot more", end_card};
 inline constexpr Action kStopAfterSignal{"send STOP", stop_after_signal};
 inline constexpr Action kEndHalf{"send HALT; next = PREPARE_KICKOFF for the other team", end_half};
-inline constexpr Action kBeginNextHalf{"send STOP; ball to the centre", begin_next_half};
+inline constexpr Action kBeginNextHalf{"send STOP; place the ball at the centre", begin_next_half};
 inline constexpr Action kBeginTimeout{"send TIMEOUT; then prepare the restart again",
                                       begin_timeout};
 inline constexpr Action kEndTimeout{"send STOP; restart the wait", end_timeout};
@@ -75,15 +76,18 @@ inline constexpr Action kBeginExtraTime{
     begin_extra_time};
 inline constexpr Action kEndForShootout{
     "send HALT; next = PREPARE_PENALTY for the team that kicked off first", end_for_shootout};
-inline constexpr Action kBeginShootout{"send STOP; ball to the mark", begin_shootout};
+inline constexpr Action kBeginShootout{"send STOP; place the ball at the mark", begin_shootout};
 inline constexpr Action kCountShootoutGoal{
-    "count the goal; send GOAL; ball to the mark; next = PREPARE_PENALTY for the next kicker",
+    "count the goal; send GOAL; place the ball at the mark; next = PREPARE_PENALTY for the next "
+    "kicker",
     count_shootout_goal};
 inline constexpr Action kCountShootoutMiss{
-    "count the kick; send STOP; ball to the mark; next = PREPARE_PENALTY for the next kicker",
+    "count the kick; send STOP; place the ball at the mark; next = PREPARE_PENALTY for the next "
+    "kicker",
     count_shootout_miss};
 inline constexpr Action kEndGame{"send HALT", end_game};
 inline constexpr Action kBeginNewGame{
-    "scores to zero; send STOP; ball to the centre; next = PREPARE_KICKOFF", begin_new_game};
+    "reset the scores; send STOP; place the ball at the centre; next = PREPARE_KICKOFF",
+    begin_new_game};
 
 }  // namespace autoref::referee

@@ -10,7 +10,7 @@
 
 namespace autoref::referee {
 
-// The next card for a side with these cards. If the book says so, the third active yellow card
+// The next card for a side with these cards. If the rule book says so, the third active yellow card
 // becomes a red one (2026).
 Card next_card(const CardBook& cards, const RuleBook& rules);
 
@@ -19,8 +19,8 @@ Card next_card(const CardBook& cards, const RuleBook& rules);
 std::string card_reason(const PerSide<CardBook>& before, const Finding& finding, Card shown,
                         const RuleBook& rules);
 
-// Counts the finding's foul against the offender, or against both sides without one, and shows the
-// card that it brings if cards are in force.
+// Counts the finding's foul against the offender, or against both sides if there is none. If cards
+// are in force, shows the card that the foul brings.
 void book(RefereeState& state, const RefereeInput& input, const Finding& finding);
 
 // Ends the oldest yellow card of the finding's offender, or of both sides without one.

@@ -26,7 +26,7 @@ std::optional<ShootoutKick> kick_between(const ShootoutBook& before, const Shoot
   return std::nullopt;
 }
 
-// Capitalises the text, which may begin with a colour.
+// Capitalises the first letter; the text may begin with a colour such as "yellow".
 std::string sentence(std::string text) {
   if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   return text;

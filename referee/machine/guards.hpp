@@ -8,7 +8,7 @@
 
 namespace autoref::referee {
 
-// A condition and its wording in the figure; the text is empty if it always holds.
+// A condition and its wording in the figure; the wording is empty if the condition always holds.
 struct Guard {
   std::string_view text;
   bool (*holds)(const RefereeState& state, const Configuration& configuration);
@@ -34,7 +34,7 @@ inline constexpr Guard kNextStartsPlay{"next is not a preparation", next_starts_
 inline constexpr Guard kDuringGame{"during a half", is_during_game};
 inline constexpr Guard kBetweenHalves{"between halves", is_between_halves};
 inline constexpr Guard kAfterGame{"after the game", is_after_game};
-inline constexpr Guard kBeforeShootout{"the break before the shoot-out", is_before_shootout};
+inline constexpr Guard kBeforeShootout{"in the break before the shoot-out", is_before_shootout};
 inline constexpr Guard kInShootout{"in the shoot-out", is_in_shootout};
 inline constexpr Guard kGameWasLast{"no new game follows", game_was_last};
 inline constexpr Guard kNewGameFollows{"a new game follows", new_game_follows};

@@ -1,7 +1,7 @@
 // The paper's finite state machine (section 4.3, figure 3) as a table, one row per transition.
 //
-// It owns nothing. A step is pure: the result depends only on the state, the frame and the finding,
-// and the new state is returned. The referee calls it once per finding.
+// The machine owns no data. A step is a pure function: the result depends only on the state, the
+// frame and the finding, and the new state is returned. The referee calls it once per finding.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ struct Trigger {
   bool has(Event found) const { return event ? *event == found : includes(found); }
 
   std::optional<Event> event{};
-  std::string_view text{};  // wording of the kind
+  std::string_view text{};  // wording of the kind of event
   bool (*includes)(Event) = nullptr;
 };
 
@@ -46,7 +46,7 @@ struct Transition {
 
 // The transitions in the figure.
 std::span<const Transition> transitions_in_figure();
-// Those of the game's time, which "operates outside this diagram".
+// The transitions of game time, which "operates outside this diagram".
 std::span<const Transition> transitions_outside_figure();
 
 // Transitions for calls that the paper's referee lacks. They differ only in the event.
@@ -65,8 +65,8 @@ std::vector<std::string_view> all_labels();
 struct Step {
   RefereeState state;                      // unchanged if no transition applies
   const Transition* transition = nullptr;  // null if none applies
-  std::string_view label;                  // the transition's, or the event's name if it has none
-  std::optional<Command> sent;             // the command sent, if any
+  std::string_view label;       // the transition's label, or the event's name if it has none
+  std::optional<Command> sent;  // the command sent, if any
 };
 
 // Takes the first transition from the current state that the finding triggers.

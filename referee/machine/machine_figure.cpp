@@ -45,7 +45,7 @@ std::string diagram() {
 
 std::string table_of(std::span<const Transition> transitions) {
   std::string text =
-      "| transition | from | when | to | what is done | evidence |\n|---|---|---|---|---|---|\n";
+      "| transition | from | when | to | action | evidence |\n|---|---|---|---|---|---|\n";
   for (const Transition& transition : transitions) {
     text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", label_of(transition),
                         from_of(transition), condition_of(transition), to_of(transition),

@@ -1,4 +1,4 @@
-// The machine's figure in referee/README.md, printed from the table.
+// Prints the figure and tables of referee/README.md from the transition table.
 #pragma once
 
 #include <string>

@@ -14,16 +14,16 @@
 namespace autoref::referee {
 namespace {
 
-// Shortest path of the ball before and after a touch from which its direction is measured: noise of
-// a few millimetres turns it by only a few degrees.
+// Minimum length of the ball's path before and after a touch for measuring its direction. Over this
+// length, noise of a few millimetres changes the direction by only a few degrees.
 constexpr double kShortest_m = 100_mm;
 
 bool is_by_keeper(const BallTouch& touch, Side side, const RefereeInput& input) {
   return touch.robot == RobotId{side, input.requests[side].keeper};
 }
 
-// The angle in degrees by which the newest touch turned the ball's path, if it is the keeper's and
-// the path is long enough on both sides to measure.
+// The angle in degrees by which the newest touch turned the ball's path. Returns nullopt if the
+// toucher is not the keeper, or if the path is too short to measure.
 std::optional<double> turn_by_keeper_deg(const RefereeState& state, const RefereeInput& input) {
   const PlayState& play = state.play;
   const BallTouch* touch = play.touches.newest();

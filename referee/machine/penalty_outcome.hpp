@@ -1,8 +1,9 @@
 // How a penalty kick ends.
 //
 // It fails if the ball goes out, if the keeper turns its path by 90 degrees or more, or 10 s after
-// the signal (2026, Penalty Kick; shoot-outs of all books). If play goes on after a penalty kick
-// (Laws 14), the same conditions decide when the rules on penalty kicks no longer apply.
+// the signal (2026, Penalty Kick; shoot-outs of all books). If play continues after a failed
+// penalty kick (Laws 14), the same conditions decide when the rules on penalty kicks no longer
+// apply.
 #pragma once
 
 #include <optional>

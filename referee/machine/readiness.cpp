@@ -21,7 +21,7 @@ bool is_look_due(const RefereeState& state, const RefereeInput& input) {
 // Deviation D13: the ball must also rest at its position.
 //
 // It rests once it has stayed within the tolerance for as long as a ball at the resting speed would
-// need to cross it, however noisy single frames are.
+// need to cross it, regardless of the noise in single frames.
 double rest_time_s(const RuleBook& rules) {
   return 2 * rules.ball_in_position_m / rules.ball_at_rest_mps;
 }

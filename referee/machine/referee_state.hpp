@@ -13,8 +13,7 @@
 
 namespace autoref::referee {
 
-inline constexpr int kMaxHalves =
-    4;  // two halves and two of extra time; there are no stages for more
+inline constexpr int kMaxHalves = 4;  // two halves, and two of extra time
 
 // "AutoRef saves the current positions of the robots" (paper, section 4.4).
 struct SavedPositions {
@@ -24,18 +23,18 @@ struct SavedPositions {
 
 // The current phase of play. Meaningless outside RUN.
 struct PlayState {
-  Command began_with;               // NORMAL_START, a free kick or FORCE_START
-  Command restart;                  // repeats the restart: itself or its PREPARE command
+  Command began_with;  // NORMAL_START, a free kick or FORCE_START
+  Command restart;     // the command that repeats this restart: the same one or its PREPARE command
   Vec2 position_m{0, 0};            // where the ball was placed for it
   std::optional<Side> kicker;       // takes the restart; nullopt after a force start
   double began_s = 0;               // when the restart was signalled
   std::optional<Vec2> ball_from_m;  // where the ball lay then; nullopt until it is seen
-  bool in_play = false;             // the ball has moved, or need not
+  bool in_play = false;             // the ball has moved, or does not need to
   bool entered_now = false;         // the ball entered play in this frame
   double in_play_since_s = 0;       // meaningless until the ball is in play
   TouchHistory touches;             // since play began
-  Vec2 stuck_at_m{0, 0};            // the ball has stayed near here
-  double stuck_since_s = 0;         // since this time
+  Vec2 stuck_at_m{0, 0};            // the ball has stayed near this position
+  double stuck_since_s = 0;         // since when
 
   bool is_kickoff() const { return restart.kind == CommandKind::kPrepareKickoff; }
   bool is_penalty() const { return restart.kind == CommandKind::kPreparePenalty; }
@@ -44,7 +43,7 @@ struct PlayState {
 // Retakes of one restart because of breaches of its own rules.
 struct Retakes {
   int count = 0;      // number of retakes
-  RobotSet too_near;  // opponents who were too near to the ball
+  RobotSet too_near;  // opponents that were too near to the ball
 };
 
 // Total of several time spans.
@@ -86,7 +85,8 @@ struct ShootoutBook {
 
 struct RefereeState {
   State machine_state = State::kInit;
-  RefereeSignal signal;  // in force: command, stage, score, placement and the paper's `next`
+  RefereeSignal
+      signal;  // the signal in force: command, stage, score, placement and the paper's `next`
 
   double wait_began_s = 0;  // in WAIT_START and WAIT_STOP: start of the timeout
   SavedPositions saved;     // reference for the robots' moves
@@ -105,7 +105,7 @@ struct RefereeState {
   ShootoutBook shootout;
 
   int half = 0;             // current or next, counted from 0
-  double half_began_s = 0;  // its start, on the clock of clock_s() (timekeeping.hpp)
+  double half_began_s = 0;  // start of the half, on the clock of clock_s() (timekeeping.hpp)
   int games_finished = 0;
   boost::container::static_vector<PerSide<int>, kMaxHalves> goals_by_half{PerSide<int>{}};
 };

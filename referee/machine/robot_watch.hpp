@@ -18,7 +18,7 @@ inline constexpr double kNever_s = -std::numeric_limits<double>::infinity();
 struct Collision {
   RobotId faster;
   RobotId slower;
-  double closing_mps = 0;  // just before, along the line of their centres
+  double closing_mps = 0;  // relative velocity just before, along the line of their centres
   double lead_mps = 0;     // difference of their speeds
   Vec2 position_m{0, 0};   // midpoint of their centres
   Vec2 faster_m{0, 0};     // the faster one's centre

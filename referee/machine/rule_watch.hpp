@@ -22,7 +22,7 @@ class RobotSet {
   PerSide<std::uint32_t> bits_;
 };
 
-// Robots in forbidden positions, and the largest measured violation.
+// Robots in forbidden positions, and the worst measured violation.
 struct PositionViolation {
   ConcernedRobots robots;
   double worst_m = 0;
@@ -36,7 +36,7 @@ struct PositionViolation {
   }
 };
 
-// For one stop and the free kick that follows (2026).
+// What is remembered of one stop and the free kick that follows (2026).
 struct AttackerNearAreaWatch {
   PerSide<std::optional<double>> grace_from_s;  // start of the stop, or the team's first foul
   PerSide<int> fouls;
@@ -52,7 +52,7 @@ struct RestartDistanceWatch {
 // The touch for which a non-stopping foul was called (2026).
 struct CalledTouch {
   std::optional<RobotId> robot;  // nullopt: none called
-  double ended_s = 0;            // end of the touch, as far as known
+  double ended_s = 0;            // last known end of the touch
   double called_s = 0;
 };
 
@@ -111,7 +111,7 @@ struct RuleWatch {
   OffsideWatch offside;
 };
 
-// What is kept when play starts: a free kick belongs to the stop before it.
+// The memory that is kept when play starts, because a free kick belongs to the stop before it.
 inline RuleWatch kept_at_start(const RuleWatch& watch) {
   RuleWatch kept;
   kept.attacker_too_close_to_defense_area = watch.attacker_too_close_to_defense_area;

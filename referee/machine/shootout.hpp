@@ -15,7 +15,8 @@ inline constexpr int kMostShootoutKicks = 50;
 
 Side next_kicker(const ShootoutBook& book, const Configuration& configuration);
 
-// Whether the remaining kicks cannot change the winner: of `kicks` per side, then of one more each.
+// Whether the remaining kicks cannot change the winner. Each side has `kicks` kicks; after those,
+// both get one more at a time.
 bool is_decided(const ShootoutBook& book, int kicks);
 
 // Whether it is decided or the limit is reached.

@@ -1,6 +1,6 @@
 // A kick from the team's own half that crosses the opponents' goal line outside the goal without
-// another touch is aimless, unless it was a kick-off (2026 Division B): a free kick from the
-// position of the kick.
+// another touch is aimless, unless it was a kick-off (2026 Division B). The opponents get a free
+// kick from the position of the kick.
 #include <fmt/format.h>
 
 #include "referee/geometry/ball_out.hpp"

@@ -9,7 +9,7 @@
 
 namespace autoref::referee {
 
-// A rule's verdict on a touch by a known robot whose position was seen at the time. `check` is
+// A rule's verdict on a touch by a known robot whose position was known at that time. `check` is
 // called for newly confirmed touches, oldest first.
 using TouchCheck = std::optional<Finding> (*)(RefereeState& state, const BallTouch& touch,
                                               const RefereeInput& input);

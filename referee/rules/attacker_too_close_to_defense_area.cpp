@@ -72,7 +72,7 @@ bool is_in_force(const RefereeState& state) {
   return !play.in_play && play.kicker && !play.is_kickoff() && !play.is_penalty();
 }
 
-// The robot of `side` nearest to the area, if the side's grace period is over.
+// The robot of `side` nearest to the area that is too close, if the side's grace period is over.
 std::optional<Offence> overdue(Side side, AttackerNearAreaWatch& watch, const RefereeInput& input) {
   const RuleBook& rules = input.configuration.rules;
   std::optional<double>& grace_from_s = watch.grace_from_s[side];

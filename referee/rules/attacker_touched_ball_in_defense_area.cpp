@@ -1,6 +1,6 @@
 // A robot must not touch the ball in play while it is partly or entirely inside the opponents'
-// defence area (2026, Attacker In Defense Area). Play goes on. A continuing touch counts again
-// after 2 s.
+// defence area (2026, Attacker In Defense Area). Play continues. A touch that lasts longer than 2 s
+// counts again.
 #include <fmt/format.h>
 
 #include "referee/geometry/area.hpp"

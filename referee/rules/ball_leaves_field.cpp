@@ -2,9 +2,9 @@
 // touched the ball less recently" (paper, section 4.2): throw-in, corner kick or goal kick.
 //
 // Deviation D14: if the last touch is unknown, the restart is a goal kick behind a goal line (the
-// paper's "otherwise") and a force start from the throw-in position over a touch line. Other books
-// have no "otherwise": behind a goal line they get a force start from a neutral position, so that
-// an unseen touch favours nobody.
+// paper's "otherwise") and a force start from the throw-in position over a touch line. Other rule
+// books have no "otherwise". Under them, a ball behind a goal line leads to a force start from a
+// neutral position, so that an unseen touch favours nobody.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ namespace {
 
 struct Award {
   Event event = Event::kThrowIn;
-  Side kicker = Side::kWest;  // west if neither side is
+  Side kicker = Side::kWest;  // west if neither side is the offender
   Vec2 position_m{0, 0};
 };
 

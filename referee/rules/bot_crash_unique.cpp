@@ -2,7 +2,7 @@
 //
 // The measured value is their relative velocity just before, along the line of their centres. The
 // faster robot is at fault. If the speeds differ by less than 0.3 m/s, nobody is at fault under the
-// Laws of 2014 (play goes on without a call), and both are under the rules of 2026.
+// Laws of 2014 (play continues without a call), and both are under the rules of 2026.
 //
 // Robots collide when their 180 mm cylinders do. Between two flat fronts the hulls are then up to
 // 30 mm apart, but robots closing at 1.5 m/s need four times that to brake.
@@ -32,10 +32,10 @@ constexpr double kSame_mps = 1e-6;
 constexpr double kAcceleration_mps2 = 4;
 constexpr double kJerk_mps3 = 100;
 constexpr double kBumped_mps2 = 10;           // more than any robot's own brakes
-constexpr int kCrashDetections = 4;           // needed for a fit
+constexpr int kCrashDetections = 4;           // detections needed for a fit
 constexpr double kCrashRounding_m = 0.01e-3;  // position error of a noise-free camera
 
-// The robot's track; null if vision did not see it in this frame.
+// The robot's track; null if vision did not see the robot in this frame.
 const TrackedRobot* find_track(const TrackedRobots& robots, int number) {
   const auto found = std::find_if(
       robots.begin(), robots.end(),
@@ -107,7 +107,8 @@ Collision collision_of(const PerSide<ConstantAcceleration>& motions, int west, i
   return collision;
 }
 
-// The collision of two robots in this frame; nullopt if they do not collide or already have.
+// The collision of two robots in this frame; nullopt if they do not collide, or if their collision
+// is already known.
 std::optional<Collision> intersection(CrashWatch& watch, const FrameHistory& frames,
                                       const RefereeInput& input, const TrackedRobot& west,
                                       const TrackedRobot& east) {

@@ -37,7 +37,7 @@ double gap_to_segment_m(const TrackedRobot& robot, const PlacementSegment& direc
 
 std::optional<Finding> find_bot_interfered_placement(RefereeState& state,
                                                      const RefereeInput& input) {
-  if (!input.frame.ball) return std::nullopt;  // its position is unknown
+  if (!input.frame.ball) return std::nullopt;  // the ball's position is unknown
   if (state.watch.interference_is_called) return std::nullopt;
   const Configuration& c = input.configuration;
   const std::optional<PlacementSegment> direction = placement_segment(state, input);

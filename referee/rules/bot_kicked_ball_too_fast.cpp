@@ -1,13 +1,13 @@
 // A kick must not be faster than 8 m/s (Laws 2014, law 12), or 6.5 m/s in space (2026). The limit
 // is for the speed at the kick. On the carpet, a constant-deceleration fit to the ball's free path
 // after a robot's touch is extrapolated back to the touch. It is evaluated after seven frames, when
-// the next touch ends the path, or once it exceeds the limit by three standard deviations, with
-// four frames at least. In the air, three successive speeds must be above the limit (2016), and
+// the next touch ends the path, or once it exceeds the limit by three standard deviations, but not
+// before the fourth frame. In the air, three successive speeds must be above the limit (2016), and
 // their mean beyond the noise.
 //
-// Until vision can tell whether a kicked ball flies, its speed is unknown as well: a chip seems
-// faster than it is. The call waits for that, or until the ball is out; then the ball counts as on
-// the ground, as most kicks are. Nobody is blamed if the kicker is unknown.
+// Until it is known whether a kicked ball flies, its speed is unknown as well: a chip seems faster
+// than it is. The call waits until then, or until the ball is out; in that case the ball counts as
+// on the ground, because most kicks are. Nobody is blamed if the kicker is unknown.
 #include <fmt/format.h>
 #include <boost/container/static_vector.hpp>
 
@@ -101,9 +101,9 @@ std::optional<double> speeding_in_air_mps(const FrameHistory& frames, double kic
   return mean.mps;
 }
 
-// If the ball was as fast before the touch, somebody else made it fast; if its earlier path is no
-// longer known, that may be so. Touches may be reported a frame late, so both preceding intervals
-// must be as fast.
+// If the ball was as fast before the touch, another robot made it fast. If its earlier path is no
+// longer known, this cannot be excluded. Touches may be reported a frame late, so both preceding
+// intervals must be as fast.
 bool was_as_fast(const FrameHistory& frames, double kicked_s, double speed_mps,
                  const Configuration& c) {
   const BallDetection* before = frames.ball_before(kicked_s);
@@ -115,8 +115,9 @@ bool was_as_fast(const FrameHistory& frames, double kicked_s, double speed_mps,
   return true;
 }
 
-// The speed of a kick whose ball nobody has touched until `until_s`, once it is certain. `is_over`:
-// no more detections will follow. Returns nullopt if the ball was already as fast before.
+// The speed of a kick, measured from the ball's free path until `until_s`, once it is certain.
+// `is_over` means that no more detections will follow. Returns nullopt if the ball was already as
+// fast before.
 std::optional<double> reported_speed_mps(const BallTouch& kick, const FrameHistory& frames,
                                          double until_s, bool is_over, const Configuration& c) {
   const Detections seen = detections_of(frames, kick.ended_s, until_s);

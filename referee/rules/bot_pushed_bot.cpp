@@ -13,8 +13,8 @@
 namespace autoref::referee {
 namespace {
 
-// Between the centres: robots in contact, and robots that may soon be. Real robots do not overlap,
-// but noisy detections may.
+// Distances between the centres of robots in contact, and of robots that may soon be. Real robots
+// do not overlap, but noisy detections may.
 constexpr double kInContact_m = 2 * kRobotRadius_m + 5_mm;
 constexpr double kNear_m = 2 * kRobotRadius_m + 60_mm;
 // Largest gap between the ball's surface and each hull if the ball is between the robots.
@@ -31,7 +31,7 @@ struct Push {
   Vec2 position_m{0, 0};
 };
 
-// Null if the watch is full: so many robots cannot be close to each other on a field.
+// Returns null if the watch is full. That many robots cannot be close to each other on a field.
 PushContact* contact_of(PushingWatch& watch, int west, int east) {
   const auto known = std::find_if(
       watch.contacts.begin(), watch.contacts.end(),

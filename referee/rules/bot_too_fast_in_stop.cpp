@@ -1,6 +1,6 @@
 // While play is stopped, robots drive slowly: at most 1 m/s (Laws 2014, single size), or 1.5 m/s
 // after 2 s of grace. A robot that is faster for 0.1 s is called once per stop. Only the first of
-// several robots of a team within 2 s counts, and none does during ball placement (2026, Fouls
+// several robots of a team within 2 s counts, and none counts during ball placement (2026, Fouls
 // While Ball Out Of Play).
 #include <fmt/format.h>
 

@@ -1,9 +1,10 @@
 // A ball whose top has been above 150 mm since the attackers' last touch scores no goal, unless it
-// has rolled since (Laws 2014, law 12): an indirect free kick from the position of that touch.
+// has rolled since (Laws 2014, law 12). The restart is an indirect free kick from the position of
+// that touch.
 //
-// Unknown heights count as on the ground, where most balls are. If an unknown robot has touched the
-// ball since, it may have been a team-mate, and the goal stands. A ball that a defender lifts into
-// its own goal after it has rolled is a goal, too.
+// A ball of unknown height counts as on the ground, because most balls are. If an unknown robot has
+// touched the ball since, it may have been a team-mate, and the goal stands. A ball that a defender
+// lifts into its own goal after it has rolled is a goal, too.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,8 +1,9 @@
-// A robot other than the keeper must not touch the ball in play inside its own defence area: a
-// penalty kick if it is entirely inside, and under the Laws of 2014 a yellow card and an indirect
-// free kick if it is partly inside (law 12; 2026, Defender In Defense Area).
+// A robot other than the keeper must not touch the ball in play inside its own defence area. If it
+// is entirely inside, the opponents get a penalty kick. If it is partly inside, the Laws of 2014
+// give it a yellow card and the opponents an indirect free kick (law 12; 2026, Defender In Defense
+// Area).
 //
-// A defender in contact with an opponent may have been pushed there, and vision cannot tell who
+// A defender in contact with an opponent may have been pushed there, and vision cannot show who
 // pushed, so it is not blamed.
 #include <fmt/format.h>
 

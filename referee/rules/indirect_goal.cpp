@@ -1,5 +1,5 @@
 // A goal straight from an indirect free kick or a throw-in, touched only by the kicker, does not
-// count; a goal kick follows (Laws 2014, laws 13 and 15). A touch by an unknown robot may have been
+// count. A goal kick follows (Laws 2014, laws 13 and 15). A touch by an unknown robot may have been
 // by a second robot.
 #include <fmt/format.h>
 

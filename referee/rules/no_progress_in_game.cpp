@@ -1,6 +1,6 @@
-// If the ball gets nowhere for 10 s (Division A: 5 s) although both teams may play it, the game
-// continues with a force start (2026, Lack Of Progress). A ball at rest in a defence area is the
-// keeper's: rule keeper_held_ball.
+// If the ball makes no progress for 10 s (Division A: 5 s) although both teams may play it, the
+// game continues with a force start (2026, Lack Of Progress). A ball at rest in a defence area is
+// the keeper's responsibility (rule keeper_held_ball).
 #include <fmt/format.h>
 
 #include <algorithm>

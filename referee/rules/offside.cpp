@@ -1,4 +1,4 @@
-// Offside, for experiments: it is in none of the league's rule books. referee/README.md has
+// Offside, for experiments. None of the league's rule books includes it. referee/README.md has
 // AutoRef's definition.
 #include <fmt/format.h>
 

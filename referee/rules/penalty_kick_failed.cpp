@@ -1,5 +1,5 @@
-// A failed penalty kick (penalty_outcome.hpp) is over: goal kick for the defenders (2026, Penalty
-// Kick).
+// A failed penalty kick (penalty_outcome.hpp) is over, and the defenders get a goal kick (2026,
+// Penalty Kick).
 #include "referee/geometry/restarts.hpp"
 #include "referee/machine/penalty_outcome.hpp"
 #include "referee/rules/rule.hpp"

@@ -1,13 +1,13 @@
-// At a penalty kick the keeper touches its goal line between the posts, and everybody else except
-// the kicker is behind the ball: 400 mm behind the penalty mark (Laws 14), 1 m behind the ball
-// (2026, Penalty Kick).
+// At a penalty kick the keeper touches its goal line between the posts, and all other robots except
+// the kicker are 400 mm behind the penalty mark (Laws 14) or 1 m behind the ball (2026, Penalty
+// Kick).
 //
-// The kick proceeds, and its outcome decides. After a breach by the kicker's side, a goal does not
-// count and the kick is retaken; after one by the defenders' side, it is retaken if there was no
-// goal; after breaches by both sides, in either case. Positions are judged in the last frame before
-// the ball is in play. Simpler than the Laws: the keeper's orientation, the kick's direction and
-// rebounds to offending robots are not judged, and a kick is complete when it is a goal or a
-// failure in the sense of rule penalty_kick_failed.
+// The kick proceeds, and its outcome decides about a retake. After a breach by the kicker's side,
+// it is retaken if there was a goal, which does not count; after a breach by the defenders' side,
+// if there was no goal; after breaches by both sides, in either case. Positions are judged in the
+// last frame before the ball is in play. This is simpler than the Laws: the keeper's orientation,
+// the kick's direction and rebounds to offending robots are not judged, and a kick is complete when
+// it is a goal or a failure in the sense of rule penalty_kick_failed.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,14 +29,14 @@ std::optional<int> kicker_of(const SeenRobots& robots, const Vec2& ball_m) {
   return nearest == robots.end() ? std::nullopt : std::optional(nearest->number);
 }
 
-// How far the whole hull is behind the ball, seen from the goal of `goal`.
+// How far the whole hull is behind the ball, seen from the goal of side `goal`.
 double behind_ball_m(Side goal, const RobotObservation& robot, const Vec2& ball_m) {
   const Vec2 towards_goal(goal_sign(goal), 0);
   return (ball_m - robot.position_m).dot(towards_goal) -
          reach_of_hull_m(robot.heading, towards_goal);
 }
 
-// The robots of `side` that are too near, except for one that may be.
+// The robots of `side` that are too near, except robot `may_be`, which is allowed to be.
 PositionViolation too_near(Side side, std::optional<int> may_be, const RefereeState& state,
                            const RefereeInput& input) {
   const Configuration& c = input.configuration;
@@ -107,7 +107,7 @@ Finding taken_again(const RefereeState& state, const RefereeInput& input, bool i
   const bool is_keepers = !watch.others[side].any();
   const PositionViolation& worst = is_keepers ? watch.keeper : watch.others[side];
   finding.value = worst.worst_m;
-  if (is_keepers) finding.threshold = 0;  // off its line
+  if (is_keepers) finding.threshold = 0;  // measured from its line
   finding.robots.push_back(worst.robots.front());
   if (!both) finding.offender = side;
   finding.position_m = state.play.ball_from_m;

@@ -16,8 +16,8 @@
 
 namespace autoref::referee {
 
-// What a rule finds in this frame, if anything. Called once per frame in the rule's states, unless
-// an earlier rule has changed the state. It may change only its own memory in `state.watch`.
+// Returns what a rule finds in this frame, if anything. Called once per frame in the rule's states,
+// unless an earlier rule has changed the state. It may change only its own memory in `state.watch`.
 using Search = std::optional<Finding> (*)(RefereeState& state, const RefereeInput& input);
 
 struct Watch {
@@ -28,7 +28,7 @@ struct Watch {
 class Rule {
  public:
   constexpr Rule(States active_in, Search search) : Rule({Watch{active_in, search}}) {}
-  // Some rules search for several things, three at most, in this order.
+  // A rule makes up to three searches, in this order.
   constexpr Rule(std::initializer_list<Watch> watches) {
     for (const Watch& watch : watches) watches_.at(size_++) = watch;
   }
@@ -43,7 +43,7 @@ class Rule {
   std::size_t size_ = 0;
 };
 
-// Each rule is defined in its own file: kGoalRule and so on.
+// Declares the rules, each defined in its own file: kGoalRule and so on.
 #define AUTOREF_RULE(id, ...) extern const Rule id##Rule;
 #include "soccer/rules.def"
 #undef AUTOREF_RULE

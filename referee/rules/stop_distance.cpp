@@ -25,7 +25,7 @@ double distance_to_ball_m(const TrackedRobot& robot, const Vec2& ball_m) {
 }
 
 std::optional<Finding> find_stop_distance(RefereeState& state, const RefereeInput& input) {
-  if (!input.frame.ball) return std::nullopt;  // its position is unknown
+  if (!input.frame.ball) return std::nullopt;  // the ball's position is unknown
   const Configuration& c = input.configuration;
   const bool holds = is_judged(state, input);
   const double limit_m = c.rules.opponents_to_ball_m - robot_to_ball_uncertainty_m(c.noise);

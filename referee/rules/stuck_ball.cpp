@@ -1,5 +1,5 @@
-// Deviation D11: a ball in play that has moved less than 250 mm in 10 s is stuck: a force start
-// from a neutral position (2016; Laws 2014, law 9).
+// Deviation D11: a ball in play that has moved less than 250 mm in 10 s is stuck. Play continues
+// with a force start from a neutral position (2016; Laws 2014, law 9).
 #include <fmt/format.h>
 
 #include "referee/geometry/restarts.hpp"

@@ -2,9 +2,9 @@
 // gets one on request while play is stopped, except before the first kick-off, when the match has
 // not begun, and in a shoot-out.
 //
-// A timeout lasts until its team withdraws the request or has used up its time. If both teams ask
-// at once, the side that takes the restart comes first; if neither does, the one that has used less
-// time, then fewer timeouts, then the one that did not kick off this half.
+// A timeout lasts until its team withdraws the request or has used up its time. If both teams
+// request one at once, the side that takes the restart comes first; if neither does, the one that
+// has used less time, then fewer timeouts, then the one that did not kick off this half.
 #include <fmt/format.h>
 
 #include "referee/machine/timekeeping.hpp"

@@ -1,6 +1,6 @@
-// More robots on the field than a side may have, 10 s after a card removed one (Laws 3 and 12;
-// 2026, Yellow Card). In 2026 also without a card, 2 s after a start: the game continues with a
-// force start, and the team is not penalised.
+// A side must not have more robots on the field than allowed 10 s after a card (Laws 3 and 12;
+// 2026, Yellow Card) or, in 2026, 2 s after a start without a card. In 2026 the game continues with
+// a force start, and the team is not penalised.
 //
 // Robots leave by driving off: a robot is off the field once all of it is beyond the lines. Each
 // card is called once. If both sides are at fault, the finding names neither, and play continues
@@ -17,7 +17,7 @@
 namespace autoref::referee {
 namespace {
 
-// Vision sometimes detects robots that are not there, but not for this long; a robot that it no
+// Vision sometimes detects robots that are not there, but not for this long. A robot that vision no
 // longer sees is tracked for half a second.
 constexpr double kPatternLasts_s = 1_s;
 // Time to remove surplus robots after a start without a card (2026).

@@ -19,16 +19,17 @@ struct BallMotionParameters {
   // depends on the unknown spin.
   double slides_mps2 = 2.2;
   double slides_change_m2ps5 = 1.0;  // power spectral density of the jerk
-  // Mean and deviation of a rolling ball's deceleration, similar on all of the league's carpets.
+  // Prior mean and standard deviation of a rolling ball's deceleration; all of the league's carpets
+  // are similar.
   double rolls_mps2 = 0.3;
   double rolls_off_mps2 = 0.2;
   double rolls_change_m2ps5 = 0.005;
-  double begins_to_roll_mps = 0.02;  // velocity change by sliding for a part of the frame
+  double begins_to_roll_mps = 0.02;  // velocity change caused by sliding for part of the frame
   // Velocity change by a touch: a kick or bounce, or a brush after which a rolling ball keeps
   // rolling.
   double hard_mps = 1.5;
   double soft_mps = 0.12;
-  double jump_m = 10_mm;  // position error of a ball that begins or ceases to fly
+  double jump_m = 10_mm;  // position error of a ball that takes off or lands
 };
 
 class BallMotionFilter {
@@ -45,7 +46,7 @@ class BallMotionFilter {
   // Adds the process noise of a touch at an unknown time within the last `duration_s`.
   void touch(double duration_s, bool is_soft, const BallMotionParameters& parameters);
 
-  // The ball has stopped sliding.
+  // Switches to the rolling model: the ball has stopped sliding.
   void begin_to_roll(const BallMotionParameters& parameters);
 
   // Corrects the state by a detection. Returns the deviance of the innovation, minus twice its
@@ -57,7 +58,7 @@ class BallMotionFilter {
   const Vec2& velocity_mps() const { return velocity_mps_; }
   double velocity_variance_m2ps2() const { return vv_; }
   Vec2 position_after(double duration_s) const;
-  // In m2, per coordinate; neglects the uncertainty of the acceleration.
+  // Position variance in m2, per coordinate; neglects the uncertainty of the acceleration.
   double position_variance_after(double duration_s) const;
 
  private:

@@ -29,7 +29,7 @@ class ConstantAccelerationFit {
   // Prior mean of the acceleration, and its standard deviation per coordinate.
   ConstantAccelerationFit(const Vec2& acceleration_mps2, double deviation_mps2);
 
-  // Adds a detection. `deviation_m`, the position's standard deviation per coordinate, must be
+  // Adds a detection. `deviation_m` is the position's standard deviation per coordinate and must be
   // positive.
   void add(double time_s, const Vec2& position_m, double deviation_m);
 

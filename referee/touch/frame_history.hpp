@@ -3,7 +3,7 @@
 // One bounded history serves everything that looks back: both touch detectors
 // (online_touch_detector.hpp, retrospective_touch_detector.hpp), the order of touches
 // (touch_history.hpp) and the rules. The referee owns it, restarts it when play starts and pushes
-// each frame of play; everything else only reads it.
+// each frame of play; all others only read it.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ struct BallDetection {
   double height_m = 0;            // of the lowest point
   double height_deviation_m = 0;  // standard deviation; 0 if vision reports heights
   bool height_known = true;
-  bool jumps = false;       // the ball has just begun or ceased to be tracked as flying
+  bool jumps = false;       // the tracker has just begun or stopped tracking the ball as flying
   double duration_s = 0;    // since the previous detection; 0 if it jumps or is the first
   Vec2 velocity_mps{0, 0};  // mean over `duration_s`
 };
@@ -36,8 +36,9 @@ struct StoredFrame {
   PerSide<SeenRobots> robots;
 };
 
-// Whether the robot is within a metre of the ball's last detection. One farther away cannot have
-// touched the ball since: the ball moves 0.1 m per frame, and 1 m while hidden for ten.
+// Whether the robot is within a metre of the ball's last detection. A robot farther away cannot
+// have touched the ball since then: the ball moves 0.1 m per frame, or 1 m in ten frames without a
+// detection.
 bool is_near_ball(const StoredFrame& frame, const RobotObservation& robot);
 
 // A ring buffer; nothing is allocated. Frame 0 is the one in which play started, the frames of play
@@ -52,10 +53,11 @@ class FrameHistory {
 
   FrameHistory();
 
-  // Play starts in this frame with the ball at rest at `ball_m`, or with a ball never seen so far.
+  // Starts a new play in this frame, with the ball at rest at `ball_m`, or nullopt if the ball has
+  // never been seen.
   void restart(const Frame& frame, const std::optional<Vec2>& ball_m);
 
-  // Marks the next detection with `jumps`.
+  // Sets `jumps` of the next detection.
   void lose_sight() { jumps_ = true; }
 
   // Appends a frame of play, dropping the oldest one. Skips frames that are not later than the
@@ -72,19 +74,21 @@ class FrameHistory {
   // The frame of the `back`-th detection before the newest one; `back` must be below kDetections
   // and below detections().
   const StoredFrame& detection(int back) const { return (*this)[number_of_detection(back)]; }
-  // The number of the first detection still kept and not before `since_s`; newest() + 1 if none.
+  // The number of the first detection still kept and not before `since_s`; newest() + 1 if there is
+  // none.
   std::int64_t first_detection(double since_s) const;
 
   // The `back`-th detection before the newest one; null unless it is one of the last kRecent of
   // this play, the ball at rest excluded.
   const BallDetection* ball(std::size_t back) const;
 
-  // The newest of those detections that is not after `time_s`, or else the oldest; null without
-  // any. Positions between detections are not interpolated, since a touch bends the path.
+  // The newest of those detections that is not after `time_s`, or the oldest if all are later; null
+  // if there are none. Positions between detections are not interpolated, since a touch bends the
+  // path.
   const BallDetection* ball_before(double time_s) const;
 
-  // The robots at that time, linearly interpolated between the last kRecent frames; the nearest
-  // frame's outside of these.
+  // The robots at that time, linearly interpolated between the last kRecent frames; outside of
+  // them, those of the nearest frame.
   PerSide<SeenRobots> robots_at(double time_s) const;
 
  private:
@@ -96,7 +100,7 @@ class FrameHistory {
 
   std::array<StoredFrame, kKept> kept_;
   std::int64_t newest_ = 0;
-  std::array<std::int64_t, kDetections> detection_numbers_{};  // also a ring buffer
+  std::array<std::int64_t, kDetections> detection_numbers_{};  // a ring buffer, too
   std::int64_t detections_ = 0;
   bool jumps_ = false;
 };

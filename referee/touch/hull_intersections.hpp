@@ -15,34 +15,34 @@ namespace autoref::referee {
 struct HullIntersectionParameters {
   double contact_m = 1_mm;  // standard deviation of the gap between bodies that touch
   double slack_m = 1_mm;    // physics leaves gaps of 0.5 mm and overlaps of 1.5 mm
-  double reach_m = 15_mm;   // of the kicker, beyond the plate
+  double reach_m = 15_mm;   // reach of the kicker beyond the plate
   double kick_rad = 0.08;   // standard deviation of a kick's direction from the robot's heading
-  double robot_m = 0;       // vision's noise of robots, set by the detector
+  double robot_m = 0;       // vision noise of robot poses, set by the detector
   double robot_rad = 0;
 };
 
-inline constexpr double kNever = 1e9;  // deviance of the impossible
+inline constexpr double kNever = 1e9;  // deviance of an impossible event
 
 // The intersection of a path with one robot's hull.
 struct HullIntersection {
   RobotId robot;
-  double bounce_deviance = kNever;  // of a touch by the hull
-  double kick_deviance = kNever;    // of a kick
-  double least_gap_m = 1;           // from the ball's surface to the hull
-  double time_s = 0;                // of the likeliest touch
-  double gap_m = 0;                 // at that time
+  double bounce_deviance = kNever;  // deviance of a touch by the hull
+  double kick_deviance = kNever;    // deviance of a kick
+  double least_gap_m = 1;           // smallest gap from the ball's surface to the hull
+  double time_s = 0;                // time of the likeliest touch
+  double gap_m = 0;                 // gap at that time
 };
 using HullIntersections = boost::container::static_vector<HullIntersection, 2 * kMaxRobots>;
 
 struct Walk {
   HullIntersections intersections;
-  double through_deviance = 0;  // of passing through hulls, along the whole path
+  double through_deviance = 0;  // deviance of passing through hulls, along the whole path
 };
 
 // Samples the path from the frame `from`, where it starts, to the frame `to`, later or earlier. A
-// touch's deviance is that of the gap between ball and hull at that time, plus that of the hulls
-// passed through until then. Backwards, the path is one that a touch started, so the deviance of a
-// kick includes the angle between the robot's heading and the path.
+// touch's deviance is that of the gap between ball and hull at that time, plus the deviance of the
+// hulls that the ball has passed through until then. Backwards, the path is one that a touch
+// started, so the deviance of a kick includes the angle between the robot's heading and the path.
 Walk walk(const BallMotionFilter& motion, const FrameHistory& frame_history, std::int64_t from,
           std::int64_t to, const HullIntersectionParameters& parameters);
 

@@ -11,11 +11,11 @@ namespace {
 
 // If rolling and sliding differ by this deviance, only the likelier is kept.
 constexpr double kRollsSurely = 20;
-// Hypotheses with this much more deviance than the best are pruned: they cannot catch up. Twice
-// the deviance of a velocity change with nobody near.
+// Hypotheses with this much more deviance than the best are pruned: they cannot catch up. This is
+// twice the deviance of a velocity change with no robot near.
 constexpr double kTooUnlikely = 60;
 constexpr double kLeastSliding_mps2 = 3.0;  // friction on the slickest carpet
-constexpr double kBeforeKnown_s = 50_ms;    // the speed after a touch is not known sooner
+constexpr double kBeforeKnown_s = 50_ms;    // the speed after a touch is not known earlier
 constexpr std::int64_t kLongestGap = 64;    // frames; after 1 s unseen, tracking starts over
 
 }  // namespace
@@ -32,7 +32,7 @@ SideMinima HypothesisTracker::track(std::int64_t first, const SideMinima& before
   return best_minima();
 }
 
-// Starts over at this detection, with the minima until then.
+// Restarts tracking at this detection, with the per-side minima so far.
 void HypothesisTracker::begin(const SideMinima& minima) {
   hypotheses_.clear();
   hypotheses_.emplace_back();
@@ -140,7 +140,7 @@ void HypothesisTracker::follow() {
   }
   for (TouchHypothesis& hypothesis : hypotheses_) {
     follow(hypothesis);
-    // The touch before is the same whether the ball then slid or rolled.
+    // The same touch came before, whether the ball then slid or rolled.
     const auto twin = std::find_if(
         hypotheses_.begin(), hypotheses_.end(),
         [&hypothesis](const TouchHypothesis& other) { return other.start == hypothesis.start; });

@@ -2,7 +2,8 @@
 //
 // Whenever the ball is near a robot, or an innovation is outside the gate, new hypotheses branch
 // off in which it was touched there; the others continue without a touch. The decision about a
-// touch is thus deferred to what the ball did long after it. The likeliest ten hypotheses are kept.
+// touch is thus deferred until the ball's later path supports it. The likeliest ten hypotheses are
+// kept.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -15,17 +16,18 @@ namespace autoref::referee {
 
 class HypothesisTracker {
  public:
-  // Keeps the references of the context.
+  // Keeps the references in the context.
   explicit HypothesisTracker(const HypothesisContext& basis) : basis_(basis) {}
 
   // Processes the frames from `first`, a detection of the ball, to the newest one. The ball's
-  // velocity at `first` is unknown. `before` are the minima of touches before `first`; returns
-  // those until the newest frame.
+  // velocity at `first` is unknown. `before` contains the per-side minima before `first`; returns
+  // the minima up to the newest frame.
   SideMinima track(std::int64_t first, const SideMinima& before);
 
  private:
-  static constexpr std::size_t kMostHypotheses = 10;  // more do not change any call, fewer do
-  // A detection adds one hypothesis of rolling and two of a touch.
+  static constexpr std::size_t kMostHypotheses =
+      10;  // more hypotheses do not change any call; fewer do
+  // A detection adds one hypothesis for rolling and two for a touch.
   using TouchHypotheses = boost::container::static_vector<TouchHypothesis, kMostHypotheses + 4>;
   using Deviances = boost::container::static_vector<double, TouchHypotheses::static_capacity>;
 

@@ -9,7 +9,8 @@
 namespace autoref::referee {
 namespace {
 
-// In standard deviations: plausible position errors, and changes too large for noise.
+// Limits in standard deviations: up to kMaybe a position error is plausible; beyond
+// kCertainDeviations a change is too large for noise.
 constexpr double kMaybe = 3;
 constexpr double kCertainDeviations = 5;
 
@@ -45,7 +46,7 @@ void OnlineTouchDetector::update() {
   if (!is_open_) settled_ = last_;
 }
 
-// The ball was unseen for a while. Unless it moved on as before, somebody unknown touched it.
+// The ball was unseen for a while. Unless it moved on as before, an unknown robot touched it.
 void OnlineTouchDetector::resume_after_gap() {
   const BallDetection& now = ball(0);
   const BallDetection& before = frames_[frames_.newest() - 1].ball;
@@ -75,7 +76,7 @@ bool OnlineTouchDetector::is_sudden_change() const {
   return change_mps(1, 0).norm() > explained_mps + noise_mps && !is_landing();
 }
 
-// A landing ball loses speed, a quarter at the first hop, and keeps its direction.
+// A landing ball keeps its direction but loses speed, a quarter of it at the first hop.
 bool OnlineTouchDetector::is_landing() const {
   const bool in_air =
       ball(0).height_m > 0 || ball(1).height_m > 0 || (known_ > 2 && ball(2).height_m > 0);
@@ -103,8 +104,8 @@ void OnlineTouchDetector::detect_sudden_change() {
 }
 
 // Two successive velocity changes come from a single touch in between if the mean velocity between
-// them is a weighted mean of those before and after. Returns the time of that touch as a share of
-// the interval, or nullopt.
+// them is a weighted mean of those before and after. Returns the time of that touch as a fraction
+// of the interval, or nullopt.
 std::optional<double> OnlineTouchDetector::share_of_single_touch() const {
   const Vec2 jump_mps = change_mps(2, 0);
   const double length2 = jump_mps.squaredNorm();
@@ -131,7 +132,7 @@ void OnlineTouchDetector::detect_single_touch(double share) {
   conclude(verdict, 1, change_mps(2, 0));
 }
 
-// The velocity change is new: assume that the ball moved on as before until somebody touched it.
+// The velocity change is new: assume that the ball moved on as before until a robot touched it.
 void OnlineTouchDetector::detect_onwards() {
   const BallDetection& before = ball(1);
   const BallSegment segment{before.position_m,
@@ -191,7 +192,7 @@ double OnlineTouchDetector::touching_m() const {
   return parameters_.touching_m + kMaybe * parameters_.position_noise_m;
 }
 
-// Soft touches that noise hides from frame to frame are detected a few frames later.
+// Detects soft touches that noise hides from frame to frame, a few frames later.
 void OnlineTouchDetector::detect_velocity_change() {
   if (parameters_.position_noise_m <= 0) return;
   const std::optional<VelocityChange> change = velocity_changes_.update();

@@ -1,13 +1,14 @@
-// Who touched the ball last while play is on: the paper's input c (table 1), from vision alone.
+// Estimates during play who touched the ball last: the paper's input c (table 1), from vision
+// alone.
 //
 // Deviation D16: the paper's AutoRef takes c as given.
 //
-// The online one of the two touch detectors (docs/touch-detection.md): it judges each frame from
-// the last few detections of the ball. A touch shows in the ball's motion: its velocity or position
-// changes by more than carpet and noise explain while a robot's hull is at the ball, or the ball
-// stays at a moving hull and moves along with it. A robot that is merely near did not touch the
-// ball, and a velocity change with no robot near (a post, a wall) is not a touch. If robots of both
-// sides explain a velocity change about equally well, the last touch is unknown.
+// This is the online touch detector of the two in docs/touch-detection.md. It judges each frame by
+// the most recent detections of the ball. A touch shows in the ball's motion: its velocity or
+// position changes by more than carpet and noise explain while a robot's hull is at the ball, or
+// the ball stays at a moving hull and moves along with it. A robot that is merely near did not
+// touch the ball, and a velocity change with no robot near (a post, a wall) is not a touch. If
+// robots of both sides explain a velocity change about equally well, the last touch is unknown.
 //
 // The referee restarts the detector when play starts and updates it after each frame of play.
 #pragma once
@@ -28,7 +29,7 @@ namespace autoref::referee {
 
 class OnlineTouchDetector {
  public:
-  // Keeps a reference to the history. `noise` is vision's.
+  // Keeps a reference to the history. `noise` is the vision noise.
   OnlineTouchDetector(const FrameHistory& frames, const Field& field,
                       const TouchParameters& parameters, const VisionNoise& noise = {})
       : frames_(frames),
@@ -38,7 +39,7 @@ class OnlineTouchDetector {
   OnlineTouchDetector(const OnlineTouchDetector&) = delete;
   OnlineTouchDetector& operator=(const OnlineTouchDetector&) = delete;
 
-  // Call after FrameHistory::restart(): nobody has touched the ball yet.
+  // Forgets all touches. Call after FrameHistory::restart().
   void restart();
 
   // Judges the newest frame of the history, if it has a ball.
@@ -70,7 +71,7 @@ class OnlineTouchDetector {
     return ball(to_back).velocity_mps - ball(from_back).velocity_mps;
   }
 
-  static constexpr int kUsed = 4;  // detections that a frame is judged by
+  static constexpr int kUsed = 4;  // number of detections used to judge a frame
 
   const FrameHistory& frames_;
   Field field_;

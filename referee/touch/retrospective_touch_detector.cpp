@@ -9,7 +9,7 @@
 namespace autoref::referee {
 namespace {
 
-// The last touch if either side may have made it.
+// The result if either side may have made the last touch.
 LastTouch unknown_touch(const LastTouch& west, const LastTouch& east) {
   LastTouch touch;
   touch.time_s = std::max(west.time_s, east.time_s);

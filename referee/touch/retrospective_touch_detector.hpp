@@ -1,12 +1,12 @@
 // Who touched the ball last, judged in hindsight once the ball has left the field.
 //
-// The retrospective one of the two touch detectors (docs/touch-detection.md). It explains the
-// detections of the last seconds by hypotheses (touch_hypothesis.hpp): free motion of the ball
-// (ball_motion_filter.hpp), with touches in between. A hypothesis is scored by its likelihood: of
-// the detections, of each touch at all, and of the robot that made it (hull_intersections.hpp). The
-// path before must lead to that robot's hull; the path after must come from there, or out of its
-// dribbler zone along its heading, without passing through other robots. A touch that noise hides
-// at first is thus revealed by the ball's later path.
+// This is the retrospective touch detector of the two in docs/touch-detection.md. It explains the
+// detections of the last few seconds by hypotheses (touch_hypothesis.hpp): free motion of the ball
+// (ball_motion_filter.hpp), with touches in between. A hypothesis is scored by the likelihood of
+// the detections, the prior probability of each touch, and the likelihood of the robot that made it
+// (hull_intersections.hpp). The path before a touch must lead to that robot's hull; the path after
+// it must come from there, or out of its dribbler zone along its heading, without passing through
+// other robots. A touch that noise hides at first is thus revealed by the ball's later path.
 //
 // The side with the likelier hypothesis touched the ball last; if both are about equally likely,
 // the last touch is unknown.
@@ -24,7 +24,7 @@ namespace autoref::referee {
 
 class RetrospectiveTouchDetector {
  public:
-  // Keeps a reference to the history. `noise` is vision's.
+  // Keeps a reference to the history. `noise` is the vision noise.
   RetrospectiveTouchDetector(const FrameHistory& frames, const Field& field,
                              const TouchHypothesisParameters& parameters, const VisionNoise& noise);
   RetrospectiveTouchDetector(const RetrospectiveTouchDetector&) = delete;

@@ -8,8 +8,9 @@
 namespace autoref::referee {
 namespace {
 
-constexpr int kCandidateSamples = 16;   // per segment; a fast ball moves 8 mm from one to the next
-constexpr double kNormalStep_m = 1e-4;  // of the central differences for the normal
+constexpr int kCandidateSamples =
+    16;  // samples per segment; a fast ball moves 8 mm between two samples
+constexpr double kNormalStep_m = 1e-4;  // step of the central differences for the normal
 
 struct CandidatePose {
   Vec2 position_m{0, 0};
@@ -55,10 +56,10 @@ double share_on(const BallSegment& segment, double part) {
 
 struct Approach {
   double gap_m = 0;
-  double part = 0;  // of the segment, from 0 to 1
+  double part = 0;  // fraction of the segment, from 0 to 1
 };
 
-// The first contact on the segment, or else the closest approach.
+// The first contact on the segment, or the closest approach if there is none.
 Approach approach_on(const BallSegment& segment, const Motion& motion) {
   Approach best{gap_m(motion.at(share_on(segment, 0)), on_segment(segment, 0)), 0};
   for (int i = 1; i <= kCandidateSamples && best.gap_m > 0; ++i) {
@@ -145,7 +146,7 @@ Candidates candidates_on(const BallSegment& segment, const StoredFrame& before,
 }
 
 double gap_to_goals_m(const Field& field, const BallSegment& segment) {
-  // Both goals and both posts are alike: fold them onto one.
+  // Both goals and both posts are alike, so symmetry reduces them to one.
   const Vec2 low_m(field.half_length_m(), field.half_goal_m());
   const Vec2 high_m = low_m + Vec2(field.goal_depth_m, field.goal_wall_thickness_m);
   double least_m = distance_to_box_m(segment.from_m.cwiseAbs(), low_m, high_m);

@@ -13,8 +13,8 @@
 
 namespace autoref::referee {
 
-// A straight segment of the ball's path between two detections. Shares are fractions of the time
-// between these, from 0 to 1.
+// A straight segment of the ball's path between two detections. Its ends are given as fractions of
+// the time between the detections, from 0 to 1.
 struct BallSegment {
   Vec2 from_m{0, 0};
   Vec2 to_m{0, 0};
@@ -22,8 +22,8 @@ struct BallSegment {
   double to_share = 1;
 };
 
-// What a touch did to the ball: the velocity change to be explained and, once known, the velocity
-// after it.
+// The effect of a touch on the ball: the velocity change to be explained and, once known, the
+// velocity after it.
 struct Impulse {
   Vec2 change_mps{0, 0};
   std::optional<Vec2> after_mps;
@@ -31,9 +31,9 @@ struct Impulse {
 
 struct Candidate {
   RobotId robot;
-  double gap_m = 0;       // from the ball's surface to the hull, at the closest approach
+  double gap_m = 0;       // gap from the ball's surface to the hull, at the closest approach
   double share = 0;       // time of the closest approach
-  bool explains = false;  // whether a push or kick by it explains the velocity change
+  bool explains = false;  // whether a push or kick by the robot explains the velocity change
 };
 using Candidates = boost::container::static_vector<Candidate, 2 * kMaxRobots>;
 
@@ -43,8 +43,8 @@ Candidates candidates_on(const BallSegment& segment, const StoredFrame& before,
                          const StoredFrame& after, const Impulse& impulse,
                          const TouchParameters& parameters);
 
-// Least distance in metres between the ball's surface and the posts and side walls of the goals on
-// that segment.
+// Minimum distance in metres between the ball's surface and the posts and side walls of the goals
+// on that segment.
 double gap_to_goals_m(const Field& field, const BallSegment& segment);
 
 // Distance in metres from the ball's surface to the robot's hull; negative inside.

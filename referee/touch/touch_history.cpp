@@ -10,7 +10,7 @@
 namespace autoref::referee {
 namespace {
 
-// A ball farther from the hull than this plus three standard deviations of the gap is apart.
+// Ball and hull are apart if the gap exceeds this plus three standard deviations.
 constexpr double kHistoryApart_m = 20_mm;
 constexpr double kSureDeviations = 3;
 // Touches by unknown robots count as one unless they are this far apart: three frames.
@@ -20,7 +20,7 @@ constexpr double kSettles_s = 30_ms;
 // A ball on the carpet for this long is rolling; a hopping ball leaves it sooner.
 constexpr double kRolls_s = 100_ms;
 constexpr double kOnCarpet_m = 5_mm;
-constexpr double kNoTime_s = 1e-6;  // less than any camera's frame
+constexpr double kNoTime_s = 1e-6;  // less than the frame period of any camera
 
 bool is_by(const BallTouch& touch, const LastTouch& reported) {
   return touch.side == reported.side && touch.robot == reported.robot;

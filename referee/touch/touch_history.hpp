@@ -1,8 +1,8 @@
-// The touches of the ball since play started, in order, and what the ball did between them.
+// The touches of the ball since play started, in order, and the ball's motion between them.
 //
 // Built from the last touch that the online detector reports in each frame. Touches by one robot
-// count as one until the ball has been apart from its hull. When the detector revises a touch a
-// moment later (its robot, its time, or that there was one), the history follows.
+// count as one until the ball has been apart from its hull. When the detector shortly afterwards
+// changes a touch's robot or time, or withdraws the touch, the history follows.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -19,20 +19,21 @@ struct BallTouch {
   std::optional<Side> side;      // nullopt if unknown
   std::optional<RobotId> robot;  // nullopt if unknown, or one of several of that side
   double began_s = 0;
-  double ended_s = 0;                       // the newest touch may still continue
-  double reported_s = 0;                    // time of the frame that first reported it
-  Vec2 began_m{0, 0};                       // the detection of the ball nearest to `began_s`
-  Vec2 ended_m{0, 0};                       // and to `ended_s`
-  std::optional<RobotObservation> toucher;  // the robot when it ended; nullopt if not seen
-  std::optional<double> apart_s;            // when the ball separated from that robot
-  double highest_m = 0;      // greatest height of the ball's lowest point until the next touch
-  bool height_known = true;  // throughout that time
-  bool rolled = false;       // the ball has been on the carpet for the last 0.1 s
+  double ended_s = 0;     // the newest touch may still continue
+  double reported_s = 0;  // time of the frame that first reported it
+  Vec2 began_m{0, 0};     // the detection of the ball nearest to `began_s`
+  Vec2 ended_m{0, 0};     // the detection of the ball nearest to `ended_s`
+  std::optional<RobotObservation>
+      toucher;                    // the robot at the end of the touch; nullopt if not seen
+  std::optional<double> apart_s;  // when the ball separated from that robot
+  double highest_m = 0;           // greatest height of the ball's lowest point until the next touch
+  bool height_known = true;       // throughout that time
+  bool rolled = false;            // the ball has been on the carpet for the last 0.1 s
 };
 
 class TouchHistory {
  public:
-  // Updates the history by one frame of the play that started at `began_s`.
+  // Updates the history with one frame of the play that started at `began_s`.
   void update(const RefereeInput& input, double began_s);
 
   // Number of touches so far; only the newest are kept.

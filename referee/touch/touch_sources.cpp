@@ -9,12 +9,14 @@
 namespace autoref::referee {
 namespace {
 
-constexpr double kFastestRobot_mps = 4.0;  // above the fastest of the league
-constexpr double kNearGoal_m = 0.5;        // from the goal line; farther away there are no posts
-// Detections that the path after a touch is estimated from; friction and touches bend more.
+constexpr double kFastestRobot_mps = 4.0;  // faster than any robot in the league
+constexpr double kNearGoal_m = 0.5;  // distance from the goal line; there are no posts farther away
+// Number of detections used to estimate the path after a touch; friction and other touches bend a
+// longer path.
 constexpr int kTellingDetections = 8;
-// Minimum share of its speed that a landing ball keeps, and maximum share gained sideways: it keeps
-// 0.75 at the first hop, and 0.5 if it starts to spin. As in the online detector.
+// Minimum fraction of its speed that a landing ball keeps, and maximum fraction that it gains
+// sideways. It keeps 0.75 at the first hop, and 0.5 if it starts to spin. The online detector uses
+// the same values.
 constexpr double kLandedAlong = 0.4;
 constexpr double kLandedAcross = 0.1;
 
@@ -77,8 +79,8 @@ const HullIntersection* intersection_with(const HullIntersections& intersections
   return found == intersections.end() ? nullptr : &*found;
 }
 
-// Deviance of a touch by that robot, with the paths before and after. It was the only touch between
-// the two frames or the second of two; then the path after need not fit.
+// Deviance of a touch by that robot, given the paths before and after. Either it was the only touch
+// between the two frames, or there was another one; then the path after is not required to fit.
 double deviance_of(const TouchSource& source, const HullIntersection* after, double goal_deviance,
                    const TouchHypothesisParameters& p) {
   double deviance = std::min(source.bounce_deviance, source.kick_deviance) +

@@ -11,21 +11,21 @@
 
 namespace autoref::referee {
 
-// Whether a robot or a goal may have been at the ball's path from the frame `former` to the frame
+// Whether a robot or a goal may have been on the ball's path from the frame `former` to the frame
 // `now`; `onwards_m` is the predicted position of an untouched ball.
 bool may_be_touched(const HypothesisContext& basis, std::int64_t former, std::int64_t now,
                     const Vec2& onwards_m);
 
 // Deviance of a bounce off a goal's post or wall between these frames, given the path before;
-// kNever if there is none near.
+// kNever if no goal is near.
 double goal_deviance_of(const HypothesisContext& basis, std::int64_t former, std::int64_t now,
                         const Vec2& onwards_m);
 
 // Lists the robots that may have touched the ball between the frames `before` and `start` of the
-// hypothesis. Its motion must still be the one before the touch.
+// hypothesis. The hypothesis must still contain the motion before the touch.
 void find_touch_sources(TouchHypothesis& hypothesis, const HypothesisContext& basis);
 
-// Updates the per-side minima of the hypothesis by its detections until the frame `now`. They are
+// Updates the per-side minima of the hypothesis with its detections until the frame `now`. They are
 // final after eight detections.
 void weigh_sources(TouchHypothesis& hypothesis, std::int64_t now, const HypothesisContext& basis);
 

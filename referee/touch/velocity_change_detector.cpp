@@ -57,7 +57,7 @@ std::optional<VelocityChange> VelocityChangeDetector::update() {
   return found;
 }
 
-// The velocity change minus the loss against the direction of motion that friction can explain.
+// The velocity change minus the deceleration that friction can explain.
 Vec2 VelocityChangeDetector::unexplained_change_mps(const Line& before, const Line& after) const {
   const Vec2 change_mps = after.velocity_mps - before.velocity_mps;
   const double carpet_mps = parameters_.carpet_mps2 * (after.middle_s - before.middle_s);

@@ -1,4 +1,4 @@
-// Changes of the ball's velocity that noise hides between two frames, but not over several frames.
+// Detects changes of the ball's velocity that noise hides between two frames, but not over several.
 //
 // A two-window change detector (Gustafsson 2000; docs/touch-detection.md): least-squares lines are
 // fitted to the five detections that end with each detection and to the five that begin with it. If
@@ -55,7 +55,7 @@ class VelocityChangeDetector {
   TouchParameters parameters_;
   int known_ = 0;             // detections since the restart, up to kUsed
   double former_excess_ = 0;  // ratio of change to threshold, one detection ago
-  VelocityChange former_;     // one detection ago, without its frames
+  VelocityChange former_;     // the change one detection ago, without its frames
 };
 
 }  // namespace autoref::referee

@@ -72,7 +72,7 @@ TEST(Events, MayComeInAStopIfTheirRuleIsActiveThen) {
                                                "too_many_robots"}));
 }
 
-// A ball that leaves the field, is not a valid goal or is not moved is not a foul.
+// Exits, goals that do not count and restarts not taken are not fouls.
 TEST(Events, AreFoulsIfARobotBreaksARule) {
   for (const Event event : {Event::kGoal, Event::kThrowIn, Event::kChippedGoal, Event::kStuckBall,
                             Event::kNoProgressInGame, Event::kAimlessKick,

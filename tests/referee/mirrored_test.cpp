@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kFrame_s = 1.0 / 60;
 
-// A rough game without strategy: robots chase the ball or wander, a robot at the ball kicks it
-// anywhere, and ball placement follows one of the two referees.
+// A rough game without strategy: robots chase the ball or wander, a robot at the ball kicks it in a
+// random direction, and ball placement follows one of the two referees.
 class RoughGame {
  public:
   explicit RoughGame(std::uint64_t seed) : random_(seed) {
@@ -80,7 +80,7 @@ class RoughGame {
     ball_mps_ = away * (1 + 5 * random_.uniform());
   }
 
-  // Now and then the camera misses the ball or a robot, and some balls fly.
+  // Occasionally the camera misses the ball or a robot, and some balls fly.
   void look() {
     seen_ = frame_;
     if (random_.uniform() < 0.02) seen_.ball.reset();

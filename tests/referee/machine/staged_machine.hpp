@@ -1,4 +1,4 @@
-// The machine without the referee around it: tests pass fouls to it directly and look for cards
+// The machine without the rest of the referee. Tests pass fouls to it directly and look for cards
 // frame by frame, at 60 Hz.
 #pragma once
 
@@ -27,7 +27,7 @@ class StagedMachine {
     return label_ = taken.label;
   }
 
-  // A foul that only counts; without an offender, against both sides.
+  // A foul that only counts, against both sides if there is no offender.
   std::string_view foul(std::optional<Side> offender) {
     Finding finding;
     finding.event =

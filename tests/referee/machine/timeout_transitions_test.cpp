@@ -95,7 +95,7 @@ TEST(TransitionTimeout, IsTakenFourTimesByATeam) {
   EXPECT_EQ(game.count("timeout"), 4);
 }
 
-// 2014 double size: six with 450 s in total; 2026: as in single size.
+// Double size in 2014 allows six timeouts with 450 s in total; 2026 allows as many as single size.
 TEST(TransitionTimeout, LastsAsLongAsTheBookAllows) {
   for (const auto& [book, longest_s] :
        {std::pair("2014", 300.0), std::pair("2014-double", 450.0), std::pair("2026-b", 300.0)}) {

@@ -6,8 +6,7 @@
 namespace autoref::referee {
 namespace {
 
-// In play, after a second robot's touch, so that the ball no longer comes straight from the
-// kick-off.
+// Play after a second robot's touch, so that the ball no longer comes straight from the kick-off.
 ScriptedGame after_a_touch(const Configuration& configuration) {
   ScriptedGame game = in_play(configuration);
   game.kick_from(Side::kEast, 5, {0, 1}, {0, 1});

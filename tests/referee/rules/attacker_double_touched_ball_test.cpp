@@ -6,7 +6,7 @@
 namespace autoref::referee {
 namespace {
 
-// West 1 kicks off with a soft kick over `path_m`, and then the ball lies still.
+// West 1 kicks off softly; the ball moves by `path_m` and then lies still.
 ScriptedGame kicked_off(const Configuration& configuration, double path_m) {
   ScriptedGame game(configuration);
   game.line_up().kick_off();

@@ -8,8 +8,8 @@ namespace {
 
 constexpr RobotId kEast{Side::kEast, 0};
 
-// East 0 drives to the ball and dribbles it for `path_m` to the west, continuously or with the ball
-// 30 mm ahead halfway.
+// East 0 drives to the ball and dribbles it for `path_m` to the west, either continuously or losing
+// contact halfway, with the ball 30 mm ahead.
 DrivenGame dribble(const char* book, double path_m, double noise_m = 0, bool loses_it = false) {
   Configuration configuration = by_book(book);
   configuration.noise.robot_m = configuration.noise.ball_m = noise_m;

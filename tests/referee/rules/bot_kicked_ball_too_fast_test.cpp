@@ -66,7 +66,8 @@ TEST(KickSpeed, IsLimitedTo6AndAHalfMetresPerSecondIn2026) {
 }
 
 TEST(KickSpeed, IncludesAChipsVerticalSpeedIn2026) {
-  for (const double rise_mps : {4.0, 4.3}) {  // with 5 m/s along the carpet 6.40 and 6.59 m/s
+  for (const double rise_mps :
+       {4.0, 4.3}) {  // together with 5 m/s along the carpet: 6.40 and 6.59 m/s
     ScriptedGame game = shot(by_book("2026-b"), {5, 0});
     for (int i = 0; i < 12; ++i) {
       const double t_s = i / ScriptedGame::kRate_hz;

@@ -57,7 +57,7 @@ struct Cue {
   bool on = true;
 };
 
-// A call that must be made. Members that are not given may have any value.
+// A call that must be made. Members that are not set match any value.
 struct Expected {
   Event event = Event::kBegin;
   double from_s = 0;
@@ -75,7 +75,7 @@ struct Case {
   std::string rule;      // the rule under test
   std::string source;    // the rule book's section that it follows from
   std::string location;  // file and line
-  std::string error;     // why it cannot be played, if it cannot
+  std::string error;     // why the case cannot be played; empty if it can
 
   std::string book = "paper";
   std::map<std::string, bool> switches;  // rules by name, on or off
@@ -89,7 +89,7 @@ struct Case {
   std::vector<StagedRobot> robots;
   std::vector<Cue> script;  // in order of time
 
-  double ball_deceleration_mps2 = 0.3;  // rolling
+  double ball_deceleration_mps2 = 0.3;  // deceleration of a rolling ball
   double placement_mps = 0;             // speed of ball placement; 0: at once
   double noise_m = 0;                   // standard deviation of vision noise
   std::uint64_t seed = 0;

@@ -88,8 +88,8 @@ void read_opening(YamlKeys& keys, Case& it) {
   if (it.opening != Opening::kKickoff) it.ball_m = keys.vector("ball_m");
 }
 
-// Exactly one of three: calls that must come and no others, calls that must not come, or no calls
-// at all.
+// A case lists expected calls, forbidden calls, or both; or it has `nothing`, which forbids all
+// calls.
 void read_outcome(YamlKeys& keys, const FileHead& head, Case& it) {
   if (keys.has("expect")) {
     for (const YAML::Node& node : keys.child("expect")) {

@@ -71,7 +71,7 @@ TEST(RestartDistance, TheKickersTeamMatesMayBeNear) {
   EXPECT_EQ(game.count("defender_too_close_to_kick_point"), 0);
 }
 
-// The Laws' card for a robot that does not keep its distance when the restart is retaken.
+// The Laws show a card to a robot that does not keep its distance when the restart is retaken.
 TEST(RestartDistance, TheSameRobotGetsAYellowCardTheSecondTime) {
   ScriptedGame game = throw_in_game(by_book("2014"));
   come_near(game, 0.3);

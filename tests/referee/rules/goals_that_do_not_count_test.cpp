@@ -137,7 +137,7 @@ std::optional<Finding> goal_in(const Frame& frame, const Configuration& configur
                                {configuration, frame, ball, touch, tracks, requests, frames});
 }
 
-// The same, 60 s into the game.
+// A ball in the east goal, 60 s into the game.
 std::optional<Finding> goal_after(const Configuration& configuration, const RefereeState& state) {
   Frame frame;
   frame.time_s = 60;

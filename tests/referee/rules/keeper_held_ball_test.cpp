@@ -1,5 +1,5 @@
-// The keeper holds the ball: 15 s (Laws 12). The ball stays in an area: 10 s, in Division A 5 s
-// (2026).
+// The keeper may hold the ball for 15 s (Laws 12). The ball may stay in an area for 10 s, in
+// Division A for 5 s (2026).
 #include <gtest/gtest.h>
 
 #include <algorithm>

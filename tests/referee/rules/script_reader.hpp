@@ -8,8 +8,8 @@
 
 namespace autoref::referee {
 
-// The cues under the key `script`, empty without it. Throws CaseError for invalid cues and for cues
-// out of order.
+// The cues under the key `script`; empty if the key is missing. Throws CaseError for invalid cues
+// and for cues out of order.
 std::vector<Cue> read_script(YamlKeys& keys);
 
 }  // namespace autoref::referee

@@ -1,5 +1,6 @@
 // The bodies of a case: robots that follow the script, and a ball that rolls, flies, bounces off
-// robots and sticks to a robot that carries it. Not a physics engine: only what the rules need.
+// robots and sticks to a robot that carries it. It is not a physics engine and models only what the
+// rules need.
 #pragma once
 
 #include <map>
@@ -48,7 +49,7 @@ class Stage {
   struct Ball {
     Vec2 at_m{0, 0};
     Vec2 velocity_mps{0, 0};
-    double height_m = 0;  // of the lowest point
+    double height_m = 0;  // height of the lowest point
     double upwards_mps = 0;
     bool is_seen = true;
     double rolls_below_mps = 0;  // a kicked ball slides until it is this slow

@@ -21,7 +21,7 @@ struct Call {
 };
 
 // If turned, the referee sees everything from the other end of the field with the sides swapped,
-// and its calls are turned back, so that a case expects the same of both.
+// and its calls are turned back, so that a case expects the same calls either way.
 class StagedGame {
  public:
   StagedGame(const Case& it, bool turned);

@@ -1,8 +1,8 @@
 // How a staged game reaches the starting point of its case.
 //
 // Additional robots, numbers 14 and 15, play what must happen before, so that it does not affect
-// the robots of the case. A ball that comes back outside the field, touched by nobody, gives a
-// force start; kicks over the lines and a foul give the other restarts.
+// the robots of the case. A ball that reappears outside the field without a touch leads to a force
+// start; kicks over the lines and a foul lead to the other restarts.
 #include <stdexcept>
 
 #include "soccer/robot_shape.hpp"
@@ -118,7 +118,7 @@ void StagedGame::kick_out(const Vec2& from_m, RobotId kicker, const Vec2& direct
   curtain(kUnseen_s);
   stage_.put_ball(from_m);
   stage_.put_behind_ball(kicker, direction);
-  if (case_.from_the_stop) show_robots();  // readiness compares with their last positions
+  if (case_.from_the_stop) show_robots();  // the readiness check compares with their last positions
   run(0.2);
   Cue kick;
   kick.kind = Cue::Kind::kKick;

@@ -1,4 +1,4 @@
-// What robots must not do while play is stopped: drive fast, be near the ball, or be in its way.
+// While play is stopped, robots must not drive fast, be near the ball, or be in its way.
 #include <gtest/gtest.h>
 
 #include "tests/referee/rules/driven_game.hpp"

@@ -20,7 +20,7 @@ constexpr BallMotionParameters kMotion;
 constexpr HullIntersectionParameters kIntersection;
 
 // A ball that passes the origin at constant velocity between two frames, and a stationary robot.
-// The path is estimated from the detections before or, backwards, from those after.
+// The path is estimated from the detections before the origin or, backwards, from those after it.
 class Passage {
  public:
   explicit Passage(const Vec2& velocity_mps) : velocity_mps_(velocity_mps) {}
@@ -102,7 +102,7 @@ TEST(Walk, HasADevianceOfTheSquaredGap) {
 
 TEST(Walk, HasASmallerDevianceIfRobotDetectionsAreNoisy) {
   HullIntersectionParameters noisy = kIntersection;
-  noisy.robot_m = 2_mm;  // with the contact's 1 mm, a variance of 5 mm2
+  noisy.robot_m = 2_mm;  // together with the contact's 1 mm, the variance is 5 mm2
   EXPECT_NEAR(passing(0.005, noisy).intersections[0].bounce_deviance, 16.0 / 5, 0.5);
 }
 
