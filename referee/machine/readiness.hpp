@@ -26,8 +26,8 @@ std::optional<Finding> find_start(RefereeState& state, const RefereeInput& input
 
 // In WAIT_STOP: kReady if a periodic check finds every robot within epsilon of its position at the
 // previous check and the ball at rest at its position, or kReadyTimeout after the timeout. Saves
-// the positions at each check that finds a robot moving, and has the ball set to its position
-// shortly before the timeout.
+// the positions at each check that finds a robot moving, and requests the ball to be set to its
+// position shortly before the timeout.
 std::optional<Finding> find_ready(RefereeState& state, const RefereeInput& input);
 
 }  // namespace autoref::referee

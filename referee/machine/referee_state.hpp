@@ -85,8 +85,7 @@ struct ShootoutBook {
 
 struct RefereeState {
   State machine_state = State::kInit;
-  RefereeSignal
-      signal;  // the signal in force: command, stage, score, placement and the paper's `next`
+  RefereeSignal signal;  // in force; includes score, placement and the paper's `next`
 
   double wait_began_s = 0;  // in WAIT_START and WAIT_STOP: start of the timeout
   SavedPositions saved;     // reference for the robots' moves

@@ -36,7 +36,7 @@ struct PositionViolation {
   }
 };
 
-// What is remembered of one stop and the free kick that follows (2026).
+// Fouls in one stop and the free kick that follows (2026).
 struct AttackerNearAreaWatch {
   PerSide<std::optional<double>> grace_from_s;  // start of the stop, or the team's first foul
   PerSide<int> fouls;

@@ -5,7 +5,8 @@
 namespace autoref::referee {
 namespace {
 
-// A touch is confirmed well within this time; a touch that ended earlier has already been judged.
+// Touches are confirmed well within this time, so a touch that ended earlier has already been
+// judged.
 constexpr double kFresh_s = 200_ms;
 
 bool is_to_be_judged(const BallTouch& touch, const PlayState& play, double now_s) {

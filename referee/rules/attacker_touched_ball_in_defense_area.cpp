@@ -1,6 +1,6 @@
 // A robot must not touch the ball in play while it is partly or entirely inside the opponents'
-// defence area (2026, Attacker In Defense Area). Play continues. A touch that lasts longer than 2 s
-// counts again.
+// defence area (2026, Attacker In Defense Area). Play continues. A continuing touch counts again
+// every 2 s.
 #include <fmt/format.h>
 
 #include "referee/geometry/area.hpp"

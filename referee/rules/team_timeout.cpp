@@ -4,7 +4,8 @@
 //
 // A timeout lasts until its team withdraws the request or has used up its time. If both teams
 // request one at once, the side that takes the restart comes first; if neither does, the one that
-// has used less time, then fewer timeouts, then the one that did not kick off this half.
+// has used less time; if equal, the one that has taken fewer timeouts; if still equal, the one that
+// did not kick off this half.
 #include <fmt/format.h>
 
 #include "referee/machine/timekeeping.hpp"

@@ -25,8 +25,7 @@ class HypothesisTracker {
   SideMinima track(std::int64_t first, const SideMinima& before);
 
  private:
-  static constexpr std::size_t kMostHypotheses =
-      10;  // more hypotheses do not change any call; fewer do
+  static constexpr std::size_t kMostHypotheses = 10;  // fewer change some calls, more do not
   // A detection adds one hypothesis for rolling and two for a touch.
   using TouchHypotheses = boost::container::static_vector<TouchHypothesis, kMostHypotheses + 4>;
   using Deviances = boost::container::static_vector<double, TouchHypotheses::static_capacity>;

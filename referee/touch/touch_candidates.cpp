@@ -8,8 +8,7 @@
 namespace autoref::referee {
 namespace {
 
-constexpr int kCandidateSamples =
-    16;  // samples per segment; a fast ball moves 8 mm between two samples
+constexpr int kCandidateSamples = 16;   // per segment; a fast ball moves 8 mm between two samples
 constexpr double kNormalStep_m = 1e-4;  // step of the central differences for the normal
 
 struct CandidatePose {

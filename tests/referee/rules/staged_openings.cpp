@@ -1,8 +1,8 @@
 // How a staged game reaches the starting point of its case.
 //
-// Additional robots, numbers 14 and 15, play what must happen before, so that it does not affect
-// the robots of the case. A ball that reappears outside the field without a touch leads to a force
-// start; kicks over the lines and a foul lead to the other restarts.
+// Additional robots, numbers 14 and 15, play the events that lead to it, so that these do not
+// affect the robots of the case. A ball that reappears outside the field without a touch leads to a
+// force start; kicks over the lines and a foul lead to the other restarts.
 #include <stdexcept>
 
 #include "soccer/robot_shape.hpp"
