@@ -17,7 +17,7 @@ class JudgeReader {
   JudgeReader(const YamlFile& file, SettingLocations& locations)
       : file_(file), locations_(locations) {}
 
-  // Read the rules, cameras and matchups. Throw InputError.
+  // Reads the rules, cameras and matchups. Throws InputError.
   void read(const std::vector<YamlEntry>& top, JudgeSchedule& schedule) const;
 
  private:
