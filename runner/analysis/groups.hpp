@@ -56,7 +56,7 @@ inline Cells result_columns() { return share_columns({"wins_a", "draws", "wins_b
 Cells table_columns();
 Cells table_cells(const Group& group);
 
-// "+0.50 [-0.10, +1.10]": the mean over games with its 95 % interval over pairs, if there is one.
+// "+0.50 [-0.10, +1.10]": the mean over games, followed by its 95 % interval over pairs if known.
 std::string difference_text(const std::vector<double>& differences,
                             const std::vector<double>& pair_differences);
 

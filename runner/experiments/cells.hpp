@@ -11,7 +11,7 @@
 
 namespace autoref::runner {
 
-// A sweep's base with these values of its factors. Throws SettingError if they contradict each
+// A sweep's base with its factors set to these values. Throws SettingError if they contradict each
 // other.
 GameSettings configured(const Sweep& sweep, const std::vector<SettingValue>& values);
 

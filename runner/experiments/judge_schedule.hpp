@@ -11,7 +11,7 @@
 namespace autoref::runner {
 
 struct JudgeSchedule {
-  // All other settings; each rule book sets its field, and each camera sets its radio and latency.
+  // Settings of all games, except that rule books set the field, and cameras set radio and latency.
   GameSettings base;
   std::vector<std::string> rules = {"paper"};
   std::vector<std::string> cameras;

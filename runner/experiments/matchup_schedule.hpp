@@ -11,8 +11,8 @@
 
 namespace autoref::runner {
 
-// The games in playing order. The two legs of a pair are adjacent, and all matchups play a pair
-// number before any plays the next, so an interrupted run is balanced. Ids look like
+// The games in playing order. The two legs of a pair are adjacent, and each pair number is played
+// in all matchups before the next, so an interrupted run is balanced. Ids look like
 // "bold~zone-p0007-2".
 //
 // A game depends only on its two teams, its pair and its leg, so adding teams or pairs changes no

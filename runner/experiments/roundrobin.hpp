@@ -11,7 +11,7 @@ struct RoundRobin : NamedTeams {
   int pairs = 1;  // pairs of legs per matchup, 1 to 9999
 };
 
-// Every pair of different teams once, ordered by name (compared as bytes).
+// Every pairing of two different teams once, ordered by name (compared as bytes).
 std::vector<Matchup> matchups_of(const RoundRobin& robin);
 
 }  // namespace autoref::runner

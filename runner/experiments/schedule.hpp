@@ -21,14 +21,14 @@ struct ScheduledGame {
   std::size_t unit = 0;  // games of one unit, such as a pair's legs, go to the same shard
 };
 
-// The games in playing order. The two legs of a pair are adjacent, and all values play a pair
-// number before any plays the next, so an interrupted run is balanced.
+// The games in playing order. The two legs of a pair are adjacent, and each pair number is played
+// with all values before the next, so an interrupted run is balanced.
 //
 // A game depends only on its own values, pair and leg, so adding values or pairs changes no other
 // game. Throws SettingError if values contradict each other.
 std::vector<ScheduledGame> scheduled_games(const Sweep& sweep);
 
-// The games of games_of() (judge_schedule.hpp); their values are the rule book and the camera.
+// The games returned by games_of() (judge_schedule.hpp); their values are the rule book and camera.
 std::vector<ScheduledGame> scheduled_games(const JudgeSchedule& schedule);
 
 // "b.handicap=0.8-p0007-2" for `played` "b.handicap=0.8", pair 7 and leg 2.

@@ -8,7 +8,7 @@
 
 namespace autoref::runner {
 
-// The team that plays in a colour: its letter ("a" or "b") and name; empty if unknown.
+// The team that wears a colour: its letter ("a" or "b") and name; empty if unknown.
 struct EventTeam {
   std::string letter;
   std::string name;

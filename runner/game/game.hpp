@@ -30,7 +30,7 @@ class Game {
   Game(Game&&) noexcept;
   Game& operator=(Game&&) noexcept;
 
-  // Plays one frame: the camera sees the world, the referee judges what it sees, the teams decide,
+  // Plays one frame: the camera sees the world, the referee processes the frame, the teams decide,
   // and the world advances to the next frame. Returns true while there is more to play. The frame
   // in which the referee ends the game is its last, and the world does not advance in it. Does
   // nothing once the game is over.

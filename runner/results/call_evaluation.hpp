@@ -17,7 +17,7 @@ enum class Outcome : std::uint8_t {
   kRight,      // happened and was called
   kWrong,      // called, but did not happen
   kMissed,     // happened, but was not called
-  kOvertaken,  // happened, but another right call ended play at the same moment
+  kOvertaken,  // happened, but another correct call ended play at the same time
 };
 
 // A true event, a call, or both if they belong together.
@@ -25,13 +25,13 @@ struct Verdict {
   std::string name;  // of the event
   Outcome outcome = Outcome::kRight;
   double time_s = 0;              // of the event, or of the call if nothing happened
-  std::optional<Side> offender;   // empty if the event has none
-  double delay_s = 0;             // of a right call, after the event
-  std::optional<double> error_m;  // of a right call's position
-  bool is_early = false;          // right by luck: the call came before the event
+  std::optional<Side> offender;   // nullopt if the event has none
+  double delay_s = 0;             // from the event to a correct call
+  std::optional<double> error_m;  // position error of a correct call
+  bool is_early = false;          // correct by luck: the call came before the event
   bool is_borderline = false;     // the truth was near the threshold
   bool is_in_air = false;         // the ball was in the air
-  bool is_second = false;         // wrong because there already was a call for the event
+  bool is_second = false;         // wrong because the event had already been called
 };
 
 }  // namespace ground_truth

@@ -12,7 +12,8 @@
 
 namespace autoref::runner {
 
-// Whether the schedule sets this value for each game. If so, base and factors must not set it.
+// Whether the schedule sets this value for each game. Neither base nor factors may set such a
+// value.
 bool is_decided_by_schedule(std::string_view path);
 [[noreturn]] void refuse_decided(const YamlFile& file, const YamlLocation& location,
                                  std::string_view path);

@@ -36,7 +36,7 @@ void read_challengers(TopReader& top, Gauntlet& gauntlet) {
   }
 }
 
-// Reads `order`, the teams from best to worst seed; by name if it is not given.
+// Reads `order`, the teams from best to worst seed; if it is missing, sorts them by name.
 void read_bracket_order(TopReader& top, Knockout& knockout) {
   for (const auto& [name, team] : knockout.teams) knockout.order.push_back(name);
   const YamlEntry* entry = top.find("order");
