@@ -23,7 +23,8 @@ struct Slope {
 // seeds at every value, so their games are not independent. Each pair number therefore gives one
 // slope, by least squares over the values; these slopes are an independent sample, and its mean and
 // Student interval are returned. Pair numbers with a void or missing leg at any value are left out.
-// Returns nullopt unless the sweep has exactly one factor, with at least two values, all numbers.
+// Returns nullopt unless the sweep has exactly one factor, with at least two values, and all values
+// are numbers.
 std::optional<Slope> slope_over_factor(const Sweep& sweep, const std::vector<Group>& groups);
 
 // summary.csv: one row per combination with summary_cells(), then the difference of "a minus b"

@@ -22,10 +22,10 @@ struct CompletedGames {
 bool is_killed(const GameRow& row);
 
 // Separates the rows that count from the others. Throws InputError if there are rows of other
-// builds and those are not allowed, or if a scheduled game was played with another configuration;
-// throws std::logic_error if two rows of a game differ in a reproducible column, unless one of the
-// rows belongs to a killed game. `folder` and `changes` (the differences between the folder's
-// scenario and this one) are for messages.
+// builds although builds must not be mixed, or if a scheduled game was played with another
+// configuration; throws std::logic_error if two rows of a game differ in a reproducible column,
+// unless one of the rows belongs to a killed game. `folder` and `changes` (the differences between
+// the folder's scenario and this one) are for messages.
 CompletedGames sort_rows(const std::vector<GameRow>& rows, const std::vector<ScheduledGame>& games,
                          const RowFormat& format, const std::string& build, bool allow_mixed_build,
                          const std::filesystem::path& folder, const std::string& changes);

@@ -36,7 +36,7 @@ class Game {
   // nothing once the game is over.
   //
   // A strategy that throws or sends a non-finite number makes the game void, which ends it.
-  // Exceptions of an observer are passed on; do not step the game after one.
+  // Exceptions of an observer are passed on; do not step the game after such an exception.
   bool step();
 
   // Whether the referee has ended the game, or it is void. If a new game follows

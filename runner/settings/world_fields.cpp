@@ -48,7 +48,7 @@ void list_ball(sim::BallParameters& ball, Branch to) {
   to.number("net_mps2", ball.net_mps2, {0, 1000}, "m/s^2", "deceleration in the goal's net");
   to.number("mass_kg", ball.mass_kg, {0.001, 1}, "kg", "mass of the ball");
   to.number("contact_friction", ball.contact_friction, {0, 2}, "",
-            "against anything that the ball hits; changes its spin");
+            "friction against anything that the ball hits; changes its spin");
 }
 
 void list_contacts(sim::ContactParameters& contacts, Branch to) {

@@ -4,12 +4,12 @@
 // a restart's signal until the referee ends it, so the restart's kick counts. Shoot-outs do not
 // count.
 //
-// A *kick away* is a kick after which the ball leaves the robot at kAway_mps or more and gets
-// kAway_m away. It is classified once, when another robot touches the ball, a goal is given or play
-// stops. If the kicker touches the ball first (later than kSameKick_s), it has only pushed the ball
-// ahead, and the kick does not count. Kicks by both teams in the same sub-step do not count either.
-// A kick's path is the straight line along which the ball would roll or fly if nobody touched it
-// (ball_trajectory.hpp).
+// A *kick away* is a kick after which the ball leaves the robot at kAway_mps or more and then
+// travels at least kAway_m. It is classified once, when another robot touches the ball, a goal is
+// given or play stops. If the kicker touches the ball first (later than kSameKick_s), it has only
+// pushed the ball ahead, and the kick does not count. Kicks by both teams in the same sub-step do
+// not count either. A kick's path is the straight line along which the ball would roll or fly if
+// nobody touched it (ball_trajectory.hpp).
 #pragma once
 
 #include <array>
@@ -38,7 +38,7 @@ inline constexpr double kClearanceShare = 1.0 / 3.0;
 // Nearer team-mates do not count: they are beside the kicker, so every kick's path starts near
 // them.
 inline constexpr double kShortestPass_m = 500_mm;
-// How far a pass may miss a team-mate's current position: a short move for the team-mate.
+// How far a pass may miss a team-mate's current position. The team-mate can easily move that far.
 inline constexpr double kPassMiss_m = 500_mm;
 // The team-mate can move farther if the ball takes longer. This is the mean speed over the first
 // 0.67 s when accelerating from rest at 3 m/s^2.
@@ -74,9 +74,9 @@ struct PlayCounts {
   // Time that the ball is in play (GameRecord::ball_in_play_s) from this team's touch until the
   // other team's next one. If both touch it in the same sub-step, possession does not change.
   double possession_s = 0;
-  // Calls of fouls by the team's robots, during play or while it is stopped; if both teams are at
-  // fault, one for each. Excludes exits, aimless kicks, disallowed goals, restarts not taken and
-  // failed penalties.
+  // Fouls called against the team's robots, during play or while it is stopped. If both teams are
+  // at fault, each gets one. Excludes exits, aimless kicks, disallowed goals, restarts not taken
+  // and failed penalties.
   int fouls = 0;
   // A duel begins when robots of both teams have been within kDuel_m of the ball for kDuelBegins_s.
   // A team wins it by touching the ball, or having kicked it away, once all opponents are farther
