@@ -12,12 +12,12 @@ namespace autoref::runner {
 
 struct BenchResult {
   double ns_per_frame = 0;  // of whole games, median of the rounds
-  // Of the bare Box2D benchmark (sim/bare_box2d_benchmark.hpp), median of the rounds.
+  // The same for the bare Box2D benchmark (sim/bare_box2d_benchmark.hpp), median of the rounds.
   double bare_ns_per_frame = 0;
   double ratio = 0;             // median of the rounds' ratios
   double x_real_time = 0;       // simulated seconds per wall second
   std::uint64_t signature = 0;  // hash of the fixed games; changes whenever behaviour changes
-  std::array<double, kPhaseCount> shares{};  // share of a game's time, by Phase
+  std::array<double, kPhaseCount> shares{};  // fraction of a game's time, by Phase
   double referee_ns_per_frame = 0;  // of one game with every rule in force, filters included
   std::vector<TeamCost> teams;      // all registered teams, by name
 };

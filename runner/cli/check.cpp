@@ -66,7 +66,8 @@ void add_check_verb(CLI::App& app, Chosen& chosen) {
   add_override_options(*verb, *arguments);
   verb->add_flag("--games", arguments->games, "Only print the id of every game.");
   verb->footer(
-      "Takes at most ten seconds. Plays a few seconds of every variant, then as much more as time\n"
+      "Takes at most ten seconds. Plays a few seconds of every variant and continues as far as "
+      "time\n"
       "allows. The estimate assumes that the machine stays as busy as it is now.\n\n"
       "Example:\n  autoref check scenarios/handicap-speed.yaml");
   verb->callback([arguments, &chosen] { chosen = [arguments] { return check_verb(*arguments); }; });

@@ -28,7 +28,7 @@ int fail(ExitCode code, std::string_view message) {
 int exit_code_of(const Chosen& work) {
   try {
     const int code = work();
-    // A full disk may only be noticed at this flush, or an earlier unchecked write may have failed.
+    // A full disk may go unnoticed until this flush, or an earlier unchecked write may have failed.
     if (std::fflush(stdout) != 0) throw io_error(kNoOutput, errno);
     if (std::ferror(stdout) != 0) throw InputOutputError(kNoOutput);
     return code;

@@ -114,7 +114,7 @@ struct ViewArguments {
   std::string rules = "paper";
 };
 
-// Arguments of `autoref draw`, numbers still unparsed.
+// Arguments of `autoref draw`; numbers are not yet parsed.
 struct DrawArguments {
   std::string log;
   std::string output;
@@ -135,7 +135,7 @@ struct TeamsArguments {
   bool json = false;
 };
 
-// Arguments of `autoref sample-size`, numbers still unparsed.
+// Arguments of `autoref sample-size`; numbers are not yet parsed.
 struct SampleSizeArguments {
   std::string delta;
   std::string sd;

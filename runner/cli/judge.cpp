@@ -45,8 +45,9 @@ int judge_verb(const JudgeArguments& arguments) {
   if (run.is_interrupted) {
     write_message(
         stderr,
-        fmt::format("autoref: interrupted with {} of {} games done; the same command continues\n",
-                    run.done, run.games));
+        fmt::format(
+            "autoref: interrupted with {} of {} games done; repeat the command to continue\n",
+            run.done, run.games));
     return kInterrupted;
   }
   const fs::path folder = arguments.results_folder();

@@ -43,7 +43,7 @@ std::string report_judged(const ResultFolder& folder, const fs::path& into) {
     fmt::print("{} of {} games so far\n", folder.completed_games.done.size(), folder.needed);
   }
   print_judged_files(into);
-  fmt::print("{}   the report\n{}   the same, one page for a browser\n",
+  fmt::print("{}   the report\n{}   the same as a single page for a browser\n",
              (into / kMarkdownReport).string(), (into / kHtmlReport).string());
   return scores_markdown_of(report);
 }

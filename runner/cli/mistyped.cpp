@@ -77,7 +77,7 @@ std::string unknown_verb_message(const CLI::App& app, const std::string& word) {
 std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<CLI::App*> parsed = app.get_subcommands();
   const CLI::App& verb = parsed.empty() ? app : *parsed.front();
-  // Unexpected words before the verb are extras of the program itself.
+  // CLI11 reports unexpected words before the verb as extras of the program itself.
   const CLI::App& place = app.remaining().empty() ? verb : app;
   const std::vector<std::string> extras = place.remaining();
   const std::string message = extras.empty() ? error.what() : extras_message(place, extras);

@@ -20,7 +20,7 @@ struct NamedFile {
 // would be lost. Call it before doing any work. Several outputs may share a terminal or /dev/null.
 void check_outputs(const std::vector<NamedFile>& outputs, const std::vector<std::string>& inputs);
 
-// Opens the file, before any work is done so that a wrong name is reported at once. Leaves `file`
+// Opens the file before any work is done, so that a wrong name is reported at once. Leaves `file`
 // empty if the path is empty. Throws InputError naming `flag`.
 std::optional<PendingFile>& open_output(std::optional<PendingFile>& file, const char* flag,
                                         const std::string& path);

@@ -30,7 +30,7 @@ GameSettings configured(const PlayArguments& arguments, const Assignments& assig
   return *game;
 }
 
-// The scenario, and the robot type files that it or a --set names.
+// The scenario and the robot type files named by it or by --set.
 std::vector<std::string> inputs_of(const std::string& file, const Assignments& assignments) {
   std::vector<std::string> inputs = type_files_in(file);
   inputs.push_back(file);

@@ -21,7 +21,7 @@
 namespace autoref::runner {
 namespace {
 
-// Files that appear when the game is over.
+// Output files, which appear when the game is over.
 struct GameFiles {
   std::optional<PendingFile> events;
   std::optional<PendingFile> view;

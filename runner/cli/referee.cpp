@@ -25,7 +25,7 @@ bool assigns(const Assignments& assignments, const std::string& path) {
   });
 }
 
-// The book must be chosen first: it provides field, robots and lengths, which the log then
+// The rule book must be chosen first: it provides field, robots and lengths, which the log then
 // overrides.
 void refuse_book_among(const Assignments& assignments) {
   for (const Assignment& assignment : assignments) {

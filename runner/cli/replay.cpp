@@ -55,7 +55,7 @@ int replay_verb(const ReplayArguments& arguments) {
   if (stored == record.state_hash) return kDone;
   write_message(
       stderr,
-      fmt::format("autoref: the stored row has final state {1} of build {0}; this is build {2}\n",
+      fmt::format("autoref: the row of build {0} has another final state, {1}; this is build {2}\n",
                   folder.build, hash_text(stored), build_id()));
   return kDifferent;
 }

@@ -23,7 +23,7 @@ void print_files(const ExperimentResults& results, const WrittenReport& report,
     fmt::print("{}   {}\n", (into / file.name).string(), file.about);
   }
   fmt::print("{}   the report\n", (into / kMarkdownReport).string());
-  fmt::print("{}   the same, one page for a browser\n", (into / kHtmlReport).string());
+  fmt::print("{}   the same as a single page for a browser\n", (into / kHtmlReport).string());
   fmt::print("{}   {} plots, their data and scripts\n", (into / kPlotsFolder).string(),
              report.drawn);
 }

@@ -70,8 +70,8 @@ void print_end(const Scenario& scenario, const ExperimentReport& report,
   }
 }
 
-// A complete run updates an existing report, which covers only the games of its time; any other run
-// describes what the report lacks. Returns the line to print, if any.
+// A complete run updates an existing report, which may cover fewer games; an incomplete run only
+// says what the report lacks. Returns the line to print, if any.
 std::string mended_report(const ExperimentReport& report, const ExperimentOptions& options) {
   if (report.done == 0 || !fs::exists(options.folder / kMarkdownReport)) return {};
   const ResultFolder folder = open_results(options.folder, options.build);
@@ -93,8 +93,9 @@ int run_verb(const RunArguments& arguments) {
   if (report.is_interrupted) {
     write_message(
         stderr,
-        fmt::format("autoref: interrupted with {} of {} games done; the same command continues\n",
-                    report.done, report.games) +
+        fmt::format(
+            "autoref: interrupted with {} of {} games done; repeat the command to continue\n",
+            report.done, report.games) +
             about_report);
     return kInterrupted;
   }
@@ -118,7 +119,7 @@ void add_run_verb(CLI::App& app, Chosen& chosen) {
                     "Scenario of kind sweep, roundrobin, gauntlet, sprt or knockout.");
   add_override_options(*verb, *arguments);
   verb->add_option("--shard", arguments->shard,
-                   "Play only share I (from 0) of N; other runs play the rest.")
+                   "Play only shard I (from 0) of N; other runs play the rest.")
       ->type_name("I/N");
   verb->add_flag("--allow-mixed-build", arguments->allow_mixed_build,
                  "Continue in a folder that holds games of another build; those do not count.");
@@ -138,7 +139,7 @@ void add_run_verb(CLI::App& app, Chosen& chosen) {
       "another folder. An existing report in the folder is updated when all games are done.\n\n"
       "Shards may share a folder, or each use its own; then copy all games/*.csv into one folder\n"
       "for autoref report. An SPRT match ends with the pair of games that decides it; shards with\n"
-      "separate folders play all pairs the match may have. A shard of a knockout ends when it has\n"
+      "separate folders play all pairs up to the maximum. A shard of a knockout ends when it has\n"
       "to wait for other shards' games; repeat the command to continue.\n\n"
       "--progress json prints one object per line on stderr, every 5 s and at the end, with event\n"
       "(progress, end, or note with a text), done, total, void, played (by this run), elapsed_s,\n"

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr int kMostTasks = 10000;  // the maximum number of shards
 constexpr int kDefaultTasks = 8;
-constexpr int kLeastTime_s = 300;  // of a task, which uses its last minute to end its games
+constexpr int kLeastTime_s = 300;  // minimum per task; games are ended in its last minute
 
 // Throws InputError for a path with a line break, which would end a line of the script.
 fs::path plain_path(const std::string& flag, const fs::path& path) {
@@ -52,7 +52,7 @@ void check_time(const std::string& time) {
       fmt::format("expected HH:MM:SS of at least 00:05:00, such as 01:30:00; found '{}'", time));
 }
 
-// Each share consists of whole pairs of legs.
+// Pairs of legs are never split between tasks.
 int tasks_for(int wanted, std::size_t games) {
   const int pairs = static_cast<int>(games / 2);
   if (wanted == 0) return std::min(kDefaultTasks, pairs);

@@ -18,7 +18,7 @@ enum ExitCode : int {
   kInterrupted = 75,  // repeat the command to continue
 };
 
-// If the share of void games exceeds this, an experiment ends with kTooManyVoid.
+// If the proportion of void games exceeds this, an experiment ends with kTooManyVoid.
 inline constexpr double kMostVoid = 0.05;
 
 // A position in a user's file. Lines and columns count from 1; 0 means unknown.

@@ -36,8 +36,8 @@ bool is_named(int descriptor, const fs::path& path) {
          opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
 }
 
-// Returns the content. On failure, sets `error_number`; EFBIG if there are more than `most` bytes,
-// as from /dev/zero.
+// Returns the content. On failure, sets `error_number`, to EFBIG if there are more than `most`
+// bytes (as in /dev/zero).
 std::string read_through(const fs::path& path, std::size_t most, int& error_number) {
   const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
   error_number = descriptor < 0 ? errno : 0;

@@ -42,7 +42,7 @@ class PendingFile {
   int descriptor_ = -1;
 };
 
-// Replaces a file's content. Leaves a file alone that already has this content.
+// Replaces a file's content. Does not touch the file if it already has this content.
 void replace_file(const std::filesystem::path& path, std::string_view text);
 
 // Creates a folder and its parents. Throws InputOutputError.

@@ -1,5 +1,5 @@
 // Printing of JSON values. Sources that create values include <nlohmann/json.hpp>; this header does
-// not, because that one is slow to compile.
+// not, because the library is slow to compile.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

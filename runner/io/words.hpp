@@ -20,8 +20,8 @@ std::optional<std::uint64_t> seed_in(std::string_view text);
 // Shortest text that reads back as the same number, always with a point or an exponent.
 std::string text_of(double number);
 
-// Returns the known word with the smallest edit distance, the first of several. Empty if `words` is
-// empty.
+// Returns the known word with the smallest edit distance, or the first of them if several are
+// equally close. Empty if `words` is empty.
 std::string nearest_word(std::string_view word, const std::vector<std::string>& words);
 
 // "; did you mean 'robots'?" if the word is close to a known one, otherwise empty.

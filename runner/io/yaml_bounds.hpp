@@ -22,9 +22,9 @@ struct BeyondBounds {
   std::string message;
 };
 
-// Scans the text event by event without building a tree, so a text that would expand without end
-// costs no more than its bytes. Returns nullopt if the whole text is within bounds. Throws
-// YAML::Exception if the text is invalid YAML before it exceeds them.
+// Scans the text event by event without building a tree, so the cost depends on the text's length,
+// not on how far its aliases would expand. Returns nullopt if the whole text is within bounds.
+// Throws YAML::Exception if the text is invalid YAML before it exceeds them.
 std::optional<BeyondBounds> beyond_bounds(const std::string& text, const YamlBounds& bounds = {});
 
 }  // namespace autoref::runner

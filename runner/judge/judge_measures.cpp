@@ -7,7 +7,7 @@
 namespace autoref::runner {
 namespace {
 
-// Share of right calls that come within the reported upper delay.
+// Proportion of right calls that come within the reported upper delay.
 constexpr double kMostCalls = 0.95;
 
 std::optional<double> in_thousandths(const std::optional<double>& value) {

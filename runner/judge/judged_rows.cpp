@@ -10,13 +10,13 @@
 namespace autoref::runner {
 namespace {
 
-constexpr std::size_t kLongestText = 90'000;  // of an evaluation; a worker's answer has 100 kB
+constexpr std::size_t kLongestText = 90'000;  // a worker's answer is limited to 100 kB
 
 const JudgeSchedule& schedule_of(const ResultFolder& folder) {
   return std::get<JudgeSchedule>(folder.scenario.content);
 }
 
-// Describes the fault of that number in the game's row; empty if there is none.
+// Describes the fault with this number in the game's row; empty if there is no such fault.
 std::string fault_text(const ResultFolder& folder, const std::string& game_id, int number) {
   const auto row = folder.completed_games.done.find(game_id);
   if (row == folder.completed_games.done.end()) return {};

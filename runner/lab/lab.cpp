@@ -72,7 +72,7 @@ std::vector<std::string> columns_of(const LabScene& scene) {
   return columns;
 }
 
-// More digits than the league can measure, and the same text with every compiler.
+// Prints more digits than the league can measure; the text is the same with every compiler.
 std::string cell(double value) {
   const std::string text = fmt::format("{:.6f}", value);
   return text == "-0.000000" ? "0.000000" : text;

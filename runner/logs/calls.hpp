@@ -9,8 +9,7 @@
 
 namespace autoref::runner {
 
-// Play is stopped and later resumes with a restart; the league's evaluation of 2016 calls that an
-// event.
+// A stop and the restart that ends it; the league's evaluation of 2016 calls this an event.
 struct Call {
   double stop_s = 0;
   double restart_s = 0;

@@ -166,7 +166,7 @@ double Progress::elapsed_s() const {
   return std::chrono::duration<double>(Clock::now() - began_).count();
 }
 
-// Writes the final state, whenever the last update was.
+// Writes the final state, however recent the last update was.
 void Progress::end() {
   if (stream_ == nullptr || !is_started_ || style_ == ProgressStyle::kNone) return;
   next_view_ = Clock::now();

@@ -37,8 +37,8 @@ struct WorkerCalls {
 };
 
 // Returns whether a failure means that the worker was killed from outside, for example by the
-// out-of-memory killer or by a user, so that the job itself may be fine. A crash or a timeout is
-// the job's own fault.
+// out-of-memory killer or by a user; the job itself may then be fine. A crash or a timeout is the
+// job's own fault.
 bool was_killed(std::string_view failure);
 
 enum class Ending { kDone, kInterrupted };

@@ -9,8 +9,8 @@
 namespace autoref::runner {
 namespace {
 
-constexpr double kAxisMargin = 0.06;   // share of the values' span, on each side
-constexpr double kDodge = 0.004;       // share of the span
+constexpr double kAxisMargin = 0.06;   // fraction of the values' span, on each side
+constexpr double kDodge = 0.004;       // fraction of the span
 constexpr std::size_t kMostTics = 16;  // for values; more would overlap
 
 struct Span {

@@ -12,7 +12,7 @@ namespace autoref::runner {
 namespace {
 
 constexpr int kHistogramFrameHeight_px = 90;
-constexpr double kTallestBar = 0.85;  // share of a row's height
+constexpr double kTallestBar = 0.85;  // fraction of a row's height
 
 int bar_height_px(std::size_t rows) {
   return rows <= 3 ? 100 : rows <= 6 ? 60 : rows <= 12 ? 42 : 30;

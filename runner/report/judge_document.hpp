@@ -7,7 +7,7 @@
 
 namespace autoref::runner {
 
-// What was judged, F1 of all events, last touches, calls to inspect, and all figures by rule book.
+// What was judged, F1 of all events, last touches, calls to inspect, and all measures by rule book.
 // `direction` is the path from the report to the results folder: "." or "..".
 Document judge_document(const ResultFolder& folder, const JudgeReport& report,
                         const std::string& direction);

@@ -42,7 +42,7 @@ double tic_step(double span) {
 
 std::string note_of_cut(std::size_t groups) {
   if (groups <= kMostGroupsInPlot) return "";
-  return fmt::format(" Only the first {} of {} are drawn; the data file has all.",
+  return fmt::format(" Only the first {} of {} are drawn; the data file contains all.",
                      kMostGroupsInPlot, groups);
 }
 

@@ -73,8 +73,8 @@ Section results_section(const ResultFolder& folder, const ExperimentResults& res
 Section shares_section(const ResultFolder& folder, const ExperimentResults& results) {
   if (results.groups.empty()) return {};
   Section section = {Heading{"Won, drawn, lost"},
-                     Paragraph{"Shares of games with 95 % intervals: Wilson's, or Clopper and "
-                               "Pearson's for a share of 0 or 1. Games are assumed to be "
+                     Paragraph{"Proportions of games with 95 % intervals: Wilson's, or Clopper and "
+                               "Pearson's for a proportion of 0 or 1. Games are assumed to be "
                                "independent."}};
   if (!results.standings.empty()) section.emplace_back(teams_shares(results.standings));
   section.emplace_back(groups_shares(folder.scenario, results.groups));

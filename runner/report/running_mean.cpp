@@ -8,7 +8,7 @@
 namespace autoref::runner {
 namespace {
 
-constexpr double kMeanMargin = 0.05;   // share of the span, above and below
+constexpr double kMeanMargin = 0.05;   // fraction of the span, above and below
 constexpr std::size_t kWildPairs = 5;  // intervals of the first pairs may leave the axis
 
 }  // namespace

@@ -135,8 +135,8 @@ std::optional<Plot> running_mean_plot(const Scenario& scenario, const Experiment
   if (panels.empty()) return std::nullopt;
   Plot plot{"running_mean",
             "Mean goal difference (a minus b) by number of pairs of legs, with Student's 95 % "
-            "interval for these pairs. Not for stopping early: of many intervals looked at in "
-            "turn, some miss the truth far more often than one in twenty.",
+            "interval for these pairs. Not for stopping early: if many intervals are checked in "
+            "turn, some miss the true value far more often than one in twenty.",
             csv_of(panels), ""};
   plot.about += note_of_cut(panels.size());
   panels.resize(std::min(panels.size(), kMostGroupsInPlot));

@@ -53,7 +53,7 @@ std::optional<Plot> scores_plot(const Scenario& scenario, const ExperimentResult
   return Plot{"scores",
               fmt::format("Goals of both teams against {}: the mean over each value's games; bars "
                           "show the standard deviation of single games, not the uncertainty of "
-                          "the mean. The form of the AutoRef paper's Fig. 5.",
+                          "the mean. Same form as the AutoRef paper's Fig. 5.",
                           factor->path),
               csv_of(results.groups), script_of(*factor, results.groups)};
 }

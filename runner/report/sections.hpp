@@ -25,7 +25,7 @@ Section played_section(const ResultFolder& folder, const ExperimentResults& resu
 // The terminal's table, and the meaning of its intervals.
 Section results_section(const ResultFolder& folder, const ExperimentResults& results);
 
-// Shares of games won, drawn and lost, by group and by team in the standings.
+// Proportions of games won, drawn and lost, by group and by team in the standings.
 Section shares_section(const ResultFolder& folder, const ExperimentResults& results);
 
 // Points and goal difference of each team against each other team.

@@ -12,7 +12,7 @@ namespace autoref::runner {
 struct DifferenceSought {
   double delta = 0;
   double sd = 0;
-  double alpha = 0.05;  // probability of finding a difference where there is none
+  double alpha = 0.05;  // probability of finding a difference if there is none
 };
 
 // Power of the test with this many pairs (at least two), from the noncentral t distribution.

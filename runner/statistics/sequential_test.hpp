@@ -41,9 +41,9 @@ struct SequentialState {
 // log(beta / (1 - alpha)). Wald's bounds are only approximate here, since the spread is estimated
 // and goals are whole numbers: `coverage` (tests/coverage/) measures the true error rates. The
 // simpler ratio with one sample variance, n (d1 - d0) (mean - (d0 + d1) / 2) / s^2, errs more
-// often: for a standard deviation of 4 goals per game in 6.7 % of tests instead of 5.1 %, other
-// things being equal. Rushton's sequential t test (Biometrika 37, 1950) would be about a difference
-// in standard deviations instead of goals.
+// often: other things being equal, in 6.7 % of tests instead of 5.1 % for a standard deviation of 4
+// goals per game. Rushton's sequential t test (Biometrika 37, 1950) would test a difference in
+// standard deviations instead of goals.
 //
 // `pair_differences` must be in the order of the pairs. Pairs after the verdict do not change it,
 // so it does not depend on how many games were played in parallel.

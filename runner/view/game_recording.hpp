@@ -36,8 +36,8 @@ class GameRecording {
   // Times must increase.
   void add(const Frame& frame);
 
-  // Stores the signal if it differs visibly from the last one. A time earlier than the last one is
-  // replaced by that.
+  // Stores the signal if it differs visibly from the previous one. A time earlier than the previous
+  // signal's is replaced by that time.
   void add(double time_s, const RefereeSignal& signal);
 
   // Stores the decision if pages show it.

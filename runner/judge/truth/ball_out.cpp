@@ -11,7 +11,7 @@
 namespace autoref::runner::ground_truth {
 namespace {
 
-// If the ball at constant velocity leaves the field within this time, the call was early.
+// If the ball would leave the field within this time at constant velocity, the call was early.
 constexpr double kExitLead_s = 0.1;
 // If the ball's far edge comes this close to leaving the field, it is a near miss.
 constexpr double kNearlyOut_m = 10_mm;

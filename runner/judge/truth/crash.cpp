@@ -73,7 +73,8 @@ class Crash final : public GroundTruthRule {
     if (is_drawn || lead_mps < kDrawnMargin_mps) add_drawn(crash, is_drawn, all);
   }
 
-  // A crash that is nearly unique and nearly drawn is a near miss of the one it is not.
+  // A crash close to the limit between unique and drawn is reported as one of them, and as a near
+  // miss of the other.
   static void add_crash(TrueEvent crash, bool is_drawn, TrueEvents& all) {
     crash.name = "bot_crash_unique";
     crash.offender = crash.robot->side;

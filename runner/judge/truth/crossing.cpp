@@ -8,7 +8,7 @@
 namespace autoref::runner::ground_truth {
 namespace {
 
-// Share of the step at which a coordinate reaches +-limit; nullopt if it does not.
+// Fraction of the step at which a coordinate reaches +-limit; nullopt if it does not.
 std::optional<double> share_at(double from, double to, double limit) {
   if (std::abs(to) <= limit) return std::nullopt;
   const double line = std::copysign(limit, to);

@@ -1,4 +1,4 @@
-// Reports robots that do for too long what is allowed only for a while.
+// Reports robots that violate a rule for longer than its grace period.
 #pragma once
 
 #include <map>

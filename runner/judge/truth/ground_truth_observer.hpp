@@ -1,7 +1,7 @@
 // Observes the exact state of a game and reports what happened according to the rules.
 //
-// It follows the referee's commands, which decide what is play and who takes a restart, but ignores
-// its calls. Field and ball are those of the simulated world.
+// It follows the referee's commands, which determine when play is on and who takes a restart, but
+// ignores its calls. Field and ball are those of the simulated world.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// Measures how long each robot has continuously been doing something.
+// Measures how long each robot has continuously met a condition.
 #pragma once
 
 #include <map>

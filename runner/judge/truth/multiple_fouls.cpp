@@ -71,8 +71,9 @@ class MultipleFouls final : public GroundTruthRule {
     all.push_back({card, scene.time_s, side});
   }
 
-  // Whether one more yellow card would be the third active one. The number of active cards is the
-  // number of robots that the side lacks other than by red cards.
+  // Whether one more yellow card would be the third active one. Each active card costs the side one
+  // robot, as does each red card, so the number of active cards follows from the number of robots
+  // allowed.
   bool is_last_straw(const Scene& scene, Side side) const {
     const int lacking = allowed_without_cards_[side] - scene.signal.robots_allowed[side];
     const int active = lacking - scene.signal.red_cards[side];

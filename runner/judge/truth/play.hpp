@@ -17,7 +17,7 @@ struct Play {
   std::optional<Side> taker;  // nullopt after a force start
   double began_s = 0;         // time of the restart's signal
   Vec2 ball_from_m{0, 0};     // position of the ball at that time
-  bool in_play = false;       // it has moved far enough (RuleBook::in_play_m)
+  bool in_play = false;       // the ball has moved far enough (RuleBook::in_play_m)
   bool entered_now = false;   // in this frame
   double entered_s = 0;
   double stopped_s = 0;   // when STOP was sent

@@ -66,7 +66,7 @@ class PositionsAtEntry final : public GroundTruthRule {
   }
 
  private:
-  // Looks for violations from index `reported` on that cause a retake; removes them if no more
+  // Looks for violations that cause a retake, from index `reported` on; removes them if no more
   // retakes are allowed.
   void note_breaches(std::size_t reported, TrueEvents& all) {
     const auto is_breach = [](const TrueEvent& event) {

@@ -13,7 +13,7 @@ namespace {
 // 2026 rules, "Number Of Robots": grace period when play is started with too many robots.
 constexpr double kStartGrace_s = 2_s;
 
-// Laws of 2014: reports a surplus once it has lasted for a while.
+// Laws of 2014: reports a surplus once it has lasted for `too_many_s`.
 class TooManyRobots final : public GroundTruthRule {
  public:
   void watch(const Scene& scene, TrueEvents& all) override {
@@ -33,8 +33,8 @@ class TooManyRobots final : public GroundTruthRule {
   PerSide<bool> is_reported_;
 };
 
-// 2026 rules: each card gives a robot some time to leave. More robots than that are too many,
-// except for a while after a start.
+// 2026 rules: after a card, the team has a grace period to remove a robot. Any further surplus is a
+// foul, except during the grace period after a start of play.
 class TooManyRobots2026 final : public GroundTruthRule {
  public:
   void watch(const Scene& scene, TrueEvents& all) override {

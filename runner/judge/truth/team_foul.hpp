@@ -25,7 +25,7 @@ struct WorstRobot {
 };
 
 // Several offending robots of a team within the grace period are a single foul. After it, the foul
-// is raised again as soon as the team still or again commits it.
+// is raised again as soon as the team commits it again, or at once if it still does.
 class TeamFoul {
  public:
   // `margin`: distance to the threshold within which the rules leave a foul open to interpretation,

@@ -37,7 +37,7 @@ class TouchesInAreas final : public GroundTruthRule {
   }
 
  private:
-  // Each is reported once per contact and name.
+  // Each event is reported once per contact and name.
   struct Told {
     int contact = 0;
     std::string_view name;

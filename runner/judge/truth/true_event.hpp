@@ -25,7 +25,7 @@ struct TrueEvent {
   std::optional<RobotId> robot{};
   std::optional<Vec2> position_m{};
   Standing standing = Standing::kTrue;
-  bool is_borderline = false;  // happened, but within the same margin
+  bool is_borderline = false;  // happened, but by less than the same margin
   bool is_in_air = false;      // the ball was in the air: a referee without heights must guess
 };
 

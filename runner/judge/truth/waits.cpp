@@ -80,7 +80,7 @@ class StuckBall final : public GroundTruthRule {
   }
 
  private:
-  // If there is a rule on holding the ball in the area, only the keeper's time counts there.
+  // If keeper_held_ball is in force, too, it alone applies inside the defence areas.
   static bool is_held(const Scene& scene) {
     return scene.rules.has(RuleId::kNoProgressInGame) && scene.rules.has(RuleId::kKeeperHeldBall) &&
            std::any_of(kSides.begin(), kSides.end(), [&scene](Side side) {

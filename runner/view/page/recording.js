@@ -82,7 +82,7 @@ class Recording {
     this.length_s = this.last_s - this.first_s;
   }
 
-  // Index of the last frame that is not later, up to one tick.
+  // Index of the last frame not later than this time, with a tolerance of one tick.
   indexAt(time_s) {
     return Math.max(0, lastNotAfter(this.times_s, time_s + 1 / kTicksPerSecond, (frame_s) => frame_s));
   }
@@ -116,7 +116,7 @@ function lastNotAfter(list, time_s, timeOf) {
   return low - 1;
 }
 
-// Share to interpolate by; 0 if the object moved too far in one frame, since it was then placed.
+// Interpolation weight; 0 if the object moved so far in one frame that it must have been placed.
 function shareFor(track, {index, next, share}) {
   if (track.x[next] === kNothing) return 0;
   const step = Math.hypot(track.x[next] - track.x[index], track.y[next] - track.y[index]);

@@ -1,6 +1,6 @@
 // The table of shoot-out kicks: one row per side, one button per kick.
 
-const kMostKicksInLine = 16;  // of both sides; a longer list goes below the names
+const kMostKicksInLine = 16;  // kicks of both sides; a longer list goes below the names
 
 function kickButton(kick, seek) {
   const button = document.createElement("button");

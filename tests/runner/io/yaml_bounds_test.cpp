@@ -1,4 +1,4 @@
-// Texts that expand endlessly, or nearly so, are refused before anything walks them.
+// Texts that expand endlessly, or nearly so, are rejected before anything traverses them.
 #include "runner/io/yaml_bounds.hpp"
 
 #include <gtest/gtest.h>

@@ -148,7 +148,7 @@ double off_in_slow_pull_mm(const LabRecord& record) {
   return off_plate_mm(record.states[kEvenPull], 0);
 }
 
-// Acceleration of the ball where the dribbler pulls with full force: from 5 mm off the plate to the
+// Acceleration of the ball while the dribbler pulls with full force: from 5 mm off the plate to the
 // end of its reach.
 double most_pull_mps2(const LabRecord& record) {
   std::size_t f = kHardPull;
@@ -171,7 +171,7 @@ double most_off_when_held_mm(const LabRecord& record) {
   return most;
 }
 
-// How much faster than the plate, now or a frame ago, the ball gets.
+// How much faster the ball gets than the plate in the same or the previous frame.
 double most_faster_when_held_mps(const LabRecord& record) {
   double most = 0.0;
   for (std::size_t f = 1; f <= kKickCommand; ++f) {

@@ -29,7 +29,8 @@ class ForeignLog : public testing::Test {
     return answer_to(arguments);
   }
 
-  // Every verb that reads logs accepts it, and the referee reports `said` once.
+  // Checks that every verb that reads logs accepts the log, and that the referee reports `said`
+  // once.
   void expect_judged(const std::string& said = "") const {
     const Answer answer = referee();
     EXPECT_EQ(answer.code, kDone) << answer.err;
@@ -207,7 +208,7 @@ TEST_F(ForeignLog, TakesItsRuleBookByTheFlagThatKeepsItsField) {
       << answer.err;
 }
 
-// A game of one's own, by what `autoref play` writes.
+// A game recorded by `autoref play`.
 class OwnLog : public ForeignLog {
  protected:
   void play(const std::vector<const char*>& settings, const std::string& log) const {

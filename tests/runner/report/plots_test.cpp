@@ -101,7 +101,7 @@ TEST(CrosstablePlot, ShowsEachMatchupFromBothSides) {
 
 TEST(Plots, SayWhichGroupsTheyLeaveOut) {
   EXPECT_EQ(note_of_cut(45), "");
-  EXPECT_EQ(note_of_cut(66), " Only the first 45 of 66 are drawn; the data file has all.");
+  EXPECT_EQ(note_of_cut(66), " Only the first 45 of 66 are drawn; the data file contains all.");
 }
 
 TEST(TicStep, DividesIntoAtMostFiveParts) {

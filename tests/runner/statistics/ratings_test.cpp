@@ -11,7 +11,7 @@
 namespace autoref::runner {
 namespace {
 
-// Three teams, each against each: games, goal difference, wins of the first.
+// Three teams, all against all: games, goal difference, wins of the first.
 const std::vector<MatchupTotals> kThree = {{0, 1, 4, 3, 3}, {0, 2, 2, 5, 2}, {1, 2, 4, -2, 1.5}};
 
 void expect_near(const Eigen::VectorXd& found, const std::vector<double>& expected) {

@@ -111,7 +111,7 @@ TEST(Association, EvaluatesTheCardForEveryThirdFoul) {
   EXPECT_EQ(verdicts[0].outcome, Outcome::kRight);
 }
 
-// Play continues after it, so another event at the same time is not overtaken.
+// Play continues after such a call, so it does not prevent another event at the same time.
 TEST(Association, DoesNotFindAnEventOvertakenByACallThatLetsPlayGoOn) {
   referee::Decision fast;
   fast.time_s = 10.0;
