@@ -125,7 +125,7 @@ struct DrawArguments {
 
 // Arguments of `autoref rules`.
 struct RulesArguments {
-  std::string book;  // empty: list the books
+  std::string book;  // empty: list the rule books
   bool json = false;
 };
 

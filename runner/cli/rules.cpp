@@ -30,7 +30,7 @@ int rules_verb(const RulesArguments& arguments) {
 void add_rules_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb = app.add_subcommand("rules", "List the rule books, or the rules of one.");
   auto arguments = std::make_shared<RulesArguments>();
-  verb->add_option("BOOK", arguments->book, "Name of a rule book. Default: list all books.");
+  verb->add_option("BOOK", arguments->book, "Name of a rule book. Default: list all rule books.");
   verb->add_flag("--json", arguments->json, "Print one JSON object.");
   verb->footer("Example:\n  autoref rules 2014");
   verb->callback([arguments, &chosen] { chosen = [arguments] { return rules_verb(*arguments); }; });

@@ -12,7 +12,7 @@
 namespace autoref::runner {
 
 struct JudgeReport {
-  std::vector<CameraTally> tallies;  // book by book, camera by camera, in the order of the schedule
+  std::vector<CameraTally> tallies;  // by rule book, then by camera, in the order of the schedule
   // One line each, with the game's id.
   std::vector<std::string> second_calls;   // wrong because the event had already been called
   std::vector<std::string> calls_in_stop;  // calls that require play, made while play was stopped

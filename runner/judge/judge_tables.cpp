@@ -51,7 +51,7 @@ std::vector<std::string> books_in(const JudgeReport& report) {
   return books;
 }
 
-// The events of a book in the referee's order, with one row per camera.
+// The events of a rule book in the referee's order, with one row per camera.
 TableRows event_rows(const JudgeReport& report, const std::string& rules) {
   TableRows rows = {{"event", "camera"}};
   for (const Measure& measure : measures()) rows.front().emplace_back(measure.head);
@@ -68,7 +68,7 @@ TableRows event_rows(const JudgeReport& report, const std::string& rules) {
   return rows;
 }
 
-// F1 of all events: one row per event and book, one column per camera.
+// F1 of all events: one row per event and rule book, one column per camera.
 TableRows scores_rows(const JudgeReport& report) {
   const std::vector<std::string> cameras = cameras_in(report);
   const std::vector<std::string> books = books_in(report);

@@ -21,7 +21,7 @@ struct EventTally {
   int borderline_missed = 0;
   int borderline_wrong = 0;
   int overtaken = 0;  // happened when another right call ended play; not counted elsewhere
-  int in_air = 0;     // among all of them: the ball was in the air
+  int in_air = 0;     // those among them with the ball in the air
   std::vector<double> delays_s;
   std::vector<double> errors_m;
 

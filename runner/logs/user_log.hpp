@@ -20,7 +20,7 @@ std::string damage_text(const std::string& path, const RecordedFacts& facts);
 league::LogSummary read_user_log(const std::string& path, league::LogVisitor& visitor);
 
 // The log's field, or that of the rule book (reported on stderr) if the log has no geometry. Throws
-// InputError for an unknown book.
+// InputError for an unknown rule book.
 Field field_shown(const std::string& path, const league::LogSummary& log, const std::string& book);
 
 }  // namespace autoref::runner

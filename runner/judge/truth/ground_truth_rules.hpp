@@ -32,7 +32,7 @@ std::unique_ptr<GroundTruthRule> too_many_robots();
 std::unique_ptr<GroundTruthRule> too_many_robots_2026();
 std::unique_ptr<GroundTruthRule> multiple_fouls();  // yellow cards of 2026
 
-// The rules in force in the book.
+// The ground-truth rules for this rule book.
 std::vector<std::unique_ptr<GroundTruthRule>> ground_truth_rules_of(const RuleBook& rules);
 
 }  // namespace autoref::runner::ground_truth

@@ -9,7 +9,7 @@ namespace autoref::runner::ground_truth {
 namespace {
 
 constexpr double kKickMargin_mps = 0.2_mps;
-constexpr double kOneKick_s = 0.2;  // as long as the ball touches the hull, it is the same kick
+constexpr double kOneKick_s = 0.2;  // touches within this time belong to the same kick
 
 class KickSpeed final : public GroundTruthRule {
  public:

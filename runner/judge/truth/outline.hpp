@@ -22,8 +22,8 @@ Reach reach_into_half(Side side, const sim::RobotState& robot);
 // Distance from a robot's hull to the ball's centre, which rules call the distance to the ball.
 double hull_to_ball_m(const sim::RobotState& robot, const sim::BallState& ball);
 
-// Returns whether two robots are in contact, as two discs, like in the simulated physics. They may
-// be slightly apart in some frames of a lasting contact.
+// Returns whether two robots are in contact, treated as discs, as in the simulated physics. They
+// may be slightly apart in some frames of a lasting contact.
 bool are_in_contact(const sim::RobotState& a, const sim::RobotState& b);
 
 }  // namespace autoref::runner::ground_truth

@@ -16,8 +16,7 @@ constexpr double kFastMargin_mps = 0.1_mps;
 constexpr double kFastFor_s = 0.1;  // the rules leave open whether a shorter peak counts
 constexpr double kLaneMargin_m = 25_mm;
 
-// Selects robots that do something for long enough to be at fault or nearly at fault; ignores the
-// others.
+// Selects robots that violate a rule for long enough to be at fault or nearly at fault.
 class LongEnough {
  public:
   explicit LongEnough(double margin) : margin_(margin) {}

@@ -1,4 +1,4 @@
-// Heat map of where the ball rolled while play was on.
+// Heat map of where the ball rolled during play.
 
 const kCell_mm = 150;
 const kHottestShare = 0.99;  // quantile of the cells; hotter ones look the same
