@@ -17,7 +17,7 @@ TEST(CostOfTeam, MeasuresTheNamedTeam) {
 
 // The dummy only returns: a call and two clock reads take from some ten nanoseconds to a
 // microsecond, however busy the machine is.
-TEST(CostOfTeam, OfATeamThatDoesNothingIsThatOfReadingTheClock) {
+TEST(CostOfTeam, IsOnlyThatOfReadingTheClockForAnIdleTeam) {
   const TeamCost cost = cost_of_team("dummy");
   EXPECT_GT(cost.ns_per_decision, 5);
   EXPECT_LT(cost.ns_per_decision, 5000);

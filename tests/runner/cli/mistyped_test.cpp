@@ -37,7 +37,7 @@ TEST(Help, IsPrintedWithoutArguments) {
   EXPECT_EQ(bare.out, answer_to({"help"}).out);
 }
 
-TEST(Help, OfAVerbIsThatOfItsHelpFlag) {
+TEST(Help, ForAVerbEqualsItsHelpFlag) {
   const Answer answer = answer_to({"help", "run"});
   EXPECT_EQ(answer.code, kDone);
   EXPECT_EQ(answer.out, answer_to({"run", "--help"}).out);

@@ -99,7 +99,7 @@ TEST_F(RunVerb, PrintsErrorsEvenWhenQuiet) {
   EXPECT_NE(run({"--quiet", "--seed", "2"}).err, "");
 }
 
-TEST_F(RunVerb, WritesNoProgressIfToldSo) {
+TEST_F(RunVerb, WritesNoProgressIfDisabled) {
   const Answer answer = run({"--progress", "none"});
   EXPECT_EQ(answer.err, "");
   EXPECT_TRUE(holds(answer.out, "b.robots"));

@@ -90,7 +90,7 @@ TEST_F(ForeignLog, WithoutGeometryIsJudgedOnTheBooksField) {
   EXPECT_EQ(run("view", {"-o", page.c_str(), "--rules", "2027"}).code, kBadInput);
 }
 
-TEST_F(ForeignLog, WhoseGeometryLeavesOutAreasAndMarksTakesTheBooks) {
+TEST_F(ForeignLog, WithoutAreasAndMarksUsesThoseOfTheRuleBook) {
   write({.change_field = [](league::FieldSize& size) {
     size.clear_field_lines();
     size.clear_field_arcs();
@@ -100,7 +100,7 @@ TEST_F(ForeignLog, WhoseGeometryLeavesOutAreasAndMarksTakesTheBooks) {
   EXPECT_EQ(count_of("no penalty mark: using 6 m from", referee({"--rules", "2026-b"}).err), 1);
 }
 
-TEST_F(ForeignLog, WhoseGeometryChangesIsJudgedOnTheLastField) {
+TEST_F(ForeignLog, WithChangingGeometryIsJudgedOnTheLastField) {
   write({.change_field_later = [](league::FieldSize& size) { size.set_field_length(9000); }});
   expect_judged("the field changes 1 times; using the last one");
   EXPECT_NE(run("info", {}).out.find("field     9 x 4.05 m"), std::string::npos);
@@ -133,7 +133,7 @@ TEST_F(ForeignLog, WithRobotsNumberedBeyond15IsJudgedWithoutThem) {
   expect_judged("detections of robots with numbers from 16 are ignored");
 }
 
-TEST_F(ForeignLog, WhichBeginsInTheMiddleOfPlaySaysSo) {
+TEST_F(ForeignLog, StartingInTheMiddleOfPlayIsReported) {
   write({.change_referee = [](double, league::RefereePacket& packet) {
     packet.set_stage(static_cast<int>(Stage::kFirstHalf));
     packet.set_command(league_number({CommandKind::kForceStart}));
@@ -159,7 +159,7 @@ TEST_F(ForeignLog, OfDivisionAAndOfHalfAFieldIsJudged) {
   expect_judged();
 }
 
-TEST_F(ForeignLog, OfAFieldThatIsNoneIsRefusedWithTheSettingToChange) {
+TEST_F(ForeignLog, WithAnImpossibleFieldIsRefusedNamingTheSetting) {
   write({.change_field = [](league::FieldSize& size) { size.set_field_length(100); }});
   const Answer answer = referee();
   EXPECT_EQ(answer.code, kBadInput);
@@ -171,7 +171,7 @@ TEST_F(ForeignLog, OfAFieldThatIsNoneIsRefusedWithTheSettingToChange) {
   expect_shown();
 }
 
-TEST_F(ForeignLog, WhoseCamerasBeginTheirClockAnewIsJudgedThroughout) {
+TEST_F(ForeignLog, WithARestartingCameraClockIsJudgedThroughout) {
   write({.length_s = 20, .capture_s = [](double time_s) {
            return time_s < 5 ? 1.5e9 + time_s : time_s < 10 ? time_s - 5 : 3e9 + time_s;
          }});
@@ -180,14 +180,14 @@ TEST_F(ForeignLog, WhoseCamerasBeginTheirClockAnewIsJudgedThroughout) {
   EXPECT_NE(info.out.find("\"frames\": 1192"), std::string::npos) << info.out;
 }
 
-TEST_F(ForeignLog, WithOnePacketOfAWrongTimeLosesThatPacketAlone) {
+TEST_F(ForeignLog, LosesOnlyThePacketWithAWrongTime) {
   write({.length_s = 10,
          .capture_s = [](double time_s) { return time_s == 5 ? 4e9 : 1.5e9 + time_s; }});
   expect_judged();
   EXPECT_EQ(referee().err.find("clock restarts"), std::string::npos);
 }
 
-TEST_F(ForeignLog, WhoseRecordsAreOutOfOrderIsJudged) {
+TEST_F(ForeignLog, WithRecordsOutOfOrderIsJudged) {
   write({.record_s = [](double time_s) { return 100 - 10 * time_s; }});
   expect_judged();
 }

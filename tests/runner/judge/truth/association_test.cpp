@@ -111,8 +111,8 @@ TEST(Association, EvaluatesTheCardForEveryThirdFoul) {
   EXPECT_EQ(verdicts[0].outcome, Outcome::kRight);
 }
 
-// Play continues after such a call, so it does not prevent another event at the same time.
-TEST(Association, DoesNotFindAnEventOvertakenByACallThatLetsPlayGoOn) {
+// Play continues after such a call, so another event at the same time can still be called.
+TEST(Association, DoesNotFindAnEventOvertakenByACallThatLetsPlayContinue) {
   referee::Decision fast;
   fast.time_s = 10.0;
   fast.from = fast.to = referee::State::kRun;
