@@ -54,9 +54,8 @@ class Mine final : public Strategy {
     return play_ball(robot, now_.ball, ball_m(), {goal_m, shot_mps_}, {}, {});
   }
 
-  // The keeper in front of its goal, the others in a row across the team's own half, all facing the
-  // ball. Indices are not robot numbers: without robot 0, index 0 is robot 1, which is then the
-  // keeper.
+  // The keeper in front of its goal, the others in a row across their half, all facing the ball.
+  // Indices are not robot numbers: without robot 0, index 0 is robot 1, which is then the keeper.
   Waypoint waypoint_of(int index) const {
     const double half_m = context_.field.half_length_m();
     const Vec2 wanted_m = index == 0 ? Vec2(0.15 - half_m, 0) : Vec2(-1, 0.4 * (index - 3));
