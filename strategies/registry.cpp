@@ -35,15 +35,15 @@ std::unique_ptr<Strategy> make_rowdy(const TeamContext& context) {
   return std::make_unique<rowdy::Rowdy>(context);
 }
 
-// basic's parameters, and the share of each foul behaviour.
+// The parameters of `basic`, and for each foul behaviour the fraction of opportunities taken.
 std::vector<Parameter> rowdy_params() {
   std::vector<Parameter> params = basic_params();
-  params.push_back(
-      {"otherwise", "1", -1, -1, 1,
-       "Share of opportunities taken by every foul that is not set itself; below 0, its default."});
+  params.push_back({"otherwise", "1", -1, -1, 1,
+                    "Fraction of opportunities taken, for fouls without their own setting; below "
+                    "0: their defaults."});
   for (const rowdy::FoulBehaviour* kind : rowdy::all_kinds()) {
     params.push_back(
-        {kind->name, "1", kind->share, 0, 1, "Share of its opportunities that are taken."});
+        {kind->name, "1", kind->share, 0, 1, "Fraction of its opportunities that are taken."});
   }
   return params;
 }
@@ -57,7 +57,7 @@ const std::vector<Entry>& all_strategies() {
        "goal.",
        make_basic, basic_params()},
       {"chaser",
-       "The simple baseline: one robot chases the ball and kicks at the goal, the rest stand.",
+       "The simple baseline: one robot chases the ball and kicks at the goal, the others stand.",
        make_chaser,
        {}},
       {"cobalt",

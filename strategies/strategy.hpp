@@ -29,7 +29,7 @@ struct TeamContext {
   Field field;
   RuleBook rules;
   double frame_rate_hz = 60;
-  RandomStream random{0};                    // the side's own; the only randomness allowed
+  RandomStream random{0};                    // this team's stream; the only randomness allowed
   std::map<std::string, double> params;      // the team's parameters by name
   std::array<Abilities, kMaxRobots> robots;  // the team's own robots, by number
 };

@@ -27,8 +27,8 @@ Style within_the_rules(Style style, const RuleBook& rules) {
 Basic::Basic(const TeamContext& context)
     : context_(context), style_(within_the_rules(tuned(context.params), context.rules)) {}
 
-// From a hull to the ball's centre at restarts. If the rule is in force, referees measure to the
-// ball's surface.
+// Required distance from a hull to the ball's centre at restarts. If the rule is in force,
+// referees measure to the ball's surface.
 double Basic::room_at_ball_m() const {
   const bool is_judged = context_.rules.has(RuleId::kDefenderTooCloseToKickPoint);
   return context_.rules.opponents_to_ball_m + (is_judged ? kBallRadius_m : 0.0) +
@@ -86,13 +86,13 @@ bool Basic::is_pressed() const {
   });
 }
 
-// Speed with which a pass arrives slowly enough to be received.
+// Kick speed of a pass that arrives slowly enough to be received.
 double Basic::pass_speed_mps(double distance_m) const {
   return std::min(style_.pass_mps,
                   style_.slowest_pass_mps + style_.pass_per_metre_per_s * distance_m);
 }
 
-// The team-mate that a pass reaches most safely, not behind the ball; nullopt if there is none.
+// The team-mate with the safest pass, excluding those behind the ball; nullopt if there is none.
 std::optional<Aim> Basic::best_pass(int passer) const {
   std::optional<Aim> best;
   for (const TrackedRobot& mate : now_.own) {
@@ -124,7 +124,7 @@ Intent Basic::attack_intent(const TrackedRobot& attacker) const {
   }
   Intent intent{aim.target_m, kick_mps};
   const double distance_m = std::max(0.1, (aim.target_m - ball_m).norm());
-  // A share of the angle that the free lane subtends at the target's distance.
+  // A fraction of the angle that the free lane subtends at the target's distance.
   intent.tolerance_rad = std::clamp(
       style_.aim_share * std::min(aim.clearance_m, style_.free_lane_m) / distance_m, 0.04, 0.2);
   if (is_pressed() && now_.play == Play::kRunning) intent.hasty_mps = style_.push_mps;
@@ -208,7 +208,7 @@ Waypoint Basic::formation_of(int index) const {
 }
 
 // The permitted position. If the ball is so close to the team's own area that nobody fits between,
-// the robot steps beside the straight path to the goal, in books that require the distance at
+// the robot steps beside the straight path to the goal, if the rule book requires the distance at
 // restarts.
 Vec2 Basic::allowed(const Vec2& wanted_m, const Vec2& ball_m, const Limits& limits) const {
   const Field& field = context_.field;
@@ -224,7 +224,7 @@ Vec2 Basic::allowed(const Vec2& wanted_m, const Vec2& ball_m, const Limits& limi
 }
 
 // The first target of a robot that is too close to the ball in a stop; nullopt if it is not, or if
-// the book allows that.
+// the rule book allows that.
 std::optional<Vec2> Basic::position_off_ball(const Vec2& from_m) const {
   const double keep_m = room_at_ball_m() + kRobotRadius_m + 10_mm;
   const Vec2 off_m = from_m - ball_target_m_;

@@ -39,7 +39,8 @@ Waypoint wall_position(const Field& field, const Style& style, const Vec2& ball_
   const double off_m = field.defence_area.depth_m +
                        field.defence_area.straight_m / 2 * std::abs(direction.y()) +
                        kRobotRadius_m + 2 * style.margin_m;
-  // The two stand as close together as their avoidance of each other allows, towards the middle.
+  // The two robots stand as close together as their avoidance of each other allows, towards the
+  // middle.
   const double aside = ball_m.y() > 0 ? -1.0 : 1.0;
   return facing_ball(
       goal_m + direction * off_m + left_of(direction) * (aside * style.wall_gap_m * order), ball_m);
@@ -55,7 +56,7 @@ Waypoint supporter_position(const Field& field, const Style& style, const Vec2& 
   const double away = ball_m.y() > 0 ? -1.0 : 1.0;
   const double ahead = std::clamp(ball_m.x() / field.half_length_m() + style.supporter_ahead,
                                   style.supporter_back, style.supporter_front);
-  // Pairs of positions on both wings, each pair a row nearer to the team's own goal than the last.
+  // Pairs of positions on both wings, each pair one row nearer to the team's own goal.
   const int row = order / 2;
   const double wing = order % 2 == 0 ? away : -away;
   const double x = std::max(ahead - style.supporter_row * row, -0.5) * field.half_length_m();

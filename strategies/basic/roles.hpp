@@ -23,14 +23,14 @@ struct AssignedRole {
 struct RoleAssignment {
   std::array<AssignedRole, kMaxRobots> roles;
   int attacker = -1;          // index in the view; -1 if there is none
-  Interception interception;  // the attacker's with the ball
+  Interception interception;  // of the ball by the attacker
 };
 
 // Assigns the roles. The lowest number keeps the goal, unless it is alone. The robot that meets the
 // ball first attacks; `former_attacker`, a robot's number, continues unless another is clearly
 // faster. The robot nearest to the team's own goal forms the wall, with five or more robots also
 // the second-nearest. One robot supports. Each of the others marks an opponent in the team's own
-// half, or supports if there is none left.
+// half, or supports if no opponent is left.
 RoleAssignment assign_roles(const TeamView& view, const Field& field, const Style& style,
                             int former_attacker);
 

@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::array kTunables = std::to_array<TunableOf<Style>>({
     {&Style::shot_mps, {"shot_mps", "m/s", 0, 0, 8, "Speed of shots at the goal."}},
-    {&Style::pass_mps, {"pass_mps", "m/s", 0, 0, 8, "Largest speed of passes."}},
+    {&Style::pass_mps, {"pass_mps", "m/s", 0, 0, 8, "Maximum speed of passes."}},
     {&Style::slowest_pass_mps,
      {"slowest_pass_mps", "m/s", 0, 0.2, 8, "Speed of the shortest passes."}},
     {&Style::pass_per_metre_per_s,
@@ -32,7 +32,7 @@ constexpr std::array kTunables = std::to_array<TunableOf<Style>>({
     {&Style::aim_share,
      {"aim_share", "1", 0, 0.05, 1,
       "Allowed aiming error of a kick, as a fraction of the free space."}},
-    {&Style::back_pass_m, {"back_pass_m", "m", 0, -3, 3, "Largest distance of a backward pass."}},
+    {&Style::back_pass_m, {"back_pass_m", "m", 0, -3, 3, "Maximum length of a backward pass."}},
     {&Style::robot_gap_m,
      {"robot_gap_m", "m", 0, 0, 0.5, "Gap between hulls when driving around another robot."}},
     {&Style::ball_gap_m,

@@ -14,10 +14,10 @@ struct PlayContext {
   const PredictedState& predicted;
   const BallHandler& handler;
   PassField& field;
-  int former = -1;          // number of the robot at the ball in the last frame
+  int former = -1;          // number of the robot at the ball in the previous frame
   int restarter = -1;       // number of the robot that must not touch the ball again yet
   int stuck = -1;           // number of the robot that failed to take this restart
-  double waited_s = 0;      // since play last changed
+  double waited_s = 0;      // time since play last changed
   double taker_from_s = 0;  // waited_s when the restart's taker was chosen
   bool is_settled = false;  // play has been stopped long enough for positions to be kept
   // The key of each robot's formation spot, by robot number; 0: none (formation_spots.hpp).

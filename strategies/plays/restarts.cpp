@@ -66,7 +66,7 @@ Vec2 default_target_m(const PredictedState& predicted) {
   return predicted.field().goal_centre_m(Side::kEast) - Vec2(predicted.style().before_goal_m, 0);
 }
 
-// The position of the receiver with the best pass.
+// The position of the receiver that has the best pass.
 Vec2 best_target_m(const PredictedState& predicted, const RoleAssignment& assignment) {
   Vec2 best_m = default_target_m(predicted);
   double best = 0;

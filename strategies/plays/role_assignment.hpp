@@ -30,10 +30,10 @@ class RoleAssignment {
   // none.
   int nearest_free(const Vec2& position_m) const;
 
-  // Moves all positions to permitted ones, and apart where two robots would not fit.
+  // Moves all positions to permitted ones, and apart if robots would overlap.
   void spread();
 
-  // Sends the nearest free robot to stand there, if there is one.
+  // Sends the nearest free robot there, if there is one.
   void send_nearest(const Waypoint& waypoint);
 
  private:

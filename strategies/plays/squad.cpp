@@ -81,7 +81,7 @@ void Squad::note_stop() {
   former_play_ = now.play;
   former_robots_ = predicted_.robots();
   const double waited_s = now.time_s - since_s_;
-  // Later the positions are kept, so that the robots come to rest.
+  // After that, positions are kept so that the robots come to rest.
   const bool chooses = waited_s < predicted_.style().choosing_s;
   book_.waited_s = waited_s;
   book_.is_settled = predicted_.is_waiting() && !chooses;

@@ -7,7 +7,7 @@
 
 namespace autoref::strategies {
 
-// What distinguishes teams of this kind: their style, and plays of their own if they have any.
+// What distinguishes teams of this kind: their style and, if they have any, their own plays.
 struct TeamPlaybook {
   Style style;
   void (*open_play)(PlayContext& book, RoleAssignment& assignment) = strategies::open_play;

@@ -13,7 +13,7 @@ namespace autoref::strategies::rowdy {
 // A foul behaviour under way.
 struct ActiveFoul {
   int robot = -1;      // number of the robot that does it; -1: the whole team
-  int other = -1;      // number of the opponent it is directed at
+  int other = -1;      // number of the opponent that is fouled
   double amount = 0;   // random in [0, 1): distance or duration, depending on the kind
   double begun_s = 0;  // view time
   Vec2 from_m{0, 0};  // position of the ball when it began, or another point, depending on the kind
@@ -43,15 +43,15 @@ inline ActiveFoul foul_against(const TrackedRobot& victim, const TrackedRobot& r
   return foul;
 }
 
-// The opponent that it is directed at; nullptr if that robot is gone or the ball is not in play.
+// The opponent that is fouled; nullptr if that robot is gone or the ball is not in play.
 inline const TrackedRobot* victim_of(const ActiveFoul& foul, const Scene& scene) {
   return is_running(scene) ? find(scene.now.opponents, foul.other) : nullptr;
 }
 
 struct FoulBehaviour {
-  std::string_view name;  // name of the parameter for its share
+  std::string_view name;  // name of the parameter that sets its share
   std::string_view about;
-  double share;      // default share of opportunities taken
+  double share;      // default fraction of opportunities taken
   double longest_s;  // it is given up after this time
   // The foul that is possible now, without `amount` and `begun_s`; nullopt if there is no
   // opportunity.

@@ -1,9 +1,8 @@
 // `basic`, but it breaks rules on purpose now and then, so that a referee can be evaluated.
 //
-// Each foul behaviour (kinds.hpp) has a parameter with its name: the share of its opportunities
-// that the team takes, from 0 (never) to 1 (always). `otherwise` is the share for all kinds that
-// are not set themselves; without it they use their defaults. There is one foul behaviour at a
-// time.
+// Each foul behaviour (kinds.hpp) has a parameter with its name: the fraction of opportunities
+// that the team takes, from 0 (never) to 1 (always). `otherwise` sets this fraction for all other
+// kinds; without it they use their defaults. Only one foul behaviour is active at a time.
 #pragma once
 
 #include <array>
@@ -24,7 +23,7 @@ class Rowdy final : public Strategy {
   TeamRequests requests() const override { return requests_; }
 
  private:
-  // A foul behaviour, its share, and when there was last an opportunity.
+  // A foul behaviour, the fraction of opportunities taken, and when the last opportunity was.
   struct Habit {
     const FoulBehaviour* kind = nullptr;
     double share = 0;

@@ -1,4 +1,4 @@
-// The view of the game for foul behaviours of `rowdy`, and robot motions for them.
+// The foul behaviours' view of the game, and the robot motions that they share.
 #pragma once
 
 #include <optional>

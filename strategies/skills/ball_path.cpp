@@ -48,7 +48,7 @@ double speed_after_mps(double speed_mps, double rolls_mps, double time_s) {
 
 void BallPath::follow(const TrackedBall& ball, double latency_s) {
   const double seen_mps = ball.velocity_mps.norm();
-  // The kick speed decides when sliding ends. A jump of the speed is a new kick. Once the ball
+  // The kick speed decides when sliding ends. A jump in speed means a new kick. Once the ball
   // rolls, kick_mps_ shrinks with its speed, so a softer kick counts as well.
   if (seen_mps > last_mps_ + kPeak_mps || seen_mps > kick_mps_) kick_mps_ = seen_mps;
   if (seen_mps < kRollsFrom * kick_mps_) kick_mps_ = seen_mps / kRollsFrom;  // it is rolling

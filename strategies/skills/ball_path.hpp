@@ -17,7 +17,7 @@ class BallPath {
   static constexpr double kLongest_s = kSteps * kStep_s;
 
   // Updates the path from the ball in the next frame, extrapolated by `latency_s`, when commands
-  // take effect. Call it for every frame, because kicks are detected from jumps of the speed.
+  // take effect. Call it for every frame, because kicks are detected from jumps in speed.
   void follow(const TrackedBall& ball, double latency_s);
 
   // The ball's position at a step of the table, from 0 (now) to kSteps.
@@ -37,7 +37,7 @@ class BallPath {
   std::array<Vec2, kSteps + 1> table_;
 };
 
-// Kick speed with which the ball arrives after `distance_m` at `arrival_mps`.
+// Kick speed at which the ball still has `arrival_mps` after `distance_m`.
 double kick_for_mps(double distance_m, double arrival_mps);
 
 // Time in seconds that a ball kicked with `kick_mps` takes for `distance_m`; 10 if it never gets

@@ -13,7 +13,7 @@ constexpr double kLimitMargin_m =
     30_mm;                  // added to the rules' distances for the robots' own errors
 constexpr int kTurns = 36;  // directions tried to each side of a position inside the ball's circle
 
-// Moves `p` the shortest way until it is `distance_m` from the area of `side`.
+// Moves `p` to the nearest point at `distance_m` from the area of `side`.
 //
 // Both shapes are the set of points within a radius of a strip that continues behind the goal; for
 // a box the radius is zero.
@@ -44,7 +44,7 @@ Vec2 back_from(const Field& field, const Vec2& ball_m) {
 
 Vec2 pushed_off_ball(const Field& field, const Vec2& p, const Vec2& ball_m, const Limits& limits) {
   if (limits.keep_from_ball_m <= 0 || (p - ball_m).norm() >= limits.keep_from_ball_m) return p;
-  // Towards the team's own goal, where a robot that must give way is most useful.
+  // Moves towards the team's own goal, where a robot that must give way is most useful.
   const Vec2 back = back_from(field, ball_m);
   const Vec2 away = direction_of(p - ball_m, back);
   const Vec2 bent = away.dot(back) < 0 ? direction_of(away + 1.5 * back, back) : away;

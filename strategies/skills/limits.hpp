@@ -13,8 +13,8 @@ struct Limits {
   double keep_from_ball_m = 0;      // from a robot's centre to the ball
   double keep_from_area_m = 0;      // from a robot's centre to the opponents' defence area
   bool may_enter_own_area = false;  // for the keeper
-  // Leaves a position behind the goal line there, even if it is too near to a quarter-circle area.
-  // `basic` does this, and the games of the bench depend on it.
+  // Keeps a position behind the goal line even if it is too near to a quarter-circle area. `basic`
+  // relies on this, and the benchmark's games depend on it.
   bool may_stay_behind_goal = false;
   double beyond_lines_m = 90_mm;  // how far a robot's centre may be outside the field
 };
@@ -24,10 +24,10 @@ struct Limits {
 double room_for_error_m(const RuleBook& rules);
 
 // The permitted position nearest to `wanted_m`, or close to it. If the half, an area or the field's
-// edge leaves no room next to the ball, those limits take precedence over the ball's circle.
+// edge leaves no space next to the ball, those limits take precedence over the ball's circle.
 Vec2 permitted(const Field& field, const Vec2& wanted_m, const Vec2& ball_m, const Limits& limits);
 
-// The same, but if there is no room, a position farther around the ball that respects all limits.
+// The same, but if there is no space, a position farther around the ball that respects all limits.
 Vec2 permitted_by_all(const Field& field, const Vec2& wanted_m, const Vec2& ball_m,
                       const Limits& limits);
 

@@ -34,7 +34,7 @@ Vec2 steer_around(const Vec2& from_m, const Vec2& target_m, const Obstacles& obs
   const Vec2 direction = offset / length_m;
   const Obstacle* obstacle = first_on_path(from_m, direction, length_m, obstacles);
   if (obstacle == nullptr) return target_m;
-  // Pass on the side where the straight path already runs.
+  // Pass the obstacle on the side on which the straight path runs.
   const double side = cross(direction, obstacle->position_m - from_m) > 0 ? -1.0 : 1.0;
   return obstacle->position_m + left_of(direction) * (side * obstacle->clearance_m * 1.1);
 }

@@ -15,7 +15,7 @@ namespace autoref::strategies {
 struct DrivingStyle {
   double speed_mps = 3.0;       // paper, section 3: robots travel up to 3 m/s
   double braking_mps2 = 2.3;    // planned; robots brake with up to 5 m/s^2
-  double approach_per_s = 6.0;  // speed per distance, for the last centimetres
+  double approach_per_s = 6.0;  // speed per remaining distance, for the last centimetres
   double turn_per_s = 8.0;      // angular speed per remaining angle
   double turn_limit_radps = 10.0;
   double turn_braking_radps2 = 1e3;  // planned; robots near their wheels' limits turn worse
@@ -38,8 +38,8 @@ using Obstacles = boost::container::static_vector<Obstacle, 2 * kMaxRobots + 4>;
 // otherwise a point beside the first obstacle.
 Vec2 steer_around(const Vec2& from_m, const Vec2& target_m, const Obstacles& obstacles);
 
-// The point to steer for from behind a goal or close beside it, if the straight path to the field
-// hits its walls: first sideways, then past the goal line. Returns nullopt elsewhere.
+// The point to steer for from behind or close beside a goal whose walls block the straight path to
+// the field: first sideways, then past the goal line. Returns nullopt elsewhere.
 std::optional<Vec2> exit_from_behind_goal(const Field& field, const Vec2& from_m);
 
 // Commands that drive `robot` around the obstacles to `goal` and stop it there.

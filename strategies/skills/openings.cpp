@@ -16,14 +16,14 @@ constexpr double kReach_mps2 = 3.0;      // its acceleration then
 constexpr double kLongestReach_m = 0.5;
 constexpr double kBlock_m = kRobotRadius_m + kBallRadius_m;
 constexpr double kNarrowest_m = 20_mm;  // closer obstacles are ignored
-constexpr double kSafe_m = 150_mm;      // a lane with this much spare room is safe
+constexpr double kSafe_m = 150_mm;      // a lane with this much spare width is safe
 
 double reach_m(double time_s) {
   const double t = std::max(0.0, time_s - kReaction_s);
   return std::min(kLongestReach_m, kReach_mps2 * t * t / 2);
 }
 
-// A part of the goal line, from low to high y.
+// An interval of the goal line, from low to high y.
 struct Span {
   double low_m;
   double high_m;
@@ -45,7 +45,8 @@ void add_shadow(double goal_x, const Vec2& from_m, const Vec2& robot_m, double g
   shadows.push_back({middle_m - half_m, middle_m + half_m});
 }
 
-// Sweeps over the intervals in order of their lower ends; the gaps are what no interval covers.
+// Sweeps over the intervals in order of their lower ends; the gaps are the parts that no interval
+// covers.
 Span widest_gap(Spans& shadows, double low_m, double high_m) {
   std::sort(shadows.begin(), shadows.end(),
             [](const Span& a, const Span& b) { return a.low_m < b.low_m; });

@@ -19,7 +19,7 @@ struct ShotTerms {
   int but_mate = -1;  // number of the team's robot that shoots
 };
 
-// Opponents cover what they can reach while the ball is moving, own robots only where they stand.
+// Opponents cover what they can reach while the ball is moving; own robots cover only their hulls.
 Opening widest_opening(const Field& field, const Vec2& from_m, const TrackedRobots& opponents,
                        const TrackedRobots& own, const ShotTerms& terms);
 

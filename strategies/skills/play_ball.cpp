@@ -66,7 +66,7 @@ RobotCommand receive_ball(const TrackedRobot& robot, const TrackedBall& ball,
                           const Vec2& interception_m, const Obstacles& obstacles,
                           const DrivingStyle& style) {
   const Vec2 direction = direction_of(ball.velocity_mps, -robot.heading);
-  // Not beyond the robot's own position: it would drive away from the ball.
+  // Stays short of the robot's own position; beyond it the robot would drive away from the ball.
   const double along_m = std::min((interception_m - ball.position_m).dot(direction),
                                   (robot.position_m - ball.position_m).dot(direction));
   const Vec2 stand_m = ball.position_m + direction * std::max(along_m, kPlayTouch_m);

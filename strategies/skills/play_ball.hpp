@@ -1,4 +1,4 @@
-// Playing the ball: get behind it, run through it, and kick when the aim is right.
+// Playing the ball: getting behind it, running through it, and kicking when the aim is right.
 #pragma once
 
 #include "soccer/field.hpp"

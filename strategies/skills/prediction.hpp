@@ -12,8 +12,8 @@ Vec2 ball_after(const TrackedBall& ball, double ahead_s);
 // `view` extrapolated by its latency, to when commands given now take effect.
 void look_ahead(const TeamView& view, TeamView& ahead);
 
-// Rough estimate of the time in seconds that a robot needs to reach a point, from rest to rest at
-// team speeds.
+// Rough estimate of the time in seconds that a robot needs to reach a point, from rest to rest, at
+// the teams' usual speeds.
 double travel_time_s(const TrackedRobot& robot, const Vec2& point_m);
 
 struct Interception {

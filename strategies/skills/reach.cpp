@@ -46,7 +46,7 @@ double time_to_s(const TrackedRobot& robot, const Vec2& point_m, const Abilities
   const Vec2 direction = offset / distance_m;
   const double along_mps = robot.velocity_mps.dot(direction);
   const double aside_mps = std::abs(cross(direction, robot.velocity_mps));
-  // Lateral velocity is braked on the way, at about half of its separate cost.
+  // Lateral velocity is braked on the way, which costs about half as much as braking separately.
   return line_time_s(distance_m, along_mps, abilities) + 0.5 * aside_mps / abilities.braking_mps2;
 }
 

@@ -33,7 +33,7 @@ Aim best_shot(const Field& field, const Vec2& ball_m, const TrackedRobots& oppon
     const double share = 2.0 * i / (kAimPoints - 1) - 1.0;
     const Vec2 target_m(field.half_length_m(), share * reach_m);
     const double clearance_m = lane_clearance_m(ball_m, target_m, opponents);
-    // More room than a robot's and a ball's radius helps little; then the middle is safer.
+    // More space than a robot's and a ball's radius helps little; then the middle is safer.
     const double score = std::min(clearance_m, 0.25) - 0.02 * std::abs(share);
     if (score > best_score) {
       best_score = score;

@@ -31,7 +31,7 @@ constexpr double kCareful_mps = 1.2;
 constexpr double kRun_mps = 0.7;  // speed into the ball
 constexpr double kRunBraking_mps2 = 3.0;
 constexpr double kWideFirstTouch =
-    0.45;  // least cosine between kick and direction back along the ball's path
+    0.45;  // minimum cosine between the kick and the direction back along the ball's path
 
 // Time-optimal braking curve, limited near the target, and by what the dribbler can hold.
 double turn_rate_radps(double error_rad) {
@@ -58,7 +58,7 @@ RobotCommand turn_and_kick(const TrackedRobot& robot, const Vec2& aim, const Str
   return command;
 }
 
-// Stands in the ball's path; kicks it first-time if the angle allows, otherwise stops it.
+// Stands in the ball's path. Kicks it first-time if the angle allows, otherwise stops it.
 RobotCommand intercept_pass(const TrackedRobot& robot, const BallPath& path,
                             const BallInterception& interception, const Strike& strike,
                             const Vec2& aim, const Obstacles& obstacles,
@@ -88,7 +88,7 @@ RobotCommand fetch(const TrackedRobot& robot, const BallPath& path,
   const Vec2& ball_m = is_near ? path.now_m() : interception.point_m;
   const Vec2 to_ball = ball_m - robot.position_m;
   const Vec2 straight = direction_of(to_ball, aim);
-  // The direction of approach lies between the straight path and the aim; the larger the bend, the
+  // The approach direction lies between the straight path and the aim. The larger the bend, the
   // less the robot has to turn with the ball.
   const double bend_rad =
       std::clamp(angle_between(straight, aim), -strike.bend_rad, strike.bend_rad);
@@ -129,7 +129,7 @@ RobotCommand take_kick(const TrackedRobot& robot, const Vec2& ball_m, const Stri
   if (is_behind && std::abs(aside_m) < kExact_m + 0.3 * std::max(0.0, ahead_m - kStrikeRunUp_m)) {
     const bool is_aligned = std::abs(angle_between(robot.heading, aim)) < strike.tolerance_rad &&
                             std::abs(aside_m) < kExact_m;
-    // Up to the ball, and into it once the robot is aligned.
+    // Drives up to the ball, and into it once the robot is aligned.
     const double left_m = ahead_m - (is_aligned ? 0.0 : kClearOfBall_m);
     const double run_mps = (is_aligned ? kRun_mps : 0.0) + style.approach_per_s * left_m;
     RobotCommand command = drive_with(

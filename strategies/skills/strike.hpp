@@ -1,4 +1,4 @@
-// Getting the ball and kicking it: fetch it, receive a pass, turn with it, kick.
+// Getting the ball and kicking it: fetching, receiving passes, turning with the ball, kicking.
 #pragma once
 
 #include "soccer/tracks.hpp"

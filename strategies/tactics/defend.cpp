@@ -8,7 +8,7 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr int kSteps = 5;  // to the area's edge; each at least halves the distance
+constexpr int kSteps = 5;  // each at least halves the distance to the area's edge
 
 // The point on the ray from the goal's centre that is this far outside the team's own area. Sphere
 // tracing: each step moves along the ray by the distance still missing.

@@ -13,8 +13,8 @@ bool opponent_has_ball(const PredictedState& predicted);
 // facing the ball, and to press against it.
 RobotCommand block_ball(const PredictedState& predicted, int index);
 
-// A face-off: robots of both sides hold the ball. Pulls it to a random side, and chooses a side
-// again after a while.
+// Commands for a face-off, in which robots of both teams hold the ball: pull it to a random side,
+// and choose a side again after a while.
 class FaceOff {
  public:
   explicit FaceOff(const PredictedState& predicted)

@@ -35,7 +35,7 @@ void BallHandler::update() {
   if (now.play != Play::kRunning && !is_restart(now.play)) receiver_.reset();
 }
 
-// A clear shot is taken; otherwise the best option, with less turning under pressure.
+// Takes a clear shot; otherwise the best option, with less turning under pressure.
 Choice BallHandler::choose(int index, const Vec2& from_m) const {
   const TrackedRobot& robot = predicted_.robot(index);
   const double pressure = pressure_at(predicted_, from_m);

@@ -15,7 +15,7 @@ class BallHandler {
  public:
   explicit BallHandler(const PredictedState& predicted);
 
-  // Updates the memory. Call it for every view, before play().
+  // Updates the state. Call it for every view, before play().
   void update();
 
   // Commands for the robot with that index to go for the ball and use it.
@@ -39,7 +39,8 @@ class BallHandler {
   Vec2 taken_from_m_{0, 0};  // where it gained the ball
   std::optional<int> receiver_;
   double receiver_until_s_ = 0;
-  std::array<double, kMaxRobots> chances_{};  // of each mate's shot from its position, by number
+  std::array<double, kMaxRobots>
+      chances_{};  // scoring chance of each mate's shot from its position, by number
 };
 
 }  // namespace autoref::strategies

@@ -42,7 +42,7 @@ std::optional<Vec2> shot_at(const PredictedState& predicted) {
   const double y = path.now_m().y() + share * path.direction().y();
   if (std::abs(y) > predicted.field().half_goal_m() + predicted.style().keeper_beside_post_m)
     return std::nullopt;
-  if (path.end_m().x() > goal_x + 0.3) return std::nullopt;  // it stops before
+  if (path.end_m().x() > goal_x + 0.3) return std::nullopt;  // the ball stops before the line
   return Vec2(goal_x, y);
 }
 
@@ -53,7 +53,7 @@ Waypoint keeper_position(const PredictedState& predicted, const TrackedRobot& ke
   const double least_x =
       -field.half_length_m() + kRobotRadius_m + predicted.style().keeper_off_line_m;
   if (const auto crossing_m = shot_at(predicted)) {
-    // The nearest point of the ball's path, but in front of the line and not behind the ball.
+    // The nearest point of the ball's path that is in front of the line and not behind the ball.
     Vec2 position_m = nearest_on_segment(keeper.position_m, *crossing_m, predicted.path().now_m());
     if (position_m.x() < least_x) {
       const Vec2 direction = predicted.path().direction();

@@ -5,7 +5,7 @@
 
 namespace autoref::strategies {
 
-// Where the keeper stands: in the path of a ball that will be in the goal; otherwise on the
+// The keeper's position: in the path of a ball that is going into the goal; otherwise on the
 // bisector of the goal's angle seen from the ball, the style's keeper_out_m ahead of the goal line,
 // shifted towards the aim of an opponent with the ball if that is at the goal.
 Waypoint keeper_position(const PredictedState& predicted, const TrackedRobot& keeper);

@@ -30,7 +30,7 @@ Choice pass_for(const PredictedState& predicted, int mate, Choice::Kind kind) {
   return pass;
 }
 
-// Value of a pass with that safety, as an expected value over the pass arriving or being lost.
+// Expected value of a pass with that safety, over the pass arriving or being lost.
 // `share` is the fraction of the chance that remains after it.
 double worth_of_pass(const PredictedState& predicted, const Choice& pass, double chance,
                      const Vec2& from_m, double safety, double share) {

@@ -8,8 +8,8 @@
 
 namespace autoref::strategies {
 
-// An option. Values compare options at one moment: roughly the chance, 0 to 1, of a goal, minus the
-// expected loss if the option fails.
+// An option. Its value, for comparison with other options in the same frame, is roughly the chance
+// of a goal, 0 to 1, minus the expected loss if the option fails.
 struct Choice {
   enum class Kind : std::uint8_t { kShot, kPass, kChip, kCarry, kClear };
   Kind kind = Kind::kClear;
@@ -30,7 +30,7 @@ Choice chip_to(const PredictedState& predicted, int mate, double chance, const V
 // Carrying the ball.
 Choice carry_from(const PredictedState& predicted, const Vec2& from_m);
 
-// A kick to where there is most room without turning far from `heading`; never backwards.
+// A kick into the most open space without turning far from `heading`; never backwards.
 Choice clear_from(const PredictedState& predicted, const Vec2& from_m, const Vec2& heading);
 
 // Pressure on a ball at that position, 0 to 1: how near an opponent is.

@@ -75,7 +75,7 @@ double PassField::value_for(
                                                    : predicted_.style().far_cost_per_m;
   double value =
       values_[static_cast<std::size_t>(cell)] - far_per_m * (cell_m - robot.position_m).norm();
-  // Soft constraints: the penalty grows linearly the nearer another receiver or the ball is.
+  // Soft constraints: the penalty grows linearly as another receiver or the ball gets nearer.
   for (const Vec2& other_m : taken_m) {
     const double near = 1 - (cell_m - other_m).norm() / predicted_.style().receivers_apart_m;
     if (near > 0) value -= near;
@@ -91,7 +91,7 @@ double PassField::value_for(
 void PassField::send(const boost::container::static_vector<int, kMaxRobots>& receivers) {
   const bool was_sent = settle_frame_ >= 0;
   if (is_restart(predicted_.now().play) && was_sent)
-    return;  // nobody runs before the ball is in play
+    return;  // receivers do not run before the ball is in play
   const auto held_frames = std::llround(predicted_.style().receiver_hold_frames);
   if (predicted_.now().frame - settle_frame_ < held_frames) return;
   settle_frame_ = predicted_.now().frame;

@@ -29,7 +29,7 @@ class PassField {
   void update();
 
   // Chooses a position for each receiver (given by index), one after the other: the best cell that
-  // is near the robot and far from the other positions. Kept for a while.
+  // is near the robot and far from the other positions. Positions are kept for a while.
   void send(const boost::container::static_vector<int, kMaxRobots>& receivers);
 
   // The position last assigned to the robot with that number.

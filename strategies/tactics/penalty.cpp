@@ -37,7 +37,7 @@ Waypoint penalty_keeper(const Field& field, const Vec2& mark_m) {
 Waypoint penalty_spectator(const Field& field, const Vec2& mark_m, double clearance_m, bool ours,
                            int order) {
   const double behind_m = clearance_m + kRobotRadius_m + kPenaltyMargin_m + (ours ? 0.0 : kRows_m);
-  // Alternating to both sides of the middle.
+  // Alternates between the two sides of the middle.
   const double aside = order % 2 == 0 ? 1.0 : -1.0;
   const int positions_aside = (order + 1) / 2;
   const double y = aside * kGap_m * (positions_aside + 0.5);

@@ -113,7 +113,7 @@ DrivingStyle PredictedState::driving(int index) const {
   return style;
 }
 
-// With a margin outside the areas' lines: the robot must stay out with its whole hull.
+// Adds a margin outside the areas' lines, because the whole hull must stay out.
 bool PredictedState::may_touch_at(const Vec2& ball_m) const {
   if (rules().has(RuleId::kAttackerTouchedBallInDefenseArea) &&
       distance_to_defence_area(field(), Side::kEast, ball_m) < style_.from_their_area_m)

@@ -52,7 +52,7 @@ class PredictedState {
 
   // The current limits on a field player's position.
   Limits limits() const;
-  // Least gap from hull to ball that the team must currently keep; 0 if there is none.
+  // Minimum gap from hull to ball that the team must currently keep; 0 if there is none.
   double room_at_ball_m() const;
 
   // Whether the rules in force allow a field player to touch a ball there.
@@ -60,7 +60,7 @@ class PredictedState {
 
   // `wanted_mps`, limited by the rules in force.
   double allowed_kick_mps(double wanted_mps) const;
-  // Fastest chip of the team's robots.
+  // Speed of the team's fastest chip.
   double chip_limit_mps() const { return context_.robots[0].chip_mps; }
 
  private:

@@ -148,7 +148,7 @@ struct Style {
   double cover_m = 0.8;
   double contested_s = 0.5;
 
-  // Formations of single teams: possession's net, counter's row, zone's and shadow's positions.
+  // Formations of individual teams: possession's net, counter's row, zone's and shadow's positions.
   double net_widest_rad = 75_deg;
   double net_aside_rad = 20_deg;
   double net_nearest = 0.75;

@@ -1,5 +1,4 @@
-// The parts of a style's list of numbers, each with unit, range and description; tunables() in
-// style.hpp joins them.
+// The sections of a style's list of tunables, which tunables() in style.hpp joins.
 #pragma once
 
 #include <span>
@@ -14,6 +13,6 @@ std::span<const Tunable> ball_tunables();       // the robot at the ball
 std::span<const Tunable> running_tunables();    // positions of receivers
 std::span<const Tunable> defence_tunables();    // wall, markers and keeper
 std::span<const Tunable> play_tunables();       // assignment of roles
-std::span<const Tunable> formation_tunables();  // formations of single teams
+std::span<const Tunable> formation_tunables();  // formations of individual teams
 
 }  // namespace autoref::strategies

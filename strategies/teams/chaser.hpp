@@ -1,4 +1,4 @@
-// The simple baseline, in one file: no passes, no marking, hardly any memory.
+// The simple baseline, in one file: no passes, no marking, hardly any state.
 #pragma once
 
 #include "strategies/skills/limits.hpp"

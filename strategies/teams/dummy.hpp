@@ -1,4 +1,4 @@
-// A team that does nothing: the lower end of every comparison.
+// A team that does nothing: the lower bound of every comparison.
 #pragma once
 
 #include "strategies/strategy.hpp"

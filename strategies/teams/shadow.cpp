@@ -26,7 +26,7 @@ int their_keeper(const PredictedState& predicted) {
   return keeper;
 }
 
-// A spot beside each opponent except the keeper, those nearest to the team's own goal first.
+// A spot beside each opponent except the keeper, starting with those nearest to the own goal.
 FormationSpots men(const PredictedState& predicted) {
   const TrackedRobots& all = predicted.now().opponents;
   const int keeper = their_keeper(predicted);

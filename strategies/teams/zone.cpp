@@ -8,8 +8,8 @@
 namespace autoref::strategies {
 namespace {
 
-// As fractions of half the field's length and width, with the ball in the centre: 2-2-1 first, then
-// the positions between and beside them.
+// Positions as fractions of half the field's length and width, with the ball in the centre: first
+// a 2-2-1 formation, then positions between and beside those.
 constexpr std::array<std::array<double, 2>, 10> kZones = {{{-0.50, 0.22},
                                                            {-0.50, -0.22},
                                                            {-0.12, 0.45},

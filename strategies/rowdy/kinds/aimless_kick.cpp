@@ -6,9 +6,9 @@ namespace autoref::strategies::rowdy {
 namespace {
 
 constexpr double kNear_m = 500_mm;
-constexpr double kBehindHalfway_m = 200_mm;  // of the ball
+constexpr double kBehindHalfway_m = 200_mm;  // of the ball's position
 constexpr double kAimShare = 0.7;            // fraction of half the field's width
-constexpr double kKick_mps = 6.4;            // below every book's limit
+constexpr double kKick_mps = 6.4;            // below every rule book's limit
 constexpr double kKicked_mps = 3.0;
 
 std::optional<ActiveFoul> find_chance(const Scene& scene) {
@@ -18,7 +18,7 @@ std::optional<ActiveFoul> find_chance(const Scene& scene) {
   return foul_by(nearest_mate(scene, ball_m, kNear_m), ball_m);
 }
 
-// Aims beside the goal, on the side with more room.
+// Aims beside the goal, on the side with more space.
 bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
   const Vec2& ball_m = scene.now.ball.position_m;
   const Vec2 left_m(scene.field.half_length_m(), kAimShare * scene.field.half_width_m());

@@ -14,7 +14,7 @@ std::optional<ActiveFoul> find_chance(const Scene& scene) {
                  scene.now.ball.position_m);
 }
 
-// Waits in the area in the ball's path to the goal, and plays the ball once it is there.
+// Waits in the area, in the ball's path to the goal, and plays the ball once it arrives.
 bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
   const TrackedRobot& robot = *find(scene.now.own, foul.robot);
   const Vec2& ball_m = scene.now.ball.position_m;

@@ -20,7 +20,7 @@ std::optional<ActiveFoul> find_chance(const Scene& scene) {
   return foul_by(nearest_mate(scene, ball_m, kNear_m), ball_m);
 }
 
-// A 45-degree chip with speed v flies v^2 / g.
+// A 45-degree chip with speed v has a range of v^2 / g.
 bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
   const Vec2 goal_m = scene.field.goal_centre_m(Side::kEast);
   const double range_m = (goal_m - scene.now.ball.position_m).norm() - kLandsBefore_m;

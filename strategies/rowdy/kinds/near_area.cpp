@@ -5,7 +5,7 @@ namespace {
 
 constexpr double kReach_m = 3.0;  // from the goal's centre
 constexpr double kFromArea_m = 80_mm + kRobotRadius_m;
-constexpr double kFromBall_m = 700_mm;  // closer, it would push a ball being placed
+constexpr double kFromBall_m = 700_mm;  // any closer, it would push a ball being placed
 constexpr int kSteps = 6;
 
 bool is_waiting(const Scene& scene) {

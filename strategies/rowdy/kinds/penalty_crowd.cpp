@@ -13,7 +13,7 @@ Vec2 mark_m(const Scene& scene) {
   return scene.now.placement_m.value_or(scene.now.ball.position_m);
 }
 
-// A robot other than the kicker.
+// Uses a robot other than the kicker.
 std::optional<ActiveFoul> find_chance(const Scene& scene) {
   if (!is_penalty(scene)) return std::nullopt;
   const TrackedRobot* kicker =

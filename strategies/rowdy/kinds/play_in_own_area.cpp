@@ -7,7 +7,7 @@ constexpr double kDeep_m =
     150_mm;  // a robot behind a ball this deep in the area is entirely inside
 constexpr double kReach_m = 2.0;
 constexpr double kSlow_mps = 1.2;
-constexpr double kOffGoal_m = 250_mm;  // from the goal line to the ball: room for a robot
+constexpr double kOffGoal_m = 250_mm;  // from the goal line to the ball: space for a robot
 constexpr double kKick_mps = 2.0;
 constexpr double kKicked_mps = 1.5;
 

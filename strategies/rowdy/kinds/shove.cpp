@@ -3,13 +3,13 @@
 namespace autoref::strategies::rowdy {
 namespace {
 
-constexpr double kNearest_m = 450_mm;  // between the centres: room to accelerate
+constexpr double kNearest_m = 450_mm;  // between the centres: space to accelerate
 constexpr double kReach_m = 800_mm;
-constexpr double kStill_mps = 0.3;  // speed of the opponent
+constexpr double kStill_mps = 0.3;  // maximum speed of the opponent
 // Pushed robots brake harder than others accelerate, so the push needs initial speed, but less than
-// a crash.
+// a crash needs.
 constexpr double kSpeed_mps = 1.45;
-constexpr double kFar_m = 350_mm;  // distance after which it ends
+constexpr double kFar_m = 350_mm;  // distance after which the push ends
 
 std::optional<ActiveFoul> find_chance(const Scene& scene) {
   if (!is_running(scene)) return std::nullopt;
