@@ -10,7 +10,7 @@ namespace {
 std::size_t allocations = 0;
 }  // namespace
 
-// Counts every allocation of this test program. Not inlined, because compilers would report new and
+// Counts every allocation in this test program. Not inlined, because compilers would report new and
 // delete as mismatched.
 [[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocations;

@@ -38,8 +38,8 @@ StagedWorld without(int missing, Play play, bool ours, const Vec2& ball_m) {
   return world;
 }
 
-// The greatest depth in the team's own area of the centre of any robot other than the declared
-// keeper. A robot that starts there has a second to leave.
+// How deep the centre of any robot other than the declared keeper gets into the team's own area. A
+// robot that starts there has a second to leave.
 double deepest_m(Strategy& team, StagedWorld& world, double seconds) {
   const Field field;
   double deepest_m = 0;

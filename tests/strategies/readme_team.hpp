@@ -14,7 +14,7 @@
 namespace autoref::strategies::readme {
 
 // [mine]
-inline constexpr Parameter kShot = {"shot_mps", "m/s", 6, 1, 8, "Speed of its shots."};
+inline constexpr Parameter kShot = {"shot_mps", "m/s", 6, 1, 8, "Speed of shots."};
 
 class Mine final : public Strategy {
  public:
@@ -76,7 +76,7 @@ class Mine final : public Strategy {
 // [mine]
 
 // [bus]
-// One robot for the ball, three in a wall before the team's own area; the others run for passes.
+// One robot plays the ball, three form a wall, and the others run for passes.
 inline void park(PlayContext& book, RoleAssignment& assignment) {
   give_goal_and_ball(book, assignment);
   defend(book, assignment, 3, 0);

@@ -1,4 +1,4 @@
-// Tests the statements of strategies/README.md.
+// Tests that strategies/README.md matches the code.
 #include <gtest/gtest.h>
 
 #include <filesystem>

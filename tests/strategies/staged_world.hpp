@@ -16,8 +16,8 @@ namespace autoref::strategies {
 inline constexpr double kStagedFrame_s = 1.0 / 60;
 inline constexpr double kHeldBall_m = kFrontDistance_m + kBallRadius_m;  // from robot to ball
 
-// A ball kicked over the carpet of sim/README.md: it slides with 3.4 m/s^2 of deceleration until
-// 0.67 of its speed is left, then it rolls with 0.30 m/s^2.
+// A ball kicked over the carpet of sim/README.md: it slides with a deceleration of 3.4 m/s^2 until
+// 0.67 of its speed is left, then rolls with 0.30 m/s^2.
 struct CarpetBall {
   static constexpr double kSlide_mps2 = 3.4;
   static constexpr double kRoll_mps2 = 0.30;

@@ -82,7 +82,7 @@ TEST(Basic, KeepsItsHullClearOfTheOpponentsAreaBeforeARestart) {
   Basic team{TeamContext{}};
   const Field field;
   StagedWorld world(Play::kDirectFree, false);
-  world.six_against_six().view.ball.position_m = {2.525, 1.925};  // their goal kick
+  world.six_against_six().view.ball.position_m = {2.525, 1.925};  // the opponents' goal kick
   world.view.own[3].position_m = {2.2, 0.3};
   world.run(team, 4);
   for (const TrackedRobot& robot : world.view.own) {
@@ -131,7 +131,7 @@ TEST(Basic, TakesItsRestartEvenWithASingleRobot) {
   EXPECT_LT(nearest_m, 0.1);
 }
 
-// Under that book: the largest speed commanded in a stop of 5 s.
+// The maximum speed commanded in a stop of 5 s under that rule book.
 double fastest_in_stop_mps(const char* rules) {
   TeamContext context;
   context.rules = find_rule_book(rules).value();
@@ -154,7 +154,7 @@ TEST(Basic, KeepsTheSpeedLimitInAStopIfThereIsOne) {
   EXPECT_GT(fastest_in_stop_mps("paper"), 1.5);
 }
 
-// The ball is 700 mm in front of the team's own area: a hull and 500 mm do not fit between.
+// The ball is 700 mm in front of the team's own area: a hull and 500 mm do not fit between them.
 TEST(Basic, KeepsItsDistanceAtAFreeKickInFrontOfItsArea) {
   TeamContext context;
   context.rules = find_rule_book("2014").value();
@@ -181,7 +181,7 @@ TEST(Basic, LeavesAStoppedBallWithinTwoSeconds) {
   }
 }
 
-// How close its robots come to a ball at rest in the opponents' area.
+// The smallest distance of the team's robots from a ball at rest in the opponents' area.
 double nearest_to_ball_in_their_area_m(const char* rules) {
   TeamContext context;
   context.rules = find_rule_book(rules).value();

@@ -87,7 +87,8 @@ TEST(FillSpots, GivesTheSpotOfARobotWithAnotherRoleToAFreeRobot) {
   assignment.give(0, Role::kBall);
   fill_spots(stage.book, assignment, kNorthAndSouth);
   EXPECT_EQ(who_goes_to(stage, assignment, kNorth_m), 2);
-  EXPECT_EQ(who_goes_to(stage, stage.man(), kNorth_m), 2);  // also when the other is free again
+  EXPECT_EQ(who_goes_to(stage, stage.man(), kNorth_m),
+            2);  // even after the other robot is free again
 }
 
 TEST(FillOwnSpots, KeepsTheSpotOfTheRobotAtTheBallAndLeavesItEmpty) {

@@ -60,7 +60,7 @@ TEST(Squad, LeavesAStoppedBallWithinTwoSeconds) {
 TEST(Squad, KeepsItsHullClearOfTheOpponentsAreaBeforeARestart) {
   Squad team(TeamContext{}, TeamPlaybook{});
   StagedWorld world(Play::kDirectFree, false);
-  world.six_against_six().ball({2.525, 1.925});  // their goal kick
+  world.six_against_six().ball({2.525, 1.925});  // the opponents' goal kick
   world.view.own[3].position_m = {2.2, 0.3};
   world.run(team, 4);
   for (const TrackedRobot& robot : world.view.own) {
@@ -70,7 +70,7 @@ TEST(Squad, KeepsItsHullClearOfTheOpponentsAreaBeforeARestart) {
   }
 }
 
-// The largest speed of a robot in a stop of 4 s under that book.
+// The maximum speed of a robot in a stop of 4 s under that rule book.
 double fastest_in_stop_mps(const char* rules) {
   Squad team(team_context_of(rules), TeamPlaybook{});
   StagedWorld world(Play::kStop);
@@ -90,7 +90,7 @@ TEST(Squad, KeepsTheSpeedLimitInAStopIfThereIsOne) {
   EXPECT_GT(fastest_in_stop_mps("paper"), 1.5);
 }
 
-// A stop, then the restart, which only the field player nearest to the ball takes.
+// Plays a stop, then the restart, which only the field player nearest to the ball takes.
 TEST(Squad, TakesItsRestartWithTheNearestRobotOnly) {
   const Vec2 ball_m(1, 1.9);
   Squad team(TeamContext{}, TeamPlaybook{});

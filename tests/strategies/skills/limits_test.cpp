@@ -23,7 +23,7 @@ std::vector<Vec2> positions_on(const Field& field, double beyond_m = 0) {
   return positions_m;
 }
 
-// The distances that both areas require.
+// The required distances from both areas.
 constexpr double kOffTheirs_m = 0.29;
 Limits off_both_areas() {
   Limits limits;
@@ -79,8 +79,8 @@ TEST_P(PermittedOnFieldOf, KeepsRobotsOutOfBothAreasWhereverTheyWantToBe) {
   }
 }
 
-// The areas are convex: if no position on a circle around the wanted one is outside, none within it
-// is.
+// The areas are convex: if no position on a circle around the wanted one is outside, then none
+// within the circle is.
 TEST_P(PermittedOnFieldOf, MovesAPositionOutOfAnAreaNoFartherThanNecessary) {
   const Field field = team_context_of(GetParam()).field;
   Limits limits = off_both_areas();
@@ -136,7 +136,7 @@ TEST(Permitted, SendsARobotAtTheBallTowardsItsOwnGoal) {
   EXPECT_LT(permitted(Field{}, {0, 0}, {0, 0}, limits).x(), -0.5);
 }
 
-// Balls with no room for a robot on some side: in front of, beside and behind areas, at lines and
+// Balls without space for a robot on some side: in front of, beside and behind areas, at lines and
 // corners.
 std::vector<Vec2> narrow_balls_of(const Field& field) {
   const Vec2 goal_m = field.goal_centre_m(Side::kWest);
@@ -177,7 +177,7 @@ TEST_P(PermittedOnFieldOf, ByAllEqualsPermittedIfThatRespectsTheBallsCircle) {
   }
 }
 
-// 0.3 m in front of the area there is no room behind the ball: the position is beside it, not in
+// 0.3 m in front of the area there is no space behind the ball: the position is beside it, not in
 // front of it.
 TEST(PermittedByAll, GoesAroundTheBallNoFartherThanNecessary) {
   const Field field;

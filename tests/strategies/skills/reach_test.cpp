@@ -22,14 +22,14 @@ BallPath path_of(const TrackedBall& ball) {
 double trapezoid_s(double distance_m, double braking_share) {
   const Abilities a;
   const double brake_mps2 = braking_share * a.braking_mps2;
-  const double per_peak = 1 / a.acceleration_mps2 + 1 / brake_mps2;  // ramps: peak^2 / 2 of this
+  const double per_peak =
+      1 / a.acceleration_mps2 + 1 / brake_mps2;  // the ramps cover peak^2 / 2 times this
   if (a.speed_mps * a.speed_mps / 2 * per_peak > distance_m)
     return std::sqrt(2 * distance_m * per_peak);
   return distance_m / a.speed_mps + a.speed_mps / 2 * per_peak;
 }
 
-// The fraction of braking that a team plans with is its choice: more than half, and at most all of
-// it.
+// A team may choose the fraction of braking that it plans with: more than half, at most all.
 TEST(TimeTo, IsTheTimeOfATrapezoidalProfileFromRest) {
   for (const double distance_m : {0.1, 0.5, 1.0, 3.0, 8.0}) {
     const double time_s = time_to_s(robot_at({1, 1}), Vec2(1, 1 - distance_m), Abilities{});

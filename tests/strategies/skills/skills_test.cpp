@@ -36,7 +36,7 @@ TEST(SteerAround, PassesAnObstacleOnTheFreeSideWithItsClearance) {
 
 TEST(BallAfter, SlowsDownAndStops) {
   const TrackedBall ball{{0, 0}, {1, 0}, 0};
-  EXPECT_NEAR(ball_after(ball, 1).x(), 0.75, 1e-12);  // v t - a t^2 / 2 with a = 0.5
+  EXPECT_NEAR(ball_after(ball, 1).x(), 0.75, 1e-12);  // v t - a t^2 / 2 with a = 0.5 m/s^2
   EXPECT_NEAR(ball_after(ball, 10).x(), 1.0, 1e-12);  // v^2 / (2 a)
 }
 

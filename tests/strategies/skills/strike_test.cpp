@@ -179,7 +179,7 @@ Vec2 heading_at_ball(const Vec2& keep_off) {
 
 TEST(StrikeBall, DoesNotFaceOutOfTheFieldAtABallNearTheLine) {
   EXPECT_LT(heading_at_ball({0, 1}).y(), 0.3);
-  EXPECT_GT(heading_at_ball({0, 0}).y(), 0.7);  // otherwise straight on
+  EXPECT_GT(heading_at_ball({0, 0}).y(), 0.7);  // farther inside, it approaches straight
 }
 
 TEST(CarryBall, KeepsTheDribblerOnAndDoesNotKick) {

@@ -82,7 +82,7 @@ TEST(KeeperPosition, IsInThePathOfAShot) {
   }
 }
 
-// Otherwise every pass would draw it away.
+// Otherwise every pass would draw the keeper away.
 TEST(KeeperPosition, DoesNotFollowAShotThatGoesWide) {
   const Vec2 still_m = position_for({-1, 0.5});
   const Vec2 wide_m =

@@ -7,8 +7,8 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kGoal_m = 3.025;    // x of their goal line
-constexpr double kSomeChance = 0.3;  // of a team-mate's shot
+constexpr double kGoal_m = 3.025;    // x of the opponents' goal line
+constexpr double kSomeChance = 0.3;  // scoring chance of a team-mate's shot
 constexpr double kWorthNothing = -1;
 
 TEST(ShotFrom, AimsAtTheLargerOpeningBesideTheKeeper) {
@@ -65,7 +65,7 @@ TEST(PassTo, ArrivesWithTheStylesSpeed) {
 }
 
 TEST(PassTo, IsRejectedForAMateThatMustNotTouchTheBallThere) {
-  for (const double x_m : {-4.0, 4.0}) {  // in the areas of that book
+  for (const double x_m : {-4.0, 4.0}) {  // in the areas of that rule book
     PassOver stage({x_m, 0.5}, team_context_of("2026-b"));
     EXPECT_EQ(stage.pass_worth(), kWorthNothing) << x_m;
     EXPECT_EQ(stage.chip_worth(), kWorthNothing) << x_m;

@@ -52,7 +52,7 @@ TEST(PenaltySpectators, KeepTheirHullsBehindTheMarkByTheClearance) {
   }
 }
 
-// Both teams' rows at once: the defenders see the mark turned by 180 degrees.
+// Checks both teams' rows at once: the defenders see the mark turned by 180 degrees.
 TEST(PenaltySpectators, DoNotOverlap) {
   const Field field;
   std::vector<Vec2> positions_m;

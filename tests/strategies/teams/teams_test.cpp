@@ -97,7 +97,7 @@ TEST(Shadow, FollowsItsOwnOpponentsWhenTheyCrossEachOther) {
   TrackedRobots& opponents = world.view.opponents;
   const int second = nearest_to(world, opponents[2].position_m);
   const int third = nearest_to(world, opponents[3].position_m);
-  for (int f = 0; f < 180; ++f) {  // they swap positions, 100 mm apart, and return
+  for (int f = 0; f < 180; ++f) {  // opponents swap positions, 100 mm apart, and return
     opponents[2].position_m += Vec2(0.9, -2.1) / 180;
     opponents[3].position_m += Vec2(-0.9, 2.1) / 180;
     world.step(*team);
@@ -152,7 +152,7 @@ TEST(Zone, KeepsItsShapeAndShiftsWithTheBall) {
   const TeamView before = world.view;
   const Vec2 moved_m(0.8, 0.6);
   world.view.ball.position_m += moved_m;
-  world.view.own[1].position_m += moved_m;  // stays at the ball, as does their robot
+  world.view.own[1].position_m += moved_m;  // stays at the ball, as does the opponents' robot
   world.view.opponents[1].position_m += moved_m;
   world.run(*team, 4);
   for (std::size_t i = 2; i < 6; ++i) {
@@ -222,7 +222,8 @@ TEST(Counter, HasTwoAheadOfTheBallAndTheOthersBehindInPossession) {
   StagedWorld world = ours_at({-1, 0.5});
   world.run(*team, 4);
   EXPECT_EQ(ahead_of(world, 0.5), 2);
-  EXPECT_EQ(ahead_of(world, -0.7), 2);  // a quarter of the half: nobody between
+  EXPECT_EQ(ahead_of(world, -0.7),
+            2);  // a quarter of half the field's length; nobody is in between
 }
 
 // The row moves up to at most a quarter of its half: all robots except the one at the ball and the
