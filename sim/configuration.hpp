@@ -60,7 +60,7 @@ struct RobotParameters {
   double angular_acceleration_radps2 = 40.0;
   double front_wheels_deg = 35.0;  // wheels at plus and minus this angle from the front
   double back_wheels_deg = 135.0;
-  double wheel_distance_m = 80_mm;  // from the centre to each wheel, inside the hull of 90 mm
+  double wheel_distance_m = 80_mm;  // from the centre to each wheel, inside the 90 mm hull
   double speed_noise = 0.01;        // relative standard deviation of each commanded speed
 };
 

@@ -20,7 +20,7 @@ ContactPrediction::ContactPrediction(const Field& field, const PerSide<TeamSpec>
     for (const RobotSpec& robot : spec.robots) {
       const double most_mps2 = robot.acceleration_factor *
                                std::max(robot.body.acceleration_mps2, robot.body.braking_mps2);
-      // Twice the a t^2 / 2 by which acceleration can move a body off its predicted path.
+      // Acceleration can move a body a t^2 / 2 off its predicted path; this allows twice as much.
       margin_m_ = std::max(margin_m_, kSpare_m + most_mps2 * duration_s * duration_s);
       dribbler_zone_m_ = std::max({dribbler_zone_m_, robot.kicker.reach_m, robot.dribbler.reach_m});
     }

@@ -40,7 +40,7 @@ class RobotTracker {
 };
 
 // Turns a sequence of frames into tracks. Each consumer has its own tracker and feeds it frames in
-// order; a repeated frame changes nothing. Velocities come from a Kalman filter. An unseen robot
+// order; repeating a frame has no effect. Velocities come from a Kalman filter. An unseen robot
 // keeps its velocity for 0.5 s and is then dropped; for the ball see ball_tracker.hpp.
 class Tracker {
  public:

@@ -20,7 +20,7 @@ std::string card_reason(const PerSide<CardBook>& before, const Finding& finding,
                         const RuleBook& rules);
 
 // Counts the finding's foul against the offender, or against both sides if there is none. If cards
-// are in force, shows the card that the foul brings.
+// are in force, shows the card that is due.
 void book(RefereeState& state, const RefereeInput& input, const Finding& finding);
 
 // Ends the oldest yellow card of the finding's offender, or of both sides without one.

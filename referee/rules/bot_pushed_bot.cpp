@@ -72,7 +72,7 @@ std::optional<Push> push_by(Side side, const PushContact& contact, const Tracked
               (pusher.position_m + pushed.position_m) / 2};
 }
 
-// The longest push; nullopt if each side has one that is equally long.
+// Finds the longest push. The result is nullopt if the longest pushes of both sides are equal.
 class LongestPush {
  public:
   void take_in(const std::optional<Push>& push) {

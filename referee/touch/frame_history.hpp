@@ -47,8 +47,8 @@ class FrameHistory {
  public:
   static constexpr int kKept = 256;       // 4 s at 60 Hz, 2.5 s at 100 Hz
   static constexpr int kDetections = 16;  // detections that can be looked up by their order
-  // Frames and detections that touch history and rules look back at: 0.15 s at 60 Hz. Touches are
-  // reported within 0.1 s.
+  // How many frames and detections the touch history and the rules can look back: 0.15 s at 60 Hz.
+  // Touches are reported within 0.1 s.
   static constexpr int kRecent = 10;
 
   FrameHistory();

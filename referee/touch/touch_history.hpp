@@ -17,7 +17,7 @@ namespace autoref::referee {
 
 struct BallTouch {
   std::optional<Side> side;      // nullopt if unknown
-  std::optional<RobotId> robot;  // nullopt if unknown, or one of several of that side
+  std::optional<RobotId> robot;  // nullopt if unknown or ambiguous
   double began_s = 0;
   double ended_s = 0;     // the newest touch may still continue
   double reported_s = 0;  // time of the frame that first reported it

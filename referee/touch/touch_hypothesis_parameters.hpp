@@ -24,7 +24,7 @@ struct TouchHypothesisParameters {
   double unlikely_deviance = 30;       // cap for the path before a robot's touch
   double at_hull_deviance = 15;        // cap for a whole touch if the ball was at the hull
   double off_hull_deviance = 50;       // cap for all of a touch, if the ball was not at the hull
-  double nobody_deviance = 25;         // a velocity change with no robot near
+  double nobody_deviance = 25;         // a velocity change with no robot nearby
   double jump_deviance = 10;           // a jump of a ball that takes off or lands
   double landing_deviance = 4;         // a flying ball that loses speed
   double roll_deviance = 4;            // the ball begins to roll in this frame

@@ -12,7 +12,7 @@ namespace autoref::runner {
 // The scenario of the last run in a folder; nullopt if unknown.
 std::optional<Scenario> scenario_of_folder(const std::filesystem::path& folder);
 
-// Throws InputError, with advice on how to continue, if the folder's games have another seed.
+// Throws InputError, with advice on how to continue, if the folder's games have a different seed.
 void refuse_other_seed(const Scenario& here, const Scenario& there,
                        const std::filesystem::path& folder);
 

@@ -40,8 +40,7 @@ class CallEvaluator final : public Observer {
     observer_.see(world, signal);
     const bool is_in_air = world.state().ball.height_m > 0;
     for (; judged_ < calls_.size(); ++judged_) calls_[judged_].is_in_air = is_in_air;
-    // Decisions come before the world of their frame, so they wait here until the truth about it is
-    // known.
+    // Decisions arrive before the true state of their frame, so they were kept until now.
     for (const std::optional<Side>& said : exits_) evaluate_last_touch(said);
     exits_.clear();
   }

@@ -15,7 +15,8 @@ std::vector<std::string> books_in(const JudgeReport& report);
 // F1 of every event by rule book, one column per camera. The first two columns are names.
 TableRows scores_rows(const JudgeReport& report);
 
-// How often the last touch at exits was right. The first three columns are names.
+// How often the last touch was right when the ball left the field. The first three columns are
+// names.
 TableRows last_touch_rows(const JudgeReport& report);
 
 // All measures of a rule book's events. The first two columns are names.

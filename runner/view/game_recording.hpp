@@ -28,7 +28,7 @@ struct ClockMark {
 
 class GameRecording {
  public:
-  // Frames and signals beyond these limits are left out. No game is that long: kMostFrames are
+  // Frames and signals beyond these limits are left out. No game is that long: kMostFrames is
   // 4.6 hours at 60 frames per second.
   static constexpr std::size_t kMostFrames = 1'000'000;
   static constexpr std::size_t kMostSignals = 100'000;

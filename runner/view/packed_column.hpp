@@ -15,7 +15,7 @@ class PackedColumn {
   static constexpr std::int16_t kNothing = std::numeric_limits<std::int16_t>::min();
 
   void add(std::int16_t number);
-  // Starts with `count` times kNothing; nothing may have been added before.
+  // Starts the column with `count` copies of kNothing. It must be empty.
   void begin_with_nothing(std::size_t count) { bytes_.assign(count, '\0'); }
 
   const std::string& bytes() const { return bytes_; }

@@ -21,7 +21,7 @@ constexpr double kTurnWithBall_radps = 6.0;
 constexpr double kTurnBraking_radps2 = 16.0;
 constexpr double kPress_mps = 0.25;  // forward speed that keeps the ball at the plate
 
-constexpr double kStrikeLane_m = 30_mm;   // lateral offset up to which the ball is straight ahead
+constexpr double kStrikeLane_m = 30_mm;   // the ball counts as straight ahead within this
 constexpr double kNear_m = 0.35;          // within this, the robot moves with the ball
 constexpr double kStrikeRunUp_m = 50_mm;  // gap between plate and ball before the final run
 constexpr double kExact_m = 30_mm;        // allowed lateral offset at a restart

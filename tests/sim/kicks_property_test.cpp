@@ -124,7 +124,7 @@ class HardShot : public Scene {
 // Extremes of one kick, over all observed sub-steps or frames.
 struct Seen {
   double deepest_m = 0;  // penetration of the ball's surface into a body or wall
-  double least_path_m = std::numeric_limits<double>::infinity();  // distance of the ball's centre
+  double least_path_m = std::numeric_limits<double>::infinity();  // path of the ball's centre
   int hits = 0;
   double gained_mps = -kKick_mps;  // along the normal, by impacts, beyond the effect of forces
   double most_kept = 0;            // fraction of the normal speed kept, if above 1 m/s

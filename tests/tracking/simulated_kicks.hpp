@@ -1,5 +1,5 @@
-// Kicks simulated with the ball models of the league's simulators, and the detections of vision
-// without heights.
+// Kicks simulated with the ball models of the league's simulators, and the resulting
+// detections, without heights.
 #pragma once
 
 #include <algorithm>

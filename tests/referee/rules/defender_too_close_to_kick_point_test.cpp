@@ -10,7 +10,7 @@ namespace {
 
 constexpr RobotId kWest2{Side::kWest, 2};
 
-// Puts west 2 south of the ball, with its back `gap_m` from it.
+// Puts west 2 south of the ball, so that its back is `gap_m` away.
 void come_near(ScriptedGame& game, double gap_m) {
   const Vec2 from_ball_m(0, -gap_m - kRobotRadius_m);
   game.robot(Side::kWest, 2) = {2, game.frame.ball->position_m + from_ball_m, Vec2(0, -1)};

@@ -12,7 +12,7 @@ namespace {
 constexpr RobotId kKeeper{Side::kWest, 0};  // number 0, the default
 constexpr RobotId kOther{Side::kWest, 1};
 
-// A robot of west, which defends the left goal, has the ball at that distance from its goal line
+// A west robot, defending the left goal, has the ball at that distance from its goal line
 // and drives back and forth along it. In the end it drives away and leaves the ball.
 DrivenGame hold(const char* book, RobotId robot, double seconds, double from_line_m = 0.4) {
   const Configuration configuration = by_book(book);

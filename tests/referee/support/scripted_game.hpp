@@ -63,7 +63,7 @@ class ScriptedGame {
     for (int i = 0; i < frames; ++i) step();
   }
 
-  // Runs until a transition with that label is taken; throws if none is within `limit_s`.
+  // Runs until a transition with that label is taken; throws if none is taken within `limit_s`.
   Decision run_until(std::string_view transition, double limit_s = 40) {
     for (int i = 0; i < limit_s * kRate_hz; ++i) {
       const std::size_t former = decisions.size();

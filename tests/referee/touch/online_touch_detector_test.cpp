@@ -210,7 +210,7 @@ TEST(LastTouch, IsThatOfTheSecondOfTwoTouchesInSuccessiveFrames) {
   TouchScene scene({0, 0});
   scene.robot(Side::kWest, 1, {-kTouch_m - 0.004, 0}, {1, 0});
   scene.robot(Side::kEast, 2, {0.1 + kTouch_m, 0.0}, {-1, 0}).start();
-  scene.turn({6, 0}, 0.5);     // to 50 mm
+  scene.turn({6, 0}, 0.5);     // 50 mm away
   scene.turn({-2, 1.0}, 0.5);  // to the other's plate at 100 mm, and back
   scene.roll(4);
   EXPECT_EQ(scene.side(), Side::kEast);

@@ -19,7 +19,7 @@ struct CrowdedFreeKick : StagedGame {
   }
 };
 
-// Puts a robot of west 0.15 m from east's area, which is 0.8 m deep from the line at 3.025 m.
+// Puts a west robot 0.15 m from east's area, which is 0.8 m deep from the line at 3.025 m.
 void put_near_area(StagedGame& game, RobotId id, double y_m = 0) {
   game.world.put_robot(id, {3.025 - 0.8 - 0.15 - 0.09, y_m}, {-1, 0});
 }

@@ -10,7 +10,7 @@ namespace {
 constexpr const char* kTooFastInStop = "bot_too_fast_in_stop";
 constexpr const char* kInterference = "bot_interfered_placement";
 
-// Drives these robots of west at this speed for 0.2 s.
+// Drives these west robots at this speed for 0.2 s.
 void drive_west(StagedGame& game, const std::vector<RobotId>& ids, double speed_mps = 1.8) {
   for (int frame = 0; frame < 12; ++frame) {
     for (const RobotId id : ids) {
