@@ -36,9 +36,8 @@ struct StoredFrame {
   PerSide<SeenRobots> robots;
 };
 
-// Whether the robot is within a metre of the ball's last detection. A robot farther away cannot
-// have touched the ball since then: the ball moves 0.1 m per frame, or 1 m in ten frames without a
-// detection.
+// Whether the robot is within a metre of the ball's last detection. Touches by robots farther away
+// are neglected: at 60 Hz, a ball at 6 m/s takes ten frames without a detection to get there.
 bool is_near_ball(const StoredFrame& frame, const RobotObservation& robot);
 
 // A ring buffer; nothing is allocated. Frame 0 is the one in which play started, the frames of play

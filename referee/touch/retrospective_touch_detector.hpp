@@ -31,8 +31,8 @@ class RetrospectiveTouchDetector {
   RetrospectiveTouchDetector& operator=(const RetrospectiveTouchDetector&) = delete;
 
   // The last touch; its side is empty if either side may have made it. `reported` is the online
-  // detector's last touch: the answer if nobody touched the ball within the window
-  // (TouchHypothesisParameters::window_s).
+  // detector's last touch: the answer if nobody touched the ball within the window of
+  // TouchHypothesisParameters, or within the frames kept if there is no earlier touch.
   LastTouch detect(const LastTouch& reported) const;
 
  private:

@@ -35,8 +35,10 @@ class Game {
   // in which the referee ends the game is its last, and the world does not advance in it. Does
   // nothing once the game is over.
   //
-  // A strategy that throws or sends a non-finite number makes the game void, which ends it.
-  // Exceptions of an observer are passed on; do not step the game after such an exception.
+  // A strategy that throws or sends a non-finite number, a state of the world that is not finite,
+  // or a game that exceeds its time limit makes the game void, which ends it. The step that exceeds
+  // the limit plays no frame. Exceptions of an observer are passed on; do not step the game after
+  // such an exception.
   bool step();
 
   // Whether the referee has ended the game, or it is void. If a new game follows

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <utility>
 
 #include "runner/io/csv.hpp"
 #include "runner/io/words.hpp"
@@ -62,6 +62,14 @@ std::optional<Outcome> outcome_in(const std::string& cell) {
   return static_cast<Outcome>(*number);
 }
 
+// Reads a name that may be missing: an empty cell leaves `side` empty.
+bool read_side(const std::string& cell, std::optional<Side>& side) {
+  for (const Side one : kSides) {
+    if (cell == name_of(one)) side = one;
+  }
+  return side.has_value() || cell.empty();
+}
+
 bool add_verdict(const Cells& cells, CallEvaluation& evaluation) {
   const auto has = [&cells](char flag) { return cells[3].find(flag) != std::string::npos; };
   const std::optional<Outcome> outcome = outcome_in(cells[2]);
@@ -76,11 +84,10 @@ bool add_verdict(const Cells& cells, CallEvaluation& evaluation) {
   verdict.is_in_air = has('h');
   verdict.is_second = has('2');
   verdict.time_s = *time_s;
-  for (const Side side : kSides) {
-    if (cells[5] == name_of(side)) verdict.offender = side;
-  }
   verdict.delay_s = *delay_s;
   verdict.error_m = number_in(cells[7]);
+  if (!read_side(cells[5], verdict.offender)) return false;
+  if (!verdict.error_m && !cells[7].empty()) return false;
   evaluation.verdicts.push_back(std::move(verdict));
   return true;
 }
@@ -89,7 +96,7 @@ bool add_last_touch(const Cells& cells, CallEvaluation& evaluation) {
   const std::optional<int> right = whole_number_in(cells[2]);
   const std::optional<int> wrong = whole_number_in(cells[3]);
   const std::optional<int> unknown = whole_number_in(cells[4]);
-  if (!right || !wrong || !unknown) return false;
+  if (!right || !wrong || !unknown || (cells[1] != "a" && cells[1] != "b")) return false;
   evaluation.last_touch[cells[1] == "a" ? 0 : 1] = {*right, *wrong, *unknown};
   return true;
 }

@@ -30,14 +30,15 @@ struct GameRow {
   std::string game_id;  // "b.handicap=0.8-p0007-2"
   int pair = 1;         // counted from 1
   int leg = 1;
-  std::vector<std::string> values;  // of the factors, as the scenario spells them
+  std::vector<std::string> values;  // of the factors, as spelt() writes them
   std::string team_a;
   std::string team_b;
   Side side_a = Side::kWest;  // where team a played the first half
   std::uint64_t seed = 0;
 
   // A record read from a file contains only what the columns store: events that are calls, the
-  // first half's goals, and times rounded to milliseconds.
+  // first half's goals, and times rounded to milliseconds; of a judged game the status, the reason,
+  // the transitions and the hash.
   GameRecord record;
   CallEvaluation evaluation;  // of a judged game
 
@@ -53,8 +54,8 @@ GameRow row_of(const ScheduledGame& game);
 // The record of a game that could not be completed.
 GameRecord void_record(const std::string& reason);
 
-// Labels of the referee's transitions (referee/machine/machine.hpp) that occurred in none of the
-// games, in the state machine's order.
+// Labels of the transitions in and outside the paper's figure (referee/machine/machine.hpp) that
+// occurred in none of the games, in the state machine's order.
 std::vector<std::string> transitions_never_used(const RowsById& rows);
 
 }  // namespace autoref::runner

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 
 #include "runner/settings/resolved.hpp"
 #include "tests/runner/batch/fake_games.hpp"

@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <stdexcept>
+#include <string>
 
 #include "runner/settings/fields.hpp"
+#include "runner/settings/setting_error.hpp"
+#include "runner/settings/setting_value.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -50,7 +54,20 @@ TEST(ResolvedGame, RefusesAnUnknownRuleBook) {
 TEST(ResolvedGame, RefusesAPlayerThatTheTeamDoesNotHave) {
   GameSettings settings;
   settings.a.players[6] = {};
-  EXPECT_THROW(resolved(settings), std::invalid_argument);
+  try {
+    resolved(settings);
+    FAIL() << "accepted";
+  } catch (const SettingError& error) {
+    EXPECT_EQ(error.path(), "teams.a.players.6");
+  }
+}
+
+TEST(SpeltValue, IsTheSameForEqualValues) {
+  EXPECT_EQ(spelt(SettingValue(1.0)), "1.0");
+  EXPECT_EQ(spelt(SettingValue(0.80)), "0.8");
+  EXPECT_EQ(spelt(SettingValue(1)), "1");
+  EXPECT_EQ(spelt(SettingValue(std::uint64_t{18446744073709551615U})), "18446744073709551615");
+  EXPECT_EQ(spelt(SettingValue(std::string("basic"))), "basic");
 }
 
 }  // namespace
