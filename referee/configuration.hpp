@@ -21,7 +21,7 @@ struct Configuration {
   PerSide<int> robots{{kMaxRobots, kMaxRobots}};  // per team, at the start
   double half_s = 600;                            // paper, section 4.2: ten minutes
   int halves = 2;                                 // 1 to 4; the third and fourth are extra time
-  double break_s = 0;                             // each break; the Laws have 300 s at half-time
+  double break_s = 0;  // length of each break; 300 s at half-time in the Laws
   Side first_kickoff = Side::kWest;
   bool knockout = false;  // a draw leads to extra time and a shoot-out; allows at most two halves
   AfterGame after_game = AfterGame::kHalt;

@@ -29,11 +29,11 @@ std::string_view name_of(Card card);
 enum class Effect : std::uint8_t {
   kNone,         // not a call
   kStopsPlay,    // a restart follows
-  kStopsByBook,  // stops play if the rule book says that fouls do; otherwise only counts
+  kStopsByBook,  // stops play if the rule book says that fouls do; otherwise it is only counted
   kCounts,       // play continues
 };
 
-// When a call may be made. While play is stopped, every call only counts.
+// When a call may be made. A call made while play is stopped is only counted.
 enum class When : std::uint8_t { kInPlay, kInStop, kAnyTime };
 
 // The properties that an event always has.
@@ -44,20 +44,20 @@ struct EventEntry {
   Effect effect = Effect::kNone;
   When when = When::kInPlay;             // for calls only
   bool is_foul = false;                  // counted among a team's fouls in the game's row
-  bool counts_to_card = false;           // 2026: every third one brings a yellow card
-  bool is_non_stopping = false;          // 2026: the team's goals do not count for 2 s
+  bool counts_to_card = false;           // 2026: every third such foul brings a yellow card
+  bool is_non_stopping = false;          // 2026: the team's goals in the next 2 s do not count
   bool is_exit = false;                  // the ball left the field; the last touch decides
   Card card = Card::kNone;               // always shown
   std::optional<CommandKind> restart{};  // always follows
 };
 
-// Ordered by number.
+// The entries of all events, ordered by event number.
 std::span<const EventEntry> event_table();
 const EventEntry& entry_of(Event event);
 
 std::string_view name_of(Event event);
 
-// Whether the event is a call. A game's row counts these events.
+// Whether the event is a call. A game's row in the results counts the calls.
 bool is_call(Event event);
 
 // Whether the call may be made while play is stopped.

@@ -18,7 +18,7 @@ using ConcernedRobots = boost::container::static_vector<RobotId, 4>;
 // Rules report findings; the machine decides what follows, depending on its state.
 struct Finding {
   Event event = Event::kBegin;
-  std::string_view rule;  // its source, such as "paper 4.2"
+  std::string_view rule;  // the rule's source, such as "paper 4.2"
   double value = 0;       // measured, in the threshold's unit
   double threshold = 0;
   std::string_view unit;  // unit of value and threshold; empty if nothing was measured

@@ -1,4 +1,4 @@
-// Helpers with which rules create their findings.
+// Functions that the rules use to create their findings.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ Finding finding_of(Event event, RuleId rule, const RuleBook& rules);
 Finding offence_of(Event event, RuleId rule, const Configuration& configuration, RobotId robot,
                    const Vec2& where_m);
 
-// The same if it is not known which of the `offender`'s robots it was.
+// The same for an unknown robot of the side `offender`.
 Finding offence_of(Event event, RuleId rule, const Configuration& configuration, Side offender,
                    const Vec2& where_m);
 
@@ -29,12 +29,12 @@ Finding note_of(Event event, RuleId rule, const RuleBook& rules, RobotId robot,
                 const Vec2& where_m);
 
 // A foul by `robot`, located at `robot_m`, against an opponent at `where_m`. The opponents get a
-// direct free kick from there, or, by the Laws of 2014, a penalty kick if it happened inside the
+// direct free kick from there, or, under the Laws of 2014, a penalty kick if it happened inside the
 // offender's own defence area.
 Finding contact_foul_of(Event event, RuleId rule, const Configuration& configuration, RobotId robot,
                         const Vec2& robot_m, const Vec2& where_m);
 
-// INDIRECT_FREE for `kicker` if the book has indirect free kicks, otherwise DIRECT_FREE.
+// INDIRECT_FREE for `kicker` if the rule book has indirect free kicks, otherwise DIRECT_FREE.
 Command indirect_free_kick(const RuleBook& rules, Side kicker);
 
 // "yellow 3". Texts name sides by colour (soccer/colour.hpp).

@@ -99,8 +99,8 @@ class Referee::Impl {
       frames_.push(frame, tracker_.tracks().ball);
       online_touch_.update();
     }
-    // Touches are ordered as the online detector reports them; the retrospective detector does not
-    // reorder them.
+    // The order of touches is the one that the online detector reports; the retrospective detector
+    // does not change it.
     if (state_.machine_state == State::kRun)
       watch_play(state_.play, input_with(online_touch_.last(), frame));
     const LastTouch last_touch = evaluate_last_touch();
@@ -155,7 +155,8 @@ class Referee::Impl {
       seen_.ball->position_m = tracks.ball->position_m;
       seen_.ball->height_m = tracks.ball->height_m;
     }
-    // The source of the positions changes here, so a velocity across the change would be wrong.
+    // The source of the positions changes here, so a velocity computed across the change would be
+    // wrong.
     if (flies != was_lifted_) frames_.lose_sight();
     was_lifted_ = flies;
   }
@@ -214,7 +215,7 @@ class Referee::Impl {
   void decide(const RefereeInput& input, const Finding& finding) {
     Step taken = step(state_, input, finding);
     if (taken.transition == nullptr) return;
-    // The step is pure: `state_` still is the state before it.
+    // The step is a pure function, so `state_` is still the state before the step.
     decisions_.push_back(decision_of(state_, input, finding, taken));
     const bool play_starts =
         state_.machine_state != State::kRun && taken.state.machine_state == State::kRun;

@@ -1,4 +1,4 @@
-// AutoRef: the referee of the paper, from vision frames to referee commands.
+// AutoRef: the paper's referee, which turns vision frames into referee commands.
 //
 // It owns the state of the game: score, stage, clock, next restart and last touch. It sees only
 // vision frames and the teams' requests ("operates based solely on vision information", paper,
@@ -35,8 +35,8 @@ class Referee {
   // Objects with non-finite numbers count as unseen.
   const RefereeSignal& update(const Frame& frame, const PerSide<TeamRequests>& requests);
 
-  // The tracked robots and ball as of the last update. The league's referees also publish their
-  // tracks.
+  // The tracked robots and ball as of the last update. The league's referees also publish the
+  // objects they track.
   const Tracks& tracks() const;
 
   // The decisions of the last update, in order; usually empty.

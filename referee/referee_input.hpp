@@ -19,7 +19,7 @@ class FrameHistory;  // see touch/frame_history.hpp
 struct BallSight {
   Vec2 position_m{0, 0};
   Vec2 before_m{0, 0};  // in the previous detection: the paper's b'
-  double height_m = 0;  // height of the lowest point; Deviation D15: unknown counts as 0
+  double height_m = 0;  // height of the lowest point; Deviation D15: an unknown height counts as 0
   bool height_known = true;
 };
 

@@ -14,7 +14,7 @@ Vec2 direction_to_area(const Field& field, Side side, const Vec2& point_m) {
   const DefenceArea& area = field.defence_area;
   const double half_m = area.straight_m / 2;
   const bool round = area.shape == DefenceArea::Shape::kQuarterCircles;
-  // A quarter circle is a point on the goal line, grown by its radius.
+  // A quarter circle contains all points within its radius of one point on the goal line.
   const double depth_m = round ? 0.0 : area.depth_m;
   const double inwards = -goal_sign(side);
   const double from_line_m = (point_m.x() - field.goal_centre_m(side).x()) * inwards;
@@ -34,8 +34,7 @@ double out_of_round_area_m(const Field& field, Side side, const RobotObservation
   if (outwards.dot(robot.heading) * kRobotRadius_m < kFrontDistance_m) {
     return centre_m + kRobotRadius_m;
   }
-  // The flat front cuts off the farthest point of the circle; a corner of the front is then the
-  // farthest.
+  // The flat front cuts off the farthest point of the circle, so a corner of the front is farthest.
   return std::max(distance_to_defence_area(field, side, plate_corner_m(robot, 1)),
                   distance_to_defence_area(field, side, plate_corner_m(robot, -1)));
 }
@@ -57,8 +56,8 @@ double out_of_box_m(const Field& field, Side side, const RobotObservation& robot
 }  // namespace
 
 double hull_to_area_m(const Field& field, Side side, const RobotObservation& robot) {
-  // The supporting line at the area's nearest point separates the two, so the hull's reach towards
-  // that point is the part of the distance it covers.
+  // The supporting line at the area's nearest point separates the two, so the gap is the centre's
+  // distance minus the hull's reach towards that point.
   return distance_to_defence_area(field, side, robot.position_m) -
          reach_of_hull_m(robot.heading, direction_to_area(field, side, robot.position_m));
 }

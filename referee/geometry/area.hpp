@@ -1,4 +1,4 @@
-// Where a robot's hull lies relative to a defence area. The area's lines belong to it.
+// Where a robot's hull lies relative to a defence area. The area includes its lines.
 #pragma once
 
 #include "soccer/field.hpp"

@@ -20,7 +20,8 @@ double clamped(double value, double limit) {
   return std::clamp(value, -std::abs(limit), std::abs(limit));
 }
 
-// The ball was already out: the boundary it is farther beyond.
+// The exit of a ball that was already out in the previous frame: the ball counts as having crossed
+// the boundary that it is farther beyond.
 Exit exit_of_ball_out_before(const Vec2& l, const Vec2& b) {
   if (beyond_m(b.y(), l.y()) > beyond_m(b.x(), l.x())) {
     return {ExitLine::kTouch, {clamped(b.x(), l.x()), l.y()}};

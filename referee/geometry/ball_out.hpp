@@ -22,8 +22,9 @@ struct Exit {
 
 // Which boundary the ball crossed between `before_m` and `ball_m`, which is out of the field, and
 // where. A path through the expanded corner itself crosses the goal line, as in the paper, where
-// only |c_x| < |l_x| means a touch line. If the ball was already out at `before_m`, the boundary it
-// is farther beyond counts, at the ball's own position along it.
+// only |c_x| < |l_x| means a touch line. If the ball was already out at `before_m`, it counts as
+// having crossed the boundary that it is farther beyond, at its current position along that
+// boundary.
 Exit find_exit(const Field& field, const Vec2& before_m, const Vec2& ball_m);
 
 // The `across` coordinate at which the line through (along0, across0) and (along1, across1) meets

@@ -1,9 +1,9 @@
 // Where the ball is placed for each restart (paper, section 4.2; Laws 2014, laws 9 and 13; 2026,
 // Free Kick).
 //
-// Every position is symmetric: if the sides are swapped and the input turned by 180 degrees, the
-// result is turned as well. A point exactly on the long axis of the field counts as left of it,
-// seen by the kicking side.
+// Every position is symmetric: if the sides are swapped and the input is rotated by 180 degrees,
+// the result is rotated as well. A point exactly on the long axis of the field counts as left of
+// the axis, as seen by the kicking side.
 #pragma once
 
 #include "soccer/field.hpp"

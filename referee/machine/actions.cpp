@@ -89,7 +89,8 @@ void prepare_first_kickoff(RefereeState& state, const RefereeInput& input, const
   send_preparation(state, input, finding);
 }
 
-// Deviation D3: a preparation has its own wait, followed by the ready command.
+// Deviation D3: after a PREPARE command, the referee waits once more and then sends the ready
+// command.
 void send_preparation(RefereeState& state, const RefereeInput& input, const Finding& /*finding*/) {
   const Command preparation = *state.signal.next_command;
   send(state, input, preparation);
@@ -154,7 +155,8 @@ void award_free_kick_in_stop(RefereeState& state, const RefereeInput& input,
   wait_anew(state, input);
 }
 
-// At a tournament a person would clear the field; here the halt only gives the robots time to stop.
+// At a tournament, people would clear the field during the halt; here it only gives the robots time
+// to stop.
 void halt_for_foul(RefereeState& state, const RefereeInput& input, const Finding& finding) {
   book(state, input, finding);
   end_play(state);
@@ -174,13 +176,13 @@ void end_card(RefereeState& state, const RefereeInput& input, const Finding& fin
   take_card_off(state, input.configuration, finding);
 }
 
-// Deviation D4: the briefly transmitted command is followed by STOP.
+// Deviation D4: the command that is sent only briefly is followed by STOP.
 void stop_after_signal(RefereeState& state, const RefereeInput& input, const Finding& /*finding*/) {
   send(state, input, kStop);
   wait_anew(state, input);
 }
 
-// Deviation D12: the briefly transmitted command at half-time is HALT.
+// Deviation D12: at half-time, the command that is sent only briefly is HALT.
 void end_half(RefereeState& state, const RefereeInput& input, const Finding& /*finding*/) {
   end_play(state);
   const int next = half_after(input.configuration, state.half);

@@ -10,7 +10,7 @@
 
 namespace autoref::referee {
 
-// An action and its wording in the figure. It changes only the referee state.
+// An action and its wording in the figure. An action changes only the referee state.
 struct Action {
   std::string_view text;
   void (*take)(RefereeState& state, const RefereeInput& input, const Finding& finding);

@@ -20,7 +20,7 @@ bool began_with_kickoff(const PlayState& play, const Field& field);
 bool began_with_penalty(const PlayState& play, const Field& field);
 
 // Whether the ball comes straight from the restart: only its kicker has touched it. A touch by an
-// unknown robot may be a second robot's.
+// unknown robot may have been made by a second robot.
 bool is_straight_from_restart(const PlayState& play);
 
 }  // namespace autoref::referee

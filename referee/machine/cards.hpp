@@ -1,5 +1,5 @@
-// Fouls that count, yellow and red cards, and the number of robots allowed per side (Laws 12;
-// 2026).
+// Fouls that count towards cards, yellow and red cards, and the number of robots allowed per side
+// (Laws 12; 2026).
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace autoref::referee {
 
-// The next card for a side with these cards. If the rule book says so, the third active yellow card
-// becomes a red one (2026).
+// The card that a side with these cards gets next. If the rule book says so, the third active
+// yellow card becomes a red one (2026).
 Card next_card(const CardBook& cards, const RuleBook& rules);
 
 // Why a finding brings `shown` to the offender, or to both sides: "6th foul (every 3rd brings a
@@ -23,7 +23,7 @@ std::string card_reason(const PerSide<CardBook>& before, const Finding& finding,
 // are in force, shows the card that is due.
 void book(RefereeState& state, const RefereeInput& input, const Finding& finding);
 
-// Ends the oldest yellow card of the finding's offender, or of both sides without one.
+// Ends the oldest yellow card of the finding's offender, or of both sides if there is no offender.
 void take_card_off(RefereeState& state, const Configuration& configuration, const Finding& finding);
 
 // Sets the number of robots each side may have on the field: one fewer per card in force, but at

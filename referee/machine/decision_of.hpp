@@ -6,8 +6,8 @@
 
 namespace autoref::referee {
 
-// The decision that `finding` led to in the state `before`, with the state of the game and the card
-// shown.
+// The decision that `finding` led to in the state `before`, including the state of the game and the
+// card shown.
 Decision decision_of(const RefereeState& before, const RefereeInput& input, const Finding& finding,
                      const Step& taken);
 

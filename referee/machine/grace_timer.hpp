@@ -1,4 +1,4 @@
-// Offences that are allowed for a grace period. Each robot is reported once per stop.
+// Timers for offences that are allowed for a grace period. Each robot is reported once per stop.
 #pragma once
 
 #include <array>

@@ -96,7 +96,7 @@ bool leads_on(const Transition& transition, const RefereeState& state, const Ref
          transition.guard.holds(state, input.configuration);
 }
 
-// The clock of actual play runs in RUN only; a transition from RUN to RUN leaves it alone.
+// The clock of actual play runs in RUN only; a transition from RUN to RUN does not affect it.
 void follow_play(RefereeState& state, State before, double now_s) {
   if (before == state.machine_state) return;
   if (before == State::kRun) state.play_clock.stop(now_s);

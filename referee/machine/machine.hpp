@@ -41,7 +41,7 @@ struct Transition {
   Action action;
   std::optional<State> to;      // nullopt: the state does not change
   std::string_view evidence;    // the row's source: a section of the paper or another document
-  std::string_view deviations;  // "D3, D13" (README.md); empty if the row is the paper's
+  std::string_view deviations;  // "D3, D13" (README.md); empty if the row follows the paper
 };
 
 // The transitions in the figure.
@@ -49,17 +49,18 @@ std::span<const Transition> transitions_in_figure();
 // The transitions of game time, which "operates outside this diagram".
 std::span<const Transition> transitions_outside_figure();
 
-// Transitions for calls that the paper's referee lacks. They differ only in the event.
+// Transitions for calls that the paper's referee lacks. They differ only in the event that triggers
+// them.
 std::span<const Transition> transitions_beyond_paper();
 
 // Transitions for cards, timeouts and knockout games (administration.cpp). They are tried first,
-// because a goal in a shoot-out takes a transition of its own.
+// because a goal in a shoot-out has its own transition.
 std::span<const Transition> transitions_of_administration();
 
 // All transitions, in the order in which they are tried.
 std::array<std::span<const Transition>, 4> all_transitions();
 
-// Every label a step may have, in the same order.
+// Every label that a step may have, in the order of all_transitions().
 std::vector<std::string_view> all_labels();
 
 struct Step {

@@ -10,7 +10,7 @@
 namespace autoref::referee {
 namespace {
 
-// The ball is set to its position this long before the timeout, so that it lies there when play
+// The ball is set to its position this long before the timeout, so that it is there when play
 // continues.
 constexpr double kSetBallBefore_s = 500_ms;
 
@@ -65,7 +65,7 @@ Finding timeout_finding(Event event, std::string_view rule, double waited_s, dou
   return finding;
 }
 
-// Deviation D5: one robot per team is enough, as section 4.4 says; section 4.3 has "all robots".
+// Deviation D5: one robot per team is enough, as section 4.4 says; section 4.3 says "all robots".
 bool is_more_on_both_sides(const LargestMoves& moves, double limit_m) {
   return std::all_of(kSides.begin(), kSides.end(),
                      [&](Side side) { return moves.robot[side] && moves.move_m[side] > limit_m; });
@@ -121,7 +121,7 @@ LargestMoves largest_moves(const SavedPositions& saved, const Frame& frame) {
     for (const RobotObservation& robot : frame.robots[side]) {
       const RobotObservation* before = find_robot(saved.robots[side], robot.number);
       if (before == nullptr) continue;
-      // Deviation D6: the paper prints r_y for r_x in this distance.
+      // Deviation D6: in the formula of this distance, the paper prints r_y instead of r_x.
       const double move_m = (robot.position_m - before->position_m).norm();
       if (moves.robot[side] && !(move_m > moves.move_m[side])) continue;
       moves.move_m[side] = move_m;

@@ -1,4 +1,4 @@
-// The machine's state: everything it remembers between frames.
+// The machine's state: all the data it keeps between frames.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -28,19 +28,19 @@ struct PlayState {
   Vec2 position_m{0, 0};            // where the ball was placed for it
   std::optional<Side> kicker;       // takes the restart; nullopt after a force start
   double began_s = 0;               // when the restart was signalled
-  std::optional<Vec2> ball_from_m;  // where the ball lay then; nullopt until it is seen
+  std::optional<Vec2> ball_from_m;  // where the ball was then; nullopt until it is seen
   bool in_play = false;             // the ball has moved, or does not need to
   bool entered_now = false;         // the ball entered play in this frame
   double in_play_since_s = 0;       // meaningless until the ball is in play
   TouchHistory touches;             // since play began
-  Vec2 stuck_at_m{0, 0};            // the ball has stayed near this position
+  Vec2 stuck_at_m{0, 0};            // the ball has stayed near this position since `stuck_since_s`
   double stuck_since_s = 0;         // since when
 
   bool is_kickoff() const { return restart.kind == CommandKind::kPrepareKickoff; }
   bool is_penalty() const { return restart.kind == CommandKind::kPreparePenalty; }
 };
 
-// Retakes of one restart because of breaches of its own rules.
+// How often a restart was retaken because its own rules were broken.
 struct Retakes {
   int count = 0;      // number of retakes
   RobotSet too_near;  // opponents that were too near to the ball
@@ -67,7 +67,7 @@ struct CardBook {
   // When the active yellow cards end, by the play clock, oldest first.
   boost::container::static_vector<double, kMaxRobots> yellow_ends_s;
   std::optional<double> fewer_since_s;     // when the number allowed last changed
-  std::optional<double> too_many_since_s;  // since when too many are on the field
+  std::optional<double> too_many_since_s;  // since when the side has too many robots on the field
   bool too_many_called = false;            // since the number allowed last changed
 };
 
@@ -88,12 +88,12 @@ struct RefereeState {
   RefereeSignal signal;  // in force; includes score, placement and the paper's `next`
 
   double wait_began_s = 0;  // in WAIT_START and WAIT_STOP: start of the timeout
-  SavedPositions saved;     // reference for the robots' moves
-  double checked_s = 0;     // when they were last compared
+  SavedPositions saved;     // reference positions for detecting whether robots move
+  double checked_s = 0;     // when the positions were last compared
   std::optional<double> ball_in_position_since_s;
   double delay_ends_s = 0;  // in DELAY_WAIT
   PlayState play;
-  RuleWatch watch;          // the rules' memory since play last started or stopped
+  RuleWatch watch;          // what the rules have recorded since play last started or stopped
   Stopwatch play_clock;     // time spent in RUN, over all halves
   Stopwatch timeout_clock;  // time spent in timeouts
   PerSide<CardBook> cards;

@@ -8,13 +8,13 @@
 namespace autoref::referee {
 
 // Whether the current restart may be retaken. AutoRef's own limit is three retakes, so that a team
-// that never learns cannot hang a game. After that, play continues.
+// that always breaks the rules cannot hang a game. After that, play continues.
 bool may_be_taken_again(const RefereeState& state);
 
 // Sets the finding's restart to the current one, from the same position.
 void take_again(Finding& finding, const PlayState& play);
 
-// The retakes to remember after the finding has stopped play; empty if a different restart follows.
+// The retakes to record after the finding has stopped play; empty if a different restart follows.
 Retakes retakes_after(const Retakes& before, const Finding& finding);
 
 }  // namespace autoref::referee

@@ -1,4 +1,4 @@
-// What rules about robots remember from earlier frames.
+// What the rules on robots record from earlier frames.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ struct Collision {
   RobotId faster;
   RobotId slower;
   double closing_mps = 0;  // relative velocity just before, along the line of their centres
-  double lead_mps = 0;     // difference of their speeds
+  double lead_mps = 0;     // difference between their speeds
   Vec2 position_m{0, 0};   // midpoint of their centres
   Vec2 faster_m{0, 0};     // the faster one's centre
 };

@@ -1,4 +1,4 @@
-// What rules remember across frames, since play last started or stopped.
+// What the rules have recorded since play last started or stopped.
 #pragma once
 
 #include <array>
@@ -36,7 +36,7 @@ struct PositionViolation {
   }
 };
 
-// Fouls in one stop and the free kick that follows (2026).
+// Fouls during a stop and the free kick that follows it (2026).
 struct AttackerNearAreaWatch {
   PerSide<std::optional<double>> grace_from_s;  // start of the stop, or the team's first foul
   PerSide<int> fouls;
@@ -46,7 +46,8 @@ struct AttackerNearAreaWatch {
 
 struct RestartDistanceWatch {
   PositionViolation before;  // opponents too near in the last frame before the ball was in play
-  std::optional<double> called_s;  // restarts the kicker's time (2026)
+  std::optional<double>
+      called_s;  // when the last foul was called, which restarts the kicker's time (2026)
 };
 
 // The touch for which a non-stopping foul was called (2026).
@@ -67,7 +68,7 @@ struct KickoffPositionsWatch {
 };
 
 struct PenaltyPositionsWatch {
-  PerSide<PositionViolation> others;  // neither kicker nor keeper; in that frame
+  PerSide<PositionViolation> others;  // robots other than kicker and keeper, in that frame
   PositionViolation keeper;
   bool is_over = false;  // the outcome is known
 };
@@ -91,7 +92,7 @@ struct OffsideWatch {
   Pass before;
 };
 
-// One member per rule that remembers something, named after the rule.
+// One member for each rule that keeps data between frames, named after the rule.
 struct RuleWatch {
   CrashWatch bot_crash_unique;
   PushingWatch bot_pushed_bot;
@@ -111,7 +112,7 @@ struct RuleWatch {
   OffsideWatch offside;
 };
 
-// The memory that is kept when play starts, because a free kick belongs to the stop before it.
+// The records that are kept when play starts, because a free kick belongs to the stop before it.
 inline RuleWatch kept_at_start(const RuleWatch& watch) {
   RuleWatch kept;
   kept.attacker_too_close_to_defense_area = watch.attacker_too_close_to_defense_area;

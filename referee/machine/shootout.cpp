@@ -11,8 +11,8 @@ Side next_kicker(const ShootoutBook& book, const Configuration& configuration) {
 }
 
 bool is_decided(const ShootoutBook& book, int kicks) {
-  // Decided once a side leads by more than the other can still score. Beyond the regular kicks, the
-  // remaining ones are those needed to draw level in kicks: sudden death.
+  // Decided once a side leads by more than the other can still score. After the regular kicks
+  // (sudden death), the only remaining kick is the one that gives both sides equally many.
   const int most = std::max({kicks, book.kicks[Side::kWest], book.kicks[Side::kEast]});
   return std::any_of(kSides.begin(), kSides.end(), [&](Side side) {
     const Side other = opponent_of(side);

@@ -69,7 +69,7 @@ bool is_extra(const Configuration& configuration, int half) {
 }
 
 double clock_s(const RefereeState& state, const RuleBook& rules, double now_s) {
-  // Either play alone counts, or all time except timeouts.
+  // The clock counts either actual play only, or all time except timeouts.
   if (rules.clock_stops) return state.play_clock.at_s(now_s);
   return now_s - state.timeout_clock.at_s(now_s);
 }

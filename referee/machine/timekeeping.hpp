@@ -1,8 +1,8 @@
 // Game time, "which operates outside this diagram" (paper, section 4.3).
 //
 // A half's clock starts with the ready command (NORMAL_START) and runs until the half is over
-// (paper, section 4.2, "Time-Related Rules"), except during timeouts. If the book says so (2026),
-// it stops whenever play is stopped.
+// (paper, section 4.2, "Time-Related Rules"), except during timeouts. If the rule book says so
+// (2026), it stops whenever play is stopped.
 #pragma once
 
 #include <optional>

@@ -20,7 +20,7 @@ std::optional<Finding> find_in_touches(RefereeState& state, const RefereeInput& 
                                        TouchCheck check) {
   const PlayState& play = state.play;
   if (!play.in_play) return std::nullopt;
-  // Oldest first: the earliest offence decides.
+  // Checks the oldest touch first, because the earliest offence decides.
   for (int back = play.touches.kept() - 1; back >= 0; --back) {
     const BallTouch& touch = play.touches.at(back);
     if (!is_to_be_judged(touch, play, input.time_s())) continue;

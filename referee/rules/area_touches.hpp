@@ -1,4 +1,4 @@
-// Touches of the ball in play for the rules on defence areas.
+// Touches of the ball in play, as judged by the rules on defence areas.
 #pragma once
 
 #include <optional>

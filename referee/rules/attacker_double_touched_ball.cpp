@@ -1,7 +1,7 @@
 // The kicker of a restart must not touch the ball again, once it is in play, before another robot
 // has (Laws 2014, laws 8 and 13 to 17; 2026, Double Touch). "Again" means after ball and robot have
-// separated: bumps during the kick are one touch. A touch by an unknown robot may be another
-// robot's, so nobody is blamed for it.
+// separated: several contacts during the kick are one touch. A touch by an unknown robot may be
+// another robot's, so nobody is blamed for it.
 #include <fmt/format.h>
 
 #include "referee/machine/ball_in_play.hpp"

@@ -6,10 +6,10 @@
 // sides never decides between two offenders.
 //
 // 2026, Attacker Too Close To Defense Area: during stop and free kicks, robots keep 0.2 m away from
-// the opponents' defence area. They have 2 s to leave after the start of the stop. A violation
-// after that brings the opponents a free kick, and the team another 2 s; its second foul in the
-// same stop or free kick halts the game. A free kick belongs to the stop before it until the ball
-// is in play.
+// the opponents' defence area. They have 2 s to leave after the start of the stop. After that, a
+// violation gives the opponents a free kick, and the team has another 2 s to leave; its second foul
+// in the same stop or free kick halts the game. A free kick belongs to the stop before it until the
+// ball is in play.
 #include <fmt/format.h>
 
 #include <algorithm>

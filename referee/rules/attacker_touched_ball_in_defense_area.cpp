@@ -1,6 +1,6 @@
 // A robot must not touch the ball in play while it is partly or entirely inside the opponents'
-// defence area (2026, Attacker In Defense Area). Play continues. A continuing touch counts again
-// every 2 s.
+// defence area (2026, Attacker In Defense Area). Play continues. If the touch continues, it counts
+// as another foul every 2 s.
 #include <fmt/format.h>
 
 #include "referee/geometry/area.hpp"

@@ -2,7 +2,7 @@
 //
 // The measured value is their relative velocity just before, along the line of their centres. The
 // faster robot is at fault. If the speeds differ by less than 0.3 m/s, nobody is at fault under the
-// Laws of 2014 (play continues without a call), and both are under the rules of 2026.
+// Laws of 2014 (play continues without a call), and both are under the 2026 rules.
 //
 // Robots collide when their 180 mm cylinders do. Between two flat fronts the hulls are then up to
 // 30 mm apart, but robots closing at 1.5 m/s need four times that to brake.
@@ -21,8 +21,8 @@ namespace autoref::referee {
 namespace {
 
 constexpr double kTouching_m = 2 * kRobotRadius_m;  // between the centres
-// Robots count as separated after more than this distance for kApart_s: bodies bounce off each
-// other a few times.
+// Robots count as separated after more than this distance for kApart_s: colliding robots bounce off
+// each other a few times.
 constexpr double kApart_m = kTouching_m + 20_mm;
 constexpr double kApart_s = 200_ms;
 // Speeds this close are equal up to rounding.
@@ -31,7 +31,7 @@ constexpr double kSame_mps = 1e-6;
 // frames.
 constexpr double kAcceleration_mps2 = 4;
 constexpr double kJerk_mps3 = 100;
-constexpr double kBumped_mps2 = 10;           // more than any robot's own brakes
+constexpr double kBumped_mps2 = 10;           // more than any robot can brake by itself
 constexpr int kCrashDetections = 4;           // detections needed for a fit
 constexpr double kCrashRounding_m = 0.01e-3;  // position error of a noise-free camera
 
@@ -47,8 +47,8 @@ const TrackedRobot* find_track(const TrackedRobots& robots, int number) {
 // `duration_s`. `path_m` leads from one centre to the other.
 std::optional<double> time_to_touch_s(const Vec2& path_m, const Vec2& velocity_mps,
                                       double duration_s) {
-  // Smaller root of |path + velocity t| = kTouching_m. This form of it does not subtract nearly
-  // equal numbers, and needs no division by a relative speed of zero.
+  // Smaller root of |path + velocity t| = kTouching_m. This form of the solution does not subtract
+  // nearly equal numbers, and needs no division by a relative speed of zero.
   const double closing = -path_m.dot(velocity_mps);
   const double left_m2 = path_m.squaredNorm() - kTouching_m * kTouching_m;
   if (left_m2 <= 0) return 0.0;

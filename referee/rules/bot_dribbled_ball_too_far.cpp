@@ -9,7 +9,7 @@
 namespace autoref::referee {
 namespace {
 
-// Dribbles of two sides that differ less than this are equally long, up to rounding.
+// If the dribbles of both sides differ by less than this, they count as equally long (rounding).
 constexpr double kSame_m = 1e-9;
 
 struct Dribble {

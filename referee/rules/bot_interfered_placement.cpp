@@ -1,6 +1,6 @@
 // During ball placement, robots of the side that does not take the restart keep 0.5 m away from the
-// line between the ball and its target, after a grace period of 2 s (2026). One foul counts per
-// placement, and extends the placement by 10 s.
+// line between the ball and its target, after a grace period of 2 s (2026). Only one foul per
+// placement counts; it extends the placement by 10 s.
 #include <fmt/format.h>
 
 #include "referee/rules/rule.hpp"

@@ -6,8 +6,8 @@
 // their mean beyond the noise.
 //
 // Until it is known whether a kicked ball flies, its speed is unknown as well: a chip seems faster
-// than it is. The call waits until then, or until the ball is out; in that case the ball counts as
-// on the ground, because most kicks are. Nobody is blamed if the kicker is unknown.
+// than it is. The call waits until then, or until the ball is out. In that case the ball counts as
+// having stayed on the ground, as in most kicks. Nobody is blamed if the kicker is unknown.
 #include <fmt/format.h>
 #include <boost/container/static_vector.hpp>
 
@@ -41,8 +41,8 @@ struct Speed {
   double deviation_mps = 0;
 };
 
-// The mean speed between two detections; in 2026, for a flying ball, the speed that it had at
-// ground level, by conservation of energy.
+// The mean speed between two detections. In 2026, the speed of a flying ball is converted to its
+// speed at ground level by conservation of energy.
 Speed mean_speed(const BallDetection& from, const BallDetection& to, const Configuration& c) {
   const double duration_s = to.time_s - from.time_s;
   // Two independent detections: their variances add, hence the square root of 2.
@@ -84,8 +84,8 @@ Speed speed_on_carpet(const Detections& seen, double kicked_s, const Configurati
   return {motion.velocity_mps.dot(direction), motion.velocity_deviation_mps};
 }
 
-// The ball's mean speed in the air over the last three frames, if each exceeds the limit within the
-// noise and the mean exceeds it beyond the noise.
+// The ball's mean speed in the air over the last three frames, if each of them may exceed the
+// limit, given the noise, and their mean certainly does.
 std::optional<double> speeding_in_air_mps(const FrameHistory& frames, double kicked_s,
                                           const Configuration& c) {
   const BallDetection* oldest = frames.ball(kIntervals);

@@ -21,7 +21,7 @@ constexpr double kNear_m = 2 * kRobotRadius_m + 60_mm;
 constexpr double kAtBall_m = 5_mm;
 // A robot that previously drove away from the pusher faster than this was not pushed.
 constexpr double kOwnSpeed_mps = 0.1_mps;
-// Pushes that differ by less are equally long, up to rounding.
+// Pushes that differ by less than this count as equally long (rounding).
 constexpr double kPushSame_m = 1e-9;
 
 struct Push {
@@ -31,7 +31,8 @@ struct Push {
   Vec2 position_m{0, 0};
 };
 
-// Returns null if the watch is full. That many robots cannot be close to each other on a field.
+// Returns null if the list of contacts is full, which cannot happen with real robots: so many pairs
+// do not fit close together.
 PushContact* contact_of(PushingWatch& watch, int west, int east) {
   const auto known = std::find_if(
       watch.contacts.begin(), watch.contacts.end(),
@@ -63,7 +64,7 @@ std::optional<Push> push_by(Side side, const PushContact& contact, const Tracked
   const Side other = opponent_of(side);
   const Vec2 line = direction_of(pushed.position_m - pusher.position_m, Vec2(1, 0));
   if (contact.before_mps[other].dot(line) > kOwnSpeed_mps) return std::nullopt;
-  // The lesser of the two: a push moves both robots along the line of their centres.
+  // The shorter of the two paths, because a push moves both robots along the line of their centres.
   const double path_m = std::min((pusher.position_m - contact.from_m[side]).dot(line),
                                  (pushed.position_m - contact.from_m[other]).dot(line));
   return Push{{side, pusher.number},

@@ -1,7 +1,7 @@
 // While play is stopped, robots drive slowly: at most 1 m/s (Laws 2014, single size), or 1.5 m/s
-// after 2 s of grace. A robot that is faster for 0.1 s is called once per stop. Only the first of
-// several robots of a team within 2 s counts, and none counts during ball placement (2026, Fouls
-// While Ball Out Of Play).
+// after 2 s of grace. A robot that is faster than that for 0.1 s is called once per stop. If
+// several robots of a team are too fast within 2 s, only the first one counts. During ball
+// placement, none counts (2026, Fouls While Ball Out Of Play).
 #include <fmt/format.h>
 
 #include "referee/rules/rule.hpp"
@@ -9,7 +9,7 @@
 namespace autoref::referee {
 namespace {
 
-// More than 0.1 s: tracked velocities of braking robots lag by a frame.
+// Longer than 0.1 s, because the tracked velocity of a braking robot lags by a frame.
 constexpr double kTooFastFor_s = 120_ms;
 // Standard deviation of tracked velocities per standard deviation of detected positions: 0.05 m/s
 // for 1.3 mm.

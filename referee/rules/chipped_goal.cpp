@@ -17,14 +17,14 @@ namespace autoref::referee {
 namespace {
 
 struct Chip {
-  const BallTouch* touch = nullptr;  // by the attackers; null if it was not a chip
+  const BallTouch* touch = nullptr;  // touch by the attackers; null if it was not a chip
   double top_m = 0;                  // greatest height of the ball's top since
 };
 
 // The attackers' last touch and the ball's greatest height since, if it has not rolled.
 Chip find_chip(const TouchHistory& touches, Side scorer, double limit_m) {
   double highest_m = 0;
-  // From the newest touch backwards, across those of the defenders.
+  // Searches backwards from the newest touch and skips touches by defenders.
   for (int back = 0; touches.has(back); ++back) {
     const BallTouch& touch = touches.at(back);
     if (!touch.side || touch.rolled) return {};

@@ -3,8 +3,8 @@
 //
 // Under the Laws the restart is retaken, and a robot that was also too near at the previous attempt
 // gets a yellow card. Positions are judged in the last frame before the ball is in play: a robot
-// that starts when it sees the kick is not at fault. In 2026 it is an immediate team foul that
-// counts again after 2 s; the time for the kick restarts.
+// that starts when it sees the kick is not at fault. In 2026 the violation is an immediate team
+// foul that counts again after 2 s; the time for the kick restarts.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,8 +18,8 @@
 namespace autoref::referee {
 namespace {
 
-// Measured from where the ball lay, so that a kick towards an opponent does not shorten the
-// distance.
+// Measured from where the ball was before the kick, so that a kick towards an opponent does not
+// shorten the distance.
 double distance_to_ball_m(const RobotObservation& robot, const PlayState& play) {
   return distance_to_hull(*play.ball_from_m, robot.position_m, robot.heading);
 }

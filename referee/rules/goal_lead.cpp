@@ -1,5 +1,5 @@
 // Early termination: the game ends once a side has scored 10 goals and leads by more than one
-// (2026). Found after the GOAL command has been sent.
+// (2026). This rule takes effect after the GOAL command has been sent.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -12,7 +12,7 @@ namespace autoref::referee {
 std::optional<Side> conceding_side(const RefereeInput& input);
 
 // Sets kicker and position of the free kick that follows the finding's event: a goal kick for
-// `defender`, or a corner kick at its end.
+// `defender`, or a corner kick at the defender's end.
 void restart_with_goal_kick(Finding& finding, const RefereeInput& input, Side defender);
 void restart_with_corner_kick(Finding& finding, const RefereeInput& input, Side defender);
 

@@ -1,6 +1,6 @@
-// The keeper must not hold the ball inside its own defence area for longer than 15 s (Laws 12). By
-// the rules of 2026 the ball must not stay inside a defence area for longer than 10 s (Division A:
-// 5 s), whether or not the keeper has it, because nobody else may play it there.
+// The keeper must not hold the ball inside its own defence area for longer than 15 s (Laws 12).
+// Under the 2026 rules the ball must not stay inside a defence area for longer than 10 s (Division
+// A: 5 s), whether or not the keeper has it, because nobody else may play it there.
 #include <fmt/format.h>
 
 #include "referee/rules/rule.hpp"

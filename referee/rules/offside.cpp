@@ -11,7 +11,8 @@
 namespace autoref::referee {
 namespace {
 
-// A robot must be nearer to the goal line by this many standard deviations of both positions.
+// A robot is offside only if it is nearer to the goal line by more than this many standard
+// deviations of both positions.
 constexpr double kOffsideBeyondNoise = 3;
 
 // The second-largest distance of a side's robots from the halfway line towards their own goal;
@@ -41,7 +42,7 @@ RobotSet offside_robots(Side side, const PerSide<SeenRobots>& robots, const Vec2
   return offside;
 }
 
-// Remembers which robots are in an offside position at the newest touch, for as long as it lasts.
+// Records which robots are in an offside position during the newest touch.
 void watch(OffsideWatch& watch, const TouchHistory& touches, const RefereeInput& input) {
   const BallTouch& touch = *touches.newest();
   OffsideWatch::Pass& newest = watch.newest;

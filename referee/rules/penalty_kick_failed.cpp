@@ -1,5 +1,5 @@
-// A failed penalty kick (penalty_outcome.hpp) is over, and the defenders get a goal kick (2026,
-// Penalty Kick).
+// When a penalty kick has failed (penalty_outcome.hpp), it is over, and the defenders get a goal
+// kick (2026, Penalty Kick).
 #include "referee/geometry/restarts.hpp"
 #include "referee/machine/penalty_outcome.hpp"
 #include "referee/rules/rule.hpp"

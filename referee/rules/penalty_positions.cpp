@@ -1,6 +1,6 @@
-// At a penalty kick the keeper touches its goal line between the posts, and all other robots except
-// the kicker are 400 mm behind the penalty mark (Laws 14) or 1 m behind the ball (2026, Penalty
-// Kick).
+// At a penalty kick the keeper must touch its goal line between the posts, and all other robots
+// except the kicker must be 400 mm behind the penalty mark (Laws 14) or 1 m behind the ball (2026,
+// Penalty Kick).
 //
 // The kick proceeds, and its outcome decides about a retake. After a breach by the kicker's side,
 // it is retaken if there was a goal, which does not count; after a breach by the defenders' side,
@@ -36,7 +36,7 @@ double behind_ball_m(Side goal, const RobotObservation& robot, const Vec2& ball_
          reach_of_hull_m(robot.heading, towards_goal);
 }
 
-// The robots of `side` that are too near, except robot `may_be`, which is allowed to be.
+// The robots of `side` that are too near, except robot `may_be`, which may be near.
 PositionViolation too_near(Side side, std::optional<int> may_be, const RefereeState& state,
                            const RefereeInput& input) {
   const Configuration& c = input.configuration;

@@ -23,7 +23,7 @@ double waited_since_s(const RefereeState& state) {
   return std::max(began_s, state.watch.defender_too_close_to_kick_point.called_s.value_or(began_s));
 }
 
-// Sets the next restart: neutral, or the opponents' free kick.
+// Sets the next restart: a force start, or the opponents' free kick.
 void go_on(Finding& finding, const PlayState& play, const Configuration& c) {
   const Vec2 ball_m = play.ball_from_m.value_or(Vec2(0, 0));
   if (c.rules.untaken_goes_to_opponents && play.kicker) {

@@ -17,7 +17,8 @@
 namespace autoref::referee {
 
 // Returns what a rule finds in this frame, if anything. Called once per frame in the rule's states,
-// unless an earlier rule has changed the state. It may change only its own memory in `state.watch`.
+// unless an earlier rule has changed the state. It may change only its own records in
+// `state.watch`.
 using Search = std::optional<Finding> (*)(RefereeState& state, const RefereeInput& input);
 
 struct Watch {
@@ -43,7 +44,7 @@ class Rule {
   std::size_t size_ = 0;
 };
 
-// Declares the rules, each defined in its own file: kGoalRule and so on.
+// Declares kGoalRule and the other rules; each is defined in its own file.
 #define AUTOREF_RULE(id, ...) extern const Rule id##Rule;
 #include "soccer/rules.def"
 #undef AUTOREF_RULE

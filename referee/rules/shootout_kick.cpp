@@ -1,8 +1,8 @@
 // The kicks of a shoot-out (Laws 2014, appendix A; 2026), instead of all other rules.
 //
 // A kick ends with a goal, when its time is up, when the ball is out, or when a defender has saved
-// it: the defender touched it last, and it moves away from the goal. Only a goal at the target end
-// scores. Fouls during a kick are not judged.
+// it: the defender touched the ball last, and the ball moves away from the goal. Only a goal at the
+// target end scores. Fouls during a kick are not judged.
 #include <fmt/format.h>
 
 #include "referee/geometry/ball_out.hpp"

@@ -19,7 +19,7 @@ bool is_judged(const RefereeState& state, const RefereeInput& input) {
          has_passed(*state.ball_in_position_since_s, kBallAtTargetFor_s, input.time_s());
 }
 
-// Measured to the ball's centre, as at restarts.
+// The distance to the ball's centre, as at restarts.
 double distance_to_ball_m(const TrackedRobot& robot, const Vec2& ball_m) {
   return distance_to_hull(ball_m, robot.position_m, robot.heading);
 }

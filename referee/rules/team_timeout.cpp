@@ -3,9 +3,9 @@
 // not begun, and in a shoot-out.
 //
 // A timeout lasts until its team withdraws the request or has used up its time. If both teams
-// request one at once, the side that takes the restart comes first; if neither does, the one that
-// has used less time; if equal, the one that has taken fewer timeouts; if still equal, the one that
-// did not kick off this half.
+// request a timeout at once, the side that takes the restart comes first; if neither does, the side
+// that has used less time. If those times are equal, the side that has taken fewer timeouts comes
+// first; if these are equal, too, the side that did not kick off this half.
 #include <fmt/format.h>
 
 #include "referee/machine/timekeeping.hpp"

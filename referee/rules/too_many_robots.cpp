@@ -2,9 +2,9 @@
 // 2026, Yellow Card) or, in 2026, 2 s after a start without a card. In 2026 the game continues with
 // a force start, and the team is not penalised.
 //
-// Robots leave by driving off: a robot is off the field once all of it is beyond the lines. Each
-// card is called once. If both sides are at fault, the finding names neither, and play continues
-// with a force start.
+// Robots leave by driving off: a robot is off the field once all of it is beyond the lines. After
+// each card, the rule makes at most one call. If both sides are at fault, the finding names
+// neither, and play continues with a force start.
 #include <fmt/format.h>
 
 #include <algorithm>
