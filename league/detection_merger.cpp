@@ -16,7 +16,7 @@ constexpr float kFarthest_mm = 1e5F;
 constexpr float kWidest_rad = 100;
 constexpr double kLongestGame_s = 1e6;
 constexpr double kLate_s = 1;  // maximum delay of a packet on the same clock
-constexpr int kStrays = 20;    // consecutive strays that establish a new clock
+constexpr int kStrays = 20;    // number of consecutive strays that establish a new clock
 
 bool is_position(float x, float y) {
   return std::abs(x) <= kFarthest_mm && std::abs(y) <= kFarthest_mm;
@@ -128,7 +128,8 @@ void DetectionMerger::collect_ball(const DetectionBall& seen, std::uint32_t came
   BallDetection found{{{to_m(seen.x()), to_m(seen.y())}, std::nullopt, {}}, seen.confidence()};
   if (seen.has_z()) found.ball.height_m = to_m(seen.z());
   if (!seen.has_z()) found.ball.seen_from = camera_of(geometry_, camera, found.ball.position_m);
-  // Nearest-neighbour association; confidence decides only until a frame has contained a ball.
+  // Nearest-neighbour association; confidence decides only until the first frame that contains a
+  // ball.
   const auto is_better = [&](const BallDetection& one, const BallDetection& other) {
     if (!last_ball_m_) return one.confidence > other.confidence;
     return (one.ball.position_m - *last_ball_m_).squaredNorm() <

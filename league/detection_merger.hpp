@@ -13,12 +13,13 @@
 
 namespace autoref::league {
 
-// A frame consists of one packet per camera: the next one begins when a camera repeats or after a
-// gap of 0.1 s. If several cameras see a robot, the most confident detection is used; if several
-// balls are seen, the one nearest to the previous ball position. Ignores robots with a number
-// outside the league's range, detections that are not finite or more than 100 m away, and frames
-// more than a million seconds after the first. If the cameras' clock restarts within a log, times
-// continue from the previous ones once enough consecutive packets agree on the new clock.
+// A frame consists of one packet per camera. The next frame begins when a camera sends another
+// packet, or after a gap of 0.1 s. If several cameras see a robot, the most confident detection is
+// used; if several balls are seen, the one nearest to the previous ball position. Ignores robots
+// with a number outside the league's range, detections that are not finite or more than 100 m away,
+// and frames more than a million seconds after the first. If the cameras' clock restarts within a
+// log, times continue from the previous ones once enough consecutive packets agree on the new
+// clock.
 class DetectionMerger {
  public:
   // Adds the next packet. Returns the frame that it completes, or nullptr; the frame is valid until
@@ -34,7 +35,7 @@ class DetectionMerger {
   // The field in the most recent valid geometry.
   const std::optional<Field>& field() const { return field_; }
 
-  // What the most recent valid geometry omits.
+  // The optional parts that the most recent valid geometry omits.
   const FieldGaps& field_gaps() const { return field_gaps_; }
   // How often the field changed after the first geometry.
   int field_changes() const { return field_changes_; }

@@ -68,7 +68,8 @@ void paint_outline(const Field& field, Painter& painter) {
               2 * kPi);
 }
 
-// `sign` is the sign of the goal's x, `name` the league's word for that end.
+// `sign` is the sign of the goal's x coordinate, `name` the league's name for that end of the
+// field.
 void paint_round_area(const Field& field, double sign, const std::string& name, Painter& painter) {
   const double goal_x = sign * field.half_length_m();
   const double depth_m = field.defence_area.depth_m - field.line_width_m / 2;
@@ -233,8 +234,8 @@ CameraPosition camera_of(const Geometry& geometry, std::uint32_t id, const Vec2&
     return {{to_m(camera.derived_camera_world_tx()), to_m(camera.derived_camera_world_ty())},
             to_m(camera.derived_camera_world_tz())};
   }
-  // Without a calibration, the camera is assumed to be right above, so that a flying ball has no
-  // parallax.
+  // Without a calibration, the camera is assumed to be directly above `below_m`, so that a flying
+  // ball has no parallax.
   return {below_m};
 }
 

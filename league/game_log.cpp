@@ -46,7 +46,7 @@ void GameLog::add(const Frame& frame, const RefereeSignal& signal) {
   if (has_changed(signal) || frame.time_s >= referee_due_s_) write_signal(signal, frame.time_s);
 }
 
-// Writes commands that were superseded within the same frame.
+// Writes the commands that were superseded by another command within the same frame.
 void GameLog::write_commands_before(const RefereeSignal& signal, double time_s) {
   RefereeSignal before = signal;
   for (std::size_t i = 0; i + 1 < sent_.size(); ++i) {

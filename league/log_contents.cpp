@@ -8,7 +8,7 @@
 namespace autoref::league {
 namespace {
 
-constexpr double kOutOfOrder_s = 1;  // limit within one log
+constexpr double kOutOfOrder_s = 1;  // maximum step back in time within one log
 constexpr double kLongestPause_s = 1e6;
 
 // Partial parsing keeps protobuf from printing its own messages to stderr.

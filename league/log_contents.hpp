@@ -19,8 +19,8 @@ namespace autoref::league {
 class LogVisitor {
  public:
   virtual ~LogVisitor() = default;
-  // A complete frame (detection_merger.hpp). It is reported once the next one begins, so after the
-  // referee messages sent in between; its time counts from the first frame.
+  // A complete frame (detection_merger.hpp). It is reported once the next one begins, that is,
+  // after the referee messages sent in between. Its time counts from the first frame.
   virtual void on_frame(const Frame& /*frame*/) {}
   // `time_s` is the record's time on the frames' clock.
   virtual void on_referee(double /*time_s*/, const RefereePacket& /*packet*/) {}
@@ -44,8 +44,8 @@ struct LogSummary {
   std::optional<LogDamage> damage;  // set if the log ends prematurely
 };
 
-// Nine hours of eight cameras at 60 frames per second, longer than any game. This bounds the time
-// and the memory spent on a log.
+// Bounds the time and memory spent on a log. The limits allow nine hours of eight cameras at 60
+// frames per second, longer than any game.
 struct LogLimits {
   std::int64_t frames = 2'000'000;
   std::int64_t records = 20'000'000;

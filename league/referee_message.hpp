@@ -12,7 +12,7 @@ namespace autoref::league {
 
 struct LoggedTeam {
   std::string name;
-  int keeper = 0;  // number of its robot
+  int keeper = 0;  // number of the keeper's robot
 };
 
 // Fills `packet`, sent at game time `time_s`. West is yellow and defends the goal at -x.

@@ -1,4 +1,4 @@
-// Conversion to the league's units: millimetres as float, times as whole micro- or nanoseconds.
+// Conversion to the league's units: millimetres as float, times as integer micro- or nanoseconds.
 #pragma once
 
 #include <cmath>

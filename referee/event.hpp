@@ -42,13 +42,13 @@ struct EventEntry {
   std::string_view name{};          // snake_case, as in event logs and column names: "throw_in"
   std::string_view league_event{};  // the league's GameEvent.Type; empty if it has none
   Effect effect = Effect::kNone;
-  When when = When::kInPlay;             // for calls only
-  bool is_foul = false;                  // counted among a team's fouls in the game's row
-  bool counts_to_card = false;           // 2026: every third such foul brings a yellow card
-  bool is_non_stopping = false;          // 2026: the team's goals in the next 2 s do not count
-  bool is_exit = false;                  // the ball left the field; the last touch decides
-  Card card = Card::kNone;               // always shown
-  std::optional<CommandKind> restart{};  // always follows
+  When when = When::kInPlay;     // for calls only
+  bool is_foul = false;          // counted among a team's fouls in the game's row
+  bool counts_to_card = false;   // 2026: every third such foul brings a yellow card
+  bool is_non_stopping = false;  // 2026: the team's goals in the next 2 s do not count
+  bool is_exit = false;          // the ball left the field; the last touch decides the restart
+  Card card = Card::kNone;       // the card that the event always brings
+  std::optional<CommandKind> restart{};  // the restart that always follows
 };
 
 // The entries of all events, ordered by event number.

@@ -230,7 +230,7 @@ class Referee::Impl {
   RefereeState state_;
   Frame seen_;
   Tracker tracker_;
-  bool was_lifted_ = false;  // the ball, in the previous frame
+  bool was_lifted_ = false;  // whether lift_ball() moved the ball in the previous frame
   FrameHistory frames_;      // of the current play
   OnlineTouchDetector online_touch_;
   RetrospectiveTouchDetector retrospective_touch_;

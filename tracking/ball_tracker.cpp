@@ -8,7 +8,7 @@
 namespace autoref {
 namespace {
 
-// Between the carpet models of the league's simulators.
+// Values between those of the carpet models in the league's simulators.
 constexpr double kSlide_mps2 = 3.4;
 constexpr double kRoll_mps2 = 0.3;
 constexpr double kSwitchRatio = 0.67;
@@ -23,8 +23,9 @@ constexpr double kAtFront_m = 15_mm;             // maximum gap between ball and
 
 constexpr double kSlowestChip_mps = 1.0;
 constexpr double kNewKick_mps = 1.0;  // minimum velocity change of a new kick
-constexpr double kKickTime = 0.6;     // deviation in frames; a late kick appears one frame later
-constexpr double kKickPosition_m = 5_mm;  // deviation of a kick's position
+constexpr double kKickTime =
+    0.6;  // standard deviation in frames; a kick late in a frame appears one frame later
+constexpr double kKickPosition_m = 5_mm;  // standard deviation of a kick's position
 constexpr double kLeastFlight_m = 1e-3;   // minimum estimated height of a flying ball
 constexpr double kLongestKick_s = 4.0;    // a chip at 5.5 m/s has stopped bouncing long before
 
@@ -91,7 +92,7 @@ void BallTracker::predict(double duration_s) {
   motion_.predict(duration_s, velocity_mps * (-lost_mps / (speed_mps * duration_s)));
 }
 
-// Ballistic extrapolation of an unseen flight.
+// Extrapolates an unseen flight ballistically.
 void BallTracker::fly_on(double duration_s) {
   ball_->height_m += duration_s * (rise_mps_ - kGravity_mps2 * duration_s / 2);
   rise_mps_ -= kGravity_mps2 * duration_s;
@@ -99,7 +100,8 @@ void BallTracker::fly_on(double duration_s) {
 }
 
 void BallTracker::correct(const BallObservation& seen, double gap_s) {
-  if (!seen.height_m && ball_->height_m > 0) return;  // it is not where the camera sees it
+  if (!seen.height_m && ball_->height_m > 0)
+    return;  // a flying ball is not where the camera sees it
   if (!seen.height_m && follows_kick_ && seen.seen_from.position_m != camera_m_) {
     // Another camera projects a flying ball to another point.
     motion_.set_position(seen.position_m);

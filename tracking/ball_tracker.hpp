@@ -2,8 +2,8 @@
 //
 // A Kalman filter that models deceleration by the carpet, sliding after a kick and rolling later
 // (the league's two-phase model, medium carpet). A detection outside the innovation gate means a
-// kick or a bounce: the velocity covariance is inflated, and the new velocity is learnt within two
-// frames.
+// kick or a bounce: the velocity covariance is inflated, and the filter adopts the new velocity
+// within two frames.
 //
 // If vision reports no height, each kick is followed by a ChipFlight (chip_flight.hpp). Once it
 // detects a flight, it supplies position, velocity and height; until it decides, the height is

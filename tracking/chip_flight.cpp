@@ -7,7 +7,7 @@
 namespace autoref {
 namespace {
 
-// Prior: a chip of up to 5.5 m/s at 45 degrees, weak enough for detections to dominate soon.
+// Prior: a chip of up to 5.5 m/s at 45 degrees, weak enough that the detections soon dominate.
 constexpr double kUsualSpeed_mps = 4_mps;
 constexpr double kUsualRise_mps = 2.5_mps;
 constexpr double kUsualRiseDeviation_mps = 1.25_mps;
@@ -19,7 +19,8 @@ constexpr double kHopsPerFlight = 0.57 / (1 - 0.57);
 constexpr double kLongestChip_s = 2 * kFastestRise_mps / kGravity_mps2 * (1 + kHopsPerFlight);
 
 constexpr double kChipLeastNoise_m = 0.2_mm;  // rounding and unmodelled effects
-constexpr double kBend = 0.1;  // lateral error per distance travelled within the time's deviation
+constexpr double kBend =
+    0.1;  // lateral deviation per metre that the ball travels in time_deviation_s
 constexpr int kLeastDetections = 3;
 
 // Chi-square thresholds.
@@ -146,7 +147,7 @@ FlightSums ChipFlight::from_position() const {
 }
 
 // Likelihood-ratio test between a flight and a path on the carpet, repeated with each detection.
-// Each model must also pass a chi-square test of its own; if neither does, the height stays unknown
+// Each model must also pass its own chi-square test; if neither does, the height stays unknown
 // until no chip could still be bouncing.
 void ChipFlight::decide(const BallDetection& detection) {
   const double t_s = detection.time_s - kick_.time_s;
@@ -177,7 +178,7 @@ void ChipFlight::follow(const BallDetection& detection) {
   const double t_s = detection.time_s - kick_.time_s;
   const FlightFit fit(from_position());
   fitted_ = fit.unknowns;
-  // What the newest detection adds to the fit's chi-square.
+  // The increase of the fit's chi-square by the newest detection.
   const double normalised_innovation_squared = fit.misfit / square(noise_m_) - misfit_;
   misfit_ += normalised_innovation_squared;
   const bool lost = normalised_innovation_squared > kChipInnovationGate ||

@@ -9,7 +9,7 @@ namespace autoref {
 struct MotionNoise {
   double detection = 0;  // standard deviation of one coordinate of a detection; m or rad
   double process_noise_density = 0;  // growth rate of the velocity variance; m2/s3 or rad2/s3
-  double any_change = 0;             // standard deviation of an unknown velocity
+  double any_change = 0;             // prior standard deviation of an unknown velocity
 };
 
 // Position and velocity along `Axes` identical axes, which share one covariance.

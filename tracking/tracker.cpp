@@ -20,8 +20,8 @@ constexpr double kRobotInnovationGate = 16.0;
 
 using Angle = MotionFilter<1>::Axis;
 
-// The angle between two unit vectors. It is small from frame to frame, so a series in the sine
-// suffices.
+// The angle between two unit vectors. The angle is small from frame to frame, so a power series in
+// its sine suffices.
 double turned_angle(const Vec2& from, const Vec2& to) {
   const double sine = cross(from, to);
   if (from.dot(to) < 0.95) return angle_between(from, to);

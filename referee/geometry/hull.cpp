@@ -8,7 +8,7 @@ namespace autoref::referee {
 namespace {
 
 constexpr double kHullDeviations =
-    3;  // standard deviations: exceeded in one of several hundred frames
+    3;  // standard deviations; noise exceeds them in one of several hundred frames
 
 }  // namespace
 

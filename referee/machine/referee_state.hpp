@@ -62,7 +62,7 @@ struct Stopwatch {
 // A side's fouls and cards.
 struct CardBook {
   int fouls = 0;                   // only those that count towards a card
-  int cards_for_fouls = 0;         // shown for these fouls
+  int cards_for_fouls = 0;         // cards shown for these fouls
   std::optional<double> fouled_s;  // when the last non-stopping foul was called
   // When the active yellow cards end, by the play clock, oldest first.
   boost::container::static_vector<double, kMaxRobots> yellow_ends_s;

@@ -9,8 +9,8 @@ namespace {
 constexpr double kAnySpeed_mps = 4.0;  // prior standard deviation of an unknown velocity
 constexpr double kMillimetre2 = 1e-6;
 
-// Accurate to 1e-7: the series of 2 artanh(z). The C library's logarithm differs between machines
-// in its last bit.
+// The series of 2 artanh(z), accurate to 1e-7. It is used because the last bit of the C library's
+// logarithm differs between machines.
 double natural_log(double x) {
   constexpr double kLog2 = 0.69314718055994531;
   int exponent = 0;
@@ -50,7 +50,7 @@ void BallMotionFilter::predict(double duration_s, const BallMotionParameters& pa
   // White-noise jerk, discretised to first order in the step.
   aa_ += (rolls_ ? parameters.rolls_change_m2ps5 : parameters.slides_change_m2ps5) * std::abs(t);
   if (rolls_ && t > 0 && velocity_mps_.dot(acceleration_mps2_) > 0) {
-    velocity_mps_ = acceleration_mps2_ = Vec2(0, 0);  // friction has stopped it
+    velocity_mps_ = acceleration_mps2_ = Vec2(0, 0);  // friction has stopped the ball
   }
 }
 

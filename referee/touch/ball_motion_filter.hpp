@@ -12,11 +12,11 @@ namespace autoref::referee {
 
 // Measurement and process noise. Standard deviations are per coordinate.
 struct BallMotionParameters {
-  // Measurement noise. The detector raises it to vision's noise, but never lowers it, since a ball
-  // may begin to roll between detections.
+  // Measurement noise. The detector raises it if vision is noisier, but never lowers it, since a
+  // ball may begin to roll between two detections.
   double detection_m = 0.2e-3;
-  // Prior deviation of a sliding ball's acceleration: friction is 3.0 to 3.9 m/s2, its direction
-  // depends on the unknown spin.
+  // Prior deviation of a sliding ball's acceleration: friction decelerates the ball by 3.0 to 3.9
+  // m/s2 in a direction that depends on the unknown spin.
   double slides_mps2 = 2.2;
   double slides_change_m2ps5 = 1.0;  // power spectral density of the jerk
   // Prior mean and standard deviation of a rolling ball's deceleration; all of the league's carpets
@@ -40,7 +40,7 @@ class BallMotionFilter {
   // Starts at the estimated position of a ball that takes off or lands.
   void jump(const Vec2& seen_m, const BallMotionParameters& parameters);
 
-  // Predicts the state `duration_s` ahead, or back if negative.
+  // Predicts the state `duration_s` ahead, or back in time if `duration_s` is negative.
   void predict(double duration_s, const BallMotionParameters& parameters);
 
   // Adds the process noise of a touch at an unknown time within the last `duration_s`.

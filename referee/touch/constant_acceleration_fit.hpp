@@ -9,7 +9,7 @@
 
 namespace autoref::referee {
 
-// At time 0.
+// The estimated motion, at time 0.
 struct ConstantAcceleration {
   Vec2 position_m{0, 0};
   Vec2 velocity_mps{0, 0};

@@ -1,6 +1,6 @@
 // The history of recent frames of play.
 //
-// One bounded history serves everything that looks back: both touch detectors
+// One bounded history serves all code that needs earlier frames: both touch detectors
 // (online_touch_detector.hpp, retrospective_touch_detector.hpp), the order of touches
 // (touch_history.hpp) and the rules. The referee owns it, restarts it when play starts and pushes
 // each frame of play; all others only read it.
@@ -32,7 +32,7 @@ struct BallDetection {
 struct StoredFrame {
   double time_s = 0;
   bool has_ball = false;
-  BallDetection ball;  // without a ball in this frame, the last detection before it
+  BallDetection ball;  // the last earlier detection if this frame has no ball
   PerSide<SeenRobots> robots;
 };
 
@@ -46,7 +46,7 @@ class FrameHistory {
  public:
   static constexpr int kKept = 256;       // 4 s at 60 Hz, 2.5 s at 100 Hz
   static constexpr int kDetections = 16;  // detections that can be looked up by their order
-  // How many frames and detections the touch history and the rules can look back: 0.15 s at 60 Hz.
+  // How many frames and detections back the touch history and the rules can look: 0.15 s at 60 Hz.
   // Touches are reported within 0.1 s.
   static constexpr int kRecent = 10;
 

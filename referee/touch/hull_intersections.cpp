@@ -31,7 +31,8 @@ class Walker {
          const HullIntersectionParameters& parameters)
       : motion_(motion), goes_back_(goes_back), parameters_(parameters) {}
 
-  // Samples from one frame to the next, counting shared end points once.
+  // Samples the path from one frame to the next; end points shared by two intervals are sampled
+  // once.
   void go(const StoredFrame& from, const StoredFrame& to, int samples, double start_s,
           bool is_first) {
     for (int i = is_first ? 0 : 1; i <= samples; ++i) {

@@ -39,11 +39,10 @@ struct Walk {
   double through_deviance = 0;  // deviance of passing through hulls, along the whole path
 };
 
-// Samples the path that starts at frame `from` up to frame `to`, which may be earlier. A
-// touch's deviance is that of the gap between ball and hull at that time, plus the deviance of the
-// hulls that the ball has passed through until then. If `to` is
-// earlier, the path was started by a touch, so the deviance of a kick includes the angle between
-// the robot's heading and the path.
+// Samples the path that starts at frame `from` up to frame `to`, which may be earlier. A touch's
+// deviance is that of the gap between ball and hull at that time, plus the deviance of the hulls
+// that the ball has passed through until then. If `to` is earlier, the path began with a touch, so
+// the deviance of a kick also depends on the angle between the robot's heading and the path.
 Walk walk(const BallMotionFilter& motion, const FrameHistory& frame_history, std::int64_t from,
           std::int64_t to, const HullIntersectionParameters& parameters);
 

@@ -9,7 +9,8 @@
 namespace autoref::referee {
 namespace {
 
-// If rolling and sliding differ by this deviance, only the likelier is kept.
+// If the deviances of rolling and sliding differ by more than this, only the likelier of the two is
+// kept.
 constexpr double kRollsSurely = 20;
 // Hypotheses with this much more deviance than the best are pruned: they cannot catch up. This is
 // twice the deviance of a velocity change with no robot near.
@@ -97,8 +98,8 @@ const TouchHypothesis& HypothesisTracker::cheapest() const {
 }
 
 // Gates the detection by the likeliest hypothesis. If it is outside the gate, or if a robot or goal
-// was near enough, branches off a soft and a hard touch since the previous detection. They start
-// from the per-side minima of all hypotheses, which merges these.
+// was near enough, branches off a soft and a hard touch since the previous detection. The new
+// hypotheses start from the per-side minima of all existing ones, which merges those.
 void HypothesisTracker::add_touch() {
   const BallMotionParameters& parameters = basis_.parameters.motion;
   const BallMotionFilter& motion = cheapest().motion;
@@ -140,7 +141,8 @@ void HypothesisTracker::follow() {
   }
   for (TouchHypothesis& hypothesis : hypotheses_) {
     follow(hypothesis);
-    // The same touch came before, whether the ball then slid or rolled.
+    // Hypotheses with the same start share the touch, whether the ball then slid or rolled, so the
+    // touch is weighed only once.
     const auto twin = std::find_if(
         hypotheses_.begin(), hypotheses_.end(),
         [&hypothesis](const TouchHypothesis& other) { return other.start == hypothesis.start; });
@@ -152,7 +154,7 @@ void HypothesisTracker::follow() {
   }
 }
 
-// A jump ends all hypotheses except the newest, which starts at it.
+// A jump ends all hypotheses except the newest, which starts at the jump.
 void HypothesisTracker::follow_jump() {
   hypotheses_.erase(hypotheses_.begin(), hypotheses_.end() - 1);
   TouchHypothesis& hypothesis = hypotheses_.back();
@@ -206,8 +208,8 @@ void HypothesisTracker::forget_unlikely() {
   hypotheses_.resize(kept);
 }
 
-// Merges hypotheses that begin with the same touch: the likelier one is enough once the ball rolls
-// in both, or once their deviances differ clearly.
+// Merges hypotheses that begin with the same touch: only the likelier one is kept once the ball
+// rolls in both, or once their deviances differ clearly.
 void HypothesisTracker::strike_twins(Deviances& deviances) const {
   for (std::size_t i = 0; i < deviances.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {

@@ -1,9 +1,9 @@
 // Runs a multiple-hypothesis tracker over the detections of the ball (Reid 1979).
 //
 // Whenever the ball is near a robot, or an innovation is outside the gate, new hypotheses branch
-// off in which it was touched there; the others continue without a touch. The decision about a
-// touch is thus deferred until the ball's later path supports it. The likeliest ten hypotheses are
-// kept.
+// off in which the ball was touched there; the others continue without a touch. The decision about
+// a touch is thus deferred until the ball's later path supports it. The likeliest ten hypotheses
+// are kept.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -25,7 +25,8 @@ class HypothesisTracker {
   SideMinima track(std::int64_t first, const SideMinima& before);
 
  private:
-  static constexpr std::size_t kMostHypotheses = 10;  // fewer change some calls, more do not
+  static constexpr std::size_t kMostHypotheses =
+      10;  // with fewer, some calls change; with more, none do
   // A detection adds one hypothesis for rolling and two for a touch.
   using TouchHypotheses = boost::container::static_vector<TouchHypothesis, kMostHypotheses + 4>;
   using Deviances = boost::container::static_vector<double, TouchHypotheses::static_capacity>;

@@ -9,8 +9,8 @@
 namespace autoref::referee {
 namespace {
 
-// Limits in standard deviations: up to kMaybe a position error is plausible; beyond
-// kCertainDeviations a change is too large for noise.
+// Limits in standard deviations: a position error of up to kMaybe is plausible; a change of more
+// than kCertainDeviations is too large to be noise.
 constexpr double kMaybe = 3;
 constexpr double kCertainDeviations = 5;
 
@@ -46,7 +46,8 @@ void OnlineTouchDetector::update() {
   if (!is_open_) settled_ = last_;
 }
 
-// The ball was unseen for a while. Unless it moved on as before, an unknown robot touched it.
+// Handles a ball that was unseen for a while: unless it moved on as before, an unknown robot
+// touched it.
 void OnlineTouchDetector::resume_after_gap() {
   const BallDetection& now = ball(0);
   const BallDetection& before = frames_[frames_.newest() - 1].ball;
@@ -69,7 +70,8 @@ bool OnlineTouchDetector::is_sudden_change() const {
   const BallDetection& now = ball(0);
   const BallDetection& before = ball(1);
   const double between_s = (now.duration_s + before.duration_s) / 2;
-  // Second difference of positions, weights 1, -2, 1: sqrt(6) times their standard deviation.
+  // The second difference weights the positions by 1, -2 and 1, so its standard deviation is
+  // sqrt(6) times theirs.
   const double noise_mps =
       kCertainDeviations * 2.45 * parameters_.position_noise_m / now.duration_s;
   const double explained_mps = parameters_.carpet_mps2 * between_s + parameters_.jump_mps;
@@ -132,7 +134,7 @@ void OnlineTouchDetector::detect_single_touch(double share) {
   conclude(verdict, 1, change_mps(2, 0));
 }
 
-// The velocity change is new: assume that the ball moved on as before until a robot touched it.
+// Handles a new velocity change: assumes that the ball moved on as before until a robot touched it.
 void OnlineTouchDetector::detect_onwards() {
   const BallDetection& before = ball(1);
   const BallSegment segment{before.position_m,
@@ -163,7 +165,7 @@ void OnlineTouchDetector::take(const Verdict& verdict, double time_s, double spe
 // at the ball in all detections used.
 bool OnlineTouchDetector::carries_ball(RobotId id) const {
   if (ball(0).velocity_mps.norm() < parameters_.carried_mps) return false;
-  // The difference of two positions has sqrt(2) times their standard deviation.
+  // The standard deviation of the difference of two positions is sqrt(2) times theirs.
   const double moved_m = (ball(0).position_m - ball(kUsed - 1).position_m).norm();
   if (moved_m < kCertainDeviations * 1.41 * parameters_.position_noise_m) return false;
   for (int back = 0; back < kUsed; ++back) {
@@ -174,15 +176,18 @@ bool OnlineTouchDetector::carries_ball(RobotId id) const {
   return true;
 }
 
-// A push too soft for a sudden change: the ball accelerated away from a hull that touched it, both
-// if friction continued as just before and if it ended because the ball began to roll.
+// Whether the robot pushed the ball so softly that its velocity did not change suddenly. The hull
+// must have touched the ball, and the ball must have accelerated away from the hull. The
+// acceleration must be large enough under both assumptions about friction: that it stayed as it was
+// just before, and that it ceased because the ball began to roll.
 bool OnlineTouchDetector::pushed_softly(const RobotObservation& robot) const {
   if (!(gap_to_robot_m(robot, ball(1).position_m) <= touching_m())) return false;
   const double duration_s = ball(0).duration_s;
   const Vec2 carpet_mps = 2 * clamp_norm(change_mps(3, 2), parameters_.carpet_mps2 * duration_s);
   const Vec2 push = push_direction(robot, ball(1).position_m);
   const double push_mps = change_mps(2, 0).dot(push);
-  // Positions enter with weights up to 5, which gives about 8 times their standard deviation.
+  // Positions are weighted by up to 5, so the standard deviation of the sum is about 8 times
+  // theirs.
   const double noise_mps = kCertainDeviations * 8 * parameters_.position_noise_m / duration_s;
   return std::min(push_mps, push_mps - carpet_mps.dot(push)) >=
          parameters_.soft_push_mps + noise_mps;
@@ -192,7 +197,7 @@ double OnlineTouchDetector::touching_m() const {
   return parameters_.touching_m + kMaybe * parameters_.position_noise_m;
 }
 
-// Detects soft touches that noise hides from frame to frame, a few frames later.
+// Detects, a few frames later, soft touches that noise hides between single frames.
 void OnlineTouchDetector::detect_velocity_change() {
   if (parameters_.position_noise_m <= 0) return;
   const std::optional<VelocityChange> change = velocity_changes_.update();

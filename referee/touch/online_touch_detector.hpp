@@ -3,12 +3,13 @@
 //
 // Deviation D16: the paper's AutoRef takes c as given.
 //
-// This is the online touch detector of the two in docs/touch-detection.md. It judges each frame by
-// the most recent detections of the ball. A touch shows in the ball's motion: its velocity or
-// position changes by more than carpet and noise explain while a robot's hull is at the ball, or
-// the ball stays at a moving hull and moves along with it. A robot that is merely near did not
-// touch the ball, and a velocity change with no robot near (a post, a wall) is not a touch. If
-// robots of both sides explain a velocity change about equally well, the last touch is unknown.
+// docs/touch-detection.md describes two detectors; this is the online touch detector. It judges
+// each frame by the most recent detections of the ball. A touch is visible in the ball's motion:
+// its velocity or position changes by more than carpet and noise can explain while a robot's hull
+// is at the ball, or the ball stays at a moving hull and moves along with it. A robot that is
+// merely near did not touch the ball, and a velocity change with no robot near (a post, a wall) is
+// not a touch. If robots of both sides explain a velocity change about equally well, the last touch
+// is unknown.
 //
 // The referee restarts the detector when play starts and updates it after each frame of play.
 #pragma once
@@ -79,7 +80,7 @@ class OnlineTouchDetector {
   std::int64_t judged_ = 0;  // detections of the history
   int known_ = 0;            // detections since play started or the ball was lost, up to kUsed
   bool is_open_ = false;     // the next frame may revise the newest velocity change
-  LastTouch settled_;        // before that velocity change
+  LastTouch settled_;        // the last touch before that velocity change
   VelocityChangeDetector velocity_changes_;
   double changed_s_ = 0;  // time of the last velocity change seen from frame to frame
   LastTouch last_;

@@ -1,12 +1,13 @@
 // Who touched the ball last, judged in hindsight once the ball has left the field.
 //
-// This is the retrospective touch detector of the two in docs/touch-detection.md. It explains the
-// detections of the last few seconds by hypotheses (touch_hypothesis.hpp): free motion of the ball
-// (ball_motion_filter.hpp), with touches in between. A hypothesis is scored by the likelihood of
-// the detections, the prior probability of each touch, and the likelihood of the robot that made it
-// (hull_intersections.hpp). The path before a touch must lead to that robot's hull; the path after
-// it must come from there, or out of its dribbler zone along its heading, without passing through
-// other robots. A touch that noise hides at first is thus revealed by the ball's later path.
+// docs/touch-detection.md describes two detectors; this is the retrospective touch detector. It
+// explains the detections of the last few seconds by hypotheses (touch_hypothesis.hpp): free motion
+// of the ball (ball_motion_filter.hpp), with touches in between. A hypothesis is scored by the
+// likelihood of the detections, the prior probability of each touch, and the likelihood of the
+// robot that made it (hull_intersections.hpp). The path before a touch must lead to that robot's
+// hull; the path after it must come from there, or out of its dribbler zone along its heading,
+// without passing through other robots. A touch that noise hides at first is thus revealed by the
+// ball's later path.
 //
 // The side with the likelier hypothesis touched the ball last; if both are about equally likely,
 // the last touch is unknown.

@@ -53,7 +53,7 @@ double gap_to_robot_m(const RobotObservation& robot, const Vec2& ball_m);
 // The outward normal of the hull at the ball: the direction of a push.
 Vec2 push_direction(const RobotObservation& robot, const Vec2& ball_m);
 
-// The robot with that number; null if it is missing.
+// The robot with that number; null if it is not in the list.
 const RobotObservation* find_robot(const SeenRobots& robots, int number);
 
 }  // namespace autoref::referee

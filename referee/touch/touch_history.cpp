@@ -13,7 +13,7 @@ namespace {
 // Ball and hull are apart if the gap exceeds this plus three standard deviations.
 constexpr double kHistoryApart_m = 20_mm;
 constexpr double kSureDeviations = 3;
-// Touches by unknown robots count as one unless they are this far apart: three frames.
+// Touches by unknown robots count as one unless they are this far apart in time: three frames.
 constexpr double kPause_s = 60_ms;
 // A touch may be revised in the next two frames of a 60 Hz camera.
 constexpr double kSettles_s = 30_ms;
@@ -87,7 +87,8 @@ void TouchHistory::take_in(const RefereeInput& input) {
     if (reported.time_s == newest.ended_s) return;
     is_another(newest, reported.time_s) ? begin(input) : extend(newest, input);
   } else {
-    // A touch before the frame that reported the newest one is a revision of it.
+    // If the reported time is before the frame that first reported the newest touch, the report
+    // revises that touch.
     reported.time_s > newest.reported_s ? begin(input) : correct(input);
   }
 }

@@ -1,7 +1,7 @@
 // The touches of the ball since play started, in order, and the ball's motion between them.
 //
 // Built from the last touch that the online detector reports in each frame. Touches by one robot
-// count as one until the ball has been apart from its hull. When the detector shortly afterwards
+// count as one until the ball has separated from its hull. When the detector shortly afterwards
 // changes a touch's robot or time, or withdraws the touch, the history follows.
 #pragma once
 
@@ -27,7 +27,7 @@ struct BallTouch {
       toucher;                    // the robot at the end of the touch; nullopt if not seen
   std::optional<double> apart_s;  // when the ball separated from that robot
   double highest_m = 0;           // greatest height of the ball's lowest point until the next touch
-  bool height_known = true;       // throughout that time
+  bool height_known = true;       // whether the height was known throughout that time
   bool rolled = false;            // the ball has been on the carpet for the last 0.1 s
 };
 

@@ -42,7 +42,7 @@ struct SideMinima {
 // A robot that may have started the ball's current motion by a touch.
 struct TouchSource {
   RobotId robot;
-  double seen_gap_m = 1;       // at the first detection after the touch
+  double seen_gap_m = 1;       // gap at the first detection after the touch
   double bounce_deviance = 0;  // deviances of the path before a bounce or kick
   double kick_deviance = 0;
   double time_s = 0;  // time of the likeliest touch

@@ -10,7 +10,8 @@ namespace autoref::referee {
 namespace {
 
 constexpr double kFastestRobot_mps = 4.0;  // faster than any robot in the league
-constexpr double kNearGoal_m = 0.5;  // distance from the goal line; there are no posts farther away
+constexpr double kNearGoal_m =
+    0.5;  // distance from the goal line up to which a ball may hit the goal
 // Number of detections used to estimate the path after a touch; friction and other touches bend a
 // longer path.
 constexpr int kTellingDetections = 8;
@@ -20,7 +21,7 @@ constexpr int kTellingDetections = 8;
 constexpr double kLandedAlong = 0.4;
 constexpr double kLandedAcross = 0.1;
 
-// From the ball's surface to the robot in that frame; kNever if it was not near.
+// Gap from the ball's surface to the robot in that frame; kNever if the robot was not near.
 double seen_gap_m(const StoredFrame& frame, RobotId id) {
   const RobotObservation* robot = find_robot(frame.robots[id.side], id.number);
   if (robot == nullptr || !is_near_ball(frame, *robot)) return kNever;
@@ -80,7 +81,7 @@ const HullIntersection* intersection_with(const HullIntersections& intersections
 }
 
 // Deviance of a touch by that robot, given the paths before and after. Either it was the only touch
-// between the two frames, or there was another one; then the path after is not required to fit.
+// between the two frames, or there was another one; then the path after need not fit this robot.
 double deviance_of(const TouchSource& source, const HullIntersection* after, double goal_deviance,
                    const TouchHypothesisParameters& p) {
   double deviance = std::min(source.bounce_deviance, source.kick_deviance) +

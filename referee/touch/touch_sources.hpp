@@ -1,8 +1,8 @@
 // What caused the touch that a hypothesis begins with: a robot, a goal's post or wall, or nothing.
 //
-// The path before must lead to the robot's hull, and the path after must come from it
-// (hull_intersections.hpp). The path before is known when the hypothesis begins, the path after
-// from the detections that follow.
+// The path before the touch must lead to the robot's hull, and the path after it must come from
+// there (hull_intersections.hpp). The path before is known when the hypothesis begins; the path
+// after is estimated from the detections that follow.
 #pragma once
 
 #include <cstdint>

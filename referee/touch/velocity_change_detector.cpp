@@ -6,8 +6,8 @@
 namespace autoref::referee {
 namespace {
 
-// Noise in two coordinates exceeds this many standard deviations once in 270 000 detections: the
-// Rayleigh tail exp(-5^2 / 2).
+// Noise in two coordinates exceeds this many standard deviations once in 270 000 detections, by the
+// tail of the Rayleigh distribution, exp(-5^2 / 2).
 constexpr double kChangeDeviations = 5.0;
 
 }  // namespace

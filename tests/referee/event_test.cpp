@@ -72,7 +72,8 @@ TEST(Events, MayComeInAStopIfTheirRuleIsActiveThen) {
                                                "too_many_robots"}));
 }
 
-// Exits, goals that do not count and restarts not taken are not fouls.
+// A ball that leaves the field, a goal that does not count and a restart that is not taken are not
+// fouls.
 TEST(Events, AreFoulsIfARobotBreaksARule) {
   for (const Event event : {Event::kGoal, Event::kThrowIn, Event::kChippedGoal, Event::kStuckBall,
                             Event::kNoProgressInGame, Event::kAimlessKick,

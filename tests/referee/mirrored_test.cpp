@@ -1,5 +1,5 @@
-// The referee favours neither side: frames turned by 180 degrees with the sides swapped give the
-// turned calls in the same frames.
+// The referee favours neither side: if the frames are rotated by 180 degrees and the sides swapped,
+// the calls are rotated as well and come in the same frames.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -177,7 +177,8 @@ Configuration rough_configuration(const RoughSetup& setup, Side first_kickoff) {
   return configuration;
 }
 
-// Cards, timeouts and knockout games with the clock of 2026; teams request timeouts at random.
+// Cards, timeouts and knockout games with the clock of the 2026 rules; teams request timeouts at
+// random.
 Configuration rough_knockout(const RoughSetup& setup, Side first_kickoff) {
   Configuration configuration = rough_configuration(setup, first_kickoff);
   for (const RuleId rule : {RuleId::kCards, RuleId::kTimeouts, RuleId::kTooManyRobots}) {

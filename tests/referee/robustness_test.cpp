@@ -1,4 +1,4 @@
-// How the referee handles frames with missing or wrong content.
+// How the referee handles frames with missing or invalid content.
 #include <gtest/gtest.h>
 
 #include <limits>

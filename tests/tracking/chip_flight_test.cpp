@@ -73,7 +73,7 @@ TEST(ChipFlight, GivesUpIfTheBallIsHitInTheAir) {
     flight.add(seen({hit.position_m + Vec2(0, (n - 15) / 60.0), hit.height_m}, n / 60.0));
   }
   EXPECT_EQ(flight.estimate().flight, BallFlight::kUnknown);
-  const BallDetection later = seen({hit.position_m, 0}, 2.0);  // when the bounces would have ended
+  const BallDetection later = seen({hit.position_m, 0}, 2.0);  // after all bounces would have ended
   EXPECT_EQ(flight.add(later).flight, BallFlight::kUnknown);
 }
 

@@ -83,7 +83,7 @@ Tally tally_of(Kick (*any)(RandomStream&), double noise_m) {
 struct Figures {
   const char* name;
   double noise_m;
-  std::array<double, 5> detected;  // proportions detected by kMarks_s
+  std::array<double, 5> detected;  // fractions detected by the times kMarks_s
   double height_rms_m, height_median_m, landing_rms_m, landing_median_m;
 };
 

@@ -76,7 +76,7 @@ inline Truth truth_at(const Kick& kick, double time_s) {
   return {kick.from_m + kick.along * rolled_m(kick, t), 0};
 }
 
-// As detected by the camera above the ball's quarter of a 9 x 6 m field.
+// The detection by the camera above the quarter of a 9 x 6 m field that the ball is in.
 inline BallDetection seen(const Truth& truth, double time_s) {
   const Vec2 camera(truth.position_m.x() < 0 ? -2.25 : 2.25, truth.position_m.y() < 0 ? -1.5 : 1.5);
   const double stretch = kCameraHeight_m / (kCameraHeight_m - truth.height_m);

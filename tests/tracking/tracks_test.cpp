@@ -94,13 +94,14 @@ TEST(Tracker, IsMuchBetterThanDifferencingNoisyDetections) {
     ball_mps2 += (tracks.ball->velocity_mps - Vec2(3.0 - 0.3 * t_s, 0)).squaredNorm();
     robot_mps2 += (tracks.robots[Side::kWest][0].velocity_mps - Vec2(1.5, 0)).squaredNorm();
   }
-  // Differencing two detections gives a deviation of 2 * 60 * noise. The estimate is four
-  // times as good for the ball, whose friction is known, and two and a half times for a robot.
+  // Differencing two detections gives a deviation of 2 * 60 * noise. The estimate is four times as
+  // accurate for the ball, because its friction is known, and two and a half times as accurate for
+  // a robot.
   EXPECT_LT(std::sqrt(ball_mps2 / (kFrames - kSettled)), noise.ball_m * 120 / 4);
   EXPECT_LT(std::sqrt(robot_mps2 / (kFrames - kSettled)), noise.robot_m * 120 / 2.5);
 }
 
-// A kick at 6 m/s seen with noise: the ball slides, then rolls, as the league's balls do.
+// A kick at 6 m/s, seen with noise: like the league's balls, the ball first slides, then rolls.
 TEST(BallTracker, DetectsAKickWithinTwoFramesAndFollowsItsSlide) {
   BallTracker tracker(0.0014);
   RandomStream random(6);

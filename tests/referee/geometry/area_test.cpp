@@ -40,8 +40,8 @@ TEST(HullOutOfArea, IsMeasuredToTheFrontsCornersAtARoundLine) {
 
 TEST(HullOutOfArea, TreatsFrontAndSideOfABoxSeparately) {
   const Field field = find_game_setup("2026-b")->field;  // 1 m deep in front of x = -4.5, 2 m wide
-  // The centre is 80 mm behind the front line, which the flat front faces, and 85 mm inside the
-  // side line.
+  // The centre is 80 mm behind the front line, towards which the flat front points, and 85 mm
+  // inside the side line.
   const double out_m = hull_out_of_area_m(field, Side::kWest, robot_at({-3.58, 0.915}, {1, 0}));
   EXPECT_NEAR(out_m, 0.005, 1e-9);
 }

@@ -44,7 +44,7 @@ TEST(TransitionMultipleFouls, CountsEachSidesFoulsSeparately) {
   EXPECT_EQ(game.look_for_cards(), "");
 }
 
-// A drawn crash may be the third foul of both sides: neither comes first.
+// A drawn crash may be the third foul of both sides; then both get the card at once.
 TEST(TransitionMultipleFouls, IsTakenForBothSidesAtOnce) {
   StagedMachine game = in_2026();
   for (int i = 0; i < 3; ++i) game.foul(std::nullopt);
@@ -98,7 +98,7 @@ TEST(TransitionMultipleCardsStopped, IsTakenWhilePlayIsStopped) {
   EXPECT_EQ(game.state.signal.red_cards, (PerSide<int>{{0, 1}}));
 }
 
-// Two minutes of play (Laws 12; 2026).
+// A yellow card lasts for two minutes of play (Laws 12; 2026).
 TEST(TransitionCardOver, IsTakenAfterTwoMinutesOfPlay) {
   StagedMachine game = in_2026();
   game.fouls_for_cards(Side::kEast, 1);
@@ -107,7 +107,7 @@ TEST(TransitionCardOver, IsTakenAfterTwoMinutesOfPlay) {
   game.wait(0.1);
   EXPECT_EQ(game.look_for_cards(), "card_over");
   EXPECT_EQ(game.state.signal.robots_allowed, (PerSide<int>{{6, 6}}));
-  EXPECT_EQ(game.state.signal.yellow_cards[Side::kEast], 1);  // shown so far
+  EXPECT_EQ(game.state.signal.yellow_cards[Side::kEast], 1);  // cards shown so far
 }
 
 TEST(TransitionCardOver, DoesNotCountTimeWhilePlayIsStopped) {

@@ -1,5 +1,5 @@
-// A penalty kick from the whistle, without physics. Calls the machine, its rules and its readiness
-// checks frame by frame, as the referee does, on the test's own state, in which a penalty kick has
+// A penalty kick without physics, from its award to its outcome. Calls the machine, its rules and
+// its readiness checks frame by frame, as the referee does, on a state in which a penalty kick has
 // just been awarded.
 #pragma once
 
@@ -19,7 +19,7 @@
 
 namespace autoref::referee {
 
-// Positions are given as if west kicked, attacking towards the east.
+// Positions are given for a kick by west towards the east; if east kicks, they are rotated.
 class PenaltyGame {
  public:
   PenaltyGame(std::string_view book, Side kicker)

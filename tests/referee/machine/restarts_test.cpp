@@ -79,7 +79,8 @@ TEST(NeutralPosition, KeepsClearOfBoxAreas) {
 // area", or "the closest valid position"; Division B: areas 1 m deep and 2 m wide.
 class FreeKick2026 : public testing::TestWithParam<Side> {
  protected:
-  // The position for a kick by either side, turned so that the nearby area is the east one.
+  // The position of a free kick for east, near its own area (parameter east) or near the opponents'
+  // area (parameter west), rotated so that the nearby area is the east one.
   Vec2 position(const Vec2& where_m) const {
     const double turn = GetParam() == Side::kEast ? 1 : -1;
     return turn * free_kick_position(field, rules, Side::kEast, turn * where_m);
@@ -88,7 +89,7 @@ class FreeKick2026 : public testing::TestWithParam<Side> {
   const Field field = find_game_setup("2026-b")->field;
 };
 
-// East's own area, and the opponents' area.
+// The kicker's own area, and the opponents' area.
 INSTANTIATE_TEST_SUITE_P(Areas, FreeKick2026, testing::ValuesIn(kSides));
 
 TEST_P(FreeKick2026, IsOneMetreInFrontOfTheArea) { expect_at(position({3.0, 0.4}), {2.5, 0.4}); }

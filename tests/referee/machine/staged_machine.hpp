@@ -1,5 +1,5 @@
-// The machine without the rest of the referee. Tests pass fouls to it directly and look for cards
-// frame by frame, at 60 Hz.
+// The machine without the rest of the referee. Tests pass fouls to it directly and check for cards
+// in every frame, at 60 Hz.
 #pragma once
 
 #include <optional>
@@ -27,7 +27,8 @@ class StagedMachine {
     return label_ = taken.label;
   }
 
-  // A foul that only counts, against both sides if there is no offender.
+  // A foul that is counted but does not stop play; without an offender, it counts against both
+  // sides.
   std::string_view foul(std::optional<Side> offender) {
     Finding finding;
     finding.event =

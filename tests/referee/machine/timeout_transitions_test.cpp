@@ -118,7 +118,7 @@ TEST(TransitionTimeoutOver, ContinuesWithTheSameRestart) {
   EXPECT_EQ(over.to, State::kWaitStop);
   EXPECT_EQ(over.command, (Command{CommandKind::kStop, Side::kWest}));
   EXPECT_EQ(game.signal.placement->target_m, position_m);
-  // The wait starts again: one check period.
+  // The wait starts again and lasts one check period.
   const Decision start = game.run_until("start");
   EXPECT_NEAR(start.time_s, over.time_s + 1, 1e-6);
   EXPECT_EQ(start.command, (Command{CommandKind::kIndirectFree, Side::kEast}));

@@ -1,4 +1,4 @@
-// Balls that leave the field under books other than the paper's.
+// Balls that leave the field, under rule books other than the paper's.
 #include <gtest/gtest.h>
 
 #include "tests/referee/support/booked_game.hpp"

@@ -1,4 +1,5 @@
-// Crashes: Laws 2014, law 12, decision 1 (in the wording of 2018), and "Crashing" of 2026.
+// Crashes: Laws 2014, law 12, decision 1 (in the wording of 2018), and section "Crashing" of the
+// 2026 rules.
 #include <gtest/gtest.h>
 
 #include "tests/referee/rules/driven_game.hpp"
@@ -77,7 +78,8 @@ TEST(Crash, AddsTheSpeedsOfBothRobots) {
 }
 
 TEST(Crash, CountsOnlyTheComponentAlongTheLineOfTheCentres) {
-  // With 0.16 m of lateral offset out of 0.18 m, 2.5 m/s is 1.15 m/s along the line.
+  // At a lateral offset of 0.16 m and a distance of 0.18 m between the centres, 2.5 m/s is 1.15 m/s
+  // along the line of centres.
   Approach aside{2.5, 0};
   aside.lateral_m = 0.16;
   EXPECT_TRUE(crash("2014", aside).calls(Event::kBotCrashUnique).empty());

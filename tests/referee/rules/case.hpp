@@ -62,7 +62,7 @@ struct Expected {
   Event event = Event::kBegin;
   double from_s = 0;
   double to_s = 0;
-  std::optional<std::vector<RobotId>> robots;  // all robots concerned, in any order
+  std::optional<std::vector<RobotId>> robots;  // all robots involved, in any order
   std::optional<Side> offender;
   std::optional<Card> card;
   std::optional<Command> next;  // the restart
@@ -99,7 +99,7 @@ struct Case {
   std::vector<Event> never;
   bool others_allowed = false;  // allows calls that are neither expected nor listed in `never`
   std::optional<PerSide<int>> goals;  // scored since the start
-  bool is_negative = false;           // expects no call by its rule
+  bool is_negative = false;           // expects its rule to make no call
 };
 
 // Prints the test parameter.

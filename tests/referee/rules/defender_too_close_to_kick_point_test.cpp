@@ -95,7 +95,7 @@ TEST(RestartDistance, AnotherRobotGetsNoCardTheSecondTime) {
   EXPECT_EQ(game.signal.yellow_cards[Side::kWest], 0);
 }
 
-// AutoRef's own limit: a team that never learns cannot hang a game.
+// AutoRef's own limit: a team that always breaks the rule cannot hang a game.
 TEST(RestartDistance, ARestartIsRetakenAtMostThreeTimes) {
   ScriptedGame game = throw_in_game(by_book("2014"));
   come_near(game, 0.3);

@@ -8,7 +8,7 @@
 namespace autoref::referee {
 namespace {
 
-// A throw-in for west; its robot 1 shoots from there at 5 m/s into the goal of `end`.
+// West 1 takes a throw-in and shoots it at 5 m/s into the goal of `end`.
 ScriptedGame throw_in_shot(const Configuration& configuration, Side end) {
   ScriptedGame game = in_play(configuration);
   game.kick_from(Side::kEast, 1, {0.5, 1.8}, {0, 4});

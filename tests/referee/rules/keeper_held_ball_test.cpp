@@ -9,7 +9,7 @@
 namespace autoref::referee {
 namespace {
 
-constexpr RobotId kKeeper{Side::kWest, 0};  // number 0, the default
+constexpr RobotId kKeeper{Side::kWest, 0};  // number 0 is the default
 constexpr RobotId kOther{Side::kWest, 1};
 
 // A west robot, defending the left goal, has the ball at that distance from its goal line

@@ -1,5 +1,5 @@
 // The force start of the paper and the Laws is tested with the machine's transitions. This file
-// tests the rules of 2026, which give the opponents a free kick.
+// tests the 2026 rules, which give the opponents a free kick.
 #include <gtest/gtest.h>
 
 #include "tests/referee/support/booked_game.hpp"

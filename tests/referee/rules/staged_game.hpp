@@ -20,8 +20,8 @@ struct Call {
   std::optional<Vec2> ball_m;
 };
 
-// If turned, the referee sees everything from the other end of the field with the sides swapped,
-// and its calls are turned back, so that a case expects the same calls either way.
+// A turned game is rotated by 180 degrees with the sides swapped before the referee sees it, and
+// the calls are rotated back, so that a case expects the same calls either way.
 class StagedGame {
  public:
   StagedGame(const Case& it, bool turned);

@@ -29,7 +29,7 @@ void StagedGame::run_until(State state, double limit_s) {
   throw std::runtime_error("the starting point was not reached: no " + std::string(name_of(state)));
 }
 
-// Hides everything for a while, as if somebody stood in front of the camera.
+// Hides the ball and all robots for a while, as if somebody stood in front of the camera.
 void StagedGame::curtain(double seconds) {
   stage_.clear_robots();
   stage_.show_ball(false);

@@ -1,4 +1,5 @@
-// While play is stopped, robots must not drive fast, be near the ball, or be in its way.
+// While play is stopped, robots must not drive fast, be near the ball, or be in the way of ball
+// placement.
 #include <gtest/gtest.h>
 
 #include "tests/referee/rules/driven_game.hpp"

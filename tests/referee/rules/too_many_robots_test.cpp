@@ -1,4 +1,4 @@
-// Robots that stay on the field after a card (2026: ten seconds).
+// Robots that stay on the field after a card (2026 rules: for more than ten seconds).
 #include <gtest/gtest.h>
 
 #include "referee/rules/rule.hpp"

@@ -7,7 +7,7 @@
 
 namespace autoref::referee {
 
-// A configuration with that book and the field that belongs to it.
+// A configuration with that rule book and its field.
 inline Configuration by_book(std::string_view book) {
   Configuration configuration;
   configuration.rules = find_rule_book(book).value();
@@ -25,7 +25,7 @@ inline ScriptedGame stopped_game(const Configuration& configuration) {
   return game;
 }
 
-// The same after the throw-in was signalled; the ball waits for east 3.
+// The same game after the throw-in has been signalled; the ball waits for east 3.
 inline ScriptedGame throw_in_game(const Configuration& configuration) {
   ScriptedGame game = stopped_game(configuration);
   game.robot(Side::kWest, 1).position_m = Vec2(-1, 0);

@@ -43,7 +43,7 @@ class ScriptedGame {
     ball_mps = Vec2(0, 0);
   }
 
-  // One frame: the referee judges it, then the ball rolls on, or ball placement puts it in
+  // Plays one frame: the referee judges it, then the ball rolls on, or ball placement puts it in
   // position.
   const RefereeSignal& step() {
     frame.number = next_number_++;
@@ -75,7 +75,7 @@ class ScriptedGame {
     throw std::runtime_error("transition never used: " + std::string(transition));
   }
 
-  // From the first frame to the kick-off: every robot moves a little, then all stand still.
+  // Plays from the first frame to the kick-off: every robot moves a little, then all stand still.
   ScriptedGame& kick_off() {
     step();
     for (Side side : kSides) {
@@ -85,7 +85,7 @@ class ScriptedGame {
     return *this;
   }
 
-  // The robot appears behind the ball, with its plate one millimetre away, and kicks it.
+  // The robot appears behind the ball, with its plate one millimetre away, and kicks the ball.
   void kick(Side side, int number, const Vec2& velocity_mps) {
     const Vec2 direction = velocity_mps.normalized();
     RobotObservation& kicker = robot(side, number);

@@ -43,14 +43,14 @@ TEST(BallMotionFilter, StartsWithAVelocityPriorThatCoversKicks) {
   motion.start({1, 2}, kParameters);
   EXPECT_EQ(motion.position_after(0), Vec2(1, 2));
   EXPECT_EQ(motion.velocity_mps(), Vec2(0, 0));
-  // A kick of 8 m/s (Laws) is about two standard deviations.
+  // A kick at 8 m/s, the limit of the Laws, is about two standard deviations.
   EXPECT_NEAR(velocity_off_mps(motion), 4, 2);
 }
 
 TEST(BallMotionFilter, EstimatesTheVelocityFromTwoDetections) {
   const BallMotionFilter motion = motion_of(3, 0, 1);
   EXPECT_NEAR(motion.velocity_mps().x(), 3, 0.02);
-  // Noise of 0.2 mm in two detections, and friction for half a frame: 17 mm/s each.
+  // Noise of 0.2 mm in two detections and friction during half a frame contribute 17 mm/s each.
   EXPECT_NEAR(velocity_off_mps(motion), 0.025, 0.01);
 }
 
@@ -81,7 +81,8 @@ void go_unseen(BallMotionFilter& motion, double duration_s) {
 }
 
 // Within a second sliding may end or the spin may change direction, which changes the deceleration
-// by 1 m/s2. Integrated over that second, the velocity error is 1 m/s divided by the root of three.
+// by 1 m/s2. Integrated over that second, the velocity error is 1 m/s divided by the square root of
+// three.
 TEST(BallMotionFilter, ForgetsTheDecelerationOfASlidingBall) {
   BallMotionFilter motion = motion_of(4, 3.5, 60);
   go_unseen(motion, 1);
@@ -109,7 +110,8 @@ TEST(BallMotionFilter, AssumesATypicalCarpetWhenTheBallBeginsToRoll) {
   motion.begin_to_roll(kParameters);
   motion.predict(1, kParameters);
   EXPECT_NEAR(motion.velocity_mps().x(), 2 - 0.3, 0.02);
-  // An error of 0.2 m/s2 for a second, and 20 mm/s from sliding for part of a frame.
+  // The deceleration is wrong by 0.2 m/s2 for a second, and sliding for part of a frame adds 20
+  // mm/s.
   EXPECT_NEAR(velocity_off_mps(motion), 0.2, 0.08);
 }
 

@@ -95,7 +95,7 @@ TEST(Walk, HasNoDevianceForTheGapsOfThePhysicsEngine) {
   EXPECT_LT(passing(0.0005).intersections[0].bounce_deviance, 0.1);
 }
 
-// 4 mm beyond the slack; the standard deviation of contact is 1 mm.
+// The gap is 4 mm beyond the slack; the standard deviation of contact is 1 mm.
 TEST(Walk, HasADevianceOfTheSquaredGap) {
   EXPECT_NEAR(passing(0.005).intersections[0].bounce_deviance, 16, 2);
 }
@@ -107,7 +107,7 @@ TEST(Walk, HasASmallerDevianceIfRobotDetectionsAreNoisy) {
 }
 
 TEST(Walk, AddsTheDepthOfPassingThroughAHull) {
-  // 5 mm into the hull, including 1 mm of slack.
+  // The path is 5 mm inside the hull, including 1 mm of slack.
   EXPECT_NEAR(passing(-0.005).through_deviance, 16, 2);
   EXPECT_LT(passing(-0.0008).through_deviance, 0.01);
 }
@@ -122,8 +122,8 @@ TEST(Walk, FindsAHullThatItCrossesBetweenFrames) {
   EXPECT_NEAR(walk.intersections[0].time_s, 0.8 * kFrame_s, 0.1 * kFrame_s);
 }
 
-// Backwards along the path of a ball that left the origin along x. A kicker is behind it, with the
-// plate `gap_m` from the ball and its heading rotated by `off_rad` from the path.
+// Walks backwards along the path of a ball that left the origin along x. A kicker is behind it,
+// with the plate `gap_m` from the ball and its heading rotated by `off_rad` from the path.
 Walk kicked(double gap_m, double off_rad,
             const HullIntersectionParameters& parameters = kIntersection) {
   const Vec2 heading = heading_of(off_rad);

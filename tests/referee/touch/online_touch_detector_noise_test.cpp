@@ -101,7 +101,7 @@ TEST(NoisyTouch, IsNotDetectedIfABallPassesRobotsClosely) {
     scene.put_robot(Side::kEast, {1.0, -beside_m}, {0, -1});
     scene.put_robot(Side::kEast, {1.5, beside_m}, {1, 0});
     scene.start({0, 0});
-    // It slides first: 3.4 m/s2 from 3 m/s down to 2 m/s, then rolls.
+    // The ball slides first, decelerating at 3.4 m/s2 from 3 m/s to 2 m/s, then rolls.
     Vec2 ball_m(0, 0);
     double speed_mps = 3.0;
     scene.see(ball_m);

@@ -10,7 +10,7 @@ namespace {
 constexpr double kFrame_s = 1.0 / 60;
 constexpr double kTouch_m = kFrontDistance_m + kBallRadius_m;  // centre to centre, at the plate
 
-// A ball on exact paths between touches, and robots, seen at 60 Hz.
+// Robots and a ball that follows exact paths between touches, seen at 60 Hz.
 class TouchScene {
  public:
   explicit TouchScene(const Vec2& at_m) : ball_m(at_m) {}
@@ -42,7 +42,7 @@ class TouchScene {
       see();
     }
   }
-  // One frame in which the velocity changes after `share` of it.
+  // Plays one frame; the velocity changes after the fraction `share` of it.
   void turn(const Vec2& velocity_mps, double share) {
     ball_m += (ball_mps * share + velocity_mps * (1 - share)) * kFrame_s;
     ball_mps = velocity_mps;
@@ -211,7 +211,7 @@ TEST(LastTouch, IsThatOfTheSecondOfTwoTouchesInSuccessiveFrames) {
   scene.robot(Side::kWest, 1, {-kTouch_m - 0.004, 0}, {1, 0});
   scene.robot(Side::kEast, 2, {0.1 + kTouch_m, 0.0}, {-1, 0}).start();
   scene.turn({6, 0}, 0.5);     // 50 mm away
-  scene.turn({-2, 1.0}, 0.5);  // to the other's plate at 100 mm, and back
+  scene.turn({-2, 1.0}, 0.5);  // to the other robot's plate at 100 mm, and back
   scene.roll(4);
   EXPECT_EQ(scene.side(), Side::kEast);
 }
@@ -220,7 +220,8 @@ TEST(LastTouch, IsThatOfTheSecondOfTwoTouchesWithinAFrame) {
   TouchScene scene({0, 0});
   scene.robot(Side::kWest, 1, {-kTouch_m - 0.004, 0}, {1, 0});
   scene.robot(Side::kEast, 2, {0.05 + kTouch_m, 0.0}, {-1, 0}).start();
-  // Kicked after a quarter of the frame at 6 m/s, it is at the other's plate after three quarters.
+  // Kicked at 6 m/s after a quarter of the frame, the ball reaches the other robot's plate after
+  // three quarters.
   scene.ball_m = Vec2(0.05, 0) + Vec2(-1, 2) * (kFrame_s / 4);
   scene.ball_mps = {-1, 2};
   scene.see();

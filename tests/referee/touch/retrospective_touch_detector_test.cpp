@@ -42,7 +42,7 @@ class TouchScene {
       frames_.push(frame_);
     }
   }
-  // The velocity changes after `share` of a frame.
+  // Plays one frame; the velocity changes after the fraction `share` of it.
   void turn(const Vec2& before_mps, const Vec2& after_mps, double share) {
     ball_m_ += before_mps * (share * kFrame_s);
     go(after_mps * (1 - share), 1);
@@ -190,7 +190,8 @@ TEST(RetrospectiveTouchDetector, FindsTheSecondOfTwoTouchesWithinAFrame) {
   scene.robot(Side::kWest, 1, {-kTouch_m - 0.004, 0}, {1, 0});
   scene.robot(Side::kEast, 2, {0.05 + kTouch_m, 0.0}, {-1, 0});
   scene.start({0, 0});
-  // Kicked after a quarter of the frame at 6 m/s, it is at the other's plate after three quarters.
+  // Kicked at 6 m/s after a quarter of the frame, the ball reaches the other robot's plate after
+  // three quarters.
   scene.turn(Vec2(0.05 / (0.75 * kFrame_s), 0), {-1, 2}, 0.75);
   scene.go({-1, 2}, 10);
   EXPECT_EQ(scene.side(), Side::kEast);

@@ -13,7 +13,7 @@ constexpr RobotId kEast4{Side::kEast, 4};
 
 LastTouch touch_by(RobotId robot, double time_s) { return {robot.side, robot, time_s, 0, 1, {}}; }
 
-// A touch history fed with given reports of a detector, a ball, and two robots far from it.
+// A touch history with scripted detector reports, a ball, and two robots far from the ball.
 class History {
  public:
   History() {
