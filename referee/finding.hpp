@@ -25,8 +25,8 @@ struct Finding {
   ConcernedRobots robots;
   std::optional<Side> offender;  // the side at fault; nullopt if neither or both are
   bool is_foul = false;          // a foul of the offender, or of both sides if there is no offender
-  Card card = Card::kNone;  // the card shown at once to the offender, or to both sides if there is
-                            // no offender
+  // The card shown at once to the offender, or to both sides if there is no offender.
+  Card card = Card::kNone;
   std::optional<Vec2> position_m;  // where it happened
   Command restart;                 // how play resumes; only for calls that stop play
   Vec2 ball_to_m{0, 0};            // where the ball is placed for the restart

@@ -23,8 +23,8 @@ constexpr double kAtFront_m = 15_mm;             // maximum gap between ball and
 
 constexpr double kSlowestChip_mps = 1.0;
 constexpr double kNewKick_mps = 1.0;  // minimum velocity change of a new kick
-constexpr double kKickTime =
-    0.6;  // standard deviation in frames; a kick late in a frame appears one frame later
+// Standard deviation in frames; a kick late in a frame appears one frame later.
+constexpr double kKickTime = 0.6;
 constexpr double kKickPosition_m = 5_mm;  // standard deviation of a kick's position
 constexpr double kLeastFlight_m = 1e-3;   // minimum estimated height of a flying ball
 constexpr double kLongestKick_s = 4.0;    // a chip at 5.5 m/s has stopped bouncing long before
@@ -100,8 +100,8 @@ void BallTracker::fly_on(double duration_s) {
 }
 
 void BallTracker::correct(const BallObservation& seen, double gap_s) {
-  if (!seen.height_m && ball_->height_m > 0)
-    return;  // a flying ball is not where the camera sees it
+  // A flying ball is not where the camera sees it.
+  if (!seen.height_m && ball_->height_m > 0) return;
   if (!seen.height_m && follows_kick_ && seen.seen_from.position_m != camera_m_) {
     // Another camera projects a flying ball to another point.
     motion_.set_position(seen.position_m);

@@ -5,8 +5,8 @@
 namespace autoref {
 namespace {
 
-constexpr double kHardestBraking_mps2 =
-    11;  // sliding balls brake at 3 to 10.3 m/s2 in the league's models
+// Sliding balls decelerate by 3 to 10.3 m/s2 in the league's models.
+constexpr double kHardestBraking_mps2 = 11;
 
 // Residual of a straight-line fit, with the normal equations solved by Cramer's rule.
 double line_misfit(double n, double s1, double s2, const Vec2& values, double squares) {

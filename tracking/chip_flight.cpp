@@ -19,8 +19,8 @@ constexpr double kHopsPerFlight = 0.57 / (1 - 0.57);
 constexpr double kLongestChip_s = 2 * kFastestRise_mps / kGravity_mps2 * (1 + kHopsPerFlight);
 
 constexpr double kChipLeastNoise_m = 0.2_mm;  // rounding and unmodelled effects
-constexpr double kBend =
-    0.1;  // lateral deviation per metre that the ball travels in time_deviation_s
+// Lateral deviation per metre that the ball travels in `time_deviation_s`.
+constexpr double kBend = 0.1;
 constexpr int kLeastDetections = 3;
 
 // Chi-square thresholds.

@@ -7,8 +7,8 @@
 namespace autoref::referee {
 namespace {
 
-constexpr double kHullDeviations =
-    3;  // standard deviations; noise exceeds them in one of several hundred frames
+// Noise exceeds this many standard deviations in one of several hundred frames.
+constexpr double kHullDeviations = 3;
 
 }  // namespace
 

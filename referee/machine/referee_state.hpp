@@ -34,7 +34,7 @@ struct PlayState {
   double in_play_since_s = 0;       // meaningless until the ball is in play
   TouchHistory touches;             // since play began
   Vec2 stuck_at_m{0, 0};            // the ball has stayed near this position since `stuck_since_s`
-  double stuck_since_s = 0;         // since when
+  double stuck_since_s = 0;
 
   bool is_kickoff() const { return restart.kind == CommandKind::kPrepareKickoff; }
   bool is_penalty() const { return restart.kind == CommandKind::kPreparePenalty; }

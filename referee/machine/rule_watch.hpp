@@ -46,8 +46,7 @@ struct AttackerNearAreaWatch {
 
 struct RestartDistanceWatch {
   PositionViolation before;  // opponents too near in the last frame before the ball was in play
-  std::optional<double>
-      called_s;  // when the last foul was called, which restarts the kicker's time (2026)
+  std::optional<double> called_s;  // time of the last call; restarts the kicker's time (2026)
 };
 
 // The touch for which a non-stopping foul was called (2026).

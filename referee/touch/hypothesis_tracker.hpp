@@ -25,8 +25,8 @@ class HypothesisTracker {
   SideMinima track(std::int64_t first, const SideMinima& before);
 
  private:
-  static constexpr std::size_t kMostHypotheses =
-      10;  // with fewer, some calls change; with more, none do
+  // With fewer hypotheses some calls change; with more, none do.
+  static constexpr std::size_t kMostHypotheses = 10;
   // A detection adds one hypothesis for rolling and two for a touch.
   using TouchHypotheses = boost::container::static_vector<TouchHypothesis, kMostHypotheses + 4>;
   using Deviances = boost::container::static_vector<double, TouchHypotheses::static_capacity>;

@@ -10,8 +10,8 @@ namespace autoref::referee {
 namespace {
 
 constexpr double kFastestRobot_mps = 4.0;  // faster than any robot in the league
-constexpr double kNearGoal_m =
-    0.5;  // distance from the goal line up to which a ball may hit the goal
+// Distance from the goal line up to which a ball may hit the goal.
+constexpr double kNearGoal_m = 0.5;
 // Number of detections used to estimate the path after a touch; friction and other touches bend a
 // longer path.
 constexpr int kTellingDetections = 8;

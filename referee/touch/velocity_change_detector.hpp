@@ -15,8 +15,8 @@
 namespace autoref::referee {
 
 struct VelocityChange {
-  const StoredFrame* before =
-      nullptr;  // the detections on either side of the change; valid until the next frame
+  // The detections on either side of the change; valid until the next frame.
+  const StoredFrame* before = nullptr;
   const StoredFrame* after = nullptr;
   double since_s = 0;  // time of the oldest detection used
   BallSegment segment;

@@ -13,8 +13,8 @@ struct Verdict {
   bool is_touch = false;         // whether a robot touched the ball at all
   std::optional<Side> side;      // nullopt if unknown
   std::optional<RobotId> robot;  // nullopt if unknown, or one of several of that side
-  std::optional<RobotId>
-      runner_up;  // best candidate of the other side, or of the same side if the other has none
+  // The best candidate of the other side, or of the same side if the other has none.
+  std::optional<RobotId> runner_up;
   double gap_m = 0;
   double share = 0;
 };
