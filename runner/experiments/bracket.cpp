@@ -25,8 +25,8 @@ struct Pairing {
 std::vector<Seed> order_of_slots(std::size_t size) {
   std::vector<Seed> order = {0};
   while (order.size() < size) {
-    // Each doubling puts beside every seed the one that completes the sum `last`: the opponents of
-    // a round in which the better seeds have won all earlier ties.
+    // Each doubling adds the next earlier round: it puts next to every seed the opponent with which
+    // it adds up to `last`. These seeds meet if the better seeds have won all earlier ties.
     const std::size_t last = 2 * order.size() - 1;
     std::vector<Seed> longer;
     for (const Seed seed : order) {

@@ -18,7 +18,7 @@ std::string name_of(DecidedBy decided_by);
 struct Tie {
   int number = 1;    // counted from 1 over all rounds
   std::string name;  // "quarter-final 2", "final", "third place"
-  // The better seed is a. Nullopt until the preceding ties are decided.
+  // Team a is the better seed. Nullopt until the preceding ties are decided.
   std::optional<std::string> a;
   std::optional<std::string> b;
   std::vector<std::string> games;  // ids of the games played so far, in order

@@ -18,7 +18,7 @@ GameSettings configured(const Sweep& sweep, const std::vector<SettingValue>& val
 // The name of a cell, as used in its games' ids: "b.handicap=0.5+match.rules=2014".
 std::string cell_name(const Sweep& sweep, const std::vector<SettingValue>& values);
 
-// A judge's base with a rule book and a camera.
+// The base of a schedule of `kind: judge`, with this rule book and camera.
 GameSettings configured(const JudgeSchedule& schedule, const std::string& rules,
                         const std::string& camera);
 

@@ -13,7 +13,7 @@ struct Gauntlet : NamedTeams {  // `teams` is the field
 };
 
 // Pairs every challenger, as team a, with every team of the field, in the order of their names.
-// Neither the challengers nor the teams of the field play among themselves.
+// Challengers do not play each other, and neither do the teams of the field.
 std::vector<Matchup> matchups_of(const Gauntlet& gauntlet);
 
 // The challengers and the field combined.

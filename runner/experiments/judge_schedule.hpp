@@ -35,9 +35,9 @@ struct JudgeGame {
 // "a~b", as written in scenario files.
 std::string name_of(const std::array<std::string, 2>& matchup);
 
-// Returns every game number under every rule book and camera, always with the same seed. The teams
-// change ends between odd and even games. Throws std::invalid_argument if values contradict each
-// other.
+// Returns every game number under every rule book and camera. A game number has the same seed under
+// all of them. The teams change ends between odd and even games. Throws std::invalid_argument if
+// values contradict each other.
 std::vector<JudgeGame> games_of(const JudgeSchedule& schedule);
 
 }  // namespace autoref::runner

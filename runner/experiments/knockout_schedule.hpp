@@ -17,7 +17,7 @@ std::vector<ScheduledGame> scheduled_games(const Knockout& knockout);
 // undecided tie with two known teams.
 //
 // In ids, rows and seeds, the tie's number replaces the pair, and the attempt replaces the leg:
-// "cobalt~zone-p0007-1", then "cobalt~zone-p0007-2" after a draw. The better seed is team a and
+// "cobalt~zone-p0007-1", and after a draw "cobalt~zone-p0007-2". The better seed is team a and
 // starts in the west; in each replay the teams change ends, and the other team kicks off first. All
 // games of a tie belong to the same shard.
 std::vector<ScheduledGame> games_of(const Knockout& knockout, const std::vector<Tie>& ties);

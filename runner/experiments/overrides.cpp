@@ -17,7 +17,7 @@ int* pairs_in(RoundRobin& robin) { return &robin.pairs; }
 int* pairs_in(Gauntlet& gauntlet) { return &gauntlet.pairs; }
 int* pairs_in(SprtMatch& match) { return &match.sprt.max_pairs; }
 int* pairs_in(Knockout& /*knockout*/) { return nullptr; }
-int* pairs_in(JudgeSchedule& /*schedule*/) { return nullptr; }  // counts games instead
+int* pairs_in(JudgeSchedule& /*schedule*/) { return nullptr; }  // it has a number of games instead
 
 // Throws if the number of pairs contradicts other settings.
 template <typename Experiment>

@@ -21,7 +21,7 @@ std::optional<std::vector<double>> numbers_of(const Factor& factor) {
   return numbers;
 }
 
-// Like kVerbs below, in the order of the variant's types.
+// In the order of the variant's types, as is kVerbs below.
 const std::vector<std::string>& kinds() {
   static const std::vector<std::string> kKinds = {"game", "sweep",    "judge",   "roundrobin",
                                                   "sprt", "gauntlet", "knockout"};

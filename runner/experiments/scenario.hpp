@@ -1,5 +1,5 @@
-// Scenarios: one game, a sweep of factors, a round robin, a gauntlet, a knockout or an SPRT match
-// of teams, or games to evaluate the referee.
+// Scenarios: a single game, a sweep of factors, a round robin, gauntlet, knockout or SPRT match
+// between teams, or a set of games to evaluate the referee.
 #pragma once
 
 #include <cstdint>

@@ -28,15 +28,16 @@ struct ScheduledGame {
 // game. Throws SettingError if values contradict each other.
 std::vector<ScheduledGame> scheduled_games(const Sweep& sweep);
 
-// The games returned by games_of() (judge_schedule.hpp); their values are the rule book and camera.
+// The games returned by games_of() (judge_schedule.hpp); their `values` are the names of the rule
+// book and the camera.
 std::vector<ScheduledGame> scheduled_games(const JudgeSchedule& schedule);
 
-// "b.handicap=0.8-p0007-2" for `played` "b.handicap=0.8", pair 7 and leg 2.
+// The id of a game: "b.handicap=0.8-p0007-2" if `played` is "b.handicap=0.8", for pair 7 and leg 2.
 std::string game_id(std::string_view played, int pair, int leg);
 
-// Sets what depends on the leg: the teams' sides, the first kick-off and the seed. The same side
-// kicks off first in both legs of a pair, west in odd pairs and east in even ones. So each team
-// kicks off first in one leg of every pair, and once from each side over two pairs.
+// Sets what depends on the leg: the teams' sides, the first kick-off and the seed. In both legs of
+// a pair, the same side kicks off first: west in odd pairs, east in even pairs. So each team kicks
+// off first in one leg of every pair, and once from each side over two pairs.
 void set_leg(GameSettings& game, std::uint64_t master_seed, int pair, int leg);
 
 // Throws SettingError if there are too many games for one experiment; `key` is the setting to
@@ -47,7 +48,8 @@ void refuse_too_many(double games, std::string_view key = "pairs");
 std::vector<std::vector<SettingValue>> combinations(const std::vector<Factor>& factors);
 
 // A game's seed, below 2^53 so that programs that read numbers as doubles get it exactly. It does
-// not depend on the factors' values: common random numbers pair the games of different values.
+// not depend on the factors' values: games with different values but the same pair number share
+// their random numbers, so they can be compared in pairs.
 std::uint64_t seed_of(std::uint64_t master_seed, int pair, int leg);
 
 }  // namespace autoref::runner

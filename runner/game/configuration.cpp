@@ -10,7 +10,7 @@ namespace {
 // Maximum time spent outside halves and breaks, waiting for clients and restarts.
 constexpr double kSlack_s = 300;
 
-// If the clock stops while play is stopped, the halves may take this many times their length. A
+// If the clock stops while play is stopped, a half may take up to this many times its length. A
 // stop contains at most two waits of 15 s, so a game ends in time if play lasts 3.3 s on average
 // between stops.
 constexpr double kStandstill = 10;

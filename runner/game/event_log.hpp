@@ -14,7 +14,7 @@ struct EventTeam {
   std::string name;
 };
 
-// The teams of a game, with the names of shown_names() (configuration.hpp).
+// The teams of a game, with the names returned by shown_names() (configuration.hpp).
 PerSide<EventTeam> event_teams_of(const GameConfiguration& game);
 
 // One line, without the newline. Every line has the same keys; unknown or inapplicable values are

@@ -100,8 +100,8 @@ class Game::Impl {
   void play_frame() {
     referee_frame();
     if (is_over()) return;
-    // Teams decide on the estimates of some frames ago: the part of the latency that is whole
-    // frames.
+    // Teams decide on estimates that are some frames old. This models the whole frames of the
+    // latency.
     const Tracks& tracks = tracks_.oldest();
     const Situation situation = situation_.update(
         signal_, tracks.ball ? std::optional(tracks.ball->position_m) : std::nullopt);

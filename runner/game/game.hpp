@@ -17,8 +17,8 @@ namespace autoref::runner {
 
 // Owns the world, the camera, the referee and both teams, and calls them once per frame. It reads
 // no files, clock or command line: the caller decides how fast it runs and what to do with the
-// results; see play() below. Games share nothing, so one thread can step several games alternately.
-// Two threads must not, because Box2D has global state.
+// results; see play() below. Games share no data, so one thread can step several games alternately.
+// Do not step games in two threads at once, because Box2D has global state.
 class Game {
  public:
   // Sets up the game before its first frame. `observer`, if any, must outlive the game; `make_team`
@@ -41,7 +41,7 @@ class Game {
   // such an exception.
   bool step();
 
-  // Whether the referee has ended the game, or it is void. If a new game follows
+  // Whether the game is over: the referee has ended it, or it is void. If a new game follows
   // (referee::AfterGame::kNewGame), the first is over once the referee has begun the next.
   bool is_over() const;
 
@@ -53,7 +53,8 @@ class Game {
   const RefereeSignal& signal() const;                   // the referee's signal for that frame
   std::span<const referee::Decision> decisions() const;  // made in that frame, in order
 
-  // The true state, one frame after frame(), or at frame() once the referee has ended the game.
+  // The true state: one frame later than frame(), or at the time of frame() once the referee has
+  // ended the game.
   const sim::World& world() const;
 
   // The record of the frames so far; final once the game is over. Recomputed at each call.

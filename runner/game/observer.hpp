@@ -11,7 +11,7 @@
 
 namespace autoref::runner {
 
-// The phases of a frame, in order. kRecord also occurs after the referee.
+// The phases of a frame, in order. kRecord also occurs after kReferee.
 enum class Phase : std::uint8_t { kCamera, kReferee, kTeamWest, kTeamEast, kPhysics, kRecord };
 inline constexpr int kPhaseCount = 6;
 

@@ -20,7 +20,7 @@ class StateHash {
     add(v.y());
   }
 
-  // Position and heading of every robot, and the ball's position and height.
+  // Adds the position and heading of every robot, and the ball's position and height.
   void add(const sim::WorldState& world) {
     for (Side side : kSides) {
       for (const sim::RobotState& robot : world.robots[side]) {

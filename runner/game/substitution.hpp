@@ -16,9 +16,9 @@ class SubstitutionController {
       : field_(field), robots_(robots) {}
 
   // Call once per frame, before the world advances. While play is stopped, a side with too many
-  // robots loses one per frame, starting 1 s after the allowance fell: the one it names, else its
-  // highest number except the keeper. A side with too few gets its lowest missing number back at
-  // once.
+  // robots loses one per frame, starting 1 s after the allowance fell: the robot that the team
+  // names, otherwise the one with the highest number other than the keeper. If a side has too few,
+  // its missing robot with the lowest number returns at once.
   void act(const RefereeSignal& signal, const PerSide<TeamRequests>& requests, double time_s,
            sim::World& world);
 

@@ -33,7 +33,7 @@ std::unique_ptr<strategies::Strategy> make_team_on(const GameConfiguration& c, S
                                    team.params, abilities_of(c, side)});
 }
 
-// Time from a frame until the commands decided on it move a robot.
+// Time from a frame until the commands based on it move a robot.
 double latency_s(const sim::Configuration& c) {
   const sim::LatencySplit split = sim::split_latency(c);
   return (split.frames + static_cast<double>(split.substeps) / c.substeps) / c.frame_rate_hz;

@@ -9,7 +9,8 @@
 
 namespace autoref::runner {
 
-// Mean goal difference of the first pairs and Student's interval of it; nullopt for one pair.
+// Mean goal difference of the first pairs, with its Student's t confidence interval; nullopt for a
+// single pair.
 struct RunningMean {
   double mean = 0;
   std::optional<Interval> interval;

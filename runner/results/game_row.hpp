@@ -1,7 +1,7 @@
 // One game of an experiment: what was played, how it ended, and on which machine.
 //
 // Rows are passed around as structs. Their only text form is a line of a shard (row_format.hpp),
-// which workers also use to send rows to the run.
+// which workers also use to send rows to the main process.
 #pragma once
 
 #include <cstdint>
@@ -37,8 +37,8 @@ struct GameRow {
   std::uint64_t seed = 0;
 
   // A record read from a file contains only what the columns store: events that are calls, the
-  // first half's goals, and times rounded to milliseconds; of a judged game the status, the reason,
-  // the transitions and the hash.
+  // first half's goals, and times rounded to milliseconds; for a judged game, only the status, the
+  // reason, the transitions and the hash.
   GameRecord record;
   CallEvaluation evaluation;  // of a judged game
 
@@ -54,8 +54,8 @@ GameRow row_of(const ScheduledGame& game);
 // The record of a game that could not be completed.
 GameRecord void_record(const std::string& reason);
 
-// Labels of the transitions in and outside the paper's figure (referee/machine/machine.hpp) that
-// occurred in none of the games, in the state machine's order.
+// Labels of the state machine's transitions that occurred in none of the games, whether or not they
+// are in the paper's figure (referee/machine/machine.hpp). In the state machine's order.
 std::vector<std::string> transitions_never_used(const RowsById& rows);
 
 }  // namespace autoref::runner

@@ -24,11 +24,12 @@ class FactorReader {
   FactorReader(const YamlFile& file, SettingLocations& locations)
       : file_(file), locations_(locations) {}
 
-  // Adds the factors to `sweep`, and the robot types they name to its base. Throws InputError.
+  // Adds the factors to `sweep`, and the robot types named in them to the sweep's base. Throws
+  // InputError.
   void read(const YamlEntry& factors, Sweep& sweep);
 
-  // Reads a list of distinct values of the setting at `path`. Adds the robot types they name to
-  // `base`. Throws InputError.
+  // Reads a list of distinct values of the setting at `path`. Adds the robot types named by these
+  // values to `base`. Throws InputError.
   std::vector<SettingValue> values(const YamlEntry& list, const std::string& path,
                                    GameSettings& base) const;
 

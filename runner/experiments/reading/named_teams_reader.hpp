@@ -25,8 +25,8 @@ class NamedTeamsReader {
                    const Assignments& assignments)
       : file_(file), locations_(locations), assignments_(assignments) {}
 
-  // Adds the entry's teams to `teams`, and the robot types they name to `base`, which must already
-  // be read. Throws InputError, also if the number of teams is outside `count`.
+  // Adds the entry's teams to `teams`, and the robot types that these teams use to `base`, which
+  // must already have been read. Throws InputError, also if the number of teams is outside `count`.
   void read(const YamlEntry& entry, Teams& teams, GameSettings& base, TeamCount count) const;
 
  private:

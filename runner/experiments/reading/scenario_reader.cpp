@@ -115,7 +115,7 @@ class ScenarioReader {
     for (const Factor& factor : sweep.factors) top_.refuse_assignment(factor.path);
     sweep.pairs = top_.pairs();
     sweep.seed = top_.seed();
-    top_.check([&sweep] { scheduled_games(sweep); });  // checks values in combination
+    top_.check([&sweep] { scheduled_games(sweep); });  // checks that the values fit together
     check_set_by_values(sweep);
     return sweep;
   }

@@ -9,7 +9,7 @@
 
 namespace autoref::runner {
 
-// Each throws InputError.
+// All of these functions throw InputError.
 RoundRobin read_roundrobin(TopReader& top);
 SprtMatch read_sprt_match(TopReader& top);
 Gauntlet read_gauntlet(TopReader& top);

@@ -48,7 +48,7 @@ class TopReader {
   // The command line's settings, which override the file.
   const Assignments& assignments() const { return assignments_; }
 
-  // Applies the command line's settings to `game`, except those of the branches `elsewhere`.
+  // Applies the command line's settings to `game`, except those in the branches `elsewhere`.
   void assign_all(GameSettings& game, const std::vector<std::string>& elsewhere = {}) const;
 
   // Refuses a command-line setting of `path`, a short path that the file varies.

@@ -12,8 +12,8 @@ class Duels {
  public:
   explicit Duels(double frame_rate_hz);
 
-  // Processes a frame of play. `touched`: the sides that touched the ball; `kicked`: the side with
-  // a kick away in progress. Returns the winner if a duel has just been won.
+  // Processes a frame of play. `touched`: the sides that touched the ball; `kicked`: the side whose
+  // kick is in progress. Returns the winner if a duel has just been won.
   std::optional<Side> update(const sim::WorldState& now, const PerSide<bool>& touched,
                              std::optional<Side> kicked);
   void stop();  // play has stopped

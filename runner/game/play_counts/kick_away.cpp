@@ -25,7 +25,7 @@ void assess_shot(const BallTrajectory& trajectory, const Field& field, KickAway&
   if (ahead_m < (kClearanceShare - 0.5) * field.length_m) return;
   const double advance = forward * trajectory.direction().x();
   if (advance <= 0 || ahead_m >= field.half_length_m()) return;
-  // Path length at which the straight line crosses the goal line.
+  // Length of the straight path up to the goal line.
   const double to_line_m = (field.half_length_m() - ahead_m) / advance;
   if (to_line_m > trajectory.reach_m() || trajectory.speed_mps(to_line_m) < kArrival_mps) return;
   const double off_middle_m = std::abs(trajectory.point_m(to_line_m).y());
@@ -35,7 +35,8 @@ void assess_shot(const BallTrajectory& trajectory, const Field& field, KickAway&
       trajectory.height_m(to_line_m) + kBallRadius_m < field.goal_opening_height_m;
 }
 
-// The distance along a path with this direction component until the coordinate leaves +-limit_m.
+// The distance that can be travelled along a path before the coordinate leaves +-limit_m;
+// `direction` is the path direction's component along that coordinate.
 double inside_m(double from_m, double direction, double limit_m) {
   if (direction == 0) return std::numeric_limits<double>::infinity();
   return std::max(0.0, (std::copysign(limit_m, direction) - from_m) / direction);
@@ -52,8 +53,8 @@ double length_on_field_m(const BallTrajectory& trajectory, const Field& field) {
 bool may_meet(const Vec2& mate_m, const BallTrajectory& trajectory, double length_m) {
   const double first_m = std::max(kShortestPass_m, trajectory.flight_m());
   if (first_m > length_m) return false;
-  // Projects the team-mate onto the path. It may meet the ball if it can drive to the nearest point
-  // of the path, at a limited speed, in the time that the ball takes.
+  // Projects the team-mate onto the path. It counts as able to receive the ball if, at a limited
+  // speed, it can reach the nearest point of the path before the ball does.
   const double along_m = (mate_m - trajectory.from_m()).dot(trajectory.direction());
   if (along_m < kShortestPass_m) return false;
   const double meets_m = std::clamp(along_m, first_m, length_m);

@@ -4,12 +4,12 @@
 // a restart's signal until the referee ends it, so the restart's kick counts. Shoot-outs do not
 // count.
 //
-// A *kick away* is a kick after which the ball leaves the robot at kAway_mps or more and then
-// travels at least kAway_m. It is classified once, when another robot touches the ball, a goal is
-// given or play stops. If the kicker touches the ball first (later than kSameKick_s), it has only
-// pushed the ball ahead, and the kick does not count. Kicks by both teams in the same sub-step do
-// not count either. A kick's path is the straight line along which the ball would roll or fly if
-// nobody touched it (ball_trajectory.hpp).
+// A kick counts only if the ball leaves the robot at kAway_mps or more and then travels at least
+// kAway_m. It is classified once, when another robot touches the ball, a goal is given or play
+// stops. If the kicker touches the ball first (later than kSameKick_s), it has only pushed the ball
+// ahead, and the kick does not count. Kicks by both teams in the same sub-step do not count either.
+// A kick's path is the straight line along which the ball would roll or fly if nobody touched it
+// (ball_trajectory.hpp).
 #pragma once
 
 #include <array>
@@ -43,7 +43,7 @@ inline constexpr double kPassMiss_m = 500_mm;
 // The team-mate can move farther if the ball takes longer. This is the mean speed over the first
 // 0.67 s when accelerating from rest at 3 m/s^2.
 inline constexpr double kMate_mps = 1.0_mps;
-// Upper limit of that distance: given enough time, anybody can reach any ball.
+// Upper limit of that distance: given enough time, any robot can reach any ball.
 inline constexpr double kFarthestMate_m = 1.0_m;
 
 // Distance from a hull to the ball's surface: slightly more than the ball's diameter, so nothing
@@ -55,19 +55,19 @@ inline constexpr double kDuelOver_m = 300_mm;
 inline constexpr double kLongestDuel_s = 3.0_s;  // longer duels are drawn
 
 struct PlayCounts {
-  // Kicks away, taken outside the team's own third of the field, with a path that crosses the
-  // opponents' goal line at kArrival_mps or faster and at most kShotMiss_m outside the posts, at
-  // any height. Excludes passes (see passes_tried) that a team-mate touches next. Every other goal
-  // from the team's own touch also counts as a shot.
+  // Kicks taken outside the team's own third of the field, with a path that crosses the opponents'
+  // goal line at kArrival_mps or faster and at most kShotMiss_m outside the posts, at any height.
+  // Excludes passes (see passes_tried) that a team-mate touches next. Every other goal from the
+  // team's own touch also counts as a shot.
   int shots = 0;
   // Shots that became goals, and shots that were saved or blocked: their path led between the posts
   // and under the bar, and an opponent touched the ball next.
   int shots_on_goal = 0;
-  // Kicks away, other than shots, that a team-mate can reach: at the point of the path nearest to
-  // it (at least kShortestPass_m from the kick and not in a chip's first flight), the ball is at
-  // least as fast as kArrival_mps, and the team-mate is at most kPassMiss_m away, or as far as it
-  // can move at kMate_mps until the ball arrives, up to kFarthestMate_m. The path ends where the
-  // ball stops or leaves the field.
+  // Kicks, other than shots, that a team-mate can reach: at the point of the path nearest to it (at
+  // least kShortestPass_m from the kick and not in a chip's first flight), the ball is at least as
+  // fast as kArrival_mps, and the team-mate is at most kPassMiss_m away, or as far as it can move
+  // at kMate_mps until the ball arrives, up to kFarthestMate_m. The path ends where the ball stops
+  // or leaves the field.
   int passes_tried = 0;
   // Passes that a team-mate touches next, without an opponent in the same sub-step.
   int passes_completed = 0;
@@ -75,12 +75,12 @@ struct PlayCounts {
   // other team's next one. If both touch it in the same sub-step, possession does not change.
   double possession_s = 0;
   // Fouls called against the team's robots, during play or while it is stopped. If both teams are
-  // at fault, each gets one. Excludes exits, aimless kicks, disallowed goals, restarts not taken
-  // and failed penalties.
+  // at fault, each gets one. Excludes throw-ins and other restarts after the ball left the field,
+  // aimless kicks, disallowed goals, restarts not taken and failed penalties.
   int fouls = 0;
   // A duel begins when robots of both teams have been within kDuel_m of the ball for kDuelBegins_s.
-  // A team wins it by touching the ball, or having kicked it away, once all opponents are farther
-  // from it than kDuelOver_m. Nobody wins if play stops first or after kLongestDuel_s.
+  // A team wins it by touching the ball, or by a kick that it has just made, once all opponents are
+  // farther from it than kDuelOver_m. Nobody wins if play stops first or after kLongestDuel_s.
   int duels_won = 0;
   bool operator==(const PlayCounts&) const = default;
 };

@@ -24,7 +24,7 @@ class PlayStatistics {
     const sim::WorldState& now;
     std::span<const sim::Touch> touches;             // of the last step
     std::span<const referee::Decision> decisions{};  // of this frame
-    bool is_play_on = false;  // after this frame: signalled and not ended (referee::State::kRun)
+    bool is_play_on = false;  // whether play is on after this frame (referee::State::kRun)
     bool is_ball_in_play = false;
   };
 

@@ -15,7 +15,7 @@
 namespace autoref::runner {
 namespace {
 
-// team0 and team1 challenge team2 and team3. All differ in their number of robots.
+// team0 and team1 challenge team2 and team3. No two teams have the same number of robots.
 Gauntlet small_gauntlet() {
   Gauntlet gauntlet;
   gauntlet.challengers["team0"].robots = 6;

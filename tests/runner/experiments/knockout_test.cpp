@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// team0 is the best seed. Each team has one robot more than its number.
+// team0 is the best seed. Team n has n + 1 robots.
 Knockout knockout_of(int teams) {
   Knockout knockout;
   for (int i = 0; i < teams; ++i) {
@@ -153,7 +153,7 @@ TEST(KnockoutRun, ResumesAfterAnInterrupt) {
     kill(runner, SIGINT);
     return won_by_the_worse(game);
   };
-  // One game per run, so some runs stop after the last game of a round.
+  // Each run plays one game, so some runs stop after the last game of a round.
   EXPECT_TRUE(run(knockout_of(3), folder.path(), interrupted).is_interrupted);
   EXPECT_EQ(run(knockout_of(3), folder.path(), won_by_the_worse).played, 1);
   EXPECT_EQ(results_in(folder.path()), undisturbed_results(knockout_of(3)));

@@ -11,7 +11,7 @@
 namespace autoref::runner {
 namespace {
 
-// Teams that differ in their number of robots.
+// A round robin between these teams, each with a different number of robots.
 RoundRobin robin_of(const std::vector<std::string>& names, int pairs) {
   RoundRobin robin;
   for (const std::string& name : names) {

@@ -47,7 +47,7 @@ TEST(SprtMatchRun, EndsWithThePairThatDecidesIt) {
   const TemporaryFolder folder;
   const ExperimentReport report = run_experiment(small_sprt_match(), fake_options(folder.path()));
   EXPECT_TRUE(report.is_complete);
-  EXPECT_EQ(report.played, 20);  // min_pairs pairs: the evidence is clear
+  EXPECT_EQ(report.played, 20);  // min_pairs pairs suffice, since the evidence is clear
   EXPECT_NE(report.results.table.find("decided for d1: the mean lead of team0 over team1 in goals "
                                       "per game is nearer to -4 than to 0"),
             std::string::npos)
@@ -144,7 +144,7 @@ TEST(SprtMatchShards, GiveTheSameResultsWhenTheirRowsAreMerged) {
   EXPECT_EQ(results_in(folder.path()), undisturbed_results());
 }
 
-// The state after this many pairs, with one missing.
+// The state after this many pairs, one of which is missing.
 SprtMatchState state_without(int missing_pair, int pairs) {
   const Scenario scenario = small_sprt_match();
   RowsById rows;

@@ -1,6 +1,6 @@
 // Metamorphic test: if every frame of a game is rotated by 180 degrees and the colours are swapped,
 // the referee must make the rotated and swapped calls in the same frames. This detects a referee
-// that favours a side.
+// that favours one side.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -11,8 +11,8 @@ namespace {
 
 constexpr RobotId kEastKeeper{Side::kEast, 0};
 
-// `basic` against itself, with the ball on the mark before the east goal and a kick prepared for
-// the west.
+// `basic` against itself, with the ball on the penalty mark in front of the east goal and a kick
+// prepared for the west.
 struct Penalty : StagedGame {
   explicit Penalty(std::size_t robots = 6, const std::string& rules = "2014")
       : StagedGame({"basic", robots, {}}, {"basic", robots, {}}, find_rule_book(rules).value(), 1,

@@ -155,7 +155,7 @@ TEST(Basic, NamesTheRobotThatKeepsItsGoal) {
   StagedGame game({"basic", 6, {}}, {});
   game.signal.robots_allowed[Side::kWest] = 5;
   game.world.take_off({Side::kWest, 0});
-  game.run(4);  // the tracker drops the keeper's track, and another robot takes over the goal
+  game.run(4);  // the tracker drops the keeper's track, and another robot becomes keeper
   const int keeper = game.teams[Side::kWest]->requests().keeper;
   EXPECT_EQ(keeper, 1);
   EXPECT_NEAR(game.robot({Side::kWest, 1}).position_m.x(), -game.field.half_length_m(), 0.2);

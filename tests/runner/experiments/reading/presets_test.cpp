@@ -59,8 +59,8 @@ std::vector<Assignment> in_order(const std::string& path, const std::string& val
   return preset_first ? Assignments{its, own} : Assignments{own, its};
 }
 
-// The paths that a preset sets: those with values that differ between any two of its words, or from
-// the default.
+// The paths that a preset sets: those whose values differ between two of its words, or between a
+// word and the default.
 std::set<std::string> set_by(const Preset& preset) {
   std::set<std::string> paths;
   const Values defaults = values_of({});
@@ -114,7 +114,7 @@ int for_each_setting(const Check& check) {
   return count;
 }
 
-// Expects all values of the preset except for the one that the user gave.
+// Expects every setting to have the preset's value, except the setting that the user gave.
 void expect_only_one_differs(const GameSettings& game, const std::string& path,
                              const std::string& value, Values alone, const std::string& what) {
   alone[path] = value;
@@ -157,7 +157,8 @@ TEST(Presets, LeaveTheFilesSettingsAloneIfChosenOnTheCommandLine) {
       expect_only_one_differs(std::get<GameSettings>(scenario.content), path, value, alone,
                               preset + "=" + word);
     } catch (const InputError&) {
-      // Some values contradict some presets; for example, the robots may not fit on the field.
+      // Some combinations of a value and a preset are invalid; for example, the robots may not fit
+      // on the field.
     }
   });
 }

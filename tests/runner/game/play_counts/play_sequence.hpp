@@ -27,7 +27,7 @@ class PlaySequence {
     robots.push_back({id.number, position_m, {-goal_sign(id.side), 0}, velocity_mps, 0});
   }
 
-  // Added to the next frame, in the order of the calls.
+  // These touches are added to the next frame, in the order of the calls.
   void kick(RobotId id, const Vec2& ball_m, const Vec2& ball_mps, double vertical_mps = 0) {
     add({now.frame + 1, substep, id, ball_m, true, ball_mps, vertical_mps});
   }
@@ -46,7 +46,7 @@ class PlaySequence {
     for (int i = 0; i < count; ++i) frame();
   }
 
-  // A kick now and, a second later, a touch by `next` at `to_m`.
+  // Adds a kick now and, a second later, a touch by `next` at `to_m`.
   void kick_to(RobotId kicker, const Vec2& from_m, const Vec2& ball_mps, RobotId next,
                const Vec2& to_m) {
     kick(kicker, from_m, ball_mps);

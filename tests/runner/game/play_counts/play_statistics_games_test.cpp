@@ -49,8 +49,8 @@ referee::Decision turned(referee::Decision decision) {
   return decision;
 }
 
-// Counts during the game, once as it is and once with the field rotated by 180 degrees. The ball
-// counts as in play from the restart's signal.
+// Counts plays twice during the game: once as it is, and once with the field rotated by 180
+// degrees. The ball counts as in play from the restart's signal.
 class Counters final : public Observer {
  public:
   explicit Counters(const GameConfiguration& game)
