@@ -1,5 +1,6 @@
-// Precompiled header with what most sources include (see the top-level CMakeLists.txt). Sources
-// must still include what they use and not depend on this file.
+// Precompiled header that contains the headers most sources include (see the top-level
+// CMakeLists.txt). Sources must not depend on this file: each must still include the headers that
+// it uses.
 #pragma once
 
 #include <fmt/format.h>

@@ -21,7 +21,7 @@ struct Parameter {
 // The parameter's value in `params`, or its default.
 double value_of(const Parameter& parameter, const std::map<std::string, double>& params);
 
-// One number of a team's style and its parameter, which takes its default from the style.
+// One number of a team's style, and its parameter. The parameter takes its default from the style.
 template <typename Style>
 struct TunableOf {
   double Style::*number;
@@ -42,7 +42,7 @@ std::vector<Parameter> parameters_of(TunablesOf<Style> tunables, const Style& st
   return all;
 }
 
-// `style` with the numbers in `params` replaced.
+// `style` with the numbers set by `params`.
 template <typename Style>
 Style tuned(TunablesOf<Style> tunables, const Style& style,
             const std::map<std::string, double>& params) {

@@ -35,7 +35,8 @@ std::unique_ptr<Strategy> make_rowdy(const TeamContext& context) {
   return std::make_unique<rowdy::Rowdy>(context);
 }
 
-// The parameters of `basic`, and for each foul behaviour the fraction of opportunities taken.
+// The parameters of `basic`, and one parameter per foul behaviour: the fraction of opportunities
+// taken.
 std::vector<Parameter> rowdy_params() {
   std::vector<Parameter> params = basic_params();
   params.push_back({"otherwise", "1", -1, -1, 1,

@@ -36,7 +36,7 @@ GameConfiguration fixed_game(std::uint64_t seed) {
   return game;
 }
 
-// A game with every rule of every rule book in force.
+// A game in which every rule of every rule book is in force.
 GameConfiguration game_with_all_rules() {
   GameConfiguration game = fixed_game(kFirstSeed);
   game.match.rules = *find_rule_book("2014");
@@ -126,7 +126,7 @@ BenchResult bench(int rounds) {
     ratios.push_back(game_ns.back() / bare_frame_ns.back());
     signature.add(record.state_hash);
   }
-  // Measured in games of their own, since reading the clock in every phase costs time.
+  // The phases are measured in separate games, since reading the clock in every phase costs time.
   Shares shares;
   play(fixed_game(kFirstSeed), &shares);
   Shares with_all_rules;

@@ -11,14 +11,15 @@
 namespace autoref::runner {
 
 struct BenchResult {
-  double ns_per_frame = 0;  // of whole games, median of the rounds
-  // The same for the bare Box2D benchmark (sim/bare_box2d_benchmark.hpp), median of the rounds.
+  double ns_per_frame = 0;  // in whole games, median of the rounds
+  // Time per frame of the bare Box2D benchmark (sim/bare_box2d_benchmark.hpp), median of the
+  // rounds.
   double bare_ns_per_frame = 0;
   double ratio = 0;             // median of the rounds' ratios
   double x_real_time = 0;       // simulated seconds per wall second
-  std::uint64_t signature = 0;  // hash of the fixed games; changes whenever behaviour changes
-  std::array<double, kPhaseCount> shares{};  // fraction of a game's time, by Phase
-  double referee_ns_per_frame = 0;  // of one game with every rule in force, filters included
+  std::uint64_t signature = 0;  // hash over the fixed games; changes whenever behaviour changes
+  std::array<double, kPhaseCount> shares{};  // fraction of a game's time spent in each Phase
+  double referee_ns_per_frame = 0;  // in one game with every rule in force, including the filters
   std::vector<TeamCost> teams;      // all registered teams, by name
 };
 

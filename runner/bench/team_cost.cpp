@@ -14,7 +14,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t kSeed = 1;
-constexpr double kHalf_s = 300;  // two of them have about 72000 decisions
+constexpr double kHalf_s = 300;  // two halves contain about 72000 decisions
 
 struct Decisions {
   double ns = 0;

@@ -10,8 +10,8 @@ namespace autoref::runner {
 // Decision time of one team.
 struct TeamCost {
   std::string name;
-  double ns_per_decision = 0;  // of the whole team, mean over a game against itself
-  std::int64_t decisions = 0;  // of both teams in that game
+  double ns_per_decision = 0;  // for the whole team; mean over a game against itself
+  std::int64_t decisions = 0;  // made by both teams in that game
 };
 
 // Measures a registered team in a fixed game against itself: six against six, two halves of 300 s.

@@ -27,7 +27,7 @@ constexpr int kWorkersRounds = 3;
 constexpr int kWorkers = 2;
 constexpr int kWorkersPairs = 6;  // 12 games per run
 
-// Deleted with this object.
+// A temporary folder, deleted with this object.
 class TemporaryFolder {
  public:
   TemporaryFolder() : name_((fs::temp_directory_path() / "autoref-bench-XXXXXX").string()) {
@@ -73,8 +73,8 @@ Costs run_with(int workers) {
   options.build = build_id();
   options.workers = workers;
   options.play = [](const GameConfiguration& game) { return play(game); };
-  // RUSAGE_CHILDREN counts only children that have ended and been waited for, which is true of all
-  // workers once the experiment returns.
+  // RUSAGE_CHILDREN counts only children that have ended and been waited for. Once the experiment
+  // returns, this includes all workers.
   const Costs before{0, cpu_s(RUSAGE_SELF), cpu_s(RUSAGE_CHILDREN)};
   const Clock::time_point start = Clock::now();
   if (!run_experiment({"", sweep}, options).is_complete) throw Interrupted();

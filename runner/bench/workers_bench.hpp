@@ -8,13 +8,15 @@ struct WorkersBench {
   double games_per_min_alone = 0;     // with one worker, median of the rounds
   double games_per_min_together = 0;  // with all workers, median of the rounds
   double speedup = 0;                 // median of the rounds' ratios
-  double parent_cpu_s_per_game = 0;   // of the process that dispatches games and keeps their rows
-  double workers_cpu_s_per_game = 0;  // of the processes that play
+  double parent_cpu_s_per_game =
+      0;  // used by the process that dispatches games and stores their rows
+  double workers_cpu_s_per_game = 0;  // used by the processes that play games
   double parent_share() const { return parent_cpu_s_per_game / workers_cpu_s_per_game; }
 };
 
-// Runs small experiments of full games in a temporary folder. Each round runs one worker and
-// immediately afterwards `workers`, so a slowdown of the machine affects both.
+// Runs small experiments of full games in a temporary folder. Each round runs the experiment with
+// one worker and immediately afterwards with `workers` workers, so a slowdown of the machine
+// affects both.
 WorkersBench bench_workers(int rounds, int workers);
 
 // Runs the verb: prints the result to stdout, with `json` as one JSON object. Returns the exit

@@ -93,8 +93,8 @@ struct InfoArguments {
 struct RefereeArguments {
   std::string log;
   std::string rules = "paper";
-  std::string first_kickoff;  // empty: as recorded
-  std::string camera;         // preset; empty: no vision error except the rounding of the packets
+  std::string first_kickoff;  // empty: as in the log
+  std::string camera;  // camera preset; empty: no vision error except the rounding in the packets
   std::vector<std::string> sets;  // "key=value"
   std::string events;             // output file for AutoRef's decisions; empty: none
   bool json = false;
@@ -143,7 +143,7 @@ struct SampleSizeArguments {
   bool json = false;
 };
 
-// Each runs its verb and returns the exit code. Errors are thrown (errors.hpp).
+// Each of these functions runs its verb and returns the exit code. Errors are thrown (errors.hpp).
 int play_verb(const PlayArguments& arguments);
 int run_verb(const RunArguments& arguments);
 int submit_verb(const SubmitArguments& arguments);

@@ -19,8 +19,8 @@ void print_judged_files(const std::filesystem::path& folder);
 // the tables. Returns the table of scores.
 std::string report_judged(const ResultFolder& folder, const std::filesystem::path& into);
 
-// report_judged() for the rows of `build`. If `build` is empty: for the folder's only build, or for
-// each of several builds in its own folder, with an overview.
+// Calls report_judged() for the rows of `build`. If `build` is empty, reports on the folder's only
+// build, or, if there are several builds, on each of them in its own folder, and adds an overview.
 void report_judged_builds(const std::filesystem::path& path, const std::string& build);
 
 }  // namespace autoref::runner

@@ -8,8 +8,8 @@
 
 namespace {
 
-// A shell may start a program with its standard streams closed. The next file opened would then get
-// their descriptors, and progress lines would end up in a table of results.
+// A shell may start a program with its standard streams closed. The files opened next would then
+// get the descriptors of these streams, and progress lines could end up in a table of results.
 bool fill_standard_streams() {
   int descriptor = open("/dev/null", O_RDWR);
   while (descriptor >= 0 && descriptor <= STDERR_FILENO) descriptor = dup(descriptor);

@@ -38,7 +38,7 @@ std::string quoted(const std::vector<std::string>& words) {
   return fmt::format("'{}'", fmt::join(words, "', '"));
 }
 
-// Replaces CLI11's own message, which lists the words in reverse.
+// Replaces CLI11's own message, which lists the unexpected words in reverse order.
 std::string extras_message(const CLI::App& verb, const std::vector<std::string>& extras) {
   const std::string& first = extras.front();
   if (!option_name(first).empty()) {
@@ -51,7 +51,7 @@ std::string extras_message(const CLI::App& verb, const std::vector<std::string>&
   return message;
 }
 
-// Punctuation before the next clause.
+// The punctuation that separates `message` from the next clause.
 std::string_view end_of(std::string_view message) { return message.ends_with('?') ? "" : ";"; }
 
 }  // namespace

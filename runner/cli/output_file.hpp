@@ -1,4 +1,4 @@
-// Output files named by flags.
+// Output files that are named by command-line flags.
 #pragma once
 
 #include <optional>
@@ -16,9 +16,9 @@ struct NamedFile {
 };
 
 // Throws InputError naming both flags if two outputs are the same file (however their paths are
-// spelt), or if an output is one of `inputs` or the file behind a standard stream: otherwise one of
-// the two would be lost. Call it before doing any work. Several outputs may share a terminal or
-// /dev/null.
+// spelt), or if an output is one of `inputs` or the file to which a standard stream is redirected,
+// since one of the two would be lost. Call this function before doing any work. Several outputs may
+// share a terminal or /dev/null.
 void check_outputs(const std::vector<NamedFile>& outputs, const std::vector<std::string>& inputs);
 
 // Opens the file before any work is done, so that a wrong name is reported at once. Leaves `file`

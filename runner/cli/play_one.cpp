@@ -21,7 +21,7 @@
 namespace autoref::runner {
 namespace {
 
-// Output files, which appear when the game is over.
+// The output files of a game. They appear when the game is over.
 struct GameFiles {
   std::optional<PendingFile> events;
   std::optional<PendingFile> view;
@@ -49,8 +49,8 @@ class Watch final : public Observer {
       recording_->add(frame);
       recording_->add(frame.time_s, signal);
     }
-    // Little is allowed in a signal handler, so it only sets a flag, which is read here. Unwinding
-    // then removes pending files.
+    // A signal handler may do very little, so it only sets a flag, which is read here. The
+    // exception unwinds the stack, which removes pending files.
     if (interrupted != 0) throw Interrupted();
   }
   void on_decision(const referee::Decision& decision) override {

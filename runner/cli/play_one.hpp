@@ -20,10 +20,11 @@ struct GameOutput {
 // Adds the flags of GameOutput.
 void add_output_options(CLI::App& verb, GameOutput& output);
 
-// Plays the game, prints its report, and writes its decisions and its page. After Ctrl-C it throws
-// Interrupted and writes neither; the log then holds the game so far. `inputs` are the files the
-// game was read from, which must not be overwritten. Throws InputError before the game if an output
-// is one of them or the same file as another output.
+// Plays the game, prints its report, and writes its decisions, its log and its page as requested.
+// After Ctrl-C it throws Interrupted and writes neither decisions nor page; the log then contains
+// the game so far. `inputs` are the files the game was read from, which must not be overwritten.
+// Throws InputError before the game if an output is one of `inputs` or the same file as another
+// output.
 GameRecord play_one(const GameConfiguration& game, const GameOutput& output,
                     const std::vector<std::string>& inputs);
 

@@ -18,7 +18,8 @@
 namespace autoref::runner {
 namespace {
 
-// Accepts a fault's id for a judged game, and reports that fault.
+// Returns the id of a game. In judged experiments, `id` may also be the id of a fault, which is
+// then printed.
 std::string id_of_game(const ResultFolder& folder, const std::string& id) {
   if (!is_judged(folder.scenario)) return id;
   const std::optional<LookedUp> found = look_up(folder, id);

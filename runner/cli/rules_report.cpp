@@ -18,7 +18,7 @@ std::string threshold_text(const RuleBook& rules, const RuleEntry& entry) {
   return fmt::format("{:g} {}", rules.*entry.threshold, entry.unit);
 }
 
-// Column widths: the length of the longest text.
+// Column widths: the length of the longest text in each column.
 struct Widths {
   std::size_t name = 0;
   std::size_t section = 0;

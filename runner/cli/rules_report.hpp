@@ -11,7 +11,7 @@ namespace autoref::runner {
 // force, which a game file may enable.
 std::string rules_text(const RuleBook& rules);
 
-// The same as one JSON object.
+// The rules as one JSON object.
 std::string rules_json(const RuleBook& rules);
 
 // One line per rule book, with its field and number of robots.

@@ -70,8 +70,8 @@ void print_end(const Scenario& scenario, const ExperimentReport& report,
   }
 }
 
-// A complete run updates an existing report, which may cover fewer games; an incomplete run only
-// says what the report lacks. Returns the line to print, if any.
+// Handles an existing report, which may cover fewer games: a complete run updates it; an incomplete
+// run only states what it lacks. Returns the line to print, if any.
 std::string mended_report(const ExperimentReport& report, const ExperimentOptions& options) {
   if (report.done == 0 || !fs::exists(options.folder / kMarkdownReport)) return {};
   const ResultFolder folder = open_results(options.folder, options.build);

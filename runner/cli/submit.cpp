@@ -19,9 +19,10 @@ namespace fs = std::filesystem;
 
 constexpr int kMostTasks = 10000;  // the maximum number of shards
 constexpr int kDefaultTasks = 8;
-constexpr int kLeastTime_s = 300;  // minimum per task; games are ended in its last minute
+constexpr int kLeastTime_s =
+    300;  // minimum per task; games are stopped in the last minute of a task
 
-// Throws InputError for a path with a line break, which would end a line of the script.
+// Throws InputError if the path contains a line break, which would break a line of the script.
 fs::path plain_path(const std::string& flag, const fs::path& path) {
   if (path.string().find('\n') == std::string::npos) return fs::absolute(path);
   throw InputError({flag}, "", "the path contains a line break, which batch scripts do not allow");
@@ -52,7 +53,8 @@ void check_time(const std::string& time) {
       fmt::format("expected HH:MM:SS of at least 00:05:00, such as 01:30:00; found '{}'", time));
 }
 
-// Pairs of legs are never split between tasks.
+// Returns the number of tasks: at most one per pair of legs, since a pair is never split between
+// tasks.
 int tasks_for(int wanted, std::size_t games) {
   const int pairs = static_cast<int>(games / 2);
   if (wanted == 0) return std::min(kDefaultTasks, pairs);

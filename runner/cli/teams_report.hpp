@@ -16,7 +16,7 @@ std::string teams_json();
 // A team's description and one line per parameter: name, unit, default, range, description.
 std::string team_text(const strategies::Entry& team);
 
-// The same as one JSON object.
+// The team as one JSON object.
 std::string team_json(const strategies::Entry& team);
 
 }  // namespace autoref::runner

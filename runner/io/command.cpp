@@ -28,7 +28,7 @@ int start(const std::vector<std::string>& words, int out, pid_t& pid) {
   return error;
 }
 
-// Must finish before the process is waited for: a child blocks when the pipe is full.
+// Call this before waiting for the process to end: a child blocks while the pipe is full.
 std::string read_to_end(int descriptor) {
   std::string text;
   std::array<char, 4096> buffer{};

@@ -11,8 +11,8 @@ namespace autoref::runner {
 using Cells = std::vector<std::string>;
 void append(Cells& cells, const Cells& more);
 
-// One row, without the line end. Cells with commas or quotes are quoted; line breaks in cells
-// become spaces so that each row is a single line.
+// Formats one row, without the line end. Cells with commas or quotes are quoted; line breaks in
+// cells become spaces so that each row is a single line.
 std::string csv_line(const Cells& cells);
 
 // Returns the cells of one line, or nullopt if its quotes do not match.

@@ -50,8 +50,8 @@ class InputOutputError : public std::runtime_error {
 // "cannot write results.csv: No space left on device": `what` and the reason for `error_number`.
 InputOutputError io_error(std::string_view what, int error_number);
 
-// Writes a message for the user to `stream`, usually stderr. Errors are ignored (the terminal is
-// gone, the disk is full): results and exit code still count.
+// Writes a message for the user to `stream`, usually stderr. Errors while writing are ignored (if
+// the terminal is gone or the disk is full, for example): results and exit code are still valid.
 void write_message(std::FILE* stream, std::string_view text);
 
 // The user pressed Ctrl-C: exit code 75.

@@ -22,7 +22,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kLongestUserFile = 10'000'000;
 constexpr std::size_t kLongestFile = 4'000'000'000;
-constexpr double kPatience_s = 60;  // many shards may end at once, and all write their results
+constexpr double kPatience_s =
+    60;  // many shards may end at once, and each of them writes the results
 
 InputOutputError cannot_write(const fs::path& path) {
   return io_error(fmt::format("{} cannot be written", path.string()), errno);
@@ -36,8 +37,8 @@ bool is_named(int descriptor, const fs::path& path) {
          opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
 }
 
-// Returns the content. On failure, sets `error_number`, to EFBIG if there are more than `most`
-// bytes (as in /dev/zero).
+// Returns the content. On failure, sets `error_number`; if there are more than `most` bytes (as in
+// /dev/zero), sets it to EFBIG.
 std::string read_through(const fs::path& path, std::size_t most, int& error_number) {
   const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
   error_number = descriptor < 0 ? errno : 0;
@@ -133,8 +134,8 @@ PendingFile::~PendingFile() {
 void PendingFile::commit(std::string_view text) {
   write_all(descriptor_, text, path_);
   if (is_direct()) return;
-  // rename() replaces the file atomically: readers see the old content or the new, never a part.
-  // Without fsync() a power failure could leave the new name with empty content.
+  // rename() replaces the file atomically: readers see either the old or the new content, never a
+  // part of it. Without fsync(), a power failure could leave an empty file under that name.
   if (fsync(descriptor_) != 0 || rename(part_.c_str(), path_.c_str()) != 0) {
     throw cannot_write(path_);
   }

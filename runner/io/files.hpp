@@ -18,9 +18,9 @@ std::optional<std::string> read_file(const std::filesystem::path& path);
 // Writes all of `text` to a descriptor. Throws InputOutputError naming `path`.
 void write_all(int descriptor, std::string_view text, const std::filesystem::path& path);
 
-// New content for a file, which appears under its name only at commit(). Anything but a regular
-// file (a pipe, /dev/stdout) is written directly at commit(). A process killed before that leaves
-// `path`.part, which the next one overwrites.
+// New content for a file, which appears under its final name only at commit(). If the path is not a
+// regular file (but a pipe or /dev/stdout, for example), commit() writes to it directly. A process
+// killed before commit() leaves `path`.part behind, which the next process overwrites.
 class PendingFile {
  public:
   // Throws InputOutputError if the file cannot be created, or if another process is still writing
@@ -35,7 +35,7 @@ class PendingFile {
  private:
   bool is_direct() const { return part_ == path_; }
   void wait_for_part(double patience_s);
-  bool take_part();  // returns false if another process holds it
+  bool take_part();  // returns false if another process holds the temporary file
 
   std::filesystem::path path_;
   std::filesystem::path part_;  // temporary file, renamed at commit()

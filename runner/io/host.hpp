@@ -5,7 +5,7 @@
 
 namespace autoref::runner {
 
-// Its network name, or "unknown".
+// The machine's network name, or "unknown".
 std::string host_name();
 
 // The processor's model name as Linux reports it; "unknown" on other systems.

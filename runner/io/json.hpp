@@ -10,12 +10,12 @@ namespace autoref::runner {
 // Members keep their insertion order.
 using Json = nlohmann::ordered_json;
 
-// `value` on one line, with a space after each comma and colon. A number gets the shortest text
-// that reads back equal (2 rather than 2.0), or null if it is not finite. Bytes that are not UTF-8
-// become U+FFFD.
+// Formats `value` on one line, with a space after each comma and colon. A number gets the shortest
+// text that reads back equal (2 rather than 2.0), or null if it is not finite. Bytes that are not
+// UTF-8 become U+FFFD.
 std::string json_text(const Json& value);
 
-// Rounds to that many decimals, for shorter JSON.
+// Rounds `number` to `decimals` decimals, for shorter JSON.
 double rounded(double number, int decimals);
 
 }  // namespace autoref::runner

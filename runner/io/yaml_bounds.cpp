@@ -15,7 +15,7 @@ namespace {
 using YAML::anchor_t;
 using YAML::Mark;
 
-// Number of nodes a value expands to, itself included, and its nesting depth.
+// The number of nodes to which a value expands, including the value itself, and its nesting depth.
 struct Extent {
   std::int64_t nodes = 1;
   std::size_t depth = 0;
@@ -26,7 +26,7 @@ class BoundsCheck final : public YAML::EventHandler {
  public:
   explicit BoundsCheck(const YamlBounds& bounds) : bounds_(bounds) {}
 
-  // The parser reports empty documents forever if it cannot make progress.
+  // If the parser cannot make progress, it reports empty documents forever.
   void OnDocumentStart(const Mark& mark) override {
     if (mark.pos <= last_document_) {
       refuse(mark,
@@ -100,7 +100,7 @@ class BoundsCheck final : public YAML::EventHandler {
     if (anchor != YAML::NullAnchor) anchors_[anchor] = extent;
   }
 
-  // Adds to the innermost open list or mapping.
+  // Adds `extent` to the innermost open list or mapping.
   void add(const Mark& mark, const Extent& extent) {
     check_depth(mark, open_.size() + extent.depth);
     if (open_.empty()) return;
@@ -122,7 +122,7 @@ class BoundsCheck final : public YAML::EventHandler {
   }
 
   YamlBounds bounds_;
-  int last_document_ = -1;  // byte at which it starts
+  int last_document_ = -1;  // byte at which the last document starts
   std::vector<Open> open_;
   std::map<anchor_t, Extent> anchors_;  // completed anchors of this document
 };

@@ -1,11 +1,12 @@
-// Text as YAML.
+// Writes text as YAML.
 #pragma once
 
 #include <string>
 
 namespace autoref::runner {
 
-// `text` as a double-quoted scalar, which reads back unchanged, whatever characters it contains.
+// Returns `text` as a double-quoted scalar, which reads back unchanged, whatever characters the
+// text contains.
 std::string quoted_scalar(const std::string& text);
 
 }  // namespace autoref::runner

@@ -18,7 +18,7 @@ constexpr double kLabSameTime_s = 1e-9;
 RobotCommand eased(const TimedCommand& timed, const RobotCommand& former, double time_s) {
   RobotCommand command = timed.command;
   if (time_s + kLabSameTime_s >= timed.at_s + timed.over_s) return command;
-  // Linear ramp from the former command's speeds.
+  // Ramps linearly from the speeds of the former command.
   const double left = 1.0 - (time_s - timed.at_s) / timed.over_s;
   command.velocity_mps += left * (former.velocity_mps - command.velocity_mps);
   command.angular_velocity_radps +=
@@ -72,7 +72,8 @@ std::vector<std::string> columns_of(const LabScene& scene) {
   return columns;
 }
 
-// Prints more digits than the league can measure; the text is the same with every compiler.
+// Formats the value with more digits than the league can measure, but few enough that the text is
+// the same with every compiler.
 std::string cell(double value) {
   const std::string text = fmt::format("{:.6f}", value);
   return text == "-0.000000" ? "0.000000" : text;
@@ -111,7 +112,8 @@ LabScene::LabScene() {
 LabRecord play_lab_scene(const LabScene& scene) {
   sim::World world = world_of(scene);
   LabRecord record{scene.sim.frame_rate_hz, {world.state()}};
-  // As in a game: the frame is delayed by whole frames, the radio link by the remaining sub-steps.
+  // As in a game, the latency is split: vision is delayed by whole frames, the radio link by the
+  // remaining sub-steps.
   const int old_frames = sim::split_latency(scene.sim).frames;
   const auto frames = static_cast<int>(std::lround(scene.duration_s * scene.sim.frame_rate_hz));
   for (int f = 0; f < frames; ++f) {

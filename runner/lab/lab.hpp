@@ -11,8 +11,8 @@
 
 namespace autoref::runner {
 
-// Replaces a robot's previous command from `at_s` on. Speeds change linearly from the previous
-// command's to its own within `over_s`.
+// A command that replaces the robot's previous one from `at_s` on. The speeds change linearly from
+// those of the previous command to those of this one within `over_s`.
 struct TimedCommand {
   double at_s = 0;
   double over_s = 0;
@@ -40,7 +40,7 @@ struct LabScene {
   std::vector<LabRobot> robots;
 };
 
-// Recorded states of the world: at the start and after each camera frame.
+// The states of the world at the start and after each camera frame.
 struct LabRecord {
   double frame_rate_hz = 60;
   std::vector<sim::WorldState> states;

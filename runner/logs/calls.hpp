@@ -28,7 +28,7 @@ class CallMaker {
   std::vector<Call> calls_;
 };
 
-// A recorded call and the matching AutoRef call, or one of them alone.
+// A recorded call and the matching AutoRef call; one of the two is missing if it has no match.
 struct CallPair {
   std::optional<Call> recorded;
   std::optional<Call> refereed;
@@ -41,7 +41,7 @@ struct Agreement {
   int recorded = 0;
   int refereed = 0;
 
-  // Precision and recall of AutoRef's calls; 0 if there are none.
+  // Precision and recall of AutoRef's calls; 0 if there are no calls.
   double precision() const;
   double recall() const;
   double f1() const;

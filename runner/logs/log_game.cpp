@@ -10,7 +10,8 @@
 namespace autoref::runner {
 namespace {
 
-// The field of the log's geometry; the rule book's values fill gaps.
+// The field according to the log's geometry; values that the geometry lacks come from the rule
+// book.
 Field field_in(const league::LogSummary& log, const Field& of_book) {
   if (!log.field) return of_book;
   Field field = *log.field;
@@ -19,7 +20,8 @@ Field field_in(const league::LogSummary& log, const Field& of_book) {
   return field;
 }
 
-// The command in force at the start of the log, if play is on or a restart is pending.
+// The first command in the log, if it shows that play is on or that a restart is pending at the
+// start of the log.
 std::optional<Command> play_begun(const RecordedFacts& facts) {
   if (facts.commands.empty()) return std::nullopt;
   const Command first = facts.commands.front().command;

@@ -13,16 +13,17 @@ namespace autoref::runner {
 
 struct LogRefereeResult {
   Agreement agreement;  // between AutoRef's calls and those of the recorded referee
-  PerSide<int> goals;   // as counted by AutoRef
+  PerSide<int> goals;   // goals counted by AutoRef
   std::string events;   // AutoRef's decisions, one JSON object per line (event_log.hpp)
   int decisions = 0;
 };
 
 // Judges every frame of the log in order. Each game of the log has its own configuration and
-// referee; the last configuration is reused if there are more games. Goals are those of the last
-// game. If the recorded referee says that blue defends the goal at -x, frames are rotated, since
-// AutoRef assumes that yellow is west. Throws league::LogError, and std::invalid_argument if a
-// configuration is not valid for a referee. `configurations` must not be empty.
+// referee; the last configuration is reused if there are more games. The goals in the result are
+// those of the last game. If the recorded referee says that blue defends the goal at -x, frames are
+// rotated, since AutoRef assumes that yellow is west. Throws league::LogError, and
+// std::invalid_argument if a configuration is not valid for a referee. `configurations` must not be
+// empty.
 LogRefereeResult referee_log(const std::filesystem::path& log, const RecordedFacts& facts,
                              const std::vector<referee::Configuration>& configurations);
 

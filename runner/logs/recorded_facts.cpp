@@ -67,7 +67,7 @@ class FactFinder final : public league::LogVisitor {
                         facts.last_signal->command != signal->command;
     if (is_new) note_command(time_s, signal->command);
     note_stage(signal->stage);
-    // Overtime or a missing clock does not reveal the length.
+    // In overtime or without a clock, the packet does not reveal the length of the half.
     if (packet.stage_time_left() > 0) note_clock(signal->stage, signal->stage_time_left_s);
     facts.names = {{name_text(packet.yellow().name()), name_text(packet.blue().name())}};
     facts.last_signal = signal;
@@ -95,7 +95,7 @@ class FactFinder final : public league::LogVisitor {
 
   void note_clock(Stage stage, double left_s) {
     RecordedGame& game = facts.games.back();
-    // The first packet of a half may come a little late: round up to the clock's resolution.
+    // Rounds up to the clock's resolution, since the first packet of a half may come a little late.
     const double rounded_s = std::ceil(left_s / kClock_s - 0.01) * kClock_s;
     const auto note = [rounded_s](std::optional<double>& length_s) {
       length_s = std::max(length_s.value_or(kClock_s), rounded_s);

@@ -17,7 +17,7 @@ namespace autoref::runner {
 
 // The first occurrence of a command in the log.
 struct RecordedCommand {
-  double time_s = 0;  // from the start of the log
+  double time_s = 0;  // time since the start of the log
   Command command;
 };
 
@@ -26,7 +26,7 @@ struct RecordedCamera {
   double first_s = 0;
   double last_s = 0;
   double longest_gap_s = 0;
-  int gaps = 0;  // of at least 0.1 s
+  int gaps = 0;  // number of gaps of at least 0.1 s
 
   // Packets per second; 0 if there are fewer than two.
   double rate_hz() const;
@@ -35,14 +35,14 @@ struct RecordedCamera {
 // Facts about one game. Most logs contain one.
 struct RecordedGame {
   double begins_s = 0;
-  std::optional<double> half_s = {};        // from the clock of the first half
-  int halves = 0;                           // started, without extra time
-  bool is_knockout = false;                 // it went to extra time or a shoot-out
+  std::optional<double> half_s = {};  // from the clock of the first half
+  int halves = 0;                     // number of halves that were started, without extra time
+  bool is_knockout = false;           // it went to extra time or a shoot-out
   std::optional<double> extra_half_s = {};  // from the clock of extra time's first half
   std::optional<Side> first_kickoff = {};
 };
 
-// Detects, from the stages of a recorded referee, the start of another game.
+// Detects the start of another game from the recorded referee's stages.
 class NextGame {
  public:
   bool begins_with(Stage stage);

@@ -12,7 +12,7 @@ namespace autoref::runner {
 // oddities. Empty if everything is fine.
 std::string damage_text(const std::string& path, const league::LogSummary& log);
 
-// The same, including oddities of the games in the log.
+// The same lines, and further ones for oddities of the games in the log.
 std::string damage_text(const std::string& path, const RecordedFacts& facts);
 
 // Feeds the log to `visitor`. Reports damage and invalid messages on stderr. Throws InputError if

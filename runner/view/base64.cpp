@@ -25,7 +25,7 @@ std::string base64_of(std::string_view bytes) {
     const std::uint32_t number = three_bytes(bytes, i);
     for (const unsigned shift : {18U, 12U, 6U, 0U}) text += kLetters[number >> shift & 63U];
   }
-  // Characters without a byte are replaced by '='.
+  // Pads with '=' where the last group has no byte left.
   for (std::size_t i = 0; i < (3 - bytes.size() % 3) % 3; ++i) text[text.size() - 1 - i] = '=';
   return text;
 }

@@ -9,14 +9,14 @@
 namespace autoref::runner {
 namespace {
 
-// Empty if there is no such text.
+// Returns the text under this key, or an empty string if there is none.
 std::string text_at(const Json& decision, const char* key) {
   const auto found = decision.find(key);
   return found != decision.end() && found->is_string() ? found->get<std::string>() : "";
 }
 
-// Returns nullopt if there is no such position. Throws Json::exception if a coordinate is not a
-// number.
+// Returns the position under this key, or nullopt if there is none. Throws Json::exception if a
+// coordinate is not a number.
 std::optional<Vec2> position_at(const Json& decision, const char* key) {
   const auto found = decision.find(key);
   if (found == decision.end() || !found->is_array() || found->size() != 2) return std::nullopt;

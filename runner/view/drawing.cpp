@@ -45,7 +45,7 @@ Track robot_track(const std::vector<Frame>& frames, RobotId robot) {
   return track;
 }
 
-// Draws the part of a path that has the same opacity, with some points left out.
+// Draws a part of a path with uniform opacity, leaving out some of its points.
 void draw_piece(const Track& track, std::size_t begin, std::size_t end, Svg& svg,
                 std::string_view look) {
   std::vector<Vec2> points;

@@ -19,8 +19,8 @@ struct DrawnGame {
   std::vector<Frame> frames;            // in order of time, at least one
 };
 
-// SVG of the field with robots and ball as in the last frame. With several frames, also the paths
-// up to then, fading with age, with rings where they start.
+// SVG of the field with robots and ball as in the last frame. With several frames, the drawing also
+// shows the paths up to that frame, which fade with age and start with a ring.
 std::string drawing_of(const DrawnGame& game);
 
 }  // namespace autoref::runner

@@ -28,8 +28,8 @@ struct ClockMark {
 
 class GameRecording {
  public:
-  // Frames and signals beyond these limits are left out. No game is that long: kMostFrames is
-  // 4.6 hours at 60 frames per second.
+  // Frames and signals beyond these limits are left out. No game reaches them: kMostFrames frames
+  // last 4.6 hours at 60 frames per second.
   static constexpr std::size_t kMostFrames = 1'000'000;
   static constexpr std::size_t kMostSignals = 100'000;
 
@@ -49,9 +49,9 @@ class GameRecording {
   const std::vector<RecordedSignal>& signals() const { return signals_; }
   const std::vector<ClockMark>& clock() const { return clock_; }
   const std::vector<RecordedDecision>& decisions() const { return decisions_; }
-  bool is_full() const { return is_full_; }  // something was left out
+  bool is_full() const { return is_full_; }  // whether something was left out
 
-  // Robots that were ever seen, in the order of their columns.
+  // All robots that were ever seen, in the order of their columns.
   std::vector<RobotId> robots() const;
 
   // Each frame's time in units of 0.1 ms as a little-endian uint32, then columns

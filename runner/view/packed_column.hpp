@@ -7,8 +7,9 @@
 
 namespace autoref::runner {
 
-// Stores each number as one byte, the difference from the previous one (initially kNothing) as
-// int8. If it is outside -127 to 127, stores -128 followed by the number as int16, little-endian.
+// Stores each number as one byte: the difference from the previous number (initially kNothing) as
+// int8. If the difference is outside -127 to 127, stores -128 followed by the number as a
+// little-endian int16.
 class PackedColumn {
  public:
   // Means "not seen".

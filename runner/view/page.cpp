@@ -13,11 +13,11 @@
 namespace autoref::runner {
 namespace {
 
-// Distances checked by the rules (both Laws 2014 and rules of 2026).
+// Distances checked by the rules, the same in the Laws of 2014 and in the 2026 rules.
 constexpr double kToBallAtRestarts_m = 0.5;
 constexpr double kAttackerToArea_m = 0.2;
 
-// To a tenth of a millimetre.
+// Converts to millimetres, rounded to a tenth.
 Json mm_json(double metres) { return rounded(metres * 1000, 1); }
 
 Json position_json(const Vec2& position_m) {
@@ -120,7 +120,8 @@ std::string game_json(const PageContent& content) {
                     {"facts", list_json(content.facts, fact_json)}});
 }
 
-// Escapes JSON for a script element, which "<" could end. In JSON, "<" only occurs in strings.
+// Escapes JSON for use in a script element. An unescaped "<" could end the element; in JSON, "<"
+// only occurs in strings.
 std::string escaped_for_script(const std::string& json) {
   std::string escaped;
   escaped.reserve(json.size());

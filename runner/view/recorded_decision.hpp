@@ -9,7 +9,7 @@
 
 namespace autoref::runner {
 
-// Texts are those of the event log (event_log.hpp); empty if it has null.
+// Texts are those of the event log (event_log.hpp); a null there becomes an empty text.
 struct RecordedDecision {
   double time_s = 0;
   std::string event;

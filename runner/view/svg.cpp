@@ -9,12 +9,12 @@ namespace {
 
 constexpr double kSvgWidth_px = 960;
 constexpr double kFullTurn_rad =
-    2 * kPi - 1e-3;  // a little less than a full turn, since arc ends in messages are floats
+    2 * kPi - 1e-3;  // slightly less than a full turn, since arc ends in league packets are floats
 
 long mm(double metres) { return std::lround(metres * 1000); }
 
 std::string point(const Vec2& position_m) {
-  // SVG's y axis points down. Whole millimetres keep the text short and the same with every
+  // SVG's y axis points down. With whole millimetres, the text is short and the same with every
   // compiler.
   return fmt::format("{} {}", mm(position_m.x()), mm(-position_m.y()));
 }

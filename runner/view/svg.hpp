@@ -28,7 +28,7 @@ class Svg {
   void begin_group(std::string_view look);
   void end_group() { body_ += "</g>\n"; }
 
-  // The whole file.
+  // The text of the whole file.
   std::string text() const { return body_ + "</svg>\n"; }
 
  private:

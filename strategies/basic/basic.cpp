@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kSidesteps = 12;  // limit on sidesteps from the ball's path to the goal
 
-// If faster kicks are fouls, kicks stay below the limit by more than the kickers' error of a few
-// per cent.
+// If kicks above the limit are fouls, the team's kicks stay below it by more than the kickers'
+// error, which is a few per cent.
 Style within_the_rules(Style style, const RuleBook& rules) {
   const double share = rules.has(RuleId::kBotKickedBallTooFast) ? style.kick_caution : 1.0;
   style.shot_mps = std::min(style.shot_mps, rules.kick_limit_mps * share);
@@ -27,7 +27,7 @@ Style within_the_rules(Style style, const RuleBook& rules) {
 Basic::Basic(const TeamContext& context)
     : context_(context), style_(within_the_rules(tuned(context.params), context.rules)) {}
 
-// Required distance from a hull to the ball's centre at restarts. If the rule is in force,
+// The distance from a hull to the ball's centre required at restarts. If the rule is in force,
 // referees measure to the ball's surface.
 double Basic::room_at_ball_m() const {
   const bool is_judged = context_.rules.has(RuleId::kDefenderTooCloseToKickPoint);
@@ -124,7 +124,7 @@ Intent Basic::attack_intent(const TrackedRobot& attacker) const {
   }
   Intent intent{aim.target_m, kick_mps};
   const double distance_m = std::max(0.1, (aim.target_m - ball_m).norm());
-  // A fraction of the angle that the free lane subtends at the target's distance.
+  // The tolerance is a fraction of the angle that the free lane subtends, seen from the ball.
   intent.tolerance_rad = std::clamp(
       style_.aim_share * std::min(aim.clearance_m, style_.free_lane_m) / distance_m, 0.04, 0.2);
   if (is_pressed() && now_.play == Play::kRunning) intent.hasty_mps = style_.push_mps;
@@ -207,9 +207,9 @@ Waypoint Basic::formation_of(int index) const {
   return reserve_position(field, ball_target_m_, role - 4);
 }
 
-// The permitted position. If the ball is so close to the team's own area that nobody fits between,
-// the robot steps beside the straight path to the goal, if the rule book requires the distance at
-// restarts.
+// The permitted position nearest to `wanted_m`. If the ball is so close to the team's own area that
+// no robot fits between them, and the rule book requires a distance at restarts, the robot steps
+// aside from the straight path to the goal.
 Vec2 Basic::allowed(const Vec2& wanted_m, const Vec2& ball_m, const Limits& limits) const {
   const Field& field = context_.field;
   Vec2 position_m = permitted(field, wanted_m, ball_m, limits);
@@ -223,8 +223,8 @@ Vec2 Basic::allowed(const Vec2& wanted_m, const Vec2& ball_m, const Limits& limi
   return position_m;
 }
 
-// The first target of a robot that is too close to the ball in a stop; nullopt if it is not, or if
-// the rule book allows that.
+// Where a robot that is too close to the ball in a stop drives first; nullopt if the robot is far
+// enough away, or if the rule book has no such distance.
 std::optional<Vec2> Basic::position_off_ball(const Vec2& from_m) const {
   const double keep_m = room_at_ball_m() + kRobotRadius_m + 10_mm;
   const Vec2 off_m = from_m - ball_target_m_;
@@ -258,7 +258,7 @@ void Basic::line_up(TeamCommands& commands) {
   }
 }
 
-// Until the ball is in play only kicker and keeper matter; the others wait behind it.
+// Until the ball is in play, only kicker and keeper matter; the other robots wait behind the ball.
 void Basic::stand_at_penalty(TeamCommands& commands) {
   const int kicker = now_.ours ? penalty_kicker(now_, ball_target_m_) : -1;
   for (int i = 0; i < static_cast<int>(now_.own.size()); ++i) {

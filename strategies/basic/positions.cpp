@@ -17,8 +17,8 @@ Vec2 own_goal_m(const Field& field) { return field.goal_centre_m(Side::kWest); }
 Waypoint keeper_position(const Field& field, const Style& style, const TrackedBall& ball) {
   const double line_x = -field.half_length_m() + kRobotRadius_m + style.margin_m;
   const double reach_m = field.half_goal_m() - kRobotRadius_m / 2;
-  // A shot is extended in a straight line to the keeper's line; otherwise the offset from the
-  // middle grows with the sine of the ball's direction.
+  // At a shot, the keeper stands where the ball's straight path crosses the keeper's line.
+  // Otherwise its offset from the middle is proportional to the sine of the ball's direction.
   double y = 0;
   if (ball.velocity_mps.x() < -style.keeper_shot_mps && ball.position_m.x() > line_x) {
     y = ball.position_m.y() +
@@ -34,13 +34,13 @@ Waypoint keeper_position(const Field& field, const Style& style, const TrackedBa
 Waypoint wall_position(const Field& field, const Style& style, const Vec2& ball_m, int order) {
   const Vec2 goal_m = own_goal_m(field);
   const Vec2 direction = direction_of(ball_m - goal_m, Vec2(1, 0));
-  // Approximate distance from the goal to the area's edge: the depth straight ahead, more to the
-  // sides.
+  // The approximate distance from the goal to the area's edge: the area's depth straight ahead, and
+  // more towards the sides.
   const double off_m = field.defence_area.depth_m +
                        field.defence_area.straight_m / 2 * std::abs(direction.y()) +
                        kRobotRadius_m + 2 * style.margin_m;
-  // The two robots stand as close together as their avoidance of each other allows, towards the
-  // middle.
+  // The second robot stands on the side of the middle, as close to the first as obstacle avoidance
+  // allows.
   const double aside = ball_m.y() > 0 ? -1.0 : 1.0;
   return facing_ball(
       goal_m + direction * off_m + left_of(direction) * (aside * style.wall_gap_m * order), ball_m);

@@ -8,7 +8,8 @@ namespace {
 
 using Taken = std::array<bool, kMaxRobots>;
 
-// Time in seconds to get to the ball and behind it, as seen from the opponents' goal.
+// The time in seconds that the robot needs to get behind the ball, as seen from the opponents'
+// goal.
 double time_behind_ball_s(const TrackedRobot& robot, const Interception& interception,
                           const Vec2& goal_m, double go_round_s) {
   const Vec2 aim = direction_of(goal_m - interception.point_m, Vec2(1, 0));
@@ -35,7 +36,7 @@ void choose_attacker(const TeamView& view, const Field& field, const Style& styl
   }
 }
 
-// The free robot nearest to `point_m`, or -1.
+// The free robot nearest to `point_m`; -1 if there is none.
 int nearest_free(const TeamView& view, const Taken& taken, const Vec2& point_m) {
   int best = -1;
   double best2 = std::numeric_limits<double>::infinity();
@@ -49,7 +50,7 @@ int nearest_free(const TeamView& view, const Taken& taken, const Vec2& point_m) 
 }
 
 // The unmarked opponent in the team's own half nearest to the team's own goal, excluding the one at
-// the ball; or -1.
+// the ball; -1 if there is none.
 int most_dangerous(const TeamView& view, const Style& style, const Taken& marked,
                    const Vec2& goal_m) {
   int best = -1;

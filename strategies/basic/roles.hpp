@@ -23,7 +23,7 @@ struct AssignedRole {
 struct RoleAssignment {
   std::array<AssignedRole, kMaxRobots> roles;
   int attacker = -1;          // index in the view; -1 if there is none
-  Interception interception;  // of the ball by the attacker
+  Interception interception;  // where and when the attacker reaches the ball
 };
 
 // Assigns the roles. The lowest number keeps the goal, unless it is alone. The robot that meets the

@@ -46,7 +46,7 @@ struct Style {
   double go_round_s = 0.8;
 };
 
-// The numbers as parameters; and the style with the numbers in a scenario's `params` replaced.
+// The style's numbers as parameters, and the style with the numbers set by a scenario's `params`.
 std::vector<Parameter> parameters();
 Style tuned(const std::map<std::string, double>& params);
 

@@ -13,7 +13,7 @@ class Roster {
   Roster(PlayContext& book, const RoleAssignment& assignment, const FormationSpots& spots)
       : predicted_(book.predicted), assignment_(assignment), spots_(spots), keys_(book.spots) {}
 
-  // Keeps the current owners of the spots who may keep them, and clears all others.
+  // Keeps each spot's current owner if that robot may keep its spot, and clears all other owners.
   template <typename MayKeep>
   void forget(MayKeep may_keep) {
     std::array<int, kMaxRobots> kept{};

@@ -19,16 +19,17 @@ using FormationSpots =
 // swap spots if that clearly shortens their paths. A robot with another role loses its spot.
 void fill_spots(PlayContext& book, RoleAssignment& assignment, const FormationSpots& spots);
 
-// The same, but the robot at the ball keeps its spot, which stays empty meanwhile. Only the owners
-// of the first `count` spots go there; the others stay free for other roles.
+// Assigns robots in the same way, but the robot at the ball keeps its spot, which stays empty
+// meanwhile. Only the owners of the first `count` spots go to them; the other owners stay free for
+// other roles.
 void fill_own_spots(PlayContext& book, RoleAssignment& assignment, const FormationSpots& spots,
                     int count = kMaxRobots);
 
-// The `count` free robots farthest ahead run for passes.
+// Makes the `count` free robots that are farthest ahead run for passes.
 void send_ahead(PlayContext& book, RoleAssignment& assignment, int count);
 
-// `position_m`, moved far enough from the opponents' area for every rule, plus `more_m`; facing the
-// ball.
+// `position_m`, moved away from the opponents' area by the distance that all rules require plus
+// `more_m`; facing the ball.
 Waypoint off_their_area(const PredictedState& predicted, const Vec2& position_m, double more_m = 0);
 
 }  // namespace autoref::strategies

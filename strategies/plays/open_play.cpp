@@ -11,14 +11,15 @@ namespace {
 
 int count_of(double wanted) { return static_cast<int>(std::lround(wanted)); }
 
-// The lowest number keeps the goal, unless it is alone and its team reaches the ball first.
+// The robot with the lowest number keeps the goal, unless it is alone and reaches the ball before
+// the opponents.
 void give_goal(const PredictedState& predicted, RoleAssignment& assignment) {
   if (predicted.robots() == 0) return;
   if (predicted.robots() == 1 && predicted.is_ours()) return;
   assignment.give(0, is_keepers_ball(predicted) ? Role::kBall : Role::kKeeper);
 }
 
-// Whether the opponents could have the ball in a moment.
+// Whether the opponents could soon have the ball.
 bool is_contested(const PredictedState& predicted) {
   return predicted.theirs().time_s < predicted.style().contested_s;
 }

@@ -4,7 +4,7 @@
 
 namespace autoref::strategies {
 
-// Until the ball is in play only kicker and keeper matter; the others wait behind it.
+// Until the ball is in play, only kicker and keeper matter; the other robots wait behind the ball.
 void penalty(PlayContext& book, RoleAssignment& assignment) {
   const PredictedState& predicted = book.predicted;
   const Vec2& mark_m = predicted.position_m();

@@ -9,7 +9,7 @@
 
 namespace autoref::strategies {
 
-// What plays read and remember.
+// What plays read, and what they store from frame to frame.
 struct PlayContext {
   const PredictedState& predicted;
   const BallHandler& handler;
@@ -28,23 +28,24 @@ struct PlayContext {
 // receiver; -1 if there is no free robot.
 int choose_for_ball(const PlayContext& book, const RoleAssignment& assignment);
 
-// While the ball is in play.
+// The play while the ball is in play.
 void open_play(PlayContext& book, RoleAssignment& assignment);
 
-// While play is stopped before the team's own restart: aligns the taker with the receiver that has
-// the best pass.
+// Used while play is stopped before the team's own restart: aligns the taker with the receiver that
+// has the best pass.
 void line_up_taker(const PlayContext& book, RoleAssignment& assignment);
 
-// The team's own restart, once it may be taken: the other robots keep their tasks in `assignment`.
+// The play for the team's own restart, once it may be taken. All robots but the taker keep their
+// tasks in `assignment`.
 void take_restart(PlayContext& book, RoleAssignment& assignment);
 
-// While play is stopped, and at the opponents' restarts.
+// The play while play is stopped, and at the opponents' restarts.
 void await_restart(PlayContext& book, RoleAssignment& assignment);
 
-// Before and at a kick-off.
+// The play before and at a kick-off.
 void await_kickoff(PlayContext& book, RoleAssignment& assignment);
 
-// Before and at a penalty kick.
+// The play before and at a penalty kick.
 void penalty(PlayContext& book, RoleAssignment& assignment);
 
 // The start of every play while the ball is in play: assigns the keeper and the robot at the ball.
@@ -53,13 +54,14 @@ void give_goal_and_ball(PlayContext& book, RoleAssignment& assignment);
 // The same while play is stopped: assigns the keeper, and a robot to take or block the restart.
 void give_goal_and_restart(PlayContext& book, RoleAssignment& assignment);
 
-// Defenders: a wall of up to `wall` robots, then markers for up to `markers` opponents.
+// Assigns defenders: a wall of up to `wall` robots, then markers for up to `markers` opponents.
 void defend(PlayContext& book, RoleAssignment& assignment, int wall, int markers);
 
-// Up to `count` robots without an opponent to mark, one behind the other between ball and goal.
+// Assigns up to `count` robots that have no opponent to mark, one behind the other between ball and
+// goal.
 void cover(const PlayContext& book, RoleAssignment& assignment, int count);
 
-// All remaining free robots run for passes.
+// Makes all remaining free robots run for passes.
 void run_for_passes(PlayContext& book, RoleAssignment& assignment);
 
 }  // namespace autoref::strategies

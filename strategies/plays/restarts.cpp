@@ -56,7 +56,7 @@ int choose_taker(const PlayContext& book) {
   return taker;
 }
 
-// Behind the ball, as seen from the target.
+// The taker's position: behind the ball, as seen from the target.
 Waypoint taker_position(const PredictedState& predicted, const Vec2& target_m) {
   const Vec2 aim = direction_of(target_m - predicted.position_m(), Vec2(1, 0));
   return {predicted.position_m() - aim * predicted.style().taker_back_m, aim};

@@ -33,7 +33,7 @@ class RoleAssignment {
   // Moves all positions to permitted ones, and apart if robots would overlap.
   void spread();
 
-  // Sends the nearest free robot there, if there is one.
+  // Sends the nearest free robot to the waypoint, if there is a free robot.
   void send_nearest(const Waypoint& waypoint);
 
  private:

@@ -50,7 +50,8 @@ void Squad::decide(const TeamView& view, TeamCommands& commands) {
   }
 }
 
-// The taker of a restart must not touch the ball again before another robot has.
+// Keeps track of the taker of a restart, which must not touch the ball again before another robot
+// has touched it.
 void Squad::note_restarter() {
   const TeamView& now = predicted_.now();
   if (is_restart(now.play)) {
@@ -81,7 +82,7 @@ void Squad::note_stop() {
   former_play_ = now.play;
   former_robots_ = predicted_.robots();
   const double waited_s = now.time_s - since_s_;
-  // After that, positions are kept so that the robots come to rest.
+  // Once this time is over, positions are kept so that the robots come to rest.
   const bool chooses = waited_s < predicted_.style().choosing_s;
   book_.waited_s = waited_s;
   book_.is_settled = predicted_.is_waiting() && !chooses;

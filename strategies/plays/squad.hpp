@@ -37,7 +37,8 @@ class Squad final : public Strategy {
   PassField field_;
   BallHandler handler_;
   PlayContext book_;
-  RoleAssignment kept_;  // while play is stopped, and at a restart by the other robots
+  RoleAssignment kept_;  // the assignment that robots keep while play is stopped, and that the
+                         // others keep while one takes a restart
   int kept_robots_ = 0;
   Play former_play_ = Play::kHalt;
   int former_robots_ = 0;

@@ -12,7 +12,7 @@ namespace autoref::strategies::rowdy {
 
 // A foul behaviour under way.
 struct ActiveFoul {
-  int robot = -1;      // number of the robot that does it; -1: the whole team
+  int robot = -1;      // number of the offending robot; -1: the whole team
   int other = -1;      // number of the opponent that is fouled
   double amount = 0;   // random in [0, 1): distance or duration, depending on the kind
   double begun_s = 0;  // view time
@@ -27,7 +27,7 @@ struct TeamOutput {
   RobotCommand& command(int number) const { return commands[static_cast<std::size_t>(number)]; }
 };
 
-// A foul by `robot`; nullopt if that is null.
+// A foul by `robot`; nullopt if `robot` is null.
 inline std::optional<ActiveFoul> foul_by(const TrackedRobot* robot, const Vec2& from_m) {
   if (robot == nullptr) return std::nullopt;
   ActiveFoul foul;
@@ -49,15 +49,15 @@ inline const TrackedRobot* victim_of(const ActiveFoul& foul, const Scene& scene)
 }
 
 struct FoulBehaviour {
-  std::string_view name;  // name of the parameter that sets its share
+  std::string_view name;  // name of the parameter that sets `share`
   std::string_view about;
   double share;      // default fraction of opportunities taken
-  double longest_s;  // it is given up after this time
+  double longest_s;  // the foul is given up after this time
   // The foul that is possible now, without `amount` and `begun_s`; nullopt if there is no
   // opportunity.
   std::optional<ActiveFoul> (*find_chance)(const Scene& scene);
-  // Changes the team's output. Returns false once it is over. The foul's robot, if any, is on the
-  // field.
+  // Changes the team's output. Returns false once the foul is over. If the foul has a robot, the
+  // robot is on the field.
   bool (*go_on)(const Scene& scene, ActiveFoul& foul, TeamOutput& output);
 };
 

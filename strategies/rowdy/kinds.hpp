@@ -33,7 +33,7 @@ extern const FoulBehaviour kTimeout;
 
 inline constexpr int kKindCount = 23;
 
-// In the order in which opportunities in the same frame are considered.
+// All kinds, in the order in which opportunities in the same frame are considered.
 std::span<const FoulBehaviour* const, kKindCount> all_kinds();
 
 }  // namespace autoref::strategies::rowdy

@@ -59,7 +59,7 @@ void Rowdy::consider(Habit& habit, const Scene& scene) {
 bool Rowdy::go_on(const Scene& scene, TeamCommands& commands) {
   if (now_.time_s - active_foul_.begun_s > under_way_->longest_s) return false;
   if (active_foul_.robot >= 0 && find(now_.own, active_foul_.robot) == nullptr) return false;
-  // Copies, discarded if the behaviour ends in this frame.
+  // Works on copies, which are discarded if the behaviour ends in this frame.
   TeamCommands wanted = commands;
   TeamRequests asked = requests_;
   TeamOutput output{wanted, asked};

@@ -23,7 +23,8 @@ class Rowdy final : public Strategy {
   TeamRequests requests() const override { return requests_; }
 
  private:
-  // A foul behaviour, the fraction of opportunities taken, and when the last opportunity was.
+  // A foul behaviour, the fraction of its opportunities that the team takes, and the time of its
+  // last opportunity.
   struct Habit {
     const FoulBehaviour* kind = nullptr;
     double share = 0;

@@ -19,7 +19,7 @@ struct Scene {
   int keeper = 0;  // number of the team's keeper
 };
 
-// The robot with that number, or nullptr.
+// The robot with that number; nullptr if there is none.
 const TrackedRobot* find(const TrackedRobots& robots, int number);
 
 // The team's own robot nearest to a point, excluding the keeper; nullptr if none is within
@@ -44,7 +44,7 @@ RobotCommand go_to(const Scene& scene, const TrackedRobot& robot, const Vec2& po
 // Commands that drive the robot straight with that velocity, facing its direction of motion.
 RobotCommand charge(const TrackedRobot& robot, const Vec2& velocity_mps);
 
-// The same towards a point.
+// Commands that drive the robot straight towards a point.
 RobotCommand charge_at(const TrackedRobot& robot, const Vec2& point_m, double speed_mps);
 
 // Commands that drive the robot behind the ball and kick it straight at the target.

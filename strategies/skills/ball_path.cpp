@@ -48,8 +48,8 @@ double speed_after_mps(double speed_mps, double rolls_mps, double time_s) {
 
 void BallPath::follow(const TrackedBall& ball, double latency_s) {
   const double seen_mps = ball.velocity_mps.norm();
-  // The kick speed decides when sliding ends. A jump in speed means a new kick. Once the ball
-  // rolls, kick_mps_ shrinks with its speed, so a softer kick counts as well.
+  // The kick speed determines when sliding ends. A jump in speed means a new kick. Once the ball
+  // rolls, kick_mps_ shrinks with the ball's speed, so that a softer kick is detected as well.
   if (seen_mps > last_mps_ + kPeak_mps || seen_mps > kick_mps_) kick_mps_ = seen_mps;
   if (seen_mps < kRollsFrom * kick_mps_) kick_mps_ = seen_mps / kRollsFrom;  // it is rolling
   last_mps_ = seen_mps;
@@ -64,12 +64,13 @@ void BallPath::follow(const TrackedBall& ball, double latency_s) {
 }
 
 double kick_for_mps(double distance_m, double arrival_mps) {
-  // Arrives rolling: v_roll^2 = arrival^2 + 2 a (distance - slide), slide = k v0^2.
+  // If the ball arrives rolling: v_roll^2 = arrival^2 + 2 a (distance - slide), slide = k v0^2.
   constexpr double kSlidePerSpeed2 = (1 - kRollsFrom * kRollsFrom) / (2 * kSlide_mps2);
   constexpr double kShare = kRollsFrom * kRollsFrom + 2 * kRoll_mps2 * kSlidePerSpeed2;
   const double kick2 = (arrival_mps * arrival_mps + 2 * kRoll_mps2 * distance_m) / kShare;
   if (kSlidePerSpeed2 * kick2 <= distance_m) return std::sqrt(kick2);
-  return std::sqrt(arrival_mps * arrival_mps + 2 * kSlide_mps2 * distance_m);  // still sliding
+  return std::sqrt(arrival_mps * arrival_mps +
+                   2 * kSlide_mps2 * distance_m);  // the ball arrives still sliding
 }
 
 // Solves s = v t - a t^2 / 2 for t in the phase in which the ball covers the distance.

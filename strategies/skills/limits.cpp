@@ -10,7 +10,7 @@ namespace autoref::strategies {
 namespace {
 
 constexpr double kLimitMargin_m =
-    30_mm;                  // added to the rules' distances for the robots' own errors
+    30_mm;  // added to the distances in the rules to allow for the robots' own errors
 constexpr int kTurns = 36;  // directions tried to each side of a position inside the ball's circle
 
 // Moves `p` to the nearest point at `distance_m` from the area of `side`.
@@ -44,7 +44,8 @@ Vec2 back_from(const Field& field, const Vec2& ball_m) {
 
 Vec2 pushed_off_ball(const Field& field, const Vec2& p, const Vec2& ball_m, const Limits& limits) {
   if (limits.keep_from_ball_m <= 0 || (p - ball_m).norm() >= limits.keep_from_ball_m) return p;
-  // Moves towards the team's own goal, where a robot that must give way is most useful.
+  // Moves the position towards the team's own goal, where a robot that must give way is most
+  // useful.
   const Vec2 back = back_from(field, ball_m);
   const Vec2 away = direction_of(p - ball_m, back);
   const Vec2 bent = away.dot(back) < 0 ? direction_of(away + 1.5 * back, back) : away;
@@ -83,7 +84,8 @@ Vec2 permitted_by_all(const Field& field, const Vec2& wanted_m, const Vec2& ball
   if ((p - ball_m).norm() >= limits.keep_from_ball_m) return p;
   const Vec2 off_m = direction_of(p - ball_m, back_from(field, ball_m)) *
                      (limits.keep_from_ball_m + kLimitMargin_m);
-  // Searches the ball's circle at growing angles to both sides, so the first hit is the nearest.
+  // Searches the circle around the ball at growing angles to both sides, so the first permitted
+  // position found is the nearest.
   for (int i = 1; i <= kTurns; ++i) {
     for (const double side : {1.0, -1.0}) {
       Vec2 turned_m = ball_m + to_world(off_m, heading_of(side * i * kPi / kTurns));

@@ -12,7 +12,7 @@ struct Limits {
   bool own_half_only = false;       // before a kick-off
   double keep_from_ball_m = 0;      // from a robot's centre to the ball
   double keep_from_area_m = 0;      // from a robot's centre to the opponents' defence area
-  bool may_enter_own_area = false;  // for the keeper
+  bool may_enter_own_area = false;  // true for the keeper
   // Keeps a position behind the goal line even if it is too near to a quarter-circle area. `basic`
   // relies on this, and the benchmark's games depend on it.
   bool may_stay_behind_goal = false;
@@ -23,11 +23,13 @@ struct Limits {
 // 0.
 double room_for_error_m(const RuleBook& rules);
 
-// The permitted position nearest to `wanted_m`, or close to it. If the half, an area or the field's
-// edge leaves no space next to the ball, those limits take precedence over the ball's circle.
+// The permitted position nearest to `wanted_m`, or a position close to that one. If the half, an
+// area or the field's edge leaves no space next to the ball, these limits take precedence over the
+// distance from the ball.
 Vec2 permitted(const Field& field, const Vec2& wanted_m, const Vec2& ball_m, const Limits& limits);
 
-// The same, but if there is no space, a position farther around the ball that respects all limits.
+// The same, but if there is no space, the result is a position farther around the ball that
+// respects all limits.
 Vec2 permitted_by_all(const Field& field, const Vec2& wanted_m, const Vec2& ball_m,
                       const Limits& limits);
 

@@ -9,7 +9,8 @@ namespace {
 constexpr double kMotionLookAhead_m = 1.5;  // obstacles farther along the path are ignored
 constexpr double kGoalClearance_m = 30_mm;  // between a goal's wall and a passing robot
 
-// The first obstacle on the path from `from_m` along the unit vector `direction`, or nullptr.
+// The first obstacle on the path from `from_m` along the unit vector `direction`; nullptr if there
+// is none.
 const Obstacle* first_on_path(const Vec2& from_m, const Vec2& direction, double length_m,
                               const Obstacles& obstacles) {
   const Obstacle* first = nullptr;
@@ -34,7 +35,7 @@ Vec2 steer_around(const Vec2& from_m, const Vec2& target_m, const Obstacles& obs
   const Vec2 direction = offset / length_m;
   const Obstacle* obstacle = first_on_path(from_m, direction, length_m, obstacles);
   if (obstacle == nullptr) return target_m;
-  // Pass the obstacle on the side on which the straight path runs.
+  // Passes the obstacle on the side on which the straight path runs.
   const double side = cross(direction, obstacle->position_m - from_m) > 0 ? -1.0 : 1.0;
   return obstacle->position_m + left_of(direction) * (side * obstacle->clearance_m * 1.1);
 }
@@ -71,7 +72,7 @@ RobotCommand drive_via(const TrackedRobot& robot, const Vec2& steer_m, const Way
   const double left_m = (goal.position_m - robot.position_m).norm();
   if (left_m < style.arrived_m) return drive_with(robot, Vec2(0, 0), goal.heading, style);
   const Vec2 direction = direction_of(steer_m - robot.position_m, goal.heading);
-  // The same braking curve along the path, with the same proportional end.
+  // Along the path, the same braking curve with the same proportional controller near the target.
   const double speed_mps = std::min(
       {style.speed_mps, style.approach_per_s * left_m, std::sqrt(2 * style.braking_mps2 * left_m)});
   return drive_with(robot, direction * speed_mps, goal.heading, style);

@@ -27,7 +27,7 @@ struct Waypoint {
   Vec2 heading{1, 0};  // unit vector to face
 };
 
-// Discs to avoid: centre, and minimum distance of a robot's centre from it.
+// A disc to avoid: its centre, and the minimum distance of a robot's centre from that point.
 struct Obstacle {
   Vec2 position_m{0, 0};
   double clearance_m = 0;
@@ -46,7 +46,7 @@ std::optional<Vec2> exit_from_behind_goal(const Field& field, const Vec2& from_m
 RobotCommand drive_to(const TrackedRobot& robot, const Waypoint& goal, const Obstacles& obstacles,
                       const DrivingStyle& style);
 
-// The same via `steer_m`, the next point of a path around the obstacles.
+// The same, but steers for `steer_m`, the next point of a path around the obstacles.
 RobotCommand drive_via(const TrackedRobot& robot, const Vec2& steer_m, const Waypoint& goal,
                        const DrivingStyle& style);
 

@@ -7,13 +7,13 @@ namespace autoref::strategies {
 namespace {
 
 constexpr double kAvoidanceLookAhead_m = 1.6;  // obstacles farther along the path are ignored
-constexpr double kMovesOn_s = 0.25;            // robots are extrapolated by this
+constexpr double kMovesOn_s = 0.25;            // other robots are extrapolated by this time
 constexpr double kRoom_m = 30_mm;              // between hulls
 constexpr double kAvoidanceBeside_m = 20_mm;   // additional clearance of the detour point
-constexpr double kBlockedLeg_m = 0.5;          // extra length for an obstacle on the detour
-constexpr double kTurning_s = 0.15;  // weight of the current velocity, as a length per speed
+constexpr double kBlockedLeg_m = 0.5;          // length added to a detour if an obstacle is on it
+constexpr double kTurning_s = 0.15;            // weight of the current velocity: length per speed
 
-// The first obstacle on the segment, or nullptr.
+// The first obstacle on the segment; nullptr if there is none.
 const Obstacle* first_on(const Vec2& from_m, const Vec2& to_m, const Obstacles& obstacles) {
   const Vec2 offset = to_m - from_m;
   const double length_m = offset.norm();
@@ -42,7 +42,7 @@ void find_obstacles(const Surroundings& all, const TrackedRobot& robot, const Ve
   const auto add = [&](const TrackedRobot& other) {
     const Vec2 there_m = other.position_m + other.velocity_mps * kMovesOn_s;
     if ((there_m - middle_m).squaredNorm() > reach_m * reach_m) return;
-    // If the target is right beside the other robot, avoid only its hull.
+    // If the target is right beside the other robot, only that robot's hull is avoided.
     const double to_target_m = (target_m - there_m).norm();
     const double clearance_m = 2 * kRobotRadius_m + kRoom_m;
     if (to_target_m > 2 * kRobotRadius_m || to_target_m > (robot.position_m - there_m).norm())

@@ -6,7 +6,7 @@
 
 namespace autoref::strategies {
 
-// The obstacles for a robot of the team; moving ones are extrapolated.
+// The obstacles for a robot of the team; the positions of moving obstacles are extrapolated.
 struct Surroundings {
   const TrackedRobots& own;
   const TrackedRobots& opponents;

@@ -12,10 +12,10 @@ namespace {
 
 constexpr double kKickError_rad = 0.03;  // 1.5 degrees from the kicker, plus the heading's error
 constexpr double kReaction_s = 0.08;     // delay before a robot reacts to a kick
-constexpr double kReach_mps2 = 3.0;      // its acceleration then
+constexpr double kReach_mps2 = 3.0;      // the robot's acceleration after that
 constexpr double kLongestReach_m = 0.5;
 constexpr double kBlock_m = kRobotRadius_m + kBallRadius_m;
-constexpr double kNarrowest_m = 20_mm;  // closer obstacles are ignored
+constexpr double kNarrowest_m = 20_mm;  // robots closer to the ball are ignored
 constexpr double kSafe_m = 150_mm;      // a lane with this much spare width is safe
 
 double reach_m(double time_s) {
@@ -30,8 +30,8 @@ struct Span {
 };
 using Spans = boost::container::static_vector<Span, 2 * kMaxRobots>;
 
-// Adds the robot's shadow on the goal line, for a ball from `from_m`. `grown_m` is how far it can
-// move.
+// Adds the robot's shadow on the goal line, for a ball from `from_m`. `grown_m` is how far the
+// robot can move meanwhile.
 void add_shadow(double goal_x, const Vec2& from_m, const Vec2& robot_m, double grown_m,
                 Spans& shadows) {
   const double to_robot_m = robot_m.x() - from_m.x();
@@ -61,8 +61,8 @@ Span widest_gap(Spans& shadows, double low_m, double high_m) {
   return best;
 }
 
-// Approximate probability that a normal variable is within `z` standard deviations, to a few
-// hundredths.
+// The probability that a normally distributed value is within `z` standard deviations, to within a
+// few hundredths.
 double share_within(double z) { return z / std::sqrt(z * z + 1.1); }
 
 }  // namespace

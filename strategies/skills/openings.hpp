@@ -8,7 +8,7 @@ namespace autoref::strategies {
 
 // The widest free part of the opponents' goal, seen from a point.
 struct Opening {
-  Vec2 target_m{0, 0};  // its centre
+  Vec2 target_m{0, 0};  // the centre of that part
   double half_width_m = 0;
   double chance = 0;  // probability that a shot at it scores
 };
@@ -19,7 +19,8 @@ struct ShotTerms {
   int but_mate = -1;  // number of the team's robot that shoots
 };
 
-// Opponents cover what they can reach while the ball is moving; own robots cover only their hulls.
+// Finds the widest opening. Opponents cover what they can reach while the ball is moving; the
+// team's own robots cover only their hulls.
 Opening widest_opening(const Field& field, const Vec2& from_m, const TrackedRobots& opponents,
                        const TrackedRobots& own, const ShotTerms& terms);
 

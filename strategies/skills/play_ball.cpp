@@ -13,7 +13,7 @@ constexpr double kPlayBeside_m = 170_mm;   // distance from the ball while drivi
 constexpr double kPlayLane_m = 35_mm;      // lateral error allowed for the run through the ball
 constexpr double kFastBall_mps = 1.2_mps;  // slower balls are played without being stopped
 constexpr double kReachAside_m =
-    600_mm;  // distance from its path at which a robot can still intercept
+    600_mm;  // largest distance from the ball's path at which a robot can still intercept the ball
 constexpr double kThrough_mps = 1.0_mps;  // speed above the ball's during the run
 
 }  // namespace

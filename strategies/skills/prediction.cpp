@@ -42,8 +42,8 @@ void look_ahead(const TeamView& view, TeamView& ahead) {
 double travel_time_s(const TrackedRobot& robot, const Vec2& point_m) {
   const Vec2 offset = point_m - robot.position_m;
   const double distance_m = offset.norm();
-  // Cruise speed all the way, plus a start-up time that shrinks if the robot already moves in that
-  // direction.
+  // Assumes cruise speed all the way, plus a start-up time that is shorter if the robot already
+  // moves in that direction.
   const double closing_mps = distance_m < 1e-6 ? 0.0 : robot.velocity_mps.dot(offset) / distance_m;
   return std::max(0.0, distance_m / kCruise_mps + kStartUp_s * (1.0 - closing_mps / kCruise_mps));
 }

@@ -14,7 +14,7 @@ double time_to_s(const TrackedRobot& robot, const Vec2& point_m, const Abilities
 // Where and when a robot can first reach the ball.
 struct BallInterception {
   Vec2 point_m{0, 0};
-  double time_s = 0;  // from now until both are there
+  double time_s = 0;  // time from now until both robot and ball are there
 };
 
 // The first point of the ball's path that `robot` reaches no later than the ball; if it cannot

@@ -21,8 +21,9 @@ constexpr double kTurnWithBall_radps = 6.0;
 constexpr double kTurnBraking_radps2 = 16.0;
 constexpr double kPress_mps = 0.25;  // forward speed that keeps the ball at the plate
 
-constexpr double kStrikeLane_m = 30_mm;   // the ball counts as straight ahead within this
-constexpr double kNear_m = 0.35;          // within this, the robot moves with the ball
+constexpr double kStrikeLane_m =
+    30_mm;                        // the ball counts as straight ahead within this lateral offset
+constexpr double kNear_m = 0.35;  // within this distance, the robot moves with the ball
 constexpr double kStrikeRunUp_m = 50_mm;  // gap between plate and ball before the final run
 constexpr double kExact_m = 30_mm;        // allowed lateral offset at a restart
 constexpr double kClearOfBall_m = 25_mm;
@@ -33,7 +34,8 @@ constexpr double kRunBraking_mps2 = 3.0;
 constexpr double kWideFirstTouch =
     0.45;  // minimum cosine between the kick and the direction back along the ball's path
 
-// Time-optimal braking curve, limited near the target, and by what the dribbler can hold.
+// Follows a time-optimal braking curve, limited near the target and by the rate at which the
+// dribbler can hold the ball.
 double turn_rate_radps(double error_rad) {
   const double rate = std::sqrt(2 * kTurnBraking_radps2 * std::abs(error_rad));
   return std::copysign(std::min({rate, 12 * std::abs(error_rad), kTurnWithBall_radps}), error_rad);
@@ -67,7 +69,8 @@ RobotCommand intercept_pass(const TrackedRobot& robot, const BallPath& path,
   const bool sends_on = strike.first_touch && aim.dot(back) > kWideFirstTouch;
   const Vec2 heading = sends_on ? aim : back;
   const Vec2 front_m = robot.position_m + heading * kStrikeTouch_m;
-  // Stay if already on the line, otherwise go to the earliest interception.
+  // If the robot is already on the ball's path, it stays there; otherwise it goes to the earliest
+  // interception.
   const double to_front_m = (front_m - path.now_m()).dot(path.direction());
   const double to_interception_m = (interception.point_m - path.now_m()).dot(path.direction());
   const double aside_m = std::abs(cross(path.direction(), front_m - path.now_m()));
@@ -99,7 +102,7 @@ RobotCommand fetch(const TrackedRobot& robot, const BallPath& path,
   const double ahead_m = to_ball.dot(from) - kStrikeTouch_m;
   const double aside_m = cross(from, to_ball);
   RobotCommand command;
-  if (is_near) {  // move with the ball, and into it once it is straight ahead
+  if (is_near) {  // moves with the ball, and into it once the ball is straight ahead
     const bool in_lane = std::abs(aside_m) < kStrikeLane_m + 0.25 * std::max(0.0, ahead_m);
     const double left_m = ahead_m - (in_lane ? 0.0 : kStrikeRunUp_m);
     const double run_mps = in_lane

@@ -15,7 +15,7 @@ struct Strike {
   bool chip = false;
   double tolerance_rad = 0.06;  // largest heading error for a kick
   bool first_touch = true;      // an incoming ball may be kicked without stopping it
-  Vec2 keep_off{0, 0};    // unit vector out of the field if the ball is near a line, else zero
+  Vec2 keep_off{0, 0};    // unit vector out of the field if the ball is near a line, otherwise zero
   double bend_rad = 1.0;  // largest deviation from the straight path to the ball
 };
 

@@ -9,7 +9,8 @@ namespace autoref::strategies {
 // the goal, just outside the team's own area.
 Waypoint wall_position(const PredictedState& predicted, int order, int count);
 
-// Between an opponent (index in the view) and the team's own goal, shifted towards the ball.
+// A marker's position between an opponent (index in the view) and the team's own goal, shifted
+// towards the ball.
 Waypoint mark_position(const PredictedState& predicted, int opponent);
 
 // Opponents without the ball, the most dangerous first. Those far in the other half are left out.

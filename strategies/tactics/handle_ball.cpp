@@ -8,8 +8,8 @@
 namespace autoref::strategies {
 namespace {
 
-// Unit vector out of the field if the ball is so close to a line that a push could move it out,
-// else zero.
+// A unit vector out of the field if the ball is so close to a line that a push could move it out;
+// otherwise zero.
 Vec2 out_of_field(const Field& field, const Vec2& ball_m, double near_line_m) {
   if (std::abs(ball_m.y()) > field.half_width_m() - near_line_m)
     return {0, std::copysign(1.0, ball_m.y())};
@@ -35,7 +35,8 @@ void BallHandler::update() {
   if (now.play != Play::kRunning && !is_restart(now.play)) receiver_.reset();
 }
 
-// Takes a clear shot; otherwise the best option, with less turning under pressure.
+// Chooses a clear shot if there is one, otherwise the best option. Under pressure, options that
+// need less turning are preferred.
 Choice BallHandler::choose(int index, const Vec2& from_m) const {
   const TrackedRobot& robot = predicted_.robot(index);
   const double pressure = pressure_at(predicted_, from_m);

@@ -10,7 +10,7 @@
 
 namespace autoref::strategies {
 
-// The robot at the ball. Remembers its last choice, and the receiver of a pass under way.
+// Controls the robot at the ball. Stores its last choice, and the receiver of a pass under way.
 class BallHandler {
  public:
   explicit BallHandler(const PredictedState& predicted);
@@ -36,7 +36,7 @@ class BallHandler {
   FaceOff face_off_;
   Choice choice_;
   int holder_ = -1;          // number of the robot that has the ball; -1: none
-  Vec2 taken_from_m_{0, 0};  // where it gained the ball
+  Vec2 taken_from_m_{0, 0};  // where that robot gained the ball
   std::optional<int> receiver_;
   double receiver_until_s_ = 0;
   std::array<double, kMaxRobots>

@@ -16,7 +16,7 @@ Vec2 on_goal_line(const Field& field, const Vec2& from_m, const Vec2& direction)
 }
 
 // Where the keeper expects a shot to cross its line: in the middle of the open angle, shifted
-// towards the aim of an opponent with the ball if that is at the goal.
+// towards the point at which an opponent with the ball aims, if that point is in or near the goal.
 Vec2 expected_at(const PredictedState& predicted, const Vec2& halving) {
   const Field& field = predicted.field();
   Vec2 middle_m = on_goal_line(field, predicted.position_m(), halving);
@@ -30,8 +30,8 @@ Vec2 expected_at(const PredictedState& predicted, const Vec2& halving) {
   return middle_m + (aim_m - middle_m) * predicted.style().keeper_aim_trust;
 }
 
-// Where the ball will cross the team's own goal line, if it is going to reach it in the goal or
-// near it.
+// Where the ball will cross the team's own goal line; nullopt unless it will cross the line in the
+// goal or near it.
 std::optional<Vec2> shot_at(const PredictedState& predicted) {
   const BallPath& path = predicted.path();
   const double goal_x = -predicted.field().half_length_m();

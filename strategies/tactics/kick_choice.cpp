@@ -30,8 +30,8 @@ Choice pass_for(const PredictedState& predicted, int mate, Choice::Kind kind) {
   return pass;
 }
 
-// Expected value of a pass with that safety, over the pass arriving or being lost.
-// `share` is the fraction of the chance that remains after it.
+// The expected value of a pass that arrives with probability `safety` and is otherwise lost.
+// `share` is the fraction of the scoring chance that remains after the pass.
 double worth_of_pass(const PredictedState& predicted, const Choice& pass, double chance,
                      const Vec2& from_m, double safety, double share) {
   const Style& style = predicted.style();

@@ -27,7 +27,7 @@ Choice shot_from(const PredictedState& predicted, int number, const Vec2& from_m
 Choice pass_to(const PredictedState& predicted, int mate, double chance, const Vec2& from_m);
 Choice chip_to(const PredictedState& predicted, int mate, double chance, const Vec2& from_m);
 
-// Carrying the ball.
+// The option of carrying the ball.
 Choice carry_from(const PredictedState& predicted, const Vec2& from_m);
 
 // A kick into the most open space without turning far from `heading`; never backwards.

@@ -11,15 +11,15 @@ namespace autoref::strategies {
 // there are no robots.
 int penalty_kicker(const TeamView& view, const Vec2& mark_m);
 
-// Behind the ball, facing the opponents' goal.
+// The kicker's position behind the ball, facing the opponents' goal.
 Waypoint penalty_run_up(const Vec2& mark_m);
 
-// On the team's own goal line between the posts, facing the ball.
+// The keeper's position on the team's own goal line between the posts, facing the ball.
 Waypoint penalty_keeper(const Field& field, const Vec2& mark_m);
 
-// Behind the line through the mark, away from the target goal, with a hull slightly farther than
-// `clearance_m` from the line; the defenders stand in a row behind the attackers. `order` counts
-// from 0.
+// A position behind the line through the mark, away from the target goal, with a hull slightly
+// farther than `clearance_m` from the line; the defenders stand in a row behind the attackers.
+// `order` counts from 0.
 Waypoint penalty_spectator(const Field& field, const Vec2& mark_m, double clearance_m, bool ours,
                            int order);
 

@@ -10,7 +10,8 @@
 namespace autoref::strategies {
 namespace {
 
-// Both areas as discs that touch their front lines, unless the robot or its target is inside.
+// Adds both areas as discs that touch the areas' front lines, unless the robot or its target is
+// inside the area.
 void add_areas(const PredictedState& predicted, const TrackedRobot& robot, const Vec2& target_m,
                Obstacles& obstacles) {
   for (const Side side : kSides) {
@@ -155,7 +156,8 @@ RobotCommand go_to(const PredictedState& predicted, int index, const Waypoint& w
   const Vec2 off_m = robot.position_m - now.ball.position_m;
   if (room_m > predicted.style().near_room_m &&
       off_m.norm() < room_m + kRobotRadius_m - predicted.style().near_room_m) {
-    const Vec2 out = direction_of(off_m, Vec2(-1, 0));  // first leave the ball's circle directly
+    const Vec2 out = direction_of(
+        off_m, Vec2(-1, 0));  // first, leave the circle around the ball on the shortest path
     return drive_via(robot, robot.position_m + out * predicted.style().near_room_m * 10, goal,
                      style);
   }

@@ -43,7 +43,7 @@ class PredictedState {
   const BallInterception& theirs() const { return theirs_; }
   int their_fastest() const { return their_fastest_; }  // index, -1 without opponents
 
-  // Whether this team has the ball or will reach it first; with hysteresis.
+  // Whether this team has the ball or will reach it first. The decision has hysteresis.
   bool is_ours() const { return is_ours_; }
   // Whether play is stopped until a restart.
   bool is_waiting() const;

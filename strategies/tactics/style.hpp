@@ -174,7 +174,7 @@ std::span<const Tunable> tunables();
 // The numbers of `style` as parameters, with its values as defaults.
 std::vector<Parameter> parameters_of(const Style& style);
 
-// `style` with the numbers in `params` replaced.
+// `style` with the numbers set by `params`.
 Style tuned(const Style& style, const std::map<std::string, double>& params);
 
 }  // namespace autoref::strategies

@@ -19,7 +19,7 @@ constexpr double kChaserOnLine_m =
 constexpr double kFromTheirArea_m = 100_mm;  // a ball closer to the opponents' area is left alone
 constexpr double kSlowBall_mps =
     1.2;  // a faster ball in the team's own area is a shot: the keeper waits
-constexpr double kShotAtUs_mps = 0.3;  // towards the team's own goal line
+constexpr double kShotAtUs_mps = 0.3;  // minimum speed of a shot towards the team's own goal line
 constexpr double kCaution = 0.93;      // fraction of the kick speed limit that is used
 constexpr double kTouched_m = 130_mm;  // a robot this close to the ball has it
 constexpr double kChaserClearance_m = 2 * kRobotRadius_m + 20_mm;
@@ -54,7 +54,8 @@ bool Chaser::may_chase() const {
              kFromTheirArea_m;
 }
 
-// The taker of a restart must not touch the ball again before another robot has.
+// Keeps track of the taker of a restart, which must not touch the ball again before another robot
+// has touched it.
 void Chaser::note_taker(int chaser) {
   if (now_.play != Play::kRunning) {
     taker_ = chaser < 0 ? -1 : now_.own[chaser].number;
@@ -108,7 +109,7 @@ RobotCommand Chaser::stand(int index) const {
   return drive_to(robot, waypoint, is_keeper ? Obstacles{} : obstacles_for(index, true), style);
 }
 
-// Depends only on the ball's position, so that all robots come to rest in a stop.
+// The waypoint depends only on the ball's position, so all robots come to rest in a stop.
 Waypoint Chaser::waypoint_of(int index) const {
   const Field& field = context_.field;
   if (now_.play == Play::kPreparePenalty || now_.play == Play::kPenalty) {

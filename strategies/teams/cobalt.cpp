@@ -2,7 +2,7 @@
 
 namespace autoref::strategies {
 
-// The defaults of Style are this team's.
+// This team uses the defaults of Style.
 TeamPlaybook cobalt_playbook() { return {}; }
 
 }  // namespace autoref::strategies

@@ -5,7 +5,7 @@
 
 namespace autoref::strategies {
 
-// The strong team: it reaches the ball first, passes to positions with an open first-time shot, and
+// The strong team. It reaches the ball first, passes to positions with an open first-time shot, and
 // covers the open angles of its goal.
 TeamPlaybook cobalt_playbook();
 

@@ -8,8 +8,8 @@
 namespace autoref::strategies {
 namespace {
 
-// Positions as fractions of half the field's length and width, with the ball in the centre: first
-// a 2-2-1 formation, then positions between and beside those.
+// Positions when the ball is in the centre, as fractions of half the field's length and width.
+// First come those of a 2-2-1 formation, then positions between and beside these.
 constexpr std::array<std::array<double, 2>, 10> kZones = {{{-0.50, 0.22},
                                                            {-0.50, -0.22},
                                                            {-0.12, 0.45},
@@ -36,7 +36,7 @@ void hold_zones(PlayContext& book, RoleAssignment& assignment) {
     zones.push_back({order + 1, off_their_area(predicted, zone_m + shift_m)});
   }
   fill_own_spots(book, assignment, zones);
-  defend(book, assignment, assignment.free_robots(), 0);  // robots without a zone
+  defend(book, assignment, assignment.free_robots(), 0);  // assigns the robots without a zone
 }
 
 void zone_play(PlayContext& book, RoleAssignment& assignment) {

@@ -4,7 +4,7 @@ namespace autoref::strategies::rowdy {
 namespace {
 
 constexpr double kReach_m = 2.5;     // from the goal's centre to the robot that waits there
-constexpr double kPlays_m = 600_mm;  // from the ball to the robot that goes for it
+constexpr double kPlays_m = 600_mm;  // the robot goes for the ball within this distance
 constexpr double kKick_mps = 4.0;
 constexpr double kKicked_mps = 2.0;
 

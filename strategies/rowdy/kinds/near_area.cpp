@@ -5,7 +5,8 @@ namespace {
 
 constexpr double kReach_m = 3.0;  // from the goal's centre
 constexpr double kFromArea_m = 80_mm + kRobotRadius_m;
-constexpr double kFromBall_m = 700_mm;  // any closer, it would push a ball being placed
+constexpr double kFromBall_m =
+    700_mm;  // a robot closer than this would push a ball that is being placed
 constexpr int kSteps = 6;
 
 bool is_waiting(const Scene& scene) {
@@ -23,8 +24,8 @@ std::optional<ActiveFoul> find_chance(const Scene& scene) {
   return foul_by(mate, mate != nullptr ? mate->position_m : goal_m);
 }
 
-// The position at the area's edge in that direction from the goal, by sphere tracing: each step
-// moves along the ray by the distance still missing.
+// The position near the area's edge on the ray from the goal through `from_m`, found by sphere
+// tracing: each step moves along the ray by the distance still missing.
 Vec2 position_at_rim(const Scene& scene, const Vec2& from_m) {
   const Vec2 goal_m = scene.field.goal_centre_m(Side::kEast);
   const Vec2 direction = direction_of(from_m - goal_m, Vec2(-1, 0));

@@ -12,7 +12,7 @@ std::optional<ActiveFoul> find_chance(const Scene& scene) {
   return foul_by(nearest_mate(scene, ball_m, scene.field.length_m), ball_m);
 }
 
-// Its team-mates stay out of the way until the ball is in the goal.
+// The kicker's team-mates stay out of the way until the ball is in the goal.
 bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
   const Vec2& ball_m = scene.now.ball.position_m;
   const Vec2 goal_m = scene.field.goal_centre_m(Side::kWest);

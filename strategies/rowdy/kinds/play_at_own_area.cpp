@@ -33,7 +33,8 @@ std::optional<ActiveFoul> find_chance(const Scene& scene) {
   return foul_by(nearest_mate(scene, ball_m, kReach_m), ball_m);
 }
 
-// From outside it pushes the ball slightly towards its own goal; from inside it kicks it away.
+// If the ball is inside the area, the robot pushes it slightly towards its own goal, coming from
+// outside; if the ball is outside, the robot kicks it away, standing inside.
 RobotCommand touch(const Scene& scene, const TrackedRobot& robot, ActiveFoul& foul) {
   const Vec2& ball_m = scene.now.ball.position_m;
   const Vec2 outwards = direction_of(ball_m - scene.field.goal_centre_m(Side::kWest), Vec2(1, 0));

@@ -15,7 +15,7 @@ std::optional<ActiveFoul> find_chance(const Scene& scene) {
                  scene.now.ball.position_m);
 }
 
-// A soft kick, then the robot follows the ball.
+// The robot kicks softly, then follows the ball.
 bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
   const TrackedRobot& robot = *find(scene.now.own, foul.robot);
   const TrackedBall& ball = scene.now.ball;

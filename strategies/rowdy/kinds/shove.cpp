@@ -6,8 +6,8 @@ namespace {
 constexpr double kNearest_m = 450_mm;  // between the centres: space to accelerate
 constexpr double kReach_m = 800_mm;
 constexpr double kStill_mps = 0.3;  // maximum speed of the opponent
-// Pushed robots brake harder than others accelerate, so the push needs initial speed, but less than
-// a crash needs.
+// A pushed robot brakes harder than the pushing one can accelerate, so the push needs some initial
+// speed, but less than a crash.
 constexpr double kSpeed_mps = 1.45;
 constexpr double kFar_m = 350_mm;  // distance after which the push ends
 
