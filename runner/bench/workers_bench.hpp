@@ -8,9 +8,8 @@ struct WorkersBench {
   double games_per_min_alone = 0;     // with one worker, median of the rounds
   double games_per_min_together = 0;  // with all workers, median of the rounds
   double speedup = 0;                 // median of the rounds' ratios
-  double parent_cpu_s_per_game =
-      0;  // used by the process that dispatches games and stores their rows
-  double workers_cpu_s_per_game = 0;  // used by the processes that play games
+  double parent_cpu_s_per_game = 0;   // by the process that dispatches games
+  double workers_cpu_s_per_game = 0;  // by the processes that play games
   double parent_share() const { return parent_cpu_s_per_game / workers_cpu_s_per_game; }
 };
 

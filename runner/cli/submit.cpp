@@ -19,8 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr int kMostTasks = 10000;  // the maximum number of shards
 constexpr int kDefaultTasks = 8;
-constexpr int kLeastTime_s =
-    300;  // minimum per task; games are stopped in the last minute of a task
+constexpr int kLeastTime_s = 300;  // minimum per task; games end in the last minute
 
 // Throws InputError if the path contains a line break, which would break a line of the script.
 fs::path plain_path(const std::string& flag, const fs::path& path) {

@@ -22,8 +22,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kLongestUserFile = 10'000'000;
 constexpr std::size_t kLongestFile = 4'000'000'000;
-constexpr double kPatience_s =
-    60;  // many shards may end at once, and each of them writes the results
+constexpr double kPatience_s = 60;  // many shards may write their results at once
 
 InputOutputError cannot_write(const fs::path& path) {
   return io_error(fmt::format("{} cannot be written", path.string()), errno);

@@ -69,8 +69,7 @@ double kick_for_mps(double distance_m, double arrival_mps) {
   constexpr double kShare = kRollsFrom * kRollsFrom + 2 * kRoll_mps2 * kSlidePerSpeed2;
   const double kick2 = (arrival_mps * arrival_mps + 2 * kRoll_mps2 * distance_m) / kShare;
   if (kSlidePerSpeed2 * kick2 <= distance_m) return std::sqrt(kick2);
-  return std::sqrt(arrival_mps * arrival_mps +
-                   2 * kSlide_mps2 * distance_m);  // the ball arrives still sliding
+  return std::sqrt(arrival_mps * arrival_mps + 2 * kSlide_mps2 * distance_m);  // still sliding
 }
 
 // Solves s = v t - a t^2 / 2 for t in the phase in which the ball covers the distance.

@@ -8,8 +8,7 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kUsableBraking =
-    0.75;  // fraction of the robot's braking; the wheels limit braking further
+constexpr double kUsableBraking = 0.75;  // fraction of braking that the wheels allow
 constexpr double kReachTouch_m = kFrontDistance_m + kBallRadius_m;
 constexpr double kBeyond_m = 100_mm;  // outside the field, where a robot may still save a ball
 

@@ -21,9 +21,8 @@ constexpr double kTurnWithBall_radps = 6.0;
 constexpr double kTurnBraking_radps2 = 16.0;
 constexpr double kPress_mps = 0.25;  // forward speed that keeps the ball at the plate
 
-constexpr double kStrikeLane_m =
-    30_mm;                        // the ball counts as straight ahead within this lateral offset
-constexpr double kNear_m = 0.35;  // within this distance, the robot moves with the ball
+constexpr double kStrikeLane_m = 30_mm;   // largest lateral offset of a ball straight ahead
+constexpr double kNear_m = 0.35;          // within this distance, the robot moves with the ball
 constexpr double kStrikeRunUp_m = 50_mm;  // gap between plate and ball before the final run
 constexpr double kExact_m = 30_mm;        // allowed lateral offset at a restart
 constexpr double kClearOfBall_m = 25_mm;

@@ -15,7 +15,7 @@ namespace {
 constexpr int kTrials = 20000;
 constexpr int kFewestTrials = 100;
 constexpr int kMostTrials = 10'000'000;
-// Rating a single round robin takes a thousand bootstrap resamples.
+// Fewer trials, since rating a single round robin takes a thousand bootstrap resamples.
 constexpr int kTrialsPerRoundRobin = 40;
 
 // The number of lines outside their bounds.

@@ -6,7 +6,7 @@
 
 namespace autoref::coverage {
 
-// A measured proportion of the trials, and its bounds.
+// A proportion of the trials, as measured, and the bounds within which it must be.
 struct Measured {
   std::string what;
   double share = 0;
@@ -18,8 +18,9 @@ struct Measured {
 };
 
 // Coverage of 95 % intervals for Poisson-distributed goals, at 20 and at 60 games: Student's for
-// the mean goal difference over pairs of legs, and, for team a's share of the decided games
-// (without draws), Wilson's, Clopper-Pearson's and the interval that proportion_interval() selects.
+// the mean goal difference over pairs of legs, and, for the fraction of decided games (excluding
+// draws) that team a wins, Wilson's, Clopper-Pearson's and the interval that proportion_interval()
+// selects.
 std::vector<Measured> interval_coverage(int trials);
 
 // Coverage of the bootstrap intervals of ratings in a round robin of four equal teams.

@@ -20,7 +20,7 @@ constexpr double kMostErrors = 0.06;
 // Draws the mean goal difference of the next pair of legs.
 using Pairs = std::function<double(RandomStream&)>;
 
-// Legs are independent, each with the standard deviation `sd`.
+// Pairs whose legs are independent and each have the standard deviation `sd`.
 Pairs normal_pairs(double mean, double sd) {
   return [=](RandomStream& random) { return mean + sd / std::numbers::sqrt2 * random.normal(); };
 }

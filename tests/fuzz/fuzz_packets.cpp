@@ -1,6 +1,6 @@
-// Fuzzes vision and referee packets with arbitrary content, and AutoRef refereeing the resulting
-// frames. The input is a sequence of packets: one byte for the kind, two for the length, the
-// packet.
+// Fuzzes the reading of vision and referee packets with arbitrary content, and lets AutoRef referee
+// the resulting frames. The input is a sequence of packets: one byte for the kind, two for the
+// length, the packet.
 #include <algorithm>
 #include <cstdint>
 

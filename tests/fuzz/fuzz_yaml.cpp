@@ -1,6 +1,6 @@
 // Fuzzes the readers of scenarios, robot types, scenes and the referee's decisions with arbitrary
-// text, which they may only accept or reject. Scenarios with many games are excluded: reading one
-// expands up to 100,000 games, which the fuzzer would keep triggering.
+// text, which they must either accept or reject. Scenarios with many games are excluded: reading
+// one expands up to 100,000 games, and the fuzzer would keep generating such slow inputs.
 #include <cstdint>
 #include <string>
 

@@ -110,7 +110,7 @@ def main():
         story = read(log)
     sent = [command for command in sent if command]
     last = story["last"]
-    # The last frame is refereed and ends the game, but not simulated any further.
+    # The last frame is refereed, which ends the game; no sub-step is simulated after it.
     frames = round(game["sim_s"] * 60)
     checks = {
         "frames": (story["frames"], set(range(frames + 1))),

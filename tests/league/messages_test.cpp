@@ -11,7 +11,7 @@ namespace {
 
 const std::vector<CameraPosition> kCameras = {{{-1.5, -1}}, {{-1.5, 1}}, {{1.5, -1}}, {{1.5, 1}}};
 
-// Packets represent eighths of a millimetre exactly.
+// Returns a position in eighths of a millimetre, which packets represent exactly.
 Vec2 eighths(int x, int y) { return {x / 8.0 / 1000.0, y / 8.0 / 1000.0}; }
 
 Frame busy_frame(std::int64_t number = 0) {
@@ -29,7 +29,7 @@ Frame busy_frame(std::int64_t number = 0) {
   return frame;
 }
 
-// The frames read back after sending them camera by camera.
+// Sends the frames camera by camera and returns the frames that are read back.
 std::vector<Frame> sent_and_read(const std::vector<Frame>& frames) {
   std::vector<VisionPacket> packets(kCameras.size());
   DetectionMerger merger;

@@ -78,7 +78,8 @@ TEST_P(BallPreset, BouncesByItsOwnFactors) {
   }
   EXPECT_NEAR(speed_mps[1], 2.0 * model.first_xy, 1e-3);
   EXPECT_NEAR(speed_mps[2], speed_mps[1] * model.later_xy, 1e-3);
-  // Between two frames the ball is at most g / 2 (1/120 s)^2 = 0.3 mm below its peak.
+  // In the frame nearest to its peak, the ball is at most g / 2 (1/120 s)^2 = 0.3 mm below the
+  // peak.
   EXPECT_NEAR(std::sqrt(peak_m[1] / peak_m[0]), model.z, 0.01);
 }
 

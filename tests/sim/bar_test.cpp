@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kLine_m = 3.025;  // half of the field's 6.05 m
 
-// A ball at the given height of its lowest point, just in front of the east goal's centre and
+// A ball whose lowest point is at the given height, just in front of the east goal's centre and
 // flying towards it.
 BallState flying(double height_m, double vertical_mps = 0.0) {
   BallState ball;

@@ -14,7 +14,7 @@ namespace autoref::sim {
 
 inline constexpr double kSubstep_s = 1.0 / 240;
 
-// Turns the default world's sub-steps into frames of their own, so that each can be inspected.
+// Turns each sub-step of the default world into a frame, so that every sub-step can be inspected.
 inline Configuration every_substep(Configuration configuration) {
   configuration.substeps = 1;
   configuration.frame_rate_hz = 240.0;
@@ -28,7 +28,7 @@ inline double distance_to_box(const Vec2& point_m, const Vec2& low_m, const Vec2
   return off_m.cwiseMax(0.0).norm() + inside_m;
 }
 
-// Distance to the nearest outer wall, goal wall or goal back; negative inside it.
+// Distance to the nearest outer wall, goal wall or goal back; negative inside a wall.
 inline double distance_to_walls(const Field& field, const Vec2& point_m) {
   const Vec2 p_m(std::abs(point_m.x()), std::abs(point_m.y()));  // all four quarters are symmetric
   const double line = field.half_length_m();
@@ -70,8 +70,8 @@ Vec2 outwards_at(const Vec2& point_m, Distance distance_m) {
                       {1, 0});
 }
 
-// The time within the sub-step at which `gap_m`, a function of time, first closes; the time of its
-// minimum if it does not.
+// The time within the sub-step at which `gap_m`, a function of time, first reaches zero; if it
+// never does, the time of its minimum.
 template <typename Gap>
 double closing_time_s(Gap gap_m) {
   constexpr int kSamples = 16;

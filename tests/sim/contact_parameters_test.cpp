@@ -1,5 +1,5 @@
-// Each parameter of contacts, ball and line-up has its documented effect, at its default and at a
-// value far from it.
+// Each parameter of contacts, ball and line-up has its documented effect, both at its default and
+// at a value far from the default.
 #include <gtest/gtest.h>
 
 #include <algorithm>

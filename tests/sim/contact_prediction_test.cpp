@@ -1,4 +1,5 @@
-// Longer steps while no contact is possible: they never skip a collision, a command or dead time.
+// Longer steps, which are taken while no contact is possible, never skip a collision, a command or
+// a kicker's dead time.
 #include "sim/contact_prediction.hpp"
 
 #include <gtest/gtest.h>

@@ -96,7 +96,8 @@ TEST_P(HardKicks, NeverPassThroughARobot) {
       deepest_m = std::min(deepest_m, gap_to_hull_m(scene, kWest0));
     }
     ASSERT_GT(deepest_m, -0.01) << i;
-    // The robot blocks the way: a ball that tunnelled would be far behind it.
+    // The robot blocks the ball's path; a ball that tunnelled through it would be far behind the
+    // robot.
     const double hits_m = distance_to_hull(off_m * left_of(direction), {0, 0}, robot_heading);
     if (hits_m < -0.01) {
       ASSERT_LT(scene.ball().position_m.dot(direction), 0.25) << i;

@@ -13,7 +13,8 @@
 namespace autoref::sim {
 namespace {
 
-// As fast as the league's robots (3.5 m/s, braking at 6 m/s^2), with wheels that never limit it.
+// A robot as fast as those of the league (3.5 m/s, braking at 6 m/s^2), with wheels that never
+// limit its motion.
 RobotSpec quick_holder() {
   RobotSpec robot = quiet_robot();
   robot.body.speed_mps = 3.5;
@@ -91,8 +92,8 @@ TEST_P(PerfectDribbler, HoldsTheBallInAFullSpinAndWhenBraking) {
   }
 }
 
-// Except for the speed the robot has just lost by braking at 6 m/s^2, which reaches the ball one
-// sub-step later.
+// The ball may be faster by the speed that the robot has just lost by braking at 6 m/s^2, since
+// braking affects the ball one sub-step later.
 TEST_P(PerfectDribbler, NeverMakesTheBallFasterThanThePlate) {
   Holder holder(GetParam());
   RandomStream random(8);

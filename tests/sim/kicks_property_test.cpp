@@ -23,7 +23,8 @@ struct Shot {
   bool dribbles = false;
 };
 
-// At the outline of a robot: a third anywhere, a third at the plate, a third at its corners.
+// A shot at a random point of a robot's outline: a third of the shots anywhere, a third at the
+// plate, a third at the plate's corners.
 Shot at_robot(RandomStream& random) {
   Shot shot;
   const double corner_rad = std::asin(kHalfPlate_m / kRobotRadius_m);
@@ -42,7 +43,7 @@ Shot at_robot(RandomStream& random) {
   return shot;
 }
 
-// At a robot moving such that the ball still hits it.
+// A shot at a moving robot, aimed so that the ball still hits it.
 Shot at_driving_robot(RandomStream& random, double least_mps, double most_mps) {
   Shot shot = at_robot(random);
   const double path_s = shot.from_m.norm() / kKick_mps;
@@ -60,8 +61,9 @@ Shot at_spinning_robot(RandomStream& random) {
   return shot;
 }
 
-// From a random position in one box towards one in another, in the quarter of the field with
-// positive x and y, then mirrored to a random quarter. The robot is elsewhere.
+// A shot from a random position in one box towards a random position in another. Both boxes are in
+// the quarter of the field with positive x and y; the shot is then mirrored to a random quarter.
+// The robot is elsewhere.
 Shot from_box_to_box(RandomStream& random, const Vec2& from_low_m, const Vec2& from_high_m,
                      const Vec2& to_low_m, const Vec2& to_high_m) {
   const double turned_x = random.uniform() < 0.5 ? -1 : 1;
@@ -204,11 +206,11 @@ Seen watch_frames(const Shot& shot) {
   return seen;
 }
 
-constexpr double kSunk_m = 3_mm;  // the solver allows up to two
+constexpr double kSunk_m = 3_mm;  // the solver allows up to 2 mm
 
 class FourThousandKicks : public testing::TestWithParam<Target> {};
 
-// Nor does any ball get stuck: at the end of every sub-step it is at most 3 mm deep.
+// No ball gets stuck either: at the end of every sub-step it penetrates a body by at most 3 mm.
 TEST_P(FourThousandKicks, NeverPassThroughABodyOrWall) {
   RandomStream random(21);
   for (int i = 0; i < GetParam().kicks; ++i) {

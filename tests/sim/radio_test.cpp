@@ -35,12 +35,14 @@ double share_of_ignored_commands(double loss, int frames) {
 
 TEST(Radio, LosesTheConfiguredShareOfCommands) {
   EXPECT_EQ(share_of_ignored_commands(0.0, 1200), 0.0);
-  // Two consecutive losses repeat the command before last, which is the right one, so the share is
-  // p - p^2 + p^3 - ... = p / (1 + p) = 0.2 / 1.2. Five standard deviations of 6000 commands.
+  // Two consecutive losses repeat the command before last, which is the right one, so the fraction
+  // of wrong commands is p - p^2 + p^3 - ... = p / (1 + p) = 0.2 / 1.2. The tolerance is five
+  // standard deviations for 6000 commands.
   EXPECT_NEAR(share_of_ignored_commands(0.2, 6000), 0.2 / 1.2, 0.026);
 }
 
-// Nine of ten commands are lost. The radio's own stream predicts which ones.
+// Nine of ten commands are lost. The test draws from the same random stream as the radio, so it
+// knows which.
 TEST(Radio, LetsARobotContinueForATenthOfASecondThenStopsIt) {
   constexpr double kLoss = 0.9;
   constexpr std::uint64_t kSeed = 1;

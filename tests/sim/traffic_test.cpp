@@ -171,8 +171,8 @@ double surface_change_mps(const RobotState& before, const RobotState& after) {
          kRobotRadius_m * std::abs(after.angular_velocity_radps - before.angular_velocity_radps);
 }
 
-// How much of a ball's tangential motion along a robot becomes radial, as both rotate within a
-// sub-step.
+// The part of a ball's tangential motion along a robot that becomes radial, because both rotate
+// within a sub-step.
 double turned_mps(const BallState& ball, const RobotState& robot) {
   const Vec2 arm_m = ball.position_m - robot.position_m;
   const Vec2 relative_mps =
@@ -215,8 +215,9 @@ class Gains {
   double squeezed_mps = -10;  // over ground
 
  private:
-  // Twice the effect of braking at 5 m/s^2 and turning at 40 rad/s^2. A greater change of a robot's
-  // motion is a collision, allowing three times the ball's recoil to include rotation.
+  // Twice the effect of braking at 5 m/s^2 and turning at 40 rad/s^2. If a robot's motion changes
+  // by more than this plus three times the ball's recoil (to allow for rotation), the robot has
+  // collided.
   static constexpr double kDriven_mps = 2 * kSubstep_s * (5.0 + 40.0 * kRobotRadius_m);
 
   void note_bounce(const Bounce& bounce, double allowed_mps) {

@@ -169,7 +169,7 @@ TEST(Box2dClock, StandsStill) {
   b2BodyDef definition;
   definition.type = b2_dynamicBody;
   world.CreateBody(&definition);
-  Scene scene;  // links the bridge and with it the replacement clock
+  Scene scene;  // makes the linker include the bridge, and with it the replacement clock
   for (int i = 0; i < 100; ++i) {
     world.Step(1.0F / 60.0F, 8, 3);
     ASSERT_EQ(world.GetProfile().step, 0.0F);

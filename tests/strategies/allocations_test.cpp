@@ -54,7 +54,7 @@ TEST(Allocations, AreNotMadeWhenTeamsDecide) {
   for (const Entry& entry : all_strategies()) {
     const std::unique_ptr<Strategy> team = entry.make(TeamContext{});
     StagedWorld first(Play::kRunning);
-    first.six_against_six().step(*team);  // one-time allocations are allowed here
+    first.six_against_six().step(*team);  // one-time allocations are allowed in this step
     EXPECT_EQ(allocated_by(*team), 0U) << entry.name;
   }
 }

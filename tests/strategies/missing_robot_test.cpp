@@ -1,4 +1,4 @@
-// Teams without one of their robots: even robot 0 may be off the field, and another robot is then
+// Tests teams without one of their robots. Even robot 0 may be off the field; another robot is then
 // the keeper. Only the keeper that the team declares enters the team's own area.
 #include <gtest/gtest.h>
 

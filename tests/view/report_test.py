@@ -42,7 +42,7 @@ class ReportTest(BrowserTest):
                       ["report", str(folder / "results")]):
             subprocess.run([AUTOREF, *words], check=True, capture_output=True, timeout=120)
         cls.build = (folder / "results/report.md").read_text().split("| build | ")[1].split(" |")[0]
-        # As if received by mail: without its folder.
+        # The page is alone in a folder, as if it had been received by mail.
         cls.page = folder / "alone" / "report.html"
         cls.page.parent.mkdir()
         (folder / "results/report.html").rename(cls.page)

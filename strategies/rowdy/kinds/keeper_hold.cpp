@@ -9,9 +9,8 @@ constexpr double kReach_m = 1.2;
 constexpr double kBehind_m = kFrontDistance_m + kBallRadius_m + 20_mm;
 constexpr double kThere_m = 30_mm;
 constexpr double kApproach_mps = 0.2;
-constexpr double kSway_mps =
-    0.1;  // the keeper moves back and forth, since the ball would otherwise count as stuck
-constexpr double kSway_s = 3.0;  // time in each direction
+constexpr double kSway_mps = 0.1;  // the keeper sways, or the ball would count as stuck
+constexpr double kSway_s = 3.0;    // time in each direction
 constexpr double kShortest_s = 4;
 constexpr double kLongest_s = 18;
 

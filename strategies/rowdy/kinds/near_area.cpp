@@ -5,8 +5,7 @@ namespace {
 
 constexpr double kReach_m = 3.0;  // from the goal's centre
 constexpr double kFromArea_m = 80_mm + kRobotRadius_m;
-constexpr double kFromBall_m =
-    700_mm;  // a robot closer than this would push a ball that is being placed
+constexpr double kFromBall_m = 700_mm;  // a closer robot would push a ball being placed
 constexpr int kSteps = 6;
 
 bool is_waiting(const Scene& scene) {

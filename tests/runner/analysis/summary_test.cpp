@@ -122,8 +122,9 @@ TEST(Summary, DoesNotFitASlopeOverNamesOrSeveralFactors) {
   EXPECT_FALSE(slope_over_factor(sweep, {}));
 }
 
-// Paired differences from 6 robots: 3, 1 and 2. Mean 2, standard deviation 1, t = 2 sqrt(3); with
-// two degrees of freedom, the two-sided p is 0.0742 (scipy.stats.ttest_1samp([3, 1, 2], 0)).
+// The paired differences from the value of 6 robots are 3, 1 and 2: mean 2, standard deviation 1, t
+// = 2 sqrt(3); with two degrees of freedom, the two-sided p is 0.0742 (scipy.stats.ttest_1samp([3,
+// 1, 2], 0)).
 TEST(SummaryTable, ComparesEachValueWithTheFirst) {
   std::vector<Score> scores;
   for (const auto& [pair, six, five] : {std::array{1, 1, 4}, {2, 5, 6}, {3, 0, 2}}) {
@@ -142,7 +143,7 @@ TEST(SummaryTable, HasScoresDifferencesAndVoidGames) {
                                                              {2, 1, "6", 1, 1},
                                                              {2, 2, "6", 1, 1},
                                                              {1, 1, "5", 4, 0, true}}));
-  // Pairs' differences 1 and 0: mean 0.5, t(0.975, 1) = 12.706, standard error 0.5.
+  // The pairs' differences are 1 and 0: mean 0.5, t(0.975, 1) = 12.706, standard error 0.5.
   EXPECT_NE(table.find("+0.50 [-5.85, +6.85]"), std::string::npos) << table;
   EXPECT_NE(table.find("1.50 ± 1.00"), std::string::npos) << table;
 }

@@ -127,7 +127,7 @@ TEST(Experiment, MarksAGameThatCrashesEveryWorkerVoidAndContinues) {
   EXPECT_NE(content_of(folder / "results.csv").find("signal 6 (Aborted)"), std::string::npos);
 }
 
-// Killed as by the out-of-memory killer.
+// A game whose worker is killed, as by the out-of-memory killer.
 GameRecord killed_game(const GameConfiguration& game) {
   if (game.b.robots.size() == 5 && game.match.a_plays == Side::kEast) kill(getpid(), SIGKILL);
   return fake_game(game);

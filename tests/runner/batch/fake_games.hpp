@@ -31,7 +31,7 @@ inline GameRecord slow_fake_game(const GameConfiguration& game) {
   return fake_game(game);
 }
 
-// Values 6 and 5 of b.robots, with `pairs` pairs each.
+// A sweep with the values 6 and 5 of b.robots and `pairs` pairs per value.
 inline Scenario small_sweep(int pairs = 3) {
   Sweep sweep;
   sweep.factors = {{"b.robots", {6, 5}}};
@@ -40,7 +40,7 @@ inline Scenario small_sweep(int pairs = 3) {
   return {"A test.", sweep};
 }
 
-// Teams team0, team1 ... with these numbers of robots; `pairs` pairs per matchup.
+// A round robin of team0, team1, ... with these numbers of robots and `pairs` pairs per matchup.
 inline Scenario small_roundrobin(const std::vector<int>& robots, int pairs = 2) {
   RoundRobin robin;
   for (const int count : robots) {
@@ -51,7 +51,8 @@ inline Scenario small_roundrobin(const std::vector<int>& robots, int pairs = 2) 
   return {"A test.", robin};
 }
 
-// Decided after min_pairs: with five robots for b, fake games differ by -4 goals on average.
+// An SPRT match that is decided after min_pairs pairs: b has five robots, and the goal difference
+// of fake games is -4 on average.
 inline Scenario small_sprt_match(int max_pairs = 40) {
   SprtMatch match;
   match.teams["team0"].robots = 6;

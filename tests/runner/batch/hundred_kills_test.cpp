@@ -25,10 +25,10 @@ using std::chrono::milliseconds;
 
 constexpr int kKills = 100;
 constexpr int kMostGamesBetweenKills = 4;
-constexpr int kPairs = 110;  // for each of two values: 440 games, more than can end between kills
+constexpr int kPairs = 110;  // two values make 440 games, more than can end between kills
 
-// Semaphore shared by all processes: the number of games that may still end. It ties the pace of
-// the games to that of the kills, so the test does not depend on the machine's speed.
+// A semaphore shared by all processes, which counts the games that may still end. It ties the pace
+// of the games to the pace of the kills, so the test does not depend on the machine's speed.
 class Gate {
  public:
   Gate() {
@@ -180,7 +180,8 @@ TEST_P(HundredKills, LeaveTheResultsOfAnUndisturbedRun) {
   const TemporaryFolder folder;
   KilledRuns runs(folder.path(), GetParam());
   ASSERT_EQ(hundred_kills(runs, 2014), kKills);
-  ASSERT_LT(rows_in(folder.path()), 4 * kPairs);  // otherwise, the last kills came too late
+  ASSERT_LT(rows_in(folder.path()),
+            4 * kPairs);  // otherwise, the last kills came too late
   runs.gate().let_through(1000 * kPairs);
   ASSERT_TRUE(runs.end_well(std::chrono::seconds(60)));
   EXPECT_EQ(rows_in(folder.path()), 4 * kPairs);

@@ -15,7 +15,7 @@ namespace {
 
 using std::chrono::duration;
 
-// Plays in workers, which append each game's number of robots and half length to a file.
+// Rehearses games in workers. Each game appends its number of robots and its half length to a file.
 class Rehearse : public testing::Test {
  protected:
   std::vector<Rehearsal> rehearsed(const Scenario& scenario, RehearsalOptions options) const {
@@ -68,7 +68,7 @@ TEST_F(Rehearse, TakesTheMiddleOfAGameIntoAccount) {
   }
 }
 
-// A game takes 2 s, so only part of it fits.
+// A game takes 2 s, so only a part of it fits into the rehearsal.
 TEST_F(Rehearse, EstimatesAWholeGameFromAPart) {
   const auto play = [](const GameConfiguration& game) {
     std::this_thread::sleep_for(duration<double>(game.match.half_s / 300));

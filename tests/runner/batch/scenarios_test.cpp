@@ -1,4 +1,4 @@
-// Every scenario file can be read, and shortened games of it can be played.
+// Every scenario file can be read, and its games can be played in a shortened form.
 #include <gtest/gtest.h>
 
 #include <algorithm>

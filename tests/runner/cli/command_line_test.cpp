@@ -112,7 +112,7 @@ TEST(ExitCode, DependsOnTheException) {
   testing::internal::GetCapturedStderr();
 }
 
-// Exit code of `work` if standard output is a full disk.
+// The exit code of `work` if the disk behind standard output is full.
 int code_on_a_full_disk(const Chosen& work) {
   std::fflush(stdout);
   const int former = dup(STDOUT_FILENO);

@@ -1,4 +1,4 @@
-// The verbs that read a results folder, on games of a few seconds.
+// Tests the verbs that read a results folder, with games of a few seconds.
 #include <gtest/gtest.h>
 
 #include "runner/io/errors.hpp"

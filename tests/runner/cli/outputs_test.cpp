@@ -34,7 +34,7 @@ class Outputs : public testing::Test {
   static void expect_refused(const Answer& answer, const std::string& start) {
     EXPECT_EQ(answer.code, kBadInput) << start;
     EXPECT_TRUE(answer.err.starts_with("autoref: " + start + ": ")) << answer.err;
-    EXPECT_EQ(answer.out, "") << start;  // nothing was played
+    EXPECT_EQ(answer.out, "") << start;  // no game was played
   }
 
   TemporaryFolder folder_;

@@ -223,8 +223,8 @@ TEST_F(Report, CountsTheWinnerOfAShootOutAsTheWinnerEverywhere) {
   ASSERT_EQ(results.standings.size(), 2U);
   EXPECT_EQ(results.standings[0].team, "team1");
   EXPECT_EQ(results.standings[0].points(), 12);
-  EXPECT_EQ(results.standings[0].goals_for, 4);  // the kicks are not goals
-  EXPECT_EQ(results.shown[0].rows[1][4], "4");   // won, as the run shows
+  EXPECT_EQ(results.standings[0].goals_for, 4);  // shoot-out kicks do not count as goals
+  EXPECT_EQ(results.shown[0].rows[1][4], "4");   // games won, as in the output of the run
   ASSERT_NE(results.json, nullptr);
   const Json& first = results.json->at("standings").at(0);
   EXPECT_EQ(first.at("team"), "team1");

@@ -1,5 +1,5 @@
-// autoref run on games of a few seconds: the effects of its options, and its messages about a
-// folder that already contains games.
+// Tests `autoref run` with games of a few seconds: the effects of its options, and its messages
+// about a folder that already contains games.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

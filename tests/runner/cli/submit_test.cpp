@@ -1,4 +1,5 @@
-// autoref submit with a fake sbatch: the arguments Slurm would get. tests/slurm/ uses a real one.
+// Tests `autoref submit` with a fake sbatch, which records the arguments that Slurm would get.
+// tests/slurm/ uses a real sbatch.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -77,7 +77,7 @@ TEST_F(ViewVerb, NamesTheLogAndTheBuildThatMadeThePage) {
       std::string::npos);
 }
 
-// The page includes the game's own decisions with their reasons.
+// The page contains the decisions of the game that is played, with their reasons.
 TEST_F(ViewVerb, IsAlsoMadeByPlay) {
   const std::string game = in_checkout("scenarios/paper-game.yaml");
   const Answer answer =

@@ -45,7 +45,7 @@ TEST(Schedule, PlaysTheLegsBackToBackAndPairByPairOverAllValues) {
 }
 
 TEST(Schedule, GivesEachTeamEachSideAndTheFirstKickOffEquallyOften) {
-  std::map<std::pair<Side, bool>, int> counts;  // side of a, whether a kicks off
+  std::map<std::pair<Side, bool>, int> counts;  // side of team a, whether a kicks off
   for (const ScheduledGame& game : scheduled_games(handicap_sweep({1.0}, 10))) {
     const MatchSettings& match = game.configuration.match;
     EXPECT_EQ(match.a_plays, game.leg == 1 ? Side::kWest : Side::kEast);

@@ -36,7 +36,7 @@ struct FoulBehaviour : StagedGame {
     const sim::RobotState& its = robot(id);
     return distance_to_hull(ball().position_m, its.position_m, its.heading) - kBallRadius_m;
   }
-  // Distance from the nearer of the two field players to the ball.
+  // The distance from the ball to the nearer of the two field players.
   double nearest_to_ball_m() const { return std::min(to_ball_m(kFirst), to_ball_m(kSecond)); }
   // Distance from a robot's centre to the defence area of `side`; hulls reach 90 mm farther.
   double to_area_m(Side side, RobotId id) const {

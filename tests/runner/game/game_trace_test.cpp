@@ -1,4 +1,4 @@
-// Invariants of every frame and liveness of every game.
+// Checks invariants in every frame, and that every game makes progress.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ class Watch final : public Observer {
     longest_wait_s = std::max(longest_wait_s, frame.time_s - waiting_since_s_);
   }
   void on_decision(const referee::Decision& decision) override {
-    // A kick-off waits twice: for the preparation and for the start.
+    // At a kick-off the referee waits twice: for the preparation and for the start.
     if (decision.finding.event == referee::Event::kReady ||
         decision.finding.event == referee::Event::kReadyTimeout) {
       waiting_since_s_ = decision.time_s;

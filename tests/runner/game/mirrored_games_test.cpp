@@ -75,7 +75,7 @@ class TurnedReferee final : public Observer {
 
 class MirroredGame : public testing::TestWithParam<Setup> {};
 
-// Four games per parameter, twenty in total, by teams that break every rule.
+// Four games per parameter, twenty in total, played by teams that break every rule.
 TEST_P(MirroredGame, GetsTheRotatedCallsInTheSameFrames) {
   for (std::uint64_t seed = 11; seed <= 14; ++seed) {
     GameConfiguration game = short_game_by(GetParam().book, 40, seed);

@@ -14,8 +14,8 @@ GameConfiguration realistic_game(double half_s, std::uint64_t seed) {
   return game;
 }
 
-// Over 100 games of 20 minutes, there were 3.1 goals per game on average and 8 at most, and the
-// ball was in play for 53 % of the time.
+// In 100 games of 20 minutes, there were 3.1 goals per game on average and at most 8, and the ball
+// was in play for 53 % of the time.
 TEST(RealisticGame, EndsWithAPlausibleScore) {
   int goals = 0;
   double in_play_s = 0;

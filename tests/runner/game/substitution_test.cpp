@@ -17,7 +17,7 @@ std::vector<int> numbers(const StagedGame& game, Side side) {
   return all;
 }
 
-// Requests of a team of dummies.
+// A team of dummies that sends the given requests.
 struct Asking final : strategies::Strategy {
   explicit Asking(const TeamRequests& asks) : wishes(asks) {}
   void decide(const TeamView& /*view*/, TeamCommands& /*commands*/) override {}

@@ -1,4 +1,4 @@
-// A short full game of every team that plays by the rules.
+// Every team that plays by the rules plays a short full game.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -14,7 +14,7 @@ std::string refusal_of(const std::string& text, const YamlBounds& bounds = {}) {
          beyond->message;
 }
 
-// "Billion laughs": each line refers nine times to the one before.
+// A "billion laughs" document, in which each line refers nine times to the line before.
 std::string laughs(int lines) {
   std::string text = "a0: &a0 [ha]\n";
   for (int i = 1; i <= lines; ++i) {
@@ -42,7 +42,7 @@ TEST(YamlBounds, RefuseAliasesThatExpandToMillions) {
 TEST(YamlBounds, AllowOrdinaryAliases) {
   EXPECT_EQ(refusal_of("a: &fast { speed: 3 }\nb: *fast\nc: [*fast, *fast]\n"), "within bounds");
   EXPECT_EQ(refusal_of("a: &x 1\nb: *x\nc: &x [2]\nd: *x\n"),
-            "within bounds");  // two anchors, one name
+            "within bounds");  // two anchors with the same name
 }
 
 TEST(YamlBounds, CountTheNodesOfAliases) {

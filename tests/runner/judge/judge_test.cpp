@@ -80,7 +80,7 @@ TEST(CallEvaluation, IsRefusedIfTheTextIsNotOne) {
     EXPECT_FALSE(evaluation_in(text)) << text;
 }
 
-// Stored rows rely on these letters and numbers.
+// Rows stored in files use these letters and numbers.
 TEST(CallEvaluation, IsWrittenInAFixedForm) {
   CallEvaluation evaluation;
   ground_truth::Verdict missed = verdict(ground_truth::Outcome::kMissed);
@@ -127,8 +127,7 @@ TEST(JudgedRow, IsVoidIfItsEvaluationIsTooLong) {
   EXPECT_NE(row.record.void_reason.find("use shorter halves"), std::string::npos);
 }
 
-// Over 40 games of 600 s with camera `none`, the referee is right in all but a few per thousand
-// calls.
+// In 40 games of 600 s with the camera `none`, only a few calls per thousand are wrong.
 TEST(Judging, FindsThePapersRefereeMostlyRightWithExactVision) {
   GameConfiguration game;
   game.match.half_s = 120;

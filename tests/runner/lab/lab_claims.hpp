@@ -1,4 +1,5 @@
-// Claims of the scenes in scenarios/lab about the simulated world, with independent numbers.
+// Claims about the simulated world that the scenes in scenarios/lab show, with numbers from
+// independent sources.
 #pragma once
 
 #include <string>
@@ -9,7 +10,7 @@
 namespace autoref::runner {
 
 struct Claim {
-  std::string name;  // of the test
+  std::string name;  // name of the test
   std::string what;
   std::string scene;
   double claimed = 0;
@@ -22,7 +23,7 @@ struct Claim {
 const std::vector<Claim>& lab_claims();
 
 std::string lab_file(const std::string& scene);
-// Measures the claim in the default world, and in one with this many sub-steps in every frame.
+// Measures the claim in the default world, or in a world with this many sub-steps in every frame.
 double measured(const Claim& claim);
 double measured_with(const Claim& claim, int substeps);
 

@@ -41,7 +41,7 @@ double carpet_mps(const BallState& ball) {
   return std::sqrt(ball.vertical_mps * ball.vertical_mps + 2 * kG_mps2 * ball.height_m);
 }
 
-// The frame after landing `count`, counting from 1.
+// The first frame after the landing with number `count`, counted from 1.
 std::size_t frame_after_landing(const LabRecord& record, int count) {
   return first_frame(record, [&count](const WorldState& former, const WorldState& now) {
     const bool lands = former.ball.vertical_mps < 0.0 && now.ball.vertical_mps > 0.0;
@@ -117,7 +117,7 @@ double rebound_x(const LabRecord& record) { return rebound(record, 0); }
 double rebound_net(const LabRecord& record) { return rebound(record, 0, kSlide_mps2 + kNet_mps2); }
 double rebound_y(const LabRecord& record) { return rebound(record, 1); }
 
-// The same in the air, where nothing else slows the ball down.
+// The restitution of a bounce in the air, where nothing else slows the ball down.
 double rebound_flying(const LabRecord& record) {
   const std::size_t f = first_frame(record, [](const WorldState& former, const WorldState& now) {
     return former.ball.velocity_mps.x() > 0.0 && now.ball.velocity_mps.x() < 0.0;
@@ -137,7 +137,7 @@ double most_off_in_slow_turn_mm(const LabRecord& record) {
   return most;
 }
 
-// Turning rate when the ball had left the dribbler's reach.
+// The turning rate at which the ball has left the dribbler's reach.
 double loses_at_radps(const LabRecord& record) {
   std::size_t f = kHardTurn;
   while (off_plate_mm(record.states.at(f), 0) < 10.0) ++f;
@@ -171,7 +171,8 @@ double most_off_when_held_mm(const LabRecord& record) {
   return most;
 }
 
-// How much faster the ball gets than the plate in the same or the previous frame.
+// The largest difference between the ball's speed and the plate's, using the faster of the plate's
+// speeds in the same and the previous frame.
 double most_faster_when_held_mps(const LabRecord& record) {
   double most = 0.0;
   for (std::size_t f = 1; f <= kKickCommand; ++f) {

@@ -16,7 +16,7 @@ double path_m(const LabRecord& record, std::size_t robot) {
 
 }  // namespace
 
-// Time from the first motion to 3 m/s, extrapolated from the frame before.
+// The time from the first motion until the robot reaches 3 m/s, extrapolated from the frame before.
 double to_three_s(const LabRecord& record) {
   const std::size_t f = first_frame(record, [](const WorldState&, const WorldState& now) {
     return west(now).velocity_mps.norm() > 2.999;
@@ -53,7 +53,8 @@ double turning_radps(const LabRecord& record) {
   return west(record.states[60]).angular_velocity_radps;
 }
 
-// Delay until a uniformly accelerating robot starts to move: its speed extrapolated back to zero.
+// The delay until a uniformly accelerating robot starts to move, found by extrapolating its speed
+// back to zero.
 double delay_ms(const LabRecord& record) {
   const std::size_t last = record.states.size() - 1;
   const double first_mps = west(record.states[last - 6]).velocity_mps.x();
@@ -71,8 +72,8 @@ double pair_mps2(const LabRecord& record) {
   return (mean_mps(57) - mean_mps(69)) / (12 * kFrame_s);
 }
 
-// Restitution of two robots, from their approach speeds. Corrects for their braking with 5 m/s^2
-// immediately after the collision.
+// The restitution of a collision of two robots, relative to their approach speeds. Corrects for
+// their braking with 5 m/s^2 immediately after the collision.
 double robots_rebound(const LabRecord& record) {
   const std::size_t f = first_frame(record, [](const WorldState& former, const WorldState& now) {
     return west(former).velocity_mps.x() > 0.0 && west(now).velocity_mps.x() < 0.0;

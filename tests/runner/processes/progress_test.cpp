@@ -26,7 +26,7 @@ TEST(DurationText, FitsTheLength) {
 }
 
 TEST(ProgressText, ShowsSpeedAndTimeLeft) {
-  // 10 games in 20 s, or 0.5 games/s; 60 are left.
+  // This run has played 10 games in 20 s, or 0.5 games/s; 60 games are left.
   EXPECT_EQ(progress_text({.total = 120, .done = 60, .played = 10}, 20),
             "60/120 games   30 games/min   2 min 00 s left");
 }

@@ -40,7 +40,7 @@ TEST(Html, EscapesMarkup) {
   EXPECT_TRUE(has(text, ">```\n&lt;pre&gt;</pre>")) << text;
 }
 
-// The page is sent alone, so a link to a file beside it would be dead.
+// The page may be sent without the other files, so a link to one of them would be dead.
 TEST(Html, NamesFilesInsteadOfLinkingToThem) {
   const std::string text = html_of({"t",
                                     {Link{"effective.yaml", "Every setting"},
@@ -57,7 +57,7 @@ TEST(Html, LetsLongWordsBreak) {
   EXPECT_TRUE(has(text, ".words .name{white-space:normal;overflow-wrap:anywhere}"));
 }
 
-// Nothing scrolls on paper: the font shrinks with the number of characters.
+// A printed page cannot scroll, so the font shrinks with the number of characters.
 TEST(Html, GivesTheWidthOfTablesAndLinesInCharacters) {
   EXPECT_TRUE(
       has(html_of({"t", {Verbatim{"12345\n\xc2\xb1 1\n"}}}), "<pre style=\"--letters:5\">"));

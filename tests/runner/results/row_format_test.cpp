@@ -128,7 +128,7 @@ TEST(TransitionsNeverUsed, AreMissingFromEveryRow) {
     return std::find(never.begin(), never.end(), label) != never.end();
   };
   for (const char* taken : {"begin", "start_late", "goal_kick"}) EXPECT_FALSE(has(taken)) << taken;
-  // The first two are substrings of labels above; the third is not in the paper's figure.
+  // The first two labels are substrings of labels above; the third is not in the paper's figure.
   for (const char* other : {"start", "goal", "half_over"}) EXPECT_TRUE(has(other)) << other;
 }
 

@@ -115,7 +115,7 @@ TEST(ReadRows, RefusesAPipeThatNobodyWritesTo) {
   EXPECT_THROW(read_rows(folder.path(), RowFormat({})), InputError);
 }
 
-// A line with one cell replaced and a valid checksum.
+// A line in which one cell is replaced and the checksum is valid.
 std::string line_with(const char* column, const char* cell) {
   const Cells names = kShardFormat.names();
   Cells cells = csv_cells(row_line()).value();

@@ -1,4 +1,5 @@
-// A game refereed by the test: teams, tracker and physics are real, commands are given by hand.
+// A game that is refereed by the test: teams, tracker and physics are real, but the test gives the
+// referee's commands.
 #pragma once
 
 #include <memory>

@@ -38,7 +38,7 @@ TEST(Basic, ComesToRestWhilePlayIsStopped) {
   }
 }
 
-// Whether a robot there would overlap the goal's walls or its net.
+// Whether a robot at this position would overlap the goal's walls or its net.
 bool is_in_goal_walls(const Field& field, const Vec2& robot_m) {
   const double x = std::abs(robot_m.x());
   const double back_m = field.half_length_m() + field.goal_depth_m + field.goal_wall_thickness_m;
@@ -154,7 +154,8 @@ TEST(Basic, KeepsTheSpeedLimitInAStopIfThereIsOne) {
   EXPECT_GT(fastest_in_stop_mps("paper"), 1.5);
 }
 
-// The ball is 700 mm in front of the team's own area: a hull and 500 mm do not fit between them.
+// The ball is 700 mm in front of the team's own area, so a robot does not fit between them at a
+// distance of 500 mm from the ball.
 TEST(Basic, KeepsItsDistanceAtAFreeKickInFrontOfItsArea) {
   TeamContext context;
   context.rules = find_rule_book("2014").value();

@@ -117,7 +117,7 @@ TEST(Squad, TakesItsRestartWithTheNearestRobotOnly) {
   }
 }
 
-// A robot that cannot move, as if it were trapped: another robot takes the restart instead.
+// If the nearest robot cannot move, as if it were trapped, another robot takes the restart.
 TEST(Squad, TakesItsRestartWithAnotherRobotIfTheNearestIsStuck) {
   const Vec2 ball_m(1, 1);
   Squad team(TeamContext{}, TeamPlaybook{});

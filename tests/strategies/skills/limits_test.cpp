@@ -10,7 +10,7 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kFarBall_m = 100;  // so far away that the ball does not matter
+constexpr double kFarBall_m = 100;  // x of a ball so far away that it does not matter
 
 // Positions 0.13 m apart all over the field and up to `beyond_m` outside it.
 std::vector<Vec2> positions_on(const Field& field, double beyond_m = 0) {

@@ -37,7 +37,7 @@ TEST(SteerFor, ContinuesOnTheSideOnWhichTheRobotAlreadyMoves) {
   EXPECT_LT(steer_for(robot_at({0, 0}, {1.5, -1.5}), {1.5, 0}, ahead).y(), 0);
 }
 
-// From 0.4 m away there is a tangent past a robot without contact.
+// From a distance of 0.4 m, there is a tangent that passes a robot without contact.
 TEST(SteerFor, NeverLeadsThroughALoneRobot) {
   RandomStream random(1);
   for (int i = 0; i < 3000; ++i) {

@@ -65,7 +65,8 @@ TEST(WidestOpening, HasTheChanceOfAKickWithOneAndAHalfDegreesOfError) {
   EXPECT_LT(chance, 0.78);
 }
 
-// An opponent cannot step into a shot over 0.3 m, but can into one over 2 m.
+// An opponent cannot step into the path of a shot over 0.3 m, but it can step into that of a shot
+// over 2 m.
 TEST(WidestOpening, CountsHowFarAnOpponentCanMoveMeanwhile) {
   const double near = opening_from({2.5, 0}, {{2.9, 0.2}}).half_width_m;
   const double far = opening_from({0, 0}, {{2.9, 0.2}}).half_width_m;

@@ -21,7 +21,7 @@ struct Staged : StagedPrediction {
     }
     return command;
   }
-  // The same with the robot following its commands, for a ball that stays.
+  // Does the same while the robot follows its commands and the ball stays where it is.
   RobotCommand drive(int index, double seconds) {
     RobotCommand command;
     for (int i = 0; i < seconds * 60; ++i) {
@@ -102,7 +102,8 @@ TEST(BallHandler, DoesNotChipWithRobotsThatCannotChip) {
   EXPECT_FALSE(command.chip);
 }
 
-// Robot 1 is pressed and its shot blocked; robot 2, in the opponents' area, would have one.
+// Robot 1 is pressed and its shot is blocked; robot 2 stands in the opponents' area and would have
+// a free shot.
 int receiver_in_area(const TeamContext& context) {
   Style style;
   style.carry = 0;

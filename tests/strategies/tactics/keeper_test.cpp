@@ -110,7 +110,7 @@ TEST(IsKeepersBall, IsTrueOnlyForASlowBallInItsArea) {
   EXPECT_FALSE(is_keepers_ball(staged({-3.1, 0.2}).predicted));  // in the goal
 }
 
-// 4 m/s from 2 m: it has about 0.7 s to move 0.25 m.
+// The shot comes at 4 m/s from 2 m away, so the keeper has about 0.7 s to move 0.25 m.
 TEST(KeepGoal, ReachesAShotAtACornerInTime) {
   StagedPrediction stage(Play::kRunning);
   stage.world.own(0, {-2.8, 0}).ball({-1, 0});

@@ -65,7 +65,7 @@ TEST(PassTo, ArrivesWithTheStylesSpeed) {
 }
 
 TEST(PassTo, IsRejectedForAMateThatMustNotTouchTheBallThere) {
-  for (const double x_m : {-4.0, 4.0}) {  // in the areas of that rule book
+  for (const double x_m : {-4.0, 4.0}) {  // in the defence areas of that rule book
     PassOver stage({x_m, 0.5}, team_context_of("2026-b"));
     EXPECT_EQ(stage.pass_worth(), kWorthNothing) << x_m;
     EXPECT_EQ(stage.chip_worth(), kWorthNothing) << x_m;

@@ -16,7 +16,7 @@ TEST(PredictedState, AssignsPossessionToTheTeamThatReachesTheBallFirst) {
   EXPECT_FALSE(stage.look().is_ours());
 }
 
-// Without hysteresis a team would change its mind in every frame of an even race.
+// Without hysteresis, a team could decide differently in every frame of an even race for the ball.
 TEST(PredictedState, KeepsPossessionIfBothTeamsAreAboutAsNear) {
   for (const bool first_ours : {true, false}) {
     StagedPrediction stage(Play::kRunning);

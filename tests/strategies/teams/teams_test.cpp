@@ -44,7 +44,7 @@ auto ahead_of(const StagedWorld& world, double x_m) {
 }
 
 // Number of the team-mate to which a robot with that playbook passes: robot 2 is safe beside it;
-// robot 3 is far ahead, with an opponent near the lane. Nobody can chip.
+// robot 3 is far ahead, with an opponent near the lane. No robot can chip.
 int passes_to(const TeamPlaybook& playbook) {
   TeamContext context;
   for (Abilities& robot : context.robots) robot.chip_mps = 0;

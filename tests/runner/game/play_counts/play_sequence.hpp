@@ -78,7 +78,7 @@ class PlaySequence {
   PlayStatistics statistics{Field{}, sim::BallParameters{}, 60.0};
   bool is_on = false;
   bool is_in_play = false;
-  int substep = 0;  // of touches added from now on
+  int substep = 0;  // the sub-step of touches added from now on
 
  private:
   void add(const sim::Touch& touch) {

@@ -27,9 +27,9 @@ TEST_P(KickWithAMate, IsAPassIfItsPathLeadsToOrNearTheMate) {
   EXPECT_EQ(play.west().passes_completed, 0);
 }
 
-// Kicks go north, so none is a shot. Kicked at 4 m/s, the ball passes y = 1.5 m after 0.44 s.
-// Kicked at 2 m/s, it passes y = 1.5 m after 1.2 s at 1.04 m/s, and slows down to 1 m/s after
-// 1.65 m. It leaves the field at y = 2.025 m.
+// The kicks go north, so none of them is a shot. Kicked at 4 m/s, the ball passes y = 1.5 m after
+// 0.44 s. Kicked at 2 m/s, it passes y = 1.5 m after 1.2 s at 1.04 m/s, and slows down to 1 m/s
+// after 1.65 m. It leaves the field at y = 2.025 m.
 INSTANTIATE_TEST_SUITE_P(
     PlayStatistics, KickWithAMate,
     testing::Values(Mate{"on the path", {0, 1.5}, {0, 4}, true},

@@ -111,7 +111,8 @@ TEST(Association, EvaluatesTheCardForEveryThirdFoul) {
   EXPECT_EQ(verdicts[0].outcome, Outcome::kRight);
 }
 
-// Play continues after such a call, so another event at the same time can still be called.
+// Play continues after a call that does not stop it, so the referee can still call another event
+// that happened at the same time.
 TEST(Association, DoesNotFindAnEventOvertakenByACallThatLetsPlayContinue) {
   referee::Decision fast;
   fast.time_s = 10.0;

@@ -1,4 +1,4 @@
-// Non-stopping fouls, the goals they invalidate, and pushing, by the 2026 rules ("Offenses",
+// Non-stopping fouls, the goals they invalidate, and pushing, under the 2026 rules ("Offenses",
 // "Scoring Goals"), in staged worlds.
 #include <gtest/gtest.h>
 
@@ -128,7 +128,7 @@ TEST(Truth2026, PushingIncludesPushingThroughTheBall) {
   EXPECT_EQ(game.first("bot_pushed_bot").robot, kWest1);
 }
 
-// Such a foul stops play; if the referee misses it, the goal counts.
+// A stopping foul should stop play; if the referee misses it, a later goal counts.
 TEST(Truth2026, AGoalAfterAStoppingFoulIsNotInvalid) {
   StagedGame game(book("2026-b"));
   game.world.put_ball({0, 1});

@@ -1,4 +1,4 @@
-// Robots too close until a restart is taken, by the 2026 rules ("Offenses"), in staged worlds.
+// Robots too close until a restart is taken, under the 2026 rules ("Offenses"), in staged worlds.
 #include <gtest/gtest.h>
 
 #include "tests/runner/judge/truth/truth_stage.hpp"
@@ -154,7 +154,7 @@ TEST(Truth2026, TheThirdActiveYellowCardIsARedCard) {
   EXPECT_EQ(game.first("multiple_cards").offender, Side::kEast);
 }
 
-// This card is judged separately; later cards count from it.
+// The card is judged separately; the fouls for later cards are counted from this card on.
 TEST(Truth2026, ACardThatIsNotDueRestartsTheCount) {
   CrowdedFreeKick game;
   game.seconds(3.0);  // two fouls

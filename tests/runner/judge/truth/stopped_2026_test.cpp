@@ -1,5 +1,5 @@
-// Offences while play is stopped, and the number of robots allowed, by the 2026 rules ("Offenses",
-// "Scoring Goals"), in staged worlds.
+// Offences while play is stopped, and the number of robots allowed, under the 2026 rules
+// ("Offenses", "Scoring Goals"), in staged worlds.
 #include <gtest/gtest.h>
 
 #include "tests/runner/judge/truth/truth_stage.hpp"

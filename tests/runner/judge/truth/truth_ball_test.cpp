@@ -1,4 +1,4 @@
-// True events of the ball in staged worlds.
+// True events that concern the ball, in staged worlds.
 #include <gtest/gtest.h>
 
 #include <algorithm>

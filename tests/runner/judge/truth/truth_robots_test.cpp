@@ -1,4 +1,4 @@
-// True events of robots in staged worlds.
+// True events that concern robots, in staged worlds.
 #include <gtest/gtest.h>
 
 #include "tests/runner/judge/truth/truth_stage.hpp"
@@ -37,7 +37,7 @@ TEST(TrueAreaTouch, IsThatOfAnAttackerByTheRulesOf2026) {
   EXPECT_TRUE(game.has("attacker_touched_ball_in_defense_area"));
 }
 
-// Both drive without commands for so short a time that they hardly brake.
+// Both robots drive without commands, but for such a short time that they hardly brake.
 void stage_crash(StagedGame& game, double west_mps, double east_mps) {
   game.world.put_ball({0, 1});
   game.command(CommandKind::kForceStart);

@@ -21,7 +21,7 @@ inline RuleBook book(const char* name) { return *find_rule_book(name); }
 struct StagedGame {
   explicit StagedGame(const RuleBook& rules = book("2014"))
       : world(sim::quiet(), sim::specs(2, 2)), observer(world.field, rules, 60.0) {
-    // Moved aside.
+    // These robots are out of the way.
     world.put_robot(kWest0, {-2.9, -0.5});
     world.put_robot(kWest1, {-1.0, -1.9});
     world.put_robot(kEast0, {2.9, -0.5}, {-1, 0});
