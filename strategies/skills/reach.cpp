@@ -8,7 +8,7 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kUsableBraking = 0.75;  // fraction of braking that the wheels allow
+constexpr double kUsableBraking = 0.75;  // of the robot's braking; the wheels do not allow more
 constexpr double kReachTouch_m = kFrontDistance_m + kBallRadius_m;
 constexpr double kBeyond_m = 100_mm;  // outside the field, where a robot may still save a ball
 

@@ -156,7 +156,7 @@ RobotCommand go_to(const PredictedState& predicted, int index, const Waypoint& w
   const Vec2 off_m = robot.position_m - now.ball.position_m;
   if (room_m > predicted.style().near_room_m &&
       off_m.norm() < room_m + kRobotRadius_m - predicted.style().near_room_m) {
-    const Vec2 out = direction_of(off_m, Vec2(-1, 0));  // leave the ball's circle first
+    const Vec2 out = direction_of(off_m, Vec2(-1, 0));  // first leave the ball's circle directly
     return drive_via(robot, robot.position_m + out * predicted.style().near_room_m * 10, goal,
                      style);
   }

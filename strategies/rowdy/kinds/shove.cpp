@@ -7,7 +7,7 @@ constexpr double kNearest_m = 450_mm;  // between the centres: space to accelera
 constexpr double kReach_m = 800_mm;
 constexpr double kStill_mps = 0.3;  // maximum speed of the opponent
 // A pushed robot brakes harder than the pushing one can accelerate, so the push needs some initial
-// speed, but less than a crash.
+// speed, but less than a crash would need.
 constexpr double kSpeed_mps = 1.45;
 constexpr double kFar_m = 350_mm;  // distance after which the push ends
 
