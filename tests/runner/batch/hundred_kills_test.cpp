@@ -180,8 +180,7 @@ TEST_P(HundredKills, LeaveTheResultsOfAnUndisturbedRun) {
   const TemporaryFolder folder;
   KilledRuns runs(folder.path(), GetParam());
   ASSERT_EQ(hundred_kills(runs, 2014), kKills);
-  ASSERT_LT(rows_in(folder.path()),
-            4 * kPairs);  // otherwise, the last kills came too late
+  ASSERT_LT(rows_in(folder.path()), 4 * kPairs);  // otherwise, the last kills came too late
   runs.gate().let_through(1000 * kPairs);
   ASSERT_TRUE(runs.end_well(std::chrono::seconds(60)));
   EXPECT_EQ(rows_in(folder.path()), 4 * kPairs);
