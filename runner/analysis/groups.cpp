@@ -33,7 +33,7 @@ void add_game(Group& group, const GameRow& row) {
 DifferenceByPair pair_differences_of(const Group& group) {
   DifferenceByPair differences;
   for (const auto& [number, legs] : group.games_by_pair) {
-    // The pair, with sides changed between its legs, is the unit of all tests: one value each.
+    // All tests use one value per pair, since the teams change sides between its legs.
     if (legs.size() == 2) differences[number] = (legs[0].difference + legs[1].difference) / 2;
   }
   return differences;

@@ -49,7 +49,8 @@ std::vector<double> values_of(const DifferenceByPair& differences);
 Cells summary_columns();
 Cells summary_cells(const Group& group);
 
-// Columns for the results: team a's wins, draws and losses with their shares (result_shares.hpp).
+// Columns for the results: team a's wins, draws and losses, and their fractions of all games
+// (result_shares.hpp).
 inline Cells result_columns() { return share_columns({"wins_a", "draws", "wins_b"}); }
 
 // A group's columns in text tables: games, goals, mean difference with its interval, void games.

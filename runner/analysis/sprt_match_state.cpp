@@ -35,7 +35,7 @@ std::optional<double> difference_of(const Legs& legs) {
 // The pairs before the first one with a missing row.
 struct FirstPairs {
   std::vector<double> differences;  // of the pairs without a void leg
-  std::vector<int> numbers;         // of the same pairs
+  std::vector<int> numbers;         // the numbers of these pairs
   int count = 0;                    // including pairs with a void leg
 };
 

@@ -38,8 +38,9 @@ struct Standing {
 // grouped().
 std::vector<Standing> standings_of(const std::vector<Group>& matchups);
 
-// The same for the matchups' first teams only, a gauntlet's challengers. These are not rated: all
-// met the same opponents, so ratings would add nothing to the mean goal difference.
+// The same, but only for the first team of each matchup: a gauntlet's challengers. These are not
+// rated: all of them met the same opponents, so ratings would add nothing to the mean goal
+// difference.
 std::vector<Standing> standings_of_challengers(const std::vector<Group>& matchups);
 
 // Whether the teams have ratings; either all of them do or none.

@@ -10,7 +10,7 @@
 namespace autoref::runner {
 
 // A matchup's row: its teams, summary_cells(), then team a's wins, draws and losses with their
-// shares.
+// fractions.
 Cells matchup_columns();
 Cells matchup_cells(const Group& matchup);
 
@@ -19,7 +19,7 @@ std::string matchups_csv(const std::vector<Group>& matchups);
 
 // standings.csv: one row per team, best first, with games, goals, points (3 for a win, 1 for a
 // draw), goal difference per game with its 95 % interval over all pairs, both ratings with
-// intervals from resampled pairs, and the shares of wins, draws and losses. Missing values are
+// intervals from resampled pairs, and the fractions of wins, draws and losses. Missing values are
 // empty cells.
 std::string standings_csv(const std::vector<Standing>& standings);
 

@@ -19,18 +19,18 @@ struct Slope {
   std::optional<Interval> interval;  // nullopt for a single pair
 };
 
-// Slope of the score difference over the factor's value. Pairs with the same number have the same
-// seeds at every value, so their games are not independent. Each pair number therefore gives one
-// slope, by least squares over the values; these slopes are an independent sample, and its mean and
-// Student interval are returned. Pair numbers with a void or missing leg at any value are left out.
-// Returns nullopt unless the sweep has exactly one factor, with at least two values, and all values
-// are numbers.
+// How much the score difference changes per unit of the factor's value. Pairs with the same number
+// have the same seeds at every value, so their games are not independent. Each pair number
+// therefore gives one slope, by least squares over the values; these slopes are an independent
+// sample, and their mean and its Student's t confidence interval are returned. Pair numbers with a
+// void or missing leg at any value are left out. Returns nullopt unless the sweep has exactly one
+// factor, with at least two values, and all values are numbers.
 std::optional<Slope> slope_over_factor(const Sweep& sweep, const std::vector<Group>& groups);
 
 // summary.csv: one row per combination with summary_cells(), then the difference of "a minus b"
 // from the first combination over the pair numbers that both have: mean, interval, p value, p value
 // with Holm's correction over all rows, and effect size (statistics/paired_difference.hpp); finally
-// the games won, drawn and lost with their shares.
+// the numbers and fractions of games won, drawn and lost.
 std::string summary_csv(const Sweep& sweep, const std::vector<Group>& groups);
 
 // The text table, starting with its header, and the line about the slope, empty if there is none.

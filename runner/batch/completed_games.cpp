@@ -91,7 +91,7 @@ RowInventory take_row_inventory(const Scenario& scenario, const std::vector<Game
     const std::size_t known = row_inventory.schedule.games.size();
     row_inventory.schedule = schedule_of(scenario, row_inventory.completed_games.done);
     if (row_inventory.schedule.games.size() == known)
-      return row_inventory;  // otherwise, more rows may belong to the longer schedule
+      return row_inventory;  // otherwise look again: more rows may belong to the longer schedule
   }
 }
 

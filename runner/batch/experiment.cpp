@@ -27,7 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-// For experiments with teams: rows store the games' records.
+// For experiments with teams, where rows store the games' records.
 Outcomes outcomes_of_records(const Scenario& scenario, const ExperimentOptions& options) {
   return {
       [&options](const GameConfiguration& game, GameRow& row) { row.record = options.play(game); },
@@ -66,13 +66,15 @@ class Experiment {
 
   ExperimentReport run() {
     create_folder(options_.folder / kGamesFolder);
-    // Locks before the rows are read: no other run of this shard can add any afterwards.
+    // Lock the shard before reading the rows, so no other run of this shard can add rows
+    // afterwards.
     Shard shard(options_.folder / kGamesFolder / options_.shard.file_name(),
                 csv_line(format_.names()), options_.patience_s);
     take_with_notes();
     set_killed_games_aside();
     is_decided_ = is_decided(scenario_, rows_);
-    // Only now, since taking the rows throws if they were played with other settings.
+    // Written only now: the rows have been checked, and a row played with other settings would have
+    // thrown.
     replace_file(options_.folder / kEffectiveFile, effective_text(scenario_));
     progress_.expect(counts());
     ExperimentReport report;
@@ -230,7 +232,7 @@ class Experiment {
     GameRow row = row_from(result);
     row.circumstances = {options_.build, host_,          cpu_,
                          result.wall_s,  result.attempt, options_.shard.name()};
-    // On disk before it counts: a game shown as done is never lost.
+    // Write the row to disk before counting the game, so a game shown as done is never lost.
     shard.append(format_.line(row));
     const std::string& reason = row.record.void_reason;
     if (!reason.empty()) progress_.say(fmt::format("{} is void: {}", row.game_id, reason));

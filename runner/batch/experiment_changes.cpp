@@ -67,7 +67,8 @@ Values values_of(const Knockout& knockout) {
   return values;
 }
 
-// Ignores teams that only one side has: they do not affect the other teams' games.
+// Ignores teams that occur in only one of the experiments: they do not affect the other teams'
+// games.
 void keep_teams_of_both(Teams& one, Teams& other) {
   std::erase_if(one, [&other](const auto& team) { return !other.contains(team.first); });
   std::erase_if(other, [&one](const auto& team) { return !one.contains(team.first); });

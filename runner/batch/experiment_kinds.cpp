@@ -29,7 +29,7 @@ std::vector<std::string> value_columns(const JudgeSchedule& /*schedule*/) {
   return {"rules", "camera"};
 }
 
-// All other kinds need all their games.
+// Experiments of all other kinds need all their games.
 template <typename Experiment>
 bool is_decided(const Experiment& /*experiment*/, const RowsById& /*rows*/) {
   return false;
@@ -88,7 +88,8 @@ ProgressTable matchups_shown(const std::vector<Group>& matchups) {
 // Puts standings first, since a small screen shows only the first part.
 void show_standings(ExperimentResults& results, const std::string& noun) {
   results.table = matchups_table(results.groups) + "\n" + standings_table(results.standings);
-  // Ratings, or the goal difference, are the last columns; games played are the fourth.
+  // The last columns are the ratings or the goal difference; the fourth is the number of games
+  // played.
   std::vector<std::size_t> to_spare = {8, 3};
   if (are_rated(results.standings)) to_spare = {9, 8, 3};
   results.shown = {{standings_rows(results.standings), kStandingsColumns, noun, to_spare},

@@ -17,9 +17,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kMostWholeGames = 6;  // per combination
-constexpr double kShareOfFirst = 0.5;       // fraction of the time, for the first seconds of each
-constexpr double kShareOfSecond = 0.9;      // fraction of the remaining time, for longer parts
-constexpr double kGrace_s = 2;              // for running games to end
+constexpr double kShareOfFirst = 0.5;   // fraction of the time spent on the first seconds of each
+constexpr double kShareOfSecond = 0.9;  // fraction of the remaining time spent on longer parts
+constexpr double kGrace_s = 2;          // for running games to end
 constexpr const char* kWell = "well";
 
 // The id without pair and leg: "b.handicap=0.8" for "b.handicap=0.8-p0007-2".
@@ -114,8 +114,8 @@ class Rehearsals {
     return parts;
   }
 
-  // Plays whole games, several of each if there is time; otherwise the same fraction of one game of
-  // each.
+  // Plays whole games, several of each if there is time; otherwise one game of each, all shortened
+  // to the same fraction.
   std::vector<Part> longer_parts() const {
     double whole_s = 0;
     for (const Entry& entry : entries_) whole_s += entry.plays() ? entry.first_estimate_s() : 0;

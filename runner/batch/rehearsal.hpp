@@ -21,7 +21,7 @@ struct Rehearsal {
 
 struct RehearsalOptions {
   std::function<GameRecord(const GameConfiguration&)> play;  // called in workers
-  int workers = 1;       // as many as the experiment will have: they share caches and processors
+  int workers = 1;       // as many as in the experiment, since workers share caches and processors
   double longest_s = 8;  // approximate wall-clock limit for all rehearsals together
 };
 

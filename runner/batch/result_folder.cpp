@@ -22,7 +22,7 @@ std::set<std::string> builds_of(const StoredRows& stored) {
   return builds;
 }
 
-// The wanted build, or the only one if `wanted` is empty.
+// Returns `wanted`, or the folder's only build if `wanted` is empty.
 std::string chosen_build(const StoredRows& stored, const std::string& wanted,
                          const fs::path& folder) {
   const std::set<std::string> builds = builds_of(stored);

@@ -41,8 +41,8 @@ Scenario scenario_in(const std::filesystem::path& folder);
 std::set<std::string> builds_in(const std::filesystem::path& path);
 
 // Reads a folder, even while a run is writing to it. Only rows of `build` count; if `build` is
-// empty, the folder must have rows of one build only. Throws InputError if it has rows of several,
-// or if it is not a results folder; also throws like sort_rows().
+// empty, the folder must have rows of one build only. Throws InputError if it has rows of several
+// builds, or if it is not a results folder; also throws like sort_rows().
 ResultFolder open_results(const std::filesystem::path& path, const std::string& build = {});
 
 // The existing files of a results folder: effective.yaml, its rows and its results.

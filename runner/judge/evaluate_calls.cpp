@@ -63,7 +63,7 @@ class CallEvaluator final : public Observer {
   ground_truth::GroundTruthObserver observer_;
   std::vector<Call> calls_;
   std::size_t judged_ = 0;                  // number of calls judged before this frame
-  std::vector<std::optional<Side>> exits_;  // last touchers, as called in this frame
+  std::vector<std::optional<Side>> exits_;  // last touching sides named by this frame's calls
   CallEvaluation evaluation_;
 };
 

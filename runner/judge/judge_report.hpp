@@ -15,7 +15,7 @@ struct JudgeReport {
   std::vector<CameraTally> tallies;  // by rule book, then by camera, in the order of the schedule
   // One line each, with the game's id.
   std::vector<std::string> second_calls;   // wrong because the event had already been called
-  std::vector<std::string> calls_in_stop;  // calls that require play, made while play was stopped
+  std::vector<std::string> calls_in_stop;  // made in a stop, but only possible during play
   std::vector<std::string> void_games;
   std::vector<std::string> transitions_never_used;
   std::vector<std::string>

@@ -21,7 +21,7 @@ struct EventTally {
   int borderline_missed = 0;
   int borderline_wrong = 0;
   int overtaken = 0;  // happened when another right call ended play; not counted elsewhere
-  int in_air = 0;     // those among them with the ball in the air
+  int in_air = 0;     // events and wrong calls with the ball in the air
   std::vector<double> delays_s;
   std::vector<double> errors_m;
 
@@ -37,7 +37,8 @@ struct EventTally {
   void add(const ground_truth::Verdict& verdict);
 };
 
-// The smallest value not exceeded by at least `share` of the sample; nullopt if it is empty.
+// The smallest value that at least the fraction `share` of the sample does not exceed; nullopt if
+// the sample is empty.
 std::optional<double> quantile(std::vector<double> sample, double share);
 
 // All games with one rule book and one camera.

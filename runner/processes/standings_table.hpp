@@ -27,9 +27,9 @@ struct ProgressTable {
   std::string text = {};                      // text below the table, wrapped if too long
 };
 
-// Fits the tables into this many lines and columns, the most important table first. Drops columns
-// that do not fit, first the dispensable ones, then the rightmost; a last line counts the rows left
-// out: "... 12 more teams".
+// Fits the tables into this many lines and columns, starting with the most important table. Drops
+// columns that do not fit, first the dispensable ones, then the rightmost; a last line counts the
+// rows left out: "... 12 more teams".
 std::string fitted(const std::vector<ProgressTable>& tables, int lines, int columns);
 
 // "[######......] " for `done` of `total`, with a bar of `width` characters.

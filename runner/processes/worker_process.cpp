@@ -71,8 +71,8 @@ bool was_killed(std::string_view failure) {
 }
 
 EndSignals::EndSignals() {
-  // Signals are blocked and read from a signalfd, so poll() sees them beside the workers' answers
-  // and no code has to be async-signal-safe.
+  // Signals are blocked and read from a signalfd, so poll() waits for them together with the
+  // workers' answers and no code has to be async-signal-safe.
   sigset_t set;
   sigemptyset(&set);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&set, signal);

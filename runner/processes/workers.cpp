@@ -90,7 +90,7 @@ class Pool {
     const Job job = worker.job();
     const double wall_s = worker.busy_s();
     worker.end();
-    // A job that hangs once will hang again: a retry would only waste the same time.
+    // A job that hangs once will hang again, so a retry would only waste as much time again.
     give_up(job, fmt::format("it took longer than {} s", options_.longest_job_s), wall_s, true);
   }
 
@@ -119,8 +119,8 @@ class Pool {
 }  // namespace
 
 int processors() {
-  // Unlike the machine's number of processors, the affinity mask respects taskset and what a batch
-  // system has allotted.
+  // Unlike the machine's number of processors, the affinity mask respects taskset and the
+  // processors that a batch system has allotted.
   cpu_set_t set;
   CPU_ZERO(&set);
   return sched_getaffinity(0, sizeof set, &set) == 0 ? std::max(1, CPU_COUNT(&set)) : 1;

@@ -15,7 +15,7 @@ CrossCell cell_of_a(const Group& group) {
 
 CrossCell from_other_side(const CrossCell& cell) {
   CrossCell other{cell.losses, cell.draws, cell.wins, {}};
-  // Avoid -0, which would be printed with its sign.
+  // Avoid -0, which would be printed with a minus sign.
   if (cell.mean_difference) other.mean_difference = 0 - *cell.mean_difference;
   return other;
 }

@@ -64,7 +64,7 @@ void compare_teams(const GameSettings& base, const Teams& teams,
   }
 }
 
-// A setting varied by a factor, or set by a varied preset, has no value of its own.
+// A setting that a factor varies, or that a varied preset sets, has no single value.
 void leave_out_factors(const Scenario& scenario, std::vector<DefaultDifference>& found) {
   if (const auto* sweep = std::get_if<Sweep>(&scenario.content)) {
     for (const auto& [value, settings] : set_by_values(*sweep)) {

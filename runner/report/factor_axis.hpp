@@ -11,7 +11,7 @@ namespace autoref::runner {
 // Script lines that label the axis with the factor's values, with the baseline on the left.
 std::string factor_axis(const NumericFactor& factor, const std::vector<Group>& groups);
 
-// Offset of two marks at the same value, in the factor's unit.
+// Sideways shift that separates two marks at the same value, in the factor's unit.
 double dodge_of(const NumericFactor& factor);
 
 // Returns whether any group has a game that is not void.

@@ -133,7 +133,7 @@ std::string html_of(const Verbatim& verbatim) {
   return fmt::format("<pre style=\"--letters:{}\">{}</pre>\n", widest, escaped(verbatim.text));
 }
 
-// Not a link, which would be dead if the page is sent without its folder.
+// Writes only the file's name: a link would be dead if the page is sent without its folder.
 std::string html_of(const Link& link) {
   return fmt::format("<p>{}: <code>{}</code></p>\n", escaped(link.text), escaped(link.file));
 }

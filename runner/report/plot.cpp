@@ -32,7 +32,7 @@ std::string script_head(std::string_view name, int height_px) {
 }
 
 double tic_step(double span) {
-  // The factors lead from 1 to 2, 5 and 10 times a power of ten.
+  // Multiplying by these factors in turn gives 2, 5 and 10 times the power of ten.
   double step = std::pow(10.0, std::floor(std::log10(span / 5)));
   for (const double factor : {2.0, 2.5, 2.0}) {
     if (span / step > 5) step *= factor;

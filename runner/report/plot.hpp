@@ -20,7 +20,7 @@ inline constexpr std::size_t kMostGroupsInPlot = 45;
 
 inline constexpr std::size_t kLongestLabel = 34;  // characters; longer labels are cut
 
-// Colours of Okabe and Ito, which colour-blind people can distinguish.
+// Okabe and Ito's colours, which colour-blind people can tell apart.
 inline constexpr const char* kBlue = "#0072b2";
 inline constexpr const char* kVermilion = "#d55e00";
 

@@ -43,7 +43,7 @@ double span_of(const std::vector<Standing>& standings, Rating Standing::*which) 
   return span.high > span.low ? span.high - span.low : 1;
 }
 
-// Fraction of the width taken by team names, which are left of the first panel.
+// Fraction of the width taken by the team names to the left of the first panel.
 double names_share(const std::vector<std::string>& teams) {
   std::size_t longest = 0;
   for (const std::string& team : teams) longest = std::max(longest, team.size());

@@ -18,8 +18,8 @@ inline constexpr const char* kChecksumRow = "checksum of the rows";
 std::string games_text(const ResultFolder& folder);     // "12 of 24"
 std::string rows_checksum(const ResultFolder& folder);  // CRC-32 of results.csv
 
-// What was played, how much of it, and with which build. Warns of interim intervals if games are
-// missing.
+// What was played, how much of it, and with which build. If games are missing, warns that the
+// intervals are interim ones.
 Section played_section(const ResultFolder& folder, const ExperimentResults& results);
 
 // The terminal's table, and the meaning of its intervals.

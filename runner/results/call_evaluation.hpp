@@ -47,7 +47,7 @@ struct LastTouchTally {
 struct CallEvaluation {
   std::vector<ground_truth::Verdict> verdicts;  // in order of time
   std::array<LastTouchTally, 2> last_touch;     // by the team that actually touched it: a, b
-  std::vector<std::string> calls_in_stop;  // calls that require play, such as "goal at 12.350 s"
+  std::vector<std::string> calls_in_stop;       // made during a stop: "goal at 12.350 s"
 };
 
 }  // namespace autoref::runner

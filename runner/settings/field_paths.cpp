@@ -179,8 +179,8 @@ void set_given(const std::vector<Setting>& settings, const Setting& setting,
     if (!is_alias(setting)) given.insert(setting.path);
     return;
   }
-  // What the user gave explicitly wins over a preset, in whichever order they come: save it, apply
-  // the preset, restore it.
+  // Settings that the user gave explicitly override a preset, in whichever order they come: save
+  // them, apply the preset, restore them.
   const std::vector<Kept> others = kept(settings, given);
   set_value(setting, value);
   for (const Kept& other : others) {

@@ -186,7 +186,7 @@ void set_by_path(GameSettings& game, std::string_view path, std::string_view tex
 // The same with a value that value_in() has already parsed.
 void set_value_at(GameSettings& game, std::string_view path, const SettingValue& value);
 
-// The value at a path that set_by_path() accepts; 0 for a parameter that is not given.
+// The value at a path that set_by_path() accepts; 0 for a strategy's parameter that is not given.
 std::string value_at(const GameSettings& game, std::string_view path);
 
 // Checks conditions across settings: a team's parameters belong to its strategy and are in range,

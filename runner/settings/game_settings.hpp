@@ -46,7 +46,7 @@ struct TeamSettings {
 
 struct MatchSettings {
   std::string rules = "paper";             // name of a rule book
-  RuleSet in_force = RuleBook{}.in_force;  // its rules in force
+  RuleSet in_force = RuleBook{}.in_force;  // the rules of that book that are in force
   double half_s = 600;
   int halves = 2;
   double break_s = 0;

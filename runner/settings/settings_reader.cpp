@@ -13,7 +13,7 @@ namespace autoref::runner {
 
 namespace {
 
-// Name of the setting that sets others of this branch.
+// Name of the setting that sets other settings in this branch.
 std::string_view name_of_preset_in(std::string_view branch) {
   if (branch == "sim") return "camera";
   return branch == "match" ? "rules" : "preset";
@@ -86,7 +86,7 @@ bool SettingsReader::is_hidden(const Setting& setting) const {
   });
 }
 
-// Lists the settings again after a new player or type.
+// Lists the settings again after a player or type has been added.
 void SettingsReader::list_anew() {
   assert(list_ != nullptr);
   settings_ = list_();

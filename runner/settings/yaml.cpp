@@ -70,7 +70,7 @@ YamlFile::YamlFile(const std::string& text, std::string name) : name_(std::move(
   document_ = documents[0];
 }
 
-// No document is walked before its bounds have been checked.
+// Check the bounds of every document before reading it.
 std::vector<YAML::Node> YamlFile::documents_in(const std::string& text) const {
   try {
     if (const std::optional<BeyondBounds> beyond = beyond_bounds(text)) {

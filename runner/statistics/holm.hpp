@@ -1,4 +1,5 @@
-// Correction for multiple comparisons: the more tests, the more look significant by chance.
+// Correction for multiple comparisons: the more tests are made, the more of them look significant
+// by chance.
 #pragma once
 
 #include <span>

@@ -9,9 +9,9 @@
 
 namespace autoref::runner {
 
-// Student's interval of the mean: mean -+ t(0.975, n - 1) s / sqrt(n). Assumes independent values;
-// exact if they are normal. Returns nullopt for fewer than two values, and if all values are equal,
-// since the spread is then unknown.
+// Student's t confidence interval of the mean: mean -+ t(0.975, n - 1) s / sqrt(n). Assumes
+// independent values; exact if they are normal. Returns nullopt for fewer than two values, and if
+// all values are equal, since the spread is then unknown.
 std::optional<Interval> mean_interval(std::span<const double> sample);
 
 // Two-sided p value of the t test of "the true mean is 0": the probability of a mean at least this

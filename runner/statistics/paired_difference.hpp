@@ -20,7 +20,7 @@ using DifferenceByPair = std::map<int, double>;
 struct PairedDifference {
   std::size_t pairs = 0;
   std::optional<double> mean;        // nullopt without pairs
-  std::optional<Interval> interval;  // Student's interval of the mean; nullopt for a single pair
+  std::optional<Interval> interval;  // Student's t interval of the mean; nullopt for one pair
   // Two-sided p value of the paired t test of "no difference"; nullopt for a single pair, or if all
   // pairs have the same difference. `p_holm` is its Holm correction over all values with a p.
   std::optional<double> p;

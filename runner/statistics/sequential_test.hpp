@@ -12,7 +12,7 @@ struct SequentialTest {
   double d1 = 1;        // goals per game; the alternative, above or below d0
   double alpha = 0.05;  // maximum probability of accepting d1 if d0 is true
   double beta = 0.05;   // maximum probability of accepting d0 if d1 is true
-  int min_pairs = 10;   // no decision before: a few pairs say little about the spread
+  int min_pairs = 10;   // no decision before this pair: few pairs say little about the spread
   int max_pairs = 200;  // the test ends undecided after this pair
 };
 

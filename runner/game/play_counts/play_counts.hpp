@@ -75,12 +75,12 @@ struct PlayCounts {
   // other team's next one. If both touch it in the same sub-step, possession does not change.
   double possession_s = 0;
   // Fouls called against the team's robots, during play or while it is stopped. If both teams are
-  // at fault, each gets one. Excludes throw-ins and other restarts after the ball left the field,
-  // aimless kicks, disallowed goals, restarts not taken and failed penalties.
+  // at fault, each gets one. Excludes balls that leave the field, aimless kicks, disallowed goals,
+  // restarts not taken and failed penalties.
   int fouls = 0;
   // A duel begins when robots of both teams have been within kDuel_m of the ball for kDuelBegins_s.
-  // A team wins it by touching the ball, or by a kick that it has just made, once all opponents are
-  // farther from it than kDuelOver_m. Nobody wins if play stops first or after kLongestDuel_s.
+  // A team wins it by touching the ball, or by its kick in progress, once all opponents are farther
+  // from it than kDuelOver_m. Nobody wins if play stops first or after kLongestDuel_s.
   int duels_won = 0;
   bool operator==(const PlayCounts&) const = default;
 };

@@ -1,4 +1,4 @@
-// The ball leaves the field: goals, invalid goals and exits.
+// The ball leaves the field: over a touch line, over a goal line or into a goal (valid or not).
 #include <algorithm>
 #include <cmath>
 

@@ -8,7 +8,7 @@
 
 namespace autoref::runner::ground_truth {
 
-std::unique_ptr<GroundTruthRule> ball_out();  // goals, invalid goals, exits, aimless kicks
+std::unique_ptr<GroundTruthRule> ball_out();  // valid or invalid goals, ball over the lines
 std::unique_ptr<GroundTruthRule> bot_kicked_ball_too_fast();
 std::unique_ptr<GroundTruthRule> attacker_double_touched_ball();
 std::unique_ptr<GroundTruthRule> bot_dribbled_ball_too_far();

@@ -10,8 +10,8 @@
 namespace autoref::runner::ground_truth {
 namespace {
 
-// The fouls that count: all except the double touch, the defender in its own area, and too many
-// robots ("No penalty will be given", 2026 rules, Yellow Card).
+// The fouls that count towards a card: all except the double touch, the defender in its own area,
+// and too many robots ("No penalty will be given", 2026 rules, Yellow Card).
 constexpr std::array<std::string_view, 11> kCounted = {"attacker_stays_near_area",
                                                        "bot_pushed_bot",
                                                        "keeper_held_ball",

@@ -23,8 +23,7 @@ struct Play {
   double stopped_s = 0;   // when STOP was sent
   bool ends_now = false;  // the referee has just ended play
   int count = 0;          // number of commands obeyed; identifies a restart or stop
-  int stops =
-      0;  // number of STOPs among them; identifies a stop together with the following restart
+  int stops = 0;          // number of STOPs among them; the same in a stop and its restart
   // A repeated STOP continues the same stop; a free kick continues the stop before it.
   int stop_count = 0;
   double stop_began_s = 0;

@@ -28,7 +28,7 @@ struct Worst {
 };
 
 // Counts how often the current restart has been retaken in a row. A restart is retaken at most
-// three times here; then play continues wherever robots are.
+// three times; after that, play continues wherever the robots are.
 class Retakes {
  public:
   void enter(const Play& play) {
@@ -102,7 +102,8 @@ class PositionsAtEntry final : public GroundTruthRule {
     }
   }
 
-  // Just before the kick, measured from the ball's original position.
+  // Checks positions just before the kick; distances are measured from the ball's original
+  // position.
   static void near_ball(const Scene& scene, Side taker, TrueEvents& all) {
     Worst worst;
     for_each_robot(scene.before, opponent_of(taker), [&](RobotId id, const auto& robot) {

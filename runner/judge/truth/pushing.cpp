@@ -13,7 +13,8 @@ constexpr double kPushMargin_m = 20_mm;
 constexpr double kOwnSpeed_mps = 0.1_mps;
 constexpr double kOwnMargin_mps = 0.1_mps;
 
-// Two opponents in contact, with start time and positions. The first robot is west's.
+// Two opponents in contact, with start time and positions. The first robot belongs to the west
+// team.
 struct PushContact {
   RobotId west;
   RobotId east;
@@ -44,7 +45,7 @@ class Pushing final : public GroundTruthRule {
   }
 
  private:
-  // In contact with each other or, under the 2026 rules, both with the ball.
+  // Whether the robots touch each other or, under the 2026 rules, both touch the ball.
   static bool has_contact(const Scene& scene, RobotId west, const sim::RobotState& a, RobotId east,
                           const sim::RobotState& b) {
     if (are_in_contact(a, b)) return true;

@@ -1,4 +1,4 @@
-// Offences while play is stopped, by the Laws of 2014.
+// Offences while play is stopped, under the Laws of 2014.
 #include <optional>
 
 #include "runner/judge/truth/grace_timer.hpp"

@@ -1,4 +1,4 @@
-// Offences while play is stopped, by the 2026 rules.
+// Offences while play is stopped, under the 2026 rules.
 #include <algorithm>
 #include <set>
 

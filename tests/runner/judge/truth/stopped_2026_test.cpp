@@ -115,7 +115,7 @@ TEST(Truth2026, EachCardGivesItsRobotTenSeconds) {
   game.seconds(5.0);
   game.signal.robots_allowed[Side::kWest] = 0;
   game.seconds(4.0);
-  game.world.put_robot(kWest1, {-1.0, -2.3});  // the robot of the first card
+  game.world.put_robot(kWest1, {-1.0, -2.3});  // leaves the field for the first card
   game.seconds(5.9);
   EXPECT_FALSE(game.has("too_many_robots"));
   game.seconds(0.3);
