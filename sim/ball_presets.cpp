@@ -19,8 +19,8 @@ struct BallPreset {
 
 constexpr BallParameters kOwn{};
 
-// Measured in ER-Force's simulator and in grSim; Sumatra's (TIGERs Mannheim) were fitted to balls
-// on RoboCup fields.
+// The values of `erforce` and `grsim` were measured in those simulators; those of `tigers` come
+// from Sumatra (TIGERs Mannheim), which fitted them to balls on RoboCup fields.
 constexpr std::array kBallPresets = {
     BallPreset{"default", kOwn.slide_mps2, kOwn.roll_mps2, kOwn.switch_ratio, kOwn.hop_first_xy,
                kOwn.hop_later_xy, kOwn.hop_z},

@@ -30,8 +30,8 @@ constexpr int kVelocityIterations = 8;
 constexpr int kPositionIterations = 3;
 
 // Only the ball collides with plates, and giving every robot one costs a quarter of a step's time.
-// So a robot has a plate only while the ball is nearer than the two can close in a step of 1/60 s.
-// The two thresholds form a hysteresis: a ball at the limit does not toggle the plate.
+// So a robot has a plate only while the ball is near enough to reach it in a step of 1/60 s. The
+// two thresholds form a hysteresis: a ball at the limit does not toggle the plate.
 constexpr double kPlateOn_m = 350_mm;
 constexpr double kPlateOff_m = 500_mm;
 

@@ -26,7 +26,7 @@ struct BodyState {
   double angular_velocity_radps = 0;
 };
 
-// Two separate robots collided: their motion just before.
+// A collision of two robots that were apart before, with their motion just before it.
 struct BodyCollision {
   std::array<int, 2> robots;  // indices, the lower one first
   std::array<Vec2, 2> velocities_mps;

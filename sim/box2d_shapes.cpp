@@ -112,8 +112,8 @@ b2Body* add_ball(b2World& world, const Surfaces& surfaces, double mass_kg) {
   b2Body* body = world.CreateBody(&definition);
   b2CircleShape shape;
   shape.m_radius = to_units(kBallRadius_m);
-  // Box2D takes the larger restitution of two fixtures, so walls and nets decide. The contact
-  // listener sets that of robots.
+  // Box2D takes the larger restitution of two fixtures, so the wall's or net's applies. For robots,
+  // the contact listener sets it.
   const b2FixtureDef round =
       fixture(shape, surfaces, kBall, kWalls | kGoals | kRobots | kPlates, 0.0F);
   body->CreateFixture(&round);

@@ -23,8 +23,8 @@ inline Vec2 from_units(const b2Vec2& v) {
 // Category of a fixture, for contact filtering.
 enum Category : std::uint16_t { kRobots = 1, kPlates = 2, kBall = 4, kWalls = 8, kGoals = 16 };
 
-// The contact parameters used by fixtures. Box2D uses the greater restitution of a pair; for ball
-// and robot it is decided at the contact.
+// The contact parameters used by fixtures. Box2D uses the greater restitution of a pair; for a ball
+// and a robot, the contact listener sets it.
 struct Surfaces {
   explicit Surfaces(const ContactParameters& contacts);
 

@@ -121,8 +121,8 @@ const CameraPosition* Camera::find_view(const WorldState& world) const {
 }
 
 bool Camera::covers(const CameraPosition& camera, const BallState& ball) const {
-  // Distances from the camera towards the field's two axes. Beyond the lines, on the outer side of
-  // a camera, everything is in its view.
+  // The ball's distances from the camera towards the field's two axes. A camera's view is limited
+  // only in these directions, not outwards.
   const Vec2 inwards_m =
       ball.position_m.cwiseProduct(-camera.position_m.cwiseSign()) + camera.position_m.cwiseAbs();
   if (inwards_m.x() > sees_beside_m_.x() || inwards_m.y() > sees_beside_m_.y()) return false;

@@ -42,7 +42,8 @@ struct ContactParameters {
   // Fraction of the vertical speed that a ball keeps when it lands on a robot or on a goal's net,
   // as on the carpet.
   double top_restitution = 0.5;
-  // Minimum speed at which it leaves them, upwards and outwards, so that no ball stays up there.
+  // Minimum speed, upwards and outwards, at which a ball leaves a robot or a net that it landed on,
+  // so that no ball stays up there.
   double top_leaving_mps = 0.5;
   double friction = 0.22;  // between bodies sliding along each other (grSim)
   // Slower impacts do not bounce, so that a ball can come to rest against a plate.

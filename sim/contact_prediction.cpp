@@ -58,7 +58,7 @@ bool ContactPrediction::keeps_off_walls(const Vec2& at_m, double reach_m) const 
 }
 
 // Pairwise test of the discs that contain each robot's motion during the step. Overlapping discs
-// are allowed if the robots close in slowly.
+// are allowed if the robots approach each other slowly.
 bool ContactPrediction::robots_keep_apart(const Box2dBridge& bodies, int robots) const {
   std::array<double, 2 * kMaxRobots> reaches_m;
   for (int i = 0; i < robots; ++i) {

@@ -8,8 +8,8 @@
 
 namespace autoref::sim {
 
-// Looks `duration_s` ahead. Assumes constant velocities, with margins for what the acceleration
-// limits let a robot deviate from them.
+// Looks `duration_s` ahead. Assumes constant velocities, with margins for the deviations that the
+// robots' acceleration limits allow.
 class ContactPrediction {
  public:
   ContactPrediction(const Field& field, const PerSide<TeamSpec>& specs, double duration_s);

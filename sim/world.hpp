@@ -43,7 +43,7 @@ struct WorldState {
   BallState ball;
 };
 
-// A robot's hull touched the ball, or its kicker fired: the ground truth of who touched it.
+// A touch of the ball by a robot's hull or kicker: the ground truth of who touched it.
 struct Touch {
   std::int64_t frame = 0;  // state().frame after the step in which it happened
   int substep = 0;
@@ -54,8 +54,8 @@ struct Touch {
   double vertical_mps = 0;  // and its upward component
 };
 
-// The hulls of two separate robots collided. For collisions between robots a robot is a round disc:
-// its flat front does not count.
+// The hulls of two separate robots collided. In these collisions robots are round discs; their flat
+// fronts are ignored.
 struct RobotCollision {
   std::int64_t frame = 0;  // as in Touch
   int substep = 0;
@@ -113,8 +113,8 @@ class World {
   std::unique_ptr<Impl> impl_;
 };
 
-// Splits the delay from frame to motion into the whole frames that a team's view is late, and the
-// sub-steps after which the resulting commands take effect.
+// Splits the delay from frame to motion into the whole frames by which a team's view is delayed,
+// and the sub-steps after which the resulting commands take effect.
 struct LatencySplit {
   int frames = 0;
   int substeps = 0;

@@ -43,8 +43,8 @@ void World::Impl::move_ball(int substep) {
   bodies_.set_ball_velocity(held_by_net(ball_.slowed(ball_mps, step_s_)));
 }
 
-// The ball's velocity after a kick, if there was one. Kickers that fire simultaneously add up,
-// independent of their order.
+// The ball's velocity after a kick, if there was one. Simultaneous kicks add up, whatever their
+// order.
 std::optional<Vec2> World::Impl::kicked(int substep) {
   const BodyState ball = bodies_.ball();
   Vec2 sum_mps{0.0, 0.0};
@@ -140,7 +140,7 @@ void World::Impl::bounce_off_bar_and_tops(const BodyState& former, double former
   if (bounced_mps) bodies_.set_ball_velocity(*bounced_mps);
 }
 
-// The ball flies over lower robots and goals.
+// Lets the ball fly over robots and goals that are lower than it.
 void World::Impl::let_ball_meet_what_is_as_high() {
   bodies_.let_ball_meet(ball_.height_m() < kRobotHeight_m,
                         ball_.height_m() < field_.goal_opening_height_m);

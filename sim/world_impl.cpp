@@ -11,7 +11,7 @@
 namespace autoref::sim {
 namespace {
 
-// West's robots, then east's.
+// The masses of west's robots, then of east's.
 std::vector<double> masses_kg(const PerSide<TeamSpec>& specs) {
   std::vector<double> masses;
   masses.reserve(2 * kMaxRobots);
@@ -83,7 +83,8 @@ void World::Impl::accept(const PerSide<TeamCommands>& commands) {
   for_each_robot([&](RobotId id, Robot& robot, int index) {
     const RobotCommand& command = commands[id.side][static_cast<std::size_t>(id.number)];
     assert(autoref::is_finite(command));
-    // A robot off the field draws its numbers too, which keeps the others' numbers unchanged.
+    // A robot off the field draws its random numbers too, so that the other robots' numbers do not
+    // change.
     if (hears(robot, team(id.side).radio)) {
       robot.aim = robot.drive.accept(command, team(id.side).motors);
     } else if (robot.unheard_frames >= hold_frames_) {

@@ -20,11 +20,11 @@ enum class Edition : std::uint8_t { kPaper, kLaws2014, kRules2026 };
 // those needed for games to end.
 RuleSet rules_of(Edition edition);
 
-// Defaults are `rules: paper`; if the paper lacks a rule, the Laws' single size. "Paper" is
-// Zhu, Biswas and Veloso, "AutoRef: Towards Real-Robot Soccer Complete Automated Refereeing";
-// "Laws" are the SSL's laws of 2014; "2016" is the authors' later public referee; "2026" are the
-// SSL's rules of that year, Divisions A and B. "Our choice" marks numbers without a published
-// source.
+// The defaults are those of `rules: paper`; for rules that the paper lacks, they are the Laws'
+// numbers for single size. "Paper" is Zhu, Biswas and Veloso, "AutoRef: Towards Real-Robot Soccer
+// Complete Automated Refereeing"; "Laws" are the SSL's laws of 2014; "2016" is the authors' later
+// public referee; "2026" are the SSL's rules of that year, Divisions A and B. "Our choice" marks
+// numbers without a published source.
 struct RuleBook {
   std::string name = "paper";
   Edition edition = Edition::kPaper;
@@ -46,10 +46,10 @@ struct RuleBook {
 
   // Restarts (Laws 8, 9, 13).
   bool kicks_may_score = false;            // from any free kick (2026), else only from a direct one
-  double in_play_m = 50_mm;                // also how far the kicker may have moved the ball
+  double in_play_m = 50_mm;                // move that starts play; also the double-touch limit
   double restart_timeout_s = 10_s;         // kick-off and penalty
   double free_kick_timeout_s = 10_s;       // 2026 Division A: 5 s
-  bool untaken_goes_to_opponents = false;  // 2026; else force start
+  bool untaken_goes_to_opponents = false;  // 2026: with a free kick; otherwise force start
   double opponents_to_ball_m = 500_mm;     // minimum, for opponents at every restart
   double attacker_to_area_m = 200_mm;      // paper, section 4.2, robot-related rules
   double attacker_grace_s = 2_s;           // 2026: counted from the start of the stop
@@ -65,7 +65,7 @@ struct RuleBook {
   double neutral_to_area_m = 700_mm;  // from a neutral spot to both areas
 
   // The ball in play (Laws 12).
-  double kick_limit_mps = 8_mps;  // paper, section 3; the teams keep to it; 2026: 6.5 in space
+  double kick_limit_mps = 8_mps;  // paper, section 3; the teams keep to it; 2026: 6.5 m/s in 3D
   double chip_height_m = 150_mm;  // height of the ball's top; a higher chip must not score directly
   double dribbling_m = 500_mm;    // Laws 2014; 1000 mm from 2015
   double keeper_holding_s = 15_s;  // 2026: 10 s, Division A 5 s
@@ -100,7 +100,8 @@ struct RuleBook {
   int extra_timeouts = 2;     // in extra time, replacing unused ones (Laws, appendix A)
   double extra_timeouts_s = 300_s;
 
-  // The end (2026): a team wins with this many goals and a lead of more than `goal_lead`; 0: never.
+  // The end of the game (2026): a team wins with this many goals and a lead of more than
+  // `goal_lead`; 0: never.
   int goals_to_win = 0;
   int goal_lead = 1;
   bool clock_stops = false;     // 2026: during halt, stop, preparation and placement

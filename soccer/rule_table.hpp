@@ -24,7 +24,7 @@ struct RuleEntry {
   std::string_view section(Edition edition) const;
 };
 
-// In the order of RuleId.
+// All rules, in the order of RuleId.
 std::span<const RuleEntry> rule_table();
 const RuleEntry& entry_of(RuleId rule);
 
