@@ -15,6 +15,11 @@ namespace autoref::referee {
 // leave the robots halted" (paper, section 4.2).
 enum class AfterGame : std::uint8_t { kHalt, kNewGame };
 
+// Who commands the game. Beside a person, AutoRef follows the person's commands; on its own call it
+// sends STOP, and the person decides how play resumes (paper, sections 4.1 and 5). If nobody
+// commands, play is on throughout, and calls are only reported.
+enum class Control : std::uint8_t { kAutoref, kHuman, kNone };
+
 struct Configuration {
   Field field;
   RuleBook rules;
@@ -25,6 +30,7 @@ struct Configuration {
   Side first_kickoff = Side::kWest;
   bool knockout = false;  // a draw leads to extra time and a shoot-out; allows at most two halves
   AfterGame after_game = AfterGame::kHalt;
+  Control control = Control::kAutoref;
   VisionNoise noise;      // noise in the vision frames
   TouchParameters touch;  // thresholds of the touch detector
 };

@@ -56,9 +56,11 @@ struct Decision {
 
   // The restart after a call that stopped play, or that changed the restart during a stop.
   std::optional<Command> restart() const {
-    const bool decides =
-        is_call(finding.event) && (from != to || finding.event == Event::kAttackerStaysNearArea);
-    return decides ? std::optional(finding.restart) : std::nullopt;
+    // If nobody commands the game, play stays on.
+    const bool stops =
+        from != to || (from == State::kRun && entry_of(finding.event).effect == Effect::kStopsPlay);
+    const bool decides = stops || finding.event == Event::kAttackerStaysNearArea;
+    return is_call(finding.event) && decides ? std::optional(finding.restart) : std::nullopt;
   }
 };
 

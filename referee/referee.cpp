@@ -4,10 +4,12 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "referee/geometry/ball_out.hpp"
 #include "referee/machine/ball_in_play.hpp"
+#include "referee/machine/beside_person.hpp"
 #include "referee/machine/decision_of.hpp"
 #include "referee/machine/machine.hpp"
 #include "referee/machine/readiness.hpp"
@@ -53,6 +55,17 @@ void validate(const Configuration& c) {
   require(rules.stuck_distance_m > 0, "stuck_distance_m must be positive", rules.stuck_distance_m);
 }
 
+// After a longer gap in vision, nothing is inferred across it.
+constexpr double kLongestGap_s = 1;
+
+// What a person decides: cards, timeouts and the end of the game.
+Configuration without_administration(Configuration configuration) {
+  if (configuration.control == Control::kAutoref) return configuration;
+  for (const RuleId rule : {RuleId::kCards, RuleId::kTimeouts, RuleId::kGoalLead})
+    configuration.rules.in_force[rule] = false;
+  return configuration;
+}
+
 // An event without evidence: the first frame, or the end of a briefly sent command.
 Finding passed_by_itself(Event event) {
   Finding finding;
@@ -66,7 +79,7 @@ Finding passed_by_itself(Event event) {
 class Referee::Impl {
  public:
   explicit Impl(const Configuration& configuration)
-      : configuration_(configuration),
+      : configuration_(without_administration(configuration)),
         tracker_(configuration.noise),
         online_touch_(frames_, configuration.field, configuration.touch, configuration.noise),
         retrospective_touch_(frames_, configuration.field, TouchHypothesisParameters{},
@@ -78,31 +91,103 @@ class Referee::Impl {
   }
 
   const RefereeSignal& update(const Frame& frame, const PerSide<TeamRequests>& requests) {
-    requests_ = requests;
-    seen_ = is_finite(frame) ? frame : finite_part(frame);
-    const Tracks& tracks = tracker_.update(seen_);
-    add_unseen_robots(tracks);
-    lift_ball(tracks);
-    return detect(seen_);
+    take(frame, requests);
+    return judge(tracker_.update(seen_));
   }
 
-  const Tracks& tracks() const { return tracker_.tracks(); }
+  const RefereeSignal& update(const Frame& frame, const Tracks& tracks,
+                              const PerSide<TeamRequests>& requests) {
+    take(frame, requests);
+    other_tracks_ = tracks;
+    return judge(other_tracks_);
+  }
+
+  void follow(const RefereeSignal& given) {
+    if (configuration_.control != Control::kHuman) return;
+    if (tracks_ == nullptr) {
+      pending_ = given;
+      return;
+    }
+    const RefereeInput input = input_with(online_touch_.last(), seen_);
+    const bool is_new = is_new_command(state_, given);
+    state_.person.given = given;
+    if (is_new) {
+      decide(input, finding_of_command(state_));
+    } else {
+      take_values(state_, input);
+    }
+  }
+
+  const Tracks& tracks() const { return tracks_ == nullptr ? tracker_.tracks() : *tracks_; }
 
   std::span<const Decision> decisions() const { return decisions_; }
   const RefereeState& state() const { return state_; }
 
  private:
+  void take(const Frame& frame, const PerSide<TeamRequests>& requests) {
+    requests_ = requests;
+    const bool is_gap = tracks_ != nullptr && frame.time_s - seen_.time_s > kLongestGap_s;
+    seen_ = is_finite(frame) ? frame : finite_part(frame);
+    if (is_gap) forget();
+  }
+
+  const RefereeSignal& judge(const Tracks& tracks) {
+    tracks_ = &tracks;
+    add_unseen_robots(tracks);
+    lift_ball(tracks);
+    detect(seen_);
+    if (pending_) follow(*std::exchange(pending_, std::nullopt));
+    return state_.signal;
+  }
+
+  // Tracks, touches and the rules' records begin afresh.
+  void forget() {
+    tracker_ = Tracker(configuration_.noise);
+    ball_.reset();
+    was_lifted_ = false;
+    joins_ = is_play(state_.machine_state);
+    state_.watch = RuleWatch{};
+    state_.ball_in_position_since_s.reset();
+    state_.saved = positions_in(seen_);
+    state_.person.goes_on = {};
+  }
+
+  // Joins play in the middle.
+  void join(const Frame& frame) {
+    joins_ = false;
+    state_.play = play_joined(input_with(online_touch_.last(), frame));
+    frames_.restart(frame, std::nullopt);
+    online_touch_.restart();
+  }
+
+  // Whether a ball that was called out is back on the field. Somebody has put it there.
+  bool has_returned() {
+    if (!state_.person.ball_is_out || !ball_ || is_out(*ball_)) return false;
+    state_.person.ball_is_out = false;
+    return true;
+  }
+
+  bool is_out(const BallSight& ball) const {
+    return is_out_of_field(configuration_.field, ball.position_m);
+  }
+
+  static bool is_play(State state) { return state == State::kRun || state == State::kCalled; }
+
+  // Follows the ball and its touches while play is on.
+  void follow_ball(const Frame& frame) {
+    if (has_returned()) joins_ = true;
+    if (joins_) return join(frame);
+    frames_.push(frame, tracks().ball);
+    online_touch_.update();
+    // The order of touches is the one that the online detector reports; the retrospective detector
+    // does not change it.
+    watch_play(state_.play, input_with(online_touch_.last(), frame));
+  }
+
   const RefereeSignal& detect(const Frame& frame) {
     decisions_.clear();
     see(frame);
-    if (state_.machine_state == State::kRun) {
-      frames_.push(frame, tracker_.tracks().ball);
-      online_touch_.update();
-    }
-    // The order of touches is the one that the online detector reports; the retrospective detector
-    // does not change it.
-    if (state_.machine_state == State::kRun)
-      watch_play(state_.play, input_with(online_touch_.last(), frame));
+    if (is_play(state_.machine_state)) follow_ball(frame);
     const LastTouch last_touch = evaluate_last_touch();
     const RefereeInput input = input_with(last_touch, frame);
     const State state = state_.machine_state;
@@ -113,20 +198,30 @@ class Referee::Impl {
     if (state_.machine_state == state && state_.signal.command_counter == sent) {
       if (const std::optional<Finding> found = find(input)) decide(input, *found);
     }
-    if (const std::optional<Finding> over = find_time_over(state_, input)) decide(input, *over);
-    state_.signal.stage_time_left_s = time_left_s(state_, configuration_, frame.time_s);
+    keep_time(input);
     return state_.signal;
   }
 
+  // The person beside AutoRef keeps the time.
+  void keep_time(const RefereeInput& input) {
+    if (configuration_.control != Control::kAutoref) {
+      if (state_.person.given)
+        state_.signal.stage_time_left_s = state_.person.given->stage_time_left_s;
+      return;
+    }
+    if (const std::optional<Finding> over = find_time_over(state_, input)) decide(input, *over);
+    state_.signal.stage_time_left_s = time_left_s(state_, configuration_, input.time_s());
+  }
+
   RefereeInput input_with(const LastTouch& last_touch, const Frame& frame) const {
-    return {configuration_, frame, ball_, last_touch, tracker_.tracks(), requests_, frames_};
+    return {configuration_, frame, ball_, last_touch, tracks(), requests_, frames_};
   }
 
   // Once the ball is out, the whole path since the touch is known.
   LastTouch evaluate_last_touch() const {
-    const bool is_out = state_.machine_state == State::kRun && ball_ &&
-                        is_out_of_field(configuration_.field, ball_->position_m);
-    return is_out ? retrospective_touch_.detect(online_touch_.last()) : online_touch_.last();
+    const bool has_left = state_.machine_state == State::kRun && !state_.person.ball_is_out &&
+                          ball_ && is_out(*ball_);
+    return has_left ? retrospective_touch_.detect(online_touch_.last()) : online_touch_.last();
   }
 
   // Robots missing from the frame are added at the tracker's estimate. Both lists are sorted by
@@ -166,12 +261,12 @@ class Referee::Impl {
     if (!frame.ball) return;
     const Vec2& now_m = frame.ball->position_m;
     const double height_m = frame.ball->height_m.value_or(0.0);
-    ball_ = BallSight{
-        now_m, ball_ ? ball_->position_m : now_m, height_m,
-        frame.ball->height_m || !tracker_.tracks().ball || tracker_.tracks().ball->is_height_known};
+    ball_ = BallSight{now_m, ball_ ? ball_->position_m : now_m, height_m,
+                      frame.ball->height_m || !tracks().ball || tracks().ball->is_height_known};
   }
 
   std::optional<Finding> find(const RefereeInput& input) {
+    if (configuration_.control != Control::kAutoref) return find_beside_person(input);
     switch (state_.machine_state) {
       case State::kInit:
         return passed_by_itself(Event::kBegin);
@@ -185,9 +280,25 @@ class Referee::Impl {
       case State::kRun:
       case State::kTimeout:
       case State::kOver:
+      case State::kCalled:
         break;
     }
     return std::nullopt;
+  }
+
+  std::optional<Finding> find_beside_person(const RefereeInput& input) {
+    switch (state_.machine_state) {
+      case State::kInit:
+        if (configuration_.control == Control::kHuman) return std::nullopt;
+        return passed_by_itself(Event::kBegin);
+      case State::kCalled:
+        return find_overruled(state_, input);
+      case State::kWaitStop:
+        watch_ball(state_, input);
+        return std::nullopt;
+      default:
+        return std::nullopt;
+    }
   }
 
   // Counted fouls do not change the machine's state, so later rules still run.
@@ -213,15 +324,22 @@ class Referee::Impl {
   }
 
   void decide(const RefereeInput& input, const Finding& finding) {
+    if (configuration_.control != Control::kAutoref && state_.machine_state == State::kRun &&
+        is_called_already(state_, input, finding)) {
+      return;
+    }
     Step taken = step(state_, input, finding);
     if (taken.transition == nullptr) return;
     // The step is a pure function, so `state_` is still the state before the step.
     decisions_.push_back(decision_of(state_, input, finding, taken));
     const bool play_starts =
-        state_.machine_state != State::kRun && taken.state.machine_state == State::kRun;
+        taken.state.machine_state == State::kRun &&
+        (!is_play(state_.machine_state) || taken.state.play.began_s != state_.play.began_s);
+    const bool is_joining = state_.machine_state == State::kInit;
     state_ = std::move(taken.state);
     if (!play_starts) return;
-    frames_.restart(input.frame, state_.play.ball_from_m);
+    // A play that is joined in the middle did not begin with the ball at rest.
+    frames_.restart(input.frame, is_joining ? std::nullopt : state_.play.ball_from_m);
     online_touch_.restart();
   }
 
@@ -230,6 +348,10 @@ class Referee::Impl {
   RefereeState state_;
   Frame seen_;
   Tracker tracker_;
+  Tracks other_tracks_;                   // if another tracker made them
+  const Tracks* tracks_ = nullptr;        // of the last frame; null before the first
+  std::optional<RefereeSignal> pending_;  // given before the first frame
+  bool joins_ = false;                    // play is joined afresh in the next frame
   bool was_lifted_ = false;  // whether lift_ball() moved the ball in the previous frame
   FrameHistory frames_;      // of the current play
   OnlineTouchDetector online_touch_;
@@ -247,6 +369,13 @@ Referee& Referee::operator=(Referee&&) noexcept = default;
 const RefereeSignal& Referee::update(const Frame& frame, const PerSide<TeamRequests>& requests) {
   return impl_->update(frame, requests);
 }
+
+const RefereeSignal& Referee::update(const Frame& frame, const Tracks& tracks,
+                                     const PerSide<TeamRequests>& requests) {
+  return impl_->update(frame, tracks, requests);
+}
+
+void Referee::follow(const RefereeSignal& given) { impl_->follow(given); }
 
 const Tracks& Referee::tracks() const { return impl_->tracks(); }
 std::span<const Decision> Referee::decisions() const { return impl_->decisions(); }

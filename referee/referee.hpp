@@ -32,14 +32,26 @@ class Referee {
 
   // Judges one frame and returns the signal now in force. Frames must be in order. Robots and ball
   // may be missing; the position of a robot unseen for less than half a second is extrapolated.
-  // Objects with non-finite numbers count as unseen.
+  // Objects with non-finite numbers count as unseen. After a gap of more than a second, tracks and
+  // touches begin afresh.
   const RefereeSignal& update(const Frame& frame, const PerSide<TeamRequests>& requests);
+
+  // The same with the tracks of another tracker, made from this frame, instead of its own.
+  const RefereeSignal& update(const Frame& frame, const Tracks& tracks,
+                              const PerSide<TeamRequests>& requests);
+
+  // Takes note of the signal of the person who commands the game (Control::kHuman; otherwise
+  // without effect). Call it after the last frame that was captured before the signal; repeated
+  // signals are harmless. A new command adds a decision to those of that frame. Its
+  // `command_time_s` is on the frames' clock and matters only if the command is older than the
+  // first frame. Signals before the first frame take effect after it.
+  void follow(const RefereeSignal& given);
 
   // The tracked robots and ball as of the last update. The league's referees also publish the
   // objects they track.
   const Tracks& tracks() const;
 
-  // The decisions of the last update, in order; usually empty.
+  // The decisions of the last update and of the signals followed since, in order; usually empty.
   std::span<const Decision> decisions() const;
 
   State state() const;

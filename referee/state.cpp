@@ -5,8 +5,8 @@
 namespace autoref::referee {
 
 std::string_view name_of(State state) {
-  static constexpr std::array<std::string_view, 7> kNames = {
-      "INIT", "WAIT_START", "WAIT_STOP", "RUN", "DELAY_WAIT", "OVER", "TIMEOUT"};
+  static constexpr std::array<std::string_view, 8> kNames = {
+      "INIT", "WAIT_START", "WAIT_STOP", "RUN", "DELAY_WAIT", "OVER", "TIMEOUT", "CALLED"};
   return kNames[static_cast<std::size_t>(state)];
 }
 

@@ -7,8 +7,8 @@
 
 namespace autoref::referee {
 
-// The states of the paper's machine (section 4.3, figure 3), the end of the game, and a team's
-// timeout. Never change a number: state hashes contain them.
+// The states of the paper's machine (section 4.3, figure 3), the end of the game, a team's timeout,
+// and the wait for a person's answer to a call. Never change a number: state hashes contain them.
 enum class State : std::uint8_t {
   kInit = 0,
   kWaitStart = 1,
@@ -17,6 +17,7 @@ enum class State : std::uint8_t {
   kDelayWait = 4,
   kOver = 5,
   kTimeout = 6,
+  kCalled = 7,
 };
 
 // The paper's name, such as "WAIT_STOP".

@@ -19,31 +19,6 @@ constexpr double kHaltLasts_s = 2;
 
 Command kickoff_of(Side side) { return {CommandKind::kPrepareKickoff, side}; }
 
-void send(RefereeState& state, const RefereeInput& input, const Command& command) {
-  state.signal.command = command;
-  state.signal.command_time_s = input.time_s();
-  ++state.signal.command_counter;
-}
-
-// "When entering the WAIT_STOP state, AutoRef saves the current positions" (paper, section 4.4).
-void wait_anew(RefereeState& state, const RefereeInput& input) {
-  state.wait_began_s = input.time_s();
-  state.checked_s = input.time_s();
-  state.saved = positions_in(input.frame);
-}
-
-void place_ball(RefereeState& state, const Vec2& target_m) {
-  state.signal.placement = Placement{target_m, false};
-  state.ball_in_position_since_s.reset();
-}
-
-void end_play(RefereeState& state) {
-  state.play = PlayState{};
-  state.watch = RuleWatch{};
-  state.retakes = Retakes{};
-  state.signal.placement.reset();
-}
-
 void start_clock(RefereeState& state, const RefereeInput& input) {
   state.signal.stage = stage_of(state.half);
   state.half_began_s = clock_s(state, input.configuration.rules, input.time_s());
@@ -68,13 +43,37 @@ void signal_goal(RefereeState& state, const RefereeInput& input, const Finding& 
   state.delay_ends_s = input.time_s();
 }
 
+}  // namespace
+
+void send(RefereeState& state, const RefereeInput& input, const Command& command) {
+  state.signal.command = command;
+  state.signal.command_time_s = input.time_s();
+  ++state.signal.command_counter;
+}
+
+void wait_anew(RefereeState& state, const RefereeInput& input) {
+  state.wait_began_s = input.time_s();
+  state.checked_s = input.time_s();
+  state.saved = positions_in(input.frame);
+}
+
+void place_ball(RefereeState& state, const Vec2& target_m) {
+  state.signal.placement = Placement{target_m, false};
+  state.ball_in_position_since_s.reset();
+}
+
+void end_play(RefereeState& state) {
+  state.play = PlayState{};
+  state.watch = RuleWatch{};
+  state.retakes = Retakes{};
+  state.signal.placement.reset();
+}
+
 std::optional<Side> kicker_of(const RefereeState& state, const Command& command) {
   if (command.kind == CommandKind::kNormalStart && state.prepared) return state.prepared->side;
   if (is_for_one_side(command.kind)) return command.side;
   return std::nullopt;
 }
-
-}  // namespace
 
 // Deviation D1: STOP lets the clients move.
 void begin(RefereeState& state, const RefereeInput& input, const Finding& /*finding*/) {

@@ -16,6 +16,15 @@ struct Action {
   void (*take)(RefereeState& state, const RefereeInput& input, const Finding& finding);
 };
 
+// Parts that several actions share. Sends a command.
+void send(RefereeState& state, const RefereeInput& input, const Command& command);
+// "When entering the WAIT_STOP state, AutoRef saves the current positions" (paper, section 4.4).
+void wait_anew(RefereeState& state, const RefereeInput& input);
+void place_ball(RefereeState& state, const Vec2& target_m);
+void end_play(RefereeState& state);
+// The side that takes the restart which `command` starts; nullopt for a force start.
+std::optional<Side> kicker_of(const RefereeState& state, const Command& command);
+
 void begin(RefereeState& state, const RefereeInput& input, const Finding& finding);
 void prepare_first_kickoff(RefereeState& state, const RefereeInput& input, const Finding& finding);
 void send_preparation(RefereeState& state, const RefereeInput& input, const Finding& finding);

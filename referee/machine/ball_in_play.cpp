@@ -25,6 +25,10 @@ PlayState play_begun(Command command, std::optional<Side> kicker, const RefereeI
   return play;
 }
 
+PlayState play_joined(const RefereeInput& input) {
+  return play_begun({CommandKind::kForceStart, Side::kWest}, std::nullopt, input);
+}
+
 void watch_play(PlayState& play, const RefereeInput& input) {
   play.entered_now = false;
   if (!input.ball) return;

@@ -11,6 +11,10 @@ namespace autoref::referee {
 // force start.
 PlayState play_begun(Command command, std::optional<Side> kicker, const RefereeInput& input);
 
+// The state of play if it is on, but its beginning was not seen: the ball is in play, and nothing
+// is known of earlier touches.
+PlayState play_joined(const RefereeInput& input);
+
 // Updates the state with one frame of RUN.
 void watch_play(PlayState& play, const RefereeInput& input);
 

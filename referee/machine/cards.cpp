@@ -70,23 +70,34 @@ Card next_card(const CardBook& cards, const RuleBook& rules) {
   return is_last_straw ? Card::kRed : Card::kYellow;
 }
 
-void book(RefereeState& state, const RefereeInput& input, const Finding& finding) {
-  const PerSide<int> before = state.signal.robots_allowed;
-  const bool gives_card =
-      finding.card != Card::kNone && input.configuration.rules.has(RuleId::kCards);
+void count_foul(RefereeState& state, const RefereeInput& input, const Finding& finding) {
   for (const Side side : kSides) {
     if (!concerns(finding, side)) continue;
     if (finding.is_foul) ++state.cards[side].fouls;
     if (entry_of(finding.event).is_non_stopping) state.cards[side].fouled_s = input.time_s();
     if (finding.event == Event::kTooManyRobots) state.cards[side].too_many_called = true;
-    if (gives_card) show(state, input, side, finding.card);
   }
-  allow_robots(state, input.configuration);
+}
+
+void note_robots_allowed(RefereeState& state, const RefereeInput& input,
+                         const PerSide<int>& before) {
   for (const Side side : kSides) {
     if (state.signal.robots_allowed[side] == before[side]) continue;
     state.cards[side].fewer_since_s = input.time_s();
     state.cards[side].too_many_called = false;
   }
+}
+
+void book(RefereeState& state, const RefereeInput& input, const Finding& finding) {
+  const PerSide<int> before = state.signal.robots_allowed;
+  const bool gives_card =
+      finding.card != Card::kNone && input.configuration.rules.has(RuleId::kCards);
+  count_foul(state, input, finding);
+  for (const Side side : kSides) {
+    if (gives_card && concerns(finding, side)) show(state, input, side, finding.card);
+  }
+  allow_robots(state, input.configuration);
+  note_robots_allowed(state, input, before);
 }
 
 void take_card_off(RefereeState& state, const Configuration& configuration,

@@ -19,6 +19,14 @@ Card next_card(const CardBook& cards, const RuleBook& rules);
 std::string card_reason(const PerSide<CardBook>& before, const Finding& finding, Card shown,
                         const RuleBook& rules);
 
+// Counts the finding's foul against the offender, or against both sides if there is none, without
+// showing a card.
+void count_foul(RefereeState& state, const RefereeInput& input, const Finding& finding);
+
+// Notes for each side that the number of robots allowed has changed from `before` in this frame.
+void note_robots_allowed(RefereeState& state, const RefereeInput& input,
+                         const PerSide<int>& before);
+
 // Counts the finding's foul against the offender, or against both sides if there is none. If cards
 // are in force, shows the card that is due.
 void book(RefereeState& state, const RefereeInput& input, const Finding& finding);

@@ -11,10 +11,6 @@ bool comes_in_play(Event event, Effect effect) {
   return entry.effect == effect && entry.when != When::kInStop;
 }
 
-bool stops_play(Event event) { return comes_in_play(event, Effect::kStopsPlay); }
-bool stops_play_by_book(Event event) { return comes_in_play(event, Effect::kStopsByBook); }
-bool counts_in_play(Event event) { return comes_in_play(event, Effect::kCounts); }
-
 // clang-format off
 constexpr std::array kInFigure = {
   Transition{"begin", State::kInit, Event::kBegin, kAlways, kBeginGames,
@@ -64,11 +60,6 @@ constexpr std::array kOutsideFigure = {
         State::kWaitStop, "paper 4.2", ""},
 };
 
-constexpr Trigger kCallThatStopsPlay{"a call that stops play", stops_play};
-constexpr Trigger kCallByBook{"a call that stops play by the book", stops_play_by_book};
-constexpr Trigger kCallThatCounts{"a call that only counts", counts_in_play};
-constexpr Trigger kCallInStop{"a call that may be made in a stop", may_come_in_stop};
-
 constexpr std::array kBeyondPaper = {
   Transition{"", std::nullopt, Event::kAttackerStaysNearArea, kSecondNearArea, kHaltForFoul,
         State::kDelayWait, "2026", ""},
@@ -103,12 +94,22 @@ void follow_play(RefereeState& state, State before, double now_s) {
   if (state.machine_state == State::kRun) state.play_clock.start(now_s);
 }
 
+const Transition* find_transition(std::span<const Transition> transitions,
+                                  const RefereeState& state, const RefereeInput& input,
+                                  Event event) {
+  for (const Transition& transition : transitions) {
+    if (leads_on(transition, state, input, event)) return &transition;
+  }
+  return nullptr;
+}
+
 const Transition* find_transition(const RefereeState& state, const RefereeInput& input,
                                   Event event) {
+  if (input.configuration.control != Control::kAutoref)
+    return find_transition(transitions_beside_person(), state, input, event);
   for (const std::span<const Transition> transitions : all_transitions()) {
-    for (const Transition& transition : transitions) {
-      if (leads_on(transition, state, input, event)) return &transition;
-    }
+    const Transition* found = find_transition(transitions, state, input, event);
+    if (found != nullptr) return found;
   }
   return nullptr;
 }
@@ -118,6 +119,10 @@ void add_once(std::vector<std::string_view>& labels, std::string_view label) {
 }
 
 }  // namespace
+
+bool stops_play(Event event) { return comes_in_play(event, Effect::kStopsPlay); }
+bool stops_play_by_book(Event event) { return comes_in_play(event, Effect::kStopsByBook); }
+bool counts_in_play(Event event) { return comes_in_play(event, Effect::kCounts); }
 
 std::span<const Transition> transitions_in_figure() { return kInFigure; }
 std::span<const Transition> transitions_outside_figure() { return kOutsideFigure; }

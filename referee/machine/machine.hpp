@@ -20,6 +20,11 @@
 
 namespace autoref::referee {
 
+// Whether a call of this event would stop play: at once, or if fouls do by the rule book.
+bool stops_play(Event event);
+bool stops_play_by_book(Event event);
+bool counts_in_play(Event event);
+
 // What triggers a transition: one event, or every event of a kind (event.hpp).
 struct Trigger {
   constexpr Trigger(Event of) : event(of) {}  // implicit, so that a row can name its event
@@ -32,6 +37,11 @@ struct Trigger {
   std::string_view text{};  // wording of the kind of event
   bool (*includes)(Event) = nullptr;
 };
+
+inline constexpr Trigger kCallThatStopsPlay{"a call that stops play", stops_play};
+inline constexpr Trigger kCallByBook{"a call that stops play by the book", stops_play_by_book};
+inline constexpr Trigger kCallThatCounts{"a call that only counts", counts_in_play};
+inline constexpr Trigger kCallInStop{"a call that may be made in a stop", may_come_in_stop};
 
 struct Transition {
   std::string_view label;     // if empty, the event's name
@@ -57,8 +67,11 @@ std::span<const Transition> transitions_beyond_paper();
 // because a goal in a shoot-out has its own transition.
 std::span<const Transition> transitions_of_administration();
 
-// All transitions, in the order in which they are tried.
+// All transitions while AutoRef commands the game, in the order in which they are tried.
 std::array<std::span<const Transition>, 4> all_transitions();
+
+// All transitions while a person or nobody commands the game (beside_person.cpp).
+std::span<const Transition> transitions_beside_person();
 
 // Every label that a step may have, in the order of all_transitions().
 std::vector<std::string_view> all_labels();

@@ -34,11 +34,11 @@ std::string evidence_of(const Transition& transition) {
   return fmt::format("{} ({})", transition.evidence, transition.deviations);
 }
 
-std::string diagram() {
+std::string diagram(std::span<const Transition> transitions) {
   std::string text = "```mermaid\nstateDiagram-v2\n  [*] --> INIT\n";
-  for (const Transition& transition : transitions_in_figure()) {
-    text +=
-        fmt::format("  {} --> {}: {}\n", from_of(transition), to_of(transition), transition.label);
+  for (const Transition& transition : transitions) {
+    text += fmt::format("  {} --> {}: {}\n", from_of(transition), to_of(transition),
+                        transition.label.empty() ? transition.trigger.text : transition.label);
   }
   return text + "```\n";
 }
@@ -84,8 +84,14 @@ std::string machine_figure() {
   return fmt::format(
       "{}\n{}\nOutside the figure, the game's time:\n\n{}\nBeyond the paper, under other rule "
       "books:\n\n{}\nCards, timeouts and knockout games, tried before all others:\n\n{}",
-      diagram(), table_of(transitions_in_figure()), table_of(transitions_outside_figure()),
-      table_of(transitions_beyond_paper()), table_of(transitions_of_administration()));
+      diagram(transitions_in_figure()), table_of(transitions_in_figure()),
+      table_of(transitions_outside_figure()), table_of(transitions_beyond_paper()),
+      table_of(transitions_of_administration()));
+}
+
+std::string machine_figure_beside_person() {
+  return fmt::format("{}\n{}", diagram(transitions_beside_person()),
+                     table_of(transitions_beside_person()));
 }
 
 }  // namespace autoref::referee

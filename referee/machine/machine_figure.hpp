@@ -9,6 +9,9 @@ namespace autoref::referee {
 // transitions. Ends with a newline.
 std::string machine_figure();
 
+// The same for the transitions beside a person.
+std::string machine_figure_beside_person();
+
 // A Markdown table of calls and cards, with the league's names and the consequences. Ends with a
 // newline.
 std::string event_figure();

@@ -26,17 +26,6 @@ double rest_time_s(const RuleBook& rules) {
   return 2 * rules.ball_in_position_m / rules.ball_at_rest_mps;
 }
 
-void watch_ball(RefereeState& state, const RefereeInput& input) {
-  const bool in_position = input.ball && state.signal.placement &&
-                           (input.ball->position_m - state.signal.placement->target_m).norm() <=
-                               input.configuration.rules.ball_in_position_m;
-  if (!in_position) {
-    state.ball_in_position_since_s.reset();
-  } else if (!state.ball_in_position_since_s) {
-    state.ball_in_position_since_s = input.time_s();
-  }
-}
-
 bool rests_in_position(const RefereeState& state, const RefereeInput& input) {
   return state.ball_in_position_since_s &&
          has_passed(*state.ball_in_position_since_s, rest_time_s(input.configuration.rules),
@@ -129,6 +118,17 @@ LargestMoves largest_moves(const SavedPositions& saved, const Frame& frame) {
     }
   }
   return moves;
+}
+
+void watch_ball(RefereeState& state, const RefereeInput& input) {
+  const bool in_position = input.ball && state.signal.placement &&
+                           (input.ball->position_m - state.signal.placement->target_m).norm() <=
+                               input.configuration.rules.ball_in_position_m;
+  if (!in_position) {
+    state.ball_in_position_since_s.reset();
+  } else if (!state.ball_in_position_since_s) {
+    state.ball_in_position_since_s = input.time_s();
+  }
 }
 
 std::optional<Finding> find_start(RefereeState& state, const RefereeInput& input) {

@@ -20,6 +20,9 @@ struct LargestMoves {
 };
 LargestMoves largest_moves(const SavedPositions& saved, const Frame& frame);
 
+// Records since when the ball has been at its position.
+void watch_ball(RefereeState& state, const RefereeInput& input);
+
 // In WAIT_START: kRobotsMoved if a periodic check finds at least one robot of each team more than
 // epsilon from its saved position, or kStartTimeout after the timeout.
 std::optional<Finding> find_start(RefereeState& state, const RefereeInput& input);

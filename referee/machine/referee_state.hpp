@@ -83,6 +83,29 @@ struct ShootoutBook {
   PerSide<int> goals;
 };
 
+// AutoRef's own call, while it waits for the person's answer, and its record afterwards, so that
+// one event is not called twice.
+struct OwnCall {
+  Finding finding;
+  double called_s = 0;
+  double found_s = 0;        // when the rule last found it
+  bool ball_is_out = false;  // the ball was outside the field
+};
+
+// Signs that play continues after a call, in spite of it.
+struct PlayGoesOn {
+  std::optional<double> ball_on_field_since_s;
+  PerSide<std::optional<double>> fast_s;  // when a robot last was faster than a stop allows
+};
+
+// What the machine keeps beside a person.
+struct PersonWatch {
+  std::optional<RefereeSignal> given;                 // the person's last signal
+  boost::container::static_vector<OwnCall, 8> calls;  // of the current play, oldest first
+  bool ball_is_out = false;  // a call was made while the ball was out, and it has not come back
+  PlayGoesOn goes_on;        // in CALLED
+};
+
 struct RefereeState {
   State machine_state = State::kInit;
   RefereeSignal signal;  // in force; includes score, placement and the paper's `next`
@@ -107,6 +130,8 @@ struct RefereeState {
   double half_began_s = 0;  // start of the half, on the clock of clock_s() (timekeeping.hpp)
   int games_finished = 0;
   boost::container::static_vector<PerSide<int>, kMaxHalves> goals_by_half{PerSide<int>{}};
+
+  PersonWatch person;
 };
 
 }  // namespace autoref::referee

@@ -41,7 +41,7 @@ void prepare_next_kick(Finding& finding, const RefereeInput& input, Side kicker)
 // kGoal or kPenaltyFailed in RUN.
 std::optional<Finding> find_kick_over(RefereeState& state, const RefereeInput& input) {
   const RuleBook& rules = input.configuration.rules;
-  const Side kicker = next_kicker(state.shootout, input.configuration);
+  const Side kicker = state.play.kicker.value_or(next_kicker(state.shootout, input.configuration));
   const int number = state.shootout.kicks[kicker] + 1;
   std::optional<Finding> goal = kGoalRule.find(state, input);
   if (goal && goal->restart.side == opponent_of(kicker)) {

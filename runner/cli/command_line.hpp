@@ -94,6 +94,7 @@ struct RefereeArguments {
   std::string log;
   std::string rules = "paper";
   std::string first_kickoff;  // empty: as in the log
+  std::string control;        // empty: human if the log has a referee's commands, else none
   std::string camera;  // camera preset; empty: no vision error except the rounding in the packets
   std::vector<std::string> sets;  // "key=value"
   std::string events;             // output file for AutoRef's decisions; empty: none

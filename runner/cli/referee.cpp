@@ -42,6 +42,7 @@ GameSettings game_of(const RefereeArguments& arguments, const Assignments& assig
     if (!value.empty()) blame(flag, [&] { set_by_path(game, path, value); });
   };
   set("--camera", "sim.camera", arguments.camera);
+  set("--control", "match.control", arguments.control);
   set("--first-kickoff", "match.first_kickoff", arguments.first_kickoff);
   for (const Assignment& assignment : assignments) assign(assignment, game);
   try {
@@ -104,6 +105,10 @@ void add_referee_verb(CLI::App& app, Chosen& chosen) {
   verb->add_option("--first-kickoff", arguments->first_kickoff,
                    "Side of the first kick-off, overriding the log.")
       ->type_name("west|east");
+  verb->add_option("--control", arguments->control,
+                   "Who commands the game: human, the recorded referee (default if the log has "
+                   "one); none, play is on throughout; or autoref.")
+      ->type_name("human|none|autoref");
   verb->add_option("--camera", arguments->camera, "Camera preset that describes the vision noise.")
       ->type_name("PRESET");
   add_set_option(*verb, arguments->sets);
@@ -112,6 +117,9 @@ void add_referee_verb(CLI::App& app, Chosen& chosen) {
       ->type_name("FILE");
   verb->add_flag("--json", arguments->json, "Print one JSON object.");
   verb->footer(
+      "Beside the recorded referee, AutoRef follows its commands and makes its own calls in "
+      "between.\n"
+      "With --control autoref it ignores them and runs the game by itself.\n\n"
       "Field, lengths of halves, first kick-off and robots are taken from the log if it has them;\n"
       "anything missing is reported once, with the option that sets it. A log of several games is\n"
       "refereed game by game. Yellow is west. If blue defends the goal at -x in the log, the\n"

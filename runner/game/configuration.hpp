@@ -27,6 +27,7 @@ struct MatchConfiguration {
   double break_s = 0;
   bool knockout = false;
   referee::AfterGame after_game = referee::AfterGame::kHalt;
+  referee::Control control = referee::Control::kAutoref;
   Side a_plays = Side::kWest;
   Side first_kickoff = Side::kWest;
 };

@@ -49,6 +49,7 @@ GameSettings logged_game(const std::string& book, const RecordedFacts& facts,
   if (recorded.extra_half_s) game.match.extra_half_s = *recorded.extra_half_s;
   game.match.knockout = recorded.is_knockout;
   if (recorded.first_kickoff) game.match.first_kickoff = *recorded.first_kickoff;
+  game.match.control = facts.last_signal ? referee::Control::kHuman : referee::Control::kNone;
   game.a.robots = std::max(1, facts.robots[Side::kWest]);
   game.b.robots = std::max(1, facts.robots[Side::kEast]);
   return game;
@@ -85,18 +86,21 @@ std::vector<std::string> gaps_of(const RecordedFacts& facts, const GameSettings&
        fmt::format("the geometry has no defence areas: using a depth of {} m as in the rules {} "
                    "(change with --set field.defence_area.depth_m=...)",
                    field.defence_area.depth_m, game.match.rules));
-  note(!has_referee, "", "no referee packets: nothing to compare AutoRef's calls with");
+  note(!has_referee, "match.control",
+       "no referee packets: play is taken to be on throughout, and there is nothing to compare "
+       "AutoRef's calls with (change with --control autoref)");
+  const bool is_alone = game.match.control == referee::Control::kAutoref;
   note(
-      !recorded.half_s, "match.half_s",
+      is_alone && !recorded.half_s, "match.half_s",
       fmt::format("the clock of the first half is missing: using halves of {} s (change with --set "
                   "match.half_s=...)",
                   game.match.half_s));
-  note(!recorded.first_kickoff, "match.first_kickoff",
+  note(is_alone && !recorded.first_kickoff, "match.first_kickoff",
        fmt::format(
            "the first kick-off is missing: giving it to {} (change with --first-kickoff west|east)",
            name_of(game.match.first_kickoff)));
   const std::optional<Command> begun = play_begun(facts);
-  if (begun) {
+  if (is_alone && begun) {
     note(true, "",
          fmt::format(
              "the log starts in the middle of play ({}): AutoRef starts with a kick-off of its "

@@ -10,7 +10,8 @@
 
 namespace autoref::runner {
 
-// A game under the rule book, with field, robots, lengths and first kick-off overridden by the log.
+// A game under the rule book, with field, robots, lengths and first kick-off overridden by the log,
+// commanded by the recorded referee if there is one and by nobody otherwise.
 // `recorded` is one of the log's games. Throws std::invalid_argument for an unknown rule book.
 GameSettings logged_game(const std::string& book, const RecordedFacts& facts,
                          const RecordedGame& recorded);

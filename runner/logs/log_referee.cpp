@@ -1,5 +1,7 @@
 #include "runner/logs/log_referee.hpp"
 
+#include <deque>
+#include <optional>
 #include <utility>
 
 #include "league/referee_message.hpp"
@@ -14,6 +16,35 @@ Frame turned(const Frame& frame) {
   std::swap(other.robots[Side::kWest], other.robots[Side::kEast]);
   return other;
 }
+
+// The signal seen from the other end; sides are colours and stay.
+RefereeSignal turned(RefereeSignal signal) {
+  if (signal.placement) signal.placement->target_m = -signal.placement->target_m;
+  return signal;
+}
+
+// AutoRef's own calls beside a person: each lasts from its STOP until play goes on.
+class OwnCalls {
+ public:
+  void take(const referee::Decision& decision) {
+    const bool stops = decision.to == referee::State::kCalled;
+    if (stops) open_ = Call{decision.time_s, decision.time_s, decision.finding.restart};
+    if (open_) open_->restart_s = decision.time_s;
+    if (!open_ || stops || decision.to != referee::State::kRun) return;
+    calls_.push_back(*open_);
+    open_.reset();
+  }
+
+  std::vector<Call> calls() const {
+    std::vector<Call> all = calls_;
+    if (open_) all.push_back(*open_);
+    return all;
+  }
+
+ private:
+  std::optional<Call> open_;
+  std::vector<Call> calls_;
+};
 
 class LogReferee final : public league::LogVisitor {
  public:
@@ -32,11 +63,14 @@ class LogReferee final : public league::LogVisitor {
     is_next_game_ = false;
   }
 
-  void on_referee(double /*time_s*/, const league::RefereePacket& packet) override {
-    const std::optional<RefereeSignal> signal = league::signal_of(packet);
-    if (signal && next_game_.begins_with(signal->stage))
-      is_next_game_ = game_ + 1 < configurations_.size();
+  void on_referee(double time_s, const league::RefereePacket& packet) override {
     if (packet.has_blue_team_on_positive_half()) is_turned_ = !packet.blue_team_on_positive_half();
+    std::optional<RefereeSignal> signal = league::signal_of(packet);
+    if (!signal) return;
+    if (next_game_.begins_with(signal->stage)) is_next_game_ = game_ + 1 < configurations_.size();
+    if (signals_.size() == kMostWaiting) signals_.pop_front();
+    signal->command_time_s = time_s - command_age_s(packet);
+    signals_.push_back({time_s, is_turned_ ? turned(*signal) : *signal});
   }
 
   LogRefereeResult evaluation(const Agreement& agreement) const {
@@ -47,25 +81,55 @@ class LogReferee final : public league::LogVisitor {
     return evaluation;
   }
 
-  const std::vector<Call>& calls() const { return calls_.calls(); }
+  std::vector<Call> calls() const {
+    return is_beside_person() ? own_calls_.calls() : calls_.calls();
+  }
 
  private:
+  struct TimedSignal {
+    double time_s = 0;
+    RefereeSignal signal;
+  };
+
+  // More than a minute of signals without a frame.
+  static constexpr std::size_t kMostWaiting = 4096;
+
+  static double command_age_s(const league::RefereePacket& packet) {
+    const double age_s = (static_cast<double>(packet.packet_timestamp()) -
+                          static_cast<double>(packet.command_timestamp())) /
+                         1e6;
+    return age_s > 0 && age_s < 3600 ? age_s : 0;
+  }
+
+  bool is_beside_person() const {
+    return configurations_[game_].control != referee::Control::kAutoref;
+  }
+
   void take(const Frame& frame) {
     referee_.update(is_turned_ ? turned(frame) : frame, {});
+    while (!signals_.empty() && signals_.front().time_s <= frame.time_s + kSameTime_s) {
+      referee_.follow(signals_.front().signal);
+      signals_.pop_front();
+    }
     for (const referee::Decision& decision : referee_.decisions()) {
       ++decisions_;
       log_.on_decision(decision);
+      own_calls_.take(decision);
       if (decision.command) calls_.take(decision.time_s, *decision.command);
     }
   }
+
+  static constexpr double kSameTime_s = 1e-6;  // times in logs are rounded
 
   const std::vector<referee::Configuration>& configurations_;
   std::size_t game_ = 0;
   NextGame next_game_;
   bool is_next_game_ = false;
   referee::Referee referee_;
+  std::deque<TimedSignal> signals_;  // given after the last frame judged
   EventLog log_;
   CallMaker calls_;
+  OwnCalls own_calls_;
   bool is_turned_ = false;
   int decisions_ = 0;
 };

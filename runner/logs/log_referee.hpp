@@ -1,4 +1,4 @@
-// Lets AutoRef referee a recorded game from its vision packets alone.
+// Lets AutoRef referee a recorded game: alone, or beside the recorded referee.
 #pragma once
 
 #include <filesystem>
@@ -18,10 +18,11 @@ struct LogRefereeResult {
   int decisions = 0;
 };
 
-// Judges every frame of the log in order. Each game of the log has its own configuration and
-// referee; the last configuration is reused if there are more games. The goals in the result are
-// those of the last game. If the recorded referee says that blue defends the goal at -x, frames are
-// rotated, since AutoRef assumes that yellow is west. Throws league::LogError, and
+// Judges every frame of the log in order. Under Control::kHuman, AutoRef follows the recorded
+// referee's signals, each after the last frame captured before it. Each game of the log has its own
+// configuration and referee; the last configuration is reused if there are more games. The goals in
+// the result are those of the last game. If the recorded referee says that blue defends the goal at
+// -x, frames are rotated, since AutoRef assumes that yellow is west. Throws league::LogError, and
 // std::invalid_argument if a configuration is not valid for a referee. `configurations` must not be
 // empty.
 LogRefereeResult referee_log(const std::filesystem::path& log, const RecordedFacts& facts,

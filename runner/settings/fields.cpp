@@ -61,6 +61,8 @@ void list_match(GameSettings& game, Branch to) {
   to.yes_or_no("knockout", match.knockout, "extra time and a shoot-out after a draw");
   to.word("after_game", match.after_game, {"halt", "new_game"},
           "what the referee does after the game; the result row covers one game only");
+  to.word("control", match.control, {"autoref", "human", "none"},
+          "who commands the game; others than autoref only in recorded games");
   to.number("extra_half_s", match.extra_half_s, positive(36000), "s",
             "length of each half of extra time");
   to.word("a_plays", match.a_plays, sides, "side of team a; team b plays on the other");

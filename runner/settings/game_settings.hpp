@@ -53,6 +53,7 @@ struct MatchSettings {
   bool knockout = false;
   double extra_half_s = 300;  // in knockout games
   referee::AfterGame after_game = referee::AfterGame::kHalt;
+  referee::Control control = referee::Control::kAutoref;
   Side a_plays = Side::kWest;
   Side first_kickoff = Side::kWest;
 };

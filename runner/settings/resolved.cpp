@@ -25,6 +25,7 @@ MatchConfiguration resolved(const MatchSettings& settings) {
   match.break_s = settings.break_s;
   match.knockout = settings.knockout;
   match.after_game = settings.after_game;
+  match.control = settings.control;
   match.a_plays = settings.a_plays;
   match.first_kickoff = settings.first_kickoff;
   return match;

@@ -119,6 +119,11 @@ void check_team(const GameSettings& game, const TeamSettings& team, std::string_
 }
 
 void check_game(const GameSettings& game) {
+  if (game.match.control != referee::Control::kAutoref) {
+    throw SettingError("match.control",
+                       ": in a simulated game only autoref commands; the others are for recorded "
+                       "games (autoref referee)");
+  }
   check_team(game, game.a, "teams.a");
   check_team(game, game.b, "teams.b");
   check_world("", game.field);

@@ -28,6 +28,13 @@ TEST(MachineFigure, InTheReadmeIsPrintedFromTheTable) {
       << figure;
 }
 
+TEST(MachineFigure, BesideAPersonInTheReadmeIsPrintedFromTheTable) {
+  const std::string figure = machine_figure_beside_person();
+  EXPECT_NE(readme().find(figure), std::string::npos)
+      << "referee/README.md should show this figure:\n\n"
+      << figure;
+}
+
 TEST(EventFigure, InTheReadmeIsPrintedFromTheTable) {
   EXPECT_NE(readme().find(event_figure()), std::string::npos)
       << "referee/README.md should show this table:\n\n"

@@ -1,0 +1,350 @@
+#include "referee/machine/beside_person.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "referee/geometry/ball_out.hpp"
+#include "referee/machine/actions.hpp"
+#include "referee/machine/ball_in_play.hpp"
+#include "referee/machine/cards.hpp"
+#include "referee/machine/machine.hpp"
+#include "referee/machine/retakes.hpp"
+#include "soccer/units.hpp"
+
+namespace autoref::referee {
+namespace {
+
+constexpr double kSlowDown_s = 2_s;              // 2026: robots have 2 s to slow down after a STOP
+constexpr double kGoesOn_s = 1_s;                // our choice
+constexpr double kLongestWait_s = 15_s;          // for the person's answer to a call; our choice
+constexpr double kCalledFor_s = 1_s;             // our choice: later, the event is a new one
+constexpr double kFasterThanStop_mps = 0.3_mps;  // margin for the estimate of a robot's speed
+
+CommandKind given_kind(const RefereeState& state) { return state.person.given->command.kind; }
+
+bool starts_play(CommandKind kind) {
+  return kind == CommandKind::kNormalStart || kind == CommandKind::kForceStart ||
+         kind == CommandKind::kDirectFree || kind == CommandKind::kIndirectFree;
+}
+
+bool given_starts_play(const RefereeState& state, const Configuration& /*configuration*/) {
+  return starts_play(given_kind(state));
+}
+
+bool given_halts(const RefereeState& state, const Configuration& /*configuration*/) {
+  return given_kind(state) == CommandKind::kHalt || given_kind(state) == CommandKind::kGoal;
+}
+
+bool given_is_timeout(const RefereeState& state, const Configuration& /*configuration*/) {
+  return given_kind(state) == CommandKind::kTimeout;
+}
+
+bool person_commands(const RefereeState& /*state*/, const Configuration& configuration) {
+  return configuration.control == Control::kHuman;
+}
+
+bool nobody_commands(const RefereeState& /*state*/, const Configuration& configuration) {
+  return configuration.control == Control::kNone;
+}
+
+bool person_commands_fouls_stop(const RefereeState& state, const Configuration& configuration) {
+  return person_commands(state, configuration) && fouls_stop_play(state, configuration);
+}
+
+bool is_play(State state) { return state == State::kRun || state == State::kCalled; }
+
+// The half that a stage belongs to, counted from 0; the stages before a half and the break before
+// it belong to it.
+int half_of(Stage stage) {
+  constexpr std::array<int, 14> kHalves = {0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3, 3, 3, 3};
+  return kHalves[static_cast<std::size_t>(stage)];
+}
+
+void count_goals(RefereeState& state) {
+  auto& by_half = state.goals_by_half;
+  const int half = half_of(state.signal.stage);
+  const bool is_shootout = state.signal.stage >= Stage::kShootoutBreak;
+  if (half < state.half && !is_shootout) by_half.assign(1, {});  // another game
+  if (!is_shootout) state.half = half;
+  while (static_cast<int>(by_half.size()) <= state.half) by_half.push_back({});
+  for (const Side side : kSides) {
+    int before = 0;
+    for (std::size_t i = 0; i + 1 < by_half.size(); ++i) before += by_half[i][side];
+    by_half.back()[side] = state.signal.goals[side] - before;
+  }
+}
+
+// A kick of a shoot-out ends with its play.
+void count_kick(RefereeState& state) {
+  if (state.signal.stage == Stage::kShootout && state.play.kicker)
+    ++state.shootout.kicks[*state.play.kicker];
+}
+
+void end_followed_play(RefereeState& state) {
+  if (!is_play(state.machine_state)) return;
+  count_kick(state);
+  // As after AutoRef's own stop (actions.cpp), the second foul near the area and the second attempt
+  // at a restart count.
+  const PerSide<int> fouls_near_area = state.watch.attacker_too_close_to_defense_area.fouls;
+  const OwnCall* call = state.person.calls.empty() ? nullptr : &state.person.calls.back();
+  const Retakes retakes = call == nullptr ? Retakes{} : retakes_after(state.retakes, call->finding);
+  const bool stays_near_area =
+      call != nullptr && call->finding.event == Event::kAttackerStaysNearArea;
+  end_play(state);
+  state.retakes = retakes;
+  if (stays_near_area) state.watch.attacker_too_close_to_defense_area.fouls = fouls_near_area;
+}
+
+// When the command was given. Only a command that was in force when AutoRef joined is older than
+// this frame.
+double given_s(const RefereeState& state, const RefereeInput& input) {
+  const bool is_joining = state.machine_state == State::kInit;
+  return is_joining ? std::min(input.time_s(), state.person.given->command_time_s) : input.time_s();
+}
+
+void take_restart(RefereeState& state) {
+  const RefereeSignal& given = *state.person.given;
+  RefereeSignal& signal = state.signal;
+  signal.next_command = given.next_command;
+  if (!given.placement) {
+    signal.placement.reset();
+  } else if (!signal.placement || signal.placement->target_m != given.placement->target_m) {
+    place_ball(state, given.placement->target_m);
+  }
+}
+
+void take_command(RefereeState& state, const RefereeInput& input) {
+  const double since_s = given_s(state, input);
+  send(state, input, state.person.given->command);
+  state.signal.command_time_s = since_s;
+  take_values(state, input);
+}
+
+void follow_start(RefereeState& state, const RefereeInput& input, const Finding& /*finding*/) {
+  const bool is_joining = state.machine_state == State::kInit;
+  if (is_play(state.machine_state)) end_followed_play(state);
+  const Command command = state.person.given->command;
+  const std::optional<Placement> placement = state.signal.placement;
+  take_command(state, input);
+  state.play =
+      is_joining ? play_joined(input) : play_begun(command, kicker_of(state, command), input);
+  if (!is_joining && command.kind == CommandKind::kNormalStart && state.prepared)
+    state.play.restart = *state.prepared;
+  if (!is_joining && placement) state.play.position_m = placement->target_m;
+  state.signal.placement.reset();
+  state.signal.next_command.reset();
+  state.watch = kept_at_start(state.watch);
+  state.person.calls.clear();
+  state.person.ball_is_out = false;
+}
+
+void follow_stop(RefereeState& state, const RefereeInput& input, const Finding& /*finding*/) {
+  const bool is_joining = state.machine_state == State::kInit;
+  if (state.machine_state == State::kTimeout) state.watch = RuleWatch{};
+  end_followed_play(state);
+  take_command(state, input);
+  take_restart(state);
+  const Command command = state.signal.command;
+  if (command.kind == CommandKind::kPrepareKickoff || command.kind == CommandKind::kPreparePenalty)
+    state.prepared = command;
+  wait_anew(state, input);
+  if (!is_joining) return;
+  for (const Side side : kSides)
+    state.watch.attacker_too_close_to_defense_area.grace_from_s[side] = state.signal.command_time_s;
+}
+
+void follow_halt(RefereeState& state, const RefereeInput& input, const Finding& /*finding*/) {
+  end_followed_play(state);
+  take_command(state, input);
+  take_restart(state);
+}
+
+// On its own call AutoRef sends STOP and keeps the play, in case it is overruled.
+void emit_stop(RefereeState& state, const RefereeInput& input, const Finding& finding) {
+  count_foul(state, input, finding);
+  place_ball(state, finding.ball_to_m);
+  state.signal.next_command = finding.restart;
+  send(state, input, {CommandKind::kStop, Side::kWest});
+  state.person.goes_on = {};
+}
+
+void note_call(RefereeState& state, const RefereeInput& input, const Finding& finding) {
+  count_foul(state, input, finding);
+}
+
+// The person's command is in force again.
+void resume_play(RefereeState& state, const RefereeInput& input, const Finding& /*finding*/) {
+  state.signal.command = state.person.given->command;
+  state.signal.placement.reset();
+  state.signal.next_command.reset();
+  for (OwnCall& call : state.person.calls) call.found_s = input.time_s();
+}
+
+void join_play(RefereeState& state, const RefereeInput& input, const Finding& /*finding*/) {
+  send(state, input, {CommandKind::kForceStart, Side::kWest});
+  state.play = play_joined(input);
+}
+
+constexpr Guard kGivenStartsPlay{"it starts play", given_starts_play};
+constexpr Guard kGivenHalts{"HALT or GOAL", given_halts};
+constexpr Guard kGivenIsTimeout{"TIMEOUT", given_is_timeout};
+constexpr Guard kPersonCommands{"a person commands", person_commands};
+constexpr Guard kNobodyCommands{"nobody commands", nobody_commands};
+constexpr Guard kPersonCommandsFoulsStop{"a person commands and fouls stop play",
+                                         person_commands_fouls_stop};
+
+constexpr Action kFollowStart{"follow; play begins, or is joined if it began before", follow_start};
+constexpr Action kFollowStop{"follow; play ends", follow_stop};
+constexpr Action kFollowHalt{"follow; play ends", follow_halt};
+constexpr Action kEmitStop{"report the call; send STOP", emit_stop};
+constexpr Action kNoteCall{"report the call; count the foul", note_call};
+constexpr Action kResumePlay{"the person's command is in force again", resume_play};
+constexpr Action kJoinPlay{"join play", join_play};
+
+// clang-format off
+constexpr std::array kBesidePerson = {
+  Transition{"start_given", std::nullopt, Event::kCommandGiven, kGivenStartsPlay, kFollowStart,
+        State::kRun, "paper 4.1, 5", ""},
+  Transition{"halt_given", std::nullopt, Event::kCommandGiven, kGivenHalts, kFollowHalt,
+        State::kDelayWait, "paper 4.1, 5", ""},
+  Transition{"timeout_given", std::nullopt, Event::kCommandGiven, kGivenIsTimeout, kFollowHalt,
+        State::kTimeout, "paper 4.1, 5", ""},
+  Transition{"stop_given", std::nullopt, Event::kCommandGiven, kAlways, kFollowStop,
+        State::kWaitStop, "paper 4.1, 5", ""},
+  Transition{"overruled", State::kCalled, Event::kOverruled, kAlways, kResumePlay,
+        State::kRun, "AutoRef", ""},
+  Transition{"join", State::kInit, Event::kBegin, kNobodyCommands, kJoinPlay,
+        State::kRun, "AutoRef", ""},
+  Transition{"", State::kRun, kCallThatStopsPlay, kPersonCommands, kEmitStop,
+        State::kCalled, "paper 5", ""},
+  Transition{"", State::kRun, kCallByBook, kPersonCommandsFoulsStop, kEmitStop,
+        State::kCalled, "paper 5; rule book", ""},
+  Transition{"", State::kRun, kCallThatStopsPlay, kNobodyCommands, kNoteCall,
+        State::kRun, "AutoRef", ""},
+  Transition{"", State::kRun, kCallByBook, kAlways, kNoteCall,
+        State::kRun, "rule book", ""},
+  Transition{"", State::kRun, kCallThatCounts, kAlways, kNoteCall,
+        State::kRun, "rule book", ""},
+  Transition{"", State::kWaitStop, kCallInStop, kAlways, kNoteCall,
+        State::kWaitStop, "rule book", ""},
+};
+// clang-format on
+
+void watch_signs(PlayGoesOn& goes_on, const RefereeInput& input) {
+  const Configuration& c = input.configuration;
+  const bool is_on_field = input.ball && !is_out_of_field(c.field, input.ball->position_m);
+  if (!is_on_field) goes_on.ball_on_field_since_s.reset();
+  if (is_on_field && !goes_on.ball_on_field_since_s) goes_on.ball_on_field_since_s = input.time_s();
+  const double fast_mps = c.rules.stop_speed_mps + kFasterThanStop_mps;
+  for (const Side side : kSides) {
+    const TrackedRobots& robots = input.tracks.robots[side];
+    const bool is_fast =
+        std::any_of(robots.begin(), robots.end(), [fast_mps](const TrackedRobot& robot) {
+          return robot.is_seen && robot.velocity_mps.norm() > fast_mps;
+        });
+    if (is_fast) goes_on.fast_s[side] = input.time_s();
+  }
+}
+
+bool visibly_goes_on(const PlayGoesOn& goes_on, double now_s) {
+  const auto is_recent = [&](const std::optional<double>& fast_s) {
+    return fast_s && now_s - *fast_s <= kGoesOn_s;
+  };
+  return goes_on.ball_on_field_since_s &&
+         has_passed(*goes_on.ball_on_field_since_s, kGoesOn_s, now_s) &&
+         is_recent(goes_on.fast_s[Side::kWest]) && is_recent(goes_on.fast_s[Side::kEast]);
+}
+
+// Whether the command is not the one that AutoRef's call would lead to.
+bool contradicts(const OwnCall& call, const Command& command) {
+  const bool decides = starts_play(command.kind) || command.kind == CommandKind::kPrepareKickoff ||
+                       command.kind == CommandKind::kPreparePenalty;
+  return decides && command.kind != CommandKind::kNormalStart && command != call.finding.restart;
+}
+
+}  // namespace
+
+std::span<const Transition> transitions_beside_person() { return kBesidePerson; }
+
+bool is_new_command(const RefereeState& state, const RefereeSignal& given) {
+  const std::optional<RefereeSignal>& last = state.person.given;
+  return !last || last->command_counter != given.command_counter || last->command != given.command;
+}
+
+void take_values(RefereeState& state, const RefereeInput& input) {
+  const RefereeSignal& given = *state.person.given;
+  RefereeSignal& signal = state.signal;
+  const PerSide<int> robots_before = signal.robots_allowed;
+  signal.stage = given.stage;
+  signal.goals = given.goals;
+  signal.shootout_goals = given.shootout_goals;
+  signal.robots_allowed = given.robots_allowed;
+  signal.yellow_cards = given.yellow_cards;
+  signal.red_cards = given.red_cards;
+  if (state.machine_state != State::kInit) note_robots_allowed(state, input, robots_before);
+  count_goals(state);
+  // In CALLED, AutoRef's own restart is in force.
+  if (!is_play(state.machine_state)) take_restart(state);
+}
+
+Finding finding_of_command(const RefereeState& state) {
+  Finding finding;
+  finding.event = Event::kCommandGiven;
+  finding.rule = "paper 4.1, 5";
+  const Command command = state.person.given->command;
+  finding.evidence = fmt::format("The referee sent {}", name_of(command));
+  if (!state.person.calls.empty() && contradicts(state.person.calls.back(), command)) {
+    const OwnCall& call = state.person.calls.back();
+    finding.evidence +=
+        fmt::format(", which contradicts the call {} at {:.3f} s (next: {})",
+                    name_of(call.finding.event), call.called_s, name_of(call.finding.restart));
+  }
+  finding.evidence += ".";
+  return finding;
+}
+
+std::optional<Finding> find_overruled(RefereeState& state, const RefereeInput& input) {
+  watch_signs(state.person.goes_on, input);
+  const double called_s = state.signal.command_time_s;
+  const double now_s = input.time_s();
+  const bool goes_on =
+      has_passed(called_s, kSlowDown_s, now_s) && visibly_goes_on(state.person.goes_on, now_s);
+  if (!goes_on && !has_passed(called_s, kLongestWait_s, now_s)) return std::nullopt;
+  Finding finding;
+  finding.event = Event::kOverruled;
+  finding.rule = "AutoRef";
+  finding.value = now_s - called_s;
+  finding.threshold = goes_on ? kSlowDown_s : kLongestWait_s;
+  finding.unit = "s";
+  finding.evidence = fmt::format("No command has followed the call for {:.2f} s{}.", finding.value,
+                                 goes_on ? ", and play goes on" : "");
+  return finding;
+}
+
+bool is_called_already(RefereeState& state, const RefereeInput& input, const Finding& finding) {
+  if (!stops_play(finding.event) && !stops_play_by_book(finding.event)) return false;
+  if (stops_play_by_book(finding.event) && !input.configuration.rules.fouls_stop_play) return false;
+  auto& calls = state.person.calls;
+  const bool ball_is_out =
+      input.ball && is_out_of_field(input.configuration.field, input.ball->position_m);
+  const double now_s = input.time_s();
+  const auto is_same = [&](const OwnCall& call) {
+    if (now_s - call.found_s > kCalledFor_s) return false;
+    if (call.ball_is_out && ball_is_out) return true;
+    return call.finding.event == finding.event && call.finding.offender == finding.offender;
+  };
+  const auto same = std::find_if(calls.begin(), calls.end(), is_same);
+  if (same != calls.end()) {
+    same->found_s = now_s;
+    return true;
+  }
+  if (calls.size() == calls.capacity()) calls.erase(calls.begin());
+  calls.push_back({finding, now_s, now_s, ball_is_out});
+  state.person.ball_is_out = ball_is_out;
+  return false;
+}
+
+}  // namespace autoref::referee
