@@ -18,6 +18,7 @@ void fill_team(const RefereeSignal& signal, const LoggedTeam& team_info, Side si
   team.set_timeouts(0);
   team.set_timeout_time(0);
   team.set_goalie(static_cast<std::uint32_t>(team_info.keeper));
+  team.set_max_allowed_bots(static_cast<std::uint32_t>(signal.robots_allowed[side]));
 }
 
 int bounded(std::uint32_t count) { return static_cast<int>(std::min(count, 9999U)); }
@@ -26,6 +27,7 @@ void read_team(const TeamInfo& team, Side side, RefereeSignal& signal) {
   signal.goals[side] = bounded(team.score());
   signal.red_cards[side] = bounded(team.red_cards());
   signal.yellow_cards[side] = bounded(team.yellow_cards());
+  if (team.has_max_allowed_bots()) signal.robots_allowed[side] = bounded(team.max_allowed_bots());
 }
 
 }  // namespace

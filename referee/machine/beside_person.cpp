@@ -84,7 +84,6 @@ void count_kick(RefereeState& state) {
 }
 
 void end_followed_play(RefereeState& state) {
-  if (!is_play(state.machine_state)) return;
   count_kick(state);
   // As after AutoRef's own stop (actions.cpp), the second foul near the area and the second attempt
   // at a restart count.
@@ -144,7 +143,7 @@ void follow_start(RefereeState& state, const RefereeInput& input, const Finding&
 void follow_stop(RefereeState& state, const RefereeInput& input, const Finding& /*finding*/) {
   const bool is_joining = state.machine_state == State::kInit;
   if (state.machine_state == State::kTimeout) state.watch = RuleWatch{};
-  end_followed_play(state);
+  if (is_play(state.machine_state)) end_followed_play(state);
   take_command(state, input);
   take_restart(state);
   const Command command = state.signal.command;
@@ -156,8 +155,13 @@ void follow_stop(RefereeState& state, const RefereeInput& input, const Finding& 
     state.watch.attacker_too_close_to_defense_area.grace_from_s[side] = state.signal.command_time_s;
 }
 
+// After a halt, another stop begins.
 void follow_halt(RefereeState& state, const RefereeInput& input, const Finding& /*finding*/) {
-  end_followed_play(state);
+  if (is_play(state.machine_state)) {
+    end_followed_play(state);
+  } else if (state.signal.command.kind != CommandKind::kTimeout) {
+    end_play(state);
+  }
   take_command(state, input);
   take_restart(state);
 }

@@ -49,8 +49,9 @@ class OwnCalls {
 class LogReferee final : public league::LogVisitor {
  public:
   LogReferee(const std::vector<referee::Configuration>& configurations,
-             const PerSide<std::string>& names)
+             const PerSide<std::string>& names, const DecisionWatch& watch)
       : configurations_(configurations),
+        watch_(watch),
         referee_(configurations.front()),
         log_(PerSide<EventTeam>{
             {EventTeam{"", names[Side::kWest]}, EventTeam{"", names[Side::kEast]}}}) {}
@@ -113,6 +114,7 @@ class LogReferee final : public league::LogVisitor {
     }
     for (const referee::Decision& decision : referee_.decisions()) {
       ++decisions_;
+      if (watch_) watch_(decision);
       log_.on_decision(decision);
       own_calls_.take(decision);
       if (decision.command) calls_.take(decision.time_s, *decision.command);
@@ -122,6 +124,7 @@ class LogReferee final : public league::LogVisitor {
   static constexpr double kSameTime_s = 1e-6;  // times in logs are rounded
 
   const std::vector<referee::Configuration>& configurations_;
+  const DecisionWatch& watch_;
   std::size_t game_ = 0;
   NextGame next_game_;
   bool is_next_game_ = false;
@@ -137,8 +140,9 @@ class LogReferee final : public league::LogVisitor {
 }  // namespace
 
 LogRefereeResult referee_log(const std::filesystem::path& log, const RecordedFacts& facts,
-                             const std::vector<referee::Configuration>& configurations) {
-  LogReferee judge(configurations, facts.names);
+                             const std::vector<referee::Configuration>& configurations,
+                             const DecisionWatch& watch) {
+  LogReferee judge(configurations, facts.names, watch);
   league::read_log(log, judge);
   CallMaker recorded;
   for (const RecordedCommand& command : facts.commands)

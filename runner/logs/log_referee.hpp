@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,9 @@
 #include "runner/logs/recorded_facts.hpp"
 
 namespace autoref::runner {
+
+// Called with each decision.
+using DecisionWatch = std::function<void(const referee::Decision&)>;
 
 struct LogRefereeResult {
   Agreement agreement;  // between AutoRef's calls and those of the recorded referee
@@ -26,6 +30,7 @@ struct LogRefereeResult {
 // std::invalid_argument if a configuration is not valid for a referee. `configurations` must not be
 // empty.
 LogRefereeResult referee_log(const std::filesystem::path& log, const RecordedFacts& facts,
-                             const std::vector<referee::Configuration>& configurations);
+                             const std::vector<referee::Configuration>& configurations,
+                             const DecisionWatch& watch = {});
 
 }  // namespace autoref::runner

@@ -1,0 +1,181 @@
+// Games of ours, written as logs, read back and cut into pieces that begin anywhere: are AutoRef's
+// calls beside the recorded referee those of the whole game?
+//
+//   log_pieces FOLDER [GAMES]     GAMES per rule book and camera preset (default 3); logs go to
+//   FOLDER
+//
+// Prints the Markdown tables of results/reference/log-pieces.md, and on stderr every call that
+// differs. Exits with 1 if fewer than 99 % agree, or a call was made in a stop without a signal.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "league/game_log.hpp"
+#include "runner/game/game.hpp"
+#include "runner/logs/log_game.hpp"
+#include "runner/logs/log_referee.hpp"
+#include "runner/settings/fields.hpp"
+#include "runner/settings/resolved.hpp"
+#include "sim/camera.hpp"
+#include "soccer/random.hpp"
+#include "tests/log_pieces/piece_calls.hpp"
+
+namespace autoref::runner {
+namespace {
+
+constexpr double kShortest_s = 10;
+constexpr double kLongest_s = 60;
+constexpr double kHalf_s = 120;
+const std::vector<std::string> kBooks = {"paper", "2014", "2026-b"};
+const std::vector<std::string> kTeams = {"cobalt", "counter", "possession", "zone", "shadow"};
+
+// Writes a game's log and keeps its calls.
+class Recorder final : public Observer {
+ public:
+  Recorder(const std::string& path, const GameConfiguration& game) : log_(open(path, game)) {}
+  void on_frame(const Frame& frame, const RefereeSignal& signal, const sim::World&) override {
+    log_.add(frame, signal);
+  }
+  void on_decision(const referee::Decision& decision) override {
+    if (decision.command) log_.note(*decision.command);
+    calls.take(decision);
+  }
+  void close() { log_.close(); }
+
+  CallList calls;
+
+ private:
+  static league::GameLog open(const std::string& path, const GameConfiguration& game) {
+    const auto cameras = sim::camera_positions(game.field, game.sim.vision.camera_height_m);
+    return {path, game.field, {cameras.begin(), cameras.end()}, {}};
+  }
+
+  league::GameLog log_;
+};
+
+GameSettings settings_of(const std::string& book, const std::string& camera, int number) {
+  GameSettings game;
+  choose_rules(book, game);
+  set_by_path(game, "sim.camera", camera);
+  game.match.half_s = kHalf_s;
+  const auto index = static_cast<std::size_t>(number);
+  game.a.strategy = kTeams[index % kTeams.size()];
+  game.b.strategy = kTeams[(index / kTeams.size() + index + 1) % kTeams.size()];
+  game.seed = mix_bits(static_cast<std::uint64_t>(number) + 1);
+  return game;
+}
+
+// The records from `from_s` to `to_s`, counted from the log's first.
+void cut(const std::string& log, double from_s, double to_s, const std::string& piece) {
+  league::LogReader reader(log);
+  league::LogWriter writer(piece);
+  league::LogRecord record;
+  std::optional<std::int64_t> first_ns;
+  while (reader.read(record)) {
+    if (!first_ns) first_ns = record.time_ns;
+    const double time_s = static_cast<double>(record.time_ns - *first_ns) / 1e9;
+    if (time_s < from_s - 1e-6 || time_s >= to_s) continue;
+    writer.write(record.time_ns, static_cast<league::MessageKind>(record.kind), record.message);
+  }
+  writer.close();
+}
+
+CallList judged(const std::string& log, const std::string& book, const std::string& camera) {
+  const RecordedFacts facts = facts_of(log);
+  GameSettings game = logged_game(book, facts, facts.games.front());
+  set_by_path(game, "sim.camera", camera);
+  CallList calls;
+  referee_log(log, facts, {referee_configuration(resolved(game))},
+              [&calls](const referee::Decision& decision) { calls.take(decision); });
+  return calls;
+}
+
+// Judges a game's log whole and in pieces.
+void judge_game(const std::string& folder, const std::string& book, const std::string& camera,
+                int number, Tally& whole, Tally& pieces) {
+  const GameSettings game = settings_of(book, camera, number);
+  const GameConfiguration configuration = resolved(game);
+  const std::string log = folder + "/whole.log";
+  Recorder recorder(log, configuration);
+  const GameRecord record = play(configuration, &recorder);
+  recorder.close();
+  whole.add(recorder.calls, judged(log, book, camera), {0, record.sim_s, 0});
+  RandomStream chance(game.seed);
+  double from_s = chance.uniform() * kShortest_s;
+  while (from_s + kShortest_s < record.sim_s) {
+    const double length_s = kShortest_s + chance.uniform() * (kLongest_s - kShortest_s);
+    // A frame's number is its time, so a piece begins with a frame.
+    const double first_s =
+        std::ceil(from_s * configuration.sim.frame_rate_hz) / configuration.sim.frame_rate_hz;
+    const std::string piece = folder + "/piece.log";
+    cut(log, first_s, from_s + length_s, piece);
+    const double to_s = std::min(from_s + length_s, record.sim_s);
+    pieces.name = fmt::format("{} {} {} at {:.3f}", book, camera, number, first_s);
+    pieces.add(recorder.calls, judged(piece, book, camera).later(first_s), {first_s, to_s, 2});
+    from_s += length_s;
+  }
+}
+
+// Prints a table and returns the sum of its rows.
+Tally print_table(const std::map<std::string, Tally>& tallies) {
+  Tally all;
+  fmt::print("{}", Tally::heading());
+  for (const auto& [name, tally] : tallies) {
+    fmt::print("{}", tally.row(name));
+    all += tally;
+  }
+  fmt::print("{}", all.row("all | "));
+  return all;
+}
+
+bool print_tables(const std::map<std::string, Tally>& whole,
+                  const std::map<std::string, Tally>& pieces) {
+  fmt::print(
+      "# Calls from logs beside the recorded referee\n\n"
+      "Written by `scripts/judge-log-pieces`. Games of two halves of {} s between different teams "
+      "are\n"
+      "written as logs. AutoRef judges each log with `match.control: human`, whole and cut into "
+      "pieces.\n"
+      "Its calls are compared with those of the game as it was played: the same event and side "
+      "within\n"
+      "0.1 s. In a piece, calls count from its third second on. Calls whose evidence begins before "
+      "the\n"
+      "piece are counted apart; for pushing and dribbling this takes an upper bound of their "
+      "duration,\n"
+      "so AutoRef may know more than is assumed.\n\n"
+      "## Whole logs\n\n",
+      kHalf_s);
+  const bool whole_is_good = print_table(whole).is_good();
+  fmt::print("\n## Pieces of {} to {} s\n\n", kShortest_s, kLongest_s);
+  return print_table(pieces).is_good() && whole_is_good;
+}
+
+int main_of(const std::string& folder, int games) {
+  std::filesystem::create_directories(folder);
+  std::map<std::string, Tally> whole;
+  std::map<std::string, Tally> pieces;
+  int number = 0;
+  for (const std::string& book : kBooks) {
+    for (const std::string& camera : camera_names()) {
+      const std::string name = fmt::format("{} | {}", book, camera);
+      for (int i = 0; i < games; ++i)
+        judge_game(folder, book, camera, number++, whole[name], pieces[name]);
+    }
+  }
+  return print_tables(whole, pieces) ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace autoref::runner
+
+int main(int argc, char** argv) {
+  if (argc < 2) return 2;
+  return autoref::runner::main_of(argv[1], argc > 2 ? std::atoi(argv[2]) : 3);
+}

@@ -1,0 +1,65 @@
+// A game's calls with the time from which their evidence comes, and the comparison of a piece's
+// calls with those of the whole game.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "referee/decision.hpp"
+
+namespace autoref::runner {
+
+struct PieceCall {
+  referee::Event event = referee::Event::kBegin;
+  std::optional<Side> side;  // gets the restart, or is at fault if play goes on
+  std::optional<RobotId> robot;
+  double time_s = 0;
+  double evidence_from_s = 0;  // earlier frames do not matter
+  double phase_from_s = 0;     // when the stop or the play began
+  bool in_stop = false;
+};
+
+class CallList {
+ public:
+  void take(const referee::Decision& decision);
+  // The same calls, `by_s` later.
+  CallList later(double by_s) const;
+  const std::vector<PieceCall>& calls() const { return calls_; }
+  // Whether play was stopped by a command then.
+  bool is_stopped_at(double time_s) const;
+
+ private:
+  std::vector<PieceCall> calls_;
+  std::vector<double> changes_s_;  // alternating: play begins, play stops
+  double phase_from_s_ = 0;
+};
+
+struct Piece {
+  double from_s = 0;
+  double to_s = 0;
+  double joined_s = 0;  // calls within this time after the start do not count
+};
+
+struct Tally {
+  std::string name;  // of the piece, for messages on stderr
+  int pieces = 0;
+  int calls = 0;        // of the whole game, with all evidence within the piece
+  int agreed = 0;       // the piece has the same call
+  int extra = 0;        // calls of the piece that the whole game lacks
+  int unknown_due = 0;  // calls whose evidence lies before the piece
+  int unknown = 0;      // for these, the piece says unknown or nothing
+  int same = 0;         // for these, the piece has the same call
+  int repeated = 0;     // extra, but made by the whole game earlier in the same stop or restart
+  int unsignalled = 0;  // calls in a stop that was not signalled
+
+  void add(const CallList& whole, const CallList& judged, const Piece& piece);
+  Tally& operator+=(const Tally& other);
+  static std::string heading();
+  std::string row(const std::string& title) const;
+  bool is_good() const;
+};
+
+std::vector<std::string> camera_names();
+
+}  // namespace autoref::runner
