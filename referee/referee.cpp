@@ -17,6 +17,7 @@
 #include "referee/machine/timekeeping.hpp"
 #include "referee/referee_input.hpp"
 #include "referee/rules/rule.hpp"
+#include "referee/touch/ball_jump_filter.hpp"
 #include "referee/touch/frame_history.hpp"
 #include "referee/touch/online_touch_detector.hpp"
 #include "referee/touch/retrospective_touch_detector.hpp"
@@ -129,6 +130,10 @@ class Referee::Impl {
     const bool is_gap = tracks_ != nullptr && frame.time_s - seen_.time_s > kLongestGap_s;
     seen_ = is_finite(frame) ? frame : finite_part(frame);
     if (is_gap) forget();
+    if (configuration_.control == Control::kAutoref) return;
+    // While play is stopped, people place the ball.
+    if (!is_play(state_.machine_state)) ball_jump_.forget();
+    ball_jump_.filter(seen_);
   }
 
   const RefereeSignal& judge(const Tracks& tracks) {
@@ -144,6 +149,7 @@ class Referee::Impl {
   void forget() {
     tracker_ = Tracker(configuration_.noise);
     ball_.reset();
+    ball_jump_.forget();
     was_lifted_ = false;
     joins_ = is_play(state_.machine_state);
     state_.watch = RuleWatch{};
@@ -158,6 +164,19 @@ class Referee::Impl {
     state_.play = play_joined(input_with(online_touch_.last(), frame));
     frames_.restart(frame, std::nullopt);
     online_touch_.restart();
+  }
+
+  // Joins play where the ball has appeared: it counts as at rest there, so that a robot that kicks
+  // it away at once is seen to touch it.
+  void join_at_jump() {
+    const BallJumpFilter::Frames& jumped = ball_jump_.jumped();
+    join(jumped.front());
+    frames_.restart(jumped.front(), jumped.front().ball->position_m);
+    online_touch_.restart();
+    for (const Frame& frame : jumped) {
+      frames_.push(frame);
+      online_touch_.update();
+    }
   }
 
   // Whether a ball that was called out is back on the field. Somebody has put it there.
@@ -177,6 +196,7 @@ class Referee::Impl {
   void follow_ball(const Frame& frame) {
     if (has_returned()) joins_ = true;
     if (joins_) return join(frame);
+    if (!ball_jump_.jumped().empty()) return join_at_jump();
     frames_.push(frame, tracks().ball);
     online_touch_.update();
     // The order of touches is the one that the online detector reports; the retrospective detector
@@ -188,6 +208,10 @@ class Referee::Impl {
     decisions_.clear();
     see(frame);
     if (is_play(state_.machine_state)) follow_ball(frame);
+    if (state_.machine_state == State::kCalled) {
+      const RefereeInput input = input_with(online_touch_.last(), frame);
+      if (const std::optional<Finding> found = find_overruled(state_, input)) decide(input, *found);
+    }
     const LastTouch last_touch = evaluate_last_touch();
     const RefereeInput input = input_with(last_touch, frame);
     const State state = state_.machine_state;
@@ -291,8 +315,6 @@ class Referee::Impl {
       case State::kInit:
         if (configuration_.control == Control::kHuman) return std::nullopt;
         return passed_by_itself(Event::kBegin);
-      case State::kCalled:
-        return find_overruled(state_, input);
       case State::kWaitStop:
         watch_ball(state_, input);
         return std::nullopt;
@@ -356,6 +378,7 @@ class Referee::Impl {
   FrameHistory frames_;      // of the current play
   OnlineTouchDetector online_touch_;
   RetrospectiveTouchDetector retrospective_touch_;
+  BallJumpFilter ball_jump_;
   std::optional<BallSight> ball_;
   std::vector<Decision> decisions_;
 };

@@ -262,6 +262,12 @@ bool visibly_goes_on(const PlayGoesOn& goes_on, double now_s) {
          is_recent(goes_on.fast_s[Side::kWest]) && is_recent(goes_on.fast_s[Side::kEast]);
 }
 
+// Whether the ball has left the field since the call: without a signal, play was still on.
+bool has_left_since(const PersonWatch& person, const RefereeInput& input) {
+  return !person.ball_is_out && input.ball &&
+         is_out_of_field(input.configuration.field, input.ball->position_m);
+}
+
 // Whether the command is not the one that AutoRef's call would lead to.
 bool contradicts(const OwnCall& call, const Command& command) {
   const bool decides = starts_play(command.kind) || command.kind == CommandKind::kPrepareKickoff ||
@@ -315,13 +321,13 @@ std::optional<Finding> find_overruled(RefereeState& state, const RefereeInput& i
   const double called_s = state.signal.command_time_s;
   const double now_s = input.time_s();
   const bool goes_on =
-      has_passed(called_s, kSlowDown_s, now_s) && visibly_goes_on(state.person.goes_on, now_s);
+      has_left_since(state.person, input) ||
+      (has_passed(called_s, kSlowDown_s, now_s) && visibly_goes_on(state.person.goes_on, now_s));
   if (!goes_on && !has_passed(called_s, kLongestWait_s, now_s)) return std::nullopt;
   Finding finding;
   finding.event = Event::kOverruled;
   finding.rule = "AutoRef";
   finding.value = now_s - called_s;
-  finding.threshold = goes_on ? kSlowDown_s : kLongestWait_s;
   finding.unit = "s";
   finding.evidence = fmt::format("No command has followed the call for {:.2f} s{}.", finding.value,
                                  goes_on ? ", and play goes on" : "");

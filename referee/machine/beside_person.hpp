@@ -26,7 +26,8 @@ Finding finding_of_command(const RefereeState& state);
 
 // In CALLED: kOverruled once play visibly goes on, or 15 s after the call. Play visibly goes on if
 // the ball has been on the field for a second and a robot of each team has been faster than a stop
-// allows within that second; robots have 2 s to slow down.
+// allows within that second; robots have 2 s to slow down. It also goes on if the ball leaves the
+// field: without a signal, this is an event of its own.
 std::optional<Finding> find_overruled(RefereeState& state, const RefereeInput& input);
 
 // Whether the finding is an event that has been called in this play already: the same event by the

@@ -214,6 +214,47 @@ TEST(BesideAPerson, RobotsThatStopDoNotOverruleTheCall) {
   EXPECT_EQ(persons.state(), State::kCalled);
 }
 
+TEST(BesideAPerson, AnExitAfterACallThatNobodyAnsweredIsCalledToo) {
+  Configuration configuration = commanded_by(Control::kHuman);
+  configuration.rules = *find_rule_book("2014");
+  ScriptedGame game(configuration);
+  game.placement_works = false;
+  game.line_up().run(0.1);
+  Person person(game);
+  person.gives(CommandKind::kForceStart);
+  game.run(0.5);
+  game.kick_from(Side::kWest, 1, {0.5, 0}, {0, 9.5});  // too fast
+  const Decision foul = game.run_until("bot_kicked_ball_too_fast", 1);
+  EXPECT_EQ(foul.to, State::kCalled);
+  const Decision exit = game.run_until("throw_in", 1);
+  EXPECT_EQ(exit.to, State::kCalled);
+  EXPECT_EQ(game.count("overruled"), 1);
+}
+
+TEST(BesideAPerson, ABallThatAppearsElsewhereHasNoHistory) {
+  PersonsGame persons;
+  persons.start_play();
+  persons.game.kick_from(Side::kWest, 1, {0.5, 0.5}, {0, 1});
+  persons.game.run(0.2);
+  persons.game.put_ball({-1.5, -1.5});  // two metres away
+  persons.game.ball_mps = Vec2(0, -1);
+  persons.game.run_until("touch_line_unknown", 3);
+}
+
+TEST(BesideAPerson, ASingleFalseBallChangesNothing) {
+  PersonsGame persons;
+  persons.start_play();
+  persons.game.kick_from(Side::kWest, 1, {0.5, 0.5}, {0, 2});
+  persons.game.run(0.2);
+  const Vec2 ball_m = persons.game.frame.ball->position_m;
+  const Vec2 ball_mps = persons.game.ball_mps;
+  persons.game.put_ball({-1.5, -1.5});
+  persons.game.step();
+  persons.game.put_ball(ball_m);
+  persons.game.ball_mps = ball_mps;
+  persons.game.run_until("throw_in", 2);
+}
+
 TEST(BesideAPerson, PlayIsJoinedInTheMiddleWithoutAHistory) {
   ScriptedGame game(commanded_by(Control::kHuman));
   game.placement_works = false;
