@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -20,6 +21,30 @@ std::int32_t whole_mm(double metres) {
   return static_cast<std::int32_t>(std::llround(metres * 1000));
 }
 
+// The league's list of shapes; a shape's number is its index.
+constexpr std::array<std::string_view, 14> kShapes = {"",
+                                                      "CenterCircle",
+                                                      "TopTouchLine",
+                                                      "BottomTouchLine",
+                                                      "LeftGoalLine",
+                                                      "RightGoalLine",
+                                                      "HalfwayLine",
+                                                      "CenterLine",
+                                                      "LeftPenaltyStretch",
+                                                      "RightPenaltyStretch",
+                                                      "LeftFieldLeftPenaltyStretch",
+                                                      "LeftFieldRightPenaltyStretch",
+                                                      "RightFieldLeftPenaltyStretch",
+                                                      "RightFieldRightPenaltyStretch"};
+
+// Sets the type of a line or arc; none if the list lacks it.
+template <typename Shape>
+void set_name(const std::string& name, Shape& shape) {
+  shape.set_name(name);
+  const auto* found = std::find(kShapes.begin(), kShapes.end(), name);
+  if (found != kShapes.end()) shape.set_type(static_cast<int>(found - kShapes.begin()));
+}
+
 // Adds lines and arcs; coordinates refer to the centres of the lines.
 class Painter {
  public:
@@ -28,7 +53,7 @@ class Painter {
 
   void line(const std::string& name, const Vec2& from_m, const Vec2& to_m) {
     FieldLine& line = *size_.add_field_lines();
-    line.set_name(name);
+    set_name(name, line);
     set(from_m, *line.mutable_p1());
     set(to_m, *line.mutable_p2());
     line.set_thickness(width_mm_);
@@ -37,7 +62,7 @@ class Painter {
   void arc(const std::string& name, const Vec2& centre_m, double radius_m, double from_rad,
            double to_rad) {
     FieldArc& arc = *size_.add_field_arcs();
-    arc.set_name(name);
+    set_name(name, arc);
     set(centre_m, *arc.mutable_center());
     arc.set_radius(to_mm(radius_m));
     arc.set_a1(static_cast<float>(from_rad));

@@ -64,8 +64,10 @@ void start(const Frame& frame, std::uint32_t camera, DetectionFrame& detection) 
 
 void fill_detections(const Frame& frame, std::span<const CameraPosition> cameras,
                      std::span<VisionPacket> packets) {
-  for (std::size_t i = 0; i < packets.size(); ++i)
+  for (std::size_t i = 0; i < packets.size(); ++i) {
+    packets[i].set_source(kOtherSource);
     start(frame, static_cast<std::uint32_t>(i), *packets[i].mutable_detection());
+  }
   const auto camera_before = [&](const Vec2& position_m) {
     return packets[nearest(cameras, position_m)].mutable_detection();
   };

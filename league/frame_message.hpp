@@ -8,6 +8,9 @@
 
 namespace autoref::league {
 
+// The league's number for a sender of vision that is not in its list.
+inline constexpr int kOtherSource = 1;
+
 // Fills `packets` with the part of the frame that each of `cameras` sees: a robot or ball belongs
 // to the nearest camera, a ball of unknown height to the camera that saw it. West is yellow. Writes
 // one packet per camera. Allocates nothing once the packets are large enough.

@@ -19,6 +19,7 @@ GameLog::GameLog(const std::filesystem::path& path, const Field& field,
       teams_(std::move(teams)),
       packets_(cameras_.size()) {
   fill_geometry(field, cameras_, *geometry_.mutable_geometry());
+  geometry_.set_source(kOtherSource);
 }
 
 template <typename Message>

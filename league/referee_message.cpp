@@ -17,7 +17,7 @@ void fill_team(const RefereeSignal& signal, const LoggedTeam& team_info, Side si
   team.set_yellow_cards(static_cast<std::uint32_t>(signal.yellow_cards[side]));
   team.set_timeouts(0);
   team.set_timeout_time(0);
-  team.set_goalie(static_cast<std::uint32_t>(team_info.keeper));
+  team.set_goalkeeper(static_cast<std::uint32_t>(team_info.keeper));
   team.set_max_allowed_bots(static_cast<std::uint32_t>(signal.robots_allowed[side]));
 }
 
@@ -37,7 +37,7 @@ void fill_referee(const RefereeSignal& signal, const PerSide<LoggedTeam>& teams,
   packet.Clear();
   packet.set_packet_timestamp(static_cast<std::uint64_t>(to_us(time_s)));
   packet.set_stage(static_cast<int>(signal.stage));
-  packet.set_stage_time_left(static_cast<std::int32_t>(to_us(signal.stage_time_left_s)));
+  packet.set_stage_time_left(to_us(signal.stage_time_left_s));
   packet.set_command(league_number(signal.command));
   packet.set_command_counter(signal.command_counter);
   packet.set_command_timestamp(static_cast<std::uint64_t>(to_us(signal.command_time_s)));
@@ -70,7 +70,7 @@ std::optional<RefereeSignal> signal_of(const RefereePacket& packet) {
   signal.command_counter = packet.command_counter();
   signal.command_time_s = static_cast<double>(packet.command_timestamp()) / 1e6;
   signal.stage = static_cast<Stage>(packet.stage());
-  signal.stage_time_left_s = packet.stage_time_left() / 1e6;
+  signal.stage_time_left_s = static_cast<double>(packet.stage_time_left()) / 1e6;
   read_team(packet.yellow(), Side::kWest, signal);
   read_team(packet.blue(), Side::kEast, signal);
   if (packet.has_designated_position()) {

@@ -36,7 +36,7 @@ MESSAGES = {
     "SSL_GeometryData": "r SSL_GeometryFieldSize field 1",
     "SSL_WrapperPacket": "o SSL_DetectionFrame detection 1; o SSL_GeometryData geometry 2",
     "TeamInfo": "r string name 1; r uint32 score 2; r uint32 red_cards 3; r uint32 yellow_cards 5;"
-                "r uint32 timeouts 6; r uint32 timeout_time 7; r uint32 goalie 8",
+                "r uint32 timeouts 6; r uint32 timeout_time 7; r uint32 goalkeeper 8",
     "SSL_Referee": "r uint64 packet_timestamp 1; r int32 stage 2; o sint32 stage_time_left 3;"
                    "r int32 command 4; r uint32 command_counter 5; r uint64 command_timestamp 6;"
                    "r TeamInfo yellow 7; r TeamInfo blue 8",

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "league/detection_merger.hpp"
 #include "league/field_message.hpp"
 #include "league/frame_message.hpp"
@@ -165,6 +167,64 @@ TEST(Geometry, RefusesAFieldOfZeroSize) {
   fill_geometry(Field{}, kCameras, geometry);
   geometry.mutable_field()->set_field_length(0);
   EXPECT_THROW(field_of(geometry), std::invalid_argument);
+}
+
+// Line numbers and names are those of the league's list of shapes.
+TEST(Geometry, NumbersItsLinesAndArcsAsTheLeagueDoes) {
+  Geometry geometry;
+  fill_geometry(find_game_setup("2026-a")->field, kCameras, geometry);
+  std::map<std::string, int> types;
+  for (const FieldLine& line : geometry.field().field_lines()) types[line.name()] = line.type();
+  for (const FieldArc& arc : geometry.field().field_arcs()) types[arc.name()] = arc.type();
+  const std::map<std::string, int> expected = {{"CenterCircle", 1},
+                                               {"TopTouchLine", 2},
+                                               {"BottomTouchLine", 3},
+                                               {"LeftGoalLine", 4},
+                                               {"RightGoalLine", 5},
+                                               {"HalfwayLine", 6},
+                                               {"CenterLine", 7},
+                                               {"LeftPenaltyStretch", 8},
+                                               {"RightPenaltyStretch", 9},
+                                               {"LeftFieldLeftPenaltyStretch", 10},
+                                               {"LeftFieldRightPenaltyStretch", 11},
+                                               {"RightFieldLeftPenaltyStretch", 12},
+                                               {"RightFieldRightPenaltyStretch", 13}};
+  EXPECT_EQ(types, expected);
+}
+
+TEST(FrameHistory, NamesItsSourceOther) {
+  std::vector<VisionPacket> packets(kCameras.size());
+  fill_detections(busy_frame(), kCameras, packets);
+  // Field 3, a varint: 1.
+  EXPECT_NE(packets[0].SerializeAsString().find("\x18\x01"), std::string::npos);
+  EXPECT_EQ(packets[3].source(), 1);
+}
+
+// Half a second over time. The league declared the field as sint32 first: zigzag encodes -500000 as
+// 999999 in either width.
+TEST(RefereeMessages, EncodeOvertimeAsTheLeagueAlwaysDid) {
+  RefereeSignal signal;
+  signal.stage_time_left_s = -0.5;
+  RefereePacket packet;
+  fill_referee(signal, {}, 0, packet);
+  EXPECT_NE(packet.SerializeAsString().find("\x18\xBF\x84\x3D"), std::string::npos);
+  EXPECT_DOUBLE_EQ(signal_of(packet)->stage_time_left_s, -0.5);
+}
+
+TEST(RefereeMessages, HoldTheTimeLeftOfLongStages) {
+  RefereeSignal signal;
+  signal.stage_time_left_s = 7200;  // more than 2^31 us
+  RefereePacket packet;
+  fill_referee(signal, {}, 0, packet);
+  EXPECT_DOUBLE_EQ(signal_of(packet)->stage_time_left_s, 7200);
+}
+
+TEST(RefereeMessages, SurviveGameEventsThatCannotBeParsed) {
+  RefereePacket packet;
+  fill_referee({}, {}, 0, packet);
+  packet.add_game_events("\xff\xff not an event");
+  RefereePacket read;
+  EXPECT_TRUE(read.ParseFromString(packet.SerializeAsString()));
 }
 
 TEST(RefereeMessages, RepresentEveryCommand) {
