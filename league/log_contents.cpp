@@ -4,6 +4,7 @@
 
 #include "league/detection_merger.hpp"
 #include "league/messages/vision.pb.h"
+#include "league/vision_2010.hpp"
 
 namespace autoref::league {
 namespace {
@@ -68,12 +69,18 @@ class Walk {
 
   bool take() {
     const MessageKind kind = kind_of(record_);
-    if (kind == MessageKind::kVision2014) return take_vision();
+    if (kind == MessageKind::kVision2014) return parse(record_.message, vision_) && take_vision();
+    if (kind == MessageKind::kVision2010) return take_vision_2010();
     return kind != MessageKind::kReferee2013 || take_referee();
   }
 
+  bool take_vision_2010() {
+    if (!parse(record_.message, vision_2010_)) return false;
+    convert(vision_2010_, vision_);
+    return take_vision();
+  }
+
   bool take_vision() {
-    if (!parse(record_.message, vision_)) return false;
     const std::int64_t unusable = merger_.unusable();
     show(merger_.add(vision_, now_s_));
     if (merger_.unusable() != unusable) return false;
@@ -103,6 +110,7 @@ class Walk {
   LogRecord record_;
   DetectionMerger merger_;
   VisionPacket vision_;
+  VisionPacket2010 vision_2010_;
   RefereePacket referee_;
   LogSummary summary_;
   std::int64_t records_ = 0;

@@ -54,6 +54,56 @@ TEST(ReadLog, CountsUnrecognisedKindsAsUnknown) {
   EXPECT_EQ(log.records.size(), 1U);
 }
 
+// The single-size field of 2014, in the messages of 2010.
+TEST(ReadLog, ReadsVisionOf2010) {
+  VisionPacket2010 packet;
+  packet.mutable_detection()->ParsePartialFromString(packet_of(0, 1).substr(2));
+  FieldSize2010& size = *packet.mutable_geometry()->mutable_field();
+  size.set_line_width(10);
+  size.set_field_length(6050);
+  size.set_field_width(4050);
+  size.set_boundary_width(250);
+  size.set_referee_width(425);
+  size.set_goal_width(700);
+  size.set_goal_depth(180);
+  size.set_goal_wall_width(20);
+  size.set_center_circle_radius(500);
+  size.set_defense_radius(800);
+  size.set_defense_stretch(350);
+  size.set_free_kick_from_defense_dist(200);
+  size.set_penalty_spot_from_field_line_dist(750);
+  size.set_penalty_line_from_spot_dist(400);
+  const ScratchFile file(".log");
+  written(file, MessageKind::kVision2010, {packet.SerializeAsString()});
+  LogVisitor nobody;
+  const LogSummary log = read_log(file.path(), nobody);
+  EXPECT_EQ(log.frames, 1);
+  EXPECT_EQ(log.unreadable, 0);
+  const Field expected;
+  ASSERT_TRUE(log.field);
+  EXPECT_DOUBLE_EQ(log.field->length_m, expected.length_m);
+  EXPECT_DOUBLE_EQ(log.field->run_off_m, 0.675);
+  EXPECT_DOUBLE_EQ(log.field->penalty_mark_m, 0.75);
+  EXPECT_EQ(log.field->defence_area.shape, DefenceArea::Shape::kQuarterCircles);
+  EXPECT_NEAR(log.field->defence_area.depth_m, 0.8, 1e-6);
+  EXPECT_NEAR(log.field->defence_area.straight_m, 0.35, 1e-6);
+  EXPECT_FALSE(log.field_gaps.defence_area);
+}
+
+// The numbers of the league's fields, checked without generated code: 14 varints in order.
+TEST(ReadLog, FindsTheSizesOf2010UnderTheirNumbers) {
+  FieldSize2010 size;
+  std::string bytes;
+  for (char number = 1; number <= 14; ++number) bytes += {static_cast<char>(number << 3), number};
+  ASSERT_TRUE(size.ParseFromString(bytes));
+  EXPECT_EQ(size.field_length(), 2);
+  EXPECT_EQ(size.referee_width(), 5);
+  EXPECT_EQ(size.goal_depth(), 7);
+  EXPECT_EQ(size.defense_radius(), 10);
+  EXPECT_EQ(size.defense_stretch(), 11);
+  EXPECT_EQ(size.penalty_spot_from_field_line_dist(), 13);
+}
+
 TEST(ReadLog, LimitsTheNumberOfCameras) {
   const ScratchFile file(".log");
   std::vector<std::string> messages;
