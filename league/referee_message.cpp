@@ -8,6 +8,7 @@ namespace autoref::league {
 namespace {
 
 constexpr int kLastStage = static_cast<int>(Stage::kPostGame);
+constexpr double kLongestCommand_s = 86400;
 
 void fill_team(const RefereeSignal& signal, const LoggedTeam& team_info, Side side,
                TeamInfo& team) {
@@ -17,7 +18,9 @@ void fill_team(const RefereeSignal& signal, const LoggedTeam& team_info, Side si
   team.set_yellow_cards(static_cast<std::uint32_t>(signal.yellow_cards[side]));
   team.set_timeouts(0);
   team.set_timeout_time(0);
-  team.set_goalkeeper(static_cast<std::uint32_t>(team_info.keeper));
+  const int keeper = signal.keepers[side].value_or(team_info.keeper);
+  team.set_goalkeeper(static_cast<std::uint32_t>(keeper));
+  team.set_can_place_ball(signal.can_place_ball[side]);
   team.set_max_allowed_bots(static_cast<std::uint32_t>(signal.robots_allowed[side]));
 }
 
@@ -27,6 +30,8 @@ void read_team(const TeamInfo& team, Side side, RefereeSignal& signal) {
   signal.goals[side] = bounded(team.score());
   signal.red_cards[side] = bounded(team.red_cards());
   signal.yellow_cards[side] = bounded(team.yellow_cards());
+  if (team.goalkeeper() < kMaxRobots) signal.keepers[side] = static_cast<int>(team.goalkeeper());
+  if (team.has_can_place_ball()) signal.can_place_ball[side] = team.can_place_ball();
   if (team.has_max_allowed_bots()) signal.robots_allowed[side] = bounded(team.max_allowed_bots());
 }
 
@@ -49,6 +54,14 @@ void fill_referee(const RefereeSignal& signal, const PerSide<LoggedTeam>& teams,
     packet.mutable_designated_position()->set_y(to_mm(signal.placement->target_m.y()));
   }
   if (signal.next_command) packet.set_next_command(league_number(*signal.next_command));
+}
+
+std::optional<double> command_age_s(const RefereePacket& packet) {
+  // In double: the difference of malicious times may overflow.
+  const double age_s = (static_cast<double>(packet.packet_timestamp()) -
+                        static_cast<double>(packet.command_timestamp())) /
+                       1e6;
+  return age_s >= 0 && age_s <= kLongestCommand_s ? std::optional(age_s) : std::nullopt;
 }
 
 // The inverse of league_number.

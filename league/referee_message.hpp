@@ -12,16 +12,21 @@ namespace autoref::league {
 
 struct LoggedTeam {
   std::string name;
-  int keeper = 0;  // number of the keeper's robot
+  int keeper = 0;  // number of the keeper's robot, unless the signal names another
 };
 
 // Fills `packet`, sent at game time `time_s`. West is yellow and defends the goal at -x.
 void fill_referee(const RefereeSignal& signal, const PerSide<LoggedTeam>& teams, double time_s,
                   RefereePacket& packet);
 
-// The signal of a packet; nullopt if its command or stage is not one of the league's referee of
-// 2013.
+// The signal of a packet; nullopt if its command or stage is not one of the league's (the numbers
+// of 2013 are still in use). Without a number of robots allowed, as before 2018, it is kMaxRobots.
+// A keeper outside the league's range counts as not named.
 std::optional<RefereeSignal> signal_of(const RefereePacket& packet);
+
+// The time in seconds from the packet's command to the packet, both on the sender's clock; nullopt
+// if it is negative or longer than a day.
+std::optional<double> command_age_s(const RefereePacket& packet);
 
 // The command with that number; nullopt if there is none.
 std::optional<Command> command_of(int league_number);

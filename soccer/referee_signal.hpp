@@ -87,8 +87,10 @@ struct RefereeSignal {
   PerSide<int> robots_allowed{{kMaxRobots, kMaxRobots}};  // on the field; cards reduce it
   PerSide<int> yellow_cards;                              // shown so far
   PerSide<int> red_cards;
-  std::optional<Placement> placement;   // nullopt unless play is stopped
-  std::optional<Command> next_command;  // the command that will resume play
+  PerSide<std::optional<int>> keepers;         // numbers of their robots; nullopt if not named
+  PerSide<bool> can_place_ball{{true, true}};  // false once a team may not place the ball itself
+  std::optional<Placement> placement;          // nullopt unless play is stopped
+  std::optional<Command> next_command;         // the command that will resume play
 };
 
 }  // namespace autoref

@@ -256,6 +256,42 @@ TEST(RefereeMessages, AreReadBackAsSent) {
   EXPECT_EQ(read.next_command, signal.next_command);
 }
 
+TEST(RefereeMessages, HoldWhatTheTeamsMayDo) {
+  RefereeSignal signal;
+  signal.robots_allowed = {{11, 9}};
+  signal.keepers = {{3, std::nullopt}};
+  signal.can_place_ball = {{true, false}};
+  RefereePacket packet;
+  fill_referee(signal, PerSide<LoggedTeam>{{LoggedTeam{"a", 1}, LoggedTeam{"b", 5}}}, 0, packet);
+  EXPECT_EQ(packet.blue().max_allowed_bots(), 9U);
+  const RefereeSignal read = signal_of(packet).value();
+  EXPECT_EQ(read.robots_allowed, signal.robots_allowed);
+  EXPECT_EQ(read.keepers[Side::kWest], 3);
+  EXPECT_EQ(read.keepers[Side::kEast], 5);
+  EXPECT_EQ(read.can_place_ball, signal.can_place_ball);
+}
+
+TEST(RefereeMessages, OfOlderRefereesLeaveTheNumberOfRobotsOpen) {
+  RefereePacket packet;
+  fill_referee({}, {}, 0, packet);
+  packet.mutable_yellow()->clear_max_allowed_bots();
+  packet.mutable_yellow()->set_yellow_cards(1);
+  packet.mutable_yellow()->set_goalkeeper(4'000'000'000U);
+  EXPECT_EQ(signal_of(packet)->robots_allowed[Side::kWest], kMaxRobots);
+  EXPECT_FALSE(signal_of(packet)->keepers[Side::kWest]);
+}
+
+TEST(RefereeMessages, KnowTheAgeOfTheirCommand) {
+  RefereePacket packet;
+  packet.set_packet_timestamp(1'783'000'000'250'000);  // us: an afternoon in 2026
+  packet.set_command_timestamp(1'783'000'000'000'000);
+  EXPECT_DOUBLE_EQ(command_age_s(packet).value(), 0.25);
+  packet.set_command_timestamp(0);
+  EXPECT_FALSE(command_age_s(packet));
+  packet.set_command_timestamp(18'000'000'000'000'000'000U);
+  EXPECT_FALSE(command_age_s(packet));
+}
+
 TEST(RefereeMessages, OfAnUnknownStageAreRejected) {
   RefereePacket packet;
   fill_referee({}, {}, 0, packet);
