@@ -20,6 +20,10 @@ enum class AfterGame : std::uint8_t { kHalt, kNewGame };
 // commands, play is on throughout, and calls are only reported.
 enum class Control : std::uint8_t { kAutoref, kHuman, kNone };
 
+// Who brings the ball to the position of the next free kick or force start: the simulator, or the
+// teams' robots (2026, Ball Placement). For kick-offs and penalty kicks it is always the simulator.
+enum class PlacedBy : std::uint8_t { kSimulator, kTeams };
+
 struct Configuration {
   Field field;
   RuleBook rules;
@@ -31,6 +35,7 @@ struct Configuration {
   bool knockout = false;  // a draw leads to extra time and a shoot-out; allows at most two halves
   AfterGame after_game = AfterGame::kHalt;
   Control control = Control::kAutoref;
+  PlacedBy placement = PlacedBy::kSimulator;
   VisionNoise noise;      // noise in the vision frames
   TouchParameters touch;  // thresholds of the touch detector
 };

@@ -59,7 +59,8 @@ struct Decision {
     // If nobody commands the game, play stays on.
     const bool stops =
         from != to || (from == State::kRun && entry_of(finding.event).effect == Effect::kStopsPlay);
-    const bool decides = stops || finding.event == Event::kAttackerStaysNearArea;
+    const bool decides = stops || finding.event == Event::kAttackerStaysNearArea ||
+                         finding.event == Event::kBoundaryCrossing;
     return is_call(finding.event) && decides ? std::optional(finding.restart) : std::nullopt;
   }
 };

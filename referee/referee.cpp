@@ -9,6 +9,7 @@
 
 #include "referee/geometry/ball_out.hpp"
 #include "referee/machine/ball_in_play.hpp"
+#include "referee/machine/ball_placement.hpp"
 #include "referee/machine/beside_person.hpp"
 #include "referee/machine/decision_of.hpp"
 #include "referee/machine/machine.hpp"
@@ -297,7 +298,10 @@ class Referee::Impl {
       case State::kWaitStart:
         return find_start(state_, input);
       case State::kWaitStop:
-        return find_ready(state_, input);
+        return is_placement_due(state_) ? find_placement_step(state_, input)
+                                        : find_ready(state_, input);
+      case State::kPlacement:
+        return find_placement_outcome(state_, input);
       case State::kDelayWait:
         if (!has_passed(state_.delay_ends_s, 0, input.time_s())) return std::nullopt;
         return passed_by_itself(Event::kSignalled);

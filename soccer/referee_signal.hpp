@@ -70,10 +70,12 @@ enum class Stage : std::uint8_t {
 std::string_view name_of(Stage stage);
 
 // Where the ball is to be placed while play is stopped. `at_once` means that there is no time to
-// bring it there smoothly.
+// bring it there smoothly. Unless `by_hand`, the ball is left to the teams: their robots place it,
+// or it lies there already.
 struct Placement {
   Vec2 target_m{0, 0};
   bool at_once = false;
+  bool by_hand = true;
 };
 
 struct RefereeSignal {

@@ -3,6 +3,7 @@
 namespace autoref {
 
 void SituationTracker::obey(const Command& command) {
+  situation_.placer.reset();
   switch (command.kind) {
     case CommandKind::kHalt:
       situation_.play = Play::kHalt;
@@ -29,8 +30,11 @@ void SituationTracker::obey(const Command& command) {
     case CommandKind::kStop:
     case CommandKind::kTimeout:
     case CommandKind::kGoal:
+      situation_.play = Play::kStop;
+      return;
     case CommandKind::kBallPlacement:
       situation_.play = Play::kStop;
+      situation_.placer = command.side;
       return;
   }
 }

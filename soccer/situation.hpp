@@ -25,10 +25,12 @@ enum class Play : std::uint8_t {
   kRunning,
 };
 
-// `side` takes the restart; it is unused in halt, stop and running play.
+// `side` takes the restart; it is unused in halt, stop and running play. While a side's robots place
+// the ball, `play` is kStop and `placer` is that side.
 struct Situation {
   Play play = Play::kHalt;
   Side side = Side::kWest;
+  std::optional<Side> placer{};
 };
 
 constexpr bool is_restart(Play play) { return play >= Play::kKickoff && play < Play::kRunning; }

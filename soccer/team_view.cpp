@@ -29,6 +29,8 @@ void fill_view(const Tracks& tracks, const RefereeSignal& signal, const Situatio
   if (signal.placement) {
     view.placement_m = as_is ? signal.placement->target_m : Vec2(-signal.placement->target_m);
   }
+  view.placing_is_ours.reset();
+  if (situation.placer) view.placing_is_ours = *situation.placer == side;
   view.next.reset();
   view.next_is_ours = false;
   if (situation.play == Play::kStop && signal.next_command) {

@@ -23,6 +23,9 @@ struct TeamView {
   bool ours = false;  // whether the current restart is this team's
   // Where the referee places the ball for the next restart; set while play is stopped.
   std::optional<Vec2> placement_m;
+  // Whether the robots of a team place the ball there now; then whether they are this team's. The
+  // placing team brings the ball there, and the other keeps clear of its path.
+  std::optional<bool> placing_is_ours;
   // The restart after this stop, if known, and whether it is this team's.
   std::optional<CommandKind> next;
   bool next_is_ours = false;

@@ -1,6 +1,7 @@
 #include "referee/machine/actions.hpp"
 
 #include "referee/machine/ball_in_play.hpp"
+#include "referee/machine/ball_placement.hpp"
 #include "referee/machine/cards.hpp"
 #include "referee/machine/readiness.hpp"
 #include "referee/machine/retakes.hpp"
@@ -24,9 +25,11 @@ void start_clock(RefereeState& state, const RefereeInput& input) {
   state.half_began_s = clock_s(state, input.configuration.rules, input.time_s());
 }
 
-void give_restart(RefereeState& state, const Finding& finding) {
+void give_restart(RefereeState& state, const RefereeInput& input, const Finding& finding) {
   place_ball(state, finding.ball_to_m);
   state.signal.next_command = finding.restart;
+  if (input.configuration.placement == PlacedBy::kTeams)
+    leave_to_team(state, input.configuration.rules, finding);
 }
 
 void begin_break(RefereeState& state, const RefereeInput& input) {
@@ -66,6 +69,7 @@ void end_play(RefereeState& state) {
   state.play = PlayState{};
   state.watch = RuleWatch{};
   state.retakes = Retakes{};
+  state.placing = TeamPlacement{};
   state.signal.placement.reset();
 }
 
@@ -132,7 +136,7 @@ void stop_play(RefereeState& state, const RefereeInput& input, const Finding& fi
   if (finding.event == Event::kAttackerStaysNearArea) {
     state.watch.attacker_too_close_to_defense_area.fouls = fouls_near_area;
   }
-  give_restart(state, finding);
+  give_restart(state, input, finding);
   send(state, input, kStop);
   wait_anew(state, input);
 }
@@ -150,7 +154,7 @@ void award_free_kick_in_stop(RefereeState& state, const RefereeInput& input,
                              const Finding& finding) {
   book(state, input, finding);
   state.retakes = Retakes{};
-  give_restart(state, finding);
+  give_restart(state, input, finding);
   wait_anew(state, input);
 }
 
@@ -159,7 +163,7 @@ void award_free_kick_in_stop(RefereeState& state, const RefereeInput& input,
 void halt_for_foul(RefereeState& state, const RefereeInput& input, const Finding& finding) {
   book(state, input, finding);
   end_play(state);
-  give_restart(state, finding);
+  give_restart(state, input, finding);
   send(state, input, kHalt);
   state.delay_ends_s = input.time_s() + kHaltLasts_s;
 }
@@ -198,6 +202,7 @@ void begin_extra_time(RefereeState& state, const RefereeInput& input, const Find
 void begin_next_half(RefereeState& state, const RefereeInput& input, const Finding& finding) {
   state.half = half_after(input.configuration, state.half);
   state.goals_by_half.push_back({});
+  state.placement_failures = {};
   state.signal.stage = stage_before(state.half);
   place_ball(state, Vec2(0, 0));
   stop_after_signal(state, input, finding);
@@ -265,6 +270,7 @@ void begin_new_game(RefereeState& state, const RefereeInput& input, const Findin
   state.cards = {};
   state.timeouts = {};
   state.shootout = {};
+  state.placement_failures = {};
   state.signal.shootout_goals = {};
   state.signal.yellow_cards = state.signal.red_cards = {};
   allow_robots(state, input.configuration);

@@ -65,6 +65,8 @@ constexpr std::array kBeyondPaper = {
         State::kDelayWait, "2026", ""},
   Transition{"", State::kWaitStop, Event::kAttackerStaysNearArea, kAlways, kAwardFreeKickInStop,
         State::kWaitStop, "2026", ""},
+  Transition{"", State::kWaitStop, Event::kBoundaryCrossing, kAlways, kAwardFreeKickInStop,
+        State::kWaitStop, "2026", ""},
   Transition{"", State::kWaitStop, Event::kBotInterferedPlacement, kAlways, kAllowMoreTime,
         State::kWaitStop, "2026", ""},
   Transition{"", State::kRun, kCallThatStopsPlay, kAlways, kStopPlay,
@@ -128,9 +130,9 @@ std::span<const Transition> transitions_in_figure() { return kInFigure; }
 std::span<const Transition> transitions_outside_figure() { return kOutsideFigure; }
 std::span<const Transition> transitions_beyond_paper() { return kBeyondPaper; }
 
-std::array<std::span<const Transition>, 4> all_transitions() {
-  return {transitions_of_administration(), transitions_in_figure(), transitions_outside_figure(),
-          transitions_beyond_paper()};
+std::array<std::span<const Transition>, 5> all_transitions() {
+  return {transitions_of_administration(), transitions_of_placement(), transitions_in_figure(),
+          transitions_outside_figure(), transitions_beyond_paper()};
 }
 
 std::vector<std::string_view> all_labels() {

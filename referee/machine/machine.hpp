@@ -67,8 +67,12 @@ std::span<const Transition> transitions_beyond_paper();
 // because a goal in a shoot-out has its own transition.
 std::span<const Transition> transitions_of_administration();
 
+// Transitions for ball placement by the teams (ball_placement.cpp). They are tried before those of
+// the figure, since play must not start before the ball is placed.
+std::span<const Transition> transitions_of_placement();
+
 // All transitions while AutoRef commands the game, in the order in which they are tried.
-std::array<std::span<const Transition>, 4> all_transitions();
+std::array<std::span<const Transition>, 5> all_transitions();
 
 // All transitions while a person or nobody commands the game (beside_person.cpp).
 std::span<const Transition> transitions_beside_person();

@@ -106,6 +106,27 @@ struct PersonWatch {
   PlayGoesOn goes_on;        // in CALLED
 };
 
+// How the ball gets to the next restart's position.
+enum class PlacementStep : std::uint8_t {
+  kNone,       // by hand, or it is there
+  kUndecided,  // a team is due to place it, but has not been ordered to
+  kByTeam,     // its robots place it
+  kStays,      // it is near enough
+  kByHand,     // the robots cannot reach it, or may not place it
+};
+
+// Ball placement by the teams' robots (2026).
+struct TeamPlacement {
+  PlacementStep step = PlacementStep::kNone;
+  Side side = Side::kWest;   // the side that is due
+  Command restart;           // as given, before a failure changed it
+  PerSide<bool> has_failed;  // to place the ball for this restart
+  Vec2 target_m{0, 0};       // the designated position
+  double distance_m = 0;     // from the ball to that position when the side was ordered to place it
+  Vec2 mark_m{0, 0};         // the ball has stayed near this position since `still_since_s`
+  double still_since_s = 0;
+};
+
 struct RefereeState {
   State machine_state = State::kInit;
   RefereeSignal signal;  // in force; includes score, placement and the paper's `next`
@@ -130,6 +151,9 @@ struct RefereeState {
   double half_began_s = 0;  // start of the half, on the clock of clock_s() (timekeeping.hpp)
   int games_finished = 0;
   boost::container::static_vector<PerSide<int>, kMaxHalves> goals_by_half{PerSide<int>{}};
+
+  TeamPlacement placing;
+  PerSide<int> placement_failures;  // in this half; successes reduce them
 
   PersonWatch person;
 };

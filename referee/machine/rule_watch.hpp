@@ -101,6 +101,7 @@ struct RuleWatch {
   GraceTimer stop_distance;
   GraceTimer bot_interfered_placement;
   bool interference_is_called = false;  // for the current placement
+  bool boundary_is_crossed = false;     // called since the ball was last inside it
   AttackerNearAreaWatch attacker_too_close_to_defense_area;
   RestartDistanceWatch defender_too_close_to_kick_point;
   KickoffPositionsWatch kickoff_positions;

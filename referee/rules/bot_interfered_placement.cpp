@@ -1,8 +1,10 @@
 // During ball placement, robots of the side that does not take the restart keep 0.5 m away from the
 // line between the ball and its target, after a grace period of 2 s (2026). Only one foul per
-// placement counts; it extends the placement by 10 s.
+// placement counts; it extends the placement by 10 s. While a team places the ball, further robots
+// extend the placement, too, but are not counted.
 #include <fmt/format.h>
 
+#include "referee/machine/ball_placement.hpp"
 #include "referee/rules/rule.hpp"
 #include "soccer/robot_shape.hpp"
 
@@ -15,19 +17,25 @@ struct PlacementSegment {
   Side kept_away = Side::kWest;  // the side that does not take the restart
 };
 
+// The side whose robots place the ball. If the simulator does, the side that takes the restart.
+std::optional<Side> placing_side(const RefereeState& state) {
+  if (state.machine_state == State::kPlacement) return state.placing.side;
+  const std::optional<Command>& next = state.signal.next_command;
+  if (is_placement_due(state) || !next || !is_for_one_side(next->kind)) return std::nullopt;
+  return next->side;
+}
+
 // nullopt unless the ball is being placed for one side's restart.
 std::optional<PlacementSegment> placement_segment(const RefereeState& state,
                                                   const RefereeInput& input) {
   const RefereeSignal& signal = state.signal;
-  if (!input.tracks.ball || !signal.placement || !signal.next_command ||
-      !is_for_one_side(signal.next_command->kind)) {
-    return std::nullopt;
-  }
+  const std::optional<Side> placer = placing_side(state);
+  if (!input.tracks.ball || !signal.placement || !placer) return std::nullopt;
   const Vec2& ball_m = input.tracks.ball->position_m;
   const Vec2& target_m = signal.placement->target_m;
   if ((target_m - ball_m).norm() <= input.configuration.rules.ball_in_position_m)
     return std::nullopt;
-  return PlacementSegment{ball_m, target_m, opponent_of(signal.next_command->side)};
+  return PlacementSegment{ball_m, target_m, opponent_of(*placer)};
 }
 
 double gap_to_segment_m(const TrackedRobot& robot, const PlacementSegment& direction) {
@@ -38,7 +46,8 @@ double gap_to_segment_m(const TrackedRobot& robot, const PlacementSegment& direc
 std::optional<Finding> find_bot_interfered_placement(RefereeState& state,
                                                      const RefereeInput& input) {
   if (!input.frame.ball) return std::nullopt;  // the ball's position is unknown
-  if (state.watch.interference_is_called) return std::nullopt;
+  const bool is_counted = state.watch.interference_is_called;
+  if (is_counted && state.machine_state != State::kPlacement) return std::nullopt;
   const Configuration& c = input.configuration;
   const std::optional<PlacementSegment> direction = placement_segment(state, input);
   const double limit_m = c.rules.placement_clearance_m;
@@ -52,6 +61,7 @@ std::optional<Finding> find_bot_interfered_placement(RefereeState& state,
   state.watch.interference_is_called = true;
   Finding finding = note_of(Event::kBotInterferedPlacement, RuleId::kBotInterferedPlacement,
                             c.rules, nearest->id, nearest->position_m);
+  if (is_counted) finding.is_foul = false;
   finding.value = limit_m - nearest->excess;
   finding.evidence = fmt::format(
       "{} is still {} from the line between the ball and its target position after {:.1f} s.",
@@ -61,6 +71,7 @@ std::optional<Finding> find_bot_interfered_placement(RefereeState& state,
 
 }  // namespace
 
-constinit const Rule kBotInterferedPlacementRule{{State::kWaitStop}, find_bot_interfered_placement};
+constinit const Rule kBotInterferedPlacementRule{{State::kWaitStop, State::kPlacement},
+                                               find_bot_interfered_placement};
 
 }  // namespace autoref::referee

@@ -49,6 +49,7 @@ referee::Configuration referee_configuration(const GameConfiguration& game) {
   configuration.knockout = game.match.knockout;
   configuration.after_game = game.match.after_game;
   configuration.control = game.match.control;
+  configuration.placement = game.match.placement;
   configuration.first_kickoff = game.match.first_kickoff;
   configuration.noise = {game.sim.vision.ball_noise_m, game.sim.vision.robot_noise_m,
                          game.sim.vision.robot_noise_rad};

@@ -28,6 +28,7 @@ struct MatchConfiguration {
   bool knockout = false;
   referee::AfterGame after_game = referee::AfterGame::kHalt;
   referee::Control control = referee::Control::kAutoref;
+  referee::PlacedBy placement = referee::PlacedBy::kSimulator;
   Side a_plays = Side::kWest;
   Side first_kickoff = Side::kWest;
 };

@@ -111,7 +111,8 @@ class Game::Impl {
       ended(side == Side::kWest ? Phase::kTeamWest : Phase::kTeamEast);
     }
     substitution_controller_.act(signal_, requests(), frame_.time_s, world_);
-    world_.step(commands_, signal_.placement);
+    const bool is_held = signal_.placement && signal_.placement->by_hand;
+    world_.step(commands_, is_held ? signal_.placement : std::nullopt);
     if (!world_.is_finite()) void_game("a position in the world is not finite");
     ++record_.frames;
     ended(Phase::kPhysics);

@@ -63,6 +63,8 @@ void list_match(GameSettings& game, Branch to) {
           "what the referee does after the game; the result row covers one game only");
   to.word("control", match.control, {"autoref", "human", "none"},
           "who commands the game; others than autoref only in recorded games");
+  to.word("placement", match.placement, {"simulator", "teams"},
+          "who places the ball for free kicks and force starts");
   to.number("extra_half_s", match.extra_half_s, positive(36000), "s",
             "length of each half of extra time");
   to.word("a_plays", match.a_plays, sides, "side of team a; team b plays on the other");

@@ -66,7 +66,7 @@ using Players = std::map<int, PlayerSettings>;
 
 // Location of a setting's value in a GameSettings.
 using Target = std::variant<double*, int*, bool*, std::uint64_t*, std::string*, Side*,
-                            DefenceArea::Shape*, referee::AfterGame*, referee::Control*,
+                            DefenceArea::Shape*, referee::AfterGame*, referee::Control*, referee::PlacedBy*,
                             BothFactors, BallPreset, CameraPreset, DribblerPreset, RulesChoice,
                             TypeName, Change, ChangesOf, Params*, Players*, RobotTypes*>;
 

@@ -54,6 +54,7 @@ struct MatchSettings {
   double extra_half_s = 300;  // in knockout games
   referee::AfterGame after_game = referee::AfterGame::kHalt;
   referee::Control control = referee::Control::kAutoref;
+  referee::PlacedBy placement = referee::PlacedBy::kSimulator;
   Side a_plays = Side::kWest;
   Side first_kickoff = Side::kWest;
 };

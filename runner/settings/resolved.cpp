@@ -26,6 +26,7 @@ MatchConfiguration resolved(const MatchSettings& settings) {
   match.knockout = settings.knockout;
   match.after_game = settings.after_game;
   match.control = settings.control;
+  match.placement = settings.placement;
   match.a_plays = settings.a_plays;
   match.first_kickoff = settings.first_kickoff;
   return match;

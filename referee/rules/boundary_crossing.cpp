@@ -1,0 +1,64 @@
+// A kick must not take the ball over the field's boundary, the outer edge of the run-off (2026). The
+// opponents get a free kick from where the ball was kicked. The ball has crossed a line before, so
+// the rule also applies in the stop that follows; there, a ball that somebody carries away does not
+// count. Unless the last touch is known, nobody is blamed.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "referee/rules/rule.hpp"
+#include "referee/touch/frame_history.hpp"
+#include "soccer/robot_shape.hpp"
+
+namespace autoref::referee {
+namespace {
+
+// Our choice: a kicked ball reaches the boundary within this time after the touch.
+constexpr double kFlight_s = 4_s;
+// Our choice: the ball must be that far beyond, because a flying ball of unknown height appears
+// farther out than it is.
+constexpr double kBeyondBoundary_m = 150_mm;
+
+double beyond_boundary_m(const Field& field, const Vec2& ball_m) {
+  return std::max(std::abs(ball_m.x()) - field.wall_x_m(), std::abs(ball_m.y()) - field.wall_y_m());
+}
+
+// Where the ball was at that touch, if the history goes back so far.
+std::optional<Vec2> kicked_from_m(const FrameHistory& frames, double touched_s) {
+  const std::int64_t number = frames.first_detection(touched_s);
+  if (number > frames.newest()) return std::nullopt;
+  return frames[number].ball.position_m;
+}
+
+std::optional<Finding> find_boundary_crossing(RefereeState& state, const RefereeInput& input) {
+  const Configuration& c = input.configuration;
+  const LastTouch& touch = input.last_touch;
+  if (!input.frame.ball) return std::nullopt;
+  const Vec2& ball_m = input.ball->position_m;
+  const double beyond_m = beyond_boundary_m(c.field, ball_m);
+  bool& is_called = state.watch.boundary_is_crossed;
+  if (beyond_m < 0) is_called = false;
+  if (beyond_m < kBeyondBoundary_m || is_called || !touch.side) return std::nullopt;
+  if (has_passed(touch.time_s, kFlight_s, input.time_s())) return std::nullopt;
+  const std::optional<Vec2> from_m = kicked_from_m(input.frames, touch.time_s);
+  if (!from_m) return std::nullopt;
+  is_called = true;
+  Finding finding = offence_of(Event::kBoundaryCrossing, RuleId::kBoundaryCrossing, c, *touch.side,
+                               *from_m);
+  if (touch.robot) finding.robots.push_back(*touch.robot);
+  finding.value = beyond_m;
+  finding.unit = "m";
+  finding.evidence =
+      fmt::format("{} kicked the ball over the boundary at ({:.2f}, {:.2f}) m.",
+                  touch.robot ? text_of(*touch.robot) : std::string(colour_of(*touch.side)),
+                  ball_m.x(), ball_m.y());
+  return finding;
+}
+
+}  // namespace
+
+constinit const Rule kBoundaryCrossingRule{{State::kRun, State::kWaitStop, State::kCalled},
+                                           find_boundary_crossing};
+
+}  // namespace autoref::referee
