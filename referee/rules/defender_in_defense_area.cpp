@@ -58,7 +58,8 @@ Finding partly(const BallTouch& touch, const RefereeInput& input, double distanc
 std::optional<Finding> check_defender(RefereeState& /*state*/, const BallTouch& touch,
                                       const RefereeInput& input) {
   const Configuration& c = input.configuration;
-  if (touch.robot->number == input.requests[*touch.side].keeper) return std::nullopt;
+  const int keeper = input.requests[*touch.side].keeper;
+  if (keeper < 0 || touch.robot->number == keeper) return std::nullopt;
   const double distance_m = hull_to_area_m(c.field, *touch.side, *touch.toucher);
   if (!(distance_m < 0) || is_in_contact_with_opponent(*touch.robot, *touch.toucher, input)) {
     return std::nullopt;

@@ -79,7 +79,9 @@ void watch(PenaltyPositionsWatch& watch, const RefereeState& state, const Refere
   const Side defender = opponent_of(attacker);
   watch.others[attacker] = too_near(
       attacker, kicker_of(input.frame.robots[attacker], input.ball->position_m), state, input);
-  watch.others[defender] = too_near(defender, input.requests[defender].keeper, state, input);
+  const int keeper = input.requests[defender].keeper;
+  if (keeper < 0) return;  // it may be any of the defenders
+  watch.others[defender] = too_near(defender, keeper, state, input);
   watch.keeper = keeper_off_line(defender, input);
 }
 

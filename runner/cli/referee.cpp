@@ -9,12 +9,14 @@
 #include "runner/cli/output_file.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/files.hpp"
+#include "runner/logs/keepers.hpp"
 #include "runner/logs/log_game.hpp"
 #include "runner/logs/log_report.hpp"
 #include "runner/logs/user_log.hpp"
 #include "runner/settings/assignments.hpp"
 #include "runner/settings/fields.hpp"
 #include "runner/settings/resolved.hpp"
+#include "soccer/colour.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -65,6 +67,21 @@ void say_gaps(const RefereeArguments& arguments, const Assignments& assignments,
     write_message(stderr, fmt::format("autoref: {}: {}\n", arguments.log, gap));
 }
 
+void say_keepers(const RefereeArguments& arguments, const RecordedFacts& facts) {
+  for (const Side side : kSides) {
+    const std::optional<int> keeper = facts.actual_keepers[side];
+    if (!keeper) continue;
+    const std::string colour(colour_of(side));
+    const std::string what =
+        *keeper < 0
+            ? "no other robot keeps it all the time: the rules on keepers do not apply to " + colour
+            : fmt::format("robot {} keeps it: using {}", *keeper, *keeper);
+    write_message(
+        stderr, fmt::format("autoref: {}: the announced keeper of {} does not keep the goal; {}\n",
+                            arguments.log, colour, what));
+  }
+}
+
 }  // namespace
 
 int referee_verb(const RefereeArguments& arguments) {
@@ -73,7 +90,7 @@ int referee_verb(const RefereeArguments& arguments) {
   check_outputs({{"--events", arguments.events}}, {arguments.log});
   std::optional<PendingFile> events;
   open_output(events, "--events", arguments.events);
-  const RecordedFacts facts = read_facts(arguments.log);
+  RecordedFacts facts = read_facts(arguments.log);
   write_message(stderr, damage_text(arguments.log, facts));
   if (facts.log.frames == 0) {
     throw InputError({arguments.log}, "", "contains no 2014 vision packets to referee");
@@ -84,6 +101,8 @@ int referee_verb(const RefereeArguments& arguments) {
     if (games.empty()) say_gaps(arguments, assignments, facts, game);
     games.push_back(referee_configuration(resolved(game)));
   }
+  facts.actual_keepers = actual_keepers(arguments.log, games.front().field);
+  say_keepers(arguments, facts);
   const LogRefereeResult evaluation = referee_log(arguments.log, facts, games);
   if (events) events->commit(evaluation.events);
   fmt::print("{}\n", arguments.json ? referee_log_json(evaluation, facts)

@@ -48,13 +48,16 @@ class OwnCalls {
 
 class LogReferee final : public league::LogVisitor {
  public:
-  LogReferee(const std::vector<referee::Configuration>& configurations,
-             const PerSide<std::string>& names, const DecisionWatch& watch)
+  LogReferee(const std::vector<referee::Configuration>& configurations, const RecordedFacts& facts,
+             const DecisionWatch& watch)
       : configurations_(configurations),
+        actual_keepers_(facts.actual_keepers),
         watch_(watch),
         referee_(configurations.front()),
         log_(PerSide<EventTeam>{
-            {EventTeam{"", names[Side::kWest]}, EventTeam{"", names[Side::kEast]}}}) {}
+            {EventTeam{"", facts.names[Side::kWest]}, EventTeam{"", facts.names[Side::kEast]}}}) {
+    for (const Side side : kSides) requests_[side].keeper = actual_keepers_[side].value_or(0);
+  }
 
   void on_frame(const Frame& frame) override {
     if (!referee_.is_over()) take(frame);
@@ -70,7 +73,12 @@ class LogReferee final : public league::LogVisitor {
     if (!signal) return;
     if (next_game_.begins_with(signal->stage)) is_next_game_ = game_ + 1 < configurations_.size();
     if (signals_.size() == kMostWaiting) signals_.pop_front();
-    signal->command_time_s = time_s - command_age_s(packet);
+    signal->command_time_s = time_s - league::command_age_s(packet).value_or(0);
+    for (const Side side : kSides) {
+      const std::optional<int> keeper =
+          actual_keepers_[side] ? actual_keepers_[side] : signal->keepers[side];
+      requests_[side].keeper = keeper.value_or(requests_[side].keeper);
+    }
     signals_.push_back({time_s, is_turned_ ? turned(*signal) : *signal});
   }
 
@@ -95,19 +103,12 @@ class LogReferee final : public league::LogVisitor {
   // More than a minute of signals without a frame.
   static constexpr std::size_t kMostWaiting = 4096;
 
-  static double command_age_s(const league::RefereePacket& packet) {
-    const double age_s = (static_cast<double>(packet.packet_timestamp()) -
-                          static_cast<double>(packet.command_timestamp())) /
-                         1e6;
-    return age_s > 0 && age_s < 3600 ? age_s : 0;
-  }
-
   bool is_beside_person() const {
     return configurations_[game_].control != referee::Control::kAutoref;
   }
 
   void take(const Frame& frame) {
-    referee_.update(is_turned_ ? turned(frame) : frame, {});
+    referee_.update(is_turned_ ? turned(frame) : frame, requests_);
     while (!signals_.empty() && signals_.front().time_s <= frame.time_s + kSameTime_s) {
       referee_.follow(signals_.front().signal);
       signals_.pop_front();
@@ -124,6 +125,8 @@ class LogReferee final : public league::LogVisitor {
   static constexpr double kSameTime_s = 1e-6;  // times in logs are rounded
 
   const std::vector<referee::Configuration>& configurations_;
+  PerSide<std::optional<int>> actual_keepers_;
+  PerSide<TeamRequests> requests_;
   const DecisionWatch& watch_;
   std::size_t game_ = 0;
   NextGame next_game_;
@@ -142,7 +145,7 @@ class LogReferee final : public league::LogVisitor {
 LogRefereeResult referee_log(const std::filesystem::path& log, const RecordedFacts& facts,
                              const std::vector<referee::Configuration>& configurations,
                              const DecisionWatch& watch) {
-  LogReferee judge(configurations, facts.names, watch);
+  LogReferee judge(configurations, facts, watch);
   league::read_log(log, judge);
   CallMaker recorded;
   for (const RecordedCommand& command : facts.commands)

@@ -60,7 +60,9 @@ struct RecordedFacts {
   std::map<std::uint32_t, RecordedCamera> cameras;  // by number
   PerSide<int> robots;                              // maximum number in a frame
   std::vector<RecordedGame> games = {{}};           // at least one, at most kMostGames
-  std::int64_t unknown_signals = 0;                 // packets with an unknown stage or command
+  // Robots that keep the goals although others are announced (keepers.hpp); nullopt: the announced.
+  PerSide<std::optional<int>> actual_keepers;
+  std::int64_t unknown_signals = 0;  // packets with an unknown stage or command
 
   static constexpr std::size_t kMostCommands = 100'000;
   static constexpr std::size_t kMostGames = 100;

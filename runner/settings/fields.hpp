@@ -65,10 +65,11 @@ using Params = std::map<std::string, double>;
 using Players = std::map<int, PlayerSettings>;
 
 // Location of a setting's value in a GameSettings.
-using Target = std::variant<double*, int*, bool*, std::uint64_t*, std::string*, Side*,
-                            DefenceArea::Shape*, referee::AfterGame*, referee::Control*, referee::PlacedBy*,
-                            BothFactors, BallPreset, CameraPreset, DribblerPreset, RulesChoice,
-                            TypeName, Change, ChangesOf, Params*, Players*, RobotTypes*>;
+using Target =
+    std::variant<double*, int*, bool*, std::uint64_t*, std::string*, Side*, DefenceArea::Shape*,
+                 referee::AfterGame*, referee::Control*, referee::PlacedBy*, BothFactors,
+                 BallPreset, CameraPreset, DribblerPreset, RulesChoice, TypeName, Change, ChangesOf,
+                 Params*, Players*, RobotTypes*>;
 
 struct Range {
   double low = 0;
