@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include "league/detection_merger.hpp"
+#include "league/messages/tracker.pb.h"
 #include "league/messages/vision.pb.h"
+#include "league/tracker_message.hpp"
 #include "league/vision_2010.hpp"
 
 namespace autoref::league {
@@ -24,10 +26,35 @@ MessageKind kind_of(const LogRecord& record) {
   return is_known ? static_cast<MessageKind>(record.kind) : MessageKind::kUnknown;
 }
 
+bool has_detection(const LogRecord& record) {
+  VisionPacket packet;
+  VisionPacket2010 old;
+  return (kind_of(record) == MessageKind::kVision2014 && parse(record.message, packet) &&
+          packet.has_detection()) ||
+         (kind_of(record) == MessageKind::kVision2010 && parse(record.message, old) &&
+          old.has_detection());
+}
+
+// Whether the log's first records contain tracker packets, but no vision.
+bool begins_with_tracker_only(const std::filesystem::path& path) {
+  constexpr int kBeginning = 3000;  // records: some seconds of a game with two trackers
+  LogReader log(path);
+  LogRecord record;
+  bool has_tracker = false;
+  for (int i = 0; i < kBeginning && log.read(record); ++i) {
+    if (has_detection(record)) return false;
+    has_tracker = has_tracker || kind_of(record) == MessageKind::kTracker2020;
+  }
+  return has_tracker;
+}
+
 class Walk {
  public:
   Walk(const std::filesystem::path& path, LogVisitor& visitor, const LogLimits& limits)
-      : log_(path), visitor_(visitor), limits_(limits) {}
+      : log_(path),
+        visitor_(visitor),
+        limits_(limits),
+        frames_are_tracked_(begins_with_tracker_only(path)) {}
 
   LogSummary summary() {
     while (!beyond() && log_.read(record_)) {
@@ -42,6 +69,8 @@ class Walk {
     summary_.field = merger_.field();
     summary_.field_gaps = merger_.field_gaps();
     summary_.field_changes = merger_.field_changes();
+    summary_.trackers = follower_.sources();
+    summary_.frames_are_tracked = frames_are_tracked_;
     summary_.clock_restarts = merger_.clock_restarts();
     summary_.unnumbered = merger_.unnumbered();
     const std::optional<std::string> too_much = beyond();
@@ -71,6 +100,7 @@ class Walk {
     const MessageKind kind = kind_of(record_);
     if (kind == MessageKind::kVision2014) return parse(record_.message, vision_) && take_vision();
     if (kind == MessageKind::kVision2010) return take_vision_2010();
+    if (kind == MessageKind::kTracker2020) return take_tracker();
     return kind != MessageKind::kReferee2013 || take_referee();
   }
 
@@ -94,10 +124,23 @@ class Walk {
     return true;
   }
 
+  bool take_tracker() {
+    if (!parse(record_.message, tracker_)) return false;
+    const std::int64_t unusable = follower_.unusable();
+    const bool has_tracks = follower_.add(tracker_, now_s_);
+    if (has_tracks) visitor_.on_tracks(follower_.frame(), follower_.tracks());
+    if (has_tracks && frames_are_tracked_) count_and_show(follower_.frame());
+    return follower_.unusable() == unusable;
+  }
+
+  // A frame of vision.
   void show(const Frame* frame) {
-    if (frame == nullptr) return;
+    if (frame != nullptr && !frames_are_tracked_) count_and_show(*frame);
+  }
+
+  void count_and_show(const Frame& frame) {
     ++frames_;
-    visitor_.on_frame(*frame);
+    visitor_.on_frame(frame);
   }
 
   void note_unreadable() {
@@ -109,9 +152,12 @@ class Walk {
   LogLimits limits_;
   LogRecord record_;
   DetectionMerger merger_;
+  bool frames_are_tracked_;
+  TrackFollower follower_;
   VisionPacket vision_;
   VisionPacket2010 vision_2010_;
   RefereePacket referee_;
+  TrackerPacket tracker_;
   LogSummary summary_;
   std::int64_t records_ = 0;
   std::int64_t frames_ = 0;

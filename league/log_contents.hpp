@@ -12,6 +12,7 @@
 #include "league/messages/referee.pb.h"
 #include "soccer/field.hpp"
 #include "soccer/frame.hpp"
+#include "soccer/tracks.hpp"
 
 namespace autoref::league {
 
@@ -20,8 +21,12 @@ class LogVisitor {
  public:
   virtual ~LogVisitor() = default;
   // A complete frame (detection_merger.hpp). It is reported once the next one begins, that is,
-  // after the referee messages sent in between. Its time counts from the first frame.
+  // after the referee messages sent in between. Its time counts from the first frame. In a log
+  // that begins without vision, frames are those of its tracker (tracker_message.hpp).
   virtual void on_frame(const Frame& /*frame*/) {}
+  // What the log's tracker reports, and the part of it that was seen. Both count frames and times
+  // from the tracker's first packet. Called before on_frame if the frames are the tracker's.
+  virtual void on_tracks(const Frame& /*frame*/, const Tracks& /*tracks*/) {}
   // `time_s` is the record's time on the frames' clock.
   virtual void on_referee(double /*time_s*/, const RefereePacket& /*packet*/) {}
   // A packet of one camera; `time_s` is the record's time on the frames' clock.
@@ -38,6 +43,8 @@ struct LogSummary {
   FieldGaps field_gaps;             // what that geometry omits
   int field_changes = 0;            // changes after the first geometry
   int clock_restarts = 0;           // restarts of the cameras' clock
+  int trackers = 0;                 // programs that sent tracker packets, at most 64
+  bool frames_are_tracked = false;  // no vision in the first seconds: frames from a tracker
   std::int64_t unnumbered = 0;      // detections of robots numbered 16 and above
   std::int64_t unreadable = 0;      // messages that cannot be parsed or used
   std::int64_t unreadable_at = 0;   // offset of the first such record

@@ -93,7 +93,7 @@ int referee_verb(const RefereeArguments& arguments) {
   RecordedFacts facts = read_facts(arguments.log);
   write_message(stderr, damage_text(arguments.log, facts));
   if (facts.log.frames == 0) {
-    throw InputError({arguments.log}, "", "contains no 2014 vision packets to referee");
+    throw InputError({arguments.log}, "", "contains neither vision nor tracker packets to referee");
   }
   std::vector<referee::Configuration> games;
   for (const RecordedGame& recorded : facts.games) {

@@ -149,6 +149,7 @@ std::string info_json(const RecordedFacts& facts) {
   return json_text({{"length_s", log.length_s},
                     {"records", records_json(log)},
                     {"frames", log.frames},
+                    {"trackers", log.trackers},
                     {"goals", recorded_score(facts)},
                     {"teams", facts.names.values},
                     {"cameras", cameras_json(facts)},

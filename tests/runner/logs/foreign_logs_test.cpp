@@ -197,7 +197,8 @@ TEST_F(ForeignLog, WithoutVisionIsRefused) {
   EXPECT_EQ(run("info", {}).code, kDone);
   const Answer answer = referee();
   EXPECT_EQ(answer.code, kBadInput);
-  EXPECT_NE(answer.err.find("contains no 2014 vision packets to referee"), std::string::npos);
+  EXPECT_NE(answer.err.find("contains neither vision nor tracker packets to referee"),
+            std::string::npos);
 }
 
 TEST_F(ForeignLog, TakesItsRuleBookByTheFlagThatKeepsItsField) {
