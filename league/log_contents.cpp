@@ -58,9 +58,10 @@ class Walk {
 
   LogSummary summary() {
     while (!beyond() && log_.read(record_)) {
+      ++summary_.records[kind_of(record_)];
+      if (kind_of(record_) == MessageKind::kIndex2021) continue;  // it has no time
       if (records_++ == 0) first_ns_ = record_.time_ns;
       take_time();
-      ++summary_.records[kind_of(record_)];
       if (!take()) note_unreadable();
     }
     show(merger_.finish());

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstring>
 #include <utility>
+#include <vector>
 
 namespace autoref::league {
 namespace {
@@ -118,8 +119,18 @@ bool LogReader::fail(const std::string& what) {
   return false;
 }
 
+// The index of a game's log has several megabytes: 8 bytes per record.
+void LogReader::skip_index(std::size_t length) {
+  std::vector<char> portion(std::min(kPortion, length));
+  while (length > 0 && !is_over_) {
+    const std::size_t count = std::min(portion.size(), length);
+    is_over_ = get(portion.data(), count) < count;
+    length -= count;
+  }
+}
+
 bool LogReader::read(LogRecord& record) {
-  if (damage_) return false;
+  if (damage_ || is_over_) return false;
   offset_ = gztell(zlib_file(file_));
   std::array<char, kHeaderSize> header{};
   const std::size_t size = get(header.data(), header.size());
@@ -132,12 +143,16 @@ bool LogReader::read(LogRecord& record) {
   record.time_ns = static_cast<std::int64_t>(number_at<std::uint64_t>(header.data()));
   record.kind = static_cast<std::int32_t>(number_at<std::uint32_t>(header.data() + 8));
   const std::size_t length = number_at<std::uint32_t>(header.data() + 12);
+  record.message.clear();
+  if (record.kind == static_cast<std::int32_t>(MessageKind::kIndex2021)) {
+    skip_index(length);
+    return true;
+  }
   if (length > kLongestMessage) {
     return fail(
         fmt::format("a message of {} bytes exceeds the maximum of {}", length, kLongestMessage));
   }
   // Grows with the data actually read, so a damaged length does not allocate memory in vain.
-  record.message.clear();
   while (record.message.size() < length) {
     const std::size_t had = record.message.size();
     const std::size_t portion = std::min(kPortion, length - had);

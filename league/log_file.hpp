@@ -3,6 +3,9 @@
 // A file begins with the 12 bytes "SSL_LOG_FILE" and an int32 version, 1. Records follow: int64
 // time in ns, int32 kind, int32 size, and the message; all numbers are big-endian. Files whose
 // names end in .gz are written gzip-compressed; the reader detects compression from the content.
+//
+// A log may end with an index, a record of kind 6 and time 0: the offset of each record before it
+// (int64), the size of the index record with its header (int64), and the 7 bytes "INDEXED".
 #pragma once
 
 #include <cstddef>
@@ -74,7 +77,9 @@ class LogReader {
   LogReader(const LogReader&) = delete;
   LogReader& operator=(const LogReader&) = delete;
 
-  // Reads the next record into `record`; returns false at the end, or if the file is damaged.
+  // Reads the next record into `record`; returns false at the end, or if the file is damaged. An
+  // index is skipped, whatever its size: its message is empty. A log that ends in the middle of an
+  // index is not damaged, since no message is lost.
   bool read(LogRecord& record);
 
   // Offset of the last record read.
@@ -86,10 +91,12 @@ class LogReader {
  private:
   std::size_t get(char* bytes, std::size_t count);
   bool fail(const std::string& what);
+  void skip_index(std::size_t length);
 
   std::string name_;
   void* file_ = nullptr;     // a gzFile
   std::int64_t offset_ = 0;  // offset of the current record
+  bool is_over_ = false;
   std::optional<LogDamage> damage_;
 };
 

@@ -123,6 +123,37 @@ TEST(ReadLog, ComputesTheLengthFromTheRecordsTimes) {
   EXPECT_DOUBLE_EQ(read_log(file.path(), nobody).length_s, 0.004);
 }
 
+// A log of 20 minutes has about 300,000 records, each with 8 bytes in the index.
+TEST(ReadLog, SkipsTheIndexAtTheEndOfALog) {
+  for (const char* ending : {".log", ".log.gz"}) {
+    const ScratchFile file(ending);
+    LogWriter writer(file.path());
+    writer.write(5'000'000'000, MessageKind::kVision2014, packet_of(0, 1));
+    writer.write(6'000'000'000, MessageKind::kVision2014, packet_of(0, 2));
+    writer.write(0, MessageKind::kIndex2021, std::string(2'400'015, 'x'));
+    writer.close();
+    LogVisitor nobody;
+    const LogSummary log = read_log(file.path(), nobody);
+    EXPECT_EQ(log.records.at(MessageKind::kIndex2021), 1);
+    EXPECT_EQ(log.unreadable, 0);
+    EXPECT_FALSE(log.damage);
+    EXPECT_DOUBLE_EQ(log.length_s, 1);
+  }
+}
+
+TEST(ReadLog, IsNotDamagedByAnIndexThatWasCutOff) {
+  const ScratchFile file(".log");
+  written(file, MessageKind::kVision2014, {packet_of(0, 1)});
+  file.fill(file.bytes() + std::string("\0\0\0\0\0\0\0\0\0\0\0\6\0\0\0\x20"
+                                       "half",
+                                       20));
+  LogVisitor nobody;
+  const LogSummary log = read_log(file.path(), nobody);
+  EXPECT_EQ(log.records.at(MessageKind::kIndex2021), 1);
+  EXPECT_EQ(log.frames, 1);
+  EXPECT_FALSE(log.damage);
+}
+
 TEST(ReadLog, StopsAtItsLimits) {
   const ScratchFile file(".log.gz");
   written(file, MessageKind::kUnknown, std::vector<std::string>(1000, std::string(10'000, 'x')));
