@@ -1,5 +1,8 @@
 #include "league/game_log.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "league/field_message.hpp"
 #include "league/frame_message.hpp"
 #include "league/units.hpp"
@@ -9,6 +12,12 @@ namespace {
 
 constexpr double kGeometryEvery_s = 1.0;
 constexpr double kRefereeEvery_s = 0.1;
+constexpr std::size_t kMostGameEvents = 8;
+
+bool puts_play_on(CommandKind kind) {
+  return kind == CommandKind::kNormalStart || kind == CommandKind::kForceStart ||
+         kind == CommandKind::kDirectFree || kind == CommandKind::kIndirectFree;
+}
 
 }  // namespace
 
@@ -20,6 +29,19 @@ GameLog::GameLog(const std::filesystem::path& path, const Field& field,
       packets_(cameras_.size()) {
   fill_geometry(field, cameras_, *geometry_.mutable_geometry());
   geometry_.set_source(kOtherSource);
+}
+
+void GameLog::note(Command command) {
+  sent_.push_back(command);
+  if (puts_play_on(command.kind)) events_.clear();
+}
+
+void GameLog::note(GameEvent event) {
+  ++noted_events_;
+  if (event.id.empty()) event.id = std::to_string(noted_events_);
+  if (events_.size() == kMostGameEvents) events_.erase(events_.begin());
+  events_.push_back(std::move(event));
+  has_new_events_ = true;
 }
 
 template <typename Message>
@@ -44,7 +66,8 @@ void GameLog::add(const Frame& frame, const RefereeSignal& signal) {
   fill_detections(frame, cameras_, packets_);
   for (const VisionPacket& packet : packets_) write(frame.time_s, MessageKind::kVision2014, packet);
   write_commands_before(signal, frame.time_s);
-  if (has_changed(signal) || frame.time_s >= referee_due_s_) write_signal(signal, frame.time_s);
+  if (has_changed(signal) || has_new_events_ || frame.time_s >= referee_due_s_)
+    write_signal(signal, frame.time_s);
 }
 
 // Writes the commands that were superseded by another command within the same frame.
@@ -61,8 +84,19 @@ void GameLog::write_commands_before(const RefereeSignal& signal, double time_s) 
   sent_.clear();
 }
 
+// Omits the oldest events if the packet would become too long.
+void GameLog::add_events() {
+  const auto add = [this](const GameEvent& event) { return add_game_event(event, referee_); };
+  while (!std::all_of(events_.begin(), events_.end(), add)) {
+    referee_.clear_game_events();
+    events_.erase(events_.begin());
+  }
+  has_new_events_ = false;
+}
+
 void GameLog::write_signal(const RefereeSignal& signal, double time_s) {
   fill_referee(signal, teams_, time_s, referee_);
+  add_events();
   write(time_s, MessageKind::kReferee2013, referee_);
   referee_due_s_ = time_s + kRefereeEvery_s;
 }

@@ -5,18 +5,22 @@
 #include <string>
 #include <vector>
 
+#include "league/game_event_message.hpp"
 #include "league/log_file.hpp"
 #include "league/messages/referee.pb.h"
 #include "league/messages/vision.pb.h"
 #include "league/referee_message.hpp"
 #include "soccer/field.hpp"
 #include "soccer/frame.hpp"
+#include "soccer/game_event.hpp"
 #include "soccer/referee_signal.hpp"
 
 namespace autoref::league {
 
 // Times count from the game's first frame. Every camera sends one packet per frame, the geometry
 // about once a second, and the referee ten packets per second plus one whenever its signal changes.
+// Its packets contain the game events since play was on last, or the newest ones if they would
+// exceed kLongestPacket.
 class GameLog {
  public:
   // Creates or truncates the file. Throws LogError.
@@ -25,7 +29,11 @@ class GameLog {
 
   // Notes a command of the next frame. This matters only if one frame has several commands, since
   // the signal contains just the last.
-  void note(Command command) { sent_.push_back(command); }
+  void note(Command command);
+
+  // Adds an event to the referee's packets from the next frame on. An event without an id gets its
+  // number.
+  void note(GameEvent event);
 
   // Throws LogError.
   void add(const Frame& frame, const RefereeSignal& signal);
@@ -36,6 +44,7 @@ class GameLog {
  private:
   bool has_changed(const RefereeSignal& signal) const;
   void write_commands_before(const RefereeSignal& signal, double time_s);
+  void add_events();
   void write_signal(const RefereeSignal& signal, double time_s);
   template <typename Message>
   void write(double time_s, MessageKind kind, const Message& message);
@@ -47,6 +56,9 @@ class GameLog {
   std::vector<VisionPacket> packets_;  // one per camera
   RefereePacket referee_;              // the last one sent
   std::vector<Command> sent_;          // during the current frame
+  std::vector<GameEvent> events_;      // since play was on last
+  int noted_events_ = 0;
+  bool has_new_events_ = false;
   std::string bytes_;
   double geometry_due_s_ = 0;
   double referee_due_s_ = 0;

@@ -9,6 +9,7 @@
 #include "league/game_log.hpp"
 #include "runner/cli/output_file.hpp"
 #include "runner/game/event_log.hpp"
+#include "runner/game/game_event.hpp"
 #include "runner/io/build_id.hpp"
 #include "runner/io/checksum.hpp"
 #include "runner/io/errors.hpp"
@@ -55,11 +56,16 @@ class Watch final : public Observer {
   }
   void on_decision(const referee::Decision& decision) override {
     if (events_ != nullptr) events_->on_decision(decision);
-    if (log_ != nullptr && decision.command) log_->note(*decision.command);
+    if (log_ != nullptr) log_decision(decision);
     if (recording_ != nullptr) recording_->add(recorded(decision));
   }
 
  private:
+  void log_decision(const referee::Decision& decision) {
+    if (decision.command) log_->note(*decision.command);
+    if (std::optional<GameEvent> event = game_event_of(decision)) log_->note(*std::move(event));
+  }
+
   EventLog* events_;          // null unless events are written
   league::GameLog* log_;      // null unless a log is written
   GameRecording* recording_;  // null unless a page is written

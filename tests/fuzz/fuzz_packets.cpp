@@ -1,11 +1,15 @@
-// Fuzzes the reading of vision and referee packets with arbitrary content, and lets AutoRef referee
-// the resulting frames. The input is a sequence of packets: one byte for the kind, two for the
-// length, the packet.
+// Fuzzes the reading of vision, referee and tracker packets and of game events with arbitrary
+// content, and lets AutoRef referee the resulting frames. Game events must be written as they were
+// read. The input is a sequence of packets: one byte for the kind, two for the length, the packet.
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 
 #include "league/detection_merger.hpp"
+#include "league/game_event_message.hpp"
 #include "league/referee_message.hpp"
+#include "league/tracker_message.hpp"
+#include "league/vision_2010.hpp"
 #include "referee/referee.hpp"
 
 namespace {
@@ -14,20 +18,43 @@ using namespace autoref;
 
 class Game {
  public:
-  void take(bool is_vision, const std::uint8_t* data, int size) {
-    if (is_vision) {
-      league::VisionPacket packet;
-      if (packet.ParsePartialFromArray(data, size) && packet.IsInitialized())
-        judge(merger_.add(packet));
-    } else {
-      league::RefereePacket packet;
-      if (packet.ParsePartialFromArray(data, size) && packet.IsInitialized())
-        league::signal_of(packet);
-    }
+  void take(int kind, const std::uint8_t* data, int size) {
+    if (kind == 0) take_as<league::VisionPacket>(data, size);
+    if (kind == 1) take_as<league::RefereePacket>(data, size);
+    if (kind == 2) take_as<league::VisionPacket2010>(data, size);
+    if (kind == 3) take_as<league::TrackerPacket>(data, size);
+    if (kind == 4) take_as<league::GameEventMessage>(data, size);
   }
   void finish() { judge(merger_.finish()); }
 
  private:
+  template <typename Packet>
+  void take_as(const std::uint8_t* data, int size) {
+    Packet packet;
+    if (packet.ParsePartialFromArray(data, size) && packet.IsInitialized()) read(packet);
+  }
+
+  void read(const league::VisionPacket& packet) { judge(merger_.add(packet)); }
+  void read(league::VisionPacket2010& packet) {
+    league::VisionPacket converted;
+    league::convert(packet, converted);
+    read(converted);
+  }
+  void read(const league::RefereePacket& packet) {
+    league::signal_of(packet);
+    league::command_age_s(packet);
+    league::game_events_of(packet);
+  }
+  void read(const league::TrackerPacket& packet) {
+    if (follower_.add(packet, received_s_ += 0.01) && !merger_.field()) judge(&follower_.frame());
+  }
+  static void read(const league::GameEventMessage& message) {
+    const GameEvent event = league::game_event_of(message);
+    league::GameEventMessage again;
+    league::fill_game_event(event, again);
+    if (!again.IsInitialized() || !(league::game_event_of(again) == event)) std::abort();
+  }
+
   void judge(const Frame* frame) {
     if (frame == nullptr) return;
     if (!referee_) {
@@ -39,6 +66,8 @@ class Game {
   }
 
   league::DetectionMerger merger_;
+  league::TrackFollower follower_;
+  double received_s_ = 0;
   std::optional<referee::Referee> referee_;
 };
 
@@ -49,7 +78,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Game game;
   while (size >= kHead) {
     const std::size_t length = std::min<std::size_t>(data[1] * 256U + data[2], size - kHead);
-    game.take(data[0] % 2 == 0, data + kHead, static_cast<int>(length));
+    game.take(data[0] % 5, data + kHead, static_cast<int>(length));
     data += kHead + length;
     size -= kHead + length;
   }

@@ -37,10 +37,23 @@ MESSAGES = {
     "SSL_WrapperPacket": "o SSL_DetectionFrame detection 1; o SSL_GeometryData geometry 2",
     "TeamInfo": "r string name 1; r uint32 score 2; r uint32 red_cards 3; r uint32 yellow_cards 5;"
                 "r uint32 timeouts 6; r uint32 timeout_time 7; r uint32 goalkeeper 8",
+    "Vector2": "r float x 1; r float y 2",
+    "BallLeftField": "r int32 by_team 1; o uint32 by_bot 2; o Vector2 location 3",
+    "Goal": "r int32 by_team 1; o uint32 kicking_bot 2; o Vector2 location 3; o Vector2 kick_location 4;"
+            "o float max_ball_height 5; o int32 kicking_team 6; o uint32 num_robots_by_team 7;"
+            "o uint64 last_touch_by_team 8; o string message 9",
+    "GameEvent": "o int32 type 40; m string origin 41; o uint64 created_timestamp 49; o string id 50;"
+                 "o BallLeftField ball_left_field_touch_line 6; o BallLeftField ball_left_field_goal_line 7;"
+                 "o Goal possible_goal 39",
     "SSL_Referee": "r uint64 packet_timestamp 1; r int32 stage 2; o sint32 stage_time_left 3;"
                    "r int32 command 4; r uint32 command_counter 5; r uint64 command_timestamp 6;"
-                   "r TeamInfo yellow 7; r TeamInfo blue 8",
+                   "r TeamInfo yellow 7; r TeamInfo blue 8; m GameEvent game_events 16",
 }
+# Numbers in GameEvent.Type and names of fields.
+PARTS = {6: "ball_left_field_touch_line", 7: "ball_left_field_goal_line", 39: "possible_goal"}
+TYPES = {name.upper(): number for number, name in PARTS.items()}
+# Types of the paper's rules whose parts are not read here.
+LEAGUE_TYPES = {"ATTACKER_TOO_CLOSE_TO_DEFENSE_AREA": 19, "NO_PROGRESS_IN_GAME": 2}
 
 
 def message_classes():
@@ -75,7 +88,7 @@ def records(path):
 
 def read(path):
     Wrapper, Referee = message_classes()
-    story = {"frames": set(), "commands": [], "robots": set(), "balls": 0, "last": None}
+    story = {"frames": set(), "commands": [], "robots": set(), "balls": 0, "last": None, "events": {}}
     counter = None
     for time_ns, kind, payload in records(path):
         if kind == VISION:
@@ -91,11 +104,33 @@ def read(path):
                 story["robots"] |= {("blue", r.robot_id) for r in frame.robots_blue}
         elif kind == REFEREE:
             packet = Referee.FromString(payload)
+            assert len(payload) < 1024
+            for event in packet.game_events:
+                story["events"][event.id] = event
             if packet.command_counter != counter:
                 counter = packet.command_counter
                 story["commands"].append(COMMANDS[packet.command])
             story["last"] = packet
     return story
+
+
+def event_summary(event):
+    """The time, type, team and place of an event in the log."""
+    part = getattr(event, PARTS[event.type]) if event.type in PARTS else None
+    place = (round(part.location.x, 3), round(part.location.y, 3)) if part else None
+    return (event.created_timestamp, event.type, part.by_team if part else None, place)
+
+
+def summary_of(call):
+    """The same of a decision; only the type's name is known of events without a part above."""
+    kind = TYPES.get(call["league_event"])
+    place = tuple(round(x, 3) for x in call["position_m"]) if kind else None
+    team = {"yellow": 1, "blue": 2, "unknown": 0}
+    if kind == 39:
+        by_team = {"PREPARE_KICKOFF_YELLOW": 2, "PREPARE_KICKOFF_BLUE": 1}[call["restart"]]
+    else:
+        by_team = team[call["last_touch"]["colour"]] if kind else None
+    return (round(call["time_s"] * 1e6), kind or LEAGUE_TYPES[call["league_event"]], by_team, place)
 
 
 def main():
@@ -106,10 +141,12 @@ def main():
                                "--json", "--log", log, "--events", events],
                               check=True, capture_output=True, text=True, timeout=120).stdout
         game = json.loads(text)
-        sent = [json.loads(line)["command"] for line in events.read_text().splitlines()]
+        decisions = [json.loads(line) for line in events.read_text().splitlines()]
         story = read(log)
-    sent = [command for command in sent if command]
+    sent = [decision["command"] for decision in decisions if decision["command"]]
+    called = [decision for decision in decisions if decision["league_event"]]
     last = story["last"]
+    read_events = list(story["events"].values())
     # The last frame is refereed, which ends the game; no sub-step is simulated after it.
     frames = round(game["sim_s"] * 60)
     checks = {
@@ -119,6 +156,7 @@ def main():
         "names": ([last.yellow.name, last.blue.name], ["basic (a)", "basic (b)"]),
         "robots": (len(story["robots"]), 10),
         "field": (story["field"], (6050, 4050)),
+        "events": ([event_summary(event) for event in read_events], [summary_of(call) for call in called]),
         "balls": (story["balls"] > 0.9 * frames, True),
     }
     wrong = {name: pair for name, pair in checks.items() if pair[0] != pair[1]}
