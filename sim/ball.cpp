@@ -58,7 +58,8 @@ Vec2 Ball::slowed(const Vec2& velocity_mps, double duration_s) {
   // point, which is proportional to inertia * velocity + spin.
   const Vec2 rolling_mps = (inertia_ * velocity_mps + spin_mps_) / (1.0 + inertia_);
   const double speed = rolling_mps.norm();
-  const double left = speed - parameters_.roll_mps2 * duration_s;
+  const double slowing_mps2 = parameters_.roll_mps2 + parameters_.roll_per_s * speed;
+  const double left = speed - slowing_mps2 * duration_s;
   spin_mps_ = left < parameters_.rest_mps ? Vec2(0.0, 0.0) : Vec2(rolling_mps * (left / speed));
   return spin_mps_;
 }
@@ -87,10 +88,11 @@ Vec2 Ball::flown(const Vec2& velocity_mps, double duration_s) {
 
 Vec2 Ball::land(const Vec2& velocity_mps) {
   const double kept = has_landed_ ? parameters_.hop_later_xy : parameters_.hop_first_xy;
+  const double kept_upwards = has_landed_ ? parameters_.hop_later_z : parameters_.hop_first_z;
   has_landed_ = true;
   // Restitution upwards, a fixed loss along the carpet; afterwards the ball spins as fast as it
   // moves.
-  vertical_mps_ *= -parameters_.hop_z;
+  vertical_mps_ *= -kept_upwards;
   const double hop_m = vertical_mps_ * vertical_mps_ / (2.0 * kGravity_mps2);
   spin_mps_ = kept * velocity_mps;
   if (hop_m < parameters_.rolls_below_hop_m) vertical_mps_ = 0.0;

@@ -47,10 +47,12 @@ void check_factor(const char* name, double value) {
 void validate(const BallParameters& ball) {
   check_positive("ball.slide_mps2", ball.slide_mps2);
   check_positive("ball.roll_mps2", ball.roll_mps2);
+  check_range("ball.roll_per_s", ball.roll_per_s, 0.0, 1.0);
   check_range("ball.switch_ratio", ball.switch_ratio, 0.05, 0.95);
   check_share("ball.hop_first_xy", ball.hop_first_xy);
   check_share("ball.hop_later_xy", ball.hop_later_xy);
-  check_range("ball.hop_z", ball.hop_z, 0.0, 0.95);
+  check_range("ball.hop_first_z", ball.hop_first_z, 0.0, 0.95);
+  check_range("ball.hop_later_z", ball.hop_later_z, 0.0, 0.95);
   check_not_negative("ball.rest_mps", ball.rest_mps);
   check_positive("ball.rolls_below_hop_m", ball.rolls_below_hop_m);
   check_not_negative("ball.net_mps2", ball.net_mps2);
@@ -110,6 +112,7 @@ void validate(const KickerParameters& kicker) {
   check_range("kicker.dead_time_s", kicker.dead_time_s, 0.0, 60.0);
   check_range("kicker.speed_noise", kicker.speed_noise, 0.0, 0.5);
   check_range("kicker.direction_noise_deg", kicker.direction_noise_deg, 0.0, 45.0);
+  check_range("kicker.chip_angle_noise_deg", kicker.chip_angle_noise_deg, 0.0, 20.0);
 }
 
 void validate(const VisionParameters& vision) {

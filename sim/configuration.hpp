@@ -14,11 +14,13 @@ namespace autoref::sim {
 // Two-phase ball model on carpet: the ball slides after a kick, then rolls.
 struct BallParameters {
   double slide_mps2 = 3.4;     // deceleration while sliding
-  double roll_mps2 = 0.30;     // deceleration while rolling
+  double roll_mps2 = 0.30;     // deceleration while rolling, at low speed
+  double roll_per_s = 0.0;     // additional deceleration while rolling, per m/s of speed
   double switch_ratio = 0.67;  // speed at which rolling starts, relative to the kick's speed
   double hop_first_xy = 0.75;  // fraction of the horizontal speed kept at a chip's first landing
   double hop_later_xy = 0.95;  // fraction kept at later landings
-  double hop_z = 0.5;          // fraction of the vertical speed kept at each landing
+  double hop_first_z = 0.5;    // fraction of the vertical speed kept at a chip's first landing
+  double hop_later_z = 0.5;    // fraction kept at later landings
   double rest_mps = 0.010;     // below this speed the ball stops
   double rolls_below_hop_m = 0.010;  // a lower bounce ends the flight
   double net_mps2 = 10.0;            // deceleration by the net of a ball leaving a goal
@@ -70,9 +72,10 @@ struct KickerParameters {
   double speed_limit_mps = 8.0;  // paper, section 3
   double chip_limit_mps = 5.5;
   double chip_angle_deg = 45.0;
-  double dead_time_s = 100_ms;       // between two kicks
-  double speed_noise = 0.025;        // relative standard deviation of the ball's speed
-  double direction_noise_deg = 1.5;  // standard deviation
+  double dead_time_s = 100_ms;        // between two kicks
+  double speed_noise = 0.025;         // relative standard deviation of the ball's speed
+  double direction_noise_deg = 1.5;   // standard deviation
+  double chip_angle_noise_deg = 0.0;  // standard deviation of a chip's elevation
 };
 
 struct DribblerParameters {
@@ -159,8 +162,8 @@ struct TeamSpec {
 // A number outside its allowed range.
 class OutOfRange : public std::invalid_argument {
  public:
-  // what() is the name followed by `text`, such as "ball.hop_z" and " is 2; it must be from 0 to
-  // 0.95".
+  // what() is the name followed by `text`, such as "ball.hop_later_z" and " is 2; it must be
+  // from 0 to 0.95".
   OutOfRange(const std::string& name, const std::string& text)
       : std::invalid_argument(name + text), name_(name), text_(text) {}
 

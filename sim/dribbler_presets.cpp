@@ -12,9 +12,12 @@ struct DribblerPreset {
   DribblerParameters numbers;
 };
 
-// 100 N stop a ball of 46 g at 8 m/s, the maximum, within a sub-step of 1/240 s.
+// 100 N stop a ball of 46 g at 8 m/s, the maximum, within a sub-step of 1/240 s. The robots of 2026
+// lose the ball when they brake at 3 m/s^2: on the carpet, the ball `rc2026` then needs a pull of
+// (3 + 0.22) m/s^2 * 46 g / 0.66.
 constexpr std::array kDribblerPresets = {DribblerPreset{"default", {}},
-                                         DribblerPreset{"perfect", {100.0, 10_mm, true}}};
+                                         DribblerPreset{"perfect", {100.0, 10_mm, true}},
+                                         DribblerPreset{"rc2026", {0.225}}};
 
 }  // namespace
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "sim/dribbler_zone.hpp"
-#include "soccer/trigonometry.hpp"
 #include "soccer/units.hpp"
 
 namespace autoref::sim {
@@ -14,8 +13,7 @@ Kicker::Kicker(const KickerParameters& parameters, double substeps_per_s)
       // The 1e-9 absorbs rounding, which could otherwise add a sub-step.
       dead_substeps_(
           static_cast<std::int64_t>(std::ceil(parameters.dead_time_s * substeps_per_s - 1e-9))),
-      chip_sin_(sin_cos(to_radians(parameters.chip_angle_deg)).sin),
-      chip_cos_(sin_cos(to_radians(parameters.chip_angle_deg)).cos) {}
+      chip_angle_(sin_cos(to_radians(parameters.chip_angle_deg))) {}
 
 std::optional<Kick> Kicker::fire(const RobotCommand& command, const BodyState& robot,
                                  const Vec2& ball_m, double ball_height_m, std::int64_t substep,
@@ -33,7 +31,16 @@ Kick Kicker::make(const RobotCommand& command, const Vec2& heading, RandomStream
   const double speed_mps = std::clamp(command.kick_mps * speed_factor, 0.0, limit_mps);
   const Vec2 direction = to_world(heading_of(off_rad), heading);
   if (!command.chip) return {direction * speed_mps, 0.0};
-  return {direction * (speed_mps * chip_cos_), speed_mps * chip_sin_};
+  const SinCos angle = chip_angle(noise);
+  return {direction * (speed_mps * angle.cos), speed_mps * angle.sin};
+}
+
+// Draws a number only if there is noise.
+SinCos Kicker::chip_angle(RandomStream& noise) const {
+  if (parameters_.chip_angle_noise_deg <= 0.0) return chip_angle_;
+  const double angle_deg =
+      parameters_.chip_angle_deg + parameters_.chip_angle_noise_deg * noise.normal();
+  return sin_cos(to_radians(std::clamp(angle_deg, 5.0, 85.0)));
 }
 
 }  // namespace autoref::sim

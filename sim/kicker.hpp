@@ -9,6 +9,7 @@
 #include "soccer/geometry.hpp"
 #include "soccer/random.hpp"
 #include "soccer/robot_command.hpp"
+#include "soccer/trigonometry.hpp"
 
 namespace autoref::sim {
 
@@ -35,12 +36,12 @@ class Kicker {
   double speed_limit_mps() const { return parameters_.speed_limit_mps; }
 
  private:
+  SinCos chip_angle(RandomStream& noise) const;
   Kick make(const RobotCommand& command, const Vec2& heading, RandomStream& noise) const;
 
   KickerParameters parameters_;
   std::int64_t dead_substeps_;
-  double chip_sin_;
-  double chip_cos_;
+  SinCos chip_angle_;
   std::int64_t ready_at_ = 0;  // sub-step
 };
 

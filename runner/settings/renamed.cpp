@@ -17,6 +17,7 @@ struct Renamed {
 constexpr std::array kNames = {
     Renamed{"calm_substeps", "contact_free_substeps"},
     Renamed{"orders", "commands"},
+    Renamed{"hop_z", "hop_first_z"},
     Renamed{"attacker_near_area", "attacker_too_close_to_defense_area"},
     Renamed{"defender_partly_in_area", "defender_in_defense_area_partially"},
     Renamed{"defender_in_area", "defender_in_defense_area"},

@@ -35,13 +35,18 @@ void list_ball(sim::BallParameters& ball, Branch to) {
             "sets how the ball slides, rolls and hops");
   to.number("slide_mps2", ball.slide_mps2, positive(100), "m/s^2", "deceleration when sliding");
   to.number("roll_mps2", ball.roll_mps2, positive(100), "m/s^2", "deceleration when rolling");
+  to.number("roll_per_s", ball.roll_per_s, {0, 1}, "1/s",
+            "additional deceleration when rolling, per m/s of speed");
   to.number("switch_ratio", ball.switch_ratio, {0.05, 0.95}, "",
             "rolls below this fraction of the kick's speed");
   to.number("hop_first_xy", ball.hop_first_xy, {0, 1}, "",
             "fraction of horizontal speed kept at the first landing");
   to.number("hop_later_xy", ball.hop_later_xy, {0, 1}, "",
             "fraction of horizontal speed kept at later landings");
-  to.number("hop_z", ball.hop_z, {0, 0.95}, "", "fraction of vertical speed kept at a landing");
+  to.number("hop_first_z", ball.hop_first_z, {0, 0.95}, "",
+            "fraction of vertical speed kept at the first landing");
+  to.number("hop_later_z", ball.hop_later_z, {0, 0.95}, "",
+            "fraction of vertical speed kept at later landings");
   to.number("rest_mps", ball.rest_mps, {0, 1}, "m/s", "at rest below this speed");
   to.number("rolls_below_hop_m", ball.rolls_below_hop_m, positive(1), "m",
             "a lower hop ends the flight");
@@ -91,6 +96,8 @@ void list_kicker(sim::KickerParameters& kicker, Branch to) {
             "standard deviation as a fraction of the speed");
   to.number("direction_noise_deg", kicker.direction_noise_deg, {0, 45}, "deg",
             "standard deviation");
+  to.number("chip_angle_noise_deg", kicker.chip_angle_noise_deg, {0, 20}, "deg",
+            "standard deviation of a chip's elevation");
 }
 
 void list_vision(sim::VisionParameters& vision, Branch to) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "sim/ball_presets.hpp"
 #include "sim/dribbler_presets.hpp"
 #include "soccer/random.hpp"
 #include "tests/sim/scene.hpp"
@@ -214,13 +215,38 @@ TEST(DribblerPresets, HaveTheirParameters) {
   EXPECT_EQ(dribbler_preset_of(dribbler), std::nullopt);
 }
 
+// Whether a robot that drives backwards with this acceleration for 0.4 s still has the ball.
+bool keeps_ball_at(double pull_mps2) {
+  Configuration configuration = quiet();
+  apply_ball_preset("rc2026", configuration.ball);
+  RobotSpec robot = quiet_robot();
+  robot.body.acceleration_mps2 = robot.body.wheel_acceleration_mps2 = 9.0;
+  apply_dribbler_preset("rc2026", robot.dribbler);
+  Scene scene(configuration, specs(1, 1, robot));
+  scene.put_robot(kWest0, {2, 0});
+  scene.put_ball_at_plate(kWest0);
+  scene.command(kWest0).dribble = true;
+  scene.frames(20);
+  for (int f = 1; f <= 24; ++f) {
+    scene.command(kWest0).velocity_mps = {-pull_mps2 * f / 60, 0};
+    scene.frame();
+  }
+  const double gap_m = scene.ball().position_m.x() - scene.robot(kWest0).position_m.x();
+  return gap_m < kFrontDistance_m + kBallRadius_m + robot.dribbler.reach_m;
+}
+
+TEST(DribblerPresets, OfRoboCup2026LosesTheBallAt3MetresPerSecondSquared) {
+  EXPECT_TRUE(keeps_ball_at(2.7));
+  EXPECT_FALSE(keeps_ball_at(3.6));
+}
+
 TEST(DribblerPresets, AreListedIfOneIsUnknown) {
   DribblerParameters dribbler;
   try {
     apply_dribbler_preset("sticky", dribbler);
     FAIL() << "accepted";
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "unknown dribbler preset 'sticky'; known: default, perfect");
+    EXPECT_STREQ(error.what(), "unknown dribbler preset 'sticky'; known: default, perfect, rc2026");
   }
 }
 

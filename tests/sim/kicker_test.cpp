@@ -134,6 +134,26 @@ TEST(Kicker, ScattersByTwoAndAHalfPercentAndOneAndAHalfDegrees) {
   EXPECT_NEAR(std::sqrt(angle2 / kKicks), 1.5, 0.2);
 }
 
+TEST(Kicker, ScattersTheElevationOfChips) {
+  RobotSpec noisy = quiet_robot();
+  noisy.kicker.chip_angle_noise_deg = 6.0;
+  Shot shot(noisy);
+  shot.command(kWest0).chip = true;
+  double angle2 = 0.0;
+  constexpr int kKicks = 400;
+  for (int i = 0; i < kKicks; ++i) {
+    shot.put_ball_before(0.005, 0.0);
+    shot.put_robot(kWest0, {0, 0});
+    shot.frame();
+    const double up_mps = shot.ball().vertical_mps + 9.81 / 60;
+    const double along_mps = shot.ball().velocity_mps.x();
+    EXPECT_NEAR(std::hypot(up_mps, along_mps), 4.0, 0.01);
+    angle2 += std::pow(std::atan2(up_mps, along_mps) * 180.0 / kPi - 45.0, 2);
+    shot.frames(6);
+  }
+  EXPECT_NEAR(std::sqrt(angle2 / kKicks), 6.0, 0.9);  // four standard deviations
+}
+
 TEST(TwoKickersAtOnce, AddUpInAnyOrder) {
   Shot shot;
   shot.put_ball({0, 0}, {0, 0}, true);

@@ -6,6 +6,18 @@
 #include "soccer/units.hpp"
 
 namespace autoref::runner {
+namespace {
+
+// The distance rolled from `speed_mps` to rest, with deceleration a + k v. Its integral of v dv /
+// (a + k v) is v / k - a / k^2 ln(1 + k v / a).
+double rolled_m(double speed_mps, const sim::BallParameters& ball) {
+  const double a = ball.roll_mps2;
+  const double k = ball.roll_per_s;
+  if (k * speed_mps < 1e-6 * a) return speed_mps * speed_mps / (2 * a);
+  return speed_mps / k - a / (k * k) * std::log1p(k * speed_mps / a);
+}
+
+}  // namespace
 
 BallTrajectory::BallTrajectory(const Vec2& from_m, const Vec2& velocity_mps, double vertical_mps,
                                const sim::BallParameters& ball)
@@ -20,7 +32,9 @@ BallTrajectory::BallTrajectory(const Vec2& from_m, const Vec2& velocity_mps, dou
     const double slides_m = (kick_mps * kick_mps - rolls_mps * rolls_mps) / (2 * ball.slide_mps2);
     phases_[0] = {kick_mps, ball.slide_mps2, slides_m};
   }
-  phases_[1] = {rolls_mps, ball.roll_mps2, rolls_mps * rolls_mps / (2 * ball.roll_mps2)};
+  phases_[1] = {rolls_mps, ball.roll_mps2, rolled_m(rolls_mps, ball)};
+  if (ball.roll_per_s > 0)
+    phases_[1].slowing_mps2 = rolls_mps * rolls_mps / (2 * phases_[1].length_m);
 }
 
 double BallTrajectory::Phase::speed_at_mps(double path_m) const {

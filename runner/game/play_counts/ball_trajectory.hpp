@@ -1,4 +1,5 @@
 // The straight path of a kicked ball that nobody touches, in closed form from sim::BallParameters.
+// A rolling ball whose deceleration grows with its speed gets the mean deceleration over its path.
 #pragma once
 
 #include <array>

@@ -59,9 +59,9 @@ TEST(SetByPath, SetsTheBallsValuesWithAPreset) {
   EXPECT_EQ(game.sim.ball.slide_mps2, 3.0);
   EXPECT_EQ(game.sim.ball.hop_later_xy, 0.85);
   EXPECT_EQ(value_at(game, "sim.ball.preset"), "tigers");
-  EXPECT_EQ(
-      refusal_of("sim.ball.preset", "tiger"),
-      "expected one of default, erforce, tigers, grsim, found 'tiger'; did you mean 'tigers'?");
+  EXPECT_EQ(refusal_of("sim.ball.preset", "tiger"),
+            "expected one of default, erforce, tigers, grsim, rc2026, found 'tiger'; did you mean "
+            "'tigers'?");
 }
 
 TEST(SetByPath, LetsSingleSettingsOverrideAPreset) {

@@ -193,7 +193,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "t.yaml:3:19: robot.mass_kg: expected a number"},
         Mistake{"Twice", kType + "robot: { mass_kg: 2, mass_kg: 2 }\n", "t.yaml:3:22: robot: "},
         Mistake{"Preset", kType + "dribbler: { preset: sticky }\n",
-                "t.yaml:3:21: dribbler.preset: expected one of default, perfect, found 'sticky'"},
+                "t.yaml:3:21: dribbler.preset: expected one of default, perfect, rc2026, found "
+                "'sticky'"},
         Mistake{"Holds", kType + "dribbler: { holds: 1 }\n",
                 "t.yaml:3:20: dribbler.holds: expected one of false, true, found '1'"},
         Mistake{"About", kType + "about: [1]\n", "t.yaml:3:8: about: expected a sentence"}),

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/ball_presets.hpp"
 #include "tests/sim/scene.hpp"
 
 namespace autoref::runner {
@@ -39,6 +40,16 @@ TEST(BallTrajectory, EndsWhereTheBallStops) {
   EXPECT_NEAR(kicked.trajectory.reach_m(), kicked.travelled_m(), 0.02);
   EXPECT_NEAR(kicked.trajectory.point_m(kicked.trajectory.reach_m()).x(),
               kicked.ball().position_m.x(), 0.02);
+}
+
+// A ball that rolls with 0.22 m/s^2 + 0.045/s v: v / k - a / k^2 ln(1 + k v / a) with v = 0.66 * 2
+// m/s is 3.366 m, after sliding (2^2 - 1.32^2) / 6.6 = 0.342 m.
+TEST(BallTrajectory, EndsWhereABallStopsThatSlowsDownLessAtLowSpeed) {
+  sim::BallParameters ball;
+  sim::apply_ball_preset("rc2026", ball);
+  const BallTrajectory trajectory({0, 0}, {2, 0}, 0, ball);
+  EXPECT_NEAR(trajectory.reach_m(), 0.342 + 3.366, 0.002);
+  EXPECT_NEAR(trajectory.speed_mps(trajectory.reach_m()), 0, 1e-3);
 }
 
 // Length of the flight 2 * 3 * 4 / 9.81 = 2.446 m; apex at 4^2 / (2 * 9.81) = 0.815 m.
