@@ -8,6 +8,10 @@
 namespace autoref::league {
 namespace {
 
+// The merger takes the most confident of several detections of a robot.
+constexpr float kSure = 1;
+constexpr float kUnsure = 0.5F;
+
 bool is_at(const CameraPosition& one, const CameraPosition& other) {
   return one.position_m == other.position_m && one.height_m == other.height_m;
 }
@@ -33,8 +37,8 @@ std::size_t camera_of(const BallObservation& ball, std::span<const CameraPositio
   return nearest(cameras, ball.position_m);
 }
 
-void fill_robot(const RobotObservation& seen, DetectionRobot& robot) {
-  robot.set_confidence(1);
+void fill_robot(const RobotObservation& seen, float confidence, DetectionRobot& robot) {
+  robot.set_confidence(confidence);
   robot.set_robot_id(static_cast<std::uint32_t>(seen.number));
   robot.set_x(to_mm(seen.position_m.x()));
   robot.set_y(to_mm(seen.position_m.y()));
@@ -43,8 +47,8 @@ void fill_robot(const RobotObservation& seen, DetectionRobot& robot) {
   robot.set_pixel_y(0);
 }
 
-void fill_ball(const BallObservation& seen, DetectionBall& ball) {
-  ball.set_confidence(1);
+void fill_ball(const BallObservation& seen, float confidence, DetectionBall& ball) {
+  ball.set_confidence(confidence);
   ball.set_x(to_mm(seen.position_m.x()));
   ball.set_y(to_mm(seen.position_m.y()));
   if (seen.height_m) ball.set_z(to_mm(*seen.height_m));
@@ -60,24 +64,34 @@ void start(const Frame& frame, std::uint32_t camera, DetectionFrame& detection) 
   detection.set_camera_id(camera);
 }
 
+void fill_robots(const PerSide<SeenRobots>& robots, float confidence,
+                 std::span<const CameraPosition> cameras, std::span<VisionPacket> packets) {
+  for (const Side side : kSides) {
+    for (const RobotObservation& robot : robots[side]) {
+      DetectionFrame& detection = *packets[nearest(cameras, robot.position_m)].mutable_detection();
+      fill_robot(
+          robot, confidence,
+          side == Side::kWest ? *detection.add_robots_yellow() : *detection.add_robots_blue());
+    }
+  }
+}
+
 }  // namespace
 
 void fill_detections(const Frame& frame, std::span<const CameraPosition> cameras,
-                     std::span<VisionPacket> packets) {
+                     std::span<VisionPacket> packets, const OtherDetections& others) {
   for (std::size_t i = 0; i < packets.size(); ++i) {
     packets[i].set_source(kOtherSource);
     start(frame, static_cast<std::uint32_t>(i), *packets[i].mutable_detection());
   }
-  const auto camera_before = [&](const Vec2& position_m) {
-    return packets[nearest(cameras, position_m)].mutable_detection();
+  fill_robots(frame.robots, kSure, cameras, packets);
+  fill_robots(others.robots, kUnsure, cameras, packets);
+  const auto fill = [&](const BallObservation& ball, float confidence) {
+    DetectionFrame& detection = *packets[camera_of(ball, cameras)].mutable_detection();
+    fill_ball(ball, confidence, *detection.add_balls());
   };
-  for (const RobotObservation& robot : frame.robots[Side::kWest])
-    fill_robot(robot, *camera_before(robot.position_m)->add_robots_yellow());
-  for (const RobotObservation& robot : frame.robots[Side::kEast])
-    fill_robot(robot, *camera_before(robot.position_m)->add_robots_blue());
-  if (!frame.ball) return;
-  fill_ball(*frame.ball,
-            *packets[camera_of(*frame.ball, cameras)].mutable_detection()->add_balls());
+  if (frame.ball) fill(*frame.ball, kSure);
+  for (const BallObservation& ball : others.balls) fill(ball, kUnsure);
 }
 
 }  // namespace autoref::league

@@ -12,9 +12,10 @@ namespace autoref::league {
 inline constexpr int kOtherSource = 1;
 
 // Fills `packets` with the part of the frame that each of `cameras` sees: a robot or ball belongs
-// to the nearest camera, a ball of unknown height to the camera that saw it. West is yellow. Writes
-// one packet per camera. Allocates nothing once the packets are large enough.
+// to the nearest camera, a ball of unknown height to the camera that saw it. West is yellow. The
+// detections of `others` follow those of the frame, with a lower confidence. Writes one packet per
+// camera. Allocates nothing once the packets are large enough.
 void fill_detections(const Frame& frame, std::span<const CameraPosition> cameras,
-                     std::span<VisionPacket> packets);
+                     std::span<VisionPacket> packets, const OtherDetections& others = {});
 
 }  // namespace autoref::league

@@ -63,7 +63,8 @@ void GameLog::add(const Frame& frame, const RefereeSignal& signal) {
     write(frame.time_s, MessageKind::kVision2014, geometry_);
     geometry_due_s_ = frame.time_s + kGeometryEvery_s;
   }
-  fill_detections(frame, cameras_, packets_);
+  fill_detections(frame, cameras_, packets_, others_);
+  if (!others_.is_empty()) others_ = {};
   for (const VisionPacket& packet : packets_) write(frame.time_s, MessageKind::kVision2014, packet);
   write_commands_before(signal, frame.time_s);
   if (has_changed(signal) || has_new_events_ || frame.time_s >= referee_due_s_)

@@ -35,6 +35,9 @@ class GameLog {
   // number.
   void note(GameEvent event);
 
+  // Notes what the cameras report in addition to the next frame.
+  void note(const OtherDetections& others) { others_ = others; }
+
   // Throws LogError.
   void add(const Frame& frame, const RefereeSignal& signal);
 
@@ -59,6 +62,7 @@ class GameLog {
   std::vector<GameEvent> events_;      // since play was on last
   int noted_events_ = 0;
   bool has_new_events_ = false;
+  OtherDetections others_;             // in addition to the current frame
   std::string bytes_;
   double geometry_due_s_ = 0;
   double referee_due_s_ = 0;

@@ -38,11 +38,18 @@ bool is_hidden(const WorldState& world, const CameraPosition& camera) {
   });
 }
 
+// Distance of a false ball from the centre of a robot, straight ahead (measured at RoboCup 2026).
+constexpr double kNearestFalseBall_m = 0.12;
+constexpr double kFarthestFalseBall_m = 0.14;
+
 }  // namespace
 
-std::array<CameraPosition, 4> camera_positions(const Field& field, double height_m) {
+CameraPositions camera_positions(const Field& field, int cameras, double height_m) {
   const double x = field.half_length_m() / 2.0;
   const double y = field.half_width_m() / 2.0;
+  if (cameras == 1) return {CameraPosition{{0.0, 0.0}, height_m}};
+  if (cameras == 2)
+    return {CameraPosition{{-x, 0.0}, height_m}, CameraPosition{{x, 0.0}, height_m}};
   return {CameraPosition{{-x, -y}, height_m}, CameraPosition{{-x, y}, height_m},
           CameraPosition{{x, -y}, height_m}, CameraPosition{{x, y}, height_m}};
 }
@@ -61,36 +68,78 @@ bool hides_ball(const RobotState& robot, const Vec2& ball_m, double height_m,
 Camera::Camera(const VisionParameters& parameters, const Field& field, double frame_rate_hz,
                std::uint64_t seed)
     : parameters_(parameters),
-      cameras_(camera_positions(field, parameters.camera_height_m)),
+      cameras_(camera_positions(field, parameters.cameras, parameters.camera_height_m)),
       sees_beside_m_(field.half_length_m() / 2.0 + parameters.camera_overlap_m,
                      field.half_width_m() / 2.0 + parameters.camera_overlap_m),
       frame_rate_hz_(frame_rate_hz),
-      chance_(RandomStream::of(seed, RandomPurpose::kCamera)) {}
+      false_balls_(parameters.false_balls_per_s / frame_rate_hz),
+      chance_(RandomStream::of(seed, RandomPurpose::kCamera)),
+      errors_(parameters, field, chance_) {}
 
 void Camera::look(const WorldState& world, Frame& frame) {
   frame.number = world.frame;
   frame.time_s = static_cast<double>(world.frame) / frame_rate_hz_;
+  if (!others_.is_empty()) others_ = {};
   look_at_robots(world, frame);
   look_at_ball(world, frame);
+  if (false_balls_ > 0.0) look_for_false_balls(world, frame);
 }
 
 void Camera::look_at_robots(const WorldState& world, Frame& frame) {
   for (const Side side : kSides) {
     frame.robots[side].clear();
+    SeenRobots misread;
     for (const RobotState& robot : world.robots[side]) {
-      if (misses(parameters_.robot_misses)) continue;
-      const Vec2 position_m = with_noise(robot.position_m, parameters_.robot_noise_m);
-      const double noise_rad =
-          parameters_.robot_noise_rad > 0.0 ? parameters_.robot_noise_rad * chance_.normal() : 0.0;
-      frame.robots[side].push_back(
-          {robot.number, rounded(position_m), rounded_heading(robot.heading, noise_rad)});
+      if (happens(parameters_.robot_misses)) continue;
+      SeenRobots& seen = happens(parameters_.misread_numbers) ? misread : frame.robots[side];
+      seen.push_back(observed(robot));
     }
+    for (RobotObservation& robot : misread) {
+      const auto& team = world.robots[side];
+      robot.number = misread_number(robot.number, {team.data(), team.size()});
+      add_misread(side, robot, frame);
+    }
+  }
+}
+
+// The number of another robot of the team; `number` if there is none.
+int Camera::misread_number(int number, std::span<const RobotState> team) {
+  const auto others = static_cast<double>(team.size() - 1);
+  if (others == 0.0) return number;
+  const auto index = static_cast<std::size_t>(chance_.uniform() * others);
+  return team[index].number < number ? team[index].number : team[index + 1].number;
+}
+
+RobotObservation Camera::observed(const RobotState& robot) {
+  Vec2 position_m = with_noise(robot.position_m, parameters_.robot_noise_m);
+  double noise_rad =
+      parameters_.robot_noise_rad > 0.0 ? parameters_.robot_noise_rad * chance_.normal() : 0.0;
+  if (!errors_.are_zero()) {
+    const int camera = nearest_camera(robot.position_m);
+    position_m += errors_.position_m(camera, robot.position_m);
+    noise_rad += errors_.heading_rad(camera, robot.position_m);
+  }
+  return {robot.number, rounded(position_m), rounded_heading(robot.heading, noise_rad)};
+}
+
+// If the robot whose number it is was seen, too, that robot is in the frame.
+void Camera::add_misread(Side side, const RobotObservation& robot, Frame& frame) {
+  SeenRobots& robots = frame.robots[side];
+  const auto at = std::lower_bound(robots.begin(), robots.end(), robot,
+                                   [](const RobotObservation& one, const RobotObservation& other) {
+                                     return one.number < other.number;
+                                   });
+  const bool is_double = at != robots.end() && at->number == robot.number;
+  if (is_double) {
+    others_.robots[side].push_back(robot);
+  } else {
+    robots.insert(at, robot);
   }
 }
 
 void Camera::look_at_ball(const WorldState& world, Frame& frame) {
   frame.ball.reset();
-  if (misses(parameters_.ball_misses)) return;
+  if (happens(parameters_.ball_misses)) return;
   const CameraPosition* camera = find_view(world);
   if (camera == nullptr) return;
   const BallState& ball = world.ball;
@@ -102,7 +151,51 @@ void Camera::look_at_ball(const WorldState& world, Frame& frame) {
   } else {
     position_m = seen_before_carpet(ball, *camera);
   }
+  if (!errors_.are_zero()) {
+    position_m += errors_.position_m(static_cast<int>(camera - cameras_.data()), position_m);
+  }
   frame.ball->position_m = rounded(with_noise(position_m, parameters_.ball_noise_m));
+}
+
+void Camera::look_for_false_balls(const WorldState& world, Frame& frame) {
+  for (const Side side : kSides) {
+    for (const RobotState& robot : world.robots[side]) {
+      if (!happens(false_balls_)) continue;
+      const double ahead_m =
+          kNearestFalseBall_m + (kFarthestFalseBall_m - kNearestFalseBall_m) * chance_.uniform();
+      const Vec2 position_m = robot.position_m + ahead_m * robot.heading;
+      const int camera = nearest_camera(position_m);
+      BallObservation ball{rounded(position_m + errors_.position_m(camera, position_m)),
+                           std::nullopt, cameras_[static_cast<std::size_t>(camera)]};
+      if (parameters_.reports_height) ball.height_m = 0.0;
+      add_ball(ball, frame);
+    }
+  }
+  if (frame.ball) last_ball_m_ = frame.ball->position_m;
+}
+
+// Before the first ball, the ball that is already in the frame stays there.
+void Camera::add_ball(BallObservation ball, Frame& frame) {
+  if (!frame.ball) {
+    frame.ball = ball;
+    return;
+  }
+  if (others_.balls.size() == others_.balls.capacity()) return;
+  const bool is_nearer = last_ball_m_ && (ball.position_m - *last_ball_m_).squaredNorm() <
+                                             (frame.ball->position_m - *last_ball_m_).squaredNorm();
+  if (is_nearer) std::swap(ball, *frame.ball);
+  others_.balls.push_back(ball);
+}
+
+int Camera::nearest_camera(const Vec2& position_m) const {
+  int nearest = 0;
+  for (int i = 1; i < static_cast<int>(cameras_.size()); ++i) {
+    const auto away_m2 = [&](int camera) {
+      return (position_m - cameras_[static_cast<std::size_t>(camera)].position_m).squaredNorm();
+    };
+    if (away_m2(i) < away_m2(nearest)) nearest = i;
+  }
+  return nearest;
 }
 
 // The nearest camera with a clear view of the ball; nullptr if there is none.
@@ -130,7 +223,7 @@ bool Camera::covers(const CameraPosition& camera, const BallState& ball) const {
   return parameters_.reports_height || ball.height_m <= 0.9 * camera.height_m;
 }
 
-bool Camera::misses(double share) { return share > 0.0 && chance_.uniform() < share; }
+bool Camera::happens(double share) { return share > 0.0 && chance_.uniform() < share; }
 
 Vec2 Camera::with_noise(const Vec2& position_m, double noise_m) {
   if (noise_m <= 0.0) return position_m;

@@ -1,9 +1,12 @@
 // Converts ground truth to what vision reports.
 #pragma once
 
-#include <array>
+#include <boost/container/static_vector.hpp>
 #include <cstdint>
+#include <optional>
+#include <span>
 
+#include "sim/camera_errors.hpp"
 #include "sim/configuration.hpp"
 #include "sim/world.hpp"
 #include "soccer/field.hpp"
@@ -12,19 +15,23 @@
 
 namespace autoref::sim {
 
-// The positions of the league's four cameras, at height_m above the centres of the field's
-// quarters.
-std::array<CameraPosition, 4> camera_positions(const Field& field, double height_m);
+using CameraPositions = boost::container::static_vector<CameraPosition, 4>;
+
+// The positions of the league's cameras, at height_m above the centres of the field's quarters (4),
+// of its halves (2) or of the field (1).
+CameraPositions camera_positions(const Field& field, int cameras, double height_m);
 
 // Whether the robot hides the centre of a ball, with its lowest point at `height_m`, from the
 // camera. A robot has its full height everywhere within its outline.
 bool hides_ball(const RobotState& robot, const Vec2& ball_m, double height_m,
                 const CameraPosition& camera);
 
-// Takes one merged frame of four cameras per step; each camera covers its quarter and
-// camera_overlap_m beyond. Values are rounded to the precision of a league vision packet (float
-// millimetres and radians), so that replaying a recorded game gives the same result as the live
-// one.
+// Takes one merged frame of all cameras per step; each camera covers its part of the field and
+// camera_overlap_m beyond. Robots and the ball are seen by the nearest camera. Values are rounded
+// to the precision of a league vision packet (float millimetres and radians), and of several balls
+// the one nearest to the previous frame's is chosen, as when a log is read
+// (league/detection_merger.hpp), so that replaying a recorded game gives the same result as the
+// live one.
 class Camera {
  public:
   // `seed` selects the random stream for noise and missed detections.
@@ -34,19 +41,32 @@ class Camera {
   // Fills `frame` in place; allocates nothing.
   void look(const WorldState& world, Frame& frame);
 
+  // What the cameras reported besides the last frame: false balls and robots with misread numbers.
+  const OtherDetections& others() const { return others_; }
+
  private:
   void look_at_robots(const WorldState& world, Frame& frame);
+  void add_misread(Side side, const RobotObservation& robot, Frame& frame);
+  int misread_number(int number, std::span<const RobotState> team);
+  RobotObservation observed(const RobotState& robot);
   void look_at_ball(const WorldState& world, Frame& frame);
+  void look_for_false_balls(const WorldState& world, Frame& frame);
+  void add_ball(BallObservation ball, Frame& frame);
   const CameraPosition* find_view(const WorldState& world) const;
+  int nearest_camera(const Vec2& position_m) const;
   bool covers(const CameraPosition& camera, const BallState& ball) const;
-  bool misses(double share);
+  bool happens(double share);
   Vec2 with_noise(const Vec2& position_m, double noise_m);
 
   VisionParameters parameters_;
-  std::array<CameraPosition, 4> cameras_;
+  CameraPositions cameras_;
   Vec2 sees_beside_m_;  // half extents of a camera's view along x and y
   double frame_rate_hz_;
+  double false_balls_;  // proportion of frames, per robot
   RandomStream chance_;
+  CameraErrors errors_;
+  OtherDetections others_;
+  std::optional<Vec2> last_ball_m_;  // only kept if there are false balls
 };
 
 }  // namespace autoref::sim

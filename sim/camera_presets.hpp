@@ -10,8 +10,8 @@
 
 namespace autoref::sim {
 
-// Sets vision, radio losses and latency to the preset's; leaves the rest unchanged. Throws
-// std::invalid_argument, listing the known presets, if the name is unknown.
+// Sets vision, frame rate, radio losses and latency to the preset's; leaves the rest unchanged.
+// Throws std::invalid_argument, listing the known presets, if the name is unknown.
 void apply_camera_preset(std::string_view name, Configuration& configuration);
 
 // The preset with exactly these parameters; nullopt if there is none.

@@ -121,8 +121,14 @@ void validate(const VisionParameters& vision) {
   check_range("vision.robot_noise_rad", vision.robot_noise_rad, 0.0, 0.5);
   check_range("vision.ball_misses", vision.ball_misses, 0.0, 0.9);
   check_range("vision.robot_misses", vision.robot_misses, 0.0, 0.9);
+  if (vision.cameras != 1 && vision.cameras != 2 && vision.cameras != 4)
+    refuse("vision.cameras", vision.cameras, "1, 2 or 4");
   check_range("vision.camera_height_m", vision.camera_height_m, 1.0, 20.0);
   check_range("vision.camera_overlap_m", vision.camera_overlap_m, 0.0, 5.0);
+  check_range("vision.camera_error_m", vision.camera_error_m, 0.0, 0.1);
+  check_range("vision.camera_error_rad", vision.camera_error_rad, 0.0, 0.5);
+  check_range("vision.false_balls_per_s", vision.false_balls_per_s, 0.0, 10.0);
+  check_range("vision.misread_numbers", vision.misread_numbers, 0.0, 0.9);
 }
 
 }  // namespace

@@ -110,10 +110,19 @@ struct VisionParameters {
   double robot_misses = 0.0;   // likewise for each robot
   bool reports_height = true;  // false: reports a flying ball at its projection on the carpet
   bool robots_hide_ball = false;
-  // Four cameras are mounted above the centres of the field's quarters at a height of 4 m (Laws
-  // 2014, section on vision); each covers its quarter and this overlap beyond the field's axes.
+  // 4: above the centres of the field's quarters, at a height of 4 m (Laws 2014, section on
+  // vision); 2: above the centres of its halves; 1: above its centre. Each covers its part and this
+  // overlap beyond the field's axes.
+  int cameras = 4;
   double camera_height_m = 4.0;
   double camera_overlap_m = 0.5;
+  // Systematic error of each camera, root mean square over the field: a constant offset and a
+  // smooth warp, drawn once per game. Neighbouring cameras have opposite errors, so that they
+  // disagree by twice this value.
+  double camera_error_m = 0.0;     // of a position
+  double camera_error_rad = 0.0;   // of a robot's heading
+  double false_balls_per_s = 0.0;  // per robot, each in a single frame, just ahead of the robot
+  double misread_numbers = 0.0;    // proportion of detections with the number of a team-mate
   bool operator==(const VisionParameters&) const = default;
 };
 

@@ -41,6 +41,17 @@ struct Frame {
   std::optional<BallObservation> ball;  // nullopt if no camera sees it
 };
 
+// What vision reports in addition to a frame: balls and robots that a reader of its packets would
+// discard (league/detection_merger.hpp).
+struct OtherDetections {
+  boost::container::static_vector<BallObservation, 8> balls;
+  PerSide<SeenRobots> robots;
+
+  bool is_empty() const {
+    return balls.empty() && robots[Side::kWest].empty() && robots[Side::kEast].empty();
+  }
+};
+
 // Whether every number in the frame is finite.
 bool is_finite(const Frame& frame);
 

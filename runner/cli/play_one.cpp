@@ -13,11 +13,11 @@
 #include "runner/io/build_id.hpp"
 #include "runner/io/checksum.hpp"
 #include "runner/io/errors.hpp"
+#include "runner/logs/logged_cameras.hpp"
 #include "runner/results/game_report.hpp"
 #include "runner/view/game_recording.hpp"
 #include "runner/view/page.hpp"
 #include "runner/view/recorded_decision.hpp"
-#include "sim/camera.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -42,6 +42,9 @@ class Watch final : public Observer {
   Watch(EventLog* events, league::GameLog* log, GameRecording* recording)
       : events_(events), log_(log), recording_(recording) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, end_soon);
+  }
+  void on_other_detections(const OtherDetections& others) override {
+    if (log_ != nullptr) log_->note(others);
   }
   void on_frame(const Frame& frame, const RefereeSignal& signal,
                 const sim::World& /*world*/) override {
@@ -86,8 +89,7 @@ league::LoggedTeam logged_team_on(const GameConfiguration& game, Side side) {
 void open_log(std::optional<league::GameLog>& log, const GameConfiguration& game,
               const std::string& path) {
   if (path.empty()) return;
-  const auto cameras = sim::camera_positions(game.field, game.sim.vision.camera_height_m);
-  log.emplace(path, game.field, std::vector<CameraPosition>(cameras.begin(), cameras.end()),
+  log.emplace(path, game.field, logged_cameras(game),
               PerSide<league::LoggedTeam>{
                   {logged_team_on(game, Side::kWest), logged_team_on(game, Side::kEast)}});
 }

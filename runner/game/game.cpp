@@ -133,7 +133,9 @@ class Game::Impl {
     ended(Phase::kReferee);
     if (signal_.stage != Stage::kShootout) count_play();
     ended(Phase::kRecord);
-    if (observer_ != nullptr) observer_->on_frame(frame_, signal_, world_);
+    if (observer_ == nullptr) return;
+    if (!camera_.others().is_empty()) observer_->on_other_detections(camera_.others());
+    observer_->on_frame(frame_, signal_, world_);
   }
 
   void count_play() {

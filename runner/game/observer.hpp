@@ -23,6 +23,8 @@ class Observer {
   virtual void on_phase(Phase /*ended*/) {}
   // The teams' requests to the referee. Once per frame, before the referee.
   virtual void on_requests(const PerSide<TeamRequests>& /*requests*/) {}
+  // What vision reports in addition to a frame, just before that frame; only if it is not empty.
+  virtual void on_other_detections(const OtherDetections& /*others*/) {}
   // Once per frame, after the referee and before the teams.
   virtual void on_frame(const Frame& /*frame*/, const RefereeSignal& /*signal*/,
                         const sim::World& /*world*/) {}

@@ -113,9 +113,19 @@ void list_vision(sim::VisionParameters& vision, Branch to) {
                "report the ball's height; otherwise it appears on the ground");
   to.yes_or_no("robots_hide_ball", vision.robots_hide_ball,
                "robots can hide the ball from the cameras");
+  to.number("cameras", vision.cameras, {1, 4}, "",
+            "4 above the field's quarters, 2 above its halves or 1 above its centre");
   to.number("camera_height_m", vision.camera_height_m, {1, 20}, "m", "height above the carpet");
   to.number("camera_overlap_m", vision.camera_overlap_m, {0, 5}, "m",
             "how far each camera sees beyond the middle lines");
+  to.number("camera_error_m", vision.camera_error_m, {0, 0.1}, "m",
+            "systematic error of each camera's positions, drawn for each game");
+  to.number("camera_error_rad", vision.camera_error_rad, {0, 0.5}, "rad",
+            "systematic error of each camera's headings");
+  to.number("false_balls_per_s", vision.false_balls_per_s, {0, 10}, "1/s",
+            "false balls ahead of each robot");
+  to.number("misread_numbers", vision.misread_numbers, {0, 0.9}, "",
+            "fraction of robot detections with a team-mate's number");
 }
 
 void list_dribbler(sim::DribblerParameters& dribbler, Branch to) {
@@ -150,7 +160,7 @@ std::vector<Setting> settings_of(sim::Configuration& sim, sim::RobotSpec& robot)
             "physics steps per frame while no contact is possible");
   to.number("frame_rate_hz", sim.frame_rate_hz, {30, 240}, "1/s", "frames per second");
   to.preset("camera", CameraPreset{&sim}, sim::camera_preset_names(),
-            "sets vision, command_loss and latency_s");
+            "sets vision, frame_rate_hz, command_loss and latency_s");
   to.number("latency_s", sim.latency_s, {0, 0.5}, "s", "delay from a frame to the robots' motion");
   list_vision(sim.vision, Branch(list, "sim.vision."));
   Branch radio(list, "sim.radio.");

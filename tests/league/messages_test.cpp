@@ -82,6 +82,27 @@ TEST(FrameHistory, NamesTheCameraOfABallWithoutHeight) {
   EXPECT_EQ(read[0].ball->seen_from.position_m, kCameras[0].position_m);
 }
 
+// A false ball and a robot with a misread number are in the packets, but not in the merged frames.
+TEST(FrameHistory, IsReadBackAmongOtherDetections) {
+  const Frame frame = busy_frame();
+  OtherDetections others;
+  others.balls.push_back({{1.2, 0.8}, std::nullopt, kCameras[3]});
+  others.robots[Side::kEast].push_back({2, {-1, -1}, {1, 0}});
+  std::vector<VisionPacket> packets(kCameras.size());
+  fill_detections(frame, kCameras, packets, others);
+  int balls = 0;
+  int blue = 0;
+  DetectionMerger merger;
+  for (const VisionPacket& packet : packets) {
+    balls += packet.detection().balls_size();
+    blue += packet.detection().robots_blue_size();
+    merger.add(packet);
+  }
+  EXPECT_EQ(balls, 2);
+  EXPECT_EQ(blue, 7);
+  EXPECT_TRUE(are_equal(*merger.finish(), frame));
+}
+
 DetectionFrame detection(std::uint32_t camera, double capture_s) {
   DetectionFrame detection;
   detection.set_frame_number(1);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -18,7 +19,9 @@ TEST(CameraPreset, IsRefusedIfUnknownAndTheKnownAreListed) {
     apply_camera_preset("sharp", configuration);
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find("known: paper, none, friendly, rc2021, realistic"),
+    EXPECT_NE(std::string(error.what())
+                  .find("known: paper, none, friendly, rc2021, realistic, "
+                        "rc2026-b, rc2026-a"),
               std::string::npos)
         << error.what();
   }
@@ -33,8 +36,18 @@ struct Observed {
   double robot_misses = 0;
 };
 
+// Without systematic errors and false detections.
+Camera unbiased_camera_of(const char* preset) {
+  Configuration configuration;
+  apply_camera_preset(preset, configuration);
+  VisionParameters& vision = configuration.vision;
+  vision.camera_error_m = vision.camera_error_rad = 0;
+  vision.false_balls_per_s = vision.misread_numbers = 0;
+  return {vision, Field{}, configuration.frame_rate_hz, 1};
+}
+
 Observed observe(const char* preset, int frames) {
-  Camera camera = camera_of(preset);
+  Camera camera = unbiased_camera_of(preset);
   const WorldState world = world_with_robot_at({1, 1}, {-1, 0.5});
   Frame frame;
   Observed sum;
@@ -65,6 +78,7 @@ struct Kind {
   double robot_misses;
   double command_loss;
   double latency_s;
+  double frame_rate_hz = 60;
 };
 
 class CameraKind : public testing::TestWithParam<Kind> {};
@@ -89,19 +103,26 @@ TEST_P(CameraKind, SetsRadioAndLatencyAndIsIdentifiedByItsParameters) {
   apply_camera_preset(kind.name, configuration);
   EXPECT_EQ(configuration.radio.command_loss, kind.command_loss);
   EXPECT_DOUBLE_EQ(configuration.latency_s, kind.latency_s);
+  EXPECT_EQ(configuration.frame_rate_hz, kind.frame_rate_hz);
   EXPECT_EQ(camera_preset_of(configuration), kind.name);
   configuration.vision.ball_misses += 0.01;
   EXPECT_EQ(camera_preset_of(configuration), std::nullopt);
 }
 
-// The realism levels of ER-Force's simulator.
+// The realism levels of ER-Force's simulator, and the vision measured in 2026.
 INSTANTIATE_TEST_SUITE_P(
     Presets, CameraKind,
     testing::Values(Kind{"paper", 0, 0, 0, 0, 0, 0, 0.040}, Kind{"none", 0, 0, 0, 0, 0, 0, 0.040},
                     Kind{"friendly", 0.0004, 0.0003, 0.003, 0.05, 0.02, 0.01, 0.045},
                     Kind{"rc2021", 0.001, 0.0013, 0.01, 0.05, 0, 0.03, 0.045},
-                    Kind{"realistic", 0.0014, 0.0013, 0.01, 0.05, 0.02, 0.03, 0.048}),
-    [](const auto& kind) { return std::string(kind.param.name); });
+                    Kind{"realistic", 0.0014, 0.0013, 0.01, 0.05, 0.02, 0.03, 0.048},
+                    Kind{"rc2026-b", 0.0007, 0.0005, 0.005, 0.007, 0.002, 0.03, 0.0323, 73.2},
+                    Kind{"rc2026-a", 0.0007, 0.0005, 0.005, 0.007, 0.002, 0.03, 0.0323, 73.2}),
+    [](const auto& kind) {
+      std::string name = kind.param.name;
+      std::replace(name.begin(), name.end(), '-', '_');
+      return name;
+    });
 
 }  // namespace
 }  // namespace autoref::sim

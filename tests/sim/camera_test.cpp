@@ -127,7 +127,7 @@ TEST(Camera, DoesNotSeeAHiddenBallUntilTheRobotLeaves) {
   apply_camera_preset("none", configuration);
   configuration.vision.robots_hide_ball = true;
   Camera hiding(configuration.vision, Field{}, 60, 1);
-  const CameraPosition position = camera_positions(Field{}, 4)[3];
+  const CameraPosition position = camera_positions(Field{}, 4, 4)[3];
   // Visible only to the camera of its quarter, behind a robot.
   const Vec2 outwards = position.position_m.normalized();
   const Vec2 robot_m = position.position_m + outwards * 1.5;

@@ -1,13 +1,16 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <set>
 
 #include "league/game_log.hpp"
+#include "league/log_contents.hpp"
 #include "runner/game/event_log.hpp"
 #include "runner/logs/log_referee.hpp"
+#include "runner/logs/logged_cameras.hpp"
 #include "runner/logs/user_log.hpp"
-#include "sim/camera.hpp"
 #include "sim/camera_presets.hpp"
+#include "soccer/rule_book.hpp"
 #include "tests/league/scratch_log.hpp"
 
 namespace autoref::runner {
@@ -23,10 +26,15 @@ constexpr Command kCorner{CommandKind::kDirectFree, Side::kWest};
 class Recorder final : public Observer {
  public:
   Recorder(const std::filesystem::path& path, const GameConfiguration& game)
-      : log_(path, game.field, cameras_of(game.field), {}) {}
+      : log_(path, game.field, logged_cameras(game), {}) {}
 
+  void on_other_detections(const OtherDetections& others) override {
+    log_.note(others);
+    ++frames_with_others;
+  }
   void on_frame(const Frame& frame, const RefereeSignal& signal, const sim::World&) override {
     log_.add(frame, signal);
+    frames.push_back(frame);
   }
   void on_decision(const referee::Decision& decision) override {
     events.on_decision(decision);
@@ -35,13 +43,10 @@ class Recorder final : public Observer {
   void close() { log_.close(); }
 
   EventLog events;
+  std::vector<Frame> frames;
+  int frames_with_others = 0;
 
  private:
-  static std::vector<CameraPosition> cameras_of(const Field& field) {
-    const auto positions = sim::camera_positions(field, 4);
-    return {positions.begin(), positions.end()};
-  }
-
   league::GameLog log_;
 };
 
@@ -84,6 +89,82 @@ TEST(RefereedLog, YieldsEveryDecisionOfTheLiveReferee) {
   EXPECT_EQ(refereed.events, live.events);
   EXPECT_EQ(refereed.agreement.right, refereed.agreement.recorded);
   EXPECT_EQ(refereed.agreement.f1(), 1);
+}
+
+// A short game with the vision of 2026, and many more false detections.
+GameConfiguration game_of_2026(const std::string& book, const std::string& camera) {
+  GameConfiguration game = short_game();
+  game.match.half_s = 20;
+  game.field = find_game_setup(book)->field;
+  sim::apply_camera_preset(camera, game.sim);
+  game.sim.vision.false_balls_per_s = 2;
+  game.sim.vision.misread_numbers = 0.002;
+  game.sim.vision.ball_misses = 0.05;
+  return game;
+}
+
+class ReadFrames final : public league::LogVisitor {
+ public:
+  void on_frame(const Frame& frame) override { frames.push_back(frame); }
+  void on_camera(double, std::uint32_t camera) override { cameras.insert(camera); }
+  std::vector<Frame> frames;
+  std::set<std::uint32_t> cameras;
+};
+
+// Packets hold angles from -pi to pi as floats, which may change the last digit of a heading.
+void expect_same(const Frame& read, const Frame& live) {
+  ASSERT_EQ(read.time_s, live.time_s);
+  ASSERT_EQ(read.ball.has_value(), live.ball.has_value());
+  if (live.ball) {
+    ASSERT_EQ(read.ball->position_m, live.ball->position_m);
+    ASSERT_EQ(read.ball->height_m, live.ball->height_m);
+    ASSERT_EQ(read.ball->seen_from.position_m, live.ball->seen_from.position_m);
+    ASSERT_EQ(read.ball->seen_from.height_m, live.ball->seen_from.height_m);
+  }
+  for (const Side side : kSides) {
+    ASSERT_EQ(read.robots[side].size(), live.robots[side].size());
+    for (std::size_t i = 0; i < read.robots[side].size(); ++i) {
+      ASSERT_EQ(read.robots[side][i].number, live.robots[side][i].number);
+      ASSERT_EQ(read.robots[side][i].position_m, live.robots[side][i].position_m);
+      ASSERT_LT((read.robots[side][i].heading - live.robots[side][i].heading).norm(), 1e-6);
+    }
+  }
+}
+
+// Plays a game and compares its frames with those of its log, which has that many cameras.
+void expect_frames_of_the_live_game(const GameConfiguration& game, std::size_t cameras) {
+  const ScratchFile file(".log");
+  Recorder live(file.path(), game);
+  play(game, &live);
+  live.close();
+  EXPECT_GT(live.frames_with_others, 200);
+  ReadFrames read;
+  league::read_log(file.path(), read);
+  EXPECT_EQ(read.cameras.size(), cameras);
+  ASSERT_EQ(read.frames.size(), live.frames.size());
+  for (std::size_t i = 0; i < live.frames.size(); ++i) {
+    expect_same(read.frames[i], live.frames[i]);
+    if (testing::Test::HasFatalFailure()) FAIL() << "frame " << i;
+  }
+}
+
+TEST(LogOf2026, OfDivisionBHasOneCameraAndTheFramesOfTheLiveGame) {
+  expect_frames_of_the_live_game(game_of_2026("2026-b", "rc2026-b"), 1);
+}
+
+TEST(LogOf2026, OfDivisionAHasTwoCamerasAndTheFramesOfTheLiveGame) {
+  expect_frames_of_the_live_game(game_of_2026("2026-a", "rc2026-a"), 2);
+}
+
+TEST(LoggedCameras, AreThoseOfTheDivisionIfHeightsAreReported) {
+  GameConfiguration game;
+  for (const auto& [book, cameras] : {std::pair{"2026-b", 1U}, {"2026-a", 2U}, {"2014", 4U}}) {
+    game.field = find_game_setup(book)->field;
+    sim::apply_camera_preset("paper", game.sim);
+    EXPECT_EQ(logged_cameras(game).size(), cameras) << book;
+    sim::apply_camera_preset("realistic", game.sim);
+    EXPECT_EQ(logged_cameras(game).size(), 4U) << "their positions matter for flying balls";
+  }
 }
 
 TEST(RecordedFacts, AreThoseOfTheGame) {

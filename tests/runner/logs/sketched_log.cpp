@@ -19,7 +19,7 @@ class Sketcher {
  public:
   Sketcher(const SketchedLog& sketch, const std::filesystem::path& log)
       : sketch_(sketch), log_(log), packets_(static_cast<std::size_t>(sketch.cameras)) {
-    const auto all = sim::camera_positions(sketch.field, 4);
+    const auto all = sim::camera_positions(sketch.field, 4, 4);
     cameras_.assign(all.begin(), all.begin() + sketch.cameras);
   }
 

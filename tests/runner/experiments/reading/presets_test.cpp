@@ -82,8 +82,8 @@ std::set<std::string> set_by(const Preset& preset) {
 // A value of the setting that differs from the preset's.
 std::string other_value(const std::string& path, const std::string& value) {
   GameSettings game;
-  for (const char* text : {"1", "2", "0.5", "0.1", "5", "7", "12", "0.01", "0.05", "true", "false",
-                           "box", "quarter_circles"}) {
+  for (const char* text : {"1", "2", "0.5", "0.1", "5", "7", "12", "0.01", "0.05", "90", "true",
+                           "false", "box", "quarter_circles"}) {
     try {
       set_by_path(game, path, text);
     } catch (const std::invalid_argument&) {
