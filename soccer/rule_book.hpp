@@ -84,14 +84,14 @@ struct RuleBook {
   double interference_s = 10_s;           // 2026: extra placement time after an interference
 
   // Ball placement by the teams' robots (2026, Ball Placement).
-  double placement_time_s = 30_s;           // from the command
-  double placement_least_s = 2_s;           // the game does not continue earlier
-  double placement_tolerance_m = 150_mm;    // from the ball to its target
-  double placement_robots_m = 50_mm;        // from the ball to all robots before a free kick
+  double placement_time_s = 30_s;            // from the command
+  double placement_least_s = 2_s;            // the game does not continue earlier
+  double placement_tolerance_m = 150_mm;     // from the ball to its target
+  double placement_robots_m = 50_mm;         // from the ball to all robots before a free kick
   double placement_robots_force_m = 500_mm;  // and before a force start
-  double placement_not_needed_m = 1_m;      // a ball at rest may stay if it is nearer to its target
-  double placement_to_area_m = 700_mm;      // and farther from both defence areas
-  int placement_failures = 5;               // a team with as many places no ball for a half
+  double placement_not_needed_m = 1_m;  // a ball at rest may stay if it is nearer to its target
+  double placement_to_area_m = 700_mm;  // and farther from both defence areas
+  int placement_failures = 5;           // a team with as many places no ball for a half
 
   // Penalty kicks (Laws 14).
   double penalty_clearance_m = 400_mm;  // from the mark back to the other robots; 2026: 1 m

@@ -25,8 +25,8 @@ enum class Play : std::uint8_t {
   kRunning,
 };
 
-// `side` takes the restart; it is unused in halt, stop and running play. While a side's robots place
-// the ball, `play` is kStop and `placer` is that side.
+// `side` takes the restart; it is unused in halt, stop and running play. While a side's robots
+// place the ball, `play` is kStop and `placer` is that side.
 struct Situation {
   Play play = Play::kHalt;
   Side side = Side::kWest;

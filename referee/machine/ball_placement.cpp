@@ -17,6 +17,8 @@ namespace {
 constexpr double kOrderAfter_s = 1_s;
 // Our choice: a ball that rolls near its target may come to rest there within this time.
 constexpr double kRollsOn_s = 3_s;
+// Our choice: a ball that has rested out of the robots' reach for this time is placed by hand.
+constexpr double kGiveUp_s = 2_s;
 // Our choice: robots cannot reach a ball that is nearer to both walls of a corner, or to a goal's
 // side.
 constexpr double kCorner_m = 150_mm;
@@ -61,8 +63,8 @@ bool is_near_enough(const RefereeState& state, const RefereeInput& input) {
   const Field& field = input.configuration.field;
   const RuleBook& rules = input.configuration.rules;
   const Vec2& ball_m = input.ball->position_m;
-  const bool is_inside = std::abs(ball_m.x()) <= field.half_length_m() &&
-                         std::abs(ball_m.y()) <= field.half_width_m();
+  const bool is_inside =
+      std::abs(ball_m.x()) <= field.half_length_m() && std::abs(ball_m.y()) <= field.half_width_m();
   return is_inside && distance_to_target_m(state, input) < rules.placement_not_needed_m &&
          std::all_of(kSides.begin(), kSides.end(), [&](Side side) {
            return distance_to_defence_area(field, side, ball_m) >= rules.placement_to_area_m;
@@ -134,12 +136,32 @@ Finding outcome_of(Event event, const RefereeState& state, const RefereeInput& i
   return finding;
 }
 
+// How far the ball is from its position: before it is placed, or as it is left.
+Finding step_of(const RefereeState& state, const RefereeInput& input) {
+  Finding finding;
+  finding.event = Event::kSignalled;
+  finding.rule = "2026, Ball Placement";
+  finding.position_m = input.ball->position_m;
+  finding.value = distance_to_target_m(state, input);
+  finding.unit = "m";
+  finding.evidence = fmt::format("The ball is {:.2f} m from its position.", finding.value);
+  return finding;
+}
+
+// Whether the ball has come to rest where robots cannot reach it.
+bool is_lost(const RefereeState& state, const RefereeInput& input) {
+  return is_out_of_reach(input.configuration.field, input.ball->position_m) &&
+         has_passed(std::max(state.placing.still_since_s, state.signal.command_time_s), kGiveUp_s,
+                    input.time_s());
+}
+
 // Orders the team to place the ball.
 void order_placement(RefereeState& state, const RefereeInput& input, const Finding& /*finding*/) {
   state.placing.step = PlacementStep::kNone;
   state.placing.distance_m = distance_to_target_m(state, input);
   state.watch.bot_interfered_placement = GraceTimer{};
   state.watch.interference_is_called = false;
+  state.watch.attacker_too_close_to_defense_area.grace_from_s = {};
   send(state, input, {CommandKind::kBallPlacement, state.placing.side});
   wait_anew(state, input);
 }
@@ -155,6 +177,11 @@ void place_by_hand(RefereeState& state, const RefereeInput& input, const Finding
   state.placing.step = PlacementStep::kNone;
   place_ball(state, state.placing.target_m);
   wait_anew(state, input);
+}
+
+void end_placement_by_hand(RefereeState& state, const RefereeInput& input, const Finding& finding) {
+  place_by_hand(state, input, finding);
+  send(state, input, {CommandKind::kStop, Side::kWest});
 }
 
 void accept_placement(RefereeState& state, const RefereeInput& input, const Finding& finding) {
@@ -209,6 +236,8 @@ constexpr Guard kOpponentsMayPlace{"the opponents may place the ball", opponents
 constexpr Action kOrderPlacement{"send BALL_PLACEMENT", order_placement};
 constexpr Action kKeepBall{"leave the ball where it is; restart the wait", keep_ball};
 constexpr Action kPlaceByHand{"place the ball; restart the wait", place_by_hand};
+constexpr Action kEndPlacementByHand{"send STOP; place the ball; restart the wait",
+                                     end_placement_by_hand};
 constexpr Action kAcceptPlacement{"send STOP; restart the wait", accept_placement};
 constexpr Action kHandOverPlacement{"send STOP; next = free kick for the opponents",
                                     hand_over_placement};
@@ -222,6 +251,8 @@ constexpr std::array kPlacement = {
   Transition{"ball_stays", State::kWaitStop, Event::kSignalled, kBallStays, kKeepBall,
         State::kWaitStop, "2026", ""},
   Transition{"ball_by_hand", State::kWaitStop, Event::kSignalled, kHandPlaces, kPlaceByHand,
+        State::kWaitStop, "2026", ""},
+  Transition{"ball_lost", State::kPlacement, Event::kSignalled, kAlways, kEndPlacementByHand,
         State::kWaitStop, "2026", ""},
   Transition{"", State::kPlacement, Event::kPlacementSucceeded, kAlways, kAcceptPlacement,
         State::kWaitStop, "2026", ""},
@@ -267,14 +298,7 @@ std::optional<Finding> find_placement_step(RefereeState& state, const RefereeInp
   if (!has_passed(state.signal.command_time_s, kOrderAfter_s, input.time_s())) return std::nullopt;
   state.placing.step = next_step(state, input);
   if (state.placing.step == PlacementStep::kUndecided) return std::nullopt;
-  Finding finding;
-  finding.event = Event::kSignalled;
-  finding.rule = "2026, Ball Placement";
-  finding.position_m = input.ball->position_m;
-  finding.value = distance_to_target_m(state, input);
-  finding.unit = "m";
-  finding.evidence = fmt::format("The ball is {:.2f} m from its position.", finding.value);
-  return finding;
+  return step_of(state, input);
 }
 
 std::optional<Finding> find_placement_outcome(RefereeState& state, const RefereeInput& input) {
@@ -282,16 +306,18 @@ std::optional<Finding> find_placement_outcome(RefereeState& state, const Referee
   const RobotGap gap = robot_gap(state, input);
   if (is_placed(state, input, gap.any_m)) {
     Finding finding = outcome_of(Event::kPlacementSucceeded, state, input);
-    finding.evidence = fmt::format("The ball rests {:.0f} mm from its position, after {:.2f} m.",
-                                   1e3 * distance_to_target_m(state, input),
-                                   state.placing.distance_m);
+    finding.evidence =
+        fmt::format("The ball rests {:.0f} mm from its position, after {:.2f} m.",
+                    1e3 * distance_to_target_m(state, input), state.placing.distance_m);
     return finding;
   }
+  if (is_lost(state, input)) return step_of(state, input);
   if (!has_passed(state.wait_began_s, input.configuration.rules.placement_time_s, input.time_s()))
     return std::nullopt;
   Finding finding = outcome_of(Event::kPlacementFailed, state, input);
   finding.evidence = fmt::format(
-      "The ball is {:.2f} m from its position, and the team's nearest robot {:.2f} m from the ball.",
+      "The ball is {:.2f} m from its position, and the team's nearest robot {:.2f} m from the "
+      "ball.",
       distance_to_target_m(state, input), gap.own_m);
   return finding;
 }

@@ -26,7 +26,8 @@ bool is_placement_due(const RefereeState& state);
 // kSignalled, a second after the STOP or once the ball has come to rest nearby.
 std::optional<Finding> find_placement_step(RefereeState& state, const RefereeInput& input);
 
-// In PLACEMENT: kPlacementSucceeded or kPlacementFailed.
+// In PLACEMENT: kPlacementSucceeded, kPlacementFailed, or kSignalled once the ball has come to rest
+// out of the robots' reach.
 std::optional<Finding> find_placement_outcome(RefereeState& state, const RefereeInput& input);
 
 }  // namespace autoref::referee

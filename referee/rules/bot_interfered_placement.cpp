@@ -72,6 +72,6 @@ std::optional<Finding> find_bot_interfered_placement(RefereeState& state,
 }  // namespace
 
 constinit const Rule kBotInterferedPlacementRule{{State::kWaitStop, State::kPlacement},
-                                               find_bot_interfered_placement};
+                                                 find_bot_interfered_placement};
 
 }  // namespace autoref::referee

@@ -1,7 +1,7 @@
-// A kick must not take the ball over the field's boundary, the outer edge of the run-off (2026). The
-// opponents get a free kick from where the ball was kicked. The ball has crossed a line before, so
-// the rule also applies in the stop that follows; there, a ball that somebody carries away does not
-// count. Unless the last touch is known, nobody is blamed.
+// A kick must not take the ball over the field's boundary, the outer edge of the run-off (2026).
+// The opponents get a free kick from where the ball was kicked. The ball has crossed a line before,
+// so the rule also applies in the stop that follows; there, a ball that somebody carries away does
+// not count. Unless the last touch is known, nobody is blamed.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -44,8 +44,8 @@ std::optional<Finding> find_boundary_crossing(RefereeState& state, const Referee
   const std::optional<Vec2> from_m = kicked_from_m(input.frames, touch.time_s);
   if (!from_m) return std::nullopt;
   is_called = true;
-  Finding finding = offence_of(Event::kBoundaryCrossing, RuleId::kBoundaryCrossing, c, *touch.side,
-                               *from_m);
+  Finding finding =
+      offence_of(Event::kBoundaryCrossing, RuleId::kBoundaryCrossing, c, *touch.side, *from_m);
   if (touch.robot) finding.robots.push_back(*touch.robot);
   finding.value = beyond_m;
   finding.unit = "m";

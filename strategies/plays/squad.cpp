@@ -20,6 +20,7 @@ Squad::Squad(const TeamContext& context, const TeamPlaybook& playbook)
       predicted_(context, tuned(playbook.style, context.params)),
       field_(predicted_),
       handler_(predicted_),
+      placer_(predicted_),
       book_{predicted_, handler_, field_},
       kept_(predicted_) {}
 
@@ -29,6 +30,7 @@ void Squad::decide(const TeamView& view, TeamCommands& commands) {
   if (view.play == Play::kHalt) return;
   field_.update();
   handler_.update();
+  placer_.update(view.ball);
   note_stop();
   note_restarter();
   RoleAssignment assignment(predicted_);
@@ -45,7 +47,8 @@ void Squad::decide(const TeamView& view, TeamCommands& commands) {
     const int number = predicted_.robot(i).number;
     if (assignment.task(i).role == Role::kBall) book_.former = number;
     RobotCommand& command = commands[static_cast<std::size_t>(number)];
-    command = command_for(i, assignment.task(i));
+    command = predicted_.now().placing_is_ours ? command_in_placement(i, assignment.task(i))
+                                               : command_for(i, assignment.task(i));
     if (predicted_.rules().has(RuleId::kBotCrashUnique)) ease_off(predicted_, i, command);
   }
 }
@@ -73,13 +76,15 @@ void Squad::note_restarter() {
 
 void Squad::note_stop() {
   const TeamView& now = predicted_.now();
-  const bool is_other = now.play != former_play_ || predicted_.robots() != former_robots_;
+  const bool is_other = now.play != former_play_ || now.placing_is_ours != former_placing_ ||
+                        predicted_.robots() != former_robots_;
   if (is_other) {
     since_s_ = now.time_s;
     book_.stuck = -1;
     book_.taker_from_s = 0;
   }
   former_play_ = now.play;
+  former_placing_ = now.placing_is_ours;
   former_robots_ = predicted_.robots();
   const double waited_s = now.time_s - since_s_;
   // Once this time is over, positions are kept so that the robots come to rest.
@@ -112,6 +117,16 @@ void Squad::choose_play(RoleAssignment& assignment) {
   } else {
     playbook_.await_restart(book_, assignment);
   }
+}
+
+// One robot places the ball if it is this team's turn; the others keep clear.
+RobotCommand Squad::command_in_placement(int index, const Task& task) {
+  if (index == placer_.index()) return placer_.play();
+  const TrackedRobot& robot = predicted_.robot(index);
+  const bool moves_to_waypoint = task.role != Role::kKeeper && task.role != Role::kNone;
+  const Vec2 wanted_m = moves_to_waypoint ? task.waypoint.position_m : robot.position_m;
+  const std::optional<Waypoint> clear = clear_of_placement(predicted_, robot, wanted_m);
+  return clear ? step_aside(predicted_, index, *clear) : command_for(index, task);
 }
 
 RobotCommand Squad::command_for(int index, const Task& task) {

@@ -3,6 +3,7 @@
 
 #include "strategies/plays/plays.hpp"
 #include "strategies/strategy.hpp"
+#include "strategies/tactics/place_ball.hpp"
 #include "strategies/tactics/style.hpp"
 
 namespace autoref::strategies {
@@ -31,16 +32,19 @@ class Squad final : public Strategy {
   void note_stop();
   void note_restarter();
   RobotCommand command_for(int index, const Task& task);
+  RobotCommand command_in_placement(int index, const Task& task);
 
   TeamPlaybook playbook_;
   PredictedState predicted_;
   PassField field_;
   BallHandler handler_;
+  BallPlacer placer_;
   PlayContext book_;
   RoleAssignment kept_;  // the assignment that robots keep while play is stopped, and that the
                          // others keep while one takes a restart
   int kept_robots_ = 0;
   Play former_play_ = Play::kHalt;
+  std::optional<bool> former_placing_;
   int former_robots_ = 0;
   double since_s_ = 0;  // view time when play last changed
   TeamRequests requests_;
