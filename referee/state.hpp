@@ -8,7 +8,8 @@
 namespace autoref::referee {
 
 // The states of the paper's machine (section 4.3, figure 3), the end of the game, a team's timeout,
-// the wait for a person's answer to a call, and ball placement by the teams. Never change a number: state hashes contain them.
+// the wait for a person's answer to a call, and ball placement by the teams. Never change a number:
+// state hashes contain them.
 enum class State : std::uint8_t {
   kInit = 0,
   kWaitStart = 1,

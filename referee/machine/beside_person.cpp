@@ -232,7 +232,7 @@ constexpr std::array kBesidePerson = {
         State::kRun, "rule book", ""},
   Transition{"", State::kRun, kCallThatCounts, kAlways, kNoteCall,
         State::kRun, "rule book", ""},
-  Transition{"", State::kCalled, Event::kBoundaryCrossing, kAlways, kNoteCall,
+  Transition{"boundary_crossing", State::kCalled, Event::kBoundaryCrossing, kAlways, kNoteCall,
         State::kCalled, "2026", ""},
   Transition{"", State::kWaitStop, kCallInStop, kAlways, kNoteCall,
         State::kWaitStop, "rule book", ""},

@@ -83,8 +83,8 @@ std::string event_figure() {
 std::string machine_figure() {
   return fmt::format(
       "{}\n{}\nOutside the figure, the game's time:\n\n{}\nBeyond the paper, under other rule "
-      "books:\n\n{}\nBall placement by the teams, tried before the figure:\n\n{}\nCards, timeouts and "
-      "knockout games, tried before all others:\n\n{}",
+      "books:\n\n{}\nBall placement by the teams, tried before the figure:\n\n{}\nCards, timeouts "
+      "and knockout games, tried before all others:\n\n{}",
       diagram(transitions_in_figure()), table_of(transitions_in_figure()),
       table_of(transitions_outside_figure()), table_of(transitions_beyond_paper()),
       table_of(transitions_of_placement()), table_of(transitions_of_administration()));

@@ -15,6 +15,16 @@ constexpr double kSlack_s = 300;
 // between stops.
 constexpr double kStandstill = 10;
 
+// The same if the teams place the ball, which takes them up to 30 s, and their failures, of which a
+// team may have a few in each half.
+constexpr double kStandstillOfTeams = 20;
+
+double failed_placements_s(const MatchConfiguration& match) {
+  if (match.placement == referee::PlacedBy::kSimulator) return 0;
+  const RuleBook& rules = match.rules;
+  return 2 * match.halves * rules.placement_failures * 2 * rules.placement_time_s;
+}
+
 double longest_shootout_s(const RuleBook& rules) {
   const double kick_s = 2 * rules.ready_timeout_s + rules.penalty_time_s;
   return 2 * referee::kMostShootoutKicks * kick_s;
@@ -58,8 +68,11 @@ referee::Configuration referee_configuration(const GameConfiguration& game) {
 
 double longest_s(const MatchConfiguration& match) {
   const RuleBook& rules = match.rules;
-  const double stretch = rules.clock_stops ? kStandstill : 1;
-  double longest_s = match.halves * (match.half_s * stretch + match.break_s) + kSlack_s;
+  const bool teams_place = match.placement == referee::PlacedBy::kTeams;
+  const double standstill = teams_place ? kStandstillOfTeams : kStandstill;
+  const double stretch = rules.clock_stops ? standstill : 1;
+  double longest_s = match.halves * (match.half_s * stretch + match.break_s) + kSlack_s +
+                     failed_placements_s(match);
   if (rules.has(RuleId::kTimeouts)) longest_s += 2 * (rules.timeouts_s + rules.extra_timeouts_s);
   if (!match.knockout) return longest_s;
   return longest_s + 2 * rules.extra_half_s * stretch + 3 * match.break_s +
