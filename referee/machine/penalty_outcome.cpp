@@ -45,8 +45,7 @@ PenaltyFailure turned(double turn_deg, const RuleBook& rules) {
 PenaltyFailure gone_out(const Field& field, const Vec2& ball_m) {
   const double beyond_m = std::max(std::abs(ball_m.x()) - field.half_length_m(),
                                    std::abs(ball_m.y()) - field.half_width_m());
-  return {beyond_m, kBallRadius_m, "m",
-          fmt::format("The ball left the field at ({:.3f}, {:.3f}) m.", ball_m.x(), ball_m.y())};
+  return {beyond_m, kBallRadius_m, "m", "The ball left the field."};
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string>
+#include <string_view>
 
 #include "referee/geometry/ball_out.hpp"
 #include "referee/geometry/restarts.hpp"
@@ -51,6 +53,16 @@ std::string touched_by(const LastTouch& touch) {
   return fmt::format("{} touched it last, at {:.3f} s", text_of(*touch.robot), touch.time_s);
 }
 
+// Names no coordinates, since teams change ends (soccer/published.hpp).
+std::string crossing_text(const Exit& exit) {
+  const std::string_view half = colour_of(exit.point_m.x() < 0 ? Side::kWest : Side::kEast);
+  if (exit.line == ExitLine::kTouch) {
+    return fmt::format("a touch line in {}'s half, {:.3f} m from the halfway line", half,
+                       std::abs(exit.point_m.x()));
+  }
+  return fmt::format("{}'s goal line, {:.3f} m from its middle", half, std::abs(exit.point_m.y()));
+}
+
 std::optional<Finding> find_ball_leaves_field(RefereeState& /*state*/, const RefereeInput& input) {
   const Field& field = input.configuration.field;
   if (!input.ball || !is_out_of_field(field, input.ball->position_m)) return std::nullopt;
@@ -70,9 +82,8 @@ std::optional<Finding> find_ball_leaves_field(RefereeState& /*state*/, const Ref
   }
   finding.restart.side = award.kicker;
   finding.ball_to_m = award.position_m;
-  finding.evidence = fmt::format("The ball crossed a {} line at ({:.3f}, {:.3f}) m; {}.",
-                                 touch_line ? "touch" : "goal", exit.point_m.x(), exit.point_m.y(),
-                                 touched_by(input.last_touch));
+  finding.evidence =
+      fmt::format("The ball crossed {}; {}.", crossing_text(exit), touched_by(input.last_touch));
   return finding;
 }
 
