@@ -6,6 +6,7 @@
 #include "league/field_message.hpp"
 #include "league/frame_message.hpp"
 #include "league/units.hpp"
+#include "soccer/published.hpp"
 
 namespace autoref::league {
 namespace {
@@ -40,7 +41,7 @@ void GameLog::note(GameEvent event) {
   ++noted_events_;
   if (event.id.empty()) event.id = std::to_string(noted_events_);
   if (events_.size() == kMostGameEvents) events_.erase(events_.begin());
-  events_.push_back(std::move(event));
+  events_.push_back(published(std::move(event), blue_on_positive_half_));
   has_new_events_ = true;
 }
 
@@ -55,7 +56,8 @@ bool GameLog::has_changed(const RefereeSignal& signal) const {
   return referee_.command_counter() != signal.command_counter ||
          referee_.stage() != static_cast<int>(signal.stage) ||
          referee_.has_designated_position() != signal.placement.has_value() ||
-         referee_.has_next_command() != signal.next_command.has_value();
+         referee_.has_next_command() != signal.next_command.has_value() ||
+         referee_.blue_team_on_positive_half() != signal.blue_on_positive_half;
 }
 
 void GameLog::add(const Frame& frame, const RefereeSignal& signal) {
@@ -63,7 +65,9 @@ void GameLog::add(const Frame& frame, const RefereeSignal& signal) {
     write(frame.time_s, MessageKind::kVision2014, geometry_);
     geometry_due_s_ = frame.time_s + kGeometryEvery_s;
   }
-  fill_detections(frame, cameras_, packets_, others_);
+  blue_on_positive_half_ = signal.blue_on_positive_half;
+  fill_detections(published(frame, blue_on_positive_half_), cameras_, packets_,
+                  published(others_, blue_on_positive_half_));
   if (!others_.is_empty()) others_ = {};
   for (const VisionPacket& packet : packets_) write(frame.time_s, MessageKind::kVision2014, packet);
   write_commands_before(signal, frame.time_s);
@@ -96,7 +100,7 @@ void GameLog::add_events() {
 }
 
 void GameLog::write_signal(const RefereeSignal& signal, double time_s) {
-  fill_referee(signal, teams_, time_s, referee_);
+  fill_referee(published(signal), teams_, time_s, referee_);
   add_events();
   write(time_s, MessageKind::kReferee2013, referee_);
   referee_due_s_ = time_s + kRefereeEvery_s;

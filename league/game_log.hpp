@@ -21,6 +21,7 @@ namespace autoref::league {
 // about once a second, and the referee ten packets per second plus one whenever its signal changes.
 // Its packets contain the game events since play was on last, or the newest ones if they would
 // exceed kLongestPacket.
+// The log shows each team at its current end (soccer/published.hpp).
 class GameLog {
  public:
   // Creates or truncates the file. Throws LogError.
@@ -62,6 +63,7 @@ class GameLog {
   std::vector<GameEvent> events_;      // since play was on last
   int noted_events_ = 0;
   bool has_new_events_ = false;
+  bool blue_on_positive_half_ = true;  // in the last signal
   OtherDetections others_;             // in addition to the current frame
   std::string bytes_;
   double geometry_due_s_ = 0;

@@ -48,7 +48,7 @@ void fill_referee(const RefereeSignal& signal, const PerSide<LoggedTeam>& teams,
   packet.set_command_timestamp(static_cast<std::uint64_t>(to_us(signal.command_time_s)));
   fill_team(signal, teams[Side::kWest], Side::kWest, *packet.mutable_yellow());
   fill_team(signal, teams[Side::kEast], Side::kEast, *packet.mutable_blue());
-  packet.set_blue_team_on_positive_half(true);
+  packet.set_blue_team_on_positive_half(signal.blue_on_positive_half);
   if (signal.placement) {
     packet.mutable_designated_position()->set_x(to_mm(signal.placement->target_m.x()));
     packet.mutable_designated_position()->set_y(to_mm(signal.placement->target_m.y()));
@@ -90,6 +90,8 @@ std::optional<RefereeSignal> signal_of(const RefereePacket& packet) {
     const DesignatedPosition& position = packet.designated_position();
     signal.placement = Placement{{to_m(position.x()), to_m(position.y())}};
   }
+  if (packet.has_blue_team_on_positive_half())
+    signal.blue_on_positive_half = packet.blue_team_on_positive_half();
   if (packet.has_next_command()) signal.next_command = command_of(packet.next_command());
   return signal;
 }

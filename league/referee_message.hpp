@@ -15,13 +15,15 @@ struct LoggedTeam {
   int keeper = 0;  // number of the keeper's robot, unless the signal names another
 };
 
-// Fills `packet`, sent at game time `time_s`. West is yellow and defends the goal at -x.
+// Fills `packet`, sent at game time `time_s`. West is yellow; positions are published ones
+// (soccer/published.hpp).
 void fill_referee(const RefereeSignal& signal, const PerSide<LoggedTeam>& teams, double time_s,
                   RefereePacket& packet);
 
 // The signal of a packet; nullopt if its command or stage is not one of the league's (the numbers
 // of 2013 are still in use). Without a number of robots allowed, as before 2018, it is kMaxRobots.
-// A keeper outside the league's range counts as not named.
+// A keeper outside the league's range counts as not named. If the packet does not say so, blue is
+// assumed to be on the positive half.
 std::optional<RefereeSignal> signal_of(const RefereePacket& packet);
 
 // The time in seconds from the packet's command to the packet, both on the sender's clock; nullopt

@@ -52,6 +52,7 @@ struct Decision {
   std::optional<HalfClock> clock;             // before the decision; nullopt if no half is running
   PerSide<int> goals;                         // after the decision
   PerSide<int> shootout_goals;                // after the decision
+  bool blue_on_positive_half = true;          // after the decision
   std::optional<ShootoutKick> shootout_kick;  // the kick that the decision ended
 
   // The restart after a call that stopped play, or that changed the restart during a stop.

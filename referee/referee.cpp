@@ -105,6 +105,7 @@ class Referee::Impl {
   }
 
   void follow(const RefereeSignal& given) {
+    state_.signal.blue_on_positive_half = given.blue_on_positive_half;
     if (configuration_.control != Control::kHuman) return;
     if (tracks_ == nullptr) {
       pending_ = given;

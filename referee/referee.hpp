@@ -40,8 +40,8 @@ class Referee {
   const RefereeSignal& update(const Frame& frame, const Tracks& tracks,
                               const PerSide<TeamRequests>& requests);
 
-  // Takes note of the signal of the person who commands the game (Control::kHuman; otherwise
-  // without effect). Call it after the last frame that was captured before the signal; repeated
+  // Takes note of the signal of the person who commands the game (Control::kHuman; otherwise only
+  // of the teams' ends). Call it after the last frame that was captured before the signal; repeated
   // signals are harmless. A new command adds a decision to those of that frame. Its
   // `command_time_s` is on the frames' clock and matters only if the command is older than the
   // first frame. Signals before the first frame take effect after it.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace autoref {
 namespace {
@@ -16,6 +17,20 @@ bool has_finite_height(const BallObservation& ball) {
 
 bool is_finite(const CameraPosition& camera) {
   return autoref::is_finite(camera.position_m) && std::isfinite(camera.height_m);
+}
+
+void rotate(PerSide<SeenRobots>& sides) {
+  for (SeenRobots& robots : sides.values) {
+    for (RobotObservation& robot : robots) {
+      robot.position_m = -robot.position_m;
+      robot.heading = -robot.heading;
+    }
+  }
+}
+
+void rotate(BallObservation& ball) {
+  ball.position_m = -ball.position_m;
+  ball.seen_from.position_m = -ball.seen_from.position_m;
 }
 
 }  // namespace
@@ -42,19 +57,21 @@ Frame finite_part(const Frame& frame) {
   return part;
 }
 
+Frame rotated(Frame frame) {
+  rotate(frame.robots);
+  if (frame.ball) rotate(*frame.ball);
+  return frame;
+}
+
+OtherDetections rotated(OtherDetections others) {
+  rotate(others.robots);
+  for (BallObservation& ball : others.balls) rotate(ball);
+  return others;
+}
+
 Frame mirrored(const Frame& frame) {
-  Frame turned = frame;
-  for (Side side : kSides) {
-    turned.robots[opponent_of(side)] = frame.robots[side];
-    for (RobotObservation& robot : turned.robots[opponent_of(side)]) {
-      robot.position_m = -robot.position_m;
-      robot.heading = -robot.heading;
-    }
-  }
-  if (turned.ball) {
-    turned.ball->position_m = -turned.ball->position_m;
-    turned.ball->seen_from.position_m = -turned.ball->seen_from.position_m;
-  }
+  Frame turned = rotated(frame);
+  std::swap(turned.robots[Side::kWest], turned.robots[Side::kEast]);
   return turned;
 }
 

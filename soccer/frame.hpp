@@ -59,6 +59,10 @@ bool is_finite(const Frame& frame);
 // as unknown, and such a camera as directly above the ball.
 Frame finite_part(const Frame& frame);
 
+// The frame rotated by 180 degrees about the field's centre.
+Frame rotated(Frame frame);
+OtherDetections rotated(OtherDetections others);
+
 // The frame seen from the other end: rotated by 180 degrees, with the sides swapped.
 Frame mirrored(const Frame& frame);
 

@@ -93,6 +93,8 @@ struct RefereeSignal {
   PerSide<bool> can_place_ball{{true, true}};  // false once a team may not place the ball itself
   std::optional<Placement> placement;          // nullopt unless play is stopped
   std::optional<Command> next_command;         // the command that will resume play
+  // Blue's end on the field. Sides and positions here do not depend on it (published.hpp).
+  bool blue_on_positive_half = true;
 };
 
 }  // namespace autoref

@@ -15,6 +15,7 @@ Book laws_2014() {
   book.rules.name = "2014";
   book.rules.edition = Edition::kLaws2014;
   book.rules.in_force = rules_of(Edition::kLaws2014);
+  book.rules.change_ends = true;
   return book;
 }
 
@@ -53,6 +54,7 @@ void set_rules_2026(RuleBook& rules) {
   rules.yellows_per_red = 3;
   rules.goals_to_win = 10;
   rules.clock_stops = true;
+  rules.change_ends = true;
   rules.extra_half_s = 150_s;
   rules.extra_timeouts_s = 150_s;
 }

@@ -114,7 +114,10 @@ struct RuleBook {
   // `goal_lead`; 0: never.
   int goals_to_win = 0;
   int goal_lead = 1;
-  bool clock_stops = false;     // 2026: during halt, stop, preparation and placement
+  bool clock_stops = false;  // 2026: during halt, stop, preparation and placement
+  // Teams change ends before every half after the first (Laws 8; 2026: the toss decides which goal
+  // a team attacks in the first half; before extra time: our choice). The paper's teams do not.
+  bool change_ends = false;
   double extra_half_s = 300_s;  // in knockout games (Laws, appendix A)
   int shootout_kicks = 5;       // per team, before sudden death
 

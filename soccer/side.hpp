@@ -11,7 +11,8 @@
 
 namespace autoref {
 
-// West defends the goal at -x and wears yellow; east defends the goal at +x and wears blue.
+// West defends the goal at -x and wears yellow; east defends the goal at +x and wears blue. This
+// holds in every half, whatever the teams' ends on the field (published.hpp).
 enum class Side : std::uint8_t { kWest, kEast };
 
 inline constexpr std::array<Side, 2> kSides = {Side::kWest, Side::kEast};

@@ -204,6 +204,8 @@ void begin_next_half(RefereeState& state, const RefereeInput& input, const Findi
   state.goals_by_half.push_back({});
   state.placement_failures = {};
   state.signal.stage = stage_before(state.half);
+  if (input.configuration.rules.change_ends)
+    state.signal.blue_on_positive_half = !state.signal.blue_on_positive_half;
   place_ball(state, Vec2(0, 0));
   stop_after_signal(state, input, finding);
 }
@@ -275,6 +277,7 @@ void begin_new_game(RefereeState& state, const RefereeInput& input, const Findin
   state.signal.yellow_cards = state.signal.red_cards = {};
   allow_robots(state, input.configuration);
   state.signal.stage = stage_before(0);
+  state.signal.blue_on_positive_half = true;
   state.signal.next_command = kickoff_of(kickoff_side(input.configuration, 0));
   place_ball(state, Vec2(0, 0));
   stop_after_signal(state, input, finding);

@@ -38,6 +38,7 @@ void add_standing(Decision& decision, const RefereeState& before, const RefereeI
   decision.clock = half_clock(before, input.configuration, input.time_s());
   decision.goals = after.signal.goals;
   decision.shootout_goals = after.signal.shootout_goals;
+  decision.blue_on_positive_half = after.signal.blue_on_positive_half;
   decision.shootout_kick = kick_between(before.shootout, after.shootout);
 }
 

@@ -18,6 +18,7 @@
 #include "runner/view/game_recording.hpp"
 #include "runner/view/page.hpp"
 #include "runner/view/recorded_decision.hpp"
+#include "soccer/published.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -50,8 +51,8 @@ class Watch final : public Observer {
                 const sim::World& /*world*/) override {
     if (log_ != nullptr) log_->add(frame, signal);
     if (recording_ != nullptr) {
-      recording_->add(frame);
-      recording_->add(frame.time_s, signal);
+      recording_->add(published(frame, signal.blue_on_positive_half));
+      recording_->add(frame.time_s, published(signal));
     }
     // A signal handler may do very little, so it only sets a flag, which is read here. The
     // exception unwinds the stack, which removes pending files.

@@ -6,6 +6,7 @@
 #include "runner/game/configuration.hpp"
 #include "runner/io/json.hpp"
 #include "soccer/colour.hpp"
+#include "soccer/published.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -73,6 +74,14 @@ void add_measurement(Json& json, const referee::Finding& finding) {
   json["unit"] = text_or_null(finding.unit);
 }
 
+void add_position(Json& json, const referee::Decision& d) {
+  const std::optional<Vec2>& at_m = d.finding.position_m;
+  const bool blue_on_positive_half = d.blue_on_positive_half;
+  json["position_m"] =
+      json_of(at_m ? std::optional(published(*at_m, blue_on_positive_half)) : std::nullopt);
+  json["yellow_defends"] = end_of_yellow(blue_on_positive_half);
+}
+
 void add_blame(Json& json, const referee::Decision& d) {
   const referee::Finding& finding = d.finding;
   Json& robots = json["robots"] = Json::array();
@@ -100,7 +109,7 @@ std::string decision_json(const referee::Decision& d, const PerSide<EventTeam>& 
   add_transition(json, d);
   add_measurement(json, d.finding);
   add_blame(json, d);
-  json["position_m"] = json_of(d.finding.position_m);
+  add_position(json, d);
   json["restart"] = d.restart() ? Json(name_of(*d.restart())) : Json();
   json["last_touch"] = json_of(d.last_touch);
   json["evidence"] = text_or_null(d.finding.evidence);

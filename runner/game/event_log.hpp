@@ -18,7 +18,8 @@ struct EventTeam {
 PerSide<EventTeam> event_teams_of(const GameConfiguration& game);
 
 // One line, without the newline. Every line has the same keys; unknown or inapplicable values are
-// null. Sides are identified by their colours, "yellow" and "blue", as in the commands.
+// null. Sides are identified by their colours, "yellow" and "blue", as in the commands. Positions
+// are published ones (soccer/published.hpp).
 std::string decision_json(const referee::Decision& decision, const PerSide<EventTeam>& teams = {});
 
 // Collects the lines of a game.

@@ -54,7 +54,7 @@ void list_match(GameSettings& game, Branch to) {
   MatchSettings& match = game.match;
   const std::vector<std::string> sides = {"west", "east"};
   to.preset("rules", RulesChoice{&game}, rule_book_names(),
-            "rule book; also sets switch, half_s, extra_half_s, field and robots of both teams");
+            "rule book; also sets switch, half_s, extra_half_s, change_ends, field and robots");
   to.number("half_s", match.half_s, positive(36000), "s", "length of a half");
   to.number("halves", match.halves, {1, 2}, "", "number of halves");
   to.number("break_s", match.break_s, {0, 3600}, "s", "break between halves");
@@ -67,6 +67,8 @@ void list_match(GameSettings& game, Branch to) {
           "who places the ball for free kicks and force starts");
   to.number("extra_half_s", match.extra_half_s, positive(36000), "s",
             "length of each half of extra time");
+  to.yes_or_no("change_ends", match.change_ends,
+               "the teams change ends before every half after the first");
   to.word("a_plays", match.a_plays, sides, "side of team a; team b plays on the other");
   to.word("first_kickoff", match.first_kickoff, sides, "side that kicks off first");
   Branch switches = to.below("switch");

@@ -52,6 +52,7 @@ struct MatchSettings {
   double break_s = 0;
   bool knockout = false;
   double extra_half_s = 300;  // in knockout games
+  bool change_ends = false;   // before every half after the first
   referee::AfterGame after_game = referee::AfterGame::kHalt;
   referee::Control control = referee::Control::kAutoref;
   referee::PlacedBy placement = referee::PlacedBy::kSimulator;

@@ -20,6 +20,7 @@ MatchConfiguration resolved(const MatchSettings& settings) {
   match.rules = book_of(settings.rules);
   match.rules.in_force = settings.in_force;
   match.rules.extra_half_s = settings.extra_half_s;
+  match.rules.change_ends = settings.change_ends;
   match.half_s = settings.half_s;
   match.halves = settings.halves;
   match.break_s = settings.break_s;
@@ -45,6 +46,7 @@ void choose_rules(const std::string& book, GameSettings& game) {
   game.match.rules = book;
   game.match.in_force = rules.in_force;
   game.match.extra_half_s = rules.extra_half_s;
+  game.match.change_ends = rules.change_ends;
   game.match.half_s = setup.half_s;
   game.field = setup.field;
   game.a.robots = game.b.robots = setup.robots;

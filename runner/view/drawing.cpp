@@ -9,6 +9,7 @@
 
 #include "runner/view/field_marks.hpp"
 #include "runner/view/svg.hpp"
+#include "soccer/published.hpp"
 #include "soccer/robot_shape.hpp"
 
 namespace autoref::runner {
@@ -90,7 +91,7 @@ void draw_paths(const DrawnGame& game, Svg& svg) {
   svg.end_group();
 }
 
-void draw_field(const Field& field, Svg& svg) {
+void draw_field(const Field& field, bool blue_on_positive_half, Svg& svg) {
   svg.box({field.wall_x_m(), field.wall_y_m()}, R"(fill="#174c36")");
   svg.box({field.half_length_m(), field.half_width_m()}, R"(fill="#1c5b40")");
   svg.begin_group(fmt::format(R"(id="field" fill="none" stroke="#f2f7f4" stroke-width="{:.0f}")",
@@ -98,10 +99,10 @@ void draw_field(const Field& field, Svg& svg) {
   const Outline lines = field_lines(field);
   for (const MarkLine& line : lines.lines) svg.line(std::array{line.from_m, line.to_m}, "");
   for (const MarkArc& arc : lines.arcs) svg.arc(arc, "");
-  for (const Side side : kSides) {
-    svg.disc(field.penalty_mark_at(side), 0.01, R"(fill="#f2f7f4")");
-    svg.line(goal_walls_m(field, side),
-             fmt::format(R"(stroke="{}" stroke-width="24")", color_of(side)));
+  for (const Side end : kSides) {
+    svg.disc(field.penalty_mark_at(end), 0.01, R"(fill="#f2f7f4")");
+    svg.line(goal_walls_m(field, end), fmt::format(R"(stroke="{}" stroke-width="24")",
+                                                   color_of(side_at(end, blue_on_positive_half))));
   }
   svg.end_group();
 }
@@ -162,7 +163,7 @@ std::string drawing_of(const DrawnGame& game) {
   const Field& field = game.field;
   const Vec2 half_size_m(field.wall_x_m(), field.wall_y_m());
   Svg svg(half_size_m);
-  draw_field(field, svg);
+  draw_field(field, !game.signal || game.signal->blue_on_positive_half, svg);
   if (game.frames.size() > 1) draw_paths(game, svg);
   const Frame& last = game.frames.back();
   svg.begin_group(R"(font-family="DejaVu Sans, Helvetica, sans-serif")");

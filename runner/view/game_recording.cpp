@@ -50,7 +50,7 @@ bool show_the_same(const RefereeSignal& one, const RefereeSignal& other) {
          one.stage == other.stage && one.goals == other.goals &&
          one.shootout_goals == other.shootout_goals && one.yellow_cards == other.yellow_cards &&
          one.red_cards == other.red_cards && one.next_command == other.next_command &&
-         target(one) == target(other);
+         one.blue_on_positive_half == other.blue_on_positive_half && target(one) == target(other);
 }
 
 // The time left, rounded up as clocks do; limited to a day, in case the input is invalid.

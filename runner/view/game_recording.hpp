@@ -26,6 +26,7 @@ struct ClockMark {
   int left_s = 0;
 };
 
+// Takes published positions (soccer/published.hpp).
 class GameRecording {
  public:
   // Frames and signals beyond these limits are left out. No game reaches them: kMostFrames frames

@@ -8,6 +8,7 @@
 #include "runner/view/base64.hpp"
 #include "runner/view/field_marks.hpp"
 #include "runner/view/page_parts.hpp"
+#include "soccer/published.hpp"
 #include "soccer/robot_shape.hpp"
 
 namespace autoref::runner {
@@ -79,6 +80,7 @@ Json signal_json(const RecordedSignal& recorded) {
           {"shootoutGoals", signal.shootout_goals.values},
           {"yellowCards", signal.yellow_cards.values},
           {"redCards", signal.red_cards.values},
+          {"yellowDefends", end_of_yellow(signal.blue_on_positive_half)},
           {"target_mm", signal.placement ? position_json(signal.placement->target_m) : Json()},
           {"next", signal.next_command ? Json(name_of(*signal.next_command)) : Json()}};
 }

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "soccer/colour.hpp"
+#include "soccer/published.hpp"
 
 namespace autoref::runner {
 
@@ -27,7 +28,8 @@ RecordedDecision recorded(const referee::Decision& decision) {
   if (finding.card != referee::Card::kNone) record.card = name_of(finding.card);
   record.card_reason = decision.card_reason;
   if (const auto restart = decision.restart()) record.restart = name_of(*restart);
-  record.position_m = finding.position_m;
+  if (finding.position_m)
+    record.position_m = published(*finding.position_m, decision.blue_on_positive_half);
   return record;
 }
 

@@ -19,7 +19,7 @@ struct RecordedDecision {
   std::string card;
   std::string card_reason;
   std::string restart;
-  std::optional<Vec2> position_m;
+  std::optional<Vec2> position_m;  // published (soccer/published.hpp)
   bool operator==(const RecordedDecision&) const = default;
 };
 

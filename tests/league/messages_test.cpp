@@ -267,6 +267,7 @@ TEST(RefereeMessages, AreReadBackAsSent) {
   signal.goals = {{3, 4}};
   signal.placement = Placement{{1.25, -0.5}};
   signal.next_command = Command{CommandKind::kPrepareKickoff, Side::kWest};
+  signal.blue_on_positive_half = false;
   RefereePacket packet;
   fill_referee(signal, PerSide<LoggedTeam>{{LoggedTeam{"cobalt"}, LoggedTeam{"zone"}}}, 13, packet);
   const RefereeSignal read = signal_of(packet).value();
@@ -275,6 +276,14 @@ TEST(RefereeMessages, AreReadBackAsSent) {
   EXPECT_DOUBLE_EQ(read.stage_time_left_s, 300.25);
   EXPECT_EQ(read.placement->target_m, signal.placement->target_m);
   EXPECT_EQ(read.next_command, signal.next_command);
+  EXPECT_FALSE(read.blue_on_positive_half);
+}
+
+TEST(RefereeMessages, WithoutEndsHaveBlueOnThePositiveHalf) {
+  RefereePacket packet;
+  fill_referee({}, {}, 0, packet);
+  packet.clear_blue_team_on_positive_half();
+  EXPECT_TRUE(signal_of(packet)->blue_on_positive_half);
 }
 
 TEST(RefereeMessages, HoldWhatTheTeamsMayDo) {

@@ -55,6 +55,12 @@ TEST(RuleBooks, ForbidAimlessKicksInDivisionBOnly) {
   EXPECT_FALSE(book("2014").has(RuleId::kAimlessKick));
 }
 
+// Laws 2014, law 8; 2026, "Choosing Side And Kick-Off". The paper's games do not change ends.
+TEST(RuleBooks, LetTeamsChangeEndsExceptThePapers) {
+  for (const std::string& name : rule_book_names())
+    EXPECT_EQ(book(name.c_str()).change_ends, name != "paper") << name;
+}
+
 TEST(RuleBooks, HaveNoOffsideUnlessItIsSwitchedOn) {
   for (const std::string& name : rule_book_names()) {
     EXPECT_FALSE(book(name.c_str()).has(RuleId::kOffside)) << name;

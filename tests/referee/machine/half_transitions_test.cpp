@@ -37,6 +37,21 @@ TEST(TransitionNextHalf, WaitsForTheBreakThenPreparesTheOtherTeamsKickOff) {
   EXPECT_EQ(game.signal.stage, Stage::kSecondHalf);
 }
 
+TEST(TransitionNextHalf, ChangesEndsAfterTheBreakIfTheRuleBookSaysSo) {
+  for (const bool change_ends : {false, true}) {
+    Configuration configuration = short_game();
+    configuration.rules.change_ends = change_ends;
+    configuration.break_s = 3;
+    ScriptedGame game(configuration);
+    game.line_up().kick_off();
+    EXPECT_TRUE(game.run_until("half_over").blue_on_positive_half);
+    game.run(2.9);
+    EXPECT_TRUE(game.signal.blue_on_positive_half);
+    EXPECT_EQ(game.run_until("next_half").blue_on_positive_half, !change_ends);
+    EXPECT_EQ(game.signal.blue_on_positive_half, !change_ends);
+  }
+}
+
 TEST(TransitionGameOver, HaltsPermanentlyAfterTheLastHalf) {
   ScriptedGame game(short_game());
   game.line_up().kick_off();
@@ -62,6 +77,18 @@ TEST(TransitionGameOverNext, CountsTheGame) {
   EXPECT_EQ(game.run_until("game_over_next").to, State::kDelayWait);
   EXPECT_EQ(game.referee.games_finished(), 1);
   EXPECT_FALSE(game.referee.is_over());
+}
+
+TEST(TransitionNewGame, BeginsAtTheFirstEnds) {
+  Configuration configuration = endless();
+  configuration.halves = 2;
+  configuration.rules.change_ends = true;
+  ScriptedGame game(configuration);
+  game.line_up().kick_off();
+  game.run_until("game_over_next");
+  EXPECT_FALSE(game.signal.blue_on_positive_half);
+  game.run_until("new_game");
+  EXPECT_TRUE(game.signal.blue_on_positive_half);
 }
 
 TEST(TransitionNewGame, BeginsWithScoresAtZero) {

@@ -47,6 +47,17 @@ TEST(TransitionExtraTime, HasTwoHalvesWithTheirOwnLength) {
   }
 }
 
+TEST(TransitionExtraTime, ChangesEndsBeforeEachHalfButNotForTheShootout) {
+  ScriptedGame game = drawn_after_two_halves();
+  EXPECT_FALSE(game.signal.blue_on_positive_half);
+  game.run_until("half_over");
+  EXPECT_TRUE(game.signal.blue_on_positive_half);
+  game.run_until("shootout");
+  EXPECT_FALSE(game.signal.blue_on_positive_half);
+  game.run_until("shootout_begins");
+  EXPECT_FALSE(game.signal.blue_on_positive_half);
+}
+
 TEST(TransitionExtraTime, DoesNotFollowAWin) {
   ScriptedGame game(knockout());
   game.line_up().kick_off();

@@ -33,6 +33,14 @@ TEST(ResolvedGame, HasTheRuleBookWithItsRulesSwitchedAsSet) {
   EXPECT_EQ(rules, expected);
 }
 
+TEST(ResolvedGame, ChangesEndsByTheRuleBookUnlessItIsSet) {
+  GameSettings settings;
+  set_by_path(settings, "match.rules", "2014");
+  EXPECT_TRUE(resolved(settings).match.rules.change_ends);
+  set_by_path(settings, "match.change_ends", "false");
+  EXPECT_FALSE(resolved(settings).match.rules.change_ends);
+}
+
 TEST(ResolvedGame, AppliesTheOverridesOfTeamAndNumberToEachRobot) {
   GameSettings settings;
   set_by_path(settings, "b.robots", "5");

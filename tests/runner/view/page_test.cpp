@@ -36,6 +36,19 @@ TEST(Page, ShowsWhichBuildPlayedTheGame) {
   EXPECT_NE(page.find(R"("facts": [["build", "0.1.0-bc09b374e057"]])"), std::string::npos);
 }
 
+TEST(Page, KnowsTheEndsOfTheTeams) {
+  GameRecording recording;
+  recording.add(Frame{});
+  RefereeSignal signal;
+  recording.add(0, signal);
+  signal.blue_on_positive_half = false;
+  recording.add(1, signal);
+  const std::string page = page_of({recording, Field{}, {}});
+  const std::size_t first = page.find(R"("yellowDefends": "west")");
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_NE(page.find(R"("yellowDefends": "east")", first), std::string::npos);
+}
+
 TEST(Page, HasTheDecisionsOfTheRecording) {
   RecordedDecision decision;
   decision.time_s = 12.5;
