@@ -29,6 +29,22 @@ requestAnimationFrame(next);
 """
 
 
+# Pixels of a colour beyond the left and the right goal line, where only the goals are.
+COUNT_AT_ENDS = """
+const [red, green, blue] = arguments[0];
+const canvas = document.querySelector("canvas");
+const width = Math.round(0.08 * canvas.width);
+return [0, canvas.width - width].map((left) => {
+  const {data} = canvas.getContext("2d").getImageData(left, 0, width, canvas.height);
+  let count = 0;
+  for (let i = 0; i < data.length; i += 4) {
+    const far = Math.abs(data[i] - red) + Math.abs(data[i + 1] - green) + Math.abs(data[i + 2] - blue);
+    if (far < 12) ++count;
+  }
+  return count;
+});
+"""
+
 AVERAGE_BRIGHTNESS = """
 const canvas = document.querySelector("canvas");
 const {data} = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
@@ -225,6 +241,57 @@ class ShootoutPageTest(GamePage):
         self.settle()
         self.assertLessEqual(self.scroll_width(), PHONE[0])
         self.assertEqual(self.cut_off(), [])
+
+
+class EndsPageTest(GamePage):
+    """A game of two halves in which the teams change ends."""
+    settings = {"match__rules": "2026-b", "match__half_s": 10}
+
+    def goals(self):
+        """Whether yellow and blue goals are at the left and at the right."""
+        return [[count > 10 for count in self.browser.execute_script(COUNT_AT_ENDS, list(color))]
+                for color in (YELLOW, BLUE)]
+
+    def seek_second_half(self):
+        while "End of the half" not in self.text("callTitle"):
+            self.press("n")
+        self.press(Keys.ARROW_RIGHT)
+        self.assertEqual(self.text("stage"), "Second half, about to begin")
+
+    def test_changes_the_colours_of_the_goals_at_half_time(self):
+        self.assertEqual(self.goals(), [[True, False], [False, True]])
+        self.leave_picture("first_half")
+        self.seek_second_half()
+        self.assertEqual(self.goals(), [[False, True], [True, False]])
+        self.leave_picture("second_half")
+        self.press(Keys.HOME)
+        self.assertEqual(self.goals(), [[True, False], [False, True]])
+
+    def test_shows_the_teams_at_their_current_ends(self):
+        mean_x = """
+            const scene = page.recording.sceneAt(page.player.time_s);
+            return [0, 1].map((side) => {
+              const own = scene.robots.filter((robot) => robot.side === side);
+              return own.reduce((sum, robot) => sum + robot.x, 0) / own.length;
+            });"""
+        yellow, blue = self.browser.execute_script(mean_x)
+        self.assertLess(yellow, 0)
+        self.assertGreater(blue, 0)
+        self.seek_second_half()
+        yellow, blue = self.browser.execute_script(mean_x)
+        self.assertGreater(yellow, 0)
+        self.assertLess(blue, 0)
+
+    def test_shows_no_speed_of_robots_that_change_ends(self):
+        fastest = self.browser.execute_script("""
+            const {recording} = page;
+            const turn = recording.yellowEnds.indexOf(1);
+            let fastest = 0;
+            for (let i = turn - 5; i < turn + 5; ++i) {
+              for (const robot of recording.robots) fastest = Math.max(fastest, velocityAt(recording, robot, i)?.speed ?? 0);
+            }
+            return fastest;""")
+        self.assertLess(fastest, 4000)
 
 
 class FoulPageTest(GamePage):

@@ -49,17 +49,19 @@ function fillDisc(context, x, y, radius) {
   context.fill();
 }
 
-function drawGoals(context, field, thin) {
+// Each goal has the colour of the team that defends it.
+function drawGoals(context, field, thin, yellowEnd) {
   context.lineWidth = Math.max(20, 2 * thin);
-  field.goals.forEach((walls, side) => {
-    context.strokeStyle = kColors.sides[side];
+  field.goals.forEach((walls, end) => {
+    context.strokeStyle = kColors.sides[end === yellowEnd ? 0 : 1];
     tracePath(context, walls);
     context.stroke();
   });
 }
 
-// Draws in millimetres, y upwards; `thin` is the size of a pixel in millimetres.
-function drawField(context, field, thin) {
+// Draws in millimetres, y upwards; `thin` is the size of a pixel in millimetres, `yellowEnd` the end
+// that yellow defends.
+function drawField(context, field, thin, yellowEnd) {
   const {halfLength_mm: x, halfWidth_mm: y} = field;
   context.fillStyle = kColors.carpet;
   context.fillRect(-x, -y, 2 * x, 2 * y);
@@ -68,5 +70,5 @@ function drawField(context, field, thin) {
   context.lineWidth = Math.max(field.lineWidth_mm, 1.2 * thin);
   strokeOutline(context, field.marks);
   for (const [markX, markY] of field.penaltyMarks) fillDisc(context, markX, markY, Math.max(20, 1.8 * thin));
-  drawGoals(context, field, thin);
+  drawGoals(context, field, thin, yellowEnd);
 }

@@ -1,11 +1,13 @@
-// Heat map of where the ball rolled during play.
+// Heat map of where the ball rolled during play, relative to the teams' ends: as if yellow had
+// defended the end at -x all the time.
 
 const kCell_mm = 150;
 const kHottestShare = 0.99;  // quantile of the cells; hotter ones look the same
 const kRolls_mm = 3;         // minimum per frame; a ball waiting for its kick does not count
 
-function isRolling(ball, i) {
-  if (i === 0 || !hasRun(ball, i - 1, i)) return false;
+function isRolling(recording, i) {
+  const {ball} = recording;
+  if (i === 0 || !hasRun(recording, ball, i - 1, i)) return false;
   return Math.hypot(ball.x[i] - ball.x[i - 1], ball.y[i] - ball.y[i - 1]) >= kRolls_mm;
 }
 
@@ -14,8 +16,9 @@ function countBall(recording, signals, columns, rows, cellOf) {
   let index = -1;
   for (let i = 0; i < recording.count; ++i) {
     while (index + 1 < signals.length && signals[index + 1].time_s <= recording.times_s[i]) ++index;
-    if (index < 0 || !isRunning(signals[index]) || !isRolling(recording.ball, i)) continue;
-    const cell = cellOf(recording.ball.x[i], recording.ball.y[i]);
+    if (index < 0 || !isRunning(signals[index]) || !isRolling(recording, i)) continue;
+    const sign = recording.yellowEnds[i] === 0 ? 1 : -1;
+    const cell = cellOf(sign * recording.ball.x[i], sign * recording.ball.y[i]);
     if (cell >= 0) ++counts[cell];
   }
   return counts;

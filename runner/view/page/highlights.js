@@ -4,9 +4,9 @@
 const kSameGoal_s = 1;
 const kMostHighlights = 4000;
 
-// Events name sides by colour; older event files use west for yellow and east for blue.
+// Events name sides by colour.
 function sideNamed(name) {
-  const side = Math.max(kSideNames.indexOf(name), ["west", "east"].indexOf(name));
+  const side = kSideNames.indexOf(name);
   return side < 0 ? null : side;
 }
 
@@ -54,10 +54,6 @@ function cardsOf(signals) {
   return cards;
 }
 
-function byColor(text) {
-  return text.replace(/\b(west|east)\b/g, (_, side) => kSideNames[sideNamed(side)]);
-}
-
 // Says what the card was shown for.
 function cardTitle({card, card_reason}, side) {
   const whose = side === null ? "each side" : kSideNames[side];
@@ -70,7 +66,7 @@ function highlightOfDecision(decision) {
   const isCard = decision.card === "yellow" || decision.card === "red";
   const blame = side === null ? "" : `, by ${kSideNames[side]}`;
   const title = isCard ? cardTitle(decision, side) : eventTitle(decision.event) + blame;
-  const evidence = byColor(decision.reason ?? "");
+  const evidence = decision.reason ?? "";
   return {
     time_s: decision.time_s,
     kind: isCard ? "card" : "stop",
@@ -92,7 +88,7 @@ function addReasons(moments, decisions, events) {
     const call = calls.find((one) => Math.abs(one.time_s - moment.time_s) <= kSameGoal_s && !used.has(one));
     if (!call) continue;
     used.add(call);
-    moment.reason = byColor(call.reason ?? "");
+    moment.reason = call.reason ?? "";
     moment.rule = call.rule ?? "";
     moment.position_m = call.position_m;
   }

@@ -146,4 +146,5 @@ class Page {
   }
 }
 
-new Page(readGame()).begin();
+const page = new Page(readGame());
+page.begin();

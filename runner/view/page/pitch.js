@@ -16,6 +16,7 @@ class Pitch {
     this.signals = game.signals;
     this.recording = recording;
     this.still = document.createElement("canvas");  // the static field
+    this.yellowEnd = 0;  // the end that yellow defends in it
     this.heat = null;  // computed on first use
   }
 
@@ -46,12 +47,18 @@ class Pitch {
     context.fillStyle = kColors.runOff;
     context.fillRect(0, 0, this.still.width, this.still.height);
     this.useField(context);
-    drawField(context, this.field, this.pixel_mm);
+    drawField(context, this.field, this.pixel_mm, this.yellowEnd);
+  }
+
+  changeEnds(yellowEnd) {
+    this.yellowEnd = yellowEnd;
+    this.drawStill();
   }
 
   // `layers` maps layer names to whether they are on; `highlight` is the latest call, if any.
   draw(scene, signalIndex, layers, highlight) {
     const {context} = this;
+    if (scene.yellowEnd !== this.yellowEnd) this.changeEnds(scene.yellowEnd);
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.drawImage(this.still, 0, 0);
     this.useField(context);
@@ -135,7 +142,7 @@ class Pitch {
     for (let part = 0; part < kTrailParts; ++part) {
       context.globalAlpha = strongest * (1 - part / kTrailParts);
       context.beginPath();
-      traceWay(context, track, index - (part + 1) * length, index - part * length);
+      traceWay(context, this.recording, track, index - (part + 1) * length, index - part * length);
       context.stroke();
     }
     context.globalAlpha = 1;
@@ -228,6 +235,7 @@ class Pitch {
     const {halfLength_mm: x, halfWidth_mm: y} = this.field;
     context.save();
     context.scale(1, -1);
+    if (this.yellowEnd === 1) context.rotate(Math.PI);
     context.imageSmoothingQuality = "high";
     context.drawImage(this.heat, -x, -y, 2 * x, 2 * y);
     context.restore();

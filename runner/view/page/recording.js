@@ -80,6 +80,24 @@ class Recording {
     this.first_s = this.times_s[0];
     this.last_s = this.times_s[this.count - 1];
     this.length_s = this.last_s - this.first_s;
+    this.yellowEnds = this.yellowEndsOf(game.signals);
+  }
+
+  // The end that yellow defends in each frame: 0 is at -x, 1 at +x.
+  yellowEndsOf(signals) {
+    const ends = new Uint8Array(this.count);
+    let last = 0;
+    for (const signal of signals) {
+      const end = endOfYellow(signal);
+      if (end !== last) ends.fill(end, this.indexAt(signal.time_s));
+      last = end;
+    }
+    return ends;
+  }
+
+  // Whether the teams kept their ends from one frame to the other.
+  keptEnds(from, to) {
+    return this.yellowEnds[from] === this.yellowEnds[to];
   }
 
   // Index of the last frame not later than this time, with a tolerance of one tick.
@@ -93,11 +111,13 @@ class Recording {
     const next = Math.min(index + 1, this.count - 1);
     const gap_s = this.times_s[next] - this.times_s[index];
     const passed_s = Math.max(0, time_s - this.times_s[index]);
-    const share = gap_s > 0 && gap_s <= kLongestGap_s ? Math.min(passed_s / gap_s, 1) : 0;
+    const isShort = gap_s > 0 && gap_s <= kLongestGap_s && this.keptEnds(index, next);
+    const share = isShort ? Math.min(passed_s / gap_s, 1) : 0;
     const between = {index, next, share};
     return {
       index,
       time_s,
+      yellowEnd: this.yellowEnds[index],
       robots: this.robots.map((robot) => robotBetween(robot, between)).filter(Boolean),
       ball: ballBetween(this.ball, between),
     };

@@ -21,6 +21,11 @@ function capitalised(text) {
   return text.charAt(0).toUpperCase() + text.slice(1);
 }
 
+// The end that yellow defends: 0 is at -x, 1 at +x.
+function endOfYellow({yellowDefends}) {
+  return yellowDefends === "east" ? 1 : 0;
+}
+
 // "CORNER_KICK" or "corner_kick" becomes "Corner kick".
 function plain(word) {
   return capitalised(word.toLowerCase().replaceAll("_", " "));
