@@ -291,6 +291,8 @@ void take_values(RefereeState& state, const RefereeInput& input) {
   RefereeSignal& signal = state.signal;
   const PerSide<int> robots_before = signal.robots_allowed;
   signal.stage = given.stage;
+  signal.blue_on_positive_half = given.blue_on_positive_half;
+  signal.keepers = given.keepers;
   signal.goals = given.goals;
   signal.shootout_goals = given.shootout_goals;
   signal.robots_allowed = given.robots_allowed;

@@ -6,22 +6,10 @@
 
 #include "league/referee_message.hpp"
 #include "runner/game/event_log.hpp"
+#include "soccer/published.hpp"
 
 namespace autoref::runner {
 namespace {
-
-// The frame rotated by half a turn: same robots and colours, other end of the field.
-Frame turned(const Frame& frame) {
-  Frame other = mirrored(frame);
-  std::swap(other.robots[Side::kWest], other.robots[Side::kEast]);
-  return other;
-}
-
-// The signal seen from the other end; sides are colours and stay.
-RefereeSignal turned(RefereeSignal signal) {
-  if (signal.placement) signal.placement->target_m = -signal.placement->target_m;
-  return signal;
-}
 
 // AutoRef's own calls beside a person: each lasts from its STOP until play goes on.
 class OwnCalls {
@@ -79,7 +67,7 @@ class LogReferee final : public league::LogVisitor {
           actual_keepers_[side] ? actual_keepers_[side] : signal->keepers[side];
       requests_[side].keeper = keeper.value_or(requests_[side].keeper);
     }
-    signals_.push_back({time_s, is_turned_ ? turned(*signal) : *signal});
+    signals_.push_back({time_s, published(*signal)});
   }
 
   LogRefereeResult evaluation(const Agreement& agreement) const {
@@ -108,7 +96,7 @@ class LogReferee final : public league::LogVisitor {
   }
 
   void take(const Frame& frame) {
-    referee_.update(is_turned_ ? turned(frame) : frame, requests_);
+    referee_.update(published(frame, !is_turned_), requests_);
     while (!signals_.empty() && signals_.front().time_s <= frame.time_s + kSameTime_s) {
       referee_.follow(signals_.front().signal);
       signals_.pop_front();

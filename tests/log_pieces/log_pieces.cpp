@@ -21,9 +21,9 @@
 #include "runner/game/game.hpp"
 #include "runner/logs/log_game.hpp"
 #include "runner/logs/log_referee.hpp"
+#include "runner/logs/logged_cameras.hpp"
 #include "runner/settings/fields.hpp"
 #include "runner/settings/resolved.hpp"
-#include "sim/camera.hpp"
 #include "soccer/random.hpp"
 #include "tests/log_pieces/piece_calls.hpp"
 
@@ -43,6 +43,7 @@ class Recorder final : public Observer {
   void on_frame(const Frame& frame, const RefereeSignal& signal, const sim::World&) override {
     log_.add(frame, signal);
   }
+  void on_other_detections(const OtherDetections& others) override { log_.note(others); }
   void on_decision(const referee::Decision& decision) override {
     if (decision.command) log_.note(*decision.command);
     calls.take(decision);
@@ -53,8 +54,7 @@ class Recorder final : public Observer {
 
  private:
   static league::GameLog open(const std::string& path, const GameConfiguration& game) {
-    const auto cameras = sim::camera_positions(game.field, game.sim.vision.camera_height_m);
-    return {path, game.field, {cameras.begin(), cameras.end()}, {}};
+    return {path, game.field, logged_cameras(game.field, game.sim.vision), {}};
   }
 
   league::GameLog log_;
