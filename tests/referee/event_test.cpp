@@ -69,7 +69,7 @@ TEST(Events, MayComeInAStopIfTheirRuleIsActiveThen) {
   }
   EXPECT_EQ(names, (std::set<std::string_view>{"attacker_stays_near_area", "bot_too_fast_in_stop",
                                                "stop_distance", "bot_interfered_placement",
-                                               "too_many_robots"}));
+                                               "boundary_crossing", "too_many_robots"}));
 }
 
 // A ball that leaves the field, a goal that does not count and a restart that is not taken are not
