@@ -50,9 +50,8 @@ std::optional<Finding> find_boundary_crossing(RefereeState& state, const Referee
   finding.value = beyond_m;
   finding.unit = "m";
   finding.evidence =
-      fmt::format("{} kicked the ball over the boundary at ({:.2f}, {:.2f}) m.",
-                  touch.robot ? text_of(*touch.robot) : std::string(colour_of(*touch.side)),
-                  ball_m.x(), ball_m.y());
+      fmt::format("{} kicked the ball over the field's boundary.",
+                  touch.robot ? text_of(*touch.robot) : std::string(colour_of(*touch.side)));
   return finding;
 }
 
