@@ -41,7 +41,7 @@ void GameLog::note(GameEvent event) {
   ++noted_events_;
   if (event.id.empty()) event.id = std::to_string(noted_events_);
   if (events_.size() == kMostGameEvents) events_.erase(events_.begin());
-  events_.push_back(published(std::move(event), blue_on_positive_half_));
+  events_.push_back(std::move(event));
   has_new_events_ = true;
 }
 
@@ -65,9 +65,9 @@ void GameLog::add(const Frame& frame, const RefereeSignal& signal) {
     write(frame.time_s, MessageKind::kVision2014, geometry_);
     geometry_due_s_ = frame.time_s + kGeometryEvery_s;
   }
-  blue_on_positive_half_ = signal.blue_on_positive_half;
-  fill_detections(published(frame, blue_on_positive_half_), cameras_, packets_,
-                  published(others_, blue_on_positive_half_));
+  const bool blue_on_positive_half = signal.blue_on_positive_half;
+  fill_detections(published(frame, blue_on_positive_half), cameras_, packets_,
+                  published(others_, blue_on_positive_half));
   if (!others_.is_empty()) others_ = {};
   for (const VisionPacket& packet : packets_) write(frame.time_s, MessageKind::kVision2014, packet);
   write_commands_before(signal, frame.time_s);

@@ -63,8 +63,7 @@ class GameLog {
   std::vector<GameEvent> events_;      // since play was on last
   int noted_events_ = 0;
   bool has_new_events_ = false;
-  bool blue_on_positive_half_ = true;  // in the last signal
-  OtherDetections others_;             // in addition to the current frame
+  OtherDetections others_;  // in addition to the current frame
   std::string bytes_;
   double geometry_due_s_ = 0;
   double referee_due_s_ = 0;

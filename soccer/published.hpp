@@ -6,11 +6,9 @@
 // current end: the same, or rotated by 180 degrees.
 #pragma once
 
-#include <optional>
 #include <string_view>
 
 #include "soccer/frame.hpp"
-#include "soccer/game_event.hpp"
 #include "soccer/geometry.hpp"
 #include "soccer/referee_signal.hpp"
 #include "soccer/side.hpp"
@@ -27,14 +25,6 @@ inline Frame published(const Frame& frame, bool blue_on_positive_half) {
 
 inline OtherDetections published(const OtherDetections& others, bool blue_on_positive_half) {
   return blue_on_positive_half ? others : rotated(others);
-}
-
-inline GameEvent published(GameEvent event, bool blue_on_positive_half) {
-  for (std::optional<Vec2>* place : {&event.location_m, &event.kick_location_m,
-                                     &event.ball_location_m, &event.start_m, &event.end_m}) {
-    if (*place) *place = published(**place, blue_on_positive_half);
-  }
-  return event;
 }
 
 // Sides are colours here and stay.

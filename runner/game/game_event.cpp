@@ -1,4 +1,5 @@
 #include "runner/game/game_event.hpp"
+#include "soccer/published.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -137,7 +138,8 @@ std::optional<GameEvent> game_event_of(const Decision& decision, double start_un
   event.type = *type;
   event.origin = {"AutoRef"};
   event.created_us = unix_us(start_unix_s + decision.time_s);
-  event.location_m = finding.position_m;
+  if (finding.position_m)
+    event.location_m = published(*finding.position_m, decision.blue_on_positive_half);
   switch (*type) {
     case GameEventType::kPossibleGoal:
       set_goal(decision, start_unix_s, event);

@@ -54,7 +54,7 @@ class Recorder final : public Observer {
 
  private:
   static league::GameLog open(const std::string& path, const GameConfiguration& game) {
-    return {path, game.field, logged_cameras(game.field, game.sim.vision), {}};
+    return {path, game.field, logged_cameras(game), {}};
   }
 
   league::GameLog log_;
