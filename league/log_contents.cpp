@@ -65,6 +65,7 @@ class Walk {
       if (!take()) note_unreadable();
     }
     show(merger_.finish());
+    summary_.first_ns = first_ns_;
     summary_.length_s = now_s_;
     summary_.frames = frames_;
     summary_.field = merger_.field();

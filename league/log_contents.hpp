@@ -37,7 +37,8 @@ class LogVisitor {
 struct LogSummary {
   // Indexed by MessageKind; unknown numbers count as kUnknown.
   std::map<MessageKind, std::int64_t> records;
-  double length_s = 0;  // from the first record to the last
+  std::int64_t first_ns = 0;  // time of the first record; Unix time in the league's logs
+  double length_s = 0;        // from the first record to the last
   std::int64_t frames = 0;
   std::optional<Field> field;       // from the last geometry; nullopt if the log has none
   FieldGaps field_gaps;             // what that geometry omits

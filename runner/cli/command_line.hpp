@@ -92,7 +92,7 @@ struct InfoArguments {
 // Arguments of `autoref referee`.
 struct RefereeArguments {
   std::string log;
-  std::string rules = "paper";
+  std::string rules;          // empty: guessed from the log
   std::string first_kickoff;  // empty: as in the log
   std::string control;        // empty: human if the log has a referee's commands, else none
   std::string camera;  // camera preset; empty: no vision error except the rounding in the packets

@@ -9,6 +9,7 @@
 #include "runner/cli/output_file.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/files.hpp"
+#include "runner/logs/guessed_rules.hpp"
 #include "runner/logs/keepers.hpp"
 #include "runner/logs/log_game.hpp"
 #include "runner/logs/log_report.hpp"
@@ -36,10 +37,20 @@ void refuse_book_among(const Assignments& assignments) {
   }
 }
 
-GameSettings game_of(const RefereeArguments& arguments, const Assignments& assignments,
-                     const RecordedFacts& facts, const RecordedGame& recorded) {
+// The rule book chosen, or else guessed.
+std::string book_of(const RefereeArguments& arguments, const RecordedFacts& facts) {
+  if (!arguments.rules.empty()) return arguments.rules;
+  const GuessedRules guessed = guessed_rules(facts.log);
+  write_message(stderr, fmt::format("autoref: {}: {}: using the rules {} (change with --rules)\n",
+                                    arguments.log, guessed.reason, guessed.book));
+  return guessed.book;
+}
+
+GameSettings game_of(const RefereeArguments& arguments, const std::string& book,
+                     const Assignments& assignments, const RecordedFacts& facts,
+                     const RecordedGame& recorded) {
   GameSettings game;
-  blame("--rules", [&] { game = logged_game(arguments.rules, facts, recorded); });
+  blame("--rules", [&] { game = logged_game(book, facts, recorded); });
   const auto set = [&](const std::string& flag, const std::string& path, const std::string& value) {
     if (!value.empty()) blame(flag, [&] { set_by_path(game, path, value); });
   };
@@ -95,9 +106,10 @@ int referee_verb(const RefereeArguments& arguments) {
   if (facts.log.frames == 0) {
     throw InputError({arguments.log}, "", "contains neither vision nor tracker packets to referee");
   }
+  const std::string book = book_of(arguments, facts);
   std::vector<referee::Configuration> games;
   for (const RecordedGame& recorded : facts.games) {
-    const GameSettings game = game_of(arguments, assignments, facts, recorded);
+    const GameSettings game = game_of(arguments, book, assignments, facts, recorded);
     if (games.empty()) say_gaps(arguments, assignments, facts, game);
     games.push_back(referee_configuration(resolved(game)));
   }
@@ -118,9 +130,10 @@ void add_referee_verb(CLI::App& app, Chosen& chosen) {
   verb->add_option("--log,LOG", arguments->log, "A .log or .log.gz file.")
       ->type_name("FILE")
       ->required();
-  verb->add_option("--rules", arguments->rules, "Rule book (autoref rules lists them).")
-      ->type_name("BOOK")
-      ->capture_default_str();
+  verb->add_option("--rules", arguments->rules,
+                   "Rule book (autoref rules lists them); guessed from the log's field and date "
+                   "by default.")
+      ->type_name("BOOK");
   verb->add_option("--first-kickoff", arguments->first_kickoff,
                    "Side of the first kick-off, overriding the log.")
       ->type_name("west|east");

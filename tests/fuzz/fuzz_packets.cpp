@@ -50,6 +50,7 @@ class Game {
   }
   static void read(const league::GameEventMessage& message) {
     const GameEvent event = league::game_event_of(message);
+    if (message.event_case() == league::GameEventMessage::EVENT_NOT_SET) return;
     league::GameEventMessage again;
     league::fill_game_event(event, again);
     if (!again.IsInitialized() || !(league::game_event_of(again) == event)) std::abort();

@@ -38,7 +38,7 @@ class LogObserver final : public Observer {
 
  private:
   static std::vector<CameraPosition> cameras_of(const Field& field) {
-    const auto positions = sim::camera_positions(field, 4);
+    const auto positions = sim::camera_positions(field, 4, 4);
     return {positions.begin(), positions.end()};
   }
 };

@@ -90,6 +90,13 @@ TEST_F(ForeignLog, WithoutGeometryIsJudgedOnTheBooksField) {
   EXPECT_EQ(run("view", {"-o", page.c_str(), "--rules", "2027"}).code, kBadInput);
 }
 
+TEST_F(ForeignLog, IsJudgedByTheRulesThatItsFieldAndDateSuggest) {
+  write({.field = find_game_setup("2026-b")->field,
+         .record_s = [](double time_s) { return 1.783e9 + time_s; }});
+  expect_judged("9 x 6 m, recorded on 2026-07-02: using the rules 2026-b (change with --rules)");
+  EXPECT_EQ(count_of("using the rules", referee({"--rules", "2014"}).err), 0);
+}
+
 TEST_F(ForeignLog, WithoutAreasAndMarksUsesThoseOfTheRuleBook) {
   write({.change_field = [](league::FieldSize& size) {
     size.clear_field_lines();
