@@ -121,6 +121,7 @@ void set_rest(const Finding& finding, GameEvent& event) {
     case Event::kMultipleFouls:
     case Event::kMultipleCards:
       event.by_team = finding.offender;
+      event.location_m.reset();  // the league's messages have none
       break;
     default:
       set_offence(finding, event);
