@@ -298,7 +298,8 @@ void take_values(RefereeState& state, const RefereeInput& input) {
   signal.robots_allowed = given.robots_allowed;
   signal.yellow_cards = given.yellow_cards;
   signal.red_cards = given.red_cards;
-  if (state.machine_state != State::kInit) note_robots_allowed(state, input, robots_before);
+  // When the number changed before AutoRef joined is unknown, so the time to leave begins now.
+  note_robots_allowed(state, input, robots_before);
   count_goals(state);
   // In CALLED, AutoRef's own restart is in force.
   if (!is_play(state.machine_state)) take_restart(state);

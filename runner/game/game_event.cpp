@@ -117,6 +117,13 @@ void set_rest(const Finding& finding, GameEvent& event) {
       event.by_team = opponent_of(finding.restart.side);
       event.reason = finding.evidence;
       break;
+    case Event::kBoundaryCrossing:
+      event.by_team = finding.offender;
+      break;
+    case Event::kPlacementSucceeded:
+      event.time_taken_s = finding.value;
+      [[fallthrough]];
+    case Event::kPlacementFailed:
     case Event::kTooManyRobots:
     case Event::kMultipleFouls:
     case Event::kMultipleCards:

@@ -32,8 +32,9 @@ double evidence_from_s(const referee::Decision& d, double phase_from_s) {
     case Event::kChippedGoal:
       return d.last_touch.time_s > 0 ? d.last_touch.time_s : phase_from_s;
     case Event::kGoal:
-    case Event::kTooManyRobots:
       return before(2);
+    case Event::kTooManyRobots:
+      return before(d.finding.value);
     case Event::kBotCrashUnique:
     case Event::kBotCrashDrawn:
     case Event::kDefenderInDefenseArea:
@@ -106,8 +107,11 @@ CallList CallList::later(double by_s) const {
 }
 
 bool CallList::is_stopped_at(double time_s) const {
-  const auto next = std::upper_bound(changes_s_.begin(), changes_s_.end(), time_s + kSameTime_s);
-  return (next - changes_s_.begin()) % 2 == 0;
+  const auto stopped = [this](double at_s) {
+    const auto next = std::upper_bound(changes_s_.begin(), changes_s_.end(), at_s);
+    return (next - changes_s_.begin()) % 2 == 0;
+  };
+  return stopped(time_s - kSameTime_s) || stopped(time_s + kSameTime_s);
 }
 
 void Tally::add(const CallList& whole, const CallList& judged, const Piece& piece) {
@@ -140,7 +144,10 @@ void Tally::add(const CallList& whole, const CallList& judged, const Piece& piec
   }
   for (const PieceCall& call : found) {
     if (!counts(call)) continue;
-    if (call.in_stop && !whole.is_stopped_at(call.time_s)) ++unsignalled;
+    if (call.in_stop && !whole.is_stopped_at(call.time_s)) {
+      ++unsignalled;
+      say(name, "not in a stop:", call);
+    }
     const auto& all = whole.calls();
     const bool has_same = std::any_of(all.begin(), all.end(), [&](const PieceCall& other) {
       const bool at_that_time = std::abs(call.time_s - other.time_s) <= kSameTime_s;

@@ -26,7 +26,7 @@ class CallList {
   // The same calls, `by_s` later.
   CallList later(double by_s) const;
   const std::vector<PieceCall>& calls() const { return calls_; }
-  // Whether play was stopped by a command then.
+  // Whether play was stopped by a command within 0.1 s of that time.
   bool is_stopped_at(double time_s) const;
 
  private:

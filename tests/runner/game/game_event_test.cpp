@@ -67,6 +67,9 @@ const std::map<Event, Fields> kFilled = {
     {Event::kStuckBall, {"location"}},
     {Event::kKeeperHeldBall, {"by_team", "location", "duration"}},
     {Event::kTooManyRobots, {"by_team"}},
+    {Event::kPlacementSucceeded, {"by_team", "time_taken"}},
+    {Event::kPlacementFailed, {"by_team"}},
+    {Event::kBoundaryCrossing, {"by_team", "location"}},
     {Event::kMultipleFouls, {"by_team"}},
     {Event::kMultipleCards, {"by_team"}}};
 

@@ -47,7 +47,7 @@ TEST(DecisionJson, WritesNullForUnknownValues) {
       R"("score": {"yellow": 0, "blue": 0}, "shootout": null, "transition": "T1", "from": "INIT", "to": "INIT", "command": null, )"
       R"("event": "begin", "league_event": null, "rule": "paper 4.2", "value": null, "threshold": null, )"
       R"("unit": null, "robots": [], "offender": null, "card": null, "card_reason": null, )"
-      R"("position_m": null, "restart": null, "last_touch": null, "evidence": null, )"
+      R"("position_m": null, "yellow_defends": "west", "restart": null, "last_touch": null, "evidence": null, )"
       R"("shootout_kick": null, "teams": {"yellow": {"team": null, "name": null}, )"
       R"("blue": {"team": null, "name": null}}})");
 }

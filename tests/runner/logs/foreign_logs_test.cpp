@@ -31,8 +31,8 @@ class ForeignLog : public testing::Test {
 
   // Checks that every verb that reads logs accepts the log, and that the referee reports `said`
   // once.
-  void expect_judged(const std::string& said = "") const {
-    const Answer answer = referee();
+  void expect_judged(const std::string& said = "", const char* control = nullptr) const {
+    const Answer answer = control == nullptr ? referee() : referee({"--control", control});
     EXPECT_EQ(answer.code, kDone) << answer.err;
     EXPECT_NE(answer.out.find("by AutoRef"), std::string::npos) << answer.out;
     if (!said.empty()) {
@@ -67,16 +67,21 @@ TEST_F(ForeignLog, WithoutTheStagesClockIsJudgedWithTheBooksHalf) {
   }});
   expect_judged(
       "the clock of the first half is missing: using halves of 600 s (change with --set "
-      "match.half_s=");
-  EXPECT_EQ(referee({"--set", "match.half_s=300"}).err.find("the clock"), std::string::npos);
-  EXPECT_EQ(count_of("halves of 300 s", referee({"--rules", "2026-b"}).err), 1);
+      "match.half_s=",
+      "autoref");
+  EXPECT_EQ(referee().err.find("the clock"), std::string::npos)
+      << "the recorded referee keeps time";
+  const Answer set = referee({"--control", "autoref", "--set", "match.half_s=300"});
+  EXPECT_EQ(set.err.find("the clock"), std::string::npos);
+  const Answer of_book = referee({"--control", "autoref", "--rules", "2026-b"});
+  EXPECT_EQ(count_of("halves of 300 s", of_book.err), 1);
 }
 
 TEST_F(ForeignLog, InOvertimeIsJudged) {
   write({.change_referee = [](double, league::RefereePacket& packet) {
     packet.set_stage_time_left(-5'000'000);
   }});
-  expect_judged("the clock of the first half is missing");
+  expect_judged("the clock of the first half is missing", "autoref");
 }
 
 TEST_F(ForeignLog, WithoutGeometryIsJudgedOnTheBooksField) {
@@ -115,9 +120,11 @@ TEST_F(ForeignLog, WithChangingGeometryIsJudgedOnTheLastField) {
 
 TEST_F(ForeignLog, WithoutARefereeIsJudged) {
   write({.has_referee = false});
-  expect_judged("no referee packets: nothing to compare");
-  EXPECT_EQ(count_of("the first kick-off is missing: giving it to west", referee().err), 1);
-  EXPECT_EQ(count_of("kick-off", referee({"--first-kickoff", "east"}).err), 0);
+  expect_judged("no referee packets: play is taken to be on throughout");
+  const Answer alone = referee({"--control", "autoref"});
+  EXPECT_EQ(count_of("the first kick-off is missing: giving it to west", alone.err), 1);
+  const Answer set = referee({"--control", "autoref", "--first-kickoff", "east"});
+  EXPECT_EQ(count_of("kick-off", set.err), 0);
 }
 
 TEST_F(ForeignLog, WithoutRobotsOfOneTeamIsJudged) {
@@ -146,9 +153,10 @@ TEST_F(ForeignLog, StartingInTheMiddleOfPlayIsReported) {
     packet.set_command(league_number({CommandKind::kForceStart}));
     packet.set_command_counter(1);
   }});
-  expect_judged("the log starts in the middle of play (FORCE_START)");
+  expect_judged("the log starts in the middle of play (FORCE_START)", "autoref");
+  EXPECT_EQ(referee().err.find("middle of play"), std::string::npos) << "AutoRef joins it";
   write({});
-  EXPECT_EQ(referee().err.find("middle of play"), std::string::npos);
+  EXPECT_EQ(referee({"--control", "autoref"}).err.find("middle of play"), std::string::npos);
 }
 
 TEST_F(ForeignLog, OfOneCameraIsJudged) {
@@ -236,8 +244,8 @@ TEST_F(OwnLog, OfAKnockoutGameWithAShootOutIsJudged) {
          log_);
     EXPECT_NE(run("info", {}).out.find("POST_GAME"), std::string::npos) << book;
     expect_judged();
-    const Answer answer =
-        referee({"--rules", book + std::string("match.rules=").size(), "--events", events.c_str()});
+    const Answer answer = referee({"--rules", book + std::string("match.rules=").size(),
+                                   "--control", "autoref", "--events", events.c_str()});
     EXPECT_EQ(answer.code, kDone) << answer.err;
     EXPECT_NE(answer.out.find("F1 1.000"), std::string::npos) << answer.out;
     EXPECT_NE(content_of(events).find("\"shootout_over\""), std::string::npos) << book;
@@ -252,7 +260,7 @@ TEST_F(OwnLog, OfTwoGamesIsJudgedGameByGame) {
   play({"match.half_s=7", "match.first_kickoff=east"}, two);
   join_logs({one, two}, log_);
   expect_judged("the log contains 2 games; the second starts at");
-  const Answer answer = referee({"--events", events.c_str()});
+  const Answer answer = referee({"--control", "autoref", "--events", events.c_str()});
   EXPECT_NE(answer.out.find("F1 1.000"), std::string::npos) << answer.out;
   EXPECT_EQ(count_of("\"transition\": \"begin\"", content_of(events)), 2);
 }
