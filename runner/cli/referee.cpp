@@ -9,10 +9,12 @@
 #include "runner/cli/output_file.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/files.hpp"
+#include "runner/logs/annotations.hpp"
 #include "runner/logs/guessed_rules.hpp"
-#include "runner/logs/keepers.hpp"
 #include "runner/logs/log_game.hpp"
+#include "runner/logs/log_page.hpp"
 #include "runner/logs/log_report.hpp"
+#include "runner/logs/recorded_teams.hpp"
 #include "runner/logs/user_log.hpp"
 #include "runner/settings/assignments.hpp"
 #include "runner/settings/fields.hpp"
@@ -80,7 +82,7 @@ void say_gaps(const RefereeArguments& arguments, const Assignments& assignments,
 
 void say_keepers(const RefereeArguments& arguments, const RecordedFacts& facts) {
   for (const Side side : kSides) {
-    const std::optional<int> keeper = facts.actual_keepers[side];
+    const std::optional<int> keeper = facts.teams.actual_keepers[side];
     if (!keeper) continue;
     const std::string colour(colour_of(side));
     const std::string what =
@@ -93,14 +95,23 @@ void say_keepers(const RefereeArguments& arguments, const RecordedFacts& facts) 
   }
 }
 
+std::vector<Call> annotated_calls(const RefereeArguments& arguments) {
+  if (arguments.annotations.empty()) return {};
+  return annotations_in(read_user_file(arguments.annotations), arguments.annotations);
+}
+
 }  // namespace
 
 int referee_verb(const RefereeArguments& arguments) {
   const Assignments assignments = assignments_in(arguments.sets);
   refuse_book_among(assignments);
-  check_outputs({{"--events", arguments.events}}, {arguments.log});
+  check_outputs({{"--events", arguments.events}, {"--report", arguments.report}},
+                {arguments.log, arguments.annotations});
   std::optional<PendingFile> events;
+  std::optional<PendingFile> page;
   open_output(events, "--events", arguments.events);
+  open_output(page, "--report", arguments.report);
+  const std::vector<Call> annotated = annotated_calls(arguments);
   RecordedFacts facts = read_facts(arguments.log);
   write_message(stderr, damage_text(arguments.log, facts));
   if (facts.log.frames == 0) {
@@ -113,12 +124,21 @@ int referee_verb(const RefereeArguments& arguments) {
     if (games.empty()) say_gaps(arguments, assignments, facts, game);
     games.push_back(referee_configuration(resolved(game)));
   }
-  facts.actual_keepers = actual_keepers(arguments.log, games.front().field);
+  facts.teams = teams_in(arguments.log, games.front().field, games.front().rules.change_ends);
   say_keepers(arguments, facts);
-  const LogRefereeResult evaluation = referee_log(arguments.log, facts, games);
+  std::vector<RecordedDecision> decisions;
+  const auto keep = [&](const referee::Decision& decision) {
+    if (page) decisions.push_back(recorded(decision));
+  };
+  LogRefereeResult evaluation = referee_log(arguments.log, facts, games, keep);
+  const Comparison comparison{!arguments.annotations.empty(), arguments.report};
+  if (comparison.is_annotated)
+    evaluation.agreement = agreement_with_annotations(annotated, evaluation.calls);
   if (events) events->commit(evaluation.events);
-  fmt::print("{}\n", arguments.json ? referee_log_json(evaluation, facts)
-                                    : referee_log_text(evaluation, facts));
+  if (page)
+    page->commit(log_page(arguments.log, games.front().field, decisions, evaluation.agreement));
+  fmt::print("{}\n", arguments.json ? referee_log_json(evaluation, facts, comparison)
+                                    : referee_log_text(evaluation, facts, comparison));
   return facts.log.damage ? kBadInput : kDone;
 }
 
@@ -146,6 +166,13 @@ void add_referee_verb(CLI::App& app, Chosen& chosen) {
   add_set_option(*verb, arguments->sets);
   verb->add_option("--events", arguments->events,
                    "Write AutoRef's decisions to FILE, one JSON object per line.")
+      ->type_name("FILE");
+  verb->add_option("--report", arguments->report,
+                   "Write an HTML page of the game with the calls of both referees.")
+      ->type_name("FILE");
+  verb->add_option("--annotations", arguments->annotations,
+                   "Compare with a person's list of calls, a CSV file with the head "
+                   "time,call,side, instead of the recorded commands.")
       ->type_name("FILE");
   verb->add_flag("--json", arguments->json, "Print one JSON object.");
   verb->footer(

@@ -6,29 +6,17 @@
 #include <optional>
 #include <utility>
 
-#include "league/referee_message.hpp"
 #include "runner/cli/command_line.hpp"
 #include "runner/cli/output_file.hpp"
 #include "runner/io/build_id.hpp"
 #include "runner/io/errors.hpp"
+#include "runner/logs/log_recorder.hpp"
 #include "runner/logs/user_log.hpp"
 #include "runner/view/decision_lines.hpp"
 #include "runner/view/page.hpp"
 
 namespace autoref::runner {
 namespace {
-
-class Recorder final : public league::LogVisitor {
- public:
-  void on_frame(const Frame& frame) override { recording.add(frame); }
-  void on_referee(double time_s, const league::RefereePacket& packet) override {
-    names = {{packet.yellow().name(), packet.blue().name()}};
-    if (const auto signal = league::signal_of(packet)) recording.add(time_s, *signal);
-  }
-
-  GameRecording recording;
-  PerSide<std::string> names;
-};
 
 void add_decisions(const std::string& file, GameRecording& recording) {
   if (file.empty()) return;
@@ -51,7 +39,7 @@ int view_verb(const ViewArguments& arguments) {
   check_outputs({{"-o", arguments.output}}, {arguments.log, arguments.events});
   std::optional<PendingFile> file;
   open_output(file, "-o", arguments.output);
-  Recorder recorder;
+  LogRecorder recorder;
   add_decisions(arguments.events, recorder.recording);
   const league::LogSummary log = read_user_log(arguments.log, recorder);
   if (recorder.recording.is_full()) {

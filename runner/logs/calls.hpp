@@ -3,9 +3,12 @@
 
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "soccer/referee_signal.hpp"
+#include "soccer/side.hpp"
 
 namespace autoref::runner {
 
@@ -14,7 +17,13 @@ struct Call {
   double stop_s = 0;
   double restart_s = 0;
   Command restart;
+  std::string_view event{};  // the reason (referee/events.def); empty if only commands are known
+  std::optional<Side>
+      side{};  // the team that the event names: of a goal the scorer, else the offender
 };
+
+// The event and its team, such as "goal (yellow)"; of a call without an event the restart.
+std::string title_of(const Call& call);
 
 // Derives calls from a stream of commands: a STOP and the restart after it. Halts, timeouts and
 // further STOPs in between are ignored.
@@ -49,10 +58,19 @@ struct Agreement {
   int challenge_score() const { return right - 2 * (refereed - right); }
 };
 
+// For a call that only one referee made: what the other one did, and when. Empty for a right call.
+std::string other_referee_text(const CallPair& pair, const Agreement& agreement);
+
 // Matches AutoRef's calls with the recorded ones. A call is right if a recorded call has the same
 // restart and they overlap in time; AutoRef may be up to `lead_s` early. Both lists must be in
 // order of time; each call is matched once, with the first that fits.
 Agreement agreement_of(std::span<const Call> recorded, std::span<const Call> refereed,
                        double lead_s = 2.0);
+
+// Matches AutoRef's calls with those of a person's annotations (annotations.hpp). A call is right
+// if event and, where the annotation names one, side are the same and at most `tolerance_s` lies
+// between them.
+Agreement agreement_with_annotations(std::span<const Call> annotated,
+                                     std::span<const Call> refereed, double tolerance_s = 2.0);
 
 }  // namespace autoref::runner

@@ -48,6 +48,11 @@ GameSettings logged_game(const std::string& book, const RecordedFacts& facts,
   if (recorded.halves > 0) game.match.halves = recorded.halves;
   if (recorded.extra_half_s) game.match.extra_half_s = *recorded.extra_half_s;
   game.match.knockout = recorded.is_knockout;
+  if (facts.noise) {
+    game.sim.vision.ball_noise_m = facts.noise->ball_m;
+    game.sim.vision.robot_noise_m = facts.noise->robot_m;
+    game.sim.vision.robot_noise_rad = facts.noise->robot_rad;
+  }
   if (recorded.first_kickoff) game.match.first_kickoff = *recorded.first_kickoff;
   game.match.control = facts.last_signal ? referee::Control::kHuman : referee::Control::kNone;
   game.a.robots = std::max(1, facts.robots[Side::kWest]);

@@ -16,9 +16,10 @@ namespace autoref::runner {
 using DecisionWatch = std::function<void(const referee::Decision&)>;
 
 struct LogRefereeResult {
-  Agreement agreement;  // between AutoRef's calls and those of the recorded referee
-  PerSide<int> goals;   // goals counted by AutoRef
-  std::string events;   // AutoRef's decisions, one JSON object per line (event_log.hpp)
+  Agreement agreement;      // between AutoRef's calls and those of the recorded referee
+  std::vector<Call> calls;  // each of AutoRef's calls, with its event; also those that stop nothing
+  PerSide<int> goals;       // goals counted by AutoRef
+  std::string events;       // AutoRef's decisions, one JSON object per line (event_log.hpp)
   int decisions = 0;
 };
 

@@ -10,6 +10,8 @@
 
 #include "runner/io/json.hpp"
 #include "runner/io/table.hpp"
+#include "runner/logs/log_page.hpp"
+#include "soccer/colour.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -79,8 +81,25 @@ std::string commands_text(const RecordedFacts& facts, bool lists_commands) {
   return aligned(rows, {Align::kRight, Align::kLeft});
 }
 
+// The restart, which is what is compared with recorded commands, and AutoRef's reason; or what is
+// compared with annotations.
 std::string name_of(const std::optional<Call>& call) {
-  return call ? autoref::name_of(call->restart) : "-";
+  if (!call) return "-";
+  const bool has_restart = call->restart.kind != CommandKind::kHalt;
+  const std::string title = title_of(*call);
+  return has_restart && !call->event.empty()
+             ? fmt::format("{}: {}", autoref::name_of(call->restart), title)
+             : title;
+}
+
+double time_of(const CallPair& pair) {
+  return pair.recorded ? pair.recorded->stop_s : pair.refereed->stop_s;
+}
+
+// Only disagreements have a link.
+std::string link_to(const CallPair& pair, const Comparison& comparison) {
+  if (comparison.page.empty() || pair.is_right()) return "";
+  return moment_in(comparison.page, time_of(pair));
 }
 
 std::string verdict_of(const CallPair& pair) {
@@ -88,11 +107,18 @@ std::string verdict_of(const CallPair& pair) {
   return pair.recorded ? "missed" : "wrong";
 }
 
+Json link_or_null(const CallPair& pair, const Comparison& comparison) {
+  const std::string link = link_to(pair, comparison);
+  return link.empty() ? Json() : Json(link);
+}
+
 Json json_of(const std::optional<Call>& call) {
   if (!call) return {};
   return {{"stop_s", call->stop_s},
           {"restart_s", call->restart_s},
-          {"restart", autoref::name_of(call->restart)}};
+          {"restart", autoref::name_of(call->restart)},
+          {"event", call->event.empty() ? Json() : Json(call->event)},
+          {"side", call->side ? Json(colour_of(*call->side)) : Json()}};
 }
 
 Json json_of(const PerSide<int>& goals) {
@@ -158,35 +184,47 @@ std::string info_json(const RecordedFacts& facts) {
                     {"damaged_at", log.damage ? Json(log.damage->offset) : Json()}});
 }
 
-std::string referee_log_text(const LogRefereeResult& evaluation, const RecordedFacts& facts) {
-  Rows rows = {{"stopped", "recorded", "AutoRef", ""}};
+std::string referee_log_text(const LogRefereeResult& evaluation, const RecordedFacts& facts,
+                             const Comparison& comparison) {
+  Rows rows = {{"time", comparison.is_annotated ? "annotated" : "recorded", "AutoRef", "",
+                "the other referee", comparison.page.empty() ? "" : "moment"}};
   for (const CallPair& pair : evaluation.agreement.pairs) {
-    const double stop_s = pair.recorded ? pair.recorded->stop_s : pair.refereed->stop_s;
-    rows.push_back(
-        {clock_text(stop_s), name_of(pair.recorded), name_of(pair.refereed), verdict_of(pair)});
+    rows.push_back({clock_text(time_of(pair)), name_of(pair.recorded), name_of(pair.refereed),
+                    verdict_of(pair), other_referee_text(pair, evaluation.agreement),
+                    link_to(pair, comparison)});
   }
   const Agreement& all = evaluation.agreement;
   return fmt::format(
       "{}\n"
       "score     recorded {}, AutoRef {}:{}\n"
       "calls     {} recorded, {} by AutoRef, {} of them right\n"
-      "precision {:.3f}   recall {:.3f}   F1 {:.3f}   (same restart, at most 2 s ahead)\n"
+      "precision {:.3f}   recall {:.3f}   F1 {:.3f}   ({})\n"
       "challenge {:+} (1 for a right call, -2 for a wrong one)\n",
-      aligned(rows, {Align::kRight, Align::kLeft, Align::kLeft, Align::kLeft}),
+      aligned(rows, {Align::kRight, Align::kLeft, Align::kLeft, Align::kLeft, Align::kLeft,
+                     Align::kLeft}),
       facts.last_signal ? fmt::format("{}:{}", facts.last_signal->goals[Side::kWest],
                                       facts.last_signal->goals[Side::kEast])
                         : "-",
       evaluation.goals[Side::kWest], evaluation.goals[Side::kEast], all.recorded, all.refereed,
-      all.right, all.precision(), all.recall(), all.f1(), all.challenge_score());
+      all.right, all.precision(), all.recall(), all.f1(),
+      comparison.is_annotated ? "same event and side within 2 s"
+                              : "same restart, at most 2 s ahead",
+      all.challenge_score());
 }
 
-std::string referee_log_json(const LogRefereeResult& evaluation, const RecordedFacts& facts) {
+std::string referee_log_json(const LogRefereeResult& evaluation, const RecordedFacts& facts,
+                             const Comparison& comparison) {
   const Agreement& all = evaluation.agreement;
   Json calls = Json::array();
-  for (const CallPair& pair : all.pairs)
-    calls.push_back({{"recorded", json_of(pair.recorded)}, {"autoref", json_of(pair.refereed)}});
+  for (const CallPair& pair : all.pairs) {
+    calls.push_back({{"recorded", json_of(pair.recorded)},
+                     {"autoref", json_of(pair.refereed)},
+                     {"other", other_referee_text(pair, all)},
+                     {"moment", link_or_null(pair, comparison)}});
+  }
   return json_text({{"recorded_goals", recorded_score(facts)},
                     {"goals", json_of(evaluation.goals)},
+                    {"compared_with", comparison.is_annotated ? "annotations" : "commands"},
                     {"recorded", all.recorded},
                     {"judged", all.refereed},
                     {"right", all.right},

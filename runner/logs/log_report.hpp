@@ -15,8 +15,16 @@ std::string info_text(const RecordedFacts& facts, bool lists_commands);
 // The same as a single-line JSON object, with all commands.
 std::string info_json(const RecordedFacts& facts);
 
+// What AutoRef's calls are compared with.
+struct Comparison {
+  bool is_annotated = false;  // a person's annotations instead of the recorded commands
+  std::string page;           // path of the page to link moments to (log_page.hpp); empty: none
+};
+
 // AutoRef's calls next to the recorded ones, and their agreement.
-std::string referee_log_text(const LogRefereeResult& evaluation, const RecordedFacts& facts);
-std::string referee_log_json(const LogRefereeResult& evaluation, const RecordedFacts& facts);
+std::string referee_log_text(const LogRefereeResult& evaluation, const RecordedFacts& facts,
+                             const Comparison& comparison = {});
+std::string referee_log_json(const LogRefereeResult& evaluation, const RecordedFacts& facts,
+                             const Comparison& comparison = {});
 
 }  // namespace autoref::runner

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "league/referee_message.hpp"
+#include "runner/logs/logged_noise.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -39,6 +40,7 @@ std::string name_text(std::string_view bytes) {
 class FactFinder final : public league::LogVisitor {
  public:
   void on_frame(const Frame& frame) override {
+    noise.take(frame);
     for (const Side side : kSides) {
       facts.robots[side] =
           std::max(facts.robots[side], static_cast<int>(frame.robots[side].size()));
@@ -65,7 +67,7 @@ class FactFinder final : public league::LogVisitor {
     const bool is_new = !facts.last_signal ||
                         facts.last_signal->command_counter != signal->command_counter ||
                         facts.last_signal->command != signal->command;
-    if (is_new) note_command(time_s, signal->command);
+    if (is_new) note_command({time_s, signal->command, signal->stage});
     note_stage(signal->stage);
     // In overtime or without a clock, the packet does not reveal the length of the half.
     if (packet.stage_time_left() > 0) note_clock(signal->stage, signal->stage_time_left_s);
@@ -74,14 +76,15 @@ class FactFinder final : public league::LogVisitor {
   }
 
   RecordedFacts facts;
+  LoggedNoise noise;
 
  private:
-  void note_command(double time_s, Command command) {
+  void note_command(const RecordedCommand& recorded) {
     RecordedGame& game = facts.games.back();
-    if (command.kind == CommandKind::kPrepareKickoff && !game.first_kickoff)
-      game.first_kickoff = command.side;
+    if (recorded.command.kind == CommandKind::kPrepareKickoff && !game.first_kickoff)
+      game.first_kickoff = recorded.command.side;
     if (facts.commands.size() < RecordedFacts::kMostCommands) {
-      facts.commands.push_back({time_s, command});
+      facts.commands.push_back(recorded);
     } else {
       ++facts.commands_left_out;
     }
@@ -124,6 +127,7 @@ double RecordedCamera::rate_hz() const {
 RecordedFacts facts_of(const std::filesystem::path& log) {
   FactFinder finder;
   finder.facts.log = league::read_log(log, finder);
+  finder.facts.noise = finder.noise.noise();
   return finder.facts;
 }
 

@@ -10,8 +10,10 @@
 #include <vector>
 
 #include "league/log_contents.hpp"
+#include "runner/logs/recorded_teams.hpp"
 #include "soccer/referee_signal.hpp"
 #include "soccer/side.hpp"
+#include "tracking/tracker.hpp"
 
 namespace autoref::runner {
 
@@ -19,6 +21,7 @@ namespace autoref::runner {
 struct RecordedCommand {
   double time_s = 0;  // time since the start of the log
   Command command;
+  Stage stage = Stage::kFirstHalf;
 };
 
 struct RecordedCamera {
@@ -60,9 +63,9 @@ struct RecordedFacts {
   std::map<std::uint32_t, RecordedCamera> cameras;  // by number
   PerSide<int> robots;                              // maximum number in a frame
   std::vector<RecordedGame> games = {{}};           // at least one, at most kMostGames
-  // Robots that keep the goals although others are announced (keepers.hpp); nullopt: the announced.
-  PerSide<std::optional<int>> actual_keepers;
-  std::int64_t unknown_signals = 0;  // packets with an unknown stage or command
+  std::optional<VisionNoise> noise;                 // measured (logged_noise.hpp)
+  RecordedTeams teams;                              // found out separately (recorded_teams.hpp)
+  std::int64_t unknown_signals = 0;                 // packets with an unknown stage or command
 
   static constexpr std::size_t kMostCommands = 100'000;
   static constexpr std::size_t kMostGames = 100;

@@ -109,17 +109,26 @@ Json robot_json(RobotId robot) {
 
 Json fact_json(const PageFact& fact) { return Json::array({fact.what, fact.value}); }
 
+Json compared_json(const ComparedCall& call) {
+  return {{"time_s", call.time_s},
+          {"recorded", call.recorded},
+          {"autoref", call.autoref},
+          {"other", call.other}};
+}
+
 std::string game_json(const PageContent& content) {
   const GameRecording& recording = content.recording;
-  return json_text({{"teams", content.names.values},
-                    {"field", field_json(content.field)},
-                    {"shapes", shapes_json()},
-                    {"frames", recording.frames()},
-                    {"robots", list_json(recording.robots(), robot_json)},
-                    {"signals", list_json(recording.signals(), signal_json)},
-                    {"clock", list_json(recording.clock(), clock_json)},
-                    {"decisions", list_json(recording.decisions(), decision_json)},
-                    {"facts", list_json(content.facts, fact_json)}});
+  return json_text(
+      {{"teams", content.names.values},
+       {"field", field_json(content.field)},
+       {"shapes", shapes_json()},
+       {"frames", recording.frames()},
+       {"robots", list_json(recording.robots(), robot_json)},
+       {"signals", list_json(recording.signals(), signal_json)},
+       {"clock", list_json(recording.clock(), clock_json)},
+       {"decisions", list_json(recording.decisions(), decision_json)},
+       {"compared", content.compared ? list_json(*content.compared, compared_json) : Json()},
+       {"facts", list_json(content.facts, fact_json)}});
 }
 
 // Escapes JSON for use in a script element. An unescaped "<" could end the element; in JSON, "<"

@@ -1,6 +1,7 @@
 // Renders a game as a self-contained HTML page.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,11 +16,22 @@ struct PageFact {
   std::string value;
 };
 
+// A call of a recorded game, made by the recorded referee, by AutoRef, or by both.
+struct ComparedCall {
+  double time_s = 0;
+  std::string recorded;  // what the recorded referee called; empty: nothing
+  std::string autoref;   // what AutoRef called; empty: nothing
+  std::string other;     // if only one called: what the other referee did instead
+  bool operator==(const ComparedCall&) const = default;
+};
+
 struct PageContent {
   const GameRecording& recording;
   Field field;
   PerSide<std::string> names;     // of the teams; empty if unknown
   std::vector<PageFact> facts{};  // shown below the game, such as {"build", "0.1.0-..."}
+  std::optional<std::vector<ComparedCall>>
+      compared{};  // in order of time; nullopt: nobody compared
 };
 
 // The page: HTML with style, script (runner/view/page/) and the game's data.

@@ -11,8 +11,9 @@ namespace autoref::runner {
 using referee::Event;
 
 bool is_shown(const std::string& event) {
-  constexpr std::array kInEveryGame = {Event::kBegin, Event::kRobotsMoved,  Event::kStartTimeout,
-                                       Event::kReady, Event::kReadyTimeout, Event::kSignalled};
+  constexpr std::array kInEveryGame = {
+      Event::kBegin,        Event::kRobotsMoved, Event::kStartTimeout, Event::kReady,
+      Event::kReadyTimeout, Event::kSignalled,   Event::kCommandGiven};
   return std::none_of(kInEveryGame.begin(), kInEveryGame.end(),
                       [&](Event one) { return name_of(one) == event; });
 }

@@ -21,10 +21,10 @@ return count;
 """
 
 
-def played_game(autoref, scenario, page, **settings):
-    """Plays a game, writes its page and returns its record."""
+def played_game(autoref, scenario, page, log=None, **settings):
+    """Plays a game, writes its page and, if asked for, its log, and returns its record."""
     chosen = [word for key, value in settings.items() for word in ("--set", f"{key.replace('__', '.')}={value}")]
-    done = subprocess.run([autoref, "play", scenario, "--json", "--view", page, *chosen],
+    done = subprocess.run([autoref, "play", scenario, "--json", "--view", page, *chosen, *(["--log", log] if log else [])],
                           check=True, capture_output=True, text=True, timeout=120)
     return json.loads(done.stdout)
 

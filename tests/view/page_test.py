@@ -4,12 +4,16 @@
 Needs Debian's chromium, chromium-driver and python3-selenium. Saves screenshots if
 AUTOREF_SCREENSHOTS=FOLDER is set.
 """
+import json
+import pathlib
 import re
+import subprocess
 import sys
+import tempfile
 import unittest
 
-from browser import DESKTOP, PHONE, PROJECTOR
-from game_page import GamePage
+from browser import DESKTOP, PHONE, PROJECTOR, BrowserTest
+from game_page import GamePage, played_game
 from selenium import webdriver
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
@@ -325,6 +329,53 @@ class FoulPageTest(GamePage):
             box = self.browser.find_element(By.ID, name)
             self.assertLessEqual(box.get_property("scrollHeight"), box.get_property("clientHeight") + 1)
             self.assertLessEqual(box.get_property("scrollWidth"), PHONE[0])
+
+
+class ComparedPageTest(BrowserTest):
+    """The page of a log with the calls of both referees, recorded and AutoRef's."""
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        log, cls.page = str(pathlib.Path(folder.name) / "game.log"), pathlib.Path(folder.name) / "both.html"
+        played_game(GamePage.autoref, GamePage.scenario, str(cls.page), match__half_s=60, a__strategy="cobalt",
+                    b__strategy="cobalt", log=log)
+        mine, cls.annotated_page = pathlib.Path(folder.name) / "mine.csv", pathlib.Path(folder.name) / "mine.html"
+        mine.write_text("time,call,side\n20,goal,yellow\n")
+        done = subprocess.run([GamePage.autoref, "referee", log, "--report", str(cls.page), "--json"], check=True,
+                              capture_output=True, text=True, timeout=120)
+        cls.compared = json.loads(done.stdout)
+        done = subprocess.run([GamePage.autoref, "referee", log, "--annotations", str(mine), "--json", "--report",
+                               str(cls.annotated_page)], check=True, capture_output=True, text=True, timeout=120)
+        cls.annotated = json.loads(done.stdout)
+
+    def setUp(self):
+        self.show(DESKTOP)
+
+    def marks(self, kind):
+        return self.browser.find_elements(By.CSS_SELECTOR, f".mark.recorded{kind}")
+
+    def test_marks_each_recorded_call(self):
+        self.browser.get(self.page.as_uri())
+        self.settle()
+        self.assertEqual(self.browser.get_log("browser"), [])
+        self.assertGreater(self.compared["recorded"], 2)
+        self.assertEqual(len(self.marks("")), self.compared["recorded"])
+        self.assertEqual(len(self.marks(".missed")), self.compared["recorded"] - self.compared["right"])
+        self.leave_picture("compared")
+
+    def test_marks_what_was_missed_and_opens_at_that_moment(self):
+        missed = [call for call in self.annotated["calls"] if call["recorded"]]
+        self.assertEqual([call["recorded"]["event"] for call in missed], ["goal"])
+        moment = missed[0]["moment"].rpartition("#")[2]
+        self.assertEqual(moment, "t=20.00")
+        self.browser.get(self.annotated_page.as_uri() + "#" + moment)
+        self.settle()
+        self.assertEqual(len(self.marks(".missed")), 1)
+        self.assertEqual(self.text("time"), "0:20.00")
+        self.assertIn("Recorded: goal (yellow)", self.text("callTitle"))
 
 
 if __name__ == "__main__":

@@ -11,6 +11,7 @@ function highlightItem(highlight, seek) {
   const button = document.createElement("button");
   button.type = "button";
   button.className = `highlight ${highlight.kind}`;
+  button.classList.toggle("missed", highlight.isMissed === true);
   button.dataset.side = highlight.side ?? "";
   button.dataset.color = highlight.color ?? "";
   button.append(textElement("span", "when", minutesAndSeconds(highlight.time_s)),

@@ -100,16 +100,44 @@ function highlightOfKick(kick) {
           title: kickTitle(kick), reason: ""};
 }
 
+// A call of the recorded referee, with what AutoRef did.
+function highlightOfRecorded({time_s, recorded, autoref, other}) {
+  const reason = autoref ? "AutoRef made the same call." : `${other}.`;
+  const title = `Recorded: ${isCommand(recorded) ? commandTitle(recorded) : recorded}`;
+  return {time_s, kind: "recorded", side: null, isMissed: !autoref, title, reason};
+}
+
+// Adds what the recorded referee did to calls that only AutoRef made.
+function addRecorded(highlights, compared) {
+  for (const {time_s, recorded, other} of compared) {
+    const call = recorded ? null : highlights.find((one) => Math.abs(one.time_s - time_s) < 1e-3);
+    if (call) call.reason = `${call.reason} ${capitalised(other)}.`.trim();
+  }
+}
+
+// AutoRef's calls beside the recorded referee's.
+function comparedCallsOf({signals, decisions, compared}, shown) {
+  const calls = decisions.filter((one) => !shown.has(one)).map(highlightOfDecision);
+  for (const call of calls) call.title = `AutoRef: ${call.title}`;
+  addRecorded(calls, compared);
+  return [...calls, ...cardsOf(signals), ...compared.filter((one) => one.recorded).map(highlightOfRecorded)];
+}
+
+// Decisions; without any, what the signals show.
+function callsOf({signals, decisions}, shown) {
+  if (decisions.length === 0) return [...stopsOf(signals), ...cardsOf(signals)];
+  return decisions.filter((one) => one.event !== "goal" && !shown.has(one)).map(highlightOfDecision);
+}
+
 // All highlights in order of time. The score is always the recorded one, whatever the decisions
 // say.
-function highlightsOf({signals, decisions}, kicks) {
-  if (signals.length === 0) return [];
+function highlightsOf(game, kicks) {
+  const {signals, decisions} = game;
+  if (signals.length === 0 && !game.compared) return [];
   const goals = goalsOf(signals);
-  addReasons(goals, decisions, ["goal"]);
+  const counted = addReasons(goals, decisions, ["goal"]);
   const shots = kicks.map(highlightOfKick);
   const shown = addReasons(shots, decisions, ["goal", "penalty_kick_failed"]);
-  const others = decisions.length > 0
-    ? decisions.filter((one) => one.event !== "goal" && !shown.has(one)).map(highlightOfDecision)
-    : [...stopsOf(signals), ...cardsOf(signals)];
+  const others = game.compared ? comparedCallsOf(game, new Set([...shown, ...counted])) : callsOf(game, shown);
   return [...goals, ...shots, ...others].sort((a, b) => a.time_s - b.time_s).slice(0, kMostHighlights);
 }

@@ -43,7 +43,15 @@ class Page {
       requestAnimationFrame(frame);
     };
     this.resize();
+    this.seekAddress();
+    window.addEventListener("hashchange", () => this.seekAddress());
     requestAnimationFrame(frame);
+  }
+
+  // An address that ends in #t=83.2 shows that moment.
+  seekAddress() {
+    const time_s = Number(new URLSearchParams(location.hash.slice(1)).get("t") ?? NaN);
+    if (Number.isFinite(time_s)) this.player.seek(time_s);
   }
 
   setTitle() {

@@ -25,6 +25,7 @@ class Timeline {
       mark.type = "button";
       mark.tabIndex = -1;  // keyboard users reach events through the list
       mark.className = `mark ${highlight.kind}`;
+      mark.classList.toggle("missed", highlight.isMissed === true);
       mark.dataset.side = highlight.side ?? "";
       mark.dataset.color = highlight.color ?? "";
       mark.style.left = `${100 * this.shareOf(highlight.time_s)}%`;

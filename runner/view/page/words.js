@@ -45,6 +45,10 @@ function kindOfCommand(command) {
   return command.replace(/_(YELLOW|BLUE)$/, "");
 }
 
+function isCommand(text) {
+  return /^[A-Z_]+$/.test(text);
+}
+
 // "DIRECT_FREE_BLUE" becomes "Direct free kick, blue".
 function commandTitle(command) {
   const side = sideOfCommand(command);

@@ -1,4 +1,4 @@
-#include "runner/logs/keepers.hpp"
+#include "runner/logs/recorded_teams.hpp"
 
 #include <gtest/gtest.h>
 

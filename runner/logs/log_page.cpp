@@ -1,0 +1,41 @@
+#include "runner/logs/log_page.hpp"
+
+#include <fmt/format.h>
+
+#include "runner/io/build_id.hpp"
+#include "runner/logs/log_recorder.hpp"
+
+namespace autoref::runner {
+
+std::vector<ComparedCall> compared_calls(const Agreement& agreement) {
+  std::vector<ComparedCall> calls;
+  calls.reserve(agreement.pairs.size());
+  for (const CallPair& pair : agreement.pairs) {
+    calls.push_back({pair.recorded ? pair.recorded->stop_s : pair.refereed->stop_s,
+                     pair.recorded ? title_of(*pair.recorded) : "",
+                     pair.refereed ? title_of(*pair.refereed) : "",
+                     other_referee_text(pair, agreement)});
+  }
+  return calls;
+}
+
+std::string log_page(const std::filesystem::path& log, const Field& field,
+                     const std::vector<RecordedDecision>& decisions, const Agreement& agreement) {
+  LogRecorder recorder;
+  for (const RecordedDecision& decision : decisions) recorder.recording.add(decision);
+  league::read_log(log, recorder);
+  return page_of({recorder.recording,
+                  field,
+                  recorder.names,
+                  {{"log", log.filename().string()},
+                   {"right", fmt::format("{} of {} calls; recorded {}", agreement.right,
+                                         agreement.refereed, agreement.recorded)},
+                   {"page made by build", std::string(build_id())}},
+                  compared_calls(agreement)});
+}
+
+std::string moment_in(const std::string& page, double time_s) {
+  return fmt::format("{}#t={:.2f}", page, time_s);
+}
+
+}  // namespace autoref::runner

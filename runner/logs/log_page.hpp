@@ -1,0 +1,23 @@
+// The page of a recorded game with the calls of both referees.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "runner/logs/calls.hpp"
+#include "runner/view/page.hpp"
+
+namespace autoref::runner {
+
+// The calls of both referees in order of time.
+std::vector<ComparedCall> compared_calls(const Agreement& agreement);
+
+// `decisions` are AutoRef's. Throws league::LogError.
+std::string log_page(const std::filesystem::path& log, const Field& field,
+                     const std::vector<RecordedDecision>& decisions, const Agreement& agreement);
+
+// The address of a moment in that page, such as "game.html#t=83.20".
+std::string moment_in(const std::string& page, double time_s);
+
+}  // namespace autoref::runner

@@ -1,0 +1,39 @@
+// Follows which end of the field the yellow team of a recorded game defends.
+#pragma once
+
+#include "league/messages/referee.pb.h"
+#include "soccer/referee_signal.hpp"
+#include "soccer/side.hpp"
+
+namespace autoref::runner {
+
+// The referee's packets say it or, if they do not, the teams change ends before every half after
+// the first where the rule book demands it.
+class RecordedEnds {
+ public:
+  // `at_first` holds until a packet says otherwise; west is -x.
+  RecordedEnds(Side at_first, bool change_ends) : yellow_(at_first), change_ends_(change_ends) {}
+
+  void take(const league::RefereePacket& packet, Stage stage) {
+    if (packet.has_blue_team_on_positive_half()) {
+      yellow_ = packet.blue_team_on_positive_half() ? Side::kWest : Side::kEast;
+    } else if (change_ends_ && stage != stage_ && begins_after_change(stage)) {
+      yellow_ = opponent_of(yellow_);
+    }
+    stage_ = stage;
+  }
+
+  Side yellow() const { return yellow_; }
+
+ private:
+  static bool begins_after_change(Stage stage) {
+    return stage == Stage::kSecondHalfPre || stage == Stage::kExtraFirstHalfPre ||
+           stage == Stage::kExtraSecondHalfPre;
+  }
+
+  Side yellow_;
+  bool change_ends_;
+  Stage stage_ = Stage::kFirstHalfPre;
+};
+
+}  // namespace autoref::runner

@@ -1,0 +1,92 @@
+#include "runner/logs/recorded_teams.hpp"
+
+#include <algorithm>
+
+#include "league/log_contents.hpp"
+#include "league/referee_message.hpp"
+#include "runner/logs/recorded_ends.hpp"
+#include "runner/logs/yellow_end.hpp"
+
+namespace autoref::runner {
+namespace {
+
+constexpr int kEnough = 100;          // frames
+constexpr double kMostly = 0.8;       // share of the frames
+constexpr double kHardlyEver = 0.05;  // share of the frames
+
+// Counts for both ends that yellow may defend when the log begins.
+class DutyCounter final : public league::LogVisitor {
+ public:
+  DutyCounter(const Field& field, bool change_ends)
+      : end_(field), field_(field), ends_(Side::kWest, change_ends) {}
+
+  void on_frame(const Frame& frame) override {
+    end_.take(frame);
+    for (const Side team : kSides) {
+      for (const Side end : kSides) count(team, end, frame.robots[team]);
+    }
+  }
+
+  void on_referee(double /*time_s*/, const league::RefereePacket& packet) override {
+    end_.take(packet);
+    const std::optional<RefereeSignal> signal = league::signal_of(packet);
+    if (!signal) return;
+    ends_.take(packet, signal->stage);
+    if (!said_ && packet.has_blue_team_on_positive_half()) said_ = ends_.yellow();
+    for (const Side team : kSides)
+      announced_[team] = signal->keepers[team].value_or(announced_[team]);
+  }
+
+  RecordedTeams teams() const {
+    RecordedTeams teams{end_.end(), {}};
+    const Side end = teams.yellow_end.value_or(Side::kWest);
+    for (const Side team : kSides)
+      teams.actual_keepers[team] = actual_keeper(duties_[end][team], announced_[team]);
+    return teams;
+  }
+
+ private:
+  bool has_changed() const { return ends_.yellow() != said_.value_or(Side::kWest); }
+
+  // `end` is the one that yellow defended at first.
+  void count(Side team, Side end, const SeenRobots& robots) {
+    if (robots.empty()) return;
+    const bool is_there = (team == Side::kWest) != has_changed();
+    const Vec2 goal_m = field_.goal_centre_m(is_there ? end : opponent_of(end));
+    const auto nearest = std::min_element(
+        robots.begin(), robots.end(),
+        [&goal_m](const RobotObservation& a, const RobotObservation& b) {
+          return (a.position_m - goal_m).squaredNorm() < (b.position_m - goal_m).squaredNorm();
+        });
+    GoalDuty& duty = duties_[end][team];
+    ++duty.all;
+    ++duty.nearest[static_cast<std::size_t>(nearest->number)];
+  }
+
+  YellowEnd end_;
+  Field field_;
+  std::optional<Side> said_;  // the end of yellow at first, by the referee
+  RecordedEnds ends_;
+  PerSide<PerSide<GoalDuty>> duties_;  // by the end of yellow, then by team
+  PerSide<int> announced_;
+};
+
+}  // namespace
+
+std::optional<int> actual_keeper(const GoalDuty& duty, int announced) {
+  if (duty.all < kEnough) return std::nullopt;
+  const auto share = [&duty](int count) { return static_cast<double>(count) / duty.all; };
+  const bool keeps = announced >= 0 && announced < kMaxRobots &&
+                     share(duty.nearest[static_cast<std::size_t>(announced)]) > kHardlyEver;
+  const auto most = std::max_element(duty.nearest.begin(), duty.nearest.end());
+  if (keeps) return std::nullopt;
+  return share(*most) < kMostly ? -1 : static_cast<int>(most - duty.nearest.begin());
+}
+
+RecordedTeams teams_in(const std::filesystem::path& log, const Field& field, bool change_ends) {
+  DutyCounter counter(field, change_ends);
+  league::read_log(log, counter);
+  return counter.teams();
+}
+
+}  // namespace autoref::runner
