@@ -57,6 +57,19 @@ std::string score_text(const RecordedFacts& facts) {
                      name_of(signal.stage));
 }
 
+std::string noise_text(const std::optional<VisionNoise>& noise) {
+  if (!noise) return "unknown";
+  return fmt::format("ball {:.2f} mm, robots {:.2f} mm and {:.1f} mrad (standard deviations)",
+                     1e3 * noise->ball_m, 1e3 * noise->robot_m, 1e3 * noise->robot_rad);
+}
+
+Json noise_json(const std::optional<VisionNoise>& noise) {
+  if (!noise) return {};
+  return {{"ball_m", rounded(noise->ball_m, 5)},
+          {"robot_m", rounded(noise->robot_m, 5)},
+          {"robot_rad", rounded(noise->robot_rad, 4)}};
+}
+
 std::string cameras_table(const RecordedFacts& facts) {
   Rows rows = {{"camera", "packets", "per second", "gaps over 0.1 s", "longest"}};
   for (const auto& [number, camera] : facts.cameras) {
@@ -165,9 +178,11 @@ std::string info_text(const RecordedFacts& facts, bool lists_commands) {
       "records   {}\n"
       "frames    {}\n"
       "field     {}\n"
+      "noise     {}\n"
       "score     {}\n\n{}\n{}",
       clock_text(log.length_s), records_text(log), log.frames, field_text(log.field),
-      score_text(facts), cameras_table(facts), commands_text(facts, lists_commands));
+      noise_text(facts.noise), score_text(facts), cameras_table(facts),
+      commands_text(facts, lists_commands));
 }
 
 std::string info_json(const RecordedFacts& facts) {
@@ -179,6 +194,7 @@ std::string info_json(const RecordedFacts& facts) {
                     {"goals", recorded_score(facts)},
                     {"teams", facts.names.values},
                     {"cameras", cameras_json(facts)},
+                    {"noise", noise_json(facts.noise)},
                     {"commands", commands_json(facts)},
                     {"unreadable", log.unreadable},
                     {"damaged_at", log.damage ? Json(log.damage->offset) : Json()}});
