@@ -1,0 +1,78 @@
+#include "tests/runner/logs/refereed_log.hpp"
+
+#include <cmath>
+
+#include "runner/io/errors.hpp"
+#include "runner/logs/guessed_rules.hpp"
+#include "runner/logs/keepers.hpp"
+#include "runner/logs/log_game.hpp"
+#include "runner/logs/log_referee.hpp"
+#include "runner/logs/log_report.hpp"
+#include "runner/logs/user_log.hpp"
+#include "runner/settings/assignments.hpp"
+#include "runner/settings/fields.hpp"
+#include "runner/settings/resolved.hpp"
+
+namespace autoref::runner {
+namespace {
+
+class FrameKeeper final : public league::LogVisitor {
+ public:
+  explicit FrameKeeper(std::vector<Frame>& frames) : frames_(frames) {}
+  void on_frame(const Frame& frame) override { frames_.push_back(frame); }
+
+ private:
+  std::vector<Frame>& frames_;
+};
+
+GameSettings game_in(const std::string& log, const std::string& book, const RecordedFacts& facts,
+                     const RecordedGame& recorded) {
+  GameSettings game = logged_game(book, facts, recorded);
+  set_by_path(game, "sim.camera", "realistic");
+  blame(log, [&game] { check_judged(game); });
+  return game;
+}
+
+std::string gaps_text(const RecordedFacts& facts, const GameSettings& game) {
+  std::string text;
+  for (const std::string& gap : gaps_of(facts, game, [](const std::string&) { return false; }))
+    text += gap + "\n";
+  return text;
+}
+
+}  // namespace
+
+RefereedLog refereed(const std::filesystem::path& log) {
+  const std::string name = log.string();
+  RefereedLog result;
+  RecordedFacts facts = facts_of(log);
+  if (facts.log.frames == 0) throw InputError({name}, "", "contains no frame");
+  const std::string book = guessed_rules(facts.log).book;
+  std::vector<referee::Configuration> games;
+  for (const RecordedGame& recorded : facts.games)
+    games.push_back(referee_configuration(resolved(game_in(name, book, facts, recorded))));
+  result.field = games.front().field;
+  facts.actual_keepers = actual_keepers(log, result.field);
+  const LogRefereeResult evaluation = referee_log(
+      log, facts, games,
+      [&result](const referee::Decision& decision) { result.decisions.push_back(decision); });
+  FrameKeeper keeper(result.frames);
+  league::read_log(log, keeper);
+  result.report = damage_text(name, facts) +
+                  gaps_text(facts, game_in(name, book, facts, facts.games.front())) +
+                  referee_log_text(evaluation, facts) + referee_log_json(evaluation, facts) +
+                  info_text(facts, true) + info_json(facts) + evaluation.events;
+  return result;
+}
+
+bool is_finite(const referee::Decision& decision) {
+  const referee::Finding& finding = decision.finding;
+  const referee::LastTouch& touch = decision.last_touch;
+  double sum = decision.time_s + finding.value + finding.threshold + touch.time_s + touch.gap_m +
+               touch.speed_change_mps + finding.ball_to_m.sum();
+  if (finding.position_m) sum += finding.position_m->sum();
+  if (decision.clock) sum += decision.clock->played_s + decision.clock->left_s;
+  return std::isfinite(sum);
+}
+
+}  // namespace autoref::runner
