@@ -26,7 +26,8 @@ struct FieldGaps {
 
 FieldGaps gaps_in(const Geometry& geometry);
 
-// The position of the camera with that id; above `below_m` if the message does not contain it.
+// The position of the camera with that id; above `below_m` if the message does not contain it, or
+// one that is below the carpet or not within 100 m.
 CameraPosition camera_of(const Geometry& geometry, std::uint32_t id, const Vec2& below_m);
 
 }  // namespace autoref::league

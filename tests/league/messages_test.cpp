@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <map>
 
 #include "league/detection_merger.hpp"
@@ -191,6 +192,20 @@ TEST(Geometry, RefusesAFieldOfZeroSize) {
 }
 
 // Line numbers and names are those of the league's list of shapes.
+TEST(Geometry, OfACameraAtAnImpossiblePositionIsIgnored) {
+  Geometry geometry;
+  fill_geometry(Field{}, kCameras, geometry);
+  const Vec2 ball_m{0.2, 0.1};
+  EXPECT_EQ(camera_of(geometry, 2, ball_m).position_m, kCameras[2].position_m);
+  const float nowhere = std::numeric_limits<float>::quiet_NaN();
+  for (const float height_mm : {nowhere, -4000.0F, 0.0F, 2e5F}) {
+    geometry.mutable_calib(2)->set_derived_camera_world_tz(height_mm);
+    EXPECT_EQ(camera_of(geometry, 2, ball_m).position_m, ball_m) << height_mm;
+  }
+  geometry.mutable_calib(3)->set_derived_camera_world_tx(nowhere);
+  EXPECT_EQ(camera_of(geometry, 3, ball_m).position_m, ball_m);
+}
+
 TEST(Geometry, NumbersItsLinesAndArcsAsTheLeagueDoes) {
   Geometry geometry;
   fill_geometry(find_game_setup("2026-a")->field, kCameras, geometry);
