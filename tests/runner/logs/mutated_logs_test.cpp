@@ -1,0 +1,137 @@
+// AutoRef referees whatever is called a log: it refuses it or makes finite decisions, in bounded
+// time.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+
+#include "league/messages/tracker.pb.h"
+#include "league/tracker_message.hpp"
+#include "league/units.hpp"
+#include "runner/game/event_log.hpp"
+#include "runner/io/errors.hpp"
+#include "tests/checkout.hpp"
+#include "tests/runner/cli/answer.hpp"
+#include "tests/runner/logs/mutated_log.hpp"
+#include "tests/runner/logs/refereed_log.hpp"
+#include "tests/runner/support/temporary_folder.hpp"
+#include "tracking/tracker.hpp"
+
+namespace autoref::runner {
+namespace {
+
+namespace fs = std::filesystem;
+using league::LogRecord;
+using league::MessageKind;
+
+constexpr std::uint64_t kLogs = AUTOREF_MUTATED_LOGS;
+
+// Writes the log of a game with many fouls.
+void write_game(const fs::path& log) {
+  const std::string game = in_checkout("scenarios/paper-game.yaml");
+  const std::string path = log.string();
+  const Answer answer =
+      answer_to({"play", game.c_str(), "--log", path.c_str(), "--set", "match.rules=2026-b",
+                 "--set", "match.half_s=15", "--set", "match.halves=1", "--set",
+                 "sim.camera=rc2026-b", "--set", "a.strategy=rowdy", "--set", "b.strategy=cobalt"});
+  ASSERT_EQ(answer.code, kDone) << answer.err;
+}
+
+// The packets of a tracker that follows a log.
+class TrackerPackets final : public league::LogVisitor {
+ public:
+  void on_frame(const Frame& frame) override {
+    constexpr int kEvery = 5;
+    const Tracks& tracks = tracker_.update(frame);
+    if (frame.number % kEvery != 0) return;
+    league::TrackerPacket packet;
+    fill_tracker(tracks, {"0c", "AutoRef"}, frame.time_s, packet);
+    records.push_back({league::to_ns(frame.time_s),
+                       static_cast<std::int32_t>(MessageKind::kTracker2020),
+                       packet.SerializeAsString()});
+  }
+
+  std::vector<LogRecord> records;
+
+ private:
+  Tracker tracker_;
+};
+
+// Part of a game in which the referee commands a corner kick and robots foul: vision, referee and
+// tracker packets, and an index.
+std::vector<LogRecord> game_records(const TemporaryFolder& folder) {
+  constexpr std::int64_t kFrom_ns = 4'500'000'000;
+  constexpr std::int64_t kTo_ns = 18'000'000'000;
+  const fs::path log = folder / "game.log";
+  write_game(log);
+  TrackerPackets tracker;
+  league::read_log(log, tracker);
+  std::vector<LogRecord> records = records_in(log);
+  records.insert(records.end(), tracker.records.begin(), tracker.records.end());
+  std::erase_if(records, [](const LogRecord& record) {
+    return record.time_ns < kFrom_ns || record.time_ns > kTo_ns;
+  });
+  std::stable_sort(records.begin(), records.end(),
+                   [](const LogRecord& a, const LogRecord& b) { return a.time_ns < b.time_ns; });
+  records.push_back({0, static_cast<std::int32_t>(MessageKind::kIndex2021), "INDEXED"});
+  return records;
+}
+
+void expect_valid(const RefereedLog& log, std::size_t bytes) {
+  EXPECT_LE(log.frames.size(), bytes / 16) << "more frames than records";
+  EXPECT_FALSE(log.report.empty());
+  for (const Frame& frame : log.frames) EXPECT_TRUE(is_finite(frame));
+  for (const referee::Decision& decision : log.decisions)
+    EXPECT_TRUE(is_finite(decision)) << decision_json(decision);
+}
+
+enum class Outcome : std::uint8_t { kJudged, kRefused, kNotALog };
+
+Outcome outcome_of(const fs::path& log, const std::string& bytes) {
+  write_content(log, bytes);
+  try {
+    expect_valid(refereed(log), bytes.size());
+    return Outcome::kJudged;
+  } catch (const league::LogError&) {
+    return Outcome::kNotALog;
+  } catch (const InputError&) {
+    return Outcome::kRefused;
+  }
+}
+
+TEST(MutatedLogs, AreRefusedOrJudgedWithFiniteNumbersInTime) {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::seconds kLongest(20);  // a fiftieth of a second is usual
+  const TemporaryFolder folder;
+  const std::vector<LogRecord> records = game_records(folder);
+  std::map<Outcome, std::uint64_t> outcomes;
+  for (std::uint64_t seed = 1; seed <= kLogs; ++seed) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    const Clock::time_point start = Clock::now();
+    EXPECT_NO_THROW(++outcomes[outcome_of(folder / "mutated.log", mutated(records, seed))]);
+    EXPECT_LT(Clock::now() - start, kLongest);
+  }
+  fmt::print("{} mutated logs: {} judged, {} refused, {} not logs\n", kLogs,
+             outcomes[Outcome::kJudged], outcomes[Outcome::kRefused], outcomes[Outcome::kNotALog]);
+  EXPECT_GT(outcomes[Outcome::kJudged], kLogs / 2);
+}
+
+TEST(MutatedLogs, AreMadeFromALogThatIsJudged) {
+  const TemporaryFolder folder;
+  const fs::path log = folder / "whole.log";
+  write_content(log, bytes_of(game_records(folder)));
+  const RefereedLog whole = refereed(log);
+  const auto has = [&whole](referee::Event event) {
+    return std::any_of(whole.decisions.begin(), whole.decisions.end(),
+                       [event](const referee::Decision& d) { return d.finding.event == event; });
+  };
+  EXPECT_TRUE(has(referee::Event::kCornerKick));
+  EXPECT_TRUE(has(referee::Event::kBotCrashUnique));
+  for (const char* kind : {"vision", "referee", "tracker", "index"})
+    EXPECT_NE(whole.report.find(kind), std::string::npos) << whole.report;
+}
+
+}  // namespace
+}  // namespace autoref::runner
