@@ -4,7 +4,7 @@
 
 #include "runner/io/errors.hpp"
 #include "runner/logs/guessed_rules.hpp"
-#include "runner/logs/keepers.hpp"
+#include "runner/logs/recorded_teams.hpp"
 #include "runner/logs/log_game.hpp"
 #include "runner/logs/log_referee.hpp"
 #include "runner/logs/log_report.hpp"
@@ -52,7 +52,7 @@ RefereedLog refereed(const std::filesystem::path& log) {
   for (const RecordedGame& recorded : facts.games)
     games.push_back(referee_configuration(resolved(game_in(name, book, facts, recorded))));
   result.field = games.front().field;
-  facts.actual_keepers = actual_keepers(log, result.field);
+  facts.teams = teams_in(log, result.field, games.front().rules.change_ends);
   const LogRefereeResult evaluation = referee_log(
       log, facts, games,
       [&result](const referee::Decision& decision) { result.decisions.push_back(decision); });
