@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 
+#include "soccer/abilities.hpp"
 #include "soccer/field.hpp"
 #include "soccer/random.hpp"
 #include "soccer/robot_command.hpp"
@@ -14,15 +15,6 @@
 #include "soccer/team_view.hpp"
 
 namespace autoref::strategies {
-
-// What one of a team's robots can do, including its handicap. The defaults are the paper's robots.
-struct Abilities {
-  double speed_mps = 3.0;
-  double acceleration_mps2 = 3.0;
-  double braking_mps2 = 5.0;
-  double kick_mps = 8.0;
-  double chip_mps = 5.5;
-};
 
 // What a team knows before the game.
 struct TeamContext {

@@ -6,14 +6,15 @@
 #include <exception>
 
 #include "sim/world.hpp"
+#include "soccer/abilities.hpp"
 #include "soccer/random.hpp"
 
 namespace autoref::runner {
 namespace {
 
 // The abilities of the side's robots, by number.
-std::array<strategies::Abilities, kMaxRobots> abilities_of(const GameConfiguration& c, Side side) {
-  std::array<strategies::Abilities, kMaxRobots> all;
+std::array<Abilities, kMaxRobots> abilities_of(const GameConfiguration& c, Side side) {
+  std::array<Abilities, kMaxRobots> all;
   const sim::TeamSpec::Robots& robots = team_on(c, side).robots;
   for (std::size_t i = 0; i < robots.size(); ++i) {
     const sim::RobotSpec& robot = robots[i];
