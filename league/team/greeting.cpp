@@ -1,0 +1,83 @@
+#include "league/team/greeting.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "league/team/excerpt.hpp"
+#include "league/team/team_fault.hpp"
+
+namespace autoref::league {
+namespace {
+
+constexpr std::size_t kLongestGreeting = 80;  // bytes, without the end of the line
+constexpr std::string_view kGreetingUsage =
+    "expected \"autoref-team 1 ENCODING [MOTION]\", with ENCODING protobuf, json or flat and "
+    "MOTION tracked or detections";
+constexpr std::string_view kGreetingName = "autoref-team";
+constexpr std::string_view kGreetingVersion = "1";
+constexpr std::array<std::pair<std::string_view, TeamEncoding>, 3> kEncodings = {
+    {{"protobuf", TeamEncoding::kProtobuf},
+     {"json", TeamEncoding::kJson},
+     {"flat", TeamEncoding::kFlat}}};
+constexpr std::array<std::pair<std::string_view, TeamMotion>, 2> kMotions = {
+    {{"tracked", TeamMotion::kTracked}, {"detections", TeamMotion::kDetections}}};
+
+// Splits at single spaces.
+std::vector<std::string_view> words_of(std::string_view line) {
+  std::vector<std::string_view> words;
+  for (std::size_t space = 0; space != std::string_view::npos;) {
+    space = line.find(' ');
+    words.push_back(line.substr(0, space));
+    if (space != std::string_view::npos) line.remove_prefix(space + 1);
+  }
+  return words;
+}
+
+[[noreturn]] void refuse(std::string_view line, std::string_view why) {
+  throw TeamFault(
+      fmt::format("the first line is {}: {}; {}", excerpt_of(line), why, kGreetingUsage));
+}
+
+template <typename Table>
+auto value_of(const Table& table, std::string_view word, std::string_view line,
+              std::string_view what) {
+  for (const auto& [name, value] : table) {
+    if (name == word) return value;
+  }
+  refuse(line, fmt::format("unknown {} {}", what, excerpt_of(word)));
+}
+
+}  // namespace
+
+Greeting greeting_of(std::string_view line) {
+  const std::vector<std::string_view> words = words_of(line);
+  if (words[0] != kGreetingName) refuse(line, "it is not a greeting");
+  if (words.size() < 2) refuse(line, "the version is missing");
+  if (words[1] != kGreetingVersion)
+    refuse(line, fmt::format("unknown version {}", excerpt_of(words[1])));
+  if (words.size() < 3) refuse(line, "the encoding is missing");
+  Greeting greeting;
+  greeting.encoding = value_of(kEncodings, words[2], line, "encoding");
+  if (words.size() > 3) greeting.motion = value_of(kMotions, words[3], line, "motion");
+  if (words.size() > 4) refuse(line, "it has too many words");
+  return greeting;
+}
+
+std::optional<GreetingAndSize> find_greeting(std::string_view bytes) {
+  const std::string_view beginning = bytes.substr(0, kLongestGreeting + 1);
+  const std::size_t end = beginning.find('\n');
+  if (end != std::string_view::npos) {
+    return GreetingAndSize{greeting_of(beginning.substr(0, end)), end + 1};
+  }
+  if (bytes.size() > kLongestGreeting) {
+    throw TeamFault(
+        fmt::format("the first line begins with {} and does not end within {} bytes; {}",
+                    excerpt_of(beginning), kLongestGreeting, kGreetingUsage));
+  }
+  return std::nullopt;
+}
+
+}  // namespace autoref::league

@@ -1,0 +1,38 @@
+#include "league/team/team_codec.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "league/team/codecs.hpp"
+
+namespace autoref::league {
+namespace {
+
+void check_name(std::string_view name, std::size_t longest) {
+  if (name.size() <= longest) return;
+  throw std::invalid_argument(
+      fmt::format("the name '{}' has {} bytes; teams' programs are sent at most {}", name,
+                  name.size(), longest));
+}
+
+}  // namespace
+
+std::unique_ptr<TeamCodec> make_team_codec(TeamEncoding encoding) {
+  switch (encoding) {
+    case TeamEncoding::kProtobuf:
+      return make_protobuf_codec();
+    case TeamEncoding::kJson:
+      return make_json_codec();
+    case TeamEncoding::kFlat:
+      return make_flat_codec();
+  }
+  throw std::invalid_argument("unknown encoding");
+}
+
+void check_names(const TeamStart& start) {
+  check_name(start.rules.name, kLongestName);
+  for (const auto& [name, value] : start.params) check_name(name, kLongestName);
+}
+
+}  // namespace autoref::league

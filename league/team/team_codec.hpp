@@ -1,0 +1,47 @@
+// The encodings of the messages between the simulator and a team's program.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "league/team/greeting.hpp"
+#include "league/team/team_messages.hpp"
+
+namespace autoref::league {
+
+// Where a message's content lies in a program's output.
+struct MessageExtent {
+  std::size_t begin = 0;
+  std::size_t size = 0;
+  std::size_t end = 0;  // of the whole message, with what delimits it
+};
+
+// One encoding. Objects reuse their memory from message to message.
+class TeamCodec {
+ public:
+  TeamCodec() = default;
+  TeamCodec(const TeamCodec&) = delete;
+  TeamCodec& operator=(const TeamCodec&) = delete;
+  virtual ~TeamCodec() = default;
+
+  // Append the message, with what delimits it, to `bytes`. All numbers must be finite. Throw
+  // std::invalid_argument if the name of the rule book or of a parameter is too long to be sent.
+  virtual void append(const TeamStart& start, std::string& bytes) = 0;
+  virtual void append(const TeamFrame& frame, std::string& bytes) = 0;
+  virtual void append(const TeamEnd& end, std::string& bytes) = 0;
+
+  // The first message in a program's output; nullopt if it is not complete. Throws TeamFault if the
+  // bytes cannot begin a message or the message would be longer than kLongestOutput.
+  virtual std::optional<MessageExtent> find_message(std::string_view bytes) const = 0;
+
+  // Replaces `output` by the content of a message. Throws TeamFault if it is invalid; then `output`
+  // is unspecified.
+  virtual void read(std::string_view content, TeamOutput& output) = 0;
+};
+
+std::unique_ptr<TeamCodec> make_team_codec(TeamEncoding encoding);
+
+}  // namespace autoref::league

@@ -1,0 +1,64 @@
+// What the simulator and a team that is a program of its own send to each other. The program is
+// given one TeamStart, then one TeamFrame per camera frame, each of which it answers with one
+// TeamOutput, and at last a TeamEnd. docs/team-programs.md describes the three encodings.
+#pragma once
+
+#include <bitset>
+#include <boost/container/static_vector.hpp>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "soccer/abilities.hpp"
+#include "soccer/field.hpp"
+#include "soccer/frame.hpp"
+#include "soccer/robot_command.hpp"
+#include "soccer/rule_book.hpp"
+#include "soccer/side.hpp"
+#include "soccer/team_requests.hpp"
+#include "soccer/team_view.hpp"
+
+namespace autoref::league {
+
+inline constexpr std::size_t kLongestOutput = 65536;     // bytes of an encoded TeamOutput
+inline constexpr std::size_t kLongestOutputText = 1000;  // bytes
+inline constexpr std::size_t kLongestName = 55;          // bytes of a parameter's name
+
+// What a team knows before the game. All coordinates of these messages are the team's own: its goal
+// is at -x, whichever side it plays on.
+struct TeamStart {
+  Side side = Side::kWest;  // the colour: west is yellow
+  Field field;
+  RuleBook rules;
+  double frame_rate_hz = 60;
+  double latency_s = 0;           // from a frame until a command sent then moves a robot
+  std::uint64_t random_seed = 0;  // RandomStream(random_seed) is the team's stream
+  std::map<std::string, double> params;
+  boost::container::static_vector<Abilities, kMaxRobots> robots;  // the team's own, by number
+};
+
+// What a team sees in one camera frame. If there are detections, they replace the robots and the
+// ball of `view`; the team's own robots are then those of west.
+struct TeamFrame {
+  TeamView view;
+  std::optional<Frame> detections;
+  std::bitset<kMaxRobots> ball_in_dribbler_zone;  // the team's own robots' sensors, by number
+};
+
+struct TeamEnd {
+  std::string reason;  // such as "time"; at most kLongestName bytes are sent
+  int goals_own = 0;
+  int goals_opponent = 0;
+};
+
+// A team's answer to a frame. A robot without a command stands still.
+struct TeamOutput {
+  std::int64_t frame = 0;  // the number of the frame that it answers
+  TeamCommands commands;
+  TeamRequests requests;
+  std::string text;  // for the log; any bytes, at most kLongestOutputText
+};
+
+}  // namespace autoref::league

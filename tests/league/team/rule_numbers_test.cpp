@@ -1,0 +1,75 @@
+#include "league/team/rule_numbers.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "tests/checkout.hpp"
+
+namespace autoref::league {
+namespace {
+
+std::set<std::string> names_of(const RuleBook& rules) {
+  std::set<std::string> names;
+  visit_rule_numbers(rules, [&names](std::string_view name, double) {
+    EXPECT_TRUE(names.emplace(name).second) << name;
+  });
+  return names;
+}
+
+// The members that soccer/rule_book.hpp declares.
+std::set<std::string> declared_members() {
+  std::ostringstream text;
+  text << std::ifstream(in_checkout("soccer/rule_book.hpp")).rdbuf();
+  const std::string all = text.str();
+  const std::size_t begin = all.find("struct RuleBook");
+  const std::string book = all.substr(begin, all.find("\n};", begin) - begin);
+  const std::regex declaration(R"(\n  (double|int|bool) (\w+) =)");
+  std::set<std::string> members;
+  for (std::sregex_iterator i(book.begin(), book.end(), declaration), end; i != end; ++i)
+    members.insert((*i)[2]);
+  return members;
+}
+
+TEST(RuleNumbers, NameEveryMemberOfARuleBook) {
+  const std::set<std::string> names = names_of(RuleBook{});
+  const std::set<std::string> members = declared_members();
+  EXPECT_GT(members.size(), 50U);
+  for (const std::string& member : members) EXPECT_TRUE(names.contains(member)) << member;
+}
+
+TEST(RuleNumbers, ContainTheRulesInForce) {
+  std::map<std::string, double> numbers;
+  visit_rule_numbers(*find_rule_book("2026-b"), [&numbers](std::string_view name, double value) {
+    numbers.emplace(name, value);
+  });
+  EXPECT_EQ(numbers.at("in_force.aimless_kick"), 1);
+  EXPECT_EQ(numbers.at("in_force.chipped_goal"), 0);
+  EXPECT_EQ(numbers.at("edition"), 2);
+  EXPECT_EQ(numbers.at("goals_to_win"), 10);
+  EXPECT_EQ(numbers.at("clock_stops"), 1);
+}
+
+TEST(RuleNumbers, GiveTheWholeRuleBookBack) {
+  for (const std::string& name : rule_book_names()) {
+    const RuleBook rules = *find_rule_book(name);
+    RuleBook read;
+    read.name = name;
+    visit_rule_numbers(rules, [&read](std::string_view number, double value) {
+      EXPECT_TRUE(set_rule_number(read, number, value)) << number;
+    });
+    EXPECT_EQ(read, rules);
+  }
+}
+
+TEST(RuleNumbers, RefuseUnknownNames) {
+  RuleBook rules;
+  EXPECT_FALSE(set_rule_number(rules, "kick_limit", 1));
+  EXPECT_FALSE(set_rule_number(rules, "in_force.aimless", 1));
+}
+
+}  // namespace
+}  // namespace autoref::league
