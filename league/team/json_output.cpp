@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
-#include <initializer_list>
+#include <array>
+#include <bitset>
 #include <nlohmann/json.hpp>
-#include <set>
-#include <vector>
+#include <optional>
 
 #include "league/team/excerpt.hpp"
 #include "league/team/output_builder.hpp"
@@ -18,132 +17,184 @@ namespace {
 
 using nlohmann::json;
 
-// The members of an object of an output. Throws TeamFault for a value of the wrong type, and for
-// members that nobody asked for.
-class Members {
- public:
-  Members(const json& object, std::string_view where) : object_(&object), where_(where) {
-    if (!object.is_object()) fail("is not an object");
-  }
+enum class JsonType : std::uint8_t { kInteger, kNumber, kYesOrNo, kText, kArray };
 
-  const json* find(const char* name) {
-    const auto found = object_->find(name);
-    if (found == object_->end()) return nullptr;
-    ++known_;
-    return found->is_null() ? nullptr : &*found;
-  }
-  double number(const char* name) {
-    const json* value = find(name);
-    if (value != nullptr && !value->is_number()) fail(name, "is not a number");
-    return value != nullptr ? value->get<double>() : 0;
-  }
-  std::optional<std::int64_t> integer(const char* name) {
-    const json* value = find(name);
-    if (value == nullptr) return std::nullopt;
-    const bool is_too_large =
-        value->is_number_unsigned() && value->get<std::uint64_t>() > std::uint64_t{1} << 62U;
-    if (!value->is_number_integer() || is_too_large) fail(name, "is not an integer");
-    return value->get<std::int64_t>();
-  }
-  bool yes_or_no(const char* name) {
-    const json* value = find(name);
-    if (value != nullptr && !value->is_boolean()) fail(name, "is not true or false");
-    return value != nullptr && value->get<bool>();
-  }
-  void refuse_others(std::initializer_list<std::string_view> names) const {
-    if (known_ == object_->size()) return;
-    for (const auto& member : object_->items()) {
-      if (std::find(names.begin(), names.end(), member.key()) == names.end())
-        fail(fmt::format("has the unknown member {}", excerpt_of(member.key())));
-    }
-  }
-  [[noreturn]] void fail(std::string_view what) const {
-    throw TeamFault(fmt::format("{} {}", where_, what));
-  }
-  [[noreturn]] void fail(std::string_view name, std::string_view what) const {
-    throw TeamFault(fmt::format("{} of {} {}", name, where_, what));
-  }
-
- private:
-  const json* object_;
-  std::string_view where_;
-  std::size_t known_ = 0;
-};
-
-void add_json_command(const json& value, OutputBuilder& builder) {
-  Members members(value, "a command");
-  const std::optional<std::int64_t> robot = members.integer("robot");
-  if (!robot) members.fail("names no robot");
-  RobotCommand command;
-  command.velocity_mps = {members.number("vx_mps"), members.number("vy_mps")};
-  command.angular_velocity_radps = members.number("angular_velocity_radps");
-  command.kick_mps = members.number("kick_mps");
-  command.chip = members.yes_or_no("chip");
-  command.dribble = members.yes_or_no("dribble");
-  members.refuse_others(
-      {"robot", "vx_mps", "vy_mps", "angular_velocity_radps", "kick_mps", "chip", "dribble"});
-  builder.add_command(*robot, command);
+std::string_view description_of(JsonType type) {
+  static constexpr std::array<std::string_view, 5> kDescriptions = {
+      "an integer", "a number", "true or false", "a string", "an array"};
+  return kDescriptions.at(static_cast<std::size_t>(type));
 }
 
-// Refuses objects with two members of one name, and deep nesting.
-class ShapeCheck {
+// The object, or array, whose members are being read.
+enum class JsonPlace : std::uint8_t { kOutside, kOutput, kCommands, kCommand };
+
+std::string_view description_of(JsonPlace place) {
+  return place == JsonPlace::kCommands || place == JsonPlace::kCommand ? "a command"
+                                                                       : "an output line";
+}
+
+struct JsonMember {
+  std::string_view name;
+  JsonPlace place;
+  JsonType type;
+};
+
+constexpr std::array<JsonMember, 13> kMembers = {
+    {{"frame", JsonPlace::kOutput, JsonType::kInteger},
+     {"commands", JsonPlace::kOutput, JsonType::kArray},
+     {"keeper", JsonPlace::kOutput, JsonType::kInteger},
+     {"leaves", JsonPlace::kOutput, JsonType::kInteger},
+     {"timeout", JsonPlace::kOutput, JsonType::kYesOrNo},
+     {"text", JsonPlace::kOutput, JsonType::kText},
+     {"robot", JsonPlace::kCommand, JsonType::kInteger},
+     {"vx_mps", JsonPlace::kCommand, JsonType::kNumber},
+     {"vy_mps", JsonPlace::kCommand, JsonType::kNumber},
+     {"angular_velocity_radps", JsonPlace::kCommand, JsonType::kNumber},
+     {"kick_mps", JsonPlace::kCommand, JsonType::kNumber},
+     {"chip", JsonPlace::kCommand, JsonType::kYesOrNo},
+     {"dribble", JsonPlace::kCommand, JsonType::kYesOrNo}}};
+
+// Fills an output with the values that the library's parser finds, in its order. The public
+// functions are those that the parser calls; they throw TeamFault.
+class OutputHandler {
  public:
-  bool operator()(int depth, json::parse_event_t event, const json& parsed) {
-    constexpr int kDeepest = 3;
-    if (depth > kDeepest) throw TeamFault("an output line is nested too deeply");
-    if (event == json::parse_event_t::object_start) names_.emplace_back();
-    if (event == json::parse_event_t::object_end) names_.pop_back();
-    if (event == json::parse_event_t::key && !names_.back().insert(parsed).second) {
-      throw TeamFault(fmt::format("an output line has two members {} in one object",
-                                  excerpt_of(parsed.get_ref<const std::string&>())));
+  explicit OutputHandler(TeamOutput& output) : builder_(output) {}
+
+  bool null() { return check_is_member(); }
+  bool boolean(bool value) {
+    expect(JsonType::kYesOrNo);
+    if (member_->name == "timeout") builder_.set_timeout(value);
+    if (member_->name == "chip") command_.chip = value;
+    if (member_->name == "dribble") command_.dribble = value;
+    return true;
+  }
+  bool number_integer(std::int64_t value) {
+    if (is_expected(JsonType::kNumber)) return set_number(static_cast<double>(value));
+    expect(JsonType::kInteger);
+    if (member_->name == "frame") builder_.set_frame(frame_.emplace(value));
+    if (member_->name == "keeper") builder_.set_keeper(value);
+    if (member_->name == "leaves") builder_.set_leaves(value);
+    if (member_->name == "robot") robot_ = value;
+    return true;
+  }
+  bool number_unsigned(std::uint64_t value) {
+    if (value >> 63U == 0) return number_integer(static_cast<std::int64_t>(value));
+    return number_float(static_cast<double>(value), {});
+  }
+  bool number_float(double value, const std::string& /*text*/) {
+    expect(JsonType::kNumber);
+    return set_number(value);
+  }
+  bool string(const std::string& value) {
+    expect(JsonType::kText);
+    builder_.set_text(value);
+    return true;
+  }
+  static bool binary(const json::binary_t& /*value*/) { return false; }  // not in JSON
+
+  bool start_object(std::size_t /*size*/) {
+    if (place_ != JsonPlace::kOutside && place_ != JsonPlace::kCommands) refuse_value();
+    place_ = place_ == JsonPlace::kOutside ? JsonPlace::kOutput : JsonPlace::kCommand;
+    if (place_ != JsonPlace::kCommand) return true;
+    robot_.reset();
+    command_ = {};
+    for (std::size_t i = 0; i < kMembers.size(); ++i) {
+      if (kMembers[i].place == JsonPlace::kCommand) found_.reset(i);
     }
     return true;
   }
+  bool key(const std::string& name) {
+    member_ = std::find_if(kMembers.begin(), kMembers.end(), [&](const JsonMember& member) {
+      return member.place == place_ && member.name == name;
+    });
+    if (member_ == kMembers.end()) fail("{} has the unknown member {}", excerpt_of(name));
+    const auto index = static_cast<std::size_t>(member_ - kMembers.begin());
+    if (found_[index]) fail("{} has two members {}", excerpt_of(name));
+    found_.set(index);
+    return true;
+  }
+  bool end_object() {
+    if (place_ == JsonPlace::kCommand) {
+      if (!robot_) fail("{} names no robot");
+      builder_.add_command(*robot_, command_);
+      place_ = JsonPlace::kCommands;
+    } else if (!frame_) {
+      fail("{} names no frame");
+    }
+    return true;
+  }
+  bool start_array(std::size_t /*size*/) {
+    expect(JsonType::kArray);
+    place_ = JsonPlace::kCommands;
+    return true;
+  }
+  bool end_array() {
+    place_ = JsonPlace::kOutput;
+    return true;
+  }
+  bool parse_error(std::size_t /*position*/, const std::string& /*token*/,
+                   const json::exception& error) {
+    syntax_error_ = explanation_of(error);
+    return false;
+  }
+
+  // What is wrong if the parser has failed.
+  const std::string& syntax_error() const { return syntax_error_; }
 
  private:
-  std::vector<std::set<std::string>> names_;
-};
-
-// What the library says, without its number and without the text that it read.
-std::string_view explanation_of(const json::exception& error) {
-  constexpr std::size_t kLongest = 120;
-  std::string_view what = error.what();
-  const std::size_t begin = what.find("] ");
-  if (begin != std::string_view::npos) what.remove_prefix(begin + 2);
-  return what.substr(0, std::min(kLongest, what.find("; last read")));
-}
-
-json parsed_line(std::string_view line) {
-  ShapeCheck check;
-  try {
-    return json::parse(line, std::ref(check));
-  } catch (const json::exception& error) {
-    throw TeamFault(fmt::format("an output line is not JSON: {} in {}", explanation_of(error),
-                                excerpt_of(line)));
+  // What the library says, without its number and without the text that it read.
+  static std::string_view explanation_of(const json::exception& error) {
+    constexpr std::size_t kLongest = 120;
+    std::string_view what = error.what();
+    const std::size_t begin = what.find("] ");
+    if (begin != std::string_view::npos) what.remove_prefix(begin + 2);
+    return what.substr(0, std::min(kLongest, what.find("; last read")));
   }
-}
+
+  // `text` contains {} for the place and for each of `values`.
+  template <typename... Values>
+  [[noreturn]] void fail(std::string_view text, const Values&... values) const {
+    throw TeamFault(fmt::format(fmt::runtime(text), description_of(place_), values...));
+  }
+  bool is_member() const { return place_ == JsonPlace::kOutput || place_ == JsonPlace::kCommand; }
+  bool is_expected(JsonType type) const { return is_member() && member_->type == type; }
+  bool check_is_member() const {
+    if (!is_member()) fail("{} is not an object");
+    return true;
+  }
+  void expect(JsonType type) const {
+    check_is_member();
+    if (member_->type != type) refuse_value();
+  }
+  [[noreturn]] void refuse_value() const {
+    throw TeamFault(fmt::format("{} of {} is not {}", member_->name, description_of(place_),
+                                description_of(member_->type)));
+  }
+  bool set_number(double value) {
+    if (member_->name == "vx_mps") command_.velocity_mps.x() = value;
+    if (member_->name == "vy_mps") command_.velocity_mps.y() = value;
+    if (member_->name == "angular_velocity_radps") command_.angular_velocity_radps = value;
+    if (member_->name == "kick_mps") command_.kick_mps = value;
+    return true;
+  }
+
+  OutputBuilder builder_;
+  JsonPlace place_ = JsonPlace::kOutside;
+  std::array<JsonMember, 13>::const_iterator member_ = kMembers.end();
+  std::bitset<kMembers.size()> found_;
+  std::optional<std::int64_t> frame_;
+  std::optional<std::int64_t> robot_;
+  RobotCommand command_;
+  std::string syntax_error_;
+};
 
 }  // namespace
 
 void read_json_output(std::string_view line, TeamOutput& output) {
-  const json value = parsed_line(line);
-  Members members(value, "an output line");
-  OutputBuilder builder(output);
-  const std::optional<std::int64_t> frame = members.integer("frame");
-  if (!frame) members.fail("names no frame");
-  builder.set_frame(*frame);
-  if (const auto keeper = members.integer("keeper")) builder.set_keeper(*keeper);
-  if (const auto leaves = members.integer("leaves")) builder.set_leaves(*leaves);
-  builder.set_timeout(members.yes_or_no("timeout"));
-  if (const json* text = members.find("text")) {
-    if (!text->is_string()) members.fail("text", "is not a string");
-    builder.set_text(text->get_ref<const std::string&>());
-  }
-  if (const json* commands = members.find("commands")) {
-    if (!commands->is_array()) members.fail("commands", "is not an array");
-    for (const json& command : *commands) add_json_command(command, builder);
-  }
-  members.refuse_others({"frame", "keeper", "leaves", "timeout", "text", "commands"});
+  OutputHandler handler(output);
+  if (json::sax_parse(line, &handler)) return;
+  throw TeamFault(fmt::format("an output line is not JSON: {} in {}", handler.syntax_error(),
+                              excerpt_of(line)));
 }
 
 }  // namespace autoref::league

@@ -131,5 +131,17 @@ TEST_P(Encoding, ForgetsThePreviousOutput) {
   EXPECT_EQ(described(read), described(still));
 }
 
+TEST(JsonEncoding, AcceptsMembersInAnyOrderAndIntegersAsNumbers) {
+  const std::unique_ptr<TeamCodec> codec = make_team_codec(TeamEncoding::kJson);
+  OutputDecoder decoder(*codec);
+  decoder.add(
+      R"({"commands": [{"vx_mps": 2, "robot": 4}, {"robot": 5, "chip": null}], "frame": 1})");
+  decoder.add("\n");
+  TeamOutput output;
+  ASSERT_EQ(decoder.next(output), Result::kOutput) << decoder.fault();
+  EXPECT_EQ(output.commands[4].velocity_mps, Vec2(2, 0));
+  EXPECT_EQ(output.commands[5].velocity_mps, Vec2(0, 0));
+}
+
 }  // namespace
 }  // namespace autoref::league
