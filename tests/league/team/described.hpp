@@ -1,10 +1,12 @@
 // Messages as text: every value on one line, doubles in hexadecimal, so that equal texts mean equal
-// bits.
+// bits. Structured bindings name all members, so that a new member, which messages would lack, does
+// not compile.
 #pragma once
 
 #include <fmt/format.h>
 
 #include <string>
+#include <type_traits>
 
 #include "league/team/rule_numbers.hpp"
 #include "league/team/team_messages.hpp"
@@ -24,21 +26,48 @@ class Description {
     return value ? add(*value) : line("none");
   }
   Description& add(const TrackedRobot& robot) {
-    return add(robot.number)
-        .add(robot.position_m)
-        .add(robot.heading)
-        .add(robot.velocity_mps)
-        .add(robot.angular_velocity_radps)
-        .add(robot.is_seen);
+    const auto& [number, position_m, heading, velocity_mps, turn_radps, is_seen] = robot;
+    return add_each(number, position_m, heading, velocity_mps, turn_radps, is_seen);
+  }
+  Description& add(const TrackedBall& ball) {
+    const auto& [position_m, velocity_mps, height_m, deviation_m, is_height_known] = ball;
+    return add_each(position_m, velocity_mps, height_m, deviation_m, is_height_known);
   }
   Description& add(const RobotObservation& robot) {
-    return add(robot.number).add(robot.position_m).add(robot.heading);
+    const auto& [number, position_m, heading] = robot;
+    return add_each(number, position_m, heading);
   }
   Description& add(const BallObservation& ball) {
-    return add(ball.position_m)
-        .add(ball.height_m)
-        .add(ball.seen_from.position_m)
-        .add(ball.seen_from.height_m);
+    const auto& [position_m, height_m, seen_from] = ball;
+    return add_each(position_m, height_m, seen_from.position_m, seen_from.height_m);
+  }
+  Description& add(const Abilities& robot) {
+    const auto& [speed_mps, acceleration_mps2, braking_mps2, kick_mps, chip_mps] = robot;
+    return add_each(speed_mps, acceleration_mps2, braking_mps2, kick_mps, chip_mps);
+  }
+  Description& add(const RobotCommand& command) {
+    const auto& [velocity_mps, turn_radps, kick_mps, chip, dribble] = command;
+    return add_each(velocity_mps, turn_radps, kick_mps, chip, dribble);
+  }
+  Description& add(const TeamRequests& requests) {
+    const auto& [keeper, leaves, timeout] = requests;
+    return add_each(keeper, leaves, timeout);
+  }
+  Description& add(const Field& field) {
+    const auto& [length, width, run_off, line, circle, mark, area, goal_width, depth, opening, bar,
+                 wall] = field;
+    const auto& [shape, area_depth, straight] = area;
+    return add_each(length, width, run_off, line, circle, mark, shape, area_depth, straight,
+                    goal_width, depth, opening, bar, wall);
+  }
+  template <typename Enum>
+  requires std::is_enum_v<Enum> Description& add(Enum value) {
+    return add(static_cast<int>(value));
+  }
+  template <typename... Values>
+  Description& add_each(const Values&... values) {
+    (add(values), ...);
+    return *this;
   }
   template <typename Robots>
   Description& add_all(const Robots& robots) {
@@ -57,71 +86,38 @@ class Description {
 };
 
 inline std::string described(const TeamStart& start) {
+  const auto& [side, field, rules, frame_rate_hz, latency_s, random_seed, params, robots] = start;
   Description all;
-  all.add(static_cast<int>(start.side)).add(fmt::format("{}", start.random_seed));
-  all.add(start.frame_rate_hz).add(start.latency_s).add(start.rules.name);
-  visit_rule_numbers(start.rules, [&all](std::string_view name, double value) {
-    all.add(std::string(name)).add(value);
+  all.add_each(side, field, rules.name, frame_rate_hz, latency_s, fmt::format("{}", random_seed));
+  visit_rule_numbers(rules, [&all](std::string_view name, double value) {
+    all.add_each(std::string(name), value);
   });
-  for (const auto& [name, value] : start.params) all.add(name).add(value);
-  for (const Abilities& robot : start.robots) {
-    all.add(robot.speed_mps)
-        .add(robot.acceleration_mps2)
-        .add(robot.braking_mps2)
-        .add(robot.kick_mps)
-        .add(robot.chip_mps);
-  }
-  const Field& field = start.field;
-  all.add(static_cast<int>(field.defence_area.shape));
-  for (const double length_m :
-       {field.length_m, field.width_m, field.run_off_m, field.line_width_m,
-        field.centre_circle_radius_m, field.penalty_mark_m, field.defence_area.depth_m,
-        field.defence_area.straight_m, field.goal_width_m, field.goal_depth_m,
-        field.goal_opening_height_m, field.goal_bar_radius_m, field.goal_wall_thickness_m}) {
-    all.add(length_m);
-  }
-  return all.text;
+  for (const auto& [name, value] : params) all.add_each(name, value);
+  return all.add_all(robots).text;
 }
 
 // Without the parts of the view that detections replace.
 inline std::string described(const TeamFrame& frame) {
+  const auto& [number, time_s, latency_s, own, opponents, ball, play, ours, placement_m,
+               placing_is_ours, next, next_is_ours, goals_own, goals_opponent, time_left_s] =
+      frame.view;
   Description all;
-  const TeamView& view = frame.view;
-  all.add(view.frame).add(view.time_s).add(view.latency_s).add(static_cast<int>(view.play));
-  all.add(view.ours).add(view.placement_m).add(view.placing_is_ours);
-  all.add(view.next ? std::optional(static_cast<int>(*view.next)) : std::nullopt);
-  all.add(view.next_is_ours).add(view.goals_own).add(view.goals_opponent);
-  all.add(view.stage_time_left_s).add(frame.ball_in_dribbler_zone.to_string());
-  if (frame.detections) {
-    all.add(frame.detections->ball);
-    for (const Side side : kSides) all.add_all(frame.detections->robots[side]);
-    return all.text;
-  }
-  const TrackedBall& ball = view.ball;
-  all.add(ball.position_m)
-      .add(ball.velocity_mps)
-      .add(ball.height_m)
-      .add(ball.height_deviation_m)
-      .add(ball.is_height_known);
-  return all.add_all(view.own).add_all(view.opponents).text;
+  all.add_each(number, time_s, latency_s, play, ours, placement_m, placing_is_ours, next,
+               next_is_ours, goals_own, goals_opponent, time_left_s);
+  all.add(frame.ball_in_dribbler_zone.to_string());
+  if (!frame.detections) return all.add(ball).add_all(own).add_all(opponents).text;
+  all.add(frame.detections->ball);
+  for (const Side side : kSides) all.add_all(frame.detections->robots[side]);
+  return all.text;
 }
 
 inline std::string described(const TeamEnd& end) {
-  return Description{}.add(end.reason).add(end.goals_own).add(end.goals_opponent).text;
+  return Description{}.add_each(end.reason, end.goals_own, end.goals_opponent).text;
 }
 
 inline std::string described(const TeamOutput& output) {
-  Description all;
-  all.add(output.frame).add(output.requests.keeper).add(output.requests.leaves);
-  all.add(output.requests.timeout).add(output.text);
-  for (const RobotCommand& command : output.commands) {
-    all.add(command.velocity_mps)
-        .add(command.angular_velocity_radps)
-        .add(command.kick_mps)
-        .add(command.chip)
-        .add(command.dribble);
-  }
-  return all.text;
+  const auto& [frame, commands, requests, text] = output;
+  return Description{}.add_each(frame, requests, text).add_all(commands).text;
 }
 
 }  // namespace autoref::league
