@@ -26,33 +26,33 @@ std::string_view description_of(JsonType type) {
 }
 
 // The object, or array, whose members are being read.
-enum class JsonPlace : std::uint8_t { kOutside, kOutput, kCommands, kCommand };
+enum class JsonLevel : std::uint8_t { kOutside, kOutput, kCommands, kCommand };
 
-std::string_view description_of(JsonPlace place) {
-  return place == JsonPlace::kCommands || place == JsonPlace::kCommand ? "a command"
+std::string_view description_of(JsonLevel level) {
+  return level == JsonLevel::kCommands || level == JsonLevel::kCommand ? "a command"
                                                                        : "an output line";
 }
 
 struct JsonMember {
   std::string_view name;
-  JsonPlace place;
+  JsonLevel level;
   JsonType type;
 };
 
 constexpr std::array<JsonMember, 13> kMembers = {
-    {{"frame", JsonPlace::kOutput, JsonType::kInteger},
-     {"commands", JsonPlace::kOutput, JsonType::kArray},
-     {"keeper", JsonPlace::kOutput, JsonType::kInteger},
-     {"leaves", JsonPlace::kOutput, JsonType::kInteger},
-     {"timeout", JsonPlace::kOutput, JsonType::kYesOrNo},
-     {"text", JsonPlace::kOutput, JsonType::kText},
-     {"robot", JsonPlace::kCommand, JsonType::kInteger},
-     {"vx_mps", JsonPlace::kCommand, JsonType::kNumber},
-     {"vy_mps", JsonPlace::kCommand, JsonType::kNumber},
-     {"angular_velocity_radps", JsonPlace::kCommand, JsonType::kNumber},
-     {"kick_mps", JsonPlace::kCommand, JsonType::kNumber},
-     {"chip", JsonPlace::kCommand, JsonType::kYesOrNo},
-     {"dribble", JsonPlace::kCommand, JsonType::kYesOrNo}}};
+    {{"frame", JsonLevel::kOutput, JsonType::kInteger},
+     {"commands", JsonLevel::kOutput, JsonType::kArray},
+     {"keeper", JsonLevel::kOutput, JsonType::kInteger},
+     {"leaves", JsonLevel::kOutput, JsonType::kInteger},
+     {"timeout", JsonLevel::kOutput, JsonType::kYesOrNo},
+     {"text", JsonLevel::kOutput, JsonType::kText},
+     {"robot", JsonLevel::kCommand, JsonType::kInteger},
+     {"vx_mps", JsonLevel::kCommand, JsonType::kNumber},
+     {"vy_mps", JsonLevel::kCommand, JsonType::kNumber},
+     {"angular_velocity_radps", JsonLevel::kCommand, JsonType::kNumber},
+     {"kick_mps", JsonLevel::kCommand, JsonType::kNumber},
+     {"chip", JsonLevel::kCommand, JsonType::kYesOrNo},
+     {"dribble", JsonLevel::kCommand, JsonType::kYesOrNo}}};
 
 // Fills an output with the values that the library's parser finds, in its order. The public
 // functions are those that the parser calls; they throw TeamFault.
@@ -93,19 +93,19 @@ class OutputHandler {
   static bool binary(const json::binary_t& /*value*/) { return false; }  // not in JSON
 
   bool start_object(std::size_t /*size*/) {
-    if (place_ != JsonPlace::kOutside && place_ != JsonPlace::kCommands) refuse_value();
-    place_ = place_ == JsonPlace::kOutside ? JsonPlace::kOutput : JsonPlace::kCommand;
-    if (place_ != JsonPlace::kCommand) return true;
+    if (level_ != JsonLevel::kOutside && level_ != JsonLevel::kCommands) refuse_value();
+    level_ = level_ == JsonLevel::kOutside ? JsonLevel::kOutput : JsonLevel::kCommand;
+    if (level_ != JsonLevel::kCommand) return true;
     robot_.reset();
     command_ = {};
     for (std::size_t i = 0; i < kMembers.size(); ++i) {
-      if (kMembers[i].place == JsonPlace::kCommand) found_.reset(i);
+      if (kMembers[i].level == JsonLevel::kCommand) found_.reset(i);
     }
     return true;
   }
   bool key(const std::string& name) {
     member_ = std::find_if(kMembers.begin(), kMembers.end(), [&](const JsonMember& member) {
-      return member.place == place_ && member.name == name;
+      return member.level == level_ && member.name == name;
     });
     if (member_ == kMembers.end()) fail("{} has the unknown member {}", excerpt_of(name));
     const auto index = static_cast<std::size_t>(member_ - kMembers.begin());
@@ -114,10 +114,10 @@ class OutputHandler {
     return true;
   }
   bool end_object() {
-    if (place_ == JsonPlace::kCommand) {
+    if (level_ == JsonLevel::kCommand) {
       if (!robot_) fail("{} names no robot");
       builder_.add_command(*robot_, command_);
-      place_ = JsonPlace::kCommands;
+      level_ = JsonLevel::kCommands;
     } else if (!frame_) {
       fail("{} names no frame");
     }
@@ -125,11 +125,11 @@ class OutputHandler {
   }
   bool start_array(std::size_t /*size*/) {
     expect(JsonType::kArray);
-    place_ = JsonPlace::kCommands;
+    level_ = JsonLevel::kCommands;
     return true;
   }
   bool end_array() {
-    place_ = JsonPlace::kOutput;
+    level_ = JsonLevel::kOutput;
     return true;
   }
   bool parse_error(std::size_t /*position*/, const std::string& /*token*/,
@@ -151,12 +151,12 @@ class OutputHandler {
     return what.substr(0, std::min(kLongest, what.find("; last read")));
   }
 
-  // `text` contains {} for the place and for each of `values`.
+  // `text` contains {} for the level and for each of `values`.
   template <typename... Values>
   [[noreturn]] void fail(std::string_view text, const Values&... values) const {
-    throw TeamFault(fmt::format(fmt::runtime(text), description_of(place_), values...));
+    throw TeamFault(fmt::format(fmt::runtime(text), description_of(level_), values...));
   }
-  bool is_member() const { return place_ == JsonPlace::kOutput || place_ == JsonPlace::kCommand; }
+  bool is_member() const { return level_ == JsonLevel::kOutput || level_ == JsonLevel::kCommand; }
   bool is_expected(JsonType type) const { return is_member() && member_->type == type; }
   bool check_is_member() const {
     if (!is_member()) fail("{} is not an object");
@@ -167,7 +167,7 @@ class OutputHandler {
     if (member_->type != type) refuse_value();
   }
   [[noreturn]] void refuse_value() const {
-    throw TeamFault(fmt::format("{} of {} is not {}", member_->name, description_of(place_),
+    throw TeamFault(fmt::format("{} of {} is not {}", member_->name, description_of(level_),
                                 description_of(member_->type)));
   }
   bool set_number(double value) {
@@ -179,7 +179,7 @@ class OutputHandler {
   }
 
   OutputBuilder builder_;
-  JsonPlace place_ = JsonPlace::kOutside;
+  JsonLevel level_ = JsonLevel::kOutside;
   std::array<JsonMember, 13>::const_iterator member_ = kMembers.end();
   std::bitset<kMembers.size()> found_;
   std::optional<std::int64_t> frame_;
