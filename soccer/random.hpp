@@ -35,15 +35,21 @@ class RandomStream {
  public:
   using result_type = std::uint64_t;
 
-  explicit RandomStream(std::uint64_t key = 0) : key_(mix_bits(key + kStep)) {}
+  // Streams with the same seed have the same numbers.
+  explicit RandomStream(std::uint64_t seed = 0) : key_(mix_bits(seed + kStep)) {}
 
   // The stream of a purpose, either shared by both sides or of `side`.
   static RandomStream of(std::uint64_t seed, RandomPurpose purpose) {
     return RandomStream(mix_bits(seed) + static_cast<std::uint64_t>(purpose) * 4);
   }
   static RandomStream of(std::uint64_t seed, RandomPurpose purpose, Side side) {
-    return RandomStream(mix_bits(seed) + static_cast<std::uint64_t>(purpose) * 4 + 1 +
-                        static_cast<std::uint64_t>(side));
+    return RandomStream(stream_seed(seed, purpose, side));
+  }
+
+  // The seed of the stream that of() returns.
+  static std::uint64_t stream_seed(std::uint64_t seed, RandomPurpose purpose, Side side) {
+    return mix_bits(seed) + static_cast<std::uint64_t>(purpose) * 4 + 1 +
+           static_cast<std::uint64_t>(side);
   }
 
   static constexpr result_type min() { return 0; }

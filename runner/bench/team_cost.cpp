@@ -48,8 +48,8 @@ TeamCost cost_of_team(std::string_view name) {
   game.match.half_s = kHalf_s;
   game.a.strategy = game.b.strategy = name;
   Decisions decisions;
-  const GameRecord record =
-      play(game, nullptr, [&decisions](const std::string& team, const strategies::TeamContext& b) {
+  const GameRecord record = play(
+      game, nullptr, [&decisions](const TeamConfiguration& team, const strategies::TeamContext& b) {
         return std::make_unique<Timed>(make_registered_team(team, b), decisions);
       });
   if (record.status == Status::kVoid) {

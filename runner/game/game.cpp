@@ -105,8 +105,9 @@ class Game::Impl {
     const Tracks& tracks = tracks_.oldest();
     const Situation situation = situation_.update(
         signal_, tracks.ball ? std::optional(tracks.ball->position_m) : std::nullopt);
+    for (Side side : kSides) players_[side].prepare(tracks, signal_, situation);
     for (Side side : kSides) {
-      const std::string fault = players_[side].decide(tracks, signal_, situation, commands_[side]);
+      const std::string fault = players_[side].decide(commands_[side]);
       if (!fault.empty()) void_game(fmt::format("team {} {}", side == a() ? 'a' : 'b', fault));
       ended(side == Side::kWest ? Phase::kTeamWest : Phase::kTeamEast);
     }

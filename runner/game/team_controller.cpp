@@ -26,18 +26,39 @@ std::array<Abilities, kMaxRobots> abilities_of(const GameConfiguration& c, Side 
   return all;
 }
 
-std::unique_ptr<strategies::Strategy> make_team_on(const GameConfiguration& c, Side side,
-                                                   const TeamMaker& make_team) {
-  const TeamConfiguration& team = team_on(c, side);
-  return make_team(team.strategy, {c.field, c.match.rules, c.sim.frame_rate_hz,
-                                   RandomStream::of(c.seed, RandomPurpose::kStrategy, side),
-                                   team.params, abilities_of(c, side)});
-}
-
 // Time from a frame until the commands based on it move a robot.
 double latency_s(const sim::Configuration& c) {
   const sim::LatencySplit split = sim::split_latency(c);
   return (split.frames + static_cast<double>(split.substeps) / c.substeps) / c.frame_rate_hz;
+}
+
+// What `action` throws; empty if nothing.
+template <typename Action>
+std::string fault_of(const Action& action) {
+  try {
+    action();
+  } catch (const std::exception& error) {
+    return fmt::format("threw: {}", error.what());
+  } catch (...) {
+    return "threw something other than a std::exception";
+  }
+  return {};
+}
+
+std::unique_ptr<strategies::Strategy> make_team_on(const GameConfiguration& c, Side side,
+                                                   const TeamMaker& make_team) {
+  const TeamConfiguration& team = team_on(c, side);
+  strategies::TeamContext context{c.field,
+                                  c.match.rules,
+                                  c.sim.frame_rate_hz,
+                                  RandomStream::of(c.seed, RandomPurpose::kStrategy, side),
+                                  team.params,
+                                  abilities_of(c, side)};
+  context.side = side;
+  context.robot_count = static_cast<int>(team.robots.size());
+  context.latency_s = latency_s(c.sim);
+  context.random_seed = RandomStream::stream_seed(c.seed, RandomPurpose::kStrategy, side);
+  return make_team(team, context);
 }
 
 }  // namespace
@@ -50,22 +71,23 @@ TeamController::TeamController(const GameConfiguration& configuration, Side side
   view_.latency_s = latency_s(configuration.sim);
 }
 
-std::string TeamController::decide(const Tracks& tracks, const RefereeSignal& signal,
-                                   const Situation& situation, TeamCommands& commands) {
-  commands.fill(RobotCommand{});
+void TeamController::prepare(const Tracks& tracks, const RefereeSignal& signal,
+                             const Situation& situation) {
   fill_view(tracks, signal, situation, side_, view_);
-  std::string fault;
-  try {
-    strategy_->decide(view_, commands);
-    requests_ = strategy_->requests();
-    fault = fault_in(commands);
-  } catch (const std::exception& error) {
-    fault = fmt::format("threw: {}", error.what());
-  } catch (...) {
-    fault = "threw something other than a std::exception";
+  fault_ = fault_of([&] { strategy_->prepare(view_); });
+}
+
+std::string TeamController::decide(TeamCommands& commands) {
+  commands.fill(RobotCommand{});
+  if (fault_.empty()) {
+    fault_ = fault_of([&] {
+      strategy_->decide(view_, commands);
+      requests_ = strategy_->requests();
+    });
   }
-  if (!fault.empty()) commands.fill(RobotCommand{});
-  return fault;
+  if (fault_.empty()) fault_ = fault_in(commands);
+  if (!fault_.empty()) commands.fill(RobotCommand{});
+  return fault_;
 }
 
 std::string TeamController::fault_in(const TeamCommands& commands) const {

@@ -21,10 +21,12 @@ class TeamController {
  public:
   TeamController(const GameConfiguration& configuration, Side side, const TeamMaker& make_team);
 
+  // Shows the strategy what the team sees. Call this for both teams before either decides.
+  void prepare(const Tracks& tracks, const RefereeSignal& signal, const Situation& situation);
+
   // Fills `commands`. Returns a description of the strategy's fault, with all commands zero, or an
   // empty string.
-  std::string decide(const Tracks& tracks, const RefereeSignal& signal, const Situation& situation,
-                     TeamCommands& commands);
+  std::string decide(TeamCommands& commands);
 
   // The requests of the team's last decision.
   const TeamRequests& requests() const { return requests_; }
@@ -37,6 +39,7 @@ class TeamController {
   std::unique_ptr<strategies::Strategy> strategy_;
   TeamRequests requests_;
   TeamView view_;
+  std::string fault_;
 };
 
 }  // namespace autoref::runner

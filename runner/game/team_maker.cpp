@@ -8,10 +8,11 @@
 
 namespace autoref::runner {
 
-std::unique_ptr<strategies::Strategy> make_registered_team(const std::string& name,
+std::unique_ptr<strategies::Strategy> make_registered_team(const TeamConfiguration& team,
                                                            const strategies::TeamContext& context) {
-  const strategies::Entry* entry = strategies::find_strategy(name);
-  if (entry == nullptr) throw std::invalid_argument(fmt::format("unknown strategy '{}'", name));
+  const strategies::Entry* entry = strategies::find_strategy(team.strategy);
+  if (entry == nullptr)
+    throw std::invalid_argument(fmt::format("unknown strategy '{}'", team.strategy));
   return entry->make(context);
 }
 

@@ -3,18 +3,18 @@
 
 #include <functional>
 #include <memory>
-#include <string>
 
+#include "runner/game/configuration.hpp"
 #include "strategies/strategy.hpp"
 
 namespace autoref::runner {
 
-// Creates the team of that name. Throws std::invalid_argument if the name is unknown.
+// Creates a team. Throws std::invalid_argument if there is no such team.
 using TeamMaker = std::function<std::unique_ptr<strategies::Strategy>(
-    const std::string& name, const strategies::TeamContext& context)>;
+    const TeamConfiguration& team, const strategies::TeamContext& context)>;
 
-// The teams of strategies/registry.hpp.
-std::unique_ptr<strategies::Strategy> make_registered_team(const std::string& name,
+// The team that its strategy names (strategies/registry.hpp).
+std::unique_ptr<strategies::Strategy> make_registered_team(const TeamConfiguration& team,
                                                            const strategies::TeamContext& context);
 
 }  // namespace autoref::runner

@@ -83,10 +83,10 @@ GameRecord play_with_faulty_b() {
   GameConfiguration game = short_game(30, 6);
   game.b.strategy = "faulty";
   return play(game, nullptr,
-              [](const std::string& name,
+              [](const TeamConfiguration& team,
                  const strategies::TeamContext& context) -> std::unique_ptr<strategies::Strategy> {
-                if (name == "faulty") return std::make_unique<Faulty>();
-                return make_registered_team(name, context);
+                if (team.strategy == "faulty") return std::make_unique<Faulty>();
+                return make_registered_team(team, context);
               });
 }
 

@@ -8,12 +8,12 @@
 namespace autoref::runner {
 namespace {
 
-std::unique_ptr<strategies::Strategy> make_team(const std::string& name,
+std::unique_ptr<strategies::Strategy> make_team(const TeamConfiguration& team,
                                                 const strategies::TeamContext& context) {
   using namespace strategies;
-  if (name == "mine") return std::make_unique<readme::Mine>(context);
-  if (name == "bus") return std::make_unique<Squad>(context, readme::bus_playbook());
-  return make_registered_team(name, context);
+  if (team.strategy == "mine") return std::make_unique<readme::Mine>(context);
+  if (team.strategy == "bus") return std::make_unique<Squad>(context, readme::bus_playbook());
+  return make_registered_team(team, context);
 }
 
 GameRecord played_by(const std::string& team) {

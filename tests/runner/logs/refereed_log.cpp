@@ -4,10 +4,10 @@
 
 #include "runner/io/errors.hpp"
 #include "runner/logs/guessed_rules.hpp"
-#include "runner/logs/recorded_teams.hpp"
 #include "runner/logs/log_game.hpp"
 #include "runner/logs/log_referee.hpp"
 #include "runner/logs/log_report.hpp"
+#include "runner/logs/recorded_teams.hpp"
 #include "runner/logs/user_log.hpp"
 #include "runner/settings/assignments.hpp"
 #include "runner/settings/fields.hpp"

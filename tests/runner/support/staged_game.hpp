@@ -111,7 +111,7 @@ class StagedGame {
   static std::unique_ptr<strategies::Strategy> make(const StagedTeam& team, Side side,
                                                     const Field& field, const RuleBook& rules,
                                                     std::uint64_t seed) {
-    return make_registered_team(team.strategy,
+    return make_registered_team({team.strategy, {}},
                                 {field,
                                  rules,
                                  kRate_hz,
