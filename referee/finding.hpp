@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "referee/event.hpp"
+#include "referee/event_details.hpp"
 #include "soccer/geometry.hpp"
 #include "soccer/referee_signal.hpp"
 #include "soccer/side.hpp"
@@ -31,6 +32,7 @@ struct Finding {
   Command restart;                 // how play resumes; only for calls that stop play
   Vec2 ball_to_m{0, 0};            // where the ball is placed for the restart
   std::string evidence;            // one human-readable sentence
+  EventDetails details;            // for the league's game event
 };
 
 }  // namespace autoref::referee

@@ -133,6 +133,8 @@ Finding outcome_of(Event event, const RefereeState& state, const RefereeInput& i
   finding.unit = "s";
   finding.offender = state.placing.side;
   finding.position_m = input.ball->position_m;
+  finding.details.to_target_m = distance_to_target_m(state, input);
+  finding.details.from_target_m = state.placing.distance_m;
   return finding;
 }
 
@@ -315,6 +317,7 @@ std::optional<Finding> find_placement_outcome(RefereeState& state, const Referee
   if (!has_passed(state.wait_began_s, input.configuration.rules.placement_time_s, input.time_s()))
     return std::nullopt;
   Finding finding = outcome_of(Event::kPlacementFailed, state, input);
+  if (std::isfinite(gap.own_m)) finding.details.own_robot_to_ball_m = std::max(0.0, gap.own_m);
   finding.evidence = fmt::format(
       "The ball is {:.2f} m from its position, and the team's nearest robot {:.2f} m from the "
       "ball.",

@@ -5,6 +5,7 @@
 
 #include "referee/machine/cards.hpp"
 #include "referee/machine/timekeeping.hpp"
+#include "referee/touch/touch_candidates.hpp"
 
 namespace autoref::referee {
 namespace {
@@ -32,6 +33,15 @@ std::string sentence(std::string text) {
   return text;
 }
 
+// The ball's position, and that of the robot at fault.
+void add_positions(EventDetails& details, const Finding& finding, const RefereeInput& input) {
+  if (!details.ball_m && input.ball) details.ball_m = input.ball->position_m;
+  if (details.robot_m || (!details.robot && finding.robots.empty())) return;
+  const RobotId id = details.robot ? *details.robot : finding.robots.front();
+  const RobotObservation* robot = find_robot(input.frame.robots[id.side], id.number);
+  if (robot != nullptr) details.robot_m = robot->position_m;
+}
+
 void add_standing(Decision& decision, const RefereeState& before, const RefereeInput& input,
                   const RefereeState& after) {
   decision.stage = before.signal.stage;
@@ -55,6 +65,7 @@ Decision decision_of(const RefereeState& before, const RefereeInput& input, cons
   decision.command = taken.sent;
   decision.finding = finding;
   decision.finding.evidence = sentence(finding.evidence);
+  add_positions(decision.finding.details, finding, input);
   decision.last_touch = input.last_touch;
   add_standing(decision, before, input, taken.state);
   const Card card = card_shown(before.signal, taken.state.signal);

@@ -20,6 +20,7 @@ struct Collision {
   RobotId slower;
   double closing_mps = 0;  // relative velocity just before, along the line of their centres
   double lead_mps = 0;     // difference between their speeds
+  double angle_rad = 0;    // between their velocities; 0 if one of them stands
   Vec2 position_m{0, 0};   // midpoint of their centres
   Vec2 faster_m{0, 0};     // the faster one's centre
 };

@@ -25,13 +25,17 @@ class RobotSet {
 // Robots in forbidden positions, and the worst measured violation.
 struct PositionViolation {
   ConcernedRobots robots;
+  RobotId worst;
   double worst_m = 0;
 
   bool any() const { return !robots.empty(); }
-  // Adds the robot, up to the number that a decision can name. If `is_worse`, `measured_m` becomes
-  // the worst.
+  // Adds the robot, up to the number that a decision can name. If `is_worse`, it becomes the
+  // worst.
   void add(RobotId robot, double measured_m, bool is_worse) {
-    if (robots.empty() || is_worse) worst_m = measured_m;
+    if (robots.empty() || is_worse) {
+      worst = robot;
+      worst_m = measured_m;
+    }
     if (robots.size() < robots.capacity()) robots.push_back(robot);
   }
 };

@@ -10,16 +10,20 @@
 namespace autoref::referee {
 namespace {
 
-bool is_over_goal_line(const RefereeInput& input) {
+// Where the ball crossed a goal line in this frame, if it did.
+std::optional<Vec2> over_goal_line_m(const RefereeInput& input) {
   const Field& field = input.configuration.field;
-  return input.ball && is_out_of_field(field, input.ball->position_m) &&
-         find_exit(field, input.ball->before_m, input.ball->position_m).line == ExitLine::kGoal;
+  if (!input.ball || !is_out_of_field(field, input.ball->position_m)) return std::nullopt;
+  const Exit exit = find_exit(field, input.ball->before_m, input.ball->position_m);
+  return exit.line == ExitLine::kGoal ? std::optional(exit.point_m) : std::nullopt;
 }
 
 std::optional<Finding> find_aimless_kick(RefereeState& state, const RefereeInput& input) {
   const Configuration& c = input.configuration;
   const BallTouch* kick = state.play.touches.newest();
-  if (kick == nullptr || !kick->side || !is_over_goal_line(input)) return std::nullopt;
+  if (kick == nullptr || !kick->side) return std::nullopt;
+  const std::optional<Vec2> exit_m = over_goal_line_m(input);
+  if (!exit_m) return std::nullopt;
   const double own_end = goal_sign(*kick->side);
   const bool was_own_half = own_end * kick->ended_m.x() > 0;
   const bool is_own_line = own_end * input.ball->position_m.x() > 0;
@@ -31,6 +35,7 @@ std::optional<Finding> find_aimless_kick(RefereeState& state, const RefereeInput
   if (kick->robot) finding.robots.push_back(*kick->robot);
   finding.value = own_end * kick->ended_m.x();
   finding.unit = "m";
+  finding.details.ball_m = exit_m;
   finding.evidence = fmt::format(
       "{} kicked the ball {:.0f} mm inside its own half, and it crossed the opponents' goal line "
       "untouched.",

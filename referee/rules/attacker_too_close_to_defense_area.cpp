@@ -126,6 +126,7 @@ std::optional<Finding> find_attacker_stays_near_area(RefereeState& state,
   Finding finding =
       finding_of(Event::kAttackerStaysNearArea, RuleId::kAttackerTooCloseToDefenseArea, rules);
   finding.value = worst.distance_m;
+  finding.details.robot = worst.robot;
   if (!west || !east) {
     finding.offender = worst.robot.side;
     finding.position_m = worst.position_m;

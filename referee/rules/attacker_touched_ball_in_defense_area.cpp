@@ -20,6 +20,7 @@ Finding touched_inside(const BallTouch& touch, const RobotObservation& toucher, 
   finding.value = distance_m;
   finding.threshold = 0;
   finding.unit = "m";
+  finding.details.robot_m = toucher.position_m;
   finding.evidence = fmt::format("{} touched the ball, {} the area of {}.",
                                  text_of({touch.robot->side, toucher.number}), gap_text(distance_m),
                                  colour_of(opponent_of(*touch.side)));

@@ -87,6 +87,12 @@ ConstantAcceleration motion_of(const FrameHistory& frames, Side side, const Trac
   return {track.position_m, track.velocity_mps, Vec2(0, 0), 0};
 }
 
+// From 0 to pi; 0 if one velocity is zero.
+double angle_between_rad(const Vec2& a_mps, const Vec2& b_mps) {
+  const double across = a_mps.x() * b_mps.y() - a_mps.y() * b_mps.x();
+  return std::atan2(std::abs(across), a_mps.dot(b_mps));
+}
+
 // The collision of two robots `at_s` after the last frame, from their motions there.
 Collision collision_of(const PerSide<ConstantAcceleration>& motions, int west, int east,
                        double at_s) {
@@ -103,6 +109,7 @@ Collision collision_of(const PerSide<ConstantAcceleration>& motions, int west, i
   if (lead_mps < 0) std::swap(collision.faster, collision.slower);
   collision.closing_mps = (west_mps - east_mps).dot(line);
   collision.lead_mps = std::abs(lead_mps);
+  collision.angle_rad = angle_between_rad(west_mps, east_mps);
   collision.position_m = (west_m + east_m) / 2;
   return collision;
 }
@@ -214,6 +221,8 @@ std::optional<Finding> find_bot_crash_unique(RefereeState& state, const RefereeI
   Finding finding = is_drawn(crash, rules) ? drawn_finding(crash, rules)
                                            : crash_finding(crash, input.configuration);
   finding.value = crash.closing_mps;
+  finding.details.speed_difference_mps = crash.lead_mps;
+  finding.details.crash_angle_rad = crash.angle_rad;
   finding.evidence = fmt::format(
       "{} and {} collided at {:.2f} m/s along the line of their centres; {} was faster by {:.2f} "
       "m/s.",

@@ -67,6 +67,8 @@ std::optional<Finding> find_bot_dribbled_ball_too_far(RefereeState& state,
   Finding finding = offence_of(Event::kBotDribbledBallTooFar, RuleId::kBotDribbledBallTooFar, c,
                                *dribble.robot, ball_m);
   finding.value = dribble.path_m;
+  finding.details.dribble_from_m =
+      watch.ball_from_m[dribble.robot->side][static_cast<std::size_t>(dribble.robot->number)];
   finding.evidence = fmt::format("{} has dribbled the ball over {:.0f} mm.",
                                  text_of(*dribble.robot), 1e3 * dribble.path_m);
   return finding;

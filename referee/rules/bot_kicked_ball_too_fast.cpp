@@ -195,6 +195,7 @@ std::optional<Finding> find_bot_kicked_ball_too_fast(RefereeState& state,
   Finding finding = offence_of(Event::kBotKickedBallTooFast, RuleId::kBotKickedBallTooFast, c,
                                kicker, kick.touch->ended_m);
   finding.value = kick.speed_mps;
+  if (kick.touch->height_known) finding.details.is_chipped = kick.touch->highest_m > 0;
   finding.evidence = fmt::format("{} kicked the ball at {:.3f} s with {:.2f} m/s.", text_of(kicker),
                                  kick.touch->ended_s, kick.speed_mps);
   return finding;

@@ -47,6 +47,7 @@ std::optional<Finding> find_chipped_goal(RefereeState& state, const RefereeInput
       offence_of(Event::kChippedGoal, RuleId::kChippedGoal, c, scorer, chip.touch->ended_m);
   if (chip.touch->robot) finding.robots.push_back(*chip.touch->robot);
   finding.value = chip.top_m;
+  add_shot(finding, state.play.touches, input, scorer);
   finding.evidence = fmt::format(
       "The ball in the goal rose to {:.0f} mm after {} touched it at {:.3f} s, and has not "
       "rolled since.",

@@ -70,6 +70,8 @@ std::optional<Finding> check_defender(RefereeState& /*state*/, const BallTouch& 
   Finding finding = is_entirely ? entirely(touch, input, out_m) : partly(touch, input, distance_m);
   finding.threshold = 0;
   finding.unit = "m";
+  finding.details.robot_m = touch.toucher->position_m;
+  finding.details.ball_m = touch.ended_m;
   return finding;
 }
 

@@ -43,6 +43,7 @@ Finding taken_again(const PositionViolation& before, const RefereeState& state,
   Finding finding = finding_of(Event::kDefenderTooCloseToKickPoint,
                                RuleId::kDefenderTooCloseToKickPoint, input.configuration.rules);
   finding.value = before.worst_m;
+  finding.details.robot = before.worst;
   finding.robots = before.robots;
   finding.offender = opponent_of(*play.kicker);
   finding.position_m = play.ball_from_m;
@@ -83,6 +84,7 @@ std::optional<Finding> find_while_waiting(RefereeState& state, const RefereeInpu
   Finding finding =
       finding_of(Event::kDefenderTooCloseToKickPoint, RuleId::kDefenderTooCloseToKickPoint, rules);
   finding.value = near.worst_m;
+  finding.details.robot = near.worst;
   finding.robots = near.robots;
   finding.offender = side;
   finding.position_m = state.play.ball_from_m;

@@ -19,6 +19,7 @@ std::optional<Finding> find_free_kick_own_goal(RefereeState& state, const Refere
   if (input.last_touch.robot) finding.robots.push_back(*input.last_touch.robot);
   finding.offender = conceded;
   finding.position_m = input.ball->position_m;
+  add_shot(finding, play.touches, input, opponent_of(*conceded));
   restart_with_corner_kick(finding, input, *conceded);
   finding.evidence = fmt::format(
       "The ball went from a restart of {} into its own goal, and no other robot touched it.",

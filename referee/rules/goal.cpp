@@ -13,7 +13,7 @@
 namespace autoref::referee {
 namespace {
 
-std::optional<Finding> find_goal(RefereeState& /*state*/, const RefereeInput& input) {
+std::optional<Finding> find_goal(RefereeState& state, const RefereeInput& input) {
   const Field& field = input.configuration.field;
   const std::optional<Side> conceded = conceding_side(input);
   if (!conceded) return std::nullopt;
@@ -24,6 +24,7 @@ std::optional<Finding> find_goal(RefereeState& /*state*/, const RefereeInput& in
   finding.unit = "m";
   if (input.last_touch.robot) finding.robots.push_back(*input.last_touch.robot);
   finding.position_m = ball_m;
+  add_shot(finding, state.play.touches, input, opponent_of(*conceded));
   finding.restart.side = *conceded;
   finding.ball_to_m = Vec2(0, 0);
   finding.evidence = fmt::format(

@@ -1,7 +1,11 @@
 #include "referee/rules/in_goal.hpp"
 
+#include <algorithm>
+
 #include "referee/geometry/ball_out.hpp"
 #include "referee/geometry/restarts.hpp"
+#include "referee/rules/robots_on_field.hpp"
+#include "soccer/robot_shape.hpp"
 
 namespace autoref::referee {
 
@@ -24,6 +28,31 @@ void restart_with_corner_kick(Finding& finding, const RefereeInput& input, Side 
   const Side attacker = opponent_of(defender);
   finding.restart.side = attacker;
   finding.ball_to_m = corner_kick_position(c.field, c.rules, attacker, input.ball->position_m);
+}
+
+std::optional<double> top_since_touch_m(const TouchHistory& touches, Side scorer) {
+  double highest_m = 0;
+  for (int back = 0; touches.has(back) && touches.at(back).side; ++back) {
+    highest_m = std::max(highest_m, touches.at(back).highest_m);
+    if (touches.at(back).side == scorer) return highest_m + 2 * kBallRadius_m;
+  }
+  return std::nullopt;
+}
+
+void add_shot(Finding& finding, const TouchHistory& touches, const RefereeInput& input,
+              Side scorer) {
+  EventDetails& details = finding.details;
+  details.robots = robots_on_field(input, scorer);
+  if (touches.newest() != nullptr) details.kick_m = touches.newest()->ended_m;
+  bool height_known = true;
+  for (int back = 0; touches.has(back); ++back) {
+    const BallTouch& touch = touches.at(back);
+    height_known = height_known && touch.height_known;
+    if (touch.side != scorer) continue;
+    details.scorers_touched_s = touch.ended_s;
+    if (height_known) details.ball_top_m = top_since_touch_m(touches, scorer);
+    return;
+  }
 }
 
 }  // namespace autoref::referee

@@ -5,6 +5,7 @@
 
 #include "referee/finding.hpp"
 #include "referee/referee_input.hpp"
+#include "referee/touch/touch_history.hpp"
 
 namespace autoref::referee {
 
@@ -15,5 +16,13 @@ std::optional<Side> conceding_side(const RefereeInput& input);
 // `defender`, or a corner kick at the defender's end.
 void restart_with_goal_kick(Finding& finding, const RefereeInput& input, Side defender);
 void restart_with_corner_kick(Finding& finding, const RefereeInput& input, Side defender);
+
+// Greatest height of the ball's top since the scorers' last touch; nullopt if that touch is
+// unknown.
+std::optional<double> top_since_touch_m(const TouchHistory& touches, Side scorer);
+
+// Adds details of the shot to a finding about a ball in a goal.
+void add_shot(Finding& finding, const TouchHistory& touches, const RefereeInput& input,
+              Side scorer);
 
 }  // namespace autoref::referee

@@ -22,6 +22,7 @@ std::optional<Finding> find_indirect_goal(RefereeState& state, const RefereeInpu
   if (input.last_touch.robot) finding.robots.push_back(*input.last_touch.robot);
   finding.offender = play.kicker;
   finding.position_m = input.ball->position_m;
+  add_shot(finding, play.touches, input, opponent_of(*conceded));
   restart_with_goal_kick(finding, input, *conceded);
   finding.evidence = fmt::format(
       "The ball went from an indirect kick of {} into the goal, and no other robot touched it.",

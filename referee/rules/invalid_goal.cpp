@@ -7,33 +7,20 @@
 // since, the goal stands. The height is measured at the ball's top, as in the Laws.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "referee/machine/ball_in_play.hpp"
 #include "referee/rules/in_goal.hpp"
 #include "referee/rules/robots_on_field.hpp"
 #include "referee/rules/rule.hpp"
-#include "soccer/robot_shape.hpp"
 
 namespace autoref::referee {
 namespace {
 
-// Greatest height of the ball's top since the scorers' last touch; nullopt if that touch is
-// unknown.
-std::optional<double> top_since_touch_m(const TouchHistory& touches, Side scorer) {
-  double highest_m = 0;
-  for (int back = 0; touches.has(back) && touches.at(back).side; ++back) {
-    highest_m = std::max(highest_m, touches.at(back).highest_m);
-    if (touches.at(back).side == scorer) return highest_m + 2 * kBallRadius_m;
-  }
-  return std::nullopt;
-}
-
-Finding invalid(const RefereeInput& input, Side conceded) {
+Finding invalid(const RefereeState& state, const RefereeInput& input, Side conceded) {
   Finding finding =
       finding_of(Event::kInvalidGoal, RuleId::kInvalidGoal, input.configuration.rules);
   if (input.last_touch.robot) finding.robots.push_back(*input.last_touch.robot);
   finding.offender = opponent_of(conceded);
+  add_shot(finding, state.play.touches, input, opponent_of(conceded));
   finding.position_m = input.ball->position_m;
   if (input.last_touch.side == conceded) {
     restart_with_corner_kick(finding, input, conceded);
@@ -50,7 +37,7 @@ std::optional<Finding> find_invalid_goal(RefereeState& state, const RefereeInput
   const Side scorer = opponent_of(*conceded);
   const std::optional<double> top_m = top_since_touch_m(state.play.touches, scorer);
   if (top_m && *top_m > c.rules.chip_height_m) {
-    Finding finding = invalid(input, *conceded);
+    Finding finding = invalid(state, input, *conceded);
     finding.value = *top_m;
     finding.evidence = fmt::format("The ball rose to {:.0f} mm after {} touched it.", 1e3 * *top_m,
                                    colour_of(scorer));
@@ -58,7 +45,7 @@ std::optional<Finding> find_invalid_goal(RefereeState& state, const RefereeInput
   }
   const int robots = robots_on_field(input, scorer);
   if (robots > state.signal.robots_allowed[scorer]) {
-    Finding finding = invalid(input, *conceded);
+    Finding finding = invalid(state, input, *conceded);
     finding.value = robots;
     finding.threshold = state.signal.robots_allowed[scorer];
     finding.unit = "robots";
@@ -68,7 +55,7 @@ std::optional<Finding> find_invalid_goal(RefereeState& state, const RefereeInput
   }
   const std::optional<double>& fouled_s = state.cards[scorer].fouled_s;
   if (!fouled_s || input.time_s() - *fouled_s > c.rules.goal_after_foul_s) return std::nullopt;
-  Finding finding = invalid(input, *conceded);
+  Finding finding = invalid(state, input, *conceded);
   finding.value = input.time_s() - *fouled_s;
   finding.threshold = c.rules.goal_after_foul_s;
   finding.unit = "s";

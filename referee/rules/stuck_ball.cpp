@@ -18,6 +18,7 @@ std::optional<Finding> find_stuck_ball(RefereeState& state, const RefereeInput& 
   Finding finding = finding_of(Event::kStuckBall, RuleId::kStuckBall, c.rules);
   finding.value = (input.ball->position_m - play.stuck_at_m).norm();
   finding.position_m = input.ball->position_m;
+  finding.details.waited_s = input.time_s() - play.stuck_since_s;
   finding.ball_to_m = neutral_position(c.field, c.rules, input.ball->position_m);
   finding.evidence = fmt::format("The ball has moved less than {1:.0f} mm since {0:.3f} s.",
                                  play.stuck_since_s, 1e3 * c.rules.stuck_distance_m);

@@ -67,6 +67,10 @@ std::optional<Finding> find_too_many_robots(RefereeState& state, const RefereeIn
   if (!sides[Side::kWest] && !sides[Side::kEast]) return std::nullopt;
   Finding finding = fault_of(sides, input);
   finding.value = input.time_s() - since_s;
+  if (finding.offender) {
+    finding.details.robots = robots_on_field(input, *finding.offender);
+    finding.details.robots_allowed = state.signal.robots_allowed[*finding.offender];
+  }
   finding.evidence =
       fmt::format("{} still has more robots than allowed {:.1f} s after a card or a start.",
                   finding.offender ? colour_of(*finding.offender) : "each side", finding.value);

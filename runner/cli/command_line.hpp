@@ -98,6 +98,7 @@ struct RefereeArguments {
   std::string camera;  // camera preset; empty: no vision error except the rounding in the packets
   std::vector<std::string> sets;  // "key=value"
   std::string events;             // output file for AutoRef's decisions; empty: none
+  std::string game_events;        // output file for its game events; empty: none
   std::string annotations;        // CSV to compare with; empty: the recorded commands
   std::string report;             // output file for the page of both referees; empty: none
   bool json = false;

@@ -10,6 +10,7 @@
 #include "runner/cli/output_file.hpp"
 #include "runner/game/event_log.hpp"
 #include "runner/game/game_event.hpp"
+#include "runner/game/game_event_log.hpp"
 #include "runner/io/build_id.hpp"
 #include "runner/io/checksum.hpp"
 #include "runner/io/errors.hpp"
@@ -26,6 +27,7 @@ namespace {
 // The output files of a game. They appear when the game is over.
 struct GameFiles {
   std::optional<PendingFile> events;
+  std::optional<PendingFile> game_events;
   std::optional<PendingFile> view;
 };
 
@@ -40,8 +42,8 @@ void end_soon(int signal) {
 // Ends the game at its next frame once the user has pressed Ctrl-C.
 class Watch final : public Observer {
  public:
-  Watch(EventLog* events, league::GameLog* log, GameRecording* recording)
-      : events_(events), log_(log), recording_(recording) {
+  Watch(EventLog* events, GameEventLog* game_events, league::GameLog* log, GameRecording* recording)
+      : events_(events), game_events_(game_events), log_(log), recording_(recording) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, end_soon);
   }
   void on_other_detections(const OtherDetections& others) override {
@@ -60,6 +62,7 @@ class Watch final : public Observer {
   }
   void on_decision(const referee::Decision& decision) override {
     if (events_ != nullptr) events_->on_decision(decision);
+    if (game_events_ != nullptr) game_events_->on_decision(decision);
     if (log_ != nullptr) log_decision(decision);
     if (recording_ != nullptr) recording_->add(recorded(decision));
   }
@@ -70,16 +73,21 @@ class Watch final : public Observer {
     if (std::optional<GameEvent> event = game_event_of(decision)) log_->note(*std::move(event));
   }
 
-  EventLog* events_;          // null unless events are written
-  league::GameLog* log_;      // null unless a log is written
-  GameRecording* recording_;  // null unless a page is written
+  EventLog* events_;           // null unless events are written
+  GameEventLog* game_events_;  // null unless game events are written
+  league::GameLog* log_;       // null unless a log is written
+  GameRecording* recording_;   // null unless a page is written
 };
 
 void open_files(GameFiles& files, const GameOutput& output,
                 const std::vector<std::string>& inputs) {
-  check_outputs({{"--events", output.events}, {"--log", output.log}, {"--view", output.view}},
+  check_outputs({{"--events", output.events},
+                 {"--game-events", output.game_events},
+                 {"--log", output.log},
+                 {"--view", output.view}},
                 inputs);
   open_output(files.events, "--events", output.events);
+  open_output(files.game_events, "--game-events", output.game_events);
   open_output(files.view, "--view", output.view);
 }
 
@@ -112,6 +120,10 @@ void add_output_options(CLI::App& verb, GameOutput& output) {
   verb.add_option("--events", output.events,
                   "Write the referee's decisions to FILE, one JSON object per line.")
       ->type_name("FILE");
+  verb.add_option("--game-events", output.game_events,
+                  "Write the referee's decisions to FILE as the league's game events, one JSON "
+                  "object per line.")
+      ->type_name("FILE");
   verb.add_option("--log", output.log,
                   "Write the game to FILE as an SSL log; compressed if FILE ends in .gz.")
       ->type_name("FILE");
@@ -127,15 +139,17 @@ GameRecord play_one(const GameConfiguration& game, const GameOutput& output,
   std::optional<league::GameLog> log;
   open_log(log, game, output.log);
   EventLog events(event_teams_of(game));
+  GameEventLog game_events;
   GameRecording recording;
-  Watch watch(files.events ? &events : nullptr, log ? &*log : nullptr,
-              files.view ? &recording : nullptr);
+  Watch watch(files.events ? &events : nullptr, files.game_events ? &game_events : nullptr,
+              log ? &*log : nullptr, files.view ? &recording : nullptr);
   const auto start = std::chrono::steady_clock::now();
   GameRecord record = play(game, &watch);
   const double wall_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (log) log->close();
   if (files.events) files.events->commit(events.text());
+  if (files.game_events) files.game_events->commit(game_event_lines(game_events.events()));
   if (files.view) files.view->commit(view_of(game, recording, record));
   const GameReport report{game, record, wall_s, build_id()};
   fmt::print("{}\n", output.json ? json_of(report) : text_of(report));

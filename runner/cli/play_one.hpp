@@ -11,7 +11,8 @@ namespace autoref::runner {
 
 // Outputs of a game, as chosen by flags.
 struct GameOutput {
-  std::string events;  // output file for the referee's decisions; empty: none
+  std::string events;       // output file for the referee's decisions; empty: none
+  std::string game_events;  // output file for them as game events; empty: none
   std::string log;  // output file for vision and referee packets (league/game_log.hpp); empty: none
   std::string view;  // output file for the page that shows the game (view/page.hpp); empty: none
   bool json = false;

@@ -105,11 +105,15 @@ std::vector<Call> annotated_calls(const RefereeArguments& arguments) {
 int referee_verb(const RefereeArguments& arguments) {
   const Assignments assignments = assignments_in(arguments.sets);
   refuse_book_among(assignments);
-  check_outputs({{"--events", arguments.events}, {"--report", arguments.report}},
+  check_outputs({{"--events", arguments.events},
+                 {"--game-events", arguments.game_events},
+                 {"--report", arguments.report}},
                 {arguments.log, arguments.annotations});
   std::optional<PendingFile> events;
+  std::optional<PendingFile> game_events;
   std::optional<PendingFile> page;
   open_output(events, "--events", arguments.events);
+  open_output(game_events, "--game-events", arguments.game_events);
   open_output(page, "--report", arguments.report);
   const std::vector<Call> annotated = annotated_calls(arguments);
   RecordedFacts facts = read_facts(arguments.log);
@@ -135,6 +139,7 @@ int referee_verb(const RefereeArguments& arguments) {
   if (comparison.is_annotated)
     evaluation.agreement = agreement_with_annotations(annotated, evaluation.calls);
   if (events) events->commit(evaluation.events);
+  if (game_events) game_events->commit(game_event_lines(evaluation.game_events));
   if (page)
     page->commit(log_page(arguments.log, games.front().field, decisions, evaluation.agreement));
   fmt::print("{}\n", arguments.json ? referee_log_json(evaluation, facts, comparison)
@@ -166,6 +171,10 @@ void add_referee_verb(CLI::App& app, Chosen& chosen) {
   add_set_option(*verb, arguments->sets);
   verb->add_option("--events", arguments->events,
                    "Write AutoRef's decisions to FILE, one JSON object per line.")
+      ->type_name("FILE");
+  verb->add_option("--game-events", arguments->game_events,
+                   "Write AutoRef's decisions to FILE as the league's game events, one JSON object "
+                   "per line.")
       ->type_name("FILE");
   verb->add_option("--report", arguments->report,
                    "Write an HTML page of the game with the calls of both referees.")

@@ -53,7 +53,8 @@ class LogReferee final : public league::LogVisitor {
               configurations.front().rules.change_ends),
         referee_(configurations.front()),
         log_(PerSide<EventTeam>{
-            {EventTeam{"", facts.names[Side::kWest]}, EventTeam{"", facts.names[Side::kEast]}}}) {
+            {EventTeam{"", facts.names[Side::kWest]}, EventTeam{"", facts.names[Side::kEast]}}}),
+        game_events_(1e-9 * static_cast<double>(facts.log.first_ns)) {
     for (const Side side : kSides) requests_[side].keeper = actual_keepers_[side].value_or(0);
     say_ends();
   }
@@ -86,7 +87,8 @@ class LogReferee final : public league::LogVisitor {
   }
 
   LogRefereeResult evaluation(const Agreement& agreement) const {
-    LogRefereeResult evaluation{agreement, all_calls_, {}, log_.text(), decisions_};
+    LogRefereeResult evaluation{agreement,   all_calls_, {}, game_events_.events(),
+                                log_.text(), decisions_};
     for (const PerSide<int>& half : referee_.goals_by_half()) {
       for (const Side side : kSides) evaluation.goals[side] += half[side];
     }
@@ -131,6 +133,7 @@ class LogReferee final : public league::LogVisitor {
       ++decisions_;
       if (watch_) watch_(decision);
       log_.on_decision(decision);
+      game_events_.on_decision(decision);
       own_calls_.take(decision);
       if (is_call(decision.finding.event)) all_calls_.push_back(call_of(decision));
       if (decision.command) calls_.take(decision.time_s, *decision.command);
@@ -150,6 +153,7 @@ class LogReferee final : public league::LogVisitor {
   referee::Referee referee_;
   std::deque<TimedSignal> signals_;  // given after the last frame judged
   EventLog log_;
+  GameEventLog game_events_;
   CallMaker calls_;
   OwnCalls own_calls_;
   std::vector<Call> all_calls_;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "referee/referee.hpp"
+#include "runner/game/game_event_log.hpp"
 #include "runner/logs/calls.hpp"
 #include "runner/logs/recorded_facts.hpp"
 
@@ -19,7 +20,8 @@ struct LogRefereeResult {
   Agreement agreement;      // between AutoRef's calls and those of the recorded referee
   std::vector<Call> calls;  // each of AutoRef's calls, with its event; also those that stop nothing
   PerSide<int> goals;       // goals counted by AutoRef
-  std::string events;       // AutoRef's decisions, one JSON object per line (event_log.hpp)
+  std::vector<TimedGameEvent> game_events;  // of AutoRef's decisions
+  std::string events;  // AutoRef's decisions, one JSON object per line (event_log.hpp)
   int decisions = 0;
 };
 

@@ -10,6 +10,7 @@
 
 #include "runner/io/json.hpp"
 #include "runner/io/table.hpp"
+#include "runner/logs/game_event_comparison.hpp"
 #include "runner/logs/log_page.hpp"
 #include "soccer/colour.hpp"
 
@@ -215,7 +216,7 @@ std::string referee_log_text(const LogRefereeResult& evaluation, const RecordedF
       "score     recorded {}, AutoRef {}:{}\n"
       "calls     {} recorded, {} by AutoRef, {} of them right\n"
       "precision {:.3f}   recall {:.3f}   F1 {:.3f}   ({})\n"
-      "challenge {:+} (1 for a right call, -2 for a wrong one)\n",
+      "challenge {:+} (1 for a right call, -2 for a wrong one)\n{}",
       aligned(rows, {Align::kRight, Align::kLeft, Align::kLeft, Align::kLeft, Align::kLeft,
                      Align::kLeft}),
       facts.last_signal ? fmt::format("{}:{}", facts.last_signal->goals[Side::kWest],
@@ -225,7 +226,7 @@ std::string referee_log_text(const LogRefereeResult& evaluation, const RecordedF
       all.right, all.precision(), all.recall(), all.f1(),
       comparison.is_annotated ? "same event and side within 2 s"
                               : "same restart, at most 2 s ahead",
-      all.challenge_score());
+      all.challenge_score(), game_events_text(compared(facts.game_events, evaluation.game_events)));
 }
 
 std::string referee_log_json(const LogRefereeResult& evaluation, const RecordedFacts& facts,
@@ -238,17 +239,19 @@ std::string referee_log_json(const LogRefereeResult& evaluation, const RecordedF
                      {"other", other_referee_text(pair, all)},
                      {"moment", link_or_null(pair, comparison)}});
   }
-  return json_text({{"recorded_goals", recorded_score(facts)},
-                    {"goals", json_of(evaluation.goals)},
-                    {"compared_with", comparison.is_annotated ? "annotations" : "commands"},
-                    {"recorded", all.recorded},
-                    {"judged", all.refereed},
-                    {"right", all.right},
-                    {"precision", all.precision()},
-                    {"recall", all.recall()},
-                    {"f1", all.f1()},
-                    {"challenge_score", all.challenge_score()},
-                    {"calls", std::move(calls)}});
+  return json_text(
+      {{"recorded_goals", recorded_score(facts)},
+       {"goals", json_of(evaluation.goals)},
+       {"compared_with", comparison.is_annotated ? "annotations" : "commands"},
+       {"recorded", all.recorded},
+       {"judged", all.refereed},
+       {"right", all.right},
+       {"precision", all.precision()},
+       {"recall", all.recall()},
+       {"f1", all.f1()},
+       {"challenge_score", all.challenge_score()},
+       {"calls", std::move(calls)},
+       {"game_events", game_events_json(compared(facts.game_events, evaluation.game_events))}});
 }
 
 }  // namespace autoref::runner

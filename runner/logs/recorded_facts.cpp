@@ -6,6 +6,7 @@
 
 #include "league/referee_message.hpp"
 #include "runner/logs/logged_noise.hpp"
+#include "runner/logs/recorded_game_events.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -57,6 +58,7 @@ class FactFinder final : public league::LogVisitor {
   }
 
   void on_referee(double time_s, const league::RefereePacket& packet) override {
+    game_events.take(time_s, packet);
     const std::optional<RefereeSignal> signal = league::signal_of(packet);
     if (!signal) {
       ++facts.unknown_signals;
@@ -77,6 +79,7 @@ class FactFinder final : public league::LogVisitor {
 
   RecordedFacts facts;
   LoggedNoise noise;
+  RecordedGameEvents game_events;
 
  private:
   void note_command(const RecordedCommand& recorded) {
@@ -128,6 +131,7 @@ RecordedFacts facts_of(const std::filesystem::path& log) {
   FactFinder finder;
   finder.facts.log = league::read_log(log, finder);
   finder.facts.noise = finder.noise.noise();
+  finder.facts.game_events = finder.game_events.events();
   return finder.facts;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "league/log_contents.hpp"
+#include "runner/game/game_event_log.hpp"
 #include "runner/logs/recorded_teams.hpp"
 #include "soccer/referee_signal.hpp"
 #include "soccer/side.hpp"
@@ -64,6 +65,7 @@ struct RecordedFacts {
   PerSide<int> robots;                              // maximum number in a frame
   std::vector<RecordedGame> games = {{}};           // at least one, at most kMostGames
   std::optional<VisionNoise> noise;                 // measured (logged_noise.hpp)
+  std::vector<TimedGameEvent> game_events;          // the recorded referee's
   RecordedTeams teams;                              // found out separately (recorded_teams.hpp)
   std::int64_t unknown_signals = 0;                 // packets with an unknown stage or command
 

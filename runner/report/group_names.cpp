@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "runner/io/words.hpp"
+
 namespace autoref::runner {
 std::vector<std::string> value_heads(const Scenario& scenario, const std::vector<Group>& groups) {
   std::vector<std::string> heads = value_columns(scenario);

@@ -60,9 +60,12 @@ TEST(TransitionBallPlacement, IsNotTakenIfTheSimulatorPlacesTheBall) {
 TEST(TransitionPlacementSucceeded, FollowsABallAtRestWithin150mmAfterTwoSeconds) {
   ScriptedGame game = ordered();
   const double ordered_s = game.now_s();
+  const double distance_m = (Vec2(0.5, 3.4) - target_m(game)).norm();
   game.put_ball(target_m(game) + Vec2(0.145, 0));
   const Decision success = game.run_until("placement_succeeded", 5);
   EXPECT_NEAR(success.time_s - ordered_s, 2, 0.02);
+  EXPECT_NEAR(*success.finding.details.to_target_m, 0.145, 1e-9);
+  EXPECT_NEAR(*success.finding.details.from_target_m, distance_m, 1e-9);
   EXPECT_EQ(success.command->kind, CommandKind::kStop);
   EXPECT_EQ(success.finding.offender, Side::kEast);
   EXPECT_EQ(game.signal.next_command, (Command{CommandKind::kDirectFree, Side::kEast}));
@@ -106,6 +109,8 @@ TEST(TransitionOpponentsPlace, GivesTheOpponentsAFreeKickAfter30Seconds) {
   const Decision failure = game.run_until("opponents_place", 31);
   EXPECT_NEAR(failure.time_s - ordered_s, 30, 0.02);
   EXPECT_EQ(failure.finding.event, Event::kPlacementFailed);
+  EXPECT_NEAR(*failure.finding.details.to_target_m, (Vec2(0.5, 3.4) - target_m(game)).norm(), 1e-9);
+  EXPECT_GT(*failure.finding.details.own_robot_to_ball_m, 1);  // all robots are far away
   EXPECT_EQ(game.signal.next_command, (Command{CommandKind::kDirectFree, Side::kWest}));
   const Decision order = game.run_until("ball_placement", 3);
   EXPECT_EQ(order.command, (Command{CommandKind::kBallPlacement, Side::kWest}));

@@ -47,7 +47,9 @@ class StagedMachine {
     for (const Watch& watch : rule.watches()) {
       if (!watch.active_in.has(state.machine_state)) continue;
       const std::optional<Finding> found = watch.find(state, input());
-      if (found && !put(*found).empty()) taken = label_;
+      if (!found) continue;
+      last_found = *found;
+      if (!put(*found).empty()) taken = label_;
     }
     return taken;
   }
@@ -77,6 +79,7 @@ class StagedMachine {
   void wait(double seconds) { frame_.time_s += seconds; }
   double now_s() const { return frame_.time_s; }
 
+  Finding last_found;  // by look_for()
   RefereeState state;
 
  private:

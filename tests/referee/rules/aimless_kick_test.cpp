@@ -25,6 +25,7 @@ TEST(AimlessKick, FromTheOwnHalfIsAFreeKickFromWhereItWasKicked) {
   const Decision call = game.run_until("aimless_kick", 1);
   EXPECT_EQ(call.restart(), (Command{CommandKind::kDirectFree, Side::kEast}));
   EXPECT_LE((game.signal.placement->target_m - Vec2(0, 2)).norm(), 0.002);
+  EXPECT_LE((*call.finding.details.ball_m - Vec2(4.5 + kBallRadius_m, 2)).norm(), 0.025);
 }
 
 TEST(AimlessKick, FromTheOpponentsHalfIsAGoalKick) {

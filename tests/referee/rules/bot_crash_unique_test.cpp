@@ -47,6 +47,16 @@ TEST(Crash, IsTheFasterRobotsFaultAboveOnePointFiveMetresPerSecond) {
   EXPECT_LE((*call.finding.position_m - Vec2(-0.4, -0.8)).norm(), 0.02);
 }
 
+// Head-on, the angle between the velocities is pi; from behind it is 0.
+TEST(Crash, HasTheDifferenceOfSpeedsAndTheAngleBetweenTheVelocities) {
+  const Decision head_on = crash("2014", {1.2, 0.5}).calls(Event::kBotCrashUnique).front();
+  EXPECT_NEAR(*head_on.finding.details.speed_difference_mps, 0.7, 0.02);
+  EXPECT_NEAR(*head_on.finding.details.crash_angle_rad, 3.14159, 0.01);
+  const Decision behind = crash("2014", {2.2, -0.5}).calls(Event::kBotCrashUnique).front();
+  EXPECT_NEAR(*behind.finding.details.speed_difference_mps, 1.7, 0.02);
+  EXPECT_NEAR(*behind.finding.details.crash_angle_rad, 0, 0.01);
+}
+
 TEST(Crash, IsNotCalledBelowTheLimit) {
   EXPECT_TRUE(crash("2014", {1.45, 0}).calls(Event::kBotCrashUnique).empty());
 }

@@ -37,6 +37,7 @@ TEST(Dribbling, IsCalledOverFiveHundredMillimetresByTheLaws) {
   EXPECT_EQ(call.finding.robots.front(), kEast);
   EXPECT_EQ(call.restart(), (Command{CommandKind::kIndirectFree, Side::kWest}));
   EXPECT_GT(call.finding.value, 0.5);
+  EXPECT_LE((*call.finding.details.dribble_from_m - Vec2(0.6, -0.8)).norm(), 0.03);
   EXPECT_LE((*call.finding.position_m - Vec2(0.1, -0.8)).norm(), 0.03);
 }
 

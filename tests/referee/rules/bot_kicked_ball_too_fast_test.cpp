@@ -22,6 +22,7 @@ TEST(KickSpeed, OfMoreThan8MetresPerSecondGivesAnIndirectFreeKick) {
   EXPECT_EQ(call.finding.offender, Side::kWest);
   EXPECT_EQ(call.restart(), (Command{CommandKind::kIndirectFree, Side::kEast}));
   EXPECT_LE((*call.finding.position_m - Vec2(-1, 1.2)).norm(), 1e-6);
+  EXPECT_EQ(call.finding.details.is_chipped, false);
 }
 
 TEST(KickSpeed, SlightlyBelowTheLimitIsAllowed) {

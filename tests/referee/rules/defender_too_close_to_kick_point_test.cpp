@@ -35,6 +35,18 @@ TEST(RestartDistance, At490MillimetresTheKickIsRetaken) {
   EXPECT_NEAR((game.signal.placement->target_m - ball_m).norm(), 0, 1e-9);
 }
 
+TEST(RestartDistance, ItsDetailsAreTheNearestRobots) {
+  ScriptedGame game = throw_in_game(by_book("2026-b"));
+  come_near(game, 0.3);
+  game.robot(Side::kWest, 1) = game.robot(Side::kWest, 2);
+  game.robot(Side::kWest, 1).number = 1;
+  game.robot(Side::kWest, 1).position_m += Vec2(0, -0.1);
+  const Decision call = game.run_until("defender_too_close_to_kick_point", 0.2);
+  EXPECT_EQ(call.finding.robots.size(), 2U);
+  EXPECT_EQ(call.finding.details.robot, kWest2);
+  EXPECT_EQ(call.finding.details.robot_m, game.robot(Side::kWest, 2).position_m);
+}
+
 TEST(RestartDistance, At510MillimetresPlayGoesOn) {
   ScriptedGame game = throw_in_game(by_book("2014"));
   come_near(game, 0.51);

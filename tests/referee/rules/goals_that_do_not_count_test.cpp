@@ -47,6 +47,19 @@ TEST(IndirectGoal, CountsIfTheRuleIsNotInForce) {
   EXPECT_TRUE(is_called(game, "goal", 1.5));
 }
 
+// West 1 shoots from (2, 0).
+TEST(Goal, HasTheDetailsOfTheShot) {
+  ScriptedGame game = in_play(by_book("2026-b"));
+  game.kick_from(Side::kWest, 1, {2, 0}, {5, 0});
+  const double kicked_s = game.now_s();
+  const EventDetails details = game.run_until("goal", 1).finding.details;
+  EXPECT_LE((*details.kick_m - Vec2(2, 0)).norm(), 0.1);
+  EXPECT_NEAR(*details.scorers_touched_s, kicked_s, 0.05);
+  EXPECT_EQ(details.robots, static_cast<int>(game.frame.robots[Side::kWest].size()));
+  EXPECT_NEAR(details.ball_top_m.value_or(0), 2 * kBallRadius_m, 1e-9);
+  EXPECT_NEAR(details.ball_m->x(), 4.5, 0.15);
+}
+
 TEST(FreeKickOwnGoal, IsACornerKick) {
   for (const char* book : {"2014", "2026-b"}) {
     ScriptedGame game = throw_in_shot(by_book(book), Side::kWest);

@@ -43,6 +43,14 @@ TEST(TransitionTooManyRobots, GivesAForceStartTenSecondsAfterACardAndNoFoul) {
   EXPECT_EQ(game.state.cards[Side::kEast].fouls, 3);
 }
 
+TEST(TransitionTooManyRobots, SaysHowManyRobotsThereAreAndMayBe) {
+  StagedMachine game = with_robots();
+  game.fouls_for_cards(Side::kEast, 1);
+  look_for(game, 10);
+  EXPECT_EQ(game.last_found.details.robots, 6);
+  EXPECT_EQ(game.last_found.details.robots_allowed, 5);
+}
+
 TEST(TransitionTooManyRobots, IsTakenOncePerCard) {
   StagedMachine game = with_robots();
   game.fouls_for_cards(Side::kEast, 1);

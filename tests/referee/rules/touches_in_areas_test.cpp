@@ -21,6 +21,7 @@ TEST(DefenderInArea, EntirelyInsideGivesAPenaltyKick) {
   ScriptedGame game = kicked(by_book("2014"), -2.225 + 0.0225 - 0.001);
   const Decision call = game.run_until("defender_in_defense_area", 0.3);
   EXPECT_NEAR(call.finding.value, -0.001, 1e-6);
+  EXPECT_NEAR(call.finding.details.robot_m->x(), -2.225 - 0.001 - kFrontDistance_m, 1e-6);
   EXPECT_EQ(call.restart(), (Command{CommandKind::kPreparePenalty, Side::kEast}));
   EXPECT_EQ(call.finding.robots.front(), (RobotId{Side::kWest, 1}));
   EXPECT_NEAR(game.signal.placement->target_m.x(), -3.025 + 0.75, 1e-9);  // the mark

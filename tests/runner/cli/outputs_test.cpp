@@ -70,7 +70,7 @@ TEST_F(Outputs, WithATemporaryNameThatIsAnotherOutputAreRefused) {
 
 TEST_F(Outputs, ThatAreInputsAreRefused) {
   const std::string scenario = content_of(file_);
-  for (const char* flag : {"--events", "--log", "--view"}) {
+  for (const char* flag : {"--events", "--game-events", "--log", "--view"}) {
     expect_refused(play(flag, in("./game.yaml")), flag);
     expect_refused(play(flag, in("fast.yaml")), flag);
   }

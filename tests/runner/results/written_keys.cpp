@@ -8,7 +8,9 @@
 #include <sstream>
 
 #include "runner/game/event_log.hpp"
+#include "runner/game/game_event.hpp"
 #include "runner/judge/judge_report.hpp"
+#include "runner/logs/log_report.hpp"
 #include "tests/runner/batch/fake_games.hpp"
 #include "tests/runner/cli/answer.hpp"
 #include "tests/runner/results/written_names.hpp"
@@ -50,6 +52,47 @@ WrittenNames event_keys() {
   decision.finding.robots = {robot};
   decision.last_touch = {Side::kWest, robot, 1, 0, 0, robot};
   return sorted(paths_in(decision_json(decision, {})));
+}
+
+// A decision that has everything a league event may need.
+referee::Decision detailed_decision(referee::Event event) {
+  referee::Decision decision;
+  decision.finding.event = event;
+  decision.finding.robots = {{Side::kWest, 1}, {Side::kEast, 2}};
+  decision.finding.position_m = Vec2(0, 0);
+  decision.finding.evidence = "because";
+  decision.last_touch = {Side::kWest, RobotId{Side::kWest, 1}, 1, 0, 0, std::nullopt};
+  const Vec2 anywhere_m(0, 0);
+  decision.finding.details = {{}, anywhere_m, anywhere_m, anywhere_m, anywhere_m, 1, 1, true,
+                              1,  1,          1,          1,          1,          1, 1, 1};
+  return decision;
+}
+
+// With PART for the member that belongs to the type.
+WrittenNames game_event_keys() {
+  Paths paths;
+  for (const referee::EventEntry& entry : referee::event_table()) {
+    const auto event = game_event_of(detailed_decision(entry.event));
+    if (!event) continue;
+    for (const std::string& path : paths_in(game_event_json(*event))) {
+      const bool is_head = path == "type" || path == "origin" || path == "created_timestamp";
+      const std::size_t dot = path.find('.');
+      paths.insert(is_head ? path : dot == std::string::npos ? "PART" : "PART" + path.substr(dot));
+    }
+  }
+  return sorted(paths);
+}
+
+WrittenNames referee_keys() {
+  const Call call{1, 2, {}, "goal", Side::kWest};
+  LogRefereeResult result;
+  result.agreement.pairs = {{call, call}};
+  RecordedFacts facts;
+  for (const GameEventType type : {GameEventType::kPossibleGoal, GameEventType::kEmergencyStop}) {
+    facts.game_events.emplace_back();
+    facts.game_events.back().event.type = type;
+  }
+  return sorted(paths_in(referee_log_json(result, facts)));
 }
 
 WrittenNames game_keys() {
@@ -111,10 +154,9 @@ WrittenNames progress_keys() {
 
 std::vector<Artefact> written_json() {
   return {
-      {"Event lines", event_keys, true},
-      {"play --json", game_keys, true},
-      {"judge --json", judge_keys, true},
-      {"run --progress json", progress_keys, true},
+      {"Event lines", event_keys, true},      {"Game event lines", game_event_keys, true},
+      {"referee --json", referee_keys, true}, {"play --json", game_keys, true},
+      {"judge --json", judge_keys, true},     {"run --progress json", progress_keys, true},
   };
 }
 

@@ -1,0 +1,50 @@
+// Compares the game events of a recorded referee with AutoRef's, one by one.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "runner/game/game_event_log.hpp"
+#include "runner/io/json.hpp"
+#include "soccer/game_event.hpp"
+
+namespace autoref::runner {
+
+// Whether AutoRef has decisions that become events of this type (referee/events.def).
+bool is_judged(GameEventType type);
+
+// A recorded event and the matching one of AutoRef; one of the two is missing without a match.
+struct GameEventPair {
+  std::optional<TimedGameEvent> recorded;
+  std::optional<TimedGameEvent> refereed;
+  bool is_matched() const { return recorded && refereed; }
+};
+
+struct GameEventCounts {
+  int recorded = 0;
+  int refereed = 0;
+  int matched = 0;
+};
+
+struct GameEventComparison {
+  std::vector<GameEventPair> pairs;  // in order of time; only types that AutoRef judges
+  std::map<GameEventType, GameEventCounts> types;
+  GameEventCounts all;
+  std::map<GameEventType, int> not_judged;  // recorded events of the other types
+};
+
+// Matches events of the same type and team that are at most `tolerance_s` apart. Both lists must be
+// in order of time; each recorded event takes the first that fits.
+GameEventComparison compared(std::span<const TimedGameEvent> recorded,
+                             std::span<const TimedGameEvent> refereed, double tolerance_s = 2.0);
+
+// A table of the types; empty if nothing was recorded.
+std::string game_events_text(const GameEventComparison& comparison);
+
+// The comparison as a JSON object; null if nothing was recorded.
+Json game_events_json(const GameEventComparison& comparison);
+
+}  // namespace autoref::runner
