@@ -178,6 +178,14 @@ ReportedKick reported_kick(KickSpeedWatch& kick, const TouchHistory& touches,
   return {touches.newest(), kick.speed_mps};
 }
 
+// nullopt if the ball may or may not be in the air.
+std::optional<bool> is_chipped(const KickSpeedWatch& watch, const ReportedKick& kick,
+                               const RefereeInput& input) {
+  const bool is_newest = kick.touch->ended_s == watch.kicked_s;
+  if (kick.touch->highest_m > 0 || (is_newest && watch.is_in_air)) return true;
+  return input.ball->height_known ? std::optional(false) : std::nullopt;
+}
+
 std::optional<Finding> find_bot_kicked_ball_too_fast(RefereeState& state,
                                                      const RefereeInput& input) {
   const TouchHistory& touches = state.play.touches;
@@ -195,7 +203,7 @@ std::optional<Finding> find_bot_kicked_ball_too_fast(RefereeState& state,
   Finding finding = offence_of(Event::kBotKickedBallTooFast, RuleId::kBotKickedBallTooFast, c,
                                kicker, kick.touch->ended_m);
   finding.value = kick.speed_mps;
-  if (kick.touch->height_known) finding.details.is_chipped = kick.touch->highest_m > 0;
+  finding.details.is_chipped = is_chipped(state.watch.bot_kicked_ball_too_fast, kick, input);
   finding.evidence = fmt::format("{} kicked the ball at {:.3f} s with {:.2f} m/s.", text_of(kicker),
                                  kick.touch->ended_s, kick.speed_mps);
   return finding;

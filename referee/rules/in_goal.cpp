@@ -50,7 +50,8 @@ void add_shot(Finding& finding, const TouchHistory& touches, const RefereeInput&
     height_known = height_known && touch.height_known;
     if (touch.side != scorer) continue;
     details.scorers_touched_s = touch.ended_s;
-    if (height_known) details.ball_top_m = top_since_touch_m(touches, scorer);
+    const std::optional<double> top_m = top_since_touch_m(touches, scorer);
+    if (top_m && (height_known || *top_m > 2 * kBallRadius_m)) details.ball_top_m = top_m;
     return;
   }
 }

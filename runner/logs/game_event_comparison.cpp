@@ -18,6 +18,12 @@ bool is_same(const GameEvent& a, const GameEvent& b) {
   return a.type == b.type && a.by_team == b.by_team;
 }
 
+// Decided by whoever commands the game.
+bool is_persons(GameEventType type) {
+  return type == GameEventType::kPlacementSucceeded || type == GameEventType::kPlacementFailed ||
+         type == GameEventType::kMultipleFouls || type == GameEventType::kMultipleCards;
+}
+
 // The first free event that fits, or the end.
 std::size_t match_of(const TimedGameEvent& recorded, std::span<const TimedGameEvent> refereed,
                      const std::vector<bool>& is_taken, double tolerance_s) {
@@ -39,7 +45,8 @@ void count(GameEventComparison& comparison, const GameEventPair& pair) {
 
 }  // namespace
 
-bool is_judged(GameEventType type) {
+bool is_judged(GameEventType type, referee::Control control) {
+  if (control != referee::Control::kAutoref && is_persons(type)) return false;
   const std::string_view name = name_of(type);
   const auto table = referee::event_table();
   return !name.empty() && std::any_of(table.begin(), table.end(), [&](const auto& entry) {
@@ -48,11 +55,12 @@ bool is_judged(GameEventType type) {
 }
 
 GameEventComparison compared(std::span<const TimedGameEvent> recorded,
-                             std::span<const TimedGameEvent> refereed, double tolerance_s) {
+                             std::span<const TimedGameEvent> refereed, referee::Control control,
+                             double tolerance_s) {
   GameEventComparison comparison;
   std::vector<bool> is_taken(refereed.size(), false);
   for (const TimedGameEvent& event : recorded) {
-    if (!is_judged(event.event.type)) {
+    if (!is_judged(event.event.type, control)) {
       ++comparison.not_judged[event.event.type];
       continue;
     }

@@ -7,14 +7,16 @@
 #include <string>
 #include <vector>
 
+#include "referee/configuration.hpp"
 #include "runner/game/game_event_log.hpp"
 #include "runner/io/json.hpp"
 #include "soccer/game_event.hpp"
 
 namespace autoref::runner {
 
-// Whether AutoRef has decisions that become events of this type (referee/events.def).
-bool is_judged(GameEventType type);
+// Whether AutoRef has decisions that become events of this type (referee/events.def). Beside a
+// person, it neither judges placements nor shows cards.
+bool is_judged(GameEventType type, referee::Control control);
 
 // A recorded event and the matching one of AutoRef; one of the two is missing without a match.
 struct GameEventPair {
@@ -37,9 +39,10 @@ struct GameEventComparison {
 };
 
 // Matches events of the same type and team that are at most `tolerance_s` apart. Both lists must be
-// in order of time; each recorded event takes the first that fits.
+// in order of time; each recorded event takes the first that fits. `control` is AutoRef's.
 GameEventComparison compared(std::span<const TimedGameEvent> recorded,
-                             std::span<const TimedGameEvent> refereed, double tolerance_s = 2.0);
+                             std::span<const TimedGameEvent> refereed, referee::Control control,
+                             double tolerance_s = 2.0);
 
 // A table of the types; empty if nothing was recorded.
 std::string game_events_text(const GameEventComparison& comparison);

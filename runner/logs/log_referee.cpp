@@ -87,8 +87,13 @@ class LogReferee final : public league::LogVisitor {
   }
 
   LogRefereeResult evaluation(const Agreement& agreement) const {
-    LogRefereeResult evaluation{agreement,   all_calls_, {}, game_events_.events(),
-                                log_.text(), decisions_};
+    LogRefereeResult evaluation{agreement,
+                                all_calls_,
+                                {},
+                                game_events_.events(),
+                                log_.text(),
+                                decisions_,
+                                configurations_.front().control};
     for (const PerSide<int>& half : referee_.goals_by_half()) {
       for (const Side side : kSides) evaluation.goals[side] += half[side];
     }

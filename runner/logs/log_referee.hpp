@@ -23,6 +23,7 @@ struct LogRefereeResult {
   std::vector<TimedGameEvent> game_events;  // of AutoRef's decisions
   std::string events;  // AutoRef's decisions, one JSON object per line (event_log.hpp)
   int decisions = 0;
+  referee::Control control = referee::Control::kAutoref;  // of the first game
 };
 
 // Judges every frame of the log in order. Under Control::kHuman, AutoRef follows the recorded

@@ -226,7 +226,8 @@ std::string referee_log_text(const LogRefereeResult& evaluation, const RecordedF
       all.right, all.precision(), all.recall(), all.f1(),
       comparison.is_annotated ? "same event and side within 2 s"
                               : "same restart, at most 2 s ahead",
-      all.challenge_score(), game_events_text(compared(facts.game_events, evaluation.game_events)));
+      all.challenge_score(),
+      game_events_text(compared(facts.game_events, evaluation.game_events, evaluation.control)));
 }
 
 std::string referee_log_json(const LogRefereeResult& evaluation, const RecordedFacts& facts,
@@ -251,7 +252,8 @@ std::string referee_log_json(const LogRefereeResult& evaluation, const RecordedF
        {"f1", all.f1()},
        {"challenge_score", all.challenge_score()},
        {"calls", std::move(calls)},
-       {"game_events", game_events_json(compared(facts.game_events, evaluation.game_events))}});
+       {"game_events", game_events_json(compared(facts.game_events, evaluation.game_events,
+                                                 evaluation.control))}});
 }
 
 }  // namespace autoref::runner

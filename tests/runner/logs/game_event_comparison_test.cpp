@@ -24,8 +24,13 @@ TimedGameEvent event_at(double time_s, GameEventType type, Side side = Side::kWe
 constexpr GameEventType kOut = GameEventType::kBallLeftFieldTouchLine;
 constexpr GameEventType kCrash = GameEventType::kBotCrashUnique;
 
+GameEventComparison with_autoref(const Events& recorded, const Events& refereed,
+                                 referee::Control control = referee::Control::kHuman) {
+  return compared(recorded, refereed, control);
+}
+
 int matched(const Events& recorded, const Events& refereed) {
-  return compared(recorded, refereed).all.matched;
+  return with_autoref(recorded, refereed).all.matched;
 }
 
 TEST(GameEventComparison, MatchesTheSameTypeAndTeamWithinTwoSeconds) {
@@ -47,15 +52,16 @@ TEST(GameEventComparison, MatchesEachEventOnceInOrderOfTime) {
   const Events two = {event_at(10, kCrash), event_at(11, kCrash)};
   EXPECT_EQ(matched(two, two), 2);
   EXPECT_EQ(matched({two.front()}, two), 1);
-  const GameEventComparison comparison = compared(two, {two.begin() + 1, two.end()});
+  const GameEventComparison comparison = with_autoref(two, {two.begin() + 1, two.end()});
   ASSERT_EQ(comparison.pairs.size(), 2U);
   EXPECT_TRUE(comparison.pairs[0].is_matched());
   EXPECT_FALSE(comparison.pairs[1].refereed);
 }
 
 TEST(GameEventComparison, CountsByType) {
-  const GameEventComparison comparison = compared(Events{event_at(10, kOut), event_at(20, kCrash)},
-                                                  Events{event_at(10.5, kOut), event_at(15, kOut)});
+  const GameEventComparison comparison =
+      with_autoref(Events{event_at(10, kOut), event_at(20, kCrash)},
+                   Events{event_at(10.5, kOut), event_at(15, kOut)});
   EXPECT_EQ(comparison.types.at(kOut).recorded, 1);
   EXPECT_EQ(comparison.types.at(kOut).refereed, 2);
   EXPECT_EQ(comparison.types.at(kOut).matched, 1);
@@ -73,12 +79,23 @@ TEST(GameEventComparison, CountsWhatAutoRefNeverJudgesApart) {
         GameEventType::kChallengeFlagHandled, GameEventType::kEmergencyStop,
         GameEventType::kUnsportingBehaviorMajor, GameEventType::kBotTippedOver,
         static_cast<GameEventType>(99)}) {
-    const GameEventComparison comparison = compared(Events{event_at(10, type)}, {});
+    const GameEventComparison comparison = with_autoref(Events{event_at(10, type)}, {});
     EXPECT_EQ(comparison.all.recorded, 0) << static_cast<int>(type);
     EXPECT_EQ(comparison.not_judged.at(type), 1);
   }
-  EXPECT_TRUE(is_judged(GameEventType::kTooManyRobots));
-  EXPECT_TRUE(is_judged(GameEventType::kPossibleGoal));
+  for (const referee::Control control : {referee::Control::kHuman, referee::Control::kAutoref}) {
+    EXPECT_TRUE(is_judged(GameEventType::kTooManyRobots, control));
+    EXPECT_TRUE(is_judged(GameEventType::kPossibleGoal, control));
+  }
+}
+
+// Beside a person, cards and placements are the person's.
+TEST(GameEventComparison, CountsWhatThePersonDecidesApart) {
+  for (const GameEventType type :
+       {GameEventType::kPlacementSucceeded, GameEventType::kMultipleCards}) {
+    EXPECT_EQ(with_autoref({event_at(10, type)}, {}).not_judged.at(type), 1);
+    EXPECT_EQ(with_autoref({event_at(10, type)}, {}, referee::Control::kAutoref).all.recorded, 1);
+  }
 }
 
 // The sketched ball crosses the touch line 4 s after the start; nobody has touched it.

@@ -77,7 +77,7 @@ TEST(RecordedGameEvents, AreNotProposals) {
   std::string proposal = "\x8a\x01";
   proposal += static_cast<char>(group.size());
   proposal += group;
-  ASSERT_TRUE(packet.MergePartialFromString(proposal));
+  ASSERT_TRUE(packet.ParsePartialFromString(proposal));
   recorded.take(1, packet);
   EXPECT_TRUE(recorded.events().empty());
 }
