@@ -38,9 +38,10 @@ TEST(RestartDistance, At490MillimetresTheKickIsRetaken) {
 TEST(RestartDistance, ItsDetailsAreTheNearestRobots) {
   ScriptedGame game = throw_in_game(by_book("2026-b"));
   come_near(game, 0.3);
-  game.robot(Side::kWest, 1) = game.robot(Side::kWest, 2);
-  game.robot(Side::kWest, 1).number = 1;
-  game.robot(Side::kWest, 1).position_m += Vec2(0, -0.1);
+  RobotObservation& farther = game.robot(Side::kWest, 1);
+  farther = game.robot(Side::kWest, 2);
+  farther.number = 1;
+  farther.position_m += Vec2(0, -0.1);
   const Decision call = game.run_until("defender_too_close_to_kick_point", 0.2);
   EXPECT_EQ(call.finding.robots.size(), 2U);
   EXPECT_EQ(call.finding.details.robot, kWest2);
