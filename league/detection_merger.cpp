@@ -1,5 +1,6 @@
 #include "league/detection_merger.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -15,8 +16,11 @@ constexpr std::size_t kMostCameras = 64;
 constexpr float kFarthest_mm = 1e5F;
 constexpr float kWidest_rad = 100;
 constexpr double kLongestGame_s = 1e6;
-constexpr double kLate_s = 1;  // maximum delay of a packet on the same clock
-constexpr int kStrays = 20;    // number of consecutive strays that establish a new clock
+constexpr double kLate_s = 1;            // maximum delay of a packet on the same clock
+constexpr std::size_t kMostBalls = 256;  // in one frame
+constexpr double kForgetRobot_s = 0.5;   // unseen for that long, it may be anywhere
+constexpr float kClearlyBetter = 0.3F;   // difference of confidences
+constexpr int kStrays = 20;              // number of consecutive strays that establish a new clock
 
 bool is_position(float x, float y) {
   return std::abs(x) <= kFarthest_mm && std::abs(y) <= kFarthest_mm;
@@ -114,28 +118,48 @@ void DetectionMerger::collect_robots(const DetectionFrame& detection, Side side)
       ++unnumbered_;
       continue;
     }
-    RobotDetection& best = robots_[side][seen.robot_id()];
-    if (seen.confidence() <= best.confidence) continue;
-    best = {{static_cast<int>(seen.robot_id()),
-             {to_m(seen.x()), to_m(seen.y())},
-             heading_of(static_cast<double>(seen.orientation()))},
-            seen.confidence()};
+    robots_[side][seen.robot_id()].seen.push_back(
+        {detection.camera_id(), seen.confidence(), Vec2(to_m(seen.x()), to_m(seen.y())),
+         heading_of(static_cast<double>(seen.orientation()))});
   }
 }
 
 void DetectionMerger::collect_ball(const DetectionBall& seen, std::uint32_t camera) {
   if (!is_position(seen.x(), seen.y()) || !is_position(seen.z(), seen.z())) return;
-  BallDetection found{{{to_m(seen.x()), to_m(seen.y())}, std::nullopt, {}}, seen.confidence()};
-  if (seen.has_z()) found.ball.height_m = to_m(seen.z());
-  if (!seen.has_z()) found.ball.seen_from = camera_of(geometry_, camera, found.ball.position_m);
-  // Nearest-neighbour association; confidence decides only until the first frame that contains a
-  // ball.
-  const auto is_better = [&](const BallDetection& one, const BallDetection& other) {
-    if (!last_ball_m_) return one.confidence > other.confidence;
-    return (one.ball.position_m - *last_ball_m_).squaredNorm() <
-           (other.ball.position_m - *last_ball_m_).squaredNorm();
-  };
-  if (!ball_ || is_better(found, *ball_)) ball_ = found;
+  if (std::isnan(seen.confidence()) || balls_.size() >= kMostBalls) return;
+  balls_.push_back({camera, seen.confidence(), Vec2(to_m(seen.x()), to_m(seen.y())), {1, 0}});
+  ball_heights_m_.push_back(seen.has_z() ? std::optional(to_m(seen.z())) : std::nullopt);
+}
+
+std::optional<RobotObservation> DetectionMerger::robot_seen(int number, Robot& robot) {
+  if (robot.seen.empty()) return std::nullopt;
+  if (robot.body.is_known() && time_s_ - robot.body.seen_s() > kForgetRobot_s) robot.body.forget();
+  const Detected* chosen = &*std::max_element(
+      robot.seen.begin(), robot.seen.end(),
+      [](const Detected& a, const Detected& b) { return a.confidence < b.confidence; });
+  if (robot.body.is_known()) {
+    const float least = chosen->confidence - kClearlyBetter;
+    std::erase_if(robot.seen, [least](const Detected& seen) { return seen.confidence < least; });
+    chosen = nearest_to(robot.body.expected_m(time_s_), robot.seen);
+  }
+  const Detected used = robot.body.take(time_s_, robot.seen, *chosen);
+  robot.seen.clear();
+  return RobotObservation{number, used.position_m, used.heading};
+}
+
+std::optional<BallObservation> DetectionMerger::ball_seen() {
+  const Detected* chosen = ball_choice_.choose(time_s_, balls_);
+  std::optional<BallObservation> ball;
+  if (chosen != nullptr) {
+    ball.emplace();
+    ball->position_m = chosen->position_m;
+    const Detected* seen = nearest_to(chosen->position_m, balls_);
+    ball->height_m = ball_heights_m_[static_cast<std::size_t>(seen - balls_.data())];
+    if (!ball->height_m) ball->seen_from = camera_of(geometry_, chosen->camera, ball->position_m);
+  }
+  balls_.clear();
+  ball_heights_m_.clear();
+  return ball;
 }
 
 const Frame* DetectionMerger::complete() {
@@ -143,14 +167,12 @@ const Frame* DetectionMerger::complete() {
   frame_.time_s = time_s_;
   for (const Side side : kSides) {
     frame_.robots[side].clear();
-    for (RobotDetection& detection : robots_[side]) {
-      if (detection.confidence >= 0) frame_.robots[side].push_back(detection.robot);
-      detection.confidence = -1;
+    for (int number = 0; number < kMaxRobots; ++number) {
+      const auto robot = robot_seen(number, robots_[side][static_cast<std::size_t>(number)]);
+      if (robot) frame_.robots[side].push_back(*robot);
     }
   }
-  frame_.ball = ball_ ? std::optional(ball_->ball) : std::nullopt;
-  if (ball_) last_ball_m_ = ball_->ball.position_m;
-  ball_.reset();
+  frame_.ball = ball_seen();
   in_frame_.clear();
   last_time_s_ = time_s_;
   return &frame_;

@@ -5,8 +5,11 @@
 #include <cstdint>
 #include <optional>
 #include <set>
+#include <vector>
 
+#include "league/ball_choice.hpp"
 #include "league/field_message.hpp"
+#include "league/followed_body.hpp"
 #include "league/messages/vision.pb.h"
 #include "soccer/field.hpp"
 #include "soccer/frame.hpp"
@@ -14,8 +17,10 @@
 namespace autoref::league {
 
 // A frame consists of one packet per camera. The next frame begins when a camera sends another
-// packet, or after a gap of 0.1 s. If several cameras see a robot, the most confident detection is
-// used; if several balls are seen, the one nearest to the previous ball position. Ignores robots
+// packet, or after a gap of 0.1 s. A robot that several cameras see stays with its camera, and
+// changes to another without a jump (followed_body.hpp). If it appears twice, the detection nearest
+// to where it is expected is used, unless another is clearly more confident. Of several balls, one
+// is followed (ball_choice.hpp). Ignores robots
 // with a number outside the league's range, detections that are not finite or more than 100 m away,
 // and frames more than a million seconds after the first. If the cameras' clock restarts within a
 // log, times continue from the previous ones once enough consecutive packets agree on the new
@@ -48,13 +53,9 @@ class DetectionMerger {
   std::int64_t unusable() const { return unusable_; }  // packets that were ignored
 
  private:
-  struct RobotDetection {
-    RobotObservation robot;
-    float confidence = -1;  // negative: not seen
-  };
-  struct BallDetection {
-    BallObservation ball;
-    float confidence = 0;
+  struct Robot {
+    FollowedBody body;
+    std::vector<Detected> seen;  // in the current frame
   };
 
   void read_geometry(const Geometry& geometry);
@@ -64,6 +65,8 @@ class DetectionMerger {
   void collect(const DetectionFrame& detection);
   void collect_robots(const DetectionFrame& detection, Side side);
   void collect_ball(const DetectionBall& ball, std::uint32_t camera);
+  std::optional<RobotObservation> robot_seen(int number, Robot& robot);
+  std::optional<BallObservation> ball_seen();
   const Frame* complete();
 
   std::optional<Field> field_;
@@ -72,9 +75,10 @@ class DetectionMerger {
   Geometry geometry_;
   std::set<std::uint32_t> cameras_;   // seen so far
   std::set<std::uint32_t> in_frame_;  // cameras that contributed to the current frame
-  PerSide<std::array<RobotDetection, kMaxRobots>> robots_;
-  std::optional<BallDetection> ball_;
-  std::optional<Vec2> last_ball_m_;
+  PerSide<std::array<Robot, kMaxRobots>> robots_;
+  BallChoice ball_choice_;
+  std::vector<Detected> balls_;                        // in the current frame
+  std::vector<std::optional<double>> ball_heights_m_;  // of each
   std::optional<double> first_capture_s_;
   double last_time_s_ = -1;
   int strays_ = 0;  // consecutive packets that agree on another clock

@@ -8,7 +8,7 @@
 namespace autoref::league {
 namespace {
 
-// The merger takes the most confident of several detections of a robot.
+// The merger ignores detections of a robot if another one is clearly more confident.
 constexpr float kSure = 1;
 constexpr float kUnsure = 0.5F;
 

@@ -32,9 +32,10 @@ class Recorder final : public Observer {
     log_.note(others);
     ++frames_with_others;
   }
-  void on_frame(const Frame& frame, const RefereeSignal& signal, const sim::World&) override {
+  void on_frame(const Frame& frame, const RefereeSignal& signal, const sim::World& world) override {
     log_.add(frame, signal);
     frames.push_back(frame);
+    balls.push_back(world.state().ball);
   }
   void on_decision(const referee::Decision& decision) override {
     events.on_decision(decision);
@@ -44,6 +45,7 @@ class Recorder final : public Observer {
 
   EventLog events;
   std::vector<Frame> frames;
+  std::vector<sim::BallState> balls;  // the true one
   int frames_with_others = 0;
 
  private:
@@ -111,16 +113,17 @@ class ReadFrames final : public league::LogVisitor {
   std::set<std::uint32_t> cameras;
 };
 
+bool are_equal(const std::optional<BallObservation>& read,
+               const std::optional<BallObservation>& live) {
+  if (!read || !live) return read.has_value() == live.has_value();
+  return read->position_m == live->position_m && read->height_m == live->height_m &&
+         read->seen_from.position_m == live->seen_from.position_m &&
+         read->seen_from.height_m == live->seen_from.height_m;
+}
+
 // Packets hold angles from -pi to pi as floats, which may change the last digit of a heading.
-void expect_same(const Frame& read, const Frame& live) {
+void expect_same_robots(const Frame& read, const Frame& live) {
   ASSERT_EQ(read.time_s, live.time_s);
-  ASSERT_EQ(read.ball.has_value(), live.ball.has_value());
-  if (live.ball) {
-    ASSERT_EQ(read.ball->position_m, live.ball->position_m);
-    ASSERT_EQ(read.ball->height_m, live.ball->height_m);
-    ASSERT_EQ(read.ball->seen_from.position_m, live.ball->seen_from.position_m);
-    ASSERT_EQ(read.ball->seen_from.height_m, live.ball->seen_from.height_m);
-  }
   for (const Side side : kSides) {
     ASSERT_EQ(read.robots[side].size(), live.robots[side].size());
     for (std::size_t i = 0; i < read.robots[side].size(); ++i) {
@@ -131,7 +134,14 @@ void expect_same(const Frame& read, const Frame& live) {
   }
 }
 
-// Plays a game and compares its frames with those of its log, which has that many cameras.
+bool is_false(const BallObservation& seen, const sim::BallState& ball) {
+  constexpr double kSeenWell_m = 0.05;
+  return ball.height_m > 0 || (seen.position_m - ball.position_m).norm() > kSeenWell_m;
+}
+
+// Plays a game and compares its frames with those of its log, which has that many cameras. The
+// balls differ where the live frame has a false one; the log's may still be a false one when the
+// true one appears again.
 void expect_frames_of_the_live_game(const GameConfiguration& game, std::size_t cameras) {
   const ScratchFile file(".log");
   Recorder live(file.path(), game);
@@ -142,10 +152,16 @@ void expect_frames_of_the_live_game(const GameConfiguration& game, std::size_t c
   league::read_log(file.path(), read);
   EXPECT_EQ(read.cameras.size(), cameras);
   ASSERT_EQ(read.frames.size(), live.frames.size());
+  std::size_t lost = 0;
   for (std::size_t i = 0; i < live.frames.size(); ++i) {
-    expect_same(read.frames[i], live.frames[i]);
+    expect_same_robots(read.frames[i], live.frames[i]);
     if (testing::Test::HasFatalFailure()) FAIL() << "frame " << i;
+    const std::optional<BallObservation>& ball = live.frames[i].ball;
+    const bool is_lost =
+        !are_equal(read.frames[i].ball, ball) && ball && !is_false(*ball, live.balls[i]);
+    lost += is_lost ? 1 : 0;
   }
+  EXPECT_LT(static_cast<double>(lost), 0.01 * static_cast<double>(live.frames.size()));
 }
 
 TEST(LogOf2026, OfDivisionBHasOneCameraAndTheFramesOfTheLiveGame) {
