@@ -50,11 +50,14 @@ bool begins_with_tracker_only(const std::filesystem::path& path) {
 
 class Walk {
  public:
-  Walk(const std::filesystem::path& path, LogVisitor& visitor, const LogLimits& limits)
+  Walk(const std::filesystem::path& path, LogVisitor& visitor, const LogLimits& limits,
+       FrameSource source)
       : log_(path),
         visitor_(visitor),
         limits_(limits),
-        frames_are_tracked_(begins_with_tracker_only(path)) {}
+        source_(source),
+        frames_are_tracked_(source == FrameSource::kFirst ? begins_with_tracker_only(path)
+                                                          : source == FrameSource::kTracker) {}
 
   LogSummary summary() {
     while (!beyond() && log_.read(record_)) {
@@ -73,6 +76,7 @@ class Walk {
     summary_.field_changes = merger_.field_changes();
     summary_.trackers = follower_.sources();
     summary_.frames_are_tracked = frames_are_tracked_;
+    summary_.source = source_;
     summary_.clock_restarts = merger_.clock_restarts();
     summary_.unnumbered = merger_.unnumbered();
     const std::optional<std::string> too_much = beyond();
@@ -154,6 +158,7 @@ class Walk {
   LogLimits limits_;
   LogRecord record_;
   DetectionMerger merger_;
+  FrameSource source_;
   bool frames_are_tracked_;
   TrackFollower follower_;
   VisionPacket vision_;
@@ -170,9 +175,13 @@ class Walk {
 
 }  // namespace
 
-LogSummary read_log(const std::filesystem::path& path, LogVisitor& visitor,
-                    const LogLimits& limits) {
-  return Walk(path, visitor, limits).summary();
+LogSummary read_log(const std::filesystem::path& path, LogVisitor& visitor, const LogLimits& limits,
+                    FrameSource source) {
+  return Walk(path, visitor, limits, source).summary();
+}
+
+LogSummary read_log(const std::filesystem::path& path, LogVisitor& visitor, FrameSource source) {
+  return read_log(path, visitor, LogLimits{}, source);
 }
 
 }  // namespace autoref::league

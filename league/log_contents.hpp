@@ -16,13 +16,17 @@
 
 namespace autoref::league {
 
+// Where a log's frames come from. Unless one is chosen, they are the tracker's only if the log
+// begins without vision.
+enum class FrameSource : std::uint8_t { kFirst, kVision, kTracker };
+
 // Receives a log's contents in the order of the file.
 class LogVisitor {
  public:
   virtual ~LogVisitor() = default;
   // A complete frame (detection_merger.hpp). It is reported once the next one begins, that is,
-  // after the referee messages sent in between. Its time counts from the first frame. In a log
-  // that begins without vision, frames are those of its tracker (tracker_message.hpp).
+  // after the referee messages sent in between. Its time counts from the first frame. Frames may
+  // also be those of the log's tracker (FrameSource, tracker_message.hpp).
   virtual void on_frame(const Frame& /*frame*/) {}
   // What the log's tracker reports, and the part of it that was seen. Both count frames and times
   // from the tracker's first packet. Called before on_frame if the frames are the tracker's.
@@ -40,16 +44,17 @@ struct LogSummary {
   std::int64_t first_ns = 0;  // time of the first record; Unix time in the league's logs
   double length_s = 0;        // from the first record to the last
   std::int64_t frames = 0;
-  std::optional<Field> field;       // from the last geometry; nullopt if the log has none
-  FieldGaps field_gaps;             // what that geometry omits
-  int field_changes = 0;            // changes after the first geometry
-  int clock_restarts = 0;           // restarts of the cameras' clock
-  int trackers = 0;                 // programs that sent tracker packets, at most 64
-  bool frames_are_tracked = false;  // no vision in the first seconds: frames from a tracker
-  std::int64_t unnumbered = 0;      // detections of robots numbered 16 and above
-  std::int64_t unreadable = 0;      // messages that cannot be parsed or used
-  std::int64_t unreadable_at = 0;   // offset of the first such record
-  std::optional<LogDamage> damage;  // set if the log ends prematurely
+  std::optional<Field> field;                // from the last geometry; nullopt if the log has none
+  FieldGaps field_gaps;                      // what that geometry omits
+  int field_changes = 0;                     // changes after the first geometry
+  int clock_restarts = 0;                    // restarts of the cameras' clock
+  int trackers = 0;                          // programs that sent tracker packets, at most 64
+  bool frames_are_tracked = false;           // frames from a tracker
+  FrameSource source = FrameSource::kFirst;  // as asked for
+  std::int64_t unnumbered = 0;               // detections of robots numbered 16 and above
+  std::int64_t unreadable = 0;               // messages that cannot be parsed or used
+  std::int64_t unreadable_at = 0;            // offset of the first such record
+  std::optional<LogDamage> damage;           // set if the log ends prematurely
 };
 
 // Bounds the time and memory spent on a log. The limits allow nine hours of eight cameras at 60
@@ -63,6 +68,7 @@ struct LogLimits {
 // Reads a log in bounded memory. Throws LogError if the file is not a log. A log that exceeds the
 // limits counts as damaged from there on.
 LogSummary read_log(const std::filesystem::path& path, LogVisitor& visitor,
-                    const LogLimits& limits = {});
+                    const LogLimits& limits = {}, FrameSource source = FrameSource::kFirst);
+LogSummary read_log(const std::filesystem::path& path, LogVisitor& visitor, FrameSource source);
 
 }  // namespace autoref::league

@@ -95,6 +95,7 @@ struct RefereeArguments {
   std::string rules;          // empty: guessed from the log
   std::string first_kickoff;  // empty: as in the log
   std::string control;        // empty: human if the log has a referee's commands, else none
+  std::string source;         // vision or tracker; empty: vision if the log begins with it
   std::string camera;  // camera preset; empty: no vision error except the rounding in the packets
   std::vector<std::string> sets;  // "key=value"
   std::string events;             // output file for AutoRef's decisions; empty: none
@@ -170,7 +171,8 @@ int help_verb(const CLI::App& app, const std::string& word);  // empty: lists th
 // Adds a verb to the command line; parsing sets `chosen` to the work to do.
 using Chosen = std::function<int()>;
 // Reads a whole log. Throws InputError if the file is not a log.
-RecordedFacts read_facts(const std::string& log);
+RecordedFacts read_facts(const std::string& log,
+                         league::FrameSource source = league::FrameSource::kFirst);
 // Reads an experiment and applies --set, --pairs and --seed. Throws InputError for a scenario of
 // another kind, naming the verb that plays it.
 Scenario read_experiment(const BatchArguments& arguments);

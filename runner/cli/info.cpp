@@ -10,9 +10,9 @@
 
 namespace autoref::runner {
 
-RecordedFacts read_facts(const std::string& log) {
+RecordedFacts read_facts(const std::string& log, league::FrameSource source) {
   try {
-    return facts_of(log);
+    return facts_of(log, source);
   } catch (const league::LogError& error) {
     throw InputError({}, "", error.what());
   }

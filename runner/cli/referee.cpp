@@ -100,6 +100,12 @@ std::vector<Call> annotated_calls(const RefereeArguments& arguments) {
   return annotations_in(read_user_file(arguments.annotations), arguments.annotations);
 }
 
+league::FrameSource source_of(const RefereeArguments& arguments) {
+  if (arguments.source.empty()) return league::FrameSource::kFirst;
+  return arguments.source == "tracker" ? league::FrameSource::kTracker
+                                       : league::FrameSource::kVision;
+}
+
 }  // namespace
 
 int referee_verb(const RefereeArguments& arguments) {
@@ -116,10 +122,13 @@ int referee_verb(const RefereeArguments& arguments) {
   open_output(game_events, "--game-events", arguments.game_events);
   open_output(page, "--report", arguments.report);
   const std::vector<Call> annotated = annotated_calls(arguments);
-  RecordedFacts facts = read_facts(arguments.log);
+  RecordedFacts facts = read_facts(arguments.log, source_of(arguments));
   write_message(stderr, damage_text(arguments.log, facts));
   if (facts.log.frames == 0) {
-    throw InputError({arguments.log}, "", "contains neither vision nor tracker packets to referee");
+    throw InputError({arguments.log}, "",
+                     arguments.source.empty()
+                         ? "contains neither vision nor tracker packets to referee"
+                         : fmt::format("contains no {} packets to referee", arguments.source));
   }
   const std::string book = book_of(arguments, facts);
   std::vector<referee::Configuration> games;
@@ -128,7 +137,8 @@ int referee_verb(const RefereeArguments& arguments) {
     if (games.empty()) say_gaps(arguments, assignments, facts, game);
     games.push_back(referee_configuration(resolved(game)));
   }
-  facts.teams = teams_in(arguments.log, games.front().field, games.front().rules.change_ends);
+  facts.teams = teams_in(arguments.log, games.front().field, games.front().rules.change_ends,
+                         facts.log.source);
   say_keepers(arguments, facts);
   std::vector<RecordedDecision> decisions;
   const auto keep = [&](const referee::Decision& decision) {
@@ -141,7 +151,8 @@ int referee_verb(const RefereeArguments& arguments) {
   if (events) events->commit(evaluation.events);
   if (game_events) game_events->commit(game_event_lines(evaluation.game_events));
   if (page)
-    page->commit(log_page(arguments.log, games.front().field, decisions, evaluation.agreement));
+    page->commit(log_page(arguments.log, games.front().field, decisions, evaluation.agreement,
+                          facts.log.source));
   fmt::print("{}\n", arguments.json ? referee_log_json(evaluation, facts, comparison)
                                     : referee_log_text(evaluation, facts, comparison));
   return facts.log.damage ? kBadInput : kDone;
@@ -166,6 +177,11 @@ void add_referee_verb(CLI::App& app, Chosen& chosen) {
                    "Who commands the game: human, the recorded referee (default if the log has "
                    "one); none, play is on throughout; or autoref.")
       ->type_name("human|none|autoref");
+  verb->add_option("--source", arguments->source,
+                   "Where robots and ball come from: the packets of vision (default if the log "
+                   "begins with them) or those of a tracker.")
+      ->type_name("vision|tracker")
+      ->check(CLI::IsMember({"vision", "tracker"}));
   verb->add_option("--camera", arguments->camera, "Camera preset that describes the vision noise.")
       ->type_name("PRESET");
   add_set_option(*verb, arguments->sets);

@@ -20,10 +20,11 @@ std::vector<ComparedCall> compared_calls(const Agreement& agreement) {
 }
 
 std::string log_page(const std::filesystem::path& log, const Field& field,
-                     const std::vector<RecordedDecision>& decisions, const Agreement& agreement) {
+                     const std::vector<RecordedDecision>& decisions, const Agreement& agreement,
+                     league::FrameSource source) {
   LogRecorder recorder;
   for (const RecordedDecision& decision : decisions) recorder.recording.add(decision);
-  league::read_log(log, recorder);
+  league::read_log(log, recorder, source);
   return page_of({recorder.recording,
                   field,
                   recorder.names,

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "league/log_contents.hpp"
 #include "runner/logs/calls.hpp"
 #include "runner/view/page.hpp"
 
@@ -15,7 +16,8 @@ std::vector<ComparedCall> compared_calls(const Agreement& agreement);
 
 // `decisions` are AutoRef's. Throws league::LogError.
 std::string log_page(const std::filesystem::path& log, const Field& field,
-                     const std::vector<RecordedDecision>& decisions, const Agreement& agreement);
+                     const std::vector<RecordedDecision>& decisions, const Agreement& agreement,
+                     league::FrameSource source = league::FrameSource::kFirst);
 
 // The address of a moment in that page, such as "game.html#t=83.20".
 std::string moment_in(const std::string& page, double time_s);

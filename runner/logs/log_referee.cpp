@@ -182,7 +182,7 @@ LogRefereeResult referee_log(const std::filesystem::path& log, const RecordedFac
                              const std::vector<referee::Configuration>& configurations,
                              const DecisionWatch& watch) {
   LogReferee judge(configurations, facts, watch);
-  league::read_log(log, judge);
+  league::read_log(log, judge, facts.log.source);
   const bool is_alone = configurations.front().control == referee::Control::kAutoref;
   CallMaker recorded;
   for (const RecordedCommand& command : facts.commands) {

@@ -127,9 +127,9 @@ double RecordedCamera::rate_hz() const {
   return last_s > first_s ? static_cast<double>(packets - 1) / (last_s - first_s) : 0;
 }
 
-RecordedFacts facts_of(const std::filesystem::path& log) {
+RecordedFacts facts_of(const std::filesystem::path& log, league::FrameSource source) {
   FactFinder finder;
-  finder.facts.log = league::read_log(log, finder);
+  finder.facts.log = league::read_log(log, finder, source);
   finder.facts.noise = finder.noise.noise();
   finder.facts.game_events = finder.game_events.events();
   return finder.facts;

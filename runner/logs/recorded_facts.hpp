@@ -74,6 +74,7 @@ struct RecordedFacts {
 };
 
 // Reads the whole log. Throws league::LogError if the file is not a log.
-RecordedFacts facts_of(const std::filesystem::path& log);
+RecordedFacts facts_of(const std::filesystem::path& log,
+                       league::FrameSource source = league::FrameSource::kFirst);
 
 }  // namespace autoref::runner

@@ -83,9 +83,10 @@ std::optional<int> actual_keeper(const GoalDuty& duty, int announced) {
   return share(*most) < kMostly ? -1 : static_cast<int>(most - duty.nearest.begin());
 }
 
-RecordedTeams teams_in(const std::filesystem::path& log, const Field& field, bool change_ends) {
+RecordedTeams teams_in(const std::filesystem::path& log, const Field& field, bool change_ends,
+                       league::FrameSource source) {
   DutyCounter counter(field, change_ends);
-  league::read_log(log, counter);
+  league::read_log(log, counter, source);
   return counter.teams();
 }
 

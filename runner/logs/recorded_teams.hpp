@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "league/log_contents.hpp"
 #include "soccer/field.hpp"
 #include "soccer/side.hpp"
 
@@ -30,6 +31,7 @@ struct RecordedTeams {
 };
 
 // `change_ends`: whether the rule book lets the teams change ends. Throws league::LogError.
-RecordedTeams teams_in(const std::filesystem::path& log, const Field& field, bool change_ends);
+RecordedTeams teams_in(const std::filesystem::path& log, const Field& field, bool change_ends,
+                       league::FrameSource source = league::FrameSource::kFirst);
 
 }  // namespace autoref::runner

@@ -23,8 +23,10 @@ std::string damage_text(const std::string& path, const league::LogSummary& log) 
     text += fmt::format("autoref: {}: {}\n", path, line);
   };
   if (log.frames_are_tracked) {
-    add(fmt::format("the log begins without vision; using the frames of its tracker{}",
-                    log.trackers > 1 ? fmt::format(" (it has {})", log.trackers) : ""));
+    add(fmt::format(
+        "{}using the frames of its tracker{}",
+        log.source == league::FrameSource::kTracker ? "" : "the log begins without vision; ",
+        log.trackers > 1 ? fmt::format(" (it has {})", log.trackers) : ""));
   }
   if (log.unnumbered > 0) {
     add(fmt::format("{} detections of robots with numbers from {} are ignored", log.unnumbered,

@@ -167,7 +167,7 @@ TEST(ReadLog, ShowsTheTrackersFramesWithoutVision) {
   EXPECT_EQ(log.unreadable, 0);
 }
 
-TEST(ReadLog, PrefersVisionToATracker) {
+TEST(ReadLog, PrefersVisionToATrackerUnlessOneIsChosen) {
   const ScratchFile file(".log");
   LogWriter writer(file.path());
   TrackerPacket tracker = packet_at(kToday_s);
@@ -190,6 +190,9 @@ TEST(ReadLog, PrefersVisionToATracker) {
   EXPECT_EQ(read_log(file.path(), shown).frames, 1);
   EXPECT_EQ(shown.ball_x_m, std::vector<double>{-2});
   EXPECT_EQ(shown.tracks, 1);
+  Shown tracked;
+  EXPECT_TRUE(read_log(file.path(), tracked, FrameSource::kTracker).frames_are_tracked);
+  EXPECT_EQ(tracked.ball_x_m, std::vector<double>{1});
 }
 
 }  // namespace
