@@ -28,10 +28,9 @@ bool hides_ball(const RobotState& robot, const Vec2& ball_m, double height_m,
 
 // Takes one merged frame of all cameras per step; each camera covers its part of the field and
 // camera_overlap_m beyond. Robots and the ball are seen by the nearest camera. Values are rounded
-// to the precision of a league vision packet (float millimetres and radians), and of several balls
-// the one nearest to the previous frame's is chosen, as when a log is read
-// (league/detection_merger.hpp), so that replaying a recorded game gives the same result as the
-// live one.
+// to the precision of a league vision packet (float millimetres and radians), so that replaying a
+// recorded game gives the same result as the live one. Of several balls, the one nearest to the
+// previous frame's is chosen; a reader of logs is more careful (league/ball_choice.hpp).
 class Camera {
  public:
   // `seed` selects the random stream for noise and missed detections.

@@ -19,8 +19,9 @@ class RobotBetweenCameras : public testing::Test {
  protected:
   Detected take(const std::vector<std::uint32_t>& cameras) {
     std::vector<Detected> all;
+    all.reserve(cameras.size());
     for (const std::uint32_t camera : cameras) all.push_back(seen_by(camera, time_s_));
-    const Detected used = robot_.take(time_s_, all, all.back());
+    Detected used = robot_.take(time_s_, all, all.back());
     time_s_ += kFrame_s;
     return used;
   }
