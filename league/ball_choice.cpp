@@ -17,6 +17,7 @@ constexpr double kTogether_s = 3;     // of a ball that was seen beside the foll
 constexpr double kStill_m = 0.1;
 constexpr double kLiesStill_s = 2;
 constexpr double kMoves_m = 0.5;
+constexpr std::int64_t kRareOthers = 1;  // detections within kForgotten_s
 constexpr std::size_t kMostOthers = 64;
 
 // How far another ball may have moved since it was seen.
@@ -26,6 +27,13 @@ double reach_of_other_m(double hidden_s) {
 
 bool is_near(const Vec2& one_m, const Vec2& other_m, double distance_m) {
   return (one_m - other_m).squaredNorm() <= distance_m * distance_m;
+}
+
+// Whether these are one ball, perhaps seen by several cameras.
+bool is_one_ball(std::span<const Detected> all) {
+  return !all.empty() && std::all_of(all.begin(), all.end(), [&](const Detected& seen) {
+    return is_near(seen.position_m, all[0].position_m, FollowedBody::kSameBody_m);
+  });
 }
 
 }  // namespace
@@ -129,6 +137,10 @@ bool BallChoice::replaces(const OtherBall& other, double time_s) const {
 
 const Detected* BallChoice::find_successor(double time_s, std::span<const Detected> all) {
   if (!ball_.is_known()) return nullptr;
+  std::int64_t beside = 0;
+  for (const OtherBall& other : others_) beside += other.was_beside ? other.frames : 0;
+  if (beside <= kRareOthers && is_one_ball(all) && find_followed(time_s, all) == nullptr)
+    return &all[0];
   for (const Detected& seen : all) {
     const OtherBall* other = other_at(time_s, seen);
     if (other == nullptr || !replaces(*other, time_s)) continue;

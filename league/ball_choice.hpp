@@ -13,6 +13,8 @@ namespace autoref::league {
 // a robot may have carried it or where its velocity brings it; a ball elsewhere, or one that a
 // camera sees beside it in most frames, is another ball and remains one. Another ball takes the
 // followed one's place
+// - if it is the only one in the frame and at most one has been seen beside the followed one in the
+//   last 3 s: at once, since it may just be kicked there, and false detections are rare then;
 // - if the followed ball has disappeared and the other one was not seen beside it: after 0.1 s if
 //   it moves, else after 0.5 s;
 // - if both were seen together: 3 s after the followed one has disappeared, or as long after it as

@@ -11,6 +11,7 @@ namespace {
 constexpr double kLongestExpectation_s = 0.5;
 constexpr double kRecent_s = 0.25;  // older disagreements are not used
 constexpr double kMostDisagreement_rad = 0.1;
+constexpr double kJump_m = 0.3;  // the body was carried there, or it is another one
 constexpr double kForgets_mps = 0.03;
 constexpr double kForgets_radps = 0.03;
 
@@ -35,6 +36,10 @@ Detected FollowedBody::take(double time_s, std::span<const Detected> all, const 
         used = seen;
     }
     if (used.camera != last_->camera) hand_over(time_s, used);
+  }
+  if (last_ && (used.position_m - expected_m(time_s)).norm() > kJump_m) {
+    shift_m_ = Vec2(0, 0);
+    turn_rad_ = 0;
   }
   note_views(time_s, all, used);
   const double duration_s = time_s - seen_s_;

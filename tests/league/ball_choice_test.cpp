@@ -70,10 +70,22 @@ TEST_F(BallsSeen, AKickIsFollowedWithinOneFrame) {
   EXPECT_EQ(after(kFrame_s, [&](double) { return std::vector{ball(kicked_m)}; }), kicked_m);
 }
 
+// If there are false detections.
 TEST_F(BallsSeen, ABallPutElsewhereIsTakenAfterHalfASecond) {
   after(1, [](double) { return std::vector{kOurs}; });
+  after(kFrame_s, [](double) { return std::vector{kOurs, ball({3, -1}), ball({0, 2})}; });
   EXPECT_EQ(after(0.4, [](double) { return std::vector{kOther}; }), std::nullopt);
   EXPECT_EQ(after(0.2, [](double) { return std::vector{kOther}; }), Vec2(-2, 1));
+}
+
+// A ball that was carried to another robot by hand, or hidden on its way, is kicked there.
+TEST_F(BallsSeen, AKickElsewhereIsFollowedAtOnce) {
+  after(1, [](double) { return std::vector{kOurs}; });
+  const double kick_s = time_s_;
+  const auto kicked = [&](double time_s) {
+    return std::vector{ball(Vec2(-2, 1) + Vec2(0, 5 * (time_s - kick_s)))};
+  };
+  EXPECT_TRUE(after(kFrame_s, kicked));
 }
 
 TEST_F(BallsSeen, NothingIsChosenFromNothing) {
