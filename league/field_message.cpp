@@ -256,7 +256,7 @@ FieldGaps gaps_in(const Geometry& geometry) {
 CameraPosition camera_of(const Geometry& geometry, std::uint32_t id, const Vec2& below_m) {
   for (const CameraCalibration& camera : geometry.calib()) {
     if (camera.camera_id() != id || !camera.has_derived_camera_world_tz()) continue;
-    const CameraPosition position{
+    CameraPosition position{
         {to_m(camera.derived_camera_world_tx()), to_m(camera.derived_camera_world_ty())},
         to_m(camera.derived_camera_world_tz())};
     const bool is_near = position.position_m.norm() <= kLongest_m && position.height_m > 0 &&
