@@ -18,6 +18,7 @@
 #include "runner/settings/fields.hpp"
 #include "runner/settings/resolved.hpp"
 #include "soccer/robot_shape.hpp"
+#include "tests/runner/support/temporary_folder.hpp"
 #include "tracking/tracker.hpp"
 
 namespace autoref::runner {
@@ -223,8 +224,8 @@ RecordedVision played_vision(const std::string& book, double half_s, std::uint64
   game.b.strategy = "counter";
   game.seed = seed;
   const GameConfiguration configuration = resolved(game);
-  const std::filesystem::path path =
-      std::filesystem::temp_directory_path() / ("autoref_" + book + std::to_string(seed) + ".log");
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder / "game.log";
   VisionRecorder recorder(path, configuration);
   play(configuration, &recorder);
   recorder.close();
@@ -236,7 +237,6 @@ RecordedVision played_vision(const std::string& book, double half_s, std::uint64
                         recorder.ball_height_m,
                         {}};
   read_packets(path, vision);
-  std::filesystem::remove(path);
   return vision;
 }
 
