@@ -1,0 +1,72 @@
+// A team's program as a process: bytes in, bytes out.
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "runner/team_programs/program_spec.hpp"
+#include "runner/team_programs/program_stderr.hpp"
+#include "runner/team_programs/supervisor.hpp"
+
+namespace autoref::runner {
+
+// Owns the program and every process that it starts, in a session of their own; they end with this
+// object, or with AutoRef. Knows nothing of messages. Nothing here blocks beyond its deadline,
+// whatever the program does.
+class ProgramProcess {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  // Starts the program. Throws ProgramError if it cannot be started, InputOutputError if AutoRef
+  // has no process, descriptor or file for it.
+  explicit ProgramProcess(ProgramSpec spec);
+  ~ProgramProcess() { end(0.0); }
+  ProgramProcess(const ProgramProcess&) = delete;
+  ProgramProcess& operator=(const ProgramProcess&) = delete;
+
+  // Sends bytes without waiting. What the program does not take yet goes out during read(). A
+  // closed input is not an error: read() reports what became of the program.
+  void write(std::string_view bytes);
+
+  // When an answer that is asked for now is late.
+  Clock::time_point answer_deadline() const;
+
+  // Waits for output and returns what has arrived, at least one byte; valid until the next call.
+  // Throws ProgramError if there is none by the deadline, or the program has closed its output or
+  // ended.
+  std::string_view read(Clock::time_point deadline);
+
+  // A ProgramError that says what the program did, "sent ..." for example.
+  ProgramError fault(std::string_view what) const;
+
+  // Closes the program's input, gives it the time to end by itself, then SIGTERM and as much time
+  // again, then SIGKILL to all of its processes. Returns how it ended, "ended with status 0".
+  std::string end(double grace_s);
+
+  bool has_namespace() const { return supervisor_.has_namespace; }
+  pid_t supervisor() const { return supervisor_.pid; }  // -1 after end()
+
+ private:
+  void wait_for_start(int started);
+  void send_pending();
+  bool wait(Clock::time_point deadline, bool for_output);
+  bool take_report(Clock::time_point deadline);
+  void close_input();
+  std::string how_it_ended() const;
+  [[noreturn]] void report_closed_output();
+
+  ProgramSpec spec_;
+  int in_ = -1;
+  int out_ = -1;
+  int life_ = -1;
+  int reports_ = -1;
+  std::optional<ProgramStderr> stderr_;
+  Supervisor supervisor_;
+  std::optional<SupervisorReport> report_;
+  std::string pending_;
+  std::string received_;
+};
+
+}  // namespace autoref::runner

@@ -1,0 +1,76 @@
+#include "runner/team_programs/program_stderr.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+
+#include "runner/io/errors.hpp"
+
+namespace autoref::runner {
+namespace {
+
+constexpr std::size_t kTail_bytes = 64 * 1024;
+constexpr std::size_t kQuoted_bytes = 1000;
+constexpr int kQuotedLines = 8;
+
+}  // namespace
+
+ProgramStderr::ProgramStderr(int descriptor, const std::string& file, std::size_t most_bytes)
+    : descriptor_(descriptor), room_(most_bytes) {
+  if (file.empty()) return;
+  file_ = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file_ >= 0) return;
+  const int error_number = errno;
+  close(descriptor_);
+  throw io_error(fmt::format("cannot write {}", file), error_number);
+}
+
+ProgramStderr::~ProgramStderr() {
+  if (descriptor_ >= 0) close(descriptor_);
+  if (file_ >= 0) close(file_);
+}
+
+bool ProgramStderr::drain() {
+  if (descriptor_ < 0) return false;
+  std::array<char, 16384> buffer{};
+  const ssize_t size = read(descriptor_, buffer.data(), buffer.size());
+  if (size > 0) {
+    keep(buffer.data(), static_cast<std::size_t>(size));
+    return true;
+  }
+  if (size < 0 && (errno == EAGAIN || errno == EINTR)) return false;
+  close(descriptor_);
+  descriptor_ = -1;
+  return false;
+}
+
+void ProgramStderr::keep(const char* text, std::size_t size) {
+  tail_.append(text, size);
+  if (tail_.size() > 2 * kTail_bytes) tail_.erase(0, tail_.size() - kTail_bytes);
+  if (file_ < 0 || room_ == 0) return;
+  const std::size_t written = std::min(size, room_);
+  room_ -= written;
+  // A full disk costs these lines, not the game.
+  [[maybe_unused]] const ssize_t ignored = write(file_, text, written);
+}
+
+std::string ProgramStderr::last_lines() const {
+  std::string text = tail_;
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  std::size_t begin = text.size();
+  for (int lines = 0; begin > 0; --begin) {
+    if (text[begin - 1] == '\n' && ++lines == kQuotedLines) break;
+  }
+  begin = std::max(begin, text.size() - std::min(text.size(), kQuoted_bytes));
+  text.erase(0, begin);
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return (c < 32 && c != '\n') || c == 127; },
+      '?');
+  return text;
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,216 @@
+#include "runner/team_programs/program_process.hpp"
+
+#include <dirent.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+namespace autoref::runner {
+namespace {
+
+using std::chrono::milliseconds;
+
+// Every process of a test carries a mark in its environment, also those below a forked worker.
+const std::string& marker() {
+  static const std::string text = "AUTOREF_TEST_PROGRAM=" + std::to_string(getpid());
+  return text;
+}
+
+int marked_processes() {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    const std::string name = entry.path().filename();
+    if (name.find_first_not_of("0123456789") != std::string::npos) continue;
+    std::ifstream file(entry.path() / "environ", std::ios::binary);
+    std::stringstream text;
+    text << file.rdbuf();
+    if (text.str().find(marker()) != std::string::npos) ++count;
+  }
+  return count;
+}
+
+ProgramSpec shell(const std::string& script) {
+  ProgramSpec spec;
+  spec.command = {"/bin/sh", "-c", script};
+  spec.environment = {marker()};
+  spec.limits.answer_s = 0.5;
+  return spec;
+}
+
+std::string read_all(ProgramProcess& program, std::size_t bytes) {
+  std::string text;
+  while (text.size() < bytes) text += program.read(program.answer_deadline());
+  return text;
+}
+
+// What the first answer, or the end of the output, is reported as.
+std::string fault_of(ProgramSpec spec) {
+  std::string fault;
+  try {
+    ProgramProcess program(std::move(spec));
+    program.write("frame\n");
+    for (;;) program.read(program.answer_deadline());
+  } catch (const ProgramError& error) {
+    fault = error.what();
+  }
+  EXPECT_EQ(marked_processes(), 0);
+  return fault;
+}
+
+TEST(ProgramProcess, PassesBytesThroughAndEndsWithItsInput) {
+  ProgramProcess program(shell("cat"));
+  program.write("one frame\n");
+  EXPECT_EQ(read_all(program, 10), "one frame\n");
+  EXPECT_GE(marked_processes(), 1);
+  EXPECT_EQ(program.end(2.0), "ended with status 0");
+  EXPECT_EQ(marked_processes(), 0);
+}
+
+TEST(ProgramProcess, SendsMoreThanPipesHold) {
+  ProgramProcess program(shell("cat"));
+  const std::string bytes(1 << 20, 'x');
+  program.write(bytes);
+  EXPECT_EQ(read_all(program, bytes.size()), bytes);
+}
+
+TEST(ProgramProcess, SaysThatThereIsNoSuchProgram) {
+  ProgramSpec spec = shell("");
+  spec.command = {"/no/such/program"};
+  EXPECT_EQ(fault_of(spec), "cannot start /no/such/program: No such file or directory");
+}
+
+TEST(ProgramProcess, SaysThatThereIsNoSuchDirectory) {
+  ProgramSpec spec = shell("cat");
+  spec.directory = "/no/such/folder";
+  EXPECT_EQ(fault_of(spec),
+            "cannot enter the directory /no/such/folder: No such file or directory");
+}
+
+TEST(ProgramProcess, SaysThatAProgramHangs) {
+  EXPECT_EQ(fault_of(shell("sleep 100")), "/bin/sh did not answer within 0.5 s");
+}
+
+TEST(ProgramProcess, SaysThatAProgramNeverReads) {
+  ProgramProcess program(shell("sleep 100"));
+  program.write(std::string(1 << 20, 'x'));
+  EXPECT_THROW(program.read(program.answer_deadline()), ProgramError);
+}
+
+TEST(ProgramProcess, QuotesTheLastLinesOfAProgramThatEnds) {
+  EXPECT_EQ(fault_of(shell("echo no ball >&2; exit 3")),
+            "/bin/sh ended with status 3; its last lines on standard error:\nno ball");
+}
+
+TEST(ProgramProcess, SaysWhichSignalKilledAProgram) {
+  EXPECT_EQ(fault_of(shell("kill -SEGV $$")),
+            "/bin/sh was killed by signal 11 (Segmentation fault)");
+}
+
+TEST(ProgramProcess, SaysThatAProgramClosedItsOutput) {
+  EXPECT_EQ(fault_of(shell("exec >&-; sleep 100")), "/bin/sh closed its output");
+}
+
+TEST(ProgramProcess, SurvivesAProgramThatClosedItsInput) {
+  ProgramProcess program(shell("exec <&-; echo early; sleep 100"));
+  EXPECT_EQ(read_all(program, 6), "early\n");
+  program.write("frame\n");
+  EXPECT_THROW(program.read(program.answer_deadline()), ProgramError);
+}
+
+TEST(ProgramProcess, EndsAProgramThatWritesEndlessly) {
+  {
+    ProgramProcess program(shell("yes"));
+    EXPECT_GE(read_all(program, 1 << 20).size(), 1U << 20);
+  }
+  EXPECT_EQ(marked_processes(), 0);
+}
+
+TEST(ProgramProcess, CutsAFloodOnStandardError) {
+  const std::string file = testing::TempDir() + "flood-" + std::to_string(getpid());
+  ProgramSpec spec = shell("yes >&2");
+  spec.stderr_file = file;
+  spec.limits.stderr_bytes = 1000;
+  EXPECT_NE(fault_of(spec).find("did not answer within 0.5 s"), std::string::npos);
+  EXPECT_EQ(std::filesystem::file_size(file), 1000U);
+  std::filesystem::remove(file);
+}
+
+TEST(ProgramProcess, EndsAForkBomb) {
+  ProgramSpec spec = shell("b() { b | b & }; b; sleep 100");
+  spec.limits.processes = 20;
+  spec.limits.answer_s = 5.0;
+  EXPECT_EQ(fault_of(spec).find("/bin/sh started more than 20 processes"), 0U);
+}
+
+TEST(ProgramProcess, EndsAChildThatDetachedItself) {
+  EXPECT_EQ(fault_of(shell("setsid sh -c 'sleep 100 & sleep 100' >/dev/null 2>&1 & exit 0")),
+            "/bin/sh ended with status 0");
+}
+
+TEST(ProgramProcess, EndsAProgramThatIgnoresSigterm) {
+  ProgramProcess program(shell("trap '' TERM; echo ready; while :; do sleep 1; done"));
+  read_all(program, 6);
+  EXPECT_EQ(program.end(0.1), "was ended");
+  EXPECT_EQ(marked_processes(), 0);
+}
+
+TEST(ProgramProcess, LimitsMemoryFilesAndTime) {
+  ProgramSpec spec = shell("ulimit -v; ulimit -n; ulimit -t; sleep 100");
+  spec.limits.memory_bytes = 64 << 20;
+  spec.limits.open_files = 12;
+  spec.limits.cpu_s = 7;
+  ProgramProcess program(spec);
+  EXPECT_EQ(read_all(program, 11), "65536\n12\n7\n");
+}
+
+TEST(ProgramProcess, EndsAProgramThatSpins) {
+  ProgramSpec spec = shell("while :; do :; done");
+  spec.limits.cpu_s = 1;
+  spec.limits.answer_s = 20.0;
+  EXPECT_EQ(fault_of(spec), "/bin/sh was killed by signal 24 (CPU time limit exceeded)");
+}
+
+// A program with a detached child below a worker that is killed. Returns the supervisor.
+pid_t killed_worker(bool with_supervisor) {
+  std::array<int, 2> ends{};
+  if (pipe(ends.data()) != 0) return -1;
+  marker();
+  const pid_t worker = fork();
+  if (worker == 0) {
+    ProgramProcess program(shell("setsid sleep 100 & echo ready; cat"));
+    read_all(program, 6);
+    const pid_t number = program.has_namespace() ? program.supervisor() : -program.supervisor();
+    if (write(ends[1], &number, sizeof number) == sizeof number) pause();
+    _exit(1);
+  }
+  pid_t supervisor = 0;
+  EXPECT_EQ(read(ends[0], &supervisor, sizeof supervisor), ssize_t{sizeof supervisor});
+  for (const int end : ends) close(end);
+  kill(worker, SIGKILL);
+  if (with_supervisor && supervisor > 0) kill(supervisor, SIGKILL);
+  waitpid(worker, nullptr, 0);
+  for (int i = 0; i < 200 && marked_processes() > 0; ++i) {
+    std::this_thread::sleep_for(milliseconds(10));
+  }
+  return supervisor;
+}
+
+TEST(ProgramProcess, LeavesNothingWhenItsWorkerIsKilled) {
+  killed_worker(false);
+  EXPECT_EQ(marked_processes(), 0);
+}
+
+TEST(ProgramProcess, LeavesNothingWhenEverythingIsKilled) {
+  if (killed_worker(true) < 0) GTEST_SKIP() << "PID namespaces are not allowed here";
+  EXPECT_EQ(marked_processes(), 0);
+}
+
+}  // namespace
+}  // namespace autoref::runner
