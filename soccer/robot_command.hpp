@@ -23,6 +23,15 @@ inline bool is_finite(const RobotCommand& c) {
          std::isfinite(c.kick_mps);
 }
 
+// The command as it travels to a robot: in floats, without negative zeros.
+inline RobotCommand transmitted(const RobotCommand& c) {
+  const auto as_float = [](double value) {
+    return static_cast<double>(static_cast<float>(value)) + 0.0;
+  };
+  return {Vec2(as_float(c.velocity_mps.x()), as_float(c.velocity_mps.y())),
+          as_float(c.angular_velocity_radps), as_float(c.kick_mps), c.chip, c.dribble};
+}
+
 // Commands of a side, by robot number. A robot without a new command stands still.
 using TeamCommands = std::array<RobotCommand, kMaxRobots>;
 

@@ -2,12 +2,15 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <cstdint>
 #include <map>
+#include <stdexcept>
 #include <string>
 
 #include "soccer/abilities.hpp"
 #include "soccer/field.hpp"
+#include "soccer/frame.hpp"
 #include "soccer/random.hpp"
 #include "soccer/robot_command.hpp"
 #include "soccer/rule_book.hpp"
@@ -31,9 +34,34 @@ struct TeamContext {
   std::uint64_t random_seed = 0;  // RandomStream(random_seed) is `random`
 };
 
+// What cameras and robots report about the moment of a view.
+struct SensorReadings {
+  Frame detections;  // as the team sees them; its own robots are west's
+  std::bitset<kMaxRobots> ball_in_dribbler_zone;  // of the team's own robots, by number
+};
+
+// How a game ended.
+struct GameEnd {
+  std::string reason;  // as in a game's row: "time", "void" and so on
+  int goals_own = 0;
+  int goals_opponent = 0;
+};
+
+// A strategy that cannot go on. what() completes the sentence "team a ...".
+class StrategyFault : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 class Strategy {
  public:
   virtual ~Strategy() = default;
+
+  // Whether sense() is called.
+  virtual bool has_sensors() const { return false; }
+
+  // Called before prepare() with the sensors' readings for the same view.
+  virtual void sense(const SensorReadings& /*readings*/) {}
 
   // Called for both teams before either decides, with the view to decide on: a team that thinks in
   // another process begins here.
@@ -44,6 +72,9 @@ class Strategy {
   virtual void decide(const TeamView& view, TeamCommands& commands) = 0;
 
   virtual TeamRequests requests() const { return {}; }
+
+  // Called once after the last frame.
+  virtual void end(const GameEnd& /*end*/) {}
 };
 
 }  // namespace autoref::strategies

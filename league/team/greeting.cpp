@@ -50,7 +50,18 @@ auto value_of(const Table& table, std::string_view word, std::string_view line,
   refuse(line, fmt::format("unknown {} {}", what, excerpt_of(word)));
 }
 
+template <typename Table, typename Value>
+std::string_view name_in(const Table& table, Value value) {
+  for (const auto& [name, one] : table) {
+    if (one == value) return name;
+  }
+  return "";
+}
+
 }  // namespace
+
+std::string_view name_of(TeamEncoding encoding) { return name_in(kEncodings, encoding); }
+std::string_view name_of(TeamMotion motion) { return name_in(kMotions, motion); }
 
 Greeting greeting_of(std::string_view line) {
   const std::vector<std::string_view> words = words_of(line);

@@ -14,6 +14,10 @@ enum class TeamEncoding : std::uint8_t { kProtobuf, kJson, kFlat };
 // the detections of the latest camera frame.
 enum class TeamMotion : std::uint8_t { kTracked, kDetections };
 
+// As in a greeting: "json", "tracked".
+std::string_view name_of(TeamEncoding encoding);
+std::string_view name_of(TeamMotion motion);
+
 struct Greeting {
   TeamEncoding encoding = TeamEncoding::kProtobuf;
   TeamMotion motion = TeamMotion::kTracked;

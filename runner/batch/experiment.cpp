@@ -42,7 +42,7 @@ Outcomes outcomes_of_records(const Scenario& scenario, const ExperimentOptions& 
 GameRow played(const Outcomes& outcomes, const ScheduledGame& game) {
   GameRow row = row_of(game);
   try {
-    outcomes.play(resolved(game.configuration), row);
+    outcomes.play(resolved(game), row);
   } catch (const std::exception& error) {
     row.record = void_record(fmt::format("the game threw: {}", error.what()));
   }
@@ -88,6 +88,7 @@ class Experiment {
     for (const auto& [id, row] : rows) {
       report.void_games += is_void(row.record) ? 1 : 0;
       report.killed_games += is_killed(row) ? 1 : 0;
+      report.unrepeatable_games += row.record.is_repeatable.value_or(true) ? 0 : 1;
     }
     report.is_waiting = schedule_.needed > schedule_.games.size() && !report.is_interrupted;
     if (report.is_complete && !options_.outcomes) conclude(report, rows);

@@ -48,6 +48,7 @@ struct ExperimentReport {
   int played = 0;               // by this run
   int void_games = 0;
   int killed_games = 0;                             // void games that the next run replays
+  int unrepeatable_games = 0;                       // their programs did not repeat their commands
   ExperimentResults results;                        // if complete
   std::vector<std::string> transitions_never_used;  // of the referee's state machine; if complete
 };

@@ -59,7 +59,7 @@ Verification verify(const ResultFolder& folder, int sample, int workers,
   Progress bar(progress, {.total = static_cast<int>(games.size())});
   const auto work = [&](std::size_t i) {
     GameRow row = row_of(folder.games[i]);
-    play(resolved(folder.games[i].configuration), row);
+    play(resolved(folder.games[i]), row);
     return folder.format.line(row);
   };
   const auto done = [&](const JobResult& result) {

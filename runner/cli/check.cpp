@@ -11,6 +11,7 @@
 #include "runner/io/errors.hpp"
 #include "runner/io/table.hpp"
 #include "runner/processes/progress.hpp"
+#include "runner/team_programs/program_games.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -40,7 +41,10 @@ int check_verb(const CheckArguments& arguments) {
   }
   const int workers = arguments.worker_count();
   const std::vector<Rehearsal> rehearsals =
-      rehearse(games, {[](const GameConfiguration& game) { return play(game); }, workers});
+      rehearse(games, {[](const GameConfiguration& game) {
+                         return play(game, nullptr, make_program_or_registered_team);
+                       },
+                       workers});
   fmt::print("{}\n{} games, about {} with {} in parallel\n", table_of(rehearsals), games.size(),
              duration_text(duration_s(rehearsals, workers)), workers);
   const std::string caveat = caveat_of_schedule(scenario);

@@ -77,6 +77,7 @@ int run_command_line(int argc, const char* const* argv) {
   add_sample_size_verb(app, chosen);
   add_rules_verb(app, chosen);
   add_teams_verb(app, chosen);
+  add_team_verb(app, chosen);
   add_bench_verb(app, chosen);
   add_help_verb(app, chosen);
   app.get_formatter()->label("SUBCOMMAND", "VERB");

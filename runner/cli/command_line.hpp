@@ -19,6 +19,7 @@ struct PlayArguments {
   std::string file;
   std::string seed;               // empty: the scenario's seed
   std::vector<std::string> sets;  // "key=value"
+  std::string commands;           // file of recorded commands; empty: the programs play
   GameOutput output;
 };
 
@@ -140,6 +141,13 @@ struct TeamsArguments {
   bool json = false;
 };
 
+// Arguments of `autoref team check`.
+struct TeamCheckArguments {
+  std::string command;
+  std::vector<std::string> sets;  // "key=value"
+  bool json = false;
+};
+
 // Arguments of `autoref sample-size`; numbers are not yet parsed.
 struct SampleSizeArguments {
   std::string delta;
@@ -165,6 +173,7 @@ int view_verb(const ViewArguments& arguments);
 int draw_verb(const DrawArguments& arguments);
 int sample_size_verb(const SampleSizeArguments& arguments);
 int rules_verb(const RulesArguments& arguments);
+int team_check_verb(const TeamCheckArguments& arguments);
 int teams_verb(const TeamsArguments& arguments);
 int help_verb(const CLI::App& app, const std::string& word);  // empty: lists the verbs
 
@@ -199,6 +208,8 @@ void add_view_verb(CLI::App& app, Chosen& chosen);
 void add_draw_verb(CLI::App& app, Chosen& chosen);
 void add_sample_size_verb(CLI::App& app, Chosen& chosen);
 void add_rules_verb(CLI::App& app, Chosen& chosen);
+void add_team_verb(CLI::App& app, Chosen& chosen);
+void add_team_check_verb(CLI::App& team, Chosen& chosen);
 void add_teams_verb(CLI::App& app, Chosen& chosen);
 void add_bench_verb(CLI::App& app, Chosen& chosen);
 void add_help_verb(CLI::App& app, Chosen& chosen);

@@ -32,7 +32,7 @@ ExperimentReport judge_all(const JudgeArguments& arguments, const Scenario& scen
   options.build = build_id();
   options.workers = arguments.worker_count();
   options.allow_mixed_build = arguments.allow_mixed_build;
-  options.outcomes = judged_outcomes(std::get<JudgeSchedule>(scenario.content));
+  options.outcomes = judged_outcomes(std::get<JudgeSchedule>(scenario.content), options.folder);
   options.progress = stderr;
   return run_experiment(scenario, options);
 }

@@ -30,10 +30,18 @@ GameSettings configured(const PlayArguments& arguments, const Assignments& assig
   return *game;
 }
 
-// The scenario and the robot type files named by it or by --set.
-std::vector<std::string> inputs_of(const std::string& file, const Assignments& assignments) {
+void refuse_needless_commands(const PlayArguments& arguments, const GameSettings& game) {
+  if (arguments.commands.empty() || !game.a.command.empty() || !game.b.command.empty()) return;
+  throw InputError({"--commands"}, "", "neither team of the scenario is a program");
+}
+
+// The files that a game is read from: the scenario, recorded commands, and the robot type files
+// named by the scenario or by --set.
+std::vector<std::string> inputs_of(const std::string& file, const std::string& commands,
+                                   const Assignments& assignments) {
   std::vector<std::string> inputs = type_files_in(file);
   inputs.push_back(file);
+  if (!commands.empty()) inputs.push_back(commands);
   for (const Assignment& assignment : assignments) {
     if (is_type_file(assignment.value)) inputs.push_back(assignment.value);
   }
@@ -45,9 +53,12 @@ std::vector<std::string> inputs_of(const std::string& file, const Assignments& a
 int play_verb(const PlayArguments& arguments) {
   const Assignments assignments = assignments_in(arguments.sets);
   const GameSettings game = configured(arguments, assignments);
+  refuse_needless_commands(arguments, game);
   GameRecord record;
   blame(arguments.file, [&] {
-    record = play_one(resolved(game), arguments.output, inputs_of(arguments.file, assignments));
+    record =
+        play_one(resolved(game), arguments.output,
+                 inputs_of(arguments.file, arguments.commands, assignments), arguments.commands);
   });
   return record.status == Status::kVoid ? kTooManyVoid : kDone;
 }
@@ -58,6 +69,9 @@ void add_play_verb(CLI::App& app, Chosen& chosen) {
   verb->add_option("FILE", arguments->file, "Scenario of kind game.")->required();
   verb->add_option("--seed", arguments->seed, "Seed, overriding the scenario.")->type_name("N");
   add_set_option(*verb, arguments->sets);
+  verb->add_option("--commands", arguments->commands,
+                   "Recorded commands to play instead of the teams' programs (--record).")
+      ->type_name("FILE");
   add_output_options(*verb, arguments->output);
   verb->footer(
       "Example:\n  autoref play scenarios/paper-game.yaml --seed 7 --set b.robots=5 "

@@ -16,6 +16,7 @@
 #include "runner/io/errors.hpp"
 #include "runner/logs/logged_cameras.hpp"
 #include "runner/results/game_report.hpp"
+#include "runner/team_programs/program_games.hpp"
 #include "runner/view/game_recording.hpp"
 #include "runner/view/page.hpp"
 #include "runner/view/recorded_decision.hpp"
@@ -84,7 +85,8 @@ void open_files(GameFiles& files, const GameOutput& output,
   check_outputs({{"--events", output.events},
                  {"--game-events", output.game_events},
                  {"--log", output.log},
-                 {"--view", output.view}},
+                 {"--view", output.view},
+                 {"--record", output.record}},
                 inputs);
   open_output(files.events, "--events", output.events);
   open_output(files.game_events, "--game-events", output.game_events);
@@ -101,6 +103,17 @@ void open_log(std::optional<league::GameLog>& log, const GameConfiguration& game
   log.emplace(path, game.field, logged_cameras(game),
               PerSide<league::LoggedTeam>{
                   {logged_team_on(game, Side::kWest), logged_team_on(game, Side::kEast)}});
+}
+
+GamePrograms programs_of(const GameConfiguration& game, const GameOutput& output,
+                         const std::filesystem::path& commands) {
+  if (!has_programs(game) && !output.record.empty())
+    throw InputError({"--record"}, "", "neither team is a program, so there is nothing to record");
+  if (!commands.empty()) return GamePrograms::recorded(game, commands);
+  ProgramFiles files;
+  files.commands = output.record;
+  files.show_stderr = true;
+  return GamePrograms::live(game, files);
 }
 
 std::string view_of(const GameConfiguration& game, const GameRecording& recording,
@@ -129,11 +142,14 @@ void add_output_options(CLI::App& verb, GameOutput& output) {
       ->type_name("FILE");
   verb.add_option("--view", output.view, "Write the game to FILE as an HTML page.")
       ->type_name("FILE");
+  verb.add_option("--record", output.record,
+                  "Write the commands of teams that are programs to FILE, for play --commands.")
+      ->type_name("FILE");
   verb.add_flag("--json", output.json, "Print one JSON object.");
 }
 
 GameRecord play_one(const GameConfiguration& game, const GameOutput& output,
-                    const std::vector<std::string>& inputs) {
+                    const std::vector<std::string>& inputs, const std::filesystem::path& commands) {
   GameFiles files;
   open_files(files, output, inputs);
   std::optional<league::GameLog> log;
@@ -144,7 +160,13 @@ GameRecord play_one(const GameConfiguration& game, const GameOutput& output,
   Watch watch(files.events ? &events : nullptr, files.game_events ? &game_events : nullptr,
               log ? &*log : nullptr, files.view ? &recording : nullptr);
   const auto start = std::chrono::steady_clock::now();
-  GameRecord record = play(game, &watch);
+  GamePrograms programs = programs_of(game, output, commands);
+  GameRecord record = play(game, &watch, programs.maker());
+  if (!programs.finish(record)) {
+    throw InputError({commands.string()}, "",
+                     "its commands lead to another final state: they are from another game, other "
+                     "settings or another build");
+  }
   const double wall_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (log) log->close();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,8 @@ struct GameOutput {
   std::string events;       // output file for the referee's decisions; empty: none
   std::string game_events;  // output file for them as game events; empty: none
   std::string log;  // output file for vision and referee packets (league/game_log.hpp); empty: none
-  std::string view;  // output file for the page that shows the game (view/page.hpp); empty: none
+  std::string view;    // output file for the page that shows the game (view/page.hpp); empty: none
+  std::string record;  // output file for the commands of teams that are programs; empty: none
   bool json = false;
 };
 
@@ -26,7 +28,11 @@ void add_output_options(CLI::App& verb, GameOutput& output);
 // the game so far. `inputs` are the files the game was read from, which must not be overwritten.
 // Throws InputError before the game if an output is one of `inputs` or the same file as another
 // output.
+//
+// `commands` is a file of recorded commands to play instead of the programs; empty: the programs
+// play. Throws InputError if the file belongs to another game.
 GameRecord play_one(const GameConfiguration& game, const GameOutput& output,
-                    const std::vector<std::string>& inputs);
+                    const std::vector<std::string>& inputs,
+                    const std::filesystem::path& commands = {});
 
 }  // namespace autoref::runner

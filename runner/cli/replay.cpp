@@ -2,8 +2,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 
+#include "runner/batch/program_files.hpp"
 #include "runner/batch/result_folder.hpp"
 #include "runner/cli/command_line.hpp"
 #include "runner/cli/judged_results.hpp"
@@ -17,6 +19,8 @@
 
 namespace autoref::runner {
 namespace {
+
+namespace fs = std::filesystem;
 
 // Returns the id of a game. In judged experiments, `id` may also be the id of a fault, which is
 // then printed.
@@ -48,8 +52,10 @@ const ScheduledGame& game_named(const ResultFolder& folder, const std::string& i
 int replay_verb(const ReplayArguments& arguments) {
   const ResultFolder folder = open_results(arguments.folder, arguments.build);
   const ScheduledGame& game = game_named(folder, id_of_game(folder, arguments.game));
+  const fs::path commands = commands_file(folder.path, game.id);
   const GameRecord record =
-      play_one(resolved(game.configuration), arguments.output, files_of_results(folder.path));
+      play_one(resolved(game), arguments.output, files_of_results(folder.path),
+               fs::exists(commands) ? commands : fs::path());
   const auto row = folder.completed_games.done.find(game.id);
   if (row == folder.completed_games.done.end()) return kDone;
   const std::uint64_t stored = row->second.record.state_hash;

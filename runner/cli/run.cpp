@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "runner/batch/experiment.hpp"
+#include "runner/batch/program_files.hpp"
 #include "runner/cli/command_line.hpp"
 #include "runner/io/build_id.hpp"
 #include "runner/io/errors.hpp"
@@ -26,7 +27,9 @@ ExperimentOptions options_of(const RunArguments& arguments) {
     throw InputError({"--shard"}, "", error.what());
   }
   options.allow_mixed_build = arguments.allow_mixed_build;
-  options.play = [](const GameConfiguration& game) { return play(game); };
+  options.play = [folder = options.folder](const GameConfiguration& game) {
+    return play_live(game, folder);
+  };
   options.progress = arguments.quiet ? nullptr : stderr;
   if (!arguments.progress.empty()) options.style = progress_style_of(arguments.progress).value();
   return options;
@@ -44,6 +47,12 @@ void print_results(const Scenario& scenario, const ExperimentReport& report,
     fmt::print("{}   {}\n", (folder / file.name).string(), file.about);
   }
   fmt::print("{}   all settings\n", (folder / "effective.yaml").string());
+  if (report.unrepeatable_games > 0) {
+    fmt::print(
+        "\n{} games are not repeatable: their programs sent other commands when started again; "
+        "verify and replay play the recorded ones\n",
+        report.unrepeatable_games);
+  }
   if (report.killed_games == 0) return;
   fmt::print(
       "\n{} games are void because their workers were killed; repeat the command to play them "

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 
+#include "runner/batch/program_files.hpp"
 #include "runner/batch/verify.hpp"
 #include "runner/cli/command_line.hpp"
 #include "runner/cli/judged_results.hpp"
@@ -20,11 +21,15 @@ int verify_verb(const VerifyArguments& arguments) {
     fmt::print("the games were played by build {}; this is build {}\n", folder.build, build_id());
   }
   const int workers = arguments.workers > 0 ? arguments.workers : processors();
-  const auto play_team_game = [](const GameConfiguration& game, GameRow& row) {
-    row.record = play(game);
+  const auto play_again = [&folder](const GameConfiguration& game, GameRow& row) {
+    if (!is_judged(folder.scenario)) {
+      row.record = play_recorded(game, folder.path);
+      return;
+    }
+    GamePrograms programs = recorded_programs(game, folder.path);
+    play_judged(game, programs, row);
+    programs.finish(row.record);
   };
-  const std::function<void(const GameConfiguration&, GameRow&)> play_again =
-      is_judged(folder.scenario) ? play_judged : play_team_game;
   const Verification verification = verify(folder, arguments.sample, workers, play_again, stderr);
   for (const Difference& difference : verification.differences) {
     const auto& [column, stored, now] = difference.column;

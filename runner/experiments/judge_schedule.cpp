@@ -19,10 +19,12 @@ JudgeGame game_of(const JudgeSchedule& schedule, const std::string& rules,
         schedule.matchups[static_cast<std::size_t>(pair - 1) % schedule.matchups.size()];
     game.configuration.a.strategy = matchup[0];
     game.configuration.b.strategy = matchup[1];
+    game.configuration.a.command.clear();
+    game.configuration.b.command.clear();
   }
   set_leg(game.configuration, schedule.seed, pair, leg);
   const std::string matchup =
-      name_of({game.configuration.a.strategy, game.configuration.b.strategy});
+      name_of({name_of(game.configuration.a), name_of(game.configuration.b)});
   game.id = fmt::format("{} {} {} {}", rules, camera, matchup, number);
   game.game_id = game_id(fmt::format("{}+{}+{}", rules, camera, matchup), pair, leg);
   game.pair = pair;
@@ -61,8 +63,8 @@ std::vector<ScheduledGame> scheduled_games(const JudgeSchedule& schedule) {
                      game.pair,
                      game.leg,
                      c,
-                     c.a.strategy,
-                     c.b.strategy,
+                     name_of(c.a),
+                     name_of(c.b),
                      static_cast<std::size_t>(game.pair - 1)});
   }
   return games;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "runner/experiments/cells.hpp"
+#include "runner/settings/resolved.hpp"
 #include "runner/settings/setting_error.hpp"
 #include "soccer/random.hpp"
 
@@ -19,8 +20,8 @@ ScheduledGame scheduled(const Sweep& sweep, const std::vector<SettingValue>& val
                      pair,
                      leg,
                      configuration,
-                     configuration.a.strategy,
-                     configuration.b.strategy};
+                     name_of(configuration.a),
+                     name_of(configuration.b)};
   set_leg(game.configuration, sweep.seed, pair, leg);
   return game;
 }
@@ -33,6 +34,12 @@ double games_in(const Sweep& sweep) {
 }
 
 }  // namespace
+
+GameConfiguration resolved(const ScheduledGame& game) {
+  GameConfiguration configuration = resolved(game.configuration);
+  configuration.id = game.id;
+  return configuration;
+}
 
 std::string game_id(std::string_view played, int pair, int leg) {
   return fmt::format("{}-p{:04}-{}", played, pair, leg);

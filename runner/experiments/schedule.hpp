@@ -16,10 +16,13 @@ struct ScheduledGame {
   int pair = 1;                     // counted from 1
   int leg = 1;                      // odd: team a in the west; even: team a in the east
   GameSettings configuration;
-  std::string team_a = {};  // the team's name in result rows; its strategy in a sweep
+  std::string team_a = {};  // the team's name in result rows; its strategy or program in a sweep
   std::string team_b = {};
   std::size_t unit = 0;  // games of one unit, such as a pair's legs, go to the same shard
 };
+
+// The game's configuration, with its id.
+GameConfiguration resolved(const ScheduledGame& game);
 
 // The games in playing order. The two legs of a pair are adjacent, and each pair number is played
 // with all values before the next, so an interrupted run is balanced.

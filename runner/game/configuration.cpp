@@ -2,6 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <string_view>
+
 #include "referee/machine/shootout.hpp"
 
 namespace autoref::runner {
@@ -18,6 +23,12 @@ constexpr double kStandstill = 10;
 // The same if the teams place the ball, which takes them up to 30 s, and their failures, of which a
 // team may have a few in each half.
 constexpr double kStandstillOfTeams = 20;
+
+// Programs whose first argument is the team.
+constexpr std::array<std::string_view, 10> kInterpreters = {
+    "python", "node", "java", "ruby", "lua", "perl", "julia", "bash", "sh", "deno"};
+
+std::string stem_of(const std::string& path) { return std::filesystem::path(path).stem().string(); }
 
 double failed_placements_s(const MatchConfiguration& match) {
   if (match.placement == referee::PlacedBy::kSimulator) return 0;
@@ -36,12 +47,25 @@ const TeamConfiguration& team_on(const GameConfiguration& game, Side side) {
   return side == game.match.a_plays ? game.a : game.b;
 }
 
+std::string program_name(const std::vector<std::string>& command) {
+  const std::string program = stem_of(command.at(0));
+  const auto begins = [&program](std::string_view name) { return program.starts_with(name); };
+  if (std::none_of(kInterpreters.begin(), kInterpreters.end(), begins)) return program;
+  const auto script = std::find_if(command.begin() + 1, command.end(),
+                                   [](const std::string& word) { return !word.starts_with('-'); });
+  return script == command.end() ? program : stem_of(*script);
+}
+
+std::string name_of(const TeamConfiguration& team) {
+  return team.program ? program_name(team.program->command) : team.strategy;
+}
+
 PerSide<std::string> shown_names(const GameConfiguration& game) {
   PerSide<std::string> names;
   for (const Side side : kSides) {
-    names[side] = team_on(game, side).strategy;
+    names[side] = name_of(team_on(game, side));
     const char letter = side == game.match.a_plays ? 'a' : 'b';
-    if (game.a.strategy == game.b.strategy) names[side] += fmt::format(" ({})", letter);
+    if (name_of(game.a) == name_of(game.b)) names[side] += fmt::format(" ({})", letter);
   }
   return names;
 }

@@ -4,7 +4,9 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "referee/referee.hpp"
 #include "sim/configuration.hpp"
@@ -14,11 +16,25 @@
 
 namespace autoref::runner {
 
+// A team that is a program of its own (runner/team_programs/).
+struct TeamProgram {
+  std::vector<std::string> command;      // the program, sought in PATH, and its arguments; no shell
+  std::string directory;                 // working directory; empty: AutoRef's
+  std::vector<std::string> environment;  // "NAME=value", in addition to AutoRef's environment
+  double answer_s = 10;                  // wall-clock limit of an answer; only to detect hangs
+  int memory_mb = 4096;                  // limit of each process
+};
+
 struct TeamConfiguration {
-  std::string strategy = "basic";
+  std::string strategy = "basic";                           // unused if there is a program
   std::map<std::string, double> params;                     // the strategy's parameters, by name
   sim::TeamSpec::Robots robots = sim::TeamSpec::Robots(6);  // by number, 1 to 16
+  std::optional<TeamProgram> program = {};
 };
+
+// What becomes of a game in which a team fails (strategies::StrategyFault and the like): it has no
+// result, or the other team wins it.
+enum class OnTeamFault : std::uint8_t { kVoid, kForfeit };
 
 struct MatchConfiguration {
   RuleBook rules;  // includes the length of extra time and the rules in force
@@ -27,6 +43,7 @@ struct MatchConfiguration {
   double break_s = 0;
   bool knockout = false;
   referee::AfterGame after_game = referee::AfterGame::kHalt;
+  OnTeamFault on_team_fault = OnTeamFault::kVoid;
   referee::Control control = referee::Control::kAutoref;
   referee::PlacedBy placement = referee::PlacedBy::kSimulator;
   Side a_plays = Side::kWest;
@@ -40,9 +57,17 @@ struct GameConfiguration {
   Field field;
   sim::Configuration sim;
   std::uint64_t seed = 42;
+  std::string id = {};  // in an experiment; empty for a single game
 };
 
 const TeamConfiguration& team_on(const GameConfiguration& game, Side side);
+
+// The name of a command's program, or of its script, without folder and extension: "mine" for
+// [python3, teams/mine.py].
+std::string program_name(const std::vector<std::string>& command);
+
+// The name of the team's strategy or program.
+std::string name_of(const TeamConfiguration& team);
 
 // The display name of each side's team: its strategy, or "basic (a)" and "basic (b)" if both play
 // the same one.

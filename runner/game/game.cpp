@@ -7,11 +7,11 @@
 #include <string>
 #include <utility>
 
+#include "runner/game/delay_line.hpp"
 #include "runner/game/play_counts/play_statistics.hpp"
 #include "runner/game/state_hash.hpp"
 #include "runner/game/substitution.hpp"
 #include "runner/game/team_controller.hpp"
-#include "runner/game/vision_delay.hpp"
 #include "sim/camera.hpp"
 #include "soccer/situation.hpp"
 #include "soccer/tracks.hpp"
@@ -69,6 +69,7 @@ class Game::Impl {
     } else {
       void_game("the game exceeded its time limit");
     }
+    if (is_over()) end_teams();
     return !is_over();
   }
 
@@ -105,12 +106,14 @@ class Game::Impl {
     const Tracks& tracks = tracks_.oldest();
     const Situation situation = situation_.update(
         signal_, tracks.ball ? std::optional(tracks.ball->position_m) : std::nullopt);
+    for (Side side : kSides) players_[side].sense(frame_, world_.state());
     for (Side side : kSides) players_[side].prepare(tracks, signal_, situation);
+    PerSide<std::string> faults;
     for (Side side : kSides) {
-      const std::string fault = players_[side].decide(commands_[side]);
-      if (!fault.empty()) void_game(fmt::format("team {} {}", side == a() ? 'a' : 'b', fault));
+      faults[side] = players_[side].decide(commands_[side]);
       ended(side == Side::kWest ? Phase::kTeamWest : Phase::kTeamEast);
     }
+    end_for(faults);
     substitution_controller_.act(signal_, requests(), frame_.time_s, world_);
     const bool is_held = signal_.placement && signal_.placement->by_hand;
     world_.step(commands_, is_held ? signal_.placement : std::nullopt);
@@ -162,10 +165,35 @@ class Game::Impl {
     if (observer_ != nullptr) observer_->on_decision(decision);
   }
 
-  void void_game(const std::string& reason) {
+  void end_teams() {
+    const GameRecord ended = record();
+    for (const Side side : kSides) {
+      const bool is_a = side == a();
+      players_[side].end({std::string(name_of(ended.end_reason)),
+                          is_a ? ended.goals_a : ended.goals_b,
+                          is_a ? ended.goals_b : ended.goals_a});
+    }
+  }
+
+  // Ends the game if a team has a fault. If both have one, neither wins.
+  void end_for(const PerSide<std::string>& faults) {
+    for (const Side side : kSides) {
+      if (faults[side].empty()) continue;
+      const bool is_a = side == a();
+      const std::string reason = fmt::format("team {} {}", is_a ? 'a' : 'b', faults[side]);
+      const bool is_forfeit = configuration_.match.on_team_fault == OnTeamFault::kForfeit &&
+                              faults[opponent_of(side)].empty();
+      if (!is_forfeit) return void_game(reason);
+      end_game(Status::kForfeit, is_a ? EndReason::kForfeitA : EndReason::kForfeitB, reason);
+    }
+  }
+
+  void void_game(const std::string& reason) { end_game(Status::kVoid, EndReason::kVoid, reason); }
+
+  void end_game(Status status, EndReason end_reason, const std::string& reason) {
     if (record_.status == Status::kVoid) return;
-    record_.status = Status::kVoid;
-    record_.end_reason = EndReason::kVoid;
+    record_.status = status;
+    record_.end_reason = end_reason;
     record_.void_reason = fmt::format("{} (at {:.3f} s)", reason, time_s());
   }
 
@@ -199,7 +227,7 @@ class Game::Impl {
   SubstitutionController substitution_controller_;
   Frame frame_;
   RefereeSignal signal_;
-  DelayLine tracks_;
+  DelayLine<Tracks> tracks_;
   PlayStatistics statistics_;
   PerSide<TeamController> players_;
   PerSide<TeamCommands> commands_;

@@ -36,9 +36,9 @@ class Game {
   // nothing once the game is over.
   //
   // A strategy that throws or sends a non-finite number, a state of the world that is not finite,
-  // or a game that exceeds its time limit makes the game void, which ends it. The step that exceeds
-  // the limit plays no frame. Exceptions of an observer are passed on; do not step the game after
-  // such an exception.
+  // or a game that exceeds its time limit ends the game: it is void, or, if so configured,
+  // forfeited by the team that failed. The step that exceeds the limit plays no frame. Exceptions
+  // of an observer are passed on; do not step the game after such an exception.
   bool step();
 
   // Whether the game is over: the referee has ended it, or it is void. If a new game follows

@@ -26,7 +26,7 @@ struct GameRecord {
   std::optional<std::array<int, 2>> shootout;     // [a, b] goals; nullopt without a shoot-out
   EndReason end_reason = EndReason::kTime;
   Status status = Status::kOk;
-  std::string void_reason;                         // empty unless void
+  std::string void_reason;                         // empty unless void or forfeited
   std::array<int, referee::kEventCount> events{};  // how often each event occurred
   int count(referee::Event event) const { return events[static_cast<std::size_t>(event)]; }
   std::vector<std::string> transitions;  // labels of the transitions taken, without duplicates
@@ -35,6 +35,9 @@ struct GameRecord {
   double sim_s = 0;
   std::int64_t frames = 0;
   std::uint64_t state_hash = 0;  // hash of every frame's state and every decision
+  // Whether the game's programs sent the same commands when they were started again; true without
+  // programs, nullopt if that was not tried.
+  std::optional<bool> is_repeatable = true;
 };
 
 }  // namespace autoref::runner

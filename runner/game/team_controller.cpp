@@ -37,6 +37,8 @@ template <typename Action>
 std::string fault_of(const Action& action) {
   try {
     action();
+  } catch (const strategies::StrategyFault& fault) {
+    return fault.what();
   } catch (const std::exception& error) {
     return fmt::format("threw: {}", error.what());
   } catch (...) {
@@ -69,6 +71,13 @@ TeamController::TeamController(const GameConfiguration& configuration, Side side
       robots_(static_cast<int>(team_on(configuration, side).robots.size())),
       strategy_(make_team_on(configuration, side, make_team)) {
   view_.latency_s = latency_s(configuration.sim);
+  if (strategy_->has_sensors()) sensors_.emplace(configuration, side);
+}
+
+void TeamController::sense(const Frame& frame, const sim::WorldState& world) {
+  if (!sensors_) return;
+  sensors_->update(frame, world);
+  strategy_->sense(sensors_->readings());
 }
 
 void TeamController::prepare(const Tracks& tracks, const RefereeSignal& signal,
@@ -88,6 +97,10 @@ std::string TeamController::decide(TeamCommands& commands) {
   if (fault_.empty()) fault_ = fault_in(commands);
   if (!fault_.empty()) commands.fill(RobotCommand{});
   return fault_;
+}
+
+void TeamController::end(const strategies::GameEnd& end) {
+  fault_of([&] { strategy_->end(end); });
 }
 
 std::string TeamController::fault_in(const TeamCommands& commands) const {

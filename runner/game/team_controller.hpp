@@ -2,9 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "runner/game/configuration.hpp"
+#include "runner/game/sensors.hpp"
 #include "runner/game/team_maker.hpp"
 #include "soccer/referee_signal.hpp"
 #include "soccer/side.hpp"
@@ -16,10 +18,13 @@
 namespace autoref::runner {
 
 // Owns a side's strategy and its view of the game. The game supplies delayed tracks; any fault of
-// the strategy makes the game void.
+// the strategy ends the game.
 class TeamController {
  public:
   TeamController(const GameConfiguration& configuration, Side side, const TeamMaker& make_team);
+
+  // Passes on what the team's sensors report about the world that the camera has just seen.
+  void sense(const Frame& frame, const sim::WorldState& world);
 
   // Shows the strategy what the team sees. Call this for both teams before either decides.
   void prepare(const Tracks& tracks, const RefereeSignal& signal, const Situation& situation);
@@ -27,6 +32,9 @@ class TeamController {
   // Fills `commands`. Returns a description of the strategy's fault, with all commands zero, or an
   // empty string.
   std::string decide(TeamCommands& commands);
+
+  // Tells the strategy how the game has ended. A fault no longer matters.
+  void end(const strategies::GameEnd& end);
 
   // The requests of the team's last decision.
   const TeamRequests& requests() const { return requests_; }
@@ -37,6 +45,7 @@ class TeamController {
   Side side_;
   int robots_;
   std::unique_ptr<strategies::Strategy> strategy_;
+  std::optional<Sensors> sensors_;  // if the strategy has any
   TeamRequests requests_;
   TeamView view_;
   std::string fault_;

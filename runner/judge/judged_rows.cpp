@@ -42,14 +42,22 @@ void keep(JudgedGame judged, GameRow& row) {
                   size, kLongestText));
 }
 
-void play_judged(const GameConfiguration& game, GameRow& row) { keep(evaluate_calls(game), row); }
+void play_judged(const GameConfiguration& game, GamePrograms& programs, GameRow& row) {
+  keep(evaluate_calls(game, programs.maker()), row);
+}
 
-Outcomes judged_outcomes(const JudgeSchedule& schedule) {
+Outcomes judged_outcomes(const JudgeSchedule& schedule, const std::filesystem::path& folder) {
   const auto view = [&schedule](const RowsById& rows) {
     const ProgressTable scores{scores_rows(report_of(schedule, rows)), {}, "events"};
     return ProgressView{"so far:", {scores}, {}};
   };
-  return {play_judged, view};
+  const auto play = [folder](const GameConfiguration& game, GameRow& row) {
+    play_live(game, folder, [&game, &row](GamePrograms& programs) -> GameRecord& {
+      play_judged(game, programs, row);
+      return row.record;
+    });
+  };
+  return {play, view};
 }
 
 JudgeReport report_of(const ResultFolder& folder) {

@@ -1,11 +1,13 @@
 // Judged games as rows of a results folder.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "runner/batch/outcomes.hpp"
+#include "runner/batch/program_files.hpp"
 #include "runner/batch/result_folder.hpp"
 #include "runner/experiments/judge_schedule.hpp"
 #include "runner/judge/evaluate_calls.hpp"
@@ -16,11 +18,13 @@ namespace autoref::runner {
 // Fills the row of a judged game. The game is void if its evaluation is too long for a row.
 void keep(JudgedGame judged, GameRow& row);
 
-// Plays a game, evaluates its referee and fills its row.
-void play_judged(const GameConfiguration& game, GameRow& row);
+// Plays a game, evaluates its referee and fills its row. Throws what play() and the programs' files
+// throw.
+void play_judged(const GameConfiguration& game, GamePrograms& programs, GameRow& row);
 
-// How `autoref judge` plays its games, and the table that it shows meanwhile.
-Outcomes judged_outcomes(const JudgeSchedule& schedule);
+// How `autoref judge` plays its games, and the table that it shows meanwhile. `folder` takes what
+// programs leave.
+Outcomes judged_outcomes(const JudgeSchedule& schedule, const std::filesystem::path& folder);
 
 JudgeReport report_of(const ResultFolder& folder);
 

@@ -170,6 +170,20 @@ Column end_reason_column() {
       std::span<const EndReason>(kAll));
 }
 
+// Empty if that was not tried.
+Column repeatable_column() {
+  return {"repeatable",
+          [](const GameRow& row) -> std::string {
+            if (!row.record.is_repeatable) return "";
+            return *row.record.is_repeatable ? "yes" : "no";
+          },
+          [](const std::string& cell, GameRow& row) {
+            row.record.is_repeatable = std::nullopt;
+            if (!cell.empty()) row.record.is_repeatable = cell == "yes";
+            return cell.empty() || cell == "yes" || cell == "no";
+          }};
+}
+
 Column side_column() {
   static constexpr std::array kAll = {Side::kWest, Side::kEast};
   return named_column(
@@ -261,6 +275,7 @@ std::vector<Column> circumstance_columns() {
               "host", [](auto& row) -> auto& { return row.circumstances.host; }),
           text_column(
               "cpu", [](auto& row) -> auto& { return row.circumstances.cpu; }),
+          repeatable_column(),
           seconds_column(
               "wall_s", [](auto& row) -> auto& { return row.circumstances.wall_s; }),
           integer_column(

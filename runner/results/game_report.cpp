@@ -70,7 +70,7 @@ std::string counts_text(const GameRecord& record) {
 
 Json team_json(const GameConfiguration& game, Side side) {
   return {{"name", shown_names(game)[side]},
-          {"strategy", team_on(game, side).strategy},
+          {"strategy", name_of(team_on(game, side))},
           {"colour", colour_of(side)},
           {"side", name_of(side)}};
 }
@@ -120,13 +120,14 @@ std::string text_of(const GameReport& report) {
   const GameRecord& record = report.record;
   const Side a = game.match.a_plays;
   std::string text =
-      fmt::format("a ({}, {})  {} : {}  b ({}, {})", game.a.strategy, name_of(a), record.goals_a,
-                  record.goals_b, game.b.strategy, name_of(opponent_of(a)));
+      fmt::format("a ({}, {})  {} : {}  b ({}, {})", name_of(game.a), name_of(a), record.goals_a,
+                  record.goals_b, name_of(game.b), name_of(opponent_of(a)));
   if (!record.goals_by_half.empty()) text += fmt::format("   halves {}", halves_text(record));
   if (record.shootout) {
     text += fmt::format("   shoot-out {}:{}", (*record.shootout)[0], (*record.shootout)[1]);
   }
-  if (record.status == Status::kVoid) text += fmt::format("\nvoid: {}", record.void_reason);
+  if (record.status != Status::kOk)
+    text += fmt::format("\n{}: {}", name_of(record.status), record.void_reason);
   text += fmt::format("\ncalls: {}", calls_text(record));
   text += counts_text(record);
   text += fmt::format("\n{:.0f} s played, ball in play {:.0f} s; took {:.2f} s, {:.0f} x real time",

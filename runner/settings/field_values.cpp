@@ -6,6 +6,7 @@
 
 #include "runner/io/words.hpp"
 #include "runner/io/yaml_scalar.hpp"
+#include "runner/settings/command_text.hpp"
 #include "runner/settings/fields.hpp"
 #include "runner/settings/resolved.hpp"
 #include "runner/settings/robot_changes.hpp"
@@ -71,6 +72,11 @@ std::string params_text(const Params& params) {
   return "{" + text + "}";
 }
 
+bool is_text(const Setting& setting) {
+  return std::holds_alternative<FreeText>(setting.target) ||
+         std::holds_alternative<CommandWords>(setting.target);
+}
+
 std::vector<std::string> names_of(const RobotTypes& types) {
   std::vector<std::string> names = {kNoType};
   for (const auto& [name, changes] : types) names.push_back(name);
@@ -80,7 +86,7 @@ std::vector<std::string> names_of(const RobotTypes& types) {
 }  // namespace
 
 bool is_number(const Setting& setting) {
-  return setting.words.empty() && !holds_others(setting) &&
+  return setting.words.empty() && !holds_others(setting) && !is_text(setting) &&
          !std::holds_alternative<TypeName>(setting.target);
 }
 
@@ -114,6 +120,10 @@ std::string expected_of(const Setting& setting) {
           [&](TypeName type) {
             return "a file such as robots/slow.yaml, or one of " + listed(names_of(*type.types));
           },
+          [&](FreeText) { return std::string("text"); },
+          [&](CommandWords) {
+            return std::string("a command such as [python3, my_team.py] or 'python3 my_team.py'");
+          },
           [&](const Change&) {
             return setting.words.empty() ? "a number " + range_text(setting)
                                          : "one of " + listed(setting.words);
@@ -143,6 +153,8 @@ SettingValue value_in(std::string_view text, const Setting& setting) {
             std::string name(text);
             return name == kNoType || type.types->contains(name) ? name : none();
           },
+          [&](FreeText) -> SettingValue { return std::string(text); },
+          [&](CommandWords) -> SettingValue { return text_of_command(words_of_command(text)); },
           [&](const Change&) -> SettingValue {
             if (setting.words.empty()) return number();
             return word();
@@ -166,6 +178,8 @@ void set_value(const Setting& setting, const SettingValue& value) {
           [&](std::uint64_t* number) { *number = std::get<std::uint64_t>(value); },
           [&](BothFactors both) { *both.speed = *both.acceleration = std::get<double>(value); },
           [&](const TypeName& type) { *type.name = word(); },
+          [&](FreeText free) { *free.text = word(); },
+          [&](CommandWords command) { *command.words = words_of_command(word()); },
           [&](const Change& change) { set_change(change, value); },
           [&](const ChangesOf&) { none(); },
           [&](Params*) { none(); },
@@ -192,38 +206,42 @@ SettingValue current_value(const Setting& setting) {
   const auto none = [&setting]() -> SettingValue {
     throw std::logic_error(setting.path + " has no value");
   };
-  return std::visit(Overloaded{
-                        [](double* number) -> SettingValue { return *number; },
-                        [](int* number) -> SettingValue { return *number; },
-                        [](std::uint64_t* number) -> SettingValue { return *number; },
-                        [](std::string* word) -> SettingValue { return *word; },
-                        [](BothFactors both) -> SettingValue { return *both.speed; },
-                        [](BallPreset preset) -> SettingValue {
-                          return sim::ball_preset_of(*preset.ball).value_or("other");
-                        },
-                        [](CameraPreset preset) -> SettingValue {
-                          return sim::camera_preset_of(*preset.sim).value_or("other");
-                        },
-                        [](DribblerPreset preset) -> SettingValue {
-                          return sim::dribbler_preset_of(*preset.dribbler).value_or("other");
-                        },
-                        [](RulesChoice choice) -> SettingValue { return choice.game->match.rules; },
-                        [](const TypeName& type) -> SettingValue { return *type.name; },
-                        [](const Change& change) { return changed_value(change); },
-                        [&](const ChangesOf&) { return none(); },
-                        [&](Params*) { return none(); },
-                        [&](Players*) { return none(); },
-                        [&](RobotTypes*) { return none(); },
-                        [&](auto* enumerator) -> SettingValue {
-                          return setting.words[static_cast<std::size_t>(*enumerator)];
-                        },
-                    },
-                    setting.target);
+  return std::visit(
+      Overloaded{
+          [](double* number) -> SettingValue { return *number; },
+          [](int* number) -> SettingValue { return *number; },
+          [](std::uint64_t* number) -> SettingValue { return *number; },
+          [](std::string* word) -> SettingValue { return *word; },
+          [](BothFactors both) -> SettingValue { return *both.speed; },
+          [](BallPreset preset) -> SettingValue {
+            return sim::ball_preset_of(*preset.ball).value_or("other");
+          },
+          [](CameraPreset preset) -> SettingValue {
+            return sim::camera_preset_of(*preset.sim).value_or("other");
+          },
+          [](DribblerPreset preset) -> SettingValue {
+            return sim::dribbler_preset_of(*preset.dribbler).value_or("other");
+          },
+          [](RulesChoice choice) -> SettingValue { return choice.game->match.rules; },
+          [](const TypeName& type) -> SettingValue { return *type.name; },
+          [](FreeText free) -> SettingValue { return *free.text; },
+          [](CommandWords command) -> SettingValue { return text_of_command(*command.words); },
+          [](const Change& change) { return changed_value(change); },
+          [&](const ChangesOf&) { return none(); },
+          [&](Params*) { return none(); },
+          [&](Players*) { return none(); },
+          [&](RobotTypes*) { return none(); },
+          [&](auto* enumerator) -> SettingValue {
+            return setting.words[static_cast<std::size_t>(*enumerator)];
+          },
+      },
+      setting.target);
 }
 
 std::string value_of(const Setting& setting) {
   if (const auto* of = std::get_if<ChangesOf>(&setting.target)) return changes_text(*of);
   if (const auto* params = std::get_if<Params*>(&setting.target)) return params_text(**params);
+  if (is_text(setting)) return quoted_scalar(spelt(current_value(setting)));
   return holds_others(setting) ? "{}" : spelt(current_value(setting));
 }
 

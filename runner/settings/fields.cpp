@@ -40,6 +40,14 @@ void list_types(RobotTypes& types, Branch to) {
 
 void list_team(TeamSettings& team, const RobotTypes& types, Branch to) {
   to.word("strategy", team.strategy, strategy_names(), "the team's strategy");
+  to.add("command", CommandWords{&team.command}, {},
+         "the team is this program, instead of a strategy");
+  to.add("directory", FreeText{&team.directory}, {}, "working directory of the program");
+  to.add("environment", CommandWords{&team.environment}, {},
+         "variables of the program's environment, such as [MODE=fast]");
+  to.number("answer_s", team.answer_s, positive(3600), "s",
+            "how long the program may take for an answer, by the wall clock");
+  to.number("memory_mb", team.memory_mb, {16, 1 << 20}, "MB", "memory of each of its processes");
   to.number("robots", team.robots, {1, kMaxRobots}, "", "number of robots on the field");
   list_robots(team, types, to);
   to.add("players", &team.players, {}, "robots that differ from the team, by number");
@@ -61,6 +69,8 @@ void list_match(GameSettings& game, Branch to) {
   to.yes_or_no("knockout", match.knockout, "extra time and a shoot-out after a draw");
   to.word("after_game", match.after_game, {"halt", "new_game"},
           "what the referee does after the game; the result row covers one game only");
+  to.word("on_team_fault", match.on_team_fault, {"void", "forfeit"},
+          "whether a game in which a team fails has no result or is won by the other team");
   to.word("control", match.control, {"autoref", "human", "none"},
           "who commands the game; others than autoref only in recorded games");
   to.word("placement", match.placement, {"simulator", "teams"},

@@ -61,15 +61,25 @@ struct Change {
   bool is_preset = false;
 };
 
+// Any text.
+struct FreeText {
+  std::string* text = nullptr;
+};
+
+// The words of a command, as one line of text (command_text.hpp).
+struct CommandWords {
+  std::vector<std::string>* words = nullptr;
+};
+
 using Params = std::map<std::string, double>;
 using Players = std::map<int, PlayerSettings>;
 
 // Location of a setting's value in a GameSettings.
 using Target =
     std::variant<double*, int*, bool*, std::uint64_t*, std::string*, Side*, DefenceArea::Shape*,
-                 referee::AfterGame*, referee::Control*, referee::PlacedBy*, BothFactors,
-                 BallPreset, CameraPreset, DribblerPreset, RulesChoice, TypeName, Change, ChangesOf,
-                 Params*, Players*, RobotTypes*>;
+                 referee::AfterGame*, OnTeamFault*, referee::Control*, referee::PlacedBy*,
+                 BothFactors, BallPreset, CameraPreset, DribblerPreset, RulesChoice, TypeName,
+                 FreeText, CommandWords, Change, ChangesOf, Params*, Players*, RobotTypes*>;
 
 struct Range {
   double low = 0;

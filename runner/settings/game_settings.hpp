@@ -9,6 +9,7 @@
 #include <string>
 
 #include "referee/referee.hpp"
+#include "runner/game/configuration.hpp"
 #include "runner/settings/setting_value.hpp"
 #include "sim/configuration.hpp"
 #include "soccer/field.hpp"
@@ -34,15 +35,23 @@ struct PlayerSettings {
 };
 
 struct TeamSettings {
-  std::string strategy = "basic";
-  int robots = 6;                    // 1 to 16
-  std::string type = kNoType;        // type of its robots
-  RobotChanges changes;              // override the type's
-  double speed_factor = 1.0;         // scales the robots' top speed, (0, 2]
-  double acceleration_factor = 1.0;  // scales their acceleration and braking, (0, 2]
+  std::string strategy = "basic";        // unused if there is a command
+  std::vector<std::string> command;      // the team is this program
+  std::string directory;                 // its working directory
+  std::vector<std::string> environment;  // "NAME=value", in addition to AutoRef's
+  double answer_s = 10;                  // wall-clock limit of its answers
+  int memory_mb = 4096;                  // limit of each of its processes
+  int robots = 6;                        // 1 to 16
+  std::string type = kNoType;            // type of its robots
+  RobotChanges changes;                  // override the type's
+  double speed_factor = 1.0;             // scales the robots' top speed, (0, 2]
+  double acceleration_factor = 1.0;      // scales their acceleration and braking, (0, 2]
   std::map<std::string, double> params;
   std::map<int, PlayerSettings> players;  // by number
 };
+
+// The name of the team's strategy or program.
+std::string name_of(const TeamSettings& team);
 
 struct MatchSettings {
   std::string rules = "paper";             // name of a rule book
@@ -54,6 +63,7 @@ struct MatchSettings {
   double extra_half_s = 300;  // in knockout games
   bool change_ends = false;   // before every half after the first
   referee::AfterGame after_game = referee::AfterGame::kHalt;
+  OnTeamFault on_team_fault = OnTeamFault::kVoid;
   referee::Control control = referee::Control::kAutoref;
   referee::PlacedBy placement = referee::PlacedBy::kSimulator;
   Side a_plays = Side::kWest;

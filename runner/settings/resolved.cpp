@@ -26,6 +26,7 @@ MatchConfiguration resolved(const MatchSettings& settings) {
   match.break_s = settings.break_s;
   match.knockout = settings.knockout;
   match.after_game = settings.after_game;
+  match.on_team_fault = settings.on_team_fault;
   match.control = settings.control;
   match.placement = settings.placement;
   match.a_plays = settings.a_plays;
@@ -35,10 +36,18 @@ MatchConfiguration resolved(const MatchSettings& settings) {
 
 TeamConfiguration resolved(const GameSettings& game, const TeamSettings& team,
                            std::string_view path) {
-  return {team.strategy, team.params, spec_of(game, team, path).robots};
+  TeamConfiguration configuration{team.strategy, team.params, spec_of(game, team, path).robots};
+  if (!team.command.empty())
+    configuration.program =
+        TeamProgram{team.command, team.directory, team.environment, team.answer_s, team.memory_mb};
+  return configuration;
 }
 
 }  // namespace
+
+std::string name_of(const TeamSettings& team) {
+  return team.command.empty() ? team.strategy : program_name(team.command);
+}
 
 void choose_rules(const std::string& book, GameSettings& game) {
   const RuleBook rules = book_of(book);

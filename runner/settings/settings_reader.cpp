@@ -7,6 +7,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "runner/settings/command_text.hpp"
 #include "runner/settings/robot_types.hpp"
 
 namespace autoref::runner {
@@ -62,6 +63,8 @@ void refuse_unknown(const YamlFile& file, const std::vector<YamlEntry>& top,
 
 void assign_entry(const YamlFile& file, const YamlEntry& entry, const Setting& setting) {
   try {
+    if (std::holds_alternative<CommandWords>(setting.target) && entry.value.IsSequence())
+      return set_value(setting, text_of_command(file.words(entry, setting.path)));
     assign(setting, file.scalar(entry, setting.path, expected_of(setting), is_number(setting)));
   } catch (const std::invalid_argument& error) {
     file.refuse(value_location(entry), setting.path, error.what());

@@ -35,7 +35,15 @@ void check_range(const Parameter& parameter, const std::string& path, double val
                                        parameter.least, parameter.most, unit, value));
 }
 
+void refuse_two_teams(const GameSettings& game, const TeamSettings& team, std::string_view name) {
+  const std::string path = fmt::format("{}.strategy", name);
+  if (team.command.empty() || !game.given.contains(path)) return;
+  throw SettingError(path, ": the team has a command as well; remove one of them");
+}
+
+// A program may have any parameters.
 void check_params(const TeamSettings& team, std::string_view name) {
+  if (!team.command.empty()) return;
   const strategies::Entry* strategy = strategies::find_strategy(team.strategy);
   if (strategy == nullptr) {
     throw std::invalid_argument(fmt::format("unknown strategy '{}'", team.strategy));
@@ -114,6 +122,7 @@ std::string team_text(const GameSettings& game, std::string_view path, const Tea
 }  // namespace
 
 void check_team(const GameSettings& game, const TeamSettings& team, std::string_view path) {
+  refuse_two_teams(game, team, path.substr(path.rfind('.') + 1));
   check_params(team, path);
   check_robots(game, team, path);
 }

@@ -122,6 +122,17 @@ std::string YamlFile::scalar(const YamlEntry& entry, std::string_view path,
   return entry.value.Scalar();
 }
 
+std::vector<std::string> YamlFile::words(const YamlEntry& entry, std::string_view path) const {
+  std::vector<std::string> words;
+  words.reserve(entry.value.size());
+  for (const YAML::Node& word : entry.value) {
+    if (!word.IsScalar())
+      refuse(location_of(word), path, fmt::format("expected a word, found {}", found(word)));
+    words.push_back(word.Scalar());
+  }
+  return words;
+}
+
 void YamlFile::refuse(const YamlLocation& location, std::string_view key,
                       const std::string& message) const {
   throw InputError({name_, location.line, location.column}, key, message);

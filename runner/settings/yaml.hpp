@@ -50,6 +50,9 @@ class YamlFile {
   std::string scalar(const YamlEntry& entry, std::string_view path, const std::string& expected,
                      bool is_number) const;
 
+  // The plain values of a list. Throws InputError for anything else.
+  std::vector<std::string> words(const YamlEntry& entry, std::string_view path) const;
+
   // Folder to resolve relative paths in the file.
   std::filesystem::path folder() const { return std::filesystem::path(name_).parent_path(); }
 

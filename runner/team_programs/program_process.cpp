@@ -110,7 +110,7 @@ ProgramProcess::ProgramProcess(ProgramSpec spec) : spec_(std::move(spec)) {
   Pipe life;
   Pipe reports;
   Pipe started;
-  stderr_.emplace(err.release(0), spec_.stderr_file, spec_.limits.stderr_bytes);
+  stderr_.emplace(err.release(0), spec_);
   supervisor_ = start_supervisor(spec_, {in.reader(), out.writer(), err.writer(), life.reader(),
                                          reports.writer(), started.writer()});
   in_ = in.release(1);
@@ -194,11 +194,20 @@ bool ProgramProcess::take_report(Clock::time_point deadline) {
   if (reports_ < 0 || !wait(deadline, false)) return false;
   SupervisorReport report;
   if (::read(reports_, &report, sizeof report) == sizeof report) report_ = report;
+  has_reports_ended_ = !report_;
   return true;
 }
 
+// If there is no report, the supervisor was killed.
+bool ProgramProcess::was_killed() const {
+  if (out_ >= 0) return false;
+  if (!report_) return has_reports_ended_;
+  return report_->kind == SupervisorReport::kEnded && WIFSIGNALED(report_->value) &&
+         WTERMSIG(report_->value) == SIGKILL;
+}
+
 std::string ProgramProcess::how_it_ended() const {
-  if (!report_) return "was ended";
+  if (!report_) return has_reports_ended_ ? "was killed" : "was ended";
   if (report_->kind == SupervisorReport::kTooManyProcesses) {
     return fmt::format("started more than {} processes", spec_.limits.processes);
   }
@@ -211,7 +220,8 @@ std::string ProgramProcess::how_it_ended() const {
 ProgramError ProgramProcess::fault(std::string_view what) const {
   const std::string lines = stderr_->last_lines();
   const std::string heading = lines.empty() ? "" : "; its last lines on standard error:\n";
-  return ProgramError(fmt::format("{} {}{}{}", spec_.command[0], what, heading, lines));
+  return ProgramError(fmt::format("{} {}{}{}", spec_.command[0], what, heading, lines),
+                      was_killed());
 }
 
 std::string ProgramProcess::end(double grace_s) {

@@ -55,6 +55,7 @@ class ProgramProcess {
   bool take_report(Clock::time_point deadline);
   void close_input();
   std::string how_it_ended() const;
+  bool was_killed() const;
   [[noreturn]] void report_closed_output();
 
   ProgramSpec spec_;
@@ -65,6 +66,7 @@ class ProgramProcess {
   std::optional<ProgramStderr> stderr_;
   Supervisor supervisor_;
   std::optional<SupervisorReport> report_;
+  bool has_reports_ended_ = false;  // without a report
   std::string pending_;
   std::string received_;
 };

@@ -9,7 +9,7 @@
 namespace autoref::runner {
 
 struct ProgramLimits {
-  std::uint64_t memory_bytes = 4ULL << 30;  // address space of each process
+  std::uint64_t memory_bytes = 4ULL << 30;  // written to by each process
   std::uint64_t open_files = 256;           // of each process
   int processes = 64;                       // at once, threads not counted
   std::uint64_t cpu_s = 3600;               // of each process
@@ -22,13 +22,17 @@ struct ProgramSpec {
   std::string directory = {};            // working directory; empty: AutoRef's
   std::vector<std::string> environment;  // "NAME=value", in addition to AutoRef's environment
   std::string stderr_file = {};          // empty: only the last lines are kept
+  int stderr_copy = -1;                  // descriptor that also takes standard error; -1: none
   ProgramLimits limits = {};
 };
 
 // A fault of the program. what() says what it did, followed by its last lines on standard error.
 class ProgramError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit ProgramError(const std::string& what, bool killed = false)
+      : std::runtime_error(what), was_killed(killed) {}
+
+  bool was_killed;  // by SIGKILL, perhaps from outside, rather than for exceeding a limit
 };
 
 }  // namespace autoref::runner

@@ -1,32 +1,28 @@
 #include "runner/team_programs/program_stderr.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 
-#include "runner/io/errors.hpp"
-
 namespace autoref::runner {
 namespace {
 
 constexpr std::size_t kTail_bytes = 64 * 1024;
-constexpr std::size_t kQuoted_bytes = 1000;
-constexpr int kQuotedLines = 8;
+constexpr std::size_t kQuoted_bytes = 200;
+constexpr int kQuotedLines = 4;
 
 }  // namespace
 
-ProgramStderr::ProgramStderr(int descriptor, const std::string& file, std::size_t most_bytes)
-    : descriptor_(descriptor), room_(most_bytes) {
-  if (file.empty()) return;
-  file_ = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (file_ >= 0) return;
-  const int error_number = errno;
-  close(descriptor_);
-  throw io_error(fmt::format("cannot write {}", file), error_number);
+ProgramStderr::ProgramStderr(int descriptor, const ProgramSpec& spec)
+    : descriptor_(descriptor),
+      file_name_(spec.stderr_file),
+      copy_(spec.stderr_copy),
+      room_(spec.limits.stderr_bytes) {
+  // An earlier attempt at the game may have left one.
+  if (!file_name_.empty()) unlink(file_name_.c_str());
 }
 
 ProgramStderr::~ProgramStderr() {
@@ -51,11 +47,15 @@ bool ProgramStderr::drain() {
 void ProgramStderr::keep(const char* text, std::size_t size) {
   tail_.append(text, size);
   if (tail_.size() > 2 * kTail_bytes) tail_.erase(0, tail_.size() - kTail_bytes);
-  if (file_ < 0 || room_ == 0) return;
   const std::size_t written = std::min(size, room_);
   room_ -= written;
+  if (written == 0) return;
+  if (file_ < 0 && !file_name_.empty())
+    file_ = open(file_name_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   // A full disk costs these lines, not the game.
-  [[maybe_unused]] const ssize_t ignored = write(file_, text, written);
+  for (const int to : {file_, copy_}) {
+    [[maybe_unused]] const ssize_t ignored = to < 0 ? 0 : write(to, text, written);
+  }
 }
 
 std::string ProgramStderr::last_lines() const {
@@ -68,7 +68,7 @@ std::string ProgramStderr::last_lines() const {
   begin = std::max(begin, text.size() - std::min(text.size(), kQuoted_bytes));
   text.erase(0, begin);
   std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return (c < 32 && c != '\n') || c == 127; },
+      text.begin(), text.end(), [](unsigned char c) { return (c < 32 && c != '\n') || c >= 127; },
       '?');
   return text;
 }

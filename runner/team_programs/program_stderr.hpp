@@ -3,13 +3,15 @@
 
 #include <string>
 
+#include "runner/team_programs/program_spec.hpp"
+
 namespace autoref::runner {
 
 class ProgramStderr {
  public:
-  // Takes over `descriptor`, which must not block. At most `most_bytes` go to `file` (empty: none).
-  // Throws InputOutputError if the file cannot be created.
-  ProgramStderr(int descriptor, const std::string& file, std::size_t most_bytes);
+  // Takes over `descriptor`, which must not block. At most spec.limits.stderr_bytes are written; a
+  // file is created only if there is anything to write.
+  ProgramStderr(int descriptor, const ProgramSpec& spec);
   ~ProgramStderr();
   ProgramStderr(const ProgramStderr&) = delete;
   ProgramStderr& operator=(const ProgramStderr&) = delete;
@@ -19,14 +21,16 @@ class ProgramStderr {
   // Reads some of what has arrived. Returns whether there may be more. Never blocks.
   bool drain();
 
-  // The last lines, at most eight and 1000 characters, with control characters as '?'.
+  // The last lines, at most four and 200 characters, with anything but ASCII as '?'.
   std::string last_lines() const;
 
  private:
   void keep(const char* text, std::size_t size);
 
   int descriptor_ = -1;
+  std::string file_name_;
   int file_ = -1;
+  int copy_ = -1;
   std::size_t room_ = 0;
   std::string tail_;
 };

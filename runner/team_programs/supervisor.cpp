@@ -72,7 +72,7 @@ void limit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
 }
 
 void limit_all(const ProgramLimits& limits) {
-  limit(RLIMIT_AS, limits.memory_bytes, limits.memory_bytes);
+  limit(RLIMIT_DATA, limits.memory_bytes, limits.memory_bytes);
   limit(RLIMIT_NOFILE, limits.open_files, limits.open_files);
   limit(RLIMIT_CPU, limits.cpu_s, limits.cpu_s + 1);
   limit(RLIMIT_CORE, 0, 0);

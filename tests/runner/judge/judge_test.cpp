@@ -99,8 +99,11 @@ TEST(CallEvaluation, IsWrittenInAFixedForm) {
 TEST(JudgeReport, HasATableForEveryBookAndCamera) {
   const JudgeSchedule the_schedule = schedule();
   RowsById rows;
-  for (const JudgeGame& game : games_of(the_schedule))
-    play_judged(resolved(game.configuration), rows[game.game_id]);
+  for (const JudgeGame& one : games_of(the_schedule)) {
+    const GameConfiguration game = resolved(one.configuration);
+    GamePrograms programs = GamePrograms::live(game, {});
+    play_judged(game, programs, rows[one.game_id]);
+  }
   const std::string csv = csv_of(report_of(the_schedule, rows));
   EXPECT_NE(csv.find("\npaper,none,throw_in,"), std::string::npos) << csv;
 }

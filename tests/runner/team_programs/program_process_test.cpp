@@ -12,29 +12,12 @@
 #include <sstream>
 #include <thread>
 
+#include "tests/runner/team_programs/marked_processes.hpp"
+
 namespace autoref::runner {
 namespace {
 
 using std::chrono::milliseconds;
-
-// Every process of a test carries a mark in its environment, also those below a forked worker.
-const std::string& marker() {
-  static const std::string text = "AUTOREF_TEST_PROGRAM=" + std::to_string(getpid());
-  return text;
-}
-
-int marked_processes() {
-  int count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
-    const std::string name = entry.path().filename();
-    if (name.find_first_not_of("0123456789") != std::string::npos) continue;
-    std::ifstream file(entry.path() / "environ", std::ios::binary);
-    std::stringstream text;
-    text << file.rdbuf();
-    if (text.str().find(marker()) != std::string::npos) ++count;
-  }
-  return count;
-}
 
 ProgramSpec shell(const std::string& script) {
   ProgramSpec spec;
@@ -162,7 +145,7 @@ TEST(ProgramProcess, EndsAProgramThatIgnoresSigterm) {
 }
 
 TEST(ProgramProcess, LimitsMemoryFilesAndTime) {
-  ProgramSpec spec = shell("ulimit -v; ulimit -n; ulimit -t; sleep 100");
+  ProgramSpec spec = shell("ulimit -d; ulimit -n; ulimit -t; sleep 100");
   spec.limits.memory_bytes = 64 << 20;
   spec.limits.open_files = 12;
   spec.limits.cpu_s = 7;

@@ -1,0 +1,29 @@
+// What the programs of an experiment's games leave in its folder: their commands, with which the
+// games can be played again without them, and what they wrote to standard error.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+#include "runner/game/game.hpp"
+#include "runner/team_programs/program_games.hpp"
+
+namespace autoref::runner {
+
+// commands/GAME_ID.gz
+std::filesystem::path commands_file(const std::filesystem::path& folder, const std::string& id);
+
+// Plays a game of the folder with its programs, which leave their files, and finds out whether they
+// are repeatable. `play` plays the game and returns its record, which is completed here. It is
+// called again, up to five times, if someone has killed a program.
+void play_live(const GameConfiguration& game, const std::filesystem::path& folder,
+               const std::function<GameRecord&(GamePrograms&)>& play);
+
+// Plays a game of the folder again, from the recorded commands if there are any.
+GamePrograms recorded_programs(const GameConfiguration& game, const std::filesystem::path& folder);
+
+// Plays a game with these programs. Throws what play() and the programs' files throw.
+GameRecord play_live(const GameConfiguration& game, const std::filesystem::path& folder);
+GameRecord play_recorded(const GameConfiguration& game, const std::filesystem::path& folder);
+
+}  // namespace autoref::runner

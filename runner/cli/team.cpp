@@ -1,0 +1,13 @@
+#include <CLI/CLI.hpp>
+
+#include "runner/cli/command_line.hpp"
+
+namespace autoref::runner {
+
+void add_team_verb(CLI::App& app, Chosen& chosen) {
+  CLI::App* verb = app.add_subcommand("team", "Teams that are programs in any language.");
+  verb->require_subcommand(1);
+  add_team_check_verb(*verb, chosen);
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,56 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "runner/cli/command_line.hpp"
+#include "runner/cli/team_check_report.hpp"
+#include "runner/io/errors.hpp"
+#include "runner/settings/assignments.hpp"
+#include "runner/settings/command_text.hpp"
+#include "runner/settings/fields.hpp"
+#include "runner/settings/resolved.hpp"
+#include "runner/team_programs/team_check.hpp"
+
+namespace autoref::runner {
+namespace {
+
+constexpr double kCheckedHalf_s = 5;
+
+GameSettings game_of(const TeamCheckArguments& arguments) {
+  GameSettings game;
+  game.match.half_s = kCheckedHalf_s;
+  blame("COMMAND", [&] { set_by_path(game, "a.command", arguments.command); });
+  for (const Assignment& assignment : assignments_in(arguments.sets))
+    blame("--set " + assignment.path,
+          [&] { set_by_path(game, assignment.path, assignment.value); });
+  blame("--set", [&] { check_game(game); });
+  return game;
+}
+
+}  // namespace
+
+int team_check_verb(const TeamCheckArguments& arguments) {
+  const TeamCheck check = check_team(resolved(game_of(arguments)));
+  fmt::print("{}{}", arguments.json ? json_of(check) : text_of(check), arguments.json ? "\n" : "");
+  return check.fault.empty() ? kDone : kTooManyVoid;
+}
+
+void add_team_check_verb(CLI::App& team, Chosen& chosen) {
+  CLI::App* verb = team.add_subcommand("check", "Try out a team that is a program.");
+  auto arguments = std::make_shared<TeamCheckArguments>();
+  verb->add_option("COMMAND", arguments->command,
+                   "The program and its arguments, in quotes: 'python3 my_team.py'.")
+      ->required();
+  add_set_option(*verb, arguments->sets);
+  verb->add_flag("--json", arguments->json, "Print one JSON object.");
+  verb->footer(
+      "Plays two halves of five seconds against basic, twice with the same seed. Prints what the\n"
+      "program asks for, how fast it answers, whether it repeats its commands, and what is "
+      "wrong.\n\n"
+      "Example:\n  autoref team check 'python3 my_team.py' --set a.directory=teams");
+  verb->callback(
+      [arguments, &chosen] { chosen = [arguments] { return team_check_verb(*arguments); }; });
+}
+
+}  // namespace autoref::runner

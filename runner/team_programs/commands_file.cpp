@@ -1,0 +1,214 @@
+#include "runner/team_programs/commands_file.hpp"
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <bit>
+#include <cerrno>
+#include <cstring>
+#include <string_view>
+#include <utility>
+
+#include "runner/io/errors.hpp"
+
+namespace autoref::runner {
+namespace {
+
+static_assert(std::endian::native == std::endian::little);
+
+constexpr std::string_view kHeader = "autoref-commands 1\n";
+constexpr std::size_t kLongestFault = 4000;
+
+constexpr unsigned kTeamBits = 3;
+constexpr unsigned kEnd = 3;
+constexpr unsigned kHasRequests = 4;
+constexpr unsigned kHasFault = 8;
+constexpr unsigned kHasChip = 16;
+constexpr unsigned kHasDribble = 32;
+
+gzFile gz_file(void* file) { return static_cast<gzFile>(file); }
+
+std::size_t index_of(char team) { return team == 'a' ? 0 : 1; }
+
+template <typename Number>
+void put(Number number, std::string& bytes) {
+  bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
+}
+
+std::array<float, 4> numbers_of(const RobotCommand& c) {
+  return {static_cast<float>(c.velocity_mps.x()), static_cast<float>(c.velocity_mps.y()),
+          static_cast<float>(c.angular_velocity_radps), static_cast<float>(c.kick_mps)};
+}
+
+bool is_same(const RobotCommand& a, const RobotCommand& b) {
+  return numbers_of(a) == numbers_of(b) && a.chip == b.chip && a.dribble == b.dribble;
+}
+
+bool is_same(const TeamRequests& a, const TeamRequests& b) {
+  return a.keeper == b.keeper && a.leaves == b.leaves && a.timeout == b.timeout;
+}
+
+void put_requests(const TeamRequests& requests, std::string& bytes) {
+  put(static_cast<std::int8_t>(requests.keeper), bytes);
+  put(static_cast<std::int8_t>(requests.leaves.value_or(-1)), bytes);
+  put(static_cast<std::uint8_t>(requests.timeout ? 1 : 0), bytes);
+}
+
+void put_command(const RobotCommand& command, const RobotCommand& last, std::string& bytes) {
+  const std::array<float, 4> now = numbers_of(command);
+  const std::array<float, 4> before = numbers_of(last);
+  unsigned flags = (command.chip ? kHasChip : 0U) | (command.dribble ? kHasDribble : 0U);
+  for (std::size_t i = 0; i < now.size(); ++i) flags |= now[i] != before[i] ? 1U << i : 0U;
+  put(static_cast<std::uint8_t>(flags), bytes);
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (now[i] != before[i]) put(now[i], bytes);
+  }
+}
+
+void put_commands(const TeamCommands& commands, const TeamCommands& last, std::string& bytes) {
+  unsigned changed = 0;
+  for (std::size_t i = 0; i < commands.size(); ++i)
+    changed |= is_same(commands[i], last[i]) ? 0U : 1U << i;
+  put(static_cast<std::uint16_t>(changed), bytes);
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    if ((changed >> i & 1U) != 0) put_command(commands[i], last[i], bytes);
+  }
+}
+
+}  // namespace
+
+bool is_same(const TeamEntry& a, const TeamEntry& b) {
+  return is_same(a.requests, b.requests) &&
+         std::equal(a.commands.begin(), a.commands.end(), b.commands.begin(),
+                    [](const RobotCommand& c, const RobotCommand& d) { return is_same(c, d); });
+}
+
+CommandsWriter::CommandsWriter(std::filesystem::path path)
+    : path_(std::move(path)), part_(path_.string() + ".part"), bytes_(kHeader) {
+  errno = 0;
+  file_ = gzopen(part_.c_str(), "wb6");
+  if (file_ == nullptr) throw io_error(fmt::format("cannot write {}", part_.string()), errno);
+  write();
+}
+
+CommandsWriter::~CommandsWriter() {
+  if (file_ == nullptr) return;
+  gzclose(gz_file(file_));
+  std::error_code ignored;
+  std::filesystem::remove(part_, ignored);
+}
+
+void CommandsWriter::write() {
+  errno = 0;
+  const int written = gzwrite(gz_file(file_), bytes_.data(), static_cast<unsigned>(bytes_.size()));
+  if (written <= 0) throw io_error(fmt::format("cannot write {}", part_.string()), errno);
+  bytes_.clear();
+}
+
+void CommandsWriter::add(char team, const TeamEntry& entry) {
+  TeamEntry& last = last_[index_of(team)];
+  const bool has_requests = !is_same(entry.requests, last.requests);
+  const auto letter = static_cast<unsigned>(index_of(team)) + 1;
+  const bool has_fault = !entry.fault.empty();
+  put(static_cast<std::uint8_t>(letter | (has_requests ? kHasRequests : 0U) |
+                                (has_fault ? kHasFault : 0U)),
+      bytes_);
+  if (has_requests) put_requests(entry.requests, bytes_);
+  if (has_fault) {
+    const std::string_view fault = std::string_view(entry.fault).substr(0, kLongestFault);
+    put(static_cast<std::uint16_t>(fault.size()), bytes_);
+    bytes_ += fault;
+  } else {
+    put_commands(entry.commands, last.commands, bytes_);
+  }
+  write();
+  last = entry;
+}
+
+void CommandsWriter::close(std::uint64_t final_state) {
+  put(static_cast<std::uint8_t>(kEnd), bytes_);
+  put(final_state, bytes_);
+  write();
+  errno = 0;
+  if (gzclose(gz_file(std::exchange(file_, nullptr))) != Z_OK)
+    throw io_error(fmt::format("cannot write {}", part_.string()), errno);
+  std::error_code error;
+  std::filesystem::rename(part_, path_, error);
+  if (error) throw io_error(fmt::format("cannot write {}", path_.string()), error.value());
+}
+
+CommandsReader::CommandsReader(std::filesystem::path path) : path_(std::move(path)) {
+  errno = 0;
+  file_ = gzopen(path_.c_str(), "rb");
+  if (file_ == nullptr) throw io_error(fmt::format("cannot read {}", path_.string()), errno);
+  std::string header(kHeader.size(), '\0');
+  const int size = gzread(gz_file(file_), header.data(), static_cast<unsigned>(header.size()));
+  if (size == static_cast<int>(header.size()) && header == kHeader) return;
+  gzclose(gz_file(file_));
+  refuse("is not a file of recorded commands (autoref play --record FILE writes one)");
+}
+
+CommandsReader::~CommandsReader() { gzclose(gz_file(file_)); }
+
+void CommandsReader::refuse(const std::string& what) const {
+  throw InputError({path_.string()}, "", what);
+}
+
+void CommandsReader::read(void* bytes, std::size_t size) {
+  const int got = gzread(gz_file(file_), bytes, static_cast<unsigned>(size));
+  if (got != static_cast<int>(size)) refuse("is damaged, or ends in the middle of an entry");
+}
+
+template <typename Number>
+Number CommandsReader::number() {
+  Number number{};
+  read(&number, sizeof number);
+  return number;
+}
+
+void CommandsReader::read_command(RobotCommand& command) {
+  const auto flags = number<std::uint8_t>();
+  std::array<float, 4> numbers = numbers_of(command);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if ((flags >> i & 1U) != 0) numbers[i] = number<float>();
+  }
+  command = {Vec2(numbers[0], numbers[1]), numbers[2], numbers[3], (flags & kHasChip) != 0,
+             (flags & kHasDribble) != 0};
+  if (!is_finite(command)) refuse("is damaged: a command is not finite");
+}
+
+const TeamEntry& CommandsReader::next(char team) {
+  const auto kind = number<std::uint8_t>();
+  const std::size_t index = index_of(team);
+  if ((kind & kTeamBits) != index + 1) {
+    refuse(
+        fmt::format("has no commands of team {} where the game needs them; it belongs to "
+                    "another game",
+                    team));
+  }
+  TeamEntry& entry = last_[index];
+  if ((kind & kHasRequests) != 0) {
+    entry.requests.keeper = number<std::int8_t>();
+    const auto leaves = number<std::int8_t>();
+    entry.requests.leaves = leaves < 0 ? std::nullopt : std::optional<int>(leaves);
+    entry.requests.timeout = number<std::uint8_t>() != 0;
+  }
+  if ((kind & kHasFault) != 0) {
+    entry.fault.resize(std::min<std::size_t>(number<std::uint16_t>(), kLongestFault));
+    read(entry.fault.data(), entry.fault.size());
+    return entry;
+  }
+  const auto changed = number<std::uint16_t>();
+  for (std::size_t i = 0; i < entry.commands.size(); ++i) {
+    if ((changed >> i & 1U) != 0) read_command(entry.commands[i]);
+  }
+  return entry;
+}
+
+std::uint64_t CommandsReader::final_state() {
+  if (number<std::uint8_t>() != kEnd) refuse("has more commands than the game; it is another's");
+  return number<std::uint64_t>();
+}
+
+}  // namespace autoref::runner

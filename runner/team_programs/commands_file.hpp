@@ -1,0 +1,87 @@
+// The commands of a game's programs in a file, with which the game is played again without them.
+//
+// A gzip file with a header line, `autoref-commands 1`, and then entries in the order in which they
+// took effect. An entry begins with a byte:
+//   bits 0-1  1 team a, 2 team b, 3 the end: 8 bytes with the game's final state follow
+//   bit 2     requests follow: keeper and robot that leaves (int8, -1: none), timeout (uint8)
+//   bit 3     a fault follows: its length (uint16) and text; the team's last entry
+// Unless there is a fault, then a uint16: bit n is set if robot n's command differs from the
+// previous one, initially all zero. For each of these robots a byte:
+//   bits 0-3  forward, left, angular velocity, kick follow as floats; the others are as before
+//   bit 4     chip
+//   bit 5     dribble
+// All numbers are little-endian.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "soccer/robot_command.hpp"
+#include "soccer/team_requests.hpp"
+
+namespace autoref::runner {
+
+// What the file knows of a team at a time.
+struct TeamEntry {
+  TeamCommands commands{};  // as transmitted() returns them
+  TeamRequests requests;
+  std::string fault;  // empty unless the team failed; at most 4000 bytes are kept
+};
+
+// Whether commands and requests are equal.
+bool is_same(const TeamEntry& a, const TeamEntry& b);
+
+class CommandsWriter {
+ public:
+  // Writes PATH.part, which close() renames. Throws InputOutputError.
+  explicit CommandsWriter(std::filesystem::path path);
+  ~CommandsWriter();  // removes the file unless it is closed
+  CommandsWriter(const CommandsWriter&) = delete;
+  CommandsWriter& operator=(const CommandsWriter&) = delete;
+
+  // `team` is 'a' or 'b'. Throws InputOutputError.
+  void add(char team, const TeamEntry& entry);
+
+  // Throws InputOutputError.
+  void close(std::uint64_t final_state);
+
+ private:
+  void write();
+
+  std::filesystem::path path_;
+  std::filesystem::path part_;
+  void* file_ = nullptr;  // a gzFile
+  std::array<TeamEntry, 2> last_;
+  std::string bytes_;
+};
+
+class CommandsReader {
+ public:
+  // Throws InputError if this is not a file of commands.
+  explicit CommandsReader(std::filesystem::path path);
+  ~CommandsReader();
+  CommandsReader(const CommandsReader&) = delete;
+  CommandsReader& operator=(const CommandsReader&) = delete;
+
+  // The next entry, which must be of `team`. Throws InputError if it is not, or if the file is
+  // damaged or at its end: then it belongs to another game.
+  const TeamEntry& next(char team);
+
+  // The final state of the game. Throws InputError if there are entries left.
+  std::uint64_t final_state();
+
+ private:
+  [[noreturn]] void refuse(const std::string& what) const;
+  void read(void* bytes, std::size_t size);
+  template <typename Number>
+  Number number();
+  void read_command(RobotCommand& command);
+
+  std::filesystem::path path_;
+  void* file_ = nullptr;  // a gzFile
+  std::array<TeamEntry, 2> last_;
+};
+
+}  // namespace autoref::runner

@@ -1,0 +1,70 @@
+// Games in which teams are programs.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "runner/game/configuration.hpp"
+#include "runner/game/game_record.hpp"
+#include "runner/game/observer.hpp"
+#include "runner/game/team_maker.hpp"
+#include "runner/team_programs/commands_file.hpp"
+#include "runner/team_programs/program_spec.hpp"
+
+namespace autoref::runner {
+
+// Whether a team is a program.
+bool has_programs(const GameConfiguration& game);
+
+// How to start it.
+ProgramSpec spec_of(const TeamProgram& program);
+
+// The team's program (program_team.hpp) if it has one, else the registered strategy. Throws like
+// make_registered_team().
+std::unique_ptr<strategies::Strategy> make_program_or_registered_team(
+    const TeamConfiguration& team, const strategies::TeamContext& context);
+
+// Files that a game's programs leave. Empty paths: none.
+struct ProgramFiles {
+  std::filesystem::path commands;       // commands_file.hpp
+  std::filesystem::path stderr_a = {};  // standard error of team a's program
+  std::filesystem::path stderr_b = {};
+  bool show_stderr = false;  // also on AutoRef's
+};
+
+// Plays a game's programs, or their recorded commands, and keeps its files.
+class GamePrograms {
+ public:
+  // Plays the programs. Throws InputOutputError if a file cannot be written.
+  static GamePrograms live(const GameConfiguration& game, ProgramFiles files);
+  // Plays the commands of a file instead of the programs. Throws InputError, InputOutputError.
+  static GamePrograms recorded(const GameConfiguration& game,
+                               const std::filesystem::path& commands);
+
+  // For Game; this object must outlive its teams.
+  TeamMaker maker();
+
+  // Whether a program whose commands are recorded was killed, which may not be its own fault.
+  bool was_killed() const { return was_killed_; }
+
+  // Call it with the final record: completes the file of commands. If the game was played from
+  // recorded commands, returns whether it ended in the recorded state. Throws as CommandsWriter and
+  // CommandsReader do.
+  bool finish(const GameRecord& record);
+
+ private:
+  std::unique_ptr<strategies::Strategy> make(const TeamConfiguration& team,
+                                             const strategies::TeamContext& context);
+
+  Side side_a_ = Side::kWest;
+  ProgramFiles files_;
+  bool was_killed_ = false;
+  std::unique_ptr<CommandsWriter> writer_;  // null: nothing is recorded
+  std::unique_ptr<CommandsReader> reader_;  // null: the programs play
+};
+
+// Starts the programs again and plays the first `seconds` of a game that was recorded. Returns
+// whether they send the recorded commands.
+bool repeats(const GameConfiguration& game, const std::filesystem::path& commands, double seconds);
+
+}  // namespace autoref::runner

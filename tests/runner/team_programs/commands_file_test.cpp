@@ -1,0 +1,163 @@
+#include "runner/team_programs/commands_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "runner/game/game.hpp"
+#include "runner/io/errors.hpp"
+#include "runner/team_programs/program_games.hpp"
+#include "soccer/random.hpp"
+#include "tests/runner/support/temporary_folder.hpp"
+#include "tests/runner/team_programs/shell_teams.hpp"
+
+namespace autoref::runner {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kState = 0x123456789abcdef0;
+
+TeamEntry random_entry(RandomStream& random) {
+  TeamEntry entry;
+  for (RobotCommand& command : entry.commands) {
+    if (random.uniform() < 0.5) continue;
+    command.velocity_mps = Vec2(random.normal(), random.uniform() < 0.5 ? 0 : random.normal());
+    command.angular_velocity_radps = random.normal() * 10;
+    command.kick_mps = random.uniform() * 8;
+    command.chip = random.uniform() < 0.5;
+    command.dribble = random.uniform() < 0.5;
+    command = transmitted(command);
+  }
+  entry.requests.keeper = static_cast<int>(random.uniform() * 17) - 1;
+  if (random.uniform() < 0.5) entry.requests.leaves = static_cast<int>(random.uniform() * 16);
+  entry.requests.timeout = random.uniform() < 0.5;
+  return entry;
+}
+
+void expect_equal(const TeamEntry& read, const TeamEntry& written) {
+  for (std::size_t i = 0; i < written.commands.size(); ++i) {
+    EXPECT_EQ(read.commands[i].velocity_mps, written.commands[i].velocity_mps);
+    EXPECT_EQ(read.commands[i].angular_velocity_radps, written.commands[i].angular_velocity_radps);
+    EXPECT_EQ(read.commands[i].kick_mps, written.commands[i].kick_mps);
+    EXPECT_EQ(read.commands[i].chip, written.commands[i].chip);
+    EXPECT_EQ(read.commands[i].dribble, written.commands[i].dribble);
+  }
+  EXPECT_EQ(read.requests.keeper, written.requests.keeper);
+  EXPECT_EQ(read.requests.leaves, written.requests.leaves);
+  EXPECT_EQ(read.requests.timeout, written.requests.timeout);
+  EXPECT_EQ(read.fault, written.fault);
+}
+
+class CommandsFile : public testing::Test {
+ protected:
+  TemporaryFolder folder_;
+  const fs::path file_ = folder_.path() / "game.gz";
+};
+
+TEST_F(CommandsFile, IsReadAsItWasWritten) {
+  RandomStream random(7);
+  std::vector<TeamEntry> entries;
+  CommandsWriter writer(file_);
+  for (int i = 0; i < 400; ++i) {
+    entries.push_back(random_entry(random));
+    writer.add(i % 2 == 0 ? 'a' : 'b', entries.back());
+  }
+  TeamEntry last;
+  last.fault = "ended with status 3";
+  writer.add('a', last);
+  writer.close(kState);
+  CommandsReader reader(file_);
+  for (int i = 0; i < 400; ++i)
+    expect_equal(reader.next(i % 2 == 0 ? 'a' : 'b'), entries[static_cast<std::size_t>(i)]);
+  EXPECT_EQ(reader.next('a').fault, "ended with status 3");
+  EXPECT_EQ(reader.final_state(), kState);
+}
+
+TEST_F(CommandsFile, AppearsOnlyWhenItIsClosed) {
+  {
+    CommandsWriter writer(file_);
+    writer.add('a', {});
+    EXPECT_FALSE(fs::exists(file_));
+  }
+  EXPECT_TRUE(fs::is_empty(folder_.path()));
+}
+
+TEST_F(CommandsFile, OfAnotherGameIsRefused) {
+  CommandsWriter writer(file_);
+  writer.add('a', {});
+  writer.add('a', {});
+  writer.close(kState);
+  CommandsReader reader(file_);
+  EXPECT_THROW(reader.next('b'), InputError);
+  CommandsReader again(file_);
+  again.next('a');
+  EXPECT_THROW(again.final_state(), InputError);
+}
+
+TEST_F(CommandsFile, ThatIsDamagedIsRefused) {
+  std::ofstream(file_) << "nothing";
+  EXPECT_THROW(CommandsReader{file_}, InputError);
+  CommandsWriter writer(file_);
+  RandomStream random(7);
+  for (int i = 0; i < 100; ++i) writer.add('a', random_entry(random));
+  writer.close(kState);
+  fs::resize_file(file_, fs::file_size(file_) / 2);
+  CommandsReader reader(file_);
+  const auto read_all = [&reader] {
+    for (int i = 0; i < 100; ++i) reader.next('a');
+    reader.final_state();
+  };
+  EXPECT_THROW(read_all(), InputError);
+}
+
+// A program whose commands differ from run to run.
+std::string random_script() {
+  return kGreets + kReads + kAnswers +
+         "while :; do next; [ -z \"$frame\" ] || answer \",\\\"commands\\\":[{\\\"robot\\\":1,"
+         "\\\"vx_mps\\\":0.$(od -An -N1 -tu1 /dev/urandom | tr -d ' ')}]\"; done\n";
+}
+
+GameRecord played(const GameConfiguration& game, GamePrograms programs, bool& is_same) {
+  GameRecord record = play(game, nullptr, programs.maker());
+  is_same = programs.finish(record);
+  return record;
+}
+
+TEST_F(CommandsFile, RepeatsAGameWhoseProgramDoesNotRepeatIt) {
+  const GameConfiguration game = shell_game(random_script());
+  bool is_same = false;
+  const GameRecord live = played(game, GamePrograms::live(game, {file_}), is_same);
+  ASSERT_EQ(live.status, Status::kOk) << live.void_reason;
+  const GameRecord other = played(game, GamePrograms::live(game, {}), is_same);
+  EXPECT_NE(other.state_hash, live.state_hash);
+  const GameRecord replayed = played(game, GamePrograms::recorded(game, file_), is_same);
+  EXPECT_EQ(replayed.state_hash, live.state_hash);
+  EXPECT_TRUE(is_same);
+}
+
+TEST_F(CommandsFile, RepeatsAFault) {
+  const GameConfiguration game = shell_game(script_that(5, "echo no >&2; exit 3"));
+  bool is_same = false;
+  const GameRecord live = played(game, GamePrograms::live(game, {file_}), is_same);
+  const GameRecord replayed = played(game, GamePrograms::recorded(game, file_), is_same);
+  EXPECT_EQ(replayed.void_reason, live.void_reason);
+  EXPECT_TRUE(is_same);
+}
+
+TEST_F(CommandsFile, OfAnotherSeedEndsInAnotherState) {
+  const GameConfiguration game = shell_game(idle_script());
+  bool is_same = false;
+  played(game, GamePrograms::live(game, {file_}), is_same);
+  GameConfiguration other = game;
+  other.a.robots.resize(3);
+  GamePrograms programs = GamePrograms::recorded(other, file_);
+  const GameRecord record = play(other, nullptr, programs.maker());
+  EXPECT_FALSE(programs.finish(record));
+}
+
+}  // namespace
+}  // namespace autoref::runner

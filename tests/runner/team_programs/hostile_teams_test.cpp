@@ -1,0 +1,121 @@
+// Teams that fail in every way we know: the fault is theirs, and nothing is left behind.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <string>
+
+#include "runner/game/game.hpp"
+#include "runner/team_programs/program_games.hpp"
+#include "tests/runner/team_programs/shell_teams.hpp"
+
+namespace autoref::runner {
+namespace {
+
+struct HostileTeam {
+  std::string name;
+  std::string script;
+  std::string reason;  // part of the row's
+};
+
+std::string team_name(const testing::TestParamInfo<HostileTeam>& info) { return info.param.name; }
+
+class HostileTeams : public testing::TestWithParam<HostileTeam> {};
+
+TEST_P(HostileTeams, LoseTheirGameAndNothingElse) {
+  GameConfiguration game = shell_game(GetParam().script);
+  for (const OnTeamFault consequence : {OnTeamFault::kVoid, OnTeamFault::kForfeit}) {
+    game.match.on_team_fault = consequence;
+    const GameRecord record = play(game, nullptr, make_program_or_registered_team);
+    const bool is_void = consequence == OnTeamFault::kVoid;
+    EXPECT_EQ(record.status, is_void ? Status::kVoid : Status::kForfeit);
+    EXPECT_EQ(record.end_reason, is_void ? EndReason::kVoid : EndReason::kForfeitA);
+    EXPECT_EQ(record.void_reason.find("team a /bin/sh "), 0U) << record.void_reason;
+    EXPECT_NE(record.void_reason.find(GetParam().reason), std::string::npos) << record.void_reason;
+    EXPECT_EQ(marked_processes(), 0);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, HostileTeams,
+    testing::Values(
+        HostileTeam{"HangsAtTheStart", "sleep 100", "did not answer within 1 s"},
+        HostileTeam{"Hangs", script_that(2, "sleep 100"), "did not answer within 1 s"},
+        HostileTeam{"NeverReads", kGreets + "sleep 100", "did not answer within 1 s"},
+        HostileTeam{"EndsAtTheStart", "echo no licence >&2; exit 4",
+                    "ended with status 4; its last lines on standard error:\nno licence"},
+        HostileTeam{"Ends", script_that(2, "exit 0"), "ended with status 0"},
+        HostileTeam{"Crashes", script_that(2, "kill -SEGV $$"), "killed by signal 11"},
+        HostileTeam{"ClosesItsOutput", script_that(2, "exec >&-; sleep 100"), "closed its output"},
+        HostileTeam{"GreetsInAnotherProtocol", "echo HELLO; sleep 100", "HELLO"},
+        HostileTeam{"NeverEndsItsGreeting", "while :; do printf x; done",
+                    "sent bad output: the first line begins with"},
+        HostileTeam{"WritesBeforeTheStart", kGreets + "echo '{\"frame\":0}'; sleep 100", ""},
+        HostileTeam{"SendsGarbage", script_that(2, "echo garbage"), "garbage"},
+        HostileTeam{"SendsZeros", script_that(2, "head -c 100000 /dev/zero; sleep 100"), "sent "},
+        HostileTeam{"SendsTooMuch", script_that(2, "yes | tr -d '\\n'"), "65536"},
+        HostileTeam{"SendsNotANumber",
+                    script_that(2, "answer ',\"commands\":[{\"robot\":1,\"vx_mps\":NaN}]'"),
+                    "sent "},
+        HostileTeam{"SendsAnInfiniteNumber",
+                    script_that(2, "answer ',\"commands\":[{\"robot\":1,\"vx_mps\":1e999}]'"),
+                    "sent "},
+        HostileTeam{"CommandsARobotThatDoesNotExist",
+                    script_that(2, "answer ',\"commands\":[{\"robot\":16}]'"), "robot is 16"},
+        HostileTeam{"AnswersTwice", script_that(2, "answer; answer; sleep 100"), ""},
+        HostileTeam{"AnswersAnotherFrame", script_that(2, "frame=7000; answer"),
+                    "answered frame 7000 instead of"},
+        HostileTeam{"IsAForkBomb", script_that(2, "bomb() { bomb | bomb & }; bomb; sleep 100"), ""},
+        HostileTeam{"TakesAllMemory", script_that(2, "x=xxxxxxxx; while :; do x=$x$x; done"), ""}),
+    team_name);
+
+GameRecord record_with(const std::string& script, double half_s = 0.2) {
+  return play(shell_game(script, half_s), nullptr, make_program_or_registered_team);
+}
+
+TEST(TeamPrograms, PlayTheWholeGame) {
+  const GameRecord record = record_with(idle_script());
+  EXPECT_EQ(record.status, Status::kOk) << record.void_reason;
+  EXPECT_EQ(marked_processes(), 0);
+}
+
+TEST(TeamPrograms, MayFloodTheirStandardError) {
+  const GameRecord record = record_with("yes flood >&2 &\n" + idle_script());
+  EXPECT_EQ(record.status, Status::kOk) << record.void_reason;
+  EXPECT_EQ(marked_processes(), 0);
+}
+
+TEST(TeamPrograms, LeaveNoChildBehind) {
+  const GameRecord record = record_with("setsid sleep 1000 >/dev/null 2>&1 &\n" + idle_script());
+  EXPECT_EQ(record.status, Status::kOk) << record.void_reason;
+  EXPECT_EQ(marked_processes(), 0);
+}
+
+TEST(TeamPrograms, ThatDoNotExistLoseTheirGame) {
+  GameConfiguration game = shell_game("");
+  game.a.program->command = {"/no/such/team"};
+  const GameRecord record = play(game, nullptr, make_program_or_registered_team);
+  EXPECT_EQ(record.status, Status::kVoid);
+  EXPECT_NE(record.void_reason.find("cannot start /no/such/team: No such file or directory"),
+            std::string::npos)
+      << record.void_reason;
+}
+
+TEST(TeamPrograms, HaveNoWinnerIfBothFail) {
+  GameConfiguration game = shell_game("exit 1");
+  game.b = shell_team("exit 1");
+  game.match.on_team_fault = OnTeamFault::kForfeit;
+  const GameRecord record = play(game, nullptr, make_program_or_registered_team);
+  EXPECT_EQ(record.status, Status::kVoid);
+}
+
+TEST(TeamPrograms, LoseToProgramsThatPlay) {
+  GameConfiguration game = shell_game(idle_script());
+  game.b = shell_team(script_that(2, "exit 1"));
+  game.match.on_team_fault = OnTeamFault::kForfeit;
+  const GameRecord record = play(game, nullptr, make_program_or_registered_team);
+  EXPECT_EQ(record.end_reason, EndReason::kForfeitB);
+  EXPECT_EQ(record.status, Status::kForfeit);
+}
+
+}  // namespace
+}  // namespace autoref::runner

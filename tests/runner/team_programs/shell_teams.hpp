@@ -1,0 +1,49 @@
+// Teams that are shell scripts.
+#pragma once
+
+#include <string>
+
+#include "runner/game/configuration.hpp"
+#include "tests/runner/support/short_game.hpp"
+#include "tests/runner/team_programs/marked_processes.hpp"
+
+namespace autoref::runner {
+
+inline const std::string kGreets = "echo 'autoref-team 1 json'\n";
+
+// A line of input is in `line`, and its frame's number in `frame`, which is empty for START.
+inline const std::string kReads =
+    "next() { read -r line || exit 0; frame=${line#*'\"frame\":{\"frame\":'}; "
+    "case $line in *'\"frame\":{'*) frame=${frame%%,*};; *) frame=;; esac; }\n";
+
+inline const std::string kAnswers = "answer() { echo \"{\\\"frame\\\":$frame$1}\"; }\n";
+
+// Answers `frames` frames and then does what `then` says, in the place of another answer.
+inline std::string script_that(int frames, const std::string& then) {
+  return kGreets + kReads + kAnswers + "next\nn=0\nwhile [ $n -lt " + std::to_string(frames) +
+         " ]; do next; answer; n=$((n + 1)); done\nnext\n" + then + "\n";
+}
+
+// Stands still for the whole game.
+inline std::string idle_script() {
+  return kGreets + kReads + kAnswers + "while :; do next; [ -z \"$frame\" ] || answer; done\n";
+}
+
+inline TeamConfiguration shell_team(const std::string& script) {
+  TeamConfiguration team;
+  TeamProgram program;
+  program.command = {"/bin/sh", "-c", script};
+  program.environment = {marker()};
+  program.answer_s = 1;
+  program.memory_mb = 64;
+  team.program = program;
+  return team;
+}
+
+inline GameConfiguration shell_game(const std::string& script_a, double half_s = 0.2) {
+  GameConfiguration game = short_game(half_s, 5);
+  game.a = shell_team(script_a);
+  return game;
+}
+
+}  // namespace autoref::runner
