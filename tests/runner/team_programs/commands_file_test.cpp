@@ -116,9 +116,9 @@ TEST_F(CommandsFile, ThatIsDamagedIsRefused) {
 
 // A program whose commands differ from run to run.
 std::string random_script() {
-  return kGreets + kReads + kAnswers +
+  return kDrawsRandom + kGreets + kReads + kAnswers +
          "while :; do next; [ -z \"$frame\" ] || answer \",\\\"commands\\\":[{\\\"robot\\\":1,"
-         "\\\"vx_mps\\\":0.$(od -An -N1 -tu1 /dev/urandom | tr -d ' ')}]\"; done\n";
+         "\\\"vx_mps\\\":0.$random}]\"; done\n";
 }
 
 GameRecord played(const GameConfiguration& game, GamePrograms programs, bool& is_same) {

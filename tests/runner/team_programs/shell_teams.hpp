@@ -18,6 +18,9 @@ inline const std::string kReads =
 
 inline const std::string kAnswers = "answer() { echo \"{\\\"frame\\\":$frame$1}\"; }\n";
 
+// Another digit sequence in each run.
+inline const std::string kDrawsRandom = "random=$(od -An -N4 -tu4 /dev/urandom | tr -d ' ')\n";
+
 // Answers `frames` frames and then does what `then` says, in the place of another answer.
 inline std::string script_that(int frames, const std::string& then) {
   return kGreets + kReads + kAnswers + "next\nn=0\nwhile [ $n -lt " + std::to_string(frames) +

@@ -27,9 +27,9 @@ TEST(TeamCheck, SaysWhatAProgramAskedForAndDid) {
 
 TEST(TeamCheck, SaysThatAProgramIsNotRepeatable) {
   const TeamCheck check = check_team(shell_game(
-      kGreets + kReads + kAnswers +
+      kDrawsRandom + kGreets + kReads + kAnswers +
       "while :; do next; [ -z \"$frame\" ] || answer \",\\\"commands\\\":[{\\\"robot\\\":1,"
-      "\\\"vx_mps\\\":0.$(od -An -N2 -tu2 /dev/urandom | tr -d ' ')}]\"; done\n"));
+      "\\\"vx_mps\\\":0.$random}]\"; done\n"));
   EXPECT_EQ(check.fault, "");
   EXPECT_EQ(check.is_repeatable, false);
 }
