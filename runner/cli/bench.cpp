@@ -1,8 +1,10 @@
 #include "runner/bench/bench.hpp"
+#include "runner/bench/answering_program.hpp"
 
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "runner/bench/programs_bench.hpp"
 #include "runner/bench/workers_bench.hpp"
 #include "runner/cli/command_line.hpp"
 
@@ -12,6 +14,8 @@ void add_bench_verb(CLI::App& app, Chosen& chosen) {
   struct Arguments {
     bool json = false;
     bool workers = false;
+    bool programs = false;
+    bool answer = false;
   };
   CLI::App* verb = app.add_subcommand("bench", "Measure how fast whole games run.");
   auto arguments = std::make_shared<Arguments>();
@@ -19,9 +23,15 @@ void add_bench_verb(CLI::App& app, Chosen& chosen) {
   verb->add_flag(
       "--workers", arguments->workers,
       "Instead, compare two workers with one and measure the cost of dispatching games.");
+  verb->add_flag("--programs", arguments->programs,
+                 "Instead, compare games between programs with bare pipes.");
+  verb->add_flag("--answer", arguments->answer,
+                 "Instead, be a team's program that does nothing but answer.");
   verb->footer("Example:\n  autoref bench --json");
   verb->callback([arguments, &chosen] {
     chosen = [arguments] {
+      if (arguments->answer) return answer_frames();
+      if (arguments->programs) return run_programs_bench(arguments->json);
       return arguments->workers ? run_workers_bench(arguments->json) : run_bench(arguments->json);
     };
   });

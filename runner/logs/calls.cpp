@@ -31,10 +31,6 @@ bool has_same_event(const Call& annotated, const Call& refereed) {
   return annotated.event == refereed.event && (!annotated.side || annotated.side == refereed.side);
 }
 
-double time_of(const CallPair& pair) {
-  return pair.recorded ? pair.recorded->stop_s : pair.refereed->stop_s;
-}
-
 constexpr double kNearby_s = 10;
 
 std::string text_of(const Call& call) {
@@ -88,6 +84,10 @@ Agreement matched(std::span<const Call> recorded, std::span<const Call> refereed
 }
 
 }  // namespace
+
+double time_of(const CallPair& pair) {
+  return pair.recorded ? pair.recorded->stop_s : pair.refereed->stop_s;
+}
 
 std::string title_of(const Call& call) {
   if (call.event.empty()) return name_of(call.restart);

@@ -44,6 +44,9 @@ struct CallPair {
   bool is_right() const { return recorded && refereed; }
 };
 
+// When play stopped for the call.
+double time_of(const CallPair& pair);
+
 struct Agreement {
   std::vector<CallPair> pairs;  // in order of time
   int right = 0;

@@ -106,10 +106,6 @@ std::string name_of(const std::optional<Call>& call) {
              : title;
 }
 
-double time_of(const CallPair& pair) {
-  return pair.recorded ? pair.recorded->stop_s : pair.refereed->stop_s;
-}
-
 // Only disagreements have a link.
 std::string link_to(const CallPair& pair, const Comparison& comparison) {
   if (comparison.page.empty() || pair.is_right()) return "";
