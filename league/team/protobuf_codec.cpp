@@ -1,9 +1,8 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "league/messages/team.pb.h"
 #include "league/team/codecs.hpp"
+#include "league/team/delimited.hpp"
 #include "league/team/output_builder.hpp"
 #include "league/team/rule_numbers.hpp"
 #include "league/team/team_fault.hpp"
@@ -145,12 +144,6 @@ void fill_frame(const TeamFrame& frame, team::TeamFrame& message) {
   }
 }
 
-void append_varint(std::size_t value, std::string& bytes) {
-  constexpr std::size_t kMore = 0x80;
-  for (; value >= kMore; value >>= 7U) bytes += static_cast<char>(value | kMore);
-  bytes += static_cast<char>(value);
-}
-
 RobotCommand command_of(const team::TeamCommand& message) {
   RobotCommand command;
   command.velocity_mps = {message.vx_mps(), message.vy_mps()};
@@ -167,7 +160,7 @@ class ProtobufCodec final : public TeamCodec {
     check_names(start);
     input_.Clear();
     fill_start(start, *input_.mutable_start());
-    append_input(bytes);
+    append_delimited(input_, bytes);
   }
 
   // Keeps the messages of the previous frame's robots, so that nothing is allocated.
@@ -175,7 +168,7 @@ class ProtobufCodec final : public TeamCodec {
     if (!input_.has_frame()) input_.Clear();
     input_.mutable_frame()->Clear();
     fill_frame(frame, *input_.mutable_frame());
-    append_input(bytes);
+    append_delimited(input_, bytes);
   }
 
   void append(const TeamEnd& end, std::string& bytes) override {
@@ -183,19 +176,11 @@ class ProtobufCodec final : public TeamCodec {
     input_.mutable_end()->set_reason(end.reason.substr(0, kLongestName));
     input_.mutable_end()->set_goals_own(end.goals_own);
     input_.mutable_end()->set_goals_opponent(end.goals_opponent);
-    append_input(bytes);
+    append_delimited(input_, bytes);
   }
 
   std::optional<MessageExtent> find_message(std::string_view bytes) const override {
-    constexpr std::size_t kLongestVarint = 3;  // of kLongestOutput
-    std::size_t size = 0;
-    for (std::size_t i = 0; i < std::min(kLongestVarint, bytes.size()); ++i) {
-      const auto byte = static_cast<unsigned char>(bytes[i]);
-      size |= static_cast<std::size_t>(byte & 0x7FU) << (7 * i);
-      if ((byte & 0x80U) == 0) return extent_of(i + 1, size, bytes);
-    }
-    if (bytes.size() < kLongestVarint) return std::nullopt;
-    throw TeamFault(fmt::format("an output's length is not a number up to {}", kLongestOutput));
+    return find_delimited(bytes);
   }
 
   void read(std::string_view content, TeamOutput& output) override {
@@ -215,20 +200,6 @@ class ProtobufCodec final : public TeamCodec {
   }
 
  private:
-  static std::optional<MessageExtent> extent_of(std::size_t begin, std::size_t size,
-                                                std::string_view bytes) {
-    if (size > kLongestOutput) {
-      throw TeamFault(fmt::format("an output has {} bytes; the limit is {}", size, kLongestOutput));
-    }
-    if (bytes.size() - begin < size) return std::nullopt;
-    return MessageExtent{begin, size, begin + size};
-  }
-
-  void append_input(std::string& bytes) const {
-    append_varint(input_.ByteSizeLong(), bytes);
-    input_.AppendToString(&bytes);
-  }
-
   team::TeamInput input_;
   team::TeamOutput output_;
 };
