@@ -14,14 +14,15 @@ namespace {
 
 constexpr std::size_t kLongestGreeting = 80;  // bytes, without the end of the line
 constexpr std::string_view kGreetingUsage =
-    "expected \"autoref-team 1 ENCODING [MOTION]\", with ENCODING protobuf, json or flat and "
-    "MOTION tracked or detections";
+    "expected \"autoref-team 1 ENCODING [MOTION]\", with ENCODING protobuf, json, flat or league "
+    "and MOTION tracked or detections";
 constexpr std::string_view kGreetingName = "autoref-team";
 constexpr std::string_view kGreetingVersion = "1";
-constexpr std::array<std::pair<std::string_view, TeamEncoding>, 3> kEncodings = {
+constexpr std::array<std::pair<std::string_view, TeamEncoding>, 4> kEncodings = {
     {{"protobuf", TeamEncoding::kProtobuf},
      {"json", TeamEncoding::kJson},
-     {"flat", TeamEncoding::kFlat}}};
+     {"flat", TeamEncoding::kFlat},
+     {"league", TeamEncoding::kLeague}}};
 constexpr std::array<std::pair<std::string_view, TeamMotion>, 2> kMotions = {
     {{"tracked", TeamMotion::kTracked}, {"detections", TeamMotion::kDetections}}};
 
@@ -72,6 +73,7 @@ Greeting greeting_of(std::string_view line) {
   if (words.size() < 3) refuse(line, "the encoding is missing");
   Greeting greeting;
   greeting.encoding = value_of(kEncodings, words[2], line, "encoding");
+  if (greeting.encoding == TeamEncoding::kLeague) greeting.motion = TeamMotion::kDetections;
   if (words.size() > 3) greeting.motion = value_of(kMotions, words[3], line, "motion");
   if (words.size() > 4) refuse(line, "it has too many words");
   return greeting;

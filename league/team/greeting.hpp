@@ -8,7 +8,7 @@
 
 namespace autoref::league {
 
-enum class TeamEncoding : std::uint8_t { kProtobuf, kJson, kFlat };
+enum class TeamEncoding : std::uint8_t { kProtobuf, kJson, kFlat, kLeague };
 
 // What the program is given of robots and ball: motion as the simulator's tracker estimates it, or
 // the detections of the latest camera frame.
@@ -24,8 +24,9 @@ struct Greeting {
   bool operator==(const Greeting&) const = default;
 };
 
-// Reads "autoref-team 1 ENCODING [MOTION]", where ENCODING is protobuf, json or flat, and MOTION is
-// tracked (the default) or detections. Throws TeamFault if the line is anything else.
+// Reads "autoref-team 1 ENCODING [MOTION]", where ENCODING is protobuf, json, flat or league, and
+// MOTION is tracked or detections (the default of league only). Throws TeamFault if the line is
+// anything else.
 Greeting greeting_of(std::string_view line);
 
 struct GreetingAndSize {

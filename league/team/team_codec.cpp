@@ -26,6 +26,8 @@ std::unique_ptr<TeamCodec> make_team_codec(TeamEncoding encoding) {
       return make_json_codec();
     case TeamEncoding::kFlat:
       return make_flat_codec();
+    case TeamEncoding::kLeague:
+      return make_league_codec();
   }
   throw std::invalid_argument("unknown encoding");
 }

@@ -1,6 +1,6 @@
 // What the simulator and a team that is a program of its own send to each other. The program is
 // given one TeamStart, then one TeamFrame per camera frame, each of which it answers with one
-// TeamOutput, and at last a TeamEnd. docs/team-programs.md describes the three encodings.
+// TeamOutput, and at last a TeamEnd. docs/team-programs.md describes the encodings.
 #pragma once
 
 #include <bitset>

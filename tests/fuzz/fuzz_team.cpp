@@ -56,7 +56,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   greet(bytes);
-  const auto encoding = static_cast<TeamEncoding>(data[0] % 3);
+  const auto encoding = static_cast<TeamEncoding>(data[0] % 4);
   const Decoded at_once = decoded(encoding, bytes.substr(1), size);
   constexpr std::size_t kPiece = 7;
   if (decoded(encoding, bytes.substr(1), kPiece) != at_once) std::abort();

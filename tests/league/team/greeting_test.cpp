@@ -27,6 +27,13 @@ TEST(Greeting, NamesTheEncodingAndTheMotion) {
             (Greeting{TeamEncoding::kFlat, TeamMotion::kDetections}));
 }
 
+TEST(Greeting, AsksForDetectionsInTheLeaguesMessages) {
+  EXPECT_EQ(greeting_of("autoref-team 1 league"),
+            (Greeting{TeamEncoding::kLeague, TeamMotion::kDetections}));
+  EXPECT_EQ(greeting_of("autoref-team 1 league tracked"),
+            (Greeting{TeamEncoding::kLeague, TeamMotion::kTracked}));
+}
+
 TEST(Greeting, IsFoundOnceItsLineIsComplete) {
   const std::string line = "autoref-team 1 json\n";
   for (std::size_t size = 0; size < line.size(); ++size) {

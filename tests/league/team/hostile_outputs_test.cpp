@@ -5,6 +5,7 @@
 #include <cstring>
 #include <limits>
 
+#include "league/messages/simulation.pb.h"
 #include "league/messages/team.pb.h"
 #include "league/team/flat_records.hpp"
 #include "league/team/output_decoder.hpp"
@@ -191,6 +192,54 @@ INSTANTIATE_TEST_SUITE_P(
                         "robot 3 has two commands"),
                     protobuf(
                         "NoSuchKeeper", [](auto& m) { m.set_keeper(99); }, "keeper is 99")),
+    name_of_case);
+
+template <typename Change>
+Hostile league(const char* name, const Change& change, const std::string& fault) {
+  simulation::RobotControl message;
+  message.add_robot_commands()->set_id(3);
+  change(*message.mutable_robot_commands(0));
+  const std::string content = message.SerializePartialAsString();
+  return {name, TeamEncoding::kLeague, static_cast<char>(content.size()) + content, fault};
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    League, HostileOutput,
+    testing::Values(
+        Hostile{"Garbage", TeamEncoding::kLeague, "\x05hello", "5 bytes is not a RobotControl"},
+        Hostile{"TooLong", TeamEncoding::kLeague, "\x81\x80\x04",
+                "an output has 65537 bytes; the limit is 65536"},
+        league(
+            "NoRobot", [](auto& m) { m.clear_id(); }, "a RobotControl lacks robot_commands[0].id"),
+        league(
+            "NoSuchRobot", [](auto& m) { m.set_id(16); }, "robot is 16; it must be from 0 to 15"),
+        league(
+            "Wheels",
+            [](auto& m) {
+              auto& wheels = *m.mutable_move_command()->mutable_wheel_velocity();
+              wheels.set_front_right(1);
+              wheels.set_back_right(1);
+              wheels.set_back_left(1);
+              wheels.set_front_left(1);
+            },
+            "robot 3 has a wheel velocity; only local and global velocities can be driven"),
+        league(
+            "NaN",
+            [](auto& m) {
+              auto& velocity = *m.mutable_move_command()->mutable_global_velocity();
+              velocity.set_x(std::numeric_limits<float>::quiet_NaN());
+              velocity.set_y(0);
+              velocity.set_angular(0);
+            },
+            "vx_mps of robot 3 is nan; it must be finite"),
+        league(
+            "Kick", [](auto& m) { m.set_kick_speed(-1); }, "kick_mps of robot 3 is -1"),
+        league(
+            "Angle", [](auto& m) { m.set_kick_angle(-45); },
+            "kick_angle of robot 3 is -45; it must be from 0 to 90 degrees"),
+        league(
+            "NaNAngle", [](auto& m) { m.set_kick_angle(std::numeric_limits<float>::quiet_NaN()); },
+            "kick_angle of robot 3 is nan")),
     name_of_case);
 
 TEST(OutputDecoder, ReportsAFaultForEver) {
