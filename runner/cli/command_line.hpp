@@ -141,6 +141,20 @@ struct TeamsArguments {
   bool json = false;
 };
 
+// Arguments of `autoref team new`.
+struct TeamNewArguments {
+  std::string language;
+  std::string folder;
+};
+
+// Arguments of `autoref team play`.
+struct TeamPlayArguments {
+  std::string command;
+  std::string opponent = "dummy";
+  std::vector<std::string> sets;  // "key=value"
+  GameOutput output;
+};
+
 // Arguments of `autoref team check`.
 struct TeamCheckArguments {
   std::string command;
@@ -173,6 +187,8 @@ int view_verb(const ViewArguments& arguments);
 int draw_verb(const DrawArguments& arguments);
 int sample_size_verb(const SampleSizeArguments& arguments);
 int rules_verb(const RulesArguments& arguments);
+int team_new_verb(const TeamNewArguments& arguments);
+int team_play_verb(const TeamPlayArguments& arguments);
 int team_check_verb(const TeamCheckArguments& arguments);
 int teams_verb(const TeamsArguments& arguments);
 int help_verb(const CLI::App& app, const std::string& word);  // empty: lists the verbs
@@ -209,6 +225,8 @@ void add_draw_verb(CLI::App& app, Chosen& chosen);
 void add_sample_size_verb(CLI::App& app, Chosen& chosen);
 void add_rules_verb(CLI::App& app, Chosen& chosen);
 void add_team_verb(CLI::App& app, Chosen& chosen);
+void add_team_new_verb(CLI::App& team, Chosen& chosen);
+void add_team_play_verb(CLI::App& team, Chosen& chosen);
 void add_team_check_verb(CLI::App& team, Chosen& chosen);
 void add_teams_verb(CLI::App& app, Chosen& chosen);
 void add_bench_verb(CLI::App& app, Chosen& chosen);

@@ -5,10 +5,8 @@
 
 #include "runner/cli/command_line.hpp"
 #include "runner/cli/team_check_report.hpp"
+#include "runner/cli/team_game.hpp"
 #include "runner/io/errors.hpp"
-#include "runner/settings/assignments.hpp"
-#include "runner/settings/command_text.hpp"
-#include "runner/settings/fields.hpp"
 #include "runner/settings/resolved.hpp"
 #include "runner/team_programs/team_check.hpp"
 
@@ -17,21 +15,11 @@ namespace {
 
 constexpr double kCheckedHalf_s = 5;
 
-GameSettings game_of(const TeamCheckArguments& arguments) {
-  GameSettings game;
-  game.match.half_s = kCheckedHalf_s;
-  blame("COMMAND", [&] { set_by_path(game, "a.command", arguments.command); });
-  for (const Assignment& assignment : assignments_in(arguments.sets))
-    blame("--set " + assignment.path,
-          [&] { set_by_path(game, assignment.path, assignment.value); });
-  blame("--set", [&] { check_game(game); });
-  return game;
-}
-
 }  // namespace
 
 int team_check_verb(const TeamCheckArguments& arguments) {
-  const TeamCheck check = check_team(resolved(game_of(arguments)));
+  const TeamCheck check =
+      check_team(resolved(team_game(arguments.command, "basic", kCheckedHalf_s, arguments.sets)));
   fmt::print("{}{}", arguments.json ? json_of(check) : text_of(check), arguments.json ? "\n" : "");
   return check.fault.empty() ? kDone : kTooManyVoid;
 }
@@ -39,9 +27,7 @@ int team_check_verb(const TeamCheckArguments& arguments) {
 void add_team_check_verb(CLI::App& team, Chosen& chosen) {
   CLI::App* verb = team.add_subcommand("check", "Try out a team that is a program.");
   auto arguments = std::make_shared<TeamCheckArguments>();
-  verb->add_option("COMMAND", arguments->command,
-                   "The program and its arguments, in quotes: 'python3 my_team.py'.")
-      ->required();
+  add_program_argument(*verb, arguments->command);
   add_set_option(*verb, arguments->sets);
   verb->add_flag("--json", arguments->json, "Print one JSON object.");
   verb->footer(

@@ -1,5 +1,7 @@
 #include "runner/judge/judged_rows.hpp"
 
+#include "runner/judge/judge_tables.hpp"
+
 #include <fmt/format.h>
 
 #include <utility>

@@ -1,0 +1,33 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "runner/cli/command_line.hpp"
+#include "runner/cli/play_one.hpp"
+#include "runner/cli/team_game.hpp"
+#include "runner/settings/resolved.hpp"
+
+namespace autoref::runner {
+
+int team_play_verb(const TeamPlayArguments& arguments) {
+  const GameConfiguration game =
+      resolved(team_game(arguments.command, arguments.opponent, 120, arguments.sets));
+  const GameRecord record = play_one(game, arguments.output, {});
+  return record.status == Status::kVoid ? kTooManyVoid : kDone;
+}
+
+void add_team_play_verb(CLI::App& team, Chosen& chosen) {
+  CLI::App* verb = team.add_subcommand("play", "Play a game with a team that is a program.");
+  auto arguments = std::make_shared<TeamPlayArguments>();
+  add_program_argument(*verb, arguments->command);
+  verb->add_option("--opponent", arguments->opponent, "A team that `autoref teams` lists.")
+      ->capture_default_str();
+  add_set_option(*verb, arguments->sets);
+  add_output_options(*verb, arguments->output);
+  verb->footer(
+      "Two halves of two minutes by the rules of 2026.\n\n"
+      "Example:\n  autoref team play 'python3 my_team.py' --opponent basic --view game.html");
+  verb->callback(
+      [arguments, &chosen] { chosen = [arguments] { return team_play_verb(*arguments); }; });
+}
+
+}  // namespace autoref::runner

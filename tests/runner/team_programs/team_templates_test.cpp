@@ -1,0 +1,152 @@
+// The beginners' teams, one algorithm in several languages: each plays the same games, bit for bit,
+// as the one in C++ compiled in.
+#include "runner/team_programs/team_templates.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "runner/game/game.hpp"
+#include "runner/settings/fields.hpp"
+#include "runner/settings/resolved.hpp"
+#include "runner/team_programs/program_games.hpp"
+#include "tests/runner/support/temporary_folder.hpp"
+
+#define main beginners_main
+namespace beginner {
+#include "runner/team_programs/templates/cpp/my_team.cpp"
+}  // namespace beginner
+#undef main
+
+namespace autoref::runner {
+namespace {
+
+namespace fs = std::filesystem;
+
+beginner::Point point_of(const Vec2& v) { return {v.x(), v.y()}; }
+
+// The team in C++, compiled in. Its commands reach the robots like a program's.
+class CompiledBeginner final : public strategies::Strategy {
+ public:
+  explicit CompiledBeginner(const Field& field)
+      : pitch_{field.length_m, field.width_m, field.defence_area.depth_m,
+               field.defence_area.straight_m,
+               field.defence_area.shape == DefenceArea::Shape::kBox} {}
+
+  void decide(const TeamView& view, TeamCommands& commands) override {
+    beginner::Sight sight{view.frame,
+                          view.latency_s,
+                          static_cast<int>(view.play),
+                          view.ours,
+                          point_of(view.ball.position_m),
+                          point_of(view.ball.velocity_mps),
+                          {}};
+    for (const TrackedRobot& robot : view.own) {
+      sight.own.push_back({robot.number, point_of(robot.position_m), point_of(robot.heading),
+                           point_of(robot.velocity_mps)});
+    }
+    const std::vector<beginner::Order> orders = beginner::decide(sight, pitch_);
+    for (const beginner::Order& order : orders) {
+      commands[static_cast<std::size_t>(order.robot)] =
+          transmitted({Vec2(order.forward, order.left), order.turn, beginner::kKick_mps});
+    }
+    requests_.keeper = orders.empty() ? 0 : orders[0].robot;
+  }
+  TeamRequests requests() const override { return requests_; }
+
+ private:
+  beginner::Pitch pitch_;
+  TeamRequests requests_;
+};
+
+struct Language {
+  std::string name;
+  std::string build;  // in the team's folder; empty: none
+  std::vector<std::string> command;
+};
+
+std::string language_name(const testing::TestParamInfo<Language>& info) { return info.param.name; }
+
+bool runs(const std::string& command) {
+  return std::system((command + " >/dev/null 2>&1").c_str()) == 0;
+}
+
+// Games that differ in rules, side, noise, opponent and size.
+GameSettings game_of(int number) {
+  GameSettings game;
+  choose_rules(number % 2 == 0 ? "2014" : "2026-b", game);
+  game.match.half_s = 2;
+  game.seed = static_cast<std::uint64_t>(number);
+  set_by_path(game, "sim.camera", number % 3 == 0 ? "none" : "realistic");
+  set_by_path(game, "b.strategy", number % 3 == 1 ? "dummy" : "basic");
+  set_by_path(game, "match.a_plays", number % 4 < 2 ? "west" : "east");
+  if (number == 3) set_by_path(game, "a.robots", "3");
+  if (number == 4) set_by_path(game, "a.robots", "1");
+  return game;
+}
+
+TeamMaker beginner_as_a(const GameSettings& game) {
+  return [side_a = game.match.a_plays](
+             const TeamConfiguration& team,
+             const strategies::TeamContext& context) -> std::unique_ptr<strategies::Strategy> {
+    if (context.side != side_a) return make_registered_team(team, context);
+    return std::make_unique<CompiledBeginner>(context.field);
+  };
+}
+
+class TeamTemplates : public testing::TestWithParam<Language> {
+ protected:
+  TeamTemplates() {
+    for (const TemplateFile& file : template_files()) {
+      if (file.language == GetParam().name)
+        std::ofstream(folder_.path() / file.name) << file.content;
+    }
+  }
+
+  GameConfiguration with_program(GameSettings game) const {
+    game.a.command = GetParam().command;
+    game.a.directory = folder_.path();
+    return resolved(game);
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_P(TeamTemplates, PlayTheSameGamesAsCompiledIn) {
+  const Language& language = GetParam();
+  const std::string tool = language.build.substr(0, language.build.find(' '));
+  const std::string needed = tool.empty() ? language.command[0] : tool;
+  if (!runs("command -v " + needed)) GTEST_SKIP() << "needs " << needed;
+  ASSERT_TRUE(language.build.empty() ||
+              runs("cd " + folder_.path().string() + " && " + language.build));
+  for (int number = 1; number <= 20; ++number) {
+    const GameSettings settings = game_of(number);
+    const GameRecord compiled = play(resolved(settings), nullptr, beginner_as_a(settings));
+    const GameRecord program =
+        play(with_program(settings), nullptr, make_program_or_registered_team);
+    EXPECT_EQ(program.status, Status::kOk) << program.void_reason;
+    EXPECT_EQ(program.state_hash, compiled.state_hash) << "game " << number;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Languages, TeamTemplates,
+    testing::Values(
+        Language{"python", "", {"python3", "my_team.py"}},
+        Language{"javascript", "", {"node", "my_team.js"}},
+        Language{"c", "cc -O2 -ffp-contract=off -o my_team my_team.c -lm", {"./my_team"}},
+        Language{
+            "cpp", "c++ -std=c++17 -O2 -ffp-contract=off -o my_team my_team.cpp", {"./my_team"}}),
+    language_name);
+
+}  // namespace
+}  // namespace autoref::runner
