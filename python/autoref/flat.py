@@ -5,10 +5,10 @@ import functools
 import struct
 from typing import BinaryIO
 
-from .messages import (Abilities, Ball, End, Field, Next, Output, Play, Robot, Robots, Start, View)
+from .messages import (Abilities, End, Field, Next, Output, Play, Robots, Start, View, ball_from,
+                       robot_from)
 
 _FRAME = 2
-_LENGTH = struct.Struct("<I")
 _START = struct.Struct("<6xHQ15d?3x3I56s")
 _ABILITIES = struct.Struct("<5d")
 _NUMBER = struct.Struct("<56sd")
@@ -19,8 +19,6 @@ _OUTPUTS = [struct.Struct("<IHHqiiHHI" + "4di??H" * commands) for commands in ra
 _PLAYS = list(Play)
 _NEXT: dict[int, Next] = dict(enumerate(Next))
 _PLACING = (None, False, True)
-_to_robot = functools.partial(tuple.__new__, Robot)  # faster than Robot._make
-_to_ball = functools.partial(tuple.__new__, Ball)
 
 
 def _text(raw: bytes) -> str:
@@ -28,18 +26,18 @@ def _text(raw: bytes) -> str:
 
 
 def _robots(data: bytes, own: int) -> Robots:
-    robots = list(map(_to_robot, _ROBOT.iter_unpack(data[_VIEW.size:])))
+    robots = list(map(robot_from, _ROBOT.iter_unpack(data[_VIEW.size:])))
     return robots[:own], robots[own:]
 
 
 def _view(data: bytes) -> View:
-    (is_detections, frame, time_s, latency_s, stage_time_left_s, placement_x_m, placement_y_m, ball_x_m,
-     ball_y_m, ball_vx_mps, ball_vy_mps, height_m, deviation_m, camera_x_m, camera_y_m,
+    (is_detections, frame, time_s, latency_s, stage_time_left_s, placement_x_m, placement_y_m,
+     ball_x_m, ball_y_m, ball_vx_mps, ball_vy_mps, height_m, deviation_m, camera_x_m, camera_y_m,
      camera_height_m, goals_own, goals_opponent, play, ours, has_placement, placing, following,
      next_is_ours, has_ball, is_height_known, own, _, in_zone) = _VIEW.unpack_from(data)
     ball = None
     if has_ball:
-        ball = _to_ball((ball_x_m, ball_y_m, ball_vx_mps, ball_vy_mps,
+        ball = ball_from((ball_x_m, ball_y_m, ball_vx_mps, ball_vy_mps,
                          None if is_detections and not is_height_known else height_m, deviation_m,
                          camera_x_m, camera_y_m, camera_height_m, is_height_known))
     return View(frame, time_s, latency_s, stage_time_left_s,
@@ -68,7 +66,7 @@ def _end(data: bytes) -> End:
 def read(stream: BinaryIO) -> bytes:
     """The next message; empty at the end of the stream."""
     length = stream.read(4)
-    return length + stream.read(_LENGTH.unpack(length)[0] - 4) if length else b""
+    return length + stream.read(int.from_bytes(length, "little") - 4) if length else b""
 
 
 def decode(data: bytes) -> Start | View | End:

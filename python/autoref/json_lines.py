@@ -19,11 +19,11 @@ def _robot(members: dict[str, Any]) -> Robot:
     if "is_seen" in members:
         return Robot._make(_motion(members))
     return Robot(members["x_m"], members["y_m"], members["heading_x"], members["heading_y"],
-                 0.0, 0.0, 0.0, members["number"], False)
+                 0.0, 0.0, 0.0, members["number"], True)
 
 
 def _robots(members: dict[str, Any]) -> Robots:
-    return [_robot(robot) for robot in members["own"]], [_robot(robot) for robot in members["opponents"]]
+    return list(map(_robot, members["own"])), list(map(_robot, members["opponents"]))
 
 
 def _ball(members: dict[str, Any] | None) -> Ball | None:

@@ -6,10 +6,11 @@ docs/team-programs.md, which describes them all.
 """
 from __future__ import annotations
 
-from collections.abc import Callable
+import functools
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from enum import Enum
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 
 class Play(str, Enum):
@@ -112,8 +113,13 @@ class Robot(NamedTuple):
     vy_mps: float
     angular_velocity_radps: float
     number: int  # 0 to 15
-    is_seen: bool  # in this frame; otherwise extrapolated. False in detections
+    is_seen: bool  # in this frame; otherwise extrapolated. True in detections
 
+
+# Robot._make() and Ball._make(), but faster.
+_new_tuple: Any = tuple.__new__
+robot_from: Callable[[tuple[Any, ...]], Robot] = functools.partial(_new_tuple, Robot)
+ball_from: Callable[[tuple[Any, ...]], Ball] = functools.partial(_new_tuple, Ball)
 
 Robots = tuple[list[Robot], list[Robot]]  # own, opponents
 
@@ -184,7 +190,7 @@ class Output:
     """OUTPUT: the answer to a frame. Team.run() builds it from decide() and the requests."""
 
     frame: int
-    commands: dict[int, Command]  # by the robot's number; a robot without one stands still
+    commands: Mapping[int, Command]  # by the robot's number; a robot without one stands still
     keeper: int = 0  # number of the keeper; -1: unknown
     leaves: int | None = None  # the robot to remove first after a card
     timeout: bool = False  # requests a timeout as soon as play is stopped

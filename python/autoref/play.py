@@ -14,12 +14,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Union
 
-from .results import results
+from .results import PathLike, results
 from .team import Team
 
 # A strategy's name, a file of Python code, a subclass of Team or one of its objects, the words of
 # a command, or the keys of a team in a scenario.
-Player = Union[str, os.PathLike, type[Team], Team, list[str], Mapping[str, Any]]
+Player = Union[PathLike, type[Team], Team, list[str], Mapping[str, Any]]
 
 _PACKAGE_FOLDER = Path(__file__).resolve().parent
 
@@ -132,7 +132,7 @@ def _options(settings: Mapping[str, Any], options: Mapping[str, Any]) -> list[st
 
 
 @contextmanager
-def _scenario_file(scenario: Mapping[str, Any] | str | os.PathLike) -> Iterator[str]:
+def _scenario_file(scenario: Mapping[str, Any] | PathLike) -> Iterator[str]:
     """The scenario's file; a dictionary becomes a temporary one. JSON is also YAML."""
     if not isinstance(scenario, Mapping):
         yield os.fspath(scenario)
@@ -144,8 +144,9 @@ def _scenario_file(scenario: Mapping[str, Any] | str | os.PathLike) -> Iterator[
 
 
 def play(a: Player, b: Player, *, seed: int = 1, settings: Mapping[str, Any] | None = None,
-         events: str | os.PathLike | None = None, log: str | os.PathLike | None = None,
-         view: str | os.PathLike | None = None, record: str | os.PathLike | None = None) -> GameResult:
+         events: PathLike | None = None, log: PathLike | None = None,
+         view: PathLike | None = None,
+         record: PathLike | None = None) -> GameResult:
     """Plays one game of a against b.
 
     a, b: a strategy such as "basic", a .py file, a subclass of Team (whose file ends with its
@@ -159,13 +160,13 @@ def play(a: Player, b: Player, *, seed: int = 1, settings: Mapping[str, Any] | N
                 "teams": {"a": team_settings(a), "b": team_settings(b)}}
     files = {"events": events, "log": log, "view": view, "record": record}
     with _scenario_file(scenario) as file:
-        details = json.loads(_run_program(["play", file, "--json", *_options(settings or {}, files)],
-                                          good_codes=(0, 3)))
+        words = ["play", file, "--json", *_options(settings or {}, files)]
+        details = json.loads(_run_program(words, good_codes=(0, 3)))
     names = [name for name in GameResult.__dataclass_fields__ if name != "details"]
     return GameResult(**{name: details[name] for name in names}, details=details)
 
 
-def run(experiment: Mapping[str, Any] | str | os.PathLike, output: str | os.PathLike, *,
+def run(experiment: Mapping[str, Any] | PathLike, output: PathLike, *,
         settings: Mapping[str, Any] | None = None, workers: int | None = None,
         pairs: int | None = None, seed: int | None = None) -> Run:
     """Plays an experiment's games and writes its tables into the folder `output`.

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import random
+from typing import Any
 
 _MASK = 2**64 - 1
 _STEP = 0x9E3779B97F4A7C15
@@ -52,10 +53,10 @@ class RandomStream(random.Random):
             bits = bits << 64 | self.next_bits()
         return bits >> (-k % 64)
 
-    def getstate(self) -> tuple[object, ...]:
+    def getstate(self) -> tuple[Any, ...]:
         """For setstate()."""
         return self._key, self._counter, self.gauss_next
 
-    def setstate(self, state: tuple[object, ...]) -> None:
+    def setstate(self, state: tuple[Any, ...]) -> None:
         """Continues where getstate() was called."""
-        self._key, self._counter, self.gauss_next = state  # type: ignore[assignment]
+        self._key, self._counter, self.gauss_next = state

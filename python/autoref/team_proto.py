@@ -1,10 +1,13 @@
 """The messages of league/messages/team.proto as classes of the protobuf library.
 
 They are built from this table instead of by protoc, so that nothing has to be generated. Fields are
-numbered from 1 in this order; a star marks repeated fields. Enumerations are read as their numbers.
-A test compares the table with team.proto.
+numbered from 1 in this order; a star marks repeated fields. Enumerations are read as their numbers,
+and the robots of a frame as bytes, so that they are decoded only if the team reads them. A test
+compares the table with team.proto.
 """
 from __future__ import annotations
+
+from typing import Any
 
 from google.protobuf import descriptor_pb2, descriptor_pool, message_factory
 
@@ -25,7 +28,7 @@ _MESSAGES = {
     "TeamFrame": """int64 frame, double time_s, double latency_s, int32 play, bool ours,
         double placement_x_m, double placement_y_m, bool placing_is_ours, int32 next,
         bool next_is_ours, int32 goals_own, int32 goals_opponent, double stage_time_left_s,
-        TeamBall ball, TeamRobot* own, TeamRobot* opponents, uint32* ball_in_dribbler_zone""",
+        TeamBall ball, bytes* own, bytes* opponents, uint32* ball_in_dribbler_zone""",
     "TeamBall": """double x_m, double y_m, double vx_mps, double vy_mps, double height_m,
         double height_deviation_m, bool is_height_known, double camera_x_m, double camera_y_m,
         double camera_height_m""",
@@ -64,5 +67,13 @@ def file_description() -> descriptor_pb2.FileDescriptorProto:
 _pool = descriptor_pool.DescriptorPool()
 _pool.Add(file_description())
 _factory = message_factory.MessageFactory(_pool)
-TeamInput = _factory.GetPrototype(_pool.FindMessageTypeByName(f"{_PACKAGE}.TeamInput"))
-TeamOutput = _factory.GetPrototype(_pool.FindMessageTypeByName(f"{_PACKAGE}.TeamOutput"))
+
+
+def _message_class(name: str) -> Any:
+    return _factory.GetPrototype(_pool.FindMessageTypeByName(f"{_PACKAGE}.{name}"))
+
+
+TeamInput = _message_class("TeamInput")
+TeamFrame = _message_class("TeamFrame")
+TeamRobot = _message_class("TeamRobot")
+TeamOutput = _message_class("TeamOutput")

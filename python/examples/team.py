@@ -7,7 +7,7 @@
 from math import sqrt
 
 import autoref
-from autoref import Command, Robot, View
+from autoref import Ball, Command, Robot, View
 
 KEEPER = 0
 GAIN_PER_S = 3.0  # velocity per distance: slows down near the destination
@@ -48,25 +48,23 @@ class Shooter(autoref.Team):
         """Called for each frame."""
         if view.ball is None or view.play in ("HALT", "STOP"):
             return {}
-        commands = {}
+        ball = view.ball
+        commands = {robot.number: self.guard(robot, ball) for robot in view.own
+                    if robot.number == KEEPER}
         attackers = [robot for robot in view.own if robot.number != KEEPER]
-        for robot in view.own:
-            if robot.number == KEEPER:
-                commands[KEEPER] = self.guard(robot, view)
         if attackers and (view.ours or view.play == "RUNNING"):
-            nearest = min(attackers, key=lambda robot: (robot.x_m - view.ball.x_m) ** 2
-                          + (robot.y_m - view.ball.y_m) ** 2)
-            commands[nearest.number] = self.attack(nearest, view)
+            nearest = min(attackers, key=lambda robot: (robot.x_m - ball.x_m) ** 2
+                          + (robot.y_m - ball.y_m) ** 2)
+            commands[nearest.number] = self.attack(nearest, ball)
         return commands
 
-    def guard(self, robot: Robot, view: View) -> Command:
+    def guard(self, robot: Robot, ball: Ball) -> Command:
         """Stands between the posts, level with the ball."""
-        y_m = limited(view.ball.y_m, self.goal_half_m)
-        return drive(robot, 0.15 - self.goal_x_m, y_m, view.ball.x_m, view.ball.y_m, self.speed_mps)
+        y_m = limited(ball.y_m, self.goal_half_m)
+        return drive(robot, 0.15 - self.goal_x_m, y_m, ball.x_m, ball.y_m, self.speed_mps)
 
-    def attack(self, robot: Robot, view: View) -> Command:
+    def attack(self, robot: Robot, ball: Ball) -> Command:
         """Gets behind the ball as seen from the opponents' goal, then drives into it and kicks."""
-        ball = view.ball
         to_goal_x_m, to_goal_y_m = self.goal_x_m - ball.x_m, -ball.y_m
         distance_m = max(1e-9, sqrt(to_goal_x_m ** 2 + to_goal_y_m ** 2))
         ux, uy = to_goal_x_m / distance_m, to_goal_y_m / distance_m
