@@ -11,6 +11,7 @@ from .messages import (Abilities, Ball, End, Field, Next, Output, Play, Robot, R
 from .team_proto import TeamFrame, TeamInput, TeamRobot
 
 _FRAME_TAG = 0x12
+_BYTES = [bytes([number]) for number in range(256)]
 _PLAYS = list(Play)
 _NEXT = list(Next)
 _ball_values = operator.attrgetter(*Ball._fields)
@@ -32,8 +33,9 @@ _OUTPUTS = [struct.Struct("<" + _COMMAND * commands) for commands in range(17)]
 def _robot(data: bytes) -> Robot:
     if len(data) != _ROBOT.size:  # a detection
         return Robot._make(_motion(TeamRobot.FromString(data)))._replace(is_seen=True)
-    number, *motion, is_seen = _ROBOT.unpack(data)
-    return robot_from((*motion, number, is_seen))
+    (number, x_m, y_m, heading_x, heading_y, vx_mps, vy_mps, turn_radps,
+     is_seen) = _ROBOT.unpack(data)
+    return robot_from((x_m, y_m, heading_x, heading_y, vx_mps, vy_mps, turn_radps, number, is_seen))
 
 
 def _robots(frame: Any) -> Robots:
@@ -54,11 +56,13 @@ def _ball(frame: Any) -> Ball | None:
 
 def _view(frame: Any) -> View:
     has = frame.HasField
-    placement = (frame.placement_x_m, frame.placement_y_m) if has("placement_x_m") else (None, None)
-    *times, goals_own, goals_opponent, play, ours, next_is_ours = _frame_values(frame)
-    number, time_s, latency_s, left_s = times
-    return View(number, time_s, latency_s, left_s, *placement, goals_own, goals_opponent,
-                _PLAYS[play], ours,
+    is_placed = has("placement_x_m")
+    (number, time_s, latency_s, stage_time_left_s, goals_own, goals_opponent, play, ours,
+     next_is_ours) = _frame_values(frame)
+    return View(number, time_s, latency_s, stage_time_left_s,
+                frame.placement_x_m if is_placed else None,
+                frame.placement_y_m if is_placed else None,
+                goals_own, goals_opponent, _PLAYS[play], ours,
                 frame.placing_is_ours if has("placing_is_ours") else None,
                 _NEXT[frame.next] if has("next") else None, next_is_ours, _ball(frame),
                 list(frame.ball_in_dribbler_zone), functools.partial(_robots, frame))
@@ -76,23 +80,21 @@ def _start(start: Any) -> Start:
 
 
 def _varint(number: int) -> bytes:
+    if 0 <= number < 128:
+        return _BYTES[number]
     number &= 2**64 - 1
-    data = bytearray()
-    while number > 127:
-        data.append(number & 127 | 128)
-        number >>= 7
-    data.append(number)
-    return bytes(data)
+    return _BYTES[number & 127 | 128] + _varint(number >> 7)
 
 
 def read(stream: BinaryIO) -> bytes:
     """The next message; empty at the end of the stream."""
     length = shift = 0
     while byte := stream.read(1):
-        length |= (byte[0] & 127) << shift
+        bits = byte[0]
+        if bits < 128:
+            return stream.read(length | bits << shift)
+        length |= (bits & 127) << shift
         shift += 7
-        if byte[0] < 128:
-            return stream.read(length)
     return b""
 
 
