@@ -28,7 +28,7 @@ def _team(arguments: argparse.Namespace) -> None:
 
 
 def _play(arguments: argparse.Namespace) -> None:
-    settings = dict(setting.split("=", 1) for setting in arguments.set)
+    settings = {key: value for key, _, value in (word.partition("=") for word in arguments.set)}
     game = autoref.play(arguments.a, arguments.b, seed=arguments.seed, settings=settings,
                         view=arguments.view)
     print(f"{game.goals_a} : {game.goals_b}  ({game.end_reason})  state {game.state_hash}")
@@ -55,7 +55,8 @@ def _is_there(module: str) -> str:
 
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="python3 -m autoref", description=__doc__)
-    verbs = parser.add_subparsers(required=True, metavar="VERB")
+    parser.set_defaults(function=lambda _: parser.print_help())
+    verbs = parser.add_subparsers(metavar="VERB")
     check = verbs.add_parser("check", help="print where the program is, and versions")
     check.set_defaults(function=_check)
     team = verbs.add_parser("team", help="run the team in a file, as a game does")
@@ -78,8 +79,9 @@ def main() -> None:
     arguments = _parser().parse_args()
     try:
         arguments.function(arguments)
-    except (autoref.AutorefError, FileNotFoundError, ValueError) as error:
-        sys.exit(f"autoref: {error}")
+    except autoref.AutorefError as error:
+        text = str(error)
+        sys.exit(text if text.startswith("autoref: ") else f"autoref: {text}")
 
 
 if __name__ == "__main__":

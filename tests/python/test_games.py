@@ -11,6 +11,7 @@ import autoref
 _TEAM = str(Path(__file__).with_name("turning_team.py"))
 _EXAMPLES = Path(__file__).resolve().parents[2] / "python" / "examples"
 _SHORT = {"match.half_s": 5}
+_START = (208).to_bytes(4, "little") + b"\x01" + bytes(203)  # in flat records, without robots
 
 
 def _command(*arguments):
@@ -90,6 +91,23 @@ class Experiments(unittest.TestCase):
 
 class CommandLine(unittest.TestCase):
     """python3 -m autoref."""
+
+    def test_explains_itself_without_a_verb(self):
+        done = subprocess.run([sys.executable, "-m", "autoref"], stdout=subprocess.PIPE, text=True,
+                              check=True)
+        for verb in ("check", "team", "play"):
+            self.assertRegex(done.stdout, rf"\n +{verb} +[a-z]+")
+
+    def test_shows_where_a_team_failed(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder, "failing.py")
+            file.write_text("import autoref\n\n\nclass Failing(autoref.Team):\n"
+                            "    def prepare(self):\n        raise ValueError('no playbook')\n",
+                            encoding="utf-8")
+            done = subprocess.run([sys.executable, "-m", "autoref", "team", file], input=_START,
+                                  capture_output=True, check=False)
+        self.assertEqual(done.stdout, b"autoref-team 1 flat tracked\n")
+        self.assertIn(b"in prepare\n", done.stderr)
 
     def test_says_that_the_program_is_missing(self):
         environment = dict(os.environ, AUTOREF="/nowhere/autoref")
