@@ -48,7 +48,7 @@ const TeamConfiguration& team_on(const GameConfiguration& game, Side side) {
 }
 
 std::string program_name(const std::vector<std::string>& command) {
-  const std::string program = stem_of(command.at(0));
+  std::string program = stem_of(command.at(0));
   const auto begins = [&program](std::string_view name) { return program.starts_with(name); };
   if (std::none_of(kInterpreters.begin(), kInterpreters.end(), begins)) return program;
   const auto script = std::find_if(command.begin() + 1, command.end(),

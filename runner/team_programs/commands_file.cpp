@@ -167,6 +167,11 @@ Number CommandsReader::number() {
   return number;
 }
 
+int CommandsReader::robot() {
+  const auto byte = number<std::uint8_t>();
+  return byte < kMaxRobots ? byte : -1;
+}
+
 void CommandsReader::read_command(RobotCommand& command) {
   const auto flags = number<std::uint8_t>();
   std::array<float, 4> numbers = numbers_of(command);
@@ -189,8 +194,8 @@ const TeamEntry& CommandsReader::next(char team) {
   }
   TeamEntry& entry = last_[index];
   if ((kind & kHasRequests) != 0) {
-    entry.requests.keeper = number<std::int8_t>();
-    const auto leaves = number<std::int8_t>();
+    entry.requests.keeper = robot();
+    const int leaves = robot();
     entry.requests.leaves = leaves < 0 ? std::nullopt : std::optional<int>(leaves);
     entry.requests.timeout = number<std::uint8_t>() != 0;
   }

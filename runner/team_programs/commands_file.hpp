@@ -77,6 +77,7 @@ class CommandsReader {
   void read(void* bytes, std::size_t size);
   template <typename Number>
   Number number();
+  int robot();  // -1: none
   void read_command(RobotCommand& command);
 
   std::filesystem::path path_;
