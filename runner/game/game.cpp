@@ -62,16 +62,24 @@ class Game::Impl {
         players_{{TeamController(configuration_, Side::kWest, make_team),
                   TeamController(configuration_, Side::kEast, make_team)}} {}
 
-  bool step() {
+  bool begin_step() {
     if (is_over()) return false;
-    if (record_.frames < most_frames_) {
-      play_frame();
-    } else {
+    if (record_.frames >= most_frames_) {
       void_game("the game exceeded its time limit");
+    } else {
+      referee_frame();
+      if (!is_over()) show_teams();
     }
-    if (is_over()) end_teams();
-    return !is_over();
+    return is_still_played();
   }
+
+  bool end_step() {
+    move();
+    return is_still_played();
+  }
+
+  void put_ball(const sim::BallState& ball) { world_.put_ball(ball); }
+  void put_robot(RobotId id, const sim::RobotState& state) { world_.put_robot(id, state); }
 
   bool is_over() const {
     const bool is_new_game =
@@ -98,16 +106,21 @@ class Game::Impl {
   }
 
  private:
-  void play_frame() {
-    referee_frame();
-    if (is_over()) return;
-    // Teams decide on estimates that are some frames old. This models the whole frames of the
-    // latency.
+  bool is_still_played() {
+    if (is_over()) end_teams();
+    return !is_over();
+  }
+
+  // Teams decide on estimates that are some frames old. This models the whole frames of the latency.
+  void show_teams() {
     const Tracks& tracks = tracks_.oldest();
     const Situation situation = situation_.update(
         signal_, tracks.ball ? std::optional(tracks.ball->position_m) : std::nullopt);
     for (Side side : kSides) players_[side].sense(frame_, world_.state());
     for (Side side : kSides) players_[side].prepare(tracks, signal_, situation);
+  }
+
+  void move() {
     PerSide<std::string> faults;
     for (Side side : kSides) {
       faults[side] = players_[side].decide(commands_[side]);
@@ -242,7 +255,11 @@ Game::~Game() = default;
 Game::Game(Game&&) noexcept = default;
 Game& Game::operator=(Game&&) noexcept = default;
 
-bool Game::step() { return impl_->step(); }
+bool Game::step() { return begin_step() && end_step(); }
+bool Game::begin_step() { return impl_->begin_step(); }
+bool Game::end_step() { return impl_->end_step(); }
+void Game::put_ball(const sim::BallState& ball) { impl_->put_ball(ball); }
+void Game::put_robot(RobotId id, const sim::RobotState& state) { impl_->put_robot(id, state); }
 bool Game::is_over() const { return impl_->is_over(); }
 const GameConfiguration& Game::configuration() const { return impl_->configuration(); }
 const Frame& Game::frame() const { return impl_->frame(); }

@@ -41,6 +41,17 @@ class Game {
   // of an observer are passed on; do not step the game after such an exception.
   bool step();
 
+  // The two parts of step(), for callers who decide for a team in between. The first lets the
+  // camera look, the referee decide and the teams see; the second lets the teams decide and the
+  // world advance. Both return true while there is more to play; call the second only if the first
+  // did so.
+  bool begin_step();
+  bool end_step();
+
+  // Sets up a situation between steps. A robot must be on the field.
+  void put_ball(const sim::BallState& ball);
+  void put_robot(RobotId id, const sim::RobotState& state);
+
   // Whether the game is over: the referee has ended it, or it is void. If a new game follows
   // (referee::AfterGame::kNewGame), the first is over once the referee has begun the next.
   bool is_over() const;
