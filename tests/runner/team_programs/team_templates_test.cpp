@@ -145,7 +145,9 @@ INSTANTIATE_TEST_SUITE_P(
         Language{"javascript", "", {"node", "my_team.js"}},
         Language{"c", "cc -O2 -ffp-contract=off -o my_team my_team.c -lm", {"./my_team"}},
         Language{
-            "cpp", "c++ -std=c++17 -O2 -ffp-contract=off -o my_team my_team.cpp", {"./my_team"}}),
+            "cpp", "c++ -std=c++17 -O2 -ffp-contract=off -o my_team my_team.cpp", {"./my_team"}},
+        Language{"rust", "rustc --edition 2021 -O -o my_team my_team.rs", {"./my_team"}},
+        Language{"go", "go build -o my_team my_team.go", {"./my_team"}}),
     language_name);
 
 }  // namespace
