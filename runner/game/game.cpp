@@ -111,7 +111,8 @@ class Game::Impl {
     return !is_over();
   }
 
-  // Teams decide on estimates that are some frames old. This models the whole frames of the latency.
+  // Teams decide on estimates that are some frames old. This models the whole frames of the
+  // latency.
   void show_teams() {
     const Tracks& tracks = tracks_.oldest();
     const Situation situation = situation_.update(

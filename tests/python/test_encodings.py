@@ -132,6 +132,8 @@ def _fields(file):
     """Fields by message; enumerations are numbers, and the robots of a frame are bytes."""
     result = {}
     for message in file.message_type:
+        if message.name == "LeagueInput":  # of another encoding
+            continue
         for field in message.field:
             kind, of = field.type, field.type_name
             if kind == field.TYPE_ENUM:

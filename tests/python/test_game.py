@@ -63,7 +63,7 @@ class GameTest(unittest.TestCase):
         game = autoref.Game("ab").reset(3, {"match.half_s": 5})
         game.step()
         self.assertEqual(game.a.own.shape, (6, 8))
-        np.testing.assert_array_equal(game.a.own, game.b.own)
+        np.testing.assert_allclose(game.a.own, game.b.own, atol=1e-6)
         self.assertLess(game.b.own[:, 1].max(), 0)
         self.assertEqual(game.a.play, "STOP")
 
