@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 
 #include "runner/batch/experiment.hpp"
@@ -73,8 +74,10 @@ TEST_P(EveryScenario, ReadsBackEqualFromItsEffectiveText) {
 }
 
 TEST_P(EveryScenario, PlaysShortenedGames) {
-  if (GetParam().find("python") != std::string::npos && !has_python())
-    GTEST_SKIP() << "needs python3";
+  if (GetParam().find("python") != std::string::npos && !has_python()) {
+    std::puts("skipped: missing Debian packages: python3");
+    GTEST_SKIP();
+  }
   Scenario scenario = read_scenario(GetParam());
   shorten(scenario);
   if (auto* game = std::get_if<GameSettings>(&scenario.content)) {

@@ -125,7 +125,10 @@ TEST_P(TeamTemplates, PlayTheSameGamesAsCompiledIn) {
   const Language& language = GetParam();
   const std::string tool = language.build.substr(0, language.build.find(' '));
   const std::string needed = tool.empty() ? language.command[0] : tool;
-  if (!runs("command -v " + needed)) GTEST_SKIP() << "needs " << needed;
+  if (!runs("command -v " + needed)) {
+    std::printf("skipped: needs %s\n", needed.c_str());
+    GTEST_SKIP();
+  }
   ASSERT_TRUE(language.build.empty() ||
               runs("cd " + folder_.path().string() + " && " + language.build));
   for (int number = 1; number <= 20; ++number) {
@@ -138,17 +141,23 @@ TEST_P(TeamTemplates, PlayTheSameGamesAsCompiledIn) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Languages, TeamTemplates,
-    testing::Values(
-        Language{"python", "", {"python3", "my_team.py"}},
-        Language{"javascript", "", {"node", "my_team.js"}},
-        Language{"c", "cc -O2 -ffp-contract=off -o my_team my_team.c -lm", {"./my_team"}},
-        Language{
-            "cpp", "c++ -std=c++17 -O2 -ffp-contract=off -o my_team my_team.cpp", {"./my_team"}},
-        Language{"rust", "rustc --edition 2021 -O -o my_team my_team.rs", {"./my_team"}},
-        Language{"go", "go build -o my_team my_team.go", {"./my_team"}}),
-    language_name);
+// Languages that only few machines have are left out where they are missing.
+std::vector<Language> languages() {
+  std::vector<Language> all = {
+      Language{"python", "", {"python3", "my_team.py"}},
+      Language{"javascript", "", {"node", "my_team.js"}},
+      Language{"c", "cc -O2 -ffp-contract=off -o my_team my_team.c -lm", {"./my_team"}},
+      Language{"cpp", "c++ -std=c++17 -O2 -ffp-contract=off -o my_team my_team.cpp", {"./my_team"}},
+      Language{"rust", "rustc --edition 2021 -O -o my_team my_team.rs", {"./my_team"}},
+      Language{"go", "go build -o my_team my_team.go", {"./my_team"}}};
+  std::erase_if(all, [](const Language& language) {
+    return (language.name == "go" && !runs("command -v go")) ||
+           (language.name == "rust" && !runs("command -v rustc"));
+  });
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Languages, TeamTemplates, testing::ValuesIn(languages()), language_name);
 
 }  // namespace
 }  // namespace autoref::runner
