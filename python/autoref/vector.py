@@ -1,0 +1,133 @@
+"""Many environments at once, over several processes."""
+from __future__ import annotations
+
+import multiprocessing
+import traceback
+from multiprocessing.connection import Connection
+from multiprocessing.sharedctypes import RawArray
+from typing import Any
+
+import numpy as np
+
+from .environments import GymnasiumEnv
+
+_LONGEST_STEP_S = 600.0
+
+
+class _Shared:
+    """Arrays in memory that forked processes share."""
+
+    def __init__(self, environments: int, observation: tuple[int, ...],
+                 action: tuple[int, ...]) -> None:
+        shapes = [(environments, *observation), (environments, *action), (environments,),
+                  (environments,), (environments,)]
+        sizes = [int(np.prod(shape)) for shape in shapes]
+        numbers = np.frombuffer(RawArray("d", sum(sizes)))
+        parts = np.split(numbers, np.cumsum(sizes)[:-1])
+        arrays = [part.reshape(shape) for part, shape in zip(parts, shapes)]
+        self.observations, self.actions, self.rewards, self.terminated, self.truncated = arrays
+
+
+def _work(pipe: Connection, others: list[Connection], shared: _Shared, mine: range,
+          options: dict[str, Any], first_seed: int) -> None:
+    """A worker's environments, until the other end of the pipe is closed. `others` are the ends that
+    this process has inherited, which would keep it open."""
+    for other in others:
+        other.close()
+    envs = [GymnasiumEnv(**options) for _ in mine]
+    seeds = [first_seed + i for i in mine]
+    try:
+        while True:
+            order = pipe.recv()
+            infos: dict[int, Any] = {}
+            for k, i in enumerate(mine):
+                if order is not None:
+                    seeds[k] = order + i
+                    shared.observations[i], _ = envs[k].reset(seed=seeds[k])
+                    continue
+                observation, reward, over, late, info = envs[k].step(shared.actions[i])
+                shared.rewards[i], shared.terminated[i], shared.truncated[i] = reward, over, late
+                if over or late:
+                    infos[i] = info
+                    seeds[k] += len(shared.rewards)
+                    observation, _ = envs[k].reset(seed=seeds[k])
+                shared.observations[i] = observation
+            pipe.send(infos)
+    except EOFError:
+        pass
+    except BaseException:  # noqa: B902 - the caller raises it
+        pipe.send(traceback.format_exc())
+
+
+class VectorEnv:
+    """`environments` environments (GymnasiumEnv) in `workers` processes, stepped together.
+
+    The arrays that reset() and step() return are overwritten by the next step. An environment whose
+    episode has ended begins the next one at once; its last record is in the infos, by index. Use it
+    in a `with` statement, or close() it.
+    """
+
+    def __init__(self, environments: int, workers: int = 2, seed: int = 0, **options: Any) -> None:
+        one = GymnasiumEnv(**options)
+        self.single_observation_space = one.observation_space
+        self.single_action_space = one.action_space
+        self.num_envs = environments
+        self._shared = _Shared(environments, one.observation_space.shape, one.action_space.shape)
+        self._pipes: list[Connection] = []
+        self._processes: list[multiprocessing.process.BaseProcess] = []
+        context = multiprocessing.get_context("fork")
+        bounds = np.linspace(0, environments, min(workers, environments) + 1).astype(int)
+        for low, high in zip(bounds[:-1], bounds[1:]):
+            ours, theirs = context.Pipe()
+            process = context.Process(
+                target=_work, daemon=True,
+                args=(theirs, [*self._pipes, ours], self._shared, range(low, high), options, seed))
+            process.start()
+            theirs.close()
+            self._pipes.append(ours)
+            self._processes.append(process)
+        self._seed = seed
+
+    def reset(self, *, seed: int | None = None) -> tuple[np.ndarray, dict[int, Any]]:
+        """Begins an episode in each environment; environment i takes seed + i."""
+        self._seed = self._seed if seed is None else seed
+        infos = self._all(self._seed)
+        return self._shared.observations, infos
+
+    def step(self, actions: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray,
+                                          dict[int, Any]]:
+        """Returns observations, rewards, terminated and truncated (1 or 0), and infos by index."""
+        shared = self._shared
+        shared.actions[:] = actions
+        infos = self._all(None)
+        return shared.observations, shared.rewards, shared.terminated, shared.truncated, infos
+
+    def close(self) -> None:
+        """Ends the processes."""
+        for pipe in self._pipes:
+            pipe.close()
+        for process in self._processes:
+            process.join(5)
+            if process.is_alive():
+                process.kill()
+                process.join()
+        self._pipes, self._processes = [], []
+
+    def __enter__(self) -> "VectorEnv":
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self.close()
+
+    def _all(self, order: int | None) -> dict[int, Any]:
+        for pipe in self._pipes:
+            pipe.send(order)
+        infos: dict[int, Any] = {}
+        for pipe in self._pipes:
+            if not pipe.poll(_LONGEST_STEP_S):
+                raise TimeoutError(f"a worker has not answered for {_LONGEST_STEP_S:g} s")
+            answer = pipe.recv()
+            if isinstance(answer, str):
+                raise RuntimeError("a worker failed:\n" + answer)
+            infos.update(answer)
+        return infos
