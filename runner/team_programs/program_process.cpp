@@ -182,6 +182,11 @@ std::string_view ProgramProcess::read(Clock::time_point deadline) {
   }
 }
 
+bool ProgramProcess::has_output() const {
+  pollfd watched{out_, POLLIN, 0};
+  return poll(&watched, 1, 0) > 0 && (watched.revents & POLLIN) != 0;
+}
+
 void ProgramProcess::report_closed_output() {
   const bool has_ended = take_report(after(kStatus_s));
   for (int i = 0; i < 64 && stderr_->drain(); ++i) {

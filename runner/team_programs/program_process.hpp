@@ -38,6 +38,9 @@ class ProgramProcess {
   // ended.
   std::string_view read(Clock::time_point deadline);
 
+  // Whether there is output that has not been read. Does not wait.
+  bool has_output() const;
+
   // A ProgramError that says what the program did, "sent ..." for example.
   ProgramError fault(std::string_view what) const;
 

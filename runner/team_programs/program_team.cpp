@@ -77,6 +77,7 @@ void ProgramTeam::sense(const strategies::SensorReadings& readings) {
 void ProgramTeam::prepare(const TeamView& view) {
   blame_program([&] {
     if (!greeting_) begin();
+    if (process_->has_output()) throw league::TeamFault("output before the frame that it answers");
     frame_.view = view;
     if (greeting_->motion == league::TeamMotion::kTracked) frame_.detections.reset();
     send(frame_);

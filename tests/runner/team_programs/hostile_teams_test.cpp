@@ -62,6 +62,8 @@ INSTANTIATE_TEST_SUITE_P(
         HostileTeam{"CommandsARobotThatDoesNotExist",
                     script_that(2, "answer ',\"commands\":[{\"robot\":16}]'"), "robot is 16"},
         HostileTeam{"AnswersTwice", script_that(2, "answer; answer; sleep 100"), ""},
+        HostileTeam{"AnswersAhead", script_that(2, "answer; while :; do answer; sleep 0.01; done"),
+                    ""},
         HostileTeam{"AnswersAnotherFrame", script_that(2, "frame=7000; answer"),
                     "answered frame 7000 instead of"},
         HostileTeam{"IsAForkBomb", script_that(2, "bomb() { bomb | bomb & }; bomb; sleep 100"), ""},
