@@ -212,7 +212,7 @@ INSTANTIATE_TEST_SUITE_P(
         league(
             "NoRobot", [](auto& m) { m.clear_id(); }, "a RobotControl lacks robot_commands[0].id"),
         league(
-            "NoSuchRobot", [](auto& m) { m.set_id(16); }, "robot is 16; it must be from 0 to 15"),
+            "NoSuchRobot", [](auto& m) { m.set_id(16); }, "there is no robot 16; the team has 16"),
         league(
             "Wheels",
             [](auto& m) {
@@ -231,9 +231,9 @@ INSTANTIATE_TEST_SUITE_P(
               velocity.set_y(0);
               velocity.set_angular(0);
             },
-            "vx_mps of robot 3 is nan; it must be finite"),
+            "x of robot 3 is nan; it must be from -100 to 100"),
         league(
-            "Kick", [](auto& m) { m.set_kick_speed(-1); }, "kick_mps of robot 3 is -1"),
+            "Kick", [](auto& m) { m.set_kick_speed(-1); }, "kick_speed of robot 3 is -1"),
         league(
             "Angle", [](auto& m) { m.set_kick_angle(-45); },
             "kick_angle of robot 3 is -45; it must be from 0 to 90 degrees"),

@@ -1,0 +1,81 @@
+// Turns a game into the packets of its cameras and its referee.
+#pragma once
+
+#include <vector>
+
+#include "league/game_event_message.hpp"
+#include "league/messages/referee.pb.h"
+#include "league/messages/vision.pb.h"
+#include "league/referee_message.hpp"
+#include "soccer/field.hpp"
+#include "soccer/frame.hpp"
+#include "soccer/game_event.hpp"
+#include "soccer/referee_signal.hpp"
+
+namespace autoref::league {
+
+// Receives the packets of a game. `time_s` is the time of the frame; references are valid during
+// the call.
+class PacketSink {
+ public:
+  virtual ~PacketSink() = default;
+  virtual void on_vision(double time_s, const VisionPacket& packet) = 0;
+  virtual void on_referee(double time_s, const RefereePacket& packet) = 0;
+};
+
+struct PacketTimes {
+  double geometry_every_s = 1.0;
+  double referee_every_s = 0.1;  // on average, in whole frames
+  double start_s = 0;            // time of the game's first frame in the packets
+};
+
+// Every camera sends one packet per frame, in addition to the geometry; the referee sends regularly
+// and whenever its signal changes. Its packets contain the game events since play was on last, or
+// the newest ones if they would exceed kLongestPacket. The packets show each team at its current
+// end (soccer/published.hpp).
+class GamePackets {
+ public:
+  GamePackets(const Field& field, std::vector<CameraPosition> cameras, PerSide<LoggedTeam> teams,
+              const PacketTimes& times);
+
+  // Notes a command of the next frame. This matters only if one frame has several commands, since
+  // the signal contains just the last.
+  void note(Command command);
+
+  // Adds an event to the referee's packets from the next frame on. An event without an id gets its
+  // number.
+  void note(GameEvent event);
+
+  // Notes what the cameras report in addition to the next frame.
+  void note(const OtherDetections& others) { others_ = others; }
+
+  // Passes the packets of a frame to `sink`, those of vision first.
+  void add(const Frame& frame, const RefereeSignal& signal, PacketSink& sink);
+
+  // The two parts of add().
+  void add_vision(const Frame& frame, const OtherDetections& others, bool blue_on_positive_half,
+                  PacketSink& sink);
+  void add_referee(const RefereeSignal& signal, double time_s, PacketSink& sink);
+
+ private:
+  bool has_changed(const RefereeSignal& signal) const;
+  void send_commands_before(const RefereeSignal& signal, double time_s, PacketSink& sink);
+  void add_events();
+  void send_signal(const RefereeSignal& signal, double time_s, PacketSink& sink);
+
+  std::vector<CameraPosition> cameras_;
+  PerSide<LoggedTeam> teams_;
+  PacketTimes times_;
+  VisionPacket geometry_;
+  std::vector<VisionPacket> packets_;  // one per camera
+  RefereePacket referee_;              // the last one sent
+  std::vector<Command> sent_;          // during the current frame
+  std::vector<GameEvent> events_;      // since play was on last
+  int noted_events_ = 0;
+  bool has_new_events_ = false;
+  OtherDetections others_;  // in addition to the current frame
+  double geometry_due_s_ = 0;
+  double referee_due_s_ = 0;
+};
+
+}  // namespace autoref::league

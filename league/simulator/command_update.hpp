@@ -1,0 +1,74 @@
+// Commands of robots as programs send them over the network: changes of what a robot does.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "soccer/geometry.hpp"
+#include "soccer/robot_command.hpp"
+
+namespace autoref::league {
+
+// In the robot's own frame: x forward, y to its left.
+struct LocalVelocity {
+  Vec2 velocity_mps{0, 0};
+  double angular_radps = 0;
+};
+
+// In the frame of vision.
+struct GlobalVelocity {
+  Vec2 velocity_mps{0, 0};
+  double angular_radps = 0;
+};
+
+// Where a robot's wheels are: angles from its front, counterclockwise, and the distance from its
+// centre. The order is that of the simulation protocol: front right, back right, back left, front
+// left.
+struct WheelPositions {
+  std::array<double, 4> angles_rad{};
+  double distance_m = 0;
+};
+
+// Rim speeds of the wheels in that order; positive speeds of all wheels turn the robot
+// counterclockwise.
+struct WheelSpeeds {
+  std::array<double, 4> speeds_mps{};
+};
+
+// The velocity that fits the speeds of the wheels best, by least squares.
+LocalVelocity velocity_of(const WheelSpeeds& wheels, const WheelPositions& positions);
+
+// What is not set stays as it is.
+struct CommandUpdate {
+  int robot = 0;
+  std::optional<std::variant<LocalVelocity, GlobalVelocity, WheelSpeeds>> motion;
+  std::optional<double> kick_speed_mps;  // of the ball in space; 0: no kick
+  std::optional<double> kick_angle_rad;  // above the carpet
+  std::optional<bool> dribble;
+};
+
+// Lets `held` take over what is set in `update`.
+void merge(const CommandUpdate& update, CommandUpdate& held);
+
+// The robot's command. `heading` is the robot's in the frame of vision. What was never set is zero.
+// A chip kick at another angle than 45 degrees becomes one at 45 degrees whose first hop is as
+// long.
+RobotCommand command_of(const CommandUpdate& held, const Vec2& heading,
+                        const WheelPositions& wheels);
+
+// Something in a packet that cannot be done. Codes are stable; messages are for people.
+struct PacketError {
+  std::string code;
+  std::string message;
+};
+
+// The contents of a packet with commands.
+struct CommandPacket {
+  std::vector<CommandUpdate> updates;
+  std::vector<PacketError> errors;
+};
+
+}  // namespace autoref::league

@@ -1,0 +1,35 @@
+// Lock-step: a program asks the simulator to go on by some time, and gets what the cameras saw.
+#pragma once
+
+#include <bitset>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "league/simulator/command_update.hpp"
+#include "league/simulator/simulator_command.hpp"
+#include "soccer/side.hpp"
+
+namespace autoref::league {
+
+// Whether a packet is a SimulationSyncRequest with a step or with commands of robots, rather than a
+// RobotControl or a SimulatorCommand: their fields' numbers and types differ.
+bool is_sync_request(std::string_view bytes);
+
+struct SyncRequest {
+  double step_s = 0;       // 0: only takes note of the commands
+  CommandPacket commands;  // with the errors of the whole request
+  SimulatorRequest control;
+};
+
+// Reads a request of `side`'s team; at the control port, commands of robots are an error. Codes are
+// those of read_robot_control() and read_simulator_command(), and STEP for a step that is not from
+// 0 to 10 s.
+SyncRequest read_sync_request(std::string_view bytes, std::optional<Side> side,
+                              const PerSide<int>& robots);
+
+// The response: detections as serialized DetectionFrames.
+std::string sync_response(const std::vector<std::string>& detections, const CommandPacket& commands,
+                          const std::bitset<kMaxRobots>& dribbler_contact);
+
+}  // namespace autoref::league
