@@ -61,6 +61,7 @@ int run_command_line(int argc, const char* const* argv) {
       "70 internal error; 74 input/output error; 75 interrupted (repeat the command to continue).");
   Chosen chosen;
   add_play_verb(app, chosen);
+  add_live_verb(app, chosen);
   add_run_verb(app, chosen);
   add_submit_verb(app, chosen);
   add_check_verb(app, chosen);

@@ -10,7 +10,9 @@
 #include "runner/cli/play_one.hpp"
 
 #include "runner/experiments/scenario.hpp"
+#include "runner/live/live_options.hpp"
 #include "runner/logs/recorded_facts.hpp"
+#include "runner/settings/assignments.hpp"
 
 namespace autoref::runner {
 
@@ -20,6 +22,16 @@ struct PlayArguments {
   std::string seed;               // empty: the scenario's seed
   std::vector<std::string> sets;  // "key=value"
   std::string commands;           // file of recorded commands; empty: the programs play
+  GameOutput output;
+};
+
+// Arguments of `autoref live`.
+struct LiveArguments {
+  std::string file;
+  std::string seed;               // empty: the scenario's seed
+  std::vector<std::string> sets;  // "key=value"
+  std::string speed = "1";        // a factor, "max" or "lockstep"
+  LiveOptions options;            // without the speed
   GameOutput output;
 };
 
@@ -172,6 +184,7 @@ struct SampleSizeArguments {
 
 // Each of these functions runs its verb and returns the exit code. Errors are thrown (errors.hpp).
 int play_verb(const PlayArguments& arguments);
+int live_verb(const LiveArguments& arguments);
 int run_verb(const RunArguments& arguments);
 int submit_verb(const SubmitArguments& arguments);
 int check_verb(const CheckArguments& arguments);
@@ -201,12 +214,21 @@ RecordedFacts read_facts(const std::string& log,
 // Reads an experiment and applies --set, --pairs and --seed. Throws InputError for a scenario of
 // another kind, naming the verb that plays it.
 Scenario read_experiment(const BatchArguments& arguments);
+// The game of a scenario, with the assignments; an empty seed leaves the scenario's. Throws
+// InputError for a scenario of another kind, naming the verb that plays it.
+GameSettings game_in(const std::string& file, const std::string& seed,
+                     const Assignments& assignments);
+// The files that a game is read from: the scenario, recorded commands unless empty, and the robot
+// type files named by the scenario or by --set.
+std::vector<std::string> inputs_of(const std::string& file, const std::string& commands,
+                                   const Assignments& assignments);
 // Adds --set.
 void add_set_option(CLI::App& verb, std::vector<std::string>& sets);
 void add_batch_options(CLI::App& verb, BatchArguments& arguments, const std::string& about_file);
 // Adds --pairs and --seed.
 void add_override_options(CLI::App& verb, BatchArguments& arguments);
 void add_play_verb(CLI::App& app, Chosen& chosen);
+void add_live_verb(CLI::App& app, Chosen& chosen);
 void add_run_verb(CLI::App& app, Chosen& chosen);
 void add_submit_verb(CLI::App& app, Chosen& chosen);
 void add_check_verb(CLI::App& app, Chosen& chosen);

@@ -12,27 +12,30 @@
 #include "runner/settings/fields.hpp"
 #include "runner/settings/resolved.hpp"
 #include "runner/settings/robot_types.hpp"
+#include "runner/team_programs/program_games.hpp"
 
 namespace autoref::runner {
 namespace {
 
-GameSettings configured(const PlayArguments& arguments, const Assignments& assignments) {
-  Scenario scenario = read_scenario(arguments.file, assignments);
-  auto* game = std::get_if<GameSettings>(&scenario.content);
-  if (game == nullptr) {
-    throw InputError({arguments.file}, "kind",
-                     fmt::format("this is a {}, not a game; run it with: autoref {} {}",
-                                 kind_of(scenario), verb_of(scenario), arguments.file));
-  }
-  if (!arguments.seed.empty()) {
-    blame("--seed", [&] { set_by_path(*game, "seed", arguments.seed); });
-  }
-  return *game;
+void refuse_needless_commands(const PlayArguments& arguments, const GameSettings& game) {
+  if (arguments.commands.empty() || has_programs(resolved(game))) return;
+  throw InputError({"--commands"}, "",
+                   "neither team of the scenario is a program or on the network");
 }
 
-void refuse_needless_commands(const PlayArguments& arguments, const GameSettings& game) {
-  if (arguments.commands.empty() || !game.a.command.empty() || !game.b.command.empty()) return;
-  throw InputError({"--commands"}, "", "neither team of the scenario is a program");
+}  // namespace
+
+GameSettings game_in(const std::string& file, const std::string& seed,
+                     const Assignments& assignments) {
+  Scenario scenario = read_scenario(file, assignments);
+  auto* game = std::get_if<GameSettings>(&scenario.content);
+  if (game == nullptr) {
+    throw InputError({file}, "kind",
+                     fmt::format("this is a {}, not a game; run it with: autoref {} {}",
+                                 kind_of(scenario), verb_of(scenario), file));
+  }
+  if (!seed.empty()) blame("--seed", [&] { set_by_path(*game, "seed", seed); });
+  return *game;
 }
 
 // The files that a game is read from: the scenario, recorded commands, and the robot type files
@@ -48,11 +51,9 @@ std::vector<std::string> inputs_of(const std::string& file, const std::string& c
   return inputs;
 }
 
-}  // namespace
-
 int play_verb(const PlayArguments& arguments) {
   const Assignments assignments = assignments_in(arguments.sets);
-  const GameSettings game = configured(arguments, assignments);
+  const GameSettings game = game_in(arguments.file, arguments.seed, assignments);
   refuse_needless_commands(arguments, game);
   GameRecord record;
   blame(arguments.file, [&] {

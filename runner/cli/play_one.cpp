@@ -57,9 +57,7 @@ class Watch final : public Observer {
       recording_->add(published(frame, signal.blue_on_positive_half));
       recording_->add(frame.time_s, published(signal));
     }
-    // A signal handler may do very little, so it only sets a flag, which is read here. The
-    // exception unwinds the stack, which removes pending files.
-    if (interrupted != 0) throw Interrupted();
+    check_interrupt();
   }
   void on_decision(const referee::Decision& decision) override {
     if (events_ != nullptr) events_->on_decision(decision);
@@ -106,14 +104,15 @@ void open_log(std::optional<league::GameLog>& log, const GameConfiguration& game
 }
 
 GamePrograms programs_of(const GameConfiguration& game, const GameOutput& output,
-                         const std::filesystem::path& commands) {
+                         const std::filesystem::path& commands, const GamePlayer& player) {
   if (!has_programs(game) && !output.record.empty())
-    throw InputError({"--record"}, "", "neither team is a program, so there is nothing to record");
+    throw InputError({"--record"}, "",
+                     "neither team is a program or on the network, so there is nothing to record");
   if (!commands.empty()) return GamePrograms::recorded(game, commands);
   ProgramFiles files;
   files.commands = output.record;
   files.show_stderr = true;
-  return GamePrograms::live(game, files);
+  return GamePrograms::live(game, files, player.make_network_team);
 }
 
 std::string view_of(const GameConfiguration& game, const GameRecording& recording,
@@ -127,7 +126,22 @@ std::string view_of(const GameConfiguration& game, const GameRecording& recordin
                    {"build", std::string(build_id())}}});
 }
 
+GameRecord played(const GameConfiguration& configuration, Observer* observer,
+                  GamePrograms& programs) {
+  Game game(configuration, observer, programs.maker());
+  do {
+    programs.before_step(game);
+  } while (game.step());
+  return game.record();
+}
+
 }  // namespace
+
+// A signal handler may do very little, so it only sets a flag, which is read here. The exception
+// unwinds the stack, which removes pending files.
+void check_interrupt() {
+  if (interrupted != 0) throw Interrupted();
+}
 
 void add_output_options(CLI::App& verb, GameOutput& output) {
   verb.add_option("--events", output.events,
@@ -143,13 +157,15 @@ void add_output_options(CLI::App& verb, GameOutput& output) {
   verb.add_option("--view", output.view, "Write the game to FILE as an HTML page.")
       ->type_name("FILE");
   verb.add_option("--record", output.record,
-                  "Write the commands of teams that are programs to FILE, for play --commands.")
+                  "Write the commands of teams that are programs or on the network to FILE, for "
+                  "play --commands.")
       ->type_name("FILE");
   verb.add_flag("--json", output.json, "Print one JSON object.");
 }
 
 GameRecord play_one(const GameConfiguration& game, const GameOutput& output,
-                    const std::vector<std::string>& inputs, const std::filesystem::path& commands) {
+                    const std::vector<std::string>& inputs, const std::filesystem::path& commands,
+                    const GamePlayer& player) {
   GameFiles files;
   open_files(files, output, inputs);
   std::optional<league::GameLog> log;
@@ -160,8 +176,8 @@ GameRecord play_one(const GameConfiguration& game, const GameOutput& output,
   Watch watch(files.events ? &events : nullptr, files.game_events ? &game_events : nullptr,
               log ? &*log : nullptr, files.view ? &recording : nullptr);
   const auto start = std::chrono::steady_clock::now();
-  GamePrograms programs = programs_of(game, output, commands);
-  GameRecord record = play(game, &watch, programs.maker());
+  GamePrograms programs = programs_of(game, output, commands, player);
+  GameRecord record = player.play ? player.play(&watch, programs) : played(game, &watch, programs);
   if (!programs.finish(record)) {
     throw InputError({commands.string()}, "",
                      "its commands lead to another final state: they are from another game, other "

@@ -3,10 +3,12 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "runner/game/game.hpp"
+#include "runner/team_programs/program_games.hpp"
 
 namespace autoref::runner {
 
@@ -19,6 +21,15 @@ struct GameOutput {
   std::string record;  // output file for the commands of teams that are programs; empty: none
   bool json = false;
 };
+
+// How to play a game, if not by play() (game.hpp).
+struct GamePlayer {
+  TeamMaker make_network_team;
+  std::function<GameRecord(Observer* observer, GamePrograms& programs)> play;
+};
+
+// Throws Interrupted if the user has pressed Ctrl-C since play_one() began.
+void check_interrupt();
 
 // Adds the flags of GameOutput.
 void add_output_options(CLI::App& verb, GameOutput& output);
@@ -33,6 +44,6 @@ void add_output_options(CLI::App& verb, GameOutput& output);
 // play. Throws InputError if the file belongs to another game.
 GameRecord play_one(const GameConfiguration& game, const GameOutput& output,
                     const std::vector<std::string>& inputs,
-                    const std::filesystem::path& commands = {});
+                    const std::filesystem::path& commands = {}, const GamePlayer& player = {});
 
 }  // namespace autoref::runner

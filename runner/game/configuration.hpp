@@ -30,6 +30,7 @@ struct TeamConfiguration {
   std::map<std::string, double> params;                     // the strategy's parameters, by name
   sim::TeamSpec::Robots robots = sim::TeamSpec::Robots(6);  // by number, 1 to 16
   std::optional<TeamProgram> program = {};
+  bool on_network = false;  // commanded over the network (runner/live/)
 };
 
 // What becomes of a game in which a team fails (strategies::StrategyFault and the like): it has no

@@ -80,6 +80,10 @@ class Game::Impl {
 
   void put_ball(const sim::BallState& ball) { world_.put_ball(ball); }
   void put_robot(RobotId id, const sim::RobotState& state) { world_.put_robot(id, state); }
+  void take_off(RobotId id) { world_.take_off(id); }
+  void put_on(RobotId id, const Vec2& position_m, const Vec2& heading) {
+    world_.put_on(id, position_m, heading);
+  }
 
   bool is_over() const {
     const bool is_new_game =
@@ -91,6 +95,7 @@ class Game::Impl {
   const Frame& frame() const { return frame_; }
   const RefereeSignal& signal() const { return signal_; }
   std::span<const referee::Decision> decisions() const { return referee_.decisions(); }
+  const Tracks& tracks() const { return referee_.tracks(); }
   const sim::World& world() const { return world_; }
 
   GameRecord record() const {
@@ -261,11 +266,16 @@ bool Game::begin_step() { return impl_->begin_step(); }
 bool Game::end_step() { return impl_->end_step(); }
 void Game::put_ball(const sim::BallState& ball) { impl_->put_ball(ball); }
 void Game::put_robot(RobotId id, const sim::RobotState& state) { impl_->put_robot(id, state); }
+void Game::take_off(RobotId id) { impl_->take_off(id); }
+void Game::put_on(RobotId id, const Vec2& position_m, const Vec2& heading) {
+  impl_->put_on(id, position_m, heading);
+}
 bool Game::is_over() const { return impl_->is_over(); }
 const GameConfiguration& Game::configuration() const { return impl_->configuration(); }
 const Frame& Game::frame() const { return impl_->frame(); }
 const RefereeSignal& Game::signal() const { return impl_->signal(); }
 std::span<const referee::Decision> Game::decisions() const { return impl_->decisions(); }
+const Tracks& Game::tracks() const { return impl_->tracks(); }
 const sim::World& Game::world() const { return impl_->world(); }
 GameRecord Game::record() const { return impl_->record(); }
 

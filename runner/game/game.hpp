@@ -12,6 +12,7 @@
 #include "sim/world.hpp"
 #include "soccer/frame.hpp"
 #include "soccer/referee_signal.hpp"
+#include "soccer/tracks.hpp"
 
 namespace autoref::runner {
 
@@ -51,6 +52,9 @@ class Game {
   // Sets up a situation between steps. A robot must be on the field.
   void put_ball(const sim::BallState& ball);
   void put_robot(RobotId id, const sim::RobotState& state);
+  // As those of sim::World.
+  void take_off(RobotId id);
+  void put_on(RobotId id, const Vec2& position_m, const Vec2& heading);
 
   // Whether the game is over: the referee has ended it, or it is void. If a new game follows
   // (referee::AfterGame::kNewGame), the first is over once the referee has begun the next.
@@ -63,6 +67,7 @@ class Game {
   const Frame& frame() const;                            // as seen by the camera
   const RefereeSignal& signal() const;                   // the referee's signal for that frame
   std::span<const referee::Decision> decisions() const;  // made in that frame, in order
+  const Tracks& tracks() const;                          // the referee's, after that frame
 
   // The true state: one frame later than frame(), or at the time of frame() once the referee has
   // ended the game.

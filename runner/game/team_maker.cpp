@@ -10,6 +10,8 @@ namespace autoref::runner {
 
 std::unique_ptr<strategies::Strategy> make_registered_team(const TeamConfiguration& team,
                                                            const strategies::TeamContext& context) {
+  if (team.on_network)
+    throw std::invalid_argument("a team on the network plays only in autoref live");
   const strategies::Entry* entry = strategies::find_strategy(team.strategy);
   if (entry == nullptr)
     throw std::invalid_argument(fmt::format("unknown strategy '{}'", team.strategy));

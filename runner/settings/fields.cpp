@@ -12,6 +12,7 @@ std::vector<std::string> strategy_names() {
   for (const strategies::Entry& entry : strategies::all_strategies()) {
     names.emplace_back(entry.name);
   }
+  names.emplace_back(kNetworkStrategy);
   return names;
 }
 

@@ -34,6 +34,9 @@ struct PlayerSettings {
   double acceleration_factor = 1.0;  // multiplied by the team's, (0, 2]
 };
 
+// The strategy of teams that play over the network (runner/live/).
+inline constexpr const char* kNetworkStrategy = "network";
+
 struct TeamSettings {
   std::string strategy = "basic";        // unused if there is a command
   std::vector<std::string> command;      // the team is this program

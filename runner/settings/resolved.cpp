@@ -40,6 +40,7 @@ TeamConfiguration resolved(const GameSettings& game, const TeamSettings& team,
   if (!team.command.empty())
     configuration.program =
         TeamProgram{team.command, team.directory, team.environment, team.answer_s, team.memory_mb};
+  configuration.on_network = team.command.empty() && team.strategy == kNetworkStrategy;
   return configuration;
 }
 

@@ -41,9 +41,13 @@ void refuse_two_teams(const GameSettings& game, const TeamSettings& team, std::s
   throw SettingError(path, ": the team has a command as well; remove one of them");
 }
 
-// A program may have any parameters.
+// A program may have any parameters; a team on the network is sent none.
 void check_params(const TeamSettings& team, std::string_view name) {
   if (!team.command.empty()) return;
+  if (team.strategy == kNetworkStrategy) {
+    if (team.params.empty()) return;
+    throw SettingError(fmt::format("{}.params", name), ": a team on the network has no parameters");
+  }
   const strategies::Entry* strategy = strategies::find_strategy(team.strategy);
   if (strategy == nullptr) {
     throw std::invalid_argument(fmt::format("unknown strategy '{}'", team.strategy));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <string_view>
 #include <utility>
@@ -22,6 +23,12 @@ constexpr std::size_t kLongestFault = 4000;
 
 constexpr unsigned kTeamBits = 3;
 constexpr unsigned kEnd = 3;
+constexpr unsigned kChange = 0;  // bits 0-1; the kinds in bits 2-3
+constexpr unsigned kChangeShift = 2;
+constexpr unsigned kBall = 0;
+constexpr unsigned kPlaced = 1;
+constexpr unsigned kRemoved = 2;
+constexpr double kLargestChange = 1e4;
 constexpr unsigned kHasRequests = 4;
 constexpr unsigned kHasFault = 8;
 constexpr unsigned kHasChip = 16;
@@ -76,6 +83,43 @@ void put_commands(const TeamCommands& commands, const TeamCommands& last, std::s
   }
 }
 
+void put_vector(const Vec2& vector, std::string& bytes) {
+  put(vector.x(), bytes);
+  put(vector.y(), bytes);
+}
+
+void put_robot_id(RobotId robot, std::string& bytes) {
+  put(static_cast<std::uint8_t>(robot.side), bytes);
+  put(static_cast<std::uint8_t>(robot.number), bytes);
+}
+
+struct PutChange {
+  std::string& bytes;
+  void kind(unsigned kind) const {
+    put(static_cast<std::uint8_t>(kChange | kind << kChangeShift), bytes);
+  }
+  void operator()(const sim::BallState& ball) const {
+    kind(kBall);
+    put_vector(ball.position_m, bytes);
+    put_vector(ball.velocity_mps, bytes);
+    put(ball.height_m, bytes);
+    put(ball.vertical_mps, bytes);
+    put(ball.is_rolling ? 1.0 : 0.0, bytes);
+  }
+  void operator()(const PlacedRobot& placed) const {
+    kind(kPlaced);
+    put_robot_id(placed.robot, bytes);
+    put_vector(placed.state.position_m, bytes);
+    put_vector(placed.state.velocity_mps, bytes);
+    put_vector(placed.state.heading, bytes);
+    put(placed.state.angular_velocity_radps, bytes);
+  }
+  void operator()(const RemovedRobot& removed) const {
+    kind(kRemoved);
+    put_robot_id(removed.robot, bytes);
+  }
+};
+
 }  // namespace
 
 bool is_same(const TeamEntry& a, const TeamEntry& b) {
@@ -124,6 +168,11 @@ void CommandsWriter::add(char team, const TeamEntry& entry) {
   }
   write();
   last = entry;
+}
+
+void CommandsWriter::add(const WorldChange& change) {
+  std::visit(PutChange{bytes_}, change);
+  write();
 }
 
 void CommandsWriter::close(std::uint64_t final_state) {
@@ -209,6 +258,46 @@ const TeamEntry& CommandsReader::next(char team) {
     if ((changed >> i & 1U) != 0) read_command(entry.commands[i]);
   }
   return entry;
+}
+
+Vec2 CommandsReader::vector() {
+  const auto x = number<double>();
+  const auto y = number<double>();
+  if (std::abs(x) <= kLargestChange && std::abs(y) <= kLargestChange) return {x, y};
+  refuse("is damaged: a change of the world is impossible");
+}
+
+std::optional<WorldChange> CommandsReader::next_change() {
+  const int kind = gzgetc(gz_file(file_));
+  if (kind < 0 || (static_cast<unsigned>(kind) & kTeamBits) != kChange) {
+    gzungetc(kind, gz_file(file_));
+    return std::nullopt;
+  }
+  const unsigned of = static_cast<unsigned>(kind) >> kChangeShift;
+  if (of == kBall) {
+    sim::BallState ball;
+    ball.position_m = vector();
+    ball.velocity_mps = vector();
+    const Vec2 upward = vector();
+    ball.height_m = upward.x();
+    ball.vertical_mps = upward.y();
+    ball.is_rolling = number<double>() != 0;
+    return ball;
+  }
+  const auto side = number<std::uint8_t>() == 0 ? Side::kWest : Side::kEast;
+  const RobotId id{side, robot()};
+  if (id.number < 0 || of > kRemoved) refuse("is damaged: a change of the world is impossible");
+  if (of == kRemoved) return RemovedRobot{id};
+  PlacedRobot placed{id, {}};
+  placed.state.number = id.number;
+  placed.state.position_m = vector();
+  placed.state.velocity_mps = vector();
+  placed.state.heading = vector();
+  const auto turn_radps = number<double>();
+  placed.state.angular_velocity_radps = std::abs(turn_radps) <= kLargestChange ? turn_radps : 0;
+  if (std::abs(placed.state.heading.norm() - 1) > 1e-6)
+    refuse("is damaged: a heading is not a unit vector");
+  return placed;
 }
 
 std::uint64_t CommandsReader::final_state() {

@@ -2,7 +2,8 @@
 //
 // A gzip file with a header line, `autoref-commands 1`, and then entries in the order in which they
 // took effect. An entry begins with a byte:
-//   bits 0-1  1 team a, 2 team b, 3 the end: 8 bytes with the game's final state follow
+//   bits 0-1  0 a change of the world before the teams' next entries, 1 team a, 2 team b, 3 the
+//             end: 8 bytes with the game's final state follow
 //   bit 2     requests follow: keeper and robot that leaves (int8, -1: none), timeout (uint8)
 //   bit 3     a fault follows: its length (uint16) and text; the team's last entry
 // Unless there is a fault, then a uint16: bit n is set if robot n's command differs from the
@@ -10,14 +11,20 @@
 //   bits 0-3  forward, left, angular velocity, kick follow as floats; the others are as before
 //   bit 4     chip
 //   bit 5     dribble
-// All numbers are little-endian.
+// Of a change of the world, bits 2-3 are 0 for the ball, 1 for a robot that is placed, 2 for one
+// that is taken off the field. Then follow, for a robot, its side (uint8, 0 west) and number
+// (uint8); unless it is taken off, as doubles position, velocity, and for the ball height, vertical
+// speed and 1 if it rolls or 0, for a robot heading (x, y) and angular velocity. All numbers are
+// little-endian.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 
+#include "runner/team_programs/world_change.hpp"
 #include "soccer/robot_command.hpp"
 #include "soccer/team_requests.hpp"
 
@@ -44,6 +51,9 @@ class CommandsWriter {
   // `team` is 'a' or 'b'. Throws InputOutputError.
   void add(char team, const TeamEntry& entry);
 
+  // A change before the next step. Throws InputOutputError.
+  void add(const WorldChange& change);
+
   // Throws InputOutputError.
   void close(std::uint64_t final_state);
 
@@ -69,6 +79,10 @@ class CommandsReader {
   // damaged or at its end: then it belongs to another game.
   const TeamEntry& next(char team);
 
+  // The next entry if it is a change of the world; nullopt for another entry or the end. Throws
+  // InputError if the file is damaged.
+  std::optional<WorldChange> next_change();
+
   // The final state of the game. Throws InputError if there are entries left.
   std::uint64_t final_state();
 
@@ -79,6 +93,7 @@ class CommandsReader {
   Number number();
   int robot();  // -1: none
   void read_command(RobotCommand& command);
+  Vec2 vector();
 
   std::filesystem::path path_;
   void* file_ = nullptr;  // a gzFile

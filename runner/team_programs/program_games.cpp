@@ -102,7 +102,15 @@ ProgramSpec spec_of(const TeamProgram& program) {
   return spec;
 }
 
-bool has_programs(const GameConfiguration& game) { return game.a.program || game.b.program; }
+namespace {
+
+bool is_foreign(const TeamConfiguration& team) { return team.program || team.on_network; }
+
+}  // namespace
+
+bool has_programs(const GameConfiguration& game) {
+  return is_foreign(game.a) || is_foreign(game.b);
+}
 
 std::unique_ptr<strategies::Strategy> make_program_or_registered_team(
     const TeamConfiguration& team, const strategies::TeamContext& context) {
@@ -110,8 +118,10 @@ std::unique_ptr<strategies::Strategy> make_program_or_registered_team(
   return std::make_unique<ProgramTeam>(spec_of(*team.program), context);
 }
 
-GamePrograms GamePrograms::live(const GameConfiguration& game, ProgramFiles files) {
+GamePrograms GamePrograms::live(const GameConfiguration& game, ProgramFiles files,
+                                TeamMaker make_network_team) {
   GamePrograms programs;
+  programs.make_network_team_ = std::move(make_network_team);
   programs.side_a_ = game.match.a_plays;
   if (has_programs(game) && !files.commands.empty())
     programs.writer_ = std::make_unique<CommandsWriter>(files.commands);
@@ -135,15 +145,34 @@ TeamMaker GamePrograms::maker() {
 
 std::unique_ptr<strategies::Strategy> GamePrograms::make(const TeamConfiguration& team,
                                                          const strategies::TeamContext& context) {
-  if (!team.program) return make_registered_team(team, context);
+  if (!is_foreign(team)) return make_registered_team(team, context);
   const char letter = context.side == side_a_ ? 'a' : 'b';
   if (reader_) return std::make_unique<ReplayedTeam>(letter, *reader_);
+  std::unique_ptr<strategies::Strategy> made = make_live(team, context, letter);
+  if (!writer_) return made;
+  return std::make_unique<RecordedTeam>(std::move(made), letter, *writer_, was_killed_);
+}
+
+std::unique_ptr<strategies::Strategy> GamePrograms::make_live(
+    const TeamConfiguration& team, const strategies::TeamContext& context, char letter) const {
+  if (!team.program) {
+    return make_network_team_ ? make_network_team_(team, context)
+                              : make_registered_team(team, context);
+  }
   ProgramSpec spec = spec_of(*team.program);
   spec.stderr_file = letter == 'a' ? files_.stderr_a : files_.stderr_b;
   if (files_.show_stderr) spec.stderr_copy = STDERR_FILENO;
-  auto program = std::make_unique<ProgramTeam>(spec, context);
-  if (!writer_) return program;
-  return std::make_unique<RecordedTeam>(std::move(program), letter, *writer_, was_killed_);
+  return std::make_unique<ProgramTeam>(spec, context);
+}
+
+void GamePrograms::before_step(Game& game) {
+  if (!reader_) return;
+  while (const std::optional<WorldChange> change = reader_->next_change()) apply(*change, game);
+}
+
+void GamePrograms::change(const WorldChange& change, Game& game) {
+  apply(change, game);
+  if (writer_) writer_->add(change);
 }
 
 bool GamePrograms::finish(const GameRecord& record) {

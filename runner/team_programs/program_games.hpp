@@ -13,7 +13,7 @@
 
 namespace autoref::runner {
 
-// Whether a team is a program.
+// Whether a team is a program, or plays over the network: its commands can be recorded.
 bool has_programs(const GameConfiguration& game);
 
 // How to start it.
@@ -36,13 +36,21 @@ struct ProgramFiles {
 class GamePrograms {
  public:
   // Plays the programs. Throws InputOutputError if a file cannot be written.
-  static GamePrograms live(const GameConfiguration& game, ProgramFiles files);
+  // `make_network_team` makes teams that play over the network; without it, games with them
+  // cannot be played.
+  static GamePrograms live(const GameConfiguration& game, ProgramFiles files,
+                           TeamMaker make_network_team = {});
   // Plays the commands of a file instead of the programs. Throws InputError, InputOutputError.
   static GamePrograms recorded(const GameConfiguration& game,
                                const std::filesystem::path& commands);
 
   // For Game; this object must outlive its teams.
   TeamMaker maker();
+
+  // Call it before each step: plays the recorded changes of the world. Throws as CommandsReader.
+  void before_step(Game& game);
+  // Changes the world between two steps, and records that. Throws as CommandsWriter.
+  void change(const WorldChange& change, Game& game);
 
   // Whether a program whose commands are recorded was killed, which may not be its own fault.
   bool was_killed() const { return was_killed_; }
@@ -56,6 +64,11 @@ class GamePrograms {
   std::unique_ptr<strategies::Strategy> make(const TeamConfiguration& team,
                                              const strategies::TeamContext& context);
 
+  std::unique_ptr<strategies::Strategy> make_live(const TeamConfiguration& team,
+                                                  const strategies::TeamContext& context,
+                                                  char letter) const;
+
+  TeamMaker make_network_team_;
   Side side_a_ = Side::kWest;
   ProgramFiles files_;
   bool was_killed_ = false;

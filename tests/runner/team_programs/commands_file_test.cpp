@@ -77,6 +77,41 @@ TEST_F(CommandsFile, IsReadAsItWasWritten) {
   EXPECT_EQ(reader.final_state(), kState);
 }
 
+TEST_F(CommandsFile, ContainsChangesOfTheWorld) {
+  sim::BallState ball;
+  ball.position_m = Vec2(1, -2);
+  ball.velocity_mps = Vec2(0.5, 0);
+  ball.height_m = 0.25;
+  ball.is_rolling = false;
+  PlacedRobot placed{{Side::kEast, 3}, {}};
+  placed.state.number = 3;
+  placed.state.heading = Vec2(0, -1);
+  placed.state.angular_velocity_radps = 2;
+  {
+    CommandsWriter writer(file_);
+    writer.add(ball);
+    writer.add('a', {});
+    writer.add(placed);
+    writer.add(RemovedRobot{{Side::kWest, 5}});
+    writer.close(kState);
+  }
+  CommandsReader reader(file_);
+  const auto read_ball = std::get<sim::BallState>(reader.next_change().value());
+  EXPECT_EQ(read_ball.position_m, ball.position_m);
+  EXPECT_EQ(read_ball.velocity_mps, ball.velocity_mps);
+  EXPECT_EQ(read_ball.height_m, 0.25);
+  EXPECT_FALSE(read_ball.is_rolling);
+  EXPECT_FALSE(reader.next_change().has_value());
+  reader.next('a');
+  const auto read_robot = std::get<PlacedRobot>(reader.next_change().value());
+  EXPECT_EQ(read_robot.robot, (RobotId{Side::kEast, 3}));
+  EXPECT_EQ(read_robot.state.heading, Vec2(0, -1));
+  EXPECT_EQ(read_robot.state.angular_velocity_radps, 2);
+  EXPECT_EQ(std::get<RemovedRobot>(reader.next_change().value()).robot, (RobotId{Side::kWest, 5}));
+  EXPECT_FALSE(reader.next_change().has_value());
+  EXPECT_EQ(reader.final_state(), kState);
+}
+
 TEST_F(CommandsFile, AppearsOnlyWhenItIsClosed) {
   {
     CommandsWriter writer(file_);

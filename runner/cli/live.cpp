@@ -1,0 +1,143 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <memory>
+
+#include "runner/cli/command_line.hpp"
+#include "runner/cli/play_one.hpp"
+#include "runner/io/errors.hpp"
+#include "runner/live/live_game.hpp"
+#include "runner/settings/assignments.hpp"
+#include "runner/settings/resolved.hpp"
+#include "soccer/colour.hpp"
+
+namespace autoref::runner {
+namespace {
+
+constexpr double kSlowest = 0.01;
+constexpr double kFastest = 1000;
+
+LiveSpeed speed_of(const std::string& text) {
+  if (text == "max") return {1, true, false};
+  if (text == "lockstep") return {1, true, true};
+  std::size_t end = 0;
+  double factor = 0;
+  try {
+    factor = std::stod(text, &end);
+  } catch (const std::exception&) {
+    end = 0;
+  }
+  if (end == text.size() && factor >= kSlowest && factor <= kFastest) return {factor};
+  throw InputError({"--speed"}, "",
+                   fmt::format("expected a factor from {} to {}, max or lockstep, found '{}'",
+                               kSlowest, kFastest, text));
+}
+
+void say_team(Side side, const LiveReport& report) {
+  const TeamTraffic& traffic = report.traffic[side];
+  const std::array<std::int64_t, 3>& ages = report.command_ages[side];
+  const std::int64_t frames = ages[0] + ages[1] + ages[2];
+  if (frames == 0) return;
+  const double recent = static_cast<double>(ages[0] + ages[1]) / static_cast<double>(frames);
+  write_message(
+      stderr,
+      fmt::format("{}: {} packets, {} wrong, {} from another computer; in {:.1f} % "
+                  "of the frames a command at most one frame old\n",
+                  colour_of(side), traffic.packets, traffic.wrong, traffic.foreign, 100 * recent));
+  if (!traffic.last_error.empty())
+    write_message(stderr, fmt::format("{}: last error: {}\n", colour_of(side), traffic.last_error));
+}
+
+void say(const LiveReport& report) {
+  const Punctuality& punctuality = report.punctuality;
+  if (punctuality.frames > 0) {
+    write_message(stderr,
+                  fmt::format("{} frames, {} of them more than 2 ms late, the worst {:.1f} ms\n",
+                              punctuality.frames, punctuality.late, punctuality.worst_ms));
+  }
+  if (report.dropped > 0)
+    write_message(stderr, fmt::format("{} datagrams could not be sent\n", report.dropped));
+  for (const Side side : kSides) say_team(side, report);
+}
+
+void add_network_options(CLI::App& verb, LiveOptions& options) {
+  const auto port = [&verb](const char* flag, int& number, const char* about) {
+    verb.add_option(flag, number, about)->type_name("PORT")->check(CLI::Range(0, 65535));
+  };
+  verb.add_option("--interface", options.interface,
+                  "Address of the network interface to use; by default nothing leaves this "
+                  "computer.")
+      ->type_name("ADDRESS");
+  verb.add_option("--unicast", options.unicast,
+                  "Send vision, referee and tracker packets to this host instead of the multicast "
+                  "groups.")
+      ->type_name("HOST");
+  port("--vision-port", options.ports.vision, "Port of vision, 10006 by default.");
+  port("--referee-port", options.ports.referee, "Port of the referee, 10003 by default.");
+  port("--tracker-port", options.ports.tracker, "Port of the tracker, 10010 by default.");
+  port("--yellow-port", options.ports.yellow, "Commands of the yellow team, 10302 by default.");
+  port("--blue-port", options.ports.blue, "Commands of the blue team, 10301 by default.");
+  port("--control-port", options.ports.control,
+       "Control of the simulator, 10300 by default; 0: none, as in tournaments.");
+  port("--grsim-port", options.ports.grsim,
+       "Commands of both teams in grSim's packets, 20011 by default; 0: none.");
+  verb.add_option("--lapse", options.lapse_s,
+                  "Seconds after which a robot without a new command stands still, 0.1 by default.")
+      ->type_name("S")
+      ->check(CLI::Range(0.0, 3600.0));
+  verb.add_option("--answer", options.answer_s,
+                  "With --speed max or lockstep: the longest wait for a team in seconds, 10 by "
+                  "default.")
+      ->type_name("S")
+      ->check(CLI::Range(0.0, 3600.0));
+}
+
+}  // namespace
+
+int live_verb(const LiveArguments& arguments) {
+  const Assignments assignments = assignments_in(arguments.sets);
+  const GameConfiguration game = resolved(game_in(arguments.file, arguments.seed, assignments));
+  LiveOptions options = arguments.options;
+  options.speed = speed_of(arguments.speed);
+  SteadyFrameClock clock;
+  LiveGame live(game, options, clock, check_interrupt);
+  GamePlayer player;
+  player.make_network_team = [&](const TeamConfiguration&, const strategies::TeamContext& context) {
+    return live.make_network_team(context);
+  };
+  player.play = [&](Observer* observer, GamePrograms& programs) {
+    return live.play(observer, programs);
+  };
+  GameRecord record;
+  blame(arguments.file, [&] {
+    record =
+        play_one(game, arguments.output, inputs_of(arguments.file, "", assignments), {}, player);
+  });
+  say(live.report());
+  return record.status == Status::kVoid ? kTooManyVoid : kDone;
+}
+
+void add_live_verb(CLI::App& app, Chosen& chosen) {
+  CLI::App* verb =
+      app.add_subcommand("live", "Play one refereed game on the league's network, in real time.");
+  auto arguments = std::make_shared<LiveArguments>();
+  verb->add_option("FILE", arguments->file, "Scenario of kind game.")->required();
+  verb->add_option("--seed", arguments->seed, "Seed, overriding the scenario.")->type_name("N");
+  add_set_option(*verb, arguments->sets);
+  verb->add_option("--speed", arguments->speed,
+                   "Speed relative to real time, 1 by default; max: as fast as the teams answer; "
+                   "lockstep: by the teams' SimulationSyncRequests.")
+      ->type_name("FACTOR|max|lockstep");
+  add_network_options(*verb, arguments->options);
+  add_output_options(*verb, arguments->output);
+  verb->footer(
+      "A team with the strategy network is commanded by packets of the league's simulation "
+      "protocol "
+      "or grSim's.\n"
+      "West is yellow.\n\n"
+      "Example:\n  autoref live scenarios/paper-game.yaml --set a.strategy=network");
+  verb->callback([arguments, &chosen] { chosen = [arguments] { return live_verb(*arguments); }; });
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,247 @@
+#include "runner/live/live_game.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "runner/game/game.hpp"
+#include "runner/live/command_slots.hpp"
+#include "runner/live/game_publisher.hpp"
+#include "runner/live/network_team.hpp"
+#include "runner/live/observers.hpp"
+#include "runner/live/robot_reports.hpp"
+#include "runner/live/world_changes.hpp"
+#include "soccer/published.hpp"
+
+namespace autoref::runner {
+namespace {
+
+constexpr double kFarewell_s = 1;
+constexpr std::chrono::milliseconds kSlice{50};  // of waits, after which interrupts are noticed
+constexpr std::chrono::milliseconds kLastSlice{500};  // for the last requests after the game
+// Of the first frame in lock-step, so that the packets are the same in each run: 1 January 2026.
+constexpr double kLockstepStart_s = 1767225600;
+
+double now_unix_s() {
+  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+int frames_of(double seconds, const GameConfiguration& game) {
+  return static_cast<int>(std::lround(seconds * game.sim.frame_rate_hz));
+}
+
+}  // namespace
+
+class LiveGame::Impl {
+ public:
+  Impl(const GameConfiguration& game, const LiveOptions& options, FrameClock& clock,
+       std::function<void()> check)
+      : game_(game),
+        options_(options),
+        check_(std::move(check)),
+        is_network_(network_sides(game)),
+        slots_(frames_of(options.lapse_s, game)),
+        lock_step_(is_network_, game.sim.frame_rate_hz),
+        publisher_(game, options, options.speed.is_lockstep ? kLockstepStart_s : now_unix_s()),
+        ports_(thread_, options, game,
+               {&slots_, &requests_, options.speed.is_lockstep ? &lock_step_ : nullptr}),
+        clock_(&clock),
+        pacer_(clock, game.sim.frame_rate_hz * options.speed.factor) {
+    for (const Side side : kSides) states_[side].wheels = wheels_of(team_on(game, side));
+  }
+
+  std::unique_ptr<strategies::Strategy> make_network_team(
+      const strategies::TeamContext& context) const {
+    return std::make_unique<NetworkTeam>(inputs_[context.side]);
+  }
+
+  GameRecord play(Observer* observer, GamePrograms& programs) {
+    Observers both(observer, &publisher_);
+    Game game(game_, &both, programs.maker());
+    if (!options_.speed.is_lockstep) await_teams(game);
+    for (;;) {
+      // Taken before the frame is sent: a fast team may answer at once.
+      const PerSide<std::int64_t> before = slots_.packets();
+      if (!game.begin_step()) break;
+      check_();
+      publisher_.add(game.tracks(), game.signal().blue_on_positive_half);
+      const PerSide<RobotReports> reports = reports_of(game_, game.world());
+      ports_.report(reports);
+      wait(game.frame().number, before, reports);
+      take_commands(game, before);
+      const bool is_over = !game.end_step();
+      control(game, programs);
+      if (is_over) break;
+    }
+    say_farewell(game);
+    return game.record();
+  }
+
+  LiveReport report() const {
+    return {pacer_.punctuality(), publisher_.dropped(), ports_.traffic(), ages_};
+  }
+
+ private:
+  bool has_network_teams() const { return is_network_[Side::kWest] || is_network_[Side::kEast]; }
+
+  // Sends the field as it is before the game, until every team has sent a packet.
+  void await_teams(const Game& game) {
+    while (!slots_.wait({{0, 0}}, is_network_, CommandSlots::Clock::now() + frame_period())) {
+      check_();
+      publisher_.add_waiting_frame(game.world().state(), game.signal());
+    }
+    pacer_.set_rate(game_.sim.frame_rate_hz * options_.speed.factor);
+  }
+
+  CommandSlots::Clock::duration frame_period() const {
+    return std::chrono::duration_cast<CommandSlots::Clock::duration>(
+        std::chrono::duration<double>(1 / game_.sim.frame_rate_hz));
+  }
+
+  void wait(std::int64_t frame, const PerSide<std::int64_t>& before,
+            const PerSide<RobotReports>& reports) {
+    if (options_.speed.is_lockstep) {
+      for (const std::string& detection : publisher_.detections())
+        lock_step_.add_detection(detection);
+      const auto take = [this](const league::SimulatorRequest& request) { requests_.add(request); };
+      const bool is_first = frame == 0;
+      wait_in_slices(
+          [&](auto until) { return lock_step_.advance(frame, reports, slots_, take, until); },
+          [&] {
+            if (!is_first) blame(lock_step_.is_awaited());
+            return !is_first;
+          });
+    } else if (!options_.speed.is_unlimited) {
+      pacer_.wait();
+    } else if (has_network_teams() && frame >= sim::split_latency(game_.sim).frames) {
+      wait_in_slices([&](auto until) { return slots_.wait(before, is_network_, until); },
+                     [&] {
+                       blame(silent_since(before));
+                       return true;
+                     });
+    }
+  }
+
+  // Calls `wait` until it returns true, with a check in between. When the longest answer has
+  // passed, `give_up` decides whether to stop waiting.
+  template <typename Wait, typename GiveUp>
+  void wait_in_slices(const Wait& wait, const GiveUp& give_up) {
+    const auto deadline =
+        CommandSlots::Clock::now() + std::chrono::duration_cast<CommandSlots::Clock::duration>(
+                                         std::chrono::duration<double>(options_.answer_s));
+    while (!wait(CommandSlots::Clock::now() + kSlice)) {
+      check_();
+      if (CommandSlots::Clock::now() >= deadline && give_up()) return;
+    }
+  }
+
+  PerSide<bool> silent_since(const PerSide<std::int64_t>& before) const {
+    const PerSide<std::int64_t> packets = slots_.packets();
+    PerSide<bool> silent;
+    for (const Side side : kSides) silent[side] = packets[side] <= before[side];
+    return silent;
+  }
+
+  void blame(const PerSide<bool>& silent) {
+    for (const Side side : kSides) {
+      if (is_network_[side] && silent[side])
+        inputs_[side].fault = fmt::format("sent no commands for {} s", options_.answer_s);
+    }
+  }
+
+  void take_commands(const Game& game, const PerSide<std::int64_t>& before) {
+    const PerSide<std::int64_t> packets = slots_.packets();
+    for (const Side side : kSides) {
+      if (!is_network_[side]) continue;
+      headings_of(game.world().state(), side, game.signal().blue_on_positive_half, states_[side]);
+      inputs_[side].commands = slots_.take(side, game.frame().number, states_[side]);
+      const bool is_new = packets[side] > before[side];
+      silent_frames_[side] = is_new ? 0 : silent_frames_[side] + 1;
+      ++ages_[side].at(static_cast<std::size_t>(std::min(silent_frames_[side], 2)));
+    }
+  }
+
+  // Does what the control port has asked for. While the speed is 0, the field is sent as it is.
+  void control(Game& game, GamePrograms& programs) {
+    do {
+      for (const league::SimulatorRequest& request : requests_.take())
+        control(request, game, programs);
+      if (!is_paused_) return;
+      check_();
+      publisher_.add_waiting_frame(game.world().state(), game.signal());
+      clock_->sleep_until(clock_->now() + frame_period());
+    } while (true);
+  }
+
+  void control(const league::SimulatorRequest& request, Game& game, GamePrograms& programs) {
+    for (const league::Teleport& teleport : request.teleports) {
+      const bool blue_on_positive_half = game.signal().blue_on_positive_half;
+      if (const auto change =
+              change_of(teleport, game.world().state(), game_.field, blue_on_positive_half))
+        programs.change(*change, game);
+    }
+    if (request.vision_port) publisher_.set_vision_port(*request.vision_port);
+    if (!request.speed || options_.speed.is_unlimited) return;
+    is_paused_ = *request.speed == 0;
+    if (!is_paused_) pacer_.set_rate(game_.sim.frame_rate_hz * *request.speed);
+  }
+
+  // Goes on sending the last frame, so that everybody learns how the game has ended.
+  void say_farewell(const Game& game) {
+    Frame frame = game.frame();
+    for (int i = frames_of(kFarewell_s, game_); i > 0; --i) {
+      ++frame.number;
+      frame.time_s = static_cast<double>(frame.number) / game_.sim.frame_rate_hz;
+      publisher_.on_frame(frame, game.signal(), game.world());
+      if (options_.speed.is_lockstep) {
+        for (const std::string& detection : publisher_.detections())
+          lock_step_.add_detection(detection);
+        const auto ignore = [](const league::SimulatorRequest&) {};
+        if (!lock_step_.advance(frame.number, {}, slots_, ignore,
+                                CommandSlots::Clock::now() + kLastSlice))
+          return;
+      } else if (!options_.speed.is_unlimited) {
+        pacer_.wait();
+      }
+    }
+  }
+
+  GameConfiguration game_;
+  LiveOptions options_;
+  std::function<void()> check_;
+  PerSide<bool> is_network_;
+  CommandSlots slots_;
+  ControlRequests requests_;
+  LockStep lock_step_;
+  GamePublisher publisher_;
+  NetworkThread thread_;
+  TeamPorts ports_;
+  FrameClock* clock_;
+  FramePacer pacer_;
+  bool is_paused_ = false;
+  PerSide<SideState> states_;
+  PerSide<NetworkInput> inputs_;
+  PerSide<int> silent_frames_;  // since the newest packet
+  PerSide<std::array<std::int64_t, 3>> ages_;
+};
+
+LiveGame::LiveGame(const GameConfiguration& game, const LiveOptions& options, FrameClock& clock,
+                   std::function<void()> check)
+    : impl_(std::make_unique<Impl>(game, options, clock, std::move(check))) {}
+LiveGame::~LiveGame() = default;
+
+std::unique_ptr<strategies::Strategy> LiveGame::make_network_team(
+    const strategies::TeamContext& context) {
+  return impl_->make_network_team(context);
+}
+
+GameRecord LiveGame::play(Observer* observer, GamePrograms& programs) {
+  return impl_->play(observer, programs);
+}
+
+LiveReport LiveGame::report() const { return impl_->report(); }
+
+}  // namespace autoref::runner

@@ -1,0 +1,42 @@
+// How a live game uses the network.
+#pragma once
+
+#include <string>
+
+#include "runner/live/network.hpp"
+
+namespace autoref::runner {
+
+// How fast a live game is played.
+struct LiveSpeed {
+  double factor = 1;          // of real time
+  bool is_unlimited = false;  // as fast as the network teams answer
+  bool is_lockstep = false;   // by the network teams' SimulationSyncRequests
+};
+
+// Ports as the league uses them. Port 0: closed.
+struct LivePorts {
+  int vision = 10006;
+  int referee = 10003;
+  int tracker = 10010;
+  int control = 10300;
+  int blue = 10301;
+  int yellow = 10302;
+  int grsim = 20011;
+  int grsim_status_blue = 30011;
+  int grsim_status_yellow = 30012;
+};
+
+struct LiveOptions {
+  LiveSpeed speed;
+  std::string interface = kLoopback;  // address of the interface
+  std::string unicast;                // host to send to instead of the multicast groups
+  LivePorts ports;
+  double lapse_s = 0.1;  // after this time without an update, a robot stands still
+  double answer_s = 10;  // with unlimited speed: the longest wait for a team
+};
+
+inline constexpr const char* kVisionGroup = "224.5.23.2";
+inline constexpr const char* kRefereeGroup = "224.5.23.1";
+
+}  // namespace autoref::runner

@@ -1,0 +1,31 @@
+// The Asio context of a NetworkThread, for the few files that use Asio.
+#pragma once
+
+#include <utility>  // Boost 1.74 needs it before Asio
+
+#include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/io_context.hpp>
+#include <thread>
+
+#include "runner/live/network.hpp"
+
+namespace autoref::runner {
+
+class NetworkThread::Context {
+ public:
+  Context() : thread_([this] { io.run(); }) {}
+  ~Context() {
+    io.stop();
+    thread_.join();
+  }
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+
+  boost::asio::io_context io{1};
+
+ private:
+  boost::asio::executor_work_guard<boost::asio::io_context::executor_type> work_{io.get_executor()};
+  std::thread thread_;
+};
+
+}  // namespace autoref::runner

@@ -1,0 +1,107 @@
+// The ports at which programs command robots and the simulator: those of the simulation protocol
+// and grSim's.
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <chrono>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "league/simulator/command_update.hpp"
+#include "league/simulator/grsim_packet.hpp"
+#include "runner/game/configuration.hpp"
+#include "runner/live/command_slots.hpp"
+#include "runner/live/live_options.hpp"
+#include "runner/live/lock_step.hpp"
+#include "runner/live/network.hpp"
+#include "runner/live/robot_reports.hpp"
+#include "soccer/side.hpp"
+
+namespace autoref::runner {
+
+// What has arrived for a team.
+struct TeamTraffic {
+  std::int64_t packets = 0;  // those that were read, with errors or without
+  std::int64_t wrong = 0;    // with at least one error
+  std::int64_t foreign = 0;  // dropped because they came from another computer than the team's
+  std::string last_error;    // empty: none
+};
+
+// Admits packets from one computer: the first that sends, until it has been silent for 2 s.
+class SourceLock {
+ public:
+  bool admits(const std::string& host, std::chrono::steady_clock::time_point now);
+
+ private:
+  std::string host_;
+  std::chrono::steady_clock::time_point last_{};
+};
+
+// Requests to the simulator that wait for the game's thread; at most 64.
+class ControlRequests {
+ public:
+  // In the network's thread. Returns false if there is no room.
+  bool add(league::SimulatorRequest request);
+  std::vector<league::SimulatorRequest> take();
+
+ private:
+  std::mutex mutex_;
+  std::vector<league::SimulatorRequest> requests_;
+};
+
+// Where the packets of the ports go.
+struct PortTargets {
+  CommandSlots* slots = nullptr;
+  ControlRequests* control = nullptr;
+  LockStep* lock_step = nullptr;  // null: SimulationSyncRequests are errors
+};
+
+// The sides whose teams play over the network.
+PerSide<bool> network_sides(const GameConfiguration& game);
+
+class TeamPorts {
+ public:
+  // Listens for the game's teams on the network and at the control port. Throws InputError if a
+  // port is in use.
+  TeamPorts(NetworkThread& thread, const LiveOptions& options, const GameConfiguration& game,
+            const PortTargets& targets);
+
+  // In the game's thread, once per frame: what the next responses report. Sends grSim's status to
+  // teams that command by grSim's packets if it has changed.
+  void report(const PerSide<RobotReports>& reports);
+
+  PerSide<TeamTraffic> traffic() const;
+
+ private:
+  std::string answer(const Participant& to, std::string_view bytes, const Address& from);
+  std::string answer_team(Side side, std::string_view bytes);
+  std::string answer_control(std::string_view bytes);
+  void refuse_other_game(league::SimulatorRequest& request) const;
+  void begin_step(const Participant& participant, std::string_view bytes, const Address& from);
+  void read_grsim(std::string_view bytes, const Address& from);
+  bool is_admitted(Side side, const Address& from);
+  void count(Side side, const league::CommandPacket& packet);
+  void send_status(Side side, const RobotReports& reports);
+
+  LiveOptions options_;
+  PerSide<bool> is_network_;
+  PerSide<int> robots_;
+  Field field_;
+  PortTargets targets_;
+  mutable std::mutex mutex_;
+  PerSide<RobotReports> reports_;
+  PerSide<TeamTraffic> traffic_;
+  PerSide<SourceLock> sources_;
+  PerSide<std::string> grsim_hosts_;  // empty: the team has not sent grSim's packets
+  PerSide<std::string> status_hosts_;
+  PerSide<std::optional<DatagramSender>> status_senders_;
+  PerSide<RobotReports> sent_;
+  std::array<std::optional<DatagramReceiver>, 4> receivers_;  // west, east, control, grSim
+};
+
+}  // namespace autoref::runner
