@@ -25,8 +25,10 @@ inline bool is_finite(const RobotCommand& c) {
 
 // The command as it travels to a robot: in floats, without negative zeros.
 inline RobotCommand transmitted(const RobotCommand& c) {
+  // Volatile: when GCC 12 makes vectors of two such conversions, it takes them for the identity.
   const auto as_float = [](double value) {
-    return static_cast<double>(static_cast<float>(value)) + 0.0;
+    const volatile auto rounded = static_cast<float>(value);
+    return static_cast<double>(rounded) + 0.0;
   };
   return {Vec2(as_float(c.velocity_mps.x()), as_float(c.velocity_mps.y())),
           as_float(c.angular_velocity_radps), as_float(c.kick_mps), c.chip, c.dribble};

@@ -64,7 +64,7 @@ double atan2_exact(double y, double x) {
   if (x == 0.0 && y == 0.0) return 0.0;
   // Initial guess in single precision (atan2f has a single implementation for all processors), then
   // one Newton step: the remaining angle is so small that it equals its sine.
-  const double guess = std::atan2(static_cast<float>(y), static_cast<float>(x));
+  const double guess = atan2f(static_cast<float>(y), static_cast<float>(x));
   const auto [s, c] = sin_cos(guess);
   return wrap_angle(guess + (y * c - x * s) / (x * c + y * s));
 }
