@@ -1,6 +1,6 @@
 # Generates the source for runner/view/page_parts.hpp:
-#   cmake -DFOLDER=runner/view/page "-DSCRIPTS=a.js b.js" -DOUTPUT=... -P page_parts.cmake
-# SCRIPTS are concatenated in this order.
+#   cmake -DFOLDER=runner/view/page "-DSCRIPTS=a.js b.js" "-DLIVE_SCRIPTS=c.js" -DOUTPUT=... -P page_parts.cmake
+# SCRIPTS and LIVE_SCRIPTS are concatenated in this order.
 function(append_part name)
   set(literals "")
   foreach(file IN LISTS ARGN)
@@ -11,9 +11,15 @@ function(append_part name)
 endfunction()
 
 string(REPLACE " " ";" scripts "${SCRIPTS}")
+string(REPLACE " " ";" live_scripts "${LIVE_SCRIPTS}")
 set(source "#include \"runner/view/page_parts.hpp\"\n\nnamespace autoref::runner {\n\n")
 append_part(frame page.html)
 append_part(style style.css)
 append_part(script ${scripts})
+append_part(start start.js)
+append_part(live_style live.css)
+append_part(live_script ${live_scripts})
+append_part(table table.html)
+append_part(connection live_connection.js)
 string(APPEND source "}  // namespace autoref::runner\n")
 file(WRITE ${OUTPUT} "${source}")

@@ -49,6 +49,9 @@ class DetectionMerger {
   // Detections of robots with a number outside the league's range.
   std::int64_t unnumbered() const { return unnumbered_; }
 
+  // The Unix time of the first frame, by the cameras' clock; nullopt before it.
+  const std::optional<double>& first_capture_s() const { return first_capture_s_; }
+
   int cameras() const { return static_cast<int>(cameras_.size()); }
   std::int64_t unusable() const { return unusable_; }  // packets that were ignored
 

@@ -16,6 +16,7 @@ namespace autoref::league {
 namespace {
 
 constexpr double kLongest_m = 100;
+constexpr float kFocalLength_px = 1000;  // of a usual camera; nobody takes pictures here
 
 std::int32_t whole_mm(double metres) {
   return static_cast<std::int32_t>(std::llround(metres * 1000));
@@ -119,7 +120,7 @@ void paint_box_area(const Field& field, double sign, const std::string& name, Pa
 
 void fill_camera(std::uint32_t id, const CameraPosition& position, CameraCalibration& camera) {
   camera.set_camera_id(id);
-  camera.set_focal_length(0);
+  camera.set_focal_length(kFocalLength_px);
   camera.set_principal_point_x(0);
   camera.set_principal_point_y(0);
   camera.set_distortion(0);
@@ -185,6 +186,17 @@ void read_arc(const FieldArc& arc, Field& field) {
 }
 
 }  // namespace
+
+void fill_ball_models(const BallModel& model, Geometry& geometry) {
+  StraightBallModel& straight = *geometry.mutable_models()->mutable_straight_two_phase();
+  straight.set_acc_slide(-model.slide_mps2);
+  straight.set_acc_roll(-model.roll_mps2);
+  straight.set_k_switch(model.switch_ratio);
+  ChippedBallModel& chipped = *geometry.mutable_models()->mutable_chip_fixed_loss();
+  chipped.set_damping_xy_first_hop(model.first_hop_xy);
+  chipped.set_damping_xy_other_hops(model.later_hops_xy);
+  chipped.set_damping_z(model.hops_z);
+}
 
 void fill_geometry(const Field& field, std::span<const CameraPosition> cameras,
                    Geometry& geometry) {

@@ -13,6 +13,18 @@ namespace autoref::league {
 // are named as in the league's vision.
 void fill_geometry(const Field& field, std::span<const CameraPosition> cameras, Geometry& geometry);
 
+// How a ball rolls and bounces, for the receivers of geometry.
+struct BallModel {
+  double slide_mps2 = 0;     // deceleration of a sliding ball
+  double roll_mps2 = 0;      // deceleration of a rolling ball
+  double switch_ratio = 0;   // speed at which a ball begins to roll, relative to the kick's
+  double first_hop_xy = 0;   // fraction of the horizontal speed kept at a chip's first landing
+  double later_hops_xy = 0;  // the same at later landings
+  double hops_z = 0;         // fraction of the vertical speed kept
+};
+
+void fill_ball_models(const BallModel& model, Geometry& geometry);
+
 // The field described by a message. Values that messages do not contain, for example the thickness
 // of the goal walls, keep Field's defaults. Throws std::invalid_argument if a length is not
 // positive (a margin may be 0) or exceeds 100 m.

@@ -75,7 +75,9 @@ void GamePackets::add_referee(const RefereeSignal& signal, double time_s, Packet
   send_commands_before(signal, time_s, sink);
   const bool is_due = time_s >= referee_due_s_ - kRounding_s;
   if (is_due) {
-    referee_due_s_ = std::max(referee_due_s_ + times_.referee_every_s, time_s);
+    // After a longer silence, the rhythm begins again.
+    if (time_s - referee_due_s_ > times_.referee_every_s) referee_due_s_ = time_s;
+    referee_due_s_ += times_.referee_every_s;
   }
   if (is_due || has_changed(signal) || has_new_events_) send_signal(signal, time_s, sink);
 }

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "league/field_message.hpp"
 #include "league/game_event_message.hpp"
 #include "league/messages/referee.pb.h"
 #include "league/messages/vision.pb.h"
@@ -37,6 +38,12 @@ class GamePackets {
  public:
   GamePackets(const Field& field, std::vector<CameraPosition> cameras, PerSide<LoggedTeam> teams,
               const PacketTimes& times);
+
+  // Adds the ball to the geometry.
+  void describe(const BallModel& ball) { fill_ball_models(ball, *geometry_.mutable_geometry()); }
+
+  // The packet with the geometry.
+  const VisionPacket& geometry() const { return geometry_; }
 
   // Notes a command of the next frame. This matters only if one frame has several commands, since
   // the signal contains just the last.

@@ -10,6 +10,7 @@
 #include "league/field_message.hpp"
 #include "league/log_file.hpp"
 #include "league/messages/referee.pb.h"
+#include "league/messages/vision.pb.h"
 #include "soccer/field.hpp"
 #include "soccer/frame.hpp"
 #include "soccer/tracks.hpp"
@@ -33,8 +34,9 @@ class LogVisitor {
   virtual void on_tracks(const Frame& /*frame*/, const Tracks& /*tracks*/) {}
   // `time_s` is the record's time on the frames' clock.
   virtual void on_referee(double /*time_s*/, const RefereePacket& /*packet*/) {}
-  // A packet of one camera; `time_s` is the record's time on the frames' clock.
-  virtual void on_camera(double /*time_s*/, std::uint32_t /*camera*/) {}
+  // A packet of vision that could be used: a camera's detections, geometry, or both. `time_s` is
+  // the record's time on the frames' clock.
+  virtual void on_vision(double /*time_s*/, const VisionPacket& /*packet*/) {}
 };
 
 // Summary of a log, in addition to what visitors receive.

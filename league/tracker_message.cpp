@@ -8,6 +8,7 @@
 namespace autoref::league {
 namespace {
 
+constexpr int kDetectsFlyingBalls = 1;  // a capability
 constexpr std::size_t kMostSources = 64;
 constexpr std::size_t kLongestUuid = 64;
 constexpr double kSilence_s = 1;
@@ -96,6 +97,7 @@ void fill_tracker(const Tracks& tracks, const TrackerSource& source, double unix
   TrackerFrame& tracked = *packet.mutable_tracked_frame();
   tracked.set_frame_number(static_cast<std::uint32_t>(tracks.frame));
   tracked.set_timestamp(unix_s);
+  if (source.detects_flying_balls) tracked.add_capabilities(kDetectsFlyingBalls);
   for (const Side side : kSides) {
     for (const TrackedRobot& robot : tracks.robots[side])
       fill_robot(robot, side, *tracked.add_robots());

@@ -15,6 +15,7 @@ namespace autoref::league {
 struct TrackerSource {
   std::string uuid;  // unique for each run of the program
   std::string name;
+  bool detects_flying_balls = false;  // a ball's height is known
 };
 
 // Fills `packet` with the tracks at `unix_s`, the time of their frame. West is yellow. Objects that

@@ -17,8 +17,9 @@ enum class AfterGame : std::uint8_t { kHalt, kNewGame };
 
 // Who commands the game. Beside a person, AutoRef follows the person's commands; on its own call it
 // sends STOP, and the person decides how play resumes (paper, sections 4.1 and 5). If nobody
-// commands, play is on throughout, and calls are only reported.
-enum class Control : std::uint8_t { kAutoref, kHuman, kNone };
+// commands, play is on throughout, and calls are only reported. The league's game controller may
+// command simulated games; AutoRef follows it like a person.
+enum class Control : std::uint8_t { kAutoref, kHuman, kNone, kGameController };
 
 // Who brings the ball to the position of the next free kick or force start: the simulator, or the
 // teams' robots (2026, Ball Placement). For kick-offs and penalty kicks it is always the simulator.

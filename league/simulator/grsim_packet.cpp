@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "league/partial_parse.hpp"
 #include "league/simulator/packet_errors.hpp"
 #include "league/simulator/robot_control.hpp"
 #include "soccer/trigonometry.hpp"
@@ -124,7 +125,7 @@ void add_replacement(const grsim::Replacement& replacement, const PerSide<int>& 
 GrsimPacket read_grsim_packet(std::string_view bytes, const PerSide<int>& robots) {
   grsim::Packet message;
   GrsimPacket packet;
-  if (!message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) {
+  if (!parse(bytes, message)) {
     add_error(packet.commands.errors, "PACKET",
               fmt::format("a packet of {} bytes is not a grSim_Packet", bytes.size()));
     return packet;

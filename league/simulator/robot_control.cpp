@@ -5,6 +5,7 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "league/partial_parse.hpp"
 #include "league/simulator/packet_errors.hpp"
 #include "soccer/units.hpp"
 
@@ -107,8 +108,7 @@ CommandPacket updates_of(const simulation::RobotControl& control, int robots) {
 
 CommandPacket read_robot_control(std::string_view bytes, int robots) {
   simulation::RobotControl control;
-  if (control.ParseFromArray(bytes.data(), static_cast<int>(bytes.size())))
-    return updates_of(control, robots);
+  if (parse(bytes, control)) return updates_of(control, robots);
   CommandPacket packet;
   add_error(packet.errors, "PACKET",
             fmt::format("a packet of {} bytes is not a RobotControl", bytes.size()));

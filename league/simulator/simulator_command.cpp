@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "league/field_message.hpp"
+#include "league/partial_parse.hpp"
 #include "league/simulator/packet_errors.hpp"
 #include "soccer/colour.hpp"
 
@@ -139,7 +140,7 @@ class RequestReader {
   void read_geometry(const std::string& bytes) {
     Geometry geometry;
     try {
-      if (!geometry.ParseFromString(bytes)) throw std::invalid_argument("it is not complete");
+      if (!parse(bytes, geometry)) throw std::invalid_argument("it is not complete");
       request_.field = field_of(geometry);
     } catch (const std::invalid_argument& error) {
       refuse("GEOMETRY", fmt::format("the geometry cannot be used: {}", error.what()));
@@ -186,8 +187,7 @@ SimulatorRequest request_of(const simulation::SimulatorCommand& command,
 
 SimulatorRequest read_simulator_command(std::string_view bytes, const PerSide<int>& robots) {
   simulation::SimulatorCommand command;
-  if (command.ParseFromArray(bytes.data(), static_cast<int>(bytes.size())))
-    return request_of(command, robots);
+  if (parse(bytes, command)) return request_of(command, robots);
   RequestReader reader(robots);
   reader.refuse("PACKET",
                 fmt::format("a packet of {} bytes is not a SimulatorCommand", bytes.size()));

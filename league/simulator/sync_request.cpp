@@ -6,6 +6,7 @@
 #include <google/protobuf/wire_format_lite.h>
 
 #include "league/messages/simulation.pb.h"
+#include "league/partial_parse.hpp"
 #include "league/simulator/packet_errors.hpp"
 #include "league/simulator/robot_control.hpp"
 
@@ -37,7 +38,7 @@ SyncRequest read_sync_request(std::string_view bytes, std::optional<Side> side,
                               const PerSide<int>& robots) {
   SyncRequest request;
   simulation::SimulationSyncRequest message;
-  if (!message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) {
+  if (!parse(bytes, message)) {
     add_error(request.commands.errors, "PACKET",
               fmt::format("a packet of {} bytes is not a SimulationSyncRequest", bytes.size()));
     return request;

@@ -31,6 +31,11 @@ void append_delimited(const google::protobuf::MessageLite& message, std::string&
   message.AppendToString(&bytes);
 }
 
+void append_delimited(std::string_view message, std::string& bytes) {
+  append_varint(message.size(), bytes);
+  bytes += message;
+}
+
 std::optional<MessageExtent> find_delimited(std::string_view bytes) {
   constexpr std::size_t kLongestVarint = 3;  // of kLongestOutput
   std::size_t size = 0;

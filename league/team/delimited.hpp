@@ -12,6 +12,7 @@
 namespace autoref::league {
 
 void append_delimited(const google::protobuf::MessageLite& message, std::string& bytes);
+void append_delimited(std::string_view message, std::string& bytes);
 
 // See TeamCodec::find_message.
 std::optional<MessageExtent> find_delimited(std::string_view bytes);

@@ -16,6 +16,7 @@
 #include "referee/touch/frame_history.hpp"
 #include "referee/touch/touch_candidates.hpp"
 #include "soccer/robot_shape.hpp"
+#include "soccer/trigonometry.hpp"
 
 namespace autoref::referee {
 namespace {
@@ -90,7 +91,7 @@ ConstantAcceleration motion_of(const FrameHistory& frames, Side side, const Trac
 // From 0 to pi; 0 if one velocity is zero.
 double angle_between_rad(const Vec2& a_mps, const Vec2& b_mps) {
   const double across = a_mps.x() * b_mps.y() - a_mps.y() * b_mps.x();
-  return std::atan2(std::abs(across), a_mps.dot(b_mps));
+  return atan2_exact(std::abs(across), a_mps.dot(b_mps));
 }
 
 // The collision of two robots `at_s` after the last frame, from their motions there.

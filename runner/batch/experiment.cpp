@@ -62,6 +62,7 @@ class Experiment {
         there_(scenario_of_folder(options.folder)),
         progress_(options.progress, options.style) {
     progress_.show([this] { return view_so_far(); });
+    if (options.publish) progress_.publish(options.publish);
   }
 
   ExperimentReport run() {

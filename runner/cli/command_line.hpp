@@ -11,6 +11,7 @@
 
 #include "runner/experiments/scenario.hpp"
 #include "runner/live/live_options.hpp"
+#include "runner/live/live_referee.hpp"
 #include "runner/logs/recorded_facts.hpp"
 #include "runner/settings/assignments.hpp"
 
@@ -22,6 +23,7 @@ struct PlayArguments {
   std::string seed;               // empty: the scenario's seed
   std::vector<std::string> sets;  // "key=value"
   std::string commands;           // file of recorded commands; empty: the programs play
+  std::string game_controller;    // HOST[:PORT] of the one that commands; empty: the default
   GameOutput output;
 };
 
@@ -54,6 +56,7 @@ struct RunArguments : BatchArguments {
   bool allow_mixed_build = false;
   bool quiet = false;
   std::string progress;  // "plain", "json" or "none"; empty: depends on the stream
+  std::string web;       // where to show the standings on the network; empty: nowhere
 };
 
 // Arguments of `autoref submit`.
@@ -116,6 +119,11 @@ struct RefereeArguments {
   std::string annotations;        // CSV to compare with; empty: the recorded commands
   std::string report;             // output file for the page of both referees; empty: none
   bool json = false;
+
+  bool is_live = false;         // the network instead of a log
+  LiveRefereeOptions live;      // without the controller
+  std::string game_controller;  // auto or HOST[:PORT]; empty: none
+  std::string web;              // address of the page to watch; empty: none
 };
 
 // Arguments of `autoref lab`.
@@ -195,6 +203,7 @@ int replay_verb(const ReplayArguments& arguments);
 int judge_verb(const JudgeArguments& arguments);
 int info_verb(const InfoArguments& arguments);
 int referee_verb(const RefereeArguments& arguments);
+int live_referee_verb(const RefereeArguments& arguments);
 int lab_verb(const LabArguments& arguments);
 int view_verb(const ViewArguments& arguments);
 int draw_verb(const DrawArguments& arguments);
@@ -241,6 +250,7 @@ void add_replay_verb(CLI::App& app, Chosen& chosen);
 void add_judge_verb(CLI::App& app, Chosen& chosen);
 void add_info_verb(CLI::App& app, Chosen& chosen);
 void add_referee_verb(CLI::App& app, Chosen& chosen);
+void add_live_referee_options(CLI::App& verb, RefereeArguments& arguments);
 void add_lab_verb(CLI::App& app, Chosen& chosen);
 void add_view_verb(CLI::App& app, Chosen& chosen);
 void add_draw_verb(CLI::App& app, Chosen& chosen);

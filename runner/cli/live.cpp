@@ -6,6 +6,7 @@
 
 #include "runner/cli/command_line.hpp"
 #include "runner/cli/play_one.hpp"
+#include "runner/cli/speed.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/live/live_game.hpp"
 #include "runner/settings/assignments.hpp"
@@ -15,23 +16,10 @@
 namespace autoref::runner {
 namespace {
 
-constexpr double kSlowest = 0.01;
-constexpr double kFastest = 1000;
-
 LiveSpeed speed_of(const std::string& text) {
-  if (text == "max") return {1, true, false};
-  if (text == "lockstep") return {1, true, true};
-  std::size_t end = 0;
-  double factor = 0;
-  try {
-    factor = std::stod(text, &end);
-  } catch (const std::exception&) {
-    end = 0;
-  }
-  if (end == text.size() && factor >= kSlowest && factor <= kFastest) return {factor};
-  throw InputError({"--speed"}, "",
-                   fmt::format("expected a factor from {} to {}, max or lockstep, found '{}'",
-                               kSlowest, kFastest, text));
+  if (text == "max") return {Pace::kPackets};
+  if (text == "lockstep") return {Pace::kLockStep};
+  return {Pace::kClock, speed_factor_in(text, "max or lockstep")};
 }
 
 void say_team(Side side, const LiveReport& report) {
@@ -49,6 +37,14 @@ void say_team(Side side, const LiveReport& report) {
     write_message(stderr, fmt::format("{}: last error: {}\n", colour_of(side), traffic.last_error));
 }
 
+void say_connections(const StreamTroubles& troubles) {
+  if (troubles.refused + troubles.invalid + troubles.unread == 0) return;
+  write_message(stderr,
+                fmt::format("TCP: {} connections too many were refused; closed: {} because of a "
+                            "wrong message, {} because responses were not read\n",
+                            troubles.refused, troubles.invalid, troubles.unread));
+}
+
 void say(const LiveReport& report) {
   const Punctuality& punctuality = report.punctuality;
   if (punctuality.frames > 0) {
@@ -58,6 +54,9 @@ void say(const LiveReport& report) {
   }
   if (report.dropped > 0)
     write_message(stderr, fmt::format("{} datagrams could not be sent\n", report.dropped));
+  say_connections(report.connections);
+  if (report.wrong_control > 0)
+    write_message(stderr, fmt::format("control port: {} packets wrong\n", report.wrong_control));
   for (const Side side : kSides) say_team(side, report);
 }
 
@@ -98,6 +97,9 @@ void add_network_options(CLI::App& verb, LiveOptions& options) {
 int live_verb(const LiveArguments& arguments) {
   const Assignments assignments = assignments_in(arguments.sets);
   const GameConfiguration game = resolved(game_in(arguments.file, arguments.seed, assignments));
+  if (game.match.control == referee::Control::kGameController)
+    throw InputError({arguments.file}, "match.control",
+                     "a game controller commands only games of autoref play");
   LiveOptions options = arguments.options;
   options.speed = speed_of(arguments.speed);
   SteadyFrameClock clock;
@@ -110,10 +112,15 @@ int live_verb(const LiveArguments& arguments) {
     return live.play(observer, programs);
   };
   GameRecord record;
-  blame(arguments.file, [&] {
-    record =
-        play_one(game, arguments.output, inputs_of(arguments.file, "", assignments), {}, player);
-  });
+  try {
+    blame(arguments.file, [&] {
+      record =
+          play_one(game, arguments.output, inputs_of(arguments.file, "", assignments), {}, player);
+    });
+  } catch (const Interrupted&) {
+    say(live.report());
+    throw;
+  }
   say(live.report());
   return record.status == Status::kVoid ? kTooManyVoid : kDone;
 }

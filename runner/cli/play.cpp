@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "runner/cli/command_line.hpp"
+#include "runner/cli/controlled.hpp"
 #include "runner/cli/play_one.hpp"
 #include "runner/experiments/reading/scenario_reader.hpp"
 #include "runner/experiments/scenario.hpp"
@@ -53,13 +54,16 @@ std::vector<std::string> inputs_of(const std::string& file, const std::string& c
 
 int play_verb(const PlayArguments& arguments) {
   const Assignments assignments = assignments_in(arguments.sets);
-  const GameSettings game = game_in(arguments.file, arguments.seed, assignments);
+  GameSettings game = game_in(arguments.file, arguments.seed, assignments);
   refuse_needless_commands(arguments, game);
+  if (!arguments.game_controller.empty()) game.match.control = referee::Control::kGameController;
+  const std::vector<std::string> inputs =
+      inputs_of(arguments.file, arguments.commands, assignments);
   GameRecord record;
   blame(arguments.file, [&] {
-    record =
-        play_one(resolved(game), arguments.output,
-                 inputs_of(arguments.file, arguments.commands, assignments), arguments.commands);
+    record = game.match.control == referee::Control::kGameController
+                 ? play_controlled(resolved(game), arguments, inputs)
+                 : play_one(resolved(game), arguments.output, inputs, arguments.commands);
   });
   return record.status == Status::kVoid ? kTooManyVoid : kDone;
 }
@@ -73,7 +77,12 @@ void add_play_verb(CLI::App& app, Chosen& chosen) {
   verb->add_option("--commands", arguments->commands,
                    "Recorded commands to play instead of the teams' programs (--record).")
       ->type_name("FILE");
+  verb->add_option("--game-controller", arguments->game_controller,
+                   "Let the league's game controller, in its CI mode, command the game "
+                   "(match.control=game-controller); 127.0.0.1:10009 by default.")
+      ->type_name("HOST[:PORT]");
   add_output_options(*verb, arguments->output);
+  add_speed_option(*verb, arguments->output);
   verb->footer(
       "Example:\n  autoref play scenarios/paper-game.yaml --seed 7 --set b.robots=5 "
       "--set match.half_s=60");

@@ -5,15 +5,19 @@
 #include <chrono>
 #include <csignal>
 #include <optional>
+#include <utility>
 
 #include "league/game_log.hpp"
 #include "runner/cli/output_file.hpp"
+#include "runner/cli/shown_game.hpp"
+#include "runner/cli/speed.hpp"
 #include "runner/game/event_log.hpp"
 #include "runner/game/game_event.hpp"
 #include "runner/game/game_event_log.hpp"
 #include "runner/io/build_id.hpp"
 #include "runner/io/checksum.hpp"
 #include "runner/io/errors.hpp"
+#include "runner/live/frame_pacer.hpp"
 #include "runner/logs/logged_cameras.hpp"
 #include "runner/results/game_report.hpp"
 #include "runner/team_programs/program_games.hpp"
@@ -34,7 +38,6 @@ struct GameFiles {
 
 volatile std::sig_atomic_t interrupted = 0;
 
-// Handles Ctrl-C: a second one ends the program at once, since the game may hang.
 void end_soon(int signal) {
   interrupted = 1;
   std::signal(signal, SIG_DFL);
@@ -45,7 +48,7 @@ class Watch final : public Observer {
  public:
   Watch(EventLog* events, GameEventLog* game_events, league::GameLog* log, GameRecording* recording)
       : events_(events), game_events_(game_events), log_(log), recording_(recording) {
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, end_soon);
+    note_interrupts();
   }
   void on_other_detections(const OtherDetections& others) override {
     if (log_ != nullptr) log_->note(others);
@@ -117,19 +120,26 @@ GamePrograms programs_of(const GameConfiguration& game, const GameOutput& output
 
 std::string view_of(const GameConfiguration& game, const GameRecording& recording,
                     const GameRecord& record) {
-  return page_of({recording,
-                  game.field,
-                  shown_names(game),
-                  {{"rules", game.match.rules.name},
-                   {"seed", std::to_string(game.seed)},
-                   {"state", hash_text(record.state_hash)},
-                   {"build", std::string(build_id())}}});
+  std::vector<PageFact> facts = facts_of(game);
+  facts.insert(facts.end() - 1, {"state", hash_text(record.state_hash)});
+  return page_of({recording, game.field, shown_names(game), std::move(facts)});
+}
+
+// Frames per second of the clock; nullopt: as many as possible.
+std::optional<double> pace_of(const GameConfiguration& game, const GameOutput& output) {
+  const bool is_paced = !output.speed.empty() || !output.web.empty();
+  if (!is_paced || output.speed == "max") return std::nullopt;
+  return game.sim.frame_rate_hz * speed_factor_in(output.speed.empty() ? "1" : output.speed, "max");
 }
 
 GameRecord played(const GameConfiguration& configuration, Observer* observer,
-                  GamePrograms& programs) {
-  Game game(configuration, observer, programs.maker());
+                  GamePrograms& programs, std::optional<double> frames_per_s) {
+  Game game(programs.configured(configuration), observer, programs.maker());
+  SteadyFrameClock clock;
+  std::optional<FramePacer> pacer;
+  if (frames_per_s) pacer.emplace(clock, *frames_per_s);
   do {
+    if (pacer) pacer->wait();
     programs.before_step(game);
   } while (game.step());
   return game.record();
@@ -139,6 +149,10 @@ GameRecord played(const GameConfiguration& configuration, Observer* observer,
 
 // A signal handler may do very little, so it only sets a flag, which is read here. The exception
 // unwinds the stack, which removes pending files.
+void note_interrupts() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, end_soon);
+}
+
 void check_interrupt() {
   if (interrupted != 0) throw Interrupted();
 }
@@ -160,7 +174,18 @@ void add_output_options(CLI::App& verb, GameOutput& output) {
                   "Write the commands of teams that are programs or on the network to FILE, for "
                   "play --commands.")
       ->type_name("FILE");
+  verb.add_option("--web", output.web,
+                  "Show the game in browsers, at this address of this computer, such as "
+                  "127.0.0.1:8090; without address, for browsers on this computer only.")
+      ->type_name("[ADDRESS:]PORT");
   verb.add_flag("--json", output.json, "Print one JSON object.");
+}
+
+void add_speed_option(CLI::App& verb, GameOutput& output) {
+  verb.add_option("--speed", output.speed,
+                  "Speed relative to real time; max: as fast as possible. By default 1 with --web, "
+                  "otherwise max.")
+      ->type_name("FACTOR|max");
 }
 
 GameRecord play_one(const GameConfiguration& game, const GameOutput& output,
@@ -173,11 +198,14 @@ GameRecord play_one(const GameConfiguration& game, const GameOutput& output,
   EventLog events(event_teams_of(game));
   GameEventLog game_events;
   GameRecording recording;
+  const std::optional<double> frames_per_s = pace_of(game, output);
   Watch watch(files.events ? &events : nullptr, files.game_events ? &game_events : nullptr,
               log ? &*log : nullptr, files.view ? &recording : nullptr);
+  ShownGame shown(game, output.web, watch);
   const auto start = std::chrono::steady_clock::now();
   GamePrograms programs = programs_of(game, output, commands, player);
-  GameRecord record = player.play ? player.play(&watch, programs) : played(game, &watch, programs);
+  GameRecord record = player.play ? player.play(&shown.observer(), programs)
+                                  : played(game, &shown.observer(), programs, frames_per_s);
   if (!programs.finish(record)) {
     throw InputError({commands.string()}, "",
                      "its commands lead to another final state: they are from another game, other "
@@ -185,6 +213,7 @@ GameRecord play_one(const GameConfiguration& game, const GameOutput& output,
   }
   const double wall_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  shown.end();
   if (log) log->close();
   if (files.events) files.events->commit(events.text());
   if (files.game_events) files.game_events->commit(game_event_lines(game_events.events()));

@@ -19,6 +19,8 @@ struct GameOutput {
   std::string log;  // output file for vision and referee packets (league/game_log.hpp); empty: none
   std::string view;    // output file for the page that shows the game (view/page.hpp); empty: none
   std::string record;  // output file for the commands of teams that are programs; empty: none
+  std::string web;  // where to show the game on the network (live/web_address.hpp); empty: nowhere
+  std::string speed;  // of a game that is played here: a factor or "max"; empty: real time if shown
   bool json = false;
 };
 
@@ -28,11 +30,18 @@ struct GamePlayer {
   std::function<GameRecord(Observer* observer, GamePrograms& programs)> play;
 };
 
-// Throws Interrupted if the user has pressed Ctrl-C since play_one() began.
+// From now on, Ctrl-C is noted; a second one ends the program at once, since the game may hang.
+void note_interrupts();
+
+// Throws Interrupted if the user has pressed Ctrl-C since note_interrupts(), which play_one()
+// calls.
 void check_interrupt();
 
-// Adds the flags of GameOutput.
+// Adds the flags of GameOutput except --speed.
 void add_output_options(CLI::App& verb, GameOutput& output);
+
+// Adds --speed.
+void add_speed_option(CLI::App& verb, GameOutput& output);
 
 // Plays the game, prints its report, and writes its decisions, its log and its page as requested.
 // After Ctrl-C it throws Interrupted and writes neither decisions nor page; the log then contains

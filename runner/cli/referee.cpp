@@ -1,84 +1,25 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <memory>
 #include <optional>
 
 #include "runner/cli/command_line.hpp"
 #include "runner/cli/output_file.hpp"
+#include "runner/cli/referee_game.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/files.hpp"
 #include "runner/logs/annotations.hpp"
-#include "runner/logs/guessed_rules.hpp"
-#include "runner/logs/log_game.hpp"
 #include "runner/logs/log_page.hpp"
 #include "runner/logs/log_report.hpp"
 #include "runner/logs/recorded_teams.hpp"
 #include "runner/logs/user_log.hpp"
 #include "runner/settings/assignments.hpp"
-#include "runner/settings/fields.hpp"
 #include "runner/settings/resolved.hpp"
 #include "soccer/colour.hpp"
 
 namespace autoref::runner {
 namespace {
-
-bool assigns(const Assignments& assignments, const std::string& path) {
-  return std::any_of(assignments.begin(), assignments.end(), [&path](const Assignment& assignment) {
-    return full_path(assignment.path) == path;
-  });
-}
-
-// The rule book must be chosen first: it provides field, robots and lengths, which the log then
-// overrides.
-void refuse_book_among(const Assignments& assignments) {
-  for (const Assignment& assignment : assignments) {
-    if (full_path(assignment.path) == "match.rules")
-      throw InputError({assignment.flag}, "", "use --rules to choose the rule book");
-  }
-}
-
-// The rule book chosen, or else guessed.
-std::string book_of(const RefereeArguments& arguments, const RecordedFacts& facts) {
-  if (!arguments.rules.empty()) return arguments.rules;
-  const GuessedRules guessed = guessed_rules(facts.log);
-  write_message(stderr, fmt::format("autoref: {}: {}: using the rules {} (change with --rules)\n",
-                                    arguments.log, guessed.reason, guessed.book));
-  return guessed.book;
-}
-
-GameSettings game_of(const RefereeArguments& arguments, const std::string& book,
-                     const Assignments& assignments, const RecordedFacts& facts,
-                     const RecordedGame& recorded) {
-  GameSettings game;
-  blame("--rules", [&] { game = logged_game(book, facts, recorded); });
-  const auto set = [&](const std::string& flag, const std::string& path, const std::string& value) {
-    if (!value.empty()) blame(flag, [&] { set_by_path(game, path, value); });
-  };
-  set("--camera", "sim.camera", arguments.camera);
-  set("--control", "match.control", arguments.control);
-  set("--first-kickoff", "match.first_kickoff", arguments.first_kickoff);
-  for (const Assignment& assignment : assignments) assign(assignment, game);
-  try {
-    check_judged(game);
-  } catch (const std::invalid_argument& error) {
-    throw InputError(
-        {arguments.log}, "",
-        fmt::format("this game cannot be refereed: {}; use --set to change it", error.what()));
-  }
-  return game;
-}
-
-void say_gaps(const RefereeArguments& arguments, const Assignments& assignments,
-              const RecordedFacts& facts, const GameSettings& game) {
-  const auto is_set = [&](const std::string& path) {
-    if (path == "match.first_kickoff" && !arguments.first_kickoff.empty()) return true;
-    return assigns(assignments, path);
-  };
-  for (const std::string& gap : gaps_of(facts, game, is_set))
-    write_message(stderr, fmt::format("autoref: {}: {}\n", arguments.log, gap));
-}
 
 void say_keepers(const RefereeArguments& arguments, const RecordedFacts& facts) {
   for (const Side side : kSides) {
@@ -106,9 +47,30 @@ league::FrameSource source_of(const RefereeArguments& arguments) {
                                        : league::FrameSource::kVision;
 }
 
+void add_outputs(CLI::App& verb, RefereeArguments& arguments) {
+  verb.add_option("--events", arguments.events,
+                  "Write AutoRef's decisions to FILE, one JSON object per line.")
+      ->type_name("FILE");
+  verb.add_option("--game-events", arguments.game_events,
+                  "Write AutoRef's decisions to FILE as the league's game events, one JSON object "
+                  "per line.")
+      ->type_name("FILE");
+  verb.add_option("--report", arguments.report,
+                  "Write an HTML page of the game with the calls of both referees.")
+      ->type_name("FILE");
+  verb.add_option("--annotations", arguments.annotations,
+                  "Compare with a person's list of calls, a CSV file with the head "
+                  "time,call,side, instead of the recorded commands.")
+      ->type_name("FILE");
+  verb.add_flag("--json", arguments.json, "Print one JSON object.");
+}
+
 }  // namespace
 
 int referee_verb(const RefereeArguments& arguments) {
+  if (arguments.is_live) return live_referee_verb(arguments);
+  if (arguments.log.empty())
+    throw InputError({"--log"}, "", "name a log, or referee the game on the network with --live");
   const Assignments assignments = assignments_in(arguments.sets);
   refuse_book_among(assignments);
   check_outputs({{"--events", arguments.events},
@@ -130,11 +92,11 @@ int referee_verb(const RefereeArguments& arguments) {
                          ? "contains neither vision nor tracker packets to referee"
                          : fmt::format("contains no {} packets to referee", arguments.source));
   }
-  const std::string book = book_of(arguments, facts);
+  const std::string book = book_of(arguments, facts, arguments.log);
   std::vector<referee::Configuration> games;
   for (const RecordedGame& recorded : facts.games) {
-    const GameSettings game = game_of(arguments, book, assignments, facts, recorded);
-    if (games.empty()) say_gaps(arguments, assignments, facts, game);
+    const GameSettings game = game_of(arguments, book, assignments, facts, recorded, arguments.log);
+    if (games.empty()) say_gaps(arguments, assignments, facts, game, arguments.log);
     games.push_back(referee_configuration(resolved(game)));
   }
   facts.teams = teams_in(arguments.log, games.front().field, games.front().rules.change_ends,
@@ -161,11 +123,14 @@ int referee_verb(const RefereeArguments& arguments) {
 void add_referee_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb = app.add_subcommand(
       "referee",
-      "Referee a recorded game from its vision packets and compare with the recorded commands.");
+      "Referee a recorded or live game from its vision packets, alone or beside another referee.");
   auto arguments = std::make_shared<RefereeArguments>();
-  verb->add_option("--log,LOG", arguments->log, "A .log or .log.gz file.")
-      ->type_name("FILE")
-      ->required();
+  CLI::Option* log = verb->add_option("--log,LOG", arguments->log, "A .log or .log.gz file.");
+  log->type_name("FILE");
+  CLI::Option* live = verb->add_flag("--live", arguments->is_live,
+                                     "Referee the game on the league's network instead of a log.");
+  live->excludes(log);
+  add_live_referee_options(*verb, *arguments);
   verb->add_option("--rules", arguments->rules,
                    "Rule book (autoref rules lists them); guessed from the log's field and date "
                    "by default.")
@@ -185,21 +150,7 @@ void add_referee_verb(CLI::App& app, Chosen& chosen) {
   verb->add_option("--camera", arguments->camera, "Camera preset that describes the vision noise.")
       ->type_name("PRESET");
   add_set_option(*verb, arguments->sets);
-  verb->add_option("--events", arguments->events,
-                   "Write AutoRef's decisions to FILE, one JSON object per line.")
-      ->type_name("FILE");
-  verb->add_option("--game-events", arguments->game_events,
-                   "Write AutoRef's decisions to FILE as the league's game events, one JSON object "
-                   "per line.")
-      ->type_name("FILE");
-  verb->add_option("--report", arguments->report,
-                   "Write an HTML page of the game with the calls of both referees.")
-      ->type_name("FILE");
-  verb->add_option("--annotations", arguments->annotations,
-                   "Compare with a person's list of calls, a CSV file with the head "
-                   "time,call,side, instead of the recorded commands.")
-      ->type_name("FILE");
-  verb->add_flag("--json", arguments->json, "Print one JSON object.");
+  add_outputs(*verb, *arguments);
   verb->footer(
       "Beside the recorded referee, AutoRef follows its commands and makes its own calls in "
       "between.\n"
@@ -208,7 +159,11 @@ void add_referee_verb(CLI::App& app, Chosen& chosen) {
       "anything missing is reported once, with the option that sets it. A log of several games is\n"
       "refereed game by game. Yellow is west. If blue defends the goal at -x in the log, the\n"
       "field is rotated.\n\n"
-      "Example:\n  autoref referee --log game.log.gz --camera paper --events events.jsonl");
+      "With --live, AutoRef judges the packets on the network until Ctrl-C and only says what it\n"
+      "would call. With --game-controller it reports to the league's game controller; with\n"
+      "--control autoref it commands the game itself.\n\n"
+      "Example:\n  autoref referee --log game.log.gz --camera paper --events events.jsonl\n"
+      "  autoref referee --live --interface 192.168.1.20 --game-controller auto");
   verb->callback(
       [arguments, &chosen] { chosen = [arguments] { return referee_verb(*arguments); }; });
 }

@@ -76,6 +76,7 @@ void add_replay_verb(CLI::App& app, Chosen& chosen) {
           "A game's id from the first column of results.csv, or a fault's id from faults.csv.")
       ->required();
   add_output_options(*verb, arguments->output);
+  add_speed_option(*verb, arguments->output);
   verb->footer(
       "Example:\n  autoref replay results/runs/handicap-speed b.handicap=0.8-p0007-2 --events "
       "events.jsonl");

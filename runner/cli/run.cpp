@@ -1,20 +1,27 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <thread>
 
 #include "runner/batch/experiment.hpp"
 #include "runner/batch/program_files.hpp"
 #include "runner/cli/command_line.hpp"
 #include "runner/io/build_id.hpp"
 #include "runner/io/errors.hpp"
+#include "runner/live/web_address.hpp"
+#include "runner/live/web_table.hpp"
 #include "runner/report/folder_report.hpp"
 
 namespace autoref::runner {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::chrono::milliseconds kLastMessage{500};
 
 ExperimentOptions options_of(const RunArguments& arguments) {
   ExperimentOptions options;
@@ -33,6 +40,21 @@ ExperimentOptions options_of(const RunArguments& arguments) {
   options.progress = arguments.quiet ? nullptr : stderr;
   if (!arguments.progress.empty()) options.style = progress_style_of(arguments.progress).value();
   return options;
+}
+
+void show_table(std::optional<WebTable>& table, const std::string& web,
+                ExperimentOptions& options) {
+  if (web.empty()) return;
+  table.emplace(web_address(web, "--web"));
+  options.publish = [&table](const std::string& text) { table->show(text); };
+  write_message(stderr, fmt::format("watch at {}\n", table->url()));
+}
+
+// Leaves time for the last message.
+void end_table(std::optional<WebTable>& table) {
+  if (!table) return;
+  table->end("The run is over.");
+  std::this_thread::sleep_for(kLastMessage);
 }
 
 void print_results(const Scenario& scenario, const ExperimentReport& report,
@@ -96,8 +118,11 @@ std::string mended_report(const ExperimentReport& report, const ExperimentOption
 
 int run_verb(const RunArguments& arguments) {
   const Scenario scenario = read_experiment(arguments);
-  const ExperimentOptions options = options_of(arguments);
+  ExperimentOptions options = options_of(arguments);
+  std::optional<WebTable> table;
+  show_table(table, arguments.web, options);
   const ExperimentReport report = run_experiment(scenario, options);
+  end_table(table);
   const std::string about_report = mended_report(report, options);
   if (report.is_interrupted) {
     write_message(
@@ -138,6 +163,10 @@ void add_run_verb(CLI::App& app, Chosen& chosen) {
           "terminal, otherwise plain.")
       ->type_name("STYLE")
       ->check(CLI::IsMember({"plain", "json", "none"}));
+  verb->add_option("--web", arguments->web,
+                   "Show the standings in browsers, at this address of this computer, such as "
+                   "127.0.0.1:8090; without address, for browsers on this computer only.")
+      ->type_name("[ADDRESS:]PORT");
   verb->add_flag("--quiet", arguments->quiet,
                  "Print only errors; check the exit code for the outcome.")
       ->excludes("--progress");

@@ -13,7 +13,7 @@ namespace autoref::runner {
 namespace {
 
 // The element of sorted values below which a share of them lies; 0 if there is none.
-double quantile(const std::vector<double>& sorted, double share) {
+double answer_quantile_ms(const std::vector<double>& sorted, double share) {
   if (sorted.empty()) return 0;
   const auto index = static_cast<std::size_t>(share * static_cast<double>(sorted.size()));
   return sorted[std::min(index, sorted.size() - 1)];
@@ -41,7 +41,8 @@ std::string answers_text(const TeamCheck& check) {
   return line("start", fmt::format("{:.0f} ms until the first answer", check.start_ms)) +
          line("answers", fmt::format("{} in {:.1f} s of the game", ms.size(), check.played_s)) +
          line("latency", fmt::format("median {:.3f} ms, 99 % {:.3f} ms, longest {:.3f} ms",
-                                     quantile(ms, 0.5), quantile(ms, 0.99), quantile(ms, 1)));
+                                     answer_quantile_ms(ms, 0.5), answer_quantile_ms(ms, 0.99),
+                                     answer_quantile_ms(ms, 1)));
 }
 
 // What often causes a fault.
@@ -82,9 +83,9 @@ std::string json_of(const TeamCheck& check) {
       {"start_ms", check.start_ms},
       {"answers", check.answers_ms.size()},
       {"played_s", check.played_s},
-      {"median_ms", quantile(check.answers_ms, 0.5)},
-      {"p99_ms", quantile(check.answers_ms, 0.99)},
-      {"longest_ms", quantile(check.answers_ms, 1)},
+      {"median_ms", answer_quantile_ms(check.answers_ms, 0.5)},
+      {"p99_ms", answer_quantile_ms(check.answers_ms, 0.99)},
+      {"longest_ms", answer_quantile_ms(check.answers_ms, 1)},
       {"robots_commanded", check.robots_commanded},
       {"keeper", check.keeper},
       {"asked_for_timeout", check.asked_for_timeout},

@@ -23,6 +23,7 @@ void add_team_play_verb(CLI::App& team, Chosen& chosen) {
       ->capture_default_str();
   add_set_option(*verb, arguments->sets);
   add_output_options(*verb, arguments->output);
+  add_speed_option(*verb, arguments->output);
   verb->footer(
       "Two halves of two minutes by the rules of 2026.\n\n"
       "Example:\n  autoref team play 'python3 my_team.py' --opponent basic --view game.html");

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "runner/experiments/schedule.hpp"
 #include "runner/settings/fields.hpp"
 
 namespace autoref::runner {
@@ -27,7 +28,9 @@ std::vector<ScheduledGame> scheduled(const NamedTeams& named, const std::vector<
 void check(const GameSettings& base, const Teams& teams, std::string_view branch) {
   check_game(base);
   for (const auto& [name, team] : teams) {
-    check_team(base, team, fmt::format("{}.{}", branch, name));
+    const std::string path = fmt::format("{}.{}", branch, name);
+    refuse_network(team, path);
+    check_team(base, team, path);
   }
 }
 

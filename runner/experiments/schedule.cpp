@@ -45,7 +45,17 @@ std::string game_id(std::string_view played, int pair, int leg) {
   return fmt::format("{}-p{:04}-{}", played, pair, leg);
 }
 
+void refuse_network(const TeamSettings& team, std::string_view path) {
+  if (!team.command.empty() || team.strategy != kNetworkStrategy) return;
+  throw SettingError(fmt::format("{}.strategy", path),
+                     ": a team on the network plays only in autoref live");
+}
+
 void set_leg(GameSettings& game, std::uint64_t master_seed, int pair, int leg) {
+  refuse_network(game.a, "teams.a");
+  refuse_network(game.b, "teams.b");
+  if (game.match.control == referee::Control::kGameController)
+    throw SettingError("match.control", ": a game controller commands only games of autoref play");
   game.match.a_plays = leg % 2 == 1 ? Side::kWest : Side::kEast;
   game.match.first_kickoff = pair % 2 == 1 ? Side::kWest : Side::kEast;
   game.seed = seed_of(master_seed, pair, leg);

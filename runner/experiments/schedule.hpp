@@ -38,6 +38,10 @@ std::vector<ScheduledGame> scheduled_games(const JudgeSchedule& schedule);
 // The id of a game: "b.handicap=0.8-p0007-2" if `played` is "b.handicap=0.8", for pair 7 and leg 2.
 std::string game_id(std::string_view played, int pair, int leg);
 
+// Throws SettingError for a team that is commanded over the network: only `autoref live` plays
+// those. `path` is the team's in the scenario.
+void refuse_network(const TeamSettings& team, std::string_view path);
+
 // Sets what depends on the leg: the teams' sides, the first kick-off and the seed. In both legs of
 // a pair, the same side kicks off first: west in odd pairs, east in even pairs. So each team kicks
 // off first in one leg of every pair, and once from each side over two pairs.

@@ -82,7 +82,9 @@ referee::Configuration referee_configuration(const GameConfiguration& game) {
   configuration.break_s = game.match.break_s;
   configuration.knockout = game.match.knockout;
   configuration.after_game = game.match.after_game;
-  configuration.control = game.match.control;
+  configuration.control = game.match.control == referee::Control::kGameController
+                              ? referee::Control::kHuman
+                              : game.match.control;
   configuration.placement = game.match.placement;
   configuration.first_kickoff = game.match.first_kickoff;
   configuration.noise = {game.sim.vision.ball_noise_m, game.sim.vision.robot_noise_m,

@@ -64,7 +64,9 @@ class Game::Impl {
 
   bool begin_step() {
     if (is_over()) return false;
-    if (record_.frames >= most_frames_) {
+    if (is_controlled() && !given_) {
+      void_game("match.control is game-controller, and there is none");
+    } else if (record_.frames >= most_frames_) {
       void_game("the game exceeded its time limit");
     } else {
       referee_frame();
@@ -78,17 +80,30 @@ class Game::Impl {
     return is_still_played();
   }
 
+  void follow(const RefereeSignal& given) {
+    const std::size_t noted = referee_.decisions().size();
+    signal_ = given;
+    given_ = given;
+    referee_.follow(given);
+    for (const referee::Decision& decision : referee_.decisions().subspan(noted)) note(decision);
+  }
+
   void put_ball(const sim::BallState& ball) { world_.put_ball(ball); }
   void put_robot(RobotId id, const sim::RobotState& state) { world_.put_robot(id, state); }
-  void take_off(RobotId id) { world_.take_off(id); }
+  void take_off(RobotId id) {
+    substitution_controller_.keep_off(id, true);
+    world_.take_off(id);
+  }
   void put_on(RobotId id, const Vec2& position_m, const Vec2& heading) {
+    substitution_controller_.keep_off(id, false);
     world_.put_on(id, position_m, heading);
   }
 
   bool is_over() const {
     const bool is_new_game =
         referee_.games_finished() > 0 && referee_.state() == referee::State::kWaitStop;
-    return referee_.is_over() || is_new_game || record_.status != Status::kOk;
+    const bool is_post_game = given_ && given_->stage == Stage::kPostGame;
+    return referee_.is_over() || is_new_game || is_post_game || record_.status != Status::kOk;
   }
 
   const GameConfiguration& configuration() const { return configuration_; }
@@ -149,7 +164,8 @@ class Game::Impl {
     ended(Phase::kCamera);
     const PerSide<TeamRequests> asked = requests();
     if (observer_ != nullptr) observer_->on_requests(asked);
-    signal_ = referee_.update(frame_, asked);
+    const RefereeSignal& own = referee_.update(frame_, asked);
+    signal_ = given_ ? *given_ : own;
     tracks_.push(referee_.tracks());
     for (const referee::Decision& decision : referee_.decisions()) note(decision);
     frames_in_play_ += referee_.is_ball_in_play() ? 1 : 0;
@@ -228,6 +244,9 @@ class Game::Impl {
     }
   }
 
+  bool is_controlled() const {
+    return configuration_.match.control == referee::Control::kGameController;
+  }
   Side a() const { return configuration_.match.a_plays; }
   double rate_hz() const { return configuration_.sim.frame_rate_hz; }
   double time_s() const { return static_cast<double>(record_.frames) / rate_hz(); }
@@ -246,6 +265,7 @@ class Game::Impl {
   SubstitutionController substitution_controller_;
   Frame frame_;
   RefereeSignal signal_;
+  std::optional<RefereeSignal> given_;  // by the game controller
   DelayLine<Tracks> tracks_;
   PlayStatistics statistics_;
   PerSide<TeamController> players_;
@@ -264,6 +284,7 @@ Game& Game::operator=(Game&&) noexcept = default;
 bool Game::step() { return begin_step() && end_step(); }
 bool Game::begin_step() { return impl_->begin_step(); }
 bool Game::end_step() { return impl_->end_step(); }
+void Game::follow(const RefereeSignal& given) { impl_->follow(given); }
 void Game::put_ball(const sim::BallState& ball) { impl_->put_ball(ball); }
 void Game::put_robot(RobotId id, const sim::RobotState& state) { impl_->put_robot(id, state); }
 void Game::take_off(RobotId id) { impl_->take_off(id); }

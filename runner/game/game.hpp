@@ -49,10 +49,16 @@ class Game {
   bool begin_step();
   bool end_step();
 
+  // Takes the signal of the game controller that commands the game
+  // (referee::Control::kGameController), in the program's coordinates: from the next step on it is
+  // the signal for the teams and the world, and the referee follows it (Referee::follow). Without
+  // such a signal before its first step, the game is void. After POST_GAME, it is over.
+  void follow(const RefereeSignal& given);
+
   // Sets up a situation between steps. A robot must be on the field.
   void put_ball(const sim::BallState& ball);
   void put_robot(RobotId id, const sim::RobotState& state);
-  // As those of sim::World.
+  // As those of sim::World. A robot that was taken off stays off until it is put on.
   void take_off(RobotId id);
   void put_on(RobotId id, const Vec2& position_m, const Vec2& heading);
 

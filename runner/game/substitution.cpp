@@ -75,10 +75,11 @@ void SubstitutionController::act(const RefereeSignal& signal, const PerSide<Team
     note_allowance(side, allowed, time_s);
     if (!is_stopped(signal.command.kind)) continue;
     const int on = count_on(world, side);
+    const int available = robots_[side] - static_cast<int>(kept_off_[side].count());
     if (on > std::max(0, allowed)) {
       if (time_s - fell_s_[side] < kNotice_s) continue;
       world.take_off({side, leaver(world, side, requests[side])});
-    } else if (on < std::min(allowed, robots_[side])) {
+    } else if (on < std::min(allowed, available)) {
       call_back(side, signal, world);
     }
   }
@@ -94,7 +95,10 @@ void SubstitutionController::call_back(Side side, const RefereeSignal& signal,
   const std::optional<Vec2> position_m = return_position(field_, side, signal, world);
   if (!position_m) return;
   int number = 0;
-  while (world.is_on({side, number})) ++number;
+  const auto is_kept_off = [&](int robot) {
+    return kept_off_[side].test(static_cast<std::size_t>(robot));
+  };
+  while (world.is_on({side, number}) || is_kept_off(number)) ++number;
   world.put_on({side, number}, *position_m, Vec2(0, position_m->y() > 0 ? -1.0 : 1.0));
 }
 

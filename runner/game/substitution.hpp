@@ -1,6 +1,8 @@
 // Takes robots off the field and puts them back according to the number the referee allows.
 #pragma once
 
+#include <bitset>
+
 #include "sim/world.hpp"
 #include "soccer/field.hpp"
 #include "soccer/referee_signal.hpp"
@@ -15,10 +17,15 @@ class SubstitutionController {
   SubstitutionController(const Field& field, const PerSide<int>& robots)
       : field_(field), robots_(robots) {}
 
+  // A robot that is kept off does not return until it may.
+  void keep_off(RobotId robot, bool is_kept_off) {
+    kept_off_[robot.side].set(static_cast<std::size_t>(robot.number), is_kept_off);
+  }
+
   // Call once per frame, before the world advances. While play is stopped, a side with too many
   // robots loses one per frame, starting 1 s after the allowance fell: the robot that the team
   // names, otherwise the one with the highest number other than the keeper. If a side has too few,
-  // its missing robot with the lowest number returns at once.
+  // its missing robot with the lowest number that is not kept off returns at once.
   void act(const RefereeSignal& signal, const PerSide<TeamRequests>& requests, double time_s,
            sim::World& world);
 
@@ -28,6 +35,7 @@ class SubstitutionController {
 
   Field field_;
   PerSide<int> robots_;
+  PerSide<std::bitset<kMaxRobots>> kept_off_;
   PerSide<int> allowed_{{kMaxRobots, kMaxRobots}};
   PerSide<double> fell_s_{};  // when the allowance last fell
 };

@@ -34,8 +34,8 @@ class CommandSlots {
   // How many packets each side has sent so far.
   PerSide<std::int64_t> packets() const;
 
-  // Waits until both sides have sent more packets than `before`, except those in `not_awaited`.
-  // Returns false if that has not happened by the deadline.
+  // Waits until each side in `is_awaited` has sent more packets than in `before`. Returns false if
+  // that has not happened by the deadline.
   bool wait(const PerSide<std::int64_t>& before, const PerSide<bool>& is_awaited,
             Clock::time_point deadline);
 

@@ -13,7 +13,7 @@ struct Punctuality {
   std::int64_t frames = 0;
   std::int64_t late = 0;  // frames that began more than kLate after their time
   double worst_ms = 0;
-  std::int64_t restarts = 0;  // how often the schedule began again after a long delay
+  std::int64_t restarts = 0;  // of the schedule, after long delays
 };
 
 inline constexpr std::chrono::milliseconds kLate{2};
@@ -35,7 +35,7 @@ class SteadyFrameClock final : public FrameClock {
 };
 
 // Frames are due at equal distances. No frame is skipped: after a delay, the next frames follow at
-// once until the schedule is met again, or, after more than a second, the schedule begins anew.
+// once until the schedule is met again, or, after more than a second, the schedule restarts.
 class FramePacer {
  public:
   FramePacer(FrameClock& clock, double frames_per_s);

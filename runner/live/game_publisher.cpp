@@ -1,12 +1,10 @@
 #include "runner/live/game_publisher.hpp"
 
-#include <fmt/format.h>
-
-#include <random>
-
 #include "runner/game/game_event.hpp"
+#include "runner/live/published_tracks.hpp"
 #include "runner/logs/logged_cameras.hpp"
 #include "soccer/published.hpp"
+#include "soccer/random.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -24,28 +22,12 @@ PerSide<league::LoggedTeam> published_teams(const GameConfiguration& game) {
 
 // Random, unless the game's packets are to be the same each time.
 std::string tracker_uuid(bool is_repeatable) {
-  if (is_repeatable) return "00000000-0000-4000-8000-000000000000";
-  std::random_device random;
-  return fmt::format("{:08x}-{:04x}-4{:03x}-8{:03x}-{:08x}{:04x}", random(), random() & 0xffffU,
-                     random() & 0xfffU, random() & 0xfffU, random(), random() & 0xffffU);
+  return is_repeatable ? "00000000-0000-4000-8000-000000000000" : random_uuid();
 }
 
-Frame true_frame(const sim::WorldState& world) {
-  Frame frame;
-  for (const Side side : kSides) {
-    for (const sim::RobotState& robot : world.robots[side])
-      frame.robots[side].push_back({robot.number, robot.position_m, robot.heading});
-  }
-  frame.ball = BallObservation{world.ball.position_m, world.ball.height_m};
-  return frame;
-}
-
-Tracks turned(Tracks tracks) {
-  for (const Side side : kSides) {
-    for (TrackedRobot& robot : tracks.robots[side]) robot = mirrored(robot);
-  }
-  if (tracks.ball) *tracks.ball = mirrored(*tracks.ball);
-  return tracks;
+league::BallModel ball_model_of(const sim::BallParameters& ball) {
+  return {ball.slide_mps2,   ball.roll_mps2,    ball.switch_ratio,
+          ball.hop_first_xy, ball.hop_later_xy, ball.hop_first_z};
 }
 
 }  // namespace
@@ -58,52 +40,88 @@ GamePublisher::GamePublisher(const GameConfiguration& game, const LiveOptions& o
       latency_frames_(sim::split_latency(game.sim).frames),
       packets_(game.field, logged_cameras(game), published_teams(game),
                {1.0, kRefereeEvery_s, start_unix_s}),
-      source_{tracker_uuid(options.speed.is_lockstep), "AutoRef"},
+      source_{tracker_uuid(options.speed.pace == Pace::kLockStep), "AutoRef",
+              game.sim.vision.reports_height},
       vision_(options.interface, destination(options, kVisionGroup, options.ports.vision)),
       referee_(options.interface, destination(options, kRefereeGroup, options.ports.referee)),
       tracker_(options.interface, destination(options, kVisionGroup, options.ports.tracker)),
-      sights_(latency_frames_) {}
+      frames_(latency_frames_),
+      waiting_camera_(game.sim.vision, game.field, rate_hz_, mix_bits(game.seed)) {
+  packets_.describe(ball_model_of(game.sim.ball));
+}
 
 void GamePublisher::on_frame(const Frame& frame, const RefereeSignal& signal,
                              const sim::World& /*world*/) {
-  sights_.push({frame, others_, signal.blue_on_positive_half});
-  if (!others_.is_empty()) others_ = {};
-  now_s_ = frame.time_s + waited_s();
-  next_frame_ = frame.number + 1;
+  has_newest_ = true;
+  newest_.frame = frame;
+  newest_.signal = signal;
+}
+
+void GamePublisher::on_decision(const referee::Decision& decision) {
+  if (decision.command) newest_.commands.push_back(*decision.command);
+  if (std::optional<GameEvent> event = game_event_of(decision, start_unix_s_ + waited_s()))
+    newest_.events.push_back(*std::move(event));
+}
+
+void GamePublisher::publish(const Tracks& tracks) {
   detections_.clear();
-  if (frame.number >= latency_frames_) {
-    Sight seen = sights_.oldest();
-    seen.frame.number += waited_frames_;
-    seen.frame.time_s += waited_s();
-    packets_.add_vision(seen.frame, seen.others, seen.blue_on_positive_half, *this);
-  }
-  RefereeSignal sent = signal;
-  sent.command_time_s += waited_s();
-  packets_.add_referee(sent, now_s_, *this);
+  if (!has_newest_) return;
+  has_newest_ = false;
+  newest_.tracks = tracks;
+  frames_.push(newest_);
+  const bool is_due = newest_.frame.number >= latency_frames_;
+  newest_ = {};
+  if (is_due) send(frames_.oldest());
+}
+
+void GamePublisher::send(const PublishedFrame& due) {
+  standing_geometry_.clear();
+  Frame frame = due.frame;
+  frame.number += waited_frames_;
+  frame.time_s += waited_s();
+  next_number_ = frame.number + 1;
+  const bool blue_on_positive_half = due.signal.blue_on_positive_half;
+  packets_.add_vision(frame, due.others, blue_on_positive_half, *this);
+  for (const Command command : due.commands) packets_.note(command);
+  for (const GameEvent& event : due.events) packets_.note(event);
+  send_referee(due.signal, frame.time_s);
+  league::fill_tracker(blue_on_positive_half ? due.tracks : turned(due.tracks), source_,
+                       start_unix_s_ + frame.time_s, tracker_packet_);
+  send(tracker_packet_, tracker_);
+}
+
+void GamePublisher::send_referee(RefereeSignal signal, double time_s) {
+  if (signal.command_counter != command_counter_) command_waited_s_ = waited_s();
+  command_counter_ = signal.command_counter;
+  signal.command_time_s += command_waited_s_;
+  packets_.add_referee(signal, time_s, *this);
 }
 
 void GamePublisher::add_waiting_frame(const sim::WorldState& world, const RefereeSignal& signal) {
-  Frame frame = true_frame(world);
-  frame.number = next_frame_ + waited_frames_;
-  frame.time_s = now_s_ = static_cast<double>(frame.number) / rate_hz_;
+  Frame frame;
+  waiting_camera_.look(world, frame);
+  frame.number = next_number_++;
+  frame.time_s = static_cast<double>(frame.number) / rate_hz_;
   detections_.clear();
   packets_.add_vision(frame, {}, signal.blue_on_positive_half, *this);
-  packets_.add_referee(signal, now_s_, *this);
+  send_referee(signal, frame.time_s);
   ++waited_frames_;
 }
 
+void GamePublisher::send_standing_field(const RefereeSignal& signal) {
+  packets_.geometry().SerializeToString(&standing_geometry_);
+  send_referee(signal, 0);
+  standing_signal_ = bytes_;
+  vision_.send(standing_geometry_);
+}
+
+void GamePublisher::repeat_standing_field() {
+  if (standing_geometry_.empty()) return;
+  vision_.send(standing_geometry_);
+  referee_.send(standing_signal_);
+}
+
 double GamePublisher::waited_s() const { return static_cast<double>(waited_frames_) / rate_hz_; }
-
-void GamePublisher::on_decision(const referee::Decision& decision) {
-  if (decision.command) packets_.note(*decision.command);
-  if (std::optional<GameEvent> event = game_event_of(decision)) packets_.note(*std::move(event));
-}
-
-void GamePublisher::add(const Tracks& tracks, bool blue_on_positive_half) {
-  league::fill_tracker(blue_on_positive_half ? tracks : turned(tracks), source_,
-                       start_unix_s_ + waited_s() + tracks.time_s, tracker_packet_);
-  send(tracker_packet_, tracker_);
-}
 
 void GamePublisher::set_vision_port(int port) {
   options_.ports.vision = port;
@@ -114,10 +132,10 @@ std::int64_t GamePublisher::dropped() const {
   return vision_.dropped() + referee_.dropped() + tracker_.dropped();
 }
 
-void GamePublisher::on_vision(double /*time_s*/, const league::VisionPacket& packet) {
+void GamePublisher::on_vision(double time_s, const league::VisionPacket& packet) {
   sent_ = packet;
   if (sent_.has_detection()) {
-    sent_.mutable_detection()->set_t_sent(start_unix_s_ + now_s_);
+    sent_.mutable_detection()->set_t_sent(start_unix_s_ + time_s + latency_frames_ / rate_hz_);
     detections_.push_back(sent_.detection().SerializeAsString());
   }
   send(sent_, vision_);

@@ -12,14 +12,16 @@
 #include "runner/live/game_publisher.hpp"
 #include "runner/live/network_team.hpp"
 #include "runner/live/observers.hpp"
+#include "runner/live/prompt_thread.hpp"
 #include "runner/live/robot_reports.hpp"
+#include "runner/live/robot_updates.hpp"
 #include "runner/live/world_changes.hpp"
 #include "soccer/published.hpp"
 
 namespace autoref::runner {
 namespace {
 
-constexpr double kFarewell_s = 1;
+constexpr double kAfterEnd_s = 1;
 constexpr std::chrono::milliseconds kSlice{50};  // of waits, after which interrupts are noticed
 constexpr std::chrono::milliseconds kLastSlice{500};  // for the last requests after the game
 // Of the first frame in lock-step, so that the packets are the same in each run: 1 January 2026.
@@ -44,10 +46,13 @@ class LiveGame::Impl {
         check_(std::move(check)),
         is_network_(network_sides(game)),
         slots_(frames_of(options.lapse_s, game)),
+        robot_updates_(game),
         lock_step_(is_network_, game.sim.frame_rate_hz),
-        publisher_(game, options, options.speed.is_lockstep ? kLockstepStart_s : now_unix_s()),
+        publisher_(game, options,
+                   options.speed.pace == Pace::kLockStep ? kLockstepStart_s : now_unix_s()),
         ports_(thread_, options, game,
-               {&slots_, &requests_, options.speed.is_lockstep ? &lock_step_ : nullptr}),
+               {&slots_, &requests_, &robot_updates_,
+                options.speed.pace == Pace::kLockStep ? &lock_step_ : nullptr}),
         clock_(&clock),
         pacer_(clock, game.sim.frame_rate_hz * options.speed.factor) {
     for (const Side side : kSides) states_[side].wheels = wheels_of(team_on(game, side));
@@ -61,39 +66,64 @@ class LiveGame::Impl {
   GameRecord play(Observer* observer, GamePrograms& programs) {
     Observers both(observer, &publisher_);
     Game game(game_, &both, programs.maker());
-    if (!options_.speed.is_lockstep) await_teams(game);
+    if (options_.speed.pace == Pace::kLockStep) {
+      publisher_.send_standing_field(waiting_signal(game));
+    } else {
+      await_teams(game);
+    }
+    if (change_robots(programs)) game = Game(game_, &both, programs.maker());
+    be_prompt();  // after the start of programs, which would inherit it
     for (;;) {
       // Taken before the frame is sent: a fast team may answer at once.
       const PerSide<std::int64_t> before = slots_.packets();
       if (!game.begin_step()) break;
       check_();
-      publisher_.add(game.tracks(), game.signal().blue_on_positive_half);
+      publisher_.publish(game.tracks());
       const PerSide<RobotReports> reports = reports_of(game_, game.world());
       ports_.report(reports);
       wait(game.frame().number, before, reports);
       take_commands(game, before);
-      const bool is_over = !game.end_step();
+      if (!game.end_step()) break;
       control(game, programs);
-      if (is_over) break;
     }
-    say_farewell(game);
+    publish_end(game);
     return game.record();
   }
 
   LiveReport report() const {
-    return {pacer_.punctuality(), publisher_.dropped(), ports_.traffic(), ages_};
+    return {pacer_.punctuality(), publisher_.dropped(),   ports_.traffic(),
+            ports_.troubles(),    ports_.wrong_control(), ages_};
   }
 
  private:
   bool has_network_teams() const { return is_network_[Side::kWest] || is_network_[Side::kEast]; }
 
+  // The signal before the game, whose own one begins with the first frame.
+  RefereeSignal waiting_signal(const Game& game) const {
+    RefereeSignal signal = game.signal();
+    for (const Side side : kSides)
+      signal.robots_allowed[side] = static_cast<int>(team_on(game_, side).robots.size());
+    return signal;
+  }
+
   // Sends the field as it is before the game, until every team has sent a packet.
   void await_teams(const Game& game) {
+    const RefereeSignal waiting = waiting_signal(game);
     while (!slots_.wait({{0, 0}}, is_network_, CommandSlots::Clock::now() + frame_period())) {
       check_();
-      publisher_.add_waiting_frame(game.world().state(), game.signal());
+      publisher_.add_waiting_frame(game.world().state(), waiting);
     }
     pacer_.set_rate(game_.sim.frame_rate_hz * options_.speed.factor);
+  }
+
+  // Takes over what programs have set before the game.
+  bool change_robots(GamePrograms& programs) {
+    const std::vector<ChangedRobot> changed = robot_updates_.close();
+    for (const ChangedRobot& robot : changed) {
+      apply(robot, game_);
+      programs.record(robot);
+    }
+    return !changed.empty();
   }
 
   CommandSlots::Clock::duration frame_period() const {
@@ -103,7 +133,7 @@ class LiveGame::Impl {
 
   void wait(std::int64_t frame, const PerSide<std::int64_t>& before,
             const PerSide<RobotReports>& reports) {
-    if (options_.speed.is_lockstep) {
+    if (options_.speed.pace == Pace::kLockStep) {
       for (const std::string& detection : publisher_.detections())
         lock_step_.add_detection(detection);
       const auto take = [this](const league::SimulatorRequest& request) { requests_.add(request); };
@@ -114,7 +144,7 @@ class LiveGame::Impl {
             if (!is_first) blame(lock_step_.is_awaited());
             return !is_first;
           });
-    } else if (!options_.speed.is_unlimited) {
+    } else if (options_.speed.pace == Pace::kClock) {
       pacer_.wait();
     } else if (has_network_teams() && frame >= sim::split_latency(game_.sim).frames) {
       wait_in_slices([&](auto until) { return slots_.wait(before, is_network_, until); },
@@ -134,6 +164,7 @@ class LiveGame::Impl {
                                          std::chrono::duration<double>(options_.answer_s));
     while (!wait(CommandSlots::Clock::now() + kSlice)) {
       check_();
+      if (options_.speed.pace == Pace::kLockStep) publisher_.repeat_standing_field();
       if (CommandSlots::Clock::now() >= deadline && give_up()) return;
     }
   }
@@ -184,29 +215,33 @@ class LiveGame::Impl {
         programs.change(*change, game);
     }
     if (request.vision_port) publisher_.set_vision_port(*request.vision_port);
-    if (!request.speed || options_.speed.is_unlimited) return;
+    if (!request.speed || options_.speed.pace != Pace::kClock) return;
     is_paused_ = *request.speed == 0;
     if (!is_paused_) pacer_.set_rate(game_.sim.frame_rate_hz * *request.speed);
   }
 
-  // Goes on sending the last frame, so that everybody learns how the game has ended.
-  void say_farewell(const Game& game) {
+  // Sends the frame in which the game has ended, and goes on sending it, so that everybody learns
+  // how.
+  void publish_end(const Game& game) {
     Frame frame = game.frame();
-    for (int i = frames_of(kFarewell_s, game_); i > 0; --i) {
-      ++frame.number;
-      frame.time_s = static_cast<double>(frame.number) / game_.sim.frame_rate_hz;
+    Tracks tracks = game.tracks();
+    publisher_.publish(tracks);
+    for (int i = frames_of(kAfterEnd_s, game_); wait_after_end(frame.number) && i > 0; --i) {
+      tracks.frame = ++frame.number;
+      tracks.time_s = frame.time_s = static_cast<double>(frame.number) / game_.sim.frame_rate_hz;
       publisher_.on_frame(frame, game.signal(), game.world());
-      if (options_.speed.is_lockstep) {
-        for (const std::string& detection : publisher_.detections())
-          lock_step_.add_detection(detection);
-        const auto ignore = [](const league::SimulatorRequest&) {};
-        if (!lock_step_.advance(frame.number, {}, slots_, ignore,
-                                CommandSlots::Clock::now() + kLastSlice))
-          return;
-      } else if (!options_.speed.is_unlimited) {
-        pacer_.wait();
-      }
+      publisher_.publish(tracks);
     }
+  }
+
+  // Returns false if nobody asks for a later frame.
+  bool wait_after_end(std::int64_t frame) {
+    if (options_.speed.pace == Pace::kClock) pacer_.wait();
+    if (options_.speed.pace != Pace::kLockStep) return true;
+    for (const std::string& detection : publisher_.detections())
+      lock_step_.add_detection(detection);
+    const auto ignore = [](const league::SimulatorRequest&) {};
+    return lock_step_.advance(frame, {}, slots_, ignore, CommandSlots::Clock::now() + kLastSlice);
   }
 
   GameConfiguration game_;
@@ -215,6 +250,7 @@ class LiveGame::Impl {
   PerSide<bool> is_network_;
   CommandSlots slots_;
   ControlRequests requests_;
+  RobotUpdates robot_updates_;
   LockStep lock_step_;
   GamePublisher publisher_;
   NetworkThread thread_;

@@ -22,6 +22,8 @@ struct LiveReport {
   Punctuality punctuality;
   std::int64_t dropped = 0;  // datagrams that the system did not take
   PerSide<TeamTraffic> traffic;
+  StreamTroubles connections;
+  std::int64_t wrong_control = 0;  // packets to the control port with errors
   // Frames by the age of the newest packet of a network team, in frames: 0, 1, and older.
   PerSide<std::array<std::int64_t, 3>> command_ages;
 };

@@ -1,17 +1,20 @@
 // How a live game uses the network.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "runner/live/network.hpp"
 
 namespace autoref::runner {
 
-// How fast a live game is played.
+// What sets the pace of a live game: the clock, the network teams' packets (as fast as they
+// answer), or their SimulationSyncRequests.
+enum class Pace : std::uint8_t { kClock, kPackets, kLockStep };
+
 struct LiveSpeed {
-  double factor = 1;          // of real time
-  bool is_unlimited = false;  // as fast as the network teams answer
-  bool is_lockstep = false;   // by the network teams' SimulationSyncRequests
+  Pace pace = Pace::kClock;
+  double factor = 1;  // of real time, with Pace::kClock
 };
 
 // Ports as the league uses them. Port 0: closed.

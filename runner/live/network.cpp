@@ -1,5 +1,6 @@
 #include "runner/live/network.hpp"
 
+#include "runner/live/group_socket.hpp"
 #include "runner/live/network_context.hpp"
 
 #include <fmt/format.h>
@@ -20,9 +21,9 @@ namespace asio = boost::asio;
 using asio::ip::udp;
 using boost::system::error_code;
 
-constexpr int kHops = 1;                 // of multicast: the interface's own network
-constexpr int kMostAtOnce = 256;         // datagrams read before other work of the thread
-constexpr int kReceiveBuffer = 1 << 20;  // bytes, for bursts
+constexpr int kHops = 1;                       // of multicast: the interface's own network
+constexpr int kMostAtOnce = 256;               // datagrams read before other work of the thread
+constexpr int kReceiveBuffer_bytes = 1 << 20;  // for bursts
 
 asio::ip::address_v4 address_of(const std::string& host, const std::string& flag) {
   error_code error;
@@ -40,8 +41,22 @@ asio::ip::address_v4 address_of(const std::string& host, const std::string& flag
 
 }  // namespace
 
-std::string text_of(const Address& address) {
-  return fmt::format("{}:{}", address.host, address.port);
+void open_for_group(udp::socket& socket, const DatagramReceiver::Place& place,
+                    int receive_buffer_bytes) {
+  const asio::ip::address_v4 on = address_of(place.interface, "--interface");
+  const bool is_group = !place.group.empty();
+  const auto port = static_cast<unsigned short>(place.port);
+  error_code error;
+  socket.open(udp::v4());
+  if (is_group) socket.set_option(udp::socket::reuse_address(true));
+  socket.set_option(udp::socket::receive_buffer_size(receive_buffer_bytes), error);
+  const asio::ip::address_v4 bound = is_group ? address_of(place.group, place.flag) : on;
+  socket.bind({bound, port}, error);
+  if (error)
+    refuse(place.flag, fmt::format("cannot listen at {}:{}", bound.to_string(), port), error);
+  if (!is_group) return;
+  socket.set_option(asio::ip::multicast::join_group(bound, on), error);
+  if (error) refuse("--interface", fmt::format("cannot join {}", place.group), error);
 }
 
 NetworkThread::NetworkThread() : context_(std::make_unique<Context>()) {}
@@ -89,21 +104,7 @@ class DatagramReceiver::Impl : public std::enable_shared_from_this<DatagramRecei
  public:
   Impl(NetworkThread& thread, const Place& place, Handler handler)
       : socket_(thread.context().io), handler_(std::move(handler)) {
-    const asio::ip::address_v4 on = address_of(place.interface, "--interface");
-    const bool is_group = !place.group.empty();
-    const auto port = static_cast<unsigned short>(place.port);
-    error_code error;
-    socket_.open(udp::v4());
-    if (is_group) socket_.set_option(udp::socket::reuse_address(true));
-    socket_.set_option(udp::socket::receive_buffer_size(kReceiveBuffer), error);
-    const asio::ip::address_v4 bound = is_group ? address_of(place.group, place.flag) : on;
-    socket_.bind({bound, port}, error);
-    if (error)
-      refuse(place.flag, fmt::format("cannot listen at {}:{}", bound.to_string(), port), error);
-    if (is_group) {
-      socket_.set_option(asio::ip::multicast::join_group(bound, on), error);
-      if (error) refuse("--interface", fmt::format("cannot join {}", place.group), error);
-    }
+    open_for_group(socket_, place, kReceiveBuffer_bytes);
     socket_.non_blocking(true);
     port_ = socket_.local_endpoint().port();
   }
@@ -153,8 +154,8 @@ class DatagramReceiver::Impl : public std::enable_shared_from_this<DatagramRecei
         continue;
       }
       const Address from{from_.address().to_string(), from_.port()};
-      const std::string reply = handler_(std::string_view(buffer_.data(), size), from);
-      if (!reply.empty()) socket_.send_to(asio::buffer(reply), from_, 0, error);
+      const auto reply = handler_(std::string_view(buffer_.data(), size), from);
+      if (reply) socket_.send_to(asio::buffer(*reply), from_, 0, error);
     }
   }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -17,9 +18,6 @@ struct Address {
   std::string host;  // IPv4, in numbers
   int port = 0;
 };
-
-// "224.5.23.2:10006".
-std::string text_of(const Address& address);
 
 // A thread that waits for packets and timers. All functions that it calls must return soon.
 class NetworkThread {
@@ -59,8 +57,10 @@ class DatagramSender {
 // Reads datagrams at a port, or those of a multicast group.
 class DatagramReceiver {
  public:
-  // Called in the network's thread. What it returns is sent back to the sender unless it is empty.
-  using Handler = std::function<std::string(std::string_view bytes, const Address& from)>;
+  // Called in the network's thread. What it returns is sent back to the sender: an empty message,
+  // too, is an answer.
+  using Handler =
+      std::function<std::optional<std::string>(std::string_view bytes, const Address& from)>;
 
   // Port 0: any free port. For a group, `group` is its address, otherwise empty. Throws InputError
   // if the port is in use or an address is wrong; `flag` is the option that would change it.

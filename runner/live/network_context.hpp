@@ -5,6 +5,7 @@
 
 #include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/io_context.hpp>
+#include <csignal>
 #include <thread>
 
 #include "runner/live/network.hpp"
@@ -13,7 +14,7 @@ namespace autoref::runner {
 
 class NetworkThread::Context {
  public:
-  Context() : thread_([this] { io.run(); }) {}
+  Context() : thread_([this] { run(); }) {}
   ~Context() {
     io.stop();
     thread_.join();
@@ -24,6 +25,14 @@ class NetworkThread::Context {
   boost::asio::io_context io{1};
 
  private:
+  // Leaves signals to the main thread.
+  void run() {
+    sigset_t all{};
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, nullptr);
+    io.run();
+  }
+
   boost::asio::executor_work_guard<boost::asio::io_context::executor_type> work_{io.get_executor()};
   std::thread thread_;
 };

@@ -1,5 +1,7 @@
 #include "runner/live/team_ports.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <utility>
 
@@ -14,10 +16,12 @@ namespace {
 constexpr std::chrono::seconds kSilence{2};
 constexpr std::size_t kMostRequests = 64;
 constexpr double kSameLength_m = 0.002;
-constexpr std::size_t kWestPort = 0;  // indices of the receivers
-constexpr std::size_t kEastPort = 1;
-constexpr std::size_t kControlPort = 2;
+constexpr std::size_t kControlPort = 2;  // indices of the receivers
 constexpr std::size_t kGrsimPort = 3;
+
+std::size_t index_of(const Participant& to) {
+  return to ? static_cast<std::size_t>(*to) : kControlPort;
+}
 
 PerSide<int> robot_counts(const GameConfiguration& game) {
   const auto count = [&](Side side) { return static_cast<int>(team_on(game, side).robots.size()); };
@@ -28,6 +32,11 @@ bool is_same_size(const Field& one, const Field& other) {
   return std::abs(one.length_m - other.length_m) < kSameLength_m &&
          std::abs(one.width_m - other.width_m) < kSameLength_m &&
          std::abs(one.goal_width_m - other.goal_width_m) < kSameLength_m;
+}
+
+bool asks(const league::SimulatorRequest& request) {
+  return !request.teleports.empty() || request.speed || request.vision_port || request.field ||
+         !request.specs.empty();
 }
 
 std::string response_to(const league::CommandPacket& packet,
@@ -69,27 +78,29 @@ TeamPorts::TeamPorts(NetworkThread& thread, const LiveOptions& options,
       robots_(robot_counts(game)),
       field_(game.field),
       targets_(targets) {
-  const auto listen = [&](std::size_t index, int port, const char* flag,
-                          DatagramReceiver::Handler handler) {
-    if (port == 0) return;
-    receivers_.at(index).emplace(thread, DatagramReceiver::Place{options.interface, "", port, flag},
-                                 std::move(handler));
+  if (is_network_[Side::kWest]) listen(thread, Side::kWest, options.ports.yellow, "--yellow-port");
+  if (is_network_[Side::kEast]) listen(thread, Side::kEast, options.ports.blue, "--blue-port");
+  listen(thread, std::nullopt, options.ports.control, "--control-port");
+  if (options.ports.grsim == 0 || (!is_network_[Side::kWest] && !is_network_[Side::kEast])) return;
+  receivers_.at(kGrsimPort)
+      .emplace(thread,
+               DatagramReceiver::Place{options.interface, "", options.ports.grsim, "--grsim-port"},
+               [this](std::string_view bytes, const Address& from) {
+                 read_grsim(bytes, from);
+                 return std::nullopt;
+               });
+}
+
+void TeamPorts::listen(NetworkThread& thread, const Participant& to, int port, const char* flag) {
+  if (port == 0) return;
+  const DatagramReceiver::Place place{options_.interface, "", port, flag};
+  const auto handler = [this, to](Transport transport) {
+    return [this, to, transport](std::string_view bytes, const Address& from) {
+      return answer(to, bytes, from, transport);
+    };
   };
-  const auto protocol_of = [this](const Participant& to) {
-    return
-        [this, to](std::string_view bytes, const Address& from) { return answer(to, bytes, from); };
-  };
-  if (is_network_[Side::kWest])
-    listen(kWestPort, options.ports.yellow, "--yellow-port", protocol_of(Side::kWest));
-  if (is_network_[Side::kEast])
-    listen(kEastPort, options.ports.blue, "--blue-port", protocol_of(Side::kEast));
-  listen(kControlPort, options.ports.control, "--control-port", protocol_of(std::nullopt));
-  if (!is_network_[Side::kWest] && !is_network_[Side::kEast]) return;
-  listen(kGrsimPort, options.ports.grsim, "--grsim-port",
-         [this](std::string_view bytes, const Address& from) {
-           read_grsim(bytes, from);
-           return std::string();
-         });
+  receivers_.at(index_of(to)).emplace(thread, place, handler(Transport::kDatagram));
+  servers_.at(index_of(to)).emplace(thread, place, handler(Transport::kStream));
 }
 
 bool TeamPorts::is_admitted(Side side, const Address& from) {
@@ -107,16 +118,14 @@ void TeamPorts::count(Side side, const league::CommandPacket& packet) {
   traffic_[side].last_error = packet.errors.front().message;
 }
 
-std::string TeamPorts::answer(const Participant& to, std::string_view bytes, const Address& from) {
+std::optional<std::string> TeamPorts::answer(const Participant& to, std::string_view bytes,
+                                             const Address& from, Transport transport) {
   if (to && !is_admitted(*to, from)) {
     league::CommandPacket refused;
     refused.errors = {{"SOURCE", "another computer commands this team"}};
     return response_to(refused, {});
   }
-  if (league::is_sync_request(bytes) && targets_.lock_step != nullptr) {
-    begin_step(to, bytes, from);
-    return {};
-  }
+  if (league::is_sync_request(bytes)) return answer_sync_request(to, bytes, from, transport);
   return to ? answer_team(*to, bytes) : answer_control(bytes);
 }
 
@@ -135,34 +144,56 @@ std::string TeamPorts::answer_team(Side side, std::string_view bytes) {
 
 std::string TeamPorts::answer_control(std::string_view bytes) {
   league::SimulatorRequest request = league::read_simulator_command(bytes, robots_);
-  refuse_other_game(request);
+  refuse_unsupported(request, request.errors);
   simulation::SimulatorResponse response;
   for (const league::PacketError& error : request.errors)
     league::fill_error(error, *response.add_errors());
+  if (!request.errors.empty()) {
+    const std::lock_guard lock(mutex_);
+    ++wrong_control_;
+  }
   if (!targets_.control->add(std::move(request)))
     league::fill_error({"BUSY", "too many commands wait for the next frame"},
                        *response.add_errors());
   return response.SerializeAsString();
 }
 
-// The field and the robots are the scenario's.
-void TeamPorts::refuse_other_game(league::SimulatorRequest& request) const {
+// The field and the robots are the scenario's, and without a clock the teams set the pace.
+void TeamPorts::refuse_unsupported(league::SimulatorRequest& request,
+                                   std::vector<league::PacketError>& errors) const {
   if (request.field && !is_same_size(*request.field, field_))
-    league::add_error(request.errors, "UNSUPPORTED_GEOMETRY",
+    league::add_error(errors, "UNSUPPORTED_GEOMETRY",
                       "the scenario determines the field; set field.* there");
-  if (!request.specs.empty())
-    league::add_error(request.errors, "UNSUPPORTED_SPECS",
-                      "the scenario determines the robots; set sim.robot.* there");
+  targets_.robots->add(request.specs, errors);
+  if (request.speed && options_.speed.pace != Pace::kClock)
+    league::add_error(errors, "UNSUPPORTED_SPEED", "the teams set the pace of this game");
 }
 
-void TeamPorts::begin_step(const Participant& participant, std::string_view bytes,
-                           const Address& from) {
+std::optional<std::string> TeamPorts::answer_sync_request(const Participant& participant,
+                                                          std::string_view bytes,
+                                                          const Address& from,
+                                                          Transport transport) {
   league::SyncRequest request = league::read_sync_request(bytes, participant, robots_);
+  std::vector<league::PacketError>& errors = request.commands.errors;
+  if (targets_.lock_step == nullptr) {
+    league::add_error(errors, "NO_LOCK_STEP", "the game is not played with --speed lockstep");
+    if (participant) count(*participant, request.commands);
+    return league::sync_response({}, {{}, errors}, {});
+  }
+  if (participant && options_.ports.control == 0 && asks(request.control)) {
+    league::add_error(errors, "CONTROL_CLOSED", "teams must not control the simulator");
+    request.control = {};
+  }
+  refuse_unsupported(request.control, errors);
   if (participant) count(*participant, request.commands);
-  const std::size_t port = participant ? static_cast<std::size_t>(*participant) : kControlPort;
-  targets_.lock_step->add(participant, std::move(request), [this, port, from](std::string reply) {
-    receivers_.at(port)->send(std::move(reply), from);
-  });
+  const auto respond = [this, port = index_of(participant), from, transport](std::string reply) {
+    if (transport == Transport::kStream)
+      servers_.at(port)->send(std::move(reply), from);
+    else
+      receivers_.at(port)->send(std::move(reply), from);
+  };
+  targets_.lock_step->add(participant, std::move(request), respond);
+  return std::nullopt;
 }
 
 void TeamPorts::read_grsim(std::string_view bytes, const Address& from) {
@@ -209,9 +240,41 @@ void TeamPorts::send_status(Side side, const RobotReports& reports) {
   if (message.robots_status_size() > 0) status_senders_[side]->send(message.SerializeAsString());
 }
 
+std::int64_t TeamPorts::oversized(std::size_t port) const {
+  return receivers_.at(port) ? receivers_.at(port)->oversized() : 0;
+}
+
+// Packets at grSim's port that cannot be read count as the yellow team's.
 PerSide<TeamTraffic> TeamPorts::traffic() const {
+  PerSide<std::int64_t> too_long;
+  too_long[Side::kWest] = oversized(index_of(Side::kWest)) + oversized(kGrsimPort);
+  too_long[Side::kEast] = oversized(index_of(Side::kEast));
   const std::lock_guard lock(mutex_);
-  return traffic_;
+  PerSide<TeamTraffic> traffic = traffic_;
+  for (const Side side : kSides) {
+    traffic[side].packets += too_long[side];
+    traffic[side].wrong += too_long[side];
+    if (too_long[side] > 0 && traffic[side].last_error.empty())
+      traffic[side].last_error = fmt::format("a packet is longer than {} bytes", kLongestDatagram);
+  }
+  return traffic;
+}
+
+std::int64_t TeamPorts::wrong_control() const {
+  const std::lock_guard lock(mutex_);
+  return wrong_control_ + oversized(index_of(std::nullopt));
+}
+
+StreamTroubles TeamPorts::troubles() const {
+  StreamTroubles sum;
+  for (const auto& server : servers_) {
+    if (!server) continue;
+    const StreamTroubles one = server->troubles();
+    sum.refused += one.refused;
+    sum.invalid += one.invalid;
+    sum.unread += one.unread;
+  }
+  return sum;
 }
 
 }  // namespace autoref::runner

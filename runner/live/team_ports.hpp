@@ -20,6 +20,8 @@
 #include "runner/live/lock_step.hpp"
 #include "runner/live/network.hpp"
 #include "runner/live/robot_reports.hpp"
+#include "runner/live/robot_updates.hpp"
+#include "runner/live/stream_server.hpp"
 #include "soccer/side.hpp"
 
 namespace autoref::runner {
@@ -58,16 +60,20 @@ class ControlRequests {
 struct PortTargets {
   CommandSlots* slots = nullptr;
   ControlRequests* control = nullptr;
+  RobotUpdates* robots = nullptr;
   LockStep* lock_step = nullptr;  // null: SimulationSyncRequests are errors
 };
+
+// How a packet has come, and its answer goes.
+enum class Transport : std::uint8_t { kDatagram, kStream };
 
 // The sides whose teams play over the network.
 PerSide<bool> network_sides(const GameConfiguration& game);
 
 class TeamPorts {
  public:
-  // Listens for the game's teams on the network and at the control port. Throws InputError if a
-  // port is in use.
+  // Listens for the game's teams on the network and at the control port: to datagrams, and except
+  // at grSim's port to connections. Throws InputError if a port is in use.
   TeamPorts(NetworkThread& thread, const LiveOptions& options, const GameConfiguration& game,
             const PortTargets& targets);
 
@@ -76,14 +82,25 @@ class TeamPorts {
   void report(const PerSide<RobotReports>& reports);
 
   PerSide<TeamTraffic> traffic() const;
+  std::int64_t wrong_control() const;  // packets to the control port with errors
+
+  // The troubles of all connections.
+  StreamTroubles troubles() const;
 
  private:
-  std::string answer(const Participant& to, std::string_view bytes, const Address& from);
+  void listen(NetworkThread& thread, const Participant& to, int port, const char* flag);
+  std::optional<std::string> answer(const Participant& to, std::string_view bytes,
+                                    const Address& from, Transport transport);
   std::string answer_team(Side side, std::string_view bytes);
   std::string answer_control(std::string_view bytes);
-  void refuse_other_game(league::SimulatorRequest& request) const;
-  void begin_step(const Participant& participant, std::string_view bytes, const Address& from);
+  void refuse_unsupported(league::SimulatorRequest& request,
+                          std::vector<league::PacketError>& errors) const;
+  // nullopt: replies later, since the request takes part in the lock-step.
+  std::optional<std::string> answer_sync_request(const Participant& participant,
+                                                 std::string_view bytes, const Address& from,
+                                                 Transport transport);
   void read_grsim(std::string_view bytes, const Address& from);
+  std::int64_t oversized(std::size_t port) const;
   bool is_admitted(Side side, const Address& from);
   void count(Side side, const league::CommandPacket& packet);
   void send_status(Side side, const RobotReports& reports);
@@ -96,12 +113,14 @@ class TeamPorts {
   mutable std::mutex mutex_;
   PerSide<RobotReports> reports_;
   PerSide<TeamTraffic> traffic_;
+  std::int64_t wrong_control_ = 0;
   PerSide<SourceLock> sources_;
   PerSide<std::string> grsim_hosts_;  // empty: the team has not sent grSim's packets
   PerSide<std::string> status_hosts_;
   PerSide<std::optional<DatagramSender>> status_senders_;
   PerSide<RobotReports> sent_;
   std::array<std::optional<DatagramReceiver>, 4> receivers_;  // west, east, control, grSim
+  std::array<std::optional<StreamServer>, 3> servers_;        // west, east, control
 };
 
 }  // namespace autoref::runner

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "referee/configuration.hpp"
@@ -44,8 +45,9 @@ GameEventComparison compared(std::span<const TimedGameEvent> recorded,
                              std::span<const TimedGameEvent> refereed, referee::Control control,
                              double tolerance_s = 2.0);
 
-// A table of the types; empty if nothing was recorded.
-std::string game_events_text(const GameEventComparison& comparison);
+// A table of the types; empty if nothing was recorded. `other` is the title of the recorded events.
+std::string game_events_text(const GameEventComparison& comparison,
+                             std::string_view other = "recorded");
 
 // The comparison as a JSON object; null if nothing was recorded.
 Json game_events_json(const GameEventComparison& comparison);

@@ -51,9 +51,10 @@ Json counts_json(const GameEventCounts& counts) {
 
 }  // namespace
 
-std::string game_events_text(const GameEventComparison& comparison) {
+std::string game_events_text(const GameEventComparison& comparison, std::string_view other) {
   if (!has_recorded(comparison)) return "";
-  std::vector<std::vector<std::string>> rows = {{"game event", "recorded", "AutoRef", "matched"}};
+  std::vector<std::vector<std::string>> rows = {
+      {"game event", std::string(other), "AutoRef", "matched"}};
   for (const auto& [type, counts] : comparison.types)
     rows.push_back(table_row(title_of(type), counts));
   rows.push_back(table_row("all", comparison.all));

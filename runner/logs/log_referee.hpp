@@ -2,19 +2,16 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "referee/referee.hpp"
 #include "runner/game/game_event_log.hpp"
 #include "runner/logs/calls.hpp"
+#include "runner/logs/record_referee.hpp"
 #include "runner/logs/recorded_facts.hpp"
 
 namespace autoref::runner {
-
-// Called with each decision.
-using DecisionWatch = std::function<void(const referee::Decision&)>;
 
 struct LogRefereeResult {
   Agreement agreement;      // between AutoRef's calls and those of the recorded referee
@@ -26,11 +23,8 @@ struct LogRefereeResult {
   referee::Control control = referee::Control::kAutoref;  // of the first game
 };
 
-// Judges every frame of the log in order. Under Control::kHuman, AutoRef follows the recorded
-// referee's signals, each after the last frame captured before it. Each game of the log has its own
-// configuration and referee; the last configuration is reused if there are more games. The goals in
-// the result are those of the last game. If the recorded referee says that blue defends the goal at
-// -x, frames are rotated, since AutoRef assumes that yellow is west. Throws league::LogError, and
+// Judges every frame of the log in order (record_referee.hpp). The goals in the result are those of
+// the last game. Throws league::LogError, and
 // std::invalid_argument if a configuration is not valid for a referee. `configurations` must not be
 // empty.
 LogRefereeResult referee_log(const std::filesystem::path& log, const RecordedFacts& facts,

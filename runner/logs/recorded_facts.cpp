@@ -5,8 +5,7 @@
 #include <string_view>
 
 #include "league/referee_message.hpp"
-#include "runner/logs/logged_noise.hpp"
-#include "runner/logs/recorded_game_events.hpp"
+#include "runner/logs/fact_finder.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -38,81 +37,6 @@ std::string name_text(std::string_view bytes) {
   return text;
 }
 
-class FactFinder final : public league::LogVisitor {
- public:
-  void on_frame(const Frame& frame) override {
-    noise.take(frame);
-    for (const Side side : kSides) {
-      facts.robots[side] =
-          std::max(facts.robots[side], static_cast<int>(frame.robots[side].size()));
-    }
-  }
-
-  void on_camera(double time_s, std::uint32_t number) override {
-    RecordedCamera& camera = facts.cameras[number];
-    if (camera.packets++ == 0) camera.first_s = camera.last_s = time_s;
-    const double gap_s = time_s - camera.last_s;
-    camera.longest_gap_s = std::max(camera.longest_gap_s, gap_s);
-    camera.gaps += gap_s >= kGap_s ? 1 : 0;
-    camera.last_s = time_s;
-  }
-
-  void on_referee(double time_s, const league::RefereePacket& packet) override {
-    game_events.take(time_s, packet);
-    const std::optional<RefereeSignal> signal = league::signal_of(packet);
-    if (!signal) {
-      ++facts.unknown_signals;
-      return;
-    }
-    if (next_game_.begins_with(signal->stage) && facts.games.size() < RecordedFacts::kMostGames)
-      facts.games.push_back({.begins_s = time_s});
-    const bool is_new = !facts.last_signal ||
-                        facts.last_signal->command_counter != signal->command_counter ||
-                        facts.last_signal->command != signal->command;
-    if (is_new) note_command({time_s, signal->command, signal->stage});
-    note_stage(signal->stage);
-    // In overtime or without a clock, the packet does not reveal the length of the half.
-    if (packet.stage_time_left() > 0) note_clock(signal->stage, signal->stage_time_left_s);
-    facts.names = {{name_text(packet.yellow().name()), name_text(packet.blue().name())}};
-    facts.last_signal = signal;
-  }
-
-  RecordedFacts facts;
-  LoggedNoise noise;
-  RecordedGameEvents game_events;
-
- private:
-  void note_command(const RecordedCommand& recorded) {
-    RecordedGame& game = facts.games.back();
-    if (recorded.command.kind == CommandKind::kPrepareKickoff && !game.first_kickoff)
-      game.first_kickoff = recorded.command.side;
-    if (facts.commands.size() < RecordedFacts::kMostCommands) {
-      facts.commands.push_back(recorded);
-    } else {
-      ++facts.commands_left_out;
-    }
-  }
-
-  void note_stage(Stage stage) {
-    RecordedGame& game = facts.games.back();
-    game.halves = std::max(game.halves, half_of(stage));
-    game.is_knockout = game.is_knockout || is_after_a_draw(stage);
-  }
-
-  void note_clock(Stage stage, double left_s) {
-    RecordedGame& game = facts.games.back();
-    // Rounds up to the clock's resolution, since the first packet of a half may come a little late.
-    const double rounded_s = std::ceil(left_s / kClock_s - 0.01) * kClock_s;
-    const auto note = [rounded_s](std::optional<double>& length_s) {
-      length_s = std::max(length_s.value_or(kClock_s), rounded_s);
-    };
-    if (stage == Stage::kFirstHalf) note(game.half_s);
-    if (stage == Stage::kExtraFirstHalf) note(game.extra_half_s);
-  }
-
-  NextGame next_game_;
-};
-
 }  // namespace
 
 bool NextGame::begins_with(Stage stage) {
@@ -127,12 +51,84 @@ double RecordedCamera::rate_hz() const {
   return last_s > first_s ? static_cast<double>(packets - 1) / (last_s - first_s) : 0;
 }
 
+void FactFinder::on_frame(const Frame& frame) {
+  noise_.take(frame);
+  for (const Side side : kSides) {
+    facts_.robots[side] =
+        std::max(facts_.robots[side], static_cast<int>(frame.robots[side].size()));
+  }
+}
+
+void FactFinder::on_vision(double time_s, const league::VisionPacket& packet) {
+  if (!packet.has_detection()) return;
+  RecordedCamera& camera = facts_.cameras[packet.detection().camera_id()];
+  if (camera.packets++ == 0) camera.first_s = camera.last_s = time_s;
+  const double gap_s = time_s - camera.last_s;
+  camera.longest_gap_s = std::max(camera.longest_gap_s, gap_s);
+  camera.gaps += gap_s >= kGap_s ? 1 : 0;
+  camera.last_s = time_s;
+}
+
+void FactFinder::on_referee(double time_s, const league::RefereePacket& packet) {
+  game_events_.take(time_s, packet);
+  const std::optional<RefereeSignal> signal = league::signal_of(packet);
+  if (!signal) {
+    ++facts_.unknown_signals;
+    return;
+  }
+  if (next_game_.begins_with(signal->stage) && facts_.games.size() < RecordedFacts::kMostGames)
+    facts_.games.push_back({.begins_s = time_s});
+  const bool is_new = !facts_.last_signal ||
+                      facts_.last_signal->command_counter != signal->command_counter ||
+                      facts_.last_signal->command != signal->command;
+  if (is_new) note_command({time_s, signal->command, signal->stage});
+  note_stage(signal->stage);
+  // In overtime or without a clock, the packet does not reveal the length of the half.
+  if (packet.stage_time_left() > 0) note_clock(signal->stage, signal->stage_time_left_s);
+  facts_.names = {{name_text(packet.yellow().name()), name_text(packet.blue().name())}};
+  facts_.last_signal = signal;
+}
+
+void FactFinder::note_command(const RecordedCommand& recorded) {
+  RecordedGame& game = facts_.games.back();
+  if (recorded.command.kind == CommandKind::kPrepareKickoff && !game.first_kickoff)
+    game.first_kickoff = recorded.command.side;
+  if (facts_.commands.size() < RecordedFacts::kMostCommands) {
+    facts_.commands.push_back(recorded);
+  } else {
+    ++facts_.commands_left_out;
+  }
+}
+
+void FactFinder::note_stage(Stage stage) {
+  RecordedGame& game = facts_.games.back();
+  game.halves = std::max(game.halves, half_of(stage));
+  game.is_knockout = game.is_knockout || is_after_a_draw(stage);
+}
+
+void FactFinder::note_clock(Stage stage, double left_s) {
+  RecordedGame& game = facts_.games.back();
+  // Rounds up to the clock's resolution, since the first packet of a half may come a little late.
+  const double rounded_s = std::ceil(left_s / kClock_s - 0.01) * kClock_s;
+  const auto note = [rounded_s](std::optional<double>& length_s) {
+    length_s = std::max(length_s.value_or(kClock_s), rounded_s);
+  };
+  if (stage == Stage::kFirstHalf) note(game.half_s);
+  if (stage == Stage::kExtraFirstHalf) note(game.extra_half_s);
+}
+
+RecordedFacts FactFinder::facts(const league::LogSummary& log) const {
+  RecordedFacts facts = facts_;
+  facts.log = log;
+  facts.noise = noise_.noise();
+  facts.game_events = game_events_.events();
+  return facts;
+}
+
 RecordedFacts facts_of(const std::filesystem::path& log, league::FrameSource source) {
   FactFinder finder;
-  finder.facts.log = league::read_log(log, finder, source);
-  finder.facts.noise = finder.noise.noise();
-  finder.facts.game_events = finder.game_events.events();
-  return finder.facts;
+  const league::LogSummary summary = league::read_log(log, finder, source);
+  return finder.facts(summary);
 }
 
 }  // namespace autoref::runner

@@ -18,6 +18,9 @@ constexpr std::chrono::seconds kBetweenLines{5};
 constexpr std::chrono::seconds kBetweenDrawings{1};  // of the terminal view
 constexpr int kRowsAfterwards = 3;  // screen rows left for a two-line message and the prompt
 
+constexpr std::chrono::seconds kBetweenPublished{1};
+constexpr Screen kPublished{200, 110};
+
 // Whether the stream is a terminal on which lines can be redrawn.
 bool is_terminal(std::FILE* stream) {
   if (stream == nullptr || isatty(fileno(stream)) != 1) return false;
@@ -103,6 +106,7 @@ void Progress::game_done(bool is_void) {
 }
 
 void Progress::tick() {
+  publish_text();
   if (stream_ == nullptr || !is_started_) return;
   if (style_ == ProgressStyle::kAuto) {
     draw();
@@ -142,6 +146,13 @@ void Progress::write_line(std::string_view event) {
   }
 }
 
+void Progress::publish_text() {
+  if (!publish_ || !is_started_ || Clock::now() < next_publishing_) return;
+  next_publishing_ = Clock::now() + kBetweenPublished;
+  renew_view();
+  publish_(bar(kPublished) + "\n\n" + tables(kPublished));
+}
+
 void Progress::renew_view() {
   const Clock::time_point start = Clock::now();
   if (!view_of_ || counts_.played == played_in_view_ || start < next_view_) return;
@@ -168,6 +179,9 @@ double Progress::elapsed_s() const {
 
 // Writes the final state, however recent the last update was.
 void Progress::end() {
+  next_publishing_ = Clock::now();
+  next_view_ = next_publishing_;
+  publish_text();
   if (stream_ == nullptr || !is_started_ || style_ == ProgressStyle::kNone) return;
   next_view_ = Clock::now();
   if (style_ == ProgressStyle::kAuto) {

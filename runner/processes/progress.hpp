@@ -70,6 +70,12 @@ class Progress {
   // to take at most 1 % of the time.
   void show(std::function<ProgressView()> view) { view_of_ = std::move(view); }
 
+  // Hands the bar and the tables to `publish` as text, whatever the style, at most once a second
+  // and at the end.
+  void publish(std::function<void(const std::string& text)> publish) {
+    publish_ = std::move(publish);
+  }
+
   void game_done(bool is_void = false);
 
   // Writes an update if one is due. Call it several times a second.
@@ -90,6 +96,7 @@ class Progress {
   void draw();
   void write_line(std::string_view event);
   void renew_view();
+  void publish_text();
   void end();
 
   std::FILE* stream_;
@@ -98,6 +105,7 @@ class Progress {
   bool is_started_ = false;
   bool keeps_tables_ = false;
   std::function<ProgressView()> view_of_;
+  std::function<void(const std::string& text)> publish_;
   ProgressView view_;
   int played_in_view_ = -1;
   int done_in_line_ = -1;
@@ -106,6 +114,7 @@ class Progress {
   Clock::time_point next_view_ = began_;
   Clock::time_point next_drawing_ = began_;
   Clock::time_point next_line_ = began_;
+  Clock::time_point next_publishing_ = began_;
 };
 
 }  // namespace autoref::runner

@@ -72,8 +72,9 @@ void list_match(GameSettings& game, Branch to) {
           "what the referee does after the game; the result row covers one game only");
   to.word("on_team_fault", match.on_team_fault, {"void", "forfeit"},
           "whether a game in which a team fails has no result or is won by the other team");
-  to.word("control", match.control, {"autoref", "human", "none"},
-          "who commands the game; others than autoref only in recorded games");
+  to.word("control", match.control, {"autoref", "human", "none", "game-controller"},
+          "who commands the game; human and none only in recorded games, game-controller only in "
+          "play");
   to.word("placement", match.placement, {"simulator", "teams"},
           "who places the ball for free kicks and force starts");
   to.number("extra_half_s", match.extra_half_s, positive(36000), "s",

@@ -132,10 +132,11 @@ void check_team(const GameSettings& game, const TeamSettings& team, std::string_
 }
 
 void check_game(const GameSettings& game) {
-  if (game.match.control != referee::Control::kAutoref) {
+  if (game.match.control == referee::Control::kHuman ||
+      game.match.control == referee::Control::kNone) {
     throw SettingError("match.control",
-                       ": in a simulated game only autoref commands; the others are for recorded "
-                       "games (autoref referee)");
+                       ": in a simulated game autoref commands, or the game-controller; the others "
+                       "are for recorded games (autoref referee)");
   }
   check_team(game, game.a, "teams.a");
   check_team(game, game.b, "teams.b");

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 
@@ -28,6 +29,7 @@ constexpr unsigned kChangeShift = 2;
 constexpr unsigned kBall = 0;
 constexpr unsigned kPlaced = 1;
 constexpr unsigned kRemoved = 2;
+constexpr unsigned kChangedRobot = kChange | 3U << kChangeShift;  // the first byte
 constexpr double kLargestChange = 1e4;
 constexpr unsigned kHasRequests = 4;
 constexpr unsigned kHasFault = 8;
@@ -91,6 +93,19 @@ void put_vector(const Vec2& vector, std::string& bytes) {
 void put_robot_id(RobotId robot, std::string& bytes) {
   put(static_cast<std::uint8_t>(robot.side), bytes);
   put(static_cast<std::uint8_t>(robot.number), bytes);
+}
+
+// The limits of a robot in the order of the file.
+std::array<double*, 9> limits_of(ChangedRobot& robot) {
+  return {&robot.mass_kg,
+          &robot.speed_mps,
+          &robot.acceleration_mps2,
+          &robot.braking_mps2,
+          &robot.wheel_acceleration_mps2,
+          &robot.angular_speed_radps,
+          &robot.angular_acceleration_radps2,
+          &robot.kick_limit_mps,
+          &robot.chip_limit_mps};
 }
 
 struct PutChange {
@@ -168,6 +183,14 @@ void CommandsWriter::add(char team, const TeamEntry& entry) {
   }
   write();
   last = entry;
+}
+
+void CommandsWriter::add(const ChangedRobot& changed) {
+  ChangedRobot robot = changed;
+  put(static_cast<std::uint8_t>(kChangedRobot), bytes_);
+  put_robot_id(robot.robot, bytes_);
+  for (const double* limit : limits_of(robot)) put(*limit, bytes_);
+  write();
 }
 
 void CommandsWriter::add(const WorldChange& change) {
@@ -258,6 +281,22 @@ const TeamEntry& CommandsReader::next(char team) {
     if ((changed >> i & 1U) != 0) read_command(entry.commands[i]);
   }
   return entry;
+}
+
+void CommandsReader::change_robots(GameConfiguration& game) {
+  int kind = 0;
+  while ((kind = gzgetc(gz_file(file_))) == static_cast<int>(kChangedRobot)) {
+    const auto side = number<std::uint8_t>() == 0 ? Side::kWest : Side::kEast;
+    ChangedRobot changed;
+    changed.robot = {side, robot()};
+    for (double* limit : limits_of(changed)) *limit = number<double>();
+    try {
+      apply(changed, game);
+    } catch (const std::invalid_argument& error) {
+      refuse(fmt::format("changes a robot in an impossible way: {}", error.what()));
+    }
+  }
+  gzungetc(kind, gz_file(file_));
 }
 
 Vec2 CommandsReader::vector() {

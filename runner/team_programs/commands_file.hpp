@@ -14,8 +14,9 @@
 // Of a change of the world, bits 2-3 are 0 for the ball, 1 for a robot that is placed, 2 for one
 // that is taken off the field. Then follow, for a robot, its side (uint8, 0 west) and number
 // (uint8); unless it is taken off, as doubles position, velocity, and for the ball height, vertical
-// speed and 1 if it rolls or 0, for a robot heading (x, y) and angular velocity. All numbers are
-// little-endian.
+// speed and 1 if it rolls or 0, for a robot heading (x, y) and angular velocity. Before all other
+// entries, there may be some whose bits 2-3 are 3: the side and number of a robot and its limits as
+// doubles, in the order of ChangedRobot. All numbers are little-endian.
 #pragma once
 
 #include <array>
@@ -24,6 +25,7 @@
 #include <optional>
 #include <string>
 
+#include "runner/team_programs/changed_robot.hpp"
 #include "runner/team_programs/world_change.hpp"
 #include "soccer/robot_command.hpp"
 #include "soccer/team_requests.hpp"
@@ -51,6 +53,9 @@ class CommandsWriter {
   // `team` is 'a' or 'b'. Throws InputOutputError.
   void add(char team, const TeamEntry& entry);
 
+  // A robot that was changed before the game; call it before all others. Throws InputOutputError.
+  void add(const ChangedRobot& changed);
+
   // A change before the next step. Throws InputOutputError.
   void add(const WorldChange& change);
 
@@ -74,6 +79,10 @@ class CommandsReader {
   ~CommandsReader();
   CommandsReader(const CommandsReader&) = delete;
   CommandsReader& operator=(const CommandsReader&) = delete;
+
+  // Applies the changes of robots before the game; call it before all others. Throws InputError if
+  // the file is damaged or `game` does not have these robots.
+  void change_robots(GameConfiguration& game);
 
   // The next entry, which must be of `team`. Throws InputError if it is not, or if the file is
   // damaged or at its end: then it belongs to another game.

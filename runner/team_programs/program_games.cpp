@@ -137,6 +137,16 @@ GamePrograms GamePrograms::recorded(const GameConfiguration& game,
   return programs;
 }
 
+GameConfiguration GamePrograms::configured(const GameConfiguration& game) {
+  GameConfiguration changed = game;
+  if (reader_) reader_->change_robots(changed);
+  return changed;
+}
+
+void GamePrograms::record(const ChangedRobot& changed) {
+  if (writer_) writer_->add(changed);
+}
+
 TeamMaker GamePrograms::maker() {
   return [this](const TeamConfiguration& team, const strategies::TeamContext& context) {
     return make(team, context);

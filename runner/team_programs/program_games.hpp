@@ -44,6 +44,12 @@ class GamePrograms {
   static GamePrograms recorded(const GameConfiguration& game,
                                const std::filesystem::path& commands);
 
+  // The game with the robots that were changed before it began, if it is played from recorded
+  // commands. Throws as CommandsReader.
+  GameConfiguration configured(const GameConfiguration& game);
+  // Records that a robot was changed before the game. Throws as CommandsWriter.
+  void record(const ChangedRobot& changed);
+
   // For Game; this object must outlive its teams.
   TeamMaker maker();
 

@@ -98,12 +98,24 @@ void GameRecording::add(double time_s, const RefereeSignal& signal) {
     is_full_ = true;
     return;
   }
-  if (!signals_.empty()) time_s = std::max(time_s, signals_.back().time_s);
-  if (!clock_.empty()) time_s = std::max(time_s, clock_.back().time_s);
-  if (signals_.empty() || !show_the_same(signals_.back().signal, signal))
-    signals_.push_back({time_s, signal});
+  if (last_signal_) time_s = std::max(time_s, last_signal_->time_s);
+  if (last_mark_) time_s = std::max(time_s, last_mark_->time_s);
+  if (!last_signal_ || !show_the_same(last_signal_->signal, signal)) {
+    last_signal_ = {time_s, signal};
+    signals_.push_back(*last_signal_);
+  }
   const int left_s = shown_seconds(signal.stage_time_left_s);
-  if (clock_.empty() || clock_.back().left_s != left_s) clock_.push_back({time_s, left_s});
+  if (last_mark_ && last_mark_->left_s == left_s) return;
+  last_mark_ = {time_s, left_s};
+  clock_.push_back(*last_mark_);
+}
+
+GameRecording GameRecording::take() {
+  GameRecording taken;
+  std::swap(taken, *this);
+  last_signal_ = taken.last_signal_;
+  last_mark_ = taken.last_mark_;
+  return taken;
 }
 
 void GameRecording::add(RecordedDecision decision) {

@@ -44,6 +44,9 @@ class GameRecording {
   // Stores the decision if pages show it.
   void add(RecordedDecision decision);
 
+  // Returns the recording so far and begins an empty one, whose signals continue those before.
+  GameRecording take();
+
   std::size_t frames() const { return frames_; }
   double first_s() const { return first_s_; }
   double last_s() const { return last_s_; }
@@ -77,6 +80,8 @@ class GameRecording {
   std::vector<RecordedSignal> signals_;
   std::vector<ClockMark> clock_;
   std::vector<RecordedDecision> decisions_;
+  std::optional<RecordedSignal> last_signal_;
+  std::optional<ClockMark> last_mark_;
   bool is_full_ = false;
 };
 

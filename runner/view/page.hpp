@@ -37,4 +37,10 @@ struct PageContent {
 // The page: HTML with style, script (runner/view/page/) and the game's data.
 std::string page_of(const PageContent& content);
 
+// A page without a game, which shows the game that its server sends (live_messages.hpp).
+std::string live_page();
+
+// A page that shows the text that its server sends, such as a table of standings.
+std::string table_page();
+
 }  // namespace autoref::runner

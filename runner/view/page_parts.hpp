@@ -5,9 +5,18 @@
 
 namespace autoref::runner {
 
-// The HTML template, with the placeholders @STYLE@, @GAME@, @FRAMES@ and @SCRIPT@.
+// The HTML of a page. @ALLOWED@ (further sources of the content security policy), @STYLE@, @GAME@,
+// @FRAMES@ and @SCRIPT@ are to be replaced.
 std::string_view page_frame();
 std::string_view page_style();
 std::string_view page_script();
+std::string_view page_start();  // the end of a recorded game's script
+
+// What a live page has besides: the end of its style, and of its script instead of page_start().
+std::string_view page_live_style();
+std::string_view page_live_script();
+
+std::string_view page_table();       // HTML, in which page_connection() is to replace @SCRIPT@
+std::string_view page_connection();  // the part of the live script that talks to the server
 
 }  // namespace autoref::runner

@@ -10,7 +10,9 @@ namespace {
 
 class Cameras final : public LogVisitor {
  public:
-  void on_camera(double /*time_s*/, std::uint32_t camera) override { seen.insert(camera); }
+  void on_vision(double /*time_s*/, const VisionPacket& packet) override {
+    if (packet.has_detection()) seen.insert(packet.detection().camera_id());
+  }
   std::set<std::uint32_t> seen;
 };
 

@@ -153,6 +153,3 @@ class Page {
     listenToKeys(actions);
   }
 }
-
-const page = new Page(readGame());
-page.begin();

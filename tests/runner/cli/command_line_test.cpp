@@ -26,8 +26,8 @@ const std::string kSweep = kScenarios + "handicap-speed.yaml";
 
 TEST(CommandLine, ShowsAnExampleForEachVerb) {
   for (const char* verb :
-       {"play", "run", "submit", "check", "status", "report", "verify", "replay", "judge", "lab",
-        "view", "info", "referee", "sample-size", "rules", "teams", "bench", "help"}) {
+       {"play", "live", "run", "submit", "check", "status", "report", "verify", "replay", "judge",
+        "lab", "view", "info", "referee", "sample-size", "rules", "teams", "bench", "help"}) {
     const Answer answer = answer_to({verb, "--help"});
     EXPECT_EQ(answer.code, kDone);
     EXPECT_NE(answer.out.find(std::string("Example:\n  autoref ") + verb), std::string::npos);

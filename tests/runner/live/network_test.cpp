@@ -20,7 +20,7 @@ TEST(Network, ADatagramArrivesWithItsSender) {
   std::promise<std::string> arrived;
   const DatagramReceiver receiver(thread, {}, [&](std::string_view bytes, const Address& from) {
     arrived.set_value(std::string(bytes) + " from " + from.host);
-    return std::string();
+    return std::nullopt;
   });
   DatagramSender sender(kLoopback, {kLoopback, receiver.port()});
   sender.send("hello");
@@ -30,12 +30,27 @@ TEST(Network, ADatagramArrivesWithItsSender) {
   EXPECT_EQ(sender.dropped(), 0);
 }
 
+TEST(Network, AnEmptyAnswerIsSent) {
+  NetworkThread thread;
+  std::promise<std::size_t> answered;
+  DatagramReceiver asking(thread, {}, [&](std::string_view bytes, const Address&) {
+    answered.set_value(bytes.size());
+    return std::nullopt;
+  });
+  const DatagramReceiver answering(thread, {},
+                                   [](std::string_view, const Address&) { return std::string(); });
+  asking.send("hello", {kLoopback, answering.port()});
+  std::future<std::size_t> result = answered.get_future();
+  ASSERT_EQ(result.wait_for(kPatience), std::future_status::ready);
+  EXPECT_EQ(result.get(), 0U);
+}
+
 TEST(Network, OversizedDatagramsAreCountedAndDropped) {
   NetworkThread thread;
   std::promise<std::size_t> arrived;
   const DatagramReceiver receiver(thread, {}, [&](std::string_view bytes, const Address&) {
     arrived.set_value(bytes.size());
-    return std::string();
+    return std::nullopt;
   });
   DatagramSender sender(kLoopback, {kLoopback, receiver.port()});
   sender.send(std::string(kLongestDatagram + 1, 'x'));
@@ -48,7 +63,7 @@ TEST(Network, OversizedDatagramsAreCountedAndDropped) {
 
 TEST(Network, APortInUseIsAnErrorThatNamesItsOption) {
   NetworkThread thread;
-  const auto ignore = [](std::string_view, const Address&) { return std::string(); };
+  const auto ignore = [](std::string_view, const Address&) { return std::nullopt; };
   const DatagramReceiver first(thread, {}, ignore);
   try {
     const DatagramReceiver second(thread, {kLoopback, "", first.port(), "--blue-port"}, ignore);

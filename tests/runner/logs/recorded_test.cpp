@@ -108,7 +108,9 @@ GameConfiguration game_of_2026(const std::string& book, const std::string& camer
 class ReadFrames final : public league::LogVisitor {
  public:
   void on_frame(const Frame& frame) override { frames.push_back(frame); }
-  void on_camera(double, std::uint32_t camera) override { cameras.insert(camera); }
+  void on_vision(double, const league::VisionPacket& packet) override {
+    if (packet.has_detection()) cameras.insert(packet.detection().camera_id());
+  }
   std::vector<Frame> frames;
   std::set<std::uint32_t> cameras;
 };

@@ -206,6 +206,21 @@ TEST(ProgressJson, HasRateAndTimeLeftOnceTheyAreKnown) {
             "\"elapsed_s\": 0, \"games_per_min\": null, \"left_s\": null}");
 }
 
+TEST(Progress, IsPublishedWithoutAStream) {
+  std::string published;
+  {
+    Progress progress(nullptr, {.total = 3});
+    progress.publish([&](const std::string& text) { published = text; });
+    progress.show([] {
+      return ProgressView{"so far:", {{{{"team", "games"}, {"zone", "1"}}}}, {}};
+    });
+    progress.game_done();
+  }
+  EXPECT_NE(published.find("1/3 games"), std::string::npos) << published;
+  EXPECT_NE(published.find("so far:"), std::string::npos) << published;
+  EXPECT_NE(published.find("zone"), std::string::npos) << published;
+}
+
 TEST(Progress, IsPlainOnADumbTerminal) {
   const Terminal terminal;
   setenv("TERM", "dumb", 1);

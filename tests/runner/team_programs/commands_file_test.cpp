@@ -112,6 +112,38 @@ TEST_F(CommandsFile, ContainsChangesOfTheWorld) {
   EXPECT_EQ(reader.final_state(), kState);
 }
 
+TEST_F(CommandsFile, ContainsChangesOfRobotsBeforeTheGame) {
+  GameConfiguration game;
+  ChangedRobot changed = unchanged({Side::kEast, 3}, game);
+  changed.mass_kg = 2;
+  changed.chip_limit_mps = 5;
+  {
+    CommandsWriter writer(file_);
+    writer.add(changed);
+    writer.add('a', {});
+    writer.close(kState);
+  }
+  CommandsReader reader(file_);
+  reader.change_robots(game);
+  EXPECT_EQ(team_on(game, Side::kEast).robots[3].body.mass_kg, 2);
+  EXPECT_EQ(team_on(game, Side::kEast).robots[3].kicker.chip_limit_mps, 5);
+  EXPECT_EQ(team_on(game, Side::kEast).robots[3].body.speed_mps, 3);
+  EXPECT_FALSE(reader.next_change().has_value());
+  reader.next('a');
+  EXPECT_EQ(reader.final_state(), kState);
+}
+
+TEST_F(CommandsFile, WithRobotsThatTheGameDoesNotHaveIsRefused) {
+  GameConfiguration game;
+  ChangedRobot changed = unchanged({Side::kEast, 3}, game);
+  changed.robot.number = 6;
+  CommandsWriter writer(file_);
+  writer.add(changed);
+  writer.close(kState);
+  CommandsReader reader(file_);
+  EXPECT_THROW(reader.change_robots(game), InputError);
+}
+
 TEST_F(CommandsFile, AppearsOnlyWhenItIsClosed) {
   {
     CommandsWriter writer(file_);

@@ -74,6 +74,20 @@ TEST(GameRecording, KeepsTheClocksWholeSeconds) {
   EXPECT_NEAR(recording.clock()[1].time_s, 1.0, 1e-9);
 }
 
+TEST(GameRecording, TakenInPartsRepeatsNoSignal) {
+  GameRecording recording;
+  recording.add(Frame{});
+  recording.add(0, stopped());
+  const GameRecording first = recording.take();
+  EXPECT_EQ(first.frames(), 1U);
+  EXPECT_EQ(first.signals().size(), 1U);
+  recording.add(1, stopped());
+  recording.add(1, RefereeSignal{});
+  const GameRecording second = recording.take();
+  EXPECT_EQ(second.frames(), 0U);
+  EXPECT_EQ(second.signals().size(), 1U);
+}
+
 TEST(GameRecording, MakesTimesMonotonic) {
   GameRecording recording;
   recording.add(5, stopped());

@@ -49,6 +49,23 @@ class Mistakes : public testing::TestWithParam<Mistake> {};
 TEST_P(Mistakes, AreRefusedWithLocationKeyAndRemedy) { expect_refused(GetParam()); }
 
 INSTANTIATE_TEST_SUITE_P(
+    TeamsOnTheNetwork, Mistakes,
+    testing::Values(Mistake{"Sweep",
+                            changed(kSweep, "match: {",
+                                    "teams: { a: { strategy: network } }, match: {"),
+                            "x.yaml:5:",
+                            {"teams.a.strategy", "plays only in autoref live"}},
+                    Mistake{"GameController",
+                            changed(kSweep, "match: {", "match: { control: game-controller,"),
+                            "x.yaml:5:",
+                            {"match.control", "only games of autoref play"}},
+                    Mistake{"RoundRobin",
+                            changed(kRobin, "strategy: zone", "strategy: network"),
+                            "x.yaml:5:",
+                            {"strategy", "plays only in autoref live"}}),
+    [](const auto& one) { return one.param.name; });
+
+INSTANTIATE_TEST_SUITE_P(
     Sweeps, Mistakes,
     testing::Values(Mistake{"UnknownKey",
                             kSweep + "pair: 5\n",

@@ -1,0 +1,42 @@
+#include "runner/cli/shown_game.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <thread>
+
+#include "runner/io/build_id.hpp"
+#include "runner/io/errors.hpp"
+#include "runner/live/web_address.hpp"
+
+namespace autoref::runner {
+namespace {
+
+constexpr std::chrono::seconds kFarewell{1};
+
+}  // namespace
+
+std::vector<PageFact> facts_of(const GameConfiguration& game) {
+  return {{"rules", game.match.rules.name},
+          {"seed", std::to_string(game.seed)},
+          {"build", std::string(build_id())}};
+}
+
+ShownGame::ShownGame(const GameConfiguration& game, const std::string& web, Observer& other)
+    : observer_(&other) {
+  if (web.empty()) return;
+  const GameRecording nothing_yet;
+  view_.emplace(web_address(web, "--web"),
+                PageContent{nothing_yet, game.field, shown_names(game), facts_of(game)});
+  web_.emplace(*view_);
+  observer_ = &both_.emplace(&*web_, &other);
+  write_message(stderr, fmt::format("watch at {}\n", view_->url()));
+}
+
+void ShownGame::end() {
+  if (!view_) return;
+  view_->end();
+  std::this_thread::sleep_for(kFarewell);
+}
+
+}  // namespace autoref::runner

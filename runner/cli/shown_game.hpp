@@ -1,0 +1,37 @@
+// A single game on the network (--web), while it is played.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runner/game/configuration.hpp"
+#include "runner/game/observer.hpp"
+#include "runner/live/observers.hpp"
+#include "runner/live/web_view.hpp"
+#include "runner/view/page.hpp"
+
+namespace autoref::runner {
+
+// Which game and which program a page shows.
+std::vector<PageFact> facts_of(const GameConfiguration& game);
+
+class ShownGame {
+ public:
+  // Shows the game at `web` (live/web_address.hpp), and says so on stderr; nowhere if empty.
+  // `other` is called as well. Throws InputError naming --web.
+  ShownGame(const GameConfiguration& game, const std::string& web, Observer& other);
+
+  Observer& observer() { return *observer_; }
+
+  // Says that the game is over, and leaves some time for the message to arrive.
+  void end();
+
+ private:
+  std::optional<WebView> view_;
+  std::optional<WebObserver> web_;
+  std::optional<Observers> both_;
+  Observer* observer_;
+};
+
+}  // namespace autoref::runner

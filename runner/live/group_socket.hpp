@@ -1,0 +1,17 @@
+// Opens sockets for multicast groups and ports, for the few files that use Asio.
+#pragma once
+
+#include <utility>  // Boost 1.74 needs it before Asio
+
+#include <boost/asio/ip/udp.hpp>
+
+#include "runner/live/network.hpp"
+
+namespace autoref::runner {
+
+// Opens and binds the socket, and joins the group. Throws InputError if the port is in use or an
+// address is wrong.
+void open_for_group(boost::asio::ip::udp::socket& socket, const DatagramReceiver::Place& place,
+                    int receive_buffer_bytes);
+
+}  // namespace autoref::runner

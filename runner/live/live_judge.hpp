@@ -1,0 +1,51 @@
+// The part of a live referee that judges packets, without sockets.
+#pragma once
+
+#include <chrono>
+#include <optional>
+
+#include "league/record_reader.hpp"
+#include "runner/live/live_referee.hpp"
+#include "runner/live/placement_watch.hpp"
+#include "runner/live/referee_outputs.hpp"
+#include "runner/live/vision_quality.hpp"
+#include "runner/logs/both_visitors.hpp"
+#include "runner/logs/record_referee.hpp"
+
+namespace autoref::runner {
+
+class LiveJudge final : league::LogVisitor {
+ public:
+  // `watch` and `outputs` must outlive the object.
+  LiveJudge(const referee::Configuration& configuration, const RecordedFacts& facts,
+            bool frames_are_tracked, const LiveRefereeWatch& watch, RefereeOutputs& outputs);
+
+  // Takes the next packet, received at `time_s`, in s since the first one.
+  void take(const ReceivedRecord& record, double time_s);
+
+  // Call it often: sends what is due, and calls on_idle every 50 ms.
+  void idle();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void on_frame(const Frame& frame) override;  // after the referee has judged it
+  void on_vision(double time_s, const league::VisionPacket& packet) override;
+  void on_referee(double time_s, const league::RefereePacket& packet) override;
+  void report(const referee::Decision& decision);
+  void report(const GameEvent& event);
+  double frame_time_s(Clock::time_point now) const;
+
+  const LiveRefereeWatch& watch_;
+  RefereeOutputs& outputs_;
+  RecordReferee referee_;
+  BothVisitors both_;
+  league::RecordReader reader_;
+  VisionQuality quality_;
+  PlacementWatch placement_;
+  LiveRefereeStatus status_;
+  Clock::time_point judged_ = Clock::now();
+  Clock::time_point idle_due_{};
+};
+
+}  // namespace autoref::runner

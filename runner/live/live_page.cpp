@@ -1,0 +1,95 @@
+#include "runner/live/live_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <random>
+#include <utility>
+
+#include "runner/view/live_messages.hpp"
+#include "runner/view/recorded_decision.hpp"
+
+namespace autoref::runner {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr std::chrono::microseconds kFrameEvery{33'333};
+constexpr milliseconds kEarliest{3};  // how much before its time a frame may be sent
+constexpr milliseconds kMessageEvery{10};
+constexpr std::size_t kFramesPerChunk = 150;  // 5 s
+constexpr std::size_t kMostFrameChunks = 120;
+constexpr std::size_t kMostCallChunks = 10'000;
+
+std::string random_id() {
+  std::random_device random;
+  return fmt::format("{:08x}{:08x}", random(), random());
+}
+
+bool has_calls(const GameRecording& part) {
+  return !part.signals().empty() || !part.clock().empty() || !part.decisions().empty();
+}
+
+}  // namespace
+
+LivePage::LivePage(const PageContent& content, const FrameClock& clock, Send send)
+    : clock_(&clock),
+      send_(std::move(send)),
+      history_(start_message(content, random_id()), kMostFrameChunks, kMostCallChunks),
+      present_(std::make_shared<const std::string>(present_message())),
+      next_frame_(clock.now()),
+      next_message_(next_frame_) {}
+
+void LivePage::add(const Frame& frame, const RefereeSignal& signal) {
+  const FrameClock::Time now = clock_->now();
+  newest_.add(frame.time_s, signal);
+  calls_.add(frame.time_s, signal);
+  if (now + kEarliest >= next_frame_) {
+    next_frame_ = std::max(next_frame_ + kFrameEvery, now);
+    take(frame);
+  } else {
+    skipped_ = frame;
+  }
+  if (now >= next_message_) send_newest(now);
+}
+
+void LivePage::add(const referee::Decision& decision) {
+  RecordedDecision record = recorded(decision);
+  newest_.add(record);
+  calls_.add(std::move(record));
+}
+
+void LivePage::take(const Frame& frame) {
+  newest_.add(frame);
+  frames_.add(frame);
+  skipped_.reset();
+}
+
+// The last frame is always sent: the page shows no signal later than that.
+void LivePage::end() {
+  if (skipped_) take(Frame(*skipped_));
+  send_newest(clock_->now());
+  send_(history_.add(over_message("The game is over."), false));
+}
+
+WebBacklog LivePage::backlog() const {
+  WebBacklog backlog = history_.backlog();
+  backlog.texts.push_back(present_);
+  return backlog;
+}
+
+void LivePage::send_newest(FrameClock::Time now) {
+  const bool is_frame = !has_calls(newest_);
+  if (is_frame && newest_.frames() == 0) return;
+  next_message_ = now + kMessageEvery;
+  send_(history_.add(part_message(newest_.take()), is_frame));
+  if (frames_.frames() >= kFramesPerChunk) fold();
+}
+
+void LivePage::fold() {
+  const GameRecording calls = calls_.take();
+  history_.fold(part_message(frames_.take()), has_calls(calls) ? part_message(calls) : "");
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,53 @@
+// Turns a game, simulated or real, into messages for watchers.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "referee/decision.hpp"
+#include "runner/live/frame_pacer.hpp"
+#include "runner/live/message_history.hpp"
+#include "runner/view/game_recording.hpp"
+#include "runner/view/page.hpp"
+#include "soccer/frame.hpp"
+#include "soccer/referee_signal.hpp"
+
+namespace autoref::runner {
+
+// Takes published positions (soccer/published.hpp). Sends about 30 frames per second of the clock,
+// and decisions and changed signals with the next frame that is added, at most 100 messages per
+// second. New watchers see the last ten minutes and all calls.
+class LivePage {
+ public:
+  using Send = std::function<void(const WebMessage&)>;
+
+  // `content` needs no recording; `send` is called by the functions below.
+  LivePage(const PageContent& content, const FrameClock& clock, Send send);
+
+  // Times must increase.
+  void add(const Frame& frame, const RefereeSignal& signal);
+  void add(const referee::Decision& decision);
+  void end();  // the game is over
+
+  // May be called in any thread.
+  WebBacklog backlog() const;
+
+ private:
+  void take(const Frame& frame);
+  void send_newest(FrameClock::Time now);
+  void fold();
+
+  const FrameClock* clock_;
+  Send send_;
+  MessageHistory history_;
+  WebText present_;
+  std::optional<Frame> skipped_;  // the last frame, unless it was sent
+  GameRecording newest_;          // since the last message
+  GameRecording frames_;          // since the last chunk
+  GameRecording calls_;           // likewise
+  FrameClock::Time next_frame_;
+  FrameClock::Time next_message_;
+};
+
+}  // namespace autoref::runner

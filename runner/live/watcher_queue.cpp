@@ -1,0 +1,42 @@
+#include "runner/live/watcher_queue.hpp"
+
+#include <algorithm>
+
+namespace autoref::runner {
+
+void WatcherQueue::begin_with(const WebBacklog& backlog) {
+  backlog_.assign(backlog.texts.begin(), backlog.texts.end());
+  last_number_ = backlog.last_number;
+}
+
+bool WatcherQueue::push(const WebMessage& message) {
+  if (message.number <= last_number_) return true;
+  if (!message.is_frame && waiting_.size() - frames_ >= kMostOthers) return false;
+  waiting_.push_back(message);
+  frames_ += message.is_frame ? 1 : 0;
+  if (frames_ > kMostFrames) leave_out_oldest_frame();
+  return true;
+}
+
+void WatcherQueue::leave_out_oldest_frame() {
+  const auto oldest = std::find_if(waiting_.begin(), waiting_.end(),
+                                   [](const WebMessage& message) { return message.is_frame; });
+  waiting_.erase(oldest);
+  --frames_;
+  ++left_out_;
+}
+
+WebText WatcherQueue::pop() {
+  WebText next;
+  if (!backlog_.empty()) {
+    next = backlog_.front();
+    backlog_.pop_front();
+  } else if (!waiting_.empty()) {
+    next = waiting_.front().text;
+    frames_ -= waiting_.front().is_frame ? 1 : 0;
+    waiting_.pop_front();
+  }
+  return next;
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,26 @@
+// Messages to watchers of a game.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace autoref::runner {
+
+// Shared by all watchers that it is sent to.
+using WebText = std::shared_ptr<const std::string>;
+
+struct WebMessage {
+  WebText text;
+  bool is_frame = false;    // may be left out for a slow watcher
+  std::int64_t number = 0;  // counts messages from 1
+};
+
+// What a new watcher gets first.
+struct WebBacklog {
+  std::vector<WebText> texts;
+  std::int64_t last_number = 0;  // of the messages that are contained
+};
+
+}  // namespace autoref::runner

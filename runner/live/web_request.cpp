@@ -1,0 +1,59 @@
+#include "runner/live/web_request.hpp"
+
+#include <algorithm>
+#include <boost/beast/websocket/rfc6455.hpp>
+#include <string_view>
+
+namespace autoref::runner {
+namespace {
+
+namespace http = boost::beast::http;
+using http::status;
+
+std::string lower_field(const WebRequest& request, http::field field) {
+  const boost::beast::string_view value = request[field];
+  std::string text(value.data(), value.size());
+  std::transform(text.begin(), text.end(), text.begin(), [](char letter) {
+    return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+  });
+  return text;
+}
+
+// "localhost" of "localhost:8090", "[::1]" of "[::1]:8090".
+std::string_view without_port(std::string_view host) {
+  const std::size_t colon = host.rfind(':');
+  const std::size_t bracket = host.rfind(']');
+  const bool has_port =
+      colon != std::string_view::npos && (bracket == std::string_view::npos || bracket < colon);
+  return has_port ? host.substr(0, colon) : host;
+}
+
+bool is_known(std::string_view host, const std::vector<std::string>& hosts) {
+  return hosts.empty() || std::find(hosts.begin(), hosts.end(), without_port(host)) != hosts.end();
+}
+
+bool is_own(std::string_view origin, std::string_view host) {
+  for (const std::string_view scheme : {"http://", "https://"})
+    if (origin.starts_with(scheme) && origin.substr(scheme.size()) == host) return true;
+  return false;
+}
+
+}  // namespace
+
+status answer_to(const WebRequest& request, const std::vector<std::string>& hosts) {
+  const std::string host = lower_field(request, http::field::host);
+  if (host.empty()) return status::bad_request;
+  if (!is_known(host, hosts)) return status::forbidden;
+  const bool has_origin = request.find(http::field::origin) != request.end();
+  if (has_origin && !is_own(lower_field(request, http::field::origin), host))
+    return status::forbidden;
+  if (request.method() != http::verb::get) return status::method_not_allowed;
+  const boost::beast::string_view target = request.target();
+  const boost::beast::string_view path = target.substr(0, target.find('?'));
+  if (path == "/") return status::ok;
+  if (path != "/live") return status::not_found;
+  return boost::beast::websocket::is_upgrade(request) ? status::switching_protocols
+                                                      : status::upgrade_required;
+}
+
+}  // namespace autoref::runner

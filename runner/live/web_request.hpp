@@ -1,0 +1,25 @@
+// Which requests the web server answers, and how.
+#pragma once
+
+#include <utility>  // Boost 1.74 needs it before Asio
+
+#include <boost/beast/http/empty_body.hpp>
+#include <boost/beast/http/message.hpp>
+#include <boost/beast/http/status.hpp>
+#include <string>
+#include <vector>
+
+namespace autoref::runner {
+
+using WebRequest = boost::beast::http::request<boost::beast::http::empty_body>;
+
+// ok: send the page. switching_protocols: accept the WebSocket. Otherwise the status of a refusal.
+//
+// Only GET is allowed, of / and, as a WebSocket, of /live. A web page from elsewhere must not read
+// the game: if the request names an origin, it must be this server. `hosts` are the names by which
+// this server may be addressed, in lower case and without port, which prevents DNS rebinding;
+// empty: any.
+boost::beast::http::status answer_to(const WebRequest& request,
+                                     const std::vector<std::string>& hosts);
+
+}  // namespace autoref::runner

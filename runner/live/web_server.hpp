@@ -1,0 +1,45 @@
+// A web server that shows a game to watchers. It takes nothing from them.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "runner/live/network.hpp"
+#include "runner/live/web_message.hpp"
+
+namespace autoref::runner {
+
+struct WebOptions {
+  Address address{kLoopback, 0};  // port 0: any free port
+  std::size_t most_watchers = 32;
+  std::chrono::milliseconds header_time{5'000};  // for a request to arrive
+  std::chrono::milliseconds write_time{10'000};  // for a watcher to take a message
+};
+
+// Answers GET / with the page and GET /live with a WebSocket that sends the backlog and then each
+// message (web_request.hpp says which requests are refused). A slow watcher misses frames; one that
+// takes nothing for `write_time`, misses other messages or sends long messages is disconnected.
+class WebServer {
+ public:
+  // `backlog` is called in the network's thread. Throws InputError naming --web if the port is in
+  // use or the address is not this computer's.
+  WebServer(NetworkThread& thread, const WebOptions& options, std::string page,
+            std::function<WebBacklog()> backlog);
+  ~WebServer();  // disconnects everybody; then `backlog` is not called any more
+  WebServer(const WebServer&) = delete;
+  WebServer& operator=(const WebServer&) = delete;
+
+  // Hands the message over to the network's thread; never waits for a watcher.
+  void send(WebMessage message);
+
+  std::string url() const;
+  int port() const;
+
+ private:
+  class Impl;
+  std::shared_ptr<Impl> impl_;
+};
+
+}  // namespace autoref::runner

@@ -1,0 +1,110 @@
+#include "runner/live/web_session.hpp"
+
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/core/tcp_stream.hpp>
+#include <boost/beast/http/parser.hpp>
+#include <boost/beast/http/read.hpp>
+#include <boost/beast/http/string_body.hpp>
+#include <boost/beast/http/write.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "runner/live/watcher.hpp"
+#include "runner/live/web_request.hpp"
+
+namespace autoref::runner {
+namespace {
+
+namespace session_beast = boost::beast;
+namespace session_http = session_beast::http;
+using boost::asio::ip::tcp;
+using Response = session_http::response<session_http::string_body>;
+
+constexpr std::uint32_t kLongestHeader = 8192;
+
+Response response_with(session_http::status status, std::string body, const char* type) {
+  Response response(status, 11);
+  response.set(session_http::field::content_type, type);
+  response.set(session_http::field::cache_control, "no-store");
+  response.set(session_http::field::x_frame_options, "DENY");
+  response.set("X-Content-Type-Options", "nosniff");
+  if (status == session_http::status::method_not_allowed)
+    response.set(session_http::field::allow, "GET");
+  response.keep_alive(false);
+  response.body() = std::move(body);
+  response.prepare_payload();
+  return response;
+}
+
+Response refusal(session_http::status status) {
+  const session_beast::string_view reason = session_http::obsolete_reason(status);
+  return response_with(status, std::string(reason.data(), reason.size()) + "\n",
+                       "text/plain; charset=utf-8");
+}
+
+class WebSession final : public WebConnection, public std::enable_shared_from_this<WebSession> {
+ public:
+  WebSession(tcp::socket socket, std::shared_ptr<WebHub> hub)
+      : stream_(std::move(socket)), hub_(std::move(hub)) {
+    parser_.header_limit(kLongestHeader);
+  }
+
+  void read() {
+    stream_.expires_after(hub_->options().header_time);
+    session_http::async_read_header(
+        stream_, buffer_, parser_,
+        [self = shared_from_this()](const session_beast::error_code& error, std::size_t) {
+          if (self->hub_->is_closed()) return;
+          error ? self->end() : self->answer();
+        });
+  }
+
+  void close() override { stream_.close(); }
+
+ private:
+  void answer() {
+    const WebRequest& request = parser_.get();
+    const session_http::status status = answer_to(request, hub_->hosts());
+    if (status == session_http::status::ok)
+      return write(response_with(status, hub_->page(), "text/html; charset=utf-8"));
+    if (status != session_http::status::switching_protocols) return write(refusal(status));
+    if (!hub_->has_room_for_a_watcher())
+      return write(refusal(session_http::status::service_unavailable));
+    hub_->remove(shared_from_this());
+    start_watcher(std::move(stream_), request, hub_);
+  }
+
+  void write(Response response) {
+    response_ = std::move(response);
+    stream_.expires_after(hub_->options().write_time);
+    session_http::async_write(
+        stream_, *response_,
+        [self = shared_from_this()](const session_beast::error_code&, std::size_t) {
+          session_beast::error_code ignored;
+          self->stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
+          self->end();
+        });
+  }
+
+  void end() {
+    stream_.close();
+    hub_->remove(shared_from_this());
+  }
+
+  session_beast::tcp_stream stream_;
+  std::shared_ptr<WebHub> hub_;
+  session_beast::flat_buffer buffer_{kLongestHeader};
+  session_http::request_parser<session_http::empty_body> parser_;
+  std::optional<Response> response_;
+};
+
+}  // namespace
+
+void start_session(tcp::socket socket, const std::shared_ptr<WebHub>& hub) {
+  const auto session = std::make_shared<WebSession>(std::move(socket), hub);
+  hub->add(session);
+  session->read();
+}
+
+}  // namespace autoref::runner

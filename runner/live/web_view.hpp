@@ -1,0 +1,44 @@
+// Shows one game to watchers on the network.
+#pragma once
+
+#include "referee/decision.hpp"
+#include "runner/game/observer.hpp"
+#include "runner/live/live_page.hpp"
+#include "runner/live/network.hpp"
+#include "runner/live/web_server.hpp"
+
+namespace autoref::runner {
+
+// Owns the game's page, its server and the server's thread.
+class WebView {
+ public:
+  // Throws InputError naming --web if the server cannot listen.
+  WebView(const Address& address, const PageContent& content);
+
+  // As those of LivePage.
+  void add(const Frame& frame, const RefereeSignal& signal) { page_.add(frame, signal); }
+  void add(const referee::Decision& decision) { page_.add(decision); }
+  void end() { page_.end(); }
+
+  std::string url() const { return server_.url(); }
+
+ private:
+  SteadyFrameClock clock_;
+  LivePage page_;
+  NetworkThread thread_;
+  WebServer server_;
+};
+
+// Shows a simulated game.
+class WebObserver final : public Observer {
+ public:
+  explicit WebObserver(WebView& view) : view_(&view) {}
+
+  void on_frame(const Frame& frame, const RefereeSignal& signal, const sim::World& world) override;
+  void on_decision(const referee::Decision& decision) override { view_->add(decision); }
+
+ private:
+  WebView* view_;
+};
+
+}  // namespace autoref::runner

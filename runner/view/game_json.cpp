@@ -1,0 +1,135 @@
+#include "runner/view/game_json.hpp"
+
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "runner/view/field_marks.hpp"
+#include "soccer/published.hpp"
+#include "soccer/robot_shape.hpp"
+
+namespace autoref::runner {
+namespace {
+
+// Distances checked by the rules, the same in the Laws of 2014 and in the 2026 rules.
+constexpr double kToBallAtRestarts_m = 0.5;
+constexpr double kAttackerToArea_m = 0.2;
+
+// Converts to millimetres, rounded to a tenth.
+Json mm_json(double metres) { return rounded(metres * 1000, 1); }
+
+Json position_json(const Vec2& position_m) {
+  return Json::array({mm_json(position_m.x()), mm_json(position_m.y())});
+}
+
+template <typename T, typename Make>
+Json list_json(const T& values, const Make& json_of) {
+  Json list = Json::array();
+  for (const auto& value : values) list.push_back(json_of(value));
+  return list;
+}
+
+Json outline_json(const Outline& outline) {
+  const auto line_json = [](const MarkLine& line) {
+    return Json::array({position_json(line.from_m), position_json(line.to_m)});
+  };
+  const auto arc_json = [](const MarkArc& arc) -> Json {
+    return {{"centre_mm", position_json(arc.centre_m)},
+            {"radius_mm", mm_json(arc.radius_m)},
+            {"from_rad", arc.from_rad},
+            {"to_rad", arc.to_rad}};
+  };
+  return {{"lines", list_json(outline.lines, line_json)},
+          {"arcs", list_json(outline.arcs, arc_json)}};
+}
+
+Json field_json(const Field& field) {
+  const auto penalty_mark = [&](Side side) { return position_json(field.penalty_mark_at(side)); };
+  const auto goal = [&](Side side) { return list_json(goal_walls_m(field, side), position_json); };
+  const auto near_area = [&](Side side) {
+    return outline_json(around_defence_area(field, side, kAttackerToArea_m));
+  };
+  return {{"halfLength_mm", mm_json(field.half_length_m())},
+          {"halfWidth_mm", mm_json(field.half_width_m())},
+          {"runOff_mm", mm_json(field.run_off_m)},
+          {"lineWidth_mm", mm_json(field.line_width_m)},
+          {"marks", outline_json(field_lines(field))},
+          {"penaltyMarks", list_json(kSides, penalty_mark)},
+          {"goals", list_json(kSides, goal)},
+          {"nearAreas", list_json(kSides, near_area)},
+          {"toBall_mm", mm_json(kToBallAtRestarts_m)}};
+}
+
+// Shape constants of ball and robots, the same for all games.
+Json shapes_json() {
+  return {{"ballRadius_mm", mm_json(kBallRadius_m)},
+          {"robotRadius_mm", mm_json(kRobotRadius_m)},
+          {"robotFront_mm", mm_json(kFrontDistance_m)}};
+}
+
+Json signal_json(const RecordedSignal& recorded) {
+  const RefereeSignal& signal = recorded.signal;
+  return {{"time_s", recorded.time_s},
+          {"command", name_of(signal.command)},
+          {"counter", signal.command_counter},
+          {"stage", name_of(signal.stage)},
+          {"goals", signal.goals.values},
+          {"shootoutGoals", signal.shootout_goals.values},
+          {"yellowCards", signal.yellow_cards.values},
+          {"redCards", signal.red_cards.values},
+          {"yellowDefends", end_of_yellow(signal.blue_on_positive_half)},
+          {"target_mm", signal.placement ? position_json(signal.placement->target_m) : Json()},
+          {"next", signal.next_command ? Json(name_of(*signal.next_command)) : Json()}};
+}
+
+Json decision_json(const RecordedDecision& decision) {
+  const auto text_or_null = [](const std::string& text) {
+    return text.empty() ? Json() : Json(text);
+  };
+  const auto& at_m = decision.position_m;
+  return {{"time_s", decision.time_s},
+          {"event", decision.event},
+          {"rule", text_or_null(decision.rule)},
+          {"reason", text_or_null(decision.reason)},
+          {"offender", text_or_null(decision.offender)},
+          {"card", text_or_null(decision.card)},
+          {"card_reason", text_or_null(decision.card_reason)},
+          {"restart", text_or_null(decision.restart)},
+          {"position_m", at_m ? Json::array({at_m->x(), at_m->y()}) : Json()}};
+}
+
+Json clock_json(const ClockMark& mark) { return Json::array({mark.time_s, mark.left_s}); }
+
+Json robot_json(RobotId robot) {
+  return Json::array({robot.side == Side::kWest ? 0 : 1, robot.number});
+}
+
+Json fact_json(const PageFact& fact) { return Json::array({fact.what, fact.value}); }
+
+Json compared_json(const ComparedCall& call) {
+  return {{"time_s", call.time_s},
+          {"recorded", call.recorded},
+          {"autoref", call.autoref},
+          {"other", call.other}};
+}
+
+}  // namespace
+
+void fill_recording(const GameRecording& recording, Json& json) {
+  json["frames"] = recording.frames();
+  json["robots"] = list_json(recording.robots(), robot_json);
+  json["signals"] = list_json(recording.signals(), signal_json);
+  json["clock"] = list_json(recording.clock(), clock_json);
+  json["decisions"] = list_json(recording.decisions(), decision_json);
+}
+
+Json game_json(const PageContent& content) {
+  Json json = {{"teams", content.names.values},
+               {"field", field_json(content.field)},
+               {"shapes", shapes_json()}};
+  fill_recording(content.recording, json);
+  json["compared"] = content.compared ? list_json(*content.compared, compared_json) : Json();
+  json["facts"] = list_json(content.facts, fact_json);
+  return json;
+}
+
+}  // namespace autoref::runner

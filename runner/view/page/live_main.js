@@ -1,0 +1,127 @@
+// Assembles the page of a live game.
+
+const kMostLiveSignals = 5000;
+const kMostLiveClock = 40000;
+const kMostLiveDecisions = 4000;
+const kMarksEvery_ms = 500;
+const kHeatEvery_ms = 5000;
+
+kKeys.l = "live";
+
+function forgetOldest(list, most) {
+  if (list.length > most) list.splice(0, list.length - most);
+}
+
+class LivePage extends Page {
+  constructor(game) {
+    const recording = new LiveRecording(game.signals);
+    super({game, recording});
+    this.player = new LivePlayer(recording, () => { this.isStale = true; });
+    const seek = (time_s) => this.player.seek(time_s);
+    this.timeline = new LiveTimeline(recording, seek);
+    this.events = new LiveEventList(seek);
+    this.isLoading = true;  // until the messages so far have arrived
+    this.drawn = 0;  // frames, for tests and measurements
+  }
+
+  begin() {
+    super.begin();
+    setInterval(() => this.timeline.moveMarks(), kMarksEvery_ms);
+    setInterval(() => { this.pitch.heat = null; }, kHeatEvery_ms);
+  }
+
+  // The server sends the game from its beginning again.
+  restart() {
+    for (const list of [this.game.signals, this.game.clock, this.game.decisions]) list.length = 0;
+    this.recording.clear();
+    this.isLoading = true;
+    this.player.isWaiting = true;
+  }
+
+  loaded() {
+    this.isLoading = false;
+    this.player.isWaiting = false;
+    this.isStale = true;
+  }
+
+  add(part) {
+    const {game} = this;
+    game.signals.push(...part.signals);
+    game.clock.push(...part.clock);
+    game.decisions.push(...part.decisions);
+    forgetOldest(game.signals, kMostLiveSignals);
+    forgetOldest(game.clock, kMostLiveClock);
+    forgetOldest(game.decisions, kMostLiveDecisions);
+    this.recording.append(part);
+    if (part.signals.length > 0 || part.decisions.length > 0) this.areCallsStale = true;
+    this.isStale = true;
+  }
+
+  updateCalls() {
+    this.areCallsStale = false;
+    const kicks = kicksOf(this.game.signals);
+    const highlights = highlightsOf(this.game, kicks);
+    this.showKicks(kicks);
+    this.timeline.update(highlights);
+    this.events.update(highlights);
+  }
+
+  showKicks(kicks) {
+    const box = document.getElementById("shootout");
+    box.replaceChildren();
+    box.hidden = true;
+    this.shootout = new Shootout(kicks, shownNames(this.game.teams), (time_s) => this.player.seek(time_s));
+    this.scoreboard.shootout = this.shootout;
+  }
+
+  show() {
+    if (this.isLoading || this.recording.count === 0) return;
+    if (this.areCallsStale) this.updateCalls();
+    super.show();
+    ++this.drawn;
+  }
+
+  showControls() {
+    super.showControls();
+    document.getElementById("live").setAttribute("aria-pressed", String(this.player.isFollowing));
+  }
+
+  actions() {
+    return {...super.actions(), live: () => this.player.follow()};
+  }
+}
+
+// The button that follows the game, and what the connection is doing.
+function addLiveControls() {
+  const button = textElement("button", "", "Live");
+  button.type = "button";
+  button.id = "live";
+  button.title = "Follow the game (l)";
+  button.dataset.action = "live";
+  document.querySelector(".times").after(button);
+  const state = textElement("p", "", "");
+  state.id = "connection";
+  state.setAttribute("role", "status");
+  document.querySelector(".pitch").append(state);
+  document.querySelector("#help dl").append(textElement("dt", "", ""), textElement("dd", "", "follow the game"));
+  document.querySelector("#help dt:last-of-type").append(textElement("kbd", "", "l"));
+}
+
+let page = null;
+
+function takeMessage(message) {
+  if (message.type === "part") return page.add(message);
+  if (message.type === "present") return page.loaded();
+  if (message.type !== "start") return;
+  if (page === null) {
+    page = new LivePage(message);
+    page.begin();
+  } else if (page.game.id === message.id) {
+    page.restart();
+  } else {
+    location.reload();
+  }
+}
+
+addLiveControls();
+new Connection(takeMessage, (text) => setText("connection", text)).open();

@@ -1,0 +1,3 @@
+
+const page = new Page(readGame());
+page.begin();

@@ -1,0 +1,121 @@
+#include "runner/live/live_page.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "runner/io/json.hpp"
+
+namespace autoref::runner {
+namespace {
+
+class HandClock final : public FrameClock {
+ public:
+  Time now() const override { return now_; }
+  void sleep_until(Time time) override { now_ = time; }
+
+ private:
+  Time now_{};
+};
+
+// A game at 60 frames per second, watched from its beginning.
+class LivePageTest : public testing::Test {
+ protected:
+  void play(int frames, double speed = 1) {
+    for (int i = 0; i < frames; ++i) {
+      frame_.time_s = static_cast<double>(frame_.number) / 60;
+      page_.add(frame_, signal_);
+      ++frame_.number;
+      clock_.sleep_until(clock_.now() +
+                         std::chrono::microseconds(static_cast<int>(1'000'000 / (60 * speed))));
+    }
+  }
+
+  int sent_frames() const {
+    int frames = 0;
+    for (const WebMessage& message : sent_) frames += Json::parse(*message.text).value("frames", 0);
+    return frames;
+  }
+
+  HandClock clock_;
+  std::vector<WebMessage> sent_;
+  GameRecording nothing_;
+  LivePage page_{{nothing_, Field{}, {{"a", "b"}}}, clock_, [this](const WebMessage& message) {
+                   sent_.push_back(message);
+                 }};
+  Frame frame_;
+  RefereeSignal signal_;
+};
+
+Json parsed(const WebText& text) { return Json::parse(*text); }
+
+TEST_F(LivePageTest, SendsThirtyFramesPerSecond) {
+  play(600);
+  EXPECT_NEAR(sent_frames(), 300, 2);
+}
+
+TEST_F(LivePageTest, SendsThirtyFramesPerSecondOfTheClockInAFastGame) {
+  play(6000, 10);
+  EXPECT_NEAR(sent_frames(), 300, 2);
+}
+
+TEST_F(LivePageTest, SendsAChangedSignalAtOnceAndOnlyOnce) {
+  play(59);
+  sent_.clear();
+  signal_.command.kind = CommandKind::kStop;
+  play(1);
+  ASSERT_EQ(sent_.size(), 1U);
+  EXPECT_FALSE(sent_[0].is_frame);
+  EXPECT_EQ(parsed(sent_[0].text)["signals"][0]["command"], "STOP");
+  play(10);
+  for (std::size_t i = 1; i < sent_.size(); ++i) EXPECT_TRUE(sent_[i].is_frame);
+}
+
+TEST_F(LivePageTest, SendsADecisionWithTheFrame) {
+  play(59);
+  sent_.clear();
+  referee::Decision decision;
+  decision.finding.event = referee::Event::kGoal;
+  page_.add(decision);
+  play(1);
+  ASSERT_EQ(sent_.size(), 1U);
+  EXPECT_EQ(parsed(sent_[0].text)["decisions"][0]["event"], "goal");
+}
+
+TEST_F(LivePageTest, ANewWatcherGetsTheGameFromItsBeginning) {
+  play(60 * 60);
+  int frames = 0;
+  const WebBacklog backlog = page_.backlog();
+  EXPECT_EQ(parsed(backlog.texts.front())["type"], "start");
+  EXPECT_EQ(parsed(backlog.texts.back())["type"], "present");
+  for (const WebText& text : backlog.texts) frames += parsed(text).value("frames", 0);
+  EXPECT_EQ(frames, sent_frames());
+  EXPECT_EQ(backlog.last_number, sent_.back().number);
+}
+
+TEST_F(LivePageTest, ForgetsFramesAfterTenMinutesButNoCalls) {
+  signal_.command.kind = CommandKind::kStop;
+  play(60 * 60 * 12);
+  int frames = 0;
+  std::size_t signals = 0;
+  for (const WebText& text : page_.backlog().texts) {
+    frames += parsed(text).value("frames", 0);
+    signals += parsed(text).value("signals", Json::array()).size();
+  }
+  EXPECT_NEAR(frames, 18'000, 150);
+  EXPECT_EQ(signals, 1U);
+}
+
+TEST_F(LivePageTest, SaysThatTheGameIsOver) {
+  play(2);
+  page_.end();
+  EXPECT_EQ(sent_frames(), 2);
+  EXPECT_EQ(parsed(sent_.back().text)["type"], "over");
+  EXPECT_FALSE(sent_.back().is_frame);
+}
+
+}  // namespace
+}  // namespace autoref::runner

@@ -1,0 +1,102 @@
+#include "runner/live/team_ports.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <future>
+#include <string>
+
+#include "league/messages/simulation.pb.h"
+#include "runner/bench/beside_live_game.hpp"
+
+namespace autoref::runner {
+namespace {
+
+constexpr std::chrono::seconds kPatience{60};
+constexpr double kRate_hz = 60;
+
+GameConfiguration game_on_network() {
+  GameConfiguration game;
+  game.a.on_network = game.b.on_network = true;
+  return game;
+}
+
+// The ports of a game in which teams must not control the simulator.
+class PortsTest : public testing::Test {
+ protected:
+  explicit PortsTest(Pace pace = Pace::kClock)
+      : client_(thread_, {}, [this](std::string_view bytes, const Address&) {
+          answer_.set_value(std::string(bytes));
+          return std::nullopt;
+        }) {
+    options_.speed.pace = pace;
+    options_.ports.yellow = free_port(thread_);
+    options_.ports.blue = options_.ports.control = options_.ports.grsim = 0;
+    ports_.emplace(
+        thread_, options_, game_on_network(),
+        PortTargets{&slots_, &control_, &robots_, pace == Pace::kLockStep ? &lock_step_ : nullptr});
+  }
+
+  void send(const simulation::SimulationSyncRequest& request) {
+    client_.send(request.SerializeAsString(), {kLoopback, options_.ports.yellow});
+  }
+
+  // The code of the first error in the answer; empty if there is none.
+  std::string error_in_answer() {
+    std::future<std::string> arrived = answer_.get_future();
+    if (arrived.wait_for(kPatience) != std::future_status::ready) return "no answer";
+    simulation::SimulationSyncResponse response;
+    if (!response.ParseFromString(arrived.get())) return "not a response";
+    const auto& errors = response.robot_control_response().errors();
+    return errors.empty() ? "" : errors[0].code();
+  }
+
+  // Lets the lock-step go on until it has answered the yellow team.
+  void complete_frame() {
+    const auto deadline = LockStep::Clock::now() + kPatience;
+    while (LockStep::Clock::now() < deadline && ports_->traffic()[Side::kWest].packets == 0)
+      lock_step_.advance(
+          1, {}, slots_, [](const league::SimulatorRequest&) {},
+          LockStep::Clock::now() + std::chrono::milliseconds(5));
+    lock_step_.advance(
+        1, {}, slots_, [](const league::SimulatorRequest&) {},
+        LockStep::Clock::now() + std::chrono::milliseconds(5));
+  }
+
+  NetworkThread thread_;
+  LiveOptions options_;
+  CommandSlots slots_{6};
+  ControlRequests control_;
+  RobotUpdates robots_{game_on_network()};
+  LockStep lock_step_{{{true, false}}, kRate_hz};
+  std::promise<std::string> answer_;
+  DatagramReceiver client_;
+  std::optional<TeamPorts> ports_;
+};
+
+class PortsInLockStep : public PortsTest {
+ protected:
+  PortsInLockStep() : PortsTest(Pace::kLockStep) {}
+};
+
+simulation::SimulationSyncRequest request_for_a_step() {
+  simulation::SimulationSyncRequest request;
+  request.set_sim_step(1 / 60.0F);
+  return request;
+}
+
+TEST_F(PortsTest, ARequestForAStepOutsideLockStepIsAnError) {
+  send(request_for_a_step());
+  EXPECT_EQ(error_in_answer(), "NO_LOCK_STEP");
+}
+
+TEST_F(PortsInLockStep, ATeamMustNotControlTheSimulatorIfTheControlPortIsClosed) {
+  simulation::SimulationSyncRequest request = request_for_a_step();
+  request.mutable_simulator_command()->mutable_control()->mutable_teleport_ball()->set_x(1);
+  send(request);
+  complete_frame();
+  EXPECT_EQ(error_in_answer(), "CONTROL_CLOSED");
+}
+
+}  // namespace
+}  // namespace autoref::runner

@@ -1,0 +1,76 @@
+// The simulation protocol over connections.
+#include "runner/live/team_ports.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "league/messages/simulation.pb.h"
+#include "runner/bench/beside_live_game.hpp"
+#include "tests/runner/live/caller.hpp"
+
+namespace autoref::runner {
+namespace {
+
+class TeamPortsTest : public testing::Test {
+ protected:
+  TeamPortsTest() {
+    game_.a.on_network = true;
+    options_.ports.yellow = free_port(thread_);
+    options_.ports.control = free_port(thread_);
+    options_.ports.grsim = 0;
+    ports_.emplace(thread_, options_, game_, PortTargets{&slots_, &control_, &robots_, nullptr});
+  }
+
+  NetworkThread thread_;
+  GameConfiguration game_;
+  LiveOptions options_;
+  CommandSlots slots_{6};
+  ControlRequests control_;
+  RobotUpdates robots_{game_};
+  std::optional<TeamPorts> ports_;
+};
+
+TEST_F(TeamPortsTest, AConnectionCommandsRobots) {
+  simulation::RobotControl request;
+  for (const std::uint32_t robot : {0U, 99U}) {
+    simulation::RobotCommand& command = *request.add_robot_commands();
+    command.set_id(robot);
+    auto& velocity = *command.mutable_move_command()->mutable_local_velocity();
+    velocity.set_forward(0.5F);
+    velocity.set_left(0);
+    velocity.set_angular(0);
+  }
+  Caller team(options_.ports.yellow);
+  team.say(request.SerializeAsString());
+  simulation::RobotControlResponse response;
+  ASSERT_TRUE(response.ParseFromString(team.hear()));
+  ASSERT_EQ(response.errors_size(), 1);
+  EXPECT_EQ(response.errors(0).code(), "ROBOT_ID");
+  EXPECT_EQ(slots_.take(Side::kWest, 0, {})[0].velocity_mps.x(), 0.5);
+  EXPECT_EQ(ports_->traffic()[Side::kWest].packets, 1);
+  EXPECT_EQ(ports_->traffic()[Side::kWest].wrong, 1);
+}
+
+TEST_F(TeamPortsTest, AConnectionControlsTheSimulator) {
+  simulation::SimulatorCommand request;
+  request.mutable_control()->set_simulation_speed(0.5F);
+  Caller program(options_.ports.control);
+  program.say(request.SerializeAsString());
+  simulation::SimulatorResponse response;
+  ASSERT_TRUE(response.ParseFromString(program.hear()));
+  EXPECT_EQ(response.errors_size(), 0);
+  const std::vector<league::SimulatorRequest> requests = control_.take();
+  ASSERT_EQ(requests.size(), 1U);
+  EXPECT_EQ(requests[0].speed, 0.5);
+}
+
+TEST_F(TeamPortsTest, AMessageThatIsTooLongIsCounted) {
+  Caller team(options_.ports.yellow);
+  team.send("\xff\xff\x7f");
+  EXPECT_EQ(team.hear(), "closed");
+  EXPECT_EQ(ports_->troubles().invalid, 1);
+}
+
+}  // namespace
+}  // namespace autoref::runner

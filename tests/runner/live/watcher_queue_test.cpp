@@ -1,0 +1,50 @@
+#include "runner/live/watcher_queue.hpp"
+
+#include <gtest/gtest.h>
+
+namespace autoref::runner {
+namespace {
+
+WebMessage numbered(std::int64_t number, bool is_frame) {
+  return {std::make_shared<const std::string>(std::to_string(number)), is_frame, number};
+}
+
+std::string all_of(WatcherQueue& queue) {
+  std::string all;
+  while (const WebText text = queue.pop()) all.append(*text).append(1, ' ');
+  return all;
+}
+
+TEST(WatcherQueue, OfFramesOnlyTheNewestWait) {
+  WatcherQueue queue;
+  for (int i = 1; i <= 10; ++i) EXPECT_TRUE(queue.push(numbered(i, true)));
+  EXPECT_EQ(all_of(queue), "8 9 10 ");
+  EXPECT_EQ(queue.left_out(), 7);
+}
+
+TEST(WatcherQueue, OtherMessagesAreKeptInOrder) {
+  WatcherQueue queue;
+  for (int i = 1; i <= 10; ++i) EXPECT_TRUE(queue.push(numbered(i, i % 5 != 0)));
+  EXPECT_EQ(all_of(queue), "5 7 8 9 10 ");
+}
+
+TEST(WatcherQueue, RefusesTooManyMessages) {
+  WatcherQueue queue;
+  for (std::size_t i = 1; i <= WatcherQueue::kMostOthers; ++i)
+    ASSERT_TRUE(queue.push(numbered(static_cast<std::int64_t>(i), false)));
+  EXPECT_FALSE(queue.push(numbered(99'999, false)));
+  EXPECT_TRUE(queue.push(numbered(100'000, true)));
+}
+
+TEST(WatcherQueue, TheBacklogComesFirstAndIsNotRepeated) {
+  WatcherQueue queue;
+  WebBacklog backlog;
+  backlog.texts = {numbered(1, true).text, numbered(2, false).text};
+  backlog.last_number = 2;
+  queue.begin_with(backlog);
+  for (int i = 2; i <= 4; ++i) EXPECT_TRUE(queue.push(numbered(i, true)));
+  EXPECT_EQ(all_of(queue), "1 2 3 4 ");
+}
+
+}  // namespace
+}  // namespace autoref::runner

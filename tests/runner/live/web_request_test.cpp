@@ -1,0 +1,78 @@
+#include "runner/live/web_request.hpp"
+
+#include <gtest/gtest.h>
+
+#include "runner/live/web_address.hpp"
+
+namespace autoref::runner {
+namespace {
+
+namespace http = boost::beast::http;
+using http::status;
+
+WebRequest request_for(const char* path, const char* host) {
+  WebRequest request(http::verb::get, path, 11);
+  request.set(http::field::host, host);
+  return request;
+}
+
+WebRequest request_from(const char* origin) {
+  WebRequest request = request_for("/live", "localhost:8090");
+  request.set(http::field::origin, origin);
+  request.set(http::field::connection, "keep-alive, Upgrade");
+  request.set(http::field::upgrade, "websocket");
+  return request;
+}
+
+status answer_on_loopback(const WebRequest& request) {
+  return answer_to(request, hosts_of({"127.0.0.1", 8090}));
+}
+
+TEST(WebRequest, ThePageIsAtTheRoot) {
+  EXPECT_EQ(answer_on_loopback(request_for("/", "127.0.0.1:8090")), status::ok);
+  EXPECT_EQ(answer_on_loopback(request_for("/?t=3", "localhost")), status::ok);
+  EXPECT_EQ(answer_on_loopback(request_for("/index.html", "localhost")), status::not_found);
+}
+
+TEST(WebRequest, OnlyGetIsAllowed) {
+  WebRequest request = request_for("/", "localhost");
+  for (const http::verb verb : {http::verb::post, http::verb::head, http::verb::delete_}) {
+    request.method(verb);
+    EXPECT_EQ(answer_on_loopback(request), status::method_not_allowed);
+  }
+}
+
+TEST(WebRequest, OnlyThisServersPageMayOpenTheWebSocket) {
+  EXPECT_EQ(answer_on_loopback(request_from("http://localhost:8090")), status::switching_protocols);
+  EXPECT_EQ(answer_on_loopback(request_from("http://LOCALHOST:8090")), status::switching_protocols);
+  for (const char* origin : {"http://example.com", "http://localhost:80", "null", "",
+                             "http://localhost:8090.example.com", "ftp://localhost:8090"})
+    EXPECT_EQ(answer_on_loopback(request_from(origin)), status::forbidden) << origin;
+}
+
+TEST(WebRequest, OnTheLoopbackOnlyItsOwnNamesAreAnswered) {
+  for (const char* host : {"localhost", "LocalHost:1", "127.0.0.1", "[::1]:8090"})
+    EXPECT_EQ(answer_on_loopback(request_for("/", host)), status::ok) << host;
+  for (const char* host : {"example.com", "example.com:8090", "127.0.0.1.example.com", "::1"})
+    EXPECT_EQ(answer_on_loopback(request_for("/", host)), status::forbidden) << host;
+  EXPECT_EQ(answer_on_loopback(request_for("/", "")), status::bad_request);
+}
+
+TEST(WebRequest, OnOtherAddressesAnyNameIsAnswered) {
+  EXPECT_EQ(answer_to(request_for("/", "laptop:8090"), hosts_of({"192.0.2.1", 8090})), status::ok);
+}
+
+TEST(WebAddress, ReadsAPortWithOrWithoutAnAddress) {
+  EXPECT_EQ(url_of(web_address("8090", "--web")), "http://127.0.0.1:8090/");
+  EXPECT_EQ(url_of(web_address("0.0.0.0:80", "--web")), "http://0.0.0.0:80/");
+  EXPECT_EQ(url_of(web_address("[::1]:8090", "--web")), "http://[::1]:8090/");
+}
+
+TEST(WebAddress, RefusesWhatIsNone) {
+  for (const char* text : {"", ":", "localhost:8090", "127.0.0.1", "127.0.0.1:", "8090x", "70000",
+                           "-1", "127.0.0.1:8090:1"})
+    EXPECT_THROW(web_address(text, "--web"), std::runtime_error) << text;
+}
+
+}  // namespace
+}  // namespace autoref::runner
