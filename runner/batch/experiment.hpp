@@ -34,7 +34,8 @@ struct ExperimentOptions {
   std::optional<Outcomes> outcomes = {};       // replaces `play`; then no results are written
   std::FILE* progress = nullptr;               // no progress output if null
   ProgressStyle style = ProgressStyle::kAuto;  // of the progress output
-  std::function<void(const std::string& text)> publish = {};  // gets the progress as text
+  std::function<void(const std::string& text)> publish = {};     // gets the progress as text
+  std::function<void(const ScheduledGame& game)> starting = {};  // called before each game
   double longest_game_s = 600;  // wall-clock limit; longer games are void
   int attempts = 3;             // a game is void if its worker dies this often
   double patience_s = 2;        // how long to wait while another run locks the shard

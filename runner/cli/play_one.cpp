@@ -9,22 +9,18 @@
 
 #include "league/game_log.hpp"
 #include "runner/cli/output_file.hpp"
+#include "runner/cli/page_recorder.hpp"
 #include "runner/cli/shown_game.hpp"
 #include "runner/cli/speed.hpp"
 #include "runner/game/event_log.hpp"
 #include "runner/game/game_event.hpp"
 #include "runner/game/game_event_log.hpp"
 #include "runner/io/build_id.hpp"
-#include "runner/io/checksum.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/live/frame_pacer.hpp"
 #include "runner/logs/logged_cameras.hpp"
 #include "runner/results/game_report.hpp"
 #include "runner/team_programs/program_games.hpp"
-#include "runner/view/game_recording.hpp"
-#include "runner/view/page.hpp"
-#include "runner/view/recorded_decision.hpp"
-#include "soccer/published.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -46,27 +42,23 @@ void end_soon(int signal) {
 // Ends the game at its next frame once the user has pressed Ctrl-C.
 class Watch final : public Observer {
  public:
-  Watch(EventLog* events, GameEventLog* game_events, league::GameLog* log, GameRecording* recording)
-      : events_(events), game_events_(game_events), log_(log), recording_(recording) {
+  Watch(EventLog* events, GameEventLog* game_events, league::GameLog* log, PageRecorder* page)
+      : events_(events), game_events_(game_events), log_(log), page_(page) {
     note_interrupts();
   }
   void on_other_detections(const OtherDetections& others) override {
     if (log_ != nullptr) log_->note(others);
   }
-  void on_frame(const Frame& frame, const RefereeSignal& signal,
-                const sim::World& /*world*/) override {
+  void on_frame(const Frame& frame, const RefereeSignal& signal, const sim::World& world) override {
     if (log_ != nullptr) log_->add(frame, signal);
-    if (recording_ != nullptr) {
-      recording_->add(published(frame, signal.blue_on_positive_half));
-      recording_->add(frame.time_s, published(signal));
-    }
+    if (page_ != nullptr) page_->on_frame(frame, signal, world);
     check_interrupt();
   }
   void on_decision(const referee::Decision& decision) override {
     if (events_ != nullptr) events_->on_decision(decision);
     if (game_events_ != nullptr) game_events_->on_decision(decision);
     if (log_ != nullptr) log_decision(decision);
-    if (recording_ != nullptr) recording_->add(recorded(decision));
+    if (page_ != nullptr) page_->on_decision(decision);
   }
 
  private:
@@ -78,7 +70,7 @@ class Watch final : public Observer {
   EventLog* events_;           // null unless events are written
   GameEventLog* game_events_;  // null unless game events are written
   league::GameLog* log_;       // null unless a log is written
-  GameRecording* recording_;   // null unless a page is written
+  PageRecorder* page_;         // null unless a page is written
 };
 
 void open_files(GameFiles& files, const GameOutput& output,
@@ -116,13 +108,6 @@ GamePrograms programs_of(const GameConfiguration& game, const GameOutput& output
   files.commands = output.record;
   files.show_stderr = true;
   return GamePrograms::live(game, files, player.make_network_team);
-}
-
-std::string view_of(const GameConfiguration& game, const GameRecording& recording,
-                    const GameRecord& record) {
-  std::vector<PageFact> facts = facts_of(game);
-  facts.insert(facts.end() - 1, {"state", hash_text(record.state_hash)});
-  return page_of({recording, game.field, shown_names(game), std::move(facts)});
 }
 
 // Frames per second of the clock; nullopt: as many as possible.
@@ -197,10 +182,10 @@ GameRecord play_one(const GameConfiguration& game, const GameOutput& output,
   open_log(log, game, output.log);
   EventLog events(event_teams_of(game));
   GameEventLog game_events;
-  GameRecording recording;
+  PageRecorder page;
   const std::optional<double> frames_per_s = pace_of(game, output);
   Watch watch(files.events ? &events : nullptr, files.game_events ? &game_events : nullptr,
-              log ? &*log : nullptr, files.view ? &recording : nullptr);
+              log ? &*log : nullptr, files.view ? &page : nullptr);
   ShownGame shown(game, output.web, watch);
   const auto start = std::chrono::steady_clock::now();
   GamePrograms programs = programs_of(game, output, commands, player);
@@ -217,7 +202,7 @@ GameRecord play_one(const GameConfiguration& game, const GameOutput& output,
   if (log) log->close();
   if (files.events) files.events->commit(events.text());
   if (files.game_events) files.game_events->commit(game_event_lines(game_events.events()));
-  if (files.view) files.view->commit(view_of(game, recording, record));
+  if (files.view) files.view->commit(page.page(game, record));
   const GameReport report{game, record, wall_s, build_id()};
   fmt::print("{}\n", output.json ? json_of(report) : text_of(report));
   return record;

@@ -10,6 +10,7 @@
 #include "runner/batch/experiment.hpp"
 #include "runner/batch/program_files.hpp"
 #include "runner/cli/command_line.hpp"
+#include "runner/cli/started_games.hpp"
 #include "runner/io/build_id.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/live/web_address.hpp"
@@ -42,11 +43,15 @@ ExperimentOptions options_of(const RunArguments& arguments) {
   return options;
 }
 
-void show_table(std::optional<WebTable>& table, const std::string& web,
+void show_table(std::optional<WebTable>& table, StartedGames& games, const std::string& web,
                 ExperimentOptions& options) {
   if (web.empty()) return;
-  table.emplace(web_address(web, "--web"));
+  table.emplace(web_address(web, "--web"),
+                [&games](const std::string& id) { return games.page(id); });
   options.publish = [&table](const std::string& text) { table->show(text); };
+  options.starting = [&table, &games](const ScheduledGame& game) {
+    if (games.add(game, WebTable::kMostGames)) table->add_game(game.id);
+  };
   write_message(stderr, fmt::format("watch at {}\n", table->url()));
 }
 
@@ -119,8 +124,9 @@ std::string mended_report(const ExperimentReport& report, const ExperimentOption
 int run_verb(const RunArguments& arguments) {
   const Scenario scenario = read_experiment(arguments);
   ExperimentOptions options = options_of(arguments);
+  StartedGames games;
   std::optional<WebTable> table;
-  show_table(table, arguments.web, options);
+  show_table(table, games, arguments.web, options);
   const ExperimentReport report = run_experiment(scenario, options);
   end_table(table);
   const std::string about_report = mended_report(report, options);

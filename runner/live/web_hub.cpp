@@ -12,12 +12,12 @@ constexpr std::size_t kMostUnanswered = 32;
 
 }  // namespace
 
-WebHub::WebHub(WebOptions options, std::vector<std::string> hosts, std::string page,
-               std::function<WebBacklog()> backlog)
-    : options_(std::move(options)),
-      hosts_(std::move(hosts)),
-      page_(std::move(page)),
-      backlog_(std::move(backlog)) {}
+WebHub::WebHub(WebOptions options, std::vector<std::string> hosts, WebContent content)
+    : options_(std::move(options)), hosts_(std::move(hosts)), content_(std::move(content)) {}
+
+std::optional<std::string> WebHub::game_page(const std::string& id) const {
+  return content_.game_page ? content_.game_page(id) : std::nullopt;
+}
 
 bool WebHub::has_room() const {
   return !is_closed_ && connections_.size() < options_.most_watchers + kMostUnanswered;

@@ -1,8 +1,8 @@
 // What the connections of a web server share. Used in the network's thread only.
 #pragma once
 
-#include <functional>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -24,13 +24,13 @@ class WebConnection {
 
 class WebHub {
  public:
-  WebHub(WebOptions options, std::vector<std::string> hosts, std::string page,
-         std::function<WebBacklog()> backlog);
+  WebHub(WebOptions options, std::vector<std::string> hosts, WebContent content);
 
   const WebOptions& options() const { return options_; }
   const std::vector<std::string>& hosts() const { return hosts_; }
-  const std::string& page() const { return page_; }
-  WebBacklog backlog() const { return backlog_(); }
+  const std::string& page() const { return content_.page; }
+  WebBacklog backlog() const { return content_.backlog(); }
+  std::optional<std::string> game_page(const std::string& id) const;
 
   bool has_room() const;  // for one more connection
   bool has_room_for_a_watcher() const;
@@ -47,8 +47,7 @@ class WebHub {
 
   WebOptions options_;
   std::vector<std::string> hosts_;
-  std::string page_;
-  std::function<WebBacklog()> backlog_;
+  WebContent content_;
   std::set<std::shared_ptr<WebConnection>> connections_;
   bool is_closed_ = false;
 };

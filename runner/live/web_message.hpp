@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,14 @@ struct WebMessage {
 struct WebBacklog {
   std::vector<WebText> texts;
   std::int64_t last_number = 0;  // of the messages that are contained
+};
+
+// What a server shows.
+struct WebContent {
+  std::string page;
+  std::function<WebBacklog()> backlog;
+  // The page of a game; nullopt if there is none with that id.
+  std::function<std::optional<std::string>(const std::string& id)> game_page = {};
 };
 
 }  // namespace autoref::runner

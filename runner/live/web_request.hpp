@@ -6,6 +6,7 @@
 #include <boost/beast/http/empty_body.hpp>
 #include <boost/beast/http/message.hpp>
 #include <boost/beast/http/status.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,11 +16,15 @@ using WebRequest = boost::beast::http::request<boost::beast::http::empty_body>;
 
 // ok: send the page. switching_protocols: accept the WebSocket. Otherwise the status of a refusal.
 //
-// Only GET is allowed, of / and, as a WebSocket, of /live. A web page from elsewhere must not read
-// the game: if the request names an origin, it must be this server. `hosts` are the names by which
-// this server may be addressed, in lower case and without port, which prevents DNS rebinding;
-// empty: any.
+// Only GET is allowed, of /, of /game and, as a WebSocket, of /live. A web page from elsewhere must
+// not read the game: if the request names an origin, it must be this server. `hosts` are the names
+// by which this server may be addressed, in lower case and without port, which prevents DNS
+// rebinding; empty: any.
 boost::beast::http::status answer_to(const WebRequest& request,
                                      const std::vector<std::string>& hosts);
+
+// The id of a game whose page is asked for, "b.robots=5-p0001-2" of /game?b.robots%3D5-p0001-2;
+// nullopt if another page is.
+std::optional<std::string> game_in(const WebRequest& request);
 
 }  // namespace autoref::runner

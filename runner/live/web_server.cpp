@@ -30,11 +30,9 @@ constexpr std::chrono::milliseconds kAfterError{100};  // such as too many open 
 // Kept alive by its asynchronous operations, so that they can end after its owner.
 class WebServer::Impl : public std::enable_shared_from_this<WebServer::Impl> {
  public:
-  Impl(NetworkThread& thread, const WebOptions& options, std::string page,
-       std::function<WebBacklog()> backlog)
+  Impl(NetworkThread& thread, const WebOptions& options, WebContent content)
       : address_(options.address),
-        hub_(std::make_shared<WebHub>(options, hosts_of(options.address), std::move(page),
-                                      std::move(backlog))),
+        hub_(std::make_shared<WebHub>(options, hosts_of(options.address), std::move(content))),
         acceptor_(thread.context().io),
         pause_(thread.context().io) {
     listen();
@@ -124,9 +122,8 @@ class WebServer::Impl : public std::enable_shared_from_this<WebServer::Impl> {
   bool is_incomplete_ = false;
 };
 
-WebServer::WebServer(NetworkThread& thread, const WebOptions& options, std::string page,
-                     std::function<WebBacklog()> backlog)
-    : impl_(std::make_shared<Impl>(thread, options, std::move(page), std::move(backlog))) {
+WebServer::WebServer(NetworkThread& thread, const WebOptions& options, WebContent content)
+    : impl_(std::make_shared<Impl>(thread, options, std::move(content))) {
   impl_->accept();
 }
 WebServer::~WebServer() { impl_->stop(); }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <chrono>
-#include <functional>
 #include <memory>
 #include <string>
 
@@ -18,16 +17,16 @@ struct WebOptions {
   std::chrono::milliseconds write_time{10'000};  // for a watcher to take a message
 };
 
-// Answers GET / with the page and GET /live with a WebSocket that sends the backlog and then each
-// message (web_request.hpp says which requests are refused). A slow watcher misses frames; one that
-// takes nothing for `write_time`, misses other messages or sends long messages is disconnected.
+// Answers GET / with the page, GET /game?ID with a game's page and GET /live with a WebSocket that
+// sends the backlog and then each message (web_request.hpp says which requests are refused). A slow
+// watcher misses frames; one that takes nothing for `write_time`, misses other messages or sends
+// long messages is disconnected.
 class WebServer {
  public:
-  // `backlog` is called in the network's thread. Throws InputError naming --web if the port is in
-  // use or the address is not this computer's.
-  WebServer(NetworkThread& thread, const WebOptions& options, std::string page,
-            std::function<WebBacklog()> backlog);
-  ~WebServer();  // disconnects everybody; then `backlog` is not called any more
+  // The content's functions are called in the network's thread. Throws InputError naming --web if
+  // the port is in use or the address is not this computer's.
+  WebServer(NetworkThread& thread, const WebOptions& options, WebContent content);
+  ~WebServer();  // disconnects everybody; then the content's functions are not called any more
   WebServer(const WebServer&) = delete;
   WebServer& operator=(const WebServer&) = delete;
 

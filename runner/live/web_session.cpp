@@ -66,13 +66,18 @@ class WebSession final : public WebConnection, public std::enable_shared_from_th
   void answer() {
     const WebRequest& request = parser_.get();
     const session_http::status status = answer_to(request, hub_->hosts());
-    if (status == session_http::status::ok)
-      return write(response_with(status, hub_->page(), "text/html; charset=utf-8"));
+    if (status == session_http::status::ok) return write_page(game_in(request));
     if (status != session_http::status::switching_protocols) return write(refusal(status));
     if (!hub_->has_room_for_a_watcher())
       return write(refusal(session_http::status::service_unavailable));
     hub_->remove(shared_from_this());
     start_watcher(std::move(stream_), request, hub_);
+  }
+
+  void write_page(const std::optional<std::string>& game) {
+    std::optional<std::string> page = game ? hub_->game_page(*game) : hub_->page();
+    if (!page) return write(refusal(session_http::status::not_found));
+    write(response_with(session_http::status::ok, *std::move(page), "text/html; charset=utf-8"));
   }
 
   void write(Response response) {

@@ -52,6 +52,7 @@ class Pool {
   void hand_out() {
     for (WorkerProcess& worker : workers_) {
       if (worker.is_busy() || queue_.empty()) continue;
+      if (calls_.starting) calls_.starting(queue_.front().number);
       worker.start(signals_, calls_.work);
       worker.give(queue_.front());
       queue_.pop_front();

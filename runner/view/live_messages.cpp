@@ -29,6 +29,10 @@ std::string over_message(std::string_view text) {
 
 std::string table_start_message() { return json_text({{"type", "start"}}); }
 
+std::string games_message(const std::vector<std::string>& ids) {
+  return json_text({{"type", "games"}, {"ids", ids}});
+}
+
 std::string table_message(std::string_view text) {
   return json_text({{"type", "table"}, {"text", text}});
 }

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "runner/view/game_recording.hpp"
 #include "runner/view/page.hpp"
@@ -22,8 +23,10 @@ std::string present_message();
 // What is shown is over; `text` is a sentence that says so.
 std::string over_message(std::string_view text);
 
-// The first message to a table page, and the text to show there.
+// The first message to a table page, the ids of games whose pages the server has (newest first),
+// and the text to show.
 std::string table_start_message();
+std::string games_message(const std::vector<std::string>& ids);
 std::string table_message(std::string_view text);
 
 }  // namespace autoref::runner

@@ -34,6 +34,17 @@ TEST(WebRequest, ThePageIsAtTheRoot) {
   EXPECT_EQ(answer_on_loopback(request_for("/index.html", "localhost")), status::not_found);
 }
 
+TEST(WebRequest, AGameIsNamedAfterTheQuestionMark) {
+  EXPECT_EQ(game_in(request_for("/", "localhost")), std::nullopt);
+  EXPECT_EQ(game_in(request_for("/?p0001-2", "localhost")), std::nullopt);
+  EXPECT_EQ(game_in(request_for("/game", "localhost")), "");
+  EXPECT_EQ(game_in(request_for("/game?", "localhost")), "");
+  EXPECT_EQ(game_in(request_for("/game?zone~basic-p0001-2", "localhost")), "zone~basic-p0001-2");
+  EXPECT_EQ(game_in(request_for("/game?a%3Db", "localhost")), "a=b");
+  EXPECT_EQ(game_in(request_for("/game?a%zz%3", "localhost")), "a%zz%3");
+  EXPECT_EQ(answer_on_loopback(request_for("/game?x", "localhost")), status::ok);
+}
+
 TEST(WebRequest, OnlyGetIsAllowed) {
   WebRequest request = request_for("/", "localhost");
   for (const http::verb verb : {http::verb::post, http::verb::head, http::verb::delete_}) {

@@ -23,9 +23,14 @@ WebText web_text(std::string text) { return std::make_shared<const std::string>(
 class Web : public testing::Test {
  protected:
   explicit Web(const WebOptions& options = {})
-      : server_(thread_, options, "the page", [] {
-          return WebBacklog{{web_text("so far")}, 0};
-        }) {}
+      : server_(thread_, options,
+                {"the page",
+                 [] {
+                   return WebBacklog{{web_text("so far")}, 0};
+                 },
+                 [](const std::string& id) {
+                   return id == "p0001-1" ? std::optional<std::string>("a game") : std::nullopt;
+                 }}) {}
 
   std::string get(const std::string& path) const {
     return answer(server_.port(),
@@ -56,6 +61,11 @@ TEST_F(Web, ServesThePage) {
   const std::string page = get("/");
   EXPECT_TRUE(page.starts_with("HTTP/1.1 200 OK\r\n")) << page;
   EXPECT_TRUE(page.ends_with("\r\n\r\nthe page")) << page;
+}
+
+TEST_F(Web, ServesThePageOfAGameThatItKnows) {
+  EXPECT_TRUE(get("/game?p0001-1").ends_with("\r\n\r\na game"));
+  EXPECT_TRUE(get("/game?p0001-2").starts_with("HTTP/1.1 404"));
 }
 
 TEST_F(Web, HasNothingElse) {
@@ -129,7 +139,7 @@ TEST_F(Web, APortInUseIsAnErrorThatNamesTheOption) {
   WebOptions options;
   options.address.port = port();
   try {
-    const WebServer second(thread_, options, "", [] { return WebBacklog{}; });
+    const WebServer second(thread_, options, {"", [] { return WebBacklog{}; }});
     FAIL() << "the port is free";
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("--web"), std::string::npos) << error.what();
@@ -139,7 +149,7 @@ TEST_F(Web, APortInUseIsAnErrorThatNamesTheOption) {
 TEST_F(Web, AnAddressOfAnotherComputerIsAnError) {
   WebOptions options;
   options.address.host = "192.0.2.1";
-  EXPECT_THROW(WebServer(thread_, options, "", [] { return WebBacklog{}; }), InputError);
+  EXPECT_THROW(WebServer(thread_, options, {"", [] { return WebBacklog{}; }}), InputError);
 }
 
 struct ImpatientWeb : Web {

@@ -1,0 +1,48 @@
+// Pages of games that a run has started.
+#include "runner/cli/started_games.hpp"
+
+#include <gtest/gtest.h>
+
+#include "runner/game/game.hpp"
+#include "runner/io/checksum.hpp"
+#include "tests/runner/support/has_part.hpp"
+
+namespace autoref::runner {
+namespace {
+
+ScheduledGame short_game(const std::string& id, std::uint64_t seed) {
+  ScheduledGame game;
+  game.id = id;
+  game.configuration.match.half_s = 2;
+  game.configuration.seed = seed;
+  return game;
+}
+
+TEST(StartedGames, HaveAPageOfTheSameGame) {
+  StartedGames games;
+  const ScheduledGame game = short_game("p0001-1", 7);
+  ASSERT_TRUE(games.add(game, 2));
+  const std::optional<std::string> page = games.page("p0001-1");
+  ASSERT_TRUE(page);
+  EXPECT_TRUE(has(*page, hash_text(play(resolved(game)).state_hash)));
+}
+
+TEST(StartedGames, AreForgottenOldestFirst) {
+  StartedGames games;
+  for (const char* id : {"p0001-1", "p0001-2", "p0002-1"}) games.add(short_game(id, 1), 2);
+  EXPECT_FALSE(games.page("p0001-1"));
+  EXPECT_TRUE(games.page("p0001-2"));
+  EXPECT_TRUE(games.page("p0002-1"));
+  EXPECT_FALSE(games.page("p0009-1"));
+}
+
+TEST(StartedGames, OfProgramsHaveNoPage) {
+  StartedGames games;
+  ScheduledGame game = short_game("p0001-1", 1);
+  game.configuration.b.command = {"my_team"};
+  EXPECT_FALSE(games.add(game, 2));
+  EXPECT_FALSE(games.page("p0001-1"));
+}
+
+}  // namespace
+}  // namespace autoref::runner
