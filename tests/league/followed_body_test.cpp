@@ -7,7 +7,7 @@
 namespace autoref::league {
 namespace {
 
-constexpr double kFrame_s = 0.0125;
+constexpr double kTrackedFrame_s = 0.0125;
 
 // A robot that drives along x at 1 m/s; camera 1 sees it 20 mm beside and turned by 0.02 rad.
 Detected seen_by(std::uint32_t camera, double time_s) {
@@ -22,7 +22,7 @@ class RobotBetweenCameras : public testing::Test {
     all.reserve(cameras.size());
     for (const std::uint32_t camera : cameras) all.push_back(seen_by(camera, time_s_));
     Detected used = robot_.take(time_s_, all, all.back());
-    time_s_ += kFrame_s;
+    time_s_ += kTrackedFrame_s;
     return used;
   }
   Detected take(const std::vector<std::uint32_t>& cameras, double duration_s) {

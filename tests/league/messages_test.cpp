@@ -113,7 +113,7 @@ DetectionFrame detection(std::uint32_t camera, double capture_s) {
   return detection;
 }
 
-void add_robot(DetectionFrame& detection, std::uint32_t id, float x, float confidence) {
+void add_detection_of(DetectionFrame& detection, std::uint32_t id, float x, float confidence) {
   DetectionRobot& robot = *detection.add_robots_yellow();
   robot.set_robot_id(id);
   robot.set_x(x);
@@ -122,7 +122,7 @@ void add_robot(DetectionFrame& detection, std::uint32_t id, float x, float confi
   robot.set_confidence(confidence);
 }
 
-VisionPacket packet_of(const DetectionFrame& detection) {
+VisionPacket vision_packet_of(const DetectionFrame& detection) {
   VisionPacket packet;
   *packet.mutable_detection() = detection;
   return packet;
@@ -131,11 +131,11 @@ VisionPacket packet_of(const DetectionFrame& detection) {
 TEST(DetectionMerger, TakesTheMostConfidentDetectionOfARobotSeenTwice) {
   DetectionFrame one = detection(0, 5);
   DetectionFrame other = detection(1, 5.003);
-  add_robot(one, 3, 100, 0.7F);
-  add_robot(other, 3, 200, 0.9F);
+  add_detection_of(one, 3, 100, 0.7F);
+  add_detection_of(other, 3, 200, 0.9F);
   DetectionMerger merger;
-  merger.add(packet_of(one));
-  merger.add(packet_of(other));
+  merger.add(vision_packet_of(one));
+  merger.add(vision_packet_of(other));
   const Frame* frame = merger.finish();
   ASSERT_NE(frame, nullptr);
   ASSERT_EQ(frame->robots[Side::kWest].size(), 1U);
@@ -144,28 +144,28 @@ TEST(DetectionMerger, TakesTheMostConfidentDetectionOfARobotSeenTwice) {
 
 TEST(DetectionMerger, IgnoresDetectionsThatAreNotLeagueRobots) {
   DetectionFrame one = detection(0, 5);
-  add_robot(one, 16, 100, 1);
-  add_robot(one, 2, std::nanf(""), 1);
+  add_detection_of(one, 16, 100, 1);
+  add_detection_of(one, 2, std::nanf(""), 1);
   DetectionMerger merger;
-  merger.add(packet_of(one));
+  merger.add(vision_packet_of(one));
   EXPECT_TRUE(merger.finish()->robots[Side::kWest].empty());
 }
 
 TEST(DetectionMerger, BeginsAFrameWhenACameraRepeatsOrAfterAGap) {
   DetectionMerger merger;
-  EXPECT_EQ(merger.add(packet_of(detection(0, 5))), nullptr);
-  EXPECT_EQ(merger.add(packet_of(detection(1, 5.004))), nullptr);
-  EXPECT_NE(merger.add(packet_of(detection(0, 5.016))), nullptr);
-  EXPECT_NE(merger.add(packet_of(detection(1, 6))), nullptr);
+  EXPECT_EQ(merger.add(vision_packet_of(detection(0, 5))), nullptr);
+  EXPECT_EQ(merger.add(vision_packet_of(detection(1, 5.004))), nullptr);
+  EXPECT_NE(merger.add(vision_packet_of(detection(0, 5.016))), nullptr);
+  EXPECT_NE(merger.add(vision_packet_of(detection(1, 6))), nullptr);
   EXPECT_DOUBLE_EQ(merger.finish()->time_s, 1);
 }
 
 TEST(DetectionMerger, IgnoresLatePackets) {
   DetectionMerger merger;
-  merger.add(packet_of(detection(0, 5)));
-  merger.add(packet_of(detection(0, 6)));
-  EXPECT_EQ(merger.add(packet_of(detection(1, 5))), nullptr);
-  EXPECT_EQ(merger.add(packet_of(detection(1, std::nan("")))), nullptr);
+  merger.add(vision_packet_of(detection(0, 5)));
+  merger.add(vision_packet_of(detection(0, 6)));
+  EXPECT_EQ(merger.add(vision_packet_of(detection(1, 5))), nullptr);
+  EXPECT_EQ(merger.add(vision_packet_of(detection(1, std::nan("")))), nullptr);
   EXPECT_EQ(merger.unusable(), 2);
 }
 

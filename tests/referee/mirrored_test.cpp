@@ -13,7 +13,7 @@
 namespace autoref::referee {
 namespace {
 
-constexpr double kFrame_s = 1.0 / 60;
+constexpr double kMirroredFrame_s = 1.0 / 60;
 
 // A rough game without strategy: robots chase the ball or wander, a robot at the ball kicks it in a
 // random direction, and ball placement follows one of the two referees.
@@ -31,7 +31,7 @@ class RoughGame {
 
   const Frame& next(const RefereeSignal& signal) {
     ++frame_.number;
-    frame_.time_s = static_cast<double>(frame_.number) * kFrame_s;
+    frame_.time_s = static_cast<double>(frame_.number) * kMirroredFrame_s;
     const bool rests = signal.placement && frame_.number % 1800 > 300;
     if (!rests) move_robots();
     move_ball(signal);
@@ -49,7 +49,7 @@ class RoughGame {
         robot.heading = direction_of(robot.heading + direction * 0.2, direction);
         // Slightly different speeds, so that two robots never tie in every respect.
         const double own_mps = side == Side::kWest ? 0 : 0.03;
-        robot.position_m += direction * (1.5 + 0.5 * robot.number / 6 + own_mps) * kFrame_s;
+        robot.position_m += direction * (1.5 + 0.5 * robot.number / 6 + own_mps) * kMirroredFrame_s;
       }
     }
   }
@@ -66,7 +66,7 @@ class RoughGame {
       for (const RobotObservation& robot : frame_.robots[side]) bounce(robot);
     }
     ball_mps_ *= 0.995;
-    ball_m += ball_mps_ * kFrame_s;
+    ball_m += ball_mps_ * kMirroredFrame_s;
     const bool at_wall = std::abs(ball_m.x()) > 3.7 || std::abs(ball_m.y()) > 2.7;
     if (at_wall) ball_mps_ = -ball_mps_;
   }

@@ -204,7 +204,7 @@ TEST(KickersDeadTime, IsTheSameWithLongerSteps) {
 }
 
 // The speed of two robots after colliding at `closing_mps`.
-double parting_mps(double closing_mps, int contact_free_substeps) {
+double predicted_parting_mps(double closing_mps, int contact_free_substeps) {
   RobotSpec weak = quiet_robot();
   weak.body.acceleration_mps2 = 1e-6;
   weak.body.braking_mps2 = 1e-6;
@@ -218,8 +218,9 @@ double parting_mps(double closing_mps, int contact_free_substeps) {
 
 TEST(RobotsThatMeetGently, SeparateTheSameAfterLongerSteps) {
   for (const double closing_mps : {0.1, 0.2, 0.3, 0.4, 0.49}) {
-    EXPECT_NEAR(parting_mps(closing_mps, 2), parting_mps(closing_mps, 4), 1e-3) << closing_mps;
-    EXPECT_NEAR(parting_mps(closing_mps, 4), 0.2 * closing_mps, 1e-3) << closing_mps;
+    EXPECT_NEAR(predicted_parting_mps(closing_mps, 2), predicted_parting_mps(closing_mps, 4), 1e-3)
+        << closing_mps;
+    EXPECT_NEAR(predicted_parting_mps(closing_mps, 4), 0.2 * closing_mps, 1e-3) << closing_mps;
   }
 }
 

@@ -16,7 +16,7 @@ constexpr double kKick_mps = 8.0;
 constexpr double kWatched_s = 0.5;  // after a kick
 
 // A ball aimed at an obstacle, and a robot that may be the obstacle.
-struct Shot {
+struct RandomShot {
   Vec2 from_m{0, 0};
   Vec2 direction{1, 0};
   RobotState robot{.position_m = {0, 0}};
@@ -25,8 +25,8 @@ struct Shot {
 
 // A shot at a random point of a robot's outline: a third of the shots anywhere, a third at the
 // plate, a third at the plate's corners.
-Shot at_robot(RandomStream& random) {
-  Shot shot;
+RandomShot at_robot(RandomStream& random) {
+  RandomShot shot;
   const double corner_rad = std::asin(kHalfPlate_m / kRobotRadius_m);
   const double part = random.uniform() * 3;
   double bearing_rad = between(random, -kPi, kPi);
@@ -44,19 +44,19 @@ Shot at_robot(RandomStream& random) {
 }
 
 // A shot at a moving robot, aimed so that the ball still hits it.
-Shot at_driving_robot(RandomStream& random, double least_mps, double most_mps) {
-  Shot shot = at_robot(random);
+RandomShot at_driving_robot(RandomStream& random, double least_mps, double most_mps) {
+  RandomShot shot = at_robot(random);
   const double path_s = shot.from_m.norm() / kKick_mps;
   shot.robot.velocity_mps = shot.direction * between(random, least_mps, most_mps);
   shot.from_m += shot.robot.velocity_mps * path_s;
   return shot;
 }
 
-Shot at_standing_robot(RandomStream& random) { return at_robot(random); }
-Shot at_coming_robot(RandomStream& random) { return at_driving_robot(random, -3, -0.5); }
-Shot at_leaving_robot(RandomStream& random) { return at_driving_robot(random, 0.5, 3); }
-Shot at_spinning_robot(RandomStream& random) {
-  Shot shot = at_robot(random);
+RandomShot at_standing_robot(RandomStream& random) { return at_robot(random); }
+RandomShot at_coming_robot(RandomStream& random) { return at_driving_robot(random, -3, -0.5); }
+RandomShot at_leaving_robot(RandomStream& random) { return at_driving_robot(random, 0.5, 3); }
+RandomShot at_spinning_robot(RandomStream& random) {
+  RandomShot shot = at_robot(random);
   shot.robot.angular_velocity_radps = between(random, -15, 15);
   return shot;
 }
@@ -64,8 +64,8 @@ Shot at_spinning_robot(RandomStream& random) {
 // A shot from a random position in one box towards a random position in another. Both boxes are in
 // the quarter of the field with positive x and y; the shot is then mirrored to a random quarter.
 // The robot is elsewhere.
-Shot from_box_to_box(RandomStream& random, const Vec2& from_low_m, const Vec2& from_high_m,
-                     const Vec2& to_low_m, const Vec2& to_high_m) {
+RandomShot from_box_to_box(RandomStream& random, const Vec2& from_low_m, const Vec2& from_high_m,
+                           const Vec2& to_low_m, const Vec2& to_high_m) {
   const double turned_x = random.uniform() < 0.5 ? -1 : 1;
   const double turned_y = random.uniform() < 0.5 ? -1 : 1;
   const Vec2 turned(turned_x, turned_y);
@@ -76,7 +76,7 @@ Shot from_box_to_box(RandomStream& random, const Vec2& from_low_m, const Vec2& f
   };
   const Vec2 from_m = position_in(from_low_m, from_high_m);
   const Vec2 to_m = position_in(to_low_m, to_high_m);
-  Shot shot;
+  RandomShot shot;
   shot.from_m = from_m.cwiseProduct(turned);
   shot.direction = (to_m - from_m).cwiseProduct(turned).normalized();
   return shot;
@@ -84,21 +84,21 @@ Shot from_box_to_box(RandomStream& random, const Vec2& from_low_m, const Vec2& f
 
 // The field: lines at x = 3.025 and y = 2.025, walls at 3.7 and 2.7; the goal's side wall from y =
 // 0.35 to 0.37, its back from x = 3.205 to 3.225.
-Shot at_field_walls(RandomStream& random) {
+RandomShot at_field_walls(RandomStream& random) {
   const bool along = random.uniform() < 0.5;
   return along ? from_box_to_box(random, {2, 0.5}, {3.6, 2.6}, {3.7, 0.5}, {3.7, 2.7})
                : from_box_to_box(random, {0.2, 1.5}, {3.6, 2.6}, {0.2, 2.7}, {3.7, 2.7});
 }
-Shot at_posts(RandomStream& random) {
+RandomShot at_posts(RandomStream& random) {
   return from_box_to_box(random, {2.2, 0.2}, {2.9, 1.2}, {3.025, 0.34}, {3.03, 0.38});
 }
-Shot at_goal_sides_from_inside(RandomStream& random) {
+RandomShot at_goal_sides_from_inside(RandomStream& random) {
   return from_box_to_box(random, {3.06, -0.3}, {3.18, 0.3}, {3.05, 0.35}, {3.2, 0.35});
 }
-Shot at_goal_sides_from_outside(RandomStream& random) {
+RandomShot at_goal_sides_from_outside(RandomStream& random) {
   return from_box_to_box(random, {2.8, 0.5}, {3.6, 1.5}, {3.04, 0.37}, {3.22, 0.37});
 }
-Shot at_goal_backs(RandomStream& random) {
+RandomShot at_goal_backs(RandomStream& random) {
   const bool inside = random.uniform() < 0.5;
   return inside ? from_box_to_box(random, {2.5, 0.0}, {3.15, 0.3}, {3.205, 0.0}, {3.205, 0.34})
                 : from_box_to_box(random, {3.3, 0.0}, {3.6, 1.0}, {3.225, 0.0}, {3.225, 0.36});
@@ -108,12 +108,12 @@ struct Target {
   const char* name;
   int kicks;
   double most_kept;  // fraction of the normal speed: 0.55 at a body, 0.3 at a wall, plus a margin
-  Shot (*shoot)(RandomStream& random);
+  RandomShot (*shoot)(RandomStream& random);
 };
 
 class HardShot : public Scene {
  public:
-  HardShot(const Configuration& configuration, const Shot& shot)
+  HardShot(const Configuration& configuration, const RandomShot& shot)
       : Scene(configuration, specs(1, 0)) {
     world.put_robot(kWest0, shot.robot);
     put_ball(shot.from_m, kKick_mps * shot.direction);
@@ -164,7 +164,7 @@ void note_bounces(const HardShot& scene, const BallState& former, const RobotSta
   if (is_hit) note_bounce(bounce_off_walls(scene.field, former, ball), carpet_mps, seen);
 }
 
-Seen watch_substeps(const Shot& shot) {
+Seen watch_substeps(const RandomShot& shot) {
   HardShot scene(every_substep(quiet()), shot);
   Seen seen;
   for (int k = 0; k < std::lround(kWatched_s / kSubstep_s); ++k) {
@@ -185,7 +185,7 @@ Seen watch_substeps(const Shot& shot) {
 
 // Between frames a robot may turn by a quarter of a radian, so its outline is approximated by a
 // disc inside the hull.
-Seen watch_frames(const Shot& shot) {
+Seen watch_frames(const RandomShot& shot) {
   constexpr double kWithin_m = kFrontDistance_m;
   HardShot scene(quiet(), shot);
   Seen seen;

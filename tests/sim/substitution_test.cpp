@@ -9,7 +9,7 @@
 namespace autoref::sim {
 namespace {
 
-constexpr RobotId kWest1{Side::kWest, 1};
+constexpr RobotId kReplaced{Side::kWest, 1};
 
 // A ball rolls along y = 0 towards east's robot; west's robot is out of the way.
 Scene ball_at_a_robot() {
@@ -47,14 +47,14 @@ TEST(ARobotOffTheField, DoesNotStopABallThatLandsThere) {
 
 TEST(ARobotOffTheField, IsMissingFromStateAndFrame) {
   Scene scene(quiet(), specs(3, 1));
-  scene.world.take_off(kWest1);
+  scene.world.take_off(kReplaced);
   scene.frame();
   Frame frame;
   Camera({}, scene.field, 60, 1).look(scene.world.state(), frame);
   ASSERT_EQ(scene.world.state().robots[Side::kWest].size(), 2U);
   ASSERT_EQ(frame.robots[Side::kWest].size(), 2U);
   EXPECT_EQ(frame.robots[Side::kWest][1].number, 2);
-  EXPECT_FALSE(scene.world.is_on(kWest1));
+  EXPECT_FALSE(scene.world.is_on(kReplaced));
 }
 
 TEST(ARobotOffTheField, NeitherDrivesNorKicks) {
@@ -109,10 +109,10 @@ TEST(ARobotOffTheField, DoesNotShiftItsTeammatesRandomNumbers) {
   const auto trajectory_of_second = [](bool first_leaves) {
     Scene scene(quiet(), specs(2, 0, RobotSpec{}), 7);
     scene.put_robot(kWest0, {-2, 1.5});
-    scene.put_robot(kWest1, {-2, -1.5});
+    scene.put_robot(kReplaced, {-2, -1.5});
     scene.put_ball({2, 0});
     if (first_leaves) scene.world.take_off(kWest0);
-    scene.command(kWest0).velocity_mps = scene.command(kWest1).velocity_mps = {1, 0};
+    scene.command(kWest0).velocity_mps = scene.command(kReplaced).velocity_mps = {1, 0};
     scene.frames(60);
     return scene.world.state().robots[Side::kWest].back().position_m;
   };
@@ -131,12 +131,13 @@ std::vector<Vec2> trajectories_with_changes() {
         command.kick_mps = 2;
       }
     }
-    if (f == 100) scene.world.take_off(kWest1);
-    if (f == 300 && scene.world.is_free({-1, 2.2})) scene.world.put_on(kWest1, {-1, 2.2}, {1, 0});
+    if (f == 100) scene.world.take_off(kReplaced);
+    if (f == 300 && scene.world.is_free({-1, 2.2}))
+      scene.world.put_on(kReplaced, {-1, 2.2}, {1, 0});
     scene.frame();
     trajectory_m.push_back(scene.ball().position_m);
   }
-  EXPECT_TRUE(scene.world.is_on(kWest1));
+  EXPECT_TRUE(scene.world.is_on(kReplaced));
   return trajectory_m;
 }
 

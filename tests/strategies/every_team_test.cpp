@@ -9,8 +9,6 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kBallGap_m = 0.5 + kRobotRadius_m;  // Laws: 500 mm from hull to ball
-
 // Requirements for every team that follows the rules, whatever its style.
 class EveryTeam : public testing::TestWithParam<std::string_view> {
  protected:

@@ -13,6 +13,8 @@
 
 namespace autoref::strategies {
 
+inline constexpr double kBallGap_m = 0.5 + kRobotRadius_m;  // Laws: 500 mm from hull to ball
+
 inline constexpr double kStagedFrame_s = 1.0 / 60;
 inline constexpr double kHeldBall_m = kFrontDistance_m + kBallRadius_m;  // from robot to ball
 

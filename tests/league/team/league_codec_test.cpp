@@ -14,7 +14,7 @@ namespace {
 using Result = OutputDecoder::Result;
 
 template <typename Message>
-Message parsed(const std::string& bytes) {
+Message parsed_league(const std::string& bytes) {
   Message message;
   EXPECT_TRUE(message.ParseFromString(bytes));
   return message;
@@ -27,7 +27,7 @@ class LeagueEncoding : public testing::Test {
     std::string bytes;
     codec->append(message, bytes);
     const std::size_t length_bytes = static_cast<unsigned char>(bytes[0]) < 0x80 ? 1 : 2;
-    return parsed<team::LeagueInput>(bytes.substr(length_bytes));
+    return parsed_league<team::LeagueInput>(bytes.substr(length_bytes));
   }
 
   team::LeagueInput start(Side side) {
@@ -41,7 +41,7 @@ class LeagueEncoding : public testing::Test {
   // The last packet's detection; those before it have the geometry.
   DetectionFrame detected(const TeamFrame& frame) {
     const team::LeagueInput input = sent(frame);
-    return parsed<VisionPacket>(input.vision(input.vision_size() - 1)).detection();
+    return parsed_league<VisionPacket>(input.vision(input.vision_size() - 1)).detection();
   }
 
   Result read(const simulation::RobotControl& control) {
@@ -75,10 +75,10 @@ TEST_F(LeagueEncoding, StartsWithColourGeometryAndAHaltedReferee) {
   EXPECT_FALSE(input.is_yellow());
   EXPECT_FALSE(input.has_frame());
   ASSERT_EQ(input.vision_size(), 1);
-  const auto packet = parsed<VisionPacket>(input.vision(0));
+  const auto packet = parsed_league<VisionPacket>(input.vision(0));
   EXPECT_EQ(packet.geometry().field().field_length(), 12000);
   EXPECT_EQ(packet.geometry().calib_size(), 1);
-  EXPECT_EQ(parsed<RefereePacket>(input.referee()).command(), 0);
+  EXPECT_EQ(parsed_league<RefereePacket>(input.referee()).command(), 0);
 }
 
 TEST_F(LeagueEncoding, ShowsYellowTheFieldAsItIs) {
@@ -105,7 +105,7 @@ TEST_F(LeagueEncoding, RotatesBluesViewBackIntoTheField) {
 
 TEST_F(LeagueEncoding, RotatesThePlacementAndNamesScoresByColour) {
   start(Side::kEast);
-  const auto referee = parsed<RefereePacket>(sent(tracked_frame()).referee());
+  const auto referee = parsed_league<RefereePacket>(sent(tracked_frame()).referee());
   EXPECT_FLOAT_EQ(referee.designated_position().x(), -1000);
   EXPECT_FLOAT_EQ(referee.designated_position().y(), -2000);
   EXPECT_EQ(referee.blue().score(), 3U);
@@ -134,12 +134,12 @@ TEST_F(LeagueEncoding, NumbersTheCamerasThatSeeTheBall) {
   frame.view.time_s = 2;
   const team::LeagueInput input = sent(frame);
   ASSERT_EQ(input.vision_size(), 3);
-  const Geometry geometry = parsed<VisionPacket>(input.vision(0)).geometry();
+  const Geometry geometry = parsed_league<VisionPacket>(input.vision(0)).geometry();
   ASSERT_EQ(geometry.calib_size(), 2);
   EXPECT_FLOAT_EQ(geometry.calib(0).derived_camera_world_tx(), -1000);
   EXPECT_FLOAT_EQ(geometry.calib(1).derived_camera_world_tx(), 2000);
-  EXPECT_EQ(parsed<VisionPacket>(input.vision(1)).detection().balls_size(), 0);
-  EXPECT_EQ(parsed<VisionPacket>(input.vision(2)).detection().balls_size(), 1);
+  EXPECT_EQ(parsed_league<VisionPacket>(input.vision(1)).detection().balls_size(), 0);
+  EXPECT_EQ(parsed_league<VisionPacket>(input.vision(2)).detection().balls_size(), 1);
 }
 
 TEST_F(LeagueEncoding, RepeatsTheGeometryOncePerSecond) {
@@ -157,7 +157,7 @@ TEST_F(LeagueEncoding, ReportsTheBallInTheDribblerZone) {
   start(Side::kWest);
   TeamFrame frame = tracked_frame();
   frame.ball_in_dribbler_zone.set(1);
-  const auto feedback = parsed<simulation::RobotControlResponse>(sent(frame).feedback());
+  const auto feedback = parsed_league<simulation::RobotControlResponse>(sent(frame).feedback());
   ASSERT_EQ(feedback.feedback_size(), 2);
   EXPECT_FALSE(feedback.feedback(0).dribbler_ball_contact());
   EXPECT_EQ(feedback.feedback(1).id(), 1U);

@@ -7,14 +7,16 @@
 namespace autoref::referee {
 namespace {
 
-Configuration by_book(std::string_view book) {
+Configuration with_cards(std::string_view book) {
   Configuration configuration;
   configuration.rules = *find_rule_book(book);
   configuration.robots = {{6, 6}};
   return configuration;
 }
 
-StagedMachine in_2026(State state = State::kRun) { return StagedMachine(by_book("2026-b"), state); }
+StagedMachine in_2026(State state = State::kRun) {
+  return StagedMachine(with_cards("2026-b"), state);
+}
 
 // "Every third foul of the same team results in a yellow card" (2026).
 TEST(TransitionMultipleFouls, IsTakenAtTheThirdFoulWithoutStoppingPlay) {
@@ -138,14 +140,14 @@ Finding carded_foul(Card card) {
 }
 
 TEST(Cards, ShownByARuleRemoveARobot) {
-  StagedMachine game(by_book("2014"));
+  StagedMachine game(with_cards("2014"));
   game.put(carded_foul(Card::kYellow));
   EXPECT_EQ(game.state.signal.robots_allowed, (PerSide<int>{{5, 6}}));
   EXPECT_EQ(game.state.signal.yellow_cards, (PerSide<int>{{1, 0}}));
 }
 
 TEST(Cards, AreNotShownIfTheirRuleIsSwitchedOff) {
-  Configuration configuration = by_book("2014");
+  Configuration configuration = with_cards("2014");
   configuration.rules.in_force[RuleId::kCards] = false;
   StagedMachine game(configuration);
   game.put(carded_foul(Card::kRed));
@@ -154,7 +156,7 @@ TEST(Cards, AreNotShownIfTheirRuleIsSwitchedOff) {
 }
 
 TEST(Cards, LeaveATeamItsLastRobot) {
-  Configuration configuration = by_book("2026-b");
+  Configuration configuration = with_cards("2026-b");
   configuration.robots = {{2, 2}};
   StagedMachine game(configuration);
   game.fouls_for_cards(Side::kWest, 5);

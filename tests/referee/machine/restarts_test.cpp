@@ -5,7 +5,7 @@
 namespace autoref::referee {
 namespace {
 
-const Field kField;  // goal lines at x = 3.025 m, touch lines at y = 2.025 m
+const Field kPaperField;  // goal lines at x = 3.025 m, touch lines at y = 2.025 m
 const RuleBook kRules;
 
 void expect_at(const Vec2& position_m, const Vec2& expected_m) {
@@ -14,56 +14,57 @@ void expect_at(const Vec2& position_m, const Vec2& expected_m) {
 }
 
 TEST(ThrowIn, IsTaken100MillimetresInsideTheTouchLine) {
-  expect_at(throw_in_position(kField, kRules, {1.2, 2.0465}), {1.2, 1.925});
-  expect_at(throw_in_position(kField, kRules, {-1.2, -2.0465}), {-1.2, -1.925});
+  expect_at(throw_in_position(kPaperField, kRules, {1.2, 2.0465}), {1.2, 1.925});
+  expect_at(throw_in_position(kPaperField, kRules, {-1.2, -2.0465}), {-1.2, -1.925});
 }
 
 TEST(ThrowIn, NearACornerStays100MillimetresOffTheGoalLine) {
-  expect_at(throw_in_position(kField, kRules, {3.04, 2.0465}), {2.925, 1.925});
+  expect_at(throw_in_position(kPaperField, kRules, {3.04, 2.0465}), {2.925, 1.925});
 }
 
 TEST(CornerKick, IsTaken100MillimetresFromBothLines) {
-  expect_at(corner_kick_position(kField, kRules, Side::kWest, {3.0465, 0.9}), {2.925, 1.925});
-  expect_at(corner_kick_position(kField, kRules, Side::kEast, {-3.0465, -0.9}), {-2.925, -1.925});
+  expect_at(corner_kick_position(kPaperField, kRules, Side::kWest, {3.0465, 0.9}), {2.925, 1.925});
+  expect_at(corner_kick_position(kPaperField, kRules, Side::kEast, {-3.0465, -0.9}),
+            {-2.925, -1.925});
 }
 
 TEST(GoalKick, IsTaken500MillimetresFromTheGoalLineAnd100FromTheTouchLine) {
-  expect_at(goal_kick_position(kField, kRules, Side::kEast, {3.0465, -0.9}), {2.525, -1.925});
+  expect_at(goal_kick_position(kPaperField, kRules, Side::kEast, {3.0465, -0.9}), {2.525, -1.925});
 }
 
 TEST(GoalKick, FromTheExactMiddleTurnsWithTheField) {
-  const Vec2 east = goal_kick_position(kField, kRules, Side::kEast, {3.0465, 0});
-  const Vec2 west = goal_kick_position(kField, kRules, Side::kWest, {-3.0465, 0});
+  const Vec2 east = goal_kick_position(kPaperField, kRules, Side::kEast, {3.0465, 0});
+  const Vec2 west = goal_kick_position(kPaperField, kRules, Side::kWest, {-3.0465, 0});
   expect_at(west, -east);
 }
 
 TEST(FreeKick, IsTakenWhereItHappened) {
-  expect_at(free_kick_position(kField, kRules, Side::kWest, {0.4, -0.3}), {0.4, -0.3});
-  expect_at(free_kick_position(kField, kRules, Side::kWest, {0.4, -2.5}), {0.4, -1.925});
+  expect_at(free_kick_position(kPaperField, kRules, Side::kWest, {0.4, -0.3}), {0.4, -0.3});
+  expect_at(free_kick_position(kPaperField, kRules, Side::kWest, {0.4, -2.5}), {0.4, -1.925});
 }
 
 TEST(FreeKick, OutOfTheOwnAreaIs600MillimetresFromTheGoalLine) {
-  expect_at(free_kick_position(kField, kRules, Side::kWest, {-2.8, 0.3}), {-2.425, 1.925});
+  expect_at(free_kick_position(kPaperField, kRules, Side::kWest, {-2.8, 0.3}), {-2.425, 1.925});
 }
 
 TEST(FreeKick, NearTheOpponentsAreaIsMovedTo700MillimetresFromIt) {
-  const Vec2 position_m = free_kick_position(kField, kRules, Side::kWest, {2.0, 0.6});
-  EXPECT_NEAR(distance_to_defence_area(kField, Side::kEast, position_m), 0.7, 1e-12);
+  const Vec2 position_m = free_kick_position(kPaperField, kRules, Side::kWest, {2.0, 0.6});
+  EXPECT_NEAR(distance_to_defence_area(kPaperField, Side::kEast, position_m), 0.7, 1e-12);
   EXPECT_EQ(position_m.y(), 0.6);
 }
 
 TEST(NeutralPosition, Is700MillimetresFromBothAreas) {
   for (const Vec2& stuck_m : {Vec2(2.9, 0.1), Vec2(-2.0, -0.8), Vec2(3.0, 2.0)}) {
-    const Vec2 position_m = neutral_position(kField, kRules, stuck_m);
+    const Vec2 position_m = neutral_position(kPaperField, kRules, stuck_m);
     for (Side side : kSides) {
-      EXPECT_GE(distance_to_defence_area(kField, side, position_m), 0.7 - 1e-12);
+      EXPECT_GE(distance_to_defence_area(kPaperField, side, position_m), 0.7 - 1e-12);
     }
-    EXPECT_TRUE(is_on_field(kField, position_m));
+    EXPECT_TRUE(is_on_field(kPaperField, position_m));
   }
 }
 
 TEST(NeutralPosition, IsTheBallsPositionIfThatIsNeutral) {
-  expect_at(neutral_position(kField, kRules, {0.3, -1.0}), {0.3, -1.0});
+  expect_at(neutral_position(kPaperField, kRules, {0.3, -1.0}), {0.3, -1.0});
 }
 
 TEST(NeutralPosition, KeepsClearOfBoxAreas) {

@@ -6,7 +6,7 @@
 namespace autoref::referee {
 namespace {
 
-Configuration by_book(std::string_view book) {
+Configuration with_timeouts(std::string_view book) {
   Configuration configuration;
   configuration.rules = *find_rule_book(book);
   // Position rules are off, because the scripted robots do not follow them.
@@ -17,7 +17,7 @@ Configuration by_book(std::string_view book) {
 }
 
 // A throw-in for east has just been awarded.
-ScriptedGame stopped(const Configuration& configuration = by_book("2014")) {
+ScriptedGame stopped_for_throw_in(const Configuration& configuration = with_timeouts("2014")) {
   ScriptedGame game = in_play(configuration);
   game.kick_from(Side::kWest, 1, {1, 1.8}, {0, 4});
   game.run_until("throw_in");
@@ -25,7 +25,7 @@ ScriptedGame stopped(const Configuration& configuration = by_book("2014")) {
 }
 
 TEST(TransitionTimeout, IsTakenOnRequestWhilePlayIsStopped) {
-  ScriptedGame game = stopped();
+  ScriptedGame game = stopped_for_throw_in();
   game.requests[Side::kWest].timeout = true;
   const Decision timeout = game.run_until("timeout", 0.1);
   EXPECT_EQ(timeout.from, State::kWaitStop);
@@ -34,7 +34,7 @@ TEST(TransitionTimeout, IsTakenOnRequestWhilePlayIsStopped) {
 }
 
 TEST(TransitionTimeout, WaitsForAStop) {
-  ScriptedGame game = in_play(by_book("2014"));
+  ScriptedGame game = in_play(with_timeouts("2014"));
   game.requests[Side::kWest].timeout = true;
   game.run(5);
   EXPECT_EQ(game.referee.state(), State::kRun);
@@ -42,14 +42,14 @@ TEST(TransitionTimeout, WaitsForAStop) {
 
 // "At the beginning of the match": the match has not begun before the first kick-off.
 TEST(TransitionTimeout, IsNotTakenBeforeTheFirstKickOff) {
-  ScriptedGame game(by_book("2014"));
+  ScriptedGame game(with_timeouts("2014"));
   game.requests[Side::kEast].timeout = true;
   game.line_up().kick_off();
   EXPECT_EQ(game.count("timeout"), 0);
 }
 
 TEST(TransitionTimeout, IsGrantedFirstToTheSideThatTakesTheRestart) {
-  ScriptedGame game = stopped();
+  ScriptedGame game = stopped_for_throw_in();
   for (const Side side : kSides) game.requests[side].timeout = true;
   const Decision first = game.run_until("timeout", 0.1);
   EXPECT_EQ(first.command, (Command{CommandKind::kTimeout, Side::kEast}));
@@ -60,7 +60,7 @@ TEST(TransitionTimeout, IsGrantedFirstToTheSideThatTakesTheRestart) {
 
 // After 10 s without a kick there is a force start, which belongs to neither side.
 ScriptedGame before_force_start() {
-  Configuration configuration = by_book("2014");
+  Configuration configuration = with_timeouts("2014");
   configuration.rules.in_force[RuleId::kRestartNotTaken] = true;
   ScriptedGame game(configuration);
   game.line_up().kick_off();
@@ -85,7 +85,7 @@ TEST(TransitionTimeout, BeforeAForceStartIsGrantedFirstToTheSideThatDidNotKickOf
 }
 
 TEST(TransitionTimeout, IsTakenFourTimesByATeam) {
-  ScriptedGame game = stopped();
+  ScriptedGame game = stopped_for_throw_in();
   for (int i = 0; i < 6; ++i) {
     game.requests[Side::kWest].timeout = true;
     game.run(0.1);
@@ -99,7 +99,7 @@ TEST(TransitionTimeout, IsTakenFourTimesByATeam) {
 TEST(TransitionTimeout, LastsAsLongAsTheBookAllows) {
   for (const auto& [book, longest_s] :
        {std::pair("2014", 300.0), std::pair("2014-double", 450.0), std::pair("2026-b", 300.0)}) {
-    ScriptedGame game = stopped(by_book(book));
+    ScriptedGame game = stopped_for_throw_in(with_timeouts(book));
     game.requests[Side::kWest].timeout = true;
     const double began_s = game.run_until("timeout").time_s;
     EXPECT_NEAR(game.run_until("timeout_over", 500).time_s, began_s + longest_s, 1e-6) << book;
@@ -109,7 +109,7 @@ TEST(TransitionTimeout, LastsAsLongAsTheBookAllows) {
 }
 
 TEST(TransitionTimeoutOver, ContinuesWithTheSameRestart) {
-  ScriptedGame game = stopped();
+  ScriptedGame game = stopped_for_throw_in();
   const Vec2 position_m = game.signal.placement->target_m;
   game.requests[Side::kWest].timeout = true;
   game.run(20);
@@ -125,7 +125,7 @@ TEST(TransitionTimeoutOver, ContinuesWithTheSameRestart) {
 }
 
 TEST(TransitionTimeoutOver, PreparesAKickOffAgain) {
-  ScriptedGame game = in_play(by_book("2014"));
+  ScriptedGame game = in_play(with_timeouts("2014"));
   game.kick_from(Side::kWest, 1, {2.5, 0}, {6, 0});
   game.run_until("prepare");
   game.requests[Side::kEast].timeout = true;
@@ -138,7 +138,7 @@ TEST(TransitionTimeoutOver, PreparesAKickOffAgain) {
 }
 
 TEST(TransitionTimeoutOver, ContinuesTheClock) {
-  ScriptedGame game = stopped();
+  ScriptedGame game = stopped_for_throw_in();
   game.requests[Side::kWest].timeout = true;
   game.run_until("timeout", 0.1);
   const double left_s = game.signal.stage_time_left_s;

@@ -7,7 +7,7 @@
 namespace autoref::referee {
 namespace {
 
-constexpr RobotId kWest2{Side::kWest, 2};
+constexpr RobotId kAttacker{Side::kWest, 2};
 // Division B: goal lines at 4.5 m, areas 1 m deep.
 constexpr double kAreaEdge_m = 4.5 - 1.0;
 
@@ -35,7 +35,7 @@ TEST(AttackerStaysNearArea, IsCalledAt190MillimetresAfterTwoSeconds) {
   EXPECT_EQ(foul.to, State::kWaitStop);
   EXPECT_NEAR(foul.time_s - since_s, 2, 0.05);
   EXPECT_NEAR(foul.finding.value, 0.19, 1e-9);
-  EXPECT_TRUE(is_foul_of(foul, kWest2));
+  EXPECT_TRUE(is_foul_of(foul, kAttacker));
 }
 
 TEST(AttackerStaysNearArea, IsNotCalledAt210Millimetres) {

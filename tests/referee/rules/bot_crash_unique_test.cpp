@@ -7,9 +7,6 @@
 namespace autoref::referee {
 namespace {
 
-constexpr RobotId kWest{Side::kWest, 0};
-constexpr RobotId kEast{Side::kEast, 0};
-
 // West 0 runs into east 0 along x, at the given speeds, starting 0.3 m before they meet. Both stop
 // where they met.
 struct Approach {
@@ -26,11 +23,11 @@ DrivenGame crash(const char* book, const Approach& run, double start = 0.0) {
   DrivenGame game(configuration);
   const double duration_s = 0.5 + start / ScriptedGame::kRate_hz;
   const Vec2 apart_m(kRobotRadius_m, run.lateral_m / 2);
-  game.put(kWest, run.met_m - apart_m - Vec2(duration_s * run.west_mps, 0), {run.west_mps, 0});
-  game.put(kEast, run.met_m + apart_m + Vec2(duration_s * run.east_mps, 0), {-run.east_mps, 0});
+  game.put(kWest0, run.met_m - apart_m - Vec2(duration_s * run.west_mps, 0), {run.west_mps, 0});
+  game.put(kEast0, run.met_m + apart_m + Vec2(duration_s * run.east_mps, 0), {-run.east_mps, 0});
   game.run(0.5, run.noise_m);
-  game.drive(kWest, {0, 0});
-  game.drive(kEast, {0, 0});
+  game.drive(kWest0, {0, 0});
+  game.drive(kEast0, {0, 0});
   game.run(0.5, run.noise_m);
   return game;
 }
@@ -40,8 +37,8 @@ TEST(Crash, IsTheFasterRobotsFaultAboveOnePointFiveMetresPerSecond) {
   ASSERT_EQ(game.calls(Event::kBotCrashUnique).size(), 1U);
   const Decision call = game.calls(Event::kBotCrashUnique).front();
   EXPECT_EQ(call.finding.offender, Side::kWest);
-  EXPECT_EQ(call.finding.robots.front(), kWest);
-  EXPECT_EQ(call.finding.robots.back(), kEast);
+  EXPECT_EQ(call.finding.robots.front(), kWest0);
+  EXPECT_EQ(call.finding.robots.back(), kEast0);
   EXPECT_NEAR(call.finding.value, 1.55, 0.02);
   EXPECT_EQ(call.restart(), (Command{CommandKind::kDirectFree, Side::kEast}));
   EXPECT_LE((*call.finding.position_m - Vec2(-0.4, -0.8)).norm(), 0.02);
@@ -69,13 +66,13 @@ TEST(Crash, UsesABrakingRobotsSpeedAtTheCollision) {
     constexpr int kFrames = 20;
     constexpr double kSlower_mps = 3 * kFrame_s;  // in each frame
     const double path_m = kFrame_s * kFrames * (last_mps + kSlower_mps * (kFrames - 1) / 2);
-    game.put(kEast, {-0.4, -0.8}, {0, 0});
-    game.put(kWest, {-0.4 - 2 * kRobotRadius_m - path_m + 0.01, -0.8}, {0, 0});
+    game.put(kEast0, {-0.4, -0.8}, {0, 0});
+    game.put(kWest0, {-0.4 - 2 * kRobotRadius_m - path_m + 0.01, -0.8}, {0, 0});
     for (int i = kFrames - 1; i >= 0; --i) {
-      game.drive(kWest, {last_mps + i * kSlower_mps, 0});
+      game.drive(kWest0, {last_mps + i * kSlower_mps, 0});
       game.run(kFrame_s);
     }
-    game.drive(kWest, {0, 0});
+    game.drive(kWest0, {0, 0});
     game.run(0.2);
     EXPECT_EQ(game.calls(Event::kBotCrashUnique).size(), last_mps > 1.5 ? 1U : 0U) << last_mps;
   }
@@ -125,8 +122,8 @@ TEST(Crash, DoesNotStopPlayIn2026) {
 
 TEST(Crash, InsideTheOffendersOwnAreaIsAPenaltyKickByTheLaws) {
   DrivenGame game(by_book("2014"));
-  game.put(kEast, {2.6, 0.1}, {-2.0, 0});
-  game.put(kWest, {2.26, 0.1}, {0, 0});
+  game.put(kEast0, {2.6, 0.1}, {-2.0, 0});
+  game.put(kWest0, {2.26, 0.1}, {0, 0});
   game.run(0.3);
   ASSERT_EQ(game.calls(Event::kBotCrashUnique).size(), 1U);
   const Decision call = game.calls(Event::kBotCrashUnique).front();
@@ -136,13 +133,13 @@ TEST(Crash, InsideTheOffendersOwnAreaIsAPenaltyKickByTheLaws) {
 
 TEST(Crash, IsCalledOnceWhileRobotsBounceOffEachOther) {
   DrivenGame game(by_book("2026-b"));
-  game.put(kWest, {-0.6, -0.8}, {2.0, 0});
-  game.put(kEast, {0.0, -0.8}, {0, 0});
+  game.put(kWest0, {-0.6, -0.8}, {2.0, 0});
+  game.put(kEast0, {0.0, -0.8}, {0, 0});
   for (int i = 0; i < 4; ++i) {
     game.run(0.21);
-    game.drive(kWest, {-0.6, 0});
+    game.drive(kWest0, {-0.6, 0});
     game.run(0.06);
-    game.drive(kWest, {2.0, 0});
+    game.drive(kWest0, {2.0, 0});
     game.run(0.02);
   }
   EXPECT_EQ(game.calls(Event::kBotCrashUnique).size(), 1U);
@@ -164,8 +161,8 @@ TEST(Crash, IsNotAFoulInThePaper) {
 
 TEST(Crash, IsNotCalledIfBothSidesCauseOneAtOnce) {
   DrivenGame game(by_book("2014"));
-  game.put(kWest, {-0.6, -0.8}, {2.0, 0});
-  game.put(kEast, {0.0, -0.8}, {0, 0});
+  game.put(kWest0, {-0.6, -0.8}, {2.0, 0});
+  game.put(kEast0, {0.0, -0.8}, {0, 0});
   game.put({Side::kEast, 1}, {0.6, 0.8}, {-2.0, 0});
   game.put({Side::kWest, 1}, {0.0, 0.8}, {0, 0});
   game.run(0.5);

@@ -6,8 +6,6 @@
 namespace autoref::referee {
 namespace {
 
-constexpr RobotId kEast{Side::kEast, 0};
-
 // East 0 drives to the ball and dribbles it for `path_m` to the west, either continuously or losing
 // contact halfway, with the ball 30 mm ahead.
 DrivenGame dribble(const char* book, double path_m, double noise_m = 0, bool loses_it = false) {
@@ -15,16 +13,16 @@ DrivenGame dribble(const char* book, double path_m, double noise_m = 0, bool los
   configuration.noise.robot_m = configuration.noise.ball_m = noise_m;
   DrivenGame game(configuration);
   game.game.put_ball({0.6, -0.8});
-  game.put(kEast, {0.6 + 0.0965 + 0.3, -0.8}, {-1, 0}, {-1, 0});
+  game.put(kEast0, {0.6 + 0.0965 + 0.3, -0.8}, {-1, 0}, {-1, 0});
   game.run(0.3, noise_m);
-  game.carry(kEast);
+  game.carry(kEast0);
   game.run(path_m / 2, noise_m);
-  if (loses_it) game.carry(kEast, 0.03);
+  if (loses_it) game.carry(kEast0, 0.03);
   game.run(0.1, noise_m);
-  game.carry(kEast);
+  game.carry(kEast0);
   game.run(path_m / 2 - 0.1, noise_m);
   game.carry(std::nullopt);
-  game.drive(kEast, {1, 0});
+  game.drive(kEast0, {1, 0});
   game.run(0.5, noise_m);
   return game;
 }
@@ -34,7 +32,7 @@ TEST(Dribbling, IsCalledOverFiveHundredMillimetresByTheLaws) {
   ASSERT_EQ(game.calls(Event::kBotDribbledBallTooFar).size(), 1U);
   const Decision call = game.calls(Event::kBotDribbledBallTooFar).front();
   EXPECT_EQ(call.finding.offender, Side::kEast);
-  EXPECT_EQ(call.finding.robots.front(), kEast);
+  EXPECT_EQ(call.finding.robots.front(), kEast0);
   EXPECT_EQ(call.restart(), (Command{CommandKind::kIndirectFree, Side::kWest}));
   EXPECT_GT(call.finding.value, 0.5);
   EXPECT_LE((*call.finding.details.dribble_from_m - Vec2(0.6, -0.8)).norm(), 0.03);
@@ -70,8 +68,8 @@ TEST(Dribbling, IsNotAFoulInThePaper) {
 
 TEST(Dribbling, IsNotCalledForABallThatFliesOverARobot) {
   DrivenGame game(by_book("2014"));
-  game.put(kEast, {0.6, -0.8}, {-1, 0}, {-1, 0});
-  game.carry(kEast);
+  game.put(kEast0, {0.6, -0.8}, {-1, 0}, {-1, 0});
+  game.carry(kEast0);
   game.game.frame.ball->height_m = 0.2;
   game.run(0.8);
   EXPECT_TRUE(game.calls(Event::kBotDribbledBallTooFar).empty());

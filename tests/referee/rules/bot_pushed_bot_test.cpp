@@ -7,22 +7,19 @@
 namespace autoref::referee {
 namespace {
 
-constexpr RobotId kWest{Side::kWest, 0};
-constexpr RobotId kEast{Side::kEast, 0};
-
 // West 0 drives away at `own_mps` until east 0 reaches it at 0.5 m/s. Both then drive on for
 // `path_m` in contact, and east 0 backs off.
 DrivenGame push(const char* book, double path_m, double own_mps = 0, double noise_m = 0) {
   Configuration configuration = by_book(book);
   configuration.noise.robot_m = noise_m;
   DrivenGame game(configuration);
-  game.put(kWest, {0.3 + 0.3 * own_mps, -0.8}, {-own_mps, 0});
-  game.put(kEast, {0.3 + 0.18 + 0.3 * 0.5, -0.8}, {-0.5, 0});
+  game.put(kWest0, {0.3 + 0.3 * own_mps, -0.8}, {-own_mps, 0});
+  game.put(kEast0, {0.3 + 0.18 + 0.3 * 0.5, -0.8}, {-0.5, 0});
   game.run(0.3, noise_m);
-  game.drive(kWest, {-0.5, 0});
+  game.drive(kWest0, {-0.5, 0});
   game.run(path_m / 0.5, noise_m);
-  game.drive(kWest, {0, 0});
-  game.drive(kEast, {0.5, 0});
+  game.drive(kWest0, {0, 0});
+  game.drive(kEast0, {0.5, 0});
   game.run(1, noise_m);
   return game;
 }
@@ -32,8 +29,8 @@ TEST(Pushing, IsCalledForPushingAnOpponentMoreThanTwoHundredMillimetres) {
   ASSERT_EQ(game.calls(Event::kBotPushedBot).size(), 1U);
   const Decision call = game.calls(Event::kBotPushedBot).front();
   EXPECT_EQ(call.finding.offender, Side::kEast);
-  EXPECT_EQ(call.finding.robots.front(), kEast);
-  EXPECT_EQ(call.finding.robots.back(), kWest);
+  EXPECT_EQ(call.finding.robots.front(), kEast0);
+  EXPECT_EQ(call.finding.robots.back(), kWest0);
   EXPECT_EQ(call.restart(), (Command{CommandKind::kDirectFree, Side::kWest}));
   EXPECT_GT(call.finding.value, 0.2);
   EXPECT_LT(call.finding.value, 0.21);
@@ -49,19 +46,19 @@ TEST(Pushing, IsNotCalledIfTheOpponentDrivesAwayItself) {
 
 TEST(Pushing, EndsWhenTheRobotsSeparate) {
   DrivenGame game(by_book("2014"));
-  game.put(kWest, {0.3, -0.8}, {0, 0});
-  game.put(kEast, {0.3 + 0.181, -0.8}, {0, 0});
+  game.put(kWest0, {0.3, -0.8}, {0, 0});
+  game.put(kEast0, {0.3 + 0.181, -0.8}, {0, 0});
   for (int i = 0; i < 3; ++i) {
     game.run(0.1);
-    game.drive(kWest, {-0.5, 0});
-    game.drive(kEast, {-0.5, 0});
+    game.drive(kWest0, {-0.5, 0});
+    game.drive(kEast0, {-0.5, 0});
     game.run(0.3);
-    game.drive(kWest, {0, 0});
-    game.drive(kEast, {0.3, 0});
+    game.drive(kWest0, {0, 0});
+    game.drive(kEast0, {0.3, 0});
     game.run(0.1);
-    game.drive(kEast, {-0.3, 0});
+    game.drive(kEast0, {-0.3, 0});
     game.run(0.1);
-    game.drive(kEast, {0, 0});
+    game.drive(kEast0, {0, 0});
   }
   EXPECT_TRUE(game.calls(Event::kBotPushedBot).empty());
 }
@@ -73,11 +70,11 @@ TEST(Pushing, IsTheSameUnderNoise) {
 
 TEST(Pushing, InsideTheOffendersOwnAreaIsAPenaltyKickByTheLaws) {
   DrivenGame game(by_book("2014"));
-  game.put(kWest, {2.5, 0.3}, {0, 0});
-  game.put(kEast, {2.5 + 0.18, 0.3}, {0, 0});
+  game.put(kWest0, {2.5, 0.3}, {0, 0});
+  game.put(kEast0, {2.5 + 0.18, 0.3}, {0, 0});
   game.run(0.2);
-  game.drive(kWest, {-0.5, 0});
-  game.drive(kEast, {-0.5, 0});
+  game.drive(kWest0, {-0.5, 0});
+  game.drive(kEast0, {-0.5, 0});
   game.run(0.5);
   ASSERT_EQ(game.calls(Event::kBotPushedBot).size(), 1U);
   EXPECT_EQ(game.calls(Event::kBotPushedBot).front().restart(),

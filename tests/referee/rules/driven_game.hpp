@@ -2,20 +2,15 @@
 #pragma once
 
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "soccer/random.hpp"
-#include "tests/referee/support/scripted_game.hpp"
+#include "tests/referee/support/booked_game.hpp"
 
 namespace autoref::referee {
 
-inline Configuration by_book(std::string_view book) {
-  Configuration configuration;
-  configuration.rules = *find_rule_book(book);
-  configuration.field = find_game_setup(book)->field;
-  return configuration;
-}
+inline constexpr RobotId kWest0{Side::kWest, 0};
+inline constexpr RobotId kEast0{Side::kEast, 0};
 
 // Moves robots at constant velocity and passes frames to the referee, with or without noise.
 class DrivenGame {

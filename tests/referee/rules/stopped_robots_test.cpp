@@ -7,9 +7,6 @@
 namespace autoref::referee {
 namespace {
 
-constexpr RobotId kWest{Side::kWest, 0};
-constexpr RobotId kEast{Side::kEast, 0};
-
 // Play is stopped: the ball went out over the touch line at (`x_m`, below the field) after an
 // unknown touch. West 5 and east 5 keep driving so that the wait does not end.
 DrivenGame stopped(const Configuration& configuration, double noise_m = 0) {
@@ -29,11 +26,11 @@ DrivenGame stopped(const Configuration& configuration, double noise_m = 0) {
 DrivenGame fast(const char* book, double speed_mps, double seconds = 1, double noise_m = 0,
                 double wait_s = 2.5) {
   DrivenGame game = stopped(by_book(book), noise_m);
-  game.put(kWest, {-0.8, -1.0}, {0, 0});
+  game.put(kWest0, {-0.8, -1.0}, {0, 0});
   game.run(wait_s, noise_m);
-  game.drive(kWest, {speed_mps, 0});
+  game.drive(kWest0, {speed_mps, 0});
   game.run(seconds, noise_m);
-  game.drive(kWest, {0, 0});
+  game.drive(kWest0, {0, 0});
   game.run(0.5, noise_m);
   return game;
 }
@@ -43,7 +40,7 @@ TEST(StopSpeed, IsNotedAboveTheBooksLimit) {
   ASSERT_EQ(game.calls(Event::kBotTooFastInStop).size(), 1U);
   const Decision note = game.calls(Event::kBotTooFastInStop).front();
   EXPECT_EQ(note.finding.offender, Side::kWest);
-  EXPECT_EQ(note.finding.robots.front(), kWest);
+  EXPECT_EQ(note.finding.robots.front(), kWest0);
   EXPECT_NEAR(note.finding.value, 1.05, 0.02);
   EXPECT_EQ(note.finding.threshold, 1.0);
   EXPECT_EQ(note.to, State::kWaitStop);
@@ -62,10 +59,10 @@ TEST(StopSpeed, IsNotCalledForAShortJerk) {
 
 TEST(StopSpeed, IsReportedOncePerRobotAndStop) {
   DrivenGame game = fast("2014", 1.5, 0.5);
-  game.put(kEast, {0.8, -1.4}, {0, 0});
+  game.put(kEast0, {0.8, -1.4}, {0, 0});
   game.run(0.2);
-  game.drive(kWest, {-1.5, 0});
-  game.drive(kEast, {-1.5, 0});
+  game.drive(kWest0, {-1.5, 0});
+  game.drive(kEast0, {-1.5, 0});
   game.run(0.5);
   EXPECT_EQ(game.calls(Event::kBotTooFastInStop).size(), 2U);
 }
@@ -83,7 +80,7 @@ TEST(StopSpeed, IsNotCalledInThePaper) {
 DrivenGame near(const char* book, double gap_m, double seconds, double noise_m = 0) {
   DrivenGame game = stopped(by_book(book), noise_m);
   const Vec2 ball_m = game.game.frame.ball->position_m;
-  game.put(kWest, ball_m - Vec2(gap_m + kRobotRadius_m, 0), {0, 0}, {-1, 0});
+  game.put(kWest0, ball_m - Vec2(gap_m + kRobotRadius_m, 0), {0, 0}, {-1, 0});
   game.run(seconds, noise_m);
   return game;
 }
@@ -93,7 +90,7 @@ TEST(StopDistance, IsCalledWithinFiveHundredMillimetresOfTheBall) {
   ASSERT_EQ(game.calls(Event::kStopDistance).size(), 1U);
   const Decision note = game.calls(Event::kStopDistance).front();
   EXPECT_EQ(note.finding.offender, Side::kWest);
-  EXPECT_EQ(note.finding.robots.front(), kWest);
+  EXPECT_EQ(note.finding.robots.front(), kWest0);
   EXPECT_NEAR(note.finding.value, 0.49, 0.001);
   EXPECT_TRUE(near("2014", 0.51, 6).calls(Event::kStopDistance).empty());
 }
@@ -130,28 +127,29 @@ DrivenGame in_the_way(const char* book, RobotId robot, double gap_m, double seco
 }
 
 TEST(PlacementInterference, IsCalledForTheOpponentsOfTheKickerAfterTwoSeconds) {
-  const DrivenGame game = in_the_way("2026-b", kWest, 0.49, 2.2);
+  const DrivenGame game = in_the_way("2026-b", kWest0, 0.49, 2.2);
   ASSERT_EQ(game.calls(Event::kBotInterferedPlacement).size(), 1U);
   EXPECT_EQ(game.calls(Event::kBotInterferedPlacement).front().finding.offender, Side::kWest);
   EXPECT_NEAR(game.calls(Event::kBotInterferedPlacement).front().finding.value, 0.49, 0.002);
-  EXPECT_TRUE(in_the_way("2026-b", kWest, 0.49, 1.8).calls(Event::kBotInterferedPlacement).empty());
-  EXPECT_TRUE(in_the_way("2026-b", kEast, 0.3, 4).calls(Event::kBotInterferedPlacement).empty());
+  EXPECT_TRUE(
+      in_the_way("2026-b", kWest0, 0.49, 1.8).calls(Event::kBotInterferedPlacement).empty());
+  EXPECT_TRUE(in_the_way("2026-b", kEast0, 0.3, 4).calls(Event::kBotInterferedPlacement).empty());
 }
 
 TEST(PlacementInterference, IsNotCalledFiveHundredMillimetresAway) {
-  EXPECT_TRUE(in_the_way("2026-b", kWest, 0.51, 4).calls(Event::kBotInterferedPlacement).empty());
+  EXPECT_TRUE(in_the_way("2026-b", kWest0, 0.51, 4).calls(Event::kBotInterferedPlacement).empty());
 }
 
 TEST(PlacementInterference, EndsOnceTheBallIsInPosition) {
-  DrivenGame game = in_the_way("2026-b", kWest, 0.1, 1.5);
+  DrivenGame game = in_the_way("2026-b", kWest0, 0.1, 1.5);
   game.game.put_ball({0, 0});
   game.run(3);
   EXPECT_TRUE(game.calls(Event::kBotInterferedPlacement).empty());
 }
 
 TEST(PlacementInterference, IsCalledOnceAndOnlyIn2026) {
-  EXPECT_EQ(in_the_way("2026-b", kWest, 0.1, 8).calls(Event::kBotInterferedPlacement).size(), 1U);
-  EXPECT_TRUE(in_the_way("2014", kWest, 0.1, 8).calls(Event::kBotInterferedPlacement).empty());
+  EXPECT_EQ(in_the_way("2026-b", kWest0, 0.1, 8).calls(Event::kBotInterferedPlacement).size(), 1U);
+  EXPECT_TRUE(in_the_way("2014", kWest0, 0.1, 8).calls(Event::kBotInterferedPlacement).empty());
 }
 
 }  // namespace

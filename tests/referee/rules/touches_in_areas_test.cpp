@@ -10,7 +10,7 @@ namespace autoref::referee {
 namespace {
 
 // West 1 kicks the ball in play from that position, along x.
-ScriptedGame kicked(const Configuration& configuration, double ball_x_m) {
+ScriptedGame kicked_at_area(const Configuration& configuration, double ball_x_m) {
   ScriptedGame game = in_play(configuration);
   game.kick_from(Side::kWest, 1, {ball_x_m, 0}, {2, 0});
   return game;
@@ -18,7 +18,7 @@ ScriptedGame kicked(const Configuration& configuration, double ball_x_m) {
 
 // West's area of 2014 ends at x = -2.225 in front of the goal, where the line is straight.
 TEST(DefenderInArea, EntirelyInsideGivesAPenaltyKick) {
-  ScriptedGame game = kicked(by_book("2014"), -2.225 + 0.0225 - 0.001);
+  ScriptedGame game = kicked_at_area(by_book("2014"), -2.225 + 0.0225 - 0.001);
   const Decision call = game.run_until("defender_in_defense_area", 0.3);
   EXPECT_NEAR(call.finding.value, -0.001, 1e-6);
   EXPECT_NEAR(call.finding.details.robot_m->x(), -2.225 - 0.001 - kFrontDistance_m, 1e-6);
@@ -30,7 +30,7 @@ TEST(DefenderInArea, EntirelyInsideGivesAPenaltyKick) {
 
 TEST(DefenderInArea, PartlyInsideGivesAYellowCardAndAnIndirectFreeKick) {
   for (const double ball_x_m : {-2.225 + 0.0225 + 0.001, -2.225 + 0.1885 - 0.001}) {
-    ScriptedGame game = kicked(by_book("2014"), ball_x_m);
+    ScriptedGame game = kicked_at_area(by_book("2014"), ball_x_m);
     const Decision call = game.run_until("defender_in_defense_area_partially", 0.3);
     EXPECT_EQ(call.restart(), (Command{CommandKind::kIndirectFree, Side::kEast}));
     EXPECT_EQ(game.signal.yellow_cards[Side::kWest], 1);
@@ -39,7 +39,7 @@ TEST(DefenderInArea, PartlyInsideGivesAYellowCardAndAnIndirectFreeKick) {
 }
 
 TEST(DefenderInArea, IsNotCalledOutsideTheLine) {
-  ScriptedGame game = kicked(by_book("2014"), -2.225 + 0.1885 + 0.001);
+  ScriptedGame game = kicked_at_area(by_book("2014"), -2.225 + 0.1885 + 0.001);
   game.run(0.5);
   EXPECT_EQ(game.count("defender_in_defense_area_partially"), 0);
 }
@@ -52,10 +52,10 @@ TEST(DefenderInArea, IsNotCalledForTheKeeper) {
 }
 
 TEST(DefenderInArea, PartlyInsideIsAllowedIn2026) {
-  ScriptedGame partly = kicked(by_book("2026-b"), -3.5 + 0.0225 + 0.001);
+  ScriptedGame partly = kicked_at_area(by_book("2026-b"), -3.5 + 0.0225 + 0.001);
   partly.run(0.5);
   EXPECT_EQ(partly.count("defender_in_defense_area_partially"), 0);
-  ScriptedGame entirely = kicked(by_book("2026-b"), -3.5 + 0.0225 - 0.001);
+  ScriptedGame entirely = kicked_at_area(by_book("2026-b"), -3.5 + 0.0225 - 0.001);
   EXPECT_TRUE(is_called(entirely, "defender_in_defense_area", 0.5));
 }
 
@@ -68,7 +68,7 @@ TEST(DefenderInArea, IsNotCalledIfAnOpponentMayHavePushed) {
 }
 
 TEST(DefenderInArea, CountsWhereTheRobotWasAtTheTouch) {
-  ScriptedGame game = kicked(by_book("2014"), -2.225 + 0.1885 + 0.003);
+  ScriptedGame game = kicked_at_area(by_book("2014"), -2.225 + 0.1885 + 0.003);
   game.run(1 / ScriptedGame::kRate_hz);
   game.robot(Side::kWest, 1).position_m.x() -= 0.05;  // enters only now, at 3 m/s
   game.run(0.5);
@@ -76,13 +76,14 @@ TEST(DefenderInArea, CountsWhereTheRobotWasAtTheTouch) {
 }
 
 TEST(DefenderInArea, IsAllowedIfTheRuleIsNotInForce) {
-  ScriptedGame game = kicked(without(by_book("2014"), RuleId::kDefenderInDefenseArea), -2.5);
+  ScriptedGame game =
+      kicked_at_area(without(by_book("2014"), RuleId::kDefenderInDefenseArea), -2.5);
   EXPECT_FALSE(is_called(game, "defender_in_defense_area", 0.5));
 }
 
 // East's area of Division B begins at x = 3.5.
 TEST(AttackerInArea, PartlyInsideIsAFoulThatDoesNotStopPlay) {
-  ScriptedGame game = kicked(by_book("2026-b"), 3.5 + 0.0225 + 0.001);
+  ScriptedGame game = kicked_at_area(by_book("2026-b"), 3.5 + 0.0225 + 0.001);
   const Decision call = game.run_until("attacker_touched_ball_in_defense_area", 0.3);
   EXPECT_NEAR(call.finding.value, -0.001, 1e-6);
   EXPECT_EQ(call.to, State::kRun);
@@ -92,12 +93,12 @@ TEST(AttackerInArea, PartlyInsideIsAFoulThatDoesNotStopPlay) {
 }
 
 TEST(AttackerInArea, IsNotCalledOutsideTheLine) {
-  ScriptedGame game = kicked(by_book("2026-b"), 3.5 + 0.0225 - 0.001);
+  ScriptedGame game = kicked_at_area(by_book("2026-b"), 3.5 + 0.0225 - 0.001);
   EXPECT_FALSE(is_called(game, "attacker_touched_ball_in_defense_area", 0.3));
 }
 
 TEST(AttackerInArea, IsAllowedInTheLawsOf2014) {
-  ScriptedGame game = kicked(by_book("2014"), 2.5);
+  ScriptedGame game = kicked_at_area(by_book("2014"), 2.5);
   EXPECT_FALSE(is_called(game, "attacker_touched_ball_in_defense_area", 0.2));
 }
 

@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "soccer/random.hpp"
+#include "tests/referee/touch/touch_frames.hpp"
 
 namespace autoref::referee {
 namespace {
 
-constexpr double kFrame_s = 1.0 / 60;
 constexpr BallMotionParameters kParameters;
 
 // Position of a ball that moves along x from the origin with constant deceleration.

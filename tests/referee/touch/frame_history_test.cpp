@@ -5,10 +5,10 @@
 
 #include <cmath>
 
+#include "tests/referee/touch/touch_frames.hpp"
+
 namespace autoref::referee {
 namespace {
-
-constexpr double kFrame_s = 1.0 / 60;
 
 Frame frame_with(int number, const std::optional<Vec2>& ball_m) {
   Frame frame;

@@ -9,12 +9,11 @@
 #include "soccer/robot_shape.hpp"
 #include "soccer/trigonometry.hpp"
 #include "soccer/units.hpp"
+#include "tests/referee/touch/touch_frames.hpp"
 
 namespace autoref::referee {
 namespace {
 
-constexpr double kFrame_s = 1.0 / 60;
-constexpr double kTouch_m = kFrontDistance_m + kBallRadius_m;  // centre to centre, at the plate
 constexpr RobotId kRobot{Side::kEast, 4};
 constexpr BallMotionParameters kMotion;
 constexpr HullIntersectionParameters kIntersection;

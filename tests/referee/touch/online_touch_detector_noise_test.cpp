@@ -6,12 +6,12 @@
 #include "soccer/robot_shape.hpp"
 #include "soccer/trigonometry.hpp"
 #include "soccer/units.hpp"
+#include "tests/referee/touch/touch_frames.hpp"
 
 namespace autoref::referee {
 namespace {
 
 constexpr VisionNoise kNoise{0.0014, 0.0013, 0.01};
-constexpr double kFrame_s = 1.0 / 60;
 constexpr double kMissed = 0.05;
 
 // A ball on a given path past stationary robots, seen with noise; one detection in twenty is

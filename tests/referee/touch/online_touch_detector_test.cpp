@@ -3,12 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "soccer/robot_shape.hpp"
+#include "tests/referee/touch/touch_frames.hpp"
 
 namespace autoref::referee {
 namespace {
-
-constexpr double kFrame_s = 1.0 / 60;
-constexpr double kTouch_m = kFrontDistance_m + kBallRadius_m;  // centre to centre, at the plate
 
 // Robots and a ball that follows exact paths between touches, seen at 60 Hz.
 class TouchScene {

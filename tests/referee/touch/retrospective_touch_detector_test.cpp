@@ -7,23 +7,22 @@
 #include "soccer/robot_shape.hpp"
 #include "soccer/trigonometry.hpp"
 #include "soccer/units.hpp"
+#include "tests/referee/touch/touch_frames.hpp"
 
 namespace autoref::referee {
 namespace {
 
-constexpr double kFrame_s = 1.0 / 60;
-constexpr double kTouch_m = kFrontDistance_m + kBallRadius_m;  // centre to centre, at the plate
 constexpr VisionNoise kRealistic{0.0014, 0.0013, 0.01};
 
 // A ball that slides or rolls between touches, and stationary robots, seen at 60 Hz.
-class TouchScene {
+class HindsightScene {
  public:
-  explicit TouchScene(const VisionNoise& noise = {}, std::uint64_t seed = 1)
+  explicit HindsightScene(const VisionNoise& noise = {}, std::uint64_t seed = 1)
       : noise_(noise),
         random_(seed),
         touch_detector_(frames_, Field{}, TouchHypothesisParameters{}, noise) {}
 
-  TouchScene& robot(Side side, int number, const Vec2& at_m, const Vec2& heading) {
+  HindsightScene& robot(Side side, int number, const Vec2& at_m, const Vec2& heading) {
     robots_[side].push_back({number, at_m, heading});
     return *this;
   }
@@ -82,7 +81,7 @@ class TouchScene {
 };
 
 TEST(RetrospectiveTouchDetector, FindsNoTouchOfABallAtRest) {
-  TouchScene scene;
+  HindsightScene scene;
   scene.robot(Side::kWest, 3, {-kTouch_m - 0.002, 0}, {1, 0}).start({0, 0});
   scene.go({0, 0}, 60);
   EXPECT_FALSE(scene.side().has_value());
@@ -90,7 +89,7 @@ TEST(RetrospectiveTouchDetector, FindsNoTouchOfABallAtRest) {
 }
 
 TEST(RetrospectiveTouchDetector, FindsTheKicker) {
-  TouchScene scene;
+  HindsightScene scene;
   scene.robot(Side::kWest, 3, {-kTouch_m - 0.008, 0}, {1, 0}).start({0, 0});
   scene.turn({0, 0}, {4, 0}, 0.5);
   scene.go({4, 0}, 10);
@@ -100,7 +99,7 @@ TEST(RetrospectiveTouchDetector, FindsTheKicker) {
   EXPECT_NEAR(scene.last().speed_change_mps, 4, 0.2);
 }
 
-LastTouch touch_by(RobotId robot, double time_s) {
+LastTouch online_touch_by(RobotId robot, double time_s) {
   LastTouch touch;
   touch.side = robot.side;
   touch.robot = robot;
@@ -109,16 +108,16 @@ LastTouch touch_by(RobotId robot, double time_s) {
 }
 
 // A ball that rolls along x at 0.5 m/s, long after a kick that the online detector reported.
-void roll_for_long(TouchScene& scene, const Vec2& robot_m) {
+void roll_for_long(HindsightScene& scene, const Vec2& robot_m) {
   scene.robot(Side::kEast, 2, robot_m, {-1, 0}).start({-2, 0});
   scene.go({0.5, 0}, 400);
 }
 
 TEST(RetrospectiveTouchDetector, ReturnsTheReportedTouchIfNobodyTouchedTheBallSince) {
-  TouchScene scene;
+  HindsightScene scene;
   roll_for_long(scene, {3, 2});
   const RobotId kicker{Side::kWest, 5};
-  const LastTouch last = scene.last(touch_by(kicker, 11 * kFrame_s));
+  const LastTouch last = scene.last(online_touch_by(kicker, 11 * kFrame_s));
   EXPECT_EQ(last.robot, kicker);
   EXPECT_EQ(last.time_s, 11 * kFrame_s);
   EXPECT_FALSE(last.runner_up.has_value());
@@ -126,10 +125,10 @@ TEST(RetrospectiveTouchDetector, ReturnsTheReportedTouchIfNobodyTouchedTheBallSi
 
 TEST(RetrospectiveTouchDetector, FindsATouchAfterTheReportedOne) {
   const RobotId kicker{Side::kWest, 5};
-  TouchScene scene;
+  HindsightScene scene;
   roll_for_long(scene, {-2 + 400 * 0.5 * kFrame_s + kTouch_m + 0.002, 0});
   scene.go({-0.3, 0.4}, 10);
-  const LastTouch last = scene.last(touch_by(kicker, 11 * kFrame_s));
+  const LastTouch last = scene.last(online_touch_by(kicker, 11 * kFrame_s));
   EXPECT_EQ(last.robot, (RobotId{Side::kEast, 2}));
   EXPECT_EQ(last.runner_up, kicker);
   EXPECT_NEAR(last.time_s, scene.time_s() - 10 * kFrame_s, kFrame_s);
@@ -137,7 +136,7 @@ TEST(RetrospectiveTouchDetector, FindsATouchAfterTheReportedOne) {
 }
 
 TEST(RetrospectiveTouchDetector, NamesTheOtherSidesLikeliestRobot) {
-  TouchScene scene;
+  HindsightScene scene;
   scene.robot(Side::kWest, 3, {-kTouch_m - 0.008, 0}, {1, 0});
   scene.robot(Side::kEast, 6, {0, kRobotRadius_m + kBallRadius_m + 0.004}, {0, 1});
   scene.start({0, 0});
@@ -149,7 +148,7 @@ TEST(RetrospectiveTouchDetector, NamesTheOtherSidesLikeliestRobot) {
 
 // The ball is unseen for 150 ms, but only one robot is near.
 TEST(RetrospectiveTouchDetector, FindsWhoDeflectedAHiddenBall) {
-  TouchScene scene;
+  HindsightScene scene;
   scene.robot(Side::kWest, 1, {-kTouch_m - 0.002, 0}, {1, 0});
   scene.robot(Side::kEast, 2, {1 + kTouch_m, 0}, {-1, 0});
   scene.start({0, 0});
@@ -163,7 +162,7 @@ TEST(RetrospectiveTouchDetector, FindsWhoDeflectedAHiddenBall) {
 }
 
 TEST(RetrospectiveTouchDetector, IgnoresARobotThatAHiddenBallPasses) {
-  TouchScene scene;
+  HindsightScene scene;
   scene.robot(Side::kWest, 1, {-kTouch_m - 0.002, 0}, {1, 0});
   scene.robot(Side::kEast, 2, {0.7, 0.125}, {0, 1});
   scene.start({0, 0});
@@ -175,7 +174,7 @@ TEST(RetrospectiveTouchDetector, IgnoresARobotThatAHiddenBallPasses) {
 }
 
 TEST(RetrospectiveTouchDetector, IsUndecidedIfBothSidesAreAtTheSamePosition) {
-  TouchScene scene;
+  HindsightScene scene;
   scene.robot(Side::kWest, 1, {-kTouch_m - 0.004, 0}, {1, 0});
   scene.robot(Side::kEast, 1, {-kTouch_m - 0.004, 0}, {1, 0});
   scene.start({0, 0});
@@ -186,7 +185,7 @@ TEST(RetrospectiveTouchDetector, IsUndecidedIfBothSidesAreAtTheSamePosition) {
 }
 
 TEST(RetrospectiveTouchDetector, FindsTheSecondOfTwoTouchesWithinAFrame) {
-  TouchScene scene;
+  HindsightScene scene;
   scene.robot(Side::kWest, 1, {-kTouch_m - 0.004, 0}, {1, 0});
   scene.robot(Side::kEast, 2, {0.05 + kTouch_m, 0.0}, {-1, 0});
   scene.start({0, 0});
@@ -199,7 +198,7 @@ TEST(RetrospectiveTouchDetector, FindsTheSecondOfTwoTouchesWithinAFrame) {
 
 // The side found for a brush that deflects a ball at 1 m/s by 8 degrees, 1 mm from a robot's hull.
 std::optional<Side> side_of_brush(const VisionNoise& noise, std::uint64_t seed, bool is_turned) {
-  TouchScene scene(noise, seed);
+  HindsightScene scene(noise, seed);
   const Vec2 normal = heading_of(to_radians(94));
   const double sign = is_turned ? -1 : 1;
   const auto own = [&](Side side) { return is_turned ? opponent_of(side) : side; };

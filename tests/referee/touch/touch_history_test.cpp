@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include "soccer/robot_shape.hpp"
+#include "tests/referee/touch/touch_frames.hpp"
 
 namespace autoref::referee {
 namespace {
 
-constexpr double kFrame_s = 1.0 / 60;
 constexpr RobotId kWest3{Side::kWest, 3};
 constexpr RobotId kEast4{Side::kEast, 4};
 

@@ -21,7 +21,7 @@ struct Score {
   EndReason end = EndReason::kTime;
 };
 
-RoundRobin robin_of(const std::vector<Score>& scores) {
+RoundRobin robin_with(const std::vector<Score>& scores) {
   RoundRobin robin;
   for (const Score& score : scores) {
     robin.teams[score.team_a];
@@ -46,7 +46,7 @@ std::vector<Group> matchups_in(const std::vector<Score>& scores) {
     row.team_b = score.team_b;
     rows[fmt::format("game {:03}", rows.size())] = row;
   }
-  return grouped(matchups_of(robin_of(scores)), rows);
+  return grouped(matchups_of(robin_with(scores)), rows);
 }
 
 std::vector<Standing> standings_in(const std::vector<Score>& scores) {

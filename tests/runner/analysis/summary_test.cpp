@@ -12,7 +12,7 @@
 namespace autoref::runner {
 namespace {
 
-struct Score {
+struct FakeScore {
   int pair;
   int leg;
   const char* robots;
@@ -21,9 +21,9 @@ struct Score {
   bool is_void = false;
 };
 
-std::vector<Group> groups_of(const std::vector<Score>& scores) {
+std::vector<Group> groups_of(const std::vector<FakeScore>& scores) {
   RowsById rows;
-  for (const Score& score : scores) {
+  for (const FakeScore& score : scores) {
     GameRow row;
     GameRecord& record = row.record;
     record.goals_a = score.a;
@@ -37,7 +37,7 @@ std::vector<Group> groups_of(const std::vector<Score>& scores) {
   return grouped(std::get<Sweep>(small_sweep().content), rows);
 }
 
-const Sweep kSweep = std::get<Sweep>(small_sweep().content);
+const Sweep kSmallSweep = std::get<Sweep>(small_sweep().content);
 
 TEST(Summary, AveragesDifferencesOverThePairOfLegs) {
   const std::vector<Group> groups =
@@ -59,7 +59,7 @@ TEST(Summary, HasARowPerValueWithMeansAndDeviations) {
   const std::vector<Group> groups =
       groups_of({{1, 1, "6", 1, 1}, {1, 2, "6", 3, 1}, {1, 1, "5", 4, 0}, {1, 2, "5", 4, 0}});
   // The standard deviation of 1 and 3 is sqrt(2).
-  EXPECT_EQ(summary_csv(kSweep, groups),
+  EXPECT_EQ(summary_csv(kSmallSweep, groups),
             "b.robots,games,void_games,mean_a,sd_a,mean_b,sd_b,mean_diff,sd_diff,pairs,diff_low95,"
             "diff_high95,from_first,from_first_low95,from_first_high95,p,p_holm,effect_size," +
                 csv_line(result_columns()) +
@@ -74,7 +74,7 @@ TEST(Summary, HasARowPerValueWithMeansAndDeviations) {
 TEST(Summary, FitsTheSlopeOverThePairs) {
   const std::vector<Group> groups =
       groups_of({{1, 1, "6", 1, 1}, {1, 2, "6", 3, 1}, {1, 1, "5", 4, 0}, {1, 2, "5", 4, 0}});
-  EXPECT_NEAR(slope_over_factor(kSweep, groups).value().mean, -3.0, 1e-12);
+  EXPECT_NEAR(slope_over_factor(kSmallSweep, groups).value().mean, -3.0, 1e-12);
 }
 
 TEST(Summary, ComputesTheSlopesIntervalOverPairNumbers) {
@@ -90,7 +90,7 @@ TEST(Summary, ComputesTheSlopesIntervalOverPairNumbers) {
                                                {2, 2, "5", 10, 0},
                                                {3, 1, "5", 7, 0},
                                                {3, 2, "5", 7, 0}});
-  const Slope slope = slope_over_factor(kSweep, groups).value();
+  const Slope slope = slope_over_factor(kSmallSweep, groups).value();
   EXPECT_NEAR(slope.mean, -2.0, 1e-12);
   // Slopes -3, -1, -2: standard deviation 1, t(0.975, 2) = 4.302653 from tables.
   EXPECT_NEAR(slope.interval.value().low, -2 - 4.302653 / std::sqrt(3.0), 1e-6);
@@ -106,7 +106,7 @@ TEST(Summary, LeavesAPairNumberWithAVoidLegOutOfTheSlope) {
                                                {1, 2, "5", 4, 0},
                                                {2, 1, "5", 10, 0},
                                                {2, 2, "5", 10, 0}});
-  const Slope slope = slope_over_factor(kSweep, groups).value();
+  const Slope slope = slope_over_factor(kSmallSweep, groups).value();
   EXPECT_NEAR(slope.mean, -3.0, 1e-12);
   EXPECT_FALSE(slope.interval);
 }
@@ -126,23 +126,23 @@ TEST(Summary, DoesNotFitASlopeOverNamesOrSeveralFactors) {
 // = 2 sqrt(3); with two degrees of freedom, the two-sided p is 0.0742 (scipy.stats.ttest_1samp([3,
 // 1, 2], 0)).
 TEST(SummaryTable, ComparesEachValueWithTheFirst) {
-  std::vector<Score> scores;
+  std::vector<FakeScore> scores;
   for (const auto& [pair, six, five] : {std::array{1, 1, 4}, {2, 5, 6}, {3, 0, 2}}) {
     for (const int leg : {1, 2}) {
       scores.push_back({pair, leg, "6", six, 0});
       scores.push_back({pair, leg, "5", five, 0});
     }
   }
-  const std::string table = summary_table(kSweep, groups_of(scores));
+  const std::string table = summary_table(kSmallSweep, groups_of(scores));
   EXPECT_NE(table.find("+2.00 [-0.48, +4.48]   0.074\n"), std::string::npos) << table;
 }
 
 TEST(SummaryTable, HasScoresDifferencesAndVoidGames) {
-  const std::string table = summary_table(kSweep, groups_of({{1, 1, "6", 1, 1},
-                                                             {1, 2, "6", 3, 1},
-                                                             {2, 1, "6", 1, 1},
-                                                             {2, 2, "6", 1, 1},
-                                                             {1, 1, "5", 4, 0, true}}));
+  const std::string table = summary_table(kSmallSweep, groups_of({{1, 1, "6", 1, 1},
+                                                                  {1, 2, "6", 3, 1},
+                                                                  {2, 1, "6", 1, 1},
+                                                                  {2, 2, "6", 1, 1},
+                                                                  {1, 1, "5", 4, 0, true}}));
   // The pairs' differences are 1 and 0: mean 0.5, t(0.975, 1) = 12.706, standard error 0.5.
   EXPECT_NE(table.find("+0.50 [-5.85, +6.85]"), std::string::npos) << table;
   EXPECT_NE(table.find("1.50 ± 1.00"), std::string::npos) << table;

@@ -10,38 +10,39 @@
 namespace autoref::runner {
 namespace {
 
-const RowFormat kFormat({"b.robots"});
+const RowFormat kFakeFormat({"b.robots"});
 
 std::vector<ScheduledGame> scheduled_games() {
   return scheduled_games(std::get<Sweep>(small_sweep().content));
 }
 
-GameRow played(const ScheduledGame& game, const GameRecord& record, const std::string& build) {
+GameRow rows_played(const ScheduledGame& game, const GameRecord& record, const std::string& build) {
   GameRow row = row_of(game);
   row.record = record;
   row.circumstances = {build, "host", "cpu", 1.0, 1, "0/1"};
   return row;
 }
 
-GameRow played(const ScheduledGame& game, const std::string& build = "x") {
-  return played(game, fake_game(resolved(game.configuration)), build);
+GameRow rows_played(const ScheduledGame& game, const std::string& build = "x") {
+  return rows_played(game, fake_game(resolved(game.configuration)), build);
 }
 
 CompletedGames completed_games_of(const std::vector<GameRow>& rows,
                                   bool allow_mixed_build = false) {
-  return sort_rows(rows, scheduled_games(), kFormat, "x", allow_mixed_build, "DIR", "");
+  return sort_rows(rows, scheduled_games(), kFakeFormat, "x", allow_mixed_build, "DIR", "");
 }
 
 TEST(CompletedGames, ContainsScheduledGames) {
   const std::vector<ScheduledGame> games = scheduled_games();
-  const CompletedGames completed_games = completed_games_of({played(games[0]), played(games[5])});
+  const CompletedGames completed_games =
+      completed_games_of({rows_played(games[0]), rows_played(games[5])});
   EXPECT_EQ(completed_games.done.size(), 2U);
   EXPECT_TRUE(completed_games.done.contains(games[5].id));
 }
 
 TEST(CompletedGames, CountsDuplicateRowsOnce) {
   const ScheduledGame game = scheduled_games()[0];
-  EXPECT_EQ(completed_games_of({played(game), played(game)}).done.size(), 1U);
+  EXPECT_EQ(completed_games_of({rows_played(game), rows_played(game)}).done.size(), 1U);
 }
 
 TEST(CompletedGames, ReportsNondeterminismIfTwoRowsOfOneGameDiffer) {
@@ -49,7 +50,7 @@ TEST(CompletedGames, ReportsNondeterminismIfTwoRowsOfOneGameDiffer) {
   GameRecord other = fake_game(resolved(game.configuration));
   ++other.state_hash;
   try {
-    completed_games_of({played(game), played(game, other, "x")});
+    completed_games_of({rows_played(game), rows_played(game, other, "x")});
     FAIL();
   } catch (const std::logic_error& error) {
     EXPECT_TRUE(std::string(error.what()).starts_with("nondeterminism: game " + game.id));
@@ -62,22 +63,22 @@ TEST(CompletedGames, PrefersTheOtherRowToThatOfAKilledGame) {
   GameRecord killed;
   killed.status = Status::kVoid;
   killed.void_reason = "its process was ended by signal 9 (Killed), in attempt 3";
-  const GameRow good = played(game);
-  const GameRow gone = played(game, killed, "x");
+  const GameRow good = rows_played(game);
+  const GameRow gone = rows_played(game, killed, "x");
   for (const auto& rows :
        {std::vector{gone, good}, std::vector{good, gone}, std::vector{gone, good, gone, good}}) {
     const GameRow kept = completed_games_of(rows).done.at(game.id);
-    EXPECT_FALSE(kFormat.first_difference(kept, good)) << kFormat.line(kept);
+    EXPECT_FALSE(kFakeFormat.first_difference(kept, good)) << kFakeFormat.line(kept);
   }
 }
 
 TEST(CompletedGames, RefusesRowsOfAnotherBuild) {
-  EXPECT_THROW(completed_games_of({played(scheduled_games()[0], "y")}), InputError);
+  EXPECT_THROW(completed_games_of({rows_played(scheduled_games()[0], "y")}), InputError);
 }
 
 TEST(CompletedGames, CountsAllowedRowsOfAnotherBuildSeparately) {
   const ScheduledGame game = scheduled_games()[0];
-  const CompletedGames completed_games = completed_games_of({played(game, "y")}, true);
+  const CompletedGames completed_games = completed_games_of({rows_played(game, "y")}, true);
   EXPECT_TRUE(completed_games.done.empty());
   EXPECT_EQ(completed_games.other_builds.at("y"), 1);
 }
@@ -85,13 +86,13 @@ TEST(CompletedGames, CountsAllowedRowsOfAnotherBuildSeparately) {
 TEST(CompletedGames, RefusesAGameOfAnotherConfiguration) {
   ScheduledGame game = scheduled_games()[0];
   game.configuration.match.half_s = 60;
-  EXPECT_THROW(completed_games_of({played(game)}), InputError);
+  EXPECT_THROW(completed_games_of({rows_played(game)}), InputError);
 }
 
 TEST(CompletedGames, CountsUnscheduledGamesSeparately) {
   ScheduledGame game = scheduled_games()[0];
   game.id = "b.robots=1-p0001-1";
-  const CompletedGames completed_games = completed_games_of({played(game)});
+  const CompletedGames completed_games = completed_games_of({rows_played(game)});
   EXPECT_TRUE(completed_games.done.empty());
   EXPECT_EQ(completed_games.other_games, 1);
 }

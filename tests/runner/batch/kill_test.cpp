@@ -23,7 +23,7 @@ ExperimentOptions slow_options(const std::filesystem::path& folder) {
   return options;
 }
 
-int lines_in(const std::filesystem::path& path) {
+int result_rows_in(const std::filesystem::path& path) {
   std::ifstream file(path);
   int lines = 0;
   for (std::string line; std::getline(file, line);) ++lines;
@@ -37,7 +37,7 @@ void run_and_kill(const ExperimentOptions& options, const std::filesystem::path&
     run_experiment(small_sweep(20), options);
     _exit(0);
   }
-  for (int i = 0; i < 3000 && lines_in(pids) < 2; ++i)
+  for (int i = 0; i < 3000 && result_rows_in(pids) < 2; ++i)
     std::this_thread::sleep_for(milliseconds(10));
   kill(child, SIGKILL);
   waitpid(child, nullptr, 0);

@@ -18,7 +18,7 @@ ExperimentReport run_shard(const fs::path& folder, int number, int of) {
   return run_experiment(small_sweep(), options);
 }
 
-std::string results_in(const fs::path& folder) {
+std::string shard_results_in(const fs::path& folder) {
   return content_of(folder / "results.csv") + content_of(folder / "summary.csv");
 }
 
@@ -37,7 +37,7 @@ TEST_P(Shards, WriteTheSameResultsInOneFolder) {
     EXPECT_FALSE(report.is_interrupted);
   }
   EXPECT_TRUE(run_shard(folder_.path(), 0, GetParam()).is_complete);
-  EXPECT_EQ(results_in(folder_.path()), results_in(whole_.path()));
+  EXPECT_EQ(shard_results_in(folder_.path()), shard_results_in(whole_.path()));
 }
 
 TEST_P(Shards, GiveTheSameResultsIfTheirRowsAreCopiedTogether) {
@@ -49,7 +49,7 @@ TEST_P(Shards, GiveTheSameResultsIfTheirRowsAreCopiedTogether) {
   }
   const ResultFolder folder = open_results(folder_.path());
   write_results(folder.path, folder.scenario, folder.format, folder.completed_games.done);
-  EXPECT_EQ(results_in(folder_.path()), results_in(whole_.path()));
+  EXPECT_EQ(shard_results_in(folder_.path()), shard_results_in(whole_.path()));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Shards, testing::Values(1, 2, 5));

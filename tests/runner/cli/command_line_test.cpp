@@ -20,9 +20,9 @@ namespace autoref::runner {
 namespace {
 
 const std::string kScenarios = in_checkout("scenarios/");
-const std::string kGame = kScenarios + "paper-game.yaml";
+const std::string kPaperGame = kScenarios + "paper-game.yaml";
 const std::string kScene = kScenarios + "lab/chip.yaml";
-const std::string kSweep = kScenarios + "handicap-speed.yaml";
+const std::string kSpeedSweep = kScenarios + "handicap-speed.yaml";
 
 TEST(CommandLine, ShowsAnExampleForEachVerb) {
   for (const char* verb :
@@ -44,10 +44,10 @@ TEST(CommandLine, ReportsUsageErrorsAsBadInput) {
   for (const auto& arguments :
        std::vector<std::vector<const char*>>{{"playy"},
                                              {"play"},
-                                             {"play", kGame.c_str(), "--sed", "1"},
-                                             {"play", kGame.c_str(), "--seed"},
-                                             {"run", kSweep.c_str(), "-j", "0"},
-                                             {"run", kSweep.c_str(), "-j", "two"}}) {
+                                             {"play", kPaperGame.c_str(), "--sed", "1"},
+                                             {"play", kPaperGame.c_str(), "--seed"},
+                                             {"run", kSpeedSweep.c_str(), "-j", "0"},
+                                             {"run", kSpeedSweep.c_str(), "-j", "two"}}) {
     const Answer answer = answer_to(arguments);
     EXPECT_EQ(answer.code, kBadInput);
     EXPECT_NE(answer.err, "");
@@ -64,24 +64,28 @@ TEST(CommandLine, NamesTheFlagOrFileThatIsWrong) {
   for (const WrongInput& wrong : std::vector<WrongInput>{
            {{"play", "none.yaml"}, "none.yaml: the file cannot be read"},
            {{"run", "none.yaml"}, "none.yaml: the file cannot be read"},
-           {{"play", kSweep.c_str()}, "autoref run"},
-           {{"run", kGame.c_str()}, "autoref play"},
+           {{"play", kSpeedSweep.c_str()}, "autoref run"},
+           {{"run", kPaperGame.c_str()}, "autoref play"},
            {{"play", kScene.c_str()}, "autoref lab"},
            {{"lab", "none.yaml"}, "none.yaml: the file cannot be read"},
-           {{"lab", kGame.c_str()}, "kind: expected lab, found 'game'"},
+           {{"lab", kPaperGame.c_str()}, "kind: expected lab, found 'game'"},
            {{"lab", kScene.c_str(), "--csv", "/nonexistent/x"}, "/nonexistent/x cannot be"},
-           {{"run", kSweep.c_str(), "--shard", "2/2"}, "--shard: expected I/N"},
+           {{"run", kSpeedSweep.c_str(), "--shard", "2/2"}, "--shard: expected I/N"},
            {{"status", "none"}, "none: holds no results"},
-           {{"play", kGame.c_str(), "--seed", "x"}, "--seed: "},
-           {{"play", kGame.c_str(), "--seed", "-1"}, "-1"},
-           {{"play", kGame.c_str(), "--set", "b.robots"}, "--set b.robots: expected KEY=VALUE"},
-           {{"play", kGame.c_str(), "--set", "b.robots=17"}, "--set b.robots=17: expected a whole"},
-           {{"play", kGame.c_str(), "--set", "b.robot=5"}, "did you mean 'b.robots'"},
-           {{"play", kGame.c_str(), "--set", "a.strategy=none"}, "basic"},
-           {{"play", kGame.c_str(), "--set", "a.params.x=1"}, "no parameter 'x'"},
-           {{"play", kGame.c_str(), "--set", "a.params.shot_mps=9"}, "from 0 to 8 m/s, found '9'"},
+           {{"play", kPaperGame.c_str(), "--seed", "x"}, "--seed: "},
+           {{"play", kPaperGame.c_str(), "--seed", "-1"}, "-1"},
+           {{"play", kPaperGame.c_str(), "--set", "b.robots"},
+            "--set b.robots: expected KEY=VALUE"},
+           {{"play", kPaperGame.c_str(), "--set", "b.robots=17"},
+            "--set b.robots=17: expected a whole"},
+           {{"play", kPaperGame.c_str(), "--set", "b.robot=5"}, "did you mean 'b.robots'"},
+           {{"play", kPaperGame.c_str(), "--set", "a.strategy=none"}, "basic"},
+           {{"play", kPaperGame.c_str(), "--set", "a.params.x=1"}, "no parameter 'x'"},
+           {{"play", kPaperGame.c_str(), "--set", "a.params.shot_mps=9"},
+            "from 0 to 8 m/s, found '9'"},
            {{"teams", "basik"}, "there is no team 'basik'; did you mean 'basic'"},
-           {{"play", kGame.c_str(), "--events", "/nonexistent/e"}, "/nonexistent/e cannot be"}}) {
+           {{"play", kPaperGame.c_str(), "--events", "/nonexistent/e"},
+            "/nonexistent/e cannot be"}}) {
     const Answer answer = answer_to(wrong.arguments);
     EXPECT_EQ(answer.code, kBadInput);
     EXPECT_NE(answer.err.find(wrong.fragment), std::string::npos) << answer.err;
@@ -98,7 +102,7 @@ TEST(CommandLine, PrintsTeamsAndTheirParameters) {
 }
 
 TEST(CommandLine, ReportsAFolderThatCannotBeWrittenAsInputOutput) {
-  const Answer answer = answer_to({"run", kSweep.c_str(), "-o", "/proc/none"});
+  const Answer answer = answer_to({"run", kSpeedSweep.c_str(), "-o", "/proc/none"});
   EXPECT_EQ(answer.code, kInputOutput);
   EXPECT_NE(answer.err.find("/proc/none"), std::string::npos);
 }
@@ -146,14 +150,14 @@ TEST(CommandLine, AcceptsSettingsInAnyOrder) {
   const char* field = "field.width_m=9";
   for (const auto& [first, second] : {std::pair(goal, field), std::pair(field, goal)}) {
     const Answer answer = answer_to(
-        {"play", kGame.c_str(), "--set", "match.half_s=0.1", "--set", first, "--set", second});
+        {"play", kPaperGame.c_str(), "--set", "match.half_s=0.1", "--set", first, "--set", second});
     EXPECT_EQ(answer.code, kDone) << answer.err;
   }
 }
 
 TEST(CommandLine, KillsAHangingGameAtTheSecondInterrupt) {
   const auto interrupt_twice = [] {
-    const char* const play[] = {"autoref", "play", kGame.c_str(), "--set", "match.half_s=0.1"};
+    const char* const play[] = {"autoref", "play", kPaperGame.c_str(), "--set", "match.half_s=0.1"};
     run_command_line(5, play);
     std::raise(SIGINT);
     std::fputs("still here", stderr);

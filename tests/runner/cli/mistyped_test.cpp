@@ -10,7 +10,7 @@
 namespace autoref::runner {
 namespace {
 
-const std::string kPaperGame = in_checkout("scenarios/paper-game.yaml");
+const std::string kMistypedGame = in_checkout("scenarios/paper-game.yaml");
 
 bool says(const Answer& answer, const std::string& part) {
   return answer.err.find(part) != std::string::npos;
@@ -51,13 +51,13 @@ TEST(Help, SuggestsTheClosestVerb) {
 }
 
 TEST(UnexpectedArguments, AreNamedInTheOrderGiven) {
-  const Answer answer = answer_to({"play", kPaperGame.c_str(), "one", "two", "three"});
+  const Answer answer = answer_to({"play", kMistypedGame.c_str(), "one", "two", "three"});
   EXPECT_EQ(answer.code, kBadInput);
   EXPECT_TRUE(says(answer, "play: unexpected arguments 'one', 'two', 'three';")) << answer.err;
 }
 
 TEST(UnknownOption, IsAnsweredWithTheClosestOne) {
-  const Answer play = answer_to({"play", kPaperGame.c_str(), "--sed", "1"});
+  const Answer play = answer_to({"play", kMistypedGame.c_str(), "--sed", "1"});
   EXPECT_EQ(play.code, kBadInput);
   EXPECT_TRUE(says(play, "unknown option '--sed'; did you mean '--seed'?")) << play.err;
   const Answer verify = answer_to({"verify", "--sampel=5"});

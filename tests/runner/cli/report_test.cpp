@@ -6,15 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/runner/batch/fake_games.hpp"
+#include "tests/runner/support/has_part.hpp"
 
 namespace autoref::runner {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 WrittenReport reported(const fs::path& path) {
   const ResultFolder folder = open_results(path);

@@ -17,14 +17,14 @@ namespace {
 namespace fs = std::filesystem;
 
 // Replaces PATH during its lifetime.
-class Path {
+class PathTo {
  public:
-  explicit Path(const fs::path& path) : former_(std::getenv("PATH")) {
+  explicit PathTo(const fs::path& path) : former_(std::getenv("PATH")) {
     setenv("PATH", path.c_str(), 1);
   }
-  ~Path() { setenv("PATH", former_.c_str(), 1); }
-  Path(const Path&) = delete;
-  Path& operator=(const Path&) = delete;
+  ~PathTo() { setenv("PATH", former_.c_str(), 1); }
+  PathTo(const PathTo&) = delete;
+  PathTo& operator=(const PathTo&) = delete;
 
  private:
   std::string former_;
@@ -46,7 +46,7 @@ class Submit : public testing::Test {
   }
 
   Answer submit(std::vector<const char*> further) {
-    const Path path(folder_.path());
+    const PathTo path(folder_.path());
     std::vector<const char*> words = {"submit", file_.c_str(), "--slurm", "-o", results_.c_str()};
     words.insert(words.end(), further.begin(), further.end());
     return answer_to(words);

@@ -16,7 +16,7 @@ namespace autoref::runner {
 namespace {
 
 // team0 and team1 challenge team2 and team3. No two teams have the same number of robots.
-Gauntlet small_gauntlet() {
+Gauntlet first_gauntlet() {
   Gauntlet gauntlet;
   gauntlet.challengers["team0"].robots = 6;
   gauntlet.challengers["team1"].robots = 5;
@@ -30,7 +30,7 @@ Gauntlet small_gauntlet() {
 TEST(Gauntlet, PairsEachChallengerWithEachTeamOfTheField) {
   const std::vector<Matchup> expected = {
       {"team0", "team2"}, {"team0", "team3"}, {"team1", "team2"}, {"team1", "team3"}};
-  EXPECT_EQ(matchups_of(small_gauntlet()), expected);
+  EXPECT_EQ(matchups_of(first_gauntlet()), expected);
 }
 
 TEST(Gauntlet, HasTheGamesOfARoundRobin) {
@@ -38,7 +38,7 @@ TEST(Gauntlet, HasTheGamesOfARoundRobin) {
   for (const ScheduledGame& game : scheduled_games(small_roundrobin({6, 5, 4, 3}))) {
     robins[game.id] = configuration_hash(game.configuration);
   }
-  const std::vector<ScheduledGame> games = scheduled_games(small_gauntlet());
+  const std::vector<ScheduledGame> games = scheduled_games(first_gauntlet());
   EXPECT_EQ(games.size(), 16U);
   for (const ScheduledGame& game : games) {
     EXPECT_EQ(robins.at(game.id), configuration_hash(game.configuration)) << game.id;
@@ -56,7 +56,7 @@ TEST(Gauntlet, MakesTheChallengerTeamAWhateverItsName) {
 TEST(GauntletRun, RanksOnlyTheChallengersAndDoesNotRateThem) {
   const TemporaryFolder folder;
   const ExperimentReport report =
-      run_experiment({"A test.", small_gauntlet()}, fake_options(folder.path()));
+      run_experiment({"A test.", first_gauntlet()}, fake_options(folder.path()));
   EXPECT_EQ(line_count(content_of(folder / "summary.csv")), 5);
   ASSERT_EQ(report.results.standings.size(), 2U);
   EXPECT_EQ(report.results.standings[0].games(), 8);
@@ -67,26 +67,26 @@ TEST(GauntletRun, RanksOnlyTheChallengersAndDoesNotRateThem) {
 
 TEST(GauntletRun, PlaysOnlyTheNewGamesWhenAChallengerIsAdded) {
   const TemporaryFolder folder;
-  Gauntlet gauntlet = small_gauntlet();
+  Gauntlet gauntlet = first_gauntlet();
   run_experiment({"A test.", gauntlet}, fake_options(folder.path()));
   gauntlet.challengers["team4"].robots = 2;
   EXPECT_EQ(run_experiment({"A test.", gauntlet}, fake_options(folder.path())).played, 8);
 }
 
 TEST(ChangesBetween, NamesTheChallengerThatDiffers) {
-  Gauntlet other = small_gauntlet();
+  Gauntlet other = first_gauntlet();
   other.challengers["team1"].robots = 4;
   other.challengers["team5"].robots = 4;
-  EXPECT_EQ(changes_between(Scenario{"", small_gauntlet()}, Scenario{"", other}),
+  EXPECT_EQ(changes_between(Scenario{"", first_gauntlet()}, Scenario{"", other}),
             "challengers.team1.robots is 5 here and 4 there");
 }
 
 TEST(EffectiveConfiguration, OfAGauntletReadsBackEqual) {
-  const std::string text = effective_text({"A test.", small_gauntlet()});
+  const std::string text = effective_text({"A test.", first_gauntlet()});
   EXPECT_EQ(effective_text(read_scenario_text(text, "x.yaml")), text);
 }
 
-const std::string kTop = "schema: 1\nkind: gauntlet\npairs: 2\nseed: 7\n";
+const std::string kGauntletTop = "schema: 1\nkind: gauntlet\npairs: 2\nseed: 7\n";
 
 class WrongGauntlet : public testing::TestWithParam<Mistake> {};
 
@@ -96,26 +96,28 @@ INSTANTIATE_TEST_SUITE_P(
     Files, WrongGauntlet,
     testing::Values(
         Mistake{"NoChallengers",
-                kTop + "teams: { zone: {} }\n",
+                kGauntletTop + "teams: { zone: {} }\n",
                 "x.yaml:1:1: ",
                 {"'challengers' is missing"}},
         Mistake{"EmptyChallengers",
-                kTop + "teams: { zone: {} }\nchallengers: {}\n",
+                kGauntletTop + "teams: { zone: {} }\nchallengers: {}\n",
                 "x.yaml:6:1: challengers: ",
                 {"at least one team", "found 0"}},
-        Mistake{"NoField", kTop + "challengers: { zone: {} }\n", "x.yaml:1:1: ", {"'teams'"}},
+        Mistake{
+            "NoField", kGauntletTop + "challengers: { zone: {} }\n", "x.yaml:1:1: ", {"'teams'"}},
         Mistake{"ChallengerOfTheField",
-                kTop + "teams: { zone: {}, bold: {} }\nchallengers: { zone: {} }\n",
+                kGauntletTop + "teams: { zone: {}, bold: {} }\nchallengers: { zone: {} }\n",
                 "x.yaml:6:16: challengers.zone: ",
                 {"already has this name"}},
         Mistake{"WrongSettingOfAChallenger",
-                kTop + "teams: { zone: {} }\nchallengers: { bold: { robots: 17 } }\n",
+                kGauntletTop + "teams: { zone: {} }\nchallengers: { bold: { robots: 17 } }\n",
                 "x.yaml:6:32: challengers.bold.robots: ",
                 {"found '17'"}},
-        Mistake{"ParameterOfAnotherStrategy",
-                kTop + "teams: { zone: {} }\nchallengers: { bold: { params: { shot: 5 } } }\n",
-                "x.yaml:6:34: challengers.bold.params.shot: ",
-                {"'shot_mps'"}}),
+        Mistake{
+            "ParameterOfAnotherStrategy",
+            kGauntletTop + "teams: { zone: {} }\nchallengers: { bold: { params: { shot: 5 } } }\n",
+            "x.yaml:6:34: challengers.bold.params.shot: ",
+            {"'shot_mps'"}}),
     [](const auto& test) { return test.param.name; });
 
 }  // namespace

@@ -58,17 +58,17 @@ ExperimentReport run(const Knockout& knockout, const fs::path& folder,
   return run_experiment({"A test.", knockout}, options);
 }
 
-std::string results_in(const fs::path& folder) {
+std::string knockout_results_in(const fs::path& folder) {
   return content_of(folder / "results.csv") + content_of(folder / "summary.csv");
 }
 
-std::string undisturbed_results(const Knockout& knockout) {
+std::string undisturbed_knockout(const Knockout& knockout) {
   const TemporaryFolder folder;
   run(knockout, folder.path(), won_by_the_worse);
-  return results_in(folder.path());
+  return knockout_results_in(folder.path());
 }
 
-std::vector<std::string> ids_of(const std::vector<ScheduledGame>& games) {
+std::vector<std::string> knockout_ids_of(const std::vector<ScheduledGame>& games) {
   std::vector<std::string> ids;
   for (const ScheduledGame& game : games) ids.push_back(game.id);
   return ids;
@@ -78,13 +78,13 @@ TEST(Bracket, OfEightTeamsKeepsTheBestSeedsApart) {
   const std::vector<std::string> expected = {
       "team0~team7-p0001-1", "team3~team4-p0002-1", "team1~team6-p0003-1", "team2~team5-p0004-1",
       "team0~team3-p0005-1", "team1~team2-p0006-1", "team0~team1-p0007-1"};
-  EXPECT_EQ(ids_of(scheduled_games(knockout_of(8))), expected);
+  EXPECT_EQ(knockout_ids_of(scheduled_games(knockout_of(8))), expected);
 }
 
 TEST(Bracket, OfFiveTeamsGivesTheThreeBestAByeInTheFirstRound) {
   const std::vector<std::string> expected = {"team3~team4-p0001-1", "team0~team3-p0002-1",
                                              "team1~team2-p0003-1", "team0~team1-p0004-1"};
-  EXPECT_EQ(ids_of(scheduled_games(knockout_of(5))), expected);
+  EXPECT_EQ(knockout_ids_of(scheduled_games(knockout_of(5))), expected);
 }
 
 TEST(Bracket, OfTwoTeamsIsAFinal) {
@@ -107,7 +107,7 @@ TEST(Bracket, HasOneTieFewerThanTeams) {
 
 TEST(Bracket, KnowsOnlyTheTiesThatDependOnNoOther) {
   const std::vector<Tie> ties = bracket_of(knockout_of(5), [](Tie&) {});
-  EXPECT_EQ(ids_of(games_of(knockout_of(5), ties)),
+  EXPECT_EQ(knockout_ids_of(games_of(knockout_of(5), ties)),
             (std::vector<std::string>{"team3~team4-p0001-1", "team1~team2-p0003-1"}));
   EXPECT_EQ(ties[1].a, "team0");
   EXPECT_FALSE(ties[1].b.has_value());
@@ -137,13 +137,13 @@ TEST(KnockoutRun, PlaysUntilTheFinalIsWon) {
 }
 
 TEST(KnockoutRun, GivesTheSameResultsForEveryNumberOfWorkers) {
-  const std::string expected = undisturbed_results(knockout_of(7));
+  const std::string expected = undisturbed_knockout(knockout_of(7));
   const TemporaryFolder folder;
   ExperimentOptions options = fake_options(folder.path());
   options.play = won_by_the_worse;
   options.workers = 3;
   run_experiment({"A test.", knockout_of(7)}, options);
-  EXPECT_EQ(results_in(folder.path()), expected);
+  EXPECT_EQ(knockout_results_in(folder.path()), expected);
 }
 
 TEST(KnockoutRun, ResumesAfterAnInterrupt) {
@@ -156,7 +156,7 @@ TEST(KnockoutRun, ResumesAfterAnInterrupt) {
   // Each run plays one game, so some runs stop after the last game of a round.
   EXPECT_TRUE(run(knockout_of(3), folder.path(), interrupted).is_interrupted);
   EXPECT_EQ(run(knockout_of(3), folder.path(), won_by_the_worse).played, 1);
-  EXPECT_EQ(results_in(folder.path()), undisturbed_results(knockout_of(3)));
+  EXPECT_EQ(knockout_results_in(folder.path()), undisturbed_knockout(knockout_of(3)));
 }
 
 TEST(KnockoutRun, ReplaysADrawnTie) {
@@ -232,7 +232,7 @@ TEST(KnockoutShards, WaitForEachOtherAndGiveTheSameResults) {
     report = run(knockout_of(8), folder.path(), won_by_the_worse, {turn % 2, 2});
   }
   EXPECT_TRUE(report.is_complete);
-  EXPECT_EQ(results_in(folder.path()), undisturbed_results(knockout_of(8)));
+  EXPECT_EQ(knockout_results_in(folder.path()), undisturbed_knockout(knockout_of(8)));
 }
 
 TEST(KnockoutFolder, IsReadEvenIfUnfinished) {

@@ -22,14 +22,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string results_in(const fs::path& folder) {
+std::string sprt_results_in(const fs::path& folder) {
   return content_of(folder / "results.csv") + content_of(folder / "summary.csv");
 }
 
-std::string undisturbed_results() {
+std::string undisturbed_sprt() {
   const TemporaryFolder folder;
   run_experiment(small_sprt_match(), fake_options(folder.path()));
-  return results_in(folder.path());
+  return sprt_results_in(folder.path());
 }
 
 TEST(SprtMatchSchedule, HasTheGamesOfARoundRobinOfItsTwoTeams) {
@@ -56,14 +56,14 @@ TEST(SprtMatchRun, EndsWithThePairThatDecidesIt) {
 }
 
 TEST(SprtMatchRun, GivesTheSameResultsForEveryNumberOfWorkers) {
-  const std::string expected = undisturbed_results();
+  const std::string expected = undisturbed_sprt();
   for (const int workers : {1, 2, 5}) {
     const TemporaryFolder folder;
     ExperimentOptions options = fake_options(folder.path());
     options.workers = workers;
     options.play = slow_fake_game;
     EXPECT_LT(run_experiment(small_sprt_match(), options).played, 80);
-    EXPECT_EQ(results_in(folder.path()), expected);
+    EXPECT_EQ(sprt_results_in(folder.path()), expected);
   }
 }
 
@@ -77,7 +77,7 @@ TEST(SprtMatchRun, ResumesAfterAnInterrupt) {
   };
   EXPECT_TRUE(run_experiment(small_sprt_match(), options).is_interrupted);
   run_experiment(small_sprt_match(), fake_options(folder.path()));
-  EXPECT_EQ(results_in(folder.path()), undisturbed_results());
+  EXPECT_EQ(sprt_results_in(folder.path()), undisturbed_sprt());
 }
 
 TEST(SprtMatchRun, PlaysNothingOnceItIsDecided) {
@@ -114,7 +114,7 @@ TEST(SprtMatchRun, LeavesPairsWithAVoidLegOutOfTheTest) {
   EXPECT_NE(report.results.table.find("1 pairs with a void leg"), std::string::npos);
 }
 
-ExperimentReport run_shard(const fs::path& folder, int number) {
+ExperimentReport run_sprt_shard(const fs::path& folder, int number) {
   ExperimentOptions options = fake_options(folder);
   options.shard = {number, 2};
   return run_experiment(small_sprt_match(), options);
@@ -122,18 +122,18 @@ ExperimentReport run_shard(const fs::path& folder, int number) {
 
 TEST(SprtMatchShards, StopOnceTheirCombinedRowsDecideTheMatch) {
   const TemporaryFolder folder;
-  EXPECT_FALSE(run_shard(folder.path(), 1).is_complete);
-  const ExperimentReport report = run_shard(folder.path(), 0);
+  EXPECT_FALSE(run_sprt_shard(folder.path(), 1).is_complete);
+  const ExperimentReport report = run_sprt_shard(folder.path(), 0);
   EXPECT_TRUE(report.is_complete);
   EXPECT_LT(report.played, 40);
-  EXPECT_EQ(results_in(folder.path()), undisturbed_results());
+  EXPECT_EQ(sprt_results_in(folder.path()), undisturbed_sprt());
 }
 
 TEST(SprtMatchShards, GiveTheSameResultsWhenTheirRowsAreMerged) {
   const TemporaryFolder folder;
   for (const int number : {0, 1}) {
     const TemporaryFolder own;
-    EXPECT_EQ(run_shard(own.path(), number).played, 40);
+    EXPECT_EQ(run_sprt_shard(own.path(), number).played, 40);
     fs::copy(own.path(), folder.path(),
              fs::copy_options::recursive | fs::copy_options::overwrite_existing);
   }
@@ -141,7 +141,7 @@ TEST(SprtMatchShards, GiveTheSameResultsWhenTheirRowsAreMerged) {
   EXPECT_TRUE(whole.is_complete());
   EXPECT_EQ(whole.beyond, 60);
   write_results(whole.path, whole.scenario, whole.format, whole.completed_games.done);
-  EXPECT_EQ(results_in(folder.path()), undisturbed_results());
+  EXPECT_EQ(sprt_results_in(folder.path()), undisturbed_sprt());
 }
 
 // The state after this many pairs, one of which is missing.
@@ -168,12 +168,13 @@ TEST(SprtMatchState, IsUndecidedBeforeTheFirstPair) {
   EXPECT_EQ(name_of(state.test.verdict), "none");
 }
 
-const std::string kTop = "schema: 1\nkind: sprt\nseed: 7\n";
-const std::string kTeams = "teams: { zone: {}, bold: { strategy: dummy } }\n";
+const std::string kSprtTop = "schema: 1\nkind: sprt\nseed: 7\n";
+const std::string kSprtTeams = "teams: { zone: {}, bold: { strategy: dummy } }\n";
 
 TEST(ReadSprtMatch, ReadsItsTestWithDefaultErrorRates) {
   const SprtMatch match = std::get<SprtMatch>(
-      read_scenario_text(kTop + kTeams + "sprt: { d0: -1, d1: 0.5, max_pairs: 60 }\n", "x.yaml")
+      read_scenario_text(kSprtTop + kSprtTeams + "sprt: { d0: -1, d1: 0.5, max_pairs: 60 }\n",
+                         "x.yaml")
           .content);
   EXPECT_EQ(matchup_of(match), (Matchup{"bold", "zone"}));
   EXPECT_EQ(match.sprt.d0, -1);
@@ -195,36 +196,39 @@ TEST_P(WrongSprtMatch, IsRefusedWithItsLocationAndARemedy) { expect_refused(GetP
 INSTANTIATE_TEST_SUITE_P(
     Files, WrongSprtMatch,
     testing::Values(
-        Mistake{"NoTest", kTop + kTeams, "x.yaml:1:1: ", {"'sprt' is missing"}},
+        Mistake{"NoTest", kSprtTop + kSprtTeams, "x.yaml:1:1: ", {"'sprt' is missing"}},
         Mistake{"OneTeam",
-                kTop + "teams: { zone: {} }\nsprt: { d0: 0, d1: 1, max_pairs: 20 }\n",
+                kSprtTop + "teams: { zone: {} }\nsprt: { d0: 0, d1: 1, max_pairs: 20 }\n",
                 "x.yaml:4:1: teams: ",
                 {"expected 2 teams", "found 1"}},
         Mistake{"ThreeTeams",
-                kTop + "teams: { zone: {}, bold: {}, calm: {} }\n",
+                kSprtTop + "teams: { zone: {}, bold: {}, calm: {} }\n",
                 "x.yaml:4:1: teams: ",
                 {"expected 2 teams", "found 3"}},
         Mistake{"NoEnd",
-                kTop + kTeams + "sprt: { d0: 0, d1: 1 }\n",
+                kSprtTop + kSprtTeams + "sprt: { d0: 0, d1: 1 }\n",
                 "x.yaml:5:1: sprt: ",
                 {"'max_pairs' is missing"}},
         Mistake{"EqualHypotheses",
-                kTop + kTeams + "sprt: { d0: 1, d1: 1, max_pairs: 20 }\n",
+                kSprtTop + kSprtTeams + "sprt: { d0: 1, d1: 1, max_pairs: 20 }\n",
                 "x.yaml:5:16: sprt.d1: ",
                 {"must differ from d0"}},
         Mistake{"ErrorRateOutOfRange",
-                kTop + kTeams + "sprt: { d0: 0, d1: 1, alpha: 0.5, max_pairs: 20 }\n",
+                kSprtTop + kSprtTeams + "sprt: { d0: 0, d1: 1, alpha: 0.5, max_pairs: 20 }\n",
                 "x.yaml:5:30: sprt.alpha: ",
                 {"above 0 and at most 0.49", "found '0.5'"}},
         Mistake{"MaximumBelowTheMinimum",
-                kTop + kTeams + "sprt: { d0: 0, d1: 1, max_pairs: 5 }\n",
+                kSprtTop + kSprtTeams + "sprt: { d0: 0, d1: 1, max_pairs: 5 }\n",
                 "x.yaml:5:23: sprt.max_pairs: ",
                 {"at least min_pairs, which is 10", "found 5"}},
         Mistake{"UnknownKeyOfTheTest",
-                kTop + kTeams + "sprt: { d0: 0, d2: 1, max_pairs: 5 }\n",
+                kSprtTop + kSprtTeams + "sprt: { d0: 0, d2: 1, max_pairs: 5 }\n",
                 "x.yaml:5:16: sprt: ",
                 {"'d2'", "did you mean"}},
-        Mistake{"Pairs", kTop + kTeams + "pairs: 5\n", "x.yaml:5:1: ", {"unknown key 'pairs'"}}),
+        Mistake{"Pairs",
+                kSprtTop + kSprtTeams + "pairs: 5\n",
+                "x.yaml:5:1: ",
+                {"unknown key 'pairs'"}}),
     [](const auto& test) { return test.param.name; });
 
 }  // namespace

@@ -51,7 +51,7 @@ referee::Decision decision_of(Event event) {
   return decision;
 }
 
-nlohmann::json json_of(const referee::Decision& decision) {
+nlohmann::json json_line_of(const referee::Decision& decision) {
   return nlohmann::json::parse(game_event_json(game_event_of(decision).value()));
 }
 
@@ -115,7 +115,7 @@ TEST(GameEventOfADecision, FillsTheFieldsOfEveryLeagueEvent) {
   for (const referee::EventEntry& entry : referee::event_table()) {
     if (entry.league_event.empty()) continue;
     ASSERT_TRUE(kFilled.contains(entry.event)) << entry.name;
-    const nlohmann::json json = json_of(decision_of(entry.event));
+    const nlohmann::json json = json_line_of(decision_of(entry.event));
     EXPECT_EQ(json["type"], entry.league_event);
     std::string part = json["type"];
     for (char& c : part) c = static_cast<char>(std::tolower(c));
@@ -125,7 +125,9 @@ TEST(GameEventOfADecision, FillsTheFieldsOfEveryLeagueEvent) {
 
 // The values of the league's fields that the finding itself does not have.
 TEST(GameEventOfADecision, HasTheDetailsInTheFieldsThatTheLeagueMeans) {
-  const auto part = [](Event event, const char* name) { return json_of(decision_of(event))[name]; };
+  const auto part = [](Event event, const char* name) {
+    return json_line_of(decision_of(event))[name];
+  };
   const nlohmann::json robot = {{"x", 2}, {"y", 1}};
   const nlohmann::json ball = {{"x", 2.5}, {"y", -1}};
   const nlohmann::json found = {{"x", 1.5}, {"y", -0.25}};
@@ -151,7 +153,9 @@ TEST(GameEventOfADecision, HasTheDetailsInTheFieldsThatTheLeagueMeans) {
 }
 
 TEST(GameEventOfADecision, HasTheMeasurementsInTheFieldsThatTheLeagueMeans) {
-  const auto part = [](Event event, const char* name) { return json_of(decision_of(event))[name]; };
+  const auto part = [](Event event, const char* name) {
+    return json_line_of(decision_of(event))[name];
+  };
   const nlohmann::json crash = part(Event::kBotCrashUnique, "bot_crash_unique");
   EXPECT_EQ(crash["crash_speed"], 0.1);
   EXPECT_EQ(crash["speed_diff"], 0.4);
@@ -176,7 +180,7 @@ TEST(GameEventOfADecision, NamesTheRobotThatWasMeasured) {
   referee::Decision decision = decision_of(Event::kAttackerStaysNearArea);
   decision.finding.offender.reset();
   decision.finding.details.robot = RobotId{Side::kEast, 5};
-  const nlohmann::json part = json_of(decision)["attacker_too_close_to_defense_area"];
+  const nlohmann::json part = json_line_of(decision)["attacker_too_close_to_defense_area"];
   EXPECT_EQ(part["by_team"], "BLUE");
   EXPECT_EQ(part["by_bot"], 5);
 }
@@ -184,7 +188,7 @@ TEST(GameEventOfADecision, NamesTheRobotThatWasMeasured) {
 TEST(GameEventOfADecision, HasTheFieldsCoordinatesAfterTeamsHaveChangedEnds) {
   referee::Decision decision = decision_of(Event::kGoal);
   decision.blue_on_positive_half = false;
-  const nlohmann::json goal = json_of(decision)["possible_goal"];
+  const nlohmann::json goal = json_line_of(decision)["possible_goal"];
   EXPECT_EQ(goal["location"], (nlohmann::json{{"x", -2.5}, {"y", 1}}));
   EXPECT_EQ(goal["kick_location"], (nlohmann::json{{"x", 1}, {"y", -0.5}}));
 }
@@ -192,7 +196,7 @@ TEST(GameEventOfADecision, HasTheFieldsCoordinatesAfterTeamsHaveChangedEnds) {
 TEST(GameEventOfADecision, LeavesOutWhatIsUnknown) {
   referee::Decision decision = decision_of(Event::kGoal);
   decision.finding.details = {};
-  EXPECT_EQ(filled_in(json_of(decision)["possible_goal"]),
+  EXPECT_EQ(filled_in(json_line_of(decision)["possible_goal"]),
             (Fields{"by_team", "kicking_team", "kicking_bot"}));
 }
 
@@ -212,7 +216,7 @@ TEST(GameEventOfADecision, IsPrintedAsProtobufWould) {
 TEST(GameEventOfADecision, CountsDepthInsideAnArea) {
   referee::Decision decision = decision_of(Event::kAttackerTouchedBallInDefenseArea);
   decision.finding.value = -0.04;
-  EXPECT_EQ(json_of(decision)["attacker_touched_ball_in_defense_area"]["distance"], 0.04);
+  EXPECT_EQ(json_line_of(decision)["attacker_touched_ball_in_defense_area"]["distance"], 0.04);
 }
 
 // The goal of yellow after a restart for blue, who conceded.
@@ -220,14 +224,14 @@ TEST(GameEventOfADecision, NamesTheScorer) {
   referee::Decision decision = decision_of(Event::kGoal);
   decision.finding.offender.reset();
   decision.finding.restart = {CommandKind::kPrepareKickoff, Side::kEast};
-  EXPECT_EQ(json_of(decision)["possible_goal"]["by_team"], "YELLOW");
-  EXPECT_EQ(json_of(decision)["possible_goal"]["kicking_team"], "BLUE");
+  EXPECT_EQ(json_line_of(decision)["possible_goal"]["by_team"], "YELLOW");
+  EXPECT_EQ(json_line_of(decision)["possible_goal"]["kicking_team"], "BLUE");
 }
 
 TEST(GameEventOfADecision, SaysThatTheTeamIsUnknown) {
   referee::Decision decision = decision_of(Event::kTouchLineUnknown);
   decision.last_touch = {};
-  const nlohmann::json part = json_of(decision)["ball_left_field_touch_line"];
+  const nlohmann::json part = json_line_of(decision)["ball_left_field_touch_line"];
   EXPECT_EQ(part["by_team"], "UNKNOWN");
   EXPECT_FALSE(part.contains("by_bot"));
 }

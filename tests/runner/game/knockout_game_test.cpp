@@ -12,7 +12,7 @@
 namespace autoref::runner {
 namespace {
 
-int count(const GameRecord& record, referee::Event event) {
+int events_in(const GameRecord& record, referee::Event event) {
   return record.events[static_cast<std::size_t>(event)];
 }
 
@@ -31,7 +31,7 @@ TEST(KnockoutGame, WithoutAGoalEndsInADrawnShootout) {
   EXPECT_EQ(record.end_reason, EndReason::kShootout);
   EXPECT_EQ(record.goals_by_half.size(), 4U);
   EXPECT_EQ(record.shootout, (std::array<int, 2>{0, 0}));
-  EXPECT_EQ(count(record, referee::Event::kPenaltyKickFailed), 100);  // fifty kicks per team
+  EXPECT_EQ(events_in(record, referee::Event::kPenaltyKickFailed), 100);  // fifty kicks per team
 }
 
 TEST(KnockoutGame, ContinuesAShootoutUntilOneSideHasWon) {

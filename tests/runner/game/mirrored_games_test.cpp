@@ -15,7 +15,7 @@
 namespace autoref::runner {
 namespace {
 
-struct Setup {
+struct MirroredSetup {
   const char* book;
   const char* camera;
 };
@@ -73,7 +73,7 @@ class TurnedReferee final : public Observer {
   std::vector<referee::Decision> live_;
 };
 
-class MirroredGame : public testing::TestWithParam<Setup> {};
+class MirroredGame : public testing::TestWithParam<MirroredSetup> {};
 
 // Four games per parameter, twenty in total, played by teams that break every rule.
 TEST_P(MirroredGame, GetsTheRotatedCallsInTheSameFrames) {
@@ -89,17 +89,19 @@ TEST_P(MirroredGame, GetsTheRotatedCallsInTheSameFrames) {
   }
 }
 
-std::string name_of_setup(const testing::TestParamInfo<Setup>& info) {
+std::string name_of_mirrored(const testing::TestParamInfo<MirroredSetup>& info) {
   std::string name = info.param.book;
   std::replace(name.begin(), name.end(), '-', '_');
   return "Rules" + name;
 }
 
 INSTANTIATE_TEST_SUITE_P(Books, MirroredGame,
-                         testing::Values(Setup{"paper", "paper"}, Setup{"2014", "none"},
-                                         Setup{"2014-double", "realistic"},
-                                         Setup{"2026-b", "realistic"}, Setup{"2026-a", "none"}),
-                         name_of_setup);
+                         testing::Values(MirroredSetup{"paper", "paper"},
+                                         MirroredSetup{"2014", "none"},
+                                         MirroredSetup{"2014-double", "realistic"},
+                                         MirroredSetup{"2026-b", "realistic"},
+                                         MirroredSetup{"2026-a", "none"}),
+                         name_of_mirrored);
 
 }  // namespace
 }  // namespace autoref::runner

@@ -8,7 +8,7 @@
 namespace autoref::runner {
 namespace {
 
-int count(const GameRecord& record, referee::Event event) {
+int count_of_event(const GameRecord& record, referee::Event event) {
   return record.events[static_cast<std::size_t>(event)];
 }
 
@@ -23,15 +23,15 @@ GameConfiguration placed_by_teams(const std::string& a, const std::string& b) {
 TEST(PlacementGame, OfTeamsWithPlaybooksHasSuccessesOnly) {
   const GameRecord record = play(placed_by_teams("cobalt", "counter"));
   EXPECT_EQ(record.status, Status::kOk) << record.void_reason;
-  EXPECT_GE(count(record, referee::Event::kPlacementSucceeded), 3);
-  EXPECT_EQ(count(record, referee::Event::kPlacementFailed), 0);
+  EXPECT_GE(count_of_event(record, referee::Event::kPlacementSucceeded), 3);
+  EXPECT_EQ(count_of_event(record, referee::Event::kPlacementFailed), 0);
 }
 
 TEST(PlacementGame, OfTeamsThatCannotPlaceTheBallEndsByItself) {
   const GameRecord record = play(placed_by_teams("basic", "basic"));
   EXPECT_EQ(record.status, Status::kOk) << record.void_reason;
   EXPECT_EQ(record.end_reason, EndReason::kTime);
-  EXPECT_GE(count(record, referee::Event::kPlacementFailed), 2);
+  EXPECT_GE(count_of_event(record, referee::Event::kPlacementFailed), 2);
 }
 
 TEST(PlacementGame, IsOffByDefault) {

@@ -13,12 +13,12 @@
 namespace autoref::runner {
 namespace {
 
-constexpr double kRate_hz = 60;
+constexpr double kGameRate_hz = 60;
 
 // Commands that change from request to request.
 std::string request_of(int number) {
   simulation::SimulationSyncRequest request;
-  request.set_sim_step(1 / static_cast<float>(kRate_hz));
+  request.set_sim_step(1 / static_cast<float>(kGameRate_hz));
   for (std::uint32_t robot = 0; robot < 6; ++robot) {
     simulation::RobotCommand& command = *request.mutable_robot_control()->add_robot_commands();
     command.set_id(robot);
@@ -105,7 +105,7 @@ TEST(LockStepGame, IsTheSameOverConnectionsAsOverDatagrams) {
   LockStepGame mixed;
   const GameRecord first = datagrams.play(step_by_datagrams, step_by_datagrams);
   EXPECT_EQ(first.status, Status::kOk) << first.void_reason;
-  EXPECT_GT(first.frames, 5 * kRate_hz);
+  EXPECT_GT(first.frames, 5 * kGameRate_hz);
   EXPECT_EQ(connections.play(step_by_connection, step_by_connection).state_hash, first.state_hash);
   EXPECT_EQ(mixed.play(step_by_connection, step_by_datagrams).state_hash, first.state_hash);
 }

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <string>
+#include <thread>
 
 #include "runner/io/errors.hpp"
 
@@ -29,6 +30,8 @@ class RecordSourceTest : public testing::Test {
 };
 
 TEST_F(RecordSourceTest, PacketsOfSeveralPortsComeInTheOrderOfTheirArrival) {
+  // Linux begins to note times of arrival a little after the first socket has asked for them.
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
   vision_.send("1");
   referee_.send("2");
   vision_.send("3");

@@ -12,8 +12,8 @@
 namespace autoref::runner {
 namespace {
 
-constexpr std::chrono::seconds kPatience{60};
-constexpr double kRate_hz = 60;
+constexpr std::chrono::seconds kRequestPatience{60};
+constexpr double kRequestRate_hz = 60;
 
 GameConfiguration game_on_network() {
   GameConfiguration game;
@@ -44,7 +44,7 @@ class PortsTest : public testing::Test {
   // The code of the first error in the answer; empty if there is none.
   std::string error_in_answer() {
     std::future<std::string> arrived = answer_.get_future();
-    if (arrived.wait_for(kPatience) != std::future_status::ready) return "no answer";
+    if (arrived.wait_for(kRequestPatience) != std::future_status::ready) return "no answer";
     simulation::SimulationSyncResponse response;
     if (!response.ParseFromString(arrived.get())) return "not a response";
     const auto& errors = response.robot_control_response().errors();
@@ -53,7 +53,7 @@ class PortsTest : public testing::Test {
 
   // Lets the lock-step go on until it has answered the yellow team.
   void complete_frame() {
-    const auto deadline = LockStep::Clock::now() + kPatience;
+    const auto deadline = LockStep::Clock::now() + kRequestPatience;
     while (LockStep::Clock::now() < deadline && ports_->traffic()[Side::kWest].packets == 0)
       lock_step_.advance(
           1, {}, slots_, [](const league::SimulatorRequest&) {},
@@ -68,7 +68,7 @@ class PortsTest : public testing::Test {
   CommandSlots slots_{6};
   ControlRequests control_;
   RobotUpdates robots_{game_on_network()};
-  LockStep lock_step_{{{true, false}}, kRate_hz};
+  LockStep lock_step_{{{true, false}}, kRequestRate_hz};
   std::promise<std::string> answer_;
   DatagramReceiver client_;
   std::optional<TeamPorts> ports_;

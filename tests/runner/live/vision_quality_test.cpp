@@ -18,7 +18,7 @@ league::VisionPacket packet_of(std::uint32_t camera, double x_mm) {
   return packet;
 }
 
-Frame frame_at(double time_s, bool has_ball, int robots) {
+Frame seen_frame_at(double time_s, bool has_ball, int robots) {
   Frame frame;
   frame.time_s = time_s;
   if (has_ball) frame.ball = BallObservation{};
@@ -40,15 +40,15 @@ TEST(VisionQuality, CountsThePacketsOfEachCamera) {
 
 TEST(VisionQuality, OnlyTheLastSecondsCount) {
   VisionQuality quality;
-  for (int i = 0; i < 100; ++i) quality.take(frame_at(i * kPeriod_s, false, 1));
+  for (int i = 0; i < 100; ++i) quality.take(seen_frame_at(i * kPeriod_s, false, 1));
   for (int i = 0; i < 250; ++i)
-    quality.take(frame_at(VisionQuality::kWindow_s + 3 + i * kPeriod_s, true, 1));
+    quality.take(seen_frame_at(VisionQuality::kWindow_s + 3 + i * kPeriod_s, true, 1));
   EXPECT_DOUBLE_EQ(quality.report().ball_seen, 1);
 }
 
 TEST(VisionQuality, SaysHowOftenBallAndRobotsAreMissed) {
   VisionQuality quality;
-  for (int i = 0; i < 100; ++i) quality.take(frame_at(i * kPeriod_s, i % 4 != 0, i % 2 + 1));
+  for (int i = 0; i < 100; ++i) quality.take(seen_frame_at(i * kPeriod_s, i % 4 != 0, i % 2 + 1));
   EXPECT_DOUBLE_EQ(quality.report().ball_seen, 0.75);
   EXPECT_DOUBLE_EQ(quality.report().robots_seen, 0.75);
 }

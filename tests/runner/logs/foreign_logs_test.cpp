@@ -11,7 +11,7 @@
 namespace autoref::runner {
 namespace {
 
-int count_of(const std::string& what, const std::string& text) {
+int detections_of(const std::string& what, const std::string& text) {
   int count = 0;
   for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1))
     ++count;
@@ -36,7 +36,7 @@ class ForeignLog : public testing::Test {
     EXPECT_EQ(answer.code, kDone) << answer.err;
     EXPECT_NE(answer.out.find("by AutoRef"), std::string::npos) << answer.out;
     if (!said.empty()) {
-      EXPECT_EQ(count_of(said, answer.err), 1) << answer.err;
+      EXPECT_EQ(detections_of(said, answer.err), 1) << answer.err;
     }
     expect_shown();
   }
@@ -74,7 +74,7 @@ TEST_F(ForeignLog, WithoutTheStagesClockIsJudgedWithTheBooksHalf) {
   const Answer set = referee({"--control", "autoref", "--set", "match.half_s=300"});
   EXPECT_EQ(set.err.find("the clock"), std::string::npos);
   const Answer of_book = referee({"--control", "autoref", "--rules", "2026-b"});
-  EXPECT_EQ(count_of("halves of 300 s", of_book.err), 1);
+  EXPECT_EQ(detections_of("halves of 300 s", of_book.err), 1);
 }
 
 TEST_F(ForeignLog, InOvertimeIsJudged) {
@@ -87,10 +87,10 @@ TEST_F(ForeignLog, InOvertimeIsJudged) {
 TEST_F(ForeignLog, WithoutGeometryIsJudgedOnTheBooksField) {
   write({.has_geometry = false});
   expect_judged("no geometry: using the field of the rules paper, 6.05 x 4.05 m");
-  EXPECT_EQ(count_of("9 x 6 m", referee({"--rules", "2026-b"}).err), 1);
+  EXPECT_EQ(detections_of("9 x 6 m", referee({"--rules", "2026-b"}).err), 1);
   const std::string page = folder_ / "game.html";
   const Answer viewed = run("view", {"-o", page.c_str(), "--rules", "2026-b"});
-  EXPECT_EQ(count_of("using the field of the rules 2026-b", viewed.err), 1) << viewed.err;
+  EXPECT_EQ(detections_of("using the field of the rules 2026-b", viewed.err), 1) << viewed.err;
   EXPECT_NE(content_of(page).find("\"halfLength_mm\": 4500"), std::string::npos);
   EXPECT_EQ(run("view", {"-o", page.c_str(), "--rules", "2027"}).code, kBadInput);
 }
@@ -99,7 +99,7 @@ TEST_F(ForeignLog, IsJudgedByTheRulesThatItsFieldAndDateSuggest) {
   write({.field = find_game_setup("2026-b")->field,
          .record_s = [](double time_s) { return 1.783e9 + time_s; }});
   expect_judged("9 x 6 m, recorded on 2026-07-02: using the rules 2026-b (change with --rules)");
-  EXPECT_EQ(count_of("using the rules", referee({"--rules", "2014"}).err), 0);
+  EXPECT_EQ(detections_of("using the rules", referee({"--rules", "2014"}).err), 0);
 }
 
 TEST_F(ForeignLog, WithoutAreasAndMarksUsesThoseOfTheRuleBook) {
@@ -109,7 +109,8 @@ TEST_F(ForeignLog, WithoutAreasAndMarksUsesThoseOfTheRuleBook) {
     size.clear_goal_center_to_penalty_mark();
   }});
   expect_judged("the geometry has no defence areas: using a depth of 0.8 m");
-  EXPECT_EQ(count_of("no penalty mark: using 6 m from", referee({"--rules", "2026-b"}).err), 1);
+  EXPECT_EQ(detections_of("no penalty mark: using 6 m from", referee({"--rules", "2026-b"}).err),
+            1);
 }
 
 TEST_F(ForeignLog, WithChangingGeometryIsJudgedOnTheLastField) {
@@ -122,9 +123,9 @@ TEST_F(ForeignLog, WithoutARefereeIsJudged) {
   write({.has_referee = false});
   expect_judged("no referee packets: play is taken to be on throughout");
   const Answer alone = referee({"--control", "autoref"});
-  EXPECT_EQ(count_of("the first kick-off is missing: giving it to west", alone.err), 1);
+  EXPECT_EQ(detections_of("the first kick-off is missing: giving it to west", alone.err), 1);
   const Answer set = referee({"--control", "autoref", "--first-kickoff", "east"});
-  EXPECT_EQ(count_of("kick-off", set.err), 0);
+  EXPECT_EQ(detections_of("kick-off", set.err), 0);
 }
 
 TEST_F(ForeignLog, WithoutRobotsOfOneTeamIsJudged) {
@@ -262,7 +263,7 @@ TEST_F(OwnLog, OfTwoGamesIsJudgedGameByGame) {
   expect_judged("the log contains 2 games; the second starts at");
   const Answer answer = referee({"--control", "autoref", "--events", events.c_str()});
   EXPECT_NE(answer.out.find("F1 1.000"), std::string::npos) << answer.out;
-  EXPECT_EQ(count_of("\"transition\": \"begin\"", content_of(events)), 2);
+  EXPECT_EQ(detections_of("\"transition\": \"begin\"", content_of(events)), 2);
 }
 
 }  // namespace

@@ -5,16 +5,17 @@
 namespace autoref::runner {
 namespace {
 
-Call call_at(double time_s, std::string_view event, Side side) {
+Call shown_call_at(double time_s, std::string_view event, Side side) {
   return {time_s, time_s + 1, {CommandKind::kDirectFree, opponent_of(side)}, event, side};
 }
 
 TEST(ComparedCalls, SayWhatEachRefereeDid) {
   Agreement agreement;
-  agreement.pairs = {{call_at(5, "", Side::kWest), call_at(5.1, "throw_in", Side::kWest)},
-                     {call_at(9, "", Side::kEast), std::nullopt},
-                     {std::nullopt, call_at(12, "goal_kick", Side::kEast)},
-                     {std::nullopt, call_at(40, "goal", Side::kEast)}};
+  agreement.pairs = {
+      {shown_call_at(5, "", Side::kWest), shown_call_at(5.1, "throw_in", Side::kWest)},
+      {shown_call_at(9, "", Side::kEast), std::nullopt},
+      {std::nullopt, shown_call_at(12, "goal_kick", Side::kEast)},
+      {std::nullopt, shown_call_at(40, "goal", Side::kEast)}};
   const std::vector<ComparedCall> expected = {
       {5, "DIRECT_FREE_BLUE", "throw_in (yellow)", ""},
       {9, "DIRECT_FREE_YELLOW", "", "AutoRef: goal_kick (blue) at 12.00 s"},

@@ -17,7 +17,7 @@ using league::LogRecord;
 using league::MessageKind;
 using Records = std::vector<LogRecord>;
 
-constexpr std::int64_t kSecond_ns = 1'000'000'000;
+constexpr std::int64_t kMutatedSecond_ns = 1'000'000'000;
 
 void put_number(std::uint64_t number, int bytes, std::string& text) {
   for (int byte = bytes - 1; byte >= 0; --byte)
@@ -84,10 +84,10 @@ void change_kind(Records& records, RandomStream& chance) {
 void change_times(Records& records, RandomStream& chance) {
   const std::array<std::int64_t, 8> steps_ns = {1,
                                                 -1,
-                                                kSecond_ns / 10,
-                                                -kSecond_ns,
-                                                -100 * kSecond_ns,
-                                                1'700'000'000 * kSecond_ns,
+                                                kMutatedSecond_ns / 10,
+                                                -kMutatedSecond_ns,
+                                                -100 * kMutatedSecond_ns,
+                                                1'700'000'000 * kMutatedSecond_ns,
                                                 std::numeric_limits<std::int64_t>::max(),
                                                 std::numeric_limits<std::int64_t>::min()};
   const std::int64_t step_ns = steps_ns[below(steps_ns.size(), chance)];

@@ -29,7 +29,7 @@ using league::MessageKind;
 constexpr std::uint64_t kLogs = AUTOREF_MUTATED_LOGS;
 
 // Writes the log of a game with many fouls.
-void write_game(const fs::path& log) {
+void write_mutated_game(const fs::path& log) {
   const std::string game = in_checkout("scenarios/paper-game.yaml");
   const std::string path = log.string();
   const Answer answer =
@@ -65,7 +65,7 @@ std::vector<LogRecord> game_records(const TemporaryFolder& folder) {
   constexpr std::int64_t kFrom_ns = 4'500'000'000;
   constexpr std::int64_t kTo_ns = 18'000'000'000;
   const fs::path log = folder / "game.log";
-  write_game(log);
+  write_mutated_game(log);
   TrackerPackets tracker;
   league::read_log(log, tracker);
   std::vector<LogRecord> records = records_in(log);
@@ -87,17 +87,17 @@ void expect_valid(const RefereedLog& log, std::size_t bytes) {
     EXPECT_TRUE(is_finite(decision)) << decision_json(decision);
 }
 
-enum class Outcome : std::uint8_t { kJudged, kRefused, kNotALog };
+enum class MutationOutcome : std::uint8_t { kJudged, kRefused, kNotALog };
 
-Outcome outcome_of(const fs::path& log, const std::string& bytes) {
+MutationOutcome outcome_of(const fs::path& log, const std::string& bytes) {
   write_content(log, bytes);
   try {
     expect_valid(refereed(log), bytes.size());
-    return Outcome::kJudged;
+    return MutationOutcome::kJudged;
   } catch (const league::LogError&) {
-    return Outcome::kNotALog;
+    return MutationOutcome::kNotALog;
   } catch (const InputError&) {
-    return Outcome::kRefused;
+    return MutationOutcome::kRefused;
   }
 }
 
@@ -106,7 +106,7 @@ TEST(MutatedLogs, AreRefusedOrJudgedWithFiniteNumbersInTime) {
   constexpr std::chrono::seconds kLongest(20);  // a fiftieth of a second is usual
   const TemporaryFolder folder;
   const std::vector<LogRecord> records = game_records(folder);
-  std::map<Outcome, std::uint64_t> outcomes;
+  std::map<MutationOutcome, std::uint64_t> outcomes;
   for (std::uint64_t seed = 1; seed <= kLogs; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
     const Clock::time_point start = Clock::now();
@@ -114,8 +114,9 @@ TEST(MutatedLogs, AreRefusedOrJudgedWithFiniteNumbersInTime) {
     EXPECT_LT(Clock::now() - start, kLongest);
   }
   fmt::print("{} mutated logs: {} judged, {} refused, {} not logs\n", kLogs,
-             outcomes[Outcome::kJudged], outcomes[Outcome::kRefused], outcomes[Outcome::kNotALog]);
-  EXPECT_GT(outcomes[Outcome::kJudged], kLogs / 2);
+             outcomes[MutationOutcome::kJudged], outcomes[MutationOutcome::kRefused],
+             outcomes[MutationOutcome::kNotALog]);
+  EXPECT_GT(outcomes[MutationOutcome::kJudged], kLogs / 2);
 }
 
 TEST(MutatedLogs, AreMadeFromALogThatIsJudged) {

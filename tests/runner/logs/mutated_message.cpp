@@ -48,13 +48,13 @@ constexpr std::array<std::int64_t, 18> kWholeNumbers = {0,
                                                         std::numeric_limits<std::int64_t>::max(),
                                                         std::numeric_limits<std::int64_t>::min()};
 
-std::size_t below(std::size_t count, RandomStream& chance) {
+std::size_t index_below(std::size_t count, RandomStream& chance) {
   return static_cast<std::size_t>(chance.uniform() * static_cast<double>(count));
 }
 
 template <typename List>
 auto any_of(const List& list, RandomStream& chance) {
-  return list[below(list.size(), chance)];
+  return list[index_below(list.size(), chance)];
 }
 
 std::string any_text(RandomStream& chance) {
@@ -96,7 +96,7 @@ void mutate_list(Message& message, const FieldDescriptor& field, RandomStream& c
   if (size == 0) return;
   if (chance.uniform() < 0.1) return access.RemoveLast(&message, &field);
   if (!is_of_messages) return access.ClearField(&message, &field);
-  const auto index = static_cast<int>(below(static_cast<std::size_t>(size), chance));
+  const auto index = static_cast<int>(index_below(static_cast<std::size_t>(size), chance));
   if (chance.uniform() < 0.1) {
     access.AddMessage(&message, &field)
         ->CopyFrom(access.GetRepeatedMessage(message, &field, index));
@@ -110,8 +110,8 @@ void mutate_list(Message& message, const FieldDescriptor& field, RandomStream& c
 void mutate(Message& message, RandomStream& chance) {
   const auto& type = *message.GetDescriptor();
   const Reflection& access = *message.GetReflection();
-  const FieldDescriptor& field =
-      *type.field(static_cast<int>(below(static_cast<std::size_t>(type.field_count()), chance)));
+  const FieldDescriptor& field = *type.field(
+      static_cast<int>(index_below(static_cast<std::size_t>(type.field_count()), chance)));
   if (field.is_repeated()) return mutate_list(message, field, chance);
   if (chance.uniform() < 0.05) return access.ClearField(&message, &field);
   if (field.cpp_type() != FieldDescriptor::CPPTYPE_MESSAGE)

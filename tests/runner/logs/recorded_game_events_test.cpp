@@ -16,7 +16,7 @@ GameEvent event_of(GameEventType type, const std::string& id = "") {
   return event;
 }
 
-league::RefereePacket packet_of(const std::vector<GameEvent>& events) {
+league::RefereePacket referee_packet_of(const std::vector<GameEvent>& events) {
   league::RefereePacket packet;
   for (const GameEvent& event : events) league::add_game_event(event, packet);
   return packet;
@@ -26,29 +26,35 @@ league::RefereePacket packet_of(const std::vector<GameEvent>& events) {
 std::vector<double> times_in(const std::vector<std::vector<GameEvent>>& packets) {
   RecordedGameEvents recorded;
   double time_s = 0;
-  for (const auto& events : packets) recorded.take(time_s++, packet_of(events));
+  for (const auto& events : packets) recorded.take(time_s++, referee_packet_of(events));
   std::vector<double> times_s;
   for (const TimedGameEvent& event : recorded.events()) times_s.push_back(event.time_s);
   return times_s;
 }
 
-const GameEvent kOut = event_of(GameEventType::kBallLeftFieldTouchLine, "a");
+const GameEvent kTouchLineEvent = event_of(GameEventType::kBallLeftFieldTouchLine, "a");
 const GameEvent kFast = event_of(GameEventType::kBotKickedBallTooFast, "b");
 using Times = std::vector<double>;
 
 TEST(RecordedGameEvents, CountFromThePacketThatHasThemFirst) {
-  EXPECT_EQ(times_in({{}, {kOut}, {kOut}, {kOut, kFast}, {kOut, kFast}, {}}), (Times{1, 3}));
+  EXPECT_EQ(times_in({{},
+                      {kTouchLineEvent},
+                      {kTouchLineEvent},
+                      {kTouchLineEvent, kFast},
+                      {kTouchLineEvent, kFast},
+                      {}}),
+            (Times{1, 3}));
 }
 
 TEST(RecordedGameEvents, CountOnceEvenIfTheyAreLeftOutInBetween) {
-  EXPECT_EQ(times_in({{}, {kOut}, {}, {kOut}}), (Times{1}));
+  EXPECT_EQ(times_in({{}, {kTouchLineEvent}, {}, {kTouchLineEvent}}), (Times{1}));
 }
 
 TEST(RecordedGameEvents, CountOnceIfAnotherRefereeReportsThem) {
-  GameEvent later = kOut;
+  GameEvent later = kTouchLineEvent;
   later.origin = {"A", "B"};
-  EXPECT_EQ(times_in({{}, {kOut}, {later}}), (Times{1}));
-  GameEvent nameless = kOut;
+  EXPECT_EQ(times_in({{}, {kTouchLineEvent}, {later}}), (Times{1}));
+  GameEvent nameless = kTouchLineEvent;
   nameless.id = later.id = "";
   nameless.created_us = later.created_us = 7;
   EXPECT_EQ(times_in({{}, {nameless}, {later}}), (Times{1}));
@@ -60,12 +66,12 @@ TEST(RecordedGameEvents, WithoutIdsCountAgainWhenTheyComeBack) {
 }
 
 TEST(RecordedGameEvents, OfTheFirstPacketHappenedBeforeTheLog) {
-  EXPECT_EQ(times_in({{kOut}, {kOut, kFast}}), (Times{1}));
+  EXPECT_EQ(times_in({{kTouchLineEvent}, {kTouchLineEvent, kFast}}), (Times{1}));
 }
 
 TEST(RecordedGameEvents, AreNotProposals) {
   league::GameEventMessage message;
-  league::fill_game_event(kOut, message);
+  league::fill_game_event(kTouchLineEvent, message);
   league::RefereePacket packet;
   RecordedGameEvents recorded;
   recorded.take(0, packet);
@@ -86,7 +92,7 @@ TEST(RecordedGameEvents, AreBounded) {
   RecordedGameEvents recorded;
   recorded.take(0, {});
   for (std::size_t i = 0; i < RecordedGameEvents::kMostEvents + 10; ++i)
-    recorded.take(1, packet_of({event_of(GameEventType::kGoal, std::to_string(i))}));
+    recorded.take(1, referee_packet_of({event_of(GameEventType::kGoal, std::to_string(i))}));
   EXPECT_EQ(recorded.events().size(), RecordedGameEvents::kMostEvents);
 }
 

@@ -62,14 +62,15 @@ GameConfiguration short_game() {
   return game;
 }
 
-struct RecordedGame {
+struct PlayedAndLogged {
   GameRecord record;
   std::string events;
 };
 
-RecordedGame played(const GameConfiguration& game, const std::filesystem::path& log) {
+PlayedAndLogged played_and_recorded(const GameConfiguration& game,
+                                    const std::filesystem::path& log) {
   Recorder recorder(log, game);
-  RecordedGame recorded{play(game, &recorder), {}};
+  PlayedAndLogged recorded{play(game, &recorder), {}};
   recorder.close();
   recorded.events = recorder.events.text();
   return recorded;
@@ -84,7 +85,7 @@ std::vector<Call> calls_of(const std::vector<std::pair<double, Command>>& comman
 TEST(RefereedLog, YieldsEveryDecisionOfTheLiveReferee) {
   const ScratchFile file(".log");
   const GameConfiguration game = short_game();
-  const RecordedGame live = played(game, file.path());
+  const PlayedAndLogged live = played_and_recorded(game, file.path());
   const RecordedFacts facts = facts_of(file.path());
   const LogRefereeResult refereed = referee_log(file.path(), facts, {referee_configuration(game)});
   EXPECT_GT(refereed.decisions, 20);
@@ -188,7 +189,7 @@ TEST(LoggedCameras, AreThoseOfTheDivisionIfHeightsAreReported) {
 TEST(RecordedFacts, AreThoseOfTheGame) {
   const ScratchFile file(".log.gz");
   const GameConfiguration game = short_game();
-  const RecordedGame live = played(game, file.path());
+  const PlayedAndLogged live = played_and_recorded(game, file.path());
   const RecordedFacts facts = facts_of(file.path());
   EXPECT_EQ(facts.log.frames, live.record.frames + 1);
   EXPECT_EQ(facts.games.front().half_s, 60);
@@ -202,7 +203,7 @@ TEST(RecordedFacts, AreThoseOfTheGame) {
 
 TEST(RecordedFacts, OfADamagedLogAreThoseBeforeTheDamage) {
   const ScratchFile file(".log");
-  played(short_game(), file.path());
+  played_and_recorded(short_game(), file.path());
   const std::string whole = file.bytes();
   const RecordedFacts facts = facts_of(file.fill(whole.substr(0, whole.size() / 2)).path());
   EXPECT_GT(facts.log.frames, 1000);

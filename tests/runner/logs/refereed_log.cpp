@@ -25,8 +25,8 @@ class FrameKeeper final : public league::LogVisitor {
   std::vector<Frame>& frames_;
 };
 
-GameSettings game_in(const std::string& log, const std::string& book, const RecordedFacts& facts,
-                     const RecordedGame& recorded) {
+GameSettings mutated_game_in(const std::string& log, const std::string& book,
+                             const RecordedFacts& facts, const RecordedGame& recorded) {
   GameSettings game = logged_game(book, facts, recorded);
   set_by_path(game, "sim.camera", "realistic");
   blame(log, [&game] { check_judged(game); });
@@ -50,7 +50,7 @@ RefereedLog refereed(const std::filesystem::path& log) {
   const std::string book = guessed_rules(facts.log).book;
   std::vector<referee::Configuration> games;
   for (const RecordedGame& recorded : facts.games)
-    games.push_back(referee_configuration(resolved(game_in(name, book, facts, recorded))));
+    games.push_back(referee_configuration(resolved(mutated_game_in(name, book, facts, recorded))));
   result.field = games.front().field;
   facts.teams = teams_in(log, result.field, games.front().rules.change_ends);
   const LogRefereeResult evaluation = referee_log(
@@ -59,7 +59,7 @@ RefereedLog refereed(const std::filesystem::path& log) {
   FrameKeeper keeper(result.frames);
   league::read_log(log, keeper);
   result.report = damage_text(name, facts) +
-                  gaps_text(facts, game_in(name, book, facts, facts.games.front())) +
+                  gaps_text(facts, mutated_game_in(name, book, facts, facts.games.front())) +
                   referee_log_text(evaluation, facts) + referee_log_json(evaluation, facts) +
                   info_text(facts, true) + info_json(facts) + evaluation.events;
   return result;

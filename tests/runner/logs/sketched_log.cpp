@@ -13,7 +13,7 @@ namespace {
 
 using league::MessageKind;
 
-constexpr double kRate_hz = 60;
+constexpr double kSketchRate_hz = 60;
 
 class Sketcher {
  public:
@@ -24,9 +24,9 @@ class Sketcher {
   }
 
   void write() {
-    const auto frames = static_cast<int>(sketch_.length_s * kRate_hz);
+    const auto frames = static_cast<int>(sketch_.length_s * kSketchRate_hz);
     for (int frame = 0; frame < frames; ++frame) {
-      const double time_s = frame / kRate_hz;
+      const double time_s = frame / kSketchRate_hz;
       if (frame % 60 == 0 && sketch_.has_geometry) put_geometry(time_s);
       if (sketch_.has_vision) put_vision(frame, time_s);
       if (frame % 6 == 0 && sketch_.has_referee) put_referee(time_s);

@@ -18,8 +18,8 @@ using referee::Event;
 constexpr double kPlayed_s = 0.3;  // play has been on for so long
 constexpr double kQuiet_s = 2.1;   // after a call; a foul may cancel a goal for 2 s
 constexpr double kLongestFrame_s = 0.05;
-constexpr double kShortest_s = 0.3;   // of the ball's path: ten frames of a slow camera
-constexpr double kFromLines_m = 0.1;  // to the place of the kick
+constexpr double kShortestSplice_s = 0.3;  // of the ball's path: ten frames of a slow camera
+constexpr double kFromLines_m = 0.1;       // to the place of the kick
 constexpr double kFromPosts_m = 0.15;
 constexpr double kFromRobots_m = 0.25;  // of the ball's centre to other robots' centres
 constexpr double kKick_s = 0.1;         // meanwhile, the kicker may follow the ball
@@ -122,7 +122,7 @@ class SpliceFinder {
     Splice splice{&exit_, time_s,   exit_.time_at_s(-crossing.distance_m),
                   kicker, crossing, robot.heading};
     const bool is_seen_at_kick = splice.ball_m(splice.from_s).has_value();
-    if (!is_seen_at_kick || exit_.time_at_s(0) - splice.exit_from_s < kShortest_s) return;
+    if (!is_seen_at_kick || exit_.time_at_s(0) - splice.exit_from_s < kShortestSplice_s) return;
     if (!is_quiet(log_, splice.from_s, splice.to_s() + kKick_s)) return;
     const std::span<const Frame> frames = frames_around(splice.from_s, splice.to_s());
     if (frames.empty() || has_gaps(frames) || !is_clear(splice, frames)) return;

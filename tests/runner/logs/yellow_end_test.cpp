@@ -5,7 +5,7 @@
 namespace autoref::runner {
 namespace {
 
-Frame frame_at(double time_s, double yellow_x_m, double blue_x_m) {
+Frame recorded_frame_at(double time_s, double yellow_x_m, double blue_x_m) {
   Frame frame;
   frame.time_s = time_s;
   frame.robots[Side::kWest] = {{2, {yellow_x_m, 0.1}, {1, 0}}};
@@ -23,7 +23,7 @@ league::RefereePacket packet_with_keepers(std::uint32_t yellow, std::uint32_t bl
 TEST(YellowEnd, IsUnknownWithoutEvidence) {
   YellowEnd yellow{Field{}};
   EXPECT_FALSE(yellow.end());
-  yellow.take(frame_at(0, 0.1, 0.2));
+  yellow.take(recorded_frame_at(0, 0.1, 0.2));
   EXPECT_FALSE(yellow.end());
 }
 
@@ -34,7 +34,7 @@ TEST(YellowEnd, IsWhatTheRefereeSaidFirst) {
   yellow.take(packet);
   packet.set_blue_team_on_positive_half(true);  // after half-time
   yellow.take(packet);
-  yellow.take(frame_at(0, -2, 2));
+  yellow.take(recorded_frame_at(0, -2, 2));
   EXPECT_EQ(yellow.end(), Side::kEast);
 }
 
@@ -42,7 +42,7 @@ TEST(YellowEnd, IsWhatTheRefereeSaidFirst) {
 TEST(YellowEnd, IsWhereTheNamedKeeperStands) {
   YellowEnd yellow{Field{}};
   yellow.take(packet_with_keepers(2, 9));
-  Frame frame = frame_at(20, 2.8, 0);
+  Frame frame = recorded_frame_at(20, 2.8, 0);
   frame.robots[Side::kWest].push_back({3, {-3, 0}, {1, 0}});
   frame.robots[Side::kWest].push_back({4, {-3, 1}, {1, 0}});
   yellow.take(frame);
@@ -52,14 +52,16 @@ TEST(YellowEnd, IsWhereTheNamedKeeperStands) {
 TEST(YellowEnd, FollowsFromTheOtherTeamsKeeper) {
   YellowEnd yellow{Field{}};
   yellow.take(packet_with_keepers(9, 7));
-  yellow.take(frame_at(0, 0, 2.9));
+  yellow.take(recorded_frame_at(0, 0, 2.9));
   EXPECT_EQ(yellow.end(), Side::kWest);
 }
 
 TEST(YellowEnd, IsWhereItsRobotsStandAtFirst) {
   YellowEnd yellow{Field{}};
-  for (int second = 0; second <= 10; ++second) yellow.take(frame_at(5.0 + second, 1.5, -1));
-  for (int second = 11; second <= 100; ++second) yellow.take(frame_at(5.0 + second, -1.5, 1));
+  for (int second = 0; second <= 10; ++second)
+    yellow.take(recorded_frame_at(5.0 + second, 1.5, -1));
+  for (int second = 11; second <= 100; ++second)
+    yellow.take(recorded_frame_at(5.0 + second, -1.5, 1));
   EXPECT_EQ(yellow.end(), Side::kEast);
 }
 

@@ -2,12 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/runner/support/has_part.hpp"
+
 namespace autoref::runner {
 namespace {
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 const Document kNasty{"a <b> & *c*",
                       {Paragraph{"1. [x](y) `z` | _u_\n# next"},

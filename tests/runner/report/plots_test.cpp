@@ -4,12 +4,13 @@
 
 #include "runner/report/running_mean.hpp"
 #include "tests/runner/batch/fake_games.hpp"
+#include "tests/runner/support/has_part.hpp"
 
 namespace autoref::runner {
 namespace {
 
 // Results of fake games.
-ExperimentResults played(const Scenario& scenario) {
+ExperimentResults played_fakes(const Scenario& scenario) {
   const TemporaryFolder folder;
   return run_experiment(scenario, fake_options(folder.path())).results;
 }
@@ -22,18 +23,14 @@ std::vector<std::string> names_of(const std::vector<Plot>& plots) {
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST(Plots, OfASweepOverNumbersAreCurvesAndHistograms) {
-  EXPECT_EQ(names_of(plots_of(small_sweep(), played(small_sweep()))),
+  EXPECT_EQ(names_of(plots_of(small_sweep(), played_fakes(small_sweep()))),
             (std::vector<std::string>{"scores", "difference", "histogram", "running_mean"}));
 }
 
 TEST(Plots, OfARoundRobinAreTablesAndRatings) {
   const Scenario robin = small_roundrobin({6, 5, 4});
-  EXPECT_EQ(names_of(plots_of(robin, played(robin))),
+  EXPECT_EQ(names_of(plots_of(robin, played_fakes(robin))),
             (std::vector<std::string>{"difference", "crosstable", "ratings", "histogram",
                                       "running_mean"}));
 }
@@ -43,7 +40,7 @@ TEST(Plots, OfChallengersHaveNoRatings) {
   gauntlet.challengers["bold"].robots = 6;
   gauntlet.teams["zone"].robots = 5;
   const Scenario scenario{"A test.", gauntlet};
-  EXPECT_EQ(names_of(plots_of(scenario, played(scenario))),
+  EXPECT_EQ(names_of(plots_of(scenario, played_fakes(scenario))),
             (std::vector<std::string>{"difference", "histogram", "running_mean"}));
 }
 
@@ -54,7 +51,7 @@ TEST(Plots, AreEmptyBeforeTheFirstGame) {
 }
 
 TEST(Plots, HaveNamedColumns) {
-  const std::vector<Plot> plots = plots_of(small_sweep(), played(small_sweep()));
+  const std::vector<Plot> plots = plots_of(small_sweep(), played_fakes(small_sweep()));
   ASSERT_EQ(plots.size(), 4U);
   EXPECT_EQ(first_line(plots[0].csv), "value,games,mean_a,sd_a,mean_b,sd_b");
   EXPECT_EQ(first_line(plots[1].csv), "value,pairs,mean_diff,low95,high95");
@@ -63,12 +60,12 @@ TEST(Plots, HaveNamedColumns) {
 }
 
 TEST(ScoresPlot, HasTheBaselineOnTheLeft) {
-  const std::optional<Plot> plot = scores_plot(small_sweep(), played(small_sweep()));
+  const std::optional<Plot> plot = scores_plot(small_sweep(), played_fakes(small_sweep()));
   EXPECT_TRUE(has(plot.value().script, "set xrange [6.06:4.94]")) << plot->script;
 }
 
 TEST(DifferencePlot, ShowsTheSlope) {
-  const std::optional<Plot> plot = difference_plot(small_sweep(), played(small_sweep()));
+  const std::optional<Plot> plot = difference_plot(small_sweep(), played_fakes(small_sweep()));
   EXPECT_TRUE(has(plot.value().about, "Slope: ")) << plot->about;
   EXPECT_TRUE(has(plot->about, "goals per game per unit of b.robots")) << plot->about;
 }
@@ -93,7 +90,7 @@ TEST(RunningMeans, FollowTheNumbersOfPairs) {
 
 TEST(CrosstablePlot, ShowsEachMatchupFromBothSides) {
   const Scenario robin = small_roundrobin({6, 16}, 1);
-  const std::string csv = crosstable_plot(played(robin)).value().csv;
+  const std::string csv = crosstable_plot(played_fakes(robin)).value().csv;
   EXPECT_EQ(line_count(csv), 3);
   EXPECT_TRUE(has(csv, "\n1,2,team1,team0,2,0,0,")) << csv;
   EXPECT_TRUE(has(csv, "\n2,1,team0,team1,0,0,2,-")) << csv;

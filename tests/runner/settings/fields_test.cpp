@@ -8,7 +8,7 @@
 namespace autoref::runner {
 namespace {
 
-std::string refusal_of(std::string_view path, std::string_view text) {
+std::string refusal_of_value(std::string_view path, std::string_view text) {
   GameSettings game;
   try {
     set_by_path(game, path, text);
@@ -59,7 +59,7 @@ TEST(SetByPath, SetsTheBallsValuesWithAPreset) {
   EXPECT_EQ(game.sim.ball.slide_mps2, 3.0);
   EXPECT_EQ(game.sim.ball.hop_later_xy, 0.85);
   EXPECT_EQ(value_at(game, "sim.ball.preset"), "tigers");
-  EXPECT_EQ(refusal_of("sim.ball.preset", "tiger"),
+  EXPECT_EQ(refusal_of_value("sim.ball.preset", "tiger"),
             "expected one of default, erforce, tigers, grsim, rc2026, found 'tiger'; did you mean "
             "'tigers'?");
 }
@@ -80,10 +80,10 @@ TEST(SetByPath, SetsAStrategysParameters) {
 }
 
 TEST(SetByPath, NamesTheNearestKeyForAnUnknownOne) {
-  EXPECT_NE(refusal_of("match.half", "60").find("'match.half_s'"), std::string::npos);
-  EXPECT_NE(refusal_of("b.robot", "5").find("'b.robots'"), std::string::npos);
-  EXPECT_NE(refusal_of("params.x", "5").find("unknown key"), std::string::npos);
-  EXPECT_NE(refusal_of("a.params", "5").find("unknown key"), std::string::npos);
+  EXPECT_NE(refusal_of_value("match.half", "60").find("'match.half_s'"), std::string::npos);
+  EXPECT_NE(refusal_of_value("b.robot", "5").find("'b.robots'"), std::string::npos);
+  EXPECT_NE(refusal_of_value("params.x", "5").find("unknown key"), std::string::npos);
+  EXPECT_NE(refusal_of_value("a.params", "5").find("unknown key"), std::string::npos);
 }
 
 TEST(SetByPath, SetsOverridesOfATeamsRobotsOrOfOneRobot) {
@@ -98,23 +98,24 @@ TEST(SetByPath, SetsOverridesOfATeamsRobotsOrOfOneRobot) {
 }
 
 TEST(SetByPath, NamesTheNearestKeyOfAPlayer) {
-  EXPECT_NE(refusal_of("b.players.3.handicup", "1").find("'b.players.3.handicap'"),
+  EXPECT_NE(refusal_of_value("b.players.3.handicup", "1").find("'b.players.3.handicap'"),
             std::string::npos);
-  EXPECT_NE(refusal_of("b.robot.speed", "1").find("'b.robot.speed_mps'"), std::string::npos);
-  EXPECT_NE(refusal_of("b.players.3", "1").find("unknown key"), std::string::npos);
-  EXPECT_NE(refusal_of("b.players", "1").find("unknown key"), std::string::npos);
-  EXPECT_EQ(refusal_of("b.players.16.handicap", "1"),
+  EXPECT_NE(refusal_of_value("b.robot.speed", "1").find("'b.robot.speed_mps'"), std::string::npos);
+  EXPECT_NE(refusal_of_value("b.players.3", "1").find("unknown key"), std::string::npos);
+  EXPECT_NE(refusal_of_value("b.players", "1").find("unknown key"), std::string::npos);
+  EXPECT_EQ(refusal_of_value("b.players.16.handicap", "1"),
             "expected a robot's number from 0 to 15, found '16'");
-  EXPECT_EQ(refusal_of("b.robot.mass_kg", "0"),
+  EXPECT_EQ(refusal_of_value("b.robot.mass_kg", "0"),
             "expected a number from 0.001 to 100 kg, found '0'");
 }
 
 TEST(SetByPath, SaysWhatWasExpected) {
-  EXPECT_EQ(refusal_of("a.robots", "17"), "expected a whole number from 1 to 16, found '17'");
-  EXPECT_EQ(refusal_of("a.robots", "0"), "expected a whole number from 1 to 16, found '0'");
-  EXPECT_EQ(refusal_of("b.speed_factor", "-1"),
+  EXPECT_EQ(refusal_of_value("a.robots", "17"), "expected a whole number from 1 to 16, found '17'");
+  EXPECT_EQ(refusal_of_value("a.robots", "0"), "expected a whole number from 1 to 16, found '0'");
+  EXPECT_EQ(refusal_of_value("b.speed_factor", "-1"),
             "expected a number above 0 and at most 2, found '-1'");
-  EXPECT_EQ(refusal_of("match.a_plays", "north"), "expected one of west, east, found 'north'");
+  EXPECT_EQ(refusal_of_value("match.a_plays", "north"),
+            "expected one of west, east, found 'north'");
 }
 
 TEST(SetByPath, LeavesTheGameUnchangedIfItThrows) {

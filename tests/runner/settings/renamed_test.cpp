@@ -10,7 +10,7 @@
 namespace autoref::runner {
 namespace {
 
-std::string refusal_of(const std::string& text) {
+std::string refusal_of_scenario(const std::string& text) {
   try {
     read_scenario_text(text, "x.yaml");
   } catch (const InputError& error) {
@@ -20,7 +20,7 @@ std::string refusal_of(const std::string& text) {
 }
 
 TEST(RenamedKey, IsRefusedInAFileWithItsNewName) {
-  EXPECT_TRUE(refusal_of("schema: 1\nkind: game\nsim:\n  calm_substeps: 4\n")
+  EXPECT_TRUE(refusal_of_scenario("schema: 1\nkind: game\nsim:\n  calm_substeps: 4\n")
                   .starts_with("x.yaml:4:3: sim: unknown key 'calm_substeps'; its name is "
                                "'contact_free_substeps' now"));
 }
@@ -43,9 +43,9 @@ TEST(RenamedKey, HasAKnownNewName) {
 }
 
 TEST(RenamedKind, IsRefusedWithItsNewName) {
-  EXPECT_NE(
-      refusal_of("schema: 1\nkind: match\n").find("unknown kind 'match'; its name is 'sprt' now"),
-      std::string::npos);
+  EXPECT_NE(refusal_of_scenario("schema: 1\nkind: match\n")
+                .find("unknown kind 'match'; its name is 'sprt' now"),
+            std::string::npos);
 }
 
 TEST(RenamedVerb, IsRefusedWithItsNewName) {
@@ -55,7 +55,7 @@ TEST(RenamedVerb, IsRefusedWithItsNewName) {
 }
 
 TEST(RenamedRule, IsRefusedWithItsNewName) {
-  EXPECT_NE(refusal_of("schema: 1\nkind: game\nmatch: { switch: { crash: true } }\n")
+  EXPECT_NE(refusal_of_scenario("schema: 1\nkind: game\nmatch: { switch: { crash: true } }\n")
                 .find("unknown key 'crash'; its name is 'bot_crash_unique' now"),
             std::string::npos);
 }

@@ -14,7 +14,7 @@ namespace autoref::runner {
 namespace {
 
 TEST(ResolvedGame, OfDefaultSettingsIsTheDefaultGame) {
-  const GameConfiguration game = resolved({});
+  const GameConfiguration game = resolved(GameSettings{});
   EXPECT_EQ(game.match.rules, GameConfiguration{}.match.rules);
   EXPECT_EQ(game.a.robots.size(), GameConfiguration{}.a.robots.size());
   EXPECT_EQ(game.match.half_s, GameConfiguration{}.match.half_s);

@@ -11,19 +11,19 @@
 namespace autoref::runner {
 namespace {
 
-const std::string kGame = "schema: 1\nkind: game\n";
+const std::string kChangesGame = "schema: 1\nkind: game\n";
 
-GameSettings game_of(const std::string& text) {
-  return std::get<GameSettings>(read_scenario_text(kGame + text, "x.yaml").content);
+GameSettings game_of_changes(const std::string& text) {
+  return std::get<GameSettings>(read_scenario_text(kChangesGame + text, "x.yaml").content);
 }
 
 sim::RobotSpec robot_of_b(const std::string& text, std::size_t number) {
-  const GameSettings game = game_of(text);
+  const GameSettings game = game_of_changes(text);
   return spec_of(game, game.b, "teams.b").robots.at(number);
 }
 
 TEST(SpecOf, GivesEveryRobotTheGamesValuesByDefault) {
-  const GameSettings game = game_of("sim: { robot: { speed_mps: 2.5 } }\n");
+  const GameSettings game = game_of_changes("sim: { robot: { speed_mps: 2.5 } }\n");
   for (const TeamSettings* team : {&game.a, &game.b}) {
     const sim::TeamSpec spec = spec_of(game, *team, "teams.x");
     ASSERT_EQ(spec.robots.size(), 6U);
@@ -63,7 +63,8 @@ TEST(SpecOf, LetsTeamsOverrideTheGameAndPlayersOverrideTeamsInAnyOrderOfKeys) {
 }
 
 TEST(SpecOf, DoesNotAffectTheOtherTeam) {
-  const GameSettings game = game_of("teams: { b: { robot: { mass_kg: 3 }, handicap: 0.5 } }\n");
+  const GameSettings game =
+      game_of_changes("teams: { b: { robot: { mass_kg: 3 }, handicap: 0.5 } }\n");
   EXPECT_EQ(spec_of(game, game.a, "teams.a").robots[0].body.mass_kg, 2.5);
   EXPECT_EQ(spec_of(game, game.a, "teams.a").robots[0].speed_factor, 1.0);
   EXPECT_EQ(spec_of(game, game.b, "teams.b").robots[5].body.mass_kg, 3.0);

@@ -19,8 +19,8 @@ namespace autoref::runner {
 namespace {
 
 const std::string kType = "schema: 1\nkind: robot\n";
-const std::string kGame = "schema: 1\nkind: game\n";
-const std::string kSweep = "schema: 1\nkind: sweep\npairs: 1\nseed: 1\n";
+const std::string kTypesGame = "schema: 1\nkind: game\n";
+const std::string kTypesSweep = "schema: 1\nkind: sweep\npairs: 1\nseed: 1\n";
 
 // A folder with a scenario, and the types `slow` and `fast` in a subfolder.
 class ScenarioWithTypes : public testing::Test {
@@ -35,10 +35,10 @@ class ScenarioWithTypes : public testing::Test {
     return read_scenario(folder_ / "x.yaml");
   }
   GameSettings game(const std::string& text) const {
-    return std::get<GameSettings>(read(kGame + text).content);
+    return std::get<GameSettings>(read(kTypesGame + text).content);
   }
   Sweep sweep(const std::string& text) const {
-    return std::get<Sweep>(read(kSweep + text).content);
+    return std::get<Sweep>(read(kTypesSweep + text).content);
   }
   std::string refusal(const std::string& text) const {
     try {
@@ -86,7 +86,7 @@ TEST_F(ScenarioWithTypes, VariesATypeTogetherWithTheTeamsValues) {
 }
 
 TEST_F(ScenarioWithTypes, IsReproducedFromItsEffectiveText) {
-  const Scenario scenario = read(kGame +
+  const Scenario scenario = read(kTypesGame +
                                  "teams: { b: { type: robots/slow.yaml, players: { 1: { type: "
                                  "robots/fast.yaml, kicker: { reach_m: 0.02 } } } } }\n");
   const Scenario back = read_scenario_text(effective_text(scenario), "elsewhere/effective.yaml");
@@ -95,7 +95,7 @@ TEST_F(ScenarioWithTypes, IsReproducedFromItsEffectiveText) {
 }
 
 TEST_F(ScenarioWithTypes, HasItsSweepReproducedFromTheEffectiveText) {
-  const Scenario scenario = read(kSweep + "factors: { b.type: [none, robots/slow.yaml] }\n");
+  const Scenario scenario = read(kTypesSweep + "factors: { b.type: [none, robots/slow.yaml] }\n");
   const Scenario back = read_scenario_text(effective_text(scenario), "elsewhere/effective.yaml");
   const std::vector<ScheduledGame> games = scheduled_games(std::get<Sweep>(scenario.content));
   const std::vector<ScheduledGame> games_back = scheduled_games(std::get<Sweep>(back.content));
@@ -119,20 +119,20 @@ TEST_F(ScenarioWithTypes, HasAHashOfValuesNotNames) {
 
 TEST_F(ScenarioWithTypes, NamesItsOwnLocationForATypeThatCannotBeRead) {
   const std::string start = file("x.yaml") + ":3:21: teams.b.type: ";
-  const std::string message = refusal(kGame + "teams: { b: { type: robots/lost.yaml } }\n");
+  const std::string message = refusal(kTypesGame + "teams: { b: { type: robots/lost.yaml } }\n");
   EXPECT_TRUE(message.starts_with(start)) << message;
   EXPECT_NE(message.find("robots/lost.yaml: the file cannot be read"), std::string::npos);
 }
 
 TEST_F(ScenarioWithTypes, RefusesAnUnknownType) {
-  const std::string message = refusal(kGame + "teams: { b: { type: slow } }\n");
+  const std::string message = refusal(kTypesGame + "teams: { b: { type: slow } }\n");
   EXPECT_TRUE(message.starts_with(file("x.yaml") + ":3:21: teams.b.type: ")) << message;
   EXPECT_NE(message.find("a file such as robots/slow.yaml, or one of none"), std::string::npos);
 }
 
 TEST_F(ScenarioWithTypes, NamesTheTypesLocationForAnErrorInIt) {
   write_content(folder_ / "robots/slow.yaml", kType + "robot: { speed: 2 }\n");
-  const std::string message = refusal(kGame + "teams: { b: { type: robots/slow.yaml } }\n");
+  const std::string message = refusal(kTypesGame + "teams: { b: { type: robots/slow.yaml } }\n");
   EXPECT_TRUE(message.starts_with(file("robots/slow.yaml") + ":3:10: robot: unknown key 'speed'"))
       << message;
 }
@@ -140,13 +140,14 @@ TEST_F(ScenarioWithTypes, NamesTheTypesLocationForAnErrorInIt) {
 TEST_F(ScenarioWithTypes, RefusesTwoTypesWithTheSameName) {
   std::filesystem::create_directory(folder_ / "other");
   write_content(folder_ / "other/slow.yaml", kType + "robot: { speed_mps: 1 }\n");
-  const std::string message =
-      refusal(kGame + "teams: { a: { type: robots/slow.yaml }, b: { type: other/slow.yaml } }\n");
+  const std::string message = refusal(
+      kTypesGame + "teams: { a: { type: robots/slow.yaml }, b: { type: other/slow.yaml } }\n");
   EXPECT_NE(message.find("another type is already called 'slow'"), std::string::npos) << message;
 }
 
 TEST_F(ScenarioWithTypes, SaysThatATypeIsNamedAfterItsFile) {
-  const std::string message = refusal(kGame + "teams: { b: { type: robots/very slow.yaml } }\n");
+  const std::string message =
+      refusal(kTypesGame + "teams: { b: { type: robots/very slow.yaml } }\n");
   EXPECT_TRUE(message.starts_with(file("x.yaml") + ":3:21: teams.b.type: ")) << message;
   EXPECT_TRUE(message.ends_with("found 'very slow'; rename the file")) << message;
 }
@@ -161,13 +162,13 @@ TEST_F(ScenarioWithTypes, ResolvesAFlagsPathInTheGivenFolder) {
   EXPECT_EQ(speed_mps(it, 0), 3.0);
 }
 
-struct Mistake {
+struct TypeMistake {
   const char* name;
   std::string text;
   const char* message;  // start of the message
 };
 
-class WrongType : public testing::TestWithParam<Mistake> {};
+class WrongType : public testing::TestWithParam<TypeMistake> {};
 
 TEST_P(WrongType, IsRefusedWithItsLocation) {
   try {
@@ -181,23 +182,23 @@ TEST_P(WrongType, IsRefusedWithItsLocation) {
 INSTANTIATE_TEST_SUITE_P(
     Files, WrongType,
     testing::Values(
-        Mistake{"Empty", "", "t.yaml: the file is empty"},
-        Mistake{"OtherKind", kGame, "t.yaml:2:7: kind: expected robot, found 'game'"},
-        Mistake{"NoSchema", "kind: robot\n", "t.yaml:1:1: the key 'schema' is missing"},
-        Mistake{"UnknownBranch", kType + "wheels: {}\n", "t.yaml:3:1: unknown key 'wheels'"},
-        Mistake{"Factor", kType + "handicap: 0.5\n", "t.yaml:3:1: unknown key 'handicap'"},
-        Mistake{"Number", kType + "robot: 5\n", "t.yaml:3:8: robot: expected a mapping"},
-        Mistake{"Range", kType + "robot: { mass_kg: 0 }\n",
-                "t.yaml:3:19: robot.mass_kg: expected a number from 0.001 to 100 kg"},
-        Mistake{"Quoted", kType + "robot: { mass_kg: \"2\" }\n",
-                "t.yaml:3:19: robot.mass_kg: expected a number"},
-        Mistake{"Twice", kType + "robot: { mass_kg: 2, mass_kg: 2 }\n", "t.yaml:3:22: robot: "},
-        Mistake{"Preset", kType + "dribbler: { preset: sticky }\n",
-                "t.yaml:3:21: dribbler.preset: expected one of default, perfect, rc2026, found "
-                "'sticky'"},
-        Mistake{"Holds", kType + "dribbler: { holds: 1 }\n",
-                "t.yaml:3:20: dribbler.holds: expected one of false, true, found '1'"},
-        Mistake{"About", kType + "about: [1]\n", "t.yaml:3:8: about: expected a sentence"}),
+        TypeMistake{"Empty", "", "t.yaml: the file is empty"},
+        TypeMistake{"OtherKind", kTypesGame, "t.yaml:2:7: kind: expected robot, found 'game'"},
+        TypeMistake{"NoSchema", "kind: robot\n", "t.yaml:1:1: the key 'schema' is missing"},
+        TypeMistake{"UnknownBranch", kType + "wheels: {}\n", "t.yaml:3:1: unknown key 'wheels'"},
+        TypeMistake{"Factor", kType + "handicap: 0.5\n", "t.yaml:3:1: unknown key 'handicap'"},
+        TypeMistake{"Number", kType + "robot: 5\n", "t.yaml:3:8: robot: expected a mapping"},
+        TypeMistake{"Range", kType + "robot: { mass_kg: 0 }\n",
+                    "t.yaml:3:19: robot.mass_kg: expected a number from 0.001 to 100 kg"},
+        TypeMistake{"Quoted", kType + "robot: { mass_kg: \"2\" }\n",
+                    "t.yaml:3:19: robot.mass_kg: expected a number"},
+        TypeMistake{"Twice", kType + "robot: { mass_kg: 2, mass_kg: 2 }\n", "t.yaml:3:22: robot: "},
+        TypeMistake{"Preset", kType + "dribbler: { preset: sticky }\n",
+                    "t.yaml:3:21: dribbler.preset: expected one of default, perfect, rc2026, found "
+                    "'sticky'"},
+        TypeMistake{"Holds", kType + "dribbler: { holds: 1 }\n",
+                    "t.yaml:3:20: dribbler.holds: expected one of false, true, found '1'"},
+        TypeMistake{"About", kType + "about: [1]\n", "t.yaml:3:8: about: expected a sentence"}),
     [](const auto& test) { return test.param.name; });
 
 RobotChanges read_robot_type(const std::filesystem::path& file) {

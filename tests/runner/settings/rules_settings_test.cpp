@@ -70,7 +70,7 @@ TEST(MatchRules, RefuseAnUnknownSwitchByItsName) {
   }
 }
 
-std::string refusal_of(const std::string& lines) {
+std::string refusal_of_rules(const std::string& lines) {
   try {
     game_in(lines);
   } catch (const std::exception& error) {
@@ -84,7 +84,7 @@ TEST(MatchRules, NameTheNewNameOfARenamedSwitch) {
        {std::pair{"kick_speed", "bot_kicked_ball_too_fast"}, std::pair{"crash", "bot_crash_unique"},
         std::pair{"dribbling", "bot_dribbled_ball_too_far"}}) {
     const std::string lines = std::string("match: { switch: { ") + before + ": true } }\n";
-    const std::string refusal = refusal_of(lines);
+    const std::string refusal = refusal_of_rules(lines);
     EXPECT_NE(refusal.find(std::string("its name is '") + now + "' now"), std::string::npos)
         << refusal;
   }

@@ -14,7 +14,7 @@ namespace {
 // Three teams, all against all: games, goal difference, wins of the first.
 const std::vector<MatchupTotals> kThree = {{0, 1, 4, 3, 3}, {0, 2, 2, 5, 2}, {1, 2, 4, -2, 1.5}};
 
-void expect_near(const Eigen::VectorXd& found, const std::vector<double>& expected) {
+void expect_near_rating(const Eigen::VectorXd& found, const std::vector<double>& expected) {
   ASSERT_EQ(found.size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(found(i), expected[i], 5e-9) << i;
 }
@@ -22,16 +22,16 @@ void expect_near(const Eigen::VectorXd& found, const std::vector<double>& expect
 // NumPy 1.24, with one row of X per matchup (1, -1, 0; 1, 0, -1; 0, 1, -1), n games and d goals:
 // numpy.linalg.lstsq(X * sqrt(n)[:, None], d / sqrt(n), rcond=None)[0].
 TEST(GoalRating, MatchesNumPysLeastSquares) {
-  expect_near(goal_rating(3, kThree), {0.8958333333, -0.4166666667, -0.4791666667});
+  expect_near_rating(goal_rating(3, kThree), {0.8958333333, -0.4166666667, -0.4791666667});
 }
 
 TEST(GoalRating, IsExactIfTheGamesAreConsistent) {
-  expect_near(goal_rating(3, std::vector<MatchupTotals>{{0, 1, 2, 2, 0}, {2, 1, 4, 8, 0}}),
-              {0, -1, 1});
+  expect_near_rating(goal_rating(3, std::vector<MatchupTotals>{{0, 1, 2, 2, 0}, {2, 1, 4, 8, 0}}),
+                     {0, -1, 1});
 }
 
 TEST(GoalRating, CentresUnlinkedGroupsOfTeamsAtZero) {
-  expect_near(
+  expect_near_rating(
       goal_rating(5, std::vector<MatchupTotals>{{0, 1, 2, 4, 2}, {2, 3, 2, -12, 0}, {0, 4}}),
       {1, -1, -3, 3, 0});
 }
@@ -39,13 +39,14 @@ TEST(GoalRating, CentresUnlinkedGroupsOfTeamsAtZero) {
 // statsmodels 0.13, with w wins in n games plus one draw, Z = X[:, :2] with -1 for the last team:
 // GLM(numpy.c_[w + 0.5, n + 0.5 - w], Z, family=Binomial()).fit(tol=1e-14).params.
 TEST(BradleyTerry, MatchesStatsmodelsLogit) {
-  expect_near(bradley_terry(3, kThree), {0.72035287, -0.43819635, -0.28215651});
+  expect_near_rating(bradley_terry(3, kThree), {0.72035287, -0.43819635, -0.28215651});
 }
 
 TEST(BradleyTerry, StaysFiniteIfATeamWinsEverything) {
   // For two teams, half the log odds with half a win added for each.
   const double half = std::log(40.5 / 0.5) / 2;
-  expect_near(bradley_terry(2, std::vector<MatchupTotals>{{0, 1, 40, 90, 40}}), {half, -half});
+  expect_near_rating(bradley_terry(2, std::vector<MatchupTotals>{{0, 1, 40, 90, 40}}),
+                     {half, -half});
 }
 
 TEST(BradleyTerry, FollowsAChainOfTeamsThatAlwaysWin) {
@@ -58,8 +59,8 @@ TEST(BradleyTerry, FollowsAChainOfTeamsThatAlwaysWin) {
 }
 
 TEST(BradleyTerry, RatesTeamsWithoutGamesEqual) {
-  expect_near(bradley_terry(2, std::vector<MatchupTotals>{{0, 1}}), {0, 0});
-  expect_near(bradley_terry(2, {}), {0, 0});
+  expect_near_rating(bradley_terry(2, std::vector<MatchupTotals>{{0, 1}}), {0, 0});
+  expect_near_rating(bradley_terry(2, {}), {0, 0});
 }
 
 // Games of a against b, one leg per difference.

@@ -81,7 +81,7 @@ bool runs(const std::string& command) {
 }
 
 // Games that differ in rules, side, noise, opponent and size.
-GameSettings game_of(int number) {
+GameSettings game_of_template(int number) {
   GameSettings game;
   choose_rules(number % 2 == 0 ? "2014" : "2026-b", game);
   game.match.half_s = 2;
@@ -132,7 +132,7 @@ TEST_P(TeamTemplates, PlayTheSameGamesAsCompiledIn) {
   ASSERT_TRUE(language.build.empty() ||
               runs("cd " + folder_.path().string() + " && " + language.build));
   for (int number = 1; number <= 20; ++number) {
-    const GameSettings settings = game_of(number);
+    const GameSettings settings = game_of_template(number);
     const GameRecord compiled = play(resolved(settings), nullptr, beginner_as_a(settings));
     const GameRecord program =
         play(with_program(settings), nullptr, make_program_or_registered_team);

@@ -21,7 +21,7 @@ referee::Decision push() {
   return decision;
 }
 
-std::string refusal_of(const std::string& lines) {
+std::string refusal_of_lines(const std::string& lines) {
   try {
     decisions_in(lines, "events.jsonl");
   } catch (const InputError& error) {
@@ -59,13 +59,13 @@ TEST(DecisionLines, AreRefusedWithFileAndLine) {
   for (const char* wrong :
        {"{", "[1]", "{\"event\": \"goal\"}", "{\"time_s\": 1}",
         "{\"event\": \"goal\", \"time_s\": \"soon\"}", "{event: goal, time_s: 1}"}) {
-    const std::string message = refusal_of(decision_json(push()) + "\n" + wrong);
+    const std::string message = refusal_of_lines(decision_json(push()) + "\n" + wrong);
     EXPECT_TRUE(message.starts_with("events.jsonl:2:1:")) << wrong << ": " << message;
   }
 }
 
 TEST(DecisionLines, AreRefusedIfNestedTooDeeply) {
-  EXPECT_TRUE(refusal_of(std::string(100'000, '[')).starts_with("events.jsonl:1:1: "));
+  EXPECT_TRUE(refusal_of_lines(std::string(100'000, '[')).starts_with("events.jsonl:1:1: "));
 }
 
 }  // namespace

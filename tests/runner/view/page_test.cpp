@@ -14,7 +14,7 @@ std::string page_between(const std::string& yellow, const std::string& blue) {
   return page_of({recording, Field{}, {{yellow, blue}}});
 }
 
-std::size_t count_of(const std::string& part, const std::string& text) {
+std::size_t count_in(const std::string& part, const std::string& text) {
   std::size_t count = 0;
   for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
   return count;
@@ -25,7 +25,7 @@ TEST(Page, ContainsAllParts) {
   EXPECT_TRUE(page.starts_with("<!DOCTYPE html>"));
   EXPECT_NE(page.find(R"("teams": ["cobalt", "counter"])"), std::string::npos);
   for (const char* mark : {"@STYLE@", "@GAME@", "@FRAMES@", "@SCRIPT@"})
-    EXPECT_EQ(count_of(mark, page), 0U) << mark;
+    EXPECT_EQ(count_in(mark, page), 0U) << mark;
 }
 
 TEST(Page, ShowsWhichBuildPlayedTheGame) {
@@ -71,21 +71,21 @@ TEST(Page, HasTheDecisionsOfTheRecording) {
 
 TEST(Page, LinksToNoFile) {
   const std::string page = page_between("a", "b");
-  EXPECT_EQ(count_of("<a ", page), 0U);
+  EXPECT_EQ(count_in("<a ", page), 0U);
 }
 
 TEST(Page, NeedsNoNetwork) {
   const std::string page = page_between("a", "b");
   for (const char* sign : {"://", "@import", "url(", " src=", "fetch("})
-    EXPECT_EQ(count_of(sign, page), 0U) << sign;
+    EXPECT_EQ(count_in(sign, page), 0U) << sign;
 }
 
 TEST(Page, IsNotBrokenByTextsInALog) {
   const std::string harmless = page_between("a", "b");
   const std::string page = page_between("</script><script>alert(1)</script>", "<!--<script>");
-  EXPECT_EQ(count_of("<script", page), count_of("<script", harmless));
-  EXPECT_EQ(count_of("</script", page), count_of("</script", harmless));
-  EXPECT_EQ(count_of("<!--", page), 0U);
+  EXPECT_EQ(count_in("<script", page), count_in("<script", harmless));
+  EXPECT_EQ(count_in("</script", page), count_in("</script", harmless));
+  EXPECT_EQ(count_in("<!--", page), 0U);
 }
 
 }  // namespace

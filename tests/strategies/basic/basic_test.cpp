@@ -11,8 +11,6 @@
 namespace autoref::strategies::basic {
 namespace {
 
-constexpr double kBallGap_m = 0.5 + kRobotRadius_m;  // Laws: 500 mm from hull to ball
-
 TEST(Basic, StaysHalfAMetreFromTheBallWhilePlayIsStopped) {
   Basic team{TeamContext{}};
   for (const Vec2& ball_m : {Vec2(0, 0), Vec2(-2.925, 1.925), Vec2(2.925, -1.925), Vec2(-1, 1)}) {
@@ -132,7 +130,7 @@ TEST(Basic, TakesItsRestartEvenWithASingleRobot) {
 }
 
 // The maximum speed commanded in a stop of 5 s under that rule book.
-double fastest_in_stop_mps(const char* rules) {
+double fastest_of_basic_mps(const char* rules) {
   TeamContext context;
   context.rules = find_rule_book(rules).value();
   Basic team{context};
@@ -149,9 +147,9 @@ double fastest_in_stop_mps(const char* rules) {
 }
 
 TEST(Basic, KeepsTheSpeedLimitInAStopIfThereIsOne) {
-  EXPECT_LT(fastest_in_stop_mps("2014"), 1.0);
-  EXPECT_LT(fastest_in_stop_mps("2026-b"), 1.5);
-  EXPECT_GT(fastest_in_stop_mps("paper"), 1.5);
+  EXPECT_LT(fastest_of_basic_mps("2014"), 1.0);
+  EXPECT_LT(fastest_of_basic_mps("2026-b"), 1.5);
+  EXPECT_GT(fastest_of_basic_mps("paper"), 1.5);
 }
 
 // The ball is 700 mm in front of the team's own area, so a robot does not fit between them at a

@@ -10,8 +10,6 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kBallGap_m = 0.5 + kRobotRadius_m;  // Laws: 500 mm from hull to ball
-
 const std::vector<Vec2> kBallPositions_m = {{0, 0},  {-2.925, 1.925}, {2.925, -1.925},
                                             {-1, 1}, {1.5, 0.3},      {-1.4, 0}};
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "soccer/random.hpp"
+#include "tests/strategies/skills/staged_bodies.hpp"
 #include "tests/strategies/staged_world.hpp"
 
 namespace autoref::strategies {
@@ -10,10 +11,6 @@ namespace {
 
 constexpr double kClear_m = 0.21;
 constexpr double kTouching_m = 2 * kRobotRadius_m;
-
-TrackedRobot robot_at(const Vec2& position_m, const Vec2& velocity_mps = {0, 0}) {
-  return {0, position_m, Vec2(1, 0), velocity_mps, 0};
-}
 
 TEST(SteerFor, GoesStraightIfThePathIsFree) {
   const Obstacles beside = {{{0.5, 0.5}, kClear_m}, {{-0.4, 0}, kClear_m}, {{1.6, 0}, kClear_m}};

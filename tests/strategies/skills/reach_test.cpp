@@ -2,20 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/strategies/staged_world.hpp"
+#include "tests/strategies/skills/staged_bodies.hpp"
 
 namespace autoref::strategies {
 namespace {
-
-TrackedRobot robot_at(const Vec2& position_m, const Vec2& velocity_mps = {0, 0}) {
-  return {0, position_m, Vec2(1, 0), velocity_mps, 0};
-}
-
-BallPath path_of(const TrackedBall& ball) {
-  BallPath path;
-  path.follow(ball, 0);
-  return path;
-}
 
 // Time in seconds from rest to rest over `distance_m`, braking with that fraction of the robot's
 // braking.

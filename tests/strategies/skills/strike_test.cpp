@@ -2,19 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/strategies/staged_world.hpp"
+#include "tests/strategies/skills/staged_bodies.hpp"
 
 namespace autoref::strategies {
 namespace {
 
-TrackedRobot robot_at(const Vec2& position_m, const Vec2& heading = {1, 0}) {
+TrackedRobot facing_robot_at(const Vec2& position_m, const Vec2& heading = {1, 0}) {
   return {0, position_m, heading, Vec2(0, 0), 0};
-}
-
-BallPath path_of(const TrackedBall& ball) {
-  BallPath path;
-  path.follow(ball, 0);
-  return path;
 }
 
 RobotCommand strike(const TrackedRobot& robot, const TrackedBall& ball, const Strike& strike) {
@@ -30,26 +24,26 @@ Strike strike_at(const Vec2& target_m) {
 }
 
 TEST(HasBall, IsTrueForABallAtThePlate) {
-  EXPECT_TRUE(has_ball(robot_at({1, 1}), {1 + kHeldBall_m, 1}));
-  EXPECT_TRUE(has_ball(robot_at({1, 1}, {0, -1}), {1, 1 - kHeldBall_m}));
-  EXPECT_TRUE(has_ball(robot_at({0, 0}), {kHeldBall_m + 5_mm, kDribblerZoneWidth_m / 4}));
+  EXPECT_TRUE(has_ball(facing_robot_at({1, 1}), {1 + kHeldBall_m, 1}));
+  EXPECT_TRUE(has_ball(facing_robot_at({1, 1}, {0, -1}), {1, 1 - kHeldBall_m}));
+  EXPECT_TRUE(has_ball(facing_robot_at({0, 0}), {kHeldBall_m + 5_mm, kDribblerZoneWidth_m / 4}));
 }
 
 TEST(HasBall, IsFalseForABallAheadBesideOrBehind) {
-  EXPECT_FALSE(has_ball(robot_at({0, 0}), {kHeldBall_m + 30_mm, 0}));
-  EXPECT_FALSE(has_ball(robot_at({0, 0}), {kHeldBall_m, kDribblerZoneWidth_m / 2 + 20_mm}));
-  EXPECT_FALSE(has_ball(robot_at({0, 0}), {0, kHeldBall_m}));
-  EXPECT_FALSE(has_ball(robot_at({0, 0}), {-kHeldBall_m, 0}));
+  EXPECT_FALSE(has_ball(facing_robot_at({0, 0}), {kHeldBall_m + 30_mm, 0}));
+  EXPECT_FALSE(has_ball(facing_robot_at({0, 0}), {kHeldBall_m, kDribblerZoneWidth_m / 2 + 20_mm}));
+  EXPECT_FALSE(has_ball(facing_robot_at({0, 0}), {0, kHeldBall_m}));
+  EXPECT_FALSE(has_ball(facing_robot_at({0, 0}), {-kHeldBall_m, 0}));
 }
 
 TEST(ComesTowards, IsTrueForAPassThatArrivesHere) {
-  EXPECT_TRUE(comes_towards(robot_at({2, 0.1}), path_of({{0, 0}, {3, 0}})));
+  EXPECT_TRUE(comes_towards(facing_robot_at({2, 0.1}), path_of({{0, 0}, {3, 0}})));
 }
 
 TEST(ComesTowards, IsFalseForSlowBallsAndBallsThatGoElsewhere) {
-  EXPECT_FALSE(comes_towards(robot_at({2, 0.1}), path_of({{0, 0}, {0.5, 0}})));
-  EXPECT_FALSE(comes_towards(robot_at({2, 0.1}), path_of({{0, 0}, {-3, 0}})));
-  EXPECT_FALSE(comes_towards(robot_at({2, 1.1}), path_of({{0, 0}, {3, 0}})));
+  EXPECT_FALSE(comes_towards(facing_robot_at({2, 0.1}), path_of({{0, 0}, {0.5, 0}})));
+  EXPECT_FALSE(comes_towards(facing_robot_at({2, 0.1}), path_of({{0, 0}, {-3, 0}})));
+  EXPECT_FALSE(comes_towards(facing_robot_at({2, 1.1}), path_of({{0, 0}, {3, 0}})));
 }
 
 // Angle in radians from the robot's heading to the target, seen from the ball.
@@ -60,7 +54,7 @@ double error_rad(const TrackedRobot& robot, const Vec2& ball_m, const Vec2& targ
 TEST(StrikeBall, KicksABallAtRestOnlyWhenItFacesTheTarget) {
   const Vec2 target_m(3, 0.5);
   for (const Vec2& from_m : {Vec2(-1, 0.3), Vec2(-0.8, -0.9), Vec2(0.1, 1.2)}) {
-    TrackedRobot robot = robot_at(from_m, {0, 1});
+    TrackedRobot robot = facing_robot_at(from_m, {0, 1});
     bool is_kicked = false;
     for (int i = 0; i < 300 && !is_kicked; ++i) {
       const RobotCommand command = strike(robot, {{0, 0}, {0, 0}}, strike_at(target_m));
@@ -76,7 +70,7 @@ TEST(StrikeBall, KicksABallAtRestOnlyWhenItFacesTheTarget) {
 
 // The dribbler holds the ball, so the ball turns with the robot.
 TEST(StrikeBall, TurnsAroundWithTheBallBeforeItKicks) {
-  TrackedRobot robot = robot_at({0, 0}, {-1, 0.1});
+  TrackedRobot robot = facing_robot_at({0, 0}, {-1, 0.1});
   robot.heading.normalize();
   int frame = 0;
   for (; frame < 150; ++frame) {
@@ -94,14 +88,14 @@ TEST(StrikeBall, TurnsAroundWithTheBallBeforeItKicks) {
 // In a steady turn the dribbler holds the ball up to 10 rad/s (sim/README.md).
 TEST(StrikeBall, PressesGentlyAgainstTheBallWhileTurning) {
   const RobotCommand command =
-      strike(robot_at({0, 0}, {-1, 0}), {{-kHeldBall_m, 0}, {0, 0}}, strike_at({3, 0.5}));
+      strike(facing_robot_at({0, 0}, {-1, 0}), {{-kHeldBall_m, 0}, {0, 0}}, strike_at({3, 0.5}));
   EXPECT_GT(command.velocity_mps.x(), 0.1);
   EXPECT_LT(command.velocity_mps.norm(), 0.45);
   EXPECT_LT(std::abs(command.angular_velocity_radps), 9);
 }
 
 TEST(StrikeBall, KicksAPassFirstTimeIfTheAngleAllows) {
-  const TrackedRobot robot = robot_at({1, 0});
+  const TrackedRobot robot = facing_robot_at({1, 0});
   const Vec2 dribbler_zone_m = robot.position_m + Vec2(kHeldBall_m, 0);
   const Vec2 direction = Vec2(-2, -1).normalized();
   Strike on = strike_at({3, 0});
@@ -112,7 +106,7 @@ TEST(StrikeBall, KicksAPassFirstTimeIfTheAngleAllows) {
 }
 
 TEST(StrikeBall, TurnsToTheTargetForAPassIfTheAngleAllows) {
-  TrackedRobot robot = robot_at({1, 0}, {0, 1});
+  TrackedRobot robot = facing_robot_at({1, 0}, {0, 1});
   const Vec2 direction = Vec2(-2, -1).normalized();
   const RobotCommand command =
       strike(robot, {Vec2(1 + kHeldBall_m, 0) - direction * 2, direction * 3}, strike_at({3, 0}));
@@ -121,7 +115,7 @@ TEST(StrikeBall, TurnsToTheTargetForAPassIfTheAngleAllows) {
 }
 
 TEST(StrikeBall, StopsAPassFromBehindWithTheDribbler) {
-  const TrackedRobot robot = robot_at({1, 0});
+  const TrackedRobot robot = facing_robot_at({1, 0});
   const RobotCommand command = strike(robot, {{-1, 0.3}, Vec2(3, -0.45)}, strike_at({3, 0}));
   EXPECT_EQ(command.kick_mps, 0);
   EXPECT_TRUE(command.dribble);
@@ -131,7 +125,7 @@ TEST(StrikeBall, StopsAPassFromBehindWithTheDribbler) {
 TEST(StrikeBall, StopsAPassIfTheFirstTouchMustNotBeAKick) {
   Strike calm = strike_at({3, 0});
   calm.first_touch = false;
-  const RobotCommand command = strike(robot_at({1, 0}), {{2.5, 0}, {-3, 0}}, calm);
+  const RobotCommand command = strike(facing_robot_at({1, 0}), {{2.5, 0}, {-3, 0}}, calm);
   EXPECT_EQ(command.kick_mps, 0);
   EXPECT_TRUE(command.dribble);
 }
@@ -140,7 +134,7 @@ TEST(StrikeBall, ChipsIfItIsCommandedTo) {
   Strike over = strike_at({3, 0});
   over.chip = true;
   over.kick_mps = 4;
-  const RobotCommand command = strike(robot_at({0, 0}), {{kHeldBall_m, 0}, {0, 0}}, over);
+  const RobotCommand command = strike(facing_robot_at({0, 0}), {{kHeldBall_m, 0}, {0, 0}}, over);
   EXPECT_TRUE(command.chip);
   EXPECT_EQ(command.kick_mps, 4);
 }
@@ -149,7 +143,7 @@ TEST(StrikeBall, ChipsIfItIsCommandedTo) {
 // have taken the restart by mistake.
 TEST(TakeKick, GoesAroundABallAtRestAndKicksItInOneTouch) {
   for (const Vec2& from_m : {Vec2(-0.6, 0), Vec2(0, 0.7), Vec2(0.65, 0.05), Vec2(0.3, -0.5)}) {
-    TrackedRobot robot = robot_at(from_m, {0, 1});
+    TrackedRobot robot = facing_robot_at(from_m, {0, 1});
     bool is_kicked = false;
     for (int frame = 0; frame < 360 && !is_kicked; ++frame) {
       const RobotCommand command =
@@ -171,7 +165,7 @@ Vec2 heading_at_ball(const Vec2& keep_off) {
   Strike to_goal = strike_at({3, 0});
   to_goal.bend_rad = 0.1;
   to_goal.keep_off = keep_off;
-  TrackedRobot robot = robot_at({-0.2, 0.8}, {0, 1});
+  TrackedRobot robot = facing_robot_at({-0.2, 0.8}, {0, 1});
   for (int frame = 0; frame < 180 && !has_ball(robot, ball_m); ++frame)
     obey(robot, strike(robot, {ball_m, {0, 0}}, to_goal));
   return robot.heading;
@@ -183,7 +177,7 @@ TEST(StrikeBall, DoesNotFaceOutOfTheFieldAtABallNearTheLine) {
 }
 
 TEST(CarryBall, KeepsTheDribblerOnAndDoesNotKick) {
-  const RobotCommand command = carry_ball(robot_at({0, 0}, {0, 1}), {0, 0.8}, {1, 0});
+  const RobotCommand command = carry_ball(facing_robot_at({0, 0}, {0, 1}), {0, 0.8}, {1, 0});
   EXPECT_TRUE(command.dribble);
   EXPECT_EQ(command.kick_mps, 0);
   EXPECT_NEAR((command.velocity_mps - Vec2(0.8, 0)).norm(), 0,
@@ -191,8 +185,8 @@ TEST(CarryBall, KeepsTheDribblerOnAndDoesNotKick) {
 }
 
 TEST(CarryBall, TurnsInTheShorterDirection) {
-  EXPECT_LT(carry_ball(robot_at({0, 0}, {0, 1}), {0, 0}, {1, 0}).angular_velocity_radps, -1);
-  EXPECT_GT(carry_ball(robot_at({0, 0}, {0, -1}), {0, 0}, {1, 0}).angular_velocity_radps, 1);
+  EXPECT_LT(carry_ball(facing_robot_at({0, 0}, {0, 1}), {0, 0}, {1, 0}).angular_velocity_radps, -1);
+  EXPECT_GT(carry_ball(facing_robot_at({0, 0}, {0, -1}), {0, 0}, {1, 0}).angular_velocity_radps, 1);
 }
 
 }  // namespace

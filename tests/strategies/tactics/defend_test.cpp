@@ -7,8 +7,8 @@
 namespace autoref::strategies {
 namespace {
 
-const std::vector<Vec2> kBallPositions_m = {{0, 0},       {-1, 1.2}, {-1, -1.2}, {2, 1.5},
-                                            {-2.5, -1.6}, {-1.9, 0}, {1, -0.3}};
+const std::vector<Vec2> kAttackedFrom_m = {{0, 0},       {-1, 1.2}, {-1, -1.2}, {2, 1.5},
+                                           {-2.5, -1.6}, {-1.9, 0}, {1, -0.3}};
 
 StagedPrediction staged(const Vec2& ball_m, const TeamContext& context = {}) {
   StagedPrediction stage(Play::kRunning, false, context);
@@ -18,7 +18,7 @@ StagedPrediction staged(const Vec2& ball_m, const TeamContext& context = {}) {
 }
 
 TEST(WallPosition, OfOneRobotIsOnTheLineFromTheBallToTheGoalsCentre) {
-  for (const Vec2& ball_m : kBallPositions_m) {
+  for (const Vec2& ball_m : kAttackedFrom_m) {
     const Vec2 position_m = wall_position(staged(ball_m).predicted, 0, 1).position_m;
     EXPECT_LT(distance_to_segment(position_m, ball_m, Field{}.goal_centre_m(Side::kWest)), 20_mm)
         << ball_m.transpose();
@@ -26,7 +26,7 @@ TEST(WallPosition, OfOneRobotIsOnTheLineFromTheBallToTheGoalsCentre) {
 }
 
 TEST(WallPosition, OfTwoRobotsIsOnBothSidesOfThatLine) {
-  for (const Vec2& ball_m : kBallPositions_m) {
+  for (const Vec2& ball_m : kAttackedFrom_m) {
     const StagedPrediction stage = staged(ball_m);
     const Vec2 goal_m = Field{}.goal_centre_m(Side::kWest);
     const double first =
@@ -38,7 +38,7 @@ TEST(WallPosition, OfTwoRobotsIsOnBothSidesOfThatLine) {
 }
 
 TEST(WallPosition, LetsNoBallThroughBetweenNeighboursThatDoNotTouch) {
-  for (const Vec2& ball_m : kBallPositions_m) {
+  for (const Vec2& ball_m : kAttackedFrom_m) {
     const StagedPrediction stage = staged(ball_m);
     for (const int count : {2, 3}) {
       for (int i = 1; i < count; ++i) {
@@ -55,7 +55,7 @@ TEST(WallPosition, LetsNoBallThroughBetweenNeighboursThatDoNotTouch) {
 TEST(WallPosition, IsJustOutsideTheAreaOfEveryRuleBook) {
   for (const char* rules : {"paper", "2014-double", "2026-b", "2026-a"}) {
     const TeamContext context = team_context_of(rules);
-    for (const Vec2& ball_m : kBallPositions_m) {
+    for (const Vec2& ball_m : kAttackedFrom_m) {
       const StagedPrediction stage = staged(ball_m, context);
       for (const int count : {1, 2, 3}) {
         for (int i = 0; i < count; ++i) {

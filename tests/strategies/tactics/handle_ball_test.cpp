@@ -8,7 +8,7 @@ namespace autoref::strategies {
 namespace {
 
 // A staged world and the ball handler in it.
-struct Staged : StagedPrediction {
+struct StagedHandling : StagedPrediction {
   using StagedPrediction::StagedPrediction;
 
   // Decides often enough for all team-mates to be evaluated.
@@ -39,7 +39,7 @@ Vec2 ball_held_by(const Vec2& robot_m, double side = 1) {
 }
 
 TEST(BallHandler, ShootsAtAnOpenGoal) {
-  Staged stage(Play::kRunning);
+  StagedHandling stage(Play::kRunning);
   stage.world.own(0, {-2.8, 0}).own(1, {1.5, 0}).own(2, {1, 1}).ball(ball_held_by({1.5, 0}));
   const RobotCommand command = stage.play(1);
   const Choice& choice = stage.handler.choice();
@@ -49,7 +49,7 @@ TEST(BallHandler, ShootsAtAnOpenGoal) {
 }
 
 TEST(BallHandler, KeepsTheKickSpeedLimitIfThereIsOne) {
-  Staged stage(Play::kRunning, false, team_context_of("2026-b"));
+  StagedHandling stage(Play::kRunning, false, team_context_of("2026-b"));
   stage.world.own(0, {-4, 0}).own(1, {3, 0}).ball(ball_held_by({3, 0}));
   EXPECT_LE(stage.play(1).kick_mps, 6.5);
 }
@@ -65,7 +65,7 @@ void stage_a_pass(StagedWorld& world) {
 }
 
 TEST(BallHandler, PassesToAFreeMateIfTheGoalIsBlocked) {
-  Staged stage(Play::kRunning);
+  StagedHandling stage(Play::kRunning);
   stage_a_pass(stage.world);
   const RobotCommand command = stage.play(1);
   EXPECT_EQ(stage.handler.choice().kind, Choice::Kind::kPass);
@@ -84,7 +84,7 @@ void stage_a_chip(StagedWorld& world) {
 }
 
 TEST(BallHandler, ChipsOverARobotInTheLane) {
-  Staged stage(Play::kRunning);
+  StagedHandling stage(Play::kRunning);
   stage_a_chip(stage.world);
   const RobotCommand command = stage.play(1);
   EXPECT_EQ(stage.handler.choice().kind, Choice::Kind::kChip);
@@ -95,7 +95,7 @@ TEST(BallHandler, ChipsOverARobotInTheLane) {
 TEST(BallHandler, DoesNotChipWithRobotsThatCannotChip) {
   TeamContext context;
   for (Abilities& robot : context.robots) robot.chip_mps = 0;
-  Staged stage(Play::kRunning, false, context);
+  StagedHandling stage(Play::kRunning, false, context);
   stage_a_chip(stage.world);
   const RobotCommand command = stage.play(1);
   EXPECT_NE(stage.handler.choice().kind, Choice::Kind::kChip);
@@ -107,7 +107,7 @@ TEST(BallHandler, DoesNotChipWithRobotsThatCannotChip) {
 int receiver_in_area(const TeamContext& context) {
   Style style;
   style.carry = 0;
-  Staged stage(Play::kRunning, false, context, style);
+  StagedHandling stage(Play::kRunning, false, context, style);
   stage.world.own(0, {-4.3, 0}).own(1, {2, -2}).own(2, {3.6, 0.9}).own(3, {-1, 1});
   stage.world.view.own[1].heading = {0, 1};
   stage.world.ball(Vec2(2, -2) + Vec2(0, kHeldBall_m));
@@ -124,7 +124,7 @@ TEST(BallHandler, DoesNotPassToARobotThatMustNotTouchTheBall) {
 }
 
 TEST(BallHandler, ForgetsTheReceiverOnceThePassMustHaveArrived) {
-  Staged stage(Play::kRunning);
+  StagedHandling stage(Play::kRunning);
   stage_a_pass(stage.world);
   stage.play(1);
   ASSERT_TRUE(stage.handler.receiver().has_value());
@@ -136,7 +136,7 @@ TEST(BallHandler, ForgetsTheReceiverOnceThePassMustHaveArrived) {
 }
 
 TEST(BallHandler, ClearsTheBallUnderPressureWithNobodyToPassTo) {
-  Staged stage(Play::kRunning);
+  StagedHandling stage(Play::kRunning);
   const Vec2 robot_m(-2.2, 0.2);
   stage.world.own(3, robot_m).ball(ball_held_by(robot_m));
   const Vec2 presser_m = ball_held_by(robot_m) + Vec2(0.1, 0.14);
@@ -149,7 +149,7 @@ TEST(BallHandler, ClearsTheBallUnderPressureWithNobodyToPassTo) {
 }
 
 TEST(BallHandler, CarriesTheBallIfItIsFreeButCannotShootOrPass) {
-  Staged stage(Play::kRunning);
+  StagedHandling stage(Play::kRunning);
   stage.world.own(1, {-1, 0.5}).ball(ball_held_by({-1, 0.5}));
   stage.world.opponent(0, {2.9, -0.1}).opponent(1, {2.9, 0.1}).opponent(2, {1, 1.5});
   const RobotCommand command = stage.play(0);
@@ -159,7 +159,7 @@ TEST(BallHandler, CarriesTheBallIfItIsFreeButCannotShootOrPass) {
 }
 
 TEST(BallHandler, StandsBetweenItsGoalAndAnOpponentWithTheBall) {
-  Staged stage(Play::kRunning);
+  StagedHandling stage(Play::kRunning);
   stage.world.own(0, {-2.9, 0}).own(1, {-1, 0.8}).opponent(0, {0, 0}).ball({-kHeldBall_m, 0});
   stage.drive(1, 3);
   const Vec2 ball_m(-kHeldBall_m, 0);
@@ -169,7 +169,7 @@ TEST(BallHandler, StandsBetweenItsGoalAndAnOpponentWithTheBall) {
 }
 
 TEST(BallHandler, LeavesAFaceOffSideways) {
-  Staged stage(Play::kRunning);
+  StagedHandling stage(Play::kRunning);
   stage.world.own(0, {-2.9, 0}).own(1, {0, 0}).opponent(0, {2 * kHeldBall_m, 0});
   stage.world.ball({kHeldBall_m, 0});
   const RobotCommand command = stage.play(1);
@@ -180,7 +180,7 @@ TEST(BallHandler, LeavesAFaceOffSideways) {
 }
 
 TEST(BallHandler, FetchesABallAtRestAndKicksItAtTheGoal) {
-  Staged stage(Play::kRunning);
+  StagedHandling stage(Play::kRunning);
   stage.world.own(0, {-2.9, 0}).own(1, {0.9, 0.9}).ball({0.5, 0});
   RobotCommand command;
   bool is_kicked = false;

@@ -11,7 +11,7 @@ const Field kField;
 constexpr double kGoal_x = -3.025;
 
 // A keeper in its goal, and a ball with that position and velocity.
-StagedPrediction staged(const Vec2& ball_m, const Vec2& velocity_mps = {0, 0}) {
+StagedPrediction staged_shot(const Vec2& ball_m, const Vec2& velocity_mps = {0, 0}) {
   StagedPrediction stage(Play::kRunning);
   stage.world.own(0, {-2.8, 0}).opponent(0, {1, 0});
   stage.world.view.ball = {ball_m, velocity_mps};
@@ -20,7 +20,7 @@ StagedPrediction staged(const Vec2& ball_m, const Vec2& velocity_mps = {0, 0}) {
 }
 
 Vec2 position_for(const Vec2& ball_m, const Vec2& velocity_mps = {0, 0}) {
-  const StagedPrediction stage = staged(ball_m, velocity_mps);
+  const StagedPrediction stage = staged_shot(ball_m, velocity_mps);
   return keeper_position(stage.predicted, stage.predicted.robot(0)).position_m;
 }
 
@@ -49,7 +49,7 @@ TEST(KeeperPosition, IsAtTheNearPostForABallBesideTheGoal) {
 // A keeper in its goal, and an opponent with the ball that faces a point.
 Vec2 position_before(const Vec2& faced_m) {
   const Vec2 ball_m(-1, 0);
-  StagedPrediction stage = staged(ball_m);
+  StagedPrediction stage = staged_shot(ball_m);
   TrackedRobot& shooter = stage.world.view.opponents[0];
   shooter.heading = (faced_m - ball_m).normalized();
   shooter.position_m = ball_m - shooter.heading * kHeldBall_m;
@@ -102,12 +102,12 @@ TEST(KeeperPosition, IsNeverBehindItsLine) {
 }
 
 TEST(IsKeepersBall, IsTrueOnlyForASlowBallInItsArea) {
-  EXPECT_TRUE(is_keepers_ball(staged({-2.6, 0.2}).predicted));
-  EXPECT_TRUE(is_keepers_ball(staged({-2.6, 0.2}, {0.8, 0}).predicted));
-  EXPECT_FALSE(is_keepers_ball(staged({-2.6, 0.2}, {2, 0}).predicted));
-  EXPECT_FALSE(is_keepers_ball(staged({-2, 0.2}).predicted));
-  EXPECT_FALSE(is_keepers_ball(staged({2.6, 0.2}).predicted));
-  EXPECT_FALSE(is_keepers_ball(staged({-3.1, 0.2}).predicted));  // in the goal
+  EXPECT_TRUE(is_keepers_ball(staged_shot({-2.6, 0.2}).predicted));
+  EXPECT_TRUE(is_keepers_ball(staged_shot({-2.6, 0.2}, {0.8, 0}).predicted));
+  EXPECT_FALSE(is_keepers_ball(staged_shot({-2.6, 0.2}, {2, 0}).predicted));
+  EXPECT_FALSE(is_keepers_ball(staged_shot({-2, 0.2}).predicted));
+  EXPECT_FALSE(is_keepers_ball(staged_shot({2.6, 0.2}).predicted));
+  EXPECT_FALSE(is_keepers_ball(staged_shot({-3.1, 0.2}).predicted));  // in the goal
 }
 
 // The shot comes at 4 m/s from 2 m away, so the keeper has about 0.7 s to move 0.25 m.

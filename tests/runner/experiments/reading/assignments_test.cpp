@@ -7,7 +7,7 @@
 namespace autoref::runner {
 namespace {
 
-std::string refusal_of(const std::string& lines, const Assignments& assignments = {}) {
+std::string refusal_of_assignments(const std::string& lines, const Assignments& assignments = {}) {
   try {
     read_scenario_text("schema: 1\nkind: sweep\npairs: 1\nseed: 1\n" + lines, "x.yaml",
                        assignments);
@@ -18,17 +18,18 @@ std::string refusal_of(const std::string& lines, const Assignments& assignments 
 }
 
 TEST(Handicap, IsRefusedAsAFactorIfTheBaseSetsOneOfItsFactors) {
-  EXPECT_EQ(refusal_of("base: { teams: { b: { speed_factor: 0.8 } } }\n"
-                       "factors: { b.handicap: [1.0, 0.5] }\n"),
+  EXPECT_EQ(refusal_of_assignments("base: { teams: { b: { speed_factor: 0.8 } } }\n"
+                                   "factors: { b.handicap: [1.0, 0.5] }\n"),
             "x.yaml:6:12: b.handicap: 'base.teams.b.speed_factor' sets the same number; leave one "
             "out");
 }
 
 TEST(Set, IsRefusedForSettingsThatTheFileVaries) {
-  EXPECT_EQ(refusal_of("factors: { b.handicap: [1.0, 0.5] }\n",
-                       {{"--set b.handicap=1", "teams.b.handicap", "1"}}),
+  EXPECT_EQ(refusal_of_assignments("factors: { b.handicap: [1.0, 0.5] }\n",
+                                   {{"--set b.handicap=1", "teams.b.handicap", "1"}}),
             "--set b.handicap=1: the file varies this setting; change it there");
-  EXPECT_EQ(refusal_of("factors: { b.handicap: [1.0, 0.5] }\n", {{"--set seed=1", "seed", "1"}}),
+  EXPECT_EQ(refusal_of_assignments("factors: { b.handicap: [1.0, 0.5] }\n",
+                                   {{"--set seed=1", "seed", "1"}}),
             "--set seed=1: set automatically for each game; leave it out");
 }
 

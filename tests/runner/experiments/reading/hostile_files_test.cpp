@@ -16,13 +16,13 @@ namespace {
 
 constexpr double kSoon_s = 10;  // for sanitizers on a busy machine; normally far below 1 s
 
-std::string repeated(const std::string& text, int times) {
+std::string copies_of(const std::string& text, int times) {
   std::string all;
   for (int i = 0; i < times; ++i) all += text;
   return all;
 }
 
-std::string laughs() {
+std::string laughing_document() {
   std::string text = "a0: &a0 [ha, ha]\n";
   for (int i = 1; i < 30; ++i) {
     const std::string before = "*a" + std::to_string(i - 1);
@@ -95,15 +95,15 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Hostile{"AliasInItsOwnList", "about: &x [*x]\n", "x.yaml:3:12: ", "write out"},
         Hostile{"AliasInItsOwnMapping", "a: &x { b: *x }\n", "x.yaml:3:12: ", "write out"},
-        Hostile{"BillionLaughs", laughs(), "x.yaml:", "leave the aliases out"},
+        Hostile{"BillionLaughs", laughing_document(), "x.yaml:", "leave the aliases out"},
         Hostile{"Brackets", "about: " + std::string(200'000, '[') + "\n", "x.yaml:3:", "closed"},
-        Hostile{"Braces", "about: " + repeated("{a: ", 50'000) + "\n", "x.yaml:3:", "closed"},
-        Hostile{"Dashes", "about:\n" + repeated("- ", 50'000) + "1\n", "x.yaml:4:", "closed"},
+        Hostile{"Braces", "about: " + copies_of("{a: ", 50'000) + "\n", "x.yaml:3:", "closed"},
+        Hostile{"Dashes", "about:\n" + copies_of("- ", 50'000) + "1\n", "x.yaml:4:", "closed"},
         Hostile{"HugeText", "about: " + std::string(1'000'000, 'a') + "\n",
                 "x.yaml:3:8: ", "at most"},
         Hostile{"HugeKey", std::string(1'000, 'k') + ": 1\n", "x.yaml:3:1: ", "kkk..."},
         Hostile{"HugeFile", std::string(5'000'000, '\n'), "x.yaml: ", "at most"},
-        Hostile{"HugeList", "about: [" + repeated("1,", 400'000) + "]\n",
+        Hostile{"HugeList", "about: [" + copies_of("1,", 400'000) + "]\n",
                 "x.yaml:3:", "write fewer"}),
     [](const auto& hostile) { return std::string(hostile.param.name); });
 
@@ -135,8 +135,9 @@ TEST(HostileScenario, IsRefusedIfItHasTooManyJudgedGames) {
 }
 
 TEST(ManyTeams, AreReadBackFromTheEffectiveFile) {
-  const std::string head = "schema: 1\nkind: roundrobin\npairs: 1\nseed: 1\n";
-  const Scenario scenario = read_scenario_text(head + "teams: { " + keys("t", 200) + "}\n", "x");
+  const std::string head = "schema: 1\nkind: gauntlet\npairs: 1\nseed: 1\nteams: { zone: {} }\n";
+  const Scenario scenario =
+      read_scenario_text(head + "challengers: { " + keys("t", 200) + "}\n", "x");
   const std::string effective = effective_text(scenario);
   EXPECT_GT(effective.size(), 64U * 1024);
   EXPECT_EQ(effective_text(read_scenario_text(effective, "effective.yaml")), effective);

@@ -8,11 +8,12 @@
 namespace autoref::runner {
 namespace {
 
-const std::string kTop = "schema: 1\nkind: knockout\nseed: 7\n";
-const std::string kTeams = "teams: { zone: {}, bold: {}, calm: {} }\n";
+const std::string kKnockoutTop = "schema: 1\nkind: knockout\nseed: 7\n";
+const std::string kKnockoutTeams = "teams: { zone: {}, bold: {}, calm: {} }\n";
 
 Knockout read(const std::string& text) {
-  return std::get<Knockout>(read_scenario_text(kTop + kTeams + text, "x.yaml").content);
+  return std::get<Knockout>(
+      read_scenario_text(kKnockoutTop + kKnockoutTeams + text, "x.yaml").content);
 }
 
 TEST(ReadKnockout, SeedsTeamsByNameUnlessAnOrderIsGiven) {
@@ -42,36 +43,38 @@ TEST_P(WrongKnockout, IsRefusedWithItsLocationAndARemedy) { expect_refused(GetPa
 
 INSTANTIATE_TEST_SUITE_P(
     Files, WrongKnockout,
-    testing::Values(
-        Mistake{"OneTeam",
-                kTop + "teams: { zone: {} }\n",
-                "x.yaml:4:1: teams: ",
-                {"expected 2 to 64 teams", "found 1"}},
-        Mistake{"OrderIsAWord",
-                kTop + kTeams + "order: zone\n",
-                "x.yaml:5:8: order: ",
-                {"every team once", "bold, calm, zone"}},
-        Mistake{"UnknownTeamInTheOrder",
-                kTop + kTeams + "order: [zone, bold, clam]\n",
-                "x.yaml:5:21: order: ",
-                {"bold, calm, zone", "'clam', which is not a team"}},
-        Mistake{"TeamTwiceInTheOrder",
-                kTop + kTeams + "order: [zone, bold, zone]\n",
-                "x.yaml:5:21: order: ",
-                {"'zone' twice"}},
-        Mistake{"TeamMissingInTheOrder",
-                kTop + kTeams + "order: [zone, bold]\n",
-                "x.yaml:5:8: order: ",
-                {"'calm' is missing"}},
-        Mistake{"ThirdPlaceOfThree",
-                kTop + kTeams + "third_place: true\n",
-                "x.yaml:5:14: third_place: ",
-                {"at least 4 teams", "leave it out"}},
-        Mistake{"ThirdPlaceIsAWord",
-                kTop + kTeams + "third_place: maybe\n",
-                "x.yaml:5:14: third_place: ",
-                {"true, false"}},
-        Mistake{"Pairs", kTop + kTeams + "pairs: 5\n", "x.yaml:5:1: ", {"unknown key 'pairs'"}}),
+    testing::Values(Mistake{"OneTeam",
+                            kKnockoutTop + "teams: { zone: {} }\n",
+                            "x.yaml:4:1: teams: ",
+                            {"expected 2 to 64 teams", "found 1"}},
+                    Mistake{"OrderIsAWord",
+                            kKnockoutTop + kKnockoutTeams + "order: zone\n",
+                            "x.yaml:5:8: order: ",
+                            {"every team once", "bold, calm, zone"}},
+                    Mistake{"UnknownTeamInTheOrder",
+                            kKnockoutTop + kKnockoutTeams + "order: [zone, bold, clam]\n",
+                            "x.yaml:5:21: order: ",
+                            {"bold, calm, zone", "'clam', which is not a team"}},
+                    Mistake{"TeamTwiceInTheOrder",
+                            kKnockoutTop + kKnockoutTeams + "order: [zone, bold, zone]\n",
+                            "x.yaml:5:21: order: ",
+                            {"'zone' twice"}},
+                    Mistake{"TeamMissingInTheOrder",
+                            kKnockoutTop + kKnockoutTeams + "order: [zone, bold]\n",
+                            "x.yaml:5:8: order: ",
+                            {"'calm' is missing"}},
+                    Mistake{"ThirdPlaceOfThree",
+                            kKnockoutTop + kKnockoutTeams + "third_place: true\n",
+                            "x.yaml:5:14: third_place: ",
+                            {"at least 4 teams", "leave it out"}},
+                    Mistake{"ThirdPlaceIsAWord",
+                            kKnockoutTop + kKnockoutTeams + "third_place: maybe\n",
+                            "x.yaml:5:14: third_place: ",
+                            {"true, false"}},
+                    Mistake{"Pairs",
+                            kKnockoutTop + kKnockoutTeams + "pairs: 5\n",
+                            "x.yaml:5:1: ",
+                            {"unknown key 'pairs'"}}),
     [](const auto& test) { return test.param.name; });
 
 }  // namespace

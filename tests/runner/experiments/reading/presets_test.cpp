@@ -163,7 +163,7 @@ TEST(Presets, LeaveTheFilesSettingsAloneIfChosenOnTheCommandLine) {
   });
 }
 
-Sweep sweep_of(const std::string& lines) {
+Sweep preset_sweep_of(const std::string& lines) {
   const std::string text = "schema: 1\nkind: sweep\npairs: 1\nseed: 1\n" + lines;
   return std::get<Sweep>(read_scenario_text(text, "x.yaml").content);
 }
@@ -178,9 +178,9 @@ std::map<std::string, GameSettings> cells_of(const Sweep& sweep) {
 }
 
 TEST(Presets, AsFactorsLeaveTheBaseAlone) {
-  const auto cells = cells_of(
-      sweep_of("base: { teams: { b: { robots: 3 } }, match: { half_s: 5 }, sim: { latency_s: 0.1 } "
-               "}\nfactors: { match.rules: [paper, \"2014\"], sim.camera: [none, realistic] }\n"));
+  const auto cells = cells_of(preset_sweep_of(
+      "base: { teams: { b: { robots: 3 } }, match: { half_s: 5 }, sim: { latency_s: 0.1 } "
+      "}\nfactors: { match.rules: [paper, \"2014\"], sim.camera: [none, realistic] }\n"));
   ASSERT_EQ(cells.size(), 4U);
   for (const auto& [name, game] : cells) {
     EXPECT_EQ(game.b.robots, 3) << name;
@@ -198,7 +198,7 @@ TEST(Presets, AsFactorsLeaveOtherFactorsAloneInAnyOrder) {
         "match.rules: [paper, \"2014\"], match.half_s: [5, 7], sim.latency_s: [0.1, 0.2], "
         "sim.camera: [none, realistic]"}) {
     for (const auto& [name, game] :
-         cells_of(sweep_of("factors: { " + std::string(factors) + " }\n"))) {
+         cells_of(preset_sweep_of("factors: { " + std::string(factors) + " }\n"))) {
       const auto says = [&name = name](const std::string& cell) {
         return name.find(cell) != std::string::npos;
       };
@@ -211,7 +211,7 @@ TEST(Presets, AsFactorsLeaveOtherFactorsAloneInAnyOrder) {
 }
 
 TEST(Presets, AsFactorsKeepTheirNamesIfSingleSettingsDiffer) {
-  const Sweep sweep = sweep_of(
+  const Sweep sweep = preset_sweep_of(
       "base: { sim: { vision: { reports_height: false } } }\n"
       "factors: { sim.camera: [paper, none] }\n");
   EXPECT_EQ(sweep.factors[0].values, (std::vector<SettingValue>{"paper", "none"}));
@@ -226,7 +226,7 @@ TEST(Presets, ReadTheSameFromTheEffectiveFile) {
         "base: { teams: { b: { dribbler: { force_n: 3 } } } }\n"
         "factors: { b.dribbler.preset: [perfect, default], b.handicap: [1.0, 0.5] }\n",
         "factors: { b.players.3.dribbler.preset: [perfect, default], b.robots: [6, 5] }\n"}) {
-    const Sweep sweep = sweep_of(lines);
+    const Sweep sweep = preset_sweep_of(lines);
     const std::string text = effective_text({"A sweep.", sweep});
     const auto again = std::get<Sweep>(read_scenario_text(text, "effective.yaml").content);
     EXPECT_EQ(effective_text({"A sweep.", again}), text);
@@ -240,9 +240,9 @@ TEST(Presets, ReadTheSameFromTheEffectiveFile) {
 }
 
 TEST(Presets, AreSpeltOutForEachValueInTheEffectiveFile) {
-  const std::string text =
-      effective_text({"A sweep.", sweep_of("base: { match: { half_s: 5 } }\n"
-                                           "factors: { match.rules: [paper, \"2014\"] }\n")});
+  const std::string text = effective_text(
+      {"A sweep.", preset_sweep_of("base: { match: { half_s: 5 } }\n"
+                                   "factors: { match.rules: [paper, \"2014\"] }\n")});
   EXPECT_NE(text.find("    half_s: 5.0 "), std::string::npos) << text;
   EXPECT_NE(text.find("\"match.rules=2014\":\n"), std::string::npos) << text;
   EXPECT_NE(text.find("    match.switch.bot_crash_unique: true\n"), std::string::npos) << text;
@@ -251,7 +251,7 @@ TEST(Presets, AreSpeltOutForEachValueInTheEffectiveFile) {
 
 TEST(Presets, CannotBeContradictedInTheEffectiveFile) {
   std::string text =
-      effective_text({"", sweep_of("factors: { match.rules: [paper, \"2014\"] }\n")});
+      effective_text({"", preset_sweep_of("factors: { match.rules: [paper, \"2014\"] }\n")});
   const std::string line = "    match.switch.bot_crash_unique: true\n";
   text.replace(text.find(line), line.size(), "    match.switch.bot_crash_unique: false\n");
   try {

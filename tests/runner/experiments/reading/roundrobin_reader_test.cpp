@@ -15,12 +15,12 @@ namespace {
 const std::string kTop = "schema: 1\nkind: roundrobin\npairs: 2\nseed: 7\n";
 const std::string kTeams = "teams: { zone: {}, bold: { strategy: dummy } }\n";
 
-RoundRobin robin_of(const std::string& text, const std::string& file = "x.yaml") {
+RoundRobin robin_read_from(const std::string& text, const std::string& file = "x.yaml") {
   return std::get<RoundRobin>(read_scenario_text(text, file).content);
 }
 
 TEST(ReadRoundRobin, ReadsTeamsBasePairsAndSeed) {
-  const RoundRobin robin = robin_of(
+  const RoundRobin robin = robin_read_from(
       kTop +
       "base: { match: { half_s: 60 } }\n"
       "teams: { zone: { handicap: 0.8, params: { shot_mps: 5 } }, bold: { robots: 3 } }\n");
@@ -35,31 +35,33 @@ TEST(ReadRoundRobin, ReadsTeamsBasePairsAndSeed) {
 
 // 2026, Division A: eleven robots per team.
 TEST(ReadRoundRobin, TakesTheNumberOfRobotsFromTheBasesRulesInAnyOrder) {
-  const RoundRobin robin = robin_of(kTop + kTeams + "base: { match: { rules: 2026-a } }\n");
+  const RoundRobin robin = robin_read_from(kTop + kTeams + "base: { match: { rules: 2026-a } }\n");
   EXPECT_EQ(robin.teams.at("zone").robots, 11);
 }
 
 TEST(ReadRoundRobin, TakesRobotTypesFromFilesAndFromTheBase) {
   const TemporaryFolder folder;
   write_content(folder / "slow.yaml", "schema: 1\nkind: robot\nrobot: { speed_mps: 1.5 }\n");
-  const RoundRobin robin = robin_of(kTop +
-                                        "base: { types: { fast: { robot: { speed_mps: 4 } } } }\n"
-                                        "teams: { zone: { type: fast }, bold: { type: slow.yaml, "
-                                        "players: { 2: { type: fast } } } }\n",
-                                    folder / "x.yaml");
+  const RoundRobin robin =
+      robin_read_from(kTop +
+                          "base: { types: { fast: { robot: { speed_mps: 4 } } } }\n"
+                          "teams: { zone: { type: fast }, bold: { type: slow.yaml, "
+                          "players: { 2: { type: fast } } } }\n",
+                      folder / "x.yaml");
   EXPECT_EQ(robin.base.types.at("slow").at("robot.speed_mps"), SettingValue(1.5));
   EXPECT_EQ(robin.teams.at("bold").type, "slow");
   EXPECT_EQ(robin.teams.at("bold").players.at(2).type, "fast");
 }
 
 TEST(EffectiveConfiguration, OfARoundRobinReadsBackEqual) {
-  RoundRobin robin = robin_of(kTop + kTeams);
+  RoundRobin robin = robin_read_from(kTop + kTeams);
   robin.base.match.half_s = 60;
   robin.base.types["slow"] = {{"robot.speed_mps", 1.5}};
   robin.teams["zone"].params["shot_mps"] = 0.1;
   robin.teams["zone"].players[3].type = "slow";
   const std::vector<ScheduledGame> there = scheduled_games(robin);
-  const std::vector<ScheduledGame> back = scheduled_games(robin_of(effective_text({"", robin})));
+  const std::vector<ScheduledGame> back =
+      scheduled_games(robin_read_from(effective_text({"", robin})));
   ASSERT_EQ(back.size(), there.size());
   for (std::size_t i = 0; i < back.size(); ++i) {
     EXPECT_EQ(back[i].id, there[i].id);

@@ -63,7 +63,7 @@ TEST(Possession, GoesToTheTeamThatTouchesTheBallASubstepLater) {
   EXPECT_DOUBLE_EQ(play.west().possession_s, 1.0);
 }
 
-referee::Decision call(Event event, std::optional<Side> offender) {
+referee::Decision decision_on(Event event, std::optional<Side> offender) {
   referee::Decision decision;
   decision.finding.event = event;
   decision.finding.offender = offender;
@@ -72,9 +72,9 @@ referee::Decision call(Event event, std::optional<Side> offender) {
 
 TEST(Fouls, CountForTheSideAtFault) {
   PlaySequence play;
-  play.decide(call(Event::kBotPushedBot, Side::kEast));
-  play.decide(call(Event::kBotDribbledBallTooFar, Side::kEast));
-  play.decide(call(Event::kAttackerTooCloseToDefenseArea, Side::kWest));
+  play.decide(decision_on(Event::kBotPushedBot, Side::kEast));
+  play.decide(decision_on(Event::kBotDribbledBallTooFar, Side::kEast));
+  play.decide(decision_on(Event::kAttackerTooCloseToDefenseArea, Side::kWest));
   play.frame();
   EXPECT_EQ(play.east().fouls, 2);
   EXPECT_EQ(play.west().fouls, 1);
@@ -82,7 +82,7 @@ TEST(Fouls, CountForTheSideAtFault) {
 
 TEST(Fouls, CountForBothSidesIfBothAreAtFault) {
   PlaySequence play;
-  play.decide(call(Event::kBotCrashDrawn, std::nullopt));
+  play.decide(decision_on(Event::kBotCrashDrawn, std::nullopt));
   play.frame();
   EXPECT_EQ(play.west().fouls, 1);
   EXPECT_EQ(play.east().fouls, 1);
@@ -91,7 +91,7 @@ TEST(Fouls, CountForBothSidesIfBothAreAtFault) {
 TEST(Fouls, CountWhilePlayIsStopped) {
   PlaySequence play;
   play.stop();
-  play.decide(call(Event::kBotTooFastInStop, Side::kWest));
+  play.decide(decision_on(Event::kBotTooFastInStop, Side::kWest));
   play.frame();
   EXPECT_EQ(play.west().fouls, 1);
 }
@@ -103,7 +103,7 @@ TEST(Fouls, ExcludeExitsGoalsAndOtherEventsThatAreNotFouls) {
         Event::kInvalidGoal, Event::kIndirectGoal, Event::kFreeKickOwnGoal, Event::kRestartNotTaken,
         Event::kPenaltyKickFailed, Event::kStuckBall, Event::kNoProgressInGame,
         Event::kMultipleFouls, Event::kMultipleCards}) {
-    play.decide(call(event, Side::kWest));
+    play.decide(decision_on(event, Side::kWest));
   }
   play.frame();
   EXPECT_EQ(play.west().fouls, 0);
