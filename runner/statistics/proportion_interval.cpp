@@ -10,15 +10,15 @@ namespace {
 
 using boost::math::binomial_distribution;
 
-void check(int successes, int n) { assert(0 <= successes && successes <= n); }
+void check(double successes, double n) { assert(0 <= successes && successes <= n); }
 
 }  // namespace
 
-std::optional<Interval> wilson_interval(int successes, int n) {
+std::optional<Interval> wilson_interval(double successes, double n) {
   check(successes, n);
-  if (n == 0) return std::nullopt;
+  if (!(n > 0)) return std::nullopt;
   const double z = quantile(complement(boost::math::normal(), kMissedShare / 2));
-  const double share = static_cast<double>(successes) / n;
+  const double share = successes / n;
   // Solves |share - p| = z sqrt(p (1 - p) / n) for p; the two roots are centre -+ half.
   const double shrink = 1 + z * z / n;
   const double centre = (share + z * z / (2.0 * n)) / shrink;

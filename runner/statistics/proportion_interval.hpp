@@ -12,7 +12,8 @@ namespace autoref::runner {
 
 // Wilson's score interval (Wilson, Probable inference, J. Am. Stat. Assoc. 22, 1927), without
 // continuity correction. Its coverage is 95 % on average over all proportions, and lower for some.
-std::optional<Interval> wilson_interval(int successes, int n);
+// The numbers need not be whole: n may be an effective number of trials.
+std::optional<Interval> wilson_interval(double successes, double n);
 
 // The exact interval (Clopper and Pearson, Biometrika 26, 1934). Its coverage is at least 95 % for
 // every proportion, so it is wider.
