@@ -1,6 +1,7 @@
 // Compares the settings of two experiments of one kind. Declared in experiment_kinds.hpp.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "runner/batch/experiment_kinds.hpp"
@@ -35,7 +36,10 @@ Values values_of(const JudgeSchedule& schedule) {
   std::vector<std::string> matchups;
   for (const auto& matchup : schedule.matchups) matchups.push_back(name_of(matchup));
   values["matchups"] = listed(matchups);
-  values["seed"] = std::to_string(schedule.seed);
+  values["teams"] = listed(schedule.teams);
+  for (const NamedSeed& seed : schedule.seeds) {
+    values[seed.name.empty() ? "seed" : "seeds." + seed.name] = std::to_string(seed.value);
+  }
   return values;
 }
 
@@ -74,8 +78,19 @@ void keep_teams_of_both(Teams& one, Teams& other) {
   std::erase_if(other, [&one](const auto& team) { return !one.contains(team.first); });
 }
 
+// Ignores seeds that occur in only one of the experiments: each has games of its own.
+void keep_seeds_of_both(JudgeSchedule& one, const JudgeSchedule& other) {
+  std::erase_if(one.seeds, [&other](const NamedSeed& seed) {
+    return std::none_of(other.seeds.begin(), other.seeds.end(),
+                        [&seed](const NamedSeed& its) { return its.name == seed.name; });
+  });
+}
+
 void keep_what_is_in_both(Sweep& /*here*/, Sweep& /*there*/) {}
-void keep_what_is_in_both(JudgeSchedule& /*here*/, JudgeSchedule& /*there*/) {}
+void keep_what_is_in_both(JudgeSchedule& here, JudgeSchedule& there) {
+  keep_seeds_of_both(here, there);
+  keep_seeds_of_both(there, here);
+}
 void keep_what_is_in_both(NamedTeams& here, NamedTeams& there) {
   keep_teams_of_both(here.teams, there.teams);
 }

@@ -26,7 +26,7 @@ std::vector<std::string> value_columns(const Sweep& sweep) {
 
 std::vector<std::string> value_columns(const NamedTeams& /*named*/) { return {}; }
 std::vector<std::string> value_columns(const JudgeSchedule& /*schedule*/) {
-  return {"rules", "camera"};
+  return {"seeds", "rules", "camera"};
 }
 
 // Experiments of all other kinds need all their games.

@@ -14,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string changes_besides_seed(Scenario here, const Scenario& there) {
-  set_master_seed(here, master_seed_of(there));
+std::string changes_besides_seed(Scenario here, const Scenario& there, std::uint64_t seed) {
+  set_master_seed(here, seed);
   return changes_between(here, there);
 }
 
@@ -34,16 +34,16 @@ std::optional<Scenario> scenario_of_folder(const fs::path& folder) {
 }
 
 void refuse_other_seed(const Scenario& here, const Scenario& there, const fs::path& folder) {
-  const std::uint64_t seed = master_seed_of(here);
-  const std::uint64_t former = master_seed_of(there);
-  if (seed == former || kind_of(here) != kind_of(there)) return;
-  const std::string others = changes_besides_seed(here, there);
+  const std::optional<std::uint64_t> seed = master_seed_of(here);
+  const std::optional<std::uint64_t> former = master_seed_of(there);
+  if (!seed || !former || seed == former || kind_of(here) != kind_of(there)) return;
+  const std::string others = changes_besides_seed(here, there, *former);
   throw InputError(
       {folder.string()}, "",
       fmt::format("holds games of seed {0}, but this is seed {1}{2}; continue with --seed {0} (or "
                   "seed: {0} in the file), or choose another folder for seed {1}, such as -o "
                   "{3}-seed-{1}",
-                  former, seed, others.empty() ? "" : fmt::format(" (also, {})", others),
+                  *former, *seed, others.empty() ? "" : fmt::format(" (also, {})", others),
                   (folder / "").parent_path().string()));
 }
 

@@ -94,6 +94,7 @@ struct ReplayArguments : FolderArguments {
 
 // Arguments of `autoref judge`.
 struct JudgeArguments : BatchArguments {
+  std::string seeds;  // name of the only master seed to play; empty: all of the file's
   bool allow_mixed_build = false;
   bool json = false;
 };

@@ -12,6 +12,7 @@
 #include "runner/io/build_id.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/judge/judged_rows.hpp"
+#include "runner/settings/assignments.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -20,7 +21,10 @@ namespace fs = std::filesystem;
 
 Scenario read_judge(const JudgeArguments& arguments) {
   Scenario scenario = read_scenario(arguments.file, assignments_in(arguments.sets));
-  if (std::holds_alternative<JudgeSchedule>(scenario.content)) return scenario;
+  if (auto* schedule = std::get_if<JudgeSchedule>(&scenario.content)) {
+    if (!arguments.seeds.empty()) blame("--seeds", [&] { keep_seed(*schedule, arguments.seeds); });
+    return scenario;
+  }
   throw InputError({arguments.file}, "kind",
                    fmt::format("this is a {}, not a judge; play it with: autoref {} {}",
                                kind_of(scenario), verb_of(scenario), arguments.file));
@@ -68,6 +72,9 @@ void add_judge_verb(CLI::App& app, Chosen& chosen) {
       app.add_subcommand("judge", "Compare the referee's calls with the ground truth.");
   auto arguments = std::make_shared<JudgeArguments>();
   add_batch_options(*verb, *arguments, "Scenario of kind judge.");
+  verb->add_option("--seeds", arguments->seeds,
+                   "Play only the games of one of the file's seeds. Default: all.")
+      ->type_name("tuning|test");
   verb->add_flag("--allow-mixed-build", arguments->allow_mixed_build,
                  "Continue in a folder that holds games of another build; those do not count.");
   verb->add_flag("--json", arguments->json, "Print one JSON object.");

@@ -19,6 +19,25 @@ int* pairs_in(SprtMatch& match) { return &match.sprt.max_pairs; }
 int* pairs_in(Knockout& /*knockout*/) { return nullptr; }
 int* pairs_in(JudgeSchedule& /*schedule*/) { return nullptr; }  // it has a number of games instead
 
+template <typename Experiment>
+std::optional<std::uint64_t> master_seed_in(const Experiment& experiment) {
+  return experiment.seed;
+}
+
+std::optional<std::uint64_t> master_seed_in(const JudgeSchedule& schedule) {
+  const NamedSeed& seed = schedule.seeds.front();
+  return seed.name.empty() ? std::optional(seed.value) : std::nullopt;
+}
+
+template <typename Experiment>
+void set_seed(std::uint64_t seed, Experiment& experiment) {
+  experiment.seed = seed;
+}
+
+void set_seed(std::uint64_t seed, JudgeSchedule& schedule) {
+  schedule.seeds = {{"", std::to_string(seed), seed}};
+}
+
 // Throws if the number of pairs contradicts other settings.
 template <typename Experiment>
 void check_pairs(const Experiment& experiment) {
@@ -35,8 +54,8 @@ std::optional<int> pairs_of(const Scenario& experiment) {
   });
 }
 
-std::uint64_t master_seed_of(const Scenario& experiment) {
-  return with_kind(experiment, [](const auto& its) { return its.seed; });
+std::optional<std::uint64_t> master_seed_of(const Scenario& experiment) {
+  return with_kind(experiment, [](const auto& its) { return master_seed_in(its); });
 }
 
 void set_pairs(Scenario& experiment, int pairs) {
@@ -58,7 +77,7 @@ void set_pairs(Scenario& experiment, int pairs) {
 
 void set_master_seed(Scenario& experiment, std::uint64_t seed) {
   experiment.content = with_kind(experiment, [seed](auto its) -> decltype(Scenario::content) {
-    its.seed = seed;
+    set_seed(seed, its);
     return its;
   });
 }

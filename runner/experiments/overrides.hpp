@@ -14,12 +14,13 @@ inline constexpr int kMostPairs = 9999;  // pairs of legs
 // Nullopt for a knockout and for kind judge.
 std::optional<int> pairs_of(const Scenario& experiment);
 
-// The experiment's master seed.
-std::uint64_t master_seed_of(const Scenario& experiment);
+// The experiment's master seed; nullopt for kind judge with named seeds.
+std::optional<std::uint64_t> master_seed_of(const Scenario& experiment);
 
 // Throws std::invalid_argument if the experiment cannot have this many pairs.
 void set_pairs(Scenario& experiment, int pairs);
 
+// Replaces all named seeds, too.
 void set_master_seed(Scenario& experiment, std::uint64_t seed);
 
 }  // namespace autoref::runner

@@ -31,8 +31,8 @@ GameConfiguration resolved(const ScheduledGame& game);
 // game. Throws SettingError if values contradict each other.
 std::vector<ScheduledGame> scheduled_games(const Sweep& sweep);
 
-// The games returned by games_of() (judge_schedule.hpp); their `values` are the names of the rule
-// book and the camera.
+// The games returned by games_of() (judge_schedule.hpp); their `values` are the names of the
+// master seed (empty if it has none), the rule book and the camera.
 std::vector<ScheduledGame> scheduled_games(const JudgeSchedule& schedule);
 
 // The id of a game: "b.handicap=0.8-p0007-2" if `played` is "b.handicap=0.8", for pair 7 and leg 2.

@@ -47,6 +47,14 @@ std::optional<int> whole_number_in(std::string_view text) { return parsed<int>(t
 
 std::optional<std::uint64_t> seed_in(std::string_view text) { return parsed<std::uint64_t>(text); }
 
+std::optional<std::uint64_t> hexadecimal_in(std::string_view text) {
+  constexpr int kBase = 16;
+  std::uint64_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number, kBase);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
 std::string text_of(double number) {
   std::string text = fmt::format("{}", number);
   return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;

@@ -17,6 +17,9 @@ std::optional<double> number_in(std::string_view text);
 std::optional<int> whole_number_in(std::string_view text);
 std::optional<std::uint64_t> seed_in(std::string_view text);
 
+// Parses a whole number in hexadecimal digits, without prefix or sign: "1c9f03ae".
+std::optional<std::uint64_t> hexadecimal_in(std::string_view text);
+
 // Shortest text that reads back as the same number, always with a point or an exponent.
 std::string text_of(double number);
 

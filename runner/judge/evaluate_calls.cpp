@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "runner/judge/contested_touch.hpp"
 #include "runner/judge/truth/association.hpp"
 #include "runner/judge/truth/ground_truth_observer.hpp"
 
@@ -17,6 +18,7 @@ class CallEvaluator final : public Observer {
  public:
   explicit CallEvaluator(const GameConfiguration& game)
       : a_plays_(game.match.a_plays),
+        frame_s_(1.0 / game.sim.frame_rate_hz),
         observer_(game.field, game.match.rules, game.sim.frame_rate_hz) {}
 
   void on_decision(const Decision& decision) override {
@@ -38,6 +40,8 @@ class CallEvaluator final : public Observer {
   void on_frame(const Frame& /*frame*/, const RefereeSignal& signal,
                 const sim::World& world) override {
     observer_.see(world, signal);
+    now_s_ = static_cast<double>(world.state().frame) * frame_s_;
+    touches_.see(world.touches(), now_s_);
     const bool is_in_air = world.state().ball.height_m > 0;
     for (; judged_ < calls_.size(); ++judged_) calls_[judged_].is_in_air = is_in_air;
     // Decisions arrive before the true state of their frame, so they were kept until now.
@@ -55,15 +59,24 @@ class CallEvaluator final : public Observer {
   void evaluate_last_touch(const std::optional<Side>& said) {
     if (!observer_.ball().last()) return;
     const Side side = observer_.ball().last()->robot.side;
-    LastTouchTally& tally = evaluation_.last_touch[side == a_plays_ ? 0 : 1];
-    ++(!said ? tally.unknown : *said == side ? tally.right : tally.wrong);
+    const std::size_t team = side == a_plays_ ? 0 : 1;
+    add_touch(said, side, evaluation_.last_touch[team]);
+    if (!touches_.is_contested(exit_time_s(observer_.true_events(), now_s_))) return;
+    add_touch(said, side, evaluation_.contested_touch[team]);
+  }
+
+  static void add_touch(const std::optional<Side>& said, Side truth, LastTouchTally& tally) {
+    ++(!said ? tally.unknown : *said == truth ? tally.right : tally.wrong);
   }
 
   Side a_plays_;
+  double frame_s_;
   ground_truth::GroundTruthObserver observer_;
   std::vector<Call> calls_;
   std::size_t judged_ = 0;                  // number of calls judged before this frame
   std::vector<std::optional<Side>> exits_;  // last touching sides named by this frame's calls
+  double now_s_ = 0;
+  SideTouches touches_;
   CallEvaluation evaluation_;
 };
 

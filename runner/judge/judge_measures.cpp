@@ -7,31 +7,38 @@
 namespace autoref::runner {
 namespace {
 
-// Proportion of right calls that come within the reported upper delay.
-constexpr double kMostCalls = 0.95;
+using Tally = const EventTally&;
+using Value = std::optional<double>;
 
-std::optional<double> in_thousandths(const std::optional<double>& value) {
-  return value ? std::optional(1e3 * *value) : std::nullopt;
+Value delay_ms(Tally tally, double share) {
+  const Value delay_s = quantile(tally.delays_s, share);
+  return delay_s ? Value(1e3 * *delay_s) : std::nullopt;
+}
+
+Value position_error_mm(Tally tally) {
+  const Value error_m = quantile(tally.errors_m, 0.5);
+  return error_m ? Value(1e3 * *error_m) : std::nullopt;
 }
 
 }  // namespace
 
 const std::vector<Measure>& measures() {
-  using Tally = const EventTally&;
-  using Value = std::optional<double>;
   static const std::vector<Measure> kMeasures = {
       {"happened", "happened", [](Tally t) -> Value { return t.happened(); }},
       {"calls", "calls", [](Tally t) -> Value { return t.calls(); }},
       {"right", "right", [](Tally t) -> Value { return t.right; }},
-      {"precision", "precision", [](Tally t) -> Value { return t.precision(); }, 3},
-      {"recall", "recall", [](Tally t) -> Value { return t.recall(); }, 3},
-      {"F1", "f1", [](Tally t) -> Value { return t.f1(); }, 3},
-      {"delay ms", "delay_median_ms",
-       [](Tally t) { return in_thousandths(quantile(t.delays_s, 0.5)); }},
-      {"95 % ms", "delay_p95_ms",
-       [](Tally t) { return in_thousandths(quantile(t.delays_s, kMostCalls)); }},
-      {"position error mm", "position_error_median_mm",
-       [](Tally t) { return in_thousandths(quantile(t.errors_m, 0.5)); }},
+      {"precision", "precision", [](Tally t) -> Value { return t.precision(); }, 3,
+       [](Tally t) { return t.precision_interval(); }},
+      {"recall", "recall", [](Tally t) -> Value { return t.recall(); }, 3,
+       [](Tally t) { return t.recall_interval(); }},
+      {"F1", "f1", [](Tally t) -> Value { return t.f1(); }, 3,
+       [](Tally t) { return t.f1_interval(); }},
+      {"delay ms", "delay_median_ms", [](Tally t) { return delay_ms(t, 0.5); }},
+      {"90 % ms", "delay_p90_ms", [](Tally t) { return delay_ms(t, 0.9); }},
+      {"99 % ms", "delay_p99_ms", [](Tally t) { return delay_ms(t, 0.99); }},
+      {"longest ms", "delay_max_ms", [](Tally t) { return delay_ms(t, 1.0); }},
+      {"before event", "before_event", [](Tally t) -> Value { return t.before; }},
+      {"position error mm", "position_error_median_mm", position_error_mm},
       {"early", "early", [](Tally t) -> Value { return t.early; }},
       {"near: missed", "borderline_missed", [](Tally t) -> Value { return t.borderline_missed; }},
       {"near: wrong", "borderline_wrong", [](Tally t) -> Value { return t.borderline_wrong; }},
@@ -42,9 +49,32 @@ const std::vector<Measure>& measures() {
   return kMeasures;
 }
 
+std::string text_of(const Interval& interval, int decimals) {
+  return fmt::format("{:.{}f}, {:.{}f}", interval.low, decimals, interval.high, decimals);
+}
+
 std::string text_of(const Measure& measure, const EventTally& tally) {
-  const std::optional<double> value = measure.value(tally);
-  return value ? fmt::format("{:.{}f}", *value, measure.decimals) : "";
+  const Value value = measure.value(tally);
+  if (!value) return "";
+  std::string text = fmt::format("{:.{}f}", *value, measure.decimals);
+  if (measure.interval == nullptr) return text;
+  return fmt::format("{} [{}]", text, text_of(*measure.interval(tally), measure.decimals));
+}
+
+std::vector<MeasuredNumber> numbers_of(const EventTally& tally) {
+  std::vector<MeasuredNumber> numbers;
+  numbers.reserve(2 * measures().size());
+  for (const Measure& measure : measures()) {
+    const std::string name = measure.name;
+    numbers.push_back({name, measure.value(tally), measure.decimals});
+    if (measure.interval == nullptr) continue;
+    const std::optional<Interval> interval = measure.interval(tally);
+    const auto low = interval ? Value(interval->low) : std::nullopt;
+    const auto high = interval ? Value(interval->high) : std::nullopt;
+    numbers.push_back({name + "_low95", low, measure.decimals});
+    numbers.push_back({name + "_high95", high, measure.decimals});
+  }
+  return numbers;
 }
 
 }  // namespace autoref::runner

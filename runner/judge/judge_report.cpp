@@ -3,15 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <utility>
 
 #include "referee/machine/machine.hpp"
 #include "runner/io/csv.hpp"
-#include "runner/io/json.hpp"
-#include "runner/judge/judge_measures.hpp"
 #include "runner/results/scores.hpp"
 
 namespace autoref::runner {
@@ -22,7 +19,8 @@ using ground_truth::Outcome;
 std::string fault_line(const JudgeGame& game, std::size_t number,
                        const ground_truth::Verdict& verdict) {
   const bool is_missed = verdict.outcome == Outcome::kMissed;
-  return csv_line({game.rules, game.camera, game.id, std::to_string(game.configuration.seed),
+  return csv_line({game.seeds, game.rules, game.camera, game.id,
+                   std::to_string(game.configuration.seed),
                    std::string(name_of(game.configuration.match.a_plays)), verdict.name,
                    is_missed ? "missed" : "wrong", fmt::format("{:.3f}", verdict.time_s),
                    verdict.offender ? std::string(name_of(*verdict.offender)) : "",
@@ -39,6 +37,11 @@ void list_faults(const JudgeGame& game, const GameRow& row, JudgeReport& report)
       report.second_calls.push_back(
           fmt::format("{}: {} at {:.3f} s", game.id, verdict.name, verdict.time_s));
     }
+    if (is_before_event(verdict)) {
+      report.calls_before_events.push_back(
+          fmt::format("{}: {} at {:.3f} s, {:.0f} ms before the event", game.id, verdict.name,
+                      verdict.time_s + verdict.delay_s, -1e3 * verdict.delay_s));
+    }
   }
   const std::vector<const ground_truth::Verdict*> faults = faults_in(evaluation);
   for (std::size_t i = 0; i < faults.size(); ++i)
@@ -53,8 +56,34 @@ void list_faults(const JudgeGame& game, const GameRow& row, JudgeReport& report)
 
 CameraTally& tally_of(JudgeReport& report, const JudgeGame& game) {
   return *std::find_if(report.tallies.begin(), report.tallies.end(), [&](const auto& tally) {
-    return tally.rules == game.rules && tally.camera == game.camera;
+    return tally.seeds == game.seeds && tally.rules == game.rules && tally.camera == game.camera;
   });
+}
+
+void add_empty_tallies(const JudgeSchedule& schedule, const std::string& rules,
+                       std::vector<CameraTally>& tallies) {
+  for (const std::string& camera : schedule.cameras) {
+    for (const NamedSeed& seed : schedule.seeds) {
+      tallies.push_back({seed.name, rules, camera, 0, 0, {}, {}, {}});
+    }
+  }
+}
+
+// Fills `pooled` and `rare_events`, given the tallies.
+void pool(const JudgeSchedule& schedule, JudgeReport& report) {
+  if (schedule.rules.size() < 2) return;
+  add_empty_tallies(schedule, kAllRules, report.pooled);
+  std::map<std::string, std::set<std::string>> books;  // by event
+  for (std::size_t i = 0; i < report.tallies.size(); ++i) {
+    const CameraTally& tally = report.tallies[i];
+    report.pooled[i % report.pooled.size()].add(tally);
+    for (const auto& [name, event] : tally.events) books[name].insert(tally.rules);
+  }
+  for (const CameraTally& tally : report.tallies) {
+    for (const auto& [name, event] : tally.events) {
+      if (event.is_rare() && books[name].size() > 1) report.rare_events.insert(name);
+    }
+  }
 }
 
 std::vector<std::string> never_taken(const std::set<std::string, std::less<>>& taken) {
@@ -76,21 +105,6 @@ std::vector<std::string> never_seen(const std::vector<CameraTally>& tallies) {
   return never;
 }
 
-Json json_of(const CameraTally& tally, const std::string& name, const EventTally& event) {
-  Json object = {{"rules", tally.rules}, {"camera", tally.camera}, {"event", name}};
-  for (const Measure& measure : measures()) {
-    const std::optional<double> value = measure.value(event);
-    object[measure.name] = value ? Json(rounded(*value, measure.decimals)) : Json();
-  }
-  return object;
-}
-
-Json last_touch_json(const CameraTally& tally, std::size_t team) {
-  const LastTouchTally& touch = tally.last_touch[team];
-  return {{"rules", tally.rules}, {"camera", tally.camera}, {"touched_by", team == 0 ? "a" : "b"},
-          {"right", touch.right}, {"wrong", touch.wrong},   {"unknown", touch.unknown}};
-}
-
 }  // namespace
 
 std::vector<const ground_truth::Verdict*> faults_in(const CallEvaluation& evaluation) {
@@ -106,11 +120,10 @@ std::vector<const ground_truth::Verdict*> faults_in(const CallEvaluation& evalua
 JudgeReport report_of(const JudgeSchedule& schedule, const RowsById& rows) {
   JudgeReport report;
   report.faults_csv =
-      "rules,camera,game,seed,a_plays,event,outcome,time_s,offender,borderline,id\n";
+      "seeds,rules,camera,game,seed,a_plays,event,outcome,time_s,offender,borderline,id\n";
+  report.seeds = schedule.seeds;
   for (const std::string& rules : schedule.rules) {
-    for (const std::string& camera : schedule.cameras) {
-      report.tallies.push_back({rules, camera, 0, 0, {}, {}});
-    }
+    add_empty_tallies(schedule, rules, report.tallies);
   }
   std::set<std::string, std::less<>> taken;
   for (const JudgeGame& game : games_of(schedule)) {
@@ -121,39 +134,10 @@ JudgeReport report_of(const JudgeSchedule& schedule, const RowsById& rows) {
     list_faults(game, row->second, report);
     taken.insert(record.transitions.begin(), record.transitions.end());
   }
+  pool(schedule, report);
   report.transitions_never_used = never_taken(taken);
   report.rules_never_seen = never_seen(report.tallies);
   return report;
-}
-
-std::string csv_of(const JudgeReport& report) {
-  std::vector<std::string> heads = {"rules", "camera", "event"};
-  for (const Measure& measure : measures()) heads.emplace_back(measure.name);
-  std::string text = csv_line(heads) + "\n";
-  for (const CameraTally& tally : report.tallies) {
-    for (const auto& [name, event] : tally.events) {
-      std::vector<std::string> cells = {tally.rules, tally.camera, name};
-      for (const Measure& measure : measures()) cells.push_back(text_of(measure, event));
-      text += csv_line(cells) + "\n";
-    }
-  }
-  return text;
-}
-
-std::string json_of(const JudgeReport& report) {
-  Json events = Json::array();
-  Json touches = Json::array();
-  for (const CameraTally& tally : report.tallies) {
-    for (const auto& [name, event] : tally.events) events.push_back(json_of(tally, name, event));
-    for (const std::size_t team : {0U, 1U}) touches.push_back(last_touch_json(tally, team));
-  }
-  return json_text({{"events", std::move(events)},
-                    {"last_touch", std::move(touches)},
-                    {"second_calls", report.second_calls},
-                    {"calls_in_stop", report.calls_in_stop},
-                    {"void_games", report.void_games},
-                    {"transitions_never_used", report.transitions_never_used},
-                    {"events_never_seen", report.rules_never_seen}});
 }
 
 }  // namespace autoref::runner

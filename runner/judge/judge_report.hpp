@@ -1,6 +1,7 @@
 // Reports on a judged referee: tables, CSV and JSON.
 #pragma once
 
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,10 +13,16 @@
 namespace autoref::runner {
 
 struct JudgeReport {
-  std::vector<CameraTally> tallies;  // by rule book, then by camera, in the order of the schedule
+  std::vector<NamedSeed> seeds;      // the master seeds of the schedule
+  std::vector<CameraTally> tallies;  // by rule book, camera and seed, in the order of the schedule
+  // The same with the games of all rule books; empty if there is only one rule book.
+  std::vector<CameraTally> pooled;
+  // Events seen under several rule books that are rare in some tally.
+  std::set<std::string> rare_events;
   // One line each, with the game's id.
-  std::vector<std::string> second_calls;   // wrong because the event had already been called
-  std::vector<std::string> calls_in_stop;  // made in a stop, but only possible during play
+  std::vector<std::string> second_calls;         // wrong because the event had already been called
+  std::vector<std::string> calls_in_stop;        // made in a stop, but only possible during play
+  std::vector<std::string> calls_before_events;  // right calls of events that happened later
   std::vector<std::string> void_games;
   std::vector<std::string> transitions_never_used;
   std::vector<std::string>
@@ -33,14 +40,16 @@ std::vector<const ground_truth::Verdict*> faults_in(const CallEvaluation& evalua
 // same report, in whatever order they were played.
 JudgeReport report_of(const JudgeSchedule& schedule, const RowsById& rows);
 
-// Markdown: F1 of all events, last touches, the checks, and a table of all measures for each rule
-// book.
+// Markdown: the seeds, F1 of all events, last touches, delays, the checks, and a table of all
+// measures for each rule book.
 std::string markdown_of(const JudgeReport& report);
 
 // Only the table of F1.
 std::string scores_markdown_of(const JudgeReport& report);
 
-// judge.csv: rules, camera, event and measures; cells without a value are empty.
+// judge.csv: seeds, rules, camera, event, whether it is rare, and measures with their intervals;
+// cells without a value are empty. Last touches are events, too. Rows with the rule book kAllRules
+// pool events that are rare under some rule book.
 std::string csv_of(const JudgeReport& report);
 
 // The report as one JSON object.

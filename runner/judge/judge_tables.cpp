@@ -4,102 +4,204 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
+#include "runner/io/csv.hpp"
 #include "runner/judge/judge_measures.hpp"
+#include "runner/statistics/proportion_interval.hpp"
 
 namespace autoref::runner {
 namespace {
 
-std::vector<std::string> cameras_in(const JudgeReport& report) {
-  std::vector<std::string> cameras;
-  for (const CameraTally& tally : report.tallies) {
-    if (std::find(cameras.begin(), cameras.end(), tally.camera) == cameras.end()) {
-      cameras.push_back(tally.camera);
+using Tallies = std::vector<CameraTally>;
+
+// The distinct values of a name, in order.
+std::vector<std::string> names_in(const Tallies& tallies, std::string CameraTally::*name) {
+  std::vector<std::string> names;
+  for (const CameraTally& tally : tallies) {
+    if (std::find(names.begin(), names.end(), tally.*name) == names.end()) {
+      names.push_back(tally.*name);
     }
   }
-  return cameras;
+  return names;
 }
 
-const EventTally* find_tally(const JudgeReport& report, const std::string& rules,
-                             const std::string& camera, const std::string& event) {
-  for (const CameraTally& tally : report.tallies) {
-    if (tally.rules != rules || tally.camera != camera) continue;
-    const auto found = tally.events.find(event);
-    return found == tally.events.end() ? nullptr : &found->second;
+bool has_named_seeds(const JudgeReport& report) {
+  return !report.tallies.empty() && !report.tallies.front().seeds.empty();
+}
+
+// Adds the name of the master seed if the seeds have names.
+Cells with_seeds(const JudgeReport& report, Cells cells, const std::string& seeds) {
+  if (has_named_seeds(report)) cells.push_back(seeds);
+  return cells;
+}
+
+JudgeTable table_of(const JudgeReport& report, const Cells& names, const Cells& numbers) {
+  JudgeTable table{{with_seeds(report, names, "seeds")}, 0};
+  table.names = table.rows.front().size();
+  table.rows.front().insert(table.rows.front().end(), numbers.begin(), numbers.end());
+  return table;
+}
+
+std::string shown_name(const std::string& event) {
+  return needs_height(event) ? event + " (height)" : event;
+}
+
+std::string rarity(const EventTally& tally) { return tally.is_rare() ? " rare" : ""; }
+
+std::string score_cell(const EventTally& tally, ScoreCells cells) {
+  const std::optional<double> f1 = tally.f1();
+  if (!f1) return "";
+  const bool is_short = cells == ScoreCells::kShort;
+  return fmt::format("{:.3f}{} of {}{}", *f1,
+                     is_short ? "" : fmt::format(" [{}]", text_of(*tally.f1_interval(), 3)),
+                     tally.happened(), rarity(tally));
+}
+
+// F1 of one event with one rule book and one seed, by camera; nullopt if it was never seen.
+std::optional<Cells> score_cells(const Tallies& tallies, const std::vector<std::string>& cameras,
+                                 const CameraTally& of, const std::string& event,
+                                 ScoreCells style) {
+  Cells cells;
+  bool is_known = false;
+  for (const std::string& camera : cameras) {
+    const auto tally = std::find_if(tallies.begin(), tallies.end(), [&](const CameraTally& one) {
+      return one.seeds == of.seeds && one.rules == of.rules && one.camera == camera;
+    });
+    const bool is_there = tally != tallies.end() && tally->events.contains(event);
+    cells.push_back(is_there ? score_cell(tally->events.at(event), style) : "");
+    is_known = is_known || !cells.back().empty();
   }
-  return nullptr;
+  return is_known ? std::optional(cells) : std::nullopt;
 }
 
-// "0.987 of 120": F1, and the number of events.
-std::string score_cell(const EventTally* tally) {
-  if (tally == nullptr) return "";
-  const std::optional<double> f1 = tally->f1();
-  return f1 ? fmt::format("{:.3f} of {}", *f1, tally->happened()) : "";
+// Adds the rows of an event, one for each rule book and seed among the tallies.
+void add_scores(const JudgeReport& report, const Tallies& tallies, const std::string& event,
+                ScoreCells style, TableRows& rows) {
+  const std::vector<std::string> cameras = names_in(tallies, &CameraTally::camera);
+  for (const CameraTally& tally : tallies) {
+    if (tally.camera != cameras.front()) continue;
+    const auto scores = score_cells(tallies, cameras, tally, event, style);
+    if (!scores) continue;
+    rows.push_back(with_seeds(report, {shown_name(event), tally.rules}, tally.seeds));
+    rows.back().insert(rows.back().end(), scores->begin(), scores->end());
+  }
 }
 
+// "98.1 % [97.0, 98.8]".
 std::string percent(int part, int whole) {
-  return whole == 0 ? "" : fmt::format("{:.1f} %", 100.0 * part / whole);
+  if (whole == 0) return "";
+  const Interval interval = *wilson_interval(part, whole);
+  return fmt::format("{:.1f} % [{}]", 100.0 * part / whole,
+                     text_of({100 * interval.low, 100 * interval.high}, 1));
+}
+
+Cells touch_cells(const std::array<LastTouchTally, 2>& by_team) {
+  const EventTally touch = touch_tally(by_team);
+  const int all = touch.happened();
+  return {percent(touch.right, all), percent(touch.wrong, all),
+          percent(touch.missed - touch.wrong, all), std::to_string(all)};
+}
+
+void add_touches(const JudgeReport& report, const Tallies& tallies, TableRows& rows) {
+  for (const CameraTally& tally : tallies) {
+    rows.push_back(with_seeds(report, {tally.rules, tally.camera}, tally.seeds));
+    for (const auto* touches : {&tally.last_touch, &tally.contested_touch}) {
+      const Cells cells = touch_cells(*touches);
+      rows.back().insert(rows.back().end(), cells.begin(), cells.end());
+    }
+  }
+}
+
+const Tallies& tallies_with(const JudgeReport& report, const std::string& rules) {
+  return rules == kAllRules ? report.pooled : report.tallies;
+}
+
+// Delays by camera need no rule books: those of a single book are in its own table.
+const Tallies& widest_tallies(const JudgeReport& report) {
+  return report.pooled.empty() ? report.tallies : report.pooled;
 }
 
 }  // namespace
 
+const char* const kIntervalsCaption =
+    "In brackets: 95 % confidence intervals, Wilson's for proportions; F1 is treated as the "
+    "proportion of right calls in the mean of the numbers of calls and of events. `rare`: the "
+    "event happened fewer than 100 times. The rule book `all` pools the games of all rule books "
+    "for events that are rare under one of them.";
+const char* const kLastTouchCaption =
+    "Contested: robots of both teams touched the ball within the last 0.1 s before it left the "
+    "field.";
+const char* const kDelaysCaption =
+    "From the event to the right call. Before event: calls that came before an event that did "
+    "happen; their delays are negative. Early: calls of events that could no longer happen, since "
+    "play was stopped.";
+
 std::vector<std::string> books_in(const JudgeReport& report) {
-  std::vector<std::string> books;
-  for (const CameraTally& tally : report.tallies) {
-    if (books.empty() || books.back() != tally.rules) books.push_back(tally.rules);
-  }
+  std::vector<std::string> books = names_in(report.tallies, &CameraTally::rules);
+  if (!report.pooled.empty()) books.emplace_back(kAllRules);
   return books;
 }
 
-// The events of a rule book in the referee's order, with one row per camera.
-TableRows event_rows(const JudgeReport& report, const std::string& rules) {
-  TableRows rows = {{"event", "camera"}};
-  for (const Measure& measure : measures()) rows.front().emplace_back(measure.head);
+// The events of a rule book in the referee's order, with one row per camera and seed.
+JudgeTable events_table(const JudgeReport& report, const std::string& rules) {
+  Cells heads;
+  for (const Measure& measure : measures()) heads.emplace_back(measure.head);
+  JudgeTable table = table_of(report, {"event", "camera"}, heads);
   for (const std::string& name : judged_names()) {
-    for (const CameraTally& tally : report.tallies) {
+    if (rules == kAllRules && !report.rare_events.contains(name)) continue;
+    for (const CameraTally& tally : tallies_with(report, rules)) {
       const auto found = tally.events.find(name);
       if (tally.rules != rules || found == tally.events.end()) continue;
-      std::vector<std::string> cells = {needs_height(name) ? name + " (height)" : name,
-                                        tally.camera};
-      for (const Measure& measure : measures()) cells.push_back(text_of(measure, found->second));
-      rows.push_back(cells);
-    }
-  }
-  return rows;
-}
-
-// F1 of all events: one row per event and rule book, one column per camera.
-TableRows scores_rows(const JudgeReport& report) {
-  const std::vector<std::string> cameras = cameras_in(report);
-  const std::vector<std::string> books = books_in(report);
-  TableRows rows = {{"F1 of", "rules"}};
-  rows.front().insert(rows.front().end(), cameras.begin(), cameras.end());
-  for (const std::string& name : judged_names()) {
-    for (const std::string& rules : books) {
-      std::vector<std::string> cells = {needs_height(name) ? name + " (height)" : name, rules};
-      bool is_known = false;
-      for (const std::string& camera : cameras) {
-        cells.push_back(score_cell(find_tally(report, rules, camera, name)));
-        is_known = is_known || !cells.back().empty();
+      const std::string shown = shown_name(name) + rarity(found->second);
+      table.rows.push_back(with_seeds(report, {shown, tally.camera}, tally.seeds));
+      for (const Measure& measure : measures()) {
+        table.rows.back().push_back(text_of(measure, found->second));
       }
-      if (is_known) rows.push_back(cells);
     }
   }
-  return rows;
+  return table;
 }
 
-TableRows last_touch_rows(const JudgeReport& report) {
-  TableRows rows = {
-      {"last touch at exits", "camera", "touched by", "right", "wrong", "unknown", "of"}};
-  for (const CameraTally& tally : report.tallies) {
-    for (std::size_t team = 0; team < tally.last_touch.size(); ++team) {
-      const LastTouchTally& touch = tally.last_touch[team];
-      const int all = touch.right + touch.wrong + touch.unknown;
-      rows.push_back({tally.rules, tally.camera, team == 0 ? "a" : "b", percent(touch.right, all),
-                      percent(touch.wrong, all), percent(touch.unknown, all), std::to_string(all)});
-    }
+JudgeTable scores_table(const JudgeReport& report, ScoreCells cells) {
+  JudgeTable table =
+      table_of(report, {"F1 of", "rules"}, names_in(report.tallies, &CameraTally::camera));
+  for (const std::string& event : judged_names()) {
+    add_scores(report, report.tallies, event, cells, table.rows);
+    if (!report.rare_events.contains(event)) continue;
+    add_scores(report, report.pooled, event, cells, table.rows);
   }
-  return rows;
+  return table;
+}
+
+JudgeTable last_touch_table(const JudgeReport& report) {
+  JudgeTable table = table_of(report, {"last touch at exits", "camera"},
+                              {"right", "wrong", "unknown", "of", "contested: right",
+                               "contested: wrong", "contested: unknown", "contested: of"});
+  add_touches(report, report.tallies, table.rows);
+  add_touches(report, report.pooled, table.rows);
+  return table;
+}
+
+JudgeTable delays_table(const JudgeReport& report) {
+  static const std::vector<std::string> kNames = {"right",        "delay_median_ms", "delay_p90_ms",
+                                                  "delay_p99_ms", "delay_max_ms",    "before_event",
+                                                  "early"};
+  std::vector<Measure> shown;
+  Cells heads;
+  for (const Measure& measure : measures()) {
+    if (std::find(kNames.begin(), kNames.end(), measure.name) == kNames.end()) continue;
+    shown.push_back(measure);
+    heads.emplace_back(measure.head);
+  }
+  JudgeTable table = table_of(report, {"delays with rules", "camera"}, heads);
+  for (const CameraTally& tally : widest_tallies(report)) {
+    EventTally all;
+    for (const auto& [name, event] : tally.events) all.add(event);
+    table.rows.push_back(with_seeds(report, {tally.rules, tally.camera}, tally.seeds));
+    for (const Measure& measure : shown) table.rows.back().push_back(text_of(measure, all));
+  }
+  return table;
 }
 
 }  // namespace autoref::runner

@@ -1,6 +1,7 @@
 // The judge's tables as rows of cells, starting with the headings.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -10,16 +11,36 @@ namespace autoref::runner {
 
 using TableRows = std::vector<std::vector<std::string>>;
 
+struct JudgeTable {
+  TableRows rows;
+  std::size_t names = 1;  // the first columns, which are names
+};
+
+// Texts below the tables.
+extern const char* const kIntervalsCaption;
+extern const char* const kLastTouchCaption;
+extern const char* const kDelaysCaption;
+
 std::vector<std::string> books_in(const JudgeReport& report);
 
-// F1 of every event by rule book, one column per camera. The first two columns are names.
-TableRows scores_rows(const JudgeReport& report);
+enum class ScoreCells : std::uint8_t {
+  kShort,          // "0.987 of 120"
+  kWithIntervals,  // "0.987 [0.964, 0.995] of 120"
+};
 
-// How often the last touch was right when the ball left the field. The first three columns are
-// names.
-TableRows last_touch_rows(const JudgeReport& report);
+// F1 of every event by rule book, one column per camera. The games of both master seeds are in
+// rows below each other. Events that are rare under some rule book also have a row pooled over all
+// rule books.
+JudgeTable scores_table(const JudgeReport& report, ScoreCells cells);
 
-// All measures of a rule book's events. The first two columns are names.
-TableRows event_rows(const JudgeReport& report, const std::string& rules);
+// How often the last touch was right when the ball left the field, at all exits and at contested
+// ones.
+JudgeTable last_touch_table(const JudgeReport& report);
+
+// Delays of all right calls by camera.
+JudgeTable delays_table(const JudgeReport& report);
+
+// All measures of a rule book's events; of kAllRules, those of pooled events.
+JudgeTable events_table(const JudgeReport& report, const std::string& rules);
 
 }  // namespace autoref::runner

@@ -5,9 +5,42 @@
 
 #include "referee/event.hpp"
 #include "runner/judge/truth/association.hpp"
+#include "runner/statistics/f1_interval.hpp"
+#include "runner/statistics/proportion_interval.hpp"
 
 namespace autoref::runner {
 namespace {
+
+// Rows store times with four decimals.
+constexpr double kTimeResolution_s = 1e-4;
+
+// The numbers that are summed when tallies are added.
+constexpr std::array<int EventTally::*, 9> kEventCounts = {&EventTally::right,
+                                                           &EventTally::missed,
+                                                           &EventTally::wrong,
+                                                           &EventTally::early,
+                                                           &EventTally::before,
+                                                           &EventTally::borderline_missed,
+                                                           &EventTally::borderline_wrong,
+                                                           &EventTally::overtaken,
+                                                           &EventTally::in_air};
+constexpr std::array<int LastTouchTally::*, 3> kTouchCounts = {
+    &LastTouchTally::right, &LastTouchTally::wrong, &LastTouchTally::unknown};
+
+template <typename Tally, std::size_t size>
+void add_counts(const std::array<int Tally::*, size>& counts, const Tally& other, Tally& sum) {
+  for (const auto count : counts) sum.*count += other.*count;
+}
+
+void add_touches(const std::array<LastTouchTally, 2>& other, std::array<LastTouchTally, 2>& sum) {
+  for (std::size_t team = 0; team < sum.size(); ++team) {
+    add_counts(kTouchCounts, other[team], sum[team]);
+  }
+}
+
+void append(const std::vector<double>& more, std::vector<double>& values) {
+  values.insert(values.end(), more.begin(), more.end());
+}
 
 std::optional<double> share(int part, int whole) {
   return whole == 0 ? std::nullopt : std::optional(static_cast<double>(part) / whole);
@@ -27,6 +60,18 @@ std::optional<double> EventTally::precision() const { return share(right, calls(
 std::optional<double> EventTally::recall() const { return share(right, happened()); }
 std::optional<double> EventTally::f1() const { return share(2 * right, calls() + happened()); }
 
+std::optional<Interval> EventTally::precision_interval() const {
+  return wilson_interval(right, calls());
+}
+
+std::optional<Interval> EventTally::recall_interval() const {
+  return wilson_interval(right, happened());
+}
+
+std::optional<Interval> EventTally::f1_interval() const {
+  return runner::f1_interval(right, wrong, missed);
+}
+
 void EventTally::add(const ground_truth::Verdict& verdict) {
   const int borderline = verdict.is_borderline ? 1 : 0;
   in_air += verdict.is_in_air ? 1 : 0;
@@ -34,6 +79,7 @@ void EventTally::add(const ground_truth::Verdict& verdict) {
     case ground_truth::Outcome::kRight:
       ++right;
       early += verdict.is_early ? 1 : 0;
+      before += is_before_event(verdict) ? 1 : 0;
       delays_s.push_back(verdict.delay_s);
       if (verdict.error_m) errors_m.push_back(*verdict.error_m);
       return;
@@ -48,6 +94,17 @@ void EventTally::add(const ground_truth::Verdict& verdict) {
     case ground_truth::Outcome::kOvertaken:
       ++overtaken;
   }
+}
+
+void EventTally::add(const EventTally& other) {
+  add_counts(kEventCounts, other, *this);
+  append(other.delays_s, delays_s);
+  append(other.errors_m, errors_m);
+}
+
+bool is_before_event(const ground_truth::Verdict& verdict) {
+  return verdict.outcome == ground_truth::Outcome::kRight && !verdict.is_early &&
+         verdict.delay_s <= -kTimeResolution_s;
 }
 
 std::optional<double> quantile(std::vector<double> sample, double share) {
@@ -66,11 +123,26 @@ void CameraTally::add(const GameRecord& record, const CallEvaluation& evaluation
   }
   for (const ground_truth::Verdict& verdict : evaluation.verdicts)
     events[verdict.name].add(verdict);
-  for (std::size_t team = 0; team < last_touch.size(); ++team) {
-    last_touch[team].right += evaluation.last_touch[team].right;
-    last_touch[team].wrong += evaluation.last_touch[team].wrong;
-    last_touch[team].unknown += evaluation.last_touch[team].unknown;
+  add_touches(evaluation.last_touch, last_touch);
+  add_touches(evaluation.contested_touch, contested_touch);
+}
+
+void CameraTally::add(const CameraTally& other) {
+  games += other.games;
+  void_games += other.void_games;
+  for (const auto& [name, tally] : other.events) events[name].add(tally);
+  add_touches(other.last_touch, last_touch);
+  add_touches(other.contested_touch, contested_touch);
+}
+
+EventTally touch_tally(const std::array<LastTouchTally, 2>& by_team) {
+  EventTally tally;
+  for (const LastTouchTally& touch : by_team) {
+    tally.right += touch.right;
+    tally.wrong += touch.wrong;
+    tally.missed += touch.wrong + touch.unknown;
   }
+  return tally;
 }
 
 std::vector<std::string> call_names() { return names_of(referee::is_call); }

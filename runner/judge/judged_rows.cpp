@@ -50,7 +50,8 @@ void play_judged(const GameConfiguration& game, GamePrograms& programs, GameRow&
 
 Outcomes judged_outcomes(const JudgeSchedule& schedule, const std::filesystem::path& folder) {
   const auto view = [&schedule](const RowsById& rows) {
-    const ProgressTable scores{scores_rows(report_of(schedule, rows)), {}, "events"};
+    const ProgressTable scores{
+        scores_table(report_of(schedule, rows), ScoreCells::kShort).rows, {}, "events"};
     return ProgressView{"so far:", {scores}, {}};
   };
   const auto play = [folder](const GameConfiguration& game, GameRow& row) {

@@ -17,6 +17,8 @@ void add_section(Document& document, const Section& section) {
   document.blocks.insert(document.blocks.end(), section.begin(), section.end());
 }
 
+Table table_of(const JudgeTable& table) { return {table.rows, table.names}; }
+
 // Returns an empty section if there are no lines.
 Section list_section(const std::string& heading, const std::vector<std::string>& lines) {
   if (lines.empty()) return {};
@@ -50,17 +52,23 @@ Document judge_document(const ResultFolder& folder, const JudgeReport& report,
   add_section(document, played_section(folder, {}));
   add_section(document, {Heading{"F1 at a glance"},
                          Paragraph{"F1 of each event's calls, and how often the event happened."},
-                         Table{scores_rows(report), 2}});
-  add_section(document, {Heading{"Last touch at exits"}, Table{last_touch_rows(report), 3}});
+                         table_of(scores_table(report, ScoreCells::kWithIntervals)),
+                         Paragraph{kIntervalsCaption}});
+  add_section(document, {Heading{"Last touch at exits"}, table_of(last_touch_table(report)),
+                         Paragraph{kLastTouchCaption}});
+  add_section(document, {Heading{"Delays of right calls"}, table_of(delays_table(report)),
+                         Paragraph{kDelaysCaption}});
   add_section(document, list_section("Events called twice", report.second_calls));
   add_section(document, list_section("Calls that require play, made while play was stopped",
                                      report.calls_in_stop));
+  add_section(document, list_section("Right calls of events that happened later",
+                                     report.calls_before_events));
   add_section(document, list_section("Void games", report.void_games));
   add_section(document,
               list_section("Referee transitions never used", report.transitions_never_used));
   add_section(document, list_section("Events never seen", report.rules_never_seen));
   for (const std::string& rules : books_in(report))
-    add_section(document, {Heading{"Rules: " + rules}, Table{event_rows(report, rules), 2}});
+    add_section(document, {Heading{"Rules: " + rules}, table_of(events_table(report, rules))});
   add_section(document, settings_section(folder, direction));
   add_section(document, judge_commands_section(folder, direction));
   return document;

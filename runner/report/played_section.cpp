@@ -9,9 +9,15 @@
 namespace autoref::runner {
 namespace {
 
+template <typename Content>
+std::string seed_text(const Content& content) {
+  return std::to_string(content.seed);
+}
+
+std::string seed_text(const JudgeSchedule& schedule) { return text_of(schedule.seeds); }
+
 std::string master_seed(const Scenario& scenario) {
-  return std::visit([](const auto& content) { return std::to_string(content.seed); },
-                    scenario.content);
+  return std::visit([](const auto& content) { return seed_text(content); }, scenario.content);
 }
 
 std::string kind_text(const Scenario& scenario) {

@@ -47,7 +47,10 @@ struct LastTouchTally {
 struct CallEvaluation {
   std::vector<ground_truth::Verdict> verdicts;  // in order of time
   std::array<LastTouchTally, 2> last_touch;     // by the team that actually touched it: a, b
-  std::vector<std::string> calls_in_stop;       // made during a stop: "goal at 12.350 s"
+  // Those of the last touches that were contested: both teams touched the ball within the last 0.1
+  // s before it left the field.
+  std::array<LastTouchTally, 2> contested_touch;
+  std::vector<std::string> calls_in_stop;  // made during a stop: "goal at 12.350 s"
 };
 
 }  // namespace autoref::runner

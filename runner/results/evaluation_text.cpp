@@ -15,6 +15,7 @@ using ground_truth::Outcome;
 // Each entry is a CSV line; its first cell is the entry's type.
 constexpr std::string_view kVerdict = "v";
 constexpr std::string_view kLastTouch = "t";
+constexpr std::string_view kContestedTouch = "c";
 constexpr std::string_view kInStop = "s";
 
 // Escapes line ends: a row must be a single line, but each entry is a line.
@@ -92,18 +93,33 @@ bool add_verdict(const Cells& cells, CallEvaluation& evaluation) {
   return true;
 }
 
-bool add_last_touch(const Cells& cells, CallEvaluation& evaluation) {
+using TeamTouches = std::array<LastTouchTally, 2>;
+
+std::string touch_lines(std::string_view type, const TeamTouches& by_team) {
+  std::string lines;
+  for (std::size_t team = 0; team < by_team.size(); ++team) {
+    const LastTouchTally& tally = by_team[team];
+    lines += csv_line({std::string(type), team == 0 ? "a" : "b", std::to_string(tally.right),
+                       std::to_string(tally.wrong), std::to_string(tally.unknown)}) +
+             "\n";
+  }
+  return lines;
+}
+
+bool add_touches(const Cells& cells, TeamTouches& by_team) {
   const std::optional<int> right = whole_number_in(cells[2]);
   const std::optional<int> wrong = whole_number_in(cells[3]);
   const std::optional<int> unknown = whole_number_in(cells[4]);
   if (!right || !wrong || !unknown || (cells[1] != "a" && cells[1] != "b")) return false;
-  evaluation.last_touch[cells[1] == "a" ? 0 : 1] = {*right, *wrong, *unknown};
+  by_team[cells[1] == "a" ? 0 : 1] = {*right, *wrong, *unknown};
   return true;
 }
 
 bool add_entry(const Cells& cells, CallEvaluation& evaluation) {
   if (cells[0] == kVerdict && cells.size() == 8) return add_verdict(cells, evaluation);
-  if (cells[0] == kLastTouch && cells.size() == 5) return add_last_touch(cells, evaluation);
+  if (cells[0] == kLastTouch && cells.size() == 5) return add_touches(cells, evaluation.last_touch);
+  if (cells[0] == kContestedTouch && cells.size() == 5)
+    return add_touches(cells, evaluation.contested_touch);
   if (cells[0] != kInStop || cells.size() != 2) return false;
   evaluation.calls_in_stop.push_back(cells[1]);
   return true;
@@ -114,12 +130,8 @@ bool add_entry(const Cells& cells, CallEvaluation& evaluation) {
 std::string text_of(const CallEvaluation& evaluation) {
   std::string lines;
   for (const ground_truth::Verdict& verdict : evaluation.verdicts) lines += line_of(verdict) + "\n";
-  for (std::size_t team = 0; team < 2; ++team) {
-    const LastTouchTally& tally = evaluation.last_touch[team];
-    lines += csv_line({std::string(kLastTouch), team == 0 ? "a" : "b", std::to_string(tally.right),
-                       std::to_string(tally.wrong), std::to_string(tally.unknown)}) +
-             "\n";
-  }
+  lines += touch_lines(kLastTouch, evaluation.last_touch);
+  lines += touch_lines(kContestedTouch, evaluation.contested_touch);
   for (const std::string& call : evaluation.calls_in_stop)
     lines += csv_line({std::string(kInStop), call}) + "\n";
   return escaped(lines);

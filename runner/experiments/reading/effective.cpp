@@ -131,6 +131,17 @@ std::string body_of(const Sweep& sweep) {
   return text + text_of(by_values) + fmt::format("pairs: {}\nseed: {}\n", sweep.pairs, sweep.seed);
 }
 
+std::string seeds_of(const JudgeSchedule& schedule) {
+  if (schedule.seeds.front().name.empty()) {
+    return fmt::format("seed: {}\n", schedule.seeds.front().text);
+  }
+  std::string text = "seeds:\n";
+  for (const NamedSeed& seed : schedule.seeds) {
+    text += fmt::format("  {}: {}\n", seed.name, seed.text);
+  }
+  return text;
+}
+
 std::string body_of(const JudgeSchedule& schedule) {
   const SetByValues by_values = set_by_values(schedule);
   std::string text = base_of(schedule.base, "", by_values) +
@@ -140,7 +151,8 @@ std::string body_of(const JudgeSchedule& schedule) {
   std::vector<std::string> matchups;
   for (const auto& matchup : schedule.matchups) matchups.push_back(name_of(matchup));
   if (!matchups.empty()) text += fmt::format("matchups: [{}]\n", listed(matchups));
-  return text + fmt::format("games: {}\nseed: {}\n", schedule.games, schedule.seed);
+  if (!schedule.teams.empty()) text += fmt::format("teams: [{}]\n", listed(schedule.teams));
+  return text + fmt::format("games: {}\n{}", schedule.games, seeds_of(schedule));
 }
 
 std::string text_of(const Teams& teams, std::string_view branch, const RobotTypes& types) {

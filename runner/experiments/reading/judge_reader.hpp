@@ -17,12 +17,16 @@ class JudgeReader {
   JudgeReader(const YamlFile& file, SettingLocations& locations)
       : file_(file), locations_(locations) {}
 
-  // Reads the rules, cameras and matchups. Throws InputError.
+  // Reads the rules, cameras, matchups or teams, and named seeds. Throws InputError.
   void read(const std::vector<YamlEntry>& top, JudgeSchedule& schedule) const;
 
  private:
   std::vector<std::string> values(const YamlEntry& entry, const std::string& path) const;
+  // Refuses a file that has both keys.
+  void refuse_both(const std::vector<YamlEntry>& top, const char* one, const char* other) const;
   void read_matchups(const YamlEntry& entry, JudgeSchedule& schedule) const;
+  void read_seeds(const YamlEntry& entry, JudgeSchedule& schedule) const;
+  NamedSeed seed_of(const YamlEntry& entry) const;
   std::array<std::string, 2> matchup_in(const YAML::Node& value) const;
 
   const YamlFile& file_;

@@ -121,12 +121,16 @@ class ScenarioReader {
   }
 
   JudgeSchedule read_judge() {
-    top_.allow({"base", "rules", "cameras", kSetByValues, "matchups", "games", "seed"});
+    top_.allow(
+        {"base", "rules", "cameras", kSetByValues, "matchups", "teams", "games", "seed", "seeds"});
     JudgeSchedule schedule;
     top_.read_base(schedule.base);
     JudgeReader(top_.file(), top_.locations()).read(top_.entries(), schedule);
     schedule.games = top_.whole_number("games", 1, kMostJudged);
-    schedule.seed = top_.seed();
+    if (top_.find("seeds") == nullptr) {
+      const std::uint64_t seed = top_.seed();
+      schedule.seeds = {{"", std::to_string(seed), seed}};
+    }
     for (const char* varied : {"match.rules", "sim.camera"}) top_.refuse_assignment(varied);
     top_.check([&schedule] { games_of(schedule); });
     check_set_by_values(schedule);

@@ -1,6 +1,9 @@
 // Judging a referee over games: tallies, reports and reproducibility.
 #include <gtest/gtest.h>
 
+#include <set>
+#include <stdexcept>
+
 #include "runner/experiments/reading/scenario_reader.hpp"
 #include "runner/experiments/scenario.hpp"
 #include "runner/io/errors.hpp"
@@ -9,6 +12,8 @@
 #include "runner/results/evaluation_text.hpp"
 #include "runner/results/row_format.hpp"
 #include "runner/settings/resolved.hpp"
+#include "runner/statistics/f1_interval.hpp"
+#include "runner/statistics/proportion_interval.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -39,6 +44,63 @@ TEST(EventTally, GivesPrecisionRecallAndTheLeaguesScore) {
   EXPECT_EQ(tally.score(), 6 - 2 * 2);
 }
 
+TEST(EventTally, HasIntervals) {
+  EventTally tally;
+  tally.right = 57;
+  tally.missed = tally.wrong = 3;
+  const Interval wilson = wilson_interval(57, 60).value();
+  for (const auto& interval : {tally.precision_interval(), tally.recall_interval()}) {
+    EXPECT_EQ(interval->low, wilson.low);
+    EXPECT_EQ(interval->high, wilson.high);
+  }
+  EXPECT_EQ(tally.f1_interval()->low, f1_interval(57, 3, 3)->low);
+  EXPECT_FALSE(EventTally{}.f1_interval());
+}
+
+TEST(EventTally, IsRareBelowAHundredEvents) {
+  EventTally tally;
+  tally.right = 90;
+  tally.missed = 9;
+  tally.wrong = 50;  // wrong calls are not events
+  EXPECT_TRUE(tally.is_rare());
+  tally.missed = 10;
+  EXPECT_FALSE(tally.is_rare());
+}
+
+// An early call has no event to be compared with.
+TEST(EventTally, CountsCallsBeforeTheirEventUnlessTheyAreEarly) {
+  EventTally tally;
+  for (const double delay_s : {-0.0167, -0.0001, 0.0, 0.0167}) {
+    ground_truth::Verdict right = verdict(ground_truth::Outcome::kRight);
+    right.delay_s = delay_s;
+    tally.add(right);
+    right.is_early = true;
+    tally.add(right);
+  }
+  EXPECT_EQ(tally.before, 2);
+  EXPECT_EQ(tally.early, 4);
+}
+
+TEST(EventTally, AddsEverythingInAnother) {
+  EventTally one;
+  EventTally other;
+  one.add(verdict(ground_truth::Outcome::kRight));
+  other.add(verdict(ground_truth::Outcome::kRight));
+  other.add(verdict(ground_truth::Outcome::kMissed));
+  other.add(verdict(ground_truth::Outcome::kWrong));
+  one.add(other);
+  EXPECT_EQ(one.happened(), 3);
+  EXPECT_EQ(one.calls(), 3);
+  EXPECT_EQ(one.delays_s.size(), 2U);
+}
+
+TEST(TouchTally, CountsATouchOfTheWrongTeamAsMissedAndAsWrong) {
+  const EventTally tally = touch_tally({LastTouchTally{5, 1, 2}, LastTouchTally{4, 0, 0}});
+  EXPECT_EQ(tally.happened(), 12);
+  EXPECT_EQ(tally.calls(), 10);
+  EXPECT_EQ(tally.recall(), 9.0 / 12);
+}
+
 TEST(Quantile, IsTheSmallestValueNotExceededByTheShare) {
   EXPECT_EQ(quantile({3, 1, 2, 4}, 0.5), 2);
   EXPECT_EQ(quantile({3, 1, 2, 4}, 0.95), 4);
@@ -53,6 +115,52 @@ TEST(JudgeSchedule, PlaysTheSameSeedsWithEachCameraAndChangesSides) {
   EXPECT_EQ(games[0].configuration.match.a_plays, Side::kWest);
   EXPECT_EQ(games[2].configuration.match.a_plays, Side::kEast);
   EXPECT_EQ(games[0].configuration.match.half_s, 20);
+}
+
+TEST(JudgeSchedule, PlaysEveryGameWithEachNamedSeed) {
+  JudgeSchedule two = schedule();
+  two.cameras = {"none"};
+  two.seeds = {{"tuning", "1", 1}, {"test", "2", 2}};
+  const std::vector<JudgeGame> games = games_of(two);
+  ASSERT_EQ(games.size(), 4U);
+  EXPECT_EQ(games[0].game_id, "tuning+paper+none+basic~basic-p0001-1");
+  EXPECT_EQ(games[1].game_id, "test+paper+none+basic~basic-p0001-1");
+  EXPECT_EQ(games[1].id, "test paper none basic~basic 1");
+  EXPECT_NE(games[0].configuration.seed, games[1].configuration.seed);
+}
+
+TEST(JudgeSchedule, PlaysTheSameGamesIfOnlyOneSeedIsKept) {
+  JudgeSchedule two = schedule();
+  two.teams = {"rowdy", "basic", "zone"};
+  two.seeds = {{"tuning", "1", 1}, {"test", "2", 2}};
+  std::set<std::string> all;
+  for (const JudgeGame& game : games_of(two)) all.insert(game.game_id);
+  keep_seed(two, "test");
+  const std::vector<JudgeGame> games = games_of(two);
+  EXPECT_EQ(games.size(), 4U);
+  for (const JudgeGame& game : games) EXPECT_TRUE(all.contains(game.game_id)) << game.game_id;
+}
+
+TEST(JudgeSchedule, RefusesToKeepAnUnknownSeed) {
+  JudgeSchedule unnamed = schedule();
+  EXPECT_THROW(keep_seed(unnamed, "test"), std::invalid_argument);
+  unnamed.seeds = {{"tuning", "1", 1}};
+  EXPECT_THROW(keep_seed(unnamed, "test"), std::invalid_argument);
+}
+
+// Games can be compared between cameras, since teams and seed are the same.
+TEST(JudgeSchedule, DealsTheSameTeamsToEveryCamera) {
+  JudgeSchedule dealt = schedule();
+  dealt.teams = {"rowdy", "basic", "zone"};
+  dealt.games = 12;
+  const std::vector<JudgeGame> games = games_of(dealt);
+  std::set<std::string> matchups;
+  for (std::size_t i = 0; i < games.size(); i += 2) {
+    EXPECT_EQ(games[i].configuration.a.strategy, games[i + 1].configuration.a.strategy);
+    EXPECT_EQ(games[i].configuration.b.strategy, games[i + 1].configuration.b.strategy);
+    matchups.insert(games[i].configuration.a.strategy + games[i].configuration.b.strategy);
+  }
+  EXPECT_EQ(matchups.size(), 6U);
 }
 
 TEST(JudgeSchedule, RefusesAMatchupOfUnknownTeams) {
@@ -75,8 +183,9 @@ TEST(CallEvaluation, ReadsBackEqualFromItsText) {
 }
 
 TEST(CallEvaluation, IsRefusedIfTheTextIsNotOne) {
-  for (const char* text : {"q,1\\n", "v,goal,9,,1.0,,0.0,\\n", "v,goal,0,,1.0,north,0.0,\\n",
-                           "v,goal,0,,1.0,,0.0,x\\n", "t,a,1,2\\n", "t,a,1,2,x\\n", "t,c,1,2,3\\n"})
+  for (const char* text :
+       {"q,1\\n", "v,goal,9,,1.0,,0.0,\\n", "v,goal,0,,1.0,north,0.0,\\n",
+        "v,goal,0,,1.0,,0.0,x\\n", "t,a,1,2\\n", "c,a,1,2,x\\n", "t,a,1,2,x\\n", "t,c,1,2,3\\n"})
     EXPECT_FALSE(evaluation_in(text)) << text;
 }
 
@@ -91,9 +200,10 @@ TEST(CallEvaluation, IsWrittenInAFixedForm) {
   overtaken.error_m = 0.25;
   evaluation.verdicts = {missed, overtaken};
   evaluation.last_touch[1].wrong = 2;
+  evaluation.contested_touch[1].wrong = 1;
   EXPECT_EQ(text_of(evaluation),
             "v,goal,2,b,1.5000,east,0.0000,\\nv,goal,3,,0.0000,,0.0000,0.2500\\n"
-            "t,a,0,0,0\\nt,b,0,2,0\\n");
+            "t,a,0,0,0\\nt,b,0,2,0\\nc,a,0,0,0\\nc,b,0,1,0\\n");
 }
 
 TEST(JudgeReport, HasATableForEveryBookAndCamera) {
@@ -105,7 +215,64 @@ TEST(JudgeReport, HasATableForEveryBookAndCamera) {
     play_judged(game, programs, rows[one.game_id]);
   }
   const std::string csv = csv_of(report_of(the_schedule, rows));
-  EXPECT_NE(csv.find("\npaper,none,throw_in,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\n,paper,none,throw_in,yes,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\n,paper,none,last_touch,yes,"), std::string::npos) << csv;
+}
+
+// Rows of two rule books with `goals` right calls of a goal each, and of a seed with a name.
+JudgeReport report_on(const std::vector<int>& goals) {
+  JudgeSchedule schedule;
+  schedule.rules = {"paper", "2014"};
+  schedule.cameras = {"none"};
+  schedule.seeds = {{"test", "5", 5}};
+  schedule.games = 1;
+  RowsById rows;
+  for (const JudgeGame& game : games_of(schedule)) {
+    const auto count = static_cast<std::size_t>(goals[rows.size()]);
+    rows[game.game_id].evaluation.verdicts.assign(count, verdict(ground_truth::Outcome::kRight));
+  }
+  return report_of(schedule, rows);
+}
+
+TEST(JudgeReport, PoolsARareEventOverAllRuleBooks) {
+  const std::string csv = csv_of(report_on({30, 120}));
+  EXPECT_NE(csv.find("\ntest,paper,none,goal,yes,30,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\ntest,2014,none,goal,no,120,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\ntest,all,none,goal,no,150,"), std::string::npos) << csv;
+}
+
+TEST(JudgeReport, DoesNotPoolEventsOfASingleRuleBookNorFrequentOnes) {
+  for (const std::vector<int>& goals : {std::vector<int>{30, 0}, {100, 120}}) {
+    const std::string csv = csv_of(report_on(goals));
+    EXPECT_EQ(csv.find(",all,none,goal,"), std::string::npos) << csv;
+  }
+}
+
+TEST(JudgeReport, ShowsEveryScoreWithItsIntervalAndMarksRareOnes) {
+  const std::string markdown = scores_markdown_of(report_on({30, 120}));
+  EXPECT_NE(markdown.find("| goal | paper | test | 1.000 [0.886, 1.000] of 30 rare |"),
+            std::string::npos)
+      << markdown;
+  EXPECT_NE(markdown.find("| goal | all | test | 1.000 [0.975, 1.000] of 150 |"), std::string::npos)
+      << markdown;
+}
+
+TEST(JudgeReport, NamesItsSeeds) {
+  EXPECT_TRUE(markdown_of(report_on({1, 1})).starts_with("seeds: test 5\n"));
+}
+
+TEST(JudgeReport, ListsCallsBeforeTheirEvents) {
+  JudgeSchedule schedule;
+  schedule.cameras = {"none"};
+  schedule.games = 1;
+  const JudgeGame game = games_of(schedule).front();
+  ground_truth::Verdict right = verdict(ground_truth::Outcome::kRight);
+  right.time_s = 2;
+  right.delay_s = -0.016;
+  RowsById rows;
+  rows[game.game_id].evaluation.verdicts = {right};
+  const std::vector<std::string> expected = {game.id + ": goal at 1.984 s, 16 ms before the event"};
+  EXPECT_EQ(report_of(schedule, rows).calls_before_events, expected);
 }
 
 TEST(JudgedRow, ReadsBackEqualWithAnyContent) {

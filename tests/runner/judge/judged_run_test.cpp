@@ -136,6 +136,30 @@ TEST_F(JudgedRun, RefusesTheRowsOfAnotherSeed) {
       << other.err;
 }
 
+TEST_F(JudgedRun, PlaysTheGamesOfOneNamedSeedAndThenTheOthers) {
+  write_content(file_,
+                "schema: 1\nkind: judge\nbase: { match: { half_s: 20 } }\n"
+                "cameras: [none]\nteams: [rowdy, basic]\ngames: 2\n"
+                "seeds: { tuning: 3, test: 1c9f03ae }\n");
+  const Answer one = answer_to({"judge", file_.c_str(), "-o", whole_.c_str(), "--seeds", "test"});
+  EXPECT_EQ(one.code, kDone) << one.err;
+  EXPECT_TRUE(one.out.starts_with("seeds: test 1c9f03ae (480183214)\n")) << one.out;
+  const std::string tests = content_of(rows_file(whole_));
+  const Answer both = judge(whole_);
+  EXPECT_EQ(both.code, kDone) << both.err;
+  EXPECT_TRUE(both.out.starts_with("seeds: tuning 3, test 1c9f03ae (480183214)\n")) << both.out;
+  EXPECT_TRUE(content_of(rows_file(whole_)).starts_with(tests));
+  EXPECT_NE(content_of(whole_ + "/judge.csv").find("\ntuning,paper,none,"), std::string::npos);
+}
+
+TEST_F(JudgedRun, RefusesAnUnknownSeed) {
+  const Answer answer =
+      answer_to({"judge", file_.c_str(), "-o", whole_.c_str(), "--seeds", "test"});
+  EXPECT_EQ(answer.code, kBadInput);
+  EXPECT_NE(answer.err.find("--seeds: the file has a single `seed`"), std::string::npos)
+      << answer.err;
+}
+
 TEST_F(JudgedRun, ShowsItsProgress) {
   judge(whole_);
   EXPECT_TRUE(ask("status", whole_).out.starts_with(whole_ + "   4 of 4 games done, 0 void\n"));

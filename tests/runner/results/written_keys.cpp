@@ -114,6 +114,7 @@ WrittenNames game_keys() {
 WrittenNames judge_keys() {
   JudgeReport report;
   report.tallies.emplace_back().events["goal"] = {};
+  report.seeds.emplace_back();
   return sorted(paths_in(json_of(report)));
 }
 
