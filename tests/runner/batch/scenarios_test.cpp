@@ -38,7 +38,10 @@ void make_few(Gauntlet& gauntlet) { gauntlet.pairs = 1; }
 void make_few(SprtMatch& match) { match.sprt.min_pairs = match.sprt.max_pairs = 2; }
 void make_few(Knockout& /*knockout*/) {}
 void make_few(GameSettings& /*game*/) {}
-void make_few(JudgeSchedule& schedule) { schedule.games = 2; }
+void make_few(JudgeSchedule& schedule) {
+  schedule.games = 2;
+  schedule.seeds.resize(1);
+}
 
 void shorten(MatchSettings& match) { match.half_s = match.extra_half_s = kShortHalf_s; }
 void shorten(GameSettings& game) { shorten(game.match); }
