@@ -59,14 +59,15 @@ class CallEvaluator final : public Observer {
   void evaluate_last_touch(const std::optional<Side>& said) {
     if (!observer_.ball().last()) return;
     const Side side = observer_.ball().last()->robot.side;
+    const bool is_right = said == side || observer_.ball().is_last_shared();
     const std::size_t team = side == a_plays_ ? 0 : 1;
-    add_touch(said, side, evaluation_.last_touch[team]);
+    add_touch(said, is_right, evaluation_.last_touch[team]);
     if (!touches_.is_contested(exit_time_s(observer_.true_events(), now_s_))) return;
-    add_touch(said, side, evaluation_.contested_touch[team]);
+    add_touch(said, is_right, evaluation_.contested_touch[team]);
   }
 
-  static void add_touch(const std::optional<Side>& said, Side truth, LastTouchTally& tally) {
-    ++(!said ? tally.unknown : *said == truth ? tally.right : tally.wrong);
+  static void add_touch(const std::optional<Side>& said, bool is_right, LastTouchTally& tally) {
+    ++(!said ? tally.unknown : is_right ? tally.right : tally.wrong);
   }
 
   Side a_plays_;

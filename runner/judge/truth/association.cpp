@@ -14,10 +14,12 @@ using referee::Event;
 constexpr double kAssociationSameTime_s = 0.05;
 
 // Returns whether a call may be right for an event; a call with unknown last touch fits several.
-bool may_be(std::string_view call, std::string_view event) {
-  if (call == "touch_line_unknown") return event == "throw_in";
-  if (call == "goal_line_unknown") return event == "corner_kick" || event == "goal_kick";
-  return call == event;
+bool may_be(std::string_view call, const TrueEvent& event) {
+  if (call == "touch_line_unknown") return event.name == "throw_in";
+  if (call == "goal_line_unknown") {
+    return event.name == "corner_kick" || event.name == "goal_kick" || event.name == "aimless_kick";
+  }
+  return call == event.name || (!event.or_name.empty() && call == event.or_name);
 }
 
 bool is_unknown_touch(std::string_view call) { return call.ends_with("_line_unknown"); }
@@ -83,7 +85,7 @@ class Matcher {
     for (std::size_t i = 0; i < true_events_.size(); ++i) {
       const TrueEvent& event = true_events_[i];
       if (event.standing != standing || answered_[i] != is_answered) continue;
-      if (!may_be(call.name, event.name) || !is_in_window(call, event)) continue;
+      if (!may_be(call.name, event) || !is_in_window(call, event)) continue;
       if (!best || rank(call, event) < rank(call, true_events_[*best])) best = i;
     }
     return best;

@@ -1,4 +1,7 @@
 // Tracks who has touched the ball since play began, for how long, and how high the ball has been.
+//
+// Touches of a ball that is wholly beyond the lines do not count: it is out of play (Laws 2014, law
+// 9), and an exit belongs to the touch before it.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -6,6 +9,7 @@
 #include <span>
 
 #include "sim/world.hpp"
+#include "soccer/field.hpp"
 #include "soccer/rule_book.hpp"
 
 namespace autoref::runner::ground_truth {
@@ -28,22 +32,29 @@ struct Contact {
 
 using Contacts = boost::container::static_vector<Contact, 2 * kMaxRobots>;
 
-// Maximum height of the ball's top since a side's last touch; nullopt before the first.
+// Maximum height of the ball's top.
 struct Heights {
-  std::optional<double> since_touch_m;
-  // The same, but restarted when the ball rolls or a robot of this side touches it low enough.
+  // Since the side's last touch; since play began if there was none.
+  double since_touch_m = 0;
+  // The same, but restarted when the ball rolls, when a robot of this side touches it low enough,
+  // and when a chip hits an opponent (Laws 2014, law 12, decision 7). nullopt if no touch of this
+  // side led to the ball's present flight.
   std::optional<double> of_shot_m;
 };
 
 class BallHistory {
  public:
-  explicit BallHistory(const RuleBook& rules) : chip_height_m_(rules.chip_height_m) {}
+  BallHistory(const Field& field, const RuleBook& rules)
+      : field_(field), chip_height_m_(rules.chip_height_m) {}
 
   void begin();  // call when play starts
   void update(const sim::WorldState& now, std::span<const sim::Touch> touches, double time_s);
 
   const std::optional<BallTouch>& first() const { return first_; }
   const std::optional<BallTouch>& last() const { return last_; }
+  // Whether robots of both sides touched the ball last, at the same time as far as the simulation
+  // knows: contacts of one sub-step have no order.
+  bool is_last_shared() const { return is_last_shared_; }
   bool has_second_robot_touched() const { return has_second_; }
   const Contacts& contacts() const { return contacts_; }
   bool has_contact(RobotId robot) const;
@@ -51,11 +62,15 @@ class BallHistory {
 
  private:
   void note(const sim::Touch& touch, double time_s, double top_m);
+  void note_heights(Side toucher, double top_m);
+  void settle_last(const sim::WorldState& now, std::span<const sim::Touch> counted);
   void end_contacts(const sim::WorldState& now);
 
+  Field field_;
   double chip_height_m_;
   std::optional<BallTouch> first_;
   std::optional<BallTouch> last_;
+  bool is_last_shared_ = false;
   bool has_second_ = false;
   Contacts contacts_;
   PerSide<Heights> heights_;

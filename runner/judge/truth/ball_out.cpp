@@ -75,7 +75,7 @@ class BallOut final : public GroundTruthRule {
   static TrueEvent over_touch_line(const Scene& scene) {
     TrueEvent out;
     out.name = "throw_in";
-    if (scene.ball.last()) {
+    if (scene.ball.last() && !scene.ball.is_last_shared()) {
       out.robot = scene.ball.last()->robot;
       out.offender = out.robot->side;
     }
@@ -85,6 +85,7 @@ class BallOut final : public GroundTruthRule {
   static TrueEvent over_goal_line(const Scene& scene, const Crossing& crossing) {
     TrueEvent out = over_touch_line(scene);
     out.name = out.offender == crossing.end ? "corner_kick" : "goal_kick";
+    if (scene.ball.is_last_shared()) out.or_name = "corner_kick";
     if (!scene.rules.has(RuleId::kAimlessKick) || !out.offender || !is_aimless(scene, crossing)) {
       return out;
     }
@@ -106,7 +107,7 @@ class BallOut final : public GroundTruthRule {
     TrueEvent goal;
     goal.name = goal_name(scene, conceded);
     goal.offender = goal.name == "free_kick_own_goal" ? conceded : scorer;
-    const double height_m = shot_height_m(scene, scorer).value_or(0.0);
+    const double height_m = shot_height_m(scene, scorer);
     goal.is_borderline = std::abs(height_m - scene.rules.chip_height_m) < kNearHeight_m;
     return goal;
   }
@@ -123,7 +124,7 @@ class BallOut final : public GroundTruthRule {
         scene.play.taker == scorer && scene.rules.has(RuleId::kIndirectGoal)) {
       return "indirect_goal";
     }
-    const bool too_high = shot_height_m(scene, scorer).value_or(0.0) > scene.rules.chip_height_m;
+    const bool too_high = shot_height_m(scene, scorer) > scene.rules.chip_height_m;
     if (too_high && scene.rules.has(RuleId::kChippedGoal)) return "chipped_goal";
     const bool has_fouled = scene.time_s - scene.fouled_s[scorer] <= scene.rules.goal_after_foul_s;
     // "The restrictions defined for scoring goals ... do not apply here" (2026, Penalty Kick).
@@ -134,9 +135,10 @@ class BallOut final : public GroundTruthRule {
     return "goal";
   }
 
-  static std::optional<double> shot_height_m(const Scene& scene, Side scorer) {
+  static double shot_height_m(const Scene& scene, Side scorer) {
     const Heights& heights = scene.ball.heights(scorer);
-    return scene.rules.has(RuleId::kChippedGoal) ? heights.of_shot_m : heights.since_touch_m;
+    return scene.rules.has(RuleId::kChippedGoal) ? heights.of_shot_m.value_or(0.0)
+                                                 : heights.since_touch_m;
   }
 };
 

@@ -23,7 +23,7 @@ GroundTruthObserver::GroundTruthObserver(const Field& field, const RuleBook& rul
       rules_(rules),
       frame_s_(1.0 / frame_rate_hz),
       play_(rules),
-      ball_(rules),
+      ball_(field, rules),
       rules_of_truth_(ground_truth_rules_of(rules)),
       fouled_s_{{kLongAgo_s, kLongAgo_s}} {}
 
@@ -49,9 +49,11 @@ void GroundTruthObserver::see(const sim::WorldState& now, std::span<const sim::T
 }
 
 void GroundTruthObserver::write_message(const Scene& scene) {
-  const std::size_t from = true_events_.size();
-  for (const auto& ground_truth : rules_of_truth_) ground_truth->watch(scene, true_events_);
-  note_fouls(from);
+  for (const auto& ground_truth : rules_of_truth_) {
+    const std::size_t from = true_events_.size();
+    ground_truth->watch(scene, true_events_);
+    note_fouls(from);  // at once, since a goal in this frame depends on them
+  }
 }
 
 void GroundTruthObserver::note_fouls(std::size_t from) {

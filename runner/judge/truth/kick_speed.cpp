@@ -1,6 +1,7 @@
 // The ball is too fast after a robot's kick or touch.
 #include <cmath>
 
+#include "runner/judge/truth/crossing.hpp"
 #include "runner/judge/truth/ground_truth_rules.hpp"
 #include "runner/judge/truth/non_stopping.hpp"
 #include "soccer/units.hpp"
@@ -14,7 +15,8 @@ constexpr double kOneKick_s = 0.2;  // touches within this time belong to the sa
 class KickSpeed final : public GroundTruthRule {
  public:
   void watch(const Scene& scene, TrueEvents& all) override {
-    if (!scene.play.is_on) return;
+    // A ball beyond the lines is out of play.
+    if (!scene.play.is_on || inside_m(scene.field, scene.before.ball.position_m) < 0) return;
     double former_mps =
         speed_mps(scene, scene.before.ball.velocity_mps, scene.before.ball.vertical_mps);
     for (const sim::Touch& touch : scene.touches) {
@@ -37,7 +39,7 @@ class KickSpeed final : public GroundTruthRule {
   void evaluate(const Scene& scene, const sim::Touch& touch, double speed_mps, TrueEvents& all) {
     const double excess_mps = speed_mps - scene.rules.kick_limit_mps;
     if (excess_mps <= -kKickMargin_mps || is_same(scene, touch.robot, excess_mps > 0)) return;
-    reported_s_ = scene.time_s;
+    (excess_mps > 0 ? raised_s_ : nearly_s_) = scene.time_s;
     if (excess_mps > 0) kicker_ = touch.robot;
     TrueEvent kick{"bot_kicked_ball_too_fast", scene.time_s, touch.robot.side, touch.robot,
                    touch.ball_m};
@@ -48,12 +50,14 @@ class KickSpeed final : public GroundTruthRule {
   // Under the Laws, the referee ends play with the kick. Under the 2026 rules play continues:
   // another kick by the same robot counts once the ball has been slow enough, or after 2 s.
   bool is_same(const Scene& scene, RobotId kicker, bool is_foul) {
-    const bool is_one_kick = scene.time_s - reported_s_ < kOneKick_s;
-    if (scene.rules.edition != Edition::kRules2026 || !is_foul) return is_one_kick;
-    return (is_one_kick && kicker_ == kicker) || !fast_.is_raised(scene, kicker);
+    const bool is_raised = scene.time_s - raised_s_ < kOneKick_s;
+    if (!is_foul) return is_raised || scene.time_s - nearly_s_ < kOneKick_s;
+    if (scene.rules.edition != Edition::kRules2026) return is_raised;
+    return (is_raised && kicker_ == kicker) || !fast_.is_raised(scene, kicker);
   }
 
-  double reported_s_ = -kOneKick_s;
+  double raised_s_ = -kOneKick_s;
+  double nearly_s_ = -kOneKick_s;  // of the latest near miss
   std::optional<RobotId> kicker_;  // of the latest foul
   NonStopping fast_;               // robots whose kick is still too fast
 };

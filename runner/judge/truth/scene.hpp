@@ -24,9 +24,9 @@ struct Scene {
   std::span<const sim::RobotCollision> collisions;
   const Play& play;
   const BallHistory& ball;
-  const RefereeSignal& signal;  // in force since the previous frame
-  PerSide<int> keepers;         // their numbers
-  PerSide<double> fouled_s;     // time of each side's latest non-stopping foul (2026)
+  const RefereeSignal& signal;      // in force since the previous frame
+  PerSide<int> keepers;             // their numbers
+  const PerSide<double>& fouled_s;  // time of each side's latest non-stopping foul (2026)
 
   bool is_keeper(RobotId robot) const { return keepers[robot.side] == robot.number; }
   // Play is stopped, and the ball is not yet where the referee wants it.

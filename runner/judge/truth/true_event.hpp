@@ -27,6 +27,8 @@ struct TrueEvent {
   Standing standing = Standing::kTrue;
   bool is_borderline = false;  // happened, but by less than the same margin
   bool is_in_air = false;      // the ball was in the air: a referee without heights must guess
+  std::string_view or_name{};  // the event may as well be called this
+  bool is_counted = true;      // towards a card, if the foul is one that counts
 };
 
 using TrueEvents = std::vector<TrueEvent>;

@@ -1,6 +1,8 @@
 // Compares a referee's calls with the ground truth, using lists made by hand.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "runner/judge/truth/association.hpp"
 
 namespace autoref::runner::ground_truth {
@@ -123,6 +125,24 @@ TEST(Association, DoesNotFindAnEventOvertakenByACallThatLetsPlayContinue) {
                            event("bot_crash_unique", 10.0, kEast)};
   EXPECT_EQ(outcomes(both, {*call_of(fast)}),
             (std::vector<Outcome>{Outcome::kRight, Outcome::kMissed}));
+}
+
+// A kick out of the kicker's own half is an exit over the goal line, too.
+TEST(Association, FindsAnExitWithUnknownTouchRightForAnAimlessKick) {
+  const std::vector<Outcome> found = outcomes({event("aimless_kick", 10.0, kWest)},
+                                              {call("goal_line_unknown", 10.1, std::nullopt)});
+  EXPECT_EQ(std::count(found.begin(), found.end(), Outcome::kRight), 1);
+  EXPECT_EQ(std::count(found.begin(), found.end(), Outcome::kWrong), 0);
+}
+
+// Both sides touched the ball at once, so either restart is right.
+TEST(Association, FindsEitherRestartRightAfterASharedTouch) {
+  TrueEvent exit = event("goal_kick", 10.0, std::nullopt);
+  exit.or_name = "corner_kick";
+  for (const char* restart : {"goal_kick", "corner_kick", "throw_in"}) {
+    const std::vector<Outcome> found = outcomes({exit}, {call(restart, 10.0, kEast)});
+    EXPECT_EQ(found.front() == Outcome::kRight, std::string_view(restart) != "throw_in") << restart;
+  }
 }
 
 }  // namespace
