@@ -1,6 +1,7 @@
 // Fouls of a robot in contact with the ball: double touch, dribbling, holding.
 #include <algorithm>
 
+#include "runner/judge/truth/crossing.hpp"
 #include "runner/judge/truth/ground_truth_rules.hpp"
 #include "runner/judge/truth/outline.hpp"
 #include "soccer/units.hpp"
@@ -8,39 +9,71 @@
 namespace autoref::runner::ground_truth {
 namespace {
 
+constexpr double kAgainMargin_m = 10_mm;      // noise of two detected positions of the ball
 constexpr double kDribblingMargin_m = 50_mm;  // uncertainty of a contact's starting point
 constexpr double kHoldingMargin_s = 0.2;
 // If the ball would have got too far within this time after the end of play, the call was early.
 constexpr double kContactLead_s = 0.05;
 
-// "Touches again" requires that the ball has left the hull in between.
+// The kicker of a restart touches the ball, again or still, once it has been more than 50 mm away
+// from its position, and before another robot has (Laws 2014, law 9, decision 1; 2026, Double
+// Touch). In 2026, not at penalty kicks.
 class DoubleTouch final : public GroundTruthRule {
  public:
   void watch(const Scene& scene, TrueEvents& all) override {
     const Play& play = scene.play;
-    if (!play.is_on || !play.taker || !play.in_play || play.count == reported_) return;
-    if (!scene.ball.first() || scene.ball.has_second_robot_touched()) return;
-    for (const Contact& contact : scene.ball.contacts()) {
-      if (play.entered_now) continue;  // may be the touch that moved the ball far enough
-      const bool is_again = contact.is_new && contact.since_s > scene.ball.first()->time_s;
-      // 2026: "remaining in contact" also counts.
-      const bool goes_on = scene.rules.edition == Edition::kRules2026 && contact.is_touching;
-      if (!is_again && !goes_on) continue;
-      reported_ = play.count;
-      all.push_back({"attacker_double_touched_ball", scene.time_s, contact.robot.side,
-                     contact.robot, contact.ball_from_m});
-      return;
+    if (play.count != count_) begin(play);
+    const bool is_2026 = scene.rules.edition == Edition::kRules2026;
+    if (is_over_ || !play.is_on || !play.taker || (is_2026 && play.is_penalty())) return;
+    const bool is_out = inside_m(scene.field, scene.now.ball.position_m) < 0;
+    for (const sim::Touch& touch : scene.touches) {
+      if (is_out && inside_m(scene.field, touch.ball_m) < 0) break;
+      touched(scene, touch, all);
     }
+    farthest_m_ = std::max(farthest_m_, (scene.now.ball.position_m - play.ball_from_m).norm());
   }
 
  private:
-  int reported_ = -1;
+  void begin(const Play& play) {
+    count_ = play.count;
+    kicker_.reset();
+    farthest_m_ = 0;
+    is_over_ = is_near_reported_ = false;
+    reported_at_.reset();
+  }
+
+  void touched(const Scene& scene, const sim::Touch& touch, TrueEvents& all) {
+    if (!kicker_) kicker_ = touch.robot;
+    is_over_ = is_over_ || touch.robot != *kicker_ || touch.robot.side != scene.play.taker;
+    if (is_over_) return;
+    farthest_m_ = std::max(farthest_m_, (touch.ball_m - scene.play.ball_from_m).norm());
+    const double excess_m = farthest_m_ - scene.rules.in_play_m;
+    if (reported_at_) {
+      if (excess_m > kAgainMargin_m) all[*reported_at_].is_borderline = false;
+      return;
+    }
+    if (excess_m <= 0 && is_near_reported_) return;
+    is_near_reported_ = excess_m > -kAgainMargin_m;
+    if (excess_m > 0) reported_at_ = all.size();
+    add_measured(
+        all,
+        {"attacker_double_touched_ball", scene.time_s, touch.robot.side, touch.robot, touch.ball_m},
+        excess_m, kAgainMargin_m);
+  }
+
+  int count_ = -1;
+  std::optional<RobotId> kicker_;
+  double farthest_m_ = 0;  // from where the ball lay
+  bool is_over_ = false;   // another robot has touched the ball
+  bool is_near_reported_ = false;
+  std::optional<std::size_t> reported_at_;  // index of the event
 };
 
 class Dribbling final : public GroundTruthRule {
  public:
   void watch(const Scene& scene, TrueEvents& all) override {
-    if (!scene.play.is_on) return;
+    const bool is_out = inside_m(scene.field, scene.now.ball.position_m) < 0;
+    if (!scene.play.is_on || is_out) return;
     for (const Contact& contact : scene.ball.contacts()) {
       const double path_m = (scene.now.ball.position_m - contact.ball_from_m).norm();
       const double excess_m = path_m - scene.rules.dribbling_m;
@@ -52,8 +85,13 @@ class Dribbling final : public GroundTruthRule {
         all.push_back(dribble);
       }
       int& reported = excess_m > 0 ? reported_ : nearly_reported_;
-      if (reported == contact.count) continue;
+      if (reported == contact.count) {
+        // Near the limit only if it ends there.
+        if (excess_m > kDribblingMargin_m) all[reported_at_].is_borderline = false;
+        continue;
+      }
       reported = contact.count;
+      if (excess_m > 0) reported_at_ = all.size();
       add_measured(all, dribble, excess_m, kDribblingMargin_m);
     }
   }
@@ -67,6 +105,7 @@ class Dribbling final : public GroundTruthRule {
   }
 
   int reported_ = 0;
+  std::size_t reported_at_ = 0;  // index of the event
   int nearly_reported_ = 0;
 };
 

@@ -141,6 +141,19 @@ TEST(TrueDribbling, IsTooLongAfterFiftyCentimetres) {
   EXPECT_EQ(game.first("bot_dribbled_ball_too_far").robot, kWest1);
 }
 
+TEST(TrueDribbling, IsNearTheLimitOnlyIfItEndsThere) {
+  for (const double path_m : {0.53, 0.6}) {
+    StagedGame game;
+    stage_kick(game, {-1, 0}, {1, 0});
+    const double from_m = game.world.ball().position_m.x();
+    game.command(CommandKind::kForceStart);
+    game.world.command(kWest1) = {{1.0, 0}, 0, 0, false, true};
+    while (game.world.ball().position_m.x() - from_m < path_m) game.frames(1);
+    ASSERT_EQ(game.times_s("bot_dribbled_ball_too_far").size(), 1U);
+    EXPECT_EQ(game.first("bot_dribbled_ball_too_far").is_borderline, path_m < 0.55) << path_m;
+  }
+}
+
 TEST(TrueDribbling, IsForeseenIfTheRefereeEndsPlayJustBefore) {
   for (const double short_of_m : {0.03, 0.2}) {
     StagedGame game;
