@@ -89,9 +89,11 @@ class PositionsAtEntry final : public GroundTruthRule {
                  worst.excess_m, kEntryMargin_m);
   }
 
-  // One call is enough for both sides; the side taking the kick is checked first.
+  // "A member of the kicker's team" (Laws 2014, law 9); "each robot" (the paper, section 4.2), of
+  // which one call is enough for both sides, and the side taking the kick is checked first.
   static void near_area(const Scene& scene, Side taker, TrueEvents& all) {
     for (const Side side : {taker, opponent_of(taker)}) {
+      if (side != taker && scene.rules.edition == Edition::kLaws2014) return;
       Worst worst;
       for_each_robot(scene.now, side, [&](RobotId id, const sim::RobotState& robot) {
         const Reach reach = reach_to_area(scene.field, opponent_of(side), robot);

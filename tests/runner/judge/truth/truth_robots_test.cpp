@@ -171,6 +171,19 @@ TEST(TrueRestart, IsNotTakenAfterTenSeconds) {
   game.seconds(9.8);
   EXPECT_FALSE(game.has("restart_not_taken"));
   game.seconds(0.4);
+// "A member of the kicker's team" (Laws 2014, law 9); the paper says "each robot".
+TEST(TrueRestart, IsWrongWithAnOpponentNearTheKickersAreaOnlyByThePaper) {
+  for (const char* rules : {"paper", "2014"}) {
+    StagedGame game(book(rules));
+    game.world.put_ball({0, 1});
+    game.world.put_robot(kEast1, {-3.025 + 0.8 + 0.15 + 0.09, 0});
+    take_restart(game, CommandKind::kDirectFree);
+    EXPECT_EQ(game.has("attacker_too_close_to_defense_area"),
+              book(rules).edition == Edition::kPaper)
+        << rules;
+  }
+}
+
   ASSERT_TRUE(game.has("restart_not_taken"));
   EXPECT_EQ(game.first("restart_not_taken").offender, Side::kEast);
 }
