@@ -1,12 +1,10 @@
 // Robots that illegally touch the ball in a defence area: defenders other than the keeper in their
 // own area, attackers in the opponents' area.
 #include <algorithm>
-#include <array>
 
 #include "runner/judge/truth/ground_truth_rules.hpp"
 #include "runner/judge/truth/non_stopping.hpp"
 #include "runner/judge/truth/outline.hpp"
-#include "soccer/robot_shape.hpp"
 #include "soccer/units.hpp"
 
 namespace autoref::runner::ground_truth {
@@ -18,7 +16,6 @@ class TouchesInAreas final : public GroundTruthRule {
  public:
   void watch(const Scene& scene, TrueEvents& all) override {
     for_each_robot(scene.now, [&](RobotId id, const sim::RobotState& robot) {
-      watch_entry(scene, id, robot);
       if (!scene.ball.has_contact(id) || inside_theirs_m(scene, id, robot) <= 0) attacks_.end(id);
     });
     if (!scene.play.is_on) attacks_.clear();
@@ -47,7 +44,7 @@ class TouchesInAreas final : public GroundTruthRule {
 
   void defending(const Scene& scene, const Contact& contact, const sim::RobotState& robot,
                  TrueEvents& all) {
-    if (scene.is_keeper(contact.robot) || entry_of(contact.robot).was_shoved) return;
+    if (scene.is_keeper(contact.robot)) return;
     const Reach reach = reach_to_area(scene.field, contact.robot.side, robot);
     add(scene, contact, "defender_in_defense_area", -reach.farthest_m, all);
     const bool is_entirely = reach.farthest_m < 0;
@@ -76,31 +73,6 @@ class TouchesInAreas final : public GroundTruthRule {
         inside_m, kAreaMargin_m);
   }
 
-  // How a robot entered its own area.
-  struct Entry {
-    bool is_inside = false;
-    bool was_shoved = false;  // an opponent was in contact with it when it entered
-  };
-
-  Entry& entry_of(RobotId id) { return entries_[id.side][static_cast<std::size_t>(id.number)]; }
-
-  void watch_entry(const Scene& scene, RobotId id, const sim::RobotState& robot) {
-    Entry& entry = entry_of(id);
-    const bool is_inside =
-        distance_to_defence_area(scene.field, id.side, robot.position_m) < kRobotRadius_m;
-    // Decided once, when the robot enters, and kept until it leaves.
-    if (is_inside && !entry.is_inside) entry.was_shoved = has_opponent_at(scene, id, robot);
-    entry.is_inside = is_inside;
-    if (!is_inside) entry.was_shoved = false;
-  }
-
-  static bool has_opponent_at(const Scene& scene, RobotId id, const sim::RobotState& robot) {
-    const auto& others = scene.now.robots[opponent_of(id.side)];
-    return std::any_of(others.begin(), others.end(), [&robot](const sim::RobotState& other) {
-      return are_in_contact(robot, other);
-    });
-  }
-
   void add(const Scene& scene, const Contact& contact, std::string_view name, double excess_m,
            TrueEvents& all) {
     const Told reported{contact.count, name, excess_m > 0 ? Standing::kTrue : Standing::kNearMiss};
@@ -118,7 +90,6 @@ class TouchesInAreas final : public GroundTruthRule {
   static constexpr std::size_t kRemembered = 64;  // bound on simultaneous contacts and names
   std::vector<Told> reported_;
   NonStopping attacks_;
-  PerSide<std::array<Entry, kMaxRobots>> entries_;
 };
 
 }  // namespace

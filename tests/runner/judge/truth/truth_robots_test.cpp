@@ -37,6 +37,21 @@ TEST(TrueAreaTouch, IsThatOfAnAttackerByTheRulesOf2026) {
   EXPECT_TRUE(game.has("attacker_touched_ball_in_defense_area"));
 }
 
+// No rule book excuses a defender that has met an opponent on its way into the area.
+TEST(TrueAreaTouch, IsNotExcusedByAnOpponentInContact) {
+  StagedGame game(book("2026-b"));
+  game.world.put_robot(kEast1, {-2.1, 0.3}, {-1, 0});
+  game.world.put_robot(kWest1, {-2.282, 0.3}, {-1, 0});
+  game.world.put_ball({0, 0});
+  game.command(CommandKind::kForceStart);
+  game.frames(1);
+  game.world.put_robot(kEast1, {0, -1.5}, {-1, 0});
+  game.world.put_robot(kWest1, {-2.7, 0.3}, {1, 0});
+  game.world.put_ball({-2.4, 0.3}, {-3.0, 0});
+  game.seconds(0.3);
+  EXPECT_TRUE(game.has("defender_in_defense_area"));
+}
+
 // Both robots drive without commands, but for such a short time that they hardly brake.
 void stage_crash(StagedGame& game, double west_mps, double east_mps) {
   game.world.put_ball({0, 1});
