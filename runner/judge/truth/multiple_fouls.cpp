@@ -39,7 +39,8 @@ class MultipleFouls final : public GroundTruthRule {
     const std::size_t end = all.size();
     for (; next_ < end; ++next_) {
       const TrueEvent event = all[next_];
-      if (event.standing != Standing::kTrue || !is_counted(event.name)) continue;
+      if (event.standing != Standing::kTrue || !event.is_counted || !is_counted(event.name))
+        continue;
       for (const Side side : kSides) {
         if (event.offender.value_or(side) == side) count(scene, side, all);
       }

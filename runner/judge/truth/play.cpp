@@ -41,6 +41,7 @@ void PlayFollower::obey(const sim::WorldState& now, double time_s, const Referee
   play_ = Play{};
   play_.is_on = starts_play(command.kind);
   play_.is_stop = command.kind == CommandKind::kStop;
+  if (command.kind == CommandKind::kBallPlacement) play_.placer = command.side;
   play_.count = before.count + 1;
   play_.stops = before.stops + (play_.is_stop ? 1 : 0);
   play_.stopped_s = time_s;

@@ -11,8 +11,9 @@ namespace autoref::runner::ground_truth {
 
 // `restart` is the command that started play; for a kick-off or penalty its preparation.
 struct Play {
-  bool is_on = false;    // from the restart's signal until play is stopped
-  bool is_stop = false;  // STOP is in force
+  bool is_on = false;          // from the restart's signal until play is stopped
+  bool is_stop = false;        // STOP is in force
+  std::optional<Side> placer;  // the side that BALL_PLACEMENT tells to place the ball
   Command restart;
   std::optional<Side> taker;  // nullopt after a force start
   double began_s = 0;         // time of the restart's signal

@@ -29,9 +29,10 @@ struct Scene {
   const PerSide<double>& fouled_s;  // time of each side's latest non-stopping foul (2026)
 
   bool is_keeper(RobotId robot) const { return keepers[robot.side] == robot.number; }
-  // Play is stopped, and the ball is not yet where the referee wants it.
+  // A team or, in its place, the simulator is bringing the ball to where the referee wants it.
   bool is_ball_being_placed() const {
-    if (!play.is_stop || !signal.placement) return false;
+    if (!signal.placement || !(play.placer || (play.is_stop && signal.placement->by_hand)))
+      return false;
     return (signal.placement->target_m - now.ball.position_m).norm() > rules.ball_in_position_m;
   }
 };

@@ -75,31 +75,43 @@ class StopSpeed2026 final : public GroundTruthRule {
   TeamFoul fast_{"bot_too_fast_in_stop", kFastMargin_mps};
 };
 
-// "Ball Placement Interference": counted once per placement.
+// "Ball Placement Interference": counts once per placement. Every further one extends the time of a
+// team that places the ball; it is an event only then.
 class PlacementInterference final : public GroundTruthRule {
  public:
   void watch(const Scene& scene, TrueEvents& all) override {
-    const auto& next = scene.signal.next_command;
-    if (!scene.is_ball_being_placed() || !next || !is_for_one_side(next->kind)) {
+    const std::optional<Side> placer = placer_of(scene);
+    if (!scene.is_ball_being_placed() || !placer) {
       near_for_.clear();
       return;
     }
     begin(scene);
-    const Side side = opponent_of(next->side);
+    const Side side = opponent_of(*placer);
     WorstRobot worst;
     for_each_robot(scene.now, side, [&](RobotId id, const sim::RobotState& robot) {
       const double excess_m = scene.rules.placement_clearance_m - hull_to_lane_m(scene, robot);
       near_for_.consider(scene, id, robot, excess_m, scene.rules.placement_grace_s, worst);
     });
-    if (!is_counted_) is_counted_ = near_.watch(scene, side, worst, all);
+    if (is_counted_ && !scene.play.placer) return;
+    if (!near_.watch(scene, side, worst, all)) return;
+    all.back().is_counted = !is_counted_;
+    is_counted_ = true;
   }
 
  private:
-  // A new stop or another target starts a new placement.
+  // The simulator places the ball for the side that takes the restart.
+  static std::optional<Side> placer_of(const Scene& scene) {
+    if (scene.play.placer) return scene.play.placer;
+    const std::optional<Command>& next = scene.signal.next_command;
+    return next && is_for_one_side(next->kind) ? std::optional(next->side) : std::nullopt;
+  }
+
+  // A new stop, a team's order or another target starts a new placement.
   void begin(const Scene& scene) {
     const Vec2& target_m = scene.signal.placement->target_m;
-    if (scene.play.stop_count == stop_ && target_m == target_m_) return;
-    stop_ = scene.play.stop_count;
+    const int stop = scene.play.placer ? -scene.play.count : scene.play.stop_count;
+    if (stop == stop_ && target_m == target_m_) return;
+    stop_ = stop;
     target_m_ = target_m;
     is_counted_ = false;
     near_for_.clear();
@@ -111,7 +123,7 @@ class PlacementInterference final : public GroundTruthRule {
     return distance_to_hull(nearest_m, robot.position_m, robot.heading);
   }
 
-  int stop_ = -1;
+  int stop_ = 0;  // number of the stop, or of the order to place the ball, negative
   Vec2 target_m_{0, 0};
   bool is_counted_ = false;
   LongEnough near_for_{kLaneMargin_m};

@@ -78,6 +78,35 @@ TEST(Truth2026, PlacementInterferenceIsCountedOncePerPlacement) {
   EXPECT_EQ(game.times_s(kInterference).size(), 2U);
 }
 
+// "Only one interference foul per ball placement phase counts towards the foul counter, but the
+// placement timer is always incremented."
+TEST(Truth2026, InterferenceWithATeamsPlacementIsRaisedAgainButCountedOnce) {
+  StagedGame game(book("2026-b"));
+  game.world.put_ball({-1, 0});
+  game.world.put_robot(kEast1, {0, 0.5}, {-1, 0});
+  game.signal.placement = Placement{{1, 0}, false, false};
+  game.signal.next_command = Command{CommandKind::kDirectFree, Side::kWest};
+  game.seconds(3.0);  // nobody places the ball yet
+  EXPECT_FALSE(game.has(kInterference));
+  game.command(CommandKind::kBallPlacement, Side::kWest);
+  game.seconds(9.0);
+  const std::vector<double> times_s = game.times_s(kInterference);
+  ASSERT_EQ(times_s.size(), 4U);
+  EXPECT_NEAR(times_s[1] - times_s[0], 2.0, 0.02);
+  EXPECT_FALSE(game.has("multiple_fouls"));
+}
+
+TEST(Truth2026, TheTeamThatPlacesTheBallDoesNotInterfere) {
+  StagedGame game(book("2026-b"));
+  game.world.put_ball({-1, 0});
+  game.world.put_robot(kEast1, {0, 0.5}, {-1, 0});
+  game.signal.placement = Placement{{1, 0}, false, false};
+  game.signal.next_command = Command{CommandKind::kForceStart};
+  game.command(CommandKind::kBallPlacement, Side::kEast);
+  game.seconds(3.0);
+  EXPECT_FALSE(game.has(kInterference));
+}
+
 // West may have one robot and has two; the second one starts outside the field lines.
 struct Surplus : StagedGame {
   Surplus() : StagedGame(book("2026-b")) {
