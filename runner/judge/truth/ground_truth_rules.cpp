@@ -19,6 +19,7 @@ constexpr Entry kEntries[] = {
     {RuleId::kKeeperHeldBall, keeper_held_ball, nullptr},
     {RuleId::kBotCrashUnique, bot_crash_unique, nullptr},
     {RuleId::kBotPushedBot, bot_pushed_bot, nullptr},
+    {RuleId::kOffside, offside, nullptr},
     {RuleId::kRestartNotTaken, untaken_restart, nullptr},
     {RuleId::kBotTooFastInStop, bot_too_fast_in_stop, bot_too_fast_in_stop_2026},
     {RuleId::kStopDistance, stop_distance, nullptr},

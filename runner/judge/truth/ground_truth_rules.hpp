@@ -18,6 +18,7 @@ std::unique_ptr<GroundTruthRule> bot_crash_unique();  // and bot_crash_drawn
 std::unique_ptr<GroundTruthRule> bot_pushed_bot();
 std::unique_ptr<GroundTruthRule>
 positions_at_entry();  // robots at illegal positions when the ball enters play
+std::unique_ptr<GroundTruthRule> offside();
 std::unique_ptr<GroundTruthRule> untaken_restart();
 std::unique_ptr<GroundTruthRule> penalty();     // penalty_kick_failed and penalty_positions
 std::unique_ptr<GroundTruthRule> stuck_ball();  // and no_progress_in_game
