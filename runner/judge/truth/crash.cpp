@@ -18,7 +18,8 @@ constexpr double kCrashLead_s = 0.05;
 class Crash final : public GroundTruthRule {
  public:
   void watch(const Scene& scene, TrueEvents& all) override {
-    if (!scene.play.is_on) return;
+    // 2026, appendix C: "always".
+    if (!scene.play.is_on && scene.rules.edition != Edition::kRules2026) return;
     for (const sim::RobotCollision& met : scene.collisions) {
       if (met.robots[0].side != met.robots[1].side) evaluate(scene, met, Standing::kTrue, all);
     }

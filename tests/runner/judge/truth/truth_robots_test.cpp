@@ -81,6 +81,18 @@ TEST(TrueCrash, IsDrawnIfBothAreEquallyFast) {
   EXPECT_FALSE(game.has("bot_crash_unique"));
 }
 
+// Crashes happen "always" (2026, appendix C); Laws 2014 list them among the fouls of play.
+TEST(TrueCrash, CountsInAStopOnlyByTheRulesOf2026) {
+  for (const char* rules : {"2014", "2026-b"}) {
+    StagedGame game(book(rules));
+    game.world.put_ball({0, 1});
+    game.world.put_robot(kWest1, {-0.093, 0}, {1, 0}, {0.5, 0});
+    game.world.put_robot(kEast1, {0.093, 0}, {-1, 0}, {-2.0, 0});
+    game.frames(3);
+    EXPECT_EQ(game.has("bot_crash_unique"), book(rules).edition == Edition::kRules2026) << rules;
+  }
+}
+
 TEST(TruePushing, RequiresTwentyCentimetresInContact) {
   StagedGame game;
   game.world.put_ball({0, 1});
@@ -159,6 +171,19 @@ TEST(TrueRestart, IsWrongWithAnAttackerTooCloseToTheArea) {
   }
 }
 
+// "A member of the kicker's team" (Laws 2014, law 9); the paper says "each robot".
+TEST(TrueRestart, IsWrongWithAnOpponentNearTheKickersAreaOnlyByThePaper) {
+  for (const char* rules : {"paper", "2014"}) {
+    StagedGame game(book(rules));
+    game.world.put_ball({0, 1});
+    game.world.put_robot(kEast1, {-3.025 + 0.8 + 0.15 + 0.09, 0});
+    take_restart(game, CommandKind::kDirectFree);
+    EXPECT_EQ(game.has("attacker_too_close_to_defense_area"),
+              book(rules).edition == Edition::kPaper)
+        << rules;
+  }
+}
+
 TEST(TrueRestart, IsWrongWithARobotInTheOtherHalfAtKickOff) {
   StagedGame game;
   game.world.put_ball({0, 0});
@@ -186,19 +211,6 @@ TEST(TrueRestart, IsNotTakenAfterTenSeconds) {
   game.seconds(9.8);
   EXPECT_FALSE(game.has("restart_not_taken"));
   game.seconds(0.4);
-// "A member of the kicker's team" (Laws 2014, law 9); the paper says "each robot".
-TEST(TrueRestart, IsWrongWithAnOpponentNearTheKickersAreaOnlyByThePaper) {
-  for (const char* rules : {"paper", "2014"}) {
-    StagedGame game(book(rules));
-    game.world.put_ball({0, 1});
-    game.world.put_robot(kEast1, {-3.025 + 0.8 + 0.15 + 0.09, 0});
-    take_restart(game, CommandKind::kDirectFree);
-    EXPECT_EQ(game.has("attacker_too_close_to_defense_area"),
-              book(rules).edition == Edition::kPaper)
-        << rules;
-  }
-}
-
   ASSERT_TRUE(game.has("restart_not_taken"));
   EXPECT_EQ(game.first("restart_not_taken").offender, Side::kEast);
 }
