@@ -10,7 +10,7 @@
 namespace autoref::runner {
 namespace {
 
-ScheduledGame short_game(const std::string& id, std::uint64_t seed) {
+ScheduledGame short_scheduled_game(const std::string& id, std::uint64_t seed) {
   ScheduledGame game;
   game.id = id;
   game.configuration.match.half_s = 2;
@@ -20,7 +20,7 @@ ScheduledGame short_game(const std::string& id, std::uint64_t seed) {
 
 TEST(StartedGames, HaveAPageOfTheSameGame) {
   StartedGames games;
-  const ScheduledGame game = short_game("p0001-1", 7);
+  const ScheduledGame game = short_scheduled_game("p0001-1", 7);
   ASSERT_TRUE(games.add(game, 2));
   const std::optional<std::string> page = games.page("p0001-1");
   ASSERT_TRUE(page);
@@ -29,7 +29,7 @@ TEST(StartedGames, HaveAPageOfTheSameGame) {
 
 TEST(StartedGames, AreForgottenOldestFirst) {
   StartedGames games;
-  for (const char* id : {"p0001-1", "p0001-2", "p0002-1"}) games.add(short_game(id, 1), 2);
+  for (const char* id : {"p0001-1", "p0001-2", "p0002-1"}) games.add(short_scheduled_game(id, 1), 2);
   EXPECT_FALSE(games.page("p0001-1"));
   EXPECT_TRUE(games.page("p0001-2"));
   EXPECT_TRUE(games.page("p0002-1"));
@@ -38,7 +38,7 @@ TEST(StartedGames, AreForgottenOldestFirst) {
 
 TEST(StartedGames, OfProgramsHaveNoPage) {
   StartedGames games;
-  ScheduledGame game = short_game("p0001-1", 1);
+  ScheduledGame game = short_scheduled_game("p0001-1", 1);
   game.configuration.b.command = {"my_team"};
   EXPECT_FALSE(games.add(game, 2));
   EXPECT_FALSE(games.page("p0001-1"));

@@ -33,7 +33,7 @@ TEST(SideTouches, AreNotContestedByOneSideAlone) {
   EXPECT_FALSE(touches.is_contested(10));
 }
 
-ground_truth::TrueEvent event(std::string_view name, double time_s) {
+ground_truth::TrueEvent exit_event(std::string_view name, double time_s) {
   ground_truth::TrueEvent event;
   event.name = name;
   event.time_s = time_s;
@@ -41,13 +41,15 @@ ground_truth::TrueEvent event(std::string_view name, double time_s) {
 }
 
 TEST(ExitTime, IsThatOfTheLatestTrueExit) {
-  EXPECT_EQ(exit_time_s({event("goal_kick", 9.2), event("throw_in", 9.9), event("goal", 9.95)}, 10),
+  EXPECT_EQ(exit_time_s({exit_event("goal_kick", 9.2), exit_event("throw_in", 9.9),
+                         exit_event("goal", 9.95)},
+                        10),
             9.9);
 }
 
 TEST(ExitTime, IsThatOfTheCallIfNoExitIsNear) {
-  EXPECT_EQ(exit_time_s({event("throw_in", 8.9)}, 10), 10);
-  EXPECT_EQ(exit_time_s({event("bot_crash_unique", 9.9)}, 10), 10);
+  EXPECT_EQ(exit_time_s({exit_event("throw_in", 8.9)}, 10), 10);
+  EXPECT_EQ(exit_time_s({exit_event("bot_crash_unique", 9.9)}, 10), 10);
 }
 
 }  // namespace

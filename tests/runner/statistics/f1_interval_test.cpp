@@ -10,7 +10,7 @@
 namespace autoref::runner {
 namespace {
 
-struct Counts {
+struct CallCounts {
   int right = 0;
   int wrong = 0;
   int missed = 0;
@@ -33,12 +33,12 @@ TEST(F1Interval, NeedsAnEventOrACall) {
 }
 
 // The proportion of simulated samples whose interval contains the true value.
-double coverage(double f1, const std::function<Counts(RandomStream&)>& sample) {
+double coverage(double f1, const std::function<CallCounts(RandomStream&)>& sample) {
   constexpr int kSamples = 10000;
   RandomStream random(2016);
   int contained = 0;
   for (int i = 0; i < kSamples; ++i) {
-    const Counts counts = sample(random);
+    const CallCounts counts = sample(random);
     const auto interval = f1_interval(counts.right, counts.wrong, counts.missed);
     contained += interval && interval->low <= f1 && f1 <= interval->high ? 1 : 0;
   }
@@ -46,8 +46,8 @@ double coverage(double f1, const std::function<Counts(RandomStream&)>& sample) {
 }
 
 // Each event is called right, or for the wrong side, which is a missed event and a wrong call.
-Counts called_for_wrong_sides(int events, double share_right, RandomStream& random) {
-  Counts counts;
+CallCounts called_for_wrong_sides(int events, double share_right, RandomStream& random) {
+  CallCounts counts;
   for (int i = 0; i < events; ++i) {
     ++(random.uniform() < share_right ? counts.right : counts.missed);
   }
@@ -56,9 +56,9 @@ Counts called_for_wrong_sides(int events, double share_right, RandomStream& rand
 }
 
 // Each event is called or missed; wrong calls come independently, one chance per event.
-Counts with_independent_mistakes(int events, double recall, double wrong_share,
-                                 RandomStream& random) {
-  Counts counts;
+CallCounts with_independent_mistakes(int events, double recall, double wrong_share,
+                                     RandomStream& random) {
+  CallCounts counts;
   for (int i = 0; i < events; ++i) {
     ++(random.uniform() < recall ? counts.right : counts.missed);
     counts.wrong += random.uniform() < wrong_share ? 1 : 0;

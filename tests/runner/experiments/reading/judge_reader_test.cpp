@@ -14,12 +14,12 @@ std::string file_with(const std::string& lines) {
   return "schema: 1\nkind: judge\ncameras: [none]\ngames: 4\n" + lines;
 }
 
-JudgeSchedule read(const std::string& lines) {
+JudgeSchedule judge_read_from(const std::string& lines) {
   return std::get<JudgeSchedule>(read_scenario_text(file_with(lines), "x.yaml").content);
 }
 
 TEST(JudgeReader, ReadsNamedSeedsAlsoFromACommit) {
-  const JudgeSchedule schedule = read("seeds: { test: 1c9f03ae, tuning: 2016 }\n");
+  const JudgeSchedule schedule = judge_read_from("seeds: { test: 1c9f03ae, tuning: 2016 }\n");
   const std::vector<NamedSeed> expected = {{"tuning", "2016", 2016},
                                            {"test", "1c9f03ae", 0x1c9f03ae}};
   EXPECT_EQ(schedule.seeds, expected);
@@ -28,18 +28,18 @@ TEST(JudgeReader, ReadsNamedSeedsAlsoFromACommit) {
 
 // A commit may begin with what looks like a number.
 TEST(JudgeReader, ReadsDigitsAsADecimalNumberAndOneLetterAsHexadecimal) {
-  EXPECT_EQ(read("seeds: { test: 12345678 }\n").seeds.front().value, 12345678U);
-  EXPECT_EQ(read("seeds: { test: 12345e67 }\n").seeds.front().value, 0x12345e67U);
+  EXPECT_EQ(judge_read_from("seeds: { test: 12345678 }\n").seeds.front().value, 12345678U);
+  EXPECT_EQ(judge_read_from("seeds: { test: 12345e67 }\n").seeds.front().value, 0x12345e67U);
 }
 
 TEST(JudgeReader, ReadsASingleSeedWithoutName) {
   const std::vector<NamedSeed> expected = {{"", "7", 7}};
-  EXPECT_EQ(read("seed: 7\n").seeds, expected);
+  EXPECT_EQ(judge_read_from("seed: 7\n").seeds, expected);
 }
 
 TEST(JudgeReader, ReadsTeams) {
   const std::vector<std::string> expected = {"rowdy", "basic"};
-  EXPECT_EQ(read("teams: [rowdy, basic]\nseed: 7\n").teams, expected);
+  EXPECT_EQ(judge_read_from("teams: [rowdy, basic]\nseed: 7\n").teams, expected);
 }
 
 TEST(JudgeReader, ReadsTeamsAndSeedsBackFromTheEffectiveFile) {
