@@ -29,7 +29,8 @@ TEST(StartedGames, HaveAPageOfTheSameGame) {
 
 TEST(StartedGames, AreForgottenOldestFirst) {
   StartedGames games;
-  for (const char* id : {"p0001-1", "p0001-2", "p0002-1"}) games.add(short_scheduled_game(id, 1), 2);
+  for (const char* id : {"p0001-1", "p0001-2", "p0002-1"})
+    games.add(short_scheduled_game(id, 1), 2);
   EXPECT_FALSE(games.page("p0001-1"));
   EXPECT_TRUE(games.page("p0001-2"));
   EXPECT_TRUE(games.page("p0002-1"));
