@@ -64,6 +64,7 @@ struct DribblingWatch {
 
 struct KeeperHoldingWatch {
   PerSide<std::optional<double>> since_s;
+  std::optional<double> last_s;  // when a keeper last had the ball
 };
 
 }  // namespace autoref::referee

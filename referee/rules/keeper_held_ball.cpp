@@ -1,6 +1,8 @@
 // The keeper must not hold the ball inside its own defence area for longer than 15 s (Laws 12).
 // Under the 2026 rules the ball must not stay inside a defence area for longer than 10 s (Division
 // A: 5 s), whether or not the keeper has it, because nobody else may play it there.
+//
+// Under all rule books this time does not count for a ball without progress (lack_of_progress.hpp).
 #include <fmt/format.h>
 
 #include "referee/rules/rule.hpp"
@@ -51,6 +53,7 @@ std::optional<Finding> find_keeper_held_ball(RefereeState& state, const RefereeI
     } else if (has_passed(*since_s, limit_s, input.time_s())) {
       return holding_finding(input, side, input.time_s() - *since_s);
     }
+    if (since_s) state.watch.keeper_held_ball.last_s = input.time_s();
   }
   return std::nullopt;
 }

@@ -3,6 +3,7 @@
 
 #include "runner/judge/truth/crossing.hpp"
 #include "runner/judge/truth/ground_truth_rules.hpp"
+#include "runner/judge/truth/keepers_ball.hpp"
 #include "runner/judge/truth/outline.hpp"
 #include "soccer/units.hpp"
 
@@ -109,8 +110,6 @@ class Dribbling final : public GroundTruthRule {
   int nearly_reported_ = 0;
 };
 
-// Laws 2014: the ball is inside the area in contact with its keeper. 2026: the ball is inside the
-// area, for whatever reason.
 class KeeperHolding final : public GroundTruthRule {
  public:
   void watch(const Scene& scene, TrueEvents& all) override {
@@ -122,17 +121,8 @@ class KeeperHolding final : public GroundTruthRule {
   }
 
  private:
-  static bool is_held(const Scene& scene, Side side) {
-    if (distance_to_defence_area(scene.field, side, scene.now.ball.position_m) > 0) return false;
-    if (scene.rules.edition == Edition::kRules2026) return true;
-    const Contacts& contacts = scene.ball.contacts();
-    return std::any_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
-      return contact.robot.side == side && scene.is_keeper(contact.robot);
-    });
-  }
-
   void watch(const Scene& scene, Side side, TrueEvents& all) {
-    if (!is_held(scene, side)) {
+    if (!is_keepers_ball(scene, side)) {
       since_s_[side] = scene.time_s;
       is_reported_[side] = false;
       return;

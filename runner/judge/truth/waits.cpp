@@ -3,6 +3,7 @@
 #include <deque>
 
 #include "runner/judge/truth/ground_truth_rules.hpp"
+#include "runner/judge/truth/keepers_ball.hpp"
 #include "soccer/units.hpp"
 
 namespace autoref::runner::ground_truth {
@@ -80,12 +81,11 @@ class StuckBall final : public GroundTruthRule {
   }
 
  private:
-  // If keeper_held_ball is in force, too, it alone applies inside the defence areas.
+  // Where keeper_held_ball is in force, it alone applies to a keeper's ball.
   static bool is_held(const Scene& scene) {
-    return scene.rules.has(RuleId::kNoProgressInGame) && scene.rules.has(RuleId::kKeeperHeldBall) &&
-           std::any_of(kSides.begin(), kSides.end(), [&scene](Side side) {
-             return distance_to_defence_area(scene.field, side, scene.now.ball.position_m) <= 0;
-           });
+    return scene.rules.has(RuleId::kKeeperHeldBall) &&
+           std::any_of(kSides.begin(), kSides.end(),
+                       [&scene](Side side) { return is_keepers_ball(scene, side); });
   }
 
   bool has_stayed(double within_m) const {

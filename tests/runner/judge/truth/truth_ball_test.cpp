@@ -196,6 +196,19 @@ TEST(TrueStuckBall, IsCalledAfterTenSeconds) {
   EXPECT_TRUE(game.has("stuck_ball"));
 }
 
+// Laws 2014: the keeper has 15 s, so its ball is not stuck after 10 s.
+TEST(TrueStuckBall, IsNotAKeepersInItsOwnArea) {
+  StagedGame game;
+  game.world.put_robot(kWest0, {-2.9, 0});
+  game.world.put_ball_at_plate(kWest0);
+  game.command(CommandKind::kForceStart);
+  game.world.command(kWest0).dribble = true;
+  game.world.command(kWest0).velocity_mps = {0.005, 0};  // keeps the ball at the plate
+  game.seconds(16.0);
+  EXPECT_FALSE(game.has("stuck_ball"));
+  EXPECT_TRUE(game.has("keeper_held_ball"));
+}
+
 TEST(TrueAimlessKick, LeavesTheFieldUntouchedFromTheOwnHalf) {
   for (const double from_x_m : {-0.5, 0.5}) {
     StagedGame game(book("2026-b"));
