@@ -16,6 +16,7 @@ Book laws_2014() {
   book.rules.edition = Edition::kLaws2014;
   book.rules.in_force = rules_of(Edition::kLaws2014);
   book.rules.change_ends = true;
+  book.rules.penalty_prolongs_half = true;
   return book;
 }
 
@@ -50,6 +51,7 @@ void set_rules_2026(RuleBook& rules) {
   rules.stop_speed_mps = 1.5_mps;
   rules.fouls_stop_play = false;
   rules.penalty_clearance_m = 1_m;
+  rules.penalty_prolongs_half = true;
   rules.fouls_per_card = 3;
   rules.yellows_per_red = 3;
   rules.goals_to_win = 10;

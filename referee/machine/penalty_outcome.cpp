@@ -75,4 +75,13 @@ std::optional<PenaltyFailure> penalty_failure(const RefereeState& state,
                         fmt::format("There was no goal within {:.2f} s of the signal.", lasted_s)};
 }
 
+bool is_penalty_over(const RefereeState& state, const RefereeInput& input) {
+  if (state.watch.penalty_positions.is_over || is_penalty_goal(state, input)) return true;
+  if (penalty_failure(state, input)) return true;
+  const TouchHistory& touches = state.play.touches;
+  const Side defender = opponent_of(*state.play.kicker);
+  return input.configuration.rules.edition != Edition::kRules2026 && touches.count() > 1 &&
+         touches.newest()->robot && !is_by_keeper(*touches.newest(), defender, input);
+}
+
 }  // namespace autoref::referee

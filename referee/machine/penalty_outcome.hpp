@@ -29,4 +29,9 @@ bool is_penalty_goal(const RefereeState& state, const RefereeInput& input);
 // penalty kick.
 std::optional<PenaltyFailure> penalty_failure(const RefereeState& state, const RefereeInput& input);
 
+// Whether the penalty kick is over, though play may continue: it is a goal or has failed, or, under
+// the Laws, another robot than the keeper has played the ball after the kick. Play must be a
+// penalty kick.
+bool is_penalty_over(const RefereeState& state, const RefereeInput& input);
+
 }  // namespace autoref::referee

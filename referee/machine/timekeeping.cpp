@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "referee/machine/penalty_outcome.hpp"
+
 namespace autoref::referee {
 namespace {
 
@@ -43,6 +45,26 @@ Event end_of(const RefereeState& state, const Configuration& configuration) {
   const bool is_drawn = goals[Side::kWest] == goals[Side::kEast];
   if (!configuration.knockout || !is_drawn) return Event::kGameOver;
   return is_extra(configuration, state.half) ? Event::kShootout : Event::kExtraTime;
+}
+
+bool is_penalty(const std::optional<Command>& command) {
+  return command && command->kind == CommandKind::kPreparePenalty;
+}
+
+// Whether a penalty kick has been awarded and is not over.
+bool is_penalty_pending(const RefereeState& state, const RefereeInput& input) {
+  const std::optional<Command>& next = state.signal.next_command;
+  if (state.machine_state != State::kRun) {
+    const bool is_prepared = next && next->kind == CommandKind::kNormalStart;
+    return is_penalty(is_prepared ? state.prepared : next);
+  }
+  return state.play.is_penalty() && !is_penalty_over(state, input);
+}
+
+// GOAL stays in force for a frame, so that everybody sees it.
+bool is_goal_being_signalled(const RefereeState& state, const RefereeInput& input) {
+  return state.signal.command.kind == CommandKind::kGoal &&
+         state.signal.command_time_s == input.time_s();
 }
 
 }  // namespace
@@ -92,6 +114,10 @@ std::optional<Finding> find_time_over(const RefereeState& state, const RefereeIn
   const double now_s = clock_s(state, configuration.rules, input.time_s());
   const double limit_s = length_s(configuration, state.half);
   if (!has_passed(state.half_began_s, limit_s, now_s)) return std::nullopt;
+  if (configuration.rules.penalty_prolongs_half &&
+      (is_penalty_pending(state, input) || is_goal_being_signalled(state, input))) {
+    return std::nullopt;
+  }
   Finding finding;
   finding.event = end_of(state, configuration);
   finding.rule = "paper 4.2, time-related rules";

@@ -2,7 +2,9 @@
 //
 // A half's clock starts with the ready command (NORMAL_START) and runs until the half is over
 // (paper, section 4.2, "Time-Related Rules"), except during timeouts. If the rule book says so
-// (2026), it stops whenever play is stopped.
+// (2026), it stops whenever play is stopped. "Additional time is allowed for a penalty kick to be
+// taken at the end of each half" (Laws 7 and 14; 2026, Penalty Kick): a half is not over until a
+// penalty kick awarded in it is.
 #pragma once
 
 #include <optional>
@@ -48,8 +50,9 @@ std::optional<HalfClock> half_clock(const RefereeState& state, const Configurati
 // Time left in the running half, in seconds; at least 0, and 0 in other stages.
 double time_left_s(const RefereeState& state, const Configuration& configuration, double now_s);
 
-// When the running half's time is up: kHalfOver, or kGameOver after the last half. If a knockout
-// game is drawn then, kExtraTime, and kShootout after extra time.
+// When the running half's time is up and no penalty kick is left to be taken: kHalfOver, or
+// kGameOver after the last half. If a knockout game is drawn then, kExtraTime, and kShootout after
+// extra time.
 std::optional<Finding> find_time_over(const RefereeState& state, const RefereeInput& input);
 
 }  // namespace autoref::referee
