@@ -330,13 +330,12 @@ class Referee::Impl {
 
   // Counted fouls do not change the machine's state, so later rules still run.
   void apply_rules(const RefereeInput& input) {
-    if (state_.signal.stage == Stage::kShootout) {
-      ask(kShootoutRule, input);
-      return;
-    }
+    const bool is_shootout = state_.signal.stage == Stage::kShootout;
     for (const AskedRule& asked : rules()) {
+      if (is_shootout && !rules_in_shootout().has(asked.id)) continue;
       if (configuration_.rules.has(asked.id) && !ask(*asked.rule, input)) return;
     }
+    if (is_shootout) ask(kShootoutRule, input);
   }
 
   // Returns whether the machine's state is unchanged.

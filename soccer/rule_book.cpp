@@ -51,6 +51,7 @@ void set_rules_2026(RuleBook& rules) {
   rules.stop_speed_mps = 1.5_mps;
   rules.fouls_stop_play = false;
   rules.penalty_clearance_m = 1_m;
+  rules.penalty_fouls_decide = true;
   rules.penalty_prolongs_half = true;
   rules.fouls_per_card = 3;
   rules.yellows_per_red = 3;

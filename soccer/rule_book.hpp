@@ -97,6 +97,7 @@ struct RuleBook {
   double penalty_clearance_m = 400_mm;  // from the mark back to the other robots; 2026: 1 m
   double penalty_time_s = 10_s;         // 2026: to score; in shoot-outs, all rule books
   double penalty_turn_deg = 90;  // 2026: failed once the keeper deflects the ball by this angle
+  bool penalty_fouls_decide = false;   // 2026: the kicker's side's: no goal; the defenders': a goal
   bool penalty_prolongs_half = false;  // Laws; 2026: a half ends after a penalty kick awarded in it
 
   // Cards (Laws 12).

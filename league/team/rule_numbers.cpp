@@ -66,6 +66,7 @@ constexpr std::array kNumbers = {
     AUTOREF_NUMBER(penalty_clearance_m),
     AUTOREF_NUMBER(penalty_time_s),
     AUTOREF_NUMBER(penalty_turn_deg),
+    AUTOREF_NUMBER(penalty_fouls_decide),
     AUTOREF_NUMBER(penalty_prolongs_half),
     AUTOREF_NUMBER(card_s),
     AUTOREF_NUMBER(fouls_per_card),

@@ -145,6 +145,14 @@ void note_foul(RefereeState& state, const RefereeInput& input, const Finding& fi
   book(state, input, finding);
 }
 
+// Rule penalty_kick_failed, or the rule on shoot-outs, reports what follows from the fouls.
+void note_foul_in_penalty(RefereeState& state, const RefereeInput& input, const Finding& finding) {
+  book(state, input, finding);
+  for (const Side side : kSides) {
+    if (!finding.offender || *finding.offender == side) state.play.has_fouled[side] = true;
+  }
+}
+
 void allow_more_time(RefereeState& state, const RefereeInput& input, const Finding& finding) {
   book(state, input, finding);
   state.wait_began_s += input.configuration.rules.interference_s;

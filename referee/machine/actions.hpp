@@ -38,6 +38,7 @@ void halt_for_foul(RefereeState& state, const RefereeInput& input, const Finding
 void show_card(RefereeState& state, const RefereeInput& input, const Finding& finding);
 void end_card(RefereeState& state, const RefereeInput& input, const Finding& finding);
 void note_foul(RefereeState& state, const RefereeInput& input, const Finding& finding);
+void note_foul_in_penalty(RefereeState& state, const RefereeInput& input, const Finding& finding);
 void stop_after_signal(RefereeState& state, const RefereeInput& input, const Finding& finding);
 void end_half(RefereeState& state, const RefereeInput& input, const Finding& finding);
 void begin_next_half(RefereeState& state, const RefereeInput& input, const Finding& finding);
@@ -65,6 +66,8 @@ inline constexpr Action kAwardGoal{
 inline constexpr Action kStopPlay{"send STOP; place the ball; next = the rule's restart",
                                   stop_play};
 inline constexpr Action kNoteFoul{"count the foul", note_foul};
+inline constexpr Action kNoteFoulInPenalty{"count the foul; it decides the penalty kick",
+                                           note_foul_in_penalty};
 inline constexpr Action kAllowMoreTime{"count the foul; allow 10 s more to place the ball",
                                        allow_more_time};
 inline constexpr Action kAwardFreeKickInStop{

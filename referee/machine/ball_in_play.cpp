@@ -1,5 +1,7 @@
 #include "referee/machine/ball_in_play.hpp"
 
+#include <algorithm>
+
 namespace autoref::referee {
 namespace {
 
@@ -9,6 +11,10 @@ void mark_position(PlayState& play, const RefereeInput& input) {
 }
 
 }  // namespace
+
+double goalwards_m(const PlayState& play, const RefereeInput& input) {
+  return play.kicker ? goal_sign(opponent_of(*play.kicker)) * input.ball->position_m.x() : 0;
+}
 
 PlayState play_begun(Command command, std::optional<Side> kicker, const RefereeInput& input) {
   PlayState play;
@@ -33,6 +39,7 @@ void watch_play(PlayState& play, const RefereeInput& input) {
   play.entered_now = false;
   if (!input.ball) return;
   play.touches.update(input, play.began_s);
+  if (play.is_penalty()) play.farthest_m = std::max(play.farthest_m, goalwards_m(play, input));
   const RuleBook& rules = input.configuration.rules;
   if (!play.ball_from_m) {
     play.ball_from_m = input.ball->position_m;

@@ -18,6 +18,10 @@ PlayState play_joined(const RefereeInput& input);
 // Updates the state with one frame of RUN.
 void watch_play(PlayState& play, const RefereeInput& input);
 
+// How far the ball is from the halfway line towards the goal that the kicker attacks, in metres.
+// The ball must have been seen.
+double goalwards_m(const PlayState& play, const RefereeInput& input);
+
 // Whether the restart was a kick-off or a penalty kick. NORMAL_START starts both; only the kick-off
 // is taken from the centre.
 bool began_with_kickoff(const PlayState& play, const Field& field);

@@ -54,6 +54,14 @@ bool is_second_near_area(const RefereeState& state, const Configuration& /*confi
   return state.watch.attacker_too_close_to_defense_area.is_second();
 }
 
+bool fouls_decide_penalty(const RefereeState& state, const Configuration& configuration) {
+  return configuration.rules.penalty_fouls_decide && state.play.is_penalty();
+}
+
+bool fouls_decide_kick(const RefereeState& state, const Configuration& configuration) {
+  return fouls_decide_penalty(state, configuration) || is_in_shootout(state, configuration);
+}
+
 bool fouls_are_noted(const RefereeState& state, const Configuration& configuration) {
   return !fouls_stop_play(state, configuration);
 }

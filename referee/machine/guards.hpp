@@ -26,6 +26,8 @@ bool game_was_last(const RefereeState& state, const Configuration& configuration
 bool new_game_follows(const RefereeState& state, const Configuration& configuration);
 bool fouls_stop_play(const RefereeState& state, const Configuration& configuration);
 bool is_second_near_area(const RefereeState& state, const Configuration& configuration);
+bool fouls_decide_penalty(const RefereeState& state, const Configuration& configuration);
+bool fouls_decide_kick(const RefereeState& state, const Configuration& configuration);
 bool fouls_are_noted(const RefereeState& state, const Configuration& configuration);
 
 inline constexpr Guard kAlways{"", holds_always};
@@ -41,6 +43,9 @@ inline constexpr Guard kNewGameFollows{"a new game follows", new_game_follows};
 inline constexpr Guard kFoulsStopPlay{"fouls stop play", fouls_stop_play};
 inline constexpr Guard kSecondNearArea{"the team's second in this stop or free kick",
                                        is_second_near_area};
+inline constexpr Guard kFoulsDecidePenalty{"fouls decide the penalty kick", fouls_decide_penalty};
+inline constexpr Guard kFoulsDecideKick{"fouls decide the penalty kick, or in a shoot-out",
+                                        fouls_decide_kick};
 inline constexpr Guard kFoulsAreNoted{"fouls only count", fouls_are_noted};
 
 }  // namespace autoref::referee

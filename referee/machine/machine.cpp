@@ -61,6 +61,10 @@ constexpr std::array kOutsideFigure = {
 };
 
 constexpr std::array kBeyondPaper = {
+  Transition{"", State::kRun, Event::kPenaltyPositions, kFoulsDecidePenalty, kNoteFoulInPenalty,
+        State::kRun, "2026", ""},
+  Transition{"", State::kRun, kFoulInPlay, kFoulsDecideKick, kNoteFoulInPenalty,
+        State::kRun, "2026; Laws, appendix A", ""},
   Transition{"", std::nullopt, Event::kAttackerStaysNearArea, kSecondNearArea, kHaltForFoul,
         State::kDelayWait, "2026", ""},
   Transition{"", State::kWaitStop, Event::kAttackerStaysNearArea, kAlways, kAwardFreeKickInStop,
@@ -125,6 +129,13 @@ void add_once(std::vector<std::string_view>& labels, std::string_view label) {
 bool stops_play(Event event) { return comes_in_play(event, Effect::kStopsPlay); }
 bool stops_play_by_book(Event event) { return comes_in_play(event, Effect::kStopsByBook); }
 bool counts_in_play(Event event) { return comes_in_play(event, Effect::kCounts); }
+
+// Surplus robots are taken off by hand, and a penalty kick may be retaken for robots' positions.
+bool may_decide_penalty(Event event) {
+  const EventEntry& entry = entry_of(event);
+  return entry.is_foul && entry.when != When::kInStop && event != Event::kTooManyRobots &&
+         event != Event::kPenaltyPositions;
+}
 
 std::span<const Transition> transitions_in_figure() { return kInFigure; }
 std::span<const Transition> transitions_outside_figure() { return kOutsideFigure; }

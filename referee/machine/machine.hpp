@@ -24,6 +24,8 @@ namespace autoref::referee {
 bool stops_play(Event event);
 bool stops_play_by_book(Event event);
 bool counts_in_play(Event event);
+// Whether the event is a foul of a side that may decide a penalty kick.
+bool may_decide_penalty(Event event);
 
 // What triggers a transition: one event, or every event of a kind (event.hpp).
 struct Trigger {
@@ -41,6 +43,7 @@ struct Trigger {
 inline constexpr Trigger kCallThatStopsPlay{"a call that stops play", stops_play};
 inline constexpr Trigger kCallByBook{"a call that stops play by the book", stops_play_by_book};
 inline constexpr Trigger kCallThatCounts{"a call that only counts", counts_in_play};
+inline constexpr Trigger kFoulInPlay{"a foul in play", may_decide_penalty};
 inline constexpr Trigger kCallInStop{"a call that may be made in a stop", may_come_in_stop};
 
 struct Transition {

@@ -8,6 +8,7 @@
 
 #include "referee/finding.hpp"
 #include "referee/geometry/ball_out.hpp"
+#include "referee/machine/ball_in_play.hpp"
 #include "soccer/robot_shape.hpp"
 #include "soccer/units.hpp"
 
@@ -17,6 +18,10 @@ namespace {
 // Minimum length of the ball's path before and after a touch for measuring its direction. Over this
 // length, noise of a few millimetres changes the direction by only a few degrees.
 constexpr double kShortest_m = 100_mm;
+// A ball slower than this does not count as moving, because of vision noise.
+constexpr double kMoves_mps = 0.2_mps;
+// Standard deviations of both positions by which a ball that has moved back exceeds the tolerance.
+constexpr double kSurelyBack = 3;
 
 bool is_by_keeper(const BallTouch& touch, Side side, const RefereeInput& input) {
   return touch.robot == RobotId{side, input.requests[side].keeper};
@@ -42,6 +47,50 @@ PenaltyFailure turned(double turn_deg, const RuleBook& rules) {
           fmt::format("The keeper turned the ball's path by {:.0f} degrees.", turn_deg)};
 }
 
+PenaltyFailure without_measure(const char* evidence) { return {0, 0, "", evidence}; }
+
+// In a shoot-out, a kick that any defender has turned back is over.
+bool is_saved(const RefereeState& state, const RefereeInput& input) {
+  const Side defender = opponent_of(*state.play.kicker);
+  return input.last_touch.side == defender && input.tracks.ball &&
+         goal_sign(defender) * input.tracks.ball->velocity_mps.x() < -kMoves_mps;
+}
+
+// Whether another robot than the keeper has played the ball after the kick.
+bool is_played_again(const RefereeState& state, const RefereeInput& input) {
+  const TouchHistory& touches = state.play.touches;
+  const Side defender = opponent_of(*state.play.kicker);
+  return touches.count() > 1 && touches.newest()->robot &&
+         is_settled(*touches.newest(), input.time_s()) &&
+         !is_by_keeper(*touches.newest(), defender, input);
+}
+
+// "The ball has to only move towards the opponent goal" (2026). The ball may come back by as much
+// as it has to move to be in play, or from a defender: then the angle decides.
+std::optional<PenaltyFailure> moved_back(const RefereeState& state, const RefereeInput& input) {
+  if (!input.ball || input.last_touch.side == opponent_of(*state.play.kicker)) return std::nullopt;
+  const double back_m = state.play.farthest_m - goalwards_m(state.play, input);
+  const double limit_m = input.configuration.rules.in_play_m +
+                         kSurelyBack * std::sqrt(2.0) * input.configuration.noise.ball_m;
+  if (!(back_m > limit_m)) return std::nullopt;
+  return PenaltyFailure{back_m, limit_m, "m",
+                        fmt::format("The ball has moved back by {:.0f} mm.", 1e3 * back_m)};
+}
+
+// Failures that only some rule books or a shoot-out have.
+std::optional<PenaltyFailure> special_failure(const RefereeState& state,
+                                              const RefereeInput& input) {
+  const bool is_2026 = input.configuration.rules.edition == Edition::kRules2026;
+  if (is_2026) {
+    if (std::optional<PenaltyFailure> back = moved_back(state, input)) return back;
+  }
+  if (state.signal.stage != Stage::kShootout) return std::nullopt;
+  if (is_saved(state, input)) return without_measure("The kick was saved.");
+  if (!is_2026 && is_played_again(state, input))
+    return without_measure("The ball was played again after the kick.");
+  return std::nullopt;
+}
+
 PenaltyFailure gone_out(const Field& field, const Vec2& ball_m) {
   const double beyond_m = std::max(std::abs(ball_m.x()) - field.half_length_m(),
                                    std::abs(ball_m.y()) - field.half_width_m());
@@ -60,13 +109,16 @@ bool is_penalty_goal(const RefereeState& state, const RefereeInput& input) {
 
 std::optional<PenaltyFailure> penalty_failure(const RefereeState& state,
                                               const RefereeInput& input) {
-  if (is_penalty_goal(state, input)) return std::nullopt;
   const Configuration& c = input.configuration;
+  if (state.play.is_decided_by_foul_of(*state.play.kicker))
+    return without_measure("The kicker's side committed a foul.");
+  if (is_penalty_goal(state, input)) return std::nullopt;
   if (input.ball && is_out_of_field(c.field, input.ball->position_m)) {
     return gone_out(c.field, input.ball->position_m);
   }
   const std::optional<double> turn_deg = turn_by_keeper_deg(state, input);
   if (turn_deg && *turn_deg >= c.rules.penalty_turn_deg) return turned(*turn_deg, c.rules);
+  if (std::optional<PenaltyFailure> special = special_failure(state, input)) return special;
   const double lasted_s = input.time_s() - state.play.began_s;
   if (!has_passed(state.play.began_s, c.rules.penalty_time_s, input.time_s())) {
     return std::nullopt;
@@ -75,13 +127,16 @@ std::optional<PenaltyFailure> penalty_failure(const RefereeState& state,
                         fmt::format("There was no goal within {:.2f} s of the signal.", lasted_s)};
 }
 
+bool is_goal_awarded(const RefereeState& state, const RefereeInput& input) {
+  return input.configuration.rules.penalty_fouls_decide &&
+         state.play.is_decided_by_foul_of(opponent_of(*state.play.kicker));
+}
+
 bool is_penalty_over(const RefereeState& state, const RefereeInput& input) {
   if (state.watch.penalty_positions.is_over || is_penalty_goal(state, input)) return true;
   if (penalty_failure(state, input)) return true;
-  const TouchHistory& touches = state.play.touches;
-  const Side defender = opponent_of(*state.play.kicker);
-  return input.configuration.rules.edition != Edition::kRules2026 && touches.count() > 1 &&
-         touches.newest()->robot && !is_by_keeper(*touches.newest(), defender, input);
+  const bool is_2026 = input.configuration.rules.edition == Edition::kRules2026;
+  return !is_2026 && is_played_again(state, input);
 }
 
 }  // namespace autoref::referee

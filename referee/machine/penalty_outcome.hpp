@@ -1,9 +1,16 @@
 // How a penalty kick ends.
 //
 // It fails if the ball goes out, if the keeper turns its path by 90 degrees or more, or 10 s after
-// the signal (2026, Penalty Kick; shoot-outs of all books). If play continues after a failed
-// penalty kick (Laws 14), the same conditions decide when the rules on penalty kicks no longer
-// apply.
+// the signal (2026, Penalty Kick; shoot-outs of all books). In 2026 it also fails if the ball does
+// not "only move towards the opponent goal".
+//
+// A foul decides the kick in 2026 ("a goal is awarded if the defending team commits any foul; a
+// goal is not awarded if the attacking team violates any rule"). In a shoot-out under the Laws, the
+// kick is over after a foul by the kicker's side, or "as soon as the kicker touches the ball after
+// he released it the first time" (appendix A).
+//
+// If play continues after a failed penalty kick (Laws 14), the same conditions decide when the
+// rules on penalty kicks no longer apply.
 #pragma once
 
 #include <optional>
@@ -16,7 +23,7 @@
 namespace autoref::referee {
 
 struct PenaltyFailure {
-  double value = 0;  // measured; threshold and unit follow
+  double value = 0;  // measured; threshold and unit follow, which is empty if nothing was measured
   double threshold = 0;
   std::string_view unit;
   std::string evidence;
@@ -24,6 +31,10 @@ struct PenaltyFailure {
 
 // Whether the ball is in the goal that the penalty kick is aimed at. Play must be a penalty kick.
 bool is_penalty_goal(const RefereeState& state, const RefereeInput& input);
+
+// Whether a foul by the defenders makes the penalty kick a goal (2026). Play must be a penalty
+// kick.
+bool is_goal_awarded(const RefereeState& state, const RefereeInput& input);
 
 // Why the penalty kick has failed; nullopt if it has not failed yet or is a goal. Play must be a
 // penalty kick.

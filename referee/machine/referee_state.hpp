@@ -2,6 +2,7 @@
 #pragma once
 
 #include <boost/container/static_vector.hpp>
+#include <limits>
 #include <optional>
 
 #include "referee/decision.hpp"
@@ -35,7 +36,14 @@ struct PlayState {
   TouchHistory touches;             // since play began
   Vec2 stuck_at_m{0, 0};            // the ball has stayed near this position since `stuck_since_s`
   double stuck_since_s = 0;
+  // At penalty kicks: how far the ball has got towards the goal, and the sides whose fouls decide.
+  double farthest_m = -std::numeric_limits<double>::infinity();
+  PerSide<bool> has_fouled;
 
+  // Whether fouls of this side, but not of the other one, decide the penalty kick.
+  bool is_decided_by_foul_of(Side side) const {
+    return has_fouled[side] && !has_fouled[opponent_of(side)];
+  }
   bool is_kickoff() const { return restart.kind == CommandKind::kPrepareKickoff; }
   bool is_penalty() const { return restart.kind == CommandKind::kPreparePenalty; }
 };

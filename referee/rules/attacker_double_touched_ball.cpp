@@ -31,6 +31,9 @@ std::optional<Finding> find_attacker_double_touched_ball(RefereeState& state,
                                                          const RefereeInput& input) {
   const PlayState& play = state.play;
   if (!play.in_play || !is_straight_from_restart(play)) return std::nullopt;
+  // "Following a kick-off or free kick" (2026); at penalty kicks, only by the Laws.
+  const bool is_2026 = input.configuration.rules.edition == Edition::kRules2026;
+  if (is_2026 && play.is_penalty()) return std::nullopt;
   if (!touches_again(play, input) && !stays_in_contact(play, input)) return std::nullopt;
   const BallTouch& again = *play.touches.newest();
   Finding finding =

@@ -1,7 +1,8 @@
 // When a penalty kick has failed (penalty_outcome.hpp), it is over, and the defenders get a goal
-// kick (2026, Penalty Kick).
+// kick. If the defenders commit a foul, a goal is awarded (2026, Penalty Kick).
 #include "referee/geometry/restarts.hpp"
 #include "referee/machine/penalty_outcome.hpp"
+#include "referee/rules/awarded_goal.hpp"
 #include "referee/rules/rule.hpp"
 
 namespace autoref::referee {
@@ -10,6 +11,7 @@ namespace {
 std::optional<Finding> find_penalty_kick_failed(RefereeState& state, const RefereeInput& input) {
   const PlayState& play = state.play;
   if (!play.is_penalty() || !play.kicker) return std::nullopt;
+  if (is_goal_awarded(state, input)) return awarded_goal(state, input);
   const std::optional<PenaltyFailure> failure = penalty_failure(state, input);
   if (!failure) return std::nullopt;
   const Configuration& c = input.configuration;

@@ -1,13 +1,17 @@
 // At a penalty kick the keeper must touch its goal line between the posts, and all other robots
 // except the kicker must be 400 mm behind the penalty mark (Laws 14) or 1 m behind the ball (2026,
-// Penalty Kick).
+// Penalty Kick). Positions are judged in the last frame before the ball is in play.
 //
-// The kick proceeds, and its outcome decides about a retake. After a breach by the kicker's side,
-// it is retaken if there was a goal, which does not count; after a breach by the defenders' side,
-// if there was no goal; after breaches by both sides, in either case. Positions are judged in the
-// last frame before the ball is in play. This is simpler than the Laws: the keeper's orientation,
-// the kick's direction and rebounds to offending robots are not judged, and a kick is complete when
-// it is a goal or a failure in the sense of rule penalty_kick_failed.
+// Laws 2014: the kick proceeds, and its outcome decides about a retake. After a breach by the
+// kicker's side, it is retaken if there was a goal, which does not count; after a breach by the
+// defenders' side, if there was no goal; after breaches by both sides, in either case. A kick is
+// complete when it is a goal or a failure in the sense of penalty_outcome.hpp.
+//
+// 2026: there are no retakes. A breach counts like a foul: it decides the kick as soon as the ball
+// is in play (rule penalty_kick_failed), unless both sides are at fault.
+//
+// This is simpler than the rule books: the keeper's orientation, the kick's direction (Laws) and
+// rebounds to offending robots are not judged.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -85,7 +89,7 @@ void watch(PenaltyPositionsWatch& watch, const RefereeState& state, const Refere
   watch.keeper = keeper_off_line(defender, input);
 }
 
-std::string evidence_of(const PenaltyPositionsWatch& watch, bool is_goal, const RuleBook& rules) {
+std::string evidence_of(const PenaltyPositionsWatch& watch, const RuleBook& rules) {
   std::string text;
   for (Side side : kSides) {
     if (!watch.others[side].any()) continue;
@@ -96,16 +100,14 @@ std::string evidence_of(const PenaltyPositionsWatch& watch, bool is_goal, const 
     text += fmt::format("the keeper {} was {} off its line, ", text_of(watch.keeper.robots.front()),
                         mm_text(watch.keeper.worst_m));
   }
-  return fmt::format("Just before the penalty kick {}and the outcome is {}.", text,
-                     is_goal ? "a goal" : "no goal");
+  return "Just before the penalty kick " + text;
 }
 
-Finding taken_again(const RefereeState& state, const RefereeInput& input, bool is_goal, bool both) {
+// A breach by `side`, or, if `both`, by each side.
+Finding breach_of(const RefereeState& state, const RefereeInput& input, Side side, bool both) {
   const PenaltyPositionsWatch& watch = state.watch.penalty_positions;
-  Finding finding =
-      finding_of(Event::kPenaltyPositions, RuleId::kPenaltyPositions, input.configuration.rules);
-  const Side attacker = *state.play.kicker;
-  const Side side = is_goal ? attacker : opponent_of(attacker);
+  const RuleBook& rules = input.configuration.rules;
+  Finding finding = finding_of(Event::kPenaltyPositions, RuleId::kPenaltyPositions, rules);
   const bool is_keepers = !watch.others[side].any();
   const PositionViolation& worst = is_keepers ? watch.keeper : watch.others[side];
   finding.value = worst.worst_m;
@@ -113,8 +115,30 @@ Finding taken_again(const RefereeState& state, const RefereeInput& input, bool i
   finding.robots.push_back(worst.robots.front());
   if (!both) finding.offender = side;
   finding.position_m = state.play.ball_from_m;
-  take_again(finding, state.play);
-  finding.evidence = evidence_of(watch, is_goal, input.configuration.rules);
+  finding.evidence = evidence_of(watch, rules);
+  return finding;
+}
+
+PerSide<bool> sides_at_fault(const RefereeState& state) {
+  const PenaltyPositionsWatch& watch = state.watch.penalty_positions;
+  const Side defender = opponent_of(*state.play.kicker);
+  PerSide<bool> sides;
+  for (const Side side : kSides) {
+    sides[side] = watch.others[side].any() || (side == defender && watch.keeper.any());
+  }
+  return sides;
+}
+
+// 2026
+std::optional<Finding> find_at_kick(const RefereeState& state, const RefereeInput& input) {
+  const PerSide<bool> at_fault = sides_at_fault(state);
+  const bool both = at_fault[Side::kWest] && at_fault[Side::kEast];
+  const bool any = at_fault[Side::kWest] || at_fault[Side::kEast];
+  if (!state.play.entered_now || !any) return std::nullopt;
+  const Side attacker = *state.play.kicker;
+  Finding finding =
+      breach_of(state, input, at_fault[attacker] ? attacker : opponent_of(attacker), both);
+  finding.evidence += "and the ball is in play.";
   return finding;
 }
 
@@ -125,18 +149,21 @@ std::optional<Finding> check(RefereeState& state, const RefereeInput& input) {
   if (watch.is_over || (!is_goal && !penalty_failure(state, input))) return std::nullopt;
   watch.is_over = true;
   const Side attacker = *state.play.kicker;
-  const bool attackers = watch.others[attacker].any();
-  const bool defenders = watch.others[opponent_of(attacker)].any() || watch.keeper.any();
-  const bool again = is_goal ? attackers : defenders;
-  const bool both = attackers && defenders;
-  if (!(again || both) || !may_be_taken_again(state)) return std::nullopt;
-  return taken_again(state, input, is_goal, both);
+  const PerSide<bool> at_fault = sides_at_fault(state);
+  const Side side = is_goal ? attacker : opponent_of(attacker);
+  const bool both = at_fault[Side::kWest] && at_fault[Side::kEast];
+  if (!(at_fault[side] || both) || !may_be_taken_again(state)) return std::nullopt;
+  Finding finding = breach_of(state, input, side, both);
+  take_again(finding, state.play);
+  finding.evidence += fmt::format("and the outcome is {}.", is_goal ? "a goal" : "no goal");
+  return finding;
 }
 
 std::optional<Finding> find_penalty_positions(RefereeState& state, const RefereeInput& input) {
   const PlayState& play = state.play;
   if (!play.is_penalty() || !play.kicker || !input.ball) return std::nullopt;
-  if (play.in_play) return check(state, input);
+  const bool decides = input.configuration.rules.penalty_fouls_decide;
+  if (play.in_play) return decides ? find_at_kick(state, input) : check(state, input);
   watch(state.watch.penalty_positions, state, input);
   return std::nullopt;
 }

@@ -1,36 +1,19 @@
-// The kicks of a shoot-out (Laws 2014, appendix A; 2026), instead of all other rules.
+// The kicks of a shoot-out (Laws 2014, appendix A; 2026). They replace the rules on goals, exits
+// and waiting; fouls are judged as in play (rules_in_shootout()).
 //
-// A kick ends with a goal, when its time is up, when the ball is out, or when a defender has saved
-// it: the defender touched the ball last, and the ball moves away from the goal. Only a goal at the
-// target end scores. Fouls during a kick are not judged.
+// A kick ends with a goal or when it has failed (penalty_outcome.hpp). Only a goal at the target
+// end scores. Each kick is a penalty kick: a foul by the kicker's side ends it without a goal, and
+// in 2026 a foul by the defenders is a goal. Under the Laws it only counts, since neither a free
+// kick nor another penalty kick can follow within a shoot-out.
 #include <fmt/format.h>
 
-#include "referee/geometry/ball_out.hpp"
+#include "referee/machine/penalty_outcome.hpp"
 #include "referee/machine/shootout.hpp"
+#include "referee/rules/awarded_goal.hpp"
 #include "referee/rules/rule.hpp"
-#include "soccer/units.hpp"
 
 namespace autoref::referee {
 namespace {
-
-// A ball slower than this does not count as moving, because of vision noise.
-constexpr double kMoves_mps = 0.2_mps;
-
-bool is_saved(const RefereeInput& input, Side kicker) {
-  if (input.last_touch.side != opponent_of(kicker) || !input.tracks.ball) return false;
-  const double goalwards = goal_sign(opponent_of(kicker));
-  return goalwards * input.tracks.ball->velocity_mps.x() < -kMoves_mps;
-}
-
-// Why the kick has failed; empty while it continues.
-std::string failure_of(const RefereeState& state, const RefereeInput& input, Side kicker) {
-  const Configuration& c = input.configuration;
-  if (input.ball && is_out_of_field(c.field, input.ball->position_m))
-    return "the ball left the field";
-  if (is_saved(input, kicker)) return "the kick was saved";
-  const bool is_late = has_passed(state.play.began_s, c.rules.penalty_time_s, input.time_s());
-  return is_late ? "the time is up" : "";
-}
 
 // Prepares the next side's kick.
 void prepare_next_kick(Finding& finding, const RefereeInput& input, Side kicker) {
@@ -38,25 +21,43 @@ void prepare_next_kick(Finding& finding, const RefereeInput& input, Side kicker)
   finding.ball_to_m = input.configuration.field.penalty_mark_at(kicker);
 }
 
+// The goal, if the kick has scored.
+std::optional<Finding> find_goal_of_kick(RefereeState& state, const RefereeInput& input) {
+  if (is_goal_awarded(state, input)) return awarded_goal(state, input);
+  std::optional<Finding> goal = kGoalRule.find(state, input);
+  if (goal && goal->restart.side != opponent_of(*state.play.kicker)) goal.reset();
+  return goal;
+}
+
+// Why the kick has failed, as the part of a sentence; empty while it continues.
+std::string failure_of(RefereeState& state, const RefereeInput& input) {
+  if (const std::optional<PenaltyFailure> failure = penalty_failure(state, input))
+    return failure->evidence;
+  if (!input.configuration.rules.has(RuleId::kChippedGoal)) return "";
+  const std::optional<Finding> chip = kChippedGoalRule.find(state, input);
+  return chip ? chip->evidence : "";
+}
+
 // kGoal or kPenaltyFailed in RUN.
 std::optional<Finding> find_kick_over(RefereeState& state, const RefereeInput& input) {
-  const RuleBook& rules = input.configuration.rules;
-  const Side kicker = state.play.kicker.value_or(next_kicker(state.shootout, input.configuration));
+  if (!state.play.kicker) return std::nullopt;  // joined in the middle
+  const Side kicker = *state.play.kicker;
   const int number = state.shootout.kicks[kicker] + 1;
-  std::optional<Finding> goal = kGoalRule.find(state, input);
-  if (goal && goal->restart.side == opponent_of(kicker)) {
+  const std::string failure = failure_of(state, input);
+  if (failure.empty()) {
+    std::optional<Finding> goal = find_goal_of_kick(state, input);
+    if (!goal) return std::nullopt;
     prepare_next_kick(*goal, input, kicker);
     goal->evidence = fmt::format("Kick {} by {}: {}", number, colour_of(kicker), goal->evidence);
     return goal;
   }
-  const std::string failure = failure_of(state, input, kicker);
-  if (failure.empty()) return std::nullopt;
+  const RuleBook& rules = input.configuration.rules;
   Finding finding = finding_of(Event::kPenaltyKickFailed, RuleId::kPenaltyKickFailed, rules);
   finding.rule = "Laws, appendix A; 2026, Shoot-Out";
   finding.value = input.time_s() - state.play.began_s;
   if (input.ball) finding.position_m = input.ball->position_m;
   prepare_next_kick(finding, input, kicker);
-  finding.evidence = fmt::format("Kick {} by {} ended after {:.2f} s: {}.", number,
+  finding.evidence = fmt::format("Kick {} by {} ended after {:.2f} s. {}", number,
                                  colour_of(kicker), finding.value, failure);
   return finding;
 }

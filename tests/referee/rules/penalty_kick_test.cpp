@@ -92,7 +92,7 @@ TEST_P(PenaltyKick, HasFailedIn2026WhenTheKeeperTurnsTheBallBack) {
 
 TEST_P(PenaltyKick, ContinuesIn2026WhenTheKeeperTurnsTheBallByLess) {
   PenaltyGame game("2026-b", kicker());
-  game.put(defender(), 0, {4.2, 0});
+  game.put(defender(), 0, {4.45, 0});
   game.whistle().kick({6, 0});
   game.run(0.7);
   game.save({0.15, 0.8});  // by 79 degrees
@@ -171,16 +171,60 @@ TEST_P(PenaltyKick, WithTheKeeperOffItsLineIsRetakenWithoutAGoal) {
   }
 }
 
-// 2026: 1 m behind the ball
-TEST_P(PenaltyKick, In2026OthersKeepOneMetreBehindTheBall) {
+// 2026: 1 m behind the ball; "a goal is awarded if the defending team commits any foul"
+TEST_P(PenaltyKick, In2026IsAGoalIfADefenderIsWithinOneMetreBehindTheBall) {
   for (const double gap_m : {0.99, 1.01}) {
     PenaltyGame game("2026-b", kicker());
     game.put(defender(), 2, behind_mark(game, gap_m));
     game.whistle().kick({5.5, 2});
     game.run(1.5);
     EXPECT_EQ(game.count("penalty_positions"), gap_m < 1 ? 1 : 0);
+    EXPECT_EQ(game.count("goal"), gap_m < 1 ? 1 : 0);
+    EXPECT_EQ(game.state.signal.goals[kicker()], gap_m < 1 ? 1 : 0);
     EXPECT_EQ(game.count("penalty_kick_failed"), gap_m < 1 ? 0 : 1);
   }
+}
+
+// "A goal is not awarded if the attacking team violates any rule"
+TEST_P(PenaltyKick, In2026FailsIfATeamMateIsWithinOneMetreBehindTheBall) {
+  for (const double gap_m : {0.99, 1.01}) {
+    PenaltyGame game("2026-b", kicker());
+    game.put(kicker(), 2, behind_mark(game, gap_m, kFrontDistance_m));
+    game.whistle().kick({6, 0.3});
+    game.run(1.5);
+    EXPECT_EQ(game.count("penalty_kick_failed"), gap_m < 1 ? 1 : 0);
+    EXPECT_EQ(game.state.signal.goals[kicker()], gap_m < 1 ? 0 : 1);
+  }
+}
+
+// If both sides break the rules, the rules do not say who wins: the kick's outcome decides.
+TEST_P(PenaltyKick, In2026IsDecidedByItsOutcomeIfBothSidesAreTooNear) {
+  for (const bool scores : {false, true}) {
+    PenaltyGame game("2026-b", kicker());
+    game.put(kicker(), 2, behind_mark(game, 0.8));
+    game.put(defender(), 2, behind_mark(game, 0.8) + Vec2(0, 0.3));
+    game.whistle().kick(scores ? Vec2(6, 0.3) : Vec2(5.5, 2));
+    game.run(2);
+    EXPECT_EQ(game.count("penalty_positions"), 1);
+    EXPECT_EQ(game.count("goal"), scores ? 1 : 0);
+    EXPECT_EQ(game.count("penalty_kick_failed"), scores ? 0 : 1);
+  }
+}
+
+// "The ball has to only move towards the opponent goal"
+TEST_P(PenaltyKick, In2026FailsIfTheBallMovesBack) {
+  PenaltyGame game("2026-b", kicker());
+  game.whistle().kick({-1, 0});
+  const Finding failed = game.run_until("penalty_kick_failed", 1);
+  EXPECT_EQ(failed.unit, "m");
+  EXPECT_NEAR(failed.value, 0.05, 0.03);
+}
+
+TEST_P(PenaltyKick, In2026GoesOnIfTheBallMovesSideways) {
+  PenaltyGame game("2026-b", kicker());
+  game.whistle().kick({0.01, 1});
+  game.run(2);
+  EXPECT_EQ(game.count("penalty_kick_failed"), 0);
 }
 
 }  // namespace

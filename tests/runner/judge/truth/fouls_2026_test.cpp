@@ -101,6 +101,9 @@ TEST(Truth2026, AGoalWithTooManyRobotsIsInvalid) {
 TEST(Truth2026, AHighBallFromThePenaltyMarkIsAGoal) {
   StagedGame game(book("2026-b"));
   put_kicker(game, {0.25, 0});
+  game.world.put_robot(kEast0, {2.98, 0.25}, {-1, 0});  // the keeper, on its line
+  game.world.put_robot(kEast1, {-1.5, -1.9}, {-1, 0});  // 1 m behind the ball
+  game.world.put_robot(kWest0, {-2.9, -0.5});
   game.command(CommandKind::kPreparePenalty, Side::kWest);
   game.command(CommandKind::kNormalStart);
   kick_ball(game, 4.5, true);
