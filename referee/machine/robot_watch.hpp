@@ -48,6 +48,7 @@ struct PushContact {
   bool is_followed = false;  // for at least one frame
   bool are_in_contact = false;
   PerSide<Vec2> from_m{{Vec2(0, 0), Vec2(0, 0)}};      // where they were when contact began
+  Vec2 ball_from_m{0, 0};                              // where the ball was then
   PerSide<Vec2> before_mps{{Vec2(0, 0), Vec2(0, 0)}};  // their velocities just before
 };
 

@@ -1,12 +1,14 @@
 // A robot drives an opponent back: holding (Laws 12), pushing (2026).
 //
 // Both must travel in the pushed robot's direction for more than 200 mm while in contact, with or
-// without the ball. A robot that already drove that way itself was not pushed.
+// without the ball. A robot that already drove that way itself was not pushed. The free kick is
+// taken from where the offence occurred (Laws), or from where the ball was when it began (2026).
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "referee/geometry/restarts.hpp"
 #include "referee/rules/rule.hpp"
 #include "soccer/robot_shape.hpp"
 
@@ -29,6 +31,7 @@ struct Push {
   RobotId pushed;
   double path_m = 0;
   Vec2 position_m{0, 0};
+  Vec2 ball_from_m{0, 0};  // where the ball was when the push began
 };
 
 // Returns null if the list of contacts is full, which cannot happen with real robots: so many pairs
@@ -46,15 +49,17 @@ PushContact* contact_of(PushingWatch& watch, int west, int east) {
   return &watch.contacts.back();
 }
 
-// Starts the contact at the robots' current positions, with their velocities in the previous frame.
+// Starts the contact at the current positions of robots and ball, with the robots' velocities in
+// the previous frame.
 void follow(PushContact& contact, const TrackedRobot& west, const TrackedRobot& east,
-            bool are_in_contact) {
+            const std::optional<BallSight>& ball, bool are_in_contact) {
   const bool lasts = are_in_contact && contact.are_in_contact;
   const bool was_seen_to_begin = are_in_contact && contact.is_followed;
   contact.is_near = contact.is_followed = true;
   contact.are_in_contact = are_in_contact;
   if (lasts) return;
   contact.from_m = {{west.position_m, east.position_m}};
+  contact.ball_from_m = ball ? ball->position_m : (west.position_m + east.position_m) / 2;
   if (!was_seen_to_begin) contact.before_mps = {{west.velocity_mps, east.velocity_mps}};
 }
 
@@ -70,7 +75,8 @@ std::optional<Push> push_by(Side side, const PushContact& contact, const Tracked
   return Push{{side, pusher.number},
               {other, pushed.number},
               path_m,
-              (pusher.position_m + pushed.position_m) / 2};
+              (pusher.position_m + pushed.position_m) / 2,
+              contact.ball_from_m};
 }
 
 // Finds the longest push. The result is nullopt if the longest pushes of both sides are equal.
@@ -110,7 +116,7 @@ std::optional<Push> watch_robots(PushingWatch& watch, const RefereeInput& input)
       if (distance_m > kNear_m) continue;
       PushContact* contact = contact_of(watch, west.number, east.number);
       if (contact == nullptr) continue;
-      follow(*contact, west, east,
+      follow(*contact, west, east, input.ball,
              distance_m > kRobotRadius_m && are_in_contact(west, east, input));
       if (!contact->are_in_contact) continue;
       longest.take_in(push_by(Side::kWest, *contact, west, east));
@@ -130,6 +136,10 @@ std::optional<Finding> find_bot_pushed_bot(RefereeState& state, const RefereeInp
   Finding finding = contact_foul_of(Event::kBotPushedBot, RuleId::kBotPushedBot, c, push->pusher,
                                     push->position_m, push->position_m);
   finding.robots.push_back(push->pushed);
+  if (c.rules.edition == Edition::kRules2026) {
+    finding.ball_to_m =
+        free_kick_position(c.field, c.rules, opponent_of(push->pusher.side), push->ball_from_m);
+  }
   finding.value = push->path_m;
   finding.evidence = fmt::format("{} pushed {} back by {:.0f} mm while they were in contact.",
                                  text_of(push->pusher), text_of(push->pushed), 1e3 * push->path_m);

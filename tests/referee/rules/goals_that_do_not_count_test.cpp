@@ -61,13 +61,19 @@ TEST(Goal, HasTheDetailsOfTheShot) {
 }
 
 TEST(FreeKickOwnGoal, IsACornerKick) {
-  for (const char* book : {"2014", "2026-b"}) {
-    ScriptedGame game = throw_in_shot(by_book(book), Side::kWest);
-    const Decision call = game.run_until("free_kick_own_goal", 1.5);
-    EXPECT_EQ(call.restart(), (Command{CommandKind::kDirectFree, Side::kEast}));
-    EXPECT_LT(game.signal.placement->target_m.x(), -2.9) << book;
-    EXPECT_EQ(game.signal.goals[Side::kEast], 0);
-  }
+  ScriptedGame game = throw_in_shot(by_book("2014"), Side::kWest);
+  const Decision call = game.run_until("free_kick_own_goal", 1.5);
+  EXPECT_EQ(call.restart(), (Command{CommandKind::kDirectFree, Side::kEast}));
+  EXPECT_LT(game.signal.placement->target_m.x(), -2.9);
+  EXPECT_EQ(game.signal.goals[Side::kEast], 0);
+}
+
+// "\"The team\" refers to the scoring team ..., not the team that kicked the ball" (2026, Scoring
+// Goals); no exception is made for free kicks.
+TEST(FreeKickOwnGoal, IsAGoalIn2026) {
+  ScriptedGame game = throw_in_shot(by_book("2026-b"), Side::kWest);
+  game.run_until("goal", 1.5);
+  EXPECT_EQ(game.signal.goals[Side::kEast], 1);
 }
 
 TEST(FreeKickOwnGoal, CountsOnceASecondRobotHasTouchedTheBall) {
