@@ -22,16 +22,19 @@ class BallOut final : public GroundTruthRule {
   void watch(const Scene& scene, TrueEvents& all) override {
     if (!scene.play.is_on) return;
     if (const auto crossing = find_crossing(scene.field, scene.before.ball, scene.now.ball)) {
-      // A penalty kick that does not score has failed, which another rule reports.
-      const bool is_failed = scene.play.is_penalty() && !crossing->into_goal &&
-                             scene.rules.has(RuleId::kPenaltyKickFailed);
-      if (!is_failed) all.push_back(event(scene, *crossing));
+      if (!is_failed_penalty(scene, *crossing)) all.push_back(event(scene, *crossing));
     } else if (scene.play.ends_now && inside_m(scene.field, scene.now.ball.position_m) >= 0) {
       foresee(scene, all);
     }
   }
 
  private:
+  // A penalty kick that does not score has failed, which another rule reports.
+  static bool is_failed_penalty(const Scene& scene, const Crossing& crossing) {
+    if (!scene.play.is_penalty() || !scene.may_penalty_fail()) return false;
+    return !crossing.into_goal || (scene.is_shootout() && crossing.end == scene.play.taker);
+  }
+
   static void foresee(const Scene& scene, TrueEvents& all) {
     // Dead reckoning: play has ended, so the true crossing will never be seen.
     sim::BallState soon = scene.now.ball;
@@ -125,7 +128,9 @@ class BallOut final : public GroundTruthRule {
       return "indirect_goal";
     }
     const bool too_high = shot_height_m(scene, scorer) > scene.rules.chip_height_m;
-    if (too_high && scene.rules.has(RuleId::kChippedGoal)) return "chipped_goal";
+    // In a shoot-out no free kick can follow, so the kick has failed.
+    if (too_high && scene.rules.has(RuleId::kChippedGoal))
+      return scene.is_shootout() ? "penalty_kick_failed" : "chipped_goal";
     const bool has_fouled = scene.time_s - scene.fouled_s[scorer] <= scene.rules.goal_after_foul_s;
     // "The restrictions defined for scoring goals ... do not apply here" (2026, Penalty Kick).
     if ((too_high || has_fouled || has_surplus(scene, scorer)) && !scene.play.is_penalty() &&

@@ -47,9 +47,7 @@ std::vector<std::unique_ptr<GroundTruthRule>> ground_truth_rules_of(const RuleBo
   if (rules.has(RuleId::kStuckBall) || rules.has(RuleId::kNoProgressInGame)) {
     makers.push_back(stuck_ball());
   }
-  if (rules.has(RuleId::kPenaltyKickFailed) || rules.has(RuleId::kPenaltyPositions)) {
-    makers.push_back(penalty());
-  }
+  makers.push_back(penalty());  // any rule book may lead to a shoot-out
   makers.push_back(positions_at_entry());
   makers.push_back(ball_out());
   // Cards come last, since they count the fouls of the frame.

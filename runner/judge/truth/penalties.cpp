@@ -146,7 +146,7 @@ class Penalty final : public GroundTruthRule {
       add_measured(all, again, excess_m, kPenaltyMargin_m);
     }
     const bool is_retaken = excess_m > 0 && !scene.rules.penalty_fouls_decide;
-    if (is_goal || is_retaken || !scene.rules.has(RuleId::kPenaltyKickFailed)) return;
+    if (is_goal || is_retaken || !scene.may_penalty_fail()) return;
     all.push_back(
         {"penalty_kick_failed", scene.time_s, attacker, std::nullopt, scene.now.ball.position_m});
   }

@@ -29,6 +29,9 @@ struct Scene {
   const PerSide<double>& fouled_s;  // time of each side's latest non-stopping foul (2026)
 
   bool is_keeper(RobotId robot) const { return keepers[robot.side] == robot.number; }
+  bool is_shootout() const { return signal.stage == Stage::kShootout; }
+  // Whether a penalty kick that does not score has failed. In shoot-outs, under all rule books.
+  bool may_penalty_fail() const { return is_shootout() || rules.has(RuleId::kPenaltyKickFailed); }
   // A team or, in its place, the simulator is bringing the ball to where the referee wants it.
   bool is_ball_being_placed() const {
     if (!signal.placement || !(play.placer || (play.is_stop && signal.placement->by_hand)))

@@ -26,7 +26,7 @@ class UntakenRestart final : public GroundTruthRule {
   void watch(const Scene& scene, TrueEvents& all) override {
     const Play& play = scene.play;
     if (!play.is_on || play.in_play || !play.taker || reported_ == play.count) return;
-    if (play.is_penalty() && scene.rules.has(RuleId::kPenaltyKickFailed)) return;
+    if (play.is_penalty() && scene.may_penalty_fail()) return;
     const double limit_s = play.is_kickoff() || play.is_penalty() ? scene.rules.restart_timeout_s
                                                                   : scene.rules.free_kick_timeout_s;
     const TrueEvent untaken{"restart_not_taken", scene.time_s, play.taker, std::nullopt,
