@@ -110,24 +110,42 @@ std::string text_of(const Splice& splice, const RefereedLog& log) {
   return text;
 }
 
-void expect_called(const Splice& splice, const fs::path& clip, const fs::path& spliced) {
-  write_spliced(clip, splice, spliced);
-  const RefereedLog log = refereed(spliced);
-  EXPECT_TRUE(std::any_of(log.decisions.begin(), log.decisions.end(),
-                          [&](const referee::Decision& d) { return is_call_of(d, splice); }))
-      << text_of(splice, log);
+// The referee may not know who touched the ball last, and then decides another restart, or another
+// foul may come first.
+bool is_noticed_by(const referee::Decision& decision, const Splice& splice) {
+  constexpr double kSameTime_s = 0.1;
+  const referee::EventEntry& event = referee::entry_of(decision.finding.event);
+  return (event.is_exit || decision.finding.event == referee::Event::kGoal ||
+          decision.finding.event == referee::Event::kInvalidGoal) &&
+         std::abs(decision.time_s - splice.call_s) < kSameTime_s;
 }
 
-// Returns the lines over which balls were spliced.
-std::set<ExitLine> expect_exits_called_in(const fs::path& clip, const TemporaryFolder& folder) {
+// Expects that the exit is noticed in time; returns whether it is also called right.
+bool expect_noticed(const Splice& splice, const fs::path& clip, const fs::path& spliced) {
+  write_spliced(clip, splice, spliced);
+  const RefereedLog log = refereed(spliced);
+  const auto decided = [&](const auto& is_such) {
+    return std::any_of(log.decisions.begin(), log.decisions.end(),
+                       [&](const referee::Decision& d) { return is_such(d, splice); });
+  };
+  EXPECT_TRUE(decided(is_noticed_by)) << text_of(splice, log);
+  return decided(is_call_of);
+}
+
+// Splices ten exits into the clip and expects that all are noticed and that at least `least` are
+// called right. Returns the lines over which balls were spliced.
+std::set<ExitLine> expect_exits_called_in(const fs::path& clip, const TemporaryFolder& folder,
+                                          int least) {
   const std::vector<BallExit> exits = exits_of_our_games(folder);
   const std::vector<Splice> splices = ten_splices(exits, refereed(clip));
   EXPECT_EQ(splices.size(), 10U) << clip;
   std::set<ExitLine> lines;
+  int right = 0;
   for (const Splice& splice : splices) {
-    expect_called(splice, clip, folder / "spliced.log");
+    right += expect_noticed(splice, clip, folder / "spliced.log") ? 1 : 0;
     lines.insert(splice.exit->line);
   }
+  EXPECT_GE(right, least) << clip;
   return lines;
 }
 
@@ -144,7 +162,8 @@ TEST(SplicedExits, IntoAClipOfOurOwnAreCalled) {
   const TemporaryFolder folder;
   const fs::path clip = folder / "clip.log";
   write_game("2026-a", "200", 1, clip);
-  EXPECT_EQ(expect_exits_called_in(clip, folder).size(), kExitLines.size());
+  // How often the last touch is known in such games is measured by autoref judge.
+  EXPECT_EQ(expect_exits_called_in(clip, folder, 6).size(), kExitLines.size());
 }
 
 // Not among the discovered tests: CMake adds it if it knows the folder.
@@ -156,7 +175,7 @@ TEST(RealClips, WithSplicedExitsAreJudgedRight) {
   for (const fs::directory_entry& entry : fs::directory_iterator(clips)) {
     if (entry.path().extension() != ".gz") continue;
     expect_no_exit_in(entry.path());
-    expect_exits_called_in(entry.path(), folder);
+    expect_exits_called_in(entry.path(), folder, 10);
     ++count;
   }
   EXPECT_GT(count, 0) << "no clip in " << clips;
