@@ -27,7 +27,26 @@ constexpr double kNewKick_mps = 1.0;  // minimum velocity change of a new kick
 constexpr double kKickTime = 0.6;
 constexpr double kKickPosition_m = 5_mm;  // standard deviation of a kick's position
 constexpr double kLeastFlight_m = 1e-3;   // minimum estimated height of a flying ball
+// A chipped ball is 0.1 m from its kicker after this time, also as the camera sees it.
+constexpr double kLeavesRobot_s = 50_ms;
+constexpr double kAtHull_m = 5_mm;        // maximum gap between ball and hull, plus the noise
+constexpr double kKickerNear_m = 100_mm;  // from its hull, in the frame after the kick
 constexpr double kLongestKick_s = 4.0;    // a chip at 5.5 m/s has stopped bouncing long before
+
+// The robot nearest to the ball, if it may have kicked it.
+std::optional<RobotId> nearest_robot(const Vec2& ball_m, const PerSide<TrackedRobots>& robots) {
+  std::optional<RobotId> nearest;
+  double nearest_m2 = square(kRobotRadius_m + kKickerNear_m);
+  for (const Side side : kSides) {
+    for (const TrackedRobot& robot : robots[side]) {
+      const double distance_m2 = (robot.position_m - ball_m).squaredNorm();
+      if (!(distance_m2 < nearest_m2)) continue;
+      nearest_m2 = distance_m2;
+      nearest = RobotId{side, robot.number};
+    }
+  }
+  return nearest;
+}
 
 }  // namespace
 
@@ -55,7 +74,7 @@ const std::optional<TrackedBall>& BallTracker::update(double time_s,
     if (seen->height_m) {
       ball_->height_m = *seen->height_m;
     } else {
-      follow_kick(*seen, time_s);
+      follow_kick(*seen, time_s, robots);
     }
   } else if (ball_->height_m > 0) {
     fly_on(duration_s);
@@ -117,6 +136,7 @@ void BallTracker::correct(const BallObservation& seen, double gap_s) {
   const bool exceeds_gate =
       motion_.normalised_innovation_squared(innovation_m) > kBallInnovationGate;
   const Vec2 from_m = ball_->position_m;
+  const Vec2 before_mps = motion_.velocity();
   if (exceeds_gate) motion_.inflate_velocity_covariance(gap_s);
   motion_.correct(innovation_m);
   if (!exceeds_gate) return;
@@ -129,12 +149,24 @@ void BallTracker::correct(const BallObservation& seen, double gap_s) {
   if (follows_kick_ && is_known) return;
   // The best estimate of the time of a kick between two detections is halfway.
   kick_s_ = updated_s_ - gap_s / 2;
-  chip_.begin({kick_s_, kKickTime * gap_s, from_m, std::max(noise_m_, kKickPosition_m)});
+  chip_.begin(
+      {kick_s_, kKickTime * gap_s, from_m, std::max(noise_m_, kKickPosition_m), before_mps});
   follows_kick_ = true;
+  kicker_.reset();
 }
 
-void BallTracker::follow_kick(const BallObservation& seen, double time_s) {
+void BallTracker::follow_kick(const BallObservation& seen, double time_s,
+                              const PerSide<TrackedRobots>& robots) {
   if (!follows_kick_) return;
+  if (!kicker_) kicker_ = nearest_robot(seen.position_m, robots);
+  if (kicker_ && time_s - kick_s_ > kLeavesRobot_s && is_at_kicker(seen.position_m, robots)) {
+    // A chipped ball would have left its kicker, which dribbles or pushes the ball instead.
+    if (ball_->height_m > 0) start(seen);
+    ball_->height_m = ball_->height_deviation_m = 0;
+    follows_kick_ = false;
+    ball_->is_height_known = true;
+    return;
+  }
   const CameraPosition& camera = seen.seen_from;
   const ChipEstimate& flight = chip_.add(
       {time_s, seen.position_m, camera.position_m, std::max(camera.height_m - kBallRadius_m, 1.0)});
@@ -151,6 +183,16 @@ void BallTracker::follow_kick(const BallObservation& seen, double time_s) {
     follows_kick_ = false;
     ball_->is_height_known = true;
   }
+}
+
+bool BallTracker::is_at_kicker(const Vec2& ball_m, const PerSide<TrackedRobots>& robots) const {
+  const double gap_m = kBallRadius_m + kAtHull_m + 2 * noise_m_;
+  for (const TrackedRobot& robot : robots[kicker_->side]) {
+    if (robot.number != kicker_->number) continue;
+    return (robot.position_m - ball_m).squaredNorm() < square(kRobotRadius_m + gap_m) &&
+           distance_to_hull(ball_m, robot.position_m, robot.heading) < gap_m;
+  }
+  return false;
 }
 
 void BallTracker::take_over(const ChipEstimate& flight) {

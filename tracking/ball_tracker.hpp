@@ -45,7 +45,9 @@ class BallTracker {
   void start(const BallObservation& seen);
   void predict(double duration_s);
   void correct(const BallObservation& seen, double gap_s);
-  void follow_kick(const BallObservation& seen, double time_s);
+  void follow_kick(const BallObservation& seen, double time_s,
+                   const PerSide<TrackedRobots>& robots);
+  bool is_at_kicker(const Vec2& ball_m, const PerSide<TrackedRobots>& robots) const;
   void take_over(const ChipEstimate& flight);
   void fly_on(double duration_s);
   void move_with_holder(const PerSide<TrackedRobots>& robots);
@@ -54,9 +56,10 @@ class BallTracker {
   double noise_m_;
   MotionFilter<2> motion_;
   ChipFlight chip_;
-  double kick_s_ = 0;          // when chip_ was started
-  bool follows_kick_ = false;  // chip_ is in use
-  double rise_mps_ = 0;        // vertical speed of the flight that chip_ detected
+  double kick_s_ = 0;              // when chip_ was started
+  bool follows_kick_ = false;      // chip_ is in use
+  std::optional<RobotId> kicker_;  // nearest to the ball in the first frame after the kick
+  double rise_mps_ = 0;            // vertical speed of the flight that chip_ detected
   std::optional<TrackedBall> ball_;
   std::optional<Holder> holder_;
   double kicked_mps_ = 0;  // speed after the last change not caused by the carpet; 0: rolling

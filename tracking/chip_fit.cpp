@@ -60,15 +60,27 @@ void CarpetSums::add_detection(double t_s, const Vec2& reported_m) {
   squares += reported_m * reported_m.transpose();
 }
 
-// The direction of the path is the regression slope. Across it the model is a line through the
-// kick's position, along it a parabola with bounded deceleration.
-double CarpetSums::misfit(double position_weight) const {
-  const Vec2 slope = rows(0, 0) * values.row(1) - rows(0, 1) * values.row(0);
-  const Vec2 along = direction_of(slope, Vec2(1, 0));
+namespace {
+
+// Misfit of a path that is straight across `along`, and a parabola with bounded deceleration along
+// it. Across, the kick's position counts with `position_weight`.
+double path_misfit(const CarpetSums& sums, const Vec2& along, double position_weight) {
   const Vec2 across = left_of(along);
-  return line_misfit(rows(0, 0) + position_weight, rows(0, 1), rows(1, 1),
-                     (values * across).head<2>(), across.dot(squares * across)) +
-         braking_misfit(rows, values * along, along.dot(squares * along));
+  return line_misfit(sums.rows(0, 0) + position_weight, sums.rows(0, 1), sums.rows(1, 1),
+                     (sums.values * across).head<2>(), across.dot(sums.squares * across)) +
+         braking_misfit(sums.rows, sums.values * along, along.dot(sums.squares * along));
+}
+
+}  // namespace
+
+// The velocity of the path is the regression slope.
+double CarpetSums::misfit(double position_weight, const Vec2& before_mps) const {
+  const double determinant = rows(0, 0) * rows(1, 1) - rows(0, 1) * rows(0, 1);
+  const Vec2 velocity_mps = (rows(0, 0) * values.row(1) - rows(0, 1) * values.row(0)) / determinant;
+  const Vec2 along = direction_of(velocity_mps, Vec2(1, 0));
+  const double straight = path_misfit(*this, along, position_weight);
+  if (before_mps.isZero(0)) return straight;
+  return std::min(straight, path_misfit(*this, direction_of(velocity_mps - before_mps, along), 0));
 }
 
 }  // namespace autoref

@@ -65,9 +65,12 @@ struct CarpetSums {
 
   void add_detection(double t_s, const Vec2& reported_m);
 
-  // Misfit of the best straight path with a constant deceleration between 0 and 11 m/s² through the
-  // kick's position, which counts with `position_weight`. Needs at least three detections.
-  double misfit(double position_weight) const;
+  // Misfit of the best path on the carpet with a constant acceleration of at most 11 m/s2: a
+  // straight one with a deceleration, through the kick's position, which counts with
+  // `position_weight`; or a curved one. A ball slides until its spin matches its velocity. If it
+  // rolled at `before_mps`, it keeps that spin at first, so the carpet accelerates it against the
+  // change of its velocity, which need not be along its path. Needs at least three detections.
+  double misfit(double position_weight, const Vec2& before_mps) const;
 };
 
 }  // namespace autoref

@@ -12,6 +12,7 @@ constexpr double kUsualSpeed_mps = 4_mps;
 constexpr double kUsualRise_mps = 2.5_mps;
 constexpr double kUsualRiseDeviation_mps = 1.25_mps;
 constexpr double kFastestRise_mps = 3.9_mps;
+constexpr double kRiseError_mps = 1.6_mps;  // of an early estimate
 
 // Duration of all bounces relative to the first flight's: a geometric series with the largest
 // restitution of the league's models, 0.57.
@@ -35,8 +36,11 @@ bool is_usual(double chi_square, int freedom) {
   return chi_square < freedom * root * root * root;
 }
 
+// No chip kicker of the league lifts the ball faster than kFastestRise_mps; a ball that seems to
+// rise faster was deflected on the carpet.
 bool is_up_at(double t_s, const FlightFit& fit) {
-  return fit.rise_mps() > 0 && fit.height_at(t_s) > 0;
+  return fit.rise_mps() > 0 && fit.rise_mps() < kFastestRise_mps + kRiseError_mps &&
+         fit.height_at(t_s) > 0;
 }
 
 // Square root of the largest eigenvalue of the 2x2 covariance: the error ellipse's major semi-axis.
@@ -161,7 +165,7 @@ void ChipFlight::decide(const BallDetection& detection) {
   fitted_ = fit.unknowns;
   misfit_ = fit.misfit / square(noise_m_);
   const double position_weight = weight_of(kick_.position_deviation_m);
-  const double carpet_misfit = carpet_.misfit(position_weight) / square(noise_m_);
+  const double carpet_misfit = carpet_.misfit(position_weight, kick_.before_mps) / square(noise_m_);
   const bool may_fly = is_usual(misfit_, 2 * detections_ - 3);
   const bool may_roll = is_usual(carpet_misfit, 2 * detections_ - 4);
   if (!may_fly && !may_roll) {

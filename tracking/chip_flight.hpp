@@ -14,6 +14,7 @@ struct KickGuess {
   double time_deviation_s = 0;  // the interval's length / sqrt(12)
   Vec2 position_m{0, 0};
   double position_deviation_m = 0;  // per coordinate, without the time's effect
+  Vec2 before_mps{0, 0};            // the ball's velocity before
 };
 
 enum class BallFlight { kUnknown, kFlying, kOnGround };

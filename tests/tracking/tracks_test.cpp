@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "soccer/random.hpp"
+#include "soccer/robot_shape.hpp"
 #include "soccer/team_view.hpp"
 #include "soccer/trigonometry.hpp"
 #include "soccer/units.hpp"
@@ -159,6 +160,32 @@ TEST(BallTracker, MovesAnOccludedBallWithTheRobotThatHeldIt) {
     const auto& ball = tracker.update(i / 60.0, std::nullopt, robots);
     const Vec2 held_m = robot.position_m + to_world({0.1, -0.01}, robot.heading);
     ASSERT_LT((ball->position_m - held_m).norm(), 1e-9) << i;
+  }
+}
+
+// A robot picks up a ball and carries it through a bend. From a camera far away, the bend could be
+// the curve of a chip.
+TEST(BallTracker, KnowsThatADribbledBallDoesNotFly) {
+  Tracker tracker({1_mm, 1_mm, 0.01});
+  RandomStream random(3);
+  Vec2 robot_m(-1, 0);
+  for (int n = 0; n < 90; ++n) {
+    const double turned_rad = n < 20 ? 0 : 0.05 * (n - 20);
+    const Vec2 heading = heading_of(turned_rad);
+    if (n > 0) robot_m += 1.2 / 60 * heading;
+    const double front_m = kFrontDistance_m + kBallRadius_m;
+    const Vec2 front = robot_m + front_m * heading;
+    const Vec2 ball_m = front.x() < -0.7 && n < 20 ? Vec2(-0.7, 0) : front;
+    const double dx_m = 1e-3 * random.normal();
+    const double dy_m = 1e-3 * random.normal();
+    Frame frame;
+    frame.number = n;
+    frame.time_s = n / 60.0;
+    frame.robots[Side::kWest].push_back({3, robot_m, heading});
+    frame.ball = BallObservation{ball_m + Vec2(dx_m, dy_m), std::nullopt, {{3, 2}, 4}};
+    const Tracks& tracks = tracker.update(frame);
+    EXPECT_EQ(tracks.ball->height_m, 0) << n;
+    EXPECT_TRUE(tracks.ball->is_height_known || n <= 30) << n;
   }
 }
 
