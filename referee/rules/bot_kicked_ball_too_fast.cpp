@@ -29,8 +29,14 @@ constexpr std::size_t kIntervals = 3;
 // earlier once it exceeds the limit by kSure standard deviations.
 constexpr std::size_t kKickDetections = 7;
 constexpr double kSure = 3;
+// If the next touch ends the path early, this many detections suffice for such a speed.
+constexpr std::size_t kFewestAtEnd = 3;
 // Standard deviations by which the mean speed in the air must exceed the limit.
 constexpr double kBeyondNoise = 2;
+// An error of an estimated height is an error of the position along the camera's ray, too, which is
+// at most as far from the vertical as from the carpet.
+constexpr double kFlightDeviation = 1.4;
+constexpr double kTouchTime_s = 8_ms;  // error of a touch's time: half a frame
 // Deceleration of a kicked ball, which slides at first: 3.0 to 3.9 m/s2 on the league's carpets.
 constexpr double kCarpet_mps2 = 3.4;
 constexpr double kCarpetDeviation_mps2 = 0.4;
@@ -84,6 +90,24 @@ Speed speed_on_carpet(const Detections& seen, double kicked_s, const Configurati
   return {motion.velocity_mps.dot(direction), motion.velocity_deviation_mps};
 }
 
+// The speed of a kick whose flight the tracker estimates, once it exceeds the limit by two standard
+// deviations. The ball's height and the time since the kick give the vertical speed; positions of
+// successive frames belong to different estimates, so their differences are not speeds.
+std::optional<double> speeding_in_flight_mps(double kicked_s, const RefereeInput& input) {
+  const Configuration& c = input.configuration;
+  const TrackedBall& ball = *input.tracks.ball;
+  const double flown_s = input.time_s() - kicked_s;
+  if (!(ball.height_m > 0) || !(flown_s > 0)) return std::nullopt;
+  const bool counts_height = c.rules.edition == Edition::kRules2026;
+  const double rise_mps = ball.height_m / flown_s + kGravity_mps2 * flown_s / 2;
+  const double speed_mps = std::hypot(ball.velocity_mps.norm(), counts_height ? rise_mps : 0);
+  const double deviation_mps = std::hypot(kFlightDeviation * ball.height_deviation_m,
+                                          counts_height ? kTouchTime_s * rise_mps : 0) /
+                               flown_s;
+  const bool is_fast = speed_mps - kBeyondNoise * deviation_mps > c.rules.kick_limit_mps;
+  return is_fast ? std::optional(speed_mps) : std::nullopt;
+}
+
 // The ball's mean speed in the air over the last three frames, if each of them may exceed the
 // limit, given the noise, and their mean certainly does.
 std::optional<double> speeding_in_air_mps(const FrameHistory& frames, double kicked_s,
@@ -121,9 +145,10 @@ bool was_as_fast(const FrameHistory& frames, double kicked_s, double speed_mps,
 std::optional<double> reported_speed_mps(const BallTouch& kick, const FrameHistory& frames,
                                          double until_s, bool is_over, const Configuration& c) {
   const Detections seen = detections_of(frames, kick.ended_s, until_s);
-  if (seen.size() <= kIntervals) return std::nullopt;
+  const bool is_long = seen.size() > kIntervals;
+  if (seen.size() < kFewestAtEnd || !(is_long || is_over)) return std::nullopt;
   const Speed speed = speed_on_carpet(seen, kick.ended_s, c);
-  const bool is_sure = is_over || seen.size() == kKickDetections ||
+  const bool is_sure = (is_long && is_over) || seen.size() == kKickDetections ||
                        speed.mps - c.rules.kick_limit_mps > kSure * speed.deviation_mps;
   if (!is_sure || was_as_fast(frames, kick.ended_s, speed.mps, c)) return std::nullopt;
   return speed.mps;
@@ -142,7 +167,9 @@ void watch(KickSpeedWatch& kick, const BallTouch& touch, const FrameHistory& fra
   const Configuration& c = input.configuration;
   std::optional<double> speed_mps;
   if (kick.is_in_air) {
-    speed_mps = speeding_in_air_mps(frames, touch.ended_s, c);
+    const bool is_estimated = input.tracks.ball && input.tracks.ball->height_deviation_m > 0;
+    speed_mps = is_estimated ? speeding_in_flight_mps(touch.ended_s, input)
+                             : speeding_in_air_mps(frames, touch.ended_s, c);
     if (speed_mps && was_as_fast(frames, touch.ended_s, *speed_mps, c)) speed_mps.reset();
   } else if (!kick.kicked_s) {
     speed_mps = reported_speed_mps(touch, frames, input.time_s(), false, c);
