@@ -3,6 +3,7 @@
 
 #include <array>
 #include <boost/container/static_vector.hpp>
+#include <cstdint>
 #include <limits>
 #include <optional>
 
@@ -14,20 +15,41 @@ namespace autoref::referee {
 
 inline constexpr double kNever_s = -std::numeric_limits<double>::infinity();
 
+// A set of robots.
+class RobotSet {
+ public:
+  bool has(RobotId robot) const { return (bits_[robot.side] >> robot.number & 1U) != 0; }
+  void add(RobotId robot) { bits_[robot.side] |= 1U << robot.number; }
+
+ private:
+  PerSide<std::uint32_t> bits_;
+};
+
 // A collision of two opponents.
 struct Collision {
   RobotId faster;
   RobotId slower;
   double closing_mps = 0;  // relative velocity just before, along the line of their centres
-  double lead_mps = 0;     // difference between their speeds
-  double angle_rad = 0;    // between their velocities; 0 if one of them stands
-  Vec2 position_m{0, 0};   // midpoint of their centres
-  Vec2 faster_m{0, 0};     // the faster one's centre
+  double closing_deviation_mps = 0;  // its standard deviation
+  double lead_mps = 0;               // difference between their speeds
+  double angle_rad = 0;              // between their velocities; 0 if one of them stands
+  Vec2 position_m{0, 0};             // midpoint of their centres
+  Vec2 faster_m{0, 0};               // the faster one's centre
+};
+
+// Two opponents that may have collided at `met_s`, by number.
+struct PairMeeting {
+  int west = 0;
+  int east = 0;
+  double met_s = 0;
 };
 
 struct CrashWatch {
-  PerSide<TrackedRobots> before;  // in the previous frame
-  double before_s = kNever_s;
+  double before_s = kNever_s;  // time of the previous frame
+  // The robots that vision saw in each of the most recent frames of play, one bit per number. Frame
+  // n (FrameHistory) is at n modulo the size.
+  std::array<PerSide<std::uint32_t>, 64> seen{};
+  boost::container::static_vector<PairMeeting, 16> meetings;  // not yet measured
   // When west robot [i] and east robot [j] were last in contact.
   std::array<std::array<double, kMaxRobots>, kMaxRobots> met_s = never_met();
   boost::container::static_vector<Collision, 8> unreported;
@@ -56,6 +78,7 @@ struct PushContact {
 // 60 pairs in contact, plus a few that are close.
 struct PushingWatch {
   boost::container::static_vector<PushContact, 3 * 2 * kMaxRobots> contacts;
+  RobotSet with_ball;  // in contact with the ball
 };
 
 struct DribblingWatch {

@@ -12,16 +12,6 @@
 
 namespace autoref::referee {
 
-// A set of robots.
-class RobotSet {
- public:
-  bool has(RobotId robot) const { return (bits_[robot.side] >> robot.number & 1U) != 0; }
-  void add(RobotId robot) { bits_[robot.side] |= 1U << robot.number; }
-
- private:
-  PerSide<std::uint32_t> bits_;
-};
-
 // Robots in forbidden positions, and the worst measured violation.
 struct PositionViolation {
   ConcernedRobots robots;

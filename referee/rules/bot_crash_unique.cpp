@@ -5,14 +5,17 @@
 // Laws of 2014 (play continues without a call), and both are under the 2026 rules.
 //
 // Robots collide when their 180 mm cylinders do. Between two flat fronts the hulls are then up to
-// 30 mm apart, but robots closing at 1.5 m/s need four times that to brake.
+// 30 mm apart, but robots closing at 1.5 m/s need four times that to brake. The collision is
+// measured a few frames later, from the frames around it (robot_collision.hpp), and called if its
+// speed exceeds the limit by one standard deviation: slower collisions are far more frequent than
+// faster ones.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "referee/rules/robot_collision.hpp"
 #include "referee/rules/rule.hpp"
-#include "referee/touch/constant_acceleration_fit.hpp"
 #include "referee/touch/frame_history.hpp"
 #include "referee/touch/touch_candidates.hpp"
 #include "soccer/robot_shape.hpp"
@@ -26,23 +29,15 @@ constexpr double kTouching_m = 2 * kRobotRadius_m;  // between the centres
 // each other a few times.
 constexpr double kApart_m = kTouching_m + 20_mm;
 constexpr double kApart_s = 200_ms;
+// Robots that came this close in a frame may have collided. They may bounce off each other between
+// two frames.
+constexpr double kMayTouch_m = kTouching_m + 12_mm;
+// The collision is looked for from kBefore_s before that frame, and measured kMeasured_s after it.
+constexpr double kBefore_s = 40_ms;
+constexpr double kMeasured_s = 60_ms;
 // Speeds this close are equal up to rounding.
 constexpr double kSame_mps = 1e-6;
-// Standard deviations of a robot's acceleration and jerk; the jerk reaches full power in three
-// frames.
-constexpr double kAcceleration_mps2 = 4;
-constexpr double kJerk_mps3 = 100;
-constexpr double kBumped_mps2 = 10;           // more than any robot can brake by itself
-constexpr int kCrashDetections = 4;           // detections needed for a fit
-constexpr double kCrashRounding_m = 0.01e-3;  // position error of a noise-free camera
-
-// The robot's track; null if vision did not see the robot in this frame.
-const TrackedRobot* find_track(const TrackedRobots& robots, int number) {
-  const auto found = std::find_if(
-      robots.begin(), robots.end(),
-      [number](const TrackedRobot& robot) { return robot.number == number && robot.is_seen; });
-  return found == robots.end() ? nullptr : &*found;
-}
+constexpr double kBeyondDeviations = 1;
 
 // Time until two robots with constant relative velocity touch; nullopt if they do not within
 // `duration_s`. `path_m` leads from one centre to the other.
@@ -60,90 +55,82 @@ std::optional<double> time_to_touch_s(const Vec2& path_m, const Vec2& velocity_m
   return time_s <= duration_s ? std::optional(time_s) : std::nullopt;
 }
 
-// A robot's motion at `now_s`: a constant-acceleration fit to its recent detections. Old detections
-// get less weight, because robots may start to brake at any time. Falls back to the filtered track
-// if detections are few, the robot has just been hit, or vision is noisy.
-ConstantAcceleration motion_of(const FrameHistory& frames, Side side, const TrackedRobot& track,
-                               double now_s, const VisionNoise& noise) {
-  ConstantAccelerationFit fit(Vec2(0, 0), kAcceleration_mps2);
-  int detections = 0;
-  for (std::size_t back = 0; frames.ball(back) != nullptr; ++back) {
-    const double time_s = frames.ball(back)->time_s;  // of the frame
-    if (time_s > now_s) continue;
-    const PerSide<SeenRobots> robots = frames.robots_at(time_s);
-    const RobotObservation* seen = find_robot(robots[side], track.number);
-    if (seen == nullptr) continue;
-    const double ago_s = now_s - time_s;
-    // The model's error: a jerk j that the fit does not know displaces the robot by j t^3 / 6.
-    const double strayed_m = kJerk_mps3 * ago_s * ago_s * ago_s / 6;
-    const double deviation_m = std::sqrt(strayed_m * strayed_m + noise.robot_m * noise.robot_m +
-                                         kCrashRounding_m * kCrashRounding_m);
-    fit.add(-ago_s, seen->position_m, deviation_m);
-    ++detections;
-  }
-  ConstantAcceleration motion =
-      detections < kCrashDetections ? ConstantAcceleration{} : fit.motion();
-  const bool is_steady = motion.acceleration_mps2.norm() < kBumped_mps2;
-  if (detections >= kCrashDetections && is_steady && noise.robot_m == 0) return motion;
-  return {track.position_m, track.velocity_mps, Vec2(0, 0), 0};
-}
-
 // From 0 to pi; 0 if one velocity is zero.
 double angle_between_rad(const Vec2& a_mps, const Vec2& b_mps) {
   const double across = a_mps.x() * b_mps.y() - a_mps.y() * b_mps.x();
   return atan2_exact(std::abs(across), a_mps.dot(b_mps));
 }
 
-// The collision of two robots `at_s` after the last frame, from their motions there.
-Collision collision_of(const PerSide<ConstantAcceleration>& motions, int west, int east,
-                       double at_s) {
-  const Vec2 west_m = motions[Side::kWest].position_after(at_s);
-  const Vec2 east_m = motions[Side::kEast].position_after(at_s);
-  const Vec2 west_mps = motions[Side::kWest].velocity_after(at_s);
-  const Vec2 east_mps = motions[Side::kEast].velocity_after(at_s);
-  const Vec2 line = direction_of(east_m - west_m, Vec2(1, 0));
+// The frames of play in which vision saw a robot.
+bool was_seen(const CrashWatch& watch, std::int64_t frame, Side side, int number) {
+  const auto& seen = watch.seen[static_cast<std::size_t>(frame) % watch.seen.size()];
+  return (seen[side] >> static_cast<unsigned>(number) & 1U) != 0;
+}
+
+void note_seen(CrashWatch& watch, const RefereeInput& input) {
+  const auto frame = static_cast<std::size_t>(input.frames.newest());
+  auto& seen = watch.seen[frame % watch.seen.size()];
+  for (const Side side : kSides) {
+    seen[side] = 0;
+    for (const TrackedRobot& robot : input.tracks.robots[side]) {
+      if (robot.is_seen) seen[side] |= 1U << static_cast<unsigned>(robot.number);
+    }
+  }
+}
+
+// The robots in the most recent frames. Vision may have missed a robot whose position the frame
+// extrapolates; that is not a detection.
+PairPath path_of(const CrashWatch& watch, const FrameHistory& frames, const PairMeeting& pair) {
+  PairPath path;
+  const PerSide<int> numbers{{pair.west, pair.east}};
+  const auto kept = static_cast<std::int64_t>(std::min(path.capacity(), watch.seen.size()));
+  for (std::int64_t n = std::max<std::int64_t>(1, frames.newest() - kept + 1); n <= frames.newest();
+       ++n) {
+    PairSample sample{frames[n].time_s, {}};
+    for (const Side side : kSides) {
+      const RobotObservation* robot = find_robot(frames[n].robots[side], numbers[side]);
+      if (robot == nullptr || !was_seen(watch, n, side, numbers[side])) continue;
+      sample.position_m[side] = robot->position_m;
+    }
+    path.push_back(sample);
+  }
+  return path;
+}
+
+Collision collision_of(const MeasuredCollision& measured, const PairMeeting& pair) {
+  const Vec2& west_mps = measured.velocity_mps[Side::kWest];
+  const Vec2& east_mps = measured.velocity_mps[Side::kEast];
   const double lead_mps = west_mps.norm() - east_mps.norm();
   Collision collision;
-  collision.faster = {Side::kWest, west};
-  collision.slower = {Side::kEast, east};
-  collision.faster_m = lead_mps < 0 ? east_m : west_m;
+  collision.faster = {Side::kWest, pair.west};
+  collision.slower = {Side::kEast, pair.east};
   if (lead_mps < 0) std::swap(collision.faster, collision.slower);
-  collision.closing_mps = (west_mps - east_mps).dot(line);
+  collision.faster_m = measured.position_m[collision.faster.side];
+  collision.closing_mps = measured.closing_mps;
+  collision.closing_deviation_mps = measured.closing_deviation_mps;
   collision.lead_mps = std::abs(lead_mps);
   collision.angle_rad = angle_between_rad(west_mps, east_mps);
-  collision.position_m = (west_m + east_m) / 2;
+  collision.position_m = (measured.position_m[Side::kWest] + measured.position_m[Side::kEast]) / 2;
   return collision;
 }
 
-// The collision of two robots in this frame; nullopt if they do not collide, or if their collision
-// is already known.
-std::optional<Collision> intersection(CrashWatch& watch, const FrameHistory& frames,
-                                      const RefereeInput& input, const TrackedRobot& west,
-                                      const TrackedRobot& east) {
+// Whether these robots may just have collided, for the first time since they were apart.
+bool have_met(CrashWatch& watch, const RefereeInput& input, const TrackedRobot& west,
+              const TrackedRobot& east) {
   double& met_s =
       watch.met_s[static_cast<std::size_t>(west.number)][static_cast<std::size_t>(east.number)];
-  const double distance_m = (east.position_m - west.position_m).norm();
+  const Vec2 path_m = east.position_m - west.position_m;
+  const double distance_m = path_m.norm();
   if (!has_passed(met_s, kApart_s, input.time_s())) {
     if (distance_m <= kApart_m) met_s = input.time_s();
-    return std::nullopt;
+    return false;
   }
-  const TrackedRobot* west_before = find_track(watch.before[Side::kWest], west.number);
-  const TrackedRobot* east_before = find_track(watch.before[Side::kEast], east.number);
-  const bool is_new = west_before == nullptr || east_before == nullptr;
-  const double duration_s = input.time_s() - watch.before_s;
-  std::optional<double> at_s;
-  if (!is_new) {
-    at_s = time_to_touch_s(east_before->position_m - west_before->position_m,
-                           east_before->velocity_mps - west_before->velocity_mps, duration_s);
-  }
-  if (!at_s && distance_m > kTouching_m) return std::nullopt;
-  met_s = input.time_s();
-  if (is_new) return std::nullopt;
-  const VisionNoise& noise = input.configuration.noise;
-  const PerSide<ConstantAcceleration> motions{
-      {motion_of(frames, Side::kWest, *west_before, watch.before_s, noise),
-       motion_of(frames, Side::kEast, *east_before, watch.before_s, noise)}};
-  return collision_of(motions, west.number, east.number, at_s.value_or(duration_s));
+  const double frame_s = input.time_s() - watch.before_s;
+  const bool may_touch =
+      distance_m <= kMayTouch_m ||
+      time_to_touch_s(path_m, east.velocity_mps - west.velocity_mps, frame_s).has_value();
+  if (may_touch) met_s = input.time_s();
+  return may_touch;
 }
 
 bool is_drawn(const Collision& collision, const RuleBook& rules) {
@@ -152,23 +139,47 @@ bool is_drawn(const Collision& collision, const RuleBook& rules) {
 
 bool is_foul(const Collision& collision, const RuleBook& rules) {
   const bool is_called = rules.edition == Edition::kRules2026 || !is_drawn(collision, rules);
-  return is_called && collision.closing_mps > rules.crash_mps;
+  const double surely_mps =
+      collision.closing_mps - kBeyondDeviations * collision.closing_deviation_mps;
+  return is_called && surely_mps > rules.crash_mps;
 }
 
-void watch_robots(CrashWatch& watch, const FrameHistory& frames, const RefereeInput& input) {
+// Measures the collisions whose following frames have been seen.
+void measure(CrashWatch& watch, const RefereeInput& input) {
+  const auto is_due = [&input](const PairMeeting& pair) {
+    return has_passed(pair.met_s, kMeasured_s, input.time_s());
+  };
+  for (const PairMeeting& pair : watch.meetings) {
+    if (!is_due(pair)) continue;
+    const PairPath path = path_of(watch, input.frames, pair);
+    const std::optional<MeasuredCollision> measured = measure_collision(
+        {path.data(), path.size()}, pair.met_s - kBefore_s, input.configuration.noise);
+    if (!measured) continue;
+    const Collision collision = collision_of(*measured, pair);
+    if (!is_foul(collision, input.configuration.rules)) continue;
+    if (watch.unreported.size() < watch.unreported.capacity()) {
+      watch.unreported.push_back(collision);
+    }
+  }
+  const auto due = std::remove_if(watch.meetings.begin(), watch.meetings.end(), is_due);
+  watch.meetings.erase(due, watch.meetings.end());
+}
+
+void watch_robots(CrashWatch& watch, const RefereeInput& input) {
   constexpr double kNear_m = 2 * kTouching_m;
+  note_seen(watch, input);
   for (const TrackedRobot& west : input.tracks.robots[Side::kWest]) {
     for (const TrackedRobot& east : input.tracks.robots[Side::kEast]) {
       // The extrapolated position of an unseen robot is no evidence of a collision.
       if (!west.is_seen || !east.is_seen) continue;
       if ((east.position_m - west.position_m).squaredNorm() > kNear_m * kNear_m) continue;
-      const std::optional<Collision> met = intersection(watch, frames, input, west, east);
-      if (!met || !is_foul(*met, input.configuration.rules)) continue;
-      if (watch.unreported.size() < watch.unreported.capacity()) watch.unreported.push_back(*met);
+      if (!have_met(watch, input, west, east)) continue;
+      if (watch.meetings.size() == watch.meetings.capacity()) continue;
+      watch.meetings.push_back({west.number, east.number, input.time_s()});
     }
   }
-  watch.before = input.tracks.robots;
   watch.before_s = input.time_s();
+  measure(watch, input);
 }
 
 Finding drawn_finding(const Collision& crash, const RuleBook& rules) {
@@ -212,11 +223,10 @@ std::optional<Collision> take_worst(CrashWatch& watch, const RuleBook& rules) {
   return std::nullopt;
 }
 
-// Collisions are reported one frame late, when they are certain.
 std::optional<Finding> find_bot_crash_unique(RefereeState& state, const RefereeInput& input) {
   const RuleBook& rules = input.configuration.rules;
+  watch_robots(state.watch.bot_crash_unique, input);
   const std::optional<Collision> worst = take_worst(state.watch.bot_crash_unique, rules);
-  watch_robots(state.watch.bot_crash_unique, input.frames, input);
   if (!worst) return std::nullopt;
   const Collision& crash = *worst;
   Finding finding = is_drawn(crash, rules) ? drawn_finding(crash, rules)

