@@ -10,6 +10,7 @@
 
 #include "referee/geometry/restarts.hpp"
 #include "referee/rules/rule.hpp"
+#include "referee/touch/ball_contact.hpp"
 #include "soccer/robot_shape.hpp"
 
 namespace autoref::referee {
@@ -19,8 +20,6 @@ namespace {
 // do not overlap, but noisy detections may.
 constexpr double kInContact_m = 2 * kRobotRadius_m + 5_mm;
 constexpr double kNear_m = 2 * kRobotRadius_m + 60_mm;
-// Largest gap between the ball's surface and each hull if the ball is between the robots.
-constexpr double kAtBall_m = 5_mm;
 // A robot that previously drove away from the pusher faster than this was not pushed.
 constexpr double kOwnSpeed_mps = 0.1_mps;
 // Pushes that differ by less than this count as equally long (rounding).
@@ -97,18 +96,29 @@ class LongestPush {
 
 // Robots push each other with their hulls, or through the ball between them (2026: "if both robots
 // keep contact to the ball").
-bool are_in_contact(const TrackedRobot& west, const TrackedRobot& east, const RefereeInput& input) {
+bool are_in_contact(const TrackedRobot& west, const TrackedRobot& east, const RobotSet& with_ball) {
   if ((east.position_m - west.position_m).norm() < kInContact_m) return true;
-  if (!input.ball) return false;
-  const Vec2& ball_m = input.ball->position_m;
-  const auto has_ball = [&](const TrackedRobot& robot) {
-    return distance_to_hull(ball_m, robot.position_m, robot.heading) - kBallRadius_m < kAtBall_m;
-  };
-  return has_ball(west) && has_ball(east);
+  return with_ball.has({Side::kWest, west.number}) && with_ball.has({Side::kEast, east.number});
+}
+
+// The robots in contact with the ball; `had_ball` are those of the previous frame.
+RobotSet robots_with_ball(const RobotSet& had_ball, const RefereeInput& input) {
+  RobotSet with_ball;
+  if (!input.tracks.ball) return with_ball;
+  const TrackedBall& ball = *input.tracks.ball;
+  for (const Side side : kSides) {
+    for (const TrackedRobot& robot : input.tracks.robots[side]) {
+      if ((robot.position_m - ball.position_m).squaredNorm() > square(kNear_m)) continue;
+      const RobotId id{side, robot.number};
+      if (has_ball(robot, ball, had_ball.has(id), input.configuration.noise)) with_ball.add(id);
+    }
+  }
+  return with_ball;
 }
 
 std::optional<Push> watch_robots(PushingWatch& watch, const RefereeInput& input) {
   LongestPush longest;
+  watch.with_ball = robots_with_ball(watch.with_ball, input);
   for (PushContact& contact : watch.contacts) contact.is_near = false;
   for (const TrackedRobot& west : input.tracks.robots[Side::kWest]) {
     for (const TrackedRobot& east : input.tracks.robots[Side::kEast]) {
@@ -117,7 +127,7 @@ std::optional<Push> watch_robots(PushingWatch& watch, const RefereeInput& input)
       PushContact* contact = contact_of(watch, west.number, east.number);
       if (contact == nullptr) continue;
       follow(*contact, west, east, input.ball,
-             distance_m > kRobotRadius_m && are_in_contact(west, east, input));
+             distance_m > kRobotRadius_m && are_in_contact(west, east, watch.with_ball));
       if (!contact->are_in_contact) continue;
       longest.take_in(push_by(Side::kWest, *contact, west, east));
       longest.take_in(push_by(Side::kEast, *contact, east, west));
