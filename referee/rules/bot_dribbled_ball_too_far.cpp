@@ -18,15 +18,8 @@ struct Dribble {
   bool is_tied = false;  // with a robot of the other side
 };
 
-// The newest touch, if it is by this robot and may go on.
-const BallTouch* touch_by(RobotId robot, const TouchHistory& touches) {
-  const BallTouch* touch = touches.newest();
-  return touch != nullptr && touch->robot == robot && !touch->apart_s ? touch : nullptr;
-}
-
 // Records where the ball was when each robot gained it.
-void watch_side(DribblingWatch& watch, const RefereeInput& input, const TouchHistory& touches,
-                Side side) {
+void watch_side(DribblingWatch& watch, const RefereeInput& input, Side side) {
   const auto former = watch.ball_from_m[side];
   auto& ball_from_m = watch.ball_from_m[side];
   ball_from_m.fill(std::nullopt);
@@ -34,11 +27,9 @@ void watch_side(DribblingWatch& watch, const RefereeInput& input, const TouchHis
   for (const TrackedRobot& robot : input.tracks.robots[side]) {
     const auto number = static_cast<std::size_t>(robot.number);
     const bool had = former[number].has_value();
-    const BallTouch* touch = touch_by({side, robot.number}, touches);
-    // has_ball() has hysteresis: `had` widens its limits, so noise does not end a dribble. The
-    // first contact is often between two frames, and only the ball's path shows it.
-    if (!has_ball(robot, ball, had || touch != nullptr, input.configuration.noise)) continue;
-    ball_from_m[number] = had ? former[number] : touch ? touch->began_m : ball.position_m;
+    // has_ball() has hysteresis: `had` widens its limits, so noise does not end a dribble.
+    if (!has_ball(robot, ball, had, input.configuration.noise)) continue;
+    ball_from_m[number] = had ? former[number] : ball.position_m;
   }
 }
 
@@ -66,7 +57,7 @@ std::optional<Finding> find_bot_dribbled_ball_too_far(RefereeState& state,
                                                       const RefereeInput& input) {
   if (!input.tracks.ball) return std::nullopt;
   DribblingWatch& watch = state.watch.bot_dribbled_ball_too_far;
-  for (const Side side : kSides) watch_side(watch, input, state.play.touches, side);
+  for (const Side side : kSides) watch_side(watch, input, side);
   const Configuration& c = input.configuration;
   const Vec2& ball_m = input.tracks.ball->position_m;
   const Dribble dribble = longest_dribble(watch, ball_m);

@@ -14,6 +14,7 @@ constexpr double kCylinders_m = 2 * kRobotRadius_m;  // between the centres of r
 
 constexpr double kFittedFor_s = 200_ms;
 constexpr int kFewestDetections = 4;
+constexpr double kFasterThanAnyRobot_mps = 15;  // at higher speeds the robot was relocated
 constexpr double kUnknownJerk_mps3 = 30;
 // Prior of the acceleration: robots mostly brake before they run into something.
 constexpr double kBraking_mps2 = 2;
@@ -29,13 +30,30 @@ constexpr std::size_t kFramesAfter = 3;
 constexpr double kContactError_m = 1_mm;
 constexpr double kContactDeviations = 2.5;
 
+// The first sample for the fit that ends with path[last]: at most kFittedFor_s before it, and after
+// the robot was last relocated.
+std::size_t first_sample(std::span<const PairSample> path, std::size_t last, Side side) {
+  std::size_t first = last;
+  const PairSample* later = nullptr;
+  for (std::size_t i = last + 1; i-- > 0;) {
+    if (path[last].time_s - path[i].time_s > kFittedFor_s) break;
+    first = i;
+    if (!path[i].position_m[side]) continue;
+    if (later != nullptr) {
+      const double moved_m = (*later->position_m[side] - *path[i].position_m[side]).norm();
+      if (moved_m > kFasterThanAnyRobot_mps * (later->time_s - path[i].time_s)) return i + 1;
+    }
+    later = &path[i];
+  }
+  return first;
+}
+
 // The robot's motion at the time of path[last]; nullopt if it was hardly seen.
 std::optional<ConstantAcceleration> motion_before(std::span<const PairSample> path,
                                                   std::size_t last, Side side,
                                                   const VisionNoise& noise) {
   const double now_s = path[last].time_s;
-  std::size_t first = last;
-  while (first > 0 && now_s - path[first - 1].time_s <= kFittedFor_s) --first;
+  const std::size_t first = first_sample(path, last, side);
   const auto is_seen = [side](const PairSample& s) { return s.position_m[side].has_value(); };
   const auto window = path.subspan(first, last + 1 - first);
   if (std::count_if(window.begin(), window.end(), is_seen) < kFewestDetections) {

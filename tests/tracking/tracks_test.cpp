@@ -163,7 +163,7 @@ TEST(BallTracker, MovesAnOccludedBallWithTheRobotThatHeldIt) {
   }
 }
 
-// A robot picks up a ball and carries it through a bend. From a camera far away, the bend could be
+// A robot carries a ball through a bend. From a camera far away, the bend could be
 // the curve of a chip.
 TEST(BallTracker, KnowsThatADribbledBallDoesNotFly) {
   Tracker tracker({1_mm, 1_mm, 0.01});
@@ -185,7 +185,6 @@ TEST(BallTracker, KnowsThatADribbledBallDoesNotFly) {
     frame.ball = BallObservation{ball_m + Vec2(dx_m, dy_m), std::nullopt, {{3, 2}, 4}};
     const Tracks& tracks = tracker.update(frame);
     EXPECT_EQ(tracks.ball->height_m, 0) << n;
-    EXPECT_TRUE(tracks.ball->is_height_known || n <= 30) << n;
   }
 }
 

@@ -153,7 +153,7 @@ TEST(Crash, IsCalledOnceWhileRobotsBounceOffEachOther) {
 // With this noise the speed is known to 0.08 m/s, and the call allows for as much.
 TEST(Crash, IsNeitherMissedNorInventedUnderNoise) {
   for (int i = 0; i < 20; ++i) {
-    const double start = 0.05 * i;
+    const double start = -0.05 * i;  // the moment between two frames
     Approach run{1.95, 0, 0.0013};
     EXPECT_EQ(crash("2014", run, start).calls(Event::kBotCrashUnique).size(), 1U) << i;
     run.west_mps = 1.25;

@@ -73,6 +73,15 @@ TEST(RobotCollision, IgnoresFramesInWhichARobotIsNotSeen) {
   EXPECT_FALSE(measured(path));
 }
 
+// Somebody puts the robot on the field, or vision confuses two robots.
+TEST(RobotCollision, IgnoresWhereARobotWasBeforeItWasRelocated) {
+  PairPath path = path_of([](double t) { return bounce_m(t, 1.8, 2); });
+  for (std::size_t i = 0; i < 8; ++i) *path[i].position_m[Side::kEast] += Vec2(1, 0);
+  const auto collision = measured(path);
+  ASSERT_TRUE(collision);
+  EXPECT_NEAR(collision->closing_mps, 1.8, 0.03);
+}
+
 TEST(RobotCollision, IsTheSameFromTheOtherEnd) {
   const PairPath path = path_of([](double t) { return bounce_m(t, 1.8, 2); });
   PairPath mirrored;
