@@ -146,11 +146,15 @@ void note_foul(RefereeState& state, const RefereeInput& input, const Finding& fi
 }
 
 // Rule penalty_kick_failed, or the rule on shoot-outs, reports what follows from the fouls.
-void note_foul_in_penalty(RefereeState& state, const RefereeInput& input, const Finding& finding) {
-  book(state, input, finding);
+void note_foul_at_kick(RefereeState& state, const Finding& finding) {
   for (const Side side : kSides) {
     if (!finding.offender || *finding.offender == side) state.play.has_fouled[side] = true;
   }
+}
+
+void note_foul_in_penalty(RefereeState& state, const RefereeInput& input, const Finding& finding) {
+  book(state, input, finding);
+  note_foul_at_kick(state, finding);
 }
 
 void allow_more_time(RefereeState& state, const RefereeInput& input, const Finding& finding) {

@@ -24,6 +24,8 @@ void place_ball(RefereeState& state, const Vec2& target_m);
 void end_play(RefereeState& state);
 // The side that takes the restart which `command` starts; nullopt for a force start.
 std::optional<Side> kicker_of(const RefereeState& state, const Command& command);
+// At a penalty kick: the side at fault, or both, has fouled.
+void note_foul_at_kick(RefereeState& state, const Finding& finding);
 
 void begin(RefereeState& state, const RefereeInput& input, const Finding& finding);
 void prepare_first_kickoff(RefereeState& state, const RefereeInput& input, const Finding& finding);

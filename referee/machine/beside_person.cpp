@@ -10,6 +10,7 @@
 #include "referee/machine/actions.hpp"
 #include "referee/machine/ball_in_play.hpp"
 #include "referee/machine/cards.hpp"
+#include "referee/machine/guards.hpp"
 #include "referee/machine/machine.hpp"
 #include "referee/machine/retakes.hpp"
 #include "soccer/units.hpp"
@@ -179,6 +180,11 @@ void note_call(RefereeState& state, const RefereeInput& input, const Finding& fi
   count_foul(state, input, finding);
 }
 
+void note_call_in_penalty(RefereeState& state, const RefereeInput& input, const Finding& finding) {
+  count_foul(state, input, finding);
+  note_foul_at_kick(state, finding);
+}
+
 // The person's command is in force again.
 void resume_play(RefereeState& state, const RefereeInput& input, const Finding& /*finding*/) {
   state.signal.command = state.person.given->command;
@@ -205,6 +211,8 @@ constexpr Action kFollowStop{"follow; play ends", follow_stop};
 constexpr Action kFollowHalt{"follow; play ends", follow_halt};
 constexpr Action kEmitStop{"report the call; send STOP", emit_stop};
 constexpr Action kNoteCall{"report the call; count the foul", note_call};
+constexpr Action kNoteCallInPenalty{"report the call; it decides the penalty kick",
+                                    note_call_in_penalty};
 constexpr Action kResumePlay{"the person's command is in force again", resume_play};
 constexpr Action kJoinPlay{"join play", join_play};
 
@@ -222,6 +230,10 @@ constexpr std::array kBesidePerson = {
         State::kRun, "AutoRef", ""},
   Transition{"join", State::kInit, Event::kBegin, kNobodyCommands, kJoinPlay,
         State::kRun, "AutoRef", ""},
+  Transition{"penalty_positions", State::kRun, Event::kPenaltyPositions, kFoulsDecidePenalty,
+        kNoteCallInPenalty, State::kRun, "2026", ""},
+  Transition{"", State::kRun, kFoulInPlay, kFoulsDecideKick, kNoteCallInPenalty,
+        State::kRun, "2026; Laws, appendix A", ""},
   Transition{"", State::kRun, kCallThatStopsPlay, kPersonCommands, kEmitStop,
         State::kCalled, "paper 5", ""},
   Transition{"", State::kRun, kCallByBook, kPersonCommandsFoulsStop, kEmitStop,

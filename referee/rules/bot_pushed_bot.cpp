@@ -20,6 +20,9 @@ namespace {
 // do not overlap, but noisy detections may.
 constexpr double kInContact_m = 2 * kRobotRadius_m + 5_mm;
 constexpr double kNear_m = 2 * kRobotRadius_m + 60_mm;
+// Largest gap between the ball's surface and each hull if the ball comes between the robots. It
+// stays between them until it is visibly apart from one (ball_contact.hpp).
+constexpr double kAtBall_m = 5_mm;
 // A robot that previously drove away from the pusher faster than this was not pushed.
 constexpr double kOwnSpeed_mps = 0.1_mps;
 // Pushes that differ by less than this count as equally long (rounding).
@@ -110,7 +113,10 @@ RobotSet robots_with_ball(const RobotSet& had_ball, const RefereeInput& input) {
     for (const TrackedRobot& robot : input.tracks.robots[side]) {
       if ((robot.position_m - ball.position_m).squaredNorm() > square(kNear_m)) continue;
       const RobotId id{side, robot.number};
-      if (has_ball(robot, ball, had_ball.has(id), input.configuration.noise)) with_ball.add(id);
+      const double gap_m =
+          distance_to_hull(ball.position_m, robot.position_m, robot.heading) - kBallRadius_m;
+      const bool had = had_ball.has(id) || gap_m < kAtBall_m;
+      if (has_ball(robot, ball, had, input.configuration.noise)) with_ball.add(id);
     }
   }
   return with_ball;

@@ -302,6 +302,33 @@ TEST(BesideAPerson, NoCardIsShown) {
   EXPECT_EQ(game.signal.yellow_cards[Side::kWest], 0);
 }
 
+// "A goal is awarded if the defending team commits any foul" (2026, Penalty Kick); play goes on.
+TEST(BesideAPerson, AFoulByTheDefendersAtAPenaltyKickIsAGoal) {
+  Configuration configuration = commanded_by(Control::kHuman);
+  configuration.rules = *find_rule_book("2026-b");
+  ScriptedGame game(configuration);
+  game.placement_works = false;
+  game.line_up().run(0.1);
+  Person person(game);
+  const Vec2 mark_m = configuration.field.penalty_mark_at(Side::kEast);
+  game.put_ball(mark_m);
+  game.robot(Side::kWest, 1).position_m = mark_m - Vec2(kFrontDistance_m + kBallRadius_m, 0);
+  person.gives(CommandKind::kPreparePenalty, Side::kWest);
+  game.run(0.5);
+  person.gives(CommandKind::kNormalStart);
+  game.robot(Side::kWest, 2).position_m = {-2, 0};
+  for (int i = 0; i < ScriptedGame::kRate_hz && game.count("goal") == 0; ++i) {
+    game.robot(Side::kEast, 2).position_m = {-2, 2.5 - i * 2.5 / ScriptedGame::kRate_hz};
+    game.step();
+  }
+  EXPECT_EQ(game.count("bot_crash_unique"), 1);
+  ASSERT_EQ(game.count("goal"), 1);
+  const Decision& goal = game.decisions.back();
+  EXPECT_EQ(goal.from, State::kRun);
+  EXPECT_EQ(goal.to, State::kCalled);
+  EXPECT_EQ(goal.finding.restart.side, Side::kEast);
+}
+
 TEST(WithoutCommands, PlayIsOnFromTheFirstFrame) {
   ScriptedGame game(commanded_by(Control::kNone));
   game.line_up();
