@@ -65,6 +65,11 @@ class LiveGame:
         return json.loads(subprocess.run(command, stdout=subprocess.PIPE, check=True, timeout=LONGEST_S).stdout)
 
 
+def are_answered(counts, teams=2):
+    """Whether the simulator answered every packet. When the game ended, the last one of each team may have been on its way."""
+    return 0 <= counts["sent"] - counts["answers"] <= teams
+
+
 def counted(program):
     """What a program printed when the game was over."""
     output, _ = program.communicate(timeout=60)

@@ -187,6 +187,7 @@ TEST_F(JudgedRun, IsReportedAsAPage) {
 }
 
 TEST_F(JudgedRun, GivesEachFaultAnIdThatReplaysItsGame) {
+  write_file("rules: [2026-b]\n");
   judge(whole_);
   const std::vector<std::string> ids = fault_ids(whole_);
   ASSERT_GT(ids.size(), 1U);
