@@ -37,6 +37,8 @@ struct Configuration {
   AfterGame after_game = AfterGame::kHalt;
   Control control = Control::kAutoref;
   PlacedBy placement = PlacedBy::kSimulator;
+  // Fouls of which the referee is less sure than this are not called (machine/confidence.hpp).
+  double least_confidence = 0;
   VisionNoise noise;      // noise in the vision frames
   TouchParameters touch;  // thresholds of the touch detector
 };

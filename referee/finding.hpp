@@ -1,7 +1,9 @@
 // What a rule found: the event, the restart it leads to, and the evidence.
 #pragma once
 
+#include <array>
 #include <boost/container/static_vector.hpp>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,6 +15,10 @@
 #include "soccer/side.hpp"
 
 namespace autoref::referee {
+
+// What the confidence in a call depends on (machine/confidence.hpp).
+inline constexpr std::size_t kConfidenceFeatures = 5;
+using ConfidenceFeatures = std::array<double, kConfidenceFeatures>;
 
 using ConcernedRobots = boost::container::static_vector<RobotId, 4>;
 
@@ -33,6 +39,10 @@ struct Finding {
   Vec2 ball_to_m{0, 0};            // where the ball is placed for the restart
   std::string evidence;            // one human-readable sentence
   EventDetails details;            // for the league's game event
+  // The probability, from 0 to 1, that the call is right (machine/confidence.hpp). 1 for findings
+  // that are not calls.
+  double confidence = 1;
+  ConfidenceFeatures confidence_features{};  // what it was computed from
 };
 
 }  // namespace autoref::referee

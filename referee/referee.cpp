@@ -11,6 +11,7 @@
 #include "referee/machine/ball_in_play.hpp"
 #include "referee/machine/ball_placement.hpp"
 #include "referee/machine/beside_person.hpp"
+#include "referee/machine/confidence.hpp"
 #include "referee/machine/decision_of.hpp"
 #include "referee/machine/machine.hpp"
 #include "referee/machine/readiness.hpp"
@@ -349,7 +350,10 @@ class Referee::Impl {
     return true;
   }
 
-  void decide(const RefereeInput& input, const Finding& finding) {
+  void decide(const RefereeInput& input, const Finding& found) {
+    Finding finding = found;
+    add_confidence(finding, state_, input);
+    if (found.is_foul && finding.confidence < configuration_.least_confidence) return;
     if (configuration_.control != Control::kAutoref && state_.machine_state == State::kRun &&
         is_called_already(state_, input, finding)) {
       return;

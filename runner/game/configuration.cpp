@@ -81,6 +81,7 @@ referee::Configuration referee_configuration(const GameConfiguration& game) {
   configuration.halves = game.match.halves;
   configuration.break_s = game.match.break_s;
   configuration.knockout = game.match.knockout;
+  configuration.least_confidence = game.match.least_confidence;
   configuration.after_game = game.match.after_game;
   configuration.control = game.match.control == referee::Control::kGameController
                               ? referee::Control::kHuman

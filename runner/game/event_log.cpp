@@ -72,6 +72,7 @@ void add_measurement(Json& json, const referee::Finding& finding) {
   json["value"] = is_measured ? Json(finding.value) : Json();
   json["threshold"] = is_measured ? Json(finding.threshold) : Json();
   json["unit"] = text_or_null(finding.unit);
+  json["confidence"] = referee::is_call(finding.event) ? Json(finding.confidence) : Json();
 }
 
 void add_position(Json& json, const referee::Decision& d) {

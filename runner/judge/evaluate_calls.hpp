@@ -11,8 +11,10 @@ struct JudgedGame {
   CallEvaluation evaluation;
 };
 
-// Plays a game and compares its referee's calls with the true events. Throws as play() does.
+// Plays a game and compares its referee's calls with the true events. `beside` gets the referee's
+// decisions, too. Throws as play() does.
 JudgedGame evaluate_calls(const GameConfiguration& configuration,
-                          const TeamMaker& make_team = make_registered_team);
+                          const TeamMaker& make_team = make_registered_team,
+                          Observer* beside = nullptr);
 
 }  // namespace autoref::runner

@@ -64,7 +64,7 @@ void add_empty_tallies(const JudgeSchedule& schedule, const std::string& rules,
                        std::vector<CameraTally>& tallies) {
   for (const std::string& camera : schedule.cameras) {
     for (const NamedSeed& seed : schedule.seeds) {
-      tallies.push_back({seed.name, rules, camera, 0, 0, {}, {}, {}});
+      tallies.push_back({seed.name, rules, camera, 0, 0, {}, {}, {}, {}});
     }
   }
 }

@@ -117,6 +117,25 @@ const Tallies& tallies_with(const JudgeReport& report, const std::string& rules)
   return rules == kAllRules ? report.pooled : report.tallies;
 }
 
+void add_reliability(const JudgeReport& report, const std::string& seeds, TableRows& rows) {
+  Reliability all;
+  for (const CameraTally& tally : report.tallies) {
+    if (tally.seeds == seeds) all.add(tally.reliability);
+  }
+  for (std::size_t i = 0; i < Reliability::kFrom.size(); ++i) {
+    const ReliabilityBand& band = all.band(i);
+    if (band.calls == 0) continue;
+    const bool is_last = i + 1 == Reliability::kFrom.size();
+    const double to = is_last ? 1 : Reliability::kFrom[i + 1];
+    rows.push_back(
+        with_seeds(report, {fmt::format("{:.2f} to {:.2f}", Reliability::kFrom[i], to)}, seeds));
+    const Cells cells = {std::to_string(band.calls),
+                         fmt::format("{:.1f} %", 100 * band.confidence_sum / band.calls),
+                         percent(band.right, band.calls)};
+    rows.back().insert(rows.back().end(), cells.begin(), cells.end());
+  }
+}
+
 // Delays by camera need no rule books: those of a single book are in its own table.
 const Tallies& widest_tallies(const JudgeReport& report) {
   return report.pooled.empty() ? report.tallies : report.pooled;
@@ -136,6 +155,9 @@ const char* const kDelaysCaption =
     "From the event to the right call. Before event: calls that came before an event that did "
     "happen; their delays are negative. Early: calls of events that could no longer happen, since "
     "play was stopped.";
+const char* const kReliabilityCaption =
+    "Calls by the referee's confidence (`confidence` in event logs). If it is well calibrated, the "
+    "proportion of right calls is the mean confidence.";
 
 std::vector<std::string> books_in(const JudgeReport& report) {
   std::vector<std::string> books = names_in(report.tallies, &CameraTally::rules);
@@ -144,6 +166,13 @@ std::vector<std::string> books_in(const JudgeReport& report) {
 }
 
 // The events of a rule book in the referee's order, with one row per camera and seed.
+JudgeTable reliability_table(const JudgeReport& report) {
+  JudgeTable table = table_of(report, {"confidence"}, {"calls", "mean confidence", "right"});
+  for (const std::string& seeds : names_in(report.tallies, &CameraTally::seeds))
+    add_reliability(report, seeds, table.rows);
+  return table;
+}
+
 JudgeTable events_table(const JudgeReport& report, const std::string& rules) {
   Cells heads;
   for (const Measure& measure : measures()) heads.emplace_back(measure.head);

@@ -20,6 +20,7 @@ struct JudgeTable {
 extern const char* const kIntervalsCaption;
 extern const char* const kLastTouchCaption;
 extern const char* const kDelaysCaption;
+extern const char* const kReliabilityCaption;
 
 std::vector<std::string> books_in(const JudgeReport& report);
 
@@ -39,6 +40,9 @@ JudgeTable last_touch_table(const JudgeReport& report);
 
 // Delays of all right calls by camera.
 JudgeTable delays_table(const JudgeReport& report);
+
+// How many calls were right, by the referee's confidence, with all rule books and cameras.
+JudgeTable reliability_table(const JudgeReport& report);
 
 // All measures of a rule book's events; of kAllRules, those of pooled events.
 JudgeTable events_table(const JudgeReport& report, const std::string& rules);

@@ -121,8 +121,10 @@ void CameraTally::add(const GameRecord& record, const CallEvaluation& evaluation
     ++void_games;
     return;
   }
-  for (const ground_truth::Verdict& verdict : evaluation.verdicts)
+  for (const ground_truth::Verdict& verdict : evaluation.verdicts) {
     events[verdict.name].add(verdict);
+    reliability.add(verdict);
+  }
   add_touches(evaluation.last_touch, last_touch);
   add_touches(evaluation.contested_touch, contested_touch);
 }
@@ -133,6 +135,7 @@ void CameraTally::add(const CameraTally& other) {
   for (const auto& [name, tally] : other.events) events[name].add(tally);
   add_touches(other.last_touch, last_touch);
   add_touches(other.contested_touch, contested_touch);
+  reliability.add(other.reliability);
 }
 
 EventTally touch_tally(const std::array<LastTouchTally, 2>& by_team) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "runner/game/game.hpp"
+#include "runner/judge/reliability.hpp"
 #include "runner/results/call_evaluation.hpp"
 #include "runner/statistics/interval.hpp"
 
@@ -70,6 +71,7 @@ struct CameraTally {
   // By the team that truly touched the ball: at all exits, and at contested ones.
   std::array<LastTouchTally, 2> last_touch;
   std::array<LastTouchTally, 2> contested_touch;
+  Reliability reliability;
 
   void add(const GameRecord& record, const CallEvaluation& evaluation);
   void add(const CameraTally& other);

@@ -28,10 +28,12 @@ struct Verdict {
   std::optional<Side> offender;   // nullopt if the event has none
   double delay_s = 0;             // from the event to a correct call
   std::optional<double> error_m;  // position error of a correct call
-  bool is_early = false;          // correct by luck: the call came before the event
-  bool is_borderline = false;     // the truth was near the threshold
-  bool is_in_air = false;         // the ball was in the air
-  bool is_second = false;         // wrong because the event had already been called
+  // Of the call: how sure the referee was, from 0 to 1; nullopt if nothing was called.
+  std::optional<double> confidence;
+  bool is_early = false;       // correct by luck: the call came before the event
+  bool is_borderline = false;  // the truth was near the threshold
+  bool is_in_air = false;      // the ball was in the air
+  bool is_second = false;      // wrong because the event had already been called
 };
 
 }  // namespace ground_truth

@@ -53,7 +53,8 @@ std::string line_of(const ground_truth::Verdict& verdict) {
                    fmt::format("{:.4f}", verdict.time_s),
                    verdict.offender ? std::string(name_of(*verdict.offender)) : "",
                    fmt::format("{:.4f}", verdict.delay_s),
-                   verdict.error_m ? fmt::format("{:.4f}", *verdict.error_m) : ""});
+                   verdict.error_m ? fmt::format("{:.4f}", *verdict.error_m) : "",
+                   verdict.confidence ? fmt::format("{:.4f}", *verdict.confidence) : ""});
 }
 
 std::optional<Outcome> outcome_in(const std::string& cell) {
@@ -87,8 +88,10 @@ bool add_verdict(const Cells& cells, CallEvaluation& evaluation) {
   verdict.time_s = *time_s;
   verdict.delay_s = *delay_s;
   verdict.error_m = number_in(cells[7]);
+  verdict.confidence = number_in(cells[8]);
   if (!read_side(cells[5], verdict.offender)) return false;
   if (!verdict.error_m && !cells[7].empty()) return false;
+  if (!verdict.confidence && !cells[8].empty()) return false;
   evaluation.verdicts.push_back(std::move(verdict));
   return true;
 }
@@ -116,7 +119,7 @@ bool add_touches(const Cells& cells, TeamTouches& by_team) {
 }
 
 bool add_entry(const Cells& cells, CallEvaluation& evaluation) {
-  if (cells[0] == kVerdict && cells.size() == 8) return add_verdict(cells, evaluation);
+  if (cells[0] == kVerdict && cells.size() == 9) return add_verdict(cells, evaluation);
   if (cells[0] == kLastTouch && cells.size() == 5) return add_touches(cells, evaluation.last_touch);
   if (cells[0] == kContestedTouch && cells.size() == 5)
     return add_touches(cells, evaluation.contested_touch);

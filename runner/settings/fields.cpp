@@ -75,6 +75,8 @@ void list_match(GameSettings& game, Branch to) {
   to.word("control", match.control, {"autoref", "human", "none", "game-controller"},
           "who commands the game; human and none only in recorded games, game-controller only in "
           "play");
+  to.number("least_confidence", match.least_confidence, {0, 1}, "",
+            "fouls of which the referee is less sure than this are not called");
   to.word("placement", match.placement, {"simulator", "teams"},
           "who places the ball for free kicks and force starts");
   to.number("extra_half_s", match.extra_half_s, positive(36000), "s",

@@ -69,6 +69,7 @@ struct MatchSettings {
   OnTeamFault on_team_fault = OnTeamFault::kVoid;
   referee::Control control = referee::Control::kAutoref;
   referee::PlacedBy placement = referee::PlacedBy::kSimulator;
+  double least_confidence = 0;  // of the referee in a foul that it calls
   Side a_plays = Side::kWest;
   Side first_kickoff = Side::kWest;
 };

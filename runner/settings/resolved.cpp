@@ -29,6 +29,7 @@ MatchConfiguration resolved(const MatchSettings& settings) {
   match.on_team_fault = settings.on_team_fault;
   match.control = settings.control;
   match.placement = settings.placement;
+  match.least_confidence = settings.least_confidence;
   match.a_plays = settings.a_plays;
   match.first_kickoff = settings.first_kickoff;
   return match;

@@ -111,6 +111,7 @@ class Matcher {
     verdict.name = call.name;
     verdict.delay_s = call.time_s - event.time_s;
     verdict.is_early = event.standing == Standing::kPrevented;
+    verdict.confidence = call.confidence;
     if (call.position_m && event.position_m) {
       verdict.error_m = (*call.position_m - *event.position_m).norm();
     }
@@ -124,6 +125,7 @@ class Matcher {
     verdict.time_s = call.time_s;
     verdict.offender = call.offender;
     verdict.is_in_air = call.is_in_air;
+    verdict.confidence = call.confidence;
     verdict.is_borderline = nearest(call, Standing::kNearMiss, false).has_value();
     const std::optional<std::size_t> answered = nearest(call, Standing::kTrue, true);
     // A call that fits an event already answered is a second call for it, not a false alarm.
@@ -177,6 +179,8 @@ std::optional<Call> call_of(const Decision& decision) {
               decision.finding.robots.empty() ? std::nullopt
                                               : std::optional(decision.finding.robots.front()),
               decision.finding.position_m,
+              referee::is_call(decision.finding.event) ? std::optional(decision.finding.confidence)
+                                                       : std::nullopt,
               ended_play,
               false};
 }

@@ -30,6 +30,7 @@ struct Call {
   std::optional<Side> offender;  // as in TrueEvent; nullopt if the call does not say
   std::optional<RobotId> robot;
   std::optional<Vec2> position_m;
+  std::optional<double> confidence;  // nullopt for cards
   bool ended_play = false;
   bool is_in_air = false;  // true state of the ball at the time of the call
 };

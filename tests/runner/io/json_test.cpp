@@ -46,7 +46,7 @@ TEST(DecisionJson, WritesNullForUnknownValues) {
       R"({"time_s": 0, "stage": "FIRST_HALF_PRE", "clock_s": null, "clock_left_s": null, )"
       R"("score": {"yellow": 0, "blue": 0}, "shootout": null, "transition": "T1", "from": "INIT", "to": "INIT", "command": null, )"
       R"("event": "begin", "league_event": null, "rule": "paper 4.2", "value": null, "threshold": null, )"
-      R"("unit": null, "robots": [], "offender": null, "card": null, "card_reason": null, )"
+      R"("unit": null, "confidence": null, "robots": [], "offender": null, "card": null, "card_reason": null, )"
       R"("position_m": null, "yellow_defends": "west", "restart": null, "last_touch": null, "evidence": null, )"
       R"("shootout_kick": null, "teams": {"yellow": {"team": null, "name": null}, )"
       R"("blue": {"team": null, "name": null}}})");

@@ -183,9 +183,9 @@ TEST(CallEvaluation, ReadsBackEqualFromItsText) {
 }
 
 TEST(CallEvaluation, IsRefusedIfTheTextIsNotOne) {
-  for (const char* text :
-       {"q,1\\n", "v,goal,9,,1.0,,0.0,\\n", "v,goal,0,,1.0,north,0.0,\\n",
-        "v,goal,0,,1.0,,0.0,x\\n", "t,a,1,2\\n", "c,a,1,2,x\\n", "t,a,1,2,x\\n", "t,c,1,2,3\\n"})
+  for (const char* text : {"q,1\\n", "v,goal,9,,1.0,,0.0,,\\n", "v,goal,0,,1.0,north,0.0,,\\n",
+                           "v,goal,0,,1.0,,0.0,x,\\n", "v,goal,0,,1.0,,0.0,,x\\n", "t,a,1,2\\n",
+                           "c,a,1,2,x\\n", "t,a,1,2,x\\n", "t,c,1,2,3\\n"})
     EXPECT_FALSE(evaluation_in(text)) << text;
 }
 
@@ -198,11 +198,12 @@ TEST(CallEvaluation, IsWrittenInAFixedForm) {
   missed.is_borderline = true;
   ground_truth::Verdict overtaken = verdict(ground_truth::Outcome::kOvertaken);
   overtaken.error_m = 0.25;
+  overtaken.confidence = 0.9;
   evaluation.verdicts = {missed, overtaken};
   evaluation.last_touch[1].wrong = 2;
   evaluation.contested_touch[1].wrong = 1;
   EXPECT_EQ(text_of(evaluation),
-            "v,goal,2,b,1.5000,east,0.0000,\\nv,goal,3,,0.0000,,0.0000,0.2500\\n"
+            "v,goal,2,b,1.5000,east,0.0000,,\\nv,goal,3,,0.0000,,0.0000,0.2500,0.9000\\n"
             "t,a,0,0,0\\nt,b,0,2,0\\nc,a,0,0,0\\nc,b,0,1,0\\n");
 }
 

@@ -1,0 +1,37 @@
+// How sure the referee is of a call: a logistic model of what vision shows about it. Its
+// coefficients (confidence.def) were fitted to calls of simulated games that ground truth has
+// judged, by scripts/fit-confidence; results/reference/judge shows how well they hold for games
+// that they were not fitted to.
+#pragma once
+
+#include <array>
+
+#include "referee/event.hpp"
+#include "referee/finding.hpp"
+#include "referee/machine/referee_state.hpp"
+#include "referee/referee_input.hpp"
+
+namespace autoref::referee {
+
+using ConfidenceCoefficients = std::array<double, kConfidenceFeatures>;
+
+// The features, in this order, each from 0 to 1:
+// - always 1;
+// - vision noise: the combined standard deviation of ball and robots, 1 from 20 mm on;
+// - margin: |value - threshold| / (|value| + |threshold|) of what was measured; 0 without a
+//   measurement;
+// - contest: exp(-t / 0.1 s), where t is the time between the last touches of the two sides; 0 if
+//   only one has touched the ball;
+// - rival: 1 if the next best candidate for the last touch is of the other side.
+ConfidenceFeatures confidence_features(const Finding& finding, const RefereeState& state,
+                                       const RefereeInput& input);
+
+// The probability, from 0 to 1, that a call with these features is right.
+double confidence_by(const ConfidenceCoefficients& coefficients,
+                     const ConfidenceFeatures& features);
+
+// Sets the finding's confidence, and what it was computed from. Findings that are not calls keep a
+// confidence of 1.
+void add_confidence(Finding& finding, const RefereeState& state, const RefereeInput& input);
+
+}  // namespace autoref::referee
