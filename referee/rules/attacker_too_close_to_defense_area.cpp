@@ -3,7 +3,8 @@
 //
 // Deviation D9: judged when the ball enters play from a restart, as in the Laws; a rule in force at
 // all times would forbid attacking. The kicking side is judged first, so that the order of the
-// sides never decides between two offenders.
+// sides never decides between two offenders; under the Laws, it is the only one judged (law 9, "a
+// member of the kicker's team").
 //
 // 2026, Attacker Too Close To Defense Area: during stop and free kicks, robots keep 0.2 m away from
 // the opponents' defence area. They have 2 s to leave after the start of the stop. After that, a
@@ -52,7 +53,9 @@ std::optional<Finding> find_attacker_too_close_to_defense_area(RefereeState& sta
   if (!state.play.entered_now || !state.play.kicker) return std::nullopt;
   const double least_m = c.rules.attacker_to_area_m;
   std::optional<Offence> offence = nearest_of(*state.play.kicker, least_m, input);
-  if (!offence) offence = nearest_of(opponent_of(*state.play.kicker), least_m, input);
+  if (!offence && c.rules.edition != Edition::kLaws2014) {
+    offence = nearest_of(opponent_of(*state.play.kicker), least_m, input);
+  }
   if (!offence) return std::nullopt;
   Finding finding =
       offence_of(Event::kAttackerTooCloseToDefenseArea, RuleId::kAttackerTooCloseToDefenseArea, c,

@@ -3,34 +3,15 @@
 // give it a yellow card and the opponents an indirect free kick (law 12; 2026, Defender In Defense
 // Area).
 //
-// A defender in contact with an opponent may have been pushed there, and vision cannot show who
-// pushed, so it is not blamed.
+// No rule book makes an exception for a defender pushed there by an opponent.
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 
 #include "referee/geometry/area.hpp"
 #include "referee/rules/area_touches.hpp"
 #include "referee/rules/rule.hpp"
-#include "soccer/robot_shape.hpp"
 
 namespace autoref::referee {
 namespace {
-
-// Largest gap between bodies in contact; three standard deviations of both positions are added.
-constexpr double kContact_m = 5_mm;
-constexpr double kSurely = 3;
-
-bool is_in_contact_with_opponent(RobotId id, const RobotObservation& robot,
-                                 const RefereeInput& input) {
-  const double noise_m = kSurely * std::sqrt(2.0) * input.configuration.noise.robot_m;
-  const double near_m = 2 * kRobotRadius_m + kContact_m + noise_m;
-  const auto& others = input.frame.robots[opponent_of(id.side)];
-  return std::any_of(others.begin(), others.end(), [&](const RobotObservation& other) {
-    return (other.position_m - robot.position_m).norm() <= near_m;
-  });
-}
 
 Finding entirely(const BallTouch& touch, const RefereeInput& input, double out_m) {
   const Configuration& c = input.configuration;
@@ -61,9 +42,7 @@ std::optional<Finding> check_defender(RefereeState& /*state*/, const BallTouch& 
   const int keeper = input.requests[*touch.side].keeper;
   if (keeper < 0 || touch.robot->number == keeper) return std::nullopt;
   const double distance_m = hull_to_area_m(c.field, *touch.side, *touch.toucher);
-  if (!(distance_m < 0) || is_in_contact_with_opponent(*touch.robot, *touch.toucher, input)) {
-    return std::nullopt;
-  }
+  if (!(distance_m < 0)) return std::nullopt;
   const double out_m = hull_out_of_area_m(c.field, *touch.side, *touch.toucher);
   const bool is_entirely = out_m < 0;
   if (!is_entirely && c.rules.edition == Edition::kRules2026) return std::nullopt;
