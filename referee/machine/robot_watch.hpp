@@ -72,6 +72,8 @@ struct PushContact {
   PerSide<Vec2> from_m{{Vec2(0, 0), Vec2(0, 0)}};      // where they were when contact began
   Vec2 ball_from_m{0, 0};                              // where the ball was then
   PerSide<Vec2> before_mps{{Vec2(0, 0), Vec2(0, 0)}};  // their velocities just before
+  // Whether a robot that was driven back far enough to be pushed had driven that way itself.
+  PerSide<bool> drove_itself{{false, false}};
 };
 
 // Contacts between round robots of two sides form a bipartite planar graph: 32 robots have at most

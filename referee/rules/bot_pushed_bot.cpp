@@ -1,8 +1,10 @@
 // A robot drives an opponent back: holding (Laws 12), pushing (2026).
 //
-// Both must travel in the pushed robot's direction for more than 200 mm while in contact, with or
-// without the ball. A robot that already drove that way itself was not pushed. The free kick is
-// taken from where the offence occurred (Laws), or from where the ball was when it began (2026).
+// Both must travel in the pushed robot's direction for more than 200 mm while in contact with each
+// other or, in 2026, both with the ball. A robot that already drove that way itself was not pushed:
+// that is decided once in a contact, when the 200 mm are complete, because the line between robots
+// that slide along each other turns. The free kick is taken from where the offence occurred (Laws),
+// or from where the ball was when it began (2026).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -60,20 +62,23 @@ void follow(PushContact& contact, const TrackedRobot& west, const TrackedRobot& 
   contact.is_near = contact.is_followed = true;
   contact.are_in_contact = are_in_contact;
   if (lasts) return;
+  contact.drove_itself = {{false, false}};
   contact.from_m = {{west.position_m, east.position_m}};
   contact.ball_from_m = ball ? ball->position_m : (west.position_m + east.position_m) / 2;
   if (!was_seen_to_begin) contact.before_mps = {{west.velocity_mps, east.velocity_mps}};
 }
 
-// How far `side`'s robot has driven the other one back, if it has.
-std::optional<Push> push_by(Side side, const PushContact& contact, const TrackedRobot& pusher,
-                            const TrackedRobot& pushed) {
+// How far `side`'s robot has pushed the other one back, if that is farther than `limit_m`.
+std::optional<Push> push_by(Side side, PushContact& contact, const TrackedRobot& pusher,
+                            const TrackedRobot& pushed, double limit_m) {
   const Side other = opponent_of(side);
   const Vec2 line = direction_of(pushed.position_m - pusher.position_m, Vec2(1, 0));
-  if (contact.before_mps[other].dot(line) > kOwnSpeed_mps) return std::nullopt;
   // The shorter of the two paths, because a push moves both robots along the line of their centres.
   const double path_m = std::min((pusher.position_m - contact.from_m[side]).dot(line),
                                  (pushed.position_m - contact.from_m[other]).dot(line));
+  if (!(path_m > limit_m)) return std::nullopt;
+  if (contact.before_mps[other].dot(line) > kOwnSpeed_mps) contact.drove_itself[other] = true;
+  if (contact.drove_itself[other]) return std::nullopt;
   return Push{{side, pusher.number},
               {other, pushed.number},
               path_m,
@@ -97,10 +102,12 @@ class LongestPush {
   bool is_tied_ = false;
 };
 
-// Robots push each other with their hulls, or through the ball between them (2026: "if both robots
-// keep contact to the ball").
-bool are_in_contact(const TrackedRobot& west, const TrackedRobot& east, const RobotSet& with_ball) {
+// Robots push each other with their hulls or, in 2026, through the ball between them ("if both
+// robots keep contact to the ball").
+bool are_in_contact(const TrackedRobot& west, const TrackedRobot& east, const RobotSet& with_ball,
+                    Edition edition) {
   if ((east.position_m - west.position_m).norm() < kInContact_m) return true;
+  if (edition != Edition::kRules2026) return false;
   return with_ball.has({Side::kWest, west.number}) && with_ball.has({Side::kEast, east.number});
 }
 
@@ -123,6 +130,7 @@ RobotSet robots_with_ball(const RobotSet& had_ball, const RefereeInput& input) {
 }
 
 std::optional<Push> watch_robots(PushingWatch& watch, const RefereeInput& input) {
+  const RuleBook& rules = input.configuration.rules;
   LongestPush longest;
   watch.with_ball = robots_with_ball(watch.with_ball, input);
   for (PushContact& contact : watch.contacts) contact.is_near = false;
@@ -133,10 +141,11 @@ std::optional<Push> watch_robots(PushingWatch& watch, const RefereeInput& input)
       PushContact* contact = contact_of(watch, west.number, east.number);
       if (contact == nullptr) continue;
       follow(*contact, west, east, input.ball,
-             distance_m > kRobotRadius_m && are_in_contact(west, east, watch.with_ball));
+             distance_m > kRobotRadius_m &&
+                 are_in_contact(west, east, watch.with_ball, rules.edition));
       if (!contact->are_in_contact) continue;
-      longest.take_in(push_by(Side::kWest, *contact, west, east));
-      longest.take_in(push_by(Side::kEast, *contact, east, west));
+      longest.take_in(push_by(Side::kWest, *contact, west, east, rules.pushing_m));
+      longest.take_in(push_by(Side::kEast, *contact, east, west, rules.pushing_m));
     }
   }
   const auto is_over = [](const PushContact& contact) { return !contact.is_near; };
@@ -148,7 +157,7 @@ std::optional<Push> watch_robots(PushingWatch& watch, const RefereeInput& input)
 std::optional<Finding> find_bot_pushed_bot(RefereeState& state, const RefereeInput& input) {
   const Configuration& c = input.configuration;
   const std::optional<Push> push = watch_robots(state.watch.bot_pushed_bot, input);
-  if (!push || push->path_m <= c.rules.pushing_m) return std::nullopt;
+  if (!push) return std::nullopt;
   Finding finding = contact_foul_of(Event::kBotPushedBot, RuleId::kBotPushedBot, c, push->pusher,
                                     push->position_m, push->position_m);
   finding.robots.push_back(push->pushed);

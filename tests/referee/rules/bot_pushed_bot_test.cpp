@@ -44,6 +44,26 @@ TEST(Pushing, IsNotCalledIfTheOpponentDrivesAwayItself) {
   EXPECT_TRUE(push("2014", 0.4, 0.3).calls(Event::kBotPushedBot).empty());
 }
 
+// The pusher slides round the opponent, so that the opponent's former motion is across their line.
+TEST(Pushing, IsNotCalledLaterInTheContactIfTheOpponentDroveAwayItself) {
+  DrivenGame game(by_book("2014"));
+  game.put(kWest0, {0.39, -0.8}, {-0.3, 0});
+  game.put(kEast0, {0.63, -0.8}, {-0.5, 0});
+  game.run(0.3);
+  game.drive(kWest0, {-0.5, 0});
+  game.run(0.5);
+  const Vec2 west_m{0.05, -0.8};
+  game.put(kWest0, west_m, {0, 0});
+  for (int step = 1; step <= 18; ++step) {
+    game.put(kEast0, west_m + 0.18 * heading_of(step * 3.14159265 / 36), {0, 0});
+    game.run(0.0167);
+  }
+  game.drive(kWest0, {0, -0.5});
+  game.drive(kEast0, {0, -0.5});
+  game.run(0.6);
+  EXPECT_TRUE(game.calls(Event::kBotPushedBot).empty());
+}
+
 TEST(Pushing, EndsWhenTheRobotsSeparate) {
   DrivenGame game(by_book("2014"));
   game.put(kWest0, {0.3, -0.8}, {0, 0});
