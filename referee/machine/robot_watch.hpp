@@ -49,10 +49,11 @@ struct CrashWatch {
   // The robots that vision saw in each of the most recent frames of play, one bit per number. Frame
   // n (FrameHistory) is at n modulo the size.
   std::array<PerSide<std::uint32_t>, 64> seen{};
-  boost::container::static_vector<PairMeeting, 16> meetings;  // not yet measured
+  boost::container::static_vector<PairMeeting, kMaxRobots * kMaxRobots>
+      meetings;  // not yet measured; holds every pair, so that none is favoured
   // When west robot [i] and east robot [j] were last in contact.
   std::array<std::array<double, kMaxRobots>, kMaxRobots> met_s = never_met();
-  boost::container::static_vector<Collision, 8> unreported;
+  boost::container::static_vector<Collision, 32> unreported;
 
  private:
   static constexpr std::array<std::array<double, kMaxRobots>, kMaxRobots> never_met() {

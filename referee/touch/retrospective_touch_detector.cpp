@@ -4,10 +4,15 @@
 #include <cmath>
 
 #include "referee/touch/hypothesis_tracker.hpp"
+#include "referee/touch/touch_candidates.hpp"
 #include "referee/touch/touch_hypothesis.hpp"
+#include "soccer/robot_shape.hpp"
 
 namespace autoref::referee {
 namespace {
+
+// Distances that differ by less are equal: rounding differs between the two ends of the field.
+constexpr double kNearer_m = 0.05e-3;
 
 // The result if either side may have made the last touch.
 LastTouch unknown_touch(const LastTouch& west, const LastTouch& east) {
@@ -16,6 +21,28 @@ LastTouch unknown_touch(const LastTouch& west, const LastTouch& east) {
   touch.gap_m = std::min(west.gap_m, east.gap_m);
   touch.speed_change_mps = std::max(west.speed_change_mps, east.speed_change_mps);
   return touch;
+}
+
+// Distance from the ball's centre to the hull of the robot that made the touch, at the first
+// detection not before `since_s`; kNever if there is none, or if the robot is unknown.
+double distance_after_m(const FrameHistory& frames, const LastTouch& touch, double since_s) {
+  const std::int64_t number = frames.first_detection(since_s);
+  if (!touch.robot || number > frames.newest()) return kNever;
+  const StoredFrame& frame = frames[number];
+  const RobotObservation* robot = find_robot(frame.robots[touch.robot->side], touch.robot->number);
+  if (robot == nullptr) return kNever;
+  return distance_to_hull(frame.ball.position_m, robot->position_m, robot->heading);
+}
+
+// The touch of the robot that is nearer to the ball once both may have touched it: a ball squeezed
+// between two robots leaves the farther one first. Null if neither is nearer.
+const LastTouch* nearer_touch(const FrameHistory& frames, const LastTouch& west,
+                              const LastTouch& east) {
+  const double since_s = std::max(west.time_s, east.time_s);
+  const double west_m = distance_after_m(frames, west, since_s);
+  const double east_m = distance_after_m(frames, east, since_s);
+  if (std::abs(west_m - east_m) < kNearer_m) return nullptr;
+  return west_m < east_m ? &west : &east;
 }
 
 }  // namespace
@@ -45,12 +72,14 @@ LastTouch RetrospectiveTouchDetector::detect(const LastTouch& reported) const {
   const SideMinima best = HypothesisTracker({field_, parameters_, frames_}).track(first, before);
   if (best.deviance[kNobody] <= std::min(best.deviance[kWest], best.deviance[kEast]))
     return reported;
+  const LastTouch& west = best.touch[kWest];
+  const LastTouch& east = best.touch[kEast];
   const double lead = best.deviance[kEast] - best.deviance[kWest];
-  if (std::abs(lead) < parameters_.lead_deviance) {
-    return unknown_touch(best.touch[kWest], best.touch[kEast]);
-  }
-  LastTouch last = best.touch[lead > 0 ? kWest : kEast];
-  const LastTouch& other = best.touch[lead > 0 ? kEast : kWest];
+  const LastTouch* likelier = lead > 0 ? &west : &east;
+  if (std::abs(lead) < parameters_.lead_deviance) likelier = nearer_touch(frames_, west, east);
+  if (likelier == nullptr) return unknown_touch(west, east);
+  LastTouch last = *likelier;
+  const LastTouch& other = likelier == &west ? east : west;
   if (other.robot) last.runner_up = other.robot;
   return last;
 }

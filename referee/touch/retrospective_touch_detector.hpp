@@ -9,8 +9,9 @@
 // without passing through other robots. A touch that noise hides at first is thus revealed by the
 // ball's later path.
 //
-// The side with the likelier hypothesis touched the ball last; if both are about equally likely,
-// the last touch is unknown.
+// The side with the likelier hypothesis touched the ball last. If both are about equally likely, it
+// is the side whose robot is nearer to the ball right after the later of the two touches; if
+// neither is nearer, the last touch is unknown.
 //
 // It has no state: every call processes the history from the start of its window.
 #pragma once

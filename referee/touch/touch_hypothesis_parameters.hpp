@@ -30,7 +30,8 @@ struct TouchHypothesisParameters {
   double landing_deviance = 4;    // a flying ball that loses speed
   double roll_deviance = 4;       // the ball begins to roll in this frame
   double post_off_m = 3_mm;       // standard deviation of the gap at a bounce off a goal
-  double lead_deviance = 1;  // the side is unknown if the deviances of the two sides differ by less
+  // If the deviances of the two sides differ by less, the nearer robot touched the ball last.
+  double lead_deviance = 1.5;
 };
 
 }  // namespace autoref::referee

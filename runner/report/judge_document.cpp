@@ -58,6 +58,8 @@ Document judge_document(const ResultFolder& folder, const JudgeReport& report,
                          Paragraph{kLastTouchCaption}});
   add_section(document, {Heading{"Delays of right calls"}, table_of(delays_table(report)),
                          Paragraph{kDelaysCaption}});
+  add_section(document, {Heading{"Confidence"}, table_of(reliability_table(report)),
+                         Paragraph{kReliabilityCaption}});
   add_section(document, list_section("Events called twice", report.second_calls));
   add_section(document, list_section("Calls that require play, made while play was stopped",
                                      report.calls_in_stop));

@@ -184,6 +184,23 @@ TEST(RetrospectiveTouchDetector, IsUndecidedIfBothSidesAreAtTheSamePosition) {
   EXPECT_FALSE(scene.side().has_value());
 }
 
+// The side found for a ball that leaves the gap between two plates sideways. The gaps to the plates
+// are too small to make one touch likelier than the other.
+std::optional<Side> side_of_squeeze(double west_gap_m, double east_gap_m) {
+  HindsightScene scene;
+  scene.robot(Side::kWest, 1, {-kTouch_m - west_gap_m, 0}, {1, 0});
+  scene.robot(Side::kEast, 2, {kTouch_m + east_gap_m, 0}, {-1, 0});
+  scene.start({0, 0});
+  scene.turn({0, 0}, {0, 2}, 0.5);
+  scene.go({0, 2}, 10);
+  return scene.side();
+}
+
+TEST(RetrospectiveTouchDetector, FindsTheNearerOfTwoRobotsThatSqueezedTheBall) {
+  EXPECT_EQ(side_of_squeeze(0, 0.0005), Side::kWest);
+  EXPECT_EQ(side_of_squeeze(0.0005, 0), Side::kEast);
+}
+
 TEST(RetrospectiveTouchDetector, FindsTheSecondOfTwoTouchesWithinAFrame) {
   HindsightScene scene;
   scene.robot(Side::kWest, 1, {-kTouch_m - 0.004, 0}, {1, 0});
