@@ -179,10 +179,10 @@ std::optional<Call> call_of(const Decision& decision) {
               decision.finding.robots.empty() ? std::nullopt
                                               : std::optional(decision.finding.robots.front()),
               decision.finding.position_m,
-              referee::is_call(decision.finding.event) ? std::optional(decision.finding.confidence)
-                                                       : std::nullopt,
               ended_play,
-              false};
+              false,
+              referee::is_call(decision.finding.event) ? std::optional(decision.finding.confidence)
+                                                       : std::nullopt};
 }
 
 std::vector<Verdict> associate(const TrueEvents& true_events, const std::vector<Call>& calls,

@@ -30,9 +30,9 @@ struct Call {
   std::optional<Side> offender;  // as in TrueEvent; nullopt if the call does not say
   std::optional<RobotId> robot;
   std::optional<Vec2> position_m;
-  std::optional<double> confidence;  // nullopt for cards
   bool ended_play = false;
-  bool is_in_air = false;  // true state of the ball at the time of the call
+  bool is_in_air = false;                 // true state of the ball at the time of the call
+  std::optional<double> confidence = {};  // how sure the referee was; nullopt for cards
 };
 
 // Returns whether decisions on this event are evaluated: calls, and cards for every third foul.
