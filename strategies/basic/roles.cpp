@@ -21,9 +21,10 @@ double time_behind_ball_s(const TrackedRobot& robot, const Interception& interce
 void choose_attacker(const TeamView& view, const Field& field, const Style& style,
                      const Taken& taken, int former_attacker, RoleAssignment& assignment) {
   double best_s = std::numeric_limits<double>::infinity();
+  const BallSamples ball(view.ball);
   for (int i = 0; i < static_cast<int>(view.own.size()); ++i) {
     if (taken[i]) continue;
-    const Interception interception = intercept(view.own[i], view.ball);
+    const Interception interception = intercept(view.own[i], ball);
     // Hysteresis, so that two robots equally near do not alternate.
     const double bonus_s = view.own[i].number == former_attacker ? style.loyalty_s : 0.0;
     const double time_s = time_behind_ball_s(view.own[i], interception,

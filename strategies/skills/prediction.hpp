@@ -1,6 +1,8 @@
 // Simple prediction of robots and ball, to compensate for the view's latency.
 #pragma once
 
+#include <array>
+
 #include "soccer/team_view.hpp"
 
 namespace autoref::strategies {
@@ -21,7 +23,25 @@ struct Interception {
   double time_s = 0;  // until the robot arrives
 };
 
+// The rolling ball's position now and at each step of the next 2 s, computed once for all robots.
+// Of a ball that lies still, only the position now.
+class BallSamples {
+ public:
+  static constexpr int kSteps = 20;
+  static constexpr double time_s(int step) { return 2.0 * step / kSteps; }
+
+  explicit BallSamples(const TrackedBall& ball);
+
+  bool lies_still() const { return lies_still_; }  // slower than 0.1 m/s
+  const Vec2& at(int step) const { return points_m_[static_cast<std::size_t>(step)]; }
+
+ private:
+  bool lies_still_;
+  std::array<Vec2, kSteps + 1> points_m_;
+};
+
 // Where `robot` can first meet the rolling ball; if it cannot catch up, the ball's position in 2 s.
+Interception intercept(const TrackedRobot& robot, const BallSamples& ball);
 Interception intercept(const TrackedRobot& robot, const TrackedBall& ball);
 
 }  // namespace autoref::strategies

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "soccer/random.hpp"
 #include "tests/strategies/skills/staged_bodies.hpp"
 
 namespace autoref::strategies {
@@ -73,6 +74,33 @@ TEST(InterceptBall, IsWhereTheRobotArrivesNoLaterThanARollingBall) {
     const double touch_m = (interception.point_m - from_m).norm() - kHeldBall_m;
     EXPECT_LE(trapezoid_s(std::max(0.0, touch_m), 1.0), interception.time_s + 0.1);
   }
+}
+
+// The first step at which the robot is no later than the ball, found without any shortcut.
+int first_step_in_time(const TrackedRobot& robot, const BallPath& path) {
+  for (int step = 0; step <= BallPath::kSteps; step += 2) {
+    const Vec2 back = (robot.position_m - path.at_step(step)).normalized();
+    const Vec2 touch_m = path.at_step(step) + back * kHeldBall_m;
+    if (time_to_s(robot, touch_m, Abilities{}) <= step * BallPath::kStep_s) return step;
+  }
+  return BallPath::kSteps;
+}
+
+TEST(InterceptBall, IsJustBeforeTheFirstStepAtWhichTheRobotIsInTime) {
+  RandomStream random(7);
+  const auto within = [&](double most) { return most * (2 * random.uniform() - 1); };
+  const BallPath path = path_of({{-2, 0.5}, {2, 0}});
+  int reached = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const TrackedRobot robot = robot_at({within(3), within(2)}, {within(3.5), within(3.5)});
+    const int step = first_step_in_time(robot, path);
+    if (step == 0 || step == BallPath::kSteps) continue;
+    ++reached;
+    const double time_s = intercept(robot, path, Abilities{}, Field{}).time_s;
+    EXPECT_LE(time_s, step * BallPath::kStep_s + 1e-9);
+    EXPECT_GE(time_s, (step - 2) * BallPath::kStep_s - 1e-9);
+  }
+  EXPECT_GT(reached, 300);
 }
 
 TEST(InterceptBall, IsEarlyOnThePathForARobotNearIt) {
