@@ -72,17 +72,21 @@ double kick_for_mps(double distance_m, double arrival_mps) {
   return std::sqrt(arrival_mps * arrival_mps + 2 * kSlide_mps2 * distance_m);  // still sliding
 }
 
+KickedBall::KickedBall(double kick_mps) : kick_mps_(kick_mps), rolls_mps_(kRollsFrom * kick_mps) {
+  const Phase slide = sliding(kick_mps, rolls_mps_);
+  slide_s_ = slide.time_s;
+  slide_m_ = slide.path_m;
+}
+
 // Solves s = v t - a t^2 / 2 for t in the phase in which the ball covers the distance.
-double roll_time_s(double kick_mps, double distance_m) {
-  const double rolls_mps = kRollsFrom * kick_mps;
-  const Phase slide = sliding(kick_mps, rolls_mps);
-  if (distance_m <= slide.path_m) {
-    const double left2 = kick_mps * kick_mps - 2 * kSlide_mps2 * distance_m;
-    return (kick_mps - std::sqrt(std::max(0.0, left2))) / kSlide_mps2;
+double KickedBall::roll_time_s(double distance_m) const {
+  if (distance_m <= slide_m_) {
+    const double left2 = kick_mps_ * kick_mps_ - 2 * kSlide_mps2 * distance_m;
+    return (kick_mps_ - std::sqrt(std::max(0.0, left2))) / kSlide_mps2;
   }
-  const double left2 = rolls_mps * rolls_mps - 2 * kRoll_mps2 * (distance_m - slide.path_m);
+  const double left2 = rolls_mps_ * rolls_mps_ - 2 * kRoll_mps2 * (distance_m - slide_m_);
   if (left2 < 0) return kNever_s;
-  return slide.time_s + (rolls_mps - std::sqrt(left2)) / kRoll_mps2;
+  return slide_s_ + (rolls_mps_ - std::sqrt(left2)) / kRoll_mps2;
 }
 
 }  // namespace autoref::strategies

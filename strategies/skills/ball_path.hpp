@@ -40,8 +40,19 @@ class BallPath {
 // Kick speed at which the ball still has `arrival_mps` after `distance_m`.
 double kick_for_mps(double distance_m, double arrival_mps);
 
-// Time in seconds that a ball kicked with `kick_mps` takes for `distance_m`; 10 if it never gets
-// there.
-double roll_time_s(double kick_mps, double distance_m);
+// A ball kicked with one speed, for questions about several distances.
+class KickedBall {
+ public:
+  explicit KickedBall(double kick_mps);
+
+  // Time in seconds that the ball takes for `distance_m`; 10 if it never gets there.
+  double roll_time_s(double distance_m) const;
+
+ private:
+  double kick_mps_;
+  double rolls_mps_;  // speed at which sliding ends
+  double slide_s_;    // duration and length of the sliding phase
+  double slide_m_;
+};
 
 }  // namespace autoref::strategies

@@ -6,6 +6,7 @@
 
 #include "soccer/robot_shape.hpp"
 #include "strategies/skills/ball_path.hpp"
+#include "strategies/skills/lane.hpp"
 
 namespace autoref::strategies {
 namespace {
@@ -30,12 +31,24 @@ struct Span {
 };
 using Spans = boost::container::static_vector<Span, 2 * kMaxRobots>;
 
+// Whether the shadow of a robot can cover part of the goal if the robot covers a disc of `disc_m`.
+// The same as in add_shadow, multiplied by `to_robot_m` twice and squared, without division or
+// root. The goal's full width allows for rounding errors.
+bool may_cover_goal(const Field& field, const Vec2& from_m, const Vec2& robot_m, double disc_m) {
+  const double to_goal_m = field.half_length_m() - from_m.x();
+  const Vec2 to_robot = robot_m - from_m;
+  if (to_robot.x() < kNarrowest_m || robot_m.x() > field.half_length_m() + kBlock_m) return false;
+  const double middle_m2 = std::abs(from_m.y() * to_robot.x() + to_robot.y() * to_goal_m);
+  const double beside_m2 = middle_m2 - field.half_goal_m() * to_robot.x();
+  return beside_m2 <= 0 ||
+         square(beside_m2 * to_robot.x()) <= square(disc_m * to_goal_m) * to_robot.squaredNorm();
+}
+
 // Adds the robot's shadow on the goal line, for a ball from `from_m`. `grown_m` is how far the
 // robot can move meanwhile.
 void add_shadow(double goal_x, const Vec2& from_m, const Vec2& robot_m, double grown_m,
                 Spans& shadows) {
   const double to_robot_m = robot_m.x() - from_m.x();
-  if (to_robot_m < kNarrowest_m || robot_m.x() > goal_x + kBlock_m) return;
   // Similar triangles: the shadow grows with the distance, and with the secant of the angle at
   // which the rays meet the goal line.
   const double stretch = (goal_x - from_m.x()) / to_robot_m;
@@ -74,12 +87,15 @@ Opening widest_opening(const Field& field, const Vec2& from_m, const TrackedRobo
   const double goal_x = field.half_length_m();
   if (from_m.x() > goal_x - 50_mm) return {field.goal_centre_m(Side::kEast), 0, 0};
   Spans shadows;
+  const KickedBall kick(terms.kick_mps);
   for (const TrackedRobot& robot : opponents) {
-    const double time_s = roll_time_s(terms.kick_mps, (robot.position_m - from_m).norm());
+    if (!may_cover_goal(field, from_m, robot.position_m, kBlock_m + kLongestReach_m)) continue;
+    const double time_s = kick.roll_time_s((robot.position_m - from_m).norm());
     add_shadow(goal_x, from_m, robot.position_m, reach_m(time_s), shadows);
   }
   for (const TrackedRobot& robot : own) {
-    if (robot.number != terms.but_mate) add_shadow(goal_x, from_m, robot.position_m, 0, shadows);
+    if (robot.number != terms.but_mate && may_cover_goal(field, from_m, robot.position_m, kBlock_m))
+      add_shadow(goal_x, from_m, robot.position_m, 0, shadows);
   }
   const double post_m = field.half_goal_m() - kBallRadius_m;
   const Span gap = widest_gap(shadows, -post_m, post_m);
@@ -97,12 +113,16 @@ Opening widest_opening(const Field& field, const Vec2& from_m, const TrackedRobo
 double pass_safety(const Vec2& from_m, const Vec2& to_m, double kick_mps,
                    const TrackedRobots& opponents) {
   double least_m = kSafe_m;
+  const Lane lane(from_m, to_m);
+  const KickedBall kick(kick_mps);
   for (const TrackedRobot& robot : opponents) {
-    const Vec2 near_m = nearest_on_segment(robot.position_m, from_m, to_m);
+    if (lane.is_beyond(robot.position_m, square(kLongestReach_m + kBlock_m + least_m))) continue;
+    const Vec2 near_m = lane.nearest_m(robot.position_m);
     const double aside_m = (robot.position_m - near_m).norm();
     if (aside_m > kLongestReach_m + kBlock_m + kSafe_m) continue;
-    const double time_s = roll_time_s(kick_mps, (near_m - from_m).norm());
+    const double time_s = kick.roll_time_s((near_m - from_m).norm());
     least_m = std::min(least_m, aside_m - kBlock_m - reach_m(time_s));
+    if (least_m <= 0) return 0;
   }
   return std::clamp(least_m / kSafe_m, 0.0, 1.0);
 }

@@ -96,10 +96,13 @@ void PassField::send(const boost::container::static_vector<int, kMaxRobots>& rec
   if (predicted_.now().frame - settle_frame_ < held_frames) return;
   settle_frame_ = predicted_.now().frame;
   boost::container::static_vector<Vec2, kMaxRobots> taken_m;
+  const double most_bonus = std::max(0.0, predicted_.style().receiver_loyalty);
   for (const int index : receivers) {
     int best = 0;
     double best_value = -1e9;
     for (int cell = 0; cell < kCells; ++cell) {
+      // All else in value_for is a cost.
+      if (values_[static_cast<std::size_t>(cell)] + most_bonus <= best_value) continue;
       const double value = value_for(index, cell, taken_m);
       if (value <= best_value) continue;
       best_value = value;

@@ -116,7 +116,7 @@ TEST(RollTime, IsTheTimeForThatDistance) {
   for (const double kick_mps : {2.0, 5.0, 8.0}) {
     for (const double distance_m : {0.1, 0.5, 2.0}) {
       const CarpetBall kick{{0, 0}, {1, 0}, kick_mps};
-      const double time_s = roll_time_s(kick_mps, distance_m);
+      const double time_s = KickedBall(kick_mps).roll_time_s(distance_m);
       EXPECT_NEAR(kick.at(time_s).position_m.x(), distance_m, 0.05 * distance_m) << kick_mps;
     }
   }
@@ -124,8 +124,8 @@ TEST(RollTime, IsTheTimeForThatDistance) {
 
 TEST(RollTime, IsTenSecondsIfTheBallNeverGetsThere) {
   const CarpetBall kick{{0, 0}, {1, 0}, 1};
-  EXPECT_LT(roll_time_s(1, 0.9 * kick.longest_m()), 5);
-  EXPECT_EQ(roll_time_s(1, 1.1 * kick.longest_m()), 10);
+  EXPECT_LT(KickedBall(1).roll_time_s(0.9 * kick.longest_m()), 5);
+  EXPECT_EQ(KickedBall(1).roll_time_s(1.1 * kick.longest_m()), 10);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "soccer/random.hpp"
 #include "strategies/registry.hpp"
+#include "strategies/skills/lane.hpp"
 #include "strategies/skills/motion.hpp"
 #include "strategies/skills/prediction.hpp"
 #include "strategies/skills/shot.hpp"
@@ -45,6 +47,31 @@ TEST(Intercept, MeetsARollingBallAheadOfItsPosition) {
   const Interception interception = intercept(robot, {{0, 0}, {2, 0}, 0});
   EXPECT_GT(interception.point_m.x(), 0.5);
   EXPECT_LT(interception.point_m.x(), 2.5);
+}
+
+TEST(Lane, FindsNoPointBeyondADistanceThatIsNearer) {
+  RandomStream random(3);
+  const auto point = [&] { return Vec2(6 * random.uniform(), 4 * random.uniform()); };
+  int beyond = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Vec2 from_m = point();
+    const Vec2 to_m = point();
+    const Vec2 point_m = point();
+    const Lane lane(from_m, to_m);
+    const double distance_m = random.uniform();
+    if (!lane.is_beyond(point_m, square(distance_m))) continue;
+    ++beyond;
+    EXPECT_GT((point_m - lane.nearest_m(point_m)).norm(), distance_m);
+  }
+  EXPECT_GT(beyond, 300);
+}
+
+TEST(LaneClearance, IsTheDistanceOfTheNearestRobotFromTheSegment) {
+  TrackedRobots robots;
+  for (const Vec2& position_m : {Vec2(1, 0.6), Vec2(2, -0.4), Vec2(3.5, 0), Vec2(-2, 0.1)})
+    robots.push_back({0, position_m, {-1, 0}, {0, 0}, 0});
+  EXPECT_NEAR(lane_clearance_m({0, 0}, {3, 0}, robots), 0.4, 1e-12);
+  EXPECT_NEAR(lane_clearance_m({0, 0}, {3.2, 0}, robots), 0.3, 1e-12);
 }
 
 TEST(BestShot, AimsAtTheSideThatTheKeeperLeavesOpen) {
