@@ -30,18 +30,15 @@ double rolled_m(double speed_mps, double time_s) {
   return speed_mps * t - kRoll_mps2 * t * t / 2;
 }
 
-double path_after_m(double speed_mps, double rolls_mps, double time_s) {
-  const double rolling_mps = std::min(speed_mps, rolls_mps);
-  const Phase slide = sliding(speed_mps, rolling_mps);
+// `slide` is the phase from `speed_mps` down to `rolling_mps`.
+double path_after_m(double speed_mps, double rolling_mps, const Phase& slide, double time_s) {
   if (time_s < slide.time_s) return speed_mps * time_s - kSlide_mps2 * time_s * time_s / 2;
   return slide.path_m + rolled_m(rolling_mps, time_s - slide.time_s);
 }
 
-double speed_after_mps(double speed_mps, double rolls_mps, double time_s) {
-  const double rolling_mps = std::min(speed_mps, rolls_mps);
-  const double slide_s = sliding(speed_mps, rolling_mps).time_s;
-  if (time_s < slide_s) return speed_mps - kSlide_mps2 * time_s;
-  return std::max(0.0, rolling_mps - kRoll_mps2 * (time_s - slide_s));
+double speed_after_mps(double speed_mps, double rolling_mps, const Phase& slide, double time_s) {
+  if (time_s < slide.time_s) return speed_mps - kSlide_mps2 * time_s;
+  return std::max(0.0, rolling_mps - kRoll_mps2 * (time_s - slide.time_s));
 }
 
 }  // namespace
@@ -54,11 +51,13 @@ void BallPath::follow(const TrackedBall& ball, double latency_s) {
   if (seen_mps < kRollsFrom * kick_mps_) kick_mps_ = seen_mps / kRollsFrom;  // it is rolling
   last_mps_ = seen_mps;
   direction_ = direction_of(ball.velocity_mps, direction_);
-  const double rolls_mps = kRollsFrom * kick_mps_;
+  const double rolling_mps = std::min(seen_mps, kRollsFrom * kick_mps_);
+  const Phase slide = sliding(seen_mps, rolling_mps);
   const bool is_still = seen_mps < kPathStill_mps;
-  speed_mps_ = is_still ? 0 : speed_after_mps(seen_mps, rolls_mps, latency_s);
+  speed_mps_ = is_still ? 0 : speed_after_mps(seen_mps, rolling_mps, slide, latency_s);
   for (int i = 0; i <= kSteps; ++i) {
-    const double path_m = is_still ? 0 : path_after_m(seen_mps, rolls_mps, latency_s + i * kStep_s);
+    const double path_m =
+        is_still ? 0 : path_after_m(seen_mps, rolling_mps, slide, latency_s + i * kStep_s);
     table_[static_cast<std::size_t>(i)] = ball.position_m + direction_ * path_m;
   }
 }

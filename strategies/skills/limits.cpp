@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kLimitMargin_m =
     30_mm;  // added to the distances in the rules to allow for the robots' own errors
+constexpr double kFarMargin_m = 1e-6;  // far above rounding errors
 constexpr int kTurns = 36;  // directions tried to each side of a position inside the ball's circle
 
 // Moves `p` to the nearest point at `distance_m` from the area of `side`.
@@ -19,6 +20,9 @@ constexpr int kTurns = 36;  // directions tried to each side of a position insid
 // a box the radius is zero.
 Vec2 pushed_out_of_area(const Field& field, Side side, const Vec2& p, double distance_m,
                         bool may_stay_behind_goal) {
+  // In front of the area's front line by more than the distance.
+  const double ahead_m = field.half_length_m() - goal_sign(side) * p.x();
+  if (ahead_m > field.defence_area.depth_m + distance_m + kFarMargin_m) return p;
   const double missing_m = distance_m - distance_to_defence_area(field, side, p);
   if (missing_m <= 0) return p;
   const DefenceArea& area = field.defence_area;

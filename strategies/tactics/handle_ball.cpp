@@ -52,9 +52,12 @@ Choice BallHandler::choose(int index, const Vec2& from_m) const {
       predicted_.style().shot_threshold * (is_shooting ? predicted_.style().still_shoots : 1.0))
     return best;
   best = less_turning(best);
+  // Turning only costs, apart from rounding errors.
+  constexpr double kTurnGain = 1e-9;
   const auto consider = [&](Choice option) {
     if (option.kind == choice_.kind && option.receiver == choice_.receiver)
       option.worth += predicted_.style().choice_loyalty;
+    if (option.worth < best.worth - kTurnGain) return;
     option = less_turning(option);
     if (option.worth > best.worth) best = option;
   };

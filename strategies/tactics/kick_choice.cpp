@@ -37,6 +37,7 @@ double worth_of_pass(const PredictedState& predicted, const Choice& pass, double
   const Style& style = predicted.style();
   const double half_m = predicted.field().half_length_m();
   const double lost = (1 - style.pass_risk) * (0.3 - 0.15 * from_m.x() / half_m);
+  if (safety <= 0) return -lost;
   const double there = worth_of(predicted, chance, pass.strike.target_m, from_m);
   const double gain = (pass.strike.target_m.x() - from_m.x()) / half_m;
   const double liked = style.patience + style.ahead * std::max(0.0, gain);

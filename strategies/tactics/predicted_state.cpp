@@ -36,6 +36,8 @@ void PredictedState::update(const TeamView& view) {
   position_m_ = now_.placement_m.value_or(now_.ball.position_m);
   intercept_ball();
   settle_possession();
+  room_at_ball_m_ = find_room_at_ball_m();
+  limits_ = find_limits();
 }
 
 const Abilities& PredictedState::abilities(int index) const {
@@ -82,7 +84,7 @@ bool PredictedState::restart_is_ours() const {
   return now_.play == Play::kStop ? now_.next_is_ours : now_.ours;
 }
 
-double PredictedState::room_at_ball_m() const {
+double PredictedState::find_room_at_ball_m() const {
   if (now_.play == Play::kRunning) return 0;
   if (now_.ours && is_restart(now_.play)) return 0;
   const bool is_judged = rules().has(RuleId::kDefenderTooCloseToKickPoint);
@@ -90,13 +92,13 @@ double PredictedState::room_at_ball_m() const {
          room_for_error_m(rules());
 }
 
-Limits PredictedState::limits() const {
+Limits PredictedState::find_limits() const {
   Limits limits;
   if (now_.play == Play::kRunning) return limits;
   limits.own_half_only = now_.play == Play::kPrepareKickoff || now_.play == Play::kKickoff ||
                          now_.next == CommandKind::kPrepareKickoff;
   if (restart_is_ours()) limits.beyond_lines_m = style_.beyond_line_m;
-  const double room_m = room_at_ball_m();
+  const double room_m = room_at_ball_m_;
   limits.keep_from_ball_m = room_m > 0 ? room_m + kRobotRadius_m : style_.room_for_taker_m;
   limits.keep_from_area_m = rules().attacker_to_area_m + kRobotRadius_m + room_for_error_m(rules());
   return limits;

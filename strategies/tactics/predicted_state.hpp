@@ -51,9 +51,9 @@ class PredictedState {
   bool restart_is_ours() const;
 
   // The current limits on a field player's position.
-  Limits limits() const;
+  const Limits& limits() const { return limits_; }
   // Minimum gap from hull to ball that the team must currently keep; 0 if there is none.
-  double room_at_ball_m() const;
+  double room_at_ball_m() const { return room_at_ball_m_; }
 
   // Whether the rules in force allow a field player to touch a ball there.
   bool may_touch_at(const Vec2& ball_m) const;
@@ -66,6 +66,8 @@ class PredictedState {
  private:
   void intercept_ball();
   void settle_possession();
+  double find_room_at_ball_m() const;
+  Limits find_limits() const;
 
   TeamContext context_;
   Style style_;
@@ -77,6 +79,8 @@ class PredictedState {
   BallInterception theirs_;
   int their_fastest_ = -1;
   bool is_ours_ = false;
+  double room_at_ball_m_ = 0;
+  Limits limits_;
 };
 
 // Commands that drive the robot with that index around all obstacles to the permitted position
