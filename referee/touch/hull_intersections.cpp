@@ -35,10 +35,11 @@ class Walker {
   // once.
   void go(const StoredFrame& from, const StoredFrame& to, int samples, double start_s,
           bool is_first) {
+    find_near_robots(from, to);
     for (int i = is_first ? 0 : 1; i <= samples; ++i) {
       const double share = static_cast<double>(i) / samples;
       const double time_s = from.time_s + (to.time_s - from.time_s) * share;
-      look(from, to, share, sample_at(time_s, start_s));
+      look(share, sample_at(time_s, start_s));
     }
   }
 
@@ -51,15 +52,31 @@ class Walker {
             gap_m2 + motion_.position_variance_after(time_s - start_s)};
   }
 
-  void look(const StoredFrame& from, const StoredFrame& to, double share, const Sample& sample) {
-    double through_deviance = walk_.through_deviance;
+  // A robot near the ball in the frame `from`, and in the frame `to`, or null if it is not near
+  // there.
+  struct NearRobot {
+    RobotId id;
+    const RobotObservation* from;
+    const RobotObservation* to;
+  };
+
+  void find_near_robots(const StoredFrame& from, const StoredFrame& to) {
+    near_robots_.clear();
     for (const Side side : kSides) {
       for (const RobotObservation& robot : from.robots[side]) {
-        if ((robot.position_m - sample.ball_m).squaredNorm() > square(kPathNear_m)) continue;
         if (!is_near_ball(from, robot)) continue;
-        const PathPose pose = pose_of(robot, find_robot(to.robots[side], robot.number), to, share);
-        through_deviance = std::max(through_deviance, weigh({side, robot.number}, pose, sample));
+        const RobotObservation* other = find_robot(to.robots[side], robot.number);
+        if (other != nullptr && !is_near_ball(to, *other)) other = nullptr;
+        near_robots_.push_back({{side, robot.number}, &robot, other});
       }
+    }
+  }
+
+  void look(double share, const Sample& sample) {
+    double through_deviance = walk_.through_deviance;
+    for (const NearRobot& robot : near_robots_) {
+      if ((robot.from->position_m - sample.ball_m).squaredNorm() > square(kPathNear_m)) continue;
+      through_deviance = std::max(through_deviance, weigh(robot.id, pose_of(robot, share), sample));
     }
     walk_.through_deviance = through_deviance;
   }
@@ -75,13 +92,12 @@ class Walker {
     return square(inside_m) / sample.variance_m2;
   }
 
-  // `other` is the robot in the frame `to`, or null if it is missing there.
-  static PathPose pose_of(const RobotObservation& robot, const RobotObservation* other,
-                          const StoredFrame& to, double share) {
-    if (other == nullptr || !is_near_ball(to, *other)) return {robot.position_m, robot.heading};
-    const Vec2 heading = robot.heading + (other->heading - robot.heading) * share;
-    return {robot.position_m + (other->position_m - robot.position_m) * share,
-            direction_of(heading, robot.heading)};
+  static PathPose pose_of(const NearRobot& robot, double share) {
+    const RobotObservation& from = *robot.from;
+    if (robot.to == nullptr) return {from.position_m, from.heading};
+    const Vec2 heading = from.heading + (robot.to->heading - from.heading) * share;
+    return {from.position_m + (robot.to->position_m - from.position_m) * share,
+            direction_of(heading, from.heading)};
   }
 
   HullIntersection* intersection_with(RobotId id, double gap_m) {
@@ -135,6 +151,7 @@ class Walker {
   bool goes_back_;
   const HullIntersectionParameters& parameters_;
   Walk walk_;
+  boost::container::static_vector<NearRobot, 2 * kMaxRobots> near_robots_;
   boost::container::static_vector<double, HullIntersections::static_capacity> former_gaps_m_;
 };
 
