@@ -29,11 +29,16 @@ static_assert(b2_maxTranslation == to_units(kLongestStep_m));
 constexpr int kVelocityIterations = 8;
 constexpr int kPositionIterations = 3;
 
-// Only the ball collides with plates, and giving every robot one costs a quarter of a step's time.
-// So a robot has a plate only while the ball is near enough to reach it in a step of 1/60 s. The
-// two thresholds form a hysteresis: a ball at the limit does not toggle the plate.
-constexpr double kPlateOn_m = 350_mm;
-constexpr double kPlateOff_m = 500_mm;
+// How often a body is gathered although nothing is near, before Box2D loses it.
+constexpr int kLingers = 12;
+
+// heading_of for the turn of a step: within 1e-14 for up to 0.1 rad.
+Vec2 small_turn(double angle_rad) {
+  if (std::abs(angle_rad) > 0.1) return heading_of(angle_rad);
+  const double s = angle_rad * angle_rad;
+  return {1.0 - s * (1.0 / 2.0 - s * (1.0 / 24.0 - s * (1.0 / 720.0 - s * (1.0 / 40320.0)))),
+          angle_rad * (1.0 - s * (1.0 / 6.0 - s * (1.0 / 120.0 - s * (1.0 / 5040.0))))};
+}
 
 // Decides and records what a contact between ball and robot does.
 class BallContacts final : public b2ContactListener {
@@ -122,20 +127,12 @@ struct Box2dBridge::Bodies {
   BallContacts contacts;
   Surfaces surfaces;
   std::array<b2Body*, 2 * kMaxRobots> robots{};
-  std::array<b2Fixture*, 2 * kMaxRobots> plates{};  // set for robots near the ball
-  // The second half of each push_robot force, applied after the step: Box2D moves a body at its
-  // speed at the end of the step (semi-implicit Euler).
-  std::array<b2Vec2, 2 * kMaxRobots> half_forces;
-  std::array<float, 2 * kMaxRobots> half_torques{};
   b2Body* ball = nullptr;
 };
 
 Box2dBridge::Box2dBridge(const Field& field, const ContactParameters& contacts, double ball_mass_kg,
                          std::span<const double> masses_kg)
-    : bodies_(std::make_unique<Bodies>(contacts)),
-      masses_kg_(masses_kg.begin(), masses_kg.end()),
-      count_(static_cast<int>(masses_kg.size())) {
-  bodies_->half_forces.fill(b2Vec2_zero);
+    : bodies_(std::make_unique<Bodies>(contacts)), count_(static_cast<int>(masses_kg.size())) {
   b2World& world = bodies_->world;
   world.SetContactListener(&bodies_->contacts);
   const b2BodyDef still;
@@ -143,60 +140,78 @@ Box2dBridge::Box2dBridge(const Field& field, const ContactParameters& contacts, 
   for (const Side side : kSides) add_end(*ground, bodies_->surfaces, field, goal_sign(side));
   for (int i = 0; i < count_; ++i) {
     const auto index = static_cast<std::size_t>(i);
-    bodies_->robots[index] = add_robot(world, bodies_->surfaces, masses_kg_[index], i);
+    inverse_masses_[index] = 1.0 / masses_kg[index];
+    bodies_->robots[index] = add_robot(world, bodies_->surfaces, masses_kg[index], i);
+    enabled_.add_robot(i);
   }
   bodies_->ball = add_ball(world, bodies_->surfaces, ball_mass_kg);
+  enabled_.ball = true;
+  gathered_ = enabled_;
+  moved_ = enabled_;
 }
 
 Box2dBridge::~Box2dBridge() = default;
 
 void Box2dBridge::place_robot(int index, const BodyState& state) {
-  b2Body* body = bodies_->robots[static_cast<std::size_t>(index)];
-  body->SetTransform(to_units(state.position_m), static_cast<float>(angle_of(state.heading)));
-  body->SetLinearVelocity(to_units(state.velocity_mps));
-  body->SetAngularVelocity(static_cast<float>(state.angular_velocity_radps));
-  read_robot(index);
+  robots_[static_cast<std::size_t>(index)] = state;
+  moved_.add_robot(index);
 }
 
 void Box2dBridge::place_ball(const Vec2& position_m, const Vec2& velocity_mps) {
-  bodies_->ball->SetTransform(to_units(position_m), 0.0F);
-  set_ball_velocity(velocity_mps);
+  ball_.position_m = position_m;
+  ball_.velocity_mps = velocity_mps;
+  moved_.ball = true;
 }
 
 void Box2dBridge::set_on(int index, bool is_on) {
   const std::uint32_t bit = 1U << index;
   off_ = is_on ? off_ & ~bit : off_ | bit;
-  b2Body* body = bodies_->robots[static_cast<std::size_t>(index)];
-  body->SetLinearVelocity(b2Vec2_zero);
-  body->SetAngularVelocity(0.0F);
-  body->SetEnabled(is_on);
-  read_robot(index);
+  BodyState& state = robots_[static_cast<std::size_t>(index)];
+  state.velocity_mps.setZero();
+  state.angular_velocity_radps = 0.0;
+  moved_.add_robot(index);
+  enable_robot(index, is_on);
+}
+
+void Box2dBridge::enable_robot(int index, bool is_enabled) {
+  const std::uint32_t bit = 1U << index;
+  enabled_.robots = is_enabled ? enabled_.robots | bit : enabled_.robots & ~bit;
+  bodies_->robots[static_cast<std::size_t>(index)]->SetEnabled(is_enabled);
+}
+
+const BodySet& Box2dBridge::gather(const BodySet& bodies) {
+  for (int i = 0; i < count_; ++i) {
+    int& idle = idle_[static_cast<std::size_t>(i)];
+    idle = bodies.has_robot(i) ? 0 : idle + 1;
+    if (idle == 0 && !enabled_.has_robot(i)) enable_robot(i, true);
+    if (idle > kLingers && enabled_.has_robot(i)) enable_robot(i, false);
+  }
+  ball_idle_ = bodies.ball ? 0 : ball_idle_ + 1;
+  const bool keeps_ball = bodies.ball || (enabled_.ball && ball_idle_ <= kLingers);
+  if (keeps_ball != enabled_.ball) bodies_->ball->SetEnabled(keeps_ball);
+  enabled_.ball = keeps_ball;
+  gathered_ = bodies.is_empty() ? BodySet{} : enabled_;
+  return gathered_;
 }
 
 void Box2dBridge::push_robot(int index, const Vec2& force_n, double torque_nm) {
-  if (force_n.isZero(0.0) && torque_nm == 0.0) return;  // a robot at rest may sleep
-  const auto i = static_cast<std::size_t>(index);
-  bodies_->half_forces[i] = 0.5F * to_units(force_n);
-  bodies_->half_torques[i] = static_cast<float>(torque_nm * kUnitsPerMetre * kUnitsPerMetre / 2);
-  bodies_->robots[i]->ApplyForceToCenter(bodies_->half_forces[i], true);
-  bodies_->robots[i]->ApplyTorque(bodies_->half_torques[i], true);
+  Push& push = pushes_[static_cast<std::size_t>(index)];
+  push.half_force_n = force_n / 2.0;
+  push.half_torque_nm = torque_nm / 2.0;
 }
 
 void Box2dBridge::push_robot_at(int index, const Vec2& force_n, const Vec2& point_m) {
-  bodies_->robots[static_cast<std::size_t>(index)]->ApplyForce(to_units(force_n), to_units(point_m),
-                                                               true);
+  Push& push = pushes_[static_cast<std::size_t>(index)];
+  push.force_n += force_n;
+  push.torque_nm += cross(point_m - robot(index).position_m, force_n);
 }
 
 void Box2dBridge::strike_robot(int index, const Vec2& impulse_ns) {
-  bodies_->robots[static_cast<std::size_t>(index)]->ApplyLinearImpulseToCenter(to_units(impulse_ns),
-                                                                               true);
-  read_robot(index);
+  robots_[static_cast<std::size_t>(index)].velocity_mps += inverse_mass(index) * impulse_ns;
+  moved_.add_robot(index);
 }
 
-void Box2dBridge::set_ball_velocity(const Vec2& velocity_mps) {
-  bodies_->ball->SetLinearVelocity(to_units(velocity_mps));
-  read_ball();
-}
+void Box2dBridge::set_ball_velocity(const Vec2& velocity_mps) { ball_.velocity_mps = velocity_mps; }
 
 void Box2dBridge::let_ball_meet(bool robots, bool goals) {
   b2Fixture* ball = bodies_->ball->GetFixtureList();
@@ -214,55 +229,84 @@ void Box2dBridge::set_dribbling(int index, bool dribbles) {
   all = dribbles ? all | bit : all & ~bit;
 }
 
-void Box2dBridge::fit_plates() {
+void Box2dBridge::move_free_robots(double duration_s) {
   for (int i = 0; i < count_; ++i) {
-    const auto index = static_cast<std::size_t>(i);
-    b2Fixture*& plate = bodies_->plates[index];
-    const double apart2_m2 = (robot(i).position_m - ball_.position_m).squaredNorm();
-    b2Body& body = *bodies_->robots[index];
-    if (plate == nullptr && apart2_m2 < kPlateOn_m * kPlateOn_m) {
-      plate = add_plate(body, bodies_->surfaces);
-    } else if (plate != nullptr && apart2_m2 > kPlateOff_m * kPlateOff_m) {
-      body.DestroyFixture(plate);
-      plate = nullptr;
-      set_robot_mass(body, masses_kg_[index]);  // Box2D has just recomputed it from the fixtures
-    }
+    if (is_on(i) && !gathered_.has_robot(i)) move_freely(i, duration_s);
   }
+}
+
+// As Box2D moves a body that meets nothing: at its speed after the forces.
+void Box2dBridge::move_freely(int index, double duration_s) {
+  BodyState& state = robots_[static_cast<std::size_t>(index)];
+  const Push& push = pushes_[static_cast<std::size_t>(index)];
+  const double per_mass = duration_s * inverse_mass(index);
+  const double per_inertia = duration_s * inverse_inertia(index);
+  state.velocity_mps += per_mass * (push.half_force_n + push.force_n);
+  state.angular_velocity_radps += per_inertia * (push.half_torque_nm + push.torque_nm);
+  state.position_m += duration_s * state.velocity_mps;
+  state.heading = to_world(small_turn(duration_s * state.angular_velocity_radps), state.heading);
+  finish_push(index, duration_s);
+  moved_.add_robot(index);
+}
+
+// Applies the second half of a push after the motion: the mean of the speeds before and after it
+// has moved the robot.
+void Box2dBridge::finish_push(int index, double duration_s) {
+  BodyState& state = robots_[static_cast<std::size_t>(index)];
+  Push& push = pushes_[static_cast<std::size_t>(index)];
+  state.velocity_mps += duration_s * inverse_mass(index) * push.half_force_n;
+  state.angular_velocity_radps += duration_s * inverse_inertia(index) * push.half_torque_nm;
+  push = Push{};
 }
 
 void Box2dBridge::step(double duration_s) {
-  fit_plates();
   bodies_->contacts.touching.clear();
   bodies_->contacts.collisions.clear();
+  if (!gathered_.is_empty()) step_box2d(duration_s);
+  if (!gathered_.ball) {
+    ball_.position_m += duration_s * ball_.velocity_mps;
+    moved_.ball = true;
+  }
+}
+
+void Box2dBridge::step_box2d(double duration_s) {
+  for (int i = 0; i < count_; ++i) {
+    if (gathered_.has_robot(i)) give_robot(i);
+  }
+  if (gathered_.ball) give_ball();
   bodies_->world.Step(static_cast<float>(duration_s), kVelocityIterations, kPositionIterations);
   for (int i = 0; i < count_; ++i) {
-    push_on(i, static_cast<float>(duration_s));
-    read_robot(i);
+    if (gathered_.has_robot(i)) take_robot(i, duration_s);
   }
-  read_ball();
+  if (gathered_.ball) take_ball();
 }
 
-// Applies the second half of a push after the step has moved the robot.
-void Box2dBridge::push_on(int index, float duration_s) {
+void Box2dBridge::give_robot(int index) {
   const auto i = static_cast<std::size_t>(index);
-  b2Vec2& force = bodies_->half_forces[i];
-  float& torque = bodies_->half_torques[i];
-  if (force == b2Vec2_zero && torque == 0.0F) return;
-  bodies_->robots[i]->ApplyLinearImpulseToCenter(duration_s * force, true);
-  bodies_->robots[i]->ApplyAngularImpulse(duration_s * torque, true);
-  force.SetZero();
-  torque = 0.0F;
+  const BodyState& state = robots_[i];
+  const Push& push = pushes_[i];
+  b2Body& body = *bodies_->robots[i];
+  if (moved_.has_robot(index)) {
+    moved_.robots &= ~(1U << index);
+    body.SetTransform(to_units(state.position_m), static_cast<float>(angle_of(state.heading)));
+  }
+  // The second half of the last push has changed the velocity since Box2D saw it.
+  body.SetLinearVelocity(to_units(state.velocity_mps));
+  body.SetAngularVelocity(static_cast<float>(state.angular_velocity_radps));
+  const Vec2 force_n = push.half_force_n + push.force_n;
+  const double torque_nm = push.half_torque_nm + push.torque_nm;
+  if (force_n.isZero(0.0) && torque_nm == 0.0) return;  // a robot at rest may sleep
+  body.ApplyForceToCenter(to_units(force_n), true);
+  body.ApplyTorque(static_cast<float>(torque_nm * kUnitsPerMetre * kUnitsPerMetre), true);
 }
 
-std::span<const int> Box2dBridge::touching() const {
-  return {bodies_->contacts.touching.data(), bodies_->contacts.touching.size()};
+void Box2dBridge::give_ball() {
+  if (moved_.ball) bodies_->ball->SetTransform(to_units(ball_.position_m), 0.0F);
+  moved_.ball = false;
+  bodies_->ball->SetLinearVelocity(to_units(ball_.velocity_mps));
 }
 
-std::span<const BodyCollision> Box2dBridge::collisions() const {
-  return {bodies_->contacts.collisions.data(), bodies_->contacts.collisions.size()};
-}
-
-void Box2dBridge::read_robot(int index) {
+void Box2dBridge::take_robot(int index, double duration_s) {
   b2Body* body = bodies_->robots[static_cast<std::size_t>(index)];
   // A float angle loses precision as it grows.
   if (std::abs(body->GetAngle()) > 16.0F) {
@@ -275,11 +319,20 @@ void Box2dBridge::read_robot(int index) {
   state.heading = {static_cast<double>(pose.q.c), static_cast<double>(pose.q.s)};
   state.velocity_mps = from_units(body->GetLinearVelocity());
   state.angular_velocity_radps = static_cast<double>(body->GetAngularVelocity());
+  finish_push(index, duration_s);
 }
 
-void Box2dBridge::read_ball() {
+void Box2dBridge::take_ball() {
   ball_.position_m = from_units(bodies_->ball->GetPosition());
   ball_.velocity_mps = from_units(bodies_->ball->GetLinearVelocity());
+}
+
+std::span<const int> Box2dBridge::touching() const {
+  return {bodies_->contacts.touching.data(), bodies_->contacts.touching.size()};
+}
+
+std::span<const BodyCollision> Box2dBridge::collisions() const {
+  return {bodies_->contacts.collisions.data(), bodies_->contacts.collisions.size()};
 }
 
 }  // namespace autoref::sim

@@ -1,4 +1,9 @@
-// The world's Box2D bodies. Only this file and box2d_shapes.hpp depend on Box2D.
+// The world's bodies, and Box2D for those that can meet. Only this file and box2d_shapes.hpp depend
+// on Box2D.
+//
+// Between contacts a body needs no physics engine: its motion has a closed form. So its caller says
+// which bodies can meet something (`gather`); only those are bodies in Box2D's eyes, and all others
+// move freely.
 //
 // Box2D's tolerances fit objects of 0.1 to 10 units, so one unit is 0.1 m. Its numbers are floats;
 // the conversion from and to this project's doubles happens only in box2d_bridge.cpp. The bridge
@@ -9,11 +14,11 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <vector>
 
 #include "sim/configuration.hpp"
 #include "soccer/field.hpp"
 #include "soccer/geometry.hpp"
+#include "soccer/robot_shape.hpp"
 #include "soccer/side.hpp"
 
 namespace autoref::sim {
@@ -33,6 +38,16 @@ struct BodyCollision {
   std::array<Vec2, 2> centres_m;
 };
 
+// Some of the bodies.
+struct BodySet {
+  std::uint32_t robots = 0;  // one bit per robot
+  bool ball = false;
+
+  bool is_empty() const { return robots == 0 && !ball; }
+  bool has_robot(int index) const { return ((robots >> index) & 1U) != 0; }
+  void add_robot(int index) { robots |= 1U << index; }
+};
+
 // The longest distance a body can move in one step: Box2D slows down faster bodies.
 inline constexpr double kLongestStep_m = 0.2;
 
@@ -42,7 +57,7 @@ double robot_inertia_kgm2(double mass_kg);
 class Box2dBridge {
  public:
   // Creates a robot for each entry of `masses_kg`, which lists both sides; robots are identified by
-  // their index there. All bodies are at the origin until they are placed.
+  // their index there. All bodies are at the origin until they are placed, and all are gathered.
   Box2dBridge(const Field& field, const ContactParameters& contacts, double ball_mass_kg,
               std::span<const double> masses_kg);
   ~Box2dBridge();
@@ -58,7 +73,12 @@ class Box2dBridge {
   void set_on(int index, bool is_on);
   bool is_on(int index) const { return ((off_ >> index) & 1U) == 0; }
 
-  // Applies a force to a robot during the next step only. A step moves a pushed robot at the mean
+  // Hands these bodies to Box2D for the next steps, and with them those that were handed over
+  // recently, since a change costs as much as several steps. Returns them all.
+  const BodySet& gather(const BodySet& bodies);
+  const BodySet& gathered() const { return gathered_; }
+
+  // Applies a force to a robot during its next step only. A step moves a pushed robot at the mean
   // of its speeds before and after (trapezoidal rule), so the distance does not depend on the step
   // length.
   void push_robot(int index, const Vec2& force_n, double torque_nm);
@@ -73,6 +93,9 @@ class Box2dBridge {
   // A running dribbler absorbs more of an arriving ball's speed.
   void set_dribbling(int index, bool dribbles);
 
+  // Moves the robots that are not gathered.
+  void move_free_robots(double duration_s);
+  // Moves the gathered bodies, and the ball.
   void step(double duration_s);
 
   // The robots whose hull touched the ball during the last step, each once, in order of contact.
@@ -83,16 +106,38 @@ class Box2dBridge {
 
  private:
   struct Bodies;
-  void fit_plates();
-  void push_on(int index, float duration_s);
-  void read_robot(int index);
-  void read_ball();
+  // Sum of the forces on a robot during its next step.
+  struct Push {
+    Vec2 half_force_n{0, 0};  // of push_robot; the second half is applied after the motion
+    double half_torque_nm = 0;
+    Vec2 force_n{0, 0};  // of push_robot_at
+    double torque_nm = 0;
+  };
+
+  double inverse_mass(int index) const { return inverse_masses_[static_cast<std::size_t>(index)]; }
+  double inverse_inertia(int index) const {
+    return inverse_mass(index) * 2.0 / (kRobotRadius_m * kRobotRadius_m);
+  }
+  void enable_robot(int index, bool is_enabled);
+  void move_freely(int index, double duration_s);
+  void finish_push(int index, double duration_s);
+  void step_box2d(double duration_s);
+  void give_robot(int index);
+  void give_ball();
+  void take_robot(int index, double duration_s);
+  void take_ball();
 
   std::unique_ptr<Bodies> bodies_;
-  std::vector<double> masses_kg_;
   int count_;
-  std::uint32_t off_ = 0;  // one bit per robot
+  std::uint32_t off_ = 0;                   // one bit per robot
+  BodySet enabled_;                         // known to Box2D
+  BodySet gathered_;                        // moved by Box2D
+  BodySet moved_;                           // moved without Box2D since its last step
+  std::array<int, 2 * kMaxRobots> idle_{};  // calls of gather since the robot was asked for
+  int ball_idle_ = 0;
   std::array<BodyState, 2 * kMaxRobots> robots_;
+  std::array<Push, 2 * kMaxRobots> pushes_;
+  std::array<double, 2 * kMaxRobots> inverse_masses_{};  // in 1/kg
   BodyState ball_;
 };
 

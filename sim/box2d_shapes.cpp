@@ -78,10 +78,6 @@ void add_end(b2Body& ground, const Surfaces& surfaces, const Field& field, doubl
   add_box(ground, surfaces, at(-x - t, y), at(x + t, y + t), kWalls, surfaces.wall);
 }
 
-void set_robot_mass(b2Body& body, double mass_kg) {
-  set_mass(body, mass_kg, robot_inertia_kgm2(mass_kg));
-}
-
 b2Body* add_robot(b2World& world, const Surfaces& surfaces, double mass_kg, int index) {
   b2BodyDef definition;
   definition.type = b2_dynamicBody;
@@ -92,14 +88,11 @@ b2Body* add_robot(b2World& world, const Surfaces& surfaces, double mass_kg, int 
   const b2FixtureDef round =
       fixture(hull, surfaces, kRobots, kRobots | kBall | kWalls | kGoals, surfaces.robot);
   body->CreateFixture(&round);
-  set_robot_mass(*body, mass_kg);
-  return body;
-}
-
-b2Fixture* add_plate(b2Body& robot, const Surfaces& surfaces) {
   const b2PolygonShape front = box({0.0, -kHalfPlate_m}, {kFrontDistance_m, kHalfPlate_m});
   const b2FixtureDef plate = fixture(front, surfaces, kPlates, kBall, 0.0F);
-  return robot.CreateFixture(&plate);
+  body->CreateFixture(&plate);
+  set_mass(*body, mass_kg, robot_inertia_kgm2(mass_kg));
+  return body;
 }
 
 b2Body* add_ball(b2World& world, const Surfaces& surfaces, double mass_kg) {

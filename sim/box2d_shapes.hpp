@@ -39,10 +39,9 @@ struct Surfaces {
 // for the other.
 void add_end(b2Body& ground, const Surfaces& surfaces, const Field& field, double sign);
 
-// Adds a robot without its plate. Its user data is `index` + 1.
+// Adds a robot: a round hull, and a front plate that only the ball collides with. Its user data is
+// `index` + 1.
 b2Body* add_robot(b2World& world, const Surfaces& surfaces, double mass_kg, int index);
-void set_robot_mass(b2Body& body, double mass_kg);
-b2Fixture* add_plate(b2Body& robot, const Surfaces& surfaces);
 
 b2Body* add_ball(b2World& world, const Surfaces& surfaces, double mass_kg);
 

@@ -142,7 +142,8 @@ struct LineUpParameters {
 
 struct Configuration {
   int substeps = 4;               // physics steps per camera frame, 1 to 16
-  int contact_free_substeps = 2;  // while no contact is possible; no effect if >= substeps
+  int contact_free_substeps = 2;  // of a body that can meet nothing; no effect if >= substeps
+  bool free_motion = true;        // without Box2D while a body can meet nothing; false: to compare
   double frame_rate_hz = 60.0;
   VisionParameters vision;
   RadioParameters radio;

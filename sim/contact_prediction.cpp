@@ -8,8 +8,15 @@
 namespace autoref::sim {
 namespace {
 
-constexpr double kSpare_m = 5_mm;    // well above Box2D's slop of half a millimetre
+constexpr double kSpare_m = 1_mm;    // twice Box2D's slop
 constexpr double kGentle_mps = 0.5;  // slower robot collisions may happen in longer steps
+
+// Closing speed times distance is compared, which needs no division.
+bool is_hard(const BodyState& a, const BodyState& b) {
+  const Vec2 apart_m = b.position_m - a.position_m;
+  const double closing = (a.velocity_mps - b.velocity_mps).dot(apart_m);
+  return closing > kGentle_mps * apart_m.norm();
+}
 
 }  // namespace
 
@@ -27,19 +34,69 @@ ContactPrediction::ContactPrediction(const Field& field, const PerSide<TeamSpec>
   }
 }
 
-bool ContactPrediction::is_contact_free(const Box2dBridge& bodies, int robots,
-                                        bool is_ball_held) const {
-  const BodyState& ball = bodies.ball();
-  const double ball_reach_m = reach_m(ball, kBallRadius_m);
-  if (ball_reach_m - kBallRadius_m > kLongestStep_m) return false;
-  if (!keeps_off_walls(ball.position_m, ball_reach_m)) return false;
-  for (int i = 0; i < robots && !is_ball_held; ++i) {
+Encounters ContactPrediction::encounters(const Box2dBridge& bodies, int robots,
+                                         bool is_ball_held) const {
+  Encounters found;
+  Discs discs;
+  for (int i = 0; i < robots; ++i) {
     if (!bodies.is_on(i)) continue;
     const BodyState& robot = bodies.robot(i);
-    const double near_m = reach_m(robot, kRobotRadius_m) + dribbler_zone_m_ + ball_reach_m;
-    if ((robot.position_m - ball.position_m).squaredNorm() < near_m * near_m) return false;
+    discs.push_back({robot.position_m, reach_m(robot, kRobotRadius_m), i});
   }
-  return robots_keep_apart(bodies, robots);
+  for (const Disc& disc : discs) {
+    if (keeps_off_walls(disc.centre_m, disc.radius_m)) continue;
+    found.bodies.add_robot(disc.index);
+    found.need_short_steps = true;
+  }
+  add_pairs(bodies, discs, found);
+  add_ball(bodies, is_ball_held ? Discs{} : discs, found);
+  return found;
+}
+
+void ContactPrediction::add_pairs(const Box2dBridge& bodies, const Discs& discs,
+                                  Encounters& found) const {
+  for (std::size_t i = 0; i < discs.size(); ++i) {
+    const Disc disc = discs[i];
+    for (std::size_t k = 0; k < i; ++k) {
+      if (!disc.overlaps(discs[k].centre_m, discs[k].radius_m)) continue;
+      const BodyState& robot = bodies.robot(disc.index);
+      const BodyState& other = bodies.robot(discs[k].index);
+      if (!can_meet(robot, other, 2.0 * kRobotRadius_m)) continue;
+      found.bodies.add_robot(disc.index);
+      found.bodies.add_robot(discs[k].index);
+      if (is_hard(robot, other)) found.need_short_steps = true;
+    }
+  }
+}
+
+void ContactPrediction::add_ball(const Box2dBridge& bodies, const Discs& discs,
+                                 Encounters& found) const {
+  const BodyState& ball = bodies.ball();
+  const double ball_reach_m = reach_m(ball, kBallRadius_m);
+  found.bodies.ball = !keeps_off_walls(ball.position_m, ball_reach_m);
+  for (const Disc& disc : discs) {
+    if (!disc.overlaps(ball.position_m, dribbler_zone_m_ + ball_reach_m)) continue;
+    if (!can_meet(bodies.robot(disc.index), ball,
+                  kRobotRadius_m + dribbler_zone_m_ + kBallRadius_m)) {
+      continue;
+    }
+    found.bodies.add_robot(disc.index);
+    found.bodies.ball = true;
+  }
+  if (found.bodies.ball) found.need_short_steps = true;
+}
+
+// Whether the centres come within `touching_m` and the margins of each other.
+bool ContactPrediction::can_meet(const BodyState& a, const BodyState& b, double touching_m) const {
+  const Vec2 apart_m = b.position_m - a.position_m;
+  const Vec2 closing_mps = b.velocity_mps - a.velocity_mps;
+  const double along = -apart_m.dot(closing_mps);
+  const double speed2 = closing_mps.squaredNorm();
+  const double until_s = along <= 0.0                    ? 0.0
+                         : along >= speed2 * duration_s_ ? duration_s_
+                                                         : along / speed2;
+  const double near_m = touching_m + 2.0 * margin_m_;
+  return (apart_m + until_s * closing_mps).squaredNorm() < near_m * near_m;
 }
 
 // Radius of a disc that contains the body until the end of the step.
@@ -55,32 +112,6 @@ bool ContactPrediction::keeps_off_walls(const Vec2& at_m, double reach_m) const 
   if (x > field_.wall_x_m() || y + reach_m > field_.wall_y_m()) return false;
   const double goal_y_m = field_.half_goal_m() + field_.goal_wall_thickness_m;
   return x < field_.half_length_m() || y - reach_m > goal_y_m;
-}
-
-// Pairwise test of the discs that contain each robot's motion during the step. Overlapping discs
-// are allowed if the robots approach each other slowly.
-bool ContactPrediction::robots_keep_apart(const Box2dBridge& bodies, int robots) const {
-  std::array<double, 2 * kMaxRobots> reaches_m;
-  for (int i = 0; i < robots; ++i) {
-    if (!bodies.is_on(i)) continue;
-    const BodyState& robot = bodies.robot(i);
-    const double its_reach_m = reach_m(robot, kRobotRadius_m);
-    if (its_reach_m - kRobotRadius_m > kLongestStep_m) return false;
-    if (!keeps_off_walls(robot.position_m, its_reach_m)) return false;
-    reaches_m[static_cast<std::size_t>(i)] = its_reach_m;
-    for (int k = 0; k < i; ++k) {
-      if (!bodies.is_on(k)) continue;
-      const double near_m = its_reach_m + reaches_m[static_cast<std::size_t>(k)];
-      const BodyState& other = bodies.robot(k);
-      const Vec2 apart_m = other.position_m - robot.position_m;
-      const double apart2_m2 = apart_m.squaredNorm();
-      if (apart2_m2 >= near_m * near_m) continue;
-      // Closing speed times distance, to be compared without a division.
-      const double closing = (robot.velocity_mps - other.velocity_mps).dot(apart_m);
-      if (closing > kGentle_mps * std::sqrt(apart2_m2)) return false;
-    }
-  }
-  return true;
 }
 
 }  // namespace autoref::sim

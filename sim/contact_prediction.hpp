@@ -1,5 +1,7 @@
-// Decides whether physics may take a longer step because no contact can occur within it.
+// Predicts which bodies can meet during the next physics steps.
 #pragma once
+
+#include <boost/container/static_vector.hpp>
 
 #include "sim/box2d_bridge.hpp"
 #include "sim/configuration.hpp"
@@ -8,23 +10,43 @@
 
 namespace autoref::sim {
 
+struct Encounters {
+  BodySet bodies;  // that can meet another body; all others move freely
+  // Whether shorter steps are needed: the ball or a wall can be met, or robots can collide hard.
+  bool need_short_steps = false;
+};
+
 // Looks `duration_s` ahead. Assumes constant velocities, with margins for the deviations that the
 // robots' acceleration limits allow.
 class ContactPrediction {
  public:
   ContactPrediction(const Field& field, const PerSide<TeamSpec>& specs, double duration_s);
 
-  // Whether the ball on the carpet stays away from every robot's hull and dribbler zone, from walls
-  // and goals, and the robots from walls, goals and each other. Robots that touch or collide gently
-  // are allowed: longer steps give the same result (tests/sim/contact_prediction_test.cpp). A ball
-  // in ball placement collides with no robot, and a disabled robot with nothing. Returns false if
-  // something is too fast for one Box2D step. `robots` is the bridge's number of robots.
-  bool is_contact_free(const Box2dBridge& bodies, int robots, bool is_ball_held) const;
+  // The ball can meet a robot if it comes near its hull or its dribbler zone, at any height. Robots
+  // that touch or collide gently need no shorter steps: longer ones give the same result
+  // (tests/sim/contact_prediction_test.cpp). A ball in ball placement meets no robot, and a
+  // disabled robot nothing. `robots` is the bridge's number of robots.
+  Encounters encounters(const Box2dBridge& bodies, int robots, bool is_ball_held) const;
 
  private:
+  // Contains a robot until the end of the time.
+  struct Disc {
+    Vec2 centre_m;
+    double radius_m;
+    int index;
+
+    bool overlaps(const Vec2& other_m, double other_radius_m) const {
+      const double near_m = radius_m + other_radius_m;
+      return (other_m - centre_m).squaredNorm() < near_m * near_m;
+    }
+  };
+  using Discs = boost::container::static_vector<Disc, 2 * kMaxRobots>;
+
+  void add_pairs(const Box2dBridge& bodies, const Discs& discs, Encounters& found) const;
+  void add_ball(const Box2dBridge& bodies, const Discs& discs, Encounters& found) const;
+  bool can_meet(const BodyState& a, const BodyState& b, double touching_m) const;
   double reach_m(const BodyState& body, double radius_m) const;
   bool keeps_off_walls(const Vec2& at_m, double reach_m) const;
-  bool robots_keep_apart(const Box2dBridge& bodies, int robots) const;
 
   Field field_;
   double duration_s_;

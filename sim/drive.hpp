@@ -33,10 +33,13 @@ class Drive {
   DriveForce force(const RobotCommand& aim, const BodyState& robot, double duration_s) const;
 
  private:
-  double share_within_wheels(const Vec2& acceleration_mps2, double angular_radps2) const;
+  // The fraction of a change of motion that the wheels can make if each may change its rim speed by
+  // this limit.
+  double share_within_wheels(const Vec2& change_mps, double change_radps, double limit_mps) const;
 
-  std::array<Vec2, 4> wheels_;  // drive direction of each, in the robot's frame
-  double wheel_distance_m_;     // from the robot's centre
+  Eigen::Array4d wheels_x_;  // drive direction of each wheel, in the robot's frame
+  Eigen::Array4d wheels_y_;
+  double wheel_distance_m_;  // from the robot's centre
   double mass_kg_;
   double inertia_kgm2_;
   double speed_mps_;

@@ -52,7 +52,7 @@ std::optional<Vec2> World::Impl::kicked(int substep) {
   bool is_kicked = false;
   double limit_mps = 0.0;
   const std::size_t first = touches_.size();
-  for_each_on_field([&](RobotId id, Robot& robot, int index) {
+  for_each_near_ball([&](RobotId id, Robot& robot, int index) {
     const auto kick = robot.kicker.fire(robot.aim, bodies_.robot(index), ball.position_m,
                                         ball_.height_m(), substeps_, team(id.side).kicks);
     if (!kick) return;
@@ -79,7 +79,7 @@ std::optional<Vec2> World::Impl::kicked(int substep) {
 World::Impl::Pulls World::Impl::pulls() {
   Pulls pulls;
   const BodyState& ball = bodies_.ball();
-  for_each_on_field([&](RobotId, const Robot& robot, int index) {
+  for_each_near_ball([&](RobotId, const Robot& robot, int index) {
     const bool holds = robot.dribbler.holds;
     if (!robot.aim.dribble || (holds && robot.kicker.is_recharging(substeps_))) return;
     const Vec2 force_n = dribbler_force_n(robot.dribbler, bodies_.robot(index), ball,

@@ -43,7 +43,7 @@ World::Impl::Impl(const Field& field, const Configuration& configuration,
     : field_(field),
       configuration_(configuration),
       substep_s_(1.0 / (configuration.frame_rate_hz * configuration.substeps)),
-      long_step_(std::max(1, configuration.substeps / configuration.contact_free_substeps)),
+      block_(std::max(1, configuration.substeps / configuration.contact_free_substeps)),
       command_delay_substeps_(split_latency(configuration).substeps),
       // The 1e-9 absorbs rounding, which could otherwise add a frame.
       hold_frames_(static_cast<int>(
@@ -55,7 +55,7 @@ World::Impl::Impl(const Field& field, const Configuration& configuration,
       bodies_(field, configuration.contacts, configuration.ball.mass_kg, masses_kg(specs)),
       ball_(configuration.ball),
       carrier_(field, configuration.placement),
-      contact_prediction_(field, specs, long_step_ * substep_s_) {
+      contact_prediction_(field, specs, block_ * substep_s_) {
   team(Side::kEast).first = static_cast<int>(team(Side::kWest).robots.size());
   for_each_robot([&](RobotId id, Robot&, int index) {
     bodies_.place_robot(index, pose_in_line_up(field_, configuration_.line_up, id));
@@ -71,7 +71,7 @@ void World::Impl::step(const PerSide<TeamCommands>& commands,
   obey(placement);
   for (int k = 0; k < configuration_.substeps;) {
     if (k == command_delay_substeps_) accept(commands);
-    const int length = may_step_long(k) ? long_step_ : 1;
+    const int length = block_from(k);
     advance(k, length);
     k += length;
   }
@@ -120,20 +120,31 @@ void World::Impl::obey(const std::optional<Placement>& placement) {
   ball_.set({});
 }
 
-// A longer step must not skip the sub-step in which commands take effect.
-bool World::Impl::may_step_long(int substep) const {
-  const int end = substep + long_step_;
-  if (long_step_ == 1 || end > configuration_.substeps) return false;
-  if (substep < command_delay_substeps_ && command_delay_substeps_ < end) return false;
-  return !ball_.is_in_air() &&
-         contact_prediction_.is_contact_free(bodies_, robots_, hold_ != Hold::kFree);
+// A block ends with the frame, and does not skip the sub-step in which commands take effect.
+int World::Impl::block_from(int substep) const {
+  const int end = substep < command_delay_substeps_
+                      ? std::min(command_delay_substeps_, configuration_.substeps)
+                      : configuration_.substeps;
+  return std::min(block_, end - substep);
+}
+
+// Bodies that cannot meet anything until the end of the block take one step, the others as many as
+// their encounters need.
+void World::Impl::advance(int substep, int substeps) {
+  Encounters found = contact_prediction_.encounters(bodies_, robots_, hold_ != Hold::kFree);
+  if (!configuration_.free_motion) found.bodies = everything();
+  bodies_.gather(found.bodies);
+  drive(false, substeps * substep_s_);
+  bodies_.move_free_robots(substeps * substep_s_);
+  const int stride = found.need_short_steps || ball_.is_in_air() ? 1 : substeps;
+  for (int k = 0; k < substeps; k += stride) step_once(substep + k, stride);
 }
 
 // Operator splitting: first drives, kicks and carpet, then Box2D's contacts, then the effects that
 // planar physics lacks.
-void World::Impl::advance(int substep, int substeps) {
+void World::Impl::step_once(int substep, int substeps) {
   step_s_ = substeps * substep_s_;
-  drive();
+  drive(true, step_s_);
   if (hold_ == Hold::kFree) {
     move_ball(substep);
   } else {
@@ -147,9 +158,19 @@ void World::Impl::advance(int substep, int substeps) {
   substeps_ += substeps;
 }
 
-void World::Impl::drive() {
-  for_each_on_field([this](RobotId, Robot& robot, int index) {
-    const DriveForce drive = robot.drive.force(robot.aim, bodies_.robot(index), step_s_);
+BodySet World::Impl::everything() const {
+  BodySet all{0, true};
+  for (int i = 0; i < robots_; ++i) {
+    if (bodies_.is_on(i)) all.add_robot(i);
+  }
+  return all;
+}
+
+// Drives the robots that are gathered, or all others.
+void World::Impl::drive(bool gathered, double duration_s) {
+  for_each_on_field([&](RobotId, const Robot& robot, int index) {
+    if (bodies_.gathered().has_robot(index) != gathered) return;
+    const DriveForce drive = robot.drive.force(robot.aim, bodies_.robot(index), duration_s);
     bodies_.push_robot(index, drive.force_n, drive.torque_nm);
   });
 }

@@ -66,9 +66,11 @@ class World::Impl {
   void accept(const PerSide<TeamCommands>& commands);
   bool hears(Robot& robot, RandomStream& radio) const;
   void obey(const std::optional<Placement>& placement);
-  bool may_step_long(int substep) const;
+  int block_from(int substep) const;
   void advance(int substep, int substeps);
-  void drive();
+  void step_once(int substep, int substeps);
+  BodySet everything() const;
+  void drive(bool gathered, double duration_s);
   void hold_ball();
   void move_ball(int substep);
   std::optional<Vec2> kicked(int substep);
@@ -105,10 +107,19 @@ class World::Impl {
     });
   }
 
+  // Only gathered bodies can be close to each other.
+  template <typename Act>
+  void for_each_near_ball(Act act) {
+    if (!bodies_.gathered().ball) return;
+    for_each_robot([&](RobotId id, Robot& robot, int index) {
+      if (bodies_.gathered().has_robot(index)) act(id, robot, index);
+    });
+  }
+
   Field field_;
   Configuration configuration_;
   double substep_s_;
-  int long_step_;      // sub-steps per physics step if no contact is possible
+  int block_;          // sub-steps per block, in which free bodies take a single step
   double step_s_ = 0;  // duration of the current physics step
   int command_delay_substeps_;
   int hold_frames_;  // frames without a command after which a robot stops

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "soccer/trigonometry.hpp"
+
 namespace autoref {
 
 using Vec2 = Eigen::Vector2d;
@@ -40,7 +42,10 @@ inline Vec2 clamp_norm(const Vec2& v, double limit) {
 }
 
 // Converts an angle to a unit vector, and back.
-Vec2 heading_of(double angle_rad);
+inline Vec2 heading_of(double angle_rad) {
+  const auto [s, c] = sin_cos(angle_rad);
+  return {c, s};
+}
 double angle_of(const Vec2& v);
 
 // The signed angle from `from` to `to`, in [-pi, pi].

@@ -150,7 +150,9 @@ class Game::Impl {
     end_for(faults);
     substitution_controller_.act(signal_, requests(), frame_.time_s, world_);
     const bool is_held = signal_.placement && signal_.placement->by_hand;
-    world_.step(commands_, is_held ? signal_.placement : std::nullopt);
+    const auto placement = is_held ? signal_.placement : std::nullopt;
+    if (observer_ != nullptr) observer_->on_orders(commands_, placement, world_);
+    world_.step(commands_, placement);
     if (!world_.is_finite()) void_game("a position in the world is not finite");
     ++record_.frames;
     ended(Phase::kPhysics);

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "referee/decision.hpp"
 #include "sim/world.hpp"
 #include "soccer/frame.hpp"
 #include "soccer/referee_signal.hpp"
+#include "soccer/robot_command.hpp"
 #include "soccer/team_requests.hpp"
 
 namespace autoref::runner {
@@ -28,6 +30,10 @@ class Observer {
   // Once per frame, after the referee and before the teams.
   virtual void on_frame(const Frame& /*frame*/, const RefereeSignal& /*signal*/,
                         const sim::World& /*world*/) {}
+  // Once per frame, just before the world moves: what it is told.
+  virtual void on_orders(const PerSide<TeamCommands>& /*commands*/,
+                         const std::optional<Placement>& /*placement*/,
+                         const sim::World& /*world*/) {}
   virtual void on_decision(const referee::Decision& /*decision*/) {}
 };
 

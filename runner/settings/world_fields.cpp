@@ -157,7 +157,9 @@ std::vector<Setting> settings_of(sim::Configuration& sim, sim::RobotSpec& robot)
   Branch to(list, "sim.");
   to.number("substeps", sim.substeps, {1, 16}, "", "physics steps per frame");
   to.number("contact_free_substeps", sim.contact_free_substeps, {1, 16}, "",
-            "physics steps per frame while no contact is possible");
+            "physics steps per frame of a body that can meet nothing");
+  to.yes_or_no("free_motion", sim.free_motion,
+               "bodies that can meet nothing move without Box2D; false: to compare");
   to.number("frame_rate_hz", sim.frame_rate_hz, {30, 240}, "1/s", "frames per second");
   to.preset("camera", CameraPreset{&sim}, sim::camera_preset_names(),
             "sets vision, frame_rate_hz, command_loss and latency_s");

@@ -94,8 +94,9 @@ TEST(ContactPrediction, MissesOnlyGentleCollisionsBetweenRobots) {
   for (int i = 0; i < 40000; ++i) {
     Crowd crowd(random);
     if (!crowd.is_possible()) continue;
-    const bool is_contact_free = ContactPrediction(crowd.field, specs(1, 1), kLongStep_s)
-                                     .is_contact_free(crowd.bodies, 2, false);
+    const bool is_contact_free = !ContactPrediction(crowd.field, specs(1, 1), kLongStep_s)
+                                      .encounters(crowd.bodies, 2, false)
+                                      .need_short_steps;
     const Changes changes = changes_within_a_long_step(crowd);
     contact_prediction += is_contact_free ? 1 : 0;
     collisions += changes.ball_mps > 0.01 || changes.robot_mps > 0.5 ? 1 : 0;

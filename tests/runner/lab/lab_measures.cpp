@@ -187,10 +187,13 @@ double kicked_mps(const LabRecord& record) {
   return record.states[kKickCommand + 1].ball.velocity_mps.norm() + kSlide_mps2 * kFrame_s;
 }
 
+// In the last frame before the ball is within reach of the receiver's dribbler.
 double arrival_mps(const LabRecord& record) {
   const std::size_t f = first_frame(record, [](const WorldState& former, const WorldState& now) {
-    return former.ball.is_rolling && former.ball.velocity_mps.x() > 1.0 &&
-           now.ball.velocity_mps.x() < 1.0;
+    const sim::RobotState& receiver = now.robots[Side::kWest][1];
+    const double gap_m =
+        receiver.position_m.x() - kFrontDistance_m - kBallRadius_m - now.ball.position_m.x();
+    return former.ball.is_rolling && gap_m < sim::DribblerParameters{}.reach_m;
   });
   return record.states[f - 1].ball.velocity_mps.x();
 }

@@ -34,7 +34,7 @@ void write_mutated_game(const fs::path& log) {
   const std::string path = log.string();
   const Answer answer =
       answer_to({"play", game.c_str(), "--log", path.c_str(), "--set", "match.rules=2026-b",
-                 "--set", "match.half_s=15", "--set", "match.halves=1", "--set",
+                 "--set", "match.half_s=15", "--seed", "40", "--set", "match.halves=1", "--set",
                  "sim.camera=rc2026-b", "--set", "a.strategy=rowdy", "--set", "b.strategy=cobalt"});
   ASSERT_EQ(answer.code, kDone) << answer.err;
 }
