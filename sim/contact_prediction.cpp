@@ -55,16 +55,15 @@ Encounters ContactPrediction::encounters(const Box2dBridge& bodies, int robots,
 
 void ContactPrediction::add_pairs(const Box2dBridge& bodies, const Discs& discs,
                                   Encounters& found) const {
-  for (std::size_t i = 0; i < discs.size(); ++i) {
-    const Disc disc = discs[i];
-    for (std::size_t k = 0; k < i; ++k) {
-      if (!disc.overlaps(discs[k].centre_m, discs[k].radius_m)) continue;
-      const BodyState& robot = bodies.robot(disc.index);
-      const BodyState& other = bodies.robot(discs[k].index);
-      if (!can_meet(robot, other, 2.0 * kRobotRadius_m)) continue;
+  for (const Disc& disc : discs) {
+    for (const Disc* other = discs.data(); other != &disc; ++other) {
+      if (!disc.overlaps(other->centre_m, other->radius_m)) continue;
+      const BodyState& one_body = bodies.robot(disc.index);
+      const BodyState& other_body = bodies.robot(other->index);
+      if (!can_meet(one_body, other_body, 2.0 * kRobotRadius_m)) continue;
       found.bodies.add_robot(disc.index);
-      found.bodies.add_robot(discs[k].index);
-      if (is_hard(robot, other)) found.need_short_steps = true;
+      found.bodies.add_robot(other->index);
+      if (is_hard(one_body, other_body)) found.need_short_steps = true;
     }
   }
 }
