@@ -10,6 +10,7 @@ namespace autoref::strategies {
 namespace {
 
 constexpr int kPerFrame = 4;  // cells updated per frame
+constexpr int kSweep_frames = PassField::kCells / kPerFrame;
 
 }  // namespace
 
@@ -33,7 +34,8 @@ double worth_of(const PredictedState& predicted, double chance, const Vec2& poin
   return (1 - predicted.style().ahead_worth) * shot + predicted.style().ahead_worth * ahead;
 }
 
-PassField::PassField(const PredictedState& predicted) : predicted_(predicted) {
+PassField::PassField(const PredictedState& predicted)
+    : predicted_(predicted), held_frames_(std::llround(predicted.style().receiver_hold_frames)) {
   const Field& field = predicted.field();
   const double back_m = predicted.style().line_m;
   const double front_m = field.half_length_m() - predicted.style().receivers_from_edge_m;
@@ -52,7 +54,13 @@ PassField::PassField(const PredictedState& predicted) : predicted_(predicted) {
   positions_m_.fill(Vec2(0, 0));
 }
 
+// Values are read when positions are chosen. Until one sweep before the next choice, every value
+// would be replaced before it is read.
 void PassField::update() {
+  if (predicted_.now().frame + kSweep_frames <= settle_frame_ + held_frames_) {
+    next_ = (next_ + kPerFrame) % kCells;
+    return;
+  }
   const Vec2& ball_m = predicted_.position_m();
   const double unsafe = predicted_.style().unsafe_share;
   for (int i = 0; i < kPerFrame; ++i) {
@@ -92,8 +100,7 @@ void PassField::send(const boost::container::static_vector<int, kMaxRobots>& rec
   const bool was_sent = settle_frame_ >= 0;
   if (is_restart(predicted_.now().play) && was_sent)
     return;  // receivers do not run before the ball is in play
-  const auto held_frames = std::llround(predicted_.style().receiver_hold_frames);
-  if (predicted_.now().frame - settle_frame_ < held_frames) return;
+  if (predicted_.now().frame - settle_frame_ < held_frames_) return;
   settle_frame_ = predicted_.now().frame;
   boost::container::static_vector<Vec2, kMaxRobots> taken_m;
   const double most_bonus = std::max(0.0, predicted_.style().receiver_loyalty);

@@ -25,7 +25,8 @@ class PassField {
 
   explicit PassField(const PredictedState& predicted);
 
-  // Updates the next few cells, so that every cell is updated once in a few frames.
+  // Updates the next few cells, so that every cell is updated once in the few frames before
+  // positions are chosen.
   void update();
 
   // Chooses a position for each receiver (given by index), one after the other: the best cell that
@@ -42,6 +43,7 @@ class PassField {
                    const boost::container::static_vector<Vec2, kMaxRobots>& taken_m) const;
 
   const PredictedState& predicted_;
+  std::int64_t held_frames_;
   std::array<Vec2, kCells> cells_m_;
   std::array<double, kCells> values_{};
   int next_ = 0;

@@ -88,6 +88,20 @@ TEST(PassField, ChangesNoPositionDuringARestart) {
   EXPECT_NE(field.position_of(1), before_m);
 }
 
+TEST(PassField, ChoosesByWhatChangedSinceTheLastChoice) {
+  constexpr int kHold_frames = 20;
+  StagedPrediction stage(Play::kRunning);
+  stage.world.own(0, {-2.8, 0}).own(1, {1, 0}).opponent(0, {0.5, 0.7}).ball({-0.5, 0});
+  PassField field(stage.predicted);
+  send(stage, field, {1}, 1 + 2 * kHold_frames);  // chooses in the first frame and in the last
+  const Vec2 before_m = field.position_of(1);
+  stage.world.view.opponents[0].position_m = before_m / 2 + Vec2(-0.25, 0);
+  send(stage, field, {1}, kHold_frames - 1);
+  EXPECT_EQ(field.position_of(1), before_m);
+  send(stage, field, {1}, 1);
+  EXPECT_NE(field.position_of(1), before_m);
+}
+
 TEST(PassField, ChoosesPositionsOnTheFieldOutsideTheOpponentsArea) {
   for (const char* rules : {"paper", "2014-double"}) {
     const TeamContext context = team_context_of(rules);
