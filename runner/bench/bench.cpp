@@ -21,8 +21,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kBenchRounds = 5;
-constexpr std::uint64_t kFirstSeed = 1;
 constexpr std::array<std::string_view, kPhaseCount> kPhaseNames = {
     "camera", "referee", "team_west", "team_east", "physics", "record"};
 
@@ -30,15 +28,9 @@ double ns_since(Clock::time_point start) {
   return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
 }
 
-GameConfiguration fixed_game(std::uint64_t seed) {
-  GameConfiguration game;
-  game.seed = seed;
-  return game;
-}
-
 // A game in which every rule of every rule book is in force.
-GameConfiguration game_with_all_rules() {
-  GameConfiguration game = fixed_game(kFirstSeed);
+GameConfiguration game_with_all_rules(FixedTeams teams) {
+  GameConfiguration game = fixed_game(teams, 0);
   game.match.rules = *find_rule_book("2014");
   for (const RuleEntry& entry : rule_table()) game.match.rules.in_force[entry.rule] = true;
   return game;
@@ -79,29 +71,13 @@ double bare_ns(std::uint64_t seed, std::int64_t frames) {
   return ns;
 }
 
-void print_json(const BenchResult& r) {
-  Json shares;
-  for (int i = 0; i < kPhaseCount; ++i) shares[kPhaseNames[i]] = rounded(r.shares[i], 4);
-  Json teams;
-  for (const TeamCost& team : r.teams) teams[team.name] = rounded(team.ns_per_decision, 1);
-  const Json json = {{"ns_per_frame", rounded(r.ns_per_frame, 1)},
-                     {"referee_ns_per_frame", rounded(r.referee_ns_per_frame, 1)},
-                     {"bare_ns_per_frame", rounded(r.bare_ns_per_frame, 1)},
-                     {"ratio", rounded(r.ratio, 4)},
-                     {"x_real_time", rounded(r.x_real_time, 1)},
-                     {"signature", fmt::format("{:016x}", r.signature)},
-                     {"shares", std::move(shares)},
-                     {"team_ns_per_decision", std::move(teams)}};
-  fmt::print("{}\n", json_text(json));
-}
-
 void print_table(const BenchResult& r) {
   fmt::print("a whole game          {:9.0f} ns per frame, {:.0f} x real time on one core\n",
              r.ns_per_frame, r.x_real_time);
   fmt::print("the bare Box2D scene  {:9.0f} ns per frame\n", r.bare_ns_per_frame);
   fmt::print("the referee           {:9.0f} ns per frame, with every rule in force\n",
              r.referee_ns_per_frame);
-  fmt::print("ratio                 {:9.3f}   (median of {} rounds)\n", r.ratio, kBenchRounds);
+  fmt::print("ratio                 {:9.3f}   (median of {} rounds)\n", r.ratio, kFixedGames);
   fmt::print("signature             {:016x}\n", r.signature);
   for (int i = 0; i < kPhaseCount; ++i) {
     fmt::print("  {:10} {:5.1f} %\n", kPhaseNames[i], 100 * r.shares[i]);
@@ -113,24 +89,39 @@ void print_table(const BenchResult& r) {
 
 }  // namespace
 
-BenchResult bench(int rounds) {
+std::string bench_json(const BenchResult& r) {
+  Json shares;
+  for (int i = 0; i < kPhaseCount; ++i) shares[kPhaseNames[i]] = rounded(r.shares[i], 4);
+  Json json = {{"ns_per_frame", rounded(r.ns_per_frame, 1)},
+               {"referee_ns_per_frame", rounded(r.referee_ns_per_frame, 1)},
+               {"bare_ns_per_frame", rounded(r.bare_ns_per_frame, 1)},
+               {"ratio", rounded(r.ratio, 4)},
+               {"x_real_time", rounded(r.x_real_time, 1)},
+               {"signature", fmt::format("{:016x}", r.signature)},
+               {"shares", std::move(shares)}};
+  for (const TeamCost& team : r.teams)
+    json["team_ns_per_decision"][team.name] = rounded(team.ns_per_decision, 1);
+  return json_text(json);
+}
+
+BenchResult bench(FixedTeams teams) {
   std::vector<double> game_ns, bare_frame_ns, ratios;
   StateHash signature;
-  for (int i = 0; i < rounds; ++i) {
-    const std::uint64_t seed = kFirstSeed + static_cast<std::uint64_t>(i);
+  for (int i = 0; i < kFixedGames; ++i) {
+    const GameConfiguration game = fixed_game(teams, i);
     const Clock::time_point start = Clock::now();
-    const GameRecord record = play(fixed_game(seed));
+    const GameRecord record = play(game);
     const auto frames = static_cast<double>(record.frames);
     game_ns.push_back(ns_since(start) / frames);
-    bare_frame_ns.push_back(bare_ns(seed, record.frames) / frames);
+    bare_frame_ns.push_back(bare_ns(game.seed, record.frames) / frames);
     ratios.push_back(game_ns.back() / bare_frame_ns.back());
     signature.add(record.state_hash);
   }
   // The phases are measured in separate games, since reading the clock in every phase costs time.
   Shares shares;
-  play(fixed_game(kFirstSeed), &shares);
+  play(fixed_game(teams, 0), &shares);
   Shares with_all_rules;
-  const GameRecord refereed = play(game_with_all_rules(), &with_all_rules);
+  const GameRecord refereed = play(game_with_all_rules(teams), &with_all_rules);
 
   BenchResult result;
   result.ns_per_frame = median(game_ns);
@@ -141,16 +132,17 @@ BenchResult bench(int rounds) {
   result.shares = shares.shares();
   result.referee_ns_per_frame =
       with_all_rules.ns_of(Phase::kReferee) / static_cast<double>(refereed.frames);
-  for (const strategies::Entry& team : strategies::all_strategies()) {
-    result.teams.push_back(cost_of_team(team.name));
-  }
   return result;
 }
 
-int run_bench(bool json) {
-  const BenchResult result = bench(kBenchRounds);
+int run_bench(FixedTeams teams, bool json) {
+  BenchResult result = bench(teams);
+  if (teams == FixedTeams::kPlain) {
+    for (const strategies::Entry& team : strategies::all_strategies())
+      result.teams.push_back(cost_of_team(team.name));
+  }
   if (json) {
-    print_json(result);
+    fmt::print("{}\n", bench_json(result));
   } else {
     print_table(result);
   }

@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
+#include "runner/bench/fixed_games.hpp"
 #include "runner/bench/team_cost.hpp"
 #include "runner/game/game.hpp"
 
@@ -20,15 +22,18 @@ struct BenchResult {
   std::uint64_t signature = 0;  // hash over the fixed games; changes whenever behaviour changes
   std::array<double, kPhaseCount> shares{};  // fraction of a game's time spent in each Phase
   double referee_ns_per_frame = 0;  // in one game with every rule in force, including the filters
-  std::vector<TeamCost> teams;      // all registered teams, by name
+  std::vector<TeamCost> teams;      // all registered teams, by name; empty if not measured
 };
 
-// Plays `rounds` full games, each immediately followed by the bare Box2D benchmark with as many
-// frames, so a slowdown of the machine affects both.
-BenchResult bench(int rounds);
+// Plays the fixed games, each immediately followed by the bare Box2D benchmark with as many frames,
+// so a slowdown of the machine affects both. Leaves out the teams' costs.
+BenchResult bench(FixedTeams teams);
 
-// Runs the verb: prints the result to stdout, with `json` as one JSON object. Returns the exit
-// code.
-int run_bench(bool json);
+// One JSON object, without `team_ns_per_decision` if no team was measured.
+std::string bench_json(const BenchResult& result);
+
+// Runs the verb: prints the result to stdout, with `json` as one JSON object; measures the teams'
+// costs only with the plain fixed games. Returns the exit code.
+int run_bench(FixedTeams teams, bool json);
 
 }  // namespace autoref::runner

@@ -1,50 +1,29 @@
 #include "runner/bench/workers_bench.hpp"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "runner/batch/experiment.hpp"
+#include "runner/bench/bench_folder.hpp"
 #include "runner/io/build_id.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/json.hpp"
+#include "runner/io/processor_time.hpp"
 #include "runner/statistics/sample.hpp"
 
 namespace autoref::runner {
 namespace {
 
-namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr int kWorkersRounds = 3;
 constexpr int kWorkers = 2;
 constexpr int kWorkersPairs = 6;  // 12 games per run
-
-// A temporary folder, deleted with this object.
-class TemporaryFolder {
- public:
-  TemporaryFolder() : name_((fs::temp_directory_path() / "autoref-bench-XXXXXX").string()) {
-    if (mkdtemp(name_.data()) == nullptr) throw io_error(name_ + " cannot be created", errno);
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(name_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const std::string& name() const { return name_; }
-
- private:
-  std::string name_;
-};
 
 struct Costs {
   double wall_s = 0;
@@ -52,34 +31,25 @@ struct Costs {
   double workers_cpu_s = 0;
 };
 
-double cpu_s(int whose) {
-  rusage usage{};
-  getrusage(whose, &usage);
-  const auto seconds = [](const timeval& time) {
-    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
 // Plays all games of the experiment, from reading the folder to writing the results.
 Costs run_with(int workers) {
-  const TemporaryFolder folder;
+  const BenchFolder folder;
   Sweep sweep;
   sweep.factors = {{"b.handicap", {1.0}}};
   sweep.pairs = kWorkersPairs;
   sweep.seed = 1;
   ExperimentOptions options;
-  options.folder = folder.name();
+  options.folder = folder.path();
   options.build = build_id();
   options.workers = workers;
   options.play = [](const GameConfiguration& game) { return play(game); };
-  // RUSAGE_CHILDREN counts only children that have ended and been waited for. Once the experiment
-  // returns, this includes all workers.
-  const Costs before{0, cpu_s(RUSAGE_SELF), cpu_s(RUSAGE_CHILDREN)};
+  // Once the experiment returns, all workers have been waited for.
+  const Costs before{0, processor_s_of(RUSAGE_SELF), processor_s_of(RUSAGE_CHILDREN)};
   const Clock::time_point start = Clock::now();
   if (!run_experiment({"", sweep}, options).is_complete) throw Interrupted();
   return {std::chrono::duration<double>(Clock::now() - start).count(),
-          cpu_s(RUSAGE_SELF) - before.parent_cpu_s, cpu_s(RUSAGE_CHILDREN) - before.workers_cpu_s};
+          processor_s_of(RUSAGE_SELF) - before.parent_cpu_s,
+          processor_s_of(RUSAGE_CHILDREN) - before.workers_cpu_s};
 }
 
 double games_per_min(const Costs& costs) { return 60 * 2 * kWorkersPairs / costs.wall_s; }

@@ -1,13 +1,18 @@
 #include "runner/bench/bench.hpp"
-#include "runner/bench/answering_program.hpp"
+
+#include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "runner/bench/answering_program.hpp"
+#include "runner/bench/build_comparison.hpp"
 #include "runner/bench/live_bench.hpp"
 #include "runner/bench/programs_bench.hpp"
+#include "runner/bench/scale_bench.hpp"
 #include "runner/bench/workers_bench.hpp"
 #include "runner/cli/command_line.hpp"
+#include "runner/io/errors.hpp"
 
 namespace autoref::runner {
 
@@ -18,18 +23,41 @@ void add_bench_verb(CLI::App& app, Chosen& chosen) {
     bool programs = false;
     bool answer = false;
     bool live = false;
+    bool strong = false;
+    bool scale = false;
+    std::string other_build;
+    int rounds = kDefaultRounds;
     LiveBenchOptions live_options;
+
+    FixedTeams teams() const { return strong ? FixedTeams::kStrong : FixedTeams::kPlain; }
   };
   CLI::App* verb = app.add_subcommand("bench", "Measure how fast whole games run.");
   auto arguments = std::make_shared<Arguments>();
   verb->add_flag("--json", arguments->json, "Print one JSON object.");
-  verb->add_flag(
+  CLI::Option* strong =
+      verb->add_flag("--strong", arguments->strong,
+                     "Play games between the strongest teams; also with --compare and --scale.");
+  CLI::Option* compare =
+      verb->add_option("--compare", arguments->other_build,
+                       "Instead, compare this program with another build of AutoRef.")
+          ->type_name("PROGRAM");
+  CLI::Option* scale = verb->add_flag(
+      "--scale", arguments->scale,
+      "Instead, measure how the cost of a frame grows with robots, cameras and camera presets.");
+  CLI::Option* rounds =
+      verb->add_option("--rounds", arguments->rounds,
+                       fmt::format("With --compare and --scale: number of rounds, {} by default.",
+                                   kDefaultRounds))
+          ->type_name("N")
+          ->check(CLI::Range(kFewestRounds, 10000));
+  CLI::Option* workers = verb->add_flag(
       "--workers", arguments->workers,
       "Instead, compare two workers with one and measure the cost of dispatching games.");
-  verb->add_flag("--programs", arguments->programs,
-                 "Instead, compare games between programs with bare pipes.");
-  verb->add_flag("--answer", arguments->answer,
-                 "Instead, be a team's program that does nothing but answer.");
+  CLI::Option* programs =
+      verb->add_flag("--programs", arguments->programs,
+                     "Instead, compare games between programs with bare pipes.");
+  CLI::Option* answer = verb->add_flag(
+      "--answer", arguments->answer, "Instead, be a team's program that does nothing but answer.");
   CLI::Option* live = verb->add_flag(
       "--live", arguments->live,
       "Instead, compare the late frames of live games with those of a loop that only sleeps.");
@@ -43,13 +71,31 @@ void add_bench_verb(CLI::App& app, Chosen& chosen) {
       ->type_name("N")
       ->check(CLI::Range(0, 64))
       ->needs(live);
+  // One benchmark at a time; these do not play the fixed games, nor in rounds.
+  compare->excludes(scale);
+  for (CLI::Option* fixed : {workers, programs, answer, live}) {
+    for (CLI::Option* option : {strong, compare, scale, rounds}) fixed->excludes(option);
+  }
   verb->footer("Example:\n  autoref bench --json");
-  verb->callback([arguments, &chosen] {
-    chosen = [arguments] {
+  verb->callback([arguments, rounds, &chosen] {
+    const bool has_rounds = rounds->count() > 0;
+    chosen = [arguments, has_rounds] {
+      if (has_rounds && arguments->other_build.empty() && !arguments->scale)
+        throw InputError({"--rounds"}, "", "expected with --compare or --scale");
+      if (!arguments->other_build.empty()) {
+        return run_build_comparison(arguments->other_build,
+                                    {.teams = arguments->teams(), .rounds = arguments->rounds},
+                                    arguments->json);
+      }
+      if (arguments->scale) {
+        return run_scale_bench({.teams = arguments->teams(), .rounds = arguments->rounds},
+                               arguments->json);
+      }
       if (arguments->answer) return answer_frames();
       if (arguments->live) return run_live_bench(arguments->live_options, arguments->json);
       if (arguments->programs) return run_programs_bench(arguments->json);
-      return arguments->workers ? run_workers_bench(arguments->json) : run_bench(arguments->json);
+      return arguments->workers ? run_workers_bench(arguments->json)
+                                : run_bench(arguments->teams(), arguments->json);
     };
   });
 }
