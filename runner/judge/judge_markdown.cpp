@@ -47,11 +47,12 @@ std::string scores_markdown_of(const JudgeReport& report) {
 }
 
 std::string markdown_of(const JudgeReport& report) {
-  std::string text = fmt::format(
-      "seeds: {}\n\n{}\n{}\n\n{}\n{}\n\n{}\n{}\n\n{}\n{}\n\n", text_of(report.seeds),
-      scores_markdown_of(report), kIntervalsCaption, markdown_table(last_touch_table(report)),
-      kLastTouchCaption, markdown_table(delays_table(report)), kDelaysCaption,
-      markdown_table(reliability_table(report)), kReliabilityCaption);
+  std::string text = fmt::format("seeds: {}\n\n{}\n{}\n\n{}\n{}\n\n{}\n{}\n\n{}\n{}\n\n{}\n{}\n\n",
+                                 text_of(report.seeds), markdown_table(summary_table(report)),
+                                 kSummaryCaption, scores_markdown_of(report), kIntervalsCaption,
+                                 markdown_table(last_touch_table(report)), kLastTouchCaption,
+                                 markdown_table(delays_table(report)), kDelaysCaption,
+                                 markdown_table(reliability_table(report)), kReliabilityCaption);
   text += list("events called twice", report.second_calls);
   text += list("calls that require play, made while play was stopped", report.calls_in_stop);
   text += list("right calls of events that happened later", report.calls_before_events);

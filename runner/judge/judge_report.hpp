@@ -40,11 +40,11 @@ std::vector<const ground_truth::Verdict*> faults_in(const CallEvaluation& evalua
 // same report, in whatever order they were played.
 JudgeReport report_of(const JudgeSchedule& schedule, const RowsById& rows);
 
-// Markdown: the seeds, F1 of all events, last touches, delays, the checks, and a table of all
-// measures for each rule book.
+// Markdown: the seeds, a summary, F1 of all events by rule book, last touches, delays, the checks,
+// and a table of all measures for each rule book.
 std::string markdown_of(const JudgeReport& report);
 
-// Only the table of F1.
+// Only the table of F1 by rule book.
 std::string scores_markdown_of(const JudgeReport& report);
 
 // judge.csv: seeds, rules, camera, event, whether it is rare, and measures with their intervals;

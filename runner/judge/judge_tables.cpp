@@ -58,21 +58,26 @@ std::string score_cell(const EventTally& tally, ScoreCells cells) {
                      tally.happened(), rarity(tally));
 }
 
-// F1 of one event with one rule book and one seed, by camera; nullopt if it was never seen.
-std::optional<Cells> score_cells(const Tallies& tallies, const std::vector<std::string>& cameras,
-                                 const CameraTally& of, const std::string& event,
-                                 ScoreCells style) {
+// One cell for each tally with the seeds and the rule book of `of`, that is for each camera.
+template <typename CellOf>
+Cells by_camera(const Tallies& tallies, const CameraTally& of, const CellOf& cell_of) {
   Cells cells;
-  bool is_known = false;
-  for (const std::string& camera : cameras) {
-    const auto tally = std::find_if(tallies.begin(), tallies.end(), [&](const CameraTally& one) {
-      return one.seeds == of.seeds && one.rules == of.rules && one.camera == camera;
-    });
-    const bool is_there = tally != tallies.end() && tally->events.contains(event);
-    cells.push_back(is_there ? score_cell(tally->events.at(event), style) : "");
-    is_known = is_known || !cells.back().empty();
+  for (const CameraTally& tally : tallies) {
+    if (tally.seeds == of.seeds && tally.rules == of.rules) cells.push_back(cell_of(tally));
   }
-  return is_known ? std::optional(cells) : std::nullopt;
+  return cells;
+}
+
+// F1 of one event with one rule book and one seed, by camera; nullopt if it was never seen.
+std::optional<Cells> score_cells(const Tallies& tallies, const CameraTally& of,
+                                 const std::string& event, ScoreCells style) {
+  Cells cells = by_camera(tallies, of, [&](const CameraTally& tally) {
+    const auto found = tally.events.find(event);
+    return found == tally.events.end() ? "" : score_cell(found->second, style);
+  });
+  const bool is_known =
+      std::any_of(cells.begin(), cells.end(), [](const auto& cell) { return !cell.empty(); });
+  return is_known ? std::optional(std::move(cells)) : std::nullopt;
 }
 
 // Adds the rows of an event, one for each rule book and seed among the tallies.
@@ -81,7 +86,7 @@ void add_scores(const JudgeReport& report, const Tallies& tallies, const std::st
   const std::vector<std::string> cameras = names_in(tallies, &CameraTally::camera);
   for (const CameraTally& tally : tallies) {
     if (tally.camera != cameras.front()) continue;
-    const auto scores = score_cells(tallies, cameras, tally, event, style);
+    const auto scores = score_cells(tallies, tally, event, style);
     if (!scores) continue;
     rows.push_back(with_seeds(report, {shown_name(event), tally.rules}, tally.seeds));
     rows.back().insert(rows.back().end(), scores->begin(), scores->end());
@@ -94,6 +99,14 @@ std::string percent(int part, int whole) {
   const Interval interval = *wilson_interval(part, whole);
   return fmt::format("{:.1f} % [{}]", 100.0 * part / whole,
                      text_of({100 * interval.low, 100 * interval.high}, 1));
+}
+
+// "98.1 % [97.0, 98.8] of 3029".
+std::string touch_cell(const std::array<LastTouchTally, 2>& by_team) {
+  const EventTally touch = touch_tally(by_team);
+  if (touch.happened() == 0) return "";
+  return fmt::format("{} of {}{}", percent(touch.right, touch.happened()), touch.happened(),
+                     rarity(touch));
 }
 
 Cells touch_cells(const std::array<LastTouchTally, 2>& by_team) {
@@ -141,13 +154,21 @@ const Tallies& widest_tallies(const JudgeReport& report) {
   return report.pooled.empty() ? report.tallies : report.pooled;
 }
 
+void add_summary(const Cells& name, const Cells& cells, TableRows& rows) {
+  rows.push_back(name);
+  rows.back().insert(rows.back().end(), cells.begin(), cells.end());
+}
+
 }  // namespace
 
+const char* const kSummaryCaption =
+    "How often the last touch was right when the ball left the field, and F1 of each event, in the "
+    "games of all rule books. In brackets: 95 % confidence intervals. `rare`: it happened fewer "
+    "than 100 times.";
 const char* const kIntervalsCaption =
     "In brackets: 95 % confidence intervals, Wilson's for proportions; F1 is treated as the "
     "proportion of right calls in the mean of the numbers of calls and of events. `rare`: the "
-    "event happened fewer than 100 times. The rule book `all` pools the games of all rule books "
-    "for events that are rare under one of them.";
+    "event happened fewer than 100 times.";
 const char* const kLastTouchCaption =
     "Contested: robots of both teams touched the ball within the last 0.1 s before it left the "
     "field.";
@@ -192,13 +213,32 @@ JudgeTable events_table(const JudgeReport& report, const std::string& rules) {
   return table;
 }
 
+JudgeTable summary_table(const JudgeReport& report) {
+  const Tallies& tallies = widest_tallies(report);
+  JudgeTable table{{{"summary"}}, 1};
+  TableRows& rows = table.rows;
+  if (tallies.empty()) return table;
+  const CameraTally& of = tallies.back();
+  if (!of.seeds.empty()) rows[0][0] += " of " + of.seeds;
+  const Cells cameras = by_camera(tallies, of, [](const auto& tally) { return tally.camera; });
+  rows[0].insert(rows[0].end(), cameras.begin(), cameras.end());
+  add_summary({"last touch at exits"},
+              by_camera(tallies, of, [](const auto& t) { return touch_cell(t.last_touch); }), rows);
+  add_summary({"contested last touch"},
+              by_camera(tallies, of, [](const auto& t) { return touch_cell(t.contested_touch); }),
+              rows);
+  for (const std::string& event : judged_names()) {
+    const auto scores = score_cells(tallies, of, event, ScoreCells::kWithIntervals);
+    if (scores) add_summary({shown_name(event)}, *scores, rows);
+  }
+  return table;
+}
+
 JudgeTable scores_table(const JudgeReport& report, ScoreCells cells) {
   JudgeTable table =
       table_of(report, {"F1 of", "rules"}, names_in(report.tallies, &CameraTally::camera));
   for (const std::string& event : judged_names()) {
     add_scores(report, report.tallies, event, cells, table.rows);
-    if (!report.rare_events.contains(event)) continue;
-    add_scores(report, report.pooled, event, cells, table.rows);
   }
   return table;
 }

@@ -17,6 +17,7 @@ struct JudgeTable {
 };
 
 // Texts below the tables.
+extern const char* const kSummaryCaption;
 extern const char* const kIntervalsCaption;
 extern const char* const kLastTouchCaption;
 extern const char* const kDelaysCaption;
@@ -29,9 +30,12 @@ enum class ScoreCells : std::uint8_t {
   kWithIntervals,  // "0.987 [0.964, 0.995] of 120"
 };
 
+// One row for last touches, one for contested ones, and one for F1 of each event; one column per
+// camera. Of the last-named seed only, with the games of all rule books.
+JudgeTable summary_table(const JudgeReport& report);
+
 // F1 of every event by rule book, one column per camera. The games of both master seeds are in
-// rows below each other. Events that are rare under some rule book also have a row pooled over all
-// rule books.
+// rows below each other.
 JudgeTable scores_table(const JudgeReport& report, ScoreCells cells);
 
 // How often the last touch was right when the ball left the field, at all exits and at contested

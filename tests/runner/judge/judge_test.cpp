@@ -8,6 +8,7 @@
 #include "runner/experiments/scenario.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/judge/judge_report.hpp"
+#include "runner/judge/judge_tables.hpp"
 #include "runner/judge/judged_rows.hpp"
 #include "runner/results/evaluation_text.hpp"
 #include "runner/results/row_format.hpp"
@@ -254,8 +255,24 @@ TEST(JudgeReport, ShowsEveryScoreWithItsIntervalAndMarksRareOnes) {
   EXPECT_NE(markdown.find("| goal | paper | test | 1.000 [0.886, 1.000] of 30 rare |"),
             std::string::npos)
       << markdown;
-  EXPECT_NE(markdown.find("| goal | all | test | 1.000 [0.975, 1.000] of 150 |"), std::string::npos)
+}
+
+TEST(JudgeReport, BeginsWithASummaryOfTheLastSeedOverAllRuleBooks) {
+  const std::string markdown = markdown_of(report_on({30, 120}));
+  EXPECT_TRUE(markdown.starts_with("seeds: test 5\n\n| summary of test | none |\n"));
+  EXPECT_NE(markdown.find("\n| goal | 1.000 [0.975, 1.000] of 150 |\n"), std::string::npos)
       << markdown;
+}
+
+TEST(JudgeReport, SummarisesNoOtherSeedThanTheLast) {
+  JudgeReport report;
+  for (const std::string seeds : {"tuning", "test"}) {
+    CameraTally tally{seeds, "paper", "none", 1, 0, {}, {}, {}, {}};
+    tally.last_touch[0] = {seeds == "test" ? 3 : 4, 1, 0};
+    report.tallies.push_back(tally);
+  }
+  EXPECT_EQ(summary_table(report).rows[1],
+            (std::vector<std::string>{"last touch at exits", "75.0 % [30.1, 95.4] of 4 rare"}));
 }
 
 TEST(JudgeReport, NamesItsSeeds) {

@@ -179,7 +179,7 @@ TEST_F(JudgedRun, IsReportedAsAPage) {
   EXPECT_EQ(content_of(whole_ + "/judge.csv"), csv);
   EXPECT_TRUE(answer.out.starts_with(judged.out.substr(0, judged.out.find(whole_))));
   const std::string markdown = content_of(whole_ + "/report.md");
-  EXPECT_NE(markdown.find("## F1 at a glance"), std::string::npos);
+  EXPECT_NE(markdown.find("## F1 by rule book"), std::string::npos);
   EXPECT_NE(markdown.find("| games | 4 of 4 |"), std::string::npos) << markdown;
   EXPECT_NE(content_of(whole_ + "/report.html").find("throw_in"), std::string::npos);
   EXPECT_EQ(ask("report", whole_).code, kDone);
