@@ -48,20 +48,17 @@ Limits Basic::limits_for(bool is_keeper) const {
   return limits;
 }
 
-Obstacles Basic::obstacles_for(int index, bool avoid_ball) const {
+// Once per decision. A robot ignores itself: it is at no distance along its own path.
+void Basic::find_obstacles() {
   const double clearance_m = 2 * kRobotRadius_m + style_.robot_gap_m;
-  Obstacles obstacles;
-  for (int i = 0; i < static_cast<int>(now_.own.size()); ++i) {
-    if (i != index) obstacles.push_back({now_.own[i].position_m, clearance_m});
-  }
+  robots_.clear();
+  for (const TrackedRobot& mate : now_.own) robots_.push_back({mate.position_m, clearance_m});
   for (const TrackedRobot& opponent : now_.opponents) {
-    obstacles.push_back({opponent.position_m, clearance_m});
+    robots_.push_back({opponent.position_m, clearance_m});
   }
-  if (avoid_ball) {
-    const double room_m = now_.play == Play::kRunning ? style_.ball_gap_m : room_at_ball_m();
-    obstacles.push_back({now_.ball.position_m, kRobotRadius_m + room_m});
-  }
-  return obstacles;
+  robots_and_ball_ = robots_;
+  const double room_m = now_.play == Play::kRunning ? style_.ball_gap_m : room_at_ball_m();
+  robots_and_ball_.push_back({now_.ball.position_m, kRobotRadius_m + room_m});
 }
 
 Waypoint Basic::waypoint_of(int index, const RoleAssignment& assignment) const {
@@ -133,7 +130,7 @@ Intent Basic::attack_intent(const TrackedRobot& attacker) const {
 
 RobotCommand Basic::attack(const RoleAssignment& assignment) const {
   const TrackedRobot& robot = now_.own[assignment.attacker];
-  const Obstacles obstacles = obstacles_for(assignment.attacker, false);
+  const Obstacles& obstacles = robots_;
   if (now_.play == Play::kRunning && comes_at(robot, now_.ball)) {
     return receive_ball(robot, now_.ball, assignment.interception.point_m, obstacles, driving_);
   }
@@ -152,7 +149,7 @@ RobotCommand Basic::keep(int index, const RoleAssignment& assignment) const {
     const Vec2 away_m =
         ball_m + direction_of(ball_m - context_.field.goal_centre_m(Side::kWest), Vec2(1, 0));
     return play_ball(robot, now_.ball, intercept(robot, now_.ball).point_m,
-                     {away_m, style_.clearance_mps, 0.5}, obstacles_for(index, false), driving_);
+                     {away_m, style_.clearance_mps, 0.5}, robots_, driving_);
   }
   return drive_to(robot, waypoint_of(index, assignment), {}, driving_);
 }
@@ -176,7 +173,7 @@ void Basic::play(TeamCommands& commands) {
     RobotCommand& command = commands[robot.number];
     const Role role = assignment.roles[i].role;
     if (const auto path_m = exit_from_behind_goal(context_.field, robot.position_m)) {
-      command = drive_to(robot, {*path_m, robot.heading}, obstacles_for(i, false), driving_);
+      command = drive_to(robot, {*path_m, robot.heading}, robots_, driving_);
     } else if (role == Role::kKeeper) {
       command = keep(i, assignment);
     } else if (role == Role::kAttacker && may_play_ball()) {
@@ -184,7 +181,7 @@ void Basic::play(TeamCommands& commands) {
     } else {
       Waypoint waypoint = waypoint_of(i, assignment);
       waypoint.position_m = allowed(waypoint.position_m, now_.ball.position_m, limits_for(false));
-      command = drive_to(robot, waypoint, obstacles_for(i, true), driving_);
+      command = drive_to(robot, waypoint, robots_and_ball_, driving_);
     }
   }
 }
@@ -254,7 +251,7 @@ void Basic::line_up(TeamCommands& commands) {
       waypoint.position_m = *off_m;
     }
     commands[robot.number] =
-        drive_to(robot, waypoint, obstacles_for(i, !is_keeper), waiting_style());
+        drive_to(robot, waypoint, is_keeper ? robots_ : robots_and_ball_, waiting_style());
   }
 }
 
@@ -265,7 +262,7 @@ void Basic::stand_at_penalty(TeamCommands& commands) {
     const TrackedRobot& robot = now_.own[i];
     if (i == kicker && now_.play == Play::kPenalty) {
       commands[robot.number] = play_ball(robot, now_.ball, now_.ball.position_m,
-                                         attack_intent(robot), obstacles_for(i, false), driving_);
+                                         attack_intent(robot), robots_, driving_);
       continue;
     }
     const Waypoint waypoint =
@@ -273,13 +270,15 @@ void Basic::stand_at_penalty(TeamCommands& commands) {
         : i == 0    ? penalty_keeper(context_.field, ball_target_m_)
                     : penalty_spectator(context_.field, ball_target_m_,
                                         context_.rules.penalty_clearance_m, now_.ours, i - 1);
-    commands[robot.number] = drive_to(robot, waypoint, obstacles_for(i, i != 0), driving_);
+    commands[robot.number] =
+        drive_to(robot, waypoint, i == 0 ? robots_ : robots_and_ball_, driving_);
   }
 }
 
 void Basic::decide(const TeamView& view, TeamCommands& commands) {
   if (view.play == Play::kHalt) return;
   look_ahead(view, now_);
+  find_obstacles();
   if (!now_.own.empty()) requests_.keeper = now_.own.front().number;
   ball_target_m_ = now_.placement_m.value_or(now_.ball.position_m);
   const bool waiting = view.play == Play::kStop || view.play == Play::kPrepareKickoff;

@@ -27,7 +27,7 @@ class Basic final : public Strategy {
   Waypoint formation_of(int index) const;
   double room_at_ball_m() const;
   Limits limits_for(bool is_keeper) const;
-  Obstacles obstacles_for(int index, bool avoid_ball) const;
+  void find_obstacles();
   bool is_pressed() const;
   double pass_speed_mps(double distance_m) const;
   std::optional<Aim> best_pass(int passer) const;
@@ -45,7 +45,9 @@ class Basic final : public Strategy {
   TeamContext context_;
   Style style_;
   DrivingStyle driving_;
-  TeamView now_;              // the view, extrapolated to when commands take effect
+  TeamView now_;      // the view, extrapolated to when commands take effect
+  Obstacles robots_;  // what robots drive around
+  Obstacles robots_and_ball_;
   Vec2 ball_target_m_{0, 0};  // the ball, or where the referee is about to place it
   int former_attacker_ = -1;
   TeamRequests requests_;
