@@ -50,8 +50,8 @@ Document judge_document(const ResultFolder& folder, const JudgeReport& report,
                         const std::string& direction) {
   Document document{title_of(folder.scenario), {}};
   add_section(document, played_section(folder, {}));
-  add_section(document, {Heading{"Summary"}, table_of(summary_table(report)),
-                         Paragraph{kSummaryCaption}});
+  add_section(document,
+              {Heading{"Summary"}, table_of(summary_table(report)), Paragraph{kSummaryCaption}});
   add_section(document, {Heading{"F1 by rule book"},
                          Paragraph{"F1 of each event's calls, and how often the event happened."},
                          table_of(scores_table(report, ScoreCells::kWithIntervals)),
