@@ -39,9 +39,10 @@ struct PushDirection {
 };
 std::array<PushDirection, 2 * kPushSteps + 1> push_directions() {
   std::array<PushDirection, 2 * kPushSteps + 1> all;
-  for (int i = -kPushSteps; i <= kPushSteps; ++i) {
-    const double turn_rad = kWidestPush_rad * i / kPushSteps;
-    all[static_cast<std::size_t>(i + kPushSteps)] = {turn_rad, heading_of(turn_rad)};
+  int step = -kPushSteps;
+  for (PushDirection& direction : all) {
+    const double turn_rad = kWidestPush_rad * step++ / kPushSteps;
+    direction = {turn_rad, heading_of(turn_rad)};
   }
   return all;
 }
