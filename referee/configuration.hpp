@@ -39,8 +39,9 @@ struct Configuration {
   PlacedBy placement = PlacedBy::kSimulator;
   // Fouls of which the referee is less sure than this are not called (machine/confidence.hpp).
   double least_confidence = 0;
-  VisionNoise noise;      // noise in the vision frames
-  TouchParameters touch;  // thresholds of the touch detector
+  VisionNoise noise;          // noise in the vision frames
+  double camera_error_m = 0;  // lasting error of a camera's positions, root mean square
+  TouchParameters touch;      // thresholds of the touch detector
 };
 
 }  // namespace autoref::referee

@@ -120,10 +120,14 @@ LargestMoves largest_moves(const SavedPositions& saved, const Frame& frame) {
   return moves;
 }
 
+double ball_tolerance_m(const Configuration& configuration) {
+  return configuration.rules.ball_in_position_m + 2 * configuration.camera_error_m;
+}
+
 void watch_ball(RefereeState& state, const RefereeInput& input) {
   const bool in_position = input.ball && state.signal.placement &&
                            (input.ball->position_m - state.signal.placement->target_m).norm() <=
-                               input.configuration.rules.ball_in_position_m;
+                               ball_tolerance_m(input.configuration);
   if (!in_position) {
     state.ball_in_position_since_s.reset();
   } else if (!state.ball_in_position_since_s) {

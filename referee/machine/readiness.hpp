@@ -20,6 +20,10 @@ struct LargestMoves {
 };
 LargestMoves largest_moves(const SavedPositions& saved, const Frame& frame);
 
+// How far from its position, in metres, a ball at its position may be seen: the rule book's
+// tolerance and twice the cameras' lasting error.
+double ball_tolerance_m(const Configuration& configuration);
+
 // Records since when the ball has been at its position.
 void watch_ball(RefereeState& state, const RefereeInput& input);
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "referee/machine/ball_placement.hpp"
+#include "referee/machine/readiness.hpp"
 #include "referee/rules/rule.hpp"
 #include "soccer/robot_shape.hpp"
 
@@ -33,8 +34,7 @@ std::optional<PlacementSegment> placement_segment(const RefereeState& state,
   if (!input.tracks.ball || !signal.placement || !placer) return std::nullopt;
   const Vec2& ball_m = input.tracks.ball->position_m;
   const Vec2& target_m = signal.placement->target_m;
-  if ((target_m - ball_m).norm() <= input.configuration.rules.ball_in_position_m)
-    return std::nullopt;
+  if ((target_m - ball_m).norm() <= ball_tolerance_m(input.configuration)) return std::nullopt;
   return PlacementSegment{ball_m, target_m, opponent_of(*placer)};
 }
 

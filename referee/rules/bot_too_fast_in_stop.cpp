@@ -4,6 +4,7 @@
 // placement, none counts (2026, Fouls While Ball Out Of Play).
 #include <fmt/format.h>
 
+#include "referee/machine/readiness.hpp"
 #include "referee/rules/rule.hpp"
 
 namespace autoref::referee {
@@ -19,7 +20,7 @@ bool is_being_placed(const RefereeState& state, const RefereeInput& input) {
   const RuleBook& rules = input.configuration.rules;
   return rules.edition == Edition::kRules2026 && state.signal.placement && input.ball &&
          (input.ball->position_m - state.signal.placement->target_m).norm() >
-             rules.ball_in_position_m + 3 * input.configuration.noise.ball_m;
+             ball_tolerance_m(input.configuration) + 3 * input.configuration.noise.ball_m;
 }
 
 bool has_just_been_called(const StopSpeedWatch& watch, Side side, const RefereeInput& input) {

@@ -90,6 +90,7 @@ referee::Configuration referee_configuration(const GameConfiguration& game) {
   configuration.first_kickoff = game.match.first_kickoff;
   configuration.noise = {game.sim.vision.ball_noise_m, game.sim.vision.robot_noise_m,
                          game.sim.vision.robot_noise_rad};
+  configuration.camera_error_m = game.sim.vision.camera_error_m;
   return configuration;
 }
 

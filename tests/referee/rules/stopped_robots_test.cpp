@@ -105,6 +105,20 @@ TEST(StopDistance, IsTheSameUnderNoise) {
   EXPECT_EQ(near("2014", 0.48, 8, 0.0014).calls(Event::kStopDistance).size(), 1U);
 }
 
+// A camera that reports every position 25 mm off sees the ball beside its target.
+TEST(StopDistance, ToleratesTheCamerasLastingError) {
+  for (const double camera_error_m : {0.0, 0.010}) {
+    Configuration configuration = by_book("2014");
+    configuration.camera_error_m = camera_error_m;
+    DrivenGame game = stopped(configuration);
+    const Vec2 ball_m = game.game.signal.placement->target_m + Vec2(0.025, 0);
+    game.game.put_ball(ball_m);
+    game.put(kWest0, ball_m - Vec2(0.3 + kRobotRadius_m, 0), {0, 0}, {-1, 0});
+    game.run(6);
+    EXPECT_EQ(game.calls(Event::kStopDistance).size(), camera_error_m > 0 ? 1U : 0U);
+  }
+}
+
 TEST(StopDistance, IsNotCalledIn2026) {
   EXPECT_TRUE(near("2026-b", 0.1, 6).calls(Event::kStopDistance).empty());
 }
