@@ -12,6 +12,7 @@
 #include "runner/experiments/scenario.hpp"
 #include "runner/live/live_options.hpp"
 #include "runner/live/live_referee.hpp"
+#include "runner/logs/log_recorder.hpp"
 #include "runner/logs/recorded_facts.hpp"
 #include "runner/settings/assignments.hpp"
 
@@ -146,6 +147,7 @@ struct DrawArguments {
   std::string log;
   std::string output;
   std::string at;     // in seconds; empty if `trace` is given
+  LogPart part;
   std::string trace;  // "from:to", in seconds
   std::string rules = "paper";
 };

@@ -18,10 +18,15 @@
 namespace autoref::runner {
 namespace {
 
-void add_decisions(const std::string& file, GameRecording& recording) {
+void add_decisions(const std::string& file, const LogPart& part, GameRecording& recording) {
   if (file.empty()) return;
   for (RecordedDecision& decision : decisions_in(read_user_file(file), file))
-    recording.add(std::move(decision));
+    if (part.contains(decision.time_s)) recording.add(std::move(decision));
+}
+
+void check_part(const LogPart& part) {
+  if (part.from_s < part.to_s) return;
+  throw InputError({}, "--to", fmt::format("must be later than --from, {} s", part.from_s));
 }
 
 std::string file_name_of(const std::string& path) {
@@ -37,11 +42,16 @@ std::string about(const GameRecording& recording, const std::string& path, std::
 
 int view_verb(const ViewArguments& arguments) {
   check_outputs({{"-o", arguments.output}}, {arguments.log, arguments.events});
+  check_part(arguments.part);
   std::optional<PendingFile> file;
   open_output(file, "-o", arguments.output);
-  LogRecorder recorder;
-  add_decisions(arguments.events, recorder.recording);
+  LogRecorder recorder(arguments.part);
+  add_decisions(arguments.events, arguments.part, recorder.recording);
   const league::LogSummary log = read_user_log(arguments.log, recorder);
+  if (recorder.recording.frames() == 0) {
+    throw InputError({arguments.log}, "--from",
+                     "the log has no frame in this part; autoref info shows how long it is");
+  }
   if (recorder.recording.is_full()) {
     write_message(stderr, fmt::format("autoref: {}: shows only the first {} frames\n",
                                       arguments.log, recorder.recording.frames()));
@@ -66,13 +76,18 @@ void add_view_verb(CLI::App& app, Chosen& chosen) {
   verb->add_option("--events", arguments->events,
                    "The referee's decisions, as written by play --events or referee --events.")
       ->type_name("FILE");
+  verb->add_option("--from", arguments->part.from_s,
+                   "Show the game only from this time on, in seconds from the start of the log.")
+      ->type_name("S");
+  verb->add_option("--to", arguments->part.to_s, "Show it only up to this time.")->type_name("S");
   verb->add_option("--rules", arguments->rules,
                    "Rule book that defines the field if the log has no geometry.")
       ->type_name("BOOK")
       ->capture_default_str();
   verb->footer(
       "If the log is damaged, the page shows what precedes the damage; exit code 2.\n\n"
-      "Example:\n  autoref view game.log.gz -o game.html");
+      "Examples:\n  autoref view game.log.gz -o game.html\n"
+      "  autoref view game.log.gz --from 80 --to 95 -o goal.html");
   verb->callback([arguments, &chosen] { chosen = [arguments] { return view_verb(*arguments); }; });
 }
 

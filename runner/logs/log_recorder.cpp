@@ -4,9 +4,27 @@
 
 namespace autoref::runner {
 
+void LogRecorder::on_frame(const Frame& frame) {
+  if (!part_.contains(frame.time_s)) return;
+  add_signal_before();
+  recording.add(frame);
+}
+
 void LogRecorder::on_referee(double time_s, const league::RefereePacket& packet) {
   names = {{packet.yellow().name(), packet.blue().name()}};
-  if (const auto signal = league::signal_of(packet)) recording.add(time_s, *signal);
+  const auto signal = league::signal_of(packet);
+  if (!signal) return;
+  if (time_s < part_.from_s) {
+    before_ = *signal;
+  } else if (time_s <= part_.to_s) {
+    add_signal_before();
+    recording.add(time_s, *signal);
+  }
+}
+
+void LogRecorder::add_signal_before() {
+  if (before_) recording.add(part_.from_s, *before_);
+  before_.reset();
 }
 
 }  // namespace autoref::runner

@@ -1,6 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdio>
+
 #include "runner/io/errors.hpp"
+#include "runner/logs/log_recorder.hpp"
+#include "runner/logs/user_log.hpp"
 #include "tests/checkout.hpp"
 #include "tests/runner/cli/answer.hpp"
 #include "tests/runner/support/short_log.hpp"
@@ -75,6 +80,65 @@ TEST_F(ViewVerb, NamesTheLogAndTheBuildThatMadeThePage) {
   EXPECT_NE(
       content_of(page_).find(R"("facts": [["log", "game.log.gz"], ["page made by build", "0.)"),
       std::string::npos);
+}
+
+// What the line about the page says of its frames.
+struct Shown {
+  int frames = 0;
+  double duration_s = 0;
+};
+
+Shown shown_by(const Answer& answer) {
+  Shown shown;
+  const std::size_t colon = answer.out.find(": ");
+  EXPECT_EQ(std::sscanf(answer.out.c_str() + colon, ": %d frames, %lf s", &shown.frames,
+                        &shown.duration_s),
+            2)
+      << answer.out;
+  return shown;
+}
+
+TEST_F(ViewVerb, ShowsAPartOfTheLog) {
+  const std::string log = write_short_log(folder_, "paper");
+  const Shown whole = shown_by(view(log));
+  const std::size_t whole_size = content_of(page_).size();
+  const Answer answer = view(log, {"--from", "1", "--to", "2"});
+  EXPECT_EQ(answer.code, kDone) << answer.err;
+  const Shown part = shown_by(answer);
+  EXPECT_LE(part.duration_s, 1.0);
+  EXPECT_GT(part.duration_s, 0.9);
+  EXPECT_NEAR(part.frames, whole.frames * part.duration_s / whole.duration_s, 2);
+  EXPECT_LT(content_of(page_).size(), whole_size);
+}
+
+// The clip begins under the command that was in force.
+TEST_F(ViewVerb, BeginsAPartWithTheLastSignalBeforeIt) {
+  LogRecorder whole;
+  LogRecorder part({.from_s = 1.3, .to_s = 2});
+  const std::string log = write_short_log(folder_, "paper");
+  read_user_log(log, whole);
+  read_user_log(log, part);
+  const auto& signals = whole.recording.signals();
+  const auto after =
+      std::find_if(signals.begin(), signals.end(),
+                   [](const RecordedSignal& recorded) { return recorded.time_s > 1.3; });
+  ASSERT_NE(after, signals.begin());
+  ASSERT_FALSE(part.recording.signals().empty());
+  EXPECT_EQ(part.recording.signals().front().time_s, 1.3);
+  EXPECT_EQ(part.recording.signals().front().signal.command, (after - 1)->signal.command);
+}
+
+TEST_F(ViewVerb, RefusesAPartWithoutFrames) {
+  const std::string log = write_short_log(folder_, "paper");
+  const Answer late = view(log, {"--from", "5000"});
+  EXPECT_EQ(late.code, kBadInput);
+  EXPECT_NE(late.err.find("--from: the log has no frame in this part"), std::string::npos)
+      << late.err;
+  EXPECT_FALSE(std::filesystem::exists(page_));
+  const Answer reversed = view(log, {"--from", "2", "--to", "1"});
+  EXPECT_EQ(reversed.code, kBadInput);
+  EXPECT_NE(reversed.err.find("--to: must be later than --from, 2 s"), std::string::npos)
+      << reversed.err;
 }
 
 // The page contains the decisions of the game that is played, with their reasons.
