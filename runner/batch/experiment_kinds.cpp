@@ -111,6 +111,12 @@ ExperimentResults results_of(const Sweep& sweep, const RowsById& rows) {
   results.groups = grouped(sweep, rows);
   results.files = {{"summary.csv", "a row per value", summary_csv(sweep, results.groups)}};
   results.table = summary_table(sweep, results.groups);
+  results.effects = effects_of(sweep, results.groups);
+  if (!results.effects.empty()) {
+    results.files.push_back(
+        {"effects.csv", "a row per effect of the factors", effects_csv(results.effects)});
+    results.table += "\n" + effects_table(results.effects);
+  }
   results.shown = {{summary_rows(sweep, results.groups),
                     {},
                     "values",

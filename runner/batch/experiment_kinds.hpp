@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "runner/analysis/effects.hpp"
 #include "runner/analysis/groups.hpp"
 #include "runner/analysis/standings.hpp"
 #include "runner/experiments/scenario.hpp"
@@ -73,6 +74,7 @@ struct ResultFile {
 
 struct ExperimentResults {
   std::vector<Group> groups;        // per value of a sweep or per matchup; empty for a knockout
+  std::vector<Effect> effects;      // of a sweep's factors; empty unless it has several
   std::vector<Standing> standings;  // of a round robin or of challengers, best team first
   std::vector<ResultFile> files;
   std::string table;                 // as text

@@ -11,8 +11,6 @@ namespace autoref::runner {
 namespace {
 
 constexpr int kCurveHeight_px = 400;
-constexpr int kDifferenceRowHeight_px = 26;
-constexpr int kDifferenceFrameHeight_px = 90;
 
 constexpr const char* kWhatBarsAre =
     "bars: Student's 95 % intervals over pairs of legs. Above 0, team a is better.";
@@ -58,22 +56,6 @@ std::string curve_script(const NumericFactor& factor, const std::vector<Group>& 
              kBlue);
 }
 
-std::string rows_script(const Scenario& scenario, const std::vector<std::string>& names) {
-  const int rows = static_cast<int>(names.size());
-  return script_head("difference", kDifferenceFrameHeight_px + kDifferenceRowHeight_px * rows) +
-         script_tics("y", names) +
-         fmt::format(
-             "set ylabel {0}\n"
-             "set yrange [{1}.6:0.4]\n"
-             "set xlabel 'goals of a minus goals of b, 95 % interval'\n"
-             "set xrange [*<0:0<*]\n"
-             "set arrow from first 0, graph 0 to first 0, graph 1 nohead lc rgb '#777777' dt 2\n"
-             "plot data using 'mean_diff':'row':'low95':'high95' with xerrorbars pt -1 lw 2 lc rgb "
-             "'{2}' notitle, \\\n"
-             "     data using 'mean_diff':'row' with points pt 7 ps 0.6 lc rgb '{2}' notitle\n",
-             script_text(axis_name(scenario)), rows, kBlue);
-}
-
 }  // namespace
 
 std::optional<Plot> difference_plot(const Scenario& scenario, const ExperimentResults& results) {
@@ -92,7 +74,8 @@ std::optional<Plot> difference_plot(const Scenario& scenario, const ExperimentRe
                            value_columns(scenario).empty() ? "matchup" : "value", kWhatBarsAre);
   plot.about += note_of_cut(names.size());
   names.resize(std::min(names.size(), kMostGroupsInPlot));
-  plot.script = rows_script(scenario, names);
+  plot.script = interval_rows_script("difference", names, axis_name(scenario),
+                                     "goals of a minus goals of b, 95 % interval");
   return plot;
 }
 

@@ -8,6 +8,8 @@ namespace autoref::runner {
 namespace {
 
 constexpr int kPlotWidth_px = 800;
+constexpr int kIntervalRowHeight_px = 26;
+constexpr int kIntervalFrameHeight_px = 90;
 
 bool begins_letter(char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }
 
@@ -74,6 +76,23 @@ std::string shortened(const std::string& text, std::size_t letters) {
     if (++count == letters) cut = i;
   }
   return count <= letters ? text : text.substr(0, cut) + "…";
+}
+
+std::string interval_rows_script(std::string_view name, const std::vector<std::string>& labels,
+                                 std::string_view axis, std::string_view meaning) {
+  const int rows = static_cast<int>(labels.size());
+  return script_head(name, kIntervalFrameHeight_px + kIntervalRowHeight_px * rows) +
+         script_tics("y", labels) +
+         fmt::format(
+             "set ylabel {0}\n"
+             "set yrange [{1}.6:0.4]\n"
+             "set xlabel {2}\n"
+             "set xrange [*<0:0<*]\n"
+             "set arrow from first 0, graph 0 to first 0, graph 1 nohead lc rgb '#777777' dt 2\n"
+             "plot data using 'mean_diff':'row':'low95':'high95' with xerrorbars pt -1 lw 2 lc rgb "
+             "'{3}' notitle, \\\n"
+             "     data using 'mean_diff':'row' with points pt 7 ps 0.6 lc rgb '{3}' notitle\n",
+             script_text(axis), rows, script_text(meaning), kBlue);
 }
 
 }  // namespace autoref::runner

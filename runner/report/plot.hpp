@@ -41,6 +41,11 @@ std::string script_text(std::string_view text);
 // Labelled tics of an axis ("x" or "y"), from 1; long labels are cut.
 std::string script_tics(std::string_view axis, const std::vector<std::string>& labels);
 
+// A whole script that draws a row per label: a point at the data's column `mean_diff` and a bar
+// from `low95` to `high95`, at the height `row`, counted from 1. `axis` names the rows.
+std::string interval_rows_script(std::string_view name, const std::vector<std::string>& labels,
+                                 std::string_view axis, std::string_view meaning);
+
 // Cuts a UTF-8 text to `letters` characters; the last is an ellipsis if something was cut.
 std::string shortened(const std::string& text, std::size_t letters);
 

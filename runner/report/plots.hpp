@@ -12,7 +12,7 @@
 namespace autoref::runner {
 
 // Names of all plots that a report may contain.
-inline constexpr std::array kPlotNames = {"scores",  "difference", "crosstable",
+inline constexpr std::array kPlotNames = {"scores",  "difference", "effects",     "crosstable",
                                           "ratings", "histogram",  "running_mean"};
 
 // All plots that apply to the experiment, in the order of the report.
@@ -25,6 +25,10 @@ std::optional<Plot> scores_plot(const Scenario& scenario, const ExperimentResult
 // Mean goal difference of each group with its 95 % interval: a curve for a single numeric factor,
 // otherwise one row per group.
 std::optional<Plot> difference_plot(const Scenario& scenario, const ExperimentResults& results);
+
+// Each effect of a sweep's factors with its 95 % interval, one row per effect. Only for a sweep
+// with several factors.
+std::optional<Plot> effects_plot(const ExperimentResults& results);
 
 // Number of games by goal difference, one row of bars per group.
 std::optional<Plot> histogram_plot(const Scenario& scenario, const ExperimentResults& results);

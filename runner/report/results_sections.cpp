@@ -17,6 +17,13 @@ List meaning_of_intervals(const ResultFolder& folder, const ExperimentResults& r
         "From the first: the difference from the first value, over pairs with the same number; "
         "p is that of the paired t test, with Holm's correction over the table.");
   }
+  if (!results.effects.empty()) {
+    list.items.emplace_back(
+        "Effect of a value: how far a minus b changes from the factor's first value to this one, "
+        "averaged over the values of the other factors. Effect of two values: how far the second "
+        "changes the effect of the first; it is 0 if the factors add up. Both over pairs with the "
+        "same number; p has Holm's correction over all effects.");
+  }
   if (!results.standings.empty()) {
     list.items.emplace_back("A win gives three points, a draw one.");
   }

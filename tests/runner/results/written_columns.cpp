@@ -47,6 +47,12 @@ Scenario small_knockout() {
 }
 
 bool is_calls_column(const std::string& name) { return name.starts_with("calls_"); }
+Scenario factorial() {
+  Scenario scenario = small_sweep();
+  std::get<Sweep>(scenario.content).factors.push_back({"a.robots", {6, 4}});
+  return scenario;
+}
+
 
 WrittenNames results_columns() {
   WrittenNames names = head_in_folder(small_sweep(), "results.csv");
@@ -121,6 +127,7 @@ std::vector<Artefact> written_csv() {
       {"standings.csv of a gauntlet",
        [] { return head_in_folder(small_gauntlet(), "standings.csv"); }},
       {"judge.csv", [] { return head_of(csv_of(JudgeReport{})); }},
+      {"effects.csv of a sweep", [] { return head_in_folder(factorial(), "effects.csv"); }},
       {"faults.csv", [] { return head_of(report_of(JudgeSchedule{}, RowsById{}).faults_csv); }},
       {"lab --csv", lab_columns},
   };
@@ -136,6 +143,7 @@ std::vector<Artefact> written_plots() {
       {"plots/crosstable.csv", [] { return plot_columns(robin(), "crosstable"); }},
       {"plots/ratings.csv", [] { return plot_columns(robin(), "ratings"); }},
       {"plots/histogram.csv", [] { return plot_columns(robin(), "histogram"); }},
+      {"plots/effects.csv", [] { return plot_columns(factorial(), "effects"); }},
       {"plots/running_mean.csv", [] { return plot_columns(robin(), "running_mean"); }},
   };
 }
