@@ -7,12 +7,12 @@
 #include <optional>
 #include <string_view>
 
-#include "runner/bench/bench_folder.hpp"
 #include "runner/game/state_hash.hpp"
 #include "runner/io/command.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/files.hpp"
 #include "runner/io/json.hpp"
+#include "runner/io/working_folder.hpp"
 #include "runner/statistics/median_interval.hpp"
 #include "runner/statistics/sample.hpp"
 
@@ -127,7 +127,7 @@ MeasuredGame measured_game(const std::string& program, const std::string& text,
 
 BuildComparison compare_builds(const std::string& current, const std::string& other,
                                const ComparisonOptions& options) {
-  const BenchFolder folder;
+  const WorkingFolder folder;
   const std::string scenario = (folder.path() / "game.yaml").string();
   replace_file(scenario, fixed_scenario(options.teams));
   MeasuredProgram a(current, scenario, options.longest_game_s);

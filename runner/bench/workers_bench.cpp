@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "runner/batch/experiment.hpp"
-#include "runner/bench/bench_folder.hpp"
 #include "runner/io/build_id.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/json.hpp"
 #include "runner/io/processor_time.hpp"
+#include "runner/io/working_folder.hpp"
 #include "runner/statistics/sample.hpp"
 
 namespace autoref::runner {
@@ -33,7 +33,7 @@ struct Costs {
 
 // Plays all games of the experiment, from reading the folder to writing the results.
 Costs run_with(int workers) {
-  const BenchFolder folder;
+  const WorkingFolder folder;
   Sweep sweep;
   sweep.factors = {{"b.handicap", {1.0}}};
   sweep.pairs = kWorkersPairs;

@@ -69,6 +69,7 @@ int run_command_line(int argc, const char* const* argv) {
   add_report_verb(app, chosen);
   add_verify_verb(app, chosen);
   add_replay_verb(app, chosen);
+  add_export_verb(app, chosen);
   add_judge_verb(app, chosen);
   add_info_verb(app, chosen);
   add_referee_verb(app, chosen);

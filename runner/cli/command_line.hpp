@@ -93,6 +93,13 @@ struct ReplayArguments : FolderArguments {
   GameOutput output;
 };
 
+// Arguments of `autoref export`.
+struct ExportArguments : FolderArguments {
+  std::string sqlite;
+  bool is_without_events = false;
+  int workers = 0;  // 0: one per processor
+};
+
 // Arguments of `autoref judge`.
 struct JudgeArguments : BatchArguments {
   std::string seeds;  // name of the only master seed to play; empty: all of the file's
@@ -140,6 +147,7 @@ struct ViewArguments {
   std::string output;
   std::string events;  // file of the referee's decisions; empty: none
   std::string rules = "paper";
+  LogPart part;
 };
 
 // Arguments of `autoref draw`; numbers are not yet parsed.
@@ -147,7 +155,6 @@ struct DrawArguments {
   std::string log;
   std::string output;
   std::string at;     // in seconds; empty if `trace` is given
-  LogPart part;
   std::string trace;  // "from:to", in seconds
   std::string rules = "paper";
 };
@@ -202,6 +209,7 @@ int check_verb(const CheckArguments& arguments);
 int report_verb(const FolderArguments& arguments);
 int status_verb(const FolderArguments& arguments);
 int verify_verb(const VerifyArguments& arguments);
+int export_verb(const ExportArguments& arguments);
 int replay_verb(const ReplayArguments& arguments);
 int judge_verb(const JudgeArguments& arguments);
 int info_verb(const InfoArguments& arguments);
@@ -249,6 +257,7 @@ void add_folder_options(CLI::App& verb, FolderArguments& arguments);
 void add_report_verb(CLI::App& app, Chosen& chosen);
 void add_status_verb(CLI::App& app, Chosen& chosen);
 void add_verify_verb(CLI::App& app, Chosen& chosen);
+void add_export_verb(CLI::App& app, Chosen& chosen);
 void add_replay_verb(CLI::App& app, Chosen& chosen);
 void add_judge_verb(CLI::App& app, Chosen& chosen);
 void add_info_verb(CLI::App& app, Chosen& chosen);

@@ -16,6 +16,7 @@
 
 #include "runner/io/errors.hpp"
 #include "runner/io/files.hpp"
+#include "runner/io/working_folder.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -27,32 +28,10 @@ constexpr std::chrono::milliseconds kPause{2};
 constexpr std::size_t kLongestTrouble = 300;  // characters
 constexpr const char* kMessages = "messages.txt";
 
-// A temporary folder, deleted with this object.
-class Workplace {
- public:
-  Workplace() {
-    std::string name = (fs::temp_directory_path() / "autoref-plot-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw io_error(name + " cannot be created", errno);
-    path_ = name;
-  }
-  ~Workplace() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Workplace(const Workplace&) = delete;
-  Workplace& operator=(const Workplace&) = delete;
-
-  fs::path operator/(const std::string& name) const { return path_ / name; }
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
 // Runs gnuplot in the temporary folder and redirects its output to a file there.
 class SpawnActions {
  public:
-  explicit SpawnActions(const Workplace& workplace) {
+  explicit SpawnActions(const WorkingFolder& workplace) {
     posix_spawn_file_actions_init(&actions_);
     posix_spawn_file_actions_addchdir_np(&actions_, workplace.path().c_str());
     // gnuplot must never wait for input.
@@ -72,7 +51,7 @@ class SpawnActions {
 };
 
 // Returns 0 or the error number; ENOENT if gnuplot is not installed.
-int start(const Workplace& workplace, std::string script, pid_t& process) {
+int start(const WorkingFolder& workplace, std::string script, pid_t& process) {
   const SpawnActions actions(workplace);
   std::string program = "gnuplot";
   std::string without_user_settings = "-d";
@@ -110,7 +89,7 @@ std::string one_line(std::string text) {
 }  // namespace
 
 Drawing draw(const Plot& plot, double longest_s) {
-  const Workplace workplace;
+  const WorkingFolder workplace;
   replace_file(workplace / (plot.name + ".csv"), plot.csv);
   replace_file(workplace / (plot.name + ".gp"), plot.script);
   pid_t process = 0;

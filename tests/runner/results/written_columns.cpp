@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "runner/export/export_folder.hpp"
 #include "runner/io/csv.hpp"
 #include "runner/judge/judge_report.hpp"
 #include "runner/lab/lab.hpp"
@@ -46,13 +47,13 @@ Scenario small_knockout() {
   return {"A test.", knockout};
 }
 
-bool is_calls_column(const std::string& name) { return name.starts_with("calls_"); }
 Scenario factorial() {
   Scenario scenario = small_sweep();
   std::get<Sweep>(scenario.content).factors.push_back({"a.robots", {6, 4}});
   return scenario;
 }
 
+bool is_calls_column(const std::string& name) { return name.starts_with("calls_"); }
 
 WrittenNames results_columns() {
   WrittenNames names = head_in_folder(small_sweep(), "results.csv");
@@ -126,10 +127,12 @@ std::vector<Artefact> written_csv() {
       {"standings.csv of a round robin", [] { return head_in_folder(robin(), "standings.csv"); }},
       {"standings.csv of a gauntlet",
        [] { return head_in_folder(small_gauntlet(), "standings.csv"); }},
-      {"judge.csv", [] { return head_of(csv_of(JudgeReport{})); }},
       {"effects.csv of a sweep", [] { return head_in_folder(factorial(), "effects.csv"); }},
+      {"judge.csv", [] { return head_of(csv_of(JudgeReport{})); }},
       {"faults.csv", [] { return head_of(report_of(JudgeSchedule{}, RowsById{}).faults_csv); }},
       {"lab --csv", lab_columns},
+      {"Table settings", settings_columns},
+      {"Table events", events_columns},
   };
 }
 
@@ -140,10 +143,10 @@ std::vector<Artefact> written_plots() {
        [] { return plot_columns(small_sweep(), "difference"); }},
       {"plots/difference.csv of other experiments",
        [] { return plot_columns(robin(), "difference"); }},
+      {"plots/effects.csv", [] { return plot_columns(factorial(), "effects"); }},
       {"plots/crosstable.csv", [] { return plot_columns(robin(), "crosstable"); }},
       {"plots/ratings.csv", [] { return plot_columns(robin(), "ratings"); }},
       {"plots/histogram.csv", [] { return plot_columns(robin(), "histogram"); }},
-      {"plots/effects.csv", [] { return plot_columns(factorial(), "effects"); }},
       {"plots/running_mean.csv", [] { return plot_columns(robin(), "running_mean"); }},
   };
 }

@@ -1,4 +1,4 @@
-// A temporary folder of a benchmark.
+// A temporary folder to work in.
 #pragma once
 
 #include <stdlib.h>
@@ -13,22 +13,23 @@
 namespace autoref::runner {
 
 // Deleted with this object.
-class BenchFolder {
+class WorkingFolder {
  public:
   // Throws InputOutputError.
-  BenchFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "autoref-bench-XXXXXX").string();
+  WorkingFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "autoref-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) throw io_error(name + " cannot be created", errno);
     path_ = name;
   }
-  ~BenchFolder() {
+  ~WorkingFolder() {
     std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);
   }
-  BenchFolder(const BenchFolder&) = delete;
-  BenchFolder& operator=(const BenchFolder&) = delete;
+  WorkingFolder(const WorkingFolder&) = delete;
+  WorkingFolder& operator=(const WorkingFolder&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
 
  private:
   std::filesystem::path path_;

@@ -1,0 +1,246 @@
+#include "runner/export/export_folder.hpp"
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "runner/batch/program_files.hpp"
+#include "runner/experiments/reading/effective.hpp"
+#include "runner/export/sqlite_file.hpp"
+#include "runner/game/event_log.hpp"
+#include "runner/io/checksum.hpp"
+#include "runner/io/csv.hpp"
+#include "runner/io/errors.hpp"
+#include "runner/io/files.hpp"
+#include "runner/io/json.hpp"
+#include "runner/io/working_folder.hpp"
+#include "runner/processes/progress.hpp"
+#include "runner/processes/workers.hpp"
+#include "runner/settings/resolved.hpp"
+
+namespace autoref::runner {
+namespace {
+
+using Row = std::vector<SqliteValue>;
+
+// A column of `events`, and where its value is in a line of the event log.
+struct EventColumn {
+  const char* name;
+  const char* pointer;  // RFC 6901
+};
+
+constexpr EventColumn kEventColumns[] = {
+    {"time_s", "/time_s"},
+    {"stage", "/stage"},
+    {"clock_s", "/clock_s"},
+    {"clock_left_s", "/clock_left_s"},
+    {"score_yellow", "/score/yellow"},
+    {"score_blue", "/score/blue"},
+    {"shootout_yellow", "/shootout/yellow"},
+    {"shootout_blue", "/shootout/blue"},
+    {"transition", "/transition"},
+    {"from_state", "/from"},
+    {"to_state", "/to"},
+    {"command", "/command"},
+    {"event", "/event"},
+    {"league_event", "/league_event"},
+    {"rule", "/rule"},
+    {"value", "/value"},
+    {"threshold", "/threshold"},
+    {"unit", "/unit"},
+    {"confidence", "/confidence"},
+    {"robots", "/robots"},
+    {"offender", "/offender"},
+    {"card", "/card"},
+    {"card_reason", "/card_reason"},
+    {"position_x_m", "/position_m/0"},
+    {"position_y_m", "/position_m/1"},
+    {"yellow_defends", "/yellow_defends"},
+    {"restart", "/restart"},
+    {"last_touch_colour", "/last_touch/colour"},
+    {"last_touch_robot", "/last_touch/robot"},
+    {"last_touch_time_s", "/last_touch/time_s"},
+    {"last_touch_gap_m", "/last_touch/gap_m"},
+    {"last_touch_speed_change_mps", "/last_touch/speed_change_mps"},
+    {"last_touch_runner_up", "/last_touch/runner_up"},
+    {"evidence", "/evidence"},
+    {"shootout_kicker", "/shootout_kick/kicker"},
+    {"shootout_kick", "/shootout_kick/number"},
+    {"shootout_scored", "/shootout_kick/scored"},
+    {"team_yellow", "/teams/yellow/team"},
+    {"team_blue", "/teams/blue/team"},
+};
+
+// Columns of `games` whose cells are texts even if they look like numbers.
+bool is_text(std::string_view column) {
+  return column.ends_with("_hash") || column == "game_id" || column == "team_a" ||
+         column == "team_b";
+}
+
+template <typename Number>
+bool reads(std::string_view cell, Number& number) {
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
+  return error == std::errc() && end == cell.data() + cell.size();
+}
+
+// An empty cell is NULL, one that reads as a finite number is a number, any other a text.
+SqliteValue value_of(const std::string& cell) {
+  if (cell.empty()) return {};
+  std::int64_t integer = 0;
+  if (reads(cell, integer)) return integer;
+  double real = 0;
+  if (reads(cell, real) && real - real == 0) return real;
+  return cell;
+}
+
+SqliteValue value_of(const Json& json) {
+  if (json.is_null()) return {};
+  if (json.is_boolean()) return std::int64_t{json.get<bool>()};
+  if (json.is_number_integer()) return json.get<std::int64_t>();
+  if (json.is_number()) return json.get<double>();
+  if (json.is_string()) return json.get<std::string>();
+  return json_text(json);
+}
+
+void add_games(SqliteFile& file, const ResultFolder& folder) {
+  const Cells names = folder.format.reproducible_names();
+  std::vector<std::string> columns(names.begin(), names.end());
+  columns.emplace_back("build");
+  SqliteTable table(file, "games", columns);
+  for (const auto& [id, row] : folder.completed_games.done) {
+    Row values;
+    const Cells cells = folder.format.reproducible(row);
+    values.reserve(cells.size() + 1);
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      values.push_back(is_text(names[i]) ? SqliteValue(cells[i]) : value_of(cells[i]));
+    values.emplace_back(row.circumstances.build);
+    table.add(values);
+  }
+}
+
+// Adds a row for each scalar below `node`. Lists are one scalar, as in the file.
+void add_scalars(SqliteTable& table, const YAML::Node& node, const std::string& path) {
+  if (node.IsMap()) {
+    const std::string before = path.empty() ? "" : path + ".";
+    for (const auto& member : node)
+      add_scalars(table, member.second, before + member.first.as<std::string>());
+    return;
+  }
+  if (node.IsScalar()) {
+    table.add({path, value_of(node.Scalar())});
+    return;
+  }
+  YAML::Emitter text;
+  text << YAML::Flow << node;
+  table.add({path, std::string(text.c_str())});
+}
+
+void add_settings(SqliteFile& file, const ResultFolder& folder) {
+  SqliteTable table(file, "settings", settings_columns());
+  add_scalars(table, YAML::Load(effective_text(folder.scenario)), "");
+}
+
+std::vector<std::size_t> games_with_events(const ResultFolder& folder) {
+  std::vector<std::size_t> games;
+  for (std::size_t i = 0; i < folder.games.size(); ++i) {
+    const auto row = folder.completed_games.done.find(folder.games[i].id);
+    if (row != folder.completed_games.done.end() && row->second.record.status == Status::kOk)
+      games.push_back(i);
+  }
+  return games;
+}
+
+// Plays games again. Their event logs are too long for a worker's answer, so they pass through
+// files.
+class Replays {
+ public:
+  explicit Replays(const ResultFolder& folder) : folder_(folder) {}
+
+  // In a worker: leaves the game's event log in a file, and returns the hash of its final state.
+  std::string play_again(std::size_t game) const {
+    const GameConfiguration configuration = resolved(folder_.games[game]);
+    EventLog log(event_teams_of(configuration));
+    GamePrograms programs = recorded_programs(configuration, folder_.path);
+    GameRecord record = play(configuration, &log, programs.maker());
+    programs.finish(record);
+    PendingFile(log_of(game)).commit(log.text());
+    return hash_text(record.state_hash);
+  }
+
+  // Throws InputError if the game did not end as its row says.
+  void check(const JobResult& result) const {
+    const std::string& id = folder_.games[result.job].id;
+    const std::uint64_t stored = folder_.completed_games.done.at(id).record.state_hash;
+    if (result.failure.empty() && result.payload == hash_text(stored)) return;
+    const std::string why = result.failure.empty() ? "it ends in another state" : result.failure;
+    throw InputError({folder_.path.string()}, "",
+                     fmt::format("the events of game {} are not known, since it does not repeat ({}"
+                                 "; played by build {}); --no-events leaves them out",
+                                 id, why, folder_.build));
+  }
+
+  std::string events_of(std::size_t game) const { return read_user_file(log_of(game)); }
+
+ private:
+  std::filesystem::path log_of(std::size_t game) const { return logs_ / std::to_string(game); }
+
+  const ResultFolder& folder_;
+  WorkingFolder logs_;
+};
+
+void add_events_of(SqliteTable& table, const std::string& id, std::string_view log) {
+  std::int64_t number = 0;
+  for (const std::string_view line : complete_lines(log)) {
+    const Json json = Json::parse(line);
+    Row row = {id, ++number};
+    for (const EventColumn& column : kEventColumns) {
+      const Json::json_pointer pointer(column.pointer);
+      row.push_back(json.contains(pointer) ? value_of(json.at(pointer)) : SqliteValue());
+    }
+    table.add(row);
+  }
+}
+
+void add_events(SqliteFile& file, const ResultFolder& folder, const ExportOptions& options) {
+  const std::vector<std::size_t> games = games_with_events(folder);
+  const Replays replays(folder);
+  Progress bar(options.progress, {.total = static_cast<int>(games.size())});
+  WorkerOptions pool;
+  pool.workers = options.workers;
+  const auto done = [&](const JobResult& result) {
+    replays.check(result);
+    bar.game_done();
+  };
+  const Ending ending = do_jobs(
+      games, pool,
+      {[&](std::size_t game) { return replays.play_again(game); }, done, [&bar] { bar.tick(); }});
+  if (ending == Ending::kInterrupted) throw Interrupted();
+  SqliteTable table(file, "events", events_columns());
+  for (const std::size_t game : games)
+    add_events_of(table, folder.games[game].id, replays.events_of(game));
+}
+
+}  // namespace
+
+std::vector<std::string> settings_columns() { return {"setting", "value"}; }
+
+std::vector<std::string> events_columns() {
+  std::vector<std::string> names = {"game_id", "number"};
+  for (const EventColumn& column : kEventColumns) names.emplace_back(column.name);
+  return names;
+}
+
+std::string exported(const ResultFolder& folder, const ExportOptions& options) {
+  SqliteFile file;
+  file.execute("BEGIN");
+  add_games(file, folder);
+  add_settings(file, folder);
+  if (options.has_events) add_events(file, folder, options);
+  file.execute("COMMIT");
+  return file.bytes();
+}
+
+}  // namespace autoref::runner

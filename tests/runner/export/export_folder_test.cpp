@@ -1,0 +1,132 @@
+#include "runner/export/export_folder.hpp"
+
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include <algorithm>
+
+#include "runner/export/sqlite_file.hpp"
+#include "runner/io/errors.hpp"
+#include "tests/runner/cli/answer.hpp"
+#include "tests/runner/support/temporary_folder.hpp"
+
+namespace autoref::runner {
+namespace {
+
+// The rows of a query, their cells joined with '|'; NULL is empty.
+std::vector<std::string> rows_of(const std::filesystem::path& file, const std::string& query) {
+  sqlite3* database = nullptr;
+  EXPECT_EQ(sqlite3_open_v2(file.c_str(), &database, SQLITE_OPEN_READONLY, nullptr), SQLITE_OK);
+  std::vector<std::string> rows;
+  const auto add = [](void* all, int count, char** cells, char** /*names*/) {
+    std::string row;
+    for (int i = 0; i < count; ++i) {
+      row += i > 0 ? "|" : "";
+      row += cells[i] != nullptr ? cells[i] : "";
+    }
+    static_cast<std::vector<std::string>*>(all)->push_back(row);
+    return 0;
+  };
+  EXPECT_EQ(sqlite3_exec(database, query.c_str(), add, &rows, nullptr), SQLITE_OK)
+      << sqlite3_errmsg(database);
+  sqlite3_close(database);
+  return rows;
+}
+
+class Export : public testing::Test {
+ protected:
+  void SetUp() override {
+    write_content(folder_ / "short.yaml",
+                  "schema: 1\nkind: sweep\nseed: 1\npairs: 1\n"
+                  "base:\n  teams: { a: { strategy: basic }, b: { strategy: basic } }\n"
+                  "  match: { rules: 2026-b, half_s: 20 }\n"
+                  "factors: { b.robots: [6, 5] }\n");
+    const std::string file = (folder_ / "short.yaml").string();
+    ASSERT_EQ(answer_to({"run", file.c_str(), "-o", results_.c_str(), "-j", "1"}).code, kDone);
+  }
+
+  TemporaryFolder folder_;
+  std::string results_ = (folder_ / "results").string();
+  std::string database_ = (folder_ / "games.sqlite").string();
+};
+
+TEST_F(Export, WritesEveryGameWithTheRowsOfResults) {
+  const Answer answer =
+      answer_to({"export", results_.c_str(), "--sqlite", database_.c_str(), "--no-events"});
+  ASSERT_EQ(answer.code, kDone);
+  EXPECT_EQ(rows_of(database_, "SELECT name FROM sqlite_master ORDER BY name"),
+            (std::vector<std::string>{"games", "settings"}));
+  std::string csv;
+  for (const std::string& row :
+       rows_of(database_,
+               "SELECT game_id, pair, leg, \"b.robots\", team_a, team_b, side_a, seed "
+               "FROM games"))
+    csv += row + "\n";
+  std::replace(csv.begin(), csv.end(), '|', ',');
+  const std::string results = content_of(folder_ / "results/results.csv");
+  for (std::size_t line = 0; line < csv.size(); line = csv.find('\n', line) + 1) {
+    const std::string start = csv.substr(line, csv.find('\n', line) - line);
+    EXPECT_NE(results.find("\n" + start + ","), std::string::npos) << start;
+  }
+  EXPECT_EQ(rows_of(database_,
+                    "SELECT count(*), sum(typeof(goals_a) = 'integer'), "
+                    "sum(typeof(state_hash) = 'text') FROM games"),
+            std::vector<std::string>{"4|4|4"});
+}
+
+TEST_F(Export, WritesSettingsByPath) {
+  answer_to({"export", results_.c_str(), "--sqlite", database_.c_str(), "--no-events"});
+  EXPECT_EQ(rows_of(database_,
+                    "SELECT value, typeof(value) FROM settings WHERE setting IN "
+                    "('base.match.rules', 'pairs', 'base.match.half_s') ORDER BY 1"),
+            (std::vector<std::string>{"1|integer", "20.0|real", "2026-b|text"}));
+}
+
+TEST_F(Export, WritesTheEventsOfEachGame) {
+  ASSERT_EQ(answer_to({"export", results_.c_str(), "--sqlite", database_.c_str(), "-j", "2"}).code,
+            kDone);
+  const std::string log = (folder_ / "events.jsonl").string();
+  ASSERT_EQ(
+      answer_to({"replay", results_.c_str(), "b.robots=5-p0001-2", "--events", log.c_str()}).code,
+      kDone);
+  const std::string lines = content_of(log);
+  const auto count = std::count(lines.begin(), lines.end(), '\n');
+  EXPECT_EQ(rows_of(database_,
+                    "SELECT count(*), max(number), min(time_s) >= 0 FROM events WHERE "
+                    "game_id = 'b.robots=5-p0001-2'"),
+            std::vector<std::string>{std::to_string(count) + "|" + std::to_string(count) + "|1"});
+  for (const std::string& evidence :
+       rows_of(database_,
+               "SELECT evidence FROM events WHERE game_id = 'b.robots=5-p0001-2' AND "
+               "evidence IS NOT NULL"))
+    EXPECT_NE(lines.find(evidence), std::string::npos) << evidence;
+}
+
+TEST_F(Export, RepeatsByteForByte) {
+  const std::string again = (folder_ / "again.sqlite").string();
+  answer_to({"export", results_.c_str(), "--sqlite", database_.c_str(), "-j", "2"});
+  answer_to({"export", results_.c_str(), "--sqlite", again.c_str(), "-j", "1"});
+  EXPECT_EQ(content_of(database_), content_of(again));
+}
+
+TEST_F(Export, LeavesAnExistingFileAloneIfItFails) {
+  write_content(database_, "precious");
+  const Answer answer =
+      answer_to({"export", (folder_ / "nowhere").c_str(), "--sqlite", database_.c_str()});
+  EXPECT_EQ(answer.code, kBadInput);
+  EXPECT_EQ(content_of(database_), "precious");
+}
+
+TEST(SqliteFile, KeepsNamesAndTextsWithQuotes) {
+  const TemporaryFolder folder;
+  SqliteFile file;
+  SqliteTable table(file, "a \"b\"", {"it's", "b.robots=\"x\""});
+  table.add({std::string("'; DROP TABLE"), std::monostate()});
+  write_content(folder / "quoted.sqlite", file.bytes());
+  EXPECT_EQ(rows_of(folder / "quoted.sqlite", "SELECT * FROM \"a \"\"b\"\"\""),
+            std::vector<std::string>{"'; DROP TABLE|"});
+  EXPECT_THROW(table.add({std::monostate()}), std::logic_error);
+}
+
+}  // namespace
+}  // namespace autoref::runner
