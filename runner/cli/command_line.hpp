@@ -274,6 +274,8 @@ void add_team_play_verb(CLI::App& team, Chosen& chosen);
 void add_team_check_verb(CLI::App& team, Chosen& chosen);
 void add_teams_verb(CLI::App& app, Chosen& chosen);
 void add_bench_verb(CLI::App& app, Chosen& chosen);
+void add_completion_verb(CLI::App& app, Chosen& chosen);
+void add_man_verb(CLI::App& app, Chosen& chosen);
 void add_help_verb(CLI::App& app, Chosen& chosen);
 
 // Runs `work`; turns an exception into a message on stderr and an exit code (errors.hpp).

@@ -1,0 +1,50 @@
+// The verbs that describe the program to other programs: man and completion.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "runner/cli/command_line.hpp"
+#include "runner/cli/described_verb.hpp"
+#include "runner/io/build_id.hpp"
+#include "runner/io/errors.hpp"
+
+namespace autoref::runner {
+namespace {
+
+int completion_verb(const CLI::App& app, const std::string& shell) {
+  const DescribedVerb program = described(app);
+  fmt::print("{}", shell == "bash"  ? bash_completion(program)
+                   : shell == "zsh" ? zsh_completion(program)
+                                    : fish_completion(program));
+  return kDone;
+}
+
+int man_verb(const CLI::App& app) {
+  fmt::print("{}", man_page(described(app), fmt::format("autoref {}", build_id())));
+  return kDone;
+}
+
+}  // namespace
+
+void add_completion_verb(CLI::App& app, Chosen& chosen) {
+  CLI::App* verb =
+      app.add_subcommand("completion", "Print a script that completes verbs and options.");
+  auto shell = std::make_shared<std::string>();
+  verb->add_option("SHELL", *shell, "bash, zsh or fish.")
+      ->required()
+      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+  verb->footer(
+      "Example, for the current shell:\n  autoref completion bash > autoref.bash && . "
+      "./autoref.bash");
+  verb->callback(
+      [&app, shell, &chosen] { chosen = [&app, shell] { return completion_verb(app, *shell); }; });
+}
+
+void add_man_verb(CLI::App& app, Chosen& chosen) {
+  CLI::App* verb = app.add_subcommand("man", "Print the man page.");
+  verb->footer("Example:\n  autoref man > autoref.1 && man ./autoref.1");
+  verb->callback([&app, &chosen] { chosen = [&app] { return man_verb(app); }; });
+}
+
+}  // namespace autoref::runner
