@@ -1,6 +1,7 @@
 #include "referee/referee.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -91,6 +92,11 @@ class Referee::Impl {
     state_.signal.next_command =
         Command{CommandKind::kPrepareKickoff, kickoff_side(configuration, 0)};
     decisions_.reserve(4);
+  }
+
+  void begin(const Beginning& beginning) {
+    assert(tracks_ == nullptr && configuration_.control == Control::kAutoref);
+    state_.beginning = beginning;
   }
 
   const RefereeSignal& update(const Frame& frame, const PerSide<TeamRequests>& requests) {
@@ -365,7 +371,9 @@ class Referee::Impl {
     const bool play_starts =
         taken.state.machine_state == State::kRun &&
         (!is_play(state_.machine_state) || taken.state.play.began_s != state_.play.began_s);
-    const bool is_joining = state_.machine_state == State::kInit;
+    // A game may also begin with a restart.
+    const bool is_joining =
+        state_.machine_state == State::kInit && (!state_.beginning || taken.state.play.in_play);
     state_ = std::move(taken.state);
     if (!play_starts) return;
     // A play that is joined in the middle did not begin with the ball at rest.
@@ -406,6 +414,7 @@ const RefereeSignal& Referee::update(const Frame& frame, const Tracks& tracks,
   return impl_->update(frame, tracks, requests);
 }
 
+void Referee::begin(const Beginning& beginning) { impl_->begin(beginning); }
 void Referee::follow(const RefereeSignal& given) { impl_->follow(given); }
 
 const Tracks& Referee::tracks() const { return impl_->tracks(); }

@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 
+#include "referee/beginning.hpp"
 #include "referee/configuration.hpp"
 #include "referee/decision.hpp"
 #include "soccer/frame.hpp"
@@ -29,6 +30,10 @@ class Referee {
   ~Referee();
   Referee(Referee&&) noexcept;
   Referee& operator=(Referee&&) noexcept;
+
+  // Lets the game begin in the middle of the first half instead of with the first kick-off. Call it
+  // before the first frame; only for Control::kAutoref (asserted).
+  void begin(const Beginning& beginning);
 
   // Judges one frame and returns the signal now in force. Frames must be in order. Robots and ball
   // may be missing; the position of a robot unseen for less than half a second is extrapolated.

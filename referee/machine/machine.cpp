@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "referee/machine/begin_midway.hpp"
+
 namespace autoref::referee {
 namespace {
 
@@ -141,9 +143,9 @@ std::span<const Transition> transitions_in_figure() { return kInFigure; }
 std::span<const Transition> transitions_outside_figure() { return kOutsideFigure; }
 std::span<const Transition> transitions_beyond_paper() { return kBeyondPaper; }
 
-std::array<std::span<const Transition>, 5> all_transitions() {
-  return {transitions_of_administration(), transitions_of_placement(), transitions_in_figure(),
-          transitions_outside_figure(), transitions_beyond_paper()};
+std::array<std::span<const Transition>, 6> all_transitions() {
+  return {transitions_midway(),    transitions_of_administration(), transitions_of_placement(),
+          transitions_in_figure(), transitions_outside_figure(),    transitions_beyond_paper()};
 }
 
 std::vector<std::string_view> all_labels() {

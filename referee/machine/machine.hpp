@@ -75,7 +75,7 @@ std::span<const Transition> transitions_of_administration();
 std::span<const Transition> transitions_of_placement();
 
 // All transitions while AutoRef commands the game, in the order in which they are tried.
-std::array<std::span<const Transition>, 5> all_transitions();
+std::array<std::span<const Transition>, 6> all_transitions();
 
 // All transitions while a person or nobody commands the game (beside_person.cpp).
 std::span<const Transition> transitions_beside_person();

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "referee/machine/begin_midway.hpp"
 #include "referee/machine/machine.hpp"
 
 namespace autoref::referee {
@@ -84,10 +85,13 @@ std::string machine_figure() {
   return fmt::format(
       "{}\n{}\nOutside the figure, the game's time:\n\n{}\nBeyond the paper, under other rule "
       "books:\n\n{}\nBall placement by the teams, tried before the figure:\n\n{}\nCards, timeouts "
-      "and knockout games, tried before all others:\n\n{}",
+      "and knockout games, tried before those above:\n\n{}\nGames that begin in the middle of a "
+      "half "
+      "(situations), tried before all others:\n\n{}",
       diagram(transitions_in_figure()), table_of(transitions_in_figure()),
       table_of(transitions_outside_figure()), table_of(transitions_beyond_paper()),
-      table_of(transitions_of_placement()), table_of(transitions_of_administration()));
+      table_of(transitions_of_placement()), table_of(transitions_of_administration()),
+      table_of(transitions_midway()));
 }
 
 std::string machine_figure_beside_person() {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "referee/beginning.hpp"
 #include "referee/decision.hpp"
 #include "referee/machine/rule_watch.hpp"
 #include "referee/touch/touch_history.hpp"
@@ -137,7 +138,8 @@ struct TeamPlacement {
 
 struct RefereeState {
   State machine_state = State::kInit;
-  RefereeSignal signal;  // in force; includes score, placement and the paper's `next`
+  std::optional<Beginning> beginning;  // nullopt: with the first kick-off
+  RefereeSignal signal;                // in force; includes score, placement and the paper's `next`
 
   double wait_began_s = 0;  // in WAIT_START and WAIT_STOP: start of the timeout
   SavedPositions saved;     // reference positions for detecting whether robots move

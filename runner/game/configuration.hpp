@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "referee/referee.hpp"
+#include "runner/game/scene.hpp"
+#include "runner/game/start_state.hpp"
 #include "sim/configuration.hpp"
 #include "soccer/field.hpp"
 #include "soccer/rule_book.hpp"
@@ -59,7 +61,9 @@ struct GameConfiguration {
   Field field;
   sim::Configuration sim;
   std::uint64_t seed = 42;
-  std::string id = {};  // in an experiment; empty for a single game
+  std::optional<StartState> start = {};  // nullopt: with the first kick-off
+  std::optional<Scene> scene = {};       // nullopt: a whole game
+  std::string id = {};                   // in an experiment; empty for a single game
 };
 
 const TeamConfiguration& team_on(const GameConfiguration& game, Side side);

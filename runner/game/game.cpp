@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -60,7 +62,10 @@ class Game::Impl {
         tracks_(sim::split_latency(configuration_.sim).frames),
         statistics_(configuration_.field, configuration_.sim.ball, rate_hz()),
         players_{{TeamController(configuration_, Side::kWest, make_team),
-                  TeamController(configuration_, Side::kEast, make_team)}} {}
+                  TeamController(configuration_, Side::kEast, make_team)}} {
+    if (configuration_.scene) scene_.emplace(*configuration_.scene, a());
+    if (configuration_.start) begin_at(*configuration_.start);
+  }
 
   bool begin_step() {
     if (is_over()) return false;
@@ -68,6 +73,8 @@ class Game::Impl {
       void_game("match.control is game-controller, and there is none");
     } else if (record_.frames >= most_frames_) {
       void_game("the game exceeded its time limit");
+    } else if (scene_ && scene_->is_late(time_s())) {
+      void_game("play has not begun");
     } else {
       referee_frame();
       if (!is_over()) show_teams();
@@ -103,7 +110,8 @@ class Game::Impl {
     const bool is_new_game =
         referee_.games_finished() > 0 && referee_.state() == referee::State::kWaitStop;
     const bool is_post_game = given_ && given_->stage == Stage::kPostGame;
-    return referee_.is_over() || is_new_game || is_post_game || record_.status != Status::kOk;
+    return referee_.is_over() || is_new_game || is_post_game || record_.status != Status::kOk ||
+           (scene_ && scene_->is_over());
   }
 
   const GameConfiguration& configuration() const { return configuration_; }
@@ -119,6 +127,7 @@ class Game::Impl {
     if (referee_.games_finished() == 0) take_result(record);
     const PerSide<PlayCounts> counts = statistics_.counts();
     record.counts = {counts[a()], counts[opponent_of(a())]};
+    if (scene_) record.scene = scene_->record(record.goals_a, record.goals_b);
     record.sim_s = time_s();
     record.ball_in_play_s = static_cast<double>(frames_in_play_) / rate_hz();
     record.state_hash = hash_.value();
@@ -126,6 +135,25 @@ class Game::Impl {
   }
 
  private:
+  void begin_at(const StartState& start) {
+    const PerSide<int> counts = robots_of(configuration_);
+    for (const Side side : kSides) {
+      std::array<bool, kMaxRobots> is_on{};
+      for (const sim::RobotState& robot : start.robots[side]) {
+        if (robot.number >= counts[side])
+          throw std::invalid_argument(fmt::format("the {} team has {} robots, but robot {} starts",
+                                                  name_of(side), counts[side], robot.number));
+        is_on.at(static_cast<std::size_t>(robot.number)) = true;
+        put_robot({side, robot.number}, robot);
+      }
+      for (int number = 0; number < counts[side]; ++number) {
+        if (!is_on[static_cast<std::size_t>(number)]) take_off({side, number});
+      }
+    }
+    put_ball(start.ball);
+    referee_.begin(start.referee);
+  }
+
   bool is_still_played() {
     if (is_over()) end_teams();
     return !is_over();
@@ -173,6 +201,10 @@ class Game::Impl {
     frames_in_play_ += referee_.is_ball_in_play() ? 1 : 0;
     ended(Phase::kReferee);
     if (signal_.stage != Stage::kShootout) count_play();
+    if (scene_) {
+      scene_->update({frame_.time_s, world_.state(), world_.touches(), referee_.decisions(),
+                      referee_.state(), signal_});
+    }
     ended(Phase::kRecord);
     if (observer_ == nullptr) return;
     if (!camera_.others().is_empty()) observer_->on_other_detections(camera_.others());
@@ -270,6 +302,7 @@ class Game::Impl {
   std::optional<RefereeSignal> given_;  // by the game controller
   DelayLine<Tracks> tracks_;
   PlayStatistics statistics_;
+  std::optional<SceneWatch> scene_;
   PerSide<TeamController> players_;
   PerSide<TeamCommands> commands_;
   StateHash hash_;

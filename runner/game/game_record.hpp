@@ -10,6 +10,7 @@
 
 #include "referee/decision.hpp"
 #include "runner/game/play_counts/play_counts.hpp"
+#include "runner/game/scene.hpp"
 
 namespace autoref::runner {
 
@@ -31,6 +32,7 @@ struct GameRecord {
   int count(referee::Event event) const { return events[static_cast<std::size_t>(event)]; }
   std::vector<std::string> transitions;  // labels of the transitions taken, without duplicates
   std::array<PlayCounts, 2> counts{};    // [a, b]
+  std::optional<SceneRecord> scene;      // of a scene
   double ball_in_play_s = 0;
   double sim_s = 0;
   std::int64_t frames = 0;

@@ -69,7 +69,9 @@ GameConfiguration resolved(const GameSettings& settings) {
           resolved(settings.match),
           settings.field,
           settings.sim,
-          settings.seed};
+          settings.seed,
+          settings.start,
+          settings.scene};
 }
 
 }  // namespace autoref::runner

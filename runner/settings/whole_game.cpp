@@ -123,6 +123,38 @@ std::string team_text(const GameSettings& game, std::string_view path, const Tea
   return text;
 }
 
+std::string start_text(const GameSettings& game) {
+  if (!game.start) return "";
+  const StartState& start = *game.start;
+  std::string text;
+  const auto add = [&text](const auto&... values) {
+    ((text += fmt::format("{} ", values)), ...);
+    text += "\n";
+  };
+  for (const Side side : kSides) {
+    for (const sim::RobotState& robot : start.robots[side]) {
+      add(name_of(side), robot.number, robot.position_m.x(), robot.position_m.y(),
+          robot.heading.x(), robot.heading.y(), robot.velocity_mps.x(), robot.velocity_mps.y(),
+          robot.angular_velocity_radps);
+    }
+  }
+  const sim::BallState& ball = start.ball;
+  add("ball", ball.position_m.x(), ball.position_m.y(), ball.velocity_mps.x(),
+      ball.velocity_mps.y(), ball.height_m, ball.vertical_mps, ball.is_rolling);
+  const referee::Beginning& beginning = start.referee;
+  add(beginning.restart ? name_of(*beginning.restart) : "play", beginning.ball_m.x(),
+      beginning.ball_m.y(), beginning.is_stopped);
+  return text;
+}
+
+std::string scene_text(const GameSettings& game) {
+  if (!game.scene) return "";
+  const SceneWeights& weights = game.scene->weights;
+  return fmt::format("scene {} {} {} {} {} {}\n", game.scene->lasts_s,
+                     fmt::join(game.scene->ends, ""), weights.goal, weights.conceded,
+                     weights.ball_kept, weights.gained_m);
+}
+
 }  // namespace
 
 void check_team(const GameSettings& game, const TeamSettings& team, std::string_view path) {
@@ -155,6 +187,7 @@ std::uint64_t configuration_hash(const GameSettings& game) {
     text += fmt::format("{}={}\n", setting.path, value_of(setting));
   }
   text += team_text(game, "teams.a", game.a) + team_text(game, "teams.b", game.b);
+  text += start_text(game) + scene_text(game);
   // FNV-1a, followed by a bit mixer.
   std::uint64_t hash = 0xcbf29ce484222325ULL;
   for (const char letter : text) {
