@@ -20,7 +20,8 @@ namespace autoref::runner {
 
 // Arguments of `autoref play`.
 struct PlayArguments {
-  std::string file;
+  std::string file;               // empty: the defaults, with --from
+  std::string from;               // LOG@SECONDS where the game begins; empty: with a kick-off
   std::string seed;               // empty: the scenario's seed
   std::vector<std::string> sets;  // "key=value"
   std::string commands;           // file of recorded commands; empty: the programs play
@@ -157,6 +158,8 @@ struct DrawArguments {
   std::string at;     // in seconds; empty if `trace` is given
   std::string trace;  // "from:to", in seconds
   std::string rules = "paper";
+  std::string situation;  // to draw from a scenario instead of a log; empty: none
+  int scene = 1;          // number of its scene
 };
 
 // Arguments of `autoref rules`.

@@ -5,6 +5,7 @@
 
 #include "runner/cli/command_line.hpp"
 #include "runner/cli/controlled.hpp"
+#include "runner/cli/play_from.hpp"
 #include "runner/cli/play_one.hpp"
 #include "runner/experiments/reading/scenario_reader.hpp"
 #include "runner/experiments/scenario.hpp"
@@ -22,6 +23,11 @@ void refuse_needless_commands(const PlayArguments& arguments, const GameSettings
   if (arguments.commands.empty() || has_programs(resolved(game))) return;
   throw InputError({"--commands"}, "",
                    "neither team of the scenario is a program or on the network");
+}
+
+const std::string& scenario_of(const PlayArguments& arguments) {
+  if (!arguments.file.empty()) return arguments.file;
+  throw InputError({}, "", "give a scenario of kind game, or --from LOG@SECONDS");
 }
 
 }  // namespace
@@ -43,8 +49,11 @@ GameSettings game_in(const std::string& file, const std::string& seed,
 // named by the scenario or by --set.
 std::vector<std::string> inputs_of(const std::string& file, const std::string& commands,
                                    const Assignments& assignments) {
-  std::vector<std::string> inputs = type_files_in(file);
-  inputs.push_back(file);
+  std::vector<std::string> inputs;
+  if (!file.empty()) {
+    inputs = type_files_in(file);
+    inputs.push_back(file);
+  }
   if (!commands.empty()) inputs.push_back(commands);
   for (const Assignment& assignment : assignments) {
     if (is_type_file(assignment.value)) inputs.push_back(assignment.value);
@@ -54,13 +63,15 @@ std::vector<std::string> inputs_of(const std::string& file, const std::string& c
 
 int play_verb(const PlayArguments& arguments) {
   const Assignments assignments = assignments_in(arguments.sets);
-  GameSettings game = game_in(arguments.file, arguments.seed, assignments);
+  GameSettings game = arguments.from.empty()
+                          ? game_in(scenario_of(arguments), arguments.seed, assignments)
+                          : game_from_log(arguments, assignments);
   refuse_needless_commands(arguments, game);
   if (!arguments.game_controller.empty()) game.match.control = referee::Control::kGameController;
-  const std::vector<std::string> inputs =
-      inputs_of(arguments.file, arguments.commands, assignments);
+  std::vector<std::string> inputs = inputs_of(arguments.file, arguments.commands, assignments);
+  if (!arguments.from.empty()) inputs.push_back(instant_in(arguments.from).log);
   GameRecord record;
-  blame(arguments.file, [&] {
+  blame(arguments.file.empty() ? "--from" : arguments.file, [&] {
     record = game.match.control == referee::Control::kGameController
                  ? play_controlled(resolved(game), arguments, inputs)
                  : play_one(resolved(game), arguments.output, inputs, arguments.commands);
@@ -71,7 +82,11 @@ int play_verb(const PlayArguments& arguments) {
 void add_play_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb = app.add_subcommand("play", "Play one refereed game.");
   auto arguments = std::make_shared<PlayArguments>();
-  verb->add_option("FILE", arguments->file, "Scenario of kind game.")->required();
+  verb->add_option("FILE", arguments->file, "Scenario of kind game; optional with --from.");
+  verb->add_option("--from", arguments->from,
+                   "Begin where this SSL log is at that time, in seconds from its start: robots, "
+                   "ball and pending restart are the log's, score and clock start at 0.")
+      ->type_name("LOG@SECONDS");
   verb->add_option("--seed", arguments->seed, "Seed, overriding the scenario.")->type_name("N");
   add_set_option(*verb, arguments->sets);
   verb->add_option("--commands", arguments->commands,
@@ -80,12 +95,14 @@ void add_play_verb(CLI::App& app, Chosen& chosen) {
   verb->add_option("--game-controller", arguments->game_controller,
                    "Let the league's game controller, in its CI mode, command the game "
                    "(match.control=game-controller); 127.0.0.1:10009 by default.")
-      ->type_name("HOST[:PORT]");
+      ->type_name("HOST[:PORT]")
+      ->excludes("--from");
   add_output_options(*verb, arguments->output);
   add_speed_option(*verb, arguments->output);
   verb->footer(
-      "Example:\n  autoref play scenarios/paper-game.yaml --seed 7 --set b.robots=5 "
-      "--set match.half_s=60");
+      "Examples:\n  autoref play scenarios/paper-game.yaml --seed 7 --set b.robots=5 "
+      "--set match.half_s=60\n"
+      "  autoref play --from game.log.gz@83.2 --set match.rules=2026-b --view game.html");
   verb->callback([arguments, &chosen] { chosen = [arguments] { return play_verb(*arguments); }; });
 }
 

@@ -10,16 +10,6 @@
 namespace autoref::runner {
 namespace {
 
-// The field according to the log's geometry; values that the geometry lacks come from the rule
-// book.
-Field field_in(const league::LogSummary& log, const Field& of_book) {
-  if (!log.field) return of_book;
-  Field field = *log.field;
-  if (log.field_gaps.penalty_mark) field.penalty_mark_m = of_book.penalty_mark_m;
-  if (log.field_gaps.defence_area) field.defence_area = of_book.defence_area;
-  return field;
-}
-
 // The first command in the log, if it shows that play is on or that a restart is pending at the
 // start of the log.
 std::optional<Command> play_begun(const RecordedFacts& facts) {
@@ -38,6 +28,14 @@ std::optional<Command> play_begun(const RecordedFacts& facts) {
 }
 
 }  // namespace
+
+Field field_in(const league::LogSummary& log, const Field& of_book) {
+  if (!log.field) return of_book;
+  Field field = *log.field;
+  if (log.field_gaps.penalty_mark) field.penalty_mark_m = of_book.penalty_mark_m;
+  if (log.field_gaps.defence_area) field.defence_area = of_book.defence_area;
+  return field;
+}
 
 GameSettings logged_game(const std::string& book, const RecordedFacts& facts,
                          const RecordedGame& recorded) {

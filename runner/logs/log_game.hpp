@@ -10,6 +10,10 @@
 
 namespace autoref::runner {
 
+// The field according to the log's geometry; values that the geometry lacks come from the rule
+// book's field.
+Field field_in(const league::LogSummary& log, const Field& of_book);
+
 // A game under the rule book, with field, robots, lengths and first kick-off overridden by the log,
 // commanded by the recorded referee if there is one and by nobody otherwise.
 // `recorded` is one of the log's games. Throws std::invalid_argument for an unknown rule book.
