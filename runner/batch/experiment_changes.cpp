@@ -5,6 +5,7 @@
 #include <map>
 
 #include "runner/batch/experiment_kinds.hpp"
+#include "runner/experiments/situations_text.hpp"
 #include "runner/experiments/with_kind.hpp"
 #include "runner/io/words.hpp"
 #include "runner/settings/fields.hpp"
@@ -71,6 +72,17 @@ Values values_of(const Knockout& knockout) {
   return values;
 }
 
+Values values_of(const Situations& situations) {
+  GameSettings base = situations.base;
+  Values values = values_of(settings_of(base));
+  std::erase_if(values, [](const auto& value) { return value.first.starts_with("teams."); });
+  add(situations.attackers, "attackers", situations.base.types, values);
+  add(situations.defenders, "defenders", situations.base.types, values);
+  values.merge(situation_values(situations));
+  values["seed"] = std::to_string(situations.seed);
+  return values;
+}
+
 // Ignores teams that occur in only one of the experiments: they do not affect the other teams'
 // games.
 void keep_teams_of_both(Teams& one, Teams& other) {
@@ -97,6 +109,16 @@ void keep_what_is_in_both(NamedTeams& here, NamedTeams& there) {
 void keep_what_is_in_both(Gauntlet& here, Gauntlet& there) {
   keep_teams_of_both(here.teams, there.teams);
   keep_teams_of_both(here.challengers, there.challengers);
+}
+
+// Likewise situations.
+void keep_what_is_in_both(Situations& here, Situations& there) {
+  keep_teams_of_both(here.attackers, there.attackers);
+  keep_teams_of_both(here.defenders, there.defenders);
+  std::erase_if(here.situations,
+                [&there](const auto& one) { return !there.situations.contains(one.first); });
+  std::erase_if(there.situations,
+                [&here](const auto& one) { return !here.situations.contains(one.first); });
 }
 
 std::string changes_between(const Values& here, const Values& there) {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "runner/analysis/knockout_report.hpp"
+#include "runner/analysis/situations_report.hpp"
 #include "runner/analysis/sprt_match_report.hpp"
 #include "runner/analysis/sprt_match_state.hpp"
 #include "runner/analysis/standings_report.hpp"
@@ -12,6 +13,7 @@
 #include "runner/batch/results_json.hpp"
 #include "runner/experiments/knockout_schedule.hpp"
 #include "runner/experiments/matchup_schedule.hpp"
+#include "runner/experiments/situations_schedule.hpp"
 #include "runner/experiments/with_kind.hpp"
 
 namespace autoref::runner {
@@ -28,6 +30,8 @@ std::vector<std::string> value_columns(const NamedTeams& /*named*/) { return {};
 std::vector<std::string> value_columns(const JudgeSchedule& /*schedule*/) {
   return {"seeds", "rules", "camera"};
 }
+
+std::vector<std::string> value_columns(const Situations& /*situations*/) { return {"situation"}; }
 
 // Experiments of all other kinds need all their games.
 template <typename Experiment>
@@ -172,6 +176,19 @@ ExperimentResults results_of(const Knockout& knockout, const RowsById& rows) {
   return results;
 }
 
+ExperimentResults results_of(const Situations& situations, const RowsById& rows) {
+  const std::vector<SceneGroup> groups = scene_groups(situations, rows);
+  const std::vector<SceneDifference> differences = scene_differences(groups);
+  ExperimentResults results;
+  results.files = {
+      {"summary.csv", "a row per situation and teams", scenes_csv(groups)},
+      {"differences.csv", "a row per two attacking teams", scene_differences_csv(differences)}};
+  results.table = scenes_table(groups, differences);
+  results.shown = {{scenes_rows(groups), kScenesColumns, "situations"}};
+  results.json = std::make_shared<Json>(Json{{"situations", json_of(groups)}});
+  return results;
+}
+
 }  // namespace
 
 RowsById counted(const Schedule& schedule, const RowsById& rows) {
@@ -190,8 +207,10 @@ bool keeps_rows(const Scenario& scenario) {
 }
 
 RowFormat row_format(const Scenario& scenario) {
-  const bool is_judged = std::holds_alternative<JudgeSchedule>(scenario.content);
-  return RowFormat(value_columns(scenario), is_judged ? RowKind::kJudged : RowKind::kPlayed);
+  if (std::holds_alternative<JudgeSchedule>(scenario.content))
+    return RowFormat(value_columns(scenario), RowKind::kJudged);
+  const bool is_scenes = std::holds_alternative<Situations>(scenario.content);
+  return RowFormat(value_columns(scenario), is_scenes ? RowKind::kScene : RowKind::kPlayed);
 }
 
 std::vector<ScheduledGame> scheduled_games(const Scenario& scenario) {

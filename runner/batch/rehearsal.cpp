@@ -49,7 +49,11 @@ struct Entry {
   std::vector<Sample> samples;              // of parts that were not void, the shortest first
 
   const MatchSettings& match() const { return games.front()->configuration.match; }
-  double first_share() const { return std::min(1.0, kRehearsedHalf_s / match().half_s); }
+  // Scenes are short enough to be played whole.
+  double first_share() const {
+    if (games.front()->configuration.scene) return 1;
+    return std::min(1.0, kRehearsedHalf_s / match().half_s);
+  }
   bool plays() const { return !samples.empty() && rehearsal.void_reason.empty(); }
   double first_estimate_s() const { return samples.front().wall_s / samples.front().share; }
 };

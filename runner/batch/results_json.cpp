@@ -71,4 +71,18 @@ Json json_of(const std::vector<Tie>& ties) {
   return all;
 }
 
+Json json_of(const std::vector<SceneGroup>& groups) {
+  Json all = Json::array();
+  for (const SceneGroup& group : groups) {
+    all.push_back({{"situation", group.matchup.situation},
+                   {"attackers", group.matchup.attackers},
+                   {"defenders", group.matchup.defenders},
+                   {"scenes", group.scores.size()},
+                   {"void_scenes", group.void_scenes},
+                   {"goals", group.goals},
+                   {"mean_score", mean_json(group.scores)}});
+  }
+  return all;
+}
+
 }  // namespace autoref::runner

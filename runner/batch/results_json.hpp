@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "runner/analysis/groups.hpp"
+#include "runner/analysis/scene_groups.hpp"
 #include "runner/analysis/sprt_match_state.hpp"
 #include "runner/analysis/standings.hpp"
 #include "runner/experiments/bracket.hpp"
@@ -26,5 +27,9 @@ Json json_of(const SprtMatchState& state);
 // [{"tie": "final", "team_a": "cobalt", "team_b": null, "games": 1, "decided_by": "goals",
 //   "winner": "cobalt"}, ...]; unknown teams and winners are null.
 Json json_of(const std::vector<Tie>& ties);
+
+// [{"situation": "corner", "attackers": "cobalt", "defenders": "zone", "scenes": 200,
+//   "void_scenes": 0, "goals": 31, "mean_score": 0.155}, ...]; without scenes, the mean is null.
+Json json_of(const std::vector<SceneGroup>& groups);
 
 }  // namespace autoref::runner

@@ -60,7 +60,7 @@ void add_check_verb(CLI::App& app, Chosen& chosen) {
       app.add_subcommand("check", "Validate an experiment and estimate how long it takes.");
   auto arguments = std::make_shared<CheckArguments>();
   verb->add_option("FILE", arguments->file,
-                   "Scenario of kind sweep, roundrobin, gauntlet, sprt or knockout.")
+                   "Scenario of kind sweep, roundrobin, gauntlet, sprt, knockout or situations.")
       ->required();
   verb->add_option("-j,--workers", arguments->workers,
                    "Parallel games to assume in the estimate. Default: one per processor.")

@@ -7,7 +7,9 @@
 
 #include "league/referee_message.hpp"
 #include "runner/cli/command_line.hpp"
+#include "runner/cli/draw_situation.hpp"
 #include "runner/cli/output_file.hpp"
+#include "runner/experiments/overrides.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/words.hpp"
 #include "runner/logs/user_log.hpp"
@@ -109,6 +111,7 @@ void check_shown(const DrawArguments& arguments, const TimeSpan& interval,
 }  // namespace
 
 int draw_verb(const DrawArguments& arguments) {
+  if (!arguments.situation.empty()) return draw_situation(arguments);
   const TimeSpan interval = interval_in(arguments);
   check_outputs({{"-o", arguments.output}}, {arguments.log});
   std::optional<PendingFile> file;
@@ -122,10 +125,12 @@ int draw_verb(const DrawArguments& arguments) {
 }
 
 void add_draw_verb(CLI::App& app, Chosen& chosen) {
-  CLI::App* verb =
-      app.add_subcommand("draw", "Draw one instant of a recorded game, or a trace, as SVG.");
+  CLI::App* verb = app.add_subcommand(
+      "draw", "Draw one instant of a recorded game, a trace, or a situation, as SVG.");
   auto arguments = std::make_shared<DrawArguments>();
-  verb->add_option("LOG", arguments->log, "A .log or .log.gz file.")->required();
+  verb->add_option("FILE", arguments->log,
+                   "A .log or .log.gz file; with --situation, a scenario of kind situations.")
+      ->required();
   verb->add_option("-o,--output", arguments->output, "The SVG file.")
       ->type_name("FILE")
       ->required();
@@ -138,9 +143,20 @@ void add_draw_verb(CLI::App& app, Chosen& chosen) {
                    "Rule book that defines the field if the log has no geometry.")
       ->type_name("BOOK")
       ->capture_default_str();
+  CLI::Option* situation =
+      verb->add_option("--situation", arguments->situation,
+                       "Draw where a scene of this situation starts; the attackers are yellow.")
+          ->type_name("NAME")
+          ->excludes("--at", "--trace");
+  verb->add_option("--scene", arguments->scene, "Number of the scene.")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostPairs))
+      ->needs(situation)
+      ->capture_default_str();
   verb->footer(
       "Examples:\n  autoref draw game.log.gz --at 83.2 -o frame.svg\n"
-      "  autoref draw game.log.gz --trace 80:95 -o trace.svg");
+      "  autoref draw game.log.gz --trace 80:95 -o trace.svg\n"
+      "  autoref draw scenarios/situations-attack.yaml --situation corner -o corner.svg");
   verb->callback([arguments, &chosen] { chosen = [arguments] { return draw_verb(*arguments); }; });
 }
 

@@ -156,7 +156,7 @@ void add_run_verb(CLI::App& app, Chosen& chosen) {
       app.add_subcommand("run", "Run an experiment: a sweep, a tournament or a match.");
   auto arguments = std::make_shared<RunArguments>();
   add_batch_options(*verb, *arguments,
-                    "Scenario of kind sweep, roundrobin, gauntlet, sprt or knockout.");
+                    "Scenario of kind sweep, roundrobin, gauntlet, sprt, knockout or situations.");
   add_override_options(*verb, *arguments);
   verb->add_option("--shard", arguments->shard,
                    "Play only shard I (from 0) of N; other runs play the rest.")
@@ -187,8 +187,8 @@ void add_run_verb(CLI::App& app, Chosen& chosen) {
       "to wait for other shards' games; repeat the command to continue.\n\n"
       "--progress json prints one object per line on stderr, every 5 s and at the end, with event\n"
       "(progress, end, or note with a text), done, total, void, played (by this run), elapsed_s,\n"
-      "games_per_min, left_s and, depending on the kind, standings, groups, sprt or ties, with\n"
-      "the columns of the CSV files.\n\n"
+      "games_per_min, left_s and, depending on the kind, standings, groups, sprt, ties or\n"
+      "situations, with the columns of the CSV files.\n\n"
       "Example:\n  autoref run scenarios/handicap-speed.yaml -o results/runs/speed -j 2");
   verb->callback([arguments, &chosen] { chosen = [arguments] { return run_verb(*arguments); }; });
 }

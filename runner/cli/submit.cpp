@@ -139,7 +139,7 @@ void add_submit_verb(CLI::App& app, Chosen& chosen) {
       app.add_subcommand("submit", "Run an experiment on a cluster, as a Slurm job array.");
   auto arguments = std::make_shared<SubmitArguments>();
   add_batch_options(*verb, *arguments,
-                    "Scenario of kind sweep, roundrobin, gauntlet, sprt or knockout.");
+                    "Scenario of kind sweep, roundrobin, gauntlet, sprt, knockout or situations.");
   add_override_options(*verb, *arguments);
   verb->get_option("--workers")->description("Games played in parallel in each task. Default: 1.");
   verb->add_flag("--slurm", arguments->slurm, "Use Slurm (required; the only supported scheduler).")

@@ -6,6 +6,7 @@
 
 #include "runner/experiments/knockout_schedule.hpp"
 #include "runner/experiments/matchup_schedule.hpp"
+#include "runner/experiments/situations_schedule.hpp"
 #include "runner/experiments/sprt_settings.hpp"
 #include "runner/experiments/with_kind.hpp"
 
@@ -15,6 +16,7 @@ namespace {
 int* pairs_in(Sweep& sweep) { return &sweep.pairs; }
 int* pairs_in(RoundRobin& robin) { return &robin.pairs; }
 int* pairs_in(Gauntlet& gauntlet) { return &gauntlet.pairs; }
+int* pairs_in(Situations& situations) { return &situations.pairs; }
 int* pairs_in(SprtMatch& match) { return &match.sprt.max_pairs; }
 int* pairs_in(Knockout& /*knockout*/) { return nullptr; }
 int* pairs_in(JudgeSchedule& /*schedule*/) { return nullptr; }  // it has a number of games instead

@@ -232,6 +232,52 @@ std::vector<Column> played_columns() {
   return columns;
 }
 
+// The row's scene; created when the first of its columns is read.
+SceneRecord& scene_of(GameRow& row) {
+  if (!row.record.scene) row.record.scene.emplace();
+  return *row.record.scene;
+}
+SceneRecord scene_of(const GameRow& row) { return row.record.scene.value_or(SceneRecord{}); }
+
+// With four decimals.
+Column scene_number_column(std::string name, double SceneRecord::*member) {
+  return {std::move(name),
+          [member](const GameRow& row) { return fmt::format("{:.4f}", scene_of(row).*member); },
+          [member](const std::string& cell, GameRow& row) {
+            const std::optional<double> number = number_in(cell);
+            scene_of(row).*member = number.value_or(0);
+            return number.has_value();
+          }};
+}
+
+Column ended_by_column() {
+  return {
+      "ended_by", [](const GameRow& row) { return std::string(name_of(scene_of(row).ended_by)); },
+      [](const std::string& cell, GameRow& row) {
+        const auto* end = std::find_if(kSceneEnds.begin(), kSceneEnds.end(),
+                                       [&cell](SceneEnd value) { return name_of(value) == cell; });
+        if (end == kSceneEnds.end()) return false;
+        scene_of(row).ended_by = *end;
+        return true;
+      }};
+}
+
+Column ball_kept_column() {
+  return {"ball_kept",
+          [](const GameRow& row) { return std::string(scene_of(row).ball_kept ? "1" : "0"); },
+          [](const std::string& cell, GameRow& row) {
+            scene_of(row).ball_kept = cell == "1";
+            return cell == "0" || cell == "1";
+          }};
+}
+
+void add_scene_columns(std::vector<Column>& columns) {
+  columns.push_back(scene_number_column("score", &SceneRecord::score));
+  columns.push_back(ended_by_column());
+  columns.push_back(ball_kept_column());
+  columns.push_back(scene_number_column("gained_m", &SceneRecord::gained_m));
+}
+
 std::vector<Column> judged_columns() {
   return {status_column(), reason_column(), transitions_column(), evaluation_column()};
 }
@@ -260,7 +306,8 @@ std::vector<Column> game_columns(const std::vector<std::string>& factors) {
 }
 
 std::vector<Column> outcome_columns(RowKind kind) {
-  std::vector<Column> columns = kind == RowKind::kPlayed ? played_columns() : judged_columns();
+  std::vector<Column> columns = kind == RowKind::kJudged ? judged_columns() : played_columns();
+  if (kind == RowKind::kScene) add_scene_columns(columns);
   columns.push_back(hash_column(
       "state_hash", [](auto& row) -> auto& { return row.record.state_hash; }));
   columns.push_back(hash_column(

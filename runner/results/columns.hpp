@@ -20,6 +20,7 @@ struct Column {
 
 enum class RowKind : std::uint8_t {
   kPlayed,  // scores and counts
+  kScene,   // likewise, and the score of a scene
   kJudged,  // what the referee got right and wrong
 };
 

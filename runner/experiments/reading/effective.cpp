@@ -7,6 +7,7 @@
 #include "runner/experiments/reading/effective.hpp"
 #include "runner/experiments/reading/factor_reader.hpp"
 #include "runner/experiments/scenario.hpp"
+#include "runner/experiments/situations_text.hpp"
 #include "runner/experiments/sprt_settings.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/words.hpp"
@@ -190,6 +191,13 @@ std::string body_of(const Knockout& knockout) {
                                   "order: [{}]  # the best seed first\nthird_place: {}\n"
                                   "seed: {}\n",
                                   listed(knockout.order), knockout.third_place, knockout.seed);
+}
+
+std::string body_of(const Situations& situations) {
+  const RobotTypes& types = situations.base.types;
+  return base_of(situations.base, "teams.") + text_of(situations.attackers, "attackers", types) +
+         text_of(situations.defenders, "defenders", types) + situations_text(situations) +
+         fmt::format("pairs: {}\nseed: {}\n", situations.pairs, situations.seed);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "runner/experiments/reading/base_reader.hpp"
 #include "runner/experiments/reading/factor_reader.hpp"
 #include "runner/experiments/reading/judge_reader.hpp"
+#include "runner/experiments/reading/situations_reader.hpp"
 #include "runner/experiments/reading/team_experiments_reader.hpp"
 #include "runner/experiments/reading/top_reader.hpp"
 #include "runner/experiments/schedule.hpp"
@@ -48,6 +49,8 @@ class ScenarioReader {
       scenario.content = read_gauntlet(top_);
     } else if (kind == "knockout") {
       scenario.content = read_knockout(top_);
+    } else if (kind == "situations") {
+      scenario.content = read_situations(top_);
     } else {
       scenario.content = read_judge();
     }

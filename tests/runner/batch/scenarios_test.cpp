@@ -35,6 +35,7 @@ constexpr double kShortHalf_s = 5;
 void make_few(Sweep& sweep) { sweep.pairs = 1; }
 void make_few(RoundRobin& robin) { robin.pairs = 1; }
 void make_few(Gauntlet& gauntlet) { gauntlet.pairs = 1; }
+void make_few(Situations& situations) { situations.pairs = 1; }
 void make_few(SprtMatch& match) { match.sprt.min_pairs = match.sprt.max_pairs = 2; }
 void make_few(Knockout& /*knockout*/) {}
 void make_few(GameSettings& /*game*/) {}

@@ -10,6 +10,7 @@
 #include "runner/lab/lab.hpp"
 #include "runner/report/plots.hpp"
 #include "tests/runner/batch/fake_games.hpp"
+#include "tests/runner/experiments/small_situations.hpp"
 #include "tests/runner/results/written_names.hpp"
 
 namespace autoref::runner {
@@ -81,6 +82,17 @@ WrittenNames circumstances_columns() {
   return names;
 }
 
+// The columns of situations that results.csv of other kinds does not have.
+WrittenNames scene_columns() {
+  const WrittenNames others = head_in_folder(small_sweep(), "results.csv");
+  WrittenNames names = head_in_folder(small_situations(), "results.csv");
+  std::replace(names.begin(), names.end(), std::string("FACTOR"), std::string("situation"));
+  std::erase_if(names, [&others](const std::string& name) {
+    return std::find(others.begin(), others.end(), name) != others.end();
+  });
+  return names;
+}
+
 WrittenNames lab_columns() {
   const LabScene scene = read_lab_scene_text(
       "schema: 1\nkind: lab\nduration_s: 0.02\nrobots: [{ side: west }]\n", "x.yaml");
@@ -124,6 +136,19 @@ std::vector<Artefact> written_csv() {
       {"summary.csv of an SPRT match",
        [] { return head_in_folder(small_sprt_match(), "summary.csv"); }},
       {"summary.csv of a knockout", [] { return head_in_folder(small_knockout(), "summary.csv"); }},
+      {"results.csv of situations", scene_columns},
+      {"summary.csv of situations",
+       [] {
+         WrittenNames names = head_in_folder(small_situations(), "summary.csv");
+         std::replace(names.begin(), names.end(), std::string("FACTOR"), std::string("situation"));
+         return names;
+       }},
+      {"differences.csv of situations",
+       [] {
+         WrittenNames names = head_in_folder(small_situations(), "differences.csv");
+         std::replace(names.begin(), names.end(), std::string("FACTOR"), std::string("situation"));
+         return names;
+       }},
       {"standings.csv of a round robin", [] { return head_in_folder(robin(), "standings.csv"); }},
       {"standings.csv of a gauntlet",
        [] { return head_in_folder(small_gauntlet(), "standings.csv"); }},

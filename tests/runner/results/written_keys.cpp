@@ -13,6 +13,7 @@
 #include "runner/logs/log_report.hpp"
 #include "tests/runner/batch/fake_games.hpp"
 #include "tests/runner/cli/answer.hpp"
+#include "tests/runner/experiments/small_situations.hpp"
 #include "tests/runner/results/written_names.hpp"
 
 namespace autoref::runner {
@@ -145,7 +146,7 @@ WrittenNames progress_keys() {
   for (const std::string& team : knockout.order) knockout.teams[team] = {};
   Paths paths;
   for (const Scenario& scenario : {small_sweep(), small_roundrobin({6, 5}), small_sprt_match(),
-                                   Scenario{"A test.", knockout}}) {
+                                   small_situations(), Scenario{"A test.", knockout}}) {
     paths.merge(paths_in(progress_lines(scenario)));
   }
   return sorted(paths);

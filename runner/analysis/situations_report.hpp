@@ -1,0 +1,29 @@
+// The results of situations as CSV files and as text tables.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "runner/analysis/scene_groups.hpp"
+#include "runner/io/csv.hpp"
+#include "runner/io/table.hpp"
+
+namespace autoref::runner {
+
+// summary.csv: one row per situation and teams.
+std::string scenes_csv(const std::vector<SceneGroup>& groups);
+
+// differences.csv: one row per situation, defenders and two attacking teams.
+std::string scene_differences_csv(const std::vector<SceneDifference>& differences);
+
+// The text table; the first row is the header.
+std::vector<Cells> scenes_rows(const std::vector<SceneGroup>& groups);
+
+// Alignment of its columns.
+inline const std::vector<Align> kScenesColumns = {Align::kLeft, Align::kLeft, Align::kLeft};
+
+// Both tables as lines of text.
+std::string scenes_table(const std::vector<SceneGroup>& groups,
+                         const std::vector<SceneDifference>& differences);
+
+}  // namespace autoref::runner

@@ -1,0 +1,81 @@
+#include "runner/experiments/reading/scene_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "runner/io/words.hpp"
+#include "runner/settings/mapping.hpp"
+
+namespace autoref::runner {
+namespace {
+
+const std::vector<std::string> kSceneMeasures = {"goal", "conceded", "ball_kept", "gained_m"};
+
+double& weight_of(const std::string& measure, SceneWeights& weights) {
+  if (measure == "goal") return weights.goal;
+  if (measure == "conceded") return weights.conceded;
+  return measure == "ball_kept" ? weights.ball_kept : weights.gained_m;
+}
+
+// One measure, or a mapping of measures to weights.
+SceneWeights weights_in(const YamlFile& file, const YamlEntry& entry, const std::string& path) {
+  SceneWeights weights{0, 0, 0, 0};
+  if (entry.value.IsMap()) {
+    const Mapping from(file, entry, path, kSceneMeasures);
+    for (const std::string& measure : kSceneMeasures)
+      from.number(measure, weight_of(measure, weights), {-1000, 1000}, "");
+    if (weights == SceneWeights{0, 0, 0, 0})
+      file.refuse(entry.location, path, "all weights are 0; give at least one");
+    return weights;
+  }
+  const std::string expected =
+      fmt::format("one of {}, or a weight for each such as {{ goal: 1, gained_m: 0.1 }}",
+                  listed(kSceneMeasures));
+  const std::string word = file.scalar(entry, path, expected, false);
+  if (std::find(kSceneMeasures.begin(), kSceneMeasures.end(), word) == kSceneMeasures.end()) {
+    file.refuse(
+        value_location(entry), path,
+        fmt::format("expected {}, found '{}'{}", expected, word, suggestion(word, kSceneMeasures)));
+  }
+  weight_of(word, weights) = 1;
+  return weights;
+}
+
+void read_ends(const YamlFile& file, const YamlEntry& entry, const std::string& path,
+               Scene& scene) {
+  std::vector<std::string> known;
+  for (const SceneEnd end : kSceneEnds) {
+    scene.ends[static_cast<std::size_t>(end)] = end == SceneEnd::kTime;
+    if (end != SceneEnd::kTime) known.emplace_back(name_of(end));
+  }
+  for (const std::string& word : file.words(entry, path)) {
+    const auto end = std::find(known.begin(), known.end(), word);
+    if (end == known.end()) {
+      file.refuse(value_location(entry), path,
+                  fmt::format("expected a list of {}, found '{}'{}", listed(known), word,
+                              suggestion(word, known)));
+    }
+    scene.ends[1 + static_cast<std::size_t>(end - known.begin())] = true;
+  }
+}
+
+}  // namespace
+
+const std::vector<std::string>& scene_keys() {
+  static const std::vector<std::string> kKeys = {"lasts_s", "score", "ends_on"};
+  return kKeys;
+}
+
+void read_scene(const YamlFile& file, const std::vector<YamlEntry>& entries,
+                std::string_view branch, Scene& scene) {
+  const std::string prefix = branch.empty() ? "" : fmt::format("{}.", branch);
+  if (const YamlEntry* entry = find_entry(entries, "lasts_s"))
+    assign_entry(file, *entry, {prefix + "lasts_s", &scene.lasts_s, {0, 600, true}, {}, "s", ""});
+  if (const YamlEntry* entry = find_entry(entries, "score"))
+    scene.weights = weights_in(file, *entry, prefix + "score");
+  if (const YamlEntry* entry = find_entry(entries, "ends_on"))
+    read_ends(file, *entry, prefix + "ends_on", scene);
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,106 @@
+#include "runner/experiments/situations_text.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+#include <vector>
+
+#include "runner/io/words.hpp"
+
+namespace autoref::runner {
+namespace {
+
+using Values = std::vector<std::pair<std::string, std::string>>;  // by key, in order
+
+Values values_of_robot(const DrawnRobot& robot, const Field& field) {
+  Values values;
+  for (const auto& number : numbers_of(robot, field))
+    values.emplace_back(number.key, text_of(*number.place));
+  if (robot.heading_deg) values.emplace_back("heading_deg", text_of(*robot.heading_deg));
+  return values;
+}
+
+Values values_of_ball(const DrawnBall& ball, const Field& field) {
+  Values values;
+  for (const auto& number : numbers_of(ball, field))
+    values.emplace_back(number.key, text_of(*number.place));
+  return values;
+}
+
+std::string ends_of(const Scene& scene) {
+  std::vector<std::string> words;
+  for (const SceneEnd end : kSceneEnds) {
+    if (end != SceneEnd::kTime && scene.is_ended_by(end)) words.emplace_back(name_of(end));
+  }
+  return fmt::format("[{}]", listed(words));
+}
+
+// What a situation says besides its bodies.
+Values values_of_scene(const Situation& situation) {
+  const SceneWeights& weights = situation.scene.weights;
+  return {{"lasts_s", text_of(situation.scene.lasts_s)},
+          {"score", fmt::format("{{ goal: {}, conceded: {}, ball_kept: {}, gained_m: {} }}",
+                                text_of(weights.goal), text_of(weights.conceded),
+                                text_of(weights.ball_kept), text_of(weights.gained_m))},
+          {"ends_on", ends_of(situation.scene)},
+          {"restart", std::string(name_of(situation.restart))},
+          {"taken_by", situation.is_attackers_restart ? "attackers" : "defenders"},
+          {"after_stop", situation.is_after_stop ? "true" : "false"}};
+}
+
+std::string flow_text(const Values& values) {
+  std::string text;
+  for (const auto& [key, value] : values)
+    text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", key, value);
+  return fmt::format("{{ {} }}", text);
+}
+
+std::string robots_text(std::string_view key, const std::vector<DrawnRobot>& robots,
+                        const Field& field) {
+  std::string text = fmt::format("    {}:{}\n", key, robots.empty() ? " {}" : "");
+  for (const DrawnRobot& robot : robots)
+    text += fmt::format("      {}: {}\n", robot.number, flow_text(values_of_robot(robot, field)));
+  return text;
+}
+
+void add_below(const std::string& path, const Values& values,
+               std::map<std::string, std::string>& all) {
+  for (const auto& [key, value] : values) all[fmt::format("{}.{}", path, key)] = value;
+}
+
+}  // namespace
+
+std::string situations_text(const Situations& situations) {
+  const Field& field = situations.base.field;
+  std::string text = "situations:  # in the attackers' frame: they defend the goal at -x\n";
+  for (const auto& [name, situation] : situations.situations) {
+    text += fmt::format("  {}:\n", name);
+    for (const auto& [key, value] : values_of_scene(situation))
+      text += fmt::format("    {}: {}\n", key, value);
+    text += fmt::format("    ball: {}\n", flow_text(values_of_ball(situation.ball, field)));
+    text += robots_text("attackers", situation.attackers, field);
+    text += robots_text("defenders", situation.defenders, field);
+  }
+  return text;
+}
+
+std::map<std::string, std::string> situation_values(const Situations& situations) {
+  const Field& field = situations.base.field;
+  std::map<std::string, std::string> all;
+  for (const auto& [name, situation] : situations.situations) {
+    const std::string path = fmt::format("situations.{}", name);
+    add_below(path, values_of_scene(situation), all);
+    add_below(path + ".ball", values_of_ball(situation.ball, field), all);
+    for (const DrawnRobot& robot : situation.attackers) {
+      add_below(fmt::format("{}.attackers.{}", path, robot.number), values_of_robot(robot, field),
+                all);
+    }
+    for (const DrawnRobot& robot : situation.defenders) {
+      add_below(fmt::format("{}.defenders.{}", path, robot.number), values_of_robot(robot, field),
+                all);
+    }
+  }
+  return all;
+}
+
+}  // namespace autoref::runner
