@@ -6,6 +6,7 @@
 #include "runner/cli/command_line.hpp"
 #include "runner/cli/controlled.hpp"
 #include "runner/cli/play_one.hpp"
+#include "runner/cli/scenario_argument.hpp"
 #include "runner/experiments/reading/scenario_reader.hpp"
 #include "runner/experiments/scenario.hpp"
 #include "runner/io/errors.hpp"
@@ -71,7 +72,7 @@ int play_verb(const PlayArguments& arguments) {
 void add_play_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb = app.add_subcommand("play", "Play one refereed game.");
   auto arguments = std::make_shared<PlayArguments>();
-  verb->add_option("FILE", arguments->file, "Scenario of kind game.")->required();
+  add_scenario_argument(*verb, arguments->file, "Scenario of kind game.");
   verb->add_option("--seed", arguments->seed, "Seed, overriding the scenario.")->type_name("N");
   add_set_option(*verb, arguments->sets);
   verb->add_option("--commands", arguments->commands,
