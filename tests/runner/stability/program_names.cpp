@@ -1,4 +1,4 @@
-// Settings, events, verbs and exit codes.
+// Settings, events, verbs, exit codes and ports.
 #include <fmt/format.h>
 
 #include <regex>
@@ -6,6 +6,7 @@
 
 #include "referee/event.hpp"
 #include "runner/io/errors.hpp"
+#include "runner/live/live_options.hpp"
 #include "runner/settings/fields.hpp"
 #include "tests/runner/cli/answer.hpp"
 #include "tests/runner/results/written_names.hpp"
@@ -66,6 +67,19 @@ Names exit_code_names() {
           fmt::format("{} internal error", kInternal),
           fmt::format("{} input or output failed", kInputOutput),
           fmt::format("{} interrupted", kInterrupted)};
+}
+
+Names network_names() {
+  const LivePorts ports;
+  return {fmt::format("vision {}:{}", kVisionGroup, ports.vision),
+          fmt::format("referee {}:{}", kRefereeGroup, ports.referee),
+          fmt::format("tracker {}:{}", kVisionGroup, ports.tracker),
+          fmt::format("control {}", ports.control),
+          fmt::format("blue {}", ports.blue),
+          fmt::format("yellow {}", ports.yellow),
+          fmt::format("grsim {}", ports.grsim),
+          fmt::format("grsim status blue {}", ports.grsim_status_blue),
+          fmt::format("grsim status yellow {}", ports.grsim_status_yellow)};
 }
 
 }  // namespace autoref::runner

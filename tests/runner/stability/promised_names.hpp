@@ -23,5 +23,6 @@ Names event_names();         // "throw_in"
 Names command_line_names();  // "play --seed"
 Names exit_code_names();     // "2 bad input"
 Names message_names();       // of teams' programs, in each encoding
+Names network_names();       // "vision 224.5.23.2:10006"
 
 }  // namespace autoref::runner

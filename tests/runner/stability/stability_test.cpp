@@ -23,7 +23,8 @@ namespace {
 std::vector<PromisedList> promised_lists() {
   return {{"settings", setting_names},     {"written", written_names},
           {"events", event_names},         {"command-line", command_line_names},
-          {"exit-codes", exit_code_names}, {"messages", message_names}};
+          {"exit-codes", exit_code_names}, {"messages", message_names},
+          {"network", network_names}};
 }
 
 std::string path_of(const PromisedList& list) {
