@@ -11,3 +11,14 @@ function(autoref_room target)
   target_precompile_headers(${target} REUSE_FROM autoref_headers)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${AUTOREF_UNITY} UNITY_BUILD_BATCH_SIZE 12)
 endfunction()
+
+# Installs a room's library and headers, so that other projects can link it as autoref::ROOM (docs/packages.md).
+#   autoref_export(ROOM)
+function(autoref_export room)
+  add_library(autoref::${room} ALIAS autoref_${room})
+  set_target_properties(autoref_${room} PROPERTIES EXPORT_NAME ${room})
+  install(TARGETS autoref_${room} EXPORT autoref ARCHIVE DESTINATION lib COMPONENT development
+          INCLUDES DESTINATION include/autoref)
+  install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} DESTINATION include/autoref COMPONENT development
+          FILES_MATCHING PATTERN "*.hpp" PATTERN "*.def" PATTERN lab EXCLUDE PATTERN kinds EXCLUDE)
+endfunction()

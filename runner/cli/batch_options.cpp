@@ -5,6 +5,7 @@
 
 #include "runner/batch/experiment_kinds.hpp"
 #include "runner/cli/command_line.hpp"
+#include "runner/cli/scenario_argument.hpp"
 #include "runner/experiments/overrides.hpp"
 #include "runner/experiments/reading/scenario_reader.hpp"
 #include "runner/io/errors.hpp"
@@ -67,7 +68,7 @@ void add_set_option(CLI::App& verb, std::vector<std::string>& sets) {
 }
 
 void add_batch_options(CLI::App& verb, BatchArguments& arguments, const std::string& about_file) {
-  verb.add_option("FILE", arguments.file, about_file)->required();
+  add_scenario_argument(verb, arguments.file, about_file);
   verb.add_option("-o,--output", arguments.folder,
                   "Folder for the results. Default: results/runs/<scenario>.")
       ->type_name("DIR");

@@ -7,6 +7,7 @@
 #include "runner/batch/experiment_kinds.hpp"
 #include "runner/batch/rehearsal.hpp"
 #include "runner/cli/command_line.hpp"
+#include "runner/cli/scenario_argument.hpp"
 #include "runner/experiments/scenario.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/table.hpp"
@@ -59,9 +60,9 @@ void add_check_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb =
       app.add_subcommand("check", "Validate an experiment and estimate how long it takes.");
   auto arguments = std::make_shared<CheckArguments>();
-  verb->add_option("FILE", arguments->file,
-                   "Scenario of kind sweep, roundrobin, gauntlet, sprt, knockout or situations.")
-      ->required();
+  add_scenario_argument(
+      *verb, arguments->file,
+      "Scenario of kind sweep, roundrobin, gauntlet, sprt, knockout or situations.");
   verb->add_option("-j,--workers", arguments->workers,
                    "Parallel games to assume in the estimate. Default: one per processor.")
       ->type_name("N")

@@ -8,6 +8,7 @@
 
 #include "runner/cli/command_line.hpp"
 #include "runner/cli/output_file.hpp"
+#include "runner/cli/scenario_argument.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/lab/lab.hpp"
 #include "runner/settings/robot_types.hpp"
@@ -34,7 +35,7 @@ void add_lab_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb =
       app.add_subcommand("lab", "Simulate a small physics experiment, without teams or referee.");
   auto arguments = std::make_shared<LabArguments>();
-  verb->add_option("FILE", arguments->file, "Scene of kind lab.")->required();
+  add_scenario_argument(*verb, arguments->file, "Scene of kind lab.");
   verb->add_option("--csv", arguments->csv, "Write the rows to FILE instead of standard output.")
       ->type_name("FILE");
   verb->footer(

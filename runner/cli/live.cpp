@@ -6,6 +6,7 @@
 
 #include "runner/cli/command_line.hpp"
 #include "runner/cli/play_one.hpp"
+#include "runner/cli/scenario_argument.hpp"
 #include "runner/cli/speed.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/live/live_game.hpp"
@@ -129,7 +130,7 @@ void add_live_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb =
       app.add_subcommand("live", "Play one refereed game on the league's network, in real time.");
   auto arguments = std::make_shared<LiveArguments>();
-  verb->add_option("FILE", arguments->file, "Scenario of kind game.")->required();
+  add_scenario_argument(*verb, arguments->file, "Scenario of kind game.");
   verb->add_option("--seed", arguments->seed, "Seed, overriding the scenario.")->type_name("N");
   add_set_option(*verb, arguments->sets);
   verb->add_option("--speed", arguments->speed,

@@ -7,6 +7,7 @@
 #include "runner/cli/controlled.hpp"
 #include "runner/cli/play_from.hpp"
 #include "runner/cli/play_one.hpp"
+#include "runner/cli/scenario_argument.hpp"
 #include "runner/experiments/reading/scenario_reader.hpp"
 #include "runner/experiments/scenario.hpp"
 #include "runner/io/errors.hpp"
@@ -82,7 +83,8 @@ int play_verb(const PlayArguments& arguments) {
 void add_play_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb = app.add_subcommand("play", "Play one refereed game.");
   auto arguments = std::make_shared<PlayArguments>();
-  verb->add_option("FILE", arguments->file, "Scenario of kind game; optional with --from.");
+  add_scenario_argument(*verb, arguments->file, "Scenario of kind game; optional with --from.")
+      ->required(false);
   verb->add_option("--from", arguments->from,
                    "Begin where this SSL log is at that time, in seconds from its start: robots, "
                    "ball and pending restart are the log's, score and clock start at 0.")

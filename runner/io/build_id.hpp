@@ -5,7 +5,7 @@
 
 namespace autoref::runner {
 
-// "0.1.0-" and 12 hexadecimal digits of the SHA-256 of all sources that can affect a game. The same
+// "1.0.0-" and 12 hexadecimal digits of the SHA-256 of all sources that can affect a game. The same
 // for all compilers and presets; unaffected by changes to documents, tests or scenarios.
 std::string_view build_id();
 

@@ -9,7 +9,7 @@
 
 namespace autoref::runner {
 
-// Subfolder of the results folder for a build's report: "build-0.1.0-5bfc77ad2f0a". Throws
+// Subfolder of the results folder for a build's report: "build-1.0.0-5bfc77ad2f0a". Throws
 // InputError if a row's build is not a valid folder name.
 std::filesystem::path build_folder(const std::filesystem::path& path, const std::string& build);
 

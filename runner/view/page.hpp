@@ -29,7 +29,7 @@ struct PageContent {
   const GameRecording& recording;
   Field field;
   PerSide<std::string> names;     // of the teams; empty if unknown
-  std::vector<PageFact> facts{};  // shown below the game, such as {"build", "0.1.0-..."}
+  std::vector<PageFact> facts{};  // shown below the game, such as {"build", "1.0.0-..."}
   std::optional<std::vector<ComparedCall>>
       compared{};  // in order of time; nullopt: nobody compared
 };

@@ -40,7 +40,7 @@ TEST(CommandLine, ShowsAnExampleForEachVerb) {
 TEST(CommandLine, PrintsItsVersion) {
   const Answer answer = answer_to({"--version"});
   EXPECT_EQ(answer.code, kDone);
-  EXPECT_TRUE(answer.out.starts_with("autoref 0.1.0-"));
+  EXPECT_TRUE(answer.out.starts_with("autoref 1.0.0-"));
 }
 
 TEST(CommandLine, ReportsUsageErrorsAsBadInput) {

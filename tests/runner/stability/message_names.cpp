@@ -1,0 +1,87 @@
+// The messages of teams' programs.
+#include <fmt/format.h>
+#include <google/protobuf/descriptor.h>
+#include <yaml-cpp/yaml.h>
+
+#include <regex>
+#include <sstream>
+
+#include "league/messages/team.pb.h"
+#include "league/team/team_codec.hpp"
+#include "tests/checkout.hpp"
+#include "tests/runner/stability/promised_names.hpp"
+#include "tests/runner/support/temporary_folder.hpp"
+
+namespace autoref::runner {
+namespace {
+
+// "protobuf TeamFrame.time_s = 2 double"
+void add_protobuf(const google::protobuf::FileDescriptor& file, Names& names) {
+  for (int i = 0; i < file.message_type_count(); ++i) {
+    const google::protobuf::Descriptor& message = *file.message_type(i);
+    for (int j = 0; j < message.field_count(); ++j) {
+      const google::protobuf::FieldDescriptor& field = *message.field(j);
+      names.push_back(fmt::format("protobuf {}.{} = {} {}", message.name(), field.name(),
+                                  field.number(), field.type_name()));
+    }
+  }
+  for (int i = 0; i < file.enum_type_count(); ++i) {
+    const google::protobuf::EnumDescriptor& words = *file.enum_type(i);
+    for (int j = 0; j < words.value_count(); ++j)
+      names.push_back(
+          fmt::format("protobuf {} = {}", words.value(j)->name(), words.value(j)->number()));
+  }
+}
+
+// "flat 2: 8 i64 frame": a number of the second table of docs/team-programs.md. Another test
+// compares the tables with the records.
+void add_flat(Names& names) {
+  const std::regex row(R"(\| (\d+) \| (\w+) \| `(\w+)` \|.*)");
+  std::istringstream page(content_of(in_checkout("docs/team-programs.md")));
+  int table = 0;
+  for (std::string line; std::getline(page, line);) {
+    std::smatch cells;
+    if (line.starts_with("| offset |")) ++table;
+    if (table > 0 && std::regex_match(line, cells, row))
+      names.push_back(
+          fmt::format("flat {}: {} {} {}", table, cells[1].str(), cells[2].str(), cells[3].str()));
+  }
+}
+
+void add_members(const YAML::Node& node, const std::string& path, Names& names) {
+  if (node.IsSequence() && node.size() > 0) add_members(node[0], path + "[]", names);
+  if (!node.IsMap()) return;
+  for (const auto& member : node) {
+    const std::string name = path + "." + member.first.as<std::string>();
+    names.push_back(name);
+    add_members(member.second, name, names);
+  }
+}
+
+// "json .frame.ball.x_m"
+void add_json(Names& names) {
+  league::TeamStart start;
+  start.robots.resize(1);
+  league::TeamFrame frame;
+  frame.view.own.push_back({});
+  frame.view.opponents.push_back({});
+  const auto codec = league::make_team_codec(league::TeamEncoding::kJson);
+  std::string lines;
+  codec->append(start, lines);
+  codec->append(frame, lines);
+  codec->append(league::TeamEnd{"time", 1, 0}, lines);
+  std::istringstream text(lines);
+  for (std::string line; std::getline(text, line);) add_members(YAML::Load(line), "json ", names);
+}
+
+}  // namespace
+
+Names message_names() {
+  Names names;
+  add_protobuf(*autoref::team::TeamInput::descriptor()->file(), names);
+  add_flat(names);
+  add_json(names);
+  return names;
+}
+
+}  // namespace autoref::runner
