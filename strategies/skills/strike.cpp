@@ -16,9 +16,6 @@ constexpr double kIncoming_mps = 1.8;
 constexpr double kBesideLine_m = 0.7;  // largest distance from the ball's line to step onto it
 constexpr double kFrame_s = 1.0 / 60;
 
-// In a steady turn the dribbler holds the ball up to 10 rad/s (sim/README.md).
-constexpr double kTurnWithBall_radps = 6.0;
-constexpr double kTurnBraking_radps2 = 16.0;
 constexpr double kPress_mps = 0.25;  // forward speed that keeps the ball at the plate
 
 constexpr double kStrikeLane_m = 30_mm;   // largest lateral offset of a ball straight ahead
@@ -35,9 +32,9 @@ constexpr double kWideFirstTouch =
 
 // Follows a time-optimal braking curve, limited near the target and by the rate at which the
 // dribbler can hold the ball.
-double turn_rate_radps(double error_rad) {
-  const double rate = std::sqrt(2 * kTurnBraking_radps2 * std::abs(error_rad));
-  return std::copysign(std::min({rate, 12 * std::abs(error_rad), kTurnWithBall_radps}), error_rad);
+double turn_rate_radps(double error_rad, const Strike& strike) {
+  const double rate = std::sqrt(2 * strike.turn_braking_radps2 * std::abs(error_rad));
+  return std::copysign(std::min({rate, 12 * std::abs(error_rad), strike.turn_radps}), error_rad);
 }
 
 // Kicks if the heading error, allowing for the turn within this frame, is small enough.
@@ -53,7 +50,7 @@ void kick_if_aligned(const TrackedRobot& robot, const Vec2& aim, const Strike& s
 RobotCommand turn_and_kick(const TrackedRobot& robot, const Vec2& aim, const Strike& strike) {
   RobotCommand command;
   command.velocity_mps = Vec2(kPress_mps, 0);
-  command.angular_velocity_radps = turn_rate_radps(angle_between(robot.heading, aim));
+  command.angular_velocity_radps = turn_rate_radps(angle_between(robot.heading, aim), strike);
   command.dribble = true;
   kick_if_aligned(robot, aim, strike, command);
   return command;
@@ -138,6 +135,7 @@ RobotCommand take_kick(const TrackedRobot& robot, const Vec2& ball_m, const Stri
         robot, aim * run_mps + left_of(aim) * (style.approach_per_s * aside_m), aim, style);
     if (is_aligned) command.kick_mps = strike.kick_mps;
     command.chip = strike.chip;
+    command.dribble = strike.dribble;
     return command;
   }
   const Vec2 stand_m = ball_m - aim * (kStrikeTouch_m + kStrikeRunUp_m + kBallRadius_m);
@@ -177,7 +175,7 @@ RobotCommand strike_ball(const TrackedRobot& robot, const BallPath& path,
 RobotCommand carry_ball(const TrackedRobot& robot, const Vec2& velocity_mps, const Vec2& heading) {
   RobotCommand command;
   command.velocity_mps = to_local(velocity_mps, robot.heading);
-  command.angular_velocity_radps = turn_rate_radps(angle_between(robot.heading, heading));
+  command.angular_velocity_radps = turn_rate_radps(angle_between(robot.heading, heading), Strike{});
   command.dribble = true;
   return command;
 }

@@ -72,6 +72,7 @@ Choice BallHandler::choose(int index, const Vec2& from_m) const {
   }
   if (predicted_.now().play == Play::kRunning && !must_release())
     consider(carry_from(predicted_, from_m));
+  if (may_dribble_restart()) consider(dribble_from(predicted_, from_m));
   if (best.worth >= predicted_.style().worthless) return best;
   consider(clear_from(predicted_, from_m, robot.heading));
   if (best.kind == Choice::Kind::kClear && pressure > predicted_.style().pressed)
@@ -146,9 +147,18 @@ RobotCommand BallHandler::strike(int index) const {
   if (predicted_.now().play != Play::kRunning)
     return take_kick(robot, path.now_m(), choice_.strike, obstacles, style);
   Strike now = choice_.strike;
+  now.turn_radps = predicted_.style().ball_turn_radps;
+  now.turn_braking_radps2 = predicted_.style().ball_turn_braking_radps2;
   now.keep_off = out_of_field(predicted_.field(), path.now_m(), predicted_.style().near_line_m);
   if (must_release()) now.tolerance_rad = predicted_.style().release_rad;
   return strike_ball(robot, path, interception, now, obstacles, style);
+}
+
+// Whether the taker of this restart may touch the ball again, and so take it along.
+bool BallHandler::may_dribble_restart() const {
+  return predicted_.style().dribbled_restart > 0 && is_restart(predicted_.now().play) &&
+         predicted_.now().play != Play::kPenalty &&
+         !predicted_.rules().has(RuleId::kAttackerDoubleTouchedBall);
 }
 
 // Whether the ball has been dribbled nearly as far as allowed.

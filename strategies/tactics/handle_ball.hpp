@@ -31,6 +31,7 @@ class BallHandler {
   RobotCommand carry(int index) const;
   RobotCommand strike(int index) const;
   bool must_release() const;
+  bool may_dribble_restart() const;
 
   const PredictedState& predicted_;
   FaceOff face_off_;

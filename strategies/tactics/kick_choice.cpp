@@ -119,6 +119,13 @@ Choice carry_from(const PredictedState& predicted, const Vec2& from_m) {
   return carry;
 }
 
+Choice dribble_from(const PredictedState& predicted, const Vec2& from_m) {
+  Choice dribble = carry_from(predicted, from_m);
+  dribble.worth = predicted.style().dribbled_restart;
+  dribble.strike.dribble = true;
+  return dribble;
+}
+
 Choice clear_from(const PredictedState& predicted, const Vec2& from_m, const Vec2& heading) {
   const Field& field = predicted.field();
   Choice clear;

@@ -36,6 +36,7 @@ void PredictedState::update(const TeamView& view) {
   position_m_ = now_.placement_m.value_or(now_.ball.position_m);
   intercept_ball();
   settle_possession();
+  threat_m_ = find_threat_m();
   room_at_ball_m_ = find_room_at_ball_m();
   limits_ = find_limits();
 }
@@ -73,6 +74,11 @@ void PredictedState::settle_possession() {
   // The margin favours the team that has the ball (hysteresis).
   is_ours_ = ours_s <
              theirs_.time_s + (is_ours_ ? style_.possession_margin_s : -style_.possession_margin_s);
+}
+
+Vec2 PredictedState::find_threat_m() const {
+  if (now_.play != Play::kRunning || is_ours_ || their_fastest_ < 0) return position_m_;
+  return position_m_ + style_.anticipation * (theirs_.point_m - position_m_);
 }
 
 bool PredictedState::is_waiting() const {

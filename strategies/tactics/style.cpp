@@ -48,7 +48,7 @@ std::span<const Tunable> tunables() {
     std::vector<Tunable> all(kTeam.begin(), kTeam.end());
     for (const auto& role :
          {moving_tunables(), kick_tunables(), ball_tunables(), running_tunables(),
-          defence_tunables(), play_tunables(), formation_tunables()}) {
+          defence_tunables(), together_tunables(), play_tunables(), formation_tunables()}) {
       all.insert(all.end(), role.begin(), role.end());
     }
     return all;

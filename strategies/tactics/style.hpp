@@ -126,6 +126,17 @@ struct Style {
   double keeper_area_margin_m = 30_mm;
   double keeper_aim_trust = 0.6;
 
+  // Covering the goal together, and restarts. The defaults switch these behaviours off.
+  double anticipation = 0;
+  double keeper_fills_gap = 0;
+  double keeper_dives = 0;
+  double wall_near_post_m = 0;
+  double dribbled_restart = 0;
+
+  // Turning with the ball. In a steady turn the dribbler holds it up to 10 rad/s (sim/README.md).
+  double ball_turn_radps = 6.0;
+  double ball_turn_braking_radps2 = 16.0;
+
   // Assignment of roles.
   double places_gap_m = 4_mm;
   double rather_beside_m = 0.1;

@@ -70,6 +70,29 @@ constexpr std::array kDefence = std::to_array<Tunable>({
       "How far the keeper shifts from the middle towards a shooter's aim."}},
 });
 
+constexpr std::array kTogether = std::to_array<Tunable>({
+    {&Style::anticipation,
+     {"anticipation", "1", 0, 0, 1,
+      "How far wall and keeper shift from the ball to where an opponent will reach it."}},
+    {&Style::keeper_fills_gap,
+     {"keeper_fills_gap", "1", 0, 0, 1,
+      "How far the keeper shifts to the part of the goal that its team-mates leave open."}},
+    {&Style::keeper_dives,
+     {"keeper_dives", "1", 0, 0, 1,
+      "1: the keeper does not brake before a shot's path if it would arrive too late."}},
+    {&Style::wall_near_post_m,
+     {"wall_near_post_m", "m", 0, -0.4, 0.4,
+      "How far the wall shifts to the near post's side of the goal's centre."}},
+    {&Style::dribbled_restart,
+     {"dribbled_restart", "1", 0, 0, 2,
+      "Value of dribbling from a restart if the rules allow its taker a second touch."}},
+    {&Style::ball_turn_radps,
+     {"ball_turn_radps", "rad/s", 0, 1, 10, "Maximum angular velocity with the ball."}},
+    {&Style::ball_turn_braking_radps2,
+     {"ball_turn_braking_radps2", "rad/s^2", 0, 1, 40,
+      "Angular deceleration used in planning turns with the ball."}},
+});
+
 constexpr std::array kPlays = std::to_array<Tunable>({
     {&Style::places_gap_m,
      {"places_gap_m", "m", 0, 0, 1, "Gap between hulls while play is stopped."}},
@@ -178,6 +201,7 @@ constexpr std::array kFormations = std::to_array<Tunable>({
 
 std::span<const Tunable> running_tunables() { return kRunning; }
 std::span<const Tunable> defence_tunables() { return kDefence; }
+std::span<const Tunable> together_tunables() { return kTogether; }
 std::span<const Tunable> play_tunables() { return kPlays; }
 std::span<const Tunable> formation_tunables() { return kFormations; }
 

@@ -2,7 +2,9 @@
 
 namespace autoref::strategies {
 
-// This team uses the defaults of Style.
-TeamPlaybook cobalt_playbook() { return {}; }
+TeamPlaybook cobalt_playbook() {
+  Style style;
+  return {style};
+}
 
 }  // namespace autoref::strategies

@@ -9,6 +9,9 @@ namespace autoref::strategies {
 // covers the open angles of its goal.
 TeamPlaybook cobalt_playbook();
 
+// The strong team's previous version, kept for comparison: its games never change.
+TeamPlaybook cobalt1_playbook();
+
 // Counter-attack: a deep block behind the ball, and long, immediate passes to one or two forwards.
 TeamPlaybook counter_playbook();
 
