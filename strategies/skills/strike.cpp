@@ -23,6 +23,7 @@ constexpr double kNear_m = 0.35;          // within this distance, the robot mov
 constexpr double kStrikeRunUp_m = 50_mm;  // gap between plate and ball before the final run
 constexpr double kExact_m = 30_mm;        // allowed lateral offset at a restart
 constexpr double kClearOfBall_m = 25_mm;
+constexpr double kCommits_m = 20_mm;     // gap from which the robot can hardly avoid the ball
 constexpr double kCarefulFrom_m = 0.35;  // slow down near a ball that must not be moved
 constexpr double kCareful_mps = 1.2;
 constexpr double kRun_mps = 0.7;  // speed into the ball
@@ -126,8 +127,11 @@ RobotCommand take_kick(const TrackedRobot& robot, const Vec2& ball_m, const Stri
   const double aside_m = cross(aim, to_ball);
   const bool is_behind = ahead_m > -kStrikeTouch_m / 2 && ahead_m < 0.4;
   if (is_behind && std::abs(aside_m) < kExact_m + 0.3 * std::max(0.0, ahead_m - kStrikeRunUp_m)) {
-    const bool is_aligned = std::abs(angle_between(robot.heading, aim)) < strike.tolerance_rad &&
-                            std::abs(aside_m) < kExact_m;
+    const bool is_at_ball = ahead_m < kCommits_m;
+    const double tolerance_rad =
+        is_at_ball ? std::max(strike.tolerance_rad, strike.commit_rad) : strike.tolerance_rad;
+    const bool is_aligned =
+        std::abs(angle_between(robot.heading, aim)) < tolerance_rad && std::abs(aside_m) < kExact_m;
     // Drives up to the ball, and into it once the robot is aligned.
     const double left_m = ahead_m - (is_aligned ? 0.0 : kClearOfBall_m);
     const double run_mps = (is_aligned ? kRun_mps : 0.0) + style.approach_per_s * left_m;
@@ -172,10 +176,11 @@ RobotCommand strike_ball(const TrackedRobot& robot, const BallPath& path,
   return fetch(robot, path, interception, strike, aim, obstacles, style);
 }
 
-RobotCommand carry_ball(const TrackedRobot& robot, const Vec2& velocity_mps, const Vec2& heading) {
+RobotCommand carry_ball(const TrackedRobot& robot, const Vec2& velocity_mps, const Vec2& heading,
+                        const Strike& strike) {
   RobotCommand command;
   command.velocity_mps = to_local(velocity_mps, robot.heading);
-  command.angular_velocity_radps = turn_rate_radps(angle_between(robot.heading, heading), Strike{});
+  command.angular_velocity_radps = turn_rate_radps(angle_between(robot.heading, heading), strike);
   command.dribble = true;
   return command;
 }

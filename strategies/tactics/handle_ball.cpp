@@ -3,10 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "soccer/robot_shape.hpp"
 #include "strategies/tactics/pass_field.hpp"
 
 namespace autoref::strategies {
 namespace {
+
+constexpr double kTouches_m = 5_mm;  // gap to a ball in contact
+constexpr double kBackwards = -0.3;  // a heading's x from which a kick goes back
+constexpr double kLetGo_mps = 1.5;
+constexpr double kMoves_mps = 0.3;  // a faster ball moves
 
 // A unit vector out of the field if the ball is so close to a line that a push could move it out;
 // otherwise zero.
@@ -16,6 +22,32 @@ Vec2 out_of_field(const Field& field, const Vec2& ball_m, double near_line_m) {
   if (std::abs(ball_m.x()) > field.half_length_m() - near_line_m)
     return {std::copysign(1.0, ball_m.x()), 0};
   return {0, 0};
+}
+
+// Commands to drive away from the ball, and out of its path.
+RobotCommand let_go(const TrackedRobot& robot, const BallPath& path) {
+  RobotCommand command;
+  const Vec2 away = direction_of(robot.position_m - path.now_m(), -robot.heading);
+  const Vec2 beside = left_of(path.direction());
+  const double side = beside.dot(away) < 0 ? -1.0 : 1.0;
+  const double aside_mps = path.speed_mps() > kMoves_mps ? kLetGo_mps : 0.0;
+  command.velocity_mps = to_local(away * kLetGo_mps + beside * (side * aside_mps), robot.heading);
+  return command;
+}
+
+// Reduces a velocity towards the opponents' area so that the ball can stop before it.
+Vec2 slowed_with_ball(const PredictedState& predicted, const Vec2& ball_m,
+                      const Vec2& velocity_mps) {
+  if (!predicted.rules().has(RuleId::kAttackerTouchedBallInDefenseArea)) return velocity_mps;
+  const double room_m = distance_to_defence_area(predicted.field(), Side::kEast, ball_m) -
+                        predicted.style().from_their_area_m;
+  return slowed_before_area(predicted, Side::kEast, ball_m, room_m, velocity_mps);
+}
+
+Strike with_turning(Strike strike, const Style& style) {
+  strike.turn_radps = style.ball_turn_radps;
+  strike.turn_braking_radps2 = style.ball_turn_braking_radps2;
+  return strike;
 }
 
 }  // namespace
@@ -104,11 +136,19 @@ RobotCommand BallHandler::carry(int index) const {
   }
   const Vec2 heading = direction_of(direction, Vec2(1, 0));
   const double along = std::max(0.0, robot.heading.dot(heading));
-  return carry_ball(robot, heading * (predicted_.style().carry_mps * along), heading);
+  const Vec2 velocity_mps = slowed_with_ball(predicted_, predicted_.path().now_m(),
+                                             heading * (predicted_.style().carry_mps * along));
+  return carry_ball(robot, velocity_mps, heading, with_turning(choice_.strike, predicted_.style()));
 }
 
-void BallHandler::note_hold(const TrackedRobot& robot, bool holds) {
-  if (!holds || holder_ != robot.number) taken_from_m_ = predicted_.path().now_m();
+// A dribble begins with any contact, and lasts until the ball is visibly apart from the robot.
+void BallHandler::note_hold(const TrackedRobot& robot, bool has_it) {
+  const Vec2& ball_m = predicted_.path().now_m();
+  const double gap_m = distance_to_hull(ball_m, robot.position_m, robot.heading) - kBallRadius_m;
+  const double most_m = predicted_.style().dribble_gap_m;
+  const bool is_near = gap_m < (holder_ == robot.number ? most_m : std::min(most_m, kTouches_m));
+  const bool holds = has_it || is_near;
+  if (!holds || holder_ != robot.number) taken_from_m_ = ball_m;
   holder_ = holds ? robot.number : -1;
 }
 
@@ -123,6 +163,7 @@ RobotCommand BallHandler::play(int index) {
   choice_.strike.bend_rad =
       hurried ? predicted_.style().pressed_bend_rad : predicted_.style().free_bend_rad;
   note_hold(robot, holds);
+  if (must_let_go(robot, holds)) return let_go(robot, predicted_.path());
   if (predicted_.now().play == Play::kRunning && opponent_has_ball(predicted_) && !must_release())
     return holds ? face_off_.break_away(predicted_.now().time_s) : block_ball(predicted_, index);
   if (holds && choice_.kind == Choice::Kind::kCarry) return carry(index);
@@ -135,6 +176,14 @@ RobotCommand BallHandler::play(int index) {
   return command;
 }
 
+RobotCommand BallHandler::take_restart(const TrackedRobot& robot, const Obstacles& obstacles,
+                                       const DrivingStyle& style) const {
+  Strike kick = choice_.strike;
+  if (!kick.dribble) kick.kick_mps = std::max(kick.kick_mps, predicted_.style().restart_least_mps);
+  kick.commit_rad = predicted_.style().restart_commit_rad;
+  return take_kick(robot, predicted_.path().now_m(), kick, obstacles, style);
+}
+
 RobotCommand BallHandler::strike(int index) const {
   const TrackedRobot& robot = predicted_.robot(index);
   const BallPath& path = predicted_.path();
@@ -144,13 +193,10 @@ RobotCommand BallHandler::strike(int index) const {
   if ((interception.point_m - robot.position_m).norm() > predicted_.style().fight_m)
     robots_around(predicted_, index, interception.point_m, obstacles);
   const DrivingStyle style = predicted_.driving(index);
-  if (predicted_.now().play != Play::kRunning)
-    return take_kick(robot, path.now_m(), choice_.strike, obstacles, style);
-  Strike now = choice_.strike;
-  now.turn_radps = predicted_.style().ball_turn_radps;
-  now.turn_braking_radps2 = predicted_.style().ball_turn_braking_radps2;
+  if (predicted_.now().play != Play::kRunning) return take_restart(robot, obstacles, style);
+  Strike now = with_turning(choice_.strike, predicted_.style());
   now.keep_off = out_of_field(predicted_.field(), path.now_m(), predicted_.style().near_line_m);
-  if (must_release()) now.tolerance_rad = predicted_.style().release_rad;
+  if (is_hasty()) now.tolerance_rad = predicted_.style().release_rad;
   return strike_ball(robot, path, interception, now, obstacles, style);
 }
 
@@ -161,11 +207,25 @@ bool BallHandler::may_dribble_restart() const {
          !predicted_.rules().has(RuleId::kAttackerDoubleTouchedBall);
 }
 
-// Whether the ball has been dribbled nearly as far as allowed.
-bool BallHandler::must_release() const {
+// Whether the ball has been dribbled too far for a kick to help: it is not at the kicker, an
+// opponent holds it as well, or the kick would go back.
+bool BallHandler::must_let_go(const TrackedRobot& robot, bool holds) const {
+  if (predicted_.style().dribble_gap_m <= 0 || holder_ < 0 || !is_hasty()) return false;
+  if (predicted_.now().play != Play::kRunning) return false;
+  return !holds || opponent_has_ball(predicted_) || robot.heading.x() < kBackwards;
+}
+
+// Whether the ball has been dribbled so far that it must be passed on now, or at once.
+bool BallHandler::must_release() const { return has_dribbled(predicted_.style().dribbling_share); }
+bool BallHandler::is_hasty() const {
+  return has_dribbled(std::max(predicted_.style().dribbling_share, predicted_.style().hasty_share));
+}
+
+// Whether the ball has been dribbled over this fraction of the allowed distance.
+bool BallHandler::has_dribbled(double share) const {
   if (!predicted_.rules().has(RuleId::kBotDribbledBallTooFar)) return false;
   const double path_m = (predicted_.path().now_m() - taken_from_m_).norm();
-  return path_m > predicted_.style().dribbling_share * predicted_.rules().dribbling_m;
+  return path_m > share * predicted_.rules().dribbling_m;
 }
 
 }  // namespace autoref::strategies

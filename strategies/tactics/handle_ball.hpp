@@ -27,10 +27,15 @@ class BallHandler {
 
  private:
   Choice choose(int index, const Vec2& from_m) const;
-  void note_hold(const TrackedRobot& robot, bool holds);
+  void note_hold(const TrackedRobot& robot, bool has_it);
   RobotCommand carry(int index) const;
   RobotCommand strike(int index) const;
+  RobotCommand take_restart(const TrackedRobot& robot, const Obstacles& obstacles,
+                            const DrivingStyle& style) const;
+  bool must_let_go(const TrackedRobot& robot, bool holds) const;
+  bool has_dribbled(double share) const;
   bool must_release() const;
+  bool is_hasty() const;
   bool may_dribble_restart() const;
 
   const PredictedState& predicted_;
