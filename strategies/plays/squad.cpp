@@ -50,6 +50,7 @@ void Squad::decide(const TeamView& view, TeamCommands& commands) {
     const bool is_placed = predicted_.now().placing_is_ours || must_clear_placement(predicted_);
     command = is_placed ? command_in_placement(i, assignment.task(i))
                         : command_for(i, assignment.task(i));
+    if (handler_.must_let_go(i)) command = handler_.let_go(i);
     if (i > 0) stay_out_of_areas(predicted_, i, command);
     if (predicted_.rules().has(RuleId::kBotCrashUnique)) ease_off(predicted_, i, command);
   }

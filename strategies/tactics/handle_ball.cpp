@@ -24,17 +24,6 @@ Vec2 out_of_field(const Field& field, const Vec2& ball_m, double near_line_m) {
   return {0, 0};
 }
 
-// Commands to drive away from the ball, and out of its path.
-RobotCommand let_go(const TrackedRobot& robot, const BallPath& path) {
-  RobotCommand command;
-  const Vec2 away = direction_of(robot.position_m - path.now_m(), -robot.heading);
-  const Vec2 beside = left_of(path.direction());
-  const double side = beside.dot(away) < 0 ? -1.0 : 1.0;
-  const double aside_mps = path.speed_mps() > kMoves_mps ? kLetGo_mps : 0.0;
-  command.velocity_mps = to_local(away * kLetGo_mps + beside * (side * aside_mps), robot.heading);
-  return command;
-}
-
 // Reduces a velocity towards the opponents' area so that the ball can stop before it.
 Vec2 slowed_with_ball(const PredictedState& predicted, const Vec2& ball_m,
                       const Vec2& velocity_mps) {
@@ -59,6 +48,7 @@ BallHandler::BallHandler(const PredictedState& predicted)
 void BallHandler::update() {
   const TeamView& now = predicted_.now();
   if (now.own.empty()) return;
+  note_contacts();
   const auto turn = static_cast<std::size_t>(now.frame) % now.own.size();
   const TrackedRobot& mate = now.own[turn];
   chances_[static_cast<std::size_t>(mate.number)] =
@@ -141,15 +131,24 @@ RobotCommand BallHandler::carry(int index) const {
   return carry_ball(robot, velocity_mps, heading, with_turning(choice_.strike, predicted_.style()));
 }
 
-// A dribble begins with any contact, and lasts until the ball is visibly apart from the robot.
-void BallHandler::note_hold(const TrackedRobot& robot, bool has_it) {
-  const Vec2& ball_m = predicted_.path().now_m();
-  const double gap_m = distance_to_hull(ball_m, robot.position_m, robot.heading) - kBallRadius_m;
-  const double most_m = predicted_.style().dribble_gap_m;
-  const bool is_near = gap_m < (holder_ == robot.number ? most_m : std::min(most_m, kTouches_m));
-  const bool holds = has_it || is_near;
-  if (!holds || holder_ != robot.number) taken_from_m_ = ball_m;
+void BallHandler::note_hold(const TrackedRobot& robot, bool holds) {
+  if (!holds || holder_ != robot.number) taken_from_m_ = predicted_.path().now_m();
   holder_ = holds ? robot.number : -1;
+}
+
+// A dribble begins with any contact, and lasts until the ball is visibly apart from the robot.
+void BallHandler::note_contacts() {
+  const double most_m = predicted_.style().dribble_gap_m;
+  if (most_m <= 0 || !predicted_.rules().has(RuleId::kBotDribbledBallTooFar)) return;
+  const auto former = contact_from_m_;
+  contact_from_m_.fill(std::nullopt);
+  const Vec2& ball_m = predicted_.path().now_m();
+  for (const TrackedRobot& robot : predicted_.now().own) {
+    const auto number = static_cast<std::size_t>(robot.number);
+    const double gap_m = distance_to_hull(ball_m, robot.position_m, robot.heading) - kBallRadius_m;
+    if (gap_m < (former[number] ? most_m : std::min(most_m, kTouches_m)))
+      contact_from_m_[number] = former[number].value_or(ball_m);
+  }
 }
 
 RobotCommand BallHandler::play(int index) {
@@ -163,7 +162,6 @@ RobotCommand BallHandler::play(int index) {
   choice_.strike.bend_rad =
       hurried ? predicted_.style().pressed_bend_rad : predicted_.style().free_bend_rad;
   note_hold(robot, holds);
-  if (must_let_go(robot, holds)) return let_go(robot, predicted_.path());
   if (predicted_.now().play == Play::kRunning && opponent_has_ball(predicted_) && !must_release())
     return holds ? face_off_.break_away(predicted_.now().time_s) : block_ball(predicted_, index);
   if (holds && choice_.kind == Choice::Kind::kCarry) return carry(index);
@@ -207,12 +205,30 @@ bool BallHandler::may_dribble_restart() const {
          !predicted_.rules().has(RuleId::kAttackerDoubleTouchedBall);
 }
 
-// Whether the ball has been dribbled too far for a kick to help: it is not at the kicker, an
-// opponent holds it as well, or the kick would go back.
-bool BallHandler::must_let_go(const TrackedRobot& robot, bool holds) const {
-  if (predicted_.style().dribble_gap_m <= 0 || holder_ < 0 || !is_hasty()) return false;
-  if (predicted_.now().play != Play::kRunning) return false;
-  return !holds || opponent_has_ball(predicted_) || robot.heading.x() < kBackwards;
+// A kick does not help if the ball is not at the kicker, an opponent holds it as well, or the kick
+// would go back.
+bool BallHandler::must_let_go(int index) const {
+  const TrackedRobot& robot = predicted_.robot(index);
+  const auto& from_m = contact_from_m_[static_cast<std::size_t>(robot.number)];
+  if (!from_m || predicted_.now().play != Play::kRunning) return false;
+  const Vec2& ball_m = predicted_.path().now_m();
+  const double share = std::max(predicted_.style().dribbling_share, predicted_.style().hasty_share);
+  if ((ball_m - *from_m).norm() < share * predicted_.rules().dribbling_m) return false;
+  return !has_ball(robot, ball_m) || opponent_has_ball(predicted_) ||
+         robot.heading.x() < kBackwards;
+}
+
+// Drives away from the ball, and out of its path.
+RobotCommand BallHandler::let_go(int index) const {
+  const TrackedRobot& robot = predicted_.robot(index);
+  const BallPath& path = predicted_.path();
+  const Vec2 away = direction_of(robot.position_m - path.now_m(), -robot.heading);
+  const Vec2 beside = left_of(path.direction());
+  const double side = beside.dot(away) < 0 ? -1.0 : 1.0;
+  const double aside_mps = path.speed_mps() > kMoves_mps ? kLetGo_mps : 0.0;
+  RobotCommand command;
+  command.velocity_mps = to_local(away * kLetGo_mps + beside * (side * aside_mps), robot.heading);
+  return command;
 }
 
 // Whether the ball has been dribbled so far that it must be passed on now, or at once.
@@ -224,7 +240,10 @@ bool BallHandler::is_hasty() const {
 // Whether the ball has been dribbled over this fraction of the allowed distance.
 bool BallHandler::has_dribbled(double share) const {
   if (!predicted_.rules().has(RuleId::kBotDribbledBallTooFar)) return false;
-  const double path_m = (predicted_.path().now_m() - taken_from_m_).norm();
+  Vec2 from_m = taken_from_m_;
+  if (holder_ >= 0 && contact_from_m_[static_cast<std::size_t>(holder_)])
+    from_m = *contact_from_m_[static_cast<std::size_t>(holder_)];
+  const double path_m = (predicted_.path().now_m() - from_m).norm();
   return path_m > share * predicted_.rules().dribbling_m;
 }
 

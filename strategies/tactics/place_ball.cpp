@@ -255,9 +255,9 @@ std::optional<Waypoint> clear_of_placement(const PredictedState& predicted,
   const Vec2 aside_m = path_m + away * room_m;
   if (predicted.style().clear_of_placement < 0.5 || !is_field_player(predicted, robot))
     return Waypoint{aside_m, robot.heading};
-  return Waypoint{
-      permitted_by_all(predicted.field(), aside_m, predicted.position_m(), predicted.limits()),
-      robot.heading};
+  Limits limits;
+  limits.keep_from_area_m = predicted.limits().keep_from_area_m;
+  return Waypoint{permitted(predicted.field(), aside_m, ball_m, limits), robot.heading};
 }
 
 RobotCommand step_aside(const PredictedState& predicted, int index, const Waypoint& waypoint) {

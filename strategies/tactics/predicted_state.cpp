@@ -15,6 +15,7 @@ constexpr double kContact_m = 35_mm;
 
 constexpr double kBesideBox_m = 10_mm;
 constexpr double kGradientStep_m = 1_mm;
+constexpr double kGoalBraking_mps2 = 2.5;
 constexpr double kSlowsWithin_m = 1.5;  // at most 3 m/s^2 are needed to stop from full speed
 
 // Adds both areas as discs that touch the areas' front lines, unless the robot or its target is
@@ -59,6 +60,18 @@ Vec2 around_box(const Field& field, Side side, double apart_m, const TrackedRobo
   const double beside =
       std::abs(from_m.y()) >= side_y && from_m.x() > front_x ? from_m.y() : to_m.y();
   return Vec2(front_x - kBesideBox_m, std::copysign(side_y + kBesideBox_m, beside)) * sign;
+}
+
+// The point to drive to out of the opponents' goal; nullopt elsewhere.
+std::optional<Vec2> exit_from_goal(const PredictedState& predicted, const TrackedRobot& robot) {
+  const Field& field = predicted.field();
+  const double inside_m = robot.position_m.x() - (field.half_length_m() - kRobotRadius_m);
+  if (predicted.style().around_boxes < 0.5 || inside_m < 0 ||
+      std::abs(robot.position_m.y()) > field.half_goal_m())
+    return std::nullopt;
+  const double reach_m = field.half_goal_m() - kRobotRadius_m - kBesideBox_m;
+  return Vec2(field.half_length_m() - 2 * kRobotRadius_m,
+              std::clamp(robot.position_m.y(), -reach_m, reach_m));
 }
 
 // The limits for leaving the opponents' area.
@@ -218,6 +231,9 @@ RobotCommand go_to(const PredictedState& predicted, int index, const Waypoint& w
                                      predicted.limits());
   if (const auto path_m = exit_from_behind_goal(predicted.field(), robot.position_m))
     goal.position_m = *path_m;
+  if (const auto path_m = exit_from_goal(predicted, robot)) {
+    return drive_via(robot, *path_m, {*path_m, robot.heading}, predicted.driving(index));
+  }
   Obstacles obstacles;
   const double room_m = std::max(predicted.style().near_room_m, predicted.room_at_ball_m());
   find_obstacles({now.own, now.opponents, room_m, now.ball.position_m}, robot, goal.position_m,
@@ -252,10 +268,19 @@ Vec2 slowed_before_area(const PredictedState& predicted, Side side, const Vec2& 
   return excess_mps > 0 ? Vec2(velocity_mps + away * excess_mps) : velocity_mps;
 }
 
+// Keeps a robot from driving into the opponents' goal.
+Vec2 slowed_before_goal(const Field& field, const TrackedRobot& robot, const Vec2& velocity_mps) {
+  if (std::abs(robot.position_m.y()) > field.half_goal_m() + kRobotRadius_m) return velocity_mps;
+  const double room_m =
+      std::max(0.0, field.half_length_m() - kRobotRadius_m - kBesideBox_m - robot.position_m.x());
+  return {std::min(velocity_mps.x(), std::sqrt(2 * kGoalBraking_mps2 * room_m)), velocity_mps.y()};
+}
+
 void stay_out_of_areas(const PredictedState& predicted, int index, RobotCommand& command) {
   if (predicted.style().area_braking_mps2 <= 0 || predicted.now().play != Play::kRunning) return;
   const TrackedRobot& robot = predicted.robot(index);
-  Vec2 velocity_mps = to_world(command.velocity_mps, robot.heading);
+  Vec2 velocity_mps =
+      slowed_before_goal(predicted.field(), robot, to_world(command.velocity_mps, robot.heading));
   const PerSide<RuleId> rule{
       {RuleId::kDefenderInDefenseArea, RuleId::kAttackerTouchedBallInDefenseArea}};
   for (const Side side : kSides) {

@@ -62,6 +62,7 @@ struct Style {
   double free_room_m = 0.6;
   double no_room_m = 0.2;
   double carry_worth = 0.3;
+  double limited_carry = 1.0;
   double clear_worth = 0.04;
   double clear_mps = 2.3;
   double push_mps = 1.5;

@@ -9,6 +9,7 @@ namespace {
 void attack(Style& style) {
   style.carry = 2.0;
   style.carry_worth = 0.45;
+  style.limited_carry = 0.55;
   style.carry_mps = 1.9;
   style.shyness = 0.6;
   style.choice_loyalty = 0.12;
