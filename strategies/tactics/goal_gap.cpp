@@ -12,6 +12,7 @@ namespace {
 constexpr int kSamples = 17;  // points of the goal line
 constexpr double kBlock_m = kRobotRadius_m + kBallRadius_m;
 constexpr double kNearest_m = 50_mm;  // robots nearer to the ball, along the field, are ignored
+constexpr double kFarthest = 0.62;    // of the field's length: shots from farther away are rare
 constexpr double kAimWidth_m = 0.15;  // points of the goal this near to the aim count more
 constexpr double kAimWeight = 1.0;    // by this much at most
 
@@ -65,7 +66,8 @@ double covered(const Field& field, const Weights& open, double middle_m, double 
 std::optional<double> gap_for_keeper_m(const PredictedState& predicted,
                                        const KeeperShadow& keeper) {
   const Field& field = predicted.field();
-  if (predicted.threat_m().x() < -field.half_length_m() + 2 * kNearest_m) return std::nullopt;
+  const double ahead_m = predicted.threat_m().x() + field.half_length_m();
+  if (ahead_m < 2 * kNearest_m || ahead_m > kFarthest * field.length_m) return std::nullopt;
   const Weights open = open_points(predicted, keeper);
   std::array<double, kSamples> cover{};
   int best = 0;

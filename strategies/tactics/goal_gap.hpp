@@ -17,7 +17,7 @@ struct KeeperShadow {
 // The point of the team's own goal line, by its y coordinate, at which the keeper's shadow covers
 // most of what the other robots leave open to a shot from predicted.threat_m(). The middle of a gap
 // counts more than its ends, and the shooter's aim more than other points. Returns nullopt if they
-// leave nothing open, or if the shot comes from beside the goal.
+// leave nothing open, or if the shot comes from beside the goal or from far in the other half.
 std::optional<double> gap_for_keeper_m(const PredictedState& predicted, const KeeperShadow& keeper);
 
 }  // namespace autoref::strategies

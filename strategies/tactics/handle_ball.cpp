@@ -12,7 +12,8 @@ namespace {
 constexpr double kTouches_m = 5_mm;  // gap to a ball in contact
 constexpr double kBackwards = -0.3;  // a heading's x from which a kick goes back
 constexpr double kLetGo_mps = 1.5;
-constexpr double kMoves_mps = 0.3;  // a faster ball moves
+constexpr double kCommitted_m = 125_mm;  // from the taker's centre to the ball
+constexpr double kMoves_mps = 0.3;       // a faster ball moves
 
 // A unit vector out of the field if the ball is so close to a line that a push could move it out;
 // otherwise zero.
@@ -151,12 +152,20 @@ void BallHandler::note_contacts() {
   }
 }
 
+// Whether the robot is about to touch the ball at a restart: a new choice would come too late.
+bool BallHandler::is_committed(const TrackedRobot& robot) const {
+  return predicted_.style().restart_commit_rad > 0 && is_restart(predicted_.now().play) &&
+         restart_taker_ == robot.number &&
+         (predicted_.path().now_m() - robot.position_m).norm() < kCommitted_m;
+}
+
 RobotCommand BallHandler::play(int index) {
   const TrackedRobot& robot = predicted_.robot(index);
   const Vec2& ball_m = predicted_.path().now_m();
   const BallInterception& interception = predicted_.interception(index);
   const bool holds = has_ball(robot, ball_m);
-  choice_ = choose(index, holds ? ball_m : interception.point_m);
+  if (!is_committed(robot)) choice_ = choose(index, holds ? ball_m : interception.point_m);
+  restart_taker_ = is_restart(predicted_.now().play) ? robot.number : -1;
   const bool hurried =
       predicted_.theirs().time_s < interception.time_s + predicted_.style().hurry_s;
   choice_.strike.bend_rad =

@@ -34,6 +34,7 @@ class BallHandler {
   Choice choose(int index, const Vec2& from_m) const;
   void note_hold(const TrackedRobot& robot, bool holds);
   void note_contacts();
+  bool is_committed(const TrackedRobot& robot) const;
   RobotCommand carry(int index) const;
   RobotCommand strike(int index) const;
   RobotCommand take_restart(const TrackedRobot& robot, const Obstacles& obstacles,
@@ -46,6 +47,7 @@ class BallHandler {
   const PredictedState& predicted_;
   FaceOff face_off_;
   Choice choice_;
+  int restart_taker_ = -1;   // number of the robot that takes the restart; -1: none
   int holder_ = -1;          // number of the robot that has the ball; -1: none
   Vec2 taken_from_m_{0, 0};  // where that robot gained the ball
   // Where the ball was when each robot came into contact with it, by number.

@@ -65,9 +65,9 @@ Vec2 around_box(const Field& field, Side side, double apart_m, const TrackedRobo
 // The point to drive to out of the opponents' goal; nullopt elsewhere.
 std::optional<Vec2> exit_from_goal(const PredictedState& predicted, const TrackedRobot& robot) {
   const Field& field = predicted.field();
-  const double inside_m = robot.position_m.x() - (field.half_length_m() - kRobotRadius_m);
-  if (predicted.style().around_boxes < 0.5 || inside_m < 0 ||
-      std::abs(robot.position_m.y()) > field.half_goal_m())
+  const double beyond_m = robot.position_m.x() - field.half_length_m();
+  if (predicted.style().around_boxes < 0.5 || beyond_m < -kRobotRadius_m ||
+      beyond_m > field.goal_depth_m || std::abs(robot.position_m.y()) > field.half_goal_m())
     return std::nullopt;
   const double reach_m = field.half_goal_m() - kRobotRadius_m - kBesideBox_m;
   return Vec2(field.half_length_m() - 2 * kRobotRadius_m,

@@ -135,6 +135,7 @@ struct Style {
   double keeper_dives = 0;
   double wall_near_post_m = 0;
   double dribbled_restart = 0;
+  double large_team = 0;
 
   // Avoiding fouls. The defaults switch these behaviours off.
   double area_margin_m = 0;

@@ -26,6 +26,7 @@ void defend(Style& style) {
   style.block_lead_s = 0.12;
   style.mark_m = 0.35;
   style.mark_ball_side = 0.85;
+  style.large_team = 1;
 }
 
 void avoid_fouls(Style& style) {
