@@ -11,10 +11,11 @@ namespace {
 
 constexpr int kSamples = 17;  // points of the goal line
 constexpr double kBlock_m = kRobotRadius_m + kBallRadius_m;
-constexpr double kNearest_m = 50_mm;  // robots nearer to the ball, along the field, are ignored
-constexpr double kFarthest = 0.62;    // of the field's length: shots from farther away are rare
-constexpr double kAimWidth_m = 0.15;  // points of the goal this near to the aim count more
-constexpr double kAimWeight = 1.0;    // by this much at most
+constexpr double kNearest_m = 50_mm;    // robots nearer to the ball, along the field, are ignored
+constexpr double kFarthest = 0.62;      // of the field's length: shots from farther away are rare
+constexpr double kStrayCost_per_m = 1;  // in samples covered, per metre from the usual point
+constexpr double kAimWidth_m = 0.15;    // points of the goal this near to the aim count more
+constexpr double kAimWeight = 1.0;      // by this much at most
 
 using Weights = std::array<double, kSamples>;
 
@@ -73,7 +74,9 @@ std::optional<double> gap_for_keeper_m(const PredictedState& predicted,
   int best = 0;
   for (int i = 0; i < kSamples; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    cover[at] = covered(field, open, sample_y(field, i), keeper.half_width_m);
+    const double y_m = sample_y(field, i);
+    cover[at] = covered(field, open, y_m, keeper.half_width_m);
+    if (cover[at] > 0) cover[at] -= kStrayCost_per_m * std::abs(y_m - keeper.usual_y_m);
     if (cover[at] > cover[static_cast<std::size_t>(best)]) best = i;
   }
   const auto at = static_cast<std::size_t>(best);

@@ -50,6 +50,7 @@ Vec2 shifted_to_gap(const PredictedState& predicted, const Vec2& expected_m, dou
   KeeperShadow shadow;
   shadow.half_width_m =
       (kRobotRadius_m + kBallRadius_m) * stretch * line_m.norm() / std::abs(line_m.x());
+  shadow.usual_y_m = expected_m.y();
   if (const auto aim_m = aimed_at(predicted)) shadow.aim_y_m = aim_m->y();
   const std::optional<double> gap_y = gap_for_keeper_m(predicted, shadow);
   return gap_y ? expected_m + Vec2(0, share * (*gap_y - expected_m.y())) : expected_m;

@@ -6,6 +6,7 @@
 
 #include "soccer/robot_shape.hpp"
 #include "strategies/skills/prediction.hpp"
+#include "strategies/skills/strike.hpp"
 
 namespace autoref::strategies {
 namespace {
@@ -152,7 +153,8 @@ void PredictedState::settle_possession() {
 Vec2 PredictedState::find_threat_m() const {
   if (now_.play != Play::kRunning || is_ours_ || their_fastest_ < 0) return position_m_;
   const TrackedRobot& fastest = now_.opponents[static_cast<std::size_t>(their_fastest_)];
-  if (theirs_.time_s <= 0) return position_m_ + fastest.velocity_mps * style_.threat_lead_s;
+  if (theirs_.time_s <= 0 || has_ball(fastest, path_.now_m()))
+    return position_m_ + fastest.velocity_mps * style_.threat_lead_s;
   return position_m_ + style_.anticipation * (theirs_.point_m - position_m_);
 }
 
