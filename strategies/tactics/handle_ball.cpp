@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "soccer/robot_shape.hpp"
+#include "strategies/tactics/areas.hpp"
 #include "strategies/tactics/pass_field.hpp"
 
 namespace autoref::strategies {

@@ -37,6 +37,10 @@ constexpr double kLeave_m = 0.75;    // from the robot's centre to the ball
 constexpr double kPatience_s = 9.0;  // without the ball, then another robot tries
 constexpr double kClear_m = 0.68;    // from others' centres to the ball's path
 
+bool is_field_player(const PredictedState& predicted, const TrackedRobot& robot) {
+  return robot.number != predicted.robot(0).number;
+}
+
 double slewed(double from, double to, double most) {
   return from + std::clamp(to - from, -most, most);
 }
@@ -214,14 +218,6 @@ RobotCommand BallPlacer::set_down(const TrackedRobot& robot) {
   return drive_with(robot, away * std::min(limit_mps, 0.1 + 3 * left_m), -away,
                     predicted_.driving(index_));
 }
-
-namespace {
-
-bool is_field_player(const PredictedState& predicted, const TrackedRobot& robot) {
-  return robot.number != predicted.robot(0).number;
-}
-
-}  // namespace
 
 bool must_clear_placement(const PredictedState& predicted) {
   const TeamView& now = predicted.now();

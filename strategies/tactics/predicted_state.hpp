@@ -96,15 +96,6 @@ RobotCommand go_to(const PredictedState& predicted, int index, const Waypoint& w
 // Reduces a command's velocity if it would run the robot with that index into an opponent.
 void ease_off(const PredictedState& predicted, int index, RobotCommand& command);
 
-// Reduces the command's velocity towards areas that the robot with that index, a field player, must
-// keep out of while the ball is in play, so that it can stop before them.
-void stay_out_of_areas(const PredictedState& predicted, int index, RobotCommand& command);
-
-// The part of `velocity_mps` that lets a point, at `room_m` from the area of `side` beyond the
-// distance to keep, stop in time with the style's area_braking_mps2.
-Vec2 slowed_before_area(const PredictedState& predicted, Side side, const Vec2& point_m,
-                        double room_m, const Vec2& velocity_mps);
-
 // The robots that the robot with that index must avoid on its way, without the ball.
 void robots_around(const PredictedState& predicted, int index, const Vec2& target_m,
                    Obstacles& obstacles);

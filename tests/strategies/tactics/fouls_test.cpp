@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "strategies/plays/plays.hpp"
+#include "strategies/tactics/areas.hpp"
 #include "strategies/tactics/handle_ball.hpp"
 #include "strategies/tactics/penalty.hpp"
 #include "strategies/tactics/place_ball.hpp"
