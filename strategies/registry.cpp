@@ -62,8 +62,12 @@ const std::vector<Entry>& all_strategies() {
        make_chaser,
        {}},
       {"cobalt",
-       "Passes to positions with an open first-time shot, and covers the open angles of its goal.",
+       "Dribbles straight at the goal, passes where that is better, and covers its goal with wall "
+       "and "
+       "keeper together.",
        make_squad<cobalt_playbook>, parameters_of(cobalt_playbook().style)},
+      {"cobalt1", "The previous version of cobalt, kept for comparison.",
+       make_squad<cobalt1_playbook>, parameters_of(cobalt1_playbook().style)},
       {"counter",
        "Defends in a deep block behind the ball and plays long balls to one or two forwards.",
        make_squad<counter_playbook>, parameters_of(counter_playbook().style)},

@@ -48,6 +48,26 @@ int choose_for_ball(const PlayContext& book, const RoleAssignment& assignment) {
 
 namespace {
 
+// The style's numbers of robots per role for `left` free robots. They are meant for six robots; a
+// large team shares out the others.
+struct Shares {
+  int wall;
+  int markers;
+  int forwards;
+  int receivers;
+};
+Shares shares_of(const Style& style, int left) {
+  Shares shares{count_of(style.wall), count_of(style.markers), count_of(style.forwards),
+                count_of(style.receivers)};
+  constexpr int kUsual = 4;  // six robots without the keeper and the one at the ball
+  const int more = style.large_team > 0.5 ? std::max(0, left - kUsual) : 0;
+  shares.wall += more / 4;
+  shares.markers += (more + 1) / 2;
+  shares.forwards += (more + 2) / 5;
+  shares.receivers += (more + 1) / 2;
+  return shares;
+}
+
 // Assigns the ball, or, if the rules forbid touching it, a position close to it.
 void give_ball(PlayContext& book, RoleAssignment& assignment) {
   const PredictedState& predicted = book.predicted;
@@ -109,17 +129,17 @@ void give_goal_and_ball(PlayContext& book, RoleAssignment& assignment) {
 
 void open_play(PlayContext& book, RoleAssignment& assignment) {
   const PredictedState& predicted = book.predicted;
-  const Style& style = predicted.style();
   give_goal_and_ball(book, assignment);
   const int left = assignment.free_robots();
+  const Shares shares = shares_of(predicted.style(), left);
   if (predicted.is_ours()) {
     const int backs = predicted.path().now_m().x() < 0 || is_contested(predicted) ? 2 : 1;
-    const int ahead = std::min(count_of(style.receivers), left - backs);
+    const int ahead = std::min(shares.receivers, left - backs);
     defend(book, assignment, left - std::max(ahead, 0), 0);
   } else {
-    const int ahead = std::clamp(left - 2, 0, count_of(style.forwards));
-    const int wall = std::min(count_of(style.wall), left - ahead);
-    defend(book, assignment, wall, std::min(count_of(style.markers), left - ahead - wall));
+    const int ahead = std::clamp(left - 2, 0, shares.forwards);
+    const int wall = std::min(shares.wall, left - ahead);
+    defend(book, assignment, wall, std::min(shares.markers, left - ahead - wall));
     cover(book, assignment, assignment.free_robots() - ahead);
   }
   run_for_passes(book, assignment);

@@ -17,6 +17,10 @@ void penalty(PlayContext& book, RoleAssignment& assignment) {
   }
   for (int i = 0; i < predicted.robots(); ++i) {
     if (!assignment.is_free(i)) continue;
+    if (i == 0 && !ours && predicted.style().penalty_on_line > 0.5) {
+      assignment.give(i, Role::kGoalLine, penalty_keeper(predicted.field(), mark_m));
+      continue;
+    }
     const Waypoint waypoint =
         i == 0 ? penalty_keeper(predicted.field(), mark_m)
                : penalty_spectator(predicted.field(), mark_m, predicted.rules().penalty_clearance_m,

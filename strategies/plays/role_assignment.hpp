@@ -8,7 +8,7 @@
 
 namespace autoref::strategies {
 
-enum class Role : std::uint8_t { kNone, kKeeper, kBall, kReceiver, kStands, kTaker };
+enum class Role : std::uint8_t { kNone, kKeeper, kGoalLine, kBall, kReceiver, kStands, kTaker };
 
 // A robot's role, and its target position if the role has one.
 struct Task {

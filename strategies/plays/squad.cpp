@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "soccer/robot_shape.hpp"
+#include "strategies/tactics/areas.hpp"
 #include "strategies/tactics/keeper.hpp"
 
 namespace autoref::strategies {
@@ -47,8 +48,11 @@ void Squad::decide(const TeamView& view, TeamCommands& commands) {
     const int number = predicted_.robot(i).number;
     if (assignment.task(i).role == Role::kBall) book_.former = number;
     RobotCommand& command = commands[static_cast<std::size_t>(number)];
-    command = predicted_.now().placing_is_ours ? command_in_placement(i, assignment.task(i))
-                                               : command_for(i, assignment.task(i));
+    const bool is_placed = predicted_.now().placing_is_ours || must_clear_placement(predicted_);
+    command = is_placed ? command_in_placement(i, assignment.task(i))
+                        : command_for(i, assignment.task(i));
+    if (handler_.must_let_go(i)) command = handler_.let_go(i);
+    if (i > 0) stay_out_of_areas(predicted_, i, command);
     if (predicted_.rules().has(RuleId::kBotCrashUnique)) ease_off(predicted_, i, command);
   }
 }
@@ -133,6 +137,9 @@ RobotCommand Squad::command_for(int index, const Task& task) {
   switch (task.role) {
     case Role::kKeeper:
       return keep_goal(predicted_, index);
+    case Role::kGoalLine:
+      return drive_via(predicted_.robot(index), task.waypoint.position_m, task.waypoint,
+                       predicted_.driving(index));
     case Role::kBall:
       return handler_.play(index);
     case Role::kReceiver:

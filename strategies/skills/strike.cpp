@@ -16,9 +16,6 @@ constexpr double kIncoming_mps = 1.8;
 constexpr double kBesideLine_m = 0.7;  // largest distance from the ball's line to step onto it
 constexpr double kFrame_s = 1.0 / 60;
 
-// In a steady turn the dribbler holds the ball up to 10 rad/s (sim/README.md).
-constexpr double kTurnWithBall_radps = 6.0;
-constexpr double kTurnBraking_radps2 = 16.0;
 constexpr double kPress_mps = 0.25;  // forward speed that keeps the ball at the plate
 
 constexpr double kStrikeLane_m = 30_mm;   // largest lateral offset of a ball straight ahead
@@ -26,6 +23,7 @@ constexpr double kNear_m = 0.35;          // within this distance, the robot mov
 constexpr double kStrikeRunUp_m = 50_mm;  // gap between plate and ball before the final run
 constexpr double kExact_m = 30_mm;        // allowed lateral offset at a restart
 constexpr double kClearOfBall_m = 25_mm;
+constexpr double kCommits_m = 20_mm;     // gap from which the robot can hardly avoid the ball
 constexpr double kCarefulFrom_m = 0.35;  // slow down near a ball that must not be moved
 constexpr double kCareful_mps = 1.2;
 constexpr double kRun_mps = 0.7;  // speed into the ball
@@ -35,9 +33,9 @@ constexpr double kWideFirstTouch =
 
 // Follows a time-optimal braking curve, limited near the target and by the rate at which the
 // dribbler can hold the ball.
-double turn_rate_radps(double error_rad) {
-  const double rate = std::sqrt(2 * kTurnBraking_radps2 * std::abs(error_rad));
-  return std::copysign(std::min({rate, 12 * std::abs(error_rad), kTurnWithBall_radps}), error_rad);
+double turn_rate_radps(double error_rad, const Strike& strike) {
+  const double rate = std::sqrt(2 * strike.turn_braking_radps2 * std::abs(error_rad));
+  return std::copysign(std::min({rate, 12 * std::abs(error_rad), strike.turn_radps}), error_rad);
 }
 
 // Kicks if the heading error, allowing for the turn within this frame, is small enough.
@@ -53,7 +51,7 @@ void kick_if_aligned(const TrackedRobot& robot, const Vec2& aim, const Strike& s
 RobotCommand turn_and_kick(const TrackedRobot& robot, const Vec2& aim, const Strike& strike) {
   RobotCommand command;
   command.velocity_mps = Vec2(kPress_mps, 0);
-  command.angular_velocity_radps = turn_rate_radps(angle_between(robot.heading, aim));
+  command.angular_velocity_radps = turn_rate_radps(angle_between(robot.heading, aim), strike);
   command.dribble = true;
   kick_if_aligned(robot, aim, strike, command);
   return command;
@@ -129,8 +127,11 @@ RobotCommand take_kick(const TrackedRobot& robot, const Vec2& ball_m, const Stri
   const double aside_m = cross(aim, to_ball);
   const bool is_behind = ahead_m > -kStrikeTouch_m / 2 && ahead_m < 0.4;
   if (is_behind && std::abs(aside_m) < kExact_m + 0.3 * std::max(0.0, ahead_m - kStrikeRunUp_m)) {
-    const bool is_aligned = std::abs(angle_between(robot.heading, aim)) < strike.tolerance_rad &&
-                            std::abs(aside_m) < kExact_m;
+    const bool is_at_ball = ahead_m < kCommits_m;
+    const double tolerance_rad =
+        is_at_ball ? std::max(strike.tolerance_rad, strike.commit_rad) : strike.tolerance_rad;
+    const bool is_aligned =
+        std::abs(angle_between(robot.heading, aim)) < tolerance_rad && std::abs(aside_m) < kExact_m;
     // Drives up to the ball, and into it once the robot is aligned.
     const double left_m = ahead_m - (is_aligned ? 0.0 : kClearOfBall_m);
     const double run_mps = (is_aligned ? kRun_mps : 0.0) + style.approach_per_s * left_m;
@@ -138,6 +139,7 @@ RobotCommand take_kick(const TrackedRobot& robot, const Vec2& ball_m, const Stri
         robot, aim * run_mps + left_of(aim) * (style.approach_per_s * aside_m), aim, style);
     if (is_aligned) command.kick_mps = strike.kick_mps;
     command.chip = strike.chip;
+    command.dribble = strike.dribble;
     return command;
   }
   const Vec2 stand_m = ball_m - aim * (kStrikeTouch_m + kStrikeRunUp_m + kBallRadius_m);
@@ -174,10 +176,11 @@ RobotCommand strike_ball(const TrackedRobot& robot, const BallPath& path,
   return fetch(robot, path, interception, strike, aim, obstacles, style);
 }
 
-RobotCommand carry_ball(const TrackedRobot& robot, const Vec2& velocity_mps, const Vec2& heading) {
+RobotCommand carry_ball(const TrackedRobot& robot, const Vec2& velocity_mps, const Vec2& heading,
+                        const Strike& strike) {
   RobotCommand command;
   command.velocity_mps = to_local(velocity_mps, robot.heading);
-  command.angular_velocity_radps = turn_rate_radps(angle_between(robot.heading, heading));
+  command.angular_velocity_radps = turn_rate_radps(angle_between(robot.heading, heading), strike);
   command.dribble = true;
   return command;
 }

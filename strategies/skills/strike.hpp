@@ -14,9 +14,13 @@ struct Strike {
   double kick_mps = 6;
   bool chip = false;
   double tolerance_rad = 0.06;  // largest heading error for a kick
-  bool first_touch = true;      // an incoming ball may be kicked without stopping it
+  double commit_rad = 0;    // the same for a kick at rest once the robot is at the ball, if larger
+  bool dribble = false;     // a kick at rest of speed 0 takes the ball along
+  bool first_touch = true;  // an incoming ball may be kicked without stopping it
   Vec2 keep_off{0, 0};    // unit vector out of the field if the ball is near a line, otherwise zero
   double bend_rad = 1.0;  // largest deviation from the straight path to the ball
+  double turn_radps = 6.0;  // maximum angular velocity with the ball, and the angular deceleration
+  double turn_braking_radps2 = 16.0;  // planned for it
 };
 
 // Whether the ball is in the robot's dribbler zone, to a few millimetres.
@@ -38,7 +42,8 @@ RobotCommand take_kick(const TrackedRobot& robot, const Vec2& ball_m, const Stri
                        const Obstacles& obstacles, const DrivingStyle& style);
 
 // Commands for a robot with the ball to dribble it with `velocity_mps` (in the view's frame),
-// slowly enough for the dribbler, while turning to `heading`.
-RobotCommand carry_ball(const TrackedRobot& robot, const Vec2& velocity_mps, const Vec2& heading);
+// slowly enough for the dribbler, while turning to `heading` as `strike` allows.
+RobotCommand carry_ball(const TrackedRobot& robot, const Vec2& velocity_mps, const Vec2& heading,
+                        const Strike& strike = {});
 
 }  // namespace autoref::strategies

@@ -10,10 +10,9 @@ namespace {
 
 constexpr int kSteps = 5;  // each at least halves the distance to the area's edge
 
-// The point on the ray from the goal's centre that is this far outside the team's own area. Sphere
-// tracing: each step moves along the ray by the distance still missing.
-Vec2 on_rim(const Field& field, const Vec2& direction, double off_m) {
-  const Vec2 goal_m = field.goal_centre_m(Side::kWest);
+// The point on the ray from a point in the goal that is this far outside the team's own area.
+// Sphere tracing: each step moves along the ray by the distance still missing.
+Vec2 on_rim(const Field& field, const Vec2& goal_m, const Vec2& direction, double off_m) {
   Vec2 p = goal_m + direction * (field.defence_area.depth_m + off_m);
   for (int i = 0; i < kSteps; ++i)
     p += direction * (off_m - distance_to_defence_area(field, Side::kWest, p));
@@ -24,14 +23,16 @@ Vec2 on_rim(const Field& field, const Vec2& direction, double off_m) {
 
 Waypoint wall_position(const PredictedState& predicted, int order, int count) {
   const Field& field = predicted.field();
-  const Vec2& ball_m = predicted.position_m();
-  const Vec2 goal_m = field.goal_centre_m(Side::kWest);
+  const Vec2& ball_m = predicted.threat_m();
+  const double near = std::clamp(ball_m.y() / field.half_goal_m(), -1.0, 1.0);
+  const Vec2 goal_m =
+      field.goal_centre_m(Side::kWest) + Vec2(0, near * predicted.style().wall_near_post_m);
   Vec2 direction = direction_of(ball_m - goal_m, Vec2(1, 0));
   if (direction.x() < 0.1) direction = direction_of(Vec2(0.1, direction.y()), Vec2(1, 0));
   const double aside_m =
       (2 * kRobotRadius_m + predicted.style().wall_gap_m) * (order - (count - 1) / 2.0);
   const Vec2 middle_m =
-      on_rim(field, direction, (kRobotRadius_m + predicted.style().wall_off_area_m));
+      on_rim(field, goal_m, direction, (kRobotRadius_m + predicted.style().wall_off_area_m));
   Vec2 position_m = middle_m + left_of(direction) * aside_m;
   const double missing_m = (kRobotRadius_m + predicted.style().wall_off_area_m) -
                            distance_to_defence_area(field, Side::kWest, position_m);

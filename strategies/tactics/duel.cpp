@@ -14,7 +14,9 @@ bool opponent_has_ball(const PredictedState& predicted) {
 
 RobotCommand block_ball(const PredictedState& predicted, int index) {
   const TrackedRobot& robot = predicted.robot(index);
-  const Vec2& ball_m = predicted.path().now_m();
+  const auto opponent = static_cast<std::size_t>(predicted.their_fastest());
+  const Vec2 ball_m = predicted.path().now_m() + predicted.now().opponents[opponent].velocity_mps *
+                                                     predicted.style().block_lead_s;
   const Vec2 goal_m = predicted.field().goal_centre_m(Side::kWest);
   const Vec2 back = direction_of(goal_m - ball_m, Vec2(-1, 0));
   const Vec2 stand_m = ball_m + back * (kFrontDistance_m + kBallRadius_m);
@@ -30,7 +32,9 @@ RobotCommand block_ball(const PredictedState& predicted, int index) {
         robot, off * predicted.style().block_close_per_s - back * predicted.style().block_press_mps,
         -back, style);
   }
-  command.dribble = true;
+  // A ball that both robots hold would count as dribbled.
+  command.dribble = predicted.style().dribble_gap_m <= 0 ||
+                    !predicted.rules().has(RuleId::kBotDribbledBallTooFar);
   return command;
 }
 

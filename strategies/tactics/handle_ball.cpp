@@ -3,10 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "soccer/robot_shape.hpp"
+#include "strategies/tactics/areas.hpp"
 #include "strategies/tactics/pass_field.hpp"
 
 namespace autoref::strategies {
 namespace {
+
+constexpr double kTouches_m = 5_mm;  // gap to a ball in contact
+constexpr double kBackwards = -0.3;  // a heading's x from which a kick goes back
+constexpr double kLetGo_mps = 1.5;
+constexpr double kCommitted_m = 125_mm;  // from the taker's centre to the ball
+constexpr double kMoves_mps = 0.3;       // a faster ball moves
 
 // A unit vector out of the field if the ball is so close to a line that a push could move it out;
 // otherwise zero.
@@ -18,6 +26,21 @@ Vec2 out_of_field(const Field& field, const Vec2& ball_m, double near_line_m) {
   return {0, 0};
 }
 
+// Reduces a velocity towards the opponents' area so that the ball can stop before it.
+Vec2 slowed_with_ball(const PredictedState& predicted, const Vec2& ball_m,
+                      const Vec2& velocity_mps) {
+  if (!predicted.rules().has(RuleId::kAttackerTouchedBallInDefenseArea)) return velocity_mps;
+  const double room_m = distance_to_defence_area(predicted.field(), Side::kEast, ball_m) -
+                        predicted.style().from_their_area_m;
+  return slowed_before_area(predicted, Side::kEast, ball_m, room_m, velocity_mps);
+}
+
+Strike with_turning(Strike strike, const Style& style) {
+  strike.turn_radps = style.ball_turn_radps;
+  strike.turn_braking_radps2 = style.ball_turn_braking_radps2;
+  return strike;
+}
+
 }  // namespace
 
 BallHandler::BallHandler(const PredictedState& predicted)
@@ -27,6 +50,7 @@ BallHandler::BallHandler(const PredictedState& predicted)
 void BallHandler::update() {
   const TeamView& now = predicted_.now();
   if (now.own.empty()) return;
+  note_contacts();
   const auto turn = static_cast<std::size_t>(now.frame) % now.own.size();
   const TrackedRobot& mate = now.own[turn];
   chances_[static_cast<std::size_t>(mate.number)] =
@@ -72,6 +96,7 @@ Choice BallHandler::choose(int index, const Vec2& from_m) const {
   }
   if (predicted_.now().play == Play::kRunning && !must_release())
     consider(carry_from(predicted_, from_m));
+  if (may_dribble_restart()) consider(dribble_from(predicted_, from_m));
   if (best.worth >= predicted_.style().worthless) return best;
   consider(clear_from(predicted_, from_m, robot.heading));
   if (best.kind == Choice::Kind::kClear && pressure > predicted_.style().pressed)
@@ -103,7 +128,9 @@ RobotCommand BallHandler::carry(int index) const {
   }
   const Vec2 heading = direction_of(direction, Vec2(1, 0));
   const double along = std::max(0.0, robot.heading.dot(heading));
-  return carry_ball(robot, heading * (predicted_.style().carry_mps * along), heading);
+  const Vec2 velocity_mps = slowed_with_ball(predicted_, predicted_.path().now_m(),
+                                             heading * (predicted_.style().carry_mps * along));
+  return carry_ball(robot, velocity_mps, heading, with_turning(choice_.strike, predicted_.style()));
 }
 
 void BallHandler::note_hold(const TrackedRobot& robot, bool holds) {
@@ -111,12 +138,35 @@ void BallHandler::note_hold(const TrackedRobot& robot, bool holds) {
   holder_ = holds ? robot.number : -1;
 }
 
+// A dribble begins with any contact, and lasts until the ball is visibly apart from the robot.
+void BallHandler::note_contacts() {
+  const double most_m = predicted_.style().dribble_gap_m;
+  if (most_m <= 0 || !predicted_.rules().has(RuleId::kBotDribbledBallTooFar)) return;
+  const auto former = contact_from_m_;
+  contact_from_m_.fill(std::nullopt);
+  const Vec2& ball_m = predicted_.path().now_m();
+  for (const TrackedRobot& robot : predicted_.now().own) {
+    const auto number = static_cast<std::size_t>(robot.number);
+    const double gap_m = distance_to_hull(ball_m, robot.position_m, robot.heading) - kBallRadius_m;
+    if (gap_m < (former[number] ? most_m : std::min(most_m, kTouches_m)))
+      contact_from_m_[number] = former[number].value_or(ball_m);
+  }
+}
+
+// Whether the robot is about to touch the ball at a restart: a new choice would come too late.
+bool BallHandler::is_committed(const TrackedRobot& robot) const {
+  return predicted_.style().restart_commit_rad > 0 && is_restart(predicted_.now().play) &&
+         restart_taker_ == robot.number &&
+         (predicted_.path().now_m() - robot.position_m).norm() < kCommitted_m;
+}
+
 RobotCommand BallHandler::play(int index) {
   const TrackedRobot& robot = predicted_.robot(index);
   const Vec2& ball_m = predicted_.path().now_m();
   const BallInterception& interception = predicted_.interception(index);
   const bool holds = has_ball(robot, ball_m);
-  choice_ = choose(index, holds ? ball_m : interception.point_m);
+  if (!is_committed(robot)) choice_ = choose(index, holds ? ball_m : interception.point_m);
+  restart_taker_ = is_restart(predicted_.now().play) ? robot.number : -1;
   const bool hurried =
       predicted_.theirs().time_s < interception.time_s + predicted_.style().hurry_s;
   choice_.strike.bend_rad =
@@ -134,6 +184,14 @@ RobotCommand BallHandler::play(int index) {
   return command;
 }
 
+RobotCommand BallHandler::take_restart(const TrackedRobot& robot, const Obstacles& obstacles,
+                                       const DrivingStyle& style) const {
+  Strike kick = choice_.strike;
+  if (!kick.dribble) kick.kick_mps = std::max(kick.kick_mps, predicted_.style().restart_least_mps);
+  kick.commit_rad = predicted_.style().restart_commit_rad;
+  return take_kick(robot, predicted_.path().now_m(), kick, obstacles, style);
+}
+
 RobotCommand BallHandler::strike(int index) const {
   const TrackedRobot& robot = predicted_.robot(index);
   const BallPath& path = predicted_.path();
@@ -143,19 +201,60 @@ RobotCommand BallHandler::strike(int index) const {
   if ((interception.point_m - robot.position_m).norm() > predicted_.style().fight_m)
     robots_around(predicted_, index, interception.point_m, obstacles);
   const DrivingStyle style = predicted_.driving(index);
-  if (predicted_.now().play != Play::kRunning)
-    return take_kick(robot, path.now_m(), choice_.strike, obstacles, style);
-  Strike now = choice_.strike;
+  if (predicted_.now().play != Play::kRunning) return take_restart(robot, obstacles, style);
+  Strike now = with_turning(choice_.strike, predicted_.style());
   now.keep_off = out_of_field(predicted_.field(), path.now_m(), predicted_.style().near_line_m);
-  if (must_release()) now.tolerance_rad = predicted_.style().release_rad;
+  if (is_hasty()) now.tolerance_rad = predicted_.style().release_rad;
   return strike_ball(robot, path, interception, now, obstacles, style);
 }
 
-// Whether the ball has been dribbled nearly as far as allowed.
-bool BallHandler::must_release() const {
+// Whether the taker of this restart may touch the ball again, and so take it along.
+bool BallHandler::may_dribble_restart() const {
+  return predicted_.style().dribbled_restart > 0 && is_restart(predicted_.now().play) &&
+         predicted_.now().play != Play::kPenalty &&
+         !predicted_.rules().has(RuleId::kAttackerDoubleTouchedBall);
+}
+
+// A kick does not help if the ball is not at the kicker, an opponent holds it as well, or the kick
+// would go back.
+bool BallHandler::must_let_go(int index) const {
+  const TrackedRobot& robot = predicted_.robot(index);
+  const auto& from_m = contact_from_m_[static_cast<std::size_t>(robot.number)];
+  if (!from_m || predicted_.now().play != Play::kRunning) return false;
+  const Vec2& ball_m = predicted_.path().now_m();
+  const double share = std::max(predicted_.style().dribbling_share, predicted_.style().hasty_share);
+  if ((ball_m - *from_m).norm() < share * predicted_.rules().dribbling_m) return false;
+  return !has_ball(robot, ball_m) || opponent_has_ball(predicted_) ||
+         robot.heading.x() < kBackwards;
+}
+
+// Drives away from the ball, and out of its path.
+RobotCommand BallHandler::let_go(int index) const {
+  const TrackedRobot& robot = predicted_.robot(index);
+  const BallPath& path = predicted_.path();
+  const Vec2 away = direction_of(robot.position_m - path.now_m(), -robot.heading);
+  const Vec2 beside = left_of(path.direction());
+  const double side = beside.dot(away) < 0 ? -1.0 : 1.0;
+  const double aside_mps = path.speed_mps() > kMoves_mps ? kLetGo_mps : 0.0;
+  RobotCommand command;
+  command.velocity_mps = to_local(away * kLetGo_mps + beside * (side * aside_mps), robot.heading);
+  return command;
+}
+
+// Whether the ball has been dribbled so far that it must be passed on now, or at once.
+bool BallHandler::must_release() const { return has_dribbled(predicted_.style().dribbling_share); }
+bool BallHandler::is_hasty() const {
+  return has_dribbled(std::max(predicted_.style().dribbling_share, predicted_.style().hasty_share));
+}
+
+// Whether the ball has been dribbled over this fraction of the allowed distance.
+bool BallHandler::has_dribbled(double share) const {
   if (!predicted_.rules().has(RuleId::kBotDribbledBallTooFar)) return false;
-  const double path_m = (predicted_.path().now_m() - taken_from_m_).norm();
-  return path_m > predicted_.style().dribbling_share * predicted_.rules().dribbling_m;
+  Vec2 from_m = taken_from_m_;
+  if (holder_ >= 0 && contact_from_m_[static_cast<std::size_t>(holder_)])
+    from_m = *contact_from_m_[static_cast<std::size_t>(holder_)];
+  const double path_m = (predicted_.path().now_m() - from_m).norm();
+  return path_m > share * predicted_.rules().dribbling_m;
 }
 
 }  // namespace autoref::strategies

@@ -21,6 +21,11 @@ class BallHandler {
   // Commands for the robot with that index to go for the ball and use it.
   RobotCommand play(int index);
 
+  // Whether the robot with that index must leave the ball, since it has dribbled it nearly too far
+  // and no kick helps; and the commands for it.
+  bool must_let_go(int index) const;
+  RobotCommand let_go(int index) const;
+
   // Number of the robot that is to receive the pass under way.
   std::optional<int> receiver() const { return receiver_; }
   const Choice& choice() const { return choice_; }
@@ -28,15 +33,25 @@ class BallHandler {
  private:
   Choice choose(int index, const Vec2& from_m) const;
   void note_hold(const TrackedRobot& robot, bool holds);
+  void note_contacts();
+  bool is_committed(const TrackedRobot& robot) const;
   RobotCommand carry(int index) const;
   RobotCommand strike(int index) const;
+  RobotCommand take_restart(const TrackedRobot& robot, const Obstacles& obstacles,
+                            const DrivingStyle& style) const;
+  bool has_dribbled(double share) const;
   bool must_release() const;
+  bool is_hasty() const;
+  bool may_dribble_restart() const;
 
   const PredictedState& predicted_;
   FaceOff face_off_;
   Choice choice_;
+  int restart_taker_ = -1;   // number of the robot that takes the restart; -1: none
   int holder_ = -1;          // number of the robot that has the ball; -1: none
   Vec2 taken_from_m_{0, 0};  // where that robot gained the ball
+  // Where the ball was when each robot came into contact with it, by number.
+  std::array<std::optional<Vec2>, kMaxRobots> contact_from_m_;
   std::optional<int> receiver_;
   double receiver_until_s_ = 0;
   std::array<double, kMaxRobots>

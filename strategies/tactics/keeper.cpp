@@ -5,7 +5,9 @@
 #include <optional>
 
 #include "soccer/robot_shape.hpp"
+#include "strategies/skills/reach.hpp"
 #include "strategies/tactics/duel.hpp"
+#include "strategies/tactics/goal_gap.hpp"
 
 namespace autoref::strategies {
 namespace {
@@ -15,19 +17,48 @@ Vec2 on_goal_line(const Field& field, const Vec2& from_m, const Vec2& direction)
   return {-field.half_length_m(), from_m.y() + share * direction.y()};
 }
 
-// Where the keeper expects a shot to cross its line: in the middle of the open angle, shifted
-// towards the point at which an opponent with the ball aims, if that point is in or near the goal.
-Vec2 expected_at(const PredictedState& predicted, const Vec2& halving) {
+// Where an opponent with the ball aims, if that is in the goal or near it.
+std::optional<Vec2> aimed_at(const PredictedState& predicted) {
   const Field& field = predicted.field();
-  Vec2 middle_m = on_goal_line(field, predicted.position_m(), halving);
-  if (!opponent_has_ball(predicted)) return middle_m;
+  if (!opponent_has_ball(predicted)) return std::nullopt;
   const Vec2& heading =
       predicted.now().opponents[static_cast<std::size_t>(predicted.their_fastest())].heading;
-  if (heading.x() > -0.1) return middle_m;
+  if (heading.x() > -0.1) return std::nullopt;
   const Vec2 aim_m = on_goal_line(field, predicted.position_m(), heading);
   if (std::abs(aim_m.y()) > field.half_goal_m() + predicted.style().keeper_beside_post_m)
-    return middle_m;
-  return middle_m + (aim_m - middle_m) * predicted.style().keeper_aim_trust;
+    return std::nullopt;
+  return aim_m;
+}
+
+// Where the keeper expects a shot to cross its line: in the middle of the open angle, shifted
+// towards the point at which an opponent with the ball aims.
+Vec2 expected_at(const PredictedState& predicted, const Vec2& halving) {
+  const Vec2 middle_m = on_goal_line(predicted.field(), predicted.threat_m(), halving);
+  const std::optional<Vec2> aim_m = aimed_at(predicted);
+  return aim_m ? middle_m + (*aim_m - middle_m) * predicted.style().keeper_aim_trust : middle_m;
+}
+
+// `expected_m`, shifted to the part of the goal that the keeper's team-mates leave open to a shot.
+// The keeper stands on the line x = `stand_x`.
+Vec2 shifted_to_gap(const PredictedState& predicted, const Vec2& expected_m, double stand_x) {
+  const double share = predicted.style().keeper_fills_gap;
+  if (share <= 0) return expected_m;
+  const Vec2& ball_m = predicted.threat_m();
+  const double stretch = (ball_m.x() + predicted.field().half_length_m()) /
+                         std::max(kRobotRadius_m, ball_m.x() - stand_x);
+  const Vec2 line_m = expected_m - ball_m;
+  KeeperShadow shadow;
+  shadow.half_width_m =
+      (kRobotRadius_m + kBallRadius_m) * stretch * line_m.norm() / std::abs(line_m.x());
+  shadow.usual_y_m = expected_m.y();
+  if (const auto aim_m = aimed_at(predicted)) shadow.aim_y_m = aim_m->y();
+  const std::optional<double> gap_y = gap_for_keeper_m(predicted, shadow);
+  return gap_y ? expected_m + Vec2(0, share * (*gap_y - expected_m.y())) : expected_m;
+}
+
+// Time until the ball, at its current speed, is at a point of its path.
+double arrival_s(const BallPath& path, const Vec2& point_m) {
+  return (point_m - path.now_m()).norm() / std::max(0.1, path.speed_mps());
 }
 
 // Where the ball will cross the team's own goal line; nullopt unless it will cross the line in the
@@ -61,7 +92,7 @@ Waypoint keeper_position(const PredictedState& predicted, const TrackedRobot& ke
     }
     return facing_ball(predicted, position_m);
   }
-  const Vec2& ball_m = predicted.position_m();
+  const Vec2& ball_m = predicted.threat_m();
   const Vec2 left_post_m(-field.half_length_m(), field.half_goal_m());
   const Vec2 right_post_m(-field.half_length_m(), -field.half_goal_m());
   const Vec2 to_left = direction_of(left_post_m - ball_m, Vec2(-1, 0));
@@ -76,7 +107,7 @@ Waypoint keeper_position(const PredictedState& predicted, const TrackedRobot& ke
     return facing_ball(predicted, {least_x, y});
   }
   const double x = std::min(stand_x, ball_m.x() - kRobotRadius_m);
-  const Vec2 direction = expected_at(predicted, halving) - ball_m;
+  const Vec2 direction = shifted_to_gap(predicted, expected_at(predicted, halving), x) - ball_m;
   const double y = ball_m.y() + direction.y() * (x - ball_m.x()) / direction.x();
   const double reach_m = field.half_goal_m() - kRobotRadius_m / 2;
   return facing_ball(predicted, {std::max(x, least_x), std::clamp(y, -reach_m, reach_m)});
@@ -91,6 +122,14 @@ RobotCommand keep_goal(const PredictedState& predicted, int index) {
   Vec2 target_m = waypoint.position_m;
   if (const auto path_m = exit_from_behind_goal(predicted.field(), keeper.position_m))
     target_m = *path_m;
+  if (shot_at(predicted) && predicted.style().keeper_dives > 0.5 &&
+      arrival_s(predicted.path(), target_m) <
+          time_to_s(keeper, target_m, predicted.abilities(index))) {
+    const Vec2 dive = direction_of(target_m - keeper.position_m, waypoint.heading);
+    RobotCommand command = drive_with(keeper, dive * style.speed_mps, waypoint.heading, style);
+    command.dribble = true;
+    return command;
+  }
   RobotCommand command = drive_via(keeper, target_m, {target_m, waypoint.heading}, style);
   command.dribble = true;
   return command;

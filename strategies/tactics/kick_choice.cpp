@@ -114,9 +114,18 @@ Choice carry_from(const PredictedState& predicted, const Vec2& from_m) {
   carry.kind = Choice::Kind::kCarry;
   carry.worth = predicted.style().carry * predicted.style().carry_worth *
                 (1 - pressure_at(predicted, from_m));
+  if (predicted.rules().has(RuleId::kBotDribbledBallTooFar))
+    carry.worth *= predicted.style().limited_carry;
   carry.strike.target_m = predicted.field().goal_centre_m(Side::kEast);
   carry.strike.kick_mps = 0;
   return carry;
+}
+
+Choice dribble_from(const PredictedState& predicted, const Vec2& from_m) {
+  Choice dribble = carry_from(predicted, from_m);
+  dribble.worth = predicted.style().dribbled_restart;
+  dribble.strike.dribble = true;
+  return dribble;
 }
 
 Choice clear_from(const PredictedState& predicted, const Vec2& from_m, const Vec2& heading) {

@@ -30,6 +30,9 @@ Choice chip_to(const PredictedState& predicted, int mate, double chance, const V
 // The option of carrying the ball.
 Choice carry_from(const PredictedState& predicted, const Vec2& from_m);
 
+// The option of dribbling from a restart, towards the goal.
+Choice dribble_from(const PredictedState& predicted, const Vec2& from_m);
+
 // A kick into the most open space without turning far from `heading`; never backwards.
 Choice clear_from(const PredictedState& predicted, const Vec2& from_m, const Vec2& heading);
 

@@ -37,6 +37,10 @@ constexpr double kLeave_m = 0.75;    // from the robot's centre to the ball
 constexpr double kPatience_s = 9.0;  // without the ball, then another robot tries
 constexpr double kClear_m = 0.68;    // from others' centres to the ball's path
 
+bool is_field_player(const PredictedState& predicted, const TrackedRobot& robot) {
+  return robot.number != predicted.robot(0).number;
+}
+
 double slewed(double from, double to, double most) {
   return from + std::clamp(to - from, -most, most);
 }
@@ -215,10 +219,19 @@ RobotCommand BallPlacer::set_down(const TrackedRobot& robot) {
                     predicted_.driving(index_));
 }
 
+bool must_clear_placement(const PredictedState& predicted) {
+  const TeamView& now = predicted.now();
+  constexpr double kPlaced_m = 100_mm;
+  return predicted.style().clear_of_placement > 0.5 && now.placement_m && predicted.is_waiting() &&
+         now.next && !now.next_is_ours && predicted.rules().has(RuleId::kBotInterferedPlacement) &&
+         (*now.placement_m - now.ball.position_m).norm() > kPlaced_m;
+}
+
 std::optional<Waypoint> clear_of_placement(const PredictedState& predicted,
                                            const TrackedRobot& robot, const Vec2& waypoint_m) {
   const TeamView& now = predicted.now();
-  if (!now.placing_is_ours || !now.placement_m) return std::nullopt;
+  if (!now.placement_m || !(now.placing_is_ours || must_clear_placement(predicted)))
+    return std::nullopt;
   const Vec2& ball_m = predicted.path().now_m();
   const auto nearest = [&](const Vec2& point_m) {
     return nearest_on_segment(point_m, ball_m, *now.placement_m);
@@ -235,7 +248,12 @@ std::optional<Waypoint> clear_of_placement(const PredictedState& predicted,
   const Vec2 off_m = robot.position_m - path_m;
   const Vec2 away = direction_of(off_m, direction_of(-path_m, Vec2(-1, 0)));
   const double room_m = std::max(off_m.norm(), kClear_m + 50_mm);
-  return Waypoint{path_m + away * room_m, robot.heading};
+  const Vec2 aside_m = path_m + away * room_m;
+  if (predicted.style().clear_of_placement < 0.5 || !is_field_player(predicted, robot))
+    return Waypoint{aside_m, robot.heading};
+  Limits limits;
+  limits.keep_from_area_m = predicted.limits().keep_from_area_m;
+  return Waypoint{permitted(predicted.field(), aside_m, ball_m, limits), robot.heading};
 }
 
 RobotCommand step_aside(const PredictedState& predicted, int index, const Waypoint& waypoint) {

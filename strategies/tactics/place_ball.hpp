@@ -49,6 +49,10 @@ class BallPlacer {
   double step_s_ = 0;  // since the previous view
 };
 
+// Whether the referee is placing the ball for the opponents' restart, and robots must keep clear of
+// it.
+bool must_clear_placement(const PredictedState& predicted);
+
 // Whether the robot would come too near to the ball or its path to the designated position on its
 // way to `waypoint`; then it is better off at the returned position, near the robot's own.
 std::optional<Waypoint> clear_of_placement(const PredictedState& predicted,

@@ -6,9 +6,14 @@
 
 #include "soccer/robot_shape.hpp"
 #include "strategies/skills/prediction.hpp"
+#include "strategies/skills/strike.hpp"
+#include "strategies/tactics/areas.hpp"
 
 namespace autoref::strategies {
 namespace {
+
+// Robots this near to each other are in contact, or both with a ball between them.
+constexpr double kContact_m = 35_mm;
 
 // Adds both areas as discs that touch the areas' front lines, unless the robot or its target is
 // inside the area.
@@ -36,6 +41,7 @@ void PredictedState::update(const TeamView& view) {
   position_m_ = now_.placement_m.value_or(now_.ball.position_m);
   intercept_ball();
   settle_possession();
+  threat_m_ = find_threat_m();
   room_at_ball_m_ = find_room_at_ball_m();
   limits_ = find_limits();
 }
@@ -75,6 +81,14 @@ void PredictedState::settle_possession() {
              theirs_.time_s + (is_ours_ ? style_.possession_margin_s : -style_.possession_margin_s);
 }
 
+Vec2 PredictedState::find_threat_m() const {
+  if (now_.play != Play::kRunning || is_ours_ || their_fastest_ < 0) return position_m_;
+  const TrackedRobot& fastest = now_.opponents[static_cast<std::size_t>(their_fastest_)];
+  if (theirs_.time_s <= 0 || has_ball(fastest, path_.now_m()))
+    return position_m_ + fastest.velocity_mps * style_.threat_lead_s;
+  return position_m_ + style_.anticipation * (theirs_.point_m - position_m_);
+}
+
 bool PredictedState::is_waiting() const {
   return now_.play == Play::kStop || now_.play == Play::kHalt ||
          now_.play == Play::kPrepareKickoff || now_.play == Play::kPreparePenalty;
@@ -89,7 +103,7 @@ double PredictedState::find_room_at_ball_m() const {
   if (now_.ours && is_restart(now_.play)) return 0;
   const bool is_judged = rules().has(RuleId::kDefenderTooCloseToKickPoint);
   return rules().opponents_to_ball_m + (is_judged ? kBallRadius_m : 0.0) +
-         room_for_error_m(rules());
+         room_for_error_m(rules()) + style_.ball_margin_m;
 }
 
 Limits PredictedState::find_limits() const {
@@ -100,7 +114,8 @@ Limits PredictedState::find_limits() const {
   if (restart_is_ours()) limits.beyond_lines_m = style_.beyond_line_m;
   const double room_m = room_at_ball_m_;
   limits.keep_from_ball_m = room_m > 0 ? room_m + kRobotRadius_m : style_.room_for_taker_m;
-  limits.keep_from_area_m = rules().attacker_to_area_m + kRobotRadius_m + room_for_error_m(rules());
+  limits.keep_from_area_m = rules().attacker_to_area_m + kRobotRadius_m +
+                            room_for_error_m(rules()) + style_.area_margin_m;
   return limits;
 }
 
@@ -149,6 +164,9 @@ RobotCommand go_to(const PredictedState& predicted, int index, const Waypoint& w
                                      predicted.limits());
   if (const auto path_m = exit_from_behind_goal(predicted.field(), robot.position_m))
     goal.position_m = *path_m;
+  if (const auto path_m = exit_from_goal(predicted, robot)) {
+    return drive_via(robot, *path_m, {*path_m, robot.heading}, predicted.driving(index));
+  }
   Obstacles obstacles;
   const double room_m = std::max(predicted.style().near_room_m, predicted.room_at_ball_m());
   find_obstacles({now.own, now.opponents, room_m, now.ball.position_m}, robot, goal.position_m,
@@ -162,12 +180,14 @@ RobotCommand go_to(const PredictedState& predicted, int index, const Waypoint& w
     return drive_via(robot, robot.position_m + out * predicted.style().near_room_m * 10, goal,
                      style);
   }
-  const Vec2 steer_m = steer_for(robot, goal.position_m, obstacles);
+  const Vec2 via_m = around_boxes(predicted, robot, goal.position_m);
+  const Vec2 steer_m = steer_for(robot, via_m, obstacles);
   return drive_via(robot, steer_m, goal, style);
 }
 
 // Limits the closing speed towards each nearby opponent to a braking curve over the gap. Only the
-// component towards the opponent is reduced, so the robot can still slide past it.
+// component towards the opponent is reduced, so the robot can still slide past it. A robot in
+// contact with an opponent presses no harder than the style allows.
 void ease_off(const PredictedState& predicted, int index, RobotCommand& command) {
   const TrackedRobot& robot = predicted.robot(index);
   Vec2 velocity_mps = to_world(command.velocity_mps, robot.heading);
@@ -180,6 +200,9 @@ void ease_off(const PredictedState& predicted, int index, RobotCommand& command)
                             std::sqrt(2 * predicted.style().ease_mps2 * std::max(0.0, gap_m));
     const double closing_mps = (velocity_mps - opponent.velocity_mps).dot(direction);
     if (closing_mps > most_mps) velocity_mps -= direction * (closing_mps - most_mps);
+    if (gap_m > kContact_m || !predicted.rules().has(RuleId::kBotPushedBot)) continue;
+    const double pressing_mps = velocity_mps.dot(direction) - predicted.style().contact_mps;
+    if (pressing_mps > 0) velocity_mps -= direction * pressing_mps;
   }
   command.velocity_mps = to_local(velocity_mps, robot.heading);
 }

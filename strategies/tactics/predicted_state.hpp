@@ -31,6 +31,10 @@ class PredictedState {
   // The ball, or the position where the referee is about to place it.
   const Vec2& position_m() const { return position_m_; }
 
+  // The position from which to expect a shot at the team's own goal: the ball, or where an opponent
+  // will reach it, as far as the style anticipates that.
+  const Vec2& threat_m() const { return threat_m_; }
+
   int robots() const { return static_cast<int>(now_.own.size()); }
   const TrackedRobot& robot(int index) const { return now_.own[static_cast<std::size_t>(index)]; }
   const Abilities& abilities(int index) const;
@@ -66,6 +70,7 @@ class PredictedState {
  private:
   void intercept_ball();
   void settle_possession();
+  Vec2 find_threat_m() const;
   double find_room_at_ball_m() const;
   Limits find_limits() const;
 
@@ -74,6 +79,7 @@ class PredictedState {
   TeamView now_;
   BallPath path_;
   Vec2 position_m_{0, 0};
+  Vec2 threat_m_{0, 0};
   std::array<BallInterception, kMaxRobots> interceptions_;
   std::array<BallInterception, kMaxRobots> their_interceptions_;
   BallInterception theirs_;

@@ -46,9 +46,9 @@ constexpr std::array kTeam = std::to_array<Tunable>({
 std::span<const Tunable> tunables() {
   static const std::vector<Tunable> kAll = [] {
     std::vector<Tunable> all(kTeam.begin(), kTeam.end());
-    for (const auto& role :
-         {moving_tunables(), kick_tunables(), ball_tunables(), running_tunables(),
-          defence_tunables(), play_tunables(), formation_tunables()}) {
+    for (const auto& role : {moving_tunables(), kick_tunables(), ball_tunables(),
+                             running_tunables(), defence_tunables(), together_tunables(),
+                             discipline_tunables(), play_tunables(), formation_tunables()}) {
       all.insert(all.end(), role.begin(), role.end());
     }
     return all;

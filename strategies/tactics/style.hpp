@@ -62,6 +62,7 @@ struct Style {
   double free_room_m = 0.6;
   double no_room_m = 0.2;
   double carry_worth = 0.3;
+  double limited_carry = 1.0;
   double clear_worth = 0.04;
   double clear_mps = 2.3;
   double push_mps = 1.5;
@@ -125,6 +126,33 @@ struct Style {
   double keeper_fetch_mps = 1.2;
   double keeper_area_margin_m = 30_mm;
   double keeper_aim_trust = 0.6;
+
+  // Covering the goal together, and restarts. The defaults switch these behaviours off.
+  double anticipation = 0;
+  double threat_lead_s = 0;
+  double block_lead_s = 0;
+  double keeper_fills_gap = 0;
+  double keeper_dives = 0;
+  double wall_near_post_m = 0;
+  double dribbled_restart = 0;
+  double large_team = 0;
+
+  // Avoiding fouls. The defaults switch these behaviours off.
+  double area_margin_m = 0;
+  double around_boxes = 0;
+  double area_braking_mps2 = 0;
+  double ball_margin_m = 0;
+  double contact_mps = 3.0;
+  double dribble_gap_m = 0;
+  double hasty_share = 0;
+  double penalty_on_line = 0;
+  double restart_least_mps = 0;
+  double restart_commit_rad = 0;
+  double clear_of_placement = 0;
+
+  // Turning with the ball. In a steady turn the dribbler holds it up to 10 rad/s (sim/README.md).
+  double ball_turn_radps = 6.0;
+  double ball_turn_braking_radps2 = 16.0;
 
   // Assignment of roles.
   double places_gap_m = 4_mm;

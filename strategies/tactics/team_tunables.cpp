@@ -70,6 +70,73 @@ constexpr std::array kDefence = std::to_array<Tunable>({
       "How far the keeper shifts from the middle towards a shooter's aim."}},
 });
 
+constexpr std::array kTogether = std::to_array<Tunable>({
+    {&Style::anticipation,
+     {"anticipation", "1", 0, 0, 1,
+      "How far wall and keeper shift from the ball to where an opponent will reach it."}},
+    {&Style::threat_lead_s,
+     {"threat_lead_s", "s", 0, 0, 1,
+      "Time by which wall and keeper extrapolate an opponent that dribbles the ball."}},
+    {&Style::block_lead_s,
+     {"block_lead_s", "s", 0, 0, 1,
+      "Time by which a blocking robot extrapolates an opponent's ball."}},
+    {&Style::keeper_fills_gap,
+     {"keeper_fills_gap", "1", 0, 0, 1,
+      "How far the keeper shifts to the part of the goal that its team-mates leave open."}},
+    {&Style::keeper_dives,
+     {"keeper_dives", "1", 0, 0, 1,
+      "1: the keeper does not brake before a shot's path if it would arrive too late."}},
+    {&Style::wall_near_post_m,
+     {"wall_near_post_m", "m", 0, -0.4, 0.4,
+      "How far the wall shifts to the near post's side of the goal's centre."}},
+    {&Style::dribbled_restart,
+     {"dribbled_restart", "1", 0, 0, 2,
+      "Value of dribbling from a restart if the rules allow its taker a second touch."}},
+    {&Style::large_team,
+     {"large_team", "1", 0, 0, 1,
+      "1: robots beyond six are shared out between wall, markers and receivers."}},
+    {&Style::ball_turn_radps,
+     {"ball_turn_radps", "rad/s", 0, 1, 10, "Maximum angular velocity with the ball."}},
+    {&Style::ball_turn_braking_radps2,
+     {"ball_turn_braking_radps2", "rad/s^2", 0, 1, 40,
+      "Angular deceleration used in planning turns with the ball."}},
+});
+
+constexpr std::array kDiscipline = std::to_array<Tunable>({
+    {&Style::area_margin_m,
+     {"area_margin_m", "m", 0, 0, 0.5,
+      "Extra distance from the opponents' area while play is stopped."}},
+    {&Style::around_boxes,
+     {"around_boxes", "1", 0, 0, 1,
+      "1: robots also keep clear of the corners of box-shaped areas."}},
+    {&Style::area_braking_mps2,
+     {"area_braking_mps2", "m/s^2", 0, 0, 5,
+      "Deceleration before an area in which the ball must not be touched; 0: none."}},
+    {&Style::ball_margin_m,
+     {"ball_margin_m", "m", 0, 0, 0.5, "Extra distance from the ball while play is stopped."}},
+    {&Style::contact_mps,
+     {"contact_mps", "m/s", 0, 0, 3,
+      "Speed at which a robot may press against an opponent if pushing is a foul."}},
+    {&Style::dribble_gap_m,
+     {"dribble_gap_m", "m", 0, 0, 0.1, "Gap to the ball up to which a dribble goes on."}},
+    {&Style::hasty_share,
+     {"hasty_share", "1", 0, 0, 1,
+      "Fraction of the allowed dribbling distance from which the ball is kicked in any "
+      "direction."}},
+    {&Style::penalty_on_line,
+     {"penalty_on_line", "1", 0, 0, 1,
+      "1: the keeper awaits a penalty kick on its line, in front of the area otherwise."}},
+    {&Style::restart_least_mps,
+     {"restart_least_mps", "m/s", 0, 0, 8,
+      "Minimum speed of a restart's kick, so that its taker does not touch the ball again."}},
+    {&Style::restart_commit_rad,
+     {"restart_commit_rad", "rad", 0, 0, 0.5,
+      "Aiming error up to which a restart's taker still kicks once it is at the ball."}},
+    {&Style::clear_of_placement,
+     {"clear_of_placement", "1", 0, 0, 1,
+      "1: robots also keep clear of a ball that the referee places for the opponents."}},
+});
+
 constexpr std::array kPlays = std::to_array<Tunable>({
     {&Style::places_gap_m,
      {"places_gap_m", "m", 0, 0, 1, "Gap between hulls while play is stopped."}},
@@ -178,6 +245,8 @@ constexpr std::array kFormations = std::to_array<Tunable>({
 
 std::span<const Tunable> running_tunables() { return kRunning; }
 std::span<const Tunable> defence_tunables() { return kDefence; }
+std::span<const Tunable> together_tunables() { return kTogether; }
+std::span<const Tunable> discipline_tunables() { return kDiscipline; }
 std::span<const Tunable> play_tunables() { return kPlays; }
 std::span<const Tunable> formation_tunables() { return kFormations; }
 

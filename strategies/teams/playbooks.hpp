@@ -5,9 +5,12 @@
 
 namespace autoref::strategies {
 
-// The strong team. It reaches the ball first, passes to positions with an open first-time shot, and
-// covers the open angles of its goal.
+// The strong team. It dribbles straight at the goal, passes where that is better, covers its goal
+// with wall and keeper together, and avoids fouls.
 TeamPlaybook cobalt_playbook();
+
+// The strong team's previous version, kept for comparison: its games never change.
+TeamPlaybook cobalt1_playbook();
 
 // Counter-attack: a deep block behind the ball, and long, immediate passes to one or two forwards.
 TeamPlaybook counter_playbook();

@@ -37,8 +37,8 @@ TEST_P(EveryTeam, BeatsDummy) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Teams, EveryTeam,
-                         testing::Values("basic", "chaser", "cobalt", "counter", "possession",
-                                         "shadow", "zone"),
+                         testing::Values("basic", "chaser", "cobalt", "cobalt1", "counter",
+                                         "possession", "shadow", "zone"),
                          [](const auto& test) { return test.param; });
 
 }  // namespace
