@@ -59,8 +59,9 @@ void add_check_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb =
       app.add_subcommand("check", "Validate an experiment and estimate how long it takes.");
   auto arguments = std::make_shared<CheckArguments>();
+  arguments->verbs = {"run", "tune"};
   verb->add_option("FILE", arguments->file,
-                   "Scenario of kind sweep, roundrobin, gauntlet, sprt or knockout.")
+                   "Scenario of kind sweep, roundrobin, gauntlet, sprt, knockout or tune.")
       ->required();
   verb->add_option("-j,--workers", arguments->workers,
                    "Parallel games to assume in the estimate. Default: one per processor.")

@@ -7,6 +7,7 @@
 #include "runner/experiments/knockout_schedule.hpp"
 #include "runner/experiments/matchup_schedule.hpp"
 #include "runner/experiments/sprt_settings.hpp"
+#include "runner/experiments/tuning_schedule.hpp"
 #include "runner/experiments/with_kind.hpp"
 
 namespace autoref::runner {
@@ -16,6 +17,7 @@ int* pairs_in(Sweep& sweep) { return &sweep.pairs; }
 int* pairs_in(RoundRobin& robin) { return &robin.pairs; }
 int* pairs_in(Gauntlet& gauntlet) { return &gauntlet.pairs; }
 int* pairs_in(SprtMatch& match) { return &match.sprt.max_pairs; }
+int* pairs_in(Tuning& tuning) { return &tuning.pairs; }
 int* pairs_in(Knockout& /*knockout*/) { return nullptr; }
 int* pairs_in(JudgeSchedule& /*schedule*/) { return nullptr; }  // it has a number of games instead
 

@@ -23,8 +23,8 @@ std::optional<std::vector<double>> numbers_of(const Factor& factor) {
 
 // In the order of the variant's types, as is kVerbs below.
 const std::vector<std::string>& kinds() {
-  static const std::vector<std::string> kKinds = {"game", "sweep",    "judge",   "roundrobin",
-                                                  "sprt", "gauntlet", "knockout"};
+  static const std::vector<std::string> kKinds = {"game", "sweep",    "judge",    "roundrobin",
+                                                  "sprt", "gauntlet", "knockout", "tune"};
   return kKinds;
 }
 
@@ -32,7 +32,7 @@ std::string_view kind_of(const Scenario& scenario) { return kinds()[scenario.con
 
 std::string_view verb_of(const Scenario& scenario) {
   static const std::vector<std::string> kVerbs = {"play", "run", "judge", "run",
-                                                  "run",  "run", "run"};
+                                                  "run",  "run", "run",   "tune"};
   return kVerbs[scenario.content.index()];
 }
 

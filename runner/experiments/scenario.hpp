@@ -1,5 +1,5 @@
 // Scenarios: a single game, a sweep of factors, a round robin, gauntlet, knockout or SPRT match
-// between teams, or a set of games to evaluate the referee.
+// between teams, a set of games to evaluate the referee, or the tuning of a team.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +14,7 @@
 #include "runner/experiments/knockout.hpp"
 #include "runner/experiments/roundrobin.hpp"
 #include "runner/experiments/sprt_match.hpp"
+#include "runner/experiments/tuning.hpp"
 #include "runner/settings/game_settings.hpp"
 
 namespace autoref::runner {
@@ -39,7 +40,8 @@ struct Sweep {
 
 struct Scenario {
   std::string about;
-  std::variant<GameSettings, Sweep, JudgeSchedule, RoundRobin, SprtMatch, Gauntlet, Knockout>
+  std::variant<GameSettings, Sweep, JudgeSchedule, RoundRobin, SprtMatch, Gauntlet, Knockout,
+               Tuning>
       content;
 };
 

@@ -8,6 +8,7 @@
 #include "runner/experiments/reading/judge_reader.hpp"
 #include "runner/experiments/reading/team_experiments_reader.hpp"
 #include "runner/experiments/reading/top_reader.hpp"
+#include "runner/experiments/reading/tuning_reader.hpp"
 #include "runner/experiments/schedule.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/files.hpp"
@@ -48,6 +49,8 @@ class ScenarioReader {
       scenario.content = read_gauntlet(top_);
     } else if (kind == "knockout") {
       scenario.content = read_knockout(top_);
+    } else if (kind == "tune") {
+      scenario.content = read_tuning(top_);
     } else {
       scenario.content = read_judge();
     }

@@ -63,7 +63,9 @@ void TopReader::read_base(GameSettings& game, const Elsewhere& elsewhere) {
     throw InputError({assignment.flag}, "", "set automatically for each game; leave it out");
   }
   std::vector<std::string> others = {elsewhere.branch};
-  if (find("challengers") != nullptr) others.emplace_back("challengers");
+  for (const char* branch : {"challengers", "team", "opponents"}) {
+    if (find(branch) != nullptr) others.emplace_back(branch);
+  }
   assign_all(game, others);
 }
 
