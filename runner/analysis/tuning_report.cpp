@@ -52,7 +52,7 @@ Cells csv_cells_of(const ParamValues& after, const ParamValues& best) {
 
 std::string interval_text(const TuningTest& test) {
   return test.interval ? fmt::format("[{:+.2f}, {:+.2f}]", test.interval->low, test.interval->high)
-                       : std::string("unknown: too few pairs");
+                       : std::string("unknown");
 }
 
 std::string opponents_text(const Tuning& tuning) {
@@ -63,28 +63,28 @@ std::string opponents_text(const Tuning& tuning) {
 }
 
 std::string verdict_of(const Tuning& tuning, const TuningTest& test) {
-  switch (test.state.comparison) {
-    case Comparison::kBetter:
+  switch (test.state.verdict) {
+    case ThreeWayVerdict::kBetter:
       return fmt::format(
           "The result is better than the start: its gain is nearer to {} goals per "
           "game than to 0.",
           tuning.test.d1);
-    case Comparison::kWorse:
+    case ThreeWayVerdict::kWorse:
       return fmt::format(
           "The result is worse than the start: its loss is nearer to {} goals per "
           "game than to 0.",
           tuning.test.d1);
-    case Comparison::kNotShown:
+    case ThreeWayVerdict::kNotShown:
       return fmt::format(
           "The result is not shown to be better than the start: its gain is nearer "
           "to 0 than to {} goals per game.",
           tuning.test.d1);
-    case Comparison::kUndecided:
+    case ThreeWayVerdict::kUndecided:
       return fmt::format(
           "The result is not shown to be better than the start: {} pairs did not "
           "decide whether its gain is nearer to 0 or to {} goals per game.",
           tuning.test.max_pairs, tuning.test.d1);
-    case Comparison::kGoOn:
+    case ThreeWayVerdict::kGoOn:
       break;
   }
   return "The test of the result against the start is not decided yet.";
@@ -120,17 +120,17 @@ std::string team_text(const Tuning& tuning, const ParamValues& values) {
 
 }  // namespace
 
-std::string name_of(Comparison comparison) {
-  switch (comparison) {
-    case Comparison::kBetter:
+std::string name_of(ThreeWayVerdict verdict) {
+  switch (verdict) {
+    case ThreeWayVerdict::kBetter:
       return "better";
-    case Comparison::kWorse:
+    case ThreeWayVerdict::kWorse:
       return "worse";
-    case Comparison::kNotShown:
+    case ThreeWayVerdict::kNotShown:
       return "not shown";
-    case Comparison::kUndecided:
+    case ThreeWayVerdict::kUndecided:
       return "undecided";
-    case Comparison::kGoOn:
+    case ThreeWayVerdict::kGoOn:
       break;
   }
   return "none";
@@ -165,7 +165,7 @@ std::string tuning_test_csv(const Tuning& tuning, const TuningState& state) {
   return csv_line({"verdict", "gain", "low95", "high95", "pairs", "void_pairs", "delta", "alpha",
                    "beta", "min_pairs", "max_pairs"}) +
          "\n" +
-         csv_line({name_of(test.state.comparison), number_cell(test.gain), number_cell(low),
+         csv_line({name_of(test.state.verdict), number_cell(test.gain), number_cell(low),
                    number_cell(high), std::to_string(test.state.pairs),
                    std::to_string(test.void_pairs), number_cell(tuning.test.d1),
                    number_cell(tuning.test.alpha), number_cell(tuning.test.beta),

@@ -126,12 +126,12 @@ TuningTest test_of(const Tuning& tuning, const ParamValues& result, const RowsBy
   TuningTest test;
   test.state = compared(tuning.test, first.gains);
   test.last_pair = first.count;
-  if (test.state.comparison != Comparison::kGoOn) {
+  if (test.state.verdict != ThreeWayVerdict::kGoOn) {
     test.last_pair = first.numbers[static_cast<std::size_t>(test.state.pairs - 1)];
   } else if (first.count == tuning.test.max_pairs) {  // fewer than max_pairs without a void game
-    test.state.comparison = Comparison::kUndecided;
+    test.state.verdict = ThreeWayVerdict::kUndecided;
   }
-  test.is_decided = test.state.comparison != Comparison::kGoOn;
+  test.is_decided = test.state.verdict != ThreeWayVerdict::kGoOn;
   test.void_pairs = test.last_pair - test.state.pairs;
   const std::span<const double> used(first.gains.data(),
                                      static_cast<std::size_t>(test.state.pairs));

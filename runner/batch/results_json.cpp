@@ -72,7 +72,7 @@ Json json_of(const Tuning& tuning, const TuningState& state) {
   return {{"iteration", state.path.size()},
           {"iterations", tuning.iterations},
           {"parameters", parameters},
-          {"verdict", name_of(state.test.state.comparison)},
+          {"verdict", name_of(state.test.state.verdict)},
           {"gain", number_json(state.test.gain)},
           {"low95", number_json(low)},
           {"high95", number_json(high)},

@@ -80,6 +80,20 @@ void check(const TunedParameter& parameter) {
   check_whole(parameter);
 }
 
+// Whether the team may have this value.
+void check_value(const Tuning& tuning, const TunedParameter& parameter, const char* key,
+                 double value) {
+  TeamSettings team = tuning.team;
+  team.params[parameter.name] = value;
+  try {
+    check_team(tuning.base, team, "team");
+  } catch (const SettingError& error) {
+    if (error.path() != "team.params." + parameter.name) throw;
+    throw SettingError(path_of(parameter, key),
+                       std::string(error.what()).substr(error.path().size()));
+  }
+}
+
 void check_opponents(const Tuning& tuning) {
   for (const char* name : {"plus", "minus", "centre", "result", "start"}) {
     if (!tuning.opponents.contains(name)) continue;
@@ -149,12 +163,12 @@ std::vector<std::string> paths_of(const Tuning& tuning) {
 
 void check(const Tuning& tuning) {
   check_game(tuning.base);
-  for (const TunedParameter& parameter : tuning.parameters) check(parameter);
   refuse_network(tuning.team, "team");
-  for (const bool is_low : {true, false}) {
-    TeamSettings team = tuning.team;
-    for (const TunedParameter& p : tuning.parameters) team.params[p.name] = is_low ? p.from : p.to;
-    check_team(tuning.base, team, "team");
+  check_team(tuning.base, tuning.team, "team");
+  for (const TunedParameter& parameter : tuning.parameters) {
+    check(parameter);
+    check_value(tuning, parameter, "from", parameter.from);
+    check_value(tuning, parameter, "to", parameter.to);
   }
   check_opponents(tuning);
 }

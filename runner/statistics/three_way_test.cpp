@@ -14,14 +14,14 @@ ThreeWayState compared(const SequentialTest& test, std::span<const double> pair_
   const bool is_better = better.verdict == Verdict::kAcceptD1;
   const bool is_worse = worse.verdict == Verdict::kAcceptD1;
   if (is_better && (!is_worse || better.pairs <= worse.pairs)) {
-    return {Comparison::kBetter, better.pairs};
+    return {ThreeWayVerdict::kBetter, better.pairs};
   }
-  if (is_worse) return {Comparison::kWorse, worse.pairs};
+  if (is_worse) return {ThreeWayVerdict::kWorse, worse.pairs};
   const int pairs = std::max(better.pairs, worse.pairs);
   const bool is_open = better.verdict == Verdict::kGoOn || worse.verdict == Verdict::kGoOn;
-  if (is_open) return {Comparison::kGoOn, pairs};
+  if (is_open) return {ThreeWayVerdict::kGoOn, pairs};
   const bool is_zero = better.verdict == Verdict::kAcceptD0 && worse.verdict == Verdict::kAcceptD0;
-  return {is_zero ? Comparison::kNotShown : Comparison::kUndecided, pairs};
+  return {is_zero ? ThreeWayVerdict::kNotShown : ThreeWayVerdict::kUndecided, pairs};
 }
 
 }  // namespace autoref::runner

@@ -8,7 +8,7 @@
 
 namespace autoref::runner {
 
-enum class Comparison : std::uint8_t {
+enum class ThreeWayVerdict : std::uint8_t {
   kGoOn,       // more pairs are needed
   kBetter,     // the mean is nearer to delta than to 0
   kWorse,      // the mean is nearer to -delta than to 0
@@ -17,7 +17,7 @@ enum class Comparison : std::uint8_t {
 };
 
 struct ThreeWayState {
-  Comparison comparison = Comparison::kGoOn;
+  ThreeWayVerdict verdict = ThreeWayVerdict::kGoOn;
   int pairs = 0;  // that decided it; later ones do not count
 };
 

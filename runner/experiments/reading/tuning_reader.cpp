@@ -8,6 +8,7 @@
 #include "runner/experiments/tuning_schedule.hpp"
 #include "runner/experiments/tuning_settings.hpp"
 #include "runner/io/errors.hpp"
+#include "runner/settings/robot_types.hpp"
 #include "strategies/registry.hpp"
 
 namespace autoref::runner {
@@ -16,11 +17,13 @@ namespace {
 constexpr const char* kItself = "self";
 constexpr double kStepShare = 0.2;  // the default step as a fraction of the range
 
-// Refuses command-line settings below `branch`, which would have no effect.
+// Refuses command-line settings below a branch such as "teams.", or of a path without a final dot,
+// which would have no effect.
 void refuse_assignments(const TopReader& top, const std::string& branch,
                         const std::string& message) {
   for (const Assignment& assignment : top.assignments()) {
-    if (full_path(assignment.path).starts_with(branch))
+    const std::string path = full_path(assignment.path);
+    if (branch.ends_with('.') ? path.starts_with(branch) : path == branch)
       throw InputError({assignment.flag}, "", message);
   }
 }
@@ -91,6 +94,9 @@ class ParameterReader {
     SettingsReader settings(top_.file(), settings_of(parameter), top_.locations());
     top_.locations()[path_] = entry_.location;
     settings.read(entry_, path_);
+    for (const char* key : {"from", "to", "start", "step"}) {  // to report defaults somewhere
+      top_.locations().try_emplace(fmt::format("{}.{}", path_, key), entry_.location);
+    }
     given_ = top_.file().entries(entry_, path_, {});
     if (its == nullptr) require({"from", "to"});
     if (its == nullptr && !has_value) require({"start"});

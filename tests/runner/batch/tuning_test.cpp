@@ -100,7 +100,7 @@ TEST(Tuning, FindsABetterTeamAndSaysSo) {
   const TemporaryFolder folder;
   const ExperimentReport report = tune(folder.path(), small_tuning("spsa"));
   ASSERT_TRUE(report.results.tuning);
-  EXPECT_EQ(report.results.tuning->test.state.comparison, Comparison::kBetter);
+  EXPECT_EQ(report.results.tuning->test.state.verdict, ThreeWayVerdict::kBetter);
   EXPECT_NE(report.results.table.find("The result is better than the start"), std::string::npos)
       << report.results.table;
   EXPECT_NEAR(report.results.tuning->best.front(), kBestRisk, 0.15);

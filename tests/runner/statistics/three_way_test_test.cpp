@@ -19,44 +19,46 @@ std::vector<double> pairs_with_mean(double mean, std::uint64_t seed) {
 }
 
 // The proportion of tests with this outcome.
-double share_of(Comparison comparison, double mean) {
+double share_of(ThreeWayVerdict verdict, double mean) {
   constexpr int kTests = 400;
   int count = 0;
   for (std::uint64_t seed = 1; seed <= kTests; ++seed) {
-    count += compared(kHalfAGoal, pairs_with_mean(mean, seed)).comparison == comparison ? 1 : 0;
+    count += compared(kHalfAGoal, pairs_with_mean(mean, seed)).verdict == verdict ? 1 : 0;
   }
   return static_cast<double>(count) / kTests;
 }
 
 TEST(ThreeWayTest, FindsAGainAndALossOfDelta) {
-  EXPECT_GT(share_of(Comparison::kBetter, 0.5), 0.9);
-  EXPECT_GT(share_of(Comparison::kWorse, -0.5), 0.9);
+  EXPECT_GT(share_of(ThreeWayVerdict::kBetter, 0.5), 0.9);
+  EXPECT_GT(share_of(ThreeWayVerdict::kWorse, -0.5), 0.9);
 }
 
 // Alpha and beta are 0.05; four standard errors of 400 tests are 0.044.
 TEST(ThreeWayTest, ClaimsNoGainAndNoLossIfThereIsNone) {
-  EXPECT_LT(share_of(Comparison::kBetter, 0), 0.094);
-  EXPECT_LT(share_of(Comparison::kWorse, 0), 0.094);
-  EXPECT_GT(share_of(Comparison::kNotShown, 0), 0.8);
+  EXPECT_LT(share_of(ThreeWayVerdict::kBetter, 0), 0.094);
+  EXPECT_LT(share_of(ThreeWayVerdict::kWorse, 0), 0.094);
+  EXPECT_GT(share_of(ThreeWayVerdict::kNotShown, 0), 0.8);
 }
 
-TEST(ThreeWayTest, NeverCallsALossBetter) { EXPECT_EQ(share_of(Comparison::kBetter, -0.5), 0); }
+TEST(ThreeWayTest, NeverCallsALossBetter) {
+  EXPECT_EQ(share_of(ThreeWayVerdict::kBetter, -0.5), 0);
+}
 
 TEST(ThreeWayTest, DoesNotDependOnPairsAfterTheDecision) {
   std::vector<double> pairs = pairs_with_mean(1, 3);
   const ThreeWayState state = compared(kHalfAGoal, pairs);
-  ASSERT_EQ(state.comparison, Comparison::kBetter);
+  ASSERT_EQ(state.verdict, ThreeWayVerdict::kBetter);
   pairs.resize(static_cast<std::size_t>(state.pairs));
-  EXPECT_EQ(compared(kHalfAGoal, pairs).comparison, Comparison::kBetter);
+  EXPECT_EQ(compared(kHalfAGoal, pairs).verdict, ThreeWayVerdict::kBetter);
   pairs.pop_back();
-  EXPECT_EQ(compared(kHalfAGoal, pairs).comparison, Comparison::kGoOn);
+  EXPECT_EQ(compared(kHalfAGoal, pairs).verdict, ThreeWayVerdict::kGoOn);
 }
 
 TEST(ThreeWayTest, EndsUndecidedAfterTheLastPair) {
   SequentialTest test = kHalfAGoal;
   test.max_pairs = 11;
   const std::vector<double> pairs = pairs_with_mean(0.25, 1);
-  EXPECT_EQ(compared(test, {pairs.data(), 11}).comparison, Comparison::kUndecided);
+  EXPECT_EQ(compared(test, {pairs.data(), 11}).verdict, ThreeWayVerdict::kUndecided);
 }
 
 }  // namespace
