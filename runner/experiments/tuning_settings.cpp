@@ -32,7 +32,7 @@ std::vector<Setting> settings_of(Tuning& tuning) {
        kGain,
        {},
        "",
-       "of spsa: steps that one goal of difference moves the parameters in the first iteration"},
+       "of spsa: steps that a usual difference moves the parameters in the first iteration"},
       {"test.delta", &test.d1, kDelta, {}, "goals per game", "gain that the final test looks for"},
       {"test.alpha",
        &test.alpha,

@@ -2,15 +2,16 @@
 
 #include <algorithm>
 
-#include "runner/analysis/groups.hpp"
 #include "runner/io/csv.hpp"
+#include "runner/io/words.hpp"
 #include "runner/report/plots.hpp"
 
 namespace autoref::runner {
 namespace {
 
 constexpr int kPathPanel_px = 150;
-constexpr int kPathTop_px = 40;
+constexpr int kPathBetween_px = 34;
+constexpr int kPathTop_px = 58;
 constexpr int kPathBottom_px = 50;
 constexpr double kPathMargin = 0.05;      // fraction of the span, above and below
 constexpr std::size_t kMostPanels = 16;   // more would be unreadable
@@ -22,7 +23,7 @@ std::string csv_of(const Tuning& tuning, const TuningState& state) {
     const TunedParameter& parameter = tuning.parameters[i];
     const auto add = [&](int iteration, double value, double best) {
       csv += csv_line({std::to_string(i + 1), parameter.name, std::to_string(iteration),
-                       number_cell(value), number_cell(best)}) +
+                       text_of(value), text_of(best)}) +
              "\n";
     };
     add(0, parameter.start, parameter.start);
@@ -61,14 +62,16 @@ std::string script_of(const Tuning& tuning, std::size_t panels) {
           "of(i, column_name) = column('panel') == i ? column(column_name) : NaN\n"
           "set tics font ',11'\n"
           "set title offset 0,-0.7\n"
-          "set xrange [0:{}]\n"
-          "set key top right horizontal outside\n"
-          "set multiplot layout {},1 margins screen 0.09,0.97,{:.4f},{:.4f} spacing screen "
-          "0,{:.4f}\n",
+          "set xrange [0:{0}]\n"
+          "set format x ''\n"
+          "set key at screen 0.97, screen 0.99 right top horizontal\n"
+          "set multiplot layout {1},1 margins screen 0.09,0.97,{2:.4f},{3:.4f} spacing screen "
+          "0,{4:.4f}\n",
           std::max(1, tuning.iterations), count, static_cast<double>(kPathBottom_px) / height_px,
-          1 - static_cast<double>(kPathTop_px) / height_px, 48.0 / height_px);
+          1 - static_cast<double>(kPathTop_px) / height_px,
+          static_cast<double>(kPathBetween_px) / height_px);
   for (std::size_t i = 0; i < panels; ++i) {
-    if (i + 1 == panels) script += "set xlabel 'iteration'\n";
+    if (i + 1 == panels) script += "set format x\nset xlabel 'iteration'\n";
     script += panel_of(tuning.parameters[i], i);
   }
   return script + "unset multiplot\n";

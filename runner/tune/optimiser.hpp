@@ -59,7 +59,7 @@ enum class Method : std::uint8_t { kSpsa, kCmaEs };
 struct Search {
   Method method = Method::kSpsa;
   int iterations = 100;
-  double gain = 0.15;  // of SPSA; see spsa.hpp
+  double gain = 0.3;  // of SPSA; see spsa.hpp
   std::uint64_t seed = 1;
 };
 

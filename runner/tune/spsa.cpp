@@ -19,7 +19,7 @@ constexpr double kLongestMove = 2;               // in perturbations
 double SpsaGains::perturbation(int k) const { return std::pow(k + 1.0, -kPerturbationExponent); }
 
 double SpsaGains::gain_in(int k) const {
-  // One goal of difference between points two perturbations apart is a gradient of 1/2 at first.
+  // A difference of 1 between points two perturbations apart is a gradient of 1/2 at first.
   const double stability = kStability * iterations;
   return 2 * gain * std::pow((1 + stability) / (k + 1 + stability), kGainExponent);
 }
@@ -47,16 +47,21 @@ std::vector<Candidate> Spsa::ask() const {
   return {{"plus", clipped(centre_ + by, axes_)}, {"minus", clipped(centre_ - by, axes_)}};
 }
 
+void Spsa::move_by(double difference) {
+  squares_ += difference * difference;
+  ++differences_;
+  if (!(squares_ > 0)) return;
+  const double relative = difference / std::sqrt(squares_ / differences_);
+  const std::vector<Candidate> candidates = ask();
+  const Point apart = candidates[0].point - candidates[1].point;  // nowhere 0: the box has a width
+  const double most = kLongestMove * gains_.perturbation(iteration_);
+  const Point move = gains_.gain_in(iteration_) * relative * apart.cwiseInverse();
+  centre_ = clipped(centre_ + move.cwiseMax(-most).cwiseMin(most), axes_);
+}
+
 void Spsa::tell(std::span<const Score> scores) {
   assert(scores.size() == 2);
-  if (scores[0] && scores[1]) {
-    const std::vector<Candidate> candidates = ask();
-    const Point apart =
-        candidates[0].point - candidates[1].point;  // nowhere 0: the box has a width
-    const double most = kLongestMove * gains_.perturbation(iteration_);
-    Point move = gains_.gain_in(iteration_) * (*scores[0] - *scores[1]) * apart.cwiseInverse();
-    centre_ = clipped(centre_ + move.cwiseMax(-most).cwiseMin(most), axes_);
-  }
+  if (scores[0] && scores[1]) move_by(*scores[0] - *scores[1]);
   ++iteration_;
   tail_.add(centre_);
 }

@@ -15,12 +15,13 @@ namespace autoref::runner {
 
 // Gain sequences of Spall's section III, with his exponents: in iteration k, counted from 0, the
 // perturbation is c_k = 1 / (k + 1)^0.101 steps, and the gain is a_k = a / (k + 1 + A)^0.602, with
-// A a tenth of the iterations.
+// A a tenth of the iterations. Differences between scores are divided by their root mean square so
+// far, so that a good gain does not depend on how many goals fall in a game.
 struct SpsaGains {
   int iterations = 100;
-  // Moves the centre by this many steps in the first iteration if "plus" scores one goal more than
-  // "minus"; sets a.
-  double gain = 0.15;
+  // Moves the centre by this many steps in the first iteration, and as far in later ones, but for
+  // the sequences, if the difference is as large as usual; sets a.
+  double gain = 0.3;
 
   double perturbation(int k) const;
   double gain_in(int k) const;  // a_k
@@ -34,8 +35,8 @@ class Spsa : public Optimiser {
   // that remains counts.
   std::vector<Candidate> ask() const override;
 
-  // Moves the centre along the estimated gradient, at most by twice the perturbation. Does nothing
-  // if a score is unknown.
+  // Moves the centre along the estimated gradient, at most by twice the perturbation; not at all if
+  // a score is unknown.
   void tell(std::span<const Score> scores) override;
 
   Point centre() const override { return centre_; }
@@ -46,6 +47,8 @@ class Spsa : public Optimiser {
   double reach() const override { return gains_.perturbation(iteration_); }
 
  private:
+  void move_by(double difference);
+
   // By how much the parameters differ from the centre in "plus", before clipping.
   Point perturbation() const;
 
@@ -54,6 +57,8 @@ class Spsa : public Optimiser {
   std::uint64_t seed_;
   Point centre_;
   int iteration_ = 0;
+  double squares_ = 0;   // sum of the squared differences between scores,
+  int differences_ = 0;  // and their number
   TailMean tail_;
 };
 

@@ -169,12 +169,12 @@ TEST(Tuning, RefusesAFolderOfAnotherSearch) {
   const TemporaryFolder folder;
   Scenario scenario = small_tuning("spsa");
   tune(folder.path(), scenario);
-  std::get<Tuning>(scenario.content).gain = 0.3;
+  std::get<Tuning>(scenario.content).gain = 0.5;
   try {
     tune(folder.path(), scenario);
     FAIL() << "was accepted";
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("gain is 0.3 here and 0.15 there"), std::string::npos)
+    EXPECT_NE(std::string(error.what()).find("gain is 0.5 here and 0.3 there"), std::string::npos)
         << error.what();
   }
 }

@@ -39,7 +39,7 @@ TEST(Spsa, PerturbsEveryParameterByOneStepAtFirst) {
   }
 }
 
-TEST(Spsa, MovesByTheGainForOneGoalOfDifference) {
+TEST(Spsa, MovesByTheGainInTheFirstIteration) {
   Spsa search = small_spsa(0.5);
   const Point towards_plus = search.ask()[0].point - search.centre();
   search.tell(std::vector<Score>{1, 0});
@@ -53,9 +53,21 @@ TEST(Spsa, StaysIfAScoreIsUnknown) {
 }
 
 TEST(Spsa, MovesAtMostTwoPerturbationsWhateverTheScores) {
-  Spsa search = small_spsa();
+  Spsa search = small_spsa(50);
   search.tell(std::vector<Score>{1000, -1000});
   EXPECT_DOUBLE_EQ((search.centre() - Point::Constant(2, 5)).cwiseAbs().maxCoeff(), 2);
+}
+
+// Long games have more goals and more noise than short ones.
+TEST(Spsa, DoesNotDependOnTheScaleOfTheScores) {
+  Spsa one = small_spsa();
+  Spsa other = small_spsa();
+  for (int i = 0; i < 20; ++i) {
+    one.tell(std::vector<Score>{i % 3, i % 4});
+    other.tell(std::vector<Score>{7 * (i % 3), 7 * (i % 4)});
+  }
+  EXPECT_LT((one.centre() - other.centre()).norm(), 1e-12);
+  EXPECT_GT((one.centre() - Point::Constant(2, 5)).norm(), 0.1);
 }
 
 TEST(Spsa, StaysInTheBox) {
