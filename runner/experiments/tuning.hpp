@@ -35,7 +35,7 @@ struct Tuning {
   std::map<std::string, double> weights;  // of the opponents; 1 if not given
   std::string method = kSpsaName;
   int iterations = 100;
-  int pairs = 4;       // pairs of legs per candidate, opponent and iteration
+  int pairs = 4;      // pairs of legs per candidate, opponent and iteration
   double gain = 0.3;  // of SPSA
   SequentialTest test = {.d0 = 0, .d1 = 0.5, .max_pairs = 400};  // of the result against the start
   std::uint64_t seed = 1;                                        // master seed
