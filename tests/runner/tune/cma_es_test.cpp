@@ -87,15 +87,15 @@ TEST(CmaEs, SurvivesEqualScores) {
   EXPECT_TRUE(std::isfinite(search.reach()));
 }
 
-// The bounds are about 1.5 times the means over 1000 seeds (docs/tuning.md).
+// The bounds are about 1.5 times the means over 400 seeds (docs/tuning.md).
 TEST(CmaEs, FindsMostOfTheGainOfTwoParametersInSpiteOfTheNoise) {
   NoisySearch search{cma_es(21), 2, 8};
-  EXPECT_LT(search.mean_loss(bowl, kCmaSeeds), 0.45);
-  EXPECT_LT(search.mean_loss(valley, kCmaSeeds), 0.45);
+  EXPECT_LT(search.mean_loss(bowl, kCmaSeeds), 0.25);
+  EXPECT_LT(search.mean_loss(valley, kCmaSeeds), 0.3);
 }
 
 TEST(CmaEs, ImprovesEightParametersInSpiteOfTheNoise) {
-  EXPECT_LT((NoisySearch{cma_es(25), 8, 8}.mean_loss(bowl, kCmaSeeds)), 0.75);
+  EXPECT_LT((NoisySearch{cma_es(25), 8, 8}.mean_loss(bowl, kCmaSeeds)), 0.55);
 }
 
 }  // namespace
