@@ -58,6 +58,7 @@ std::string interval_text(const TuningTest& test) {
 std::string opponents_text(const Tuning& tuning) {
   if (tuning.is_against_itself()) return "against the start";
   std::vector<std::string> names;
+  names.reserve(tuning.opponents.size());
   for (const auto& [name, team] : tuning.opponents) names.push_back(name);
   return fmt::format("against {}", listed(names));
 }

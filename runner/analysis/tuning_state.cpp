@@ -172,6 +172,7 @@ bool is_test_decided(const Tuning& tuning, const RowsById& rows) {
 
 std::vector<ScheduledGame> known_games(const Tuning& tuning, const TuningState& state) {
   std::vector<std::vector<TuningMatchup>> rounds;
+  rounds.reserve(state.path.size() + 1);
   for (const TuningIteration& iteration : state.path) {
     rounds.push_back(matchups_of(tuning, iteration.number, iteration.candidates, iteration.centre));
   }

@@ -39,6 +39,7 @@ std::vector<TuningMatchup> matchups_between(const Tuning& tuning, const std::str
                                             const std::vector<Candidate>& candidates,
                                             const Candidate& other, std::uint64_t seed) {
   std::vector<TuningMatchup> matchups;
+  matchups.reserve(candidates.size());
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const Matchup names = {candidates[i].name, other.name};
     matchups.push_back({names, fmt::format("{}-{}", name, matchup_name(names)),

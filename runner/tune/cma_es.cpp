@@ -77,6 +77,7 @@ Eigen::MatrixXd CmaEs::samples() const {
 std::vector<Candidate> CmaEs::ask() const {
   const Eigen::MatrixXd y = samples();
   std::vector<Candidate> candidates;
+  candidates.reserve(static_cast<std::size_t>(y.cols()));
   for (Eigen::Index k = 0; k < y.cols(); ++k) {
     candidates.push_back({fmt::format("x{:02}", k + 1), clipped(mean_ + sigma_ * y.col(k), axes_)});
   }
@@ -87,6 +88,7 @@ std::vector<Candidate> CmaEs::ask() const {
 std::vector<int> CmaEs::ranked(std::span<const Score> scores, const Eigen::MatrixXd& y) const {
   const double price = spread_of(scores);
   std::vector<double> values;
+  values.reserve(static_cast<std::size_t>(y.cols()));
   for (Eigen::Index k = 0; k < y.cols(); ++k) {
     const Point x = mean_ + sigma_ * y.col(k);
     const double outside = (x - clipped(x, axes_)).squaredNorm() / (sigma_ * sigma_);

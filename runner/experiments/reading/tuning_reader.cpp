@@ -135,6 +135,7 @@ void read_parameters(TopReader& top, Tuning& tuning) {
         tuning.team.command.empty() ? strategies::find_strategy(tuning.team.strategy) : nullptr;
     if (strategy != nullptr && described(tuning.team, parameter.key) == nullptr) {
       std::vector<std::string> known;
+      known.reserve(strategy->params.size());
       for (const strategies::Parameter& its : strategy->params) known.emplace_back(its.name);
       top.file().refuse(parameter.location, "tune", unknown_key_message(parameter.key, known));
     }

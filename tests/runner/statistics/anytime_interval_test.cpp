@@ -15,6 +15,7 @@ constexpr int kLongest = 200;
 std::vector<double> normal_values(std::uint64_t seed, double mean) {
   RandomStream random(seed);
   std::vector<double> values;
+  values.reserve(kLongest);
   for (int i = 0; i < kLongest; ++i) values.push_back(mean + 2 * random.normal());
   return values;
 }

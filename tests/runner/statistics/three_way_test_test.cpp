@@ -14,6 +14,7 @@ const SequentialTest kHalfAGoal = {.d0 = 0, .d1 = 0.5, .max_pairs = 400};
 std::vector<double> pairs_with_mean(double mean, std::uint64_t seed) {
   RandomStream random(seed);
   std::vector<double> pairs;
+  pairs.reserve(static_cast<std::size_t>(kHalfAGoal.max_pairs));
   for (int i = 0; i < kHalfAGoal.max_pairs; ++i) pairs.push_back(mean + 2 * random.normal());
   return pairs;
 }
