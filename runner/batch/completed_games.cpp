@@ -49,6 +49,17 @@ void add_another(const GameRow& row, const RowFormat& format, GameRow& kept) {
   }
 }
 
+// The rows of a build, whether or not they belong to scheduled games.
+RowsById rows_of_build(const std::vector<GameRow>& rows, const std::string& build) {
+  RowsById by_id;
+  for (const GameRow& row : rows) {
+    if (row.circumstances.build != build) continue;
+    const auto [entry, is_new] = by_id.try_emplace(row.game_id, row);
+    if (!is_new && is_killed(entry->second)) entry->second = row;
+  }
+  return by_id;
+}
+
 }  // namespace
 
 bool is_killed(const GameRow& row) {
@@ -81,7 +92,9 @@ RowInventory take_row_inventory(const Scenario& scenario, const std::vector<Game
                                 const RowFormat& format, const std::string& build,
                                 bool allow_mixed_build, const std::filesystem::path& folder,
                                 const std::string& changes) {
-  RowInventory row_inventory{schedule_of(scenario, {}), {}};
+  // Starts from the rows as they are, so that one round is enough if they belong to the scenario;
+  // if not, sort_rows() refuses those that the schedule follows.
+  RowInventory row_inventory{schedule_of(scenario, rows_of_build(rows, build)), {}};
   // Iterates to a fixed point: rows can extend the schedule (of a knockout), and a longer schedule
   // can claim more rows.
   while (true) {

@@ -2,6 +2,7 @@
 #include "runner/experiments/reading/effective.hpp"
 
 #include <fmt/format.h>
+#include <poll.h>
 
 #include <algorithm>
 #include <chrono>
@@ -16,6 +17,7 @@
 #include "runner/io/files.hpp"
 #include "runner/io/host.hpp"
 #include "runner/processes/progress.hpp"
+#include "runner/processes/worker_process.hpp"
 #include "runner/processes/workers.hpp"
 #include "runner/results/scores.hpp"
 #include "runner/results/shard.hpp"
@@ -51,6 +53,10 @@ GameRow played(const Outcomes& outcomes, const ScheduledGame& game) {
 
 // Maximum fraction of the time spent rereading the folder.
 constexpr double kLookingShare = 0.01;
+
+// While waiting for other shards: time between looks, and time before a message.
+constexpr int kBetweenLooks_ms = 500;
+constexpr double kSilentWait_s = 10;
 
 class Experiment {
  public:
@@ -163,13 +169,58 @@ class Experiment {
   Ending play_all(Shard& shard, int& played_games) {
     while (true) {
       const std::vector<std::size_t> missing = missing_games();
-      if (missing.empty()) return Ending::kDone;
+      if (missing.empty()) {
+        const Waited waited = wait_for_others();
+        if (waited == Waited::kInterrupted) return Ending::kInterrupted;
+        if (waited == Waited::kInVain) return Ending::kDone;
+        continue;
+      }
       const Ending ending = play(missing, shard, played_games);
       if (options_.shard.of > 1) look_around();
       if (follows_its_rows(scenario_)) schedule_ = schedule_of(scenario_, rows_);
       progress_.expect(counts());
       if (ending == Ending::kInterrupted && !missing_games().empty()) return ending;
     }
+  }
+
+  enum class Waited { kForRows, kInVain, kInterrupted };
+
+  // Whether games that are known, but belong to other shards, are missing before the next ones are
+  // known.
+  bool depends_on_others() const {
+    if (options_.shard.of == 1 || schedule_.needed <= schedule_.games.size()) return false;
+    return std::any_of(schedule_.games.begin(), schedule_.games.end(),
+                       [this](const ScheduledGame& game) { return !rows_.contains(game.id); });
+  }
+
+  // Waits until other shards have added rows, at most for wait_s.
+  Waited wait_for_others() {
+    if (options_.wait_s <= 0 || !depends_on_others()) return Waited::kInVain;
+    EndSignals signals;
+    const Clock::time_point began = Clock::now();
+    const auto waited_s = [began] {
+      return std::chrono::duration<double>(Clock::now() - began).count();
+    };
+    const std::size_t rows = rows_.size();
+    bool is_silent = true;
+    while (waited_s() < options_.wait_s) {
+      pollfd signal{signals.descriptor(), POLLIN, 0};
+      poll(&signal, 1, kBetweenLooks_ms);
+      if (signals.count() > 0) return Waited::kInterrupted;
+      look_around();
+      if (rows_.size() > rows) {
+        schedule_ = schedule_of(scenario_, rows_);
+        progress_.expect(counts());
+        return Waited::kForRows;
+      }
+      if (is_silent && waited_s() > kSilentWait_s) {
+        progress_.say(fmt::format("shard {} waits for games of other shards, at most {}",
+                                  options_.shard.name(), duration_text(options_.wait_s)));
+        is_silent = false;
+      }
+      progress_.tick();
+    }
+    return Waited::kInVain;
   }
 
   std::vector<std::size_t> missing_games() const {

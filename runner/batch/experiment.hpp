@@ -39,6 +39,9 @@ struct ExperimentOptions {
   double longest_game_s = 600;  // wall-clock limit; longer games are void
   int attempts = 3;             // a game is void if its worker dies this often
   double patience_s = 2;        // how long to wait while another run locks the shard
+  // How long to wait for rows of other shards that the next games depend on, since the last such
+  // row.
+  double wait_s = 0;
 };
 
 struct ExperimentReport {

@@ -6,6 +6,7 @@
 
 #include "runner/batch/experiment_kinds.hpp"
 #include "runner/experiments/situations_text.hpp"
+#include "runner/experiments/tuning_settings.hpp"
 #include "runner/experiments/with_kind.hpp"
 #include "runner/io/words.hpp"
 #include "runner/settings/fields.hpp"
@@ -83,6 +84,19 @@ Values values_of(const Situations& situations) {
   return values;
 }
 
+Values values_of(const Tuning& tuning) {
+  Tuning copy = tuning;
+  Values values = values_of(settings_of(copy.base));
+  std::erase_if(values, [](const auto& value) { return value.first.starts_with("teams."); });
+  values.merge(values_of(settings_of(copy.team, copy.base.types, "team.")));
+  for (TunedParameter& parameter : copy.parameters) values.merge(values_of(settings_of(parameter)));
+  values.merge(values_of(settings_of(copy)));
+  values.merge(values_of(weight_settings_of(copy)));
+  add(tuning.opponents, "opponents", tuning.base.types, values);
+  values["seed"] = std::to_string(tuning.seed);
+  return values;
+}
+
 // Ignores teams that occur in only one of the experiments: they do not affect the other teams'
 // games.
 void keep_teams_of_both(Teams& one, Teams& other) {
@@ -99,6 +113,7 @@ void keep_seeds_of_both(JudgeSchedule& one, const JudgeSchedule& other) {
 }
 
 void keep_what_is_in_both(Sweep& /*here*/, Sweep& /*there*/) {}
+void keep_what_is_in_both(Tuning& /*here*/, Tuning& /*there*/) {}
 void keep_what_is_in_both(JudgeSchedule& here, JudgeSchedule& there) {
   keep_seeds_of_both(here, there);
   keep_seeds_of_both(there, here);

@@ -10,6 +10,8 @@
 #include "runner/analysis/sprt_match_state.hpp"
 #include "runner/analysis/standings_report.hpp"
 #include "runner/analysis/summary.hpp"
+#include "runner/analysis/tuning_report.hpp"
+#include "runner/analysis/tuning_state.hpp"
 #include "runner/batch/results_json.hpp"
 #include "runner/experiments/knockout_schedule.hpp"
 #include "runner/experiments/matchup_schedule.hpp"
@@ -27,6 +29,7 @@ std::vector<std::string> value_columns(const Sweep& sweep) {
 }
 
 std::vector<std::string> value_columns(const NamedTeams& /*named*/) { return {}; }
+std::vector<std::string> value_columns(const Tuning& tuning) { return paths_of(tuning); }
 std::vector<std::string> value_columns(const JudgeSchedule& /*schedule*/) {
   return {"seeds", "rules", "camera"};
 }
@@ -41,6 +44,10 @@ bool is_decided(const Experiment& /*experiment*/, const RowsById& /*rows*/) {
 
 bool is_decided(const SprtMatch& match, const RowsById& rows) {
   return state_of(match, rows).is_decided;
+}
+
+bool is_decided(const Tuning& tuning, const RowsById& rows) {
+  return is_test_decided(tuning, rows);
 }
 
 template <typename Experiment>
@@ -67,6 +74,14 @@ Schedule schedule_of(const Knockout& knockout, const RowsById& rows) {
       std::count_if(ties.begin(), ties.end(), [](const Tie& tie) { return !tie.is_known(); });
   const std::size_t needed = games.size() + static_cast<std::size_t>(unknown);
   return {std::move(games), needed};
+}
+
+// The games of iterations that are not known yet count as needed.
+Schedule schedule_of(const Tuning& tuning, const RowsById& rows) {
+  const TuningState state = state_of(tuning, rows);
+  const int pairs = state.test.is_decided ? state.test.last_pair : tuning.test.max_pairs;
+  const int needed = games_of_search(tuning) + pairs * games_of_test_pair(tuning);
+  return {known_games(tuning, state), static_cast<std::size_t>(needed)};
 }
 
 ExperimentResults results_of(const JudgeSchedule& /*schedule*/, const RowsById& /*rows*/) {
@@ -189,6 +204,20 @@ ExperimentResults results_of(const Situations& situations, const RowsById& rows)
   return results;
 }
 
+ExperimentResults results_of(const Tuning& tuning, const RowsById& rows) {
+  const auto state = std::make_shared<TuningState>(state_of(tuning, rows));
+  ExperimentResults results;
+  results.tuning = state;
+  results.files = {{"tune.csv", "a row per iteration", tuning_csv(tuning, *state)},
+                   {"summary.csv", "the test of the result", tuning_test_csv(tuning, *state)},
+                   {"result.yaml", "the tuned team", result_yaml(tuning, *state)}};
+  results.table = tuning_table(tuning, *state);
+  results.shown = {{parameter_rows(tuning, *state), kParameterColumns, "parameters"}};
+  results.shown.front().text = comparison_text(tuning, *state);
+  results.json = std::make_shared<Json>(Json{{"tuning", json_of(tuning, *state)}});
+  return results;
+}
+
 }  // namespace
 
 RowsById counted(const Schedule& schedule, const RowsById& rows) {
@@ -200,7 +229,13 @@ RowsById counted(const Schedule& schedule, const RowsById& rows) {
   return counted;
 }
 
-bool is_experiment(const Scenario& scenario) { return verb_of(scenario) == "run"; }
+bool is_experiment(const Scenario& scenario) {
+  return verb_of(scenario) == "run" || is_tuning(scenario);
+}
+
+bool is_tuning(const Scenario& scenario) {
+  return std::holds_alternative<Tuning>(scenario.content);
+}
 
 bool keeps_rows(const Scenario& scenario) {
   return !std::holds_alternative<GameSettings>(scenario.content);
@@ -220,13 +255,14 @@ std::vector<ScheduledGame> scheduled_games(const Scenario& scenario) {
 std::string caveat_of_schedule(const Scenario& scenario) {
   if (std::holds_alternative<SprtMatch>(scenario.content))
     return "at most, since the match ends once it is decided";
+  if (is_tuning(scenario)) return "at most, since the test of the result ends once it is decided";
   if (!std::holds_alternative<Knockout>(scenario.content)) return "";
   return "assuming that the better seed wins every tie; drawn ties are replayed";
 }
 
 bool follows_its_rows(const Scenario& scenario) {
   return std::holds_alternative<SprtMatch>(scenario.content) ||
-         std::holds_alternative<Knockout>(scenario.content);
+         std::holds_alternative<Knockout>(scenario.content) || is_tuning(scenario);
 }
 
 Schedule schedule_of(const Scenario& scenario, const RowsById& rows) {

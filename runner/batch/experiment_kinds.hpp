@@ -9,6 +9,7 @@
 #include "runner/analysis/effects.hpp"
 #include "runner/analysis/groups.hpp"
 #include "runner/analysis/standings.hpp"
+#include "runner/analysis/tuning_state.hpp"
 #include "runner/experiments/scenario.hpp"
 #include "runner/experiments/schedule.hpp"
 #include "runner/io/json.hpp"
@@ -17,9 +18,12 @@
 
 namespace autoref::runner {
 
-// Whether the scenario is an experiment with teams, to be played by `autoref run`: every kind
-// except single games and `kind: judge`.
+// Whether the scenario is an experiment with teams, to be played by `autoref run` or `autoref
+// tune`: every kind except single games and `kind: judge`.
 bool is_experiment(const Scenario& scenario);
+
+// Whether it is a tuning, to be played by `autoref tune`.
+bool is_tuning(const Scenario& scenario);
 
 // Whether the scenario's games are stored as rows: every kind except single games. The functions
 // below require this.
@@ -44,8 +48,8 @@ struct Schedule {
 // `rows` are those of the games played so far.
 Schedule schedule_of(const Scenario& scenario, const RowsById& rows);
 
-// Whether the schedule depends on the rows: an SPRT match ends with the pair that decides it, and
-// the pairings of a knockout depend on earlier ties.
+// Whether the schedule depends on the rows: an SPRT match ends with the pair that decides it, the
+// pairings of a knockout depend on earlier ties, and a tuning's parameters on earlier iterations.
 bool follows_its_rows(const Scenario& scenario);
 
 // Whether these rows make all remaining games unnecessary.
@@ -76,6 +80,7 @@ struct ExperimentResults {
   std::vector<Group> groups;        // per value of a sweep or per matchup; empty for a knockout
   std::vector<Effect> effects;      // of a sweep's factors; empty unless it has several
   std::vector<Standing> standings;  // of a round robin or of challengers, best team first
+  std::shared_ptr<const TuningState> tuning = {};  // null for other kinds
   std::vector<ResultFile> files;
   std::string table;                 // as text
   std::vector<ProgressTable> shown;  // the same for the terminal while the experiment runs

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "runner/analysis/sprt_match_report.hpp"
+#include "runner/analysis/tuning_report.hpp"
 #include "runner/statistics/sample.hpp"
 
 namespace autoref::runner {
@@ -12,6 +13,8 @@ namespace {
 Json mean_json(const std::vector<double>& sample) {
   return sample.empty() ? Json() : Json(mean(sample));
 }
+
+Json number_json(const std::optional<double>& number) { return number ? Json(*number) : Json(); }
 
 Json name_json(const std::optional<std::string>& name) { return name ? Json(*name) : Json(); }
 
@@ -56,6 +59,24 @@ Json json_of(const SprtMatchState& state) {
   return {{"verdict", name_of(state.test.verdict)},
           {"test_pairs", state.test.pairs},
           {"log_likelihood_ratio", state.test.log_likelihood_ratio}};
+}
+
+Json json_of(const Tuning& tuning, const TuningState& state) {
+  Json parameters = Json::array();
+  for (std::size_t i = 0; i < tuning.parameters.size(); ++i) {
+    const TunedParameter& parameter = tuning.parameters[i];
+    parameters.push_back(
+        {{"name", parameter.name}, {"start", parameter.start}, {"best", state.best[i]}});
+  }
+  const auto& [low, high] = bounds_of(state.test.interval);
+  return {{"iteration", state.path.size()},
+          {"iterations", tuning.iterations},
+          {"parameters", parameters},
+          {"verdict", name_of(state.test.state.verdict)},
+          {"gain", number_json(state.test.gain)},
+          {"low95", number_json(low)},
+          {"high95", number_json(high)},
+          {"pairs", state.test.state.pairs}};
 }
 
 Json json_of(const std::vector<Tie>& ties) {

@@ -8,6 +8,7 @@
 #include "runner/analysis/scene_groups.hpp"
 #include "runner/analysis/sprt_match_state.hpp"
 #include "runner/analysis/standings.hpp"
+#include "runner/analysis/tuning_state.hpp"
 #include "runner/experiments/bracket.hpp"
 #include "runner/io/json.hpp"
 
@@ -23,6 +24,10 @@ Json json_of(const std::vector<Standing>& standings);
 
 // {"verdict": "none", "test_pairs": 12, "log_likelihood_ratio": 0.5}.
 Json json_of(const SprtMatchState& state);
+
+// {"iteration": 12, "iterations": 100, "parameters": [{"name": "pass_risk", "start": 0.5,
+//  "best": 0.53}], "verdict": "none", "gain": null, "low95": null, "high95": null, "pairs": 0}.
+Json json_of(const Tuning& tuning, const TuningState& state);
 
 // [{"tie": "final", "team_a": "cobalt", "team_b": null, "games": 1, "decided_by": "goals",
 //   "winner": "cobalt"}, ...]; unknown teams and winners are null.

@@ -31,6 +31,10 @@ std::string words_of(const std::vector<std::string>& overrides) {
   return text;
 }
 
+// When a task requeues itself. A run that waited in vain ends with code 75 without a signal.
+constexpr const char* kTime = "$ending == time";
+constexpr const char* kTimeOrWaitedInVain = "$ending == time || (-z $ending && $code == 75)";
+
 // A trapped signal interrupts `wait`, so a second `wait` lets the run finish its games. A process
 // that was killed, or whose rows are still locked by one killed on another node, is restarted after
 // 1, 4, 9 ... s; the total exceeds the 90 s for which NFS keeps a dead node's locks.
@@ -45,7 +49,7 @@ trap 'end asked' TERM  # cancelled, or pre-empted
 code=75
 for try in 1 2 3 4 5 6; do
   [[ -z $ending ]] || break
-  {program} run {file} -o {folder} --shard "$SLURM_ARRAY_TASK_ID/{tasks}" -j {workers}{overrides} &
+  {program} {verb} {file} -o {folder} --shard "$SLURM_ARRAY_TASK_ID/{tasks}" -j {workers}{overrides} &
   run=$!
   wait "$run"; code=$?
   [[ -z $ending ]] || {{ wait "$run"; code=$?; }}
@@ -53,7 +57,7 @@ for try in 1 2 3 4 5 6; do
   sleep $((try * try))
 done
 
-if [[ $ending == time ]] && ((code != 0 && ${{SLURM_RESTART_COUNT:-0}} < 100)); then
+if [[ {requeue_if} ]] && ((code != 0 && ${{SLURM_RESTART_COUNT:-0}} < 100)); then
   scontrol requeue "$SLURM_JOB_ID"
 fi
 exit "$code"
@@ -86,7 +90,9 @@ std::string array_script(const SlurmArray& array) {
                             fmt::arg("file", shell_word(array.file.string())),
                             fmt::arg("folder", shell_word(array.folder.string())),
                             fmt::arg("tasks", array.tasks), fmt::arg("workers", array.workers),
-                            fmt::arg("overrides", words_of(array.overrides)));
+                            fmt::arg("overrides", words_of(array.overrides)),
+                            fmt::arg("verb", array.verb),
+                            fmt::arg("requeue_if", array.waits ? kTimeOrWaitedInVain : kTime));
 }
 
 std::string merge_script(const SlurmArray& array) {

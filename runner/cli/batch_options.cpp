@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "runner/batch/experiment_kinds.hpp"
 #include "runner/cli/command_line.hpp"
@@ -49,10 +50,12 @@ int BatchArguments::worker_count() const { return workers > 0 ? workers : proces
 Scenario read_experiment(const BatchArguments& arguments) {
   const std::string& file = arguments.file;
   Scenario scenario = read_scenario(file, assignments_in(arguments.sets));
-  if (!is_experiment(scenario)) {
-    throw InputError({file}, "kind",
-                     fmt::format("this is a {}, not an experiment; play it with: autoref {} {}",
-                                 kind_of(scenario), verb_of(scenario), file));
+  const std::string_view verb = verb_of(scenario);
+  if (std::find(arguments.verbs.begin(), arguments.verbs.end(), verb) == arguments.verbs.end()) {
+    throw InputError(
+        {file}, "kind",
+        fmt::format("this is a {}, not {}; play it with: autoref {} {}", kind_of(scenario),
+                    arguments.verbs.front() == "tune" ? "a tuning" : "an experiment", verb, file));
   }
   override_pairs(arguments.pairs, scenario);
   override_seed(arguments.seed, scenario);

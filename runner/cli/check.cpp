@@ -31,6 +31,15 @@ std::string table_of(const std::vector<Rehearsal>& rehearsals) {
   return aligned(rows, {Align::kLeft, Align::kRight, Align::kRight, Align::kLeft});
 }
 
+// Replaces the number of a tuning's iteration, so that all iterations count as one variant:
+// "search-plus~zone-p0001-1" for "k0007-plus~zone-p0001-1".
+std::vector<ScheduledGame> without_iterations(std::vector<ScheduledGame> games) {
+  for (ScheduledGame& game : games) {
+    if (game.id.starts_with("k")) game.id = "search" + game.id.substr(game.id.find('-'));
+  }
+  return games;
+}
+
 }  // namespace
 
 int check_verb(const CheckArguments& arguments) {
@@ -42,10 +51,11 @@ int check_verb(const CheckArguments& arguments) {
   }
   const int workers = arguments.worker_count();
   const std::vector<Rehearsal> rehearsals =
-      rehearse(games, {[](const GameConfiguration& game) {
-                         return play(game, nullptr, make_program_or_registered_team);
-                       },
-                       workers});
+      rehearse(is_tuning(scenario) ? without_iterations(games) : games,
+               {[](const GameConfiguration& game) {
+                  return play(game, nullptr, make_program_or_registered_team);
+                },
+                workers});
   fmt::print("{}\n{} games, about {} with {} in parallel\n", table_of(rehearsals), games.size(),
              duration_text(duration_s(rehearsals, workers)), workers);
   const std::string caveat = caveat_of_schedule(scenario);
@@ -60,9 +70,10 @@ void add_check_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb =
       app.add_subcommand("check", "Validate an experiment and estimate how long it takes.");
   auto arguments = std::make_shared<CheckArguments>();
+  arguments->verbs = {"run", "tune"};
   add_scenario_argument(
       *verb, arguments->file,
-      "Scenario of kind sweep, roundrobin, gauntlet, sprt, knockout or situations.");
+      "Scenario of kind sweep, roundrobin, gauntlet, sprt, knockout, situations or tune.");
   verb->add_option("-j,--workers", arguments->workers,
                    "Parallel games to assume in the estimate. Default: one per processor.")
       ->type_name("N")

@@ -65,6 +65,7 @@ int run_command_line(int argc, const char* const* argv) {
   add_play_verb(app, chosen);
   add_live_verb(app, chosen);
   add_run_verb(app, chosen);
+  add_tune_verb(app, chosen);
   add_submit_verb(app, chosen);
   add_check_verb(app, chosen);
   add_status_verb(app, chosen);

@@ -42,11 +42,12 @@ struct LiveArguments {
 // Arguments common to the verbs that play many games.
 struct BatchArguments {
   std::string file;
-  std::string folder;             // empty: results/runs/<scenario>
-  int workers = 0;                // 0: one per processor
-  std::string pairs;              // overrides the file's pairs unless empty
-  std::string seed;               // overrides the file's seed unless empty
-  std::vector<std::string> sets;  // "key=value"
+  std::string folder;                        // empty: results/runs/<scenario>
+  int workers = 0;                           // 0: one per processor
+  std::string pairs;                         // overrides the file's pairs unless empty
+  std::string seed;                          // overrides the file's seed unless empty
+  std::vector<std::string> sets;             // "key=value"
+  std::vector<std::string> verbs = {"run"};  // whose scenarios are accepted
 
   std::filesystem::path results_folder() const;
   int worker_count() const;
@@ -59,6 +60,7 @@ struct RunArguments : BatchArguments {
   bool quiet = false;
   std::string progress;  // "plain", "json" or "none"; empty: depends on the stream
   std::string web;       // where to show the standings on the network; empty: nowhere
+  double wait_s = 0;     // for other shards' games that the next ones depend on
 };
 
 // Arguments of `autoref submit`.
@@ -207,6 +209,7 @@ struct SampleSizeArguments {
 int play_verb(const PlayArguments& arguments);
 int live_verb(const LiveArguments& arguments);
 int run_verb(const RunArguments& arguments);
+int tune_verb(const RunArguments& arguments);
 int submit_verb(const SubmitArguments& arguments);
 int check_verb(const CheckArguments& arguments);
 int report_verb(const FolderArguments& arguments);
@@ -234,8 +237,8 @@ using Chosen = std::function<int()>;
 // Reads a whole log. Throws InputError if the file is not a log.
 RecordedFacts read_facts(const std::string& log,
                          league::FrameSource source = league::FrameSource::kFirst);
-// Reads an experiment and applies --set, --pairs and --seed. Throws InputError for a scenario of
-// another kind, naming the verb that plays it.
+// Reads an experiment of one of the arguments' verbs and applies --set, --pairs and --seed. Throws
+// InputError for a scenario of another kind, naming the verb that plays it.
 Scenario read_experiment(const BatchArguments& arguments);
 // The game of a scenario, with the assignments; an empty seed leaves the scenario's. Throws
 // InputError for a scenario of another kind, naming the verb that plays it.
@@ -253,6 +256,9 @@ void add_override_options(CLI::App& verb, BatchArguments& arguments);
 void add_play_verb(CLI::App& app, Chosen& chosen);
 void add_live_verb(CLI::App& app, Chosen& chosen);
 void add_run_verb(CLI::App& app, Chosen& chosen);
+void add_tune_verb(CLI::App& app, Chosen& chosen);
+// Adds the options of a run, from --output to --quiet; `about_file` describes the scenario.
+void add_run_options(CLI::App& verb, RunArguments& arguments, const std::string& about_file);
 void add_submit_verb(CLI::App& app, Chosen& chosen);
 void add_check_verb(CLI::App& app, Chosen& chosen);
 // Adds the folder and --build.

@@ -35,6 +35,7 @@ ExperimentOptions options_of(const RunArguments& arguments) {
     throw InputError({"--shard"}, "", error.what());
   }
   options.allow_mixed_build = arguments.allow_mixed_build;
+  options.wait_s = arguments.wait_s;
   options.play = [folder = options.folder](const GameConfiguration& game) {
     return play_live(game, folder);
   };
@@ -92,7 +93,15 @@ void print_end(const Scenario& scenario, const ExperimentReport& report,
                const ExperimentOptions& options) {
   const std::string folder = options.folder.string();
   if (report.is_complete) return print_results(scenario, report, options.folder);
-  if (report.is_waiting) {
+  if (report.is_waiting && is_tuning(scenario)) {
+    fmt::print("{} of {} games are in {}; the next ones depend on {}; repeat the command{}\n",
+               report.done, report.games, folder,
+               report.killed_games > 0 ? fmt::format("{} games that are void because their workers "
+                                                     "were killed",
+                                                     report.killed_games)
+                                       : "games of other shards",
+               report.killed_games > 0 ? " to play those again" : " once those are done");
+  } else if (report.is_waiting) {
     fmt::print(
         "shard {} has played all ties known so far: {} of {} games are in {}; later ties depend on "
         "games "
@@ -143,6 +152,7 @@ int run_verb(const RunArguments& arguments) {
     print_end(scenario, report, options);
     fmt::print("{}", about_report);
   }
+  if (report.is_waiting && is_tuning(scenario)) return kInterrupted;
   if (!report.is_complete || report.void_games <= kMostVoid * report.games) return kDone;
   write_message(
       stderr,
@@ -151,31 +161,35 @@ int run_verb(const RunArguments& arguments) {
   return kTooManyVoid;
 }
 
-void add_run_verb(CLI::App& app, Chosen& chosen) {
-  CLI::App* verb =
-      app.add_subcommand("run", "Run an experiment: a sweep, a tournament or a match.");
-  auto arguments = std::make_shared<RunArguments>();
-  add_batch_options(*verb, *arguments,
-                    "Scenario of kind sweep, roundrobin, gauntlet, sprt, knockout or situations.");
-  add_override_options(*verb, *arguments);
-  verb->add_option("--shard", arguments->shard,
-                   "Play only shard I (from 0) of N; other runs play the rest.")
+void add_run_options(CLI::App& verb, RunArguments& arguments, const std::string& about_file) {
+  add_batch_options(verb, arguments, about_file);
+  add_override_options(verb, arguments);
+  verb.add_option("--shard", arguments.shard,
+                  "Play only shard I (from 0) of N; other runs play the rest.")
       ->type_name("I/N");
-  verb->add_flag("--allow-mixed-build", arguments->allow_mixed_build,
-                 "Continue in a folder that holds games of another build; those do not count.");
-  verb->add_option(
-          "--progress", arguments->progress,
+  verb.add_flag("--allow-mixed-build", arguments.allow_mixed_build,
+                "Continue in a folder that holds games of another build; those do not count.");
+  verb.add_option(
+          "--progress", arguments.progress,
           "Progress on stderr: plain text lines, JSON lines, or none. Default: a table on a "
           "terminal, otherwise plain.")
       ->type_name("STYLE")
       ->check(CLI::IsMember({"plain", "json", "none"}));
-  verb->add_option("--web", arguments->web,
-                   "Show the standings in browsers, at this address of this computer, such as "
-                   "127.0.0.1:8090; without address, for browsers on this computer only.")
+  verb.add_option("--web", arguments.web,
+                  "Show the standings in browsers, at this address of this computer, such as "
+                  "127.0.0.1:8090; without address, for browsers on this computer only.")
       ->type_name("[ADDRESS:]PORT");
-  verb->add_flag("--quiet", arguments->quiet,
-                 "Print only errors; check the exit code for the outcome.")
+  verb.add_flag("--quiet", arguments.quiet,
+                "Print only errors; check the exit code for the outcome.")
       ->excludes("--progress");
+}
+
+void add_run_verb(CLI::App& app, Chosen& chosen) {
+  CLI::App* verb =
+      app.add_subcommand("run", "Run an experiment: a sweep, a tournament or a match.");
+  auto arguments = std::make_shared<RunArguments>();
+  add_run_options(*verb, *arguments,
+                  "Scenario of kind sweep, roundrobin, gauntlet, sprt, knockout or situations.");
   verb->footer(
       "Ctrl-C lets the running games finish; a second one stops at once. The same command\n"
       "continues later; games of killed workers are played again. You can continue with more\n"

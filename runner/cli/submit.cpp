@@ -8,6 +8,7 @@
 #include "runner/batch/experiment_kinds.hpp"
 #include "runner/batch/slurm.hpp"
 #include "runner/cli/command_line.hpp"
+#include "runner/experiments/tuning_schedule.hpp"
 #include "runner/io/command.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/files.hpp"
@@ -54,7 +55,12 @@ void check_time(const std::string& time) {
 
 // Returns the number of tasks: at most one per pair of legs, since a pair is never split between
 // tasks.
-int tasks_for(int wanted, std::size_t games) {
+int tasks_for(int wanted, const Scenario& scenario, std::size_t games) {
+  // The tasks of a tuning wait for each other after every iteration.
+  const auto* tuning = std::get_if<Tuning>(&scenario.content);
+  if (tuning != nullptr)
+    games = static_cast<std::size_t>(games_of_search(*tuning) / tuning->iterations);
+  if (tuning != nullptr && wanted == 0) return 1;
   const int pairs = static_cast<int>(games / 2);
   if (wanted == 0) return std::min(kDefaultTasks, pairs);
   if (wanted <= pairs) return wanted;
@@ -65,7 +71,7 @@ int tasks_for(int wanted, std::size_t games) {
                   games, pairs, pairs));
 }
 
-SlurmArray array_of(const SubmitArguments& arguments, std::size_t games) {
+SlurmArray array_of(const SubmitArguments& arguments, const Scenario& scenario, std::size_t games) {
   check_time(arguments.time);
   SlurmArray array;
   // Tasks must run this very build, whatever PATH finds on their machine.
@@ -75,7 +81,9 @@ SlurmArray array_of(const SubmitArguments& arguments, std::size_t games) {
   for (const std::string& set : arguments.sets) array.overrides.push_back("--set=" + set);
   if (!arguments.pairs.empty()) array.overrides.push_back("--pairs=" + arguments.pairs);
   if (!arguments.seed.empty()) array.overrides.push_back("--seed=" + arguments.seed);
-  array.tasks = tasks_for(arguments.tasks, games);
+  array.tasks = tasks_for(arguments.tasks, scenario, games);
+  array.verb = verb_of(scenario);
+  array.waits = is_tuning(scenario);
   array.workers = std::max(1, arguments.workers);
   array.time = arguments.time;
   array.partition = arguments.partition;
@@ -110,7 +118,7 @@ void print_commands(const std::string& scripts, const std::string& merging) {
 int submit_verb(const SubmitArguments& arguments) {
   const Scenario scenario = read_experiment(arguments);
   const std::size_t games = scheduled_games(scenario).size();
-  const SlurmArray array = array_of(arguments, games);
+  const SlurmArray array = array_of(arguments, scenario, games);
   const fs::path folder = arguments.results_folder();
   create_folder(folder / kSlurmLogs);
   const std::string tasks = (folder / "submit.sbatch").string();
@@ -138,14 +146,17 @@ void add_submit_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb =
       app.add_subcommand("submit", "Run an experiment on a cluster, as a Slurm job array.");
   auto arguments = std::make_shared<SubmitArguments>();
-  add_batch_options(*verb, *arguments,
-                    "Scenario of kind sweep, roundrobin, gauntlet, sprt, knockout or situations.");
+  arguments->verbs = {"run", "tune"};
+  add_batch_options(
+      *verb, *arguments,
+      "Scenario of kind sweep, roundrobin, gauntlet, sprt, knockout, situations or tune.");
   add_override_options(*verb, *arguments);
   verb->get_option("--workers")->description("Games played in parallel in each task. Default: 1.");
   verb->add_flag("--slurm", arguments->slurm, "Use Slurm (required; the only supported scheduler).")
       ->required();
-  verb->add_option("--tasks", arguments->tasks,
-                   fmt::format("Tasks that share the games. Default: {}.", kDefaultTasks))
+  verb->add_option(
+          "--tasks", arguments->tasks,
+          fmt::format("Tasks that share the games. Default: {}; 1 for kind tune.", kDefaultTasks))
       ->type_name("N")
       ->check(CLI::Range(1, kMostTasks));
   verb->add_option("--time", arguments->time,

@@ -8,6 +8,7 @@
 #include "runner/experiments/matchup_schedule.hpp"
 #include "runner/experiments/situations_schedule.hpp"
 #include "runner/experiments/sprt_settings.hpp"
+#include "runner/experiments/tuning_schedule.hpp"
 #include "runner/experiments/with_kind.hpp"
 
 namespace autoref::runner {
@@ -18,6 +19,7 @@ int* pairs_in(RoundRobin& robin) { return &robin.pairs; }
 int* pairs_in(Gauntlet& gauntlet) { return &gauntlet.pairs; }
 int* pairs_in(Situations& situations) { return &situations.pairs; }
 int* pairs_in(SprtMatch& match) { return &match.sprt.max_pairs; }
+int* pairs_in(Tuning& tuning) { return &tuning.pairs; }
 int* pairs_in(Knockout& /*knockout*/) { return nullptr; }
 int* pairs_in(JudgeSchedule& /*schedule*/) { return nullptr; }  // it has a number of games instead
 

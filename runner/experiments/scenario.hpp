@@ -1,5 +1,6 @@
 // Scenarios: a single game, a sweep of factors, a round robin, gauntlet, knockout or SPRT match
-// between teams, scenes of situations, or a set of games to evaluate the referee.
+// between teams, scenes of situations, a set of games to evaluate the referee, or the tuning of a
+// team.
 #pragma once
 
 #include <cstdint>
@@ -15,6 +16,7 @@
 #include "runner/experiments/roundrobin.hpp"
 #include "runner/experiments/situations.hpp"
 #include "runner/experiments/sprt_match.hpp"
+#include "runner/experiments/tuning.hpp"
 #include "runner/settings/game_settings.hpp"
 
 namespace autoref::runner {
@@ -41,7 +43,7 @@ struct Sweep {
 struct Scenario {
   std::string about;
   std::variant<GameSettings, Sweep, JudgeSchedule, RoundRobin, SprtMatch, Gauntlet, Knockout,
-               Situations>
+               Situations, Tuning>
       content;
 };
 

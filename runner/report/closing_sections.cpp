@@ -53,15 +53,16 @@ Section settings_section(const ResultFolder& folder, const std::string& directio
 Section commands_section(const ResultFolder& folder, const std::string& direction) {
   const std::string folder_and_build =
       direction + (folder.completed_games.other_builds.empty() ? "" : " --build " + folder.build);
-  return {Heading{"How to reproduce"},
-          Paragraph{fmt::format(
-              "Run these in the folder of this report, with build {}, to play all games "
-              "again, to replay five and compare them, and to write the report again:",
-              folder.build)},
-          Verbatim{fmt::format("autoref run {0} -o again\n"
-                               "autoref verify {1} --sample 5\n"
-                               "autoref report {1}\n",
-                               effective_file(direction), folder_and_build)}};
+  return {
+      Heading{"How to reproduce"},
+      Paragraph{
+          fmt::format("Run these in the folder of this report, with build {}, to play all games "
+                      "again, to replay five and compare them, and to write the report again:",
+                      folder.build)},
+      Verbatim{fmt::format("autoref {2} {0} -o again\n"
+                           "autoref verify {1} --sample 5\n"
+                           "autoref report {1}\n",
+                           effective_file(direction), folder_and_build, verb_of(folder.scenario))}};
 }
 
 }  // namespace autoref::runner

@@ -12,8 +12,8 @@
 namespace autoref::runner {
 
 // Names of all plots that a report may contain.
-inline constexpr std::array kPlotNames = {"scores",  "difference", "effects",     "crosstable",
-                                          "ratings", "histogram",  "running_mean"};
+inline constexpr std::array kPlotNames = {"scores",  "difference", "effects",      "crosstable",
+                                          "ratings", "histogram",  "running_mean", "tuning_path"};
 
 // All plots that apply to the experiment, in the order of the report.
 std::vector<Plot> plots_of(const Scenario& scenario, const ExperimentResults& results);
@@ -38,6 +38,9 @@ std::optional<Plot> running_mean_plot(const Scenario& scenario, const Experiment
 
 // Mean goal difference of each team against each other team. Only with standings.
 std::optional<Plot> crosstable_plot(const ExperimentResults& results);
+
+// Each parameter of a tuning after every iteration, one panel per parameter.
+std::optional<Plot> tuning_path_plot(const Scenario& scenario, const ExperimentResults& results);
 
 // Both ratings of each team with their 95 % intervals. Only with standings.
 std::optional<Plot> ratings_plot(const ExperimentResults& results);

@@ -38,6 +38,16 @@ List meaning_of_intervals(const ResultFolder& folder, const ExperimentResults& r
   return list;
 }
 
+List meaning_of_tuning() {
+  return List{
+      {"`now` is the best value as known so far: the mean of the search over the last half of "
+       "its iterations.",
+       "The test plays new games, with seeds that no iteration used, and ends as soon as they "
+       "decide: two sequential tests side by side (Sobel and Wald 1949), as of kind sprt.",
+       "The interval of the gain remains valid although the games decide when to stop "
+       "(Lai 1976); it is wider than Student's."}};
+}
+
 std::vector<std::string> share_texts(const ResultCounts& counts) {
   const int games = counts[0] + counts[1] + counts[2];
   std::vector<std::string> texts = {std::to_string(games)};
@@ -74,6 +84,7 @@ std::string cross_text(const std::optional<CrossCell>& cell) {
 Section results_section(const ResultFolder& folder, const ExperimentResults& results) {
   Section section = {Heading{"Results"}, Verbatim{results.table}};
   if (!results.groups.empty()) section.emplace_back(meaning_of_intervals(folder, results));
+  if (results.tuning) section.emplace_back(meaning_of_tuning());
   return section;
 }
 

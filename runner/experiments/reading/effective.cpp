@@ -9,6 +9,7 @@
 #include "runner/experiments/scenario.hpp"
 #include "runner/experiments/situations_text.hpp"
 #include "runner/experiments/sprt_settings.hpp"
+#include "runner/experiments/tuning_settings.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/words.hpp"
 #include "runner/io/yaml_bounds.hpp"
@@ -198,6 +199,29 @@ std::string body_of(const Situations& situations) {
   return base_of(situations.base, "teams.") + text_of(situations.attackers, "attackers", types) +
          text_of(situations.defenders, "defenders", types) + situations_text(situations) +
          fmt::format("pairs: {}\nseed: {}\n", situations.pairs, situations.seed);
+}
+
+void add(std::vector<Setting> settings, Tree& tree) {
+  for (const Setting& setting : settings) {
+    if (!is_alias(setting) && !is_spelt_out(setting)) tree.add(setting);
+  }
+}
+
+std::string body_of(const Tuning& tuning) {
+  Tuning copy = tuning;
+  Tree tree(0);
+  add(settings_of(copy.team, copy.base.types, "team."), tree);
+  for (TunedParameter& parameter : copy.parameters) add(settings_of(parameter), tree);
+  std::vector<Setting> settings = settings_of(copy);
+  if (tuning.method != kSpsaName) {
+    std::erase_if(settings, [](const Setting& setting) { return setting.path == "gain"; });
+  }
+  add(settings, tree);
+  add(weight_settings_of(copy), tree);
+  return base_of(tuning.base, "teams.") + tree.text() +
+         (tuning.is_against_itself() ? "opponents: self\n"
+                                     : text_of(tuning.opponents, "opponents", tuning.base.types)) +
+         fmt::format("seed: {}\n", tuning.seed);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "runner/experiments/reading/situations_reader.hpp"
 #include "runner/experiments/reading/team_experiments_reader.hpp"
 #include "runner/experiments/reading/top_reader.hpp"
+#include "runner/experiments/reading/tuning_reader.hpp"
 #include "runner/experiments/schedule.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/files.hpp"
@@ -51,6 +52,8 @@ class ScenarioReader {
       scenario.content = read_knockout(top_);
     } else if (kind == "situations") {
       scenario.content = read_situations(top_);
+    } else if (kind == "tune") {
+      scenario.content = read_tuning(top_);
     } else {
       scenario.content = read_judge();
     }

@@ -63,8 +63,8 @@ void TopReader::read_base(GameSettings& game, const Elsewhere& elsewhere) {
     throw InputError({assignment.flag}, "", "set automatically for each game; leave it out");
   }
   std::vector<std::string> others = {elsewhere.branch};
-  for (const char* teams : {"challengers", "attackers", "defenders"}) {
-    if (find(teams) != nullptr) others.emplace_back(teams);
+  for (const char* branch : {"challengers", "attackers", "defenders", "team", "opponents"}) {
+    if (find(branch) != nullptr) others.emplace_back(branch);
   }
   assign_all(game, others);
 }

@@ -37,6 +37,10 @@ void make_few(RoundRobin& robin) { robin.pairs = 1; }
 void make_few(Gauntlet& gauntlet) { gauntlet.pairs = 1; }
 void make_few(Situations& situations) { situations.pairs = 1; }
 void make_few(SprtMatch& match) { match.sprt.min_pairs = match.sprt.max_pairs = 2; }
+void make_few(Tuning& tuning) {
+  tuning.iterations = tuning.pairs = 1;
+  tuning.test.min_pairs = tuning.test.max_pairs = 2;
+}
 void make_few(Knockout& /*knockout*/) {}
 void make_few(GameSettings& /*game*/) {}
 void make_few(JudgeSchedule& schedule) {

@@ -26,9 +26,9 @@ const std::string kSpeedSweep = kScenarios + "handicap-speed.yaml";
 
 TEST(CommandLine, ShowsAnExampleForEachVerb) {
   for (const char* verb :
-       {"play",   "live",    "run",         "submit", "check", "status", "report",
-        "verify", "replay",  "export",      "judge",  "lab",   "view",   "draw",
-        "info",   "referee", "sample-size", "rules",  "teams", "bench",  "help"}) {
+       {"play",    "live",        "run",    "tune",  "submit", "check", "status", "report",
+        "verify",  "replay",      "export", "judge", "lab",    "view",  "draw",   "info",
+        "referee", "sample-size", "rules",  "teams", "bench",  "help"}) {
     const Answer answer = answer_to({verb, "--help"});
     EXPECT_EQ(answer.code, kDone);
     const std::size_t example = answer.out.find("\nExample");

@@ -10,6 +10,7 @@
 #include "runner/lab/lab.hpp"
 #include "runner/report/plots.hpp"
 #include "tests/runner/batch/fake_games.hpp"
+#include "tests/runner/batch/fake_tuning.hpp"
 #include "tests/runner/experiments/small_situations.hpp"
 #include "tests/runner/results/written_names.hpp"
 
@@ -52,6 +53,18 @@ Scenario factorial() {
   Scenario scenario = small_sweep();
   std::get<Sweep>(scenario.content).factors.push_back({"a.robots", {6, 4}});
   return scenario;
+}
+
+// With PARAMETER for the name of the only parameter.
+WrittenNames tuning_columns() {
+  Scenario scenario = small_tuning("spsa");
+  std::get<Tuning>(scenario.content).parameters.resize(1);
+  WrittenNames names = head_in_folder(scenario, "tune.csv");
+  for (std::string& name : names) {
+    if (name == "pass_risk") name = "PARAMETER";
+    if (name == "best.pass_risk") name = "best.PARAMETER";
+  }
+  return names;
 }
 
 bool is_calls_column(const std::string& name) { return name.starts_with("calls_"); }
@@ -149,6 +162,9 @@ std::vector<Artefact> written_csv() {
          std::replace(names.begin(), names.end(), std::string("FACTOR"), std::string("situation"));
          return names;
        }},
+      {"summary.csv of a tuning",
+       [] { return head_in_folder(small_tuning("spsa"), "summary.csv"); }},
+      {"tune.csv", tuning_columns},
       {"standings.csv of a round robin", [] { return head_in_folder(robin(), "standings.csv"); }},
       {"standings.csv of a gauntlet",
        [] { return head_in_folder(small_gauntlet(), "standings.csv"); }},
@@ -172,6 +188,7 @@ std::vector<Artefact> written_plots() {
       {"plots/crosstable.csv", [] { return plot_columns(robin(), "crosstable"); }},
       {"plots/ratings.csv", [] { return plot_columns(robin(), "ratings"); }},
       {"plots/histogram.csv", [] { return plot_columns(robin(), "histogram"); }},
+      {"plots/tuning_path.csv", [] { return plot_columns(small_tuning("spsa"), "tuning_path"); }},
       {"plots/running_mean.csv", [] { return plot_columns(robin(), "running_mean"); }},
   };
 }

@@ -12,6 +12,7 @@
 #include "runner/judge/judge_report.hpp"
 #include "runner/logs/log_report.hpp"
 #include "tests/runner/batch/fake_games.hpp"
+#include "tests/runner/batch/fake_tuning.hpp"
 #include "tests/runner/cli/answer.hpp"
 #include "tests/runner/experiments/small_situations.hpp"
 #include "tests/runner/results/written_names.hpp"
@@ -145,8 +146,9 @@ WrittenNames progress_keys() {
   knockout.order = {"zone", "bold"};
   for (const std::string& team : knockout.order) knockout.teams[team] = {};
   Paths paths;
-  for (const Scenario& scenario : {small_sweep(), small_roundrobin({6, 5}), small_sprt_match(),
-                                   small_situations(), Scenario{"A test.", knockout}}) {
+  for (const Scenario& scenario :
+       {small_sweep(), small_roundrobin({6, 5}), small_sprt_match(), small_situations(),
+        small_tuning("spsa"), Scenario{"A test.", knockout}}) {
     paths.merge(paths_in(progress_lines(scenario)));
   }
   return sorted(paths);

@@ -1,0 +1,36 @@
+// A tuning's results as files and text.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "runner/analysis/tuning_state.hpp"
+#include "runner/io/csv.hpp"
+#include "runner/io/table.hpp"
+
+namespace autoref::runner {
+
+// "better", "worse", "not shown", "undecided", or "none" while more pairs are needed.
+std::string name_of(ThreeWayVerdict verdict);
+
+// tune.csv: a row per iteration, and one for the start: each parameter at the centre of the search
+// and its best value as known then, the mean score of the candidates, and their difference.
+std::string tuning_csv(const Tuning& tuning, const TuningState& state);
+
+// summary.csv: the test of the result against the start.
+std::string tuning_test_csv(const Tuning& tuning, const TuningState& state);
+
+// result.yaml: the tuned team as it stands in a scenario, and in comments how good it is.
+std::string result_yaml(const Tuning& tuning, const TuningState& state);
+
+// Table of the parameters: start, current value, range.
+std::vector<Cells> parameter_rows(const Tuning& tuning, const TuningState& state);
+inline const std::vector<Align> kParameterColumns = {Align::kLeft};
+
+// What the test says, in plain words, or how far the search is.
+std::string comparison_text(const Tuning& tuning, const TuningState& state);
+
+// Both.
+std::string tuning_table(const Tuning& tuning, const TuningState& state);
+
+}  // namespace autoref::runner

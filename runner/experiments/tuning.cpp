@@ -1,0 +1,176 @@
+#include "runner/experiments/tuning.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "runner/experiments/matchup_schedule.hpp"
+#include "runner/experiments/schedule.hpp"
+#include "runner/io/words.hpp"
+#include "runner/settings/setting_error.hpp"
+#include "soccer/random.hpp"
+
+namespace autoref::runner {
+namespace {
+
+constexpr std::uint64_t kSearchStream = 1;  // the schedule uses others (tuning_schedule.cpp)
+constexpr int kDigits = 5;
+// SPSA's least perturbation of a whole number: always two different numbers after rounding.
+constexpr double kHalf = 0.5;
+
+Axis axis_of(const TunedParameter& parameter) {
+  const double step = parameter.step;
+  return {parameter.from / step, parameter.to / step, parameter.start / step,
+          parameter.whole ? kHalf / step : 0};
+}
+
+// Rounds to kDigits digits of the range. Divides by a power of ten, so that the result is the
+// number nearest to its decimal text.
+double to_few_digits(double value, double range) {
+  double scale = 1;
+  for (int i = 0; i < kDigits; ++i) scale *= 10;
+  while (range >= 10 && scale > 1) {
+    range /= 10;
+    scale /= 10;
+  }
+  while (range < 1 && scale < 1e15) {
+    range *= 10;
+    scale *= 10;
+  }
+  return std::round(value * scale) / scale;
+}
+
+double value_at(const TunedParameter& parameter, double coordinate) {
+  const double value = coordinate * parameter.step;
+  const double played =
+      parameter.whole ? std::round(value) : to_few_digits(value, parameter.to - parameter.from);
+  return std::clamp(played, parameter.from, parameter.to);
+}
+
+std::string path_of(const TunedParameter& parameter, const char* key) {
+  return fmt::format("tune.{}.{}", parameter.name, key);
+}
+
+void check_whole(const TunedParameter& parameter) {
+  if (!parameter.whole) return;
+  for (const auto& [key, value] : {std::pair{"from", parameter.from}, std::pair{"to", parameter.to},
+                                   std::pair{"start", parameter.start}}) {
+    if (value == std::round(value)) continue;
+    throw SettingError(path_of(parameter, key),
+                       fmt::format(" is {}; a whole parameter needs a whole number", value));
+  }
+}
+
+void check(const TunedParameter& parameter) {
+  if (!(parameter.from < parameter.to)) {
+    throw SettingError(path_of(parameter, "to"), fmt::format(" is {}; it must be above from, {}",
+                                                             parameter.to, parameter.from));
+  }
+  if (parameter.start < parameter.from || parameter.start > parameter.to) {
+    throw SettingError(path_of(parameter, "start"),
+                       fmt::format(" is {}; it must be from {} to {}", parameter.start,
+                                   parameter.from, parameter.to));
+  }
+  if (!(parameter.step > 0) || parameter.step > parameter.to - parameter.from) {
+    throw SettingError(path_of(parameter, "step"),
+                       fmt::format(" is {}; it must be above 0 and at most the range, {}",
+                                   parameter.step, parameter.to - parameter.from));
+  }
+  check_whole(parameter);
+}
+
+// Whether the team may have this value.
+void check_value(const Tuning& tuning, const TunedParameter& parameter, const char* key,
+                 double value) {
+  TeamSettings team = tuning.team;
+  team.params[parameter.name] = value;
+  try {
+    check_team(tuning.base, team, "team");
+  } catch (const SettingError& error) {
+    if (error.path() != "team.params." + parameter.name) throw;
+    throw SettingError(path_of(parameter, key),
+                       std::string(error.what()).substr(error.path().size()));
+  }
+}
+
+void check_opponents(const Tuning& tuning) {
+  for (const char* name : {"plus", "minus", "centre", "result", "start"}) {
+    if (!tuning.opponents.contains(name)) continue;
+    throw SettingError(fmt::format("opponents.{}", name),
+                       ": games of the tuned team have this name; choose another");
+  }
+  check(tuning.base, tuning.opponents, "opponents");
+}
+
+}  // namespace
+
+double Tuning::weight_of(const std::string& opponent) const {
+  const auto weight = weights.find(opponent);
+  return weight == weights.end() ? 1 : weight->second;
+}
+
+std::unique_ptr<Optimiser> optimiser_of(const Tuning& tuning) {
+  std::vector<Axis> axes;
+  axes.reserve(tuning.parameters.size());
+  for (const TunedParameter& parameter : tuning.parameters) axes.push_back(axis_of(parameter));
+  Search search;
+  search.method = tuning.method == kSpsaName ? Method::kSpsa : Method::kCmaEs;
+  search.iterations = tuning.iterations;
+  search.gain = tuning.gain;
+  search.seed = mix_bits(mix_bits(tuning.seed) + kSearchStream);
+  return make_optimiser(search, axes);
+}
+
+ParamValues values_at(const Tuning& tuning, const Point& point) {
+  ParamValues values;
+  values.reserve(tuning.parameters.size());
+  for (const TunedParameter& parameter : tuning.parameters) {
+    values.push_back(value_at(parameter, point[static_cast<Eigen::Index>(values.size())]));
+  }
+  return values;
+}
+
+ParamValues start_values(const Tuning& tuning) {
+  ParamValues values;
+  values.reserve(tuning.parameters.size());
+  for (const TunedParameter& parameter : tuning.parameters) values.push_back(parameter.start);
+  return values;
+}
+
+TeamSettings team_with(const Tuning& tuning, const ParamValues& values) {
+  TeamSettings team = tuning.team;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    team.params[tuning.parameters[i].name] = values[i];
+  return team;
+}
+
+std::vector<std::string> spelt(const ParamValues& values) {
+  std::vector<std::string> texts;
+  texts.reserve(values.size());
+  for (const double value : values) texts.push_back(text_of(value));
+  return texts;
+}
+
+std::vector<std::string> paths_of(const Tuning& tuning) {
+  std::vector<std::string> paths;
+  paths.reserve(tuning.parameters.size());
+  for (const TunedParameter& parameter : tuning.parameters) {
+    paths.push_back("a.params." + parameter.name);
+  }
+  return paths;
+}
+
+void check(const Tuning& tuning) {
+  check_game(tuning.base);
+  refuse_network(tuning.team, "team");
+  check_team(tuning.base, tuning.team, "team");
+  for (const TunedParameter& parameter : tuning.parameters) {
+    check(parameter);
+    check_value(tuning, parameter, "from", parameter.from);
+    check_value(tuning, parameter, "to", parameter.to);
+  }
+  check_opponents(tuning);
+}
+
+}  // namespace autoref::runner
