@@ -20,7 +20,7 @@
 namespace autoref::runner {
 namespace {
 
-constexpr BenchBatch kFullGames{.pairs = 4};
+constexpr BenchBatch kFullGames{.pairs = 6};
 constexpr BenchBatch kShortGames{.pairs = 150, .half_s = 10, .halves = 1};
 constexpr BenchBatch kCrowdedGames{.pairs = 48, .half_s = 20, .with_memory = true};
 constexpr std::array kCrowds = {1, 4, 16, 64};

@@ -15,8 +15,8 @@ struct WorkerCosts {
   std::int64_t frames = 0;
   double set_up_s = 0;  // processor time to create a game, take its record and destroy it
   double frames_s = 0;  // processor time of its frames
-  // Memory of the worker that has most of it at the end of a game, in MB (10^6 bytes): pages of its
-  // own, and all pages in memory, most of which it shares with its parent and other programs.
+  // What the largest worker occupies at the end of a game, in MB (10^6 bytes): pages of its own,
+  // and all pages, most of which it shares with its parent and other programs.
   double most_private_mb = 0;
   double most_resident_mb = 0;
 };
