@@ -10,24 +10,9 @@
 namespace autoref::referee {
 namespace {
 
-std::string condition_of(const Transition& transition) {
-  const Trigger& trigger = transition.trigger;
-  const std::string_view what = trigger.event ? name_of(*trigger.event) : trigger.text;
-  return transition.guard.text.empty() ? std::string(what)
-                                       : fmt::format("{}, {}", what, transition.guard.text);
-}
-
 std::string label_of(const Transition& transition) {
   if (!transition.label.empty()) return std::string(transition.label);
   return transition.trigger.event ? std::string(name_of(*transition.trigger.event)) : "*the event*";
-}
-
-std::string from_of(const Transition& transition) {
-  return transition.from ? std::string(name_of(*transition.from)) : "any";
-}
-
-std::string to_of(const Transition& transition) {
-  return transition.to ? std::string(name_of(*transition.to)) : "the same";
 }
 
 std::string evidence_of(const Transition& transition) {
@@ -71,6 +56,21 @@ std::string row_of(const EventEntry& entry) {
 }
 
 }  // namespace
+
+std::string condition_of(const Transition& transition) {
+  const Trigger& trigger = transition.trigger;
+  const std::string_view what = trigger.event ? name_of(*trigger.event) : trigger.text;
+  return transition.guard.text.empty() ? std::string(what)
+                                       : fmt::format("{}, {}", what, transition.guard.text);
+}
+
+std::string from_of(const Transition& transition) {
+  return transition.from ? std::string(name_of(*transition.from)) : "any";
+}
+
+std::string to_of(const Transition& transition) {
+  return transition.to ? std::string(name_of(*transition.to)) : "the same";
+}
 
 std::string event_figure() {
   std::string text =

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "referee/machine/machine.hpp"
+
 namespace autoref::referee {
 
 // A Mermaid state diagram of the transitions in the figure, followed by Markdown tables of all
@@ -15,5 +17,10 @@ std::string machine_figure_beside_person();
 // A Markdown table of calls and cards, with the league's names and the consequences. Ends with a
 // newline.
 std::string event_figure();
+
+// Parts of a transition as text: "ready, next is a preparation", and the names of its states.
+std::string condition_of(const Transition& transition);
+std::string from_of(const Transition& transition);
+std::string to_of(const Transition& transition);
 
 }  // namespace autoref::referee

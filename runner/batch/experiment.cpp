@@ -51,6 +51,9 @@ GameRow played(const Outcomes& outcomes, const ScheduledGame& game) {
   return row;
 }
 
+// Rows that end within this time of each other share one fdatasync, which takes milliseconds.
+constexpr std::chrono::milliseconds kBetweenSyncs{100};
+
 // Maximum fraction of the time spent rereading the folder.
 constexpr double kLookingShare = 0.01;
 
@@ -258,15 +261,22 @@ class Experiment {
 
   Ending play(const std::vector<std::size_t>& games, Shard& shard, int& played_games) {
     const WorkerOptions workers{options_.workers, options_.attempts, options_.longest_game_s};
-    return do_jobs(
+    std::function<bool()> is_enough;
+    if (follows_its_rows(scenario_)) is_enough = [this] { return is_decided_; };
+    const Ending ending = do_jobs(
         games, workers,
         {[this](std::size_t i) { return format_.line(played(outcomes_, schedule_.games[i])); },
          [&](const JobResult& result) {
            keep(shard, result);
            ++played_games;
          },
-         [this] { progress_.tick(); }, [this] { return is_decided_; },
-         [this](int running) { announce_ending(running); }});
+         [&] {
+           if (Clock::now() >= next_sync_) count_written(shard);
+           progress_.tick();
+         },
+         is_enough, [this](int running) { announce_ending(running); }});
+    count_written(shard);
+    return ending;
   }
 
   // Throws std::logic_error if the worker sent anything other than a row.
@@ -285,16 +295,31 @@ class Experiment {
     GameRow row = row_from(result);
     row.circumstances = {options_.build, host_,          cpu_,
                          result.wall_s,  result.attempt, options_.shard.name()};
-    // Write the row to disk before counting the game, so a game shown as done is never lost.
-    shard.append(format_.line(row));
+    shard.write(format_.line(row));
+    written_.push_back(std::move(row));
+    // The next games may depend on this one.
+    if (follows_its_rows(scenario_) || Clock::now() >= next_sync_) count_written(shard);
+  }
+
+  // Games count only once their rows are on the disk, so a game shown as done is never lost.
+  void count_written(Shard& shard) {
+    if (written_.empty()) return;
+    shard.sync();
+    next_sync_ = Clock::now() + kBetweenSyncs;
+    for (GameRow& row : written_) count(std::move(row));
+    written_.clear();
+    if (!follows_its_rows(scenario_)) return;
+    if (options_.shard.of > 1 && Clock::now() >= next_look_) look_around();
+    is_decided_ = is_decided(scenario_, rows_);
+  }
+
+  void count(GameRow row) {
     const std::string& reason = row.record.void_reason;
     if (!reason.empty()) progress_.say(fmt::format("{} is void: {}", row.game_id, reason));
     again_.erase(row.game_id);
     progress_.game_done(is_void(row.record));
-    rows_[row.game_id] = std::move(row);
-    if (!follows_its_rows(scenario_)) return;
-    if (options_.shard.of > 1 && Clock::now() >= next_look_) look_around();
-    is_decided_ = is_decided(scenario_, rows_);
+    const std::string id = row.game_id;
+    rows_[id] = std::move(row);
   }
 
   void conclude(ExperimentReport& report, const RowsById& counted_rows) const {
@@ -313,6 +338,8 @@ class Experiment {
   std::set<std::string> again_;  // ids of killed games still to be replayed
   bool is_decided_ = false;
   Clock::time_point next_look_;
+  Clock::time_point next_sync_;          // before then, rows are written, but not synced
+  std::vector<GameRow> written_;         // played, but not yet counted
   const std::optional<Scenario> there_;  // the scenario of earlier runs in this folder
   Progress progress_;                    // last, so destroyed first: it displays the other members
 };

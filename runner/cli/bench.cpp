@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "runner/bench/answering_program.hpp"
+#include "runner/bench/batch_bench.hpp"
 #include "runner/bench/build_comparison.hpp"
 #include "runner/bench/live_bench.hpp"
 #include "runner/bench/programs_bench.hpp"
@@ -23,6 +24,7 @@ namespace {
 struct BenchArguments {
   bool json = false;
   bool workers = false;
+  bool batch = false;
   bool programs = false;
   bool answer = false;
   bool live = false;
@@ -49,13 +51,18 @@ std::vector<CLI::Option*> add_fixed_options(CLI::App* verb, BenchArguments& argu
       "--scale", arguments.scale,
       "Instead, measure how the cost of a frame grows with robots, cameras and camera presets.");
   CLI::Option* rounds =
-      verb->add_option("--rounds", arguments.rounds,
-                       fmt::format("With --compare and --scale: number of rounds, {} by default.",
-                                   kDefaultRounds))
+      verb->add_option(
+              "--rounds", arguments.rounds,
+              fmt::format("With --compare, --scale and --batch: number of rounds, {} by default.",
+                          kDefaultRounds))
           ->type_name("N")
           ->check(CLI::Range(kFewestRounds, 10000));
   compare->excludes(scale);
-  return {strong, compare, scale, rounds};
+  CLI::Option* batch = verb->add_flag(
+      "--batch", arguments.batch,
+      "Instead, measure what experiments cost besides frames: start, rows, short games, workers.");
+  for (CLI::Option* other : {strong, compare, scale}) batch->excludes(other);
+  return {strong, compare, scale, batch, rounds};
 }
 
 // Options of the others, of which each excludes `fixed`.
@@ -87,8 +94,8 @@ void add_other_options(CLI::App* verb, BenchArguments& arguments,
 }
 
 int run_chosen_bench(const BenchArguments& arguments, bool has_rounds) {
-  if (has_rounds && arguments.other_build.empty() && !arguments.scale)
-    throw InputError({"--rounds"}, "", "expected with --compare or --scale");
+  if (has_rounds && arguments.other_build.empty() && !arguments.scale && !arguments.batch)
+    throw InputError({"--rounds"}, "", "expected with --compare, --scale or --batch");
   if (!arguments.other_build.empty()) {
     return run_build_comparison(arguments.other_build,
                                 {.teams = arguments.teams(), .rounds = arguments.rounds},
@@ -98,6 +105,7 @@ int run_chosen_bench(const BenchArguments& arguments, bool has_rounds) {
     return run_scale_bench({.teams = arguments.teams(), .rounds = arguments.rounds},
                            arguments.json);
   }
+  if (arguments.batch) return run_batch_bench(arguments.rounds, arguments.json);
   if (arguments.answer) return answer_frames();
   if (arguments.live) return run_live_bench(arguments.live_options, arguments.json);
   if (arguments.programs) return run_programs_bench(arguments.json);

@@ -166,7 +166,8 @@ struct DrawArguments {
 
 // Arguments of `autoref rules`.
 struct RulesArguments {
-  std::string book;  // empty: list the rule books
+  std::string book;      // empty: list the rule books
+  bool machine = false;  // print the state machine as a graph instead
   bool json = false;
 };
 

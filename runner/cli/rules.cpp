@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "referee/machine/machine_graph.hpp"
 #include "runner/cli/command_line.hpp"
 #include "runner/cli/rules_report.hpp"
 #include "runner/io/errors.hpp"
@@ -13,6 +14,10 @@
 namespace autoref::runner {
 
 int rules_verb(const RulesArguments& arguments) {
+  if (arguments.machine) {
+    fmt::print("{}", referee::machine_graph());
+    return kDone;
+  }
   if (arguments.book.empty()) {
     fmt::print("{}", books_text());
     return kDone;
@@ -32,7 +37,13 @@ void add_rules_verb(CLI::App& app, Chosen& chosen) {
   auto arguments = std::make_shared<RulesArguments>();
   verb->add_option("BOOK", arguments->book, "Name of a rule book. Default: list all rule books.");
   verb->add_flag("--json", arguments->json, "Print one JSON object.");
-  verb->footer("Example:\n  autoref rules 2014");
+  verb->add_flag("--machine", arguments->machine,
+                 "Instead, print the referee's state machine as a graph for Graphviz's `dot`.");
+  for (const char* other : {"BOOK", "--json"})
+    verb->get_option("--machine")->excludes(verb->get_option(other));
+  verb->footer(
+      "Examples:\n  autoref rules 2014\n"
+      "  autoref rules --machine | dot -Tsvg > machine.svg");
   verb->callback([arguments, &chosen] { chosen = [arguments] { return rules_verb(*arguments); }; });
 }
 

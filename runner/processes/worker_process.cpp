@@ -21,7 +21,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kLongestMessage = 128 * 1024;
+constexpr ssize_t kLongestMessage = 128 * 1024;
 
 // Main loop of a worker: reads jobs and writes results until the other end closes. Ctrl-C reaches
 // the whole process group; only the parent decides what to do about it.
@@ -126,10 +126,12 @@ void WorkerProcess::give(const Job& job) {
 }
 
 std::optional<std::string> WorkerProcess::answer() {
-  std::string payload(kLongestMessage, '\0');
-  const ssize_t size = recv(socket_, payload.data(), payload.size(), 0);
-  if (size <= 0) return std::nullopt;
-  payload.resize(static_cast<std::size_t>(size));
+  // Asks for the size first: a buffer for the longest answer would take longer to clear than a row
+  // takes to read.
+  const ssize_t size = recv(socket_, nullptr, 0, MSG_PEEK | MSG_TRUNC);
+  if (size <= 0 || size > kLongestMessage) return std::nullopt;
+  std::string payload(static_cast<std::size_t>(size), '\0');
+  if (recv(socket_, payload.data(), payload.size(), 0) != size) return std::nullopt;
   return payload;
 }
 

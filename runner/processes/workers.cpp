@@ -80,6 +80,8 @@ class Pool {
     std::optional<std::string> payload = worker.answer();
     if (payload) {
       worker.be_free();
+      // The worker plays on while the result is written to disk.
+      if (!calls_.is_enough && signals_.count() == 0) hand_out();
       calls_.done({job.number, std::move(*payload), "", job.attempt, wall_s});
     } else {
       lose(job, worker.end(), wall_s);

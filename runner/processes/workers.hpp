@@ -29,10 +29,12 @@ struct JobResult {
 };
 
 struct WorkerCalls {
-  std::function<std::string(std::size_t job)> work;    // runs in a worker
-  std::function<void(const JobResult& result)> done;   // runs here for each result; may throw
-  std::function<void()> tick;                          // runs here, about four times a second
-  std::function<bool()> is_enough = {};                // runs here; true stops new jobs
+  std::function<std::string(std::size_t job)> work;   // runs in a worker
+  std::function<void(const JobResult& result)> done;  // runs here for each result; may throw
+  std::function<void()> tick;                         // runs here, about four times a second
+  // Runs here; true stops new jobs. Without it, results never stop them, so a worker gets its next
+  // job before `done` runs for its last one.
+  std::function<bool()> is_enough = {};
   std::function<void(int running)> ending = {};        // runs here once, after the first signal
   std::function<void(std::size_t job)> starting = {};  // runs here before each attempt
 };

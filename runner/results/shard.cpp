@@ -60,7 +60,8 @@ Shard::Shard(fs::path path, const std::string& header, double patience_s) : path
     }
     lock(patience_s);
     cut_torn_line();
-    if (lseek(descriptor_, 0, SEEK_END) == 0) append(header);
+    synced_bytes_ = lseek(descriptor_, 0, SEEK_END);
+    if (synced_bytes_ == 0) append(header);
   } catch (...) {
     close(descriptor_);
     throw;
@@ -93,16 +94,28 @@ void Shard::cut_torn_line() {
   if (ftruncate(descriptor_, static_cast<off_t>(whole)) != 0) throw cannot_write(path_);
 }
 
-void Shard::append(const std::string& line) {
+void Shard::write(const std::string& line) {
   const off_t end = lseek(descriptor_, 0, SEEK_END);
   const std::string text = line + "\n";
-  // One write() per row, so a crash can tear only the last one. fdatasync() makes a row durable
-  // before its game counts as played.
-  const ssize_t count = write(descriptor_, text.data(), text.size());
-  if (count == static_cast<ssize_t>(text.size()) && fdatasync(descriptor_) == 0) return;
-  const int error_number = count >= 0 && count < static_cast<ssize_t>(text.size()) ? ENOSPC : errno;
+  // One write() per row, so a crash can tear only the last one.
+  const ssize_t count = ::write(descriptor_, text.data(), text.size());
+  if (count == static_cast<ssize_t>(text.size())) return;
+  fail(count >= 0 ? ENOSPC : errno, end);
+}
+
+void Shard::sync() {
+  if (fdatasync(descriptor_) != 0) fail(errno, synced_bytes_);
+  synced_bytes_ = lseek(descriptor_, 0, SEEK_END);
+}
+
+void Shard::append(const std::string& line) {
+  write(line);
+  sync();
+}
+
+void Shard::fail(int error_number, std::int64_t end) {
   // If this fails too, the next run truncates the incomplete line.
-  [[maybe_unused]] const int ignored = ftruncate(descriptor_, end);
+  [[maybe_unused]] const int ignored = ftruncate(descriptor_, static_cast<off_t>(end));
   throw io_error(fmt::format("{} cannot be written", path_.string()), error_number);
 }
 

@@ -1,6 +1,7 @@
 // Appends a run's rows to its file, and reads all rows of a results folder.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -29,8 +30,7 @@ struct ShardIndex {
 // invalid.
 ShardIndex shard_index_of(const std::string& text);
 
-// An append-only file of lines, locked by one process at a time. append() returns once the line is
-// on the disk.
+// An append-only file of lines, locked by one process at a time.
 class Shard {
  public:
   // Creates the file if it does not exist, locks it, and truncates an incomplete last line, which a
@@ -41,15 +41,25 @@ class Shard {
   Shard(const Shard&) = delete;
   Shard& operator=(const Shard&) = delete;
 
-  // Throws InputOutputError if the line cannot be written; the file is then unchanged.
+  // Adds a line, which a crash of the machine may still lose, but not one of this process. Throws
+  // InputOutputError if it cannot be written; the file is then unchanged.
+  void write(const std::string& line);
+
+  // Returns once all lines are on the disk. Throws InputOutputError if that fails; the file then
+  // ends with the last line that is known to be there.
+  void sync();
+
+  // Adds a line and returns once it is on the disk. Throws as the two above.
   void append(const std::string& line);
 
  private:
   void lock(double patience_s);
   void cut_torn_line();
+  [[noreturn]] void fail(int error_number, std::int64_t end);
 
   std::filesystem::path path_;
   int descriptor_ = -1;
+  std::int64_t synced_bytes_ = 0;
 };
 
 struct StoredRows {

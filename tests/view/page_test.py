@@ -119,6 +119,15 @@ class PageTest(GamePage):
         self.assertEqual(self.score(), [self.record["goals_a"], self.record["goals_b"]])
         self.leave_picture("desktop")
 
+    def test_opens_at_the_moment_and_with_the_layers_of_its_address(self):
+        self.browser.get("about:blank")
+        self.browser.get(self.page.as_uri() + "#t=12.5&with=speeds,nonsense")
+        self.settle()
+        self.assertAlmostEqual(self.time_s(), 12.5, delta=0.02)
+        pressed = {name: self.browser.find_element(By.ID, f"layer-{name}").get_attribute("aria-pressed")
+                   for name in ("trails", "speeds", "heat")}
+        self.assertEqual(pressed, {"trails": "true", "speeds": "true", "heat": "false"})
+
     def test_jumps_to_the_clicked_time(self):
         line = self.browser.find_element(By.ID, "timeline")
         webdriver.ActionChains(self.browser).move_to_element_with_offset(

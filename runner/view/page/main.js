@@ -48,10 +48,14 @@ class Page {
     requestAnimationFrame(frame);
   }
 
-  // An address that ends in #t=83.2 shows that moment.
+  // An address that ends in #t=83.2 shows that moment, with &with=speeds,heat also these layers.
   seekAddress() {
-    const time_s = Number(new URLSearchParams(location.hash.slice(1)).get("t") ?? NaN);
+    const address = new URLSearchParams(location.hash.slice(1));
+    const time_s = Number(address.get("t") ?? NaN);
     if (Number.isFinite(time_s)) this.player.seek(time_s);
+    for (const name of (address.get("with") ?? "").split(",")) {
+      if (this.layers[name] === false) this.toggleLayer(name);
+    }
   }
 
   setTitle() {

@@ -153,6 +153,33 @@ TEST(Workers, StartNoMoreJobsOnceItIsEnough) {
   EXPECT_LE(results, 4);
 }
 
+// Whether the second of two jobs of one worker has begun while the first one's result is handled.
+bool has_second_job_begun(const std::function<bool()>& is_enough, int patience_ms) {
+  const TemporaryFolder folder;
+  const std::filesystem::path mark = folder / "begun";
+  bool has_begun = false;
+  do_jobs({0, 1}, {.workers = 1},
+          {[&](std::size_t job) {
+             if (job == 1) write_content(mark, "yes");
+             return std::string("fine");
+           },
+           [&](const JobResult& result) {
+             if (result.job != 0) return;
+             for (int ms = 0; ms < patience_ms && !std::filesystem::exists(mark); ++ms)
+               std::this_thread::sleep_for(std::chrono::milliseconds(1));
+             has_begun = std::filesystem::exists(mark);
+           },
+           {},
+           is_enough});
+  return has_begun;
+}
+
+TEST(Workers, PlayOnWhileTheirLastResultIsHandled) { EXPECT_TRUE(has_second_job_begun({}, 10000)); }
+
+TEST(Workers, WaitForTheirLastResultIfItMayBeEnough) {
+  EXPECT_FALSE(has_second_job_begun([] { return false; }, 100));
+}
+
 TEST(Workers, StopAtOnceAfterTheSecondInterrupt) {
   const auto start = std::chrono::steady_clock::now();
   int ticks = 0;

@@ -23,6 +23,16 @@ TEST(Shard, StartsWithASingleHeader) {
   EXPECT_EQ(content_of(folder / "s.csv"), "head\nrow\nmore\n");
 }
 
+TEST(Shard, HasWrittenRowsBeforeTheyAreSynced) {
+  const TemporaryFolder folder;
+  Shard shard(folder / "s.csv", "head");
+  shard.write("row");
+  shard.write("more");
+  EXPECT_EQ(content_of(folder / "s.csv"), "head\nrow\nmore\n");
+  shard.sync();
+  EXPECT_EQ(content_of(folder / "s.csv"), "head\nrow\nmore\n");
+}
+
 TEST(Shard, TruncatesAnIncompleteLastLine) {
   const TemporaryFolder folder;
   write_content(folder / "s.csv", "head\nrow\nto");
@@ -83,6 +93,18 @@ TEST(Shard, RemovesAnIncompleteRowIfTheDiskIsFull) {
   }
   EXPECT_EQ(content_of(folder / "s.csv"), "head\n");
   shard.append("row");
+  EXPECT_EQ(content_of(folder / "s.csv"), "head\nrow\n");
+}
+
+TEST(Shard, KeepsEarlierRowsIfTheDiskIsFull) {
+  const TemporaryFolder folder;
+  Shard shard(folder / "s.csv", "head");
+  shard.write("row");
+  {
+    const SmallDisk disk(12);
+    EXPECT_THROW(shard.write("another"), InputOutputError);
+  }
+  shard.sync();
   EXPECT_EQ(content_of(folder / "s.csv"), "head\nrow\n");
 }
 

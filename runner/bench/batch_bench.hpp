@@ -1,0 +1,86 @@
+// Measures what experiments cost besides the frames of their games: starting the program, games and
+// workers, writing rows, many short games, and many workers.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "runner/bench/bench_rounds.hpp"
+#include "runner/bench/worker_costs.hpp"
+#include "runner/statistics/interval.hpp"
+
+namespace autoref::runner {
+
+// An experiment of games of the default team against itself.
+struct BenchBatch {
+  int pairs = 1;  // two games each
+  double half_s = 600;
+  int halves = 2;
+  int workers = 1;
+  bool with_memory = false;  // also measure the memory of the workers
+};
+
+// What one run of such an experiment cost, from an empty folder to the result files.
+struct BatchCosts {
+  WorkerCosts worker;
+  double parent_s = 0;   // processor time of the process that hands out games and writes rows
+  double workers_s = 0;  // of all workers
+  double waits = 0;      // how often a worker had to wait: for a game, a lock, a file
+  double wall_s = 0;
+
+  double total_s() const { return parent_s + workers_s; }
+  // Share of the processor time that is not spent in frames.
+  double overhead() const { return (total_s() - worker.frames_s) / total_s(); }
+  double frames_per_s() const { return static_cast<double>(worker.frames) / total_s(); }
+  double frames_per_wall_s() const { return static_cast<double>(worker.frames) / wall_s; }
+  double total_s_per_game() const { return total_s() / static_cast<double>(worker.games); }
+  double waits_per_game() const { return waits / static_cast<double>(worker.games); }
+};
+
+// Runs the experiment in a temporary folder. Throws Interrupted after a signal, and
+// std::logic_error if a game is void.
+BatchCosts costs_of(const BenchBatch& batch);
+
+// A ratio: median of the rounds and its interval (statistics/median_interval.hpp).
+struct MeasuredRatio {
+  double median = 1;
+  Interval interval{1, 1};
+};
+// `values` has at least kFewestRounds values.
+MeasuredRatio measured_ratio(const std::vector<double>& values);
+
+// An experiment with many workers, relative to the same games with one worker in the same round.
+struct CrowdRow {
+  int workers = 1;
+  MeasuredRatio cost;         // of the processor time per game
+  double waits_per_game = 0;  // medians of the rounds
+  double parent_share = 0;    // of the processor time
+  double private_mb = 0;      // the most of any worker in any round
+  double resident_mb = 0;
+};
+
+struct BatchBench {
+  int rounds = kDefaultRounds;
+  double full_game_s = 0;      // processor time of a full game; median, like all that follow
+  MeasuredRatio overhead;      // share of a full game's processor time outside its frames
+  double set_up_share = 0;     // part of that share: creating and destroying games
+  double parent_share = 0;     // part of that share: handing out games, writing rows
+  double short_game_s = 0;     // processor time of a game of 10 s
+  double short_overhead = 0;   // the share of `overhead`, in games of 10 s
+  MeasuredRatio short_speed;   // frames per processor time, relative to full games
+  MeasuredRatio short_frames;  // the same, counting only the time of the frames
+  MeasuredRatio short_wall;    // frames per wall-clock time, relative to full games
+  double program_start_s = 0;  // processor time of this program when it has nothing to do
+  std::vector<CrowdRow> crowds;
+};
+
+// In each round, runs full games, games of 10 s, and games with 1, 4, 16 and 64 workers in turn, so
+// that a slowdown of the machine affects all; and starts `program`, which must be this one, once.
+// `rounds` is at least kFewestRounds.
+BatchBench bench_batch(const std::string& program, int rounds);
+
+// Runs the verb: prints the result to stdout, with `json` as one JSON object. Returns the exit
+// code.
+int run_batch_bench(int rounds, bool json);
+
+}  // namespace autoref::runner
