@@ -143,6 +143,9 @@ struct Style {
   double area_braking_mps2 = 0;
   double ball_margin_m = 0;
   double contact_mps = 3.0;
+  double card_gentle_mps = 3.0;
+  double card_ease_mps2 = 10.0;
+  double card_ease_from_m = 0;
   double dribble_gap_m = 0;
   double hasty_share = 0;
   double penalty_on_line = 0;

@@ -38,9 +38,9 @@ void avoid_fouls(Style& style) {
   style.keeper_area_margin_m = 0.15;
   style.ball_margin_m = 0.06;
   style.contact_mps = 0;
-  style.ease_from_m = 1.2;
-  style.gentle_mps = 0.2;
-  style.ease_mps2 = 1.2;
+  style.card_ease_from_m = 1.2;
+  style.card_gentle_mps = 0.2;
+  style.card_ease_mps2 = 1.2;
   style.dribble_gap_m = 0.03;
   style.hasty_share = 0.5;
   style.release_rad = 3.0;
