@@ -86,6 +86,7 @@ int run_command_line(int argc, const char* const* argv) {
   add_bench_verb(app, chosen);
   add_completion_verb(app, chosen);
   add_man_verb(app, chosen);
+  add_reference_verb(app, chosen);
   add_help_verb(app, chosen);
   app.get_formatter()->label("SUBCOMMAND", "VERB");
   for (CLI::App* verb : app.get_subcommands([](CLI::App*) { return true; })) verb->group("Verbs");

@@ -286,6 +286,7 @@ void add_teams_verb(CLI::App& app, Chosen& chosen);
 void add_bench_verb(CLI::App& app, Chosen& chosen);
 void add_completion_verb(CLI::App& app, Chosen& chosen);
 void add_man_verb(CLI::App& app, Chosen& chosen);
+void add_reference_verb(CLI::App& app, Chosen& chosen);
 void add_help_verb(CLI::App& app, Chosen& chosen);
 
 // Runs `work`; turns an exception into a message on stderr and an exit code (errors.hpp).

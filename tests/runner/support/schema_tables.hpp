@@ -1,4 +1,4 @@
-// Reads the names of columns and keys described in the tables of docs/schemas.md.
+// Reads the names of columns and keys described in the tables of docs/schemas.md and other pages.
 #pragma once
 
 #include <sstream>
@@ -43,10 +43,10 @@ inline std::vector<std::string> SchemaSection::names() const {
   return names;
 }
 
-// Every "## " section with the rows below it.
-inline std::vector<SchemaSection> schema_sections() {
+// Every "## " section of a page with the rows below it.
+inline std::vector<SchemaSection> sections_of(const std::string& page) {
   std::vector<SchemaSection> sections;
-  std::istringstream text(content_of(in_checkout("docs/schemas.md")));
+  std::istringstream text(content_of(in_checkout(page)));
   for (std::string line; std::getline(text, line);) {
     if (line.starts_with("## ")) sections.push_back({line.substr(3), {}});
     const bool is_head = line.starts_with("| name |") || line.starts_with("|---");
@@ -56,5 +56,7 @@ inline std::vector<SchemaSection> schema_sections() {
   }
   return sections;
 }
+
+inline std::vector<SchemaSection> schema_sections() { return sections_of("docs/schemas.md"); }
 
 }  // namespace autoref::runner

@@ -1,0 +1,28 @@
+// The verb that prints the manual's reference pages.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "runner/cli/command_line.hpp"
+#include "runner/cli/reference_pages.hpp"
+#include "runner/io/errors.hpp"
+
+namespace autoref::runner {
+
+void add_reference_verb(CLI::App& app, Chosen& chosen) {
+  CLI::App* verb = app.add_subcommand("reference", "Print a page of the manual's reference.");
+  auto page = std::make_shared<std::string>();
+  verb->add_option("PAGE", *page, "settings, verbs, rules or teams.")
+      ->required()
+      ->check(CLI::IsMember(reference_page_names()));
+  verb->footer("Example:\n  autoref reference settings > docs/reference/settings.md");
+  verb->callback([&app, page, &chosen] {
+    chosen = [&app, page] {
+      fmt::print("{}", reference_page(*page, described(app)));
+      return static_cast<int>(kDone);
+    };
+  });
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,36 @@
+// The reference page of compiled-in teams and their parameters.
+#include <fmt/format.h>
+
+#include "runner/cli/reference_pages.hpp"
+#include "strategies/registry.hpp"
+
+namespace autoref::runner {
+namespace {
+
+std::string parameters_table(const strategies::Entry& team) {
+  if (team.params.empty()) return "This team has no parameters.\n\n";
+  std::vector<std::vector<std::string>> rows = {{"parameter", "default", "range", "meaning"}};
+  for (const strategies::Parameter& parameter : team.params) {
+    const std::string unit =
+        parameter.unit.empty() || parameter.unit == "1" ? "" : fmt::format(" {}", parameter.unit);
+    rows.push_back(
+        {code_span(std::string(parameter.name)), fmt::format("{}{}", parameter.standard, unit),
+         fmt::format("{} to {}", parameter.least, parameter.most), std::string(parameter.about)});
+  }
+  return reference_table(rows);
+}
+
+}  // namespace
+
+std::string team_parameters_page() {
+  std::string page = reference_head("Teams and their parameters", "teams") +
+                     "The teams that are compiled in. `--set a.params.NAME=NUMBER` sets a "
+                     "parameter of team a; in a scenario it is "
+                     "`a: { strategy: basic, params: { NAME: NUMBER } }`.\n\n";
+  for (const strategies::Entry& team : strategies::all_strategies())
+    page += fmt::format("## {}\n\n{}\n\n", team.name, team.about) + parameters_table(team);
+  page.pop_back();
+  return page;
+}
+
+}  // namespace autoref::runner

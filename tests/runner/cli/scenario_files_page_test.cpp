@@ -1,0 +1,114 @@
+// docs/reference/scenario-files.md lists the keys that each kind of file accepts.
+#include <gtest/gtest.h>
+
+#include <cctype>
+#include <set>
+#include <sstream>
+
+#include "runner/io/errors.hpp"
+#include "tests/runner/cli/answer.hpp"
+#include "tests/runner/support/schema_tables.hpp"
+#include "tests/runner/support/temporary_folder.hpp"
+
+namespace autoref::runner {
+namespace {
+
+using Names = std::set<std::string>;
+
+// A file with the unknown key `zzz` in the part that a section describes.
+struct Part {
+  std::string section;
+  const char* verb;
+  std::string yaml;
+};
+
+const Part kParts[] = {
+    {"game", "play", "kind: game\nzzz: 1\n"},
+    {"sweep", "run", "kind: sweep\nzzz: 1\n"},
+    {"roundrobin", "run", "kind: roundrobin\nzzz: 1\n"},
+    {"gauntlet", "run", "kind: gauntlet\nzzz: 1\n"},
+    {"sprt", "run", "kind: sprt\nzzz: 1\n"},
+    {"sprt: the test", "run",
+     "kind: sprt\nseed: 1\nteams: {x: {strategy: basic}, y: {strategy: zone}}\nsprt: {zzz: 1}\n"},
+    {"knockout", "run", "kind: knockout\nzzz: 1\n"},
+    {"judge", "judge", "kind: judge\nzzz: 1\n"},
+    {"judge: seeds", "judge",
+     "kind: judge\nrules: [paper]\ncameras: [none]\nteams: [basic]\ngames: 2\nseeds: {zzz: 1}\n"},
+    {"lab", "lab", "kind: lab\nzzz: 1\n"},
+    {"lab: the ball", "lab", "kind: lab\nduration_s: 1\nball: {zzz: 1}\n"},
+    {"lab: a robot", "lab", "kind: lab\nduration_s: 1\nrobots: [{zzz: 1}]\n"},
+    {"lab: a command", "lab",
+     "kind: lab\nduration_s: 1\nrobots: [{side: west, commands: [{zzz: 1}]}]\n"}};
+
+std::vector<SchemaSection> page_sections() {
+  return sections_of("docs/reference/scenario-files.md");
+}
+
+// The words after `label` in a message: "label a, b, c".
+Names listed_after(const std::string& label, const std::string& message) {
+  const std::size_t begin = message.find(label);
+  EXPECT_NE(begin, std::string::npos) << message;
+  if (begin == std::string::npos) return {};
+  std::string list = message.substr(begin + label.size());
+  std::istringstream words(list.substr(0, list.find_first_of("\n;")));
+  Names names;
+  for (std::string word; std::getline(words >> std::ws, word, ',');) names.insert(word);
+  return names;
+}
+
+// What the program says about a file with this text.
+std::string complaint(const char* verb, const std::string& text) {
+  const TemporaryFolder folder;
+  const std::string file = (folder / "file.yaml").string();
+  write_content(file, "schema: 1\n" + text);
+  const Answer answer = answer_to({verb, file.c_str()});
+  EXPECT_EQ(answer.code, kBadInput) << text;
+  return answer.err;
+}
+
+Names accepted(const Part& part) {
+  Names names = listed_after("Known here: ", complaint(part.verb, part.yaml));
+  for (const char* common : {"schema", "kind", "about"}) names.erase(common);
+  return names;
+}
+
+class ScenarioFilesPage : public testing::TestWithParam<Part> {};
+
+TEST_P(ScenarioFilesPage, ListsTheKeysThatAreAccepted) {
+  for (const SchemaSection& section : page_sections()) {
+    if (section.title != GetParam().section) continue;
+    const std::vector<std::string> described = section.names();
+    EXPECT_EQ(Names(described.begin(), described.end()), accepted(GetParam()));
+    return;
+  }
+  FAIL() << "no section " << GetParam().section;
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, ScenarioFilesPage, testing::ValuesIn(kParts), [](const auto& test) {
+  std::string name;
+  for (const char c : test.param.section) name += std::isalpha(c) != 0 ? std::string(1, c) : "";
+  return name;
+});
+
+TEST(ScenarioFilesPages, HaveASectionForEveryKind) {
+  Names kinds = listed_after("expected one of ", complaint("run", "kind: zzz\n"));
+  kinds.erase("found 'zzz'");
+  kinds.insert({"lab", "robot"});  // read by verbs and scenarios of their own
+  Names sections;
+  for (const SchemaSection& section : page_sections())
+    if (section.title.find(':') == std::string::npos) sections.insert(section.title);
+  EXPECT_EQ(sections, kinds);
+}
+
+// A robot type is read by the scenario that names it.
+TEST(ScenarioFilesPages, ListTheKeysOfRobotTypes) {
+  const TemporaryFolder folder;
+  write_content(folder / "type.yaml", "schema: 1\nkind: robot\nzzz: 1\n");
+  const std::string type = (folder / "type.yaml").string();
+  const std::string game = "kind: game\nteams: {a: {type: " + type + "}}\n";
+  const Names known = listed_after("Known here: ", complaint("play", game));
+  EXPECT_EQ(known, (Names{"schema", "kind", "about", "robot", "kicker", "dribbler"}));
+}
+
+}  // namespace
+}  // namespace autoref::runner
