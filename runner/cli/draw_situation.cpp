@@ -14,7 +14,8 @@
 namespace autoref::runner {
 namespace {
 
-const Situation& situation_named(const Situations& situations, const DrawArguments& arguments) {
+const SituationSetup& situation_named(const Situations& situations,
+                                      const DrawArguments& arguments) {
   const auto found = situations.situations.find(arguments.situation);
   if (found != situations.situations.end()) return found->second;
   std::vector<std::string> names;
@@ -49,7 +50,7 @@ int draw_situation(const DrawArguments& arguments) {
                      fmt::format("this is a {}; --situation needs a scenario of kind situations",
                                  kind_of(scenario)));
   }
-  const Situation& situation = situation_named(*situations, arguments);
+  const SituationSetup& situation = situation_named(*situations, arguments);
   check_outputs({{"-o", arguments.output}}, {arguments.log});
   std::optional<PendingFile> file;
   open_output(file, "-o", arguments.output);

@@ -65,7 +65,7 @@ Restart restart_of(const std::optional<Command>& command) {
 }  // namespace
 
 void take_from_log(const LoggedInstant& instant, const Field& field, int most_attackers,
-                   int most_defenders, Situation& situation) {
+                   int most_defenders, SituationSetup& situation) {
   const LoggedState logged = logged_state(instant.log, instant.at_s);
   check_same_field(logged, field);
   StartState start = instant.attackers == Side::kWest ? logged.start : mirrored(logged.start);

@@ -19,6 +19,6 @@ struct LoggedInstant {
 // Sets robots, ball and restart to those of the log, with positions rounded to 0.1 mm. Robots with
 // numbers that a team of this size lacks get other numbers. Throws std::invalid_argument.
 void take_from_log(const LoggedInstant& instant, const Field& field, int most_attackers,
-                   int most_defenders, Situation& situation);
+                   int most_defenders, SituationSetup& situation);
 
 }  // namespace autoref::runner

@@ -95,7 +95,7 @@ sim::RobotState drawn_robot(const DrawnRobot& robot, const std::string& branch, 
 }
 
 // The command that the restart is announced with; the attackers are in the west.
-std::optional<Command> command_of(const Situation& situation) {
+std::optional<Command> command_of(const SituationSetup& situation) {
   const Side side = situation.is_attackers_restart ? Side::kWest : Side::kEast;
   switch (situation.restart) {
     case Restart::kKickoff:
@@ -114,7 +114,7 @@ std::optional<Command> command_of(const Situation& situation) {
   return std::nullopt;
 }
 
-StartState drawn_once(const Situation& situation, const Field& field, const Draw& draw) {
+StartState drawn_once(const SituationSetup& situation, const Field& field, const Draw& draw) {
   StartState state;
   state.ball = drawn_ball(situation.ball, field, draw);
   const Vec2& ball_m = state.ball.position_m;
@@ -189,7 +189,7 @@ std::array<DrawnNumber<const Distribution>, 6> numbers_of(const DrawnBall& ball,
   return numbers_in_ball<const Distribution>(ball, field);
 }
 
-StartState drawn_state(const Situation& situation, const std::string& name, const Field& field,
+StartState drawn_state(const SituationSetup& situation, const std::string& name, const Field& field,
                        std::uint64_t seed, int scene) {
   std::string obstacle;
   for (int attempt = 0; attempt < kMostRedraws; ++attempt) {

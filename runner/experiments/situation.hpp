@@ -50,7 +50,7 @@ std::string_view name_of(Restart restart);
 // The names in the order of the values.
 const std::vector<std::string>& restart_names();
 
-struct Situation {
+struct SituationSetup {
   Restart restart = Restart::kNone;
   bool is_attackers_restart = true;  // otherwise the defenders take it
   bool is_after_stop = false;        // STOP comes first, and the robots line up on their own
@@ -84,7 +84,7 @@ inline constexpr Range kHeading_deg{-360, 360};
 // it does not depend on other numbers. While bodies overlap, or the ball of a restart is not on the
 // field, the state is drawn again, at most 100 times. Throws SettingError naming the situation if
 // that does not help.
-StartState drawn_state(const Situation& situation, const std::string& name, const Field& field,
+StartState drawn_state(const SituationSetup& situation, const std::string& name, const Field& field,
                        std::uint64_t seed, int scene);
 
 }  // namespace autoref::runner

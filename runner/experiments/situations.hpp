@@ -17,7 +17,7 @@ struct Situations {
   GameSettings base;  // its teams, seed, a_plays and first_kickoff are ignored
   Teams attackers;
   Teams defenders;
-  std::map<std::string, Situation> situations;
+  std::map<std::string, SituationSetup> situations;
   int pairs = 1;           // scenes drawn of each situation, 1 to 9999; each is played in two legs
   std::uint64_t seed = 1;  // master seed
 };

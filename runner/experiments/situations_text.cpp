@@ -36,7 +36,7 @@ std::string ends_of(const Scene& scene) {
 }
 
 // What a situation says besides its bodies.
-Values values_of_scene(const Situation& situation) {
+Values values_of_scene(const SituationSetup& situation) {
   const SceneWeights& weights = situation.scene.weights;
   return {{"lasts_s", text_of(situation.scene.lasts_s)},
           {"score", fmt::format("{{ goal: {}, conceded: {}, ball_kept: {}, gained_m: {} }}",

@@ -68,7 +68,7 @@ std::vector<YamlEntry> known_entries(const YamlFile& file, const YamlEntry& entr
 
 }  // namespace
 
-Situation SituationReader::read(const YamlEntry& entry) const {
+SituationSetup SituationReader::read(const YamlEntry& entry) const {
   check_situation_name(file_, entry);
   const std::string path = fmt::format("situations.{}", entry.key);
   locations_[path] = entry.location;
@@ -78,7 +78,7 @@ Situation SituationReader::read(const YamlEntry& entry) const {
   known.emplace_back("from");
   if (from == nullptr) known.insert(known.end(), kByHand.begin(), kByHand.end());
   const std::vector<YamlEntry> entries = known_entries(file_, entry, path, known);
-  Situation situation;
+  SituationSetup situation;
   situation.scene = scene_;
   read_scene(file_, entries, path, situation.scene);
   if (from != nullptr) {
@@ -99,7 +99,7 @@ std::string SituationReader::word(const YamlEntry& entry, const std::string& pat
 }
 
 void SituationReader::read_by_hand(const std::vector<YamlEntry>& entries, const std::string& path,
-                                   Situation& situation) const {
+                                   SituationSetup& situation) const {
   read_restart(entries, path, situation);
   read_ball(entries, path, situation);
   if (const YamlEntry* robots = find_entry(entries, "attackers"))
@@ -109,7 +109,7 @@ void SituationReader::read_by_hand(const std::vector<YamlEntry>& entries, const 
 }
 
 void SituationReader::read_restart(const std::vector<YamlEntry>& entries, const std::string& path,
-                                   Situation& situation) const {
+                                   SituationSetup& situation) const {
   if (const YamlEntry* restart = find_entry(entries, "restart")) {
     const std::vector<std::string>& names = restart_names();
     const std::string name = word(*restart, path + ".restart", names);
@@ -127,7 +127,7 @@ void SituationReader::read_restart(const std::vector<YamlEntry>& entries, const 
 
 // A kick-off and a penalty kick have a position of their own.
 void SituationReader::read_ball(const std::vector<YamlEntry>& entries, const std::string& path,
-                                Situation& situation) const {
+                                SituationSetup& situation) const {
   const YamlEntry* ball = find_entry(entries, "ball");
   if (situation.restart == Restart::kPenalty) {
     const Side defended = situation.is_attackers_restart ? Side::kEast : Side::kWest;
@@ -182,7 +182,7 @@ DrawnRobot SituationReader::read_robot(const YamlEntry& entry, const std::string
 }
 
 void SituationReader::read_log(const YamlEntry& entry, const std::string& path,
-                               Situation& situation) const {
+                               SituationSetup& situation) const {
   const Mapping from(file_, entry, path, {"log", "at_s", "attackers", "spread_m"});
   for (const char* key : {"log", "at_s"}) {
     if (from.find(key) == nullptr)

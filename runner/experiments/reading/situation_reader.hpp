@@ -25,19 +25,19 @@ class SituationReader {
       : file_(file), locations_(locations), field_(field), scene_(scene), teams_(teams) {}
 
   // Throws InputError.
-  Situation read(const YamlEntry& entry) const;
+  SituationSetup read(const YamlEntry& entry) const;
 
  private:
   void read_by_hand(const std::vector<YamlEntry>& entries, const std::string& path,
-                    Situation& situation) const;
+                    SituationSetup& situation) const;
   void read_restart(const std::vector<YamlEntry>& entries, const std::string& path,
-                    Situation& situation) const;
+                    SituationSetup& situation) const;
   void read_ball(const std::vector<YamlEntry>& entries, const std::string& path,
-                 Situation& situation) const;
+                 SituationSetup& situation) const;
   void read_robots(const YamlEntry& entry, const std::string& path,
                    std::vector<DrawnRobot>& robots) const;
   DrawnRobot read_robot(const YamlEntry& entry, const std::string& path) const;
-  void read_log(const YamlEntry& entry, const std::string& path, Situation& situation) const;
+  void read_log(const YamlEntry& entry, const std::string& path, SituationSetup& situation) const;
   std::string word(const YamlEntry& entry, const std::string& path,
                    const std::vector<std::string>& known) const;
 

@@ -21,7 +21,7 @@ std::string situations_from(const std::string& keys) {
 
 class LoggedSituation : public testing::Test {
  protected:
-  Situation read(const std::string& keys) const {
+  SituationSetup read(const std::string& keys) const {
     const Scenario scenario =
         read_scenario_text(situations_from(keys), (folder_.path() / "x.yaml").string());
     return situations_in(scenario).situations.at("logged");
@@ -33,7 +33,7 @@ class LoggedSituation : public testing::Test {
 };
 
 TEST_F(LoggedSituation, HasTheStateOfTheLogBesideTheFile) {
-  const Situation situation = read("at_s: 12.5");
+  const SituationSetup situation = read("at_s: 12.5");
   const StartState start = drawn_state(situation, "logged", Field{}, 1, 1);
   for (const Side side : kSides) {
     ASSERT_EQ(start.robots[side].size(), there_.robots[side].size());
@@ -48,7 +48,7 @@ TEST_F(LoggedSituation, HasTheStateOfTheLogBesideTheFile) {
 }
 
 TEST_F(LoggedSituation, IsTurnedIfBlueAttacks) {
-  const Situation situation = read("at_s: 12.5, attackers: blue");
+  const SituationSetup situation = read("at_s: 12.5, attackers: blue");
   EXPECT_NEAR(situation.attackers[0].x_m.first, -there_.robots[Side::kEast][0].position_m.x(),
               1e-4);
   EXPECT_NEAR(situation.defenders[0].y_m.first, -there_.robots[Side::kWest][0].position_m.y(),
@@ -56,7 +56,7 @@ TEST_F(LoggedSituation, IsTurnedIfBlueAttacks) {
 }
 
 TEST_F(LoggedSituation, HasASpreadOfItsPositionsOnly) {
-  const Situation situation = read("at_s: 12.5, spread_m: 0.01");
+  const SituationSetup situation = read("at_s: 12.5, spread_m: 0.01");
   EXPECT_EQ(situation.attackers[0].x_m.kind, Distribution::Kind::kNormal);
   EXPECT_EQ(situation.attackers[0].x_m.second, 0.01);
   EXPECT_EQ(situation.attackers[0].vx_mps.kind, Distribution::Kind::kFixed);

@@ -16,8 +16,8 @@ DrawnRobot robot_at(int number, const Distribution& x_m, const Distribution& y_m
   return robot;
 }
 
-Situation drawn_situation() {
-  Situation situation;
+SituationSetup drawn_situation() {
+  SituationSetup situation;
   situation.ball.x_m = Distribution::uniform(1, 2);
   situation.attackers = {robot_at(1, -1, Distribution::normal(0, 0.2)),
                          robot_at(4, -2, Distribution::uniform(-1, 1))};
@@ -26,12 +26,12 @@ Situation drawn_situation() {
   return situation;
 }
 
-StartState drawn_from(const Situation& situation, std::uint64_t seed = 7, int scene = 1) {
+StartState drawn_from(const SituationSetup& situation, std::uint64_t seed = 7, int scene = 1) {
   return drawn_state(situation, "corner", Field{}, seed, scene);
 }
 
 TEST(DrawnState, IsTheSameEveryTimeAndAnotherForEachSceneAndSeed) {
-  const Situation situation = drawn_situation();
+  const SituationSetup situation = drawn_situation();
   const Vec2 ball_m = drawn_from(situation).ball.position_m;
   EXPECT_EQ(drawn_from(situation).ball.position_m, ball_m);
   EXPECT_NE(drawn_from(situation, 7, 2).ball.position_m, ball_m);
@@ -40,7 +40,7 @@ TEST(DrawnState, IsTheSameEveryTimeAndAnotherForEachSceneAndSeed) {
 }
 
 TEST(DrawnState, DrawsEachNumberIndependentlyOfTheOthers) {
-  Situation situation = drawn_situation();
+  SituationSetup situation = drawn_situation();
   const StartState before = drawn_from(situation);
   std::swap(situation.attackers[0], situation.attackers[1]);
   situation.attackers.pop_back();
@@ -51,7 +51,7 @@ TEST(DrawnState, DrawsEachNumberIndependentlyOfTheOthers) {
 }
 
 TEST(DrawnState, FacesTheBallUnlessAHeadingIsGiven) {
-  Situation situation = drawn_situation();
+  SituationSetup situation = drawn_situation();
   situation.attackers[0].y_m = 0;
   situation.defenders[0].heading_deg = 90;
   const StartState state = drawn_from(situation);
@@ -60,7 +60,7 @@ TEST(DrawnState, FacesTheBallUnlessAHeadingIsGiven) {
 }
 
 TEST(DrawnState, HasTheVelocitiesAndTheRestartOfTheAttackers) {
-  Situation situation = drawn_situation();
+  SituationSetup situation = drawn_situation();
   situation.restart = Restart::kDirectFree;
   const StartState state = drawn_from(situation);
   EXPECT_EQ(state.robots[Side::kEast][0].velocity_mps, Vec2(-1, 0));
@@ -69,7 +69,7 @@ TEST(DrawnState, HasTheVelocitiesAndTheRestartOfTheAttackers) {
 }
 
 TEST(DrawnState, HasTheRestartOfTheDefendersIfTheyTakeIt) {
-  Situation situation = drawn_situation();
+  SituationSetup situation = drawn_situation();
   situation.restart = Restart::kPenalty;
   situation.is_attackers_restart = false;
   situation.is_after_stop = true;
@@ -79,7 +79,7 @@ TEST(DrawnState, HasTheRestartOfTheDefendersIfTheyTakeIt) {
 }
 
 TEST(DrawnState, IsDrawnAgainWhileBodiesOverlap) {
-  Situation situation = drawn_situation();
+  SituationSetup situation = drawn_situation();
   situation.attackers[0].x_m = situation.attackers[1].x_m = -1;
   situation.attackers[0].y_m = situation.attackers[1].y_m = Distribution::uniform(0, 0.5);
   for (int scene = 1; scene <= 50; ++scene) {
@@ -88,7 +88,7 @@ TEST(DrawnState, IsDrawnAgainWhileBodiesOverlap) {
   }
 }
 
-std::string drawing_error_of(const Situation& situation) {
+std::string drawing_error_of(const SituationSetup& situation) {
   try {
     drawn_from(situation);
   } catch (const SettingError& error) {
@@ -99,7 +99,7 @@ std::string drawing_error_of(const Situation& situation) {
 }
 
 TEST(DrawnState, IsAnErrorIfBodiesAlwaysOverlap) {
-  Situation situation = drawn_situation();
+  SituationSetup situation = drawn_situation();
   situation.attackers[0].x_m = 2.8;
   situation.attackers[0].y_m = 0.1;
   EXPECT_EQ(drawing_error_of(situation),
@@ -108,7 +108,7 @@ TEST(DrawnState, IsAnErrorIfBodiesAlwaysOverlap) {
 }
 
 TEST(DrawnState, IsAnErrorIfTheBallOfARestartIsOutside) {
-  Situation situation = drawn_situation();
+  SituationSetup situation = drawn_situation();
   situation.ball.x_m = 3.2;
   situation.restart = Restart::kDirectFree;
   EXPECT_NE(drawing_error_of(situation).find("the ball of the restart is outside the field"),
@@ -116,7 +116,7 @@ TEST(DrawnState, IsAnErrorIfTheBallOfARestartIsOutside) {
 }
 
 TEST(MirroredState, IsTurnedAndHasTheSidesSwapped) {
-  Situation situation = drawn_situation();
+  SituationSetup situation = drawn_situation();
   situation.restart = Restart::kPenalty;
   const StartState state = drawn_from(situation);
   const StartState other = mirrored(state);

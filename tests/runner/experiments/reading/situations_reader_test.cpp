@@ -10,7 +10,7 @@ namespace autoref::runner {
 namespace {
 
 TEST(SituationsReader, ReadsNumbersAndDistributions) {
-  const Situation goal = situations_in(small_situations()).situations.at("goal");
+  const SituationSetup goal = situations_in(small_situations()).situations.at("goal");
   EXPECT_EQ(goal.ball.x_m, Distribution(2));
   EXPECT_EQ(goal.ball.y_m, Distribution::uniform(-0.1, 0.1));
   ASSERT_EQ(goal.attackers.size(), 2U);
@@ -64,7 +64,7 @@ TEST(SituationsReader, ReadsWhatEndsAScene) {
 TEST(SituationsReader, PutsThePenaltyBallOnTheMark) {
   const Scenario scenario =
       read_scenario_text(situation_file("  penalty: { restart: penalty }\n"), "x.yaml");
-  const Situation& penalty = std::get<Situations>(scenario.content).situations.at("penalty");
+  const SituationSetup& penalty = std::get<Situations>(scenario.content).situations.at("penalty");
   EXPECT_EQ(penalty.ball.x_m.first, Field{}.penalty_mark_at(Side::kEast).x());
 }
 
