@@ -57,8 +57,9 @@ constexpr std::chrono::milliseconds kBetweenSyncs{100};
 // Maximum fraction of the time spent rereading the folder.
 constexpr double kLookingShare = 0.01;
 
-// While waiting for other shards: time between looks, and time before a message.
-constexpr int kBetweenLooks_ms = 500;
+// While waiting for other shards: time between looks, which doubles, and time before a message.
+constexpr int kShortestPause_ms = 20;
+constexpr int kLongestPause_ms = 1000;
 constexpr double kSilentWait_s = 10;
 
 class Experiment {
@@ -206,9 +207,10 @@ class Experiment {
     };
     const std::size_t rows = rows_.size();
     bool is_silent = true;
-    while (waited_s() < options_.wait_s) {
+    for (int pause_ms = kShortestPause_ms; waited_s() < options_.wait_s;
+         pause_ms = std::min(2 * pause_ms, kLongestPause_ms)) {
       pollfd signal{signals.descriptor(), POLLIN, 0};
-      poll(&signal, 1, kBetweenLooks_ms);
+      poll(&signal, 1, pause_ms);
       if (signals.count() > 0) return Waited::kInterrupted;
       look_around();
       if (rows_.size() > rows) {

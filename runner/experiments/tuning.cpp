@@ -8,6 +8,7 @@
 #include "runner/experiments/matchup_schedule.hpp"
 #include "runner/experiments/schedule.hpp"
 #include "runner/io/words.hpp"
+#include "runner/settings/fields.hpp"
 #include "runner/settings/setting_error.hpp"
 #include "soccer/random.hpp"
 

@@ -37,9 +37,9 @@ inline Scenario small_tuning(const std::string& name) {
   tuning.parameters = {{"pass_risk", 0, 1, 0.25, 0.2, false}, {"width", 0.2, 1, 0.6, 0.2, false}};
   if (name != "self") tuning.opponents["other"].strategy = "zone";
   if (name == "cma_es") tuning.method = kCmaEsName;
-  tuning.iterations = 20;
+  tuning.iterations = 12;
   tuning.pairs = 2;
-  tuning.test.max_pairs = 60;
+  tuning.test.max_pairs = 40;
   tuning.seed = 5;
   return {"A test.", tuning};
 }
