@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/container/static_vector.hpp>
 #include <cmath>
 
 #include "soccer/robot_shape.hpp"
@@ -52,12 +53,30 @@ Weights open_points(const PredictedState& predicted, const KeeperShadow& keeper)
   return open;
 }
 
-// What a shadow around `middle_m` covers: its middle surely, its ends hardly.
-double covered(const Field& field, const Weights& open, double middle_m, double half_width_m) {
-  double sum = 0;
+// An open point of the goal line.
+struct OpenPoint {
+  double y_m;
+  double weight;
+};
+using OpenPoints = boost::container::static_vector<OpenPoint, kSamples>;
+
+OpenPoints without_shaded(const Field& field, const Weights& open) {
+  OpenPoints points;
   for (int i = 0; i < kSamples; ++i) {
-    const double off = (sample_y(field, i) - middle_m) / half_width_m;
-    sum += open[static_cast<std::size_t>(i)] * std::max(0.0, 1 - off * off);
+    const double weight = open[static_cast<std::size_t>(i)];
+    if (weight > 0) points.push_back({sample_y(field, i), weight});
+  }
+  return points;
+}
+
+// What a shadow around `middle_m` covers: its middle surely, its ends hardly.
+double covered(const OpenPoints& open, double middle_m, double half_width_m) {
+  double sum = 0;
+  for (const OpenPoint& point : open) {
+    const double off_m = point.y_m - middle_m;
+    if (std::abs(off_m) >= half_width_m) continue;
+    const double off = off_m / half_width_m;
+    sum += point.weight * std::max(0.0, 1 - off * off);
   }
   return sum;
 }
@@ -69,13 +88,14 @@ std::optional<double> gap_for_keeper_m(const PredictedState& predicted,
   const Field& field = predicted.field();
   const double ahead_m = predicted.threat_m().x() + field.half_length_m();
   if (ahead_m < 2 * kNearest_m || ahead_m > kFarthest * field.length_m) return std::nullopt;
-  const Weights open = open_points(predicted, keeper);
+  const OpenPoints open = without_shaded(field, open_points(predicted, keeper));
+  if (open.empty()) return std::nullopt;
   std::array<double, kSamples> cover{};
   int best = 0;
   for (int i = 0; i < kSamples; ++i) {
     const auto at = static_cast<std::size_t>(i);
     const double y_m = sample_y(field, i);
-    cover[at] = covered(field, open, y_m, keeper.half_width_m);
+    cover[at] = covered(open, y_m, keeper.half_width_m);
     if (cover[at] > 0) cover[at] -= kStrayCost_per_m * std::abs(y_m - keeper.usual_y_m);
     if (cover[at] > cover[static_cast<std::size_t>(best)]) best = i;
   }
