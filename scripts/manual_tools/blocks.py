@@ -55,7 +55,7 @@ def marks_before(lines, index, page):
         kind, value = mark_of(found[1], f"{page}:{index}")
         if kind in marks:  # several commands to run first
             value += "\n" + marks[kind]
-        marks = {kind: value} | marks
+        marks = marks | {kind: value}
         index -= 1
     return marks
 

@@ -73,7 +73,8 @@ class Commands(Case):
 
     def test_find_the_files_of_the_page_and_what_is_prepared(self):
         self.assert_passes("<!-- file: a/b.txt -->", "```yaml", "x: 1", "```",
-                           "<!-- first: cp a/b.txt c.txt -->", "```sh", "grep x c.txt", "```")
+                           "<!-- first: cp a/b.txt c.txt -->", "<!-- first: cp c.txt d.txt -->",
+                           "```sh", "grep x d.txt", "```")
 
     def test_do_not_change_the_checkout(self):
         self.assert_passes("```sh", "touch page.md new", "```")
