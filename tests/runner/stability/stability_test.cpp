@@ -2,10 +2,8 @@
 //
 // Before a release that adds some, write the lists anew and check that only lines were added:
 //   build/release/bin/test_runner --gtest_also_run_disabled_tests --gtest_filter='*WritesTheLists'
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <set>
 #include <sstream>
