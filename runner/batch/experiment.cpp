@@ -276,7 +276,10 @@ class Experiment {
            if (Clock::now() >= next_sync_) count_written(shard);
            progress_.tick();
          },
-         is_enough, [this](int running) { announce_ending(running); }});
+         is_enough, [this](int running) { announce_ending(running); },
+         [this](std::size_t i) {
+           if (options_.starting) options_.starting(schedule_.games[i]);
+         }});
     count_written(shard);
     return ending;
   }

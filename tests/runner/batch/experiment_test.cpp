@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <map>
 #include <stdexcept>
 #include <thread>
 
@@ -56,6 +57,18 @@ TEST(Experiment, HasTheSameResultsForAnyNumberOfWorkers) {
     run_experiment(small_sweep(), options);
     EXPECT_EQ(results_in(folder), expected);
   }
+}
+
+// The pages of running games depend on it.
+TEST(Experiment, AnnouncesEachGameOnceBeforeItIsPlayed) {
+  const TemporaryFolder folder;
+  ExperimentOptions options = fake_options(folder.path());
+  std::map<std::string, int> announced;
+  options.starting = [&announced](const ScheduledGame& game) { ++announced[game.id]; };
+  run_experiment(small_sweep(), options);
+  EXPECT_EQ(announced.size(), 12U);
+  for (const auto& [id, times] : announced) EXPECT_EQ(times, 1) << id;
+  EXPECT_TRUE(announced.contains("b.robots=5-p0003-2"));
 }
 
 TEST(Experiment, PlaysNothingIfAlreadyComplete) {
