@@ -40,7 +40,8 @@ List meaning_of_intervals(const ResultFolder& folder, const ExperimentResults& r
 
 List meaning_of_tuning() {
   return List{
-      {"`now` is the best value as known so far: the mean of the search over the last half of "
+      {"The column now is the best value as known so far: the mean of the search over the last "
+       "half of "
        "its iterations.",
        "The test plays new games, with seeds that no iteration used, and ends as soon as they "
        "decide: two sequential tests side by side (Sobel and Wald 1949), as of kind sprt.",

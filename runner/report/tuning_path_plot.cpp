@@ -12,7 +12,7 @@ namespace {
 constexpr int kPathPanel_px = 150;
 constexpr int kPathBetween_px = 34;
 constexpr int kPathTop_px = 58;
-constexpr int kPathBottom_px = 50;
+constexpr int kPathBottom_px = 70;
 constexpr double kPathMargin = 0.05;      // fraction of the span, above and below
 constexpr std::size_t kMostPanels = 16;   // more would be unreadable
 constexpr std::size_t kLongestName = 60;  // characters

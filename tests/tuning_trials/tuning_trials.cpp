@@ -1,10 +1,13 @@
 // Measures how many games the optimisers need on functions with a known optimum and noise like that
-// of games. docs/tuning.md has its output.
+// of games, and how often the test of the result errs. docs/tuning.md has its output.
 //
 //     tuning_trials [SEEDS]      default: 200
 #include <fmt/format.h>
 
 #include "runner/io/words.hpp"
+#include "runner/statistics/anytime_interval.hpp"
+#include "runner/statistics/mean_interval.hpp"
+#include "runner/statistics/three_way_test.hpp"
 #include "tests/runner/tune/noisy_search.hpp"
 
 namespace autoref::runner {
@@ -48,6 +51,58 @@ void print_table(int seeds) {
   }
 }
 
+constexpr SequentialTest kTest = {.d0 = 0, .d1 = 0.5, .max_pairs = 400};
+constexpr double kGainNoise = 1.6;  // standard deviation of a pair's gain, in goals
+constexpr int kTestsPerSeed = 25;
+
+struct TestCounts {
+  int better = 0;
+  int worse = 0;
+  int not_shown = 0;  // or undecided
+  int pairs = 0;
+  int missed = 0;             // by anytime_interval()
+  int missed_by_student = 0;  // by mean_interval()
+};
+
+bool misses(const std::optional<Interval>& interval, double gain) {
+  return interval && (interval->low > gain || interval->high < gain);
+}
+
+void add_test(double gain, std::uint64_t seed, TestCounts& counts) {
+  RandomStream random(seed);
+  std::vector<double> pairs;
+  pairs.reserve(static_cast<std::size_t>(kTest.max_pairs));
+  for (int i = 0; i < kTest.max_pairs; ++i) pairs.push_back(gain + kGainNoise * random.normal());
+  const ThreeWayState state = compared(kTest, pairs);
+  pairs.resize(static_cast<std::size_t>(state.pairs));
+  const bool is_better = state.verdict == ThreeWayVerdict::kBetter;
+  const bool is_worse = state.verdict == ThreeWayVerdict::kWorse;
+  counts.better += is_better ? 1 : 0;
+  counts.worse += is_worse ? 1 : 0;
+  counts.not_shown += is_better || is_worse ? 0 : 1;
+  counts.pairs += state.pairs;
+  counts.missed += misses(anytime_interval(pairs), gain) ? 1 : 0;
+  counts.missed_by_student += misses(mean_interval(pairs), gain) ? 1 : 0;
+}
+
+void print_tests(int tests) {
+  fmt::print(
+      "\n{} tests each\n\n| true gain | better | worse | not shown | pairs | the interval misses "
+      "the "
+      "gain | Student's would miss it |\n|---|---|---|---|---|---|---|\n",
+      tests);
+  for (const double gain : {0.0, 0.25, 0.5, -0.5}) {
+    TestCounts counts;
+    for (int test = 1; test <= tests; ++test) {
+      add_test(gain, static_cast<std::uint64_t>(test), counts);
+    }
+    const auto percent = [tests](int count) { return 100.0 * count / tests; };
+    fmt::print("| {} | {:.1f} % | {:.1f} % | {:.1f} % | {} | {:.1f} % | {:.1f} % |\n", gain,
+               percent(counts.better), percent(counts.worse), percent(counts.not_shown),
+               counts.pairs / tests, percent(counts.missed), percent(counts.missed_by_student));
+  }
+}
+
 }  // namespace
 }  // namespace autoref::runner
 
@@ -59,4 +114,5 @@ int main(int argc, char** argv) {
     return 2;
   }
   print_table(seeds);
+  print_tests(kTestsPerSeed * seeds);
 }
