@@ -10,6 +10,8 @@ namespace {
 
 constexpr double kBesideBox_m = 10_mm;
 constexpr double kGradientStep_m = 1_mm;
+constexpr double kInTheWay_m = 0.35;  // along the field, of an opponent before a robot in the goal
+constexpr double kPast_m = 2 * kRobotRadius_m + 10_mm;  // across the field
 constexpr double kGoalBraking_mps2 = 2.5;
 constexpr double kSlowsWithin_m = 1.5;  // at most 3 m/s^2 are needed to stop from full speed
 
@@ -69,6 +71,16 @@ std::optional<Vec2> exit_from_goal(const PredictedState& predicted, const Tracke
       beyond_m > field.goal_depth_m || std::abs(robot.position_m.y()) > field.half_goal_m())
     return std::nullopt;
   const double reach_m = field.half_goal_m() - kRobotRadius_m - kBesideBox_m;
+  // First past an opponent, usually the keeper, that stands in the way.
+  for (const TrackedRobot& opponent : predicted.now().opponents) {
+    const Vec2 off_m = robot.position_m - opponent.position_m;
+    if (off_m.x() < 0 || off_m.x() > kInTheWay_m || std::abs(off_m.y()) > kPast_m) continue;
+    const double side_y =
+        opponent.position_m.y() + std::copysign(kPast_m + kBesideBox_m, off_m.y());
+    const double other_y =
+        opponent.position_m.y() - std::copysign(kPast_m + kBesideBox_m, off_m.y());
+    return Vec2(robot.position_m.x(), std::abs(side_y) <= reach_m ? side_y : other_y);
+  }
   return Vec2(field.half_length_m() - 2 * kRobotRadius_m,
               std::clamp(robot.position_m.y(), -reach_m, reach_m));
 }

@@ -61,6 +61,15 @@ TEST(AvoidingFouls, ARobotBacksStraightOutOfTheGoal) {
   EXPECT_LT(std::abs(command.velocity_mps.y()), 0.1);
 }
 
+TEST(AvoidingFouls, ARobotInTheGoalFirstMovesAsideOfAnOpponentThatBlocksItsWayOut) {
+  StagedPlay stage = staged_2026(Play::kStop);
+  stage.world.own(0, {-4, 0}).own(1, {4.43, 0.3}).opponent(0, {4.23, 0.32}).ball({-2, 0});
+  stage.look();
+  const RobotCommand command = go_to(stage.predicted, 1, {Vec2(-1, 2), Vec2(1, 0)});
+  EXPECT_LT(command.velocity_mps.y(), -0.3);
+  EXPECT_NEAR(command.velocity_mps.x(), 0, 0.1);
+}
+
 TEST(AvoidingFouls, ARobotInContactDoesNotPressAgainstAnOpponent) {
   StagedPlay stage = staged_2026(Play::kRunning);
   stage.world.own(0, {-4, 0}).own(1, {0, 0}).opponent(0, {2 * kRobotRadius_m, 0}).ball({1, 1});
