@@ -47,7 +47,7 @@ Scenario scenario_in(const fs::path& folder) {
   Scenario scenario = read_scenario(file);
   if (keeps_rows(scenario)) return scenario;
   throw InputError({file.string()}, "kind",
-                   fmt::format("this is a {}, not an experiment", kind_of(scenario)));
+                   fmt::format("this is of kind {}, not an experiment", kind_of(scenario)));
 }
 
 int ResultFolder::killed_games() const {

@@ -54,7 +54,7 @@ Scenario read_experiment(const BatchArguments& arguments) {
   if (std::find(arguments.verbs.begin(), arguments.verbs.end(), verb) == arguments.verbs.end()) {
     throw InputError(
         {file}, "kind",
-        fmt::format("this is a {}, not {}; play it with: autoref {} {}", kind_of(scenario),
+        fmt::format("this is of kind {}, not {}; play it with: autoref {} {}", kind_of(scenario),
                     arguments.verbs.front() == "tune" ? "a tuning" : "an experiment", verb, file));
   }
   override_pairs(arguments.pairs, scenario);

@@ -46,9 +46,10 @@ int draw_situation(const DrawArguments& arguments) {
   const Scenario scenario = read_scenario(arguments.log);
   const auto* situations = std::get_if<Situations>(&scenario.content);
   if (situations == nullptr) {
-    throw InputError({arguments.log}, "kind",
-                     fmt::format("this is a {}; --situation needs a scenario of kind situations",
-                                 kind_of(scenario)));
+    throw InputError(
+        {arguments.log}, "kind",
+        fmt::format("this is of kind {}; --situation needs a scenario of kind situations",
+                    kind_of(scenario)));
   }
   const SituationSetup& situation = situation_named(*situations, arguments);
   check_outputs({{"-o", arguments.output}}, {arguments.log});

@@ -26,7 +26,7 @@ Scenario read_judge(const JudgeArguments& arguments) {
     return scenario;
   }
   throw InputError({arguments.file}, "kind",
-                   fmt::format("this is a {}, not a judge; play it with: autoref {} {}",
+                   fmt::format("this is of kind {}, not a judge; play it with: autoref {} {}",
                                kind_of(scenario), verb_of(scenario), arguments.file));
 }
 

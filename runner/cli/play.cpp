@@ -39,7 +39,7 @@ GameSettings game_in(const std::string& file, const std::string& seed,
   auto* game = std::get_if<GameSettings>(&scenario.content);
   if (game == nullptr) {
     throw InputError({file}, "kind",
-                     fmt::format("this is a {}, not a game; run it with: autoref {} {}",
+                     fmt::format("this is of kind {}, not a game; run it with: autoref {} {}",
                                  kind_of(scenario), verb_of(scenario), file));
   }
   if (!seed.empty()) blame("--seed", [&] { set_by_path(*game, "seed", seed); });

@@ -31,6 +31,16 @@ const Part kParts[] = {
     {"sprt: the test", "run",
      "kind: sprt\nseed: 1\nteams: {x: {strategy: basic}, y: {strategy: zone}}\nsprt: {zzz: 1}\n"},
     {"knockout", "run", "kind: knockout\nzzz: 1\n"},
+    {"situations", "run", "kind: situations\nzzz: 1\n"},
+    {"situations: one situation", "run",
+     "kind: situations\nattackers: {x: {strategy: basic}}\ndefenders: {y: {strategy: basic}}\n"
+     "situations: {corner: {zzz: 1}}\n"},
+    {"tune", "tune", "kind: tune\nzzz: 1\n"},
+    {"tune: a parameter", "tune",
+     "kind: tune\nteam: {strategy: basic}\ntune: {shot_mps: {zzz: 1}}\n"},
+    {"tune: the test", "tune",
+     "kind: tune\nteam: {strategy: basic}\niterations: 1\npairs: 1\n"
+     "tune: {shot_mps: {start: 5}}\ntest: {zzz: 1}\n"},
     {"judge", "judge", "kind: judge\nzzz: 1\n"},
     {"judge: seeds", "judge",
      "kind: judge\nrules: [paper]\ncameras: [none]\nteams: [basic]\ngames: 2\nseeds: {zzz: 1}\n"},

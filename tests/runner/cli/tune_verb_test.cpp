@@ -59,7 +59,7 @@ TEST_F(TuneVerb, PlaysTuningsAndNothingElse) {
   write_content(file_,
                 "schema: 1\nkind: sprt\nteams: { a: {}, b: {} }\nsprt: { d0: 0, d1: 1, "
                 "max_pairs: 20 }\nseed: 1\n");
-  EXPECT_TRUE(says(tune().err, "this is a sprt, not a tuning; play it with: autoref run"));
+  EXPECT_TRUE(says(tune().err, "this is of kind sprt, not a tuning; play it with: autoref run"));
 }
 
 TEST_F(TuneVerb, IsReportedWithItsPath) {
