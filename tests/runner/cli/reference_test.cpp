@@ -17,7 +17,7 @@ std::string printed(const std::string& page) {
 }
 
 // The page's line that begins with this cell.
-std::string line_of(const std::string& page, const std::string& cell) {
+std::string page_line_of(const std::string& page, const std::string& cell) {
   const std::size_t begin = page.find("\n| " + cell + " |");
   return begin == std::string::npos ? "" : page.substr(begin, page.find('\n', begin + 1) - begin);
 }
@@ -35,7 +35,7 @@ INSTANTIATE_TEST_SUITE_P(Of, ReferencePage, testing::ValuesIn(reference_page_nam
                          [](const auto& test) { return test.param; });
 
 TEST(ReferencePages, GiveEachSettingItsDefaultRangeAndMeaning) {
-  const std::string line = line_of(printed("settings"), "`half_s`");
+  const std::string line = page_line_of(printed("settings"), "`half_s`");
   EXPECT_NE(line.find("`600.0`"), std::string::npos) << line;
   EXPECT_NE(line.find("at most 36000 s"), std::string::npos) << line;
   EXPECT_NE(line.find("length of a half"), std::string::npos) << line;
@@ -45,8 +45,8 @@ TEST(ReferencePages, GiveEachSettingItsDefaultRangeAndMeaning) {
 TEST(ReferencePages, SayWhatARuleBookSets) {
   const std::string page = printed("settings");
   const std::string sets = page.substr(page.find("## What `match.rules` sets"));
-  EXPECT_NE(line_of(sets, "`field.length_m`").find(" 12"), std::string::npos);
-  EXPECT_NE(line_of(sets, "`a.robots`").find(" 11"), std::string::npos);
+  EXPECT_NE(page_line_of(sets, "`field.length_m`").find(" 12"), std::string::npos);
+  EXPECT_NE(page_line_of(sets, "`a.robots`").find(" 11"), std::string::npos);
 }
 
 TEST(ReferencePages, NameEveryVerbAndItsOptions) {
@@ -58,7 +58,7 @@ TEST(ReferencePages, NameEveryVerbAndItsOptions) {
 
 // Laws 2014, law 12: 8 m/s; the rules of 2026: 6.5 m/s.
 TEST(ReferencePages, ShowThresholdsOfEachRuleBook) {
-  const std::string line = line_of(printed("rules"), "`bot_kicked_ball_too_fast`");
+  const std::string line = page_line_of(printed("rules"), "`bot_kicked_ball_too_fast`");
   EXPECT_NE(line.find("8 m/s"), std::string::npos) << line;
   EXPECT_NE(line.find("6.5 m/s"), std::string::npos) << line;
 }
