@@ -10,7 +10,7 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr int kSamples = 17;  // points of the goal line
+constexpr int kGoalLinePoints = 17;  // points of the goal line
 constexpr double kBlock_m = kRobotRadius_m + kBallRadius_m;
 constexpr double kNearest_m = 50_mm;    // robots nearer to the ball, along the field, are ignored
 constexpr double kFarthest = 0.62;      // of the field's length: shots from farther away are rare
@@ -18,10 +18,10 @@ constexpr double kStrayCost_per_m = 1;  // in samples covered, per metre from th
 constexpr double kAimWidth_m = 0.15;    // points of the goal this near to the aim count more
 constexpr double kAimWeight = 1.0;      // by this much at most
 
-using Weights = std::array<double, kSamples>;
+using Weights = std::array<double, kGoalLinePoints>;
 
 double sample_y(const Field& field, int i) {
-  return (field.half_goal_m() - kBallRadius_m) * (2.0 * i / (kSamples - 1) - 1);
+  return (field.half_goal_m() - kBallRadius_m) * (2.0 * i / (kGoalLinePoints - 1) - 1);
 }
 
 // Sets the weights of all points behind a robot to zero.
@@ -33,14 +33,14 @@ void shade(const Field& field, const Vec2& from_m, const Vec2& robot_m, Weights&
   const double slope = (robot_m.y() - from_m.y()) / to_robot_m;
   const double half_m = kBlock_m * stretch * std::sqrt(1 + slope * slope);
   const double middle_m = from_m.y() + (robot_m.y() - from_m.y()) * stretch;
-  for (int i = 0; i < kSamples; ++i) {
+  for (int i = 0; i < kGoalLinePoints; ++i) {
     if (std::abs(sample_y(field, i) - middle_m) < half_m) open[static_cast<std::size_t>(i)] = 0;
   }
 }
 
 Weights open_points(const PredictedState& predicted, const KeeperShadow& keeper) {
   Weights open;
-  for (int i = 0; i < kSamples; ++i) {
+  for (int i = 0; i < kGoalLinePoints; ++i) {
     double& weight = open[static_cast<std::size_t>(i)];
     weight = 1;
     if (!keeper.aim_y_m) continue;
@@ -58,11 +58,11 @@ struct OpenPoint {
   double y_m;
   double weight;
 };
-using OpenPoints = boost::container::static_vector<OpenPoint, kSamples>;
+using OpenPoints = boost::container::static_vector<OpenPoint, kGoalLinePoints>;
 
 OpenPoints without_shaded(const Field& field, const Weights& open) {
   OpenPoints points;
-  for (int i = 0; i < kSamples; ++i) {
+  for (int i = 0; i < kGoalLinePoints; ++i) {
     const double weight = open[static_cast<std::size_t>(i)];
     if (weight > 0) points.push_back({sample_y(field, i), weight});
   }
@@ -90,9 +90,9 @@ std::optional<double> gap_for_keeper_m(const PredictedState& predicted,
   if (ahead_m < 2 * kNearest_m || ahead_m > kFarthest * field.length_m) return std::nullopt;
   const OpenPoints open = without_shaded(field, open_points(predicted, keeper));
   if (open.empty()) return std::nullopt;
-  std::array<double, kSamples> cover{};
+  std::array<double, kGoalLinePoints> cover{};
   int best = 0;
-  for (int i = 0; i < kSamples; ++i) {
+  for (int i = 0; i < kGoalLinePoints; ++i) {
     const auto at = static_cast<std::size_t>(i);
     const double y_m = sample_y(field, i);
     cover[at] = covered(open, y_m, keeper.half_width_m);
@@ -101,7 +101,7 @@ std::optional<double> gap_for_keeper_m(const PredictedState& predicted,
   }
   const auto at = static_cast<std::size_t>(best);
   if (cover[at] <= 0) return std::nullopt;
-  if (best == 0 || best == kSamples - 1) return sample_y(field, best);
+  if (best == 0 || best == kGoalLinePoints - 1) return sample_y(field, best);
   // The vertex of the parabola through the best sample and its neighbours.
   const double bend = cover[at - 1] - 2 * cover[at] + cover[at + 1];
   const double shift = bend < 0 ? (cover[at - 1] - cover[at + 1]) / (2 * bend) : 0.0;

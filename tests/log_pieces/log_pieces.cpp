@@ -34,7 +34,7 @@ constexpr double kShortest_s = 10;
 constexpr double kLongest_s = 60;
 constexpr double kHalf_s = 120;
 const std::vector<std::string> kBooks = {"paper", "2014", "2026-b"};
-const std::vector<std::string> kTeams = {"cobalt", "counter", "possession", "zone", "shadow"};
+const std::vector<std::string> kTeams = {"cobalt1", "counter", "possession", "zone", "shadow"};
 
 // Writes a game's log and keeps its calls.
 class Recorder final : public Observer {

@@ -60,7 +60,7 @@ return sum / (3 * data.length / 4);
 
 class PageTest(GamePage):
     """A game in which cobalt scores several goals."""
-    settings = {"a__strategy": "cobalt", "b__strategy": "chaser", "match__half_s": 120}
+    settings = {"a__strategy": "cobalt1", "b__strategy": "chaser", "match__half_s": 120}
 
     def test_loads_without_complaints(self):
         self.assertEqual(self.browser.get_log("browser"), [])
@@ -71,7 +71,7 @@ class PageTest(GamePage):
         self.assertEqual([one for one in addresses if not one.startswith(("file:", "data:"))], [])
 
     def test_shows_both_teams_and_the_ball(self):
-        self.assertEqual([self.text("team0"), self.text("team1")], ["cobalt", "chaser"])
+        self.assertEqual([self.text("team0"), self.text("team1")], ["cobalt1", "chaser"])
         for color in (YELLOW, BLUE, BALL):
             self.assertGreater(self.pixels(color), 10)
 
@@ -349,8 +349,8 @@ class ComparedPageTest(BrowserTest):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         log, cls.page = str(pathlib.Path(folder.name) / "game.log"), pathlib.Path(folder.name) / "both.html"
-        played_game(GamePage.autoref, GamePage.scenario, str(cls.page), match__half_s=60, a__strategy="cobalt",
-                    b__strategy="cobalt", log=log)
+        played_game(GamePage.autoref, GamePage.scenario, str(cls.page), match__half_s=60, a__strategy="cobalt1",
+                    b__strategy="cobalt1", log=log)
         mine, cls.annotated_page = pathlib.Path(folder.name) / "mine.csv", pathlib.Path(folder.name) / "mine.html"
         mine.write_text("time,call,side\n20,goal,yellow\n")
         done = subprocess.run([GamePage.autoref, "referee", log, "--report", str(cls.page), "--json"], check=True,

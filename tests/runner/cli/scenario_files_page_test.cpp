@@ -37,9 +37,10 @@ const Part kParts[] = {
      "situations: {corner: {zzz: 1}}\n"},
     {"tune", "tune", "kind: tune\nzzz: 1\n"},
     {"tune: a parameter", "tune",
-     "kind: tune\nteam: {strategy: basic}\ntune: {shot_mps: {zzz: 1}}\n"},
+     "kind: tune\nseed: 1\nteam: {strategy: basic}\niterations: 1\npairs: 1\n"
+     "tune: {shot_mps: {zzz: 1}}\n"},
     {"tune: the test", "tune",
-     "kind: tune\nteam: {strategy: basic}\niterations: 1\npairs: 1\n"
+     "kind: tune\nseed: 1\nteam: {strategy: basic}\niterations: 1\npairs: 1\n"
      "tune: {shot_mps: {start: 5}}\ntest: {zzz: 1}\n"},
     {"judge", "judge", "kind: judge\nzzz: 1\n"},
     {"judge: seeds", "judge",

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "runner/io/build_id.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/logs/log_recorder.hpp"
 #include "runner/logs/user_log.hpp"
@@ -77,9 +78,9 @@ TEST_F(ViewVerb, NamesALineThatIsNotADecision) {
 
 TEST_F(ViewVerb, NamesTheLogAndTheBuildThatMadeThePage) {
   view(write_short_log(folder_, "paper"));
-  EXPECT_NE(
-      content_of(page_).find(R"("facts": [["log", "game.log.gz"], ["page made by build", "0.)"),
-      std::string::npos);
+  const std::string facts = R"("facts": [["log", "game.log.gz"], ["page made by build", ")" +
+                            std::string(build_id()) + "\"]";
+  EXPECT_NE(content_of(page_).find(facts), std::string::npos);
 }
 
 // What the line about the page says of its frames.

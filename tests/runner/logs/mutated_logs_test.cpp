@@ -32,10 +32,10 @@ constexpr std::uint64_t kLogs = AUTOREF_MUTATED_LOGS;
 void write_mutated_game(const fs::path& log) {
   const std::string game = in_checkout("scenarios/paper-game.yaml");
   const std::string path = log.string();
-  const Answer answer =
-      answer_to({"play", game.c_str(), "--log", path.c_str(), "--set", "match.rules=2026-b",
-                 "--set", "match.half_s=15", "--seed", "40", "--set", "match.halves=1", "--set",
-                 "sim.camera=rc2026-b", "--set", "a.strategy=rowdy", "--set", "b.strategy=cobalt"});
+  const Answer answer = answer_to({"play", game.c_str(), "--log", path.c_str(), "--set",
+                                   "match.rules=2026-b", "--set", "match.half_s=15", "--seed", "40",
+                                   "--set", "match.halves=1", "--set", "sim.camera=rc2026-b",
+                                   "--set", "a.strategy=rowdy", "--set", "b.strategy=cobalt1"});
   ASSERT_EQ(answer.code, kDone) << answer.err;
 }
 

@@ -54,7 +54,7 @@ class Recorder final : public Observer {
 
 GameConfiguration short_game() {
   GameConfiguration game;
-  game.a.strategy = game.b.strategy = "cobalt";
+  game.a.strategy = game.b.strategy = "cobalt1";
   game.b.robots.resize(5);
   game.match.half_s = 60;
   game.match.first_kickoff = Side::kEast;
