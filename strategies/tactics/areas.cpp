@@ -89,8 +89,8 @@ Vec2 around_boxes(const PredictedState& predicted, const TrackedRobot& robot,
                   const Vec2& target_m) {
   if (predicted.style().around_boxes < 0.5) return target_m;
   if (predicted.limits().keep_from_area_m > 0) {
-    const Vec2 out_m = permitted_by_all(predicted.field(), robot.position_m, predicted.position_m(),
-                                        leaving(predicted));
+    Vec2 out_m = permitted_by_all(predicted.field(), robot.position_m, predicted.position_m(),
+                                  leaving(predicted));
     if ((out_m - robot.position_m).norm() > kBesideBox_m) return out_m;
   }
   const double own_m = kRobotRadius_m;
