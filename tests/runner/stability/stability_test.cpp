@@ -78,7 +78,7 @@ TEST(FilesOf10, AreStillRead) {
       EXPECT_NO_THROW(read_scenario(file)) << file;
     }
   }
-  EXPECT_EQ(files, 9);
+  EXPECT_EQ(files, 11);
 }
 
 }  // namespace
