@@ -27,7 +27,7 @@ double drawn_normal(double mean, double sd, const Range& range, RandomStream& ra
 }  // namespace
 
 std::string text_of(const Distribution& distribution) {
-  const std::string first = text_of(distribution.first);
+  std::string first = text_of(distribution.first);
   switch (distribution.kind) {
     case Distribution::Kind::kUniform:
       return fmt::format("[{}, {}]", first, text_of(distribution.second));

@@ -201,7 +201,7 @@ std::string body_of(const Situations& situations) {
          fmt::format("pairs: {}\nseed: {}\n", situations.pairs, situations.seed);
 }
 
-void add(std::vector<Setting> settings, Tree& tree) {
+void add(const std::vector<Setting>& settings, Tree& tree) {
   for (const Setting& setting : settings) {
     if (!is_alias(setting) && !is_spelt_out(setting)) tree.add(setting);
   }
