@@ -27,7 +27,8 @@ struct SituationMatchup {
   std::string situation;
   std::string attackers;
   std::string defenders;
-  auto operator<=>(const SituationMatchup&) const = default;
+  auto operator<=>(const SituationMatchup&) const =
+      default;  // NOLINT(modernize-use-nullptr): no pointer
 };
 
 // In the order of the names.

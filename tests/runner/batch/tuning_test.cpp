@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <map>
@@ -53,6 +54,24 @@ TEST_P(TunedFolder, IsTheSameForEveryNumberOfWorkers) {
   EXPECT_EQ(tuning_results_in(folder_.path()), tuning_results_in(whole_.path()));
 }
 
+// Lines of the only shard; 0 before it is created.
+int lines_in(const fs::path& folder) {
+  return fs::exists(shard_of(folder)) ? line_count(content_of(shard_of(folder))) : 0;
+}
+
+// Kills the run once it has written a row, or ended, and some time more has passed.
+void kill_after_a_row(pid_t child, const fs::path& folder, std::chrono::milliseconds more) {
+  constexpr int kMostLooks = 20000;  // about 20 s
+  const int before = std::max(1, lines_in(folder));
+  for (int look = 0; look < kMostLooks && lines_in(folder) <= before; ++look) {
+    if (waitpid(child, nullptr, WNOHANG) != 0) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  std::this_thread::sleep_for(more);
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+}
+
 TEST_P(TunedFolder, IsTheSameAfterKillsAtAnyTime) {
   for (int kill_number = 0; kill_number < 8; ++kill_number) {
     const pid_t child = fork();
@@ -66,9 +85,7 @@ TEST_P(TunedFolder, IsTheSameAfterKillsAtAnyTime) {
       run_experiment(scenario_, options);
       _exit(0);
     }
-    std::this_thread::sleep_for(std::chrono::milliseconds(20 + 17 * (kill_number % 5)));
-    kill(child, SIGKILL);
-    waitpid(child, nullptr, 0);
+    kill_after_a_row(child, folder_.path(), std::chrono::milliseconds(7 * (kill_number % 5)));
   }
   EXPECT_GT(line_count(content_of(shard_of(folder_.path()))), 1);
   EXPECT_TRUE(tune(folder_.path(), scenario_).is_complete);
