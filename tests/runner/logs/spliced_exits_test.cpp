@@ -33,7 +33,7 @@ void write_game(const char* book, const char* half_s, int seed, const fs::path& 
   const Answer answer = answer_to({"play", game.c_str(), "--log", path.c_str(), "--seed",
                                    seed_text.c_str(), "--set", rules.c_str(), "--set", half.c_str(),
                                    "--set", "match.halves=1", "--set", "sim.camera=rc2026-b",
-                                   "--set", "a.strategy=cobalt", "--set", "b.strategy=counter"});
+                                   "--set", "a.strategy=cobalt1", "--set", "b.strategy=counter"});
   ASSERT_EQ(answer.code, 0) << answer.err;
 }
 
