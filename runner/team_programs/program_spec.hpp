@@ -11,10 +11,11 @@ namespace autoref::runner {
 struct ProgramLimits {
   std::uint64_t memory_bytes = 4ULL << 30;  // written to by each process
   std::uint64_t open_files = 256;           // of each process
-  int processes = 64;                       // at once, threads not counted
-  std::uint64_t cpu_s = 3600;               // of each process
-  double answer_s = 10.0;                   // wall clock; only to detect programs that hang
-  std::size_t stderr_bytes = 1U << 20;      // in the file of standard error; the rest is dropped
+  int processes = 64;                       // at once, threads not counted; more end the program
+  std::uint64_t tasks = 512;            // processes and threads at once; the kernel refuses more
+  std::uint64_t cpu_s = 3600;           // of each process
+  double answer_s = 10.0;               // wall clock; only to detect programs that hang
+  std::size_t stderr_bytes = 1U << 20;  // in the file of standard error; the rest is dropped
 };
 
 struct ProgramSpec {

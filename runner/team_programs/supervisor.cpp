@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <linux/capability.h>
 #include <linux/close_range.h>
 #include <poll.h>
 #include <sched.h>
@@ -26,12 +27,16 @@ namespace {
 
 constexpr int kCountEvery_ms = 50;
 constexpr std::size_t kMostCounted = 4096;
+// User ids without an account, those that systemd gives to dynamic users.
+constexpr int kFirstUid = 61184;
+constexpr int kUids = 4336;
 
 struct PreparedProgram {
   std::vector<char*> arguments;
   std::vector<char*> environment;
   std::string uid_map;
   std::string gid_map;
+  int uid;  // of a program that root starts; programs that run at once should have different ones
 };
 
 std::vector<char*> pointers(const std::vector<std::string>& words) {
@@ -71,7 +76,22 @@ void limit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
   setrlimit(resource, &wanted);
 }
 
-void limit_all(const ProgramLimits& limits) {
+// The kernel limits the tasks of a user, but not root's. A program that root starts therefore runs
+// under a user id of its own, and keeps only root's right to read and write every file. Returns
+// false if this process may not change its user.
+bool leave_root(int uid) {
+  __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
+  std::array<__user_cap_data_struct, _LINUX_CAPABILITY_U32S_3> rights{};
+  constexpr __u32 kFiles = 1U << CAP_DAC_OVERRIDE;
+  rights[0] = {kFiles, kFiles, kFiles};
+  return prctl(PR_SET_KEEPCAPS, 1) == 0 && syscall(SYS_setresuid, uid, uid, uid) == 0 &&
+         syscall(SYS_capset, &header, rights.data()) == 0 &&
+         prctl(PR_CAP_AMBIENT, PR_CAP_AMBIENT_RAISE, CAP_DAC_OVERRIDE, 0, 0) == 0;
+}
+
+void limit_all(const ProgramLimits& limits, bool has_own_user) {
+  // Without a user of its own, the limit would count all processes of AutoRef's user.
+  if (has_own_user) limit(RLIMIT_NPROC, limits.tasks, limits.tasks);
   limit(RLIMIT_DATA, limits.memory_bytes, limits.memory_bytes);
   limit(RLIMIT_NOFILE, limits.open_files, limits.open_files);
   limit(RLIMIT_CPU, limits.cpu_s, limits.cpu_s + 1);
@@ -86,7 +106,8 @@ void default_signals() {
 }
 
 [[noreturn]] void become_program(const ProgramSpec& spec, const ProgramEnds& ends,
-                                 const PreparedProgram& prepared) {
+                                 const PreparedProgram& prepared, unsigned long flags) {
+  const bool has_own_user = (flags & CLONE_NEWUSER) != 0 || leave_root(prepared.uid);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   setsid();
   default_signals();
@@ -97,7 +118,7 @@ void default_signals() {
   dup2(ends.out, STDOUT_FILENO);
   dup2(ends.err, STDERR_FILENO);
   close_range(3, ~0U, CLOSE_RANGE_CLOEXEC);
-  limit_all(spec.limits);
+  limit_all(spec.limits, has_own_user);
   execvpe(prepared.arguments[0], prepared.arguments.data(), prepared.environment.data());
   fail_to_start(ends.started, SupervisorReport::kNoProgram);
 }
@@ -242,7 +263,7 @@ void close_all_but(int a, int b) {
   std::signal(SIGCHLD, SIG_DFL);
   const pid_t program =
       static_cast<pid_t>(syscall(SYS_clone, SIGCHLD, nullptr, nullptr, nullptr, nullptr));
-  if (program == 0) become_program(spec, ends, prepared);
+  if (program == 0) become_program(spec, ends, prepared, flags);
   if (program < 0) fail_to_start(ends.started, SupervisorReport::kNoProcess);
   close_all_but(ends.life, ends.reports);
   sigset_t child;
@@ -255,9 +276,9 @@ void close_all_but(int a, int b) {
 }  // namespace
 
 Supervisor start_supervisor(const ProgramSpec& spec, const ProgramEnds& ends) {
-  const PreparedProgram prepared{pointers(spec.command), environment_of(spec),
-                                 fmt::format("{0} {0} 1", geteuid()),
-                                 fmt::format("{0} {0} 1", getegid())};
+  const PreparedProgram prepared{
+      pointers(spec.command), environment_of(spec), fmt::format("{0} {0} 1", geteuid()),
+      fmt::format("{0} {0} 1", getegid()), kFirstUid + (61 * getpid() + ends.in) % kUids};
   for (const unsigned long flags : {CLONE_NEWPID, CLONE_NEWUSER | CLONE_NEWPID, 0}) {
     const auto pid =
         static_cast<pid_t>(syscall(SYS_clone, flags | SIGCHLD, nullptr, nullptr, nullptr, nullptr));
