@@ -10,6 +10,7 @@
 
 #include "league/log_file.hpp"
 #include "runner/cli/mistyped.hpp"
+#include "runner/cli/program.hpp"
 #include "runner/io/build_id.hpp"
 #include "runner/io/errors.hpp"
 

@@ -292,7 +292,4 @@ void add_help_verb(CLI::App& app, Chosen& chosen);
 // Runs `work`; turns an exception into a message on stderr and an exit code (errors.hpp).
 int exit_code_of(const Chosen& work);
 
-// Parses the command line and runs the chosen verb. Returns the exit code.
-int run_command_line(int argc, const char* const* argv);
-
 }  // namespace autoref::runner

@@ -4,7 +4,7 @@
 
 #include <csignal>
 
-#include "runner/cli/command_line.hpp"
+#include "runner/cli/program.hpp"
 
 namespace {
 

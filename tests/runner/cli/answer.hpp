@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "runner/cli/command_line.hpp"
+#include "runner/cli/program.hpp"
 
 namespace autoref::runner {
 
