@@ -1,7 +1,7 @@
 // Contacts of whole games, played again from the same state with every body in Box2D: they come out
 // as they did while Box2D only knew the bodies that could meet.
 //
-// AUTOREF_CONTACT_GAMES=100 build/release/bin/test_runner --gtest_filter='FreeMotionGames.*'
+// AUTOREF_CONTACT_GAMES=100 build/release/bin/test_game --gtest_filter='FreeMotionGames.*'
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

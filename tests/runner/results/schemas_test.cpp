@@ -5,7 +5,7 @@
 #include <cctype>
 #include <set>
 
-#include "tests/runner/results/written_names.hpp"
+#include "tests/runner/support/written_names.hpp"
 #include "tests/runner/support/schema_tables.hpp"
 
 namespace autoref::runner {

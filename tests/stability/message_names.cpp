@@ -9,8 +9,8 @@
 #include "league/messages/team.pb.h"
 #include "league/team/team_codec.hpp"
 #include "tests/checkout.hpp"
-#include "tests/runner/stability/promised_names.hpp"
 #include "tests/runner/support/temporary_folder.hpp"
+#include "tests/stability/promised_names.hpp"
 
 namespace autoref::runner {
 namespace {

@@ -9,8 +9,8 @@
 #include "runner/live/live_options.hpp"
 #include "runner/settings/fields.hpp"
 #include "tests/runner/cli/answer.hpp"
-#include "tests/runner/results/written_names.hpp"
-#include "tests/runner/stability/promised_names.hpp"
+#include "tests/runner/support/written_names.hpp"
+#include "tests/stability/promised_names.hpp"
 
 namespace autoref::runner {
 

@@ -12,7 +12,7 @@
 #include "tests/runner/batch/fake_games.hpp"
 #include "tests/runner/batch/fake_tuning.hpp"
 #include "tests/runner/experiments/small_situations.hpp"
-#include "tests/runner/results/written_names.hpp"
+#include "tests/runner/support/written_names.hpp"
 
 namespace autoref::runner {
 namespace {

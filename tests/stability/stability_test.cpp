@@ -1,7 +1,8 @@
 // The program still has everything that 1.0 promised. Names may be added, but not removed.
 //
 // Before a release that adds some, write the lists anew and check that only lines were added:
-//   build/release/bin/test_runner --gtest_also_run_disabled_tests --gtest_filter='*WritesTheLists'
+//   build/release/bin/test_stability --gtest_also_run_disabled_tests
+//   --gtest_filter='*WritesTheLists'
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -12,8 +13,8 @@
 #include "runner/lab/lab.hpp"
 #include "runner/settings/robot_types.hpp"
 #include "tests/checkout.hpp"
-#include "tests/runner/stability/promised_names.hpp"
 #include "tests/runner/support/temporary_folder.hpp"
+#include "tests/stability/promised_names.hpp"
 
 namespace autoref::runner {
 namespace {
